@@ -1,0 +1,15 @@
+include(CMakePackageConfigHelpers)
+get_property(libraries GLOBAL PROPERTY AR3D_LIBRARIES)
+install(TARGETS ${libraries} EXPORT ar3dTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS ar3d_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+foreach(folder IN ITEMS model formats generators algorithms verify results bench analysis)
+  install(DIRECTORY ${CMAKE_SOURCE_DIR}/${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ar3d
+          FILES_MATCHING PATTERN "*.h")
+endforeach()
+install(EXPORT ar3dTargets NAMESPACE ar3d:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/ar3d)
+configure_package_config_file(cmake/ar3dConfig.cmake.in ${CMAKE_BINARY_DIR}/ar3dConfig.cmake
+  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/ar3d)
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/ar3dConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/ar3dConfig.cmake ${CMAKE_BINARY_DIR}/ar3dConfigVersion.cmake
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/ar3d)

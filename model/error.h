@@ -1,0 +1,46 @@
+#pragma once
+
+#include <source_location>
+#include <stdexcept>
+#include <string>
+
+namespace ar3d {
+
+/// Bad input or bad usage. The message is one line that names the value and, for files, file and line.
+/// Programs print it and exit with code 2.
+class InputError : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+/// A broken internal invariant: a bug in ar3d. Programs exit with code 1.
+class InternalError : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
+
+/// True in builds with AR3D_CHECKS (the `check` preset): invariants that cost more than their stage are tested.
+#ifdef AR3D_CHECKS
+inline constexpr bool kHeavyChecks = true;
+#else
+inline constexpr bool kHeavyChecks = false;
+#endif
+
+/// Throws InternalError naming the place when an internal invariant does not hold.
+inline void expect(bool holds, const char* invariant,
+                   std::source_location where = std::source_location::current()) {
+  if (!holds) {
+    throw InternalError(std::string("internal error: ") + invariant + " (" + where.file_name() +
+                        ":" + std::to_string(where.line()) + ")");
+  }
+}
+
+/// As expect, for conditions whose evaluation is expensive: `check` is a callable that is called only in
+/// builds with AR3D_CHECKS.
+template <class Check>
+void expect_heavy([[maybe_unused]] Check&& check, [[maybe_unused]] const char* invariant,
+                  [[maybe_unused]] std::source_location where = std::source_location::current()) {
+  if constexpr (kHeavyChecks) expect(check(), invariant, where);
+}
+
+}  // namespace ar3d

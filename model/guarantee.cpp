@@ -1,0 +1,48 @@
+#include "ar3d/model/guarantee.h"
+
+#include <fmt/format.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+
+bool AxisBound::holds(std::int64_t extent, std::uint64_t n) const {
+  // Widths: n^18 < 2^576, numerator^2 < 2^126; extent terms below 2^256. All fit 1024 bits, and are checked.
+  using Wide = boost::multiprecision::checked_int1024_t;
+  expect(half_power <= 18 && n < (std::uint64_t{1} << 32), "an axis bound stays in its proved range");
+  const Wide left = Wide(denominator) * (Wide(extent) - Wide(constant));
+  if (left <= 0) return true;
+  if (half_power % 2 == 0) return left <= Wide(numerator) * boost::multiprecision::pow(Wide(n), half_power / 2);
+  return left * left <= Wide(numerator) * Wide(numerator) * boost::multiprecision::pow(Wide(n), half_power);
+}
+
+double AxisBound::value(std::uint64_t n) const {
+  return static_cast<double>(numerator) / static_cast<double>(denominator) *
+             std::pow(static_cast<double>(n), half_power / 2.0) +
+         static_cast<double>(constant);
+}
+
+std::string AxisBound::formula() const {
+  std::string text = denominator == 1 ? fmt::format("{}", numerator)
+                                      : fmt::format("{}/{}", numerator, denominator);
+  if (half_power == 1) text += " sqrt(n)";
+  if (half_power == 2) text += " n";
+  if (half_power > 2) {
+    text += half_power % 2 == 0 ? fmt::format(" n^{}", half_power / 2) : fmt::format(" n^({}/2)", half_power);
+  }
+  if (constant > 0) text += fmt::format(" + {}", constant);
+  if (constant < 0) text += fmt::format(" - {}", -constant);
+  return text;
+}
+
+bool SizeBound::holds(const std::array<std::int64_t, 3>& extents, std::uint64_t n) const {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!axes[axis].holds(extents[axis], n)) return false;
+  }
+  return true;
+}
+
+}  // namespace ar3d

@@ -1,0 +1,121 @@
+#include "ar3d/model/lattice.h"
+
+#include <fmt/format.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+namespace {
+
+using Wide = boost::multiprecision::checked_int1024_t;
+__extension__ using Int128 = __int128;
+
+template <class Integer>
+Integer inner(const Lattice& lattice, Vector u, Vector v) {
+  const std::int64_t a[3] = {u.x, u.y, u.z};
+  const std::int64_t b[3] = {v.x, v.y, v.z};
+  Integer sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (lattice.gram[i][j] != 0) sum += Integer(a[i]) * Integer(lattice.gram[i][j]) * Integer(b[j]);
+    }
+  }
+  return sum;
+}
+
+template <class Integer>
+int sign(const Integer& value) {
+  return value > 0 ? 1 : value < 0 ? -1 : 0;
+}
+
+std::strong_ordering flip(std::strong_ordering order) { return 0 <=> order; }
+
+/// cos = p / sqrt(uu vv); compares it with num/den by comparing signs, then squares.
+template <class Integer>
+std::strong_ordering compare(const Lattice& lattice, Vector u, Vector v, Cosine c) {
+  const Integer p = inner<Integer>(lattice, u, v);
+  const Integer uu = inner<Integer>(lattice, u, u);
+  const Integer vv = inner<Integer>(lattice, v, v);
+  const int cosine_sign = sign(p);
+  const int wanted_sign = c.numerator > 0 ? 1 : c.numerator < 0 ? -1 : 0;
+  if (cosine_sign != wanted_sign) return cosine_sign <=> wanted_sign;
+  const Integer left = p * p * Integer(c.denominator) * Integer(c.denominator);
+  const Integer right = uu * vv * Integer(c.numerator) * Integer(c.numerator);
+  const auto squares = left < right   ? std::strong_ordering::less
+                       : left > right ? std::strong_ordering::greater
+                                      : std::strong_ordering::equal;
+  return cosine_sign >= 0 ? squares : flip(squares);
+}
+
+/// Components below 2^20, Gram entries below 2^6, cosine terms below 2^5: an inner product is below
+/// 9 * 2^46 < 2^50, its square times a squared cosine term below 2^110, so __int128 cannot wrap.
+bool is_small(const Lattice& lattice, Vector u, Vector v, Cosine c) {
+  const auto small = [](std::int64_t value, int bits) {
+    return value > -(std::int64_t{1} << bits) && value < (std::int64_t{1} << bits);
+  };
+  for (const auto& row : lattice.gram) {
+    for (const std::int32_t g : row) {
+      if (!small(g, 6)) return false;
+    }
+  }
+  return small(u.x, 20) && small(u.y, 20) && small(u.z, 20) && small(v.x, 20) && small(v.y, 20) &&
+         small(v.z, 20) && small(c.numerator, 5) && small(c.denominator, 5);
+}
+
+}  // namespace
+
+std::string to_string(Point p) { return fmt::format("({}, {}, {})", p.x, p.y, p.z); }
+std::string to_string(Vector d) { return fmt::format("({}, {}, {})", d.x, d.y, d.z); }
+
+bool in_range(Point p) {
+  const auto fits = [](std::int64_t c) { return c >= -kMaxCoordinate && c <= kMaxCoordinate; };
+  return fits(p.x) && fits(p.y) && fits(p.z);
+}
+
+Vector primitive(Vector d) {
+  const std::int64_t g = std::gcd(std::gcd(d.x, d.y), d.z);
+  return g <= 1 ? d : Vector{d.x / g, d.y / g, d.z / g};
+}
+
+void Lattice::validate() const {
+  if (gram_denominator <= 0) {
+    throw InputError(fmt::format("gram_denominator is {}, it must be positive", gram_denominator));
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (gram[i][j] != gram[j][i]) throw InputError("the Gram matrix is not symmetric");
+    }
+  }
+  const auto g = [&](std::size_t i, std::size_t j) { return Wide(gram[i][j]); };
+  const Wide minor = g(0, 0) * g(1, 1) - g(0, 1) * g(1, 0);
+  const Wide determinant = g(0, 0) * (g(1, 1) * g(2, 2) - g(1, 2) * g(2, 1)) -
+                           g(0, 1) * (g(1, 0) * g(2, 2) - g(1, 2) * g(2, 0)) +
+                           g(0, 2) * (g(1, 0) * g(2, 1) - g(1, 1) * g(2, 0));
+  if (gram[0][0] <= 0 || minor <= 0 || determinant <= 0) {
+    throw InputError("the Gram matrix is not positive definite");
+  }
+}
+
+std::strong_ordering compare_cosine(const Lattice& lattice, Vector u, Vector v, Cosine c) {
+  const Vector p = primitive(u);
+  const Vector q = primitive(v);
+  return is_small(lattice, p, q, c) ? compare<Int128>(lattice, p, q, c)
+                                    : compare<Wide>(lattice, p, q, c);
+}
+
+double approximate_length(const Lattice& lattice, Vector u) {
+  const double a[3] = {static_cast<double>(u.x), static_cast<double>(u.y),
+                       static_cast<double>(u.z)};
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) sum += a[i] * lattice.gram[i][j] * a[j];
+  }
+  return std::sqrt(sum / lattice.gram_denominator);
+}
+
+}  // namespace ar3d

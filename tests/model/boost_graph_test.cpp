@@ -1,0 +1,57 @@
+#include "ar3d/model/boost_graph.h"
+
+#include <gtest/gtest.h>
+
+#include <boost/concept/assert.hpp>
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/adjacency_matrix.hpp>
+#include <boost/graph/biconnected_components.hpp>
+#include <boost/graph/boyer_myrvold_planar_test.hpp>
+#include <boost/graph/breadth_first_search.hpp>
+#include <boost/graph/connected_components.hpp>
+#include <boost/graph/graph_concepts.hpp>
+
+#include "support/graphs.h"
+
+namespace ar3d {
+namespace {
+
+BOOST_CONCEPT_ASSERT((boost::concepts::VertexListGraphConcept<Graph>));
+BOOST_CONCEPT_ASSERT((boost::concepts::EdgeListGraphConcept<Graph>));
+BOOST_CONCEPT_ASSERT((boost::concepts::IncidenceGraphConcept<Graph>));
+BOOST_CONCEPT_ASSERT((boost::concepts::AdjacencyGraphConcept<Graph>));
+BOOST_CONCEPT_ASSERT((boost::concepts::BidirectionalGraphConcept<Graph>));
+
+TEST(BoostGraph, AlgorithmsRun) {
+  const Graph g = testing::disjoint_union({testing::petersen(), testing::path(3)});
+  std::vector<int> component(g.num_vertices());
+  EXPECT_EQ(boost::connected_components(g, component.data()), 2);
+  std::vector<Vertex> cut;
+  boost::articulation_points(g, std::back_inserter(cut));
+  EXPECT_EQ(cut, std::vector<Vertex>{11});
+  std::vector<std::size_t> block(g.num_edges());
+  EXPECT_EQ(boost::biconnected_components(
+                g, boost::make_iterator_property_map(block.begin(), get(boost::edge_index, g))),
+            3u);
+  EXPECT_FALSE(boost::boyer_myrvold_planarity_test(testing::petersen()));
+  EXPECT_TRUE(boost::boyer_myrvold_planarity_test(testing::octahedron()));
+}
+
+TEST(BoostGraph, BuildsFromBoostGraphs) {
+  boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS> list(4);
+  add_edge(0, 1, list);
+  add_edge(3, 1, list);
+  const Graph from_list = from_boost(list);
+  EXPECT_EQ(from_list.num_vertices(), 4u);
+  EXPECT_EQ(from_list.edge(1), (Edge{3, 1}));
+  boost::adjacency_matrix<boost::undirectedS> matrix(3);
+  add_edge(0, 2, matrix);
+  EXPECT_EQ(from_boost(matrix).num_edges(), 1u);
+  const Graph itself = from_boost(testing::petersen());
+  EXPECT_EQ(graph_hash(itself), graph_hash(testing::petersen()));
+  add_edge(1, 0, list);
+  EXPECT_THROW(from_boost(list), InputError);
+}
+
+}  // namespace
+}  // namespace ar3d

@@ -1,0 +1,53 @@
+#include "ar3d/model/drawing.h"
+
+#include <gtest/gtest.h>
+
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+namespace {
+
+Drawing one_edge(Point a, std::vector<Point> bends, Point b) {
+  Coordinates vertices(2, kMaxCoordinate);
+  vertices.set(0, a);
+  vertices.set(1, b);
+  auto edges = std::make_shared<std::vector<Edge>>(1, Edge{0, 1});
+  auto source = std::make_shared<StoredBends>();
+  source->add_edge(bends);
+  return Drawing("test", kCubeLattice, std::move(vertices), std::move(edges), std::move(source));
+}
+
+TEST(Drawing, PolylineHasBothEnds) {
+  const Drawing drawing = one_edge({0, 0, 0}, {{1, 1, 1}, {2, 0, 5}}, {3, 3, 0});
+  std::vector<Point> points = {{9, 9, 9}};
+  drawing.polyline(0, points);
+  EXPECT_EQ(points, (std::vector<Point>{{0, 0, 0}, {1, 1, 1}, {2, 0, 5}, {3, 3, 0}}));
+  EXPECT_EQ(bounding_box(drawing), (Box{{0, 0, 0}, {3, 3, 5}}));
+  EXPECT_EQ(bounding_box(drawing), bounding_box(with_stored_bends(drawing)));
+}
+
+TEST(Drawing, EmptyDrawingHasNoExtent) {
+  const Drawing drawing("test", kCubeLattice, Coordinates(0, 0),
+                        std::make_shared<std::vector<Edge>>(), nullptr);
+  EXPECT_EQ(bounding_box(drawing).extents(), (std::array<std::int64_t, 3>{0, 0, 0}));
+}
+
+TEST(Drawing, RefusesForeignVertices) {
+  auto edges = std::make_shared<std::vector<Edge>>(1, Edge{0, 2});
+  EXPECT_THROW(Drawing("test", kCubeLattice, Coordinates(2, 0), edges, std::make_shared<StoredBends>()),
+               InputError);
+}
+
+TEST(Coordinates, WidthFollowsTheBound) {
+  Coordinates narrow(1, 100);
+  EXPECT_THROW(narrow.set(0, {101, 0, 0}), InternalError);
+  narrow.set(0, {100, -100, 7});
+  EXPECT_EQ(narrow[0], (Point{100, -100, 7}));
+  Coordinates wide(1, std::int64_t{1} << 40);
+  wide.set(0, {std::int64_t{1} << 40, 0, -1});
+  EXPECT_EQ(wide[0], (Point{std::int64_t{1} << 40, 0, -1}));
+  EXPECT_THROW(Coordinates(1, kMaxCoordinate + 1), InputError);
+}
+
+}  // namespace
+}  // namespace ar3d

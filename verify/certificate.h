@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ar3d/model/drawing.h"
+#include "ar3d/model/graph.h"
+#include "ar3d/model/guarantee.h"
+
+namespace ar3d {
+
+enum class ViolationKind {
+  vertex_count,        ///< the drawing has another number of vertices than the graph
+  edge_set,            ///< an edge is missing, extra, or drawn twice
+  lattice,             ///< the drawing's Gram matrix is not the guarantee's
+  coordinate_range,    ///< a coordinate passes kMaxCoordinate
+  plane,               ///< a vertex is not in the plane z = 0 although promised
+  degenerate_segment,  ///< two consecutive points of an edge coincide
+  direction,           ///< a segment is not parallel to an allowed direction
+  bends,               ///< an edge has too many bends
+  bend_angle,          ///< consecutive segments of an edge meet at a wrong angle
+  vertex_angle,        ///< two segments leave a vertex at a wrong angle
+  same_point,          ///< two vertices coincide
+  vertex_on_edge,      ///< a vertex lies on an edge that does not end there
+  crossing,            ///< two segments share a point that is not a common end of theirs
+  size,                ///< an extent passes the bound
+};
+/// "crossing", "vertex_on_edge", …
+const char* to_string(ViolationKind kind);
+
+/// One violation, with everything needed to look at it.
+struct Violation {
+  ViolationKind kind{};
+  std::vector<Vertex> vertices;
+  std::vector<EdgeId> edges;  ///< numbers of the drawing's edges
+  std::vector<Point> points;  ///< exact places
+  std::string message;        ///< one line
+};
+
+enum class CrossingTest {
+  automatic,  ///< the fast test that fits the drawing
+  all_pairs,  ///< the oracle: every pair of segments, O(S^2)
+  sweep,      ///< plane families, O(S log S); for guarantees with few directions
+};
+
+struct CertifyOptions {
+  CrossingTest crossing_test = CrossingTest::automatic;
+  std::size_t max_violations = 100;  ///< stop collecting there
+  bool check_size = true;
+};
+
+/// The verdict on one drawing: proved right iff `violations` is empty and `complete`.
+struct Certificate {
+  std::vector<Violation> violations;
+  bool complete = true;  ///< false when max_violations cut the list
+  Box box;
+  std::vector<std::uint64_t> bend_histogram;  ///< entry b: number of edges with b bends
+  std::uint64_t segments = 0;
+  bool valid() const { return violations.empty(); }
+};
+
+/// Proves in exact integers that `drawing` is a drawing of `graph` that keeps `guarantee`, or says why not.
+/// Shares no code with the algorithms. Cost: O(S log S) for S segments with few directions.
+Certificate certify(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
+                    const CertifyOptions& options = {});
+
+}  // namespace ar3d
