@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <source_location>
 #include <stdexcept>
 #include <string>
@@ -11,6 +12,21 @@ namespace ar3d {
 class InputError : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
+};
+
+/// An edge that no simple graph on the given vertices has. Readers of files turn its number into a line.
+class EdgeError : public InputError {
+ public:
+  EdgeError(std::uint64_t edge, std::uint64_t u, std::uint64_t v, const std::string& message)
+      : InputError(message), edge_(edge), u_(u), v_(v) {}
+  std::uint64_t edge() const { return edge_; }  ///< number of the edge in input order
+  std::uint64_t u() const { return u_; }        ///< its ends
+  std::uint64_t v() const { return v_; }
+
+ private:
+  std::uint64_t edge_;
+  std::uint64_t u_;
+  std::uint64_t v_;
 };
 
 /// A broken internal invariant: a bug in ar3d. Programs exit with code 1.

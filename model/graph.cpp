@@ -17,10 +17,12 @@ void refuse_bad_ends(std::uint64_t n, const std::vector<Edge>& edges) {
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const auto [u, v] = edges[e];
     if (u >= n || v >= n) {
-      throw InputError(fmt::format("edge {} ({}, {}): vertex {} is out of range, the graph has {} vertices",
-                                   e, u, v, u >= n ? u : v, n));
+      throw EdgeError(
+          e, u, v,
+          fmt::format("edge {} ({}, {}): vertex {} is out of range, the graph has {} vertices", e, u, v,
+                      u >= n ? u : v, n));
     }
-    if (u == v) throw InputError(fmt::format("edge {} ({}, {}) is a loop", e, u, v));
+    if (u == v) throw EdgeError(e, u, v, fmt::format("edge {} ({}, {}) is a loop", e, u, v));
   }
 }
 
@@ -65,8 +67,9 @@ void Graph::refuse_parallel_edges() const {
   for (Vertex v = 0; v < num_vertices(); ++v) {
     const auto row = incident(v);
     const auto refuse = [&](const HalfEdge& again) {
-      throw InputError(fmt::format("edge {} ({}, {}) is parallel to an earlier edge", again.edge,
-                                   edge(again.edge).u, edge(again.edge).v));
+      const auto [a, b] = edge(again.edge);
+      throw EdgeError(again.edge, a, b,
+                      fmt::format("edge {} ({}, {}) is parallel to an earlier edge", again.edge, a, b));
     };
     if (row.size() <= 8) {
       for (std::size_t i = 1; i < row.size(); ++i) {

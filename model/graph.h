@@ -34,7 +34,7 @@ class Graph {
 
   /// @param num_vertices  n < 2^32 - 1.
   /// @param edges  m < 2^31 pairs of ids below n, no loops, no pair twice in either order.
-  /// @throws InputError naming the offending edge and value.
+  /// @throws EdgeError naming the offending edge and value, InputError if there are too many of them.
   /// Cost: O(n + m) time.
   Graph(std::uint64_t num_vertices, std::vector<Edge> edges);
 

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+
+namespace ar3d {
+
+/// Bytes of a file, read in blocks.
+class ByteSource {
+ public:
+  ByteSource() = default;
+  ByteSource(const ByteSource&) = delete;
+  ByteSource& operator=(const ByteSource&) = delete;
+  virtual ~ByteSource() = default;
+  /// Reads up to `size` >= 1 bytes to `to`; 0 only at the end. A pipe gives what it has.
+  /// @throws InputError if the file cannot be read or its compressed data are corrupt or cut.
+  virtual std::size_t read(char* to, std::size_t size) = 0;
+};
+
+/// The file at `path` ("-": standard input), decompressed if it begins like gzip or xz.
+/// @throws InputError if it cannot be opened.
+std::unique_ptr<ByteSource> open_bytes(const std::string& path);
+
+/// Bytes in memory.
+std::unique_ptr<ByteSource> bytes_of(std::string text);
+
+/// The path as messages name it: itself, or "<stdin>" for "-".
+std::string display_name(const std::string& path);
+
+}  // namespace ar3d

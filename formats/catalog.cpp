@@ -1,0 +1,116 @@
+#include "ar3d/formats/catalog.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <utility>
+
+#include "ar3d/formats/edge_list.h"
+#include "ar3d/formats/nauty_lines.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+namespace {
+
+constexpr std::size_t kDetectionBytes = std::size_t{1} << 16;
+
+/// The format of the text to come. Looks beyond the first line only where numbers leave several
+/// choices, so that a pipe's first graph can be read before its second is written.
+const GraphFormat& detect_format(TextInput& input) {
+  std::string_view text = input.look_ahead_line();
+  if (text.empty()) throw InputError(fmt::format("{}: empty file: no graph in it", input.name()));
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos ||
+      std::string_view("#%0123456789").find(text[first]) != std::string_view::npos) {
+    text = input.look_ahead(kDetectionBytes);
+  }
+  for (const GraphFormat& format : graph_formats()) {
+    if (format.detect({text, input.sees_end()})) return format;
+  }
+  const std::string_view line = text.substr(0, text.find('\n'));
+  throw InputError(
+      fmt::format("{}:1: this is no graph format known here: {}", input.name(), quoted(line)));
+}
+
+}  // namespace
+
+const std::vector<GraphFormat>& graph_formats() {
+  static const std::vector<GraphFormat> kFormats = {
+      graph6_format(),
+      sparse6_format(),
+      edge_list_format(),
+  };
+  return kFormats;
+}
+
+const GraphFormat& find_graph_format(std::string_view name) {
+  std::vector<std::string> known;
+  for (const GraphFormat& format : graph_formats()) {
+    if (format.name == name) return format;
+    known.push_back(format.name);
+  }
+  throw InputError(
+      fmt::format("unknown graph format '{}', known: {}", name, fmt::join(known, ", ")));
+}
+
+const GraphFormat* graph_format_of_path(std::string_view path) {
+  for (const std::string_view packed : {".gz", ".xz"}) {
+    if (path.ends_with(packed)) path.remove_suffix(packed.size());
+  }
+  for (const GraphFormat& format : graph_formats()) {
+    for (const std::string& extension : format.extensions) {
+      if (path.ends_with(extension)) return &format;
+    }
+  }
+  return nullptr;
+}
+
+GraphReader::GraphReader(const std::string& path, const ReadOptions& options)
+    : GraphReader(TextInput(path), options) {}
+
+GraphReader::GraphReader(TextInput input, const ReadOptions& options)
+    : input_(std::make_unique<TextInput>(std::move(input))) {
+  if (options.base > 1) {
+    throw InputError(fmt::format("vertex ids start at 0 or 1, not at {}", options.base));
+  }
+  format_ = options.format.empty() ? &detect_format(*input_) : &find_graph_format(options.format);
+  if (input_->look_ahead_line().empty()) {
+    throw InputError(fmt::format("{}: empty file: no graph in it", input_->name()));
+  }
+  parser_ = format_->parser(*input_, options);
+}
+
+std::optional<Graph> GraphReader::next() {
+  std::optional<Graph> graph = parser_->next();
+  if (graph) {
+    ++graphs_read_;
+  } else if (graphs_read_ == 0) {
+    throw InputError(
+        fmt::format("{}: no graph in it, only comments or blank lines", input_->name()));
+  }
+  return graph;
+}
+
+std::string GraphReader::where() const {
+  return fmt::format("{}:{}", input_->name(), input_->line());
+}
+
+Graph read_graph(const std::string& path, const ReadOptions& options) {
+  GraphReader reader(path, options);
+  std::optional<Graph> graph = reader.next();
+  if (reader.next()) {
+    throw InputError(fmt::format("{}: expected one graph, found another one", reader.where()));
+  }
+  return std::move(*graph);
+}
+
+void write_graphs(const std::vector<Graph>& graphs, const GraphFormat& format,
+                  const std::string& path, const WriteOptions& options) {
+  OutputFile output(path);
+  const auto writer = format.writer(output, options);
+  for (const Graph& graph : graphs) writer->write(graph);
+  writer->finish();
+  output.commit();
+}
+
+}  // namespace ar3d

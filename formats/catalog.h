@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ar3d/formats/graph_format.h"
+
+namespace ar3d {
+
+/// All graph formats, in the order in which detection asks them.
+const std::vector<GraphFormat>& graph_formats();
+
+/// @throws InputError naming the unknown format and the known ones.
+const GraphFormat& find_graph_format(std::string_view name);
+
+/// The format whose extension the path has (a final .gz or .xz is looked through), or null.
+const GraphFormat* graph_format_of_path(std::string_view path);
+
+/// A streaming reader of all graphs of a file.
+///
+///     GraphReader reader("cubic.s6.gz");
+///     while (std::optional<Graph> graph = reader.next()) draw(*graph);
+class GraphReader {
+ public:
+  /// Opens a file or, for "-", standard input; unpacks gzip and xz; finds the format by content
+  /// unless options.format names it.
+  /// @throws InputError if it cannot be opened, is empty, or its format is unknown.
+  explicit GraphReader(const std::string& path, const ReadOptions& options = {});
+  /// Reads from any text.
+  GraphReader(TextInput input, const ReadOptions& options = {});
+
+  /// The next graph; nothing at the end. Not to be called again after an exception.
+  /// @throws InputError "FILE:LINE:COLUMN: message" (without line or column where there is none) if
+  /// the text is not of the format or not a simple graph, or "FILE: …" if there is no graph at all.
+  std::optional<Graph> next();
+
+  const GraphFormat& format() const { return *format_; }
+  std::uint64_t graphs_read() const { return graphs_read_; }
+  /// "FILE:LINE" of the last line read, for messages about the graph just given.
+  std::string where() const;
+
+ private:
+  std::unique_ptr<TextInput> input_;
+  const GraphFormat* format_ = nullptr;
+  std::unique_ptr<GraphParser> parser_;
+  std::uint64_t graphs_read_ = 0;
+};
+
+/// The only graph of a file. @throws InputError as GraphReader, and if there are several.
+Graph read_graph(const std::string& path, const ReadOptions& options = {});
+
+/// Writes graphs to a file ("-": standard output) that appears only when it is complete.
+/// @throws InputError if it cannot be written.
+void write_graphs(const std::vector<Graph>& graphs, const GraphFormat& format,
+                  const std::string& path, const WriteOptions& options = {});
+
+}  // namespace ar3d

@@ -1,0 +1,83 @@
+#include "ar3d/formats/edge_collector.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "ar3d/formats/vertex_limit.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+namespace {
+constexpr std::uint64_t kMaxVertices = std::numeric_limits<Vertex>::max() - 1;
+}  // namespace
+
+void EdgeCollector::begin(std::optional<std::uint64_t> n) {
+  if (n > kMaxVertices) input_->fail(0, *vertex_count_problem(*n, 0, *options_));
+  known_n_ = n;
+  limit_ = n.value_or(kMaxVertices);
+  largest_end_ = 0;
+  first_byte_ = input_->bytes();
+  header_line_ = input_->line();
+  edges_.clear();
+  runs_.clear();
+}
+
+Vertex EdgeCollector::read_vertex(Tokens& tokens) {
+  const std::uint64_t id = tokens.number("a vertex id");
+  if (id < base_)
+    tokens.fail(fmt::format("vertex id {} is below {}, the smallest here", id, base_));
+  if (id - base_ >= limit_) {
+    tokens.fail(known_n_ ? fmt::format("vertex id {} is out of range, the graph has {} vertices",
+                                       id, limit_)
+                         : fmt::format("vertex id {} is too large, ids fit 32 bits", id));
+  }
+  return static_cast<Vertex>(id - base_);
+}
+
+void EdgeCollector::read_edge(Tokens& tokens) {
+  const Vertex u = read_vertex(tokens);
+  const Vertex v = read_vertex(tokens);
+  if (u == v) tokens.fail(fmt::format("edge ({0}, {0}) is a loop", std::uint64_t{u} + base_));
+  add(u, v);
+}
+
+void EdgeCollector::add(Vertex u, Vertex v) {
+  const std::uint64_t edge = edges_.size();
+  if (runs_.empty() || line_of(edge) != input_->line()) runs_.push_back({edge, input_->line()});
+  edges_.push_back({u, v});
+  const std::uint64_t end = std::uint64_t{std::max(u, v)} + 1;
+  if (end > largest_end_) {
+    largest_end_ = end;
+    largest_line_ = input_->line();
+  }
+}
+
+std::uint64_t EdgeCollector::line_of(std::uint64_t edge) const {
+  if (edge >= runs_.back().first) return runs_.back().line + (edge - runs_.back().first);
+  const auto after =
+      std::upper_bound(runs_.begin(), runs_.end(), edge,
+                       [](std::uint64_t e, const Run& run) { return e < run.first; });
+  const Run& run = *std::prev(after);
+  return run.line + (edge - run.first);
+}
+
+Graph EdgeCollector::finish() {
+  const std::uint64_t n = known_n_.value_or(largest_end_);
+  const std::uint64_t bytes = input_->bytes() - first_byte_;
+  if (const auto problem = vertex_count_problem(n, bytes, *options_)) {
+    input_->fail_at(known_n_ ? header_line_ : largest_line_, 0, *problem);
+  }
+  std::vector<Edge> edges = std::exchange(edges_, {});
+  try {
+    return Graph(n, std::move(edges));
+  } catch (const EdgeError& error) {
+    input_->fail_at(line_of(error.edge()), 0,
+                    fmt::format("edge ({}, {}) is parallel to an earlier edge", error.u() + base_,
+                                error.v() + base_));
+  }
+}
+
+}  // namespace ar3d

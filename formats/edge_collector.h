@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "ar3d/formats/graph_format.h"
+#include "ar3d/formats/tokens.h"
+
+namespace ar3d {
+
+/// Collects the edges of a format that gives one edge a line, and remembers where each of them
+/// stands.
+class EdgeCollector {
+ public:
+  /// @param base  smallest vertex id of the format.
+  EdgeCollector(const TextInput& input, const ReadOptions& options, unsigned base)
+      : input_(&input), options_(&options), base_(base) {}
+
+  /// Starts a graph. @param n  number of vertices where the file tells it.
+  void begin(std::optional<std::uint64_t> n);
+  /// Reads the two ends of an edge. @throws InputError on a bad id or a loop.
+  void read_edge(Tokens& tokens);
+  /// An id of the file as a vertex. @throws InputError if it is out of range.
+  Vertex read_vertex(Tokens& tokens);
+  void add(Vertex u, Vertex v);
+
+  std::uint64_t num_edges() const { return edges_.size(); }
+  /// Ends the graph; without a known n it has the vertices up to the largest id.
+  /// @throws InputError on parallel edges, or on more vertices than the text accounts for.
+  Graph finish();
+
+ private:
+  /// From edge `first` on, edge e stands in line e + line - first, until the next entry.
+  struct Run {
+    std::uint64_t first = 0;
+    std::uint64_t line = 0;
+  };
+  std::uint64_t line_of(std::uint64_t edge) const;
+
+  const TextInput* input_;
+  const ReadOptions* options_;
+  unsigned base_;
+  std::optional<std::uint64_t> known_n_;
+  std::uint64_t limit_ = 0;         // ids are below this
+  std::uint64_t largest_end_ = 0;   // largest vertex + 1
+  std::uint64_t largest_line_ = 0;  // where it stands
+  std::uint64_t first_byte_ = 0;    // of the graph's text
+  std::uint64_t header_line_ = 0;
+  std::vector<Edge> edges_;
+  std::vector<Run> runs_;
+};
+
+}  // namespace ar3d

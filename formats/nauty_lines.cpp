@@ -1,0 +1,110 @@
+#include "ar3d/formats/nauty_lines.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "ar3d/formats/graph6.h"
+#include "ar3d/formats/line_shapes.h"
+#include "ar3d/formats/sparse6.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+namespace {
+
+class NautyParser final : public GraphParser {
+ public:
+  NautyParser(TextInput& input, const ReadOptions& options) : input_(input), options_(options) {}
+
+  std::optional<Graph> next() override {
+    while (const std::optional<std::string_view> line = input_.next_line()) {
+      const std::size_t begin = after_file_header(*line);
+      if (!is_blank(line->substr(begin))) return decode(*line, begin);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  /// Where the graph begins: behind a header ">>graph6<<" or ">>sparse6<<", which the first line
+  /// may have.
+  std::size_t after_file_header(std::string_view line) const {
+    if (input_.line() != 1 || !line.starts_with(">>")) return 0;
+    for (const std::string_view header : {">>graph6<<", ">>sparse6<<"}) {
+      if (line.starts_with(header)) return header.size();
+    }
+    input_.fail(
+        1, fmt::format("unknown header {}, expected '>>graph6<<' or '>>sparse6<<'", quoted(line)));
+  }
+
+  Graph decode(std::string_view line, std::size_t begin) const {
+    const char kind = line[begin];
+    if (kind == '&') input_.fail(begin + 1, "this is digraph6: directed graphs are not supported");
+    EdgesOnVertices read = kind == ':' ? decode_sparse6({input_, line, begin + 1}, options_)
+                                       : decode_graph6({input_, line, begin}, options_);
+    try {
+      return Graph(read.n, std::move(read.edges));
+    } catch (const EdgeError& error) {
+      input_.fail(0, error.what());
+    }
+  }
+
+  TextInput& input_;
+  ReadOptions options_;
+};
+
+template <void (*append_line)(std::string&, const Graph&)>
+class LineWriter final : public GraphWriter {
+ public:
+  explicit LineWriter(OutputFile& output) : output_(output) {}
+  void write(const Graph& graph) override {
+    append_line(output_.pending(), graph);
+    output_.flush_if_full();
+  }
+
+ private:
+  OutputFile& output_;
+};
+
+template <void (*append_line)(std::string&, const Graph&)>
+std::unique_ptr<GraphWriter> line_writer(OutputFile& output, const WriteOptions&) {
+  return std::make_unique<LineWriter<append_line>>(output);
+}
+
+std::unique_ptr<GraphParser> nauty_parser(TextInput& input, const ReadOptions& options) {
+  return std::make_unique<NautyParser>(input, options);
+}
+
+/// The first line is one word that begins with a character of graph6 (so it is not made of
+/// numbers).
+bool looks_like_graph6(const InputHead& head) {
+  if (head.text.starts_with(">>")) return !head.text.starts_with(">>sparse6");
+  const std::string_view line = head.text.substr(0, head.text.find_first_of("\r\n"));
+  return !line.empty() && ((line[0] >= '?' && line[0] <= '~') || line[0] == '&') &&
+         line.find_first_of(" \t") == std::string_view::npos;
+}
+
+bool looks_like_sparse6(const InputHead& head) {
+  return head.text.starts_with(">>sparse6") || head.text.starts_with(':');
+}
+
+}  // namespace
+
+GraphFormat graph6_format() {
+  return {.name = "graph6",
+          .extensions = {".g6"},
+          .summary = "nauty's format for small or dense graphs, one graph a line",
+          .detect = looks_like_graph6,
+          .parser = nauty_parser,
+          .writer = line_writer<append_graph6>};
+}
+
+GraphFormat sparse6_format() {
+  return {.name = "sparse6",
+          .extensions = {".s6"},
+          .summary = "nauty's format for sparse graphs, one graph a line",
+          .detect = looks_like_sparse6,
+          .parser = nauty_parser,
+          .writer = line_writer<append_sparse6>};
+}
+
+}  // namespace ar3d

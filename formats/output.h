@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace ar3d {
+
+/// A file being written. A regular file appears under its name only when commit() has succeeded:
+/// until then the bytes are in a temporary file beside it, which the destructor removes. "-" is
+/// standard output; devices and pipes are written directly.
+class OutputFile {
+ public:
+  /// @throws InputError if the file cannot be written (directory, no permission, no such folder).
+  explicit OutputFile(std::string path);
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+  ~OutputFile();
+
+  void append(std::string_view text) {
+    pending_.append(text);
+    flush_if_full();
+  }
+  /// The text not yet passed on, for writers that format into it; call flush_if_full() now and
+  /// then.
+  std::string& pending() { return pending_; }
+  /// @throws InputError if the text cannot be written (full disk, closed pipe).
+  void flush_if_full() {
+    if (pending_.size() >= kBlock) flush();
+  }
+  /// Passes on all text so far. @throws InputError as above.
+  void flush();
+  /// Writes everything and gives the file its name. @throws InputError if it cannot; the old file
+  /// then stays.
+  void commit();
+
+ private:
+  static constexpr std::size_t kBlock = std::size_t{1} << 16;
+
+  void open_temporary();
+  [[noreturn]] void fail(int error) const;
+
+  std::string path_;       // as given, for messages
+  std::string target_;     // where links lead
+  std::string temporary_;  // empty: written directly
+  std::string pending_;
+  int file_ = -1;
+};
+
+}  // namespace ar3d

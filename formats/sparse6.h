@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "ar3d/formats/graph6.h"
+
+namespace ar3d {
+
+/// Decodes the sparse6 line at `bits` (behind its ':'): N(n), then pairs (b, x) of 1 and k bits, k
+/// the number of bits of n - 1; b moves the current vertex v on by one, then x > v moves it to x
+/// and x <= v is an edge. Edges come as (x, v) in the line's order (for most writers ordered by (v,
+/// x)).
+/// @throws InputError on a wrong character, a loop, or padding that is not the format's.
+/// Cost: O(line) time; memory for the edges only.
+EdgesOnVertices decode_sparse6(SixBits bits, const ReadOptions& options);
+
+/// Appends the sparse6 line of a graph with its newline. O(n + m) time.
+void append_sparse6(std::string& out, const Graph& graph);
+
+}  // namespace ar3d

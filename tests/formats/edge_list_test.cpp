@@ -1,0 +1,82 @@
+#include "ar3d/formats/edge_list.h"
+
+#include <gtest/gtest.h>
+
+#include "formats/format_helpers.h"
+#include "support/graphs.h"
+
+namespace ar3d {
+namespace {
+
+using testing::edge_set;
+using testing::read_text;
+using testing::refusal;
+
+TEST(EdgeList, ReadsCommentsBlanksAndCountsVertices) {
+  const std::vector<Graph> graphs = read_text("# SNAP style\n% another\n0 1\n\n  2\t1\r\n 4 0 \n");
+  ASSERT_EQ(graphs.size(), 1u);
+  EXPECT_EQ(edge_set(graphs[0]), edge_set(Graph(5, {{0, 1}, {1, 2}, {0, 4}})));
+  EXPECT_EQ(graphs[0].edge(1), (Edge{2, 1}));  // order and direction stay
+}
+
+TEST(EdgeList, HeadersGiveTheNumberOfVerticesAndBeginGraphs) {
+  const std::vector<Graph> graphs =
+      read_text("# vertices 4\n0 1\nn 3\n% vertices 0\n# vertices 2\n1 0");
+  ASSERT_EQ(graphs.size(), 4u);
+  EXPECT_EQ(edge_set(graphs[0]), edge_set(Graph(4, {{0, 1}})));
+  EXPECT_EQ(edge_set(graphs[1]), edge_set(Graph(3, {})));
+  EXPECT_EQ(edge_set(graphs[2]), edge_set(Graph(0, {})));
+  EXPECT_EQ(edge_set(graphs[3]), edge_set(Graph(2, {{0, 1}})));
+}
+
+TEST(EdgeList, OneBased) {
+  const std::vector<Graph> graphs = read_text("1 2\n3 1\n", {.base = 1});
+  EXPECT_EQ(edge_set(graphs[0]), edge_set(Graph(3, {{0, 1}, {0, 2}})));
+  EXPECT_EQ(refusal("1 2\n3 0\n", {.base = 1}), "f:2:3: vertex id 0 is below 1, the smallest here");
+  EXPECT_EQ(refusal("n 2\n1 3\n", {.base = 1}),
+            "f:2:3: vertex id 3 is out of range, the graph has 2 vertices");
+  EXPECT_EQ(refusal("1 2\n2 1\n", {.base = 1}), "f:2: edge (2, 1) is parallel to an earlier edge");
+  EXPECT_EQ(refusal("1 2\n", {.base = 2}), "vertex ids start at 0 or 1, not at 2");
+}
+
+TEST(EdgeList, RefusesWithPlaceAndValue) {
+  EXPECT_EQ(refusal("0 1\n1 two\n"), "f:2:3: expected a vertex id, found 'two'");
+  EXPECT_EQ(refusal("0 1\n1\n"), "f:2:2: expected a vertex id, found the end of the line");
+  EXPECT_EQ(refusal("0 1 5\n"), "f:1:5: unexpected '5' after the edge");
+  EXPECT_EQ(refusal("0 -1\n"), "f:1:3: expected a vertex id, found '-1'");
+  EXPECT_EQ(refusal("0 1.5\n"), "f:1:3: expected a vertex id, found '1.5'");
+  EXPECT_EQ(refusal("# vertices 2\n\n0 2\n"),
+            "f:3:3: vertex id 2 is out of range, the graph has 2 vertices");
+  EXPECT_EQ(refusal("0 1\n7 7\n"), "f:2:3: edge (7, 7) is a loop");
+  EXPECT_EQ(refusal("0 1\n# comment\n2 3\n\n1 0\n"),
+            "f:5: edge (1, 0) is parallel to an earlier edge");
+  EXPECT_EQ(refusal("# vertices many\n"), "f:1:12: expected a number of vertices, found 'many'");
+  EXPECT_EQ(refusal("n 5 6\n"), "f:1:5: unexpected '6' after the number of vertices");
+}
+
+TEST(EdgeList, RefusesAbsurdNumbersWithoutAllocating) {
+  EXPECT_EQ(refusal("0 99999999999999999999\n"),
+            "f:1:3: a vertex id '99999999999999999999' does not fit 64 bits");
+  EXPECT_EQ(refusal("0 18446744073709551615\n"),
+            "f:1:3: vertex id 18446744073709551615 is too large, ids fit 32 bits");
+  EXPECT_EQ(refusal("0 1\n0 4000000000\n1 2\n"),
+            "f:2: 4000000001 vertices claimed by a graph of 17 bytes, which accounts for at most "
+            "16778304");
+  EXPECT_EQ(refusal("# vertices 4000000000\n0 1\n"),
+            "f:1: 4000000000 vertices claimed by a graph of 4 bytes, which accounts for at most "
+            "16777472");
+  EXPECT_EQ(refusal("n 9999999999\n"),
+            "f:1: 9999999999 vertices are too many, the limit is 4294967294");
+}
+
+TEST(EdgeList, LineOfAParallelEdgeIsFoundThroughGaps) {
+  std::string text;
+  for (int v = 1; v < 50; ++v) {
+    text += "0 " + std::to_string(v) + "\n";
+    if (v % 3 == 0) text += "# gap\n";
+  }
+  EXPECT_EQ(refusal(text + "7 0\n0 60\n"), "f:66: edge (7, 0) is parallel to an earlier edge");
+}
+
+}  // namespace
+}  // namespace ar3d

@@ -1,0 +1,85 @@
+#include "ar3d/formats/output.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <csignal>
+
+#include "formats/format_helpers.h"
+
+namespace ar3d {
+namespace {
+
+using testing::read_file;
+using testing::TemporaryFolder;
+using testing::write_file;
+
+std::string refusal(const std::string& path, const std::string& text) {
+  try {
+    OutputFile output(path);
+    output.append(text);
+    output.commit();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(OutputFile, AppearsOnlyWhenComplete) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("out");
+  write_file(path, "old");
+  {
+    OutputFile output(path);
+    output.append(std::string(1 << 20, 'x'));
+    EXPECT_EQ(read_file(path), "old");
+  }  // given up
+  EXPECT_EQ(read_file(path), "old");
+  EXPECT_EQ(folder.entries(), 1u);
+  OutputFile output(path);
+  output.append("new");
+  output.commit();
+  EXPECT_EQ(read_file(path), "new");
+  EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(OutputFile, KeepsModeAndFollowsLinks) {
+  const TemporaryFolder folder;
+  write_file(folder.file("target"), "old");
+  ::chmod(folder.file("target").c_str(), 0640);
+  std::filesystem::create_symlink("target", folder.file("link"));
+  EXPECT_EQ(refusal(folder.file("link"), "new"), "accepted");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("link")));
+  EXPECT_EQ(read_file(folder.file("target")), "new");
+  struct stat status {};
+  ::stat(folder.file("target").c_str(), &status);
+  EXPECT_EQ(status.st_mode & 0777, 0640u);
+}
+
+TEST(OutputFile, RefusesWhatCannotBeWritten) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(refusal(folder.file(""), "x"), "cannot write " + folder.file("") + ": Is a directory");
+  EXPECT_EQ(refusal(folder.file("no/such/file"), "x"),
+            "cannot write " + folder.file("no/such/file") + ": No such file or directory");
+  EXPECT_EQ(refusal("/dev/full", "x"), "cannot write /dev/full: No space left on device");
+  EXPECT_EQ(refusal("/dev/null", "x"), "accepted");
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
+TEST(OutputFile, FullDiskLeavesNothingBehind) {
+  const TemporaryFolder folder;
+  rlimit old{};
+  getrlimit(RLIMIT_FSIZE, &old);
+  const rlimit small{1 << 17, old.rlim_max};
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  setrlimit(RLIMIT_FSIZE, &small);
+  const std::string message = refusal(folder.file("out"), std::string(1 << 20, 'x'));
+  setrlimit(RLIMIT_FSIZE, &old);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_EQ(message, "cannot write " + folder.file("out") + ": File too large");
+  EXPECT_EQ(folder.entries(), 0u);
+}
+
+}  // namespace
+}  // namespace ar3d

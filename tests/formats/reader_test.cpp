@@ -1,0 +1,142 @@
+#include <gtest/gtest.h>
+#include <lzma.h>
+#include <zlib.h>
+
+#include "formats/format_helpers.h"
+#include "support/graphs.h"
+
+// Files, packing and detection: what GraphReader does before any format.
+
+namespace ar3d {
+namespace {
+
+using testing::edge_set;
+using testing::read_text;
+using testing::refusal;
+using testing::TemporaryFolder;
+
+std::string gzip(const std::string& text) {
+  z_stream stream{};
+  deflateInit2(&stream, 6, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY);
+  std::string packed(text.size() + 100, '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
+  stream.avail_in = static_cast<uInt>(text.size());
+  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+  stream.avail_out = static_cast<uInt>(packed.size());
+  deflate(&stream, Z_FINISH);
+  packed.resize(stream.total_out);
+  deflateEnd(&stream);
+  return packed;
+}
+
+std::string xz(const std::string& text) {
+  std::string packed(text.size() + 1000, '\0');
+  std::size_t size = 0;
+  EXPECT_EQ(lzma_easy_buffer_encode(
+                6, LZMA_CHECK_CRC64, nullptr, reinterpret_cast<const std::uint8_t*>(text.data()),
+                text.size(), reinterpret_cast<std::uint8_t*>(packed.data()), &size, packed.size()),
+            LZMA_OK);
+  packed.resize(size);
+  return packed;
+}
+
+std::string file_refusal(const std::string& path) {
+  try {
+    GraphReader reader(path);
+    while (reader.next()) {
+    }
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(GraphReader, ReadsFilesPackedOrNot) {
+  const TemporaryFolder folder;
+  const std::string text = "DQc\nDQc\n";
+  std::vector<std::string> contents = {text, gzip(text), gzip("DQc\n") + gzip("DQc\n"), xz(text),
+                                       xz("DQc\n") + xz("DQc\n")};
+  for (std::size_t i = 0; i < contents.size(); ++i) {
+    testing::write_file(folder.file("graphs"), contents[i]);
+    GraphReader reader(folder.file("graphs"));
+    EXPECT_EQ(reader.format().name, "graph6");
+    EXPECT_TRUE(reader.next() && reader.next() && !reader.next()) << "content " << i;
+    EXPECT_EQ(reader.graphs_read(), 2u);
+    EXPECT_EQ(reader.where(), folder.file("graphs") + ":2");
+  }
+}
+
+TEST(GraphReader, RefusesFilesThatCannotBeRead) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(file_refusal(folder.file("none.g6")),
+            "cannot read " + folder.file("none.g6") + ": No such file or directory");
+  EXPECT_EQ(file_refusal(folder.file("")), "cannot read " + folder.file("") + ": Is a directory");
+  testing::write_file(folder.file("empty"), "");
+  EXPECT_EQ(file_refusal(folder.file("empty")),
+            folder.file("empty") + ": empty file: no graph in it");
+}
+
+TEST(GraphReader, RefusesCutAndCorruptPacking) {
+  const TemporaryFolder folder;
+  const std::string text = testing::written({testing::path(200)}, find_graph_format("sparse6"));
+  const auto refused = [&](const std::string& bytes) {
+    testing::write_file(folder.file("f"), bytes);
+    return file_refusal(folder.file("f")).substr(folder.file("f").size());
+  };
+  const std::string packed = gzip(text);
+  EXPECT_EQ(refused(packed.substr(0, packed.size() - 9)), ": the gzip data end too early");
+  EXPECT_EQ(refused(packed + "rubbish"), ": corrupt gzip data (incorrect header check)");
+  std::string broken = packed;
+  broken[broken.size() - 6] = static_cast<char>(broken[broken.size() - 6] ^ 1);
+  EXPECT_EQ(refused(broken), ": corrupt gzip data (incorrect data check)");
+  const std::string xz_packed = xz(text);
+  EXPECT_EQ(refused(xz_packed.substr(0, xz_packed.size() - 9)), ": the xz data end too early");
+  broken = xz_packed;
+  broken[30] = static_cast<char>(broken[30] ^ 1);
+  EXPECT_EQ(refused(broken).substr(0, 17), ": corrupt xz data");
+}
+
+TEST(GraphReader, RefusesWhatHoldsNoGraph) {
+  EXPECT_EQ(refusal("# only\n# comments\n"), "f: no graph in it, only comments or blank lines");
+  EXPECT_EQ(refusal("\n\n"), "f: no graph in it, only comments or blank lines");
+  EXPECT_EQ(refusal(">>graph6<<\n"), "f: no graph in it, only comments or blank lines");
+  EXPECT_EQ(refusal("\x80\x81"), "f:1: this is no graph format known here: '\\x80\\x81'");
+  EXPECT_EQ(refusal("hello world\n"), "f:1: this is no graph format known here: 'hello world'");
+}
+
+TEST(GraphReader, FormatCanBeForced) {
+  EXPECT_EQ(refusal("0 1\n", {.format = "graph6"}),
+            "f:1:1: character '0' is not one of graph6 and sparse6 ('?' to '~')");
+  EXPECT_EQ(refusal("DQc\n", {.format = "edgelist"}), "f:1:1: expected a vertex id, found 'DQc'");
+  EXPECT_EQ(refusal("", {.format = "edgelist"}), "f: empty file: no graph in it");
+  EXPECT_NE(refusal("DQc\n", {.format = "gif"}).find("unknown graph format 'gif', known: graph6"),
+            std::string::npos);
+}
+
+TEST(GraphReader, LinesLongerThanABlock) {
+  const Graph big = testing::path(400000);  // one sparse6 line of about 1.4 MB
+  const std::string line = testing::written({big}, find_graph_format("sparse6"));
+  const std::vector<Graph> graphs = read_text("DQc\n" + line + line + "DQc\n");
+  ASSERT_EQ(graphs.size(), 4u);
+  EXPECT_EQ(edge_set(graphs[1]), edge_set(big));
+  EXPECT_EQ(edge_set(graphs[2]), edge_set(big));
+  EXPECT_EQ(graphs[3].num_vertices(), 5u);
+}
+
+TEST(GraphReader, ReadsOneGraph) {
+  const TemporaryFolder folder;
+  testing::write_file(folder.file("one"), "DQc\n");
+  testing::write_file(folder.file("two"), "DQc\nDQc\n");
+  EXPECT_EQ(read_graph(folder.file("one")).num_edges(), 4u);
+  EXPECT_THROW(read_graph(folder.file("two")), InputError);
+}
+
+TEST(GraphFormats, AreFoundByNameAndPath) {
+  EXPECT_EQ(graph_format_of_path("a/b.s6.gz")->name, "sparse6");
+  EXPECT_EQ(graph_format_of_path("b.g6.xz")->name, "graph6");
+  EXPECT_EQ(graph_format_of_path("b.unknown"), nullptr);
+  EXPECT_THROW(find_graph_format("g7"), InputError);
+}
+
+}  // namespace
+}  // namespace ar3d
