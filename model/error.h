@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <source_location>
 #include <stdexcept>
 #include <string>
 
@@ -43,11 +42,12 @@ inline constexpr bool kHeavyChecks = false;
 #endif
 
 /// Throws InternalError naming the place when an internal invariant does not hold.
-inline void expect(bool holds, const char* invariant,
-                   std::source_location where = std::source_location::current()) {
+/// (The built-ins stand for std::source_location, which clang 14 lacks.)
+inline void expect(bool holds, const char* invariant, const char* file = __builtin_FILE(),
+                   int line = __builtin_LINE()) {
   if (!holds) {
-    throw InternalError(std::string("internal error: ") + invariant + " (" + where.file_name() +
-                        ":" + std::to_string(where.line()) + ")");
+    throw InternalError(std::string("internal error: ") + invariant + " (" + file + ":" +
+                        std::to_string(line) + ")");
   }
 }
 
@@ -55,8 +55,9 @@ inline void expect(bool holds, const char* invariant,
 /// builds with AR3D_CHECKS.
 template <class Check>
 void expect_heavy([[maybe_unused]] Check&& check, [[maybe_unused]] const char* invariant,
-                  [[maybe_unused]] std::source_location where = std::source_location::current()) {
-  if constexpr (kHeavyChecks) expect(check(), invariant, where);
+                  [[maybe_unused]] const char* file = __builtin_FILE(),
+                  [[maybe_unused]] int line = __builtin_LINE()) {
+  if constexpr (kHeavyChecks) expect(check(), invariant, file, line);
 }
 
 }  // namespace ar3d
