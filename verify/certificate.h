@@ -14,7 +14,7 @@ enum class ViolationKind {
   vertex_count,        ///< the drawing has another number of vertices than the graph
   edge_set,            ///< an edge is missing, extra, or drawn twice
   lattice,             ///< the drawing's Gram matrix is not the guarantee's
-  coordinate_range,    ///< a coordinate passes kMaxCoordinate
+  coordinate_range,    ///< a coordinate passes kMaxCoordinate; such a drawing is judged no further
   plane,               ///< a vertex is not in the plane z = 0 although promised
   degenerate_segment,  ///< two consecutive points of an edge coincide
   direction,           ///< a segment is not parallel to an allowed direction
@@ -38,10 +38,10 @@ struct Violation {
   std::string message;        ///< one line
 };
 
+/// All tests decide exactly and find the same violations.
 enum class CrossingTest {
   automatic,  ///< the fast test that fits the drawing
   all_pairs,  ///< the oracle: every pair of segments, O(S^2)
-  sweep,      ///< plane families, O(S log S); for guarantees with few directions
 };
 
 struct CertifyOptions {
@@ -50,18 +50,19 @@ struct CertifyOptions {
   bool check_size = true;
 };
 
-/// The verdict on one drawing: proved right iff `violations` is empty and `complete`.
+/// The verdict on one drawing: proved right iff valid().
 struct Certificate {
   std::vector<Violation> violations;
-  bool complete = true;  ///< false when max_violations cut the list
-  Box box;
+  bool complete = true;  ///< false when max_violations cut the list, or a coordinate out of range
+  Box box;               ///< of all vertices and bends; the origin if a coordinate is out of range
   std::vector<std::uint64_t> bend_histogram;  ///< entry b: number of edges with b bends
   std::uint64_t segments = 0;
-  bool valid() const { return violations.empty(); }
+  bool valid() const { return complete && violations.empty(); }
 };
 
-/// Proves in exact integers that `drawing` is a drawing of `graph` that keeps `guarantee`, or says why not.
-/// Shares no code with the algorithms. Cost: O(S log S) for S segments with few directions.
+/// Proves in exact integers that `drawing` is a drawing of `graph` that keeps `guarantee`, or says
+/// why not. Shares no code with the algorithms. Cost: O(S log S) for S segments with few
+/// directions.
 Certificate certify(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
                     const CertifyOptions& options = {});
 
