@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ar3d {
@@ -13,11 +14,15 @@ inline constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 enum class RunStatus : std::uint8_t { ok, timeout, out_of_memory, refused, violated, crashed };
 /// "ok", "timeout", "out_of_memory", "refused", "violated", "crashed".
 const char* to_string(RunStatus status);
+/// @throws InputError naming the text if it is no status.
+RunStatus parse_run_status(std::string_view text);
 
-/// One row of /runs: instance x algorithm x options x repetition. Times in seconds, memory in bytes, lengths and
-/// extents in lattice units. Missing integers are -1, missing floats NaN; never 0.
+/// One row of /runs: instance x algorithm x options x repetition. Times in seconds, memory in
+/// bytes, lengths and extents in lattice units. Missing integers are -1, missing floats NaN; never
+/// 0.
 struct Run {
-  std::string row_key;     ///< 32 hexadecimal digits: identity of (study, instance, algorithm, options, repetition)
+  std::string row_key;  ///< 32 hexadecimal digits: identity of (study, instance, algorithm,
+                        ///< options, repetition)
   std::string family;
   std::string parameters;  ///< "k=2;p=750000", complete and in catalogue order
   std::int64_t wanted_n = -1;
@@ -34,12 +39,14 @@ struct Run {
 
   // Deterministic results.
   std::array<std::int64_t, 3> extents{-1, -1, -1};
-  double log2_volume = kMissing;     ///< sum of log2(extent + 1) over the axes
-  double volume_per_n3 = kMissing;   ///< product of extents / n^3
-  std::array<std::int64_t, 3> instance_bound{-1, -1, -1};  ///< from the proof, for this very instance
+  double log2_volume = kMissing;    ///< sum of log2(extent + 1) over the axes
+  double volume_per_n3 = kMissing;  ///< product of extents / n^3
+  std::array<std::int64_t, 3> instance_bound{-1, -1,
+                                             -1};  ///< from the proof, for this very instance
   std::array<double, 3> theorem_bound{kMissing, kMissing, kMissing};
   std::array<double, 3> slack{kMissing, kMissing, kMissing};  ///< 1 - extent / theorem bound
-  std::array<std::int64_t, 8> bends{-1, -1, -1, -1, -1, -1, -1, -1};  ///< edges with b bends; last: 7 or more
+  std::array<std::int64_t, 8> bends{-1, -1, -1, -1,
+                                    -1, -1, -1, -1};  ///< edges with b bends; last: 7 or more
   double total_edge_length = kMissing;
   double longest_edge_length = kMissing;
   double smallest_vertex_distance = kMissing;  ///< missing if n < 2
@@ -62,11 +69,11 @@ struct EnvironmentEntry {
 /// A whole results file in memory.
 struct Results {
   std::string study_id;
-  std::string spec;          ///< the verbatim TOML
-  std::string spec_sha256;   ///< of spec
-  std::string source_hash;   ///< git commit of the program
+  std::string spec;         ///< the verbatim TOML
+  std::string spec_sha256;  ///< of spec
+  std::string source_hash;  ///< git commit of the program
   bool dirty = false;
-  std::string created;       ///< ISO 8601 with zone
+  std::string created;  ///< ISO 8601 with zone
   std::vector<EnvironmentEntry> environment;
   std::vector<Run> runs;
 };
@@ -74,7 +81,8 @@ struct Results {
 /// Writes FILE.h5 atomically: a new file beside it, fsync, rename. @throws InputError if it cannot.
 void write_results(const Results& results, const std::string& path);
 
-/// @throws InputError naming the file and what is wrong with it: missing, not HDF5, another version, no /runs, …
+/// @throws InputError naming the file and what is wrong with it: missing, not HDF5, another
+/// version, no /runs, …
 Results read_results(const std::string& path);
 
 }  // namespace ar3d

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+namespace ar3d {
+
+/// Replaces the file at `path` by `bytes`, or leaves everything as it was: writes a new file beside
+/// it, fsync, rename, fsync of the directory. A symbolic link is followed; what exists and is no
+/// regular file is refused.
+/// @throws InputError naming the path and the system's reason (no such directory, no space left,
+/// …).
+void write_file_atomically(const std::string& path, std::span<const char> bytes);
+
+/// Fails now instead of after hours: tries to create (and removes) a file beside `path`.
+/// @throws InputError as write_file_atomically.
+void require_writable(const std::string& path);
+
+}  // namespace ar3d

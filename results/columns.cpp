@@ -1,0 +1,257 @@
+#include "ar3d/results/columns.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <type_traits>
+
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+namespace {
+
+struct Description {
+  const char* name;
+  const char* unit;
+  const char* meaning;
+  ColumnKind kind;
+};
+
+Column described(const Description& d, FieldType type, std::size_t size) {
+  Column column;
+  column.name = d.name;
+  column.unit = d.unit;
+  column.meaning = d.meaning;
+  column.kind = d.kind;
+  column.type = type;
+  column.size = size;
+  return column;
+}
+
+std::string loaded_text(const char* from, std::size_t size) {
+  return std::string(from, strnlen(from, size));
+}
+
+void store_text(const std::string& text, char* to, std::size_t size) {
+  std::memset(to, 0, size);
+  std::memcpy(to, text.data(), text.size());
+}
+
+// Text that identifies something: refused, never cut, if it does not fit.
+Column text(const Description& d, std::string Run::*member, std::size_t size) {
+  Column column = described(d, FieldType::text, size);
+  column.store = [member, size, name = column.name](const Run& run, char* to) {
+    const std::string& value = run.*member;
+    if (value != fitted_text(value, size)) {
+      throw InputError(fmt::format("{} '{}' is not {} bytes of ASCII", name, value, size));
+    }
+    store_text(value, to, size);
+  };
+  column.load = [member, size](const char* from, Run& run) {
+    run.*member = loaded_text(from, size);
+  };
+  return column;
+}
+
+// Text for people, cut to fit.
+Column message(const Description& d, std::string Run::*member, std::size_t size) {
+  Column column = text(d, member, size);
+  column.store = [member, size](const Run& run, char* to) {
+    store_text(fitted_text(run.*member, size), to, size);
+  };
+  return column;
+}
+
+Column status(const Description& d, std::size_t size) {
+  Column column = described(d, FieldType::text, size);
+  column.store = [size](const Run& run, char* to) { store_text(to_string(run.status), to, size); };
+  column.load = [size](const char* from, Run& run) {
+    run.status = parse_run_status(loaded_text(from, size));
+  };
+  return column;
+}
+
+template <class T>
+constexpr FieldType kTypeOf = std::is_same_v<T, double>         ? FieldType::float64
+                              : std::is_same_v<T, std::int64_t> ? FieldType::int64
+                                                                : FieldType::uint64;
+
+template <class T>
+Column number(const Description& d, T Run::*member) {
+  Column column = described(d, kTypeOf<T>, sizeof(T));
+  column.store = [member](const Run& run, char* to) { std::memcpy(to, &(run.*member), sizeof(T)); };
+  column.load = [member](const char* from, Run& run) {
+    std::memcpy(&(run.*member), from, sizeof(T));
+  };
+  return column;
+}
+
+// One column for each entry of an array, named by `suffixes`.
+template <class T, std::size_t N>
+void add_array(std::vector<Column>& columns, const Description& d, std::array<T, N> Run::*member,
+               const std::array<const char*, N>& suffixes) {
+  for (std::size_t i = 0; i < N; ++i) {
+    Column column = described(d, kTypeOf<T>, sizeof(T));
+    column.name += suffixes[i];
+    column.store = [member, i](const Run& run, char* to) {
+      std::memcpy(to, &(run.*member)[i], sizeof(T));
+    };
+    column.load = [member, i](const char* from, Run& run) {
+      std::memcpy(&(run.*member)[i], from, sizeof(T));
+    };
+    columns.push_back(std::move(column));
+  }
+}
+
+constexpr std::array<const char*, 3> kAxes = {"_x", "_y", "_z"};
+constexpr std::array<const char*, 8> kBends = {"_0", "_1", "_2", "_3", "_4", "_5", "_6", "_7"};
+
+void add_identity(std::vector<Column>& c) {
+  const auto instance = ColumnKind::instance;
+  const auto run = ColumnKind::run;
+  c.push_back(
+      text({"row_key", "", "hash of study seed, instance, algorithm, options and repetition", run},
+           &Run::row_key, 32));
+  c.push_back(text({"family", "", "family of graphs", instance}, &Run::family, 48));
+  c.push_back(
+      text({"parameters", "", "the family's parameters, complete, in catalogue order", instance},
+           &Run::parameters, 128));
+  c.push_back(number({"wanted_n", "1", "number of vertices that the study asked for", instance},
+                     &Run::wanted_n));
+  c.push_back(number({"n", "1", "number of vertices", instance}, &Run::n));
+  c.push_back(number({"m", "1", "number of edges", instance}, &Run::m));
+  c.push_back(number({"instance_index", "1",
+                      "0, 1, ...: which instance of (family, parameters, wanted_n)", instance},
+                     &Run::instance_index));
+  c.push_back(number({"seed", "", "the generator's seed of this instance", instance}, &Run::seed));
+  c.push_back(
+      text({"graph_hash", "", "128-bit hash of the graph", instance}, &Run::graph_hash, 32));
+  c.push_back(text({"algorithm", "", "drawing algorithm", run}, &Run::algorithm, 48));
+  c.push_back(text({"options", "", "the algorithm's options, complete, in catalogue order", run},
+                   &Run::options, 96));
+  c.push_back(number({"repetition", "1", "0, 1, ...: which repetition of the same run", run},
+                     &Run::repetition));
+}
+
+void add_results(std::vector<Column>& c) {
+  const auto kind = ColumnKind::result;
+  c.push_back(
+      status({"status", "", "ok, timeout, out_of_memory, refused, violated or crashed", kind}, 16));
+  c.push_back(message({"message", "", "first violation or error, cut to fit; empty if ok", kind},
+                      &Run::message, 240));
+  add_array(c, {"extent", "lattice units", "largest minus smallest coordinate", kind},
+            &Run::extents, kAxes);
+  c.push_back(number(
+      {"log2_volume", "log2 of cubic lattice units", "sum of log2(extent + 1) over the axes", kind},
+      &Run::log2_volume));
+  c.push_back(number({"volume_per_n3", "cubic lattice units", "product of the extents / n^3", kind},
+                     &Run::volume_per_n3));
+  add_array(c,
+            {"instance_bound", "lattice units",
+             "extent that the proof promises for this very instance", kind},
+            &Run::instance_bound, kAxes);
+  add_array(c,
+            {"theorem_bound", "lattice units", "extent that the theorem promises for this n", kind},
+            &Run::theorem_bound, kAxes);
+  add_array(c, {"slack", "1", "1 - extent / theorem_bound", kind}, &Run::slack, kAxes);
+  add_array(c, {"bends", "1", "number of edges with that many bends (the last: 7 or more)", kind},
+            &Run::bends, kBends);
+  c.push_back(
+      number({"total_edge_length", "lattice units", "sum of the lengths of all edges", kind},
+             &Run::total_edge_length));
+  c.push_back(number({"longest_edge_length", "lattice units", "length of the longest edge", kind},
+                     &Run::longest_edge_length));
+  c.push_back(number({"smallest_vertex_distance", "lattice units",
+                      "smallest distance of two vertices; missing if n < 2", kind},
+                     &Run::smallest_vertex_distance));
+  c.push_back(
+      number({"violations", "1",
+              "violations of the guarantee that the certificate lists; 0 is proved right", kind},
+             &Run::violations));
+  c.push_back(text({"counters", "", "what the algorithm tells about its run, name=value;...", kind},
+                   &Run::counters, 512));
+}
+
+void add_measurements(std::vector<Column>& c) {
+  const auto kind = ColumnKind::measured;
+  c.push_back(
+      number({"generate_s", "s", "wall time of generating the graph", kind}, &Run::generate_s));
+  c.push_back(number({"wall_s", "s", "wall time of drawing, nothing else", kind}, &Run::wall_s));
+  c.push_back(
+      number({"cpu_s", "s", "CPU time of the drawing thread, drawing only", kind}, &Run::cpu_s));
+  c.push_back(
+      number({"certify_s", "s", "wall time of certifying the drawing", kind}, &Run::certify_s));
+  c.push_back(number({"peak_bytes", "bytes", "peak resident memory of the process so far", kind},
+                     &Run::peak_bytes));
+}
+
+std::vector<Column> make_run_columns() {
+  std::vector<Column> columns;
+  add_identity(columns);
+  add_results(columns);
+  add_measurements(columns);
+  pack_fields(columns);
+  return columns;
+}
+
+template <class T>
+T loaded(const std::string& bytes) {
+  T value{};
+  std::memcpy(&value, bytes.data(), sizeof(T));
+  return value;
+}
+
+}  // namespace
+
+const std::vector<Column>& run_columns() {
+  static const std::vector<Column> columns = make_run_columns();
+  return columns;
+}
+
+std::vector<Column> columns_of_kind(const std::vector<Column>& columns, ColumnKind kind) {
+  std::vector<Column> chosen;
+  for (const Column& column : columns) {
+    if (column.kind == kind) chosen.push_back(column);
+  }
+  pack_fields(chosen);
+  return chosen;
+}
+
+std::string column_text(const Column& column, const Run& run) {
+  std::string bytes(column.size, '\0');
+  column.store(run, bytes.data());
+  switch (column.type) {
+    case FieldType::text:
+      return bytes.substr(0, bytes.find('\0'));
+    case FieldType::int64:
+      return fmt::format("{}", loaded<std::int64_t>(bytes));
+    case FieldType::uint64:
+      return fmt::format("{}", loaded<std::uint64_t>(bytes));
+    case FieldType::float64:
+      return fmt::format("{}", loaded<double>(bytes));
+  }
+  throw InternalError("internal error: unknown column type");
+}
+
+std::vector<std::string> differing_columns(const Run& a, const Run& b) {
+  std::vector<std::string> names;
+  for (const Column& column : run_columns()) {
+    if (column.kind == ColumnKind::measured) continue;
+    std::string left(column.size, '\0');
+    std::string right(column.size, '\0');
+    column.store(a, left.data());
+    column.store(b, right.data());
+    if (left != right) names.push_back(column.name);
+  }
+  return names;
+}
+
+std::string fitted_text(const std::string& text, std::size_t size) {
+  std::string fitted = text.substr(0, size);
+  std::replace_if(
+      fitted.begin(), fitted.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return fitted;
+}
+
+}  // namespace ar3d

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ar3d/results/field.h"
+#include "ar3d/results/run.h"
+
+namespace ar3d {
+
+enum class ColumnKind {
+  instance,  ///< describes the instance; also a column of /instances
+  run,       ///< with the instance: which run this is
+  result,    ///< a pure function of the instance, the algorithm and its options
+  measured,  ///< times and memory: differ from run to run
+};
+
+/// One column of /runs: the single description from which the file, its reader, comparisons and the
+/// schema page are made. Columns stand in the order of their bytes in a record.
+struct Column : Field {
+  ColumnKind kind = ColumnKind::result;
+  std::function<void(const Run&, char*)> store;  ///< writes `size` bytes
+  std::function<void(const char*, Run&)> load;   ///< reads `size` bytes
+};
+
+/// All columns of /runs.
+const std::vector<Column>& run_columns();
+
+/// The columns of one kind, packed anew.
+std::vector<Column> columns_of_kind(const std::vector<Column>& columns, ColumnKind kind);
+
+/// The value for people and CSV files: text, a decimal integer, or the shortest decimal that reads
+/// back to the same double; "nan" if missing.
+std::string column_text(const Column& column, const Run& run);
+
+/// Names of the columns that are not measured and differ in their bits. Empty: the same result.
+std::vector<std::string> differing_columns(const Run& a, const Run& b);
+
+/// `text` as a column holds it: cut to `size` bytes, everything but printable ASCII replaced by
+/// '?'.
+std::string fitted_text(const std::string& text, std::size_t size);
+
+}  // namespace ar3d

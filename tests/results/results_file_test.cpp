@@ -1,0 +1,304 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "ar3d/model/error.h"
+#include "ar3d/results/atomic_file.h"
+#include "ar3d/results/columns.h"
+#include "ar3d/results/run.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::HasSubstr;
+namespace fs = std::filesystem;
+
+Run sample_run(std::int64_t i) {
+  Run run;
+  run.row_key = "0123456789abcdef0123456789abcd" + std::to_string(10 + i % 90);
+  run.family = "petersen";
+  run.parameters = "k=2;p=750000";
+  run.wanted_n = 10 + i / 2;
+  run.n = run.wanted_n;
+  run.m = 15;
+  run.instance_index = 0;
+  run.seed = ~std::uint64_t{0} - static_cast<std::uint64_t>(i);
+  run.graph_hash = "fedcba9876543210fedcba9876543210";
+  run.algorithm = i % 2 == 0 ? "diamond" : "grid";
+  run.options = "effort=1";
+  run.repetition = i;
+  run.status = RunStatus::ok;
+  run.extents = {50, 52, std::int64_t{1} << 61};
+  run.log2_volume = 0.1 * static_cast<double>(i);
+  run.bends = {1, 2, 3, 4, 5, 6, 7, 8};
+  run.violations = 0;
+  run.counters = "H=3;mode=1";
+  run.wall_s = 1e-9;
+  return run;
+}
+
+Results sample_results(std::int64_t count) {
+  Results results;
+  results.study_id = "sample";
+  results.spec = "# h\xc3\xb6her\n[study]\n";
+  results.spec_sha256 = std::string(64, 'a');
+  results.source_hash = "unknown";
+  results.dirty = true;
+  results.created = "2026-01-02T03:04:05+00:00";
+  results.environment = {{"cpu", "abacus"}, {"flags", "-O3 -DNDEBUG"}};
+  for (std::int64_t i = 0; i < count; ++i) results.runs.push_back(sample_run(i));
+  return results;
+}
+
+class ResultsFile : public ::testing::Test {
+ protected:
+  ResultsFile() { fs::create_directories(folder_); }
+  ~ResultsFile() override { fs::remove_all(folder_); }
+  std::string in_folder(const std::string& name) const { return (folder_ / name).string(); }
+  std::size_t files_in_folder() const {
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+  }
+
+  fs::path folder_ = fs::path(::testing::TempDir()) / ("ar3d_results_" + std::to_string(getpid()));
+};
+
+std::string read_error(const std::string& path) {
+  try {
+    read_results(path);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string write_error(const Results& results, const std::string& path) {
+  try {
+    write_results(results, path);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST_F(ResultsFile, ReadsBackWhatWasWritten) {
+  for (const std::int64_t count : {0, 1, 511, 512, 513, 1500}) {
+    const Results written = sample_results(count);
+    write_results(written, in_folder("r.h5"));
+    const Results read = read_results(in_folder("r.h5"));
+    EXPECT_EQ(read.study_id, written.study_id);
+    EXPECT_EQ(read.spec, written.spec);
+    EXPECT_EQ(read.spec_sha256, written.spec_sha256);
+    EXPECT_EQ(read.source_hash, written.source_hash);
+    EXPECT_TRUE(read.dirty);
+    EXPECT_EQ(read.created, written.created);
+    ASSERT_EQ(read.environment.size(), 2u);
+    EXPECT_EQ(read.environment[1].name, "flags");
+    EXPECT_EQ(read.environment[1].value, "-O3 -DNDEBUG");
+    ASSERT_EQ(read.runs.size(), written.runs.size());
+    for (std::size_t i = 0; i < read.runs.size(); ++i) {
+      for (const Column& column : run_columns()) {
+        EXPECT_EQ(column_text(column, read.runs[i]), column_text(column, written.runs[i]));
+      }
+    }
+  }
+  EXPECT_EQ(files_in_folder(), 1u) << "no partial file may stay";
+}
+
+TEST_F(ResultsFile, KeepsMissingValuesMissing) {
+  Results results = sample_results(1);
+  results.runs[0] = ar3d::Run();
+  results.runs[0].status = RunStatus::timeout;
+  write_results(results, in_folder("r.h5"));
+  const ar3d::Run run = read_results(in_folder("r.h5")).runs.at(0);
+  EXPECT_EQ(run.status, RunStatus::timeout);
+  EXPECT_EQ(run.n, -1);
+  EXPECT_EQ(run.bends[7], -1);
+  EXPECT_EQ(run.peak_bytes, -1);
+  EXPECT_TRUE(std::isnan(run.wall_s));
+  EXPECT_TRUE(std::isnan(run.slack[2]));
+}
+
+TEST_F(ResultsFile, EqualResultsGiveEqualBytes) {
+  const auto bytes = [](const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  write_results(sample_results(700), in_folder("a.h5"));
+  write_results(sample_results(700), in_folder("b.h5"));
+  EXPECT_EQ(bytes(in_folder("a.h5")), bytes(in_folder("b.h5")));
+}
+
+TEST_F(ResultsFile, CutsMessagesAndRefusesLongNames) {
+  Results results = sample_results(1);
+  results.runs[0].message = "line\n\xc3\xb6" + std::string(1000, 'x');
+  write_results(results, in_folder("r.h5"));
+  const std::string message = read_results(in_folder("r.h5")).runs[0].message;
+  EXPECT_EQ(message, "line???" + std::string(233, 'x'));
+  results.runs[0].family = std::string(100, 'f');
+  EXPECT_THAT(write_error(results, in_folder("s.h5")), HasSubstr("family 'ffff"));
+  EXPECT_FALSE(fs::exists(in_folder("s.h5")));
+}
+
+TEST_F(ResultsFile, RefusesWhatIsNoResultsFile) {
+  EXPECT_THAT(read_error(in_folder("missing.h5")), HasSubstr("No such file or directory"));
+  EXPECT_THAT(read_error(folder_.string()), HasSubstr("Is a directory"));
+  std::ofstream(in_folder("text.h5")) << "hello";
+  EXPECT_THAT(read_error(in_folder("text.h5")), HasSubstr("is not an HDF5 file"));
+  std::ofstream(in_folder("empty.h5"));
+  EXPECT_THAT(read_error(in_folder("empty.h5")), HasSubstr("is not an HDF5 file"));
+}
+
+TEST_F(ResultsFile, RefusesAFileCutShort) {
+  write_results(sample_results(2000), in_folder("r.h5"));
+  fs::resize_file(in_folder("r.h5"), fs::file_size(in_folder("r.h5")) / 2);
+  EXPECT_THAT(read_error(in_folder("r.h5")),
+              HasSubstr("is not a readable results file: cannot open it"));
+}
+
+// Changes a written file with h5py and gives the error of reading it.
+std::string error_after(const std::string& path, const std::string& change) {
+  write_results(sample_results(3), path);
+  const std::string script = "import h5py; f = h5py.File('" + path + "', 'a'); " + change;
+  EXPECT_EQ(std::system(("/usr/bin/python3 -c \"" + script + "\"").c_str()), 0);
+  return read_error(path);
+}
+
+TEST_F(ResultsFile, RefusesAnotherFormatOrVersion) {
+  const std::string path = in_folder("r.h5");
+  EXPECT_THAT(error_after(path, "f.attrs['format_version'] = 2"), HasSubstr("format version 2"));
+  EXPECT_THAT(error_after(path, "del f.attrs['format']"),
+              HasSubstr("attribute 'format' is missing"));
+  EXPECT_THAT(error_after(path, "del f['runs']"), HasSubstr("/runs is missing"));
+  EXPECT_THAT(error_after(path, "del f['spec']"), HasSubstr("cannot open /spec"));
+  EXPECT_THAT(error_after(path,
+                          "d = f['runs'][:]; del f['runs']; "
+                          "f['runs'] = d[[n for n in d.dtype.names if n != 'seed']]"),
+              HasSubstr("/runs has no field 'seed'"));
+  EXPECT_THAT(error_after(path, "del f['runs']; f['runs'] = [1, 2]"),
+              HasSubstr("/runs is not a table of records"));
+}
+
+TEST_F(ResultsFile, RefusesUnwritablePlaces) {
+  const Results results = sample_results(1);
+  EXPECT_THAT(write_error(results, in_folder("no/such/r.h5")),
+              HasSubstr("No such file or directory"));
+  EXPECT_THAT(write_error(results, folder_.string()), HasSubstr("Is a directory"));
+  EXPECT_THAT(write_error(results, "/dev/null"), HasSubstr("it is not a regular file"));
+  EXPECT_THAT(write_error(results, "/proc/r.h5"), HasSubstr("cannot write /proc/r.h5: "));
+  EXPECT_THROW(require_writable("/proc/r.h5"), InputError);
+  EXPECT_NO_THROW(require_writable(in_folder("r.h5")));
+  EXPECT_EQ(files_in_folder(), 0u);
+}
+
+// The kernel refuses to let files grow past a limit, as it refuses to on a full disk.
+TEST_F(ResultsFile, LeavesTheOldFileWhenTheDiskIsFull) {
+  write_results(sample_results(1), in_folder("r.h5"));
+  rlimit old_limit{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &old_limit), 0);
+  const auto old_handler = signal(SIGXFSZ, SIG_IGN);
+  rlimit small_limit = old_limit;
+  small_limit.rlim_cur = 10000;
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small_limit), 0);
+  const std::string error = write_error(sample_results(5000), in_folder("r.h5"));
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &old_limit), 0);
+  signal(SIGXFSZ, old_handler);
+  EXPECT_THAT(error, HasSubstr("r.h5: File too large"));
+  EXPECT_EQ(read_results(in_folder("r.h5")).runs.size(), 1u);
+  EXPECT_EQ(files_in_folder(), 1u);
+}
+
+TEST_F(ResultsFile, FollowsASymbolicLink) {
+  fs::create_directory(in_folder("real"));
+  std::ofstream(in_folder("real/r.h5")) << "old";
+  fs::create_symlink(in_folder("real/r.h5"), in_folder("link.h5"));
+  write_results(sample_results(1), in_folder("link.h5"));
+  EXPECT_TRUE(fs::is_symlink(in_folder("link.h5")));
+  EXPECT_EQ(read_results(in_folder("real/r.h5")).runs.size(), 1u);
+}
+
+// What the documentation promises to Python users, each in one line, with warnings as errors.
+TEST_F(ResultsFile, PandasAndH5pyReadItInOneLine) {
+  write_results(sample_results(600), in_folder("r.h5"));
+  std::ofstream(in_folder("check.py")) << R"(
+import warnings
+import numpy, pandas, h5py, tables
+warnings.simplefilter("error")
+f = ")" << in_folder("r.h5") << R"("
+a = pandas.read_hdf(f, "runs")
+b = pandas.DataFrame(h5py.File(f)["runs"][:])
+for t in (a, b):
+    assert len(t) == 600, len(t)
+    assert t.wanted_n[7] == 13 and t.extent_z[0] == 2**61 and t.bends_7[599] == 8
+    assert t.seed[0] == 2**64 - 1 and t.seed.dtype == numpy.uint64
+    assert numpy.isnan(t.certify_s).all() and (t.peak_bytes == -1).all()
+    assert abs(t.log2_volume[3] - 0.3) < 1e-15
+assert a.algorithm[1] == "grid" and b.algorithm[1] == b"grid", (a.algorithm[1], b.algorithm[1])
+assert list(a.columns) == list(b.columns)
+i = pandas.read_hdf(f, "instances")
+assert len(i) == 300 and list(i.wanted_n) == list(range(10, 310))
+e = pandas.read_hdf(f, "environments")
+assert e.value[0] == "abacus"
+h = h5py.File(f)
+assert h["spec"][()].decode() == "# h\u00f6her\n[study]\n"
+assert h.attrs["format"].decode() == "ar3d-results" and h.attrs["format_version"] == 1
+assert h["runs"].attrs["wall_s.unit"].decode() == "s"
+tables.open_file(f).root.runs.attrs._f_list("all")
+)";
+  EXPECT_EQ(std::system(("/usr/bin/python3 " + in_folder("check.py")).c_str()), 0);
+}
+
+TEST(Columns, NamesAreUniqueAndDescribed) {
+  std::set<std::string> names;
+  for (const Column& column : run_columns()) {
+    EXPECT_TRUE(names.insert(column.name).second) << column.name;
+    EXPECT_FALSE(column.meaning.empty()) << column.name;
+    EXPECT_EQ(column.unit.empty(), column.type == FieldType::text || column.name == "seed")
+        << column.name;
+  }
+  EXPECT_TRUE(names.contains("theorem_bound_z"));
+}
+
+// The schema page lists every column with its unit's meaning, in the order of the record.
+TEST(Columns, SchemaPageListsThemInOrder) {
+  std::ifstream in(AR3D_SOURCE_DIR "/results/SCHEMA.md");
+  const std::string page(std::istreambuf_iterator<char>(in), {});
+  std::size_t at = page.find("## Columns of `/runs`");
+  ASSERT_NE(at, std::string::npos);
+  for (const Column& column : run_columns()) {
+    const bool instance = column.kind == ColumnKind::instance;
+    at = page.find("| `" + column.name + (instance ? "` * | " : "` | "), at);
+    ASSERT_NE(at, std::string::npos) << column.name;
+    EXPECT_NE(page.find(column.meaning, at), std::string::npos) << column.name;
+  }
+}
+
+TEST(Columns, DifferencesNameTheColumnAndLeaveTimesOut) {
+  ar3d::Run a = sample_run(4);
+  ar3d::Run b = a;
+  b.wall_s = 7;
+  b.peak_bytes = 5;
+  EXPECT_TRUE(differing_columns(a, b).empty());
+  b.extents[1] += 1;
+  b.slack[0] = 0.5;
+  EXPECT_THAT(differing_columns(a, b), ::testing::ElementsAre("extent_y", "slack_x"));
+}
+
+TEST(RunStatus, TextsGoBothWays) {
+  for (int i = 0; i < 6; ++i) {
+    const auto status = static_cast<RunStatus>(i);
+    EXPECT_EQ(parse_run_status(to_string(status)), status);
+  }
+  EXPECT_THROW(parse_run_status("fine"), InputError);
+}
+
+}  // namespace
+}  // namespace ar3d
