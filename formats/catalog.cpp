@@ -29,7 +29,7 @@ const GraphFormat& detect_format(TextInput& input) {
   }
   const std::string_view line = text.substr(0, text.find('\n'));
   throw InputError(
-      fmt::format("{}:1: this is no graph format known here: {}", input.name(), quoted(line)));
+      fmt::format("{}:1: this is no graph format known here: {}", input.name(), shown(line)));
 }
 
 }  // namespace

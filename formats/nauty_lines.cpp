@@ -33,7 +33,7 @@ class NautyParser final : public GraphParser {
       if (line.starts_with(header)) return header.size();
     }
     input_.fail(
-        1, fmt::format("unknown header {}, expected '>>graph6<<' or '>>sparse6<<'", quoted(line)));
+        1, fmt::format("unknown header {}, expected '>>graph6<<' or '>>sparse6<<'", shown(line)));
   }
 
   Graph decode(std::string_view line, std::size_t begin) const {

@@ -10,7 +10,7 @@ constexpr unsigned kEscape = 63;  // the group '~': a longer form of N(n) follow
 void SixBits::fail_group() const {
   if (left() == 0) input_->fail(column(), "the line ends too early");
   input_->fail(column(), fmt::format("character {} is not one of graph6 and sparse6 ('?' to '~')",
-                                     quoted(line_.substr(at_, 1))));
+                                     shown(line_.substr(at_, 1))));
 }
 
 std::uint64_t SixBits::size() {

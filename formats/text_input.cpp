@@ -84,16 +84,16 @@ void TextInput::fail_at(std::uint64_t line, std::size_t column, const std::strin
   throw InputError(fmt::format("{}:{}:{}: {}", name_, line, column, message));
 }
 
-std::string quoted(std::string_view text) {
-  std::string shown = "'";
+std::string shown(std::string_view text) {
+  std::string result = "'";
   for (const char c : text.substr(0, kShownBytes)) {
     if (c >= ' ' && c <= '~') {
-      shown += c;
+      result += c;
     } else {
-      shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+      result += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
     }
   }
-  return shown + (text.size() > kShownBytes ? "'…" : "'");
+  return result + (text.size() > kShownBytes ? "'…" : "'");
 }
 
 }  // namespace ar3d

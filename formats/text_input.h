@@ -59,6 +59,6 @@ class TextInput {
 };
 
 /// A piece of input as messages show it: in quotes, unprintable bytes escaped, long ones cut.
-std::string quoted(std::string_view text);
+std::string shown(std::string_view text);
 
 }  // namespace ar3d

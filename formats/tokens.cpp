@@ -14,10 +14,10 @@ std::uint64_t Tokens::rare_number(const char* what) {
   std::uint64_t value = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error == std::errc::result_out_of_range && stop == text.data() + text.size()) {
-    fail(fmt::format("{} {} does not fit 64 bits", what, quoted(text)));
+    fail(fmt::format("{} {} does not fit 64 bits", what, shown(text)));
   }
   if (error != std::errc() || stop != text.data() + text.size()) {
-    fail(fmt::format("expected {}, found {}", what, quoted(text)));
+    fail(fmt::format("expected {}, found {}", what, shown(text)));
   }
   return value;
 }
@@ -25,7 +25,7 @@ std::uint64_t Tokens::rare_number(const char* what) {
 void Tokens::expect_done(const char* after_what) {
   if (done()) return;
   const std::string_view text = word();
-  fail(fmt::format("unexpected {} after {}", quoted(text), after_what));
+  fail(fmt::format("unexpected {} after {}", shown(text), after_what));
 }
 
 }  // namespace ar3d
