@@ -28,11 +28,12 @@ using ParameterValues = std::vector<ParameterValue>;
 /// One row of the catalogue: a pure function (n, seed, parameters) -> Graph.
 struct Family {
   std::string name;
-  std::string summary;        ///< one sentence, with the source
-  std::uint32_t max_degree;   ///< of every graph of the family (with default parameters)
-  bool is_random = false;     ///< false: the seed has no influence
+  std::string summary;       ///< one sentence, with the source
+  std::uint32_t max_degree;  ///< of every graph of the family (with default parameters)
+  bool is_random = false;    ///< false: the seed has no influence
   std::vector<ParameterSpec> parameters;
-  /// The family's own number of vertices for a wanted n: the nearest valid one not above n, else the smallest.
+  /// The family's own number of vertices for a wanted n: the nearest valid one not above n, else
+  /// the smallest.
   std::uint64_t (*nearest_n)(std::uint64_t wanted_n, const ParameterValues&) = nullptr;
   /// Called with nearest_n(n) == n and complete parameters.
   Graph (*generate)(std::uint64_t n, std::uint64_t seed, const ParameterValues&) = nullptr;
@@ -46,8 +47,8 @@ const Family& find_family(std::string_view name);
 /// @throws InputError on an unknown name, a name given twice or a value out of range.
 ParameterValues complete_parameters(const Family& family, const ParameterValues& given);
 
-/// The graph of the family with nearest_n(n) vertices. The same (family, n, seed, parameters) gives the same
-/// bytes on every thread count, compiler and platform.
+/// The graph of the family with nearest_n(n) vertices. The same (family, n, seed, parameters) gives
+/// the same bytes on every thread count, compiler and platform.
 /// @throws InputError on bad parameters.
 Graph generate(const Family& family, std::uint64_t n, std::uint64_t seed,
                const ParameterValues& given = {});

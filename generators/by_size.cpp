@@ -1,0 +1,55 @@
+#include "ar3d/generators/by_size.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ar3d/generators/leaf_blocks.h"
+#include "ar3d/generators/random_regular.h"
+#include "ar3d/generators/sizes.h"
+#include "ar3d/generators/trees.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+
+Graph stars_of_size(Count n, std::uint64_t, const ParameterValues& parameters) {
+  const Count leaves = value_of(parameters, "leaves");
+  return stars(n / (leaves + 1), leaves);
+}
+
+Graph caterpillar_of_size(Count n, std::uint64_t, const ParameterValues& parameters) {
+  const Count legs = value_of(parameters, "legs");
+  return caterpillar(n / (legs + 1), legs);
+}
+
+Graph random_regular_of_size(Count n, std::uint64_t seed, const ParameterValues& parameters) {
+  return random_regular(n, static_cast<std::uint32_t>(value_of(parameters, "degree")), seed);
+}
+
+Graph cubic_tree_of_size(Count n, std::uint64_t, const ParameterValues& parameters) {
+  const Count leaf = value_of(parameters, "leaf");
+  if (leaf == 6) throw InputError("leaf = 6: a leaf block has 5 or 7 vertices");
+  const Count inner = (n - 2 * leaf) / (leaf + 1);
+  const auto shape = value_of(parameters, "shape") == 0 ? TreeShape::kBalanced : TreeShape::kPath;
+  return cubic_tree(inner, leaf == 7 ? inner + 2 : 0, shape);
+}
+
+Graph random_cubic_tree_of_size(Count n, std::uint64_t seed, const ParameterValues&) {
+  // n = 6 inner + 10 + 2 large with large near (inner + 2) / 2, and 0 <= large <= inner + 2.
+  Count inner = (n - 10) / 7;
+  while (n - 10 - 6 * inner > 2 * (inner + 2)) ++inner;
+  return cubic_tree(inner, (n - 10 - 6 * inner) / 2, TreeShape::kRandom, seed);
+}
+
+Graph random_max_degree_of_size(Count n, std::uint64_t seed, const ParameterValues& parameters) {
+  const Count degree = value_of(parameters, "degree");
+  const Count per_million = value_of(parameters, "edges-per-vertex");
+  if (2 * per_million > degree * 1000000) {
+    throw InputError(fmt::format("edges-per-vertex = {} is above {}, the limit for degree {}",
+                                 per_million, degree * 500000, degree));
+  }
+  const auto D = static_cast<std::uint32_t>(degree);
+  return random_max_degree(n, D, std::min(n * per_million / 1000000, most_edges(n, D)), seed);
+}
+
+}  // namespace ar3d

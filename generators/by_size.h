@@ -1,0 +1,20 @@
+#pragma once
+
+#include "ar3d/generators/catalog.h"
+
+// What the catalogue's rows call where a family's number of vertices has to be turned into the
+// arguments of its own function: Family::generate, called with a valid n and complete parameters.
+namespace ar3d {
+
+Graph stars_of_size(std::uint64_t n, std::uint64_t seed, const ParameterValues& parameters);
+Graph caterpillar_of_size(std::uint64_t n, std::uint64_t seed, const ParameterValues& parameters);
+Graph random_regular_of_size(std::uint64_t n, std::uint64_t seed,
+                             const ParameterValues& parameters);
+Graph cubic_tree_of_size(std::uint64_t n, std::uint64_t seed, const ParameterValues& parameters);
+Graph random_cubic_tree_of_size(std::uint64_t n, std::uint64_t seed, const ParameterValues&);
+/// m = floor(n edges-per-vertex / 10^6), at most that of the complete graph for n <= degree.
+/// @throws InputError if edges-per-vertex is above degree / 2.
+Graph random_max_degree_of_size(std::uint64_t n, std::uint64_t seed,
+                                const ParameterValues& parameters);
+
+}  // namespace ar3d

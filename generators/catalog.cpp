@@ -1,0 +1,157 @@
+#include "ar3d/generators/catalog.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ar3d/generators/by_size.h"
+#include "ar3d/generators/patches.h"
+#include "ar3d/generators/petersen_like.h"
+#include "ar3d/generators/random_regular.h"
+#include "ar3d/generators/rings.h"
+#include "ar3d/generators/sizes.h"
+#include "ar3d/generators/trees.h"
+#include "ar3d/generators/unions.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+namespace {
+
+using S = std::uint64_t;           // seed
+using P = const ParameterValues&;  // complete parameters
+
+const ParameterSpec kTorusRows = {"rows", 3, 1000000, 4, "length of the short cycles"};
+const ParameterSpec kJump = {"k", 1, 1000000, 2, "step of the inner edges"};
+const ParameterSpec kDegree = {"degree", 1, 4, 3, "degree of every vertex"};
+const ParameterSpec kMaxDegree = {"degree", 1, 4, 4, "largest degree allowed"};
+const ParameterSpec kEdgesPerVertex = {"edges-per-vertex", 0, 2000000, 1400000,
+                                       "edges a vertex, in parts per million"};
+const ParameterSpec kLeafSize = {"leaf", 5, 7, 5, "vertices of a leaf block, 5 or 7"};
+const ParameterSpec kTreeShape = {"shape", 0, 1, 0, "0 balanced, 1 a caterpillar"};
+const ParameterSpec kLeaves = {"leaves", 1, 4, 3, "leaves of a star"};
+const ParameterSpec kLegs = {"legs", 1, 2, 1, "pendant vertices of a spine vertex"};
+
+// clang-format off
+std::vector<Family> catalogue() {
+  // name, one sentence, maximum degree, random?, parameters, sizes, generator
+  return {
+      {"edgeless", "No edges at all", 0, false, {}, from<1>,
+       [](Count n, S, P) { return Graph(n, {}); }},
+      {"perfect-matching", "Disjoint edges", 1, false, {}, steps<2, 2>,
+       [](Count n, S, P) { return stars(n / 2, 1); }},
+      {"path", "The path", 2, false, {}, from<1>, [](Count n, S, P) { return path_graph(n); }},
+      {"cycle", "The cycle", 2, false, {}, from<3>, [](Count n, S, P) { return cycle_graph(n); }},
+      {"stars", "Disjoint stars", 3, false, {kLeaves}, star_sizes, stars_of_size},
+      {"caterpillar", "A path whose vertices carry one or two pendant vertices each", 3, false,
+       {kLegs}, caterpillar_sizes, caterpillar_of_size},
+      {"binary-tree", "The heap-shaped binary tree", 3, false, {}, from<1>,
+       [](Count n, S, P) { return binary_tree(n); }},
+      {"spine-with-pendant-trees", "A path whose vertices carry trees of 3, 5, 9 vertices in turn",
+       3, false, {}, steps<20, 20>,
+       [](Count n, S, P) { return spine_with_pendant_trees(n / 20); }},
+
+      {"ladder", "Two paths with rungs", 3, false, {}, steps<2, 2>,
+       [](Count n, S, P) { return ladder(n / 2); }},
+      {"prism", "Two cycles with rungs", 3, false, {}, steps<6, 2>,
+       [](Count n, S, P) { return prism(n / 2); }},
+      {"moebius-ladder", "A cycle with all its long diagonals", 3, false, {}, steps<4, 2>,
+       [](Count n, S, P) { return moebius_ladder(n / 2); }},
+      {"squared-cycle", "A cycle with all chords of length 2; antiprisms for even n", 4, false, {},
+       from<5>, [](Count n, S, P) { return squared_cycle(n); }},
+      {"square-grid", "The square patch of k by k vertices", 4, false, {}, squares<1>,
+       [](Count n, S, P) { return square_grid(root(n), root(n)); }},
+      {"torus", "The product of two cycles", 4, false, {kTorusRows}, torus_sizes,
+       [](Count n, S, P p) { return torus(value_of(p, "rows"), n / value_of(p, "rows")); }},
+
+      {"generalised-petersen", "GP(N, k) with N = n/2 (Watkins 1969)", 3, false, {kJump},
+       petersen_sizes,
+       [](Count n, S, P p) { return generalised_petersen(n / 2, value_of(p, "k")); }},
+      {"flower-snark", "Isaacs' flower snarks J_k with odd k = n/4 (Isaacs 1975)", 3, false, {},
+       steps<12, 8>, [](Count n, S, P) { return flower_snark(n / 4); }},
+
+      {"cubic-tree", "Cubic graph whose bridges form a tree that ends in leaf blocks", 3, false,
+       {kLeafSize, kTreeShape}, cubic_tree_sizes, cubic_tree_of_size},
+      {"random-cubic-tree", "Cubic graph whose bridges form a random tree with 5- and 7-vertex leaf "
+       "blocks", 3, true, {}, steps<10, 2>, random_cubic_tree_of_size},
+
+      {"union-triangle", "Disjoint triangles", 2, false, {}, steps<3, 3>,
+       [](Count n, S, P) { return copies_of(complete_graph(3), n / 3); }},
+      {"union-k4", "Disjoint copies of K4", 3, false, {}, steps<4, 4>,
+       [](Count n, S, P) { return copies_of(complete_graph(4), n / 4); }},
+      {"union-k5", "Disjoint copies of K5", 4, false, {}, steps<5, 5>,
+       [](Count n, S, P) { return copies_of(complete_graph(5), n / 5); }},
+      {"union-k33", "Disjoint copies of K3,3", 3, false, {}, steps<6, 6>,
+       [](Count n, S, P) { return copies_of(complete_bipartite(3, 3), n / 6); }},
+      {"union-octahedron", "Disjoint octahedra", 4, false, {}, steps<6, 6>,
+       [](Count n, S, P) { return copies_of(octahedron_graph(), n / 6); }},
+      {"union-petersen", "Disjoint copies of the Petersen graph", 3, false, {}, steps<10, 10>,
+       [](Count n, S, P) { return copies_of(generalised_petersen(5, 2), n / 10); }},
+      {"union-flower-snark", "Disjoint copies of the flower snark J_5", 3, false, {},
+       steps<20, 20>, [](Count n, S, P) { return copies_of(flower_snark(5), n / 20); }},
+
+      {"random-regular", "Uniform over the labelled simple d-regular graphs", 3, true, {kDegree},
+       regular_sizes, random_regular_of_size},
+      {"random-cubic", "Uniform over the labelled simple cubic graphs", 3, true, {}, steps<4, 2>,
+       [](Count n, S seed, P) { return random_regular(n, 3, seed); }},
+      {"random-4-regular", "Uniform over the labelled simple 4-regular graphs", 4, true, {},
+       from<5>, [](Count n, S seed, P) { return random_regular(n, 4, seed); }},
+      {"random-max-degree", "Part of a random pairing: maximum degree and number of edges given", 4,
+       true, {kMaxDegree, kEdgesPerVertex}, from<1>, random_max_degree_of_size},
+  };
+}
+// clang-format on
+
+constexpr Count kMostVertices = (Count{1} << 30) - 1;  // 2n edges keep Graph's limit of 2^31 - 1
+
+}  // namespace
+
+const std::vector<Family>& families() {
+  static const std::vector<Family> rows = catalogue();
+  return rows;
+}
+
+const Family& find_family(std::string_view name) {
+  for (const Family& family : families()) {
+    if (family.name == name) return family;
+  }
+  throw InputError(fmt::format("unknown family '{}' (see: ar3d list families)", name));
+}
+
+ParameterValues complete_parameters(const Family& family, const ParameterValues& given) {
+  ParameterValues values;
+  for (const ParameterSpec& spec : family.parameters) {
+    const auto named = [&](const ParameterValue& v) { return v.name == spec.name; };
+    const auto wanted = std::find_if(given.begin(), given.end(), named);
+    values.push_back({spec.name, wanted == given.end() ? spec.default_value : wanted->value});
+    if (std::count_if(given.begin(), given.end(), named) > 1) {
+      throw InputError(
+          fmt::format("parameter '{}' of family {} is given twice", spec.name, family.name));
+    }
+    if (values.back().value < spec.low || values.back().value > spec.high) {
+      throw InputError(fmt::format("family {}: {} = {} is outside {}..{}", family.name, spec.name,
+                                   values.back().value, spec.low, spec.high));
+    }
+  }
+  for (const ParameterValue& value : given) {
+    const auto known = [&](const ParameterSpec& spec) { return spec.name == value.name; };
+    if (std::none_of(family.parameters.begin(), family.parameters.end(), known)) {
+      throw InputError(fmt::format("family {} has no parameter '{}'", family.name, value.name));
+    }
+  }
+  return values;
+}
+
+Graph generate(const Family& family, std::uint64_t n, std::uint64_t seed,
+               const ParameterValues& given) {
+  const ParameterValues parameters = complete_parameters(family, given);
+  if (n > kMostVertices || family.nearest_n(n, parameters) > kMostVertices) {
+    throw InputError(fmt::format("family {}: {} vertices are too many, the limit is {}",
+                                 family.name, n, kMostVertices));
+  }
+  const Count own_n = family.nearest_n(n, parameters);
+  Graph graph = family.generate(own_n, seed, parameters);
+  expect(graph.num_vertices() == own_n, "a family's graph has nearest_n vertices");
+  return graph;
+}
+
+}  // namespace ar3d

@@ -1,0 +1,59 @@
+#include "ar3d/generators/sizes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+
+Count value_of(const ParameterValues& parameters, std::string_view name) {
+  for (const ParameterValue& parameter : parameters) {
+    if (parameter.name != name) continue;
+    expect(parameter.value >= 0, "a parameter read as a count is not negative");
+    return static_cast<Count>(parameter.value);
+  }
+  throw InternalError(fmt::format("parameter '{}' was not completed", name));
+}
+
+Count root(Count n) {
+  Count low = 0;
+  Count high = Count{1} << 32;
+  while (high - low > 1) {  // low^2 <= n < high^2 where high^2 fits 64 bits
+    const Count middle = low + (high - low) / 2;
+    (middle <= n / middle ? low : high) = middle;
+  }
+  return low;
+}
+
+Count torus_sizes(Count wanted, const ParameterValues& parameters) {
+  const Count rows = value_of(parameters, "rows");
+  return nearest_step(wanted, 3 * rows, rows);
+}
+
+Count petersen_sizes(Count wanted, const ParameterValues& parameters) {
+  return nearest_step(wanted, std::max<Count>(6, 2 * (2 * value_of(parameters, "k") + 1)), 2);
+}
+
+Count star_sizes(Count wanted, const ParameterValues& parameters) {
+  const Count size = value_of(parameters, "leaves") + 1;
+  return nearest_step(wanted, size, size);
+}
+
+Count caterpillar_sizes(Count wanted, const ParameterValues& parameters) {
+  const Count size = value_of(parameters, "legs") + 1;
+  return nearest_step(wanted, size, size);
+}
+
+Count regular_sizes(Count wanted, const ParameterValues& parameters) {
+  const Count degree = value_of(parameters, "degree");
+  return nearest_step(wanted, degree + 1, degree % 2 == 1 ? 2 : 1);
+}
+
+Count cubic_tree_sizes(Count wanted, const ParameterValues& parameters) {
+  const Count leaf = value_of(parameters, "leaf");
+  return nearest_step(wanted, 2 * leaf, leaf + 1);
+}
+
+}  // namespace ar3d

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string_view>
+
+#include "ar3d/generators/catalog.h"
+#include "ar3d/generators/graph_builder.h"
+
+namespace ar3d {
+
+/// The value of a completed parameter that is never negative. @throws InternalError if it is
+/// missing.
+Count value_of(const ParameterValues& parameters, std::string_view name);
+
+/// The largest r with r^2 <= n.
+Count root(Count n);
+
+/// The largest first + k step not above wanted, else `first`.
+constexpr Count nearest_step(Count wanted, Count first, Count step) {
+  return wanted <= first ? first : wanted - (wanted - first) % step;
+}
+
+// What the catalogue's rows use as Family::nearest_n.
+
+template <Count first>
+Count from(Count wanted, const ParameterValues&) {
+  return wanted < first ? first : wanted;
+}
+template <Count first, Count step>
+Count steps(Count wanted, const ParameterValues&) {
+  return nearest_step(wanted, first, step);
+}
+/// factor k^2, k >= 1
+template <Count factor>
+Count squares(Count wanted, const ParameterValues&) {
+  const Count k = root(wanted / factor);
+  return factor * (k == 0 ? 1 : k * k);
+}
+
+/// Multiples of a parameter: rows * columns with columns >= 3.
+Count torus_sizes(Count wanted, const ParameterValues& parameters);
+/// 2N with N > 2k.
+Count petersen_sizes(Count wanted, const ParameterValues& parameters);
+/// Multiples of leaves + 1, of legs + 1.
+Count star_sizes(Count wanted, const ParameterValues& parameters);
+Count caterpillar_sizes(Count wanted, const ParameterValues& parameters);
+/// n > degree, even where the degree is odd.
+Count regular_sizes(Count wanted, const ParameterValues& parameters);
+/// inner + leaf (inner + 2).
+Count cubic_tree_sizes(Count wanted, const ParameterValues& parameters);
+
+}  // namespace ar3d

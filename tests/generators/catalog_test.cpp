@@ -1,0 +1,94 @@
+#include "ar3d/generators/catalog.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string refusal(const std::string& family, std::uint64_t n, const ParameterValues& parameters) {
+  try {
+    generate(find_family(family), n, 1, parameters);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Catalogue, NamesAreDistinctAndRowsComplete) {
+  std::set<std::string> names;
+  for (const Family& family : families()) {
+    EXPECT_TRUE(names.insert(family.name).second) << family.name;
+    EXPECT_FALSE(family.summary.empty()) << family.name;
+    EXPECT_LE(family.max_degree, 4u) << family.name;
+    EXPECT_NE(family.nearest_n, nullptr) << family.name;
+    EXPECT_NE(family.generate, nullptr) << family.name;
+    for (const ParameterSpec& spec : family.parameters) {
+      EXPECT_LE(spec.low, spec.default_value) << family.name;
+      EXPECT_LE(spec.default_value, spec.high) << family.name;
+      EXPECT_FALSE(spec.description.empty()) << family.name;
+    }
+  }
+}
+
+TEST(Catalogue, SizesAreTheNearestNotAboveAndKept) {
+  for (const Family& family : families()) {
+    const ParameterValues defaults = complete_parameters(family, {});
+    const std::uint64_t smallest = family.nearest_n(0, defaults);
+    std::uint64_t previous = smallest;
+    for (std::uint64_t wanted = 0; wanted < 400; ++wanted) {
+      const std::uint64_t n = family.nearest_n(wanted, defaults);
+      if (wanted >= smallest) {
+        EXPECT_LE(n, wanted) << family.name;
+      }
+      if (wanted < smallest) {
+        EXPECT_EQ(n, smallest) << family.name;
+      }
+      EXPECT_GE(n, previous) << family.name;
+      EXPECT_EQ(family.nearest_n(n, defaults), n) << family.name << " " << wanted;
+      previous = n;
+    }
+    EXPECT_LE(family.nearest_n(std::uint64_t{1} << 62, defaults), std::uint64_t{1} << 62);
+  }
+}
+
+TEST(Catalogue, EverySmallSizeGeneratesWithinTheDegree) {
+  for (const Family& family : families()) {
+    for (const std::uint64_t n : {0u, 5u, 17u, 64u, 333u}) {
+      EXPECT_LE(generate(family, n, 3).max_degree(), family.max_degree) << family.name << " " << n;
+    }
+  }
+}
+
+TEST(Catalogue, OnlyRandomFamiliesDependOnTheSeed) {
+  for (const Family& family : families()) {
+    const std::string hash = graph_hash(generate(family, 200, 1));
+    EXPECT_EQ(graph_hash(generate(family, 200, 1)), hash) << family.name;
+    const bool differs = graph_hash(generate(family, 200, 2)) != hash ||
+                         graph_hash(generate(family, 200, 3)) != hash;
+    EXPECT_EQ(differs, family.is_random) << family.name;
+  }
+}
+
+TEST(Catalogue, BadParametersAreRefusedWithTheirValue) {
+  EXPECT_THAT(refusal("prism", 10, {{"k", 3}}), HasSubstr("prism has no parameter 'k'"));
+  EXPECT_THAT(refusal("torus", 10, {{"rows", 2}}), HasSubstr("rows = 2 is outside 3..1000000"));
+  EXPECT_THAT(refusal("torus", 10, {{"rows", 3}, {"rows", 4}}),
+              HasSubstr("'rows' of family torus is given twice"));
+  EXPECT_THAT(refusal("cubic-tree", 10, {{"leaf", 6}}), HasSubstr("leaf = 6"));
+  EXPECT_THAT(refusal("random-max-degree", 10, {{"degree", 3}, {"edges-per-vertex", 1500001}}),
+              HasSubstr("edges-per-vertex = 1500001 is above 1500000"));
+  EXPECT_THAT(refusal("path", std::uint64_t{1} << 40, {}),
+              HasSubstr("1099511627776 vertices are too many"));
+  EXPECT_THAT(refusal("prism", ~std::uint64_t{0}, {}), HasSubstr("too many"));
+  EXPECT_THROW(find_family("nonsense"), InputError);
+}
+
+}  // namespace
+}  // namespace ar3d

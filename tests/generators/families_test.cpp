@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "ar3d/generators/catalog.h"
+#include "support/graph_facts.h"
+
+namespace ar3d {
+namespace {
+
+using testing::bridges;
+using testing::components;
+using testing::connectivity;
+using testing::degree_counts;
+
+using Degrees = std::map<std::uint32_t, std::uint64_t>;
+
+/// What is known of one graph of a family. -1: says nothing.
+struct Expectation {
+  std::string family;
+  std::uint64_t wanted_n;
+  std::uint64_t n;
+  std::int64_t m;
+  std::int64_t bridges;
+  std::int64_t components;
+  std::int64_t connectivity;
+  std::map<std::uint32_t, std::uint64_t> degrees;  // empty: says nothing
+  ParameterValues parameters = {};
+};
+
+constexpr std::int64_t kAny = -1;
+
+// family, wanted n, n, m, bridges, components, vertex connectivity (up to 4), degree -> vertices,
+// parameters
+// clang-format off
+const std::vector<Expectation> kExpectations = {
+    {"edgeless", 1, 1, 0, 0, 1, 0, {{0, 1}}},
+    {"edgeless", 7, 7, 0, 0, 7, 0, {{0, 7}}},
+    {"perfect-matching", 9, 8, 4, 4, 4, 0, {{1, 8}}},
+    {"path", 0, 1, 0, 0, 1, 0, {{0, 1}}},
+    {"path", 9, 9, 8, 8, 1, 1, {{1, 2}, {2, 7}}},
+    {"cycle", 2, 3, 3, 0, 1, 2, {{2, 3}}},
+    {"cycle", 10, 10, 10, 0, 1, 2, {{2, 10}}},
+    {"stars", 14, 12, 9, 9, 3, 0, {{1, 9}, {3, 3}}},
+    {"stars", 14, 10, 8, 8, 2, 0, {{1, 8}, {4, 2}}, {{"leaves", 4}}},
+    {"caterpillar", 10, 10, 9, 9, 1, 1, {{1, 5}, {2, 2}, {3, 3}}},
+    {"caterpillar", 14, 12, 11, 11, 1, 1, {{1, 8}, {3, 2}, {4, 2}}, {{"legs", 2}}},
+    {"binary-tree", 10, 10, 9, 9, 1, 1, {{1, 5}, {2, 2}, {3, 3}}},
+    {"spine-with-pendant-trees", 45, 40, 39, 39, 1, 1, {}},
+    {"ladder", 11, 10, 13, 0, 1, 2, {{2, 4}, {3, 6}}},
+    {"prism", 13, 12, 18, 0, 1, 3, {{3, 12}}},
+    {"moebius-ladder", 4, 4, 6, 0, 1, 3, {{3, 4}}},
+    {"moebius-ladder", 10, 10, 15, 0, 1, 3, {{3, 10}}},
+    {"squared-cycle", 5, 5, 10, 0, 1, 4, {{4, 5}}},
+    {"squared-cycle", 11, 11, 22, 0, 1, 4, {{4, 11}}},
+    {"square-grid", 18, 16, 24, 0, 1, 2, {{2, 4}, {3, 8}, {4, 4}}},
+    {"torus", 22, 20, 40, 0, 1, 4, {{4, 20}}},
+    {"torus", 1, 9, 18, 0, 1, 4, {{4, 9}}, {{"rows", 3}}},
+    {"generalised-petersen", 10, 10, 15, 0, 1, 3, {{3, 10}}},
+    {"generalised-petersen", 10, 14, 21, 0, 1, 3, {{3, 14}}, {{"k", 3}}},
+    {"flower-snark", 27, 20, 30, 0, 1, 3, {{3, 20}}},
+    {"cubic-tree", 10, 10, 15, 1, 1, 1, {{3, 10}}},
+    {"cubic-tree", 40, 40, 60, 11, 1, 1, {{3, 40}}},
+    {"cubic-tree", 38, 38, 57, 7, 1, 1, {{3, 38}}, {{"leaf", 7}, {"shape", 1}}},
+    {"random-cubic-tree", 12, 12, 18, 1, 1, 1, {{3, 12}}},
+    {"random-cubic-tree", 47, 46, 69, kAny, 1, 1, {{3, 46}}},
+    {"union-triangle", 11, 9, 9, 0, 3, 0, {{2, 9}}},
+    {"union-k4", 11, 8, 12, 0, 2, 0, {{3, 8}}},
+    {"union-k5", 11, 10, 20, 0, 2, 0, {{4, 10}}},
+    {"union-k33", 12, 12, 18, 0, 2, 0, {{3, 12}}},
+    {"union-octahedron", 12, 12, 24, 0, 2, 0, {{4, 12}}},
+    {"union-petersen", 29, 20, 30, 0, 2, 0, {{3, 20}}},
+    {"union-flower-snark", 40, 40, 60, 0, 2, 0, {{3, 40}}},
+    {"random-regular", 21, 20, 30, kAny, kAny, kAny, {{3, 20}}},
+    {"random-regular", 21, 21, 42, kAny, kAny, kAny, {{4, 21}}, {{"degree", 4}}},
+    {"random-regular", 21, 21, 21, 0, kAny, kAny, {{2, 21}}, {{"degree", 2}}},
+    {"random-regular", 21, 20, 10, 10, 10, 0, {{1, 20}}, {{"degree", 1}}},
+    {"random-cubic", 1, 4, 6, 0, 1, 3, {{3, 4}}},
+    {"random-cubic", 30, 30, 45, kAny, kAny, kAny, {{3, 30}}},
+    {"random-4-regular", 5, 5, 10, 0, 1, 4, {{4, 5}}},
+    {"random-4-regular", 31, 31, 62, kAny, kAny, kAny, {{4, 31}}},
+    {"random-max-degree", 50, 50, 70, kAny, kAny, kAny, {}},
+    {"random-max-degree", 4, 4, 5, kAny, kAny, kAny, {}},
+    {"random-max-degree", 3, 3, 3, 0, 1, 2, {{2, 3}}, {{"edges-per-vertex", 2000000}}},
+    {"random-max-degree", 20, 20, 30, kAny, kAny, kAny, {{3, 20}}, {{"degree", 3}, {"edges-per-vertex", 1500000}}},
+};
+// clang-format on
+
+class FamilyProperties : public ::testing::TestWithParam<Expectation> {};
+
+TEST_P(FamilyProperties, HoldForSeveralSeeds) {
+  const Expectation& expected = GetParam();
+  const Family& family = find_family(expected.family);
+  for (std::uint64_t seed = 0; seed < (family.is_random ? 5u : 1u); ++seed) {
+    const Graph graph = generate(family, expected.wanted_n, seed, expected.parameters);
+    EXPECT_EQ(graph.num_vertices(), expected.n);
+    EXPECT_EQ(graph.num_edges(), expected.m);
+    if (expected.bridges != kAny) {
+      EXPECT_EQ(bridges(graph), expected.bridges);
+    }
+    if (expected.components != kAny) {
+      EXPECT_EQ(components(graph), expected.components);
+    }
+    if (expected.connectivity != kAny) {
+      EXPECT_EQ(connectivity(graph, 4), expected.connectivity);
+    }
+    if (!expected.degrees.empty()) {
+      EXPECT_EQ(degree_counts(graph), expected.degrees);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, FamilyProperties, ::testing::ValuesIn(kExpectations),
+                         [](const auto& test) {
+                           std::string name =
+                               fmt::format("{}_{}_{}", test.param.family, test.param.n, test.index);
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(Families, EveryOneIsInTheTable) {
+  for (const Family& family : families()) {
+    EXPECT_TRUE(std::any_of(kExpectations.begin(), kExpectations.end(),
+                            [&](const Expectation& e) { return e.family == family.name; }))
+        << family.name << " has no property test";
+  }
+}
+
+}  // namespace
+}  // namespace ar3d
