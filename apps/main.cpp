@@ -1,1 +1,53 @@
-int main() { return 0; }
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "ar3d/model/error.h"
+#include "commands.h"
+
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  ar3d study run quick
+  ar3d generate random-cubic -n 1000 | ar3d draw - --algorithm grid | ar3d verify -
+  nauty-geng -D4 7 | ar3d draw - --algorithm diamond | ar3d verify -
+
+Exit codes: 0 pass, 1 internal error, 2 usage or bad input, 3 regression, 4 bound or certificate violated,
+5 incomplete, 6 inconclusive, 130 interrupted.)";
+
+int run(int argc, char** argv) {
+  CLI::App app{"Draws graphs of maximum degree 3 and 4 in 3D with optimal angles and proves every drawing."};
+  app.name("ar3d");
+  app.set_version_flag("--version", "ar3d " AR3D_VERSION);
+  app.require_subcommand(1);
+  app.footer(kExamples);
+  int exit_code = ar3d::kPass;
+  ar3d::add_list(app, exit_code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    fmt::print(stderr, "ar3d: {} (see ar3d --help)\n", error.what());
+    return ar3d::kUsage;
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const ar3d::InputError& error) {
+    fmt::print(stderr, "ar3d: {}\n", error.what());
+    return ar3d::kUsage;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "ar3d: out of memory\n");
+    return ar3d::kInternalError;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "ar3d: {}\n", error.what());
+    return ar3d::kInternalError;
+  }
+}

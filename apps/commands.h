@@ -1,0 +1,28 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace ar3d {
+
+/// Exit codes of docs/contracts.md.
+enum ExitCode : int {
+  kPass = 0,
+  kInternalError = 1,
+  kUsage = 2,
+  kRegression = 3,
+  kViolated = 4,
+  kIncomplete = 5,
+  kInconclusive = 6,
+  kInterrupted = 130,
+};
+
+/// Each adds one verb to the program; the verb's callback leaves its verdict in `exit_code`.
+void add_list(CLI::App& app, int& exit_code);
+void add_generate(CLI::App& app, int& exit_code);
+void add_draw(CLI::App& app, int& exit_code);
+void add_verify(CLI::App& app, int& exit_code);
+void add_study(CLI::App& app, int& exit_code);
+void add_check(CLI::App& app, int& exit_code);
+void add_report(CLI::App& app, int& exit_code);
+
+}  // namespace ar3d

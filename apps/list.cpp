@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <string>
+
+#include "ar3d/algorithms/catalog.h"
+#include "ar3d/generators/catalog.h"
+#include "commands.h"
+
+namespace ar3d {
+namespace {
+
+double degrees(Cosine c) {
+  return std::acos(static_cast<double>(c.numerator) / c.denominator) * 180 / std::numbers::pi;
+}
+
+std::string size_text(const SizeBound& bound) {
+  return fmt::format("{} x {} x {}", bound.axes[0].formula(), bound.axes[1].formula(),
+                     bound.axes[2].formula());
+}
+
+void print_algorithm(const Algorithm& row) {
+  const Guarantee& g = row.guarantee;
+  fmt::print("{}: {}\n", row.name, row.summary);
+  fmt::print("    {}; degree <= {}, <= {} bends an edge, angles {} {:.2f} degrees\n", row.source,
+             g.max_degree, g.max_bends, g.angle_rule == AngleRule::exactly ? "exactly" : "at least",
+             degrees(g.cosine));
+  fmt::print("    box <= {} ({})\n", size_text(g.bound), g.bound.source);
+  for (const OptionSpec& option : row.options) {
+    fmt::print("    option {} = {}..{} (default {}): {}\n", option.name, option.low, option.high,
+               option.default_value, option.description);
+  }
+}
+
+void print_family(const Family& row) {
+  fmt::print("{}: {} (degree <= {}{})\n", row.name, row.summary, row.max_degree,
+             row.is_random ? ", random" : "");
+  for (const ParameterSpec& parameter : row.parameters) {
+    fmt::print("    parameter {} = {}..{} (default {}): {}\n", parameter.name, parameter.low,
+               parameter.high, parameter.default_value, parameter.description);
+  }
+}
+
+void print_list(const std::string& what) {
+  const auto wanted = [&](const char* name) { return what == "all" || what == name; };
+  const auto title = [&](const char* text) {
+    if (what == "all") fmt::print("\n== {} ==\n", text);
+  };
+  if (wanted("algorithms")) {
+    title("algorithms");
+    for (const Algorithm& row : algorithms()) print_algorithm(row);
+  }
+  if (wanted("families")) {
+    title("families");
+    for (const Family& row : families()) print_family(row);
+  }
+}
+
+}  // namespace
+
+void add_list(CLI::App& app, int&) {
+  CLI::App* verb = app.add_subcommand("list", "Shows algorithms with their guarantee, families, metrics, studies");
+  const auto what = std::make_shared<std::string>("all");
+  verb->add_option("WHAT", *what, "algorithms, families, metrics or studies; everything if left out")
+      ->check(CLI::IsMember({"all", "algorithms", "families", "metrics", "studies"}));
+  verb->footer("Example: ar3d list families");
+  verb->callback([what] { print_list(*what); });
+}
+
+}  // namespace ar3d

@@ -1,0 +1,71 @@
+#include "support/program.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace ar3d::testing {
+
+namespace fs = std::filesystem;
+
+ScratchDirectory::ScratchDirectory() {
+  std::string pattern = (fs::temp_directory_path() / "ar3d-test-XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("mkdtemp failed");
+  root_ = pattern;
+}
+
+ScratchDirectory::~ScratchDirectory() {
+  std::error_code ignored;
+  fs::remove_all(root_, ignored);
+}
+
+std::string ScratchDirectory::write(const std::string& name, const std::string& content) const {
+  std::ofstream(path(name), std::ios::binary) << content;
+  return path(name);
+}
+
+std::string read_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+namespace {
+
+std::string quoted(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
+}
+
+std::string with_program(std::string command) {
+  for (std::size_t at = 0; (at = command.find("{}", at)) != std::string::npos;) {
+    command.replace(at, 2, AR3D_PROGRAM);
+    at += std::string(AR3D_PROGRAM).size();
+  }
+  return command;
+}
+
+}  // namespace
+
+Outcome run(const std::string& command) {
+  const ScratchDirectory scratch;
+  const std::string line = "bash -c " + quoted(with_program(command)) + " > " + scratch.path("out") +
+                           " 2> " + scratch.path("err") + " < /dev/null";
+  const int status = std::system(line.c_str());
+  Outcome outcome;
+  outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  outcome.out = read_file(scratch.path("out"));
+  outcome.err = read_file(scratch.path("err"));
+  return outcome;
+}
+
+}  // namespace ar3d::testing

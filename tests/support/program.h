@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+
+namespace ar3d::testing {
+
+/// What a shell command printed and how it ended.
+struct Outcome {
+  int exit_code = -1;
+  std::string out;
+  std::string err;
+};
+
+/// Runs a command line with bash (pipefail off: the last command's exit code counts). `{}` stands for the ar3d
+/// program that was built with the tests.
+Outcome run(const std::string& command);
+
+/// A fresh directory of this test, removed by the destructor.
+class ScratchDirectory {
+ public:
+  ScratchDirectory();
+  ~ScratchDirectory();
+  ScratchDirectory(const ScratchDirectory&) = delete;
+  ScratchDirectory& operator=(const ScratchDirectory&) = delete;
+  std::string path(const std::string& name) const { return root_ + "/" + name; }
+  /// Writes a file into the directory and returns its path.
+  std::string write(const std::string& name, const std::string& content) const;
+
+ private:
+  std::string root_;
+};
+
+std::string read_file(const std::string& path);
+
+}  // namespace ar3d::testing
