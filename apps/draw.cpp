@@ -1,0 +1,138 @@
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ar3d/algorithms/catalog.h"
+#include "ar3d/formats/catalog.h"
+#include "ar3d/formats/drawing_jsonl.h"
+#include "ar3d/formats/drawing_svg.h"
+#include "ar3d/formats/output.h"
+#include "ar3d/results/drawing_hdf5.h"
+#include "assignments.h"
+#include "batches.h"
+#include "commands.h"
+
+namespace ar3d {
+namespace {
+
+struct DrawArguments {
+  std::string input = "-";
+  std::string from;
+  unsigned base = 0;
+  std::string algorithm;
+  std::vector<std::string> options;
+  std::string format;
+  std::string output = "-";
+};
+
+struct Task {
+  Graph graph;
+  std::string where;  // "FILE:LINE"
+};
+
+/// A line of output, and why the graph could not be drawn if it could not.
+struct Line {
+  std::string text;
+  std::optional<std::string> error;
+};
+
+/// Every graph of the input as one line; a graph outside the guarantee gives an error line and the others go on.
+bool draw_all(GraphReader& reader, const Algorithm& algorithm, const OptionValues& options,
+              OutputFile& file) {
+  bool all_drawn = true;
+  in_batches<Task>(
+      [&]() -> std::optional<Task> {
+        std::optional<Graph> graph = reader.next();
+        if (!graph) return std::nullopt;
+        return Task{std::move(*graph), reader.where()};
+      },
+      [](const Task& task) { return std::uint64_t{task.graph.num_vertices()} + task.graph.num_edges(); },
+      [&](const Task& task) {
+        Line line;
+        try {
+          append_drawing_line(line.text, draw(algorithm, task.graph, options));
+        } catch (const InputError& error) {
+          line.error = fmt::format("{}: {}", task.where, error.what());
+          append_error_line(line.text, {task.graph.num_vertices(), error.what()});
+        }
+        return line;
+      },
+      [&](const Line& line) {
+        file.append(line.text);
+        if (line.error) {
+          all_drawn = false;
+          fmt::print(stderr, "ar3d: {}\n", *line.error);
+        }
+      });
+  return all_drawn;
+}
+
+/// The drawing of the only graph of the input, for formats that hold one drawing a file.
+Drawing draw_only(GraphReader& reader, const Algorithm& algorithm, const OptionValues& options,
+                  const std::string& format) {
+  const std::optional<Graph> graph = reader.next();
+  if (!graph) throw InputError("the input has no graph");
+  const std::string where = reader.where();
+  if (reader.next()) {
+    throw InputError(fmt::format("{}: a second graph, but format {} holds one drawing a file", reader.where(), format));
+  }
+  try {
+    return draw(algorithm, *graph, options);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", where, error.what()));
+  }
+}
+
+std::string drawing_format(const DrawArguments& arguments) {
+  if (!arguments.format.empty()) return arguments.format;
+  const auto ends_with = [&](const char* ending) { return arguments.output.ends_with(ending); };
+  return ends_with(".h5") ? "hdf5" : ends_with(".svg") ? "svg" : "jsonl";
+}
+
+int draw_graphs(const DrawArguments& arguments) {
+  const Algorithm& algorithm = find_algorithm(arguments.algorithm);
+  const OptionValues options =
+      complete_options(algorithm, parse_assignments<OptionValue>(arguments.options));
+  const std::string format = drawing_format(arguments);
+  GraphReader reader(arguments.input, {.format = arguments.from, .base = arguments.base});
+  if (format == "hdf5") {
+    write_drawing_hdf5(draw_only(reader, algorithm, options, format), arguments.output);
+    return kPass;
+  }
+  OutputFile file(arguments.output);
+  bool all_drawn = true;
+  if (format == "svg") {
+    file.append(drawing_to_svg(draw_only(reader, algorithm, options, format)));
+  } else {
+    all_drawn = draw_all(reader, algorithm, options, file);
+  }
+  file.commit();
+  return all_drawn ? kPass : kUsage;
+}
+
+}  // namespace
+
+void add_draw(CLI::App& app, int& exit_code) {
+  CLI::App* verb = app.add_subcommand("draw", "Draws every graph of a file");
+  const auto arguments = std::make_shared<DrawArguments>();
+  verb->add_option("FILE", arguments->input, "graphs in any input format, gzip and xz too; - is standard input");
+  verb->add_option("--from", arguments->from, "input format; detected by content if left out");
+  verb->add_option("--base", arguments->base, "smallest vertex id of edge and adjacency lists: 0 or 1")
+      ->check(CLI::Range(0, 1));
+  verb->add_option("--algorithm", arguments->algorithm, "an algorithm of `ar3d list algorithms`")->required();
+  verb->add_option("--set", arguments->options, "an option of the algorithm, name=integer; may be repeated")
+      ->type_size(1)
+      ->allow_extra_args(false);
+  verb->add_option("--format", arguments->format, "jsonl (all graphs), hdf5 or svg (one graph)")
+      ->check(CLI::IsMember({"jsonl", "hdf5", "svg"}));
+  verb->add_option("-o,--output", arguments->output, "file, or - for standard output");
+  verb->footer("Example: nauty-geng -D4 7 | ar3d draw - --algorithm diamond --set effort=2 | ar3d verify -");
+  verb->callback([arguments, &exit_code] { exit_code = draw_graphs(*arguments); });
+}
+
+}  // namespace ar3d

@@ -1,0 +1,128 @@
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "ar3d/algorithms/catalog.h"
+#include "ar3d/formats/catalog.h"
+#include "ar3d/formats/drawing_jsonl.h"
+#include "ar3d/model/error.h"
+#include "ar3d/verify/certificate.h"
+#include "batches.h"
+#include "commands.h"
+
+namespace ar3d {
+namespace {
+
+struct VerifyArguments {
+  std::string input = "-";
+  std::string graphs;
+  std::string algorithm;
+  std::string test = "automatic";
+  bool quiet = false;
+};
+
+struct Task {
+  DrawingJsonlReader::Line line;
+  std::string where;           // "FILE:LINE"
+  std::optional<Graph> graph;  // of --graphs
+};
+
+struct Verdict {
+  bool drawn = true;
+  bool valid = true;
+  std::string text;
+};
+
+CrossingTest crossing_test(const std::string& name) {
+  if (name == "all-pairs") return CrossingTest::all_pairs;
+  if (name == "sweep") return CrossingTest::sweep;
+  if (name == "slabs") return CrossingTest::slabs;
+  return CrossingTest::automatic;
+}
+
+/// The graph that the drawing itself claims to show, for `verify` without --graphs.
+Graph claimed_graph(const Drawing& drawing) {
+  std::vector<Edge> edges;
+  edges.reserve(drawing.num_edges());
+  for (EdgeId e = 0; e < drawing.num_edges(); ++e) edges.push_back(drawing.edge(e));
+  return Graph(drawing.num_vertices(), std::move(edges));
+}
+
+Verdict judge(const Task& task, const VerifyArguments& arguments) {
+  if (const auto* undrawn = std::get_if<UndrawnGraph>(&task.line)) {
+    return {false, true, fmt::format("{}: not drawn: {}\n", task.where, undrawn->error)};
+  }
+  const Drawing& drawing = std::get<Drawing>(task.line);
+  try {
+    const Algorithm& algorithm =
+        find_algorithm(arguments.algorithm.empty() ? drawing.algorithm() : arguments.algorithm);
+    const Graph graph = task.graph ? *task.graph : claimed_graph(drawing);
+    const Certificate certificate =
+        certify(graph, drawing, algorithm.guarantee, {.crossing_test = crossing_test(arguments.test)});
+    Verdict verdict{true, certificate.valid(), ""};
+    for (const Violation& violation : certificate.violations) {
+      verdict.text += fmt::format("{}: {}: {}\n", task.where, to_string(violation.kind), violation.message);
+    }
+    if (!certificate.complete) verdict.text += fmt::format("{}: … and more\n", task.where);
+    return verdict;
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", task.where, error.what()));
+  }
+}
+
+int verify_drawings(const VerifyArguments& arguments) {
+  DrawingJsonlReader reader(arguments.input);
+  std::optional<GraphReader> graphs;
+  if (!arguments.graphs.empty()) graphs.emplace(arguments.graphs);
+  std::uint64_t number = 0, certified = 0, violated = 0, not_drawn = 0;
+  in_batches<Task>(
+      [&]() -> std::optional<Task> {
+        std::optional<DrawingJsonlReader::Line> line = reader.next();
+        std::optional<Graph> graph;
+        if (graphs) graph = graphs->next();
+        if (graphs && line.has_value() != graph.has_value()) {
+          throw InputError(fmt::format("{} has {} graphs, but {} has {} drawings", arguments.graphs,
+                                       graph ? "more" : "fewer", arguments.input, number));
+        }
+        if (!line) return std::nullopt;
+        ++number;
+        return Task{std::move(*line), reader.where(), std::move(graph)};
+      },
+      [](const Task& task) {
+        const auto* drawing = std::get_if<Drawing>(&task.line);
+        return drawing ? std::uint64_t{drawing->num_vertices()} + drawing->num_edges() : 0;
+      },
+      [&](const Task& task) { return judge(task, arguments); },
+      [&](const Verdict& verdict) {
+        ++(!verdict.drawn ? not_drawn : verdict.valid ? certified : violated);
+        if (!arguments.quiet) fmt::print("{}", verdict.text);
+      });
+  fmt::print("{} certified, {} violated, {} not drawn\n", certified, violated, not_drawn);
+  if (violated > 0) return kViolated;
+  return not_drawn > 0 || certified == 0 ? kIncomplete : kPass;
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app, int& exit_code) {
+  CLI::App* verb = app.add_subcommand("verify", "Proves drawings right in exact integers, or says why not");
+  const auto arguments = std::make_shared<VerifyArguments>();
+  verb->add_option("FILE", arguments->input, "drawings as JSON lines; - is standard input");
+  verb->add_option("--graphs", arguments->graphs,
+                   "the graphs that were to be drawn, in the same order; else the drawings' own edges count");
+  verb->add_option("--algorithm", arguments->algorithm, "whose guarantee to check; else the one the drawing names");
+  verb->add_option("--crossing-test", arguments->test, "automatic, all-pairs (the slow oracle), sweep or slabs")
+      ->check(CLI::IsMember({"automatic", "all-pairs", "sweep", "slabs"}));
+  verb->add_flag("-q,--quiet", arguments->quiet, "only the summary");
+  verb->footer(
+      "Exit code 4 if a drawing is violated, 5 if a graph was not drawn or nothing was verified.\n"
+      "Example: ar3d draw graphs.s6 --algorithm diamond | ar3d verify - --graphs graphs.s6");
+  verb->callback([arguments, &exit_code] { exit_code = verify_drawings(*arguments); });
+}
+
+}  // namespace ar3d
