@@ -12,7 +12,6 @@
 #include "ar3d/formats/drawing_jsonl.h"
 #include "ar3d/formats/drawing_svg.h"
 #include "ar3d/formats/output.h"
-#include "ar3d/results/drawing_hdf5.h"
 #include "assignments.h"
 #include "batches.h"
 #include "commands.h"
@@ -91,7 +90,7 @@ Drawing draw_only(GraphReader& reader, const Algorithm& algorithm, const OptionV
 std::string drawing_format(const DrawArguments& arguments) {
   if (!arguments.format.empty()) return arguments.format;
   const auto ends_with = [&](const char* ending) { return arguments.output.ends_with(ending); };
-  return ends_with(".h5") ? "hdf5" : ends_with(".svg") ? "svg" : "jsonl";
+  return ends_with(".svg") ? "svg" : "jsonl";
 }
 
 int draw_graphs(const DrawArguments& arguments) {
@@ -100,10 +99,6 @@ int draw_graphs(const DrawArguments& arguments) {
       complete_options(algorithm, parse_assignments<OptionValue>(arguments.options));
   const std::string format = drawing_format(arguments);
   GraphReader reader(arguments.input, {.format = arguments.from, .base = arguments.base});
-  if (format == "hdf5") {
-    write_drawing_hdf5(draw_only(reader, algorithm, options, format), arguments.output);
-    return kPass;
-  }
   OutputFile file(arguments.output);
   bool all_drawn = true;
   if (format == "svg") {
@@ -128,8 +123,8 @@ void add_draw(CLI::App& app, int& exit_code) {
   verb->add_option("--set", arguments->options, "an option of the algorithm, name=integer; may be repeated")
       ->type_size(1)
       ->allow_extra_args(false);
-  verb->add_option("--format", arguments->format, "jsonl (all graphs), hdf5 or svg (one graph)")
-      ->check(CLI::IsMember({"jsonl", "hdf5", "svg"}));
+  verb->add_option("--format", arguments->format, "jsonl (all graphs) or svg (one graph)")
+      ->check(CLI::IsMember({"jsonl", "svg"}));
   verb->add_option("-o,--output", arguments->output, "file, or - for standard output");
   verb->footer("Example: nauty-geng -D4 7 | ar3d draw - --algorithm diamond --set effort=2 | ar3d verify -");
   verb->callback([arguments, &exit_code] { exit_code = draw_graphs(*arguments); });

@@ -25,6 +25,9 @@ int run(int argc, char** argv) {
   app.footer(kExamples);
   int exit_code = ar3d::kPass;
   ar3d::add_list(app, exit_code);
+  ar3d::add_generate(app, exit_code);
+  ar3d::add_draw(app, exit_code);
+  ar3d::add_verify(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
