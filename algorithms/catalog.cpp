@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ar3d/algorithms/diamond/diamond.h"
 #include "ar3d/model/error.h"
 
 namespace ar3d {
@@ -11,6 +12,7 @@ namespace ar3d {
 const std::vector<Algorithm>& algorithms() {
   static const std::vector<Algorithm> rows = {
       // One row an algorithm, each made by a function of its own folder.
+      diamond_row(),
   };
   return rows;
 }

@@ -1,0 +1,107 @@
+#include "ar3d/algorithms/diamond/anneal.h"
+
+#include <array>
+
+#include "ar3d/model/random.h"
+
+namespace ar3d::theorem1 {
+namespace {
+
+constexpr unsigned kSweeps = 40;
+constexpr std::uint64_t kSeed =
+    0x6469616d6f6e64;  // any fixed number: the same drawing for the same graph
+
+/// The neighbours of each vertex in the red order; vertices named by their places in the green
+/// order, where the neighbours of i are i - 1 and i + 1.
+struct RedNeighbours {
+  std::vector<std::array<std::uint32_t, 2>> of;
+};
+
+RedNeighbours red_neighbours(const Items& green, const Items& red) {
+  const std::size_t n = green.vertex.size();
+  std::vector<std::uint32_t> place(n);
+  for (std::uint32_t i = 0; i < n; ++i) place[green.vertex[i]] = i;
+  RedNeighbours result;
+  result.of.assign(n, {kNone, kNone});
+  for (std::size_t i = 1; i < n; ++i) {
+    const std::uint32_t a = place[red.vertex[i - 1]];
+    const std::uint32_t b = place[red.vertex[i]];
+    result.of[a][1] = b;
+    result.of[b][0] = a;
+  }
+  return result;
+}
+
+/// Annealing with probabilities in 1/65536, so that no floating point is involved.
+class Annealing {
+ public:
+  explicit Annealing(const RedNeighbours& red)
+      : red_(red.of), parity_(red.of.size()), random_(kSeed, red.of.size()) {
+    for (std::size_t i = 0; i < parity_.size(); ++i) parity_[i] = i & 1;
+  }
+
+  /// Flips each vertex if that does not make more pairs equal, else with probability (chance /
+  /// 65536)^increase.
+  void sweep(std::uint32_t chance) {
+    for (std::size_t i = 0; i < parity_.size(); ++i) {
+      const int increase = flip_increase(i);
+      if (increase <= 0 || accept(chance, increase)) parity_[i] ^= 1;
+    }
+  }
+
+  const std::vector<std::uint8_t>& parity() const { return parity_; }
+
+ private:
+  int flip_increase(std::size_t i) const {
+    int increase = 0;
+    const auto count = [&](std::size_t j) { increase += parity_[i] == parity_[j] ? -1 : 1; };
+    if (i > 0) count(i - 1);
+    if (i + 1 < parity_.size()) count(i + 1);
+    for (const std::uint32_t j : red_[i]) {
+      if (j != kNone) count(j);
+    }
+    return increase;
+  }
+
+  bool accept(std::uint64_t chance, int increase) {
+    std::uint64_t power = chance;
+    for (int k = 1; k < increase; ++k) power = power * chance >> 16;
+    return (random_.next32() & 0xffff) < power;
+  }
+
+  const std::vector<std::array<std::uint32_t, 2>>& red_;
+  std::vector<std::uint8_t> parity_;  // by place in the green order
+  RandomStream random_;
+};
+
+}  // namespace
+
+std::int64_t equal_neighbours(const Items& green, const Items& red,
+                              const std::vector<std::uint8_t>& parity) {
+  std::int64_t equal = 0;
+  for (const auto* order : {&green.vertex, &red.vertex}) {
+    for (std::size_t i = 1; i < order->size(); ++i) {
+      equal += parity[(*order)[i - 1]] == parity[(*order)[i]];
+    }
+  }
+  return equal;
+}
+
+std::vector<std::uint8_t> annealed_parity(const Items& green, const Items& red) {
+  const RedNeighbours neighbours = red_neighbours(green, red);
+  Annealing annealing(neighbours);
+  const auto by_vertex = [&] {
+    std::vector<std::uint8_t> parity(green.vertex.size());
+    for (std::size_t i = 0; i < parity.size(); ++i) parity[green.vertex[i]] = annealing.parity()[i];
+    return parity;
+  };
+  const std::vector<std::uint8_t> start = by_vertex();
+  for (unsigned k = 0; k < kSweeps; ++k) {
+    const std::uint32_t left = kSweeps - 1 - k;  // from 0.46 down to 0
+    annealing.sweep(30000 * left / (kSweeps - 1));
+  }
+  std::vector<std::uint8_t> end = by_vertex();
+  return equal_neighbours(green, red, end) < equal_neighbours(green, red, start) ? end : start;
+}
+
+}  // namespace ar3d::theorem1

@@ -1,0 +1,43 @@
+#pragma once
+
+// Theorem 1, step 1: the edges in two colours such that every vertex has at most two edges of each
+// colour.
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "ar3d/model/graph.h"
+
+namespace ar3d::theorem1 {
+
+inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+/// An orientation of the edges with in- and out-degree at most 2 everywhere. Bit i of outgoing[v]:
+/// the edge of incident(v)[i] leaves v.
+struct BalancedOrientation {
+  std::vector<std::uint8_t> outgoing;
+};
+
+/// Pairs the edges (0, 1) and (2, 3) of every incidence list; the pairs link the edges to trails,
+/// and every trail is oriented along itself. So a pair is one edge in and one out, and at most one
+/// edge of a vertex is unpaired.
+/// @param graph  of maximum degree at most 4. Cost: O(n + m).
+BalancedOrientation balanced_orientation(const Graph& graph);
+
+enum Colour : unsigned { kGreen = 0, kRed = 1 };
+
+/// next[c][v] is the edge of colour c that leaves v (to == kNone: there is none); every edge is the
+/// entry of its tail in its colour, and every vertex has at most one edge of each colour in and one
+/// out. So each colour is a set of vertex-disjoint directed paths and cycles.
+struct TwoColouring {
+  std::array<std::vector<HalfEdge>, 2> next;
+};
+
+/// Pairs the two outgoing and the two incoming edges of every vertex and colours the chains so
+/// linked alternately. A chain alternates between pairs out and pairs in, so closed ones are even:
+/// no parity case arises, unlike in an Euler tour. Cost: O(n + m).
+TwoColouring two_colouring(const Graph& graph, const BalancedOrientation& orientation);
+
+}  // namespace ar3d::theorem1

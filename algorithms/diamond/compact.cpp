@@ -1,0 +1,187 @@
+#include "ar3d/algorithms/diamond/compact.h"
+
+#include <algorithm>
+
+#include "ar3d/algorithms/diamond/ordering.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d::theorem1 {
+namespace {
+
+/// Pairs of vertices at which a difference of Y is forbidden, filed under the later one's place in
+/// the red order. They are what the two vertices before it in the red order do not show: closing
+/// edges (C1) and one edge of some odd cycles (C2).
+class ForbiddenDifferences {
+ public:
+  explicit ForbiddenDifferences(std::size_t n) : head_(n, kNone) {}
+  void add(std::uint32_t later_place, Vertex earlier, std::int32_t difference) {
+    rules_.push_back({earlier, difference, head_[later_place]});
+    head_[later_place] = static_cast<std::uint32_t>(rules_.size() - 1);
+  }
+  bool forbid(std::uint32_t place, std::int32_t y, const std::vector<PlanePoint>& at) const {
+    for (std::uint32_t i = head_[place]; i != kNone; i = rules_[i].next) {
+      if (y - at[rules_[i].earlier].Y == rules_[i].difference) return true;
+    }
+    return false;
+  }
+
+ private:
+  struct Rule {
+    Vertex earlier;
+    std::int32_t difference;
+    std::uint32_t next;
+  };
+  std::vector<std::uint32_t> head_;  // by place in the red order
+  std::vector<Rule> rules_;
+};
+
+class CompactPlacer {
+ public:
+  CompactPlacer(const Graph& graph, Placement& placement)
+      : graph_(graph),
+        green_(placement.green),
+        red_(placement.red),
+        at_(placement.at),
+        rules_(at_.size()) {}
+
+  /// X is set. False if Y passes 16n/3.
+  bool place_y() {
+    for (std::uint32_t item = 0; item < red_.count(); ++item) {
+      if (red_.is_cycle(item)) rule_red_cycle(item);
+    }
+    place_.resize(at_.size());
+    for (std::uint32_t i = 0; i < place_.size(); ++i) place_[red_.vertex[i]] = i;
+    for (std::uint32_t item = 0; item < green_.count(); ++item) {
+      if (green_.is_cycle(item)) rule_green_cycle(item);
+    }
+    return assign_y();
+  }
+
+  std::int64_t hits() const { return hits_; }
+
+ private:
+  std::int32_t x_distance(Vertex u, Vertex v) const { return std::abs(at_[u].X - at_[v].X); }
+
+  void add_rule(Vertex u, Vertex v, std::int32_t difference) {
+    if (place_[u] < place_[v]) std::swap(u, v);
+    rules_.add(place_[u], v, difference);
+  }
+
+  /// (C1) for the closing edge. (C2): an odd cycle has a path edge with |dX| >= 2, and then (C1)
+  /// makes it fit for a Z, or its first edge has |dX| = 1, odd |dY| != 1 by (C1), and fits unless
+  /// |dY| = 3.
+  void rule_green_cycle(std::uint32_t item) {
+    const auto v = green_.of(item);
+    const auto k = static_cast<std::int32_t>(v.size());
+    const std::int32_t width = x_distance(v.front(), v.back());
+    add_rule(v.front(), v.back(), width);
+    if (k % 2 == 1 && width == k - 1) add_rule(v[0], v[1], 3);
+  }
+
+  /// (C1) for the closing edge. (C2): of an odd cycle some path edge needs |dX| >= 2, and |dY| != 1
+  /// if |dX| = 3. If only the closing edge has |dX| >= 2, the others are neighbours along X, and
+  /// any other rotation has such a path edge.
+  void rule_red_cycle(std::uint32_t item) {
+    const std::uint32_t k = red_.size(item);
+    if (k % 2 == 1) {
+      if (far_path_edge(item) == kNone) red_.close_at(item, 0);
+      const std::uint32_t i = far_path_edge(item);
+      expect(i != kNone, "an odd red cycle has a path edge of |dX| >= 2");
+      const auto v = red_.of(item);
+      if (x_distance(v[i], v[i + 1]) == 3) rules_.add(red_.begin[item] + i + 1, v[i], 1);
+    }
+    rules_.add(red_.begin[item + 1] - 1, red_.first(item),
+               x_distance(red_.first(item), red_.last(item)));
+  }
+
+  /// A path edge with |dX| >= 2, rather not 3.
+  std::uint32_t far_path_edge(std::uint32_t item) const {
+    const auto v = red_.of(item);
+    std::uint32_t found = kNone;
+    for (std::uint32_t i = 0; i + 1 < v.size(); ++i) {
+      const std::int32_t far = x_distance(v[i], v[i + 1]);
+      if (far == 2 || far > 3) return i;
+      if (far == 3) found = i;
+    }
+    return found;
+  }
+
+  /// Each vertex in red order takes the least Y of its parity above the one before that is not
+  /// forbidden.
+  bool assign_y() {
+    const auto limit = static_cast<std::int32_t>(std::uint64_t{16} * at_.size() / 3);
+    std::int32_t y = -1;
+    for (std::uint32_t item = 0; item < red_.count(); ++item) {
+      for (std::uint32_t i = red_.begin[item]; i < red_.begin[item + 1]; ++i) {
+        PlanePoint& p = at_[red_.vertex[i]];
+        y += (p.X - y) % 2 == 0 ? 2 : 1;
+        while (clashes(i, i > red_.begin[item], y) || rules_.forbid(i, y, at_)) {
+          y += 2;
+          ++hits_;
+        }
+        p.Y = y;
+      }
+      if (y > limit) return false;
+    }
+    return true;
+  }
+
+  /// (C1) for path edges to earlier vertices. The red one leads to the vertex just before. A green
+  /// one has |dX| <= 2, so it matters only for |dY| <= 2, that is for the two vertices before at
+  /// most.
+  bool clashes(std::uint32_t i, bool continues_item, std::int32_t y) const {
+    const Vertex v = red_.vertex[i];
+    for (std::uint32_t back = 1; back <= 2 && back <= i; ++back) {
+      const Vertex w = red_.vertex[i - back];
+      if (y - at_[w].Y != x_distance(v, w)) continue;
+      if ((back == 1 && continues_item) || adjacent(graph_, v, w)) return true;
+    }
+    return false;
+  }
+
+  const Graph& graph_;
+  const Items& green_;
+  Items& red_;
+  std::vector<PlanePoint>& at_;
+  std::vector<std::uint32_t> place_;  // in the red order, by vertex
+  ForbiddenDifferences rules_;
+  std::int64_t hits_ = 0;
+};
+
+std::optional<CompactPlacement> finish(const Graph& graph, CompactPlacement result) {
+  CompactPlacer placer(graph, result.placement);
+  if (!placer.place_y()) return std::nullopt;
+  result.hits = placer.hits();
+  expect_heavy([&] { return keeps_invariants(graph, result.placement); },
+               "the compact placement is right");
+  return result;
+}
+
+}  // namespace
+
+std::optional<CompactPlacement> place_compact(const Graph& graph, Items green, Items red,
+                                              ParityPattern pattern) {
+  CompactPlacement result{{std::move(green), std::move(red), {}}, 0};
+  const auto& order = result.placement.green.vertex;
+  result.placement.at.resize(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const auto rank = static_cast<std::int32_t>(i);
+    result.placement.at[order[i]].X =
+        pattern == ParityPattern::alternating ? rank : rank / 2 * 3 + rank % 2 * 2;
+  }
+  return finish(graph, std::move(result));
+}
+
+std::optional<CompactPlacement> place_compact(const Graph& graph, Items green, Items red,
+                                              const std::vector<std::uint8_t>& parity) {
+  CompactPlacement result{{std::move(green), std::move(red), {}}, 0};
+  result.placement.at.resize(parity.size());
+  std::int32_t x = -1;
+  for (const Vertex v : result.placement.green.vertex) {
+    x += (parity[v] - x) % 2 == 0 ? 2 : 1;
+    result.placement.at[v].X = x;
+  }
+  return finish(graph, std::move(result));
+}
+
+}  // namespace ar3d::theorem1

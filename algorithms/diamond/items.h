@@ -1,0 +1,64 @@
+#pragma once
+
+// Theorem 1, step 2: the green and the red items (paths, cycles and single vertices of one colour).
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "ar3d/algorithms/diamond/colouring.h"
+
+namespace ar3d::theorem1 {
+
+/// The components of one colour, laid end to end: item i is the range begin[i] .. begin[i+1] of
+/// `vertex`, which holds every vertex of the graph once. edge[p] joins vertex[p] to the next vertex
+/// of its item; at the last vertex of a cycle it is the closing edge back to the item's first
+/// vertex, at the end of a path it is kNone.
+struct Items {
+  std::vector<Vertex> vertex;
+  std::vector<EdgeId> edge;
+  std::vector<std::uint32_t> begin{0};
+
+  std::uint32_t count() const { return static_cast<std::uint32_t>(begin.size() - 1); }
+  std::uint32_t size(std::uint32_t item) const { return begin[item + 1] - begin[item]; }
+  bool is_cycle(std::uint32_t item) const { return edge[begin[item + 1] - 1] != kNone; }
+  Vertex first(std::uint32_t item) const { return vertex[begin[item]]; }
+  Vertex last(std::uint32_t item) const { return vertex[begin[item + 1] - 1]; }
+  std::span<const Vertex> of(std::uint32_t item) const {
+    return {vertex.data() + begin[item], size(item)};
+  }
+
+  /// Makes the edge that leaves the item's position `p` (0-based within the cycle) its closing
+  /// edge.
+  void close_at(std::uint32_t item, std::uint32_t p);
+};
+
+/// Items of one colour: paths by their first vertex, then cycles by their smallest vertex. Cost:
+/// O(n).
+Items extract_items(const std::vector<HalfEdge>& next);
+
+/// Number of items that are cycles (m_green or m_red of the paper).
+std::uint32_t count_cycles(const Items& items);
+
+/// Where each vertex stands: its position in Items::vertex, and its item.
+struct Whereabouts {
+  std::vector<std::uint32_t> position;
+  std::vector<std::uint32_t> item;
+};
+Whereabouts whereabouts(const Items& items);
+
+/// A list of the items with a direction for each: what remains when a colour's items are put in
+/// order.
+struct Arrangement {
+  struct Place {
+    std::uint32_t item = 0;
+    bool reversed = false;
+  };
+  std::vector<Place> places;
+};
+
+/// The items in the arrangement's order and directions; reversing keeps the closing edge of a
+/// cycle. Cost: O(n).
+Items arranged(const Items& items, const Arrangement& arrangement);
+
+}  // namespace ar3d::theorem1

@@ -1,0 +1,95 @@
+#include "ar3d/algorithms/diamond/ordering.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace ar3d::theorem1 {
+namespace {
+
+using Place = Arrangement::Place;
+
+class Ordering {
+ public:
+  Ordering(const Graph& graph, const Items& items) : graph_(graph), items_(items) {}
+
+  /// Greedy: some item among the next three fits, because an item does not fit only if all its ends
+  /// are neighbours of the last vertex in the other colour, which has two of them.
+  Arrangement run() {
+    for (std::uint32_t item = 0; item < items_.count(); ++item) {
+      waiting_.push_back(item);
+      if (waiting_.size() == 3) take_fitting();
+    }
+    while (take_fitting()) continue;
+    for (const std::uint32_t item : waiting_) place_leftover(item);
+    return std::move(order_);
+  }
+
+ private:
+  Vertex start(Place p) const { return p.reversed ? items_.last(p.item) : items_.first(p.item); }
+  Vertex end(Place p) const { return p.reversed ? items_.first(p.item) : items_.last(p.item); }
+
+  /// Can the item, in that direction, stand before place `slot`?
+  bool fits(Place p, std::size_t slot) const {
+    const auto& places = order_.places;
+    if (slot > 0 && adjacent(graph_, end(places[slot - 1]), start(p))) return false;
+    return slot == places.size() || !adjacent(graph_, end(p), start(places[slot]));
+  }
+
+  std::optional<Place> fitting_direction(std::uint32_t item, std::size_t slot) const {
+    for (const bool reversed : {false, true}) {
+      if (fits({item, reversed}, slot)) return Place{item, reversed};
+    }
+    return std::nullopt;
+  }
+
+  bool take_fitting() {
+    for (std::size_t i = 0; i < waiting_.size(); ++i) {
+      if (const auto place = fitting_direction(waiting_[i], order_.places.size())) {
+        order_.places.push_back(*place);
+        waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(i));
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// At most two items are left over. Appends if the item fits there by now, else inserts it where
+  /// it fits, else appends it behind a bad boundary.
+  void place_leftover(std::uint32_t item) {
+    auto& places = order_.places;
+    for (std::size_t i = 0; i <= places.size(); ++i) {
+      const std::size_t slot = i == 0 ? places.size() : i - 1;
+      if (const auto place = fitting_direction(item, slot)) {
+        places.insert(places.begin() + static_cast<std::ptrdiff_t>(slot), *place);
+        return;
+      }
+    }
+    places.push_back({item, false});
+  }
+
+  const Graph& graph_;
+  const Items& items_;
+  Arrangement order_;
+  std::vector<std::uint32_t> waiting_;  // at most 3, in natural order
+};
+
+}  // namespace
+
+bool adjacent(const Graph& graph, Vertex u, Vertex v) {
+  const auto row = graph.incident(u);
+  return std::any_of(row.begin(), row.end(), [v](const HalfEdge& half) { return half.to == v; });
+}
+
+Arrangement order_items(const Graph& graph, const Items& items) {
+  return Ordering(graph, items).run();
+}
+
+std::vector<bool> bad_boundaries(const Graph& graph, const Items& items) {
+  std::vector<bool> bad(items.count(), false);
+  for (std::uint32_t i = 1; i < items.count(); ++i) {
+    bad[i] = adjacent(graph, items.last(i - 1), items.first(i));
+  }
+  return bad;
+}
+
+}  // namespace ar3d::theorem1
