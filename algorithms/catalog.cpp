@@ -28,7 +28,8 @@ const Algorithm& find_algorithm(std::string_view name) {
 
 OptionValues complete_options(const Algorithm& algorithm, const OptionValues& given) {
   OptionValues values;
-  for (const OptionSpec& spec : algorithm.options) values.push_back({spec.name, spec.default_value});
+  for (const OptionSpec& spec : algorithm.options)
+    values.push_back({spec.name, spec.default_value});
   std::vector<bool> set(values.size(), false);
   for (const OptionValue& wanted : given) {
     const auto at = std::find_if(values.begin(), values.end(),
@@ -54,8 +55,9 @@ Drawing draw(const Algorithm& algorithm, const Graph& graph, const OptionValues&
   if (graph.max_degree() > limit) {
     Vertex v = 0;
     while (graph.degree(v) <= limit) ++v;
-    throw InputError(fmt::format("{} draws graphs of maximum degree {}, but vertex {} has degree {}",
-                                 algorithm.name, limit, v, graph.degree(v)));
+    throw InputError(
+        fmt::format("{} draws graphs of maximum degree {}, but vertex {} has degree {}",
+                    algorithm.name, limit, v, graph.degree(v)));
   }
   return algorithm.draw(graph, complete_options(algorithm, given));
 }
