@@ -1,6 +1,8 @@
 #include "ar3d/verify/certificate.h"
 
-#include <utility>
+#include <fmt/format.h>
+
+#include <optional>
 
 #include "ar3d/model/error.h"
 #include "ar3d/verify/checks.h"
@@ -13,12 +15,23 @@ namespace ar3d {
 namespace {
 
 using verify::Contacts;
+using verify::DirectionClasses;
 using verify::Findings;
 using verify::Segments;
 
-void check_crossings(const Segments& segments, CrossingTest, Findings& findings) {
+void check_crossings(const Segments& segments, CrossingTest test, Findings& findings) {
   Contacts contacts(segments, findings);
-  test_all_pairs(segments, contacts);
+  std::optional<DirectionClasses> classes;
+  if (test != CrossingTest::all_pairs) classes = few_directions(segments);
+  if (classes) {
+    test_by_sweep(segments, *classes, contacts);
+  } else if (test == CrossingTest::sweep) {
+    throw InputError(
+        fmt::format("the sweep takes drawings with at most {} directions of components below {}",
+                    verify::kMaxDirections, verify::kMaxDirectionComponent));
+  } else {
+    test_all_pairs(segments, contacts);
+  }
   contacts.report();
 }
 

@@ -42,6 +42,7 @@ struct Violation {
 enum class CrossingTest {
   automatic,  ///< the fast test that fits the drawing
   all_pairs,  ///< the oracle: every pair of segments, O(S^2)
+  sweep,      ///< lines and plane families, O(S log S); refuses drawings with many directions
 };
 
 struct CertifyOptions {

@@ -16,9 +16,14 @@ bool is_zero(const Normal& n) { return n[0] == 0 && n[1] == 0 && n[2] == 0; }
 
 Int128 magnitude(Int128 v) { return v < 0 ? -v : v; }
 
+bool below(Int128 v, int bits) { return magnitude(v) < Int128{1} << bits; }
+
 /// w . n == 0.
 bool orthogonal(Vector w, const Normal& n) {
   const auto d = components(w);
+  const bool small = below(d[0], 40) && below(d[1], 40) && below(d[2], 40) && below(n[0], 84) &&
+                     below(n[1], 84) && below(n[2], 84);
+  if (small) return d[0] * n[0] + d[1] * n[1] + d[2] * n[2] == 0;  // below 3 * 2^124
   Wide sum = 0;
   for (std::size_t i = 0; i < 3; ++i) sum += Wide(d[i]) * Wide(n[i]);
   return sum == 0;

@@ -1,0 +1,137 @@
+// The crossing tests against the oracle on thousands of random valid and broken drawings: not only
+// the verdict but every violation, word for word.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ar3d/verify/certificate.h"
+#include "ar3d/verify/directions.h"
+#include "verify/random_drafts.h"
+
+namespace ar3d {
+namespace {
+
+using testing::direction_sets;
+using testing::Draft;
+using testing::RandomDrafts;
+
+std::vector<std::string> findings(const Draft& draft, CrossingTest test) {
+  CertifyOptions options;
+  options.crossing_test = test;
+  options.check_size = false;
+  options.max_violations = 1000000;
+  // Drafts may have loops and repeated edges, which no graph has: judge them as drawings of no
+  // edges.
+  const Graph graph(draft.vertices.size(), {});
+  std::vector<std::string> lines;
+  for (const Violation& violation :
+       certify(graph, draft.drawing(), testing::no_promise(), options).violations) {
+    if (violation.kind == ViolationKind::edge_set) continue;
+    lines.push_back(std::string(to_string(violation.kind)) + ": " + violation.message);
+  }
+  return lines;
+}
+
+/// What the comparisons covered.
+struct Tally {
+  std::size_t drawings = 0;
+  std::size_t valid = 0;
+  std::size_t swept = 0;
+  std::map<std::string, std::size_t> violations;
+};
+
+void compare(const Draft& draft, Tally& tally) {
+  const auto expected = findings(draft, CrossingTest::all_pairs);
+  ++tally.drawings;
+  tally.valid += expected.empty();
+  for (const std::string& line : expected) ++tally.violations[line.substr(0, line.find(':'))];
+  if (verify::few_directions(verify::Segments(draft.drawing()))) {
+    ++tally.swept;
+    ASSERT_EQ(findings(draft, CrossingTest::sweep), expected);
+  }
+  ASSERT_EQ(findings(draft, CrossingTest::automatic), expected);
+}
+
+void expect_every_kind(const Tally& tally) {
+  for (const char* kind : {"crossing", "vertex_on_edge", "same_point"}) {
+    EXPECT_GT(tally.violations.count(kind) ? tally.violations.at(kind) : 0, 20u) << kind;
+  }
+}
+
+TEST(CrossingTests, AgreeOnRandomWalks) {
+  Tally tally;
+  RandomDrafts drafts(1, 0);
+  for (const auto& directions : direction_sets()) {
+    for (int i = 0; i < 1500; ++i) {
+      const std::size_t edges = 1 + drafts.random().below(12);
+      const std::uint32_t side = 2 + drafts.random().below(20);
+      const Draft draft = drafts.walks(directions, edges, side);
+      ASSERT_NO_FATAL_FAILURE(compare(draft, tally)) << i;
+      ASSERT_NO_FATAL_FAILURE(compare(RandomDrafts::far_away(draft), tally)) << i;
+    }
+  }
+  EXPECT_EQ(tally.swept, tally.drawings);
+  EXPECT_GT(tally.valid, 1000u);
+  expect_every_kind(tally);
+}
+
+/// A valid drawing of up to `edges` edges: only walks that keep it valid are taken.
+Draft valid_draft(RandomDrafts& drafts, const std::vector<Vector>& directions, std::size_t edges) {
+  Draft draft;
+  draft.vertices.push_back({0, 0, 0});
+  for (std::size_t i = 0; i < edges; ++i) {
+    Draft larger = drafts.with_walk(draft, directions, 8);
+    if (findings(larger, CrossingTest::all_pairs).empty()) draft = std::move(larger);
+  }
+  return draft;
+}
+
+TEST(CrossingTests, AgreeOnValidAndThenDamagedDrawings) {
+  Tally tally;
+  RandomDrafts drafts(2, 0);
+  for (const auto& directions : direction_sets()) {
+    for (int i = 0; i < 300; ++i) {
+      Draft draft = valid_draft(drafts, directions, 20);
+      if (draft.edges.empty()) continue;
+      ASSERT_NO_FATAL_FAILURE(compare(draft, tally)) << i;
+      for (int step = 0; step < 6; ++step) {
+        drafts.damage(draft);
+        ASSERT_NO_FATAL_FAILURE(compare(draft, tally)) << i << " damaged " << step;
+      }
+      ASSERT_NO_FATAL_FAILURE(compare(RandomDrafts::far_away(draft), tally)) << i;
+    }
+  }
+  EXPECT_GT(tally.valid, 1000u);
+  EXPECT_GT(tally.swept, 5000u);
+  expect_every_kind(tally);
+}
+
+/// Long segments in few planes, so that single planes hold enough for the ordered sweep.
+TEST(CrossingTests, AgreeOnCrowdedPlanes) {
+  Tally tally;
+  RandomDrafts drafts(3, 0);
+  for (int i = 0; i < 60; ++i) {
+    Draft draft;
+    const std::uint32_t side = 20 + 40 * static_cast<std::uint32_t>(i);
+    for (std::size_t e = 0; e < 120; ++e) {
+      auto& random = drafts.random();
+      const Point a{random.below(side), random.below(side), random.below(3)};
+      const std::int64_t length = 1 + random.below(30);
+      const bool along_x = random.chance(1, 2);
+      draft.vertices.push_back(a);
+      draft.vertices.push_back(along_x ? a + Vector{length, 0, 0} : a + Vector{0, length, 0});
+      const auto n = static_cast<Vertex>(draft.vertices.size());
+      draft.edges.push_back({{n - 2, n - 1}, {}});
+    }
+    ASSERT_NO_FATAL_FAILURE(compare(draft, tally)) << i;
+    ASSERT_NO_FATAL_FAILURE(compare(RandomDrafts::far_away(draft), tally)) << i;
+  }
+  expect_every_kind(tally);
+}
+
+}  // namespace
+}  // namespace ar3d
