@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ar3d/algorithms/diamond/diamond.h"
+#include "ar3d/algorithms/two_bend/two_bend.h"
 #include "ar3d/model/error.h"
 
 namespace ar3d {
@@ -13,6 +14,7 @@ const std::vector<Algorithm>& algorithms() {
   static const std::vector<Algorithm> rows = {
       // One row an algorithm, each made by a function of its own folder.
       diamond_row(),
+      two_bend_row(),
   };
   return rows;
 }

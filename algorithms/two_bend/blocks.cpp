@@ -1,0 +1,100 @@
+#include "ar3d/algorithms/two_bend/blocks.h"
+
+#include <algorithm>
+
+#include "ar3d/model/error.h"
+
+namespace ar3d::two_bend {
+namespace {
+
+/// low[v]: least vertex reached from v's subtree by at most one back edge.
+std::vector<Vertex> lowpoints(const LocalGraph& graph) {
+  std::vector<Vertex> low(graph.size());
+  for (Vertex v = graph.size(); v-- > 0;) {
+    Vertex least = v;
+    const Row& row = graph.rows[v];
+    for (std::size_t k = 0; k < row.degree; ++k) {
+      const Vertex u = row.to[k];
+      if (u > v && graph.parent[u] == v) {
+        least = std::min(least, low[u]);
+      } else if (u != graph.parent[v]) {
+        least = std::min(least, u);
+      }
+    }
+    low[v] = least;
+  }
+  return low;
+}
+
+void register_vertex(const LocalGraph& graph, Blocks& blocks, Vertex v) {
+  Block& block = blocks.blocks[blocks.of[v]];
+  const Row& row = graph.rows[v];
+  unsigned inside = 0;
+  for (std::size_t k = 0; k < row.degree; ++k) {
+    if (!blocks.is_bridge(v, row.to[k])) ++inside;
+  }
+  block.bridges += row.degree - inside;
+  if (inside < row.degree) block.bridge_vertex = v;
+  if (inside == 2 && block.free_count++ < 2) block.free[block.free_count - 1] = v;
+  block.members[block.size++ % 2] = v;
+}
+
+}  // namespace
+
+Blocks find_blocks(const LocalGraph& graph) {
+  const std::vector<Vertex> low = lowpoints(graph);
+  Blocks result;
+  result.of.resize(graph.size());
+  for (Vertex v = 0; v < graph.size(); ++v) {
+    if (v == 0 || low[v] == v) {  // the edge to the parent is a bridge
+      result.of[v] = static_cast<BlockId>(result.blocks.size());
+      result.blocks.emplace_back();
+    } else {
+      result.of[v] = result.of[graph.parent[v]];
+    }
+  }
+  for (Vertex v = 0; v < graph.size(); ++v) register_vertex(graph, result, v);
+  return result;
+}
+
+bool is_q_block(const Block& block) { return block.size == 5 && block.free_count == 1; }
+
+QBody read_q_body(const LocalGraph& graph, const Blocks& blocks, Vertex joint) {
+  QBody body{joint, {}, {}};
+  std::size_t sides = 0;
+  const Row& row = graph.rows[joint];
+  for (std::size_t k = 0; k < row.degree; ++k) {
+    if (!blocks.is_bridge(joint, row.to[k])) body.side[sides++] = row.to[k];
+  }
+  std::size_t cores = 0;
+  for (const Vertex v : graph.rows[body.side[0]].to) {
+    if (v != joint && v != body.side[1]) body.core[cores++] = v;
+  }
+  expect(sides == 2 && cores == 2 && graph.adjacent(body.core[0], body.core[1]) &&
+             graph.adjacent(body.side[1], body.core[0]) &&
+             graph.adjacent(body.side[1], body.core[1]),
+         "a Q block is K4 with one edge subdivided");
+  return body;
+}
+
+std::vector<QBody> cut_q_bodies(LocalGraph& graph, Blocks& blocks) {
+  std::vector<QBody> bodies;
+  for (Block& block : blocks.blocks) {
+    if (!is_q_block(block) || block.bridges == 0) continue;
+    const QBody body = read_q_body(graph, blocks, block.free[0]);
+    Row& row = graph.rows[body.joint];
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (blocks.is_bridge(body.joint, row.to[k])) {
+        row.to[0] = row.to[k];
+        row.edge[0] = row.edge[k];
+        break;
+      }
+    }
+    row.degree = 1;
+    block = Block{1, 1, 0, {}, {body.joint, body.joint}, body.joint};
+    bodies.push_back(body);
+  }
+  return bodies;
+}
+
+}  // namespace ar3d::two_bend

@@ -1,0 +1,99 @@
+#include "ar3d/algorithms/two_bend/coordinates.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <numeric>
+
+#include "ar3d/algorithms/two_bend/numeric.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d::two_bend {
+namespace {
+
+/// Least distance of a MERGE's row from the row of an in-neighbour.
+std::int64_t margin(NodeType below) {
+  return below == NodeType::station ? 3 : below == NodeType::merge ? 2 : 1;
+}
+
+bool is_odd_entry(const View& view, NodeId v) { return view.type(v) == NodeType::merge; }
+
+std::int64_t base_gap(const View& view, NodeId a, NodeId b) {
+  if (is_odd_entry(view, a) == is_odd_entry(view, b)) return 2;
+  const bool station = view.type(a) == NodeType::station || view.type(b) == NodeType::station;
+  return station ? 3 : 1;
+}
+
+}  // namespace
+
+Values number_list(const View& view, const EntryList& list, const Spacing& spacing) {
+  Values values(view.size(), 0);
+  NodeId last = kNone;
+  for (NodeId v = list.first(); v != kNone; v = list.next(v)) {
+    if (last != kNone) {
+      const std::int64_t gap =
+          std::max({base_gap(view, last, v), spacing.hold_gap[last], spacing.hold_gap[v]});
+      std::int64_t value = values[last] + gap + spacing.extra_after[last];
+      if ((value % 2 != 0) != is_odd_entry(view, v)) ++value;
+      expect(value <= kMaxHorizontal, "rows and columns fit 31 bits");
+      values[v] = value;
+    } else {
+      values[v] = is_odd_entry(view, v) ? 1 : 0;
+    }
+    last = v;
+  }
+  return values;
+}
+
+OddInterval interval_of(const View& view, const Values& values, NodeId merge) {
+  NodeId a = view.ins(merge)[0];
+  NodeId b = view.ins(merge)[1];
+  if (values[b] < values[a]) std::swap(a, b);
+  const OddInterval result{values[a] + margin(view.type(a)), values[b] - margin(view.type(b)), a};
+  expect(result.low <= result.high && result.low % 2 == 1,
+         "a free MERGE has room between its in-neighbours");
+  return result;
+}
+
+void choose_middle_values(const View& view, Values& values) {
+  for (NodeId m = 0; m < view.size(); ++m) {
+    if (!view.is_free_merge(m)) continue;
+    const auto above = view.outs(m);
+    if (!above.empty() && view.type(above[0]) == NodeType::split) continue;
+    values[m] = interval_of(view, values, m).middle();
+  }
+}
+
+std::vector<LongId> find_vv_edges(const Flow& flow) {
+  std::vector<LongId> result;
+  for (LongId e = 0; e < flow.edges.size(); ++e) {
+    if (flow.nodes[flow.edges[e].lower].type == NodeType::merge &&
+        flow.nodes[flow.edges[e].upper].type == NodeType::split) {
+      result.push_back(e);
+    }
+  }
+  return result;
+}
+
+bool choose_vv_values(const Flow& flow, const LongEdge& edge, Values& rows, Values& columns) {
+  const OddInterval row = interval_of(View(flow, false), rows, edge.lower);
+  const OddInterval column = interval_of(View(flow, true), columns, edge.upper);
+  const std::int64_t x = columns[edge.lower];
+  const std::int64_t y = rows[edge.upper];
+  const auto try_pair = [&](std::int64_t r, std::int64_t c) {
+    if (!row.contains(r) || !column.contains(c) || std::gcd(c - x, y - r) != 1) return false;
+    rows[edge.lower] = r;
+    columns[edge.upper] = c;
+    return true;
+  };
+  for (std::int64_t ring = 0; ring < 8; ++ring) {
+    for (std::int64_t i = -ring; i <= ring; ++i) {
+      const std::int64_t step = std::abs(i) == ring ? 1 : 2 * ring;  // whole sides, else both ends
+      for (std::int64_t j = -ring; j <= ring; j += step) {
+        if (try_pair(row.middle() + 2 * i, column.middle() + 2 * j)) return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace ar3d::two_bend

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "ar3d/algorithms/two_bend/entry_list.h"
+#include "ar3d/algorithms/two_bend/flow.h"
+
+namespace ar3d::two_bend {
+
+/// What widens a list beyond its base gaps; the only state that persists from round to round (R18).
+struct Spacing {
+  std::vector<std::int64_t> extra_after;  ///< per node: added to the gap directly after its entry
+  std::vector<std::int64_t> hold_gap;     ///< per node: least gap on both sides of its entry
+};
+
+/// The numbers of one view: rows (y) or columns (x), per node; meaningful for owners and MERGEs of
+/// the view. Owners are even, MERGEs odd; a MERGE is strictly between its in-neighbours, at
+/// distance at least 1 from an owner, 2 from a MERGE and 3 from a STATION.
+using Values = std::vector<std::int64_t>;
+
+/// 4.6 and R15: numbers along the list; free MERGEs keep the number of their entry, if any.
+/// @throws InternalError if a number passes kMaxHorizontal.
+Values number_list(const View& view, const EntryList& list, const Spacing& spacing);
+
+/// The odd numbers from low to high that a free MERGE may take (R13); never empty.
+struct OddInterval {
+  std::int64_t low = 0;
+  std::int64_t high = 0;
+  NodeId lower_neighbour = kNone;
+  std::int64_t count() const { return (high - low) / 2 + 1; }
+  std::int64_t middle() const { return low + 2 * (count() / 2); }
+  bool contains(std::int64_t value) const { return low <= value && value <= high; }
+};
+OddInterval interval_of(const View& view, const Values& values, NodeId merge);
+
+/// Gives every free MERGE of the view that is no end of a VV edge the middle of its interval.
+void choose_middle_values(const View& view, Values& values);
+
+/// The VV edges (from a MERGE up to a SPLIT; their leans must be primitive), in time order of their
+/// lower ends.
+std::vector<LongId> find_vv_edges(const Flow& flow);
+
+/// For one VV edge: a row of the MERGE and a column of the SPLIT, as near to the middles of both
+/// intervals as possible, such that the lean between the two stems is primitive (R16). Certain to
+/// succeed if both intervals hold 8 numbers and the horizontal differences are below 3.5e10.
+/// @return false if there is none; nothing is changed then.
+bool choose_vv_values(const Flow& flow, const LongEdge& edge, Values& rows, Values& columns);
+
+}  // namespace ar3d::two_bend

@@ -1,0 +1,69 @@
+#include "ar3d/algorithms/two_bend/entry_list.h"
+
+#include "ar3d/model/error.h"
+
+namespace ar3d::two_bend {
+
+EntryList::EntryList(std::size_t num_nodes, const std::vector<NodeId>& owners) : links_(num_nodes) {
+  NodeId last = kNone;
+  std::uint32_t rank = 0;
+  for (const NodeId v : owners) {
+    expect(!contains(v), "an owner is listed once");
+    links_[v] = {last, kNone, v, rank++};
+    (last == kNone ? first_ : links_[last].next) = v;
+    last = v;
+  }
+}
+
+bool EntryList::before(NodeId u, NodeId v) const {
+  const NodeId a = links_[u].cluster;
+  const NodeId b = links_[v].cluster;
+  expect(a != kNone && b != kNone, "only entries of the list are compared");
+  return a != b ? links_[a].rank < links_[b].rank : walk_before(u, v);
+}
+
+/// u and v lie in one cluster: looks for v from u in both directions at once.
+bool EntryList::walk_before(NodeId u, NodeId v) const {
+  if (u == v) return false;
+  const NodeId cluster = links_[u].cluster;
+  NodeId up = links_[u].next;
+  NodeId down = links_[u].previous;
+  while (true) {
+    if (up == v) return true;
+    if (down == v) return false;
+    const bool up_ends = up == kNone || links_[up].cluster != cluster;
+    const bool down_ends = down == kNone || links_[down].cluster != cluster;
+    if (up_ends) return false;
+    if (down_ends) return true;
+    up = links_[up].next;
+    down = links_[down].previous;
+  }
+}
+
+void EntryList::insert_after(NodeId place, NodeId v) {
+  link(place, v, links_[place].next, links_[place].cluster);
+}
+
+void EntryList::insert_before(NodeId place, NodeId v) {
+  expect(links_[place].previous != kNone, "nothing is put before the first entry");
+  link(links_[place].previous, v, place, links_[place].cluster);
+}
+
+void EntryList::link(NodeId left, NodeId v, NodeId right, NodeId cluster) {
+  expect(cluster != kNone && !contains(v), "a new entry is put next to an entry of the list");
+  links_[v] = {left, right, cluster, links_[v].rank};
+  links_[left].next = v;
+  if (right != kNone) links_[right].previous = v;
+}
+
+void EntryList::remove(NodeId v) {
+  const Link link = links_[v];
+  const auto shares = [&](NodeId u) { return u != kNone && links_[u].cluster == v; };
+  expect(link.cluster == v && !shares(link.previous) && !shares(link.next),
+         "a moved owner has nothing attached to it");
+  (link.previous == kNone ? first_ : links_[link.previous].next) = link.next;
+  if (link.next != kNone) links_[link.next].previous = link.previous;
+  links_[v].cluster = kNone;
+}
+
+}  // namespace ar3d::two_bend

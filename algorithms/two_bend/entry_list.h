@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ar3d/algorithms/two_bend/flow.h"
+
+namespace ar3d::two_bend {
+
+/// A linked list of entries with order tests. Each entry belongs to the cluster of the owner it was
+/// put next to; clusters are contiguous, so two entries of different clusters compare by rank,
+/// others by a walk inside the cluster (needed O(1) times a cluster: 4.1, step 4).
+class EntryList {
+ public:
+  /// The owners in their order, each a cluster of its own; room for entries below num_nodes.
+  EntryList(std::size_t num_nodes, const std::vector<NodeId>& owners);
+
+  NodeId first() const { return first_; }
+  NodeId next(NodeId v) const { return links_[v].next; }
+  NodeId previous(NodeId v) const { return links_[v].previous; }
+  bool contains(NodeId v) const { return links_[v].cluster != kNone; }
+
+  bool before(NodeId u, NodeId v) const;
+  void insert_after(NodeId place, NodeId v);
+  void insert_before(NodeId place, NodeId v);  ///< never before the first entry
+  void remove(NodeId v);                       ///< v is the only entry of its cluster
+
+ private:
+  struct Link {
+    NodeId previous = kNone;
+    NodeId next = kNone;
+    NodeId cluster = kNone;  // its owner; kNone: not in the list
+    std::uint32_t rank = 0;  // of the cluster, kept at its owner
+  };
+  void link(NodeId left, NodeId v, NodeId right, NodeId cluster);
+  bool walk_before(NodeId u, NodeId v) const;
+
+  std::vector<Link> links_;
+  NodeId first_ = kNone;
+};
+
+}  // namespace ar3d::two_bend

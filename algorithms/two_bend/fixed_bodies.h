@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+
+#include "ar3d/algorithms/two_bend/blocks.h"
+#include "ar3d/algorithms/two_bend/output.h"
+
+namespace ar3d::two_bend {
+
+/// How far a Q body reaches from its joint: to both sides in its plane, and away from it.
+inline constexpr std::int64_t kQHalfWidth = 3;
+inline constexpr std::int64_t kQHeight = 9;
+
+/// Draws the five vertices of a Q, its joint at `at`: two regular hexagons in a vertical plane.
+/// Upwards in the plane x = const (above an END), or downwards in the plane y = const (below a
+/// START).
+void draw_q_body(const LocalGraph& graph, const QBody& body, Point at, bool upwards,
+                 Output& output);
+
+/// Draws K4 or K3,3 from a table. @return false (nothing drawn) if the component is neither.
+bool draw_small_cubic(const LocalGraph& graph, Output& output);
+
+}  // namespace ar3d::two_bend

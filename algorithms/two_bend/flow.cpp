@@ -1,0 +1,243 @@
+#include "ar3d/algorithms/two_bend/flow.h"
+
+#include <algorithm>
+
+#include "ar3d/model/error.h"
+
+namespace ar3d::two_bend {
+
+NodeType dual(NodeType type) {
+  switch (type) {
+    case NodeType::start:
+      return NodeType::end;
+    case NodeType::end:
+      return NodeType::start;
+    case NodeType::split:
+      return NodeType::merge;
+    case NodeType::merge:
+      return NodeType::split;
+    case NodeType::source:
+      return NodeType::sink;
+    case NodeType::sink:
+      return NodeType::source;
+    case NodeType::station:
+      break;
+  }
+  return NodeType::station;
+}
+
+namespace {
+
+NodeType type_of(unsigned ins, unsigned outs) {
+  if (ins + outs == 1) return ins == 0 ? NodeType::start : NodeType::end;
+  if (ins == 3) return NodeType::sink;
+  if (outs == 3) return NodeType::source;
+  return outs == 2 ? NodeType::split : NodeType::merge;
+}
+
+/// The next step of a chain upwards.
+struct Step {
+  Vertex to = 0;
+  EdgeId edge = 0;
+};
+
+class FlowBuilder {
+ public:
+  FlowBuilder(const LocalGraph& graph, const TimeOrder& order)
+      : graph_(graph), order_(order.list), place_(graph.size(), 0), node_of_(graph.size(), kNone) {
+    for (std::uint32_t i = 0; i < order_.size(); ++i) place_[order_[i]] = i;
+    flow_.joint = order.joint;
+  }
+
+  Flow build(const Blocks& blocks) {
+    find_passes();
+    for (const Vertex v : order_) {
+      if (!pass_[place_[v]]) make_station(v);
+    }
+    number_nodes(blocks);
+    for (NodeId u = 0; u < flow_.nodes.size(); ++u) trace_edges_from(u);
+    find_poles(blocks);
+    flow_.is_pass = std::move(pass_);
+    return std::move(flow_);
+  }
+
+ private:
+  /// Later neighbours, at most three.
+  unsigned steps_up(Vertex v, std::array<Step, 3>& steps) const {
+    const Row& row = graph_.rows[v];
+    unsigned count = 0;
+    for (std::size_t k = 0; k < row.degree; ++k) {
+      if (place_[row.to[k]] > place_[v]) steps[count++] = {row.to[k], row.edge[k]};
+    }
+    return count;
+  }
+
+  void find_passes() {
+    pass_.assign(order_.size(), false);
+    std::array<Step, 3> steps;
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      pass_[i] = graph_.rows[order_[i]].degree == 2 && steps_up(order_[i], steps) == 1;
+    }
+  }
+
+  /// Calls `visit` for every PASS of the chain that begins with v and returns the node above it.
+  template <class Visit>
+  Vertex climb(Vertex v, Visit visit) const {
+    std::array<Step, 3> steps;
+    while (pass_[place_[v]]) {
+      visit(v);
+      steps_up(v, steps);
+      v = steps[0].to;
+    }
+    return v;
+  }
+
+  /// If two chains join v to the same node, a PASS on one of them becomes a STATION (section 3).
+  void make_station(Vertex v) {
+    std::array<Step, 3> steps;
+    if (steps_up(v, steps) != 2) return;
+    const auto ignore = [](Vertex) {};
+    if (climb(steps[0].to, ignore) != climb(steps[1].to, ignore)) return;
+    const Vertex station = pass_[place_[steps[0].to]] ? steps[0].to : steps[1].to;
+    expect(pass_[place_[station]], "a simple graph has a PASS on one of two parallel chains");
+    pass_[place_[station]] = false;
+  }
+
+  void number_nodes(const Blocks& blocks) {
+    flow_.element.assign(order_.size(), kNone);
+    std::array<Step, 3> steps;
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      if (pass_[i]) continue;
+      const Vertex v = order_[i];
+      const unsigned degree = graph_.rows[v].degree;
+      const unsigned outs = steps_up(v, steps);
+      Node node;
+      node.vertex = v;
+      const bool is_station = degree == 2 && outs == 1;
+      node.type = is_station ? NodeType::station : type_of(degree - outs, outs);
+      node.outs = static_cast<std::uint8_t>(outs);
+      node.ins = static_cast<std::uint8_t>(degree - outs);
+      node_of_[v] = static_cast<NodeId>(flow_.nodes.size());
+      flow_.element[i] = node_of_[v];
+      flow_.nodes.push_back(node);
+      flow_.block.push_back(blocks.of[v]);
+    }
+    ins_seen_.assign(flow_.nodes.size(), 0);
+  }
+
+  void trace_edges_from(NodeId u) {
+    std::array<Step, 3> steps;
+    const unsigned outs = steps_up(flow_.nodes[u].vertex, steps);
+    for (unsigned k = 0; k < outs; ++k) {
+      const auto id = static_cast<LongId>(flow_.edges.size());
+      const Vertex top = climb(steps[k].to, [&](Vertex pass) { flow_.element[place_[pass]] = id; });
+      const NodeId w = node_of_[top];
+      flow_.edges.push_back({u, w, steps[k].to, steps[k].edge});
+      Node& lower = flow_.nodes[u];
+      lower.neighbour[lower.ins + k] = w;
+      lower.edge[lower.ins + k] = id;
+      Node& upper = flow_.nodes[w];
+      upper.neighbour[ins_seen_[w]] = u;
+      upper.edge[ins_seen_[w]++] = id;
+    }
+  }
+
+  void find_poles(const Blocks& blocks) {
+    flow_.pole_of.assign(flow_.nodes.size(), kNone);
+    for (NodeId v = 0; v < flow_.nodes.size(); ++v) {
+      const NodeType type = flow_.nodes[v].type;
+      if (type != NodeType::source && type != NodeType::sink) continue;
+      flow_.pole_of[v] = static_cast<std::uint32_t>(flow_.poles.size());
+      Pole pole{v, false, kNone};
+      // Two neighbours lie opposite (MERGE below a SINK, SPLIT above a SOURCE); the third decides.
+      const NodeType usual = type == NodeType::sink ? NodeType::merge : NodeType::split;
+      unsigned usual_count = 0;
+      for (const NodeId u : flow_.nodes[v].neighbour) {
+        if (flow_.nodes[u].type == usual) {
+          ++usual_count;
+        } else {
+          pole.special = u;
+        }
+      }
+      expect(usual_count >= 2, "a SINK has two MERGEs below it, a SOURCE two SPLITs above it");
+      pole.a_type = usual_count == 2;
+      flow_.poles.push_back(pole);
+    }
+    flow_.block_entry.assign(blocks.blocks.size(), kNone);
+    for (const Pole& pole : flow_.poles) {
+      const Block& block = blocks.blocks[flow_.block[pole.node]];
+      if (block.bridges > 0)
+        flow_.block_entry[flow_.block[pole.node]] = node_of_[block.bridge_vertex];
+    }
+  }
+
+  const LocalGraph& graph_;
+  const std::vector<Vertex>& order_;
+  std::vector<std::uint32_t> place_;
+  std::vector<NodeId> node_of_;
+  std::vector<bool> pass_;
+  std::vector<std::uint8_t> ins_seen_;
+  Flow flow_;
+};
+
+}  // namespace
+
+Flow build_flow(const LocalGraph& graph, const Blocks& blocks, const TimeOrder& order) {
+  return FlowBuilder(graph, order).build(blocks);
+}
+
+bool View::is_owner(NodeId v) const {
+  switch (type(v)) {
+    case NodeType::split:
+    case NodeType::station:
+      return true;
+    case NodeType::start:
+      return type(outs(v)[0]) != NodeType::split;
+    case NodeType::source:
+      return pole(v).a_type;
+    case NodeType::sink:
+      return !pole(v).a_type;
+    case NodeType::merge:
+    case NodeType::end:
+      break;
+  }
+  return false;
+}
+
+bool View::is_listed_merge(NodeId v) const {
+  if (type(v) != NodeType::merge) return false;
+  for (const NodeId w : outs(v)) {
+    if (type(w) == NodeType::merge || type(w) == NodeType::sink) return true;
+  }
+  const auto below = ins(v);
+  return std::any_of(below.begin(), below.end(), [&](NodeId u) {
+    return type(u) == NodeType::merge || type(u) == NodeType::station;
+  });
+}
+
+bool View::is_free_merge(NodeId v) const {
+  if (type(v) != NodeType::merge) return false;
+  for (const NodeId w : outs(v)) {
+    if (type(w) == NodeType::merge || type(w) == NodeType::sink) return false;
+  }
+  return true;
+}
+
+bool View::is_special_split(NodeId v) const {
+  if (type(v) != NodeType::split) return false;
+  const auto above = outs(v);
+  return std::any_of(above.begin(), above.end(),
+                     [&](NodeId w) { return type(w) == NodeType::sink; });
+}
+
+std::array<NodeId, 2> View::ordinary_of(const Pole& pole) const {
+  std::array<NodeId, 2> result{};
+  std::size_t count = 0;
+  for (const NodeId u : flow_->nodes[pole.node].neighbour) {
+    if (u != pole.special) result[count++ % 2] = u;
+  }
+  expect(count == 2, "a pole has two ordinary neighbours");
+  return result;
+}
+
+}  // namespace ar3d::two_bend

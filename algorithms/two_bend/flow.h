@@ -1,0 +1,131 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "ar3d/algorithms/two_bend/time_order.h"
+
+namespace ar3d::two_bend {
+
+using NodeId = std::uint32_t;  // number of a node in time order
+using LongId = std::uint32_t;
+inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+/// What a vertex is, by its numbers of earlier and later neighbours (section 2). PASS (1, 1) is no
+/// node.
+enum class NodeType : std::uint8_t {
+  start,    ///< (0, 1)
+  end,      ///< (1, 0)
+  split,    ///< (1, 2) and (0, 2): stem below, two arms in its row
+  merge,    ///< (2, 1) and (2, 0): two arms in its column, stem above
+  station,  ///< a PASS with a row and a column of its own, so that no two AA edges are parallel
+  source,   ///< (0, 3)
+  sink,     ///< (3, 0)
+};
+
+/// The type after reversing time.
+NodeType dual(NodeType type);
+
+struct Node {
+  Vertex vertex = 0;
+  NodeType type{};
+  std::uint8_t ins = 0;
+  std::uint8_t outs = 0;
+  std::array<NodeId, 3> neighbour{};  ///< lower ends of the ins, then upper ends of the outs
+  std::array<LongId, 3> edge{};
+};
+
+/// A chain of PASS vertices between two nodes.
+struct LongEdge {
+  NodeId lower = 0;
+  NodeId upper = 0;
+  Vertex first = 0;       ///< the vertex after the lower end (the upper end if there is no PASS)
+  EdgeId first_edge = 0;  ///< input edge from the lower end to `first`
+};
+
+/// A SOURCE or SINK and the kind of its special edge (the one drawn in the plane of symmetry of its
+/// three segments).
+struct Pole {
+  NodeId node = 0;
+  bool a_type = false;  ///< one neighbour is a SPLIT/SOURCE (of a SINK), MERGE/SINK (of a SOURCE);
+                        ///< else V-type
+  NodeId special = kNone;  ///< the special neighbour; V-type: chosen while the lists are built
+};
+
+/// The oriented component with PASS vertices suppressed; nodes are numbered in time order.
+struct Flow {
+  std::vector<Node> nodes;
+  std::vector<LongEdge> edges;
+  std::vector<Pole> poles;
+  std::vector<std::uint32_t> pole_of;  ///< per node, kNone if it is no pole
+  std::vector<std::uint32_t>
+      element;                 ///< per place in the time order: node, or long edge if is_pass
+  std::vector<bool> is_pass;   ///< per place in the time order
+  std::vector<BlockId> block;  ///< per node
+  std::vector<NodeId>
+      block_entry;  ///< per block of a pole: its only node at a bridge, kNone if none
+  bool joint = false;
+
+  bool adjacent_poles(const Pole& pole) const {
+    return pole.special != kNone && pole_of[pole.special] != kNone;
+  }
+};
+
+/// Types, long edges and stations of an ordered component; O(n).
+Flow build_flow(const LocalGraph& graph, const Blocks& blocks, const TimeOrder& order);
+
+/// One of the two lists of the construction as seen by the code: the rows of the component, or the
+/// columns, which are the rows of the time-reversed component. Everything below says "row" and
+/// means either.
+class View {
+ public:
+  View(const Flow& flow, bool columns) : flow_(&flow), columns_(columns) {}
+
+  const Flow& flow() const { return *flow_; }
+  bool columns() const { return columns_; }
+  NodeId size() const { return static_cast<NodeId>(flow_->nodes.size()); }
+  /// The i-th node in the view's time.
+  NodeId at(NodeId i) const { return columns_ ? size() - 1 - i : i; }
+  NodeType type(NodeId v) const {
+    const NodeType type = flow_->nodes[v].type;
+    return columns_ ? dual(type) : type;
+  }
+  std::span<const NodeId> ins(NodeId v) const {
+    return half(flow_->nodes[v].neighbour, v, columns_);
+  }
+  std::span<const NodeId> outs(NodeId v) const {
+    return half(flow_->nodes[v].neighbour, v, !columns_);
+  }
+  std::span<const LongId> in_edges(NodeId v) const {
+    return half(flow_->nodes[v].edge, v, columns_);
+  }
+
+  const Pole& pole(NodeId v) const { return flow_->poles[flow_->pole_of[v]]; }
+  /// Has an even row of its own.
+  bool is_owner(NodeId v) const;
+  /// A MERGE with an odd entry in the list.
+  bool is_listed_merge(NodeId v) const;
+  /// A MERGE whose row is chosen after all others (R13).
+  bool is_free_merge(NodeId v) const;
+  /// The SPLIT whose arm is the special edge of a SINK.
+  bool is_special_split(NodeId v) const;
+  /// The node whose row carries the special edge of the SINK `pole`.
+  NodeId hold_of(const Pole& pole) const { return pole.a_type ? pole.special : pole.node; }
+  /// The two other neighbours of a pole whose special one is known.
+  std::array<NodeId, 2> ordinary_of(const Pole& pole) const;
+
+ private:
+  std::span<const std::uint32_t> half(const std::array<std::uint32_t, 3>& all, NodeId v,
+                                      bool upper) const {
+    const Node& node = flow_->nodes[v];
+    return upper ? std::span(all.data() + node.ins, node.outs) : std::span(all.data(), node.ins);
+  }
+
+  const Flow* flow_;
+  bool columns_;
+};
+
+}  // namespace ar3d::two_bend

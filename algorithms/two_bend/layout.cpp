@@ -1,0 +1,205 @@
+#include "ar3d/algorithms/two_bend/layout.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "ar3d/algorithms/two_bend/view_list.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d::two_bend {
+
+Lists build_lists(Flow& flow) {
+  const bool columns_first =
+      flow.joint && std::any_of(flow.poles.begin(), flow.poles.end(), [&](const Pole& p) {
+        return flow.nodes[p.node].type == NodeType::source && p.a_type;
+      });
+  EntryList first = build_view_list(flow, columns_first);
+  choose_outer_specials(flow, !columns_first, first);
+  EntryList second = build_view_list(flow, !columns_first);
+  if (columns_first) std::swap(first, second);
+  return {std::move(first), std::move(second)};
+}
+
+namespace {
+
+constexpr std::int64_t kFirstGap = 8;
+constexpr std::int64_t kVvCount =
+    8;  // odd numbers in an interval that make a primitive VV lean certain
+
+class LayoutSearch {
+ public:
+  LayoutSearch(const Flow& flow, const Lists& lists)
+      : flow_(flow),
+        lists_(lists),
+        row_view_(flow, false),
+        column_view_(flow, true),
+        vv_(find_vv_edges(flow)) {
+    for (Spacing* spacing : {&row_spacing_, &column_spacing_}) {
+      spacing->extra_after.assign(flow.nodes.size(), 0);
+      spacing->hold_gap.assign(flow.nodes.size(), 0);
+    }
+    for (const Pole& pole : flow.poles) set_gap(pole, kFirstGap);
+  }
+
+  Layout run(bool force_safe) {
+    for (unsigned round = 0; round < kOrdinaryRounds && !force_safe; ++round) {
+      ++layout_.rounds;
+      number();
+      if (!choose_free_values()) continue;
+      if (fit_poles()) return finish();
+    }
+    ++layout_.rounds;
+    safe_round();
+    return finish();
+  }
+
+ private:
+  Layout finish() {
+    --layout_.rounds;  // counted from 1
+    return std::move(layout_);
+  }
+
+  const View& view_of(const Pole& pole) const {  // the view in which the pole is a SINK
+    return flow_.nodes[pole.node].type == NodeType::sink ? row_view_ : column_view_;
+  }
+  Spacing& spacing_of(const View& view) { return view.columns() ? column_spacing_ : row_spacing_; }
+  ViewValues values_of(const View& view) const {
+    return view.columns() ? ViewValues{layout_.columns, layout_.rows}
+                          : ViewValues{layout_.rows, layout_.columns};
+  }
+  std::int64_t& gap_of(const Pole& pole) {
+    const View& view = view_of(pole);
+    return spacing_of(view).hold_gap[view.hold_of(pole)];
+  }
+  void set_gap(const Pole& pole, std::int64_t gap) { gap_of(pole) = gap; }
+
+  void number() {
+    layout_.rows = number_list(row_view_, lists_.rows, row_spacing_);
+    layout_.columns = number_list(column_view_, lists_.columns, column_spacing_);
+  }
+
+  /// False if a VV edge found no primitive lean; then the intervals are wider for the next round.
+  bool choose_free_values() {
+    choose_middle_values(row_view_, layout_.rows);
+    choose_middle_values(column_view_, layout_.columns);
+    std::vector<LongId> failed;
+    for (const LongId e : vv_) {
+      if (!choose_vv_values(flow_, flow_.edges[e], layout_.rows, layout_.columns))
+        failed.push_back(e);
+    }
+    if (failed.empty()) return true;
+    if (++vv_failures_ < 3) {
+      for (const LongId e : failed) {
+        widen(row_view_, flow_.edges[e].lower, 8);
+        widen(column_view_, flow_.edges[e].upper, 8);
+      }
+    } else {
+      widen_all_vv();
+    }
+    return false;
+  }
+
+  void widen(const View& view, NodeId merge, std::int64_t by) {
+    const Values& values = values_of(view).own;
+    spacing_of(view).extra_after[interval_of(view, values, merge).lower_neighbour] += by;
+  }
+
+  /// Every VV interval gets room for kVvCount odd numbers.
+  void widen_all_vv() {
+    const auto widen_to_count = [&](const View& view, NodeId merge) {
+      const std::int64_t missing = kVvCount - interval_of(view, values_of(view).own, merge).count();
+      if (missing > 0) widen(view, merge, 2 * missing);
+    };
+    for (const LongId e : vv_) {
+      widen_to_count(row_view_, flow_.edges[e].lower);
+      widen_to_count(column_view_, flow_.edges[e].upper);
+    }
+  }
+
+  /// False if a pole found no leans; the gaps of all that failed are then wider for the next round.
+  bool fit_poles() {
+    layout_.poles.clear();
+    bool all_fit = true;
+    for (const Pole& pole : flow_.poles) {
+      const View& view = view_of(pole);
+      std::int64_t& gap = gap_of(pole);
+      if (const auto shape = fit_pole(view, values_of(view), pole, gap)) {
+        layout_.poles.push_back(*shape);
+      } else {
+        gap += gap / 4 + 1;
+        all_fit = false;
+      }
+    }
+    return all_fit;
+  }
+
+  /// Distance of the ordinary neighbours of a pole across its view.
+  std::int64_t spread(const Pole& pole) const {
+    const View& view = view_of(pole);
+    const auto [c, w] = view.ordinary_of(pole);
+    const Values& cross = values_of(view).cross;
+    return std::abs(cross[c] - cross[w]);
+  }
+
+  /// Section 4 of the amendments: gaps that are wide enough by L1 to L3.
+  void safe_round() {
+    layout_.safe = true;
+    for (const Pole& pole : flow_.poles) set_gap(pole, 0);
+    number();
+    widen_all_vv();
+    number();
+    if (flow_.joint) {
+      widen_joint_poles();
+    } else {
+      for (const Pole& pole : flow_.poles)
+        set_gap(pole, std::max<std::int64_t>(12, 2 * spread(pole)));
+    }
+    number();
+    expect(choose_free_values(), "8 x 8 values always hold a primitive VV lean");
+    layout_.poles.clear();
+    for (const Pole& pole : flow_.poles) {
+      const View& view = view_of(pole);
+      const std::int64_t far_b = flow_.joint ? 2 : spread(pole) - 1;
+      layout_.poles.push_back(safe_pole(view, values_of(view), pole, gap_of(pole), far_b));
+    }
+  }
+
+  /// SOURCE and SINK of one block: both spreads become P + 2 for a power P of two, both gaps 7 P /
+  /// 16 + 5.
+  void widen_joint_poles() {
+    std::int64_t spread_now = 0;
+    for (const Pole& pole : flow_.poles) spread_now = std::max(spread_now, spread(pole));
+    std::int64_t power = 16;
+    while (power < 8 * (spread_now + 10)) power *= 2;
+    for (const Pole& pole : flow_.poles) set_gap(pole, 7 * power / 16 + 5);
+    number();
+    for (const Pole& pole : flow_.poles) {
+      const View& view = view_of(pole);
+      const View& other = view.columns() ? row_view_ : column_view_;
+      const Values& cross = values_of(view).cross;
+      const auto [c, w] = view.ordinary_of(pole);
+      const std::int64_t missing = power + 2 - spread(pole);
+      expect(missing >= 0, "the gaps of the safe round fit between the ordinary neighbours");
+      spacing_of(other).extra_after[cross[c] < cross[w] ? c : w] += missing;
+    }
+  }
+
+  const Flow& flow_;
+  const Lists& lists_;
+  const View row_view_;
+  const View column_view_;
+  const std::vector<LongId> vv_;
+  Spacing row_spacing_;
+  Spacing column_spacing_;
+  unsigned vv_failures_ = 0;
+  Layout layout_;
+};
+
+}  // namespace
+
+Layout find_layout(const Flow& flow, const Lists& lists, bool force_safe) {
+  return LayoutSearch(flow, lists).run(force_safe);
+}
+
+}  // namespace ar3d::two_bend

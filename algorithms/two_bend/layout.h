@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "ar3d/algorithms/two_bend/coordinates.h"
+#include "ar3d/algorithms/two_bend/pole_shape.h"
+
+namespace ar3d::two_bend {
+
+/// The lists of rows and of columns of a component.
+struct Lists {
+  EntryList rows;
+  EntryList columns;
+};
+
+/// Builds both lists, columns first if the component is joint and its SOURCE is A-type, else rows
+/// first; chooses the special neighbours of V-type poles in flow.poles.
+Lists build_lists(Flow& flow);
+
+/// Everything horizontal about a component's drawing. Invariants: rays that are active at one time
+/// stand at different (x, y); every VV lean is primitive; every pole's leans are primitive and turn
+/// by at most 60 degrees.
+struct Layout {
+  Values rows;     ///< y of a node's row
+  Values columns;  ///< x of a node's column
+  std::vector<PoleShape>
+      poles;            ///< one entry per flow.poles, in the view in which the pole is a SINK
+  unsigned rounds = 1;  ///< numberings tried, the successful one included
+  bool safe = false;    ///< the safe round was used
+};
+
+/// Ordinary rounds, at most kOrdinaryRounds, then the safe round, which succeeds by proof.
+/// @param force_safe  skip the ordinary rounds (for tests).
+Layout find_layout(const Flow& flow, const Lists& lists, bool force_safe);
+
+inline constexpr unsigned kOrdinaryRounds = 10;
+
+}  // namespace ar3d::two_bend

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "ar3d/algorithms/two_bend/flow.h"
+
+namespace ar3d::two_bend {
+
+/// Per listed MERGE the in-neighbour next to which it stands (kNone for all other nodes), fixed in
+/// time order before anything is laid out (4.1, step 1).
+using Attachment = std::vector<NodeId>;
+Attachment attach_merges(const View& view);
+
+/// The owners that a SOURCE of the view keeps side by side (4.1, step 3).
+struct Unit {
+  NodeId first = kNone;
+  NodeId second = kNone;
+  NodeId third = kNone;      ///< kNone: the SOURCE's own row is placed elsewhere
+  bool third_first = false;  ///< broken unit: the SOURCE's own row opens the whole list
+};
+Unit unit_of(const View& view, const Pole& pole);
+
+/// The owners of the view in the order of their rows, before anything moves (4.1, steps 2 and 3).
+/// Along every edge from SPLIT to SPLIT the distance is at most the weights of both ends and of the
+/// lighter subtree.
+std::vector<NodeId> order_owners(const View& view, const Attachment& attachment);
+
+}  // namespace ar3d::two_bend

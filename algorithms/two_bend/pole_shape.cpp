@@ -1,0 +1,90 @@
+#include "ar3d/algorithms/two_bend/pole_shape.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <numeric>
+
+#include "ar3d/algorithms/two_bend/numeric.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d::two_bend {
+namespace {
+
+__extension__ using Int128 = __int128;
+
+/// The lean's run towards the special edge's side and its run towards the special row.
+struct Reach {
+  std::int64_t e = 0;
+  std::int64_t y = 0;
+};
+
+Reach reach_of(const PoleShape& shape, const ViewValues& values, NodeId from, std::int64_t b) {
+  return {std::abs(shape.cross - values.cross[from]) - b,
+          std::abs(values.own[from] - shape.own) - 2 * b};
+}
+
+/// Places the SINK; the leans still have no b.
+PoleShape frame_of(const View& view, const ViewValues& values, const Pole& sink) {
+  PoleShape shape;
+  const auto [c, w] = view.ordinary_of(sink);
+  shape.own = values.own[view.hold_of(sink)];
+  shape.special_cross = sink.a_type ? values.cross[sink.node] : values.cross[sink.special];
+  const auto [low, high] = std::minmax(values.cross[c], values.cross[w]);
+  expect(shape.special_cross < low || shape.special_cross > high,
+         "the special edge of a SINK stands outside its ordinary ones");
+  shape.cross = shape.special_cross > high ? high : low;
+  shape.sign = shape.special_cross > high ? 1 : -1;
+  const bool c_is_up = values.own[c] > shape.own;
+  expect(c_is_up != (values.own[w] > shape.own),
+         "the special row of a SINK is between its ordinary ones");
+  shape.up.from = c_is_up ? c : w;
+  shape.down.from = c_is_up ? w : c;
+  return shape;
+}
+
+void set_lean(PoleShape& shape, PoleLean& lean, const ViewValues& values, std::int64_t b) {
+  const Reach reach = reach_of(shape, values, lean.from, b);
+  lean.b = b;
+  lean.height = lean_height(std::abs(reach.e), reach.y);
+}
+
+}  // namespace
+
+/// Travel directions l = (e, y, h) and (1, 2, -1) in the metric 3, 3, 1: <l, a> = 3e + 6y - h, <a,
+/// a> = 16, and a turn of at most 60 degrees is <l, a> > 0 with 4 <l, a>^2 >= 16 <l, l>.
+bool lean_fits(std::int64_t e, std::int64_t y) {
+  if (y < 1 || std::gcd(e, y) != 1) return false;
+  const std::int64_t h = lean_height(std::abs(e), y);
+  const std::int64_t inner = 3 * e + 6 * y - h;
+  const Int128 square = Int128(inner) * inner;
+  const Int128 length = 3 * Int128(e) * e + 3 * Int128(y) * y + Int128(h) * h;
+  return inner > 0 && square >= 4 * length;
+}
+
+std::optional<PoleShape> fit_pole(const View& view, const ViewValues& values, const Pole& sink,
+                                  std::int64_t gap) {
+  PoleShape shape = frame_of(view, values, sink);
+  for (PoleLean* lean : {&shape.up, &shape.down}) {
+    for (std::int64_t b = 1; 2 * b <= gap - 1 && lean->b == 0; ++b) {
+      const Reach reach = reach_of(shape, values, lean->from, b);
+      if (lean_fits(reach.e, reach.y)) set_lean(shape, *lean, values, b);
+    }
+    if (lean->b == 0) return std::nullopt;
+  }
+  return shape;
+}
+
+PoleShape safe_pole(const View& view, const ViewValues& values, const Pole& sink, std::int64_t gap,
+                    std::int64_t far_b) {
+  PoleShape shape = frame_of(view, values, sink);
+  for (PoleLean* lean : {&shape.up, &shape.down}) {
+    const std::int64_t b = values.cross[lean->from] == shape.cross ? 1 : far_b;
+    const Reach reach = reach_of(shape, values, lean->from, b);
+    expect(2 * b <= gap - 1 && lean_fits(reach.e, reach.y),
+           "the leans of the safe round fit (L1, L2, L3)");
+    set_lean(shape, *lean, values, b);
+  }
+  return shape;
+}
+
+}  // namespace ar3d::two_bend

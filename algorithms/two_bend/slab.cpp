@@ -1,0 +1,167 @@
+#include "ar3d/algorithms/two_bend/slab.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "ar3d/algorithms/two_bend/numeric.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d::two_bend {
+
+void LongBends::add_lower(RelativeBend bend) {
+  expect(lower_count < 2 && upper_count == 0, "an edge has at most two bends, lower ones first");
+  bends[lower_count++] = bend;
+}
+
+void LongBends::add_upper(RelativeBend bend) {
+  expect(lower_count + upper_count < 2, "an edge has at most two bends");
+  bends[lower_count + upper_count++] = bend;
+}
+
+Ray ray_of(const Flow& flow, const Layout& layout, const LongEdge& edge) {
+  const NodeType lower = flow.nodes[edge.lower].type;
+  const NodeType upper = flow.nodes[edge.upper].type;
+  const auto at = [&](NodeId column, NodeId row) {
+    return Ray{layout.columns[column], layout.rows[row]};
+  };
+  if (lower == NodeType::merge || lower == NodeType::station) return at(edge.lower, edge.lower);
+  if (upper == NodeType::split || upper == NodeType::station) return at(edge.upper, edge.upper);
+  return at(edge.upper, edge.lower);
+}
+
+namespace {
+
+/// A bend below a vertex in a view's coordinates: `drop` is the distance below it in the view's
+/// time.
+struct Drop {
+  std::int64_t cross = 0;
+  std::int64_t own = 0;
+  std::int64_t drop = 0;
+};
+
+int sign_of(std::int64_t value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
+
+/// Draws, for one view, everything below its MERGEs and SINKs (and around: a SINK has bends above
+/// itself).
+class ViewSlabs {
+ public:
+  ViewSlabs(const View& view, const Layout& layout, Slabs& slabs)
+      : view_(view),
+        own_(view.columns() ? layout.columns : layout.rows),
+        cross_(view.columns() ? layout.rows : layout.columns),
+        slabs_(slabs) {}
+
+  void draw_merge(NodeId m) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      const NodeId u = view_.ins(m)[k];
+      const LongId edge = view_.in_edges(m)[k];
+      const NodeType below = view_.type(u);
+      if (below == NodeType::merge || below == NodeType::station) {
+        add_lean_and_arm(m, edge, u, {cross_[m], own_[m], 0});
+      } else {
+        add(m, edge, {cross_[m], own_[u], std::abs(own_[m] - own_[u])});
+      }
+    }
+  }
+
+  void draw_sink(const Pole& pole, const PoleShape& shape) {
+    const NodeId t = pole.node;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const NodeId u = view_.ins(t)[k];
+      const LongId edge = view_.in_edges(t)[k];
+      if (u == shape.up.from) {
+        add_pole_lean(t, edge, shape, shape.up, 1);
+      } else if (u == shape.down.from) {
+        add_pole_lean(t, edge, shape, shape.down, -1);
+      } else {
+        add_special(pole, edge, shape);
+      }
+    }
+  }
+
+ private:
+  /// In upward order of the view. The slab of the vertex grows with the bend.
+  void add(NodeId v, LongId edge, Drop bend) {
+    const std::int64_t z = -bend.drop;
+    Slab& slab = slabs_.of_node[v];
+    LongBends& bends = slabs_.of_edge[edge];
+    if (view_.columns()) {
+      bends.add_lower({bend.own, bend.cross, -z});
+      if (bends.lower_count == 2) std::swap(bends.bends[0], bends.bends[1]);
+      slab.above = std::max(slab.above, -z);
+      slab.below = std::max(slab.below, z);
+    } else {
+      bends.add_upper({bend.cross, bend.own, z});
+      slab.below = std::max(slab.below, -z);
+      slab.above = std::max(slab.above, z);
+    }
+  }
+
+  /// From the stem or station u a lean into the line cross = const through `end`, then an arm along
+  /// it (VA).
+  void add_lean_and_arm(NodeId v, LongId edge, NodeId u, Drop end) {
+    const std::int64_t along = own_[u] - end.own;
+    const std::int64_t across = cross_[u] - end.cross;
+    const ArmLean shape = arm_and_lean(std::abs(along), std::abs(across));
+    add(v, edge, {cross_[u], own_[u], shape.total_height()});
+    add(v, edge, {end.cross, end.own + sign_of(along) * shape.arm, shape.arm});
+  }
+
+  void add_pole_lean(NodeId t, LongId edge, const PoleShape& shape, const PoleLean& lean,
+                     int side) {
+    add(t, edge, {cross_[lean.from], own_[lean.from], lean.height - lean.b});
+    add(t, edge, {shape.cross - shape.sign * lean.b, shape.own + side * 2 * lean.b, -lean.b});
+  }
+
+  void add_special(const Pole& pole, LongId edge, const PoleShape& shape) {
+    const NodeId t = pole.node;
+    const std::int64_t along = std::abs(shape.special_cross - shape.cross);
+    if (pole.a_type) {
+      add(t, edge, {shape.special_cross, shape.own, along});
+      return;
+    }
+    const std::int64_t across = std::abs(own_[pole.special] - shape.own);
+    const ArmLean lean = arm_and_lean(along, across);
+    add(t, edge, {shape.special_cross, own_[pole.special], lean.total_height()});
+    add(t, edge, {shape.cross + shape.sign * lean.arm, shape.own, lean.arm});
+  }
+
+  const View& view_;
+  const Values& own_;
+  const Values& cross_;
+  Slabs& slabs_;
+};
+
+/// VV: a lean between the two stems just below the SPLIT.
+void draw_vv_lean(const Flow& flow, const Layout& layout, LongId id, Slabs& slabs) {
+  const NodeId m = flow.edges[id].lower;
+  const NodeId s = flow.edges[id].upper;
+  const std::int64_t dx = layout.columns[s] - layout.columns[m];
+  const std::int64_t dy = layout.rows[s] - layout.rows[m];
+  const std::int64_t below = lean_height(dx, dy) + 1;
+  slabs.of_edge[id].add_upper({layout.columns[m], layout.rows[m], -below});
+  slabs.of_edge[id].add_upper({layout.columns[s], layout.rows[s], -1});
+  slabs.of_node[s].below = below;
+}
+
+}  // namespace
+
+Slabs draw_slabs(const Flow& flow, const Layout& layout) {
+  Slabs slabs;
+  slabs.of_node.resize(flow.nodes.size());
+  slabs.of_edge.resize(flow.edges.size());
+  for (const bool columns : {true, false}) {  // bends at lower ends first
+    const View view(flow, columns);
+    ViewSlabs drawer(view, layout, slabs);
+    for (NodeId v = 0; v < view.size(); ++v) {
+      if (view.type(v) == NodeType::merge) drawer.draw_merge(v);
+      if (view.type(v) == NodeType::sink) {
+        drawer.draw_sink(view.pole(v), layout.poles[flow.pole_of[v]]);
+      }
+    }
+  }
+  for (const LongId e : find_vv_edges(flow)) draw_vv_lean(flow, layout, e, slabs);
+  return slabs;
+}
+
+}  // namespace ar3d::two_bend

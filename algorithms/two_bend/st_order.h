@@ -1,0 +1,52 @@
+#pragma once
+
+#include <vector>
+
+#include "ar3d/algorithms/two_bend/blocks.h"
+
+namespace ar3d::two_bend {
+
+/// Tarjan's st-orders of the blocks of one component, with work space shared by all of them.
+class StOrder {
+ public:
+  StOrder(const LocalGraph& graph, const Blocks& blocks);
+
+  /// The block of s from s to t: every other vertex has an earlier and a later neighbour inside the
+  /// block. s and t are different vertices of one block with at least 3 vertices. Cost: O(size of
+  /// the block).
+  const std::vector<Vertex>& order(Vertex s, Vertex t);
+
+ private:
+  struct Cell {
+    Vertex parent = 0;
+    Vertex preorder = kUnseen;
+    Vertex low = 0;  // a preorder number
+    Vertex previous = 0;
+    Vertex next = 0;
+    bool plus = false;
+  };
+  static constexpr Vertex kUnseen = static_cast<Vertex>(-1);
+
+  void search(Vertex s, Vertex t);
+  void find_lows(Vertex s, Vertex t);
+  void insert_in_preorder(Vertex s, Vertex t);
+
+  const LocalGraph& graph_;
+  const Blocks& blocks_;
+  std::vector<Cell> cells_;
+  std::vector<Vertex> visited_;  // in preorder
+  std::vector<Vertex> list_;
+};
+
+/// Repairs the end of an st-order ... p5 y w c t whose last vertex has three earlier neighbours
+/// (2.1, step 6): permutes the last four places so that at least two neighbours of the last vertex
+/// have it as their only later neighbour.
+/// @return false (list unchanged) if no case applies: possible only for 6 and 8 vertices and for K4
+/// and Q blocks.
+bool repair_true_sink(const LocalGraph& graph, std::vector<Vertex>& list);
+
+/// Number of neighbours u of the list's last vertex that come before it and have no other later
+/// neighbour in the list.
+unsigned count_closing_neighbours(const LocalGraph& graph, const std::vector<Vertex>& list);
+
+}  // namespace ar3d::two_bend

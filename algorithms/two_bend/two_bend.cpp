@@ -1,0 +1,113 @@
+#include "ar3d/algorithms/two_bend/two_bend.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "ar3d/algorithms/two_bend/fixed_bodies.h"
+#include "ar3d/algorithms/two_bend/sweep.h"
+#include "ar3d/algorithms/two_bend/view_list.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d::two_bend {
+namespace {
+
+/// What the construction met in one run.
+struct Census {
+  std::int64_t components = 0, q_bodies = 0, stations = 0, vv_leans = 0;
+  std::int64_t sinks_a = 0, sinks_v = 0, sources_a = 0, sources_v = 0, adjacent_poles = 0;
+  std::int64_t rounds = 0, safe_rounds = 0;
+
+  void add(const Flow& flow, const Layout& layout, std::size_t bodies) {
+    q_bodies += static_cast<std::int64_t>(bodies);
+    vv_leans += static_cast<std::int64_t>(find_vv_edges(flow).size());
+    for (const Node& node : flow.nodes) stations += node.type == NodeType::station ? 1 : 0;
+    for (const Pole& pole : flow.poles) {
+      const bool is_sink = flow.nodes[pole.node].type == NodeType::sink;
+      ++(is_sink ? (pole.a_type ? sinks_a : sinks_v) : (pole.a_type ? sources_a : sources_v));
+      if (is_sink && flow.adjacent_poles(pole)) ++adjacent_poles;
+    }
+    rounds = std::max<std::int64_t>(rounds, layout.rounds);
+    safe_rounds += layout.safe ? 1 : 0;
+  }
+
+  std::vector<Counter> counters() const {
+    return {
+        {"components", components}, {"q_bodies", q_bodies},      {"stations", stations},
+        {"vv_leans", vv_leans},     {"sinks_a", sinks_a},        {"sinks_v", sinks_v},
+        {"sources_a", sources_a},   {"sources_v", sources_v},    {"adjacent_poles", adjacent_poles},
+        {"rounds", rounds},         {"safe_rounds", safe_rounds}};
+  }
+};
+
+void draw_component(LocalGraph& graph, const Options& options, Output& output, Census& census) {
+  if (graph.size() == 1) {
+    output.set_vertex(graph.name[0], {0, 0, output.base_z()});
+    output.end_component(output.base_z());
+    return;
+  }
+  if (draw_small_cubic(graph, output)) return;
+  Blocks blocks = find_blocks(graph);
+  if (graph.size() == 5 && is_q_block(blocks.block_of(0))) {
+    draw_q_body(graph, read_q_body(graph, blocks, blocks.block_of(0).free[0]),
+                {0, kQHalfWidth, output.base_z()}, true, output);
+    output.end_component(output.base_z() + kQHeight);
+    ++census.q_bodies;
+    return;
+  }
+  const std::vector<QBody> bodies = cut_q_bodies(graph, blocks);
+  const TimeOrder order = find_time_order(graph, blocks);
+  Flow flow = build_flow(graph, blocks, order);
+  const Lists lists = build_lists(flow);
+  const Layout layout = find_layout(flow, lists, options.force_safe_round);
+  const Slabs slabs = draw_slabs(flow, layout);
+  sweep({graph, order, flow, layout, slabs, bodies}, output);
+  census.add(flow, layout, bodies.size());
+}
+
+}  // namespace
+
+Drawing draw(const Graph& graph, const Options& options) {
+  if (graph.max_degree() > 3) {
+    throw InputError(
+        fmt::format("two-bend draws graphs of maximum degree 3, not {}", graph.max_degree()));
+  }
+  Output output(graph);
+  Census census;
+  ComponentReader reader(graph);
+  LocalGraph component;
+  while (reader.next(component)) {
+    ++census.components;
+    draw_component(component, options, output, census);
+  }
+  Drawing drawing = output.finish();
+  drawing.counters = census.counters();
+  return drawing;
+}
+
+}  // namespace ar3d::two_bend
+
+namespace ar3d {
+
+Algorithm two_bend_row() {
+  Guarantee guarantee;
+  guarantee.max_degree = 3;
+  guarantee.max_bends = 2;
+  guarantee.angle_rule = AngleRule::at_least;
+  guarantee.cosine = {-1, 2};
+  guarantee.lattice = kTallLattice;
+  // x and y: proved unless a component needs the safe round; z: O(n^2) is proved, this constant is
+  // not (docs/theorem2.md).
+  guarantee.bound = {
+      "checked", "docs/theorem2.md", {{{40, 1, 2, 80}, {40, 1, 2, 80}, {64, 1, 4, 64}}}};
+  return {
+      "two-bend",
+      "at most two bends an edge, angles of at least 120 degrees, in volume O(n) x O(n) x O(n^2)",
+      "Theorem 2",
+      guarantee,
+      {},
+      [](const Graph& graph, const OptionValues&) { return two_bend::draw(graph); }};
+}
+
+}  // namespace ar3d

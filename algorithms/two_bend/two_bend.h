@@ -1,0 +1,31 @@
+#pragma once
+
+#include "ar3d/algorithms/catalog.h"
+#include "ar3d/model/drawing.h"
+#include "ar3d/model/graph.h"
+
+namespace ar3d::two_bend {
+
+struct Options {
+  bool force_safe_round =
+      false;  ///< lay every component out by the fallback whose success is proved
+};
+
+/// Draws a simple graph of maximum degree 3 with at most two bends an edge and all angles at least
+/// 120 degrees, exactly 120 at vertices of degree 3 (Theorem 2).
+/// @param graph  n vertices, m edges; may be disconnected.
+/// @return points of the lattice with squared length x^2 + y^2 + z^2/3; smallest x, y and z are 0.
+/// @throws InputError if graph.max_degree() > 3.
+/// Cost: O(n) but for greatest common divisors, O(n) memory. Differs from the paper: no cycles are
+/// sought and no triangles contracted; the graph is swept along an st-order (docs/theorem2.md says
+/// why).
+Drawing draw(const Graph& graph, const Options& options = {});
+
+}  // namespace ar3d::two_bend
+
+namespace ar3d {
+
+/// The catalogue row `two-bend`.
+Algorithm two_bend_row();
+
+}  // namespace ar3d

@@ -1,0 +1,244 @@
+#include "ar3d/algorithms/two_bend/view_list.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "ar3d/algorithms/two_bend/owner_order.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d::two_bend {
+namespace {
+
+using Pair = std::array<NodeId, 2>;
+
+/// A SINK's ordinary neighbours, and what had to wait for them (4.1, step 5).
+struct WaitingSink {
+  NodeId c = kNone;
+  NodeId w = kNone;
+  std::vector<NodeId> chain;  ///< MERGEs above the special SPLIT, upwards
+  bool reaches_c = false;     ///< the chain runs into c
+};
+
+class ListBuilder {
+ public:
+  ListBuilder(Flow& flow, bool columns)
+      : view_(flow, columns),
+        poles_(flow.poles),
+        attachment_(attach_merges(view_)),
+        list_(view_.size(), order_owners(view_, attachment_)),
+        postponed_(view_.size(), false) {}
+
+  EntryList build() {
+    for (const Pole& pole : poles_) {
+      if (view_.type(pole.node) == NodeType::sink && pole.special != kNone)
+        postpone(waiting_for(pole));
+    }
+    for (NodeId i = 0; i < view_.size(); ++i) {
+      const NodeId v = view_.at(i);
+      if (view_.type(v) == NodeType::sink) {
+        place_sink(poles_[view_.flow().pole_of[v]]);
+      } else if (view_.is_listed_merge(v) && !postponed_[v]) {
+        insert_attached(v);
+      }
+    }
+    expect_heavy([&] { return merges_are_between(); },
+                 "every listed MERGE is between its in-neighbours");
+    return std::move(list_);
+  }
+
+ private:
+  WaitingSink waiting_for(const Pole& pole) const {
+    WaitingSink result;
+    const Pair ordinary = view_.ordinary_of(pole);
+    result.c = ordinary[0];
+    result.w = ordinary[1];
+    if (view_.type(pole.special) != NodeType::split) return result;
+    const auto above = view_.outs(pole.special);
+    NodeId b = above[0] == pole.node ? above[1] : above[0];
+    while (b != result.c && b != result.w && view_.type(b) == NodeType::merge) {
+      result.chain.push_back(b);
+      if (view_.outs(b).empty()) return result;
+      b = view_.outs(b)[0];
+    }
+    if (b == result.w) std::swap(result.c, result.w);
+    result.reaches_c = b == result.c;
+    return result;
+  }
+
+  void postpone(const WaitingSink& sink) {
+    postponed_[sink.c] = postponed_[sink.w] = true;
+    for (const NodeId b : sink.chain) postponed_[b] = true;
+  }
+
+  Pair sorted(NodeId a, NodeId b) const { return list_.before(b, a) ? Pair{b, a} : Pair{a, b}; }
+  Pair sorted_ins(NodeId m) const { return sorted(view_.ins(m)[0], view_.ins(m)[1]); }
+
+  /// Next to the in-neighbour it attaches to, on the side of the other one.
+  void insert_attached(NodeId m) {
+    const NodeId p = attachment_[m];
+    const NodeId other = view_.ins(m)[view_.ins(m)[0] == p ? 1 : 0];
+    if (list_.before(p, other)) {
+      list_.insert_after(p, m);
+    } else {
+      list_.insert_before(p, m);
+    }
+  }
+
+  void insert_chain(const std::vector<NodeId>& chain) {
+    for (const NodeId b : chain) {
+      if (view_.is_listed_merge(b)) insert_attached(b);
+    }
+  }
+
+  void place_sink(Pole& pole) {
+    if (pole.special == kNone) {
+      place_median_sink(pole);
+      return;
+    }
+    const WaitingSink sink = waiting_for(pole);
+    const NodeId hold = view_.hold_of(pole);
+    const Pair w_ins = sorted_ins(sink.w);
+    const NodeId chain_end = sink.chain.empty() ? pole.special : sink.chain.back();
+    Pair c_ins;
+    if (sink.reaches_c) {  // r2 := the in-neighbour of c that is not on the chain
+      const NodeId r2 = view_.ins(sink.c)[view_.ins(sink.c)[0] == chain_end ? 1 : 0];
+      c_ins = {r2, r2};
+    } else {
+      c_ins = sorted_ins(sink.c);
+    }
+    place_hold(pole, sorted(c_ins[0], w_ins[0])[0], sorted(c_ins[1], w_ins[1])[1]);
+    if (sink.reaches_c) {
+      place_when_chain_reaches(sink, hold, c_ins[1], w_ins, chain_end);
+    } else {
+      place_apart(sink, hold, c_ins, w_ins);
+    }
+    expect(list_.before(hold, sink.c) != list_.before(hold, sink.w), "hold lies between c and w");
+  }
+
+  /// V-type, list built first: the median of the three is special, the SINK's own row directly
+  /// after it.
+  void place_median_sink(Pole& pole) {
+    const auto three = view_.ins(pole.node);
+    std::array<NodeId, 3> m{three[0], three[1], three[2]};
+    if (list_.before(m[1], m[0])) std::swap(m[0], m[1]);
+    if (list_.before(m[2], m[1])) std::swap(m[1], m[2]);
+    if (list_.before(m[1], m[0])) std::swap(m[0], m[1]);
+    pole.special = m[1];
+    list_.insert_after(m[1], pole.node);
+  }
+
+  /// 4.1.5, step 1: hold comes to lie strictly between lo and hi.
+  void place_hold(const Pole& pole, NodeId lo, NodeId hi) {
+    const NodeId hold = view_.hold_of(pole);
+    const bool has_place = list_.contains(hold) || !pole.a_type;
+    const NodeId place = pole.special;  // V-type: directly after it
+    bool lo_is_nearer = true;
+    if (has_place) {
+      if (list_.before(lo, place) && list_.before(place, hi)) {
+        if (!pole.a_type) list_.insert_after(place, hold);
+        return;
+      }
+      lo_is_nearer = list_.before(place, lo);
+    }
+    const bool lo_is_outside = !is_in_source_unit(lo, true, hold);
+    const bool hi_is_outside = !is_in_source_unit(hi, false, hold);
+    expect(has_place || lo_is_outside || hi_is_outside,
+           "a SOURCE next to a SINK has a row outside its unit (n >= 8)");
+    const bool use_lo = lo_is_outside && hi_is_outside   ? lo_is_nearer
+                        : lo_is_outside != hi_is_outside ? lo_is_outside
+                                                         : lo_is_nearer;
+    if (list_.contains(hold)) list_.remove(hold);
+    if (use_lo) {
+      list_.insert_after(lo, hold);
+    } else {
+      list_.insert_before(hi, hold);
+    }
+  }
+
+  /// Whether the place directly after (before) an entry lies between the first two rows of a joint
+  /// SOURCE's unit.
+  bool is_in_source_unit(NodeId entry, bool after, NodeId hold) const {
+    if (!view_.flow().joint) return false;
+    for (const Pole& pole : poles_) {
+      if (view_.type(pole.node) != NodeType::source) continue;
+      const Unit unit = unit_of(view_, pole);
+      if (hold == unit.first || hold == unit.second) return false;
+      const auto [u1, u2] = sorted(unit.first, unit.second);
+      if (after) return !list_.before(entry, u1) && list_.before(entry, u2);
+      return list_.before(u1, entry) && !list_.before(u2, entry);
+    }
+    return false;
+  }
+
+  /// 4.1.5, step 2 (i).
+  void place_apart(const WaitingSink& sink, NodeId hold, Pair r12, Pair r34) {
+    if (list_.before(r34[0], hold) && list_.before(hold, r12[1])) {
+      list_.insert_after(r34[0], sink.w);
+      list_.insert_before(r12[1], sink.c);
+    } else {
+      list_.insert_after(r12[0], sink.c);
+      list_.insert_before(r34[1], sink.w);
+    }
+    insert_chain(sink.chain);
+  }
+
+  /// 4.1.5, step 2 (ii).
+  void place_when_chain_reaches(const WaitingSink& sink, NodeId hold, NodeId r2, Pair r34,
+                                NodeId chain_end) {
+    insert_chain(sink.chain);
+    if (list_.before(hold, r2)) {
+      list_.insert_after(r34[0], sink.w);
+    } else {
+      list_.insert_before(r34[1], sink.w);
+    }
+    if (list_.before(chain_end, r2)) {
+      list_.insert_before(r2, sink.c);
+    } else {
+      list_.insert_after(r2, sink.c);
+    }
+  }
+
+  bool merges_are_between() const {
+    std::vector<std::uint32_t> place(view_.size(), 0);
+    std::uint32_t count = 0;
+    for (NodeId v = list_.first(); v != kNone; v = list_.next(v)) place[v] = count++;
+    for (NodeId m = 0; m < view_.size(); ++m) {
+      if (!view_.is_listed_merge(m)) continue;
+      const auto below = view_.ins(m);
+      if ((place[below[0]] < place[m]) == (place[below[1]] < place[m])) return false;
+    }
+    return true;
+  }
+
+  View view_;
+  std::vector<Pole>& poles_;
+  Attachment attachment_;
+  EntryList list_;
+  std::vector<bool> postponed_;
+};
+
+}  // namespace
+
+EntryList build_view_list(Flow& flow, bool columns) { return ListBuilder(flow, columns).build(); }
+
+void choose_outer_specials(Flow& flow, bool columns_are_second, const EntryList& first_list) {
+  const View second(flow, columns_are_second);
+  std::vector<Pole>& poles = flow.poles;
+  const bool any = std::any_of(poles.begin(), poles.end(), [&](const Pole& pole) {
+    return second.type(pole.node) == NodeType::sink && pole.special == kNone;
+  });
+  if (!any) return;
+  std::vector<std::uint32_t> place(second.size(), 0);
+  std::uint32_t count = 0;
+  for (NodeId v = first_list.first(); v != kNone; v = first_list.next(v)) place[v] = count++;
+  for (Pole& pole : poles) {
+    if (second.type(pole.node) != NodeType::sink || pole.special != kNone) continue;
+    const auto three = second.ins(pole.node);
+    std::array<NodeId, 3> m{three[0], three[1], three[2]};
+    std::sort(m.begin(), m.end(), [&](NodeId a, NodeId b) { return place[a] < place[b]; });
+    pole.special = place[m[2]] - place[m[1]] > place[m[1]] - place[m[0]] ? m[2] : m[0];
+  }
+}
+
+}  // namespace ar3d::two_bend

@@ -1,0 +1,27 @@
+#include <gtest/gtest.h>
+
+#include "algorithms/two_bend_support.h"
+
+namespace ar3d {
+namespace {
+
+using testing::expect_certified;
+
+class TwoBendExhaustive : public ::testing::TestWithParam<int> {};
+
+/// Every graph of maximum degree 3 with n vertices, as given and relabelled, ordinary and safe.
+TEST_P(TwoBendExhaustive, CertifiesEveryGraphOfMaximumDegree3) {
+  const int n = GetParam();
+  std::uint64_t seed = 0;
+  for (const Graph& graph : testing::geng("-D3 " + std::to_string(n))) {
+    expect_certified(graph);
+    expect_certified(graph, {.force_safe_round = true});
+    for (int i = 0; i < 5; ++i) expect_certified(testing::shuffled(graph, ++seed));
+    if (HasFailure()) break;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, TwoBendExhaustive, ::testing::Range(1, 12));
+
+}  // namespace
+}  // namespace ar3d

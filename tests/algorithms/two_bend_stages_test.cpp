@@ -1,0 +1,217 @@
+// The stages of the two-bend construction one by one, each against its invariant or a slow oracle.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "algorithms/two_bend_graphs.h"
+#include "ar3d/algorithms/two_bend/layout.h"
+#include "ar3d/algorithms/two_bend/numeric.h"
+#include "ar3d/algorithms/two_bend/pole_shape.h"
+#include "ar3d/algorithms/two_bend/st_order.h"
+#include "ar3d/algorithms/two_bend/time_order.h"
+#include "support/graphs.h"
+
+namespace ar3d::two_bend {
+namespace {
+
+std::vector<LocalGraph> components_of(const Graph& graph) {
+  std::vector<LocalGraph> result;
+  ComponentReader reader(graph);
+  LocalGraph component;
+  while (reader.next(component)) result.push_back(component);
+  return result;
+}
+
+std::size_t count_reachable_without(const LocalGraph& graph, Vertex from, Vertex u, Vertex v) {
+  std::vector<bool> seen(graph.size(), false);
+  std::vector<Vertex> stack{from};
+  seen[from] = true;
+  std::size_t count = 0;
+  while (!stack.empty()) {
+    const Vertex at = stack.back();
+    stack.pop_back();
+    ++count;
+    for (std::size_t k = 0; k < graph.rows[at].degree; ++k) {
+      const Vertex to = graph.rows[at].to[k];
+      if ((at == u && to == v) || (at == v && to == u) || seen[to]) continue;
+      seen[to] = true;
+      stack.push_back(to);
+    }
+  }
+  return count;
+}
+
+TEST(TwoBendNumeric, CeilSqrtIsExact) {
+  for (std::int64_t value = 0; value < 2000; ++value) {
+    const std::int64_t h = ceil_sqrt(value);
+    EXPECT_TRUE(h * h >= value && (h == 0 || (h - 1) * (h - 1) < value)) << value;
+  }
+  for (const std::int64_t root :
+       {std::int64_t{94906267}, std::int64_t{1} << 30, (std::int64_t{1} << 31) - 1}) {
+    EXPECT_EQ(ceil_sqrt(root * root), root);
+    EXPECT_EQ(ceil_sqrt(root * root + 1), root + 1);
+    EXPECT_EQ(ceil_sqrt(root * root - 1), root);
+  }
+}
+
+/// 7.1: the largest run gives the least height among all runs coprime to q.
+TEST(TwoBendNumeric, ArmAndLeanIsTheLowest) {
+  for (std::int64_t along = 2; along < 40; ++along) {
+    for (std::int64_t q = 1; q < 80; ++q) {
+      const ArmLean shape = arm_and_lean(along, q);
+      EXPECT_EQ(shape.arm + shape.run, along);
+      EXPECT_EQ(std::gcd(shape.run, q), 1);
+      EXPECT_GE(shape.height * shape.height, shape.run * shape.run + q * q);       // F1
+      EXPECT_GE(2 * shape.run * shape.run + 2 * shape.run * shape.height, q * q);  // F2
+      for (std::int64_t run = 1; run < along; ++run) {
+        if (std::gcd(run, q) != 1) continue;
+        std::int64_t height = lean_height(run, q);
+        while (2 * run * run + 2 * run * height < q * q) ++height;
+        EXPECT_GE(along - run + height, shape.total_height());
+      }
+    }
+  }
+}
+
+TEST(TwoBendNumeric, LemmasOfTheSafeRoundHold) {
+  for (std::int64_t y = 6; y < 3000; ++y) EXPECT_TRUE(lean_fits(-1, y)) << y;  // L1
+  EXPECT_FALSE(lean_fits(-1, 5));
+  for (std::int64_t y = 1; y < 3000; ++y) EXPECT_TRUE(lean_fits(1, y)) << y;  // L2
+  for (std::int64_t e = 16; e <= std::int64_t{1} << 24; e *= 2) {             // L3
+    const std::int64_t least = (7 * e + 15) / 16 + 1;
+    for (std::int64_t y = least | 1; y < least + 400; y += 2)
+      EXPECT_TRUE(lean_fits(e, y)) << e << " " << y;
+  }
+}
+
+TEST(TwoBendBlocks, BridgesAreThoseWhoseRemovalDisconnects) {
+  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+    for (const LocalGraph& graph : components_of(testing::random_graph_of_any_kind(20, seed))) {
+      const Blocks blocks = find_blocks(graph);
+      for (Vertex v = 0; v < graph.size(); ++v) {
+        for (std::size_t k = 0; k < graph.rows[v].degree; ++k) {
+          const Vertex u = graph.rows[v].to[k];
+          EXPECT_EQ(blocks.is_bridge(v, u), count_reachable_without(graph, v, v, u) < graph.size());
+        }
+      }
+    }
+  }
+}
+
+TEST(TwoBendOrder, StOrderHasNoInnerSourceOrSink) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    RandomStream random(seed);
+    const Graph input = testing::random_necklace(2 + random.below(4), random).graph();
+    for (const LocalGraph& graph : components_of(input)) {
+      const Blocks blocks = find_blocks(graph);
+      StOrder st(graph, blocks);
+      const Vertex s = random.below(graph.size());
+      const Vertex t = (s + 1 + random.below(graph.size() - 1)) % graph.size();
+      if (blocks.is_bridge(s, t)) continue;
+      const std::vector<Vertex> list = st.order(s, t);
+      std::vector<std::size_t> place(graph.size());
+      for (std::size_t i = 0; i < list.size(); ++i) place[list[i]] = i;
+      EXPECT_EQ(list.front(), s);
+      EXPECT_EQ(list.back(), t);
+      for (const Vertex v : list) {
+        bool earlier = v == s;
+        bool later = v == t;
+        for (const Vertex u : graph.rows[v].to) (place[u] < place[v] ? earlier : later) = true;
+        EXPECT_TRUE(earlier && later);
+      }
+    }
+  }
+}
+
+/// The invariant of TimeOrder, on components that are neither fixed bodies nor single vertices.
+TEST(TwoBendOrder, TimeOrderKeepsItsInvariant) {
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    for (LocalGraph graph :
+         components_of(testing::shuffled(testing::random_graph_of_any_kind(24, seed), seed))) {
+      if (graph.size() <= 6) continue;
+      Blocks blocks = find_blocks(graph);
+      const std::vector<QBody> bodies = cut_q_bodies(graph, blocks);
+      const TimeOrder order = find_time_order(graph, blocks);
+      EXPECT_EQ(order.list.size() + 4 * bodies.size(), graph.size());
+      const Flow flow =
+          build_flow(graph, blocks, order);  // throws if a pole lacks its two neighbours
+      const auto roots = std::count_if(flow.nodes.begin(), flow.nodes.end(),
+                                       [](const Node& v) { return v.ins == 0; });
+      EXPECT_EQ(roots, 1);
+    }
+  }
+}
+
+TEST(TwoBendOrder, RepairGivesAnyEndOfACubicBlockTwoClosingNeighbours) {
+  for (const int n : {10, 12}) {
+    for (const Graph& input : testing::geng("-c -d3 -D3 " + std::to_string(n))) {
+      const LocalGraph graph = components_of(input)[0];
+      const Blocks blocks = find_blocks(graph);
+      if (blocks.blocks.size() > 1) continue;
+      StOrder st(graph, blocks);
+      for (Vertex s = 0; s < graph.size(); ++s) {
+        for (Vertex t = 0; t < graph.size(); ++t) {
+          if (s == t) continue;
+          std::vector<Vertex> list = st.order(s, t);
+          EXPECT_TRUE(repair_true_sink(graph, list));
+          std::reverse(list.begin(), list.end());
+          EXPECT_TRUE(repair_true_sink(graph, list));
+          EXPECT_GE(count_closing_neighbours(graph, list), 2u);
+          std::reverse(list.begin(), list.end());
+          EXPECT_GE(count_closing_neighbours(graph, list), 2u);
+        }
+      }
+    }
+  }
+}
+
+TEST(TwoBendList, EntryListAgreesWithAVector) {
+  RandomStream random(3);
+  std::vector<NodeId> oracle(8);
+  std::iota(oracle.begin(), oracle.end(), 0u);
+  EntryList list(300, oracle);
+  for (NodeId v = 8; v < 300; ++v) {
+    const std::size_t i = random.below(static_cast<std::uint32_t>(oracle.size()));
+    if (random.chance(1, 2) || i == 0) {
+      list.insert_after(oracle[i], v);
+      oracle.insert(oracle.begin() + static_cast<std::ptrdiff_t>(i) + 1, v);
+    } else {
+      list.insert_before(oracle[i], v);
+      oracle.insert(oracle.begin() + static_cast<std::ptrdiff_t>(i), v);
+    }
+  }
+  for (std::size_t i = 0; i < oracle.size(); ++i) {
+    for (std::size_t j = 0; j < oracle.size(); ++j)
+      EXPECT_EQ(list.before(oracle[i], oracle[j]), i < j);
+  }
+  NodeId at = list.first();
+  for (const NodeId v : oracle) {
+    EXPECT_EQ(at, v);
+    at = list.next(at);
+  }
+}
+
+TEST(TwoBendList, BothListsPutEveryMergeBetweenItsNeighbours) {
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    for (LocalGraph graph : components_of(testing::random_graph_of_any_kind(30, seed))) {
+      if (graph.size() <= 6) continue;
+      Blocks blocks = find_blocks(graph);
+      cut_q_bodies(graph, blocks);
+      Flow flow = build_flow(graph, blocks, find_time_order(graph, blocks));
+      const Lists lists = build_lists(flow);
+      for (const bool columns : {false, true}) {
+        const View view(flow, columns);
+        const EntryList& list = columns ? lists.columns : lists.rows;
+        for (NodeId m = 0; m < view.size(); ++m) {
+          EXPECT_EQ(list.contains(m), view.is_owner(m) || view.is_listed_merge(m));
+          if (!view.is_listed_merge(m)) continue;
+          EXPECT_NE(list.before(view.ins(m)[0], m), list.before(view.ins(m)[1], m));
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ar3d::two_bend

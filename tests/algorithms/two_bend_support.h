@@ -1,0 +1,39 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "ar3d/algorithms/catalog.h"
+#include "ar3d/algorithms/two_bend/two_bend.h"
+#include "ar3d/model/error.h"
+#include "ar3d/verify/certificate.h"
+#include "support/graphs.h"
+
+namespace ar3d::testing {
+
+/// Edge list in one line, for messages about small graphs.
+inline std::string edges_of(const Graph& graph) {
+  std::string text = std::to_string(graph.num_vertices()) + ":";
+  for (const Edge e : graph.edges()) text += " " + std::to_string(e.u) + "-" + std::to_string(e.v);
+  return text;
+}
+
+/// Draws and expects a valid certificate; returns the drawing's counters.
+inline std::vector<Counter> expect_certified(const Graph& graph,
+                                             const two_bend::Options& options = {}) {
+  try {
+    const Drawing drawing = two_bend::draw(graph, options);
+    const Certificate certificate = certify(graph, drawing, find_algorithm("two-bend").guarantee,
+                                            {.check_size = !options.force_safe_round});
+    EXPECT_TRUE(certificate.valid() && certificate.complete)
+        << (certificate.valid() ? "incomplete" : certificate.violations[0].message) << "\n"
+        << edges_of(graph);
+    return drawing.counters;
+  } catch (const InternalError& error) {
+    ADD_FAILURE() << error.what() << "\n" << edges_of(graph);
+    return {};
+  }
+}
+
+}  // namespace ar3d::testing

@@ -1,0 +1,95 @@
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "algorithms/two_bend_graphs.h"
+#include "algorithms/two_bend_support.h"
+#include "ar3d/generators/catalog.h"
+
+namespace ar3d {
+namespace {
+
+using testing::expect_certified;
+
+/// Sums of the counters of many runs.
+class Totals {
+ public:
+  void add(const std::vector<Counter>& counters) {
+    for (const Counter& counter : counters) sums_[counter.name] += counter.value;
+  }
+  std::int64_t operator[](const std::string& name) const { return sums_.at(name); }
+
+ private:
+  std::map<std::string, std::int64_t> sums_;
+};
+
+TEST(TwoBend, DrawsFamiliesOfEverySmallKind) {
+  for (Vertex n = 0; n < 5; ++n) expect_certified(Graph(n, {}));
+  for (Vertex n = 2; n < 9; ++n) expect_certified(testing::path(n));
+  for (Vertex n = 3; n < 12; ++n) expect_certified(testing::cycle(n));
+  expect_certified(testing::complete(4));
+  expect_certified(testing::petersen());
+  expect_certified(
+      testing::disjoint_union({testing::complete(4), testing::path(1), testing::petersen(),
+                               testing::cycle(5), testing::path(2)}));
+}
+
+/// The whole variety of vertex types, specials and fixed bodies is met and certified.
+TEST(TwoBend, MeetsEveryPartOfTheConstruction) {
+  Totals totals;
+  for (std::uint64_t seed = 1; seed <= 600; ++seed) {
+    const Graph graph = testing::shuffled(testing::random_graph_of_any_kind(24, seed), seed);
+    totals.add(expect_certified(graph));
+  }
+  for (const Graph& graph : testing::geng("-c -d3 -D3 10")) {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed)
+      totals.add(expect_certified(testing::shuffled(graph, seed)));
+  }
+  for (const char* part : {"q_bodies", "stations", "vv_leans", "sinks_a", "sinks_v", "sources_a",
+                           "sources_v", "adjacent_poles"}) {
+    EXPECT_GT(totals[part], 0) << part;
+  }
+  EXPECT_EQ(totals["safe_rounds"], 0);
+}
+
+TEST(TwoBend, DrawsEveryFamilyOfTheCatalogue) {
+  for (const Family& family : families()) {
+    if (family.max_degree > 3) continue;
+    for (const std::uint64_t n : {6u, 20u, 64u, 150u}) {
+      const Graph graph = generate(family, n, 1);
+      SCOPED_TRACE(family.name);
+      expect_certified(graph);
+      expect_certified(testing::shuffled(graph, n));
+    }
+  }
+}
+
+TEST(TwoBend, SafeRoundIsCorrectWhenForced) {
+  Totals totals;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    totals.add(
+        expect_certified(testing::random_graph_of_any_kind(20, seed), {.force_safe_round = true}));
+  }
+  EXPECT_GT(totals["safe_rounds"], 300);
+}
+
+TEST(TwoBend, IsDeterministic) {
+  const Graph graph = testing::random_graph_of_any_kind(60, 5);
+  const Drawing a = two_bend::draw(graph);
+  const Drawing b = two_bend::draw(graph);
+  std::vector<Point> p;
+  std::vector<Point> q;
+  for (EdgeId e = 0; e < graph.num_edges(); ++e) {
+    a.polyline(e, p);
+    b.polyline(e, q);
+    EXPECT_EQ(p, q);
+  }
+}
+
+TEST(TwoBend, RefusesDegree4) {
+  EXPECT_THROW(two_bend::draw(testing::octahedron()), InputError);
+  EXPECT_THROW(draw(find_algorithm("two-bend"), testing::complete(5)), InputError);
+}
+
+}  // namespace
+}  // namespace ar3d
