@@ -1,0 +1,221 @@
+#include "ar3d/analysis/check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include "ar3d/analysis/cells.h"
+#include "ar3d/analysis/replay.h"
+#include "ar3d/analysis/text.h"
+
+namespace ar3d {
+namespace {
+
+constexpr std::array<char, 3> kAxis = {'x', 'y', 'z'};
+
+/// The theorem's bound is a rounded double in the file; the verifier has decided it exactly before
+/// (violation `size`), so a relative error of a few roundings must not raise an alarm here.
+constexpr double kRounding = 1e-12;
+
+using Findings = std::vector<Finding>;
+
+void check_axis(const Run& run, std::size_t row, std::size_t axis, Findings& findings) {
+  const std::int64_t extent = run.extents[axis];
+  const double bound = run.theorem_bound[axis];
+  if (extent < 0) {
+    findings.push_back({FindingKind::not_certified, row,
+                        fmt::format("no extent along {} although ok", kAxis[axis])});
+    return;
+  }
+  if (!std::isfinite(bound)) {
+    findings.push_back({FindingKind::not_certified, row,
+                        fmt::format("no theorem bound along {} to check against", kAxis[axis])});
+  } else if (static_cast<double>(extent) > bound * (1 + kRounding)) {
+    findings.push_back({FindingKind::theorem_bound, row,
+                        fmt::format("extent {} along {} passes the theorem's {:.17g}", extent,
+                                    kAxis[axis], bound)});
+  }
+  const std::int64_t instance_bound = run.instance_bound[axis];
+  if (instance_bound >= 0 && extent > instance_bound) {
+    findings.push_back({FindingKind::instance_bound, row,
+                        fmt::format("extent {} along {} passes the instance's bound {}", extent,
+                                    kAxis[axis], instance_bound)});
+  }
+}
+
+void check_certificate(const Run& run, std::size_t row, Findings& findings) {
+  if (run.violations > 0) {
+    findings.push_back({FindingKind::certificate, row,
+                        fmt::format("{} violations: {}", run.violations, run.message)});
+  } else if (run.status == RunStatus::violated) {
+    findings.push_back({FindingKind::certificate, row, "violated: " + run.message});
+  } else if (run.violations < 0) {
+    findings.push_back({FindingKind::not_certified, row, "ok, but never certified"});
+  }
+}
+
+/// What the row alone tells.
+Findings row_findings(const Run& run, std::size_t row) {
+  Findings findings;
+  switch (run.status) {
+    case RunStatus::refused:
+      break;
+    case RunStatus::ok:
+      check_certificate(run, row, findings);
+      for (std::size_t axis = 0; axis < 3; ++axis) check_axis(run, row, axis, findings);
+      break;
+    case RunStatus::violated:
+      check_certificate(run, row, findings);
+      break;
+    default:
+      findings.push_back({FindingKind::unfinished, row,
+                          fmt::format("{}: {}", to_string(run.status), run.message)});
+  }
+  return findings;
+}
+
+/// Everything that must be equal in two drawings of the same graph with the same options.
+auto drawing_columns(const Run& run) {
+  return std::tie(run.graph_hash, run.n, run.m, run.extents, run.bends, run.instance_bound,
+                  run.counters, run.violations);
+}
+
+Findings repetition_findings(const Results& results) {
+  Findings findings;
+  for (const Cell& cell : cells(results)) {
+    for (const InstanceRows& instance : cell.instances) {
+      const Run* first = first_ok(results, instance);
+      std::set<std::int64_t> repetitions;
+      for (const std::size_t row : instance.rows) {
+        const Run& run = results.runs[row];
+        if (!repetitions.insert(run.repetition).second) {
+          findings.push_back({FindingKind::duplicate, row, "the same measurement stands twice"});
+        }
+        if (run.status == RunStatus::ok && drawing_columns(run) != drawing_columns(*first)) {
+          findings.push_back({FindingKind::not_repeatable, row,
+                              "another drawing than the first repetition's of the same graph"});
+        }
+      }
+    }
+  }
+  return findings;
+}
+
+void add(Findings more, Findings& findings) {
+  for (Finding& finding : more) {
+    finding.message = one_line(finding.message);
+    findings.push_back(std::move(finding));
+  }
+}
+
+/// Every row counts once: as violated if any finding of it is a violation, else as incomplete.
+void count_rows(const Results& results, CheckVerdict& verdict) {
+  std::set<std::size_t> violated, touched;
+  for (const Finding& finding : verdict.findings) {
+    if (!finding.row) continue;
+    touched.insert(*finding.row);
+    if (is_violation(finding.kind)) violated.insert(*finding.row);
+  }
+  verdict.violated_rows = violated.size();
+  verdict.incomplete_rows = touched.size() - violated.size();
+  for (std::size_t row = 0; row < results.runs.size(); ++row) {
+    const RunStatus status = results.runs[row].status;
+    verdict.refused += status == RunStatus::refused;
+    verdict.proved += status == RunStatus::ok && !touched.contains(row);
+  }
+}
+
+std::string describe(const Finding& finding, const Results& results) {
+  const std::string head = is_violation(finding.kind) ? "VIOLATED" : "INCOMPLETE";
+  if (!finding.row) return fmt::format("{}: {}\n", head, finding.message);
+  const Run& run = results.runs[*finding.row];
+  return fmt::format("{} row {} ({}): {} on {}, n = {}: {}\n    {}\n", head, *finding.row,
+                     to_string(finding.kind), one_line(run.algorithm), one_line(run.family), run.n,
+                     finding.message, one_line(draw_command(run)));
+}
+
+}  // namespace
+
+const char* to_string(FindingKind kind) {
+  switch (kind) {
+    case FindingKind::certificate:
+      return "certificate";
+    case FindingKind::theorem_bound:
+      return "theorem bound";
+    case FindingKind::instance_bound:
+      return "instance bound";
+    case FindingKind::not_repeatable:
+      return "not repeatable";
+    case FindingKind::not_certified:
+      return "not certified";
+    case FindingKind::unfinished:
+      return "unfinished";
+    case FindingKind::duplicate:
+      return "duplicate";
+    case FindingKind::nothing_measured:
+      return "nothing measured";
+  }
+  return "unknown";
+}
+
+bool is_violation(FindingKind kind) {
+  return kind == FindingKind::certificate || kind == FindingKind::theorem_bound ||
+         kind == FindingKind::instance_bound || kind == FindingKind::not_repeatable;
+}
+
+int CheckVerdict::exit_code() const {
+  if (findings.empty()) return 0;
+  return is_violation(findings.front().kind) ? 4 : 5;
+}
+
+const char* CheckVerdict::word() const {
+  const int code = exit_code();
+  return code == 0 ? "PASS" : code == 4 ? "VIOLATED" : "INCOMPLETE";
+}
+
+bool breaks_promise(const Run& run) {
+  const Findings findings = row_findings(run, 0);
+  return std::any_of(findings.begin(), findings.end(),
+                     [](const Finding& finding) { return is_violation(finding.kind); });
+}
+
+CheckVerdict check(const Results& results) {
+  CheckVerdict verdict;
+  verdict.rows = results.runs.size();
+  for (std::size_t row = 0; row < results.runs.size(); ++row) {
+    add(row_findings(results.runs[row], row), verdict.findings);
+  }
+  add(repetition_findings(results), verdict.findings);
+  const bool any_drawn = std::any_of(results.runs.begin(), results.runs.end(), [](const Run& run) {
+    return run.status == RunStatus::ok || run.status == RunStatus::violated;
+  });
+  if (!any_drawn) {
+    const std::string why = results.runs.empty() ? "the file has no rows" : "no row was drawn";
+    verdict.findings.push_back({FindingKind::nothing_measured, {}, "nothing measured: " + why});
+  }
+  std::stable_sort(verdict.findings.begin(), verdict.findings.end(),
+                   [](const Finding& a, const Finding& b) {
+                     return std::tuple(!is_violation(a.kind), a.row.value_or(0)) <
+                            std::tuple(!is_violation(b.kind), b.row.value_or(0));
+                   });
+  count_rows(results, verdict);
+  return verdict;
+}
+
+std::string summary(const CheckVerdict& verdict, const Results& results, std::size_t max_findings) {
+  std::string text = fmt::format("{}: {} rows, {} proved, {} violated, {} incomplete, {} refused\n",
+                                 verdict.word(), verdict.rows, verdict.proved,
+                                 verdict.violated_rows, verdict.incomplete_rows, verdict.refused);
+  const std::size_t shown = std::min(max_findings, verdict.findings.size());
+  for (std::size_t i = 0; i < shown; ++i) text += describe(verdict.findings[i], results);
+  if (shown < verdict.findings.size()) {
+    text += fmt::format("… and {} more findings\n", verdict.findings.size() - shown);
+  }
+  return text;
+}
+
+}  // namespace ar3d

@@ -1,0 +1,104 @@
+#include "ar3d/analysis/ledger.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ar3d/analysis/check.h"
+#include "ar3d/analysis/statistics.h"
+
+namespace ar3d {
+namespace {
+
+double slack_of(std::int64_t extent, double bound) {
+  if (extent < 0 || !std::isfinite(bound) || bound <= 0) return kMissing;
+  return 1 - static_cast<double>(extent) / bound;
+}
+
+double smallest(const std::vector<double>& values) {
+  return values.empty() ? kMissing : *std::min_element(values.begin(), values.end());
+}
+
+/// The first ok row of every instance.
+std::vector<std::size_t> measured_rows(const Results& results, const Cell& cell) {
+  std::vector<std::size_t> rows;
+  for (const InstanceRows& instance : cell.instances) {
+    const Run* run = first_ok(results, instance);
+    if (run != nullptr) rows.push_back(static_cast<std::size_t>(run - results.runs.data()));
+  }
+  return rows;
+}
+
+AxisLedger axis_ledger(const Results& results, const std::vector<std::size_t>& rows,
+                       std::size_t axis) {
+  AxisLedger entry;
+  std::vector<double> slacks, instance_slacks;
+  for (const std::size_t row : rows) {
+    const Run& run = results.runs[row];
+    const double slack = slack_of(run.extents[axis], run.theorem_bound[axis]);
+    if (!std::isnan(slack)) {
+      if (slacks.empty() || slack < entry.worst_slack) {
+        entry.worst_slack = slack;
+        entry.worst_row = row;
+      }
+      slacks.push_back(slack);
+    }
+    const auto bound = static_cast<double>(run.instance_bound[axis]);
+    const double instance_slack = slack_of(run.extents[axis], bound);
+    if (!std::isnan(instance_slack)) instance_slacks.push_back(instance_slack);
+  }
+  entry.measured = slacks.size();
+  entry.median_slack = median(slacks);
+  entry.worst_instance_slack = smallest(instance_slacks);
+  entry.median_instance_slack = median(instance_slacks);
+  return entry;
+}
+
+void count_rows(const Results& results, const Cell& cell, LedgerEntry& entry) {
+  for (const std::size_t row : cell.rows) {
+    const Run& run = results.runs[row];
+    ++entry.rows_of_status[static_cast<std::size_t>(run.status)];
+    entry.violations += breaks_promise(run);
+  }
+}
+
+void add_bends(const Results& results, const std::vector<std::size_t>& rows, LedgerEntry& entry) {
+  for (const std::size_t row : rows) {
+    for (std::size_t b = 0; b < entry.bends.size(); ++b) {
+      const std::int64_t edges = results.runs[row].bends[b];
+      if (edges > 0) entry.bends[b] += static_cast<std::uint64_t>(edges);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<LedgerEntry> ledger(const Results& results) {
+  std::vector<LedgerEntry> entries;
+  for (const Cell& cell : cells(results)) {
+    LedgerEntry entry;
+    entry.key = cell.key;
+    entry.smallest_n = cell.instances.front().n;
+    entry.largest_n = cell.instances.back().n;
+    entry.rows = cell.rows.size();
+    entry.instances = cell.instances.size();
+    count_rows(results, cell, entry);
+    const std::vector<std::size_t> rows = measured_rows(results, cell);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      entry.axes[axis] = axis_ledger(results, rows, axis);
+    }
+    add_bends(results, rows, entry);
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+std::optional<std::size_t> worst_axis(const LedgerEntry& entry) {
+  std::optional<std::size_t> worst;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (entry.axes[axis].measured == 0) continue;
+    if (!worst || entry.axes[axis].worst_slack < entry.axes[*worst].worst_slack) worst = axis;
+  }
+  return worst;
+}
+
+}  // namespace ar3d

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "ar3d/analysis/cells.h"
+
+namespace ar3d {
+
+/// One axis of one cell. Slack is 1 - extent / bound, computed here from the extents: 0 touches the
+/// bound, a negative one breaks it. Statistics are over instances (the first ok repetition of
+/// each).
+struct AxisLedger {
+  std::size_t measured = 0;  ///< instances with an extent and a positive finite theorem's bound
+  double worst_slack = kMissing;   ///< smallest slack against the theorem's bound
+  double median_slack = kMissing;  ///< median slack against the theorem's bound
+  double worst_instance_slack =
+      kMissing;  ///< the same against the proof's bound for the very instance;
+  double median_instance_slack = kMissing;  ///< missing if the algorithm states none
+  std::optional<std::size_t> worst_row;     ///< index in Results::runs of the smallest slack
+};
+
+/// The bound ledger of one cell: what the theorem promises beside what was measured.
+struct LedgerEntry {
+  CellKey key;
+  std::int64_t smallest_n = -1;
+  std::int64_t largest_n = -1;
+  std::size_t rows = 0;
+  std::size_t instances = 0;
+  std::array<std::size_t, 6> rows_of_status{};  ///< indexed by RunStatus
+  std::size_t violations = 0;  ///< rows that break a bound or a certificate, as `check` counts them
+  std::array<AxisLedger, 3> axes;
+  std::array<std::uint64_t, 8>
+      bends{};  ///< edges with b bends over all ok instances; last: 7 or more
+
+  std::size_t count(RunStatus status) const {
+    return rows_of_status[static_cast<std::size_t>(status)];
+  }
+};
+
+/// One entry a cell, in the order of the file. Cost: O(r log r) for r rows.
+std::vector<LedgerEntry> ledger(const Results& results);
+
+/// The entry's axis of smallest slack, or nullopt if nothing was measured.
+std::optional<std::size_t> worst_axis(const LedgerEntry& entry);
+
+}  // namespace ar3d

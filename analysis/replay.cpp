@@ -1,0 +1,54 @@
+#include "ar3d/analysis/replay.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace ar3d {
+namespace {
+
+bool is_plain(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+         std::string_view("_-.=+:/,").find(c) != std::string_view::npos;
+}
+
+std::string shell_word(std::string_view word) {
+  if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return std::string(word);
+  std::string quoted = "'";
+  for (const char c : word) {
+    if (c == '\'') {
+      quoted += "'\\''";
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + "'";
+}
+
+/// "a=1;b=2" -> " FLAG a=1 FLAG b=2".
+std::string settings(std::string_view list, std::string_view flag) {
+  std::string arguments;
+  while (!list.empty()) {
+    const std::size_t end = std::min(list.find(';'), list.size());
+    if (end > 0) arguments += fmt::format(" {} {}", flag, shell_word(list.substr(0, end)));
+    list.remove_prefix(std::min(end + 1, list.size()));
+  }
+  return arguments;
+}
+
+}  // namespace
+
+std::string draw_command(const Run& run) {
+  return fmt::format("ar3d generate {} -n {} --seed {}{} | ar3d draw - --algorithm {}{}",
+                     shell_word(run.family), run.n >= 0 ? run.n : run.wanted_n, run.seed,
+                     settings(run.parameters, "--set"), shell_word(run.algorithm),
+                     settings(run.options, "--set"));
+}
+
+std::string replay_command(const Run& run, std::size_t row) {
+  return "ar3d replay RESULTS.h5 " +
+         (run.row_key.empty() ? std::to_string(row) : shell_word(run.row_key));
+}
+
+}  // namespace ar3d

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "ar3d/results/run.h"
+
+namespace ar3d {
+
+/// The shell line that generates the row's graph again and draws it with the same algorithm and
+/// options. Words that a shell would read in another way are quoted, whatever the results file
+/// holds.
+std::string draw_command(const Run& run);
+
+/// "ar3d replay RESULTS.h5 ROW" with the row's key, or with `row` (its number in /runs) if it has
+/// none.
+std::string replay_command(const Run& run, std::size_t row);
+
+}  // namespace ar3d

@@ -1,0 +1,52 @@
+#include "ar3d/analysis/statistics.h"
+
+#include <algorithm>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace ar3d {
+namespace {
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+}  // namespace
+
+double quantile(std::vector<double> values, double p) {
+  std::erase_if(values, [](double value) { return std::isnan(value); });
+  if (values.empty()) return kNone;
+  std::sort(values.begin(), values.end());
+  const double place = p * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const double fraction = place - static_cast<double>(below);
+  if (fraction == 0) return values[below];  // also keeps infinities out of the interpolation
+  return values[below] + fraction * (values[below + 1] - values[below]);
+}
+
+double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
+
+double mean(std::span<const double> values) {
+  if (values.empty()) return kNone;
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double variance(std::span<const double> values) {
+  if (values.size() < 2) return kNone;
+  const double centre = mean(values);
+  double sum = 0;
+  for (const double value : values) sum += (value - centre) * (value - centre);
+  return sum / static_cast<double>(values.size() - 1);
+}
+
+double student_t_quantile(double p, double df) {
+  if (std::isinf(df)) return boost::math::quantile(boost::math::normal(), p);
+  return boost::math::quantile(boost::math::students_t(df), p);
+}
+
+double fisher_f_tail(double value, double df_numerator, double df_denominator) {
+  const boost::math::fisher_f distribution(df_numerator, df_denominator);
+  return boost::math::cdf(boost::math::complement(distribution, value));
+}
+
+}  // namespace ar3d

@@ -1,0 +1,92 @@
+#include "ar3d/analysis/ledger.h"
+
+#include <gtest/gtest.h>
+
+#include "analysis/synthetic.h"
+#include "ar3d/analysis/replay.h"
+
+namespace ar3d {
+namespace {
+
+using testing::good_results;
+using testing::good_run;
+
+/// Three instances with extents 10, 30 and 20 in a box of 40 along x.
+Results three_instances() {
+  Results results;
+  for (std::int64_t i = 0; i < 3; ++i) {
+    auto run = good_run("grid", "prism", 5, i);
+    run.extents = {std::array<std::int64_t, 3>{10, 30, 20}[static_cast<std::size_t>(i)], 4, 0};
+    run.theorem_bound = {40, 40, 0};
+    run.instance_bound = {32, -1, -1};
+    results.runs.push_back(run);
+  }
+  return results;
+}
+
+TEST(Ledger, GivesWorstAndMedianSlackPerAxisAndTheWorstRow) {
+  const std::vector<LedgerEntry> entries = ledger(three_instances());
+  ASSERT_EQ(entries.size(), 1u);
+  const AxisLedger& x = entries[0].axes[0];
+  EXPECT_DOUBLE_EQ(x.worst_slack, 1 - 30.0 / 40);
+  EXPECT_DOUBLE_EQ(x.median_slack, 1 - 20.0 / 40);
+  EXPECT_EQ(x.worst_row, 1u);
+  EXPECT_DOUBLE_EQ(x.worst_instance_slack, 1 - 30.0 / 32);
+  EXPECT_EQ(entries[0].axes[1].measured, 3u);
+  EXPECT_TRUE(std::isnan(entries[0].axes[1].worst_instance_slack));
+  EXPECT_EQ(entries[0].axes[2].measured, 0u) << "a bound of 0 has no relative slack";
+  EXPECT_EQ(worst_axis(entries[0]), 0u);
+}
+
+TEST(Ledger, OneEntryForEachAlgorithmOptionsFamilyAndParameters) {
+  Results results = good_results({"diamond", "grid"}, {"cubic", "prism"}, 2, 2);
+  results.runs[0].options = "effort=2";
+  const std::vector<LedgerEntry> entries = ledger(results);
+  ASSERT_EQ(entries.size(), 5u);
+  EXPECT_EQ(entries[0].key.options, "effort=2");
+  EXPECT_EQ(entries[0].rows, 1u);
+  EXPECT_EQ(entries[1].rows, 3u);
+  EXPECT_EQ(entries[1].largest_n, 32);
+}
+
+TEST(Ledger, RepetitionsCountOnceInStatisticsAndBends) {
+  Results results = good_results({"diamond"}, {"cubic"}, 1, 2);
+  results.runs.push_back(good_run("diamond", "cubic", 16, 0, 1));
+  const LedgerEntry entry = ledger(results).at(0);
+  EXPECT_EQ(entry.rows, 3u);
+  EXPECT_EQ(entry.instances, 2u);
+  EXPECT_EQ(entry.axes[0].measured, 2u);
+  EXPECT_EQ(entry.bends[2], 32u);
+}
+
+TEST(Ledger, CountsStatusesAndViolations) {
+  Results results = good_results({"diamond"}, {"cubic"}, 2, 2);
+  results.runs[0].status = RunStatus::timeout;
+  results.runs[1].extents[0] = 1000;
+  const LedgerEntry entry = ledger(results).at(0);
+  EXPECT_EQ(entry.count(RunStatus::timeout), 1u);
+  EXPECT_EQ(entry.count(RunStatus::ok), 3u);
+  EXPECT_EQ(entry.violations, 1u);
+  EXPECT_LT(entry.axes[0].worst_slack, 0);
+}
+
+TEST(Ledger, NothingMeasuredHasNoWorstAxis) {
+  Results results = good_results({"diamond"}, {"cubic"}, 1, 1);
+  results.runs[0].status = RunStatus::refused;
+  EXPECT_FALSE(worst_axis(ledger(results).at(0)).has_value());
+}
+
+TEST(Replay, QuotesWhatAShellWouldRead) {
+  auto run = good_run("diamond", "x; rm -rf '$HOME'", 16, 0);
+  run.parameters = "k=2;p=750000";
+  run.options = "effort=1";
+  EXPECT_EQ(draw_command(run),
+            "ar3d generate 'x; rm -rf '\\''$HOME'\\''' -n 16 --seed 16000 --set k=2 --set p=750000 "
+            "| ar3d draw - --algorithm diamond --set effort=1");
+  EXPECT_EQ(replay_command(run, 7), "ar3d replay RESULTS.h5 7");
+  run.row_key = "00ff";
+  EXPECT_EQ(replay_command(run, 7), "ar3d replay RESULTS.h5 00ff");
+}
+
+}  // namespace
+}  // namespace ar3d

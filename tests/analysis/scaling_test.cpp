@@ -1,0 +1,156 @@
+#include "ar3d/analysis/scaling.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "analysis/synthetic.h"
+#include "ar3d/analysis/scaling/linear_fit.h"
+
+namespace ar3d {
+namespace {
+
+using testing::doubling;
+using ::testing::HasSubstr;
+using testing::noisy_samples;
+
+double ten_percent(RandomStream& random, double) { return 0.1 * testing::normal(random); }
+double none(RandomStream&, double) { return 0; }
+
+TEST(LinearFit, RecoversAnExactPlane) {
+  std::vector<FitPoint> points;
+  for (int i = 0; i < 6; ++i) {
+    const double a = i, b = i * i;
+    points.push_back({{1, a, b}, 2 - 3 * a + 0.5 * b, 1.0 + i});
+  }
+  const LinearFit fit = fit_linear(points);
+  EXPECT_NEAR(fit.coefficients[0], 2, 1e-10);
+  EXPECT_NEAR(fit.coefficients[1], -3, 1e-10);
+  EXPECT_NEAR(fit.coefficients[2], 0.5, 1e-10);
+  double leverage = 0;
+  for (const double h : fit.leverages) leverage += h;
+  EXPECT_NEAR(leverage, 3, 1e-10) << "the hat matrix has trace p";
+}
+
+TEST(Scaling, AnExactPowerLawGivesItsExponentAndAPoint) {
+  RandomStream random(1);
+  const auto truth = [](double n) { return 2 + 1.5 * std::log(n); };
+  const ScalingEntry entry = fit_scaling(noisy_samples(doubling(64, 9), 3, random, truth, none));
+  ASSERT_TRUE(entry.decided);
+  EXPECT_NEAR(entry.power.exponent, 1.5, 1e-9);
+  EXPECT_NEAR(entry.power.log_factor, 2, 1e-9);
+  EXPECT_LT(entry.power.exponent_interval.width(), 1e-9);
+  EXPECT_EQ(entry.growth, Growth::power);
+}
+
+TEST(Scaling, FewSizesAreUndecidedAndSayWhatIsMissing) {
+  RandomStream random(2);
+  const auto truth = [](double n) { return std::log(n); };
+  const ScalingEntry entry =
+      fit_scaling(noisy_samples(doubling(64, 7), 5, random, truth, ten_percent));
+  EXPECT_FALSE(entry.decided);
+  EXPECT_EQ(entry.growth, Growth::undecided);
+  EXPECT_TRUE(entry.power.fitted) << "the estimate is shown, without an interval";
+  EXPECT_TRUE(std::isnan(entry.power.exponent_interval.low));
+  EXPECT_THAT(entry.reason, HasSubstr("7 sizes"));
+  EXPECT_THAT(entry.next, HasSubstr("1 more"));
+}
+
+TEST(Scaling, CloseSizesAreUndecided) {
+  RandomStream random(3);
+  const auto truth = [](double n) { return std::log(n); };
+  const ScalingEntry entry = fit_scaling(
+      noisy_samples({100, 110, 120, 130, 140, 150, 160, 170}, 5, random, truth, ten_percent));
+  EXPECT_FALSE(entry.decided);
+  EXPECT_THAT(entry.reason, HasSubstr("1.7 times"));
+}
+
+TEST(Scaling, SmallSizesAreLeftOutOnlyWhileEnoughStay) {
+  RandomStream random(4);
+  const auto truth = [](double n) { return std::log(n); };
+  const auto many = noisy_samples(doubling(4, 12), 2, random, truth, none);  // 4 … 8192
+  const FitSizes chosen = choose_sizes(many, 8);
+  EXPECT_EQ(chosen.used.size(), 8u);
+  EXPECT_EQ(chosen.used.front().n, 64);
+  EXPECT_EQ(chosen.left_out.size(), 1u);
+  EXPECT_EQ(choose_sizes(many, 5).used.front().n, 128) << "the square root of 8192 is 90.5";
+}
+
+TEST(Scaling, SizesWithUnfinishedInstancesAreLeftOut) {
+  Results results = testing::good_results({"diamond"}, {"cubic"}, 9, 4);
+  results.runs[33].status = RunStatus::timeout;  // size 16 * 2^8
+  const ScalingEntry entry = fit_scaling(samples(results, cells(results)[0], Quantity::wall_s));
+  EXPECT_EQ(entry.all.size(), 9u);
+  EXPECT_EQ(entry.sizes.used.back().n, 16 << 7);
+  EXPECT_THAT(entry.sizes.left_out.at(0), HasSubstr("1 with unfinished"));
+}
+
+TEST(Scaling, MissingAndZeroValuesAreNoPoints) {
+  auto run = testing::good_run("diamond", "path", 16, 0);
+  run.extents = {0, 12, -1};
+  run.wall_s = kMissing;
+  run.log2_volume = kMissing;
+  EXPECT_TRUE(std::isnan(log_value(run, Quantity::extent_x)));
+  EXPECT_DOUBLE_EQ(log_value(run, Quantity::extent_y), std::log(12));
+  EXPECT_TRUE(std::isnan(log_value(run, Quantity::extent_z)));
+  EXPECT_DOUBLE_EQ(log_value(run, Quantity::longest_side), std::log(12));
+  EXPECT_TRUE(std::isnan(log_value(run, Quantity::wall_s)));
+  EXPECT_TRUE(std::isnan(log_value(run, Quantity::volume)));
+}
+
+TEST(Scaling, RepetitionsOfAnInstanceGiveTheirMedian) {
+  Results results;
+  for (const double wall_s : {1.0, 100.0, 2.0}) {
+    results.runs.push_back(testing::good_run("diamond", "cubic", 16, 0,
+                                             static_cast<std::int64_t>(results.runs.size())));
+    results.runs.back().wall_s = wall_s;
+  }
+  const auto sizes = samples(results, cells(results)[0], Quantity::wall_s);
+  ASSERT_EQ(sizes.size(), 1u);
+  ASSERT_EQ(sizes[0].instances.size(), 1u);
+  EXPECT_DOUBLE_EQ(sizes[0].instances[0].log_value, std::log(2));
+}
+
+TEST(Scaling, OfAStudyFindsTheExponentOfEveryQuantity) {
+  const Results results = testing::good_results({"diamond", "grid"}, {"cubic"}, 9, 8);
+  const std::vector<ScalingEntry> entries = scaling(results);
+  ASSERT_EQ(entries.size(), 12u);
+  for (const ScalingEntry& entry : entries) {
+    const double truth = entry.quantity == Quantity::volume ? 3 : 1;
+    EXPECT_NEAR(entry.power.exponent, truth, 0.05) << name_of(entry.quantity);
+    EXPECT_TRUE(entry.decided);
+  }
+  const std::vector<ScalingEntry> again = scaling(results);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    EXPECT_EQ(entries[i].power.exponent_interval.low, again[i].power.exponent_interval.low);
+  }
+}
+
+TEST(Scaling, SizesOffTheLineWidenTheInterval) {
+  RandomStream random(5);
+  const auto zigzag = [](double n) {
+    return std::log(n) + (std::lround(std::log2(n)) % 2 == 0 ? 0.2 : -0.2);
+  };
+  const auto quiet = [](RandomStream& r, double) { return 0.001 * testing::normal(r); };
+  const ScalingEntry entry = fit_scaling(noisy_samples(doubling(64, 10), 8, random, zigzag, quiet));
+  EXPECT_EQ(entry.power.spread, Spread::sizes);
+  EXPECT_TRUE(entry.power.exponent_interval.contains(1));
+  EXPECT_GT(entry.power.exponent_interval.width(), 0.05);
+}
+
+TEST(Scaling, AStrongLogarithmIsFoundAndNoneIsRuledOut) {
+  RandomStream random(6);
+  const auto quiet = [](RandomStream& r, double) { return 0.01 * testing::normal(r); };
+  const auto n_log2_n = [](double n) { return std::log(n) + 2 * std::log(std::log(n)); };
+  const auto n_squared = [](double n) { return 2 * std::log(n); };
+  const auto sizes = doubling(64, 12);
+  const ScalingEntry with = fit_scaling(noisy_samples(sizes, 20, random, n_log2_n, quiet));
+  EXPECT_EQ(with.growth, Growth::power_and_log) << with.reason;
+  EXPECT_TRUE(with.with_log.log_exponent_interval.contains(2)) << with.reason;
+  const ScalingEntry without = fit_scaling(noisy_samples(sizes, 20, random, n_squared, quiet));
+  EXPECT_EQ(without.growth, Growth::power) << without.reason;
+}
+
+}  // namespace
+}  // namespace ar3d

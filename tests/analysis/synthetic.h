@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "ar3d/analysis/scaling/samples.h"
+#include "ar3d/model/random.h"
+#include "ar3d/results/run.h"
+
+namespace ar3d::testing {
+
+/// Standard normal (Box-Muller), good enough for noise of known spread.
+inline double normal(RandomStream& random) {
+  const double radius = std::sqrt(-2 * std::log(1 - random.unit()));
+  return radius * std::cos(2 * std::numbers::pi * random.unit());
+}
+
+/// A row as a study would write it: extents of about 4n, 4n, 6n in a box 16n/3, 16n/3, 8n.
+inline Run good_run(const std::string& algorithm, const std::string& family, std::int64_t n,
+                    std::int64_t instance, std::int64_t repetition = 0) {
+  Run run;
+  run.algorithm = algorithm;
+  run.family = family;
+  run.wanted_n = run.n = n;
+  run.m = 2 * n;
+  run.instance_index = instance;
+  run.seed = static_cast<std::uint64_t>(1000 * n + instance);
+  run.graph_hash = std::to_string(run.seed);
+  run.repetition = repetition;
+  run.status = RunStatus::ok;
+  RandomStream random(run.seed);
+  const auto n_float = static_cast<double>(n);
+  run.theorem_bound = {16 * n_float / 3, 16 * n_float / 3, 8 * n_float};
+  run.instance_bound = {5 * n, 5 * n, 7 * n};
+  run.extents = {4 * n + random.below(static_cast<std::uint32_t>(n / 2 + 1)), 4 * n, 6 * n};
+  run.log2_volume = 0;
+  for (const std::int64_t extent : run.extents) {
+    run.log2_volume += std::log2(static_cast<double>(extent + 1));
+  }
+  run.bends = {0, 0, n, n, 0, 0, 0, 0};
+  run.violations = 0;
+  run.wall_s = 1e-7 * n_float * std::exp(0.1 * normal(random));
+  return run;
+}
+
+/// All combinations, sizes 16, 32, … doubling.
+inline Results good_results(const std::vector<std::string>& algorithms,
+                            const std::vector<std::string>& families, std::size_t sizes,
+                            std::int64_t instances) {
+  Results results;
+  results.study_id = "synthetic";
+  for (const std::string& algorithm : algorithms) {
+    for (const std::string& family : families) {
+      for (std::size_t s = 0; s < sizes; ++s) {
+        for (std::int64_t i = 0; i < instances; ++i) {
+          results.runs.push_back(good_run(algorithm, family, std::int64_t{16} << s, i));
+        }
+      }
+    }
+  }
+  return results;
+}
+
+/// Samples whose logarithms are truth(n) + noise(random, n), with `instances` a size.
+inline std::vector<SizeSample> noisy_samples(
+    const std::vector<std::int64_t>& sizes, std::size_t instances, RandomStream& random,
+    const std::function<double(double)>& truth,
+    const std::function<double(RandomStream&, double)>& noise) {
+  std::vector<SizeSample> samples;
+  for (const std::int64_t n : sizes) {
+    SizeSample sample;
+    sample.n = n;
+    for (std::size_t i = 0; i < instances; ++i) {
+      const auto n_float = static_cast<double>(n);
+      sample.instances.push_back({truth(n_float) + noise(random, n_float), i});
+    }
+    samples.push_back(std::move(sample));
+  }
+  return samples;
+}
+
+inline std::vector<std::int64_t> doubling(std::int64_t first, std::size_t count) {
+  std::vector<std::int64_t> sizes;
+  for (std::size_t i = 0; i < count; ++i) sizes.push_back(first << i);
+  return sizes;
+}
+
+}  // namespace ar3d::testing
