@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ar3d/algorithms/diamond/diamond.h"
+#include "ar3d/algorithms/grid/grid.h"
 #include "ar3d/algorithms/two_bend/two_bend.h"
 #include "ar3d/model/error.h"
 
@@ -15,6 +16,7 @@ const std::vector<Algorithm>& algorithms() {
       // One row an algorithm, each made by a function of its own folder.
       diamond_row(),
       two_bend_row(),
+      grid_row(),
   };
   return rows;
 }

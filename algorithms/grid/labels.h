@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ar3d/algorithms/grid/colours.h"
+#include "ar3d/algorithms/grid/order.h"
+#include "ar3d/model/graph.h"
+
+namespace ar3d::grid {
+
+/// The labels of all half-edges, one byte an edge. A label not decided yet is kNoColour.
+class EdgeLabels {
+ public:
+  explicit EdgeLabels(EdgeId num_edges) : both_(num_edges, kNoColour | (kNoColour << 4)) {}
+
+  /// The label of edge e at its end v, where `to` is the other end.
+  Colour at(EdgeId e, Vertex v, Vertex to) const { return (both_[e] >> shift(v, to)) & 3u; }
+  void set(EdgeId e, Vertex v, Vertex to, Colour label) {
+    const unsigned s = shift(v, to);
+    both_[e] = static_cast<std::uint8_t>((both_[e] & ~(3u << s)) | (label << s));
+  }
+  std::size_t size() const { return both_.size(); }
+  const std::uint8_t* address(EdgeId e) const { return &both_[e]; }
+
+ private:
+  static unsigned shift(Vertex v, Vertex to) { return v < to ? 0 : 4; }
+  std::vector<std::uint8_t> both_;
+};
+
+/// The labels that need no positions.
+/// Invariant: labels at a vertex differ. An edge whose two labels are equal is a U-edge; the edge
+/// fr of a cubic component may have two different labels (a defect). Otherwise only a clash vertex
+/// v has edges whose label at v is open: two edges to earlier w, w' with the same label lambda
+/// there. Its third half-edge has lambda + 1. No neighbour of an f is a clash vertex.
+struct Labels {
+  EdgeLabels of;
+  std::uint64_t clashes = 0;
+};
+
+/// Stage 2: labels in processing order (section 5; lazily for f, amendment A2).
+/// Cost: O(n + m).
+Labels label_half_edges(const Graph& graph, const ProcessingOrder& order);
+
+}  // namespace ar3d::grid

@@ -1,0 +1,92 @@
+#include "ar3d/algorithms/grid/order.h"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "ar3d/model/error.h"
+
+namespace ar3d::grid {
+namespace {
+
+class Search {
+ public:
+  explicit Search(const Graph& graph) : graph_(graph), seen_(graph.num_vertices(), 0) {
+    order_.sequence.reserve(graph.num_vertices());
+  }
+
+  ProcessingOrder run() {
+    const Vertex n = graph_.num_vertices();
+    for (Vertex v = 0; v < n; ++v) {
+      if (!seen_[v] && graph_.degree(v) < 3) add_open_component(v);
+    }
+    for (Vertex v = 0; v < n; ++v) {
+      if (!seen_[v]) add_cubic_component(v);
+    }
+    return std::move(order_);
+  }
+
+ private:
+  /// Appends what a breadth-first search from `root` finds among the unseen vertices.
+  void append_search(Vertex root) {
+    std::vector<Vertex>& queue = order_.sequence;
+    std::size_t head = queue.size();
+    seen_[root] = 1;
+    queue.push_back(root);
+    while (head < queue.size()) {
+      for (const HalfEdge& half : graph_.incident(queue[head++])) {
+        if (seen_[half.to]) continue;
+        seen_[half.to] = 1;
+        queue.push_back(half.to);
+      }
+    }
+  }
+
+  void add_open_component(Vertex root) {
+    const std::size_t begin = order_.sequence.size();
+    append_search(root);
+    finish_part(begin, begin, false);
+  }
+
+  /// f is put first and its neighbour r becomes the root of the rest, which must stay connected.
+  void add_cubic_component(Vertex start) {
+    const std::size_t begin = order_.sequence.size();
+    if (!append_without(start, graph_.incident(start)[0].to)) {
+      forget(begin);
+      append_search(start);
+      const Vertex f = order_.sequence.back();  // the last vertex of a search is no cut vertex
+      forget(begin);
+      expect(append_without(f, graph_.incident(f)[0].to), "a last vertex is no cut vertex");
+    }
+    finish_part(begin, begin + 1, true);
+  }
+
+  /// f, then the search from r in the component without f. False if f is a cut vertex.
+  bool append_without(Vertex f, Vertex r) {
+    seen_[f] = 1;
+    order_.sequence.push_back(f);
+    append_search(r);
+    return std::ranges::all_of(graph_.incident(f),
+                               [&](const HalfEdge& half) { return seen_[half.to] != 0; });
+  }
+
+  void forget(std::size_t begin) {
+    for (std::size_t i = begin; i < order_.sequence.size(); ++i) seen_[order_.sequence[i]] = 0;
+    order_.sequence.resize(begin);
+  }
+
+  void finish_part(std::size_t begin, std::size_t reversed_from, bool cubic) {
+    std::reverse(order_.sequence.begin() + static_cast<std::ptrdiff_t>(reversed_from),
+                 order_.sequence.end());
+    order_.parts.push_back({begin, order_.sequence.size(), cubic});
+  }
+
+  const Graph& graph_;
+  std::vector<std::uint8_t> seen_;
+  ProcessingOrder order_;
+};
+
+}  // namespace
+
+ProcessingOrder processing_order(const Graph& graph) { return Search(graph).run(); }
+
+}  // namespace ar3d::grid

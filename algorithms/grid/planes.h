@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "ar3d/algorithms/grid/colours.h"
+#include "ar3d/algorithms/grid/labels.h"
+#include "ar3d/algorithms/grid/order.h"
+#include "ar3d/model/graph.h"
+
+namespace ar3d::grid {
+
+/// The three plane numbers X_0, X_1, X_2 of a vertex: its position is x_i = 3 X_i, x_3 = -3 S, S
+/// their sum.
+using PlaneNumbers = std::array<std::int32_t, kColours>;
+
+inline std::int64_t sum_of(const PlaneNumbers& x) { return std::int64_t{x[0]} + x[1] + x[2]; }
+
+/// The slot of a defect with E > 0: numbers k-1 and k of its third colour belong to it alone.
+struct Slot {
+  EdgeId edge = 0;
+  std::int64_t k = 0;
+};
+
+/// How often each case of the construction was used.
+struct PlaneCounts {
+  std::int64_t nt = 0;           ///< clashes solved with E < 0
+  std::int64_t pq = 0;           ///< clashes solved with E > 0 and a slot
+  std::int64_t last_edge_u = 0;  ///< psi = phi
+  std::int64_t last_edge_m = 0;  ///< psi = phi - 1
+  std::int64_t last_edge_p = 0;  ///< psi = phi + 1
+  std::int64_t restarts = 0;     ///< the zone was too small
+};
+
+/// Plane numbers, all labels, slots.
+/// Invariant: (I1)-(I5) of docs/theorem3.md, which broken_invariant() tests.
+struct Planes {
+  std::vector<PlaneNumbers> of;
+  EdgeLabels labels;
+  std::vector<Slot> slots;  // in order of edge numbers
+  PlaneCounts counts;
+};
+
+struct PlaneOptions {
+  bool compact_windows = true;       ///< prefer numbers that keep sums of two plane numbers small
+  std::int64_t window_percent = 55;  ///< half width of the preferred window in hundredths of n
+};
+
+/// Stages 3 and 4: the core, amendments A1, A2 and A3. Never fails.
+/// Cost: O(n log n) expected over the stream of random numbers, on every input.
+Planes assign_planes(const Graph& graph, const ProcessingOrder& order, Labels labels,
+                     const PlaneOptions& options);
+
+/// The bound on plane numbers that the size proof gives: |X_i| <= 150 n + 300.
+inline constexpr std::int64_t proved_plane_bound(std::int64_t n) { return 150 * n + 300; }
+
+}  // namespace ar3d::grid

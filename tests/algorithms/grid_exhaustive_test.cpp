@@ -1,0 +1,31 @@
+// Every graph of maximum degree 3 with at most 11 vertices, at every effort, certified.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "algorithms/grid_checks.h"
+#include "ar3d/algorithms/catalog.h"
+#include "support/graphs.h"
+
+namespace ar3d {
+namespace {
+
+class GridOnAllGraphs : public ::testing::TestWithParam<std::int64_t> {};
+
+TEST_P(GridOnAllGraphs, UpToElevenVerticesAreCertified) {
+  testing::CaseCounts counts;
+  std::size_t drawn = 0;
+  for (int n = 1; n <= 11; ++n) {
+    for (const Graph& graph : testing::geng(fmt::format("-D3 {}", n))) {
+      ASSERT_EQ(testing::grid_fault(graph, GetParam(), &counts), "") << "n = " << n;
+      ++drawn;
+    }
+  }
+  EXPECT_EQ(drawn, 16335u);
+  counts.expect_all_hit();
+}
+
+INSTANTIATE_TEST_SUITE_P(Efforts, GridOnAllGraphs, ::testing::Values(0, 1));
+
+}  // namespace
+}  // namespace ar3d
