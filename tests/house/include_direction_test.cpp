@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <set>
 #include <string>
 
@@ -34,9 +33,12 @@ bool is_source(const fs::path& path) { return path.extension() == ".h" || path.e
 
 /// The folder that an include line names, or "" for includes of others.
 std::string included_folder(const std::string& line) {
-  static const std::regex pattern(R"re(^\s*#\s*include\s*"ar3d/([a-z_]+)/)re");
-  std::smatch match;
-  return std::regex_search(line, match, pattern) ? match[1].str() : "";
+  const std::string mark = "\"ar3d/";
+  const std::size_t at = line.find(mark);
+  if (line.rfind("#include", 0) != 0 || at == std::string::npos) return "";
+  const std::size_t begin = at + mark.size();
+  const std::size_t slash = line.find('/', begin);
+  return slash == std::string::npos ? "" : line.substr(begin, slash - begin);
 }
 
 std::vector<std::string> forbidden_includes(const fs::path& root, const Allowed& table) {
