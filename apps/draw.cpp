@@ -27,6 +27,7 @@ struct DrawArguments {
   std::vector<std::string> options;
   std::string format;
   std::string output = "-";
+  SvgView view;
 };
 
 struct Task {
@@ -102,7 +103,7 @@ int draw_graphs(const DrawArguments& arguments) {
   OutputFile file(arguments.output);
   bool all_drawn = true;
   if (format == "svg") {
-    file.append(drawing_to_svg(draw_only(reader, algorithm, options, format)));
+    file.append(drawing_to_svg(draw_only(reader, algorithm, options, format), arguments.view));
   } else {
     all_drawn = draw_all(reader, algorithm, options, file);
   }
@@ -125,6 +126,8 @@ void add_draw(CLI::App& app, int& exit_code) {
       ->allow_extra_args(false);
   verb->add_option("--format", arguments->format, "jsonl (all graphs) or svg (one graph)")
       ->check(CLI::IsMember({"jsonl", "svg"}));
+  verb->add_option("--turn", arguments->view.turn_degrees, "svg: turn about the z axis, degrees");
+  verb->add_option("--tilt", arguments->view.tilt_degrees, "svg: 0 is seen from above, 90 from the side");
   verb->add_option("-o,--output", arguments->output, "file, or - for standard output");
   verb->footer("Example: nauty-geng -D4 7 | ar3d draw - --algorithm diamond --set effort=2 | ar3d verify -");
   verb->callback([arguments, &exit_code] { exit_code = draw_graphs(*arguments); });

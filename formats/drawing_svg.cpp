@@ -17,6 +17,7 @@ struct Real3 {
 };
 
 constexpr std::size_t kMaxSegments = 20000;
+constexpr double kBallRadius = 0.8;     // in lattice units, for the depth order only
 constexpr int kPiecesPerSegment = 12;  // painter's algorithm: long tubes are split so that depth order is right
 
 /// Cholesky factor of gram / denominator: squared Euclidean length of embed(u) is the lattice's squared length.
@@ -70,7 +71,7 @@ struct Tube {
   Real3 from;
   Real3 to;
   int colour = 0;  // -1: a vertex, drawn at `from`
-  double depth() const { return (from.z + to.z) / 2; }
+  double depth() const { return colour < 0 ? from.z + kBallRadius : (from.z + to.z) / 2; }
 };
 
 /// Edges that share a vertex get different colours (greedy; at most 2 * maximum degree - 1 colours).
@@ -157,17 +158,18 @@ std::string drawing_to_svg(const Drawing& drawing, const SvgView& view) {
   const Frame f = frame_of(tubes);
   const double margin = 24;
   const double span = std::max({f.high_x - f.low_x, f.high_y - f.low_y, 1e-9});
-  const double scale = (view.width - 2 * margin) / std::max(f.high_x - f.low_x, span * 0.4);
+  const double scale = (view.longer_side - 2 * margin) / span;
+  const double width = (f.high_x - f.low_x) * scale + 2 * margin;
   const double height = (f.high_y - f.low_y) * scale + 2 * margin;
   const double stroke = std::clamp(scale * 0.34, 1.2, 7.0);
   const auto sx = [&](double x) { return margin + (x - f.low_x) * scale; };
   const auto sy = [&](double y) { return margin + (y - f.low_y) * scale; };
   std::string out = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1:.0f}\" width=\"{0}\" height=\"{1:.0f}\">\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\">\n"
       "<defs><radialGradient id=\"ball\" cx=\"35%\" cy=\"30%\" r=\"75%\"><stop offset=\"0\" stop-color=\"#fff\"/>"
       "<stop offset=\"0.35\" stop-color=\"#777\"/><stop offset=\"1\" stop-color=\"#111\"/></radialGradient></defs>\n"
       "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-      view.width, height);
+      width, height);
   for (const Tube& tube : tubes) {
     if (tube.colour < 0) {
       out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"url(#ball)\"/>\n",

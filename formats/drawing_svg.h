@@ -10,7 +10,7 @@ namespace ar3d {
 struct SvgView {
   double turn_degrees = 28;
   double tilt_degrees = 62;  ///< 0: from above, 90: from the side
-  int width = 900;           ///< pixels; the height follows from the drawing
+  int longer_side = 900;     ///< pixels; the other side follows from the drawing
 };
 
 /// A picture of a small drawing as an SVG document: edges as shaded tubes (properly edge-coloured, nearer ones in

@@ -1,0 +1,98 @@
+// Every input is hostile: one line that names file, line and value; the documented exit code; nothing half-written.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "support/program.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::run;
+using testing::ScratchDirectory;
+
+struct BadInput {
+  const char* name;
+  const char* command;               // @ stands for the scratch directory's file
+  std::string content;               // of that file
+  std::vector<std::string> message;  // parts of the one line on stderr
+};
+
+std::ostream& operator<<(std::ostream& out, const BadInput& bad) { return out << bad.name; }
+
+const char* const kDraw = "{} draw @ --algorithm diamond -o @.out";
+
+std::vector<BadInput> bad_inputs() {
+  using namespace std::string_literals;
+  return {
+      {"missing_file", "{} draw @.missing --algorithm diamond -o @.out", "", {".missing", "No such file"}},
+      {"unreadable_directory", "{} draw /tmp --algorithm diamond -o @.out", "", {"/tmp", "directory"}},
+      {"empty_file", kDraw, "", {"@", "empty"}},
+      {"truncated_graph6", kDraw, "Dhc\nI?\n", {"@:2:"}},
+      {"non_ascii_graph6", kDraw, "D\xff\xfe\n", {"@:1"}},
+      {"sparse6_bad_padding", kDraw, ":Fa@x^@\n", {"@:1:"}},
+      {"id_out_of_range", "{} draw @ --from edgelist --algorithm diamond -o @.out", "# vertices 3\n0 1\n1 7\n", {"@:3:", "7"}},
+      {"loop", "{} draw @ --from edgelist --algorithm diamond -o @.out", "0 1\n4 4\n", {"@:2:", "loop"}},
+      {"parallel_edges", "{} draw @ --from edgelist --algorithm diamond -o @.out", "0 1\n1 2\n1 0\n", {"@:3:", "parallel"}},
+      {"not_a_number", "{} draw @ --from edgelist --algorithm diamond -o @.out", "0 1\n1 two\n", {"@:2:", "two"}},
+      {"absurd_n_graph6", kDraw, "~~~~~~~~\n", {"@:1:"}},
+      {"absurd_n_sparse6", kDraw, ":~~~~~~~~\n", {"@:1:"}},
+      {"unknown_family", "{} generate no-such-family -n 10 -o @.out", "", {"no-such-family"}},
+      {"unknown_algorithm", "{} draw @ --algorithm no-such-algorithm -o @.out", "Dhc\n", {"no-such-algorithm"}},
+      {"unknown_option", "{} draw @ --algorithm diamond --set colour=3 -o @.out", "Dhc\n", {"colour"}},
+      {"option_out_of_range", "{} draw @ --algorithm diamond --set effort=9 -o @.out", "Dhc\n", {"effort", "9"}},
+      {"unknown_flag", "{} draw @ --algorithm diamond --colour red -o @.out", "Dhc\n", {"--colour"}},
+      {"no_verb", "{}", "", {"subcommand"}},
+      {"unwritable_output", "{} draw @ --algorithm diamond -o /no/such/dir/out", "Dhc\n", {"/no/such/dir/out"}},
+      {"drawing_not_json", "{} verify @", "hello\n", {"@:1"}},
+  };
+}
+
+class BadInputTest : public ::testing::TestWithParam<BadInput> {};
+
+TEST_P(BadInputTest, OneLineAndExitTwoAndNothingWritten) {
+  const BadInput& bad = GetParam();
+  const ScratchDirectory scratch;
+  const std::string file = scratch.write("input", bad.content);
+  const auto fill = [&](std::string text) {
+    for (std::size_t at = 0; (at = text.find('@', at)) != std::string::npos; at += file.size()) {
+      text.replace(at, 1, file);
+    }
+    return text;
+  };
+  const Outcome outcome = run(fill(bad.command));
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  for (const std::string& part : bad.message) EXPECT_THAT(outcome.err, HasSubstr(fill(part)));
+  EXPECT_FALSE(std::filesystem::exists(file + ".out")) << "half-written output";
+}
+
+INSTANTIATE_TEST_SUITE_P(Program, BadInputTest, ::testing::ValuesIn(bad_inputs()),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST(Program, FullDiskIsAnErrorNotAShortFile) {
+  const Outcome outcome = run("{} generate path -n 100000 -o - > /dev/full");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("No space left"));
+}
+
+TEST(Program, DegreeAboveTheGuaranteeNamesTheVertex) {
+  const ScratchDirectory scratch;
+  const std::string star = scratch.write("star", "0 1\n0 2\n0 3\n0 4\n0 5\n");
+  const Outcome outcome = run("{} draw " + star + " --from edgelist --algorithm diamond");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("vertex 0 has degree 5"));
+  EXPECT_THAT(outcome.out, HasSubstr("\"error\""));  // its line in the stream of drawings; the others go on
+}
+
+TEST(Program, TheGraphWithoutVerticesIsDrawn) {
+  const Outcome outcome = run("printf '?\\n' | {} draw - --algorithm diamond | {} verify -");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
+}  // namespace
+}  // namespace ar3d
