@@ -54,6 +54,42 @@ OddInterval interval_of(const View& view, const Values& values, NodeId merge) {
   return result;
 }
 
+namespace {
+
+/// Where a listed MERGE below another MERGE may stand, given the present values of all others.
+OddInterval room_of(const View& view, const Values& values, NodeId m, NodeId above) {
+  OddInterval room = interval_of(view, values, m);
+  const std::int64_t nearest =
+      view.is_free_merge(above) ? std::abs(values[m] - values[above]) : margin(NodeType::merge);
+  if (values[m] < values[above]) {
+    room.high = std::min(room.high, values[above] - nearest);
+  } else {
+    room.low = std::max(room.low, values[above] + nearest);
+  }
+  expect(room.contains(values[m]), "a listed MERGE keeps its distances");
+  return room;
+}
+
+void relax_merge(const View& view, Values& values, NodeId m) {
+  if (!view.is_listed_merge(m) || view.is_free_merge(m)) return;
+  const NodeId above = view.outs(m)[0];
+  if (view.type(above) != NodeType::merge) return;
+  const OddInterval between = interval_of(view, values, m);
+  const OddInterval room = room_of(view, values, m, above);
+  values[m] = std::clamp(between.middle(), room.low, room.high);
+}
+
+}  // namespace
+
+void relax_merges(const View& view, unsigned passes, Values& values) {
+  for (unsigned pass = 0; pass < passes; ++pass) {
+    const bool backwards = pass % 2 == 0;
+    for (NodeId i = 0; i < view.size(); ++i) {
+      relax_merge(view, values, view.at(backwards ? view.size() - 1 - i : i));
+    }
+  }
+}
+
 void choose_middle_values(const View& view, Values& values) {
   for (NodeId m = 0; m < view.size(); ++m) {
     if (!view.is_free_merge(m)) continue;

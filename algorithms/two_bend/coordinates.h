@@ -35,6 +35,13 @@ struct OddInterval {
 };
 OddInterval interval_of(const View& view, const Values& values, NodeId merge);
 
+/// Moves listed MERGEs towards the middle between their in-neighbours, which shortens the longer of
+/// their two arms. Every single move keeps all distances of Values: the MERGE stays between its
+/// in-neighbours and on its side of the MERGE above it, and never comes nearer to a free one, so
+/// the intervals of free MERGEs only grow. MERGEs below a SINK stay where they are.
+/// @param passes  over all nodes, alternately against and with the view's time.
+void relax_merges(const View& view, unsigned passes, Values& values);
+
 /// Gives every free MERGE of the view that is no end of a VV edge the middle of its interval.
 void choose_middle_values(const View& view, Values& values);
 

@@ -29,9 +29,10 @@ constexpr std::int64_t kVvCount =
 
 class LayoutSearch {
  public:
-  LayoutSearch(const Flow& flow, const Lists& lists)
+  LayoutSearch(const Flow& flow, const Lists& lists, const LayoutOptions& options)
       : flow_(flow),
         lists_(lists),
+        options_(options),
         row_view_(flow, false),
         column_view_(flow, true),
         vv_(find_vv_edges(flow)) {
@@ -42,8 +43,8 @@ class LayoutSearch {
     for (const Pole& pole : flow.poles) set_gap(pole, kFirstGap);
   }
 
-  Layout run(bool force_safe) {
-    for (unsigned round = 0; round < kOrdinaryRounds && !force_safe; ++round) {
+  Layout run() {
+    for (unsigned round = 0; round < kOrdinaryRounds && !options_.force_safe; ++round) {
       ++layout_.rounds;
       number();
       if (!choose_free_values()) continue;
@@ -77,6 +78,8 @@ class LayoutSearch {
   void number() {
     layout_.rows = number_list(row_view_, lists_.rows, row_spacing_);
     layout_.columns = number_list(column_view_, lists_.columns, column_spacing_);
+    relax_merges(row_view_, options_.relax_passes, layout_.rows);
+    relax_merges(column_view_, options_.relax_passes, layout_.columns);
   }
 
   /// False if a VV edge found no primitive lean; then the intervals are wider for the next round.
@@ -187,6 +190,7 @@ class LayoutSearch {
 
   const Flow& flow_;
   const Lists& lists_;
+  const LayoutOptions options_;
   const View row_view_;
   const View column_view_;
   const std::vector<LongId> vv_;
@@ -198,8 +202,8 @@ class LayoutSearch {
 
 }  // namespace
 
-Layout find_layout(const Flow& flow, const Lists& lists, bool force_safe) {
-  return LayoutSearch(flow, lists).run(force_safe);
+Layout find_layout(const Flow& flow, const Lists& lists, const LayoutOptions& options) {
+  return LayoutSearch(flow, lists, options).run();
 }
 
 }  // namespace ar3d::two_bend

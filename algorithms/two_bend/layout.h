@@ -29,9 +29,13 @@ struct Layout {
   bool safe = false;    ///< the safe round was used
 };
 
+struct LayoutOptions {
+  bool force_safe = false;    ///< skip the ordinary rounds
+  unsigned relax_passes = 2;  ///< see relax_merges
+};
+
 /// Ordinary rounds, at most kOrdinaryRounds, then the safe round, which succeeds by proof.
-/// @param force_safe  skip the ordinary rounds (for tests).
-Layout find_layout(const Flow& flow, const Lists& lists, bool force_safe);
+Layout find_layout(const Flow& flow, const Lists& lists, const LayoutOptions& options);
 
 inline constexpr unsigned kOrdinaryRounds = 10;
 

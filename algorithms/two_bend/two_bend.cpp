@@ -41,6 +41,8 @@ struct Census {
   }
 };
 
+unsigned relax_passes(unsigned effort) { return effort == 0 ? 0 : effort == 1 ? 2 : 10; }
+
 void draw_component(LocalGraph& graph, const Options& options, Output& output, Census& census) {
   if (graph.size() == 1) {
     output.set_vertex(graph.name[0], {0, 0, output.base_z()});
@@ -60,7 +62,8 @@ void draw_component(LocalGraph& graph, const Options& options, Output& output, C
   const TimeOrder order = find_time_order(graph, blocks);
   Flow flow = build_flow(graph, blocks, order);
   const Lists lists = build_lists(flow);
-  const Layout layout = find_layout(flow, lists, options.force_safe_round);
+  const Layout layout =
+      find_layout(flow, lists, {options.force_safe_round, relax_passes(options.effort)});
   const Slabs slabs = draw_slabs(flow, layout);
   sweep({graph, order, flow, layout, slabs, bodies}, output);
   census.add(flow, layout, bodies.size());

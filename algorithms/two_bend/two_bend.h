@@ -7,6 +7,8 @@
 namespace ar3d::two_bend {
 
 struct Options {
+  /// How hard to press the height: 0 not at all, 1 two passes of relax_merges, 2 ten passes.
+  unsigned effort = 1;
   bool force_safe_round =
       false;  ///< lay every component out by the fallback whose success is proved
 };

@@ -17,6 +17,7 @@ TEST_P(TwoBendExhaustive, CertifiesEveryGraphOfMaximumDegree3) {
     expect_certified(graph);
     expect_certified(graph, {.force_safe_round = true});
     for (int i = 0; i < 5; ++i) expect_certified(testing::shuffled(graph, ++seed));
+    expect_certified(graph, {.effort = 0});
     if (HasFailure()) break;
   }
 }

@@ -73,6 +73,19 @@ TEST(TwoBend, SafeRoundIsCorrectWhenForced) {
   EXPECT_GT(totals["safe_rounds"], 300);
 }
 
+TEST(TwoBend, EffortLowersTheHeightAndKeepsEverythingElse) {
+  std::array<std::int64_t, 3> height{};
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Graph graph = testing::random_graph_of_any_kind(80, 8 * seed);
+    for (const unsigned effort : {0u, 1u, 2u}) {
+      expect_certified(graph, {.effort = effort});
+      height[effort] += bounding_box(two_bend::draw(graph, {.effort = effort})).extents()[2];
+    }
+  }
+  EXPECT_LT(height[1], height[0]);
+  EXPECT_LT(height[2], height[1]);
+}
+
 TEST(TwoBend, IsDeterministic) {
   const Graph graph = testing::random_graph_of_any_kind(60, 5);
   const Drawing a = two_bend::draw(graph);
