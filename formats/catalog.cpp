@@ -5,7 +5,12 @@
 
 #include <utility>
 
+#include "ar3d/formats/adjacency_list.h"
+#include "ar3d/formats/dimacs.h"
 #include "ar3d/formats/edge_list.h"
+#include "ar3d/formats/graphml.h"
+#include "ar3d/formats/matrix_market.h"
+#include "ar3d/formats/metis.h"
 #include "ar3d/formats/nauty_lines.h"
 #include "ar3d/model/error.h"
 
@@ -36,8 +41,8 @@ const GraphFormat& detect_format(TextInput& input) {
 
 const std::vector<GraphFormat>& graph_formats() {
   static const std::vector<GraphFormat> kFormats = {
-      graph6_format(),
-      sparse6_format(),
+      matrix_market_format(),       dimacs_format(), graphml_format(),        sparse6_format(),
+      incremental_sparse6_format(), graph6_format(), adjacency_list_format(), metis_format(),
       edge_list_format(),
   };
   return kFormats;

@@ -34,13 +34,22 @@ Vertex EdgeCollector::read_vertex(Tokens& tokens) {
                                        id, limit_)
                          : fmt::format("vertex id {} is too large, ids fit 32 bits", id));
   }
+  if (id - base_ >= largest_end_) {
+    largest_end_ = id - base_ + 1;
+    largest_line_ = input_->line();
+  }
   return static_cast<Vertex>(id - base_);
 }
 
-void EdgeCollector::read_edge(Tokens& tokens) {
+Edge EdgeCollector::read_ends(Tokens& tokens) {
   const Vertex u = read_vertex(tokens);
   const Vertex v = read_vertex(tokens);
   if (u == v) tokens.fail(fmt::format("edge ({0}, {0}) is a loop", std::uint64_t{u} + base_));
+  return {u, v};
+}
+
+void EdgeCollector::read_edge(Tokens& tokens) {
+  const auto [u, v] = read_ends(tokens);
   add(u, v);
 }
 
@@ -48,11 +57,6 @@ void EdgeCollector::add(Vertex u, Vertex v) {
   const std::uint64_t edge = edges_.size();
   if (runs_.empty() || line_of(edge) != input_->line()) runs_.push_back({edge, input_->line()});
   edges_.push_back({u, v});
-  const std::uint64_t end = std::uint64_t{std::max(u, v)} + 1;
-  if (end > largest_end_) {
-    largest_end_ = end;
-    largest_line_ = input_->line();
-  }
 }
 
 std::uint64_t EdgeCollector::line_of(std::uint64_t edge) const {
@@ -64,12 +68,17 @@ std::uint64_t EdgeCollector::line_of(std::uint64_t edge) const {
   return run.line + (edge - run.first);
 }
 
-Graph EdgeCollector::finish() {
+std::uint64_t EdgeCollector::checked_n() const {
   const std::uint64_t n = known_n_.value_or(largest_end_);
   const std::uint64_t bytes = input_->bytes() - first_byte_;
   if (const auto problem = vertex_count_problem(n, bytes, *options_)) {
     input_->fail_at(known_n_ ? header_line_ : largest_line_, 0, *problem);
   }
+  return n;
+}
+
+Graph EdgeCollector::finish() {
+  const std::uint64_t n = checked_n();
   std::vector<Edge> edges = std::exchange(edges_, {});
   try {
     return Graph(n, std::move(edges));

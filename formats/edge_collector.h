@@ -25,6 +25,12 @@ class EdgeCollector {
   Vertex read_vertex(Tokens& tokens);
   void add(Vertex u, Vertex v);
 
+  /// Reads the two ends of an edge without collecting it. @throws InputError as read_edge.
+  Edge read_ends(Tokens& tokens);
+  /// The number of vertices: as begun, or up to the largest id.
+  /// @throws InputError if it is more than the text accounts for.
+  std::uint64_t checked_n() const;
+
   std::uint64_t num_edges() const { return edges_.size(); }
   /// Ends the graph; without a known n it has the vertices up to the largest id.
   /// @throws InputError on parallel edges, or on more vertices than the text accounts for.

@@ -36,20 +36,37 @@ class NautyParser final : public GraphParser {
         1, fmt::format("unknown header {}, expected '>>graph6<<' or '>>sparse6<<'", shown(line)));
   }
 
-  Graph decode(std::string_view line, std::size_t begin) const {
-    const char kind = line[begin];
-    if (kind == '&') input_.fail(begin + 1, "this is digraph6: directed graphs are not supported");
-    EdgesOnVertices read = kind == ':' ? decode_sparse6({input_, line, begin + 1}, options_)
-                                       : decode_graph6({input_, line, begin}, options_);
+  Graph decode(std::string_view line, std::size_t begin) {
+    EdgesOnVertices read = decode_line(line, begin);
     try {
-      return Graph(read.n, std::move(read.edges));
+      Graph graph(read.n, std::move(read.edges));
+      previous_n_ = read.n;
+      previous_ = graph.shared_edges();
+      return graph;
     } catch (const EdgeError& error) {
       input_.fail(0, error.what());
     }
   }
 
+  EdgesOnVertices decode_line(std::string_view line, std::size_t begin) const {
+    switch (line[begin]) {
+      case ':':
+        return decode_sparse6({input_, line, begin + 1}, options_);
+      case ';':
+        if (previous_ == nullptr)
+          input_.fail(begin + 1, "an incremental line without a graph before it");
+        return decode_incremental_sparse6({input_, line, begin + 1}, previous_n_, *previous_);
+      case '&':
+        input_.fail(begin + 1, "this is digraph6: directed graphs are not supported");
+      default:
+        return decode_graph6({input_, line, begin}, options_);
+    }
+  }
+
   TextInput& input_;
   ReadOptions options_;
+  std::uint64_t previous_n_ = 0;
+  std::shared_ptr<const std::vector<Edge>> previous_;  // of the last graph, for incremental lines
 };
 
 template <void (*append_line)(std::string&, const Graph&)>
@@ -70,6 +87,29 @@ std::unique_ptr<GraphWriter> line_writer(OutputFile& output, const WriteOptions&
   return std::make_unique<LineWriter<append_line>>(output);
 }
 
+/// The first graph of each size in sparse6, the others as changes.
+class IncrementalWriter final : public GraphWriter {
+ public:
+  explicit IncrementalWriter(OutputFile& output) : output_(output) {}
+  void write(const Graph& graph) override {
+    if (previous_ && previous_->num_vertices() == graph.num_vertices()) {
+      append_incremental_sparse6(output_.pending(), *previous_, graph);
+    } else {
+      append_sparse6(output_.pending(), graph);
+    }
+    previous_ = graph;
+    output_.flush_if_full();
+  }
+
+ private:
+  OutputFile& output_;
+  std::optional<Graph> previous_;
+};
+
+std::unique_ptr<GraphWriter> incremental_writer(OutputFile& output, const WriteOptions&) {
+  return std::make_unique<IncrementalWriter>(output);
+}
+
 std::unique_ptr<GraphParser> nauty_parser(TextInput& input, const ReadOptions& options) {
   return std::make_unique<NautyParser>(input, options);
 }
@@ -86,6 +126,9 @@ bool looks_like_graph6(const InputHead& head) {
 bool looks_like_sparse6(const InputHead& head) {
   return head.text.starts_with(">>sparse6") || head.text.starts_with(':');
 }
+
+/// A first line that is an increment has nothing to change; the parser says so.
+bool looks_like_increment(const InputHead& head) { return head.text.starts_with(';'); }
 
 }  // namespace
 
@@ -105,6 +148,15 @@ GraphFormat sparse6_format() {
           .detect = looks_like_sparse6,
           .parser = nauty_parser,
           .writer = line_writer<append_sparse6>};
+}
+
+GraphFormat incremental_sparse6_format() {
+  return {.name = "isparse6",
+          .extensions = {".is6"},
+          .summary = "incremental sparse6: each graph as its difference from the one before",
+          .detect = looks_like_increment,
+          .parser = nauty_parser,
+          .writer = incremental_writer};
 }
 
 }  // namespace ar3d

@@ -9,5 +9,6 @@ namespace ar3d {
 /// formats is chosen, ':' begins sparse6, ';' incremental sparse6, everything else graph6.
 GraphFormat graph6_format();
 GraphFormat sparse6_format();
+GraphFormat incremental_sparse6_format();
 
 }  // namespace ar3d

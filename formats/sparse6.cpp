@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
+#include <span>
 
 #include "ar3d/formats/vertex_limit.h"
+#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {
@@ -49,17 +52,12 @@ class Pairs {
   unsigned count_ = 0;
 };
 
-}  // namespace
-
-EdgesOnVertices decode_sparse6(SixBits bits, const ReadOptions& options) {
-  EdgesOnVertices result;
-  const std::uint64_t n = result.n = bits.size();
-  if (const auto problem = vertex_count_problem(n, bits.left(), options))
-    bits.input().fail(1, *problem);
+std::vector<Edge> decode_pairs(const SixBits& bits, std::uint64_t n) {
   const TextInput& input = bits.input();
   const unsigned width = vertex_bits(n);
   const std::uint64_t low = (std::uint64_t{1} << width) - 1;
-  result.edges.reserve(bits.left() * 6 / (width + 1));
+  std::vector<Edge> edges;
+  edges.reserve(bits.left() * 6 / (width + 1));
   Pairs pairs(bits, width);
   std::uint64_t v = 0;
   std::uint64_t pair = 0;
@@ -74,61 +72,122 @@ EdgesOnVertices decode_sparse6(SixBits bits, const ReadOptions& options) {
     } else if (x == v) {
       input.fail(pairs.column() - 1, fmt::format("edge ({0}, {0}) is a loop", v));
     } else {
-      result.edges.push_back({static_cast<Vertex>(x), static_cast<Vertex>(v)});
+      edges.push_back({static_cast<Vertex>(x), static_cast<Vertex>(v)});
     }
   }
   if (!pairs.rest_is_padding(pair, ended)) {
     input.fail(pairs.column() - 1, "wrong padding behind the last edge");
   }
-  return result;
+  return edges;
 }
 
-namespace {
+/// An edge as a number: edges in sparse6's order are ascending numbers.
+std::uint64_t number_of(Edge e) {
+  return (std::uint64_t{std::max(e.u, e.v)} << 32) | std::min(e.u, e.v);
+}
 
-/// The smaller neighbours of v, ascending.
-void smaller_neighbours(const Graph& graph, Vertex v, std::vector<Vertex>& out) {
-  out.clear();
-  for (const HalfEdge& half : graph.incident(v)) {
-    if (half.to < v) out.push_back(half.to);
+std::vector<std::uint64_t> sorted_numbers(std::span<const Edge> edges) {
+  std::vector<std::uint64_t> numbers;
+  numbers.reserve(edges.size());
+  for (const Edge e : edges) numbers.push_back(number_of(e));
+  if (!std::is_sorted(numbers.begin(), numbers.end())) std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
+/// Writes the pairs of edges (u, v), u < v, given in ascending order of (v, u).
+class PairWriter {
+ public:
+  PairWriter(std::string& out, std::uint64_t n) : bits_(out), n_(n), width_(vertex_bits(n)) {}
+
+  void put(Vertex u, Vertex v) {
+    bits_.put(1, v == current_ ? 0 : 1);
+    if (v > current_ + 1) {  // x > v: a jump; the edge follows with b = 0
+      bits_.put(width_, v);
+      bits_.put(1, 0);
+    }
+    bits_.put(width_, u);
+    current_ = v;
   }
-  std::sort(out.begin(), out.end());
-}
 
-/// Fills the last character with ones. A pair of ones would be read as the loop at n - 1 if n is a
-/// power of two and the current vertex n - 2; a zero in front turns it into a harmless move to n
-/// - 1.
-void put_padding(SixBitWriter& bits, std::uint64_t n, unsigned width, std::uint64_t current) {
-  const unsigned missing = bits.missing();
-  if (missing == 0) return;
-  const bool hidden_loop =
-      missing > width && width > 0 && n == (std::uint64_t{1} << width) && current + 2 == n;
-  const std::uint32_t ones = (1u << missing) - 1;
-  bits.put(missing, hidden_loop ? ones >> 1 : ones);
-}
+  /// Fills the last character with ones. A pair of ones would be read as the loop at n - 1 if n is
+  /// a power of two and the current vertex n - 2; a zero in front turns it into a harmless move to
+  /// n - 1.
+  void finish() {
+    const unsigned missing = bits_.missing();
+    if (missing == 0) return;
+    const bool hidden_loop =
+        missing > width_ && width_ > 0 && n_ == (std::uint64_t{1} << width_) && current_ + 2 == n_;
+    const std::uint32_t ones = (1u << missing) - 1;
+    bits_.put(missing, hidden_loop ? ones >> 1 : ones);
+  }
+
+ private:
+  SixBitWriter bits_;
+  std::uint64_t n_;
+  unsigned width_;
+  std::uint64_t current_ = 0;
+};
 
 }  // namespace
 
-void append_sparse6(std::string& out, const Graph& graph) {
-  const std::uint64_t n = graph.num_vertices();
-  const unsigned width = vertex_bits(n);
-  out += ':';
-  append_size(out, n);
-  SixBitWriter bits(out);
-  Vertex current = 0;
-  std::vector<Vertex> smaller;
-  for (Vertex v = 0; v < n; ++v) {
-    smaller_neighbours(graph, v, smaller);
-    for (const Vertex u : smaller) {
-      bits.put(1, v == current ? 0 : 1);
-      if (v > current + 1) {  // x > v: a jump; the edge follows with b = 0
-        bits.put(width, v);
-        bits.put(1, 0);
-      }
-      bits.put(width, u);
-      current = v;
-    }
+EdgesOnVertices decode_sparse6(SixBits bits, const ReadOptions& options) {
+  const std::uint64_t n = bits.size();
+  if (const auto problem = vertex_count_problem(n, bits.left(), options))
+    bits.input().fail(1, *problem);
+  return {n, decode_pairs(bits, n)};
+}
+
+EdgesOnVertices decode_incremental_sparse6(SixBits bits, std::uint64_t n,
+                                           const std::vector<Edge>& previous) {
+  const std::vector<std::uint64_t> changes = sorted_numbers(decode_pairs(bits, n));
+  const auto twice = std::adjacent_find(changes.begin(), changes.end());
+  if (twice != changes.end()) {
+    bits.input().fail(
+        0, fmt::format("edge ({}, {}) is changed twice", *twice & 0xffffffff, *twice >> 32));
   }
-  put_padding(bits, n, width, current);
+  const std::vector<std::uint64_t> before = sorted_numbers(previous);
+  std::vector<std::uint64_t> after;
+  std::set_symmetric_difference(before.begin(), before.end(), changes.begin(), changes.end(),
+                                std::back_inserter(after));
+  EdgesOnVertices result{n, {}};
+  result.edges.reserve(after.size());
+  for (const std::uint64_t edge : after) {
+    result.edges.push_back(
+        {static_cast<Vertex>(edge & 0xffffffff), static_cast<Vertex>(edge >> 32)});
+  }
+  return result;
+}
+
+void append_sparse6(std::string& out, const Graph& graph) {
+  out += ':';
+  append_size(out, graph.num_vertices());
+  PairWriter pairs(out, graph.num_vertices());
+  std::vector<Vertex> smaller;
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+    smaller.clear();
+    for (const HalfEdge& half : graph.incident(v)) {
+      if (half.to < v) smaller.push_back(half.to);
+    }
+    std::sort(smaller.begin(), smaller.end());
+    for (const Vertex u : smaller) pairs.put(u, v);
+  }
+  pairs.finish();
+  out += '\n';
+}
+
+void append_incremental_sparse6(std::string& out, const Graph& previous, const Graph& graph) {
+  expect(previous.num_vertices() == graph.num_vertices(), "incremental graphs have equal sizes");
+  const std::vector<std::uint64_t> before = sorted_numbers(previous.edges());
+  const std::vector<std::uint64_t> after = sorted_numbers(graph.edges());
+  std::vector<std::uint64_t> changes;
+  std::set_symmetric_difference(before.begin(), before.end(), after.begin(), after.end(),
+                                std::back_inserter(changes));
+  out += ';';
+  PairWriter pairs(out, graph.num_vertices());
+  for (const std::uint64_t edge : changes) {
+    pairs.put(static_cast<Vertex>(edge & 0xffffffff), static_cast<Vertex>(edge >> 32));
+  }
+  pairs.finish();
   out += '\n';
 }
 

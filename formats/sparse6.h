@@ -14,7 +14,17 @@ namespace ar3d {
 /// Cost: O(line) time; memory for the edges only.
 EdgesOnVertices decode_sparse6(SixBits bits, const ReadOptions& options);
 
+/// Decodes the incremental sparse6 line at `bits` (behind its ';'): the pairs of the edges in which
+/// the graph differs from the previous one. Edges come as (x, v) ordered by (v, x).
+/// @throws InputError as decode_sparse6, and on an edge given twice.
+EdgesOnVertices decode_incremental_sparse6(SixBits bits, std::uint64_t n,
+                                           const std::vector<Edge>& previous);
+
 /// Appends the sparse6 line of a graph with its newline. O(n + m) time.
 void append_sparse6(std::string& out, const Graph& graph);
+
+/// Appends the line that turns `previous` into `graph` (both on the same number of vertices).
+/// O(m log m) time.
+void append_incremental_sparse6(std::string& out, const Graph& previous, const Graph& graph);
 
 }  // namespace ar3d

@@ -13,8 +13,12 @@ namespace ar3d {
 /// space.
 class Tokens {
  public:
-  Tokens(const TextInput& input, std::string_view line)
-      : input_(&input), line_(line.data()), at_(line.data()), end_(line.data() + line.size()) {}
+  /// @param at  where in the line to begin.
+  Tokens(const TextInput& input, std::string_view line, std::size_t at = 0)
+      : input_(&input),
+        line_(line.data()),
+        at_(line.data() + at),
+        end_(line.data() + line.size()) {}
 
   bool done() {
     skip_space();

@@ -3,6 +3,8 @@
 // What the tests of the graph formats share: reading from text, refusals, comparing graphs as edge
 // sets.
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -33,11 +35,15 @@ inline std::string refusal(const std::string& text, const ReadOptions& options =
   return "accepted";
 }
 
-/// A folder for the test's files, removed with them.
+/// A folder for the test's files, removed with them; in memory where the system has such a place,
+/// since every committed file is synchronised.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "ar3d-test-XXXXXX").string();
+    const std::filesystem::path memory = "/dev/shm";
+    const bool usable = ::access(memory.c_str(), W_OK) == 0;
+    const auto parent = usable ? memory : std::filesystem::temp_directory_path();
+    std::string name = (parent / "ar3d-test-XXXXXX").string();
     path_ = mkdtemp(name.data());
   }
   TemporaryFolder(const TemporaryFolder&) = delete;

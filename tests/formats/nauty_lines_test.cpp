@@ -63,6 +63,29 @@ TEST(NautyLines, AgreeWithNautyOnEveryPaddingOfPowersOfTwo) {
   }
 }
 
+TEST(IncrementalSparse6, AgreesWithNautyByteForByte) {
+  const std::vector<Graph> graphs = testing::geng("6");
+  const std::string lines = output_of("nauty-geng -q 6 | nauty-copyg -q -i");
+  EXPECT_EQ(testing::written(graphs, find_graph_format("isparse6")), lines);
+  const std::vector<Graph> back = read_text(lines);
+  ASSERT_EQ(back.size(), graphs.size());
+  for (std::size_t i = 0; i < back.size(); ++i) EXPECT_EQ(edge_set(back[i]), edge_set(graphs[i]));
+}
+
+TEST(IncrementalSparse6, FollowsAnyKindOfLine) {
+  const std::string two =
+      testing::written({Graph(5, {{0, 2}, {0, 4}, {1, 3}, {3, 4}}), Graph(5, {{0, 2}})},
+                       find_graph_format("isparse6"));
+  const std::vector<Graph> graphs = read_text("DQc\n" + two.substr(two.find(';')));
+  ASSERT_EQ(graphs.size(), 2u);
+  EXPECT_EQ(edge_set(graphs[1]), edge_set(Graph(5, {{0, 2}})));
+}
+
+TEST(IncrementalSparse6, Refuses) {
+  EXPECT_EQ(refusal(";\n"), "f:1:1: an incremental line without a graph before it");
+  EXPECT_EQ(refusal(":An\n;b\n"), "f:2: edge (0, 1) is changed twice");
+}
+
 TEST(NautyLines, MixAndSkipBlankLines) {
   EXPECT_EQ(read_text("DQc\n\n:Fa@x^\n?\n").size(), 3u);
   EXPECT_EQ(read_text("?\n")[0].num_vertices(), 0u);

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ar3d/formats/graph_format.h"
+
+namespace ar3d {
+
+/// Collects the edges of a format that gives them from one or both of their ends: adjacency lists,
+/// full matrices, arcs.
+class ArcCollector {
+ public:
+  enum class Rule {
+    both_ends,    ///< (u, v) needs (v, u)
+    one_or_both,  ///< either will do
+  };
+
+  /// @param base  smallest vertex id of the format, for messages.
+  ArcCollector(const TextInput& input, unsigned base, Rule rule)
+      : input_(&input), base_(base), rule_(rule) {}
+
+  void begin();
+  /// The vertex u names its neighbour v != u, in the line just read.
+  void add(Vertex u, Vertex v);
+  std::uint64_t num_arcs() const { return forward_.size() + backward_.size(); }
+
+  /// Ends the graph on n vertices (all ids are below n); its edges (u, v), u < v, are ordered by
+  /// (u, v).
+  /// @throws InputError on a neighbour named twice from the same end, or against the rule.
+  /// Cost: O(n + m), and O(m log m) if the input is not sorted.
+  Graph finish(std::uint64_t n);
+
+ private:
+  struct Arc {
+    Vertex small = 0;
+    Vertex large = 0;
+    std::uint32_t line = 0;  // saturated
+  };
+  void sort_and_refuse_repeats(std::vector<Arc>& arcs) const;
+  std::vector<Edge> merged();
+  [[noreturn]] void fail(const Arc& arc, bool backward, const char* problem) const;
+
+  const TextInput* input_;
+  unsigned base_;
+  Rule rule_;
+  std::vector<Arc> forward_;   // named by the smaller end
+  std::vector<Arc> backward_;  // named by the larger end
+};
+
+}  // namespace ar3d
