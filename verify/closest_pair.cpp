@@ -1,0 +1,173 @@
+#include "ar3d/verify/closest_pair.h"
+
+#include <algorithm>
+#include <bit>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "ar3d/model/random.h"
+#include "ar3d/verify/exact.h"
+#include "ar3d/verify/functional.h"
+
+namespace ar3d::verify {
+namespace {
+
+// Differences are at most 2^62, Gram entries below 2^31: nine terms are below 2^(124 + 31 + 4) =
+// 2^159.
+using Wide = boost::multiprecision::checked_int256_t;
+
+/// d^T gram d.
+template <class Integer>
+Integer squared_length(const Lattice& lattice, Vector d) {
+  Integer sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      sum += Integer(component(d, i)) * Integer(lattice.gram[i][j]) * Integer(component(d, j));
+    }
+  }
+  return sum;
+}
+
+/// Diagonal of the inverse Gram matrix: |d_i|^2 <= d^T gram d * inverse_ii for every vector d.
+std::array<double, 3> inverse_diagonal(const Lattice& lattice) {
+  const auto g = [&](std::size_t i, std::size_t j) {
+    return static_cast<long double>(lattice.gram[i % 3][j % 3]);
+  };
+  const auto cofactor = [&](std::size_t i) {
+    return g(i + 1, i + 1) * g(i + 2, i + 2) - g(i + 1, i + 2) * g(i + 2, i + 1);
+  };
+  const long double determinant = g(0, 0) * cofactor(0) +
+                                  g(0, 1) * (g(1, 2) * g(2, 0) - g(1, 0) * g(2, 2)) +
+                                  g(0, 2) * (g(1, 0) * g(2, 1) - g(1, 1) * g(2, 0));
+  std::array<double, 3> diagonal{};
+  for (std::size_t i = 0; i < 3; ++i) diagonal[i] = static_cast<double>(cofactor(i) / determinant);
+  return diagonal;
+}
+
+/// Points inserted one after the other into a grid whose cells are about as large as the smallest
+/// distance so far: a closer pair lies in neighbouring cells, and a cell holds a bounded number of
+/// points.
+template <class Integer>
+class ClosestPair {
+ public:
+  explicit ClosestPair(const Drawing& drawing)
+      : drawing_(drawing),
+        inverse_diagonal_(inverse_diagonal(drawing.lattice())),
+        order_(drawing.num_vertices()),
+        next_(order_.size()),
+        heads_(std::bit_ceil(2 * order_.size())) {
+    std::iota(order_.begin(), order_.end(), Vertex{0});
+    // A random order makes rebuilding rare: after i points it happens with probability at most 2/i.
+    RandomStream(0, kStream).shuffle(std::span<Vertex>(order_));
+    best_ = {order_[0], order_[1]};
+    smallest_ = distance(order_[0], order_[1]);
+  }
+
+  VertexPair run() {
+    rebuild(0);
+    for (std::size_t i = 0; i < order_.size() && smallest_ != 0; ++i) {
+      if (improve(order_[i])) rebuild(i);
+      insert(order_[i]);
+    }
+    return best_;
+  }
+
+ private:
+  static constexpr std::uint64_t kStream = 0x636c6f73;
+  static constexpr Vertex kEnd = std::numeric_limits<Vertex>::max();
+  using Cell = std::array<std::int64_t, 3>;
+
+  Integer distance(Vertex u, Vertex v) const {
+    return squared_length<Integer>(drawing_.lattice(), drawing_.vertex(u) - drawing_.vertex(v));
+  }
+
+  Cell cell_of(Vertex v) const {
+    const Point p = drawing_.vertex(v);
+    Cell cell{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::int64_t c = component(p, i);
+      cell[i] = c >= 0 ? c / side_[i] : -((-c - 1) / side_[i]) - 1;  // rounded down
+    }
+    return cell;
+  }
+
+  std::size_t slot(const Cell& cell) const {
+    std::uint64_t hash = 0;
+    for (const std::int64_t c : cell) {
+      hash = (hash ^ static_cast<std::uint64_t>(c)) * 0x9e3779b97f4a7c15u;
+      hash ^= hash >> 29;
+    }
+    return hash & (heads_.size() - 1);
+  }
+
+  /// Takes the pair of v and an inserted vertex as the best one if it is closer.
+  bool improve(Vertex v) {
+    const Cell cell = cell_of(v);
+    bool improved = false;
+    for (int k = 0; k < 27; ++k) {
+      const Cell near{cell[0] + k % 3 - 1, cell[1] + k / 3 % 3 - 1, cell[2] + k / 9 - 1};
+      // Different cells may share a slot: that costs time only.
+      for (Vertex u = heads_[slot(near)]; u != kEnd; u = next_[u]) {
+        const Integer d = distance(u, v);
+        if (d >= smallest_) continue;
+        smallest_ = d;
+        best_ = {u, v};
+        improved = true;
+      }
+    }
+    return improved;
+  }
+
+  void insert(Vertex v) {
+    Vertex& head = heads_[slot(cell_of(v))];
+    next_[v] = head;
+    head = v;
+  }
+
+  /// Cells for the smallest distance so far, with the first `count` vertices in them.
+  void rebuild(std::size_t count) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      // Rounded up by more than the error of the floating-point terms: pairs at most so far apart
+      // are neighbours.
+      const double reach = std::sqrt(static_cast<double>(smallest_) * inverse_diagonal_[i]);
+      side_[i] = static_cast<std::int64_t>(std::min(reach * 1.000001, 0x1p61)) + 1;
+    }
+    std::fill(heads_.begin(), heads_.end(), kEnd);
+    for (std::size_t i = 0; i < count; ++i) insert(order_[i]);
+  }
+
+  const Drawing& drawing_;
+  std::array<double, 3> inverse_diagonal_;
+  std::vector<Vertex> order_;
+  std::vector<Vertex> next_;
+  std::vector<Vertex> heads_;
+  std::array<std::int64_t, 3> side_{1, 1, 1};
+  VertexPair best_{};
+  Integer smallest_ = 0;
+};
+
+/// Nine terms of differences below 2^42 and Gram entries below 2^31 stay below 2^(84 + 31 + 4) =
+/// 2^119.
+bool is_small(const Drawing& drawing) {
+  constexpr std::int64_t kSmall = std::int64_t{1} << 41;
+  for (std::size_t i = 0; i < drawing.num_vertices(); ++i) {
+    const Point p = drawing.vertex(static_cast<Vertex>(i));
+    if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) >= kSmall) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<VertexPair> closest_pair(const Drawing& drawing) {
+  if (drawing.num_vertices() < 2) return std::nullopt;
+  drawing.lattice().validate();
+  if (is_small(drawing)) return ClosestPair<Int128>(drawing).run();
+  return ClosestPair<Wide>(drawing).run();
+}
+
+}  // namespace ar3d::verify
