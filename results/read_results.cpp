@@ -1,28 +1,11 @@
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-
 #include "ar3d/model/error.h"
+#include "ar3d/results/hdf5_file.h"
 #include "ar3d/results/results_format.h"
 
 namespace ar3d {
 namespace {
-
-// The system's reason first: HDF5 words a missing file at length.
-void require_readable(const std::string& path) {
-  if (std::filesystem::is_directory(path)) {
-    throw InputError(fmt::format("cannot read {}: {}", path, std::strerror(EISDIR)));
-  }
-  errno = 0;
-  std::ifstream probe(path, std::ios::binary);
-  if (!probe) throw InputError(fmt::format("cannot read {}: {}", path, std::strerror(errno)));
-  if (H5Fis_hdf5(path.c_str()) <= 0) {
-    throw InputError(fmt::format("{} is not an HDF5 file", path));
-  }
-}
 
 void require_format(hid_t file) {
   const std::string format = read_text_attribute(file, "format");
@@ -94,7 +77,7 @@ Results read_file(const std::string& path) {
 
 Results read_results(const std::string& path) {
   const Hdf5Silence silence;
-  require_readable(path);
+  require_hdf5_file(path);
   try {
     return read_file(path);
   } catch (const Hdf5Error& error) {

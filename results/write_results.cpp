@@ -5,28 +5,11 @@
 
 #include "ar3d/model/error.h"
 #include "ar3d/results/atomic_file.h"
+#include "ar3d/results/hdf5_file.h"
 #include "ar3d/results/results_format.h"
 
 namespace ar3d {
 namespace {
-
-// The file is built in memory and written in one go, so that a full disk meets one checked write()
-// and never HDF5's caches. The image is compressed: about 100 bytes a row.
-Hdf5Handle create_in_memory() {
-  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "create properties");
-  constexpr std::size_t kGrowth = std::size_t{1} << 20;
-  hdf5_checked(H5Pset_fapl_core(access.get(), kGrowth, false), "choose the memory driver");
-  return {H5Fcreate("results.h5", H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose,
-          "create a file in memory"};
-}
-
-std::vector<char> image_of(hid_t file) {
-  hdf5_checked(H5Fflush(file, H5F_SCOPE_GLOBAL), "flush");
-  const ssize_t size = hdf5_checked(H5Fget_file_image(file, nullptr, 0), "size the file's image");
-  std::vector<char> image(static_cast<std::size_t>(size));
-  hdf5_checked(H5Fget_file_image(file, image.data(), image.size()), "take the file's image");
-  return image;
-}
 
 void write_root_attributes(hid_t file, const Results& results) {
   write_attribute(file, "format", kResultsFormat);
@@ -85,7 +68,7 @@ void write_environment(hid_t file, const std::vector<EnvironmentEntry>& environm
 }
 
 std::vector<char> results_image(const Results& results) {
-  const Hdf5Handle file = create_in_memory();
+  const Hdf5Handle file = create_hdf5_in_memory();
   write_root_attributes(file.get(), results);
   write_spec(file.get(), results.spec);
   write_environment(file.get(), results.environment);
@@ -93,7 +76,7 @@ std::vector<char> results_image(const Results& results) {
   write_table(file.get(), runs_table(), results.runs.size(), [&](std::size_t i, char* record) {
     store_record(run_columns(), results.runs[i], record);
   });
-  return image_of(file.get());
+  return hdf5_image(file.get());
 }
 
 }  // namespace

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "ar3d/model/drawing.h"
+
+namespace ar3d {
+
+/// Writes a drawing as FILE.h5, exact and atomically: /vertices (int64, n x 3), /edges (m x 2),
+/// /bends/offsets (m + 1) and /bends/points (int64, k x 3), where the bends of edge e from its
+/// first to its second end are the rows offsets[e] to offsets[e + 1]; attributes algorithm, gram (3
+/// x 3) and gram_denominator. Memory: the file's size twice. @throws InputError if it cannot be
+/// written.
+void write_drawing_hdf5(const Drawing& drawing, const std::string& path);
+
+/// @throws InputError naming the file and what is wrong with it: missing, not HDF5, no drawing,
+/// another version, shapes or offsets that do not fit, coordinates beyond kMaxCoordinate, ids out
+/// of range.
+Drawing read_drawing_hdf5(const std::string& path);
+
+}  // namespace ar3d
