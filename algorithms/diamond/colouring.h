@@ -14,17 +14,22 @@ namespace ar3d::theorem1 {
 
 inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-/// An orientation of the edges with in- and out-degree at most 2 everywhere. Bit i of outgoing[v]:
-/// the edge of incident(v)[i] leaves v.
+/// The neighbours of every vertex in the order of incident(v), padded with kNone: a step of a walk
+/// reads one record of 16 bytes. Slot i of v is its entry i.
+using Slots = std::vector<std::array<Vertex, 4>>;
+Slots padded_slots(const Graph& graph);
+
+/// An orientation of the edges with in- and out-degree at most 2 everywhere, by vertex as bits: bit
+/// i of `out` or of `in` is set if the edge of slot i leaves or enters the vertex.
 struct BalancedOrientation {
-  std::vector<std::uint8_t> outgoing;
+  std::vector<std::uint8_t> out;
+  std::vector<std::uint8_t> in;
 };
 
-/// Pairs the edges (0, 1) and (2, 3) of every incidence list; the pairs link the edges to trails,
-/// and every trail is oriented along itself. So a pair is one edge in and one out, and at most one
-/// edge of a vertex is unpaired.
-/// @param graph  of maximum degree at most 4. Cost: O(n + m).
-BalancedOrientation balanced_orientation(const Graph& graph);
+/// Pairs the slots (0, 1) and (2, 3) of every vertex; the pairs link the edges to trails, and every
+/// trail is oriented along itself. So a pair is one edge in and one out, and at most one edge of a
+/// vertex is unpaired. Cost: O(n).
+BalancedOrientation balanced_orientation(const Slots& slots);
 
 enum Colour : unsigned { kGreen = 0, kRed = 1 };
 
@@ -38,6 +43,8 @@ struct TwoColouring {
 /// Pairs the two outgoing and the two incoming edges of every vertex and colours the chains so
 /// linked alternately. A chain alternates between pairs out and pairs in, so closed ones are even:
 /// no parity case arises, unlike in an Euler tour. Cost: O(n + m).
-TwoColouring two_colouring(const Graph& graph, const BalancedOrientation& orientation);
+/// @param slots  padded_slots(graph), of maximum degree at most 4.
+TwoColouring two_colouring(const Graph& graph, const Slots& slots,
+                           const BalancedOrientation& orientation);
 
 }  // namespace ar3d::theorem1

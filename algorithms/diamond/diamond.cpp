@@ -43,7 +43,8 @@ Candidate choose(const Graph& graph, Items green, Items red, const DiamondOption
 Drawing diamond(const Graph& graph, const DiamondOptions& options) {
   refuse_bad_graph(graph);
   auto [green, red] = [&] {
-    const TwoColouring colours = two_colouring(graph, balanced_orientation(graph));
+    const Slots slots = padded_slots(graph);
+    const TwoColouring colours = two_colouring(graph, slots, balanced_orientation(slots));
     return std::pair{extract_items(colours.next[kGreen]), extract_items(colours.next[kRed])};
   }();
   Candidate chosen = choose(graph, std::move(green), std::move(red), options);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/diamond_colourings.h"
 #include "algorithms/diamond_support.h"
 #include "support/graphs.h"
 
@@ -22,6 +23,10 @@ TEST_P(EverySmallGraph, IsCertifiedInEveryMode) {
   }
 }
 
+TEST(EverySmallGraph, ThereAre18745OfNineVertices) {
+  EXPECT_EQ(testing::geng("-D4 9").size(), 18745u);
+}
+
 INSTANTIATE_TEST_SUITE_P(UpToNineVertices, EverySmallGraph, ::testing::Range(1, 10));
 
 class EveryFourRegularGraph : public ::testing::TestWithParam<int> {};
@@ -39,6 +44,16 @@ TEST_P(EveryFourRegularGraph, IsCertifiedInFiveLabellings) {
 }
 
 INSTANTIATE_TEST_SUITE_P(UpToTwelveVertices, EveryFourRegularGraph, ::testing::Range(5, 13));
+
+// With diamond_long_test.cpp (n = 7) this is the part of the size bound's proof for n <= 7, see
+// docs/theorem1.md.
+TEST(GuaranteedMode, FitsOnEveryColouringOfAtMostSixVertices) {
+  for (Vertex n = 1; n <= 6; ++n) {
+    std::size_t colourings = 0;
+    EXPECT_EQ(testing::count_colouring_faults(n, colourings), 0u) << n << " vertices";
+    EXPECT_GT(colourings, 0u);
+  }
+}
 
 }  // namespace
 }  // namespace ar3d

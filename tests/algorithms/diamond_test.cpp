@@ -1,0 +1,154 @@
+// The public function: corner cases, refusals, options, counters.
+
+#include "ar3d/algorithms/diamond/diamond.h"
+
+#include <gtest/gtest.h>
+
+#include "algorithms/diamond_support.h"
+#include "ar3d/algorithms/catalog.h"
+#include "ar3d/model/error.h"
+#include "support/graphs.h"
+
+namespace ar3d {
+namespace {
+
+using testing::complete;
+using testing::counter;
+using testing::cycle;
+using testing::diamond_fault;
+using testing::diamond_modes;
+using testing::disjoint_union;
+using testing::octahedron;
+using testing::path;
+
+/// The square of a cycle: v is joined to v + 1 and v + 2. Rich in triangles.
+Graph squared_cycle(Vertex n) {
+  std::vector<Edge> edges;
+  for (Vertex v = 0; v < n; ++v) {
+    edges.push_back({v, (v + 1) % n});
+    edges.push_back({v, (v + 2) % n});
+  }
+  return Graph(n, std::move(edges));
+}
+
+struct Named {
+  const char* name;
+  Graph graph;
+};
+
+std::vector<Named> corner_cases() {
+  const Graph point(1, {});
+  return {
+      {"no vertices", Graph()},
+      {"one vertex", point},
+      {"edgeless", Graph(7, {})},
+      {"K2", complete(2)},
+      {"K2 and a point", disjoint_union({point, complete(2)})},
+      {"path 3", path(3)},
+      {"path 50", path(50)},
+      {"triangle", cycle(3)},
+      {"triangle, other way round", Graph(3, {{0, 2}, {2, 1}, {1, 0}})},
+      {"cycle 4", cycle(4)},
+      {"cycle 51", cycle(51)},
+      {"K4", complete(4)},
+      {"K5", complete(5)},
+      {"K1,4", Graph(5, {{2, 0}, {2, 1}, {2, 3}, {2, 4}})},
+      {"octahedron", octahedron()},
+      {"Petersen", testing::petersen()},
+      {"points among cycles",
+       disjoint_union({point, cycle(3), point, cycle(5), point, complete(5)})},
+      {"many K2", disjoint_union(std::vector<Graph>(40, complete(2)))},
+      {"many triangles", disjoint_union(std::vector<Graph>(30, cycle(3)))},
+      {"many K4", disjoint_union(std::vector<Graph>(25, complete(4)))},
+      {"many K5", disjoint_union(std::vector<Graph>(20, complete(5)))},
+      {"many octahedra", disjoint_union(std::vector<Graph>(15, octahedron()))},
+      {"squared cycle 7", squared_cycle(7)},
+      {"squared cycle 101", squared_cycle(101)},
+  };
+}
+
+TEST(Diamond, DrawsCornerCasesInEveryMode) {
+  for (const auto& [name, graph] : corner_cases()) {
+    for (const DiamondOptions& options : diamond_modes()) {
+      EXPECT_EQ(diamond_fault(graph, options), "")
+          << name << ", effort " << options.effort << " guaranteed " << options.guaranteed;
+    }
+  }
+}
+
+TEST(Diamond, RefusesDegreeFiveAndUnknownEfforts) {
+  EXPECT_THROW(diamond(complete(6)), InputError);
+  EXPECT_THROW(diamond(path(3), {.effort = 3}), InputError);
+  EXPECT_THROW(diamond(path(3), {.effort = -1}), InputError);
+}
+
+TEST(Diamond, EveryEdgeHasThreeBends) {
+  const Graph graph = testing::petersen();
+  const Drawing drawing = diamond(graph);
+  std::vector<Point> points;
+  for (EdgeId e = 0; e < graph.num_edges(); ++e) {
+    drawing.polyline(e, points);
+    EXPECT_EQ(points.size(), 5u);
+  }
+}
+
+TEST(Diamond, SameGraphSameDrawing) {
+  const Graph graph = squared_cycle(60);
+  for (const DiamondOptions& options : diamond_modes()) {
+    const Drawing one = diamond(graph, options);
+    const Drawing two = diamond(graph, options);
+    std::vector<Point> p;
+    std::vector<Point> q;
+    for (EdgeId e = 0; e < graph.num_edges(); ++e) {
+      one.polyline(e, p);
+      two.polyline(e, q);
+      EXPECT_EQ(p, q);
+    }
+    EXPECT_EQ(one.counters, two.counters);
+  }
+}
+
+std::int64_t grid_points(const Drawing& drawing) {
+  const auto [x, y, z] = bounding_box(drawing).extents();
+  return (x + 1) * (y + 1) * (z + 1);
+}
+
+TEST(Diamond, MoreEffortNeverCostsVolume) {
+  for (const auto& [name, graph] : corner_cases()) {
+    const std::int64_t zero = grid_points(diamond(graph, {.effort = 0}));
+    const std::int64_t one = grid_points(diamond(graph, {.effort = 1}));
+    const std::int64_t two = grid_points(diamond(graph, {.effort = 2}));
+    EXPECT_LE(one, zero) << name;
+    EXPECT_LE(two, one) << name;
+    EXPECT_LE(one, grid_points(diamond(graph, {.guaranteed = true}))) << name;
+  }
+}
+
+TEST(Diamond, GuaranteedModeTellsItsGaps) {
+  const Drawing drawing =
+      diamond(disjoint_union({complete(5), octahedron()}), {.guaranteed = true});
+  EXPECT_EQ(counter(drawing, "mode"), 0);
+  EXPECT_EQ(counter(drawing, "H"), counter(drawing, "green_gaps") + counter(drawing, "bumps") +
+                                       counter(drawing, "offsets"));
+  ASSERT_TRUE(drawing.instance_bound);
+  EXPECT_EQ((*drawing.instance_bound)[0], 4 * 11 + 2 * counter(drawing, "H"));
+  EXPECT_EQ((*drawing.instance_bound)[2], 6 * 11 + 3 * counter(drawing, "H") - 4);
+}
+
+TEST(Diamond, PairsBeatAlternatingParityOnManyTriangles) {
+  // Squared cycles put a clash on every line of the alternating mode; pairs 0011 avoid them.
+  const Drawing drawing = diamond(squared_cycle(1000), {.effort = 1});
+  EXPECT_EQ(counter(drawing, "mode"), 2);
+}
+
+TEST(Diamond, IsInTheCatalogue) {
+  const Algorithm& row = find_algorithm("diamond");
+  const Drawing drawing = draw(row, octahedron(), {{"effort", 1}});
+  EXPECT_EQ(drawing.algorithm(), "diamond");
+  EXPECT_TRUE(certify(octahedron(), drawing, row.guarantee).valid());
+  EXPECT_THROW(draw(row, complete(6)), InputError);
+  EXPECT_THROW(draw(row, octahedron(), {{"effort", 3}}), InputError);
+}
+
+}  // namespace
+}  // namespace ar3d
