@@ -1,0 +1,133 @@
+#include "ar3d/algorithms/diamond/cycles.h"
+
+#include <algorithm>
+
+#include "ar3d/algorithms/diamond/buckets.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d::theorem1 {
+namespace {
+
+std::uint32_t distance(std::uint32_t a, std::uint32_t b) { return a > b ? a - b : b - a; }
+
+/// Step 2. Closes a green cycle at an edge between two red items if it has one. Else the cycle is
+/// contained in one red item, and it is closed at an edge whose distance there is not k - 1, its
+/// distance in x. One exists: at the cycle's first vertex in the red item, the two edges have
+/// different distances.
+GreenClosing close_green_cycle(Items& green, std::uint32_t cycle, const Whereabouts& red) {
+  const auto v = green.of(cycle);
+  const auto k = static_cast<std::uint32_t>(v.size());
+  std::uint32_t external = kNone;
+  std::uint32_t inner = kNone;
+  for (std::uint32_t i = 0; i < k && external == kNone; ++i) {
+    const Vertex a = v[i];
+    const Vertex b = v[i + 1 == k ? 0 : i + 1];
+    if (red.item[a] != red.item[b]) external = i;
+    if (distance(red.position[a], red.position[b]) != k - 1) inner = i;
+  }
+  expect(external != kNone || inner != kNone, "a contained green cycle has an edge to close at");
+  green.close_at(cycle, external != kNone ? external : inner);
+  return {green.first(cycle), green.last(cycle),
+          external != kNone ? kNone : red.item[green.first(cycle)]};
+}
+
+/// Step 4 for red cycles without a contained green cycle: closes at an edge with |dx| != k - 1. One
+/// exists, since a closed walk of k steps of length k - 1 does not visit k distinct integers.
+void close_red_cycle(Items& red, std::uint32_t cycle, const std::vector<PlanePoint>& at) {
+  const auto v = red.of(cycle);
+  const std::size_t k = v.size();
+  std::size_t i = k - 1;  // the natural closing edge first
+  while (x_distance(at, v[i], v[(i + 1) % k]) == static_cast<std::int32_t>(k) - 1) {
+    i = (i + 1) % k;
+    expect(i != k - 1, "a red cycle has an edge to close at");
+  }
+  red.close_at(cycle, static_cast<std::uint32_t>(i));
+}
+
+/// Step 4 for a red cycle R that contains a green cycle. Its rotation stays, since the green
+/// closings rely on it; instead its two ends move out until all four kinds of edges there keep |dx|
+/// != |dy|.
+class BumpSearch {
+ public:
+  BumpSearch(const Items& red, std::uint32_t cycle, const std::vector<PlanePoint>& at)
+      : v_(red.of(cycle)), base_(red.begin[cycle]), at_(at) {}
+
+  /// A closing edge inside R; only those at R's ends matter.
+  void add_inner(const GreenClosing& closing) {
+    for (const Vertex end : {v_.front(), v_.back()}) {
+      if (closing.u == end || closing.w == end) inner_.push_back(closing);
+    }
+  }
+
+  /// The smallest total works with at most 3: moving only the last vertex, the edge before it
+  /// excludes one value, an inner closing at it another, and the closing edge none but 0.
+  Bump find(const Whereabouts& natural) const {
+    for (unsigned total = 0; total <= 3; ++total) {
+      for (unsigned last = 0; last <= total; ++last) {
+        const Bump bump{static_cast<std::uint8_t>(total - last), static_cast<std::uint8_t>(last)};
+        if (works(bump, natural)) return bump;
+      }
+    }
+    throw InternalError("internal error: no bump of at most 3 lines works");
+  }
+
+ private:
+  bool works(Bump bump, const Whereabouts& natural) const {
+    const std::size_t k = v_.size();
+    const auto y = [&](Vertex v) {
+      const auto p = static_cast<std::int32_t>(natural.position[v] - base_);
+      return v == v_.front() ? p - bump.first : v == v_.back() ? p + bump.last : p;
+    };
+    const auto apart = [&](Vertex u, Vertex w) {
+      return x_distance(at_, u, w) != std::abs(y(u) - y(w));
+    };
+    return apart(v_.front(), v_.back()) && apart(v_[0], v_[1]) && apart(v_[k - 2], v_[k - 1]) &&
+           std::all_of(inner_.begin(), inner_.end(),
+                       [&](const GreenClosing& c) { return apart(c.u, c.w); });
+  }
+
+  std::span<const Vertex> v_;
+  std::uint32_t base_;
+  const std::vector<PlanePoint>& at_;
+  std::vector<GreenClosing> inner_;
+};
+
+}  // namespace
+
+std::vector<GreenClosing> close_green_cycles(Items& green, const Whereabouts& natural_red) {
+  std::vector<GreenClosing> closings;
+  for (std::uint32_t item = 0; item < green.count(); ++item) {
+    if (green.is_cycle(item)) closings.push_back(close_green_cycle(green, item, natural_red));
+  }
+  return closings;
+}
+
+RedCycles settle_red_cycles(Items& red, const std::vector<GreenClosing>& closings,
+                            const std::vector<PlanePoint>& at, const Whereabouts& natural_red) {
+  RedCycles result;
+  result.bumps.resize(red.count());
+  Buckets inner(red.count(), closings.size());
+  std::vector<bool> contains(red.count(), false);
+  for (std::uint32_t i = 0; i < closings.size(); ++i) {
+    if (closings[i].contained_in == kNone) continue;
+    inner.add(closings[i].contained_in, i);
+    contains[closings[i].contained_in] = true;
+    ++result.contained;
+  }
+  for (std::uint32_t item = 0; item < red.count(); ++item) {
+    if (!red.is_cycle(item)) continue;
+    if (!contains[item]) {
+      close_red_cycle(red, item, at);
+      continue;
+    }
+    BumpSearch search(red, item, at);
+    inner.for_each(item, [&](std::uint32_t i) { search.add_inner(closings[i]); });
+    const Bump bump = search.find(natural_red);
+    result.bumps[item] = bump;
+    ++result.rho;
+    result.lines += bump.first + bump.last;
+  }
+  return result;
+}
+
+}  // namespace ar3d::theorem1
