@@ -3,8 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 
+#include "ar3d/generators/blocks.h"
+#include "ar3d/generators/kneser.h"
 #include "ar3d/generators/leaf_blocks.h"
+#include "ar3d/generators/named.h"
+#include "ar3d/generators/patches.h"
+#include "ar3d/generators/polyhedra.h"
 #include "ar3d/generators/random_regular.h"
 #include "ar3d/generators/sizes.h"
 #include "ar3d/generators/trees.h"
@@ -50,6 +56,39 @@ Graph random_max_degree_of_size(Count n, std::uint64_t seed, const ParameterValu
   }
   const auto D = static_cast<std::uint32_t>(degree);
   return random_max_degree(n, D, std::min(n * per_million / 1000000, most_edges(n, D)), seed);
+}
+
+Graph hypercube_of_size(Count n, std::uint64_t, const ParameterValues&) {
+  return hypercube(static_cast<Count>(std::countr_zero(n)));
+}
+
+Graph truncation_of_size(Count n, std::uint64_t, const ParameterValues&) {
+  Count times = 0;
+  for (Count size = 4; size < n; size *= 3) ++times;
+  return iterated_truncation(times);
+}
+
+Graph nanotube_of_size(Count n, std::uint64_t, const ParameterValues& parameters) {
+  const Count around = value_of(parameters, "around");
+  return nanotube(around, n / (2 * around) - 1);
+}
+
+Graph fullerene_of_size(Count n, std::uint64_t, const ParameterValues& parameters) {
+  const bool leapfrog = value_of(parameters, "leapfrog") == 1;
+  return goldberg_coxeter(root(n / (leapfrog ? 60 : 20)), leapfrog);
+}
+
+Graph odd_graph_of_size(Count n, std::uint64_t, const ParameterValues&) {
+  return odd_graph(n == 35 ? 4 : (n == 10 ? 3 : 2));
+}
+
+Graph named_of_size(Count, std::uint64_t, const ParameterValues& parameters) {
+  return named_graphs()[value_of(parameters, "index")].make();
+}
+
+Graph random_cactus_of_size(Count n, std::uint64_t seed, const ParameterValues& parameters) {
+  const Count length = value_of(parameters, "length");
+  return random_cactus((n - 1) / (length - 1), length, seed);
 }
 
 }  // namespace ar3d

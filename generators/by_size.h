@@ -16,5 +16,12 @@ Graph random_cubic_tree_of_size(std::uint64_t n, std::uint64_t seed, const Param
 /// @throws InputError if edges-per-vertex is above degree / 2.
 Graph random_max_degree_of_size(std::uint64_t n, std::uint64_t seed,
                                 const ParameterValues& parameters);
+Graph hypercube_of_size(std::uint64_t n, std::uint64_t, const ParameterValues&);
+Graph truncation_of_size(std::uint64_t n, std::uint64_t, const ParameterValues&);
+Graph nanotube_of_size(std::uint64_t n, std::uint64_t, const ParameterValues& parameters);
+Graph fullerene_of_size(std::uint64_t n, std::uint64_t, const ParameterValues& parameters);
+Graph odd_graph_of_size(std::uint64_t n, std::uint64_t, const ParameterValues&);
+Graph named_of_size(std::uint64_t, std::uint64_t, const ParameterValues& parameters);
+Graph random_cactus_of_size(std::uint64_t n, std::uint64_t seed, const ParameterValues& parameters);
 
 }  // namespace ar3d

@@ -4,12 +4,19 @@
 
 #include <algorithm>
 
+#include "ar3d/generators/blocks.h"
 #include "ar3d/generators/by_size.h"
+#include "ar3d/generators/kneser.h"
+#include "ar3d/generators/lattices.h"
+#include "ar3d/generators/named.h"
 #include "ar3d/generators/patches.h"
 #include "ar3d/generators/petersen_like.h"
+#include "ar3d/generators/polyhedra.h"
 #include "ar3d/generators/random_regular.h"
+#include "ar3d/generators/random_special.h"
 #include "ar3d/generators/rings.h"
 #include "ar3d/generators/sizes.h"
+#include "ar3d/generators/snarks.h"
 #include "ar3d/generators/trees.h"
 #include "ar3d/generators/unions.h"
 #include "ar3d/model/error.h"
@@ -29,7 +36,27 @@ const ParameterSpec kEdgesPerVertex = {"edges-per-vertex", 0, 2000000, 1400000,
 const ParameterSpec kLeafSize = {"leaf", 5, 7, 5, "vertices of a leaf block, 5 or 7"};
 const ParameterSpec kTreeShape = {"shape", 0, 1, 0, "0 balanced, 1 a caterpillar"};
 const ParameterSpec kLeaves = {"leaves", 1, 4, 3, "leaves of a star"};
+const ParameterSpec kStepA = {"a", 1, 1000000, 1, "the smaller step"};
+const ParameterSpec kStepB = {"b", 2, 1000000, 4, "the larger step"};
+const ParameterSpec kOuterJump = {"j", 1, 1000000, 2, "step of the outer edges"};
+const ParameterSpec kInnerJump = {"k", 1, 1000000, 3, "step of the inner edges"};
+const ParameterSpec kSnarkType = {"type", 1, 2, 1, "distance of the two edges cut in each link"};
+const ParameterSpec kAround = {"around", 5, 6, 5, "vertices of the caps"};
+const ParameterSpec kLeapfrog = {"leapfrog", 0, 1, 0,
+                                 "0: GC(a, 0), n = 20 a^2; 1: GC(a, a), n = 60 a^2"};
+const ParameterSpec kKeep = {"keep", 0, 1000000, 800000,
+                             "probability of an edge, in parts per million"};
+const ParameterSpec kTreeDegree = {"degree", 2, 4, 3, "largest degree allowed"};
+const ParameterSpec kCycleLength = {"length", 3, 1000000, 5, "vertices of a cycle"};
+const ParameterSpec kBridges = {"bridges", 0, 1000000, 3, "number of bridges"};
 const ParameterSpec kLegs = {"legs", 1, 2, 1, "pendant vertices of a spine vertex"};
+
+ParameterSpec named_graph_index() {
+  return {"index", 0, static_cast<std::int64_t>(named_graphs().size()) - 1, 7, "0 is the smallest"};
+}
+std::uint32_t keep(P parameters) {
+  return static_cast<std::uint32_t>(value_of(parameters, "keep"));
+}
 
 // clang-format off
 std::vector<Family> catalogue() {
@@ -50,6 +77,10 @@ std::vector<Family> catalogue() {
        3, false, {}, steps<20, 20>,
        [](Count n, S, P) { return spine_with_pendant_trees(n / 20); }},
 
+      {"random-tree", "Every vertex joined to a random earlier one of degree below the limit", 3,
+       true, {kTreeDegree}, from<1>,
+       [](Count n, S seed, P p) { return random_tree(n, value_of(p, "degree"), seed); }},
+
       {"ladder", "Two paths with rungs", 3, false, {}, steps<2, 2>,
        [](Count n, S, P) { return ladder(n / 2); }},
       {"prism", "Two cycles with rungs", 3, false, {}, steps<6, 2>,
@@ -58,21 +89,81 @@ std::vector<Family> catalogue() {
        [](Count n, S, P) { return moebius_ladder(n / 2); }},
       {"squared-cycle", "A cycle with all chords of length 2; antiprisms for even n", 4, false, {},
        from<5>, [](Count n, S, P) { return squared_cycle(n); }},
+      {"circulant", "C_n(a, b): every i joined to i +- a and i +- b", 4, false, {kStepA, kStepB},
+       circulant_sizes,
+       [](Count n, S, P p) { return circulant(n, value_of(p, "a"), value_of(p, "b")); }},
+      {"hypercube", "Q_0 to Q_4", 4, false, {}, hypercube_sizes, hypercube_of_size},
       {"square-grid", "The square patch of k by k vertices", 4, false, {}, squares<1>,
        [](Count n, S, P) { return square_grid(root(n), root(n)); }},
       {"torus", "The product of two cycles", 4, false, {kTorusRows}, torus_sizes,
        [](Count n, S, P p) { return torus(value_of(p, "rows"), n / value_of(p, "rows")); }},
+      {"honeycomb", "The hexagonal patch of the honeycomb with k hexagons on a side", 3, false, {},
+       squares<6>, [](Count n, S, P) { return honeycomb(root(n / 6)); }},
+      {"diamond-lattice", "Breadth-first piece of the diamond lattice", 4, false, {}, from<1>,
+       [](Count n, S, P) { return diamond_lattice_piece(n).graph; },
+       [](Count n, S, P) { return straight_drawing(diamond_lattice_piece(n), "diamond-lattice"); }},
+      {"laves-graph", "Breadth-first piece of the Laves graph", 3, false, {}, from<1>,
+       [](Count n, S, P) { return laves_piece(n).graph; },
+       [](Count n, S, P) { return straight_drawing(laves_piece(n), "laves-graph"); }},
+      {"percolated-square-grid", "Random edges of the square patch", 4, true, {kKeep}, squares<1>,
+       [](Count n, S seed, P p) { return thinned(square_grid(root(n), root(n)), keep(p), seed); }},
+      {"percolated-honeycomb", "Random edges of the hexagonal patch of the honeycomb", 3, true,
+       {kKeep}, squares<6>,
+       [](Count n, S seed, P p) { return thinned(honeycomb(root(n / 6)), keep(p), seed); }},
+      {"percolated-diamond-lattice", "Random edges of a piece of the diamond lattice", 4, true,
+       {kKeep}, from<1>,
+       [](Count n, S seed, P p) { return thinned(diamond_lattice_piece(n).graph, keep(p), seed); }},
+      {"percolated-laves-graph", "Random edges of a piece of the Laves graph", 3, true, {kKeep},
+       from<1>, [](Count n, S seed, P p) { return thinned(laves_piece(n).graph, keep(p), seed); }},
+
+      {"nested-triangles", "Triangles inside one another, neighbours joined by three edges", 4, false,
+       {}, steps<3, 3>, [](Count n, S, P) { return nested_triangles(n / 3); }},
+      {"iterated-truncation", "K4 truncated again and again", 3, false, {}, truncation_sizes,
+       truncation_of_size},
+      {"nanotube", "Fullerene tubes (5, 0) and (6, 0) with their caps", 3, false, {kAround},
+       nanotube_sizes, nanotube_of_size},
+      {"fullerene", "Icosahedral fullerenes (Goldberg 1937, Coxeter 1971)", 3, false, {kLeapfrog},
+       fullerene_sizes, fullerene_of_size},
 
       {"generalised-petersen", "GP(N, k) with N = n/2 (Watkins 1969)", 3, false, {kJump},
        petersen_sizes,
        [](Count n, S, P p) { return generalised_petersen(n / 2, value_of(p, "k")); }},
       {"flower-snark", "Isaacs' flower snarks J_k with odd k = n/4 (Isaacs 1975)", 3, false, {},
        steps<12, 8>, [](Count n, S, P) { return flower_snark(n / 4); }},
+      {"i-graph", "I(N, j, k) with N = n/2 (Foster census)", 3, false, {kOuterJump, kInnerJump},
+       i_graph_sizes,
+       [](Count n, S, P p) { return i_graph(n / 2, value_of(p, "j"), value_of(p, "k")); }},
+      {"blanusa-snark", "Chain of Petersen graphs by dot products (Blanusa 1946, Watkins 1983)", 3,
+       false, {kSnarkType}, steps<10, 8>,
+       [](Count n, S, P p) { return blanusa_snark((n - 10) / 8, value_of(p, "type")); }},
+      {"goldberg-snark", "Goldberg's snarks G_k with odd k = n/8 (Goldberg 1981)", 3, false, {},
+       steps<40, 16>, [](Count n, S, P) { return goldberg_snark(n / 8); }},
+      {"odd-graph", "The odd graphs O_2, O_3 and O_4 (Kneser graphs)", 4, false, {}, odd_graph_sizes,
+       odd_graph_of_size},
+      {"named", "One of the named graphs, by its place in their list; n is its own", 4, false,
+       {named_graph_index()}, named_sizes, named_of_size},
 
       {"cubic-tree", "Cubic graph whose bridges form a tree that ends in leaf blocks", 3, false,
        {kLeafSize, kTreeShape}, cubic_tree_sizes, cubic_tree_of_size},
       {"random-cubic-tree", "Cubic graph whose bridges form a random tree with 5- and 7-vertex leaf "
        "blocks", 3, true, {}, steps<10, 2>, random_cubic_tree_of_size},
+      {"random-cubic-bridges", "Cubic with exactly b bridges: random bridgeless pieces in a random tree", 3,
+       true, {kBridges}, bridges_sizes,
+       [](Count n, S seed, P p) { return random_cubic_with_bridges(n, value_of(p, "bridges"), seed); }},
+      {"block-chain", "Diamonds between two leaf blocks, joined by bridges", 3, false, {},
+       steps<10, 4>, [](Count n, S, P) { return block_chain((n - 10) / 4); }},
+      {"diamond-necklace", "A ring of diamonds (K4 without an edge)", 3, false, {}, steps<8, 4>,
+       [](Count n, S, P) { return diamond_necklace(n / 4); }},
+      {"random-cactus", "Cycles glued together at random single vertices", 4, true, {kCycleLength},
+       cactus_sizes, random_cactus_of_size},
+
+      {"contained-cycles", "A long cycle with a triangle on every other of six vertices (hard for "
+       "diamond)", 4, false, {}, steps<12, 6>,
+       [](Count n, S, P) { return contained_cycles(n / 6); }},
+      {"mixed-union", "Small dense components of many kinds in turn (hard for grid)", 3, false, {},
+       steps<36, 36>, [](Count n, S, P) { return mixed_union(n / 36); }},
+      {"true-sinks", "Leaf blocks of 7 vertices on their own (hard for two-bend)", 3, false, {},
+       steps<7, 7>, [](Count n, S, P) { return true_sinks(n / 7); }},
 
       {"union-triangle", "Disjoint triangles", 2, false, {}, steps<3, 3>,
        [](Count n, S, P) { return copies_of(complete_graph(3), n / 3); }},
@@ -97,12 +188,20 @@ std::vector<Family> catalogue() {
        from<5>, [](Count n, S seed, P) { return random_regular(n, 4, seed); }},
       {"random-max-degree", "Part of a random pairing: maximum degree and number of edges given", 4,
        true, {kMaxDegree, kEdgesPerVertex}, from<1>, random_max_degree_of_size},
+      {"random-connected-cubic", "Uniform over the connected labelled simple cubic graphs", 3, true,
+       {}, steps<4, 2>, [](Count n, S seed, P) { return random_connected_regular(n, 3, seed); }},
+      {"random-connected-4-regular", "Uniform over the connected labelled simple 4-regular graphs", 4,
+       true, {}, from<5>, [](Count n, S seed, P) { return random_connected_regular(n, 4, seed); }},
+      {"random-bipartite-cubic", "Uniform over the simple cubic graphs with two given sides", 3, true,
+       {}, steps<6, 2>, [](Count n, S seed, P) { return random_bipartite_cubic(n, seed); }},
+      {"random-subcubic", "Random edges of a uniformly random cubic graph", 3, true, {kKeep},
+       steps<4, 2>,
+       [](Count n, S seed, P p) { return thinned(random_regular(n, 3, seed), keep(p), seed); }},
   };
 }
 // clang-format on
 
 constexpr Count kMostVertices = (Count{1} << 30) - 1;  // 2n edges keep Graph's limit of 2^31 - 1
-
 }  // namespace
 
 const std::vector<Family>& families() {

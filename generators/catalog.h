@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"
 
 namespace ar3d {
@@ -37,6 +38,9 @@ struct Family {
   std::uint64_t (*nearest_n)(std::uint64_t wanted_n, const ParameterValues&) = nullptr;
   /// Called with nearest_n(n) == n and complete parameters.
   Graph (*generate)(std::uint64_t n, std::uint64_t seed, const ParameterValues&) = nullptr;
+  /// For pieces of lattices: the same graph in its own drawing without bends (the optimum); else
+  /// null. Called as generate is.
+  Drawing (*own_drawing)(std::uint64_t n, std::uint64_t seed, const ParameterValues&) = nullptr;
 };
 
 const std::vector<Family>& families();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ar3d/generators/named.h"
 #include "ar3d/model/error.h"
 
 namespace ar3d {
@@ -54,6 +55,55 @@ Count regular_sizes(Count wanted, const ParameterValues& parameters) {
 Count cubic_tree_sizes(Count wanted, const ParameterValues& parameters) {
   const Count leaf = value_of(parameters, "leaf");
   return nearest_step(wanted, 2 * leaf, leaf + 1);
+}
+
+Count circulant_sizes(Count wanted, const ParameterValues& parameters) {
+  return std::max(wanted, 2 * value_of(parameters, "b") + 1);
+}
+
+Count hypercube_sizes(Count wanted, const ParameterValues&) {
+  Count n = 1;
+  while (n < 16 && 2 * n <= wanted) n *= 2;
+  return n;
+}
+
+Count truncation_sizes(Count wanted, const ParameterValues&) {
+  Count n = 4;
+  while (n <= wanted / 3) n *= 3;
+  return n;
+}
+
+Count nanotube_sizes(Count wanted, const ParameterValues& parameters) {
+  const Count ring = 2 * value_of(parameters, "around");
+  return nearest_step(wanted, 2 * ring, ring);
+}
+
+Count fullerene_sizes(Count wanted, const ParameterValues& parameters) {
+  const Count factor = value_of(parameters, "leapfrog") == 1 ? 60 : 20;
+  const Count a = std::max<Count>(1, root(wanted / factor));
+  return factor * a * a;
+}
+
+Count i_graph_sizes(Count wanted, const ParameterValues& parameters) {
+  const Count step = std::max(value_of(parameters, "j"), value_of(parameters, "k"));
+  return nearest_step(wanted, 2 * (2 * step + 1), 2);
+}
+
+Count odd_graph_sizes(Count wanted, const ParameterValues&) {
+  return wanted >= 35 ? 35 : (wanted >= 10 ? 10 : 3);
+}
+
+Count named_sizes(Count, const ParameterValues& parameters) {
+  return named_graphs()[value_of(parameters, "index")].num_vertices;
+}
+
+Count bridges_sizes(Count wanted, const ParameterValues& parameters) {
+  return nearest_step(wanted, 6 * value_of(parameters, "bridges") + 4, 2);
+}
+
+Count cactus_sizes(Count wanted, const ParameterValues& parameters) {
+  const Count length = value_of(parameters, "length");
+  return nearest_step(wanted, length, length - 1);
 }
 
 }  // namespace ar3d

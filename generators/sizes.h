@@ -47,5 +47,25 @@ Count caterpillar_sizes(Count wanted, const ParameterValues& parameters);
 Count regular_sizes(Count wanted, const ParameterValues& parameters);
 /// inner + leaf (inner + 2).
 Count cubic_tree_sizes(Count wanted, const ParameterValues& parameters);
+/// n >= 2b, and > 2b for 4-regular graphs: n >= 2b + 1.
+Count circulant_sizes(Count wanted, const ParameterValues& parameters);
+/// 1, 2, 4, 8, 16
+Count hypercube_sizes(Count wanted, const ParameterValues&);
+/// 4 3^t
+Count truncation_sizes(Count wanted, const ParameterValues&);
+/// 2 around (rings + 1), rings >= 1
+Count nanotube_sizes(Count wanted, const ParameterValues& parameters);
+/// 20 a^2 or 60 a^2
+Count fullerene_sizes(Count wanted, const ParameterValues& parameters);
+/// 2N with N > 2j, 2k
+Count i_graph_sizes(Count wanted, const ParameterValues& parameters);
+/// 3, 10, 35
+Count odd_graph_sizes(Count wanted, const ParameterValues&);
+/// The named graph's own n.
+Count named_sizes(Count wanted, const ParameterValues& parameters);
+/// Even, at least 6 bridges + 4.
+Count bridges_sizes(Count wanted, const ParameterValues& parameters);
+/// length + (cycles - 1)(length - 1)
+Count cactus_sizes(Count wanted, const ParameterValues& parameters);
 
 }  // namespace ar3d

@@ -1,0 +1,89 @@
+#include "ar3d/generators/blocks.h"
+
+#include "ar3d/generators/leaf_blocks.h"
+#include "ar3d/generators/petersen_like.h"
+#include "ar3d/generators/rings.h"
+#include "ar3d/generators/unions.h"
+#include "ar3d/model/random.h"
+
+namespace ar3d {
+namespace {
+
+/// K4 without the edge between its vertices 0 and 3; returns the number of vertex 0.
+Count add_diamond(GraphBuilder& builder) {
+  const Count v = builder.add_vertices(4);
+  for (const Edge e : {Edge{0, 1}, {0, 2}, {1, 2}, {1, 3}, {2, 3}}) builder.edge(v + e.u, v + e.v);
+  return v;
+}
+
+}  // namespace
+
+Graph block_chain(Count links) {
+  GraphBuilder builder(0, 6 * links + 15);
+  Count open = builder.append(leaf_block(5));
+  for (Count i = 0; i < links; ++i) {
+    const Count diamond = add_diamond(builder);
+    builder.edge(open, diamond);
+    open = diamond + 3;
+  }
+  const Count last = builder.append(leaf_block(5));
+  builder.edge(open, last);
+  return builder.finish();
+}
+
+Graph diamond_necklace(Count k) {
+  GraphBuilder builder(0, 6 * k);
+  for (Count i = 0; i < k; ++i) {
+    const Count diamond = add_diamond(builder);
+    if (i > 0) builder.edge(diamond - 1, diamond);
+  }
+  builder.edge(4 * k - 1, 0);
+  return builder.finish();
+}
+
+Graph random_cactus(Count cycles, Count length, std::uint64_t seed) {
+  RandomStream random(seed, /*stream=*/20);
+  GraphBuilder builder(length, cycles * length);
+  builder.cycle(0, length);
+  std::vector<Count> single;  // vertices on exactly one cycle
+  for (Count v = 0; v < length; ++v) single.push_back(v);
+  for (Count i = 1; i < cycles; ++i) {
+    std::swap(single[random.below(static_cast<std::uint32_t>(single.size()))], single.back());
+    const Count joint = single.back();
+    single.pop_back();
+    const Count first = builder.add_vertices(length - 1);
+    builder.path(first, length - 1);
+    builder.edge(joint, first);
+    builder.edge(joint, first + length - 2);
+    for (Count v = first; v < builder.num_vertices(); ++v) single.push_back(v);
+  }
+  return builder.finish();
+}
+
+Graph contained_cycles(Count k) {
+  GraphBuilder builder(6 * k, 12 * k);
+  builder.cycle(0, 6 * k);
+  for (Count i = 0; i < k; ++i) {
+    for (const Count first : {6 * i, 6 * i + 1}) {
+      builder.edge(first, first + 2);
+      builder.edge(first + 2, first + 4);
+      builder.edge(first + 4, first);
+    }
+  }
+  return builder.finish();
+}
+
+Graph mixed_union(Count k) {
+  const std::vector<Graph> parts = {
+      complete_graph(3), complete_graph(4),          block_chain(0) /* 10 vertices */,
+      prism(3),          generalised_petersen(5, 2), cycle_graph(3)};
+  GraphBuilder builder(0, 54 * k);
+  for (Count i = 0; i < k; ++i) {
+    for (const Graph& part : parts) builder.append(part);
+  }
+  return builder.finish();
+}
+
+Graph true_sinks(Count k) { return copies_of(leaf_block(7), k); }
+
+}  // namespace ar3d

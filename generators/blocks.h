@@ -1,0 +1,34 @@
+#pragma once
+
+#include "ar3d/generators/graph_builder.h"
+
+namespace ar3d {
+
+/// A chain of `links` diamonds (K4 without an edge) between two 5-vertex leaf blocks, joined by
+/// bridges. n = 4 links + 10, m = 3n/2, cubic, connected, links + 1 bridges.
+Graph block_chain(Count links);
+
+/// A ring of k >= 2 diamonds (K4 without an edge): n = 4k, m = 6k, cubic, 2-connected, no bridges.
+Graph diamond_necklace(Count k);
+
+/// A random cactus: cycles of `length` >= 3 vertices, every new one glued to a uniformly random
+/// vertex that lies on one cycle so far. n = length + (cycles - 1)(length - 1), m = cycles length,
+/// connected, degrees 2 and 4, no bridges. cycles >= 1.
+Graph random_cactus(Count cycles, Count length, std::uint64_t seed);
+
+/// A long cycle whose vertices carry triangles (6i + 0, 2, 4) and (6i + 1, 3, 5): 4-regular, n =
+/// 6k, k >= 2, m = 2n, 2-connected. Split into these 2-factors, every triangle is contained in a
+/// short piece of the long cycle: the case that costs `diamond`'s placement its repairs. Also |dy|
+/// = 4 is frequent.
+Graph contained_cycles(Count k);
+
+/// Copies of triangle, K4, two leaf blocks joined by a bridge, prism, Petersen graph and triangle
+/// in turn (36 vertices a round): small dense components of many kinds, each of which forces the
+/// drawers' special cases. n = 36 k.
+Graph mixed_union(Count k);
+
+/// k bridgeless components with a single vertex of degree 2 (K3,3 with one edge subdivided): every
+/// one ends in the "true sink" of `two-bend`. n = 7k, m = 10k.
+Graph true_sinks(Count k);
+
+}  // namespace ar3d

@@ -1,0 +1,98 @@
+#include "ar3d/generators/lattices.h"
+
+#include <algorithm>
+#include <memory>
+#include <unordered_map>
+#include <utility>
+
+namespace ar3d {
+namespace {
+
+struct PointHash {
+  std::size_t operator()(const Point& p) const {
+    const auto mix = [](std::size_t h, std::int64_t c) {
+      return (h ^ static_cast<std::size_t>(c)) * 0x9e3779b97f4a7c15u;
+    };
+    const std::size_t h = mix(mix(mix(1, p.x), p.y), p.z);
+    return h ^ (h >> 32);
+  }
+};
+
+/// Breadth-first piece of n vertices; steps(p) gives the edge vectors at p in a fixed order. Every
+/// edge between two of its vertices belongs to the piece and is entered when the later end is
+/// expanded.
+template <class Steps>
+LatticePiece breadth_first_piece(Count n, Steps steps) {
+  LatticePiece piece;
+  std::unordered_map<Point, Count, PointHash> number;
+  number.reserve(n);
+  piece.positions.reserve(n);
+  piece.positions.push_back({});
+  number.emplace(Point{}, 0);
+  GraphBuilder builder(n, 2 * n);
+  for (Count v = 0; v < piece.positions.size(); ++v) {
+    const Point at = piece.positions[v];
+    for (const Vector step : steps(at)) {
+      const auto known = number.find(at + step);
+      if (known != number.end()) {
+        if (known->second < v) builder.edge(known->second, v);
+      } else if (piece.positions.size() < n) {
+        number.emplace(at + step, piece.positions.size());
+        piece.positions.push_back(at + step);
+      }
+    }
+  }
+  piece.graph = builder.finish();
+  return piece;
+}
+
+std::vector<Vector> diamond_steps(Point p) {
+  const std::int64_t s =
+      p.x % 2 == 0 ? 1 : -1;  // the two kinds of vertices: all coordinates even, all odd
+  return {{s, s, s}, {s, -s, -s}, {-s, s, -s}, {-s, -s, s}};
+}
+
+/// Vertices of the Laves graph modulo 4 in every coordinate; neighbours are those at distance
+/// sqrt 2.
+bool in_laves_graph(Point p) {
+  constexpr int kClasses[8][3] = {{0, 0, 0}, {1, 2, 3}, {2, 3, 1}, {3, 1, 2},
+                                  {2, 2, 2}, {3, 0, 1}, {0, 1, 3}, {1, 3, 0}};
+  const auto same = [](std::int64_t c, int residue) { return ((c - residue) & 3) == 0; };
+  return std::any_of(std::begin(kClasses), std::end(kClasses), [&](const int* c) {
+    return same(p.x, c[0]) && same(p.y, c[1]) && same(p.z, c[2]);
+  });
+}
+
+std::vector<Vector> laves_steps(Point p) {
+  std::vector<Vector> steps;
+  for (const std::int64_t a : {-1, 1}) {
+    for (const std::int64_t b : {-1, 1}) {
+      for (const Vector step : {Vector{a, b, 0}, Vector{a, 0, b}, Vector{0, a, b}}) {
+        if (in_laves_graph(p + step)) steps.push_back(step);
+      }
+    }
+  }
+  return steps;
+}
+
+/// All edges straight.
+class NoBends final : public BendSource {
+ public:
+  void append_bends(EdgeId, Edge, Point, Point, std::vector<Point>&) const override {}
+};
+
+}  // namespace
+
+LatticePiece diamond_lattice_piece(Count n) { return breadth_first_piece(n, diamond_steps); }
+
+LatticePiece laves_piece(Count n) { return breadth_first_piece(n, laves_steps); }
+
+Drawing straight_drawing(const LatticePiece& piece, const char* name) {
+  // A breadth-first search reaches no further than n steps, each of at most 1 in every coordinate.
+  Coordinates vertices(piece.positions.size(), static_cast<std::int64_t>(piece.positions.size()));
+  for (std::size_t v = 0; v < piece.positions.size(); ++v) vertices.set(v, piece.positions[v]);
+  return Drawing(name, kCubeLattice, std::move(vertices), piece.graph.shared_edges(),
+                 std::make_shared<NoBends>());
+}
+
+}  // namespace ar3d

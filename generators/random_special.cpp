@@ -1,0 +1,166 @@
+#include "ar3d/generators/random_special.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+
+#include "ar3d/generators/pairing.h"
+#include "ar3d/model/error.h"
+#include "ar3d/model/random.h"
+
+namespace ar3d {
+namespace {
+
+enum Stream : std::uint64_t { kConnected = 30, kBipartite, kThinned, kTree, kBridges };
+
+/// Draws the right ends of the slots of 0, 1, ..., three each, one after the other; empty at the
+/// first parallel edge.
+std::vector<Edge> try_bipartite(std::vector<std::uint32_t>& slots, RandomStream& random) {
+  const auto side = static_cast<Vertex>(slots.size() / 3);
+  std::vector<Edge> edges;
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    std::swap(slots[i], slots[i + random.below(static_cast<std::uint32_t>(slots.size() - i))]);
+    const Edge e = {static_cast<Vertex>(i / 3), side + slots[i] / 3};
+    for (std::size_t j = i - i % 3; j < i; ++j) {
+      if (edges[j] == e) return {};
+    }
+    edges.push_back(e);
+  }
+  return edges;
+}
+
+/// Connected and without bridges: depth-first search with low points (Tarjan 1974), without
+/// recursion.
+bool two_edge_connected(const Graph& graph) {
+  const Vertex n = graph.num_vertices();
+  std::vector<std::uint32_t> order(n, 0);  // 0: not seen
+  std::vector<std::uint32_t> low(n, 0);
+  std::vector<std::uint32_t> next(n, 0);
+  std::vector<EdgeId> by(n, graph.num_edges());
+  std::vector<Vertex> stack = {0};
+  std::uint32_t seen = 1;
+  order[0] = low[0] = 1;
+  while (!stack.empty()) {
+    const Vertex v = stack.back();
+    if (next[v] < graph.degree(v)) {
+      const HalfEdge half = graph.incident(v)[next[v]++];
+      if (order[half.to] == 0) {
+        order[half.to] = low[half.to] = ++seen;
+        by[half.to] = half.edge;
+        stack.push_back(half.to);
+      } else if (half.edge != by[v]) {
+        low[v] = std::min(low[v], order[half.to]);
+      }
+      continue;
+    }
+    stack.pop_back();
+    if (stack.empty()) break;
+    if (low[v] == order[v]) return false;  // the edge to v's parent is a bridge
+    low[stack.back()] = std::min(low[stack.back()], low[v]);
+  }
+  return seen == n;
+}
+
+std::vector<Edge> random_bridgeless_cubic(Count n, RandomStream& random) {
+  for (;;) {
+    std::vector<Edge> edges = random_simple_pairs(n, 3, 3 * n / 2, random);
+    if (two_edge_connected(Graph(n, edges))) return edges;
+  }
+}
+
+/// Puts a new vertex on a random edge of the piece and returns it.
+Vertex subdivide(std::vector<Edge>& piece, Vertex new_vertex, RandomStream& random) {
+  Edge& edge = piece[random.below(static_cast<std::uint32_t>(piece.size()))];
+  const Vertex far = edge.v;
+  edge.v = new_vertex;
+  piece.push_back({new_vertex, far});
+  return new_vertex;
+}
+
+}  // namespace
+
+Graph random_connected_regular(Count n, std::uint32_t d, std::uint64_t seed) {
+  if (d < 3 || d > 4 || n <= d || n * d % 2 != 0) {
+    throw InputError(
+        fmt::format("there is no connected {}-regular graph on {} vertices here", d, n));
+  }
+  RandomStream random(seed, kConnected);
+  for (;;) {
+    Graph graph(n, random_simple_pairs(n, d, n * d / 2, random));
+    if (connected_components_of(graph).count == 1) return graph;
+  }
+}
+
+Graph random_bipartite_cubic(Count n, std::uint64_t seed) {
+  if (n < 6 || n % 2 != 0) {
+    throw InputError(fmt::format("there is no simple bipartite cubic graph on {} vertices", n));
+  }
+  RandomStream random(seed, kBipartite);
+  std::vector<std::uint32_t> slots(3 * n / 2);
+  std::iota(slots.begin(), slots.end(), 0u);
+  std::vector<Edge> edges;
+  while (edges.empty()) edges = try_bipartite(slots, random);
+  return Graph(n, std::move(edges));
+}
+
+Graph thinned(const Graph& graph, std::uint32_t per_million, std::uint64_t seed) {
+  RandomStream random(seed, kThinned);
+  std::vector<Edge> kept;
+  for (const Edge e : graph.edges()) {
+    if (random.chance(per_million, 1000000)) kept.push_back(e);
+  }
+  return Graph(graph.num_vertices(), std::move(kept));
+}
+
+Graph random_tree(Count n, Count D, std::uint64_t seed) {
+  RandomStream random(seed, kTree);
+  GraphBuilder builder(n, n);
+  std::vector<Count> open = {0};  // earlier vertices of degree below D
+  std::vector<std::uint8_t> degree(n, 0);
+  for (Count v = 1; v < n; ++v) {
+    Count& drawn = open[random.below(static_cast<std::uint32_t>(open.size()))];
+    const Count parent = drawn;
+    builder.edge(parent, v);
+    degree[v] = 1;
+    if (++degree[parent] == D) {
+      drawn = open.back();
+      open.pop_back();
+    }
+    open.push_back(v);
+  }
+  return builder.finish();
+}
+
+Graph random_cubic_with_bridges(Count n, Count bridges, std::uint64_t seed) {
+  if (n % 2 != 0 || n < 6 * bridges + 4) {
+    throw InputError(fmt::format(
+        "no cubic graph of {} vertices with {} bridges of this kind: need an even n >= {}", n,
+        bridges, 6 * bridges + 4));
+  }
+  RandomStream random(seed, kBridges);
+  const Count pieces = bridges + 1;
+  std::vector<Count> size(pieces, 4);
+  for (Count spare = (n - 6 * bridges - 4) / 2; spare > 0; --spare)
+    size[random.below64(pieces)] += 2;
+  std::vector<std::vector<Edge>> piece;
+  Count first = 0;
+  for (const Count s : size) {
+    piece.push_back(random_bridgeless_cubic(s, random));
+    for (Edge& e : piece.back())
+      e = {e.u + static_cast<Vertex>(first), e.v + static_cast<Vertex>(first)};
+    first += s;
+  }
+  std::vector<Edge> edges;
+  auto next_vertex = static_cast<Vertex>(first);
+  for (Count i = 1; i < pieces; ++i) {
+    const Vertex here = subdivide(piece[i], next_vertex++, random);
+    const Vertex there = subdivide(piece[random.below64(i)], next_vertex++, random);
+    edges.push_back({there, here});
+  }
+  for (const auto& part : piece) edges.insert(edges.end(), part.begin(), part.end());
+  return Graph(n, std::move(edges));
+}
+
+}  // namespace ar3d

@@ -1,0 +1,150 @@
+#include "ar3d/generators/snarks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "ar3d/generators/petersen_like.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+namespace {
+
+bool same_edge(Edge e, Edge f) { return (e.u == f.u && e.v == f.v) || (e.u == f.v && e.v == f.u); }
+
+/// The two neighbours of x in a cubic graph other than y. @throws InputError unless there are two.
+std::array<Vertex, 2> other_neighbours(const Graph& graph, Vertex x, Vertex y) {
+  std::vector<Vertex> others;
+  for (const HalfEdge& half : graph.incident(x)) {
+    if (half.to != y) others.push_back(half.to);
+  }
+  if (others.size() != 2 || graph.degree(x) != 3) {
+    throw InputError(
+        fmt::format("dot product: {} {} is not an edge between vertices of degree 3", x, y));
+  }
+  return {others[0], others[1]};
+}
+
+/// Five copies of a piece of ten vertices (nine on a path or cycle and a centre, number 9), piece
+/// by piece.
+GraphBuilder five_pieces(const std::vector<Edge>& piece) {
+  GraphBuilder builder(50, 75);
+  for (Count i = 0; i < 5; ++i) {
+    for (const Edge e : piece) builder.edge(10 * i + e.u, 10 * i + e.v);
+  }
+  return builder;
+}
+
+}  // namespace
+
+Graph dot_product(const Graph& first, Edge cut, Edge other_cut, const Graph& second, Vertex x,
+                  Vertex y) {
+  if (cut.u == other_cut.u || cut.u == other_cut.v || cut.v == other_cut.u ||
+      cut.v == other_cut.v) {
+    throw InputError("dot product: the two edges to be cut share a vertex");
+  }
+  const auto from_x = other_neighbours(second, x, y);
+  const auto from_y = other_neighbours(second, y, x);
+  GraphBuilder builder(first.num_vertices(), first.num_edges() + second.num_edges());
+  for (const Edge e : first.edges()) {
+    if (!same_edge(e, cut) && !same_edge(e, other_cut)) builder.edge(e.u, e.v);
+  }
+  const Count base = builder.add_vertices(second.num_vertices() - 2);
+  const auto renamed = [&](Vertex v) { return base + v - (v > x ? 1u : 0u) - (v > y ? 1u : 0u); };
+  for (const Edge e : second.edges()) {
+    if (e.u != x && e.u != y && e.v != x && e.v != y) builder.edge(renamed(e.u), renamed(e.v));
+  }
+  builder.edge(cut.u, renamed(from_x[0]));
+  builder.edge(cut.v, renamed(from_x[1]));
+  builder.edge(other_cut.u, renamed(from_y[0]));
+  builder.edge(other_cut.v, renamed(from_y[1]));
+  return builder.finish();
+}
+
+Graph blanusa_snark(Count k, Count type) {
+  if (type != 1 && type != 2) throw InputError(fmt::format("Blanusa type {} is not 1 or 2", type));
+  const Graph petersen = generalised_petersen(5, 2);  // outer cycle 0..4, inner edges i, i + 2
+  const Edge cut = {2, 3};
+  const Edge other_cut = type == 1 ? Edge{4, 9} : Edge{9, 6};
+  Graph chain = petersen;
+  for (Count i = 0; i < k;
+       ++i) {  // the last Petersen graph has lost its vertices 0 and 1, unless it is the only one
+    const Vertex shift = i == 0 ? 0 : chain.num_vertices() - 10;
+    const auto shifted = [&](Edge e) { return Edge{e.u + shift, e.v + shift}; };
+    chain = dot_product(chain, shifted(cut), shifted(other_cut), petersen, 0, 1);
+  }
+  return chain;
+}
+
+Graph goldberg_snark(Count k) {
+  if (k < 5 || k % 2 == 0) {
+    throw InputError(fmt::format("Goldberg snark G_{}: the index must be odd and at least 5", k));
+  }
+  // Vertices 0..7 of a block: 6 and 7 are joined to 5, and each closes a path of the others.
+  constexpr Edge kBlock[] = {{0, 1}, {0, 6}, {1, 7}, {2, 3}, {2, 7},
+                             {3, 6}, {4, 5}, {5, 6}, {5, 7}};
+  constexpr Edge kToNext[] = {{1, 0}, {3, 2}, {4, 4}};
+  GraphBuilder builder(8 * k, 12 * k);
+  for (Count i = 0; i < k; ++i) {
+    for (const Edge e : kBlock) builder.edge(8 * i + e.u, 8 * i + e.v);
+    for (const Edge e : kToNext) builder.edge(8 * i + e.u, 8 * ((i + 1) % k) + e.v);
+  }
+  return builder.finish();
+}
+
+Graph double_star_snark() {
+  constexpr Edge kEdges[] = {
+      {0, 1},   {0, 14},  {0, 15},  {1, 2},   {1, 11},  {2, 3},   {2, 7},   {3, 4},   {3, 18},
+      {4, 5},   {4, 14},  {5, 6},   {5, 10},  {6, 7},   {6, 21},  {7, 8},   {8, 9},   {8, 13},
+      {9, 10},  {9, 24},  {10, 11}, {11, 12}, {12, 13}, {12, 27}, {13, 14}, {15, 16}, {15, 29},
+      {16, 20}, {16, 23}, {17, 18}, {17, 25}, {17, 28}, {18, 19}, {19, 23}, {19, 26}, {20, 21},
+      {20, 28}, {21, 22}, {22, 26}, {22, 29}, {23, 24}, {24, 25}, {25, 29}, {26, 27}, {27, 28}};
+  GraphBuilder builder(30, 45);
+  for (const Edge e : kEdges) builder.edge(e.u, e.v);
+  return builder.finish();
+}
+
+Graph szekeres_snark() {
+  GraphBuilder builder = five_pieces({{0, 1},
+                                      {1, 2},
+                                      {2, 3},
+                                      {3, 4},
+                                      {4, 5},
+                                      {5, 6},
+                                      {6, 7},
+                                      {7, 8},
+                                      {1, 9},
+                                      {4, 9},
+                                      {7, 9},
+                                      {0, 5},
+                                      {8, 3}});
+  for (Count i = 0; i < 5; ++i) {
+    builder.edge(10 * i, 10 * ((i + 1) % 5) + 8);
+    builder.edge(10 * i + 6, 10 * ((i + 2) % 5) + 2);
+  }
+  return builder.finish();
+}
+
+Graph watkins_snark() {
+  GraphBuilder builder = five_pieces({{0, 1},
+                                      {1, 2},
+                                      {2, 3},
+                                      {3, 4},
+                                      {4, 5},
+                                      {5, 6},
+                                      {6, 7},
+                                      {7, 8},
+                                      {8, 0},
+                                      {1, 9},
+                                      {4, 9},
+                                      {7, 9},
+                                      {6, 2}});
+  for (Count i = 0; i < 5; ++i) {
+    builder.edge(10 * i + 5, 10 * ((i + 1) % 5));
+    builder.edge(10 * i + 8, 10 * ((i + 2) % 5) + 3);
+  }
+  return builder.finish();
+}
+
+}  // namespace ar3d
