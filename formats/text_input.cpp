@@ -9,15 +9,17 @@
 
 namespace ar3d {
 namespace {
+constexpr std::size_t kFirstBlock = std::size_t{1} << 12;  // enough for a small file
 constexpr std::size_t kBlock = std::size_t{1} << 18;
 constexpr std::size_t kShownBytes = 40;
 }  // namespace
 
 TextInput::TextInput(std::string name, std::unique_ptr<ByteSource> bytes)
-    : name_(std::move(name)), bytes_(std::move(bytes)), buffer_(kBlock) {}
+    : name_(std::move(name)), bytes_(std::move(bytes)), buffer_(kFirstBlock) {}
 
 bool TextInput::read_block() {
   if (at_end_) return false;
+  if (end_ == buffer_.size() && end_ < kBlock) buffer_.resize(kBlock);
   if (begin_ > 0 && end_ == buffer_.size()) {  // drop the lines already given
     std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
     dropped_ += begin_;
