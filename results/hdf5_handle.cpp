@@ -1,6 +1,10 @@
 #include "ar3d/results/hdf5_handle.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "ar3d/results/run.h"
 
 namespace ar3d {
 namespace {
@@ -28,6 +32,14 @@ Hdf5Handle open_attribute(hid_t object, const std::string& name) {
 }
 
 }  // namespace
+
+std::string hdf5_version() {
+  unsigned major = 0;
+  unsigned minor = 0;
+  unsigned release = 0;
+  hdf5_checked(H5get_libversion(&major, &minor, &release), "tell its version");
+  return fmt::format("{}.{}.{}", major, minor, release);
+}
 
 Hdf5Silence::Hdf5Silence() {
   H5Eget_auto2(H5E_DEFAULT, &printer_, &data_);

@@ -85,4 +85,7 @@ void write_results(const Results& results, const std::string& path);
 /// version, no /runs, …
 Results read_results(const std::string& path);
 
+/// Version of the HDF5 library in use, "1.10.8".
+std::string hdf5_version();
+
 }  // namespace ar3d

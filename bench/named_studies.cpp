@@ -1,0 +1,50 @@
+#include "ar3d/bench/named_studies.h"
+
+#include <algorithm>
+#include <array>
+
+namespace ar3d {
+namespace {
+
+constexpr std::string_view kSmoke =
+    R"toml(# Every algorithm over every family that fits it, at small sizes: does the whole way work?
+study = "smoke"
+description = "every algorithm and family at small sizes, a few seconds"
+seed = 1
+
+[[sweep]]
+families = "all"
+sizes = [4, 20, 100]
+algorithms = "all"
+instances = 2
+)toml";
+
+constexpr std::string_view kQuick =
+    R"toml(# The first study to run: how do size, bends and time grow?
+study = "quick"
+description = "every algorithm over every family that fits it, two minutes on two cores"
+seed = 1
+
+[[sweep]]
+families = "all"
+sizes = { from = 10, to = 1000, per_decade = 3 }
+algorithms = "all"
+instances = 5
+)toml";
+
+constexpr std::array<NamedStudy, 2> kStudies = {{
+    {"smoke", "every algorithm and family at small sizes, a few seconds", kSmoke},
+    {"quick", "every algorithm over every family that fits it, two minutes on two cores", kQuick},
+}};
+
+}  // namespace
+
+std::span<const NamedStudy> named_studies() { return kStudies; }
+
+const NamedStudy* find_named_study(std::string_view name) {
+  const auto at = std::find_if(kStudies.begin(), kStudies.end(),
+                               [&](const NamedStudy& study) { return study.name == name; });
+  return at == kStudies.end() ? nullptr : &*at;
+}
+
+}  // namespace ar3d

@@ -1,0 +1,155 @@
+#include "ar3d/bench/run_study.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <exception>
+#include <mutex>
+#include <numeric>
+#include <optional>
+
+#include "ar3d/bench/environment.h"
+#include "ar3d/bench/progress.h"
+#include "ar3d/bench/run_instance.h"
+#include "ar3d/results/sha256.h"
+
+namespace ar3d {
+namespace {
+
+// Time is about linear in n, with a constant; good enough for the order and the remaining time.
+double work_of_row(const PlannedInstance& instance) { return 50 + static_cast<double>(instance.n); }
+
+std::vector<std::size_t> largest_first(const StudyPlan& plan) {
+  std::vector<std::size_t> order(plan.instances.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto work = [&](std::size_t i) {
+    return work_of_row(plan.instances[i]) * static_cast<double>(plan.instances[i].runs.size());
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return work(a) > work(b); });
+  return order;
+}
+
+struct Remaining {
+  std::size_t rows = 0;
+  double work = 0;
+};
+
+Remaining remaining_rows(const StudyPlan& plan, const FinishedRuns& finished) {
+  Remaining remaining;
+  for (const PlannedInstance& instance : plan.instances) {
+    for (const PlannedRun& run : instance.runs) {
+      if (finished.contains(run.row_key)) continue;
+      ++remaining.rows;
+      remaining.work += work_of_row(instance);
+    }
+  }
+  return remaining;
+}
+
+// The rows made so far and what is told about them; shared by all threads.
+class Collector {
+ public:
+  Collector(const StudyPlan& plan, const FinishedRuns& finished,
+            const std::function<void(const Run&)>& on_row)
+      : rows_(plan.rows), on_row_(on_row) {
+    for (const PlannedInstance& instance : plan.instances) {
+      for (const PlannedRun& run : instance.runs) {
+        const auto known = finished.find(run.row_key);
+        if (known != finished.end()) rows_[run.row] = known->second;
+      }
+    }
+  }
+
+  void add(std::size_t row, Run run, double work, Progress& progress) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (failure_) return;
+    if (on_row_) on_row_(run);
+    progress.row_done(work, run.status == RunStatus::ok);
+    rows_[row] = std::move(run);
+  }
+  void fail(std::exception_ptr failure) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!failure_) failure_ = std::move(failure);
+    failed_ = true;
+  }
+  bool failed() const { return failed_; }
+
+  std::vector<Run> take_rows() {
+    if (failure_) std::rethrow_exception(failure_);
+    std::vector<Run> rows;
+    rows.reserve(rows_.size());
+    for (std::optional<Run>& row : rows_) {
+      if (row) rows.push_back(std::move(*row));
+    }
+    return rows;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::optional<Run>> rows_;
+  const std::function<void(const Run&)>& on_row_;
+  std::exception_ptr failure_;
+  std::atomic<bool> failed_ = false;
+};
+
+std::string now_with_zone() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  return fmt::format("{:%Y-%m-%dT%H:%M:%S}+00:00", fmt::gmtime(now));
+}
+
+}  // namespace
+
+std::vector<Run> run_plan(const StudyPlan& plan, const StudyOptions& options,
+                          const FinishedRuns& finished,
+                          const std::function<void(const Run&)>& on_row, const std::string& name) {
+  const std::vector<std::size_t> order = largest_first(plan);
+  const Remaining remaining = remaining_rows(plan, finished);
+  Progress progress(options.progress, name, remaining.rows, remaining.work);
+  Collector collector(plan, finished, on_row);
+  const auto ends = [&] { return collector.failed() || (options.stop && options.stop->load()); };
+  const auto wanted = [&](const std::string& key) { return !finished.contains(key); };
+  const int threads = options.threads > 0 ? options.threads : omp_get_max_threads();
+
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const PlannedInstance& instance = plan.instances[order[i]];
+    try {
+      if (!ends()) {
+        run_instance(instance, wanted, ends, [&](std::size_t row, Run run) {
+          collector.add(row, std::move(run), work_of_row(instance), progress);
+        });
+      }
+    } catch (...) {  // nothing may leave an OpenMP region
+      collector.fail(std::current_exception());
+    }
+  }
+  progress.finish();
+  return collector.take_rows();
+}
+
+Results describe_study(const StudySpec& spec, int threads) {
+  Results results;
+  results.study_id = spec.name;
+  results.spec = spec.text;
+  results.spec_sha256 = sha256(spec.text);
+  results.source_hash = source_hash();
+  results.dirty = source_is_dirty();
+  results.created = now_with_zone();
+  results.environment = capture_environment(threads > 0 ? threads : omp_get_max_threads());
+  return results;
+}
+
+Results run_study(const StudySpec& spec, const StudyOptions& options) {
+  const StudyPlan plan = plan_study(spec);
+  Results results = describe_study(spec, options.threads);
+  results.runs = run_plan(plan, options, {}, {}, spec.name);
+  results.environment.push_back({"load_after", load_average()});
+  return results;
+}
+
+}  // namespace ar3d

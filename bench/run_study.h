@@ -1,0 +1,42 @@
+#pragma once
+
+#include <atomic>
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <unordered_map>
+
+#include "ar3d/bench/plan.h"
+#include "ar3d/results/run.h"
+
+namespace ar3d {
+
+struct StudyOptions {
+  int threads = 0;                ///< 0: as many as OpenMP takes
+  std::FILE* progress = nullptr;  ///< where to tell how far it is; null: nowhere
+  /// Once true, instances that have not begun do not begin and no further row is made.
+  const std::atomic<bool>* stop = nullptr;
+};
+
+/// Rows that exist already, by key; they are taken over instead of made again.
+using FinishedRuns = std::unordered_map<std::string, Run>;
+
+/// Makes the rows of a plan: OpenMP over instances, the largest first, each thread taking the next
+/// one when it is done. The rows stand in the plan's order; on any number of threads all columns
+/// but the measured ones are equal.
+/// @param on_row  called with every new row as soon as it is made, one call at a time; what it
+/// throws ends the
+///   study and is thrown again here. May be empty.
+/// @return as many rows as planned; fewer only after a stop.
+std::vector<Run> run_plan(const StudyPlan& plan, const StudyOptions& options,
+                          const FinishedRuns& finished = {},
+                          const std::function<void(const Run&)>& on_row = {},
+                          const std::string& name = "");
+
+/// Everything about a study's results but its rows: name, specification, source, environment, time.
+Results describe_study(const StudySpec& spec, int threads);
+
+/// Plans and runs a study in memory. @throws InputError as plan_study.
+Results run_study(const StudySpec& spec, const StudyOptions& options = {});
+
+}  // namespace ar3d

@@ -1,0 +1,64 @@
+#pragma once
+
+// Reads a TOML table strictly: every key has to be asked for, every error names file, line and
+// value.
+
+#include <toml++/toml.h>
+
+#include <cstdint>
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace ar3d {
+
+/// @throws InputError "file:line: message" on a syntax error.
+toml::table parse_toml(const std::string& text, const std::string& file);
+
+/// @throws InputError "file:line: message" with the line of the node.
+[[noreturn]] void refuse_toml(const std::string& file, const toml::node& node,
+                              const std::string& message);
+
+/// Runs `step`; an InputError of it gets file and line of the node in front.
+void with_place(const std::string& file, const toml::node& node, const std::function<void()>& step);
+
+class TomlTable {
+ public:
+  /// @throws InputError if the node is not a table; `what` names it for people.
+  TomlTable(const std::string& file, const toml::node& node, const std::string& what);
+
+  /// The node of a key, or null; the key counts as known from now on.
+  const toml::node* find(const std::string& key);
+  /// @throws InputError if the key is missing.
+  const toml::node& get(const std::string& key);
+
+  std::string text(const std::string& key);
+  std::string text(const std::string& key, const std::string& otherwise);
+  std::int64_t integer(const std::string& key, std::int64_t low, std::int64_t high);
+  std::int64_t integer(const std::string& key, std::int64_t low, std::int64_t high,
+                       std::int64_t otherwise);
+
+  /// The keys that nobody has asked for yet, in order of name.
+  std::vector<std::string> other_keys() const;
+  /// @throws InputError naming the first key that nobody asked for, and the known ones.
+  void refuse_other_keys() const;
+
+  const toml::node& node() const { return *table_; }
+
+ private:
+  std::string file_;
+  const toml::table* table_ = nullptr;
+  std::string what_;
+  std::set<std::string> known_;
+};
+
+/// The nodes of an array, or the node itself if it is none.
+std::vector<const toml::node*> one_or_many(const toml::node& node);
+
+std::string toml_text(const std::string& file, const toml::node& node, const std::string& what);
+/// @throws InputError if it is no integer in [low, high].
+std::int64_t toml_integer(const std::string& file, const toml::node& node, const std::string& what,
+                          std::int64_t low, std::int64_t high);
+
+}  // namespace ar3d

@@ -1,0 +1,104 @@
+#include "ar3d/bench/plan.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+namespace {
+
+StudyPlan plan_of(const std::string& toml) {
+  return plan_study(parse_study("study = \"t\"\n" + toml, "t.toml"));
+}
+
+std::string sweep(const std::string& families, const std::string& sizes,
+                  const std::string& rest = "") {
+  return "[[sweep]]\nfamilies = " + families + "\nsizes = " + sizes +
+         "\nalgorithms = \"diamond\"\n" + rest + "\n";
+}
+
+TEST(Plan, RowsFollowTheSpecification) {
+  const StudyPlan plan = plan_of(
+      sweep("[\"random-regular\", \"cycle\"]", "[10, 20]", "instances = 2\nrepetitions = 3"));
+  ASSERT_EQ(plan.instances.size(), 2u * 2 + 2);
+  EXPECT_EQ(plan.rows, plan.instances.size() * 3);
+  EXPECT_EQ(plan.instances[0].choice.family->name, "random-regular");
+  EXPECT_EQ(plan.instances[1].index, 1u);
+  EXPECT_EQ(plan.instances[2].n, 20u);
+  EXPECT_EQ(plan.instances[4].choice.family->name, "cycle");
+  std::size_t row = 0;
+  std::set<std::string> keys;
+  std::set<std::uint64_t> seeds;
+  for (const PlannedInstance& instance : plan.instances) {
+    EXPECT_TRUE(seeds.insert(instance.seed).second);
+    for (const PlannedRun& run : instance.runs) {
+      EXPECT_EQ(run.row, row++);
+      EXPECT_EQ(run.row_key.size(), 32u);
+      EXPECT_TRUE(keys.insert(run.row_key).second);
+    }
+  }
+}
+
+// Adding algorithms, sizes or repetitions changes neither graphs nor the keys of the rows that were
+// there.
+TEST(Plan, IdentityDependsOnNothingElse) {
+  const PlannedInstance alone = plan_of(sweep("\"random-regular\"", "20")).instances[0];
+  const StudyPlan larger =
+      plan_of(sweep("\"cycle\"", "7") +
+              sweep("\"random-regular\"", "[10, 20]", "instances = 5\nrepetitions = 2"));
+  const PlannedInstance& among = larger.instances[6];
+  EXPECT_EQ(among.n, 20u);
+  EXPECT_EQ(among.seed, alone.seed);
+  EXPECT_EQ(among.runs[0].row_key, alone.runs[0].row_key);
+  const PlannedInstance other =
+      plan_of("seed = 1\n" + sweep("\"random-regular\"", "20")).instances[0];
+  EXPECT_NE(other.seed, alone.seed);
+  EXPECT_NE(other.runs[0].row_key, alone.runs[0].row_key);
+}
+
+TEST(Plan, PlansNothingTwice) {
+  // A 4-vertex union rounds 8..11 to 8; the second sweep repeats the first.
+  const StudyPlan plan =
+      plan_of(sweep("\"union-k4\"", "[8, 9, 11, 12]") + sweep("\"union-k4\"", "8"));
+  ASSERT_EQ(plan.instances.size(), 2u);
+  EXPECT_EQ(plan.instances[0].n, 8u);
+  EXPECT_EQ(plan.instances[1].n, 12u);
+  EXPECT_EQ(plan.rows, 2u);
+}
+
+TEST(Plan, PatternsAndLimitsDropCells) {
+  EXPECT_EQ(plan_of(sweep("[\"cycle\", \"path\"]", "[10, 20, 30]",
+                          "exclude = { family = \"path\", from = 20 }"))
+                .rows,
+            4u);
+  EXPECT_EQ(plan_of(sweep("[\"cycle\", \"path\"]", "[10, 20, 30]",
+                          "include = [{ family = \"path\", to = 10 }, { from = 30 }]"))
+                .rows,
+            3u);
+  EXPECT_EQ(plan_of("max_n = { diamond = 20 }\n" + sweep("\"cycle\"", "[10, 20, 30]")).rows, 2u);
+  EXPECT_THROW(plan_of("max_n = { diamond = 2 }\n" + sweep("\"cycle\"", "10")), InputError);
+}
+
+TEST(Plan, LeavesOutFamiliesOfTooLargeDegree) {
+  const StudyPlan plan = plan_of("[[sweep]]\nfamilies = \"all\"\nsizes = 60\nalgorithms = \"all\"");
+  for (const PlannedInstance& instance : plan.instances) {
+    const FamilyChoice& choice = instance.choice;
+    const Graph graph =
+        generate(*choice.family, instance.wanted_n, instance.seed, choice.parameters);
+    for (const PlannedRun& run : instance.runs) {
+      EXPECT_LE(graph.max_degree(), run.choice.algorithm->guarantee.max_degree)
+          << choice.family->name;
+    }
+  }
+}
+
+TEST(Plan, RefusesTooManyRows) {
+  EXPECT_THROW(
+      plan_of(sweep("\"random-regular\"", "[10, 20]", "instances = 10\nrepetitions = 1000000")),
+      InputError);
+}
+
+}  // namespace
+}  // namespace ar3d

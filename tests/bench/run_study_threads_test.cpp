@@ -1,0 +1,110 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <stdexcept>
+
+#include "ar3d/bench/run_study.h"
+#include "ar3d/results/columns.h"
+#include "ar3d/results/sha256.h"
+
+namespace ar3d {
+namespace {
+
+const char* const kStudy = R"(study = "t"
+seed = 3
+[[sweep]]
+families = "all"
+sizes = [6, 30, 60]
+algorithms = "all"
+instances = 2
+repetitions = 2
+)";
+
+TEST(RunStudy, SameColumnsOnAnyNumberOfThreads) {
+  const StudySpec spec = parse_study(kStudy, "t.toml");
+  const Results one = run_study(spec, {.threads = 1});
+  EXPECT_EQ(one.runs.size(), plan_study(spec).rows);
+  EXPECT_EQ(one.spec_sha256, sha256(kStudy));
+  for (const int threads : {2, 4}) {
+    const Results many = run_study(spec, {.threads = threads});
+    ASSERT_EQ(many.runs.size(), one.runs.size());
+    for (std::size_t i = 0; i < one.runs.size(); ++i) {
+      EXPECT_EQ(differing_columns(one.runs[i], many.runs[i]), std::vector<std::string>())
+          << "row " << i;
+    }
+  }
+  for (const ar3d::Run& run : one.runs) {
+    EXPECT_EQ(run.status, RunStatus::ok)
+        << run.family << ' ' << run.n << ' ' << run.algorithm << ": " << run.message;
+  }
+}
+
+TEST(RunStudy, TakesOverFinishedRowsAndTellsOnlyTheNewOnes) {
+  const StudyPlan plan = plan_study(parse_study(kStudy, "t.toml"));
+  const std::vector<ar3d::Run> all = run_plan(plan, {.threads = 2});
+  FinishedRuns finished;
+  for (std::size_t i = 0; i < all.size(); i += 3) finished[all[i].row_key] = all[i];
+  std::size_t made = 0;
+  const std::vector<ar3d::Run> again =
+      run_plan(plan, {.threads = 2}, finished, [&](const ar3d::Run& run) {
+        EXPECT_FALSE(finished.contains(run.row_key));
+        ++made;
+      });
+  EXPECT_EQ(made, all.size() - finished.size());
+  ASSERT_EQ(again.size(), all.size());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    EXPECT_TRUE(differing_columns(all[i], again[i]).empty());
+}
+
+TEST(RunStudy, StopsWhenAskedTo) {
+  const StudyPlan plan = plan_study(parse_study(kStudy, "t.toml"));
+  std::atomic<bool> stop = false;
+  std::size_t made = 0;
+  const auto rows = run_plan(plan, {.threads = 2, .stop = &stop}, {}, [&](const ar3d::Run&) {
+    if (++made == 5) stop = true;
+  });
+  EXPECT_EQ(rows.size(), made);
+  EXPECT_GE(rows.size(), 5u);
+  EXPECT_LE(rows.size(), 6u) << "the other thread may finish the row it is at";
+}
+
+TEST(RunStudy, AFailingListenerEndsTheStudy) {
+  const StudyPlan plan = plan_study(parse_study(kStudy, "t.toml"));
+  std::size_t told = 0;
+  EXPECT_THROW(run_plan(plan, {.threads = 2}, {},
+                        [&](const ar3d::Run&) {
+                          if (++told == 3) throw std::runtime_error("disk full");
+                        }),
+               std::runtime_error);
+  EXPECT_EQ(told, 3u);
+}
+
+TEST(RunStudy, TellsProgress) {
+  std::FILE* out = std::tmpfile();
+  ASSERT_NE(out, nullptr);
+  run_study(parse_study(kStudy, "t.toml"), {.threads = 2, .progress = out});
+  std::rewind(out);
+  char line[200] = {};
+  ASSERT_NE(std::fgets(line, sizeof(line), out), nullptr);
+  std::fclose(out);
+  EXPECT_EQ(std::string(line).find("study t: "), 0u);
+  EXPECT_NE(std::string(line).find(" rows, "), std::string::npos);
+}
+
+TEST(RunStudy, DescribesWhereItRan) {
+  const Results results = describe_study(parse_study(kStudy, "t.toml"), 3);
+  EXPECT_EQ(results.created.size(), std::string("2026-01-02T03:04:05+00:00").size());
+  std::vector<std::string> names;
+  for (const EnvironmentEntry& entry : results.environment) {
+    EXPECT_FALSE(entry.value.empty()) << entry.name;
+    if (entry.name == "threads") {
+      EXPECT_EQ(entry.value, "3");
+    }
+    names.push_back(entry.name);
+  }
+  EXPECT_NE(std::find(names.begin(), names.end(), "library_hdf5"), names.end());
+}
+
+}  // namespace
+}  // namespace ar3d
