@@ -56,9 +56,12 @@ OddInterval interval_of(const View& view, const Values& values, NodeId merge) {
 
 namespace {
 
-/// Where a listed MERGE below another MERGE may stand, given the present values of all others.
-OddInterval room_of(const View& view, const Values& values, NodeId m, NodeId above) {
+void relax_merge(const View& view, Values& values, NodeId m) {
+  if (!view.is_listed_merge(m) || view.is_free_merge(m)) return;
+  const NodeId above = view.outs(m)[0];
+  if (view.type(above) != NodeType::merge) return;
   OddInterval room = interval_of(view, values, m);
+  const std::int64_t middle = room.middle();
   const std::int64_t nearest =
       view.is_free_merge(above) ? std::abs(values[m] - values[above]) : margin(NodeType::merge);
   if (values[m] < values[above]) {
@@ -67,16 +70,7 @@ OddInterval room_of(const View& view, const Values& values, NodeId m, NodeId abo
     room.low = std::max(room.low, values[above] + nearest);
   }
   expect(room.contains(values[m]), "a listed MERGE keeps its distances");
-  return room;
-}
-
-void relax_merge(const View& view, Values& values, NodeId m) {
-  if (!view.is_listed_merge(m) || view.is_free_merge(m)) return;
-  const NodeId above = view.outs(m)[0];
-  if (view.type(above) != NodeType::merge) return;
-  const OddInterval between = interval_of(view, values, m);
-  const OddInterval room = room_of(view, values, m, above);
-  values[m] = std::clamp(between.middle(), room.low, room.high);
+  values[m] = std::clamp(middle, room.low, room.high);
 }
 
 }  // namespace

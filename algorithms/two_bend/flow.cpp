@@ -180,23 +180,17 @@ class FlowBuilder {
   Flow flow_;
 };
 
-}  // namespace
-
-Flow build_flow(const LocalGraph& graph, const Blocks& blocks, const TimeOrder& order) {
-  return FlowBuilder(graph, order).build(blocks);
-}
-
-bool View::is_owner(NodeId v) const {
-  switch (type(v)) {
+bool owns_row(const View& view, NodeId v) {
+  switch (view.type(v)) {
     case NodeType::split:
     case NodeType::station:
       return true;
     case NodeType::start:
-      return type(outs(v)[0]) != NodeType::split;
+      return view.type(view.outs(v)[0]) != NodeType::split;
     case NodeType::source:
-      return pole(v).a_type;
+      return view.pole(v).a_type;
     case NodeType::sink:
-      return !pole(v).a_type;
+      return !view.pole(v).a_type;
     case NodeType::merge:
     case NodeType::end:
       break;
@@ -204,30 +198,40 @@ bool View::is_owner(NodeId v) const {
   return false;
 }
 
-bool View::is_listed_merge(NodeId v) const {
-  if (type(v) != NodeType::merge) return false;
-  for (const NodeId w : outs(v)) {
-    if (type(w) == NodeType::merge || type(w) == NodeType::sink) return true;
-  }
-  const auto below = ins(v);
-  return std::any_of(below.begin(), below.end(), [&](NodeId u) {
-    return type(u) == NodeType::merge || type(u) == NodeType::station;
+/// Free: nobody refers to its row. Listed: somebody does, or its room must be reserved.
+std::uint8_t role_of_merge(const View& view, NodeId m) {
+  const auto above = view.outs(m);
+  const bool is_referred_to = std::any_of(above.begin(), above.end(), [&](NodeId w) {
+    return view.type(w) == NodeType::merge || view.type(w) == NodeType::sink;
   });
+  if (is_referred_to) return kListedMerge;
+  const auto below = view.ins(m);
+  const bool needs_room = std::any_of(below.begin(), below.end(), [&](NodeId u) {
+    return view.type(u) == NodeType::merge || view.type(u) == NodeType::station;
+  });
+  return kFreeMerge | (needs_room ? kListedMerge : 0);
 }
 
-bool View::is_free_merge(NodeId v) const {
-  if (type(v) != NodeType::merge) return false;
-  for (const NodeId w : outs(v)) {
-    if (type(w) == NodeType::merge || type(w) == NodeType::sink) return false;
+std::vector<std::uint8_t> find_roles(const View& view) {
+  std::vector<std::uint8_t> roles(view.size(), 0);
+  for (NodeId v = 0; v < view.size(); ++v) {
+    if (view.type(v) == NodeType::merge) roles[v] = role_of_merge(view, v);
+    if (owns_row(view, v)) roles[v] |= kOwner;
+    if (view.type(v) != NodeType::sink) continue;
+    for (const NodeId u : view.ins(v)) {
+      if (view.type(u) == NodeType::split) roles[u] |= kSpecialSplit;
+    }
   }
-  return true;
+  return roles;
 }
 
-bool View::is_special_split(NodeId v) const {
-  if (type(v) != NodeType::split) return false;
-  const auto above = outs(v);
-  return std::any_of(above.begin(), above.end(),
-                     [&](NodeId w) { return type(w) == NodeType::sink; });
+}  // namespace
+
+Flow build_flow(const LocalGraph& graph, const Blocks& blocks, const TimeOrder& order) {
+  Flow flow = FlowBuilder(graph, order).build(blocks);
+  flow.roles[0] = find_roles(View(flow, false));
+  flow.roles[1] = find_roles(View(flow, true));
+  return flow;
 }
 
 std::array<NodeId, 2> View::ordinary_of(const Pole& pole) const {

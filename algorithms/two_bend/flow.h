@@ -55,11 +55,16 @@ struct Pole {
   NodeId special = kNone;  ///< the special neighbour; V-type: chosen while the lists are built
 };
 
+/// What a node is in the lists of a view; see View.
+enum Role : std::uint8_t { kOwner = 1, kListedMerge = 2, kFreeMerge = 4, kSpecialSplit = 8 };
+
 /// The oriented component with PASS vertices suppressed; nodes are numbered in time order.
 struct Flow {
   std::vector<Node> nodes;
   std::vector<LongEdge> edges;
   std::vector<Pole> poles;
+  std::array<std::vector<std::uint8_t>, 2>
+      roles;                           ///< per node: bits of Role in the row and in the column view
   std::vector<std::uint32_t> pole_of;  ///< per node, kNone if it is no pole
   std::vector<std::uint32_t>
       element;                 ///< per place in the time order: node, or long edge if is_pass
@@ -105,19 +110,22 @@ class View {
 
   const Pole& pole(NodeId v) const { return flow_->poles[flow_->pole_of[v]]; }
   /// Has an even row of its own.
-  bool is_owner(NodeId v) const;
+  bool is_owner(NodeId v) const { return has_role(v, kOwner); }
   /// A MERGE with an odd entry in the list.
-  bool is_listed_merge(NodeId v) const;
+  bool is_listed_merge(NodeId v) const { return has_role(v, kListedMerge); }
   /// A MERGE whose row is chosen after all others (R13).
-  bool is_free_merge(NodeId v) const;
+  bool is_free_merge(NodeId v) const { return has_role(v, kFreeMerge); }
   /// The SPLIT whose arm is the special edge of a SINK.
-  bool is_special_split(NodeId v) const;
+  bool is_special_split(NodeId v) const { return has_role(v, kSpecialSplit); }
   /// The node whose row carries the special edge of the SINK `pole`.
   NodeId hold_of(const Pole& pole) const { return pole.a_type ? pole.special : pole.node; }
   /// The two other neighbours of a pole whose special one is known.
   std::array<NodeId, 2> ordinary_of(const Pole& pole) const;
 
  private:
+  bool has_role(NodeId v, Role role) const {
+    return (flow_->roles[columns_ ? 1 : 0][v] & role) != 0;
+  }
   std::span<const std::uint32_t> half(const std::array<std::uint32_t, 3>& all, NodeId v,
                                       bool upper) const {
     const Node& node = flow_->nodes[v];

@@ -24,41 +24,46 @@ bool ComponentReader::next(LocalGraph& out) {
   while (first_ < graph_.num_vertices() && local_[first_] != kUnread) ++first_;
   if (first_ == graph_.num_vertices()) return false;
   search_from(first_, out);
-  out.rows.resize(out.name.size());
-  for (Vertex v = 0; v < out.size(); ++v) {
-    Row& row = out.rows[v];
-    row.degree = 0;
-    for (const HalfEdge& half : graph_.incident(out.name[v])) {
-      row.to[row.degree] = local_[half.to];
-      row.edge[row.degree++] = half.edge;
-    }
+  for (Row& row : out.rows) {
+    for (std::size_t k = 0; k < row.degree; ++k) row.to[k] = local_[row.to[k]];
   }
   return true;
 }
 
+/// Every vertex's half-edges are read once from the input; rows hold input names until the search
+/// has ended.
 void ComponentReader::search_from(Vertex root, LocalGraph& out) {
-  out.name.assign(1, root);
-  out.parent.assign(1, 0);
-  local_[root] = 0;
-  Vertex at = root;
+  out.name.clear();
+  out.parent.clear();
+  out.rows.clear();
+  slots_.clear();
+  visit(root, 0, out);
+  Vertex at = 0;
   while (true) {  // the tree is its own stack: go down while possible, else up to the parent
-    Vertex down = kUnread;
-    for (const HalfEdge& half : graph_.incident(at)) {
-      if (local_[half.to] == kUnread) {
-        down = half.to;
-        break;
-      }
-    }
-    if (down != kUnread) {
-      local_[down] = static_cast<Vertex>(out.name.size());
-      out.parent.push_back(local_[at]);
-      out.name.push_back(down);
-      at = down;
-    } else if (at == root) {
+    const Row& row = out.rows[at];
+    std::uint8_t& slot = slots_[at];
+    while (slot < row.degree && local_[row.to[slot]] != kUnread) ++slot;
+    if (slot < row.degree) {
+      const Vertex down = row.to[slot++];
+      visit(down, at, out);
+      at = out.size() - 1;
+    } else if (at == 0) {
       return;
     } else {
-      at = out.name[out.parent[local_[at]]];
+      at = out.parent[at];
     }
+  }
+}
+
+void ComponentReader::visit(Vertex v, Vertex parent, LocalGraph& out) {
+  local_[v] = static_cast<Vertex>(out.name.size());
+  out.name.push_back(v);
+  out.parent.push_back(parent);
+  slots_.push_back(0);
+  Row& row = out.rows.emplace_back();
+  for (const HalfEdge& half : graph_.incident(v)) {
+    row.to[row.degree] = half.to;
+    row.edge[row.degree++] = half.edge;
   }
 }
 

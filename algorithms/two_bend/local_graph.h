@@ -36,9 +36,11 @@ class ComponentReader {
 
  private:
   void search_from(Vertex root, LocalGraph& out);
+  void visit(Vertex v, Vertex parent, LocalGraph& out);
 
   const Graph& graph_;
-  std::vector<Vertex> local_;  // kUnread until named
+  std::vector<Vertex> local_;        // kUnread until named
+  std::vector<std::uint8_t> slots_;  // of the component being read: half-edges looked at
   Vertex first_ = 0;
 };
 

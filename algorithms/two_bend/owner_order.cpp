@@ -1,6 +1,7 @@
 #include "ar3d/algorithms/two_bend/owner_order.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "ar3d/model/error.h"
@@ -142,14 +143,19 @@ class Forest {
     return cells_[v].parent != kNone ? cells_[v].parent : cells_[v].hangs_on;
   }
 
-  /// The forest children of v, light one first.
-  std::vector<NodeId> children(NodeId v) const {
-    std::vector<NodeId> result;
+  struct Children {
+    std::array<NodeId, 2> of{};
+    std::size_t count = 0;
+  };
+  /// The forest children of a SPLIT or STATION, light one first.
+  Children children(NodeId v) const {
+    Children result;
     for (const NodeId w : view_.outs(v)) {
-      if (cells_[w].parent == v) result.push_back(w);
+      if (cells_[w].parent == v) result.of[result.count++] = w;
     }
-    std::sort(result.begin(), result.end(),
-              [&](NodeId a, NodeId b) { return cells_[a].weight < cells_[b].weight; });
+    if (result.count == 2 && cells_[result.of[1]].weight < cells_[result.of[0]].weight) {
+      std::swap(result.of[0], result.of[1]);
+    }
     return result;
   }
 
@@ -157,12 +163,15 @@ class Forest {
   /// right.
   void emit_unit(const Unit& unit) {
     std::vector<Work> left;
-    for (const NodeId child : children(unit.first)) left.push_back({child, Work::tree_on_left});
-    emit_trees({left.rbegin(), left.rend()});  // light one nearest
+    const Children first = children(unit.first);
+    for (std::size_t i = first.count; i-- > 0;) left.push_back({first.of[i], Work::tree_on_left});
+    emit_trees(left);  // light one nearest
     std::vector<Work> right;
     for (const NodeId member : {unit.second, unit.third}) {
       if (member == kNone || view_.type(member) != NodeType::split) continue;
-      for (const NodeId child : children(member)) right.push_back({child, Work::tree_on_right});
+      const Children below = children(member);
+      for (std::size_t i = 0; i < below.count; ++i)
+        right.push_back({below.of[i], Work::tree_on_right});
     }
     for (const NodeId member : {unit.first, unit.second, unit.third}) {
       if (member != kNone) order_.push_back(member);
@@ -172,41 +181,37 @@ class Forest {
 
   /// Emits trees from left to right with an explicit stack.
   void emit_trees(const std::vector<Work>& trees) {
-    std::vector<Work> stack(trees.rbegin(), trees.rend());
-    while (!stack.empty()) {
-      const Work work = stack.back();
-      stack.pop_back();
+    stack_.assign(trees.rbegin(), trees.rend());
+    while (!stack_.empty()) {
+      const Work work = stack_.back();
+      stack_.pop_back();
       if (work.kind == Work::node) {
         order_.push_back(work.v);
       } else {
-        const std::vector<Work> parts = parts_away_from_parent(work.v, work.kind);
-        if (work.kind == Work::tree_on_right) {
-          stack.insert(stack.end(), parts.rbegin(), parts.rend());
-        } else {
-          stack.insert(stack.end(), parts.begin(), parts.end());
-        }
+        push_parts(work.v, work.kind);
       }
     }
   }
 
   /// [light] v [heavy] [hung trees], going away from the parent; `away` is the kind of trees beyond
   /// v.
-  std::vector<Work> parts_away_from_parent(NodeId v, Work::Kind away) const {
-    const Work::Kind towards =
-        away == Work::tree_on_right ? Work::tree_on_left : Work::tree_on_right;
-    const std::vector<NodeId> below = children(v);
-    std::vector<Work> parts;
-    if (below.size() == 2) parts.push_back({below[0], towards});
-    parts.push_back({v, Work::node});
-    if (!below.empty()) parts.push_back({below.back(), away});
+  void push_parts(NodeId v, Work::Kind away) {
+    const bool to_right = away == Work::tree_on_right;
+    const std::size_t begin = stack_.size();
+    const Children below = children(v);
+    if (below.count == 2)
+      stack_.push_back({below.of[0], to_right ? Work::tree_on_left : Work::tree_on_right});
+    stack_.push_back({v, Work::node});
+    if (below.count > 0) stack_.push_back({below.of[below.count - 1], away});
     for (NodeId h = cells_[v].hung_first; h != kNone; h = cells_[h].hung_next)
-      parts.push_back({h, away});
-    return parts;
+      stack_.push_back({h, away});
+    if (to_right) std::reverse(stack_.begin() + static_cast<std::ptrdiff_t>(begin), stack_.end());
   }
 
   const View& view_;
   std::vector<Cell> cells_;
   std::vector<NodeId> hang_block_;  // per block: the entry its other roots hang on
+  std::vector<Work> stack_;
   std::vector<NodeId> order_;
 };
 
