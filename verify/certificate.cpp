@@ -15,22 +15,27 @@ namespace ar3d {
 namespace {
 
 using verify::Contacts;
-using verify::DirectionClasses;
 using verify::Findings;
 using verify::Segments;
 
+[[noreturn]] void refuse_many_directions() {
+  throw InputError(
+      fmt::format("the sweep takes drawings with at most {} directions of components below {}",
+                  verify::kMaxDirections, verify::kMaxDirectionComponent));
+}
+
 void check_crossings(const Segments& segments, CrossingTest test, Findings& findings) {
   Contacts contacts(segments, findings);
-  std::optional<DirectionClasses> classes;
-  if (test != CrossingTest::all_pairs) classes = few_directions(segments);
+  const bool may_sweep = test == CrossingTest::automatic || test == CrossingTest::sweep;
+  const auto classes = may_sweep ? few_directions(segments) : std::nullopt;
   if (classes) {
     test_by_sweep(segments, *classes, contacts);
   } else if (test == CrossingTest::sweep) {
-    throw InputError(
-        fmt::format("the sweep takes drawings with at most {} directions of components below {}",
-                    verify::kMaxDirections, verify::kMaxDirectionComponent));
-  } else {
+    refuse_many_directions();
+  } else if (test == CrossingTest::all_pairs) {
     test_all_pairs(segments, contacts);
+  } else {
+    test_by_slabs(segments, contacts);
   }
   contacts.report();
 }

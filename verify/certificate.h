@@ -40,9 +40,10 @@ struct Violation {
 
 /// All tests decide exactly and find the same violations.
 enum class CrossingTest {
-  automatic,  ///< the fast test that fits the drawing
+  automatic,  ///< the sweep if the drawing has few directions, else slabs
   all_pairs,  ///< the oracle: every pair of segments, O(S^2)
   sweep,      ///< lines and plane families, O(S log S); refuses drawings with many directions
+  slabs,  ///< near-linear if most segments are vertical and the others low, as on the tall lattice
 };
 
 struct CertifyOptions {

@@ -19,7 +19,7 @@ namespace ar3d::verify {
 class Contacts {
  public:
   Contacts(const Segments& segments, Findings& findings)
-      : segments_(segments), findings_(findings), limit_(findings.room() + 1) {}
+      : segments_(segments), findings_(findings), limit_(findings.room()) {}
 
   /// Two different segments that may meet.
   void examine(SegmentId a, SegmentId b);
@@ -27,7 +27,7 @@ class Contacts {
   void examine_vertex(Vertex v, SegmentId s);
 
   /// True once enough is found: the test may stop.
-  bool done() const { return crossings_.size() + on_edges_.size() >= limit_; }
+  bool done() const { return crossings_.size() + on_edges_.size() > limit_; }
   /// Hands everything to the findings: vertices on edges, then crossings, in order of their
   /// numbers.
   void report();

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "ar3d/model/error.h"
 #include "ar3d/verify/certificate.h"
 #include "ar3d/verify/directions.h"
 #include "verify/random_drafts.h"
@@ -53,6 +54,7 @@ void compare(const Draft& draft, Tally& tally) {
     ++tally.swept;
     ASSERT_EQ(findings(draft, CrossingTest::sweep), expected);
   }
+  ASSERT_EQ(findings(draft, CrossingTest::slabs), expected);
   ASSERT_EQ(findings(draft, CrossingTest::automatic), expected);
 }
 
@@ -131,6 +133,54 @@ TEST(CrossingTests, AgreeOnCrowdedPlanes) {
     ASSERT_NO_FATAL_FAILURE(compare(RandomDrafts::far_away(draft), tally)) << i;
   }
   expect_every_kind(tally);
+}
+
+/// Vertical segments, most of them long, and slanted ones in any direction, in one slab or several.
+Draft tall_draft(RandomStream& random) {
+  Draft draft;
+  const std::uint32_t side = 2 + random.below(12);
+  const std::uint32_t height = 2 + random.below(60);
+  const std::uint32_t slabs = 1 + random.below(3);
+  const auto place = [&](std::int64_t slab) {
+    return Point{random.below(side), random.below(side), slab * 2 * height + random.below(height)};
+  };
+  const std::uint32_t edges = 1 + random.below(25);
+  for (std::uint32_t e = 0; e < edges; ++e) {
+    const std::int64_t slab = random.below(slabs);
+    const Point a = place(slab);
+    const Point b = place(slab);
+    Draft::DraftEdge edge{{2 * e, 2 * e + 1}, {}};
+    if (random.chance(2, 3)) edge.bends = {{b.x, b.y, a.z}, {b.x, b.y, place(slab).z}};
+    if (random.chance(1, 3)) edge.bends = {{a.x, a.y, b.z}};
+    draft.vertices.push_back(a);
+    draft.vertices.push_back(b);
+    draft.edges.push_back(std::move(edge));
+  }
+  return draft;
+}
+
+TEST(CrossingTests, AgreeOnTallDrawings) {
+  Tally tally;
+  RandomDrafts drafts(4, 0);
+  for (int i = 0; i < 3000; ++i) {
+    const Draft draft = tall_draft(drafts.random());
+    ASSERT_NO_FATAL_FAILURE(compare(draft, tally)) << i;
+    ASSERT_NO_FATAL_FAILURE(compare(RandomDrafts::far_away(draft), tally)) << i;
+  }
+  EXPECT_GT(tally.valid, 200u);
+  EXPECT_LT(tally.swept, tally.drawings);  // many have too many directions for the sweep
+  expect_every_kind(tally);
+}
+
+TEST(CrossingTests, TheSweepRefusesManyDirections) {
+  Draft draft;
+  for (Vertex i = 0; i < 17; ++i) {
+    draft.vertices.push_back({0, 0, i});
+    draft.vertices.push_back({100, i, i});
+    draft.edges.push_back({{2 * i, 2 * i + 1}, {}});
+  }
+  EXPECT_THROW(findings(draft, CrossingTest::sweep), InputError);
+  EXPECT_TRUE(findings(draft, CrossingTest::automatic).empty());
 }
 
 }  // namespace

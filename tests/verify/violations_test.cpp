@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <set>
 #include <string>
 
@@ -280,7 +281,8 @@ TEST_P(Violations, AreCountedUpToTheLimit) {
   CertifyOptions options;
   options.crossing_test = GetParam();
   options.check_size = false;
-  for (const std::size_t limit : {0u, 1u, 59u, 60u, 100u}) {
+  for (const std::size_t limit : {std::size_t{0}, std::size_t{1}, std::size_t{59}, std::size_t{60},
+                                  std::numeric_limits<std::size_t>::max()}) {
     options.max_violations = limit;
     const Certificate certificate =
         certify(draft.graph(), draft.drawing(), testing::no_promise(), options);
@@ -292,7 +294,7 @@ TEST_P(Violations, AreCountedUpToTheLimit) {
 
 INSTANTIATE_TEST_SUITE_P(Tests, Violations,
                          ::testing::Values(CrossingTest::automatic, CrossingTest::all_pairs,
-                                           CrossingTest::sweep));
+                                           CrossingTest::sweep, CrossingTest::slabs));
 
 }  // namespace
 }  // namespace ar3d
