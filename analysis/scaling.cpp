@@ -71,12 +71,12 @@ void decide_growth(ScalingEntry& entry) {
                                            entry.with_log.log_exponent, b.low, b.high);
   if (b.low > -kNegligibleLogExponent && b.high < kNegligibleLogExponent) {
     entry.growth = Growth::power;
-    entry.reason = interval + ": no logarithm";
+    entry.reason = interval;
   } else if (!b.contains(0) && entry.log_weight >= kDecisiveWeight) {
     entry.growth = Growth::power_and_log;
     entry.reason = interval + fmt::format(", Akaike weight {:.3f}", entry.log_weight);
   } else {
-    entry.reason = interval + ": a logarithm can neither be shown nor ruled out";
+    entry.reason = interval;
     entry.next = seeds_that_decide(entry);
   }
 }

@@ -14,7 +14,7 @@ using testing::doubling;
 using testing::normal;
 using Noise = double (*)(RandomStream&, double);
 
-constexpr int kTrials = 4000;
+constexpr int kTrials = 2000;
 
 double even(RandomStream& random, double) { return 0.1 * normal(random); }
 /// Times of small graphs scatter more than those of large ones.

@@ -1,0 +1,182 @@
+#include "ar3d/analysis/export.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+
+#include "ar3d/analysis/check.h"
+#include "ar3d/analysis/ledger.h"
+#include "ar3d/analysis/replay.h"
+#include "ar3d/analysis/scaling.h"
+#include "ar3d/analysis/text.h"
+
+namespace ar3d {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// A field, quoted where RFC 4180 asks for it.
+std::string field(const std::string& raw) {
+  const std::string text = valid_utf8(raw);
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string field(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
+
+std::string line(const std::vector<std::string>& fields) {
+  return fmt::format("{}\r\n", fmt::join(fields, ","));
+}
+
+ordered_json number(double value) {
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+ordered_json key_json(const CellKey& key) {
+  return {{"algorithm", valid_utf8(key.algorithm)},
+          {"options", valid_utf8(key.options)},
+          {"family", valid_utf8(key.family)},
+          {"parameters", valid_utf8(key.parameters)}};
+}
+
+ordered_json axis_json(const Results& results, const AxisLedger& axis) {
+  ordered_json json = {{"measured", axis.measured},
+                       {"worst_slack", number(axis.worst_slack)},
+                       {"median_slack", number(axis.median_slack)},
+                       {"worst_instance_slack", number(axis.worst_instance_slack)},
+                       {"median_instance_slack", number(axis.median_instance_slack)},
+                       {"worst_row", nullptr},
+                       {"worst_command", nullptr}};
+  if (axis.worst_row) {
+    json["worst_row"] = *axis.worst_row;
+    json["worst_command"] = valid_utf8(draw_command(results.runs[*axis.worst_row]));
+  }
+  return json;
+}
+
+ordered_json ledger_json(const Results& results, const LedgerEntry& entry) {
+  ordered_json json = key_json(entry.key);
+  json["smallest_n"] = entry.smallest_n;
+  json["largest_n"] = entry.largest_n;
+  json["rows"] = entry.rows;
+  json["instances"] = entry.instances;
+  json["violations"] = entry.violations;
+  json["edges_with_bends"] = entry.bends;
+  for (const AxisLedger& axis : entry.axes) json["axes"].push_back(axis_json(results, axis));
+  return json;
+}
+
+ordered_json interval_json(const Interval& interval) {
+  return {number(interval.low), number(interval.high)};
+}
+
+ordered_json scaling_json(const ScalingEntry& entry) {
+  ordered_json json = key_json(entry.key);
+  json["quantity"] = name_of(entry.quantity);
+  json["unit"] = unit_of(entry.quantity);
+  json["decided"] = entry.decided;
+  json["exponent"] = entry.power.fitted ? number(entry.power.exponent) : nullptr;
+  json["exponent_interval"] = interval_json(entry.power.exponent_interval);
+  json["growth"] = to_string(entry.growth);
+  json["log_exponent"] = entry.with_log.fitted ? number(entry.with_log.log_exponent) : nullptr;
+  json["log_exponent_interval"] = interval_json(entry.with_log.log_exponent_interval);
+  json["log_weight"] = number(entry.log_weight);
+  json["reason"] = entry.reason;
+  json["next"] = entry.next;
+  json["left_out"] = entry.sizes.left_out;
+  json["sizes"] = ordered_json::array();
+  for (const SizeSample& size : entry.sizes.used) json["sizes"].push_back(size.n);
+  return json;
+}
+
+std::vector<std::string> key_fields(const CellKey& key) {
+  return {field(key.algorithm), field(key.options), field(key.family), field(key.parameters)};
+}
+
+std::string ledger_line(const Results& results, const LedgerEntry& entry) {
+  std::vector<std::string> fields = key_fields(entry.key);
+  for (const std::int64_t n : {entry.smallest_n, entry.largest_n})
+    fields.push_back(std::to_string(n));
+  for (const std::size_t count : {entry.rows, entry.instances, entry.violations}) {
+    fields.push_back(std::to_string(count));
+  }
+  for (const AxisLedger& axis : entry.axes) {
+    for (const double slack : {axis.worst_slack, axis.median_slack, axis.worst_instance_slack,
+                               axis.median_instance_slack}) {
+      fields.push_back(field(slack));
+    }
+  }
+  const auto axis = worst_axis(entry);
+  fields.push_back(axis ? field(draw_command(results.runs[*entry.axes[*axis].worst_row])) : "");
+  return line(fields);
+}
+
+}  // namespace
+
+std::string ledger_csv(const Results& results) {
+  std::string csv =
+      "algorithm,options,family,parameters,smallest_n,largest_n,rows,instances,violations";
+  for (const char axis : {'x', 'y', 'z'}) {
+    for (const char* column :
+         {"worst_slack", "median_slack", "worst_instance_slack", "median_instance_slack"}) {
+      csv += fmt::format(",{}_{}", column, axis);
+    }
+  }
+  csv += ",worst_command\r\n";
+  for (const LedgerEntry& entry : ledger(results)) csv += ledger_line(results, entry);
+  return csv;
+}
+
+std::string scaling_csv(const Results& results) {
+  std::string csv =
+      "algorithm,options,family,parameters,quantity,sizes,smallest_n,largest_n,exponent,"
+      "exponent_low,exponent_high,log_exponent,log_exponent_low,log_exponent_high,log_weight,"
+      "growth,"
+      "reason,next\r\n";
+  for (const ScalingEntry& entry : scaling(results)) {
+    const auto& used = entry.sizes.used;
+    std::vector<std::string> fields = key_fields(entry.key);
+    fields.push_back(name_of(entry.quantity));
+    fields.push_back(std::to_string(used.size()));
+    fields.push_back(used.empty() ? "" : std::to_string(used.front().n));
+    fields.push_back(used.empty() ? "" : std::to_string(used.back().n));
+    fields.push_back(entry.power.fitted ? field(entry.power.exponent) : "");
+    fields.push_back(field(entry.power.exponent_interval.low));
+    fields.push_back(field(entry.power.exponent_interval.high));
+    fields.push_back(entry.with_log.fitted ? field(entry.with_log.log_exponent) : "");
+    fields.push_back(field(entry.with_log.log_exponent_interval.low));
+    fields.push_back(field(entry.with_log.log_exponent_interval.high));
+    fields.push_back(field(entry.log_weight));
+    fields.push_back(to_string(entry.growth));
+    fields.push_back(field(entry.reason));
+    fields.push_back(field(entry.next));
+    csv += line(fields);
+  }
+  return csv;
+}
+
+std::string analysis_json(const Results& results) {
+  const CheckVerdict verdict = check(results);
+  ordered_json json;
+  json["study_id"] = valid_utf8(results.study_id);
+  json["verdict"] = {{"word", verdict.word()},
+                     {"exit_code", verdict.exit_code()},
+                     {"rows", verdict.rows},
+                     {"proved", verdict.proved},
+                     {"violated", verdict.violated_rows},
+                     {"incomplete", verdict.incomplete_rows},
+                     {"refused", verdict.refused}};
+  json["ledger"] = ordered_json::array();
+  for (const LedgerEntry& entry : ledger(results)) {
+    json["ledger"].push_back(ledger_json(results, entry));
+  }
+  json["scaling"] = ordered_json::array();
+  for (const ScalingEntry& entry : scaling(results)) json["scaling"].push_back(scaling_json(entry));
+  return json.dump(1) + "\n";
+}
+
+}  // namespace ar3d

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "ar3d/results/run.h"
+
+namespace ar3d {
+
+/// The bound ledger, one line a cell (algorithm, options, family, parameters), RFC 4180 with a
+/// header line. Missing numbers are empty fields; slack is 1 - extent / bound.
+std::string ledger_csv(const Results& results);
+
+/// The growth of every quantity of every cell, one line each: exponent with 95 % interval, log
+/// exponent with its own, label, reason and the sizes that were fitted.
+std::string scaling_csv(const Results& results);
+
+/// Verdict, ledger and growth as one JSON object; missing numbers are null.
+std::string analysis_json(const Results& results);
+
+}  // namespace ar3d

@@ -1,0 +1,46 @@
+#include "ar3d/analysis/report.h"
+
+#include <fmt/format.h>
+
+#include "ar3d/analysis/report/html.h"
+#include "ar3d/analysis/report/sections.h"
+#include "ar3d/analysis/report/style.h"
+
+namespace ar3d {
+namespace {
+
+constexpr const char* kReplayPanel =
+    "<div id=tip role=status hidden></div><div id=replay role=dialog aria-label='Draw it again' "
+    "hidden>"
+    "<p></p><code></code><button type=button>Copy</button><button "
+    "type=button>Close</button></div>\n";
+
+std::string head(const Results& results) {
+  return "<!doctype html>\n<html lang=en><head><meta charset=utf-8>"
+         "<meta name=viewport content='width=device-width,initial-scale=1'>"
+         "<meta http-equiv=Content-Security-Policy content=\"default-src 'none'; "
+         "style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:\">"
+         "<title>ar3d report: " +
+         report::escape(results.study_id) + "</title><style>" + report::kStyle +
+         "</style></head>\n";
+}
+
+}  // namespace
+
+std::string render_report(const Results& results) {
+  const report::Analysis analysis{results, check(results), ledger(results), scaling(results)};
+  const std::vector<report::Section> sections = report::sections(analysis);
+  std::string html = head(results) + "<body>\n" + report::overview(analysis, sections);
+  html +=
+      "<nav><a href='#methods'>Methods</a><a href='#environment'>Environment</a>"
+      "<a href='#spec'>Specification</a></nav>\n";
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    html += report::algorithm_section(analysis, sections[i], fmt::format("a{}", i));
+  }
+  html += report::background(results) + kReplayPanel;
+  html += "<script type='application/json' id=rows>" + report::plotted_rows_json(analysis) +
+          "</script>\n<script>" + report::kScript + "</script>\n";
+  return html + "</body></html>\n";
+}
+
+}  // namespace ar3d

@@ -1,0 +1,84 @@
+#include "ar3d/analysis/report/axis.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ar3d::report {
+namespace {
+
+constexpr double kAir = 0.04;  // share of the range left free at either end
+
+std::string superscript(int exponent) {
+  static const std::array<const char*, 10> kDigits = {"⁰", "¹", "²", "³", "⁴",
+                                                      "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = exponent < 0 ? "⁻" : "";
+  for (const char digit : std::to_string(std::abs(exponent))) {
+    text += kDigits.at(static_cast<std::size_t>(digit - '0'));
+  }
+  return text;
+}
+
+/// "2", "20", "200", "2k", … : digit * 10^exponent with an SI prefix.
+std::string si(int digit, int exponent, const char* unit, bool spaced) {
+  static const std::array<const char*, 9> kPrefixes = {"p", "n", "µ", "m", "", "k", "M", "G", "T"};
+  const int group = exponent >= 0 ? exponent / 3 : -((2 - exponent) / 3);
+  if (group < -4 || group > 4) return fmt::format("{}·10{}", digit, superscript(exponent));
+  const int value = digit * static_cast<int>(std::lround(std::pow(10, exponent - 3 * group)));
+  return fmt::format("{}{}{}{}", value, spaced ? " " : "",
+                     kPrefixes.at(static_cast<std::size_t>(group + 4)), unit);
+}
+
+std::string label(int digit, int exponent, TickStyle style) {
+  switch (style) {
+    case TickStyle::count:
+      return si(digit, exponent, "", false);
+    case TickStyle::seconds:
+      return si(digit, exponent, "s", true);
+    case TickStyle::power:
+      break;
+  }
+  if (exponent >= 0 && exponent < 3) {
+    return std::to_string(digit * static_cast<int>(std::lround(std::pow(10, exponent))));
+  }
+  return digit == 1 ? "10" + superscript(exponent)
+                    : fmt::format("{}·10{}", digit, superscript(exponent));
+}
+
+}  // namespace
+
+LogAxis::LogAxis(double low, double high, double first_pixel, double last_pixel)
+    : low_(low), high_(high), first_pixel_(first_pixel), last_pixel_(last_pixel) {
+  if (high_ - low_ < 1e-6) {
+    low_ -= 0.5;
+    high_ += 0.5;
+  }
+  const double air = kAir * (high_ - low_);
+  low_ -= air;
+  high_ += air;
+}
+
+double LogAxis::pixel(double log10) const {
+  return first_pixel_ + (log10 - low_) / (high_ - low_) * (last_pixel_ - first_pixel_);
+}
+
+std::vector<Tick> LogAxis::ticks(TickStyle style, int most) const {
+  const int first = static_cast<int>(std::floor(low_));
+  const int last = static_cast<int>(std::ceil(high_));
+  const double decades = high_ - low_;
+  const int step = std::max(1, static_cast<int>(std::ceil(decades / most)));
+  std::vector<Tick> ticks;
+  for (int exponent = first; exponent <= last; ++exponent) {
+    for (const int digit : {1, 2, 5}) {
+      const double place = exponent + std::log10(digit);
+      if (place < low_ || place > high_ || (digit != 1 && decades > 4)) continue;
+      const bool is_labelled = digit == 1 ? exponent % step == 0 : 3 * decades <= most;
+      ticks.push_back({place, is_labelled ? label(digit, exponent, style) : ""});
+    }
+  }
+  return ticks;
+}
+
+}  // namespace ar3d::report

@@ -1,0 +1,49 @@
+#include "ar3d/analysis/report/html.h"
+#include "ar3d/analysis/report/sections.h"
+
+namespace ar3d::report {
+namespace {
+
+constexpr const char* kMethods = R"html(<section id=methods><h2>Methods</h2>
+<p><b>Certificate.</b> Every drawing was checked in exact integers by code that shares nothing with the code that drew
+it: edge set, directions, bends, all angles, coinciding points, crossings, and the size against the theorem. A row
+counts as proved only with such a certificate.</p>
+<p><b>Bounds.</b> Extents are largest minus smallest coordinate. The theorem's bound depends on n alone; a graph's own
+bound is what the proof gives for that very graph. Fill is extent over bound, worst and median over graphs (one
+repetition each, since repetitions must give the same drawing).</p>
+<p><b>Volume.</b> The number of lattice points in the box, the product of extent + 1 over the axes.</p>
+<p><b>Exponents.</b> Logarithms of the values, averaged over the graphs of each size (over repetitions the median),
+fitted by least squares against log n with the number of graphs as weight. Sizes below the square root of the largest n
+are left out while eight stay; a size with an unfinished graph is left out, because its finished ones are the fast ones.
+With fewer than eight sizes, or sizes less than four-fold apart, the answer is “undecided”.</p>
+<p><b>Intervals.</b> 95 %, basic bootstrap with 2000 replicates over graphs within each size, deviations inflated by
+√(k/(k−1)), widened by Student's t with Welch's degrees of freedom. If the sizes scatter around the power law more than
+their graphs explain (F-test, 1 %), or there is one graph a size, the residuals of the sizes are drawn instead.</p>
+<p><b>Logarithms.</b> n^a·log^b n is fitted beside n^a. An interval of b inside ±½ means no logarithm; one that excludes 0
+with an Akaike weight (AICc) of at least 0.98 means there is one; anything else is undecided.</p>
+<p><b>Times.</b> Wall time of the drawing alone, without generating, certifying or writing.</p>
+<p><b>Plots.</b> Line: median. Band: the middle 80 % of the graphs. Points: graphs, at most twelve a size, evenly over the
+sorted values. Dashed: the theorem's bound. Dotted: the fitted power law over the sizes it used.</p></section>
+)html";
+
+}  // namespace
+
+std::string background(const Results& results) {
+  std::string html = "<section id=environment><h2>Environment</h2>";
+  if (results.environment.empty()) {
+    html += "<p>The file names none.</p>";
+  } else {
+    html += "<div class=scroll><table><tbody>";
+    for (const EnvironmentEntry& entry : results.environment) {
+      html +=
+          "<tr><th scope=row>" + escape(entry.name) + "</th>" + cell(escape(entry.value)) + "</tr>";
+    }
+    html += "</tbody></table></div>";
+  }
+  html += "</section>\n<section id=spec><h2>Specification</h2><p class=muted>SHA-256 " +
+          escape(results.spec_sha256) + "</p><pre tabindex=0>" + escape(results.spec) +
+          "</pre></section>\n";
+  return html + kMethods;
+}
+
+}  // namespace ar3d::report

@@ -1,0 +1,79 @@
+#include "ar3d/analysis/report/html.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "ar3d/analysis/text.h"
+
+namespace ar3d::report {
+namespace {
+constexpr const char* kNothing = "–";
+}  // namespace
+
+std::string escape(std::string_view text) {
+  std::string escaped;
+  for (const char c : valid_utf8(text)) {
+    const auto code = static_cast<unsigned char>(c);
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      case '\'':
+        escaped += "&#39;";
+        break;
+      default:
+        if ((code < 0x20 && c != '\n' && c != '\t') || code == 0x7F) {
+          escaped += "\uFFFD";
+        } else {
+          escaped += c;
+        }
+    }
+  }
+  return escaped;
+}
+
+std::string grouped(std::int64_t value) {
+  const std::string digits = std::to_string(value);
+  const std::size_t first = value < 0 ? 1 : 0;
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > first && (digits.size() - i) % 3 == 0) text += ',';
+    text += digits[i];
+  }
+  return text;
+}
+
+std::string percent(double share) {
+  return std::isnan(share) ? kNothing : fmt::format("{:.1f} %", 100 * share);
+}
+
+std::string number(double value) {
+  return std::isnan(value) ? kNothing : fmt::format("{:.3g}", value);
+}
+
+std::string duration(double seconds) {
+  if (std::isnan(seconds)) return kNothing;
+  const double size = std::abs(seconds);
+  if (size < 1e-6) return fmt::format("{:.3g} ns", seconds * 1e9);
+  if (size < 1e-3) return fmt::format("{:.3g} µs", seconds * 1e6);
+  if (size < 1) return fmt::format("{:.3g} ms", seconds * 1e3);
+  return fmt::format("{:.3g} s", seconds);
+}
+
+std::string note(const std::string& html) { return "<td class=note>" + html + "</td>"; }
+
+std::string cell(const std::string& html, bool is_number) {
+  return (is_number ? "<td class=num>" : "<td>") + html + "</td>";
+}
+
+}  // namespace ar3d::report

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace ar3d::report {
+
+/// Text for element contents and quoted attributes: valid UTF-8, the five special characters
+/// escaped, control characters but newline and tab replaced. Every string of a results file goes
+/// through here.
+std::string escape(std::string_view text);
+
+/// "1,234,567"
+std::string grouped(std::int64_t value);
+/// "93.1 %"; "–" if missing.
+std::string percent(double share);
+/// Three significant digits; "–" if missing.
+std::string number(double value);
+/// "1.23 µs", "45.6 ms", "7.8 s"; "–" if missing.
+std::string duration(double seconds);
+
+/// A wide <td> of prose.
+std::string note(const std::string& html);
+/// A <td>; numbers are right-aligned. `html` is trusted markup, not text.
+std::string cell(const std::string& html, bool is_number = false);
+
+}  // namespace ar3d::report

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "ar3d/analysis/check.h"
+#include "ar3d/analysis/ledger.h"
+#include "ar3d/analysis/scaling.h"
+
+namespace ar3d::report {
+
+/// Everything the sections show, computed once.
+struct Analysis {
+  const Results& results;
+  CheckVerdict verdict;
+  std::vector<LedgerEntry> ledger;
+  std::vector<ScalingEntry> scaling;
+};
+
+/// One algorithm with one set of options: the ledger entries and curves of its families, in the
+/// order of the file.
+struct Section {
+  std::string label;
+  std::vector<const LedgerEntry*> ledger;
+  std::vector<const ScalingEntry*> scaling;
+};
+std::vector<Section> sections(const Analysis& analysis);
+
+/// The head of the page: title, verdict, counts, findings, table of the algorithms with links.
+std::string overview(const Analysis& analysis, const std::vector<Section>& sections);
+/// One algorithm: sentence, plots, ledger, growth table, bends, small multiples. `id` is its
+/// anchor.
+std::string algorithm_section(const Analysis& analysis, const Section& section,
+                              const std::string& id);
+/// Parts of it.
+std::string ledger_table(const Analysis& analysis, const Section& section);
+std::string growth_table(const Section& section);
+std::string bend_histogram(const Section& section);
+std::string overview_plots(const Section& section);
+std::string family_plots(const Section& section);
+/// Environment, spec and methods.
+std::string background(const Results& results);
+
+/// The rows that plots refer to as JSON for a script element: {"row": ["what it is", "command"],
+/// …}.
+std::string plotted_rows_json(const Analysis& analysis);
+
+}  // namespace ar3d::report

@@ -1,0 +1,123 @@
+#include "ar3d/analysis/report/style.h"
+
+namespace ar3d::report {
+
+// The eight series colours are Okabe and Ito's palette, safe for the common kinds of colour
+// blindness; yellow is darkened on white and all are lightened on black.
+const char* const kStyle = R"css(
+:root{color-scheme:light dark;--bg:#fff;--fg:#1c2127;--muted:#57606a;--line:#d6dbe1;--faint:#eceff2;
+--panel:#f6f8fa;--link:#0a58a8;--bound:#b3261e;--ok:#14722f;--warn:#8a5a00;--bad:#b3261e;
+--c0:#0072b2;--c1:#d55e00;--c2:#009e73;--c3:#b6588c;--c4:#b37c00;--c5:#3a9bd1;--c6:#6b4c9a;--c7:#6b7000}
+@media (prefers-color-scheme:dark){:root{--bg:#11161c;--fg:#e4e8ec;--muted:#9ba6b2;--line:#333c47;
+--faint:#222a33;--panel:#19202a;--link:#79b8ff;--bound:#ff8a80;--ok:#56d27b;--warn:#e8b44c;--bad:#ff8a80;
+--c0:#58b1e8;--c1:#ff9152;--c2:#35cf9f;--c3:#e69ac4;--c4:#f0b93f;--c5:#8fd3f7;--c6:#b99ae0;--c7:#c6ca55}}
+*{box-sizing:border-box}
+body{margin:0 auto;max-width:1240px;padding:1.2rem 1rem 4rem;background:var(--bg);color:var(--fg);
+font:15px/1.5 system-ui,"Segoe UI",Roboto,"Helvetica Neue","DejaVu Sans",Arial,sans-serif}
+h1{font-size:1.6rem;line-height:1.2;margin:.2rem 0 .4rem}
+h2{font-size:1.25rem;margin:2.6rem 0 .4rem;padding-top:.9rem;border-top:1px solid var(--line)}
+h3{font-size:1rem;margin:1.6rem 0 .3rem}
+p{max-width:46rem;margin:.4rem 0 .8rem}a{color:var(--link)}
+.muted,figcaption span{color:var(--muted)}
+nav{display:flex;flex-wrap:wrap;gap:.2rem 1.1rem;margin:.6rem 0}
+.verdict{display:inline-block;font-weight:650;padding:.15rem .6rem;border-radius:.35rem;border:1.5px solid}
+.pass{color:var(--ok)}.violated{color:var(--bad)}.incomplete{color:var(--warn)}
+.figures{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(340px,100%),1fr));gap:1rem 1.4rem;margin:.6rem 0}
+figure{margin:0;min-width:0;break-inside:avoid}figcaption{font-size:.87rem;line-height:1.35;overflow-wrap:anywhere}
+figcaption b{font-weight:620}
+svg.plot{width:100%;height:auto;max-width:460px;display:block;touch-action:pan-y}
+svg text{font-size:11.5px;fill:var(--muted);font-variant-numeric:tabular-nums}
+.grid path{stroke:var(--line);stroke-width:.8;fill:none}.grid .minor{stroke:var(--faint)}
+svg polyline{fill:none}.median{stroke-width:1.8;stroke-linejoin:round}
+.bound{stroke:var(--bound);stroke-width:1.6;stroke-dasharray:7 4}
+.fit{stroke:var(--fg);stroke-width:1.1;stroke-dasharray:1.5 3}
+.band{opacity:.2}.points circle{fill-opacity:.55}.points circle.on{stroke:var(--fg);stroke-width:2;fill-opacity:1}
+.d1{stroke-dasharray:6 2}.d2{stroke-dasharray:2 2}
+.s0{stroke:var(--c0)}.s1{stroke:var(--c1)}.s2{stroke:var(--c2)}.s3{stroke:var(--c3)}
+.s4{stroke:var(--c4)}.s5{stroke:var(--c5)}.s6{stroke:var(--c6)}.s7{stroke:var(--c7)}
+.f0{fill:var(--c0)}.f1{fill:var(--c1)}.f2{fill:var(--c2)}.f3{fill:var(--c3)}
+.f4{fill:var(--c4)}.f5{fill:var(--c5)}.f6{fill:var(--c6)}.f7{fill:var(--c7)}
+.legend{display:flex;flex-wrap:wrap;gap:.1rem 1.1rem;font-size:.87rem;margin:.3rem 0}
+.legend svg{width:26px;height:10px;vertical-align:middle;margin-right:.35rem}
+.scroll{overflow-x:auto;margin:.4rem 0 1rem}
+table{border-collapse:collapse;font-size:.87rem;font-variant-numeric:tabular-nums}
+th,td{padding:.22rem .7rem .22rem 0;text-align:left;vertical-align:top;border-bottom:1px solid var(--faint)}
+thead th{border-bottom:1px solid var(--line);font-weight:620;vertical-align:bottom}
+.num,th.num{text-align:right;white-space:nowrap}td small{color:var(--muted)}
+code,pre{font:12.5px/1.45 ui-monospace,"SF Mono",Menlo,"DejaVu Sans Mono",monospace}
+pre{background:var(--panel);padding:.7rem .9rem;border-radius:.4rem;overflow-x:auto;max-width:100%}
+th,td code{white-space:nowrap}td.note{min-width:15rem}td details{margin:0}
+details{margin:.5rem 0}summary{cursor:pointer;color:var(--link)}
+.bars text{fill:var(--fg)}.bars rect{fill:var(--c0)}
+#tip,#replay{position:fixed;z-index:2;background:var(--panel);color:var(--fg);border:1px solid var(--line);
+border-radius:.4rem;box-shadow:0 2px 12px #0004;font-size:.84rem;line-height:1.4}
+#tip{padding:.4rem .6rem;pointer-events:none;max-width:min(20rem,90vw);white-space:pre-line}
+#replay{left:50%;bottom:1rem;transform:translateX(-50%);padding:.6rem .9rem;width:min(60rem,94vw)}
+#replay code{display:block;overflow-x:auto;white-space:pre;padding:.3rem 0}
+#replay button{font:inherit;margin-right:.6rem}[hidden]{display:none!important}
+:focus-visible{outline:2px solid var(--link);outline-offset:2px}
+@media print{:root{color-scheme:light}nav,#tip,#replay{display:none!important}body{max-width:none;font-size:10pt}
+.scroll{overflow:visible}h2{break-after:avoid}}
+)css";
+
+const char* const kScript = R"js(
+"use strict";
+(() => {
+  const rows = JSON.parse(document.getElementById("rows").textContent);
+  const tip = document.getElementById("tip"), panel = document.getElementById("replay");
+  let current = null;
+  const show = circle => {
+    if (current) current.classList.remove("on");
+    current = circle;
+    tip.hidden = !circle;
+    if (!circle) return;
+    circle.classList.add("on");
+    tip.textContent = rows[circle.dataset.r][0];
+    const box = circle.getBoundingClientRect(), size = tip.getBoundingClientRect();
+    const x = Math.min(box.right + 10, innerWidth - size.width - 6);
+    const y = box.top - size.height - 8;
+    tip.style.left = Math.max(4, x) + "px";
+    tip.style.top = (y < 4 ? box.bottom + 10 : y) + "px";
+  };
+  const nearest = (svg, event) => {
+    let best = null, least = 18 * 18;
+    for (const circle of svg.querySelectorAll("circle")) {
+      const box = circle.getBoundingClientRect();
+      const dx = box.x + box.width / 2 - event.clientX, dy = box.y + box.height / 2 - event.clientY;
+      if (dx * dx + dy * dy < least) { least = dx * dx + dy * dy; best = circle; }
+    }
+    return best;
+  };
+  const replay = circle => {
+    if (!circle) return;
+    panel.hidden = false;
+    panel.querySelector("p").textContent = rows[circle.dataset.r][0].replaceAll("\n", " · ");
+    panel.querySelector("code").textContent = rows[circle.dataset.r][1];
+  };
+  for (const svg of document.querySelectorAll("svg.plot")) {
+    const circles = () => [...svg.querySelectorAll("circle")];
+    svg.addEventListener("pointermove", event => show(nearest(svg, event)));
+    svg.addEventListener("pointerleave", () => show(null));
+    svg.addEventListener("blur", () => show(null));
+    svg.addEventListener("click", event => { const c = nearest(svg, event); show(c); replay(c); });
+    svg.addEventListener("keydown", event => {
+      const all = circles(), step = {ArrowRight: 1, ArrowLeft: -1}[event.key];
+      if (event.key === "Enter") replay(current);
+      if (!step || !all.length) return;
+      event.preventDefault();
+      show(all[(all.indexOf(current) + step + all.length) % all.length]);
+    });
+  }
+  const copy = panel.querySelector("button");
+  copy.addEventListener("click", () => {
+    getSelection().selectAllChildren(panel.querySelector("code"));
+    document.execCommand("copy");
+  });
+  const close = () => { panel.hidden = true; show(null); };
+  panel.querySelector("button:last-of-type").addEventListener("click", close);
+  document.addEventListener("keydown", event => { if (event.key === "Escape") close(); });
+  addEventListener("scroll", () => show(null), {passive: true});
+})();
+)js";
+
+}  // namespace ar3d::report

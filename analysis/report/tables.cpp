@@ -1,0 +1,169 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ar3d/analysis/replay.h"
+#include "ar3d/analysis/report/html.h"
+#include "ar3d/analysis/report/sections.h"
+
+namespace ar3d::report {
+namespace {
+
+/// "93.1 % · 88.0 %": the worst and the median share of the bound.
+std::string fill(double worst_slack, double median_slack) {
+  if (std::isnan(worst_slack)) return "–";
+  const std::string worst = percent(1 - worst_slack);
+  return fmt::format("{} <small>· {}</small>",
+                     worst_slack < 0 ? "<b class=violated>" + worst + "</b>" : worst,
+                     percent(1 - median_slack));
+}
+
+double worst_instance_slack(const LedgerEntry& entry) {
+  double worst = kMissing;
+  for (const AxisLedger& axis : entry.axes) worst = std::fmin(worst, axis.worst_instance_slack);
+  return worst;
+}
+
+/// "120 ok, 3 timeout": every status that occurs.
+std::string statuses(const LedgerEntry& entry) {
+  std::string text;
+  for (std::size_t i = 0; i < entry.rows_of_status.size(); ++i) {
+    if (entry.rows_of_status[i] == 0) continue;
+    std::string name = to_string(static_cast<RunStatus>(i));
+    std::replace(name.begin(), name.end(), '_', ' ');
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", entry.rows_of_status[i], name);
+  }
+  return text;
+}
+
+std::string worst_instance(const Analysis& analysis, const LedgerEntry& entry) {
+  const auto axis = worst_axis(entry);
+  if (!axis) return "–";
+  const std::size_t row = *entry.axes[*axis].worst_row;
+  const Run& run = analysis.results.runs[row];
+  return fmt::format(
+      "<details><summary>n = {}, seed {}</summary><code>{}</code><br><code>{}</code></details>",
+      grouped(run.n), run.seed, escape(draw_command(run)), escape(replay_command(run, row)));
+}
+
+std::string ledger_row(const Analysis& analysis, const LedgerEntry& entry) {
+  std::string html = fmt::format("<tr><th scope=row>{}</th>", escape(family_label(entry.key)));
+  html += cell(grouped(entry.smallest_n) + " – " + grouped(entry.largest_n), true);
+  html += cell(statuses(entry));
+  html += cell(entry.violations == 0 ? "<span class=pass>none</span>"
+                                     : fmt::format("<b class=violated>{}</b>", entry.violations),
+               true);
+  for (const AxisLedger& axis : entry.axes) {
+    html += cell(fill(axis.worst_slack, axis.median_slack), true);
+  }
+  html += cell(percent(1 - worst_instance_slack(entry)), true);
+  return html + cell(worst_instance(analysis, entry)) + "</tr>\n";
+}
+
+std::string exponent(const ScalingEntry* entry) {
+  if (entry == nullptr || !entry->power.fitted) return "–";
+  if (!entry->decided) return fmt::format("{:.2f} <small>undecided</small>", entry->power.exponent);
+  const Interval interval = entry->power.exponent_interval;
+  return fmt::format("{:.3f} <small>[{:.3f}, {:.3f}]</small>", entry->power.exponent, interval.low,
+                     interval.high);
+}
+
+const ScalingEntry* find_entry(const Section& section, const CellKey& key, Quantity quantity) {
+  for (const ScalingEntry* entry : section.scaling) {
+    if (entry->key == key && entry->quantity == quantity) return entry;
+  }
+  return nullptr;
+}
+
+/// "8 of 10 sizes, n = 64 – 8,192"; why sizes were left out stands in the methods.
+std::string fit_notes(const ScalingEntry& entry) {
+  const auto& used = entry.sizes.used;
+  if (used.empty()) return "no finished size";
+  std::string notes = fmt::format("{} of {} sizes, n = {} – {}", used.size(), entry.all.size(),
+                                  grouped(used.front().n), grouped(used.back().n));
+  const bool is_censored = std::any_of(entry.all.begin(), entry.all.end(),
+                                       [](const SizeSample& size) { return size.censored; });
+  if (is_censored) notes += "; sizes with unfinished graphs left out";
+  if (entry.decided && entry.power.spread == Spread::sizes) notes += "; interval from sizes";
+  return notes;
+}
+
+/// The label of the drawing time: the one quantity for which a logarithm is a question.
+std::string time_label(const ScalingEntry* entry) {
+  if (entry == nullptr) return "–";
+  std::string html = fmt::format("{} <small>{}", to_string(entry->growth), escape(entry->reason));
+  if (!entry->next.empty()) html += "; would decide: " + escape(entry->next);
+  return html + "</small>";
+}
+
+}  // namespace
+
+std::string ledger_table(const Analysis& analysis, const Section& section) {
+  std::string html =
+      "<h3>Bound ledger</h3><p class=muted>Share of the theorem's bound that "
+      "the "
+      "worst and (grey) the median graph use, by axis, and of the proof's own bound for that very "
+      "graph. 100 % touches the bound.</p><div class=scroll><table><thead><tr><th>Family<th "
+      "class=num>n<th>Rows"
+      "<th class=num>Violations<th class=num>x<th class=num>y<th class=num>z"
+      "<th class=num>Own bound<th>Worst graph</tr></thead><tbody>\n";
+  for (const LedgerEntry* entry : section.ledger) html += ledger_row(analysis, *entry);
+  return html + "</tbody></table></div>\n";
+}
+
+std::string growth_table(const Section& section) {
+  if (section.scaling.empty()) return "";
+  std::string html =
+      "<h3>Growth</h3><p class=muted>Exponent a of n^a over the fitted sizes, "
+      "with its 95 % interval over graphs.</p><div class=scroll><table><thead><tr><th>Family<th "
+      "class=num>Longest side"
+      "<th class=num>Volume<th class=num>Drawing time<th>Time: is there a logarithm?<th>Fit of the "
+      "time</tr></thead><tbody>\n";
+  for (const LedgerEntry* entry : section.ledger) {
+    const auto find = [&](Quantity quantity) { return find_entry(section, entry->key, quantity); };
+    const ScalingEntry* time = find(Quantity::wall_s);
+    html += fmt::format("<tr><th scope=row>{}</th>", escape(family_label(entry->key))) +
+            cell(exponent(find(Quantity::longest_side)), true) +
+            cell(exponent(find(Quantity::volume)), true) + cell(exponent(time), true) +
+            note(time_label(time)) +
+            note(time == nullptr ? "–" : "<small>" + escape(fit_notes(*time)) + "</small>") +
+            "</tr>\n";
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+std::string bend_histogram(const Section& section) {
+  std::array<std::uint64_t, 8> bends{};
+  std::uint64_t total = 0;
+  for (const LedgerEntry* entry : section.ledger) {
+    for (std::size_t b = 0; b < bends.size(); ++b) {
+      bends[b] += entry->bends[b];
+      total += entry->bends[b];
+    }
+  }
+  if (total == 0) return "";
+  std::size_t used = bends.size();
+  while (bends[used - 1] == 0) --used;
+  const std::size_t height = 24 * used + 4;
+  std::string svg = fmt::format(
+      "<svg class='plot bars' viewBox='0 0 360 {}' role=img "
+      "aria-label='edges by number of bends'>",
+      height);
+  for (std::size_t b = 0; b < used; ++b) {
+    const double share = static_cast<double>(bends[b]) / static_cast<double>(total);
+    const double width = 190 * share;
+    const std::size_t y = 24 * b + 4;
+    svg += fmt::format(
+        "<text x=62 y={} text-anchor=end>{}{} bend{}</text><rect x=70 y={} width={:.1f} "
+        "height=16 rx=2 /><text x={:.1f} y={}>{}</text>",
+        y + 12, b, b == 7 ? "+" : "", b == 1 ? "" : "s", y, width, 76 + width, y + 12,
+        percent(share));
+  }
+  return fmt::format(
+      "<h3>Bends</h3><figure><figcaption><span>Share of all {} edges</span></figcaption>"
+      "{}</svg></figure>\n",
+      grouped(static_cast<std::int64_t>(total)), svg);
+}
+
+}  // namespace ar3d::report

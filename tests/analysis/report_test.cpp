@@ -1,0 +1,163 @@
+#include "ar3d/analysis/report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "analysis/synthetic.h"
+#include "ar3d/analysis/export.h"
+#include "ar3d/analysis/report/axis.h"
+#include "ar3d/analysis/report/html.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++found;
+  }
+  return found;
+}
+
+std::string rows_json(const std::string& html) {
+  const std::string start = "<script type='application/json' id=rows>";
+  const std::size_t begin = html.find(start) + start.size();
+  return html.substr(begin, html.find("</script>", begin) - begin);
+}
+
+Results hostile_results() {
+  const std::string attack =
+      "</script><script>alert(1)</script><img src=x onerror='alert(2)'>\"&\xff\x01";
+  Results results = testing::good_results({"diamond" + attack}, {"cubic" + attack}, 9, 3);
+  for (auto& run : results.runs) {
+    run.options = run.parameters = run.message = run.graph_hash = run.row_key = attack;
+  }
+  results.runs[0].status = RunStatus::crashed;
+  results.study_id = results.spec = results.spec_sha256 = results.source_hash = results.created =
+      attack;
+  results.environment = {{attack, attack}};
+  return results;
+}
+
+TEST(Report, IsOnePageThatNeedsNothingFromOutside) {
+  const std::string html =
+      render_report(testing::good_results({"diamond", "grid"}, {"cubic"}, 9, 4));
+  EXPECT_EQ(count(html, "<script"), 2u) << "the data and one script, each once";
+  EXPECT_EQ(count(html, "<style"), 1u);
+  EXPECT_FALSE(std::regex_search(html, std::regex("(src|href)=['\"]?(https?:|//)|@import|url\\(")));
+  EXPECT_THAT(html, HasSubstr("default-src 'none'"));
+  EXPECT_THAT(html, HasSubstr(">PASS<"));
+  EXPECT_EQ(count(html, "<svg class=plot"), 2u * (3 + 2)) << "three overviews, two by family";
+  EXPECT_EQ(count(html, "<svg class='plot bars'"), 2u);
+  EXPECT_LT(html.size(), 2'000'000u);
+}
+
+TEST(Report, EscapesEveryStringOfTheFile) {
+  const std::string html = render_report(hostile_results());
+  EXPECT_EQ(count(html, "<script"), 2u);
+  EXPECT_EQ(count(html, "</script"), 2u);
+  EXPECT_THAT(html, Not(HasSubstr("<img")));
+  EXPECT_THAT(html, Not(HasSubstr("\xff")));
+  EXPECT_THAT(html, Not(HasSubstr("\x01")));
+  EXPECT_THAT(html, HasSubstr("&lt;img src=x onerror=&#39;alert(2)&#39;&gt;&quot;&amp;"));
+}
+
+TEST(Report, EveryPlottedPointHasItsRowAndCommand) {
+  const std::string html = render_report(hostile_results());
+  const auto rows = nlohmann::json::parse(rows_json(html));
+  const std::regex point("data-r=([0-9]+)");
+  std::size_t points = 0;
+  for (std::sregex_iterator at(html.begin(), html.end(), point), end; at != end; ++at, ++points) {
+    ASSERT_TRUE(rows.contains((*at)[1].str()));
+    EXPECT_THAT(rows[(*at)[1].str()].at(1).get<std::string>(), HasSubstr("ar3d generate 'cubic<"));
+  }
+  EXPECT_EQ(points, 2u * (9 * 3 - 1));
+}
+
+TEST(Report, OfNothingSaysSo) {
+  const std::string html = render_report(Results{});
+  EXPECT_THAT(html, HasSubstr(">INCOMPLETE<"));
+  EXPECT_THAT(html, HasSubstr("Nothing was measured"));
+  EXPECT_THAT(html, Not(HasSubstr("nan")));
+}
+
+TEST(Report, NamesViolationsAndTheirCommand) {
+  Results results = testing::good_results({"diamond"}, {"cubic"}, 3, 2);
+  results.runs[3].extents[2] = 999999;
+  const std::string html = render_report(results);
+  EXPECT_THAT(html, HasSubstr(">VIOLATED<"));
+  EXPECT_THAT(html, HasSubstr("extent 999999 along z passes the theorem"));
+  EXPECT_THAT(html, HasSubstr("<code>ar3d generate cubic -n 32 --seed 32001 | ar3d draw"));
+}
+
+TEST(Report, MissingNumbersAreNeverPrintedAsNumbers) {
+  Results results = testing::good_results({"diamond"}, {"cubic"}, 3, 2);
+  for (auto& run : results.runs) {
+    run.wall_s = run.log2_volume = kMissing;
+    run.theorem_bound = {kMissing, kMissing, kMissing};
+    run.instance_bound = {-1, -1, -1};
+  }
+  const std::string html = render_report(results);
+  const std::string page = html.substr(0, html.find("<script"));
+  EXPECT_FALSE(std::regex_search(page, std::regex("\\b(nan|inf)\\b")));
+}
+
+TEST(Axis, TicksAreDecadesOrOneTwoFive) {
+  const auto labels = [](const report::LogAxis& axis, report::TickStyle style) {
+    std::vector<std::string> labels;
+    for (const report::Tick& tick : axis.ticks(style, 6)) {
+      if (!tick.label.empty()) labels.push_back(tick.label);
+    }
+    return labels;
+  };
+  EXPECT_THAT(labels({1, 5, 0, 100}, report::TickStyle::count),
+              ::testing::ElementsAre("10", "100", "1k", "10k", "100k"));
+  EXPECT_THAT(labels({2, 3, 0, 100}, report::TickStyle::count),
+              ::testing::ElementsAre("100", "200", "500", "1k"));
+  EXPECT_THAT(labels({-6, -2, 0, 100}, report::TickStyle::seconds),
+              ::testing::ElementsAre("1 µs", "10 µs", "100 µs", "1 ms", "10 ms"));
+  EXPECT_THAT(labels({0, 20, 0, 100}, report::TickStyle::power),
+              ::testing::ElementsAre("1", "10⁴", "10⁸", "10¹²", "10¹⁶", "10²⁰"));
+}
+
+TEST(Html, Numbers) {
+  EXPECT_EQ(report::grouped(1234567), "1,234,567");
+  EXPECT_EQ(report::grouped(-123), "-123");
+  EXPECT_EQ(report::grouped(-1234), "-1,234");
+  EXPECT_EQ(report::duration(0.00123), "1.23 ms");
+  EXPECT_EQ(report::duration(kMissing), "–");
+  EXPECT_EQ(report::percent(0.5), "50.0 %");
+}
+
+TEST(Export, CsvHasOneLineACellAndQuotes) {
+  Results results = testing::good_results({"diamond"}, {"a,\"b\"", "prism"}, 2, 2);
+  results.runs[0].theorem_bound[0] = kMissing;
+  const std::string csv = ledger_csv(results);
+  EXPECT_EQ(count(csv, "\r\n"), 3u);
+  EXPECT_THAT(csv, HasSubstr("diamond,,\"a,\"\"b\"\"\",,16,32,4,4,0,"));
+  EXPECT_THAT(csv, Not(HasSubstr("nan")));
+  const std::string growth = scaling_csv(results);
+  EXPECT_EQ(count(growth, "\r\n"), 1u + 2 * 6);
+  EXPECT_THAT(growth, HasSubstr("undecided"));
+}
+
+TEST(Export, JsonHoldsVerdictLedgerAndGrowth) {
+  const auto json =
+      nlohmann::json::parse(analysis_json(testing::good_results({"diamond"}, {"cubic"}, 9, 4)));
+  EXPECT_EQ(json["verdict"]["exit_code"], 0);
+  EXPECT_EQ(json["ledger"].size(), 1u);
+  EXPECT_EQ(json["ledger"][0]["axes"].size(), 3u);
+  EXPECT_EQ(json["scaling"].size(), 6u);
+  EXPECT_NEAR(json["scaling"][0]["exponent"].get<double>(), 1, 0.05);
+  EXPECT_NO_THROW(nlohmann::json::parse(analysis_json(hostile_results())));
+  EXPECT_EQ(nlohmann::json::parse(analysis_json(Results{}))["verdict"]["exit_code"], 5);
+}
+
+}  // namespace
+}  // namespace ar3d
