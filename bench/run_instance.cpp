@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <ctime>
 #include <new>
 #include <optional>
@@ -13,6 +12,7 @@
 #include "ar3d/model/error.h"
 #include "ar3d/results/columns.h"
 #include "ar3d/verify/certificate.h"
+#include "ar3d/verify/metrics.h"
 
 namespace ar3d {
 namespace {
@@ -70,35 +70,26 @@ std::string counters_text(const std::vector<Counter>& counters) {
   return text;
 }
 
-void record_size(Run& run, const Guarantee& guarantee) {
-  const auto n = static_cast<std::uint64_t>(run.n);
-  run.log2_volume = 0;
-  double volume = 1;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto extent = static_cast<double>(run.extents[axis]);
-    run.log2_volume += std::log2(extent + 1);
-    volume *= extent;
-    if (n == 0) continue;
-    run.theorem_bound[axis] = guarantee.bound.axes[axis].value(n);
-    if (run.theorem_bound[axis] > 0) run.slack[axis] = 1 - extent / run.theorem_bound[axis];
-  }
-  if (n > 0) run.volume_per_n3 = volume / std::pow(static_cast<double>(n), 3);
-}
-
-void record_bends(Run& run, const std::vector<std::uint64_t>& histogram) {
-  run.bends.fill(0);
-  for (std::size_t bends = 0; bends < histogram.size(); ++bends) {
-    run.bends[std::min(bends, run.bends.size() - 1)] += static_cast<std::int64_t>(histogram[bends]);
-  }
-}
-
-void record_certificate(Run& run, const Certificate& certificate, const Guarantee& guarantee) {
+void record_verdict(Run& run, const Certificate& certificate) {
   run.violations = static_cast<std::int64_t>(certificate.violations.size());
   run.status = certificate.valid() ? RunStatus::ok : RunStatus::violated;
   if (!certificate.valid()) run.message = certificate.violations.front().message;
-  run.extents = certificate.box.extents();
-  record_size(run, guarantee);
-  record_bends(run, certificate.bend_histogram);
+}
+
+void record_metrics(Run& run, const Metrics& metrics) {
+  run.extents = metrics.extents;
+  run.log2_volume = metrics.log2_volume;
+  run.volume_per_n3 = metrics.volume_per_n3;
+  run.theorem_bound = metrics.theorem_bound;
+  run.slack = metrics.slack;
+  run.total_edge_length = metrics.total_edge_length;
+  run.longest_edge_length = metrics.longest_edge_length;
+  run.smallest_vertex_distance = metrics.smallest_vertex_distance;
+  run.bends.fill(0);
+  for (std::size_t bends = 0; bends < metrics.bend_histogram.size(); ++bends) {
+    run.bends[std::min(bends, run.bends.size() - 1)] +=
+        static_cast<std::int64_t>(metrics.bend_histogram[bends]);
+  }
 }
 
 void draw_and_certify(const Graph& graph, const AlgorithmChoice& choice, Run& run) {
@@ -112,7 +103,8 @@ void draw_and_certify(const Graph& graph, const AlgorithmChoice& choice, Run& ru
   const Stopwatch certifying_time;
   const Certificate certificate = certify(graph, drawing, choice.algorithm->guarantee);
   run.certify_s = certifying_time.wall_s();
-  record_certificate(run, certificate, choice.algorithm->guarantee);
+  record_verdict(run, certificate);
+  record_metrics(run, measure(graph, drawing, choice.algorithm->guarantee));
 }
 
 Run described(const PlannedInstance& instance) {
