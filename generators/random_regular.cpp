@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "ar3d/generators/pairing.h"
+#include "ar3d/generators/switching.h"
 #include "ar3d/model/error.h"
 
 namespace ar3d {
@@ -16,13 +17,18 @@ void refuse_bad_degree(std::uint32_t d) {
 
 }  // namespace
 
+std::vector<Edge> random_regular_edges(Count n, std::uint32_t d, RandomStream& random) {
+  return n >= kLeastSwitchingSize && d >= 2 ? random_regular_by_switching(n, d, random)
+                                            : random_simple_pairs(n, d, n * d / 2, random);
+}
+
 Graph random_regular(Count n, std::uint32_t d, std::uint64_t seed) {
   refuse_bad_degree(d);
   if (n <= d || n * d % 2 != 0) {
     throw InputError(fmt::format("there is no {}-regular graph on {} vertices", d, n));
   }
   RandomStream random(seed, kRegular);
-  return Graph(n, random_simple_pairs(n, d, n * d / 2, random));
+  return Graph(n, random_regular_edges(n, d, random));
 }
 
 Count most_edges(Count n, std::uint32_t D) {

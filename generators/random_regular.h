@@ -1,6 +1,9 @@
 #pragma once
 
+#include <vector>
+
 #include "ar3d/generators/graph_builder.h"
+#include "ar3d/model/random.h"
 
 namespace ar3d {
 
@@ -9,6 +12,10 @@ namespace ar3d {
 /// Wormald 1981); d = 1, 2: matchings, cycles.
 /// @throws InputError unless 1 <= d <= 4, n > d and dn is even.
 Graph random_regular(Count n, std::uint32_t d, std::uint64_t seed);
+
+/// The edges of the same, for arguments that were checked: by full restart for small n, by
+/// switchings (switching.h) for n >= 200; both are exactly uniform.
+std::vector<Edge> random_regular_edges(Count n, std::uint32_t d, RandomStream& random);
 
 /// A random simple graph with maximum degree at most D and exactly m edges: every vertex has D
 /// slots, a uniformly random pairing of all slots is drawn, its first m pairs are the edges, and

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <span>
 
-#include "ar3d/generators/pairing.h"
+#include "ar3d/generators/random_regular.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/random.h"
 
@@ -65,7 +65,7 @@ bool two_edge_connected(const Graph& graph) {
 
 std::vector<Edge> random_bridgeless_cubic(Count n, RandomStream& random) {
   for (;;) {
-    std::vector<Edge> edges = random_simple_pairs(n, 3, 3 * n / 2, random);
+    std::vector<Edge> edges = random_regular_edges(n, 3, random);
     if (two_edge_connected(Graph(n, edges))) return edges;
   }
 }
@@ -88,7 +88,7 @@ Graph random_connected_regular(Count n, std::uint32_t d, std::uint64_t seed) {
   }
   RandomStream random(seed, kConnected);
   for (;;) {
-    Graph graph(n, random_simple_pairs(n, d, n * d / 2, random));
+    Graph graph(n, random_regular_edges(n, d, random));
     if (connected_components_of(graph).count == 1) return graph;
   }
 }
