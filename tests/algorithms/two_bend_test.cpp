@@ -67,8 +67,11 @@ TEST(TwoBend, DrawsEveryFamilyOfTheCatalogue) {
 TEST(TwoBend, SafeRoundIsCorrectWhenForced) {
   Totals totals;
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
-    totals.add(
-        expect_certified(testing::random_graph_of_any_kind(20, seed), {.force_safe_round = true}));
+    const Graph graph = testing::random_graph_of_any_kind(20, seed);
+    totals.add(expect_certified(graph, {.force_safe_round = true}));
+    const auto extents = bounding_box(two_bend::draw(graph, {.force_safe_round = true})).extents();
+    const std::int64_t proved = 560 * std::int64_t{graph.num_vertices()} + 400;
+    EXPECT_LE(std::max(extents[0], extents[1]), proved);
   }
   EXPECT_GT(totals["safe_rounds"], 300);
 }
@@ -84,6 +87,19 @@ TEST(TwoBend, EffortLowersTheHeightAndKeepsEverythingElse) {
   }
   EXPECT_LT(height[1], height[0]);
   EXPECT_LT(height[2], height[1]);
+}
+
+/// The goal for random cubic graphs: a volume of at most n^4 / 2.
+TEST(TwoBend, KeepsTheVolumeOfRandomCubicGraphsBelowHalfOfN4) {
+  const double n = 10000;
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    const Graph graph = generate(find_family("random-cubic"), 10000, seed);
+    const auto e = bounding_box(two_bend::draw(graph)).extents();
+    const double x = static_cast<double>(e[0]);
+    const double y = static_cast<double>(e[1]);
+    const double z = static_cast<double>(e[2]);
+    EXPECT_LT(x / n * (y / n) * (z / n / n), 0.5) << seed;
+  }
 }
 
 TEST(TwoBend, IsDeterministic) {
