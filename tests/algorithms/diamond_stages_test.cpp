@@ -7,6 +7,7 @@
 
 #include "algorithms/diamond_support.h"
 #include "ar3d/algorithms/diamond/anneal.h"
+#include "ar3d/algorithms/diamond/candidates.h"
 #include "ar3d/algorithms/diamond/compact.h"
 #include "ar3d/algorithms/diamond/guaranteed.h"
 #include "ar3d/algorithms/diamond/joint_rotation.h"
@@ -177,6 +178,15 @@ TEST(Tracks, TellTheExtentsOfTheDrawing) {
     const Tracks tracks = choose_tracks(graph, placement);
     EXPECT_EQ(bounding_box(lift(graph, placement, tracks)).extents(), tracks.extents);
   }
+}
+
+TEST(Candidates, TheBoxIsDecidedExactly) {
+  EXPECT_TRUE(fits_theorem_box({16, 16, 24}, 3));
+  EXPECT_FALSE(fits_theorem_box({17, 16, 24}, 3));
+  EXPECT_FALSE(fits_theorem_box({16, 17, 24}, 3));
+  EXPECT_FALSE(fits_theorem_box({16, 16, 25}, 3));
+  EXPECT_TRUE(fits_theorem_box({26, 26, 40}, 5));  // 80/3 = 26.67
+  EXPECT_FALSE(fits_theorem_box({27, 26, 40}, 5));
 }
 
 TEST(Annealing, NeverCutsLessThanAlternatingAndOftenMore) {
