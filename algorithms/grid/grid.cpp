@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "ar3d/algorithms/grid/flat.h"
 #include "ar3d/algorithms/grid/invariant.h"
 #include "ar3d/algorithms/grid/labels.h"
 #include "ar3d/algorithms/grid/order.h"
@@ -58,7 +59,8 @@ SizeBound paper_bound() {
 }
 
 Drawing draw_row(const Graph& graph, const OptionValues& values) {
-  return draw_grid(graph, {static_cast<int>(option(values, "effort"))});
+  return draw_grid(graph, {static_cast<int>(option(values, "effort")), option(values, "window"),
+                           option(values, "kempe")});
 }
 
 }  // namespace
@@ -69,10 +71,15 @@ Drawing draw_grid(const Graph& graph, const GridOptions& options) {
         fmt::format("grid draws graphs of maximum degree 3, not {}", graph.max_degree()));
   }
   const grid::ProcessingOrder order = grid::processing_order(graph);
-  grid::Labels labels = grid::label_half_edges(graph, order);
+  grid::Labels labels = grid::label_half_edges(
+      graph, order, options.effort > 0 ? static_cast<std::size_t>(options.kempe) : 0);
   grid::PlaneOptions plane_options;
   plane_options.compact_windows = options.effort > 0;
-  Planes planes = grid::assign_planes(graph, order, std::move(labels), plane_options);
+  plane_options.window_percent = options.window;
+  std::optional<Planes> flat;
+  if (options.effort > 1) flat = grid::flat_planes(graph, labels);
+  Planes planes =
+      flat ? std::move(*flat) : grid::assign_planes(graph, order, std::move(labels), plane_options);
   expect_heavy([&] { return grid::broken_invariant(graph, planes).empty(); },
                "plane numbers, labels and slots keep (I1)-(I5)");
   return to_drawing(graph, std::move(planes));
@@ -92,7 +99,10 @@ Algorithm grid_row() {
           "face diagonals of the cube grid, 3 bends, exactly 120 degrees, O(n) a side",
           "Theorem 3",
           std::move(guarantee),
-          {{"effort", 0, 1, 1, "0: the proved core; 1: and a smaller box"}},
+          {{"effort", 0, 2, 2,
+            "0: the proved core; 1: and a smaller box; 2: flat if there is no defect"},
+           {"window", 20, 400, 55, "half width of the preferred window, hundredths of n"},
+           {"kempe", 0, 1000000, 1000000, "longest Kempe chain swapped to avoid a defect"}},
           draw_row};
 }
 

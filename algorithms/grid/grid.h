@@ -7,8 +7,14 @@
 namespace ar3d {
 
 struct GridOptions {
-  /// 0: the proved core alone. 1: numbers that keep the box small, the core as fallback.
-  int effort = 1;
+  /// 0: the proved core alone. 1: Kempe chains against defects, numbers that keep the box small,
+  /// the core as fallback. 2: and a flat box, volume O(n^2), when the chains left no defect.
+  int effort = 2;
+  /// Half width of the window for plane numbers and their pairwise sums, in hundredths of n.
+  std::int64_t window = 55;
+  /// Longest Kempe chain that may be swapped to avoid a defect; 0: none. Without effect at effort
+  /// 0.
+  std::int64_t kempe = 1000000;
 };
 
 /// Draws a simple graph of maximum degree 3 on the face diagonals of the unit cube grid, 3 bends an

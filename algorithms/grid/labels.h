@@ -35,11 +35,16 @@ class EdgeLabels {
 /// there. Its third half-edge has lambda + 1. No neighbour of an f is a clash vertex.
 struct Labels {
   EdgeLabels of;
-  std::uint64_t clashes = 0;
+  std::uint64_t clashes = 0;  ///< clash vertices
+  std::uint64_t repairs = 0;  ///< clashes and last edges that a Kempe chain repaired
 };
 
 /// Stage 2: labels in processing order (section 5; lazily for f, amendment A2).
-/// Cost: O(n + m).
-Labels label_half_edges(const Graph& graph, const ProcessingOrder& order);
+/// @param longest_chain  edges that a Kempe chain may have which is swapped to avoid a clash or a
+/// defect at r; 0: none.
+///   No position exists yet, so every swap keeps the invariant.
+/// Cost: O(n + m) without chains, O(longest_chain * n) at worst with them.
+Labels label_half_edges(const Graph& graph, const ProcessingOrder& order,
+                        std::size_t longest_chain);
 
 }  // namespace ar3d::grid

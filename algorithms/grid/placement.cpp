@@ -1,6 +1,7 @@
 #include "ar3d/algorithms/grid/placement.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
 
 #include "ar3d/model/error.h"
@@ -121,7 +122,7 @@ bool Placement::choose_colours(const Site& site, ColourSet colours) {
       rules[num_rules++].known = std::int64_t{x[next(c)]} + x[previous(c)];
     }
     if (const auto apart = apart_rule(site, c)) rules[num_rules++] = *apart;
-    const auto number = choose(c, {rules.data(), num_rules}, preferred_range(site, c));
+    const auto number = choose(site, c, {rules.data(), num_rules});
     if (!number) return false;
     take(c, *number);
     assign(site, c, *number);
@@ -129,45 +130,78 @@ bool Placement::choose_colours(const Site& site, ColourSet colours) {
   return true;
 }
 
-std::optional<std::int64_t> Placement::choose(Colour c, std::span<const SumRule> rules,
-                                              Range preferred) {
-  constexpr int kTries = 4;
-  constexpr int kWords = 4;
-  const Range window{-window_, window_};
-  for (const Range& range : {preferred, window}) {
+std::optional<std::int64_t> Placement::choose(const Site& site, Colour c,
+                                              std::span<const SumRule> rules) {
+  for (const std::int64_t percent : {100, 112, 125, 150, 200}) {
+    const Range range = preferred_range(site, c, window_ * percent / 100);
     if (range.empty()) continue;
-    for (int i = 0; i < kTries; ++i) {
-      const auto offset = random_.below64(static_cast<std::uint64_t>(range.length()));
-      const Range tail{range.low + static_cast<std::int64_t>(offset), range.high};
-      if (const auto x = search_.near_low(taken_[c], rules, tail, kWords)) return x;
-    }
-    if (const auto x = search_.find(Direction::up, taken_[c], rules, range)) return x;
+    if (const auto x = best_of_two(range, c, rules)) return x;
+    if (!options_.compact_windows) break;
   }
   const std::int64_t far = zoned() ? std::min(zone_ - 1, proof_.far_window()) : proof_.far_window();
-  const auto above = search_.find(Direction::up, taken_[c], rules, {window_ + 1, far});
-  const auto below = search_.find(Direction::down, taken_[c], rules, {-far, -window_ - 1});
+  const auto above = search_.find(Direction::up, taken_[c], rules, {0, far});
+  const auto below = search_.find(Direction::down, taken_[c], rules, {-far, 0});
   if (above && below) return *above < -*below ? above : below;
   if (above || below) return above ? above : below;
   return search_.find(Direction::up, taken_[c], rules,
                       {-far, far});  // counting: far enough suffices
 }
 
-/// Numbers that keep every sum of two plane numbers, here and at the forward neighbour, inside the
-/// window: these sums are the Cartesian coordinates.
-Range Placement::preferred_range(const Site& site, Colour c) const {
+/// Two random numbers of the range; the one with the larger sum |S| wins, since sums near 0 are in
+/// demand later.
+std::optional<std::int64_t> Placement::best_of_two(Range range, Colour c,
+                                                   std::span<const SumRule> rules) {
+  constexpr int kTries = 8;
+  constexpr int kWords = 4;
+  const bool sum_is_known = !rules.empty() && rules[0].is_new;
+  std::optional<std::int64_t> best;
+  for (int i = 0; i < kTries; ++i) {
+    const auto offset = random_.below64(static_cast<std::uint64_t>(range.length()));
+    const Range tail{range.low + static_cast<std::int64_t>(offset), range.high};
+    const auto x = search_.near_low(taken_[c], rules, tail, kWords);
+    if (!x) continue;
+    if (!sum_is_known || !options_.compact_windows) return x;
+    const std::int64_t known = rules[0].known;
+    if (best) return std::abs(known + *x) > std::abs(known + *best) ? x : best;
+    best = x;
+  }
+  return best;
+}
+
+/// Numbers that keep every sum of two plane numbers, here and at the forward neighbour, within
+/// `box`: these sums are the Cartesian coordinates.
+Range Placement::preferred_range(const Site& site, Colour c, std::int64_t box) const {
   Range range{-window_, window_};
   if (!options_.compact_windows) return range;
-  range = narrowed(range, site.v, c);
-  if (contains(site.forward_colours, c)) range = narrowed(range, site.forward[c].to, c);
+  range = narrowed(range, site.v, c, box);
+  if (!contains(site.forward_colours, c)) return range;
+  range = narrowed(range, site.forward[c].to, c, box);
+  if (const auto rival = rival_plane(site, c)) {
+    range.low = std::max(range.low, *rival - box / 32);
+    range.high = std::min(range.high, *rival + box / 32);
+  }
   return range;
 }
 
-Range Placement::narrowed(Range range, Vertex v, Colour c) const {
+/// The plane of the other earlier neighbour if v opens the second plane towards a clash vertex: the
+/// closer the two planes, the smaller A and the closer H and L can stay to w.
+std::optional<std::int64_t> Placement::rival_plane(const Site& site, Colour c) const {
+  const HalfEdge& half = site.forward[c];
+  if (planes_.labels.at(half.edge, half.to, site.v) != kNoColour) return std::nullopt;
+  for (const HalfEdge& other : graph_.incident(half.to)) {
+    if (other.to == site.v || planes_.labels.at(other.edge, half.to, other.to) != kNoColour)
+      continue;
+    if (planes_.of[other.to][c] != kUnset) return planes_.of[other.to][c];
+  }
+  return std::nullopt;
+}
+
+Range Placement::narrowed(Range range, Vertex v, Colour c, std::int64_t box) const {
   for (const Colour other : {next(c), previous(c)}) {
     const std::int32_t x = planes_.of[v][other];
     if (x == kUnset) continue;
-    range.low = std::max(range.low, -window_ - x);
-    range.high = std::min(range.high, window_ - x);
+    range.low = std::max(range.low, -box - x);
+    range.high = std::min(range.high, box - x);
   }
   return range;
 }

@@ -110,10 +110,13 @@ class Placement {
   SumRule f_rule() const;
   std::optional<SumRule> apart_rule(const Site& site, Colour c) const;
 
-  /// A free number of colour c for v: in the preferred range, else in the window, else in the zone.
-  std::optional<std::int64_t> choose(Colour c, std::span<const SumRule> rules, Range preferred);
-  Range preferred_range(const Site& site, Colour c) const;
-  Range narrowed(Range range, Vertex v, Colour c) const;
+  /// A free number of colour c for the vertex of the site: such that the box stays small, else in
+  /// the zone.
+  std::optional<std::int64_t> choose(const Site& site, Colour c, std::span<const SumRule> rules);
+  std::optional<std::int64_t> best_of_two(Range range, Colour c, std::span<const SumRule> rules);
+  Range preferred_range(const Site& site, Colour c, std::int64_t box) const;
+  std::optional<std::int64_t> rival_plane(const Site& site, Colour c) const;
+  Range narrowed(Range range, Vertex v, Colour c, std::int64_t box) const;
 
   bool choose_colours(const Site& site, ColourSet colours);
   ColourSet missing_colours(Vertex v) const;

@@ -33,7 +33,7 @@ void Placement::place_f() {
     site.forward_colours |= only(c);
   }
   for (const Colour c : {aside_.p, aside_.m}) {
-    const auto number = choose(c, {}, preferred_range(site, c));
+    const auto number = choose(site, c, {});
     take(c, number.value());
     assign(site, c, *number);
   }
@@ -68,7 +68,7 @@ bool Placement::place_x_m(const Site& site) {
     missing &= ~only(aside_.p);
   }
   if (missing != 0) {
-    const auto number = choose(aside_.phi, {}, preferred_range(site, aside_.phi));
+    const auto number = choose(site, aside_.phi, {});
     if (!number) return false;
     take(aside_.phi, *number);
     assign(site, aside_.phi, *number);
@@ -133,11 +133,7 @@ bool Placement::place_r(const Site& site) {
   std::array<SumRule, 2> rules{site.rule, {}};
   rules[0].known = std::int64_t{x[next(aside_.psi)]} + x[previous(aside_.psi)];
   if (!aside_.is_defect()) rules[1] = f_rule();
-  Range preferred = preferred_range(site, aside_.psi);
-  if (!aside_.is_defect() && options_.compact_windows) {
-    preferred = narrowed(preferred, aside_.f, aside_.psi);
-  }
-  const auto number = choose(aside_.psi, {rules.data(), aside_.is_defect() ? 1u : 2u}, preferred);
+  const auto number = choose(site, aside_.psi, {rules.data(), aside_.is_defect() ? 1u : 2u});
   if (!number) return false;
   take(aside_.psi, *number);
   assign(site, aside_.psi, *number);

@@ -38,7 +38,7 @@ using Bends = std::array<Point, 3>;
 
 /// Both ends labelled c. Walks from the end with the larger fourth coordinate: (p,q) l1, (p,4) l2,
 /// (q,4) l3, (q,p) l4; every length is at least 1 because the sums differ by at least 2.
-Bends u_edge(Colour c, Point upper, Point lower) {
+Bends u_edge(Colour c, Point upper, Point lower, std::int64_t least_last) {
   const Colour p = next(c);
   const Colour q = previous(c);
   const Coordinates4 a = four(upper);
@@ -46,7 +46,7 @@ Bends u_edge(Colour c, Point upper, Point lower) {
   const std::int64_t dp = b[p] - a[p];
   const std::int64_t dq = b[q] - a[q];
   const std::int64_t l1 = dp > 0 && dq <= 0 ? 4 - dq : 1;
-  const std::int64_t l4 = dp <= 0 ? 4 - dp : 1;
+  const std::int64_t l4 = (dp <= 0 ? 3 - dp : 0) + least_last;
   Walk walk(upper);
   return {walk.go(p, q, l1), walk.go(p, kFourth, dp - l1 + l4), walk.go(q, kFourth, dq + l1 - l4)};
 }
@@ -60,12 +60,12 @@ struct Defect {
 };
 
 /// E < 0: (gamma,beta) 1, (gamma,4) 3|E|, (gamma,beta) 3B - 1, (gamma,alpha) 3A.
-Bends defect_nt(const Defect& d, Point from, Point to) {
+Bends defect_nt(const Defect& d, Point from, Point to, std::int64_t first) {
   const Coordinates4 u = four(from);
   const Coordinates4 v = four(to);
   Walk walk(from);
-  return {walk.go(d.gamma, d.beta, 1), walk.go(d.gamma, kFourth, u[kFourth] - v[kFourth]),
-          walk.go(d.gamma, d.beta, u[d.beta] - v[d.beta] - 1)};
+  return {walk.go(d.gamma, d.beta, first), walk.go(d.gamma, kFourth, u[kFourth] - v[kFourth]),
+          walk.go(d.gamma, d.beta, u[d.beta] - v[d.beta] - first)};
 }
 
 /// E > 0 with slot k: (gamma,beta) a, (4,beta) 3B - a, (4,alpha) 3A - d, (gamma,alpha) d with
@@ -87,8 +87,8 @@ Point position(const PlaneNumbers& x) {
           3 * (std::int64_t{x[1]} + x[2])};
 }
 
-Routes::Routes(EdgeLabels labels, std::vector<Slot> slots)
-    : labels_(std::move(labels)), slots_(std::move(slots)) {}
+Routes::Routes(EdgeLabels labels, std::vector<Slot> slots, RouteRule rule)
+    : labels_(std::move(labels)), slots_(std::move(slots)), rule_(rule) {}
 
 std::int64_t Routes::slot_of(EdgeId e) const {
   const auto at = std::ranges::lower_bound(slots_, e, {}, &Slot::edge);
@@ -105,7 +105,8 @@ void Routes::append_bends(EdgeId e, Edge ends, Point at_u, Point at_v,
   bool reversed = false;
   if (label_u == label_v) {
     reversed = drop < 0;
-    bends = reversed ? u_edge(label_u, at_v, at_u) : u_edge(label_u, at_u, at_v);
+    bends = reversed ? u_edge(label_u, at_v, at_u, rule_.u_edge_last)
+                     : u_edge(label_u, at_u, at_v, rule_.u_edge_last);
   } else {
     reversed = label_u != next(label_v);
     const Colour alpha = reversed ? label_v : label_u;
@@ -113,7 +114,8 @@ void Routes::append_bends(EdgeId e, Edge ends, Point at_u, Point at_v,
     const Point from = reversed ? at_v : at_u;
     const Point to = reversed ? at_u : at_v;
     const bool is_nt = reversed ? drop < 0 : drop > 0;
-    bends = is_nt ? defect_nt(defect, from, to) : defect_pq(defect, from, to, slot_of(e));
+    bends = is_nt ? defect_nt(defect, from, to, rule_.nt_first)
+                  : defect_pq(defect, from, to, slot_of(e));
   }
   if (reversed) std::ranges::reverse(bends);
   out.insert(out.end(), bends.begin(), bends.end());

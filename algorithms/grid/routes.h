@@ -12,11 +12,18 @@ namespace ar3d::grid {
 /// unit cube.
 Point position(const PlaneNumbers& x);
 
+/// The two lengths whose residues mod 3 keep routes apart. Only tests change them, to see the
+/// verifier object.
+struct RouteRule {
+  std::int64_t u_edge_last = 1;  ///< least length of a U-edge's last segment
+  std::int64_t nt_first = 1;     ///< length of the first segment of a defect with E < 0
+};
+
 /// Stage 6: the three bends of every edge (section 3 of the proof), computed from the two labels,
 /// the two ends and, for a defect with E > 0, its slot. Holds one byte an edge and the slots.
 class Routes final : public BendSource {
  public:
-  Routes(EdgeLabels labels, std::vector<Slot> slots);
+  Routes(EdgeLabels labels, std::vector<Slot> slots, RouteRule rule = {});
   void append_bends(EdgeId e, Edge ends, Point at_u, Point at_v,
                     std::vector<Point>& out) const override;
 
@@ -25,6 +32,7 @@ class Routes final : public BendSource {
 
   EdgeLabels labels_;
   std::vector<Slot> slots_;
+  RouteRule rule_;
 };
 
 }  // namespace ar3d::grid

@@ -1,0 +1,61 @@
+// Algorithm `grid` on all graphs of maximum degree 3 with 12 and 13 vertices and all connected
+// cubic graphs with at most 18, certified; and on long thin and defect-rich graphs.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "algorithms/grid_checks.h"
+#include "ar3d/generators/catalog.h"
+#include "support/graphs.h"
+
+namespace ar3d {
+namespace {
+
+TEST(GridLong, TwelveAndThirteenVertices) {
+  std::size_t drawn = 0;
+  for (const int n : {12, 13}) {
+    for (const Graph& graph : testing::geng(fmt::format("-D3 {}", n))) {
+      for (const int effort : {0, 1, 2}) ASSERT_EQ(testing::grid_fault(graph, effort), "");
+      ++drawn;
+    }
+  }
+  EXPECT_EQ(drawn, 36327u + 124380u);
+}
+
+TEST(GridLong, ConnectedCubicGraphs) {
+  testing::CaseCounts counts;
+  std::size_t drawn = 0;
+  for (int n = 4; n <= 18; n += 2) {
+    for (const Graph& graph : testing::geng(fmt::format("-c -d3 -D3 {}", n))) {
+      for (const int effort : {0, 1, 2}) ASSERT_EQ(testing::grid_fault(graph, effort, &counts), "");
+      ++drawn;
+    }
+  }
+  EXPECT_EQ(drawn, 1u + 2 + 5 + 19 + 85 + 509 + 4060 + 41301);
+  counts.expect_all_hit();
+}
+
+TEST(GridLong, LargeFamilies) {
+  for (const Family& family : families()) {
+    const Graph graph = testing::shuffled(generate(family, 3000, 5), 6);
+    if (graph.max_degree() > 3) continue;
+    for (const int effort : {0, 1, 2}) {
+      ASSERT_EQ(testing::grid_fault(graph, effort), "") << family.name << " effort " << effort;
+    }
+  }
+}
+
+TEST(GridLong, SpineWithPendantTreesStaysLinear) {
+  for (const std::uint64_t n : {10000u, 100000u}) {
+    const Graph graph = generate(find_family("spine-with-pendant-trees"), n, 1);
+    for (const int effort : {0, 1, 2}) {
+      const Drawing drawing = draw(find_algorithm("grid"), graph, {{"effort", effort}});
+      for (const std::int64_t extent : bounding_box(drawing).extents()) {
+        EXPECT_LE(extent, 20 * static_cast<std::int64_t>(n)) << "effort " << effort;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ar3d

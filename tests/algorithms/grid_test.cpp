@@ -1,0 +1,216 @@
+// Algorithm `grid` (Theorem 3): named graphs, unions, the rules of its invariant, and what breaks
+// without them.
+
+#include "ar3d/algorithms/grid/grid.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "algorithms/grid_checks.h"
+#include "ar3d/algorithms/grid/flat.h"
+#include "ar3d/algorithms/grid/invariant.h"
+#include "ar3d/algorithms/grid/labels.h"
+#include "ar3d/algorithms/grid/number_set.h"
+#include "ar3d/algorithms/grid/order.h"
+#include "ar3d/algorithms/grid/planes.h"
+#include "ar3d/algorithms/grid/routes.h"
+#include "ar3d/generators/catalog.h"
+#include "ar3d/model/error.h"
+#include "ar3d/model/random.h"
+#include "support/graphs.h"
+
+namespace ar3d {
+namespace {
+
+using grid::Planes;
+
+/// Many defects: the core without Kempe chains.
+Planes core_planes(const Graph& graph) {
+  const grid::ProcessingOrder order = grid::processing_order(graph);
+  return grid::assign_planes(graph, order, grid::label_half_edges(graph, order, 0), {});
+}
+
+Drawing drawing_of(const Graph& graph, const Planes& planes, grid::RouteRule rule = {}) {
+  Coordinates vertices(graph.num_vertices(), 1'000'000);
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) vertices.set(v, grid::position(planes.of[v]));
+  return Drawing("grid", kCubeLattice, std::move(vertices), graph.shared_edges(),
+                 std::make_shared<grid::Routes>(planes.labels, planes.slots, rule));
+}
+
+bool is_valid(const Graph& graph, const Drawing& drawing) {
+  return certify(graph, drawing, find_algorithm("grid").guarantee).valid();
+}
+
+TEST(Grid, NumberSetAgreesWithAPlainSet) {
+  RandomStream random(5);
+  grid::NumberSet set(64);
+  std::vector<bool> plain(4000, false);
+  for (int i = 0; i < 6000; ++i) {
+    const auto x = static_cast<std::int64_t>(random.below(2000)) - (i % 3 == 0 ? 1000 : 400);
+    const auto at = static_cast<std::size_t>(x + 2000);
+    EXPECT_EQ(set.insert(x), !plain[at]);
+    plain[at] = true;
+    const auto y = static_cast<std::int64_t>(random.below(3000)) - 1500;
+    std::int64_t up = y;
+    while (plain[static_cast<std::size_t>(up + 2000)]) ++up;
+    std::int64_t down = y;
+    while (plain[static_cast<std::size_t>(down + 2000)]) --down;
+    ASSERT_EQ(set.next_outside(y), up);
+    ASSERT_EQ(set.previous_outside(y), down);
+    for (int j = 0; j < 64; ++j) {
+      ASSERT_EQ((set.window(y) >> j) & 1, plain[static_cast<std::size_t>(y + j + 2000)] ? 1u : 0u);
+    }
+  }
+}
+
+TEST(Grid, RefusesDegreeFour) {
+  EXPECT_THROW(draw_grid(testing::octahedron()), InputError);
+  EXPECT_THROW(draw(find_algorithm("grid"), testing::complete(5)), InputError);
+}
+
+TEST(Grid, DrawsTheGraphWithoutVertices) { EXPECT_EQ(draw_grid(Graph()).num_vertices(), 0u); }
+
+TEST(Grid, FamiliesAreCertifiedAtEveryEffort) {
+  for (const Family& family : families()) {
+    for (const std::uint64_t n : {1u, 40u, 300u}) {
+      const Graph graph = testing::shuffled(generate(family, n, 3), n);
+      if (graph.max_degree() > 3) continue;
+      for (const int effort : {0, 1, 2}) {
+        ASSERT_EQ(testing::grid_fault(graph, effort), "") << family.name << " n = " << n;
+      }
+    }
+  }
+}
+
+TEST(Grid, UnionsOfSmallPiecesHitEveryCase) {
+  testing::CaseCounts counts;
+  const std::vector<Graph> cubic = testing::geng("-c -d3 -D3 10");
+  const std::vector<Graph> open = testing::geng("-c -D3 7");
+  RandomStream random(11);
+  for (std::uint64_t i = 0; i < 300; ++i) {
+    std::vector<Graph> parts = {Graph(random.below(3), {}), testing::complete(4)};
+    for (int j = 0; j < 4; ++j) {
+      const auto& list = random.chance(1, 2) ? cubic : open;
+      parts.push_back(list[random.below(static_cast<std::uint32_t>(list.size()))]);
+    }
+    const Graph graph = testing::shuffled(testing::disjoint_union(parts), i);
+    ASSERT_EQ(testing::grid_fault(graph, static_cast<std::int64_t>(i % 3), &counts), "");
+  }
+  counts.expect_all_hit();
+}
+
+TEST(Grid, InvariantHolds) {
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    const Graph graph = generate(find_family("random-cubic"), 2000, seed);
+    const Planes planes = core_planes(graph);
+    EXPECT_GT(planes.counts.nt, 0);
+    EXPECT_GT(planes.counts.pq, 0);
+    EXPECT_EQ(grid::broken_invariant(graph, planes), "");
+  }
+}
+
+TEST(Grid, ColouredGraphsGetAFlatBox) {
+  for (const char* family : {"random-cubic", "prism", "binary-tree", "union-k4", "cycle"}) {
+    const Graph graph = testing::shuffled(generate(find_family(family), 3000, 1), 8);
+    const grid::ProcessingOrder order = grid::processing_order(graph);
+    const auto planes = grid::flat_planes(graph, grid::label_half_edges(graph, order, 1'000'000));
+    ASSERT_TRUE(planes.has_value()) << family;
+    EXPECT_EQ(grid::broken_invariant(graph, *planes), "");
+    const auto extents = bounding_box(drawing_of(graph, *planes)).extents();
+    EXPECT_LE(*std::ranges::min_element(extents), 300) << family;
+  }
+}
+
+TEST(Grid, SnarksKeepADefect) {
+  const Graph graph = testing::petersen();  // has no proper edge colouring with three colours
+  const grid::ProcessingOrder order = grid::processing_order(graph);
+  EXPECT_FALSE(grid::flat_planes(graph, grid::label_half_edges(graph, order, 1000)).has_value());
+}
+
+TEST(Grid, SameDrawingEveryTime) {
+  const Graph graph = generate(find_family("random-cubic"), 500, 4);
+  for (const int effort : {0, 1, 2}) {
+    const Drawing a = draw_grid(graph, {.effort = effort});
+    const Drawing b = draw_grid(graph, {.effort = effort});
+    for (Vertex v = 0; v < 500; ++v) ASSERT_EQ(a.vertex(v), b.vertex(v));
+  }
+}
+
+bool meets_defect(const Graph& graph, const Planes& planes, Vertex v) {
+  return std::ranges::any_of(graph.incident(v), [&](const HalfEdge& half) {
+    return planes.labels.at(half.edge, v, half.to) != planes.labels.at(half.edge, half.to, v);
+  });
+}
+
+TEST(Grid, WithoutDistinctSumsTheVerifierObjects) {
+  // (I1) dropped: shift vertices so that two sums coincide; at least one such drawing must be
+  // invalid.
+  int broken = 0;
+  for (const Graph& graph : testing::geng("-c -d3 -D3 10")) {
+    Planes planes = core_planes(graph);
+    ASSERT_TRUE(is_valid(graph, drawing_of(graph, planes)));
+    // Moving all planes of one U-edge keeps (I3) and changes the sums of its two ends alike.
+    for (EdgeId e = 0; e < graph.num_edges(); ++e) {
+      const Edge ends = graph.edge(e);
+      const grid::Colour c = planes.labels.at(e, ends.u, ends.v);
+      if (meets_defect(graph, planes, ends.u) || meets_defect(graph, planes, ends.v)) continue;
+      for (Vertex other = 0; other < graph.num_vertices(); ++other) {
+        if (other == ends.u || other == ends.v) continue;
+        const std::int64_t shift = grid::sum_of(planes.of[other]) - grid::sum_of(planes.of[ends.u]);
+        Planes moved = planes;
+        for (const Vertex v : {ends.u, ends.v}) {
+          moved.of[v][c] = static_cast<std::int32_t>(moved.of[v][c] + shift);
+        }
+        const std::string rule = grid::broken_invariant(graph, moved);
+        if (!rule.starts_with("(I1)")) continue;
+        broken += is_valid(graph, drawing_of(graph, moved)) ? 0 : 1;
+      }
+    }
+  }
+  EXPECT_GT(broken, 0);
+}
+
+TEST(Grid, WithoutEmptySlotsTheVerifierObjects) {
+  // (I5) dropped: move every slot through its range; some numbers there are planes of other
+  // vertices.
+  int broken = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    const Graph graph = generate(find_family("random-cubic"), 40, seed);
+    const Planes planes = core_planes(graph);
+    for (std::size_t i = 0; i < planes.slots.size(); ++i) {
+      for (std::int64_t k = planes.slots[i].k - 40; k < planes.slots[i].k; ++k) {
+        Planes moved = planes;
+        moved.slots[i].k = k;
+        const std::string rule = grid::broken_invariant(graph, moved);
+        if (rule.find("is not its own") == std::string::npos) continue;
+        const Certificate certificate =
+            certify(graph, drawing_of(graph, moved), find_algorithm("grid").guarantee);
+        for (const Violation& violation : certificate.violations) {
+          broken += violation.kind == ViolationKind::crossing ? 1 : 0;
+        }
+      }
+    }
+  }
+  EXPECT_GT(broken, 0);
+}
+
+int invalid_with(grid::RouteRule rule) {
+  int invalid = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const Graph graph = generate(find_family("random-cubic"), 120, seed);
+    const Planes planes = core_planes(graph);
+    invalid += is_valid(graph, drawing_of(graph, planes, rule)) ? 0 : 1;
+  }
+  return invalid;
+}
+
+TEST(Grid, WithAWrongResidueTheVerifierObjects) {
+  EXPECT_EQ(invalid_with({}), 0);
+  EXPECT_GT(invalid_with({.u_edge_last = 2}), 0);
+}
+
+TEST(Grid, WithAWrongOffsetTheVerifierObjects) { EXPECT_GT(invalid_with({.nt_first = 2}), 0); }
+
+}  // namespace
+}  // namespace ar3d
