@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <set>
 #include <stdexcept>
 
 #include "ar3d/bench/run_study.h"
@@ -38,6 +39,18 @@ TEST(RunStudy, SameColumnsOnAnyNumberOfThreads) {
     EXPECT_EQ(run.status, RunStatus::ok)
         << run.family << ' ' << run.n << ' ' << run.algorithm << ": " << run.message;
   }
+}
+
+TEST(RunStudy, SmokeIsAllRight) {
+  const StudySpec spec = load_study("smoke");
+  const Results results = run_study(spec, {.threads = 2});
+  EXPECT_EQ(results.runs.size(), plan_study(spec).rows);
+  std::set<std::string> algorithms_seen;
+  for (const ar3d::Run& run : results.runs) {
+    EXPECT_EQ(run.status, RunStatus::ok) << run.row_key << ": " << run.message;
+    algorithms_seen.insert(run.algorithm);
+  }
+  EXPECT_EQ(algorithms_seen.size(), algorithms().size());
 }
 
 TEST(RunStudy, TakesOverFinishedRowsAndTellsOnlyTheNewOnes) {
