@@ -36,7 +36,7 @@ std::string background(const Results& results) {
     html += "<div class=scroll><table><tbody>";
     for (const EnvironmentEntry& entry : results.environment) {
       html +=
-          "<tr><th scope=row>" + escape(entry.name) + "</th>" + cell(escape(entry.value)) + "</tr>";
+          "<tr><th scope=row>" + escape(entry.name) + "</th>" + note(escape(entry.value)) + "</tr>";
     }
     html += "</tbody></table></div>";
   }
