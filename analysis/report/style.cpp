@@ -24,7 +24,7 @@ nav{display:flex;flex-wrap:wrap;gap:.2rem 1.1rem;margin:.6rem 0}
 .pass{color:var(--ok)}.violated{color:var(--bad)}.incomplete{color:var(--warn)}
 .figures{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(340px,100%),1fr));gap:1rem 1.4rem;margin:.6rem 0}
 figure{margin:0;min-width:0;break-inside:avoid}figcaption{font-size:.87rem;line-height:1.35;overflow-wrap:anywhere}
-figcaption b{font-weight:620}
+figcaption b{font-weight:620;display:block}
 svg.plot{width:100%;height:auto;max-width:460px;display:block;touch-action:pan-y}
 svg text{font-size:11.5px;fill:var(--muted);font-variant-numeric:tabular-nums}
 .grid path{stroke:var(--line);stroke-width:.8;fill:none}.grid .minor{stroke:var(--faint)}
