@@ -10,8 +10,8 @@ constexpr std::uint64_t kFull = ~std::uint64_t{0};
 }  // namespace
 
 NumberSet::NumberSet(std::int64_t radius) {
-  const std::int64_t half =
-      std::bit_ceil(static_cast<std::uint64_t>(std::max<std::int64_t>(radius, 64)) / 64 + 1);
+  const auto half = static_cast<std::int64_t>(
+      std::bit_ceil(static_cast<std::uint64_t>(std::max<std::int64_t>(radius, 64)) / 64 + 1));
   low_ = -half * 64;
   levels_.emplace_back(static_cast<std::size_t>(2 * half), 0);
   build_upper_levels();
