@@ -12,7 +12,8 @@
 
 namespace ar3d {
 
-/// One option of an algorithm as a study, the command line and the docs see it: an integer in a closed range.
+/// One option of an algorithm as a study, the command line and the docs see it: an integer in a
+/// closed range.
 struct OptionSpec {
   std::string name;
   std::int64_t low = 0;
@@ -36,7 +37,8 @@ struct Algorithm {
   std::string source;   ///< theorem of the paper
   Guarantee guarantee;
   std::vector<OptionSpec> options;
-  Drawing (*draw)(const Graph&, const OptionValues&) = nullptr;  ///< called with complete values, see draw()
+  Drawing (*draw)(const Graph&,
+                  const OptionValues&) = nullptr;  ///< called with complete values, see draw()
 };
 
 /// All algorithms, in the order in which they are listed.
@@ -50,7 +52,8 @@ const Algorithm& find_algorithm(std::string_view name);
 OptionValues complete_options(const Algorithm& algorithm, const OptionValues& given);
 
 /// Draws with checked options.
-/// @throws InputError if an option is bad or graph.max_degree() passes the guarantee's (names the first such vertex).
+/// @throws InputError if an option is bad or graph.max_degree() passes the guarantee's (names the
+/// first such vertex).
 Drawing draw(const Algorithm& algorithm, const Graph& graph, const OptionValues& given = {});
 
 /// The value of a completed option. @throws InternalError if it is missing.

@@ -7,11 +7,12 @@
 
 namespace ar3d {
 
-/// Reads items one after the other, works on many of them at once (OpenMP, the program's --threads) and hands the
-/// results on in input order. A batch ends when its weight (vertices plus edges) passes kBatchWeight, so memory
-/// stays bounded whatever the input.
-/// `next()` gives std::optional<Item>; `weight(item)`; `work(item)` gives a Result and may run on any thread;
-/// `emit(result)` runs on the calling thread. The first exception of work is thrown again in input order.
+/// Reads items one after the other, works on many of them at once (OpenMP, the program's --threads)
+/// and hands the results on in input order. A batch ends when its weight (vertices plus edges)
+/// passes kBatchWeight, so memory stays bounded whatever the input. `next()` gives
+/// std::optional<Item>; `weight(item)`; `work(item)` gives a Result and may run on any thread;
+/// `emit(result)` runs on the calling thread. The first exception of work is thrown again in input
+/// order.
 inline constexpr std::uint64_t kBatchWeight = std::uint64_t{1} << 20;
 
 template <class Item, class Next, class Weight, class Work, class Emit>

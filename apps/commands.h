@@ -24,5 +24,6 @@ void add_verify(CLI::App& app, int& exit_code);
 void add_study(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_report(CLI::App& app, int& exit_code);
+void add_replay(CLI::App& app, int& exit_code);
 
 }  // namespace ar3d

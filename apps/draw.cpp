@@ -12,6 +12,7 @@
 #include "ar3d/formats/drawing_jsonl.h"
 #include "ar3d/formats/drawing_svg.h"
 #include "ar3d/formats/output.h"
+#include "ar3d/results/drawing_hdf5.h"
 #include "assignments.h"
 #include "batches.h"
 #include "commands.h"
@@ -41,7 +42,8 @@ struct Line {
   std::optional<std::string> error;
 };
 
-/// Every graph of the input as one line; a graph outside the guarantee gives an error line and the others go on.
+/// Every graph of the input as one line; a graph outside the guarantee gives an error line and the
+/// others go on.
 bool draw_all(GraphReader& reader, const Algorithm& algorithm, const OptionValues& options,
               OutputFile& file) {
   bool all_drawn = true;
@@ -51,7 +53,9 @@ bool draw_all(GraphReader& reader, const Algorithm& algorithm, const OptionValue
         if (!graph) return std::nullopt;
         return Task{std::move(*graph), reader.where()};
       },
-      [](const Task& task) { return std::uint64_t{task.graph.num_vertices()} + task.graph.num_edges(); },
+      [](const Task& task) {
+        return std::uint64_t{task.graph.num_vertices()} + task.graph.num_edges();
+      },
       [&](const Task& task) {
         Line line;
         try {
@@ -79,7 +83,8 @@ Drawing draw_only(GraphReader& reader, const Algorithm& algorithm, const OptionV
   if (!graph) throw InputError("the input has no graph");
   const std::string where = reader.where();
   if (reader.next()) {
-    throw InputError(fmt::format("{}: a second graph, but format {} holds one drawing a file", reader.where(), format));
+    throw InputError(fmt::format("{}: a second graph, but format {} holds one drawing a file",
+                                 reader.where(), format));
   }
   try {
     return draw(algorithm, *graph, options);
@@ -91,7 +96,7 @@ Drawing draw_only(GraphReader& reader, const Algorithm& algorithm, const OptionV
 std::string drawing_format(const DrawArguments& arguments) {
   if (!arguments.format.empty()) return arguments.format;
   const auto ends_with = [&](const char* ending) { return arguments.output.ends_with(ending); };
-  return ends_with(".svg") ? "svg" : "jsonl";
+  return ends_with(".h5") ? "hdf5" : ends_with(".svg") ? "svg" : "jsonl";
 }
 
 int draw_graphs(const DrawArguments& arguments) {
@@ -100,6 +105,10 @@ int draw_graphs(const DrawArguments& arguments) {
       complete_options(algorithm, parse_assignments<OptionValue>(arguments.options));
   const std::string format = drawing_format(arguments);
   GraphReader reader(arguments.input, {.format = arguments.from, .base = arguments.base});
+  if (format == "hdf5") {
+    write_drawing_hdf5(draw_only(reader, algorithm, options, format), arguments.output);
+    return kPass;
+  }
   OutputFile file(arguments.output);
   bool all_drawn = true;
   if (format == "svg") {
@@ -116,20 +125,27 @@ int draw_graphs(const DrawArguments& arguments) {
 void add_draw(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand("draw", "Draws every graph of a file");
   const auto arguments = std::make_shared<DrawArguments>();
-  verb->add_option("FILE", arguments->input, "graphs in any input format, gzip and xz too; - is standard input");
+  verb->add_option("FILE", arguments->input,
+                   "graphs in any input format, gzip and xz too; - is standard input");
   verb->add_option("--from", arguments->from, "input format; detected by content if left out");
-  verb->add_option("--base", arguments->base, "smallest vertex id of edge and adjacency lists: 0 or 1")
+  verb->add_option("--base", arguments->base,
+                   "smallest vertex id of edge and adjacency lists: 0 or 1")
       ->check(CLI::Range(0, 1));
-  verb->add_option("--algorithm", arguments->algorithm, "an algorithm of `ar3d list algorithms`")->required();
-  verb->add_option("--set", arguments->options, "an option of the algorithm, name=integer; may be repeated")
+  verb->add_option("--algorithm", arguments->algorithm, "an algorithm of `ar3d list algorithms`")
+      ->required();
+  verb->add_option("--set", arguments->options,
+                   "an option of the algorithm, name=integer; may be repeated")
       ->type_size(1)
       ->allow_extra_args(false);
-  verb->add_option("--format", arguments->format, "jsonl (all graphs) or svg (one graph)")
-      ->check(CLI::IsMember({"jsonl", "svg"}));
+  verb->add_option("--format", arguments->format,
+                   "jsonl (all graphs), hdf5 or svg (one graph); by the file's ending, else jsonl")
+      ->check(CLI::IsMember({"jsonl", "hdf5", "svg"}));
   verb->add_option("--turn", arguments->view.turn_degrees, "svg: turn about the z axis, degrees");
-  verb->add_option("--tilt", arguments->view.tilt_degrees, "svg: 0 is seen from above, 90 from the side");
+  verb->add_option("--tilt", arguments->view.tilt_degrees,
+                   "svg: 0 is seen from above, 90 from the side");
   verb->add_option("-o,--output", arguments->output, "file, or - for standard output");
-  verb->footer("Example: nauty-geng -D4 7 | ar3d draw - --algorithm diamond --set effort=2 | ar3d verify -");
+  verb->footer(
+      "Example: nauty-geng -D4 7 | ar3d draw - --algorithm diamond --set effort=2 | ar3d verify -");
   verb->callback([arguments, &exit_code] { exit_code = draw_graphs(*arguments); });
 }
 

@@ -49,13 +49,16 @@ void add_generate(CLI::App& app, int&) {
   CLI::App* verb = app.add_subcommand("generate", "Writes graphs of a family");
   const auto arguments = std::make_shared<GenerateArguments>();
   verb->add_option("FAMILY", arguments->family, "a family of `ar3d list families`")->required();
-  verb->add_option("-n", arguments->n, "wanted number of vertices; the nearest valid one is taken")->required();
+  verb->add_option("-n", arguments->n, "wanted number of vertices; the nearest valid one is taken")
+      ->required();
   verb->add_option("--seed", arguments->seed, "seed of the first graph; each further one adds 1");
   verb->add_option("--count", arguments->count, "number of graphs");
-  verb->add_option("--set", arguments->parameters, "a parameter of the family, name=integer; may be repeated")
+  verb->add_option("--set", arguments->parameters,
+                   "a parameter of the family, name=integer; may be repeated")
       ->type_size(1)
       ->allow_extra_args(false);
-  verb->add_option("--format", arguments->format, "graph format; by the file's ending, else sparse6");
+  verb->add_option("--format", arguments->format,
+                   "graph format; by the file's ending, else sparse6");
   verb->add_option("-o,--output", arguments->output, "file, or - for standard output");
   verb->footer("Example: ar3d generate generalised-petersen -n 100 --set k=7 -o gp.s6");
   verb->callback([arguments] { generate_graphs(*arguments); });

@@ -6,7 +6,10 @@
 #include <string>
 
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/bench/named_studies.h"
+#include "ar3d/formats/catalog.h"
 #include "ar3d/generators/catalog.h"
+#include "ar3d/verify/metrics.h"
 #include "commands.h"
 
 namespace ar3d {
@@ -56,15 +59,30 @@ void print_list(const std::string& what) {
     title("families");
     for (const Family& row : families()) print_family(row);
   }
+  if (wanted("formats")) {
+    title("formats");
+    for (const GraphFormat& row : graph_formats()) fmt::print("{}: {}\n", row.name, row.summary);
+  }
+  if (wanted("metrics")) {
+    title("metrics");
+    for (const Metric& row : metrics())
+      fmt::print("{} [{}]: {}\n", row.name, row.unit, row.definition);
+  }
+  if (wanted("studies")) {
+    title("studies");
+    for (const NamedStudy& row : named_studies()) fmt::print("{}: {}\n", row.name, row.description);
+  }
 }
 
 }  // namespace
 
 void add_list(CLI::App& app, int&) {
-  CLI::App* verb = app.add_subcommand("list", "Shows algorithms with their guarantee, families, metrics, studies");
+  CLI::App* verb = app.add_subcommand(
+      "list", "Shows algorithms with their guarantee, families, metrics, studies");
   const auto what = std::make_shared<std::string>("all");
-  verb->add_option("WHAT", *what, "algorithms, families, metrics or studies; everything if left out")
-      ->check(CLI::IsMember({"all", "algorithms", "families", "metrics", "studies"}));
+  verb->add_option("WHAT", *what,
+                   "algorithms, families, formats, metrics or studies; everything if left out")
+      ->check(CLI::IsMember({"all", "algorithms", "families", "formats", "metrics", "studies"}));
   verb->footer("Example: ar3d list families");
   verb->callback([what] { print_list(*what); });
 }

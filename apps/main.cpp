@@ -18,7 +18,8 @@ Exit codes: 0 pass, 1 internal error, 2 usage or bad input, 3 regression, 4 boun
 5 incomplete, 6 inconclusive, 130 interrupted.)";
 
 int run(int argc, char** argv) {
-  CLI::App app{"Draws graphs of maximum degree 3 and 4 in 3D with optimal angles and proves every drawing."};
+  CLI::App app{
+      "Draws graphs of maximum degree 3 and 4 in 3D with optimal angles and proves every drawing."};
   app.name("ar3d");
   app.set_version_flag("--version", "ar3d " AR3D_VERSION);
   app.require_subcommand(1);
@@ -28,6 +29,10 @@ int run(int argc, char** argv) {
   ar3d::add_generate(app, exit_code);
   ar3d::add_draw(app, exit_code);
   ar3d::add_verify(app, exit_code);
+  ar3d::add_study(app, exit_code);
+  ar3d::add_check(app, exit_code);
+  ar3d::add_report(app, exit_code);
+  ar3d::add_replay(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

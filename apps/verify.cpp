@@ -40,6 +40,7 @@ struct Verdict {
 
 CrossingTest crossing_test(const std::string& name) {
   if (name == "all-pairs") return CrossingTest::all_pairs;
+  if (name == "sweep") return CrossingTest::sweep;
   return CrossingTest::automatic;
 }
 
@@ -60,11 +61,12 @@ Verdict judge(const Task& task, const VerifyArguments& arguments) {
     const Algorithm& algorithm =
         find_algorithm(arguments.algorithm.empty() ? drawing.algorithm() : arguments.algorithm);
     const Graph graph = task.graph ? *task.graph : claimed_graph(drawing);
-    const Certificate certificate =
-        certify(graph, drawing, algorithm.guarantee, {.crossing_test = crossing_test(arguments.test)});
+    const Certificate certificate = certify(graph, drawing, algorithm.guarantee,
+                                            {.crossing_test = crossing_test(arguments.test)});
     Verdict verdict{true, certificate.valid(), ""};
     for (const Violation& violation : certificate.violations) {
-      verdict.text += fmt::format("{}: {}: {}\n", task.where, to_string(violation.kind), violation.message);
+      verdict.text +=
+          fmt::format("{}: {}: {}\n", task.where, to_string(violation.kind), violation.message);
     }
     if (!certificate.complete) verdict.text += fmt::format("{}: … and more\n", task.where);
     return verdict;
@@ -108,14 +110,18 @@ int verify_drawings(const VerifyArguments& arguments) {
 }  // namespace
 
 void add_verify(CLI::App& app, int& exit_code) {
-  CLI::App* verb = app.add_subcommand("verify", "Proves drawings right in exact integers, or says why not");
+  CLI::App* verb =
+      app.add_subcommand("verify", "Proves drawings right in exact integers, or says why not");
   const auto arguments = std::make_shared<VerifyArguments>();
   verb->add_option("FILE", arguments->input, "drawings as JSON lines; - is standard input");
-  verb->add_option("--graphs", arguments->graphs,
-                   "the graphs that were to be drawn, in the same order; else the drawings' own edges count");
-  verb->add_option("--algorithm", arguments->algorithm, "whose guarantee to check; else the one the drawing names");
-  verb->add_option("--crossing-test", arguments->test, "automatic, all-pairs (the slow oracle)")
-      ->check(CLI::IsMember({"automatic", "all-pairs"}));
+  verb->add_option(
+      "--graphs", arguments->graphs,
+      "the graphs that were to be drawn, in the same order; else the drawings' own edges count");
+  verb->add_option("--algorithm", arguments->algorithm,
+                   "whose guarantee to check; else the one the drawing names");
+  verb->add_option("--crossing-test", arguments->test,
+                   "automatic, all-pairs (the slow oracle) or sweep")
+      ->check(CLI::IsMember({"automatic", "all-pairs", "sweep"}));
   verb->add_flag("-q,--quiet", arguments->quiet, "only the summary");
   verb->footer(
       "Exit code 4 if a drawing is violated, 5 if a graph was not drawn or nothing was verified.\n"

@@ -17,10 +17,12 @@ struct Real3 {
 };
 
 constexpr std::size_t kMaxSegments = 20000;
-constexpr double kBallRadius = 0.8;     // in lattice units, for the depth order only
-constexpr int kPiecesPerSegment = 12;  // painter's algorithm: long tubes are split so that depth order is right
+constexpr double kBallRadius = 0.8;  // in lattice units, for the depth order only
+constexpr int kPiecesPerSegment =
+    12;  // painter's algorithm: long tubes are split so that depth order is right
 
-/// Cholesky factor of gram / denominator: squared Euclidean length of embed(u) is the lattice's squared length.
+/// Cholesky factor of gram / denominator: squared Euclidean length of embed(u) is the lattice's
+/// squared length.
 class Embedding {
  public:
   explicit Embedding(const Lattice& lattice) {
@@ -74,7 +76,8 @@ struct Tube {
   double depth() const { return colour < 0 ? from.z + kBallRadius : (from.z + to.z) / 2; }
 };
 
-/// Edges that share a vertex get different colours (greedy; at most 2 * maximum degree - 1 colours).
+/// Edges that share a vertex get different colours (greedy; at most 2 * maximum degree - 1
+/// colours).
 std::vector<int> edge_colours(const Drawing& drawing) {
   std::vector<std::vector<EdgeId>> at(drawing.num_vertices());
   std::vector<int> colour(drawing.num_edges(), -1);
@@ -101,8 +104,8 @@ std::vector<Tube> collect_tubes(const Drawing& drawing, const Camera& camera) {
     drawing.polyline(e, points);
     segments += points.size() - 1;
     if (segments > kMaxSegments) {
-      throw InputError(fmt::format("a picture of more than {} segments cannot be read; draw a smaller graph",
-                                   kMaxSegments));
+      throw InputError(fmt::format(
+          "a picture of more than {} segments cannot be read; draw a smaller graph", kMaxSegments));
     }
     for (std::size_t i = 1; i < points.size(); ++i) {
       const Real3 a = camera(points[i - 1]);
@@ -143,8 +146,9 @@ Frame frame_of(const std::vector<Tube>& tubes) {
 
 /// Colour-blind safe base colours (Okabe and Ito), faded towards the background with distance.
 std::string shade(int colour, double nearness) {
-  static constexpr int kBase[7][3] = {{0, 114, 178},   {213, 94, 0},   {0, 158, 115}, {204, 121, 167},
-                                      {230, 159, 0},   {86, 180, 233}, {110, 110, 110}};
+  static constexpr int kBase[7][3] = {{0, 114, 178},   {213, 94, 0},  {0, 158, 115},
+                                      {204, 121, 167}, {230, 159, 0}, {86, 180, 233},
+                                      {110, 110, 110}};
   const auto& base = kBase[colour % 7];
   const double keep = 0.55 + 0.45 * nearness;
   const auto channel = [&](int i) { return static_cast<int>(255 - keep * (255 - base[i])); };
@@ -165,9 +169,12 @@ std::string drawing_to_svg(const Drawing& drawing, const SvgView& view) {
   const auto sx = [&](double x) { return margin + (x - f.low_x) * scale; };
   const auto sy = [&](double y) { return margin + (y - f.low_y) * scale; };
   std::string out = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\">\n"
-      "<defs><radialGradient id=\"ball\" cx=\"35%\" cy=\"30%\" r=\"75%\"><stop offset=\"0\" stop-color=\"#fff\"/>"
-      "<stop offset=\"0.35\" stop-color=\"#777\"/><stop offset=\"1\" stop-color=\"#111\"/></radialGradient></defs>\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
+      "height=\"{1:.0f}\">\n"
+      "<defs><radialGradient id=\"ball\" cx=\"35%\" cy=\"30%\" r=\"75%\"><stop offset=\"0\" "
+      "stop-color=\"#fff\"/>"
+      "<stop offset=\"0.35\" stop-color=\"#777\"/><stop offset=\"1\" "
+      "stop-color=\"#111\"/></radialGradient></defs>\n"
       "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
       width, height);
   for (const Tube& tube : tubes) {
@@ -177,11 +184,12 @@ std::string drawing_to_svg(const Drawing& drawing, const SvgView& view) {
       continue;
     }
     const double nearness = (tube.depth() - f.low_z) / std::max(f.high_z - f.low_z, 1e-9);
-    const std::string line = fmt::format("M{:.1f} {:.1f}L{:.1f} {:.1f}", sx(tube.from.x), sy(tube.from.y),
-                                         sx(tube.to.x), sy(tube.to.y));
-    out += fmt::format("<path d=\"{0}\" stroke=\"#fff\" stroke-width=\"{1:.1f}\"/>"
-                       "<path d=\"{0}\" stroke=\"{2}\" stroke-width=\"{3:.1f}\" stroke-linecap=\"round\"/>\n",
-                       line, stroke * 1.9, shade(tube.colour, nearness), stroke);
+    const std::string line = fmt::format("M{:.1f} {:.1f}L{:.1f} {:.1f}", sx(tube.from.x),
+                                         sy(tube.from.y), sx(tube.to.x), sy(tube.to.y));
+    out += fmt::format(
+        "<path d=\"{0}\" stroke=\"#fff\" stroke-width=\"{1:.1f}\"/>"
+        "<path d=\"{0}\" stroke=\"{2}\" stroke-width=\"{3:.1f}\" stroke-linecap=\"round\"/>\n",
+        line, stroke * 1.9, shade(tube.colour, nearness), stroke);
   }
   return out + "</svg>\n";
 }

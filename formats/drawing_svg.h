@@ -13,8 +13,9 @@ struct SvgView {
   int longer_side = 900;     ///< pixels; the other side follows from the drawing
 };
 
-/// A picture of a small drawing as an SVG document: edges as shaded tubes (properly edge-coloured, nearer ones in
-/// front), vertices as balls. Angles are true in space: the lattice's metric is embedded before projecting.
+/// A picture of a small drawing as an SVG document: edges as shaded tubes (properly edge-coloured,
+/// nearer ones in front), vertices as balls. Angles are true in space: the lattice's metric is
+/// embedded before projecting.
 /// @throws InputError if the drawing has more than 20000 segments: nobody could read the picture.
 /// Cost: O(S log S) for S segments.
 std::string drawing_to_svg(const Drawing& drawing, const SvgView& view = {});

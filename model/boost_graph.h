@@ -1,8 +1,9 @@
 #pragma once
 
-// Makes ar3d::Graph a model of Boost.Graph's VertexListGraph, EdgeListGraph, IncidenceGraph, AdjacencyGraph
-// and BidirectionalGraph (undirected), and builds it from any model of VertexListGraph and EdgeListGraph.
-// Include this header before calling Boost's algorithms on an ar3d::Graph.
+// Makes ar3d::Graph a model of Boost.Graph's VertexListGraph, EdgeListGraph, IncidenceGraph,
+// AdjacencyGraph and BidirectionalGraph (undirected), and builds it from any model of
+// VertexListGraph and EdgeListGraph. Include this header before calling Boost's algorithms on an
+// ar3d::Graph.
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
@@ -123,8 +124,8 @@ inline Vertex get(boost::vertex_index_t, const Graph&, Vertex v) { return v; }
 inline EdgeIndexMap get(boost::edge_index_t, const Graph&) { return {}; }
 inline EdgeId get(boost::edge_index_t, const Graph&, const BoostEdge& e) { return e.id; }
 
-/// Builds a Graph from any model of VertexListGraph and EdgeListGraph; vertices are numbered in the order of
-/// vertices(g) and edges in the order of edges(g).
+/// Builds a Graph from any model of VertexListGraph and EdgeListGraph; vertices are numbered in the
+/// order of vertices(g) and edges in the order of edges(g).
 /// @param index  readable property map: vertex descriptor -> 0..n-1.
 /// @throws InputError on loops and parallel edges.
 template <class BoostGraph, class IndexMap>

@@ -12,7 +12,8 @@ namespace ar3d {
 
 Coordinates::Coordinates(std::size_t count, std::int64_t bound) : bound_(bound) {
   if (bound < 0 || bound > kMaxCoordinate) {
-    throw InputError(fmt::format("coordinates up to {} do not fit, the limit is {}", bound, kMaxCoordinate));
+    throw InputError(
+        fmt::format("coordinates up to {} do not fit, the limit is {}", bound, kMaxCoordinate));
   }
   if (bound <= std::numeric_limits<std::int32_t>::max()) {
     points_.emplace<Narrow>(count);
@@ -59,8 +60,9 @@ Drawing::Drawing(std::string algorithm, Lattice lattice, Coordinates vertices,
   for (std::size_t e = 0; e < edges_->size(); ++e) {
     const auto [u, v] = (*edges_)[e];
     if (u >= vertices_.size() || v >= vertices_.size()) {
-      throw InputError(fmt::format("edge {} ({}, {}) of the drawing: vertex out of range, it has {} vertices",
-                                   e, u, v, vertices_.size()));
+      throw InputError(
+          fmt::format("edge {} ({}, {}) of the drawing: vertex out of range, it has {} vertices", e,
+                      u, v, vertices_.size()));
     }
   }
 }

@@ -13,11 +13,13 @@
 
 namespace ar3d {
 
-/// Vertex positions in the narrowest integer that the caller's bound proves wide enough: 12 or 24 bytes a point.
+/// Vertex positions in the narrowest integer that the caller's bound proves wide enough: 12 or 24
+/// bytes a point.
 class Coordinates {
  public:
   Coordinates() = default;
-  /// Room for `count` points whose coordinates are at most `bound` in absolute value; all at the origin.
+  /// Room for `count` points whose coordinates are at most `bound` in absolute value; all at the
+  /// origin.
   /// @throws InputError if bound > kMaxCoordinate.
   Coordinates(std::size_t count, std::int64_t bound);
 
@@ -63,24 +65,28 @@ class StoredBends final : public BendSource {
 struct Box {
   Point low;
   Point high;
-  /// Extents high - low per axis (zero for a single point): what every size bound of the project speaks of.
+  /// Extents high - low per axis (zero for a single point): what every size bound of the project
+  /// speaks of.
   std::array<std::int64_t, 3> extents() const {
     return {high.x - low.x, high.y - low.y, high.z - low.z};
   }
   friend bool operator==(const Box&, const Box&) = default;
 };
 
-/// What an algorithm tells about its own run, by name (for example diamond's H). Columns of a study.
+/// What an algorithm tells about its own run, by name (for example diamond's H). Columns of a
+/// study.
 struct Counter {
   std::string name;
   std::int64_t value = 0;
   friend bool operator==(const Counter&, const Counter&) = default;
 };
 
-/// A polyline drawing on integer points with a rational Gram matrix. Immutable but for the two annotations.
+/// A polyline drawing on integer points with a rational Gram matrix. Immutable but for the two
+/// annotations.
 class Drawing {
  public:
-  /// @param edges  the drawn edges, ends in the order in which polylines run; ids below vertices.size().
+  /// @param edges  the drawn edges, ends in the order in which polylines run; ids below
+  /// vertices.size().
   /// @param bends  gives the bends of every edge; may be null if there are no edges.
   /// @throws InputError on ids out of range.
   Drawing(std::string algorithm, Lattice lattice, Coordinates vertices,
@@ -96,7 +102,8 @@ class Drawing {
   /// Replaces `out` by the points of edge e from end u to end v, both ends included.
   void polyline(EdgeId e, std::vector<Point>& out) const;
 
-  /// The run's own numbers, and the box that the construction's proof promises for this very instance.
+  /// The run's own numbers, and the box that the construction's proof promises for this very
+  /// instance.
   std::vector<Counter> counters;
   std::optional<std::array<std::int64_t, 3>> instance_bound;  // extents
 

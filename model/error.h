@@ -6,14 +6,15 @@
 
 namespace ar3d {
 
-/// Bad input or bad usage. The message is one line that names the value and, for files, file and line.
-/// Programs print it and exit with code 2.
+/// Bad input or bad usage. The message is one line that names the value and, for files, file and
+/// line. Programs print it and exit with code 2.
 class InputError : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
 };
 
-/// An edge that no simple graph on the given vertices has. Readers of files turn its number into a line.
+/// An edge that no simple graph on the given vertices has. Readers of files turn its number into a
+/// line.
 class EdgeError : public InputError {
  public:
   EdgeError(std::uint64_t edge, std::uint64_t u, std::uint64_t v, const std::string& message)
@@ -34,7 +35,8 @@ class InternalError : public std::logic_error {
   using std::logic_error::logic_error;
 };
 
-/// True in builds with AR3D_CHECKS (the `check` preset): invariants that cost more than their stage are tested.
+/// True in builds with AR3D_CHECKS (the `check` preset): invariants that cost more than their stage
+/// are tested.
 #ifdef AR3D_CHECKS
 inline constexpr bool kHeavyChecks = true;
 #else
@@ -51,8 +53,8 @@ inline void expect(bool holds, const char* invariant, const char* file = __built
   }
 }
 
-/// As expect, for conditions whose evaluation is expensive: `check` is a callable that is called only in
-/// builds with AR3D_CHECKS.
+/// As expect, for conditions whose evaluation is expensive: `check` is a callable that is called
+/// only in builds with AR3D_CHECKS.
 template <class Check>
 void expect_heavy([[maybe_unused]] Check&& check, [[maybe_unused]] const char* invariant,
                   [[maybe_unused]] const char* file = __builtin_FILE(),

@@ -11,7 +11,8 @@ namespace ar3d {
 namespace {
 
 constexpr std::uint64_t kMaxVertices = std::numeric_limits<Vertex>::max() - 1;
-constexpr std::uint64_t kMaxEdges = (std::uint64_t{1} << 31) - 1;  // 2m half-edges are indexed by 32 bits
+constexpr std::uint64_t kMaxEdges =
+    (std::uint64_t{1} << 31) - 1;  // 2m half-edges are indexed by 32 bits
 
 void refuse_bad_ends(std::uint64_t n, const std::vector<Edge>& edges) {
   for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -19,8 +20,8 @@ void refuse_bad_ends(std::uint64_t n, const std::vector<Edge>& edges) {
     if (u >= n || v >= n) {
       throw EdgeError(
           e, u, v,
-          fmt::format("edge {} ({}, {}): vertex {} is out of range, the graph has {} vertices", e, u, v,
-                      u >= n ? u : v, n));
+          fmt::format("edge {} ({}, {}): vertex {} is out of range, the graph has {} vertices", e,
+                      u, v, u >= n ? u : v, n));
     }
     if (u == v) throw EdgeError(e, u, v, fmt::format("edge {} ({}, {}) is a loop", e, u, v));
   }
@@ -30,10 +31,12 @@ void refuse_bad_ends(std::uint64_t n, const std::vector<Edge>& edges) {
 
 Graph::Graph(std::uint64_t num_vertices, std::vector<Edge> edges) {
   if (num_vertices > kMaxVertices) {
-    throw InputError(fmt::format("{} vertices are too many, the limit is {}", num_vertices, kMaxVertices));
+    throw InputError(
+        fmt::format("{} vertices are too many, the limit is {}", num_vertices, kMaxVertices));
   }
   if (edges.size() > kMaxEdges) {
-    throw InputError(fmt::format("{} edges are too many, the limit is {}", edges.size(), kMaxEdges));
+    throw InputError(
+        fmt::format("{} edges are too many, the limit is {}", edges.size(), kMaxEdges));
   }
   refuse_bad_ends(num_vertices, edges);
   offsets_.assign(num_vertices + 1, 0);
@@ -48,7 +51,8 @@ void Graph::build_rows() {
     ++offsets_[v];
   }
   std::uint32_t end = 0;
-  for (std::uint32_t& entry : offsets_) {  // exclusive sums, shifted below while the rows are filled
+  for (std::uint32_t& entry :
+       offsets_) {  // exclusive sums, shifted below while the rows are filled
     max_degree_ = std::max(max_degree_, entry);
     end += entry;
     entry = end;
@@ -68,8 +72,9 @@ void Graph::refuse_parallel_edges() const {
     const auto row = incident(v);
     const auto refuse = [&](const HalfEdge& again) {
       const auto [a, b] = edge(again.edge);
-      throw EdgeError(again.edge, a, b,
-                      fmt::format("edge {} ({}, {}) is parallel to an earlier edge", again.edge, a, b));
+      throw EdgeError(
+          again.edge, a, b,
+          fmt::format("edge {} ({}, {}) is parallel to an earlier edge", again.edge, a, b));
     };
     if (row.size() <= 8) {
       for (std::size_t i = 1; i < row.size(); ++i) {

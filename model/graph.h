@@ -24,9 +24,9 @@ struct HalfEdge {
   friend bool operator==(const HalfEdge&, const HalfEdge&) = default;
 };
 
-/// A simple, undirected, immutable graph with vertices 0..n-1 and edges numbered in input order, stored as
-/// compressed rows. The incident half-edges of a vertex stand in input order of the edges.
-/// Memory: 4(n+1) + 24 m bytes. Copies share the edge list.
+/// A simple, undirected, immutable graph with vertices 0..n-1 and edges numbered in input order,
+/// stored as compressed rows. The incident half-edges of a vertex stand in input order of the
+/// edges. Memory: 4(n+1) + 24 m bytes. Copies share the edge list.
 class Graph {
  public:
   /// The graph without vertices.
@@ -34,8 +34,8 @@ class Graph {
 
   /// @param num_vertices  n < 2^32 - 1.
   /// @param edges  m < 2^31 pairs of ids below n, no loops, no pair twice in either order.
-  /// @throws EdgeError naming the offending edge and value, InputError if there are too many of them.
-  /// Cost: O(n + m) time.
+  /// @throws EdgeError naming the offending edge and value, InputError if there are too many of
+  /// them. Cost: O(n + m) time.
   Graph(std::uint64_t num_vertices, std::vector<Edge> edges);
 
   Vertex num_vertices() const { return static_cast<Vertex>(offsets_.size() - 1); }

@@ -10,13 +10,17 @@
 namespace ar3d {
 
 bool AxisBound::holds(std::int64_t extent, std::uint64_t n) const {
-  // Widths: n^18 < 2^576, numerator^2 < 2^126; extent terms below 2^256. All fit 1024 bits, and are checked.
+  // Widths: n^18 < 2^576, numerator^2 < 2^126; extent terms below 2^256. All fit 1024 bits, and are
+  // checked.
   using Wide = boost::multiprecision::checked_int1024_t;
-  expect(half_power <= 18 && n < (std::uint64_t{1} << 32), "an axis bound stays in its proved range");
+  expect(half_power <= 18 && n < (std::uint64_t{1} << 32),
+         "an axis bound stays in its proved range");
   const Wide left = Wide(denominator) * (Wide(extent) - Wide(constant));
   if (left <= 0) return true;
-  if (half_power % 2 == 0) return left <= Wide(numerator) * boost::multiprecision::pow(Wide(n), half_power / 2);
-  return left * left <= Wide(numerator) * Wide(numerator) * boost::multiprecision::pow(Wide(n), half_power);
+  if (half_power % 2 == 0)
+    return left <= Wide(numerator) * boost::multiprecision::pow(Wide(n), half_power / 2);
+  return left * left <=
+         Wide(numerator) * Wide(numerator) * boost::multiprecision::pow(Wide(n), half_power);
 }
 
 double AxisBound::value(std::uint64_t n) const {
@@ -31,7 +35,8 @@ std::string AxisBound::formula() const {
   if (half_power == 1) text += " sqrt(n)";
   if (half_power == 2) text += " n";
   if (half_power > 2) {
-    text += half_power % 2 == 0 ? fmt::format(" n^{}", half_power / 2) : fmt::format(" n^({}/2)", half_power);
+    text += half_power % 2 == 0 ? fmt::format(" n^{}", half_power / 2)
+                                : fmt::format(" n^({}/2)", half_power);
   }
   if (constant > 0) text += fmt::format(" + {}", constant);
   if (constant < 0) text += fmt::format(" - {}", -constant);

@@ -13,7 +13,8 @@ namespace ar3d {
 struct AxisBound {
   std::int64_t numerator = 0;
   std::int64_t denominator = 1;
-  unsigned half_power = 2;  ///< twice the exponent of n, at most 18: 1 for sqrt(n), 2 for n, 4 for n^2
+  unsigned half_power =
+      2;  ///< twice the exponent of n, at most 18: 1 for sqrt(n), 2 for n, 4 for n^2
   std::int64_t constant = 0;
 
   /// Exact; n < 2^32, extent >= 0.
@@ -24,7 +25,8 @@ struct AxisBound {
   std::string formula() const;
 };
 
-/// Extents (largest minus smallest coordinate) per axis in terms of the input's number n >= 1 of vertices.
+/// Extents (largest minus smallest coordinate) per axis in terms of the input's number n >= 1 of
+/// vertices.
 struct SizeBound {
   std::string name;    ///< "proved here", "paper"
   std::string source;  ///< theorem or section
@@ -32,22 +34,25 @@ struct SizeBound {
   bool holds(const std::array<std::int64_t, 3>& extents, std::uint64_t n) const;
 };
 
-/// Which angles a guarantee promises between consecutive segments and between any two segments at a vertex.
+/// Which angles a guarantee promises between consecutive segments and between any two segments at a
+/// vertex.
 enum class AngleRule {
   exactly,   ///< every one of them is arccos(cosine)
-  at_least,  ///< none of them is smaller (three at a vertex then are exactly 120 degrees for cosine = -1/2)
+  at_least,  ///< none of them is smaller (three at a vertex then are exactly 120 degrees for cosine
+             ///< = -1/2)
 };
 
-/// What a theorem promises about every drawing; plain data that tests, study, verifier and report read.
+/// What a theorem promises about every drawing; plain data that tests, study, verifier and report
+/// read.
 struct Guarantee {
   std::uint32_t max_degree = 0;  ///< inputs of larger degree are refused
   std::uint32_t max_bends = 0;   ///< per edge
   AngleRule angle_rule = AngleRule::exactly;
   Cosine cosine;
   Lattice lattice;
-  std::vector<Vector> directions;  ///< allowed segment directions up to sign; empty: any
-  bool vertices_in_plane = false;  ///< all vertices have z = 0
-  SizeBound bound;                 ///< holds for every input
+  std::vector<Vector> directions;    ///< allowed segment directions up to sign; empty: any
+  bool vertices_in_plane = false;    ///< all vertices have z = 0
+  SizeBound bound;                   ///< holds for every input
   std::vector<SizeBound> published;  ///< bounds of others, for comparison only
 };
 

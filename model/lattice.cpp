@@ -22,7 +22,8 @@ Integer inner(const Lattice& lattice, Vector u, Vector v) {
   Integer sum = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
-      if (lattice.gram[i][j] != 0) sum += Integer(a[i]) * Integer(lattice.gram[i][j]) * Integer(b[j]);
+      if (lattice.gram[i][j] != 0)
+        sum += Integer(a[i]) * Integer(lattice.gram[i][j]) * Integer(b[j]);
     }
   }
   return sum;

@@ -7,7 +7,8 @@
 
 namespace ar3d {
 
-/// Largest absolute value of a coordinate in a Drawing: differences and sums of two coordinates fit 63 bits.
+/// Largest absolute value of a coordinate in a Drawing: differences and sums of two coordinates fit
+/// 63 bits.
 inline constexpr std::int64_t kMaxCoordinate = std::int64_t{1} << 61;
 
 /// A lattice point (a position).
@@ -18,7 +19,8 @@ struct Point {
   friend auto operator<=>(const Point&, const Point&) = default;
 };
 
-/// A difference of lattice points. Components of differences of points are below 2^62 in absolute value.
+/// A difference of lattice points. Components of differences of points are below 2^62 in absolute
+/// value.
 struct Vector {
   std::int64_t x = 0;
   std::int64_t y = 0;
@@ -56,7 +58,8 @@ struct Lattice {
   std::int32_t gram_denominator = 1;
   friend bool operator==(const Lattice&, const Lattice&) = default;
 
-  /// @throws InputError if gram is not symmetric and positive definite or the denominator not positive.
+  /// @throws InputError if gram is not symmetric and positive definite or the denominator not
+  /// positive.
   void validate() const;
 };
 
@@ -64,10 +67,11 @@ struct Lattice {
 inline constexpr Lattice kCubeLattice{};
 inline constexpr Lattice kTallLattice{{{{3, 0, 0}, {0, 3, 0}, {0, 0, 1}}}, 3};
 
-/// Exact sign of cos(angle(u, v)) - c for non-zero vectors u, v with components below 2^62 in absolute value.
-/// `equal` means the angle is exactly arccos(c); `less` means the angle is larger.
-/// Widths: components below 2^20 with small Gram entries use __int128; everything else 1024-bit integers
-/// (a squared inner product is below 2^((62 + 31 + 62 + 4) * 2) = 2^318, times c's squared terms below 2^380).
+/// Exact sign of cos(angle(u, v)) - c for non-zero vectors u, v with components below 2^62 in
+/// absolute value. `equal` means the angle is exactly arccos(c); `less` means the angle is larger.
+/// Widths: components below 2^20 with small Gram entries use __int128; everything else 1024-bit
+/// integers (a squared inner product is below 2^((62 + 31 + 62 + 4) * 2) = 2^318, times c's squared
+/// terms below 2^380).
 std::strong_ordering compare_cosine(const Lattice& lattice, Vector u, Vector v, Cosine c);
 
 /// Length of u in the metric of the lattice, rounded (for statistics, never for decisions).

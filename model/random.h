@@ -6,8 +6,9 @@
 
 namespace ar3d {
 
-/// A counter-based random stream (Philox 4x32-10): the numbers are a pure function of (seed, stream, position),
-/// equal on every platform, compiler and thread count. Give every independent use its own stream number.
+/// A counter-based random stream (Philox 4x32-10): the numbers are a pure function of (seed,
+/// stream, position), equal on every platform, compiler and thread count. Give every independent
+/// use its own stream number.
 class RandomStream {
  public:
   explicit RandomStream(std::uint64_t seed, std::uint64_t stream = 0)

@@ -1,4 +1,5 @@
-// Every input is hostile: one line that names file, line and value; the documented exit code; nothing half-written.
+// Every input is hostile: one line that names file, line and value; the documented exit code;
+// nothing half-written.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,25 +30,66 @@ const char* const kDraw = "{} draw @ --algorithm diamond -o @.out";
 std::vector<BadInput> bad_inputs() {
   using namespace std::string_literals;
   return {
-      {"missing_file", "{} draw @.missing --algorithm diamond -o @.out", "", {".missing", "No such file"}},
-      {"unreadable_directory", "{} draw /tmp --algorithm diamond -o @.out", "", {"/tmp", "directory"}},
+      {"missing_file",
+       "{} draw @.missing --algorithm diamond -o @.out",
+       "",
+       {".missing", "No such file"}},
+      {"unreadable_directory",
+       "{} draw /tmp --algorithm diamond -o @.out",
+       "",
+       {"/tmp", "directory"}},
       {"empty_file", kDraw, "", {"@", "empty"}},
       {"truncated_graph6", kDraw, "Dhc\nI?\n", {"@:2:"}},
       {"non_ascii_graph6", kDraw, "D\xff\xfe\n", {"@:1"}},
       {"sparse6_bad_padding", kDraw, ":Fa@x^@\n", {"@:1:"}},
-      {"id_out_of_range", "{} draw @ --from edgelist --algorithm diamond -o @.out", "# vertices 3\n0 1\n1 7\n", {"@:3:", "7"}},
-      {"loop", "{} draw @ --from edgelist --algorithm diamond -o @.out", "0 1\n4 4\n", {"@:2:", "loop"}},
-      {"parallel_edges", "{} draw @ --from edgelist --algorithm diamond -o @.out", "0 1\n1 2\n1 0\n", {"@:3:", "parallel"}},
-      {"not_a_number", "{} draw @ --from edgelist --algorithm diamond -o @.out", "0 1\n1 two\n", {"@:2:", "two"}},
+      {"id_out_of_range",
+       "{} draw @ --from edgelist --algorithm diamond -o @.out",
+       "# vertices 3\n0 1\n1 7\n",
+       {"@:3:", "7"}},
+      {"loop",
+       "{} draw @ --from edgelist --algorithm diamond -o @.out",
+       "0 1\n4 4\n",
+       {"@:2:", "loop"}},
+      {"parallel_edges",
+       "{} draw @ --from edgelist --algorithm diamond -o @.out",
+       "0 1\n1 2\n1 0\n",
+       {"@:3:", "parallel"}},
+      {"not_a_number",
+       "{} draw @ --from edgelist --algorithm diamond -o @.out",
+       "0 1\n1 two\n",
+       {"@:2:", "two"}},
       {"absurd_n_graph6", kDraw, "~~~~~~~~\n", {"@:1:"}},
       {"absurd_n_sparse6", kDraw, ":~~~~~~~~\n", {"@:1:"}},
       {"unknown_family", "{} generate no-such-family -n 10 -o @.out", "", {"no-such-family"}},
-      {"unknown_algorithm", "{} draw @ --algorithm no-such-algorithm -o @.out", "Dhc\n", {"no-such-algorithm"}},
-      {"unknown_option", "{} draw @ --algorithm diamond --set colour=3 -o @.out", "Dhc\n", {"colour"}},
-      {"option_out_of_range", "{} draw @ --algorithm diamond --set effort=9 -o @.out", "Dhc\n", {"effort", "9"}},
-      {"unknown_flag", "{} draw @ --algorithm diamond --colour red -o @.out", "Dhc\n", {"--colour"}},
+      {"unknown_algorithm",
+       "{} draw @ --algorithm no-such-algorithm -o @.out",
+       "Dhc\n",
+       {"no-such-algorithm"}},
+      {"unknown_option",
+       "{} draw @ --algorithm diamond --set colour=3 -o @.out",
+       "Dhc\n",
+       {"colour"}},
+      {"option_out_of_range",
+       "{} draw @ --algorithm diamond --set effort=9 -o @.out",
+       "Dhc\n",
+       {"effort", "9"}},
+      {"unknown_flag",
+       "{} draw @ --algorithm diamond --colour red -o @.out",
+       "Dhc\n",
+       {"--colour"}},
       {"no_verb", "{}", "", {"subcommand"}},
-      {"unwritable_output", "{} draw @ --algorithm diamond -o /no/such/dir/out", "Dhc\n", {"/no/such/dir/out"}},
+      {"unwritable_output",
+       "{} draw @ --algorithm diamond -o /no/such/dir/out",
+       "Dhc\n",
+       {"/no/such/dir/out"}},
+      {"unknown_toml_key",
+       "{} study run @ -o @.out",
+       "name = 'x'\nfamilys = ['path']\n",
+       {"@:2", "familys"}},
+      {"broken_toml", "{} study run @ -o @.out", "name = \n", {"@:1"}},
+      {"unknown_study", "{} study run no-such-study -o @.out", "", {"no-such-study"}},
+      {"results_not_hdf5", "{} check @", "hello\n", {"@"}},
+      {"results_missing", "{} report @.missing", "", {".missing"}},
       {"drawing_not_json", "{} verify @", "hello\n", {"@:1"}},
   };
 }
@@ -86,7 +128,8 @@ TEST(Program, DegreeAboveTheGuaranteeNamesTheVertex) {
   const Outcome outcome = run("{} draw " + star + " --from edgelist --algorithm diamond");
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("vertex 0 has degree 5"));
-  EXPECT_THAT(outcome.out, HasSubstr("\"error\""));  // its line in the stream of drawings; the others go on
+  EXPECT_THAT(outcome.out,
+              HasSubstr("\"error\""));  // its line in the stream of drawings; the others go on
 }
 
 TEST(Program, TheGraphWithoutVerticesIsDrawn) {

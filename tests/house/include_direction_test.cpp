@@ -29,7 +29,9 @@ const Allowed& allowed() {
   return table;
 }
 
-bool is_source(const fs::path& path) { return path.extension() == ".h" || path.extension() == ".cpp"; }
+bool is_source(const fs::path& path) {
+  return path.extension() == ".h" || path.extension() == ".cpp";
+}
 
 /// The folder that an include line names, or "" for includes of others.
 std::string included_folder(const std::string& line) {
@@ -59,7 +61,8 @@ std::vector<std::string> forbidden_includes(const fs::path& root, const Allowed&
 }
 
 TEST(IncludeDirection, FollowsTheTable) {
-  for (const std::string& line : forbidden_includes(AR3D_SOURCE_DIR, allowed())) ADD_FAILURE() << line;
+  for (const std::string& line : forbidden_includes(AR3D_SOURCE_DIR, allowed()))
+    ADD_FAILURE() << line;
 }
 
 TEST(IncludeDirection, SeesForbiddenIncludes) {

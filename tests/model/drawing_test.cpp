@@ -34,8 +34,9 @@ TEST(Drawing, EmptyDrawingHasNoExtent) {
 
 TEST(Drawing, RefusesForeignVertices) {
   auto edges = std::make_shared<std::vector<Edge>>(1, Edge{0, 2});
-  EXPECT_THROW(Drawing("test", kCubeLattice, Coordinates(2, 0), edges, std::make_shared<StoredBends>()),
-               InputError);
+  EXPECT_THROW(
+      Drawing("test", kCubeLattice, Coordinates(2, 0), edges, std::make_shared<StoredBends>()),
+      InputError);
 }
 
 TEST(Coordinates, WidthFollowsTheBound) {

@@ -13,13 +13,20 @@ constexpr Cosine kDiamond{-1, 3};
 constexpr Cosine kHexagon{-1, 2};
 
 TEST(Lattice, AnglesOfThePaperAreExact) {
-  EXPECT_EQ(compare_cosine(kCubeLattice, {1, 1, 1}, {1, -1, -1}, kDiamond), std::strong_ordering::equal);
-  EXPECT_EQ(compare_cosine(kCubeLattice, {1, -1, 0}, {-1, 0, 1}, kHexagon), std::strong_ordering::equal);
-  EXPECT_EQ(compare_cosine(kTallLattice, {0, 0, -1}, {1, 0, 1}, kHexagon), std::strong_ordering::equal);
-  EXPECT_EQ(compare_cosine(kTallLattice, {1, 0, -1}, {-1, 2, 1}, kHexagon), std::strong_ordering::equal);
-  EXPECT_EQ(compare_cosine(kCubeLattice, {1, 0, 0}, {-1, 0, 0}, kHexagon), std::strong_ordering::less);
-  EXPECT_EQ(compare_cosine(kCubeLattice, {1, 0, 0}, {0, 1, 0}, kHexagon), std::strong_ordering::greater);
-  EXPECT_EQ(compare_cosine(kCubeLattice, {1, 0, 0}, {1, 0, 0}, {1, 1}), std::strong_ordering::equal);
+  EXPECT_EQ(compare_cosine(kCubeLattice, {1, 1, 1}, {1, -1, -1}, kDiamond),
+            std::strong_ordering::equal);
+  EXPECT_EQ(compare_cosine(kCubeLattice, {1, -1, 0}, {-1, 0, 1}, kHexagon),
+            std::strong_ordering::equal);
+  EXPECT_EQ(compare_cosine(kTallLattice, {0, 0, -1}, {1, 0, 1}, kHexagon),
+            std::strong_ordering::equal);
+  EXPECT_EQ(compare_cosine(kTallLattice, {1, 0, -1}, {-1, 2, 1}, kHexagon),
+            std::strong_ordering::equal);
+  EXPECT_EQ(compare_cosine(kCubeLattice, {1, 0, 0}, {-1, 0, 0}, kHexagon),
+            std::strong_ordering::less);
+  EXPECT_EQ(compare_cosine(kCubeLattice, {1, 0, 0}, {0, 1, 0}, kHexagon),
+            std::strong_ordering::greater);
+  EXPECT_EQ(compare_cosine(kCubeLattice, {1, 0, 0}, {1, 0, 0}, {1, 1}),
+            std::strong_ordering::equal);
 }
 
 TEST(Lattice, OneUnitOffIsSeenAtTheLargestCoordinates) {

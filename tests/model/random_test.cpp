@@ -28,7 +28,8 @@ TEST(RandomStream, BelowIsInRangeAndEven) {
   std::vector<int> count(6, 0);
   for (int i = 0; i < 60000; ++i) ++count[random.below(6)];
   for (const int c : count) EXPECT_NEAR(c, 10000, 500);
-  for (int i = 0; i < 1000; ++i) EXPECT_LT(random.below64(std::uint64_t{3} << 40), std::uint64_t{3} << 40);
+  for (int i = 0; i < 1000; ++i)
+    EXPECT_LT(random.below64(std::uint64_t{3} << 40), std::uint64_t{3} << 40);
   EXPECT_EQ(random.below(1), 0u);
 }
 

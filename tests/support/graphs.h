@@ -9,7 +9,7 @@
 namespace ar3d::testing {
 
 Graph path(Vertex n);
-Graph cycle(Vertex n);      // n >= 3
+Graph cycle(Vertex n);  // n >= 3
 Graph complete(Vertex n);
 Graph petersen();
 Graph octahedron();
@@ -17,7 +17,8 @@ Graph octahedron();
 Graph disjoint_union(const std::vector<Graph>& parts);
 /// Random relabelling of the vertices and random order and direction of the edges.
 Graph shuffled(const Graph& graph, std::uint64_t seed);
-/// All graphs that `nauty-geng ARGS` prints (graph6 decoded here, independently of formats/), in its order.
+/// All graphs that `nauty-geng ARGS` prints (graph6 decoded here, independently of formats/), in
+/// its order.
 std::vector<Graph> geng(const std::string& arguments);
 
 }  // namespace ar3d::testing

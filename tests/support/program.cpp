@@ -58,8 +58,8 @@ std::string with_program(std::string command) {
 
 Outcome run(const std::string& command) {
   const ScratchDirectory scratch;
-  const std::string line = "bash -c " + quoted(with_program(command)) + " > " + scratch.path("out") +
-                           " 2> " + scratch.path("err") + " < /dev/null";
+  const std::string line = "bash -c " + quoted(with_program(command)) + " > " +
+                           scratch.path("out") + " 2> " + scratch.path("err") + " < /dev/null";
   const int status = std::system(line.c_str());
   Outcome outcome;
   outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

@@ -11,8 +11,8 @@ struct Outcome {
   std::string err;
 };
 
-/// Runs a command line with bash (pipefail off: the last command's exit code counts). `{}` stands for the ar3d
-/// program that was built with the tests.
+/// Runs a command line with bash (pipefail off: the last command's exit code counts). `{}` stands
+/// for the ar3d program that was built with the tests.
 Outcome run(const std::string& command);
 
 /// A fresh directory of this test, removed by the destructor.

@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "ar3d/bench/plan.h"
+#include "ar3d/bench/run_instance.h"
+#include "ar3d/formats/drawing_jsonl.h"
+#include "ar3d/formats/output.h"
+#include "ar3d/model/error.h"
+#include "ar3d/results/columns.h"
+#include "ar3d/results/run.h"
+#include "assignments.h"
+#include "commands.h"
+
+namespace ar3d {
+namespace {
+
+struct ReplayArguments {
+  std::string results;
+  std::string row;
+  std::string output;
+};
+
+/// The row with that key, or with that number from 0.
+const Run& find_row(const Results& results, const ReplayArguments& arguments) {
+  for (const Run& run : results.runs) {
+    if (run.row_key == arguments.row) return run;
+  }
+  std::size_t number = 0;
+  const char* end = arguments.row.data() + arguments.row.size();
+  const auto parsed = std::from_chars(arguments.row.data(), end, number);
+  if (parsed.ec != std::errc() || parsed.ptr != end || number >= results.runs.size()) {
+    throw InputError(fmt::format("{}: no row '{}'; rows are 0..{} or row keys", arguments.results,
+                                 arguments.row,
+                                 static_cast<std::int64_t>(results.runs.size()) - 1));
+  }
+  return results.runs[number];
+}
+
+/// "a=1;b=2" as values.
+template <class Value>
+std::vector<Value> parse_list(const std::string& list) {
+  std::vector<std::string> words;
+  for (std::size_t begin = 0; begin < list.size();) {
+    const std::size_t end = std::min(list.find(';', begin), list.size());
+    words.push_back(list.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parse_assignments<Value>(words);
+}
+
+PlannedInstance planned(const Run& run) {
+  const Algorithm& algorithm = find_algorithm(run.algorithm);
+  PlannedInstance instance;
+  instance.choice.family = &find_family(run.family);
+  instance.choice.parameters =
+      complete_parameters(*instance.choice.family, parse_list<ParameterValue>(run.parameters));
+  instance.parameters = run.parameters;
+  instance.wanted_n = static_cast<std::uint64_t>(run.wanted_n);
+  instance.n = static_cast<std::uint64_t>(run.n);
+  instance.index = static_cast<std::uint32_t>(run.instance_index);
+  instance.seed = run.seed;
+  instance.runs.push_back(
+      {{&algorithm, complete_options(algorithm, parse_list<OptionValue>(run.options))},
+       run.options,
+       static_cast<std::uint32_t>(run.repetition),
+       run.row_key,
+       0});
+  return instance;
+}
+
+void write_drawing(const PlannedInstance& instance, const std::string& path) {
+  const Graph graph =
+      generate(*instance.choice.family, instance.n, instance.seed, instance.choice.parameters);
+  const AlgorithmChoice& choice = instance.runs.front().choice;
+  OutputFile file(path);
+  write_drawing_line(file, draw(*choice.algorithm, graph, choice.options));
+  file.commit();
+}
+
+int replay_row(const ReplayArguments& arguments) {
+  const Results results = read_results(arguments.results);
+  const Run& then = find_row(results, arguments);
+  const PlannedInstance instance = planned(then);
+  std::optional<Run> now;
+  run_instance(instance, {}, {}, [&](std::size_t, Run run) { now = std::move(run); });
+  if (!arguments.output.empty()) write_drawing(instance, arguments.output);
+  const std::vector<std::string> differing = differing_columns(then, now.value());
+  fmt::print("{} {} n={} seed {} with {} {}: {}\n", then.family, then.parameters, then.n, then.seed,
+             then.algorithm, then.options, to_string(now->status));
+  for (const std::string& column : differing)
+    fmt::print("column {} differs from the recorded row\n", column);
+  if (differing.empty()) fmt::print("every non-timing column is equal, bit for bit\n");
+  if (now->status == RunStatus::violated) return kViolated;
+  return differing.empty() ? kPass : kRegression;
+}
+
+}  // namespace
+
+void add_replay(CLI::App& app, int& exit_code) {
+  CLI::App* verb = app.add_subcommand(
+      "replay", "Regenerates, draws and certifies a row again and compares it bit for bit");
+  const auto arguments = std::make_shared<ReplayArguments>();
+  verb->add_option("RESULTS", arguments->results, "results file (HDF5)")->required();
+  verb->add_option("ROW", arguments->row, "a row key, or a row number from 0")->required();
+  verb->add_option("-o,--output", arguments->output,
+                   "also write the drawing as JSON lines; - is standard output");
+  verb->footer(
+      "Exit code 3 if the row is not reproduced, 4 if its drawing is violated.\nExample: ar3d "
+      "replay smoke.h5 0");
+  verb->callback([arguments, &exit_code] { exit_code = replay_row(*arguments); });
+}
+
+}  // namespace ar3d

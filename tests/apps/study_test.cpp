@@ -1,0 +1,63 @@
+// The way from a study to a verdict, through the program as a user runs it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "support/program.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::read_file;
+using testing::run;
+using testing::ScratchDirectory;
+
+TEST(StudyProgram, SmokeRunsChecksReportsAndReplays) {
+  const ScratchDirectory scratch;
+  const std::string results = scratch.path("smoke.h5");
+  const Outcome study = run("{} study run smoke --quiet -o " + results);
+  EXPECT_EQ(study.exit_code, 0) << study.out << study.err;
+  EXPECT_THAT(study.out, HasSubstr(results));
+  EXPECT_THAT(study.out, HasSubstr(scratch.path("smoke.html")));
+  EXPECT_THAT(read_file(scratch.path("smoke.html")), HasSubstr("<svg"));
+
+  EXPECT_EQ(run("{} check " + results).exit_code, 0);
+  EXPECT_EQ(run("{} report " + results + " -o " + scratch.path("again.html")).exit_code, 0);
+  EXPECT_EQ(read_file(scratch.path("again.html")), read_file(scratch.path("smoke.html")));
+
+  const Outcome replay = run("{} replay " + results + " 0 -o " + scratch.path("row.jsonl"));
+  EXPECT_EQ(replay.exit_code, 0) << replay.out << replay.err;
+  EXPECT_THAT(replay.out, HasSubstr("equal, bit for bit"));
+  EXPECT_EQ(run("{} verify " + scratch.path("row.jsonl")).exit_code, 0);
+  EXPECT_EQ(run("{} replay " + results + " 99999999").exit_code, 2);
+}
+
+TEST(StudyProgram, PlanShowsWhatWouldBeDone) {
+  const Outcome plan = run("{} study plan quick");
+  EXPECT_EQ(plan.exit_code, 0) << plan.err;
+  EXPECT_THAT(plan.out, HasSubstr(" instances, "));
+}
+
+TEST(ListProgram, ShowsEveryCatalogue) {
+  const Outcome list = run("{} list");
+  EXPECT_EQ(list.exit_code, 0);
+  for (const char* entry :
+       {"diamond", "grid", "two-bend", "random-cubic", "graph6", "log2_volume", "smoke"}) {
+    EXPECT_THAT(list.out, HasSubstr(entry));
+  }
+}
+
+TEST(Program, HelpOfEveryVerbHasAnExample) {
+  for (const char* verb : {"list", "generate", "draw", "verify", "study run", "study plan", "check",
+                           "report", "replay"}) {
+    const Outcome help = run(std::string("{} ") + verb + " --help");
+    EXPECT_EQ(help.exit_code, 0) << verb;
+    EXPECT_THAT(help.out, HasSubstr("Example: ")) << verb;
+  }
+}
+
+}  // namespace
+}  // namespace ar3d
