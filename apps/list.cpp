@@ -9,6 +9,7 @@
 #include "ar3d/bench/named_studies.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/generators/catalog.h"
+#include "ar3d/generators/named.h"
 #include "ar3d/verify/metrics.h"
 #include "commands.h"
 
@@ -59,6 +60,13 @@ void print_list(const std::string& what) {
     title("families");
     for (const Family& row : families()) print_family(row);
   }
+  if (wanted("named-graphs")) {
+    title("named graphs (family `named`, --set index=NUMBER)");
+    std::size_t index = 0;
+    for (const NamedGraph& row : named_graphs()) {
+      fmt::print("{:2} {} (n = {}): {}\n", index++, row.name, row.num_vertices, row.summary);
+    }
+  }
   if (wanted("formats")) {
     title("formats");
     for (const GraphFormat& row : graph_formats()) fmt::print("{}: {}\n", row.name, row.summary);
@@ -80,9 +88,11 @@ void add_list(CLI::App& app, int&) {
   CLI::App* verb = app.add_subcommand(
       "list", "Shows algorithms with their guarantee, families, metrics, studies");
   const auto what = std::make_shared<std::string>("all");
-  verb->add_option("WHAT", *what,
-                   "algorithms, families, formats, metrics or studies; everything if left out")
-      ->check(CLI::IsMember({"all", "algorithms", "families", "formats", "metrics", "studies"}));
+  verb->add_option(
+          "WHAT", *what,
+          "algorithms, families, named-graphs, formats, metrics or studies; everything if left out")
+      ->check(CLI::IsMember(
+          {"all", "algorithms", "families", "named-graphs", "formats", "metrics", "studies"}));
   verb->footer("Example: ar3d list families");
   verb->callback([what] { print_list(*what); });
 }

@@ -4,18 +4,14 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
-#include <sstream>
 #include <string>
 
 #include "ar3d/analysis/check.h"
 #include "ar3d/analysis/report.h"
-#include "ar3d/bench/named_studies.h"
 #include "ar3d/bench/plan.h"
 #include "ar3d/bench/run_study.h"
 #include "ar3d/bench/study_spec.h"
-#include "ar3d/model/error.h"
 #include "ar3d/results/atomic_file.h"
 #include "ar3d/results/run.h"
 #include "commands.h"
@@ -35,38 +31,13 @@ static_assert(std::atomic<bool>::is_always_lock_free);  // so that a signal hand
 
 void ask_to_stop(int) { g_stop = true; }
 
-StudySpec load_study(const std::string& name_or_path) {
-  if (const NamedStudy* named = find_named_study(name_or_path)) {
-    return parse_study(std::string(named->toml), "study " + name_or_path);
-  }
-  std::ifstream file(name_or_path);
-  if (!file || std::filesystem::is_directory(name_or_path)) {
-    std::string known;
-    for (const NamedStudy& study : named_studies())
-      known += fmt::format("{}{}", known.empty() ? "" : ", ", study.name);
-    throw InputError(fmt::format("'{}' is neither a readable TOML file nor a named study ({})",
-                                 name_or_path, known));
-  }
-  std::stringstream text;
-  text << file.rdbuf();
-  return parse_study(text.str(), name_or_path);
-}
-
-std::string results_path(const StudyArguments& arguments, const StudySpec& spec) {
-  if (!arguments.output.empty()) return arguments.output;
-  std::error_code failed;
-  std::filesystem::create_directories("ar3d-results", failed);
-  if (failed) throw InputError(fmt::format("ar3d-results: {}", failed.message()));
-  return fmt::format("ar3d-results/{}.h5", spec.name);
-}
-
 std::string report_path(const std::string& results) {
   return std::filesystem::path(results).replace_extension(".html").string();
 }
 
 int run_and_report(const StudyArguments& arguments) {
   const StudySpec spec = load_study(arguments.study);
-  const std::string path = results_path(arguments, spec);
+  const std::string path = arguments.output.empty() ? default_results_path(spec) : arguments.output;
   require_writable(path);
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
@@ -91,8 +62,7 @@ void add_run(CLI::App& study, int& exit_code) {
   const auto arguments = std::make_shared<StudyArguments>();
   verb->add_option("STUDY", arguments->study, "a TOML file or a study of `ar3d list studies`")
       ->required();
-  verb->add_option("-o,--output", arguments->output,
-                   "results file; ar3d-results/NAME.h5 if left out");
+  verb->add_option("-o,--output", arguments->output, "results file; ar3d-NAME.h5 if left out");
   verb->add_option("--threads", arguments->threads, "number of threads; all cores if left out")
       ->check(CLI::Range(1, 1024));
   verb->add_flag("-q,--quiet", arguments->quiet, "no progress on standard error");

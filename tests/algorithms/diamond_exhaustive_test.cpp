@@ -1,5 +1,6 @@
 // Every graph of maximum degree 4 with few vertices, in every mode.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "algorithms/diamond_colourings.h"
@@ -15,7 +16,7 @@ using testing::diamond_modes;
 class EverySmallGraph : public ::testing::TestWithParam<int> {};
 
 TEST_P(EverySmallGraph, IsCertifiedInEveryMode) {
-  for (const Graph& graph : testing::geng("-D4 " + std::to_string(GetParam()))) {
+  for (const Graph& graph : testing::geng(fmt::format("-D4 {}", GetParam()))) {
     for (const DiamondOptions& options : diamond_modes()) {
       ASSERT_EQ(diamond_fault(graph, options), "")
           << "effort " << options.effort << " guaranteed " << options.guaranteed;
@@ -25,7 +26,7 @@ TEST_P(EverySmallGraph, IsCertifiedInEveryMode) {
 
 TEST(SmallGraphs, AreAll18745) {
   std::size_t count = 0;
-  for (int n = 1; n <= 9; ++n) count += testing::geng("-D4 " + std::to_string(n)).size();
+  for (int n = 1; n <= 9; ++n) count += testing::geng(fmt::format("-D4 {}", n)).size();
   EXPECT_EQ(count, 18745u);
 }
 
@@ -35,7 +36,7 @@ class EveryFourRegularGraph : public ::testing::TestWithParam<int> {};
 
 TEST_P(EveryFourRegularGraph, IsCertifiedInFiveLabellings) {
   std::uint64_t seed = 0;
-  for (const Graph& graph : testing::geng("-c -d4 -D4 " + std::to_string(GetParam()))) {
+  for (const Graph& graph : testing::geng(fmt::format("-c -d4 -D4 {}", GetParam()))) {
     for (int relabelling = 0; relabelling < 5; ++relabelling) {
       const Graph shuffled = testing::shuffled(graph, ++seed);
       for (const DiamondOptions& options : diamond_modes()) {

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "algorithms/two_bend_support.h"
@@ -13,7 +14,7 @@ class TwoBendExhaustive : public ::testing::TestWithParam<int> {};
 TEST_P(TwoBendExhaustive, CertifiesEveryGraphOfMaximumDegree3) {
   const int n = GetParam();
   std::uint64_t seed = 0;
-  for (const Graph& graph : testing::geng("-D3 " + std::to_string(n))) {
+  for (const Graph& graph : testing::geng(fmt::format("-D3 {}", n))) {
     expect_certified(graph);
     expect_certified(graph, {.force_safe_round = true});
     for (int i = 0; i < 5; ++i) expect_certified(testing::shuffled(graph, ++seed));

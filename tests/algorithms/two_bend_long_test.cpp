@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "algorithms/two_bend_graphs.h"
@@ -24,7 +25,7 @@ TEST(TwoBendLong, EveryGraphOfMaximumDegree3With12And13Vertices) {
 TEST(TwoBendLong, EveryConnectedCubicGraphUpTo18Vertices) {
   std::uint64_t seed = 0;
   for (int n = 4; n <= 18; n += 2) {
-    for (const Graph& graph : testing::geng("-c -d3 -D3 " + std::to_string(n))) {
+    for (const Graph& graph : testing::geng(fmt::format("-c -d3 -D3 {}", n))) {
       const int relabellings = n <= 14 ? 40 : n == 16 ? 10 : 2;
       for (int i = 0; i < relabellings; ++i) {
         const Graph other = testing::shuffled(graph, ++seed);

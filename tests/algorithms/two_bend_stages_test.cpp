@@ -1,4 +1,5 @@
 // The stages of the two-bend construction one by one, each against its invariant or a slow oracle.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -145,7 +146,7 @@ TEST(TwoBendOrder, TimeOrderKeepsItsInvariant) {
 
 TEST(TwoBendOrder, RepairGivesAnyEndOfACubicBlockTwoClosingNeighbours) {
   for (const int n : {10, 12}) {
-    for (const Graph& input : testing::geng("-c -d3 -D3 " + std::to_string(n))) {
+    for (const Graph& input : testing::geng(fmt::format("-c -d3 -D3 {}", n))) {
       const LocalGraph graph = components_of(input)[0];
       const Blocks blocks = find_blocks(graph);
       if (blocks.blocks.size() > 1) continue;

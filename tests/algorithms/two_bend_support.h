@@ -1,5 +1,6 @@
 #pragma once
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -14,8 +15,8 @@ namespace ar3d::testing {
 
 /// Edge list in one line, for messages about small graphs.
 inline std::string edges_of(const Graph& graph) {
-  std::string text = std::to_string(graph.num_vertices()) + ":";
-  for (const Edge e : graph.edges()) text += " " + std::to_string(e.u) + "-" + std::to_string(e.v);
+  std::string text = fmt::format("{}:", graph.num_vertices());
+  for (const Edge e : graph.edges()) text += fmt::format(" {}-{}", e.u, e.v);
   return text;
 }
 
