@@ -84,7 +84,8 @@ std::vector<BadInput> bad_inputs() {
        {"/no/such/dir/out"}},
       {"unknown_toml_key",
        "{} study run @ -o @.out",
-       "study = 'x'\nfamilys = ['path']\n",
+       "study = 'x'\nfamilys = 'path'\n[[sweep]]\nfamilies = 'path'\nsizes = 9\nalgorithms = "
+       "'diamond'\n",
        {"@:2", "familys"}},
       {"broken_toml", "{} study run @ -o @.out", "study = \n", {"@:1"}},
       {"unknown_study", "{} study run no-such-study -o @.out", "", {"no-such-study"}},
