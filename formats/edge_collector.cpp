@@ -15,7 +15,7 @@ constexpr std::uint64_t kMaxVertices = std::numeric_limits<Vertex>::max() - 1;
 }  // namespace
 
 void EdgeCollector::begin(std::optional<std::uint64_t> n) {
-  if (n > kMaxVertices) input_->fail(0, *vertex_count_problem(*n, 0, *options_));
+  if (n > kMaxVertices) input_->fail(0, *vertex_count_problem(*n, 0, options_));
   known_n_ = n;
   limit_ = n.value_or(kMaxVertices);
   largest_end_ = 0;
@@ -71,7 +71,7 @@ std::uint64_t EdgeCollector::line_of(std::uint64_t edge) const {
 std::uint64_t EdgeCollector::checked_n() const {
   const std::uint64_t n = known_n_.value_or(largest_end_);
   const std::uint64_t bytes = input_->bytes() - first_byte_;
-  if (const auto problem = vertex_count_problem(n, bytes, *options_)) {
+  if (const auto problem = vertex_count_problem(n, bytes, options_)) {
     input_->fail_at(known_n_ ? header_line_ : largest_line_, 0, *problem);
   }
   return n;

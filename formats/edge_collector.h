@@ -15,7 +15,7 @@ class EdgeCollector {
  public:
   /// @param base  smallest vertex id of the format.
   EdgeCollector(const TextInput& input, const ReadOptions& options, unsigned base)
-      : input_(&input), options_(&options), base_(base) {}
+      : input_(&input), options_(options), base_(base) {}
 
   /// Starts a graph. @param n  number of vertices where the file tells it.
   void begin(std::optional<std::uint64_t> n);
@@ -45,7 +45,7 @@ class EdgeCollector {
   std::uint64_t line_of(std::uint64_t edge) const;
 
   const TextInput* input_;
-  const ReadOptions* options_;
+  ReadOptions options_;  // a copy: the caller's may be a temporary
   unsigned base_;
   std::optional<std::uint64_t> known_n_;
   std::uint64_t limit_ = 0;         // ids are below this

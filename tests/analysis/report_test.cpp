@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <nlohmann/json.hpp>
-#include <regex>
 
 #include "analysis/synthetic.h"
 #include "ar3d/analysis/export.h"
@@ -45,12 +45,26 @@ Results hostile_results() {
   return results;
 }
 
+/// True if `word` stands in the text with no letter or digit beside it.
+bool has_word(const std::string& text, const std::string& word) {
+  const auto is_letter = [&](std::size_t i) {
+    return i < text.size() && std::isalnum(static_cast<unsigned char>(text[i])) != 0;
+  };
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    if (!(at > 0 && is_letter(at - 1)) && !is_letter(at + word.size())) return true;
+  }
+  return false;
+}
+
 TEST(Report, IsOnePageThatNeedsNothingFromOutside) {
   const std::string html =
       render_report(testing::good_results({"diamond", "grid"}, {"cubic"}, 9, 4));
   EXPECT_EQ(count(html, "<script"), 2u) << "the data and one script, each once";
   EXPECT_EQ(count(html, "<style"), 1u);
-  EXPECT_FALSE(std::regex_search(html, std::regex("(src|href)=['\"]?(https?:|//)|@import|url\\(")));
+  for (const char* outside : {"src=http", "src='http", "src=\"http", "src=//", "href=http",
+                              "href='http", "href=\"http", "href=//", "@import", "url("}) {
+    EXPECT_EQ(count(html, outside), 0u) << outside;
+  }
   EXPECT_THAT(html, HasSubstr("default-src 'none'"));
   EXPECT_THAT(html, HasSubstr(">PASS<"));
   EXPECT_EQ(count(html, "<svg class=plot"), 2u * (3 + 2)) << "three overviews, two by family";
@@ -71,11 +85,15 @@ TEST(Report, EscapesEveryStringOfTheFile) {
 TEST(Report, EveryPlottedPointHasItsRowAndCommand) {
   const std::string html = render_report(hostile_results());
   const auto rows = nlohmann::json::parse(rows_json(html));
-  const std::regex point("data-r=([0-9]+)");
+  const std::string mark = "data-r=";
   std::size_t points = 0;
-  for (std::sregex_iterator at(html.begin(), html.end(), point), end; at != end; ++at, ++points) {
-    ASSERT_TRUE(rows.contains((*at)[1].str()));
-    EXPECT_THAT(rows[(*at)[1].str()].at(1).get<std::string>(), HasSubstr("ar3d generate 'cubic<"));
+  for (std::size_t at = html.find(mark); at != std::string::npos; at = html.find(mark, at)) {
+    at += mark.size();
+    const std::string row = html.substr(at, html.find_first_not_of("0123456789", at) - at);
+    if (row.empty()) continue;  // the script's own mention
+    ++points;
+    ASSERT_TRUE(rows.contains(row)) << row;
+    EXPECT_THAT(rows[row].at(1).get<std::string>(), HasSubstr("ar3d generate 'cubic<"));
   }
   EXPECT_EQ(points, 2u * (9 * 3 - 1));
 }
@@ -105,7 +123,8 @@ TEST(Report, MissingNumbersAreNeverPrintedAsNumbers) {
   }
   const std::string html = render_report(results);
   const std::string page = html.substr(0, html.find("<script"));
-  EXPECT_FALSE(std::regex_search(page, std::regex("\\b(nan|inf)\\b")));
+  EXPECT_FALSE(has_word(page, "nan"));
+  EXPECT_FALSE(has_word(page, "inf"));
 }
 
 TEST(Axis, TicksAreDecadesOrOneTwoFive) {
