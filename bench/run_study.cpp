@@ -72,14 +72,18 @@ class Collector {
   void add(std::size_t row, Run run, double work, Progress& progress) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (failure_) return;
-    if (on_row_) on_row_(run);
+    try {
+      if (on_row_) on_row_(run);
+    } catch (...) {  // noted before the lock is given up, so that no other row is told after it
+      note(std::current_exception());
+      return;
+    }
     progress.row_done(work, run.status == RunStatus::ok);
     rows_[row] = std::move(run);
   }
   void fail(std::exception_ptr failure) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!failure_) failure_ = std::move(failure);
-    failed_ = true;
+    note(std::move(failure));
   }
   bool failed() const { return failed_; }
 
@@ -94,6 +98,11 @@ class Collector {
   }
 
  private:
+  void note(std::exception_ptr failure) {
+    if (!failure_) failure_ = std::move(failure);
+    failed_ = true;
+  }
+
   std::mutex mutex_;
   std::vector<std::optional<Run>> rows_;
   const std::function<void(const Run&)>& on_row_;
