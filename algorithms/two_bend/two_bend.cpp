@@ -109,8 +109,11 @@ Algorithm two_bend_row() {
       "at most two bends an edge, angles of at least 120 degrees, in volume O(n) x O(n) x O(n^2)",
       "Theorem 2",
       guarantee,
-      {},
-      [](const Graph& graph, const OptionValues&) { return two_bend::draw(graph); }};
+      {{"effort", 0, 2, 1,
+        "how hard to press the height: 0 not at all, 1 two passes, 2 ten passes"}},
+      [](const Graph& graph, const OptionValues& values) {
+        return two_bend::draw(graph, {.effort = static_cast<unsigned>(option(values, "effort"))});
+      }};
 }
 
 }  // namespace ar3d

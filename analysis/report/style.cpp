@@ -14,6 +14,7 @@ const char* const kStyle = R"css(
 *{box-sizing:border-box}
 body{margin:0 auto;max-width:1240px;padding:1.2rem 1rem 4rem;background:var(--bg);color:var(--fg);
 font:15px/1.5 system-ui,"Segoe UI",Roboto,"Helvetica Neue","DejaVu Sans",Arial,sans-serif}
+p.wrap{overflow-wrap:anywhere}
 h1{font-size:1.6rem;line-height:1.2;margin:.2rem 0 .4rem}
 h2{font-size:1.25rem;margin:2.6rem 0 .4rem;padding-top:.9rem;border-top:1px solid var(--line)}
 h3{font-size:1rem;margin:1.6rem 0 .3rem}
