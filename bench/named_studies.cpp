@@ -35,10 +35,28 @@ algorithms = "all"
 instances = 5
 )toml";
 
-constexpr std::array<NamedStudy, 2> kStudies = {{
+constexpr std::string_view kMillion =
+    R"toml(# One graph of a million vertices for every algorithm. For times to be quoted: --threads 1.
+study = "million"
+description = "one random regular graph of a million vertices for every algorithm"
+seed = 1
+
+[[sweep]]
+families = "random-4-regular"
+sizes = 1000000
+algorithms = "diamond"
+
+[[sweep]]
+families = "random-cubic"
+sizes = 1000000
+algorithms = ["grid", "two-bend"]
+)toml";
+
+constexpr std::array<NamedStudy, 3> kStudies = {{
     {"smoke", "every algorithm and family at small sizes, a few seconds", kSmoke},
     {"quick", "every algorithm over every family that fits it, up to a hundred thousand vertices",
      kQuick},
+    {"million", "one random regular graph of a million vertices for every algorithm", kMillion},
 }};
 
 }  // namespace

@@ -41,6 +41,27 @@ TEST(StudyProgram, PlanShowsWhatWouldBeDone) {
   EXPECT_THAT(plan.out, HasSubstr(" instances, "));
 }
 
+TEST(StudyProgram, InterruptedKeepsTheRowsMadeSoFar) {
+  const ScratchDirectory scratch;
+  const std::string results = scratch.path("quick.h5");
+  const Outcome outcome =
+      run("timeout --preserve-status -s INT 1 {} study run quick --quiet -o " + results);
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("interrupted"));
+  EXPECT_NE(run("{} check " + results).exit_code, 2) << "the file is whole";
+}
+
+TEST(VerifyProgram, EveryCrossingTestGivesTheSameVerdict) {
+  for (const char* test : {"automatic", "all-pairs", "sweep", "slabs"}) {
+    const Outcome verdict =
+        run(std::string("{} generate random-cubic -n 30 | {} draw - --algorithm grid | {} verify - "
+                        "--crossing-test ") +
+            test);
+    EXPECT_EQ(verdict.exit_code, 0) << test << verdict.err;
+    EXPECT_THAT(verdict.out, HasSubstr("1 certified, 0 violated"));
+  }
+}
+
 TEST(ListProgram, ShowsEveryCatalogue) {
   const Outcome list = run("{} list");
   EXPECT_EQ(list.exit_code, 0);
