@@ -80,8 +80,8 @@ Findings row_findings(const Run& run, std::size_t row) {
 
 /// Everything that must be equal in two drawings of the same graph with the same options.
 auto drawing_columns(const Run& run) {
-  return std::tie(run.graph_hash, run.n, run.m, run.extents, run.bends, run.instance_bound,
-                  run.counters, run.violations);
+  return std::tie(run.graph_hash, run.drawing_hash, run.n, run.m, run.extents, run.bends,
+                  run.instance_bound, run.counters, run.violations);
 }
 
 Findings repetition_findings(const Results& results) {
@@ -89,10 +89,10 @@ Findings repetition_findings(const Results& results) {
   for (const Cell& cell : cells(results)) {
     for (const InstanceRows& instance : cell.instances) {
       const Run* first = first_ok(results, instance);
-      std::set<std::int64_t> repetitions;
+      std::set<std::tuple<RunPhase, std::int64_t, std::int64_t>> repetitions;
       for (const std::size_t row : instance.rows) {
         const Run& run = results.runs[row];
-        if (!repetitions.insert(run.repetition).second) {
+        if (!repetitions.insert({run.phase, run.scale, run.repetition}).second) {
           findings.push_back({FindingKind::duplicate, row, "the same measurement stands twice"});
         }
         if (run.status == RunStatus::ok && drawing_columns(run) != drawing_columns(*first)) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ar3d/bench/study_spec.h"
+#include "ar3d/results/run.h"
 
 namespace ar3d {
 
@@ -15,6 +16,9 @@ struct PlannedRun {
   std::uint32_t repetition = 0;
   std::string row_key;  ///< 32 hexadecimal digits
   std::size_t row = 0;  ///< place in the results
+  RunPhase phase = RunPhase::metrics;
+  std::int64_t scale = -1;  ///< threads of a strong or weak batch, else -1
+  bool optional = false;    ///< a study is complete without it (a repetition up to a precision)
 };
 
 /// One graph to come and everything that is done with it.

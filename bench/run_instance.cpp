@@ -97,6 +97,7 @@ void draw_and_certify(const Graph& graph, const AlgorithmChoice& choice, Run& ru
   const Drawing drawing = draw(*choice.algorithm, graph, choice.options);
   run.wall_s = drawing_time.wall_s();
   run.cpu_s = drawing_time.cpu_s();
+  run.drawing_hash = drawing_hash(drawing);
   run.counters = counters_text(drawing.counters);
   if (drawing.instance_bound) run.instance_bound = *drawing.instance_bound;
 
@@ -122,6 +123,8 @@ Run row_of(const Run& instance, const PlannedRun& planned) {
   run.row_key = planned.row_key;
   run.algorithm = planned.choice.algorithm->name;
   run.options = planned.options;
+  run.phase = planned.phase;
+  run.scale = planned.scale;
   run.repetition = planned.repetition;
   return run;
 }
@@ -174,6 +177,7 @@ void run_instance(const PlannedInstance& instance,
     Run run = row_of(base, *planned);
     if (generated) attempt(run, [&] { draw_and_certify(*graph, planned->choice, run); });
     run.peak_bytes = peak_bytes();
+    run.peak_scope = "process";
     require_storable(run);
     emit(planned->row, std::move(run));
   }

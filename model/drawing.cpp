@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ar3d/model/error.h"
+#include "ar3d/model/hash_stream.h"
 
 namespace ar3d {
 
@@ -98,6 +99,32 @@ Box bounding_box(const Drawing& drawing) {
     for (const Point p : points) include(box, empty, p);
   }
   return box;
+}
+
+std::string drawing_hash(const Drawing& drawing) {
+  HashStream hash;
+  const auto put = [&hash](Point p) {
+    hash.put(p.x);
+    hash.put(p.y);
+    hash.put(p.z);
+  };
+  for (const auto& row : drawing.lattice().gram) {
+    for (const std::int32_t entry : row) hash.put(std::int64_t{entry});
+  }
+  hash.put(std::int64_t{drawing.lattice().gram_denominator});
+  hash.put(std::uint64_t{drawing.num_vertices()});
+  for (std::size_t v = 0; v < drawing.num_vertices(); ++v) {
+    put(drawing.vertex(static_cast<Vertex>(v)));
+  }
+  std::vector<Point> points;
+  for (EdgeId e = 0; e < drawing.num_edges(); ++e) {
+    hash.put(drawing.edge(e).u);
+    hash.put(drawing.edge(e).v);
+    drawing.polyline(e, points);
+    hash.put(std::uint64_t{points.size()});
+    for (const Point p : points) put(p);
+  }
+  return hash.digest();
 }
 
 Drawing with_stored_bends(const Drawing& drawing) {

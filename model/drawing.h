@@ -118,6 +118,10 @@ class Drawing {
 /// Bounding box of all vertices and bends; O(n + m) time, O(1) memory.
 Box bounding_box(const Drawing& drawing);
 
+/// 128-bit hash of everything that a drawing draws: metric, positions, edges, polylines; not of its
+/// annotations. 32 hexadecimal digits, equal on all platforms. O(n + m) time, O(1) memory.
+std::string drawing_hash(const Drawing& drawing);
+
 /// The same drawing with every bend stored (tests, conversions); O(m) memory.
 Drawing with_stored_bends(const Drawing& drawing);
 

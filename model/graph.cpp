@@ -1,11 +1,11 @@
 #include "ar3d/model/graph.h"
 
 #include <fmt/format.h>
-#include <xxhash.h>
 
 #include <limits>
 
 #include "ar3d/model/error.h"
+#include "ar3d/model/hash_stream.h"
 
 namespace ar3d {
 namespace {
@@ -93,23 +93,13 @@ void Graph::refuse_parallel_edges() const {
 }
 
 std::string graph_hash(const Graph& graph) {
-  // The bytes hashed are n and the ends of the edges, little endian, 32 bits each.
-  XXH3_state_t* state = XXH3_createState();
-  XXH3_128bits_reset(state);
-  const auto put = [&](std::uint32_t value) {
-    const unsigned char bytes[4] = {
-        static_cast<unsigned char>(value), static_cast<unsigned char>(value >> 8),
-        static_cast<unsigned char>(value >> 16), static_cast<unsigned char>(value >> 24)};
-    XXH3_128bits_update(state, bytes, sizeof bytes);
-  };
-  put(graph.num_vertices());
+  HashStream hash;
+  hash.put(graph.num_vertices());
   for (const auto [u, v] : graph.edges()) {
-    put(u);
-    put(v);
+    hash.put(u);
+    hash.put(v);
   }
-  const XXH128_hash_t hash = XXH3_128bits_digest(state);
-  XXH3_freeState(state);
-  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+  return hash.digest();
 }
 
 Graph relabelled(const Graph& graph, std::span<const Vertex> new_name) {

@@ -63,11 +63,16 @@ Column message(const Description& d, std::string Run::*member, std::size_t size)
   return column;
 }
 
-Column status(const Description& d, std::size_t size) {
+// One of a few names.
+template <class Enum>
+Column choice(const Description& d, Enum Run::*member, Enum (*parse)(std::string_view),
+              std::size_t size) {
   Column column = described(d, FieldType::text, size);
-  column.store = [size](const Run& run, char* to) { store_text(to_string(run.status), to, size); };
-  column.load = [size](const char* from, Run& run) {
-    run.status = parse_run_status(loaded_text(from, size));
+  column.store = [member, size](const Run& run, char* to) {
+    store_text(to_string(run.*member), to, size);
+  };
+  column.load = [member, parse, size](const char* from, Run& run) {
+    run.*member = parse(loaded_text(from, size));
   };
   return column;
 }
@@ -130,16 +135,24 @@ void add_identity(std::vector<Column>& c) {
   c.push_back(text({"algorithm", "", "drawing algorithm", run}, &Run::algorithm, 48));
   c.push_back(text({"options", "", "the algorithm's options, complete, in catalogue order", run},
                    &Run::options, 96));
-  c.push_back(number({"repetition", "1", "0, 1, ...: which repetition of the same run", run},
+  c.push_back(
+      choice({"phase", "", "what the row was made for: metrics, timing, strong or weak", run},
+             &Run::phase, parse_run_phase, 8));
+  c.push_back(number({"scale", "1", "threads that share the batch; only in strong and weak", run},
+                     &Run::scale));
+  c.push_back(number({"repetition", "1", "0, 1, ...: which one within its phase and scale", run},
                      &Run::repetition));
 }
 
 void add_results(std::vector<Column>& c) {
   const auto kind = ColumnKind::result;
   c.push_back(
-      status({"status", "", "ok, timeout, out_of_memory, refused, violated or crashed", kind}, 16));
+      choice({"status", "", "ok, timeout, out_of_memory, refused, violated or crashed", kind},
+             &Run::status, parse_run_status, 16));
   c.push_back(message({"message", "", "first violation or error, cut to fit; empty if ok", kind},
                       &Run::message, 240));
+  c.push_back(text({"drawing_hash", "", "128-bit hash of positions, edges and bends", kind},
+                   &Run::drawing_hash, 32));
   add_array(c, {"extent", "lattice units", "largest minus smallest coordinate", kind},
             &Run::extents, kAxes);
   c.push_back(number(
@@ -182,8 +195,59 @@ void add_measurements(std::vector<Column>& c) {
       number({"cpu_s", "s", "CPU time of the drawing thread, drawing only", kind}, &Run::cpu_s));
   c.push_back(
       number({"certify_s", "s", "wall time of certifying the drawing", kind}, &Run::certify_s));
-  c.push_back(number({"peak_bytes", "bytes", "peak resident memory of the process so far", kind},
+  c.push_back(number({"write_s", "s", "wall time of formatting the drawing as JSON lines", kind},
+                     &Run::write_s));
+}
+
+void add_circumstances(std::vector<Column>& c) {
+  const auto kind = ColumnKind::measured;
+  c.push_back(number({"concurrency", "1", "rows that this study makes at the same time", kind},
+                     &Run::concurrency));
+  c.push_back(
+      number({"core", "1", "core that the row was pinned to; missing if none", kind}, &Run::core));
+  c.push_back(number({"warm_ups", "1", "drawings of the graph just before, thrown away", kind},
+                     &Run::warm_ups));
+  c.push_back(
+      text({"timing_mark", "", "why times are worth little: debug or sanitised build", kind},
+           &Run::timing_mark, 16));
+}
+
+void add_counters(std::vector<Column>& c) {
+  const auto kind = ColumnKind::measured;
+  c.push_back(
+      number({"instructions", "1", "of drawing, user space, by the processor's counter", kind},
+             &Run::instructions));
+  c.push_back(number({"cycles", "1", "of drawing, user space, by the processor's counter", kind},
+                     &Run::cycles));
+  c.push_back(
+      number({"cache_misses", "1", "of drawing, user space, by the processor's counter", kind},
+             &Run::cache_misses));
+  c.push_back(number({"counted_instructions", "1", "of drawing, counted by callgrind", kind},
+                     &Run::counted_instructions));
+}
+
+void add_memory(std::vector<Column>& c) {
+  const auto kind = ColumnKind::measured;
+  c.push_back(number({"base_bytes", "bytes", "resident memory when the row began", kind},
+                     &Run::base_bytes));
+  c.push_back(number({"draw_peak_bytes", "bytes", "peak resident memory while drawing", kind},
+                     &Run::draw_peak_bytes));
+  c.push_back(number({"peak_bytes", "bytes", "peak resident memory, as peak_scope says", kind},
                      &Run::peak_bytes));
+  c.push_back(text(
+      {"peak_scope", "",
+       "of this row alone (row, worker: in a process of its own) or of the process so far", kind},
+      &Run::peak_scope, 8));
+}
+
+void add_scaling(std::vector<Column>& c) {
+  const auto kind = ColumnKind::measured;
+  c.push_back(
+      number({"batch_s", "s", "wall time of the whole batch; only in strong and weak", kind},
+             &Run::batch_s));
+  c.push_back(number({"ideal_batch_s", "s", "batch_s of one thread if scaling were perfect", kind},
+                     &Run::ideal_batch_s));
+  c.push_back(number({"efficiency", "1", "ideal_batch_s / batch_s", kind}, &Run::efficiency));
 }
 
 std::vector<Column> make_run_columns() {
@@ -191,6 +255,10 @@ std::vector<Column> make_run_columns() {
   add_identity(columns);
   add_results(columns);
   add_measurements(columns);
+  add_circumstances(columns);
+  add_counters(columns);
+  add_memory(columns);
+  add_scaling(columns);
   pack_fields(columns);
   return columns;
 }

@@ -12,7 +12,7 @@
 namespace ar3d {
 
 inline constexpr const char* kResultsFormat = "ar3d-results";
-inline constexpr long long kResultsFormatVersion = 1;
+inline constexpr long long kResultsFormatVersion = 2;
 
 template <class FieldLike>
 TableSpec table_of(const std::string& name, const std::string& title,

@@ -17,6 +17,15 @@ const char* to_string(RunStatus status);
 /// @throws InputError naming the text if it is no status.
 RunStatus parse_run_status(std::string_view text);
 
+/// What a row was made for. metrics: certified, on all cores, its times disturbed by the
+/// neighbours; timing: alone on a core of its own; strong, weak: one of a batch of equal drawings
+/// that several threads share.
+enum class RunPhase : std::uint8_t { metrics, timing, strong, weak };
+/// "metrics", "timing", "strong", "weak".
+const char* to_string(RunPhase phase);
+/// @throws InputError naming the text if it is no phase.
+RunPhase parse_run_phase(std::string_view text);
+
 /// One row of /runs: instance x algorithm x options x repetition. Times in seconds, memory in
 /// bytes, lengths and extents in lattice units. Missing integers are -1, missing floats NaN; never
 /// 0.
@@ -33,11 +42,14 @@ struct Run {
   std::string graph_hash;            ///< 32 hexadecimal digits
   std::string algorithm;
   std::string options;  ///< "effort=1", complete and in catalogue order
-  std::int64_t repetition = -1;
+  RunPhase phase = RunPhase::metrics;
+  std::int64_t scale = -1;       ///< threads that share the batch; missing outside strong and weak
+  std::int64_t repetition = -1;  ///< within (phase, scale)
   RunStatus status = RunStatus::crashed;
   std::string message;  ///< first violation or error, cut to fit
 
   // Deterministic results.
+  std::string drawing_hash;  ///< 32 hexadecimal digits
   std::array<std::int64_t, 3> extents{-1, -1, -1};
   double log2_volume = kMissing;    ///< sum of log2(extent + 1) over the axes
   double volume_per_n3 = kMissing;  ///< product of extents / n^3
@@ -58,7 +70,22 @@ struct Run {
   double wall_s = kMissing;  ///< drawing only
   double cpu_s = kMissing;   ///< drawing only, CPU time of the thread
   double certify_s = kMissing;
-  std::int64_t peak_bytes = -1;  ///< peak resident memory of the process so far
+  double write_s = kMissing;       ///< formatting the drawing as JSON lines into nothing
+  std::int64_t concurrency = -1;   ///< rows that this study makes at the same time
+  std::int64_t core = -1;          ///< core that the row was pinned to
+  std::int64_t warm_ups = -1;      ///< drawings of the same graph just before, thrown away
+  std::int64_t instructions = -1;  ///< drawing only, by the processor's counters, user space
+  std::int64_t cycles = -1;
+  std::int64_t cache_misses = -1;
+  std::int64_t counted_instructions = -1;  ///< drawing only, counted by callgrind
+  std::int64_t base_bytes = -1;            ///< resident memory when the row began
+  std::int64_t draw_peak_bytes = -1;       ///< peak resident memory while drawing
+  std::int64_t peak_bytes = -1;     ///< peak resident memory from the row's beginning to its end
+  std::string peak_scope;           ///< "row", "worker", "process"; empty if missing
+  double batch_s = kMissing;        ///< strong, weak: wall time of the whole batch
+  double ideal_batch_s = kMissing;  ///< what it would be with perfect scaling
+  double efficiency = kMissing;     ///< ideal_batch_s / batch_s
+  std::string timing_mark;          ///< why its times are worth little: "debug", "sanitised"
 };
 
 struct EnvironmentEntry {

@@ -26,12 +26,23 @@ bool is_censored(RunStatus status) {
          status == RunStatus::crashed;
 }
 
+/// The phase whose times speak for the instance: timing if it has such rows, else metrics.
+RunPhase phase_of_times(const Results& results, const InstanceRows& instance) {
+  const bool timed = std::any_of(instance.rows.begin(), instance.rows.end(), [&](std::size_t row) {
+    const Run& run = results.runs[row];
+    return run.phase == RunPhase::timing && run.status == RunStatus::ok;
+  });
+  return timed ? RunPhase::timing : RunPhase::metrics;
+}
+
 /// Median of the repetitions' logarithms and the first row with a value; false if there is none.
 bool instance_value(const Results& results, const InstanceRows& instance, Quantity quantity,
                     InstanceValue& value) {
+  const RunPhase times = phase_of_times(results, instance);
   std::vector<double> logs;
   for (const std::size_t row : instance.rows) {
     if (results.runs[row].status != RunStatus::ok) continue;
+    if (quantity == Quantity::wall_s && results.runs[row].phase != times) continue;
     const double log = log_value(results.runs[row], quantity);
     if (std::isnan(log)) continue;
     if (logs.empty()) value.row = row;

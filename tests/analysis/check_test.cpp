@@ -131,9 +131,19 @@ TEST(Check, RepetitionsMustGiveTheSameDrawing) {
   EXPECT_EQ(check(results).exit_code(), 4);
 }
 
+TEST(Check, EqualExtentsDoNotExcuseAnotherDrawing) {
+  Results results = small_results();
+  results.runs.push_back(good_run("diamond", "cubic", 16, 0, 1));
+  results.runs.back().drawing_hash = "another";
+  EXPECT_EQ(only_finding(results).kind, FindingKind::not_repeatable);
+}
+
 TEST(Check, TheSameMeasurementTwiceIsADuplicate) {
   Results results = small_results();
   results.runs.push_back(results.runs[0]);
+  results.runs.back().phase = RunPhase::timing;
+  EXPECT_EQ(check(results).exit_code(), 0);
+  results.runs.back().phase = RunPhase::metrics;
   EXPECT_EQ(only_finding(results).kind, FindingKind::duplicate);
   EXPECT_EQ(check(results).exit_code(), 5);
 }

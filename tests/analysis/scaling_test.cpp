@@ -112,6 +112,20 @@ TEST(Scaling, RepetitionsOfAnInstanceGiveTheirMedian) {
   EXPECT_DOUBLE_EQ(sizes[0].instances[0].log_value, std::log(2));
 }
 
+TEST(Scaling, RowsOfTheTimingPhaseAloneSpeakForTime) {
+  Results results;
+  for (const double wall_s : {1.0, 100.0, 7.0}) {
+    results.runs.push_back(testing::good_run("diamond", "cubic", 16, 0, 0));
+    results.runs.back().wall_s = wall_s;
+  }
+  results.runs[1].phase = RunPhase::strong;
+  results.runs[2].phase = RunPhase::timing;
+  const auto time = [&] { return samples(results, cells(results)[0], Quantity::wall_s)[0]; };
+  EXPECT_DOUBLE_EQ(time().instances[0].log_value, std::log(7));
+  results.runs[2].status = RunStatus::timeout;
+  EXPECT_DOUBLE_EQ(time().instances[0].log_value, 0) << "no timing row left: the metrics row";
+}
+
 TEST(Scaling, OfAStudyFindsTheExponentOfEveryQuantity) {
   const Results results = testing::good_results({"diamond", "grid"}, {"cubic"}, 9, 8);
   const std::vector<ScalingEntry> entries = scaling(results);

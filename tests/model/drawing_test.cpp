@@ -26,6 +26,18 @@ TEST(Drawing, PolylineHasBothEnds) {
   EXPECT_EQ(bounding_box(drawing), bounding_box(with_stored_bends(drawing)));
 }
 
+TEST(Drawing, HashTellsApartWhatIsDrawnAndNothingElse) {
+  Drawing drawing = one_edge({0, 0, 0}, {{1, 1, 1}}, {3, 3, 0});
+  const std::string hash = drawing_hash(drawing);
+  EXPECT_EQ(hash.size(), 32u);
+  drawing.counters.push_back({"H", 3});
+  EXPECT_EQ(drawing_hash(drawing), hash);
+  EXPECT_EQ(drawing_hash(with_stored_bends(drawing)), hash);
+  EXPECT_NE(drawing_hash(one_edge({0, 0, 0}, {{1, 1, 2}}, {3, 3, 0})), hash);
+  EXPECT_NE(drawing_hash(one_edge({0, 0, 0}, {}, {3, 3, 0})), hash);
+  EXPECT_NE(drawing_hash(one_edge({0, 0, 0}, {{1, 1, 1}}, {3, 3, 1})), hash);
+}
+
 TEST(Drawing, EmptyDrawingHasNoExtent) {
   const Drawing drawing("test", kCubeLattice, Coordinates(0, 0),
                         std::make_shared<std::vector<Edge>>(), nullptr);

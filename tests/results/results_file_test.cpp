@@ -174,7 +174,7 @@ std::string error_after(const std::string& path, const std::string& change) {
 
 TEST_F(ResultsFile, RefusesAnotherFormatOrVersion) {
   const std::string path = in_folder("r.h5");
-  EXPECT_THAT(error_after(path, "f.attrs['format_version'] = 2"), HasSubstr("format version 2"));
+  EXPECT_THAT(error_after(path, "f.attrs['format_version'] = 1"), HasSubstr("format version 1"));
   EXPECT_THAT(error_after(path, "del f.attrs['format']"),
               HasSubstr("attribute 'format' is missing"));
   EXPECT_THAT(error_after(path, "del f['runs']"), HasSubstr("/runs is missing"));
@@ -249,7 +249,7 @@ e = pandas.read_hdf(f, "environments")
 assert e.value[0] == "abacus"
 h = h5py.File(f)
 assert h["spec"][()].decode() == "# h\u00f6her\n[study]\n"
-assert h.attrs["format"].decode() == "ar3d-results" and h.attrs["format_version"] == 1
+assert h.attrs["format"].decode() == "ar3d-results" and h.attrs["format_version"] == 2
 assert h["runs"].attrs["wall_s.unit"].decode() == "s"
 tables.open_file(f).root.runs.attrs._f_list("all")
 )";
@@ -298,6 +298,11 @@ TEST(RunStatus, TextsGoBothWays) {
     EXPECT_EQ(parse_run_status(to_string(status)), status);
   }
   EXPECT_THROW(parse_run_status("fine"), InputError);
+  for (const RunPhase phase :
+       {RunPhase::metrics, RunPhase::timing, RunPhase::strong, RunPhase::weak}) {
+    EXPECT_EQ(parse_run_phase(to_string(phase)), phase);
+  }
+  EXPECT_THROW(parse_run_phase("fast"), InputError);
 }
 
 }  // namespace
