@@ -33,10 +33,10 @@ bool Contacts::is_forbidden(SegmentId a, SegmentId b, const Meeting& meeting) co
 }
 
 void Contacts::examine_vertex(Vertex v, SegmentId s) {
-  const Point p = segments_.drawing().vertex(v);
-  if (!on_segment(p, segments_.from(s), segments_.to(s)) || done()) return;
   const Edge ends = segments_.drawing().edge(segments_.edge(s));
   if (v == ends.u || v == ends.v) return;
+  const Point p = segments_.drawing().vertex(v);
+  if (!on_segment(p, segments_.from(s), segments_.to(s)) || done()) return;
   if (segments_.vertex_at(s, p)) return;  // coinciding vertices, reported as such
   on_edges_.emplace(v, segments_.edge(s));
 }

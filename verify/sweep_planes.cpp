@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "ar3d/verify/functional.h"
+#include "ar3d/verify/order.h"
 
 namespace ar3d::verify {
 namespace {
@@ -38,6 +40,8 @@ struct Track {
   Key low;
   Key high;
   SegmentId segment;
+  bool continues;  ///< the edge's segment before this one ends where this one begins
+  bool is_row;     ///< of the family's first direction
 };
 
 /// All pairs of `rows` and `columns` that meet within one plane.
@@ -60,10 +64,19 @@ class PlaneSweep {
       for (const auto& column : columns) {
         if (row.low <= column.at && column.at <= row.high && column.low <= row.at &&
             row.at <= column.high) {
-          contacts_.examine(row.segment, column.segment);
+          examine(row, column);
         }
       }
     }
+  }
+
+  /// Neighbours on an edge have one bend in common and, not being parallel, nothing else.
+  void examine(const Track<Key>& row, const Track<Key>& column) {
+    const auto is_next = [](const Track<Key>& a, const Track<Key>& b) {
+      return b.continues && b.segment == a.segment + 1;
+    };
+    if (is_next(row, column) || is_next(column, row)) return;
+    contacts_.examine(row.segment, column.segment);
   }
 
   /// Column after column; active_ holds the rows that reach the current one, ordered across.
@@ -99,75 +112,86 @@ class PlaneSweep {
   std::set<std::pair<Key, SegmentId>> active_;
 };
 
+/// A segment of one of a family's two directions: its plane, and where it is in the plane.
 template <class Key>
 struct InPlane {
   Key plane;
-  SegmentId segment;
-  bool operator<(const InPlane& other) const {
-    return std::pair(plane, segment) < std::pair(other.plane, other.segment);
-  }
+  Track<Key> track;
 };
 
 template <class Key>
 class FamilySweep {
  public:
-  FamilySweep(const Segments& segments, const DirectionClasses& classes, const PlaneFamily& family,
-              Contacts& contacts)
-      : segments_(segments),
-        classes_(classes),
-        family_(family),
-        contacts_(contacts),
-        plane_(contacts) {}
+  FamilySweep(const Segments& segments, const DirectionClasses& classes, Contacts& contacts)
+      : segments_(segments), classes_(classes), contacts_(contacts), plane_(contacts) {}
 
-  void run() {
-    collect();
-    for (std::size_t begin = 0; begin < members_.size() && !contacts_.done();) {
+  void run(const PlaneFamily& family) {
+    collect(family);
+    order_by_plane();
+    for (std::size_t begin = 0; begin < order_.size() && !contacts_.done();) {
       std::size_t end = begin + 1;
-      while (end < members_.size() && members_[end].plane == members_[begin].plane) ++end;
+      while (end < order_.size() && order_[end].key == order_[begin].key) ++end;
       if (end - begin > 1) sweep_plane(begin, end);
       begin = end;
     }
   }
 
  private:
-  bool is_row(SegmentId s) const { return classes_.of[s] == family_.directions[0]; }
-
-  void collect() {
-    const auto belongs = [&](std::uint8_t c) {
-      return c == family_.directions[0] || c == family_.directions[1];
-    };
-    const auto& of = classes_.of;
-    members_.reserve(static_cast<std::size_t>(std::count_if(of.begin(), of.end(), belongs)));
+  /// Reads the segments in their order, so that only the members are read out of order later.
+  void collect(const PlaneFamily& family) {
+    members_.clear();
     for (SegmentId s = 0; s < segments_.size(); ++s) {
-      if (belongs(of[s])) {
-        members_.push_back({value<Key>(family_.normal, segments_.from(s)), s});
+      const auto direction = classes_.of[s];
+      const bool is_row = direction == family.directions[0];
+      if (!is_row && direction != family.directions[1]) continue;
+      const Vector across = family.across[is_row ? 1 : 0];
+      const Key begin = value<Key>(across, segments_.from(s));
+      const Key end = value<Key>(across, segments_.to(s));
+      const Key at = value<Key>(family.across[is_row ? 0 : 1], segments_.from(s));
+      members_.push_back(
+          {value<Key>(family.normal, segments_.from(s)),
+           {at, std::min(begin, end), std::max(begin, end), s, !segments_.is_first(s), is_row}});
+    }
+  }
+
+  /// Afterwards equal keys in order_ mean one plane.
+  void order_by_plane() {
+    order_.resize(members_.size());
+    for (std::size_t i = 0; i < order_.size(); ++i) order_[i] = {0, static_cast<SegmentId>(i)};
+    if constexpr (std::is_same_v<Key, std::int64_t>) {
+      const auto lowest = std::min_element(members_.begin(), members_.end(),
+                                           [](auto& a, auto& b) { return a.plane < b.plane; });
+      for (std::size_t i = 0; i < order_.size(); ++i) {
+        order_[i].key = std::uint64_t(members_[i].plane) - std::uint64_t(lowest->plane);
+      }
+      sort_by_key(order_, buffer_);
+    } else {
+      std::sort(order_.begin(), order_.end(),
+                [&](auto& a, auto& b) { return members_[a.item].plane < members_[b.item].plane; });
+      for (std::size_t i = 1; i < order_.size(); ++i) {
+        const bool same = members_[order_[i].item].plane == members_[order_[i - 1].item].plane;
+        order_[i].key = order_[i - 1].key + (same ? 0 : 1);
       }
     }
-    std::sort(members_.begin(), members_.end());
   }
 
   void sweep_plane(std::size_t begin, std::size_t end) {
     plane_.rows.clear();
     plane_.columns.clear();
     for (std::size_t i = begin; i < end; ++i) {
-      const SegmentId s = members_[i].segment;
-      is_row(s) ? plane_.rows.push_back(track(s, 0)) : plane_.columns.push_back(track(s, 1));
+      const auto& track = members_[order_[i].item].track;
+      __builtin_prefetch(&members_[order_[std::min(i + 16, order_.size() - 1)].item]);
+      (track.is_row ? plane_.rows : plane_.columns).push_back(track);
     }
     if (!plane_.rows.empty() && !plane_.columns.empty()) plane_.run();
   }
 
-  Track<Key> track(SegmentId s, std::size_t own) const {
-    const Key begin = value<Key>(family_.across[1 - own], segments_.from(s));
-    const Key end = value<Key>(family_.across[1 - own], segments_.to(s));
-    return {value<Key>(family_.across[own], segments_.from(s)), std::min(begin, end),
-            std::max(begin, end), s};
-  }
-
   const Segments& segments_;
   const DirectionClasses& classes_;
-  const PlaneFamily& family_;
   Contacts& contacts_;
   std::vector<InPlane<Key>> members_;
+  std::vector<Keyed> order_;
+  std::vector<Keyed> buffer_;
   PlaneSweep<Key> plane_;
 };
 
@@ -175,16 +199,16 @@ class FamilySweep {
 
 void sweep_planes(const Segments& segments, const DirectionClasses& classes, std::int64_t bound,
                   Contacts& contacts) {
+  FamilySweep<std::int64_t> narrow(segments, classes, contacts);
+  // Coefficients below 2^41, coordinates at most 2^61: values are below 2^104.
+  FamilySweep<Int128> wide(segments, classes, contacts);
   for (std::size_t i = 0; i < classes.directions.size(); ++i) {
     for (std::size_t j = i + 1; j < classes.directions.size() && !contacts.done(); ++j) {
       const PlaneFamily family = planes_along(classes, i, j);
-      if (fits_int64(family.normal, bound) && fits_int64(family.across[0], bound) &&
-          fits_int64(family.across[1], bound)) {
-        FamilySweep<std::int64_t>(segments, classes, family, contacts).run();
-      } else {
-        // Coefficients below 2^41, coordinates at most 2^61: values are below 2^104.
-        FamilySweep<Int128>(segments, classes, family, contacts).run();
-      }
+      const bool is_narrow = fits_int64(family.normal, bound) &&
+                             fits_int64(family.across[0], bound) &&
+                             fits_int64(family.across[1], bound);
+      is_narrow ? narrow.run(family) : wide.run(family);
     }
   }
 }

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace ar3d::verify {
+
+/// An item's place in a list of items, and the number that it is sorted by.
+struct Keyed {
+  std::uint64_t key;
+  std::uint32_t item;
+};
+
+/// Sorts by key, equal keys as they stand. O(n) time for each 11 bits of the largest key, in passes
+/// that read and write in order; `buffer` is room for as many items, kept between calls.
+void sort_by_key(std::vector<Keyed>& items, std::vector<Keyed>& buffer);
+
+}  // namespace ar3d::verify
