@@ -132,10 +132,8 @@ Run row_of(const Run& instance, const PlannedRun& planned) {
 // A row that no results file could hold (a name that is too long, say) is a bug, but only of this
 // row.
 void require_storable(Run& run) {
-  std::string record(record_size(run_columns()), '\0');
-  if (!attempt(run, [&] {
-        for (const Column& column : run_columns()) column.store(run, record.data() + column.offset);
-      })) {
+  std::string record(run_record_size(), '\0');
+  if (!attempt(run, [&] { store_record(run, record.data()); })) {
     run.status = RunStatus::crashed;
     run.counters.clear();
   }

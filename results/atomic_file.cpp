@@ -44,14 +44,29 @@ class TemporaryFile {
   }
 
   void become_target() {
-    if (fsync(descriptor_) != 0) refuse(target_, errno);
-    if (close(std::exchange(descriptor_, -1)) != 0) refuse(target_, errno);
+    finish();
     if (std::rename(name_.c_str(), target_.c_str()) != 0) refuse(target_, errno);
     renamed_ = true;
     sync_directory();
   }
 
+  // False if the target exists.
+  bool become_new_target() {
+    finish();
+    if (link(name_.c_str(), target_.c_str()) != 0) {
+      if (errno != EEXIST) refuse(target_, errno);
+      return false;
+    }
+    sync_directory();
+    return true;
+  }
+
  private:
+  void finish() {
+    if (fsync(descriptor_) != 0) refuse(target_, errno);
+    if (close(std::exchange(descriptor_, -1)) != 0) refuse(target_, errno);
+  }
+
   // Makes the new name durable. Some file systems cannot sync a directory; the file itself is safe
   // then.
   void sync_directory() const {
@@ -90,6 +105,12 @@ void write_file_atomically(const std::string& path, std::span<const char> bytes)
   TemporaryFile file(checked_target(path));
   file.write_all(bytes);
   file.become_target();
+}
+
+bool create_file_atomically(const std::string& path, std::span<const char> bytes) {
+  TemporaryFile file(path);
+  file.write_all(bytes);
+  return file.become_new_target();
 }
 
 void require_writable(const std::string& path) { const TemporaryFile probe(checked_target(path)); }

@@ -248,6 +248,8 @@ void add_scaling(std::vector<Column>& c) {
   c.push_back(number({"ideal_batch_s", "s", "batch_s of one thread if scaling were perfect", kind},
                      &Run::ideal_batch_s));
   c.push_back(number({"efficiency", "1", "ideal_batch_s / batch_s", kind}, &Run::efficiency));
+  c.push_back(number({"session", "1", "the session of /environments that made the row", kind},
+                     &Run::session));
 }
 
 std::vector<Column> make_run_columns() {
@@ -275,6 +277,28 @@ T loaded(const std::string& bytes) {
 const std::vector<Column>& run_columns() {
   static const std::vector<Column> columns = make_run_columns();
   return columns;
+}
+
+const Column& run_column(std::string_view name) {
+  for (const Column& column : run_columns()) {
+    if (column.name == name) return column;
+  }
+  throw InternalError(fmt::format("internal error: no column '{}'", name));
+}
+
+std::size_t run_record_size() {
+  static const std::size_t size = record_size(run_columns());
+  return size;
+}
+
+void store_record(const Run& run, char* record) {
+  for (const Column& column : run_columns()) column.store(run, record + column.offset);
+}
+
+Run load_record(const char* record) {
+  Run run;
+  for (const Column& column : run_columns()) column.load(record + column.offset, run);
+  return run;
 }
 
 std::vector<Column> columns_of_kind(const std::vector<Column>& columns, ColumnKind kind) {

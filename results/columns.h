@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ar3d/results/field.h"
@@ -26,6 +27,17 @@ struct Column : Field {
 
 /// All columns of /runs.
 const std::vector<Column>& run_columns();
+
+/// The column of that name. @throws InternalError if there is none.
+const Column& run_column(std::string_view name);
+
+/// Bytes of a record: a row as its columns' bytes, one after the other. Records are what journals
+/// and results files hold and what merging moves around.
+std::size_t run_record_size();
+
+/// Writes run_record_size() bytes. @throws InputError if an identifying text does not fit.
+void store_record(const Run& run, char* record);
+Run load_record(const char* record);
 
 /// The columns of one kind, packed anew.
 std::vector<Column> columns_of_kind(const std::vector<Column>& columns, ColumnKind kind);

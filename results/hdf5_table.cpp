@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "ar3d/model/error.h"
+
 namespace ar3d {
 namespace {
 
@@ -36,8 +38,8 @@ Hdf5Handle record_type(const std::vector<Field>& fields, Place place) {
   return record;
 }
 
-Hdf5Handle create_dataset(hid_t file, const TableSpec& table, std::size_t count) {
-  const hsize_t size = count;
+Hdf5Handle create_dataset(hid_t file, const TableSpec& table) {
+  const hsize_t size = 0;
   const hsize_t unlimited = H5S_UNLIMITED;
   const Hdf5Handle space(H5Screate_simple(1, &size, &unlimited), H5Sclose,
                          "create a table's shape");
@@ -51,11 +53,10 @@ Hdf5Handle create_dataset(hid_t file, const TableSpec& table, std::size_t count)
           H5Dclose, "create a table"};
 }
 
-void describe(hid_t dataset, const TableSpec& table, std::size_t count) {
+void describe(hid_t dataset, const TableSpec& table) {
   write_attribute(dataset, "CLASS", "TABLE");
   write_attribute(dataset, "VERSION", "2.7");
   write_attribute(dataset, "TITLE", table.title);
-  write_attribute(dataset, "NROWS", static_cast<long long>(count));
   for (std::size_t i = 0; i < table.fields.size(); ++i) {
     write_attribute(dataset, fmt::format("FIELD_{}_NAME", i), table.fields[i].name);
   }
@@ -91,21 +92,19 @@ hsize_t record_count(hid_t dataset, const std::string& name) {
   return count;
 }
 
-struct OpenTable {
-  Hdf5Handle dataset;
-  Hdf5Handle type;
-};
-
-OpenTable open_table(hid_t file, const std::string& name) {
-  if (hdf5_checked(H5Lexists(file, name.c_str(), H5P_DEFAULT), "look for a table") == 0) {
-    throw Hdf5Error(fmt::format("/{} is missing", name));
-  }
-  Hdf5Handle dataset(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, "open a table");
-  Hdf5Handle type(H5Dget_type(dataset.get()), H5Tclose, "read a table's type");
+Hdf5Handle type_of(hid_t dataset, const std::string& name) {
+  Hdf5Handle type(H5Dget_type(dataset), H5Tclose, "read a table's type");
   if (H5Tget_class(type.get()) != H5T_COMPOUND) {
     throw Hdf5Error(fmt::format("/{} is not a table of records", name));
   }
-  return {std::move(dataset), std::move(type)};
+  return type;
+}
+
+Hdf5Handle open_table(hid_t file, const std::string& name) {
+  if (hdf5_checked(H5Lexists(file, name.c_str(), H5P_DEFAULT), "look for a table") == 0) {
+    throw Hdf5Error(fmt::format("/{} is missing", name));
+  }
+  return {H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, "open a table"};
 }
 
 H5T_class_t expected_class(FieldType type) {
@@ -133,46 +132,82 @@ void require_fields(hid_t type, const TableSpec& table) {
 
 }  // namespace
 
+TableWriter::TableWriter(hid_t file, const TableSpec& table)
+    : type_(record_type(table.fields, Place::memory)),
+      dataset_(create_dataset(file, table)),
+      record_size_(record_size(table.fields)) {
+  describe(dataset_.get(), table);
+  buffer_.reserve(kChunkRecords * record_size_);
+}
+
+void TableWriter::append(const char* record) {
+  buffer_.insert(buffer_.end(), record, record + record_size_);
+  if (buffer_.size() == kChunkRecords * record_size_) flush();
+}
+
+void TableWriter::flush() {
+  const hsize_t count = buffer_.size() / record_size_;
+  if (count == 0) return;
+  const hsize_t size = written_ + count;
+  hdf5_checked(H5Dset_extent(dataset_.get(), &size), "extend a table");
+  const Slab slab = select(dataset_.get(), written_, count);
+  hdf5_checked(H5Dwrite(dataset_.get(), type_.get(), slab.memory.get(), slab.file.get(),
+                        H5P_DEFAULT, buffer_.data()),
+               "write records");
+  written_ = size;
+  buffer_.clear();
+}
+
+void TableWriter::finish() {
+  flush();
+  write_attribute(dataset_.get(), "NROWS", static_cast<long long>(written_));
+}
+
 void write_table(hid_t file, const TableSpec& table, std::size_t count,
                  const std::function<void(std::size_t i, char* record)>& store) {
-  const Hdf5Handle dataset = create_dataset(file, table, count);
-  describe(dataset.get(), table, count);
-  const Hdf5Handle type = record_type(table.fields, Place::memory);
-  const std::size_t size = record_size(table.fields);
-  for (std::size_t first = 0; first < count; first += kChunkRecords) {
-    const std::size_t now = std::min<std::size_t>(kChunkRecords, count - first);
-    std::vector<char> buffer(now * size, '\0');
-    for (std::size_t i = 0; i < now; ++i) store(first + i, buffer.data() + i * size);
-    const Slab slab = select(dataset.get(), first, now);
-    hdf5_checked(H5Dwrite(dataset.get(), type.get(), slab.memory.get(), slab.file.get(),
-                          H5P_DEFAULT, buffer.data()),
-                 "write records");
+  TableWriter writer(file, table);
+  std::vector<char> record(record_size(table.fields));
+  for (std::size_t i = 0; i < count; ++i) {
+    std::fill(record.begin(), record.end(), '\0');
+    store(i, record.data());
+    writer.append(record.data());
   }
+  writer.finish();
+}
+
+TableReader::TableReader(hid_t file, const TableSpec& table)
+    : dataset_(open_table(file, table.name)),
+      type_(record_type(table.fields, Place::memory)),
+      record_size_(record_size(table.fields)) {
+  require_fields(type_of(dataset_.get(), table.name).get(), table);
+  size_ = record_count(dataset_.get(), table.name);
+}
+
+const char* TableReader::read(std::size_t i) {
+  expect(i < size_, "a table has that record");
+  if (i < first_ || i >= first_ + count_) {
+    first_ = i / kChunkRecords * kChunkRecords;
+    count_ = std::min<std::size_t>(kChunkRecords, size_ - first_);
+    buffer_.resize(count_ * record_size_);
+    const Slab slab = select(dataset_.get(), first_, count_);
+    hdf5_checked(H5Dread(dataset_.get(), type_.get(), slab.memory.get(), slab.file.get(),
+                         H5P_DEFAULT, buffer_.data()),
+                 "read records");
+  }
+  return buffer_.data() + (i - first_) * record_size_;
 }
 
 void read_table(hid_t file, const TableSpec& table,
                 const std::function<void(const char* record)>& load) {
-  const OpenTable open = open_table(file, table.name);
-  require_fields(open.type.get(), table);
-  const Hdf5Handle type = record_type(table.fields, Place::memory);
-  const std::size_t size = record_size(table.fields);
-  const hsize_t count = record_count(open.dataset.get(), table.name);
-  std::vector<char> buffer(kChunkRecords * size);
-  for (hsize_t first = 0; first < count; first += kChunkRecords) {
-    const hsize_t now = std::min(kChunkRecords, count - first);
-    const Slab slab = select(open.dataset.get(), first, now);
-    hdf5_checked(H5Dread(open.dataset.get(), type.get(), slab.memory.get(), slab.file.get(),
-                         H5P_DEFAULT, buffer.data()),
-                 "read records");
-    for (hsize_t i = 0; i < now; ++i) load(buffer.data() + i * size);
-  }
+  TableReader reader(file, table);
+  for (std::size_t i = 0; i < reader.size(); ++i) load(reader.read(i));
 }
 
 std::size_t stored_text_size(hid_t file, const std::string& table, const std::string& field) {
-  const OpenTable open = open_table(file, table);
-  const unsigned index = field_index(open.type.get(), table, field);
-  const Hdf5Handle member(H5Tget_member_type(open.type.get(), index), H5Tclose,
-                          "read a field's type");
+  const Hdf5Handle dataset = open_table(file, table);
+  const Hdf5Handle type = type_of(dataset.get(), table);
+  const unsigned index = field_index(type.get(), table, field);
+  const Hdf5Handle member(H5Tget_member_type(type.get(), index), H5Tclose, "read a field's type");
   return H5Tget_size(member.get());
 }
 

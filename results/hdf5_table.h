@@ -20,14 +20,53 @@ struct TableSpec {
   std::vector<Field> fields;  ///< packed
 };
 
+/// A new table that grows record by record. Memory: a few hundred records.
+class TableWriter {
+ public:
+  /// @throws Hdf5Error
+  TableWriter(hid_t file, const TableSpec& table);
+  /// Copies a packed record. @throws Hdf5Error
+  void append(const char* record);
+  /// Writes what is buffered and the number of records. Once, at the end. @throws Hdf5Error
+  void finish();
+
+ private:
+  void flush();
+
+  Hdf5Handle type_;
+  Hdf5Handle dataset_;
+  std::size_t record_size_;
+  std::size_t written_ = 0;
+  std::vector<char> buffer_;
+};
+
 /// Creates the table and fills it; `store` writes record i (zeroed before) to the given bytes.
-/// Memory: a few hundred records. @throws Hdf5Error
+/// @throws Hdf5Error
 void write_table(hid_t file, const TableSpec& table, std::size_t count,
                  const std::function<void(std::size_t i, char* record)>& store);
 
-/// Calls `load` with every record in order, laid out as table.fields. Fields are found by name,
-/// numbers are converted; fields of the file that are not asked for are ignored.
-/// @throws Hdf5Error if the table or a field is missing or a field is of another class.
+/// A table of an open file, read by record number. Memory: a few hundred records.
+class TableReader {
+ public:
+  /// Fields are found by name, numbers are converted; fields of the file that are not asked for are
+  /// ignored. @throws Hdf5Error if the table or a field is missing or a field is of another class.
+  TableReader(hid_t file, const TableSpec& table);
+  std::size_t size() const { return size_; }
+  /// Record i, laid out as table.fields; valid until the next call. Cheap if i is near the one
+  /// before. @throws Hdf5Error
+  const char* read(std::size_t i);
+
+ private:
+  Hdf5Handle dataset_;
+  Hdf5Handle type_;
+  std::size_t record_size_;
+  std::size_t size_ = 0;
+  std::size_t first_ = 0;
+  std::size_t count_ = 0;
+  std::vector<char> buffer_;
+};
+
+/// Calls `load` with every record in order. @throws Hdf5Error as TableReader.
 void read_table(hid_t file, const TableSpec& table,
                 const std::function<void(const char* record)>& load);
 

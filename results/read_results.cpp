@@ -1,8 +1,13 @@
 #include <fmt/format.h>
 
+#include <cinttypes>
+#include <cstdio>
+#include <cstring>
+
 #include "ar3d/model/error.h"
 #include "ar3d/results/hdf5_file.h"
 #include "ar3d/results/results_format.h"
+#include "ar3d/results/results_reader.h"
 
 namespace ar3d {
 namespace {
@@ -42,47 +47,95 @@ std::vector<EnvironmentEntry> read_environment(hid_t file) {
   };
   std::vector<EnvironmentEntry> entries;
   read_table(file, table, [&](const char* record) {
-    const Field& value = table.fields[1];
-    entries.push_back(
-        {text(record, table.fields[0].size), text(record + value.offset, value.size)});
+    const Field& name = table.fields[1];
+    const Field& value = table.fields[2];
+    EnvironmentEntry entry{text(record + name.offset, name.size),
+                           text(record + value.offset, value.size)};
+    std::memcpy(&entry.session, record, sizeof(entry.session));
+    entries.push_back(std::move(entry));
   });
   return entries;
 }
 
-std::vector<Run> read_runs(hid_t file) {
-  std::vector<Run> runs;
-  read_table(file, runs_table(), [&](const char* record) {
-    Run& run = runs.emplace_back();
-    for (const Column& column : run_columns()) column.load(record + column.offset, run);
-  });
-  return runs;
+Shard parse_shard(const std::string& text) {
+  Shard shard;
+  int used = 0;
+  if (std::sscanf(text.c_str(), "%" SCNu32 "/%" SCNu32 "%n", &shard.index, &shard.count, &used) !=
+          2 ||
+      static_cast<std::size_t>(used) != text.size() || shard.index < 1 ||
+      shard.index > shard.count) {
+    throw Hdf5Error(fmt::format("'{}' is no shard", text));
+  }
+  return shard;
 }
 
-Results read_file(const std::string& path) {
-  const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open it");
-  require_format(file.get());
-  Results results;
-  results.study_id = read_text_attribute(file.get(), "study_id");
-  results.spec_sha256 = read_text_attribute(file.get(), "spec_sha256");
-  results.source_hash = read_text_attribute(file.get(), "source_hash");
-  results.dirty = read_integer_attribute(file.get(), "dirty") != 0;
-  results.created = read_text_attribute(file.get(), "created");
-  results.spec = read_spec(file.get());
-  results.environment = read_environment(file.get());
-  results.runs = read_runs(file.get());
-  return results;
+StudyIdentity read_identity(hid_t file) {
+  require_format(file);
+  StudyIdentity identity;
+  identity.study_id = read_text_attribute(file, "study_id");
+  identity.spec_sha256 = read_text_attribute(file, "spec_sha256");
+  identity.source_hash = read_text_attribute(file, "source_hash");
+  identity.dirty = read_integer_attribute(file, "dirty") != 0;
+  identity.created = read_text_attribute(file, "created");
+  identity.shard = parse_shard(read_text_attribute(file, "shard"));
+  identity.planned_rows = read_integer_attribute(file, "planned_rows");
+  identity.spec = read_spec(file);
+  return identity;
+}
+
+// Runs `step`; what HDF5 has against the file becomes one line that names it.
+template <class Step>
+auto explained(const std::string& path, const Step& step) {
+  const Hdf5Silence silence;
+  try {
+    return step();
+  } catch (const Hdf5Error& error) {
+    throw InputError(fmt::format("{} is not a readable results file: {}", path, error.what()));
+  }
+}
+
+Hdf5Handle open_file(const std::string& path) {
+  require_hdf5_file(path);
+  return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open it"};
 }
 
 }  // namespace
 
+struct ResultsReader::File {
+  explicit File(const std::string& path)
+      : path(path), file(open_file(path)), table(file.get(), runs_table()) {}
+  std::string path;
+  Hdf5Handle file;
+  TableReader table;
+};
+
+ResultsReader::ResultsReader(const std::string& path) {
+  explained(path, [&] {
+    file_ = std::make_unique<File>(path);
+    identity_ = read_identity(file_->file.get());
+    environment_ = read_environment(file_->file.get());
+  });
+}
+
+ResultsReader::~ResultsReader() = default;
+ResultsReader::ResultsReader(ResultsReader&&) noexcept = default;
+
+std::size_t ResultsReader::size() const { return file_->table.size(); }
+
+const char* ResultsReader::read(std::size_t i) {
+  return explained(file_->path, [&] { return file_->table.read(i); });
+}
+
 Results read_results(const std::string& path) {
-  const Hdf5Silence silence;
-  require_hdf5_file(path);
-  try {
-    return read_file(path);
-  } catch (const Hdf5Error& error) {
-    throw InputError(fmt::format("{} is not a readable results file: {}", path, error.what()));
+  ResultsReader reader(path);
+  Results results;
+  static_cast<StudyIdentity&>(results) = reader.identity();
+  results.environment = reader.environment();
+  results.runs.reserve(reader.size());
+  for (std::size_t i = 0; i < reader.size(); ++i) {
+    results.runs.push_back(load_record(reader.read(i)));
   }
+  return results;
 }
 
 }  // namespace ar3d

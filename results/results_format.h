@@ -25,13 +25,15 @@ inline TableSpec runs_table() {
   return table_of("runs", "instance x algorithm x options x repetition", run_columns());
 }
 
-/// /environments: name and value, as wide as they are.
+/// /environments: session, name and value, as wide as they are.
 inline TableSpec environments_table(std::size_t name_size, std::size_t value_size) {
   std::vector<Field> fields = {
+      {"session", "1", "which process of the study", FieldType::int64, sizeof(std::int64_t), 0},
       {"name", "", "what is described", FieldType::text, std::max<std::size_t>(1, name_size), 0},
       {"value", "", "its value", FieldType::text, std::max<std::size_t>(1, value_size), 0}};
   pack_fields(fields);
-  return table_of("environments", "machine, compiler, libraries and settings of the run", fields);
+  return table_of("environments", "machine, compiler, libraries and settings of every session",
+                  fields);
 }
 
 }  // namespace ar3d

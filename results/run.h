@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -86,26 +87,50 @@ struct Run {
   double ideal_batch_s = kMissing;  ///< what it would be with perfect scaling
   double efficiency = kMissing;     ///< ideal_batch_s / batch_s
   std::string timing_mark;          ///< why its times are worth little: "debug", "sanitised"
+  std::int64_t session = -1;        ///< which of the /environments it was made in
 };
 
 struct EnvironmentEntry {
   std::string name;
   std::string value;
+  std::int64_t session = 0;  ///< a session is one process that made rows of the study
 };
 
-/// A whole results file in memory.
-struct Results {
+/// Which part of a study's instances a process makes: shard `index` of `count`, from 1.
+struct Shard {
+  std::uint32_t index = 1;
+  std::uint32_t count = 1;
+  bool operator==(const Shard&) const = default;
+};
+
+/// What makes rows belong together.
+struct StudyIdentity {
   std::string study_id;
   std::string spec;         ///< the verbatim TOML
   std::string spec_sha256;  ///< of spec
   std::string source_hash;  ///< git commit of the program
   bool dirty = false;
-  std::string created;  ///< ISO 8601 with zone
+  std::string created;             ///< ISO 8601 with zone
+  Shard shard;                     ///< what of the study
+  std::int64_t planned_rows = -1;  ///< of this shard; -1: unknown
+};
+
+/// A whole results file in memory.
+struct Results : StudyIdentity {
   std::vector<EnvironmentEntry> environment;
   std::vector<Run> runs;
 };
 
+/// Rows that are made or fetched one at a time; `read` writes record i of run_record_size() bytes.
+struct RecordSource {
+  std::size_t count = 0;
+  std::function<void(std::size_t i, char* record)> read;
+};
+
 /// Writes FILE.h5 atomically: a new file beside it, fsync, rename. @throws InputError if it cannot.
+/// Memory: a few hundred rows, and 40 bytes an instance.
+void write_results(const StudyIdentity& identity, const std::vector<EnvironmentEntry>& environment,
+                   const RecordSource& rows, const std::string& path);
 void write_results(const Results& results, const std::string& path);
 
 /// @throws InputError naming the file and what is wrong with it: missing, not HDF5, another

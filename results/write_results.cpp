@@ -1,17 +1,20 @@
 #include <fmt/format.h>
+#include <xxhash.h>
 
-#include <set>
-#include <tuple>
+#include <array>
+#include <cstring>
+#include <unordered_set>
 
 #include "ar3d/model/error.h"
 #include "ar3d/results/atomic_file.h"
 #include "ar3d/results/hdf5_file.h"
 #include "ar3d/results/results_format.h"
+#include "ar3d/results/row_key.h"
 
 namespace ar3d {
 namespace {
 
-void write_root_attributes(hid_t file, const Results& results) {
+void write_root_attributes(hid_t file, const StudyIdentity& results) {
   write_attribute(file, "format", kResultsFormat);
   write_attribute(file, "format_version", kResultsFormatVersion);
   write_attribute(file, "study_id", results.study_id);
@@ -19,6 +22,8 @@ void write_root_attributes(hid_t file, const Results& results) {
   write_attribute(file, "source_hash", results.source_hash);
   write_attribute(file, "dirty", results.dirty ? 1 : 0);
   write_attribute(file, "created", results.created);
+  write_attribute(file, "shard", fmt::format("{}/{}", results.shard.index, results.shard.count));
+  write_attribute(file, "planned_rows", static_cast<long long>(results.planned_rows));
 }
 
 void write_spec(hid_t file, const std::string& spec) {
@@ -34,21 +39,55 @@ void write_spec(hid_t file, const std::string& spec) {
                "write /spec");
 }
 
-void store_record(const std::vector<Column>& columns, const Run& run, char* record) {
-  for (const Column& column : columns) column.store(run, record + column.offset);
+// What tells instances apart, hashed.
+RowKey identity_of(const char* run) {
+  static const std::array<Column, 4> columns = {run_column("family"), run_column("parameters"),
+                                                run_column("wanted_n"),
+                                                run_column("instance_index")};
+  std::string text;
+  for (const Column& column : columns) text.append(run + column.offset, column.size);
+  const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
+  return {hash.high64, hash.low64};
 }
 
-void write_instances(hid_t file, const std::vector<Run>& runs) {
-  const std::vector<Column> columns = columns_of_kind(run_columns(), ColumnKind::instance);
-  std::set<std::tuple<std::string, std::string, std::int64_t, std::int64_t>> seen;
-  std::vector<const Run*> first_runs;
-  for (const Run& run : runs) {
-    if (seen.emplace(run.family, run.parameters, run.wanted_n, run.instance_index).second) {
-      first_runs.push_back(&run);
-    }
+// Takes records of /runs and keeps one record of every instance among them.
+class InstanceWriter {
+ public:
+  explicit InstanceWriter(hid_t file)
+      : columns_(columns_of_kind(run_columns(), ColumnKind::instance)),
+        record_(record_size(columns_)),
+        table_(file, table_of("instances", "one record a graph", columns_)) {
+    for (const Column& column : columns_) from_.push_back(run_column(column.name).offset);
   }
-  write_table(file, table_of("instances", "one record a graph", columns), first_runs.size(),
-              [&](std::size_t i, char* to) { store_record(columns, *first_runs[i], to); });
+
+  void note(const char* run) {
+    if (!seen_.insert(identity_of(run)).second) return;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      std::memcpy(record_.data() + columns_[i].offset, run + from_[i], columns_[i].size);
+    }
+    table_.append(record_.data());
+  }
+  void finish() { table_.finish(); }
+
+ private:
+  std::vector<Column> columns_;
+  std::vector<std::size_t> from_;  // where the columns stand in a record of /runs
+  std::vector<char> record_;
+  TableWriter table_;
+  std::unordered_set<RowKey> seen_;
+};
+
+void write_rows(hid_t file, const RecordSource& rows) {
+  InstanceWriter instances(file);
+  TableWriter runs(file, runs_table());
+  std::vector<char> record(run_record_size());
+  for (std::size_t i = 0; i < rows.count; ++i) {
+    rows.read(i, record.data());
+    instances.note(record.data());
+    runs.append(record.data());
+  }
+  instances.finish();
+  runs.finish();
 }
 
 void write_environment(hid_t file, const std::vector<EnvironmentEntry>& environment) {
@@ -60,34 +99,40 @@ void write_environment(hid_t file, const std::vector<EnvironmentEntry>& environm
   }
   const TableSpec table = environments_table(name_size, value_size);
   write_table(file, table, environment.size(), [&](std::size_t i, char* to) {
-    const std::string name = fitted_text(environment[i].name, table.fields[0].size);
-    const std::string value = fitted_text(environment[i].value, table.fields[1].size);
-    name.copy(to, name.size());
-    value.copy(to + table.fields[1].offset, value.size());
+    const std::string name = fitted_text(environment[i].name, table.fields[1].size);
+    const std::string value = fitted_text(environment[i].value, table.fields[2].size);
+    std::memcpy(to, &environment[i].session, sizeof(environment[i].session));
+    name.copy(to + table.fields[1].offset, name.size());
+    value.copy(to + table.fields[2].offset, value.size());
   });
 }
 
-std::vector<char> results_image(const Results& results) {
+std::vector<char> results_image(const StudyIdentity& identity,
+                                const std::vector<EnvironmentEntry>& environment,
+                                const RecordSource& rows) {
   const Hdf5Handle file = create_hdf5_in_memory();
-  write_root_attributes(file.get(), results);
-  write_spec(file.get(), results.spec);
-  write_environment(file.get(), results.environment);
-  write_instances(file.get(), results.runs);
-  write_table(file.get(), runs_table(), results.runs.size(), [&](std::size_t i, char* record) {
-    store_record(run_columns(), results.runs[i], record);
-  });
+  write_root_attributes(file.get(), identity);
+  write_spec(file.get(), identity.spec);
+  write_environment(file.get(), environment);
+  write_rows(file.get(), rows);
   return hdf5_image(file.get());
 }
 
 }  // namespace
 
-void write_results(const Results& results, const std::string& path) {
+void write_results(const StudyIdentity& identity, const std::vector<EnvironmentEntry>& environment,
+                   const RecordSource& rows, const std::string& path) {
   const Hdf5Silence silence;
   try {
-    write_file_atomically(path, results_image(results));
+    write_file_atomically(path, results_image(identity, environment, rows));
   } catch (const Hdf5Error& error) {
     throw InputError(fmt::format("cannot write {}: {}", path, error.what()));
   }
+}
+
+void write_results(const Results& results, const std::string& path) {
+  const auto read = [&](std::size_t i, char* record) { store_record(results.runs[i], record); };
+  write_results(results, results.environment, {results.runs.size(), read}, path);
 }
 
 }  // namespace ar3d

@@ -14,36 +14,14 @@
 #include "ar3d/results/atomic_file.h"
 #include "ar3d/results/columns.h"
 #include "ar3d/results/run.h"
+#include "results/sample_runs.h"
 
 namespace ar3d {
 namespace {
 
 using ::testing::HasSubstr;
+using testing::sample_run;
 namespace fs = std::filesystem;
-
-Run sample_run(std::int64_t i) {
-  Run run;
-  run.row_key = "0123456789abcdef0123456789abcd" + std::to_string(10 + i % 90);
-  run.family = "petersen";
-  run.parameters = "k=2;p=750000";
-  run.wanted_n = 10 + i / 2;
-  run.n = run.wanted_n;
-  run.m = 15;
-  run.instance_index = 0;
-  run.seed = ~std::uint64_t{0} - static_cast<std::uint64_t>(i);
-  run.graph_hash = "fedcba9876543210fedcba9876543210";
-  run.algorithm = i % 2 == 0 ? "diamond" : "grid";
-  run.options = "effort=1";
-  run.repetition = i;
-  run.status = RunStatus::ok;
-  run.extents = {50, 52, std::int64_t{1} << 61};
-  run.log2_volume = 0.1 * static_cast<double>(i);
-  run.bends = {1, 2, 3, 4, 5, 6, 7, 8};
-  run.violations = 0;
-  run.counters = "H=3;mode=1";
-  run.wall_s = 1e-9;
-  return run;
-}
 
 Results sample_results(std::int64_t count) {
   Results results;
@@ -53,7 +31,9 @@ Results sample_results(std::int64_t count) {
   results.source_hash = "unknown";
   results.dirty = true;
   results.created = "2026-01-02T03:04:05+00:00";
-  results.environment = {{"cpu", "abacus"}, {"flags", "-O3 -DNDEBUG"}};
+  results.shard = {2, 3};
+  results.planned_rows = 7;
+  results.environment = {{"cpu", "abacus"}, {"flags", "-O3 -DNDEBUG", 1}};
   for (std::int64_t i = 0; i < count; ++i) results.runs.push_back(sample_run(i));
   return results;
 }
@@ -100,7 +80,11 @@ TEST_F(ResultsFile, ReadsBackWhatWasWritten) {
     EXPECT_EQ(read.source_hash, written.source_hash);
     EXPECT_TRUE(read.dirty);
     EXPECT_EQ(read.created, written.created);
+    EXPECT_EQ(read.shard, written.shard);
+    EXPECT_EQ(read.planned_rows, written.planned_rows);
     ASSERT_EQ(read.environment.size(), 2u);
+    EXPECT_EQ(read.environment[0].session, 0);
+    EXPECT_EQ(read.environment[1].session, 1);
     EXPECT_EQ(read.environment[1].name, "flags");
     EXPECT_EQ(read.environment[1].value, "-O3 -DNDEBUG");
     ASSERT_EQ(read.runs.size(), written.runs.size());
