@@ -33,6 +33,8 @@ int run(int argc, char** argv) {
   ar3d::add_check(app, exit_code);
   ar3d::add_report(app, exit_code);
   ar3d::add_replay(app, exit_code);
+  ar3d::add_hunt(app, exit_code);
+  ar3d::add_shrink(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

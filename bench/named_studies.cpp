@@ -52,10 +52,35 @@ sizes = 1000000
 algorithms = ["grid", "two-bend"]
 )toml";
 
-constexpr std::array<NamedStudy, 3> kStudies = {{
+constexpr std::string_view kVolume =
+    R"toml(# How does the size of a drawing grow, and how close does it come to its bounds?
+study = "volume"
+description = "every algorithm and family at ten sizes to 10^5, eight seeds, and the effort dial"
+seed = 1
+
+[[sweep]]  # the exponents; diamond with effort 1 also computes the proof's bound for the very graph
+families = "all"
+sizes = { from = 100, to = 100000, per_decade = 3 }
+algorithms = ["all", { algorithm = "diamond", effort = 1 }]
+instances = 8
+
+[[sweep]]  # what a smaller box costs in time
+families = ["random-4-regular", "random-cubic", "random-tree"]
+sizes = { from = 100, to = 100000, per_decade = 3 }
+algorithms = [
+  { algorithm = "diamond", effort = [0, 1, 2] },
+  { algorithm = "grid", effort = [0, 1, 2] },
+  { algorithm = "two-bend", effort = [0, 1, 2] },
+]
+instances = 8
+)toml";
+
+constexpr std::array<NamedStudy, 4> kStudies = {{
     {"smoke", "every algorithm and family at small sizes, a few seconds", kSmoke},
     {"quick", "every algorithm over every family that fits it, up to a hundred thousand vertices",
      kQuick},
+    {"volume", "every algorithm and family at ten sizes to 10^5, eight seeds, and the effort dial",
+     kVolume},
     {"million", "one random regular graph of a million vertices for every algorithm", kMillion},
 }};
 

@@ -92,6 +92,16 @@ void record_metrics(Run& run, const Metrics& metrics) {
   }
 }
 
+void record_formulas(Run& run, const Guarantee& guarantee) {
+  run.theorem_bound_formula = guarantee.bound.formula();
+  if (guarantee.published.empty()) return;
+  const SizeBound& published = guarantee.published.front();
+  run.published_bound_formula = published.formula();
+  for (std::size_t axis = 0; axis < 3 && run.n > 0; ++axis) {
+    run.published_bound[axis] = published.axes[axis].value(static_cast<std::uint64_t>(run.n));
+  }
+}
+
 void draw_and_certify(const Graph& graph, const AlgorithmChoice& choice, Run& run) {
   const Stopwatch drawing_time;
   const Drawing drawing = draw(*choice.algorithm, graph, choice.options);
@@ -106,6 +116,7 @@ void draw_and_certify(const Graph& graph, const AlgorithmChoice& choice, Run& ru
   run.certify_s = certifying_time.wall_s();
   record_verdict(run, certificate);
   record_metrics(run, measure(graph, drawing, choice.algorithm->guarantee));
+  record_formulas(run, choice.algorithm->guarantee);
 }
 
 Run described(const PlannedInstance& instance) {

@@ -8,6 +8,18 @@
 #include "ar3d/model/error.h"
 
 namespace ar3d {
+namespace {
+
+/// n^(half_power / 2); empty for 0.
+std::string power_text(unsigned half_power) {
+  if (half_power == 0) return "";
+  if (half_power == 1) return "sqrt(n)";
+  if (half_power == 2) return "n";
+  return half_power % 2 == 0 ? fmt::format("n^{}", half_power / 2)
+                             : fmt::format("n^({}/2)", half_power);
+}
+
+}  // namespace
 
 bool AxisBound::holds(std::int64_t extent, std::uint64_t n) const {
   // Widths: n^18 < 2^576, numerator^2 < 2^126; extent terms below 2^256. All fit 1024 bits, and are
@@ -30,14 +42,12 @@ double AxisBound::value(std::uint64_t n) const {
 }
 
 std::string AxisBound::formula() const {
-  std::string text = denominator == 1 ? fmt::format("{}", numerator)
-                                      : fmt::format("{}/{}", numerator, denominator);
-  if (half_power == 1) text += " sqrt(n)";
-  if (half_power == 2) text += " n";
-  if (half_power > 2) {
-    text += half_power % 2 == 0 ? fmt::format(" n^{}", half_power / 2)
-                                : fmt::format(" n^({}/2)", half_power);
-  }
+  const std::string factor = denominator == 1 ? fmt::format("{}", numerator)
+                                              : fmt::format("{}/{}", numerator, denominator);
+  const std::string power = power_text(half_power);
+  std::string text = power.empty()   ? factor
+                     : factor == "1" ? power
+                                     : fmt::format("{} {}", factor, power);
   if (constant > 0) text += fmt::format(" + {}", constant);
   if (constant < 0) text += fmt::format(" - {}", -constant);
   return text;
@@ -48,6 +58,11 @@ bool SizeBound::holds(const std::array<std::int64_t, 3>& extents, std::uint64_t 
     if (!axes[axis].holds(extents[axis], n)) return false;
   }
   return true;
+}
+
+std::string SizeBound::formula() const {
+  return fmt::format("{}, {}, {} ({}, {})", axes[0].formula(), axes[1].formula(), axes[2].formula(),
+                     name, source);
 }
 
 }  // namespace ar3d

@@ -32,6 +32,8 @@ struct SizeBound {
   std::string source;  ///< theorem or section
   std::array<AxisBound, 3> axes;
   bool holds(const std::array<std::int64_t, 3>& extents, std::uint64_t n) const;
+  /// "16/3 n, 16/3 n, 8 n (proved here, docs/theorem1.md)"
+  std::string formula() const;
 };
 
 /// Which angles a guarantee promises between consecutive segments and between any two segments at a

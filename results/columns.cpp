@@ -168,6 +168,16 @@ void add_results(std::vector<Column>& c) {
             {"theorem_bound", "lattice units", "extent that the theorem promises for this n", kind},
             &Run::theorem_bound, kAxes);
   add_array(c, {"slack", "1", "1 - extent / theorem_bound", kind}, &Run::slack, kAxes);
+  add_array(c,
+            {"published_bound", "lattice units",
+             "extent that the paper promises for this n, for comparison only", kind},
+            &Run::published_bound, kAxes);
+  c.push_back(message(
+      {"theorem_bound_formula", "", "the theorem's bound by axis, and where it is proved", kind},
+      &Run::theorem_bound_formula, 128));
+  c.push_back(message(
+      {"published_bound_formula", "", "the published bound by axis, and where it stands", kind},
+      &Run::published_bound_formula, 128));
   add_array(c, {"bends", "1", "number of edges with that many bends (the last: 7 or more)", kind},
             &Run::bends, kBends);
   c.push_back(

@@ -58,6 +58,11 @@ struct Run {
                                              -1};  ///< from the proof, for this very instance
   std::array<double, 3> theorem_bound{kMissing, kMissing, kMissing};
   std::array<double, 3> slack{kMissing, kMissing, kMissing};  ///< 1 - extent / theorem bound
+  /// The bound of somebody else, for comparison only; missing if there is none.
+  std::array<double, 3> published_bound{kMissing, kMissing, kMissing};
+  std::string theorem_bound_formula;  ///< "16/3 n, 16/3 n, 8 n (proved here, docs/theorem1.md)"
+  std::string
+      published_bound_formula;  ///< the same for the published bound; empty if there is none
   std::array<std::int64_t, 8> bends{-1, -1, -1, -1,
                                     -1, -1, -1, -1};  ///< edges with b bends; last: 7 or more
   double total_edge_length = kMissing;

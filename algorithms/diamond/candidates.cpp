@@ -41,8 +41,19 @@ std::optional<Candidate> alternating_candidate(const Graph& graph, Items green, 
       place_compact(graph, std::move(green), std::move(red), ParityPattern::alternating));
 }
 
+bool fits(const std::array<std::int64_t, 3>& extents, const std::array<std::int64_t, 3>& bound) {
+  return extents[0] <= bound[0] && extents[1] <= bound[1] && extents[2] <= bound[2];
+}
+
+/// The box that the guaranteed mode proves for this very graph stays with a smaller candidate that
+/// keeps it, and so does its H.
 void keep_smaller(Candidate& best, std::optional<Candidate> other) {
-  if (other && volume(*other) < volume(best)) best = std::move(*other);
+  if (!other || volume(*other) >= volume(best)) return;
+  if (best.instance_bound && fits(other->tracks.extents, *best.instance_bound)) {
+    other->instance_bound = best.instance_bound;
+    other->counters.push_back(best.counters.back());
+  }
+  best = std::move(*other);
 }
 
 }  // namespace

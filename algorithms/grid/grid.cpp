@@ -55,7 +55,7 @@ SizeBound proved_bound() {
 /// The paper states O(n^3) a side without a constant; 1 stands for it.
 SizeBound paper_bound() {
   const AxisBound axis{1, 1, 6, 0};
-  return {"paper (order only, constant 1 assumed)", "Theorem 3", {axis, axis, axis}};
+  return {"paper; order only, constant 1 assumed", "Theorem 3", {axis, axis, axis}};
 }
 
 Drawing draw_row(const Graph& graph, const OptionValues& values) {

@@ -35,7 +35,8 @@ inline std::string diamond_fault(const Graph& graph, const Drawing& drawing) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (extents[axis] > (*drawing.instance_bound)[axis]) return "wider than the proof's own bound";
   }
-  if (counter(drawing, "H") > counter(drawing, "m_green") + counter(drawing, "rho") + 2) {
+  if (counter(drawing, "mode") == 0 &&
+      counter(drawing, "H") > counter(drawing, "m_green") + counter(drawing, "rho") + 2) {
     return "H > m_green + rho + 2";
   }
   return "";

@@ -135,6 +135,16 @@ TEST(Diamond, GuaranteedModeTellsItsGaps) {
   EXPECT_EQ((*drawing.instance_bound)[2], 6 * 11 + 3 * counter(drawing, "H") - 4);
 }
 
+TEST(Diamond, SmallerModesKeepTheBoundOfTheGuaranteedOne) {
+  const Graph graph = squared_cycle(100);
+  const Drawing proof = diamond(graph, {.guaranteed = true});
+  const Drawing smaller = diamond(graph, {.effort = 1});
+  ASSERT_NE(counter(smaller, "mode"), 0);
+  ASSERT_TRUE(smaller.instance_bound);
+  EXPECT_EQ(*smaller.instance_bound, *proof.instance_bound);
+  EXPECT_EQ(counter(smaller, "H"), counter(proof, "H"));
+}
+
 TEST(Diamond, PairsBeatAlternatingParityOnManyTriangles) {
   // Squared cycles put a clash on every line of the alternating mode; pairs 0011 avoid them.
   const Drawing drawing = diamond(squared_cycle(1000), {.effort = 1});

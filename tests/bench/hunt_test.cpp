@@ -1,0 +1,176 @@
+#include "ar3d/bench/hunt.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "ar3d/bench/shrink.h"
+#include "ar3d/model/error.h"
+#include "ar3d/verify/certificate.h"
+#include "support/graphs.h"
+
+namespace ar3d {
+namespace {
+
+Subject subject_of(const char* algorithm, const char* fault = nullptr,
+                   const OptionValues& options = {}) {
+  const Algorithm& row = find_algorithm(algorithm);
+  return {{&row, complete_options(row, options)}, fault ? &find_planted_fault(fault) : nullptr};
+}
+
+HuntOptions small_hunt(const Subject& subject, std::uint64_t evaluations) {
+  HuntOptions options;
+  options.n = 24;
+  options.evaluations = evaluations;
+  options.families = fitting_families(*subject.choice.algorithm, options.n);
+  return options;
+}
+
+std::vector<std::uint32_t> degrees(const Graph& graph) {
+  std::vector<std::uint32_t> all;
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) all.push_back(graph.degree(v));
+  return all;
+}
+
+TEST(Hunt, IsAPureFunctionOfItsSeed) {
+  const Subject subject = subject_of("diamond");
+  HuntOptions options = small_hunt(subject, 150);
+  options.families = {{&find_family("random-4-regular"), {}}};
+  const HuntResult once = hunt(subject, {}, options);
+  const HuntResult again = hunt(subject, {}, options);
+  EXPECT_EQ(graph_hash(once.best.graph), graph_hash(again.best.graph));
+  EXPECT_EQ(once.best.ratio, again.best.ratio);
+  EXPECT_EQ(once.evaluations, 150u);
+  options.seed = 2;
+  EXPECT_NE(graph_hash(hunt(subject, {}, options).best.graph), graph_hash(once.best.graph));
+}
+
+TEST(Hunt, ClimbsAboveWhereItStarts) {
+  const Subject subject = subject_of("diamond");
+  HuntOptions options = small_hunt(subject, 1);
+  options.families = {{&find_family("random-4-regular"), {}}};
+  const double start = hunt(subject, {Measure::volume}, options).best.ratio;
+  options.evaluations = 400;
+  const HuntResult climbed = hunt(subject, {Measure::volume}, options);
+  EXPECT_GT(climbed.best.ratio, start);
+  EXPECT_LT(climbed.best.ratio, 1) << "a proved bound";
+  EXPECT_TRUE(climbed.best.failure.empty()) << climbed.best.message;
+}
+
+TEST(Hunt, RatioIsTheShareOfTheAskedBound) {
+  const Subject subject = subject_of("diamond", nullptr, {{"effort", 1}});
+  const Graph graph = generate(find_family("random-4-regular"), 60, 1);
+  const Trial side = try_graph(subject, {Measure::side}, graph);
+  double largest = 0, volume = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto extent = static_cast<double>(side.extents[axis]);
+    const double bound = subject.choice.algorithm->guarantee.bound.axes[axis].value(60);
+    EXPECT_EQ(side.bound[axis], bound);
+    largest = std::max(largest, extent / bound);
+    volume *= (extent + 1) / (bound + 1);
+  }
+  EXPECT_DOUBLE_EQ(side.ratio, largest);
+  EXPECT_DOUBLE_EQ(try_graph(subject, {Measure::volume}, graph).ratio, volume);
+  EXPECT_DOUBLE_EQ(try_graph(subject, {Measure::z}, graph).ratio,
+                   static_cast<double>(side.extents[2]) / side.bound[2]);
+  const Trial own = try_graph(subject, {Measure::z, Against::instance}, graph);
+  EXPECT_GE(own.ratio, try_graph(subject, {Measure::z}, graph).ratio);
+  Algorithm silent = find_algorithm("diamond");
+  silent.draw = [](const Graph& g, const OptionValues& values) {
+    Drawing drawing = find_algorithm("diamond").draw(g, values);
+    drawing.instance_bound.reset();
+    return drawing;
+  };
+  const Subject without = {{&silent, subject.choice.options}, nullptr};
+  EXPECT_THROW(try_graph(without, {Measure::z, Against::instance}, graph), InputError);
+}
+
+TEST(Hunt, SwitchingKeepsDegreesAndSimplicity) {
+  RandomStream random(7);
+  Graph graph = generate(find_family("random-subcubic"), 30, 1);
+  const std::vector<std::uint32_t> before = degrees(graph);
+  const std::string first_hash = graph_hash(graph);
+  for (int i = 0; i < 200; ++i) graph = with_switched_edges(graph, random);  // Graph is simple
+  EXPECT_EQ(degrees(graph), before);
+  EXPECT_NE(graph_hash(graph), first_hash);
+  const Graph complete = testing::complete(5);
+  EXPECT_EQ(graph_hash(with_switched_edges(complete, random)), graph_hash(complete))
+      << "nothing to switch";
+}
+
+class Planted : public ::testing::TestWithParam<std::tuple<const char*, const char*, const char*>> {
+};
+
+TEST_P(Planted, IsFoundAndShrunk) {
+  const auto& [algorithm, fault, kind] = GetParam();
+  const Subject subject = subject_of(algorithm, fault);
+  HuntOptions options = small_hunt(subject, 2000);
+  options.n = 60;
+  const HuntResult found = hunt(subject, {}, options);
+  ASSERT_FALSE(found.best.failure.empty());
+  if (*kind != '\0') {
+    EXPECT_EQ(found.best.failure, kind);
+  }
+  const ShrinkResult least = shrink(
+      found.best.graph,
+      [&](const Graph& g) { return try_graph(subject, {}, g).failure == found.best.failure; },
+      100000);
+  EXPECT_TRUE(least.minimal);
+  EXPECT_LE(least.graph.num_vertices(), 12u);
+  EXPECT_EQ(try_graph(subject, {}, least.graph).failure, found.best.failure);
+  EXPECT_TRUE(try_graph(subject_of(algorithm), {}, least.graph).failure.empty())
+      << "without the fault the drawing is right";
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryAlgorithm, Planted,
+                         ::testing::Combine(::testing::Values("diamond", "grid", "two-bend"),
+                                            ::testing::Values("wrong-bend"),
+                                            ::testing::Values("")));
+INSTANTIATE_TEST_SUITE_P(EveryBound, Planted,
+                         ::testing::Combine(::testing::Values("diamond", "grid", "two-bend"),
+                                            ::testing::Values("passed-bound"),
+                                            ::testing::Values("size")));
+
+TEST(Shrink, LeavesWhatThePropertyNeeds) {
+  const Graph graph = generate(find_family("union-petersen"), 60, 1);
+  const auto has_edges = [](std::uint32_t edges) {
+    return [edges](const Graph& g) { return g.num_edges() >= edges; };
+  };
+  const ShrinkResult seven = shrink(graph, has_edges(7), 100000);
+  EXPECT_TRUE(seven.minimal);
+  EXPECT_EQ(seven.graph.num_edges(), 7u);
+  for (Vertex v = 0; v < seven.graph.num_vertices(); ++v) EXPECT_GT(seven.graph.degree(v), 0u);
+  const ShrinkResult nothing = shrink(
+      graph, [](const Graph&) { return true; }, 100000);
+  EXPECT_EQ(nothing.graph.num_vertices(), 0u);
+  const ShrinkResult all = shrink(
+      graph, [&](const Graph& g) { return g.num_edges() == graph.num_edges(); }, 100000);
+  EXPECT_EQ(graph_hash(all.graph), graph_hash(graph));
+}
+
+TEST(Shrink, StopsWhenTheEvaluationsRunOut) {
+  const Graph graph = generate(find_family("random-cubic"), 100, 1);
+  std::uint64_t asked = 0;
+  const ShrinkResult result = shrink(
+      graph,
+      [&](const Graph& g) {
+        ++asked;
+        return g.num_edges() >= 40;
+      },
+      10);
+  EXPECT_EQ(asked, 10u);
+  EXPECT_EQ(result.evaluations, 10u);
+  EXPECT_FALSE(result.minimal);
+}
+
+TEST(PlantedFault, ShowsOnlyWhereItIsProvoked) {
+  const Graph path = testing::path(6);
+  for (const PlantedFault& fault : planted_faults()) {
+    EXPECT_TRUE(try_graph(subject_of("grid", fault.name.c_str()), {}, path).failure.empty());
+  }
+  EXPECT_THROW(find_planted_fault("no-such-fault"), InputError);
+}
+
+}  // namespace
+}  // namespace ar3d
