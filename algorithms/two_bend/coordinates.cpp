@@ -23,7 +23,20 @@ std::int64_t base_gap(const View& view, NodeId a, NodeId b) {
   return station ? 3 : 1;
 }
 
+/// SPLITs stand where their row's owner stands.
+void copy_to_sharers(const View& view, Values& values) {
+  for (NodeId v = 0; v < view.size(); ++v) values[v] = values[view.row_of(v)];
+}
+
 }  // namespace
+
+Values list_places(const View& view, const EntryList& list) {
+  Values places(view.size(), 0);
+  std::int64_t count = 0;
+  for (NodeId v = list.first(); v != kNone; v = list.next(v)) places[v] = count++;
+  copy_to_sharers(view, places);
+  return places;
+}
 
 Values number_list(const View& view, const EntryList& list, const Spacing& spacing) {
   Values values(view.size(), 0);
@@ -41,6 +54,7 @@ Values number_list(const View& view, const EntryList& list, const Spacing& spaci
     }
     last = v;
   }
+  copy_to_sharers(view, values);
   return values;
 }
 
@@ -48,7 +62,8 @@ OddInterval interval_of(const View& view, const Values& values, NodeId merge) {
   NodeId a = view.ins(merge)[0];
   NodeId b = view.ins(merge)[1];
   if (values[b] < values[a]) std::swap(a, b);
-  const OddInterval result{values[a] + margin(view.type(a)), values[b] - margin(view.type(b)), a};
+  const OddInterval result{values[a] + margin(view.type(a)), values[b] - margin(view.type(b)),
+                           view.row_of(a)};
   expect(result.low <= result.high && result.low % 2 == 1,
          "a free MERGE has room between its in-neighbours");
   return result;
@@ -60,6 +75,8 @@ void relax_merge(const View& view, Values& values, NodeId m) {
   if (!view.is_listed_merge(m) || view.is_free_merge(m)) return;
   const NodeId above = view.outs(m)[0];
   if (view.type(above) != NodeType::merge) return;
+  const View cross(view.flow(), !view.columns());
+  if (cross.shares_row(above) && cross.row_of(m) != cross.row_of(above)) return;
   OddInterval room = interval_of(view, values, m);
   const std::int64_t middle = room.middle();
   const std::int64_t nearest =
@@ -109,6 +126,11 @@ bool choose_vv_values(const Flow& flow, const LongEdge& edge, Values& rows, Valu
   const OddInterval column = interval_of(View(flow, true), columns, edge.upper);
   const std::int64_t x = columns[edge.lower];
   const std::int64_t y = rows[edge.upper];
+  if (row.contains(y) && column.contains(x)) {  // one above the other
+    rows[edge.lower] = y;
+    columns[edge.upper] = x;
+    return true;
+  }
   const auto try_pair = [&](std::int64_t r, std::int64_t c) {
     if (!row.contains(r) || !column.contains(c) || std::gcd(c - x, y - r) != 1) return false;
     rows[edge.lower] = r;

@@ -20,6 +20,9 @@ struct Spacing {
 /// distance at least 1 from an owner, 2 from a MERGE and 3 from a STATION.
 using Values = std::vector<std::int64_t>;
 
+/// The place of every node's row in the list, 0 for nodes that have none.
+Values list_places(const View& view, const EntryList& list);
+
 /// 4.6 and R15: numbers along the list; free MERGEs keep the number of their entry, if any.
 /// @throws InternalError if a number passes kMaxHorizontal.
 Values number_list(const View& view, const EntryList& list, const Spacing& spacing);
@@ -38,7 +41,8 @@ OddInterval interval_of(const View& view, const Values& values, NodeId merge);
 /// Moves listed MERGEs towards the middle between their in-neighbours, which shortens the longer of
 /// their two arms. Every single move keeps all distances of Values: the MERGE stays between its
 /// in-neighbours and on its side of the MERGE above it, and never comes nearer to a free one, so
-/// the intervals of free MERGEs only grow. MERGEs below a SINK stay where they are.
+/// the intervals of free MERGEs only grow. MERGEs below a SINK stay where they are, and so do those
+/// that a shared row of the cross view reaches (see share_rows).
 /// @param passes  over all nodes, alternately against and with the view's time.
 void relax_merges(const View& view, unsigned passes, Values& values);
 
@@ -49,7 +53,9 @@ void choose_middle_values(const View& view, Values& values);
 /// lower ends.
 std::vector<LongId> find_vv_edges(const Flow& flow);
 
-/// For one VV edge: a row of the MERGE and a column of the SPLIT, as near to the middles of both
+/// For one VV edge: puts the MERGE into the row of the SPLIT and the SPLIT into the column of the
+/// MERGE, so that the edge is straight, if both are inside the intervals; else an odd row of the
+/// MERGE and an odd column of the SPLIT, as near to the middles of both
 /// intervals as possible, such that the lean between the two stems is primitive (R16). Certain to
 /// succeed if both intervals hold 8 numbers and the horizontal differences are below 3.5e10.
 /// @return false if there is none; nothing is changed then.

@@ -1,6 +1,7 @@
 #include "ar3d/algorithms/two_bend/flow.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "ar3d/model/error.h"
 
@@ -231,6 +232,10 @@ Flow build_flow(const LocalGraph& graph, const Blocks& blocks, const TimeOrder& 
   Flow flow = FlowBuilder(graph, order).build(blocks);
   flow.roles[0] = find_roles(View(flow, false));
   flow.roles[1] = find_roles(View(flow, true));
+  for (std::vector<NodeId>& owner : flow.row_owner) {
+    owner.resize(flow.nodes.size());
+    std::iota(owner.begin(), owner.end(), 0u);
+  }
   return flow;
 }
 

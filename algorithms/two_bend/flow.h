@@ -55,8 +55,18 @@ struct Pole {
   NodeId special = kNone;  ///< the special neighbour; V-type: chosen while the lists are built
 };
 
+/// Most SPLITs in one row (see share_rows). A constant, so that the bound of the height keeps its
+/// proof.
+inline constexpr std::uint32_t kMostSharers = 32;
+
 /// What a node is in the lists of a view; see View.
-enum Role : std::uint8_t { kOwner = 1, kListedMerge = 2, kFreeMerge = 4, kSpecialSplit = 8 };
+enum Role : std::uint8_t {
+  kOwner = 1,
+  kListedMerge = 2,
+  kFreeMerge = 4,
+  kSpecialSplit = 8,
+  kSharesRow = 16
+};
 
 /// The oriented component with PASS vertices suppressed; nodes are numbered in time order.
 struct Flow {
@@ -64,7 +74,9 @@ struct Flow {
   std::vector<LongEdge> edges;
   std::vector<Pole> poles;
   std::array<std::vector<std::uint8_t>, 2>
-      roles;                           ///< per node: bits of Role in the row and in the column view
+      roles;  ///< per node: bits of Role in the row and in the column view
+  std::array<std::vector<NodeId>, 2>
+      row_owner;  ///< per node, in the row and in the column view: whose row it stands in
   std::vector<std::uint32_t> pole_of;  ///< per node, kNone if it is no pole
   std::vector<std::uint32_t>
       element;                 ///< per place in the time order: node, or long edge if is_pass
@@ -74,6 +86,8 @@ struct Flow {
       block_entry;  ///< per block of a pole: its only node at a bridge, kNone if none
   bool joint = false;
 
+  /// The node's block has a pole and bridges.
+  bool in_pole_block(NodeId v) const { return !joint && block_entry[block[v]] != kNone; }
   bool adjacent_poles(const Pole& pole) const {
     return pole.special != kNone && pole_of[pole.special] != kNone;
   }
@@ -109,12 +123,16 @@ class View {
   }
 
   const Pole& pole(NodeId v) const { return flow_->poles[flow_->pole_of[v]]; }
+  /// The node whose row v stands in: v itself, or for a SPLIT one below it (see share_rows).
+  NodeId row_of(NodeId v) const { return flow_->row_owner[columns_ ? 1 : 0][v]; }
   /// Has an even row of its own.
   bool is_owner(NodeId v) const { return has_role(v, kOwner); }
   /// A MERGE with an odd entry in the list.
   bool is_listed_merge(NodeId v) const { return has_role(v, kListedMerge); }
   /// A MERGE whose row is chosen after all others (R13).
   bool is_free_merge(NodeId v) const { return has_role(v, kFreeMerge); }
+  /// A SPLIT with others in its row.
+  bool shares_row(NodeId v) const { return has_role(v, kSharesRow); }
   /// The SPLIT whose arm is the special edge of a SINK.
   bool is_special_split(NodeId v) const { return has_role(v, kSpecialSplit); }
   /// The node whose row carries the special edge of the SINK `pole`.

@@ -4,26 +4,43 @@
 #include <cstdlib>
 #include <utility>
 
+#include "ar3d/algorithms/two_bend/shared_rows.h"
 #include "ar3d/algorithms/two_bend/view_list.h"
 #include "ar3d/model/error.h"
 
 namespace ar3d::two_bend {
 
-Lists build_lists(Flow& flow) {
+Lists build_lists(Flow& flow, const ListOptions& options) {
   const bool columns_first =
       flow.joint && std::any_of(flow.poles.begin(), flow.poles.end(), [&](const Pole& p) {
         return flow.nodes[p.node].type == NodeType::source && p.a_type;
       });
-  EntryList first = build_view_list(flow, columns_first);
+  if (options.share)
+    share_rows(flow, columns_first, guess_rows(flow, !columns_first, options.straighten));
+  EntryList first = build_view_list(flow, columns_first, options.straighten);
   choose_outer_specials(flow, !columns_first, first);
-  EntryList second = build_view_list(flow, !columns_first);
+  if (options.share)
+    share_rows(flow, !columns_first, list_places(View(flow, columns_first), first));
+  EntryList second = build_view_list(flow, !columns_first, options.straighten);
+  if (options.share) {
+    separate_rows(flow, columns_first, list_places(View(flow, !columns_first), second), first);
+  }
   if (columns_first) std::swap(first, second);
+  expect_heavy(
+      [&] {
+        const View rows(flow, false);
+        const View columns(flow, true);
+        return shared_rows_are_plane(rows, list_places(columns, second)) &&
+               shared_rows_are_plane(columns, list_places(rows, first));
+      },
+      "arms in a shared row or column do not meet");
   return {std::move(first), std::move(second)};
 }
 
 namespace {
 
 constexpr std::int64_t kFirstGap = 8;
+constexpr unsigned kVvFailures = 5;  // then every VV interval is widened
 constexpr std::int64_t kVvCount =
     8;  // odd numbers in an interval that make a primitive VV lean certain
 
@@ -92,14 +109,7 @@ class LayoutSearch {
         failed.push_back(e);
     }
     if (failed.empty()) return true;
-    if (++vv_failures_ < 3) {
-      for (const LongId e : failed) {
-        widen(row_view_, flow_.edges[e].lower, 8);
-        widen(column_view_, flow_.edges[e].upper, 8);
-      }
-    } else {
-      widen_all_vv();
-    }
+    widen_vv(++vv_failures_ < kVvFailures ? failed : vv_);
     return false;
   }
 
@@ -108,13 +118,13 @@ class LayoutSearch {
     spacing_of(view).extra_after[interval_of(view, values, merge).lower_neighbour] += by;
   }
 
-  /// Every VV interval gets room for kVvCount odd numbers.
-  void widen_all_vv() {
+  /// The intervals of these VV edges get room for kVvCount odd numbers.
+  void widen_vv(const std::vector<LongId>& edges) {
     const auto widen_to_count = [&](const View& view, NodeId merge) {
       const std::int64_t missing = kVvCount - interval_of(view, values_of(view).own, merge).count();
       if (missing > 0) widen(view, merge, 2 * missing);
     };
-    for (const LongId e : vv_) {
+    for (const LongId e : edges) {
       widen_to_count(row_view_, flow_.edges[e].lower);
       widen_to_count(column_view_, flow_.edges[e].upper);
     }
@@ -150,7 +160,7 @@ class LayoutSearch {
     layout_.safe = true;
     for (const Pole& pole : flow_.poles) set_gap(pole, 0);
     number();
-    widen_all_vv();
+    widen_vv(vv_);
     number();
     if (flow_.joint) {
       widen_joint_poles();

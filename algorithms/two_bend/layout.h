@@ -13,9 +13,14 @@ struct Lists {
   EntryList columns;
 };
 
+struct ListOptions {
+  bool share = true;        ///< lets vertices share rows and columns (share_rows)
+  bool straighten = false;  ///< orders rows for straight VV edges (order_owners)
+};
+
 /// Builds both lists, columns first if the component is joint and its SOURCE is A-type, else rows
 /// first; chooses the special neighbours of V-type poles in flow.poles.
-Lists build_lists(Flow& flow);
+Lists build_lists(Flow& flow, const ListOptions& options);
 
 /// Everything horizontal about a component's drawing. Invariants: rays that are active at one time
 /// stand at different (x, y); every VV lean is primitive; every pole's leans are primitive and turn

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "ar3d/algorithms/two_bend/root_order.h"
 #include "ar3d/model/error.h"
 
 namespace ar3d::two_bend {
@@ -39,7 +40,7 @@ Attachment attach_merges(const View& view) {
     const auto below = view.ins(m);
     const NodeId chosen = reluctance(below[0]) <= reluctance(below[1]) ? below[0] : below[1];
     expect(!view.is_special_split(chosen), "nothing is attached to the special SPLIT of a SINK");
-    attachment[m] = chosen;
+    attachment[m] = view.row_of(chosen);
     flagged[m] = flagged[chosen];
   }
   return attachment;
@@ -50,26 +51,27 @@ namespace {
 /// The forest of 4.1, step 2: SPLIT and STATION below a SPLIT; weights; trees hung elsewhere.
 class Forest {
  public:
-  Forest(const View& view, const Attachment& attachment) : view_(view), cells_(view.size()) {
+  Forest(const View& view, const Attachment& attachment)
+      : view_(view), attachment_(attachment), cells_(view.size()) {
     find_parents();
     for (const Pole& pole : view.flow().poles) {
       if (view.type(pole.node) == NodeType::sink && !view.flow().joint) mark_hanging_block(pole);
     }
     hang_trees();
-    weigh(attachment);
+    weigh();
   }
 
-  std::vector<NodeId> emit() {
+  std::vector<NodeId> emit(bool straighten) {
     for (const Pole& pole : view_.flow().poles) {
       if (view_.type(pole.node) != NodeType::source) continue;
       const Unit unit = unit_of(view_, pole);
       if (unit.third_first) order_.push_back(pole.node);
     }
-    for (NodeId i = 0; i < view_.size(); ++i) {
-      const NodeId v = view_.at(i);
+    const RootOrder roots = order_roots(straighten);
+    for (NodeId v = roots.first(); v != kNone; v = roots.next(v)) {
       if (view_.type(v) == NodeType::source) {
         emit_unit(unit_of(view_, view_.pole(v)));
-      } else if (is_initial_owner(v) && cells_[v].parent == kNone && cells_[v].hangs_on == kNone) {
+      } else {
         emit_trees({{v, Work::tree_on_right}});
       }
     }
@@ -90,6 +92,43 @@ class Forest {
     Kind kind;
   };
 
+  bool is_root(NodeId v) const {
+    return view_.type(v) == NodeType::source ||
+           (is_initial_owner(v) && cells_[v].parent == kNone && cells_[v].hangs_on == kNone);
+  }
+
+  /// Roots in time order; if `straighten`, a SPLIT above a MERGE between the trees of the MERGE's
+  /// in-neighbours if these differ: then the MERGE can have the SPLIT's row (see choose_vv_values).
+  RootOrder order_roots(bool straighten) {
+    RootOrder roots(view_.size());
+    std::vector<NodeId> root(view_.size(), kNone);
+    for (NodeId i = 0; i < view_.size(); ++i) {
+      const NodeId v = view_.at(i);
+      if (is_root(v)) {
+        root[v] = v;
+        if (!straighten || !place_above_merge(roots, root, v)) roots.append(v);
+      } else {
+        const NodeId to = below_in_tree(v);
+        if (to != kNone) root[v] = root[to];
+      }
+    }
+    return roots;
+  }
+
+  bool place_above_merge(RootOrder& roots, const std::vector<NodeId>& root, NodeId v) const {
+    if (view_.type(v) != NodeType::split || view_.ins(v).empty()) return false;
+    const NodeId m = view_.ins(v)[0];
+    if (view_.type(m) != NodeType::merge) return false;
+    const NodeId a = root[view_.row_of(view_.ins(m)[0])];
+    const NodeId b = root[view_.row_of(view_.ins(m)[1])];
+    if (a == b) return false;
+    const NodeId lower = roots.before(a, b) ? a : b;
+    // A pole's block keeps its rows together.
+    if (view_.flow().in_pole_block(v) || view_.flow().in_pole_block(lower)) return false;
+    roots.insert_after(lower, v);
+    return true;
+  }
+
   /// SINK rows are put into the list later, the SOURCE's is its unit's business.
   bool is_initial_owner(NodeId v) const {
     const NodeType type = view_.type(v);
@@ -102,7 +141,7 @@ class Forest {
       if ((type != NodeType::split && type != NodeType::station) || view_.ins(v).empty()) continue;
       const NodeId u = view_.ins(v)[0];
       const NodeType below = view_.type(u);
-      if (below == NodeType::split || below == NodeType::source) cells_[v].parent = u;
+      if (below == NodeType::split || below == NodeType::source) cells_[v].parent = view_.row_of(u);
     }
   }
 
@@ -129,14 +168,18 @@ class Forest {
     }
   }
 
-  void weigh(const Attachment& attachment) {
+  void weigh() {
     for (NodeId i = view_.size();
          i-- > 0;) {  // attachments go back in time, so clusters add up to their owners
       const NodeId v = view_.at(i);
       ++cells_[v].weight;
-      const NodeId to = attachment[v] != kNone ? attachment[v] : tree_above(v);
+      const NodeId to = below_in_tree(v);
       if (to != kNone) cells_[to].weight += cells_[v].weight;
     }
+  }
+
+  NodeId below_in_tree(NodeId v) const {
+    return attachment_[v] != kNone ? attachment_[v] : tree_above(v);
   }
 
   NodeId tree_above(NodeId v) const {
@@ -144,19 +187,28 @@ class Forest {
   }
 
   struct Children {
-    std::array<NodeId, 2> of{};
+    std::array<NodeId, kMostSharers + 1> of{};
     std::size_t count = 0;
   };
-  /// The forest children of a SPLIT or STATION, light one first.
-  Children children(NodeId v) const {
+  /// The children in the forest of all that stand in the row of a SPLIT or STATION, the heaviest
+  /// last.
+  Children children(NodeId owner) const {
     Children result;
-    for (const NodeId w : view_.outs(v)) {
-      if (cells_[w].parent == v) result.of[result.count++] = w;
-    }
-    if (result.count == 2 && cells_[result.of[1]].weight < cells_[result.of[0]].weight) {
-      std::swap(result.of[0], result.of[1]);
-    }
+    add_children(owner, owner, result);
+    std::sort(result.of.begin(), result.of.begin() + result.count,
+              [&](NodeId a, NodeId b) { return cells_[a].weight < cells_[b].weight; });
     return result;
+  }
+
+  void add_children(NodeId v, NodeId owner, Children& result) const {
+    for (const NodeId w : view_.outs(v)) {
+      if (cells_[w].parent != owner) continue;
+      if (view_.row_of(w) == owner) {
+        add_children(w, owner, result);
+      } else {
+        result.of[result.count++] = w;
+      }
+    }
   }
 
   /// The unit's members side by side; the children of the first to the left, all others to the
@@ -193,14 +245,16 @@ class Forest {
     }
   }
 
-  /// [light] v [heavy] [hung trees], going away from the parent; `away` is the kind of trees beyond
-  /// v.
+  /// [light ones] v [heavy] [hung trees], going away from the parent; `away` is the kind of trees
+  /// beyond v.
   void push_parts(NodeId v, Work::Kind away) {
     const bool to_right = away == Work::tree_on_right;
     const std::size_t begin = stack_.size();
     const Children below = children(v);
-    if (below.count == 2)
-      stack_.push_back({below.of[0], to_right ? Work::tree_on_left : Work::tree_on_right});
+    for (std::size_t i = below.count; i-- > 0;) {
+      if (i + 1 < below.count)
+        stack_.push_back({below.of[i], to_right ? Work::tree_on_left : Work::tree_on_right});
+    }
     stack_.push_back({v, Work::node});
     if (below.count > 0) stack_.push_back({below.of[below.count - 1], away});
     for (NodeId h = cells_[v].hung_first; h != kNone; h = cells_[h].hung_next)
@@ -209,6 +263,7 @@ class Forest {
   }
 
   const View& view_;
+  const Attachment& attachment_;
   std::vector<Cell> cells_;
   std::vector<NodeId> hang_block_;  // per block: the entry its other roots hang on
   std::vector<Work> stack_;
@@ -217,8 +272,8 @@ class Forest {
 
 }  // namespace
 
-std::vector<NodeId> order_owners(const View& view, const Attachment& attachment) {
-  return Forest(view, attachment).emit();
+std::vector<NodeId> order_owners(const View& view, const Attachment& attachment, bool straighten) {
+  return Forest(view, attachment).emit(straighten);
 }
 
 }  // namespace ar3d::two_bend

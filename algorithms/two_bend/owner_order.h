@@ -6,8 +6,8 @@
 
 namespace ar3d::two_bend {
 
-/// Per listed MERGE the in-neighbour next to which it stands (kNone for all other nodes), fixed in
-/// time order before anything is laid out (4.1, step 1).
+/// Per listed MERGE the in-neighbour (its row's owner) next to which it stands (kNone for all other
+/// nodes), fixed in time order before anything is laid out (4.1, step 1).
 using Attachment = std::vector<NodeId>;
 Attachment attach_merges(const View& view);
 
@@ -22,7 +22,8 @@ Unit unit_of(const View& view, const Pole& pole);
 
 /// The owners of the view in the order of their rows, before anything moves (4.1, steps 2 and 3).
 /// Along every edge from SPLIT to SPLIT the distance is at most the weights of both ends and of the
-/// lighter subtree.
-std::vector<NodeId> order_owners(const View& view, const Attachment& attachment);
+/// lighter subtrees.
+/// @param straighten  moves trees so that more VV edges can be straight (choose_vv_values).
+std::vector<NodeId> order_owners(const View& view, const Attachment& attachment, bool straighten);
 
 }  // namespace ar3d::two_bend

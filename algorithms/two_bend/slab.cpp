@@ -56,7 +56,8 @@ class ViewSlabs {
       const NodeId u = view_.ins(m)[k];
       const LongId edge = view_.in_edges(m)[k];
       const NodeType below = view_.type(u);
-      if (below == NodeType::merge || below == NodeType::station) {
+      const bool in_one_column = cross_[u] == cross_[m];  // see share_rows
+      if (!in_one_column && (below == NodeType::merge || below == NodeType::station)) {
         add_lean_and_arm(m, edge, u, {cross_[m], own_[m], 0});
       } else {
         add(m, edge, {cross_[m], own_[u], std::abs(own_[m] - own_[u])});
@@ -138,6 +139,7 @@ void draw_vv_lean(const Flow& flow, const Layout& layout, LongId id, Slabs& slab
   const NodeId s = flow.edges[id].upper;
   const std::int64_t dx = layout.columns[s] - layout.columns[m];
   const std::int64_t dy = layout.rows[s] - layout.rows[m];
+  if (dx == 0 && dy == 0) return;  // straight
   const std::int64_t below = lean_height(dx, dy) + 1;
   slabs.of_edge[id].add_upper({layout.columns[m], layout.rows[m], -below});
   slabs.of_edge[id].add_upper({layout.columns[s], layout.rows[s], -1});

@@ -7,7 +7,8 @@
 namespace ar3d::two_bend {
 
 struct Options {
-  /// How hard to press the height: 0 not at all, 1 two passes of relax_merges, 2 ten passes.
+  /// 0: plain. 1: vertices share rows and columns (share_rows), arms are balanced (relax_merges).
+  /// 2: as 1, and once more with rows ordered for straight edges; the smaller volume is kept.
   unsigned effort = 1;
   bool force_safe_round =
       false;  ///< lay every component out by the fallback whose success is proved

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "ar3d/algorithms/two_bend/coordinates.h"
 #include "ar3d/algorithms/two_bend/owner_order.h"
 #include "ar3d/model/error.h"
 
@@ -22,11 +23,11 @@ struct WaitingSink {
 
 class ListBuilder {
  public:
-  ListBuilder(Flow& flow, bool columns)
+  ListBuilder(Flow& flow, bool columns, bool straighten)
       : view_(flow, columns),
         poles_(flow.poles),
         attachment_(attach_merges(view_)),
-        list_(view_.size(), order_owners(view_, attachment_)),
+        list_(view_.size(), order_owners(view_, attachment_, straighten)),
         postponed_(view_.size(), false) {}
 
   EntryList build() {
@@ -72,12 +73,15 @@ class ListBuilder {
   }
 
   Pair sorted(NodeId a, NodeId b) const { return list_.before(b, a) ? Pair{b, a} : Pair{a, b}; }
-  Pair sorted_ins(NodeId m) const { return sorted(view_.ins(m)[0], view_.ins(m)[1]); }
+  Pair row_ins(NodeId m) const {
+    return {view_.row_of(view_.ins(m)[0]), view_.row_of(view_.ins(m)[1])};
+  }
+  Pair sorted_ins(NodeId m) const { return sorted(row_ins(m)[0], row_ins(m)[1]); }
 
   /// Next to the in-neighbour it attaches to, on the side of the other one.
   void insert_attached(NodeId m) {
     const NodeId p = attachment_[m];
-    const NodeId other = view_.ins(m)[view_.ins(m)[0] == p ? 1 : 0];
+    const NodeId other = row_ins(m)[row_ins(m)[0] == p ? 1 : 0];
     if (list_.before(p, other)) {
       list_.insert_after(p, m);
     } else {
@@ -102,7 +106,7 @@ class ListBuilder {
     const NodeId chain_end = sink.chain.empty() ? pole.special : sink.chain.back();
     Pair c_ins;
     if (sink.reaches_c) {  // r2 := the in-neighbour of c that is not on the chain
-      const NodeId r2 = view_.ins(sink.c)[view_.ins(sink.c)[0] == chain_end ? 1 : 0];
+      const NodeId r2 = row_ins(sink.c)[view_.ins(sink.c)[0] == chain_end ? 1 : 0];
       c_ins = {r2, r2};
     } else {
       c_ins = sorted_ins(sink.c);
@@ -200,9 +204,7 @@ class ListBuilder {
   }
 
   bool merges_are_between() const {
-    std::vector<std::uint32_t> place(view_.size(), 0);
-    std::uint32_t count = 0;
-    for (NodeId v = list_.first(); v != kNone; v = list_.next(v)) place[v] = count++;
+    const Values place = list_places(view_, list_);
     for (NodeId m = 0; m < view_.size(); ++m) {
       if (!view_.is_listed_merge(m)) continue;
       const auto below = view_.ins(m);
@@ -220,7 +222,9 @@ class ListBuilder {
 
 }  // namespace
 
-EntryList build_view_list(Flow& flow, bool columns) { return ListBuilder(flow, columns).build(); }
+EntryList build_view_list(Flow& flow, bool columns, bool straighten) {
+  return ListBuilder(flow, columns, straighten).build();
+}
 
 void choose_outer_specials(Flow& flow, bool columns_are_second, const EntryList& first_list) {
   const View second(flow, columns_are_second);
@@ -229,9 +233,7 @@ void choose_outer_specials(Flow& flow, bool columns_are_second, const EntryList&
     return second.type(pole.node) == NodeType::sink && pole.special == kNone;
   });
   if (!any) return;
-  std::vector<std::uint32_t> place(second.size(), 0);
-  std::uint32_t count = 0;
-  for (NodeId v = first_list.first(); v != kNone; v = first_list.next(v)) place[v] = count++;
+  const Values place = list_places(View(flow, !columns_are_second), first_list);
   for (Pole& pole : poles) {
     if (second.type(pole.node) != NodeType::sink || pole.special != kNone) continue;
     const auto three = second.ins(pole.node);

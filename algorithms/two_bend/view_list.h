@@ -12,7 +12,8 @@ namespace ar3d::two_bend {
 /// SINK's special edge (hold) stands strictly between its two ordinary in-neighbours c and w.
 /// Chooses the special neighbour of every V-type SINK of the view that has none: the median of the
 /// three. Cost: O(n).
-EntryList build_view_list(Flow& flow, bool columns);
+/// @param straighten  see order_owners.
+EntryList build_view_list(Flow& flow, bool columns, bool straighten);
 
 /// For the view built second: makes the special neighbour of every V-type SINK an outer one of its
 /// three in the list of the other view, the one farther from the middle one.

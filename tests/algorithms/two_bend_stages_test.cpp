@@ -200,14 +200,15 @@ TEST(TwoBendList, BothListsPutEveryMergeBetweenItsNeighbours) {
       Blocks blocks = find_blocks(graph);
       cut_q_bodies(graph, blocks);
       Flow flow = build_flow(graph, blocks, find_time_order(graph, blocks));
-      const Lists lists = build_lists(flow);
+      const Lists lists = build_lists(flow, {});
       for (const bool columns : {false, true}) {
         const View view(flow, columns);
         const EntryList& list = columns ? lists.columns : lists.rows;
         for (NodeId m = 0; m < view.size(); ++m) {
           EXPECT_EQ(list.contains(m), view.is_owner(m) || view.is_listed_merge(m));
           if (!view.is_listed_merge(m)) continue;
-          EXPECT_NE(list.before(view.ins(m)[0], m), list.before(view.ins(m)[1], m));
+          EXPECT_NE(list.before(view.row_of(view.ins(m)[0]), m),
+                    list.before(view.row_of(view.ins(m)[1]), m));
         }
       }
     }

@@ -76,17 +76,40 @@ TEST(TwoBend, SafeRoundIsCorrectWhenForced) {
   EXPECT_GT(totals["safe_rounds"], 300);
 }
 
-TEST(TwoBend, EffortLowersTheHeightAndKeepsEverythingElse) {
-  std::array<std::int64_t, 3> height{};
+/// Edges by their number of bends, and the volume.
+struct Price {
+  std::array<std::int64_t, 3> edges{};
+  double volume = 0;
+
+  explicit Price(const Drawing& drawing) {
+    std::vector<Point> line;
+    for (EdgeId e = 0; e < drawing.num_edges(); ++e) {
+      drawing.polyline(e, line);
+      ++edges.at(line.size() - 2);
+    }
+    const auto extents = bounding_box(drawing).extents();
+    volume = 1;
+    for (const std::int64_t extent : extents) volume *= static_cast<double>(extent + 1);
+  }
+  std::int64_t bends() const { return edges[1] + 2 * edges[2]; }
+};
+
+TEST(TwoBend, EffortSavesBendsAndVolume) {
+  std::array<std::int64_t, 3> bends{};
+  std::array<double, 3> volume{};
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const Graph graph = testing::random_graph_of_any_kind(80, 8 * seed);
+    const Graph graph = generate(find_family("random-cubic"), 400, seed);
     for (const unsigned effort : {0u, 1u, 2u}) {
       expect_certified(graph, {.effort = effort});
-      height[effort] += bounding_box(two_bend::draw(graph, {.effort = effort})).extents()[2];
+      const Price price(two_bend::draw(graph, {.effort = effort}));
+      bends[effort] += price.bends();
+      volume[effort] += price.volume;
     }
   }
-  EXPECT_LT(height[1], height[0]);
-  EXPECT_LT(height[2], height[1]);
+  EXPECT_LT(bends[1], bends[0] * 9 / 10);
+  EXPECT_LT(bends[2], bends[1]);
+  EXPECT_LT(volume[1], volume[0]);
+  EXPECT_LT(volume[2], volume[1]);
 }
 
 /// The goal for random cubic graphs: a volume of at most n^4 / 2.

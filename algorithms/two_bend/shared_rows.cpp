@@ -1,0 +1,200 @@
+#include "ar3d/algorithms/two_bend/shared_rows.h"
+
+#include <algorithm>
+#include <array>
+
+#include "ar3d/algorithms/two_bend/owner_order.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d::two_bend {
+namespace {
+
+/// The columns that a SPLIT and those above it in its row reach.
+struct Reach {
+  std::int64_t low = 0;
+  std::int64_t high = 0;
+  std::uint32_t sharers = 0;   ///< SPLITs
+  std::uint32_t weight = 0;    ///< SPLITs in the trees above the row's SPLITs
+  std::uint32_t heaviest = 0;  ///< the largest of these trees
+
+  bool meets(const Reach& other) const { return low <= other.high && other.low <= high; }
+};
+
+/// How much may come together in a row.
+struct Limits {
+  std::uint32_t sharers;
+  std::uint32_t light_weight;  ///< all trees above the row's SPLITs but the heaviest
+};
+constexpr Limits kLimits{kMostSharers, 64};
+constexpr Limits kNoLimits{kNone, kNone};
+
+/// Who shares the row of the SPLIT below it.
+class Sharing {
+ public:
+  Sharing(const View& view, const Values& cross)
+      : view_(view), cross_(cross), reach_(view.size()), trees_(view.size(), 0) {
+    weigh_trees();
+  }
+
+  /// From the top down the view's time, undoes what two arms of a SPLIT cannot both have.
+  /// @param shares  per node: asks to stand in the row of the SPLIT below it.
+  /// @return true if something was undone.
+  bool undo_conflicts(std::vector<std::uint8_t>& shares, const Limits& limits) {
+    bool changed = false;
+    for (NodeId i = view_.size(); i-- > 0;) {
+      const NodeId v = view_.at(i);
+      if (view_.type(v) != NodeType::split) continue;
+      NodeId a = view_.outs(v)[0];
+      NodeId b = view_.outs(v)[1];
+      if (shares[a] < shares[b]) std::swap(a, b);  // a single asker is a
+      if (shares[a] && shares[b] && reach_[a].sharers < reach_[b].sharers) std::swap(a, b);
+      for (const NodeId asker : {b, a}) {  // the smaller part goes first
+        if (!shares[asker] || fits(shares, a, b, limits)) continue;
+        shares[asker] = 0;
+        changed = true;
+      }
+      reach_[v] = united(part(shares, a), part(shares, b));
+    }
+    return changed;
+  }
+
+ private:
+  Reach part(const std::vector<std::uint8_t>& shares, NodeId v) const {
+    if (shares[v]) return reach_[v];
+    return {cross_[v], cross_[v], 0, trees_[v], trees_[v]};
+  }
+  static Reach united(const Reach& a, const Reach& b) {
+    return {std::min(a.low, b.low), std::max(a.high, b.high), a.sharers + b.sharers + 1,
+            a.weight + b.weight, std::max(a.heaviest, b.heaviest)};
+  }
+  bool fits(const std::vector<std::uint8_t>& shares, NodeId a, NodeId b,
+            const Limits& limits) const {
+    const Reach pa = part(shares, a);
+    const Reach pb = part(shares, b);
+    const Reach both = united(pa, pb);
+    return !pa.meets(pb) && both.sharers <= limits.sharers &&
+           both.weight - both.heaviest <= limits.light_weight;
+  }
+
+  /// SPLITs in the tree of every SPLIT that stands above a SPLIT, 0 for all others.
+  void weigh_trees() {
+    for (NodeId i = view_.size(); i-- > 0;) {
+      const NodeId v = view_.at(i);
+      if (view_.type(v) != NodeType::split || view_.ins(v).empty()) continue;
+      ++trees_[v];
+      const NodeId u = view_.ins(v)[0];
+      if (view_.type(u) != NodeType::split) {
+        trees_[v] = 0;
+        continue;
+      }
+      if (view_.flow().in_pole_block(v) && !view_.flow().in_pole_block(u)) trees_[v] = view_.size();
+      trees_[u] = std::min(trees_[u] + trees_[v], view_.size());
+    }
+  }
+
+  const View& view_;
+  const Values& cross_;
+  std::vector<Reach> reach_;
+  std::vector<std::uint32_t> trees_;
+};
+
+std::vector<NodeId>& owners_of(Flow& flow, bool columns) { return flow.row_owner[columns ? 1 : 0]; }
+
+/// Row owners from who shares; the lowest of a row owns it.
+void set_owners(Flow& flow, const View& view, const std::vector<std::uint8_t>& shares) {
+  std::vector<NodeId>& owner = owners_of(flow, view.columns());
+  std::vector<std::uint8_t>& roles = flow.roles[view.columns() ? 1 : 0];
+  for (NodeId i = 0; i < view.size(); ++i) {
+    const NodeId v = view.at(i);
+    owner[v] = shares[v] ? owner[view.ins(v)[0]] : v;
+    if (view.type(v) != NodeType::split) continue;
+    roles[v] = static_cast<std::uint8_t>((roles[v] & ~(kOwner | kSharesRow)) |
+                                         (shares[v] ? kSharesRow : kOwner));
+    if (shares[v]) roles[owner[v]] |= kSharesRow;
+  }
+}
+
+/// No MERGE may have both in-neighbours in one row: the later of the two leaves it.
+bool part_neighbours_of_merges(const View& view, std::vector<std::uint8_t>& shares) {
+  bool changed = false;
+  for (NodeId m = 0; m < view.size(); ++m) {
+    if (view.type(m) != NodeType::merge) continue;
+    const NodeId a = view.ins(m)[0];
+    const NodeId b = view.ins(m)[1];
+    if (view.row_of(a) != view.row_of(b)) continue;
+    shares[view.columns() ? std::min(a, b) : std::max(a, b)] = 0;
+    changed = true;
+  }
+  return changed;
+}
+
+/// Which SPLITs may stand in the row of the one below them at all.
+std::vector<std::uint8_t> find_askers(const View& view) {
+  const Flow& flow = view.flow();
+  std::vector<std::uint8_t> left_alone(view.size(), 0);
+  for (const Pole& pole : flow.poles) {
+    for (const NodeId v : flow.nodes[pole.node].neighbour) left_alone[v] = 1;
+  }
+  std::vector<std::uint8_t> asks(view.size(), 0);
+  for (NodeId v = 0; v < view.size(); ++v) {
+    if (view.type(v) != NodeType::split || view.ins(v).empty()) continue;
+    const NodeId u = view.ins(v)[0];
+    const bool leaves_block =
+        flow.block[v] != flow.block[u] && (flow.in_pole_block(u) || flow.in_pole_block(v));
+    asks[v] = view.type(u) == NodeType::split && !left_alone[u] && !left_alone[v] && !leaves_block;
+  }
+  return asks;
+}
+
+std::vector<std::uint8_t> sharers(const View& view) {
+  std::vector<std::uint8_t> shares(view.size(), 0);
+  for (NodeId v = 0; v < view.size(); ++v) shares[v] = view.row_of(v) != v;
+  return shares;
+}
+
+}  // namespace
+
+void share_rows(Flow& flow, bool columns, const Values& cross) {
+  const View view(flow, columns);
+  std::vector<std::uint8_t> shares = find_askers(view);
+  Sharing(view, cross).undo_conflicts(shares, kLimits);
+  set_owners(flow, view, shares);
+  if (part_neighbours_of_merges(view, shares)) set_owners(flow, view, shares);
+}
+
+std::size_t separate_rows(Flow& flow, bool columns, const Values& cross, EntryList& list) {
+  const View view(flow, columns);
+  std::vector<std::uint8_t> shares = sharers(view);
+  if (!Sharing(view, cross).undo_conflicts(shares, kNoLimits)) return 0;
+  const std::vector<NodeId> before = owners_of(flow, columns);
+  set_owners(flow, view, shares);
+  std::size_t added = 0;
+  for (NodeId v = 0; v < view.size(); ++v) {
+    if (shares[v] || before[v] == v) continue;
+    list.insert_after(before[v], v);
+    ++added;
+  }
+  return added;
+}
+
+Values guess_rows(const Flow& flow, bool columns, bool straighten) {
+  const View view(flow, columns);
+  const Attachment attachment = attach_merges(view);
+  Values guess(view.size(), 0);
+  std::int64_t place = 0;
+  for (const NodeId owner : order_owners(view, attachment, straighten)) guess[owner] = place += 4;
+  for (NodeId i = 0; i < view.size(); ++i) {
+    const NodeId m = view.at(i);
+    if (attachment[m] == kNone) continue;
+    const NodeId other = view.ins(m)[view.ins(m)[0] == attachment[m] ? 1 : 0];
+    guess[m] = guess[attachment[m]] + (guess[other] < guess[attachment[m]] ? -1 : 1);
+  }
+  return guess;
+}
+
+bool shared_rows_are_plane(const View& view, const Values& cross) {
+  std::vector<std::uint8_t> shares = sharers(view);
+  return !Sharing(view, cross).undo_conflicts(shares, kNoLimits);
+}
+
+}  // namespace ar3d::two_bend
