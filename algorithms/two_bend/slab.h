@@ -23,6 +23,7 @@ struct LongBends {
   std::uint8_t upper_count = 0;
   std::array<RelativeBend, 2> bends{};
 
+  std::size_t count() const { return std::size_t{lower_count} + upper_count; }
   void add_lower(RelativeBend bend);  ///< before any upper one
   void add_upper(RelativeBend bend);  ///< in upward order
 };
