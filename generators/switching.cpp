@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
-#include <span>
 #include <utility>
 
+#include "ar3d/generators/random_matching.h"
 #include "ar3d/model/error.h"
 
 // Points are the nd slots; point p belongs to vertex p / d. A defect is a loop or a double edge.
@@ -34,14 +34,23 @@ struct Pair {
   Point32 q;
 };
 
+/// Vertices that one thread looks through at a time.
+constexpr Count kChunk = Count{1} << 15;
+
+struct Defects {
+  std::vector<Pair> loops;                     // the two points of each
+  std::vector<std::pair<Pair, Pair>> doubles;  // p of both pairs at the same vertex
+  bool crowded = false;                        // some vertex is on several
+};
+
 class Pairing {
  public:
   Pairing(Count n, std::uint32_t d, RandomStream& random)
-      : n_(n), d_(d), random_(random), partner_(n * d) {}
+      : n_(n), d_(d), reciprocal_(((std::uint64_t{1} << 33) + d - 1) / d), random_(random) {}
 
   /// Draws a uniform pairing and removes its defects; false: start again.
   bool attempt(SwitchingLimits limits) {
-    draw();
+    partner_ = random_matching(n_ * d_, random_);
     if (!find_defects(limits)) return false;
     while (!loops_.empty()) {
       if (!switch_loop() || !keep_after_loop()) return false;
@@ -52,18 +61,12 @@ class Pairing {
     return true;
   }
 
-  std::vector<Edge> edges() const {
-    std::vector<Edge> edges;
-    edges.reserve(partner_.size() / 2);
-    for (std::size_t p = 0; p < partner_.size(); ++p) {
-      const Edge e = {vertex(static_cast<Point32>(p)), vertex(partner_[p])};
-      if (e.u < e.v) edges.push_back(e);
-    }
-    return edges;
-  }
+  /// The pairs of a simple pairing as edges (u, v), u < v, in order of u.
+  std::vector<Edge> edges() const;
 
  private:
-  Vertex vertex(Point32 p) const { return p / d_; }
+  /// p / d, exactly: reciprocal_ is at most 1 / d above 2^33 / d for d = 2, 3, 4.
+  Vertex vertex(Point32 p) const { return static_cast<Vertex>((p * reciprocal_) >> 33); }
   Point32 any_point() { return random_.below(static_cast<std::uint32_t>(partner_.size())); }
   std::uint32_t pairs_between(Vertex u, Vertex v) const {
     std::uint32_t count = 0;
@@ -103,8 +106,8 @@ class Pairing {
                        new_pairs.end(), [&](const Pair& pair) { return clean(pair.p); });
   }
 
-  void draw();
   bool find_defects(SwitchingLimits limits);
+  void add_defects(Vertex begin, Vertex end, Defects& defects) const;
   bool switch_loop();
   bool keep_after_loop();
   std::uint32_t bad_loop_options(Vertex v, Point32 p2, Point32 p3);
@@ -121,40 +124,81 @@ class Pairing {
 
   Count n_;
   std::uint32_t d_;
+  std::uint64_t reciprocal_;
   RandomStream& random_;
-  std::vector<Point32> partner_;
-  std::vector<Pair> loops_;                     // the two points of each
-  std::vector<std::pair<Pair, Pair>> doubles_;  // p of both pairs at the same vertex
+  UnwrittenVector<Point32> partner_;
+  std::vector<Pair> loops_;
+  std::vector<std::pair<Pair, Pair>> doubles_;
 };
 
-void Pairing::draw() {
-  std::vector<Point32> order(partner_.size());
-  std::iota(order.begin(), order.end(), 0u);
-  random_.shuffle(std::span<Point32>(order));
-  for (std::size_t i = 0; i < order.size(); i += 2) join({order[i], order[i + 1]});
-}
-
-bool Pairing::find_defects(SwitchingLimits limits) {
-  loops_.clear();
-  doubles_.clear();
-  for (Vertex v = 0; v < n_; ++v) {
-    int defects = 0;
+/// Adds the defects of the vertices begin..end-1.
+void Pairing::add_defects(Vertex begin, Vertex end, Defects& defects) const {
+  for (Vertex v = begin; v < end; ++v) {
+    int here = 0;
     for (Point32 p = v * d_; p < (v + 1) * d_; ++p) {
       const Vertex u = vertex(partner_[p]);
       if (u == v && partner_[p] > p) {
-        loops_.push_back({p, partner_[p]});
-        ++defects;
+        defects.loops.push_back({p, partner_[p]});
+        ++here;
       }
       for (Point32 q = p + 1; u != v && q < (v + 1) * d_; ++q) {
         if (vertex(partner_[q]) != u) continue;
-        ++defects;  // a triple edge counts three times
-        if (v < u) doubles_.push_back({{p, partner_[p]}, {q, partner_[q]}});
+        ++here;  // a triple edge counts three times
+        if (v < u) defects.doubles.push_back({{p, partner_[p]}, {q, partner_[q]}});
       }
     }
-    if (defects > 1 || loops_.size() > limits.loops || doubles_.size() > limits.doubles)
-      return false;
+    defects.crowded |= here > 1;
   }
-  return true;
+}
+
+bool Pairing::find_defects(SwitchingLimits limits) {
+  const Count chunks = (n_ + kChunk - 1) / kChunk;
+  std::vector<Defects> found(chunks);
+  const int threads = threads_for(n_);
+#pragma omp parallel for schedule(static) num_threads(threads)
+  for (Count i = 0; i < chunks; ++i) {
+    add_defects(static_cast<Vertex>(i * kChunk),
+                static_cast<Vertex>(std::min(n_, (i + 1) * kChunk)), found[i]);
+  }
+  loops_.clear();
+  doubles_.clear();
+  bool crowded = false;
+  for (const Defects& defects : found) {
+    crowded |= defects.crowded;
+    loops_.insert(loops_.end(), defects.loops.begin(), defects.loops.end());
+    doubles_.insert(doubles_.end(), defects.doubles.begin(), defects.doubles.end());
+  }
+  return !crowded && loops_.size() <= limits.loops && doubles_.size() <= limits.doubles;
+}
+
+std::vector<Edge> Pairing::edges() const {
+  const Count chunks = (n_ + kChunk - 1) / kChunk;
+  const Count chunk_points = kChunk * d_;
+  std::vector<Count> place(chunks + 1, 0);  // of each chunk's first edge
+  std::vector<Edge> edges(partner_.size() / 2);
+  const auto for_each_edge = [&](Count chunk, auto&& use) {
+    const Count end = std::min<Count>(partner_.size(), (chunk + 1) * chunk_points);
+    for (Count p = chunk * chunk_points; p < end; ++p) {
+      const Edge e = {vertex(static_cast<Point32>(p)), vertex(partner_[p])};
+      if (e.u < e.v) use(e);
+    }
+  };
+  const int threads = threads_for(n_);
+#pragma omp parallel num_threads(threads)
+  {
+#pragma omp for schedule(static)
+    for (Count i = 0; i < chunks; ++i) {
+      for_each_edge(i, [&](Edge) { ++place[i + 1]; });
+    }
+#pragma omp single
+    std::partial_sum(place.begin(), place.end(), place.begin());
+#pragma omp for schedule(static)
+    for (Count i = 0; i < chunks; ++i) {
+      Edge* next = edges.data() + place[i];
+      for_each_edge(i, [&](Edge e) { *next++ = e; });
+    }
+  }
+  return edges;
 }
 
 std::pair<Point32, Point32> Pairing::random_centre() {

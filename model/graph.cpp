@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "ar3d/model/error.h"
+#include "ar3d/model/graph_rows.h"
 #include "ar3d/model/hash_stream.h"
 
 namespace ar3d {
@@ -15,16 +18,35 @@ constexpr std::uint64_t kMaxEdges =
     (std::uint64_t{1} << 31) - 1;  // 2m half-edges are indexed by 32 bits
 
 void refuse_bad_ends(std::uint64_t n, const std::vector<Edge>& edges) {
+  std::size_t bad = edges.size();
+  const int threads = threads_for(edges.size());
+#pragma omp parallel for schedule(static) reduction(min : bad) num_threads(threads)
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const auto [u, v] = edges[e];
-    if (u >= n || v >= n) {
-      throw EdgeError(
-          e, u, v,
-          fmt::format("edge {} ({}, {}): vertex {} is out of range, the graph has {} vertices", e,
-                      u, v, u >= n ? u : v, n));
-    }
-    if (u == v) throw EdgeError(e, u, v, fmt::format("edge {} ({}, {}) is a loop", e, u, v));
+    if (u >= n || v >= n || u == v) bad = std::min(bad, e);
   }
+  if (bad == edges.size()) return;
+  const auto [u, v] = edges[bad];
+  if (u == v && u < n) {
+    throw EdgeError(bad, u, v, fmt::format("edge {} ({}, {}) is a loop", bad, u, v));
+  }
+  throw EdgeError(
+      bad, u, v,
+      fmt::format("edge {} ({}, {}): vertex {} is out of range, the graph has {} vertices", bad, u,
+                  v, u >= n ? u : v, n));
+}
+
+/// Rows up to this length are searched for parallel edges by comparing all pairs.
+constexpr std::size_t kShortRow = 8;
+
+/// Where the first neighbour that stands in the row before stands again; row.size() if none does.
+std::size_t first_repeat(std::span<const HalfEdge> row) {
+  for (std::size_t i = 1; i < row.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (row[i].to == row[j].to) return i;
+    }
+  }
+  return row.size();
 }
 
 }  // namespace
@@ -39,57 +61,46 @@ Graph::Graph(std::uint64_t num_vertices, std::vector<Edge> edges) {
         fmt::format("{} edges are too many, the limit is {}", edges.size(), kMaxEdges));
   }
   refuse_bad_ends(num_vertices, edges);
-  offsets_.assign(num_vertices + 1, 0);
   edges_ = std::make_shared<const std::vector<Edge>>(std::move(edges));
-  build_rows();
+  Rows rows = rows_of(num_vertices, *edges_);
+  offsets_ = std::move(rows.offsets);
+  half_edges_ = std::move(rows.half_edges);
+  max_degree_ = rows.max_degree;
   refuse_parallel_edges();
 }
 
-void Graph::build_rows() {
-  for (const auto [u, v] : *edges_) {
-    ++offsets_[u];
-    ++offsets_[v];
-  }
-  std::uint32_t end = 0;
-  for (std::uint32_t& entry :
-       offsets_) {  // exclusive sums, shifted below while the rows are filled
-    max_degree_ = std::max(max_degree_, entry);
-    end += entry;
-    entry = end;
-  }
-  half_edges_.resize(2 * edges_->size());
-  for (std::size_t i = edges_->size(); i-- > 0;) {  // backwards, so that rows stand in input order
-    const auto [u, v] = (*edges_)[i];
-    half_edges_[--offsets_[u]] = {v, static_cast<EdgeId>(i)};
-    half_edges_[--offsets_[v]] = {u, static_cast<EdgeId>(i)};
-  }
-}
-
 void Graph::refuse_parallel_edges() const {
-  constexpr Vertex kNobody = std::numeric_limits<Vertex>::max();
-  std::vector<Vertex> stamp;  // only rows too long for the quadratic test need it
+  Vertex bad = num_vertices();
+  bool long_rows = false;
+  const int threads = threads_for(half_edges_.size());
+#pragma omp parallel for schedule(static) num_threads(threads) reduction(min    \
+                                                                         : bad) \
+    reduction(||                                                                \
+              : long_rows)
   for (Vertex v = 0; v < num_vertices(); ++v) {
     const auto row = incident(v);
-    const auto refuse = [&](const HalfEdge& again) {
-      const auto [a, b] = edge(again.edge);
-      throw EdgeError(
-          again.edge, a, b,
-          fmt::format("edge {} ({}, {}) is parallel to an earlier edge", again.edge, a, b));
-    };
-    if (row.size() <= 8) {
-      for (std::size_t i = 1; i < row.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j) {
-          if (row[i].to == row[j].to) refuse(row[i]);
-        }
-      }
-      continue;
-    }
-    if (stamp.empty()) stamp.assign(num_vertices(), kNobody);
-    for (const HalfEdge& half : row) {
-      if (stamp[half.to] == v) refuse(half);
-      stamp[half.to] = v;
+    if (row.size() > kShortRow) {
+      long_rows = true;
+    } else if (first_repeat(row) != row.size()) {
+      bad = std::min(bad, v);
     }
   }
+  std::size_t place = bad < num_vertices() ? first_repeat(incident(bad)) : 0;
+  if (long_rows) {
+    std::vector<Vertex> stamp(num_vertices(), num_vertices());
+    for (Vertex v = 0; v < bad; ++v) {
+      const auto row = incident(v);
+      for (std::size_t i = 0; row.size() > kShortRow && i < row.size() && v < bad; ++i) {
+        if (std::exchange(stamp[row[i].to], v) != v) continue;
+        bad = v;
+        place = i;
+      }
+    }
+  }
+  if (bad == num_vertices()) return;
+  const EdgeId e = incident(bad)[place].edge;
+  const auto [u, v] = edge(e);
+  throw EdgeError(e, u, v, fmt::format("edge {} ({}, {}) is parallel to an earlier edge", e, u, v));
 }
 
 std::string graph_hash(const Graph& graph) {

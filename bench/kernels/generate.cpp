@@ -1,68 +1,193 @@
-// Random regular graphs against nauty-genrang (Debian package nauty), CPU seconds of both in the
-// same run, interleaved. Usage: ar3d_bench_generate [N [REPETITIONS]]      (default 1000000 10)
+// Random regular graphs: this project's generator against nauty-genrang -r (Debian package nauty)
+// and igraph's C library, each graph in a process of its own, so that CPU time and memory are
+// measured in the same way for all; then wall times of ours by number of threads. --help tells the
+// options.
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <igraph/igraph.h>
+#include <omp.h>
 #include <sys/resource.h>
-#include <sys/time.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
 #include <cstdint>
-#include <cstdlib>
-#include <ctime>
+#include <functional>
+#include <limits>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "ar3d/generators/random_regular.h"
 
 namespace {
 
-double own_cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+struct Options {
+  std::uint64_t n = 1000000;
+  std::uint32_t seeds = 7;
+  std::vector<std::uint32_t> degrees = {3, 4};
+  std::vector<int> threads = {1, 2};
+};
+
+struct Cost {
+  double cpu_s = 0;  // user and system
+  double wall_s = 0;
+  double peak_bytes = 0;
+};
+
+double seconds(const timeval& t) {
+  return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
 }
 
-double children_user_seconds() {
+/// What `work` costs in a child process that ends with it. Fails if the child does.
+Cost cost_of(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  const pid_t child = fork();
+  if (child == 0) {
+    work();
+    _exit(0);
+  }
+  int status = 0;
   rusage usage{};
-  getrusage(RUSAGE_CHILDREN, &usage);
-  return static_cast<double>(usage.ru_utime.tv_sec) +
-         1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
+  if (child < 0 || wait4(child, &status, 0, &usage) != child || status != 0) {
+    throw std::runtime_error("a generator failed or is missing (Debian package nauty)");
+  }
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  return {seconds(usage.ru_utime) + seconds(usage.ru_stime), wall.count(),
+          1024.0 * static_cast<double>(usage.ru_maxrss)};
 }
 
-/// Edges and Graph, as every user of the library pays for them.
-double time_ours(std::uint64_t n, std::uint32_t d, std::uint64_t seed) {
-  const double start = own_cpu_seconds();
-  const ar3d::Graph graph = ar3d::random_regular(n, d, seed);
-  return graph.num_vertices() == n ? own_cpu_seconds() - start : -1;
+/// Edges and rows of the graph, as every user of the library pays for them.
+void generate_ours(std::uint64_t n, std::uint32_t d, std::uint32_t seed, int threads) {
+  omp_set_num_threads(threads);
+  if (ar3d::random_regular(n, d, seed).num_vertices() != n) _exit(1);
 }
 
-/// genrang writes sparse6 to /dev/null; -1 if it cannot be run.
-double time_genrang(std::uint64_t n, std::uint32_t d, std::uint64_t seed) {
-  const double start = children_user_seconds();
-  const std::string command =
-      fmt::format("nauty-genrang -q -r{} -S{} {} 1 > /dev/null", d, seed, n);
-  return std::system(command.c_str()) == 0 ? children_user_seconds() - start : -1;
+/// Writes sparse6 to /dev/null.
+void generate_genrang(std::uint64_t n, std::uint32_t d, std::uint32_t seed) {
+  const std::string degree = fmt::format("-r{}", d);
+  const std::string seed_option = fmt::format("-S{}", seed);
+  const std::string size = std::to_string(n);
+  dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);
+  execlp("nauty-genrang", "nauty-genrang", "-q", degree.c_str(), seed_option.c_str(), size.c_str(),
+         "1", nullptr);
+  _exit(1);
+}
+
+/// igraph's own random regular graphs; their documentation promises no distribution.
+void generate_igraph(std::uint64_t n, std::uint32_t d, std::uint32_t seed) {
+  igraph_t graph;
+  igraph_rng_seed(igraph_rng_default(), seed);
+  const auto error = igraph_k_regular_game(&graph, static_cast<igraph_integer_t>(n),
+                                           static_cast<igraph_integer_t>(d), false, false);
+  if (error != IGRAPH_SUCCESS) _exit(1);
+}
+
+/// Uniform: the configuration model with full restart.
+void generate_igraph_uniform(std::uint64_t n, std::uint32_t d, std::uint32_t seed) {
+  igraph_t graph;
+  igraph_vector_int_t degrees;
+  igraph_rng_seed(igraph_rng_default(), seed);
+  igraph_vector_int_init(&degrees, static_cast<igraph_integer_t>(n));
+  igraph_vector_int_fill(&degrees, static_cast<igraph_integer_t>(d));
+  const auto error =
+      igraph_degree_sequence_game(&graph, &degrees, nullptr, IGRAPH_DEGSEQ_CONFIGURATION_SIMPLE);
+  if (error != IGRAPH_SUCCESS) _exit(1);
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+struct Generator {
+  const char* name;
+  std::function<void(std::uint64_t, std::uint32_t, std::uint32_t)> generate;
+  std::vector<Cost> costs = {};
+};
+
+void compare(const Options& options, std::uint32_t d, double empty_bytes) {
+  std::vector<Generator> generators = {
+      {"ar3d (uniform)", [](auto n, auto degree, auto s) { generate_ours(n, degree, s, 1); }},
+      {"nauty-genrang -r (uniform)", generate_genrang},
+      {"igraph_k_regular_game", generate_igraph},
+      {"igraph configuration model (uniform)", generate_igraph_uniform}};
+  for (std::uint32_t seed = 1; seed <= options.seeds; ++seed) {
+    for (Generator& g : generators) {
+      g.costs.push_back(cost_of([&] { g.generate(options.n, d, seed); }));
+    }
+  }
+  const auto median_cpu = [](const Generator& g) {
+    std::vector<double> values;
+    for (const Cost& cost : g.costs) values.push_back(cost.cpu_s);
+    return median(values);
+  };
+  for (const Generator& g : generators) {
+    double bytes = 0;
+    double slowest = 0;
+    for (const Cost& cost : g.costs) {
+      bytes = std::max(bytes, cost.peak_bytes - empty_bytes);
+      slowest = std::max(slowest, cost.cpu_s);
+    }
+    fmt::print("{:>2}  {:<37} {:>9.3f} {:>9.3f} {:>7.2f} {:>11.1f}\n", d, g.name, median_cpu(g),
+               slowest, median_cpu(g) / median_cpu(generators[0]),
+               bytes / static_cast<double>(options.n));
+  }
+}
+
+void compare_threads(const Options& options, std::uint32_t d) {
+  std::vector<std::vector<double>> walls(options.threads.size());
+  for (std::uint32_t seed = 1; seed <= options.seeds; ++seed) {
+    for (std::size_t t = 0; t < walls.size(); ++t) {
+      const auto work = [&] { generate_ours(options.n, d, seed, options.threads[t]); };
+      walls[t].push_back(cost_of(work).wall_s);
+    }
+  }
+  for (std::size_t t = 0; t < walls.size(); ++t) {
+    fmt::print("{:>2} {:>8} {:>9.3f} {:>9.2f}\n", d, options.threads[t], median(walls[t]),
+               median(walls[0]) / median(walls[t]));
+  }
+}
+
+void print_tables(const Options& options) {
+  const double empty_bytes = cost_of([] {}).peak_bytes;
+  fmt::print(
+      "n = {}, {} seeds, interleaved; one thread; the process without a graph is taken off "
+      "the memory\n",
+      options.n, options.seeds);
+  fmt::print("{:>2}  {:<37} {:>9} {:>9} {:>7} {:>11}\n", "d", "generator", "CPU s", "slowest",
+             "/ ar3d", "bytes/vertex");
+  for (const std::uint32_t d : options.degrees) compare(options, d, empty_bytes);
+  fmt::print("\n{:>2} {:>8} {:>9} {:>9}\n", "d", "threads", "wall s", "speed-up");
+  for (const std::uint32_t d : options.degrees) compare_threads(options, d);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::uint64_t n = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1000000;
-  const std::uint64_t repetitions = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 10;
-  fmt::print("n = {}, one thread, mean CPU seconds of {} seeds\n", n, repetitions);
-  fmt::print("{:>3} {:>10} {:>10} {:>8}\n", "d", "ar3d", "genrang", "ratio");
-  for (const std::uint32_t d : {3u, 4u}) {
-    double ours = 0;
-    double theirs = 0;
-    for (std::uint64_t seed = 1; seed <= repetitions; ++seed) {
-      ours += time_ours(n, d, seed);
-      const double seconds = time_genrang(n, d, seed);
-      if (seconds < 0) {
-        fmt::print(stderr, "nauty-genrang cannot be run; install the package nauty\n");
-        return 1;
-      }
-      theirs += seconds;
-    }
-    const auto count = static_cast<double>(repetitions);
-    fmt::print("{:>3} {:>10.3f} {:>10.3f} {:>8.2f}\n", d, ours / count, theirs / count,
-               theirs / ours);
+  Options options;
+  CLI::App app(
+      "Random regular graphs: ar3d, nauty-genrang and igraph side by side.\n"
+      "Example: ar3d_bench_generate -n 1000000 --seeds 7");
+  app.add_option("-n", options.n, "vertices, even")->capture_default_str();
+  app.add_option("--seeds", options.seeds, "graphs of each kind; medians are shown")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_option("--degree", options.degrees, "3, 4 or both")
+      ->check(CLI::Range(3, 4))
+      ->capture_default_str();
+  app.add_option("--threads", options.threads, "numbers of threads of ours to compare")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  try {
+    print_tables(options);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "ar3d_bench_generate: {}\n", error.what());
+    return 1;
   }
   return 0;
 }

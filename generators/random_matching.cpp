@@ -1,0 +1,135 @@
+#include "ar3d/generators/random_matching.h"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+#include <span>
+#include <vector>
+
+namespace ar3d {
+namespace {
+
+using Number = std::uint32_t;
+
+constexpr std::uint64_t kMostInOneBucket = std::uint64_t{1} << 16;  // 256 KiB: fits a core's cache
+constexpr unsigned kMostBucketBits = 12;
+constexpr std::uint64_t kChunk = std::uint64_t{1} << 18;  // numbers dealt with one stream
+
+/// Random numbers of a few bits each.
+class RandomBits {
+ public:
+  RandomBits(std::uint64_t seed, std::uint64_t stream, unsigned bits)
+      : random_(seed, stream), bits_(bits), mask_((1u << bits) - 1) {}
+  std::uint32_t next() {
+    if (left_ < bits_) {
+      word_ = random_.next32();
+      left_ = 32;
+    }
+    const std::uint32_t value = word_ & mask_;
+    word_ >>= bits_;
+    left_ -= bits_;
+    return value;
+  }
+
+ private:
+  RandomStream random_;
+  unsigned bits_;
+  std::uint32_t mask_;
+  std::uint32_t word_ = 0;
+  unsigned left_ = 0;
+};
+
+/// Deals 0..count-1 to the buckets, in chunks with a stream each.
+class Dealer {
+ public:
+  Dealer(std::uint64_t count, std::uint64_t seed)
+      : count_(count),
+        seed_(seed),
+        bits_(std::min<unsigned>(kMostBucketBits, static_cast<unsigned>(std::bit_width(
+                                                      (count - 1) / kMostInOneBucket)))),
+        chunks_((count + kChunk - 1) / kChunk),
+        places_(chunks_ << bits_) {}
+
+  /// The numbers, those of a bucket side by side and each bucket shuffled.
+  UnwrittenVector<Number> permutation() {
+    UnwrittenVector<Number> numbers(count_);
+    const int threads = threads_for(count_);
+#pragma omp parallel num_threads(threads)
+    {
+#pragma omp for schedule(dynamic)
+      for (std::uint64_t chunk = 0; chunk < chunks_; ++chunk) {
+        deal(chunk, [](std::uint32_t& place, std::uint64_t) { ++place; });
+      }
+#pragma omp single
+      turn_counts_into_places();
+#pragma omp for schedule(dynamic)
+      for (std::uint64_t chunk = 0; chunk < chunks_; ++chunk) {
+        deal(chunk, [&](std::uint32_t& place, std::uint64_t number) {
+          numbers[place++] = static_cast<Number>(number);
+        });
+      }
+#pragma omp for schedule(dynamic)
+      for (std::uint64_t bucket = 0; bucket < buckets(); ++bucket) shuffle(bucket, numbers);
+    }
+    return numbers;
+  }
+
+ private:
+  std::uint64_t buckets() const { return std::uint64_t{1} << bits_; }
+  /// Calls use(place of its bucket in this chunk, number) for each number of the chunk.
+  template <class Use>
+  void deal(std::uint64_t chunk, Use use) {
+    std::uint32_t* const places = places_.data() + (chunk << bits_);
+    RandomBits random(seed_, chunk, bits_);
+    const std::uint64_t end = std::min(count_, (chunk + 1) * kChunk);
+    for (std::uint64_t number = chunk * kChunk; number < end; ++number) {
+      use(places[random.next()], number);
+    }
+  }
+  void turn_counts_into_places() {
+    std::uint32_t place = 0;
+    for (std::uint64_t bucket = 0; bucket < buckets(); ++bucket) {
+      for (std::uint64_t chunk = 0; chunk < chunks_; ++chunk) {
+        std::uint32_t& entry = places_[(chunk << bits_) + bucket];
+        place += std::exchange(entry, place);
+      }
+    }
+  }
+  /// After all is dealt, the last chunk's place of a bucket is the bucket's end.
+  void shuffle(std::uint64_t bucket, UnwrittenVector<Number>& numbers) const {
+    const std::uint32_t* const ends = places_.data() + ((chunks_ - 1) << bits_);
+    const std::uint64_t begin = bucket == 0 ? 0 : ends[bucket - 1];
+    RandomStream random(seed_, chunks_ + bucket);
+    random.shuffle(std::span<Number>(numbers.data() + begin, ends[bucket] - begin));
+  }
+
+  std::uint64_t count_;
+  std::uint64_t seed_;
+  unsigned bits_;
+  std::uint64_t chunks_;
+  std::vector<std::uint32_t> places_;  // of the next number, for each chunk and bucket
+};
+
+}  // namespace
+
+UnwrittenVector<std::uint32_t> random_permutation(std::uint64_t count, RandomStream& random) {
+  if (count > kMostInOneBucket) return Dealer(count, random.next64()).permutation();
+  UnwrittenVector<Number> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0u);
+  random.shuffle(std::span<Number>(numbers));
+  return numbers;
+}
+
+UnwrittenVector<std::uint32_t> random_matching(std::uint64_t count, RandomStream& random) {
+  const UnwrittenVector<Number> order = random_permutation(count, random);
+  UnwrittenVector<Number> partner(count);
+  const int threads = threads_for(count);
+#pragma omp parallel for num_threads(threads)
+  for (std::uint64_t i = 0; i < count; i += 2) {
+    partner[order[i]] = order[i + 1];
+    partner[order[i + 1]] = order[i];
+  }
+  return partner;
+}
+
+}  // namespace ar3d
