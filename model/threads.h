@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -12,10 +14,28 @@ namespace ar3d {
 /// computed never depends on the number.
 int threads_for(std::uint64_t items);
 
+/// Arrays from this size on get pages of 2 MiB where the system has them for the asking: far fewer
+/// page faults, and random access misses the address cache less often.
+inline constexpr std::size_t kLongArrayBytes = std::size_t{1} << 22;
+/// Memory for `bytes` bytes, at least kLongArrayBytes. @throws std::bad_alloc.
+void* allocate_long_array(std::size_t bytes);
+void free_long_array(void* array) noexcept;
+
 /// Leaves new elements of a vector as they are, for arrays whose elements are all written before
 /// they are read: a long array then gets its memory where its threads write, not in one thread.
 template <class T>
 struct UnwrittenAllocator : std::allocator<T> {
+  T* allocate(std::size_t count) {
+    if (count > std::numeric_limits<std::size_t>::max() / sizeof(T) ||
+        count * sizeof(T) < kLongArrayBytes) {
+      return std::allocator<T>::allocate(count);
+    }
+    return static_cast<T*>(allocate_long_array(count * sizeof(T)));
+  }
+  void deallocate(T* array, std::size_t count) noexcept {
+    if (count * sizeof(T) < kLongArrayBytes) return std::allocator<T>::deallocate(array, count);
+    free_long_array(array);
+  }
   template <class U>
   struct rebind {
     using other = UnwrittenAllocator<U>;
