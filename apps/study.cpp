@@ -1,3 +1,5 @@
+#include "study.h"
+
 #include <fmt/format.h>
 
 #include <atomic>
@@ -9,19 +11,23 @@
 
 #include "ar3d/analysis/check.h"
 #include "ar3d/analysis/report.h"
+#include "ar3d/bench/journaled_study.h"
 #include "ar3d/bench/plan.h"
 #include "ar3d/bench/run_study.h"
+#include "ar3d/bench/study_files.h"
 #include "ar3d/bench/study_spec.h"
 #include "ar3d/results/atomic_file.h"
+#include "ar3d/results/journal_writer.h"
 #include "ar3d/results/run.h"
 #include "commands.h"
 
 namespace ar3d {
 namespace {
 
-struct StudyArguments {
+struct RunArguments {
   std::string study;
   std::string output;
+  std::string shard;
   int threads = 0;
   bool quiet = false;
 };
@@ -35,39 +41,78 @@ std::string report_path(const std::string& results) {
   return std::filesystem::path(results).replace_extension(".html").string();
 }
 
-int run_and_report(const StudyArguments& arguments) {
-  const StudySpec spec = load_study(arguments.study);
-  const std::string path = arguments.output.empty() ? default_results_path(spec) : arguments.output;
-  require_writable(path);
-  std::signal(SIGINT, ask_to_stop);
-  std::signal(SIGTERM, ask_to_stop);
-  const Results results = run_study(spec, {.threads = arguments.threads,
-                                           .progress = arguments.quiet ? nullptr : stderr,
-                                           .stop = &g_stop});
-  write_results(results, path);
-  if (g_stop) {
-    fmt::print(stderr, "ar3d: interrupted; {} rows are in {}\n", results.runs.size(), path);
-    return kInterrupted;
-  }
-  const std::string page = render_report(results);
-  write_file_atomically(report_path(path), page);
+// The last lines of a study that is whole: the verdict and where everything is.
+int conclude(const JournaledStudy& study) {
+  const Results results = read_results(study.results);
   const CheckVerdict verdict = check(results);
   fmt::print("{}", summary(verdict, results));
-  fmt::print("results  {}\nreport   {}\n", path, report_path(path));
+  fmt::print("results  {}\n", study.results);
+  if (study.shard.count > 1) {
+    fmt::print("shard {} of {}: when all are there, `ar3d study merge SHARDS… -o RESULTS.h5`\n",
+               study.shard.index, study.shard.count);
+  } else {
+    write_file_atomically(report_path(study.results), render_report(results));
+    fmt::print("report   {}\n", report_path(study.results));
+  }
   return verdict.exit_code();
+}
+
+int run_to_the_end(const JournaledStudy& study, const RunArguments& arguments) {
+  std::signal(SIGINT, ask_to_stop);
+  std::signal(SIGTERM, ask_to_stop);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error of the write, like a full disk
+  StudyOutcome outcome;
+  try {
+    outcome = run_journaled(study, {.threads = arguments.threads,
+                                    .progress = arguments.quiet ? nullptr : stderr,
+                                    .stop = &g_stop});
+  } catch (const JournalFull& error) {
+    fmt::print(stderr,
+               "ar3d: {}\nar3d: the rows before are safe; go on with `ar3d study resume {}`\n",
+               error.what(), study.results);
+    return kIncomplete;
+  }
+  if (outcome.complete()) return conclude(study);
+  fmt::print(stderr,
+             "ar3d: {}; {} rows are in {}, {} are missing; go on with `ar3d study resume {}`\n",
+             g_stop ? "interrupted" : "not finished", outcome.rows, study.results, outcome.missing,
+             study.results);
+  return g_stop ? kInterrupted : kIncomplete;
+}
+
+void add_common(CLI::App& verb, RunArguments& arguments) {
+  verb.add_option("--threads", arguments.threads, "number of threads; all cores if left out")
+      ->check(CLI::Range(1, 1024));
+  verb.add_flag("-q,--quiet", arguments.quiet, "no progress on standard error");
 }
 
 void add_run(CLI::App& study, int& exit_code) {
   CLI::App* verb = study.add_subcommand("run", "Runs a study and writes its results and report");
-  const auto arguments = std::make_shared<StudyArguments>();
+  const auto arguments = std::make_shared<RunArguments>();
   verb->add_option("STUDY", arguments->study, "a TOML file or a study of `ar3d list studies`")
       ->required();
   verb->add_option("-o,--output", arguments->output, "results file; ar3d-NAME.h5 if left out");
-  verb->add_option("--threads", arguments->threads, "number of threads; all cores if left out")
-      ->check(CLI::Range(1, 1024));
-  verb->add_flag("-q,--quiet", arguments->quiet, "no progress on standard error");
-  verb->footer("Example: ar3d study run smoke --threads 2 -o smoke.h5");
-  verb->callback([arguments, &exit_code] { exit_code = run_and_report(*arguments); });
+  verb->add_option("--shard", arguments->shard,
+                   "i/N: only the i-th of N parts of the study, to be merged later");
+  add_common(*verb, *arguments);
+  verb->footer(
+      "Rows go to a journal beside the results file as they are made; whatever ends the study, "
+      "`ar3d study resume` goes on.\nExample: ar3d study run smoke --threads 2 -o smoke.h5");
+  verb->callback([arguments, &exit_code] {
+    const Shard shard = arguments->shard.empty() ? Shard() : parse_shard(arguments->shard);
+    exit_code = run_to_the_end(new_study(arguments->study, shard, arguments->output), *arguments);
+  });
+}
+
+void add_resume(CLI::App& study, int& exit_code) {
+  CLI::App* verb = study.add_subcommand("resume", "Goes on with a study that was ended early");
+  const auto arguments = std::make_shared<RunArguments>();
+  verb->add_option("FILE", arguments->study, "its results file or its journal")->required();
+  add_common(*verb, *arguments);
+  verb->footer("Rows that are there stay as they are.\nExample: ar3d study resume ar3d-quick.h5");
+  verb->callback([arguments, &exit_code] {
+    exit_code = run_to_the_end(begun_study(arguments->study), *arguments);
+  });
 }
 
 void add_plan(CLI::App& study, int&) {
@@ -93,6 +138,9 @@ void add_study(CLI::App& app, int& exit_code) {
       "study", "Runs certified, timed sweeps over families, sizes and algorithms");
   verb->require_subcommand(1);
   add_run(*verb, exit_code);
+  add_resume(*verb, exit_code);
+  add_study_status(*verb, exit_code);
+  add_study_merge(*verb, exit_code);
   add_plan(*verb, exit_code);
 }
 

@@ -110,11 +110,6 @@ class Collector {
   std::atomic<bool> failed_ = false;
 };
 
-std::string now_with_zone() {
-  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  return fmt::format("{:%Y-%m-%dT%H:%M:%S}+00:00", fmt::gmtime(now));
-}
-
 }  // namespace
 
 std::vector<Run> run_plan(const StudyPlan& plan, const StudyOptions& options,
@@ -143,6 +138,15 @@ std::vector<Run> run_plan(const StudyPlan& plan, const StudyOptions& options,
   }
   progress.finish();
   return collector.take_rows();
+}
+
+std::string now_with_zone() {
+  using namespace std::chrono;
+  const auto now = system_clock::now().time_since_epoch();
+  const auto seconds = duration_cast<std::chrono::seconds>(now);
+  return fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:06}+00:00",
+                     fmt::gmtime(static_cast<std::time_t>(seconds.count())),
+                     duration_cast<microseconds>(now - seconds).count());
 }
 
 Results describe_study(const StudySpec& spec, int threads) {

@@ -33,6 +33,9 @@ std::vector<Run> run_plan(const StudyPlan& plan, const StudyOptions& options,
                           const std::function<void(const Run&)>& on_row = {},
                           const std::string& name = "");
 
+/// "2026-01-02T03:04:05.678901+00:00".
+std::string now_with_zone();
+
 /// Everything about a study's results but its rows: name, specification, source, environment, time.
 Results describe_study(const StudySpec& spec, int threads);
 

@@ -29,12 +29,11 @@ void require_beginning(const StudyIdentity& identity, const std::string& path) {
   }
 }
 
-std::optional<std::int64_t> writer_of(int file) {
+bool is_locked(int file) {
   struct flock range {};
   range.l_type = F_WRLCK;
   range.l_whence = SEEK_SET;
-  if (fcntl(file, F_GETLK, &range) != 0 || range.l_type == F_UNLCK) return std::nullopt;
-  return range.l_pid;
+  return fcntl(file, F_OFD_GETLK, &range) == 0 && range.l_type != F_UNLCK;
 }
 
 }  // namespace
@@ -50,7 +49,7 @@ JournalStatus journal_status(const std::string& path) {
   const JournalHead last = last_journal_record(file.get(), path);
   status.rows = last.rows;
   status.not_ok = last.not_ok;
-  status.writer = writer_of(file.get());
+  status.is_written = is_locked(file.get());
   return status;
 }
 

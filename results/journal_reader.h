@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +16,7 @@ struct JournalStatus {
   StudyIdentity identity;
   std::uint64_t rows = 0;
   std::uint64_t not_ok = 0;
-  std::optional<std::int64_t> writer;  ///< process that writes it now, on this machine
+  bool is_written = false;  ///< a process writes it now
 };
 
 /// Reads the identity and the last record: the same time for any number of rows, also while the

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <string_view>
 
 #include "ar3d/results/atomic_file.h"
 #include "ar3d/results/columns.h"
@@ -67,14 +68,18 @@ void JournalWriter::create_if_missing(const StudyIdentity& identity) {
   if (file_.get() < 0) refuse(path_, errno);
 }
 
+// The lock belongs to the open file: it lasts until the last process that has it is gone, which may
+// be a worker that dies with its parent a moment later.
 void JournalWriter::lock() {
   struct flock range {};
   range.l_type = F_WRLCK;
   range.l_whence = SEEK_SET;
-  if (fcntl(file_.get(), F_SETLK, &range) == 0) return;
-  if (errno != EACCES && errno != EAGAIN) refuse(path_, errno);
-  fcntl(file_.get(), F_GETLK, &range);
-  throw InputError(fmt::format("{} is being written by another process ({})", path_, range.l_pid));
+  for (int tries = 0; tries < 20; ++tries) {
+    if (fcntl(file_.get(), F_OFD_SETLK, &range) == 0) return;
+    if (errno != EACCES && errno != EAGAIN) refuse(path_, errno);
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  throw InputError(fmt::format("{} is being written by another process", path_));
 }
 
 void JournalWriter::read_existing(const StudyIdentity& identity,
@@ -112,10 +117,15 @@ void JournalWriter::append(const Run& run) {
   expect(session_ >= 0, "a journal's rows belong to a session");
   store_record(run, record_.data());
   std::memcpy(record_.data() + session.offset, &session_, sizeof(session_));
-  pack_row(record_.data(), packed_);
+  append_record(record_.data());
+}
+
+void JournalWriter::append_record(const char* record) {
+  static const Column& status = run_column("status");
+  pack_row(record, packed_);
   JournalHead head = head_;
   ++head.rows;
-  if (run.status != RunStatus::ok) ++head.not_ok;
+  if (std::string_view(record + status.offset, 3) != std::string_view("ok", 3)) ++head.not_ok;
   write_record(JournalKind::row, head, packed_);
 }
 

@@ -31,7 +31,7 @@ class JournalFull : public InputError {
 class JournalWriter {
  public:
   /// Creates the journal, or continues it: cuts off a record that a crash cut short, then tells the
-  /// rows that it holds. Other descriptors of the file that this process closes release the lock.
+  /// rows that it holds.
   /// @throws InputError if another process writes it, it is damaged, it is of another study, shard
   /// or source, or it cannot be written.
   JournalWriter(const std::string& path, const StudyIdentity& identity,
@@ -47,6 +47,9 @@ class JournalWriter {
 
   /// One call at a time. @throws JournalFull: the row is not in the journal, all before it are.
   void append(const Run& run);
+
+  /// A record of run_record_size() bytes as it is; its session counts this journal's, from 0.
+  void append_record(const char* record);
 
   /// Everything appended is on the disk. @throws JournalFull
   void sync();

@@ -107,7 +107,7 @@ TEST(RunStudy, TellsProgress) {
 
 TEST(RunStudy, DescribesWhereItRan) {
   const Results results = describe_study(parse_study(kStudy, "t.toml"), 3);
-  EXPECT_EQ(results.created.size(), std::string("2026-01-02T03:04:05+00:00").size());
+  EXPECT_EQ(results.created.size(), std::string("2026-01-02T03:04:05.678901+00:00").size());
   std::vector<std::string> names;
   for (const EnvironmentEntry& entry : results.environment) {
     EXPECT_FALSE(entry.value.empty()) << entry.name;

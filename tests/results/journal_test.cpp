@@ -169,19 +169,31 @@ TEST_F(Journal, AFlippedByteInTheMiddleIsAnErrorThatNamesTheOffset) {
 }
 
 TEST_F(Journal, HasOneWriterAtATime) {
-  JournalWriter writer(path_, sample_identity());
-  const pid_t child = fork();
-  if (child == 0) {  // locks belong to processes
-    const std::string refused =
-        "is being written by another process (" + std::to_string(getppid()) + ")";
-    _exit(open_error().find(refused) != std::string::npos &&
-                  journal_status(path_).writer == getppid()
-              ? 0
-              : 1);
+  {
+    JournalWriter writer(path_, sample_identity());
+    EXPECT_THAT(open_error(), HasSubstr("is being written by another process"));
+    EXPECT_TRUE(journal_status(path_).is_written);
+    JournalReader reader(path_);
+  }  // a reader's end does not give up the lock before its time
+  EXPECT_FALSE(journal_status(path_).is_written);
+  EXPECT_EQ(open_error(), "no error");
+}
+
+// A worker process has the open file too.
+TEST_F(Journal, IsLockedUntilTheLastWorkerIsGone) {
+  pid_t child = -1;
+  {
+    JournalWriter writer(path_, sample_identity());
+    child = fork();
+    if (child == 0) {
+      pause();
+      _exit(0);
+    }
   }
-  int status = -1;
-  ASSERT_EQ(waitpid(child, &status, 0), child);
-  EXPECT_EQ(status, 0);
+  EXPECT_TRUE(journal_status(path_).is_written);
+  kill(child, SIGKILL);
+  EXPECT_EQ(open_error(), "no error") << "a worker that dies a moment later is waited for";
+  waitpid(child, nullptr, 0);
 }
 
 TEST_F(Journal, RefusesAnotherStudySourceOrShard) {
@@ -269,7 +281,7 @@ TEST_F(Journal, StatusCountsRowsThatAreNotOk) {
   EXPECT_EQ(status.rows, 2000u);
   EXPECT_EQ(status.not_ok, 200u);
   EXPECT_EQ(status.identity.study_id, "sample");
-  EXPECT_FALSE(status.writer);
+  EXPECT_FALSE(status.is_written);
   EXPECT_EQ(JournalReader(path_).sessions()[0].back().name, "load_after");
 }
 

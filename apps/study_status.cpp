@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "ar3d/bench/journaled_study.h"
+#include "ar3d/bench/study_files.h"
+#include "ar3d/results/journal_reader.h"
+#include "ar3d/results/results_reader.h"
+#include "commands.h"
+#include "study.h"
+
+namespace ar3d {
+namespace {
+
+struct StatusArguments {
+  std::string file;
+  std::string snapshot;
+  bool watch = false;
+};
+
+// How far a study is, from its journals or its results file.
+struct Standing {
+  StudyIdentity identity;
+  std::uint64_t rows = 0;
+  std::uint64_t not_ok = 0;
+  int writers = 0;
+  std::size_t journals = 0;
+
+  bool complete() const {
+    return identity.planned_rows >= 0 && rows >= static_cast<std::uint64_t>(identity.planned_rows);
+  }
+};
+
+Standing standing_of(const std::string& file) {
+  const std::string results = results_path_of(file);
+  Standing standing;
+  for (const std::string& path : existing_journals(results)) {
+    const JournalStatus status = journal_status(path);
+    if (standing.journals++ == 0) standing.identity = status.identity;
+    standing.rows += status.rows;
+    standing.not_ok += status.not_ok;
+    standing.writers += status.is_written ? 1 : 0;
+  }
+  if (standing.journals > 0) return standing;
+  const ResultsReader reader(results);
+  standing.identity = reader.identity();
+  standing.rows = reader.size();
+  return standing;
+}
+
+std::string line(const Standing& standing) {
+  std::string text = fmt::format("study {}", standing.identity.study_id);
+  const Shard& shard = standing.identity.shard;
+  if (shard.count > 1) text += fmt::format(" shard {}/{}", shard.index, shard.count);
+  text += fmt::format(": {} of {} rows", standing.rows, standing.identity.planned_rows);
+  if (standing.not_ok > 0) text += fmt::format(" ({} not ok)", standing.not_ok);
+  if (standing.writers > 0) {
+    text +=
+        fmt::format(", {} process{} at work", standing.writers, standing.writers == 1 ? "" : "es");
+  } else {
+    text += standing.complete() ? ", complete" : ", stopped";
+  }
+  return text;
+}
+
+void print_details(const Standing& standing, const std::string& file) {
+  fmt::print("{}\nbegun    {}\nsource   {}{}\n", line(standing), standing.identity.created,
+             standing.identity.source_hash, standing.identity.dirty ? " and changes" : "");
+  const std::string results = results_path_of(file);
+  if (standing.writers > 0) {
+    fmt::print("watch it with `ar3d study status --watch {}`\n", results);
+  } else if (!standing.complete() || standing.journals > 0) {
+    fmt::print("go on with `ar3d study resume {}`\n", results);
+  }
+}
+
+// One line a second until nobody writes any more.
+Standing watch(const std::string& file) {
+  const bool terminal = isatty(STDOUT_FILENO) == 1;
+  const auto start = std::chrono::steady_clock::now();
+  const Standing first = standing_of(file);
+  Standing now = first;
+  while (now.writers > 0) {
+    std::string text = line(now);
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    const double made = static_cast<double>(now.rows - first.rows);
+    const double left =
+        static_cast<double>(now.identity.planned_rows) - static_cast<double>(now.rows);
+    if (made > 0 && left > 0) {
+      text += fmt::format(", {:.0f} rows a second, about {:.0f} s left", made / elapsed.count(),
+                          left * elapsed.count() / made);
+    }
+    fmt::print("{}{}{}", terminal ? "\r" : "", text, terminal ? "\033[K" : "\n");
+    std::fflush(stdout);
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    now = standing_of(file);
+  }
+  if (terminal) fmt::print("\n");
+  return now;
+}
+
+int show(const StatusArguments& arguments) {
+  if (!arguments.snapshot.empty()) {
+    const StudyOutcome outcome = write_snapshot(begun_study(arguments.file), arguments.snapshot);
+    fmt::print("{} rows are in {}\n", outcome.rows, arguments.snapshot);
+    return outcome.complete() ? kPass : kIncomplete;
+  }
+  const Standing standing = arguments.watch ? watch(arguments.file) : standing_of(arguments.file);
+  print_details(standing, arguments.file);
+  return standing.complete() ? kPass : kIncomplete;
+}
+
+}  // namespace
+
+void add_study_status(CLI::App& study, int& exit_code) {
+  CLI::App* verb =
+      study.add_subcommand("status", "Tells how far a study is, also while it is running");
+  const auto arguments = std::make_shared<StatusArguments>();
+  verb->add_option("FILE", arguments->file, "its results file or its journal")->required();
+  verb->add_flag("--watch", arguments->watch, "tell it every second until nobody writes any more");
+  verb->add_option("--snapshot", arguments->snapshot,
+                   "write the rows so far as a results file of their own");
+  verb->footer(
+      "Exit code 0 if all rows are there, else 5.\nExample: ar3d study status --watch "
+      "ar3d-quick.h5");
+  verb->callback([arguments, &exit_code] { exit_code = show(*arguments); });
+}
+
+}  // namespace ar3d

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ar3d/results/run.h"
+
+namespace ar3d {
+
+/// "r.shard-2-of-8.h5" for r.h5; r.h5 itself if there is one shard.
+std::string path_of_shard(const std::string& results, const Shard& shard);
+
+/// "r.h5.journal", and "r.h5.rank-3.journal" for a rank other than 0.
+std::string journal_path(const std::string& results, int rank = 0);
+
+/// The journals of a study that exist, rank 0 first.
+std::vector<std::string> existing_journals(const std::string& results);
+
+/// The results file that a journal is made into; other paths are results files themselves.
+std::string results_path_of(const std::string& journal_or_results);
+
+/// After the results file is safe on the disk.
+void remove_journals(const std::string& results);
+
+}  // namespace ar3d

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ar3d/results/row_key.h"
+#include "ar3d/results/run.h"
+
+namespace ar3d {
+
+/// The rows of one study, wherever they are: in journals and results files of its shards, ranks and
+/// sessions. Whatever the order in which the files are added, the same rows stand in it.
+/// Memory: about 60 bytes a row and 1 MB a file.
+class RowCollection {
+ public:
+  RowCollection();
+  ~RowCollection();
+  RowCollection(RowCollection&&) noexcept;
+
+  /// Adds a journal or a results file, told apart by their content.
+  /// @throws InputError naming the file if it cannot be read, is damaged, or is of another
+  /// specification or source than the files before.
+  void add(const std::string& path);
+
+  /// No more is added. @throws InputError if a row is there twice and not the same, naming the
+  /// files and the column.
+  void close();
+
+  /// Of the study: `created` is the earliest of all files, `shard` and `planned_rows` are those of
+  /// the first one.
+  const StudyIdentity& identity() const;
+  /// The shards of the files, sorted, each once.
+  const std::vector<Shard>& shards() const;
+  /// Of all sessions, in the order in which they began.
+  const std::vector<EnvironmentEntry>& environment() const;
+
+  std::size_t size() const;
+  const RowKey& key(std::size_t place) const;
+  std::optional<std::size_t> find(const RowKey& key) const;
+  /// Writes run_record_size() bytes; cheap if the places of one file's rows are read in order.
+  void read(std::size_t place, char* record) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace ar3d

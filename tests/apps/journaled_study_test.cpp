@@ -1,0 +1,221 @@
+// Studies that are interrupted, refused, divided and put together again, through the program.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include "support/program.h"
+#include "support/results.h"
+
+namespace ar3d {
+namespace {
+
+using testing::expect_same_rows;
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::read_file;
+using testing::run;
+using testing::ScratchDirectory;
+namespace fs = std::filesystem;
+
+// A study that can be met while it runs.
+const char* const kSlow = R"(study = "slow"
+[[sweep]]
+families = "random-cubic"
+sizes = 3000
+algorithms = "grid"
+instances = 60
+)";
+
+class JournaledStudy : public ::testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return scratch_.path(name); }
+  Outcome study(const std::string& arguments) const { return run("{} study " + arguments); }
+  // Runs `slow` on one thread, and when some rows are there: `then`, with the process as $writer.
+  Outcome meet_while_running(const std::string& results, const std::string& then) const {
+    const std::string spec = scratch_.write("slow.toml", kSlow);
+    return run("{} study run --threads 1 -q " + spec + " -o " + results +
+               " & writer=$!; until [ \"$(stat -c %s " + results +
+               ".journal 2> /dev/null || echo 0)\" -gt 8000 ]; do sleep 0.01; done; " + then +
+               "; wait $writer");
+  }
+  void run_and_kill(const std::string& results) const {
+    const Outcome killed = meet_while_running(results, "kill -KILL $writer");
+    ASSERT_EQ(killed.exit_code, 137) << killed.err;
+    ASSERT_TRUE(fs::exists(results + ".journal"));
+    ASSERT_FALSE(fs::exists(results));
+  }
+  void make_shards(int count) const {
+    for (int i = 1; i <= count; ++i) {
+      const std::string shard = std::to_string(i) + "/" + std::to_string(count);
+      EXPECT_EQ(study("run smoke -q --shard " + shard + " -o " + shard_path(i)).exit_code, 0);
+    }
+  }
+  std::string shard_path(int i) const { return path(std::to_string(i) + ".h5"); }
+
+  ScratchDirectory scratch_;
+};
+
+TEST_F(JournaledStudy, LeavesNoJournalBehind) {
+  EXPECT_EQ(study("run smoke -q -o " + path("s.h5")).exit_code, 0);
+  EXPECT_FALSE(fs::exists(path("s.h5.journal")));
+  const Outcome status = study("status " + path("s.h5"));
+  EXPECT_EQ(status.exit_code, 0);
+  EXPECT_THAT(status.out, HasSubstr("complete"));
+  EXPECT_EQ(study("resume -q " + path("s.h5")).exit_code, 0) << "nothing is left to do";
+}
+
+TEST_F(JournaledStudy, ResumesAfterAKillWithTheRowsItHad) {
+  const std::string results = path("slow.h5");
+  run_and_kill(results);
+  const Outcome status = study("status " + results);
+  EXPECT_EQ(status.exit_code, 5);
+  EXPECT_THAT(status.out, HasSubstr(" of 60 rows, stopped"));
+  EXPECT_THAT(status.out, HasSubstr("ar3d study resume " + results));
+  ASSERT_EQ(study("status " + results + " --snapshot " + path("before.h5")).exit_code, 5);
+
+  const Outcome again = study("run -q " + path("slow.toml") + " -o " + results);
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_THAT(again.err, HasSubstr("ar3d study resume"));
+  EXPECT_EQ(study("resume -q --threads 1 " + results + ".journal").exit_code, 0);
+  EXPECT_EQ(study("run -q " + path("slow.toml") + " -o " + path("whole.h5")).exit_code, 0);
+  expect_same_rows(results, path("whole.h5"));
+
+  const Results before = read_results(path("before.h5"));
+  const Results after = read_results(results);
+  ASSERT_GT(before.runs.size(), 0u);
+  std::map<std::string, std::string> kept;
+  for (const ar3d::Run& row : after.runs) kept[row.row_key] = testing::all_bytes(row);
+  for (const ar3d::Run& row : before.runs) {
+    EXPECT_EQ(kept[row.row_key], testing::all_bytes(row)) << "rows never change";
+  }
+  EXPECT_EQ(after.runs.back().session + 1, 2);
+}
+
+TEST_F(JournaledStudy, ResumesFromAnInterruptedResultsFileAlone) {
+  const std::string results = path("slow.h5");
+  const Outcome interrupted = meet_while_running(results, "kill -INT $writer");
+  ASSERT_EQ(interrupted.exit_code, 130) << interrupted.err;
+  EXPECT_THAT(interrupted.err, HasSubstr("go on with `ar3d study resume " + results));
+  fs::remove(results + ".journal");
+  EXPECT_EQ(study("status " + results).exit_code, 5);
+  const Results before = read_results(results);
+  EXPECT_EQ(study("resume -q " + results).exit_code, 0);
+  const Results after = read_results(results);
+  EXPECT_EQ(after.runs.size(), 60u);
+  EXPECT_EQ(after.created, before.created);
+  ASSERT_GT(before.runs.size(), 0u);
+  EXPECT_LT(before.runs.size(), 60u);
+}
+
+TEST_F(JournaledStudy, IsReadWhileItRuns) {
+  const std::string results = path("slow.h5");
+  const Outcome outcome =
+      meet_while_running(results, "{} study status " + results + "; {} study status " + results +
+                                      " --snapshot " + path("live.h5") + "; {} study resume -q " +
+                                      results + "; echo second=$?; kill -INT $writer");
+  EXPECT_EQ(outcome.exit_code, 130);
+  EXPECT_THAT(outcome.out, HasSubstr("1 process at work"));
+  EXPECT_THAT(outcome.out, HasSubstr("second=2"));
+  EXPECT_THAT(outcome.err, HasSubstr("slow.h5.journal is being written by another process"));
+  const Outcome python = run("/usr/bin/python3 -c 'import h5py; f = h5py.File(\"" +
+                             path("live.h5") + "\"); print(len(f[\"runs\"]) > 0)'");
+  EXPECT_EQ(python.out, "True\n") << python.err;
+}
+
+TEST_F(JournaledStudy, AFullDiskEndsItResumably) {
+  const std::string results = path("slow.h5");
+  const std::string spec = scratch_.write("slow.toml", kSlow);
+  const Outcome full = run("ulimit -f 16; {} study run -q " + spec + " -o " + results);
+  EXPECT_EQ(full.exit_code, 5);
+  EXPECT_THAT(full.err, HasSubstr("slow.h5.journal: File too large"));
+  EXPECT_THAT(full.err, HasSubstr("go on with `ar3d study resume " + results));
+  EXPECT_EQ(study("resume -q " + results).exit_code, 0);
+  EXPECT_EQ(read_results(results).runs.size(), 60u);
+}
+
+TEST_F(JournaledStudy, RefusesPlacesThatCannotBeWrittenBeforeAnyWork) {
+  for (const char* place : {"/proc/s.h5", "/sys/s.h5", "/no/such/folder/s.h5"}) {
+    const Outcome refused = study(std::string("run quick -q -o ") + place);
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, HasSubstr(std::string("cannot write ") + place));
+  }
+}
+
+TEST_F(JournaledStudy, ADamagedJournalIsAnErrorThatNamesTheOffset) {
+  const std::string results = path("slow.h5");
+  run_and_kill(results);
+  std::string journal = read_file(results + ".journal");
+  journal[journal.size() / 2] = static_cast<char>(journal[journal.size() / 2] ^ 1);
+  std::ofstream(results + ".journal", std::ios::binary) << journal;
+  const Outcome resume = study("resume -q " + results);
+  EXPECT_EQ(resume.exit_code, 2);
+  EXPECT_THAT(resume.err, HasSubstr("slow.h5.journal: damaged at byte "));
+  EXPECT_EQ(read_file(results + ".journal"), journal) << "nothing is changed";
+}
+
+TEST_F(JournaledStudy, ShardsMergeToTheSameBytesInAnyOrder) {
+  make_shards(3);
+  const std::string a = shard_path(1), b = shard_path(2), c = shard_path(3);
+  const std::string one = path("one.h5"), two = path("two.h5");
+  EXPECT_EQ(study("merge " + a + " " + b + " " + c + " -o " + one).exit_code, 0);
+  EXPECT_EQ(study("merge " + c + " " + a + " " + b + " " + a + " -o " + two).exit_code, 0);
+  EXPECT_EQ(read_file(one), read_file(two));
+  EXPECT_EQ(study("run smoke -q -o " + path("whole.h5")).exit_code, 0);
+  expect_same_rows(one, path("whole.h5"));
+  EXPECT_EQ(run("{} check " + one).exit_code, 0);
+}
+
+TEST_F(JournaledStudy, MergeRefusesWhatDoesNotBelongTogether) {
+  make_shards(3);
+  const std::string a = shard_path(1), b = shard_path(2), c = shard_path(3);
+  const auto merge = [&](const std::string& parts) {
+    const Outcome outcome = study("merge " + parts + " -o " + path("m.h5"));
+    EXPECT_FALSE(fs::exists(path("m.h5"))) << parts;
+    return outcome;
+  };
+  const Outcome missing = merge(a + " " + c);
+  EXPECT_EQ(missing.exit_code, 5);
+  EXPECT_THAT(missing.err, HasSubstr("no file of shard 2"));
+
+  fs::copy_file(b, path("cut.h5"));
+  fs::resize_file(path("cut.h5"), fs::file_size(b) / 2);
+  const Outcome cut = merge(a + " " + path("cut.h5") + " " + c);
+  EXPECT_EQ(cut.exit_code, 2);
+  EXPECT_THAT(cut.err, HasSubstr("cut.h5 is not a readable results file"));
+
+  EXPECT_EQ(study("run smoke -q --shard 2/3 -o " + path("again.h5")).exit_code, 0);
+  const Outcome twice = merge(a + " " + b + " " + c + " " + path("again.h5"));
+  EXPECT_EQ(twice.exit_code, 2);
+  EXPECT_THAT(twice.err, HasSubstr("differs in its "));
+
+  EXPECT_EQ(study("run smoke -q --shard 1/2 -o " + path("half.h5")).exit_code, 0);
+  const Outcome mixed = merge(a + " " + b + " " + c + " " + path("half.h5"));
+  EXPECT_EQ(mixed.exit_code, 2);
+
+  const std::string other = scratch_.write("other.toml", kSlow);
+  EXPECT_EQ(study("run -q --shard 1/60 " + other + " -o " + path("other.h5")).exit_code, 0);
+  const Outcome another = merge(a + " " + b + " " + c + " " + path("other.h5"));
+  EXPECT_EQ(another.exit_code, 2);
+  EXPECT_THAT(another.err, HasSubstr("differ in their specification"));
+
+  Results foreign = read_results(c);
+  foreign.source_hash = std::string(40, '0');
+  write_results(foreign, path("foreign.h5"));
+  const Outcome source = merge(a + " " + b + " " + path("foreign.h5"));
+  EXPECT_EQ(source.exit_code, 2);
+  EXPECT_THAT(source.err, HasSubstr("differ in their program's source"));
+}
+
+TEST_F(JournaledStudy, RefusesShardsThatAreNone) {
+  for (const char* shard : {"0/3", "4/3", "1", "1/", "/2", "a/b", "1/2/3", "-1/2"}) {
+    const Outcome refused = study(std::string("run smoke --shard=") + shard);
+    EXPECT_EQ(refused.exit_code, 2) << shard;
+    EXPECT_THAT(refused.err, HasSubstr("is no shard")) << shard;
+  }
+}
+
+}  // namespace
+}  // namespace ar3d
