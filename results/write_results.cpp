@@ -30,8 +30,10 @@ void write_spec(hid_t file, const std::string& spec) {
   const std::size_t size = std::max<std::size_t>(1, spec.size());
   const Hdf5Handle type = text_type(size, H5T_CSET_UTF8);
   const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, "create a scalar");
+  const Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "create properties");
+  hdf5_checked(H5Pset_obj_track_times(properties.get(), false), "leave time stamps out");
   const Hdf5Handle dataset(
-      H5Dcreate2(file, "spec", type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+      H5Dcreate2(file, "spec", type.get(), space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),
       H5Dclose, "create /spec");
   std::string padded = spec;
   padded.resize(size, '\0');

@@ -4,11 +4,13 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <thread>
 
 #include "ar3d/model/error.h"
 #include "ar3d/results/atomic_file.h"
@@ -117,6 +119,7 @@ TEST_F(ResultsFile, EqualResultsGiveEqualBytes) {
     return std::string(std::istreambuf_iterator<char>(in), {});
   };
   write_results(sample_results(700), in_folder("a.h5"));
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // time stamps count seconds
   write_results(sample_results(700), in_folder("b.h5"));
   EXPECT_EQ(bytes(in_folder("a.h5")), bytes(in_folder("b.h5")));
 }
