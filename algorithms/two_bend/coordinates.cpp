@@ -30,32 +30,44 @@ void copy_to_sharers(const View& view, Values& values) {
 
 }  // namespace
 
-Values list_places(const View& view, const EntryList& list) {
+Values list_places(const View& view, const std::vector<NodeId>& list) {
   Values places(view.size(), 0);
-  std::int64_t count = 0;
-  for (NodeId v = list.first(); v != kNone; v = list.next(v)) places[v] = count++;
+  std::int32_t count = 0;
+  for (const NodeId v : list) places[v] = count++;
   copy_to_sharers(view, places);
   return places;
 }
 
-Values number_list(const View& view, const EntryList& list, const Spacing& spacing) {
+Values number_list(const View& view, const std::vector<NodeId>& list, const Spacing& spacing) {
   Values values(view.size(), 0);
   NodeId last = kNone;
-  for (NodeId v = list.first(); v != kNone; v = list.next(v)) {
+  std::int64_t value = 0;
+  for (const NodeId v : list) {
     if (last != kNone) {
       const std::int64_t gap =
           std::max({base_gap(view, last, v), spacing.hold_gap[last], spacing.hold_gap[v]});
-      std::int64_t value = values[last] + gap + spacing.extra_after[last];
+      value += gap + spacing.extra_after[last];
       if ((value % 2 != 0) != is_odd_entry(view, v)) ++value;
       expect(value <= kMaxHorizontal, "rows and columns fit 31 bits");
-      values[v] = value;
     } else {
-      values[v] = is_odd_entry(view, v) ? 1 : 0;
+      value = is_odd_entry(view, v) ? 1 : 0;
     }
+    values[v] = static_cast<std::int32_t>(value);
     last = v;
   }
   copy_to_sharers(view, values);
   return values;
+}
+
+std::int64_t bound_of_list(const View& view, const Spacing& spacing) {
+  std::int64_t bound = 0;
+  for (NodeId v = 0; v < view.size(); ++v) {
+    if (!view.is_owner(v) && !view.is_listed_merge(v)) continue;
+    bound += view.type(v) == NodeType::station ? 4 : 2;
+    if (spacing.extra_after[v] > 0) bound += spacing.extra_after[v] + 1;
+    if (spacing.hold_gap[v] > 0) bound += 2 * (spacing.hold_gap[v] + 1);
+  }
+  return bound;
 }
 
 OddInterval interval_of(const View& view, const Values& values, NodeId merge) {
@@ -87,7 +99,7 @@ void relax_merge(const View& view, Values& values, NodeId m) {
     room.low = std::max(room.low, values[above] + nearest);
   }
   expect(room.contains(values[m]), "a listed MERGE keeps its distances");
-  values[m] = std::clamp(middle, room.low, room.high);
+  values[m] = static_cast<std::int32_t>(std::clamp(middle, room.low, room.high));
 }
 
 }  // namespace
@@ -106,7 +118,7 @@ void choose_middle_values(const View& view, Values& values) {
     if (!view.is_free_merge(m)) continue;
     const auto above = view.outs(m);
     if (!above.empty() && view.type(above[0]) == NodeType::split) continue;
-    values[m] = interval_of(view, values, m).middle();
+    values[m] = static_cast<std::int32_t>(interval_of(view, values, m).middle());
   }
 }
 
@@ -127,14 +139,14 @@ bool choose_vv_values(const Flow& flow, const LongEdge& edge, Values& rows, Valu
   const std::int64_t x = columns[edge.lower];
   const std::int64_t y = rows[edge.upper];
   if (row.contains(y) && column.contains(x)) {  // one above the other
-    rows[edge.lower] = y;
-    columns[edge.upper] = x;
+    rows[edge.lower] = rows[edge.upper];
+    columns[edge.upper] = columns[edge.lower];
     return true;
   }
   const auto try_pair = [&](std::int64_t r, std::int64_t c) {
     if (!row.contains(r) || !column.contains(c) || std::gcd(c - x, y - r) != 1) return false;
-    rows[edge.lower] = r;
-    columns[edge.upper] = c;
+    rows[edge.lower] = static_cast<std::int32_t>(r);
+    columns[edge.upper] = static_cast<std::int32_t>(c);
     return true;
   };
   for (std::int64_t ring = 0; ring < 8; ++ring) {

@@ -18,14 +18,18 @@ struct Spacing {
 /// The numbers of one view: rows (y) or columns (x), per node; meaningful for owners and MERGEs of
 /// the view. Owners are even, MERGEs odd; a MERGE is strictly between its in-neighbours, at
 /// distance at least 1 from an owner, 2 from a MERGE and 3 from a STATION.
-using Values = std::vector<std::int64_t>;
+using Values = std::vector<std::int32_t>;
 
 /// The place of every node's row in the list, 0 for nodes that have none.
-Values list_places(const View& view, const EntryList& list);
+Values list_places(const View& view, const std::vector<NodeId>& list);
 
 /// 4.6 and R15: numbers along the list; free MERGEs keep the number of their entry, if any.
 /// @throws InternalError if a number passes kMaxHorizontal.
-Values number_list(const View& view, const EntryList& list, const Spacing& spacing);
+Values number_list(const View& view, const std::vector<NodeId>& list, const Spacing& spacing);
+
+/// What number_list's largest value keeps within, from the numbers of entries: 2 an entry, 2 more a
+/// STATION, what widens, and both gaps of every special row.
+std::int64_t bound_of_list(const View& view, const Spacing& spacing);
 
 /// The odd numbers from low to high that a free MERGE may take (R13); never empty.
 struct OddInterval {

@@ -3,6 +3,11 @@
 #include "ar3d/model/error.h"
 
 namespace ar3d::two_bend {
+namespace {
+
+constexpr std::size_t kWalkers = 16;
+
+}  // namespace
 
 EntryList::EntryList(std::size_t num_nodes, const std::vector<NodeId>& owners) : links_(num_nodes) {
   NodeId last = kNone;
@@ -13,6 +18,34 @@ EntryList::EntryList(std::size_t num_nodes, const std::vector<NodeId>& owners) :
     (last == kNone ? first_ : links_[last].next) = v;
     last = v;
   }
+  for (std::size_t i = 1; i < kWalkers; ++i) {
+    const std::size_t place = i * owners.size() / kWalkers;
+    if (place > (i - 1) * owners.size() / kWalkers) starts_.push_back(owners[place]);
+  }
+}
+
+std::vector<NodeId> EntryList::in_order() const {
+  std::vector<NodeId> begins{first_};
+  for (const NodeId v : starts_) {
+    if (v != first_) begins.push_back(v);
+  }
+  std::vector<std::vector<NodeId>> parts(begins.size());
+  std::vector<NodeId> at = begins;
+  begins.push_back(kNone);
+  for (bool going = first_ != kNone; going;) {
+    going = false;
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      if (at[k] == kNone) continue;
+      parts[k].push_back(at[k]);
+      at[k] = links_[at[k]].next;
+      if (at[k] == begins[k + 1]) at[k] = kNone;
+      going = true;
+    }
+  }
+  std::vector<NodeId> result;
+  result.reserve(links_.size());
+  for (const auto& part : parts) result.insert(result.end(), part.begin(), part.end());
+  return result;
 }
 
 bool EntryList::before(NodeId u, NodeId v) const {
@@ -64,6 +97,7 @@ void EntryList::remove(NodeId v) {
   (link.previous == kNone ? first_ : links_[link.previous].next) = link.next;
   if (link.next != kNone) links_[link.next].previous = link.previous;
   links_[v].cluster = kNone;
+  std::erase(starts_, v);
 }
 
 }  // namespace ar3d::two_bend

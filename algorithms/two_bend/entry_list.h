@@ -16,8 +16,8 @@ class EntryList {
   EntryList(std::size_t num_nodes, const std::vector<NodeId>& owners);
 
   NodeId first() const { return first_; }
-  NodeId next(NodeId v) const { return links_[v].next; }
-  NodeId previous(NodeId v) const { return links_[v].previous; }
+  /// All entries. Walks from several places at once, so that reads of memory overlap.
+  std::vector<NodeId> in_order() const;
   bool contains(NodeId v) const { return links_[v].cluster != kNone; }
 
   bool before(NodeId u, NodeId v) const;
@@ -36,6 +36,7 @@ class EntryList {
   bool walk_before(NodeId u, NodeId v) const;
 
   std::vector<Link> links_;
+  std::vector<NodeId> starts_;  // a few entries in the order of the list, none that was moved
   NodeId first_ = kNone;
 };
 

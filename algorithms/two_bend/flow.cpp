@@ -230,6 +230,10 @@ std::vector<std::uint8_t> find_roles(const View& view) {
 
 Flow build_flow(const LocalGraph& graph, const Blocks& blocks, const TimeOrder& order) {
   Flow flow = FlowBuilder(graph, order).build(blocks);
+  for (const Node& node : flow.nodes) {
+    flow.types[0].push_back(node.type);
+    flow.types[1].push_back(dual(node.type));
+  }
   flow.roles[0] = find_roles(View(flow, false));
   flow.roles[1] = find_roles(View(flow, true));
   for (std::vector<NodeId>& owner : flow.row_owner) {

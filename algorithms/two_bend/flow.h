@@ -73,6 +73,7 @@ struct Flow {
   std::vector<Node> nodes;
   std::vector<LongEdge> edges;
   std::vector<Pole> poles;
+  std::array<std::vector<NodeType>, 2> types;  ///< per node, in the row and in the column view
   std::array<std::vector<std::uint8_t>, 2>
       roles;  ///< per node: bits of Role in the row and in the column view
   std::array<std::vector<NodeId>, 2>
@@ -108,10 +109,7 @@ class View {
   NodeId size() const { return static_cast<NodeId>(flow_->nodes.size()); }
   /// The i-th node in the view's time.
   NodeId at(NodeId i) const { return columns_ ? size() - 1 - i : i; }
-  NodeType type(NodeId v) const {
-    const NodeType type = flow_->nodes[v].type;
-    return columns_ ? dual(type) : type;
-  }
+  NodeType type(NodeId v) const { return flow_->types[columns_ ? 1 : 0][v]; }
   std::span<const NodeId> ins(NodeId v) const {
     return half(flow_->nodes[v].neighbour, v, columns_);
   }

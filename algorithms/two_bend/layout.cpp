@@ -17,11 +17,11 @@ Lists build_lists(Flow& flow, const ListOptions& options) {
       });
   if (options.share)
     share_rows(flow, columns_first, guess_rows(flow, !columns_first, options.straighten));
-  EntryList first = build_view_list(flow, columns_first, options.straighten);
+  std::vector<NodeId> first = build_view_list(flow, columns_first, options.straighten);
   choose_outer_specials(flow, !columns_first, first);
   if (options.share)
     share_rows(flow, !columns_first, list_places(View(flow, columns_first), first));
-  EntryList second = build_view_list(flow, !columns_first, options.straighten);
+  std::vector<NodeId> second = build_view_list(flow, !columns_first, options.straighten);
   if (options.share) {
     separate_rows(flow, columns_first, list_places(View(flow, !columns_first), second), first);
   }
@@ -75,6 +75,10 @@ class LayoutSearch {
  private:
   Layout finish() {
     --layout_.rounds;  // counted from 1
+    layout_.width_bound = {bound_of_list(row_view_, row_spacing_),
+                           bound_of_list(column_view_, column_spacing_)};
+    for (const Pole& pole : flow_.poles)
+      layout_.largest_gap = std::max(layout_.largest_gap, gap_of(pole));
     return std::move(layout_);
   }
 

@@ -9,8 +9,8 @@ namespace ar3d::two_bend {
 
 /// The lists of rows and of columns of a component.
 struct Lists {
-  EntryList rows;
-  EntryList columns;
+  std::vector<NodeId> rows;
+  std::vector<NodeId> columns;
 };
 
 struct ListOptions {
@@ -32,6 +32,8 @@ struct Layout {
       poles;            ///< one entry per flow.poles, in the view in which the pole is a SINK
   unsigned rounds = 1;  ///< numberings tried, the successful one included
   bool safe = false;    ///< the safe round was used
+  std::array<std::int64_t, 2> width_bound{};  ///< of rows, of columns: see bound_of_list
+  std::int64_t largest_gap = 0;               ///< of the gaps around special rows and columns
 };
 
 struct LayoutOptions {

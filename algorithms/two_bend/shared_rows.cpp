@@ -1,7 +1,7 @@
 #include "ar3d/algorithms/two_bend/shared_rows.h"
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
 #include "ar3d/algorithms/two_bend/owner_order.h"
 #include "ar3d/model/error.h"
@@ -11,8 +11,8 @@ namespace {
 
 /// The columns that a SPLIT and those above it in its row reach.
 struct Reach {
-  std::int64_t low = 0;
-  std::int64_t high = 0;
+  std::int32_t low = 0;
+  std::int32_t high = 0;
   std::uint32_t sharers = 0;   ///< SPLITs
   std::uint32_t weight = 0;    ///< SPLITs in the trees above the row's SPLITs
   std::uint32_t heaviest = 0;  ///< the largest of these trees
@@ -162,26 +162,29 @@ void share_rows(Flow& flow, bool columns, const Values& cross) {
   if (part_neighbours_of_merges(view, shares)) set_owners(flow, view, shares);
 }
 
-std::size_t separate_rows(Flow& flow, bool columns, const Values& cross, EntryList& list) {
+void separate_rows(Flow& flow, bool columns, const Values& cross, std::vector<NodeId>& list) {
   const View view(flow, columns);
   std::vector<std::uint8_t> shares = sharers(view);
-  if (!Sharing(view, cross).undo_conflicts(shares, kNoLimits)) return 0;
+  if (!Sharing(view, cross).undo_conflicts(shares, kNoLimits)) return;
   const std::vector<NodeId> before = owners_of(flow, columns);
   set_owners(flow, view, shares);
-  std::size_t added = 0;
+  std::vector<NodeId> added(view.size(), kNone);  // a linked list behind every entry
   for (NodeId v = 0; v < view.size(); ++v) {
-    if (shares[v] || before[v] == v) continue;
-    list.insert_after(before[v], v);
-    ++added;
+    if (!shares[v] && before[v] != v) added[v] = std::exchange(added[before[v]], v);
   }
-  return added;
+  std::vector<NodeId> result;
+  result.reserve(list.size());
+  for (NodeId v : list) {
+    for (; v != kNone; v = added[v]) result.push_back(v);
+  }
+  list = std::move(result);
 }
 
 Values guess_rows(const Flow& flow, bool columns, bool straighten) {
   const View view(flow, columns);
   const Attachment attachment = attach_merges(view);
   Values guess(view.size(), 0);
-  std::int64_t place = 0;
+  std::int32_t place = 0;
   for (const NodeId owner : order_owners(view, attachment, straighten)) guess[owner] = place += 4;
   for (NodeId i = 0; i < view.size(); ++i) {
     const NodeId m = view.at(i);

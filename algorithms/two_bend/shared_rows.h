@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "ar3d/algorithms/two_bend/coordinates.h"
-#include "ar3d/algorithms/two_bend/entry_list.h"
 #include "ar3d/algorithms/two_bend/flow.h"
 
 namespace ar3d::two_bend {
@@ -20,8 +19,7 @@ void share_rows(Flow& flow, bool columns, const Values& cross);
 
 /// Gives SPLITs a row of their own again, next to the one they shared, until the condition of
 /// share_rows holds for the columns `cross`. The order of all other entries stays as it is.
-/// @return the number of rows added to `list`.
-std::size_t separate_rows(Flow& flow, bool columns, const Values& cross, EntryList& list);
+void separate_rows(Flow& flow, bool columns, const Values& cross, std::vector<NodeId>& list);
 
 /// A guess of the order of the view's rows before its list is built: the owners' places, and next
 /// to them the MERGEs.

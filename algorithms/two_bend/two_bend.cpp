@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ar3d/algorithms/two_bend/fixed_bodies.h"
+#include "ar3d/algorithms/two_bend/instance_bound.h"
 #include "ar3d/algorithms/two_bend/sweep.h"
 #include "ar3d/algorithms/two_bend/view_list.h"
 #include "ar3d/model/error.h"
@@ -19,8 +20,10 @@ struct Census {
   std::int64_t components = 0, q_bodies = 0, stations = 0, vv_leans = 0;
   std::int64_t sinks_a = 0, sinks_v = 0, sources_a = 0, sources_v = 0, adjacent_poles = 0;
   std::int64_t rounds = 0, safe_rounds = 0;
+  InstanceBound bound;
 
-  void add(const Flow& flow, const Layout& layout, std::size_t bodies) {
+  void add(const Flow& flow, const Layout& layout, std::size_t places, std::size_t bodies) {
+    bound.add(bound_component(flow, layout, places, bodies));
     q_bodies += static_cast<std::int64_t>(bodies);
     vv_leans += static_cast<std::int64_t>(find_vv_edges(flow).size());
     for (const Node& node : flow.nodes) stations += node.type == NodeType::station ? 1 : 0;
@@ -80,22 +83,23 @@ void draw_component(LocalGraph& graph, const Options& options, Output& output, C
   if (graph.size() == 1) {
     output.set_vertex(graph.name[0], {0, 0, output.base_z()});
     output.end_component(output.base_z());
+    census.bound.add({1, 1, 1});
     return;
   }
-  if (draw_small_cubic(graph, output)) return;
+  if (draw_small_cubic(graph, output)) return census.bound.add(kFixedBodyBound);
   Blocks blocks = find_blocks(graph);
   if (graph.size() == 5 && is_q_block(blocks.block_of(0))) {
     draw_q_body(graph, read_q_body(graph, blocks, blocks.block_of(0).free[0]),
                 {0, kQHalfWidth, output.base_z()}, true, output);
     output.end_component(output.base_z() + kQHeight);
     ++census.q_bodies;
-    return;
+    return census.bound.add(kFixedBodyBound);
   }
   const std::vector<QBody> bodies = cut_q_bodies(graph, blocks);
   const TimeOrder order = find_time_order(graph, blocks);
   const Attempt found = find_attempt(build_flow(graph, blocks, order), options);
   sweep({graph, order, found.flow, found.layout, found.slabs, bodies}, output);
-  census.add(found.flow, found.layout, bodies.size());
+  census.add(found.flow, found.layout, order.list.size(), bodies.size());
 }
 
 }  // namespace
@@ -115,6 +119,7 @@ Drawing draw(const Graph& graph, const Options& options) {
   }
   Drawing drawing = output.finish();
   drawing.counters = census.counters();
+  if (graph.num_vertices() > 0) drawing.instance_bound = census.bound.extents;
   return drawing;
 }
 

@@ -30,7 +30,7 @@ class ListBuilder {
         list_(view_.size(), order_owners(view_, attachment_, straighten)),
         postponed_(view_.size(), false) {}
 
-  EntryList build() {
+  std::vector<NodeId> build() {
     for (const Pole& pole : poles_) {
       if (view_.type(pole.node) == NodeType::sink && pole.special != kNone)
         postpone(waiting_for(pole));
@@ -43,9 +43,10 @@ class ListBuilder {
         insert_attached(v);
       }
     }
-    expect_heavy([&] { return merges_are_between(); },
+    std::vector<NodeId> result = list_.in_order();
+    expect_heavy([&] { return merges_are_between(result); },
                  "every listed MERGE is between its in-neighbours");
-    return std::move(list_);
+    return result;
   }
 
  private:
@@ -203,8 +204,8 @@ class ListBuilder {
     }
   }
 
-  bool merges_are_between() const {
-    const Values place = list_places(view_, list_);
+  bool merges_are_between(const std::vector<NodeId>& list) const {
+    const Values place = list_places(view_, list);
     for (NodeId m = 0; m < view_.size(); ++m) {
       if (!view_.is_listed_merge(m)) continue;
       const auto below = view_.ins(m);
@@ -222,11 +223,12 @@ class ListBuilder {
 
 }  // namespace
 
-EntryList build_view_list(Flow& flow, bool columns, bool straighten) {
+std::vector<NodeId> build_view_list(Flow& flow, bool columns, bool straighten) {
   return ListBuilder(flow, columns, straighten).build();
 }
 
-void choose_outer_specials(Flow& flow, bool columns_are_second, const EntryList& first_list) {
+void choose_outer_specials(Flow& flow, bool columns_are_second,
+                           const std::vector<NodeId>& first_list) {
   const View second(flow, columns_are_second);
   std::vector<Pole>& poles = flow.poles;
   const bool any = std::any_of(poles.begin(), poles.end(), [&](const Pole& pole) {

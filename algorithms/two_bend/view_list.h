@@ -13,10 +13,11 @@ namespace ar3d::two_bend {
 /// Chooses the special neighbour of every V-type SINK of the view that has none: the median of the
 /// three. Cost: O(n).
 /// @param straighten  see order_owners.
-EntryList build_view_list(Flow& flow, bool columns, bool straighten);
+std::vector<NodeId> build_view_list(Flow& flow, bool columns, bool straighten);
 
 /// For the view built second: makes the special neighbour of every V-type SINK an outer one of its
 /// three in the list of the other view, the one farther from the middle one.
-void choose_outer_specials(Flow& flow, bool columns_are_second, const EntryList& first_list);
+void choose_outer_specials(Flow& flow, bool columns_are_second,
+                           const std::vector<NodeId>& first_list);
 
 }  // namespace ar3d::two_bend

@@ -186,11 +186,7 @@ TEST(TwoBendList, EntryListAgreesWithAVector) {
     for (std::size_t j = 0; j < oracle.size(); ++j)
       EXPECT_EQ(list.before(oracle[i], oracle[j]), i < j);
   }
-  NodeId at = list.first();
-  for (const NodeId v : oracle) {
-    EXPECT_EQ(at, v);
-    at = list.next(at);
-  }
+  EXPECT_EQ(list.in_order(), oracle);
 }
 
 TEST(TwoBendList, BothListsPutEveryMergeBetweenItsNeighbours) {
@@ -203,12 +199,13 @@ TEST(TwoBendList, BothListsPutEveryMergeBetweenItsNeighbours) {
       const Lists lists = build_lists(flow, {});
       for (const bool columns : {false, true}) {
         const View view(flow, columns);
-        const EntryList& list = columns ? lists.columns : lists.rows;
+        const std::vector<NodeId>& list = columns ? lists.columns : lists.rows;
+        const Values place = list_places(view, list);
         for (NodeId m = 0; m < view.size(); ++m) {
-          EXPECT_EQ(list.contains(m), view.is_owner(m) || view.is_listed_merge(m));
+          EXPECT_EQ(std::count(list.begin(), list.end(), m),
+                    view.is_owner(m) || view.is_listed_merge(m));
           if (!view.is_listed_merge(m)) continue;
-          EXPECT_NE(list.before(view.row_of(view.ins(m)[0]), m),
-                    list.before(view.row_of(view.ins(m)[1]), m));
+          EXPECT_NE(place[view.ins(m)[0]] < place[m], place[view.ins(m)[1]] < place[m]);
         }
       }
     }

@@ -30,6 +30,11 @@ inline std::vector<Counter> expect_certified(const Graph& graph,
     EXPECT_TRUE(certificate.valid() && certificate.complete)
         << (certificate.valid() ? "incomplete" : certificate.violations[0].message) << "\n"
         << edges_of(graph);
+    const auto extents = bounding_box(drawing).extents();
+    if (graph.num_vertices() > 0) {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        EXPECT_LE(extents[axis], drawing.instance_bound.value()[axis]) << edges_of(graph);
+    }
     return drawing.counters;
   } catch (const InternalError& error) {
     ADD_FAILURE() << error.what() << "\n" << edges_of(graph);
