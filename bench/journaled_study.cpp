@@ -137,6 +137,7 @@ StudyOutcome run_journaled(const JournaledStudy& study, const StudyOptions& opti
                  "ar3d: {} ended with {} bytes of an unfinished row; they are cut off\n",
                  journal_path(study.results), journal.bytes_cut());
     }
+    remove_leftovers(study.results);
     before.emplace(journaled_rows(study));
     const FinishedRuns finished = finished_runs(*before);
     journal.begin_session(session_of(study, describe_study(study.spec, options.threads)));
@@ -144,9 +145,13 @@ StudyOutcome run_journaled(const JournaledStudy& study, const StudyOptions& opti
         plan, options, finished, [&](const Run& run) { journal.append(run); }, study.spec.name);
     journal.end_session({{"load_after", load_average()}});
   }
-  const StudyOutcome outcome = write_rows_so_far(study, plan, study.results);
-  if (outcome.complete()) remove_journals(study.results);
-  return outcome;
+  try {
+    const StudyOutcome outcome = write_rows_so_far(study, plan, study.results);
+    if (outcome.complete()) remove_journals(study.results);
+    return outcome;
+  } catch (const InputError& error) {  // the rows are in the journal all the same
+    throw JournalFull(error.what());
+  }
 }
 
 StudyOutcome write_snapshot(const JournaledStudy& study, const std::string& path) {

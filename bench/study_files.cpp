@@ -32,6 +32,17 @@ std::optional<Name> parse_name(std::string path) {
   return Name{path.substr(0, at), rank};
 }
 
+// The files in the folder of the results file.
+std::vector<std::string> neighbours(const std::string& results) {
+  const fs::path folder = fs::path(results).parent_path();
+  std::vector<std::string> paths;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, ignored)) {
+    paths.push_back((folder / entry.path().filename()).string());
+  }
+  return paths;
+}
+
 }  // namespace
 
 std::string path_of_shard(const std::string& results, const Shard& shard) {
@@ -47,11 +58,9 @@ std::string journal_path(const std::string& results, int rank) {
 }
 
 std::vector<std::string> existing_journals(const std::string& results) {
-  const fs::path folder = fs::path(results).parent_path();
   std::vector<std::pair<int, std::string>> found;
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, ignored)) {
-    const auto name = parse_name((folder / entry.path().filename()).string());
+  for (const std::string& path : neighbours(results)) {
+    const auto name = parse_name(path);
     if (name && name->results == results) {
       found.emplace_back(name->rank, journal_path(results, name->rank));
     }
@@ -65,6 +74,15 @@ std::vector<std::string> existing_journals(const std::string& results) {
 std::string results_path_of(const std::string& journal_or_results) {
   const auto name = parse_name(journal_or_results);
   return name ? name->results : journal_or_results;
+}
+
+void remove_leftovers(const std::string& results) {
+  for (const std::string& path : neighbours(results)) {
+    const bool ours =
+        path.starts_with(results + ".partial-") ||
+        (path.starts_with(results + ".") && path.find(".journal.partial-") != std::string::npos);
+    if (ours) fs::remove(path);
+  }
 }
 
 void remove_journals(const std::string& results) {

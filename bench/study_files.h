@@ -19,6 +19,10 @@ std::vector<std::string> existing_journals(const std::string& results);
 /// The results file that a journal is made into; other paths are results files themselves.
 std::string results_path_of(const std::string& journal_or_results);
 
+/// Unfinished new files that a killed process has left beside the results file and its journals. To
+/// be called by the one that has the journal locked.
+void remove_leftovers(const std::string& results);
+
 /// After the results file is safe on the disk.
 void remove_journals(const std::string& results);
 

@@ -55,7 +55,7 @@ JournalStatus journal_status(const std::string& path) {
 
 JournalReader::JournalReader(std::string path)
     : path_(std::move(path)), file_(open_to_read(path_)) {
-  scan_journal(file_.get(), path_, [this](const JournalRecord& record) {
+  whole_bytes_ = scan_journal(file_.get(), path_, [this](const JournalRecord& record) {
     note(record);
     return true;
   });

@@ -34,6 +34,8 @@ class JournalReader {
   /// Entry `session` is its position.
   const std::vector<std::vector<EnvironmentEntry>>& sessions() const { return sessions_; }
   std::size_t size() const { return rows_.size(); }
+  /// Where the last whole record ends.
+  std::uint64_t whole_bytes() const { return whole_bytes_; }
   RowKey key(std::size_t i) const { return rows_[i].key; }
   /// Writes run_record_size() bytes. @throws InputError
   void read(std::size_t i, char* record) const;
@@ -49,6 +51,7 @@ class JournalReader {
 
   std::string path_;
   Descriptor file_;
+  std::uint64_t whole_bytes_ = 0;
   StudyIdentity identity_;
   std::vector<std::vector<EnvironmentEntry>> sessions_;
   std::vector<Row> rows_;

@@ -1,0 +1,11 @@
+#include <gtest/gtest.h>
+
+#include "support/killed_studies.h"
+
+namespace ar3d {
+namespace {
+
+TEST(KilledStudies, LoseNothingInFiveHundredKills) { testing::kill_and_resume(500, 2); }
+
+}  // namespace
+}  // namespace ar3d

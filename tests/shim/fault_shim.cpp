@@ -1,0 +1,142 @@
+// LD_PRELOAD library: the program under test meets a death or a full disk at a chosen call. It
+// counts the calls that change files and acts as the environment says:
+//   AR3D_FAULT=before:K   SIGKILL instead of the K-th call
+//   AR3D_FAULT=half:K     the K-th call, if it writes, writes half of its bytes; then SIGKILL
+//   AR3D_FAULT=after:K    SIGKILL just after the K-th call
+//   AR3D_FAULT=full:B     the disk has room for B more bytes
+// AR3D_ACKNOWLEDGED names a file; into it goes, after every completed write to a *.journal, how
+// long that journal is: the witness of what was acknowledged.
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+namespace {
+
+struct Fault {
+  Fault() {
+    const char* text = std::getenv("AR3D_FAULT");
+    if (text == nullptr || std::sscanf(text, "%7[a-z]:%ld", kind, &count) != 2) kind[0] = '\0';
+    if (const char* path = std::getenv("AR3D_ACKNOWLEDGED")) {
+      const int file =
+          static_cast<int>(syscall(SYS_openat, AT_FDCWD, path, O_RDWR | O_CREAT, 0600));
+      if (file >= 0 && syscall(SYS_ftruncate, file, sizeof(long)) == 0) {
+        void* place = mmap(nullptr, sizeof(long), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+        if (place != MAP_FAILED) acknowledged = static_cast<std::atomic<long>*>(place);
+      }
+      if (file >= 0) syscall(SYS_close, file);
+    }
+  }
+  bool is(const char* name) const { return std::strcmp(kind, name) == 0; }
+
+  char kind[8] = {};
+  long count = 0;
+  std::atomic<long> calls = 0;
+  std::atomic<long> bytes = 0;
+  std::atomic<long>* acknowledged = nullptr;
+};
+
+Fault& fault() {
+  static Fault instance;
+  return instance;
+}
+
+void die() { syscall(SYS_kill, syscall(SYS_getpid), SIGKILL); }
+
+// Counts a call; true if it is the one.
+bool begins() {
+  Fault& f = fault();
+  const bool hit = ++f.calls == f.count;
+  if (hit && f.is("before")) die();
+  return hit;
+}
+
+template <class Result>
+Result ends(bool hit, Result result) {
+  if (hit && (fault().is("after") || fault().is("half"))) die();
+  return result;
+}
+
+bool is_regular(int file) {
+  struct stat status {};
+  return fstat(file, &status) == 0 && S_ISREG(status.st_mode);
+}
+
+void witness(int file) {
+  if (fault().acknowledged == nullptr) return;
+  char link[64];
+  char path[4096];
+  std::snprintf(link, sizeof(link), "/proc/self/fd/%d", file);
+  const ssize_t size = readlink(link, path, sizeof(path) - 1);
+  if (size < 8 || std::memcmp(path + size - 8, ".journal", 8) != 0) return;
+  *fault().acknowledged = static_cast<long>(lseek(file, 0, SEEK_CUR));
+}
+
+ssize_t real_write(int file, const void* from, std::size_t count) {
+  return syscall(SYS_write, file, from, count);
+}
+
+}  // namespace
+
+extern "C" {
+
+ssize_t write(int file, const void* from, std::size_t count) {
+  if (!is_regular(file)) return real_write(file, from, count);
+  const bool hit = begins();
+  if (hit && fault().is("half")) {
+    real_write(file, from, count / 2);
+    die();
+  }
+  if (fault().is("full")) {
+    const long left = fault().count - fault().bytes;
+    if (left <= 0 && count > 0) {
+      errno = ENOSPC;
+      return -1;
+    }
+    if (static_cast<long>(count) > left) count = static_cast<std::size_t>(left);
+  }
+  const ssize_t written = real_write(file, from, count);
+  if (written > 0) fault().bytes += written;
+  witness(file);
+  return ends(hit, written);
+}
+
+int fsync(int file) {
+  const bool hit = begins();
+  return ends(hit, static_cast<int>(syscall(SYS_fsync, file)));
+}
+
+int fdatasync(int file) {
+  const bool hit = begins();
+  return ends(hit, static_cast<int>(syscall(SYS_fdatasync, file)));
+}
+
+int ftruncate(int file, off_t size) noexcept {
+  const bool hit = begins();
+  return ends(hit, static_cast<int>(syscall(SYS_ftruncate, file, size)));
+}
+
+int rename(const char* from, const char* to) noexcept {
+  const bool hit = begins();
+  return ends(hit, static_cast<int>(syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0)));
+}
+
+int link(const char* from, const char* to) noexcept {
+  const bool hit = begins();
+  return ends(hit, static_cast<int>(syscall(SYS_linkat, AT_FDCWD, from, AT_FDCWD, to, 0)));
+}
+
+int unlink(const char* path) noexcept {
+  const bool hit = begins();
+  return ends(hit, static_cast<int>(syscall(SYS_unlinkat, AT_FDCWD, path, 0)));
+}
+
+}  // extern "C"
