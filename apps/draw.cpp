@@ -12,8 +12,8 @@
 #include "ar3d/formats/drawing_jsonl.h"
 #include "ar3d/formats/drawing_svg.h"
 #include "ar3d/formats/output.h"
+#include "ar3d/model/assignments.h"
 #include "ar3d/results/drawing_hdf5.h"
-#include "assignments.h"
 #include "batches.h"
 #include "commands.h"
 

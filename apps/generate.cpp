@@ -6,7 +6,7 @@
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/output.h"
 #include "ar3d/generators/catalog.h"
-#include "assignments.h"
+#include "ar3d/model/assignments.h"
 #include "commands.h"
 
 namespace ar3d {

@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <memory>
 
+#include "ar3d/model/assignments.h"
 #include "ar3d/model/error.h"
-#include "assignments.h"
 #include "commands.h"
 #include "subject_arguments.h"
 

@@ -1,19 +1,15 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <memory>
-#include <optional>
 #include <string>
 
-#include "ar3d/bench/plan.h"
-#include "ar3d/bench/run_instance.h"
+#include "ar3d/bench/replay_row.h"
 #include "ar3d/formats/drawing_jsonl.h"
 #include "ar3d/formats/output.h"
 #include "ar3d/model/error.h"
 #include "ar3d/results/columns.h"
 #include "ar3d/results/run.h"
-#include "assignments.h"
 #include "commands.h"
 
 namespace ar3d {
@@ -41,39 +37,8 @@ const Run& find_row(const Results& results, const ReplayArguments& arguments) {
   return results.runs[number];
 }
 
-/// "a=1;b=2" as values.
-template <class Value>
-std::vector<Value> parse_list(const std::string& list) {
-  std::vector<std::string> words;
-  for (std::size_t begin = 0; begin < list.size();) {
-    const std::size_t end = std::min(list.find(';', begin), list.size());
-    words.push_back(list.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parse_assignments<Value>(words);
-}
-
-PlannedInstance planned(const Run& run) {
-  const Algorithm& algorithm = find_algorithm(run.algorithm);
-  PlannedInstance instance;
-  instance.choice.family = &find_family(run.family);
-  instance.choice.parameters =
-      complete_parameters(*instance.choice.family, parse_list<ParameterValue>(run.parameters));
-  instance.parameters = run.parameters;
-  instance.wanted_n = static_cast<std::uint64_t>(run.wanted_n);
-  instance.n = static_cast<std::uint64_t>(run.n);
-  instance.index = static_cast<std::uint32_t>(run.instance_index);
-  instance.seed = run.seed;
-  instance.runs.push_back(
-      {{&algorithm, complete_options(algorithm, parse_list<OptionValue>(run.options))},
-       run.options,
-       static_cast<std::uint32_t>(run.repetition),
-       run.row_key,
-       0});
-  return instance;
-}
-
-void write_drawing(const PlannedInstance& instance, const std::string& path) {
+void write_drawing(const Run& row, const std::string& path) {
+  const PlannedInstance instance = plan_of_row(row);
   const Graph graph =
       generate(*instance.choice.family, instance.n, instance.seed, instance.choice.parameters);
   const AlgorithmChoice& choice = instance.runs.front().choice;
@@ -85,17 +50,15 @@ void write_drawing(const PlannedInstance& instance, const std::string& path) {
 int replay_row(const ReplayArguments& arguments) {
   const Results results = read_results(arguments.results);
   const Run& then = find_row(results, arguments);
-  const PlannedInstance instance = planned(then);
-  std::optional<Run> now;
-  run_instance(instance, {}, {}, [&](std::size_t, Run run) { now = std::move(run); });
-  if (!arguments.output.empty()) write_drawing(instance, arguments.output);
-  const std::vector<std::string> differing = differing_columns(then, now.value());
+  const Run now = replayed(then);
+  if (!arguments.output.empty()) write_drawing(then, arguments.output);
+  const std::vector<std::string> differing = differing_columns(then, now);
   fmt::print("{} {} n={} seed {} with {} {}: {}\n", then.family, then.parameters, then.n, then.seed,
-             then.algorithm, then.options, to_string(now->status));
+             then.algorithm, then.options, to_string(now.status));
   for (const std::string& column : differing)
     fmt::print("column {} differs from the recorded row\n", column);
   if (differing.empty()) fmt::print("every non-timing column is equal, bit for bit\n");
-  if (now->status == RunStatus::violated) return kViolated;
+  if (now.status == RunStatus::violated) return kViolated;
   return differing.empty() ? kPass : kRegression;
 }
 

@@ -20,6 +20,7 @@
 #include "ar3d/results/journal_writer.h"
 #include "ar3d/results/run.h"
 #include "commands.h"
+#include "making_options.h"
 
 namespace ar3d {
 namespace {
@@ -30,6 +31,7 @@ struct RunArguments {
   std::string shard;
   int threads = 0;
   bool quiet = false;
+  MakingRules making;
 };
 
 std::atomic<bool> g_stop{false};
@@ -65,7 +67,8 @@ int run_to_the_end(const JournaledStudy& study, const RunArguments& arguments) {
   try {
     outcome = run_journaled(study, {.threads = arguments.threads,
                                     .progress = arguments.quiet ? nullptr : stderr,
-                                    .stop = &g_stop});
+                                    .stop = &g_stop,
+                                    .making = arguments.making});
   } catch (const JournalFull& error) {
     fmt::print(stderr,
                "ar3d: {}\nar3d: the rows before are safe; go on with `ar3d study resume {}`\n",
@@ -84,6 +87,7 @@ void add_common(CLI::App& verb, RunArguments& arguments) {
   verb.add_option("--threads", arguments.threads, "number of threads; all cores if left out")
       ->check(CLI::Range(1, 1024));
   verb.add_flag("-q,--quiet", arguments.quiet, "no progress on standard error");
+  add_making_options(verb, arguments.making);
 }
 
 void add_run(CLI::App& study, int& exit_code) {

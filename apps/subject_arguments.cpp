@@ -5,9 +5,9 @@
 #include "ar3d/formats/drawing_jsonl.h"
 #include "ar3d/formats/drawing_svg.h"
 #include "ar3d/formats/sparse6.h"
+#include "ar3d/model/assignments.h"
 #include "ar3d/model/error.h"
 #include "ar3d/results/atomic_file.h"
-#include "assignments.h"
 
 namespace ar3d {
 namespace {

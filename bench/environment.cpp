@@ -16,6 +16,7 @@
 #include <string_view>
 #include <thread>
 
+#include "ar3d/bench/hardware_counters.h"
 #include "ar3d_build_info.h"
 
 namespace ar3d {
@@ -117,6 +118,21 @@ std::string load_average() {
   return line.substr(0, end);
 }
 
+const char* timing_mark() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  return "sanitised";
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+  return "sanitised";
+#endif
+#endif
+#ifndef NDEBUG
+  return "debug";
+#else
+  return "";
+#endif
+}
+
 std::vector<EnvironmentEntry> capture_environment(int threads) {
   std::vector<EnvironmentEntry> entries = {
       {"cpu", proc_value("/proc/cpuinfo", "model name")},
@@ -132,6 +148,7 @@ std::vector<EnvironmentEntry> capture_environment(int threads) {
       {"flags", AR3D_FLAGS},
       {"openmp", fmt::format("{}", _OPENMP)},
       {"threads", fmt::format("{}", threads)},
+      {"hardware_counters", HardwareCounters().availability()},
       {"load_before", load_average()},
   };
   add_libraries(entries);

@@ -12,6 +12,10 @@ std::string source_hash();
 /// True if tracked files differed from that commit when the program was built.
 bool source_is_dirty();
 
+/// Why times of this build are worth little: "debug" (no -DNDEBUG), "sanitised", or "" for a good
+/// build.
+const char* timing_mark();
+
 /// Machine, operating system, compiler, libraries, settings that influence speed; "absent" for what
 /// the system does not tell.
 std::vector<EnvironmentEntry> capture_environment(int threads);

@@ -50,6 +50,57 @@ std::uint32_t probed_degree(const FamilyChoice& choice, const std::vector<std::u
   return generate(*choice.family, wanted, 0, choice.parameters).max_degree();
 }
 
+// One row of a drawing.
+struct Measurement {
+  RunPhase phase = RunPhase::metrics;
+  std::int64_t scale = -1;
+  std::uint32_t repetition = 0;
+  std::uint32_t batch = 0;
+};
+
+// Drawings of all repetitions of a batch on so many threads; at most 2^50.
+std::uint64_t drawings_of(const Batches& batches, std::uint32_t threads, RunPhase phase) {
+  const std::uint64_t drawings = std::uint64_t{batches.repetitions} * batches.drawings;
+  return phase == RunPhase::weak ? drawings * threads : drawings;
+}
+
+// Rows of one drawing; at most 2^61.
+std::uint64_t rows_of_a_drawing(const Sweep& sweep) {
+  std::uint64_t rows = std::uint64_t{sweep.repetitions} + sweep.timed.most;
+  for (const std::uint32_t threads : sweep.strong.threads) {
+    rows += drawings_of(sweep.strong, threads, RunPhase::strong);
+  }
+  for (const std::uint32_t threads : sweep.weak.threads) {
+    rows += drawings_of(sweep.weak, threads, RunPhase::weak);
+  }
+  return rows;
+}
+
+// Every row of one drawing, in order.
+template <class Use>
+void for_each_measurement(const Sweep& sweep, Use&& use) {
+  for (std::uint32_t i = 0; i < sweep.repetitions; ++i) use({RunPhase::metrics, -1, i, 0});
+  for (std::uint32_t i = 0; i < sweep.timed.most; ++i) use({RunPhase::timing, -1, i, 0});
+  const auto batches = [&](const Batches& all, RunPhase phase) {
+    for (const std::uint32_t threads : all.threads) {
+      const auto drawings = static_cast<std::uint32_t>(drawings_of(all, threads, phase));
+      const std::uint32_t members = drawings / all.repetitions;
+      for (std::uint32_t i = 0; i < drawings; ++i) use({phase, threads, i, i / members});
+    }
+  };
+  batches(sweep.strong, RunPhase::strong);
+  batches(sweep.weak, RunPhase::weak);
+}
+
+// What stands before the repetition tells the phases apart; the metrics phase has nothing there.
+std::string row_key(const std::string& prefix, const PlannedRun& run) {
+  std::string phase;
+  if (run.phase != RunPhase::metrics) phase = fmt::format("phase={}\n", to_string(run.phase));
+  if (run.scale >= 0) phase += fmt::format("scale={}\n", run.scale);
+  return hash128(fmt::format("{}algorithm={}\noptions={}\n{}repetition={}\n", prefix,
+                             run.choice.algorithm->name, run.options, phase, run.repetition));
+}
+
 bool any_matches(const std::vector<CellPattern>& patterns, const std::string& family,
                  const std::string& algorithm, std::uint64_t n) {
   return std::any_of(patterns.begin(), patterns.end(),
@@ -68,6 +119,8 @@ class Planner {
     for (const Cell& cell : cells_) add_instances(cell);
     drop_empty_instances();
     number_rows();
+    plan_.timing = spec_.timing;
+    plan_.budget = spec_.budget;
     if (plan_.rows == 0) {
       throw InputError(
           fmt::format("study {} has no run: no algorithm fits a family and a size", spec_.name));
@@ -82,7 +135,7 @@ class Planner {
     std::uint64_t wanted_n = 0;
     std::uint64_t n = 0;
     std::uint32_t instances = 1;
-    std::uint32_t repetitions = 1;
+    const Sweep* sweep = nullptr;
     std::vector<AlgorithmChoice> algorithms;
   };
 
@@ -91,19 +144,21 @@ class Planner {
     for (const std::uint64_t wanted_n : sweep.sizes) {
       const std::uint64_t n = family.family->nearest_n(wanted_n, family.parameters);
       const std::uint32_t instances = family.family->is_random ? sweep.instances : 1;
-      cells_.push_back({family, wanted_n, n, instances, sweep.repetitions,
-                        fitting_algorithms(sweep, family, degree, n)});
+      cells_.push_back(
+          {family, wanted_n, n, instances, &sweep, fitting_algorithms(sweep, family, degree, n)});
     }
   }
 
   // Before any of them costs time or memory; rows that are asked for twice count twice.
   void refuse_too_many_rows() const {
     std::size_t rows = 0;
-    for (const Cell& cell : cells_) {  // less than 2^60 a cell: no sum wraps before it is refused
-      rows += std::size_t{cell.instances} * cell.repetitions * cell.algorithms.size();
-      if (rows > kMaxRows) {
+    for (const Cell& cell : cells_) {
+      const std::size_t drawings = std::size_t{cell.instances} * cell.algorithms.size();
+      const std::size_t each = rows_of_a_drawing(*cell.sweep);
+      if (drawings > 0 && each > (kMaxRows - rows) / drawings) {
         throw InputError(fmt::format("study {} has more than {} rows", spec_.name, kMaxRows));
       }
+      rows += drawings * each;
     }
   }
 
@@ -151,13 +206,20 @@ class Planner {
     const std::string prefix =
         fmt::format("study_seed={}\n{}", spec_.seed, instance_identity(instance));
     for (const AlgorithmChoice& choice : cell.algorithms) {
-      const std::string options = settings_text(choice.options);
-      for (std::uint32_t repetition = 0; repetition < cell.repetitions; ++repetition) {
-        std::string key = hash128(fmt::format("{}algorithm={}\noptions={}\nrepetition={}\n", prefix,
-                                              choice.algorithm->name, options, repetition));
-        if (!keys_.insert(key).second) continue;
-        instance.runs.push_back({choice, options, repetition, std::move(key), 0});
-      }
+      PlannedRun run;
+      run.choice = choice;
+      run.options = settings_text(choice.options);
+      for_each_measurement(*cell.sweep, [&](const Measurement& measurement) {
+        run.phase = measurement.phase;
+        run.scale = measurement.scale;
+        run.repetition = measurement.repetition;
+        run.batch = measurement.batch;
+        run.optional = measurement.phase == RunPhase::timing &&
+                       measurement.repetition >= cell.sweep->timed.least;
+        run.precision = cell.sweep->timed.precision;
+        run.row_key = row_key(prefix, run);
+        if (keys_.insert(run.row_key).second) instance.runs.push_back(run);
+      });
     }
   }
 

@@ -18,7 +18,11 @@ struct PlannedRun {
   std::size_t row = 0;  ///< place in the results
   RunPhase phase = RunPhase::metrics;
   std::int64_t scale = -1;  ///< threads of a strong or weak batch, else -1
-  bool optional = false;    ///< a study is complete without it (a repetition up to a precision)
+  std::uint32_t batch = 0;  ///< strong, weak: rows with equal scale and batch are drawn together
+  /// A study is complete without it: it is only made while the median of the repetitions before it
+  /// is less precise than `precision`.
+  bool optional = false;
+  double precision = 0;
 };
 
 /// One graph to come and everything that is done with it.
@@ -38,6 +42,8 @@ struct PlannedInstance {
 struct StudyPlan {
   std::vector<PlannedInstance> instances;
   std::size_t rows = 0;
+  TimingRules timing;  ///< of the specification
+  Budget budget;       ///< of the specification
 };
 
 /// Leaves out an algorithm where the family's graphs pass its maximum degree (found by generating

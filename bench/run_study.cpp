@@ -4,40 +4,21 @@
 #include <fmt/format.h>
 #include <omp.h>
 
-#include <algorithm>
+#include <atomic>
 #include <chrono>
-#include <cmath>
 #include <ctime>
 #include <exception>
 #include <mutex>
-#include <numeric>
 #include <optional>
 
 #include "ar3d/bench/environment.h"
 #include "ar3d/bench/progress.h"
-#include "ar3d/bench/run_instance.h"
 #include "ar3d/results/sha256.h"
 
 namespace ar3d {
 namespace {
 
-// Drawing is linear in n, but certifying, which takes most of the time, grows like n^1.5 or faster;
-// good enough for the order and the remaining time.
-double work_of_row(const PlannedInstance& instance) {
-  return 1000 + std::pow(static_cast<double>(instance.n), 1.5);
-}
-
-std::vector<std::size_t> largest_first(const StudyPlan& plan) {
-  std::vector<std::size_t> order(plan.instances.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto work = [&](std::size_t i) {
-    return work_of_row(plan.instances[i]) * static_cast<double>(plan.instances[i].runs.size());
-  };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return work(a) > work(b); });
-  return order;
-}
-
+// What is left to do, without the rows that may turn out not to be needed.
 struct Remaining {
   std::size_t rows = 0;
   double work = 0;
@@ -47,7 +28,7 @@ Remaining remaining_rows(const StudyPlan& plan, const FinishedRuns& finished) {
   Remaining remaining;
   for (const PlannedInstance& instance : plan.instances) {
     for (const PlannedRun& run : instance.runs) {
-      if (finished.contains(run.row_key)) continue;
+      if (run.optional || finished.contains(run.row_key)) continue;
       ++remaining.rows;
       remaining.work += work_of_row(instance);
     }
@@ -60,16 +41,17 @@ class Collector {
  public:
   Collector(const StudyPlan& plan, const FinishedRuns& finished,
             const std::function<void(const Run&)>& on_row)
-      : rows_(plan.rows), on_row_(on_row) {
+      : rows_(plan.rows), work_(plan.rows), on_row_(on_row) {
     for (const PlannedInstance& instance : plan.instances) {
       for (const PlannedRun& run : instance.runs) {
+        if (!run.optional) work_[run.row] = work_of_row(instance);
         const auto known = finished.find(run.row_key);
         if (known != finished.end()) rows_[run.row] = known->second;
       }
     }
   }
 
-  void add(std::size_t row, Run run, double work, Progress& progress) {
+  void add(std::size_t row, Run run, Progress& progress) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (failure_) return;
     try {
@@ -78,12 +60,8 @@ class Collector {
       note(std::current_exception());
       return;
     }
-    progress.row_done(work, run.status == RunStatus::ok);
+    if (work_[row] > 0) progress.row_done(work_[row], run.status == RunStatus::ok);
     rows_[row] = std::move(run);
-  }
-  void fail(std::exception_ptr failure) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    note(std::move(failure));
   }
   bool failed() const { return failed_; }
 
@@ -105,6 +83,7 @@ class Collector {
 
   std::mutex mutex_;
   std::vector<std::optional<Run>> rows_;
+  std::vector<double> work_;  // of each row, 0 if the study is complete without it
   const std::function<void(const Run&)>& on_row_;
   std::exception_ptr failure_;
   std::atomic<bool> failed_ = false;
@@ -115,27 +94,19 @@ class Collector {
 std::vector<Run> run_plan(const StudyPlan& plan, const StudyOptions& options,
                           const FinishedRuns& finished,
                           const std::function<void(const Run&)>& on_row, const std::string& name) {
-  const std::vector<std::size_t> order = largest_first(plan);
   const Remaining remaining = remaining_rows(plan, finished);
   Progress progress(options.progress, name, remaining.rows, remaining.work);
   Collector collector(plan, finished, on_row);
-  const auto ends = [&] { return collector.failed() || (options.stop && options.stop->load()); };
-  const auto wanted = [&](const std::string& key) { return !finished.contains(key); };
-  const int threads = options.threads > 0 ? options.threads : omp_get_max_threads();
-
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const PlannedInstance& instance = plan.instances[order[i]];
-    try {
-      if (!ends()) {
-        run_instance(instance, wanted, ends, [&](std::size_t row, Run run) {
-          collector.add(row, std::move(run), work_of_row(instance), progress);
-        });
-      }
-    } catch (...) {  // nothing may leave an OpenMP region
-      collector.fail(std::current_exception());
-    }
-  }
+  RowHooks hooks;
+  hooks.stop = [&] { return collector.failed() || (options.stop && options.stop->load()); };
+  hooks.wanted = [&](const std::string& key) { return !finished.contains(key); };
+  hooks.known = [&](const std::string& key) { return std::optional(finished.at(key)); };
+  hooks.emit = [&](std::size_t row, Run run) { collector.add(row, std::move(run), progress); };
+  MakingRules rules = options.making;
+  rules.threads = options.threads > 0 ? options.threads : omp_get_max_threads();
+  rules.timing = plan.timing;
+  rules.budget = plan.budget;
+  make_rows(plan, rules, hooks);
   progress.finish();
   return collector.take_rows();
 }

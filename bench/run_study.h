@@ -6,6 +6,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "ar3d/bench/make_rows.h"
 #include "ar3d/bench/plan.h"
 #include "ar3d/results/run.h"
 
@@ -16,18 +17,20 @@ struct StudyOptions {
   std::FILE* progress = nullptr;  ///< where to tell how far it is; null: nowhere
   /// Once true, instances that have not begun do not begin and no further row is made.
   const std::atomic<bool>* stop = nullptr;
+  /// isolate, force_timing, timed_phases, neighbours; the rest is taken from above and the plan.
+  MakingRules making = {};
 };
 
 /// Rows that exist already, by key; they are taken over instead of made again.
 using FinishedRuns = std::unordered_map<std::string, Run>;
 
-/// Makes the rows of a plan: OpenMP over instances, the largest first, each thread taking the next
-/// one when it is done. The rows stand in the plan's order; on any number of threads all columns
-/// but the measured ones are equal.
+/// Makes the rows of a plan (make_rows) in memory. The rows stand in the plan's order; on any
+/// number of threads all columns but the measured ones are equal.
 /// @param on_row  called with every new row as soon as it is made, one call at a time; what it
 /// throws ends the
 ///   study and is thrown again here. May be empty.
-/// @return as many rows as planned; fewer only after a stop.
+/// @return as many rows as planned, but for optional ones that were not needed; fewer after a stop
+/// or when the budget is spent.
 std::vector<Run> run_plan(const StudyPlan& plan, const StudyOptions& options,
                           const FinishedRuns& finished = {},
                           const std::function<void(const Run&)>& on_row = {},

@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "ar3d/bench/named_studies.h"
+#include "ar3d/bench/read_measures.h"
 #include "ar3d/bench/toml_table.h"
 #include "ar3d/model/error.h"
 
@@ -62,6 +63,10 @@ class SpecReader {
     spec.seed = static_cast<std::uint64_t>(
         table.integer("seed", 0, std::numeric_limits<std::int64_t>::max(), 0));
     if (const toml::node* limits = table.find("max_n")) spec.max_n = size_limits(*limits);
+    if (const toml::node* rules = table.find("timing")) {
+      spec.timing = read_timing_rules(file_, *rules);
+    }
+    if (const toml::node* budget = table.find("budget")) spec.budget = read_budget(file_, *budget);
     for (const toml::node* sweep : list(table.get("sweep"), "sweep")) {
       spec.sweeps.push_back(read_sweep(*sweep));
     }
@@ -109,6 +114,15 @@ class SpecReader {
     sweep.algorithms = algorithm_choices(table.get("algorithms"));
     sweep.instances = static_cast<std::uint32_t>(table.integer("instances", 1, kMaxCount, 1));
     sweep.repetitions = static_cast<std::uint32_t>(table.integer("repetitions", 1, kMaxCount, 1));
+    if (const toml::node* timed = table.find("timed_repetitions")) {
+      sweep.timed = read_timed_repetitions(file_, *timed);
+    }
+    if (const toml::node* strong = table.find("strong")) {
+      sweep.strong = read_batches(file_, *strong, "strong");
+    }
+    if (const toml::node* weak = table.find("weak")) {
+      sweep.weak = read_batches(file_, *weak, "weak");
+    }
     if (const toml::node* include = table.find("include")) sweep.include = patterns(*include);
     if (const toml::node* exclude = table.find("exclude")) sweep.exclude = patterns(*exclude);
     table.refuse_other_keys();
@@ -189,16 +203,19 @@ class SpecReader {
     return sizes;
   }
 
-  // from, from * 10^(1/per_decade), ... up to `to`, rounded to integers.
+  // from, from * step, from * step^2, ... up to `to`, rounded to integers; step is `factor`, or
+  // 10^(1/per_decade).
   void add_ladder(const toml::node& node, std::vector<std::uint64_t>& sizes) const {
     TomlTable table(file_, node, "sizes");
     const std::int64_t from = table.integer("from", 1, kMaxN);
     const std::int64_t to = table.integer("to", from, kMaxN);
-    const std::int64_t per_decade = table.integer("per_decade", 1, 1000);
+    const bool by_factor = table.find("factor") != nullptr;
+    const double base = by_factor ? table.number("factor", 1.001, 1e6) : 10;
+    const auto steps = static_cast<double>(by_factor ? 1 : table.integer("per_decade", 1, 1000));
     table.refuse_other_keys();
     for (std::int64_t step = 0;; ++step) {
-      const double power = static_cast<double>(step) / static_cast<double>(per_decade);
-      const double size = std::round(static_cast<double>(from) * std::pow(10.0, power));
+      const double power = static_cast<double>(step) / steps;
+      const double size = std::round(static_cast<double>(from) * std::pow(base, power));
       if (size > static_cast<double>(to)) return;
       sizes.push_back(static_cast<std::uint64_t>(size));
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/bench/measures.h"
 #include "ar3d/generators/catalog.h"
 
 namespace ar3d {
@@ -38,7 +39,10 @@ struct Sweep {
   std::vector<std::uint64_t> sizes;  ///< increasing
   std::vector<AlgorithmChoice> algorithms;
   std::uint32_t instances = 1;       ///< of every random family; others have one
-  std::uint32_t repetitions = 1;     ///< of every drawing
+  std::uint32_t repetitions = 1;     ///< of every drawing in the metrics phase
+  TimedRepetitions timed;            ///< of every drawing in the timing phase; none by default
+  Batches strong;                    ///< of every drawing; none by default
+  Batches weak;                      ///< of every drawing; none by default
   std::vector<CellPattern> include;  ///< if not empty, a cell has to match one of these
   std::vector<CellPattern> exclude;
 };
@@ -49,7 +53,9 @@ struct StudySpec {
   std::uint64_t seed = 0;
   std::vector<Sweep> sweeps;
   std::map<std::string, std::uint64_t> max_n;  ///< algorithm -> largest n it is given
-  std::string text;                            ///< the verbatim TOML
+  TimingRules timing;
+  Budget budget;
+  std::string text;  ///< the verbatim TOML
 };
 
 /// Reads a specification; docs/study.md describes the keys.

@@ -70,6 +70,17 @@ std::int64_t TomlTable::integer(const std::string& key, std::int64_t low, std::i
   return node == nullptr ? otherwise : toml_integer(file_, *node, key, low, high);
 }
 
+double TomlTable::number(const std::string& key, double low, double high) {
+  return toml_number(file_, get(key), key, low, high);
+}
+
+bool TomlTable::boolean(const std::string& key, bool otherwise) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return otherwise;
+  if (const auto* value = node->as_boolean()) return value->get();
+  refuse_toml(file_, *node, fmt::format("{} is neither true nor false", key));
+}
+
 std::vector<std::string> TomlTable::other_keys() const {
   std::vector<std::string> keys;
   for (const auto& entry : *table_) {
@@ -110,6 +121,17 @@ std::int64_t toml_integer(const std::string& file, const toml::node& node, const
                 fmt::format("{} = {} is outside {}..{}", what, number->get(), low, high));
   }
   return number->get();
+}
+
+double toml_number(const std::string& file, const toml::node& node, const std::string& what,
+                   double low, double high) {
+  const std::optional<double> number = node.value<double>();  // integers too
+  if (!number || !node.is_number())
+    refuse_toml(file, node, fmt::format("{} is not a number", what));
+  if (!(*number >= low && *number <= high)) {
+    refuse_toml(file, node, fmt::format("{} = {} is outside {}..{}", what, *number, low, high));
+  }
+  return *number;
 }
 
 }  // namespace ar3d

@@ -38,6 +38,8 @@ class TomlTable {
   std::int64_t integer(const std::string& key, std::int64_t low, std::int64_t high);
   std::int64_t integer(const std::string& key, std::int64_t low, std::int64_t high,
                        std::int64_t otherwise);
+  double number(const std::string& key, double low, double high);
+  bool boolean(const std::string& key, bool otherwise);
 
   /// The keys that nobody has asked for yet, in order of name.
   std::vector<std::string> other_keys() const;
@@ -60,5 +62,8 @@ std::string toml_text(const std::string& file, const toml::node& node, const std
 /// @throws InputError if it is no integer in [low, high].
 std::int64_t toml_integer(const std::string& file, const toml::node& node, const std::string& what,
                           std::int64_t low, std::int64_t high);
+/// @throws InputError if it is no integer or floating-point number in [low, high].
+double toml_number(const std::string& file, const toml::node& node, const std::string& what,
+                   double low, double high);
 
 }  // namespace ar3d

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 #include "ar3d/model/error.h"
@@ -94,7 +95,29 @@ TEST(Plan, LeavesOutFamiliesOfTooLargeDegree) {
   }
 }
 
+TEST(Plan, BatchesAndTimedRowsArePlanned) {
+  const StudyPlan plan =
+      plan_of(sweep("\"cycle\"", "10",
+                    "timed_repetitions = { precision = 0.1, min = 6, max = 8 }\n"
+                    "strong = { threads = [1, 3], drawings = 2, repetitions = 2 }\n"
+                    "weak = { threads = [1, 3], drawings = 2 }"));
+  std::map<std::pair<RunPhase, std::int64_t>, std::vector<std::uint32_t>> batches;
+  std::size_t optional = 0;
+  for (const PlannedRun& run : plan.instances.at(0).runs) {
+    batches[{run.phase, run.scale}].push_back(run.batch);
+    if (run.optional) ++optional;
+  }
+  EXPECT_EQ(plan.rows, 1u + 8 + 4 + 4 + 2 + 6);
+  EXPECT_EQ(optional, 2u);
+  EXPECT_EQ((batches[{RunPhase::strong, 3}]), (std::vector<std::uint32_t>{0, 0, 1, 1}));
+  EXPECT_EQ((batches[{RunPhase::weak, 3}]), std::vector<std::uint32_t>(6, 0));
+}
+
 TEST(Plan, RefusesTooManyRows) {
+  EXPECT_THROW(plan_of(sweep("\"cycle\"", "10",
+                             "weak = { threads = [1, 1000], drawings = 1000000, repetitions = "
+                             "1000000 }")),
+               InputError);
   EXPECT_THROW(
       plan_of(sweep("\"random-regular\"", "[10, 20]", "instances = 10\nrepetitions = 1000000")),
       InputError);

@@ -37,6 +37,14 @@ description = "d"
 seed = 7
 [max_n]
 diamond = 500
+[timing]
+warm_up = 2
+concurrency = 3
+write = true
+[budget]
+study = "10 min"
+row_time = "2 s + 20 us * n"
+row_memory = "64 MiB"
 [[sweep]]
 families = ["cycle", { family = "generalised-petersen", k = [2, 3] }]
 sizes = [1000, { from = 10, to = 100, per_decade = 3 }]
@@ -45,6 +53,9 @@ instances = 3
 repetitions = 4
 include = [{ family = "cycle" }]
 exclude = [{ algorithm = "diamond", from = 20, to = 30 }]
+timed_repetitions = { precision = 0.02, min = 7, max = 9 }
+strong = { threads = [1, 2, 4], drawings = 8, repetitions = 3 }
+weak = { threads = 1 }
 )",
                                      "t.toml");
   EXPECT_EQ(spec.name, "all-keys");
@@ -64,6 +75,65 @@ exclude = [{ algorithm = "diamond", from = 20, to = 30 }]
   EXPECT_FALSE(sweep.include.at(0).matches("path", "diamond", 5));
   EXPECT_TRUE(sweep.exclude.at(0).matches("path", "diamond", 30));
   EXPECT_FALSE(sweep.exclude.at(0).matches("path", "diamond", 31));
+  EXPECT_EQ(sweep.timed.least, 7u);
+  EXPECT_EQ(sweep.timed.most, 9u);
+  EXPECT_EQ(sweep.timed.precision, 0.02);
+  EXPECT_THAT(sweep.strong.threads, ElementsAre(1, 2, 4));
+  EXPECT_EQ(sweep.strong.drawings, 8u);
+  EXPECT_EQ(sweep.strong.repetitions, 3u);
+  EXPECT_THAT(sweep.weak.threads, ElementsAre(1));
+  EXPECT_EQ(spec.timing.warm_up, 2u);
+  EXPECT_EQ(spec.timing.concurrency, 3u);
+  EXPECT_TRUE(spec.timing.write);
+  EXPECT_DOUBLE_EQ(spec.budget.study_s.value(), 600);
+  EXPECT_DOUBLE_EQ(spec.budget.row_time_s.value()(100000), 4);
+  EXPECT_DOUBLE_EQ(spec.budget.row_memory_bytes.value()(1), 67108864);
+}
+
+TEST(StudySpec, LaddersGoByDecadesOrByAFactor) {
+  const auto sizes = [](const std::string& ladder) {
+    return parse_study(
+               "study = \"t\"\n[[sweep]]\nfamilies = \"cycle\"\nalgorithms = \"grid\"\nsizes = " +
+                   ladder,
+               "t.toml")
+        .sweeps[0]
+        .sizes;
+  };
+  EXPECT_THAT(sizes("{ from = 3, to = 3000, per_decade = 1 }"), ElementsAre(3, 30, 300, 3000));
+  EXPECT_THAT(sizes("{ from = 16, to = 128, factor = 2 }"), ElementsAre(16, 32, 64, 128));
+  EXPECT_THAT(sizes("{ from = 10, to = 25, factor = 1.5 }"), ElementsAre(10, 15, 23));
+}
+
+TEST(StudySpec, MeasuresAreCheckedWithTheirLine) {
+  const auto top = [](const std::string& line) {
+    return error_of(line +
+                    "\nstudy = \"t\"\n[[sweep]]\nfamilies = \"cycle\"\nsizes = 10\n"
+                    "algorithms = \"grid\"\n");
+  };
+  EXPECT_EQ(top("budget = { study = \"1 s\" }"), "no error");
+  EXPECT_THAT(top("budget = { study = \"1 s * n\" }"),
+              HasSubstr("t.toml:1: the whole study's budget cannot depend on n"));
+  EXPECT_THAT(top("budget = { row_time = \"1 MB\" }"), HasSubstr("t.toml:1: '1 MB': 'MB' is not"));
+  EXPECT_THAT(top("budget = { row_time = 3 }"), HasSubstr("t.toml:1: row_time is not a string"));
+  EXPECT_THAT(top("budget = { time = \"1 s\" }"), HasSubstr("unknown key 'time' in budget"));
+  EXPECT_THAT(top("timing = { warm_up = -1 }"), HasSubstr("t.toml:1: warm_up = -1 is outside"));
+  EXPECT_THAT(top("timing = { write = 1 }"), HasSubstr("write is neither true nor false"));
+  EXPECT_THAT(error_of(study_with("timed_repetitions = { precision = 0 }")),
+              HasSubstr("t.toml:6: precision = 0 is outside"));
+  EXPECT_THAT(error_of(study_with("timed_repetitions = { precision = 0.1, min = 5 }")),
+              HasSubstr("t.toml:6: min = 5 is outside 6.."));
+  EXPECT_THAT(error_of(study_with("timed_repetitions = { precision = 0.1, min = 9, max = 8 }")),
+              HasSubstr("max = 8 is outside 9.."));
+  EXPECT_THAT(error_of(study_with("timed_repetitions = { min = 9 }")),
+              HasSubstr("timed_repetitions lacks 'precision'"));
+  EXPECT_THAT(error_of(study_with("strong = { threads = [2, 4] }")),
+              HasSubstr("t.toml:6: threads do not begin with 1 and increase"));
+  EXPECT_THAT(error_of(study_with("weak = { threads = [1, 2, 2] }")),
+              HasSubstr("threads do not begin with 1 and increase"));
+  EXPECT_THAT(error_of(study_with("weak = { drawings = 2 }")), HasSubstr("weak lacks 'threads'"));
+  EXPECT_THAT(error_of("study = \"t\"\n[[sweep]]\nfamilies = \"cycle\"\nsizes = "
+                       "{ from = 1, to = 5, factor = 1 }\nalgorithms = \"grid\""),
+              HasSubstr("t.toml:4: factor = 1 is outside"));
 }
 
 TEST(StudySpec, AllMeansTheCatalogue) {

@@ -1,0 +1,134 @@
+#include "ar3d/bench/make_rows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <mutex>
+#include <string_view>
+#include <unordered_map>
+
+#include "ar3d/bench/environment.h"
+#include "ar3d/bench/pinning.h"
+#include "ar3d/bench/stopwatch.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+namespace {
+
+bool has_phase(const StudyPlan& plan, const std::function<bool(RunPhase)>& is_meant) {
+  for (const PlannedInstance& instance : plan.instances) {
+    for (const PlannedRun& run : instance.runs) {
+      if (is_meant(run.phase)) return true;
+    }
+  }
+  return false;
+}
+
+// The drawings that failed in the metrics phase, now or before.
+class Failures {
+ public:
+  explicit Failures(const RowHooks& hooks) : hooks_(hooks) {}
+
+  void note(const Run& run) {
+    if (run.phase != RunPhase::metrics || is_drawn(run)) return;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    failed_.emplace(run.row_key, run);
+  }
+
+  std::optional<Run> find(const PlannedInstance& instance, const PlannedRun& timed) {
+    for (const PlannedRun& run : instance.runs) {
+      if (run.phase != RunPhase::metrics || run.options != timed.options ||
+          run.choice.algorithm != timed.choice.algorithm) {
+        continue;
+      }
+      if (const auto row = row_of(run.row_key); row && !is_drawn(*row)) return row;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::optional<Run> row_of(const std::string& key) {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      const auto at = failed_.find(key);
+      if (at != failed_.end()) return at->second;
+    }
+    const bool made_before = hooks_.wanted && hooks_.known && !hooks_.wanted(key);
+    return made_before ? hooks_.known(key) : std::nullopt;
+  }
+
+  const RowHooks& hooks_;
+  std::mutex mutex_;
+  std::unordered_map<std::string, Run> failed_;
+};
+
+void make(RowSource& source, const Crew& crew, bool isolate) {
+  if (isolate) {
+    make_rows_in_workers(source, crew);
+  } else {
+    make_rows_in_threads(source, crew);
+  }
+}
+
+// The last of the allowed cores: systems like to do their own work on the first.
+std::vector<int> cores_for(std::uint32_t count) {
+  const std::vector<int> allowed = allowed_cores();
+  return {allowed.rbegin(), allowed.rbegin() + count};
+}
+
+}  // namespace
+
+void require_makeable(const StudyPlan& plan, const MakingRules& rules) {
+  const std::string_view mark = timing_mark();
+  if (mark == "sanitised" && rules.budget.row_memory_bytes) {
+    throw InputError("budget.row_memory cannot be kept in a sanitised build");
+  }
+  if (!rules.timed_phases) return;
+  const auto is_timed = [](RunPhase phase) { return phase != RunPhase::metrics; };
+  if (!mark.empty() && !rules.force_timing && has_phase(plan, is_timed)) {
+    throw InputError(fmt::format("a {} build is not timed unless it is forced to", mark));
+  }
+  const auto is_timing = [](RunPhase phase) { return phase == RunPhase::timing; };
+  if (has_phase(plan, is_timing) && rules.timing.concurrency > allowed_cores().size()) {
+    throw InputError(fmt::format("timing.concurrency = {} but there are {} cores",
+                                 rules.timing.concurrency, allowed_cores().size()));
+  }
+}
+
+MakingEnd make_rows(const StudyPlan& plan, const MakingRules& rules, const RowHooks& hooks) {
+  require_makeable(plan, rules);
+  const Stopwatch time;
+  const auto spent = [&] { return rules.budget.study_s && time.wall_s() >= *rules.budget.study_s; };
+  const auto stop = [&] { return (hooks.stop && hooks.stop()) || spent(); };
+  const bool isolate = rules.isolate || rules.budget.limits_rows();
+
+  Failures failures(hooks);
+  RowHooks noting = hooks;
+  noting.stop = stop;
+  noting.emit = [&](std::size_t row, Run run) {
+    failures.note(run);
+    hooks.emit(row, std::move(run));
+  };
+  const KnownFailure failure = [&](const PlannedInstance& instance, const PlannedRun& run) {
+    return failures.find(instance, run);
+  };
+
+  make(
+      *metrics_source(plan, noting),
+      {.size = rules.threads, .neighbours = rules.neighbours, .budget = rules.budget, .stop = stop},
+      isolate);
+  if (rules.timed_phases && !stop() &&
+      has_phase(plan, [](RunPhase phase) { return phase == RunPhase::timing; })) {
+    make(*timing_source(plan, rules.timing, noting, failure),
+         {.size = static_cast<int>(rules.timing.concurrency),
+          .cores = cores_for(rules.timing.concurrency),
+          .budget = rules.budget,
+          .stop = stop},
+         isolate);
+  }
+  if (rules.timed_phases && !stop()) run_batches(plan, rules.timing, noting, failure);
+  if (hooks.stop && hooks.stop()) return MakingEnd::stopped;
+  return spent() ? MakingEnd::budget_spent : MakingEnd::complete;
+}
+
+}  // namespace ar3d

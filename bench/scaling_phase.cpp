@@ -1,0 +1,207 @@
+#include <algorithm>
+#include <atomic>
+#include <barrier>
+#include <chrono>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <thread>
+
+#include "ar3d/bench/phases.h"
+#include "ar3d/bench/pinning.h"
+
+namespace ar3d {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Rows = std::vector<const PlannedRun*>;
+
+// The rows of one drawing in one phase: batch -> threads -> rows.
+using Rounds = std::map<std::uint32_t, std::map<std::int64_t, Rows>>;
+
+struct BatchedDrawing {
+  RunPhase phase = RunPhase::strong;
+  Rounds rounds;
+};
+
+std::vector<BatchedDrawing> batched_drawings(const PlannedInstance& instance) {
+  std::vector<BatchedDrawing> drawings;
+  const PlannedRun* previous = nullptr;
+  for (const PlannedRun& run : instance.runs) {
+    if (run.scale < 0) continue;
+    const bool same = previous != nullptr && run.phase == previous->phase &&
+                      run.options == previous->options &&
+                      run.choice.algorithm == previous->choice.algorithm;
+    if (!same) drawings.push_back({run.phase, {}});
+    previous = &run;
+    drawings.back().rounds[run.batch][run.scale].push_back(&run);
+  }
+  return drawings;
+}
+
+// One batch: its threads take the drawings one by one.
+class Batch {
+ public:
+  Batch(const Graph& graph, const TimingRules& rules, const Rows& rows, const Run& begun)
+      : graph_(graph),
+        rules_(rules),
+        rows_(rows),
+        results_(rows.size(), begun),
+        drawings_(rows.size()) {}
+
+  // Wall time from the first thread's start, which all wait for, to the last thread's end.
+  double run(int threads) {
+    const std::vector<int> cores = allowed_cores();
+    const bool pin = static_cast<std::size_t>(threads) <= cores.size();
+    std::barrier start(threads);
+    std::vector<std::thread> crew;
+    for (int i = 0; i < threads; ++i) {
+      const int core = pin ? cores[cores.size() - 1 - static_cast<std::size_t>(i)] : -1;
+      crew.emplace_back([this, core, &start] { work(core, start); });
+    }
+    for (std::thread& thread : crew) thread.join();
+    if (failure_) std::rethrow_exception(failure_);
+    return std::chrono::duration<double>(last_end_ - first_start_).count();
+  }
+
+  // The rows, without verdict. The drawings are hashed now, outside the clock.
+  std::vector<Run> take_rows() {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (drawings_[i]) results_[i].drawing_hash = drawing_hash(*drawings_[i]);
+      drawings_[i].reset();
+    }
+    return std::move(results_);
+  }
+
+ private:
+  void work(int core, std::barrier<>& start) {
+    bool waited = false;
+    try {
+      const Pinning pinning(core);
+      HardwareCounters counters;
+      const AlgorithmChoice& choice = rows_.front()->choice;
+      for (std::uint32_t i = 0; i < rules_.warm_up; ++i) {
+        draw(*choice.algorithm, graph_, choice.options);
+      }
+      start.arrive_and_wait();
+      waited = true;
+      const Clock::time_point begun = Clock::now();
+      for (std::size_t i = next_++; i < rows_.size(); i = next_++) draw_row(i, core, counters);
+      const Clock::time_point ended = Clock::now();
+      const std::lock_guard<std::mutex> lock(mutex_);
+      first_start_ = std::min(first_start_, begun);
+      last_end_ = std::max(last_end_, ended);
+    } catch (...) {  // nothing may leave a thread
+      const std::lock_guard<std::mutex> lock(mutex_);
+      failure_ = std::current_exception();
+    }
+    if (!waited) start.arrive_and_wait();
+  }
+
+  void draw_row(std::size_t i, int core, HardwareCounters& counters) {
+    Run& run = results_[i];
+    run.core = core;
+    run.warm_ups = rules_.warm_up;
+    attempt(run, [&] {
+      drawings_[i] = timed_drawing(graph_, rows_[i]->choice, counters, run);
+      run.status = RunStatus::ok;
+    });
+  }
+
+  const Graph& graph_;
+  const TimingRules& rules_;
+  const Rows& rows_;
+  std::vector<Run> results_;
+  std::vector<std::optional<Drawing>> drawings_;
+  std::atomic<std::size_t> next_ = 0;
+  std::mutex mutex_;
+  Clock::time_point first_start_ = Clock::time_point::max();
+  Clock::time_point last_end_ = Clock::time_point::min();
+  std::exception_ptr failure_;
+};
+
+// All batches of one instance.
+class InstanceBatches {
+ public:
+  InstanceBatches(const PlannedInstance& instance, const TimingRules& rules, const RowHooks& hooks,
+                  const KnownFailure& failure)
+      : instance_(instance), rules_(rules), hooks_(hooks), failure_(failure) {}
+
+  void run() {
+    for (const BatchedDrawing& drawing : batched_drawings(instance_)) {
+      std::optional<Run> reference;
+      for (const auto& [number, batches] : drawing.rounds) {
+        if (hooks_.stop && hooks_.stop()) return;
+        if (!any_wanted(batches)) continue;
+        if (!reference) reference = certified(*batches.begin()->second.front());
+        run_round(drawing.phase, batches, *reference);
+      }
+    }
+  }
+
+ private:
+  bool wanted(const PlannedRun& run) const { return !hooks_.wanted || hooks_.wanted(run.row_key); }
+  bool any_wanted(const std::map<std::int64_t, Rows>& batches) const {
+    return std::any_of(batches.begin(), batches.end(), [&](const auto& batch) {
+      return std::any_of(batch.second.begin(), batch.second.end(),
+                         [&](const PlannedRun* run) { return wanted(*run); });
+    });
+  }
+
+  // The drawing certified, outside every batch; or how it failed.
+  Run certified(const PlannedRun& run) {
+    if (std::optional<Run> failed = failure_(instance_, run)) return *failed;
+    if (maker_.graph() == nullptr) maker_.prepare(instance_);
+    return maker_.make(run);
+  }
+
+  void run_round(RunPhase phase, const std::map<std::int64_t, Rows>& batches,
+                 const Run& reference) {
+    double single_s = kMissing;
+    for (const auto& [threads, rows] : batches) {
+      if (hooks_.stop && hooks_.stop()) return;
+      if (!is_drawn(reference)) {
+        for (const PlannedRun* run : rows) emit(*run, failed_row(instance_, *run, reference));
+        continue;
+      }
+      Batch batch(*maker_.graph(), rules_, rows, maker_.begun(*rows.front()));
+      const double batch_s = batch.run(static_cast<int>(threads));
+      if (threads == 1) single_s = batch_s;
+      const double ideal_s =
+          phase == RunPhase::strong ? single_s / static_cast<double>(threads) : single_s;
+      std::vector<Run> made = batch.take_rows();
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        made[i].row_key = rows[i]->row_key;
+        made[i].repetition = rows[i]->repetition;
+        made[i].concurrency = threads;
+        made[i].batch_s = batch_s;
+        made[i].ideal_batch_s = ideal_s;
+        made[i].efficiency = ideal_s / batch_s;
+        take_over_certificate(reference, made[i]);
+        emit(*rows[i], std::move(made[i]));
+      }
+    }
+  }
+
+  void emit(const PlannedRun& run, Run row) {
+    if (wanted(run)) hooks_.emit(run.row, std::move(row));
+  }
+
+  const PlannedInstance& instance_;
+  const TimingRules& rules_;
+  const RowHooks& hooks_;
+  const KnownFailure& failure_;
+  RowMaker maker_{{.concurrency = 1, .core = -1, .memory = MemoryScope::process}};
+};
+
+}  // namespace
+
+void run_batches(const StudyPlan& plan, const TimingRules& rules, const RowHooks& hooks,
+                 const KnownFailure& failure) {
+  for (const PlannedInstance& instance : plan.instances) {
+    if (hooks.stop && hooks.stop()) return;
+    InstanceBatches(instance, rules, hooks, failure).run();
+  }
+}
+
+}  // namespace ar3d

@@ -1,0 +1,293 @@
+// The phases after the metrics: timing, strong and weak scaling.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "ar3d/bench/environment.h"
+#include "ar3d/bench/make_rows.h"
+#include "ar3d/bench/pinning.h"
+#include "ar3d/bench/precision.h"
+#include "ar3d/model/error.h"
+#include "ar3d/results/columns.h"
+#include "bench/planted.h"
+
+namespace ar3d {
+namespace {
+
+using testing::cycle_of;
+using testing::diamond_drawn_by;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using testing::plan_of;
+
+MakingRules forced() {
+  MakingRules rules;
+  rules.force_timing = true;  // these tests run in sanitised builds too
+  return rules;
+}
+
+struct Made {
+  std::vector<std::size_t> order;
+  std::map<std::size_t, ar3d::Run> rows;
+};
+
+Made make(const StudyPlan& plan, const MakingRules& rules = forced(), RowHooks hooks = {}) {
+  Made made;
+  std::mutex mutex;
+  hooks.emit = [&](std::size_t row, ar3d::Run run) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    made.order.push_back(row);
+    EXPECT_TRUE(made.rows.emplace(row, std::move(run)).second) << "row " << row << " twice";
+  };
+  make_rows(plan, rules, hooks);
+  return made;
+}
+
+StudyPlan study(const std::string& sweep) {
+  return plan_study(parse_study("study = \"t\"\n[[sweep]]\nfamilies = \"cycle\"\n" + sweep, "t"));
+}
+
+TEST(MetricsPhase, MakesOnlyWhatIsWantedAndStops) {
+  const StudyPlan plan = plan_of(cycle_of(5, {&find_algorithm("diamond")}, 4));
+  RowHooks hooks;
+  hooks.wanted = [](const std::string& key) { return key != "key1"; };
+  EXPECT_THAT(make(plan, forced(), hooks).order, ElementsAre(0, 2, 3));
+  std::atomic<int> asked = 0;
+  hooks.stop = [&] { return ++asked > 2; };
+  EXPECT_LT(make(plan, forced(), hooks).order.size(), 3u);
+}
+
+TEST(TimingPhase, GoesRoundAllDrawingsPinnedAndAlone) {
+  const StudyPlan plan =
+      study("sizes = [10, 20]\nalgorithms = [\"diamond\", \"grid\"]\ntimed_repetitions = 3\n");
+  ASSERT_EQ(plan.rows, 4u * (1 + 3));
+  MakingRules rules = forced();
+  rules.threads = 2;
+  const Made made = make(plan, rules);
+  ASSERT_EQ(made.rows.size(), plan.rows);
+  std::vector<std::int64_t> repetitions;  // of the timing rows, as they were made
+  for (const std::size_t row : made.order) {
+    const ar3d::Run& run = made.rows.at(row);
+    EXPECT_EQ(run.status, RunStatus::ok) << run.message;
+    if (run.phase == RunPhase::metrics) {
+      EXPECT_TRUE(repetitions.empty()) << "the metrics come first";
+      EXPECT_EQ(run.concurrency, 2);
+      EXPECT_EQ(run.core, -1);
+      continue;
+    }
+    repetitions.push_back(run.repetition);
+    EXPECT_EQ(run.concurrency, 1);
+    EXPECT_EQ(run.core, allowed_cores().back());
+    EXPECT_EQ(run.warm_ups, 1);
+    EXPECT_EQ(run.timing_mark, timing_mark());
+    EXPECT_EQ(run.peak_scope, "row");
+    EXPECT_EQ(std::isnan(run.certify_s), run.repetition > 0) << "the first one is certified";
+    EXPECT_EQ(run.violations, 0);
+  }
+  EXPECT_THAT(repetitions, ElementsAre(0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2));
+}
+
+TEST(TimingPhase, RowsHaveKeysOfTheirOwnAndReplaySpecIsKept) {
+  const StudyPlan without = study("sizes = 10\nalgorithms = \"diamond\"\n");
+  const StudyPlan with = study("sizes = 10\nalgorithms = \"diamond\"\ntimed_repetitions = 2\n");
+  const auto& runs = with.instances[0].runs;
+  EXPECT_EQ(runs[0].row_key, without.instances[0].runs[0].row_key)
+      << "timing changes no key of the metrics";
+  std::set<std::string> keys;
+  for (const PlannedRun& run : runs) keys.insert(run.row_key);
+  EXPECT_EQ(keys.size(), 3u);
+}
+
+TEST(TimingPhase, OptionalRepetitionsEndAtThePrecision) {
+  const StudyPlan plan = study(
+      "sizes = 10\nalgorithms = \"diamond\"\n"
+      "timed_repetitions = { precision = 1.0, min = 6, max = 400 }\n");
+  ASSERT_EQ(plan.rows, 401u);
+  EXPECT_FALSE(plan.instances[0].runs[6].optional);
+  EXPECT_TRUE(plan.instances[0].runs[7].optional);
+  const Made made = make(plan);
+  EXPECT_GE(made.rows.size(), 1u + 6);
+  std::vector<double> times;
+  for (const auto& [row, run] : made.rows) {
+    if (run.phase == RunPhase::timing) times.push_back(run.wall_s);
+  }
+  EXPECT_TRUE(made.rows.size() == plan.rows || median_precision(times) <= 1.0);
+
+  // A second go that knows those rows needs no more.
+  RowHooks hooks;
+  hooks.wanted = [&](const std::string& key) {
+    for (const auto& [row, run] : made.rows) {
+      if (run.row_key == key) return false;
+    }
+    return true;
+  };
+  hooks.known = [&](const std::string& key) -> std::optional<ar3d::Run> {
+    for (const auto& [row, run] : made.rows) {
+      if (run.row_key == key) return run;
+    }
+    return std::nullopt;
+  };
+  EXPECT_TRUE(make(plan, forced(), hooks).rows.empty());
+}
+
+// An algorithm that draws differently the second time: its row must not pass for certified.
+TEST(TimingPhase, ADrawingThatIsNotRepeatableIsACrash) {
+  static int drawings = 0;
+  const Algorithm fickle = diamond_drawn_by([](const Graph& graph, const OptionValues& options) {
+    const Graph& drawn = graph;
+    OptionValues other = options;
+    if (drawings++ % 2 == 1) other[0].value = other[0].value == 0 ? 2 : 0;
+    return find_algorithm("diamond").draw(drawn, other);
+  });
+  PlannedInstance instance = cycle_of(40, {&fickle}, 2, RunPhase::timing);
+  MakingRules rules = forced();
+  rules.timing.warm_up = 0;
+  drawings = 0;
+  const Made made = make(plan_of(instance), rules);
+  EXPECT_EQ(made.rows.at(0).status, RunStatus::ok);
+  EXPECT_EQ(made.rows.at(1).status, RunStatus::crashed);
+  EXPECT_THAT(made.rows.at(1).message, HasSubstr("another drawing"));
+}
+
+// What failed in the metrics phase is not tried again a hundred times; its rows say why.
+TEST(TimingPhase, ADrawingThatFailedIsNotTriedAgain) {
+  static std::atomic<int> tried = 0;
+  const Algorithm failing = diamond_drawn_by([](const Graph&, const OptionValues&) -> Drawing {
+    ++tried;
+    throw std::bad_alloc();
+  });
+  PlannedInstance instance = cycle_of(8, {&failing}, 1);
+  for (const RunPhase phase : {RunPhase::timing, RunPhase::strong}) {
+    for (PlannedRun run : cycle_of(8, {&failing}, 3, phase).runs) {
+      run.row = instance.runs.size();
+      run.row_key = "key" + std::to_string(run.row);
+      if (phase == RunPhase::strong) run.scale = 1;
+      instance.runs.push_back(run);
+    }
+  }
+  tried = 0;
+  const Made made = make(plan_of(instance));
+  ASSERT_EQ(made.rows.size(), 7u);
+  for (const auto& [row, run] : made.rows) EXPECT_EQ(run.status, RunStatus::out_of_memory) << row;
+  EXPECT_EQ(tried, 1);
+}
+
+TEST(TimingPhase, SeveralAtOnceStateIt) {
+  const StudyPlan plan =
+      study("sizes = [10, 20, 30]\nalgorithms = \"diamond\"\ntimed_repetitions = 2\n");
+  MakingRules rules = forced();
+  rules.timing.concurrency = static_cast<std::uint32_t>(allowed_cores().size());
+  const Made made = make(plan, rules);
+  EXPECT_EQ(made.rows.size(), plan.rows);
+  for (const auto& [row, run] : made.rows) {
+    if (run.phase == RunPhase::timing) {
+      EXPECT_EQ(run.concurrency, rules.timing.concurrency);
+    }
+  }
+  rules.timing.concurrency += 1;
+  EXPECT_THROW(make(plan, rules), InputError) << "one core each";
+}
+
+TEST(TimingPhase, ABadBuildIsRefusedUnlessForced) {
+  const StudyPlan timed = study("sizes = 10\nalgorithms = \"diamond\"\ntimed_repetitions = 1\n");
+  const StudyPlan plain = study("sizes = 10\nalgorithms = \"diamond\"\n");
+  MakingRules rules;
+  EXPECT_NO_THROW(require_makeable(plain, rules));
+  if (std::string(timing_mark()).empty()) {
+    EXPECT_NO_THROW(require_makeable(timed, rules));
+  } else {
+    EXPECT_THROW(require_makeable(timed, rules), InputError);
+    rules.timed_phases = false;
+    EXPECT_NO_THROW(require_makeable(timed, rules));
+  }
+  EXPECT_NO_THROW(require_makeable(timed, forced()));
+}
+
+TEST(ScalingPhase, BatchesHaveTheirIdealAndEfficiency) {
+  const StudyPlan plan = study(
+      "sizes = 10\nalgorithms = \"diamond\"\n"
+      "strong = { threads = [1, 2], drawings = 4, repetitions = 2 }\n"
+      "weak = { threads = [1, 2, 3], drawings = 2 }\n");
+  ASSERT_EQ(plan.rows, 1u + 2 * 4 * 2 + 2 * (1 + 2 + 3));
+  const Made made = make(plan);
+  ASSERT_EQ(made.rows.size(), plan.rows);
+  std::map<std::tuple<RunPhase, std::int64_t, std::int64_t>, std::set<double>> batch_times;
+  for (const auto& [row, run] : made.rows) {
+    EXPECT_EQ(run.status, RunStatus::ok) << run.message;
+    EXPECT_EQ(run.violations, 0);
+    if (run.phase == RunPhase::metrics) {
+      EXPECT_EQ(run.scale, -1);
+      EXPECT_TRUE(std::isnan(run.efficiency));
+      continue;
+    }
+    EXPECT_EQ(run.concurrency, run.scale);
+    EXPECT_GT(run.wall_s, 0);
+    EXPECT_GE(run.batch_s, run.wall_s);
+    EXPECT_DOUBLE_EQ(run.efficiency, run.ideal_batch_s / run.batch_s);
+    const std::int64_t members = run.phase == RunPhase::strong ? 4 : 2 * run.scale;
+    batch_times[{run.phase, run.scale, run.repetition / members}].insert(run.batch_s);
+    if (run.scale == 1) {
+      EXPECT_DOUBLE_EQ(run.efficiency, 1);
+    }
+  }
+  EXPECT_EQ(batch_times.size(), 2u * 2 + 3);
+  const auto only = [&](RunPhase phase, std::int64_t scale, std::int64_t batch) {
+    const std::set<double>& times = batch_times.at({phase, scale, batch});
+    EXPECT_EQ(times.size(), 1u) << "all rows of a batch state its time";
+    return *times.begin();
+  };
+  for (const auto& [row, run] : made.rows) {
+    if (run.phase == RunPhase::strong) {
+      EXPECT_DOUBLE_EQ(run.ideal_batch_s, only(RunPhase::strong, 1, run.repetition / 4) /
+                                              static_cast<double>(run.scale));
+    }
+    if (run.phase == RunPhase::weak) {
+      EXPECT_DOUBLE_EQ(run.ideal_batch_s, only(RunPhase::weak, 1, 0));
+    }
+  }
+}
+
+// Four drawings that wait for each other in pairs: a batch on two threads really runs two at once.
+TEST(ScalingPhase, ThreadsDrawAtTheSameTime) {
+  static std::atomic<int> inside = 0;
+  static std::atomic<int> most = 0;
+  const Algorithm noting = diamond_drawn_by([](const Graph& graph, const OptionValues& options) {
+    const int now = ++inside;
+    int seen = most;
+    while (now > seen && !most.compare_exchange_weak(seen, now)) {
+    }
+    for (int i = 0; i < 20 && most < 2; ++i) usleep(10000);
+    --inside;
+    return find_algorithm("diamond").draw(graph, options);
+  });
+  PlannedInstance instance = cycle_of(8, {&noting}, 4, RunPhase::strong);
+  for (PlannedRun& run : instance.runs) run.scale = 2;
+  make(plan_of(instance));
+  EXPECT_EQ(most, 2);
+}
+
+TEST(Precision, IsHalfTheWidthOfTheMediansInterval) {
+  EXPECT_TRUE(std::isinf(median_precision({1, 1, 1, 1, 1})));
+  EXPECT_DOUBLE_EQ(median_precision({1, 1, 1, 1, 1, 1}), 0);
+  // n = 6: from the smallest to the largest (97 %); n = 10: second to ninth (98 %).
+  EXPECT_DOUBLE_EQ(median_precision({8, 9, 10, 10, 11, 12}), 0.2);
+  EXPECT_DOUBLE_EQ(median_precision({0.1, 9, 10, 10, 10, 10, 10, 10, 11, 99}), 0.1);
+  EXPECT_TRUE(std::isinf(median_precision({0, 0, 0, 0, 0, 0})));
+}
+
+// 95 % of the intervals of 20 values hold the true median, by exact binomial arithmetic 95.9 %.
+TEST(Precision, OrderStatisticsAreTheTextbooks) {
+  std::vector<double> values;
+  for (int i = 1; i <= 20; ++i) values.push_back(i);
+  EXPECT_DOUBLE_EQ(median_precision(values), (15.0 - 6.0) / 2 / 10.5);
+  values.clear();
+  for (int i = 1; i <= 100; ++i) values.push_back(i);
+  EXPECT_DOUBLE_EQ(median_precision(values), (61.0 - 40.0) / 2 / 50.5);
+}
+
+}  // namespace
+}  // namespace ar3d

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ar3d/bench/plan.h"
+
+namespace ar3d::testing {
+
+/// A cycle to be drawn by each algorithm, `repetitions` times, in one phase; keys "key0", "key1", …
+inline PlannedInstance cycle_of(std::uint64_t n, const std::vector<const Algorithm*>& algorithms,
+                                std::uint32_t repetitions = 1, RunPhase phase = RunPhase::metrics) {
+  PlannedInstance instance;
+  instance.choice = {&find_family("cycle"), {}};
+  instance.wanted_n = instance.n = n;
+  for (const Algorithm* algorithm : algorithms) {
+    for (std::uint32_t r = 0; r < repetitions; ++r) {
+      PlannedRun run;
+      run.choice = {algorithm, complete_options(*algorithm, {})};
+      run.repetition = r;
+      run.row = instance.runs.size();
+      run.row_key = "key" + std::to_string(run.row);
+      run.phase = phase;
+      instance.runs.push_back(std::move(run));
+    }
+  }
+  return instance;
+}
+
+/// The plan of one instance.
+inline StudyPlan plan_of(PlannedInstance instance) {
+  StudyPlan plan;
+  plan.rows = instance.runs.size();
+  plan.instances.push_back(std::move(instance));
+  return plan;
+}
+
+/// The algorithm diamond, but drawing as the given function does.
+inline Algorithm diamond_drawn_by(Drawing (*draw)(const Graph&, const OptionValues&)) {
+  Algorithm algorithm = find_algorithm("diamond");
+  algorithm.draw = draw;
+  return algorithm;
+}
+
+}  // namespace ar3d::testing

@@ -1,0 +1,239 @@
+// One bad row costs one row: planted loops, crashes and allocations in worker processes.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <thread>
+
+#include "ar3d/bench/environment.h"
+#include "ar3d/bench/make_rows.h"
+#include "ar3d/model/error.h"
+#include "ar3d/results/columns.h"
+#include "bench/planted.h"
+
+namespace ar3d {
+namespace {
+
+using testing::cycle_of;
+using testing::diamond_drawn_by;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using testing::plan_of;
+using ::testing::StartsWith;
+
+std::vector<ar3d::Run> made_rows(const StudyPlan& plan, const MakingRules& rules) {
+  std::vector<ar3d::Run> rows(plan.rows);
+  std::vector<int> times_told(plan.rows);
+  RowHooks hooks;
+  hooks.emit = [&](std::size_t row, ar3d::Run run) {
+    rows[row] = std::move(run);
+    ++times_told[row];
+  };
+  EXPECT_EQ(make_rows(plan, rules, hooks), MakingEnd::complete);
+  EXPECT_THAT(times_told, ::testing::Each(1));
+  return rows;
+}
+
+MakingRules isolated() {
+  MakingRules rules;
+  rules.isolate = true;
+  return rules;
+}
+
+MakingRules within(const std::string& time) {
+  MakingRules rules;
+  rules.budget.row_time_s = SizeFunction::time(time);
+  return rules;
+}
+
+// No child of this process is left, running or dead.
+void expect_no_children() { EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1) << "a child is left"; }
+
+Drawing good_drawing(const Graph& graph, const OptionValues& options) {
+  return find_algorithm("diamond").draw(graph, options);
+}
+
+const Algorithm kAborts =
+    diamond_drawn_by([](const Graph&, const OptionValues&) -> Drawing { std::abort(); });
+const Algorithm kSegfaults = diamond_drawn_by([](const Graph&, const OptionValues&) -> Drawing {
+  raise(SIGSEGV);
+  std::abort();
+});
+const Algorithm kLeaves =
+    diamond_drawn_by([](const Graph&, const OptionValues&) -> Drawing { _exit(7); });
+const Algorithm kLoops = diamond_drawn_by([](const Graph&, const OptionValues&) -> Drawing {
+  for (std::atomic<std::uint64_t> i = 0;; ++i) {
+  }
+});
+const Algorithm kGood = diamond_drawn_by(good_drawing);
+
+TEST(Workers, ACrashIsARowAndTheOthersGoOn) {
+  const auto rows = made_rows(
+      plan_of(cycle_of(8, {&kAborts, &kGood, &kSegfaults, &kLeaves, &kGood})), isolated());
+  EXPECT_EQ(rows[0].status, RunStatus::crashed);
+  EXPECT_THAT(rows[0].message, HasSubstr("Aborted"));
+  EXPECT_EQ(rows[0].n, 8) << "what was known before the crash is in the row";
+  EXPECT_EQ(rows[0].graph_hash, rows[1].graph_hash);
+  EXPECT_EQ(rows[0].violations, -1);
+  EXPECT_EQ(rows[1].status, RunStatus::ok) << rows[1].message;
+  EXPECT_EQ(rows[2].status, RunStatus::crashed);
+  EXPECT_EQ(rows[3].status, RunStatus::crashed);
+  EXPECT_EQ(rows[3].message, "exited with code 7");
+  EXPECT_EQ(rows[4].status, RunStatus::ok) << rows[4].message;
+  EXPECT_EQ(rows[4].peak_scope, "worker");
+  expect_no_children();
+}
+
+TEST(Workers, ALoopIsATimeoutAndNothingOfItIsLeft) {
+  static int pipe_ends[2];
+  ASSERT_EQ(pipe2(pipe_ends, O_CLOEXEC), 0);
+  // The row starts a process of its own, which would live for ever: it must go with the worker. It
+  // holds the pipe open (a worker closes all it inherits, so it is opened anew).
+  static std::string path;
+  path = "/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(pipe_ends[1]);
+  const Algorithm forks = diamond_drawn_by([](const Graph&, const OptionValues&) -> Drawing {
+    const int held = open(path.c_str(), O_WRONLY);
+    if (fork() == 0) {
+      for (;;) pause();
+    }
+    for (;;) pause();
+    close(held);
+    std::abort();
+  });
+  const auto rows = made_rows(plan_of(cycle_of(8, {&kGood, &kLoops, &forks, &kGood})),
+                              within("300 ms + 1 us * n"));
+  EXPECT_EQ(rows[1].status, RunStatus::timeout);
+  EXPECT_EQ(rows[1].message, "no row within 0.300008 s");
+  EXPECT_EQ(rows[2].status, RunStatus::timeout);
+  EXPECT_EQ(rows[0].status, RunStatus::ok);
+  EXPECT_EQ(rows[3].status, RunStatus::ok);
+  expect_no_children();
+  close(pipe_ends[1]);
+  char byte = 0;
+  EXPECT_EQ(read(pipe_ends[0], &byte, 1), 0) << "the end of the file: nobody holds the pipe";
+  close(pipe_ends[0]);
+}
+
+TEST(Workers, AGeneratorThatHangsIsTriedOnceAnInstance) {
+  static Family family = find_family("cycle");
+  family.generate = [](std::uint64_t, std::uint64_t, const ParameterValues&) -> Graph {
+    for (;;) pause();
+  };
+  PlannedInstance instance = cycle_of(8, {&kGood}, 50);
+  instance.choice.family = &family;
+  const auto rows = made_rows(plan_of(instance), within("200 ms"));
+  for (const ar3d::Run& run : rows) {
+    EXPECT_EQ(run.status, RunStatus::timeout);
+    EXPECT_EQ(run.message, "no graph within 0.2 s");
+    EXPECT_EQ(run.n, -1);
+  }
+}
+
+// 1 GiB in pieces, so that it is no single absurd request.
+const Algorithm kGreedy = diamond_drawn_by([](const Graph& graph, const OptionValues& options) {
+  std::vector<std::vector<char>> pieces;
+  for (int i = 0; i < 64; ++i) pieces.emplace_back(std::size_t{16} << 20, 'x');
+  return good_drawing(graph, options);
+});
+
+TEST(Workers, TooMuchMemoryIsOutOfMemory) {
+  MakingRules rules;
+  rules.budget.row_memory_bytes = SizeFunction::memory("128 MiB + 1 kB * n");
+  const StudyPlan plan = plan_of(cycle_of(8, {&kGreedy, &kGood}));
+  if (std::string(timing_mark()) == "sanitised") {
+    EXPECT_THROW(make_rows(plan, rules, {}), InputError);
+    return;
+  }
+  const auto rows = made_rows(plan, rules);
+  EXPECT_EQ(rows[0].status, RunStatus::out_of_memory);
+  EXPECT_EQ(rows[1].status, RunStatus::ok) << rows[1].message;
+  rules.budget.row_memory_bytes = SizeFunction::memory("2 GiB");
+  EXPECT_EQ(made_rows(plan, rules)[0].status, RunStatus::ok) << "the limit was what stopped it";
+}
+
+TEST(Workers, RowsAreTheSameAsInThreads) {
+  const StudyPlan plan = plan_study(parse_study(
+      "study = \"t\"\n[[sweep]]\nfamilies = \"all\"\nsizes = [6, 30]\nalgorithms = \"all\"\n",
+      "t.toml"));
+  MakingRules rules = isolated();
+  rules.threads = 3;
+  const auto in_workers = made_rows(plan, rules);
+  rules.isolate = false;
+  const auto in_threads = made_rows(plan, rules);
+  for (std::size_t i = 0; i < plan.rows; ++i) {
+    EXPECT_THAT(differing_columns(in_workers[i], in_threads[i]), ElementsAre()) << i;
+    EXPECT_EQ(in_workers[i].concurrency, 3);
+  }
+  expect_no_children();
+}
+
+TEST(Workers, AStopGivesUpTheRowsInFlight) {
+  const StudyPlan plan = plan_of(cycle_of(8, {&kGood, &kLoops, &kGood}));
+  std::vector<std::size_t> told;
+  RowHooks hooks;
+  hooks.emit = [&](std::size_t row, ar3d::Run) { told.push_back(row); };
+  hooks.stop = [&] { return told.size() == 1; };
+  EXPECT_EQ(make_rows(plan, isolated(), hooks), MakingEnd::stopped);
+  EXPECT_THAT(told, ElementsAre(0));
+  expect_no_children();
+}
+
+TEST(Workers, TheStudysBudgetEndsItWithWhatIsDone) {
+  const StudyPlan plan = plan_of(cycle_of(8, {&kGood, &kLoops}));
+  MakingRules rules = isolated();
+  rules.budget.study_s = 0.5;
+  std::vector<std::size_t> told;
+  RowHooks hooks;
+  hooks.emit = [&](std::size_t row, ar3d::Run) { told.push_back(row); };
+  EXPECT_EQ(make_rows(plan, rules, hooks), MakingEnd::budget_spent);
+  EXPECT_THAT(told, ElementsAre(0));
+  expect_no_children();
+}
+
+// The study's process is killed while a row hangs: the worker goes with it.
+TEST(Workers, DieWithTheirParent) {
+  int ends[2];
+  ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
+  const pid_t study = fork();
+  ASSERT_GE(study, 0);
+  if (study == 0) {
+    static std::string path;
+    path = "/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(ends[1]);
+    const Algorithm tells = diamond_drawn_by([](const Graph&, const OptionValues&) -> Drawing {
+      const int held = open(path.c_str(), O_WRONLY);
+      if (write(held, "x", 1) == 1) {
+        for (;;) pause();
+      }
+      std::abort();
+    });
+    RowHooks hooks;
+    hooks.emit = [](std::size_t, const ar3d::Run&) {};
+    make_rows(plan_of(cycle_of(8, {&tells})), isolated(), hooks);
+    _exit(0);
+  }
+  close(ends[1]);
+  char byte = 0;
+  ASSERT_EQ(read(ends[0], &byte, 1), 1) << "the row has begun in a worker";
+  kill(study, SIGKILL);
+  ASSERT_EQ(waitpid(study, nullptr, 0), study);
+  EXPECT_EQ(read(ends[0], &byte, 1), 0) << "the end of the file: the worker is gone too";
+  close(ends[0]);
+}
+
+TEST(Workers, WhatTheListenerThrowsIsPassedOn) {
+  RowHooks hooks;
+  hooks.emit = [](std::size_t, const ar3d::Run&) { throw std::runtime_error("disk full"); };
+  EXPECT_THROW(make_rows(plan_of(cycle_of(8, {&kGood, &kGood})), isolated(), hooks),
+               std::runtime_error);
+  expect_no_children();
+}
+
+}  // namespace
+}  // namespace ar3d
