@@ -24,6 +24,8 @@ void refuse_unknown_row(const GatheredRows& gathered, const RowCollection& rows)
 StudyPlan plan_of_shard(StudyPlan plan, const Shard& shard) {
   if (shard.count == 1) return plan;
   StudyPlan part;
+  part.timing = plan.timing;
+  part.budget = plan.budget;
   for (std::size_t i = shard.index - 1; i < plan.instances.size(); i += shard.count) {
     PlannedInstance& instance = part.instances.emplace_back(std::move(plan.instances[i]));
     for (PlannedRun& run : instance.runs) run.row = part.rows++;

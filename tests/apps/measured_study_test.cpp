@@ -1,0 +1,76 @@
+// Limits, budgets and phases through the program as a user runs it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "ar3d/results/run.h"
+#include "support/program.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::run;
+using testing::ScratchDirectory;
+
+std::int64_t rows_of_phase(const Results& results, RunPhase phase) {
+  return std::count_if(results.runs.begin(), results.runs.end(),
+                       [&](const Run& row) { return row.phase == phase; });
+}
+
+TEST(MeasuredStudy, IsolatedPhasesPassTheCheck) {
+  const ScratchDirectory scratch;
+  scratch.write("s.toml", R"(study = "s"
+budget = { row_time = "60 s" }
+[[sweep]]
+families = ["cycle", "random-cubic"]
+sizes = { from = 10, to = 40, factor = 2 }
+algorithms = ["diamond", "grid"]
+timed_repetitions = 2
+strong = { threads = [1, 2], drawings = 2 }
+)");
+  const std::string results = scratch.path("s.h5");
+  const Outcome study =
+      run("{} study run " + scratch.path("s.toml") + " --force-timing --isolate -q -o " + results);
+  EXPECT_EQ(study.exit_code, 0) << study.out << study.err;
+  const Results made = read_results(results);
+  EXPECT_EQ(rows_of_phase(made, RunPhase::metrics), 2 * 3 * 2);
+  EXPECT_EQ(rows_of_phase(made, RunPhase::timing), 2 * 3 * 2 * 2);
+  EXPECT_EQ(rows_of_phase(made, RunPhase::strong), 2 * 3 * 2 * (2 + 2));
+  EXPECT_EQ(made.runs.front().peak_scope, "worker");
+  EXPECT_EQ(run("{} replay " + results + " 1").exit_code, 0) << "a timing row";
+}
+
+TEST(MeasuredStudy, ASpentBudgetEndsTheStudyWithWhatIsDone) {
+  const ScratchDirectory scratch;
+  scratch.write("s.toml", R"(study = "s"
+budget = { study = "300 ms" }
+[[sweep]]
+families = "random-cubic"
+sizes = [100, 2000]
+algorithms = "grid"
+instances = 3000
+)");
+  const std::string results = scratch.path("s.h5");
+  const Outcome study = run("{} study run " + scratch.path("s.toml") + " -q -o " + results);
+  EXPECT_EQ(study.exit_code, 5) << study.out << study.err;
+  EXPECT_THAT(study.err, HasSubstr("study resume"));
+  const std::size_t rows = read_results(results).runs.size();
+  EXPECT_LT(rows, 6000u);
+}
+
+TEST(MeasuredStudy, AFailingSpecificationIsRefusedBeforeAnyWork) {
+  const ScratchDirectory scratch;
+  scratch.write("s.toml",
+                "study = \"s\"\nbudget = { row_time = \"2\" }\n[[sweep]]\nfamilies = \"cycle\"\n"
+                "sizes = 10\nalgorithms = \"grid\"\n");
+  const Outcome study =
+      run("{} study run " + scratch.path("s.toml") + " -q -o " + scratch.path("s.h5"));
+  EXPECT_EQ(study.exit_code, 2);
+  EXPECT_THAT(study.err, HasSubstr("s.toml:2: '2': '' is not a unit"));
+}
+
+}  // namespace
+}  // namespace ar3d
