@@ -7,14 +7,17 @@
 namespace ar3d {
 
 struct GridOptions {
-  /// 0: the proved core alone. 1: Kempe chains against defects, numbers that keep the box small,
-  /// the core as fallback. 2: and a flat box, volume O(n^2), when the chains left no defect.
+  /// 0: the proved core alone. 1: flat numbers, volume like n^2 if the defects are few or local,
+  /// with Kempe chains of at most kShortChain edges against defects; the core where that fails. 2:
+  /// with chains as long as `kempe`.
   int effort = 2;
-  /// Half width of the window for plane numbers and their pairwise sums, in hundredths of n.
+  /// Half width of the core's window for plane numbers, in hundredths of n.
   std::int64_t window = 55;
   /// Longest Kempe chain that may be swapped to avoid a defect; 0: none. Without effect at effort
   /// 0.
-  std::int64_t kempe = 1000000;
+  std::int64_t kempe = 8192;
+
+  static constexpr std::int64_t kShortChain = 64;
 };
 
 /// Draws a simple graph of maximum degree 3 on the face diagonals of the unit cube grid, 3 bends an

@@ -12,7 +12,8 @@ namespace {
 
 class Checker {
  public:
-  Checker(const Graph& graph, const Planes& planes) : graph_(graph), planes_(planes) {}
+  Checker(const Graph& graph, const Planes& planes)
+      : graph_(graph), planes_(planes), component_(connected_components_of(graph).of) {}
 
   std::string run() {
     check_sums();
@@ -24,12 +25,19 @@ class Checker {
   }
 
  private:
+  /// Numbers of different components never meet: packing keeps their drawings apart.
+  std::int64_t key(Vertex v, std::int64_t number) const {
+    return (std::int64_t{component_[v]} << 35) + number;
+  }
+
   void check_sums() {
     std::vector<std::int64_t> sums;
-    for (const PlaneNumbers& x : planes_.of) sums.push_back(sum_of(x));
+    for (Vertex v = 0; v < graph_.num_vertices(); ++v)
+      sums.push_back(key(v, sum_of(planes_.of[v])));
     std::ranges::sort(sums);
-    const auto twice = std::ranges::adjacent_find(sums);
-    if (twice != sums.end()) broken_ = fmt::format("(I1): two vertices have sum {}", *twice);
+    if (std::ranges::adjacent_find(sums) != sums.end()) {
+      broken_ = "(I1): two vertices of a component have the same sum";
+    }
   }
 
   void check_labels() {
@@ -47,8 +55,8 @@ class Checker {
   }
 
   void collect_numbers() {
-    for (const PlaneNumbers& x : planes_.of) {
-      for (Colour c = 0; c < kColours; ++c) numbers_[c].insert(x[c]);
+    for (Vertex v = 0; v < graph_.num_vertices(); ++v) {
+      for (Colour c = 0; c < kColours; ++c) numbers_[c].insert(key(v, x(v, c)));
     }
   }
 
@@ -73,7 +81,7 @@ class Checker {
 
   /// (I3): a number of a colour belongs to one U-edge or to one end of a defect.
   void own(Colour c, std::int64_t number, EdgeId e) {
-    const bool fresh = owners_[c].insert(number).second;
+    const bool fresh = owners_[c].insert(key(graph_.edge(e).u, number)).second;
     if (!fresh) broken_ = fmt::format("(I3): edge {} shares plane {} of colour {}", e, number, c);
   }
 
@@ -106,7 +114,8 @@ class Checker {
     ++slots_used_;
     if (slot->k < least || slot->k > most) broken_ = fmt::format("(I5): range of slot of {}", e);
     for (const std::int64_t number : {slot->k - 1, slot->k}) {
-      if (numbers_[gamma].contains(number) || !reserved_[gamma].insert(number).second) {
+      const std::int64_t own_key = key(graph_.edge(e).u, number);
+      if (numbers_[gamma].contains(own_key) || !reserved_[gamma].insert(own_key).second) {
         broken_ = fmt::format("(I5): slot number {} of defect {} is not its own", number, e);
       }
     }
@@ -116,9 +125,10 @@ class Checker {
 
   const Graph& graph_;
   const Planes& planes_;
-  std::array<Numbers, kColours> numbers_;   // of all vertices
-  std::array<Numbers, kColours> owners_;    // planes with an owner
-  std::array<Numbers, kColours> reserved_;  // by slots
+  const std::vector<std::uint32_t> component_;  // of every vertex
+  std::array<Numbers, kColours> numbers_;       // of all vertices
+  std::array<Numbers, kColours> owners_;        // planes with an owner
+  std::array<Numbers, kColours> reserved_;      // by slots
   std::size_t slots_used_ = 0;
   std::string broken_;
 };

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "ar3d/algorithms/grid/kempe.h"
 #include "ar3d/model/error.h"
 
 namespace ar3d::grid {
@@ -13,18 +12,15 @@ constexpr Vertex kNoVertex = static_cast<Vertex>(-1);
 
 class Labeller {
  public:
-  Labeller(const Graph& graph, const ProcessingOrder& order, std::size_t longest_chain)
+  Labeller(const Graph& graph, const ProcessingOrder& order)
       : graph_(graph),
         order_(order),
-        labels_{EdgeLabels(graph.num_edges()), 0, 0},
-        received_(graph.num_vertices(), 0),
-        longest_chain_(longest_chain),
-        chains_(graph, labels_.of, longest_chain) {}
+        labels_{EdgeLabels(graph.num_edges()), 0},
+        received_(graph.num_vertices(), 0) {}
 
   Labels run() {
     for (const OrderPart& part : order_.parts) {
       f_ = part.cubic ? order_.sequence[part.begin] : kNoVertex;
-      if (part.cubic) chains_.set_state(f_, VertexState::labelled);
       const std::size_t begin = part.cubic ? part.begin + 1 : part.begin;
       const std::size_t end = part.cubic ? part.end - 1 : part.end;
       for (std::size_t i = begin; i < end; ++i) {
@@ -63,10 +59,9 @@ class Labeller {
   }
 
   void label_at(Vertex v) {
-    View view = look(v);
+    const View view = look(v);
     expect(view.backs <= 2, "every vertex but the last has a later neighbour");
-    if (is_clash(view) && !repair_clash(v, view)) return label_clash(v, view);
-    chains_.set_state(v, VertexState::labelled);
+    if (is_clash(view)) return label_clash(v, view);
     ColourSet used = 0;
     for (unsigned i = 0; i < view.backs; ++i) used |= join(v, view.back[i], view.back_label[i]);
     if (view.to_f != nullptr) used |= label_f_edge(v, *view.to_f, used);
@@ -75,34 +70,6 @@ class Labeller {
 
   static bool is_clash(const View& view) {
     return view.backs == 2 && view.back_label[0] == view.back_label[1];
-  }
-
-  /// Lets one of the two earlier neighbours take another label for its edge to v, by a short chain
-  /// if there is one.
-  bool repair_clash(Vertex v, View& view) {
-    constexpr std::size_t kShortChain = 16;
-    constexpr std::size_t kGrowth = 8;
-    for (std::size_t limit = kShortChain; longest_chain_ > 0; limit *= kGrowth) {
-      chains_.set_longest(std::min(limit, longest_chain_));
-      if (repair_clash_once(v, view)) return true;
-      if (limit >= longest_chain_ || !chains_.was_too_long()) break;
-    }
-    return false;
-  }
-
-  bool repair_clash_once(Vertex v, View& view) {
-    chains_.forget_too_long();
-    for (unsigned i = 0; i < 2; ++i) {
-      const Colour old = view.back_label[i];
-      for (const Colour wanted : {next(old), previous(old)}) {
-        if (!chains_.free_colour(view.back[i].to, wanted, old, v)) continue;
-        labels_.of.set(view.back[i].edge, view.back[i].to, v, wanted);
-        view.back_label[i] = wanted;
-        ++labels_.repairs;
-        return true;
-      }
-    }
-    return false;
   }
 
   /// Makes the edge a U-edge of the colour that its earlier end has chosen.
@@ -115,7 +82,6 @@ class Labeller {
   /// positions.
   void label_clash(Vertex v, const View& view) {
     ++labels_.clashes;
-    chains_.set_state(v, VertexState::clash);
     if (view.forwards == 0) return;
     const Colour label = next(view.back_label[0]);
     labels_.of.set(view.forward[0].edge, v, view.forward[0].to, label);
@@ -164,10 +130,8 @@ class Labeller {
   /// r: an ordinary or clash vertex with back edges to its two neighbours other than f; then the
   /// edge fr gets the remaining labels phi at f and psi at r.
   void label_last(Vertex r) {
-    View view = look(r);
+    const View view = look(r);
     expect(view.backs == 2 && view.to_f != nullptr, "r comes last and is a neighbour of f");
-    if (is_clash(view)) repair_clash(r, view);
-    if (!is_clash(view)) repair_last(r, view);
     ColourSet used = 0;
     Colour psi = next(view.back_label[0]);
     if (is_clash(view)) {
@@ -181,39 +145,17 @@ class Labeller {
     labels_.of.set(aside, f_, r, first_of(kAllColours & ~labels_at_f()));
   }
 
-  /// Tries to make the labels of r's three edges at their other ends all different, so that fr is a
-  /// U-edge.
-  void repair_last(Vertex r, View& view) {
-    const Colour phi = first_of(kAllColours & ~labels_at_f());
-    const ColourSet received = only(view.back_label[0]) | only(view.back_label[1]);
-    if (!contains(received, phi)) return;
-    const Colour psi = first_of(kAllColours & ~received);
-    chains_.set_longest(longest_chain_);
-    if (chains_.free_colour(f_, psi, phi, r)) {
-      ++labels_.repairs;
-      return;
-    }
-    const unsigned i = view.back_label[0] == phi ? 0 : 1;
-    if (!chains_.free_colour(view.back[i].to, psi, phi, r)) return;
-    labels_.of.set(view.back[i].edge, view.back[i].to, r, psi);
-    view.back_label[i] = psi;
-    ++labels_.repairs;
-  }
-
   const Graph& graph_;
   const ProcessingOrder& order_;
   Labels labels_;
   std::vector<std::uint8_t> received_;  // labels of the half-edges that earlier vertices sent here
-  std::size_t longest_chain_;
-  KempeChains chains_;
-  Vertex f_ = kNoVertex;  // of the current component, if cubic
+  Vertex f_ = kNoVertex;                // of the current component, if cubic
 };
 
 }  // namespace
 
-Labels label_half_edges(const Graph& graph, const ProcessingOrder& order,
-                        std::size_t longest_chain) {
-  return Labeller(graph, order, longest_chain).run();
+Labels label_half_edges(const Graph& graph, const ProcessingOrder& order) {
+  return Labeller(graph, order).run();
 }
 
 }  // namespace ar3d::grid

@@ -21,7 +21,10 @@ class EdgeLabels {
     both_[e] = static_cast<std::uint8_t>((both_[e] & ~(3u << s)) | (label << s));
   }
   std::size_t size() const { return both_.size(); }
-  const std::uint8_t* address(EdgeId e) const { return &both_[e]; }
+  /// Takes both labels of v's edges from `other`.
+  void copy_around(const Graph& graph, Vertex v, const EdgeLabels& other) {
+    for (const HalfEdge& half : graph.incident(v)) both_[half.edge] = other.both_[half.edge];
+  }
 
  private:
   static unsigned shift(Vertex v, Vertex to) { return v < to ? 0 : 4; }
@@ -36,15 +39,10 @@ class EdgeLabels {
 struct Labels {
   EdgeLabels of;
   std::uint64_t clashes = 0;  ///< clash vertices
-  std::uint64_t repairs = 0;  ///< clashes and last edges that a Kempe chain repaired
 };
 
-/// Stage 2: labels in processing order (section 5; lazily for f, amendment A2).
-/// @param longest_chain  edges that a Kempe chain may have which is swapped to avoid a clash or a
-/// defect at r; 0: none.
-///   No position exists yet, so every swap keeps the invariant.
-/// Cost: O(n + m) without chains, O(longest_chain * n) at worst with them.
-Labels label_half_edges(const Graph& graph, const ProcessingOrder& order,
-                        std::size_t longest_chain);
+/// Labels in processing order (section 5; lazily for f, amendment A2): what the core needs.
+/// Cost: O(n + m).
+Labels label_half_edges(const Graph& graph, const ProcessingOrder& order);
 
 }  // namespace ar3d::grid

@@ -9,29 +9,22 @@
 namespace ar3d::grid {
 namespace {
 
-constexpr std::int32_t kUnset = std::numeric_limits<std::int32_t>::min();
 constexpr std::uint64_t kSeed =
     0x677269642d330001;  // the stream belongs to the algorithm: same graph, same drawing
 
-std::int32_t narrow(std::int64_t x) {
-  expect(x > kUnset && x <= std::numeric_limits<std::int32_t>::max(), "plane numbers fit 32 bits");
-  return static_cast<std::int32_t>(x);
-}
-
 }  // namespace
 
-Placement::Placement(const Graph& graph, const ProcessingOrder& order, const Labels& labels,
-                     const PlaneOptions& options, std::int64_t zone)
+Placement::Placement(const Graph& graph, std::span<const Vertex> vertices, bool cubic,
+                     Planes& planes, std::int64_t window, std::int64_t zone)
     : graph_(graph),
-      order_(order),
-      proof_{graph.num_vertices()},
-      options_(options),
-      window_(proof_.window(options)),
+      vertices_(vertices),
+      in_cubic_(cubic),
+      proof_{static_cast<std::int64_t>(vertices.size())},
+      window_(window),
       zone_(zone),
-      planes_{std::vector<PlaneNumbers>(graph.num_vertices(), {kUnset, kUnset, kUnset}),
-              labels.of,
-              {},
-              {}},
+      planes_(planes),
+      counts_before_(planes.counts),
+      slots_before_(planes.slots.size()),
       taken_{NumberSet(2 * window_), NumberSet(2 * window_), NumberSet(2 * window_)},
       near_taken_{NumberSet(2 * window_), NumberSet(2 * window_), NumberSet(2 * window_)},
       sums_(3 * window_),
@@ -40,34 +33,35 @@ Placement::Placement(const Graph& graph, const ProcessingOrder& order, const Lab
       triple_search_(sums_, random_, proof_.sure_triple_length()) {}
 
 bool Placement::place_all() {
-  for (const OrderPart& part : order_.parts) {
-    if (!place_part(part)) return false;
+  if (place_vertices()) return true;
+  undo();
+  return false;
+}
+
+void Placement::undo() {
+  planes_.counts = counts_before_;
+  planes_.slots.resize(slots_before_);
+  for (const Vertex v : vertices_) {
+    planes_.of[v] = {kUnsetNumber, kUnsetNumber, kUnsetNumber};
   }
-  return true;
+  for (const auto& [v, half] : clash_edges_) planes_.labels.set(half.edge, v, half.to, kNoColour);
 }
 
-Planes Placement::result() && {
-  std::ranges::sort(planes_.slots, {}, &Slot::edge);
-  return std::move(planes_);
-}
-
-bool Placement::place_part(const OrderPart& part) {
-  in_cubic_ = part.cubic;
-  if (part.cubic) {
-    set_aside(part);
+bool Placement::place_vertices() {
+  if (in_cubic_) {
+    set_aside();
     place_f();
   }
-  const std::size_t begin = part.cubic ? part.begin + 1 : part.begin;
-  const std::size_t end = part.cubic ? part.end - 1 : part.end;
-  for (std::size_t i = begin; i < end; ++i) {
-    const Site site = look(order_.sequence[i]);
+  const std::size_t ends = in_cubic_ ? 1 : 0;
+  for (const Vertex v : vertices_.subspan(ends, vertices_.size() - 2 * ends)) {
+    const Site site = look(v);
     const bool is_x_m = site.next_to_f && aside_.is_defect() && site.label_to_f == aside_.m;
     const bool placed = site.opens != 0 ? place_clash(site)
                         : is_x_m        ? place_x_m(site)
                                         : place_ordinary(site);
     if (!placed) return false;
   }
-  return !part.cubic || place_last();
+  return !in_cubic_ || place_last();
 }
 
 bool Placement::is_placed(Vertex v) const { return missing_colours(v) == 0; }
@@ -75,7 +69,7 @@ bool Placement::is_placed(Vertex v) const { return missing_colours(v) == 0; }
 ColourSet Placement::missing_colours(Vertex v) const {
   ColourSet missing = 0;
   for (Colour c = 0; c < kColours; ++c) {
-    if (planes_.of[v][c] == kUnset) missing |= only(c);
+    if (planes_.of[v][c] == kUnsetNumber) missing |= only(c);
   }
   return missing;
 }
@@ -122,7 +116,7 @@ bool Placement::choose_colours(const Site& site, ColourSet colours) {
       rules[num_rules++].known = std::int64_t{x[next(c)]} + x[previous(c)];
     }
     if (const auto apart = apart_rule(site, c)) rules[num_rules++] = *apart;
-    const auto number = choose(site, c, {rules.data(), num_rules});
+    const auto number = choose(c, {rules.data(), num_rules});
     if (!number) return false;
     take(c, *number);
     assign(site, c, *number);
@@ -130,14 +124,8 @@ bool Placement::choose_colours(const Site& site, ColourSet colours) {
   return true;
 }
 
-std::optional<std::int64_t> Placement::choose(const Site& site, Colour c,
-                                              std::span<const SumRule> rules) {
-  for (const std::int64_t percent : {100, 112, 125, 150, 200}) {
-    const Range range = preferred_range(site, c, window_ * percent / 100);
-    if (range.empty()) continue;
-    if (const auto x = best_of_two(range, c, rules)) return x;
-    if (!options_.compact_windows) break;
-  }
+std::optional<std::int64_t> Placement::choose(Colour c, std::span<const SumRule> rules) {
+  if (const auto x = random_in_window(c, rules)) return x;
   const std::int64_t far = zoned() ? std::min(zone_ - 1, proof_.far_window()) : proof_.far_window();
   const auto above = search_.find(Direction::up, taken_[c], rules, {0, far});
   const auto below = search_.find(Direction::down, taken_[c], rules, {-far, 0});
@@ -147,63 +135,15 @@ std::optional<std::int64_t> Placement::choose(const Site& site, Colour c,
                       {-far, far});  // counting: far enough suffices
 }
 
-/// Two random numbers of the range; the one with the larger sum |S| wins, since sums near 0 are in
-/// demand later.
-std::optional<std::int64_t> Placement::best_of_two(Range range, Colour c,
-                                                   std::span<const SumRule> rules) {
+std::optional<std::int64_t> Placement::random_in_window(Colour c, std::span<const SumRule> rules) {
   constexpr int kTries = 8;
   constexpr int kWords = 4;
-  const bool sum_is_known = !rules.empty() && rules[0].is_new;
-  std::optional<std::int64_t> best;
   for (int i = 0; i < kTries; ++i) {
-    const auto offset = random_.below64(static_cast<std::uint64_t>(range.length()));
-    const Range tail{range.low + static_cast<std::int64_t>(offset), range.high};
-    const auto x = search_.near_low(taken_[c], rules, tail, kWords);
-    if (!x) continue;
-    if (!sum_is_known || !options_.compact_windows) return x;
-    const std::int64_t known = rules[0].known;
-    if (best) return std::abs(known + *x) > std::abs(known + *best) ? x : best;
-    best = x;
-  }
-  return best;
-}
-
-/// Numbers that keep every sum of two plane numbers, here and at the forward neighbour, within
-/// `box`: these sums are the Cartesian coordinates.
-Range Placement::preferred_range(const Site& site, Colour c, std::int64_t box) const {
-  Range range{-window_, window_};
-  if (!options_.compact_windows) return range;
-  range = narrowed(range, site.v, c, box);
-  if (!contains(site.forward_colours, c)) return range;
-  range = narrowed(range, site.forward[c].to, c, box);
-  if (const auto rival = rival_plane(site, c)) {
-    range.low = std::max(range.low, *rival - box / 32);
-    range.high = std::min(range.high, *rival + box / 32);
-  }
-  return range;
-}
-
-/// The plane of the other earlier neighbour if v opens the second plane towards a clash vertex: the
-/// closer the two planes, the smaller A and the closer H and L can stay to w.
-std::optional<std::int64_t> Placement::rival_plane(const Site& site, Colour c) const {
-  const HalfEdge& half = site.forward[c];
-  if (planes_.labels.at(half.edge, half.to, site.v) != kNoColour) return std::nullopt;
-  for (const HalfEdge& other : graph_.incident(half.to)) {
-    if (other.to == site.v || planes_.labels.at(other.edge, half.to, other.to) != kNoColour)
-      continue;
-    if (planes_.of[other.to][c] != kUnset) return planes_.of[other.to][c];
+    const auto offset = random_.below64(static_cast<std::uint64_t>(2 * window_ + 1));
+    const Range tail{static_cast<std::int64_t>(offset) - window_, window_};
+    if (const auto x = search_.near_low(taken_[c], rules, tail, kWords)) return x;
   }
   return std::nullopt;
-}
-
-Range Placement::narrowed(Range range, Vertex v, Colour c, std::int64_t box) const {
-  for (const Colour other : {next(c), previous(c)}) {
-    const std::int32_t x = planes_.of[v][other];
-    if (x == kUnset) continue;
-    range.low = std::max(range.low, -box - x);
-    range.high = std::min(range.high, box - x);
-  }
-  return range;
 }
 
 /// Gives v the number, and the forward neighbour too if the edge is a U-edge.

@@ -27,20 +27,21 @@ struct ZoneProof {
   /// Below this, X_gamma(w) forces the rule NT.
   std::int64_t lowest_for_pq() const { return -(61 * n + 100); }
   /// Half width of the preferred window.
-  std::int64_t window(const PlaneOptions& options) const {
-    return std::min(options.window_percent * n / 100 + 3, far_window() - 1);
+  std::int64_t window(std::int64_t percent_of_n) const {
+    return std::min(percent_of_n * n / 100 + 3, far_window() - 1);
   }
 };
 
-/// One attempt to place all vertices with a given zone (-zone, zone) for ordinary numbers.
+/// One attempt to place one component with a given zone (-zone, zone) for ordinary numbers.
 class Placement {
  public:
-  Placement(const Graph& graph, const ProcessingOrder& order, const Labels& labels,
-            const PlaneOptions& options, std::int64_t zone);
+  /// @param vertices  the component in processing order.
+  /// @param planes  has the component's labels; receives its numbers, slots and counts.
+  Placement(const Graph& graph, std::span<const Vertex> vertices, bool cubic, Planes& planes,
+            std::int64_t window, std::int64_t zone);
 
-  /// False if an ordinary number did not fit into the zone.
+  /// False if an ordinary number did not fit into the zone; then `planes` is as before.
   bool place_all();
-  Planes result() &&;
 
  private:
   /// The edge fr that is set aside in a cubic component, and where f stands.
@@ -87,11 +88,12 @@ class Placement {
 
   /// Ordinary numbers of this component must stay inside the zone, since f will stand outside it.
   bool zoned() const { return in_cubic_ && aside_.is_defect(); }
-  bool place_part(const OrderPart& part);
+  bool place_vertices();
+  void undo();
   Site look(Vertex v) const;
   bool is_placed(Vertex v) const;
 
-  void set_aside(const OrderPart& part);
+  void set_aside();
   void place_f();
   void place_f_of_defect();
   bool place_ordinary(const Site& site);
@@ -110,13 +112,9 @@ class Placement {
   SumRule f_rule() const;
   std::optional<SumRule> apart_rule(const Site& site, Colour c) const;
 
-  /// A free number of colour c for the vertex of the site: such that the box stays small, else in
-  /// the zone.
-  std::optional<std::int64_t> choose(const Site& site, Colour c, std::span<const SumRule> rules);
-  std::optional<std::int64_t> best_of_two(Range range, Colour c, std::span<const SumRule> rules);
-  Range preferred_range(const Site& site, Colour c, std::int64_t box) const;
-  std::optional<std::int64_t> rival_plane(const Site& site, Colour c) const;
-  Range narrowed(Range range, Vertex v, Colour c, std::int64_t box) const;
+  /// A free number of colour c: at random in the window, else near it, in the zone.
+  std::optional<std::int64_t> choose(Colour c, std::span<const SumRule> rules);
+  std::optional<std::int64_t> random_in_window(Colour c, std::span<const SumRule> rules);
 
   bool choose_colours(const Site& site, ColourSet colours);
   ColourSet missing_colours(Vertex v) const;
@@ -125,13 +123,15 @@ class Placement {
   void finish(const Site& site);
 
   const Graph& graph_;
-  const ProcessingOrder& order_;
+  const std::span<const Vertex> vertices_;
+  const bool in_cubic_;
   const ZoneProof proof_;
-  const PlaneOptions options_;
   const std::int64_t window_;
   const std::int64_t zone_;
 
-  Planes planes_;
+  Planes& planes_;
+  const PlaneCounts counts_before_;
+  const std::size_t slots_before_;
   std::array<NumberSet, kColours> taken_;
   std::array<NumberSet, kColours> near_taken_;  // x with x, x-1 or x-2 taken
   NumberSet sums_;
@@ -139,8 +139,8 @@ class Placement {
   NumberSearch search_;
   NumberSearch triple_search_;
 
-  bool in_cubic_ = false;
   Aside aside_;
+  std::vector<std::pair<Vertex, HalfEdge>> clash_edges_;  // labelled here, open before
 };
 
 }  // namespace ar3d::grid

@@ -8,10 +8,9 @@
 
 namespace ar3d::grid {
 
-void Placement::set_aside(const OrderPart& part) {
-  aside_ = {};
-  aside_.f = order_.sequence[part.begin];
-  aside_.r = order_.sequence[part.end - 1];
+void Placement::set_aside() {
+  aside_.f = vertices_.front();
+  aside_.r = vertices_.back();
   for (const HalfEdge& half : graph_.incident(aside_.f)) {
     if (half.to == aside_.r) aside_.edge = half.edge;
   }
@@ -33,7 +32,7 @@ void Placement::place_f() {
     site.forward_colours |= only(c);
   }
   for (const Colour c : {aside_.p, aside_.m}) {
-    const auto number = choose(site, c, {});
+    const auto number = choose(c, {});
     take(c, number.value());
     assign(site, c, *number);
   }
@@ -68,7 +67,7 @@ bool Placement::place_x_m(const Site& site) {
     missing &= ~only(aside_.p);
   }
   if (missing != 0) {
-    const auto number = choose(site, aside_.phi, {});
+    const auto number = choose(aside_.phi, {});
     if (!number) return false;
     take(aside_.phi, *number);
     assign(site, aside_.phi, *number);
@@ -133,7 +132,7 @@ bool Placement::place_r(const Site& site) {
   std::array<SumRule, 2> rules{site.rule, {}};
   rules[0].known = std::int64_t{x[next(aside_.psi)]} + x[previous(aside_.psi)];
   if (!aside_.is_defect()) rules[1] = f_rule();
-  const auto number = choose(site, aside_.psi, {rules.data(), aside_.is_defect() ? 1u : 2u});
+  const auto number = choose(aside_.psi, {rules.data(), aside_.is_defect() ? 1u : 2u});
   if (!number) return false;
   take(aside_.psi, *number);
   assign(site, aside_.psi, *number);

@@ -34,6 +34,8 @@ bool Placement::place_clash(const Site& site) {
   Clash clash = look_at_clash(site);
   planes_.labels.set(clash.w.edge, site.v, clash.w.to, clash.beta);
   planes_.labels.set(clash.w_prime.edge, site.v, clash.w_prime.to, clash.lambda);
+  clash_edges_.emplace_back(site.v, clash.w);
+  clash_edges_.emplace_back(site.v, clash.w_prime);
   assign(site, clash.lambda, clash.plane);
   const bool placed = place_clash_nt(clash) || place_clash_pq(clash);
   if (placed) finish(site);

@@ -1,29 +1,113 @@
 #include "ar3d/algorithms/grid/planes.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <span>
 
+#include "ar3d/algorithms/grid/flat.h"
 #include "ar3d/algorithms/grid/placement.h"
 #include "ar3d/model/error.h"
 
 namespace ar3d::grid {
+namespace {
 
-Planes assign_planes(const Graph& graph, const ProcessingOrder& order, Labels labels,
-                     const PlaneOptions& options) {
-  const ZoneProof proof{graph.num_vertices()};
-  std::int64_t zone = proof.window(options) + 2;
-  for (std::int64_t restarts = 0;; ++restarts) {
-    Placement placement(graph, order, labels, options, zone);
-    if (placement.place_all()) {
-      Planes planes = std::move(placement).result();
-      planes.counts.restarts = restarts;
-      return planes;
-    }
+bool all_within(std::int64_t bound, const PlaneNumbers& numbers) {
+  return std::ranges::all_of(numbers, [&](std::int64_t x) { return -bound <= x && x <= bound; });
+}
+
+void number_by_core(const Graph& graph, const ProcessingOrder& order, const OrderPart& part,
+                    std::int64_t window_percent, Planes& planes) {
+  const std::span<const Vertex> vertices(&order.sequence[part.begin], part.end - part.begin);
+  const ZoneProof proof{static_cast<std::int64_t>(vertices.size())};
+  const std::int64_t window = proof.window(window_percent);
+  std::int64_t zone = window + 2;
+  ++planes.counts.core_parts;
+  while (!Placement(graph, vertices, part.cubic, planes, window, zone).place_all()) {
     expect(zone < proof.largest_zone(), "the size proof's zone holds every number");
     zone = std::min(2 * zone, proof.largest_zone());
+    ++planes.counts.restarts;
   }
+  for (const Vertex v : vertices) {
+    expect(all_within(proved_plane_bound(proof.n), planes.of[v]),
+           "plane numbers keep the size proof's bound");
+  }
+}
+
+/// Copies one component's labels and numbers from places to vertices.
+void adopt_flat(const ProcessingOrder& order, std::span<const Row> rows, const Colouring& colouring,
+                const OrderPart& part, const Flat& flat, Planes& planes) {
+  const auto set_label = [&](EdgeId e, Place at, Place to, Colour label) {
+    planes.labels.set(e, order.sequence[at], order.sequence[to], label);
+  };
+  for (auto i = static_cast<Place>(part.begin); i < part.end; ++i) {
+    planes.of[order.sequence[i]] = flat.numbers()[i];
+    const auto& to = colouring.ports[i].to;
+    for (unsigned j = 0; j < rows[i].degree; ++j) {
+      const Place other = rows[i].to[j];
+      const Colour label = to[0] == other ? 0 : to[1] == other ? 1 : 2;
+      set_label(rows[i].edge[j], i, other, label);
+    }
+  }
+  for (const ColourDefect& defect : flat.defects()) {
+    set_label(defect.edge, defect.x, defect.y, defect.label_x);
+    set_label(defect.edge, defect.y, defect.x, defect.label_y);
+  }
+  planes.slots.insert(planes.slots.end(), flat.slots().begin(), flat.slots().end());
+  planes.counts.flat_defects += static_cast<std::int64_t>(flat.defects().size());
+}
+
+/// Flat numbers beyond this are no better than the core's.
+std::int64_t largest_flat_number(std::int64_t n) { return 2 * n + 300; }
+
+/// Numbers what can be flat; returns the components that cannot.
+std::vector<OrderPart> number_flat(const Graph& graph, const ProcessingOrder& order,
+                                   const PlaneOptions& options, Planes& planes) {
+  const std::vector<Row> rows = rows_in_order(graph, order);
+  Colouring colouring = colour_half_edges(order, rows, options.longest_chain);
+  Flat flat(rows, colouring);
+  std::vector<OrderPart> left;
+  std::span<const ColourDefect> defects(colouring.defects);
+  for (const OrderPart& part : order.parts) {
+    const auto of_part = std::ranges::find_if(
+        defects, [&](const ColourDefect& defect) { return defect.x >= part.end; });
+    const auto mine = defects.first(static_cast<std::size_t>(of_part - defects.begin()));
+    defects = defects.subspan(mine.size());
+    const PlaceRange range{static_cast<Place>(part.begin), static_cast<Place>(part.end)};
+    const std::span<const PlaneNumbers> numbers(&flat.numbers()[part.begin], part.end - part.begin);
+    const bool is_flat = flat.number(range, mine);
+    if (is_flat && std::ranges::all_of(numbers, [&](const PlaneNumbers& x) {
+          return all_within(largest_flat_number(range.size()), x);
+        })) {
+      adopt_flat(order, rows, colouring, part, flat, planes);
+    } else {
+      left.push_back(part);
+    }
+  }
+  return left;
+}
+
+}  // namespace
+
+Planes assign_planes(const Graph& graph, const ProcessingOrder& order,
+                     const PlaneOptions& options) {
+  Planes planes{
+      std::vector<PlaneNumbers>(graph.num_vertices(), {kUnsetNumber, kUnsetNumber, kUnsetNumber}),
+      EdgeLabels(graph.num_edges()),
+      {},
+      {}};
+  const std::vector<OrderPart> left =
+      options.flat ? number_flat(graph, order, options, planes) : order.parts;
+  if (!left.empty()) {
+    const Labels labels = label_half_edges(graph, order);
+    for (const OrderPart& part : left) {
+      for (std::size_t i = part.begin; i < part.end; ++i) {
+        planes.labels.copy_around(graph, order.sequence[i], labels.of);
+      }
+      number_by_core(graph, order, part, options.window_percent, planes);
+    }
+  }
+  std::ranges::sort(planes.slots, {}, &Slot::edge);
+  return planes;
 }
 
 }  // namespace ar3d::grid

@@ -2,11 +2,13 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "ar3d/algorithms/grid/colours.h"
 #include "ar3d/algorithms/grid/labels.h"
 #include "ar3d/algorithms/grid/order.h"
+#include "ar3d/model/error.h"
 #include "ar3d/model/graph.h"
 
 namespace ar3d::grid {
@@ -14,6 +16,14 @@ namespace ar3d::grid {
 /// The three plane numbers X_0, X_1, X_2 of a vertex: its position is x_i = 3 X_i, x_3 = -3 S, S
 /// their sum.
 using PlaneNumbers = std::array<std::int32_t, kColours>;
+inline constexpr std::int32_t kUnsetNumber = std::numeric_limits<std::int32_t>::min();
+
+/// @throws InternalError if x does not fit.
+inline std::int32_t narrow(std::int64_t x) {
+  expect(x > kUnsetNumber && x <= std::numeric_limits<std::int32_t>::max(),
+         "plane numbers fit 32 bits");
+  return static_cast<std::int32_t>(x);
+}
 
 inline std::int64_t sum_of(const PlaneNumbers& x) { return std::int64_t{x[0]} + x[1] + x[2]; }
 
@@ -25,16 +35,18 @@ struct Slot {
 
 /// How often each case of the construction was used.
 struct PlaneCounts {
-  std::int64_t nt = 0;           ///< clashes solved with E < 0
-  std::int64_t pq = 0;           ///< clashes solved with E > 0 and a slot
-  std::int64_t last_edge_u = 0;  ///< psi = phi
-  std::int64_t last_edge_m = 0;  ///< psi = phi - 1
-  std::int64_t last_edge_p = 0;  ///< psi = phi + 1
-  std::int64_t restarts = 0;     ///< the zone was too small
+  std::int64_t nt = 0;            ///< clashes solved with E < 0
+  std::int64_t pq = 0;            ///< clashes solved with E > 0 and a slot
+  std::int64_t last_edge_u = 0;   ///< psi = phi
+  std::int64_t last_edge_m = 0;   ///< psi = phi - 1
+  std::int64_t last_edge_p = 0;   ///< psi = phi + 1
+  std::int64_t restarts = 0;      ///< the zone was too small
+  std::int64_t flat_defects = 0;  ///< defects of components with flat numbers
+  std::int64_t core_parts = 0;    ///< components that the core numbered
 };
 
 /// Plane numbers, all labels, slots.
-/// Invariant: (I1)-(I5) of docs/theorem3.md, which broken_invariant() tests.
+/// Invariant: (I1)-(I5) of docs/theorem3.md within every component, which broken_invariant() tests.
 struct Planes {
   std::vector<PlaneNumbers> of;
   EdgeLabels labels;
@@ -43,16 +55,18 @@ struct Planes {
 };
 
 struct PlaneOptions {
-  bool compact_windows = true;       ///< prefer numbers that keep sums of two plane numbers small
-  std::int64_t window_percent = 55;  ///< half width of the preferred window in hundredths of n
+  bool flat = true;                       ///< try the flat numbers first, component by component
+  std::uint64_t longest_chain = 1000000;  ///< edges of a Kempe chain; only for flat numbers
+  std::int64_t window_percent = 55;       ///< half width of the core's window in hundredths of n
 };
 
-/// Stages 3 and 4: the core, amendments A1, A2 and A3. Never fails.
+/// Plane numbers of every component on its own: flat ones where asked for and possible, else the
+/// core's, amendments A1, A2 and A3. Never fails.
 /// Cost: O(n log n) expected over the stream of random numbers, on every input.
-Planes assign_planes(const Graph& graph, const ProcessingOrder& order, Labels labels,
-                     const PlaneOptions& options);
+Planes assign_planes(const Graph& graph, const ProcessingOrder& order, const PlaneOptions& options);
 
-/// The bound on plane numbers that the size proof gives: |X_i| <= 150 n + 300.
+/// The bound on plane numbers that the size proof gives for a component with n vertices:
+/// |X_i| <= 150 n + 300.
 inline constexpr std::int64_t proved_plane_bound(std::int64_t n) { return 150 * n + 300; }
 
 }  // namespace ar3d::grid

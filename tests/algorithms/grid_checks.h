@@ -21,8 +21,10 @@ struct CaseCounts {
   std::int64_t last_u = 0;
   std::int64_t last_m = 0;
   std::int64_t last_p = 0;
+  std::int64_t flat_defects = 0;
+  std::int64_t core_parts = 0;
 
-  /// Both clash rules and all three cases of the last edge must have been used.
+  /// The core must have used both clash rules and all three cases of the last edge.
   void expect_all_hit() const {
     EXPECT_GT(nt, 0);
     EXPECT_GT(pq, 0);
@@ -51,6 +53,8 @@ inline std::string grid_fault(const Graph& graph, std::int64_t effort,
     counts->last_u += counter(drawing, "last_u");
     counts->last_m += counter(drawing, "last_m");
     counts->last_p += counter(drawing, "last_p");
+    counts->flat_defects += counter(drawing, "flat_defects");
+    counts->core_parts += counter(drawing, "core_parts");
   }
   const Certificate certificate = certify(graph, drawing, grid.guarantee);
   if (certificate.valid()) return "";

@@ -22,7 +22,11 @@ TEST_P(GridOnAllGraphs, UpToElevenVerticesAreCertified) {
     }
   }
   EXPECT_EQ(drawn, 16335u);
-  counts.expect_all_hit();
+  if (GetParam() == 0) {
+    counts.expect_all_hit();
+  } else {
+    EXPECT_GT(counts.flat_defects, 0);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Efforts, GridOnAllGraphs, ::testing::Values(0, 1, 2));

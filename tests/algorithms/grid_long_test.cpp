@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "algorithms/grid_checks.h"
 #include "ar3d/generators/catalog.h"
 #include "support/graphs.h"
@@ -23,16 +25,24 @@ TEST(GridLong, TwelveAndThirteenVertices) {
 }
 
 TEST(GridLong, ConnectedCubicGraphs) {
-  testing::CaseCounts counts;
+  std::array<testing::CaseCounts, 3> counts;  // by effort
   std::size_t drawn = 0;
   for (int n = 4; n <= 18; n += 2) {
     for (const Graph& graph : testing::geng(fmt::format("-c -d3 -D3 {}", n))) {
-      for (const int effort : {0, 1, 2}) ASSERT_EQ(testing::grid_fault(graph, effort, &counts), "");
+      for (const std::size_t effort : {0u, 1u, 2u}) {
+        ASSERT_EQ(testing::grid_fault(graph, static_cast<std::int64_t>(effort), &counts[effort]),
+                  "");
+      }
       ++drawn;
     }
   }
   EXPECT_EQ(drawn, 1u + 2 + 5 + 19 + 85 + 509 + 4060 + 41301);
-  counts.expect_all_hit();
+  counts[0].expect_all_hit();
+  for (const std::size_t effort : {1u, 2u}) {  // flat numbers with defects, and the core's fallback
+    EXPECT_GT(counts[effort].flat_defects, 0);
+    EXPECT_GT(counts[effort].core_parts, 0);
+    EXPECT_LT(counts[effort].core_parts, 1000);
+  }
 }
 
 TEST(GridLong, LargeFamilies) {

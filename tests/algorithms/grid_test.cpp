@@ -8,11 +8,10 @@
 #include <algorithm>
 
 #include "algorithms/grid_checks.h"
-#include "ar3d/algorithms/grid/flat.h"
 #include "ar3d/algorithms/grid/invariant.h"
-#include "ar3d/algorithms/grid/labels.h"
 #include "ar3d/algorithms/grid/number_set.h"
 #include "ar3d/algorithms/grid/order.h"
+#include "ar3d/algorithms/grid/pack.h"
 #include "ar3d/algorithms/grid/planes.h"
 #include "ar3d/algorithms/grid/routes.h"
 #include "ar3d/generators/catalog.h"
@@ -25,11 +24,15 @@ namespace {
 
 using grid::Planes;
 
-/// Many defects: the core without Kempe chains.
-Planes core_planes(const Graph& graph) {
+Planes planes_of(const Graph& graph, const grid::PlaneOptions& options) {
   const grid::ProcessingOrder order = grid::processing_order(graph);
-  return grid::assign_planes(graph, order, grid::label_half_edges(graph, order, 0), {});
+  Planes planes = grid::assign_planes(graph, order, options);
+  grid::pack_components(graph, order, planes);
+  return planes;
 }
+
+/// Many defects: the core without Kempe chains.
+Planes core_planes(const Graph& graph) { return planes_of(graph, {.flat = false}); }
 
 Drawing drawing_of(const Graph& graph, const Planes& planes, grid::RouteRule rule = {}) {
   Coordinates vertices(graph.num_vertices(), 1'000'000);
@@ -110,22 +113,52 @@ TEST(Grid, InvariantHolds) {
   }
 }
 
+TEST(Grid, InvariantHoldsForFlatNumbersWithManyDefects) {
+  std::int64_t defects = 0;
+  for (const char* family :
+       {"random-cubic", "cubic-tree", "goldberg-snark", "union-flower-snark", "mixed-union"}) {
+    for (const std::uint64_t longest_chain : {0u, 8u, 1000000u}) {
+      const Graph graph = testing::shuffled(generate(find_family(family), 2000, 2), 3);
+      const Planes planes = planes_of(graph, {.longest_chain = longest_chain});
+      EXPECT_EQ(grid::broken_invariant(graph, planes), "") << family;
+      defects += planes.counts.flat_defects;
+    }
+  }
+  EXPECT_GT(defects, 3000);
+}
+
 TEST(Grid, ColouredGraphsGetAFlatBox) {
   for (const char* family : {"random-cubic", "prism", "binary-tree", "union-k4", "cycle"}) {
     const Graph graph = testing::shuffled(generate(find_family(family), 3000, 1), 8);
-    const grid::ProcessingOrder order = grid::processing_order(graph);
-    const auto planes = grid::flat_planes(graph, grid::label_half_edges(graph, order, 1'000'000));
-    ASSERT_TRUE(planes.has_value()) << family;
-    EXPECT_EQ(grid::broken_invariant(graph, *planes), "");
-    const auto extents = bounding_box(drawing_of(graph, *planes)).extents();
+    const Drawing drawing = draw_grid(graph);
+    EXPECT_EQ(testing::counter(drawing, "flat_defects"), 0) << family;
+    EXPECT_EQ(testing::counter(drawing, "core_parts"), 0) << family;
+    const auto extents = bounding_box(drawing).extents();
     EXPECT_LE(*std::ranges::min_element(extents), 300) << family;
   }
 }
 
-TEST(Grid, SnarksKeepADefect) {
-  const Graph graph = testing::petersen();  // has no proper edge colouring with three colours
-  const grid::ProcessingOrder order = grid::processing_order(graph);
-  EXPECT_FALSE(grid::flat_planes(graph, grid::label_half_edges(graph, order, 1000)).has_value());
+TEST(Grid, EveryFamilyKeepsItsVolumeAtTenThousandVertices) {
+  for (const Family& family : families()) {
+    const Graph graph = testing::shuffled(generate(family, 10000, 2), 4);
+    if (graph.max_degree() > 3 || graph.num_vertices() < 5000) continue;
+    for (const int effort : {1, 2}) {
+      const auto extents = bounding_box(draw_grid(graph, {.effort = effort})).extents();
+      double volume = 1;
+      for (const std::int64_t extent : extents) {
+        volume *= static_cast<double>(extent) / graph.num_vertices();
+      }
+      EXPECT_LE(volume, 100) << family.name << " effort " << effort;
+    }
+  }
+}
+
+TEST(Grid, SnarksKeepADefectAndFlatNumbers) {
+  for (const Graph& graph : {testing::petersen(), generate(find_family("flower-snark"), 100, 0)}) {
+    const Drawing drawing = draw_grid(graph);  // no proper edge colouring with three colours
+    EXPECT_GE(testing::counter(drawing, "flat_defects"), 2);
+    EXPECT_EQ(testing::counter(drawing, "core_parts"), 0);
+  }
 }
 
 TEST(Grid, SameDrawingEveryTime) {

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "ar3d/algorithms/grid/colours.h"
+#include "ar3d/algorithms/grid/order.h"
+#include "ar3d/algorithms/grid/rows.h"
+
+namespace ar3d::grid {
+
+/// Where the three labelled half-edges of a vertex lead; one cache line holds four.
+struct alignas(16) Ports {
+  std::array<Place, kColours> to{kNoPlace, kNoPlace, kNoPlace};  ///< by label; kNoPlace: none
+  std::uint32_t has_defect = 0;  ///< 1 if the labels of a half-edge to an earlier vertex differ
+};
+
+/// An edge whose two labels differ: label_x at x, label_y at y. One of them is 2 and belongs to y,
+/// unless the labels are 0 and 1.
+struct ColourDefect {
+  Place x = 0;
+  Place y = 0;
+  EdgeId edge = 0;
+  Colour label_x = 0;
+  Colour label_y = 0;
+};
+
+/// Labels of all half-edges, with few defects.
+/// Invariant: the labels at a vertex differ; the two labels of an edge are equal but for the edges
+/// in `defects`. A component has at most one defect with labels 0 and 1.
+struct Colouring {
+  std::vector<Ports> ports;           // by place
+  std::vector<ColourDefect> defects;  // component by component, in processing order
+  std::uint64_t repairs = 0;          ///< vertices where a Kempe chain avoided a defect
+};
+
+/// Labels greedily in processing order and swaps Kempe chains where two earlier neighbours offer
+/// the same label.
+/// @param longest_chain  edges of the longest chain that is followed; 0: none.
+/// Cost: O(n) and at most kStepsPerVertex chain steps a vertex on average.
+Colouring colour_half_edges(const ProcessingOrder& order, std::span<const Row> rows,
+                            std::uint64_t longest_chain);
+
+/// All chains together take at most this many steps a vertex, so the time is linear on every input.
+inline constexpr std::uint64_t kStepsPerVertex = 100;
+
+}  // namespace ar3d::grid

@@ -1,0 +1,131 @@
+#include "ar3d/algorithms/grid/heights.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "ar3d/model/error.h"
+
+namespace ar3d::grid {
+namespace {
+
+/// One number of a chain: the plane of an edge of colour 0 or 1, or a free number at a path's end.
+struct Link {
+  Colour colour = 0;
+  std::int64_t height = 0;
+};
+
+/// h_0 - h_1 of a vertex between two links.
+std::int64_t pair_sum(const Link& a, const Link& b) {
+  return a.colour == 0 ? a.height - b.height : b.height - a.height;
+}
+
+/// A chain that grows upwards.
+class Chain {
+ public:
+  explicit Chain(HeightPool& pool) : pool_(pool) {}
+
+  Link first(Colour c) {
+    const Link link{c, pool_.chain_start(c)};
+    floor_ = link.height;
+    pool_.take_and_advance(c, link.height);
+    return link;
+  }
+
+  /// The lowest free height from the last link on that suits v.
+  /// `closing`, if not kNoPlace, is the last vertex of a cycle, between the new link and `end`.
+  Link after(Place v, const Link& from, Place closing, const Link& end) {
+    Link link{1 - from.colour, 0};
+    for (std::int64_t h = std::max(from.height - 1, floor_);; ++h) {
+      h = pool_.next_free(link.colour, h);
+      link.height = h;
+      const std::int64_t pair = pair_sum(from, link);
+      if (!pool_.is_far_from_partner(v, pair)) continue;
+      if (closing != kNoPlace && !suits_closing(v, pair, closing, pair_sum(link, end))) continue;
+      pool_.take_and_advance(link.colour, h);
+      settle(v, from, link);
+      return link;
+    }
+  }
+
+  void settle(Place v, const Link& a, const Link& b) {
+    for (const Link& link : {a, b}) pool_.set_height(v, link.colour, link.height);
+  }
+
+ private:
+  bool suits_closing(Place v, std::int64_t pair, Place closing, std::int64_t closing_pair) const {
+    if (!pool_.is_far_from_partner(closing, closing_pair)) return false;
+    return pool_.neighbour(closing, 2) != v || std::abs(closing_pair - pair) >= 2;
+  }
+
+  HeightPool& pool_;
+  std::int64_t floor_ = 0;
+};
+
+}  // namespace
+
+void HeightPool::take(Colour c, std::int64_t h) {
+  expect(taken_[c].insert(h), "every plane number is fresh (I3)");
+}
+
+void HeightPool::take_and_advance(Colour c, std::int64_t h) {
+  take(c, h);
+  frontier_ = std::max(frontier_, h);
+}
+
+bool HeightPool::suits(Place v, Colour c, std::int64_t h) const {
+  if (!has_height(v, 1 - c)) return true;
+  const std::int64_t other = height(v, 1 - c);
+  return is_far_from_partner(v, c == 0 ? h - other : other - h);
+}
+
+bool HeightPool::is_far_from_partner(Place v, std::int64_t pair) const {
+  const Place partner = neighbour(v, 2);
+  if (partner == kNoPlace || !is_numbered(partner)) return true;
+  return std::abs(pair - (height(partner, 0) - height(partner, 1))) >= 2;
+}
+
+std::int64_t HeightPool::next_free_pair(Colour c, std::int64_t from) const {
+  std::int64_t h = next_free(c, from);
+  while (taken_[c].contains(h + 1)) h = next_free(c, h + 1);
+  return h;
+}
+
+std::int64_t HeightPool::chain_start(Colour c) const {
+  constexpr std::int64_t kBack = 8;
+  return next_free(c, frontier_ - kBack);
+}
+
+void number_path(HeightPool& pool, Place end) {
+  Chain chain(pool);
+  const Colour towards = pool.neighbour(end, 0) != kNoPlace ? 0 : 1;
+  Link link = chain.first(1 - towards);
+  for (Place v = end; v != kNoPlace;) {
+    const Link next = chain.after(v, link, kNoPlace, {});
+    v = pool.neighbour(v, next.colour);
+    link = next;
+  }
+}
+
+void number_cycle(HeightPool& pool, Place start, std::vector<Place>& buffer) {
+  buffer.clear();
+  Colour c = 0;
+  for (Place v = start; buffer.empty() || v != start; c = 1 - c) {
+    buffer.push_back(v);
+    v = pool.neighbour(v, c);
+  }
+  std::size_t a = 0;  // buffer[a] .. buffer[b - 1] have no numbers yet
+  std::size_t b = buffer.size();
+  Chain chain(pool);
+  Link low = chain.first(1);
+  Link high = low;
+  while (b - a > 1) {
+    const bool from_front = low.height <= high.height;
+    Link& side = from_front ? low : high;
+    const Link& other = from_front ? high : low;
+    const Place v = from_front ? buffer[a++] : buffer[--b];
+    side = chain.after(v, side, b - a == 1 ? buffer[a] : kNoPlace, other);
+  }
+  chain.settle(buffer[a], low, high);
+}
+
+}  // namespace ar3d::grid

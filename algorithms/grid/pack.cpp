@@ -1,0 +1,158 @@
+#include "ar3d/algorithms/grid/pack.h"
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "ar3d/algorithms/grid/routes.h"
+#include "ar3d/model/drawing.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d::grid {
+namespace {
+
+__extension__ using Int128 = __int128;
+
+constexpr std::int64_t kUnit = 6;  // moves by it along an axis change plane numbers by 1
+
+/// A component's box in units: it covers [low, low + size) on every axis, bends included.
+struct Parcel {
+  Point low;
+  Point size;
+};
+
+std::int64_t floor_unit(std::int64_t x) { return (x >= 0 ? x : x - (kUnit - 1)) / kUnit; }
+
+void include(Box& box, Point p) {
+  box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
+  box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
+}
+
+Parcel parcel_of(const Box& box) {
+  const Point low = {floor_unit(box.low.x), floor_unit(box.low.y), floor_unit(box.low.z)};
+  return {low,
+          {floor_unit(box.high.x) + 1 - low.x, floor_unit(box.high.y) + 1 - low.y,
+           floor_unit(box.high.z) + 1 - low.z}};
+}
+
+class Packer {
+ public:
+  Packer(const Graph& graph, const ProcessingOrder& order, Planes& planes)
+      : graph_(graph), order_(order), planes_(planes), routes_(planes.labels, planes.slots) {}
+
+  void run() {
+    for (std::size_t i = 0; i < order_.parts.size(); ++i) parcels_.push_back(measure(i));
+    const std::vector<Point> at = places();
+    for (std::size_t i = 0; i < parcels_.size(); ++i) {
+      const Point low = parcels_[i].low;
+      move(i, {at[i].x - low.x, at[i].y - low.y, at[i].z - low.z});
+    }
+  }
+
+ private:
+  std::span<const Vertex> vertices(std::size_t part) const {
+    const OrderPart& p = order_.parts[part];
+    return {&order_.sequence[p.begin], p.end - p.begin};
+  }
+
+  Parcel measure(std::size_t part) {
+    const Point first = position(planes_.of[vertices(part).front()]);
+    Box box{first, first};
+    for (const Vertex v : vertices(part)) {
+      const Point at_v = position(planes_.of[v]);
+      include(box, at_v);
+      for (const HalfEdge& half : graph_.incident(v)) {
+        if (half.to < v) continue;
+        bends_.clear();
+        routes_.append_bends(half.edge, {v, half.to}, at_v, position(planes_.of[half.to]), bends_);
+        for (const Point bend : bends_) include(box, bend);
+      }
+    }
+    return parcel_of(box);
+  }
+
+  /// The side of the layers: every parcel fits, and together they would fill about one layer.
+  std::int64_t layer_side() const {
+    std::int64_t side = 1;
+    Int128 area = 0;
+    for (const Parcel& parcel : parcels_) {
+      side = std::max({side, parcel.size.y, parcel.size.z});
+      area += static_cast<Int128>(parcel.size.y) * parcel.size.z;
+    }
+    std::int64_t too_small = 0;
+    std::int64_t enough = 1;
+    while (static_cast<Int128>(enough) * enough < area) enough *= 2;
+    while (enough - too_small > 1) {
+      const std::int64_t middle = too_small + (enough - too_small) / 2;
+      (static_cast<Int128>(middle) * middle < area ? too_small : enough) = middle;
+    }
+    return std::max(side, enough);
+  }
+
+  /// Rows along y, rows side by side along z, layers of rows along x.
+  std::vector<Point> places() const {
+    std::vector<std::size_t> sorted(parcels_.size());
+    std::iota(sorted.begin(), sorted.end(), std::size_t{0});
+    std::ranges::stable_sort(sorted, [&](std::size_t i, std::size_t j) {
+      const Point a = parcels_[i].size;
+      const Point b = parcels_[j].size;
+      return a.x != b.x ? a.x > b.x : a.z > b.z;
+    });
+    const std::int64_t side = layer_side();
+    std::vector<Point> at(parcels_.size());
+    Point next;              // where the next parcel goes
+    std::int64_t layer = 0;  // thickness of the present layer
+    std::int64_t row = 0;    // width of the present row
+    for (const std::size_t i : sorted) {
+      const Point size = parcels_[i].size;
+      if (next.y + size.y > side) next = {next.x, 0, next.z + std::exchange(row, std::int64_t{0})};
+      if (next.z + size.z > side) {
+        next = {next.x + std::exchange(layer, std::int64_t{0}), 0, 0};
+        row = 0;
+      }
+      at[i] = next;
+      next.y += size.y;
+      row = std::max(row, size.z);
+      layer = std::max(layer, size.x);
+    }
+    return at;
+  }
+
+  void move(std::size_t part, Point by) {
+    const PlaneNumbers shift = {narrow(by.x + by.y - by.z), narrow(by.x - by.y + by.z),
+                                narrow(by.y + by.z - by.x)};
+    for (const Vertex v : vertices(part)) {
+      for (const HalfEdge& half : graph_.incident(v)) {
+        if (v < half.to) move_slot(half.edge, v, half.to, shift);
+      }
+      for (Colour c = 0; c < kColours; ++c) {
+        planes_.of[v][c] = narrow(std::int64_t{planes_.of[v][c]} + shift[c]);
+      }
+    }
+  }
+
+  void move_slot(EdgeId e, Vertex v, Vertex to, const PlaneNumbers& shift) {
+    const Colour here = planes_.labels.at(e, v, to);
+    const Colour there = planes_.labels.at(e, to, v);
+    if (here == there) return;
+    const auto slot = std::ranges::lower_bound(planes_.slots, e, {}, &Slot::edge);
+    if (slot != planes_.slots.end() && slot->edge == e) slot->k += shift[3 - here - there];
+  }
+
+  const Graph& graph_;
+  const ProcessingOrder& order_;
+  Planes& planes_;
+  const Routes routes_;
+  std::vector<Parcel> parcels_;
+  std::vector<Point> bends_;
+};
+
+}  // namespace
+
+void pack_components(const Graph& graph, const ProcessingOrder& order, Planes& planes) {
+  if (order.parts.size() > 1) Packer(graph, order, planes).run();
+}
+
+}  // namespace ar3d::grid

@@ -1,0 +1,170 @@
+#include "ar3d/algorithms/grid/relabel.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace ar3d::grid {
+namespace {
+
+bool has_labels_0_1(const ColourDefect& defect) {
+  return defect.label_x != defect.label_y && defect.label_x != 2 && defect.label_y != 2;
+}
+
+}  // namespace
+
+Relabelling::Relabelling(std::span<const Row> rows, std::span<Ports> ports,
+                         std::vector<ColourDefect>& defects)
+    : rows_(rows), ports_(ports), defects_(defects) {
+  for (std::size_t d = 0; d < defects_.size(); ++d) {
+    const ColourDefect& defect = defects_[d];
+    ports_[defect.x].to[defect.label_x] = kNoPlace;
+    ports_[defect.y].to[defect.label_y] = kNoPlace;
+    by_place_.emplace(defect.x, d);
+    by_place_.emplace(defect.y, d);
+  }
+}
+
+bool Relabelling::avoid_labels_0_1() {
+  constexpr int kSlides = 16;
+  for (std::size_t d = 0; d < defects_.size(); ++d) {
+    if (!has_labels_0_1(defects_[d]) || swap_or_split(d)) continue;
+    bool at_x = ports_[defects_[d].x].to[defects_[d].label_y] != kNoPlace;
+    for (int i = 0;; ++i, at_x = !at_x) {
+      if (i == kSlides || !slide(d, at_x)) return false;
+      if (swap_or_split(d)) break;
+    }
+  }
+  return true;
+}
+
+bool Relabelling::swap_or_split(std::size_t d) {
+  for (const bool is_x : {true, false}) {
+    if (makes_labels_0_1({d, is_x}, 2)) continue;
+    swap_chain({d, is_x}, 2);
+    return true;
+  }
+  return split({d, true}) || split({d, false});
+}
+
+bool Relabelling::slide(std::size_t d, bool at_x) {
+  ColourDefect& defect = defects_[d];
+  const Place v = at_x ? defect.x : defect.y;
+  const Colour label = at_x ? defect.label_y : defect.label_x;
+  const Place other = ports_[v].to[label];
+  if (other == kNoPlace) return false;
+  ports_[v].to[label] = kNoPlace;
+  ports_[other].to[label] = kNoPlace;
+  ports_[defect.x].to[label] = defect.y;
+  ports_[defect.y].to[label] = defect.x;
+  (at_x ? defect.y : defect.x) = other;
+  by_place_.emplace(other, d);
+  defect.edge = edge_between(v, other);
+  return true;
+}
+
+/// Swaps the end's label with its vertex's label 2, whose edge becomes a defect, too.
+bool Relabelling::split(const End& end) {
+  const Place v = place_of(end);
+  const Place other = ports_[v].to[2];
+  if (other == kNoPlace) return false;
+  const Colour label = std::exchange(label_of(end), 2);
+  ports_[v].to[2] = kNoPlace;
+  ports_[other].to[2] = kNoPlace;
+  settle(end.defect);
+  by_place_.emplace(v, defects_.size());
+  by_place_.emplace(other, defects_.size());
+  defects_.push_back({v, other, edge_between(v, other), label, 2});
+  return true;
+}
+
+EdgeId Relabelling::edge_between(Place v, Place other) const {
+  unsigned i = 0;
+  while (rows_[v].to[i] != other) ++i;
+  return rows_[v].edge[i];
+}
+
+void Relabelling::turn(std::size_t d) {
+  const Colour label = defects_[d].label_x;
+  const bool from_x = !makes_labels_0_1({d, true}, 2) || makes_labels_0_1({d, false}, label);
+  swap_chain({d, from_x}, from_x ? 2 : label);
+}
+
+void Relabelling::drop_healed() {
+  std::erase_if(defects_, [](const ColourDefect& d) { return d.label_x == d.label_y; });
+}
+
+Place Relabelling::place_of(const End& end) const {
+  return end.is_x ? defects_[end.defect].x : defects_[end.defect].y;
+}
+
+Colour& Relabelling::label_of(const End& end) {
+  return end.is_x ? defects_[end.defect].label_x : defects_[end.defect].label_y;
+}
+
+Relabelling::End Relabelling::find(Place v, Colour label) const {
+  const auto [begin, end] = by_place_.equal_range(v);
+  for (auto at = begin; at != end; ++at) {
+    const std::size_t d = at->second;
+    const ColourDefect& defect = defects_[d];
+    if (defect.label_x == defect.label_y) continue;
+    if (defect.x == v && defect.label_x == label) return {d, true};
+    if (defect.y == v && defect.label_y == label) return {d, false};
+  }
+  return {kNone, false};
+}
+
+Relabelling::End Relabelling::other_end(const End& end, Colour wanted) const {
+  const ColourDefect& defect = defects_[end.defect];
+  const Colour given = end.is_x ? defect.label_x : defect.label_y;
+  Colour follow = wanted;
+  Place at = place_of(end);
+  for (Place to = ports_[at].to[follow]; to != kNoPlace; to = ports_[at].to[follow]) {
+    at = to;
+    follow = follow == wanted ? given : wanted;
+  }
+  return find(at, follow);
+}
+
+bool Relabelling::makes_labels_0_1(const End& end, Colour wanted) {
+  const Colour given = label_of(end);
+  const End last = other_end(end, wanted);
+  if (last.defect == kNone || last.defect == end.defect) return false;
+  ColourDefect after = defects_[last.defect];
+  Colour& label = last.is_x ? after.label_x : after.label_y;
+  label = label == given ? wanted : given;
+  return has_labels_0_1(after);
+}
+
+void Relabelling::swap_chain(const End& end, Colour wanted) {
+  const Colour given = label_of(end);
+  const End last = other_end(end, wanted);
+  Colour follow = wanted;
+  for (Place at = place_of(end); at != kNoPlace;) {
+    Ports& ports = ports_[at];
+    const Place to = ports.to[follow];
+    std::swap(ports.to[given], ports.to[wanted]);
+    follow = follow == wanted ? given : wanted;
+    at = to;
+  }
+  label_of(end) = wanted;
+  if (last.defect != kNone) {
+    Colour& label = label_of(last);
+    label = label == given ? wanted : given;
+    if (last.defect != end.defect) settle(last.defect);
+  }
+  settle(end.defect);
+}
+
+/// Label 2 belongs to y; an edge with equal labels belongs to the ports.
+void Relabelling::settle(std::size_t d) {
+  ColourDefect& defect = defects_[d];
+  if (defect.label_x == 2) {
+    std::swap(defect.x, defect.y);
+    std::swap(defect.label_x, defect.label_y);
+  }
+  if (defect.label_x != defect.label_y) return;
+  ports_[defect.x].to[defect.label_x] = defect.y;
+  ports_[defect.y].to[defect.label_y] = defect.x;
+}
+
+}  // namespace ar3d::grid

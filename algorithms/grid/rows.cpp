@@ -1,0 +1,19 @@
+#include "ar3d/algorithms/grid/rows.h"
+
+namespace ar3d::grid {
+
+std::vector<Row> rows_in_order(const Graph& graph, const ProcessingOrder& order) {
+  std::vector<Place> place_of(graph.num_vertices());
+  for (Place i = 0; i < order.sequence.size(); ++i) place_of[order.sequence[i]] = i;
+  std::vector<Row> rows(order.sequence.size());
+  for (Place i = 0; i < rows.size(); ++i) {
+    Row& row = rows[i];
+    for (const HalfEdge& half : graph.incident(order.sequence[i])) {
+      row.to[row.degree] = place_of[half.to];
+      row.edge[row.degree++] = half.edge;
+    }
+  }
+  return rows;
+}
+
+}  // namespace ar3d::grid

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "ar3d/algorithms/grid/order.h"
+#include "ar3d/model/graph.h"
+
+namespace ar3d::grid {
+
+/// A vertex's place in the processing order: its index in ProcessingOrder::sequence.
+using Place = std::uint32_t;
+inline constexpr Place kNoPlace = std::numeric_limits<Place>::max();
+
+/// The neighbours of one vertex as places, in the order of the graph's row.
+struct Row {
+  std::array<Place, 3> to{};
+  std::array<EdgeId, 3> edge{};
+  std::uint32_t degree = 0;
+};
+
+/// The graph renumbered in processing order, so that later stages read memory forwards and
+/// "earlier" is a comparison of places. Cost: O(n + m).
+std::vector<Row> rows_in_order(const Graph& graph, const ProcessingOrder& order);
+
+}  // namespace ar3d::grid

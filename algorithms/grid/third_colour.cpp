@@ -1,0 +1,142 @@
+#include "ar3d/algorithms/grid/third_colour.h"
+
+#include <algorithm>
+#include <array>
+
+#include "ar3d/algorithms/grid/number_search.h"
+#include "ar3d/model/error.h"
+#include "ar3d/model/random.h"
+
+namespace ar3d::grid {
+namespace {
+
+constexpr std::uint64_t kSeed = 0x677269642d330002;
+constexpr std::int64_t kBack = 64;  // a search begins this far before the last number found
+
+class ThirdColour {
+ public:
+  ThirdColour(std::span<const Ports> ports, PlaceRange part, std::span<const ColourDefect> defects,
+              std::span<const HeightSlot> slots, std::vector<PlaneNumbers>& x)
+      : ports_(ports),
+        part_(part),
+        defects_(defects),
+        slots_(slots),
+        x_(x),
+        taken_(part.size()),
+        sums_(part.size()),
+        random_(kSeed),
+        search_(sums_, random_, reach()),
+        highest_(-part.size() / 2),
+        lowest_(highest_) {}
+
+  std::vector<std::size_t> run() {
+    for (std::size_t d = 0; d < defects_.size(); ++d) by_y_.emplace_back(defects_[d].y, d);
+    std::ranges::sort(by_y_);
+    for (Place v = part_.begin; v < part_.end; ++v) {
+      if (x_[v][2] == kUnsetNumber && find_defect(v) == kNone) number(v);
+    }
+    for (std::size_t d = 0; d < defects_.size(); ++d) {
+      if (!number_defect(d)) return {d};
+    }
+    return {};
+  }
+
+ private:
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+  std::int64_t reach() const { return 10 * part_.size() + 36; }
+
+  /// The defect whose y is v.
+  std::size_t find_defect(Place v) const {
+    const auto at =
+        std::ranges::lower_bound(by_y_, v, {}, [](const auto& pair) { return pair.first; });
+    return at != by_y_.end() && at->first == v ? at->second : kNone;
+  }
+
+  void number(Place v) {
+    const Place partner = ports_[v].to[2];
+    std::array<SumRule, 2> rules{rule_of(v), {}};
+    if (partner != kNoPlace) rules[1] = rule_of(partner);
+    const std::int64_t low = highest_ - kBack;
+    const auto found = search_.find(
+        Direction::up, taken_, {rules.data(), partner != kNoPlace ? 2u : 1u}, {low, low + reach()});
+    settle(v, found.value());
+    if (partner != kNoPlace) settle(partner, *found);
+    take(*found);
+  }
+
+  /// Chains of such ends are followed to their first x with a number.
+  bool number_defect(std::size_t d) {
+    std::vector<std::size_t> waiting;
+    while (x_[defects_[d].y][2] == kUnsetNumber) {
+      waiting.push_back(d);
+      if (x_[defects_[d].x][2] != kUnsetNumber) break;
+      d = find_defect(defects_[d].x);
+      if (waiting.size() > defects_.size()) return false;
+    }
+    for (; !waiting.empty(); waiting.pop_back()) settle_defect(waiting.back());
+    return true;
+  }
+
+  void settle_defect(std::size_t d) {
+    const ColourDefect& defect = defects_[d];
+    const std::int64_t other = x_[defect.x][2];
+    const std::int64_t apart = slots_[d].below_x + 1;
+    const SumRule rule = rule_of(defect.y);
+    std::optional<std::int64_t> found;
+    if (defect.label_x == 0) {
+      const std::int64_t high = std::min(other - apart, lowest_ + kBack);
+      found = search_.find(Direction::down, taken_, {&rule, 1}, {high - reach(), high});
+    } else {
+      const std::int64_t low = std::max(other + apart, highest_ - kBack);
+      found = search_.find(Direction::up, taken_, {&rule, 1}, {low, low + reach()});
+    }
+    settle(defect.y, found.value());
+    take(*found);
+  }
+
+  void take(std::int64_t number) {
+    taken_.insert(number);
+    highest_ = std::max(highest_, number);
+    lowest_ = std::min(lowest_, number);
+  }
+
+  void settle(Place v, std::int64_t number) {
+    x_[v][2] = static_cast<std::int32_t>(number);
+    expect(sums_.insert(sum_of(x_[v])), "sums are distinct (I1)");
+  }
+
+  SumRule rule_of(Place v) const {
+    SumRule rule;
+    rule.known = std::int64_t{x_[v][0]} + x_[v][1];
+    for (const Colour c : {0u, 1u}) {
+      const Place w = ports_[v].to[c];
+      if (w != kNoPlace && x_[w][2] != kUnsetNumber) rule.join(sum_of(x_[w]));
+    }
+    return rule;
+  }
+
+  const std::span<const Ports> ports_;
+  const PlaceRange part_;
+  const std::span<const ColourDefect> defects_;
+  const std::span<const HeightSlot> slots_;
+  std::vector<PlaneNumbers>& x_;
+  NumberSet taken_;
+  NumberSet sums_;
+  RandomStream random_;
+  NumberSearch search_;
+  std::int64_t highest_;
+  std::int64_t lowest_;
+  std::vector<std::pair<Place, std::size_t>> by_y_;
+};
+
+}  // namespace
+
+std::vector<std::size_t> number_third_colour(std::span<const Ports> ports, PlaceRange part,
+                                             std::span<const ColourDefect> defects,
+                                             std::span<const HeightSlot> slots,
+                                             std::vector<PlaneNumbers>& x) {
+  return ThirdColour(ports, part, defects, slots, x).run();
+}
+
+}  // namespace ar3d::grid
