@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
+#include <string_view>
 #include <tuple>
 
 #include "ar3d/analysis/cells.h"
 #include "ar3d/analysis/replay.h"
 #include "ar3d/analysis/text.h"
+#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {
@@ -47,6 +50,18 @@ void check_axis(const Run& run, std::size_t row, std::size_t axis, Findings& fin
   }
 }
 
+/// What every ok row has, whatever its graph; a missing value is NaN.
+void check_numbers(const Run& run, std::size_t row, Findings& findings) {
+  const bool is_timed = run.phase == RunPhase::metrics || run.phase == RunPhase::timing;
+  const std::array<std::pair<const char*, double>, 2> numbers = {
+      {{"log2_volume", run.log2_volume}, {"wall_s", is_timed ? run.wall_s : 0}}};
+  for (const auto& [name, value] : numbers) {
+    if (std::isfinite(value) && value >= 0) continue;
+    findings.push_back({FindingKind::not_certified, row,
+                        fmt::format("{} is not a number of at least 0 although ok", name)});
+  }
+}
+
 void check_certificate(const Run& run, std::size_t row, Findings& findings) {
   if (run.violations > 0) {
     findings.push_back({FindingKind::certificate, row,
@@ -66,6 +81,7 @@ Findings row_findings(const Run& run, std::size_t row) {
       break;
     case RunStatus::ok:
       check_certificate(run, row, findings);
+      check_numbers(run, row, findings);
       for (std::size_t axis = 0; axis < 3; ++axis) check_axis(run, row, axis, findings);
       break;
     case RunStatus::violated:
@@ -181,6 +197,21 @@ bool breaks_promise(const Run& run) {
   const Findings findings = row_findings(run, 0);
   return std::any_of(findings.begin(), findings.end(),
                      [](const Finding& finding) { return is_violation(finding.kind); });
+}
+
+void require_one_study(const Results& results, const std::string& path) {
+  using Identity = std::tuple<std::string_view, std::string_view, std::int64_t, std::int64_t>;
+  std::map<Identity, std::size_t> first_row;
+  for (std::size_t row = 0; row < results.runs.size(); ++row) {
+    const Run& run = results.runs[row];
+    const Identity identity{run.family, run.parameters, run.n, run.instance_index};
+    const std::size_t first = first_row.try_emplace(identity, row).first->second;
+    if (run.n >= 0 && results.runs[first].seed != run.seed) {
+      throw InputError(fmt::format(
+          "{}: rows {} and {} are of different studies: {}, n = {}, instance {} has two seeds",
+          path, first, row, one_line(run.family), run.n, run.instance_index));
+    }
+  }
 }
 
 CheckVerdict check(const Results& results) {

@@ -49,6 +49,10 @@ struct CheckVerdict {
 /// Looks at every row. Cost: O(r log r) for r rows.
 CheckVerdict check(const Results& results);
 
+/// Refuses rows that cannot be of one study: its graphs of one family, parameters, n and index have
+/// one seed. @throws InputError naming `path` and the two rows.
+void require_one_study(const Results& results, const std::string& path);
+
 /// True if the row alone shows a broken bound or certificate.
 bool breaks_promise(const Run& run);
 

@@ -49,6 +49,8 @@ ordered_json axis_json(const Results& results, const AxisLedger& axis) {
                        {"median_slack", number(axis.median_slack)},
                        {"worst_instance_slack", number(axis.worst_instance_slack)},
                        {"median_instance_slack", number(axis.median_instance_slack)},
+                       {"worst_published_slack", number(axis.worst_published_slack)},
+                       {"median_published_slack", number(axis.median_published_slack)},
                        {"worst_row", nullptr},
                        {"worst_command", nullptr}};
   if (axis.worst_row) {
@@ -66,6 +68,12 @@ ordered_json ledger_json(const Results& results, const LedgerEntry& entry) {
   json["instances"] = entry.instances;
   json["violations"] = entry.violations;
   json["edges_with_bends"] = entry.bends;
+  json["theorem_bound"] = valid_utf8(entry.theorem_formula);
+  json["published_bound"] = valid_utf8(entry.published_formula);
+  json["volume"] = {{"n", entry.volume.n}, {"log2_volume", number(entry.volume.log2_volume)}};
+  for (std::size_t i = 0; i < kVolumePowers.size(); ++i) {
+    json["volume"][fmt::format("per_n{}", kVolumePowers[i])] = number(entry.volume.per_power[i]);
+  }
   for (const AxisLedger& axis : entry.axes) json["axes"].push_back(axis_json(results, axis));
   return json;
 }
@@ -87,6 +95,9 @@ ordered_json scaling_json(const ScalingEntry& entry) {
   json["log_weight"] = number(entry.log_weight);
   json["reason"] = entry.reason;
   json["next"] = entry.next;
+  json["next_sizes"] = entry.next_study.sizes;
+  json["next_seeds"] = entry.next_study.seeds;
+  json["unfinished_rows"] = entry.censored.size();
   json["left_out"] = entry.sizes.left_out;
   json["sizes"] = ordered_json::array();
   for (const SizeSample& size : entry.sizes.used) json["sizes"].push_back(size.n);
@@ -105,11 +116,13 @@ std::string ledger_line(const Results& results, const LedgerEntry& entry) {
     fields.push_back(std::to_string(count));
   }
   for (const AxisLedger& axis : entry.axes) {
-    for (const double slack : {axis.worst_slack, axis.median_slack, axis.worst_instance_slack,
-                               axis.median_instance_slack}) {
+    for (const double slack :
+         {axis.worst_slack, axis.median_slack, axis.worst_instance_slack,
+          axis.median_instance_slack, axis.worst_published_slack, axis.median_published_slack}) {
       fields.push_back(field(slack));
     }
   }
+  for (const double share : entry.volume.per_power) fields.push_back(field(share));
   const auto axis = worst_axis(entry);
   fields.push_back(axis ? field(draw_command(results.runs[*entry.axes[*axis].worst_row])) : "");
   return line(fields);
@@ -122,12 +135,38 @@ std::string ledger_csv(const Results& results) {
       "algorithm,options,family,parameters,smallest_n,largest_n,rows,instances,violations";
   for (const char axis : {'x', 'y', 'z'}) {
     for (const char* column :
-         {"worst_slack", "median_slack", "worst_instance_slack", "median_instance_slack"}) {
+         {"worst_slack", "median_slack", "worst_instance_slack", "median_instance_slack",
+          "worst_published_slack", "median_published_slack"}) {
       csv += fmt::format(",{}_{}", column, axis);
     }
   }
+  for (const int power : kVolumePowers) csv += fmt::format(",volume_per_n{}", power);
   csv += ",worst_command\r\n";
   for (const LedgerEntry& entry : ledger(results)) csv += ledger_line(results, entry);
+  return csv;
+}
+
+std::string rows_csv(const Results& results) {
+  std::string csv = "row,algorithm,options,family,parameters,n,m,seed,status";
+  for (const char* box :
+       {"extent", "instance_bound", "theorem_bound", "published_bound", "slack"}) {
+    for (const char axis : {'x', 'y', 'z'}) csv += fmt::format(",{}_{}", box, axis);
+  }
+  csv += "\r\n";
+  const auto integer = [](std::int64_t value) { return value < 0 ? "" : std::to_string(value); };
+  for (std::size_t row = 0; row < results.runs.size(); ++row) {
+    const Run& run = results.runs[row];
+    std::vector<std::string> fields = {
+        std::to_string(row), field(run.algorithm),     field(run.options),
+        field(run.family),   field(run.parameters),    integer(run.n),
+        integer(run.m),      std::to_string(run.seed), to_string(run.status)};
+    for (const std::int64_t extent : run.extents) fields.push_back(integer(extent));
+    for (const std::int64_t bound : run.instance_bound) fields.push_back(integer(bound));
+    for (const auto& values : {run.theorem_bound, run.published_bound, run.slack}) {
+      for (const double value : values) fields.push_back(field(value));
+    }
+    csv += line(fields);
+  }
   return csv;
 }
 

@@ -10,6 +10,10 @@ namespace ar3d {
 /// header line. Missing numbers are empty fields; slack is 1 - extent / bound.
 std::string ledger_csv(const Results& results);
 
+/// The boxes of every row: measured, its own bound, the theorem's, the published one, and the slack
+/// against the theorem's.
+std::string rows_csv(const Results& results);
+
 /// The growth of every quantity of every cell, one line each: exponent with 95 % interval, log
 /// exponent with its own, label, reason and the sizes that were fitted.
 std::string scaling_csv(const Results& results);

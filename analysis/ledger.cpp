@@ -28,29 +28,48 @@ std::vector<std::size_t> measured_rows(const Results& results, const Cell& cell)
   return rows;
 }
 
+void add_slack(std::int64_t extent, double bound, std::vector<double>& slacks) {
+  const double slack = slack_of(extent, bound);
+  if (!std::isnan(slack)) slacks.push_back(slack);
+}
+
 AxisLedger axis_ledger(const Results& results, const std::vector<std::size_t>& rows,
                        std::size_t axis) {
   AxisLedger entry;
-  std::vector<double> slacks, instance_slacks;
+  std::vector<double> theorem, instance, published;
   for (const std::size_t row : rows) {
     const Run& run = results.runs[row];
     const double slack = slack_of(run.extents[axis], run.theorem_bound[axis]);
-    if (!std::isnan(slack)) {
-      if (slacks.empty() || slack < entry.worst_slack) {
-        entry.worst_slack = slack;
-        entry.worst_row = row;
-      }
-      slacks.push_back(slack);
+    if (!std::isnan(slack) && (!entry.worst_row || slack < entry.worst_slack)) {
+      entry.worst_slack = slack;
+      entry.worst_row = row;
     }
-    const auto bound = static_cast<double>(run.instance_bound[axis]);
-    const double instance_slack = slack_of(run.extents[axis], bound);
-    if (!std::isnan(instance_slack)) instance_slacks.push_back(instance_slack);
+    add_slack(run.extents[axis], run.theorem_bound[axis], theorem);
+    add_slack(run.extents[axis], static_cast<double>(run.instance_bound[axis]), instance);
+    add_slack(run.extents[axis], run.published_bound[axis], published);
   }
-  entry.measured = slacks.size();
-  entry.median_slack = median(slacks);
-  entry.worst_instance_slack = smallest(instance_slacks);
-  entry.median_instance_slack = median(instance_slacks);
+  entry.measured = theorem.size();
+  entry.median_slack = median(theorem);
+  entry.worst_instance_slack = smallest(instance);
+  entry.median_instance_slack = median(instance);
+  entry.worst_published_slack = smallest(published);
+  entry.median_published_slack = median(published);
   return entry;
+}
+
+VolumeLedger volume_ledger(const Results& results, const std::vector<std::size_t>& rows) {
+  VolumeLedger ledger;
+  for (const std::size_t row : rows) ledger.n = std::max(ledger.n, results.runs[row].n);
+  std::vector<double> volumes;
+  for (const std::size_t row : rows) {
+    if (results.runs[row].n == ledger.n) volumes.push_back(results.runs[row].log2_volume);
+  }
+  ledger.log2_volume = median(std::move(volumes));
+  for (std::size_t i = 0; i < kVolumePowers.size() && ledger.n > 0; ++i) {
+    const double power = kVolumePowers[i] * std::log2(static_cast<double>(ledger.n));
+    ledger.per_power[i] = std::exp2(ledger.log2_volume - power);
+  }
+  return ledger;
 }
 
 void count_rows(const Results& results, const Cell& cell, LedgerEntry& entry) {
@@ -85,6 +104,11 @@ std::vector<LedgerEntry> ledger(const Results& results) {
     const std::vector<std::size_t> rows = measured_rows(results, cell);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       entry.axes[axis] = axis_ledger(results, rows, axis);
+    }
+    entry.volume = volume_ledger(results, rows);
+    if (!rows.empty()) {
+      entry.theorem_formula = results.runs[rows.front()].theorem_bound_formula;
+      entry.published_formula = results.runs[rows.front()].published_bound_formula;
     }
     add_bends(results, rows, entry);
     entries.push_back(std::move(entry));

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "ar3d/analysis/cells.h"
@@ -20,7 +21,22 @@ struct AxisLedger {
   double worst_instance_slack =
       kMissing;  ///< the same against the proof's bound for the very instance;
   double median_instance_slack = kMissing;  ///< missing if the algorithm states none
-  std::optional<std::size_t> worst_row;     ///< index in Results::runs of the smallest slack
+  double worst_published_slack =
+      kMissing;  ///< the same against the published bound; missing if there is none
+  double median_published_slack = kMissing;
+  std::optional<std::size_t> worst_row;  ///< index in Results::runs of the smallest slack
+};
+
+/// The powers of n that volumes are set against: the order of Theorem 1 and of grid's O(n) a side,
+/// of two-bend's O(n) x O(n) x O(n^2), and of the paper's O(n^3) a side for Theorem 3.
+inline constexpr std::array<int, 3> kVolumePowers = {3, 4, 9};
+
+/// Volumes (lattice points of the box) of the largest n that was measured; medians over its
+/// instances.
+struct VolumeLedger {
+  std::int64_t n = -1;
+  double log2_volume = kMissing;
+  std::array<double, 3> per_power{kMissing, kMissing, kMissing};  ///< volume / n^3, n^4, n^9
 };
 
 /// The bound ledger of one cell: what the theorem promises beside what was measured.
@@ -33,6 +49,9 @@ struct LedgerEntry {
   std::array<std::size_t, 6> rows_of_status{};  ///< indexed by RunStatus
   std::size_t violations = 0;  ///< rows that break a bound or a certificate, as `check` counts them
   std::array<AxisLedger, 3> axes;
+  VolumeLedger volume;
+  std::string theorem_formula;    ///< "16/3 n, 16/3 n, 8 n (proved here, docs/theorem1.md)"
+  std::string published_formula;  ///< empty if nobody published a bound
   std::array<std::uint64_t, 8>
       bends{};  ///< edges with b bends over all ok instances; last: 7 or more
 

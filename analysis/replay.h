@@ -11,6 +11,13 @@ namespace ar3d {
 /// holds.
 std::string draw_command(const Run& run);
 
+/// The same line is before_n, n, " --seed ", the seed, behind_seed.
+struct CommandParts {
+  std::string before_n;
+  std::string behind_seed;
+};
+CommandParts draw_command_parts(const Run& run);
+
 /// "ar3d replay RESULTS.h5 ROW" with the row's key, or with `row` (its number in /runs) if it has
 /// none.
 std::string replay_command(const Run& run, std::size_t row);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "ar3d/analysis/report/figures.h"
 #include "ar3d/analysis/report/html.h"
 #include "ar3d/analysis/report/sections.h"
 #include "ar3d/analysis/report/style.h"
@@ -25,19 +26,29 @@ std::string head(const Results& results) {
          "</style></head>\n";
 }
 
+report::Analysis analyse(const Results& results) {
+  return {results, check(results), ledger(results), scaling(results)};
+}
+
 }  // namespace
 
+std::vector<Figure> report_figures(const Results& results) {
+  return report::standalone_figures(analyse(results));
+}
+
 std::string render_report(const Results& results) {
-  const report::Analysis analysis{results, check(results), ledger(results), scaling(results)};
+  const report::Analysis analysis = analyse(results);
   const std::vector<report::Section> sections = report::sections(analysis);
   std::string html = head(results) + "<body>\n" + report::overview(analysis, sections);
-  html +=
-      "<nav><a href='#methods'>Methods</a><a href='#environment'>Environment</a>"
-      "<a href='#spec'>Specification</a></nav>\n";
+  const std::string effort = report::effort_section(analysis);
+  html += fmt::format(
+      "<nav>{}<a href='#methods'>Methods</a><a href='#environment'>Environment</a>"
+      "<a href='#spec'>Specification</a></nav>\n",
+      effort.empty() ? "" : "<a href='#effort'>What a smaller box costs</a>");
   for (std::size_t i = 0; i < sections.size(); ++i) {
     html += report::algorithm_section(analysis, sections[i], fmt::format("a{}", i));
   }
-  html += report::background(results) + kReplayPanel;
+  html += effort + report::background(results) + kReplayPanel;
   html += "<script type='application/json' id=rows>" + report::plotted_rows_json(analysis) +
           "</script>\n<script>" + report::kScript + "</script>\n";
   return html + "</body></html>\n";

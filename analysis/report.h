@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "ar3d/results/run.h"
 
@@ -10,5 +11,15 @@ namespace ar3d {
 /// spec and methods. It needs nothing from outside (no network, no other file); every string of the
 /// file is escaped. Cost: that of check, ledger and scaling; about 1 kB a plotted size.
 std::string render_report(const Results& results);
+
+/// A figure for a paper: an SVG document of its own, in dark colours on white.
+struct Figure {
+  std::string name;  ///< "diamond-effort-0-longest-side": lower case, digits and hyphens; unique
+  std::string svg;
+};
+
+/// The report's plots by algorithm (longest side, volume, drawing time, bends) and the effort
+/// dials.
+std::vector<Figure> report_figures(const Results& results);
 
 }  // namespace ar3d

@@ -16,6 +16,10 @@ constexpr double kDecisiveWeight = 0.98;  // wrong in about 0.2 % of pure power 
 constexpr std::int64_t kSmallestNForLogs = 3;
 /// More seeds than this are not proposed; larger sizes tell more.
 constexpr double kManySeeds = 200;
+constexpr std::size_t kUsualSeeds = 8;
+/// Proposed where nothing was measured.
+constexpr std::int64_t kFirstSize = 16;
+constexpr std::int64_t kLargestProposal = std::int64_t{1} << 30;
 
 /// exp(-aicc/2) of the second model over the sum of both.
 double akaike_weight(double aicc_first, double aicc_second) {
@@ -29,17 +33,51 @@ double fewest_instances(const std::vector<SizeSample>& sizes) {
   return static_cast<double>(fewest);
 }
 
+/// "sizes 2000 and 4000", "sizes 10, 20 and 40"
+std::string sizes_text(const std::vector<std::int64_t>& sizes) {
+  std::string text = sizes.size() == 1 ? "size " : "sizes ";
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    text += fmt::format("{}{}", i == 0 ? "" : i + 1 == sizes.size() ? " and " : ", ", sizes[i]);
+  }
+  return text;
+}
+
+std::int64_t largest_n(const std::vector<SizeSample>& sizes) {
+  return sizes.empty() ? kFirstSize / 2 : sizes.back().n;
+}
+
+/// `count` sizes, each twice the one before, above everything that was measured.
+std::vector<std::int64_t> doubled_sizes(const ScalingEntry& entry, std::size_t count) {
+  std::vector<std::int64_t> sizes;
+  std::int64_t n = largest_n(entry.all);
+  while (sizes.size() < count && n <= kLargestProposal / 2) sizes.push_back(n *= 2);
+  return sizes;
+}
+
+void propose(std::vector<std::int64_t> sizes, std::size_t seeds, ScalingEntry& entry) {
+  entry.next = sizes_text(sizes) + fmt::format(" with {} seeds each", seeds);
+  entry.next_study = {std::move(sizes), seeds};
+}
+
 /// An interval's width falls with the square root of the seeds a size; half the threshold on either
-/// side decides.
-std::string seeds_that_decide(const ScalingEntry& entry) {
-  const double largest = static_cast<double>(entry.sizes.used.back().n);
-  const std::string larger = fmt::format("sizes {:.0f} and {:.0f}", 2 * largest, 4 * largest);
-  if (entry.with_log.spread == Spread::sizes) return larger + " with several seeds each";
+/// side decides. Where the sizes scatter by themselves, more seeds do not help: larger sizes do.
+void propose_what_decides(ScalingEntry& entry) {
+  const std::vector<std::int64_t> larger = doubled_sizes(entry, 2);
+  const auto present = static_cast<std::size_t>(fewest_instances(entry.sizes.used));
+  if (entry.with_log.spread == Spread::sizes) {
+    propose(larger, std::max(kUsualSeeds, present), entry);
+    return;
+  }
   const double ratio = entry.with_log.log_exponent_interval.width() / kNegligibleLogExponent;
-  const double seeds = std::ceil(fewest_instances(entry.sizes.used) * ratio * ratio);
-  if (seeds > kManySeeds)
-    return larger + fmt::format(" (more than {:.0f} seeds at the present sizes)", kManySeeds);
-  return fmt::format("about {:.0f} seeds a size at the present sizes, or {}", seeds, larger);
+  const double seeds = std::ceil(static_cast<double>(present) * ratio * ratio);
+  if (!(seeds <= kManySeeds)) {
+    propose(larger, std::max(kUsualSeeds, present), entry);
+    entry.next += fmt::format(" (more than {:.0f} seeds at the present sizes)", kManySeeds);
+    return;
+  }
+  entry.next = fmt::format("about {:.0f} seeds a size at the present sizes, or {}", seeds,
+                           sizes_text(larger));
+  entry.next_study = {{}, static_cast<std::size_t>(seeds)};
 }
 
 /// True if there are enough sizes; else says what is missing.
@@ -48,7 +86,7 @@ bool has_enough_sizes(const FitOptions& options, ScalingEntry& entry) {
   if (used.size() < options.minimum_sizes) {
     entry.reason =
         fmt::format("{} sizes; at least {} are needed", used.size(), options.minimum_sizes);
-    entry.next = fmt::format("{} more sizes", options.minimum_sizes - used.size());
+    propose(doubled_sizes(entry, options.minimum_sizes - used.size()), kUsualSeeds, entry);
     return false;
   }
   const double span = static_cast<double>(used.back().n) / static_cast<double>(used.front().n);
@@ -56,8 +94,7 @@ bool has_enough_sizes(const FitOptions& options, ScalingEntry& entry) {
     entry.reason =
         fmt::format("the largest size is only {:.2g} times the smallest; at least {:.2g} is needed",
                     span, options.minimum_span);
-    entry.next = fmt::format("sizes up to {:.0f}",
-                             std::ceil(options.minimum_span * static_cast<double>(used.front().n)));
+    propose(doubled_sizes(entry, 2), kUsualSeeds, entry);
     return false;
   }
   return true;
@@ -77,7 +114,7 @@ void decide_growth(ScalingEntry& entry) {
     entry.reason = interval + fmt::format(", Akaike weight {:.3f}", entry.log_weight);
   } else {
     entry.reason = interval;
-    entry.next = seeds_that_decide(entry);
+    propose_what_decides(entry);
   }
 }
 
@@ -105,6 +142,7 @@ ScalingEntry fit_scaling(std::vector<SizeSample> all, const FitOptions& options)
   if (!entry.decided) return entry;
   if (used.front().n < kSmallestNForLogs) {
     entry.reason = fmt::format("sizes below {} cannot tell logarithms", kSmallestNForLogs);
+    propose(doubled_sizes(entry, 1), kUsualSeeds, entry);
     return entry;
   }
   entry.with_log = fit_curve(used, true, true, options.bootstrap);
@@ -125,6 +163,7 @@ std::vector<ScalingEntry> scaling(const Results& results, const FitOptions& opti
     entries[index] = fit_scaling(samples(results, cell, quantity), options);
     entries[index].key = cell.key;
     entries[index].quantity = quantity;
+    entries[index].censored = censored_rows(results, cell);
   }
   std::erase_if(entries, [](const ScalingEntry& entry) { return entry.all.empty(); });
   return entries;

@@ -17,19 +17,27 @@ enum class Growth {
 /// "power law", "power law with logarithm", "undecided"
 const char* to_string(Growth growth);
 
+/// What more to measure so that an undecided answer becomes one; both empty if it is decided.
+struct NextStudy {
+  std::vector<std::int64_t> sizes;  ///< n to add
+  std::size_t seeds = 0;            ///< graphs of every size, old and new; 0: as many as there are
+};
+
 /// How one quantity of one cell grows with n.
 struct ScalingEntry {
   CellKey key;
   Quantity quantity{};
-  std::vector<SizeSample> all;   ///< everything measured, for plots
-  FitSizes sizes;                ///< what was fitted
-  CurveFit power;                ///< n^a; a is the apparent exponent over the fitted sizes
-  CurveFit with_log;             ///< n^a log^b n
-  double log_weight = kMissing;  ///< Akaike weight of with_log against power, in [0, 1]
-  bool decided = false;          ///< enough sizes for the exponent's interval
+  std::vector<SizeSample> all;        ///< everything measured, for plots
+  std::vector<CensoredRow> censored;  ///< rows that ended before they had a value
+  FitSizes sizes;                     ///< what was fitted
+  CurveFit power;                     ///< n^a; a is the apparent exponent over the fitted sizes
+  CurveFit with_log;                  ///< n^a log^b n
+  double log_weight = kMissing;       ///< Akaike weight of with_log against power, in [0, 1]
+  bool decided = false;               ///< enough sizes for the exponent's interval
   Growth growth = Growth::undecided;
   std::string reason;  ///< why so, one sentence
-  std::string next;    ///< which sizes and seeds would decide; empty if decided
+  std::string next;    ///< which sizes and seeds would decide, in words; empty if decided
+  NextStudy next_study;
 };
 
 /// Fits one sample. Cost: O(replicates * instances).

@@ -19,6 +19,7 @@ void add_check(CLI::App& app, int& exit_code) {
       "smoke.h5");
   verb->callback([path, &exit_code] {
     const Results results = read_results(*path);
+    require_one_study(results, *path);
     const CheckVerdict verdict = check(results);
     fmt::print("{}", summary(verdict, results));
     exit_code = verdict.exit_code();

@@ -67,7 +67,7 @@ void add_hunt(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, 1000000000));
   verb->add_option("--seconds", options.seconds,
                    "stop after that time even so (the result then depends on the machine)")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   verb->add_option("-o,--output", arguments->subject.output,
                    "prefix of the files that show the best one: .s6, .jsonl, .svg, .txt");
   verb->footer(

@@ -6,14 +6,33 @@
 #include <memory>
 #include <string>
 
+#include "ar3d/analysis/check.h"
 #include "ar3d/analysis/export.h"
+#include "ar3d/model/error.h"
 #include "ar3d/results/atomic_file.h"
 #include "ar3d/results/run.h"
 #include "commands.h"
+#include "svg_to_pdf.h"
 
 namespace ar3d {
+namespace {
 
-void add_report(CLI::App& app, int&) {
+/// DIRECTORY/NAME.svg and .pdf for every figure. @throws InputError if one cannot be written.
+void write_figures(const Results& results, const std::string& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) throw InputError(fmt::format("cannot create {}: {}", directory, error.message()));
+  for (const Figure& figure : report_figures(results)) {
+    const std::string stem = directory + "/" + figure.name;
+    write_file_atomically(stem + ".svg", figure.svg);
+    convert_svg_to_pdf(stem + ".svg", stem + ".pdf");
+  }
+  fmt::print("figures  {}\n", directory);
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand(
       "report", "Bound ledger, scaling models and figures as one offline HTML file");
   struct Arguments {
@@ -21,6 +40,9 @@ void add_report(CLI::App& app, int&) {
     std::string output;
     std::string csv;
     std::string json;
+    std::string rows;
+    std::string growth;
+    std::string figures;
   };
   const auto arguments = std::make_shared<Arguments>();
   verb->add_option("RESULTS", arguments->results, "results file (HDF5)")->required();
@@ -29,9 +51,16 @@ void add_report(CLI::App& app, int&) {
   verb->add_option("--csv", arguments->csv, "also write the bound ledger as CSV to this file");
   verb->add_option("--json", arguments->json,
                    "also write ledger and growth models as JSON to this file");
-  verb->footer("Example: ar3d report smoke.h5 -o smoke.html");
-  verb->callback([arguments] {
+  verb->add_option("--growth", arguments->growth,
+                   "also write the growth models as CSV to this file");
+  verb->add_option("--rows", arguments->rows,
+                   "also write the boxes of every row as CSV to this file");
+  verb->add_option("--figures", arguments->figures,
+                   "also write the figures as SVG and PDF into this directory");
+  verb->footer("Example: ar3d report smoke.h5 -o smoke.html --figures figures");
+  verb->callback([arguments, &exit_code] {
     const Results results = read_results(arguments->results);
+    require_one_study(results, arguments->results);
     const std::string path =
         arguments->output.empty()
             ? std::filesystem::path(arguments->results).replace_extension(".html").string()
@@ -39,7 +68,14 @@ void add_report(CLI::App& app, int&) {
     write_file_atomically(path, render_report(results));
     if (!arguments->csv.empty()) write_file_atomically(arguments->csv, ledger_csv(results));
     if (!arguments->json.empty()) write_file_atomically(arguments->json, analysis_json(results));
+    if (!arguments->rows.empty()) write_file_atomically(arguments->rows, rows_csv(results));
+    if (!arguments->growth.empty()) write_file_atomically(arguments->growth, scaling_csv(results));
+    if (!arguments->figures.empty()) write_figures(results, arguments->figures);
     fmt::print("report   {}\n", path);
+    if (results.runs.empty()) {
+      fmt::print(stderr, "ar3d: {}: nothing measured: the file has no rows\n", arguments->results);
+      exit_code = kIncomplete;
+    }
   });
 }
 

@@ -70,7 +70,7 @@ void add_shrink(CLI::App& app, int& exit_code) {
   add_subject_options(*verb, arguments->subject);
   verb->add_option("--ratio", arguments->ratio,
                    "keep the share of the bound at least this; else the violation stays")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   verb->add_option("--evaluations", arguments->evaluations, "at most so many drawings")
       ->check(CLI::Range(1, 1000000000));
   verb->add_option("-o,--output", arguments->subject.output,

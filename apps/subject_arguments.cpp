@@ -53,6 +53,15 @@ void add_subject_options(CLI::App& verb, SubjectArguments& arguments) {
                   "passed-bound");
 }
 
+CLI::Validator positive_number() {
+  return {[](std::string& text) {
+            double value = 0;
+            const bool is_good = CLI::detail::lexical_cast(text, value) && value > 0;
+            return is_good ? std::string() : text + " is not a number above 0";
+          },
+          "POSITIVE"};
+}
+
 Subject subject_of(const SubjectArguments& arguments) {
   const Algorithm& algorithm = find_algorithm(arguments.algorithm);
   Subject subject;

@@ -21,6 +21,9 @@ struct SubjectArguments {
 
 void add_subject_options(CLI::App& verb, SubjectArguments& arguments);
 
+/// Numbers above 0; not NaN, which CLI11's own checks let pass.
+CLI::Validator positive_number();
+
 /// @throws InputError naming what is unknown.
 Subject subject_of(const SubjectArguments& arguments);
 RatioRule rule_of(const SubjectArguments& arguments);

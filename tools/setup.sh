@@ -4,7 +4,9 @@
 missing_packages() {
   local name missing=""
   for name in $(sed 's/#.*//' "$@"); do
-    [ "$(dpkg-query -W -f '${db:Status-Status}' "$name" 2>/dev/null)" = installed ] || missing="$missing $name"
+    [ "$(dpkg-query -W -f '${db:Status-Status}' "$name" 2>/dev/null)" = installed ] && continue
+    [ "$name" = npm ] && command -v npm >/dev/null && continue
+    missing="$missing $name"
   done
   echo "$missing"
 }

@@ -47,6 +47,15 @@ std::string label(int digit, int exponent, TickStyle style) {
                     : fmt::format("{}·10{}", digit, superscript(exponent));
 }
 
+/// digits / 10 * 10^exponent, digits in [10, 99].
+std::string two_digit_label(int digits, int exponent, TickStyle style) {
+  if (digits % 10 == 0) return label(digits / 10, exponent, style);
+  if (style == TickStyle::power && exponent >= 3) {
+    return fmt::format("{:.1f}·10{}", digits / 10.0, superscript(exponent));
+  }
+  return label(digits, exponent - 1, style);
+}
+
 }  // namespace
 
 LogAxis::LogAxis(double low, double high, double first_pixel, double last_pixel)
@@ -65,6 +74,7 @@ double LogAxis::pixel(double log10) const {
 }
 
 std::vector<Tick> LogAxis::ticks(TickStyle style, int most) const {
+  if (high_ - low_ < 1) return narrow_ticks(style, most);
   const int first = static_cast<int>(std::floor(low_));
   const int last = static_cast<int>(std::ceil(high_));
   const double decades = high_ - low_;
@@ -77,6 +87,24 @@ std::vector<Tick> LogAxis::ticks(TickStyle style, int most) const {
       const bool is_labelled = digit == 1 ? exponent % step == 0 : 3 * decades <= most;
       ticks.push_back({place, is_labelled ? label(digit, exponent, style) : ""});
     }
+  }
+  return ticks;
+}
+
+std::vector<Tick> LogAxis::narrow_ticks(TickStyle style, int most) const {
+  std::vector<Tick> ticks;
+  for (const int step : {1, 2, 5, 10}) {  // of numbers of two digits
+    ticks.clear();
+    for (int exponent = static_cast<int>(std::floor(low_)); exponent <= std::floor(high_);
+         ++exponent) {
+      for (int digits = 10; digits < 100; digits += step) {
+        const double place = exponent + std::log10(digits / 10.0);
+        if (place >= low_ && place <= high_) {
+          ticks.push_back({place, two_digit_label(digits, exponent, style)});
+        }
+      }
+    }
+    if (ticks.size() <= static_cast<std::size_t>(most)) break;
   }
   return ticks;
 }

@@ -28,10 +28,12 @@ class LogAxis {
   double low() const { return low_; }
   double high() const { return high_; }
   /// At most about `most` labelled ticks: decades (every k-th if there are many), else 1-2-5 within
-  /// a decade.
+  /// a decade, else numbers of two digits.
   std::vector<Tick> ticks(TickStyle style, int most) const;
 
  private:
+  std::vector<Tick> narrow_ticks(TickStyle style, int most) const;
+
   double low_;
   double high_;
   double first_pixel_;

@@ -9,7 +9,8 @@ constexpr const char* kMethods = R"html(<section id=methods><h2>Methods</h2>
 it: edge set, directions, bends, all angles, coinciding points, crossings, and the size against the theorem. A row
 counts as proved only with such a certificate.</p>
 <p><b>Bounds.</b> Extents are largest minus smallest coordinate. The theorem's bound depends on n alone; a graph's own
-bound is what the proof gives for that very graph. Fill is extent over bound, worst and median over graphs (one
+bound is what the proof gives for that very graph; a published bound is somebody else's and only compared (where the source gives an
+order without a constant, 1 stands for it). Fill is extent over bound, worst and median over graphs (one
 repetition each, since repetitions must give the same drawing).</p>
 <p><b>Volume.</b> The number of lattice points in the box, the product of extent + 1 over the axes.</p>
 <p><b>Exponents.</b> Logarithms of the values, averaged over the graphs of each size (over repetitions the median),
@@ -22,8 +23,11 @@ their graphs explain (F-test, 1 %), or there is one graph a size, the residuals 
 <p><b>Logarithms.</b> n^a·log^b n is fitted beside n^a. An interval of b inside ±½ means no logarithm; one that excludes 0
 with an Akaike weight (AICc) of at least 0.98 means there is one; anything else is undecided.</p>
 <p><b>Times.</b> Wall time of the drawing alone, without generating, certifying or writing.</p>
+<p><b>Unfinished rows.</b> A timeout, a crash or exhausted memory is a value that is only known to be large: such rows stand as
+red points at the upper edge of their plots, and their size is left out of the fit.</p>
 <p><b>Plots.</b> Line: median. Band: the middle 80 % of the graphs. Points: graphs, at most twelve a size, evenly over the
-sorted values. Dashed: the theorem's bound. Dotted: the fitted power law over the sizes it used.</p></section>
+sorted values. Dashed: the theorem's bound. Dotted: the fitted power law over the sizes it used. Below it the residuals as factors:
+mean and middle 80 % of every size; sizes that the fit left out are grey. The families of an algorithm share one frame.</p></section>
 )html";
 
 }  // namespace

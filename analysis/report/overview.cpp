@@ -108,9 +108,10 @@ std::vector<Section> sections(const Analysis& analysis) {
 std::string overview(const Analysis& analysis, const std::vector<Section>& sections) {
   const Results& results = analysis.results;
   std::string html = "<h1>3D drawings: bounds and scaling</h1>\n";
-  html += fmt::format("<p class=\"muted wrap\">Study {} · {} · program {}{}</p>\n", escape(results.study_id),
-                      escape(results.created), escape(results.source_hash),
-                      results.dirty ? " <b class=incomplete>with uncommitted changes</b>" : "");
+  html +=
+      fmt::format("<p class=\"muted wrap\">Study {} · {} · program {}{}</p>\n",
+                  escape(results.study_id), escape(results.created), escape(results.source_hash),
+                  results.dirty ? " <b class=incomplete>with uncommitted changes</b>" : "");
   html += verdict_sentence(analysis) + findings_list(analysis);
   if (sections.empty()) return html;
   html +=

@@ -1,7 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
-#include <set>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -35,16 +36,19 @@ std::string overview(const Analysis& analysis, const std::vector<Section>& secti
 std::string algorithm_section(const Analysis& analysis, const Section& section,
                               const std::string& id);
 /// Parts of it.
+std::string bound_sentences(const Section& section);
 std::string ledger_table(const Analysis& analysis, const Section& section);
 std::string growth_table(const Section& section);
 std::string bend_histogram(const Section& section);
-std::string overview_plots(const Section& section);
-std::string family_plots(const Section& section);
+/// Edges with 0, 1, … bends over all families of the section.
+std::array<std::uint64_t, 8> bends_of(const Section& section);
+/// Volume against drawing time by setting; empty if no algorithm was measured with two settings.
+std::string effort_section(const Analysis& analysis);
 /// Environment, spec and methods.
 std::string background(const Results& results);
 
-/// The rows that plots refer to as JSON for a script element: {"row": ["what it is", "command"],
-/// …}.
+/// The rows that plots point at as JSON for a script element: {"cells": [[label, command before n,
+/// command behind the seed], …], "rows": {"row": [cell, n, m, seed, status, extents, …], …}}.
 std::string plotted_rows_json(const Analysis& analysis);
 
 }  // namespace ar3d::report

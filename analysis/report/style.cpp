@@ -14,7 +14,7 @@ const char* const kStyle = R"css(
 *{box-sizing:border-box}
 body{margin:0 auto;max-width:1240px;padding:1.2rem 1rem 4rem;background:var(--bg);color:var(--fg);
 font:15px/1.5 system-ui,"Segoe UI",Roboto,"Helvetica Neue","DejaVu Sans",Arial,sans-serif}
-p.wrap{overflow-wrap:anywhere}
+p,h1,h2,h3,dd{overflow-wrap:anywhere}
 h1{font-size:1.6rem;line-height:1.2;margin:.2rem 0 .4rem}
 h2{font-size:1.25rem;margin:2.6rem 0 .4rem;padding-top:.9rem;border-top:1px solid var(--line)}
 h3{font-size:1rem;margin:1.6rem 0 .3rem}
@@ -27,13 +27,16 @@ nav{display:flex;flex-wrap:wrap;gap:.2rem 1.1rem;margin:.6rem 0}
 figure{margin:0;min-width:0;break-inside:avoid}figcaption{font-size:.87rem;line-height:1.35;overflow-wrap:anywhere}
 figcaption b{font-weight:620;display:block}
 svg.plot{width:100%;height:auto;max-width:460px;display:block;touch-action:pan-y}
-svg text{font-size:11.5px;fill:var(--muted);font-variant-numeric:tabular-nums}
+svg text,.labels text{font-size:11.5px;fill:var(--muted);font-variant-numeric:tabular-nums}
 .grid path{stroke:var(--line);stroke-width:.8;fill:none}.grid .minor{stroke:var(--faint)}
 svg polyline{fill:none}.median{stroke-width:1.8;stroke-linejoin:round}
 .bound{stroke:var(--bound);stroke-width:1.6;stroke-dasharray:7 4}
 .fit{stroke:var(--fg);stroke-width:1.1;stroke-dasharray:1.5 3}
-.band{opacity:.2}.points circle{fill-opacity:.55}.points circle.on{stroke:var(--fg);stroke-width:2;fill-opacity:1}
-.d1{stroke-dasharray:6 2}.d2{stroke-dasharray:2 2}
+.band{opacity:.2}.points{fill:none;stroke-width:4.4;stroke-linecap:round;stroke-opacity:.55}
+.d1{stroke-dasharray:6 2}.d2{stroke-dasharray:2 2}.points.d1,.points.d2{stroke-dasharray:none}
+.big{stroke-width:8;stroke-opacity:.9}.cut{stroke:var(--bound);stroke-opacity:.9}.unused{stroke:var(--muted);stroke-opacity:.5}
+.whisker{fill:none;stroke-width:1.2;stroke-opacity:.6}
+circle.on{fill:none;stroke:var(--fg);stroke-width:2}svg.defs{position:absolute;width:0;height:0}
 .s0{stroke:var(--c0)}.s1{stroke:var(--c1)}.s2{stroke:var(--c2)}.s3{stroke:var(--c3)}
 .s4{stroke:var(--c4)}.s5{stroke:var(--c5)}.s6{stroke:var(--c6)}.s7{stroke:var(--c7)}
 .f0{fill:var(--c0)}.f1{fill:var(--c1)}.f2{fill:var(--c2)}.f3{fill:var(--c3)}
@@ -64,49 +67,83 @@ border-radius:.4rem;box-shadow:0 2px 12px #0004;font-size:.84rem;line-height:1.4
 const char* const kScript = R"js(
 "use strict";
 (() => {
-  const rows = JSON.parse(document.getElementById("rows").textContent);
+  const data = JSON.parse(document.getElementById("rows").textContent);
   const tip = document.getElementById("tip"), panel = document.getElementById("replay");
+  const mark = document.createElementNS("http://www.w3.org/2000/svg", "circle");
+  mark.setAttribute("class", "on");
+  mark.setAttribute("r", 4);
   let current = null;
-  const show = circle => {
-    if (current) current.classList.remove("on");
-    current = circle;
-    tip.hidden = !circle;
-    if (!circle) return;
-    circle.classList.add("on");
-    tip.textContent = rows[circle.dataset.r][0];
-    const box = circle.getBoundingClientRect(), size = tip.getBoundingClientRect();
+  const seconds = s => s < 1e-3 ? (s * 1e6).toPrecision(3) + " µs" : s < 1 ? (s * 1e3).toPrecision(3) + " ms"
+    : s.toPrecision(3) + " s";
+  const describe = id => {
+    const [cell, n, m, seed, status, box, own, theorem, published, time] = data.rows[id];
+    const lines = [data.cells[cell][0], `${n} vertices, ${m} edges, seed ${seed}`];
+    if (status) lines.push(status.replaceAll("_", " "));
+    if (box[0] >= 0) lines.push("box " + box.join(" × "));
+    if (own) lines.push("its own bound " + own.join(" × "));
+    if (theorem) lines.push("the theorem's " + theorem.join(" × "));
+    if (published) lines.push("the published " + published.join(" × "));
+    if (time) lines.push(seconds(time));
+    return lines;
+  };
+  const commands = id => {
+    const [cell, n, , seed] = data.rows[id];
+    return data.cells[cell][1] + n + " --seed " + seed + data.cells[cell][2] + "\nar3d replay RESULTS.h5 " + id;
+  };
+  const known = new Map();
+  const points = svg => {
+    if (!known.has(svg)) {
+      known.set(svg, [...svg.querySelectorAll("path.points")].flatMap(path => {
+        const rows = path.dataset.r.split(" ");
+        return [...path.getAttribute("d").matchAll(/M([\d.-]+) ([\d.-]+)h0/g)]
+          .map((match, i) => ({svg, x: +match[1], y: +match[2], id: rows[i]}));
+      }).sort((a, b) => a.x - b.x || b.y - a.y));
+    }
+    return known.get(svg);
+  };
+  const show = point => {
+    current = point;
+    tip.hidden = !point;
+    mark.remove();
+    if (!point) return;
+    mark.setAttribute("cx", point.x);
+    mark.setAttribute("cy", point.y);
+    point.svg.append(mark);
+    tip.textContent = describe(point.id).join("\n");
+    const box = mark.getBoundingClientRect(), size = tip.getBoundingClientRect();
     const x = Math.min(box.right + 10, innerWidth - size.width - 6);
     const y = box.top - size.height - 8;
     tip.style.left = Math.max(4, x) + "px";
     tip.style.top = (y < 4 ? box.bottom + 10 : y) + "px";
   };
   const nearest = (svg, event) => {
-    let best = null, least = 18 * 18;
-    for (const circle of svg.querySelectorAll("circle")) {
-      const box = circle.getBoundingClientRect();
-      const dx = box.x + box.width / 2 - event.clientX, dy = box.y + box.height / 2 - event.clientY;
-      if (dx * dx + dy * dy < least) { least = dx * dx + dy * dy; best = circle; }
+    const box = svg.getBoundingClientRect(), scale = svg.viewBox.baseVal.width / box.width;
+    const x = (event.clientX - box.x) * scale, y = (event.clientY - box.y) * scale;
+    let best = null, least = (18 * scale) ** 2;
+    for (const point of points(svg)) {
+      const distance = (point.x - x) ** 2 + (point.y - y) ** 2;
+      if (distance < least) { least = distance; best = point; }
     }
     return best;
   };
-  const replay = circle => {
-    if (!circle) return;
+  const replay = point => {
+    if (!point) return;
     panel.hidden = false;
-    panel.querySelector("p").textContent = rows[circle.dataset.r][0].replaceAll("\n", " · ");
-    panel.querySelector("code").textContent = rows[circle.dataset.r][1];
+    panel.querySelector("p").textContent = describe(point.id).join(" · ");
+    panel.querySelector("code").textContent = commands(point.id);
   };
   for (const svg of document.querySelectorAll("svg.plot")) {
-    const circles = () => [...svg.querySelectorAll("circle")];
     svg.addEventListener("pointermove", event => show(nearest(svg, event)));
     svg.addEventListener("pointerleave", () => show(null));
     svg.addEventListener("blur", () => show(null));
-    svg.addEventListener("click", event => { const c = nearest(svg, event); show(c); replay(c); });
+    svg.addEventListener("click", event => { const point = nearest(svg, event); show(point); replay(point); });
     svg.addEventListener("keydown", event => {
-      const all = circles(), step = {ArrowRight: 1, ArrowLeft: -1}[event.key];
+      const all = points(svg), step = {ArrowRight: 1, ArrowLeft: -1}[event.key];
       if (event.key === "Enter") replay(current);
       if (!step || !all.length) return;
       event.preventDefault();
-      show(all[(all.indexOf(current) + step + all.length) % all.length]);
+      const place = current && current.svg === svg ? all.indexOf(current) : step > 0 ? -1 : 0;
+      show(all[(place + step + all.length) % all.length]);
     });
   }
   const copy = panel.querySelector("button");

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "ar3d/analysis/replay.h"
+#include "ar3d/analysis/report/figures.h"
 #include "ar3d/analysis/report/html.h"
+#include "ar3d/analysis/report/plot.h"
 #include "ar3d/analysis/report/sections.h"
 
 namespace ar3d::report {
@@ -19,9 +22,10 @@ std::string fill(double worst_slack, double median_slack) {
                      percent(1 - median_slack));
 }
 
-double worst_instance_slack(const LedgerEntry& entry) {
+/// The smallest slack over the axes.
+double worst_of(const LedgerEntry& entry, double AxisLedger::*slack) {
   double worst = kMissing;
-  for (const AxisLedger& axis : entry.axes) worst = std::fmin(worst, axis.worst_instance_slack);
+  for (const AxisLedger& axis : entry.axes) worst = std::fmin(worst, axis.*slack);
   return worst;
 }
 
@@ -37,14 +41,25 @@ std::string statuses(const LedgerEntry& entry) {
   return text;
 }
 
+template <class Values>
+std::string box(const Values& values) {
+  if (!(values[0] >= 0)) return "–";
+  return fmt::format("{:.6g} × {:.6g} × {:.6g}", static_cast<double>(values[0]),
+                     static_cast<double>(values[1]), static_cast<double>(values[2]));
+}
+
+/// The boxes of the row that comes closest to the theorem's: measured, its own bound, the
+/// theorem's, the published one; and the lines that show it again.
 std::string worst_instance(const Analysis& analysis, const LedgerEntry& entry) {
   const auto axis = worst_axis(entry);
   if (!axis) return "–";
   const std::size_t row = *entry.axes[*axis].worst_row;
   const Run& run = analysis.results.runs[row];
   return fmt::format(
-      "<details><summary>n = {}, seed {}</summary><code>{}</code><br><code>{}</code></details>",
-      grouped(run.n), run.seed, escape(draw_command(run)), escape(replay_command(run, row)));
+      "<details><summary>n = {}, seed {}</summary>measured {}<br>own bound {}<br>theorem {}<br>"
+      "published {}<br><code>{}</code><br><code>{}</code></details>",
+      grouped(run.n), run.seed, box(run.extents), box(run.instance_bound), box(run.theorem_bound),
+      box(run.published_bound), escape(draw_command(run)), escape(replay_command(run, row)));
 }
 
 std::string ledger_row(const Analysis& analysis, const LedgerEntry& entry) {
@@ -57,7 +72,8 @@ std::string ledger_row(const Analysis& analysis, const LedgerEntry& entry) {
   for (const AxisLedger& axis : entry.axes) {
     html += cell(fill(axis.worst_slack, axis.median_slack), true);
   }
-  html += cell(percent(1 - worst_instance_slack(entry)), true);
+  html += cell(percent(1 - worst_of(entry, &AxisLedger::worst_instance_slack)), true);
+  html += cell(percent(1 - worst_of(entry, &AxisLedger::worst_published_slack)), true);
   return html + cell(worst_instance(analysis, entry)) + "</tr>\n";
 }
 
@@ -99,15 +115,26 @@ std::string time_label(const ScalingEntry* entry) {
 
 }  // namespace
 
+std::string bound_sentences(const Section& section) {
+  for (const LedgerEntry* entry : section.ledger) {
+    if (entry->theorem_formula.empty()) continue;
+    return fmt::format(
+        "<p>Theorem's box: {}.<br>Published box: {}.</p>\n", escape(entry->theorem_formula),
+        entry->published_formula.empty() ? "none" : escape(entry->published_formula));
+  }
+  return "";
+}
+
 std::string ledger_table(const Analysis& analysis, const Section& section) {
   std::string html =
       "<h3>Bound ledger</h3><p class=muted>Share of the theorem's bound that "
       "the "
-      "worst and (grey) the median graph use, by axis, and of the proof's own bound for that very "
-      "graph. 100 % touches the bound.</p><div class=scroll><table><thead><tr><th>Family<th "
+      "worst and (grey) the median graph use, by axis; then the worst share over the axes of the "
+      "proof's own bound for the very graph and of the published bound. 100 % touches the "
+      "bound.</p><div class=scroll><table><thead><tr><th>Family<th "
       "class=num>n<th>Rows"
       "<th class=num>Violations<th class=num>x<th class=num>y<th class=num>z"
-      "<th class=num>Own bound<th>Worst graph</tr></thead><tbody>\n";
+      "<th class=num>Own bound<th class=num>Published<th>Worst graph</tr></thead><tbody>\n";
   for (const LedgerEntry* entry : section.ledger) html += ledger_row(analysis, *entry);
   return html + "</tbody></table></div>\n";
 }
@@ -115,55 +142,60 @@ std::string ledger_table(const Analysis& analysis, const Section& section) {
 std::string growth_table(const Section& section) {
   if (section.scaling.empty()) return "";
   std::string html =
-      "<h3>Growth</h3><p class=muted>Exponent a of n^a over the fitted sizes, "
-      "with its 95 % interval over graphs.</p><div class=scroll><table><thead><tr><th>Family<th "
-      "class=num>Longest side"
-      "<th class=num>Volume<th class=num>Drawing time<th>Time: is there a logarithm?<th>Fit of the "
+      "<h3>Growth</h3><p class=muted>Exponent a of n^a over the fitted sizes, with its 95 % "
+      "interval "
+      "over graphs. Volume is the number of lattice points of the box, here also at the largest n "
+      "in units of n³ (the order of Theorem 1, and of O(n) a side), n⁴ (two-bend's O(n) × O(n) × "
+      "O(n²)) and n⁹ (the paper's O(n³) a side).</p><div class=scroll><table><thead><tr><th>Family"
+      "<th class=num>Longest side<th class=num>Volume<th class=num>/ n³<th class=num>/ n⁴<th "
+      "class=num>/ n⁹<th class=num>Drawing time<th>Time: is there a logarithm?<th>Fit of the "
       "time</tr></thead><tbody>\n";
   for (const LedgerEntry* entry : section.ledger) {
     const auto find = [&](Quantity quantity) { return find_entry(section, entry->key, quantity); };
     const ScalingEntry* time = find(Quantity::wall_s);
     html += fmt::format("<tr><th scope=row>{}</th>", escape(family_label(entry->key))) +
             cell(exponent(find(Quantity::longest_side)), true) +
-            cell(exponent(find(Quantity::volume)), true) + cell(exponent(time), true) +
-            note(time_label(time)) +
+            cell(exponent(find(Quantity::volume)), true);
+    for (const double share : entry->volume.per_power) html += cell(number(share), true);
+    html += cell(exponent(time), true) + note(time_label(time)) +
             note(time == nullptr ? "–" : "<small>" + escape(fit_notes(*time)) + "</small>") +
             "</tr>\n";
   }
   return html + "</tbody></table></div>\n";
 }
 
-std::string bend_histogram(const Section& section) {
+std::array<std::uint64_t, 8> bends_of(const Section& section) {
   std::array<std::uint64_t, 8> bends{};
-  std::uint64_t total = 0;
   for (const LedgerEntry* entry : section.ledger) {
-    for (std::size_t b = 0; b < bends.size(); ++b) {
-      bends[b] += entry->bends[b];
-      total += entry->bends[b];
-    }
+    for (std::size_t b = 0; b < bends.size(); ++b) bends[b] += entry->bends[b];
   }
-  if (total == 0) return "";
-  std::size_t used = bends.size();
-  while (bends[used - 1] == 0) --used;
-  const std::size_t height = 24 * used + 4;
-  std::string svg = fmt::format(
-      "<svg class='plot bars' viewBox='0 0 360 {}' role=img "
-      "aria-label='edges by number of bends'>",
-      height);
-  for (std::size_t b = 0; b < used; ++b) {
-    const double share = static_cast<double>(bends[b]) / static_cast<double>(total);
-    const double width = 190 * share;
-    const std::size_t y = 24 * b + 4;
-    svg += fmt::format(
-        "<text x=62 y={} text-anchor=end>{}{} bend{}</text><rect x=70 y={} width={:.1f} "
-        "height=16 rx=2 /><text x={:.1f} y={}>{}</text>",
-        y + 12, b, b == 7 ? "+" : "", b == 1 ? "" : "s", y, width, 76 + width, y + 12,
-        percent(share));
-  }
+  return bends;
+}
+
+std::string bend_histogram(const Section& section) {
+  const std::array<std::uint64_t, 8> bends = bends_of(section);
+  const std::string svg = bend_svg(bends);
+  if (svg.empty()) return "";
   return fmt::format(
       "<h3>Bends</h3><figure><figcaption><span>Share of all {} edges</span></figcaption>"
-      "{}</svg></figure>\n",
-      grouped(static_cast<std::int64_t>(total)), svg);
+      "{}</figure>\n",
+      grouped(
+          static_cast<std::int64_t>(std::accumulate(bends.begin(), bends.end(), std::uint64_t{0}))),
+      svg);
+}
+
+std::string effort_section(const Analysis& analysis) {
+  const std::vector<NamedPlot> dials = effort_dials(analysis);
+  if (dials.empty()) return "";
+  std::string html =
+      "<section id=effort><h2>What a smaller box costs</h2><p>Volume against drawing time, medians "
+      "over graphs, one line a family; the numbers are the setting that varies.</p><div "
+      "class=figures>\n";
+  for (NamedPlot dial : dials) {
+    dial.svg += legend_html(dial.legend, false);
+    html += figure_html(dial);
+  }
+  return html + "</div></section>\n";
 }
 
 }  // namespace ar3d::report

@@ -124,6 +124,17 @@ std::vector<double> SizeSample::log_values() const {
   return values;
 }
 
+std::vector<CensoredRow> censored_rows(const Results& results, const Cell& cell) {
+  std::vector<CensoredRow> rows;
+  for (const InstanceRows& instance : cell.instances) {
+    for (const std::size_t row : instance.rows) {
+      if (instance.n >= 1 && is_censored(results.runs[row].status))
+        rows.push_back({instance.n, row});
+    }
+  }
+  return rows;
+}
+
 std::vector<SizeSample> samples(const Results& results, const Cell& cell, Quantity quantity) {
   std::map<std::int64_t, SizeSample> by_size;
   for (const InstanceRows& instance : cell.instances) {

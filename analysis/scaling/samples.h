@@ -42,6 +42,15 @@ struct SizeSample {
   std::vector<double> log_values() const;
 };
 
+/// A row that ended in timeout, out of memory or a crash: its value is not known, for times only
+/// that it is larger than what the others needed.
+struct CensoredRow {
+  std::int64_t n = 0;
+  std::size_t row = 0;
+};
+/// All of a cell with n >= 1, in increasing order of n.
+std::vector<CensoredRow> censored_rows(const Results& results, const Cell& cell);
+
 /// The measured sizes of one cell in increasing order of n >= 1; only ok rows count.
 std::vector<SizeSample> samples(const Results& results, const Cell& cell, Quantity quantity);
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "analysis/synthetic.h"
 #include "ar3d/analysis/replay.h"
 
@@ -19,6 +21,9 @@ Results three_instances() {
     run.extents = {std::array<std::int64_t, 3>{10, 30, 20}[static_cast<std::size_t>(i)], 4, 0};
     run.theorem_bound = {40, 40, 0};
     run.instance_bound = {32, -1, -1};
+    run.published_bound = {60, kMissing, 125};
+    run.published_bound_formula = "12 n, 25 n (paper)";
+    run.log2_volume = 10 + static_cast<double>(i);
     results.runs.push_back(run);
   }
   return results;
@@ -36,6 +41,25 @@ TEST(Ledger, GivesWorstAndMedianSlackPerAxisAndTheWorstRow) {
   EXPECT_TRUE(std::isnan(entries[0].axes[1].worst_instance_slack));
   EXPECT_EQ(entries[0].axes[2].measured, 0u) << "a bound of 0 has no relative slack";
   EXPECT_EQ(worst_axis(entries[0]), 0u);
+}
+
+TEST(Ledger, ComparesWithThePublishedBoundAndWithPowersOfN) {
+  const LedgerEntry entry = ledger(three_instances()).at(0);
+  EXPECT_DOUBLE_EQ(entry.axes[0].worst_published_slack, 1 - 30.0 / 60);
+  EXPECT_DOUBLE_EQ(entry.axes[0].median_published_slack, 1 - 20.0 / 60);
+  EXPECT_TRUE(std::isnan(entry.axes[1].worst_published_slack));
+  EXPECT_EQ(entry.published_formula, "12 n, 25 n (paper)");
+  EXPECT_EQ(entry.volume.n, 5);
+  EXPECT_DOUBLE_EQ(entry.volume.log2_volume, 11) << "the median of 10, 11 and 12";
+  EXPECT_NEAR(entry.volume.per_power[0], 2048.0 / (5 * 5 * 5), 1e-9);
+  EXPECT_NEAR(entry.volume.per_power[1], 2048.0 / (5 * 5 * 5 * 5), 1e-9);
+  EXPECT_NEAR(entry.volume.per_power[2] * std::pow(5, 9), 2048, 1e-6);
+}
+
+TEST(Ledger, VolumesAreThoseOfTheLargestSize) {
+  const LedgerEntry entry = ledger(good_results({"diamond"}, {"cubic"}, 3, 2)).at(0);
+  EXPECT_EQ(entry.volume.n, 64);
+  EXPECT_GT(entry.volume.per_power[0], 4 * 4 * 6);
 }
 
 TEST(Ledger, OneEntryForEachAlgorithmOptionsFamilyAndParameters) {

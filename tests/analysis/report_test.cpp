@@ -3,13 +3,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <boost/property_tree/xml_parser.hpp>
 #include <cctype>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
 
 #include "analysis/synthetic.h"
 #include "ar3d/analysis/export.h"
+#include "ar3d/analysis/replay.h"
 #include "ar3d/analysis/report/axis.h"
 #include "ar3d/analysis/report/html.h"
+#include "ar3d/analysis/text.h"
 
 namespace ar3d {
 namespace {
@@ -67,8 +72,10 @@ TEST(Report, IsOnePageThatNeedsNothingFromOutside) {
   }
   EXPECT_THAT(html, HasSubstr("default-src 'none'"));
   EXPECT_THAT(html, HasSubstr(">PASS<"));
-  EXPECT_EQ(count(html, "<svg class=plot"), 2u * (3 + 2)) << "three overviews, two by family";
+  EXPECT_EQ(count(html, "<svg class='plot'"), 2u * (3 + 3 * 2))
+      << "three overviews, and by family three with residuals";
   EXPECT_EQ(count(html, "<svg class='plot bars'"), 2u);
+  EXPECT_EQ(count(html, "id=effort"), 0u) << "one setting has nothing to compare";
   EXPECT_LT(html.size(), 2'000'000u);
 }
 
@@ -83,19 +90,59 @@ TEST(Report, EscapesEveryStringOfTheFile) {
 }
 
 TEST(Report, EveryPlottedPointHasItsRowAndCommand) {
-  const std::string html = render_report(hostile_results());
-  const auto rows = nlohmann::json::parse(rows_json(html));
-  const std::string mark = "data-r=";
+  const Results results = hostile_results();
+  const std::string html = render_report(results);
+  const auto data = nlohmann::json::parse(rows_json(html));
+  const std::string mark = "data-r='";
   std::size_t points = 0;
   for (std::size_t at = html.find(mark); at != std::string::npos; at = html.find(mark, at)) {
     at += mark.size();
-    const std::string row = html.substr(at, html.find_first_not_of("0123456789", at) - at);
-    if (row.empty()) continue;  // the script's own mention
-    ++points;
-    ASSERT_TRUE(rows.contains(row)) << row;
-    EXPECT_THAT(rows[row].at(1).get<std::string>(), HasSubstr("ar3d generate 'cubic<"));
+    std::istringstream rows(html.substr(at, html.find('\'', at) - at));
+    for (std::string row; rows >> row;) {
+      ++points;
+      ASSERT_TRUE(data["rows"].contains(row)) << row;
+      const auto& fields = data["rows"][row];
+      const auto& cell = data["cells"].at(fields[0].get<std::size_t>());
+      EXPECT_EQ(cell[1].get<std::string>() + fields[1].dump() + " --seed " +
+                    fields[3].get<std::string>() + cell[2].get<std::string>(),
+                valid_utf8(draw_command(results.runs[std::stoul(row)])));
+    }
   }
-  EXPECT_EQ(points, 2u * (9 * 3 - 1));
+  // Side, volume and time: 26 graphs that were drawn, the crashed one, and 9 residuals.
+  EXPECT_EQ(points, 3u * (9 * 3 - 1 + 1 + 9));
+  EXPECT_FALSE(data["rows"]["0"][4].is_number()) << "row 0 crashed";
+}
+
+TEST(Report, ResidualsAndEffortsAreShownWhereThereAreSome) {
+  Results results = testing::good_results({"diamond"}, {"cubic"}, 9, 4);
+  const std::size_t count_of_rows = results.runs.size();
+  for (std::size_t i = 0; i < count_of_rows; ++i) {
+    results.runs[i].options = "effort=0";
+    results.runs.push_back(results.runs[i]);
+    results.runs.back().options = "effort=1";
+    results.runs.back().wall_s *= 3;
+  }
+  const std::string html = render_report(results);
+  EXPECT_EQ(count(html, "aria-label='residuals of the"), 2u * 3);
+  EXPECT_EQ(count(html, "<section id=effort>"), 1u);
+  EXPECT_EQ(count(html, "aria-label='volume against drawing time of diamond by setting'"), 1u);
+}
+
+TEST(Report, FiguresAreDocumentsOfTheirOwn) {
+  const std::vector<Figure> figures = report_figures(hostile_results());
+  ASSERT_EQ(figures.size(), 4u) << "side, volume, time and bends";
+  std::set<std::string> names;
+  for (const Figure& figure : figures) {
+    EXPECT_TRUE(names.insert(figure.name).second);
+    EXPECT_EQ(figure.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-"),
+              std::string::npos)
+        << figure.name;
+    EXPECT_THAT(figure.svg, ::testing::StartsWith("<?xml version='1.0' encoding='UTF-8'?>\n<svg "));
+    EXPECT_THAT(figure.svg, Not(HasSubstr("var(--")));
+    boost::property_tree::ptree tree;
+    std::istringstream in(figure.svg);
+    EXPECT_NO_THROW(boost::property_tree::read_xml(in, tree)) << figure.name;
+  }
 }
 
 TEST(Report, OfNothingSaysSo) {
@@ -143,6 +190,10 @@ TEST(Axis, TicksAreDecadesOrOneTwoFive) {
               ::testing::ElementsAre("1 µs", "10 µs", "100 µs", "1 ms", "10 ms"));
   EXPECT_THAT(labels({0, 20, 0, 100}, report::TickStyle::power),
               ::testing::ElementsAre("1", "10⁴", "10⁸", "10¹²", "10¹⁶", "10²⁰"));
+  EXPECT_THAT(labels({10.3, 10.5, 0, 100}, report::TickStyle::power),
+              ::testing::ElementsAre("2·10¹⁰", "2.5·10¹⁰", "3·10¹⁰"));
+  EXPECT_THAT(labels({2.05, 2.2, 0, 100}, report::TickStyle::count),
+              ::testing::ElementsAre("120", "130", "140", "150", "160"));
 }
 
 TEST(Html, Numbers) {
@@ -161,6 +212,10 @@ TEST(Export, CsvHasOneLineACellAndQuotes) {
   EXPECT_EQ(count(csv, "\r\n"), 3u);
   EXPECT_THAT(csv, HasSubstr("diamond,,\"a,\"\"b\"\"\",,16,32,4,4,0,"));
   EXPECT_THAT(csv, Not(HasSubstr("nan")));
+  const std::string boxes = rows_csv(results);
+  EXPECT_EQ(count(boxes, "\r\n"), 1u + results.runs.size());
+  EXPECT_THAT(boxes, HasSubstr("\r\n0,diamond,,\"a,\"\"b\"\"\",,16,32,16000,ok,"));
+  EXPECT_THAT(boxes, Not(HasSubstr("nan")));
   const std::string growth = scaling_csv(results);
   EXPECT_EQ(count(growth, "\r\n"), 1u + 2 * 6);
   EXPECT_THAT(growth, HasSubstr("undecided"));

@@ -54,7 +54,26 @@ TEST(Scaling, FewSizesAreUndecidedAndSayWhatIsMissing) {
   EXPECT_TRUE(entry.power.fitted) << "the estimate is shown, without an interval";
   EXPECT_TRUE(std::isnan(entry.power.exponent_interval.low));
   EXPECT_THAT(entry.reason, HasSubstr("7 sizes"));
-  EXPECT_THAT(entry.next, HasSubstr("1 more"));
+  EXPECT_EQ(entry.next, "size 8192 with 8 seeds each");
+  EXPECT_EQ(entry.next_study.sizes, std::vector<std::int64_t>({8192}));
+}
+
+TEST(Scaling, WhatItAsksForDecides) {
+  const auto truth = [](double n) { return 2 * std::log(n); };
+  const auto study = [&](const std::vector<std::int64_t>& sizes, std::size_t seeds) {
+    RandomStream random(11);
+    return fit_scaling(noisy_samples(sizes, seeds, random, truth, ten_percent));
+  };
+  std::vector<std::int64_t> sizes = doubling(64, 6);
+  ScalingEntry entry = study(sizes, 4);
+  for (int round = 0; round < 6 && entry.growth == Growth::undecided; ++round) {
+    const NextStudy next = entry.next_study;
+    ASSERT_FALSE(entry.next.empty());
+    ASSERT_TRUE(!next.sizes.empty() || next.seeds > 0);
+    sizes.insert(sizes.end(), next.sizes.begin(), next.sizes.end());
+    entry = study(sizes, std::max<std::size_t>(next.seeds, 4));
+  }
+  EXPECT_EQ(entry.growth, Growth::power) << entry.reason << "; " << entry.next;
 }
 
 TEST(Scaling, CloseSizesAreUndecided) {
@@ -84,6 +103,11 @@ TEST(Scaling, SizesWithUnfinishedInstancesAreLeftOut) {
   EXPECT_EQ(entry.all.size(), 9u);
   EXPECT_EQ(entry.sizes.used.back().n, 16 << 7);
   EXPECT_THAT(entry.sizes.left_out.at(0), HasSubstr("1 with unfinished"));
+  const std::vector<CensoredRow> censored = censored_rows(results, cells(results)[0]);
+  ASSERT_EQ(censored.size(), 1u);
+  EXPECT_EQ(censored[0].row, 33u);
+  EXPECT_EQ(censored[0].n, 16 << 8);
+  for (const ScalingEntry& of_study : scaling(results)) EXPECT_EQ(of_study.censored.size(), 1u);
 }
 
 TEST(Scaling, MissingAndZeroValuesAreNoPoints) {

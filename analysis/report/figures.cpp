@@ -1,0 +1,120 @@
+#include "ar3d/analysis/report/figures.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cmath>
+
+#include "ar3d/analysis/report/html.h"
+#include "ar3d/analysis/report/plot.h"
+
+namespace ar3d::report {
+namespace {
+
+/// The page's classes without its variables, which converters to PDF do not know.
+constexpr const char* kFigureStyle = R"css(
+text{font:11.5px "Helvetica Neue","DejaVu Sans",Arial,sans-serif;fill:#333}
+.grid path{stroke:#d6dbe1;stroke-width:.8;fill:none}.grid .minor{stroke:#eceff2}
+polyline{fill:none}.median{stroke-width:1.8;stroke-linejoin:round}
+.bound{stroke:#b3261e;stroke-width:1.6;stroke-dasharray:7 4}
+.points{fill:none;stroke-width:4.4;stroke-linecap:round}.big{stroke-width:7}
+.d1{stroke-dasharray:6 2}.d2{stroke-dasharray:2 2}.points.d1,.points.d2{stroke-dasharray:none}
+.s0{stroke:#0072b2}.s1{stroke:#d55e00}.s2{stroke:#009e73}.s3{stroke:#b6588c}
+.s4{stroke:#b37c00}.s5{stroke:#3a9bd1}.s6{stroke:#6b4c9a}.s7{stroke:#6b7000}
+rect{fill:#0072b2}
+)css";
+
+/// "diamond (effort=1)" -> "diamond-effort-1".
+std::string slug(const std::string& text) {
+  std::string name;
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (code < 0x80 && std::isalnum(code) != 0) {
+      name += static_cast<char>(std::tolower(code));
+    } else if (!name.empty() && name.back() != '-') {
+      name += '-';
+    }
+  }
+  while (!name.empty() && name.back() == '-') name.pop_back();
+  return name;
+}
+
+constexpr double kLegendLine = 16, kLegendColumn = 180;
+
+/// Two columns of colours below a plot of this height.
+std::string legend_svg(const std::vector<LegendEntry>& legend, double top) {
+  std::string svg;
+  for (std::size_t i = 0; i < legend.size(); ++i) {
+    const double x = 6 + kLegendColumn * static_cast<double>(i % 2);
+    const double y = top + kLegendLine * (0.5 + static_cast<double>(i / 2));
+    svg +=
+        fmt::format("<path class='median {}' d='M{} {}h20'/><text x='{}' y='{}'>{}</text>",
+                    stroke_class(legend[i].colour), x, y, x + 25, y + 4, escape(legend[i].label));
+  }
+  return svg;
+}
+
+/// The content of a plot in a document of its own, with its legend below.
+std::string standalone(const std::string& plot_svg, const std::string& title,
+                       const std::vector<LegendEntry>& legend) {
+  const std::size_t begin = plot_svg.find('>') + 1, end = plot_svg.rfind("</svg>");
+  const std::size_t box = plot_svg.find("viewBox='0 0 ") + 13;
+  const double width = std::stod(plot_svg.substr(box));
+  const double plot_height = std::stod(plot_svg.substr(plot_svg.find(' ', box)));
+  const double height =
+      plot_height + kLegendLine * std::ceil(static_cast<double>(legend.size()) / 2);
+  return fmt::format(
+      "<?xml version='1.0' encoding='UTF-8'?>\n<svg xmlns='http://www.w3.org/2000/svg' width='{0}' "
+      "height='{1}' viewBox='0 0 {0} {1}'><title>{2}</title><style>{3}</style>{4}{5}</svg>\n",
+      width, height, escape(title), kFigureStyle, plot_svg.substr(begin, end - begin),
+      legend_svg(legend, plot_height));
+}
+
+}  // namespace
+
+std::string legend_html(const std::vector<LegendEntry>& legend, bool with_bound) {
+  std::string html = "<div class=legend>";
+  const auto entry = [&](const std::string& css, const std::string& label) {
+    html += fmt::format(
+        "<span><svg viewBox='0 0 26 10' aria-hidden=true><path class='{}' d='M0 5H26'/></svg>{}"
+        "</span>",
+        css, label);
+  };
+  for (const LegendEntry& one : legend) {
+    entry("median " + stroke_class(one.colour), escape(one.label));
+  }
+  if (with_bound) entry("bound", "theorem's bound");
+  return html + "</div>\n";
+}
+
+std::string figure_html(const NamedPlot& plot) {
+  return fmt::format("<figure><figcaption><b>{}</b> <span>{}</span></figcaption>{}</figure>\n",
+                     escape(plot.title), escape(plot.note), plot.svg);
+}
+
+std::vector<Figure> standalone_figures(const Analysis& analysis) {
+  std::vector<Figure> figures;
+  const auto add = [&](const std::string& name, const std::string& title, const std::string& svg,
+                       const std::vector<LegendEntry>& legend) {
+    if (svg.empty()) return;
+    std::string unique = slug(name);
+    for (const Figure& other : figures) {
+      if (other.name == unique) unique += fmt::format("-{}", figures.size());
+    }
+    figures.push_back({unique, standalone(svg, title, legend)});
+  };
+  for (const Section& section : sections(analysis)) {
+    for (const NamedPlot& plot : section_plots(section)) {
+      add(section.label + "-" + plot.file, section.label + ": " + plot.title, plot.svg,
+          plot.legend);
+    }
+    add(section.label + "-bends", section.label + ": edges by bends", bend_svg(bends_of(section)),
+        {});
+  }
+  for (const NamedPlot& dial : effort_dials(analysis)) {
+    add(dial.title + "-" + dial.file, "effort of " + dial.title, dial.svg, dial.legend);
+  }
+  return figures;
+}
+
+}  // namespace ar3d::report

@@ -1,0 +1,247 @@
+// From rows to verdicts through the program: check, report, hunt and shrink, and their bad inputs.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <sstream>
+
+#include "analysis/synthetic.h"
+#include "support/program.h"
+
+namespace ar3d {
+namespace {
+
+using testing::good_results;
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::read_file;
+using testing::run;
+using testing::ScratchDirectory;
+
+/// Writes the results, after a change, where the test can use them.
+std::string results_file(const ScratchDirectory& scratch,
+                         const std::function<void(Results&)>& change = {}) {
+  Results results = good_results({"diamond"}, {"cubic"}, 3, 2);
+  if (change) change(results);
+  const std::string path = scratch.path("results.h5");
+  write_results(results, path);
+  return path;
+}
+
+void expect_one_line(const Outcome& outcome, const std::string& part) {
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr(part));
+}
+
+TEST(CheckProgram, ExitCodeIsTheVerdict) {
+  const ScratchDirectory scratch;
+  EXPECT_EQ(run("{} check " + results_file(scratch)).exit_code, 0);
+  const Outcome wide = run("{} check " + results_file(scratch, [](Results& results) {
+                             results.runs[4].extents[2] = 1000;
+                           }));
+  EXPECT_EQ(wide.exit_code, 4);
+  EXPECT_THAT(wide.out, HasSubstr("extent 1000 along z passes the theorem's"));
+  const Outcome wrong = run("{} check " + results_file(scratch, [](Results& results) {
+                              results.runs[1].violations = 2;
+                              results.runs[1].status = RunStatus::violated;
+                              results.runs[1].message = "crossing: edges 3 and 7";
+                            }));
+  EXPECT_EQ(wrong.exit_code, 4);
+  EXPECT_THAT(wrong.out, HasSubstr("crossing: edges 3 and 7"));
+}
+
+TEST(CheckProgram, NoRowsAndNoNumbersAreIncomplete) {
+  const ScratchDirectory scratch;
+  const Outcome empty =
+      run("{} check " + results_file(scratch, [](Results& results) { results.runs.clear(); }));
+  EXPECT_EQ(empty.exit_code, 5);
+  EXPECT_THAT(empty.out, HasSubstr("nothing measured: the file has no rows"));
+  const Outcome nan = run("{} check " + results_file(scratch, [](Results& results) {
+                            results.runs[2].log2_volume = kMissing;
+                          }));
+  EXPECT_EQ(nan.exit_code, 5);
+  EXPECT_THAT(nan.out, HasSubstr("log2_volume is not a number of at least 0 although ok"));
+}
+
+TEST(ReportProgram, OfNoRowsSaysSoAndIsIncomplete) {
+  const ScratchDirectory scratch;
+  const std::string path = results_file(scratch, [](Results& results) { results.runs.clear(); });
+  const Outcome report = run("{} report " + path);
+  EXPECT_EQ(report.exit_code, 5);
+  expect_one_line(report, "nothing measured: the file has no rows");
+  EXPECT_THAT(read_file(scratch.path("results.html")), HasSubstr("Nothing was measured"));
+}
+
+TEST(ReportProgram, WritesFiguresAndTables) {
+  const ScratchDirectory scratch;
+  const std::string path = results_file(scratch);
+  const Outcome report =
+      run("{} report " + path + " --figures " + scratch.path("figures") + " --csv " +
+          scratch.path("l.csv") + " --growth " + scratch.path("g.csv") + " --rows " +
+          scratch.path("r.csv") + " --json " + scratch.path("a.json"));
+  EXPECT_EQ(report.exit_code, 0) << report.err;
+  for (const char* name : {"longest-side", "volume", "drawing-time", "bends"}) {
+    const std::string stem = scratch.path(std::string("figures/diamond-") + name);
+    EXPECT_THAT(read_file(stem + ".svg"), ::testing::StartsWith("<?xml")) << name;
+    EXPECT_THAT(read_file(stem + ".pdf"), ::testing::StartsWith("%PDF-")) << name;
+  }
+  EXPECT_THAT(read_file(scratch.path("r.csv")), HasSubstr("published_bound_x"));
+  EXPECT_THAT(read_file(scratch.path("l.csv")), HasSubstr("volume_per_n9"));
+  EXPECT_THAT(read_file(scratch.path("g.csv")), HasSubstr("exponent_low"));
+  EXPECT_THAT(read_file(scratch.path("a.json")), HasSubstr("\"next_sizes\""));
+}
+
+TEST(ReportProgram, MissingConverterIsNamed) {
+  const ScratchDirectory scratch;
+  const Outcome report = run("PATH=/no-such-folder {} report " + results_file(scratch) +
+                             " --figures " + scratch.path("figures"));
+  EXPECT_EQ(report.exit_code, 2);
+  expect_one_line(report, "librsvg2-bin");
+}
+
+/// What is wrong with a results file, by a change with h5py, and what is said about it.
+struct BadResults {
+  const char* name;
+  const char* change;
+  const char* message;
+};
+std::ostream& operator<<(std::ostream& out, const BadResults& bad) { return out << bad.name; }
+
+class BadResultsTest : public ::testing::TestWithParam<BadResults> {};
+
+TEST_P(BadResultsTest, OneLineAndExitTwo) {
+  const ScratchDirectory scratch;
+  const std::string path = results_file(scratch);
+  const std::string script = scratch.write(
+      "change.py", "import h5py\nf = h5py.File('" + path + "', 'a')\n" + GetParam().change);
+  ASSERT_EQ(run("/usr/bin/python3 " + script).exit_code, 0);
+  for (const char* verb : {"check", "report"}) {
+    const Outcome outcome = run(std::string("{} ") + verb + " " + path);
+    EXPECT_EQ(outcome.exit_code, 2) << verb;
+    expect_one_line(outcome, GetParam().message);
+    EXPECT_THAT(outcome.err, HasSubstr(path));
+  }
+  EXPECT_FALSE(std::filesystem::exists(scratch.path("results.html")));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Program, BadResultsTest,
+    ::testing::Values(BadResults{"other_version", "f.attrs['format_version'] = 1",
+                                 "format version 1"},
+                      BadResults{"missing_table", "del f['runs']", "/runs is missing"},
+                      BadResults{"missing_column",
+                                 "d = f['runs'][:]\ndel f['runs']\n"
+                                 "f['runs'] = d[[n for n in d.dtype.names if n != 'extent_x']]",
+                                 "no field 'extent_x'"},
+                      BadResults{"mixed_studies",
+                                 "d = f['runs'][:]\nd['seed'][1] = 7\nd['instance_index'][1] = 0\n"
+                                 "f['runs'][:] = d",
+                                 "rows 0 and 1 are of different studies"}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+struct Planted {
+  const char* name;
+  const char* fault;
+  const char* algorithm;
+};
+std::ostream& operator<<(std::ostream& out, const Planted& planted) { return out << planted.name; }
+
+class PlantedFaultTest : public ::testing::TestWithParam<Planted> {};
+
+TEST_P(PlantedFaultTest, IsHuntedShrunkAndShown) {
+  const ScratchDirectory scratch;
+  const std::string subject =
+      std::string(" --algorithm ") + GetParam().algorithm + " --plant " + GetParam().fault;
+  const std::string big = scratch.path("big"), small = scratch.path("small");
+  const Outcome hunt = run("{} hunt -n 60" + subject + " -o " + big);
+  EXPECT_EQ(hunt.exit_code, 4) << hunt.err;
+  EXPECT_THAT(hunt.out, HasSubstr("VIOLATED: "));
+  EXPECT_EQ(run("{} verify " + big + ".jsonl --graphs " + big + ".s6").exit_code, 4);
+
+  const Outcome shrink = run("{} shrink " + big + ".s6" + subject + " -o " + small);
+  EXPECT_EQ(shrink.exit_code, 4) << shrink.err;
+  std::istringstream line(shrink.out);
+  unsigned vertices = 0;
+  line >> vertices;
+  EXPECT_GT(vertices, 0u);
+  EXPECT_LE(vertices, 12u) << shrink.out;
+  EXPECT_THAT(shrink.out, HasSubstr("none can go"));
+  // The first line of the text shows the violation again; without the fault there is none.
+  EXPECT_THAT(read_file(small + ".txt"), HasSubstr("ar3d verify " + small + ".jsonl"));
+  EXPECT_EQ(run("{} verify " + small + ".jsonl --graphs " + small + ".s6").exit_code, 4);
+  EXPECT_EQ(run("{} draw " + small + ".s6 --algorithm " + GetParam().algorithm + " | {} verify -")
+                .exit_code,
+            0);
+  EXPECT_THAT(read_file(small + ".svg"), HasSubstr("<svg"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Program, PlantedFaultTest,
+    ::testing::Values(Planted{"wrong_drawing_by_diamond", "wrong-bend", "diamond"},
+                      Planted{"wrong_drawing_by_grid", "wrong-bend", "grid"},
+                      Planted{"wrong_drawing_by_two_bend", "wrong-bend", "two-bend"},
+                      Planted{"passed_bound_by_diamond", "passed-bound", "diamond"},
+                      Planted{"passed_bound_by_grid", "passed-bound", "grid"},
+                      Planted{"passed_bound_by_two_bend", "passed-bound", "two-bend"}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+TEST(HuntProgram, FindsAnExtremeGraphAndShrinkKeepsItSo) {
+  const ScratchDirectory scratch;
+  const std::string hunt =
+      "{} hunt --algorithm diamond --family random-4-regular -n 30 --evaluations 200 --measure z "
+      "-o ";
+  const Outcome first = run(hunt + scratch.path("a"));
+  EXPECT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_EQ(run(hunt + scratch.path("b")).exit_code, 0);
+  EXPECT_EQ(read_file(scratch.path("a.s6")), read_file(scratch.path("b.s6"))) << "a pure function";
+  const Outcome shrink =
+      run("{} shrink " + scratch.path("a.s6") + " --algorithm diamond --measure z --ratio 0.1 -o " +
+          scratch.path("c"));
+  EXPECT_EQ(shrink.exit_code, 0) << shrink.err;
+  EXPECT_LT(read_file(scratch.path("c.s6")).size(), read_file(scratch.path("a.s6")).size());
+  EXPECT_THAT(read_file(scratch.path("c.txt")), HasSubstr("z is 0."));
+}
+
+struct BadCall {
+  const char* name;
+  std::string command;  // @ stands for a file with two graphs, % for one with a path
+  const char* message;
+};
+std::ostream& operator<<(std::ostream& out, const BadCall& bad) { return out << bad.name; }
+
+class BadCallTest : public ::testing::TestWithParam<BadCall> {};
+
+TEST_P(BadCallTest, OneLineAndExitTwo) {
+  const ScratchDirectory scratch;
+  const std::string two = scratch.write("two", "Dhc\nDhc\n"), one = scratch.write("one", "Dhc\n");
+  std::string command;
+  for (const char c : GetParam().command)
+    command += c == '@' ? two : c == '%' ? one : std::string(1, c);
+  const Outcome outcome = run(command + " -o " + scratch.path("out"));
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
+  expect_one_line(outcome, GetParam().message);
+  EXPECT_FALSE(std::filesystem::exists(scratch.path("out.s6")));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Program, BadCallTest,
+    ::testing::Values(
+        BadCall{"hunt_unknown_algorithm", "{} hunt --algorithm nobody", "nobody"},
+        BadCall{"hunt_unknown_family", "{} hunt --algorithm diamond --family nobody", "nobody"},
+        BadCall{"hunt_unknown_fault", "{} hunt --algorithm diamond --plant nothing", "nothing"},
+        BadCall{"hunt_degree", "{} hunt --algorithm grid --family random-4-regular", "degree"},
+        BadCall{"hunt_nan", "{} hunt --algorithm diamond --seconds nan", "--seconds"},
+        BadCall{"hunt_no_instance_bound",
+                "{} hunt --algorithm diamond --family path --bound instance --evaluations 5",
+                "no bound for the instance"},
+        BadCall{"shrink_two_graphs", "{} shrink @ --algorithm diamond", "a second graph"},
+        BadCall{"shrink_nothing_wrong", "{} shrink % --algorithm diamond", "proved right"},
+        BadCall{"shrink_ratio", "{} shrink % --algorithm diamond --ratio 0.99", "less than 0.99"},
+        BadCall{"shrink_nan", "{} shrink % --algorithm diamond --ratio nan", "--ratio"},
+        BadCall{"shrink_missing", "{} shrink /no/such/file --algorithm diamond", "/no/such/file"}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+}  // namespace
+}  // namespace ar3d

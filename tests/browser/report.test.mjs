@@ -1,0 +1,163 @@
+// The report in headless Chromium: what a reader sees, points at, clicks and types.
+// AR3D_PROGRAM names the program; screenshots go to AR3D_SCREENSHOTS if that is set.
+import assert from "node:assert/strict";
+import {execFileSync} from "node:child_process";
+import {mkdtempSync, mkdirSync, rmSync, statSync, writeFileSync} from "node:fs";
+import {tmpdir} from "node:os";
+import {dirname, join} from "node:path";
+import {after, before, test} from "node:test";
+import {chromium} from "playwright-core";
+
+const program = process.env.AR3D_PROGRAM;
+const shots = process.env.AR3D_SCREENSHOTS;
+const flags = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+  "--disable-background-networking", "--disable-component-update", "--disable-sync"];
+const spec = `study = "browser"
+seed = 1
+[[sweep]]
+families = ["random-cubic", "random-4-regular", "prism"]
+sizes = { from = 16, to = 1600, per_decade = 5 }
+algorithms = [{ algorithm = "diamond", effort = [0, 1, 2] }, "two-bend", "grid"]
+instances = 3
+`;
+
+let folder, context, page;
+const complaints = [], requests = [];
+
+const shot = async name => {
+  if (!shots) return;
+  mkdirSync(shots, {recursive: true});
+  await page.screenshot({path: join(shots, name + ".png")});
+};
+
+before(async () => {
+  folder = mkdtempSync(join(tmpdir(), "ar3d-browser-"));
+  writeFileSync(join(folder, "study.toml"), spec);
+  execFileSync(program, ["study", "run", join(folder, "study.toml"), "-q", "-o", join(folder, "study.h5")]);
+  context = await chromium.launchPersistentContext(join(folder, "profile"),
+    {executablePath: "/usr/bin/chromium", args: flags, viewport: {width: 1280, height: 900}});
+  page = await context.newPage();
+  page.on("console", message => { if (["error", "warning"].includes(message.type())) complaints.push(message.text()); });
+  page.on("pageerror", error => complaints.push(String(error)));
+  page.on("request", request => requests.push(request.url()));
+  await page.goto("file://" + join(folder, "study.html"));
+});
+
+after(async () => {
+  await context?.close();
+  if (folder) rmSync(folder, {recursive: true, force: true});
+});
+
+/// The place of a plot's point on the screen; `place` counts from the left.
+const placeOf = async (plot, place) => {
+  await plot.scrollIntoViewIfNeeded();
+  await page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));
+  return plot.evaluate((svg, i) => {
+    const dots = [...svg.querySelector("path.points").getAttribute("d").matchAll(/M([\d.-]+) ([\d.-]+)h0/g)];
+    const box = svg.getBoundingClientRect(), scale = box.width / svg.viewBox.baseVal.width;
+    return {x: box.x + dots[i][1] * scale, y: box.y + dots[i][2] * scale};
+  }, place);
+};
+const firstPlotWithPoints = () => page.locator("section#a0 details[open] svg.plot:has(path.points)").first();
+
+test("one small file that asks for nothing else", () => {
+  assert.ok(statSync(join(folder, "study.html")).size < 2e6);
+  assert.deepEqual(requests.filter(url => !url.startsWith("file://" + folder)), []);
+});
+
+test("the verdict and every kind of plot are there", async () => {
+  assert.equal(await page.locator(".verdict").textContent(), "PASS");
+  assert.equal(await page.locator("section[id^=a]").count(), 5);
+  for (const css of ["polyline.median", "polyline.bound", "polyline.fit", "polygon.band", "path.points",
+    "path.whisker", "svg.bars rect", "#effort polyline.median"]) {
+    assert.ok(await page.locator(css).count() > 0, css);
+  }
+  const empty = await page.evaluate(() => [...document.querySelectorAll("details")].map(d => { d.open = true; return d; }) &&
+    [...document.querySelectorAll("svg.plot polyline.median")].filter(line => {
+      const box = line.getBoundingClientRect();
+      return box.width < 5;
+    }).length);
+  assert.equal(empty, 0, "every median line has a width");
+  await shot("top-1280");
+  await firstPlotWithPoints().scrollIntoViewIfNeeded();
+  await shot("families-1280");
+  await page.locator("#effort").scrollIntoViewIfNeeded();
+  await shot("effort-1280");
+});
+
+test("pointing at a row shows it", async () => {
+  const plot = firstPlotWithPoints();
+  const {x, y} = await placeOf(plot, 4);
+  await page.mouse.move(x, y);
+  const tip = page.locator("#tip");
+  await tip.waitFor({state: "visible", timeout: 5000});
+  const text = await tip.textContent();
+  for (const part of ["random-cubic", "vertices", "seed", "box ", "the theorem's ", "the published "]) {
+    assert.ok(text.includes(part), `${part} in ${text}`);
+  }
+  await shot("hover-1280");
+  await page.mouse.move(2, 2);
+  assert.ok(await tip.isHidden());
+});
+
+test("a click gives a command that draws the row again", async () => {
+  const {x, y} = await placeOf(firstPlotWithPoints(), 7);
+  await page.mouse.click(x, y);
+  const code = await page.locator("#replay code").textContent();
+  const [command, replay] = code.split("\n");
+  assert.match(command, /^ar3d generate random-cubic -n \d+ --seed \d+ \| ar3d draw - --algorithm diamond/);
+  await shot("click-1280");
+  const path = {...process.env, PATH: dirname(program) + ":" + process.env.PATH};
+  const verdict = execFileSync("bash", ["-c", command + " | ar3d verify -"], {env: path}).toString();
+  assert.match(verdict, /1 certified, 0 violated/);
+  const again = execFileSync("bash", ["-c", replay.replace("RESULTS.h5", join(folder, "study.h5"))], {env: path});
+  assert.match(again.toString(), /equal, bit for bit/);
+  await page.locator("#replay button").last().click();
+  assert.ok(await page.locator("#replay").isHidden());
+});
+
+test("the keyboard does all of it", async () => {
+  const plot = firstPlotWithPoints();
+  await page.mouse.move(2, 2);
+  await plot.focus();
+  await page.keyboard.press("ArrowRight");
+  const first = await page.locator("#tip").textContent();
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("ArrowRight");
+  assert.ok(await page.locator("#tip").isVisible());
+  assert.notEqual(await page.locator("#tip").textContent(), first);
+  await page.keyboard.press("Enter");
+  assert.match(await page.locator("#replay code").textContent(), /^ar3d generate /);
+  await page.keyboard.press("Escape");
+  assert.ok(await page.locator("#replay").isHidden());
+  await page.evaluate(() => document.activeElement.blur());
+  await page.keyboard.press("Tab");
+  assert.notEqual(await page.evaluate(() => document.activeElement.tagName), "BODY");
+});
+
+test("it reads at 1280 and 390 pixels, in the dark and on paper", async () => {
+  for (const width of [1280, 390]) {
+    await page.setViewportSize({width, height: 900});
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    assert.ok(wide <= 0, `${wide} pixels too wide at ${width}`);
+    const small = await page.evaluate(() => Math.min(...[...document.querySelectorAll("svg.plot")]
+      .map(svg => svg.getBoundingClientRect().width).filter(w => w > 0)));
+    assert.ok(small >= 300, `a plot of ${small} pixels at ${width}`);
+    await page.evaluate(() => scrollTo(0, 0));
+    await shot("page-" + width);
+  }
+  await firstPlotWithPoints().scrollIntoViewIfNeeded();
+  await shot("families-390");
+  await page.setViewportSize({width: 1280, height: 900});
+  const background = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  const light = await background();
+  await page.emulateMedia({colorScheme: "dark"});
+  assert.notEqual(await background(), light);
+  await shot("dark-1280");
+  await page.emulateMedia({colorScheme: "light", media: "print"});
+  assert.ok(await page.locator("nav").first().isHidden());
+  await page.emulateMedia({media: "screen"});
+});
+
+test("the console stays silent", () => assert.deepEqual(complaints, []));
