@@ -77,11 +77,10 @@ std::string results_path_of(const std::string& journal_or_results) {
 }
 
 void remove_leftovers(const std::string& results) {
+  const std::string page = fs::path(results).replace_extension(".html").string();
   for (const std::string& path : neighbours(results)) {
-    const bool ours =
-        path.starts_with(results + ".partial-") ||
-        (path.starts_with(results + ".") && path.find(".journal.partial-") != std::string::npos);
-    if (ours) fs::remove(path);
+    const bool ours = path.starts_with(results + ".") || path.starts_with(page + ".");
+    if (ours && path.find(".partial-") != std::string::npos) fs::remove(path);
   }
 }
 

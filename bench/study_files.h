@@ -19,7 +19,7 @@ std::vector<std::string> existing_journals(const std::string& results);
 /// The results file that a journal is made into; other paths are results files themselves.
 std::string results_path_of(const std::string& journal_or_results);
 
-/// Unfinished new files that a killed process has left beside the results file and its journals. To
+/// Unfinished new files that a killed process has left of the results file, journals or report. To
 /// be called by the one that has the journal locked.
 void remove_leftovers(const std::string& results);
 
