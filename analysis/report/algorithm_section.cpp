@@ -32,10 +32,14 @@ std::vector<Series> curves(const Section& section, Quantity quantity) {
   return series;
 }
 
+/// The families by name; with their parameters only where two would be called the same.
 std::vector<LegendEntry> legend_of(const Section& section) {
   std::vector<LegendEntry> legend;
   for (const LedgerEntry* entry : section.ledger) {
-    legend.push_back({family_label(entry->key), legend.size()});
+    const auto same = std::count_if(
+        section.ledger.begin(), section.ledger.end(),
+        [&](const LedgerEntry* other) { return other->key.family == entry->key.family; });
+    legend.push_back({same == 1 ? entry->key.family : family_label(entry->key), legend.size()});
   }
   return legend;
 }

@@ -9,7 +9,8 @@
 namespace ar3d::report {
 namespace {
 
-constexpr double kAir = 0.04;  // share of the range left free at either end
+constexpr double kNarrow = 0.7;  // decades: too few ticks 1, 2, 5 below
+constexpr double kAir = 0.04;    // share of the range left free at either end
 
 std::string superscript(int exponent) {
   static const std::array<const char*, 10> kDigits = {"⁰", "¹", "²", "³", "⁴",
@@ -74,10 +75,13 @@ double LogAxis::pixel(double log10) const {
 }
 
 std::vector<Tick> LogAxis::ticks(TickStyle style, int most) const {
-  if (high_ - low_ < 1) return narrow_ticks(style, most);
+  const double decades = high_ - low_;
+  if (decades < kNarrow) {
+    std::vector<Tick> narrow = narrow_ticks(style, most);
+    if (!narrow.empty()) return narrow;
+  }
   const int first = static_cast<int>(std::floor(low_));
   const int last = static_cast<int>(std::ceil(high_));
-  const double decades = high_ - low_;
   const int step = std::max(1, static_cast<int>(std::ceil(decades / most)));
   std::vector<Tick> ticks;
   for (int exponent = first; exponent <= last; ++exponent) {
@@ -92,11 +96,10 @@ std::vector<Tick> LogAxis::ticks(TickStyle style, int most) const {
 }
 
 std::vector<Tick> LogAxis::narrow_ticks(TickStyle style, int most) const {
-  std::vector<Tick> ticks;
   for (const int step : {1, 2, 5, 10}) {  // of numbers of two digits
-    ticks.clear();
-    for (int exponent = static_cast<int>(std::floor(low_)); exponent <= std::floor(high_);
-         ++exponent) {
+    std::vector<Tick> ticks;
+    const int last = static_cast<int>(std::floor(high_));
+    for (int exponent = static_cast<int>(std::floor(low_)); exponent <= last; ++exponent) {
       for (int digits = 10; digits < 100; digits += step) {
         const double place = exponent + std::log10(digits / 10.0);
         if (place >= low_ && place <= high_) {
@@ -104,9 +107,9 @@ std::vector<Tick> LogAxis::narrow_ticks(TickStyle style, int most) const {
         }
       }
     }
-    if (ticks.size() <= static_cast<std::size_t>(most)) break;
+    if (ticks.size() <= static_cast<std::size_t>(most)) return ticks;
   }
-  return ticks;
+  return {};
 }
 
 }  // namespace ar3d::report

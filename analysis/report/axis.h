@@ -32,6 +32,7 @@ class LogAxis {
   std::vector<Tick> ticks(TickStyle style, int most) const;
 
  private:
+  /// Numbers of two digits; none if they would be more than `most`.
   std::vector<Tick> narrow_ticks(TickStyle style, int most) const;
 
   double low_;

@@ -87,7 +87,7 @@ Frame dial_frame(const std::vector<Dial>& dials) {
     }
   }
   return {LogAxis(x.low, x.high, kLeft, kRight),
-          LogAxis(y.low, y.high, kBottom, kTop + 14),
+          LogAxis(y.low, y.high, kBottom, kTop + 28),
           TickStyle::seconds,
           TickStyle::power,
           "drawing time",

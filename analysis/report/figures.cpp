@@ -19,6 +19,7 @@ polyline{fill:none}.median{stroke-width:1.8;stroke-linejoin:round}
 .bound{stroke:#b3261e;stroke-width:1.6;stroke-dasharray:7 4}
 .points{fill:none;stroke-width:4.4;stroke-linecap:round}.big{stroke-width:7}
 .d1{stroke-dasharray:6 2}.d2{stroke-dasharray:2 2}.points.d1,.points.d2{stroke-dasharray:none}
+.legend text{font-size:9.5px}
 .s0{stroke:#0072b2}.s1{stroke:#d55e00}.s2{stroke:#009e73}.s3{stroke:#b6588c}
 .s4{stroke:#b37c00}.s5{stroke:#3a9bd1}.s6{stroke:#6b4c9a}.s7{stroke:#6b7000}
 rect{fill:#0072b2}
@@ -51,7 +52,7 @@ std::string legend_svg(const std::vector<LegendEntry>& legend, double top) {
         fmt::format("<path class='median {}' d='M{} {}h20'/><text x='{}' y='{}'>{}</text>",
                     stroke_class(legend[i].colour), x, y, x + 25, y + 4, escape(legend[i].label));
   }
-  return svg;
+  return svg.empty() ? "" : "<g class='legend'>" + svg + "</g>";
 }
 
 /// The content of a plot in a document of its own, with its legend below.

@@ -50,7 +50,8 @@ thead th{border-bottom:1px solid var(--line);font-weight:620;vertical-align:bott
 .num,th.num{text-align:right;white-space:nowrap}td small{color:var(--muted)}
 code,pre{font:12.5px/1.45 ui-monospace,"SF Mono",Menlo,"DejaVu Sans Mono",monospace}
 pre{background:var(--panel);padding:.7rem .9rem;border-radius:.4rem;overflow-x:auto;max-width:100%}
-th,td code{white-space:nowrap}thead th,tbody th,td{white-space:nowrap}td.note{min-width:15rem;white-space:normal}td details{margin:0}
+th,td code{white-space:nowrap}thead th,td{white-space:nowrap}
+tbody th{white-space:normal;overflow-wrap:anywhere;min-width:9rem;max-width:14rem}td.note{min-width:11rem;white-space:normal}td details{margin:0}
 details{margin:.5rem 0}summary{cursor:pointer;color:var(--link)}
 .bars text{fill:var(--fg)}.bars rect{fill:var(--c0)}
 #tip,#replay{position:fixed;z-index:2;background:var(--panel);color:var(--fg);border:1px solid var(--line);
