@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "ar3d/generators/shuffled_labels.h"
 #include "ar3d/model/error.h"
 
 namespace ar3d {
@@ -19,21 +20,10 @@ bool has_edge(const Graph& graph, Vertex u, Vertex v) {
                      [v](const HalfEdge& half) { return half.to == v; });
 }
 
-std::vector<Vertex> identity(const Graph& graph) {
-  std::vector<Vertex> names(graph.num_vertices());
-  std::iota(names.begin(), names.end(), Vertex{0});
-  return names;
-}
-
-Graph shuffled_labels(const Graph& graph, RandomStream& random) {
-  std::vector<Vertex> names = identity(graph);
-  random.shuffle(std::span<Vertex>(names));
-  return relabelled(graph, names);
-}
-
 /// A few labels exchanged.
 Graph exchanged_labels(const Graph& graph, RandomStream& random) {
-  std::vector<Vertex> names = identity(graph);
+  std::vector<Vertex> names(graph.num_vertices());
+  std::iota(names.begin(), names.end(), Vertex{0});
   if (names.empty()) return graph;
   for (std::uint32_t pairs = 1 + random.below(3); pairs > 0; --pairs) {
     std::swap(names[random.below(graph.num_vertices())], names[random.below(graph.num_vertices())]);

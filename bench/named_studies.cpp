@@ -59,7 +59,7 @@ description = "every algorithm and family at ten sizes to 10^5, eight seeds, and
 seed = 1
 
 [[sweep]]  # the exponents; diamond with effort 1 also computes the proof's bound for the very graph
-families = "all"
+families = { family = "all", shuffle = 1 }
 sizes = { from = 100, to = 100000, per_decade = 3 }
 algorithms = ["all", { algorithm = "diamond", effort = 1 }]
 instances = 8

@@ -143,7 +143,8 @@ class Planner {
     const std::uint32_t degree = probed_degree(family, sweep.sizes);
     for (const std::uint64_t wanted_n : sweep.sizes) {
       const std::uint64_t n = family.family->nearest_n(wanted_n, family.parameters);
-      const std::uint32_t instances = family.family->is_random ? sweep.instances : 1;
+      const bool many = depends_on_seed(*family.family, family.parameters);
+      const std::uint32_t instances = many ? sweep.instances : 1;
       cells_.push_back(
           {family, wanted_n, n, instances, &sweep, fitting_algorithms(sweep, family, degree, n)});
     }

@@ -152,16 +152,16 @@ class SpecReader {
     for (const toml::node* entry : list(node, "families")) {
       std::vector<Setting> settings;
       const std::string name = name_and_settings(*entry, "family", settings);
-      if (name == "all" && settings.empty()) {
-        for (const Family& family : families()) {
-          choices.push_back({&family, complete_parameters(family, {})});
-        }
-        continue;
-      }
-      with_place(file_, *entry, [&] {
-        const Family& family = find_family(name);
+      const auto add = [&](const Family& family) {
         for (const ParameterValues& values : combinations<ParameterValue>(settings)) {
           choices.push_back({&family, complete_parameters(family, values)});
+        }
+      };
+      with_place(file_, *entry, [&] {
+        if (name == "all") {
+          for (const Family& family : families()) add(family);
+        } else {
+          add(find_family(name));
         }
       });
     }

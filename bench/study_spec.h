@@ -38,7 +38,7 @@ struct Sweep {
   std::vector<FamilyChoice> families;
   std::vector<std::uint64_t> sizes;  ///< increasing
   std::vector<AlgorithmChoice> algorithms;
-  std::uint32_t instances = 1;       ///< of every random family; others have one
+  std::uint32_t instances = 1;       ///< where the graph depends on the seed; others have one
   std::uint32_t repetitions = 1;     ///< of every drawing in the metrics phase
   TimedRepetitions timed;            ///< of every drawing in the timing phase; none by default
   Batches strong;                    ///< of every drawing; none by default

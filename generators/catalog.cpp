@@ -15,6 +15,7 @@
 #include "ar3d/generators/random_regular.h"
 #include "ar3d/generators/random_special.h"
 #include "ar3d/generators/rings.h"
+#include "ar3d/generators/shuffled_labels.h"
 #include "ar3d/generators/sizes.h"
 #include "ar3d/generators/snarks.h"
 #include "ar3d/generators/trees.h"
@@ -202,6 +203,25 @@ std::vector<Family> catalogue() {
 // clang-format on
 
 constexpr Count kMostVertices = (Count{1} << 30) - 1;  // 2n edges keep Graph's limit of 2^31 - 1
+
+const ParameterSpec kShuffle{"shuffle", 0, 1, 0, "1: labels permuted at random by the seed"};
+constexpr std::uint64_t kShuffleStream = 0x73687566666c65;  // "shuffle"
+
+ParameterValue complete_parameter(const Family& family, const ParameterSpec& spec,
+                                  const ParameterValues& given) {
+  const auto named = [&](const ParameterValue& v) { return v.name == spec.name; };
+  const auto wanted = std::find_if(given.begin(), given.end(), named);
+  if (std::count_if(given.begin(), given.end(), named) > 1) {
+    throw InputError(
+        fmt::format("parameter '{}' of family {} is given twice", spec.name, family.name));
+  }
+  const std::int64_t value = wanted == given.end() ? spec.default_value : wanted->value;
+  if (value < spec.low || value > spec.high) {
+    throw InputError(fmt::format("family {}: {} = {} is outside {}..{}", family.name, spec.name,
+                                 value, spec.low, spec.high));
+  }
+  return {spec.name, value};
+}
 }  // namespace
 
 const std::vector<Family>& families() {
@@ -216,24 +236,25 @@ const Family& find_family(std::string_view name) {
   throw InputError(fmt::format("unknown family '{}' (see: ar3d list families)", name));
 }
 
+bool is_shuffled(const ParameterValues& parameters) {
+  return !parameters.empty() && parameters.back() == ParameterValue{kShuffle.name, 1};
+}
+
+bool depends_on_seed(const Family& family, const ParameterValues& parameters) {
+  return family.is_random || is_shuffled(parameters);
+}
+
 ParameterValues complete_parameters(const Family& family, const ParameterValues& given) {
   ParameterValues values;
   for (const ParameterSpec& spec : family.parameters) {
-    const auto named = [&](const ParameterValue& v) { return v.name == spec.name; };
-    const auto wanted = std::find_if(given.begin(), given.end(), named);
-    values.push_back({spec.name, wanted == given.end() ? spec.default_value : wanted->value});
-    if (std::count_if(given.begin(), given.end(), named) > 1) {
-      throw InputError(
-          fmt::format("parameter '{}' of family {} is given twice", spec.name, family.name));
-    }
-    if (values.back().value < spec.low || values.back().value > spec.high) {
-      throw InputError(fmt::format("family {}: {} = {} is outside {}..{}", family.name, spec.name,
-                                   values.back().value, spec.low, spec.high));
-    }
+    values.push_back(complete_parameter(family, spec, given));
   }
+  const ParameterValue shuffle = complete_parameter(family, kShuffle, given);
+  if (shuffle.value == 1) values.push_back(shuffle);
   for (const ParameterValue& value : given) {
     const auto known = [&](const ParameterSpec& spec) { return spec.name == value.name; };
-    if (std::none_of(family.parameters.begin(), family.parameters.end(), known)) {
+    if (!known(kShuffle) &&
+        std::none_of(family.parameters.begin(), family.parameters.end(), known)) {
       throw InputError(fmt::format("family {} has no parameter '{}'", family.name, value.name));
     }
   }
@@ -242,7 +263,9 @@ ParameterValues complete_parameters(const Family& family, const ParameterValues&
 
 Graph generate(const Family& family, std::uint64_t n, std::uint64_t seed,
                const ParameterValues& given) {
-  const ParameterValues parameters = complete_parameters(family, given);
+  ParameterValues parameters = complete_parameters(family, given);
+  const bool shuffle = is_shuffled(parameters);
+  if (shuffle) parameters.pop_back();
   if (n > kMostVertices || family.nearest_n(n, parameters) > kMostVertices) {
     throw InputError(fmt::format("family {}: {} vertices are too many, the limit is {}",
                                  family.name, n, kMostVertices));
@@ -250,7 +273,9 @@ Graph generate(const Family& family, std::uint64_t n, std::uint64_t seed,
   const Count own_n = family.nearest_n(n, parameters);
   Graph graph = family.generate(own_n, seed, parameters);
   expect(graph.num_vertices() == own_n, "a family's graph has nearest_n vertices");
-  return graph;
+  if (!shuffle) return graph;
+  RandomStream random(seed, kShuffleStream);
+  return shuffled_labels(graph, random);
 }
 
 }  // namespace ar3d

@@ -48,6 +48,13 @@ const std::vector<Family>& families();
 /// @throws InputError naming the unknown family.
 const Family& find_family(std::string_view name);
 
+/// Every family also takes the parameter `shuffle`: 1 permutes the labels of its graph at random by
+/// the seed (default 0). It stands among complete parameters, as the last, only where it is 1.
+bool is_shuffled(const ParameterValues& parameters);
+
+/// Whether two seeds may give different graphs.
+bool depends_on_seed(const Family& family, const ParameterValues& parameters);
+
 /// @throws InputError on an unknown name, a name given twice or a value out of range.
 ParameterValues complete_parameters(const Family& family, const ParameterValues& given);
 

@@ -42,6 +42,15 @@ TEST(Plan, RowsFollowTheSpecification) {
   }
 }
 
+TEST(Plan, ShuffledFamiliesHaveInstances) {
+  const StudyPlan plan =
+      plan_of(sweep("{ family = \"cycle\", shuffle = [0, 1] }", "10", "instances = 3"));
+  ASSERT_EQ(plan.instances.size(), 1u + 3);
+  EXPECT_EQ(plan.instances[0].parameters, "");
+  EXPECT_EQ(plan.instances[1].parameters, "shuffle=1");
+  EXPECT_NE(plan.instances[1].seed, plan.instances[2].seed);
+}
+
 // Adding algorithms, sizes or repetitions changes neither graphs nor the keys of the rows that were
 // there.
 TEST(Plan, IdentityDependsOnNothingElse) {

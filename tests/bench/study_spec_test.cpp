@@ -141,6 +141,14 @@ TEST(StudySpec, AllMeansTheCatalogue) {
       "study = \"t\"\n[[sweep]]\nfamilies = \"all\"\nsizes = 10\nalgorithms = \"all\"", "t.toml");
   EXPECT_EQ(spec.sweeps[0].families.size(), families().size());
   EXPECT_EQ(spec.sweeps[0].algorithms.size(), algorithms().size());
+  const StudySpec shuffled = parse_study(
+      "study = \"t\"\n[[sweep]]\nfamilies = { family = \"all\", shuffle = 1 }\nsizes = 10\n"
+      "algorithms = \"all\"",
+      "t.toml");
+  ASSERT_EQ(shuffled.sweeps[0].families.size(), families().size());
+  for (const FamilyChoice& family : shuffled.sweeps[0].families) {
+    EXPECT_TRUE(is_shuffled(family.parameters));
+  }
 }
 
 TEST(StudySpec, ErrorsNameFileLineAndValue) {

@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "ar3d/model/error.h"
 
@@ -19,6 +22,24 @@ std::string refusal(const std::string& family, std::uint64_t n, const ParameterV
     return error.what();
   }
   return "accepted";
+}
+
+using Edges = std::vector<std::pair<Vertex, Vertex>>;
+
+Edges edges_of(const Graph& graph) {
+  Edges edges;
+  for (const Edge& edge : graph.edges()) edges.emplace_back(edge.u, edge.v);
+  return edges;
+}
+
+/// The degrees at the ends of all edges, sorted: what every permutation of the labels keeps.
+Edges degree_pairs(const Graph& graph) {
+  Edges pairs;
+  for (const Edge& edge : graph.edges()) {
+    pairs.push_back(std::minmax({graph.degree(edge.u), graph.degree(edge.v)}));
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
 }
 
 TEST(Catalogue, NamesAreDistinctAndRowsComplete) {
@@ -73,6 +94,26 @@ TEST(Catalogue, OnlyRandomFamiliesDependOnTheSeed) {
     const bool differs = graph_hash(generate(family, 200, 2)) != hash ||
                          graph_hash(generate(family, 200, 3)) != hash;
     EXPECT_EQ(differs, family.is_random) << family.name;
+  }
+}
+
+TEST(Catalogue, ShufflePermutesTheLabelsOfEveryFamily) {
+  for (const Family& family : families()) {
+    const auto n = family.nearest_n(60, complete_parameters(family, {}));
+    const Graph plain = generate(family, n, 1);
+    const Graph shuffled = generate(family, n, 1, {{"shuffle", 1}});
+    ASSERT_EQ(shuffled.num_vertices(), plain.num_vertices()) << family.name;
+    EXPECT_EQ(degree_pairs(shuffled), degree_pairs(plain)) << family.name;
+    EXPECT_EQ(edges_of(generate(family, n, 1, {{"shuffle", 1}})), edges_of(shuffled))
+        << family.name;
+    if (plain.num_edges() > 2) {
+      EXPECT_NE(edges_of(shuffled), edges_of(plain)) << family.name;
+      EXPECT_NE(edges_of(generate(family, n, 2, {{"shuffle", 1}})), edges_of(shuffled))
+          << family.name;
+    }
+    EXPECT_TRUE(depends_on_seed(family, complete_parameters(family, {{"shuffle", 1}})));
+    EXPECT_EQ(complete_parameters(family, {{"shuffle", 0}}), complete_parameters(family, {}));
+    EXPECT_THROW(complete_parameters(family, {{"shuffle", 2}}), InputError);
   }
 }
 

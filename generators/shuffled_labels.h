@@ -1,0 +1,12 @@
+#pragma once
+
+#include "ar3d/model/graph.h"
+#include "ar3d/model/random.h"
+
+namespace ar3d {
+
+/// The graph with its labels permuted, all permutations being equally likely. The edges keep their
+/// order. O(n + m).
+Graph shuffled_labels(const Graph& graph, RandomStream& random);
+
+}  // namespace ar3d
