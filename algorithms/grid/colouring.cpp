@@ -28,7 +28,7 @@ class Labeller {
         longest_chain_(longest_chain),
         budget_(kStepsPerVertex * rows.size() + 1000),
         received_(rows.size(), 0) {
-    result_.ports.resize(rows.size());
+    result_.ports.resize(rows.size(), Ports{});
   }
 
   Colouring run() {

@@ -11,7 +11,7 @@ namespace ar3d::grid {
 namespace {
 
 /// (I4) and (I5) but for the emptiness of slots, which DefectPaths keeps.
-bool obeys(const ColourDefect& defect, const HeightSlot& slot, const std::vector<PlaneNumbers>& x) {
+bool obeys(const ColourDefect& defect, const HeightSlot& slot, std::span<const PlaneNumbers> x) {
   const bool x_is_u = defect.label_x == next(defect.label_y);
   const PlaneNumbers& u = x[x_is_u ? defect.x : defect.y];
   const PlaneNumbers& v = x[x_is_u ? defect.y : defect.x];

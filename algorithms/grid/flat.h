@@ -25,7 +25,7 @@ class Flat {
   bool number(PlaceRange part, std::span<const ColourDefect> defects);
 
   /// By place.
-  const std::vector<PlaneNumbers>& numbers() const { return x_; }
+  std::span<const PlaneNumbers> numbers() const { return x_; }
   /// Of the last component numbered.
   const std::vector<ColourDefect>& defects() const { return defects_; }
   const std::vector<Slot>& slots() const { return slots_; }
@@ -35,7 +35,7 @@ class Flat {
 
   std::span<const Row> rows_;
   Colouring& colouring_;
-  std::vector<PlaneNumbers> x_;
+  UnwrittenVector<PlaneNumbers> x_;
   std::vector<ColourDefect> defects_;
   std::vector<std::size_t> to_turn_;  // defects whose rules the last attempt could not keep
   std::vector<std::uint32_t> path_of_;

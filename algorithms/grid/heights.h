@@ -26,7 +26,7 @@ class HeightPool {
  public:
   /// @param ports  without the half-edges of defects.
   /// @param x  numbers of all places; those of the component are unset.
-  HeightPool(std::span<const Ports> ports, PlaceRange part, std::vector<PlaneNumbers>& x)
+  HeightPool(std::span<const Ports> ports, PlaceRange part, std::span<PlaneNumbers> x)
       : ports_(ports),
         part_(part),
         x_(x),
@@ -66,7 +66,7 @@ class HeightPool {
  private:
   std::span<const Ports> ports_;
   PlaceRange part_;
-  std::vector<PlaneNumbers>& x_;
+  std::span<PlaneNumbers> x_;
   std::array<NumberSet, 2> taken_;
   std::int64_t frontier_;  // every chain begins near it
 };

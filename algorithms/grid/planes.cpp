@@ -62,7 +62,7 @@ std::int64_t largest_flat_number(std::int64_t n) { return 2 * n + 300; }
 /// Numbers what can be flat; returns the components that cannot.
 std::vector<OrderPart> number_flat(const Graph& graph, const ProcessingOrder& order,
                                    const PlaneOptions& options, Planes& planes) {
-  const std::vector<Row> rows = rows_in_order(graph, order);
+  const UnwrittenVector<Row> rows = rows_in_order(graph, order);
   Colouring colouring = colour_half_edges(order, rows, options.longest_chain);
   Flat flat(rows, colouring);
   std::vector<OrderPart> left;

@@ -2,10 +2,10 @@
 
 namespace ar3d::grid {
 
-std::vector<Row> rows_in_order(const Graph& graph, const ProcessingOrder& order) {
-  std::vector<Place> place_of(graph.num_vertices());
+UnwrittenVector<Row> rows_in_order(const Graph& graph, const ProcessingOrder& order) {
+  UnwrittenVector<Place> place_of(graph.num_vertices());
   for (Place i = 0; i < order.sequence.size(); ++i) place_of[order.sequence[i]] = i;
-  std::vector<Row> rows(order.sequence.size());
+  UnwrittenVector<Row> rows(order.sequence.size(), Row{});
   for (Place i = 0; i < rows.size(); ++i) {
     Row& row = rows[i];
     for (const HalfEdge& half : graph.incident(order.sequence[i])) {

@@ -3,10 +3,10 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <vector>
 
 #include "ar3d/algorithms/grid/order.h"
 #include "ar3d/model/graph.h"
+#include "ar3d/model/threads.h"
 
 namespace ar3d::grid {
 
@@ -23,6 +23,6 @@ struct Row {
 
 /// The graph renumbered in processing order, so that later stages read memory forwards and
 /// "earlier" is a comparison of places. Cost: O(n + m).
-std::vector<Row> rows_in_order(const Graph& graph, const ProcessingOrder& order);
+UnwrittenVector<Row> rows_in_order(const Graph& graph, const ProcessingOrder& order);
 
 }  // namespace ar3d::grid

@@ -16,7 +16,7 @@ constexpr std::int64_t kBack = 64;  // a search begins this far before the last 
 class ThirdColour {
  public:
   ThirdColour(std::span<const Ports> ports, PlaceRange part, std::span<const ColourDefect> defects,
-              std::span<const HeightSlot> slots, std::vector<PlaneNumbers>& x)
+              std::span<const HeightSlot> slots, std::span<PlaneNumbers> x)
       : ports_(ports),
         part_(part),
         defects_(defects),
@@ -120,7 +120,7 @@ class ThirdColour {
   const PlaceRange part_;
   const std::span<const ColourDefect> defects_;
   const std::span<const HeightSlot> slots_;
-  std::vector<PlaneNumbers>& x_;
+  const std::span<PlaneNumbers> x_;
   NumberSet taken_;
   NumberSet sums_;
   RandomStream random_;
@@ -135,7 +135,7 @@ class ThirdColour {
 std::vector<std::size_t> number_third_colour(std::span<const Ports> ports, PlaceRange part,
                                              std::span<const ColourDefect> defects,
                                              std::span<const HeightSlot> slots,
-                                             std::vector<PlaneNumbers>& x) {
+                                             std::span<PlaneNumbers> x) {
   return ThirdColour(ports, part, defects, slots, x).run();
 }
 

@@ -21,6 +21,6 @@ inline std::int64_t slot_number(const ColourDefect& defect, const HeightSlot& sl
 std::vector<std::size_t> number_third_colour(std::span<const Ports> ports, PlaceRange part,
                                              std::span<const ColourDefect> defects,
                                              std::span<const HeightSlot> slots,
-                                             std::vector<PlaneNumbers>& x);
+                                             std::span<PlaneNumbers> x);
 
 }  // namespace ar3d::grid
