@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "catalogue_kernel.h"
+#include "grid_kernel.h"
 
 namespace {
 
@@ -32,6 +33,7 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&count, arguments.data());
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
   ar3d::kernels::register_catalogues();
+  ar3d::kernels::register_grid_sizes();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;

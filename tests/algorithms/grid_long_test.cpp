@@ -47,12 +47,45 @@ TEST(GridLong, ConnectedCubicGraphs) {
 
 TEST(GridLong, LargeFamilies) {
   for (const Family& family : families()) {
-    const Graph graph = testing::shuffled(generate(family, 3000, 5), 6);
+    const Graph graph = testing::shuffled(generate(family, 10000, 5), 6);
     if (graph.max_degree() > 3) continue;
     for (const int effort : {0, 1, 2}) {
       ASSERT_EQ(testing::grid_fault(graph, effort), "") << family.name << " effort " << effort;
     }
   }
+}
+
+TEST(GridLong, HundredThousandVerticesOfHardFamilies) {
+  for (const char* family : {"union-petersen", "union-flower-snark", "mixed-union", "cubic-tree",
+                             "random-cubic-tree", "goldberg-snark", "spine-with-pendant-trees"}) {
+    const Graph graph = testing::shuffled(generate(find_family(family), 100000, 5), 6);
+    for (const int effort : {0, 1, 2}) {
+      ASSERT_EQ(testing::grid_fault(graph, effort), "") << family << " effort " << effort;
+    }
+  }
+}
+
+/// Triangles inside one another: each vertex has one edge to the next triangle inwards or outwards.
+Graph nested_cubic_triangles(Vertex depth) {
+  std::vector<Edge> edges;
+  for (Vertex i = 0; i < depth; ++i) {
+    const Vertex a = 3 * i;
+    edges.insert(edges.end(), {{a, a + 1}, {a + 1, a + 2}, {a, a + 2}});
+    if (i + 1 == depth) break;
+    edges.push_back({a + 1, a + 3});  // this triangle's second to the next one's first
+    if (i % 2 == 0) edges.push_back({a + 2, a + 5});  // third to third, every other time
+  }
+  return Graph(3 * std::uint64_t{depth}, std::move(edges));
+}
+
+TEST(GridLong, TrianglesNestedAHundredThousandDeep) {
+  const Graph graph = testing::shuffled(nested_cubic_triangles(100000), 3);
+  ASSERT_EQ(graph.max_degree(), 3u);
+  for (const int effort : {0, 2}) ASSERT_EQ(testing::grid_fault(graph, effort), "");
+}
+
+TEST(GridLong, AMillionVerticesOfARandomCubicGraph) {
+  EXPECT_EQ(testing::grid_fault(generate(find_family("random-cubic"), 1000000, 1), 2), "");
 }
 
 TEST(GridLong, SpineWithPendantTreesStaysLinear) {
