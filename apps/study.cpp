@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -16,10 +17,12 @@
 #include "ar3d/bench/run_study.h"
 #include "ar3d/bench/study_files.h"
 #include "ar3d/bench/study_spec.h"
+#include "ar3d/model/error.h"
 #include "ar3d/results/atomic_file.h"
 #include "ar3d/results/journal_writer.h"
 #include "ar3d/results/run.h"
 #include "commands.h"
+#include "join_ranks.h"
 #include "making_options.h"
 
 namespace ar3d {
@@ -59,28 +62,49 @@ int conclude(const JournaledStudy& study) {
   return verdict.exit_code();
 }
 
-int run_to_the_end(const JournaledStudy& study, const RunArguments& arguments) {
+int run_to_the_end(const JournaledStudy& study, const RunArguments& arguments, Ranks& ranks) {
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
   std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error of the write, like a full disk
+  if (ranks.size() > 1 && ranks.is_first() && !arguments.quiet) {
+    fmt::print(stderr, "ar3d: {} ranks; `ar3d study status --watch {}` tells how far they are\n",
+               ranks.size(), study.results);
+  }
   StudyOutcome outcome;
   try {
-    outcome = run_journaled(study, {.threads = arguments.threads,
-                                    .progress = arguments.quiet ? nullptr : stderr,
-                                    .stop = &g_stop,
-                                    .making = arguments.making});
+    outcome = run_journaled(study,
+                            {.threads = arguments.threads,
+                             .progress = arguments.quiet || ranks.size() > 1 ? nullptr : stderr,
+                             .stop = &g_stop,
+                             .making = arguments.making,
+                             .next_instance = {}},
+                            ranks);
   } catch (const JournalFull& error) {
-    fmt::print(stderr,
-               "ar3d: {}\nar3d: the rows before are safe; go on with `ar3d study resume {}`\n",
-               error.what(), study.results);
+    if (ranks.is_first()) {
+      fmt::print(stderr,
+                 "ar3d: {}\nar3d: the rows before are safe; go on with `ar3d study resume {}`\n",
+                 error.what(), study.results);
+    }
     return kIncomplete;
   }
+  if (!ranks.is_first()) return kPass;
   if (outcome.complete()) return conclude(study);
   fmt::print(stderr,
              "ar3d: {}; {} rows are in {}, {} are missing; go on with `ar3d study resume {}`\n",
              g_stop ? "interrupted" : "not finished", outcome.rows, study.results, outcome.missing,
              study.results);
   return g_stop ? kInterrupted : kIncomplete;
+}
+
+// Begins and makes a study on all ranks; the first one speaks for all.
+int make_study(const RunArguments& arguments, const std::function<JournaledStudy()>& begin) {
+  const std::unique_ptr<Ranks> ranks = join_ranks();
+  try {
+    return run_to_the_end(begin_together(*ranks, begin), arguments, *ranks);
+  } catch (const InputError&) {
+    if (ranks->is_first()) throw;
+    return kUsage;
+  }
 }
 
 void add_common(CLI::App& verb, RunArguments& arguments) {
@@ -104,7 +128,8 @@ void add_run(CLI::App& study, int& exit_code) {
       "`ar3d study resume` goes on.\nExample: ar3d study run smoke --threads 2 -o smoke.h5");
   verb->callback([arguments, &exit_code] {
     const Shard shard = arguments->shard.empty() ? Shard() : parse_shard(arguments->shard);
-    exit_code = run_to_the_end(new_study(arguments->study, shard, arguments->output), *arguments);
+    exit_code = make_study(*arguments,
+                           [&] { return new_study(arguments->study, shard, arguments->output); });
   });
 }
 
@@ -115,7 +140,7 @@ void add_resume(CLI::App& study, int& exit_code) {
   add_common(*verb, *arguments);
   verb->footer("Rows that are there stay as they are.\nExample: ar3d study resume ar3d-quick.h5");
   verb->callback([arguments, &exit_code] {
-    exit_code = run_to_the_end(begun_study(arguments->study), *arguments);
+    exit_code = make_study(*arguments, [&] { return begun_study(arguments->study); });
   });
 }
 

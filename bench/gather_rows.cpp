@@ -23,14 +23,14 @@ void refuse_unknown_row(const GatheredRows& gathered, const RowCollection& rows)
 
 StudyPlan plan_of_shard(StudyPlan plan, const Shard& shard) {
   if (shard.count == 1) return plan;
-  StudyPlan part;
-  part.timing = plan.timing;
-  part.budget = plan.budget;
+  std::vector<PlannedInstance> part;
+  plan.rows = 0;
   for (std::size_t i = shard.index - 1; i < plan.instances.size(); i += shard.count) {
-    PlannedInstance& instance = part.instances.emplace_back(std::move(plan.instances[i]));
-    for (PlannedRun& run : instance.runs) run.row = part.rows++;
+    part.push_back(std::move(plan.instances[i]));
+    for (PlannedRun& run : part.back().runs) run.row = plan.rows++;
   }
-  return part;
+  plan.instances = std::move(part);
+  return plan;
 }
 
 std::int64_t required_rows(const StudyPlan& plan) {

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <exception>
 #include <filesystem>
+#include <functional>
 #include <optional>
 
 #include "ar3d/bench/environment.h"
@@ -12,6 +15,7 @@
 #include "ar3d/model/error.h"
 #include "ar3d/results/atomic_file.h"
 #include "ar3d/results/columns.h"
+#include "ar3d/results/journal_format.h"
 #include "ar3d/results/journal_reader.h"
 #include "ar3d/results/journal_writer.h"
 #include "ar3d/results/results_reader.h"
@@ -70,23 +74,50 @@ StudyIdentity identity_of(const JournaledStudy& study, const StudyPlan& plan) {
   return identity;
 }
 
-std::vector<EnvironmentEntry> session_of(const JournaledStudy& study, const Results& description) {
+std::vector<EnvironmentEntry> session_of(const JournaledStudy& study, const StudyOptions& options,
+                                         const Ranks& ranks) {
+  const Results description = describe_study(study.spec, options.threads);
   std::vector<EnvironmentEntry> session = {{"started", description.created}};
   if (study.shard.count > 1) {
     session.push_back({"shard", fmt::format("{}/{}", study.shard.index, study.shard.count)});
+  }
+  if (ranks.size() > 1) {
+    session.push_back({"rank", fmt::format("{} of {}", ranks.rank(), ranks.size())});
   }
   session.insert(session.end(), description.environment.begin(), description.environment.end());
   return session;
 }
 
-FinishedRuns finished_runs(const RowCollection& rows) {
-  FinishedRuns finished;
-  std::vector<char> record(run_record_size());
-  for (std::size_t place = 0; place < rows.size(); ++place) {
-    rows.read(place, record.data());
-    finished.emplace(to_string(rows.key(place)), load_record(record.data()));
+ExistingRows existing_rows(const RowCollection& rows) {
+  const auto contains = [&rows](const std::string& key) {
+    return rows.find(parse_row_key(key)).has_value();
+  };
+  const auto read = [&rows](const std::string& key) {
+    std::vector<char> record(run_record_size());
+    rows.read(rows.find(parse_row_key(key)).value(), record.data());
+    return load_record(record.data());
+  };
+  return {contains, read};
+}
+
+// Does a step on all ranks; where it fails on one, it fails on all.
+void together(Ranks& ranks, const std::function<void()>& step) {
+  std::exception_ptr failure;
+  std::string problem;
+  try {
+    step();
+  } catch (const JournalFull& error) {
+    failure = std::current_exception();
+    problem = fmt::format("F{}", error.what());
+  } catch (const std::exception& error) {
+    failure = std::current_exception();
+    problem = fmt::format("E{}", error.what());
   }
-  return finished;
+  const std::string told = ranks.any_of(problem);
+  if (failure) std::rethrow_exception(failure);
+  if (told.empty()) return;
+  if (told[0] == 'F') throw JournalFull(told.substr(1));
+  throw InputError(told.substr(1));
 }
 
 StudyOutcome write_rows_so_far(const JournaledStudy& study, const StudyPlan& plan,
@@ -125,33 +156,117 @@ JournaledStudy begun_study(const std::string& journal_or_results) {
           results, identity.created, no_journal};
 }
 
-StudyOutcome run_journaled(const JournaledStudy& study, const StudyOptions& options) {
-  const StudyPlan plan = plan_of(study);
-  const StudyIdentity identity = identity_of(study, plan);
-  seed_journal(study, identity);
-  {
-    std::optional<RowCollection> before;  // lives longer: closing its files gives up the lock
-    JournalWriter journal(journal_path(study.results), identity);
-    if (options.progress != nullptr && journal.bytes_cut() > 0) {
+JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()>& begin) {
+  std::optional<JournaledStudy> study;
+  together(ranks, [&] {
+    if (ranks.is_first()) study = begin();
+  });
+  if (ranks.size() == 1) return *study;
+  const std::string results = ranks.from_first(study ? study->results : "");
+  StudyIdentity identity;
+  if (study) identity = identity_of(*study, {});
+  const std::string text = ranks.from_first(identity_text(identity));
+  identity = parse_identity({text.data(), text.size()}, results);
+  return {parse_study(identity.spec, results), identity.shard, results, identity.created,
+          study && study->seed_from_results};
+}
+
+namespace {
+
+// One process's part in a study: its journal and what was there before.
+class Part {
+ public:
+  Part(const JournaledStudy& study, const StudyOptions& options, Ranks& ranks)
+      : study_(study), options_(options), ranks_(ranks), plan_(plan_of(study)) {
+    const StudyIdentity identity = identity_of(study, plan_);
+    const std::string path = journal_path(study.results, ranks.rank());
+    together(ranks, [&] {
+      if (ranks.is_first()) seed_journal(study, identity);
+      journal_.emplace(path, identity);
+    });
+    if (options.progress != nullptr && journal_->bytes_cut() > 0) {
       fmt::print(options.progress,
-                 "ar3d: {} ended with {} bytes of an unfinished row; they are cut off\n",
-                 journal_path(study.results), journal.bytes_cut());
+                 "ar3d: {} ended with {} bytes of an unfinished row; they are cut off\n", path,
+                 journal_->bytes_cut());
     }
-    remove_leftovers(study.results);
-    before.emplace(journaled_rows(study));
-    const FinishedRuns finished = finished_runs(*before);
-    journal.begin_session(session_of(study, describe_study(study.spec, options.threads)));
-    run_plan(
-        plan, options, finished, [&](const Run& run) { journal.append(run); }, study.spec.name);
-    journal.end_session({{"load_after", load_average()}});
+    if (ranks.is_first()) remove_leftovers(study.results);
   }
-  try {
-    const StudyOutcome outcome = write_rows_so_far(study, plan, study.results);
-    if (outcome.complete()) remove_journals(study.results);
+
+  void make_rows() {
+    together(ranks_, [&] { journal_->begin_session(session_of(study_, options_, ranks_)); });
+    StudyOptions shared = options_;
+    if (ranks_.size() > 1) {
+      shared.threads = std::max(1, options_.threads);
+      shared.making.timed_phases = false;
+      shared.making.neighbours = (ranks_.size() - 1) * shared.threads;
+    }
+    together(ranks_, [&] {
+      const RowCollection before = journaled_rows(study_);
+      make_shared(shared, before);
+    });
+    if (ranks_.size() > 1 && ranks_.is_first()) {
+      shared.making.timed_phases = options_.making.timed_phases;
+      shared.next_instance = [] { return std::nullopt; };
+      make(shared, journaled_rows(study_));
+    }
+    journal_->end_session({{"load_after", load_average()}});
+    journal_.reset();
+  }
+
+  StudyOutcome write_results() {
+    const StudyOutcome outcome = write_rows_so_far(study_, plan_, study_.results);
+    if (outcome.complete()) remove_journals(study_.results);
     return outcome;
-  } catch (const InputError& error) {  // the rows are in the journal all the same
-    throw JournalFull(error.what());
   }
+
+ private:
+  // The largest instances first, so that none is left to the end.
+  void make_shared(const StudyOptions& options, const RowCollection& before) {
+    const std::vector<std::size_t> order = largest_first(plan_);
+    std::vector<double> work;
+    for (const std::size_t i : order) {
+      const PlannedInstance& instance = plan_.instances[i];
+      work.push_back(work_of_row(instance) * static_cast<double>(instance.runs.size()));
+    }
+    ranks_.share_out(work, [&](const Tickets& tickets) {
+      StudyOptions mine = options;
+      if (tickets) {
+        mine.next_instance = [&]() -> std::optional<std::size_t> {
+          const std::optional<std::size_t> ticket = tickets();
+          if (!ticket) return std::nullopt;
+          return order[*ticket];
+        };
+      }
+      make(mine, before);
+    });
+  }
+
+  void make(const StudyOptions& options, const RowCollection& before) {
+    const auto append = [&](std::size_t, const Run& run) { journal_->append(run); };
+    make_plan(plan_, options, existing_rows(before), append, study_.spec.name);
+  }
+
+  const JournaledStudy& study_;
+  const StudyOptions& options_;
+  Ranks& ranks_;
+  StudyPlan plan_;
+  std::optional<JournalWriter> journal_;
+};
+
+}  // namespace
+
+StudyOutcome run_journaled(const JournaledStudy& study, const StudyOptions& options, Ranks& ranks) {
+  Part part(study, options, ranks);
+  StudyOutcome outcome;
+  together(ranks, [&] { part.make_rows(); });
+  together(ranks, [&] {
+    try {
+      if (ranks.is_first()) outcome = part.write_results();
+    } catch (const InputError& error) {  // the rows are in the journals all the same
+      throw JournalFull(error.what());
+    }
+  });
+  return outcome;
 }
 
 StudyOutcome write_snapshot(const JournaledStudy& study, const std::string& path) {

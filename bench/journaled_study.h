@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "ar3d/bench/ranks.h"
 #include "ar3d/bench/run_study.h"
 #include "ar3d/bench/study_spec.h"
 #include "ar3d/results/run.h"
@@ -35,11 +36,17 @@ JournaledStudy new_study(const std::string& name_or_path, const Shard& shard,
 /// @throws InputError naming the file if it cannot be read or does not say what study it is.
 JournaledStudy begun_study(const std::string& journal_or_results);
 
+/// The study that rank 0 begins, on every rank. @throws InputError on all ranks if `begin` throws.
+JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()>& begin);
+
 /// Makes the rows that are not there yet. Rows that are in the journals, or in a results file made
 /// from them, stay as they are. Afterwards, whether complete or stopped, the results file holds all
-/// rows so far; the journals are removed when it is complete.
-/// @throws JournalFull (results.journal is whole), InputError as JournalWriter, plan_study.
-StudyOutcome run_journaled(const JournaledStudy& study, const StudyOptions& options);
+/// rows so far; the journals are removed when it is complete. Several ranks share the metrics phase
+/// and write a journal each; rank 0 does the timed phases alone and makes the results file.
+/// @return of rank 0; other ranks know nothing of it.
+/// @throws JournalFull (results.journal is whole), InputError as JournalWriter, plan_study; if one
+/// rank throws, all do.
+StudyOutcome run_journaled(const JournaledStudy& study, const StudyOptions& options, Ranks& ranks);
 
 /// Writes the rows so far as a results file, also while they are being made.
 /// @throws InputError naming the file.

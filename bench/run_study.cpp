@@ -24,11 +24,11 @@ struct Remaining {
   double work = 0;
 };
 
-Remaining remaining_rows(const StudyPlan& plan, const FinishedRuns& finished) {
+Remaining remaining_rows(const StudyPlan& plan, const ExistingRows& existing) {
   Remaining remaining;
   for (const PlannedInstance& instance : plan.instances) {
     for (const PlannedRun& run : instance.runs) {
-      if (run.optional || finished.contains(run.row_key)) continue;
+      if (run.optional || (existing.contains && existing.contains(run.row_key))) continue;
       ++remaining.rows;
       remaining.work += work_of_row(instance);
     }
@@ -36,79 +36,97 @@ Remaining remaining_rows(const StudyPlan& plan, const FinishedRuns& finished) {
   return remaining;
 }
 
-// The rows made so far and what is told about them; shared by all threads.
-class Collector {
- public:
-  Collector(const StudyPlan& plan, const FinishedRuns& finished,
-            const std::function<void(const Run&)>& on_row)
-      : rows_(plan.rows), work_(plan.rows), on_row_(on_row) {
-    for (const PlannedInstance& instance : plan.instances) {
-      for (const PlannedRun& run : instance.runs) {
-        if (!run.optional) work_[run.row] = work_of_row(instance);
-        const auto known = finished.find(run.row_key);
-        if (known != finished.end()) rows_[run.row] = known->second;
-      }
+// Work of every row, 0 if the study is complete without it.
+std::vector<float> work_of_rows(const StudyPlan& plan) {
+  std::vector<float> work(plan.rows);
+  for (const PlannedInstance& instance : plan.instances) {
+    for (const PlannedRun& run : instance.runs) {
+      if (!run.optional) work[run.row] = static_cast<float>(work_of_row(instance));
     }
   }
+  return work;
+}
 
-  void add(std::size_t row, Run run, Progress& progress) {
+// Tells new rows to the listener and the progress, one at a time; shared by all threads.
+class Teller {
+ public:
+  Teller(const StudyPlan& plan, const RowListener& on_row, Progress& progress)
+      : work_(work_of_rows(plan)), on_row_(on_row), progress_(progress) {}
+
+  void tell(std::size_t row, const Run& run) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (failure_) return;
     try {
-      if (on_row_) on_row_(run);
+      on_row_(row, run);
     } catch (...) {  // noted before the lock is given up, so that no other row is told after it
-      note(std::current_exception());
+      failure_ = std::current_exception();
+      failed_ = true;
       return;
     }
-    if (work_[row] > 0) progress.row_done(work_[row], run.status == RunStatus::ok);
-    rows_[row] = std::move(run);
+    if (work_[row] > 0) progress_.row_done(work_[row], run.status == RunStatus::ok);
   }
   bool failed() const { return failed_; }
-
-  std::vector<Run> take_rows() {
+  void rethrow() const {
     if (failure_) std::rethrow_exception(failure_);
-    std::vector<Run> rows;
-    rows.reserve(rows_.size());
-    for (std::optional<Run>& row : rows_) {
-      if (row) rows.push_back(std::move(*row));
-    }
-    return rows;
   }
 
  private:
-  void note(std::exception_ptr failure) {
-    if (!failure_) failure_ = std::move(failure);
-    failed_ = true;
-  }
-
   std::mutex mutex_;
-  std::vector<std::optional<Run>> rows_;
-  std::vector<double> work_;  // of each row, 0 if the study is complete without it
-  const std::function<void(const Run&)>& on_row_;
+  std::vector<float> work_;
+  const RowListener& on_row_;
+  Progress& progress_;
   std::exception_ptr failure_;
   std::atomic<bool> failed_ = false;
 };
 
 }  // namespace
 
-std::vector<Run> run_plan(const StudyPlan& plan, const StudyOptions& options,
-                          const FinishedRuns& finished,
-                          const std::function<void(const Run&)>& on_row, const std::string& name) {
-  const Remaining remaining = remaining_rows(plan, finished);
+MakingEnd make_plan(const StudyPlan& plan, const StudyOptions& options,
+                    const ExistingRows& existing, const RowListener& on_row,
+                    const std::string& name) {
+  const Remaining remaining = remaining_rows(plan, existing);
   Progress progress(options.progress, name, remaining.rows, remaining.work);
-  Collector collector(plan, finished, on_row);
+  Teller teller(plan, on_row, progress);
   RowHooks hooks;
-  hooks.stop = [&] { return collector.failed() || (options.stop && options.stop->load()); };
-  hooks.wanted = [&](const std::string& key) { return !finished.contains(key); };
-  hooks.known = [&](const std::string& key) { return std::optional(finished.at(key)); };
-  hooks.emit = [&](std::size_t row, Run run) { collector.add(row, std::move(run), progress); };
+  hooks.stop = [&] { return teller.failed() || (options.stop && options.stop->load()); };
+  hooks.wanted = [&](const std::string& key) {
+    return !existing.contains || !existing.contains(key);
+  };
+  hooks.known = [&](const std::string& key) { return std::optional(existing.read(key)); };
+  hooks.emit = [&](std::size_t row, Run run) { teller.tell(row, run); };
+  hooks.next_instance = options.next_instance;
   MakingRules rules = options.making;
   rules.threads = options.threads > 0 ? options.threads : omp_get_max_threads();
   rules.timing = plan.timing;
   rules.budget = plan.budget;
-  make_rows(plan, rules, hooks);
+  const MakingEnd end = make_rows(plan, rules, hooks);
   progress.finish();
-  return collector.take_rows();
+  teller.rethrow();
+  return end;
+}
+
+std::vector<Run> run_plan(const StudyPlan& plan, const StudyOptions& options,
+                          const FinishedRuns& finished,
+                          const std::function<void(const Run&)>& on_row, const std::string& name) {
+  std::vector<std::optional<Run>> rows(plan.rows);
+  for (const PlannedInstance& instance : plan.instances) {
+    for (const PlannedRun& run : instance.runs) {
+      const auto known = finished.find(run.row_key);
+      if (known != finished.end()) rows[run.row] = known->second;
+    }
+  }
+  const ExistingRows existing{[&](const std::string& key) { return finished.contains(key); },
+                              [&](const std::string& key) { return finished.at(key); }};
+  const auto keep = [&](std::size_t row, const Run& run) {
+    if (on_row) on_row(run);
+    rows[row] = run;
+  };
+  make_plan(plan, options, existing, keep, name);
+  std::vector<Run> made;
+  for (std::optional<Run>& row : rows) {
+    if (row) made.push_back(std::move(*row));
+  }
+  return made;
 }
 
 std::string now_with_zone() {

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdio>
 #include <functional>
+#include <optional>
 #include <string>
 #include <unordered_map>
 
@@ -19,16 +20,32 @@ struct StudyOptions {
   const std::atomic<bool>* stop = nullptr;
   /// isolate, force_timing, timed_phases, neighbours; the rest is taken from above and the plan.
   MakingRules making = {};
+  /// Place in the plan of the next instance for the metrics phase; empty: all, the largest first.
+  std::function<std::optional<std::size_t>()> next_instance;
 };
+
+/// Rows that exist already and are not made again. Both may be empty: there are none.
+struct ExistingRows {
+  std::function<bool(const std::string& row_key)> contains;
+  std::function<Run(const std::string& row_key)> read;  ///< a row that is contained
+};
+
+/// Takes a new row and its place in the plan, one call at a time.
+using RowListener = std::function<void(std::size_t row, const Run& run)>;
+
+/// Makes the rows of a plan (make_rows) that do not exist, and keeps none of them.
+/// @param on_row  what it throws ends the study and is thrown again here.
+/// @param name  for the progress.
+MakingEnd make_plan(const StudyPlan& plan, const StudyOptions& options,
+                    const ExistingRows& existing, const RowListener& on_row,
+                    const std::string& name);
 
 /// Rows that exist already, by key; they are taken over instead of made again.
 using FinishedRuns = std::unordered_map<std::string, Run>;
 
-/// Makes the rows of a plan (make_rows) in memory. The rows stand in the plan's order; on any
-/// number of threads all columns but the measured ones are equal.
-/// @param on_row  called with every new row as soon as it is made, one call at a time; what it
-/// throws ends the
-///   study and is thrown again here. May be empty.
+/// make_plan in memory. The rows stand in the plan's order; on any number of threads all columns
+/// but the measured ones are equal.
+/// @param on_row  called with every new row as soon as it is made. May be empty.
 /// @return as many rows as planned, but for optional ones that were not needed; fewer after a stop
 /// or when the budget is spent.
 std::vector<Run> run_plan(const StudyPlan& plan, const StudyOptions& options,

@@ -53,6 +53,14 @@ build() {
   wait $ninja || { grep -vE '^\[[0-9]+/[0-9]+\]' "$log" >&2; return 1; }
 }
 
+# with_mpi [cmake options...]: builds the program for mpirun, with the packages that this takes.
+with_mpi() {
+  local cache="$AR3D_ROOT/build/release/CMakeCache.txt"
+  install_packages "$AR3D_ROOT/tools/packages-mpi.txt" || return 2
+  [ -f "$cache" ] && grep -q '^AR3D_MPI:BOOL=ON' "$cache" || local AR3D_RECONFIGURE=1
+  build release ar3d_mpi "$@" -DAR3D_MPI=ON
+}
+
 # Two builds at once in one folder would disturb each other.
 locked() {
   mkdir -p "$AR3D_ROOT/build"

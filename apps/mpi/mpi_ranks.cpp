@@ -1,0 +1,189 @@
+// The only file that knows MPI. Rank 0 gives out the tickets: a thread of its own answers requests
+// while the others make rows. All waiting is by looking every now and then: MPI's own waiting keeps
+// a core busy, which rank 0's timed rows would feel.
+
+#define OMPI_SKIP_MPICXX 1
+#include <mpi.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <mutex>
+#include <numeric>
+#include <thread>
+
+#include "../join_ranks.h"
+
+namespace ar3d {
+namespace {
+
+constexpr int kRequestTag = 1;
+constexpr int kAnswerTag = 2;
+constexpr auto kLook = std::chrono::microseconds(500);
+
+// Tickets [begin, end); empty: there are no more.
+struct Portion {
+  std::uint64_t begin = 0;
+  std::uint64_t end = 0;
+};
+
+// What a rank tells rank 0: that it wants a portion, or that it wants no more.
+enum Request : int { kMore = 0, kDone = 1 };
+
+void wait_quietly(MPI_Request& request) {
+  int done = 0;
+  while (MPI_Test(&request, &done, MPI_STATUS_IGNORE), done == 0)
+    std::this_thread::sleep_for(kLook);
+}
+
+// Hands out tickets in portions that are a share of the work that is left: large at first, single
+// ones at the end.
+class Counter {
+ public:
+  Counter(const std::vector<double>& work, int shares)
+      : work_(work), left_(std::accumulate(work.begin(), work.end(), 0.0)), shares_(shares) {}
+
+  Portion take() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const double most = left_ / shares_;
+    Portion portion{next_, next_};
+    double taken = 0;
+    while (portion.end < work_.size() &&
+           (portion.end == portion.begin || taken + work_[portion.end] <= most)) {
+      taken += work_[portion.end++];
+    }
+    next_ = portion.end;
+    left_ -= taken;
+    return portion;
+  }
+
+ private:
+  const std::vector<double>& work_;
+  std::mutex mutex_;
+  std::uint64_t next_ = 0;
+  double left_;
+  int shares_;
+};
+
+// A rank's tickets: one after the other from portions.
+class Portions {
+ public:
+  explicit Portions(std::function<Portion()> fetch) : fetch_(std::move(fetch)) {}
+
+  std::optional<std::size_t> next() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (portion_.begin == portion_.end && !over_) {
+      portion_ = fetch_();
+      over_ = portion_.begin == portion_.end;
+    }
+    if (over_) return std::nullopt;
+    return portion_.begin++;
+  }
+
+ private:
+  std::function<Portion()> fetch_;
+  std::mutex mutex_;
+  Portion portion_;
+  bool over_ = false;
+};
+
+// Rank 0: answers the other ranks until all of them are done.
+void serve(Counter& counter, int others) {
+  while (others > 0) {
+    int waiting = 0;
+    MPI_Status status;
+    MPI_Iprobe(MPI_ANY_SOURCE, kRequestTag, MPI_COMM_WORLD, &waiting, &status);
+    if (waiting == 0) {
+      std::this_thread::sleep_for(kLook);
+      continue;
+    }
+    int request = kDone;
+    MPI_Recv(&request, 1, MPI_INT, status.MPI_SOURCE, kRequestTag, MPI_COMM_WORLD,
+             MPI_STATUS_IGNORE);
+    if (request == kDone) {
+      --others;
+      continue;
+    }
+    const Portion portion = counter.take();
+    const std::array<std::uint64_t, 2> answer = {portion.begin, portion.end};
+    MPI_Send(answer.data(), 2, MPI_UINT64_T, status.MPI_SOURCE, kAnswerTag, MPI_COMM_WORLD);
+  }
+}
+
+Portion ask_first() {
+  const int request = kMore;
+  std::array<std::uint64_t, 2> answer{};
+  MPI_Send(&request, 1, MPI_INT, 0, kRequestTag, MPI_COMM_WORLD);
+  MPI_Request receive;
+  MPI_Irecv(answer.data(), 2, MPI_UINT64_T, 0, kAnswerTag, MPI_COMM_WORLD, &receive);
+  wait_quietly(receive);
+  return {answer[0], answer[1]};
+}
+
+class MpiRanks final : public Ranks {
+ public:
+  MpiRanks() {
+    int provided = 0;
+    MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+    MPI_Comm_size(MPI_COMM_WORLD, &size_);
+    if (provided < MPI_THREAD_SERIALIZED) MPI_Abort(MPI_COMM_WORLD, 1);
+  }
+  ~MpiRanks() override { MPI_Finalize(); }
+
+  int rank() const override { return rank_; }
+  int size() const override { return size_; }
+
+  std::string from_first(const std::string& text) override { return from(0, text); }
+
+  std::string any_of(const std::string& text) override {
+    int mine = text.empty() ? size_ : rank_;
+    int first = size_;
+    MPI_Request request;
+    MPI_Iallreduce(&mine, &first, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD, &request);
+    wait_quietly(request);
+    return first == size_ ? std::string() : from(first, text);
+  }
+
+  void share_out(const std::vector<double>& work,
+                 const std::function<void(const Tickets&)>& use) override {
+    std::exception_ptr failure;
+    Counter counter(work, 4 * size_);
+    Portions portions(is_first() ? std::function<Portion()>([&] { return counter.take(); })
+                                 : std::function<Portion()>(ask_first));
+    std::thread server;
+    if (is_first()) server = std::thread([&] { serve(counter, size_ - 1); });
+    try {
+      use([&] { return portions.next(); });
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    if (is_first()) {
+      server.join();
+    } else {
+      const int request = kDone;
+      MPI_Send(&request, 1, MPI_INT, 0, kRequestTag, MPI_COMM_WORLD);
+    }
+    if (failure) std::rethrow_exception(failure);
+  }
+
+ private:
+  std::string from(int rank, std::string text) const {
+    std::uint64_t size = text.size();
+    MPI_Bcast(&size, 1, MPI_UINT64_T, rank, MPI_COMM_WORLD);
+    text.resize(size);
+    MPI_Bcast(text.data(), static_cast<int>(size), MPI_CHAR, rank, MPI_COMM_WORLD);
+    return text;
+  }
+
+  int rank_ = 0;
+  int size_ = 1;
+};
+
+}  // namespace
+
+std::unique_ptr<Ranks> join_ranks() { return std::make_unique<MpiRanks>(); }
+
+}  // namespace ar3d
