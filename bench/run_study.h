@@ -21,7 +21,7 @@ struct StudyOptions {
   /// isolate, force_timing, timed_phases, neighbours; the rest is taken from above and the plan.
   MakingRules making = {};
   /// Place in the plan of the next instance for the metrics phase; empty: all, the largest first.
-  std::function<std::optional<std::size_t>()> next_instance;
+  std::function<std::optional<std::size_t>()> next_instance = {};
 };
 
 /// Rows that exist already and are not made again. Both may be empty: there are none.

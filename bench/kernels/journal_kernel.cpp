@@ -1,0 +1,163 @@
+// What keeping a row costs, nanoseconds a row, without fsync on either side:
+//   journal/append          a row into a journal: one write(2), acknowledged
+//   journal/sqlite_wal      the same row into SQLite (WAL, synchronous = OFF), one transaction
+//   each:
+//                           the same promise
+//   journal/sqlite_wal_1000 a thousand rows a transaction: up to a thousand rows may be lost
+//   journal/status          looking how far a study with so many rows is (parameter)
+
+#include <benchmark/benchmark.h>
+#include <sqlite3.h>
+
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "ar3d/results/columns.h"
+#include "ar3d/results/journal_reader.h"
+#include "ar3d/results/journal_writer.h"
+
+namespace ar3d {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A folder of its own on the disk that the program is run on.
+class Folder {
+ public:
+  Folder() : path_(fs::current_path() / "ar3d_journal_kernel") {
+    fs::remove_all(path_);
+    fs::create_directories(path_);
+  }
+  ~Folder() { fs::remove_all(path_); }
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  fs::path path_;
+};
+
+StudyIdentity identity() {
+  StudyIdentity identity;
+  identity.study_id = "kernel";
+  identity.spec_sha256 = std::string(64, 'a');
+  return identity;
+}
+
+Run typical_run() {
+  Run run;
+  run.row_key = "0123456789abcdef0123456789abcdef";
+  run.family = "random-cubic";
+  run.wanted_n = run.n = 1000;
+  run.m = 1500;
+  run.instance_index = 17;
+  run.seed = 0x123456789abcdef;
+  run.graph_hash = "fedcba9876543210fedcba9876543210";
+  run.algorithm = "grid";
+  run.options = "effort=1";
+  run.repetition = 0;
+  run.status = RunStatus::ok;
+  run.extents = {50, 5000, 5000};
+  run.counters = "bodies=12;flats=3;labels=1000";
+  run.wall_s = 7e-4;
+  return run;
+}
+
+void append_kernel(benchmark::State& state) {
+  const Folder folder;
+  JournalWriter journal(folder.file("k.journal"), identity());
+  journal.begin_session({});
+  const Run run = typical_run();
+  for (auto _ : state) journal.append(run);
+  state.SetItemsProcessed(state.iterations());
+}
+
+class Database {
+ public:
+  explicit Database(const std::string& path) {
+    if (sqlite3_open(path.c_str(), &database_) != SQLITE_OK) throw std::runtime_error("sqlite3");
+    execute("PRAGMA journal_mode=WAL");
+    execute("PRAGMA synchronous=OFF");
+    std::string columns;
+    std::string places;
+    for (const Column& column : run_columns()) {
+      columns += (columns.empty() ? "" : ", ") + column.name;
+      places += places.empty() ? "?" : ", ?";
+    }
+    execute("CREATE TABLE runs (" + columns + ")");
+    const std::string insert = "INSERT INTO runs VALUES (" + places + ")";
+    sqlite3_prepare_v2(database_, insert.c_str(), -1, &insert_, nullptr);
+  }
+  ~Database() {
+    sqlite3_finalize(insert_);
+    sqlite3_close(database_);
+  }
+  void execute(const std::string& sql) {
+    if (sqlite3_exec(database_, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) {
+      throw std::runtime_error(sqlite3_errmsg(database_));
+    }
+  }
+  void append(const Run& run) {
+    store_record(run, record_.data());
+    int place = 0;
+    for (const Column& column : run_columns()) bind(++place, column);
+    if (sqlite3_step(insert_) != SQLITE_DONE) throw std::runtime_error(sqlite3_errmsg(database_));
+    sqlite3_reset(insert_);
+  }
+
+ private:
+  void bind(int place, const Column& column) {
+    const char* field = record_.data() + column.offset;
+    if (column.type == FieldType::text) {
+      const auto length = static_cast<int>(strnlen(field, column.size));
+      sqlite3_bind_text(insert_, place, field, length, SQLITE_STATIC);
+    } else if (column.type == FieldType::float64) {
+      double number = 0;
+      std::memcpy(&number, field, sizeof(number));
+      sqlite3_bind_double(insert_, place, number);
+    } else {
+      std::int64_t number = 0;
+      std::memcpy(&number, field, sizeof(number));
+      sqlite3_bind_int64(insert_, place, number);
+    }
+  }
+
+  sqlite3* database_ = nullptr;
+  sqlite3_stmt* insert_ = nullptr;
+  std::vector<char> record_ = std::vector<char>(run_record_size());
+};
+
+void sqlite_kernel(benchmark::State& state, std::int64_t rows_a_transaction) {
+  const Folder folder;
+  Database database(folder.file("k.sqlite"));
+  const Run run = typical_run();
+  std::int64_t row = 0;
+  for (auto _ : state) {
+    if (row % rows_a_transaction == 0) database.execute("BEGIN");
+    database.append(run);
+    if (++row % rows_a_transaction == 0) database.execute("COMMIT");
+  }
+  if (row % rows_a_transaction != 0) database.execute("COMMIT");
+  state.SetItemsProcessed(state.iterations());
+}
+
+void status_kernel(benchmark::State& state) {
+  const Folder folder;
+  {
+    JournalWriter journal(folder.file("k.journal"), identity());
+    journal.begin_session({});
+    const Run run = typical_run();
+    for (std::int64_t i = 0; i < state.range(0); ++i) journal.append(run);
+  }
+  for (auto _ : state) benchmark::DoNotOptimize(journal_status(folder.file("k.journal")).rows);
+}
+
+BENCHMARK(append_kernel)->Name("journal/append");
+BENCHMARK_CAPTURE(sqlite_kernel, 1, 1)->Name("journal/sqlite_wal");
+BENCHMARK_CAPTURE(sqlite_kernel, 1000, 1000)->Name("journal/sqlite_wal_1000");
+BENCHMARK(status_kernel)->Name("journal/status")->Arg(10)->Arg(1000000);
+
+}  // namespace
+}  // namespace ar3d

@@ -1,0 +1,35 @@
+// The Slurm recipes of docs/cluster.md on a Slurm of one node, started for each and ended after it.
+#include <gtest/gtest.h>
+
+#include "apps/cluster_recipes.h"
+#include "support/results.h"
+
+namespace ar3d {
+namespace {
+
+using testing::expect_same_rows;
+using testing::Outcome;
+using testing::recipe;
+using testing::run;
+using testing::ScratchDirectory;
+
+void run_on_slurm(const std::string& job_file, const std::string& name) {
+  const ScratchDirectory folder;
+  folder.write(job_file, recipe(job_file));
+  const std::string script = folder.write("script", "set -e\n" + recipe(name));
+  const Outcome outcome =
+      run("cd " + folder.path("") +
+          " && timeout 300 " AR3D_SOURCE_DIR "/tests/cluster/one_node_slurm.sh slurm bash " +
+          script + "; code=$?; cat slurm-*.out; exit $code");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_EQ(run("{} study run smoke -q -o " + folder.path("one.h5")).exit_code, 0);
+  expect_same_rows(folder.path("smoke.h5"), folder.path("one.h5"));
+  EXPECT_EQ(run("pgrep -f " + folder.path("slurm") + "[/.]").out, "") << "Slurm is torn down";
+}
+
+TEST(ClusterRecipe, SlurmArray) { run_on_slurm("array.sh", "slurm array"); }
+
+TEST(ClusterRecipe, SlurmMpi) { run_on_slurm("ranks.sh", "slurm mpi"); }
+
+}  // namespace
+}  // namespace ar3d

@@ -1,0 +1,35 @@
+// The recipes of docs/cluster.md that need no cluster.
+#include <gtest/gtest.h>
+
+#include "apps/cluster_recipes.h"
+#include "support/results.h"
+
+namespace ar3d {
+namespace {
+
+using testing::expect_same_rows;
+using testing::Outcome;
+using testing::run;
+using testing::run_recipe;
+using testing::ScratchDirectory;
+
+TEST(ClusterRecipe, Mpi) {
+  const ScratchDirectory folder;
+  for (const char* name : {"mpi", "mpi resume"}) {
+    const Outcome outcome = run_recipe(folder, name);
+    EXPECT_EQ(outcome.exit_code, 0) << name << outcome.out << outcome.err;
+  }
+  EXPECT_EQ(run("{} study run smoke -q -o " + folder.path("one.h5")).exit_code, 0);
+  expect_same_rows(folder.path("smoke.h5"), folder.path("one.h5"));
+}
+
+TEST(ClusterRecipe, GnuParallel) {
+  const ScratchDirectory folder;
+  const Outcome outcome = run_recipe(folder, "parallel");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_EQ(run("{} study run smoke -q -o " + folder.path("one.h5")).exit_code, 0);
+  expect_same_rows(folder.path("smoke.h5"), folder.path("one.h5"));
+}
+
+}  // namespace
+}  // namespace ar3d

@@ -1,0 +1,97 @@
+// One study on several processes that mpirun starts.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "support/program.h"
+#include "support/results.h"
+
+namespace ar3d {
+namespace {
+
+using testing::expect_same_rows;
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::run;
+using testing::ScratchDirectory;
+namespace fs = std::filesystem;
+
+const char* const kPhases = R"(study = "phases"
+[[sweep]]
+families = ["random-cubic", "cycle"]
+sizes = [40, 200]
+algorithms = "grid"
+instances = 20
+timed_repetitions = 2
+)";
+
+class Mpi : public ::testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return scratch_.path(name); }
+  std::string ranks(int count) const {
+    return fmt::format("mpirun --allow-run-as-root --oversubscribe -n {} {} ", count,
+                       AR3D_MPI_PROGRAM);
+  }
+
+  ScratchDirectory scratch_;
+};
+
+TEST_F(Mpi, FourRanksMakeTheSameRows) {
+  const Outcome four = run(ranks(4) + "study run smoke -q -o " + path("four.h5"));
+  EXPECT_EQ(four.exit_code, 0) << four.err;
+  EXPECT_THAT(four.out, HasSubstr("results  " + path("four.h5")));
+  EXPECT_EQ(run("{} study run smoke -q -o " + path("one.h5")).exit_code, 0);
+  expect_same_rows(path("four.h5"), path("one.h5"));
+  std::set<std::int64_t> sessions;
+  for (const ar3d::Run& row : read_results(path("four.h5")).runs) sessions.insert(row.session);
+  EXPECT_EQ(sessions.size(), 4u) << "every rank has made some";
+  EXPECT_EQ(run("ls " + path("*.journal")).out, "");
+}
+
+TEST_F(Mpi, TimedRowsAreMadeByTheFirstRankAlone) {
+  const std::string spec = scratch_.write("phases.toml", kPhases);
+  const Outcome two = run(ranks(2) + "study run -q " + spec + " -o " + path("two.h5"));
+  EXPECT_EQ(two.exit_code, 0) << two.err;
+  EXPECT_EQ(run("{} study run -q " + spec + " -o " + path("one.h5")).exit_code, 0);
+  expect_same_rows(path("two.h5"), path("one.h5"));
+  std::set<std::int64_t> timing_sessions;
+  for (const ar3d::Run& row : read_results(path("two.h5")).runs) {
+    if (row.phase == RunPhase::timing) timing_sessions.insert(row.session);
+  }
+  EXPECT_EQ(timing_sessions.size(), 1u);
+}
+
+// Killed with all ranks, then finished by one process; by more ranks than before; merged by hand.
+TEST_F(Mpi, IsResumedByAnyNumberOfRanks) {
+  const std::string results = path("r.h5");
+  const std::string spec = scratch_.write(
+      "slow.toml",
+      "study = \"slow\"\n[[sweep]]\nfamilies = \"random-cubic\"\nsizes = 2000\nalgorithms = "
+      "\"grid\"\ninstances = 60\n");
+  EXPECT_EQ(run("{} study run -q " + spec + " -o " + path("whole.h5")).exit_code, 0);
+  for (const std::string& again : {std::string("{} "), ranks(3)}) {
+    run(ranks(2) + "study run -q " + spec + " -o " + results + " & until [ \"$(stat -c %s " +
+        results + ".rank-1.journal 2> /dev/null || echo 0)\" -gt 8000 ]; do sleep 0.01; done; " +
+        "kill -KILL $(pgrep -f ^[^[:space:]]*ar3d-mpi.*" + results + "); wait");
+    ASSERT_TRUE(fs::exists(results + ".rank-1.journal"));
+    EXPECT_EQ(run("{} study status " + results).exit_code, 5);
+    const Outcome resumed = run(again + "study resume -q " + results);
+    EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+    expect_same_rows(results, path("whole.h5"));
+    fs::remove(results);
+  }
+}
+
+TEST_F(Mpi, AnErrorOfAllRanksIsOneLine) {
+  const Outcome refused = run(ranks(3) + "study run smoke -q -o /proc/s.h5");
+  EXPECT_EQ(refused.exit_code, 2);
+  const std::size_t first = refused.err.find("ar3d: cannot write /proc/s.h5");
+  ASSERT_NE(first, std::string::npos) << refused.err;
+  EXPECT_EQ(refused.err.find("ar3d: cannot write", first + 1), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ar3d
