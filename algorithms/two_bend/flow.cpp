@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "ar3d/algorithms/two_bend/checks.h"
 #include "ar3d/model/error.h"
 
 namespace ar3d::two_bend {
@@ -230,6 +231,7 @@ std::vector<std::uint8_t> find_roles(const View& view) {
 
 Flow build_flow(const LocalGraph& graph, const Blocks& blocks, const TimeOrder& order) {
   Flow flow = FlowBuilder(graph, order).build(blocks);
+  expect_heavy([&] { return arms_are_not_parallel(flow); }, "no two AA edges are parallel");
   for (const Node& node : flow.nodes) {
     flow.types[0].push_back(node.type);
     flow.types[1].push_back(dual(node.type));

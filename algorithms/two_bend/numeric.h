@@ -43,6 +43,12 @@ inline ArmLean arm_and_lean(std::int64_t along, std::int64_t q) {
   std::int64_t height = lean_height(run, q);
   const std::int64_t missing = q * q - 2 * run * run;
   if (missing > 0) height = std::max(height, (missing + 2 * run - 1) / (2 * run));
+  expect_heavy(
+      [&] {
+        return std::gcd(run, q) == 1 && height * height >= run * run + q * q &&
+               2 * run * run + 2 * run * height >= q * q;
+      },
+      "a lean is primitive and keeps F1 and F2");
   return {along - run, run, height};
 }
 

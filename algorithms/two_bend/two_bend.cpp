@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "ar3d/algorithms/two_bend/checks.h"
 #include "ar3d/algorithms/two_bend/fixed_bodies.h"
 #include "ar3d/algorithms/two_bend/instance_bound.h"
 #include "ar3d/algorithms/two_bend/sweep.h"
@@ -56,6 +57,12 @@ Attempt lay_out(Flow flow, const Options& options, bool straighten) {
   const Lists lists = build_lists(flow, {options.effort > 0, straighten});
   Layout layout =
       find_layout(flow, lists, {options.force_safe_round, options.effort == 0 ? 0u : 2u});
+  expect_heavy([&] { return merges_keep_distances(View(flow, false), layout.rows); },
+               "MERGEs keep their distances in the rows");
+  expect_heavy([&] { return merges_keep_distances(View(flow, true), layout.columns); },
+               "SPLITs keep their distances in the columns");
+  expect_heavy([&] { return rays_differ(flow, layout); }, "active rays stand at different places");
+  expect_heavy([&] { return vv_leans_are_primitive(flow, layout); }, "VV leans are primitive");
   Slabs slabs = draw_slabs(flow, layout);
   return {std::move(flow), std::move(layout), std::move(slabs)};
 }
@@ -97,6 +104,8 @@ void draw_component(LocalGraph& graph, const Options& options, Output& output, C
   }
   const std::vector<QBody> bodies = cut_q_bodies(graph, blocks);
   const TimeOrder order = find_time_order(graph, blocks);
+  expect_heavy([&] { return is_time_order(graph, order); },
+               "sources and sinks of the time order have the neighbours they need");
   const Attempt found = find_attempt(build_flow(graph, blocks, order), options);
   sweep({graph, order, found.flow, found.layout, found.slabs, bodies}, output);
   census.add(found.flow, found.layout, order.list.size(), bodies.size());

@@ -22,6 +22,7 @@
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/model/random.h"
+#include "search.h"
 
 namespace ar3d {
 namespace {
@@ -45,22 +46,7 @@ void draw_grid_kernel(benchmark::State& state, std::int64_t effort) {
 void search_kernel(benchmark::State& state) {
   const Graph& graph = random_cubic(static_cast<std::uint64_t>(state.range(0)));
   for (auto _ : state) {
-    std::vector<std::uint8_t> seen(graph.num_vertices(), 0);
-    std::vector<Vertex> queue;
-    for (Vertex start = 0; start < graph.num_vertices(); ++start) {
-      if (seen[start]) continue;
-      seen[start] = 1;
-      std::size_t head = queue.size();
-      queue.push_back(start);
-      while (head < queue.size()) {
-        for (const HalfEdge& half : graph.incident(queue[head++])) {
-          if (seen[half.to]) continue;
-          seen[half.to] = 1;
-          queue.push_back(half.to);
-        }
-      }
-    }
-    benchmark::DoNotOptimize(queue.data());
+    benchmark::DoNotOptimize(kernels::search_breadth_first(graph).data());
   }
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }

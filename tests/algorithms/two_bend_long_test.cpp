@@ -1,6 +1,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <string>
+#include <vector>
+
 #include "algorithms/two_bend_graphs.h"
 #include "algorithms/two_bend_support.h"
 #include "ar3d/generators/catalog.h"
@@ -44,6 +48,62 @@ TEST(TwoBendLong, RandomGraphsOfAllKinds) {
     expect_certified(graph);
     if (seed % 4 == 0) expect_certified(graph, {.force_safe_round = true});
     if (HasFailure()) return;
+  }
+}
+
+/// Triangles inside one another: K4, then the innermost vertex made a triangle, `depth` times.
+Graph nested_triangles(Vertex depth) {
+  std::vector<Edge> edges{{0, 1}, {0, 2}, {1, 2}};
+  Vertex inner = 3;
+  std::array<Vertex, 3> around{0, 1, 2};
+  for (Vertex i = 0; i < depth; ++i) {
+    const Vertex second = 4 + 2 * i;
+    const Vertex third = 5 + 2 * i;
+    edges.insert(edges.end(), {{inner, around[0]}, {second, around[1]}, {inner, second}});
+    around = {around[2], inner, second};
+    inner = third;
+  }
+  for (const Vertex v : around) edges.push_back({inner, v});
+  return Graph(4 + 2 * depth, edges);
+}
+
+/// By the all-pairs oracle, which is quadratic: 2000 vertices, and 10^4 for a few families.
+TEST(TwoBendLong, EveryFamilyAgreesWithTheOracle) {
+  const auto check = [](const Graph& graph, const std::string& name) {
+    SCOPED_TRACE(name);
+    const Drawing drawing = two_bend::draw(graph);
+    const Guarantee guarantee = find_algorithm("two-bend").guarantee;
+    const Certificate slow =
+        certify(graph, drawing, guarantee, {.crossing_test = CrossingTest::all_pairs});
+    EXPECT_TRUE(slow.valid() && slow.complete) << slow.violations.at(0).message;
+    const Certificate fast =
+        certify(graph, drawing, guarantee, {.crossing_test = CrossingTest::slabs});
+    EXPECT_TRUE(fast.valid() && fast.complete) << fast.violations.at(0).message;
+  };
+  for (const Family& family : families()) {
+    if (family.max_degree > 3) continue;
+    check(testing::shuffled(generate(family, 2000, 3), 4), family.name);
+  }
+  check(nested_triangles(1000), "nested triangles");
+  for (const char* name : {"random-cubic", "random-cubic-tree", "generalised-petersen"})
+    check(testing::shuffled(generate(find_family(name), 10000, 5), 6), name);
+}
+
+/// No recursion, no quadratic step: every family with 10^5 vertices, some with 10^6, and triangles
+/// nested 10^5 deep.
+TEST(TwoBendLong, LargeGraphsAreCertifiedBySlabs) {
+  for (const Family& family : families()) {
+    if (family.max_degree > 3) continue;
+    SCOPED_TRACE(family.name);
+    const Graph graph = generate(family, 100000, 1);
+    if (graph.num_vertices() > 110000) continue;
+    expect_certified(testing::shuffled(graph, 2));
+  }
+  expect_certified(nested_triangles(100000));
+  for (const char* name : {"random-cubic", "random-cubic-tree", "random-tree", "prism", "path",
+                           "flower-snark", "true-sinks"}) {
+    SCOPED_TRACE(name);
+    expect_certified(testing::shuffled(generate(find_family(name), 1000000, 1), 2));
   }
 }
 

@@ -6,9 +6,12 @@
 #include <numeric>
 
 #include "algorithms/two_bend_graphs.h"
+#include "ar3d/algorithms/two_bend/checks.h"
 #include "ar3d/algorithms/two_bend/layout.h"
 #include "ar3d/algorithms/two_bend/numeric.h"
 #include "ar3d/algorithms/two_bend/pole_shape.h"
+#include "ar3d/algorithms/two_bend/root_order.h"
+#include "ar3d/algorithms/two_bend/shared_rows.h"
 #include "ar3d/algorithms/two_bend/st_order.h"
 #include "ar3d/algorithms/two_bend/time_order.h"
 #include "support/graphs.h"
@@ -210,6 +213,72 @@ TEST(TwoBendList, BothListsPutEveryMergeBetweenItsNeighbours) {
       }
     }
   }
+}
+
+/// Every condition that the `check` build tests holds on good stages and fails on spoilt ones.
+TEST(TwoBendChecks, SeeWhatIsSpoilt) {
+  RandomStream random(7);
+  LocalGraph graph = components_of(testing::random_cubic_sketch(60, random).graph())[0];
+  const Blocks blocks = find_blocks(graph);
+  const TimeOrder order = find_time_order(graph, blocks);
+  Flow flow = build_flow(graph, blocks, order);
+  const Layout layout = find_layout(flow, build_lists(flow, {}), {});
+  const View rows(flow, false);
+  EXPECT_TRUE(is_time_order(graph, order));
+  EXPECT_TRUE(arms_are_not_parallel(flow));
+  EXPECT_TRUE(merges_keep_distances(rows, layout.rows));
+  EXPECT_TRUE(rays_differ(flow, layout));
+  EXPECT_TRUE(vv_leans_are_primitive(flow, layout));
+  EXPECT_TRUE(shared_rows_are_plane(rows, layout.columns));
+
+  TimeOrder turned = order;
+  std::rotate(turned.list.begin(), turned.list.begin() + 1, turned.list.end());
+  EXPECT_FALSE(is_time_order(graph, turned));
+  Flow parallel = flow;
+  const auto split = std::find_if(parallel.nodes.begin(), parallel.nodes.end(),
+                                  [](const Node& v) { return v.type == NodeType::split; });
+  split->neighbour.fill(split->neighbour[split->ins]);
+  EXPECT_FALSE(arms_are_not_parallel(parallel));
+  const std::vector<LongId> vv = find_vv_edges(flow);
+  ASSERT_FALSE(vv.empty());
+  const NodeId m = flow.edges[vv[0]].lower;
+  const NodeId s = flow.edges[vv[0]].upper;
+  Layout spoilt = layout;
+  spoilt.rows[m] = spoilt.rows[rows.ins(m)[0]];
+  EXPECT_FALSE(merges_keep_distances(rows, spoilt.rows));
+  spoilt.rows[m] = spoilt.rows[s] + 2;
+  spoilt.columns[s] = spoilt.columns[m] + 2;
+  EXPECT_FALSE(vv_leans_are_primitive(flow, spoilt));
+  std::fill(spoilt.columns.begin(), spoilt.columns.end(), 1);
+  EXPECT_FALSE(rays_differ(flow, spoilt));
+  EXPECT_FALSE(shared_rows_are_plane(rows, spoilt.columns));
+}
+
+TEST(TwoBendList, RootOrderAgreesWithAVector) {
+  RandomStream random(4);
+  RootOrder order(3000);
+  std::vector<NodeId> oracle;
+  NodeId hot = 0;  // many insertions behind one entry run out of labels
+  for (NodeId v = 0; v < 3000; ++v) {
+    if (v < 4 || random.chance(1, 10)) {
+      order.append(v);
+      oracle.push_back(v);
+      continue;
+    }
+    const NodeId place = random.chance(1, 2) ? hot : random.below(v);
+    if (random.chance(1, 20)) hot = random.below(v);
+    order.insert_after(place, v);
+    oracle.insert(std::find(oracle.begin(), oracle.end(), place) + 1, v);
+  }
+  NodeId at = order.first();
+  for (std::size_t i = 0; i < oracle.size(); ++i) {
+    ASSERT_EQ(at, oracle[i]);
+    if (i > 0) {
+      EXPECT_TRUE(order.before(oracle[i - 1], at) && !order.before(at, oracle[i - 1]));
+    }
+    at = order.next(at);
+  }
+  EXPECT_EQ(at, kNone);
 }
 
 }  // namespace

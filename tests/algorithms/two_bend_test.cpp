@@ -112,8 +112,8 @@ TEST(TwoBend, EffortSavesBendsAndVolume) {
   EXPECT_LT(volume[2], volume[1]);
 }
 
-/// The goal for random cubic graphs: a volume of at most n^4 / 2.
-TEST(TwoBend, KeepsTheVolumeOfRandomCubicGraphsBelowHalfOfN4) {
+/// The goal for random cubic graphs is a volume of at most n^4 / 2; 0.26 to 0.29 was met.
+TEST(TwoBend, KeepsTheVolumeOfRandomCubicGraphsBelowAThirdOfN4) {
   const double n = 10000;
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
     const Graph graph = generate(find_family("random-cubic"), 10000, seed);
@@ -121,8 +121,18 @@ TEST(TwoBend, KeepsTheVolumeOfRandomCubicGraphsBelowHalfOfN4) {
     const double x = static_cast<double>(e[0]);
     const double y = static_cast<double>(e[1]);
     const double z = static_cast<double>(e[2]);
-    EXPECT_LT(x / n * (y / n) * (z / n / n), 0.5) << seed;
+    EXPECT_LT(x / n * (y / n) * (z / n / n), 0.33) << seed;
   }
+}
+
+/// Vertices of degree 1 and 2 take the bends of their edge.
+TEST(TwoBend, PathsAndCyclesAreStraightAndLeavesCostNoBend) {
+  const Price cycle(two_bend::draw(testing::cycle(30)));
+  EXPECT_EQ(cycle.bends(), 0);
+  const Graph tree = generate(find_family("binary-tree"), 1000, 1);
+  const Price price(two_bend::draw(tree));
+  EXPECT_GE(price.edges[0], 500);  // the leaves' edges
+  EXPECT_LE(price.edges[2], 40);
 }
 
 TEST(TwoBend, IsDeterministic) {
