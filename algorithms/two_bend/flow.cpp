@@ -53,8 +53,10 @@ class FlowBuilder {
 
   Flow build(const Blocks& blocks) {
     find_passes();
-    for (const Vertex v : order_) {
-      if (!pass_[place_[v]]) make_station(v);
+    if (std::find(pass_.begin(), pass_.end(), true) != pass_.end()) {
+      for (const Vertex v : order_) {
+        if (!pass_[place_[v]]) make_station(v);
+      }
     }
     number_nodes(blocks);
     for (NodeId u = 0; u < flow_.nodes.size(); ++u) trace_edges_from(u);
