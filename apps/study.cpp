@@ -13,7 +13,6 @@
 #include "ar3d/analysis/check.h"
 #include "ar3d/analysis/report.h"
 #include "ar3d/bench/journaled_study.h"
-#include "ar3d/bench/plan.h"
 #include "ar3d/bench/run_study.h"
 #include "ar3d/bench/study_files.h"
 #include "ar3d/bench/study_spec.h"
@@ -128,8 +127,11 @@ void add_run(CLI::App& study, int& exit_code) {
       "`ar3d study resume` goes on.\nExample: ar3d study run smoke --threads 2 -o smoke.h5");
   verb->callback([arguments, &exit_code] {
     const Shard shard = arguments->shard.empty() ? Shard() : parse_shard(arguments->shard);
-    exit_code = make_study(*arguments,
-                           [&] { return new_study(arguments->study, shard, arguments->output); });
+    exit_code = make_study(*arguments, [&] {
+      JournaledStudy begun = new_study(arguments->study, shard, arguments->output);
+      refuse_impossible_study(begun.spec, arguments->making);
+      return begun;
+    });
   });
 }
 
@@ -144,22 +146,6 @@ void add_resume(CLI::App& study, int& exit_code) {
   });
 }
 
-void add_plan(CLI::App& study, int&) {
-  CLI::App* verb = study.add_subcommand("plan", "Shows what a study would do");
-  const auto name = std::make_shared<std::string>();
-  verb->add_option("STUDY", *name, "a TOML file or a study of `ar3d list studies`")->required();
-  verb->footer("Example: ar3d study plan quick");
-  verb->callback([name] {
-    const StudyPlan plan = plan_study(load_study(*name));
-    for (const PlannedInstance& instance : plan.instances) {
-      fmt::print("{} {} n={} instance {} seed {}: {} rows\n", instance.choice.family->name,
-                 instance.parameters, instance.n, instance.index, instance.seed,
-                 instance.runs.size());
-    }
-    fmt::print("{} instances, {} rows\n", plan.instances.size(), plan.rows);
-  });
-}
-
 }  // namespace
 
 void add_study(CLI::App& app, int& exit_code) {
@@ -170,7 +156,9 @@ void add_study(CLI::App& app, int& exit_code) {
   add_resume(*verb, exit_code);
   add_study_status(*verb, exit_code);
   add_study_merge(*verb, exit_code);
-  add_plan(*verb, exit_code);
+  add_study_plan(*verb, exit_code);
+  add_study_selfcheck(*verb, exit_code);
+  add_study_count(*verb, exit_code);
 }
 
 }  // namespace ar3d

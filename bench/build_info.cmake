@@ -4,6 +4,7 @@ cmake_minimum_required(VERSION 3.25)
 # Runs at every build: cmake -D SOURCE=… -D OUTPUT=… -D COMPILER=… -D BUILD_TYPE=… -D FLAGS=… -P build_info.cmake
 set(hash unknown)
 set(dirty 0)
+set(dirty_hash "")
 find_package(Git QUIET)
 if(GIT_FOUND)
   execute_process(COMMAND ${GIT_EXECUTABLE} -C ${SOURCE} rev-parse HEAD
@@ -14,6 +15,8 @@ if(GIT_FOUND)
                     OUTPUT_VARIABLE changes ERROR_QUIET)
     if(NOT "${changes}" STREQUAL "")
       set(dirty 1)
+      execute_process(COMMAND ${GIT_EXECUTABLE} -C ${SOURCE} diff HEAD OUTPUT_VARIABLE changes ERROR_QUIET)
+      string(SHA256 dirty_hash "${changes}")
     endif()
   endif()
 endif()
@@ -21,6 +24,7 @@ string(STRIP "${FLAGS}" FLAGS)
 file(CONFIGURE OUTPUT ${OUTPUT} CONTENT "#pragma once
 #define AR3D_SOURCE_HASH \"@hash@\"
 #define AR3D_SOURCE_DIRTY @dirty@
+#define AR3D_DIRTY_HASH \"@dirty_hash@\"
 #define AR3D_COMPILER \"@COMPILER@\"
 #define AR3D_BUILD_TYPE \"@BUILD_TYPE@\"
 #define AR3D_FLAGS \"@FLAGS@\"

@@ -1,8 +1,8 @@
 #include "ar3d/bench/environment.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <gnu/libc-version.h>
 #include <omp.h>
-#include <sched.h>
 #include <sys/utsname.h>
 #include <toml++/toml.h>
 #include <unistd.h>
@@ -17,6 +17,8 @@
 #include <thread>
 
 #include "ar3d/bench/hardware_counters.h"
+#include "ar3d/bench/pinning.h"
+#include "ar3d/model/error.h"
 #include "ar3d_build_info.h"
 
 namespace ar3d {
@@ -56,11 +58,10 @@ std::string caches() {
   return text.empty() ? kAbsent : text;
 }
 
-std::string cores_allowed() {
-  cpu_set_t set;
-  CPU_ZERO(&set);
-  if (sched_getaffinity(0, sizeof(set), &set) != 0) return kAbsent;
-  return fmt::format("{}", CPU_COUNT(&set));
+// "0,1,5": the cores that this process may run on.
+std::string affinity() {
+  const std::vector<int> cores = allowed_cores();
+  return cores.empty() ? kAbsent : fmt::format("{}", fmt::join(cores, ","));
 }
 
 std::string kernel() {
@@ -69,16 +70,38 @@ std::string kernel() {
   return fmt::format("{} {} {}", name.sysname, name.release, name.machine);
 }
 
+// "no", or "yes" and what the virtual machine calls itself.
 std::string virtualised() {
   const std::string flags = proc_value("/proc/cpuinfo", "flags");
   if (flags == kAbsent) return kAbsent;
-  return flags.find(" hypervisor") == std::string::npos ? "no" : "yes";
+  if (flags.find(" hypervisor") == std::string::npos) return "no";
+  const std::string vendor = first_line("/sys/class/dmi/id/sys_vendor");
+  return vendor == kAbsent ? "yes" : "yes, " + vendor;
 }
 
-// Variables that steer OpenMP and the allocator; nothing else of the environment is recorded.
+// "on", "off" or absent.
+std::string turbo() {
+  const std::string boost = first_line("/sys/devices/system/cpu/cpufreq/boost");
+  if (boost != kAbsent) return boost == "1" ? "on" : "off";
+  const std::string none = first_line("/sys/devices/system/cpu/intel_pstate/no_turbo");
+  return none == kAbsent ? kAbsent : none == "0" ? "on" : "off";
+}
+
+// Variables that steer OpenMP, the allocator and the linker, and where a batch system has put us;
+// nothing else of the environment is recorded.
 void add_variables(std::vector<EnvironmentEntry>& entries) {
-  constexpr std::array<std::string_view, 5> kPrefixes = {"OMP_", "GOMP_", "KMP_", "MALLOC_",
-                                                         "GLIBC_TUNABLES"};
+  constexpr std::array<std::string_view, 12> kPrefixes = {"OMP_",
+                                                          "GOMP_",
+                                                          "KMP_",
+                                                          "MALLOC_",
+                                                          "GLIBC_",
+                                                          "LD_PRELOAD=",
+                                                          "SLURM_JOB_ID=",
+                                                          "SLURM_NTASKS=",
+                                                          "SLURM_CPUS_PER_TASK=",
+                                                          "SLURM_ARRAY_TASK_ID=",
+                                                          "OMPI_COMM_WORLD_SIZE=",
+                                                          "OMPI_COMM_WORLD_RANK="};
   for (char** variable = environ; variable != nullptr && *variable != nullptr; ++variable) {
     const std::string_view text(*variable);
     const bool listed = std::any_of(kPrefixes.begin(), kPrefixes.end(),
@@ -95,6 +118,7 @@ std::string dotted(unsigned major, unsigned minor, unsigned patch) {
 
 void add_libraries(std::vector<EnvironmentEntry>& entries) {
   const unsigned xxhash = XXH_versionNumber();
+  entries.push_back({"library_libc", gnu_get_libc_version()});
   entries.push_back({"library_hdf5", hdf5_version()});
   entries.push_back(
       {"library_fmt", dotted(FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)});
@@ -137,15 +161,22 @@ std::vector<EnvironmentEntry> capture_environment(int threads) {
   std::vector<EnvironmentEntry> entries = {
       {"cpu", proc_value("/proc/cpuinfo", "model name")},
       {"cores", fmt::format("{}", std::thread::hardware_concurrency())},
-      {"cores_allowed", cores_allowed()},
+      {"affinity", affinity()},
+      {"siblings", first_line("/sys/devices/system/cpu/cpu0/topology/thread_siblings_list")},
       {"caches", caches()},
       {"governor", first_line("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor")},
+      {"turbo", turbo()},
+      {"huge_pages", first_line("/sys/kernel/mm/transparent_hugepage/enabled")},
       {"virtualised", virtualised()},
       {"memory", proc_value("/proc/meminfo", "MemTotal")},
       {"kernel", kernel()},
       {"compiler", AR3D_COMPILER},
       {"build_type", AR3D_BUILD_TYPE},
       {"flags", AR3D_FLAGS},
+      {"invariant_checks", kHeavyChecks ? "heavy" : "light"},
+      {"timing_mark", *timing_mark() == '\0' ? "none" : timing_mark()},
+      {"source_hash", AR3D_SOURCE_HASH},
+      {"dirty_hash", *AR3D_DIRTY_HASH == '\0' ? "none" : AR3D_DIRTY_HASH},
       {"openmp", fmt::format("{}", _OPENMP)},
       {"threads", fmt::format("{}", threads)},
       {"hardware_counters", HardwareCounters().availability()},

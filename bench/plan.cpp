@@ -41,9 +41,9 @@ std::uint64_t instance_seed(std::uint64_t study_seed, const std::string& identit
 }
 
 // The largest degree of the family's graphs: of the largest one that the sweep asks for up to
-// kProbeSize.
+// kProbeSize, or one of kProbeSize if it asks for larger ones only.
 std::uint32_t probed_degree(const FamilyChoice& choice, const std::vector<std::uint64_t>& sizes) {
-  std::uint64_t wanted = sizes.front();
+  std::uint64_t wanted = std::min(sizes.front(), kProbeSize);
   for (const std::uint64_t size : sizes) {
     if (size <= kProbeSize) wanted = size;
   }

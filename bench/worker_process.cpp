@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <omp.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -116,6 +117,7 @@ class Message {
 
 // Serves rows until the parent hangs up.
 void serve(int socket, const Crew& crew, int core) {
+  omp_set_num_threads(1);  // a forked process has none of its parent's other threads
   const Pinning pinning(core);
   RowMaker maker(
       {.concurrency = crew.size + crew.neighbours, .core = core, .memory = MemoryScope::worker});

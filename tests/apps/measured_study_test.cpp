@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ar3d/bench/environment.h"
 #include "ar3d/results/run.h"
 #include "support/program.h"
 
@@ -17,7 +18,7 @@ using testing::ScratchDirectory;
 
 std::int64_t rows_of_phase(const Results& results, RunPhase phase) {
   return std::count_if(results.runs.begin(), results.runs.end(),
-                       [&](const Run& row) { return row.phase == phase; });
+                       [&](const ar3d::Run& row) { return row.phase == phase; });
 }
 
 TEST(MeasuredStudy, IsolatedPhasesPassTheCheck) {
@@ -59,6 +60,46 @@ instances = 3000
   EXPECT_THAT(study.err, HasSubstr("study resume"));
   const std::size_t rows = read_results(results).runs.size();
   EXPECT_LT(rows, 6000u);
+}
+
+TEST(MeasuredStudy, SelfcheckMakesASampleAgain) {
+  const ScratchDirectory scratch;
+  const std::string results = scratch.path("smoke.h5");
+  ASSERT_EQ(run("{} study run smoke -q -o " + results).exit_code, 0);
+  const Outcome good = run("{} study selfcheck " + results + " --sample 30 --seed 5");
+  EXPECT_EQ(good.exit_code, 0) << good.out << good.err;
+  EXPECT_THAT(good.out, HasSubstr("30 equal bit for bit, 0 not"));
+  Results changed = read_results(results);
+  for (ar3d::Run& row : changed.runs) row.longest_edge_length += 1;
+  write_results(changed, results);
+  const Outcome bad = run("{} study selfcheck " + results + " --sample 3");
+  EXPECT_EQ(bad.exit_code, 3);
+  EXPECT_THAT(bad.out, HasSubstr("differs in longest_edge_length"));
+  EXPECT_EQ(run("{} study selfcheck " + results + " --sample 0").exit_code, 2);
+}
+
+TEST(MeasuredStudy, CountedInstructionsHaveNoNoise) {
+  const ScratchDirectory scratch;
+  scratch.write("s.toml",
+                "study = \"s\"\n[[sweep]]\nfamilies = \"random-cubic\"\nsizes = [10, 100]\n"
+                "algorithms = \"grid\"\nrepetitions = 2\n");
+  const std::string results = scratch.path("s.h5");
+  ASSERT_EQ(run("{} study run " + scratch.path("s.toml") + " -q -o " + results).exit_code, 0);
+  EXPECT_EQ(read_results(results).runs[0].counted_instructions, -1);
+  const Outcome first = run("{} study count --max-n 50 " + results);
+  if (std::string(timing_mark()) == "sanitised") {
+    EXPECT_EQ(first.exit_code, 2);
+    EXPECT_THAT(first.err, HasSubstr("sanitised"));
+    return;
+  }
+  EXPECT_EQ(first.exit_code, 0) << first.err;
+  const Results counted = read_results(results);
+  EXPECT_GT(counted.runs[0].counted_instructions, 1000);
+  EXPECT_EQ(counted.runs[1].counted_instructions, counted.runs[0].counted_instructions)
+      << "the other repetition is the same drawing";
+  EXPECT_EQ(counted.runs[2].counted_instructions, -1) << "n = 100 is above --max-n";
+  EXPECT_EQ(run("{} study count --max-n 50 " + results).out, first.out);
+  EXPECT_EQ(run("{} study count --max-n 1 " + results).exit_code, 5);
 }
 
 TEST(MeasuredStudy, AFailingSpecificationIsRefusedBeforeAnyWork) {

@@ -1,0 +1,94 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <string>
+#include <tuple>
+
+#include "ar3d/bench/count_instructions.h"
+#include "ar3d/bench/make_row.h"
+#include "ar3d/model/error.h"
+#include "ar3d/results/atomic_file.h"
+#include "ar3d/results/run.h"
+#include "commands.h"
+#include "study.h"
+
+namespace ar3d {
+namespace {
+
+struct CountArguments {
+  std::string results;
+  std::string output;
+  std::int64_t max_n = 10000;
+};
+
+int count_rows(const CountArguments& arguments) {
+  const std::string path = arguments.output.empty() ? arguments.results : arguments.output;
+  Results results = read_results(arguments.results);
+  require_writable(path);
+  std::map<std::tuple<std::string, std::string, std::string>, std::int64_t> counts;
+  for (Run& run : results.runs) {
+    if (!is_drawn(run) || run.n > arguments.max_n) continue;
+    const auto key = std::tuple(run.graph_hash, run.algorithm, run.options);
+    if (!counts.contains(key)) {
+      counts[key] = count_instructions(run);
+      fmt::print("{}\t{}\t{}\t{}\t{}\t{}\n", run.family, run.n, run.seed, run.algorithm,
+                 run.options, counts[key]);
+      std::fflush(stdout);
+    }
+    run.counted_instructions = counts[key];
+  }
+  if (counts.empty()) {
+    fmt::print(stderr, "ar3d: {} has no drawing up to n = {}\n", arguments.results,
+               arguments.max_n);
+    return kIncomplete;
+  }
+  write_results(results, path);
+  return kPass;
+}
+
+struct DrawOnceArguments {
+  Run row;
+  std::string parameters;
+  std::string options;
+};
+
+// "what:text" -> text: a word that may be empty needs something in front.
+std::string after_colon(const std::string& word) { return word.substr(word.find(':') + 1); }
+
+void add_draw_once(CLI::App& study) {
+  CLI::App* verb = study.add_subcommand(kDrawOnceVerb, "Draws one graph, for callgrind")->group("");
+  const auto arguments = std::make_shared<DrawOnceArguments>();
+  verb->add_option("FAMILY", arguments->row.family)->required();
+  verb->add_option("PARAMETERS", arguments->parameters)->required();
+  verb->add_option("N", arguments->row.wanted_n)->required();
+  verb->add_option("SEED", arguments->row.seed)->required();
+  verb->add_option("ALGORITHM", arguments->row.algorithm)->required();
+  verb->add_option("OPTIONS", arguments->options)->required();
+  verb->callback([arguments] {
+    arguments->row.parameters = after_colon(arguments->parameters);
+    arguments->row.options = after_colon(arguments->options);
+    draw_for_counting(arguments->row);
+  });
+}
+
+}  // namespace
+
+void add_study_count(CLI::App& study, int& exit_code) {
+  CLI::App* verb = study.add_subcommand(
+      "count", "Counts the instructions of every drawing with callgrind, which has no noise");
+  const auto arguments = std::make_shared<CountArguments>();
+  verb->add_option("RESULTS", arguments->results, "results file (HDF5)")->required();
+  verb->add_option("-o,--output", arguments->output,
+                   "results file with the counts; RESULTS itself if left out");
+  verb->add_option("--max-n", arguments->max_n, "largest n to count, default 10000")
+      ->check(CLI::Range(0, 100000000));
+  verb->footer(
+      "Needs valgrind; drawing takes about 50 times as long under it. Fills the column\n"
+      "counted_instructions.\nExample: ar3d study count smoke.h5 --max-n 20 -o counted.h5");
+  verb->callback([arguments, &exit_code] { exit_code = count_rows(*arguments); });
+  add_draw_once(study);
+}
+
+}  // namespace ar3d

@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+#include "ar3d/bench/estimate.h"
+#include "ar3d/bench/make_rows.h"
+#include "ar3d/bench/plan.h"
+#include "ar3d/bench/study_spec.h"
+#include "commands.h"
+#include "study.h"
+
+namespace ar3d {
+namespace {
+
+// From this size on, a calibration costs nothing beside the study.
+constexpr std::uint64_t kLargeSize = 200000;
+
+std::string about(double seconds) {
+  if (seconds < 0.1) return fmt::format("{:.2g} ms", 1e3 * seconds);
+  if (seconds < 120) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 7200) return fmt::format("{:.3g} min", seconds / 60);
+  return fmt::format("{:.3g} h", seconds / 3600);
+}
+
+void print_estimate(const StudyPlan& plan, const StudyEstimate& estimate, int threads) {
+  for (const CellEstimate& cell : estimate.cells) {
+    fmt::print("{} {} n={} {} {}: {} instances, {} rows, about {} and {:.2g} MB a row, {} in all\n",
+               cell.family, cell.parameters, cell.n, cell.algorithm, cell.options, cell.instances,
+               cell.rows, about(cell.row_s), cell.row_bytes / 1e6, about(cell.total_s));
+  }
+  fmt::print("{} cells, {} instances, {} rows", estimate.cells.size(), plan.instances.size(),
+             estimate.rows);
+  if (estimate.optional_rows > 0) fmt::print(" and at most {} more", estimate.optional_rows);
+  fmt::print(
+      "\nestimated from runs up to n = 3000: {} on {} threads, {:.2g} MB for the largest row\n",
+      about(estimate.wall_s), threads, estimate.largest_row_bytes / 1e6);
+  if (plan.budget.study_s && estimate.wall_s > *plan.budget.study_s) {
+    fmt::print("the budget of {} will probably end it earlier\n", about(*plan.budget.study_s));
+  }
+}
+
+}  // namespace
+
+void refuse_impossible_study(const StudySpec& spec, const MakingRules& options) {
+  const StudyPlan plan = plan_study(spec);
+  MakingRules rules = options;
+  rules.timing = plan.timing;
+  rules.budget = plan.budget;
+  require_makeable(plan, rules);
+  const bool is_large = std::any_of(plan.instances.begin(), plan.instances.end(),
+                                    [](const PlannedInstance& i) { return i.n >= kLargeSize; });
+  if (!is_large && !plan.budget.limits_rows()) return;
+  refuse_impossible(plan, estimate(plan, 1), available_memory());
+}
+
+void add_study_plan(CLI::App& study, int&) {
+  CLI::App* verb = study.add_subcommand(
+      "plan", "Lists the cells of a study with estimated time and memory; refuses impossible ones");
+  struct Arguments {
+    std::string study;
+    int threads = omp_get_max_threads();
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  verb->add_option("STUDY", arguments->study, "a TOML file or a study of `ar3d list studies`")
+      ->required();
+  verb->add_option("--threads", arguments->threads, "of the metrics phase; all cores if left out")
+      ->check(CLI::Range(1, 1024));
+  verb->footer(
+      "Estimates are extrapolated from short runs at small sizes on this machine; expect them to "
+      "be "
+      "right within a factor of three.\nExit code 2 if a cell is impossible.\nExample: ar3d study "
+      "plan quick");
+  verb->callback([arguments] {
+    const StudyPlan plan = plan_study(load_study(arguments->study));
+    const StudyEstimate made = estimate(plan, arguments->threads);
+    print_estimate(plan, made, arguments->threads);
+    refuse_impossible(plan, made, available_memory());
+  });
+}
+
+}  // namespace ar3d

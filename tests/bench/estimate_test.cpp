@@ -1,0 +1,78 @@
+#include "ar3d/bench/estimate.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "ar3d/bench/environment.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::HasSubstr;
+
+StudyPlan plan_of(const std::string& top, const std::string& rest) {
+  return plan_study(parse_study(top +
+                                    "\nstudy = \"t\"\n[[sweep]]\nfamilies = \"random-cubic\"\n"
+                                    "algorithms = \"grid\"\n" +
+                                    rest,
+                                "t.toml"));
+}
+
+std::string refusal(const StudyPlan& plan, double memory_bytes) {
+  try {
+    refuse_impossible(plan, estimate(plan, 1), memory_bytes);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(Estimate, CountsCellsInstancesAndRows) {
+  const StudyEstimate made =
+      estimate(plan_of("",
+                       "sizes = [20, 40]\ninstances = 3\nrepetitions = 2\n"
+                       "timed_repetitions = { precision = 0.1, min = 6, max = 9 }\n"),
+               2);
+  ASSERT_EQ(made.cells.size(), 2u);
+  EXPECT_EQ(made.cells[1].n, 40u);
+  EXPECT_EQ(made.cells[1].instances, 3u);
+  EXPECT_EQ(made.cells[1].rows, 3u * (2 + 6));
+  EXPECT_EQ(made.rows, 2u * 3 * (2 + 6));
+  EXPECT_EQ(made.optional_rows, 2u * 3 * 3);
+  EXPECT_GT(made.wall_s, 0);
+  EXPECT_GT(made.cells[1].total_s, made.cells[1].row_s);
+  EXPECT_GT(made.cells[1].row_s, made.cells[1].draw_s);
+}
+
+// A million vertices are not drawn to know that they take longer and more memory.
+TEST(Estimate, GrowsWithNFromSmallRuns) {
+  const StudyEstimate made = estimate(plan_of("", "sizes = [1000, 1000000]\n"), 1);
+  EXPECT_GE(made.cells[1].row_s, 999 * made.cells[0].row_s);
+  EXPECT_LE(made.cells[1].row_s, 1e8 * made.cells[0].row_s);
+  if (std::string(timing_mark()) != "sanitised") {
+    EXPECT_GT(made.cells[1].row_bytes, 5e7) << "at least 50 bytes a vertex";
+    EXPECT_LT(made.cells[1].row_bytes, 2e10);
+  }
+  EXPECT_DOUBLE_EQ(made.largest_row_bytes, made.cells[1].row_bytes);
+}
+
+TEST(Estimate, RefusesWhatIsImpossible) {
+  const StudyPlan large = plan_of("", "sizes = [100, 100000000]\n");
+  EXPECT_EQ(refusal(large, 1e15), "none");
+  EXPECT_THAT(refusal(large, 1e8), HasSubstr("random-cubic n=100000000 with grid"));
+  EXPECT_THAT(refusal(large, 1e8), HasSubstr("but this machine has 1e+08 bytes"));
+  EXPECT_THAT(refusal(plan_of("budget = { row_time = \"1 ms\" }", "sizes = 10000000\n"), 1e15),
+              HasSubstr("budget.row_time gives 0.001 s"));
+  EXPECT_THAT(refusal(plan_of("budget = { row_memory = \"1 MB\" }", "sizes = 10000000\n"), 1e15),
+              HasSubstr("budget.row_memory gives 1e+06 bytes"));
+  EXPECT_EQ(
+      refusal(plan_of("budget = { row_time = \"1 h\", row_memory = \"4 GB\" }", "sizes = 1000\n"),
+              1e15),
+      "none");
+  EXPECT_GT(available_memory(), 1e8);
+  EXPECT_LT(available_memory(), 1e15);
+}
+
+}  // namespace
+}  // namespace ar3d

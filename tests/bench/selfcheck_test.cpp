@@ -1,0 +1,61 @@
+#include "ar3d/bench/selfcheck.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "ar3d/bench/run_study.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::ElementsAre;
+
+std::vector<ar3d::Run> study_rows() {
+  return run_study(parse_study("study = \"t\"\n[[sweep]]\nfamilies = [\"random-cubic\", "
+                               "{ family = \"generalised-petersen\", k = [2, 3] }]\nsizes = [20, "
+                               "40]\nalgorithms = [\"grid\", { algorithm = \"diamond\", effort = "
+                               "[0, 2] }]\nrepetitions = 2\ninstances = 2\n",
+                               "t.toml"),
+                   {.threads = 1})
+      .runs;
+}
+
+TEST(SelfCheck, EveryRowOfAStudyIsReproduced) {
+  const std::vector<ar3d::Run> rows = study_rows();
+  std::size_t told = 0;
+  const SelfCheck check = selfcheck(rows, sample_of_rows(rows, rows.size(), 1),
+                                    [&](std::size_t place) { EXPECT_EQ(place, told++); });
+  EXPECT_EQ(check.replayed, rows.size());
+  EXPECT_EQ(check.violated, 0u);
+  EXPECT_TRUE(check.irreproducible.empty());
+}
+
+TEST(SelfCheck, FindsWhatWasChanged) {
+  std::vector<ar3d::Run> rows = study_rows();
+  rows[3].extents[1] += 1;
+  rows[5].drawing_hash[7] = rows[5].drawing_hash[7] == 'a' ? 'b' : 'a';
+  const SelfCheck check = selfcheck(rows, {1, 3, 5});
+  ASSERT_EQ(check.irreproducible.size(), 2u);
+  EXPECT_EQ(check.irreproducible[0].row, 3u);
+  EXPECT_THAT(check.irreproducible[0].columns, ElementsAre("extent_y"));
+  EXPECT_THAT(check.irreproducible[1].columns, ElementsAre("drawing_hash"));
+}
+
+TEST(SelfCheck, TheSampleIsAFunctionOfItsSeedAndLeavesOutWhatCannotBeReplayed) {
+  std::vector<ar3d::Run> rows(1000);
+  for (ar3d::Run& run : rows) run.status = RunStatus::ok;
+  for (std::size_t i = 0; i < rows.size(); i += 2) rows[i].status = RunStatus::timeout;
+  const auto sample = sample_of_rows(rows, 100, 7);
+  ASSERT_EQ(sample.size(), 100u);
+  EXPECT_TRUE(std::is_sorted(sample.begin(), sample.end()));
+  EXPECT_EQ(std::adjacent_find(sample.begin(), sample.end()), sample.end()) << "no row twice";
+  for (const std::size_t place : sample) EXPECT_EQ(place % 2, 1u);
+  EXPECT_EQ(sample, sample_of_rows(rows, 100, 7));
+  EXPECT_NE(sample, sample_of_rows(rows, 100, 8));
+  EXPECT_LT(sample.front(), 200u) << "from everywhere";
+  EXPECT_GT(sample.back(), 800u);
+  EXPECT_EQ(sample_of_rows(rows, 5000, 7).size(), 500u);
+}
+
+}  // namespace
+}  // namespace ar3d
