@@ -4,6 +4,9 @@
 //   each:
 //                           the same promise
 //   journal/sqlite_wal_1000 a thousand rows a transaction: up to a thousand rows may be lost
+//   study/bare_loop, study/journaled   graphs of about 1 ms: generated, drawn, certified and
+//   measured
+//                           in a plain loop, and as the rows of a study with its journal
 //   journal/status          looking how far a study with so many rows is (parameter)
 
 #include <benchmark/benchmark.h>
@@ -16,9 +19,13 @@
 #include <string>
 #include <vector>
 
+#include "ar3d/bench/plan.h"
+#include "ar3d/bench/run_study.h"
 #include "ar3d/results/columns.h"
 #include "ar3d/results/journal_reader.h"
 #include "ar3d/results/journal_writer.h"
+#include "ar3d/verify/certificate.h"
+#include "ar3d/verify/metrics.h"
 
 namespace ar3d {
 namespace {
@@ -154,6 +161,46 @@ void status_kernel(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(journal_status(folder.file("k.journal")).rows);
 }
 
+constexpr std::uint64_t kGraphs = 100;
+constexpr std::uint64_t kVertices = 700;
+
+StudyPlan millisecond_plan() {
+  return plan_study(
+      parse_study("study = \"k\"\n[[sweep]]\nfamilies = \"random-cubic\"\nsizes = 700\n"
+                  "algorithms = \"grid\"\ninstances = 100\n",
+                  "kernel.toml"));
+}
+
+void bare_kernel(benchmark::State& state) {
+  const StudyPlan plan = millisecond_plan();
+  const Algorithm& grid = find_algorithm("grid");
+  for (auto _ : state) {
+    for (const PlannedInstance& instance : plan.instances) {
+      const Graph graph =
+          generate(*instance.choice.family, kVertices, instance.seed, instance.choice.parameters);
+      const Drawing drawing = draw(grid, graph, instance.runs.front().choice.options);
+      benchmark::DoNotOptimize(certify(graph, drawing, grid.guarantee).violations.size());
+      benchmark::DoNotOptimize(measure(graph, drawing, grid.guarantee).log2_volume);
+    }
+  }
+  state.SetItemsProcessed(state.iterations() * kGraphs);
+}
+
+void journaled_kernel(benchmark::State& state) {
+  const StudyPlan plan = millisecond_plan();
+  const Folder folder;
+  JournalWriter journal(folder.file("k.journal"), identity());
+  journal.begin_session({});
+  for (auto _ : state) {
+    make_plan(
+        plan, {.threads = static_cast<int>(state.range(0))}, {},
+        [&](std::size_t, const Run& run) { journal.append(run); }, "k");
+  }
+  state.SetItemsProcessed(state.iterations() * kGraphs);
+}
+
+BENCHMARK(bare_kernel)->Name("study/bare_loop")->UseRealTime();
+BENCHMARK(journaled_kernel)->Name("study/journaled")->Arg(1)->Arg(2)->UseRealTime();
 BENCHMARK(append_kernel)->Name("journal/append");
 BENCHMARK_CAPTURE(sqlite_kernel, 1, 1)->Name("journal/sqlite_wal");
 BENCHMARK_CAPTURE(sqlite_kernel, 1000, 1000)->Name("journal/sqlite_wal_1000");
