@@ -56,7 +56,7 @@ class AdjacencyListParser final : public GraphParser {
     while (!row.done()) {
       const Vertex v = ids_.read_vertex(row);
       if (u == v) row.fail(fmt::format("edge ({0}, {0}) is a loop", std::uint64_t{u} + base_));
-      arcs_.add(u, v);
+      arcs_.add(u, v, input_.line());
     }
   }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace ar3d {
@@ -21,28 +22,47 @@ void ArcCollector::begin() {
   backward_.clear();
 }
 
-void ArcCollector::add(Vertex u, Vertex v) {
-  constexpr std::uint64_t kLastLine = std::numeric_limits<std::uint32_t>::max();
-  const auto line = static_cast<std::uint32_t>(std::min(input_->line(), kLastLine));
-  if (u < v) {
-    forward_.push_back({u, v, line});
-  } else {
-    backward_.push_back({v, u, line});
-  }
-}
-
 void ArcCollector::fail(const Arc& arc, bool backward, const char* problem) const {
   const std::uint64_t from = std::uint64_t{backward ? arc.large : arc.small} + base_;
   const std::uint64_t to = std::uint64_t{backward ? arc.small : arc.large} + base_;
   input_->fail_at(arc.line, 0, fmt::format("({}, {}) {}", from, to, problem));
 }
 
-void ArcCollector::sort_and_refuse_repeats(std::vector<Arc>& arcs) const {
+/// The arcs by smaller end, those of each in the order given (counting sort).
+ArcCollector::Arcs ArcCollector::grouped(std::uint64_t n, const Arcs& arcs) {
+  constexpr std::size_t kAhead = 16;  // arcs; hides the way to memory
+  UnwrittenVector<std::uint32_t> place(n + 1);
+  std::fill(place.begin(), place.end(), 0u);
+  for (const Arc& arc : arcs) ++place[arc.small + 1];
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  Arcs result(arcs.size());
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    if (i + 2 * kAhead < arcs.size()) {
+      __builtin_prefetch(&place[arcs[i + 2 * kAhead].small], 1);
+      __builtin_prefetch(result.data() + place[arcs[i + kAhead].small], 1);
+    }
+    result[place[arcs[i].small]++] = arcs[i];
+  }
+  return result;
+}
+
+void ArcCollector::sort_and_refuse_repeats(std::uint64_t n, Arcs& arcs) const {
+  const auto by_small = [](const Arc& a, const Arc& b) { return a.small < b.small; };
   const auto before = [](const Arc& a, const Arc& b) {
     return std::pair(number_of(a), a.line) < std::pair(number_of(b), b.line);
   };
-  if (!std::is_sorted(arcs.begin(), arcs.end(), before))
+  const bool countable = arcs.size() <= std::numeric_limits<std::uint32_t>::max();
+  if (n > 8 * arcs.size() || !countable) {  // counting would cost more
     std::sort(arcs.begin(), arcs.end(), before);
+  } else if (!std::is_sorted(arcs.begin(), arcs.end(), by_small)) {
+    arcs = grouped(n, arcs);
+  }
+  for (auto row = arcs.begin(); row != arcs.end();) {
+    auto end = row;
+    while (end != arcs.end() && end->small == row->small) ++end;
+    std::sort(row, end, before);
+    row = end;
+  }
   for (std::size_t i = 1; i < arcs.size(); ++i) {
     if (number_of(arcs[i - 1]) == number_of(arcs[i]))
       fail(arcs[i], &arcs == &backward_, "stands twice");
@@ -72,8 +92,8 @@ std::vector<Edge> ArcCollector::merged() {
 }
 
 Graph ArcCollector::finish(std::uint64_t n) {
-  sort_and_refuse_repeats(forward_);
-  sort_and_refuse_repeats(backward_);
+  sort_and_refuse_repeats(n, forward_);
+  sort_and_refuse_repeats(n, backward_);
   std::vector<Edge> edges = merged();
   begin();
   return Graph(n, std::move(edges));

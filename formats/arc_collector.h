@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "ar3d/formats/graph_format.h"
@@ -21,14 +23,22 @@ class ArcCollector {
       : input_(&input), base_(base), rule_(rule) {}
 
   void begin();
-  /// The vertex u names its neighbour v != u, in the line just read.
-  void add(Vertex u, Vertex v);
+  /// The vertex u names its neighbour v != u in a line.
+  void add(Vertex u, Vertex v, std::uint64_t line) {
+    constexpr std::uint64_t kLastLine = std::numeric_limits<std::uint32_t>::max();
+    const auto short_line = static_cast<std::uint32_t>(std::min(line, kLastLine));
+    if (u < v) {
+      forward_.push_back({u, v, short_line});
+    } else {
+      backward_.push_back({v, u, short_line});
+    }
+  }
   std::uint64_t num_arcs() const { return forward_.size() + backward_.size(); }
 
   /// Ends the graph on n vertices (all ids are below n); its edges (u, v), u < v, are ordered by
   /// (u, v).
   /// @throws InputError on a neighbour named twice from the same end, or against the rule.
-  /// Cost: O(n + m), and O(m log m) if the input is not sorted.
+  /// Cost: O(n + m), and O(m log D) for the largest degree D if the rows are not sorted.
   Graph finish(std::uint64_t n);
 
  private:
@@ -37,15 +47,17 @@ class ArcCollector {
     Vertex large = 0;
     std::uint32_t line = 0;  // saturated
   };
-  void sort_and_refuse_repeats(std::vector<Arc>& arcs) const;
+  using Arcs = UnwrittenVector<Arc>;
+  void sort_and_refuse_repeats(std::uint64_t n, Arcs& arcs) const;
+  static Arcs grouped(std::uint64_t n, const Arcs& arcs);
   std::vector<Edge> merged();
   [[noreturn]] void fail(const Arc& arc, bool backward, const char* problem) const;
 
   const TextInput* input_;
   unsigned base_;
   Rule rule_;
-  std::vector<Arc> forward_;   // named by the smaller end
-  std::vector<Arc> backward_;  // named by the larger end
+  Arcs forward_;   // named by the smaller end
+  Arcs backward_;  // named by the larger end
 };
 
 }  // namespace ar3d

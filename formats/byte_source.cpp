@@ -51,6 +51,14 @@ class FileBytes final : public ByteSource {
     return given;
   }
 
+  std::uint64_t bytes_left() const override {
+    struct stat status {};
+    if (::fstat(fd_, &status) != 0 || !S_ISREG(status.st_mode)) return 0;
+    const off_t place = ::lseek(fd_, 0, SEEK_CUR);
+    if (place < 0 || place > status.st_size) return 0;
+    return static_cast<std::uint64_t>(status.st_size - place) + peeked_.size();
+  }
+
  private:
   std::size_t read_file(char* to, std::size_t size) {
     for (;;) {
@@ -184,6 +192,7 @@ class MemoryBytes final : public ByteSource {
     used_ += given;
     return given;
   }
+  std::uint64_t bytes_left() const override { return text_.size() - used_; }
 
  private:
   std::string text_;

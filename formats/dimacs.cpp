@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <utility>
 
 #include "ar3d/formats/arc_collector.h"
@@ -20,7 +21,7 @@ class DimacsParser final : public GraphParser {
   std::optional<Graph> next() override {
     if (!read_problem()) return std::nullopt;
     arcs_.begin();
-    while (const std::optional<std::string_view> line = input_.next_line()) {
+    while (const std::optional<std::string_view> line = next_odd_line()) {
       if (is_blank(*line)) continue;
       Tokens tokens(input_, *line);
       const std::string_view kind = tokens.word();
@@ -64,6 +65,13 @@ class DimacsParser final : public GraphParser {
     return false;
   }
 
+  /// The next line that is not read as one of many plain edges.
+  std::optional<std::string_view> next_odd_line() {
+    constexpr std::uint64_t kAll = std::numeric_limits<std::uint64_t>::max();
+    if (!with_arcs_) edges_.read_plain_edges(input_, "e ", kAll);
+    return input_.next_line();
+  }
+
   void read_line(Tokens& tokens, std::string_view kind) {
     if (kind != (with_arcs_ ? "a" : "e")) {
       tokens.fail(
@@ -72,7 +80,7 @@ class DimacsParser final : public GraphParser {
     const Edge ends = edges_.read_ends(tokens);
     if (with_arcs_) {
       if (!tokens.done()) tokens.number("a weight");  // lengths mean nothing here
-      arcs_.add(ends.u, ends.v);
+      arcs_.add(ends.u, ends.v, input_.line());
     } else {
       edges_.add(ends.u, ends.v);
     }

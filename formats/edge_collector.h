@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "ar3d/formats/graph_format.h"
@@ -24,6 +26,20 @@ class EdgeCollector {
   /// An id of the file as a vertex. @throws InputError if it is out of range.
   Vertex read_vertex(Tokens& tokens);
   void add(Vertex u, Vertex v);
+  /// Reads and adds plain lines of one edge each (read_plain_pairs) behind `before`, at most
+  /// `most`.
+  /// @return their number.
+  std::uint64_t read_plain_edges(TextInput& input, std::string_view before, std::uint64_t most);
+  /// True if u and v are ids in range and differ; notes the largest and its line.
+  bool accepts(std::uint64_t u, std::uint64_t v, std::uint64_t line) {
+    if (u - base_ >= limit_ || v - base_ >= limit_ || u == v) return false;
+    const std::uint64_t end = std::max(u, v) - base_ + 1;
+    if (end > largest_end_) {
+      largest_end_ = end;
+      largest_line_ = line;
+    }
+    return true;
+  }
 
   /// Reads the two ends of an edge without collecting it. @throws InputError as read_edge.
   Edge read_ends(Tokens& tokens);
@@ -43,6 +59,7 @@ class EdgeCollector {
     std::uint64_t line = 0;
   };
   std::uint64_t line_of(std::uint64_t edge) const;
+  void reserve_for_the_rest();
 
   const TextInput* input_;
   ReadOptions options_;  // a copy: the caller's may be a temporary

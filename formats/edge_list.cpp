@@ -1,5 +1,7 @@
 #include "ar3d/formats/edge_list.h"
 
+#include <limits>
+
 #include "ar3d/formats/edge_collector.h"
 #include "ar3d/formats/line_shapes.h"
 #include "ar3d/formats/numbers_text.h"
@@ -14,7 +16,7 @@ class EdgeListParser final : public GraphParser {
 
   std::optional<Graph> next() override {
     bool begun = false;
-    while (const std::optional<std::string_view> line = input_.next_line()) {
+    while (const std::optional<std::string_view> line = next_odd_line(begun)) {
       if (is_blank(*line)) continue;
       if (const std::optional<Tokens> header = size_header(input_, *line)) {
         if (begun) {
@@ -36,6 +38,12 @@ class EdgeListParser final : public GraphParser {
   }
 
  private:
+  /// The next line that is not read as one of many plain edges.
+  std::optional<std::string_view> next_odd_line(bool begun) {
+    constexpr std::uint64_t kAll = std::numeric_limits<std::uint64_t>::max();
+    if (begun) edges_.read_plain_edges(input_, "", kAll);
+    return input_.next_line();
+  }
   void begin_with(Tokens header) {
     const std::uint64_t n = header.number("a number of vertices");
     header.expect_done("the number of vertices");

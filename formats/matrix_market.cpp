@@ -10,6 +10,7 @@
 #include "ar3d/formats/edge_collector.h"
 #include "ar3d/formats/line_shapes.h"
 #include "ar3d/formats/numbers_text.h"
+#include "ar3d/formats/plain_pairs.h"
 
 namespace ar3d {
 namespace {
@@ -94,23 +95,29 @@ class MatrixMarketParser final : public GraphParser {
   }
 
   Graph read_symmetric(std::uint64_t count) {
-    for (std::uint64_t i = 0; i < count; ++i) {
-      Tokens tokens(input_, next_entry(count, i));
+    for (;;) {
+      entries_.read_plain_edges(input_, "", count - entries_.num_edges());
+      if (entries_.num_edges() == count) return entries_.finish();
+      Tokens tokens(input_, next_entry(count, entries_.num_edges()));
       entries_.read_edge(tokens);
       tokens.expect_done("the entry");
     }
-    return entries_.finish();
   }
 
   Graph read_general(std::uint64_t count) {
     arcs_.begin();
-    for (std::uint64_t i = 0; i < count; ++i) {
-      Tokens tokens(input_, next_entry(count, i));
+    for (;;) {
+      read_plain_pairs(input_, "", count - arcs_.num_arcs(), [&](auto u, auto v, auto line) {
+        if (!entries_.accepts(u, v, line)) return false;
+        arcs_.add(static_cast<Vertex>(u - 1), static_cast<Vertex>(v - 1), line);
+        return true;
+      });
+      if (arcs_.num_arcs() == count) return arcs_.finish(entries_.checked_n());
+      Tokens tokens(input_, next_entry(count, arcs_.num_arcs()));
       const auto [u, v] = entries_.read_ends(tokens);
       tokens.expect_done("the entry");
-      arcs_.add(u, v);
+      arcs_.add(u, v, input_.line());
     }
-    return arcs_.finish(entries_.checked_n());
   }
 
   TextInput& input_;

@@ -75,7 +75,7 @@ class MetisParser final : public GraphParser {
         tokens.fail(fmt::format("vertex id {} is out of range 1 to {}", id, n_));
       }
       if (id == v + 1) tokens.fail(fmt::format("edge ({0}, {0}) is a loop", id));
-      arcs_.add(static_cast<Vertex>(v), static_cast<Vertex>(id - 1));
+      arcs_.add(static_cast<Vertex>(v), static_cast<Vertex>(id - 1), input_.line());
       if (edge_weights_) tokens.number("the weight of an edge");
     }
   }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <bit>
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <string_view>
 
@@ -24,6 +26,22 @@ class SixBits {
     if (value >= 64) fail_group();
     ++at_;
     return value;
+  }
+  /// The next four groups as 24 bits, the first of them highest; false, and nothing is read, if
+  /// there are fewer or one is no such character.
+  bool four_groups(std::uint32_t& bits) {
+    if (left() < 4) return false;
+    std::uint32_t c = 0;
+    std::memcpy(&c, line_.data() + at_, sizeof c);
+    if constexpr (std::endian::native == std::endian::big) c = __builtin_bswap32(c);
+    const bool below_128 = (c & 0x80808080u) == 0;
+    const bool up_to_tilde = ((c + 0x01010101u) & 0x80808080u) == 0;
+    const bool from_mark = ((c + 0x41414141u) & 0x80808080u) == 0x80808080u;  // from '?' = 63
+    if (!below_128 || !up_to_tilde || !from_mark) return false;
+    c -= 0x3f3f3f3fu;
+    bits = (c & 63) << 18 | (c >> 8 & 63) << 12 | (c >> 16 & 63) << 6 | c >> 24;
+    at_ += 4;
+    return true;
   }
   /// The number of vertices, N(n) in the format's description; up to 36 bits.
   std::uint64_t size();

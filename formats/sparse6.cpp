@@ -26,6 +26,12 @@ class Pairs {
   /// True if a whole pair is left; it is then in `pair`, b as its highest bit.
   bool next(std::uint64_t& pair) {
     while (count_ < width_) {
+      std::uint32_t four = 0;
+      if (bits_.four_groups(four)) {
+        held_ = (held_ << 24) | four;
+        count_ += 24;
+        continue;
+      }
       if (bits_.left() == 0) return false;
       held_ = (held_ << 6) | bits_.group();
       count_ += 6;
@@ -43,12 +49,13 @@ class Pairs {
     return bits_.left() == 0 && length < 6 && (held_ & tail) == tail &&
            (!with_last || last_pair == whole);
   }
-  std::size_t column() const { return bits_.column(); }
+  /// Of the group behind the last pair; of the end of the line if that holds no whole pair.
+  std::size_t column() const { return bits_.column() - (count_ < width_ ? 0 : count_ / 6); }
 
  private:
   SixBits bits_;
   unsigned width_;
-  std::uint64_t held_ = 0;  // the low count_ bits are not given yet
+  std::uint64_t held_ = 0;  // the low count_ bits are not given yet; width_ + 23 <= 56 at most
   unsigned count_ = 0;
 };
 

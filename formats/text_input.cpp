@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
@@ -12,23 +13,38 @@ namespace {
 constexpr std::size_t kFirstBlock = std::size_t{1} << 12;  // enough for a small file
 constexpr std::size_t kBlock = std::size_t{1} << 18;
 constexpr std::size_t kShownBytes = 40;
+constexpr std::size_t kSlack = 8;  // readable behind the text
 }  // namespace
 
 TextInput::TextInput(std::string name, std::unique_ptr<ByteSource> bytes)
-    : name_(std::move(name)), bytes_(std::move(bytes)), buffer_(kFirstBlock) {}
+    : name_(std::move(name)), bytes_(std::move(bytes)) {
+  make_room(kFirstBlock);
+}
+
+std::size_t TextInput::room() const { return buffer_.size() - kSlack; }
+
+void TextInput::make_room(std::size_t bytes) {
+  buffer_.resize(bytes + kSlack);
+  std::fill(buffer_.end() - kSlack, buffer_.end(), '\0');
+}
 
 bool TextInput::read_block() {
   if (at_end_) return false;
-  if (end_ == buffer_.size() && end_ < kBlock) buffer_.resize(kBlock);
-  if (begin_ > 0 && end_ == buffer_.size()) {  // drop the lines already given
+  if (end_ == room() && end_ < kBlock) make_room(kBlock);
+  if (begin_ > 0 && end_ == room()) {  // drop the lines already given
     std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
     dropped_ += begin_;
     next_ -= begin_;
     end_ -= begin_;
+    whole_end_ -= std::min(whole_end_, begin_);
     begin_ = 0;
   }
-  if (end_ == buffer_.size()) buffer_.resize(2 * buffer_.size());
-  const std::size_t got = bytes_->read(buffer_.data() + end_, buffer_.size() - end_);
+  if (end_ == room()) {  // a long line: less is copied than by doubling if the text goes on
+    make_room(room() + std::clamp<std::uint64_t>(bytes_->bytes_left(), room(), 7 * room()));
+  }
+  const std::size_t got = bytes_->read(buffer_.data() + end_, room() - end_);
+  const std::size_t newline = std::string_view(buffer_.data() + end_, got).rfind('\n');
+  if (newline != std::string_view::npos) whole_end_ = end_ + newline + 1;
   end_ += got;
   at_end_ = got == 0;
   return !at_end_;
@@ -58,6 +74,12 @@ void TextInput::put_back() {
   expect(next_ > begin_, "only the line just given can be put back");
   next_ = begin_;
   --line_;
+}
+
+void TextInput::take(std::size_t bytes, std::uint64_t lines) {
+  next_ += bytes;
+  begin_ = next_;
+  line_ += lines;
 }
 
 std::string_view TextInput::look_ahead(std::size_t wanted) {

@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "ar3d/formats/byte_source.h"
+#include "ar3d/model/threads.h"
 
 namespace ar3d {
 
@@ -26,6 +26,14 @@ class TextInput {
   /// The line just given will be given again.
   void put_back();
 
+  /// The whole lines, ends included, that have been read from the source and not given yet, for
+  /// reading many at once; valid until the next call. 8 bytes behind them can be read.
+  std::string_view whole_lines() const {
+    return {buffer_.data() + next_, whole_end_ > next_ ? whole_end_ - next_ : 0};
+  }
+  /// Gives the first `bytes` bytes of whole_lines(), which are `lines` lines.
+  void take(std::size_t bytes, std::uint64_t lines);
+
   /// The text not yet given, as far as it can be had: at least its first line, or up to `wanted`
   /// bytes of it.
   std::string_view look_ahead(std::size_t wanted);
@@ -37,6 +45,8 @@ class TextInput {
   std::uint64_t line() const { return line_; }  ///< number of the line just given, from 1
   /// Bytes of text given so far, ends of lines included.
   std::uint64_t bytes() const { return dropped_ + next_; }
+  /// Bytes of text not given yet, as far as that can be told; it may be wrong.
+  std::uint64_t bytes_left() const { return bytes_->bytes_left() + (end_ - next_); }
 
   /// Throws InputError "NAME:LINE:COLUMN: message" for the line just given; column 0 is left out.
   [[noreturn]] void fail(std::size_t column, const std::string& message) const;
@@ -46,13 +56,16 @@ class TextInput {
 
  private:
   bool read_block();  // appends to the buffer; false at the end
+  std::size_t room() const;
+  void make_room(std::size_t bytes);
 
   std::string name_;
   std::unique_ptr<ByteSource> bytes_;
-  std::vector<char> buffer_;
-  std::size_t begin_ = 0;  // of the line just given
-  std::size_t next_ = 0;   // of the line to give next
-  std::size_t end_ = 0;    // of the text in the buffer
+  UnwrittenVector<char> buffer_;
+  std::size_t begin_ = 0;      // of the line just given
+  std::size_t next_ = 0;       // of the line to give next
+  std::size_t end_ = 0;        // of the text in the buffer
+  std::size_t whole_end_ = 0;  // behind the last end of a line in it
   std::uint64_t dropped_ = 0;
   std::uint64_t line_ = 0;
   bool at_end_ = false;

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "ar3d/formats/leading_digits.h"
 #include "ar3d/formats/text_input.h"
 
 namespace ar3d {
@@ -38,6 +39,7 @@ class Tokens {
     word_ = at_;
     std::uint64_t value = 0;
     const char* limit = end_ - at_ > 18 ? at_ + 18 : end_;  // 18 digits cannot overflow
+    if (end_ - at_ >= 8) at_ += leading_digits(at_, value);
     while (at_ != limit && is_digit(*at_)) value = value * 10 + static_cast<unsigned>(*at_++ - '0');
     if (at_ == word_ || (at_ != end_ && !is_space(*at_))) return rare_number(what);
     return value;

@@ -77,8 +77,12 @@ class RowBuilder {
     const std::uint64_t begin = first_edge(part);
     for (std::uint64_t e = first_edge(part + 1); e-- > begin;) {
       if (e >= begin + 2 * kAhead) {
-        __builtin_prefetch(&counters[edges_[e - 2 * kAhead].v], 1);
-        __builtin_prefetch(half_edges + counters[edges_[e - kAhead].v] - 1, 1);
+        const Edge far = edges_[e - 2 * kAhead];
+        const Edge near = edges_[e - kAhead];
+        __builtin_prefetch(&counters[far.u], 1);
+        __builtin_prefetch(&counters[far.v], 1);
+        __builtin_prefetch(half_edges + counters[near.u] - 1, 1);
+        __builtin_prefetch(half_edges + counters[near.v] - 1, 1);
       }
       const auto [u, v] = edges_[e];
       half_edges[--counters[u]] = {v, static_cast<EdgeId>(e)};

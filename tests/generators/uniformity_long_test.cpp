@@ -1,13 +1,20 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <map>
+#include <numeric>
 #include <string>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
+#include "ar3d/generators/pairing.h"
 #include "ar3d/generators/random_regular.h"
+#include "ar3d/generators/switching.h"
 
 namespace ar3d {
 namespace {
@@ -51,6 +58,68 @@ double uniformity(Count n, std::uint32_t d, std::size_t classes, std::uint64_t s
   return p;
 }
 
+/// Equal for isomorphic graphs: the closed walks of up to `longest` steps at each vertex.
+/// @param whole  as a sorted list, which tells most graphs apart; else only their sums.
+std::uint64_t signature(const Graph& graph, int longest, bool whole) {
+  std::vector<std::uint64_t> of_vertex;
+  std::vector<std::uint64_t> walks;
+  std::vector<std::uint64_t> longer;
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+    walks.assign(graph.num_vertices(), 0);
+    walks[v] = 1;
+    std::uint64_t weighted = 0;
+    for (int steps = 1; steps <= longest; ++steps) {
+      longer.assign(graph.num_vertices(), 0);
+      for (const Edge e : graph.edges()) {
+        longer[e.u] += walks[e.v];
+        longer[e.v] += walks[e.u];
+      }
+      walks.swap(longer);
+      weighted = weighted * 0x9e3779b97f4a7c15u + walks[v];
+    }
+    of_vertex.push_back(weighted);
+  }
+  if (!whole) return std::accumulate(of_vertex.begin(), of_vertex.end(), std::uint64_t{0});
+  std::sort(of_vertex.begin(), of_vertex.end());
+  std::uint64_t all = 0;
+  for (const std::uint64_t weighted : of_vertex) all = (all ^ weighted) * 0x9e3779b97f4a7c15u;
+  return all;
+}
+
+/// Two-sample chi-square of the signatures: graphs by switchings against as many by full restart,
+/// which is uniform by construction. Signatures seen less than 20 times are one class.
+double agreement(Count n, std::uint32_t d, SwitchingLimits limits, std::uint64_t samples) {
+  const auto signature_of = [d](std::vector<Edge> edges, Count size) {
+    return signature(Graph(size, std::move(edges)), d == 3 ? 8 : 5, d == 3);
+  };
+  std::map<std::uint64_t, std::array<double, 2>> seen;
+  RandomStream random(20250102, n * 8 + d);
+  for (std::uint64_t i = 0; i < samples; ++i) {
+    ++seen[signature_of(random_regular_by_switching(n, d, random, limits), n)][0];
+    ++seen[signature_of(random_simple_pairs(n, d, n * d / 2, random), n)][1];
+  }
+  std::array<double, 2> rare{};
+  std::vector<std::array<double, 2>> classes;
+  for (const auto& [hash, counts] : seen) {
+    if (counts[0] + counts[1] >= 20) {
+      classes.push_back(counts);
+    } else {
+      rare = {rare[0] + counts[0], rare[1] + counts[1]};
+    }
+  }
+  if (rare[0] + rare[1] > 0) classes.push_back(rare);
+  double chi_square = 0;
+  for (const auto& [one, other] : classes) {
+    chi_square += (one - other) * (one - other) / (one + other);
+  }
+  const double p = p_value(chi_square, static_cast<double>(classes.size()) - 1);
+  ::testing::Test::RecordProperty("p_value", std::to_string(p));
+  std::printf(
+      "switchings, n = %d, d = %u: %zu classes, 2 x %.0f samples, chi-square %.1f, p = %.4f\n",
+      static_cast<int>(n), d, classes.size(), static_cast<double>(samples), chi_square, p);
+  return p;
+}
+
 // The seeds are fixed: a failure is a change of the generator, not bad luck.
 TEST(Uniformity, AllLabelledCubicGraphsOnEightVertices) {
   EXPECT_GT(uniformity(8, 3, 19355, 2000000), 0.001);
@@ -58,6 +127,16 @@ TEST(Uniformity, AllLabelledCubicGraphsOnEightVertices) {
 
 TEST(Uniformity, AllLabelledFourRegularGraphsOnSevenVertices) {
   EXPECT_GT(uniformity(7, 4, 465, 1000000), 0.001);
+}
+
+// The smallest sizes for which the switchings' bounds hold with one double edge; random_regular
+// itself takes full restart there.
+TEST(Uniformity, SwitchingsGiveCubicGraphsAsFullRestartDoes) {
+  EXPECT_GT(agreement(14, 3, {4, 1}, 1000000), 0.001);
+}
+
+TEST(Uniformity, SwitchingsGiveFourRegularGraphsAsFullRestartDoes) {
+  EXPECT_GT(agreement(17, 4, {4, 1}, 200000), 0.001);
 }
 
 }  // namespace

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ar3d/formats/catalog.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d::fuzz {
+
+inline std::vector<std::uint64_t> edge_numbers(const Graph& graph) {
+  std::vector<std::uint64_t> numbers;
+  for (const auto [u, v] : graph.edges()) {
+    numbers.push_back((std::uint64_t{std::max(u, v)} << 32) | std::min(u, v));
+  }
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
+inline std::vector<Graph> read_all(std::string text, const std::string& format) {
+  const ReadOptions options{.format = format, .free_vertices = 4096};
+  GraphReader reader(TextInput("fuzz", bytes_of(std::move(text))), options);
+  std::vector<Graph> graphs;
+  while (std::optional<Graph> graph = reader.next()) graphs.push_back(std::move(*graph));
+  return graphs;
+}
+
+inline std::string written(const std::vector<Graph>& graphs, const GraphFormat& format) {
+  OutputFile output("/dev/null");
+  const auto writer = format.writer(output, {});
+  std::string text;
+  const auto take = [&] { text += std::exchange(output.pending(), {}); };
+  for (const Graph& graph : graphs) {
+    writer->write(graph);
+    take();
+  }
+  writer->finish();
+  take();
+  return text;
+}
+
+/// What a fuzzer takes for a crash and a test for a failure.
+inline void require(bool holds, const char* what) {
+  if (!holds) throw std::logic_error(what);
+}
+
+/// Any bytes either are refused with one line, or give graphs that the format's writer and reader
+/// return unchanged. @param format  its name; empty: whichever is detected.
+inline void check_graphs(const std::string& format, std::string text) {
+  std::vector<Graph> graphs;
+  try {
+    graphs = read_all(std::move(text), format);
+  } catch (const InputError& error) {
+    require(std::string(error.what()).find('\n') == std::string::npos, "a message has one line");
+    return;
+  }
+  // A writer passes text on before 64 KiB; larger graphs are only read. graph6 takes n^2 bits.
+  for (const Graph& graph : graphs) {
+    if (graph.num_vertices() > 300 || graph.num_edges() > 1000) return;
+  }
+  const std::string name = format.empty() ? "edgelist" : format;
+  const std::vector<Graph> again = read_all(written(graphs, find_graph_format(name)), name);
+  require(again.size() == graphs.size(), "as many graphs come back");
+  for (std::size_t i = 0; i < graphs.size(); ++i) {
+    require(again[i].num_vertices() == graphs[i].num_vertices(), "the vertices come back");
+    require(edge_numbers(again[i]) == edge_numbers(graphs[i]), "the edges come back");
+  }
+}
+
+}  // namespace ar3d::fuzz
