@@ -18,8 +18,8 @@ Graph random_cactus(Count cycles, Count length, std::uint64_t seed);
 
 /// A long cycle whose vertices carry triangles (6i + 0, 2, 4) and (6i + 1, 3, 5): 4-regular, n =
 /// 6k, k >= 2, m = 2n, 2-connected. Split into these 2-factors, every triangle is contained in a
-/// short piece of the long cycle: the case that costs `diamond`'s placement its repairs. Also |dy|
-/// = 4 is frequent.
+/// short piece of the long cycle: the case that costs `diamond`'s placement its repairs. At n = 6000
+/// its drawing takes 2.9 times the volume of a random 4-regular graph's.
 Graph contained_cycles(Count k);
 
 /// Copies of triangle, K4, two leaf blocks joined by a bridge, prism, Petersen graph and triangle
