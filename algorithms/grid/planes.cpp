@@ -56,9 +56,6 @@ void adopt_flat(const ProcessingOrder& order, std::span<const Row> rows, const C
   planes.counts.flat_defects += static_cast<std::int64_t>(flat.defects().size());
 }
 
-/// Flat numbers beyond this are no better than the core's.
-std::int64_t largest_flat_number(std::int64_t n) { return 2 * n + 300; }
-
 /// Numbers what can be flat; returns the components that cannot.
 std::vector<OrderPart> number_flat(const Graph& graph, const ProcessingOrder& order,
                                    const PlaneOptions& options, Planes& planes) {
@@ -76,7 +73,7 @@ std::vector<OrderPart> number_flat(const Graph& graph, const ProcessingOrder& or
     const std::span<const PlaneNumbers> numbers(&flat.numbers()[part.begin], part.end - part.begin);
     const bool is_flat = flat.number(range, mine);
     if (is_flat && std::ranges::all_of(numbers, [&](const PlaneNumbers& x) {
-          return all_within(largest_flat_number(range.size()), x);
+          return all_within(2 * range.size() + options.flat_allowance, x);
         })) {
       adopt_flat(order, rows, colouring, part, flat, planes);
     } else {

@@ -57,6 +57,7 @@ struct Planes {
 struct PlaneOptions {
   bool flat = true;                       ///< try the flat numbers first, component by component
   std::uint64_t longest_chain = 1000000;  ///< edges of a Kempe chain; only for flat numbers
+  std::int64_t flat_allowance = 300;      ///< flat numbers beyond 2 n + this are left to the core
   std::int64_t window_percent = 55;       ///< half width of the core's window in hundredths of n
 };
 

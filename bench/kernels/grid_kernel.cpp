@@ -2,7 +2,8 @@
 //   grid/draw/E  algorithm `grid` at effort E, without reading any bend
 //   grid/search  breadth-first search of all components
 // Random cubic graphs with n vertices (parameter). And for every family of maximum degree 3:
-//   grid/size/FAMILY/N  eight graphs with shuffled vertices at the default effort: time a vertex,
+//   grid/size-of-FAMILY/N  eight graphs with shuffled vertices at the default effort: time a
+//   vertex,
 //                       medians of the extents / n and of volume / n^3, and the largest volume /
 //                       n^3
 
@@ -116,7 +117,7 @@ const bool kRegistered = [] {
 void kernels::register_grid_sizes() {
   for (const Family& family : families()) {
     if (family.max_degree > find_algorithm("grid").guarantee.max_degree) continue;
-    benchmark::RegisterBenchmark(("grid/size/" + family.name).c_str(),
+    benchmark::RegisterBenchmark(("grid/size-of-" + family.name).c_str(),
                                  [&family](benchmark::State& s) { size_kernel(s, family); })
         ->RangeMultiplier(10)
         ->Range(1000, 1000000)

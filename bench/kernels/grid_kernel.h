@@ -2,7 +2,7 @@
 
 namespace ar3d::kernels {
 
-/// Registers grid/size/FAMILY/N for every family that algorithm `grid` draws.
+/// Registers grid/size-of-FAMILY/N for every family that algorithm `grid` draws.
 void register_grid_sizes();
 
 }  // namespace ar3d::kernels

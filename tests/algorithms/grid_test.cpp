@@ -153,6 +153,17 @@ TEST(Grid, EveryFamilyKeepsItsVolumeAtTenThousandVertices) {
   }
 }
 
+TEST(Grid, ComponentsWithoutFlatNumbersAreLeftToTheCore) {
+  const Graph graph = testing::shuffled(
+      testing::disjoint_union({generate(find_family("random-cubic"), 2000, 1), testing::petersen(),
+                               testing::complete(4), generate(find_family("cubic-tree"), 40, 1)}),
+      9);
+  const Planes planes = planes_of(graph, {.flat_allowance = -150});  // none for n < 75
+  EXPECT_EQ(planes.counts.core_parts, 3);
+  EXPECT_EQ(grid::broken_invariant(graph, planes), "");
+  EXPECT_TRUE(is_valid(graph, drawing_of(graph, planes)));
+}
+
 TEST(Grid, SnarksKeepADefectAndFlatNumbers) {
   for (const Graph& graph : {testing::petersen(), generate(find_family("flower-snark"), 100, 0)}) {
     const Drawing drawing = draw_grid(graph);  // no proper edge colouring with three colours
