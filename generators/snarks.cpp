@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <utility>
+#include <vector>
 
 #include "ar3d/generators/petersen_like.h"
 #include "ar3d/model/error.h"
@@ -26,6 +29,41 @@ std::array<Vertex, 2> other_neighbours(const Graph& graph, Vertex x, Vertex y) {
   return {others[0], others[1]};
 }
 
+/// Removes an edge; quick if it is among the last. @throws InputError if it is not there.
+void remove_edge(std::vector<Edge>& edges, Edge edge) {
+  const auto at = std::find_if(edges.rbegin(), edges.rend(),
+                               [&](Edge other) { return same_edge(edge, other); });
+  if (at == edges.rend()) {
+    throw InputError(fmt::format("dot product: {} {} is not an edge", edge.u, edge.v));
+  }
+  edges.erase(std::next(at).base());
+}
+
+/// The dot product with `second` (see dot_product) of a graph with n vertices given by its edges.
+void multiply(std::vector<Edge>& edges, Count n, const std::array<Edge, 2>& cuts,
+              const Graph& second, Vertex x, Vertex y) {
+  const auto [cut, other_cut] = cuts;
+  if (cut.u == other_cut.u || cut.u == other_cut.v || cut.v == other_cut.u ||
+      cut.v == other_cut.v) {
+    throw InputError("dot product: the two edges to be cut share a vertex");
+  }
+  const auto from_x = other_neighbours(second, x, y);
+  const auto from_y = other_neighbours(second, y, x);
+  remove_edge(edges, cut);
+  remove_edge(edges, other_cut);
+  const auto renamed = [&](Vertex v) {
+    return static_cast<Vertex>(n + v - (v > x ? 1u : 0u) - (v > y ? 1u : 0u));
+  };
+  for (const Edge e : second.edges()) {
+    const bool stays = e.u != x && e.u != y && e.v != x && e.v != y;
+    if (stays) edges.push_back({renamed(e.u), renamed(e.v)});
+  }
+  edges.push_back({cut.u, renamed(from_x[0])});
+  edges.push_back({cut.v, renamed(from_x[1])});
+  edges.push_back({other_cut.u, renamed(from_y[0])});
+  edges.push_back({other_cut.v, renamed(from_y[1])});
+}
+
 /// Five copies of a piece of ten vertices (nine on a path or cycle and a centre, number 9), piece
 /// by piece.
 GraphBuilder five_pieces(const std::vector<Edge>& piece) {
@@ -40,26 +78,9 @@ GraphBuilder five_pieces(const std::vector<Edge>& piece) {
 
 Graph dot_product(const Graph& first, Edge cut, Edge other_cut, const Graph& second, Vertex x,
                   Vertex y) {
-  if (cut.u == other_cut.u || cut.u == other_cut.v || cut.v == other_cut.u ||
-      cut.v == other_cut.v) {
-    throw InputError("dot product: the two edges to be cut share a vertex");
-  }
-  const auto from_x = other_neighbours(second, x, y);
-  const auto from_y = other_neighbours(second, y, x);
-  GraphBuilder builder(first.num_vertices(), first.num_edges() + second.num_edges());
-  for (const Edge e : first.edges()) {
-    if (!same_edge(e, cut) && !same_edge(e, other_cut)) builder.edge(e.u, e.v);
-  }
-  const Count base = builder.add_vertices(second.num_vertices() - 2);
-  const auto renamed = [&](Vertex v) { return base + v - (v > x ? 1u : 0u) - (v > y ? 1u : 0u); };
-  for (const Edge e : second.edges()) {
-    if (e.u != x && e.u != y && e.v != x && e.v != y) builder.edge(renamed(e.u), renamed(e.v));
-  }
-  builder.edge(cut.u, renamed(from_x[0]));
-  builder.edge(cut.v, renamed(from_x[1]));
-  builder.edge(other_cut.u, renamed(from_y[0]));
-  builder.edge(other_cut.v, renamed(from_y[1]));
-  return builder.finish();
+  std::vector<Edge> edges(first.edges().begin(), first.edges().end());
+  multiply(edges, first.num_vertices(), {cut, other_cut}, second, x, y);
+  return Graph(first.num_vertices() + second.num_vertices() - 2, std::move(edges));
 }
 
 Graph blanusa_snark(Count k, Count type) {
@@ -67,14 +88,16 @@ Graph blanusa_snark(Count k, Count type) {
   const Graph petersen = generalised_petersen(5, 2);  // outer cycle 0..4, inner edges i, i + 2
   const Edge cut = {2, 3};
   const Edge other_cut = type == 1 ? Edge{4, 9} : Edge{9, 6};
-  Graph chain = petersen;
-  for (Count i = 0; i < k;
-       ++i) {  // the last Petersen graph has lost its vertices 0 and 1, unless it is the only one
-    const Vertex shift = i == 0 ? 0 : chain.num_vertices() - 10;
+  std::vector<Edge> edges(petersen.edges().begin(), petersen.edges().end());
+  Count n = petersen.num_vertices();
+  for (Count i = 0; i < k; ++i) {
+    // The last Petersen graph has lost its vertices 0 and 1, unless it is the only one.
+    const auto shift = static_cast<Vertex>(i == 0 ? 0 : n - 10);
     const auto shifted = [&](Edge e) { return Edge{e.u + shift, e.v + shift}; };
-    chain = dot_product(chain, shifted(cut), shifted(other_cut), petersen, 0, 1);
+    multiply(edges, n, {shifted(cut), shifted(other_cut)}, petersen, 0, 1);
+    n += 8;
   }
-  return chain;
+  return Graph(static_cast<Vertex>(n), std::move(edges));
 }
 
 Graph goldberg_snark(Count k) {

@@ -34,9 +34,9 @@ DefectPaths::~DefectPaths() {
 }
 
 std::span<const std::size_t> DefectPaths::defects_at(Place x) const {
-  const auto range =
-      std::ranges::equal_range(by_x_, x, {}, [&](std::size_t d) { return defects_[d].x; });
-  return {range.begin(), range.end()};
+  const auto x_of = [&](std::size_t d) { return defects_[d].x; };
+  return {std::ranges::lower_bound(by_x_, x, {}, x_of),
+          std::ranges::upper_bound(by_x_, x, {}, x_of)};
 }
 
 void DefectPaths::collect(Place x) {
