@@ -8,6 +8,7 @@
 
 #include "ar3d/analysis/check.h"
 #include "ar3d/analysis/export.h"
+#include "ar3d/analysis/google_benchmark.h"
 #include "ar3d/model/error.h"
 #include "ar3d/results/atomic_file.h"
 #include "ar3d/results/run.h"
@@ -43,6 +44,7 @@ void add_report(CLI::App& app, int& exit_code) {
     std::string rows;
     std::string growth;
     std::string figures;
+    std::string benchmark_json;
   };
   const auto arguments = std::make_shared<Arguments>();
   verb->add_option("RESULTS", arguments->results, "results file (HDF5)")->required();
@@ -57,6 +59,8 @@ void add_report(CLI::App& app, int& exit_code) {
                    "also write the boxes of every row as CSV to this file");
   verb->add_option("--figures", arguments->figures,
                    "also write the figures as SVG and PDF into this directory");
+  verb->add_option("--benchmark-json", arguments->benchmark_json,
+                   "also write the timed rows as a Google Benchmark report to this file");
   verb->footer("Example: ar3d report smoke.h5 -o smoke.html --figures figures");
   verb->callback([arguments, &exit_code] {
     const Results results = read_results(arguments->results);
@@ -71,6 +75,9 @@ void add_report(CLI::App& app, int& exit_code) {
     if (!arguments->rows.empty()) write_file_atomically(arguments->rows, rows_csv(results));
     if (!arguments->growth.empty()) write_file_atomically(arguments->growth, scaling_csv(results));
     if (!arguments->figures.empty()) write_figures(results, arguments->figures);
+    if (!arguments->benchmark_json.empty()) {
+      write_file_atomically(arguments->benchmark_json, google_benchmark_json(results));
+    }
     fmt::print("report   {}\n", path);
     if (results.runs.empty()) {
       fmt::print(stderr, "ar3d: {}: nothing measured: the file has no rows\n", arguments->results);

@@ -75,12 +75,27 @@ algorithms = [
 instances = 8
 )toml";
 
-constexpr std::array<NamedStudy, 4> kStudies = {{
+constexpr std::string_view kRegression =
+    R"toml(# What `ar3d compare --base` runs with both builds, in turns: every kernel at two sizes.
+study = "regression"
+description = "what `compare --base` runs: every algorithm and family at two sizes"
+seed = 1
+
+[[sweep]]
+families = "all"
+sizes = [300, 3000]
+algorithms = "all"
+timed_repetitions = 5  # of one round; its smallest time counts
+)toml";
+
+constexpr std::array<NamedStudy, 5> kStudies = {{
     {"smoke", "every algorithm and family at small sizes, a few seconds", kSmoke},
     {"quick", "every algorithm over every family that fits it, up to a hundred thousand vertices",
      kQuick},
     {"volume", "every algorithm and family at ten sizes to 10^5, eight seeds, and the effort dial",
      kVolume},
+    {"regression", "what `compare --base` runs: every algorithm and family at two sizes",
+     kRegression},
     {"million", "one random regular graph of a million vertices for every algorithm", kMillion},
 }};
 

@@ -72,9 +72,10 @@ TEST(ListProgram, ShowsEveryCatalogue) {
 }
 
 TEST(Program, HelpOfEveryVerbHasAnExample) {
-  for (const char* verb : {"list", "generate", "draw", "verify", "study run", "study resume",
-                           "study status", "study merge", "study plan", "study selfcheck",
-                           "study count", "check", "report", "replay", "hunt", "shrink"}) {
+  for (const char* verb :
+       {"list", "generate", "draw", "verify", "study run", "study resume", "study status",
+        "study merge", "study plan", "study selfcheck", "study count", "check", "report", "replay",
+        "compare", "hunt", "shrink"}) {
     const Outcome help = run(std::string("{} ") + verb + " --help");
     EXPECT_EQ(help.exit_code, 0) << verb;
     EXPECT_THAT(help.out, HasSubstr("Example: ")) << verb;

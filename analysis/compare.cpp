@@ -1,0 +1,283 @@
+#include "ar3d/analysis/compare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "ar3d/analysis/compare/fixed_change.h"
+#include "ar3d/analysis/compare/pairing.h"
+#include "ar3d/analysis/text.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+namespace {
+
+/// What a cell has to be judged by.
+struct Evidence {
+  PairedCell cell;
+  std::vector<FixedChange> fixed;
+  std::vector<double> log_ratios;
+};
+
+void require_same_study(const Results& base, const Results& now) {
+  if (base.study_id == now.study_id) return;
+  throw InputError(fmt::format("results of different studies: BASE is '{}', NEW is '{}'",
+                               one_line(base.study_id), one_line(now.study_id)));
+}
+
+std::vector<FixedChange> fixed_changes_of(const PairedCell& cell, double instruction_threshold) {
+  std::vector<FixedChange> changes = instruction_change(cell, instruction_threshold);
+  for (const PairedRow& row : cell.rows) {
+    for (FixedChange& change : fixed_changes(row)) changes.push_back(std::move(change));
+  }
+  return changes;
+}
+
+/// Curves of which some size has too few pairs become one cell of all sizes.
+std::vector<PairedCell> with_enough_pairs(std::vector<PairedCell> cells, std::size_t enough) {
+  std::map<CellKey, bool> pooled;
+  for (const PairedCell& cell : cells) {
+    const bool few = log_time_ratios(cell).size() < enough;
+    pooled[cell.key] = pooled[cell.key] || few;
+  }
+  std::map<CellKey, std::size_t> place_of;
+  std::vector<PairedCell> result;
+  for (PairedCell& cell : cells) {
+    if (!pooled[cell.key]) {
+      result.push_back(std::move(cell));
+      continue;
+    }
+    const auto [place, is_new] = place_of.try_emplace(cell.key, result.size());
+    if (is_new) {
+      result.push_back(std::move(cell));
+      continue;
+    }
+    PairedCell& whole = result[place->second];
+    whole.n = -1;
+    whole.rows.insert(whole.rows.end(), cell.rows.begin(), cell.rows.end());
+  }
+  return result;
+}
+
+/// The heaviest change without noise and how often it occurs.
+struct FixedVerdict {
+  Verdict verdict = Verdict::pass;
+  std::string reason;
+};
+
+FixedVerdict judge_fixed(const std::vector<FixedChange>& changes) {
+  if (changes.empty()) return {};
+  const auto worst = std::max_element(
+      changes.begin(), changes.end(),
+      [](const FixedChange& a, const FixedChange& b) { return a.effect < b.effect; });
+  const auto alike = std::count_if(changes.begin(), changes.end(), [&](const FixedChange& change) {
+    return change.effect == worst->effect;
+  });
+  FixedVerdict verdict;
+  verdict.reason = one_line(worst->message);
+  if (alike > 1) verdict.reason += fmt::format(" (and {} more like it)", alike - 1);
+  switch (worst->effect) {
+    case Effect::other:
+      break;
+    case Effect::better:
+      verdict.verdict = Verdict::improved;
+      break;
+    case Effect::worse:
+      verdict.verdict = Verdict::regressed;
+      break;
+    case Effect::violated:
+      verdict.verdict = Verdict::violated;
+  }
+  return verdict;
+}
+
+std::string undecided_reason(const TimeVerdict& time, std::size_t enough) {
+  if (time.test.pairs == 0) return "no time on both sides";
+  if (time.test.pairs < enough) {
+    return fmt::format("{} pairs of times; {} are needed", time.test.pairs, enough);
+  }
+  return "the times' noise hides a change of the threshold's size";
+}
+
+/// Weighs the noiseless verdict and the time's together.
+void judge(CellComparison& cell, const FixedVerdict& fixed, const TimeRule& rule,
+           bool time_judged) {
+  cell.verdict = fixed.verdict;
+  cell.reason = fixed.reason;
+  if (!time_judged || cell.verdict >= Verdict::regressed) return;
+  const auto set = [&](Verdict verdict, const std::string& reason) {
+    cell.verdict = verdict;
+    cell.reason = reason + (fixed.reason.empty() ? "" : "; " + fixed.reason);
+  };
+  switch (cell.time.change) {
+    case TimeChange::same:
+      break;
+    case TimeChange::slower:
+      set(Verdict::regressed, "slower");
+      break;
+    case TimeChange::faster:
+      set(Verdict::improved, "faster");
+      break;
+    case TimeChange::undecided:
+      if (fixed.verdict == Verdict::pass) {
+        set(Verdict::inconclusive, undecided_reason(cell.time, fewest_pairs(rule)));
+      }
+  }
+}
+
+Comparison judge_all(std::vector<Evidence> evidence, Comparison comparison,
+                     const CompareOptions& options) {
+  std::vector<std::vector<double>> log_ratios;
+  for (const Evidence& cell : evidence) log_ratios.push_back(cell.log_ratios);
+  const std::vector<TimeVerdict> times = judge_times(log_ratios, options.time);
+  for (std::size_t i = 0; i < evidence.size(); ++i) {
+    CellComparison cell;
+    cell.key = evidence[i].cell.key;
+    cell.n = evidence[i].cell.n;
+    cell.rows = evidence[i].cell.rows.size();
+    cell.time = times[i];
+    cell.log_ratios = std::move(evidence[i].log_ratios);
+    judge(cell, judge_fixed(evidence[i].fixed), options.time, comparison.time_judged);
+    comparison.cells.push_back(std::move(cell));
+  }
+  return comparison;
+}
+
+void note_gaps(const Results& results, const char* side, Comparison& comparison) {
+  if (results.runs.empty()) {
+    comparison.incomplete.push_back(fmt::format("nothing measured: {} has no rows", side));
+  } else if (results.planned_rows > static_cast<std::int64_t>(results.runs.size())) {
+    comparison.incomplete.push_back(fmt::format("{} has {} of {} planned rows", side,
+                                                results.runs.size(), results.planned_rows));
+  }
+}
+
+/// A line that is there already is not said again.
+void add_once(std::vector<std::string>& lines, std::string line) {
+  if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(std::move(line));
+}
+
+void note_pairing(const Pairing& pairing, Comparison& comparison) {
+  std::size_t untimed = 0;
+  for (const PairedCell& cell : pairing.cells) {
+    comparison.rows += cell.rows.size();
+    untimed += rows_without_time(cell);
+  }
+  if (pairing.missing > 0) {
+    add_once(comparison.incomplete, fmt::format("NEW lacks {} measurements of BASE; the first: {}",
+                                                pairing.missing, one_line(pairing.first_missing)));
+  }
+  if (untimed > 0) {
+    add_once(comparison.incomplete,
+             fmt::format("{} ok measurements have no time above 0 (NaN, 0 or infinite)", untimed));
+  }
+  if (pairing.fewer > 0) {
+    add_once(comparison.remarks,
+             fmt::format("{} timed repetitions of BASE have no partner", pairing.fewer));
+  }
+  if (pairing.extra > 0) {
+    add_once(comparison.remarks,
+             fmt::format("{} measurements of NEW are not in BASE", pairing.extra));
+  }
+}
+
+/// Marks of sanitised or unoptimised builds.
+void note_marks(const Results& results, const char* side, Comparison& comparison) {
+  const auto marked = std::find_if(results.runs.begin(), results.runs.end(),
+                                   [](const Run& run) { return !run.timing_mark.empty(); });
+  if (marked == results.runs.end()) return;
+  comparison.remarks.push_back(
+      fmt::format("{} was measured by a {} build", side, one_line(marked->timing_mark)));
+  comparison.time_judged = false;
+}
+
+/// What is to be said of two results before any cell is looked at.
+/// @param load_matters  whether other work on the machine makes times incomparable.
+Comparison first_look(const Results& base, const Results& now, const CompareOptions& options,
+                      bool load_matters) {
+  Comparison comparison;
+  comparison.environment = environment_changes(base, now);
+  if (!load_matters) {
+    std::erase_if(comparison.environment,
+                  [](const EnvironmentChange& change) { return change.name == kLoadOfOtherWork; });
+  }
+  comparison.time_judged = comparison.environment.empty();
+  note_marks(base, "BASE", comparison);
+  note_marks(now, "NEW", comparison);
+  comparison.time_judged = comparison.time_judged || options.time_always;
+  note_gaps(base, "BASE", comparison);
+  note_gaps(now, "NEW", comparison);
+  return comparison;
+}
+
+}  // namespace
+
+Comparison compare(const Results& base, const Results& now, const CompareOptions& options) {
+  require_same_study(base, now);
+  Comparison comparison = first_look(base, now, options, true);
+  Pairing pairing = pair_rows(base, now);
+  note_pairing(pairing, comparison);
+  std::vector<Evidence> evidence;
+  for (PairedCell& cell : with_enough_pairs(std::move(pairing.cells), fewest_pairs(options.time))) {
+    Evidence& added = evidence.emplace_back();
+    added.fixed = fixed_changes_of(cell, options.instruction_threshold);
+    added.log_ratios = log_time_ratios(cell);
+    added.cell = std::move(cell);
+  }
+  return judge_all(std::move(evidence), std::move(comparison), options);
+}
+
+Comparison compare_rounds(const std::vector<Results>& base, const std::vector<Results>& now,
+                          const CompareOptions& options) {
+  expect(!base.empty() && base.size() == now.size(), "a comparison of unequally many rounds");
+  Comparison comparison = first_look(base.front(), now.front(), options, false);
+  std::map<std::pair<CellKey, std::int64_t>, std::size_t> place_of;
+  std::vector<Evidence> evidence;
+  for (std::size_t round = 0; round < base.size(); ++round) {
+    require_same_study(base[round], now[round]);
+    const Pairing pairing = pair_rows(base[round], now[round]);
+    note_pairing(pairing, comparison);
+    for (const PairedCell& cell : pairing.cells) {
+      const auto [place, is_new] = place_of.try_emplace({cell.key, cell.n}, evidence.size());
+      if (is_new) evidence.push_back({cell, {}, {}});
+      Evidence& into = evidence[place->second];
+      for (FixedChange& change : fixed_changes_of(cell, options.instruction_threshold)) {
+        into.fixed.push_back(std::move(change));
+      }
+      const double ratio = round_log_time_ratio(cell);
+      if (std::isfinite(ratio)) into.log_ratios.push_back(ratio);
+    }
+  }
+  return judge_all(std::move(evidence), std::move(comparison), options);
+}
+
+const char* to_string(Verdict verdict) {
+  constexpr const char* kWords[] = {"PASS", "IMPROVED", "INCONCLUSIVE", "REGRESSED", "VIOLATED"};
+  return kWords[static_cast<std::size_t>(verdict)];
+}
+
+std::size_t Comparison::count(Verdict verdict) const {
+  return static_cast<std::size_t>(std::count_if(
+      cells.begin(), cells.end(), [&](const auto& cell) { return cell.verdict == verdict; }));
+}
+
+std::string Comparison::word() const {
+  for (const Verdict verdict : {Verdict::violated, Verdict::regressed}) {
+    if (count(verdict) > 0) return to_string(verdict);
+  }
+  if (!incomplete.empty() || cells.empty()) return "INCOMPLETE";
+  if (count(Verdict::inconclusive) > 0) return to_string(Verdict::inconclusive);
+  return to_string(count(Verdict::improved) > 0 ? Verdict::improved : Verdict::pass);
+}
+
+int Comparison::exit_code(bool strict) const {
+  if (count(Verdict::violated) > 0) return 4;
+  if (count(Verdict::regressed) > 0) return 3;
+  if (!incomplete.empty() || cells.empty()) return 5;
+  return strict && (!time_judged || count(Verdict::inconclusive) > 0) ? 6 : 0;
+}
+
+}  // namespace ar3d

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ar3d/analysis/cells.h"
+#include "ar3d/analysis/compare/calibration.h"
+#include "ar3d/analysis/compare/environment_change.h"
+#include "ar3d/analysis/compare/time_change.h"
+#include "ar3d/results/run.h"
+
+namespace ar3d {
+
+struct CompareOptions {
+  TimeRule time;
+  double instruction_threshold = 0.01;  ///< smaller changes of counted instructions do not matter
+  bool time_always = false;             ///< judge times of unlike environments too
+};
+
+/// Sorted by what outweighs what.
+enum class Verdict { pass, improved, inconclusive, regressed, violated };
+/// "PASS", "IMPROVED", "INCONCLUSIVE", "REGRESSED", "VIOLATED"
+const char* to_string(Verdict verdict);
+
+/// The verdict on one cell: an algorithm with its options on a family at one size, or, where no
+/// size has enough pairs of its own, at all sizes.
+struct CellComparison {
+  CellKey key;
+  std::int64_t n = -1;  ///< -1: all sizes
+  std::size_t rows = 0;
+  Verdict verdict = Verdict::pass;
+  std::string reason;              ///< one line, empty for a plain pass
+  TimeVerdict time;                ///< of log(new / base)
+  std::vector<double> log_ratios;  ///< one a pair
+};
+
+struct Comparison {
+  std::vector<CellComparison> cells;  ///< in base's order
+  std::vector<EnvironmentChange> environment;
+  bool time_judged = true;  ///< false: unlike environments, times are shown but are no gate
+  std::size_t rows = 0;     ///< measurements that both sides hold
+  std::vector<std::string> incomplete;  ///< why the comparison is not whole, one line each
+  std::vector<std::string> remarks;     ///< one line each
+
+  std::size_t count(Verdict verdict) const;
+  /// The heaviest verdict of all cells, between which stands INCOMPLETE (below REGRESSED).
+  std::string word() const;
+  /// 0 pass, 3 regression, 4 violated, 5 incomplete or nothing compared; with `strict` 6 if
+  /// anything is inconclusive or times could not be judged.
+  int exit_code(bool strict = false) const;
+};
+
+/// Compares two results: first what has no noise (status, certificate, graph, volume, bends,
+/// counted instructions), then times of drawing, measured one after the other: a pair is a row of
+/// each. A cell is one size where every size of its curve has enough pairs to be significant alone,
+/// else the whole curve. Cost: O(r log r) for r rows, and O(k^2) for k pairs of a cell.
+/// @throws InputError if the two are of different studies, or one holds a measurement twice.
+Comparison compare(const Results& base, const Results& now, const CompareOptions& options = {});
+
+/// The same for two programs that took turns: base[i] and now[i] were measured one right after the
+/// other, and a pair is a round. Load that disturbed both is no reason not to judge times.
+/// @param base, now  equally many, at least one.
+Comparison compare_rounds(const std::vector<Results>& base, const std::vector<Results>& now,
+                          const CompareOptions& options = {});
+
+/// For a terminal: the verdict, the environment where it differs, and the cells that did not pass,
+/// `most_cells` of each kind.
+std::string summary(const Comparison& comparison, const CompareOptions& options, bool strict,
+                    std::size_t most_cells = 20);
+std::string summary(const Calibration& calibration, const TimeRule& rule);
+
+/// Everything, for programs; missing numbers are null. @param calibration  null if there was none.
+std::string comparison_json(const Comparison& comparison, const CompareOptions& options,
+                            bool strict, const Calibration* calibration = nullptr);
+
+}  // namespace ar3d

@@ -1,0 +1,77 @@
+#include "ar3d/analysis/compare/environment_change.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <set>
+
+namespace ar3d {
+namespace {
+
+constexpr const char* kAbsent = "absent";
+
+/// Differs from session to session on one machine, or is the change that is to be judged.
+bool is_passing(const std::string& name) {
+  return name == "started" || name == "source_hash" || name == "dirty_hash" ||
+         name.starts_with("load_");
+}
+
+/// All lasting settings; a value that several sessions share stands once.
+std::map<std::string, std::string> settings(const Results& results) {
+  std::map<std::string, std::set<std::string>> values;
+  for (const EnvironmentEntry& entry : results.environment) {
+    if (!is_passing(entry.name)) values[entry.name].insert(entry.value);
+  }
+  std::map<std::string, std::string> joined;
+  for (const auto& [name, of_name] : values) {
+    for (const std::string& value : of_name) {
+      joined[name] += (joined[name].empty() ? "" : " | ") + value;
+    }
+  }
+  return joined;
+}
+
+std::string value_of(const std::map<std::string, std::string>& settings, const std::string& name) {
+  const auto at = settings.find(name);
+  return at == settings.end() ? kAbsent : at->second;
+}
+
+double leading_number(const std::string& text) {
+  double number = 0;  // stays 0 where there is none
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
+
+/// The load at a session's beginning that is more than half of the cores; empty if none is.
+std::string busy(const Results& results) {
+  double cores = 1;
+  for (const EnvironmentEntry& entry : results.environment) {
+    if (entry.name == "cores") cores = std::max(cores, leading_number(entry.value));
+  }
+  for (const EnvironmentEntry& entry : results.environment) {
+    if (entry.name == "load_before" && leading_number(entry.value) > cores / 2) return entry.value;
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<EnvironmentChange> environment_changes(const Results& base, const Results& now) {
+  const auto before = settings(base), after = settings(now);
+  std::set<std::string> names;
+  for (const auto& entry : before) names.insert(entry.first);
+  for (const auto& entry : after) names.insert(entry.first);
+  std::vector<EnvironmentChange> changes;
+  for (const std::string& name : names) {
+    const std::string old_value = value_of(before, name), new_value = value_of(after, name);
+    if (old_value != new_value) changes.push_back({name, old_value, new_value});
+  }
+  const std::string busy_before = busy(base), busy_after = busy(now);
+  if (!busy_before.empty() || !busy_after.empty()) {
+    const auto text = [](const std::string& load) { return load.empty() ? "idle" : load; };
+    changes.push_back({kLoadOfOtherWork, text(busy_before), text(busy_after)});
+  }
+  return changes;
+}
+
+}  // namespace ar3d

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ar3d/analysis/cells.h"
+#include "ar3d/results/run.h"
+
+namespace ar3d {
+
+/// One measurement that both sides made: the same graph, algorithm, options, phase and repetition.
+struct PairedRow {
+  const Run* base = nullptr;
+  const Run* now = nullptr;
+};
+
+/// The measurements of one algorithm on one family at one size.
+struct PairedCell {
+  CellKey key;
+  std::int64_t n = -1;  ///< vertices; -1: all sizes
+  std::vector<PairedRow> rows;
+};
+
+struct Pairing {
+  std::vector<PairedCell> cells;  ///< in base's order
+  std::size_t missing = 0;        ///< rows of base that the other side lacks
+  std::size_t fewer = 0;          ///< further repetitions in base's timing phase, not missing: how
+                                  ///< many there are depends on the noise
+  std::size_t extra = 0;          ///< rows that base lacks
+  std::string first_missing;      ///< which one, for people; empty if none
+};
+
+/// Matches rows by what they measure, not by their place. The pointers are into the arguments.
+/// @throws InputError if one side holds the same measurement twice. Cost: O(r log r) for r rows.
+Pairing pair_rows(const Results& base, const Results& now);
+
+/// "random-cubic n=100 instance 0, diamond (effort=1), repetition 2": which measurement a row is.
+std::string row_label(const Run& run);
+
+/// log(new / base) of the drawing times of a cell's pairs: of rows of the timing phase if the cell
+/// has any, else of all. A pair without two finite positive times is left out.
+std::vector<double> log_time_ratios(const PairedCell& cell);
+
+/// The same for a whole round as one number: the median over graphs of the ratio of the smallest
+/// times among the repetitions of each; NaN if there is none.
+double round_log_time_ratio(const PairedCell& cell);
+
+/// Ok rows of both sides whose time is not a finite positive number although it should be one.
+std::size_t rows_without_time(const PairedCell& cell);
+
+}  // namespace ar3d

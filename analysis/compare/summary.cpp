@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "ar3d/analysis/compare.h"
+#include "ar3d/analysis/text.h"
+
+namespace ar3d {
+namespace {
+
+std::string cell_label(const CellComparison& cell) {
+  std::string label = algorithm_label(cell.key);
+  if (!cell.key.family.empty()) label += " on " + family_label(cell.key);
+  if (!cell.key.family.empty()) {
+    label += cell.n >= 0 ? fmt::format(" n={}", cell.n) : std::string(" all n");
+  }
+  return one_line(label);
+}
+
+std::string percent(double ratio) { return fmt::format("{:+.1f} %", 100 * (ratio - 1)); }
+
+std::string time_text(const TimeVerdict& time) {
+  const SignedRankTest& test = time.test;
+  if (test.pairs == 0) return "not timed";
+  std::string text = percent(std::exp(test.estimate));
+  if (std::isfinite(test.interval.low)) {
+    text += fmt::format(" [{}, {}]", percent(std::exp(test.interval.low)),
+                        percent(std::exp(test.interval.high)));
+  }
+  return text + fmt::format(", {} pairs, p {:.2g}", test.pairs, time.adjusted_p);
+}
+
+std::string cell_line(const CellComparison& cell) {
+  return fmt::format("{:<12} {:<56} time {}{}\n", to_string(cell.verdict), cell_label(cell),
+                     time_text(cell.time), cell.reason.empty() ? "" : "; " + cell.reason);
+}
+
+std::string cell_table(const Comparison& comparison, std::size_t most_cells) {
+  std::string text;
+  for (const Verdict verdict :
+       {Verdict::violated, Verdict::regressed, Verdict::inconclusive, Verdict::improved}) {
+    std::size_t shown = 0;
+    for (const CellComparison& cell : comparison.cells) {
+      if (cell.verdict == verdict && shown++ < most_cells) text += cell_line(cell);
+    }
+    if (shown > most_cells) {
+      text += fmt::format("{:<12} {} more\n", to_string(verdict), shown - most_cells);
+    }
+  }
+  return text;
+}
+
+std::string environment_text(const Comparison& comparison) {
+  if (comparison.environment.empty()) return "";
+  std::string text = fmt::format(
+      "UNLIKE ENVIRONMENTS: times are {}\n",
+      comparison.time_judged ? "judged all the same, as asked" : "shown, but are no gate");
+  for (const EnvironmentChange& change : comparison.environment) {
+    text += fmt::format("  {}: {} -> {}\n", one_line(change.name), one_line(change.base),
+                        one_line(change.now));
+  }
+  return text;
+}
+
+/// Cells that passed although their drawings changed.
+std::size_t other_drawings(const Comparison& comparison) {
+  std::size_t count = 0;
+  for (const CellComparison& cell : comparison.cells) {
+    if (cell.verdict == Verdict::pass && !cell.reason.empty()) ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+std::string summary(const Comparison& comparison, const CompareOptions& options, bool strict,
+                    std::size_t most_cells) {
+  std::string text = environment_text(comparison) + cell_table(comparison, most_cells);
+  for (const std::string& line : comparison.incomplete) text += "INCOMPLETE   " + line + "\n";
+  for (const std::string& line : comparison.remarks) text += "note         " + line + "\n";
+  if (const std::size_t others = other_drawings(comparison); others > 0) {
+    text += fmt::format("note         {} cells passed with other drawings than before\n", others);
+  }
+  text += fmt::format(
+      "{}  {} cells ({} measurements): {} pass, {} improved, {} inconclusive, {} regressed, {} "
+      "violated\n",
+      comparison.word(), comparison.cells.size(), comparison.rows, comparison.count(Verdict::pass),
+      comparison.count(Verdict::improved), comparison.count(Verdict::inconclusive),
+      comparison.count(Verdict::regressed), comparison.count(Verdict::violated));
+  const TimeRule& rule = options.time;
+  text += fmt::format(
+      "rule: time changes by {:.3g} % or more, p <= {:.3g} a cell, false discovery rate {:.3g} %; "
+      "volume, bends, status, certificate: any change for the worse; exit code {}\n",
+      100 * rule.threshold, rule.significance, 100 * rule.false_discovery_rate,
+      comparison.exit_code(strict));
+  return text;
+}
+
+std::string summary(const Calibration& calibration, const TimeRule& rule) {
+  std::string text = fmt::format(
+      "calibration  the program against itself: {} false alarms in {} cells of {} pairs\n",
+      calibration.false_alarms, calibration.cells, calibration.pairs);
+  text +=
+      fmt::format("             false-alarm rate {:.4f} % a cell (its pairs relabelled {} times)\n",
+                  100 * calibration.false_alarm_rate(), calibration.relabellings);
+  if (!std::isfinite(calibration.smallest_slowdown_median)) {
+    return text + fmt::format("             no slowdown is visible: {} cells need {} pairs\n",
+                              calibration.cells, fewest_pairs(rule, calibration.cells));
+  }
+  return text + fmt::format(
+                    "             smallest slowdown found 99 times of 100: {:.1f} % in half of the "
+                    "cells, {:.1f} % in all\n",
+                    100 * calibration.smallest_slowdown_median,
+                    100 * calibration.smallest_slowdown_worst);
+}
+
+}  // namespace ar3d

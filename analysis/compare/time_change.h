@@ -1,0 +1,47 @@
+#pragma once
+
+#include <vector>
+
+#include "ar3d/analysis/compare/signed_rank.h"
+
+namespace ar3d {
+
+/// When a change of time counts.
+struct TimeRule {
+  double threshold = 0.05;             ///< smaller changes do not matter: 0.05 is 5 %
+  double significance = 0.001;         ///< largest two-sided p-value of one cell
+  double false_discovery_rate = 0.05;  ///< largest adjusted p-value over all cells
+  double confidence = 0.95;            ///< of the interval of a cell's ratio
+};
+
+enum class TimeChange {
+  same,      ///< the interval of the ratio lies within the threshold on both sides
+  faster,    ///< significant, and the estimate passes the threshold
+  slower,    ///< likewise
+  undecided  ///< neither: too few pairs, too much noise, or right at the threshold
+};
+
+struct TimeVerdict {
+  SignedRankTest test;  ///< of log(new time / base time); pairs = 0 if nothing was timed
+  double adjusted_p = 1;
+  TimeChange change = TimeChange::undecided;
+};
+
+/// Fewest pairs that can be significant: all of them point one way.
+std::size_t fewest_pairs(const TimeRule& rule);
+/// Fewest pairs with which one cell among `cells` can be found (Benjamini and Hochberg's
+/// threshold).
+std::size_t fewest_pairs(const TimeRule& rule, std::size_t cells);
+
+/// One verdict a cell. @param log_ratios  log(new / base) of the pairs of every cell, finite. A
+/// cell with more than 2000 pairs is thinned evenly to at most that many.
+std::vector<TimeVerdict> judge_times(const std::vector<std::vector<double>>& log_ratios,
+                                     const TimeRule& rule);
+
+/// The smallest true slowdown with which `log_ratios`, measured without any, would be judged slower
+/// while all other cells of `cells` stay as they are: ratio - 1; infinite if there are too few
+/// pairs.
+double smallest_visible_slowdown(std::vector<double> log_ratios, const TimeRule& rule,
+                                 std::size_t cells);
+
+}  // namespace ar3d

@@ -1,0 +1,186 @@
+#include "ar3d/analysis/compare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "ar3d/analysis/google_benchmark.h"
+#include "ar3d/bench/interleave.h"
+#include "ar3d/bench/plan.h"
+#include "ar3d/bench/reference_build.h"
+#include "ar3d/bench/study_spec.h"
+#include "ar3d/model/error.h"
+#include "ar3d/results/atomic_file.h"
+#include "commands.h"
+
+namespace ar3d {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CompareArguments {
+  std::vector<std::string> files;
+  bool reference = false;
+  std::string base;
+  std::string study = "regression";
+  std::size_t rounds = 0;
+  int core = -1;
+  bool calibrate = false;
+  bool strict = false;
+  double threshold_percent = 5;
+  std::string json;
+  bool quiet = false;
+  CompareOptions options;
+};
+
+constexpr const char* kThisProgram = "/proc/self/exe";
+
+/// The youngest of the committed reference results of the study, by name.
+std::string reference_for(const Results& results) {
+  const fs::path folder = fs::path(find_checkout()) / "results" / "reference";
+  std::string found;
+  if (fs::is_directory(folder)) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      const std::string path = entry.path().string();
+      if (entry.path().extension() != ".h5" || path < found) continue;
+      if (read_results(path).study_id == results.study_id) found = path;
+    }
+  }
+  if (found.empty()) {
+    throw InputError(
+        fmt::format("no results of study '{}' in {}", results.study_id, folder.string()));
+  }
+  return found;
+}
+
+int report_verdict(const CompareArguments& arguments, const Comparison& comparison,
+                   const Calibration* calibration) {
+  fmt::print("{}", summary(comparison, arguments.options, arguments.strict));
+  if (!arguments.json.empty()) {
+    write_file_atomically(arguments.json, comparison_json(comparison, arguments.options,
+                                                          arguments.strict, calibration));
+  }
+  return comparison.exit_code(arguments.strict);
+}
+
+int compare_files(const CompareArguments& arguments) {
+  const std::size_t wanted = arguments.reference ? 1 : 2;
+  if (arguments.files.size() != wanted) {
+    throw InputError(arguments.reference
+                         ? "compare --reference takes one results file (see ar3d compare --help)"
+                         : "compare takes two results files, or --base GIT_REF (see ar3d compare "
+                           "--help)");
+  }
+  const Results now = read_results_or_benchmarks(arguments.files.back());
+  const std::string base_path = arguments.reference ? reference_for(now) : arguments.files.front();
+  const Results base = read_results_or_benchmarks(base_path);
+  fmt::print("base {} ({})\nnew  {} ({})\n", base_path, base.created, arguments.files.back(),
+             now.created);
+  return report_verdict(arguments, compare(base, now, arguments.options), nullptr);
+}
+
+/// Curves at one size.
+std::size_t cells_of(const StudySpec& spec) {
+  std::set<std::string> cells;
+  for (const PlannedInstance& instance : plan_study(spec).instances) {
+    for (const PlannedRun& run : instance.runs) {
+      cells.insert(fmt::format("{} {} {} {} {}", instance.choice.family->name, instance.parameters,
+                               instance.n, run.choice.algorithm->name, run.options));
+    }
+  }
+  return cells.size();
+}
+
+/// As many as one cell among all needs, and one to spare; at least 15.
+std::size_t rounds_of(const CompareArguments& arguments, const StudySpec& spec) {
+  if (arguments.rounds > 0) return arguments.rounds;
+  return std::max<std::size_t>(15, fewest_pairs(arguments.options.time, cells_of(spec)) + 1);
+}
+
+int compare_builds(const CompareArguments& arguments) {
+  if (!arguments.files.empty()) throw InputError("--base and --calibrate take no results files");
+  std::FILE* progress = arguments.quiet ? nullptr : stderr;
+  const StudySpec spec = load_study(arguments.study);
+  if (!arguments.json.empty()) require_writable(arguments.json);
+  const std::string checkout = find_checkout();
+  const std::string folder = (fs::path(checkout) / "build" / "compare").string();
+  const std::string base =
+      arguments.base.empty() ? "" : build_reference(checkout, arguments.base, progress);
+  const InterleaveOptions options{rounds_of(arguments, spec), arguments.core, progress};
+  Calibration calibration;
+  Comparison comparison;
+  if (arguments.calibrate) {
+    const InterleavedRounds rounds =
+        run_interleaved(kThisProgram, kThisProgram, spec, folder, options);
+    if (rounds.interrupted) return kInterrupted;
+    comparison = compare_rounds(rounds.base, rounds.now, arguments.options);
+    std::vector<std::vector<double>> ratios;
+    for (const CellComparison& cell : comparison.cells) ratios.push_back(cell.log_ratios);
+    calibration = calibrate(ratios, arguments.options.time);
+    fmt::print("{}", summary(calibration, arguments.options.time));
+  }
+  if (!base.empty()) {
+    const InterleavedRounds rounds = run_interleaved(base, kThisProgram, spec, folder, options);
+    if (rounds.interrupted) return kInterrupted;
+    comparison = compare_rounds(rounds.base, rounds.now, arguments.options);
+  }
+  return report_verdict(arguments, comparison, arguments.calibrate ? &calibration : nullptr);
+}
+
+void add_options(CLI::App& verb, CompareArguments& a) {
+  verb.add_option("FILES", a.files, "BASE and NEW: results files (HDF5) or Google Benchmark JSON")
+      ->expected(0, 2);
+  verb.add_flag("--reference", a.reference,
+                "compare NEW with the youngest results/reference/*.h5 of its study");
+  verb.add_option("--base", a.base,
+                  "build this git commit and run it and this program in turns instead");
+  verb.add_option("--study", a.study, "what --base and --calibrate run: a TOML file or named study")
+      ->capture_default_str();
+  verb.add_option("--rounds", a.rounds,
+                  "turns of each program; at least 15, and enough for the number of cells, if left "
+                  "out")
+      ->check(CLI::Range(1, 1000));
+  verb.add_option("--core", a.core, "core to run on; the last one if left out")
+      ->check(CLI::Range(0, 1023));
+  verb.add_flag("--calibrate", a.calibrate,
+                "first run this program against itself: false-alarm rate, smallest visible effect");
+  verb.add_option("--threshold", a.threshold_percent, "percent of time that matter")
+      ->check(CLI::Range(0.1, 1000.0))
+      ->capture_default_str();
+  verb.add_option("--significance", a.options.time.significance, "largest p-value of one cell")
+      ->check(CLI::Range(1e-12, 0.5))
+      ->capture_default_str();
+  verb.add_option("--fdr", a.options.time.false_discovery_rate,
+                  "false discovery rate over all cells")
+      ->check(CLI::Range(1e-12, 0.5))
+      ->capture_default_str();
+  verb.add_flag("--time-always", a.options.time_always, "judge times of unlike environments too");
+  verb.add_flag("--strict", a.strict, "exit with 6 if anything is inconclusive");
+  verb.add_option("--json", a.json, "also write the verdict as JSON to this file");
+  verb.add_flag("-q,--quiet", a.quiet, "no progress on standard error");
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, int& exit_code) {
+  CLI::App* verb = app.add_subcommand(
+      "compare", "Did a change make drawings worse or slower? Two results, or two builds in turns");
+  const auto arguments = std::make_shared<CompareArguments>();
+  add_options(*verb, *arguments);
+  verb->footer(
+      "Exit code 0 pass, 3 regression, 4 violated, 5 incomplete or nothing measured, 6 (--strict) "
+      "inconclusive.\nExample: ar3d compare before.h5 after.h5\n         ar3d compare --base main "
+      "--calibrate");
+  verb->callback([arguments, &exit_code] {
+    arguments->options.time.threshold = arguments->threshold_percent / 100;
+    const bool builds = !arguments->base.empty() || arguments->calibrate;
+    exit_code = builds ? compare_builds(*arguments) : compare_files(*arguments);
+  });
+}
+
+}  // namespace ar3d

@@ -1,0 +1,242 @@
+// Two results, one verdict: what has no noise first, then times.
+#include "ar3d/analysis/compare.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "ar3d/model/error.h"
+#include "synthetic.h"
+
+namespace ar3d {
+namespace {
+
+using testing::good_run;
+using Row = Run;  // within a test, Run is gtest's
+using ::testing::HasSubstr;
+
+/// 2 algorithms x 10 families x 10 sizes with `repetitions` each: 200 cells.
+Results results_of(std::int64_t repetitions, std::uint64_t noise_seed) {
+  Results results;
+  results.study_id = "synthetic";
+  results.environment = {{"cpu", "A", 0},
+                         {"cores", "2", 0},
+                         {"flags", "-O3", 0},
+                         {"started", std::to_string(noise_seed), 0},
+                         {"source_hash", std::to_string(noise_seed), 0}};
+  RandomStream random(noise_seed);
+  for (const char* algorithm : {"diamond", "grid"}) {
+    for (int family = 0; family < 10; ++family) {
+      for (int size = 0; size < 10; ++size) {
+        for (std::int64_t repetition = 0; repetition < repetitions; ++repetition) {
+          Run run =
+              good_run(algorithm, "family" + std::to_string(family), 16 << size, 0, repetition);
+          run.wall_s *= std::exp(0.02 * testing::normal(random));
+          results.runs.push_back(run);
+        }
+      }
+    }
+  }
+  return results;
+}
+
+TEST(Compare, AResultAgainstAnotherRunOfTheSameProgramPasses) {
+  const Comparison comparison = compare(results_of(15, 1), results_of(15, 2));
+  EXPECT_EQ(comparison.cells.size(), 200u);
+  EXPECT_EQ(comparison.count(Verdict::pass), 200u);
+  EXPECT_EQ(comparison.word(), "PASS");
+  EXPECT_EQ(comparison.exit_code(true), 0);
+}
+
+TEST(Compare, APlantedVolumeRegressionIsFoundWhereverItIs) {
+  const Results base = results_of(1, 1);
+  for (std::size_t row = 0; row < base.runs.size(); ++row) {
+    Results now = results_of(1, 2);
+    now.runs[row].extents[row % 3] += 1;
+    const Comparison comparison = compare(base, now);
+    ASSERT_EQ(comparison.exit_code(), 3) << row;
+    ASSERT_EQ(comparison.count(Verdict::regressed), 1u) << row;
+  }
+}
+
+TEST(Compare, VolumesAreComparedExactlyBeyondSixtyFourBits) {
+  Results base = results_of(1, 1), now = results_of(1, 1);
+  base.runs[0].extents =
+      now.runs[0].extents = {3'000'000'000, 3'000'000'000, 9'000'000'000'000'000};
+  now.runs[0].extents[2] += 1;
+  EXPECT_EQ(compare(base, now).count(Verdict::regressed), 1u);
+  EXPECT_EQ(compare(now, base).count(Verdict::improved), 1u);
+}
+
+TEST(Compare, EveryNoiselessChangeHasItsVerdict) {
+  const Results base = results_of(1, 1);
+  const auto verdict_with = [&](auto change) {
+    Results now = base;
+    change(now.runs[7]);
+    const Comparison comparison = compare(base, now);
+    for (const CellComparison& cell : comparison.cells) {
+      if (cell.verdict != Verdict::pass && cell.verdict != Verdict::inconclusive) {
+        return cell.verdict;
+      }
+    }
+    return Verdict::pass;
+  };
+  EXPECT_EQ(verdict_with([](Row&) {}), Verdict::pass);
+  EXPECT_EQ(verdict_with([](Row& r) { r.status = RunStatus::crashed; }), Verdict::regressed);
+  EXPECT_EQ(verdict_with([](Row& r) { r.status = RunStatus::violated; }), Verdict::violated);
+  EXPECT_EQ(verdict_with([](Row& r) { r.violations = 2; }), Verdict::violated);
+  EXPECT_EQ(verdict_with([](Row& r) { r.violations = -1; }), Verdict::regressed);
+  EXPECT_EQ(verdict_with([](Row& r) { r.graph_hash = "other"; }), Verdict::regressed);
+  EXPECT_EQ(verdict_with([](Row& r) { r.extents[0] -= 1; }), Verdict::improved);
+  EXPECT_EQ(verdict_with([](Row& r) { std::swap(r.extents[1], r.extents[2]); }), Verdict::pass);
+  EXPECT_EQ(verdict_with([](Row& r) { r.bends[2] -= 1, r.bends[3] += 1; }), Verdict::regressed);
+  EXPECT_EQ(verdict_with([](Row& r) { r.bends[3] -= 1, r.bends[2] += 1; }), Verdict::improved);
+  EXPECT_EQ(verdict_with([](Row& r) { r.bends[0] += 1, r.bends[4] += 1; }), Verdict::regressed);
+}
+
+TEST(Compare, CountedInstructionsAreAGateOfTheirOwn) {
+  Results base = results_of(1, 1), now = results_of(1, 1);
+  for (Row& run : base.runs) run.counted_instructions = 1'000'000;
+  for (Row& run : now.runs) run.counted_instructions = 1'005'000;  // within 1 %
+  EXPECT_EQ(compare(base, now).count(Verdict::regressed), 0u);
+  for (std::size_t i = 0; i < 10; ++i) now.runs[i].counted_instructions = 1'020'000;
+  EXPECT_EQ(compare(base, now).count(Verdict::regressed), 1u) << "the ten sizes of one curve";
+}
+
+TEST(Compare, ASlowerCellIsFoundAndNothingElse) {
+  Results now = results_of(15, 2);
+  for (Row& run : now.runs) {
+    if (run.algorithm == "grid" && run.family == "family4" && run.n == 1024) run.wall_s *= 1.1;
+  }
+  const Comparison comparison = compare(results_of(15, 1), now);
+  EXPECT_EQ(comparison.exit_code(), 3);
+  EXPECT_EQ(comparison.count(Verdict::regressed), 1u);
+  EXPECT_EQ(comparison.count(Verdict::pass), 199u);
+  EXPECT_THAT(summary(comparison, {}, false), HasSubstr("grid on family4 n=1024"));
+}
+
+TEST(Compare, SizesWithFewPairsAreJudgedTogether) {
+  Results now = results_of(2, 2);
+  for (Row& run : now.runs) {
+    if (run.algorithm == "grid" && run.family == "family4") run.wall_s *= 1.1;
+  }
+  const Comparison comparison = compare(results_of(2, 1), now);
+  EXPECT_EQ(comparison.cells.size(), 20u);  // curves
+  EXPECT_EQ(comparison.cells.front().time.test.pairs, 20u);
+  EXPECT_EQ(comparison.count(Verdict::regressed), 1u);
+}
+
+TEST(Compare, TheTimingPhaseIsWhatCounts) {
+  Results base = results_of(15, 1), now = results_of(15, 2);
+  for (Results* results : {&base, &now}) {
+    std::vector<Row> timing = results->runs;
+    for (Row& run : timing) run.phase = RunPhase::timing;
+    results->runs.insert(results->runs.end(), timing.begin(), timing.end());
+  }
+  for (Row& run : now.runs) {
+    if (run.phase == RunPhase::metrics) run.wall_s *= 3;  // disturbed by its neighbours
+  }
+  EXPECT_EQ(compare(base, now).word(), "PASS");
+  now.runs.pop_back();  // a study may repeat until it is precise enough
+  EXPECT_EQ(compare(base, now).exit_code(), 0);
+}
+
+TEST(Compare, UnlikeEnvironmentsAreFlaggedAndTimesAreNoGateUnlessAsked) {
+  Results base = results_of(15, 1), now = results_of(15, 2);
+  for (Row& run : now.runs) run.wall_s *= 2;
+  now.environment[2].value = "-O0";
+  const Comparison comparison = compare(base, now);
+  EXPECT_EQ(comparison.exit_code(), 0);
+  EXPECT_EQ(comparison.exit_code(true), 6);
+  EXPECT_THAT(summary(comparison, {}, false), HasSubstr("flags: -O3 -> -O0"));
+  EXPECT_EQ(compare(base, now, {.time = {}, .time_always = true}).exit_code(), 3);
+
+  now.environment[2].value = "-O3";
+  now.environment.push_back({"load_before", "1.50 1.00 1.00", 0});
+  EXPECT_FALSE(compare(base, now).time_judged) << "a busy machine";
+  now.environment.back().value = "0.20 1.00 1.00";
+  EXPECT_TRUE(compare(base, now).time_judged);
+  now.runs[0].timing_mark = "sanitised";
+  EXPECT_FALSE(compare(base, now).time_judged);
+}
+
+TEST(Compare, RoundsArePairsOfTheirSmallestTimes) {
+  std::vector<Results> base, now;
+  for (std::uint64_t round = 0; round < 15; ++round) {
+    base.push_back(results_of(3, 100 + round));
+    now.push_back(results_of(3, 200 + round));
+    for (Row& run : now.back().runs) {
+      if (run.algorithm == "diamond" && run.family == "family0" && run.n == 16) run.wall_s *= 1.1;
+      if (run.repetition == 1) run.wall_s *= 5;  // bursts
+    }
+  }
+  const Comparison comparison = compare_rounds(base, now);
+  EXPECT_EQ(comparison.cells.size(), 200u);
+  EXPECT_EQ(comparison.cells.front().time.test.pairs, 15u);
+  EXPECT_EQ(comparison.cells.front().verdict, Verdict::regressed);
+  EXPECT_EQ(comparison.count(Verdict::regressed), 1u);
+  now[9].runs[50].extents[0] += 1;  // in one round only: the program is not deterministic any more
+  EXPECT_EQ(compare_rounds(base, now).count(Verdict::regressed), 2u);
+}
+
+TEST(Compare, WhatIsMissingIsIncompleteAndNeverAPass) {
+  const Results base = results_of(15, 1);
+  Results now = results_of(15, 2);
+  now.runs.pop_back();
+  Comparison comparison = compare(base, now);
+  EXPECT_EQ(comparison.exit_code(), 5);
+  EXPECT_THAT(comparison.incomplete.at(0), HasSubstr("repetition 14"));
+
+  Results empty = base;
+  empty.runs.clear();
+  comparison = compare(empty, empty);
+  EXPECT_EQ(comparison.exit_code(), 5);
+  EXPECT_THAT(comparison.incomplete.at(0), HasSubstr("nothing measured: BASE has no rows"));
+  EXPECT_EQ(compare(empty, base).exit_code(), 5);
+
+  now = results_of(15, 2);
+  now.planned_rows = static_cast<std::int64_t>(now.runs.size()) + 1;
+  EXPECT_EQ(compare(base, now).exit_code(), 5);
+}
+
+TEST(Compare, ATimeThatIsNoNumberIsToldAndLeftOut) {
+  for (const double bad : {kMissing, 0.0, -1.0, std::numeric_limits<double>::infinity()}) {
+    Results now = results_of(15, 2);
+    now.runs[3].wall_s = bad;
+    const Comparison comparison = compare(results_of(15, 1), now);
+    EXPECT_EQ(comparison.exit_code(), 5) << bad;
+    EXPECT_THAT(comparison.incomplete.at(0), HasSubstr("1 ok measurements have no time"));
+    EXPECT_EQ(comparison.cells.front().time.test.pairs, 14u);
+  }
+}
+
+TEST(Compare, MixedStudiesAndDoubleRowsAreRefused) {
+  const Results base = results_of(1, 1);
+  Results other = base;
+  other.study_id = "another";
+  EXPECT_THROW(compare(base, other), InputError);
+  Results twice = base;
+  twice.runs.push_back(twice.runs.front());
+  EXPECT_THROW(compare(base, twice), InputError);
+  EXPECT_THROW(compare(twice, base), InputError);
+}
+
+TEST(Compare, JsonHoldsTheVerdictAndNullForWhatIsMissing) {
+  Results now = results_of(1, 2);
+  now.runs[0].extents[0] += 5;
+  const Calibration calibration = calibrate({{0.1}}, {}, 10);
+  const auto json = nlohmann::json::parse(
+      comparison_json(compare(results_of(1, 1), now), {}, false, &calibration));
+  EXPECT_EQ(json.at("verdict"), "REGRESSED");
+  EXPECT_EQ(json.at("exit_code"), 3);
+  EXPECT_EQ(json.at("cells").size(), 20u);
+  EXPECT_EQ(json.at("cells")[0].at("verdict"), "REGRESSED");
+  EXPECT_TRUE(json.at("cells")[0].at("n").is_null());
+  EXPECT_TRUE(json.at("cells")[0].at("time").at("ratio").is_number());
+  EXPECT_TRUE(json.at("calibration").at("smallest_slowdown_median").is_null());
+}
+
+}  // namespace
+}  // namespace ar3d

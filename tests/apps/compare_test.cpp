@@ -1,0 +1,159 @@
+// `ar3d compare` as its users run it: files, reports of Google Benchmark, two builds in turns.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "ar3d/results/run.h"
+#include "support/program.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::read_file;
+using testing::run;
+using testing::ScratchDirectory;
+
+constexpr const char* kStudy =
+    "study = 'tiny'\n[[sweep]]\nfamilies = ['cycle', 'random-cubic']\nsizes = [20, 50]\n"
+    "algorithms = 'all'\nrepetitions = 3\n";
+
+/// A small study's results in the scratch directory.
+std::string tiny_results(const ScratchDirectory& scratch, const std::string& name) {
+  const std::string spec = scratch.write("tiny.toml", kStudy), path = scratch.path(name);
+  const Outcome outcome = run("{} study run " + spec + " --threads 1 --quiet -o " + path);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  return path;
+}
+
+template <class Change>
+std::string changed(const std::string& path, const std::string& name, Change change) {
+  Results results = read_results(path);
+  change(results);
+  const std::string result = std::filesystem::path(path).replace_filename(name);
+  write_results(results, result);
+  return result;
+}
+
+TEST(CompareProgram, AFileAgainstItselfPassesAndAGrownBoxIsARegression) {
+  const ScratchDirectory scratch;
+  const std::string base = tiny_results(scratch, "base.h5");
+  const Outcome same = run("{} compare " + base + " " + base);
+  EXPECT_EQ(same.exit_code, 0) << same.out << same.err;
+
+  const std::string grown =
+      changed(base, "grown.h5", [](Results& r) { r.runs[4].extents[1] += 1; });
+  const std::string verdict = scratch.path("verdict.json");
+  const Outcome worse = run("{} compare " + base + " " + grown + " --json " + verdict);
+  EXPECT_EQ(worse.exit_code, 3) << worse.err;
+  EXPECT_THAT(worse.out, HasSubstr("larger volume"));
+  EXPECT_EQ(nlohmann::json::parse(read_file(verdict)).at("verdict"), "REGRESSED");
+
+  const std::string broken =
+      changed(base, "broken.h5", [](Results& r) { r.runs[4].status = RunStatus::violated; });
+  EXPECT_EQ(run("{} compare " + base + " " + broken).exit_code, 4);
+}
+
+TEST(CompareProgram, BadInputIsOneClearLine) {
+  const ScratchDirectory scratch;
+  const std::string base = tiny_results(scratch, "base.h5");
+  const std::string other = changed(base, "other.h5", [](Results& r) { r.study_id = "another"; });
+  const std::string twice =
+      changed(base, "twice.h5", [](Results& r) { r.runs.push_back(r.runs.back()); });
+  const std::string garbage = scratch.write("garbage.json", "{\"benchmarks\": [{]}");
+  const std::string unnamed = scratch.write("unnamed.json", "{\"benchmarks\": [{}]}");
+  const std::string unit = scratch.write(
+      "unit.json",
+      R"({"benchmarks": [{"name": "a", "real_time": 1, "cpu_time": 1, "time_unit": "h"}]})");
+  for (const auto& [arguments, message] : std::vector<std::pair<std::string, std::string>>{
+           {base + " " + other, "different studies: BASE is 'tiny', NEW is 'another'"},
+           {base + " " + twice, "NEW holds the same measurement twice"},
+           {base + " " + garbage, "garbage.json is not a Google Benchmark report"},
+           {base + " " + unnamed, "unnamed.json is not a Google Benchmark report"},
+           {base + " " + unit, "unknown time_unit 'h'"},
+           {base + " " + base + ".missing", "missing"},
+           {base, "compare takes two results files"},
+           {"--base no-such-ref-anywhere", "no commit 'no-such-ref-anywhere'"},
+           {"--base HEAD " + base, "take no results files"}}) {
+    const Outcome outcome = run("cd " AR3D_SOURCE_DIR " && {} compare " + arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments << outcome.out;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(message));
+  }
+}
+
+TEST(CompareProgram, OtherVersionsAndMissingTablesAreNamed) {
+  const ScratchDirectory scratch;
+  const std::string base = tiny_results(scratch, "base.h5");
+  for (const auto& [edit, message] : std::vector<std::pair<std::string, std::string>>{
+           {"f.attrs[\"format_version\"] = 1", "version"}, {"del f[\"runs\"]", "runs"}}) {
+    const std::string broken = scratch.path("broken.h5");
+    std::filesystem::copy_file(base, broken, std::filesystem::copy_options::overwrite_existing);
+    ASSERT_EQ(
+        run("/usr/bin/python3 -c 'import h5py; f = h5py.File(\"" + broken + "\", \"r+\"); " + edit + "'")
+            .exit_code,
+        0);
+    const Outcome outcome = run("{} compare " + base + " " + broken);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(message));
+    EXPECT_THAT(outcome.err, HasSubstr("broken.h5"));
+  }
+}
+
+TEST(CompareProgram, NothingMeasuredAndNaNAreIncomplete) {
+  const ScratchDirectory scratch;
+  const std::string base = tiny_results(scratch, "base.h5");
+  const std::string empty = changed(base, "empty.h5", [](Results& r) { r.runs.clear(); });
+  const Outcome none = run("{} compare " + empty + " " + empty);
+  EXPECT_EQ(none.exit_code, 5) << none.err;
+  EXPECT_THAT(none.out, HasSubstr("nothing measured"));
+  const std::string nan = changed(base, "nan.h5", [](Results& r) { r.runs[0].wall_s = kMissing; });
+  const Outcome missing = run("{} compare " + base + " " + nan);
+  EXPECT_EQ(missing.exit_code, 5);
+  EXPECT_THAT(missing.out, HasSubstr("1 ok measurements have no time"));
+}
+
+TEST(CompareProgram, GoogleBenchmarkReportsAreReadAndItsOwnToolReadsOurs) {
+  const ScratchDirectory scratch;
+  const std::string base = tiny_results(scratch, "base.h5");
+  const std::string slower = changed(base, "slower.h5", [](Results& r) {
+    for (auto& row : r.runs) row.wall_s *= 2;
+  });
+  const std::string a = scratch.path("a.json"), b = scratch.path("b.json");
+  for (const auto& [from, to] : {std::pair{base, a}, std::pair{slower, b}}) {
+    ASSERT_EQ(run("{} report " + from + " --benchmark-json " + to).exit_code, 0);
+  }
+  const Outcome theirs = run(
+      "/usr/bin/python3 /usr/share/benchmark/compare.py --no-color --no-utest benchmarks " + a + " " + b);
+  EXPECT_EQ(theirs.exit_code, 0) << theirs.err;
+  EXPECT_THAT(theirs.out, HasSubstr("draw/diamond/effort="));
+  EXPECT_THAT(theirs.out, HasSubstr("+1.0000"));  // twice the time
+
+  EXPECT_EQ(run("{} compare " + a + " " + a + " --time-always").exit_code, 0);
+  const Outcome ours =
+      run("{} compare " + a + " " + b + " --time-always --significance 0.3 --fdr 0.3");
+  EXPECT_EQ(ours.exit_code, 3) << ours.out << ours.err;
+}
+
+TEST(CompareProgram, BuildsTakeTurnsAndTheMachineIsCalibrated) {
+  const ScratchDirectory scratch;
+  const std::string spec = scratch.write("tiny.toml", kStudy);
+  const std::string verdict = scratch.path("verdict.json");
+  const Outcome outcome =
+      run("cd " AR3D_SOURCE_DIR " && {} compare --calibrate --rounds 2 --study " + spec +
+          " --json " + verdict);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("round 2 of 2"));
+  EXPECT_THAT(outcome.out, HasSubstr("the program against itself"));
+  const auto json = nlohmann::json::parse(read_file(verdict));
+  EXPECT_EQ(json.at("calibration").at("pairs"), 2);
+  EXPECT_EQ(json.at("cells")[0].at("time").at("pairs"), 2);
+}
+
+}  // namespace
+}  // namespace ar3d
