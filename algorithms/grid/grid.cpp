@@ -27,6 +27,24 @@ std::int64_t largest_coordinate(const Planes& planes) {
   return largest;
 }
 
+/// The size proof for the plane numbers at hand, before components are packed: a component whose
+/// numbers are at most P in absolute value has extents of at most 12 P + 100; side by side they
+/// need at most the sum, each with a margin of 12.
+std::int64_t own_side(const grid::ProcessingOrder& order, const Planes& planes) {
+  const std::int64_t margin = order.parts.size() > 1 ? 12 : 0;
+  std::int64_t side = 0;
+  for (const grid::OrderPart& part : order.parts) {
+    std::int64_t largest = 0;  // P
+    for (std::size_t i = part.begin; i < part.end; ++i) {
+      for (const std::int64_t x : planes.of[order.sequence[i]]) {
+        largest = std::max(largest, std::abs(x));
+      }
+    }
+    side += 12 * largest + 100 + margin;
+  }
+  return side;
+}
+
 Drawing to_drawing(const Graph& graph, Planes planes) {
   Coordinates vertices(graph.num_vertices(), largest_coordinate(planes));
   for (Vertex v = 0; v < graph.num_vertices(); ++v) vertices.set(v, grid::position(planes.of[v]));
@@ -75,10 +93,13 @@ Drawing draw_grid(const Graph& graph, const GridOptions& options) {
   plane_options.longest_chain = static_cast<std::uint64_t>(
       options.effort > 1 ? options.kempe : std::min(options.kempe, GridOptions::kShortChain));
   Planes planes = grid::assign_planes(graph, order, plane_options);
+  const std::int64_t side = own_side(order, planes);
   grid::pack_components(graph, order, planes);
   expect_heavy([&] { return grid::broken_invariant(graph, planes).empty(); },
                "plane numbers, labels and slots keep (I1)-(I5)");
-  return to_drawing(graph, std::move(planes));
+  Drawing drawing = to_drawing(graph, std::move(planes));
+  if (graph.num_vertices() > 0) drawing.instance_bound = {side, side, side};
+  return drawing;
 }
 
 Algorithm grid_row() {

@@ -57,6 +57,10 @@ inline std::string grid_fault(const Graph& graph, std::int64_t effort,
     counts->core_parts += counter(drawing, "core_parts");
   }
   const Certificate certificate = certify(graph, drawing, grid.guarantee);
+  const auto extents = bounding_box(drawing).extents();
+  for (std::size_t axis = 0; axis < 3 && graph.num_vertices() > 0; ++axis) {
+    EXPECT_LE(extents[axis], drawing.instance_bound.value()[axis]) << "the proof's own bound";
+  }
   if (certificate.valid()) return "";
   if (certificate.violations.empty()) return "incomplete certificate";
   std::string text = certificate.violations[0].message;

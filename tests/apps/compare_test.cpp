@@ -39,6 +39,31 @@ std::string changed(const std::string& path, const std::string& name, Change cha
   return result;
 }
 
+TEST(CompareProgram, TheYoungestReferenceOfTheStudyIsTheBase) {
+  const ScratchDirectory scratch;
+  const std::string now = tiny_results(scratch, "now.h5");
+  const std::string checkout = scratch.path("checkout");
+  std::filesystem::create_directories(checkout + "/apps");
+  std::filesystem::create_directories(checkout + "/results/reference");
+  ASSERT_EQ(run("touch " + checkout + "/apps/study.cpp && git init -q " + checkout).exit_code, 0);
+  const std::string compare = "cd " + checkout + " && {} compare --reference " + now;
+  EXPECT_EQ(run(compare).exit_code, 2);  // no reference yet
+  const std::string smaller =
+      changed(now, "smaller.h5", [](Results& r) { r.runs[4].extents[1] -= 1; });
+  std::filesystem::copy_file(now, checkout + "/results/reference/0.1.0-tiny.h5");
+  EXPECT_EQ(run(compare).exit_code, 0);
+  std::filesystem::copy_file(smaller, checkout + "/results/reference/0.2.0-tiny.h5");
+  EXPECT_EQ(run(compare).exit_code, 3);
+}
+
+TEST(CompareProgram, TheCommittedReferenceIsWholeAndProved) {
+  const std::string reference = std::string(AR3D_SOURCE_DIR) + "/results/reference/0.1.0-volume.h5";
+  const Outcome check = run("{} check " + reference);
+  EXPECT_EQ(check.exit_code, 0) << check.err;
+  EXPECT_THAT(check.out, HasSubstr("17200 rows, 17200 proved"));
+  EXPECT_EQ(run("{} compare " + reference + " " + reference).exit_code, 0);
+}
+
 TEST(CompareProgram, AFileAgainstItselfPassesAndAGrownBoxIsARegression) {
   const ScratchDirectory scratch;
   const std::string base = tiny_results(scratch, "base.h5");
@@ -93,10 +118,10 @@ TEST(CompareProgram, OtherVersionsAndMissingTablesAreNamed) {
            {"f.attrs[\"format_version\"] = 1", "version"}, {"del f[\"runs\"]", "runs"}}) {
     const std::string broken = scratch.path("broken.h5");
     std::filesystem::copy_file(base, broken, std::filesystem::copy_options::overwrite_existing);
-    ASSERT_EQ(
-        run("/usr/bin/python3 -c 'import h5py; f = h5py.File(\"" + broken + "\", \"r+\"); " + edit + "'")
-            .exit_code,
-        0);
+    ASSERT_EQ(run("/usr/bin/python3 -c 'import h5py; f = h5py.File(\"" + broken + "\", \"r+\"); " +
+                  edit + "'")
+                  .exit_code,
+              0);
     const Outcome outcome = run("{} compare " + base + " " + broken);
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
@@ -128,8 +153,9 @@ TEST(CompareProgram, GoogleBenchmarkReportsAreReadAndItsOwnToolReadsOurs) {
   for (const auto& [from, to] : {std::pair{base, a}, std::pair{slower, b}}) {
     ASSERT_EQ(run("{} report " + from + " --benchmark-json " + to).exit_code, 0);
   }
-  const Outcome theirs = run(
-      "/usr/bin/python3 /usr/share/benchmark/compare.py --no-color --no-utest benchmarks " + a + " " + b);
+  const Outcome theirs =
+      run("/usr/bin/python3 /usr/share/benchmark/compare.py --no-color --no-utest benchmarks " + a +
+          " " + b);
   EXPECT_EQ(theirs.exit_code, 0) << theirs.err;
   EXPECT_THAT(theirs.out, HasSubstr("draw/diamond/effort="));
   EXPECT_THAT(theirs.out, HasSubstr("+1.0000"));  // twice the time
