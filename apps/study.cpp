@@ -100,8 +100,9 @@ int make_study(const RunArguments& arguments, const std::function<JournaledStudy
   const std::unique_ptr<Ranks> ranks = join_ranks();
   try {
     return run_to_the_end(begin_together(*ranks, begin), arguments, *ranks);
-  } catch (const InputError&) {
-    if (ranks->is_first()) throw;
+  } catch (const InputError& error) {
+    // Said before the ranks part: mpirun ends all of them as soon as one has left with an error.
+    if (ranks->is_first()) fmt::print(stderr, "ar3d: {}\n", error.what());
     return kUsage;
   }
 }
