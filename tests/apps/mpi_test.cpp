@@ -53,9 +53,9 @@ TEST_F(Mpi, FourRanksMakeTheSameRows) {
 
 TEST_F(Mpi, TimedRowsAreMadeByTheFirstRankAlone) {
   const std::string spec = scratch_.write("phases.toml", kPhases);
-  const Outcome two = run(ranks(2) + "study run -q " + spec + " -o " + path("two.h5"));
+  const Outcome two = run(ranks(2) + "study run -q --force-timing " + spec + " -o " + path("two.h5"));
   EXPECT_EQ(two.exit_code, 0) << two.err;
-  EXPECT_EQ(run("{} study run -q " + spec + " -o " + path("one.h5")).exit_code, 0);
+  EXPECT_EQ(run("{} study run -q --force-timing " + spec + " -o " + path("one.h5")).exit_code, 0);
   expect_same_rows(path("two.h5"), path("one.h5"));
   std::set<std::int64_t> timing_sessions;
   for (const ar3d::Run& row : read_results(path("two.h5")).runs) {
