@@ -13,7 +13,7 @@ std::vector<Vertex> lowpoints(const LocalGraph& graph) {
   for (Vertex v = graph.size(); v-- > 0;) {
     Vertex least = v;
     const Row& row = graph.rows[v];
-    for (std::size_t k = 0; k < row.degree; ++k) {
+    for (std::size_t k = 0; k < row.degree(); ++k) {
       const Vertex u = row.to[k];
       if (u > v && graph.parent[u] == v) {
         least = std::min(least, low[u]);
@@ -30,11 +30,11 @@ void register_vertex(const LocalGraph& graph, Blocks& blocks, Vertex v) {
   Block& block = blocks.blocks[blocks.of[v]];
   const Row& row = graph.rows[v];
   unsigned inside = 0;
-  for (std::size_t k = 0; k < row.degree; ++k) {
+  for (std::size_t k = 0; k < row.degree(); ++k) {
     if (!blocks.is_bridge(v, row.to[k])) ++inside;
   }
-  block.bridges += row.degree - inside;
-  if (inside < row.degree) block.bridge_vertex = v;
+  block.bridges += static_cast<std::uint32_t>(row.degree()) - inside;
+  if (inside < row.degree()) block.bridge_vertex = v;
   if (inside == 2 && block.free_count++ < 2) block.free[block.free_count - 1] = v;
   block.members[block.size++ % 2] = v;
 }
@@ -63,7 +63,7 @@ QBody read_q_body(const LocalGraph& graph, const Blocks& blocks, Vertex joint) {
   QBody body{joint, {}, {}};
   std::size_t sides = 0;
   const Row& row = graph.rows[joint];
-  for (std::size_t k = 0; k < row.degree; ++k) {
+  for (std::size_t k = 0; k < row.degree(); ++k) {
     if (!blocks.is_bridge(joint, row.to[k])) body.side[sides++] = row.to[k];
   }
   std::size_t cores = 0;
@@ -82,15 +82,11 @@ std::vector<QBody> cut_q_bodies(LocalGraph& graph, Blocks& blocks) {
   for (Block& block : blocks.blocks) {
     if (!is_q_block(block) || block.bridges == 0) continue;
     const QBody body = read_q_body(graph, blocks, block.free[0]);
-    Row& row = graph.rows[body.joint];
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (blocks.is_bridge(body.joint, row.to[k])) {
-        row.to[0] = row.to[k];
-        row.edge[0] = row.edge[k];
-        break;
-      }
-    }
-    row.degree = 1;
+    const Row row = graph.rows[body.joint];
+    std::size_t bridge = 0;
+    while (!blocks.is_bridge(body.joint, row.to[bridge])) ++bridge;
+    graph.rows[body.joint] = Row{{row.to[bridge], kNoVertex, kNoVertex}};
+    graph.edges[body.joint][0] = graph.edges[body.joint][bridge];
     block = Block{1, 1, 0, {}, {body.joint, body.joint}, body.joint};
     bodies.push_back(body);
   }

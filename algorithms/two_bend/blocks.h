@@ -25,7 +25,8 @@ struct Blocks {
   std::vector<BlockId> of;  ///< one entry a vertex
   std::vector<Block> blocks;
 
-  bool is_bridge(Vertex u, Vertex v) const { return of[u] != of[v]; }  ///< for adjacent u, v
+  /// For adjacent u, v.
+  bool is_bridge(Vertex u, Vertex v) const { return blocks.size() > 1 && of[u] != of[v]; }
   const Block& block_of(Vertex v) const { return blocks[of[v]]; }
 };
 

@@ -15,7 +15,7 @@ unsigned count_side(const LocalGraph& graph, const std::vector<std::uint32_t>& p
                     bool later) {
   const Row& row = graph.rows[v];
   unsigned count = 0;
-  for (std::size_t k = 0; k < row.degree; ++k) {
+  for (std::size_t k = 0; k < row.degree(); ++k) {
     if ((place[row.to[k]] > place[v]) == later) ++count;
   }
   return count;
@@ -26,7 +26,7 @@ unsigned count_closing(const LocalGraph& graph, const std::vector<std::uint32_t>
                        bool later) {
   unsigned count = 0;
   for (const Vertex u : graph.rows[v].to) {
-    count += graph.rows[u].degree == 3 && count_side(graph, place, u, later) == 1 ? 1u : 0u;
+    count += graph.rows[u].degree() == 3 && count_side(graph, place, u, later) == 1 ? 1u : 0u;
   }
   return count;
 }
@@ -39,7 +39,7 @@ bool is_time_order(const LocalGraph& graph, const TimeOrder& order) {
   for (const Vertex v : order.list) {
     const bool is_first = v == order.list.front();
     if ((count_side(graph, place, v, false) == 0) != is_first) return false;
-    if (graph.rows[v].degree < 3) continue;
+    if (graph.rows[v].degree() < 3) continue;
     for (const bool later : {false, true}) {
       if (count_side(graph, place, v, later) == 0 && count_closing(graph, place, v, later) < 2)
         return false;

@@ -70,8 +70,8 @@ class FlowBuilder {
   unsigned steps_up(Vertex v, std::array<Step, 3>& steps) const {
     const Row& row = graph_.rows[v];
     unsigned count = 0;
-    for (std::size_t k = 0; k < row.degree; ++k) {
-      if (place_[row.to[k]] > place_[v]) steps[count++] = {row.to[k], row.edge[k]};
+    for (std::size_t k = 0; k < row.degree(); ++k) {
+      if (place_[row.to[k]] > place_[v]) steps[count++] = {row.to[k], graph_.edges[v][k]};
     }
     return count;
   }
@@ -80,7 +80,7 @@ class FlowBuilder {
     pass_.assign(order_.size(), false);
     std::array<Step, 3> steps;
     for (std::size_t i = 0; i < order_.size(); ++i) {
-      pass_[i] = graph_.rows[order_[i]].degree == 2 && steps_up(order_[i], steps) == 1;
+      pass_[i] = graph_.rows[order_[i]].degree() == 2 && steps_up(order_[i], steps) == 1;
     }
   }
 
@@ -113,7 +113,7 @@ class FlowBuilder {
     for (std::size_t i = 0; i < order_.size(); ++i) {
       if (pass_[i]) continue;
       const Vertex v = order_[i];
-      const unsigned degree = graph_.rows[v].degree;
+      const auto degree = static_cast<unsigned>(graph_.rows[v].degree());
       const unsigned outs = steps_up(v, steps);
       Node node;
       node.vertex = v;

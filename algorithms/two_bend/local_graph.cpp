@@ -1,31 +1,28 @@
 #include "ar3d/algorithms/two_bend/local_graph.h"
 
-#include <limits>
+#include <algorithm>
 
 namespace ar3d::two_bend {
-namespace {
-
-constexpr Vertex kUnread = std::numeric_limits<Vertex>::max();
-
-}  // namespace
 
 bool LocalGraph::adjacent(Vertex u, Vertex v) const {
   const Row& row = rows[u];
-  for (std::size_t k = 0; k < row.degree; ++k) {
-    if (row.to[k] == v) return true;
-  }
-  return false;
+  return std::find(row.to.begin(), row.to.end(), v) != row.to.end();
 }
 
 ComponentReader::ComponentReader(const Graph& graph)
-    : graph_(graph), local_(graph.num_vertices(), kUnread) {}
+    : graph_(graph),
+      local_(graph.num_vertices(), kNoVertex),
+      is_read_(graph.num_vertices(), false) {
+  const bool is_cubic = std::uint64_t{2} * graph.num_edges() == std::uint64_t{3} * local_.size();
+  if (is_cubic && !local_.empty()) cubic_rows_ = graph.incident(0).data();
+}
 
 bool ComponentReader::next(LocalGraph& out) {
-  while (first_ < graph_.num_vertices() && local_[first_] != kUnread) ++first_;
+  while (first_ < graph_.num_vertices() && is_read_[first_]) ++first_;
   if (first_ == graph_.num_vertices()) return false;
   search_from(first_, out);
   for (Row& row : out.rows) {
-    for (std::size_t k = 0; k < row.degree; ++k) row.to[k] = local_[row.to[k]];
+    for (std::size_t k = 0, degree = row.degree(); k < degree; ++k) row.to[k] = local_[row.to[k]];
   }
   return true;
 }
@@ -36,34 +33,37 @@ void ComponentReader::search_from(Vertex root, LocalGraph& out) {
   out.name.clear();
   out.parent.clear();
   out.rows.clear();
-  slots_.clear();
-  visit(root, 0, out);
-  Vertex at = 0;
-  while (true) {  // the tree is its own stack: go down while possible, else up to the parent
-    const Row& row = out.rows[at];
-    std::uint8_t& slot = slots_[at];
-    while (slot < row.degree && local_[row.to[slot]] != kUnread) ++slot;
-    if (slot < row.degree) {
-      const Vertex down = row.to[slot++];
-      visit(down, at, out);
-      at = out.size() - 1;
-    } else if (at == 0) {
-      return;
-    } else {
-      at = out.parent[at];
-    }
+  out.edges.clear();
+  turns_.assign(1, {root, 0});
+  while (!turns_.empty()) {
+    const Turn turn = turns_.back();
+    turns_.pop_back();
+    if (!is_read_[turn.to]) read(turn, out);
   }
 }
 
-void ComponentReader::visit(Vertex v, Vertex parent, LocalGraph& out) {
-  local_[v] = static_cast<Vertex>(out.name.size());
-  out.name.push_back(v);
-  out.parent.push_back(parent);
-  slots_.push_back(0);
+/// Without a look at where rows begin if all are equally long: one wait for memory less.
+std::span<const HalfEdge> ComponentReader::incident(Vertex v) const {
+  if (cubic_rows_ == nullptr) return graph_.incident(v);
+  return {cubic_rows_ + std::size_t{3} * v, 3};
+}
+
+/// Unread neighbours are asked for at once: the search comes to one of them in the next turn.
+void ComponentReader::read(Turn turn, LocalGraph& out) {
+  const auto name = static_cast<Vertex>(out.name.size());
+  local_[turn.to] = name;
+  is_read_[turn.to] = true;
+  out.name.push_back(turn.to);
+  out.parent.push_back(turn.parent);
   Row& row = out.rows.emplace_back();
-  for (const HalfEdge& half : graph_.incident(v)) {
-    row.to[row.degree] = half.to;
-    row.edge[row.degree++] = half.edge;
+  std::array<EdgeId, 3>& edges = out.edges.emplace_back();
+  const std::span<const HalfEdge> halves = incident(turn.to);
+  for (std::size_t k = halves.size(); k-- > 0;) {
+    row.to[k] = halves[k].to;
+    edges[k] = halves[k].edge;
+    if (is_read_[row.to[k]]) continue;
+    __builtin_prefetch(incident(row.to[k]).data());
+    turns_.push_back({row.to[k], name});
   }
 }
 

@@ -2,17 +2,22 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
+#include <span>
 #include <vector>
 
 #include "ar3d/model/graph.h"
 
 namespace ar3d::two_bend {
 
-/// The half-edges of one vertex of a component, with room for three.
+inline constexpr Vertex kNoVertex = std::numeric_limits<Vertex>::max();
+
+/// The neighbours of one vertex of a component: at most three, then kNoVertex.
 struct Row {
-  std::array<Vertex, 3> to{};
-  std::array<EdgeId, 3> edge{};  ///< numbers of the input graph
-  std::uint8_t degree = 0;
+  std::array<Vertex, 3> to{kNoVertex, kNoVertex, kNoVertex};
+  std::size_t degree() const {
+    return std::size_t{to[0] != kNoVertex} + (to[1] != kNoVertex) + (to[2] != kNoVertex);
+  }
 };
 
 /// One component, its vertices renamed in preorder of a depth-first search, so that the search tree
@@ -20,7 +25,8 @@ struct Row {
 struct LocalGraph {
   std::vector<Vertex> name;  ///< of the input graph
   std::vector<Row> rows;
-  std::vector<Vertex> parent;  ///< parent[0] = 0
+  std::vector<std::array<EdgeId, 3>> edges;  ///< of the input graph, in the order of the rows
+  std::vector<Vertex> parent;                ///< parent[0] = 0
 
   Vertex size() const { return static_cast<Vertex>(rows.size()); }
   bool adjacent(Vertex u, Vertex v) const;
@@ -35,12 +41,19 @@ class ComponentReader {
   bool next(LocalGraph& out);
 
  private:
+  struct Turn {
+    Vertex to;      // an input vertex that was unread when its neighbour was read
+    Vertex parent;  // that neighbour's new name
+  };
   void search_from(Vertex root, LocalGraph& out);
-  void visit(Vertex v, Vertex parent, LocalGraph& out);
+  void read(Turn turn, LocalGraph& out);
+  std::span<const HalfEdge> incident(Vertex v) const;
 
   const Graph& graph_;
-  std::vector<Vertex> local_;        // kUnread until named
-  std::vector<std::uint8_t> slots_;  // of the component being read: half-edges looked at
+  const HalfEdge* cubic_rows_ = nullptr;  // of all vertices, if all have degree 3
+  std::vector<Vertex> local_;             // kNoVertex until named
+  std::vector<bool> is_read_;             // as local_, but small enough to stay in the cache
+  std::vector<Turn> turns_;               // not taken yet, the next one last
   Vertex first_ = 0;
 };
 

@@ -8,77 +8,91 @@
 namespace ar3d::two_bend {
 
 StOrder::StOrder(const LocalGraph& graph, const Blocks& blocks)
-    : graph_(graph), blocks_(blocks), cells_(graph.size()) {}
+    : graph_(graph), blocks_(blocks), number_(graph.size(), kUnseen) {}
 
 const std::vector<Vertex>& StOrder::order(Vertex s, Vertex t) {
   expect(s != t && !blocks_.is_bridge(s, t), "an st-order runs between two vertices of one block");
   search(s, t);
-  find_lows(s, t);
-  insert_in_preorder(s, t);
-  list_.clear();
-  for (Vertex v = s; list_.size() < visited_.size(); v = cells_[v].next) list_.push_back(v);
-  expect(list_.back() == t, "an st-order ends at t");
-  for (const Vertex v : visited_) cells_[v].preorder = kUnseen;
+  find_lows();
+  insert_in_preorder();
+  write_list();
+  for (const Vertex v : visited_) number_[v] = kUnseen;
   return list_;
 }
 
 /// Depth-first search of the block from t, with the virtual tree edge s - t above it.
 void StOrder::search(Vertex s, Vertex t) {
-  visited_.assign({s, t});
-  cells_[s].preorder = 0;
-  cells_[t].preorder = 1;
-  cells_[t].parent = s;
-  Vertex at = t;
-  while (at != s) {
-    const Row& row = graph_.rows[at];
-    Vertex down = kUnseen;
-    for (std::size_t k = 0; k < row.degree && down == kUnseen; ++k) {
-      const Vertex u = row.to[k];
-      if (!blocks_.is_bridge(at, u) && cells_[u].preorder == kUnseen) down = u;
-    }
-    if (down == kUnseen) {
-      at = cells_[at].parent;
-      continue;
-    }
-    cells_[down].parent = at;
-    cells_[down].preorder = static_cast<Vertex>(visited_.size());
-    visited_.push_back(down);
-    at = down;
+  visited_.assign(1, s);
+  cells_.assign(1, {});
+  number_[s] = 0;
+  turns_.assign(1, {t, 0});
+  while (!turns_.empty()) {
+    const Turn turn = turns_.back();
+    turns_.pop_back();
+    if (number_[turn.to] == kUnseen) visit(turn);
   }
 }
 
-void StOrder::find_lows(Vertex s, Vertex t) {
-  for (std::size_t i = visited_.size(); i-- > 1;) {
-    const Vertex v = visited_[i];
-    Cell& cell = cells_[v];
-    cell.low = cell.preorder;
-    const Row& row = graph_.rows[v];
-    for (std::size_t k = 0; k < row.degree; ++k) {
-      const Vertex u = row.to[k];
-      if (blocks_.is_bridge(v, u) || u == cell.parent || (v == t && u == s)) continue;
-      const bool is_child = cells_[u].preorder > cell.preorder && cells_[u].parent == v;
-      cell.low = std::min(cell.low, is_child ? cells_[u].low : cells_[u].preorder);
+/// Neighbours seen before lie on the way back to s; low is the least of their numbers but the
+/// parent's.
+void StOrder::visit(Turn turn) {
+  const Vertex v = turn.to;
+  const auto number = static_cast<Vertex>(visited_.size());
+  number_[v] = number;
+  visited_.push_back(v);
+  Cell& cell = cells_.emplace_back();
+  cell.parent = turn.parent;
+  cell.low = number;
+  const Row& row = graph_.rows[v];
+  for (std::size_t k = row.degree(); k-- > 0;) {
+    const Vertex u = row.to[k];
+    if (blocks_.is_bridge(v, u)) continue;
+    if (number_[u] == kUnseen) {
+      __builtin_prefetch(&graph_.rows[u]);
+      turns_.push_back({u, number});
+    } else if (number_[u] != turn.parent) {
+      cell.low = std::min(cell.low, number_[u]);
     }
   }
 }
 
-void StOrder::insert_in_preorder(Vertex s, Vertex t) {
-  cells_[s].next = t;
-  cells_[t].previous = s;
-  cells_[s].previous = cells_[t].next = kUnseen;
-  cells_[s].plus = false;
-  for (std::size_t i = 2; i < visited_.size(); ++i) {
-    const Vertex v = visited_[i];
-    const Vertex p = cells_[v].parent;
-    const bool before = !cells_[visited_[cells_[v].low]].plus;
-    const Vertex left = before ? cells_[p].previous : p;
-    const Vertex right = before ? p : cells_[p].next;
-    expect(left != kUnseen && right != kUnseen, "nothing is inserted outside s .. t");
-    cells_[v].previous = left;
-    cells_[v].next = right;
-    cells_[left].next = cells_[right].previous = v;
-    cells_[p].plus = before;
+void StOrder::find_lows() {
+  for (std::size_t i = cells_.size(); i-- > 2;) {
+    Vertex& low = cells_[cells_[i].parent].low;
+    low = std::min(low, cells_[i].low);
   }
+}
+
+void StOrder::insert_in_preorder() {
+  cells_[0].next = 1;
+  cells_[1].previous = 0;
+  cells_[0].previous = cells_[1].next = kUnseen;
+  for (Vertex i = 2; i < cells_.size(); ++i) {
+    Cell& cell = cells_[i];
+    Cell& parent = cells_[cell.parent];
+    const bool before = !cells_[cell.low].plus;
+    cell.previous = before ? parent.previous : cell.parent;
+    cell.next = before ? cell.parent : parent.next;
+    expect(cell.previous != kUnseen && cell.next != kUnseen, "nothing is inserted outside s .. t");
+    cells_[cell.previous].next = cells_[cell.next].previous = i;
+    parent.plus = before;
+  }
+}
+
+/// From both ends at once.
+void StOrder::write_list() {
+  list_.resize(visited_.size());
+  Vertex up = 0;
+  Vertex down = 1;
+  std::size_t i = 0;
+  for (std::size_t j = list_.size(); i < j;) {
+    list_[i++] = visited_[up];
+    up = cells_[up].next;
+    if (i == j) break;
+    list_[--j] = visited_[down];
+    down = cells_[down].previous;
+  }
+  expect(i < list_.size() && list_[i] == visited_[up], "an st-order runs from s to t");
 }
 
 namespace {
@@ -141,13 +155,13 @@ unsigned count_closing_neighbours(const LocalGraph& graph, const std::vector<Ver
   const Vertex t = list.back();
   const Row& row = graph.rows[t];
   unsigned count = 0;
-  for (std::size_t k = 0; k < row.degree; ++k) {
+  for (std::size_t k = 0; k < row.degree(); ++k) {
     const auto at = std::find(list.rbegin(), list.rend(), row.to[k]);
     if (at == list.rend()) continue;
     const auto is_later = [&](Vertex v) { return std::find(list.rbegin(), at, v) != at; };
     unsigned later = 0;
     const Row& other = graph.rows[*at];
-    for (std::size_t j = 0; j < other.degree; ++j) later += is_later(other.to[j]) ? 1u : 0u;
+    for (std::size_t j = 0; j < other.degree(); ++j) later += is_later(other.to[j]) ? 1u : 0u;
     if (later == 1) ++count;
   }
   return count;

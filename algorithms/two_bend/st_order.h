@@ -17,24 +17,32 @@ class StOrder {
   const std::vector<Vertex>& order(Vertex s, Vertex t);
 
  private:
+  struct Turn {
+    Vertex to;      // a vertex that was unseen when its neighbour was visited
+    Vertex parent;  // that neighbour's number
+  };
+  /// What is known of the vertex with a number; all names in it are numbers.
   struct Cell {
     Vertex parent = 0;
-    Vertex preorder = kUnseen;
-    Vertex low = 0;  // a preorder number
+    Vertex low = 0;
     Vertex previous = 0;
     Vertex next = 0;
     bool plus = false;
   };
-  static constexpr Vertex kUnseen = static_cast<Vertex>(-1);
+  static constexpr Vertex kUnseen = kNoVertex;
 
   void search(Vertex s, Vertex t);
-  void find_lows(Vertex s, Vertex t);
-  void insert_in_preorder(Vertex s, Vertex t);
+  void visit(Turn turn);
+  void find_lows();
+  void insert_in_preorder();
+  void write_list();
 
   const LocalGraph& graph_;
   const Blocks& blocks_;
-  std::vector<Cell> cells_;
-  std::vector<Vertex> visited_;  // in preorder
+  std::vector<Vertex> number_;   // per vertex, in preorder; kUnseen outside the block
+  std::vector<Vertex> visited_;  // per number: the vertex
+  std::vector<Cell> cells_;      // per number
+  std::vector<Turn> turns_;      // not taken yet, the next one last
   std::vector<Vertex> list_;
 };
 

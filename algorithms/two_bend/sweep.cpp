@@ -177,10 +177,9 @@ class Sweep {
       if (!stand_on_bend(v)) at_[v] = {ray.x - left_, ray.y - front_, at_[v].z};
       write_bends(id, from, points, 0, 0);
       from = v;
-      const Row& row = in_.graph.rows[v];
-      const std::size_t other = row.edge[0] == id ? 1 : 0;
-      v = row.to[other];
-      id = row.edge[other];
+      const std::size_t other = in_.graph.edges[v][0] == id ? 1 : 0;
+      id = in_.graph.edges[v][other];
+      v = in_.graph.rows[v].to[other];
     }
     std::size_t last = in_.slabs.of_edge[e].count();
     if (stands_free(edge.upper) && bend_under(e, k)) at_[v] = points[--last];

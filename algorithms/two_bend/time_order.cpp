@@ -55,7 +55,7 @@ std::vector<Vertex> breadth_first(const LocalGraph& graph, Vertex start) {
   seen[start] = true;
   for (std::size_t i = 0; i < queue.size(); ++i) {
     const Row& row = graph.rows[queue[i]];
-    for (std::size_t k = 0; k < row.degree; ++k) {
+    for (std::size_t k = 0; k < row.degree(); ++k) {
       if (!seen[row.to[k]]) {
         seen[row.to[k]] = true;
         queue.push_back(row.to[k]);
@@ -129,7 +129,7 @@ class BlockTreeWalk {
     Frame& frame = frames_.back();
     const Vertex v = pending_[frame.next - 1];
     const Row& row = graph_.rows[v];
-    while (frame.slot < row.degree) {
+    while (frame.slot < row.degree()) {
       const Vertex u = row.to[frame.slot++];
       if (blocks_.is_bridge(v, u) && !emitted_[u]) {
         push(lists_.from(u));
@@ -159,7 +159,7 @@ class BlockTreeWalk {
 std::optional<Vertex> root_of_low_degree(const LocalGraph& graph, const Blocks& blocks) {
   std::optional<Vertex> found;
   for (Vertex v = 0; v < graph.size(); ++v) {
-    const unsigned degree = graph.rows[v].degree;
+    const std::size_t degree = graph.rows[v].degree();
     const Block& block = blocks.block_of(v);
     if (block.size == 1 && block.members[0] != v) continue;  // cut off with its Q body
     if (degree == 1) return v;

@@ -36,7 +36,7 @@ std::size_t count_reachable_without(const LocalGraph& graph, Vertex from, Vertex
     const Vertex at = stack.back();
     stack.pop_back();
     ++count;
-    for (std::size_t k = 0; k < graph.rows[at].degree; ++k) {
+    for (std::size_t k = 0; k < graph.rows[at].degree(); ++k) {
       const Vertex to = graph.rows[at].to[k];
       if ((at == u && to == v) || (at == v && to == u) || seen[to]) continue;
       seen[to] = true;
@@ -94,7 +94,7 @@ TEST(TwoBendBlocks, BridgesAreThoseWhoseRemovalDisconnects) {
     for (const LocalGraph& graph : components_of(testing::random_graph_of_any_kind(20, seed))) {
       const Blocks blocks = find_blocks(graph);
       for (Vertex v = 0; v < graph.size(); ++v) {
-        for (std::size_t k = 0; k < graph.rows[v].degree; ++k) {
+        for (std::size_t k = 0; k < graph.rows[v].degree(); ++k) {
           const Vertex u = graph.rows[v].to[k];
           EXPECT_EQ(blocks.is_bridge(v, u), count_reachable_without(graph, v, v, u) < graph.size());
         }
