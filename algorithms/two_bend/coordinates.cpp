@@ -125,10 +125,7 @@ void choose_middle_values(const View& view, Values& values) {
 std::vector<LongId> find_vv_edges(const Flow& flow) {
   std::vector<LongId> result;
   for (LongId e = 0; e < flow.edges.size(); ++e) {
-    if (flow.nodes[flow.edges[e].lower].type == NodeType::merge &&
-        flow.nodes[flow.edges[e].upper].type == NodeType::split) {
-      result.push_back(e);
-    }
+    if (flow.is_vv_edge(e)) result.push_back(e);
   }
   return result;
 }

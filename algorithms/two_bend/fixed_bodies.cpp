@@ -5,6 +5,7 @@
 #include <numeric>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "ar3d/model/error.h"
@@ -57,9 +58,9 @@ void draw_table(const LocalGraph& graph, std::span<const Vertex> vertices,
     top = std::max(top, points[i].z);
   }
   for (const TableEdge& edge : edges) {
-    const Vertex u = vertices[edge.u];
-    output.set_bends(edge_between(graph, u, vertices[edge.v]), graph.name[u],
-                     std::array<Point, 2>{edge.bends[0] + up, edge.bends[1] + up});
+    std::array<Point, 2> bends{edge.bends[0] + up, edge.bends[1] + up};
+    if (is_below(points[edge.v], points[edge.u])) std::swap(bends[0], bends[1]);
+    output.set_bends(edge_between(graph, vertices[edge.u], vertices[edge.v]), bends);
     top = std::max({top, edge.bends[0].z, edge.bends[1].z});
   }
   output.end_component(output.base_z() + top);
@@ -107,10 +108,11 @@ void draw_q_body(const LocalGraph& graph, const QBody& body, Point at, bool upwa
   const auto point = [&](Flat p) {
     return upwards ? Point{at.x, at.y + p.a, at.z + p.h} : Point{at.x + p.a, at.y, at.z - p.h};
   };
-  const auto join = [&](Vertex u, Vertex v, std::initializer_list<Flat> bends) {
+  const auto join = [&](Vertex u, Vertex v, std::initializer_list<Flat> bends) {  // from the joint
     std::vector<Point> points;
     for (const Flat& bend : bends) points.push_back(point(bend));
-    output.set_bends(edge_between(graph, u, v), graph.name[u], points);
+    if (!upwards) std::reverse(points.begin(), points.end());
+    output.set_bends(edge_between(graph, u, v), points);
   };
   const auto [y, c] = body.side;
   const auto [t, w] = body.core;
@@ -119,8 +121,8 @@ void draw_q_body(const LocalGraph& graph, const QBody& body, Point at, bool upwa
   output.set_vertex(graph.name[c], point({2, 6}));
   output.set_vertex(graph.name[t], point({0, 6}));
   output.set_vertex(graph.name[w], point({0, 8}));
-  join(y, body.joint, {{-3, 5}, {-3, 3}});  // from y: the joint's own row may hold its bridge only
-  join(c, body.joint, {{3, 5}, {3, 3}});
+  join(y, body.joint, {{-3, 3}, {-3, 5}});  // u = y: the joint's own row may hold its bridge only
+  join(c, body.joint, {{3, 3}, {3, 5}});
   join(y, t, {{-1, 5}});
   join(c, t, {{1, 5}});
   join(y, w, {{-2, 8}, {-1, 9}});

@@ -37,112 +37,121 @@ NodeType type_of(unsigned ins, unsigned outs) {
   return outs == 2 ? NodeType::split : NodeType::merge;
 }
 
-/// The next step of a chain upwards.
+/// A step upwards: the place of a later neighbour and the edge to it.
 struct Step {
-  Vertex to = 0;
+  std::uint32_t to = 0;
   EdgeId edge = 0;
 };
 
+/// Works on places in the time order, so that memory is read in this order where the graph allows.
 class FlowBuilder {
  public:
   FlowBuilder(const LocalGraph& graph, const TimeOrder& order)
-      : graph_(graph), order_(order.list), place_(graph.size(), 0), node_of_(graph.size(), kNone) {
-    for (std::uint32_t i = 0; i < order_.size(); ++i) place_[order_[i]] = i;
+      : graph_(graph),
+        order_(order.list),
+        pass_(order_.size(), false),
+        count_(static_cast<NodeId>(order_.size())) {
+    flow_.place.assign(graph.size(), 0);
+    for (std::uint32_t i = 0; i < order_.size(); ++i) flow_.place[order_[i]] = i;
     flow_.joint = order.joint;
   }
 
   Flow build(const Blocks& blocks) {
-    find_passes();
-    if (std::find(pass_.begin(), pass_.end(), true) != pass_.end()) {
-      for (const Vertex v : order_) {
-        if (!pass_[place_[v]]) make_station(v);
-      }
+    const auto may_pass = [](const Row& row) { return row.degree() == 2; };
+    if (std::any_of(graph_.rows.begin(), graph_.rows.end(), may_pass)) find_passes();
+    number_nodes();
+    flow_.block.reserve(count_);
+    flow_.edges.reserve(std::size_t{3} * count_ / 2);
+    for (std::uint32_t i = 0; i < order_.size(); ++i) {
+      if (pass_[i]) continue;
+      flow_.block.push_back(blocks.of[order_[i]]);
+      finish_node(i);
     }
-    number_nodes(blocks);
-    for (NodeId u = 0; u < flow_.nodes.size(); ++u) trace_edges_from(u);
     find_poles(blocks);
     flow_.is_pass = std::move(pass_);
     return std::move(flow_);
   }
 
  private:
-  /// Later neighbours, at most three.
-  unsigned steps_up(Vertex v, std::array<Step, 3>& steps) const {
+  /// The later neighbours of the vertex at a place, at most three.
+  unsigned steps_up(std::uint32_t i, std::array<Step, 3>& steps) const {
+    const Vertex v = order_[i];
     const Row& row = graph_.rows[v];
     unsigned count = 0;
     for (std::size_t k = 0; k < row.degree(); ++k) {
-      if (place_[row.to[k]] > place_[v]) steps[count++] = {row.to[k], graph_.edges[v][k]};
+      const std::uint32_t to = flow_.place[row.to[k]];
+      if (to > i) steps[count++] = {to, graph_.edges[v][k]};
     }
     return count;
   }
 
+  std::size_t degree_at(std::uint32_t i) const { return graph_.rows[order_[i]].degree(); }
+
   void find_passes() {
-    pass_.assign(order_.size(), false);
     std::array<Step, 3> steps;
-    for (std::size_t i = 0; i < order_.size(); ++i) {
-      pass_[i] = graph_.rows[order_[i]].degree() == 2 && steps_up(order_[i], steps) == 1;
+    for (std::uint32_t i = 0; i < order_.size(); ++i) {
+      pass_[i] = degree_at(i) == 2 && steps_up(i, steps) == 1;
     }
+    for (std::uint32_t i = 0; i < order_.size(); ++i) {
+      if (!pass_[i]) make_station(i);
+    }
+    count_ -= static_cast<NodeId>(std::count(pass_.begin(), pass_.end(), true));
   }
 
-  /// Calls `visit` for every PASS of the chain that begins with v and returns the node above it.
+  /// Calls `visit` for every PASS of the chain that begins at i and returns the place of the node
+  /// above it.
   template <class Visit>
-  Vertex climb(Vertex v, Visit visit) const {
+  std::uint32_t climb(std::uint32_t i, Visit visit) const {
     std::array<Step, 3> steps;
-    while (pass_[place_[v]]) {
-      visit(v);
-      steps_up(v, steps);
-      v = steps[0].to;
+    while (pass_[i]) {
+      visit(i);
+      steps_up(i, steps);
+      i = steps[0].to;
     }
-    return v;
+    return i;
   }
 
-  /// If two chains join v to the same node, a PASS on one of them becomes a STATION (section 3).
-  void make_station(Vertex v) {
+  /// If two chains join a node to the same node, a PASS on one of them becomes a STATION
+  /// (section 3).
+  void make_station(std::uint32_t i) {
     std::array<Step, 3> steps;
-    if (steps_up(v, steps) != 2) return;
-    const auto ignore = [](Vertex) {};
+    if (steps_up(i, steps) != 2) return;
+    const auto ignore = [](std::uint32_t) {};
     if (climb(steps[0].to, ignore) != climb(steps[1].to, ignore)) return;
-    const Vertex station = pass_[place_[steps[0].to]] ? steps[0].to : steps[1].to;
-    expect(pass_[place_[station]], "a simple graph has a PASS on one of two parallel chains");
-    pass_[place_[station]] = false;
+    const std::uint32_t station = pass_[steps[0].to] ? steps[0].to : steps[1].to;
+    expect(pass_[station], "a simple graph has a PASS on one of two parallel chains");
+    pass_[station] = false;
   }
 
-  void number_nodes(const Blocks& blocks) {
+  void number_nodes() {
     flow_.element.assign(order_.size(), kNone);
-    std::array<Step, 3> steps;
-    for (std::size_t i = 0; i < order_.size(); ++i) {
+    flow_.nodes.resize(count_);
+    NodeId count = 0;
+    for (std::uint32_t i = 0; i < order_.size(); ++i) {
       if (pass_[i]) continue;
-      const Vertex v = order_[i];
-      const auto degree = static_cast<unsigned>(graph_.rows[v].degree());
-      const unsigned outs = steps_up(v, steps);
-      Node node;
-      node.vertex = v;
-      const bool is_station = degree == 2 && outs == 1;
-      node.type = is_station ? NodeType::station : type_of(degree - outs, outs);
-      node.outs = static_cast<std::uint8_t>(outs);
-      node.ins = static_cast<std::uint8_t>(degree - outs);
-      node_of_[v] = static_cast<NodeId>(flow_.nodes.size());
-      flow_.element[i] = node_of_[v];
-      flow_.nodes.push_back(node);
-      flow_.block.push_back(blocks.of[v]);
+      flow_.nodes[count].place = i;
+      flow_.element[i] = count++;
     }
-    ins_seen_.assign(flow_.nodes.size(), 0);
   }
 
-  void trace_edges_from(NodeId u) {
+  /// The outs of the node at place i; its ins are complete, because all earlier nodes are.
+  void finish_node(std::uint32_t i) {
     std::array<Step, 3> steps;
-    const unsigned outs = steps_up(flow_.nodes[u].vertex, steps);
+    const unsigned outs = steps_up(i, steps);
+    const NodeId u = flow_.element[i];
+    Node& node = flow_.nodes[u];
+    const bool is_station = node.ins == 1 && outs == 1;
+    node.type = is_station ? NodeType::station : type_of(node.ins, outs);
+    node.outs = static_cast<std::uint8_t>(outs);
     for (unsigned k = 0; k < outs; ++k) {
       const auto id = static_cast<LongId>(flow_.edges.size());
-      const Vertex top = climb(steps[k].to, [&](Vertex pass) { flow_.element[place_[pass]] = id; });
-      const NodeId w = node_of_[top];
+      const std::uint32_t top =
+          climb(steps[k].to, [&](std::uint32_t pass) { flow_.element[pass] = id; });
+      const NodeId w = flow_.element[top];
       flow_.edges.push_back({u, w, steps[k].to, steps[k].edge});
-      Node& lower = flow_.nodes[u];
-      lower.neighbour[lower.ins + k] = w;
-      lower.edge[lower.ins + k] = id;
+      node.neighbour[node.ins + k] = w;
       Node& upper = flow_.nodes[w];
-      upper.neighbour[ins_seen_[w]] = u;
-      upper.edge[ins_seen_[w]++] = id;
+      upper.neighbour[upper.ins++] = u;
     }
   }
 
@@ -170,17 +179,16 @@ class FlowBuilder {
     flow_.block_entry.assign(blocks.blocks.size(), kNone);
     for (const Pole& pole : flow_.poles) {
       const Block& block = blocks.blocks[flow_.block[pole.node]];
-      if (block.bridges > 0)
-        flow_.block_entry[flow_.block[pole.node]] = node_of_[block.bridge_vertex];
+      if (block.bridges > 0) {  // it has degree 3: no PASS
+        flow_.block_entry[flow_.block[pole.node]] = flow_.element[flow_.place[block.bridge_vertex]];
+      }
     }
   }
 
   const LocalGraph& graph_;
   const std::vector<Vertex>& order_;
-  std::vector<std::uint32_t> place_;
-  std::vector<NodeId> node_of_;
-  std::vector<bool> pass_;
-  std::vector<std::uint8_t> ins_seen_;
+  std::vector<bool> pass_;  // per place
+  NodeId count_;            // of nodes
   Flow flow_;
 };
 
@@ -234,6 +242,7 @@ std::vector<std::uint8_t> find_roles(const View& view) {
 Flow build_flow(const LocalGraph& graph, const Blocks& blocks, const TimeOrder& order) {
   Flow flow = FlowBuilder(graph, order).build(blocks);
   expect_heavy([&] { return arms_are_not_parallel(flow); }, "no two AA edges are parallel");
+  for (std::vector<NodeType>& types : flow.types) types.reserve(flow.nodes.size());
   for (const Node& node : flow.nodes) {
     flow.types[0].push_back(node.type);
     flow.types[1].push_back(dual(node.type));

@@ -30,20 +30,20 @@ enum class NodeType : std::uint8_t {
 NodeType dual(NodeType type);
 
 struct Node {
-  Vertex vertex = 0;
+  std::uint32_t place = 0;  ///< in the time order
   NodeType type{};
   std::uint8_t ins = 0;
   std::uint8_t outs = 0;
   std::array<NodeId, 3> neighbour{};  ///< lower ends of the ins, then upper ends of the outs
-  std::array<LongId, 3> edge{};
 };
 
-/// A chain of PASS vertices between two nodes.
+/// A chain of PASS vertices between two nodes. Long edges are numbered in time order of their lower
+/// ends.
 struct LongEdge {
   NodeId lower = 0;
   NodeId upper = 0;
-  Vertex first = 0;       ///< the vertex after the lower end (the upper end if there is no PASS)
-  EdgeId first_edge = 0;  ///< input edge from the lower end to `first`
+  std::uint32_t first = 0;  ///< place after the lower end's (the upper end's if there is no PASS)
+  EdgeId first_edge = 0;    ///< input edge at the lower end
 };
 
 /// A SOURCE or SINK and the kind of its special edge (the one drawn in the plane of symmetry of its
@@ -79,6 +79,7 @@ struct Flow {
   std::array<std::vector<NodeId>, 2>
       row_owner;  ///< per node, in the row and in the column view: whose row it stands in
   std::vector<std::uint32_t> pole_of;  ///< per node, kNone if it is no pole
+  std::vector<std::uint32_t> place;    ///< per vertex, in the time order
   std::vector<std::uint32_t>
       element;                 ///< per place in the time order: node, or long edge if is_pass
   std::vector<bool> is_pass;   ///< per place in the time order
@@ -89,6 +90,11 @@ struct Flow {
 
   /// The node's block has a pole and bridges.
   bool in_pole_block(NodeId v) const { return !joint && block_entry[block[v]] != kNone; }
+  /// From a MERGE up to a SPLIT.
+  bool is_vv_edge(LongId e) const {
+    return types[0][edges[e].lower] == NodeType::merge &&
+           types[0][edges[e].upper] == NodeType::split;
+  }
   bool adjacent_poles(const Pole& pole) const {
     return pole.special != kNone && pole_of[pole.special] != kNone;
   }
@@ -115,9 +121,6 @@ class View {
   }
   std::span<const NodeId> outs(NodeId v) const {
     return half(flow_->nodes[v].neighbour, v, !columns_);
-  }
-  std::span<const LongId> in_edges(NodeId v) const {
-    return half(flow_->nodes[v].edge, v, columns_);
   }
 
   const Pole& pole(NodeId v) const { return flow_->poles[flow_->pole_of[v]]; }

@@ -20,19 +20,27 @@ std::int32_t narrow(std::int64_t value) {
 
 void PackedBends::set(EdgeId e, std::span<const Point> bends) {
   expect(bends.size() <= 2, "an edge has at most two bends");
-  counts_[e] = static_cast<std::uint8_t>(bends.size());
-  Places& places = places_[e];
+  Places places;
   for (std::size_t i = 0; i < bends.size(); ++i) {
     places.xy[2 * i] = narrow(bends[i].x);
     places.xy[2 * i + 1] = narrow(bends[i].y);
     places.z[i] = bends[i].z;
   }
+  places_[e] = places;
 }
 
-void PackedBends::append_bends(EdgeId e, Edge, Point, Point, std::vector<Point>& out) const {
+void PackedBends::append_bends(EdgeId e, Edge, Point at_u, Point at_v,
+                               std::vector<Point>& out) const {
   const Places& places = places_[e];
-  for (std::size_t i = 0; i < counts_[e]; ++i) {
+  const auto append = [&](std::size_t i) {
     out.push_back({places.xy[2 * i], places.xy[2 * i + 1], places.z[i]});
+  };
+  const std::size_t count = std::size_t{places.z[0] != kNoBend} + (places.z[1] != kNoBend);
+  if (count == 2 && is_below(at_v, at_u)) {
+    append(1);
+    append(0);
+  } else {
+    for (std::size_t i = 0; i < count; ++i) append(i);
   }
 }
 
@@ -49,14 +57,6 @@ void Output::end_component(std::int64_t top) {
 void Output::set_vertex(Vertex v, Point p) {
   points_[v] = p;
   largest_ = std::max({largest_, p.x, p.y, p.z});
-}
-
-void Output::set_bends(EdgeId e, Vertex from, std::span<const Point> bends) {
-  if (graph_.edge(e).u == from || bends.size() < 2) {
-    bends_->set(e, bends);
-  } else {
-    bends_->set(e, std::array<Point, 2>{bends[1], bends[0]});
-  }
 }
 
 Drawing Output::finish() {

@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "ar3d/model/drawing.h"
@@ -11,24 +13,30 @@
 
 namespace ar3d::two_bend {
 
-/// At most two bends an edge, 33 bytes an edge.
+/// At most two bends an edge, 32 bytes an edge. Two bends are kept in the order from the edge's
+/// lower end (is_below) to the upper one: so nothing needs the order in which the input names the
+/// ends.
 class PackedBends final : public BendSource {
  public:
-  explicit PackedBends(std::size_t num_edges) : counts_(num_edges, 0), places_(num_edges) {}
-  /// x and y are below 2^31 in absolute value; at most two bends, in the order of the input edge's
-  /// ends.
+  explicit PackedBends(std::size_t num_edges) : places_(num_edges) {}
+  /// x and y are below 2^31 in absolute value; at most two bends, from the lower end to the upper.
   void set(EdgeId e, std::span<const Point> bends);
   void append_bends(EdgeId e, Edge ends, Point at_u, Point at_v,
                     std::vector<Point>& out) const override;
 
  private:
-  struct Places {
+  static constexpr std::int64_t kNoBend = std::numeric_limits<std::int64_t>::min();
+  struct alignas(32) Places {
     std::array<std::int32_t, 4> xy{};
-    std::array<std::int64_t, 2> z{};
+    std::array<std::int64_t, 2> z{kNoBend, kNoBend};
   };
-  std::vector<std::uint8_t> counts_;
   std::vector<Places> places_;
 };
+
+/// The order by z, then y, then x.
+inline bool is_below(const Point& p, const Point& q) {
+  return std::tie(p.z, p.y, p.x) < std::tie(q.z, q.y, q.x);
+}
 
 /// Collects a drawing component by component, stacked in z.
 class Output {
@@ -41,8 +49,8 @@ class Output {
   void end_component(std::int64_t top);
 
   void set_vertex(Vertex v, Point p);
-  /// @param from  the end of e (an input vertex) at which `bends` begin.
-  void set_bends(EdgeId e, Vertex from, std::span<const Point> bends);
+  /// @param bends  two of them from the lower end (is_below) to the upper one.
+  void set_bends(EdgeId e, std::span<const Point> bends) { bends_->set(e, bends); }
 
   Drawing finish();
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 
 #include "ar3d/algorithms/two_bend/numeric.h"
 #include "ar3d/model/error.h"
@@ -19,8 +20,8 @@ void LongBends::add_upper(RelativeBend bend) {
 }
 
 Ray ray_of(const Flow& flow, const Layout& layout, const LongEdge& edge) {
-  const NodeType lower = flow.nodes[edge.lower].type;
-  const NodeType upper = flow.nodes[edge.upper].type;
+  const NodeType lower = flow.types[0][edge.lower];
+  const NodeType upper = flow.types[0][edge.upper];
   const auto at = [&](NodeId column, NodeId row) {
     return Ray{layout.columns[column], layout.rows[row]};
   };
@@ -41,61 +42,68 @@ struct Drop {
 
 int sign_of(std::int64_t value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
-/// Draws, for one view, everything below its MERGEs and SINKs (and around: a SINK has bends above
-/// itself).
+/// Draws, for one view, the ends of long edges below its MERGEs and SINKs (and around: a SINK has
+/// bends above itself).
 class ViewSlabs {
  public:
   ViewSlabs(const View& view, const Layout& layout, Slabs& slabs)
       : view_(view),
+        poles_(layout.poles),
         own_(view.columns() ? layout.columns : layout.rows),
         cross_(view.columns() ? layout.rows : layout.columns),
         slabs_(slabs) {}
 
-  void draw_merge(NodeId m) {
-    for (std::size_t k = 0; k < 2; ++k) {
-      const NodeId u = view_.ins(m)[k];
-      const LongId edge = view_.in_edges(m)[k];
-      const NodeType below = view_.type(u);
-      const bool in_one_column = cross_[u] == cross_[m];  // see share_rows
-      if (!in_one_column && (below == NodeType::merge || below == NodeType::station)) {
-        add_lean_and_arm(m, edge, u, {cross_[m], own_[m], 0});
-      } else {
-        add(m, edge, {cross_[m], own_[u], std::abs(own_[m] - own_[u])});
-      }
-    }
-  }
-
-  void draw_sink(const Pole& pole, const PoleShape& shape) {
-    const NodeId t = pole.node;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const NodeId u = view_.ins(t)[k];
-      const LongId edge = view_.in_edges(t)[k];
-      if (u == shape.up.from) {
-        add_pole_lean(t, edge, shape, shape.up, 1);
-      } else if (u == shape.down.from) {
-        add_pole_lean(t, edge, shape, shape.down, -1);
-      } else {
-        add_special(pole, edge, shape);
-      }
-    }
+  /// The end at v of an edge that comes from u, in the view's time.
+  void draw_end(LongId edge, NodeId v, NodeId u) {
+    if (view_.type(v) == NodeType::merge) draw_at_merge(v, edge, u);
+    if (view_.type(v) == NodeType::sink) draw_at_sink(view_.pole(v), edge, u);
   }
 
  private:
+  void draw_at_merge(NodeId m, LongId edge, NodeId u) {
+    const NodeType below = view_.type(u);
+    const bool in_one_column = cross_[u] == cross_[m];  // see share_rows
+    if (!in_one_column && (below == NodeType::merge || below == NodeType::station)) {
+      add_lean_and_arm(m, edge, u, {cross_[m], own_[m], 0});
+    } else {
+      add(m, edge, {cross_[m], own_[u], std::abs(own_[m] - own_[u])});
+    }
+  }
+
+  void draw_at_sink(const Pole& pole, LongId edge, NodeId u) {
+    const PoleShape& shape = poles_[view_.flow().pole_of[pole.node]];
+    if (u == shape.up.from) {
+      add_pole_lean(pole.node, edge, shape, shape.up, 1);
+    } else if (u == shape.down.from) {
+      add_pole_lean(pole.node, edge, shape, shape.down, -1);
+    } else {
+      add_special(pole, edge, shape);
+    }
+  }
+
   /// In upward order of the view. The slab of the vertex grows with the bend.
   void add(NodeId v, LongId edge, Drop bend) {
     const std::int64_t z = -bend.drop;
     Slab& slab = slabs_.of_node[v];
     LongBends& bends = slabs_.of_edge[edge];
     if (view_.columns()) {
-      bends.add_lower({bend.own, bend.cross, -z});
+      bends.add_lower(bend_at(bend.own, bend.cross, -z));
       if (bends.lower_count == 2) std::swap(bends.bends[0], bends.bends[1]);
       slab.above = std::max(slab.above, -z);
       slab.below = std::max(slab.below, z);
     } else {
-      bends.add_upper({bend.cross, bend.own, z});
+      bends.add_upper(bend_at(bend.cross, bend.own, z));
       slab.below = std::max(slab.below, -z);
       slab.above = std::max(slab.above, z);
     }
+  }
+
+  RelativeBend bend_at(std::int64_t x, std::int64_t y, std::int64_t dz) {
+    slabs_.left = std::min(slabs_.left, x);
+    slabs_.front = std::min(slabs_.front, y);
+    expect(std::max(std::abs(x), std::abs(y)) <= std::numeric_limits<std::int32_t>::max(),
+           "rows and columns fit 32 bits");
+    return {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), dz};
   }
 
   /// From the stem or station u a lean into the line cross = const through `end`, then an arm along
@@ -127,7 +135,8 @@ class ViewSlabs {
     add(t, edge, {shape.cross + shape.sign * lean.arm, shape.own, lean.arm});
   }
 
-  const View& view_;
+  const View view_;
+  const std::vector<PoleShape>& poles_;
   const Values& own_;
   const Values& cross_;
   Slabs& slabs_;
@@ -137,8 +146,8 @@ class ViewSlabs {
 void draw_vv_lean(const Flow& flow, const Layout& layout, LongId id, Slabs& slabs) {
   const NodeId m = flow.edges[id].lower;
   const NodeId s = flow.edges[id].upper;
-  const std::int64_t dx = layout.columns[s] - layout.columns[m];
-  const std::int64_t dy = layout.rows[s] - layout.rows[m];
+  const std::int32_t dx = layout.columns[s] - layout.columns[m];
+  const std::int32_t dy = layout.rows[s] - layout.rows[m];
   if (dx == 0 && dy == 0) return;  // straight
   const std::int64_t below = lean_height(dx, dy) + 1;
   slabs.of_edge[id].add_upper({layout.columns[m], layout.rows[m], -below});
@@ -152,17 +161,14 @@ Slabs draw_slabs(const Flow& flow, const Layout& layout) {
   Slabs slabs;
   slabs.of_node.resize(flow.nodes.size());
   slabs.of_edge.resize(flow.edges.size());
-  for (const bool columns : {true, false}) {  // bends at lower ends first
-    const View view(flow, columns);
-    ViewSlabs drawer(view, layout, slabs);
-    for (NodeId v = 0; v < view.size(); ++v) {
-      if (view.type(v) == NodeType::merge) drawer.draw_merge(v);
-      if (view.type(v) == NodeType::sink) {
-        drawer.draw_sink(view.pole(v), layout.poles[flow.pole_of[v]]);
-      }
-    }
+  ViewSlabs rows(View(flow, false), layout, slabs);
+  ViewSlabs columns(View(flow, true), layout, slabs);
+  for (LongId e = 0; e < flow.edges.size(); ++e) {
+    const auto [lower, upper, first, first_edge] = flow.edges[e];
+    columns.draw_end(e, lower, upper);
+    rows.draw_end(e, upper, lower);
+    if (flow.is_vv_edge(e)) draw_vv_lean(flow, layout, e, slabs);
   }
-  for (const LongId e : find_vv_edges(flow)) draw_vv_lean(flow, layout, e, slabs);
   return slabs;
 }
 

@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "ar3d/algorithms/two_bend/layout.h"
+#include "ar3d/algorithms/two_bend/numeric.h"
 
 namespace ar3d::two_bend {
 
 /// A bend in x, y of the component and in z relative to the vertex at its end of the edge.
 struct RelativeBend {
-  std::int64_t x = 0;
-  std::int64_t y = 0;
+  std::int32_t x = 0;
+  std::int32_t y = 0;
   std::int64_t dz = 0;
 };
 
@@ -39,6 +40,8 @@ struct Slab {
 struct Slabs {
   std::vector<Slab> of_node;
   std::vector<LongBends> of_edge;
+  std::int64_t left = kMaxHorizontal;   ///< least x of a bend, if it is less
+  std::int64_t front = kMaxHorizontal;  ///< least y of a bend, if it is less
 };
 
 Slabs draw_slabs(const Flow& flow, const Layout& layout);
