@@ -15,17 +15,18 @@ std::int64_t margin(NodeType below) {
   return below == NodeType::station ? 3 : below == NodeType::merge ? 2 : 1;
 }
 
-bool is_odd_entry(const View& view, NodeId v) { return view.type(v) == NodeType::merge; }
+bool is_odd(NodeType type) { return type == NodeType::merge; }
 
-std::int64_t base_gap(const View& view, NodeId a, NodeId b) {
-  if (is_odd_entry(view, a) == is_odd_entry(view, b)) return 2;
-  const bool station = view.type(a) == NodeType::station || view.type(b) == NodeType::station;
-  return station ? 3 : 1;
+std::int64_t base_gap(NodeType a, NodeType b) {
+  if (is_odd(a) == is_odd(b)) return 2;
+  return a == NodeType::station || b == NodeType::station ? 3 : 1;
 }
 
 /// SPLITs stand where their row's owner stands.
 void copy_to_sharers(const View& view, Values& values) {
-  for (NodeId v = 0; v < view.size(); ++v) values[v] = values[view.row_of(v)];
+  for (NodeId v = 0; v < view.size(); ++v) {
+    if (view.row_of(v) != v) values[v] = values[view.row_of(v)];
+  }
 }
 
 }  // namespace
@@ -40,20 +41,21 @@ Values list_places(const View& view, const std::vector<NodeId>& list) {
 
 Values number_list(const View& view, const std::vector<NodeId>& list, const Spacing& spacing) {
   Values values(view.size(), 0);
-  NodeId last = kNone;
-  std::int64_t value = 0;
+  std::int64_t value = -2;  // the first entry gets 0 or 1
+  NodeType last = NodeType::split;
+  Spacing::Widening before;
   for (const NodeId v : list) {
-    if (last != kNone) {
-      const std::int64_t gap =
-          std::max({base_gap(view, last, v), spacing.hold_gap[last], spacing.hold_gap[v]});
-      value += gap + spacing.extra_after[last];
-      if ((value % 2 != 0) != is_odd_entry(view, v)) ++value;
-      expect(value <= kMaxHorizontal, "rows and columns fit 31 bits");
-    } else {
-      value = is_odd_entry(view, v) ? 1 : 0;
-    }
+    const NodeType type = view.type(v);
+    const Spacing::Widening widening = spacing[v];
+    const bool is_first = value < 0;
+    value += is_first ? 2
+                      : std::max({base_gap(last, type), before.hold_gap, widening.hold_gap}) +
+                            before.extra_after;
+    if ((value % 2 != 0) != is_odd(type)) ++value;
+    expect(value <= kMaxHorizontal, "rows and columns fit 31 bits");
     values[v] = static_cast<std::int32_t>(value);
-    last = v;
+    last = type;
+    before = widening;
   }
   copy_to_sharers(view, values);
   return values;
@@ -64,8 +66,9 @@ std::int64_t bound_of_list(const View& view, const Spacing& spacing) {
   for (NodeId v = 0; v < view.size(); ++v) {
     if (!view.is_owner(v) && !view.is_listed_merge(v)) continue;
     bound += view.type(v) == NodeType::station ? 4 : 2;
-    if (spacing.extra_after[v] > 0) bound += spacing.extra_after[v] + 1;
-    if (spacing.hold_gap[v] > 0) bound += 2 * (spacing.hold_gap[v] + 1);
+    const auto [extra_after, hold_gap] = spacing[v];
+    if (extra_after > 0) bound += extra_after + 1;
+    if (hold_gap > 0) bound += 2 * (hold_gap + 1);
   }
   return bound;
 }
@@ -74,8 +77,7 @@ OddInterval interval_of(const View& view, const Values& values, NodeId merge) {
   NodeId a = view.ins(merge)[0];
   NodeId b = view.ins(merge)[1];
   if (values[b] < values[a]) std::swap(a, b);
-  const OddInterval result{values[a] + margin(view.type(a)), values[b] - margin(view.type(b)),
-                           view.row_of(a)};
+  const OddInterval result{values[a] + margin(view.type(a)), values[b] - margin(view.type(b))};
   expect(result.low <= result.high && result.low % 2 == 1,
          "a free MERGE has room between its in-neighbours");
   return result;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 #include "ar3d/algorithms/two_bend/entry_list.h"
@@ -10,9 +11,23 @@
 namespace ar3d::two_bend {
 
 /// What widens a list beyond its base gaps; the only state that persists from round to round (R18).
-struct Spacing {
-  std::vector<std::int64_t> extra_after;  ///< per node: added to the gap directly after its entry
-  std::vector<std::int64_t> hold_gap;     ///< per node: least gap on both sides of its entry
+/// Few entries have any.
+class Spacing {
+ public:
+  struct Widening {
+    std::int64_t extra_after = 0;  ///< added to the gap directly after the entry
+    std::int64_t hold_gap = 0;     ///< least gap on both sides of the entry
+  };
+  explicit Spacing(std::size_t num_nodes) : is_widened_(num_nodes, false) {}
+  Widening& at(NodeId v) {
+    is_widened_[v] = true;
+    return widenings_[v];
+  }
+  Widening operator[](NodeId v) const { return is_widened_[v] ? widenings_.at(v) : Widening{}; }
+
+ private:
+  std::vector<bool> is_widened_;
+  std::unordered_map<NodeId, Widening> widenings_;
 };
 
 /// The numbers of one view: rows (y) or columns (x), per node; meaningful for owners and MERGEs of
@@ -35,7 +50,6 @@ std::int64_t bound_of_list(const View& view, const Spacing& spacing);
 struct OddInterval {
   std::int64_t low = 0;
   std::int64_t high = 0;
-  NodeId lower_neighbour = kNone;
   std::int64_t count() const { return (high - low) / 2 + 1; }
   std::int64_t middle() const { return low + 2 * (count() / 2); }
   bool contains(std::int64_t value) const { return low <= value && value <= high; }

@@ -52,11 +52,9 @@ class LayoutSearch {
         options_(options),
         row_view_(flow, false),
         column_view_(flow, true),
-        vv_(find_vv_edges(flow)) {
-    for (Spacing* spacing : {&row_spacing_, &column_spacing_}) {
-      spacing->extra_after.assign(flow.nodes.size(), 0);
-      spacing->hold_gap.assign(flow.nodes.size(), 0);
-    }
+        vv_(find_vv_edges(flow)),
+        row_spacing_(flow.nodes.size()),
+        column_spacing_(flow.nodes.size()) {
     for (const Pole& pole : flow.poles) set_gap(pole, kFirstGap);
   }
 
@@ -92,7 +90,7 @@ class LayoutSearch {
   }
   std::int64_t& gap_of(const Pole& pole) {
     const View& view = view_of(pole);
-    return spacing_of(view).hold_gap[view.hold_of(pole)];
+    return spacing_of(view).at(view.hold_of(pole)).hold_gap;
   }
   void set_gap(const Pole& pole, std::int64_t gap) { gap_of(pole) = gap; }
 
@@ -120,7 +118,9 @@ class LayoutSearch {
 
   void widen(const View& view, NodeId merge, std::int64_t by) {
     const Values& values = values_of(view).own;
-    spacing_of(view).extra_after[interval_of(view, values, merge).lower_neighbour] += by;
+    const auto below = view.ins(merge);
+    const NodeId lower = values[below[1]] < values[below[0]] ? below[1] : below[0];
+    spacing_of(view).at(view.row_of(lower)).extra_after += by;
   }
 
   /// The intervals of these VV edges get room for kVvCount odd numbers.
@@ -199,7 +199,7 @@ class LayoutSearch {
       const auto [c, w] = view.ordinary_of(pole);
       const std::int64_t missing = power + 2 - spread(pole);
       expect(missing >= 0, "the gaps of the safe round fit between the ordinary neighbours");
-      spacing_of(other).extra_after[cross[c] < cross[w] ? c : w] += missing;
+      spacing_of(other).at(cross[c] < cross[w] ? c : w).extra_after += missing;
     }
   }
 

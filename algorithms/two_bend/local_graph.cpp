@@ -34,12 +34,21 @@ void ComponentReader::search_from(Vertex root, LocalGraph& out) {
   out.parent.clear();
   out.rows.clear();
   out.edges.clear();
+  reserve(out);
   turns_.assign(1, {root, 0});
   while (!turns_.empty()) {
     const Turn turn = turns_.back();
     turns_.pop_back();
     if (!is_read_[turn.to]) read(turn, out);
   }
+}
+
+/// For all vertices at once: memory that is not written costs nothing, growing arrays are copied.
+void ComponentReader::reserve(LocalGraph& out) const {
+  out.name.reserve(local_.size());
+  out.parent.reserve(local_.size());
+  out.rows.reserve(local_.size());
+  out.edges.reserve(local_.size());
 }
 
 /// Without a look at where rows begin if all are equally long: one wait for memory less.

@@ -46,6 +46,7 @@ class ComponentReader {
     Vertex parent;  // that neighbour's new name
   };
   void search_from(Vertex root, LocalGraph& out);
+  void reserve(LocalGraph& out) const;
   void read(Turn turn, LocalGraph& out);
   std::span<const HalfEdge> incident(Vertex v) const;
 

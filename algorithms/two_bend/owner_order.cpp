@@ -52,7 +52,11 @@ namespace {
 class Forest {
  public:
   Forest(const View& view, const Attachment& attachment)
-      : view_(view), attachment_(attachment), cells_(view.size()) {
+      : view_(view),
+        attachment_(attachment),
+        cells_(view.size()),
+        grows_right_(view.size(), false),
+        order_(view.size(), kNone) {
     find_parents();
     for (const Pole& pole : view.flow().poles) {
       if (view.type(pole.node) == NodeType::sink && !view.flow().joint) mark_hanging_block(pole);
@@ -61,58 +65,72 @@ class Forest {
     weigh();
   }
 
+  /// Every tree fills consecutive places of the order: first the roots' places are found, then from
+  /// the roots upwards those of their parts.
   std::vector<NodeId> emit(bool straighten) {
     for (const Pole& pole : view_.flow().poles) {
       if (view_.type(pole.node) != NodeType::source) continue;
       const Unit unit = unit_of(view_, pole);
-      if (unit.third_first) order_.push_back(pole.node);
+      if (unit.third_first) place_node(pole.node);
     }
-    const RootOrder roots = order_roots(straighten);
-    for (NodeId v = roots.first(); v != kNone; v = roots.next(v)) {
+    for (const NodeId v : straighten ? straightening_roots() : roots_in_time_order()) {
       if (view_.type(v) == NodeType::source) {
-        emit_unit(unit_of(view_, view_.pole(v)));
+        place_unit(unit_of(view_, view_.pole(v)));
       } else {
-        emit_trees({{v, Work::tree_on_right}});
+        place_tree(v, true);
       }
     }
+    for (NodeId i = 0; i < view_.size(); ++i) {
+      if (cells_[view_.at(i)].begin != kNone) place_parts(view_.at(i));
+    }
+    order_.resize(end_);
     return std::move(order_);
   }
 
  private:
   struct Cell {
     NodeId parent = kNone;
-    NodeId hangs_on = kNone;
-    NodeId hung_first = kNone;  // list of the trees hung on it
-    NodeId hung_next = kNone;
     std::uint32_t weight = 0;
+    std::uint32_t size = 0;       // owners of the tree
+    std::uint32_t begin = kNone;  // its first place in the order
   };
-  struct Work {
-    enum Kind { node, tree_on_right, tree_on_left };  // of its parent
-    NodeId v;
-    Kind kind;
+  /// Trees hung on a node, as a linked list.
+  struct Hanging {
+    NodeId on = kNone;
+    NodeId first = kNone;
+    NodeId next = kNone;
   };
 
   bool is_root(NodeId v) const {
-    return view_.type(v) == NodeType::source ||
-           (is_initial_owner(v) && cells_[v].parent == kNone && cells_[v].hangs_on == kNone);
+    return view_.type(v) == NodeType::source || (is_initial_owner(v) && tree_above(v) == kNone);
   }
 
-  /// Roots in time order; if `straighten`, a SPLIT above a MERGE between the trees of the MERGE's
-  /// in-neighbours if these differ: then the MERGE can have the SPLIT's row (see choose_vv_values).
-  RootOrder order_roots(bool straighten) {
+  std::vector<NodeId> roots_in_time_order() const {
+    std::vector<NodeId> roots;
+    for (NodeId i = 0; i < view_.size(); ++i) {
+      if (is_root(view_.at(i))) roots.push_back(view_.at(i));
+    }
+    return roots;
+  }
+
+  /// Roots in time order, but a SPLIT above a MERGE between the trees of the MERGE's in-neighbours
+  /// if these differ: then the MERGE can have the SPLIT's row (see choose_vv_values).
+  std::vector<NodeId> straightening_roots() const {
     RootOrder roots(view_.size());
     std::vector<NodeId> root(view_.size(), kNone);
     for (NodeId i = 0; i < view_.size(); ++i) {
       const NodeId v = view_.at(i);
       if (is_root(v)) {
         root[v] = v;
-        if (!straighten || !place_above_merge(roots, root, v)) roots.append(v);
+        if (!place_above_merge(roots, root, v)) roots.append(v);
       } else {
         const NodeId to = below_in_tree(v);
         if (to != kNone) root[v] = root[to];
       }
     }
-    return roots;
+    std::vector<NodeId> result;
+    for (NodeId v = roots.first(); v != kNone; v = roots.next(v)) result.push_back(v);
+    return result;
   }
 
   bool place_above_merge(RootOrder& roots, const std::vector<NodeId>& root, NodeId v) const {
@@ -158,13 +176,14 @@ class Forest {
 
   void hang_trees() {
     if (hang_block_.empty()) return;
+    hanging_.resize(view_.size());
     for (NodeId i = view_.size(); i-- > 0;) {
       const NodeId v = view_.at(i);
       const NodeId entry = hang_block_[view_.flow().block[v]];
       if (entry == kNone || entry == v || !is_initial_owner(v) || cells_[v].parent != kNone)
         continue;
-      cells_[v].hangs_on = entry;
-      cells_[v].hung_next = std::exchange(cells_[entry].hung_first, v);
+      hanging_[v].on = entry;
+      hanging_[v].next = std::exchange(hanging_[entry].first, v);
     }
   }
 
@@ -172,9 +191,13 @@ class Forest {
     for (NodeId i = view_.size();
          i-- > 0;) {  // attachments go back in time, so clusters add up to their owners
       const NodeId v = view_.at(i);
-      ++cells_[v].weight;
+      Cell& cell = cells_[v];
+      ++cell.weight;
+      if (is_initial_owner(v)) ++cell.size;
       const NodeId to = below_in_tree(v);
-      if (to != kNone) cells_[to].weight += cells_[v].weight;
+      if (to == kNone) continue;
+      cells_[to].weight += cell.weight;
+      cells_[to].size += cell.size;
     }
   }
 
@@ -183,7 +206,8 @@ class Forest {
   }
 
   NodeId tree_above(NodeId v) const {
-    return cells_[v].parent != kNone ? cells_[v].parent : cells_[v].hangs_on;
+    if (cells_[v].parent != kNone || hanging_.empty()) return cells_[v].parent;
+    return hanging_[v].on;
   }
 
   struct Children {
@@ -211,63 +235,61 @@ class Forest {
     }
   }
 
+  void place_node(NodeId v) { order_[end_++] = v; }
+
+  /// The next places for the whole tree of v, which grows to the right or to the left.
+  void place_tree(NodeId v, bool to_right) {
+    cells_[v].begin = end_;
+    grows_right_[v] = to_right;
+    end_ += cells_[v].size;
+  }
+
   /// The unit's members side by side; the children of the first to the left, all others to the
-  /// right.
-  void emit_unit(const Unit& unit) {
-    std::vector<Work> left;
+  /// right, light ones nearest.
+  void place_unit(const Unit& unit) {
     const Children first = children(unit.first);
-    for (std::size_t i = first.count; i-- > 0;) left.push_back({first.of[i], Work::tree_on_left});
-    emit_trees(left);  // light one nearest
-    std::vector<Work> right;
+    for (std::size_t i = first.count; i-- > 0;) place_tree(first.of[i], false);
+    for (const NodeId member : {unit.first, unit.second, unit.third}) {
+      if (member != kNone) place_node(member);
+    }
     for (const NodeId member : {unit.second, unit.third}) {
       if (member == kNone || view_.type(member) != NodeType::split) continue;
-      const Children below = children(member);
-      for (std::size_t i = 0; i < below.count; ++i)
-        right.push_back({below.of[i], Work::tree_on_right});
-    }
-    for (const NodeId member : {unit.first, unit.second, unit.third}) {
-      if (member != kNone) order_.push_back(member);
-    }
-    emit_trees(right);
-  }
-
-  /// Emits trees from left to right with an explicit stack.
-  void emit_trees(const std::vector<Work>& trees) {
-    stack_.assign(trees.rbegin(), trees.rend());
-    while (!stack_.empty()) {
-      const Work work = stack_.back();
-      stack_.pop_back();
-      if (work.kind == Work::node) {
-        order_.push_back(work.v);
-      } else {
-        push_parts(work.v, work.kind);
-      }
+      const Children above = children(member);
+      for (std::size_t i = 0; i < above.count; ++i) place_tree(above.of[i], true);
     }
   }
 
-  /// [light ones] v [heavy] [hung trees], going away from the parent; `away` is the kind of trees
-  /// beyond v.
-  void push_parts(NodeId v, Work::Kind away) {
-    const bool to_right = away == Work::tree_on_right;
-    const std::size_t begin = stack_.size();
-    const Children below = children(v);
-    for (std::size_t i = below.count; i-- > 0;) {
-      if (i + 1 < below.count)
-        stack_.push_back({below.of[i], to_right ? Work::tree_on_left : Work::tree_on_right});
+  /// [light ones] v [heavy] [hung trees] in the places of the tree of v, going away from its
+  /// parent.
+  void place_parts(NodeId v) {
+    const bool to_right = grows_right_[v];
+    std::uint32_t at = cells_[v].begin + (to_right ? 0 : cells_[v].size);
+    const auto take = [&](std::uint32_t size) {
+      if (to_right) return std::exchange(at, at + size);
+      return at -= size;
+    };
+    const auto place = [&](NodeId tree, bool away) {
+      cells_[tree].begin = take(cells_[tree].size);
+      grows_right_[tree] = away == to_right;
+    };
+    const Children above = children(v);
+    for (std::size_t i = above.count; i-- > 0;) {
+      if (i + 1 < above.count) place(above.of[i], false);
     }
-    stack_.push_back({v, Work::node});
-    if (below.count > 0) stack_.push_back({below.of[below.count - 1], away});
-    for (NodeId h = cells_[v].hung_first; h != kNone; h = cells_[h].hung_next)
-      stack_.push_back({h, away});
-    if (to_right) std::reverse(stack_.begin() + static_cast<std::ptrdiff_t>(begin), stack_.end());
+    order_[take(1)] = v;
+    if (above.count > 0) place(above.of[above.count - 1], true);
+    if (hanging_.empty()) return;
+    for (NodeId h = hanging_[v].first; h != kNone; h = hanging_[h].next) place(h, true);
   }
 
   const View& view_;
   const Attachment& attachment_;
   std::vector<Cell> cells_;
   std::vector<NodeId> hang_block_;  // per block: the entry its other roots hang on
-  std::vector<Work> stack_;
+  std::vector<Hanging> hanging_;    // per node; empty if no tree hangs
+  std::vector<bool> grows_right_;   // per root of a tree
   std::vector<NodeId> order_;
+  std::uint32_t end_ = 0;  // of the places taken
 };
 
 }  // namespace

@@ -8,7 +8,10 @@
 namespace ar3d::two_bend {
 
 StOrder::StOrder(const LocalGraph& graph, const Blocks& blocks)
-    : graph_(graph), blocks_(blocks), number_(graph.size(), kUnseen) {}
+    : graph_(graph), blocks_(blocks), number_(graph.size(), kUnseen) {
+  visited_.reserve(graph.size());
+  cells_.reserve(graph.size());
+}
 
 const std::vector<Vertex>& StOrder::order(Vertex s, Vertex t) {
   expect(s != t && !blocks_.is_bridge(s, t), "an st-order runs between two vertices of one block");
