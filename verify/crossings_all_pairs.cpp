@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "ar3d/model/drawing.h"
@@ -21,22 +22,45 @@ Box box_of(Point p, Point q) {
           {std::max(p.x, q.x), std::max(p.y, q.y), std::max(p.z, q.z)}};
 }
 
+/// A segment or a vertex.
+struct Item {
+  Box box;
+  std::uint32_t number;
+  bool is_vertex;
+};
+
+void examine(const Item& a, const Item& b, Contacts& contacts) {
+  if (a.is_vertex && b.is_vertex) return;  // the check of the vertices sees them
+  if (a.is_vertex) {
+    contacts.examine_vertex(a.number, b.number);
+  } else if (b.is_vertex) {
+    contacts.examine_vertex(b.number, a.number);
+  } else {
+    contacts.examine(std::min(a.number, b.number), std::max(a.number, b.number));
+  }
+}
+
 }  // namespace
 
+/// Every pair whose boxes meet: the boxes are taken by least x, and all others that begin before
+/// one ends are looked at. A vertex is a box, too. Quadratic, but most segments of a tall drawing
+/// are narrow.
 void test_all_pairs(const Segments& segments, Contacts& contacts) {
-  std::vector<Box> boxes;
-  boxes.reserve(segments.size());
-  for (SegmentId s = 0; s < segments.size(); ++s) {
-    boxes.push_back(box_of(segments.from(s), segments.to(s)));
-  }
   const Drawing& drawing = segments.drawing();
-  for (SegmentId a = 0; a < segments.size() && !contacts.done(); ++a) {
-    for (SegmentId b = a + 1; b < segments.size(); ++b) {
-      if (!apart(boxes[a], boxes[b])) contacts.examine(a, b);
-    }
-    for (Vertex v = 0; v < drawing.num_vertices(); ++v) {
-      const Point p = drawing.vertex(v);
-      if (!apart(boxes[a], Box{p, p})) contacts.examine_vertex(v, a);
+  std::vector<Item> items;
+  items.reserve(segments.size() + drawing.num_vertices());
+  for (SegmentId s = 0; s < segments.size(); ++s) {
+    items.push_back({box_of(segments.from(s), segments.to(s)), s, false});
+  }
+  for (Vertex v = 0; v < drawing.num_vertices(); ++v) {
+    items.push_back({box_of(drawing.vertex(v), drawing.vertex(v)), v, true});
+  }
+  std::sort(items.begin(), items.end(),
+            [](const Item& a, const Item& b) { return a.box.low.x < b.box.low.x; });
+  for (std::size_t i = 0; i < items.size() && !contacts.done(); ++i) {
+    for (std::size_t j = i + 1; j < items.size(); ++j) {
+      if (items[j].box.low.x > items[i].box.high.x) break;
+      if (!apart(items[i].box, items[j].box)) examine(items[i], items[j], contacts);
     }
   }
 }

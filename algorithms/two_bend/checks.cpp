@@ -55,6 +55,16 @@ bool arms_are_not_parallel(const Flow& flow) {
   });
 }
 
+bool merges_are_between(const View& view, const std::vector<NodeId>& list) {
+  const Values place = list_places(view, list);
+  for (NodeId m = 0; m < view.size(); ++m) {
+    if (!view.is_listed_merge(m)) continue;
+    const auto below = view.ins(m);
+    if ((place[below[0]] < place[m]) == (place[below[1]] < place[m])) return false;
+  }
+  return true;
+}
+
 bool merges_keep_distances(const View& view, const Values& values) {
   const auto least = [&](NodeId u) {
     return view.type(u) == NodeType::station ? 2 : view.type(u) == NodeType::merge ? 2 : 1;

@@ -15,6 +15,9 @@ bool is_time_order(const LocalGraph& graph, const TimeOrder& order);
 /// No two long edges join the same SPLIT to the same MERGE.
 bool arms_are_not_parallel(const Flow& flow);
 
+/// Every listed MERGE stands strictly between its in-neighbours' rows in the list of the view.
+bool merges_are_between(const View& view, const std::vector<NodeId>& list);
+
 /// Owners even, all MERGEs of the view but straight ones odd and between their in-neighbours, at
 /// the distances that Values promises.
 bool merges_keep_distances(const View& view, const Values& values);

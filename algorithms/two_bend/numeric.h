@@ -32,6 +32,15 @@ struct ArmLean {
   std::int64_t total_height() const { return arm + height; }
 };
 
+/// The condition of the lemma of arms and leans: arm and run cover `along`, the lean (run, across,
+/// height) is primitive, and its bends keep F1 (to the vertical) and F2 (to the arm).
+inline bool is_sound(const ArmLean& shape, std::int64_t along, std::int64_t across) {
+  const auto [arm, run, height] = shape;
+  return arm >= 1 && run >= 1 && arm + run == along && std::gcd(run, across) == 1 &&
+         height * height >= run * run + across * across &&
+         2 * run * run + 2 * run * height >= across * across;
+}
+
 /// The lowest arm and lean over `along` >= 2 and across `q` >= 1 whose lean is primitive
 /// (5.1, 7.1): the largest run below `along` coprime to q; the height keeps F1 and F2, 2 run^2 + 2
 /// run h >= q^2.
@@ -43,13 +52,10 @@ inline ArmLean arm_and_lean(std::int64_t along, std::int64_t q) {
   std::int64_t height = lean_height(run, q);
   const std::int64_t missing = q * q - 2 * run * run;
   if (missing > 0) height = std::max(height, (missing + 2 * run - 1) / (2 * run));
-  expect_heavy(
-      [&] {
-        return std::gcd(run, q) == 1 && height * height >= run * run + q * q &&
-               2 * run * run + 2 * run * height >= q * q;
-      },
-      "a lean is primitive and keeps F1 and F2");
-  return {along - run, run, height};
+  const ArmLean shape{along - run, run, height};
+  expect_heavy([&] { return is_sound(shape, along, q); },
+               "a lean is primitive and keeps F1 and F2");
+  return shape;
 }
 
 }  // namespace ar3d::two_bend

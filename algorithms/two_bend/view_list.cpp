@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "ar3d/algorithms/two_bend/checks.h"
 #include "ar3d/algorithms/two_bend/coordinates.h"
 #include "ar3d/algorithms/two_bend/owner_order.h"
 #include "ar3d/model/error.h"
@@ -44,7 +45,7 @@ class ListBuilder {
       }
     }
     std::vector<NodeId> result = list_.in_order();
-    expect_heavy([&] { return merges_are_between(result); },
+    expect_heavy([&] { return merges_are_between(view_, result); },
                  "every listed MERGE is between its in-neighbours");
     return result;
   }
@@ -202,16 +203,6 @@ class ListBuilder {
     } else {
       list_.insert_after(r2, sink.c);
     }
-  }
-
-  bool merges_are_between(const std::vector<NodeId>& list) const {
-    const Values place = list_places(view_, list);
-    for (NodeId m = 0; m < view_.size(); ++m) {
-      if (!view_.is_listed_merge(m)) continue;
-      const auto below = view_.ins(m);
-      if ((place[below[0]] < place[m]) == (place[below[1]] < place[m])) return false;
-    }
-    return true;
   }
 
   View view_;

@@ -222,10 +222,12 @@ TEST(TwoBendChecks, SeeWhatIsSpoilt) {
   const Blocks blocks = find_blocks(graph);
   const TimeOrder order = find_time_order(graph, blocks);
   Flow flow = build_flow(graph, blocks, order);
-  const Layout layout = find_layout(flow, build_lists(flow, {}), {});
+  const Lists lists = build_lists(flow, {});
+  const Layout layout = find_layout(flow, lists, {});
   const View rows(flow, false);
   EXPECT_TRUE(is_time_order(graph, order));
   EXPECT_TRUE(arms_are_not_parallel(flow));
+  EXPECT_TRUE(merges_are_between(rows, lists.rows));
   EXPECT_TRUE(merges_keep_distances(rows, layout.rows));
   EXPECT_TRUE(rays_differ(flow, layout));
   EXPECT_TRUE(vv_leans_are_primitive(flow, layout));
@@ -239,6 +241,12 @@ TEST(TwoBendChecks, SeeWhatIsSpoilt) {
                                   [](const Node& v) { return v.type == NodeType::split; });
   split->neighbour.fill(split->neighbour[split->ins]);
   EXPECT_FALSE(arms_are_not_parallel(parallel));
+  std::vector<NodeId> list = lists.rows;
+  const auto merge =
+      std::find_if(list.begin(), list.end(), [&](NodeId v) { return rows.is_listed_merge(v); });
+  ASSERT_NE(merge, list.end());
+  std::rotate(merge, merge + 1, list.end());  // behind all others
+  EXPECT_FALSE(merges_are_between(rows, list));
   const std::vector<LongId> vv = find_vv_edges(flow);
   ASSERT_FALSE(vv.empty());
   const NodeId m = flow.edges[vv[0]].lower;
@@ -252,6 +260,23 @@ TEST(TwoBendChecks, SeeWhatIsSpoilt) {
   std::fill(spoilt.columns.begin(), spoilt.columns.end(), 1);
   EXPECT_FALSE(rays_differ(flow, spoilt));
   EXPECT_FALSE(shared_rows_are_plane(rows, spoilt.columns));
+}
+
+/// The height is the least that F1 and F2 allow, so one less must be seen, and so must a lean with
+/// an inner lattice point and one that ends beside its arm.
+TEST(TwoBendChecks, SeeASpoiltArmOrLean) {
+  for (std::int64_t along = 2; along <= 60; ++along) {
+    for (std::int64_t across = 1; across <= 60; ++across) {
+      const ArmLean good = arm_and_lean(along, across);
+      EXPECT_TRUE(is_sound(good, along, across));
+      EXPECT_FALSE(is_sound({good.arm, good.run, good.height - 1}, along, across));
+      EXPECT_FALSE(is_sound({good.arm + 1, good.run, good.height}, along, across));
+      EXPECT_FALSE(is_sound({0, along, good.height + along * along}, along, across));
+      if (across > 1 && along > across) {
+        EXPECT_FALSE(is_sound({along - across, across, 3 * across}, along, across));
+      }
+    }
+  }
 }
 
 TEST(TwoBendList, RootOrderAgreesWithAVector) {

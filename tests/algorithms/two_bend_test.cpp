@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
+#include <memory>
+#include <optional>
 
 #include "algorithms/two_bend_graphs.h"
 #include "algorithms/two_bend_support.h"
@@ -151,6 +154,49 @@ TEST(TwoBend, IsDeterministic) {
 TEST(TwoBend, RefusesDegree4) {
   EXPECT_THROW(two_bend::draw(testing::octahedron()), InputError);
   EXPECT_THROW(draw(find_algorithm("two-bend"), testing::complete(5)), InputError);
+}
+
+/// The drawing with the lower end of the lean of one edge a step higher; nothing if it has no lean.
+std::optional<Drawing> with_a_flatter_lean(const Drawing& drawing, EdgeId spoilt) {
+  auto bends = std::make_shared<StoredBends>();
+  auto edges = std::make_shared<std::vector<Edge>>();
+  std::vector<Point> points;
+  bool found = false;
+  for (EdgeId e = 0; e < drawing.num_edges(); ++e) {
+    drawing.polyline(e, points);
+    std::vector<Point> inner(points.begin() + 1, points.end() - 1);
+    if (e == spoilt && inner.size() == 2) {
+      const Vector lean = inner[1] - inner[0];
+      found = lean.x != 0 && lean.y != 0;
+      if (found) ++inner[lean.z > 0 ? 0 : 1].z;
+    }
+    bends->add_edge(inner);
+    edges->push_back(drawing.edge(e));
+  }
+  if (!found) return std::nullopt;
+  Coordinates vertices(drawing.num_vertices(), kMaxCoordinate);
+  for (Vertex v = 0; v < drawing.num_vertices(); ++v) vertices.set(v, drawing.vertex(v));
+  return Drawing(drawing.algorithm(), drawing.lattice(), std::move(vertices), edges, bends);
+}
+
+/// Leans are as low as F1 and F2 allow: one step less, and an angle is too sharp.
+TEST(TwoBend, VerifierSeesEveryLeanThatIsTooLow) {
+  const Graph graph = generate(find_family("random-cubic"), 40, 1);
+  const Drawing drawing = two_bend::draw(graph);
+  std::size_t leans = 0;
+  for (EdgeId e = 0; e < graph.num_edges(); ++e) {
+    const std::optional<Drawing> spoilt = with_a_flatter_lean(drawing, e);
+    if (!spoilt) continue;
+    ++leans;
+    const Certificate certificate = certify(graph, *spoilt, find_algorithm("two-bend").guarantee);
+    const auto is_sharp = [](const Violation& violation) {
+      return violation.kind == ViolationKind::bend_angle ||
+             violation.kind == ViolationKind::vertex_angle;
+    };
+    EXPECT_TRUE(std::any_of(certificate.violations.begin(), certificate.violations.end(), is_sharp))
+        << "edge " << e;
+  }
+  EXPECT_GT(leans, 5u);
 }
 
 }  // namespace
