@@ -58,7 +58,7 @@ bool Flat::number(PlaceRange part, std::span<const ColourDefect> defects) {
 bool Flat::number_once(PlaceRange part) {
   to_turn_.clear();
   slots_.clear();
-  HeightPool pool(colouring_.ports, part, x_);
+  HeightPool pool(colouring_.ports, part, x_, !defects_.empty());
   std::optional<DefectPaths> paths;
   if (!defects_.empty()) paths.emplace(pool, defects_, path_of_);
   const auto is_later = [&](Place v) { return paths && paths->contains(v); };

@@ -65,6 +65,9 @@ class Chain {
 
 void HeightPool::take(Colour c, std::int64_t h) {
   expect(taken_[c].insert(h), "every plane number is fresh (I3)");
+  if (pairs_taken_.empty()) return;
+  pairs_taken_[c].insert(h - 1);
+  pairs_taken_[c].insert(h);
 }
 
 void HeightPool::take_and_advance(Colour c, std::int64_t h) {
@@ -82,12 +85,6 @@ bool HeightPool::is_far_from_partner(Place v, std::int64_t pair) const {
   const Place partner = neighbour(v, 2);
   if (partner == kNoPlace || !is_numbered(partner)) return true;
   return std::abs(pair - (height(partner, 0) - height(partner, 1))) >= 2;
-}
-
-std::int64_t HeightPool::next_free_pair(Colour c, std::int64_t from) const {
-  std::int64_t h = next_free(c, from);
-  while (taken_[c].contains(h + 1)) h = next_free(c, h + 1);
-  return h;
 }
 
 std::int64_t HeightPool::chain_start(Colour c) const {

@@ -26,12 +26,16 @@ class HeightPool {
  public:
   /// @param ports  without the half-edges of defects.
   /// @param x  numbers of all places; those of the component are unset.
-  HeightPool(std::span<const Ports> ports, PlaceRange part, std::span<PlaneNumbers> x)
+  /// @param with_pairs  whether next_free_pair() will be called.
+  HeightPool(std::span<const Ports> ports, PlaceRange part, std::span<PlaneNumbers> x,
+             bool with_pairs)
       : ports_(ports),
         part_(part),
         x_(x),
         taken_{NumberSet(part.size()), NumberSet(part.size())},
-        frontier_(-part.size() / 4) {}
+        frontier_(-part.size() / 4) {
+    if (with_pairs) pairs_taken_.assign(2, NumberSet(part.size()));
+  }
 
   PlaceRange part() const { return part_; }
   Place neighbour(Place v, Colour c) const { return ports_[v].to[c]; }
@@ -59,7 +63,9 @@ class HeightPool {
 
   /// The lowest free height >= from, and the lowest one whose successor is free, too.
   std::int64_t next_free(Colour c, std::int64_t from) const { return taken_[c].next_outside(from); }
-  std::int64_t next_free_pair(Colour c, std::int64_t from) const;
+  std::int64_t next_free_pair(Colour c, std::int64_t from) const {
+    return pairs_taken_[c].next_outside(from);
+  }
   /// Where a new chain begins: a free height near the frontier.
   std::int64_t chain_start(Colour c) const;
 
@@ -68,6 +74,7 @@ class HeightPool {
   PlaceRange part_;
   std::span<PlaneNumbers> x_;
   std::array<NumberSet, 2> taken_;
+  std::vector<NumberSet> pairs_taken_;  // by colour: h with h or h + 1 taken; empty: not asked for
   std::int64_t frontier_;  // every chain begins near it
 };
 

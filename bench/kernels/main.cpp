@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
   ar3d::kernels::register_catalogues();
   ar3d::kernels::register_grid_sizes();
+  ar3d::kernels::register_grid_times();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;
