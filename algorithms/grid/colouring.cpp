@@ -39,6 +39,7 @@ class Labeller {
       r_ = part.cubic ? end - 1 : kNoPlace;
       for (Place v = part.cubic ? begin + 1 : begin; v < end; ++v) label_at(v);
     }
+    result_.chain_steps = kStepsPerVertex * rows_.size() + 1000 - budget_;
     return std::move(result_);
   }
 

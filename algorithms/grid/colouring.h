@@ -34,6 +34,7 @@ struct Colouring {
   UnwrittenVector<Ports> ports;           // by place
   std::vector<ColourDefect> defects;  // component by component, in processing order
   std::uint64_t repairs = 0;          ///< vertices where a Kempe chain avoided a defect
+  std::uint64_t chain_steps = 0;      ///< edges of Kempe chains followed
 };
 
 /// Labels greedily in processing order and swaps Kempe chains where two earlier neighbours offer

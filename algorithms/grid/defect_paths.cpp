@@ -16,6 +16,7 @@ constexpr std::int64_t kLowest = std::numeric_limits<std::int32_t>::min();
 DefectPaths::DefectPaths(HeightPool& pool, std::span<const ColourDefect> defects,
                          std::vector<std::uint32_t>& path_of)
     : pool_(pool),
+      height_limit_(height_limit(pool.part().size())),
       defects_(defects),
       by_x_(defects.size()),
       path_of_(path_of),
@@ -185,6 +186,7 @@ bool DefectPaths::finish_ends(std::uint32_t path, int depth) {
 
 /// False, with the end still open, if a y has no numbers and cannot get them now.
 bool DefectPaths::finish_end(std::uint32_t p, unsigned side, int depth) {
+  ++end_visits_;
   Path& path = paths_[p];
   if (path.end[side] == EndState::done) return true;
   if (path.end[side] == EndState::in_progress || !path.grown || depth > kDeepest) return false;
@@ -250,7 +252,7 @@ void DefectPaths::keep_slot(std::size_t d) {
       next != kNoPlace && pool_.has_height(next, 1 - c) ? pool_.height(next, 1 - c) - 1
                                                         : pool_.chain_start(c);
   const std::int64_t from = std::max(pool_.height(defect.y, c) + 1, near);
-  slots_[d].low = pool_.next_free_pair(c, from);
+  slots_[d].low = pool_.next_free_pair(c, std::min(from, height_limit_));
   pool_.take(c, slots_[d].low);
   pool_.take(c, slots_[d].low + 1);
 }
@@ -280,7 +282,7 @@ void DefectPaths::place_colour(std::span<const Place> xs, Place x, Colour c) {
       from = std::max(from, pool_.height(v, 1 - c) - 1);
     }
   }
-  std::int64_t h = pool_.next_free(c, from);
+  std::int64_t h = pool_.next_free(c, std::min(from, height_limit_));
   while (!pool_.suits(x, c, h) || (other != kNoPlace && !pool_.suits(other, c, h))) {
     h = pool_.next_free(c, h + 1);
   }

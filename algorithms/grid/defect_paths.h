@@ -35,6 +35,8 @@ class DefectPaths {
   std::vector<std::size_t> number_all();
   /// One slot a defect, in their order.
   const std::vector<HeightSlot>& slots() const { return slots_; }
+  /// Attempts to finish an end so far.
+  std::int64_t end_visits() const { return end_visits_; }
 
   static constexpr std::uint32_t kNoPath = std::numeric_limits<std::uint32_t>::max();
 
@@ -83,11 +85,13 @@ class DefectPaths {
   std::int64_t least_height(Place x, Colour c) const;
 
   HeightPool& pool_;
+  const std::int64_t height_limit_;
   const std::span<const ColourDefect> defects_;
   std::vector<std::size_t> by_x_;  // defects sorted by x
   std::vector<std::uint32_t>& path_of_;
   std::vector<Path> paths_;
   std::vector<HeightSlot> slots_;
+  std::int64_t end_visits_ = 0;
 };
 
 }  // namespace ar3d::grid

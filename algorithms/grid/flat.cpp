@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "ar3d/algorithms/grid/defect_paths.h"
 #include "ar3d/algorithms/grid/relabel.h"
@@ -40,11 +41,14 @@ bool Flat::number(PlaceRange part, std::span<const ColourDefect> defects) {
   to_turn_.clear();
   if (defects_.empty()) return number_once(part);
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    Relabelling relabelling(rows_, colouring_.ports, defects_);
+    Relabelling relabelling(rows_, colouring_.ports, defects_, part.size());
     for (const std::size_t d : to_turn_) {
+      if (relabelling.exhausted()) break;
       if (attempt % 3 == 1 || !relabelling.slide(d, attempt % 3 == 2)) relabelling.turn(d);
     }
-    if (!relabelling.avoid_labels_0_1()) return false;
+    const bool possible = relabelling.avoid_labels_0_1();
+    steps_.chain_steps += relabelling.steps();
+    if (!possible) return false;
     relabelling.drop_healed();
     if (number_once(part)) return true;
     if (to_turn_.empty()) return false;
@@ -56,6 +60,7 @@ bool Flat::number(PlaceRange part, std::span<const ColourDefect> defects) {
 }
 
 bool Flat::number_once(PlaceRange part) {
+  ++steps_.attempts;
   to_turn_.clear();
   slots_.clear();
   HeightPool pool(colouring_.ports, part, x_, !defects_.empty());
@@ -73,10 +78,14 @@ bool Flat::number_once(PlaceRange part) {
   std::span<const HeightSlot> slots;
   if (paths) {
     to_turn_ = paths->number_all();
-    if (!to_turn_.empty()) return false;
+    steps_.end_visits += paths->end_visits();
     slots = paths->slots();
   }
-  to_turn_ = number_third_colour(colouring_.ports, part, defects_, slots, x_);
+  steps_.heights_tried += pool.heights_tried();
+  if (!to_turn_.empty()) return false;
+  ThirdColourResult third = number_third_colour(colouring_.ports, part, defects_, slots, x_);
+  steps_.blocks += third.blocks;
+  to_turn_ = std::move(third.circle);
   if (!to_turn_.empty()) return false;
   for (std::size_t d = 0; d < defects_.size(); ++d) {
     if (!obeys(defects_[d], slots[d], x_)) return false;

@@ -29,6 +29,8 @@ class Flat {
   /// Of the last component numbered.
   const std::vector<ColourDefect>& defects() const { return defects_; }
   const std::vector<Slot>& slots() const { return slots_; }
+  /// Of all components so far; the labelling's are not among them.
+  const StepCounts& steps() const { return steps_; }
 
  private:
   bool number_once(PlaceRange part);
@@ -41,6 +43,7 @@ class Flat {
   std::vector<std::uint32_t> path_of_;
   std::vector<Place> buffer_;
   std::vector<Slot> slots_;
+  StepCounts steps_;
 };
 
 }  // namespace ar3d::grid

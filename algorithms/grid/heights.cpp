@@ -87,7 +87,7 @@ bool HeightPool::is_far_from_partner(Place v, std::int64_t pair) const {
   return std::abs(pair - (height(partner, 0) - height(partner, 1))) >= 2;
 }
 
-std::int64_t HeightPool::chain_start(Colour c) const {
+std::int64_t HeightPool::chain_start(Colour c) {
   constexpr std::int64_t kBack = 8;
   return next_free(c, frontier_ - kBack);
 }

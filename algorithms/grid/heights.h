@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -10,6 +11,12 @@
 #include "ar3d/algorithms/grid/planes.h"
 
 namespace ar3d::grid {
+
+/// Defects that hang on one another can ask for ever higher heights. They stop at this one, which
+/// breaks a rule of theirs and leaves the component of n vertices to the core.
+inline std::int64_t height_limit(std::int64_t n) {
+  return std::min(64 * n + 10'000, std::int64_t{1} << 30);
+}
 
 /// A stretch [begin, end) of places: one component.
 struct PlaceRange {
@@ -48,9 +55,7 @@ class HeightPool {
     return c == 0 ? x_[v][0] : -std::int64_t{x_[v][1]};
   }
 
-  void set_height(Place v, Colour c, std::int64_t h) {
-    x_[v][c] = static_cast<std::int32_t>(c == 0 ? h : -h);
-  }
+  void set_height(Place v, Colour c, std::int64_t h) { x_[v][c] = narrow(c == 0 ? h : -h); }
   /// Marks a height as used.
   void take(Colour c, std::int64_t h);
   /// Marks a height as used; later chains begin near it or above.
@@ -62,12 +67,18 @@ class HeightPool {
   bool is_far_from_partner(Place v, std::int64_t pair) const;
 
   /// The lowest free height >= from, and the lowest one whose successor is free, too.
-  std::int64_t next_free(Colour c, std::int64_t from) const { return taken_[c].next_outside(from); }
-  std::int64_t next_free_pair(Colour c, std::int64_t from) const {
+  std::int64_t next_free(Colour c, std::int64_t from) {
+    ++heights_tried_;
+    return taken_[c].next_outside(from);
+  }
+  std::int64_t next_free_pair(Colour c, std::int64_t from) {
+    ++heights_tried_;
     return pairs_taken_[c].next_outside(from);
   }
   /// Where a new chain begins: a free height near the frontier.
-  std::int64_t chain_start(Colour c) const;
+  std::int64_t chain_start(Colour c);
+  /// Free heights looked at so far.
+  std::int64_t heights_tried() const { return heights_tried_; }
 
  private:
   std::span<const Ports> ports_;
@@ -75,6 +86,7 @@ class HeightPool {
   std::span<PlaneNumbers> x_;
   std::array<NumberSet, 2> taken_;
   std::vector<NumberSet> pairs_taken_;  // by colour: h with h or h + 1 taken; empty: not asked for
+  std::int64_t heights_tried_ = 0;
   std::int64_t frontier_;  // every chain begins near it
 };
 

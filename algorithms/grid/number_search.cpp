@@ -22,7 +22,8 @@ std::uint64_t clear_around(std::uint64_t bits, std::int64_t x, std::int64_t forb
 }  // namespace
 
 std::uint64_t NumberSearch::block(std::int64_t x, const NumberSet& taken,
-                                  std::span<const SumRule> rules) const {
+                                  std::span<const SumRule> rules) {
+  ++blocks_;
   std::uint64_t free = ~taken.window(x);
   for (const SumRule& rule : rules) {
     if (rule.is_new) free &= ~sums_.window(x + rule.known);
@@ -42,7 +43,7 @@ bool NumberSearch::obeys(std::int64_t x, const SumRule& rule) const {
 
 std::optional<std::int64_t> NumberSearch::in_block(Direction direction, const NumberSet& taken,
                                                    std::span<const SumRule> rules, Range range,
-                                                   std::int64_t offset) const {
+                                                   std::int64_t offset) {
   if (direction == Direction::up) {
     const std::int64_t x = range.low + offset;
     const std::uint64_t bits = block(x, taken, rules);
@@ -59,7 +60,7 @@ std::optional<std::int64_t> NumberSearch::in_block(Direction direction, const Nu
 
 std::optional<std::int64_t> NumberSearch::near_low(const NumberSet& taken,
                                                    std::span<const SumRule> rules, Range range,
-                                                   int words) const {
+                                                   int words) {
   for (std::int64_t i = 0; i < words && i * kBlock < range.length(); ++i) {
     const auto found = in_block(Direction::up, taken, rules, range, i * kBlock);
     if (found) return found;

@@ -51,21 +51,25 @@ class NumberSearch {
 
   /// Looks at `words` blocks of 64 from the low end only.
   std::optional<std::int64_t> near_low(const NumberSet& taken, std::span<const SumRule> rules,
-                                       Range range, int words) const;
+                                       Range range, int words);
+
+  /// Blocks of 64 numbers looked at so far.
+  std::int64_t blocks() const { return blocks_; }
 
   /// Whether one number obeys one rule.
   bool obeys(std::int64_t x, const SumRule& rule) const;
 
  private:
   /// Bit j: x + j is suitable.
-  std::uint64_t block(std::int64_t x, const NumberSet& taken, std::span<const SumRule> rules) const;
+  std::uint64_t block(std::int64_t x, const NumberSet& taken, std::span<const SumRule> rules);
   std::optional<std::int64_t> in_block(Direction direction, const NumberSet& taken,
                                        std::span<const SumRule> rules, Range range,
-                                       std::int64_t offset) const;
+                                       std::int64_t offset);
 
   const NumberSet& sums_;
   RandomStream& random_;
   std::int64_t sure_length_;
+  std::int64_t blocks_ = 0;
 };
 
 }  // namespace ar3d::grid

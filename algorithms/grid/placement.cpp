@@ -33,9 +33,11 @@ Placement::Placement(const Graph& graph, std::span<const Vertex> vertices, bool 
       triple_search_(sums_, random_, proof_.sure_triple_length()) {}
 
 bool Placement::place_all() {
-  if (place_vertices()) return true;
-  undo();
-  return false;
+  const bool placed = place_vertices();
+  ++planes_.steps.attempts;
+  planes_.steps.blocks += search_.blocks() + triple_search_.blocks();
+  if (!placed) undo();
+  return placed;
 }
 
 void Placement::undo() {

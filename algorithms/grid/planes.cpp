@@ -62,6 +62,7 @@ std::vector<OrderPart> number_flat(const Graph& graph, const ProcessingOrder& or
   const UnwrittenVector<Row> rows = rows_in_order(graph, order);
   Colouring colouring = colour_half_edges(order, rows, options.longest_chain);
   Flat flat(rows, colouring);
+  planes.steps.chain_steps += static_cast<std::int64_t>(colouring.chain_steps);
   std::vector<OrderPart> left;
   std::span<const ColourDefect> defects(colouring.defects);
   for (const OrderPart& part : order.parts) {
@@ -80,6 +81,7 @@ std::vector<OrderPart> number_flat(const Graph& graph, const ProcessingOrder& or
       left.push_back(part);
     }
   }
+  planes.steps += flat.steps();
   return left;
 }
 
@@ -90,6 +92,7 @@ Planes assign_planes(const Graph& graph, const ProcessingOrder& order,
   Planes planes{
       std::vector<PlaneNumbers>(graph.num_vertices(), {kUnsetNumber, kUnsetNumber, kUnsetNumber}),
       EdgeLabels(graph.num_edges()),
+      {},
       {},
       {}};
   const std::vector<OrderPart> left =

@@ -45,6 +45,25 @@ struct PlaneCounts {
   std::int64_t core_parts = 0;    ///< components that the core numbered
 };
 
+/// Steps whose number decides the time: each takes O(log n) expected time, everything else is linear.
+/// They grow like n on every input (docs/theorem3.md, "Linear time").
+struct StepCounts {
+  std::int64_t chain_steps = 0;    ///< edges of Kempe chains followed, and defects met there
+  std::int64_t heights_tried = 0;  ///< free heights looked at, slots included
+  std::int64_t end_visits = 0;     ///< attempts to finish a path that ends at a defect
+  std::int64_t blocks = 0;         ///< blocks of 64 numbers looked at
+  std::int64_t attempts = 0;       ///< numberings begun, flat or by the core
+
+  StepCounts& operator+=(const StepCounts& other) {
+    chain_steps += other.chain_steps;
+    heights_tried += other.heights_tried;
+    end_visits += other.end_visits;
+    blocks += other.blocks;
+    attempts += other.attempts;
+    return *this;
+  }
+};
+
 /// Plane numbers, all labels, slots.
 /// Invariant: (I1)-(I5) of docs/theorem3.md within every component, which broken_invariant() tests.
 struct Planes {
@@ -52,6 +71,7 @@ struct Planes {
   EdgeLabels labels;
   std::vector<Slot> slots;  // in order of edge numbers
   PlaneCounts counts;
+  StepCounts steps;
 };
 
 struct PlaneOptions {

@@ -13,8 +13,11 @@ bool has_labels_0_1(const ColourDefect& defect) {
 }  // namespace
 
 Relabelling::Relabelling(std::span<const Row> rows, std::span<Ports> ports,
-                         std::vector<ColourDefect>& defects)
-    : rows_(rows), ports_(ports), defects_(defects) {
+                         std::vector<ColourDefect>& defects, std::int64_t n)
+    : rows_(rows),
+      ports_(ports),
+      defects_(defects),
+      most_steps_(static_cast<std::int64_t>(kStepsPerVertex) * n + 1000) {
   for (std::size_t d = 0; d < defects_.size(); ++d) {
     const ColourDefect& defect = defects_[d];
     ports_[defect.x].to[defect.label_x] = kNoPlace;
@@ -27,6 +30,7 @@ Relabelling::Relabelling(std::span<const Row> rows, std::span<Ports> ports,
 bool Relabelling::avoid_labels_0_1() {
   constexpr int kSlides = 16;
   for (std::size_t d = 0; d < defects_.size(); ++d) {
+    if (exhausted()) return false;
     if (!has_labels_0_1(defects_[d]) || swap_or_split(d)) continue;
     bool at_x = ports_[defects_[d].x].to[defects_[d].label_y] != kNoPlace;
     for (int i = 0;; ++i, at_x = !at_x) {
@@ -34,7 +38,7 @@ bool Relabelling::avoid_labels_0_1() {
       if (swap_or_split(d)) break;
     }
   }
-  return true;
+  return !exhausted();
 }
 
 bool Relabelling::swap_or_split(std::size_t d) {
@@ -101,9 +105,10 @@ Colour& Relabelling::label_of(const End& end) {
   return end.is_x ? defects_[end.defect].label_x : defects_[end.defect].label_y;
 }
 
-Relabelling::End Relabelling::find(Place v, Colour label) const {
+Relabelling::End Relabelling::find(Place v, Colour label) {
   const auto [begin, end] = by_place_.equal_range(v);
   for (auto at = begin; at != end; ++at) {
+    ++steps_;
     const std::size_t d = at->second;
     const ColourDefect& defect = defects_[d];
     if (defect.label_x == defect.label_y) continue;
@@ -113,12 +118,13 @@ Relabelling::End Relabelling::find(Place v, Colour label) const {
   return {kNone, false};
 }
 
-Relabelling::End Relabelling::other_end(const End& end, Colour wanted) const {
+Relabelling::End Relabelling::other_end(const End& end, Colour wanted) {
   const ColourDefect& defect = defects_[end.defect];
   const Colour given = end.is_x ? defect.label_x : defect.label_y;
   Colour follow = wanted;
   Place at = place_of(end);
   for (Place to = ports_[at].to[follow]; to != kNoPlace; to = ports_[at].to[follow]) {
+    ++steps_;
     at = to;
     follow = follow == wanted ? given : wanted;
   }
@@ -141,6 +147,7 @@ void Relabelling::swap_chain(const End& end, Colour wanted) {
   Colour follow = wanted;
   for (Place at = place_of(end); at != kNoPlace;) {
     Ports& ports = ports_[at];
+    ++steps_;
     const Place to = ports.to[follow];
     std::swap(ports.to[given], ports.to[wanted]);
     follow = follow == wanted ? given : wanted;

@@ -16,12 +16,18 @@ namespace ar3d::grid {
 class Relabelling {
  public:
   /// @param ports  loses the half-edges of the defects.
+  /// @param n  vertices of the component; chains are followed for about kStepsPerVertex n steps.
   Relabelling(std::span<const Row> rows, std::span<Ports> ports,
-              std::vector<ColourDefect>& defects);
+              std::vector<ColourDefect>& defects, std::int64_t n);
+
+  /// Edges of chains followed, and defects met there.
+  std::int64_t steps() const { return steps_; }
+  /// Whether they are all used up.
+  bool exhausted() const { return steps_ > most_steps_; }
 
   /// Swaps, splits or moves the defects with labels 0 and 1, which flat numbers do not support. To
   /// be called after all turns.
-  /// @return whether none is left.
+  /// @return whether none is left; false if exhausted().
   bool avoid_labels_0_1();
   /// Gives x the label 2, or y the label of x: if the edge is still a defect, the old y is on top.
   void turn(std::size_t defect);
@@ -42,8 +48,8 @@ class Relabelling {
   Colour& label_of(const End& end);
   /// The end of a defect, if any, where the chain from `end` ends that swaps its label with
   /// `wanted`.
-  End other_end(const End& end, Colour wanted) const;
-  End find(Place v, Colour label) const;
+  End other_end(const End& end, Colour wanted);
+  End find(Place v, Colour label);
   bool makes_labels_0_1(const End& end, Colour wanted);
   bool swap_or_split(std::size_t defect);
   bool split(const End& end);
@@ -54,6 +60,8 @@ class Relabelling {
   std::span<const Row> rows_;
   std::span<Ports> ports_;
   std::vector<ColourDefect>& defects_;
+  const std::int64_t most_steps_;
+  std::int64_t steps_ = 0;
   std::unordered_multimap<Place, std::size_t> by_place_;  // may name defects that have moved away
 };
 

@@ -26,19 +26,20 @@ class ThirdColour {
         sums_(part.size()),
         random_(kSeed),
         search_(sums_, random_, reach()),
+        limit_(height_limit(part.size())),
         highest_(-part.size() / 2),
         lowest_(highest_) {}
 
-  std::vector<std::size_t> run() {
+  ThirdColourResult run() {
     for (std::size_t d = 0; d < defects_.size(); ++d) by_y_.emplace_back(defects_[d].y, d);
     std::ranges::sort(by_y_);
     for (Place v = part_.begin; v < part_.end; ++v) {
       if (x_[v][2] == kUnsetNumber && find_defect(v) == kNone) number(v);
     }
     for (std::size_t d = 0; d < defects_.size(); ++d) {
-      if (!number_defect(d)) return {d};
+      if (!number_defect(d)) return {{d}, search_.blocks()};
     }
-    return {};
+    return {{}, search_.blocks()};
   }
 
  private:
@@ -85,10 +86,10 @@ class ThirdColour {
     const SumRule rule = rule_of(defect.y);
     std::optional<std::int64_t> found;
     if (defect.label_x == 0) {
-      const std::int64_t high = std::min(other - apart, lowest_ + kBack);
+      const std::int64_t high = std::max(-limit_, std::min(other - apart, lowest_ + kBack));
       found = search_.find(Direction::down, taken_, {&rule, 1}, {high - reach(), high});
     } else {
-      const std::int64_t low = std::max(other + apart, highest_ - kBack);
+      const std::int64_t low = std::min(limit_, std::max(other + apart, highest_ - kBack));
       found = search_.find(Direction::up, taken_, {&rule, 1}, {low, low + reach()});
     }
     settle(defect.y, found.value());
@@ -102,7 +103,7 @@ class ThirdColour {
   }
 
   void settle(Place v, std::int64_t number) {
-    x_[v][2] = static_cast<std::int32_t>(number);
+    x_[v][2] = narrow(number);
     expect(sums_.insert(sum_of(x_[v])), "sums are distinct (I1)");
   }
 
@@ -125,6 +126,7 @@ class ThirdColour {
   NumberSet sums_;
   RandomStream random_;
   NumberSearch search_;
+  const std::int64_t limit_;
   std::int64_t highest_;
   std::int64_t lowest_;
   std::vector<std::pair<Place, std::size_t>> by_y_;
@@ -132,10 +134,10 @@ class ThirdColour {
 
 }  // namespace
 
-std::vector<std::size_t> number_third_colour(std::span<const Ports> ports, PlaceRange part,
-                                             std::span<const ColourDefect> defects,
-                                             std::span<const HeightSlot> slots,
-                                             std::span<PlaneNumbers> x) {
+ThirdColourResult number_third_colour(std::span<const Ports> ports, PlaceRange part,
+                                      std::span<const ColourDefect> defects,
+                                      std::span<const HeightSlot> slots,
+                                      std::span<PlaneNumbers> x) {
   return ThirdColour(ports, part, defects, slots, x).run();
 }
 
