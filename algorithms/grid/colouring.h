@@ -31,7 +31,7 @@ struct ColourDefect {
 /// Invariant: the labels at a vertex differ; the two labels of an edge are equal but for the edges
 /// in `defects`. A component has at most one defect with labels 0 and 1.
 struct Colouring {
-  UnwrittenVector<Ports> ports;           // by place
+  UnwrittenVector<Ports> ports;       // by place
   std::vector<ColourDefect> defects;  // component by component, in processing order
   std::uint64_t repairs = 0;          ///< vertices where a Kempe chain avoided a defect
   std::uint64_t chain_steps = 0;      ///< edges of Kempe chains followed

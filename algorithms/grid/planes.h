@@ -45,8 +45,8 @@ struct PlaneCounts {
   std::int64_t core_parts = 0;    ///< components that the core numbered
 };
 
-/// Steps whose number decides the time: each takes O(log n) expected time, everything else is linear.
-/// They grow like n on every input (docs/theorem3.md, "Linear time").
+/// Steps whose number decides the time: each takes O(log n) expected time, everything else is
+/// linear. They grow like n on every input (docs/theorem3.md, "Linear time").
 struct StepCounts {
   std::int64_t chain_steps = 0;    ///< edges of Kempe chains followed, and defects met there
   std::int64_t heights_tried = 0;  ///< free heights looked at, slots included

@@ -17,8 +17,8 @@ class Relabelling {
  public:
   /// @param ports  loses the half-edges of the defects.
   /// @param n  vertices of the component; chains are followed for about kStepsPerVertex n steps.
-  Relabelling(std::span<const Row> rows, std::span<Ports> ports,
-              std::vector<ColourDefect>& defects, std::int64_t n);
+  Relabelling(std::span<const Row> rows, std::span<Ports> ports, std::vector<ColourDefect>& defects,
+              std::int64_t n);
 
   /// Edges of chains followed, and defects met there.
   std::int64_t steps() const { return steps_; }

@@ -25,7 +25,6 @@ struct ThirdColourResult {
 /// 1, far enough for the slot.
 ThirdColourResult number_third_colour(std::span<const Ports> ports, PlaceRange part,
                                       std::span<const ColourDefect> defects,
-                                      std::span<const HeightSlot> slots,
-                                      std::span<PlaneNumbers> x);
+                                      std::span<const HeightSlot> slots, std::span<PlaneNumbers> x);
 
 }  // namespace ar3d::grid

@@ -6,10 +6,16 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/algorithms/grid/order.h"
+#include "ar3d/algorithms/grid/pack.h"
+#include "ar3d/algorithms/grid/planes.h"
+#include "ar3d/algorithms/grid/routes.h"
 #include "ar3d/verify/certificate.h"
 
 namespace ar3d::testing {
@@ -67,6 +73,38 @@ inline std::string grid_fault(const Graph& graph, std::int64_t effort,
   if (graph.num_edges() > 40) return text;
   for (const Edge e : graph.edges()) text += fmt::format(" {}-{}", e.u, e.v);
   return text;
+}
+
+inline grid::Planes planes_of(const Graph& graph, const grid::PlaneOptions& options) {
+  const grid::ProcessingOrder order = grid::processing_order(graph);
+  grid::Planes planes = grid::assign_planes(graph, order, options);
+  grid::pack_components(graph, order, planes);
+  return planes;
+}
+
+/// Many defects: the core without Kempe chains.
+inline grid::Planes core_planes(const Graph& graph) { return planes_of(graph, {.flat = false}); }
+
+inline Drawing drawing_of(const Graph& graph, const grid::Planes& planes,
+                          grid::RouteRule rule = {}) {
+  Coordinates vertices(graph.num_vertices(), 1'000'000);
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) vertices.set(v, grid::position(planes.of[v]));
+  return Drawing("grid", kCubeLattice, std::move(vertices), graph.shared_edges(),
+                 std::make_shared<grid::Routes>(planes.labels, planes.slots, rule));
+}
+
+/// Triangles inside one another: each vertex has at most one edge to the next triangle inwards or
+/// outwards.
+inline Graph nested_cubic_triangles(Vertex depth) {
+  std::vector<Edge> edges;
+  for (Vertex i = 0; i < depth; ++i) {
+    const Vertex a = 3 * i;
+    edges.insert(edges.end(), {{a, a + 1}, {a + 1, a + 2}, {a, a + 2}});
+    if (i + 1 == depth) break;
+    edges.push_back({a + 1, a + 3});  // this triangle's second to the next one's first
+    if (i % 2 == 0) edges.push_back({a + 2, a + 5});  // third to third, every other time
+  }
+  return Graph(3 * std::uint64_t{depth}, std::move(edges));
 }
 
 }  // namespace ar3d::testing

@@ -64,21 +64,8 @@ TEST(GridLong, HundredThousandVerticesOfHardFamilies) {
   }
 }
 
-/// Triangles inside one another: each vertex has one edge to the next triangle inwards or outwards.
-Graph nested_cubic_triangles(Vertex depth) {
-  std::vector<Edge> edges;
-  for (Vertex i = 0; i < depth; ++i) {
-    const Vertex a = 3 * i;
-    edges.insert(edges.end(), {{a, a + 1}, {a + 1, a + 2}, {a, a + 2}});
-    if (i + 1 == depth) break;
-    edges.push_back({a + 1, a + 3});  // this triangle's second to the next one's first
-    if (i % 2 == 0) edges.push_back({a + 2, a + 5});  // third to third, every other time
-  }
-  return Graph(3 * std::uint64_t{depth}, std::move(edges));
-}
-
 TEST(GridLong, TrianglesNestedAHundredThousandDeep) {
-  const Graph graph = testing::shuffled(nested_cubic_triangles(100000), 3);
+  const Graph graph = testing::shuffled(testing::nested_cubic_triangles(100000), 3);
   ASSERT_EQ(graph.max_degree(), 3u);
   for (const int effort : {0, 2}) ASSERT_EQ(testing::grid_fault(graph, effort), "");
 }

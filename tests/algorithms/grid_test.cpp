@@ -1,5 +1,4 @@
-// Algorithm `grid` (Theorem 3): named graphs, unions, the rules of its invariant, and what breaks
-// without them.
+// Algorithm `grid` (Theorem 3): named graphs, unions, the rules of its invariant.
 
 #include "ar3d/algorithms/grid/grid.h"
 
@@ -10,10 +9,7 @@
 #include "algorithms/grid_checks.h"
 #include "ar3d/algorithms/grid/invariant.h"
 #include "ar3d/algorithms/grid/number_set.h"
-#include "ar3d/algorithms/grid/order.h"
-#include "ar3d/algorithms/grid/pack.h"
 #include "ar3d/algorithms/grid/planes.h"
-#include "ar3d/algorithms/grid/routes.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/random.h"
@@ -23,23 +19,9 @@ namespace ar3d {
 namespace {
 
 using grid::Planes;
-
-Planes planes_of(const Graph& graph, const grid::PlaneOptions& options) {
-  const grid::ProcessingOrder order = grid::processing_order(graph);
-  Planes planes = grid::assign_planes(graph, order, options);
-  grid::pack_components(graph, order, planes);
-  return planes;
-}
-
-/// Many defects: the core without Kempe chains.
-Planes core_planes(const Graph& graph) { return planes_of(graph, {.flat = false}); }
-
-Drawing drawing_of(const Graph& graph, const Planes& planes, grid::RouteRule rule = {}) {
-  Coordinates vertices(graph.num_vertices(), 1'000'000);
-  for (Vertex v = 0; v < graph.num_vertices(); ++v) vertices.set(v, grid::position(planes.of[v]));
-  return Drawing("grid", kCubeLattice, std::move(vertices), graph.shared_edges(),
-                 std::make_shared<grid::Routes>(planes.labels, planes.slots, rule));
-}
+using testing::core_planes;
+using testing::drawing_of;
+using testing::planes_of;
 
 bool is_valid(const Graph& graph, const Drawing& drawing) {
   return certify(graph, drawing, find_algorithm("grid").guarantee).valid();
@@ -180,81 +162,6 @@ TEST(Grid, SameDrawingEveryTime) {
     for (Vertex v = 0; v < 500; ++v) ASSERT_EQ(a.vertex(v), b.vertex(v));
   }
 }
-
-bool meets_defect(const Graph& graph, const Planes& planes, Vertex v) {
-  return std::ranges::any_of(graph.incident(v), [&](const HalfEdge& half) {
-    return planes.labels.at(half.edge, v, half.to) != planes.labels.at(half.edge, half.to, v);
-  });
-}
-
-TEST(Grid, WithoutDistinctSumsTheVerifierObjects) {
-  // (I1) dropped: shift vertices so that two sums coincide; at least one such drawing must be
-  // invalid.
-  int broken = 0;
-  for (const Graph& graph : testing::geng("-c -d3 -D3 10")) {
-    Planes planes = core_planes(graph);
-    ASSERT_TRUE(is_valid(graph, drawing_of(graph, planes)));
-    // Moving all planes of one U-edge keeps (I3) and changes the sums of its two ends alike.
-    for (EdgeId e = 0; e < graph.num_edges(); ++e) {
-      const Edge ends = graph.edge(e);
-      const grid::Colour c = planes.labels.at(e, ends.u, ends.v);
-      if (meets_defect(graph, planes, ends.u) || meets_defect(graph, planes, ends.v)) continue;
-      for (Vertex other = 0; other < graph.num_vertices(); ++other) {
-        if (other == ends.u || other == ends.v) continue;
-        const std::int64_t shift = grid::sum_of(planes.of[other]) - grid::sum_of(planes.of[ends.u]);
-        Planes moved = planes;
-        for (const Vertex v : {ends.u, ends.v}) {
-          moved.of[v][c] = static_cast<std::int32_t>(moved.of[v][c] + shift);
-        }
-        const std::string rule = grid::broken_invariant(graph, moved);
-        if (!rule.starts_with("(I1)")) continue;
-        broken += is_valid(graph, drawing_of(graph, moved)) ? 0 : 1;
-      }
-    }
-  }
-  EXPECT_GT(broken, 0);
-}
-
-TEST(Grid, WithoutEmptySlotsTheVerifierObjects) {
-  // (I5) dropped: move every slot through its range; some numbers there are planes of other
-  // vertices.
-  int broken = 0;
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    const Graph graph = generate(find_family("random-cubic"), 40, seed);
-    const Planes planes = core_planes(graph);
-    for (std::size_t i = 0; i < planes.slots.size(); ++i) {
-      for (std::int64_t k = planes.slots[i].k - 40; k < planes.slots[i].k; ++k) {
-        Planes moved = planes;
-        moved.slots[i].k = k;
-        const std::string rule = grid::broken_invariant(graph, moved);
-        if (rule.find("is not its own") == std::string::npos) continue;
-        const Certificate certificate =
-            certify(graph, drawing_of(graph, moved), find_algorithm("grid").guarantee);
-        for (const Violation& violation : certificate.violations) {
-          broken += violation.kind == ViolationKind::crossing ? 1 : 0;
-        }
-      }
-    }
-  }
-  EXPECT_GT(broken, 0);
-}
-
-int invalid_with(grid::RouteRule rule) {
-  int invalid = 0;
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    const Graph graph = generate(find_family("random-cubic"), 120, seed);
-    const Planes planes = core_planes(graph);
-    invalid += is_valid(graph, drawing_of(graph, planes, rule)) ? 0 : 1;
-  }
-  return invalid;
-}
-
-TEST(Grid, WithAWrongResidueTheVerifierObjects) {
-  EXPECT_EQ(invalid_with({}), 0);
-  EXPECT_GT(invalid_with({.u_edge_last = 2}), 0);
-}
-
-TEST(Grid, WithAWrongOffsetTheVerifierObjects) { EXPECT_GT(invalid_with({.nt_first = 2}), 0); }
 
 }  // namespace
 }  // namespace ar3d
