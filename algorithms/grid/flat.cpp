@@ -44,6 +44,7 @@ bool Flat::number(PlaceRange part, std::span<const ColourDefect> defects) {
     Relabelling relabelling(rows_, colouring_.ports, defects_, part.size());
     for (const std::size_t d : to_turn_) {
       if (relabelling.exhausted()) break;
+      if (defects_[d].label_x == defects_[d].label_y) continue;  // healed by the one before
       if (attempt % 3 == 1 || !relabelling.slide(d, attempt % 3 == 2)) relabelling.turn(d);
     }
     const bool possible = relabelling.avoid_labels_0_1();
@@ -63,7 +64,7 @@ bool Flat::number_once(PlaceRange part) {
   ++steps_.attempts;
   to_turn_.clear();
   slots_.clear();
-  HeightPool pool(colouring_.ports, part, x_, !defects_.empty());
+  HeightPool pool(colouring_.ports, part, x_);
   std::optional<DefectPaths> paths;
   if (!defects_.empty()) paths.emplace(pool, defects_, path_of_);
   const auto is_later = [&](Place v) { return paths && paths->contains(v); };

@@ -33,16 +33,12 @@ class HeightPool {
  public:
   /// @param ports  without the half-edges of defects.
   /// @param x  numbers of all places; those of the component are unset.
-  /// @param with_pairs  whether next_free_pair() will be called.
-  HeightPool(std::span<const Ports> ports, PlaceRange part, std::span<PlaneNumbers> x,
-             bool with_pairs)
+  HeightPool(std::span<const Ports> ports, PlaceRange part, std::span<PlaneNumbers> x)
       : ports_(ports),
         part_(part),
         x_(x),
         taken_{NumberSet(part.size()), NumberSet(part.size())},
-        frontier_(-part.size() / 4) {
-    if (with_pairs) pairs_taken_.assign(2, NumberSet(part.size()));
-  }
+        frontier_(-part.size() / 4) {}
 
   PlaceRange part() const { return part_; }
   Place neighbour(Place v, Colour c) const { return ports_[v].to[c]; }
@@ -73,6 +69,7 @@ class HeightPool {
   }
   std::int64_t next_free_pair(Colour c, std::int64_t from) {
     ++heights_tried_;
+    if (pairs_taken_.empty()) pairs_taken_ = {taken_[0].pairs(), taken_[1].pairs()};
     return pairs_taken_[c].next_outside(from);
   }
   /// Where a new chain begins: a free height near the frontier.
@@ -85,7 +82,8 @@ class HeightPool {
   PlaceRange part_;
   std::span<PlaneNumbers> x_;
   std::array<NumberSet, 2> taken_;
-  std::vector<NumberSet> pairs_taken_;  // by colour: h with h or h + 1 taken; empty: not asked for
+  std::vector<NumberSet>
+      pairs_taken_;  // by colour: h with h or h + 1 taken; from the first slot on
   std::int64_t heights_tried_ = 0;
   std::int64_t frontier_;  // every chain begins near it
 };

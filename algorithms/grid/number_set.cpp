@@ -30,6 +30,18 @@ bool NumberSet::insert(std::int64_t x) {
   return true;
 }
 
+NumberSet NumberSet::pairs() const {
+  NumberSet pairs = *this;
+  const std::vector<std::uint64_t>& words = levels_[0];
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::uint64_t above = i + 1 < words.size() ? words[i + 1] : 0;
+    pairs.levels_[0][i] |= (words[i] >> 1) | (above << 63);
+  }
+  pairs.build_upper_levels();
+  if (contains(low_)) pairs.insert(low_ - 1);
+  return pairs;
+}
+
 std::uint64_t NumberSet::window_at_border(std::int64_t x) const {
   std::uint64_t bits = 0;
   for (int j = 0; j < 64; ++j) bits |= static_cast<std::uint64_t>(contains(x + j)) << j;

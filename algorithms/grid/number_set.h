@@ -32,6 +32,9 @@ class NumberSet {
     return (levels_[0][word] >> shift) | (levels_[0][word + 1] << (64 - shift));
   }
 
+  /// The numbers x with x or x + 1 in the set. Cost: O(covered range / 64).
+  NumberSet pairs() const;
+
   /// Smallest number >= x outside the set, and largest number <= x outside the set.
   std::int64_t next_outside(std::int64_t x) const;
   std::int64_t previous_outside(std::int64_t x) const;

@@ -29,9 +29,10 @@ class Relabelling {
   /// be called after all turns.
   /// @return whether none is left; false if exhausted().
   bool avoid_labels_0_1();
-  /// Gives x the label 2, or y the label of x: if the edge is still a defect, the old y is on top.
+  /// Of a defect whose labels differ. Gives x the label 2, or y the label of x: if the edge is
+  /// still a defect, the old y is on top.
   void turn(std::size_t defect);
-  /// Moves the defect to another edge at x or y, which swaps two labels there.
+  /// Likewise. Moves the defect to another edge at x or y, which swaps two labels there.
   /// @return false if that edge does not exist or is a defect.
   bool slide(std::size_t defect, bool at_x);
   /// Forgets the defects that are none any more. Ends the use of this object.

@@ -49,6 +49,20 @@ TEST(Grid, NumberSetAgreesWithAPlainSet) {
   }
 }
 
+TEST(Grid, PairsOfANumberSetAreItsNumbersAndTheirPredecessors) {
+  RandomStream random(6);
+  grid::NumberSet set(64);
+  for (const std::int64_t x : {-128, -64, 0, 63, 127}) set.insert(x);  // borders of words
+  for (int i = 0; i < 100; ++i) set.insert(static_cast<std::int64_t>(random.below(250)) - 125);
+  const grid::NumberSet pairs = set.pairs();
+  for (std::int64_t x = -600; x < 600; ++x) {
+    ASSERT_EQ(pairs.contains(x), set.contains(x) || set.contains(x + 1)) << x;
+    std::int64_t next = x;
+    while (set.contains(next) || set.contains(next + 1)) ++next;
+    ASSERT_EQ(pairs.next_outside(x), next) << x;
+  }
+}
+
 TEST(Grid, RefusesDegreeFour) {
   EXPECT_THROW(draw_grid(testing::octahedron()), InputError);
   EXPECT_THROW(draw(find_algorithm("grid"), testing::complete(5)), InputError);
