@@ -36,19 +36,6 @@ void refuse_bad_ends(std::uint64_t n, const std::vector<Edge>& edges) {
                   v, u >= n ? u : v, n));
 }
 
-/// Rows up to this length are searched for parallel edges by comparing all pairs.
-constexpr std::size_t kShortRow = 8;
-
-/// Where the first neighbour that stands in the row before stands again; row.size() if none does.
-std::size_t first_repeat(std::span<const HalfEdge> row) {
-  for (std::size_t i = 1; i < row.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (row[i].to == row[j].to) return i;
-    }
-  }
-  return row.size();
-}
-
 }  // namespace
 
 Graph::Graph(std::uint64_t num_vertices, std::vector<Edge> edges) {
@@ -66,27 +53,13 @@ Graph::Graph(std::uint64_t num_vertices, std::vector<Edge> edges) {
   offsets_ = std::move(rows.offsets);
   half_edges_ = std::move(rows.half_edges);
   max_degree_ = rows.max_degree;
-  refuse_parallel_edges();
+  refuse_parallel_edges(rows.repeating);
 }
 
-void Graph::refuse_parallel_edges() const {
-  Vertex bad = num_vertices();
-  bool long_rows = false;
-  const int threads = threads_for(half_edges_.size());
-#pragma omp parallel for schedule(static) num_threads(threads) reduction(min    \
-                                                                         : bad) \
-    reduction(||                                                                \
-              : long_rows)
-  for (Vertex v = 0; v < num_vertices(); ++v) {
-    const auto row = incident(v);
-    if (row.size() > kShortRow) {
-      long_rows = true;
-    } else if (first_repeat(row) != row.size()) {
-      bad = std::min(bad, v);
-    }
-  }
-  std::size_t place = bad < num_vertices() ? first_repeat(incident(bad)) : 0;
-  if (long_rows) {
+void Graph::refuse_parallel_edges(std::uint64_t repeating) const {
+  std::uint64_t bad = repeating;
+  std::size_t place = bad < num_vertices() ? first_repeat(incident(static_cast<Vertex>(bad))) : 0;
+  if (max_degree_ > kShortRow) {
     std::vector<Vertex> stamp(num_vertices(), num_vertices());
     for (Vertex v = 0; v < bad; ++v) {
       const auto row = incident(v);
@@ -98,7 +71,7 @@ void Graph::refuse_parallel_edges() const {
     }
   }
   if (bad == num_vertices()) return;
-  const EdgeId e = incident(bad)[place].edge;
+  const EdgeId e = incident(static_cast<Vertex>(bad))[place].edge;
   const auto [u, v] = edge(e);
   throw EdgeError(e, u, v, fmt::format("edge {} ({}, {}) is parallel to an earlier edge", e, u, v));
 }

@@ -37,8 +37,7 @@ class Graph {
   /// @param num_vertices  n < 2^32 - 1.
   /// @param edges  m < 2^31 pairs of ids below n, no loops, no pair twice in either order.
   /// @throws EdgeError naming the offending edge and value, InputError if there are too many of
-  /// them. Cost: O(n + m) time on all threads (threads_for), 4n bytes more while it runs for each
-  /// thread but the first.
+  /// them. Cost: O(n + m) time on all threads (threads_for), memory as rows_of.
   Graph(std::uint64_t num_vertices, std::vector<Edge> edges);
 
   Vertex num_vertices() const { return static_cast<Vertex>(offsets_.size() - 1); }
@@ -61,7 +60,8 @@ class Graph {
   }
 
  private:
-  void refuse_parallel_edges() const;
+  /// @param repeating  the first row of at most kShortRow that repeats a neighbour, or n.
+  void refuse_parallel_edges(std::uint64_t repeating) const;
 
   std::shared_ptr<const std::vector<Edge>> edges_;
   UnwrittenVector<std::uint32_t> offsets_;

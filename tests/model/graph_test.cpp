@@ -3,7 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
+
 #include "ar3d/model/error.h"
+#include "ar3d/model/random.h"
 #include "support/graphs.h"
 
 namespace ar3d {
@@ -30,6 +36,57 @@ TEST(Graph, RowsStandInInputOrder) {
               ElementsAre(HalfEdge{2, 0}, HalfEdge{0, 1}, HalfEdge{3, 2}));
   EXPECT_EQ(g.degree(3), 1u);
   EXPECT_EQ(g.other_end(0, 1), 2u);
+}
+
+std::vector<std::vector<HalfEdge>> plain_rows(Vertex n, const std::vector<Edge>& edges) {
+  std::vector<std::vector<HalfEdge>> rows(n);
+  for (EdgeId e = 0; e < edges.size(); ++e) {
+    rows[edges[e].u].push_back({edges[e].v, e});
+    rows[edges[e].v].push_back({edges[e].u, e});
+  }
+  return rows;
+}
+
+/// Every vertex joined to random later ones, and the first to every hundredth; m = 3n or so.
+std::vector<Edge> many_edges(Vertex n) {
+  RandomStream random(7);
+  std::set<std::pair<Vertex, Vertex>> pairs;
+  for (Vertex v = 1; v < n; ++v) {
+    if (v % 100 == 0) pairs.emplace(0, v);
+    for (int i = 0; i < 3; ++i) pairs.emplace(random.below(v), v);
+  }
+  std::vector<Edge> edges;
+  for (const auto& [u, v] : pairs) edges.push_back({v, u});
+  for (std::uint32_t e = 1; e < edges.size(); ++e) std::swap(edges[e], edges[random.below(e + 1)]);
+  return edges;
+}
+
+TEST(Graph, ManyEdgesGiveTheRowsOfFew) {  // bins, chunks of 2^19 edges, rows of every length
+  constexpr Vertex kVertices = 200000;
+  const std::vector<Edge> edges = many_edges(kVertices);
+  ASSERT_GT(edges.size(), std::size_t{1} << 19);
+  const auto rows = plain_rows(kVertices + 9, edges);
+  const Graph g(kVertices + 9, edges);
+  std::size_t longest = 0;
+  for (Vertex v = 0; v < g.num_vertices(); ++v) {
+    ASSERT_TRUE(std::ranges::equal(g.incident(v), rows[v])) << "vertex " << v;
+    longest = std::max(longest, rows[v].size());
+  }
+  EXPECT_EQ(g.max_degree(), longest);
+}
+
+TEST(Graph, FindsAParallelEdgeAmongMany) {
+  const std::vector<Edge> edges = many_edges(200000);
+  for (const std::size_t place : {std::size_t{3}, edges.size() / 2, edges.size() - 1}) {
+    std::vector<Edge> more = edges;
+    more.push_back({edges[place].v, edges[place].u});
+    try {
+      Graph(200000, std::move(more));
+      ADD_FAILURE() << "accepted";
+    } catch (const EdgeError& error) {
+      EXPECT_EQ(error.edge(), edges.size());
+    }
+  }
 }
 
 TEST(Graph, EmptyAndEdgeless) {
