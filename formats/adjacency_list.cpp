@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "ar3d/formats/arc_collector.h"
 #include "ar3d/formats/edge_collector.h"
 #include "ar3d/formats/line_shapes.h"
 #include "ar3d/formats/numbers_text.h"
+#include "ar3d/formats/plain_rows.h"
 
 namespace ar3d {
 namespace {
@@ -21,7 +24,7 @@ class AdjacencyListParser final : public GraphParser {
   std::optional<Graph> next() override {
     bool begun = false;
     arcs_.begin();
-    while (const std::optional<std::string_view> line = input_.next_line()) {
+    while (const std::optional<std::string_view> line = next_odd_line(begun)) {
       if (is_blank(*line)) continue;
       if (std::optional<Tokens> header = size_header(input_, *line)) {
         if (begun) {
@@ -43,6 +46,23 @@ class AdjacencyListParser final : public GraphParser {
   }
 
  private:
+  /// The next line that is not read as one of many plain rows.
+  std::optional<std::string_view> next_odd_line(bool begun) {
+    constexpr std::uint64_t kAll = std::numeric_limits<std::uint64_t>::max();
+    if (begun) {
+      read_plain_rows(input_, true, kAll, [&](auto u, const auto& row, auto line) {
+        for (const std::uint64_t v : row) {
+          if (!ids_.accepts(u, v, line)) return false;
+        }
+        if (row.empty()) return false;  // its vertex counts, too: the careful reader's
+        for (const std::uint64_t v : row) {
+          arcs_.add(static_cast<Vertex>(u - base_), static_cast<Vertex>(v - base_), line);
+        }
+        return true;
+      });
+    }
+    return input_.next_line();
+  }
   void read_row(std::string_view line) {
     const std::size_t colon = line.find(':');
     std::string_view before = colon == std::string_view::npos ? line : line.substr(0, colon);

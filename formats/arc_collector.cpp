@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace ar3d {
@@ -17,9 +19,12 @@ std::uint64_t number_of(const Arc& arc) {
 
 }  // namespace
 
-void ArcCollector::begin() {
+void ArcCollector::begin(std::uint64_t announced) {
   forward_.clear();
   backward_.clear();
+  const std::uint64_t most = std::min(announced, input_->bytes_left() / 2);  // "1 " an arc
+  forward_.reserve(most / 2);
+  backward_.reserve(most / 2);
 }
 
 void ArcCollector::fail(const Arc& arc, bool backward, const char* problem) const {
@@ -28,45 +33,95 @@ void ArcCollector::fail(const Arc& arc, bool backward, const char* problem) cons
   input_->fail_at(arc.line, 0, fmt::format("({}, {}) {}", from, to, problem));
 }
 
-/// The arcs by smaller end, those of each in the order given (counting sort).
-ArcCollector::Arcs ArcCollector::grouped(std::uint64_t n, const Arcs& arcs) {
+namespace {
+
+/// Sorts arcs by the end `key`, those with the same end in the order given (counting sort).
+template <class Arcs, class End>
+void group_by(std::uint64_t n, Arcs& arcs, End key) {
   constexpr std::size_t kAhead = 16;  // arcs; hides the way to memory
   UnwrittenVector<std::uint32_t> place(n + 1);
   std::fill(place.begin(), place.end(), 0u);
-  for (const Arc& arc : arcs) ++place[arc.small + 1];
+  for (const auto& arc : arcs) ++place[arc.*key + 1];
   std::partial_sum(place.begin(), place.end(), place.begin());
   Arcs result(arcs.size());
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     if (i + 2 * kAhead < arcs.size()) {
-      __builtin_prefetch(&place[arcs[i + 2 * kAhead].small], 1);
-      __builtin_prefetch(result.data() + place[arcs[i + kAhead].small], 1);
+      __builtin_prefetch(&place[arcs[i + 2 * kAhead].*key], 1);
+      __builtin_prefetch(result.data() + place[arcs[i + kAhead].*key], 1);
     }
-    result[place[arcs[i].small]++] = arcs[i];
+    result[place[arcs[i].*key]++] = arcs[i];
   }
-  return result;
+  arcs.swap(result);
 }
 
-void ArcCollector::sort_and_refuse_repeats(std::uint64_t n, Arcs& arcs) const {
-  const auto by_small = [](const Arc& a, const Arc& b) { return a.small < b.small; };
-  const auto before = [](const Arc& a, const Arc& b) {
-    return std::pair(number_of(a), a.line) < std::pair(number_of(b), b.line);
-  };
+/// Sorts a few items, most of them in place already.
+template <class Iterator, class Before>
+void sort_row(Iterator begin, Iterator end, Before before) {
+  if (end - begin > 16) return std::sort(begin, end, before);
+  for (auto i = begin; i != end; ++i) {
+    for (auto j = i; j != begin && before(*j, *std::prev(j)); --j) std::iter_swap(j, std::prev(j));
+  }
+}
+
+/// Sorts arcs by the end `key`, then by `before`, which compares arcs with the same such end.
+template <class Arcs, class End, class Before>
+void sort_by(std::uint64_t n, Arcs& arcs, End key, Before before) {
+  const auto by_key = [key](const auto& a, const auto& b) { return a.*key < b.*key; };
   const bool countable = arcs.size() <= std::numeric_limits<std::uint32_t>::max();
-  if (n > 8 * arcs.size() || !countable) {  // counting would cost more
-    std::sort(arcs.begin(), arcs.end(), before);
-  } else if (!std::is_sorted(arcs.begin(), arcs.end(), by_small)) {
-    arcs = grouped(n, arcs);
+  if (!std::is_sorted(arcs.begin(), arcs.end(), by_key)) {
+    if (n <= 8 * arcs.size() && countable) {
+      group_by(n, arcs, key);
+    } else {  // counting would cost more
+      std::stable_sort(arcs.begin(), arcs.end(), by_key);
+    }
   }
   for (auto row = arcs.begin(); row != arcs.end();) {
     auto end = row;
-    while (end != arcs.end() && end->small == row->small) ++end;
-    std::sort(row, end, before);
+    while (end != arcs.end() && (*end).*key == (*row).*key) ++end;
+    sort_row(row, end, before);
     row = end;
   }
+}
+
+}  // namespace
+
+/// By smaller end, then larger, then line.
+void ArcCollector::sort_from_one_end(std::uint64_t n, Arcs& arcs) {
+  sort_by(n, arcs, &Arc::small, [](const Arc& a, const Arc& b) {
+    return std::tie(a.large, a.line) < std::tie(b.large, b.line);
+  });
+}
+
+void ArcCollector::refuse_repeats(const Arcs& arcs) const {
   for (std::size_t i = 1; i < arcs.size(); ++i) {
     if (number_of(arcs[i - 1]) == number_of(arcs[i]))
       fail(arcs[i], &arcs == &backward_, "stands twice");
   }
+}
+
+/// The graph, if each arc has its counterpart and none stands twice. The rows of the graph of the
+/// sorted forward arcs are sorted, so the backward arcs, sorted by the end that names them, must
+/// read like the beginnings of the rows: nothing is looked up.
+std::optional<Graph> ArcCollector::matched(std::uint64_t n) {
+  if (forward_.size() != backward_.size()) return std::nullopt;
+  sort_from_one_end(n, forward_);
+  sort_by(n, backward_, &Arc::large, [](const Arc& a, const Arc& b) { return a.small < b.small; });
+  std::vector<Edge> edges;
+  edges.reserve(forward_.size());
+  for (std::size_t i = 0; i < forward_.size(); ++i) {
+    if (i > 0 && number_of(forward_[i - 1]) == number_of(forward_[i])) return std::nullopt;
+    edges.push_back({forward_[i].small, forward_[i].large});
+  }
+  Graph graph(n, std::move(edges));
+  auto arc = backward_.begin();
+  for (Vertex v = 0; v < n; ++v) {
+    for (const HalfEdge& half : graph.incident(v)) {
+      if (half.to > v) break;
+      if (arc == backward_.end() || arc->large != v || arc->small != half.to) return std::nullopt;
+      ++arc;
+    }
+  }
+  return graph;
 }
 
 std::vector<Edge> ArcCollector::merged() {
@@ -92,8 +147,14 @@ std::vector<Edge> ArcCollector::merged() {
 }
 
 Graph ArcCollector::finish(std::uint64_t n) {
-  sort_and_refuse_repeats(n, forward_);
-  sort_and_refuse_repeats(n, backward_);
+  if (std::optional<Graph> graph = matched(n)) {
+    begin();
+    return std::move(*graph);
+  }
+  for (Arcs* const arcs : {&forward_, &backward_}) {
+    sort_from_one_end(n, *arcs);
+    refuse_repeats(*arcs);
+  }
   std::vector<Edge> edges = merged();
   begin();
   return Graph(n, std::move(edges));

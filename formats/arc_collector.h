@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "ar3d/formats/graph_format.h"
@@ -22,7 +23,8 @@ class ArcCollector {
   ArcCollector(const TextInput& input, unsigned base, Rule rule)
       : input_(&input), base_(base), rule_(rule) {}
 
-  void begin();
+  /// Starts a graph. @param announced  how many arcs the text claims to have.
+  void begin(std::uint64_t announced = 0);
   /// The vertex u names its neighbour v != u in a line.
   void add(Vertex u, Vertex v, std::uint64_t line) {
     constexpr std::uint64_t kLastLine = std::numeric_limits<std::uint32_t>::max();
@@ -38,7 +40,8 @@ class ArcCollector {
   /// Ends the graph on n vertices (all ids are below n); its edges (u, v), u < v, are ordered by
   /// (u, v).
   /// @throws InputError on a neighbour named twice from the same end, or against the rule.
-  /// Cost: O(n + m), and O(m log D) for the largest degree D if the rows are not sorted.
+  /// Cost: O(n + m), and O(m log D) for the largest degree D if the rows are not sorted; arcs that
+  /// come from both ends, by the vertex that names them, are read in order only.
   Graph finish(std::uint64_t n);
 
  private:
@@ -48,8 +51,9 @@ class ArcCollector {
     std::uint32_t line = 0;  // saturated
   };
   using Arcs = UnwrittenVector<Arc>;
-  void sort_and_refuse_repeats(std::uint64_t n, Arcs& arcs) const;
-  static Arcs grouped(std::uint64_t n, const Arcs& arcs);
+  std::optional<Graph> matched(std::uint64_t n);
+  static void sort_from_one_end(std::uint64_t n, Arcs& arcs);
+  void refuse_repeats(const Arcs& arcs) const;
   std::vector<Edge> merged();
   [[noreturn]] void fail(const Arc& arc, bool backward, const char* problem) const;
 

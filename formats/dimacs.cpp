@@ -20,7 +20,8 @@ class DimacsParser final : public GraphParser {
 
   std::optional<Graph> next() override {
     if (!read_problem()) return std::nullopt;
-    arcs_.begin();
+    arcs_.begin(with_arcs_ ? announced_ : 0);
+    if (!with_arcs_) edges_.expect_edges(announced_);
     while (const std::optional<std::string_view> line = next_odd_line()) {
       if (is_blank(*line)) continue;
       Tokens tokens(input_, *line);

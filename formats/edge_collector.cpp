@@ -9,6 +9,7 @@
 #include "ar3d/formats/plain_pairs.h"
 #include "ar3d/formats/vertex_limit.h"
 #include "ar3d/model/error.h"
+#include "ar3d/model/long_vector.h"
 
 namespace ar3d {
 namespace {
@@ -24,6 +25,11 @@ void EdgeCollector::begin(std::optional<std::uint64_t> n) {
   header_line_ = input_->line();
   edges_.clear();
   runs_.clear();
+}
+
+void EdgeCollector::expect_edges(std::uint64_t announced) {
+  constexpr std::uint64_t kShortestLine = 4;  // "1 2\n"
+  reserve_long(edges_, std::min(announced, input_->bytes_left() / kShortestLine + 1));
 }
 
 Vertex EdgeCollector::read_vertex(Tokens& tokens) {
@@ -67,8 +73,8 @@ void EdgeCollector::reserve_for_the_rest() {
   const std::uint64_t count = edges_.size();
   if (count < kMany || edges_.capacity() - count > count / 8) return;
   const std::uint64_t bytes_an_edge = (input_->bytes() - first_byte_) / count + 1;
-  edges_.reserve(count +
-                 std::clamp(input_->bytes_left() / bytes_an_edge * 9 / 8, count, 7 * count));
+  reserve_long(edges_,
+               count + std::clamp(input_->bytes_left() / bytes_an_edge * 9 / 8, count, 7 * count));
 }
 
 std::uint64_t EdgeCollector::read_plain_edges(TextInput& input, std::string_view before,

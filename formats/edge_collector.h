@@ -21,6 +21,8 @@ class EdgeCollector {
 
   /// Starts a graph. @param n  number of vertices where the file tells it.
   void begin(std::optional<std::uint64_t> n);
+  /// Makes room for the edges announced, as far as the rest of the text can hold them.
+  void expect_edges(std::uint64_t announced);
   /// Reads the two ends of an edge. @throws InputError on a bad id or a loop.
   void read_edge(Tokens& tokens);
   /// An id of the file as a vertex. @throws InputError if it is out of range.

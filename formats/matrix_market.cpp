@@ -95,6 +95,7 @@ class MatrixMarketParser final : public GraphParser {
   }
 
   Graph read_symmetric(std::uint64_t count) {
+    entries_.expect_edges(count);
     for (;;) {
       entries_.read_plain_edges(input_, "", count - entries_.num_edges());
       if (entries_.num_edges() == count) return entries_.finish();
@@ -105,7 +106,7 @@ class MatrixMarketParser final : public GraphParser {
   }
 
   Graph read_general(std::uint64_t count) {
-    arcs_.begin();
+    arcs_.begin(count);
     for (;;) {
       read_plain_pairs(input_, "", count - arcs_.num_arcs(), [&](auto u, auto v, auto line) {
         if (!entries_.accepts(u, v, line)) return false;

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "ar3d/formats/arc_collector.h"
 #include "ar3d/formats/line_shapes.h"
 #include "ar3d/formats/metis_detection.h"
 #include "ar3d/formats/numbers_text.h"
+#include "ar3d/formats/plain_rows.h"
 
 namespace ar3d {
 namespace {
@@ -19,8 +22,8 @@ class MetisParser final : public GraphParser {
 
   std::optional<Graph> next() override {
     if (!read_header()) return std::nullopt;
-    arcs_.begin();
-    for (std::uint64_t v = 0; v < n_; ++v) read_row(v);
+    arcs_.begin(2 * std::min(m_, kMaxVertices));
+    for (std::uint64_t v = read_plain(0); v < n_; v = read_plain(v + 1)) read_row(v);
     if (arcs_.num_arcs() % 2 == 0 && arcs_.num_arcs() / 2 != m_) {
       input_.fail_at(header_line_, 0,
                      fmt::format("{} edges announced, found {}", m_, arcs_.num_arcs() / 2));
@@ -61,6 +64,22 @@ class MetisParser final : public GraphParser {
       tokens.fail(fmt::format("{} weights a vertex are too many", constraints));
     skipped_per_row_ = (digits[0] == '1' ? 1 : 0) + (digits[1] == '1' ? constraints : 0);
     edge_weights_ = digits[2] == '1';
+  }
+
+  /// Reads the plain rows from v on. @return the first row not read.
+  std::uint64_t read_plain(std::uint64_t v) {
+    if (skipped_per_row_ > 0 || edge_weights_) return v;
+    const std::uint64_t first = v;
+    return first + read_plain_rows(input_, false, n_ - v, [&](auto, const auto& ids, auto line) {
+             for (const std::uint64_t id : ids) {
+               if (id - 1 >= n_ || id - 1 == v) return false;
+             }
+             for (const std::uint64_t id : ids) {
+               arcs_.add(static_cast<Vertex>(v), static_cast<Vertex>(id - 1), line);
+             }
+             ++v;
+             return true;
+           });
   }
 
   void read_row(std::uint64_t v) {

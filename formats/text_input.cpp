@@ -10,6 +10,7 @@
 
 namespace ar3d {
 namespace {
+constexpr std::size_t kLeastBlock = std::size_t{1} << 6;
 constexpr std::size_t kFirstBlock = std::size_t{1} << 12;  // enough for a small file
 constexpr std::size_t kBlock = std::size_t{1} << 18;
 constexpr std::size_t kShownBytes = 40;
@@ -18,7 +19,7 @@ constexpr std::size_t kSlack = 8;  // readable behind the text
 
 TextInput::TextInput(std::string name, std::unique_ptr<ByteSource> bytes)
     : name_(std::move(name)), bytes_(std::move(bytes)) {
-  make_room(kFirstBlock);
+  make_room(std::clamp<std::uint64_t>(bytes_->bytes_left() + 1, kLeastBlock, kFirstBlock));
 }
 
 std::size_t TextInput::room() const { return buffer_.size() - kSlack; }

@@ -32,7 +32,7 @@ inline std::vector<Graph> read_all(std::string text, const std::string& format) 
 }
 
 inline std::string written(const std::vector<Graph>& graphs, const GraphFormat& format) {
-  OutputFile output("/dev/null");
+  static OutputFile output("/dev/null");  // the text is taken before it gets there
   const auto writer = format.writer(output, {});
   std::string text;
   const auto take = [&] { text += std::exchange(output.pending(), {}); };
