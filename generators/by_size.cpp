@@ -74,8 +74,10 @@ Graph nanotube_of_size(Count n, std::uint64_t, const ParameterValues& parameters
 }
 
 Graph fullerene_of_size(Count n, std::uint64_t, const ParameterValues& parameters) {
-  const bool leapfrog = value_of(parameters, "leapfrog") == 1;
-  return goldberg_coxeter(root(n / (leapfrog ? 60 : 20)), leapfrog);
+  const Count b = value_of(parameters, "b");
+  Count a = std::max<Count>(1, b);
+  while (20 * (a * a + a * b + b * b) < n) ++a;
+  return goldberg_coxeter(a, b);
 }
 
 Graph odd_graph_of_size(Count n, std::uint64_t, const ParameterValues&) {

@@ -43,8 +43,7 @@ const ParameterSpec kOuterJump = {"j", 1, 1000000, 2, "step of the outer edges"}
 const ParameterSpec kInnerJump = {"k", 1, 1000000, 3, "step of the inner edges"};
 const ParameterSpec kSnarkType = {"type", 1, 2, 1, "distance of the two edges cut in each link"};
 const ParameterSpec kAround = {"around", 5, 6, 5, "vertices of the caps"};
-const ParameterSpec kLeapfrog = {"leapfrog", 0, 1, 0,
-                                 "0: GC(a, 0), n = 20 a^2; 1: GC(a, a), n = 60 a^2"};
+const ParameterSpec kTurn = {"b", 0, 8000, 0, "b of GC(a, b), n = 20 (a^2 + ab + b^2) with a >= b"};
 const ParameterSpec kKeep = {"keep", 0, 1000000, 800000,
                              "probability of an edge, in parts per million"};
 const ParameterSpec kTreeDegree = {"degree", 2, 4, 3, "largest degree allowed"};
@@ -123,7 +122,7 @@ std::vector<Family> catalogue() {
        truncation_of_size},
       {"nanotube", "Fullerene tubes (5, 0) and (6, 0) with their caps", 3, false, {kAround},
        nanotube_sizes, nanotube_of_size},
-      {"fullerene", "Icosahedral fullerenes (Goldberg 1937, Coxeter 1971)", 3, false, {kLeapfrog},
+      {"fullerene", "Icosahedral fullerenes (Goldberg 1937, Coxeter 1971)", 3, false, {kTurn},
        fullerene_sizes, fullerene_of_size},
 
       {"generalised-petersen", "GP(N, k) with N = n/2 (Watkins 1969)", 3, false, {kJump},

@@ -144,7 +144,7 @@ std::vector<NamedGraph> table() {
     {"szekeres-snark", "The Szekeres snark (1973)", 50, szekeres_snark},
     {"watkins-snark", "The Watkins snark (1989)", 50, watkins_snark},
     lcf("gray", "Gray's graph, semisymmetric (Bouwer 1968)", {-25, 7, -7, 13, -13, 25}, 9),
-    {"c60", "The fullerene C60, the truncated icosahedron", 60, [] { return goldberg_coxeter(1, true); }},
+    {"c60", "The fullerene C60, the truncated icosahedron", 60, [] { return goldberg_coxeter(1, 1); }},
     {"truncated-dodecahedron", "The truncated dodecahedron", 60, [] { return truncated(generalised_petersen(10, 2)); }},
     lcf("harries", "Harries' graph, a (3,10)-cage (1972)",
         {-29, -19, -13, 13, 21, -27, 27, 33, -13, 13, 19, -21, -33, 29}, 5),

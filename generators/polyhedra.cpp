@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 #include <tuple>
 
 #include "ar3d/generators/unions.h"
@@ -14,51 +15,131 @@ namespace {
 
 using Corner = std::array<Count, 3>;  // a vertex of the subdivided icosahedron, canonical
 using Triangle = std::array<Corner, 3>;
+using Weights = std::array<std::int64_t, 3>;  // barycentric coordinates times a common factor
 
 constexpr Count kNoCorner = 12;
+constexpr Count kMostSteps = 8000;  // 20 T <= 60 a^2 fits 32 bits
 
-std::vector<std::array<Count, 3>> icosahedron() {
-  std::vector<std::array<Count, 3>> faces;  // 0 top, 1..5 and 6..10 the rings, 11 bottom
+/// A face of the icosahedron; where the order of its corners is clockwise, it is `mirrored`.
+struct Face {
+  std::array<Count, 3> corners;
+  bool mirrored;
+};
+
+std::vector<Face> icosahedron() {
+  std::vector<Face> faces;  // 0 top, 1..5 and 6..10 the rings, 11 bottom
   for (Count i = 0; i < 5; ++i) {
     const Count j = (i + 1) % 5;
-    faces.push_back({0, 1 + i, 1 + j});
-    faces.push_back({1 + i, 1 + j, 6 + i});
-    faces.push_back({6 + i, 6 + j, 1 + j});
-    faces.push_back({11, 6 + i, 6 + j});
+    faces.push_back({{0, 1 + i, 1 + j}, false});
+    faces.push_back({{1 + i, 1 + j, 6 + i}, true});
+    faces.push_back({{6 + i, 6 + j, 1 + j}, false});
+    faces.push_back({{11, 6 + i, 6 + j}, true});
   }
   return faces;
 }
 
-/// The point with barycentric weights w (sum a) in a face of the icosahedron, the same name from
-/// every face that holds it: corners are (corner, 12, 0), points on an edge (low end, high end,
-/// weight of the high end), inner points (12 + face, w0, w1).
-Corner corner_name(const std::array<Count, 3>& face, Count face_number, std::array<Count, 3> w) {
-  std::vector<std::pair<Count, Count>> support;  // corner, weight
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (w[i] > 0) support.emplace_back(face[i], w[i]);
-  }
-  std::sort(support.begin(), support.end());
-  if (support.size() == 1) return {support[0].first, kNoCorner, 0};
-  if (support.size() == 2) return {support[0].first, support[1].first, support[1].second};
-  return {kNoCorner + 1 + face_number, w[0], w[1]};
-}
-
-/// Every face of the icosahedron cut into a^2 triangles.
-std::vector<Triangle> geodesic_triangles(Count a) {
-  std::vector<Triangle> triangles;
-  const auto faces = icosahedron();
-  for (Count f = 0; f < faces.size(); ++f) {
-    const auto name = [&](Count i, Count j) { return corner_name(faces[f], f, {i, j, a - i - j}); };
-    for (Count i = 0; i < a; ++i) {
-      for (Count j = 0; i + j < a; ++j) {
-        triangles.push_back({name(i, j), name(i + 1, j), name(i, j + 1)});
-        if (i + j + 2 <= a)
-          triangles.push_back({name(i + 1, j), name(i, j + 1), name(i + 1, j + 1)});
-      }
+/// The icosahedron's faces spread with the triangular lattice so that the corners of each are
+/// lattice points apart by a + b zeta, zeta = exp(i pi / 3): T = a^2 + ab + b^2 lattice triangles
+/// cover a face. (Coxeter 1971; Caspar and Klug 1962.)
+class GeodesicSphere {
+ public:
+  GeodesicSphere(Count a, Count b)
+      : a_(static_cast<std::int64_t>(a)),
+        b_(static_cast<std::int64_t>(b)),
+        faces_(icosahedron()),
+        across_(faces_.size()) {
+    for (Count f = 0; f < faces_.size(); ++f) {
+      for (std::size_t k = 0; k < 3; ++k) across_[f][k] = face_across(f, k);
     }
   }
-  return triangles;
-}
+
+  /// The 20 T lattice triangles. Each is counted to the face that holds its centre, to the first of
+  /// the two if it lies on an edge.
+  std::vector<Triangle> triangles() const {
+    std::vector<Triangle> result;
+    for (Count f = 0; f < faces_.size(); ++f) {
+      const auto [a, b] = steps(f);
+      for (std::int64_t x = -b; x <= a; ++x) {
+        for (std::int64_t y = 0; y <= a + b; ++y) {
+          if (counts_to(f, weights(f, 3 * x + 1, 3 * y + 1, 3))) {
+            result.push_back({name(f, x, y), name(f, x + 1, y), name(f, x, y + 1)});
+          }
+          if (counts_to(f, weights(f, 3 * x + 2, 3 * y + 2, 3))) {
+            result.push_back({name(f, x + 1, y), name(f, x, y + 1), name(f, x + 1, y + 1)});
+          }
+        }
+      }
+    }
+    return result;
+  }
+
+ private:
+  /// The mirror image of the lattice has a and b exchanged.
+  std::pair<std::int64_t, std::int64_t> steps(Count f) const {
+    return faces_[f].mirrored ? std::pair(b_, a_) : std::pair(a_, b_);
+  }
+  /// The face on the other side of the edge opposite corner k.
+  Count face_across(Count f, std::size_t k) const {
+    const auto& corners = faces_[f].corners;
+    for (Count g = 0; g < faces_.size(); ++g) {
+      const auto& others = faces_[g].corners;
+      const auto has = [&](Count c) { return std::ranges::find(others, c) != others.end(); };
+      if (g != f && has(corners[(k + 1) % 3]) && has(corners[(k + 2) % 3])) return g;
+    }
+    throw std::logic_error("every edge of the icosahedron lies in two faces");
+  }
+  /// The weights of the point (x + y zeta) / scale in face f, whose corners are a + b zeta,
+  /// (a + b zeta) zeta and 0: the quotient by a + b zeta, times scale T; they sum up to that.
+  /// |x|, |y| < 2^31 and T < 2^31, so nothing overflows.
+  Weights weights(Count f, std::int64_t x, std::int64_t y, std::int64_t scale) const {
+    const auto [a, b] = steps(f);
+    const std::int64_t first = x * (a + b) + y * b;
+    const std::int64_t second = y * a - x * b;
+    return {first, second, scale * (a * a + a * b + b * b) - first - second};
+  }
+  bool counts_to(Count f, const Weights& w) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (w[k] < 0 || (w[k] == 0 && across_[f][k] < f)) return false;
+    }
+    return true;
+  }
+  /// The lattice point x + y zeta of face f, which may lie in the face next to it: unfolded, the
+  /// far corner of that face is p + q - r for the edge (p, q) and f's corner r.
+  Corner name(Count f, std::int64_t x, std::int64_t y) const {
+    const Weights w = weights(f, x, y, 1);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (w[k] >= 0) continue;
+      const Count g = across_[f][k];
+      Weights unfolded{};
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto& corners = faces_[f].corners;
+        const auto at = std::ranges::find(corners, faces_[g].corners[i]);
+        unfolded[i] = at == corners.end() ? -w[k] : w[at - corners.begin()] + w[k];
+      }
+      return corner_name(g, unfolded);
+    }
+    return corner_name(f, w);
+  }
+  /// The point with weights w in face f, the same name from every face that holds it: corners are
+  /// (corner, 12, 0), points on an edge (low end, high end, weight of the high end), inner points
+  /// (13 + face, w0, w1).
+  Corner corner_name(Count f, const Weights& w) const {
+    std::vector<std::pair<Count, Count>> support;  // corner, weight
+    for (std::size_t i = 0; i < 3; ++i) {
+      expect(w[i] >= 0, "a lattice triangle reaches no further than the next face");
+      if (w[i] > 0) support.emplace_back(faces_[f].corners[i], static_cast<Count>(w[i]));
+    }
+    std::sort(support.begin(), support.end());
+    if (support.size() == 1) return {support[0].first, kNoCorner, 0};
+    if (support.size() == 2) return {support[0].first, support[1].first, support[1].second};
+    return {kNoCorner + 1 + f, static_cast<Count>(w[0]), static_cast<Count>(w[1])};
+  }
+
+  std::int64_t a_;
+  std::int64_t b_;
+  std::vector<Face> faces_;
+  std::vector<std::array<Count, 3>> across_;  // the face across the edge opposite each corner
+};
 
 /// One side of a triangle, for matching with the same side of its neighbour.
 struct Side {
@@ -88,31 +169,6 @@ std::vector<std::pair<Side, Side>> matched_sides(const std::vector<Triangle>& tr
     pairs.emplace_back(sides[i], sides[i + 1]);
   }
   return pairs;
-}
-
-/// Vertices: darts (corner -> corner) of the triangulation, two a side. Two darts are joined if
-/// they are each other's reverse or leave one corner along two sides of a triangle. (The truncation
-/// of the triangulation.)
-Graph leapfrog_graph(const std::vector<Triangle>& triangles) {
-  const auto pairs = matched_sides(triangles);
-  std::vector<std::array<Count, 3>> side_of(
-      triangles.size());  // side opposite each corner -> its number
-  for (Count s = 0; s < pairs.size(); ++s) {
-    for (const Side& side : {pairs[s].first, pairs[s].second})
-      side_of[side.triangle][side.number] = s;
-  }
-  const auto dart = [&](Count t, std::size_t from, std::size_t opposite) {
-    const Count s = side_of[t][opposite];
-    return 2 * s + (triangles[t][from] == pairs[s].first.low ? 0 : 1);
-  };
-  GraphBuilder builder(2 * pairs.size(), 3 * pairs.size());
-  for (Count s = 0; s < pairs.size(); ++s) builder.edge(2 * s, 2 * s + 1);
-  for (Count t = 0; t < triangles.size(); ++t) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      builder.edge(dart(t, i, (i + 1) % 3), dart(t, i, (i + 2) % 3));
-    }
-  }
-  return builder.finish();
 }
 
 }  // namespace
@@ -167,9 +223,12 @@ Graph nanotube(Count around, Count rings) {
   return builder.finish();
 }
 
-Graph goldberg_coxeter(Count a, bool leapfrog) {
-  const std::vector<Triangle> triangles = geodesic_triangles(a);
-  if (leapfrog) return leapfrog_graph(triangles);
+Graph goldberg_coxeter(Count a, Count b) {
+  if (a < 1 || b > a || a > kMostSteps) {
+    throw InputError(fmt::format("GC(a, b) takes a from 1 to {} and b up to a, not {} and {}",
+                                 kMostSteps, a, b));
+  }
+  const std::vector<Triangle> triangles = GeodesicSphere(a, b).triangles();
   GraphBuilder builder(triangles.size(), 3 * triangles.size() / 2);
   for (const auto& [side, same] : matched_sides(triangles))
     builder.edge(side.triangle, same.triangle);

@@ -23,9 +23,11 @@ Graph iterated_truncation(Count times);
 /// around = 6 the (6, 0) nanotube.
 Graph nanotube(Count around, Count rings);
 
-/// The icosahedral fullerenes of Goldberg and Coxeter: GC_{a,0} (n = 20 a^2) or, with leapfrog,
-/// GC_{a,a} (n = 60 a^2) of the dodecahedron. Cubic, planar, 3-connected, 12 pentagons, all other
-/// faces hexagons. (1, false) is the dodecahedron, (1, true) C60. a >= 1. Cost: O(n log n).
-Graph goldberg_coxeter(Count a, bool leapfrog);
+/// The icosahedral fullerenes GC_{a,b} of the dodecahedron (Goldberg 1937, Coxeter 1971), for
+/// a >= 1 and 0 <= b <= a: n = 20 (a^2 + ab + b^2). Cubic, planar, 3-connected, 12 pentagons, all
+/// other faces hexagons, the 60 rotations of the icosahedron and, if b = 0 or a = b, its
+/// reflections. (1, 0) is the dodecahedron, (1, 1) C60.
+/// @throws InputError if a or b is out of range or a > 8000. Cost: O(n log n).
+Graph goldberg_coxeter(Count a, Count b);
 
 }  // namespace ar3d

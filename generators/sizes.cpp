@@ -79,9 +79,11 @@ Count nanotube_sizes(Count wanted, const ParameterValues& parameters) {
 }
 
 Count fullerene_sizes(Count wanted, const ParameterValues& parameters) {
-  const Count factor = value_of(parameters, "leapfrog") == 1 ? 60 : 20;
-  const Count a = std::max<Count>(1, root(wanted / factor));
-  return factor * a * a;
+  const Count b = value_of(parameters, "b");
+  const auto size = [b](Count a) { return 20 * (a * a + a * b + b * b); };
+  Count a = std::max<Count>(1, b);
+  while (a < 8000 && size(a + 1) <= wanted) ++a;
+  return size(a);
 }
 
 Count i_graph_sizes(Count wanted, const ParameterValues& parameters) {

@@ -55,7 +55,7 @@ Count hypercube_sizes(Count wanted, const ParameterValues&);
 Count truncation_sizes(Count wanted, const ParameterValues&);
 /// 2 around (rings + 1), rings >= 1
 Count nanotube_sizes(Count wanted, const ParameterValues& parameters);
-/// 20 a^2 or 60 a^2
+/// 20 (a^2 + ab + b^2), a >= b
 Count fullerene_sizes(Count wanted, const ParameterValues& parameters);
 /// 2N with N > 2j, 2k
 Count i_graph_sizes(Count wanted, const ParameterValues& parameters);

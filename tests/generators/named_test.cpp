@@ -144,18 +144,5 @@ TEST(Snarks, BadIndicesAreRefused) {
   EXPECT_THROW(truncated(find_named_graph("k5").make()), InputError);
 }
 
-TEST(Fullerenes, ArePlanarWithTwelvePentagons) {
-  for (const Graph& graph :
-       {goldberg_coxeter(2, false), goldberg_coxeter(1, true), goldberg_coxeter(3, false),
-        goldberg_coxeter(2, true), nanotube(5, 4), nanotube(6, 3)}) {
-    EXPECT_TRUE(planar(graph));
-    EXPECT_EQ(girth(graph), 5u);
-    EXPECT_EQ(graph.max_degree(), 3u);
-    EXPECT_EQ(2 * graph.num_edges(), 3 * graph.num_vertices());
-  }
-  EXPECT_EQ(diameter(goldberg_coxeter(1, false)), 5u);  // the dodecahedron
-  EXPECT_EQ(diameter(nanotube(5, 1)), 5u);
-}
-
 }  // namespace
 }  // namespace ar3d
