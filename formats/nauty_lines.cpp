@@ -69,12 +69,11 @@ class NautyParser final : public GraphParser {
   std::shared_ptr<const std::vector<Edge>> previous_;  // of the last graph, for incremental lines
 };
 
-template <void (*append_line)(std::string&, const Graph&)>
-class LineWriter final : public GraphWriter {
+class Graph6Writer final : public GraphWriter {
  public:
-  explicit LineWriter(OutputFile& output) : output_(output) {}
+  explicit Graph6Writer(OutputFile& output) : output_(output) {}
   void write(const Graph& graph) override {
-    append_line(output_.pending(), graph);
+    append_graph6(output_.pending(), graph);
     output_.flush_if_full();
   }
 
@@ -82,9 +81,23 @@ class LineWriter final : public GraphWriter {
   OutputFile& output_;
 };
 
-template <void (*append_line)(std::string&, const Graph&)>
-std::unique_ptr<GraphWriter> line_writer(OutputFile& output, const WriteOptions&) {
-  return std::make_unique<LineWriter<append_line>>(output);
+void write_sparse6(OutputFile& output, const Graph& graph) {
+  append_sparse6(output.pending(), graph, [&] { output.flush_if_full(); });
+  output.flush_if_full();
+}
+
+class Sparse6Writer final : public GraphWriter {
+ public:
+  explicit Sparse6Writer(OutputFile& output) : output_(output) {}
+  void write(const Graph& graph) override { write_sparse6(output_, graph); }
+
+ private:
+  OutputFile& output_;
+};
+
+template <class Writer>
+std::unique_ptr<GraphWriter> writer_of(OutputFile& output, const WriteOptions&) {
+  return std::make_unique<Writer>(output);
 }
 
 /// The first graph of each size in sparse6, the others as changes.
@@ -95,7 +108,7 @@ class IncrementalWriter final : public GraphWriter {
     if (previous_ && previous_->num_vertices() == graph.num_vertices()) {
       append_incremental_sparse6(output_.pending(), *previous_, graph);
     } else {
-      append_sparse6(output_.pending(), graph);
+      write_sparse6(output_, graph);
     }
     previous_ = graph;
     output_.flush_if_full();
@@ -105,10 +118,6 @@ class IncrementalWriter final : public GraphWriter {
   OutputFile& output_;
   std::optional<Graph> previous_;
 };
-
-std::unique_ptr<GraphWriter> incremental_writer(OutputFile& output, const WriteOptions&) {
-  return std::make_unique<IncrementalWriter>(output);
-}
 
 std::unique_ptr<GraphParser> nauty_parser(TextInput& input, const ReadOptions& options) {
   return std::make_unique<NautyParser>(input, options);
@@ -138,7 +147,7 @@ GraphFormat graph6_format() {
           .summary = "nauty's format for small or dense graphs, one graph a line",
           .detect = looks_like_graph6,
           .parser = nauty_parser,
-          .writer = line_writer<append_graph6>};
+          .writer = writer_of<Graph6Writer>};
 }
 
 GraphFormat sparse6_format() {
@@ -147,7 +156,7 @@ GraphFormat sparse6_format() {
           .summary = "nauty's format for sparse graphs, one graph a line",
           .detect = looks_like_sparse6,
           .parser = nauty_parser,
-          .writer = line_writer<append_sparse6>};
+          .writer = writer_of<Sparse6Writer>};
 }
 
 GraphFormat incremental_sparse6_format() {
@@ -156,7 +165,7 @@ GraphFormat incremental_sparse6_format() {
           .summary = "incremental sparse6: each graph as its difference from the one before",
           .detect = looks_like_increment,
           .parser = nauty_parser,
-          .writer = incremental_writer};
+          .writer = writer_of<IncrementalWriter>};
 }
 
 }  // namespace ar3d

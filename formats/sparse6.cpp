@@ -165,7 +165,8 @@ EdgesOnVertices decode_incremental_sparse6(SixBits bits, std::uint64_t n,
   return result;
 }
 
-void append_sparse6(std::string& out, const Graph& graph) {
+void append_sparse6(std::string& out, const Graph& graph, const std::function<void()>& pass_on) {
+  constexpr Vertex kVerticesBetween = 1024;
   out += ':';
   append_size(out, graph.num_vertices());
   PairWriter pairs(out, graph.num_vertices());
@@ -177,6 +178,7 @@ void append_sparse6(std::string& out, const Graph& graph) {
     }
     std::sort(smaller.begin(), smaller.end());
     for (const Vertex u : smaller) pairs.put(u, v);
+    if (v % kVerticesBetween == 0) pass_on();
   }
   pairs.finish();
   out += '\n';

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "ar3d/formats/graph6.h"
@@ -21,7 +22,9 @@ EdgesOnVertices decode_incremental_sparse6(SixBits bits, std::uint64_t n,
                                            const std::vector<Edge>& previous);
 
 /// Appends the sparse6 line of a graph with its newline. O(n + m) time.
-void append_sparse6(std::string& out, const Graph& graph);
+/// @param pass_on  called now and then; may take the text away, so that no long line is held.
+void append_sparse6(
+    std::string& out, const Graph& graph, const std::function<void()>& pass_on = [] {});
 
 /// Appends the line that turns `previous` into `graph` (both on the same number of vertices).
 /// O(m log m) time.

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <sstream>
 #include <string>
 
 #include "ar3d/generators/catalog.h"
@@ -45,6 +46,22 @@ std::string table_in_docs(const std::string& heading) {
 
 TEST(Docs, FamiliesPageListsExactlyTheCatalogue) {
   EXPECT_EQ(table_in_docs("## The catalogue"), table_of_families());
+}
+
+TEST(Docs, EveryFamilyTellsItsSizesConnectivityBridgesAndSource) {
+  std::istringstream table(table_in_docs("## What is known of each family"));
+  for (const Family& family : families()) {
+    std::string line;
+    ASSERT_TRUE(std::getline(table, line)) << family.name;
+    EXPECT_TRUE(line.starts_with(fmt::format("| `{}` |", family.name))) << line;
+    std::istringstream cells(line.substr(1));
+    int known = 0;
+    for (std::string cell; std::getline(cells, cell, '|');) {
+      EXPECT_NE(cell.find_first_not_of(' '), std::string::npos) << line;
+      ++known;
+    }
+    EXPECT_EQ(known, 6) << line;  // family, n, m, connectivity, bridges, source
+  }
 }
 
 }  // namespace
