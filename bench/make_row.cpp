@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <new>
 
 #include "ar3d/bench/environment.h"
@@ -20,7 +21,8 @@ namespace {
 std::string counters_text(const std::vector<Counter>& counters) {
   std::string text;
   for (const Counter& counter : counters) {
-    text += fmt::format("{}{}={}", text.empty() ? "" : ";", counter.name, counter.value);
+    fmt::format_to(std::back_inserter(text), "{}{}={}", text.empty() ? "" : ";", counter.name,
+                   counter.value);
   }
   return text;
 }
@@ -47,11 +49,9 @@ void record_metrics(Run& run, const Metrics& metrics) {
   }
 }
 
-void record_formulas(Run& run, const Guarantee& guarantee) {
-  run.theorem_bound_formula = guarantee.bound.formula();
+void record_published_bound(Run& run, const Guarantee& guarantee) {
   if (guarantee.published.empty()) return;
   const SizeBound& published = guarantee.published.front();
-  run.published_bound_formula = published.formula();
   for (std::size_t axis = 0; axis < 3 && run.n > 0; ++axis) {
     run.published_bound[axis] = published.axes[axis].value(static_cast<std::uint64_t>(run.n));
   }
@@ -145,7 +145,7 @@ Run RowMaker::make(const PlannedRun& planned, const RowRequest& request) {
   Run run = begun(planned);
   run.base_bytes = memory_.begin_row();
   if (graph_) attempt(run, [&] { draw_and_certify(planned, request, run); });
-  run.peak_bytes = std::max(run.draw_peak_bytes, memory_.peak_bytes());
+  run.peak_bytes = memory_.peak_bytes();
   run.peak_scope = to_string(memory_.scope());
   require_storable(run);
   return run;
@@ -157,10 +157,9 @@ void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& req
     draw(*choice.algorithm, *graph_, choice.options);
   }
   run.warm_ups = request.warm_ups;
-  memory_.restart();
+  if (request.warm_ups > 0) memory_.restart();
   const Drawing drawing = timed_drawing(*graph_, choice, counters_, run);
   if (memory_.scope() != MemoryScope::process) run.draw_peak_bytes = memory_.peak_bytes();
-  memory_.restart();
   run.drawing_hash = drawing_hash(drawing);
   run.counters = counters_text(drawing.counters);
   if (drawing.instance_bound) run.instance_bound = *drawing.instance_bound;
@@ -174,7 +173,18 @@ void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& req
   run.certify_s = certifying_time.wall_s();
   record_verdict(run, certificate);
   record_metrics(run, measure(*graph_, drawing, choice.algorithm->guarantee));
-  record_formulas(run, choice.algorithm->guarantee);
+  record_published_bound(run, choice.algorithm->guarantee);
+  record_formulas(*choice.algorithm, run);
+}
+
+void RowMaker::record_formulas(const Algorithm& algorithm, Run& run) {
+  if (formulas_.of != &algorithm) {
+    const std::vector<SizeBound>& published = algorithm.guarantee.published;
+    formulas_ = {&algorithm, algorithm.guarantee.bound.formula(),
+                 published.empty() ? std::string() : published.front().formula()};
+  }
+  run.theorem_bound_formula = formulas_.theorem;
+  run.published_bound_formula = formulas_.published;
 }
 
 Drawing timed_drawing(const Graph& graph, const AlgorithmChoice& choice, HardwareCounters& counters,

@@ -52,7 +52,16 @@ class RowMaker {
   RowMemory memory_;
   Run base_;
   std::optional<Graph> graph_;
+  // The bounds of the algorithm of the last row as text, which costs more than the rest of a row's
+  // book-keeping.
+  struct Formulas {
+    const Algorithm* of = nullptr;
+    std::string theorem;
+    std::string published;
+  };
+  Formulas formulas_;
 
+  void record_formulas(const Algorithm& algorithm, Run& run);
   void draw_and_certify(const PlannedRun& planned, const RowRequest& request, Run& run);
 };
 

@@ -64,10 +64,10 @@ RowMemory::~RowMemory() {
 std::int64_t RowMemory::begin_row() {
   if (scope_ == MemoryScope::process) return -1;
   restart();
-  if (peak_bytes() - first_base_ > kMuchFreed) {
-    malloc_trim(0);
-    restart();
-  }
+  const std::int64_t base = peak_bytes();
+  if (base - first_base_ <= kMuchFreed) return base;
+  malloc_trim(0);
+  restart();
   return peak_bytes();
 }
 

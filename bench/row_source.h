@@ -37,7 +37,7 @@ struct Crew {
   std::function<bool()> stop = {};  ///< asked before every row; may be empty
 };
 
-/// Makes all rows of a source in threads of this process (OpenMP).
+/// Makes all rows of a source in threads of this process, the calling one among them.
 void make_rows_in_threads(RowSource& source, const Crew& crew);
 
 /// Makes all rows of a source in processes of their own, so that a crash, a timeout or too much

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <array>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string>
 
 struct XXH3_state_s;  // of xxhash.h, which a user of the installed package need not have
@@ -15,15 +19,33 @@ class HashStream {
   HashStream(const HashStream&) = delete;
   HashStream& operator=(const HashStream&) = delete;
 
-  void put(std::uint32_t value);
-  void put(std::uint64_t value);
-  void put(std::int64_t value) { put(static_cast<std::uint64_t>(value)); }
+  void put(std::uint32_t value) { append(value); }
+  void put(std::uint64_t value) { append(value); }
+  void put(std::int64_t value) { append(static_cast<std::uint64_t>(value)); }
 
   /// 32 hexadecimal digits.
-  std::string digest() const;
+  std::string digest();
 
  private:
+  // A call of the library costs more than hashing a number: numbers are gathered first.
+  template <class Integer>
+  void append(Integer value) {
+    if (sizeof value > buffer_.size() - used_) flush();
+    unsigned char* to = buffer_.data() + used_;
+    if constexpr (std::endian::native == std::endian::little) {
+      std::memcpy(to, &value, sizeof value);
+    } else {
+      for (std::size_t i = 0; i < sizeof value; ++i) {
+        to[i] = static_cast<unsigned char>(value >> (8 * i));
+      }
+    }
+    used_ += sizeof value;
+  }
+  void flush();
+
   XXH3_state_s* state_ = nullptr;
+  std::size_t used_ = 0;
+  std::array<unsigned char, 4096> buffer_;
 };
 
 }  // namespace ar3d

@@ -29,6 +29,12 @@ Column described(const Description& d, FieldType type, std::size_t size) {
   return column;
 }
 
+bool is_printable(char c) { return c >= ' ' && c <= '~'; }
+
+bool fits(const std::string& text, std::size_t size) {
+  return text.size() <= size && std::all_of(text.begin(), text.end(), is_printable);
+}
+
 std::string loaded_text(const char* from, std::size_t size) {
   return std::string(from, strnlen(from, size));
 }
@@ -43,7 +49,7 @@ Column text(const Description& d, std::string Run::*member, std::size_t size) {
   Column column = described(d, FieldType::text, size);
   column.store = [member, size, name = column.name](const Run& run, char* to) {
     const std::string& value = run.*member;
-    if (value != fitted_text(value, size)) {
+    if (!fits(value, size)) {
       throw InputError(fmt::format("{} '{}' is not {} bytes of ASCII", name, value, size));
     }
     store_text(value, to, size);
@@ -58,7 +64,8 @@ Column text(const Description& d, std::string Run::*member, std::size_t size) {
 Column message(const Description& d, std::string Run::*member, std::size_t size) {
   Column column = text(d, member, size);
   column.store = [member, size](const Run& run, char* to) {
-    store_text(fitted_text(run.*member, size), to, size);
+    const std::string& value = run.*member;
+    store_text(fits(value, size) ? value : fitted_text(value, size), to, size);
   };
   return column;
 }
@@ -351,8 +358,7 @@ std::vector<std::string> differing_columns(const Run& a, const Run& b) {
 
 std::string fitted_text(const std::string& text, std::size_t size) {
   std::string fitted = text.substr(0, size);
-  std::replace_if(
-      fitted.begin(), fitted.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  std::replace_if(fitted.begin(), fitted.end(), [](char c) { return !is_printable(c); }, '?');
   return fitted;
 }
 

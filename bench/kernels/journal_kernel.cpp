@@ -4,12 +4,14 @@
 //   each:
 //                           the same promise
 //   journal/sqlite_wal_1000 a thousand rows a transaction: up to a thousand rows may be lost
-//   study/bare_loop, study/journaled   graphs of about 1 ms: generated, drawn, certified and
-//   measured
-//                           in a plain loop, and as the rows of a study with its journal
+//   study/bare_loop/N       random cubic graphs of N vertices, 500 an iteration: generated, hashed,
+//                           drawn with grid, hashed, certified and measured in a plain loop
+//   study/bare_loop_unhashed/N  the same without the two hashes
+//   study/journaled/N/T     the same as rows of a study on T threads with its journal
 //   journal/status          looking how far a study with so many rows is (parameter)
 
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 #include <sqlite3.h>
 
 #include <cstdint>
@@ -161,24 +163,26 @@ void status_kernel(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(journal_status(folder.file("k.journal")).rows);
 }
 
-constexpr std::uint64_t kGraphs = 100;
-constexpr std::uint64_t kVertices = 700;
+constexpr std::int64_t kGraphs = 500;
 
-StudyPlan millisecond_plan() {
+StudyPlan cubic_plan(std::int64_t n) {
   return plan_study(
-      parse_study("study = \"k\"\n[[sweep]]\nfamilies = \"random-cubic\"\nsizes = 700\n"
-                  "algorithms = \"grid\"\ninstances = 100\n",
+      parse_study(fmt::format("study = \"k\"\n[[sweep]]\nfamilies = \"random-cubic\"\n"
+                              "sizes = {}\nalgorithms = \"grid\"\ninstances = {}\n",
+                              n, kGraphs),
                   "kernel.toml"));
 }
 
-void bare_kernel(benchmark::State& state) {
-  const StudyPlan plan = millisecond_plan();
+void bare_kernel(benchmark::State& state, bool hash) {
+  const StudyPlan plan = cubic_plan(state.range(0));
   const Algorithm& grid = find_algorithm("grid");
   for (auto _ : state) {
     for (const PlannedInstance& instance : plan.instances) {
       const Graph graph =
-          generate(*instance.choice.family, kVertices, instance.seed, instance.choice.parameters);
+          generate(*instance.choice.family, instance.n, instance.seed, instance.choice.parameters);
+      if (hash) benchmark::DoNotOptimize(graph_hash(graph).data());
       const Drawing drawing = draw(grid, graph, instance.runs.front().choice.options);
+      if (hash) benchmark::DoNotOptimize(drawing_hash(drawing).data());
       benchmark::DoNotOptimize(certify(graph, drawing, grid.guarantee).violations.size());
       benchmark::DoNotOptimize(measure(graph, drawing, grid.guarantee).log2_volume);
     }
@@ -187,20 +191,35 @@ void bare_kernel(benchmark::State& state) {
 }
 
 void journaled_kernel(benchmark::State& state) {
-  const StudyPlan plan = millisecond_plan();
+  const StudyPlan plan = cubic_plan(state.range(0));
   const Folder folder;
   JournalWriter journal(folder.file("k.journal"), identity());
   journal.begin_session({});
   for (auto _ : state) {
     make_plan(
-        plan, {.threads = static_cast<int>(state.range(0))}, {},
+        plan, {.threads = static_cast<int>(state.range(1))}, {},
         [&](std::size_t, const Run& run) { journal.append(run); }, "k");
   }
   state.SetItemsProcessed(state.iterations() * kGraphs);
 }
 
-BENCHMARK(bare_kernel)->Name("study/bare_loop")->UseRealTime();
-BENCHMARK(journaled_kernel)->Name("study/journaled")->Arg(1)->Arg(2)->UseRealTime();
+BENCHMARK_CAPTURE(bare_kernel, , true)
+    ->Name("study/bare_loop")
+    ->Arg(250)
+    ->Arg(700)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK_CAPTURE(bare_kernel, , false)
+    ->Name("study/bare_loop_unhashed")
+    ->Arg(250)
+    ->Arg(700)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK(journaled_kernel)
+    ->Name("study/journaled")
+    ->ArgsProduct({{250, 700}, {1, 2}})
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 BENCHMARK(append_kernel)->Name("journal/append");
 BENCHMARK_CAPTURE(sqlite_kernel, 1, 1)->Name("journal/sqlite_wal");
 BENCHMARK_CAPTURE(sqlite_kernel, 1000, 1000)->Name("journal/sqlite_wal_1000");
