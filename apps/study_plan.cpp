@@ -50,8 +50,10 @@ void refuse_impossible_study(const StudySpec& spec, const MakingRules& options) 
   rules.timing = plan.timing;
   rules.budget = plan.budget;
   require_makeable(plan, rules);
-  const bool is_large = std::any_of(plan.instances.begin(), plan.instances.end(),
-                                    [](const PlannedInstance& i) { return i.n >= kLargeSize; });
+  const std::vector<PlannedBlock>& blocks = plan.instances.blocks();
+  const bool is_large = std::any_of(blocks.begin(), blocks.end(), [](const PlannedBlock& block) {
+    return block.first.n >= kLargeSize;
+  });
   if (!is_large && !plan.budget.limits_rows()) return;
   refuse_impossible(plan, estimate(plan, 1), available_memory());
 }

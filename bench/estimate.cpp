@@ -8,6 +8,7 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "ar3d/bench/make_row.h"
@@ -96,17 +97,18 @@ ModelKey key_of(const PlannedInstance& instance, const PlannedRun& run) {
 class Estimator {
  public:
   explicit Estimator(const StudyPlan& plan) : plan_(plan) {
-    for (const PlannedInstance& instance : plan.instances) {
-      for (const PlannedRun& run : instance.runs) {
-        std::uint64_t& largest = largest_[key_of(instance, run)];
-        largest = std::max(largest, instance.wanted_n);
+    for (const PlannedBlock& block : plan.instances.blocks()) {
+      for (const PlannedRun& run : block.first.runs) {
+        std::uint64_t& largest = largest_[key_of(block.first, run)];
+        largest = std::max(largest, block.first.wanted_n);
       }
     }
   }
 
   StudyEstimate run(int threads) {
-    for (const PlannedInstance& instance : plan_.instances) {
-      for (const PlannedRun& run : instance.runs) add(instance, run);
+    for (std::size_t i = 0; i < plan_.instances.blocks().size(); ++i) {
+      const PlannedInstance first = plan_.instances[plan_.instances.blocks()[i].first_place];
+      for (const PlannedRun& run : first.runs) add(i, first, run);
     }
     result_.wall_s = phase_s_[RunPhase::metrics] / threads +
                      phase_s_[RunPhase::timing] / plan_.timing.concurrency +
@@ -115,17 +117,18 @@ class Estimator {
   }
 
  private:
-  void add(const PlannedInstance& instance, const PlannedRun& run) {
+  // A run of every instance of a block.
+  void add(std::size_t block, const PlannedInstance& instance, const PlannedRun& run) {
+    const std::size_t count = plan_.instances.blocks()[block].count;
     if (run.optional) {
-      ++result_.optional_rows;
+      result_.optional_rows += count;
       return;
     }
-    ++result_.rows;
+    result_.rows += count;
     CellEstimate& cell = cell_of(instance, run);
-    ++cell.rows;
-    if (last_instance_[&cell - result_.cells.data()] != &instance) ++cell.instances;
-    last_instance_[&cell - result_.cells.data()] = &instance;
-    const double seconds = cost_of(cell, run);
+    cell.rows += count;
+    if (counted_.emplace(&cell - result_.cells.data(), block).second) cell.instances += count;
+    const double seconds = cost_of(cell, run) * static_cast<double>(count);
     cell.total_s += seconds;
     phase_s_[run.phase] += seconds;
   }
@@ -167,7 +170,7 @@ class Estimator {
   std::map<std::tuple<std::string, std::string, std::string, std::string, std::uint64_t>,
            std::size_t>
       places_;
-  std::map<std::ptrdiff_t, const PlannedInstance*> last_instance_;
+  std::set<std::pair<std::ptrdiff_t, std::size_t>> counted_;  // instances of a cell, by block
   std::map<RunPhase, double> phase_s_;
 };
 

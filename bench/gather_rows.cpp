@@ -23,20 +23,14 @@ void refuse_unknown_row(const GatheredRows& gathered, const RowCollection& rows)
 
 StudyPlan plan_of_shard(StudyPlan plan, const Shard& shard) {
   if (shard.count == 1) return plan;
-  std::vector<PlannedInstance> part;
-  plan.rows = 0;
-  for (std::size_t i = shard.index - 1; i < plan.instances.size(); i += shard.count) {
-    part.push_back(std::move(plan.instances[i]));
-    for (PlannedRun& run : part.back().runs) run.row = plan.rows++;
-  }
-  plan.instances = std::move(part);
+  plan.instances = plan.instances.every_nth(shard.index - 1, shard.count);
   return plan;
 }
 
 std::int64_t required_rows(const StudyPlan& plan) {
   std::int64_t rows = 0;
-  for (const PlannedInstance& instance : plan.instances) {
-    for (const PlannedRun& run : instance.runs) rows += run.optional ? 0 : 1;
+  for (const PlannedBlock& block : plan.instances.blocks()) {
+    rows += static_cast<std::int64_t>(block.count * required_runs(block.first));
   }
   return rows;
 }

@@ -89,6 +89,7 @@ std::vector<EnvironmentEntry> session_of(const JournaledStudy& study, const Stud
 }
 
 ExistingRows existing_rows(const RowCollection& rows) {
+  if (rows.size() == 0) return {};
   const auto contains = [&rows](const std::string& key) {
     return rows.find(parse_row_key(key)).has_value();
   };
@@ -164,7 +165,7 @@ JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()
   if (ranks.size() == 1) return *study;
   const std::string results = ranks.from_first(study ? study->results : "");
   StudyIdentity identity;
-  if (study) identity = identity_of(*study, {});
+  if (study) identity = identity_of(*study, StudyPlan());
   const std::string text = ranks.from_first(identity_text(identity));
   identity = parse_identity({text.data(), text.size()}, results);
   return {parse_study(identity.spec, results), identity.shard, results, identity.created,
@@ -222,11 +223,10 @@ class Part {
  private:
   // The largest instances first, so that none is left to the end.
   void make_shared(const StudyOptions& options, const RowCollection& before) {
-    const std::vector<std::size_t> order = largest_first(plan_);
+    const LargestFirst order(plan_);
     std::vector<double> work;
-    for (const std::size_t i : order) {
-      const PlannedInstance& instance = plan_.instances[i];
-      work.push_back(work_of_row(instance) * static_cast<double>(instance.runs.size()));
+    for (std::size_t i = 0; ranks_.size() > 1 && i < order.size(); ++i) {
+      work.push_back(work_of_instance(plan_.instances.block_of_place(order[i]).first));
     }
     ranks_.share_out(work, [&](const Tickets& tickets) {
       StudyOptions mine = options;

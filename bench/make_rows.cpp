@@ -16,21 +16,20 @@ namespace ar3d {
 namespace {
 
 bool has_phase(const StudyPlan& plan, const std::function<bool(RunPhase)>& is_meant) {
-  for (const PlannedInstance& instance : plan.instances) {
-    for (const PlannedRun& run : instance.runs) {
-      if (is_meant(run.phase)) return true;
-    }
-  }
-  return false;
+  const std::vector<PlannedBlock>& blocks = plan.instances.blocks();
+  return std::any_of(blocks.begin(), blocks.end(),
+                     [&](const PlannedBlock& block) { return has_run(block.first, is_meant); });
 }
 
-// The drawings that failed in the metrics phase, now or before.
+bool is_timed(RunPhase phase) { return phase != RunPhase::metrics; }
+
+// The drawings that failed in the metrics phase, now or before, for the phases that come later.
 class Failures {
  public:
-  explicit Failures(const RowHooks& hooks) : hooks_(hooks) {}
+  Failures(const RowHooks& hooks, bool are_needed) : hooks_(hooks), are_needed_(are_needed) {}
 
   void note(const Run& run) {
-    if (run.phase != RunPhase::metrics || is_drawn(run)) return;
+    if (!are_needed_ || run.phase != RunPhase::metrics || is_drawn(run)) return;
     const std::lock_guard<std::mutex> lock(mutex_);
     failed_.emplace(run.row_key, run);
   }
@@ -58,6 +57,7 @@ class Failures {
   }
 
   const RowHooks& hooks_;
+  bool are_needed_;
   std::mutex mutex_;
   std::unordered_map<std::string, Run> failed_;
 };
@@ -78,13 +78,17 @@ std::vector<int> cores_for(std::uint32_t count) {
 
 }  // namespace
 
+bool has_run(const PlannedInstance& instance, const std::function<bool(RunPhase)>& is_meant) {
+  return std::any_of(instance.runs.begin(), instance.runs.end(),
+                     [&](const PlannedRun& run) { return is_meant(run.phase); });
+}
+
 void require_makeable(const StudyPlan& plan, const MakingRules& rules) {
   const std::string_view mark = timing_mark();
   if (mark == "sanitised" && rules.budget.row_memory_bytes) {
     throw InputError("budget.row_memory cannot be kept in a sanitised build");
   }
   if (!rules.timed_phases) return;
-  const auto is_timed = [](RunPhase phase) { return phase != RunPhase::metrics; };
   if (!mark.empty() && !rules.force_timing && has_phase(plan, is_timed)) {
     throw InputError(fmt::format("a {} build is not timed unless it is forced to", mark));
   }
@@ -102,7 +106,7 @@ MakingEnd make_rows(const StudyPlan& plan, const MakingRules& rules, const RowHo
   const auto stop = [&] { return (hooks.stop && hooks.stop()) || spent(); };
   const bool isolate = rules.isolate || rules.budget.limits_rows();
 
-  Failures failures(hooks);
+  Failures failures(hooks, has_phase(plan, is_timed));
   RowHooks noting = hooks;
   noting.stop = stop;
   noting.emit = [&](std::size_t row, Run run) {

@@ -32,7 +32,7 @@ void work(RowSource& source, const Crew& crew, int slot, const std::atomic<bool>
   RowMaker maker({.concurrency = crew.size + crew.neighbours,
                   .core = core,
                   .memory = crew.size == 1 ? MemoryScope::row : MemoryScope::process});
-  const PlannedInstance* prepared = nullptr;
+  std::shared_ptr<const PlannedInstance> prepared;
   while (!failed && !(crew.stop && crew.stop())) {
     const std::optional<RowJob> job = source.next(slot);
     if (!job) return;
@@ -44,7 +44,8 @@ void work(RowSource& source, const Crew& crew, int slot, const std::atomic<bool>
 
 }  // namespace
 
-// Not a parallel region of OpenMP: inside one, the regions of the generators would each make a team.
+// Not a parallel region of OpenMP: inside one, the regions of the generators would each make a
+// team.
 void make_rows_in_threads(RowSource& source, const Crew& crew) {
   std::mutex mutex;
   std::exception_ptr failure;

@@ -40,7 +40,7 @@ class Slot {
       set_deadline();
       if (worker_ && worker_->send(*job_)) return;
       worker_.reset();
-      worker_ = std::make_unique<WorkerProcess>(crew_, core_);
+      worker_ = std::make_unique<WorkerProcess>(source_.instances(), crew_, core_);
       if (worker_->send(*job_)) return;
       give_up(worker_->end());
     }
@@ -109,7 +109,7 @@ class Slot {
   std::optional<RowJob> job_;
   std::optional<Run> begun_;  // what is known of the row in hand, once its graph is there
   Clock::time_point deadline_{};
-  const PlannedInstance* hopeless_ = nullptr;
+  std::shared_ptr<const PlannedInstance> hopeless_;
   WorkerProcess::End why_hopeless_;
 };
 

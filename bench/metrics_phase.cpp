@@ -4,9 +4,9 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <numeric>
 
 #include "ar3d/bench/phases.h"
+#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {
@@ -27,9 +27,7 @@ std::deque<const PlannedRun*> runs_in_order(const PlannedInstance& instance,
 class MetricsSource final : public RowSource {
  public:
   MetricsSource(const StudyPlan& plan, const RowHooks& hooks)
-      : plan_(plan),
-        hooks_(hooks),
-        order_(hooks.next_instance ? std::vector<std::size_t>() : largest_first(plan)) {}
+      : RowSource(plan.instances), hooks_(hooks), order_(plan) {}
 
   std::optional<RowJob> next(int slot) override {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -37,12 +35,13 @@ class MetricsSource final : public RowSource {
     while (share.runs.empty()) {
       const std::optional<std::size_t> place = next_place();
       if (!place) return std::nullopt;
-      share.instance = &plan_.instances.at(*place);
+      share.place = *place;
+      share.instance = std::make_shared<const PlannedInstance>(instances()[*place]);
       share.runs = runs_in_order(*share.instance, hooks_);
     }
     const PlannedRun* run = share.runs.front();
     share.runs.pop_front();
-    return RowJob{share.instance, run, {}};
+    return RowJob{share.place, share.instance, run, {}};
   }
 
   void done(const RowJob& job, Run row) override { hooks_.emit(job.run->row, std::move(row)); }
@@ -50,7 +49,8 @@ class MetricsSource final : public RowSource {
  private:
   // The instance that a slot has in hand and what is left to be done with it.
   struct Share {
-    const PlannedInstance* instance = nullptr;
+    std::size_t place = 0;
+    std::shared_ptr<const PlannedInstance> instance;
     std::deque<const PlannedRun*> runs;
   };
 
@@ -60,10 +60,9 @@ class MetricsSource final : public RowSource {
     return order_[begun_++];
   }
 
-  const StudyPlan& plan_;
   const RowHooks& hooks_;
   std::mutex mutex_;
-  std::vector<std::size_t> order_;
+  LargestFirst order_;
   std::size_t begun_ = 0;
   std::map<int, Share> shares_;
 };
@@ -76,15 +75,28 @@ double work_of_row(const PlannedInstance& instance) {
   return 1000 + std::pow(static_cast<double>(instance.n), 1.5);
 }
 
-std::vector<std::size_t> largest_first(const StudyPlan& plan) {
-  std::vector<std::size_t> order(plan.instances.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto work = [&](std::size_t i) {
-    return work_of_row(plan.instances[i]) * static_cast<double>(plan.instances[i].runs.size());
-  };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return work(a) > work(b); });
-  return order;
+double work_of_instance(const PlannedInstance& instance) {
+  return work_of_row(instance) * static_cast<double>(instance.runs.size());
+}
+
+LargestFirst::LargestFirst(const StudyPlan& plan) {
+  for (const PlannedBlock& block : plan.instances.blocks()) blocks_.push_back({&block, 0});
+  std::stable_sort(blocks_.begin(), blocks_.end(), [](const Part& a, const Part& b) {
+    return work_of_instance(a.block->first) > work_of_instance(b.block->first);
+  });
+  for (Part& part : blocks_) {
+    part.first = size_;
+    size_ += part.block->count;
+  }
+}
+
+std::size_t LargestFirst::operator[](std::size_t i) const {
+  expect(i < size_, "an order has that place");
+  const auto behind =
+      std::upper_bound(blocks_.begin(), blocks_.end(), i,
+                       [](std::size_t wanted, const Part& part) { return wanted < part.first; });
+  const Part& part = *std::prev(behind);
+  return part.block->first_place + (i - part.first);
 }
 
 std::unique_ptr<RowSource> metrics_source(const StudyPlan& plan, const RowHooks& hooks) {

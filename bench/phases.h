@@ -22,11 +22,30 @@ struct RowHooks {
   std::function<std::optional<std::size_t>()> next_instance;
 };
 
-/// The places of plan.instances, the most costly first.
-std::vector<std::size_t> largest_first(const StudyPlan& plan);
+/// True if a run of the instance is of a phase that is meant.
+bool has_run(const PlannedInstance& instance, const std::function<bool(RunPhase)>& is_meant);
+
+/// The places of plan.instances, the most costly first; equally costly ones in the plan's order.
+/// The plan outlives it.
+class LargestFirst {
+ public:
+  explicit LargestFirst(const StudyPlan& plan);
+  std::size_t size() const { return size_; }
+  std::size_t operator[](std::size_t i) const;
+
+ private:
+  struct Part {
+    const PlannedBlock* block = nullptr;
+    std::size_t first = 0;  // of its instances, in this order
+  };
+  std::vector<Part> blocks_;
+  std::size_t size_ = 0;
+};
 
 /// Work that a row is, in a unit that is roughly proportional to time.
 double work_of_row(const PlannedInstance& instance);
+/// Work of all its rows.
+double work_of_instance(const PlannedInstance& instance);
 
 /// How a drawing came out whose rows need not all be tried: nothing if it can be drawn.
 using KnownFailure =

@@ -1,14 +1,13 @@
 #include "ar3d/bench/plan.h"
 
 #include <fmt/format.h>
-#include <xxhash.h>
 
 #include <algorithm>
-#include <unordered_map>
-#include <unordered_set>
+#include <map>
+#include <set>
+#include <tuple>
 
 #include "ar3d/model/error.h"
-#include "ar3d/model/random.h"
 
 namespace ar3d {
 namespace {
@@ -24,20 +23,6 @@ std::string settings_text(const Values& values) {
     text += fmt::format("{}{}={}", text.empty() ? "" : ";", value.name, value.value);
   }
   return text;
-}
-
-std::string hash128(const std::string& text) {
-  const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
-  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
-}
-
-std::string instance_identity(const PlannedInstance& instance) {
-  return fmt::format("family={}\nparameters={}\nn={}\nindex={}\n", instance.choice.family->name,
-                     instance.parameters, instance.n, instance.index);
-}
-
-std::uint64_t instance_seed(std::uint64_t study_seed, const std::string& identity) {
-  return mix_seed(study_seed, XXH3_64bits(identity.data(), identity.size()));
 }
 
 // The largest degree of the family's graphs: of the largest one that the sweep asks for up to
@@ -92,15 +77,6 @@ void for_each_measurement(const Sweep& sweep, Use&& use) {
   batches(sweep.weak, RunPhase::weak);
 }
 
-// What stands before the repetition tells the phases apart; the metrics phase has nothing there.
-std::string row_key(const std::string& prefix, const PlannedRun& run) {
-  std::string phase;
-  if (run.phase != RunPhase::metrics) phase = fmt::format("phase={}\n", to_string(run.phase));
-  if (run.scale >= 0) phase += fmt::format("scale={}\n", run.scale);
-  return hash128(fmt::format("{}algorithm={}\noptions={}\n{}repetition={}\n", prefix,
-                             run.choice.algorithm->name, run.options, phase, run.repetition));
-}
-
 bool any_matches(const std::vector<CellPattern>& patterns, const std::string& family,
                  const std::string& algorithm, std::uint64_t n) {
   return std::any_of(patterns.begin(), patterns.end(),
@@ -109,19 +85,20 @@ bool any_matches(const std::vector<CellPattern>& patterns, const std::string& fa
 
 class Planner {
  public:
-  explicit Planner(const StudySpec& spec) : spec_(spec) {}
+  explicit Planner(const StudySpec& spec) : spec_(spec) {
+    plan_.instances = PlannedInstances(spec.seed);
+  }
 
   StudyPlan plan() {
     for (const Sweep& sweep : spec_.sweeps) {
       for (const FamilyChoice& family : sweep.families) add_cells(sweep, family);
     }
     refuse_too_many_rows();
+    group_cells();
     for (const Cell& cell : cells_) add_instances(cell);
-    drop_empty_instances();
-    number_rows();
     plan_.timing = spec_.timing;
     plan_.budget = spec_.budget;
-    if (plan_.rows == 0) {
+    if (plan_.rows() == 0) {
       throw InputError(
           fmt::format("study {} has no run: no algorithm fits a family and a size", spec_.name));
     }
@@ -163,11 +140,51 @@ class Planner {
     }
   }
 
+  // The cells of the same graphs.
+  struct Group {
+    std::vector<const Cell*> cells;
+    std::uint32_t planned = 0;  // instances so far: 0 .. planned - 1
+  };
+
+  static std::string group_key(const Cell& cell) {
+    return fmt::format("{}\n{}\n{}", cell.family.family->name,
+                       settings_text(cell.family.parameters), cell.n);
+  }
+
+  void group_cells() {
+    for (const Cell& cell : cells_) {
+      if (!cell.algorithms.empty()) groups_[group_key(cell)].cells.push_back(&cell);
+    }
+  }
+
+  // The instances that no cell before has asked for, as blocks on which the same cells agree.
   void add_instances(const Cell& cell) {
     if (cell.algorithms.empty()) return;
-    for (std::uint32_t index = 0; index < cell.instances; ++index) {
-      add_runs(instance_of(cell, index), cell);
+    Group& group = groups_.at(group_key(cell));
+    while (group.planned < cell.instances) {
+      std::uint32_t end = cell.instances;
+      for (const Cell* other : group.cells) {
+        if (other->instances > group.planned) end = std::min(end, other->instances);
+      }
+      add_block(cell, group, end - group.planned);
+      group.planned = end;
     }
+  }
+
+  void add_block(const Cell& cell, const Group& group, std::uint32_t count) {
+    PlannedBlock block;
+    block.count = count;
+    PlannedInstance& instance = block.first;
+    instance.choice = cell.family;
+    instance.parameters = settings_text(cell.family.parameters);
+    instance.wanted_n = cell.wanted_n;
+    instance.n = cell.n;
+    instance.index = group.planned;
+    std::set<RunIdentity> known;
+    for (const Cell* other : group.cells) {
+      if (other->instances > group.planned) add_runs(instance, *other, known);
+    }
+    if (!instance.runs.empty()) plan_.instances.append(std::move(block));
   }
 
   std::vector<AlgorithmChoice> fitting_algorithms(const Sweep& sweep, const FamilyChoice& choice,
@@ -187,25 +204,11 @@ class Planner {
     return fitting;
   }
 
-  PlannedInstance& instance_of(const Cell& cell, std::uint32_t index) {
-    PlannedInstance instance;
-    instance.choice = cell.family;
-    instance.parameters = settings_text(cell.family.parameters);
-    instance.wanted_n = cell.wanted_n;
-    instance.n = cell.n;
-    instance.index = index;
-    const std::string identity = instance_identity(instance);
-    const auto [at, is_new] = place_of_.try_emplace(identity, plan_.instances.size());
-    if (is_new) {
-      instance.seed = instance_seed(spec_.seed, identity);
-      plan_.instances.push_back(std::move(instance));
-    }
-    return plan_.instances[at->second];
-  }
+  // What tells the runs of one instance apart.
+  using RunIdentity =
+      std::tuple<const Algorithm*, std::string, RunPhase, std::int64_t, std::uint32_t>;
 
-  void add_runs(PlannedInstance& instance, const Cell& cell) {
-    const std::string prefix =
-        fmt::format("study_seed={}\n{}", spec_.seed, instance_identity(instance));
+  static void add_runs(PlannedInstance& instance, const Cell& cell, std::set<RunIdentity>& known) {
     for (const AlgorithmChoice& choice : cell.algorithms) {
       PlannedRun run;
       run.choice = choice;
@@ -218,27 +221,18 @@ class Planner {
         run.optional = measurement.phase == RunPhase::timing &&
                        measurement.repetition >= cell.sweep->timed.least;
         run.precision = cell.sweep->timed.precision;
-        run.row_key = row_key(prefix, run);
-        if (keys_.insert(run.row_key).second) instance.runs.push_back(run);
+        const bool is_new =
+            known.emplace(choice.algorithm, run.options, run.phase, run.scale, run.repetition)
+                .second;
+        if (is_new) instance.runs.push_back(run);
       });
-    }
-  }
-
-  void drop_empty_instances() {
-    std::erase_if(plan_.instances, [](const PlannedInstance& i) { return i.runs.empty(); });
-  }
-
-  void number_rows() {
-    for (PlannedInstance& instance : plan_.instances) {
-      for (PlannedRun& run : instance.runs) run.row = plan_.rows++;
     }
   }
 
   const StudySpec& spec_;
   std::vector<Cell> cells_;
   StudyPlan plan_;
-  std::unordered_map<std::string, std::size_t> place_of_;  // instance identity -> place in the plan
-  std::unordered_set<std::string> keys_;
+  std::map<std::string, Group> groups_;
 };
 
 }  // namespace

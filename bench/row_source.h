@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -11,21 +12,28 @@
 
 namespace ar3d {
 
-/// One row to make; the plan it points into outlives it.
+/// One row to make. Two jobs of one instance in a row have the same `instance`.
 struct RowJob {
-  const PlannedInstance* instance = nullptr;
-  const PlannedRun* run = nullptr;
+  std::size_t place = 0;  ///< of the instance in the plan
+  std::shared_ptr<const PlannedInstance> instance;
+  const PlannedRun* run = nullptr;  ///< one of instance->runs
   RowRequest request;
 };
 
 /// Hands out the rows of a phase and takes them back. Called from several threads at once.
 class RowSource {
  public:
+  explicit RowSource(const PlannedInstances& instances) : instances_(instances) {}
   virtual ~RowSource() = default;
+  /// Of the plan whose rows these are.
+  const PlannedInstances& instances() const { return instances_; }
   /// The next row for the thread or process number `slot`; nothing: there is no more for it.
   virtual std::optional<RowJob> next(int slot) = 0;
   /// Takes a row that was handed out. What it throws ends the phase and is passed on.
   virtual void done(const RowJob& job, Run row) = 0;
+
+ private:
+  const PlannedInstances& instances_;
 };
 
 /// Who makes the rows of a phase.

@@ -26,32 +26,37 @@ struct Remaining {
 
 Remaining remaining_rows(const StudyPlan& plan, const ExistingRows& existing) {
   Remaining remaining;
+  const auto add = [&](const PlannedInstance& instance, std::size_t rows) {
+    remaining.rows += rows;
+    remaining.work += static_cast<double>(rows) * work_of_row(instance);
+  };
+  if (!existing.contains) {
+    for (const PlannedBlock& block : plan.instances.blocks()) {
+      add(block.first, block.count * required_runs(block.first));
+    }
+    return remaining;
+  }
   for (const PlannedInstance& instance : plan.instances) {
     for (const PlannedRun& run : instance.runs) {
-      if (run.optional || (existing.contains && existing.contains(run.row_key))) continue;
-      ++remaining.rows;
-      remaining.work += work_of_row(instance);
+      if (!run.optional && !existing.contains(run.row_key)) add(instance, 1);
     }
   }
   return remaining;
 }
 
-// Work of every row, 0 if the study is complete without it.
-std::vector<float> work_of_rows(const StudyPlan& plan) {
-  std::vector<float> work(plan.rows);
-  for (const PlannedInstance& instance : plan.instances) {
-    for (const PlannedRun& run : instance.runs) {
-      if (!run.optional) work[run.row] = static_cast<float>(work_of_row(instance));
-    }
-  }
-  return work;
+// Work of a row, 0 if the study is complete without it.
+double work_of(const StudyPlan& plan, std::size_t row) {
+  const PlannedBlock& block = plan.instances.block_of_row(row);
+  const PlannedInstance& instance = block.first;
+  const bool optional = instance.runs[(row - block.first_row) % instance.runs.size()].optional;
+  return optional ? 0 : work_of_row(instance);
 }
 
 // Tells new rows to the listener and the progress, one at a time; shared by all threads.
 class Teller {
  public:
   Teller(const StudyPlan& plan, const RowListener& on_row, Progress& progress)
-      : work_(work_of_rows(plan)), on_row_(on_row), progress_(progress) {}
+      : plan_(plan), on_row_(on_row), progress_(progress) {}
 
   void tell(std::size_t row, const Run& run) {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -63,7 +68,8 @@ class Teller {
       failed_ = true;
       return;
     }
-    if (work_[row] > 0) progress_.row_done(work_[row], run.status == RunStatus::ok);
+    const double work = work_of(plan_, row);
+    if (work > 0) progress_.row_done(work, run.status == RunStatus::ok);
   }
   bool failed() const { return failed_; }
   void rethrow() const {
@@ -72,7 +78,7 @@ class Teller {
 
  private:
   std::mutex mutex_;
-  std::vector<float> work_;
+  const StudyPlan& plan_;
   const RowListener& on_row_;
   Progress& progress_;
   std::exception_ptr failure_;
@@ -108,9 +114,9 @@ MakingEnd make_plan(const StudyPlan& plan, const StudyOptions& options,
 std::vector<Run> run_plan(const StudyPlan& plan, const StudyOptions& options,
                           const FinishedRuns& finished,
                           const std::function<void(const Run&)>& on_row, const std::string& name) {
-  std::vector<std::optional<Run>> rows(plan.rows);
-  for (const PlannedInstance& instance : plan.instances) {
-    for (const PlannedRun& run : instance.runs) {
+  std::vector<std::optional<Run>> rows(plan.rows());
+  for (std::size_t place = 0; !finished.empty() && place < plan.instances.size(); ++place) {
+    for (const PlannedRun& run : plan.instances[place].runs) {
       const auto known = finished.find(run.row_key);
       if (known != finished.end()) rows[run.row] = known->second;
     }

@@ -24,6 +24,8 @@ struct BatchedDrawing {
   Rounds rounds;
 };
 
+bool is_batched(RunPhase phase) { return phase == RunPhase::strong || phase == RunPhase::weak; }
+
 std::vector<BatchedDrawing> batched_drawings(const PlannedInstance& instance) {
   std::vector<BatchedDrawing> drawings;
   const PlannedRun* previous = nullptr;
@@ -198,9 +200,13 @@ class InstanceBatches {
 
 void run_batches(const StudyPlan& plan, const TimingRules& rules, const RowHooks& hooks,
                  const KnownFailure& failure) {
-  for (const PlannedInstance& instance : plan.instances) {
-    if (hooks.stop && hooks.stop()) return;
-    InstanceBatches(instance, rules, hooks, failure).run();
+  for (const PlannedBlock& block : plan.instances.blocks()) {
+    if (!has_run(block.first, is_batched)) continue;
+    for (std::size_t i = 0; i < block.count; ++i) {
+      if (hooks.stop && hooks.stop()) return;
+      const PlannedInstance instance = plan.instances[block.first_place + i];
+      InstanceBatches(instance, rules, hooks, failure).run();
+    }
   }
 }
 

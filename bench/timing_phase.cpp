@@ -12,7 +12,8 @@ namespace {
 
 // One drawing's repetitions.
 struct TimedDrawing {
-  const PlannedInstance* instance = nullptr;
+  std::size_t place = 0;
+  std::shared_ptr<const PlannedInstance> instance;
   std::deque<const PlannedRun*> left;  // rows not made yet, by repetition
   std::vector<double> times_s;
   std::optional<Run> certified;
@@ -28,8 +29,11 @@ class TimingSource final : public RowSource {
  public:
   TimingSource(const StudyPlan& plan, const TimingRules& rules, const RowHooks& hooks,
                KnownFailure failure)
-      : rules_(rules), hooks_(hooks), failure_(std::move(failure)) {
-    for (const PlannedInstance& instance : plan.instances) add_drawings(instance);
+      : RowSource(plan.instances), rules_(rules), hooks_(hooks), failure_(std::move(failure)) {
+    for (const PlannedBlock& block : plan.instances.blocks()) {
+      if (!has_run(block.first, [](RunPhase phase) { return phase == RunPhase::timing; })) continue;
+      for (std::size_t i = 0; i < block.count; ++i) add_drawings(block.first_place + i);
+    }
     for (std::size_t i = 0; i < drawings_.size(); ++i) {
       if (drawings_[i].needs_more()) round_.push_back(i);
     }
@@ -48,7 +52,8 @@ class TimingSource final : public RowSource {
       const PlannedRun* run = drawing.left.front();
       drawing.left.pop_front();
       in_hand_[run] = place;
-      return RowJob{drawing.instance, run, {!drawing.certified, rules_.warm_up, rules_.write}};
+      return RowJob{
+          drawing.place, drawing.instance, run, {!drawing.certified, rules_.warm_up, rules_.write}};
     }
     return std::nullopt;
   }
@@ -75,13 +80,17 @@ class TimingSource final : public RowSource {
 
  private:
   // The drawings of an instance: runs of one algorithm and options follow each other in the plan.
-  void add_drawings(const PlannedInstance& instance) {
+  void add_drawings(std::size_t place) {
+    const auto instance = std::make_shared<const PlannedInstance>(instances()[place]);
     const PlannedRun* previous = nullptr;
-    for (const PlannedRun& run : instance.runs) {
+    for (const PlannedRun& run : instance->runs) {
       if (run.phase != RunPhase::timing) continue;
       const bool same = previous != nullptr && run.options == previous->options &&
                         run.choice.algorithm == previous->choice.algorithm;
-      if (!same) drawings_.emplace_back().instance = &instance;
+      if (!same) {
+        drawings_.emplace_back().instance = instance;
+        drawings_.back().place = place;
+      }
       previous = &run;
       if (!hooks_.wanted || hooks_.wanted(run.row_key)) {
         drawings_.back().left.push_back(&run);

@@ -102,6 +102,14 @@ void become_worker(pid_t parent, int socket) {
   setrlimit(RLIMIT_CORE, &no_core);
 }
 
+// What a worker is told. It has the plan from its parent.
+struct Order {
+  std::size_t place = 0;  // of the instance
+  std::size_t run = 0;    // of its runs
+  RowRequest request;
+};
+static_assert(std::is_trivially_copyable_v<Order>);  // it is sent as it stands in memory
+
 // Tag and record: everything that a worker says.
 class Message {
  public:
@@ -116,26 +124,30 @@ class Message {
 };
 
 // Serves rows until the parent hangs up.
-void serve(int socket, const Crew& crew, int core) {
+void serve(int socket, const PlannedInstances& instances, const Crew& crew, int core) {
   omp_set_num_threads(1);  // a forked process has none of its parent's other threads
   const Pinning pinning(core);
   RowMaker maker(
       {.concurrency = crew.size + crew.neighbours, .core = core, .memory = MemoryScope::worker});
-  const PlannedInstance* prepared = nullptr;
+  PlannedInstance instance;
+  std::optional<std::size_t> prepared;
   Message message;
-  RowJob job;
-  char bytes[sizeof job];
+  Order order;
+  char bytes[sizeof order];
   while (receive_all(socket, bytes, sizeof bytes)) {
-    std::memcpy(&job, bytes, sizeof job);
+    std::memcpy(&order, bytes, sizeof order);
+    const bool is_new = prepared != order.place;
+    if (is_new) instance = instances[order.place];
+    const PlannedRun& planned = instance.runs.at(order.run);
     Run run;
     {
       std::optional<double> limit;
-      if (crew.budget.row_memory_bytes) limit = (*crew.budget.row_memory_bytes)(job.instance->n);
+      if (crew.budget.row_memory_bytes) limit = (*crew.budget.row_memory_bytes)(instance.n);
       const AddressSpaceLimit memory(limit);
-      if (job.instance != prepared) maker.prepare(*job.instance);
-      prepared = job.instance;
-      if (!message.send(socket, kBegun, maker.begun(*job.run))) return;
-      run = maker.make(*job.run, job.request);
+      if (is_new) maker.prepare(instance);
+      prepared = order.place;
+      if (!message.send(socket, kBegun, maker.begun(planned))) return;
+      run = maker.make(planned, order.request);
     }
     if (!message.send(socket, kMade, run)) return;
   }
@@ -143,9 +155,8 @@ void serve(int socket, const Crew& crew, int core) {
 
 }  // namespace
 
-static_assert(std::is_trivially_copyable_v<RowJob>);  // it is sent as it stands in memory
-
-WorkerProcess::WorkerProcess(const Crew& crew, int core) : oom_kills_before_(oom_kills()) {
+WorkerProcess::WorkerProcess(const PlannedInstances& instances, const Crew& crew, int core)
+    : oom_kills_before_(oom_kills()) {
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
     throw InputError(fmt::format("cannot make a socket for a worker: {}", std::strerror(errno)));
@@ -156,7 +167,7 @@ WorkerProcess::WorkerProcess(const Crew& crew, int core) : oom_kills_before_(oom
   if (pid_ == 0) {
     become_worker(parent, ends[1]);
     try {
-      serve(ends[1], crew, core);
+      serve(ends[1], instances, crew, core);
     } catch (...) {
       _exit(1);
     }
@@ -179,8 +190,10 @@ WorkerProcess::~WorkerProcess() {
 }
 
 bool WorkerProcess::send(const RowJob& job) {
-  char bytes[sizeof job];
-  std::memcpy(bytes, &job, sizeof job);
+  const auto run = static_cast<std::size_t>(job.run - job.instance->runs.data());
+  const Order order{job.place, run, job.request};
+  char bytes[sizeof order];
+  std::memcpy(bytes, &order, sizeof order);
   return send_all(socket_, bytes, sizeof bytes);  // far less than a socket's buffer: never waits
 }
 

@@ -175,9 +175,10 @@ StudyPlan cubic_plan(std::int64_t n) {
 
 void bare_kernel(benchmark::State& state, bool hash) {
   const StudyPlan plan = cubic_plan(state.range(0));
+  const std::vector<PlannedInstance> instances(plan.instances.begin(), plan.instances.end());
   const Algorithm& grid = find_algorithm("grid");
   for (auto _ : state) {
-    for (const PlannedInstance& instance : plan.instances) {
+    for (const PlannedInstance& instance : instances) {
       const Graph graph =
           generate(*instance.choice.family, instance.n, instance.seed, instance.choice.parameters);
       if (hash) benchmark::DoNotOptimize(graph_hash(graph).data());

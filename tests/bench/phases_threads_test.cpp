@@ -64,11 +64,11 @@ TEST(MetricsPhase, MakesOnlyWhatIsWantedAndStops) {
 TEST(TimingPhase, GoesRoundAllDrawingsPinnedAndAlone) {
   const StudyPlan plan =
       study("sizes = [10, 20]\nalgorithms = [\"diamond\", \"grid\"]\ntimed_repetitions = 3\n");
-  ASSERT_EQ(plan.rows, 4u * (1 + 3));
+  ASSERT_EQ(plan.rows(), 4u * (1 + 3));
   MakingRules rules = forced();
   rules.threads = 2;
   const Made made = make(plan, rules);
-  ASSERT_EQ(made.rows.size(), plan.rows);
+  ASSERT_EQ(made.rows.size(), plan.rows());
   std::vector<std::int64_t> repetitions;  // of the timing rows, as they were made
   for (const std::size_t row : made.order) {
     const ar3d::Run& run = made.rows.at(row);
@@ -106,7 +106,7 @@ TEST(TimingPhase, OptionalRepetitionsEndAtThePrecision) {
   const StudyPlan plan = study(
       "sizes = 10\nalgorithms = \"diamond\"\n"
       "timed_repetitions = { precision = 1.0, min = 6, max = 400 }\n");
-  ASSERT_EQ(plan.rows, 401u);
+  ASSERT_EQ(plan.rows(), 401u);
   EXPECT_FALSE(plan.instances[0].runs[6].optional);
   EXPECT_TRUE(plan.instances[0].runs[7].optional);
   const Made made = make(plan);
@@ -115,7 +115,7 @@ TEST(TimingPhase, OptionalRepetitionsEndAtThePrecision) {
   for (const auto& [row, run] : made.rows) {
     if (run.phase == RunPhase::timing) times.push_back(run.wall_s);
   }
-  EXPECT_TRUE(made.rows.size() == plan.rows || median_precision(times) <= 1.0);
+  EXPECT_TRUE(made.rows.size() == plan.rows() || median_precision(times) <= 1.0);
 
   // A second go that knows those rows needs no more.
   RowHooks hooks;
@@ -182,7 +182,7 @@ TEST(TimingPhase, SeveralAtOnceStateIt) {
   MakingRules rules = forced();
   rules.timing.concurrency = static_cast<std::uint32_t>(allowed_cores().size());
   const Made made = make(plan, rules);
-  EXPECT_EQ(made.rows.size(), plan.rows);
+  EXPECT_EQ(made.rows.size(), plan.rows());
   for (const auto& [row, run] : made.rows) {
     if (run.phase == RunPhase::timing) {
       EXPECT_EQ(run.concurrency, rules.timing.concurrency);
@@ -212,9 +212,9 @@ TEST(ScalingPhase, BatchesHaveTheirIdealAndEfficiency) {
       "sizes = 10\nalgorithms = \"diamond\"\n"
       "strong = { threads = [1, 2], drawings = 4, repetitions = 2 }\n"
       "weak = { threads = [1, 2, 3], drawings = 2 }\n");
-  ASSERT_EQ(plan.rows, 1u + 2 * 4 * 2 + 2 * (1 + 2 + 3));
+  ASSERT_EQ(plan.rows(), 1u + 2 * 4 * 2 + 2 * (1 + 2 + 3));
   const Made made = make(plan);
-  ASSERT_EQ(made.rows.size(), plan.rows);
+  ASSERT_EQ(made.rows.size(), plan.rows());
   std::map<std::tuple<RunPhase, std::int64_t, std::int64_t>, std::set<double>> batch_times;
   for (const auto& [row, run] : made.rows) {
     EXPECT_EQ(run.status, RunStatus::ok) << run.message;

@@ -24,7 +24,7 @@ TEST(Plan, RowsFollowTheSpecification) {
   const StudyPlan plan = plan_of(
       sweep("[\"random-regular\", \"cycle\"]", "[10, 20]", "instances = 2\nrepetitions = 3"));
   ASSERT_EQ(plan.instances.size(), 2u * 2 + 2);
-  EXPECT_EQ(plan.rows, plan.instances.size() * 3);
+  EXPECT_EQ(plan.rows(), plan.instances.size() * 3);
   EXPECT_EQ(plan.instances[0].choice.family->name, "random-regular");
   EXPECT_EQ(plan.instances[1].index, 1u);
   EXPECT_EQ(plan.instances[2].n, 20u);
@@ -75,19 +75,78 @@ TEST(Plan, PlansNothingTwice) {
   ASSERT_EQ(plan.instances.size(), 2u);
   EXPECT_EQ(plan.instances[0].n, 8u);
   EXPECT_EQ(plan.instances[1].n, 12u);
-  EXPECT_EQ(plan.rows, 2u);
+  EXPECT_EQ(plan.rows(), 2u);
+}
+
+std::vector<std::string> keys_of(const PlannedInstances& instances) {
+  std::vector<std::string> keys;
+  for (const PlannedInstance& instance : instances) {
+    for (const PlannedRun& run : instance.runs) {
+      EXPECT_EQ(run.row, keys.size());
+      keys.push_back(run.row_key);
+    }
+  }
+  return keys;
+}
+
+// Sweeps that ask for different numbers of instances of the same graphs: an instance stands where
+// the first sweep asks for it and has the rows of all that ask for it.
+TEST(Plan, SweepsShareInstances) {
+  const std::string family = "\"random-regular\"";
+  const StudyPlan plan = plan_of(sweep(family, "20", "instances = 3\nrepetitions = 2") +
+                                 sweep(family, "[20, 30]", "instances = 5") +
+                                 sweep(family, "20", "instances = 2\nrepetitions = 3"));
+  std::vector<std::vector<std::size_t>> found;  // n, index, rows
+  for (const PlannedInstance& instance : plan.instances) {
+    found.push_back({instance.n, instance.index, instance.runs.size()});
+  }
+  EXPECT_EQ(found, (std::vector<std::vector<std::size_t>>{{20, 0, 3},
+                                                          {20, 1, 3},
+                                                          {20, 2, 2},
+                                                          {20, 3, 1},
+                                                          {20, 4, 1},
+                                                          {30, 0, 1},
+                                                          {30, 1, 1},
+                                                          {30, 2, 1},
+                                                          {30, 3, 1},
+                                                          {30, 4, 1}}));
+  const std::vector<std::string> keys = keys_of(plan.instances);
+  EXPECT_EQ(keys.size(), plan.rows());
+  EXPECT_EQ(std::set<std::string>(keys.begin(), keys.end()).size(), keys.size());
+}
+
+TEST(Plan, ShardsAreEveryNthInstance) {
+  const StudyPlan plan = plan_of(
+      sweep("[\"cycle\", \"random-regular\"]", "[10, 20, 30]", "instances = 7\nrepetitions = 2"));
+  for (const std::size_t parts : {1, 2, 5, 8, 100}) {
+    std::vector<std::string> all(plan.rows());
+    for (std::size_t part = 0; part < parts; ++part) {
+      const PlannedInstances shard = plan.instances.every_nth(part, parts);
+      const std::vector<std::string> keys = keys_of(shard);
+      ASSERT_EQ(keys.size(), shard.rows());
+      for (std::size_t i = 0; i < shard.size(); ++i) {
+        const PlannedInstance whole = plan.instances[part + i * parts];
+        EXPECT_EQ(shard[i].seed, whole.seed);
+        for (std::size_t k = 0; k < whole.runs.size(); ++k) {
+          EXPECT_EQ(shard[i].runs[k].row_key, whole.runs[k].row_key);
+          all[whole.runs[k].row] = whole.runs[k].row_key;
+        }
+      }
+    }
+    EXPECT_EQ(all, keys_of(plan.instances)) << parts;
+  }
 }
 
 TEST(Plan, PatternsAndLimitsDropCells) {
   EXPECT_EQ(plan_of(sweep("[\"cycle\", \"path\"]", "[10, 20, 30]",
                           "exclude = { family = \"path\", from = 20 }"))
-                .rows,
+                .rows(),
             4u);
   EXPECT_EQ(plan_of(sweep("[\"cycle\", \"path\"]", "[10, 20, 30]",
                           "include = [{ family = \"path\", to = 10 }, { from = 30 }]"))
-                .rows,
+                .rows(),
             3u);
-  EXPECT_EQ(plan_of("max_n = { diamond = 20 }\n" + sweep("\"cycle\"", "[10, 20, 30]")).rows, 2u);
+  EXPECT_EQ(plan_of("max_n = { diamond = 20 }\n" + sweep("\"cycle\"", "[10, 20, 30]")).rows(), 2u);
   EXPECT_THROW(plan_of("max_n = { diamond = 2 }\n" + sweep("\"cycle\"", "10")), InputError);
 }
 
@@ -112,11 +171,11 @@ TEST(Plan, BatchesAndTimedRowsArePlanned) {
                     "weak = { threads = [1, 3], drawings = 2 }"));
   std::map<std::pair<RunPhase, std::int64_t>, std::vector<std::uint32_t>> batches;
   std::size_t optional = 0;
-  for (const PlannedRun& run : plan.instances.at(0).runs) {
+  for (const PlannedRun& run : plan.instances[0].runs) {
     batches[{run.phase, run.scale}].push_back(run.batch);
     if (run.optional) ++optional;
   }
-  EXPECT_EQ(plan.rows, 1u + 8 + 4 + 4 + 2 + 6);
+  EXPECT_EQ(plan.rows(), 1u + 8 + 4 + 4 + 2 + 6);
   EXPECT_EQ(optional, 2u);
   EXPECT_EQ((batches[{RunPhase::strong, 3}]), (std::vector<std::uint32_t>{0, 0, 1, 1}));
   EXPECT_EQ((batches[{RunPhase::weak, 3}]), std::vector<std::uint32_t>(6, 0));

@@ -31,7 +31,6 @@ inline PlannedInstance cycle_of(std::uint64_t n, const std::vector<const Algorit
 /// The plan of one instance.
 inline StudyPlan plan_of(PlannedInstance instance) {
   StudyPlan plan;
-  plan.rows = instance.runs.size();
   plan.instances.push_back(std::move(instance));
   return plan;
 }

@@ -25,7 +25,7 @@ repetitions = 2
 TEST(RunStudy, SameColumnsOnAnyNumberOfThreads) {
   const StudySpec spec = parse_study(kStudy, "t.toml");
   const Results one = run_study(spec, {.threads = 1});
-  EXPECT_EQ(one.runs.size(), plan_study(spec).rows);
+  EXPECT_EQ(one.runs.size(), plan_study(spec).rows());
   EXPECT_EQ(one.spec_sha256, sha256(kStudy));
   for (const int threads : {2, 4}) {
     const Results many = run_study(spec, {.threads = threads});
@@ -44,7 +44,7 @@ TEST(RunStudy, SameColumnsOnAnyNumberOfThreads) {
 TEST(RunStudy, SmokeIsAllRight) {
   const StudySpec spec = load_study("smoke");
   const Results results = run_study(spec, {.threads = 2});
-  EXPECT_EQ(results.runs.size(), plan_study(spec).rows);
+  EXPECT_EQ(results.runs.size(), plan_study(spec).rows());
   std::set<std::string> algorithms_seen;
   for (const ar3d::Run& run : results.runs) {
     EXPECT_EQ(run.status, RunStatus::ok) << run.row_key << ": " << run.message;

@@ -30,8 +30,8 @@ using testing::plan_of;
 using ::testing::StartsWith;
 
 std::vector<ar3d::Run> made_rows(const StudyPlan& plan, const MakingRules& rules) {
-  std::vector<ar3d::Run> rows(plan.rows);
-  std::vector<int> times_told(plan.rows);
+  std::vector<ar3d::Run> rows(plan.rows());
+  std::vector<int> times_told(plan.rows());
   RowHooks hooks;
   hooks.emit = [&](std::size_t row, ar3d::Run run) {
     rows[row] = std::move(run);
@@ -168,7 +168,7 @@ TEST(Workers, RowsAreTheSameAsInThreads) {
   const auto in_workers = made_rows(plan, rules);
   rules.isolate = false;
   const auto in_threads = made_rows(plan, rules);
-  for (std::size_t i = 0; i < plan.rows; ++i) {
+  for (std::size_t i = 0; i < plan.rows(); ++i) {
     EXPECT_THAT(differing_columns(in_workers[i], in_threads[i]), ElementsAre()) << i;
     EXPECT_EQ(in_workers[i].concurrency, 3);
   }
