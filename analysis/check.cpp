@@ -5,15 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <memory>
 #include <set>
 #include <string_view>
 #include <tuple>
 
-#include "ar3d/analysis/cells.h"
 #include "ar3d/analysis/replay.h"
 #include "ar3d/analysis/text.h"
 #include "ar3d/model/error.h"
+#include "ar3d/results/columns.h"
 
 namespace ar3d {
 namespace {
@@ -100,23 +102,47 @@ auto drawing_columns(const Run& run) {
                   run.instance_bound, run.counters, run.violations);
 }
 
-Findings repetition_findings(const Results& results) {
-  Findings findings;
-  for (const Cell& cell : cells(results)) {
-    for (const InstanceRows& instance : cell.instances) {
-      const Run* first = first_ok(results, instance);
-      std::set<std::tuple<RunPhase, std::int64_t, std::int64_t>> repetitions;
-      for (const std::size_t row : instance.rows) {
-        const Run& run = results.runs[row];
-        if (!repetitions.insert({run.phase, run.scale, run.repetition}).second) {
-          findings.push_back({FindingKind::duplicate, row, "the same measurement stands twice"});
-        }
-        if (run.status == RunStatus::ok && drawing_columns(run) != drawing_columns(*first)) {
-          findings.push_back({FindingKind::not_repeatable, row,
-                              "another drawing than the first repetition's of the same graph"});
-        }
-      }
+/// Which graph, drawn how: rows that agree in it are repetitions.
+std::string repetition_key(const Run& run) {
+  return fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}", run.algorithm, run.options, run.family,
+                     run.parameters, run.wanted_n, run.instance_index, run.seed);
+}
+
+/// What the repetitions of one drawing tell, row after row.
+class Repetitions {
+ public:
+  void look_at(const Run& run, std::size_t row, Findings& findings) {
+    if (!measured_.insert({run.phase, run.scale, run.repetition}).second) {
+      findings.push_back({FindingKind::duplicate, row, "the same measurement stands twice"});
     }
+    if (run.status != RunStatus::ok) return;
+    if (!first_) first_ = run;
+    if (drawing_columns(run) != drawing_columns(*first_)) {
+      findings.push_back({FindingKind::not_repeatable, row,
+                          "another drawing than the first repetition's of the same graph"});
+    }
+  }
+
+ private:
+  std::optional<Run> first_;  // that is ok
+  std::set<std::tuple<RunPhase, std::int64_t, std::int64_t>> measured_;
+};
+
+/// Rows by a hash of their key; rows of one key are neighbours, in file order.
+using RowsByHash = std::vector<std::pair<std::size_t, std::size_t>>;
+
+Findings repetition_findings(const RowView& rows, RowsByHash by_hash) {
+  Findings findings;
+  std::sort(by_hash.begin(), by_hash.end());
+  for (auto begin = by_hash.begin(); begin != by_hash.end();) {
+    const auto end = std::find_if(begin, by_hash.end(),
+                                  [&](const auto& entry) { return entry.first != begin->first; });
+    std::map<std::string, Repetitions> drawings;  // more than one if their hashes are equal
+    for (auto at = begin; end - begin > 1 && at != end; ++at) {
+      const Run& run = rows.read(at->second);
+      drawings[repetition_key(run)].look_at(run, at->second, findings);
+    }
+    begin = end;
   }
   return findings;
 }
@@ -129,7 +155,7 @@ void add(Findings more, Findings& findings) {
 }
 
 /// Every row counts once: as violated if any finding of it is a violation, else as incomplete.
-void count_rows(const Results& results, CheckVerdict& verdict) {
+void count_rows(const std::vector<bool>& is_ok, CheckVerdict& verdict) {
   std::set<std::size_t> violated, touched;
   for (const Finding& finding : verdict.findings) {
     if (!finding.row) continue;
@@ -138,17 +164,14 @@ void count_rows(const Results& results, CheckVerdict& verdict) {
   }
   verdict.violated_rows = violated.size();
   verdict.incomplete_rows = touched.size() - violated.size();
-  for (std::size_t row = 0; row < results.runs.size(); ++row) {
-    const RunStatus status = results.runs[row].status;
-    verdict.refused += status == RunStatus::refused;
-    verdict.proved += status == RunStatus::ok && !touched.contains(row);
-  }
+  verdict.proved = static_cast<std::size_t>(std::count(is_ok.begin(), is_ok.end(), true));
+  for (const std::size_t row : touched) verdict.proved -= is_ok[row] ? 1 : 0;
 }
 
-std::string describe(const Finding& finding, const Results& results) {
+std::string describe(const Finding& finding, const RowView& rows) {
   const std::string head = is_violation(finding.kind) ? "VIOLATED" : "INCOMPLETE";
   if (!finding.row) return fmt::format("{}: {}\n", head, finding.message);
-  const Run& run = results.runs[*finding.row];
+  const Run& run = rows.read(*finding.row);
   return fmt::format("{} row {} ({}): {} on {}, n = {}: {}\n    {}\n", head, *finding.row,
                      to_string(finding.kind), one_line(run.algorithm), one_line(run.family), run.n,
                      finding.message, one_line(draw_command(run)));
@@ -214,18 +237,35 @@ void require_one_study(const Results& results, const std::string& path) {
   }
 }
 
-CheckVerdict check(const Results& results) {
+RowView view_of(const Results& results) {
+  return {results.runs.size(), [&](std::size_t row) -> const Run& { return results.runs[row]; }};
+}
+
+RowView view_of(ResultsReader& reader) {
+  const auto run = std::make_shared<Run>();
+  return {reader.size(), [&reader, run](std::size_t row) -> const Run& {
+            *run = load_record(reader.read(row));
+            return *run;
+          }};
+}
+
+CheckVerdict check(const RowView& rows) {
   CheckVerdict verdict;
-  verdict.rows = results.runs.size();
-  for (std::size_t row = 0; row < results.runs.size(); ++row) {
-    add(row_findings(results.runs[row], row), verdict.findings);
+  verdict.rows = rows.count;
+  bool any_drawn = false;
+  std::vector<bool> is_ok(rows.count);
+  RowsByHash by_hash(rows.count);
+  for (std::size_t row = 0; row < rows.count; ++row) {
+    const Run& run = rows.read(row);
+    add(row_findings(run, row), verdict.findings);
+    is_ok[row] = run.status == RunStatus::ok;
+    any_drawn = any_drawn || is_ok[row] || run.status == RunStatus::violated;
+    verdict.refused += run.status == RunStatus::refused;
+    by_hash[row] = {std::hash<std::string>()(repetition_key(run)), row};
   }
-  add(repetition_findings(results), verdict.findings);
-  const bool any_drawn = std::any_of(results.runs.begin(), results.runs.end(), [](const Run& run) {
-    return run.status == RunStatus::ok || run.status == RunStatus::violated;
-  });
+  add(repetition_findings(rows, std::move(by_hash)), verdict.findings);
   if (!any_drawn) {
-    const std::string why = results.runs.empty() ? "the file has no rows" : "no row was drawn";
+    const std::string why = rows.count == 0 ? "the file has no rows" : "no row was drawn";
     verdict.findings.push_back({FindingKind::nothing_measured, {}, "nothing measured: " + why});
   }
   std::stable_sort(verdict.findings.begin(), verdict.findings.end(),
@@ -233,16 +273,22 @@ CheckVerdict check(const Results& results) {
                      return std::tuple(!is_violation(a.kind), a.row.value_or(0)) <
                             std::tuple(!is_violation(b.kind), b.row.value_or(0));
                    });
-  count_rows(results, verdict);
+  count_rows(is_ok, verdict);
   return verdict;
 }
 
+CheckVerdict check(const Results& results) { return check(view_of(results)); }
+
 std::string summary(const CheckVerdict& verdict, const Results& results, std::size_t max_findings) {
+  return summary(verdict, view_of(results), max_findings);
+}
+
+std::string summary(const CheckVerdict& verdict, const RowView& rows, std::size_t max_findings) {
   std::string text = fmt::format("{}: {} rows, {} proved, {} violated, {} incomplete, {} refused\n",
                                  verdict.word(), verdict.rows, verdict.proved,
                                  verdict.violated_rows, verdict.incomplete_rows, verdict.refused);
   const std::size_t shown = std::min(max_findings, verdict.findings.size());
-  for (std::size_t i = 0; i < shown; ++i) text += describe(verdict.findings[i], results);
+  for (std::size_t i = 0; i < shown; ++i) text += describe(verdict.findings[i], rows);
   if (shown < verdict.findings.size()) {
     text += fmt::format("… and {} more findings\n", verdict.findings.size() - shown);
   }

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "ar3d/results/results_reader.h"
 #include "ar3d/results/run.h"
 
 namespace ar3d {
@@ -46,7 +48,17 @@ struct CheckVerdict {
   const char* word() const;
 };
 
-/// Looks at every row. Cost: O(r log r) for r rows.
+/// Rows that are looked at one at a time.
+struct RowView {
+  std::size_t count = 0;
+  std::function<const Run&(std::size_t row)> read;  ///< valid until the next call
+};
+RowView view_of(const Results& results);
+/// Rows that stay in their file. The reader outlives the view. @throws InputError when reading.
+RowView view_of(ResultsReader& reader);
+
+/// Looks at every row. Cost: O(r log r) time for r rows, 16 bytes a row and what the findings take.
+CheckVerdict check(const RowView& rows);
 CheckVerdict check(const Results& results);
 
 /// Refuses rows that cannot be of one study: its graphs of one family, parameters, n and index have
@@ -58,6 +70,8 @@ bool breaks_promise(const Run& run);
 
 /// A short text for a terminal: the verdict, the counts, and the first `max_findings` findings,
 /// each with the command that shows it again.
+std::string summary(const CheckVerdict& verdict, const RowView& rows,
+                    std::size_t max_findings = 20);
 std::string summary(const CheckVerdict& verdict, const Results& results,
                     std::size_t max_findings = 20);
 

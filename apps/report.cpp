@@ -9,6 +9,7 @@
 #include "ar3d/analysis/check.h"
 #include "ar3d/analysis/export.h"
 #include "ar3d/analysis/google_benchmark.h"
+#include "ar3d/bench/study_files.h"
 #include "ar3d/model/error.h"
 #include "ar3d/results/atomic_file.h"
 #include "ar3d/results/run.h"
@@ -66,9 +67,7 @@ void add_report(CLI::App& app, int& exit_code) {
     const Results results = read_results(arguments->results);
     require_one_study(results, arguments->results);
     const std::string path =
-        arguments->output.empty()
-            ? std::filesystem::path(arguments->results).replace_extension(".html").string()
-            : arguments->output;
+        arguments->output.empty() ? report_path(arguments->results) : arguments->output;
     write_file_atomically(path, render_report(results));
     if (!arguments->csv.empty()) write_file_atomically(arguments->csv, ledger_csv(results));
     if (!arguments->json.empty()) write_file_atomically(arguments->json, analysis_json(results));

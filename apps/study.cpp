@@ -5,7 +5,6 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -19,6 +18,7 @@
 #include "ar3d/model/error.h"
 #include "ar3d/results/atomic_file.h"
 #include "ar3d/results/journal_writer.h"
+#include "ar3d/results/results_reader.h"
 #include "ar3d/results/run.h"
 #include "commands.h"
 #include "join_ranks.h"
@@ -41,21 +41,24 @@ static_assert(std::atomic<bool>::is_always_lock_free);  // so that a signal hand
 
 void ask_to_stop(int) { g_stop = true; }
 
-std::string report_path(const std::string& results) {
-  return std::filesystem::path(results).replace_extension(".html").string();
-}
+// A report of more rows is made on demand only: it takes about 2 kB of memory a row.
+constexpr std::size_t kMostReportedRows = 100000;
 
 // The last lines of a study that is whole: the verdict and where everything is.
 int conclude(const JournaledStudy& study) {
-  const Results results = read_results(study.results);
-  const CheckVerdict verdict = check(results);
-  fmt::print("{}", summary(verdict, results));
+  ResultsReader reader(study.results);
+  const RowView rows = view_of(reader);
+  const CheckVerdict verdict = check(rows);
+  fmt::print("{}", summary(verdict, rows));
   fmt::print("results  {}\n", study.results);
   if (study.shard.count > 1) {
     fmt::print("shard {} of {}: when all are there, `ar3d study merge SHARDS… -o RESULTS.h5`\n",
                study.shard.index, study.shard.count);
+  } else if (rows.count > kMostReportedRows) {
+    fmt::print("report   not made of {} rows; `ar3d report {}` makes it\n", rows.count,
+               study.results);
   } else {
-    write_file_atomically(report_path(study.results), render_report(results));
+    write_file_atomically(report_path(study.results), render_report(read_results(study.results)));
     fmt::print("report   {}\n", report_path(study.results));
   }
   return verdict.exit_code();
@@ -143,7 +146,11 @@ void add_resume(CLI::App& study, int& exit_code) {
   add_common(*verb, *arguments);
   verb->footer("Rows that are there stay as they are.\nExample: ar3d study resume ar3d-quick.h5");
   verb->callback([arguments, &exit_code] {
-    exit_code = make_study(*arguments, [&] { return begun_study(arguments->study); });
+    exit_code = make_study(*arguments, [&] {
+      JournaledStudy begun = begun_study(arguments->study);
+      refuse_impossible_study(begun.spec, arguments->making);
+      return begun;
+    });
   });
 }
 

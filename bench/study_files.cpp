@@ -76,8 +76,12 @@ std::string results_path_of(const std::string& journal_or_results) {
   return name ? name->results : journal_or_results;
 }
 
+std::string report_path(const std::string& results) {
+  return fs::path(results).replace_extension(".html").string();
+}
+
 void remove_leftovers(const std::string& results) {
-  const std::string page = fs::path(results).replace_extension(".html").string();
+  const std::string page = report_path(results);
   for (const std::string& path : neighbours(results)) {
     const bool ours = path.starts_with(results + ".") || path.starts_with(page + ".");
     if (ours && path.find(".partial-") != std::string::npos) fs::remove(path);

@@ -16,6 +16,9 @@ std::string journal_path(const std::string& results, int rank = 0);
 /// The journals of a study that exist, rank 0 first.
 std::vector<std::string> existing_journals(const std::string& results);
 
+/// The page that a study's report is, beside its results file.
+std::string report_path(const std::string& results);
+
 /// The results file that a journal is made into; other paths are results files themselves.
 std::string results_path_of(const std::string& journal_or_results);
 

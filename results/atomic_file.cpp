@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <utility>
 
 #include "ar3d/model/error.h"
 
@@ -18,71 +17,6 @@ namespace {
 [[noreturn]] void refuse(const std::string& path, int reason) {
   throw InputError(fmt::format("cannot write {}: {}", path, std::strerror(reason)));
 }
-
-// A file that disappears unless it is renamed to its final name.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const std::string& target)
-      : target_(target), name_(fmt::format("{}.partial-{}", target, getpid())) {
-    descriptor_ = open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) refuse(target_, errno);
-  }
-  ~TemporaryFile() {
-    if (descriptor_ >= 0) close(descriptor_);
-    if (!renamed_) unlink(name_.c_str());
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-  void write_all(std::span<const char> bytes) {
-    while (!bytes.empty()) {
-      const ssize_t written = write(descriptor_, bytes.data(), bytes.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) refuse(target_, errno);
-      bytes = bytes.subspan(static_cast<std::size_t>(written));
-    }
-  }
-
-  void become_target() {
-    finish();
-    if (std::rename(name_.c_str(), target_.c_str()) != 0) refuse(target_, errno);
-    renamed_ = true;
-    sync_directory();
-  }
-
-  // False if the target exists.
-  bool become_new_target() {
-    finish();
-    if (link(name_.c_str(), target_.c_str()) != 0) {
-      if (errno != EEXIST) refuse(target_, errno);
-      return false;
-    }
-    sync_directory();
-    return true;
-  }
-
- private:
-  void finish() {
-    if (fsync(descriptor_) != 0) refuse(target_, errno);
-    if (close(std::exchange(descriptor_, -1)) != 0) refuse(target_, errno);
-  }
-
-  // Makes the new name durable. Some file systems cannot sync a directory; the file itself is safe
-  // then.
-  void sync_directory() const {
-    const std::string parent = std::filesystem::path(target_).parent_path().string();
-    const int directory =
-        open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (directory < 0) return;
-    fsync(directory);
-    close(directory);
-  }
-
-  std::string target_;
-  std::string name_;
-  int descriptor_ = -1;
-  bool renamed_ = false;
-};
 
 // The path to replace: behind symbolic links, and absent or a regular file.
 std::string checked_target(const std::string& path) {
@@ -99,20 +33,67 @@ std::string checked_target(const std::string& path) {
   return resolved.string();
 }
 
+// Makes the new name durable. Some file systems cannot sync a directory; the file itself is safe
+// then.
+void sync_directory(const std::string& target) {
+  const std::string parent = std::filesystem::path(target).parent_path().string();
+  const Descriptor directory(
+      open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (directory.get() >= 0) fsync(directory.get());
+}
+
 }  // namespace
 
+NewFile::NewFile(const std::string& target)
+    : target_(target), name_(fmt::format("{}.partial-{}", target, getpid())) {
+  descriptor_ = Descriptor(open(name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (descriptor_.get() < 0) refuse(target_, errno);
+}
+
+NewFile::~NewFile() {
+  if (!renamed_) unlink(name_.c_str());
+}
+
+NewFile NewFile::to_replace(const std::string& path) { return NewFile(checked_target(path)); }
+
+void NewFile::write_all(std::span<const char> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = write(descriptor_.get(), bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) refuse(target_, errno);
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+}
+
+void NewFile::become_target() {
+  if (fsync(descriptor_.get()) != 0) refuse(target_, errno);
+  if (std::rename(name_.c_str(), target_.c_str()) != 0) refuse(target_, errno);
+  renamed_ = true;
+  sync_directory(target_);
+}
+
+bool NewFile::become_new_target() {
+  if (fsync(descriptor_.get()) != 0) refuse(target_, errno);
+  if (link(name_.c_str(), target_.c_str()) != 0) {
+    if (errno != EEXIST) refuse(target_, errno);
+    return false;
+  }
+  sync_directory(target_);
+  return true;
+}
+
 void write_file_atomically(const std::string& path, std::span<const char> bytes) {
-  TemporaryFile file(checked_target(path));
+  NewFile file = NewFile::to_replace(path);
   file.write_all(bytes);
   file.become_target();
 }
 
 bool create_file_atomically(const std::string& path, std::span<const char> bytes) {
-  TemporaryFile file(path);
+  NewFile file(path);
   file.write_all(bytes);
   return file.become_new_target();
 }
 
-void require_writable(const std::string& path) { const TemporaryFile probe(checked_target(path)); }
+void require_writable(const std::string& path) { const NewFile probe = NewFile::to_replace(path); }
 
 }  // namespace ar3d

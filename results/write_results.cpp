@@ -109,15 +109,16 @@ void write_environment(hid_t file, const std::vector<EnvironmentEntry>& environm
   });
 }
 
-std::vector<char> results_image(const StudyIdentity& identity,
-                                const std::vector<EnvironmentEntry>& environment,
-                                const RecordSource& rows) {
-  const Hdf5Handle file = create_hdf5_in_memory();
+void write_everything(Hdf5Output& file, const StudyIdentity& identity,
+                      const std::vector<EnvironmentEntry>& environment, const RecordSource& rows) {
   write_root_attributes(file.get(), identity);
   write_spec(file.get(), identity.spec);
   write_environment(file.get(), environment);
   write_rows(file.get(), rows);
-  return hdf5_image(file.get());
+}
+
+[[noreturn]] void refuse(const std::string& path, const char* why) {
+  throw InputError(fmt::format("cannot write {}: {}", path, why));
 }
 
 }  // namespace
@@ -125,11 +126,15 @@ std::vector<char> results_image(const StudyIdentity& identity,
 void write_results(const StudyIdentity& identity, const std::vector<EnvironmentEntry>& environment,
                    const RecordSource& rows, const std::string& path) {
   const Hdf5Silence silence;
+  NewFile file = NewFile::to_replace(path);
   try {
-    write_file_atomically(path, results_image(identity, environment, rows));
+    Hdf5Output output(file.descriptor());
+    write_everything(output, identity, environment, rows);
+    if (const int error = output.close()) refuse(path, std::strerror(error));
   } catch (const Hdf5Error& error) {
-    throw InputError(fmt::format("cannot write {}: {}", path, error.what()));
+    refuse(path, error.what());
   }
+  file.become_target();
 }
 
 void write_results(const Results& results, const std::string& path) {

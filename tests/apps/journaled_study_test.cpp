@@ -6,6 +6,8 @@
 #include <fstream>
 #include <map>
 
+#include "ar3d/bench/run_study.h"
+#include "ar3d/results/journal_writer.h"
 #include "support/program.h"
 #include "support/results.h"
 
@@ -123,6 +125,49 @@ TEST_F(JournaledStudy, IsReadWhileItRuns) {
   const Outcome python = run("/usr/bin/python3 -c 'import h5py; f = h5py.File(\"" +
                              path("live.h5") + "\"); print(len(f[\"runs\"]) > 0)'");
   EXPECT_EQ(python.out, "True\n") << python.err;
+}
+
+TEST_F(JournaledStudy, IsWatchedToItsEnd) {
+  const std::string results = path("slow.h5");
+  const Outcome outcome =
+      meet_while_running(results, "{} study status --watch " + results + "; echo watched=$?");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr(" of 60 rows, 1 process at work\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("study slow: 60 of 60 rows, complete\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("watched=0"));
+}
+
+TEST_F(JournaledStudy, WatchingAStoppedStudyEndsAtOnce) {
+  const std::string results = path("slow.h5");
+  run_and_kill(results);
+  const Outcome outcome = study("status --watch " + results);
+  EXPECT_EQ(outcome.exit_code, 5);
+  EXPECT_THAT(outcome.out, HasSubstr(" of 60 rows, stopped"));
+}
+
+TEST_F(JournaledStudy, AFullDiskLeavesNoHalfResultsFile) {
+  const std::string results = path("slow.h5");
+  run_and_kill(results);
+  const Outcome full = run("trap '' XFSZ; ulimit -f 4; {} study status " + results +
+                           " --snapshot " + path("live.h5"));
+  EXPECT_EQ(full.exit_code, 2);
+  EXPECT_THAT(full.err, HasSubstr("cannot write " + path("live.h5") + ": File too large"));
+  std::size_t files = 0;
+  for (const auto& entry : fs::directory_iterator(path(""))) {
+    files += entry.path().string().find("live.h5") == std::string::npos ? 0 : 1;
+  }
+  EXPECT_EQ(files, 0u);
+}
+
+TEST_F(JournaledStudy, ResumeRefusesTheImpossibleToo) {
+  const std::string spec =
+      "study = \"tight\"\nbudget = { row_time = \"1 ns\" }\n[[sweep]]\nfamilies = \"cycle\"\n"
+      "sizes = 1000\nalgorithms = \"diamond\"\n";
+  const std::string journal = path("tight.h5.journal");
+  { const JournalWriter begun(journal, describe_study(parse_study(spec, "tight.toml"), 1)); }
+  const Outcome refused = study("resume -q " + journal);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("but budget.row_time gives"));
 }
 
 TEST_F(JournaledStudy, AFullDiskEndsItResumably) {

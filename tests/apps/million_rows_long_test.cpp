@@ -1,0 +1,47 @@
+// A study of a million rows from beginning to end, in little memory.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "ar3d/results/results_reader.h"
+#include "support/program.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::run;
+
+const char* const kMillion = R"(study = "million-rows"
+[[sweep]]
+families = "random-cubic"
+sizes = 10
+algorithms = "grid"
+instances = 1000000
+)";
+
+TEST(MillionRows, RunResumeStatusAndPandas) {
+  const testing::ScratchDirectory scratch;
+  const std::string spec = scratch.write("m.toml", kMillion);
+  const std::string results = scratch.path("m.h5");
+  const std::string bounded = "ulimit -v 800000; ";  // kB of address space, code included
+  const Outcome cut = run(bounded + "timeout -s INT 20 {} study run -q --threads 2 " + spec +
+                          " -o " + results + "; {} study status " + results);
+  EXPECT_THAT(cut.out, HasSubstr(" of 1000000 rows")) << cut.err;
+  const Outcome outcome = run(bounded + "{} study resume -q --threads 2 " + results);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("PASS: 1000000 rows, 1000000 proved"));
+  EXPECT_THAT(outcome.out, HasSubstr("ar3d report " + results));
+  EXPECT_FALSE(std::filesystem::exists(results + ".journal"));
+  EXPECT_EQ(ResultsReader(results).size(), 1000000u);
+  const Outcome pandas =
+      run("/usr/bin/python3 -c 'import pandas; "
+          "print(len(pandas.read_hdf(\"" +
+          results + "\", \"runs\", columns=[\"n\", \"log2_volume\", \"status\"])))'");
+  EXPECT_EQ(pandas.out, "1000000\n") << pandas.err;
+}
+
+}  // namespace
+}  // namespace ar3d
