@@ -132,7 +132,8 @@ struct RecordSource {
   std::function<void(std::size_t i, char* record)> read;
 };
 
-/// Writes FILE.h5 atomically: a new file beside it, fsync, rename. @throws InputError if it cannot.
+/// Writes FILE.h5 atomically: a new file beside it, fsync, rename. @throws InputError if it cannot
+/// (a disk that gets full leaves nothing behind).
 /// Memory: a few hundred rows, and 40 bytes an instance.
 void write_results(const StudyIdentity& identity, const std::vector<EnvironmentEntry>& environment,
                    const RecordSource& rows, const std::string& path);
