@@ -41,14 +41,16 @@ std::string render_report(const Results& results) {
   const std::vector<report::Section> sections = report::sections(analysis);
   std::string html = head(results) + "<body>\n" + report::overview(analysis, sections);
   const std::string effort = report::effort_section(analysis);
+  const std::string batches = report::strong_weak_section(analysis);
   html += fmt::format(
-      "<nav>{}<a href='#methods'>Methods</a><a href='#environment'>Environment</a>"
+      "<nav>{}{}<a href='#methods'>Methods</a><a href='#environment'>Environment</a>"
       "<a href='#spec'>Specification</a></nav>\n",
-      effort.empty() ? "" : "<a href='#effort'>What a smaller box costs</a>");
+      effort.empty() ? "" : "<a href='#effort'>What a smaller box costs</a>",
+      batches.empty() ? "" : "<a href='#strong-weak'>Strong and weak scaling</a>");
   for (std::size_t i = 0; i < sections.size(); ++i) {
     html += report::algorithm_section(analysis, sections[i], fmt::format("a{}", i));
   }
-  html += effort + report::background(results) + kReplayPanel;
+  html += effort + batches + report::background(results) + kReplayPanel;
   html += "<script type='application/json' id=rows>" + report::plotted_rows_json(analysis) +
           "</script>\n<script>" + report::kScript + "</script>\n";
   return html + "</body></html>\n";

@@ -17,8 +17,8 @@ text{font:11.5px "Helvetica Neue","DejaVu Sans",Arial,sans-serif;fill:#333}
 .grid path{stroke:#d6dbe1;stroke-width:.8;fill:none}.grid .minor{stroke:#eceff2}
 polyline{fill:none}.median{stroke-width:1.8;stroke-linejoin:round}
 .bound{stroke:#b3261e;stroke-width:1.6;stroke-dasharray:7 4}
-.points{fill:none;stroke-width:4.4;stroke-linecap:round}.big{stroke-width:7}
-.d1{stroke-dasharray:6 2}.d2{stroke-dasharray:2 2}.points.d1,.points.d2{stroke-dasharray:none}
+.points,.dots{fill:none;stroke-width:4.4;stroke-linecap:round}.big{stroke-width:7}
+.d1{stroke-dasharray:6 2}.d2{stroke-dasharray:2 2}.points.d1,.points.d2,.dots.d1,.dots.d2{stroke-dasharray:none}
 .legend text{font-size:9.5px}
 .s0{stroke:#0072b2}.s1{stroke:#d55e00}.s2{stroke:#009e73}.s3{stroke:#b6588c}
 .s4{stroke:#b37c00}.s5{stroke:#3a9bd1}.s6{stroke:#6b4c9a}.s7{stroke:#6b7000}
@@ -114,6 +114,9 @@ std::vector<Figure> standalone_figures(const Analysis& analysis) {
   }
   for (const NamedPlot& dial : effort_dials(analysis)) {
     add(dial.title + "-" + dial.file, "effort of " + dial.title, dial.svg, dial.legend);
+  }
+  for (const NamedPlot& plot : strong_weak_plots(analysis)) {
+    add(plot.title, plot.title, plot.svg, plot.legend);
   }
   return figures;
 }

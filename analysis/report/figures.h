@@ -35,6 +35,10 @@ std::vector<NamedPlot> section_plots(const Section& section);
 /// was measured with at least two. Medians of the largest n that all settings share.
 std::vector<NamedPlot> effort_dials(const Analysis& analysis);
 
+/// Drawings at a time against threads in strong and weak batches: one plot for every algorithm and
+/// kind, one line for every family and size.
+std::vector<NamedPlot> strong_weak_plots(const Analysis& analysis);
+
 /// Every plot of the page that shows more than one family, as a document of its own.
 std::vector<Figure> standalone_figures(const Analysis& analysis);
 

@@ -44,6 +44,8 @@ std::string bend_histogram(const Section& section);
 std::array<std::uint64_t, 8> bends_of(const Section& section);
 /// Volume against drawing time by setting; empty if no algorithm was measured with two settings.
 std::string effort_section(const Analysis& analysis);
+/// Batches of strong and weak scaling against the ideal; empty if there are none.
+std::string strong_weak_section(const Analysis& analysis);
 /// Environment, spec and methods.
 std::string background(const Results& results);
 

@@ -34,7 +34,7 @@ svg polyline{fill:none}.median{stroke-width:1.8;stroke-linejoin:round}
 .fit{stroke:var(--fg);stroke-width:1.1;stroke-dasharray:1.5 3}
 .band{opacity:.2}.points{fill:none;stroke-width:4.4;stroke-linecap:round;stroke-opacity:.55}
 .d1{stroke-dasharray:6 2}.d2{stroke-dasharray:2 2}.points.d1,.points.d2{stroke-dasharray:none}
-.big{stroke-width:8;stroke-opacity:.9}.cut{stroke:var(--bound);stroke-opacity:.9}.unused{stroke:var(--muted);stroke-opacity:.5}
+.dots{fill:none;stroke-linecap:round}.dots.d1,.dots.d2{stroke-dasharray:none}.big{stroke-width:8;stroke-opacity:.9}.cut{stroke:var(--bound);stroke-opacity:.9}.unused{stroke:var(--muted);stroke-opacity:.5}
 .whisker{fill:none;stroke-width:1.2;stroke-opacity:.6}
 circle.on{fill:none;stroke:var(--fg);stroke-width:2}svg.defs{position:absolute;width:0;height:0}
 .s0{stroke:var(--c0)}.s1{stroke:var(--c1)}.s2{stroke:var(--c2)}.s3{stroke:var(--c3)}

@@ -128,6 +128,33 @@ TEST(Report, ResidualsAndEffortsAreShownWhereThereAreSome) {
   EXPECT_EQ(count(html, "aria-label='volume against drawing time of diamond by setting'"), 1u);
 }
 
+TEST(Report, BatchesAreShownAgainstTheIdeal) {
+  Results results = testing::good_results({"diamond"}, {"cubic"}, 3, 1);
+  EXPECT_EQ(count(render_report(results), "id=strong-weak"), 0u) << "there are no batches";
+  const ar3d::Run like = results.runs.back();
+  for (const RunPhase phase : {RunPhase::strong, RunPhase::weak}) {
+    for (const std::int64_t threads : {1, 2, 4}) {
+      ar3d::Run run = like;
+      run.phase = phase;
+      run.scale = threads;
+      run.ideal_batch_s = 0.012;
+      run.efficiency = threads == 4 ? 0.75 : 1;
+      run.batch_s = run.ideal_batch_s / run.efficiency;
+      results.runs.push_back(run);
+    }
+  }
+  const std::string html = render_report(results);
+  EXPECT_EQ(count(html, "<section id=strong-weak>"), 1u);
+  EXPECT_EQ(count(html, "strong scaling: drawings at a time against threads'"), 1u);
+  EXPECT_EQ(count(html, "weak scaling: drawings at a time against threads'"), 1u);
+  EXPECT_EQ(count(html, "<title>ideal</title>"), 2u);
+  EXPECT_EQ(count(html,
+                  "<td class=num>16 ms</td><td class=num>12 ms</td>"
+                  "<td class=num>75.0 %</td>"),
+            2u);
+  EXPECT_EQ(report_figures(results).size(), 4u + 2) << "two more than without batches";
+}
+
 TEST(Report, FiguresAreDocumentsOfTheirOwn) {
   const std::vector<Figure> figures = report_figures(hostile_results());
   ASSERT_EQ(figures.size(), 4u) << "side, volume, time and bends";

@@ -1,0 +1,169 @@
+// Batches of equal drawings shared by threads: how many more drawings a machine makes at a time.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "ar3d/analysis/report/figures.h"
+#include "ar3d/analysis/report/html.h"
+#include "ar3d/analysis/report/plot.h"
+#include "ar3d/analysis/statistics.h"
+
+namespace ar3d::report {
+namespace {
+
+/// What was measured on so many threads: medians over the rows.
+struct Scale {
+  std::vector<double> batch_s, ideal_s, efficiency;
+};
+
+/// One graph size of a family, drawn in batches.
+struct Curve {
+  std::string family;
+  std::int64_t n = 0;
+  std::map<std::int64_t, Scale> scales;  ///< by threads
+};
+
+struct Batches {
+  RunPhase phase = RunPhase::strong;
+  std::string algorithm;
+  std::vector<Curve> curves;
+};
+
+std::vector<Batches> batches_of(const Results& results) {
+  using CurveKey = std::pair<std::string, std::int64_t>;
+  std::map<std::pair<RunPhase, std::string>, std::map<CurveKey, Curve>> found;
+  for (const Run& run : results.runs) {
+    const bool is_batched = run.phase == RunPhase::strong || run.phase == RunPhase::weak;
+    if (!is_batched || run.scale < 1 || !(run.efficiency > 0) || !(run.batch_s > 0)) continue;
+    const CellKey key{run.algorithm, run.options, run.family, run.parameters};
+    Curve& curve = found[{run.phase, algorithm_label(key)}][CurveKey(family_label(key), run.n)];
+    curve.family = family_label(key);
+    curve.n = run.n;
+    Scale& scale = curve.scales[run.scale];
+    scale.batch_s.push_back(run.batch_s);
+    scale.ideal_s.push_back(run.ideal_batch_s);
+    scale.efficiency.push_back(run.efficiency);
+  }
+  std::vector<Batches> all;
+  for (auto& [key, curves] : found) {
+    all.push_back({key.first, key.second, {}});
+    for (auto& [name, curve] : curves) all.back().curves.push_back(std::move(curve));
+  }
+  return all;
+}
+
+/// Threads and gain over one thread, as decimal logarithms.
+double log_threads(std::int64_t threads) { return std::log10(static_cast<double>(threads)); }
+double log_gain(std::int64_t threads, const Scale& scale) {
+  return log_threads(threads) + std::log10(median(scale.efficiency));
+}
+
+Frame frame_of(const Batches& batches) {
+  Range x, y;
+  x.include(0);
+  y.include(0);
+  for (const Curve& curve : batches.curves) {
+    for (const auto& [threads, scale] : curve.scales) {
+      x.include(log_threads(threads));
+      y.include(log_threads(threads));
+      y.include(log_gain(threads, scale));
+    }
+  }
+  return {LogAxis(x.low, x.high, kLeft, kRight),
+          LogAxis(y.low, y.high, kBottom, kTop + 12),
+          TickStyle::count,
+          TickStyle::count,
+          "threads",
+          "drawings at a time"};
+}
+
+std::string ideal_line(const Batches& batches, const Frame& frame) {
+  std::int64_t most = 1;
+  for (const Curve& curve : batches.curves) {
+    most = std::max(most, curve.scales.rbegin()->first);
+  }
+  const double end = log_threads(most);
+  return fmt::format(
+      "<polyline class='bound' points='{}{}'><title>ideal</title></polyline>"
+      "<g class='labels'><text x='{:.1f}' y='{:.1f}' text-anchor='end'>ideal</text></g>",
+      frame.point(0, 0), frame.point(end, end), frame.x.pixel(end) - 8, frame.y.pixel(end) + 2);
+}
+
+std::string curve_svg(const Curve& curve, std::size_t colour, const Frame& frame) {
+  std::string line, dots;
+  for (const auto& [threads, scale] : curve.scales) {
+    const double x = log_threads(threads), y = log_gain(threads, scale);
+    line += frame.point(x, y);
+    dots += fmt::format("M{:.1f} {:.1f}h0", frame.x.pixel(x), frame.y.pixel(y));
+  }
+  return fmt::format(
+      "<polyline class='median {0}' points='{1}'/><path class='dots big {0}' d='{2}'/>",
+      stroke_class(colour), line, dots);
+}
+
+NamedPlot plot_of(const Batches& batches) {
+  const std::string kind = to_string(batches.phase);
+  NamedPlot plot{kind,
+                 batches.algorithm + ": " + kind + " scaling",
+                 batches.phase == RunPhase::strong ? "the same drawings shared by more threads"
+                                                   : "as many drawings for every thread",
+                 "",
+                 {}};
+  const Frame frame = frame_of(batches);
+  std::string content = axes_svg(frame) + ideal_line(batches, frame);
+  for (std::size_t i = 0; i < batches.curves.size(); ++i) {
+    const Curve& curve = batches.curves[i];
+    content += curve_svg(curve, i, frame);
+    plot.legend.push_back({fmt::format("{}, n = {}", curve.family, grouped(curve.n)), i});
+  }
+  plot.svg = svg_element(plot.title + ": drawings at a time against threads", kHeight, content);
+  return plot;
+}
+
+std::string table_rows(const Batches& batches) {
+  std::string html;
+  for (const Curve& curve : batches.curves) {
+    for (const auto& [threads, scale] : curve.scales) {
+      html += "<tr>" + cell(escape(batches.algorithm)) + cell(to_string(batches.phase)) +
+              cell(escape(curve.family)) + cell(grouped(curve.n), true) +
+              cell(grouped(threads), true) + cell(duration(median(scale.batch_s)), true) +
+              cell(duration(median(scale.ideal_s)), true) +
+              cell(percent(median(scale.efficiency)), true) + "</tr>\n";
+    }
+  }
+  return html;
+}
+
+}  // namespace
+
+std::vector<NamedPlot> strong_weak_plots(const Analysis& analysis) {
+  std::vector<NamedPlot> plots;
+  for (const Batches& batches : batches_of(analysis.results)) plots.push_back(plot_of(batches));
+  return plots;
+}
+
+std::string strong_weak_section(const Analysis& analysis) {
+  const std::vector<NamedPlot> plots = strong_weak_plots(analysis);
+  if (plots.empty()) return "";
+  std::string html =
+      "<section id=strong-weak><h2>Strong and weak scaling</h2><p>Batches of equal drawings shared "
+      "by threads, medians over batches. Drawings at a time: how many drawings the threads make in "
+      "the time in which one thread alone makes one; ideal is the number of threads. Efficiency is "
+      "the ideal time of a batch divided by its time.</p><div class=figures>\n";
+  for (NamedPlot plot : plots) {
+    plot.svg += legend_html(plot.legend, false);
+    html += figure_html(plot);
+  }
+  html +=
+      "</div><div class=scroll><table><thead><tr><th>Algorithm</th><th>Kind</th><th>Family</th>"
+      "<th class=num>n</th><th class=num>Threads</th><th class=num>Batch</th><th "
+      "class=num>Ideal</th><th class=num>Efficiency</th></tr></thead>"
+      "<tbody>\n";
+  for (const Batches& batches : batches_of(analysis.results)) html += table_rows(batches);
+  return html + "</tbody></table></div></section>\n";
+}
+
+}  // namespace ar3d::report
