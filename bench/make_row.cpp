@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <new>
 
 #include "ar3d/bench/environment.h"
@@ -21,8 +20,9 @@ namespace {
 std::string counters_text(const std::vector<Counter>& counters) {
   std::string text;
   for (const Counter& counter : counters) {
-    fmt::format_to(std::back_inserter(text), "{}{}={}", text.empty() ? "" : ";", counter.name,
-                   counter.value);
+    const fmt::format_int value(counter.value);
+    if (!text.empty()) text += ';';
+    text.append(counter.name).append("=").append(value.data(), value.size());
   }
   return text;
 }
@@ -86,12 +86,10 @@ void set_run(const PlannedRun& planned, Run& run) {
 
 // A row that no results file could hold (a name that is too long, say) is a bug, but only of this
 // row.
-void require_storable(Run& run) {
-  std::string record(run_record_size(), '\0');
-  if (!attempt(run, [&] { store_record(run, record.data()); })) {
-    run.status = RunStatus::crashed;
-    run.counters.clear();
-  }
+void mark_if_not_storable(Run& run) {
+  if (attempt(run, [&] { require_storable(run); })) return;
+  run.status = RunStatus::crashed;
+  run.counters.clear();
 }
 
 }  // namespace
@@ -147,7 +145,7 @@ Run RowMaker::make(const PlannedRun& planned, const RowRequest& request) {
   if (graph_) attempt(run, [&] { draw_and_certify(planned, request, run); });
   run.peak_bytes = memory_.peak_bytes();
   run.peak_scope = to_string(memory_.scope());
-  require_storable(run);
+  mark_if_not_storable(run);
   return run;
 }
 
@@ -190,10 +188,11 @@ void RowMaker::record_formulas(const Algorithm& algorithm, Run& run) {
 Drawing timed_drawing(const Graph& graph, const AlgorithmChoice& choice, HardwareCounters& counters,
                       Run& run) {
   counters.start();
+  const CpuStopwatch cpu;
   const Stopwatch time;
   Drawing drawing = draw(*choice.algorithm, graph, choice.options);
   run.wall_s = time.wall_s();
-  run.cpu_s = time.cpu_s();
+  run.cpu_s = cpu.cpu_s();
   const CountedEvents events = counters.stop();
   run.instructions = events.instructions;
   run.cycles = events.cycles;

@@ -109,9 +109,9 @@ MakingEnd make_rows(const StudyPlan& plan, const MakingRules& rules, const RowHo
   Failures failures(hooks, has_phase(plan, is_timed));
   RowHooks noting = hooks;
   noting.stop = stop;
-  noting.emit = [&](std::size_t row, Run run) {
+  noting.emit = [&](std::size_t row, const Run& run) {
     failures.note(run);
-    hooks.emit(row, std::move(run));
+    hooks.emit(row, run);
   };
   const KnownFailure failure = [&](const PlannedInstance& instance, const PlannedRun& run) {
     return failures.find(instance, run);

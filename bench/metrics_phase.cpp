@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <vector>
 
 #include "ar3d/bench/phases.h"
 #include "ar3d/model/error.h"
@@ -11,9 +11,9 @@
 namespace ar3d {
 namespace {
 
-std::deque<const PlannedRun*> runs_in_order(const PlannedInstance& instance,
-                                            const RowHooks& hooks) {
-  std::deque<const PlannedRun*> runs;
+std::vector<const PlannedRun*> runs_in_order(const PlannedInstance& instance,
+                                             const RowHooks& hooks) {
+  std::vector<const PlannedRun*> runs;
   for (const PlannedRun& run : instance.runs) {
     const bool wanted = !hooks.wanted || hooks.wanted(run.row_key);
     if (run.phase == RunPhase::metrics && wanted) runs.push_back(&run);
@@ -32,26 +32,26 @@ class MetricsSource final : public RowSource {
   std::optional<RowJob> next(int slot) override {
     const std::lock_guard<std::mutex> lock(mutex_);
     Share& share = shares_[slot];
-    while (share.runs.empty()) {
+    while (share.next == share.runs.size()) {
       const std::optional<std::size_t> place = next_place();
       if (!place) return std::nullopt;
       share.place = *place;
       share.instance = std::make_shared<const PlannedInstance>(instances()[*place]);
       share.runs = runs_in_order(*share.instance, hooks_);
+      share.next = 0;
     }
-    const PlannedRun* run = share.runs.front();
-    share.runs.pop_front();
-    return RowJob{share.place, share.instance, run, {}};
+    return RowJob{share.place, share.instance, share.runs[share.next++], {}};
   }
 
-  void done(const RowJob& job, Run row) override { hooks_.emit(job.run->row, std::move(row)); }
+  void done(const RowJob& job, Run row) override { hooks_.emit(job.run->row, row); }
 
  private:
   // The instance that a slot has in hand and what is left to be done with it.
   struct Share {
     std::size_t place = 0;
     std::shared_ptr<const PlannedInstance> instance;
-    std::deque<const PlannedRun*> runs;
+    std::vector<const PlannedRun*> runs;
+    std::size_t next = 0;
   };
 
   std::optional<std::size_t> next_place() {

@@ -16,7 +16,7 @@ struct RowHooks {
   std::function<bool(const std::string& row_key)> wanted;  ///< whether to make a row; empty: all
   /// A row that exists already; asked for some that are not wanted.
   std::function<std::optional<Run>(const std::string& row_key)> known;
-  std::function<void(std::size_t row, Run run)> emit;  ///< with its place in the results
+  std::function<void(std::size_t row, const Run& run)> emit;  ///< with its place in the results
   std::function<bool()> stop;
   /// Place in plan.instances of the next one for the metrics phase; empty: the largest first.
   std::function<std::optional<std::size_t>()> next_instance;

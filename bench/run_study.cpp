@@ -99,7 +99,7 @@ MakingEnd make_plan(const StudyPlan& plan, const StudyOptions& options,
     return !existing.contains || !existing.contains(key);
   };
   hooks.known = [&](const std::string& key) { return std::optional(existing.read(key)); };
-  hooks.emit = [&](std::size_t row, Run run) { teller.tell(row, run); };
+  hooks.emit = [&](std::size_t row, const Run& run) { teller.tell(row, run); };
   hooks.next_instance = options.next_instance;
   MakingRules rules = options.making;
   rules.threads = options.threads > 0 ? options.threads : omp_get_max_threads();

@@ -180,13 +180,13 @@ class InstanceBatches {
         made[i].ideal_batch_s = ideal_s;
         made[i].efficiency = ideal_s / batch_s;
         take_over_certificate(reference, made[i]);
-        emit(*rows[i], std::move(made[i]));
+        emit(*rows[i], made[i]);
       }
     }
   }
 
-  void emit(const PlannedRun& run, Run row) {
-    if (wanted(run)) hooks_.emit(run.row, std::move(row));
+  void emit(const PlannedRun& run, const Run& row) {
+    if (wanted(run)) hooks_.emit(run.row, row);
   }
 
   const PlannedInstance& instance_;

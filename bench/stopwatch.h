@@ -5,13 +5,21 @@
 
 namespace ar3d {
 
-/// Wall time, and CPU time of the calling thread, since construction.
+/// Wall time since construction.
 class Stopwatch {
  public:
   double wall_s() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_).count();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
-  double cpu_s() const { return thread_cpu_s() - cpu_; }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// CPU time of the calling thread since construction. Reading it is a system call.
+class CpuStopwatch {
+ public:
+  double cpu_s() const { return thread_cpu_s() - start_; }
 
  private:
   static double thread_cpu_s() {
@@ -20,8 +28,7 @@ class Stopwatch {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
   }
 
-  double cpu_ = thread_cpu_s();
-  std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
+  double start_ = thread_cpu_s();
 };
 
 }  // namespace ar3d

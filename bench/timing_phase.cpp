@@ -68,13 +68,12 @@ class TimingSource final : public RowSource {
     } else if (is_drawn(row)) {
       drawing.certified = row;
     }
-    const Run copy = row;
-    hooks_.emit(job.run->row, std::move(row));
-    if (!is_drawn(copy)) {
-      fail_all(drawing, copy);
+    hooks_.emit(job.run->row, row);
+    if (!is_drawn(row)) {
+      fail_all(drawing, row);
       return;
     }
-    drawing.times_s.push_back(copy.wall_s);
+    drawing.times_s.push_back(row.wall_s);
     if (drawing.needs_more()) round_.push_back(place);
   }
 

@@ -31,8 +31,16 @@ Column described(const Description& d, FieldType type, std::size_t size) {
 
 bool is_printable(char c) { return c >= ' ' && c <= '~'; }
 
+// Looks at all characters, several at a time: nearly every text fits.
 bool fits(const std::string& text, std::size_t size) {
-  return text.size() <= size && std::all_of(text.begin(), text.end(), is_printable);
+  bool printable = true;
+  for (const char c : text) printable &= is_printable(c);
+  return printable && text.size() <= size;
+}
+
+void require_fits(const std::string& text, const std::string& column, std::size_t size) {
+  if (fits(text, size)) return;
+  throw InputError(fmt::format("{} '{}' is not {} bytes of ASCII", column, text, size));
 }
 
 std::string loaded_text(const char* from, std::size_t size) {
@@ -40,20 +48,18 @@ std::string loaded_text(const char* from, std::size_t size) {
 }
 
 void store_text(const std::string& text, char* to, std::size_t size) {
-  std::memset(to, 0, size);
   std::memcpy(to, text.data(), text.size());
+  std::memset(to + text.size(), 0, size - text.size());
 }
 
 // Text that identifies something: refused, never cut, if it does not fit.
 Column text(const Description& d, std::string Run::*member, std::size_t size) {
   Column column = described(d, FieldType::text, size);
   column.store = [member, size, name = column.name](const Run& run, char* to) {
-    const std::string& value = run.*member;
-    if (!fits(value, size)) {
-      throw InputError(fmt::format("{} '{}' is not {} bytes of ASCII", name, value, size));
-    }
-    store_text(value, to, size);
+    require_fits(run.*member, name, size);
+    store_text(run.*member, to, size);
   };
+  column.exact_text = member;
   column.load = [member, size](const char* from, Run& run) {
     run.*member = loaded_text(from, size);
   };
@@ -63,6 +69,7 @@ Column text(const Description& d, std::string Run::*member, std::size_t size) {
 // Text for people, cut to fit.
 Column message(const Description& d, std::string Run::*member, std::size_t size) {
   Column column = text(d, member, size);
+  column.exact_text = nullptr;
   column.store = [member, size](const Run& run, char* to) {
     const std::string& value = run.*member;
     store_text(fits(value, size) ? value : fitted_text(value, size), to, size);
@@ -306,6 +313,12 @@ const Column& run_column(std::string_view name) {
 std::size_t run_record_size() {
   static const std::size_t size = record_size(run_columns());
   return size;
+}
+
+void require_storable(const Run& run) {
+  for (const Column& column : run_columns()) {
+    if (column.exact_text != nullptr) require_fits(run.*column.exact_text, column.name, column.size);
+  }
 }
 
 void store_record(const Run& run, char* record) {

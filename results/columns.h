@@ -23,6 +23,7 @@ struct Column : Field {
   ColumnKind kind = ColumnKind::result;
   std::function<void(const Run&, char*)> store;  ///< writes `size` bytes
   std::function<void(const char*, Run&)> load;   ///< reads `size` bytes
+  std::string Run::*exact_text = nullptr;        ///< a text that is refused, not cut, if too long
 };
 
 /// All columns of /runs.
@@ -35,7 +36,10 @@ const Column& run_column(std::string_view name);
 /// and results files hold and what merging moves around.
 std::size_t run_record_size();
 
-/// Writes run_record_size() bytes. @throws InputError if an identifying text does not fit.
+/// @throws InputError if an identifying text does not fit its column.
+void require_storable(const Run& run);
+
+/// Writes run_record_size() bytes. @throws InputError as require_storable.
 void store_record(const Run& run, char* record);
 Run load_record(const char* record);
 

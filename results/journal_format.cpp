@@ -13,11 +13,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-void append(std::vector<char>& bytes, const void* from, std::size_t count) {
-  const char* begin = static_cast<const char*>(from);
-  bytes.insert(bytes.end(), begin, begin + count);
-}
-
 // Takes `count` bytes from the front.
 std::span<const char> take(std::span<const char>& bytes, std::size_t count) {
   if (bytes.size() < count) throw InputError("a row of the journal ends too early");
@@ -51,17 +46,23 @@ auto parsed(std::span<const char> text, const std::string& path, const Read& rea
 }  // namespace
 
 void pack_row(const char* record, std::vector<char>& packed) {
-  packed.clear();
+  packed.resize(run_record_size() + run_columns().size() * sizeof(std::uint16_t));  // the most
+  char* to = packed.data();
+  const auto append = [&to](const void* from, std::size_t count) {
+    std::memcpy(to, from, count);
+    to += count;
+  };
   for (const Column& column : run_columns()) {
     const char* field = record + column.offset;
     if (column.type != FieldType::text) {
-      append(packed, field, column.size);
+      append(field, column.size);
       continue;
     }
     const auto length = static_cast<std::uint16_t>(strnlen(field, column.size));
-    append(packed, &length, sizeof(length));
-    append(packed, field, length);
+    append(&length, sizeof(length));
+    append(field, length);
   }
+  packed.resize(static_cast<std::size_t>(to - packed.data()));
 }
 
 void unpack_row(std::span<const char> packed, char* record) {

@@ -27,7 +27,13 @@ RowKey parse_row_key(std::string_view text) {
 }
 
 std::string to_string(const RowKey& key) {
-  return fmt::format("{:016x}{:016x}", key.high, key.low);
+  std::string text(32, '0');
+  std::uint64_t number = key.low;
+  for (std::size_t i = text.size(); i-- > 0; number >>= 4) {
+    if (i == 15) number = key.high;
+    text[i] = "0123456789abcdef"[number & 15];
+  }
+  return text;
 }
 
 RowKey key_of_record(const char* record) {
