@@ -27,7 +27,6 @@ namespace {
 
 constexpr int kRequestTag = 1;
 constexpr int kAnswerTag = 2;
-constexpr auto kLook = std::chrono::microseconds(500);
 
 // Tickets [begin, end); empty: there are no more.
 struct Portion {
@@ -38,10 +37,26 @@ struct Portion {
 // What a rank tells rank 0: that it wants a portion, or that it wants no more.
 enum Request : int { kMore = 0, kDone = 1 };
 
+// The time between two looks for something that may come soon or late: the longer nothing has come,
+// the longer, so that looking takes next to nothing from whoever computes on this core.
+class Patience {
+ public:
+  void pause() const {
+    constexpr Clock::duration kShortest = std::chrono::microseconds(200);
+    constexpr Clock::duration kLongest = std::chrono::milliseconds(5);
+    std::this_thread::sleep_for(std::clamp((Clock::now() - since_) / 16, kShortest, kLongest));
+  }
+  void renew() { since_ = Clock::now(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point since_ = Clock::now();
+};
+
 void wait_quietly(MPI_Request& request) {
+  const Patience patience;
   int done = 0;
-  while (MPI_Test(&request, &done, MPI_STATUS_IGNORE), done == 0)
-    std::this_thread::sleep_for(kLook);
+  while (MPI_Test(&request, &done, MPI_STATUS_IGNORE), done == 0) patience.pause();
 }
 
 // Hands out tickets in portions that are a share of the work that is left: large at first, single
@@ -73,38 +88,80 @@ class Counter {
   int shares_;
 };
 
-// A rank's tickets: one after the other from portions.
+// Where a rank's portions come from.
+class Supply {
+ public:
+  virtual ~Supply() = default;
+  virtual void ask() = 0;
+  virtual Portion receive() = 0;  // what was asked for
+};
+
+// A rank's tickets: one after the other from portions. The next portion is asked for in the middle
+// of one, so that nobody waits for the answer; not of a short one, since then the work nears its
+// end, and a ticket that waits here might be made by a rank that has nothing left.
 class Portions {
  public:
-  explicit Portions(std::function<Portion()> fetch) : fetch_(std::move(fetch)) {}
+  explicit Portions(Supply& supply) : supply_(supply) {}
+  ~Portions() {
+    if (asked_) supply_.receive();
+  }
 
   std::optional<std::size_t> next() {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (portion_.begin == portion_.end && !over_) {
-      portion_ = fetch_();
-      over_ = portion_.begin == portion_.end;
-    }
+    if (portion_.begin == portion_.end && !over_) refill();
     if (over_) return std::nullopt;
-    return portion_.begin++;
+    const std::uint64_t ticket = portion_.begin++;
+    if (ticket == ask_at_) ask();
+    return ticket;
   }
 
  private:
-  std::function<Portion()> fetch_;
+  static constexpr std::uint64_t kShort = 4;
+
+  void ask() {
+    supply_.ask();
+    asked_ = true;
+  }
+  void refill() {
+    if (!asked_) ask();
+    portion_ = supply_.receive();
+    asked_ = false;
+    over_ = portion_.begin == portion_.end;
+    const std::uint64_t size = portion_.end - portion_.begin;
+    ask_at_ = size < kShort ? portion_.end : portion_.begin + size / 2;
+  }
+
+  Supply& supply_;
   std::mutex mutex_;
   Portion portion_;
+  std::uint64_t ask_at_ = 0;  // the ticket with which to ask; the portion's end: none
+  bool asked_ = false;
   bool over_ = false;
+};
+
+// Of rank 0, which has the counter.
+class OwnSupply final : public Supply {
+ public:
+  explicit OwnSupply(Counter& counter) : counter_(counter) {}
+  void ask() override {}
+  Portion receive() override { return counter_.take(); }
+
+ private:
+  Counter& counter_;
 };
 
 // Rank 0: answers the other ranks until all of them are done.
 void serve(Counter& counter, int others) {
+  Patience patience;
   while (others > 0) {
     int waiting = 0;
     MPI_Status status;
     MPI_Iprobe(MPI_ANY_SOURCE, kRequestTag, MPI_COMM_WORLD, &waiting, &status);
     if (waiting == 0) {
-      std::this_thread::sleep_for(kLook);
+      patience.pause();
       continue;
     }
+    patience.renew();
     int request = kDone;
     MPI_Recv(&request, 1, MPI_INT, status.MPI_SOURCE, kRequestTag, MPI_COMM_WORLD,
              MPI_STATUS_IGNORE);
@@ -118,15 +175,23 @@ void serve(Counter& counter, int others) {
   }
 }
 
-Portion ask_first() {
-  const int request = kMore;
-  std::array<std::uint64_t, 2> answer{};
-  MPI_Send(&request, 1, MPI_INT, 0, kRequestTag, MPI_COMM_WORLD);
-  MPI_Request receive;
-  MPI_Irecv(answer.data(), 2, MPI_UINT64_T, 0, kAnswerTag, MPI_COMM_WORLD, &receive);
-  wait_quietly(receive);
-  return {answer[0], answer[1]};
-}
+// Of the others, which rank 0 serves.
+class ServedSupply final : public Supply {
+ public:
+  void ask() override {
+    const int request = kMore;
+    MPI_Irecv(answer_.data(), 2, MPI_UINT64_T, 0, kAnswerTag, MPI_COMM_WORLD, &pending_);
+    MPI_Send(&request, 1, MPI_INT, 0, kRequestTag, MPI_COMM_WORLD);
+  }
+  Portion receive() override {
+    wait_quietly(pending_);
+    return {answer_[0], answer_[1]};
+  }
+
+ private:
+  std::array<std::uint64_t, 2> answer_{};
+  MPI_Request pending_ = MPI_REQUEST_NULL;
+};
 
 class MpiRanks final : public Ranks {
  public:
@@ -157,11 +222,12 @@ class MpiRanks final : public Ranks {
                  const std::function<void(const Tickets&)>& use) override {
     std::exception_ptr failure;
     Counter counter(work, 4 * size_);
-    Portions portions(is_first() ? std::function<Portion()>([&] { return counter.take(); })
-                                 : std::function<Portion()>(ask_first));
+    OwnSupply own(counter);
+    ServedSupply served;
     std::thread server;
     if (is_first()) server = std::thread([&] { serve(counter, size_ - 1); });
     try {
+      Portions portions(is_first() ? static_cast<Supply&>(own) : served);
       use([&] { return portions.next(); });
     } catch (...) {
       failure = std::current_exception();
