@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "ar3d/analysis/check.h"
@@ -47,18 +48,22 @@ constexpr std::size_t kMostReportedRows = 100000;
 // The last lines of a study that is whole: the verdict and where everything is.
 int conclude(const JournaledStudy& study) {
   ResultsReader reader(study.results);
-  const RowView rows = view_of(reader);
+  std::optional<Results> reported;  // what a report is made of, read once for verdict and report
+  if (study.shard.count == 1 && reader.size() <= kMostReportedRows) {
+    reported = read_results(study.results);
+  }
+  const RowView rows = reported ? view_of(*reported) : view_of(reader);
   const CheckVerdict verdict = check(rows);
   fmt::print("{}", summary(verdict, rows));
   fmt::print("results  {}\n", study.results);
   if (study.shard.count > 1) {
     fmt::print("shard {} of {}: when all are there, `ar3d study merge SHARDS… -o RESULTS.h5`\n",
                study.shard.index, study.shard.count);
-  } else if (rows.count > kMostReportedRows) {
+  } else if (!reported) {
     fmt::print("report   not made of {} rows; `ar3d report {}` makes it\n", rows.count,
                study.results);
   } else {
-    write_file_atomically(report_path(study.results), render_report(read_results(study.results)));
+    write_file_atomically(report_path(study.results), render_report(*reported));
     fmt::print("report   {}\n", report_path(study.results));
   }
   return verdict.exit_code();
