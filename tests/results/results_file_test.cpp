@@ -279,6 +279,21 @@ TEST(Columns, DifferencesNameTheColumnAndLeaveTimesOut) {
   EXPECT_THAT(differing_columns(a, b), ::testing::ElementsAre("extent_y", "slack_x"));
 }
 
+TEST(Columns, IdentifyingTextsArePrintableAtEveryPlace) {
+  for (int c = 0; c < 256; ++c) {
+    for (std::size_t place = 0; place < 19; ++place) {
+      ar3d::Run run = sample_run(4);
+      run.options = std::string(19, place % 2 == 0 ? ' ' : '~');
+      run.options[place] = static_cast<char>(c);
+      if (c >= ' ' && c <= '~') {
+        EXPECT_NO_THROW(require_storable(run)) << c << " at " << place;
+      } else {
+        EXPECT_THROW(require_storable(run), InputError) << c << " at " << place;
+      }
+    }
+  }
+}
+
 TEST(RunStatus, TextsGoBothWays) {
   for (int i = 0; i < 6; ++i) {
     const auto status = static_cast<RunStatus>(i);
