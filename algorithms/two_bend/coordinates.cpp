@@ -110,13 +110,17 @@ void relax_merges(const View& view, unsigned passes, Values& values) {
   for (unsigned pass = 0; pass < passes; ++pass) {
     const bool backwards = pass % 2 == 0;
     for (NodeId i = 0; i < view.size(); ++i) {
-      relax_merge(view, values, view.at(backwards ? view.size() - 1 - i : i));
+      const NodeId at = backwards ? view.size() - 1 - i : i;
+      view.ask(backwards ? at - kAhead : at + kAhead, values);
+      relax_merge(view, values, view.at(at));
     }
   }
 }
 
 void choose_middle_values(const View& view, Values& values) {
-  for (NodeId m = 0; m < view.size(); ++m) {
+  for (NodeId i = 0; i < view.size(); ++i) {
+    const NodeId m = view.at(i);
+    view.ask(i + kAhead, values);
     if (!view.is_free_merge(m)) continue;
     const auto above = view.outs(m);
     if (!above.empty() && view.type(above[0]) == NodeType::split) continue;

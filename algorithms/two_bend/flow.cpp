@@ -63,6 +63,7 @@ class FlowBuilder {
     flow_.block.reserve(count_);
     flow_.edges.reserve(std::size_t{3} * count_ / 2);
     for (std::uint32_t i = 0; i < order_.size(); ++i) {
+      ask_for_node(i);
       if (pass_[i]) continue;
       flow_.block.push_back(blocks.of[order_[i]]);
       finish_node(i);
@@ -83,6 +84,18 @@ class FlowBuilder {
       if (to > i) steps[count++] = {to, graph_.edges[v][k]};
     }
     return count;
+  }
+
+  /// Asks memory, in three steps, for what the places soon after i need.
+  [[gnu::always_inline]] void ask_for_node(std::uint32_t i) const {
+    if (i + 3 * kAhead >= order_.size()) return;
+    const Vertex far = order_[i + 3 * kAhead];
+    ask_for(graph_.rows, far);
+    ask_for(graph_.edges, far);
+    for (const Vertex u : graph_.rows[order_[i + 2 * kAhead]].to) ask_for(flow_.place, u);
+    for (const Vertex u : graph_.rows[order_[i + kAhead]].to) {
+      if (u != kNoVertex) ask_for(flow_.nodes, flow_.element[flow_.place[u]]);
+    }
   }
 
   std::size_t degree_at(std::uint32_t i) const { return graph_.rows[order_[i]].degree(); }

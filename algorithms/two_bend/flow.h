@@ -115,6 +115,13 @@ class View {
   NodeId size() const { return static_cast<NodeId>(flow_->nodes.size()); }
   /// The i-th node in the view's time.
   NodeId at(NodeId i) const { return columns_ ? size() - 1 - i : i; }
+  /// Asks memory for an array's entries of the neighbours of the i-th node, if there is one; i may
+  /// have wrapped below 0.
+  template <class T>
+  [[gnu::always_inline]] void ask(NodeId i, const std::vector<T>& array) const {
+    if (i >= size()) return;
+    for (const NodeId u : flow_->nodes[at(i)].neighbour) ask_for(array, u);
+  }
   NodeType type(NodeId v) const { return flow_->types[columns_ ? 1 : 0][v]; }
   std::span<const NodeId> ins(NodeId v) const {
     return half(flow_->nodes[v].neighbour, v, columns_);
@@ -126,6 +133,9 @@ class View {
   const Pole& pole(NodeId v) const { return flow_->poles[flow_->pole_of[v]]; }
   /// The node whose row v stands in: v itself, or for a SPLIT one below it (see share_rows).
   NodeId row_of(NodeId v) const { return flow_->row_owner[columns_ ? 1 : 0][v]; }
+  [[gnu::always_inline]] void ask_rows(NodeId i) const {
+    ask(i, flow_->row_owner[columns_ ? 1 : 0]);
+  }
   /// Has an even row of its own.
   bool is_owner(NodeId v) const { return has_role(v, kOwner); }
   /// A MERGE with an odd entry in the list.

@@ -14,7 +14,9 @@ std::int64_t lean_excess(std::int64_t q) { return std::max(q + 1, (q * q + 1) / 
 /// Excess of the leans into the MERGEs of a view, and of the special edges of its V-type SINKs.
 std::int64_t lean_excesses(const View& view, const Values& cross, const Values& own) {
   std::int64_t sum = 0;
-  for (NodeId m = 0; m < view.size(); ++m) {
+  for (NodeId i = 0; i < view.size(); ++i) {
+    const NodeId m = view.at(i);
+    view.ask(i + kAhead, cross);
     if (view.type(m) == NodeType::sink && !view.pole(m).a_type) {
       const Pole& pole = view.pole(m);
       sum += lean_excess(std::abs(own[pole.special] - own[pole.node]));

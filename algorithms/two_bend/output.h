@@ -8,6 +8,7 @@
 #include <tuple>
 #include <vector>
 
+#include "ar3d/algorithms/two_bend/local_graph.h"
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"
 
@@ -21,6 +22,7 @@ class PackedBends final : public BendSource {
   explicit PackedBends(std::size_t num_edges) : places_(num_edges) {}
   /// x and y are below 2^31 in absolute value; at most two bends, from the lower end to the upper.
   void set(EdgeId e, std::span<const Point> bends);
+  [[gnu::always_inline]] void ask_for(EdgeId e) const { two_bend::ask_for(places_, e); }
   void append_bends(EdgeId e, Edge ends, Point at_u, Point at_v,
                     std::vector<Point>& out) const override;
 
@@ -51,6 +53,10 @@ class Output {
   void set_vertex(Vertex v, Point p);
   /// @param bends  two of them from the lower end (is_below) to the upper one.
   void set_bends(EdgeId e, std::span<const Point> bends) { bends_->set(e, bends); }
+
+  /// Ask memory for what is soon to be set.
+  [[gnu::always_inline]] void ask_for_vertex(Vertex v) const { two_bend::ask_for(points_, v); }
+  [[gnu::always_inline]] void ask_for_bends(EdgeId e) const { bends_->ask_for(e); }
 
   Drawing finish();
 

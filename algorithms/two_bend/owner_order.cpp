@@ -36,6 +36,7 @@ Attachment attach_merges(const View& view) {
   Attachment attachment(view.size(), kNone);
   for (NodeId i = 0; i < view.size(); ++i) {
     const NodeId m = view.at(i);
+    view.ask_rows(i + kAhead);
     if (!view.is_listed_merge(m)) continue;
     const auto below = view.ins(m);
     const NodeId chosen = reluctance(below[0]) <= reluctance(below[1]) ? below[0] : below[1];
@@ -81,6 +82,7 @@ class Forest {
       }
     }
     for (NodeId i = 0; i < view_.size(); ++i) {
+      view_.ask(i + kAhead, cells_);
       if (cells_[view_.at(i)].begin != kNone) place_parts(view_.at(i));
     }
     order_.resize(end_);
@@ -154,8 +156,10 @@ class Forest {
   }
 
   void find_parents() {
-    for (NodeId v = 0; v < view_.size(); ++v) {
+    for (NodeId i = 0; i < view_.size(); ++i) {
+      const NodeId v = view_.at(i);
       const NodeType type = view_.type(v);
+      view_.ask_rows(i + kAhead);
       if ((type != NodeType::split && type != NodeType::station) || view_.ins(v).empty()) continue;
       const NodeId u = view_.ins(v)[0];
       const NodeType below = view_.type(u);
@@ -191,6 +195,7 @@ class Forest {
     for (NodeId i = view_.size();
          i-- > 0;) {  // attachments go back in time, so clusters add up to their owners
       const NodeId v = view_.at(i);
+      if (i >= kAhead) ask_for(cells_, below_in_tree(view_.at(i - kAhead)));
       Cell& cell = cells_[v];
       ++cell.weight;
       if (is_initial_owner(v)) ++cell.size;
@@ -224,10 +229,12 @@ class Forest {
     return result;
   }
 
+  /// Above a STATION, and above a START that owns a row, stands neither SPLIT nor STATION.
   void add_children(NodeId v, NodeId owner, Children& result) const {
     for (const NodeId w : view_.outs(v)) {
-      if (cells_[w].parent != owner) continue;
-      if (view_.row_of(w) == owner) {
+      const NodeType type = view_.type(w);
+      if (type != NodeType::split && type != NodeType::station) continue;
+      if (!view_.is_owner(w)) {  // it shares the row
         add_children(w, owner, result);
       } else {
         result.of[result.count++] = w;

@@ -43,6 +43,9 @@ class Sharing {
     bool changed = false;
     for (NodeId i = view_.size(); i-- > 0;) {
       const NodeId v = view_.at(i);
+      view_.ask(i - kAhead, reach_);
+      view_.ask(i - kAhead, cross_);
+      view_.ask(i - kAhead, trees_);
       if (view_.type(v) != NodeType::split) continue;
       NodeId a = view_.outs(v)[0];
       NodeId b = view_.outs(v)[1];
@@ -80,6 +83,7 @@ class Sharing {
   void weigh_trees() {
     for (NodeId i = view_.size(); i-- > 0;) {
       const NodeId v = view_.at(i);
+      view_.ask(i - kAhead, trees_);
       if (view_.type(v) != NodeType::split || view_.ins(v).empty()) continue;
       ++trees_[v];
       const NodeId u = view_.ins(v)[0];
@@ -106,6 +110,7 @@ void set_owners(Flow& flow, const View& view, const std::vector<std::uint8_t>& s
   std::vector<std::uint8_t>& roles = flow.roles[view.columns() ? 1 : 0];
   for (NodeId i = 0; i < view.size(); ++i) {
     const NodeId v = view.at(i);
+    view.ask(i + kAhead, owner);
     owner[v] = shares[v] ? owner[view.ins(v)[0]] : v;
     if (view.type(v) != NodeType::split) continue;
     roles[v] = static_cast<std::uint8_t>((roles[v] & ~(kOwner | kSharesRow)) |
@@ -117,7 +122,9 @@ void set_owners(Flow& flow, const View& view, const std::vector<std::uint8_t>& s
 /// No MERGE may have both in-neighbours in one row: the later of the two leaves it.
 bool part_neighbours_of_merges(const View& view, std::vector<std::uint8_t>& shares) {
   bool changed = false;
-  for (NodeId m = 0; m < view.size(); ++m) {
+  for (NodeId i = 0; i < view.size(); ++i) {
+    const NodeId m = view.at(i);
+    view.ask_rows(i + kAhead);
     if (view.type(m) != NodeType::merge) continue;
     const NodeId a = view.ins(m)[0];
     const NodeId b = view.ins(m)[1];
@@ -188,6 +195,7 @@ Values guess_rows(const Flow& flow, bool columns, bool straighten) {
   for (const NodeId owner : order_owners(view, attachment, straighten)) guess[owner] = place += 4;
   for (NodeId i = 0; i < view.size(); ++i) {
     const NodeId m = view.at(i);
+    view.ask(i + kAhead, guess);
     if (attachment[m] == kNone) continue;
     const NodeId other = view.ins(m)[view.ins(m)[0] == attachment[m] ? 1 : 0];
     guess[m] = guess[attachment[m]] + (guess[other] < guess[attachment[m]] ? -1 : 1);

@@ -165,6 +165,12 @@ Slabs draw_slabs(const Flow& flow, const Layout& layout) {
   ViewSlabs columns(View(flow, true), layout, slabs);
   for (LongId e = 0; e < flow.edges.size(); ++e) {
     const auto [lower, upper, first, first_edge] = flow.edges[e];
+    if (e + kAhead < flow.edges.size()) {
+      const NodeId ahead = flow.edges[e + kAhead].upper;
+      ask_for(layout.rows, ahead);
+      ask_for(layout.columns, ahead);
+      ask_for(slabs.of_node, ahead);
+    }
     columns.draw_end(e, lower, upper);
     rows.draw_end(e, upper, lower);
     if (flow.is_vv_edge(e)) draw_vv_lean(flow, layout, e, slabs);

@@ -17,8 +17,7 @@ const std::vector<Vertex>& StOrder::order(Vertex s, Vertex t) {
   expect(s != t && !blocks_.is_bridge(s, t), "an st-order runs between two vertices of one block");
   search(s, t);
   find_lows();
-  insert_in_preorder();
-  write_list();
+  place_in_preorder();
   for (const Vertex v : visited_) number_[v] = kUnseen;
   return list_;
 }
@@ -51,7 +50,7 @@ void StOrder::visit(Turn turn) {
     const Vertex u = row.to[k];
     if (blocks_.is_bridge(v, u)) continue;
     if (number_[u] == kUnseen) {
-      __builtin_prefetch(&graph_.rows[u]);
+      ask_for(graph_.rows, u);
       turns_.push_back({u, number});
     } else if (number_[u] != turn.parent) {
       cell.low = std::min(cell.low, number_[u]);
@@ -61,41 +60,35 @@ void StOrder::visit(Turn turn) {
 
 void StOrder::find_lows() {
   for (std::size_t i = cells_.size(); i-- > 2;) {
-    Vertex& low = cells_[cells_[i].parent].low;
-    low = std::min(low, cells_[i].low);
+    Cell& parent = cells_[cells_[i].parent];
+    parent.low = std::min(parent.low, cells_[i].low);
+    parent.size += cells_[i].size;
   }
 }
 
-void StOrder::insert_in_preorder() {
-  cells_[0].next = 1;
-  cells_[1].previous = 0;
-  cells_[0].previous = cells_[1].next = kUnseen;
+/// Tarjan inserts the vertices in preorder, each directly before or after its parent. So a subtree
+/// lies together, and a child's lies next to all those of its parent's that were inserted on this
+/// side before.
+void StOrder::place_in_preorder() {
+  list_.resize(visited_.size());
+  list_[0] = visited_[0];
+  plus_.assign(cells_.size(), false);
+  cells_[1].begin = 1;
+  cells_[1].end = static_cast<std::uint32_t>(cells_.size());
   for (Vertex i = 2; i < cells_.size(); ++i) {
     Cell& cell = cells_[i];
     Cell& parent = cells_[cell.parent];
-    const bool before = !cells_[cell.low].plus;
-    cell.previous = before ? parent.previous : cell.parent;
-    cell.next = before ? cell.parent : parent.next;
-    expect(cell.previous != kUnseen && cell.next != kUnseen, "nothing is inserted outside s .. t");
-    cells_[cell.previous].next = cells_[cell.next].previous = i;
-    parent.plus = before;
+    const bool before = !plus_[cell.low];
+    expect(before || cell.parent != 1, "nothing is inserted behind t");
+    plus_[cell.parent] = before;
+    cell.begin = before ? parent.begin : parent.end - cell.size;
+    cell.end = cell.begin + cell.size;
+    (before ? parent.begin : parent.end) = before ? cell.end : cell.begin;
   }
-}
-
-/// From both ends at once.
-void StOrder::write_list() {
-  list_.resize(visited_.size());
-  Vertex up = 0;
-  Vertex down = 1;
-  std::size_t i = 0;
-  for (std::size_t j = list_.size(); i < j;) {
-    list_[i++] = visited_[up];
-    up = cells_[up].next;
-    if (i == j) break;
-    list_[--j] = visited_[down];
-    down = cells_[down].previous;
+  for (Vertex i = 1; i < cells_.size(); ++i) {
+    expect(cells_[i].begin + 1 == cells_[i].end, "a vertex has one place");
+    list_[cells_[i].begin] = visited_[i];
   }
-  expect(i < list_.size() && list_[i] == visited_[up], "an st-order runs from s to t");
 }
 
 namespace {

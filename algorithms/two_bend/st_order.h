@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "ar3d/algorithms/two_bend/blocks.h"
@@ -25,23 +26,23 @@ class StOrder {
   struct Cell {
     Vertex parent = 0;
     Vertex low = 0;
-    Vertex previous = 0;
-    Vertex next = 0;
-    bool plus = false;
+    std::uint32_t size = 1;   // of its subtree, which fills consecutive places of the list
+    std::uint32_t begin = 0;  // of its places that no child has taken
+    std::uint32_t end = 0;
   };
   static constexpr Vertex kUnseen = kNoVertex;
 
   void search(Vertex s, Vertex t);
   void visit(Turn turn);
   void find_lows();
-  void insert_in_preorder();
-  void write_list();
+  void place_in_preorder();
 
   const LocalGraph& graph_;
   const Blocks& blocks_;
   std::vector<Vertex> number_;   // per vertex, in preorder; kUnseen outside the block
   std::vector<Vertex> visited_;  // per number: the vertex
   std::vector<Cell> cells_;      // per number
+  std::vector<bool> plus_;       // per number: which side of it the next one takes
   std::vector<Turn> turns_;      // not taken yet, the next one last
   std::vector<Vertex> list_;
 };

@@ -25,8 +25,13 @@ class Sweep {
     place_ends();
     place_heights();
     find_corner();
-    for (LongId e = 0; e < in_.flow.edges.size(); ++e) write_edge(e);
+    for (LongId e = 0; e < in_.flow.edges.size(); ++e) {
+      ask_for_edge(e);
+      write_edge(e);
+    }
     for (std::uint32_t i = 0; i < z_.size(); ++i) {
+      if (i + kAhead < z_.size())
+        output_.ask_for_vertex(in_.graph.name[in_.order.list[i + kAhead]]);
       output_.set_vertex(in_.graph.name[in_.order.list[i]], point_at(i));
     }
     for (const QBody& body : in_.bodies) {
@@ -161,6 +166,15 @@ class Sweep {
       points[i] = {bend.x - corner_.x, bend.y - corner_.y, z + bend.dz};
     }
     return points;
+  }
+
+  /// Asks memory for what edges soon to be written need.
+  [[gnu::always_inline]] void ask_for_edge(LongId e) const {
+    const auto& edges = in_.flow.edges;
+    if (e + 2 * kAhead >= edges.size()) return;
+    ask_for(in_.flow.nodes, edges[e + 2 * kAhead].upper);
+    ask_for(z_, place_of(edges[e + kAhead].upper));
+    output_.ask_for_bends(edges[e + kAhead].first_edge);
   }
 
   void write_edge(LongId e) {

@@ -54,6 +54,7 @@ std::vector<Vertex> breadth_first(const LocalGraph& graph, Vertex start) {
   std::vector<Vertex> queue{start};
   seen[start] = true;
   for (std::size_t i = 0; i < queue.size(); ++i) {
+    if (i + kAhead < queue.size()) ask_for(graph.rows, queue[i + kAhead]);
     const Row& row = graph.rows[queue[i]];
     for (std::size_t k = 0; k < row.degree(); ++k) {
       if (!seen[row.to[k]]) {
