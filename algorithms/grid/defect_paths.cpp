@@ -128,7 +128,11 @@ void DefectPaths::begin(Path& path) {
 void DefectPaths::grow(Path& path, unsigned side) {
   if (side == 0 ? path.left <= path.first : path.right >= path.last) return;
   const std::size_t joint = side == 0 ? --path.left : path.right++;
-  const Place between = path.vertices[side == 0 ? joint : joint - 1];
+  const std::size_t at = side == 0 ? joint : joint - 1;
+  const Place between = path.vertices[at];
+  const auto ahead = [&](std::size_t steps) { return side == 0 ? at - steps : at + steps; };
+  if (ahead(2 * kAhead) < path.vertices.size()) pool_.ask_for(path.vertices[ahead(2 * kAhead)]);
+  if (ahead(kAhead) < path.vertices.size()) pool_.ask_for_partner(path.vertices[ahead(kAhead)]);
   const Colour c = path.colour_of(joint);
   std::int64_t h = pool_.next_free(c, std::max(path.side[side] - 1, path.floor));
   while (!pool_.suits(between, c, h)) h = pool_.next_free(c, h + 1);

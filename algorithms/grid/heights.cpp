@@ -115,8 +115,14 @@ void number_cycle(HeightPool& pool, Place start, std::vector<Place>& buffer) {
   Chain chain(pool);
   Link low = chain.first(1);
   Link high = low;
+  const auto ask_ahead = [&](bool from_front) __attribute__((always_inline)) {
+    if (b - a <= 2 * kAhead) return;
+    pool.ask_for(buffer[from_front ? a + 2 * kAhead : b - 1 - 2 * kAhead]);
+    pool.ask_for_partner(buffer[from_front ? a + kAhead : b - 1 - kAhead]);
+  };
   while (b - a > 1) {
     const bool from_front = low.height <= high.height;
+    ask_ahead(from_front);
     Link& side = from_front ? low : high;
     const Link& other = from_front ? high : low;
     const Place v = from_front ? buffer[a++] : buffer[--b];

@@ -62,6 +62,15 @@ class HeightPool {
   bool suits(Place v, Colour c, std::int64_t h) const;
   bool is_far_from_partner(Place v, std::int64_t pair) const;
 
+  /// Asks for the memory of v, and then of its partner, before they are needed.
+  [[gnu::always_inline]] void ask_for(Place v) const {
+    __builtin_prefetch(&ports_[v]);
+    __builtin_prefetch(&x_[v], 1);
+  }
+  [[gnu::always_inline]] void ask_for_partner(Place v) const {
+    if (neighbour(v, 2) != kNoPlace) __builtin_prefetch(&x_[neighbour(v, 2)]);
+  }
+
   /// The lowest free height >= from, and the lowest one whose successor is free, too.
   std::int64_t next_free(Colour c, std::int64_t from) {
     ++heights_tried_;

@@ -40,6 +40,7 @@ void adopt_flat(const ProcessingOrder& order, std::span<const Row> rows, const C
     planes.labels.set(e, order.sequence[at], order.sequence[to], label);
   };
   for (auto i = static_cast<Place>(part.begin); i < part.end; ++i) {
+    if (i + kAhead < part.end) __builtin_prefetch(&planes.of[order.sequence[i + kAhead]], 1);
     planes.of[order.sequence[i]] = flat.numbers()[i];
     const auto& to = colouring.ports[i].to;
     for (unsigned j = 0; j < rows[i].degree; ++j) {

@@ -7,6 +7,14 @@ UnwrittenVector<Row> rows_in_order(const Graph& graph, const ProcessingOrder& or
   for (Place i = 0; i < order.sequence.size(); ++i) place_of[order.sequence[i]] = i;
   UnwrittenVector<Row> rows(order.sequence.size(), Row{});
   for (Place i = 0; i < rows.size(); ++i) {
+    if (i + kAhead < rows.size()) {
+      for (const HalfEdge& half : graph.incident(order.sequence[i + kAhead])) {
+        __builtin_prefetch(&place_of[half.to]);
+      }
+    }
+    if (i + 2 * kAhead < rows.size()) {
+      __builtin_prefetch(graph.incident(order.sequence[i + 2 * kAhead]).data());
+    }
     Row& row = rows[i];
     for (const HalfEdge& half : graph.incident(order.sequence[i])) {
       row.to[row.degree] = place_of[half.to];

@@ -12,6 +12,7 @@ namespace ar3d::grid {
 
 /// A vertex's place in the processing order: its index in ProcessingOrder::sequence.
 using Place = std::uint32_t;
+inline constexpr Place kAhead = 8;  ///< places between asking for memory and using it
 inline constexpr Place kNoPlace = std::numeric_limits<Place>::max();
 
 /// The neighbours of one vertex as places, in the order of the graph's row.
