@@ -24,7 +24,7 @@ constexpr std::uint64_t kLarge = 150000;
 std::string hashes_of(const Family& family) {
   std::string line = fmt::format("{} {} {}", family.name, graph_hash(generate(family, 100, 1)),
                                  graph_hash(generate(family, 5000, 2)));
-  if (family.is_random) line += " " + graph_hash(generate(family, kLarge, 3));
+  if (family.is_random) line += fmt::format(" {}", graph_hash(generate(family, kLarge, 3)));
   return line;
 }
 
