@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ar3d/algorithms/degree_limit.h"
 #include "ar3d/algorithms/diamond/diamond.h"
 #include "ar3d/algorithms/grid/grid.h"
 #include "ar3d/algorithms/two_bend/two_bend.h"
@@ -55,14 +56,7 @@ OptionValues complete_options(const Algorithm& algorithm, const OptionValues& gi
 }
 
 Drawing draw(const Algorithm& algorithm, const Graph& graph, const OptionValues& given) {
-  const std::uint32_t limit = algorithm.guarantee.max_degree;
-  if (graph.max_degree() > limit) {
-    Vertex v = 0;
-    while (graph.degree(v) <= limit) ++v;
-    throw InputError(
-        fmt::format("{} draws graphs of maximum degree {}, but vertex {} has degree {}",
-                    algorithm.name, limit, v, graph.degree(v)));
-  }
+  refuse_larger_degrees(algorithm.name, graph, algorithm.guarantee.max_degree);
   return algorithm.draw(graph, complete_options(algorithm, given));
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "ar3d/algorithms/degree_limit.h"
 #include "ar3d/algorithms/diamond/candidates.h"
 #include "ar3d/algorithms/diamond/colouring.h"
 #include "ar3d/algorithms/diamond/items.h"
@@ -14,10 +15,7 @@ namespace {
 using namespace theorem1;
 
 void refuse_bad_graph(const Graph& graph) {
-  if (graph.max_degree() > 4) {
-    throw InputError(fmt::format("diamond draws graphs of maximum degree 4, this one has degree {}",
-                                 graph.max_degree()));
-  }
+  refuse_larger_degrees("diamond", graph, 4);
   if (graph.num_vertices() > kMaxVertices) {
     throw InputError(fmt::format("diamond draws at most {} vertices, this graph has {}",
                                  kMaxVertices, graph.num_vertices()));

@@ -1,10 +1,9 @@
 #include "ar3d/algorithms/grid/grid.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdlib>
 
+#include "ar3d/algorithms/degree_limit.h"
 #include "ar3d/algorithms/grid/invariant.h"
 #include "ar3d/algorithms/grid/order.h"
 #include "ar3d/algorithms/grid/pack.h"
@@ -82,10 +81,7 @@ Drawing draw_row(const Graph& graph, const OptionValues& values) {
 }  // namespace
 
 Drawing draw_grid(const Graph& graph, const GridOptions& options) {
-  if (graph.max_degree() > 3) {
-    throw InputError(
-        fmt::format("grid draws graphs of maximum degree 3, not {}", graph.max_degree()));
-  }
+  refuse_larger_degrees("grid", graph, 3);
   const grid::ProcessingOrder order = grid::processing_order(graph);
   grid::PlaneOptions plane_options;
   plane_options.flat = options.effort > 0;

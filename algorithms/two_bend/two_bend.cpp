@@ -1,11 +1,10 @@
 #include "ar3d/algorithms/two_bend/two_bend.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <utility>
 
+#include "ar3d/algorithms/degree_limit.h"
 #include "ar3d/algorithms/two_bend/checks.h"
 #include "ar3d/algorithms/two_bend/fixed_bodies.h"
 #include "ar3d/algorithms/two_bend/instance_bound.h"
@@ -114,10 +113,7 @@ void draw_component(LocalGraph& graph, const Options& options, Output& output, C
 }  // namespace
 
 Drawing draw(const Graph& graph, const Options& options) {
-  if (graph.max_degree() > 3) {
-    throw InputError(
-        fmt::format("two-bend draws graphs of maximum degree 3, not {}", graph.max_degree()));
-  }
+  refuse_larger_degrees("two-bend", graph, 3);
   Output output(graph);
   Census census;
   ComponentReader reader(graph);
