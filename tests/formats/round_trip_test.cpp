@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "formats/format_helpers.h"
+#include "formats/packing_helpers.h"
 #include "support/graphs.h"
 
 // Every format of the catalogue gives back every graph it wrote: one alone and many in one file,
@@ -59,7 +60,32 @@ TEST_P(RoundTrip, ManyGraphsForced) {
 
 TEST_P(RoundTrip, ManyGraphsDetected) {
   const std::vector<Graph> graphs = samples();
-  EXPECT_EQ(testing::read_text(testing::written(graphs, format())).size(), graphs.size());
+  const std::vector<Graph> back = testing::read_text(testing::written(graphs, format()));
+  ASSERT_EQ(back.size(), graphs.size());
+  for (std::size_t i = 0; i < graphs.size(); ++i) {
+    EXPECT_EQ(testing::edge_set(back[i]), testing::edge_set(graphs[i])) << "graph " << i;
+  }
+}
+
+TEST_P(RoundTrip, PackedAndInSeveralMembers) {
+  const std::vector<Graph> graphs = samples();
+  const std::string text = testing::written(graphs, format());
+  const std::string first = text.substr(0, text.size() / 2);  // a member may end within a graph
+  const std::string second = text.substr(text.size() / 2);
+  using testing::gzip;
+  using testing::xz;
+  for (const std::string& bytes :
+       {gzip(text), gzip(first) + gzip(second), xz(text), xz(first) + xz(second)}) {
+    const testing::TemporaryFolder folder;
+    testing::write_file(folder.file("packed"), bytes);
+    GraphReader reader(folder.file("packed"));
+    for (const Graph& graph : graphs) {
+      const std::optional<Graph> back = reader.next();
+      ASSERT_TRUE(back.has_value()) << reader.where();
+      EXPECT_EQ(testing::edge_set(*back), testing::edge_set(graph)) << reader.where();
+    }
+    EXPECT_FALSE(reader.next());
+  }
 }
 
 TEST_P(RoundTrip, OneBased) {
