@@ -61,14 +61,12 @@ Graph random_cactus(Count cycles, Count length, std::uint64_t seed) {
 }
 
 Graph contained_cycles(Count k) {
-  GraphBuilder builder(6 * k, 12 * k);
-  builder.cycle(0, 6 * k);
-  for (Count i = 0; i < k; ++i) {
-    for (const Count first : {6 * i, 6 * i + 1}) {
-      builder.edge(first, first + 2);
-      builder.edge(first + 2, first + 4);
-      builder.edge(first + 4, first);
-    }
+  const Count half = 3 * k;  // the long cycle is 0, half, 1, half + 1, ...
+  GraphBuilder builder(2 * half, 4 * half);
+  for (Count first = 0; first < 2 * half; first += 3) builder.cycle(first, 3);
+  for (Count i = 0; i < half; ++i) {
+    builder.edge(i, half + i);
+    builder.edge(half + i, (i + 1) % half);
   }
   return builder.finish();
 }

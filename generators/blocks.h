@@ -16,15 +16,18 @@ Graph diamond_necklace(Count k);
 /// connected, degrees 2 and 4, no bridges. cycles >= 1.
 Graph random_cactus(Count cycles, Count length, std::uint64_t seed);
 
-/// A long cycle whose vertices carry triangles (6i + 0, 2, 4) and (6i + 1, 3, 5): 4-regular, n =
-/// 6k, k >= 2, m = 2n, 2-connected. Split into these 2-factors, every triangle is contained in a
-/// short piece of the long cycle: the case that costs `diamond`'s placement its repairs. At n = 6000
-/// its drawing takes 2.9 times the volume of a random 4-regular graph's.
+/// A long cycle whose vertices carry triangles (0, 2, 4) and (1, 3, 5) in every six along it:
+/// 4-regular, n = 6k, k >= 2, m = 2n, 2-connected. Labels: first the vertices at even places of the
+/// cycle, then those at odd places; so whatever the order of the edges after a round trip through a
+/// file, `diamond` pairs the triangles' edges with each other and colours them green, and the cycle
+/// red. Every triangle is then a green cycle contained in a red one, cannot be closed at two of its
+/// three edges, and has a Z with |dX| = 2, |dY| = 4.
 Graph contained_cycles(Count k);
 
 /// Copies of triangle, K4, two leaf blocks joined by a bridge, prism, Petersen graph and triangle
 /// in turn (36 vertices a round): small dense components of many kinds, each of which forces the
-/// drawers' special cases. n = 36 k.
+/// drawers' special cases. The bridged one and the Petersen graph have no 3-edge-colouring, so they
+/// give `grid` at least 4 defects a round. n = 36 k.
 Graph mixed_union(Count k);
 
 /// k bridgeless components with a single vertex of degree 2 (K3,3 with one edge subdivided): every

@@ -1,0 +1,181 @@
+// The families built to hurt an algorithm do: how often each meets its special cases there, and
+// that other families of the same size do not lead it there.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "ar3d/algorithms/catalog.h"
+#include "ar3d/algorithms/diamond/guaranteed.h"
+#include "ar3d/algorithms/diamond/routes.h"
+#include "ar3d/generators/catalog.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+namespace {
+
+Graph member(const std::string& family, std::uint64_t n, bool shuffled) {
+  ParameterValues parameters;
+  if (shuffled) parameters.push_back({"shuffle", 1});
+  return generate(find_family(family), n, 7, parameters);
+}
+
+/// What the construction of Theorem 1 in its guaranteed mode meets.
+struct DiamondCases {
+  theorem1::GapCount gaps;
+  std::int64_t midpoint_z =
+      0;  ///< edges drawn as Z with |dY| = 4 and |dX| = 2: no track at distance 1
+};
+
+DiamondCases diamond_cases(const Graph& graph) {
+  using namespace theorem1;
+  const Slots slots = padded_slots(graph);
+  const TwoColouring colours = two_colouring(graph, slots, balanced_orientation(slots));
+  const auto [placement, gaps] = place_guaranteed(graph, extract_items(colours.next[kGreen]),
+                                                  extract_items(colours.next[kRed]));
+  const Tracks tracks = choose_tracks(graph, placement);
+  DiamondCases cases{gaps};
+  for (EdgeId e = 0; e < graph.num_edges(); ++e) {
+    const PlanePoint p = placement.at[graph.edge(e).u];
+    const PlanePoint q = placement.at[graph.edge(e).v];
+    const bool red = (tracks.code[e] & 1) == kRed;
+    const std::int32_t track = tracks.code[e] >> 1;
+    const auto [along, from, to] =
+        red ? std::tuple{std::abs(p.Y - q.Y), p.X, q.X} : std::tuple{std::abs(p.X - q.X), p.Y, q.Y};
+    const bool between = (track > from) != (track > to);
+    if (between && along == 2 && std::abs(from - to) == 4) ++cases.midpoint_z;
+  }
+  return cases;
+}
+
+std::int64_t counter(const std::string& algorithm, const Graph& graph, int effort,
+                     const std::string& name) {
+  const Drawing drawing = draw(find_algorithm(algorithm), graph, {{"effort", effort}});
+  for (const Counter& c : drawing.counters) {
+    if (c.name == name) return c.value;
+  }
+  throw InternalError(fmt::format("{} has no counter {}", algorithm, name));
+}
+
+/// Number of vertices, and whether the labels are shuffled.
+class HardFamilies : public ::testing::TestWithParam<std::pair<std::uint64_t, bool>> {
+ protected:
+  Graph member(const std::string& family) const {
+    const auto [n, shuffled] = GetParam();
+    return ar3d::member(family, n, shuffled);
+  }
+};
+
+/// The graph after a round trip through a file that keeps no order of edges: by smaller end, then
+/// larger.
+Graph reordered(const Graph& graph) {
+  std::vector<Edge> edges(graph.edges().begin(), graph.edges().end());
+  for (Edge& e : edges) e = {std::min(e.u, e.v), std::max(e.u, e.v)};
+  std::sort(edges.begin(), edges.end(),
+            [](Edge a, Edge b) { return std::tie(a.u, a.v) < std::tie(b.u, b.v); });
+  return Graph(graph.num_vertices(), std::move(edges));
+}
+
+/// Every triangle is a green cycle inside the red cycle, cannot be closed at every edge, and takes
+/// a Z whose track has to be in the middle.
+TEST_P(HardFamilies, ContainedCyclesAreContainedAndNeedTheMiddleTrack) {
+  const auto [n, shuffled] = GetParam();
+  std::vector<Graph> graphs = {member("contained-cycles")};
+  if (!shuffled) graphs.push_back(reordered(graphs[0]));
+  for (const Graph& graph : graphs) {
+    const std::int64_t triangles = graph.num_vertices() / 3;
+    const DiamondCases cases = diamond_cases(graph);
+    EXPECT_EQ(cases.gaps.contained, triangles);
+    EXPECT_EQ(cases.gaps.rho, 1);
+    EXPECT_GE(cases.midpoint_z,
+              triangles - 2);  // where the red cycle begins, a distance may differ
+  }
+}
+
+/// Contained cycles, and a red cycle a component that must be widened where the labels are the
+/// family's own: H = n/6.
+TEST_P(HardFamilies, OctahedraCostDiamondLines) {
+  const Graph graph = member("union-octahedron");
+  const std::int64_t components = graph.num_vertices() / 6;
+  const DiamondCases cases = diamond_cases(graph);
+  EXPECT_GT(cases.gaps.contained, components / 4);
+  EXPECT_EQ(cases.midpoint_z, 2 * components);
+  const bool shuffled = GetParam().second;
+  if (!shuffled) {
+    EXPECT_EQ(cases.gaps.contained, 2 * components);
+    EXPECT_EQ(cases.gaps.bumps, components);
+    EXPECT_EQ(cases.gaps.H(), components);
+  }
+}
+
+TEST_P(HardFamilies, RandomGraphsHardlyMeetTheCasesOfDiamond) {
+  const DiamondCases cases = diamond_cases(member("random-4-regular"));
+  EXPECT_LE(cases.gaps.contained, 3);
+  EXPECT_LE(cases.midpoint_z, 3);
+}
+
+/// Of the six components of a round, the one with a bridge and the Petersen graph have no
+/// 3-edge-colouring. Such a cubic graph stays without one when a single edge is removed, so each
+/// has two defects at least, and an algorithm that minimises them can do no better.
+TEST_P(HardFamilies, MixedUnionHasDefectsAtEveryEffort) {
+  const Graph graph = member("mixed-union");
+  const std::int64_t rounds = graph.num_vertices() / 36;
+  const Graph random = member("random-cubic");
+  for (const int effort : {1, 2}) {
+    EXPECT_EQ(counter("grid", graph, effort, "core_parts"), 0);
+    EXPECT_GE(counter("grid", graph, effort, "flat_defects"), 4 * rounds);
+    EXPECT_LE(counter("grid", random, effort, "flat_defects"), rounds) << "effort " << effort;
+  }
+  EXPECT_EQ(counter("grid", graph, 0, "core_parts"), 6 * rounds);
+  for (const char* special : {"nt", "pq"})
+    EXPECT_GT(counter("grid", graph, 0, special), rounds / 2) << special;
+  for (const char* special : {"last_u", "last_m"})
+    EXPECT_GE(counter("grid", graph, 0, special), 2 * rounds) << special;
+}
+
+TEST_P(HardFamilies, SnarkUnionsHaveTwoDefectsInEveryComponent) {
+  for (const auto& [family, size] :
+       {std::pair{"union-petersen", 10}, std::pair{"union-flower-snark", 20}}) {
+    const Graph graph = member(family);
+    for (const int effort : {1, 2}) {
+      EXPECT_EQ(counter("grid", graph, effort, "flat_defects"), 2 * (graph.num_vertices() / size))
+          << family << " effort " << effort;
+    }
+  }
+}
+
+/// Every component begins at its only vertex of degree 2, hence with no source, and ends in a sink;
+/// a connected graph of any size has one sink.
+TEST_P(HardFamilies, TrueSinksEndsEveryComponentInASink) {
+  const Graph graph = member("true-sinks");
+  const std::int64_t components = graph.num_vertices() / 7;
+  const Graph single = member("random-connected-cubic");
+  for (const int effort : {0, 1, 2}) {
+    const auto sinks = [&](const Graph& g) {
+      return counter("two-bend", g, effort, "sinks_a") + counter("two-bend", g, effort, "sinks_v");
+    };
+    EXPECT_EQ(sinks(graph), components);
+    EXPECT_EQ(counter("two-bend", graph, effort, "sources_a"), 0);
+    EXPECT_EQ(counter("two-bend", graph, effort, "sources_v"), 0);
+    EXPECT_LE(sinks(single), 1);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, HardFamilies,
+                         ::testing::Values(std::pair{72, false}, std::pair{72, true},
+                                           std::pair{720, false}, std::pair{720, true},
+                                           std::pair{7200, false}, std::pair{7200, true}),
+                         [](const auto& info) {
+                           return fmt::format("{}{}", info.param.first,
+                                              info.param.second ? "_shuffled" : "");
+                         });
+
+}  // namespace
+}  // namespace ar3d
