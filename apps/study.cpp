@@ -106,8 +106,15 @@ int run_to_the_end(const JournaledStudy& study, const RunArguments& arguments, R
 // Begins and makes a study on all ranks; the first one speaks for all.
 int make_study(const RunArguments& arguments, const std::function<JournaledStudy()>& begin) {
   const std::unique_ptr<Ranks> ranks = join_ranks();
+  const auto begin_possible = [&] {
+    JournaledStudy begun = begin();
+    MakingRules making = arguments.making;
+    making.ranks = ranks.get();
+    refuse_impossible_study(begun.spec, making);
+    return begun;
+  };
   try {
-    return run_to_the_end(begin_together(*ranks, begin), arguments, *ranks);
+    return run_to_the_end(begin_together(*ranks, begin_possible), arguments, *ranks);
   } catch (const InputError& error) {
     // Said before the ranks part: mpirun ends all of them as soon as one has left with an error.
     if (ranks->is_first()) fmt::print(stderr, "ar3d: {}\n", error.what());
@@ -136,11 +143,8 @@ void add_run(CLI::App& study, int& exit_code) {
       "`ar3d study resume` goes on.\nExample: ar3d study run smoke --threads 2 -o smoke.h5");
   verb->callback([arguments, &exit_code] {
     const Shard shard = arguments->shard.empty() ? Shard() : parse_shard(arguments->shard);
-    exit_code = make_study(*arguments, [&] {
-      JournaledStudy begun = new_study(arguments->study, shard, arguments->output);
-      refuse_impossible_study(begun.spec, arguments->making);
-      return begun;
-    });
+    exit_code = make_study(
+        *arguments, [&] { return new_study(arguments->study, shard, arguments->output); });
   });
 }
 
@@ -151,11 +155,7 @@ void add_resume(CLI::App& study, int& exit_code) {
   add_common(*verb, *arguments);
   verb->footer("Rows that are there stay as they are.\nExample: ar3d study resume ar3d-quick.h5");
   verb->callback([arguments, &exit_code] {
-    exit_code = make_study(*arguments, [&] {
-      JournaledStudy begun = begun_study(arguments->study);
-      refuse_impossible_study(begun.spec, arguments->making);
-      return begun;
-    });
+    exit_code = make_study(*arguments, [&] { return begun_study(arguments->study); });
   });
 }
 

@@ -112,7 +112,8 @@ class Estimator {
     }
     result_.wall_s = phase_s_[RunPhase::metrics] / threads +
                      phase_s_[RunPhase::timing] / plan_.timing.concurrency +
-                     phase_s_[RunPhase::strong] + phase_s_[RunPhase::weak];
+                     phase_s_[RunPhase::strong] + phase_s_[RunPhase::weak] +
+                     phase_s_[RunPhase::strong_ranks] + phase_s_[RunPhase::weak_ranks];
     return std::move(result_);
   }
 

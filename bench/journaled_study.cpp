@@ -11,6 +11,7 @@
 #include "ar3d/bench/environment.h"
 #include "ar3d/bench/gather_rows.h"
 #include "ar3d/bench/plan.h"
+#include "ar3d/bench/rank_batch.h"
 #include "ar3d/bench/study_files.h"
 #include "ar3d/model/error.h"
 #include "ar3d/results/atomic_file.h"
@@ -174,6 +175,16 @@ JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()
 
 namespace {
 
+// Lets the helpers of rank 0 go, whatever happens.
+class Dismissal {
+ public:
+  explicit Dismissal(Ranks& ranks) : ranks_(ranks) {}
+  ~Dismissal() { ranks_.dismiss(); }
+
+ private:
+  Ranks& ranks_;
+};
+
 // One process's part in a study: its journal and what was there before.
 class Part {
  public:
@@ -196,6 +207,7 @@ class Part {
   void make_rows() {
     together(ranks_, [&] { journal_->begin_session(session_of(study_, options_, ranks_)); });
     StudyOptions shared = options_;
+    shared.making.ranks = &ranks_;
     if (ranks_.size() > 1) {
       shared.threads = std::max(1, options_.threads);
       shared.making.timed_phases = false;
@@ -208,7 +220,11 @@ class Part {
     if (ranks_.size() > 1 && ranks_.is_first()) {
       shared.making.timed_phases = options_.making.timed_phases;
       shared.next_instance = [] { return std::nullopt; };
+      const Dismissal at_end(ranks_);
       make(shared, journaled_rows(study_));
+    } else if (ranks_.size() > 1) {
+      RankBatches batches(plan_, plan_.timing, ranks_.rank());
+      ranks_.help([&](const std::string& job) { return batches.make_ready(job); });
     }
     journal_->end_session({{"load_after", load_average()}});
     journal_.reset();

@@ -70,6 +70,17 @@ void make(RowSource& source, const Crew& crew, bool isolate) {
   }
 }
 
+void require_ranks(const StudyPlan& plan, int ranks) {
+  for (const PlannedBlock& block : plan.instances.blocks()) {
+    for (const PlannedRun& run : block.first.runs) {
+      if (!is_over_ranks(run.phase) || run.scale <= ranks) continue;
+      throw InputError(
+          fmt::format("batches are to be shared by {} ranks of mpirun but there {} {}", run.scale,
+                      ranks == 1 ? "is" : "are", ranks));
+    }
+  }
+}
+
 // The last of the allowed cores: systems like to do their own work on the first.
 std::vector<int> cores_for(std::uint32_t count) {
   const std::vector<int> allowed = allowed_cores();
@@ -97,6 +108,7 @@ void require_makeable(const StudyPlan& plan, const MakingRules& rules) {
     throw InputError(fmt::format("timing.concurrency = {} but there are {} cores",
                                  rules.timing.concurrency, allowed_cores().size()));
   }
+  require_ranks(plan, rules.ranks != nullptr ? rules.ranks->size() : 1);
 }
 
 MakingEnd make_rows(const StudyPlan& plan, const MakingRules& rules, const RowHooks& hooks) {
@@ -130,7 +142,7 @@ MakingEnd make_rows(const StudyPlan& plan, const MakingRules& rules, const RowHo
           .stop = stop},
          isolate);
   }
-  if (rules.timed_phases && !stop()) run_batches(plan, rules.timing, noting, failure);
+  if (rules.timed_phases && !stop()) run_batches(plan, rules, noting, failure);
   if (hooks.stop && hooks.stop()) return MakingEnd::stopped;
   return spent() ? MakingEnd::budget_spent : MakingEnd::complete;
 }

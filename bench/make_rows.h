@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ar3d/bench/phases.h"
+#include "ar3d/bench/ranks.h"
 
 namespace ar3d {
 
@@ -11,13 +12,14 @@ struct MakingRules {
   bool force_timing = false;  ///< time even in a build whose times are worth little
   bool timed_phases = true;   ///< false: only the metrics phase (another process does the others)
   int neighbours = 0;         ///< rows that other processes make meanwhile in the metrics phase
+  Ranks* ranks = nullptr;     ///< that batches are shared by; null: this process is alone
   TimingRules timing;
   Budget budget;
 };
 
 /// @throws InputError if the plan has timed rows and this build's times are worth little, if a
 /// memory limit is asked of a sanitised build, or if there are fewer cores than timed drawings at
-/// the same time.
+/// the same time, or fewer ranks than are to share a batch.
 void require_makeable(const StudyPlan& plan, const MakingRules& rules);
 
 /// Why make_rows came back.

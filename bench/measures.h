@@ -16,10 +16,10 @@ struct TimedRepetitions {
   double precision = 0;
 };
 
-/// Batches of equal drawings shared by 1, ... threads. strong: `drawings` in all, weak: `drawings`
-/// for every thread.
+/// Batches of equal drawings shared by 1, ... threads or ranks. strong: `drawings` in all, weak:
+/// `drawings` for each of them.
 struct Batches {
-  std::vector<std::uint32_t> threads;  ///< increasing, the first is 1; empty: no batches
+  std::vector<std::uint32_t> scales;  ///< how many share; from 1 on, increasing; empty: no batches
   std::uint32_t drawings = 1;
   std::uint32_t repetitions = 1;
 };

@@ -60,10 +60,13 @@ std::unique_ptr<RowSource> metrics_source(const StudyPlan& plan, const RowHooks&
 std::unique_ptr<RowSource> timing_source(const StudyPlan& plan, const TimingRules& rules,
                                          const RowHooks& hooks, KnownFailure failure);
 
-/// Strong and weak scaling: batches of the same drawing shared by 1, ... threads. The ideal of a
-/// batch is the one on a single thread of the same round: its time divided by the threads (strong)
-/// or its time (weak). Threads are pinned, each to a core of its own, if there are so many.
-void run_batches(const StudyPlan& plan, const TimingRules& rules, const RowHooks& hooks,
+struct MakingRules;
+
+/// Strong and weak scaling: batches of the same drawing shared by 1, ... threads or ranks. The ideal
+/// of a batch is the one on a single thread or rank of the same round: its time divided by how many
+/// share (strong) or its time (weak). Threads are pinned, each to a core of its own, if there are so
+/// many; ranks stay where mpirun has put them.
+void run_batches(const StudyPlan& plan, const MakingRules& rules, const RowHooks& hooks,
                  const KnownFailure& failure);
 
 }  // namespace ar3d

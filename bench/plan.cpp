@@ -43,21 +43,27 @@ struct Measurement {
   std::uint32_t batch = 0;
 };
 
-// Drawings of all repetitions of a batch on so many threads; at most 2^50.
-std::uint64_t drawings_of(const Batches& batches, std::uint32_t threads, RunPhase phase) {
+// Drawings of all repetitions of a batch that so many share; at most 2^50.
+std::uint64_t drawings_of(const Batches& batches, std::uint32_t scale, RunPhase phase) {
   const std::uint64_t drawings = std::uint64_t{batches.repetitions} * batches.drawings;
-  return phase == RunPhase::weak ? drawings * threads : drawings;
+  return is_strong(phase) ? drawings : drawings * scale;
 }
 
-// Rows of one drawing; at most 2^61.
+// Calls use(batches, phase) for each kind of batches.
+template <class Use>
+void for_each_kind(const Sweep& sweep, Use&& use) {
+  use(sweep.strong, RunPhase::strong);
+  use(sweep.weak, RunPhase::weak);
+  use(sweep.strong_ranks, RunPhase::strong_ranks);
+  use(sweep.weak_ranks, RunPhase::weak_ranks);
+}
+
+// Rows of one drawing; at most 2^62.
 std::uint64_t rows_of_a_drawing(const Sweep& sweep) {
   std::uint64_t rows = std::uint64_t{sweep.repetitions} + sweep.timed.most;
-  for (const std::uint32_t threads : sweep.strong.threads) {
-    rows += drawings_of(sweep.strong, threads, RunPhase::strong);
-  }
-  for (const std::uint32_t threads : sweep.weak.threads) {
-    rows += drawings_of(sweep.weak, threads, RunPhase::weak);
-  }
+  for_each_kind(sweep, [&](const Batches& batches, RunPhase phase) {
+    for (const std::uint32_t scale : batches.scales) rows += drawings_of(batches, scale, phase);
+  });
   return rows;
 }
 
@@ -66,15 +72,13 @@ template <class Use>
 void for_each_measurement(const Sweep& sweep, Use&& use) {
   for (std::uint32_t i = 0; i < sweep.repetitions; ++i) use({RunPhase::metrics, -1, i, 0});
   for (std::uint32_t i = 0; i < sweep.timed.most; ++i) use({RunPhase::timing, -1, i, 0});
-  const auto batches = [&](const Batches& all, RunPhase phase) {
-    for (const std::uint32_t threads : all.threads) {
-      const auto drawings = static_cast<std::uint32_t>(drawings_of(all, threads, phase));
-      const std::uint32_t members = drawings / all.repetitions;
-      for (std::uint32_t i = 0; i < drawings; ++i) use({phase, threads, i, i / members});
+  for_each_kind(sweep, [&](const Batches& batches, RunPhase phase) {
+    for (const std::uint32_t scale : batches.scales) {
+      const auto drawings = static_cast<std::uint32_t>(drawings_of(batches, scale, phase));
+      const std::uint32_t members = drawings / batches.repetitions;
+      for (std::uint32_t i = 0; i < drawings; ++i) use({phase, scale, i, i / members});
     }
-  };
-  batches(sweep.strong, RunPhase::strong);
-  batches(sweep.weak, RunPhase::weak);
+  });
 }
 
 bool any_matches(const std::vector<CellPattern>& patterns, const std::string& family,

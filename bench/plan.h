@@ -19,8 +19,8 @@ struct PlannedRun {
   std::string row_key;  ///< 32 hexadecimal digits
   std::size_t row = 0;  ///< place in the results
   RunPhase phase = RunPhase::metrics;
-  std::int64_t scale = -1;  ///< threads of a strong or weak batch, else -1
-  std::uint32_t batch = 0;  ///< strong, weak: rows with equal scale and batch are drawn together
+  std::int64_t scale = -1;  ///< threads or ranks that share the row's batch; -1: it is in none
+  std::uint32_t batch = 0;  ///< rows of a phase with equal scale and batch are drawn together
   /// A study is complete without it: it is only made while the median of the repetitions before it
   /// is less precise than `precision`.
   bool optional = false;

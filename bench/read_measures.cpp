@@ -38,18 +38,19 @@ TimedRepetitions read_timed_repetitions(const std::string& file, const toml::nod
   return repetitions;
 }
 
-Batches read_batches(const std::string& file, const toml::node& node, const std::string& what) {
+Batches read_batches(const std::string& file, const toml::node& node, const std::string& what,
+                     const std::string& sharers) {
   TomlTable table(file, node, what);
   Batches batches;
-  const toml::node& threads = table.get("threads");
-  for (const toml::node* count : one_or_many(threads)) {
-    batches.threads.push_back(
-        static_cast<std::uint32_t>(toml_integer(file, *count, "threads", 1, kMaxThreads)));
+  const toml::node& scales = table.get(sharers);
+  for (const toml::node* count : one_or_many(scales)) {
+    batches.scales.push_back(
+        static_cast<std::uint32_t>(toml_integer(file, *count, sharers, 1, kMaxThreads)));
   }
-  const bool increasing = std::adjacent_find(batches.threads.begin(), batches.threads.end(),
-                                             std::greater_equal<>()) == batches.threads.end();
-  if (batches.threads.empty() || batches.threads[0] != 1 || !increasing) {
-    refuse_toml(file, threads, "threads do not begin with 1 and increase");
+  const bool increasing = std::adjacent_find(batches.scales.begin(), batches.scales.end(),
+                                             std::greater_equal<>()) == batches.scales.end();
+  if (batches.scales.empty() || batches.scales[0] != 1 || !increasing) {
+    refuse_toml(file, scales, fmt::format("{} do not begin with 1 and increase", sharers));
   }
   batches.drawings = small_integer(table, "drawings", 1, kMaxRepetitions, 1);
   batches.repetitions = small_integer(table, "repetitions", 1, kMaxRepetitions, 1);

@@ -7,8 +7,9 @@
 #include <mutex>
 #include <thread>
 
-#include "ar3d/bench/phases.h"
+#include "ar3d/bench/make_rows.h"
 #include "ar3d/bench/pinning.h"
+#include "ar3d/bench/rank_batch.h"
 
 namespace ar3d {
 namespace {
@@ -16,15 +17,13 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Rows = std::vector<const PlannedRun*>;
 
-// The rows of one drawing in one phase: batch -> threads -> rows.
+// The rows of one drawing in one phase: batch -> threads or ranks -> rows.
 using Rounds = std::map<std::uint32_t, std::map<std::int64_t, Rows>>;
 
 struct BatchedDrawing {
   RunPhase phase = RunPhase::strong;
   Rounds rounds;
 };
-
-bool is_batched(RunPhase phase) { return phase == RunPhase::strong || phase == RunPhase::weak; }
 
 std::vector<BatchedDrawing> batched_drawings(const PlannedInstance& instance) {
   std::vector<BatchedDrawing> drawings;
@@ -42,9 +41,9 @@ std::vector<BatchedDrawing> batched_drawings(const PlannedInstance& instance) {
 }
 
 // One batch: its threads take the drawings one by one.
-class Batch {
+class ThreadBatch {
  public:
-  Batch(const Graph& graph, const TimingRules& rules, const Rows& rows, const Run& begun)
+  ThreadBatch(const Graph& graph, const TimingRules& rules, const Rows& rows, const Run& begun)
       : graph_(graph),
         rules_(rules),
         rows_(rows),
@@ -125,9 +124,15 @@ class Batch {
 // All batches of one instance.
 class InstanceBatches {
  public:
-  InstanceBatches(const PlannedInstance& instance, const TimingRules& rules, const RowHooks& hooks,
-                  const KnownFailure& failure)
-      : instance_(instance), rules_(rules), hooks_(hooks), failure_(failure) {}
+  /// @param place  of the instance in the plan.
+  InstanceBatches(const PlannedInstance& instance, std::size_t place, const MakingRules& rules,
+                  const RowHooks& hooks, const KnownFailure& failure, RankBatches& rank_batches)
+      : instance_(instance),
+        place_(place),
+        rules_(rules),
+        hooks_(hooks),
+        failure_(failure),
+        rank_batches_(rank_batches) {}
 
   void run() {
     for (const BatchedDrawing& drawing : batched_drawings(instance_)) {
@@ -160,29 +165,44 @@ class InstanceBatches {
   void run_round(RunPhase phase, const std::map<std::int64_t, Rows>& batches,
                  const Run& reference) {
     double single_s = kMissing;
-    for (const auto& [threads, rows] : batches) {
+    for (const auto& [scale, rows] : batches) {
       if (hooks_.stop && hooks_.stop()) return;
       if (!is_drawn(reference)) {
         for (const PlannedRun* run : rows) emit(*run, failed_row(instance_, *run, reference));
         continue;
       }
-      Batch batch(*maker_.graph(), rules_, rows, maker_.begun(*rows.front()));
-      const double batch_s = batch.run(static_cast<int>(threads));
-      if (threads == 1) single_s = batch_s;
-      const double ideal_s =
-          phase == RunPhase::strong ? single_s / static_cast<double>(threads) : single_s;
-      std::vector<Run> made = batch.take_rows();
+      MadeBatch made = is_over_ranks(phase) ? shared_by_ranks(static_cast<int>(scale), rows)
+                                            : shared_by_threads(static_cast<int>(scale), rows);
+      if (scale == 1) single_s = made.wall_s;
+      const double ideal_s = is_strong(phase) ? single_s / static_cast<double>(scale) : single_s;
       for (std::size_t i = 0; i < rows.size(); ++i) {
-        made[i].row_key = rows[i]->row_key;
-        made[i].repetition = rows[i]->repetition;
-        made[i].concurrency = threads;
-        made[i].batch_s = batch_s;
-        made[i].ideal_batch_s = ideal_s;
-        made[i].efficiency = ideal_s / batch_s;
-        take_over_certificate(reference, made[i]);
-        emit(*rows[i], made[i]);
+        Run& row = made.rows[i];
+        row.row_key = rows[i]->row_key;
+        row.repetition = rows[i]->repetition;
+        row.concurrency = scale;
+        row.batch_s = made.wall_s;
+        row.ideal_batch_s = ideal_s;
+        row.efficiency = ideal_s / made.wall_s;
+        take_over_certificate(reference, row);
+        emit(*rows[i], row);
       }
     }
+  }
+
+  MadeBatch shared_by_threads(int threads, const Rows& rows) {
+    ThreadBatch batch(*maker_.graph(), rules_.timing, rows, maker_.begun(*rows.front()));
+    const double wall_s = batch.run(threads);
+    return {wall_s, batch.take_rows()};
+  }
+
+  MadeBatch shared_by_ranks(int count, const Rows& rows) {
+    std::vector<std::size_t> places;
+    for (const PlannedRun* run : rows) {
+      places.push_back(static_cast<std::size_t>(run - instance_.runs.data()));
+    }
+    Ranks alone;
+    return rank_batches_.make(rules_.ranks != nullptr ? *rules_.ranks : alone, count, place_,
+                              places);
   }
 
   void emit(const PlannedRun& run, const Run& row) {
@@ -190,22 +210,26 @@ class InstanceBatches {
   }
 
   const PlannedInstance& instance_;
-  const TimingRules& rules_;
+  const std::size_t place_;
+  const MakingRules& rules_;
   const RowHooks& hooks_;
   const KnownFailure& failure_;
+  RankBatches& rank_batches_;
   RowMaker maker_{{.concurrency = 1, .core = -1, .memory = MemoryScope::process}};
 };
 
 }  // namespace
 
-void run_batches(const StudyPlan& plan, const TimingRules& rules, const RowHooks& hooks,
+void run_batches(const StudyPlan& plan, const MakingRules& rules, const RowHooks& hooks,
                  const KnownFailure& failure) {
+  RankBatches rank_batches(plan, rules.timing, 0);
   for (const PlannedBlock& block : plan.instances.blocks()) {
     if (!has_run(block.first, is_batched)) continue;
     for (std::size_t i = 0; i < block.count; ++i) {
       if (hooks.stop && hooks.stop()) return;
-      const PlannedInstance instance = plan.instances[block.first_place + i];
-      InstanceBatches(instance, rules, hooks, failure).run();
+      const std::size_t place = block.first_place + i;
+      const PlannedInstance instance = plan.instances[place];
+      InstanceBatches(instance, place, rules, hooks, failure, rank_batches).run();
     }
   }
 }

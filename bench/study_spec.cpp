@@ -117,12 +117,14 @@ class SpecReader {
     if (const toml::node* timed = table.find("timed_repetitions")) {
       sweep.timed = read_timed_repetitions(file_, *timed);
     }
-    if (const toml::node* strong = table.find("strong")) {
-      sweep.strong = read_batches(file_, *strong, "strong");
-    }
-    if (const toml::node* weak = table.find("weak")) {
-      sweep.weak = read_batches(file_, *weak, "weak");
-    }
+    const auto read = [&](const char* key, const char* sharers, Batches& batches) {
+      const toml::node* found = table.find(key);
+      if (found != nullptr) batches = read_batches(file_, *found, key, sharers);
+    };
+    read("strong", "threads", sweep.strong);
+    read("weak", "threads", sweep.weak);
+    read("strong_ranks", "ranks", sweep.strong_ranks);
+    read("weak_ranks", "ranks", sweep.weak_ranks);
     if (const toml::node* include = table.find("include")) sweep.include = patterns(*include);
     if (const toml::node* exclude = table.find("exclude")) sweep.exclude = patterns(*exclude);
     table.refuse_other_keys();

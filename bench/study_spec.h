@@ -41,8 +41,10 @@ struct Sweep {
   std::uint32_t instances = 1;       ///< where the graph depends on the seed; others have one
   std::uint32_t repetitions = 1;     ///< of every drawing in the metrics phase
   TimedRepetitions timed;            ///< of every drawing in the timing phase; none by default
-  Batches strong;                    ///< of every drawing; none by default
-  Batches weak;                      ///< of every drawing; none by default
+  Batches strong;                    ///< of every drawing, shared by threads; none by default
+  Batches weak;                      ///< of every drawing, shared by threads; none by default
+  Batches strong_ranks;              ///< of every drawing, shared by ranks; none by default
+  Batches weak_ranks;                ///< of every drawing, shared by ranks; none by default
   std::vector<CellPattern> include;  ///< if not empty, a cell has to match one of these
   std::vector<CellPattern> exclude;
 };

@@ -163,9 +163,9 @@ void add_identity(std::vector<Column>& c) {
   c.push_back(text({"options", "", "the algorithm's options, complete, in catalogue order", run},
                    &Run::options, 96));
   c.push_back(
-      choice({"phase", "", "what the row was made for: metrics, timing, strong or weak", run},
+      choice({"phase", "", "what the row was made for: metrics, timing, strong, weak, strong_r, weak_r", run},
              &Run::phase, parse_run_phase, 8));
-  c.push_back(number({"scale", "1", "threads that share the batch; only in strong and weak", run},
+  c.push_back(number({"scale", "1", "threads (strong, weak) or ranks (_r) that share the batch", run},
                      &Run::scale));
   c.push_back(number({"repetition", "1", "0, 1, ...: which one within its phase and scale", run},
                      &Run::repetition));
@@ -280,9 +280,9 @@ void add_memory(std::vector<Column>& c) {
 void add_scaling(std::vector<Column>& c) {
   const auto kind = ColumnKind::measured;
   c.push_back(
-      number({"batch_s", "s", "wall time of the whole batch; only in strong and weak", kind},
+      number({"batch_s", "s", "wall time of the whole batch; only in phases with batches", kind},
              &Run::batch_s));
-  c.push_back(number({"ideal_batch_s", "s", "batch_s of one thread if scaling were perfect", kind},
+  c.push_back(number({"ideal_batch_s", "s", "batch_s of one thread or rank if scaling were perfect", kind},
                      &Run::ideal_batch_s));
   c.push_back(number({"efficiency", "1", "ideal_batch_s / batch_s", kind}, &Run::efficiency));
   c.push_back(number({"session", "1", "the session of /environments that made the row", kind},

@@ -8,7 +8,8 @@ namespace ar3d {
 namespace {
 constexpr std::array<const char*, 6> kNames = {"ok",      "timeout",  "out_of_memory",
                                                "refused", "violated", "crashed"};
-constexpr std::array<const char*, 4> kPhases = {"metrics", "timing", "strong", "weak"};
+constexpr std::array<const char*, 6> kPhases = {"metrics", "timing",   "strong",
+                                                "weak",    "strong_r", "weak_r"};
 
 // The place of a text in a table of names.
 template <std::size_t N>

@@ -20,10 +20,17 @@ RunStatus parse_run_status(std::string_view text);
 
 /// What a row was made for. metrics: certified, on all cores, its times disturbed by the
 /// neighbours; timing: alone on a core of its own; strong, weak: one of a batch of equal drawings
-/// that several threads share.
-enum class RunPhase : std::uint8_t { metrics, timing, strong, weak };
-/// "metrics", "timing", "strong", "weak".
+/// that several threads share; strong_ranks, weak_ranks: that several ranks share.
+enum class RunPhase : std::uint8_t { metrics, timing, strong, weak, strong_ranks, weak_ranks };
+/// "metrics", "timing", "strong", "weak", "strong_r", "weak_r".
 const char* to_string(RunPhase phase);
+/// Whether its rows are drawn in batches; whether these are of one size, however many share them;
+/// whether ranks share them, not threads.
+constexpr bool is_batched(RunPhase phase) { return phase >= RunPhase::strong; }
+constexpr bool is_strong(RunPhase phase) {
+  return phase == RunPhase::strong || phase == RunPhase::strong_ranks;
+}
+constexpr bool is_over_ranks(RunPhase phase) { return phase >= RunPhase::strong_ranks; }
 /// @throws InputError naming the text if it is no phase.
 RunPhase parse_run_phase(std::string_view text);
 
@@ -44,7 +51,7 @@ struct Run {
   std::string algorithm;
   std::string options;  ///< "effort=1", complete and in catalogue order
   RunPhase phase = RunPhase::metrics;
-  std::int64_t scale = -1;       ///< threads that share the batch; missing outside strong and weak
+  std::int64_t scale = -1;       ///< threads or ranks that share the batch; missing outside of one
   std::int64_t repetition = -1;  ///< within (phase, scale)
   RunStatus status = RunStatus::crashed;
   std::string message;  ///< first violation or error, cut to fit
@@ -88,7 +95,7 @@ struct Run {
   std::int64_t draw_peak_bytes = -1;       ///< peak resident memory while drawing
   std::int64_t peak_bytes = -1;     ///< peak resident memory from the row's beginning to its end
   std::string peak_scope;           ///< "row", "worker", "process"; empty if missing
-  double batch_s = kMissing;        ///< strong, weak: wall time of the whole batch
+  double batch_s = kMissing;        ///< wall time of the whole batch, if in one
   double ideal_batch_s = kMissing;  ///< what it would be with perfect scaling
   double efficiency = kMissing;     ///< ideal_batch_s / batch_s
   std::string timing_mark;          ///< why its times are worth little: "debug", "sanitised"

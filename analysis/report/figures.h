@@ -35,7 +35,7 @@ std::vector<NamedPlot> section_plots(const Section& section);
 /// was measured with at least two. Medians of the largest n that all settings share.
 std::vector<NamedPlot> effort_dials(const Analysis& analysis);
 
-/// Drawings at a time against threads in strong and weak batches: one plot for every algorithm and
+/// Drawings at a time against threads or ranks in batches: one plot for every algorithm, phase and
 /// kind, one line for every family and size.
 std::vector<NamedPlot> strong_weak_plots(const Analysis& analysis);
 

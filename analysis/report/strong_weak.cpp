@@ -1,4 +1,4 @@
-// Batches of equal drawings shared by threads: how many more drawings a machine makes at a time.
+// Batches of equal drawings shared by threads or ranks: how many more drawings they make at a time.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace ar3d::report {
 namespace {
 
-/// What was measured on so many threads: medians over the rows.
+/// What was measured with so many sharers: medians over the rows.
 struct Scale {
   std::vector<double> batch_s, ideal_s, efficiency;
 };
@@ -23,7 +23,7 @@ struct Scale {
 struct Curve {
   std::string family;
   std::int64_t n = 0;
-  std::map<std::int64_t, Scale> scales;  ///< by threads
+  std::map<std::int64_t, Scale> scales;  ///< by threads or ranks
 };
 
 struct Batches {
@@ -36,8 +36,7 @@ std::vector<Batches> batches_of(const Results& results) {
   using CurveKey = std::pair<std::string, std::int64_t>;
   std::map<std::pair<RunPhase, std::string>, std::map<CurveKey, Curve>> found;
   for (const Run& run : results.runs) {
-    const bool is_batched = run.phase == RunPhase::strong || run.phase == RunPhase::weak;
-    if (!is_batched || run.scale < 1 || !(run.efficiency > 0) || !(run.batch_s > 0)) continue;
+    if (!is_batched(run.phase) || run.scale < 1 || !(run.efficiency > 0) || !(run.batch_s > 0)) continue;
     const CellKey key{run.algorithm, run.options, run.family, run.parameters};
     Curve& curve = found[{run.phase, algorithm_label(key)}][CurveKey(family_label(key), run.n)];
     curve.family = family_label(key);
@@ -55,28 +54,31 @@ std::vector<Batches> batches_of(const Results& results) {
   return all;
 }
 
-/// Threads and gain over one thread, as decimal logarithms.
-double log_threads(std::int64_t threads) { return std::log10(static_cast<double>(threads)); }
-double log_gain(std::int64_t threads, const Scale& scale) {
-  return log_threads(threads) + std::log10(median(scale.efficiency));
+/// How many share and their gain over one alone, as decimal logarithms.
+double log_sharers(std::int64_t sharers) { return std::log10(static_cast<double>(sharers)); }
+double log_gain(std::int64_t sharers, const Scale& scale) {
+  return log_sharers(sharers) + std::log10(median(scale.efficiency));
 }
+
+const char* sharers_of(RunPhase phase) { return is_over_ranks(phase) ? "ranks" : "threads"; }
+const char* kind_of(RunPhase phase) { return is_strong(phase) ? "strong" : "weak"; }
 
 Frame frame_of(const Batches& batches) {
   Range x, y;
   x.include(0);
   y.include(0);
   for (const Curve& curve : batches.curves) {
-    for (const auto& [threads, scale] : curve.scales) {
-      x.include(log_threads(threads));
-      y.include(log_threads(threads));
-      y.include(log_gain(threads, scale));
+    for (const auto& [sharers, scale] : curve.scales) {
+      x.include(log_sharers(sharers));
+      y.include(log_sharers(sharers));
+      y.include(log_gain(sharers, scale));
     }
   }
   return {LogAxis(x.low, x.high, kLeft, kRight),
           LogAxis(y.low, y.high, kBottom, kTop + 12),
           TickStyle::count,
           TickStyle::count,
-          "threads",
+          sharers_of(batches.phase),
           "drawings at a time"};
 }
 
@@ -85,7 +87,7 @@ std::string ideal_line(const Batches& batches, const Frame& frame) {
   for (const Curve& curve : batches.curves) {
     most = std::max(most, curve.scales.rbegin()->first);
   }
-  const double end = log_threads(most);
+  const double end = log_sharers(most);
   return fmt::format(
       "<polyline class='bound' points='{}{}'><title>ideal</title></polyline>"
       "<g class='labels'><text x='{:.1f}' y='{:.1f}' text-anchor='end'>ideal</text></g>",
@@ -94,8 +96,8 @@ std::string ideal_line(const Batches& batches, const Frame& frame) {
 
 std::string curve_svg(const Curve& curve, std::size_t colour, const Frame& frame) {
   std::string line, dots;
-  for (const auto& [threads, scale] : curve.scales) {
-    const double x = log_threads(threads), y = log_gain(threads, scale);
+  for (const auto& [sharers, scale] : curve.scales) {
+    const double x = log_sharers(sharers), y = log_gain(sharers, scale);
     line += frame.point(x, y);
     dots += fmt::format("M{:.1f} {:.1f}h0", frame.x.pixel(x), frame.y.pixel(y));
   }
@@ -105,11 +107,14 @@ std::string curve_svg(const Curve& curve, std::size_t colour, const Frame& frame
 }
 
 NamedPlot plot_of(const Batches& batches) {
-  const std::string kind = to_string(batches.phase);
-  NamedPlot plot{kind,
-                 batches.algorithm + ": " + kind + " scaling",
-                 batches.phase == RunPhase::strong ? "the same drawings shared by more threads"
-                                                   : "as many drawings for every thread",
+  const std::string kind = kind_of(batches.phase);
+  const std::string sharers = sharers_of(batches.phase);
+  NamedPlot plot{to_string(batches.phase),
+                 fmt::format("{}: {} scaling{}", batches.algorithm, kind,
+                             is_over_ranks(batches.phase) ? " over ranks" : ""),
+                 is_strong(batches.phase)
+                     ? fmt::format("the same drawings shared by more {}", sharers)
+                     : fmt::format("as many drawings for each of the {}", sharers),
                  "",
                  {}};
   const Frame frame = frame_of(batches);
@@ -119,17 +124,18 @@ NamedPlot plot_of(const Batches& batches) {
     content += curve_svg(curve, i, frame);
     plot.legend.push_back({fmt::format("{}, n = {}", curve.family, grouped(curve.n)), i});
   }
-  plot.svg = svg_element(plot.title + ": drawings at a time against threads", kHeight, content);
+  plot.svg = svg_element(plot.title + ": drawings at a time against " + sharers, kHeight, content);
   return plot;
 }
 
 std::string table_rows(const Batches& batches) {
   std::string html;
   for (const Curve& curve : batches.curves) {
-    for (const auto& [threads, scale] : curve.scales) {
-      html += "<tr>" + cell(escape(batches.algorithm)) + cell(to_string(batches.phase)) +
+    for (const auto& [sharers, scale] : curve.scales) {
+      html += "<tr>" + cell(escape(batches.algorithm)) + cell(kind_of(batches.phase)) +
               cell(escape(curve.family)) + cell(grouped(curve.n), true) +
-              cell(grouped(threads), true) + cell(duration(median(scale.batch_s)), true) +
+              cell(fmt::format("{} {}", grouped(sharers), sharers_of(batches.phase)), true) +
+              cell(duration(median(scale.batch_s)), true) +
               cell(duration(median(scale.ideal_s)), true) +
               cell(percent(median(scale.efficiency)), true) + "</tr>\n";
     }
@@ -150,16 +156,16 @@ std::string strong_weak_section(const Analysis& analysis) {
   if (plots.empty()) return "";
   std::string html =
       "<section id=strong-weak><h2>Strong and weak scaling</h2><p>Batches of equal drawings shared "
-      "by threads, medians over batches. Drawings at a time: how many drawings the threads make in "
-      "the time in which one thread alone makes one; ideal is the number of threads. Efficiency is "
-      "the ideal time of a batch divided by its time.</p><div class=figures>\n";
+      "by threads or ranks, medians over batches. Drawings at a time: how many drawings they make in "
+      "the time in which one alone makes one; ideal is their number. Efficiency is the ideal time of "
+      "a batch divided by its time.</p><div class=figures>\n";
   for (NamedPlot plot : plots) {
     plot.svg += legend_html(plot.legend, false);
     html += figure_html(plot);
   }
   html +=
       "</div><div class=scroll><table><thead><tr><th>Algorithm</th><th>Kind</th><th>Family</th>"
-      "<th class=num>n</th><th class=num>Threads</th><th class=num>Batch</th><th "
+      "<th class=num>n</th><th class=num>Shared by</th><th class=num>Batch</th><th "
       "class=num>Ideal</th><th class=num>Efficiency</th></tr></thead>"
       "<tbody>\n";
   for (const Batches& batches : batches_of(analysis.results)) html += table_rows(batches);

@@ -10,11 +10,13 @@
 #include <atomic>
 #include <chrono>
 #include <exception>
+#include <limits>
 #include <mutex>
 #include <numeric>
 #include <thread>
 
 #include "../join_ranks.h"
+#include "ar3d/model/error.h"
 
 #ifdef __SANITIZE_ADDRESS__
 // OpenMPI's plugins never free their tables and are unloaded before leaks are looked for, so no
@@ -27,6 +29,10 @@ namespace {
 
 constexpr int kRequestTag = 1;
 constexpr int kAnswerTag = 2;
+constexpr int kJobTag = 3;    // rank 0: what to make ready; nothing: go home
+constexpr int kReadyTag = 4;  // another rank: it is
+constexpr int kGoTag = 5;     // rank 0: all are
+constexpr int kToldTag = 6;   // another rank: what came out, after one character
 
 // Tickets [begin, end); empty: there are no more.
 struct Portion {
@@ -193,6 +199,46 @@ class ServedSupply final : public Supply {
   MPI_Request pending_ = MPI_REQUEST_NULL;
 };
 
+void send_text(const std::string& text, int to, int tag) {
+  MPI_Send(text.data(), static_cast<int>(text.size()), MPI_CHAR, to, tag, MPI_COMM_WORLD);
+}
+
+std::string receive_text(int from, int tag) {
+  const Patience patience;
+  MPI_Status status;
+  int there = 0;
+  while (MPI_Iprobe(from, tag, MPI_COMM_WORLD, &there, &status), there == 0) patience.pause();
+  int size = 0;
+  MPI_Get_count(&status, MPI_CHAR, &size);
+  std::string text(static_cast<std::size_t>(size), '\0');
+  MPI_Recv(text.data(), size, MPI_CHAR, from, tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  return text;
+}
+
+// What a step tells, after '+'; or after '-' why it failed.
+std::string told_by(const std::function<std::string()>& step) {
+  try {
+    std::string text = '+' + step();
+    if (text.size() > std::numeric_limits<int>::max()) {
+      throw InternalError("internal error: a rank's rows pass 2 GiB, the most that MPI sends");
+    }
+    return text;
+  } catch (const std::exception& error) {
+    return std::string("-") + error.what();
+  }
+}
+
+// A job that was made ready, or that tells why it could not be.
+Work made_ready(const MakeReady& make_ready, const std::string& job) {
+  try {
+    return make_ready(job);
+  } catch (...) {
+    return [failure = std::current_exception()]() -> std::string {
+      std::rethrow_exception(failure);
+    };
+  }
+}
+
 class MpiRanks final : public Ranks {
  public:
   MpiRanks() {
@@ -239,6 +285,35 @@ class MpiRanks final : public Ranks {
       MPI_Send(&request, 1, MPI_INT, 0, kRequestTag, MPI_COMM_WORLD);
     }
     if (failure) std::rethrow_exception(failure);
+  }
+
+  std::vector<std::string> at_once(int count, const std::string& job,
+                                   const MakeReady& make_ready) override {
+    for (int rank = 1; rank < count; ++rank) send_text(job, rank, kJobTag);
+    const Work work = made_ready(make_ready, job);
+    for (int rank = 1; rank < count; ++rank) receive_text(rank, kReadyTag);
+    for (int rank = 1; rank < count; ++rank) send_text("", rank, kGoTag);
+    std::vector<std::string> all = {told_by(work)};
+    for (int rank = 1; rank < count; ++rank) all.push_back(receive_text(rank, kToldTag));
+    for (std::string& told : all) {  // after all have come, so that none is left over
+      if (told.front() != '+') throw InternalError(told.substr(1));
+      told.erase(0, 1);
+    }
+    return all;
+  }
+
+  void help(const MakeReady& make_ready) override {
+    for (std::string job = receive_text(0, kJobTag); !job.empty(); job = receive_text(0, kJobTag)) {
+      const Work work = made_ready(make_ready, job);
+      send_text("", 0, kReadyTag);
+      // Not by looking every now and then: the ranks are to begin at the same time.
+      MPI_Recv(nullptr, 0, MPI_CHAR, 0, kGoTag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+      send_text(told_by(work), 0, kToldTag);
+    }
+  }
+
+  void dismiss() override {
+    for (int rank = 1; rank < size_; ++rank) send_text("", rank, kJobTag);
   }
 
  private:

@@ -132,7 +132,7 @@ TEST(Report, BatchesAreShownAgainstTheIdeal) {
   Results results = testing::good_results({"diamond"}, {"cubic"}, 3, 1);
   EXPECT_EQ(count(render_report(results), "id=strong-weak"), 0u) << "there are no batches";
   const ar3d::Run like = results.runs.back();
-  for (const RunPhase phase : {RunPhase::strong, RunPhase::weak}) {
+  for (const RunPhase phase : {RunPhase::strong, RunPhase::weak, RunPhase::weak_ranks}) {
     for (const std::int64_t threads : {1, 2, 4}) {
       ar3d::Run run = like;
       run.phase = phase;
@@ -147,12 +147,14 @@ TEST(Report, BatchesAreShownAgainstTheIdeal) {
   EXPECT_EQ(count(html, "<section id=strong-weak>"), 1u);
   EXPECT_EQ(count(html, "strong scaling: drawings at a time against threads'"), 1u);
   EXPECT_EQ(count(html, "weak scaling: drawings at a time against threads'"), 1u);
-  EXPECT_EQ(count(html, "<title>ideal</title>"), 2u);
+  EXPECT_EQ(count(html, "weak scaling over ranks: drawings at a time against ranks'"), 1u);
+  EXPECT_EQ(count(html, "<td class=num>4 ranks</td>"), 1u);
+  EXPECT_EQ(count(html, "<title>ideal</title>"), 3u);
   EXPECT_EQ(count(html,
                   "<td class=num>16 ms</td><td class=num>12 ms</td>"
                   "<td class=num>75.0 %</td>"),
-            2u);
-  EXPECT_EQ(report_figures(results).size(), 4u + 2) << "two more than without batches";
+            3u);
+  EXPECT_EQ(report_figures(results).size(), 4u + 3) << "three more than without batches";
 }
 
 TEST(Report, FiguresAreDocumentsOfTheirOwn) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include "support/program.h"
@@ -62,6 +63,55 @@ TEST_F(Mpi, TimedRowsAreMadeByTheFirstRankAlone) {
     if (row.phase == RunPhase::timing) timing_sessions.insert(row.session);
   }
   EXPECT_EQ(timing_sessions.size(), 1u);
+}
+
+const char* const kBatches = R"(study = "batches"
+[[sweep]]
+families = { family = "random-cubic", shuffle = 1 }
+sizes = [40, 2000]
+algorithms = ["grid", "two-bend"]
+strong_ranks = { ranks = [1, 3], drawings = 5, repetitions = 2 }
+weak_ranks = { ranks = [1, 2], drawings = 2 }
+)";
+
+// Which rank drew a row is seen by its batch alone; the rows are those of the plan, all of them
+// drawn and certified, however many ranks stand idle.
+TEST_F(Mpi, BatchesAreSharedByRanks) {
+  const std::string spec = scratch_.write("batches.toml", kBatches);
+  const Outcome three =
+      run(ranks(3) + "study run -q --force-timing " + spec + " -o " + path("three.h5"));
+  ASSERT_EQ(three.exit_code, 0) << three.err;
+  std::map<std::pair<RunPhase, std::int64_t>, int> rows;
+  for (const ar3d::Run& row : read_results(path("three.h5")).runs) {
+    EXPECT_EQ(row.status, RunStatus::ok) << row.message;
+    if (row.phase == RunPhase::metrics) continue;
+    ++rows[{row.phase, row.scale}];
+    EXPECT_EQ(row.violations, 0);
+    EXPECT_EQ(row.concurrency, row.scale);
+    EXPECT_GT(row.wall_s, 0);
+    EXPECT_GE(row.batch_s, row.wall_s);
+    EXPECT_DOUBLE_EQ(row.efficiency, row.ideal_batch_s / row.batch_s);
+  }
+  EXPECT_EQ(rows.size(), 4u);
+  EXPECT_EQ((rows[{RunPhase::strong_ranks, 1}]), 4 * 5 * 2);
+  EXPECT_EQ((rows[{RunPhase::strong_ranks, 3}]), 4 * 5 * 2);
+  EXPECT_EQ((rows[{RunPhase::weak_ranks, 2}]), 4 * 2 * 2);
+  EXPECT_EQ(run(ranks(4) + "study run -q --force-timing " + spec + " -o " + path("four.h5")).exit_code,
+            0);
+  expect_same_rows(path("three.h5"), path("four.h5"));
+  EXPECT_EQ(run("{} check " + path("three.h5")).exit_code, 0);
+  EXPECT_THAT(run("cat " + path("three.html")).out, HasSubstr("strong scaling over ranks"));
+}
+
+TEST_F(Mpi, BatchesForMoreRanksThanThereAreAreRefused) {
+  const std::string spec = scratch_.write("batches.toml", kBatches);
+  const Outcome two = run(ranks(2) + "study run -q --force-timing " + spec + " -o " + path("r.h5"));
+  EXPECT_EQ(two.exit_code, 2);
+  EXPECT_THAT(two.err, HasSubstr("ar3d: batches are to be shared by 3 ranks of mpirun but there are 2\n"));
+  const Outcome alone = run("{} study run -q --force-timing " + spec + " -o " + path("r.h5"));
+  EXPECT_EQ(alone.exit_code, 2);
+  EXPECT_EQ(alone.err, "ar3d: batches are to be shared by 3 ranks of mpirun but there is 1\n");
+  EXPECT_EQ(run("ls " + path("r.*")).out, "") << "nothing was begun";
 }
 
 // Killed with all ranks, then finished by one process; by more ranks than before; merged by hand.

@@ -251,6 +251,34 @@ TEST(ScalingPhase, BatchesHaveTheirIdealAndEfficiency) {
   }
 }
 
+// Alone, a process is the one rank; what it tells is what it drew.
+TEST(ScalingPhase, OneRankIsAProcessAlone) {
+  const StudyPlan plan = study(
+      "sizes = [10, 20]\nalgorithms = \"diamond\"\n"
+      "strong_ranks = { ranks = 1, drawings = 3, repetitions = 2 }\n");
+  const Made made = make(plan);
+  ASSERT_EQ(made.rows.size(), plan.rows());
+  for (const auto& [row, run] : made.rows) {
+    EXPECT_EQ(run.status, RunStatus::ok) << run.message;
+    EXPECT_EQ(run.violations, 0);
+    if (run.phase == RunPhase::metrics) continue;
+    EXPECT_EQ(run.phase, RunPhase::strong_ranks);
+    EXPECT_EQ(run.concurrency, 1);
+    EXPECT_EQ(run.warm_ups, 1);
+    EXPECT_GE(run.batch_s, run.wall_s);
+    EXPECT_DOUBLE_EQ(run.efficiency, 1);
+  }
+}
+
+TEST(ScalingPhase, MoreRanksThanThereAreAreRefused) {
+  const StudyPlan plan =
+      study("sizes = 10\nalgorithms = \"diamond\"\nweak_ranks = { ranks = [1, 2] }\n");
+  EXPECT_THROW(require_makeable(plan, forced()), InputError);
+  MakingRules helper = forced();
+  helper.timed_phases = false;
+  EXPECT_NO_THROW(require_makeable(plan, helper));
+}
+
 // Four drawings that wait for each other in pairs: a batch on two threads really runs two at once.
 TEST(ScalingPhase, ThreadsDrawAtTheSameTime) {
   static std::atomic<int> inside = 0;

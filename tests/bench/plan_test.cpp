@@ -168,17 +168,19 @@ TEST(Plan, BatchesAndTimedRowsArePlanned) {
       plan_of(sweep("\"cycle\"", "10",
                     "timed_repetitions = { precision = 0.1, min = 6, max = 8 }\n"
                     "strong = { threads = [1, 3], drawings = 2, repetitions = 2 }\n"
-                    "weak = { threads = [1, 3], drawings = 2 }"));
+                    "weak = { threads = [1, 3], drawings = 2 }\n"
+                    "weak_ranks = { ranks = [1, 2], drawings = 3 }"));
   std::map<std::pair<RunPhase, std::int64_t>, std::vector<std::uint32_t>> batches;
   std::size_t optional = 0;
   for (const PlannedRun& run : plan.instances[0].runs) {
     batches[{run.phase, run.scale}].push_back(run.batch);
     if (run.optional) ++optional;
   }
-  EXPECT_EQ(plan.rows(), 1u + 8 + 4 + 4 + 2 + 6);
+  EXPECT_EQ(plan.rows(), 1u + 8 + 4 + 4 + 2 + 6 + 3 + 6);
   EXPECT_EQ(optional, 2u);
   EXPECT_EQ((batches[{RunPhase::strong, 3}]), (std::vector<std::uint32_t>{0, 0, 1, 1}));
   EXPECT_EQ((batches[{RunPhase::weak, 3}]), std::vector<std::uint32_t>(6, 0));
+  EXPECT_EQ((batches[{RunPhase::weak_ranks, 2}]), std::vector<std::uint32_t>(6, 0));
 }
 
 TEST(Plan, RefusesTooManyRows) {

@@ -56,6 +56,8 @@ exclude = [{ algorithm = "diamond", from = 20, to = 30 }]
 timed_repetitions = { precision = 0.02, min = 7, max = 9 }
 strong = { threads = [1, 2, 4], drawings = 8, repetitions = 3 }
 weak = { threads = 1 }
+strong_ranks = { ranks = [1, 3], drawings = 9 }
+weak_ranks = { ranks = [1, 2], repetitions = 5 }
 )",
                                      "t.toml");
   EXPECT_EQ(spec.name, "all-keys");
@@ -78,10 +80,14 @@ weak = { threads = 1 }
   EXPECT_EQ(sweep.timed.least, 7u);
   EXPECT_EQ(sweep.timed.most, 9u);
   EXPECT_EQ(sweep.timed.precision, 0.02);
-  EXPECT_THAT(sweep.strong.threads, ElementsAre(1, 2, 4));
+  EXPECT_THAT(sweep.strong.scales, ElementsAre(1, 2, 4));
   EXPECT_EQ(sweep.strong.drawings, 8u);
   EXPECT_EQ(sweep.strong.repetitions, 3u);
-  EXPECT_THAT(sweep.weak.threads, ElementsAre(1));
+  EXPECT_THAT(sweep.weak.scales, ElementsAre(1));
+  EXPECT_THAT(sweep.strong_ranks.scales, ElementsAre(1, 3));
+  EXPECT_EQ(sweep.strong_ranks.drawings, 9u);
+  EXPECT_THAT(sweep.weak_ranks.scales, ElementsAre(1, 2));
+  EXPECT_EQ(sweep.weak_ranks.repetitions, 5u);
   EXPECT_EQ(spec.timing.warm_up, 2u);
   EXPECT_EQ(spec.timing.concurrency, 3u);
   EXPECT_TRUE(spec.timing.write);
@@ -131,6 +137,10 @@ TEST(StudySpec, MeasuresAreCheckedWithTheirLine) {
   EXPECT_THAT(error_of(study_with("weak = { threads = [1, 2, 2] }")),
               HasSubstr("threads do not begin with 1 and increase"));
   EXPECT_THAT(error_of(study_with("weak = { drawings = 2 }")), HasSubstr("weak lacks 'threads'"));
+  EXPECT_THAT(error_of(study_with("weak_ranks = { ranks = [1, 1] }")),
+              HasSubstr("t.toml:6: ranks do not begin with 1 and increase"));
+  EXPECT_THAT(error_of(study_with("strong_ranks = { threads = [1, 2] }")),
+              HasSubstr("strong_ranks lacks 'ranks'"));
   EXPECT_THAT(error_of("study = \"t\"\n[[sweep]]\nfamilies = \"cycle\"\nsizes = "
                        "{ from = 1, to = 5, factor = 1 }\nalgorithms = \"grid\""),
               HasSubstr("t.toml:4: factor = 1 is outside"));

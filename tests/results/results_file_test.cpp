@@ -301,7 +301,8 @@ TEST(RunStatus, TextsGoBothWays) {
   }
   EXPECT_THROW(parse_run_status("fine"), InputError);
   for (const RunPhase phase :
-       {RunPhase::metrics, RunPhase::timing, RunPhase::strong, RunPhase::weak}) {
+       {RunPhase::metrics, RunPhase::timing, RunPhase::strong, RunPhase::weak,
+        RunPhase::strong_ranks, RunPhase::weak_ranks}) {
     EXPECT_EQ(parse_run_phase(to_string(phase)), phase);
   }
   EXPECT_THROW(parse_run_phase("fast"), InputError);

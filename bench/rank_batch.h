@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ar3d/bench/make_row.h"
+#include "ar3d/bench/ranks.h"
+
+namespace ar3d {
+
+/// A batch as it came out: its rows without verdict, in the order asked for.
+struct MadeBatch {
+  double wall_s = 0;
+  std::vector<Run> rows;
+};
+
+/// Batches of equal drawings that ranks share. Of r ranks, rank i draws the i-th row and every r-th
+/// after it; every one has generated the graph and drawn its warm-ups before all begin. Nothing is
+/// sent while they draw.
+class RankBatches {
+ public:
+  /// @param plan  the same on every rank; outlives this.
+  RankBatches(const StudyPlan& plan, const TimingRules& rules, int rank);
+
+  /// On rank 0: what wall_s is, is the longest of the ranks' times from the common start on.
+  /// @param place  of the instance in the plan.
+  /// @param rows  places in the instance's runs; of one algorithm with the same options.
+  /// @throws InternalError what went wrong on a rank.
+  MadeBatch make(Ranks& ranks, int count, std::size_t place, const std::vector<std::size_t>& rows);
+
+  /// This rank's part of a batch.
+  Work make_ready(const std::string& job);
+
+ private:
+  struct Job;
+  std::string draw(const Job& job);
+
+  const StudyPlan& plan_;
+  const TimingRules rules_;
+  const int rank_;
+  std::size_t place_ = 0;
+  std::optional<PlannedInstance> instance_;  // at place_
+  RowMaker maker_;
+  HardwareCounters counters_;
+};
+
+}  // namespace ar3d
