@@ -35,6 +35,9 @@ std::string si(int digit, int exponent, const char* unit, bool spaced) {
 std::string label(int digit, int exponent, TickStyle style) {
   switch (style) {
     case TickStyle::count:
+      if (exponent < 0 && exponent >= -3) {  // 1.5, not 1500m
+        return fmt::format("{:.{}f}", digit * std::pow(10, exponent), -exponent);
+      }
       return si(digit, exponent, "", false);
     case TickStyle::seconds:
       return si(digit, exponent, "s", true);

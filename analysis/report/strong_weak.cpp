@@ -61,6 +61,10 @@ double log_gain(std::int64_t sharers, const Scale& scale) {
 }
 
 const char* sharers_of(RunPhase phase) { return is_over_ranks(phase) ? "ranks" : "threads"; }
+std::string counted(std::int64_t sharers, RunPhase phase) {
+  if (sharers == 1) return is_over_ranks(phase) ? "1 rank" : "1 thread";
+  return fmt::format("{} {}", grouped(sharers), sharers_of(phase));
+}
 const char* kind_of(RunPhase phase) { return is_strong(phase) ? "strong" : "weak"; }
 
 Frame frame_of(const Batches& batches) {
@@ -134,7 +138,7 @@ std::string table_rows(const Batches& batches) {
     for (const auto& [sharers, scale] : curve.scales) {
       html += "<tr>" + cell(escape(batches.algorithm)) + cell(kind_of(batches.phase)) +
               cell(escape(curve.family)) + cell(grouped(curve.n), true) +
-              cell(fmt::format("{} {}", grouped(sharers), sharers_of(batches.phase)), true) +
+              cell(counted(sharers, batches.phase), true) +
               cell(duration(median(scale.batch_s)), true) +
               cell(duration(median(scale.ideal_s)), true) +
               cell(percent(median(scale.efficiency)), true) + "</tr>\n";

@@ -223,6 +223,8 @@ TEST(Axis, TicksAreDecadesOrOneTwoFive) {
               ::testing::ElementsAre("2·10¹⁰", "2.5·10¹⁰", "3·10¹⁰"));
   EXPECT_THAT(labels({2.05, 2.2, 0, 100}, report::TickStyle::count),
               ::testing::ElementsAre("120", "130", "140", "150", "160"));
+  EXPECT_THAT(labels({0, 0.3, 0, 100}, report::TickStyle::count),
+              ::testing::ElementsAre("1", "1.5", "2"));
 }
 
 TEST(Html, Numbers) {
