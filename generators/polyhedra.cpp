@@ -114,7 +114,8 @@ class GeodesicSphere {
       for (std::size_t i = 0; i < 3; ++i) {
         const auto& corners = faces_[f].corners;
         const auto at = std::ranges::find(corners, faces_[g].corners[i]);
-        unfolded[i] = at == corners.end() ? -w[k] : w[at - corners.begin()] + w[k];
+        unfolded[i] =
+            at == corners.end() ? -w[k] : w[static_cast<std::size_t>(at - corners.begin())] + w[k];
       }
       return corner_name(g, unfolded);
     }
