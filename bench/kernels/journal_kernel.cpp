@@ -207,6 +207,7 @@ void journaled_kernel(benchmark::State& state) {
 BENCHMARK_CAPTURE(bare_kernel, , true)
     ->Name("study/bare_loop")
     ->Arg(250)
+    ->Arg(300)
     ->Arg(700)
     ->MeasureProcessCPUTime()
     ->UseRealTime();
@@ -218,7 +219,7 @@ BENCHMARK_CAPTURE(bare_kernel, , false)
     ->UseRealTime();
 BENCHMARK(journaled_kernel)
     ->Name("study/journaled")
-    ->ArgsProduct({{250, 700}, {1, 2}})
+    ->ArgsProduct({{250, 300, 700}, {1, 2}})
     ->MeasureProcessCPUTime()
     ->UseRealTime();
 BENCHMARK(append_kernel)->Name("journal/append");
