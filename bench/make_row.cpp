@@ -19,6 +19,7 @@ namespace {
 
 std::string counters_text(const std::vector<Counter>& counters) {
   std::string text;
+  text.reserve(24 * counters.size());
   for (const Counter& counter : counters) {
     const fmt::format_int value(counter.value);
     if (!text.empty()) text += ';';

@@ -31,20 +31,23 @@ Column described(const Description& d, FieldType type, std::size_t size) {
 
 bool is_printable(char c) { return c >= ' ' && c <= '~'; }
 
-// Eight characters at once: the top bit of each says that it is none of ASCII, is 127, or is below
-// 32. No carry leaves its character but one of 255, and that is no ASCII.
+// Eight characters at once, the last eight once more: the top bit of each says that it is none of
+// ASCII, is 127, or is below 32. No carry leaves its character but one of 255, and that is no
+// ASCII.
 bool all_printable(const std::string& text) {
   constexpr std::uint64_t kOnes = 0x0101010101010101;
   constexpr std::uint64_t kTops = kOnes * 128;
+  constexpr std::size_t kEight = sizeof(kOnes);
+  if (text.size() < kEight) return std::all_of(text.begin(), text.end(), is_printable);
   std::uint64_t bad = 0;
-  std::size_t i = 0;
-  for (; i + sizeof(bad) <= text.size(); i += sizeof(bad)) {
+  const auto look_at = [&](std::size_t i) {
     std::uint64_t word = 0;
-    std::memcpy(&word, text.data() + i, sizeof(word));
+    std::memcpy(&word, text.data() + i, kEight);
     bad |= word | (word + kOnes) | ~((word | kTops) - kOnes * 32);
-  }
-  return (bad & kTops) == 0 &&
-         std::all_of(text.begin() + static_cast<std::ptrdiff_t>(i), text.end(), is_printable);
+  };
+  for (std::size_t i = 0; i + kEight < text.size(); i += kEight) look_at(i);
+  look_at(text.size() - kEight);
+  return (bad & kTops) == 0;
 }
 
 bool fits(const std::string& text, std::size_t size) {
@@ -163,10 +166,12 @@ void add_identity(std::vector<Column>& c) {
   c.push_back(text({"options", "", "the algorithm's options, complete, in catalogue order", run},
                    &Run::options, 96));
   c.push_back(
-      choice({"phase", "", "what the row was made for: metrics, timing, strong, weak, strong_r, weak_r", run},
+      choice({"phase", "",
+              "what the row was made for: metrics, timing, strong, weak, strong_r, weak_r", run},
              &Run::phase, parse_run_phase, 8));
-  c.push_back(number({"scale", "1", "threads (strong, weak) or ranks (_r) that share the batch", run},
-                     &Run::scale));
+  c.push_back(
+      number({"scale", "1", "threads (strong, weak) or ranks (_r) that share the batch", run},
+             &Run::scale));
   c.push_back(number({"repetition", "1", "0, 1, ...: which one within its phase and scale", run},
                      &Run::repetition));
 }
@@ -282,8 +287,9 @@ void add_scaling(std::vector<Column>& c) {
   c.push_back(
       number({"batch_s", "s", "wall time of the whole batch; only in phases with batches", kind},
              &Run::batch_s));
-  c.push_back(number({"ideal_batch_s", "s", "batch_s of one thread or rank if scaling were perfect", kind},
-                     &Run::ideal_batch_s));
+  c.push_back(
+      number({"ideal_batch_s", "s", "batch_s of one thread or rank if scaling were perfect", kind},
+             &Run::ideal_batch_s));
   c.push_back(number({"efficiency", "1", "ideal_batch_s / batch_s", kind}, &Run::efficiency));
   c.push_back(number({"session", "1", "the session of /environments that made the row", kind},
                      &Run::session));
@@ -330,7 +336,8 @@ std::size_t run_record_size() {
 
 void require_storable(const Run& run) {
   for (const Column& column : run_columns()) {
-    if (column.exact_text != nullptr) require_fits(run.*column.exact_text, column.name, column.size);
+    if (column.exact_text != nullptr)
+      require_fits(run.*column.exact_text, column.name, column.size);
   }
 }
 
@@ -384,7 +391,8 @@ std::vector<std::string> differing_columns(const Run& a, const Run& b) {
 
 std::string fitted_text(const std::string& text, std::size_t size) {
   std::string fitted = text.substr(0, size);
-  std::replace_if(fitted.begin(), fitted.end(), [](char c) { return !is_printable(c); }, '?');
+  std::replace_if(
+      fitted.begin(), fitted.end(), [](char c) { return !is_printable(c); }, '?');
   return fitted;
 }
 

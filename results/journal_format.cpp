@@ -45,9 +45,9 @@ auto parsed(std::span<const char> text, const std::string& path, const Read& rea
 
 }  // namespace
 
-void pack_row(const char* record, std::vector<char>& packed) {
-  packed.resize(run_record_size() + run_columns().size() * sizeof(std::uint16_t));  // the most
-  char* to = packed.data();
+std::span<const char> pack_row(const char* record, std::vector<char>& buffer) {
+  buffer.resize(run_record_size() + run_columns().size() * sizeof(std::uint16_t));  // the most
+  char* to = buffer.data();
   const auto append = [&to](const void* from, std::size_t count) {
     std::memcpy(to, from, count);
     to += count;
@@ -62,7 +62,7 @@ void pack_row(const char* record, std::vector<char>& packed) {
     append(&length, sizeof(length));
     append(field, length);
   }
-  packed.resize(static_cast<std::size_t>(to - packed.data()));
+  return {buffer.data(), to};
 }
 
 void unpack_row(std::span<const char> packed, char* record) {

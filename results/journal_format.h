@@ -50,8 +50,8 @@ std::uint64_t scan_journal(int file, const std::string& path,
 JournalHead last_journal_record(int file, const std::string& path);
 
 /// A record of /runs without its padding: for every column 8 bytes, or two bytes of length and
-/// text.
-void pack_row(const char* record, std::vector<char>& packed);
+/// text. The result lies in `buffer`, which keeps the size that any row fits in.
+std::span<const char> pack_row(const char* record, std::vector<char>& buffer);
 /// @throws InputError if the bytes are no packed row.
 void unpack_row(std::span<const char> packed, char* record);
 RowKey packed_row_key(std::span<const char> packed);

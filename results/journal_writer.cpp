@@ -122,11 +122,11 @@ void JournalWriter::append(const Run& run) {
 
 void JournalWriter::append_record(const char* record) {
   static const Column& status = run_column("status");
-  pack_row(record, packed_);
+  const std::span<const char> packed = pack_row(record, packed_);
   JournalHead head = head_;
   ++head.rows;
   if (std::string_view(record + status.offset, 3) != std::string_view("ok", 3)) ++head.not_ok;
-  write_record(JournalKind::row, head, packed_);
+  write_record(JournalKind::row, head, packed);
 }
 
 void JournalWriter::write_record(JournalKind kind, JournalHead head,
