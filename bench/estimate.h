@@ -25,7 +25,7 @@ struct CellEstimate {
 };
 
 /// What a study will cost, extrapolated from runs at small sizes on this machine: for each family
-/// and algorithm a power law through two sizes for the time (exponent between 1 and 2.5), and
+/// and algorithm a power law through two sizes for the CPU time (exponent between 1 and 2.5), and
 /// proportional to n for the memory. An estimate: expect it to be right within a factor of about
 /// three.
 struct StudyEstimate {

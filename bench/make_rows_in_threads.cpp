@@ -1,29 +1,15 @@
-#include <omp.h>
-
 #include <atomic>
 #include <exception>
 #include <mutex>
 #include <thread>
 #include <vector>
 
+#include "ar3d/bench/one_thread.h"
 #include "ar3d/bench/pinning.h"
 #include "ar3d/bench/row_source.h"
 
 namespace ar3d {
 namespace {
-
-// While it lives, OpenMP's regions in this thread have no other: a row has one thread, which also
-// generates its graph.
-class OneThread {
- public:
-  OneThread() { omp_set_num_threads(1); }
-  ~OneThread() { omp_set_num_threads(before_); }
-  OneThread(const OneThread&) = delete;
-  OneThread& operator=(const OneThread&) = delete;
-
- private:
-  int before_ = omp_get_max_threads();
-};
 
 void work(RowSource& source, const Crew& crew, int slot, const std::atomic<bool>& failed) {
   const OneThread one_thread;

@@ -17,7 +17,6 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 #include <malloc.h>
-#include <omp.h>
 #include <sqlite3.h>
 
 #include <cstdint>
@@ -27,6 +26,7 @@
 #include <string>
 #include <vector>
 
+#include "ar3d/bench/one_thread.h"
 #include "ar3d/bench/plan.h"
 #include "ar3d/bench/run_study.h"
 #include "ar3d/bench/stopwatch.h"
@@ -203,8 +203,7 @@ class Besides {
 
 void bare_kernel(benchmark::State& state, bool hash) {
   keep_heap();
-  const int threads = omp_get_max_threads();
-  omp_set_num_threads(1);
+  const OneThread one_thread;
   const StudyPlan plan = cubic_plan(state.range(0));
   const std::vector<PlannedInstance> instances(plan.instances.begin(), plan.instances.end());
   const Algorithm& grid = find_algorithm("grid");
@@ -232,7 +231,6 @@ void bare_kernel(benchmark::State& state, bool hash) {
     }
   }
   besides.report(state, 1);
-  omp_set_num_threads(threads);
   state.SetItemsProcessed(state.iterations() * kGraphs);
 }
 
