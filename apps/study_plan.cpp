@@ -35,8 +35,8 @@ void print_estimate(const StudyPlan& plan, const StudyEstimate& estimate, int th
              estimate.rows);
   if (estimate.optional_rows > 0) fmt::print(" and at most {} more", estimate.optional_rows);
   fmt::print(
-      "\nestimated from runs up to n = 3000: {} on {} threads, {:.2g} MB for the largest row\n",
-      about(estimate.wall_s), threads, estimate.largest_row_bytes / 1e6);
+      "\nestimated from runs up to n = {}: {} on {} threads, {:.2g} MB for the largest row\n",
+      estimate.calibration_n, about(estimate.wall_s), threads, estimate.largest_row_bytes / 1e6);
   if (plan.budget.study_s && estimate.wall_s > *plan.budget.study_s) {
     fmt::print("the budget of {} will probably end it earlier\n", about(*plan.budget.study_s));
   }

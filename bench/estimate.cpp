@@ -19,8 +19,14 @@
 namespace ar3d {
 namespace {
 
-constexpr std::uint64_t kCalibrationSize = 3000;
 constexpr std::uint64_t kSizeRatio = 6;
+
+// Far beyond what is measured, the caches make the power law another one.
+std::uint64_t calibration_size(std::uint64_t largest) {
+  constexpr std::uint64_t kUsual = 3000;
+  constexpr std::uint64_t kMost = 100000;
+  return std::min(largest, std::clamp(largest / 30, kUsual, kMost));
+}
 
 // value(n) = value at the larger calibration size * (n / that size)^exponent.
 struct PowerLaw {
@@ -82,7 +88,7 @@ Measured measured_at(const PlannedInstance& like, const PlannedRun& run, std::ui
 
 CostModel calibrated(const PlannedInstance& instance, const PlannedRun& run,
                      std::uint64_t largest) {
-  const std::uint64_t size = std::min(largest, kCalibrationSize);
+  const std::uint64_t size = calibration_size(largest);
   const Measured small = measured_at(instance, run, std::max<std::uint64_t>(1, size / kSizeRatio));
   const Measured large = measured_at(instance, run, size);
   return {law_through(small.n, small.row_s, large.n, large.row_s),
@@ -155,6 +161,7 @@ class Estimator {
           model != models_.end()
               ? model->second
               : models_.emplace(key, calibrated(instance, run, largest_.at(key))).first->second;
+      result_.calibration_n = std::max(result_.calibration_n, calibration_size(largest_.at(key)));
       CellEstimate cell;
       std::tie(cell.family, cell.parameters, cell.algorithm, cell.options) = key;
       cell.n = instance.n;

@@ -34,10 +34,11 @@ struct StudyEstimate {
   std::size_t optional_rows = 0;
   double wall_s = 0;  ///< of the whole study on so many threads
   double largest_row_bytes = 0;
+  std::uint64_t calibration_n = 0;  ///< the largest size that was drawn for it
 };
 
-/// Draws each family with each algorithm at two sizes up to 3000 (no larger than planned): a few
-/// seconds for the whole catalogue.
+/// Draws each family with each algorithm at two sizes, the larger one 3000 or a thirtieth of the
+/// largest planned, but at most 10^5: a few seconds for the whole catalogue.
 StudyEstimate estimate(const StudyPlan& plan, int threads);
 
 /// Memory that this process may use in bytes: the machine's, or its control group's if that is
