@@ -97,7 +97,6 @@ class Planner {
     for (const Sweep& sweep : spec_.sweeps) {
       for (const FamilyChoice& family : sweep.families) add_cells(sweep, family);
     }
-    refuse_too_many_rows();
     group_cells();
     for (const Cell& cell : cells_) add_instances(cell);
     plan_.timing = spec_.timing;
@@ -126,22 +125,21 @@ class Planner {
       const std::uint64_t n = family.family->nearest_n(wanted_n, family.parameters);
       const bool many = depends_on_seed(*family.family, family.parameters);
       const std::uint32_t instances = many ? sweep.instances : 1;
-      cells_.push_back(
-          {family, wanted_n, n, instances, &sweep, fitting_algorithms(sweep, family, degree, n)});
+      std::vector<AlgorithmChoice> fitting = fitting_algorithms(sweep, family, degree, n);
+      if (fitting.empty()) continue;
+      cells_.push_back({family, wanted_n, n, instances, &sweep, std::move(fitting)});
+      count_rows(cells_.back());
     }
   }
 
-  // Before any of them costs time or memory; rows that are asked for twice count twice.
-  void refuse_too_many_rows() const {
-    std::size_t rows = 0;
-    for (const Cell& cell : cells_) {
-      const std::size_t drawings = std::size_t{cell.instances} * cell.algorithms.size();
-      const std::size_t each = rows_of_a_drawing(*cell.sweep);
-      if (drawings > 0 && each > (kMaxRows - rows) / drawings) {
-        throw InputError(fmt::format("study {} has more than {} rows", spec_.name, kMaxRows));
-      }
-      rows += drawings * each;
+  // Refuses too many before any of them costs time or memory; rows asked for twice count twice.
+  void count_rows(const Cell& cell) {
+    const std::size_t drawings = std::size_t{cell.instances} * cell.algorithms.size();
+    const std::size_t each = rows_of_a_drawing(*cell.sweep);
+    if (each > (kMaxRows - cell_rows_) / drawings) {
+      throw InputError(fmt::format("study {} has more than {} rows", spec_.name, kMaxRows));
     }
+    cell_rows_ += drawings * each;
   }
 
   // The cells of the same graphs.
@@ -156,14 +154,11 @@ class Planner {
   }
 
   void group_cells() {
-    for (const Cell& cell : cells_) {
-      if (!cell.algorithms.empty()) groups_[group_key(cell)].cells.push_back(&cell);
-    }
+    for (const Cell& cell : cells_) groups_[group_key(cell)].cells.push_back(&cell);
   }
 
   // The instances that no cell before has asked for, as blocks on which the same cells agree.
   void add_instances(const Cell& cell) {
-    if (cell.algorithms.empty()) return;
     Group& group = groups_.at(group_key(cell));
     while (group.planned < cell.instances) {
       std::uint32_t end = cell.instances;
@@ -235,6 +230,7 @@ class Planner {
 
   const StudySpec& spec_;
   std::vector<Cell> cells_;
+  std::size_t cell_rows_ = 0;  // of all of them
   StudyPlan plan_;
   std::map<std::string, Group> groups_;
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "ar3d/bench/environment.h"
 #include "support/program.h"
 
 namespace ar3d {
@@ -121,6 +122,22 @@ TEST(Program, FullDiskIsAnErrorNotAShortFile) {
   const Outcome outcome = run("{} generate path -n 100000 -o - > /dev/full");
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("No space left"));
+}
+
+// 27 million cells of a million rows each: refused at the first few, not when all are in memory.
+TEST(Program, AStudyOfTooManyRowsIsRefusedInLittleMemory) {
+  if (std::string(timing_mark()) == "sanitised") GTEST_SKIP() << "needs all address space";
+  std::string jumps = "1";
+  for (int k = 2; k <= 3000; ++k) jumps += ", " + std::to_string(k);
+  const ScratchDirectory scratch;
+  const std::string spec = scratch.write(
+      "s.toml", "study = 's'\n[[sweep]]\nfamilies = { family = 'generalised-petersen', k = [" +
+                    jumps +
+                    "] }\nsizes = { from = 4, to = 4294967294, per_decade = 1000 }\n"
+                    "algorithms = 'grid'\nrepetitions = 1000000\n");
+  const Outcome outcome = run("ulimit -v 1000000; {} study plan " + spec);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err, "ar3d: study s has more than 10000000 rows\n");
 }
 
 TEST(Program, DegreeAboveTheGuaranteeNamesTheVertex) {
