@@ -30,7 +30,7 @@ void Progress::row_done(double work, bool ok) {
   if (!ok) ++not_ok_;
   if (out_ == nullptr) return;
   const Clock::time_point now = Clock::now();
-  const auto pause = terminal_ ? std::chrono::milliseconds(200) : std::chrono::milliseconds(10000);
+  const auto pause = terminal_ ? std::chrono::milliseconds(200) : std::chrono::milliseconds(60000);
   if (now - last_ >= pause) print(now);
 }
 

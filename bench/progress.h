@@ -7,8 +7,8 @@
 
 namespace ar3d {
 
-/// Tells people how far a study is: one line, rewritten in place on a terminal, a new line every
-/// ten seconds elsewhere. Not thread-safe.
+/// Tells people how far a study is: one line, rewritten in place on a terminal, a new line a
+/// minute elsewhere. Not thread-safe.
 class Progress {
  public:
   /// @param out  null: silent.  @param total_work  in any unit that is proportional to time.
