@@ -197,6 +197,8 @@ const char* to_string(FindingKind kind) {
       return "duplicate";
     case FindingKind::nothing_measured:
       return "nothing measured";
+    case FindingKind::missing:
+      return "missing";
   }
   return "unknown";
 }
@@ -238,12 +240,14 @@ void require_one_study(const Results& results, const std::string& path) {
 }
 
 RowView view_of(const Results& results) {
-  return {results.runs.size(), [&](std::size_t row) -> const Run& { return results.runs[row]; }};
+  return {results.runs.size(), results.planned_rows,
+          [&](std::size_t row) -> const Run& { return results.runs[row]; }};
 }
 
 RowView view_of(ResultsReader& reader) {
   const auto run = std::make_shared<Run>();
-  return {reader.size(), [&reader, run](std::size_t row) -> const Run& {
+  return {reader.size(), reader.identity().planned_rows,
+          [&reader, run](std::size_t row) -> const Run& {
             *run = load_record(reader.read(row));
             return *run;
           }};
@@ -267,6 +271,11 @@ CheckVerdict check(const RowView& rows) {
   if (!any_drawn) {
     const std::string why = rows.count == 0 ? "the file has no rows" : "no row was drawn";
     verdict.findings.push_back({FindingKind::nothing_measured, {}, "nothing measured: " + why});
+  }
+  if (const auto missing = rows.planned - static_cast<std::int64_t>(rows.count); missing > 0) {
+    verdict.findings.push_back({FindingKind::missing,
+                                {},
+                                fmt::format("{} of {} rows are missing", missing, rows.planned)});
   }
   std::stable_sort(verdict.findings.begin(), verdict.findings.end(),
                    [](const Finding& a, const Finding& b) {

@@ -12,14 +12,15 @@
 namespace ar3d {
 
 enum class FindingKind {
-  certificate,      ///< the drawing was proved wrong
-  theorem_bound,    ///< an extent passes the theorem's bound
-  instance_bound,   ///< an extent passes the proof's bound for this very instance
-  not_repeatable,   ///< two repetitions of one instance gave different drawings
-  not_certified,    ///< an ok row without a certificate, extents or a bound to check against
-  unfinished,       ///< timeout, out of memory or crash
-  duplicate,        ///< the same measurement stands in the file twice
-  nothing_measured  ///< no row was drawn at all
+  certificate,       ///< the drawing was proved wrong
+  theorem_bound,     ///< an extent passes the theorem's bound
+  instance_bound,    ///< an extent passes the proof's bound for this very instance
+  not_repeatable,    ///< two repetitions of one instance gave different drawings
+  not_certified,     ///< an ok row without a certificate, extents or a bound to check against
+  unfinished,        ///< timeout, out of memory or crash
+  duplicate,         ///< the same measurement stands in the file twice
+  nothing_measured,  ///< no row was drawn at all
+  missing            ///< rows that the study is not complete without are not in the file
 };
 /// "certificate", "theorem bound", …
 const char* to_string(FindingKind kind);
@@ -51,6 +52,7 @@ struct CheckVerdict {
 /// Rows that are looked at one at a time.
 struct RowView {
   std::size_t count = 0;
+  std::int64_t planned = -1;                        ///< StudyIdentity::planned_rows
   std::function<const Run&(std::size_t row)> read;  ///< valid until the next call
 };
 RowView view_of(const Results& results);
