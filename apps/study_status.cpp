@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -9,6 +10,7 @@
 
 #include "ar3d/bench/journaled_study.h"
 #include "ar3d/bench/study_files.h"
+#include "ar3d/model/error.h"
 #include "ar3d/results/journal_reader.h"
 #include "ar3d/results/results_reader.h"
 #include "commands.h"
@@ -36,9 +38,28 @@ struct Standing {
   }
 };
 
-Standing standing_of(const std::string& file) {
+// Of a study that times drawings until a precision is reached nobody knows before how many rows it
+// will have: those that are there are looked at.
+void count_exactly(const std::string& file, Standing& standing) {
+  const JournaledStudy study = begun_study(file);
+  const bool is_open =
+      std::any_of(study.spec.sweeps.begin(), study.spec.sweeps.end(),
+                  [](const Sweep& sweep) { return sweep.timed.least < sweep.timed.most; });
+  if (!is_open) return;
+  const StudyOutcome outcome = outcome_so_far(study);
+  standing.rows = outcome.rows;
+  standing.identity.planned_rows = static_cast<std::int64_t>(outcome.rows + outcome.missing);
+}
+
+Standing standing_now(const std::string& file) {
   const std::string results = results_path_of(file);
   Standing standing;
+  if (rows_are_in_results(results)) {
+    const ResultsReader reader(results);
+    standing.identity = reader.identity();
+    standing.rows = reader.size();
+    return standing;
+  }
   for (const std::string& path : existing_journals(results)) {
     const JournalStatus status = journal_status(path);
     if (standing.journals++ == 0) standing.identity = status.identity;
@@ -46,11 +67,17 @@ Standing standing_of(const std::string& file) {
     standing.not_ok += status.not_ok;
     standing.writers += status.is_written ? 1 : 0;
   }
-  if (standing.journals > 0) return standing;
-  const ResultsReader reader(results);
-  standing.identity = reader.identity();
-  standing.rows = reader.size();
+  count_exactly(file, standing);
   return standing;
+}
+
+// Once more if a file went while it was read: a study that ends takes its journals away.
+Standing standing_of(const std::string& file) {
+  try {
+    return standing_now(file);
+  } catch (const InputError&) {
+    return standing_now(file);
+  }
 }
 
 std::string line(const Standing& standing) {

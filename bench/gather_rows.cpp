@@ -54,7 +54,9 @@ GatheredRows gather_rows(const StudyPlan& plan, const RowCollection& rows) {
 void write_gathered(const StudyIdentity& identity, const GatheredRows& gathered,
                     const RowCollection& rows, const std::string& path) {
   const auto read = [&](std::size_t i, char* record) { rows.read(gathered.places[i], record); };
-  write_results(identity, rows.environment(), {gathered.places.size(), read}, path);
+  StudyIdentity described = identity;
+  described.planned_rows = static_cast<std::int64_t>(gathered.places.size() + gathered.missing);
+  write_results(described, rows.environment(), {gathered.places.size(), read}, path);
 }
 
 }  // namespace ar3d

@@ -28,7 +28,8 @@ struct GatheredRows {
 /// @throws InputError naming a row that the plan does not have.
 GatheredRows gather_rows(const StudyPlan& plan, const RowCollection& rows);
 
-/// Writes the gathered rows as a results file. @throws InputError as write_results.
+/// Writes the gathered rows as a results file. Its planned_rows are those that it is complete with:
+/// the ones it has and the ones it lacks. @throws InputError as write_results.
 void write_gathered(const StudyIdentity& identity, const GatheredRows& gathered,
                     const RowCollection& rows, const std::string& path);
 

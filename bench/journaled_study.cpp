@@ -1,6 +1,7 @@
 #include "ar3d/bench/journaled_study.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <exception>
@@ -27,17 +28,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-RowCollection journaled_rows(const JournaledStudy& study) {
+RowCollection rows_so_far(const JournaledStudy& study) {
   RowCollection rows;
-  for (const std::string& file : existing_journals(study.results)) rows.add(file);
+  const std::vector<std::string> journals = existing_journals(study.results);
+  for (const std::string& file : journals) rows.add(file);
+  if (rows_are_in_results(study.results)) rows.add(study.results);
   rows.close();
   return rows;
 }
 
 // An unfinished results file without journals becomes a journal, whole or not at all.
 void seed_journal(const JournaledStudy& study, const StudyIdentity& identity) {
+  if (study.has_journals && existing_journals(study.results).empty()) {
+    throw InputError(fmt::format("{}: another process has finished the study", study.results));
+  }
   if (!study.seed_from_results) return;
-  const std::string seed = study.results + ".seed";
+  const std::string journal_of_study = journal_path(study.results);
+  const std::string seed = fmt::format("{}.partial-{}", journal_of_study, getpid());
   fs::remove(seed);
   {
     RowCollection rows;
@@ -60,7 +67,13 @@ void seed_journal(const JournaledStudy& study, const StudyIdentity& identity) {
     }
     journal.sync();
   }
-  fs::rename(seed, journal_path(study.results));
+  // Not by renaming: another process may have made the same journal and be at work with it.
+  std::error_code failure;
+  fs::create_hard_link(seed, journal_of_study, failure);
+  fs::remove(seed);
+  if (failure && failure != std::errc::file_exists) {
+    throw InputError(fmt::format("cannot write {}: {}", journal_of_study, failure.message()));
+  }
 }
 
 StudyPlan plan_of(const JournaledStudy& study) {
@@ -124,11 +137,9 @@ void together(Ranks& ranks, const std::function<void()>& step) {
 
 StudyOutcome write_rows_so_far(const JournaledStudy& study, const StudyPlan& plan,
                                const std::string& path) {
-  const RowCollection rows = journaled_rows(study);
+  const RowCollection rows = rows_so_far(study);
   const GatheredRows gathered = gather_rows(plan, rows);
-  StudyIdentity identity = rows.identity();
-  identity.planned_rows = required_rows(plan);
-  write_gathered(identity, gathered, rows, path);
+  write_gathered(rows.identity(), gathered, rows, path);
   return {gathered.places.size(), gathered.missing, gathered.first_missing, {}};
 }
 
@@ -136,7 +147,7 @@ StudyOutcome write_rows_so_far(const JournaledStudy& study, const StudyPlan& pla
 
 JournaledStudy new_study(const std::string& name_or_path, const Shard& shard,
                          const std::string& results) {
-  JournaledStudy study{load_study(name_or_path), shard, results, now_with_zone(), false};
+  JournaledStudy study{load_study(name_or_path), shard, results, now_with_zone()};
   if (study.results.empty()) study.results = path_of_shard(default_results_path(study.spec), shard);
   if (const auto journals = existing_journals(study.results); !journals.empty()) {
     throw InputError(fmt::format(
@@ -151,11 +162,15 @@ JournaledStudy new_study(const std::string& name_or_path, const Shard& shard,
 JournaledStudy begun_study(const std::string& journal_or_results) {
   const std::string results = results_path_of(journal_or_results);
   const std::vector<std::string> journals = existing_journals(results);
-  const bool no_journal = journals.empty();
+  const bool in_results = rows_are_in_results(results);
   const StudyIdentity identity =
-      no_journal ? ResultsReader(results).identity() : journal_status(journals.front()).identity;
-  return {parse_study(identity.spec, no_journal ? results : journals.front()), identity.shard,
-          results, identity.created, no_journal};
+      in_results ? ResultsReader(results).identity() : journal_status(journals.front()).identity;
+  return {parse_study(identity.spec, in_results ? results : journals.front()),
+          identity.shard,
+          results,
+          identity.created,
+          in_results,
+          !in_results};
 }
 
 JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()>& begin) {
@@ -169,8 +184,12 @@ JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()
   if (study) identity = identity_of(*study, StudyPlan());
   const std::string text = ranks.from_first(identity_text(identity));
   identity = parse_identity({text.data(), text.size()}, results);
-  return {parse_study(identity.spec, results), identity.shard, results, identity.created,
-          study && study->seed_from_results};
+  return {parse_study(identity.spec, results),
+          identity.shard,
+          results,
+          identity.created,
+          study && study->seed_from_results,
+          study && study->has_journals};
 }
 
 namespace {
@@ -214,20 +233,19 @@ class Part {
       shared.making.neighbours = (ranks_.size() - 1) * shared.threads;
     }
     together(ranks_, [&] {
-      const RowCollection before = journaled_rows(study_);
+      const RowCollection before = rows_so_far(study_);
       make_shared(shared, before);
     });
     if (ranks_.size() > 1 && ranks_.is_first()) {
       shared.making.timed_phases = options_.making.timed_phases;
       shared.next_instance = [] { return std::nullopt; };
       const Dismissal at_end(ranks_);
-      make(shared, journaled_rows(study_));
+      make(shared, rows_so_far(study_));
     } else if (ranks_.size() > 1) {
       RankBatches batches(plan_, plan_.timing, ranks_.rank());
       ranks_.help([&](const std::string& job) { return batches.make_ready(job); });
     }
     journal_->end_session({{"load_after", load_average()}});
-    journal_.reset();
   }
 
   StudyOutcome write_results() {
@@ -266,7 +284,7 @@ class Part {
   const StudyOptions& options_;
   Ranks& ranks_;
   StudyPlan plan_;
-  std::optional<JournalWriter> journal_;
+  std::optional<JournalWriter> journal_;  // until the end, so that nobody else takes the study up
 };
 
 }  // namespace
@@ -286,7 +304,18 @@ StudyOutcome run_journaled(const JournaledStudy& study, const StudyOptions& opti
 }
 
 StudyOutcome write_snapshot(const JournaledStudy& study, const std::string& path) {
+  std::vector<std::string> own = existing_journals(study.results);
+  own.push_back(study.results);
+  for (const std::string& file : own) {
+    if (fs::weakly_canonical(file) != fs::weakly_canonical(path)) continue;
+    throw InputError(fmt::format("{} is a file of the study itself, not for a snapshot", path));
+  }
   return write_rows_so_far(study, plan_of(study), path);
+}
+
+StudyOutcome outcome_so_far(const JournaledStudy& study) {
+  const GatheredRows gathered = gather_rows(plan_of(study), rows_so_far(study));
+  return {gathered.places.size(), gathered.missing, gathered.first_missing, {}};
 }
 
 }  // namespace ar3d

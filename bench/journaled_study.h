@@ -16,6 +16,7 @@ struct JournaledStudy {
   std::string results;             ///< path of the results file
   std::string created;             ///< when it began, ISO 8601 with zone
   bool seed_from_results = false;  ///< its rows so far are in the results file and nowhere else
+  bool has_journals = false;       ///< its rows so far are in journals
 };
 
 /// How it stands with a journaled study.
@@ -49,7 +50,11 @@ JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()
 StudyOutcome run_journaled(const JournaledStudy& study, const StudyOptions& options, Ranks& ranks);
 
 /// Writes the rows so far as a results file, also while they are being made.
-/// @throws InputError naming the file.
+/// @throws InputError naming the file; if it is the study's results file or a journal of it.
 StudyOutcome write_snapshot(const JournaledStudy& study, const std::string& path);
+
+/// How it stands with a study that has begun, also while its rows are being made; reads all of
+/// them. @throws InputError as begun_study.
+StudyOutcome outcome_so_far(const JournaledStudy& study);
 
 }  // namespace ar3d

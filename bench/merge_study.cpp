@@ -49,7 +49,6 @@ StudyOutcome merge_study(const std::vector<std::string>& parts, const std::strin
   if (!outcome.complete()) return outcome;
   StudyIdentity identity = rows.identity();
   identity.shard = {};
-  identity.planned_rows = required_rows(plan);
   write_gathered(identity, gathered, rows, output);
   return outcome;
 }

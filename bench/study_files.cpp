@@ -7,6 +7,9 @@
 #include <filesystem>
 #include <optional>
 
+#include "ar3d/results/journal_reader.h"
+#include "ar3d/results/results_reader.h"
+
 namespace ar3d {
 namespace {
 
@@ -86,6 +89,15 @@ void remove_leftovers(const std::string& results) {
     const bool ours = path.starts_with(results + ".") || path.starts_with(page + ".");
     if (ours && path.find(".partial-") != std::string::npos) fs::remove(path);
   }
+}
+
+// The journal of rank 0 is removed first.
+bool rows_are_in_results(const std::string& results) {
+  const std::vector<std::string> journals = existing_journals(results);
+  if (journals.empty()) return true;
+  return journals.front() != journal_path(results) && fs::exists(results) &&
+         ResultsReader(results).identity().created ==
+             journal_status(journals.front()).identity.created;
 }
 
 void remove_journals(const std::string& results) {

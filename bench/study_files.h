@@ -22,6 +22,10 @@ std::string report_path(const std::string& results);
 /// The results file that a journal is made into; other paths are results files themselves.
 std::string results_path_of(const std::string& journal_or_results);
 
+/// True if there are no journals, or only some that a killed process has not removed any more after
+/// it had made the results file. @throws InputError naming a journal that cannot be read.
+bool rows_are_in_results(const std::string& results);
+
 /// Unfinished new files that a killed process has left of the results file, journals or report. To
 /// be called by the one that has the journal locked.
 void remove_leftovers(const std::string& results);

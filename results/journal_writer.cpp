@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -32,6 +33,14 @@ void require_same(const StudyIdentity& journal, const StudyIdentity& study,
   compare("specification", journal.spec_sha256, study.spec_sha256);
   compare("program's source", journal.source_hash, study.source_hash);
   compare("shard", shard(journal.shard), shard(study.shard));
+}
+
+// False if the file was removed, or another one has its name, since it was opened.
+bool has_its_name(int file, const std::string& path) {
+  struct stat opened {};
+  struct stat named {};
+  return fstat(file, &opened) == 0 && stat(path.c_str(), &named) == 0 &&
+         opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
 }
 
 }  // namespace
@@ -75,7 +84,10 @@ void JournalWriter::lock() {
   range.l_type = F_WRLCK;
   range.l_whence = SEEK_SET;
   for (int tries = 0; tries < 20; ++tries) {
-    if (fcntl(file_.get(), F_OFD_SETLK, &range) == 0) return;
+    if (fcntl(file_.get(), F_OFD_SETLK, &range) == 0) {
+      if (has_its_name(file_.get(), path_)) return;
+      throw InputError(fmt::format("{} is gone: another process has finished it", path_));
+    }
     if (errno != EACCES && errno != EAGAIN) refuse(path_, errno);
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }

@@ -103,6 +103,7 @@ TEST_F(JournaledStudy, ResumesFromAnInterruptedResultsFileAlone) {
   EXPECT_THAT(interrupted.err, HasSubstr("go on with `ar3d study resume " + results));
   fs::remove(results + ".journal");
   EXPECT_EQ(study("status " + results).exit_code, 5);
+  EXPECT_EQ(run("{} check " + results).exit_code, 5) << "what is missing is no pass";
   const Results before = read_results(results);
   EXPECT_EQ(study("resume -q " + results).exit_code, 0);
   const Results after = read_results(results);

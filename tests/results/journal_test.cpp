@@ -5,8 +5,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <memory>
+#include <thread>
 
 #include "ar3d/model/error.h"
 #include "ar3d/results/columns.h"
@@ -180,6 +183,17 @@ TEST_F(Journal, HasOneWriterAtATime) {
 }
 
 // A worker process has the open file too.
+TEST_F(Journal, IsNotContinuedWhenItsWriterHasRemovedIt) {
+  auto writer = std::make_unique<JournalWriter>(path_, sample_identity());
+  std::string error;
+  std::thread waiting([&] { error = open_error(); });
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));  // it waits for the lock by then
+  fs::remove(path_);
+  writer.reset();
+  waiting.join();
+  EXPECT_THAT(error, HasSubstr("s.journal is gone: another process has finished it"));
+}
+
 TEST_F(Journal, IsLockedUntilTheLastWorkerIsGone) {
   pid_t child = -1;
   {

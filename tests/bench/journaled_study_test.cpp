@@ -1,0 +1,156 @@
+// A study, its journals and its results file: who may write them when, and what is there at the
+// end.
+#include "ar3d/bench/journaled_study.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "ar3d/bench/study_files.h"
+#include "ar3d/model/error.h"
+#include "ar3d/results/journal_reader.h"
+#include "ar3d/results/journal_writer.h"
+#include "ar3d/results/results_reader.h"
+#include "support/program.h"
+#include "support/results.h"
+
+namespace ar3d {
+namespace {
+
+using testing::all_bytes;
+using ::testing::HasSubstr;
+using testing::read_file;
+using testing::ScratchDirectory;
+namespace fs = std::filesystem;
+
+// Twelve rows that are needed and ten that precision may ask for.
+const char* const kSpec = R"(study = "s"
+[[sweep]]
+families = "random-cubic"
+sizes = 20
+algorithms = "grid"
+instances = 2
+timed_repetitions = { precision = 1e-6, min = 6, max = 11 }
+strong = { threads = 1 }
+)";
+constexpr std::size_t kNeeded = 2 * (1 + 6 + 1);
+constexpr std::size_t kAll = 2 * (1 + 11 + 1);
+
+// A process that is alone and does something whenever a step ends.
+class Onlooker final : public Ranks {
+ public:
+  explicit Onlooker(std::function<void()> look) : look_(std::move(look)) {}
+  std::string any_of(const std::string& text) override {
+    look_();
+    return text;
+  }
+
+ private:
+  std::function<void()> look_;
+};
+
+class JournaledStudyFiles : public ::testing::Test {
+ protected:
+  JournaledStudy begin() const { return new_study(scratch_.write("s.toml", kSpec), {}, results()); }
+  std::string results() const { return scratch_.path("s.h5"); }
+  StudyOutcome finish(const JournaledStudy& study) const {
+    Ranks alone;
+    return run_journaled(study, options(), alone);
+  }
+  static StudyOptions options() {
+    StudyOptions options;
+    options.threads = 1;
+    options.making.force_timing = true;
+    return options;
+  }
+  // Puts the rows [from, to) of the results file into a journal.
+  void put_into_journal(const std::string& path, std::size_t from, std::size_t to) const {
+    ResultsReader reader(results());
+    JournalWriter journal(path, reader.identity());
+    journal.begin_session(reader.environment());
+    for (std::size_t i = from; i < to; ++i) journal.append_record(reader.read(i));
+  }
+  std::map<std::string, std::string> rows() const {
+    std::map<std::string, std::string> rows;
+    for (const ar3d::Run& row : read_results(results()).runs) rows[row.row_key] = all_bytes(row);
+    return rows;
+  }
+
+  ScratchDirectory scratch_;
+};
+
+TEST_F(JournaledStudyFiles, AreLockedUntilTheResultsAreWritten) {
+  std::size_t locked = 0;
+  Onlooker ranks([&] {
+    if (!fs::exists(journal_path(results()))) return;
+    EXPECT_TRUE(journal_status(journal_path(results())).is_written);
+    ++locked;
+  });
+  const JournaledStudy study = begin();
+  EXPECT_TRUE(run_journaled(study, options(), ranks).complete());
+  EXPECT_EQ(locked, 4u) << "journal made, session begun, rows made, all of them made";
+}
+
+TEST_F(JournaledStudyFiles, AStudyThatAnotherProcessFinishesMeanwhileIsNotMadeAgain) {
+  finish(begin());
+  const std::string journal = journal_path(results());
+  put_into_journal(journal, 0, kNeeded);
+  const JournaledStudy late = begun_study(journal);
+  ASSERT_TRUE(late.has_journals);
+  EXPECT_TRUE(finish(begun_study(journal)).complete());
+  const std::string before = read_file(results());
+  try {
+    finish(late);
+    ADD_FAILURE() << "two processes have made one study";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("another process has finished the study"));
+  }
+  EXPECT_EQ(read_file(results()), before);
+}
+
+TEST_F(JournaledStudyFiles, RowsStayAsTheyAreWhereRemovingTheJournalsWasCutShort) {
+  finish(begin());
+  const auto before = rows();
+  EXPECT_EQ(before.size(), kAll);
+  put_into_journal(journal_path(results(), 1), 0, 3);
+  const JournaledStudy study = begun_study(results());
+  EXPECT_TRUE(study.seed_from_results);
+  EXPECT_TRUE(outcome_so_far(study).complete());
+  EXPECT_TRUE(finish(study).complete());
+  EXPECT_EQ(rows(), before);
+  EXPECT_TRUE(existing_journals(results()).empty());
+}
+
+TEST_F(JournaledStudyFiles, RowsForPrecisionDoNotMakeUpForMissingOnes) {
+  finish(begin());
+  put_into_journal(journal_path(results()), 0, kAll - 1);
+  EXPECT_EQ(outcome_so_far(begun_study(results())).missing, 1u);
+  const std::string snapshot = scratch_.path("snapshot.h5");
+  EXPECT_EQ(write_snapshot(begun_study(results()), snapshot).missing, 1u);
+  const testing::Outcome status = testing::run("{} study status " + results());
+  EXPECT_EQ(status.exit_code, 5);
+  EXPECT_THAT(status.out, HasSubstr("25 of 26 rows, stopped"));
+  EXPECT_EQ(testing::run("{} study status " + snapshot).exit_code, 5);
+  const testing::Outcome check = testing::run("{} check " + snapshot);
+  EXPECT_EQ(check.exit_code, 5);
+  EXPECT_THAT(check.out, HasSubstr("INCOMPLETE: 1 of 26 rows are missing"));
+}
+
+TEST_F(JournaledStudyFiles, ASnapshotOfAFinishedStudyHasItsRowsAndNeverReplacesIt) {
+  finish(begin());
+  const std::string before = read_file(results());
+  const JournaledStudy study = begun_study(results());
+  EXPECT_EQ(write_snapshot(study, scratch_.path("snapshot.h5")).rows, kAll);
+  EXPECT_EQ(read_results(scratch_.path("snapshot.h5")).runs.size(), kAll);
+  EXPECT_THROW(write_snapshot(study, results()), InputError);
+  put_into_journal(journal_path(results()), 0, 1);
+  EXPECT_THROW(write_snapshot(begun_study(results()), journal_path(results())), InputError);
+  EXPECT_EQ(read_file(results()), before);
+}
+
+}  // namespace
+}  // namespace ar3d
