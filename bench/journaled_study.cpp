@@ -13,6 +13,7 @@
 #include "ar3d/bench/gather_rows.h"
 #include "ar3d/bench/plan.h"
 #include "ar3d/bench/rank_batch.h"
+#include "ar3d/bench/stopwatch.h"
 #include "ar3d/bench/study_files.h"
 #include "ar3d/model/error.h"
 #include "ar3d/results/atomic_file.h"
@@ -224,6 +225,7 @@ class Part {
   }
 
   void make_rows() {
+    const Stopwatch time;
     together(ranks_, [&] { journal_->begin_session(session_of(study_, options_, ranks_)); });
     StudyOptions shared = options_;
     shared.making.ranks = &ranks_;
@@ -239,6 +241,7 @@ class Part {
     if (ranks_.size() > 1 && ranks_.is_first()) {
       shared.making.timed_phases = options_.making.timed_phases;
       shared.next_instance = [] { return std::nullopt; };
+      if (plan_.budget.study_s) *plan_.budget.study_s -= time.wall_s();  // what is left of it
       const Dismissal at_end(ranks_);
       make(shared, rows_so_far(study_));
     } else if (ranks_.size() > 1) {

@@ -65,6 +65,24 @@ TEST_F(Mpi, TimedRowsAreMadeByTheFirstRankAlone) {
   EXPECT_EQ(timing_sessions.size(), 1u);
 }
 
+// The budget is one for all phases: where the first has spent it, nothing is timed.
+TEST_F(Mpi, ASpentBudgetIsNotBegunAnew) {
+  const std::string spec = scratch_.write("spent.toml", R"(study = "spent"
+budget = { study = "300 ms" }
+[[sweep]]
+families = "random-cubic"
+sizes = 1000
+algorithms = "grid"
+instances = 10000
+timed_repetitions = 1
+)");
+  const Outcome two = run(ranks(2) + "study run -q --force-timing " + spec + " -o " + path("r.h5"));
+  EXPECT_EQ(two.exit_code, 5) << two.err;
+  const Results results = read_results(path("r.h5"));
+  EXPECT_GT(results.runs.size(), 0u);
+  for (const ar3d::Run& row : results.runs) ASSERT_EQ(row.phase, RunPhase::metrics);
+}
+
 const char* const kBatches = R"(study = "batches"
 [[sweep]]
 families = { family = "random-cubic", shuffle = 1 }
