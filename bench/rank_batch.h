@@ -24,7 +24,7 @@ class RankBatches {
   /// @param plan  the same on every rank; outlives this.
   RankBatches(const StudyPlan& plan, const TimingRules& rules, int rank);
 
-  /// On rank 0: what wall_s is, is the longest of the ranks' times from the common start on.
+  /// On rank 0, whose clock wall_s is taken from (DoneAtOnce).
   /// @param place  of the instance in the plan.
   /// @param rows  places in the instance's runs; of one algorithm with the same options.
   /// @throws InternalError what went wrong on a rank.
@@ -35,7 +35,8 @@ class RankBatches {
 
  private:
   struct Job;
-  std::string draw(const Job& job);
+  struct Share;
+  void draw(Share& share);
 
   const StudyPlan& plan_;
   const TimingRules rules_;

@@ -6,15 +6,26 @@
 #include <string>
 #include <vector>
 
+#include "ar3d/bench/stopwatch.h"
+
 namespace ar3d {
 
 /// Gives out the next ticket, each once over all ranks; called by several threads at once.
 using Tickets = std::function<std::optional<std::size_t>()>;
 
-/// Does a job that was made ready, and tells about it.
-using Work = std::function<std::string()>;
+/// A job that was made ready.
+struct Work {
+  std::function<void()> run;          ///< what is timed
+  std::function<std::string()> tell;  ///< what came out; called once `run` is done
+};
 /// Makes a job ready: whatever is not to be timed.
 using MakeReady = std::function<Work(const std::string& job)>;
+
+/// A job that ranks have done at the same time.
+struct DoneAtOnce {
+  double wall_s = 0;              ///< from the word to begin to the news that the last is done
+  std::vector<std::string> told;  ///< rank by rank
+};
 
 /// The processes that make one study together. This class is a process that is alone; the program
 /// for mpirun has another (apps/mpi/mpi_ranks.cpp). What several ranks do together, all of them
@@ -41,12 +52,15 @@ class Ranks {
   }
 
   /// On rank 0: ranks 0 .. count - 1 make a job ready, wait for each other, and do it at the same
-  /// time. Returns what they tell, rank by rank; the others are in help() meanwhile.
+  /// time, by rank 0's clock; the others are in help() meanwhile.
   /// @throws InternalError what went wrong at one of them. @pre count <= size().
-  virtual std::vector<std::string> at_once(int count, const std::string& job,
-                                           const MakeReady& make_ready) {
+  virtual DoneAtOnce at_once(int count, const std::string& job, const MakeReady& make_ready) {
     (void)count;
-    return {make_ready(job)()};
+    const Work work = make_ready(job);
+    const Stopwatch time;
+    work.run();
+    const double wall_s = time.wall_s();
+    return {wall_s, {work.tell()}};
   }
   /// On the others: does the jobs of rank 0 until it calls dismiss().
   virtual void help(const MakeReady& make_ready) { (void)make_ready; }

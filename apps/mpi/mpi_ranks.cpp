@@ -32,7 +32,8 @@ constexpr int kAnswerTag = 2;
 constexpr int kJobTag = 3;    // rank 0: what to make ready; nothing: go home
 constexpr int kReadyTag = 4;  // another rank: it is
 constexpr int kGoTag = 5;     // rank 0: all are
-constexpr int kToldTag = 6;   // another rank: what came out, after one character
+constexpr int kDoneTag = 6;   // another rank: it has done it
+constexpr int kToldTag = 7;   // another rank: what came out, after one character
 
 // Tickets [begin, end); empty: there are no more.
 struct Portion {
@@ -215,10 +216,16 @@ std::string receive_text(int from, int tag) {
   return text;
 }
 
-// What a step tells, after '+'; or after '-' why it failed.
-std::string told_by(const std::function<std::string()>& step) {
+using Tell = std::function<std::string()>;
+
+Tell what_failed() {
+  return [failure = std::current_exception()]() -> std::string { std::rethrow_exception(failure); };
+}
+
+// What is told, after '+'; or after '-' why it failed.
+std::string told_by(const Tell& tell) {
   try {
-    std::string text = '+' + step();
+    std::string text = '+' + tell();
     if (text.size() > std::numeric_limits<int>::max()) {
       throw InternalError("internal error: a rank's rows pass 2 GiB, the most that MPI sends");
     }
@@ -233,10 +240,25 @@ Work made_ready(const MakeReady& make_ready, const std::string& job) {
   try {
     return make_ready(job);
   } catch (...) {
-    return [failure = std::current_exception()]() -> std::string {
-      std::rethrow_exception(failure);
-    };
+    return {[] {}, what_failed()};
   }
+}
+
+// Does a job; what is to be told of it.
+Tell done(const Work& work) {
+  try {
+    work.run();
+    return work.tell;
+  } catch (...) {
+    return what_failed();
+  }
+}
+
+void send_word(int to, int tag) { MPI_Send(nullptr, 0, MPI_CHAR, to, tag, MPI_COMM_WORLD); }
+
+// Not by looking every now and then: for what is timed.
+void receive_word(int from, int tag) {
+  MPI_Recv(nullptr, 0, MPI_CHAR, from, tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
 }
 
 class MpiRanks final : public Ranks {
@@ -287,28 +309,32 @@ class MpiRanks final : public Ranks {
     if (failure) std::rethrow_exception(failure);
   }
 
-  std::vector<std::string> at_once(int count, const std::string& job,
-                                   const MakeReady& make_ready) override {
+  DoneAtOnce at_once(int count, const std::string& job, const MakeReady& make_ready) override {
     for (int rank = 1; rank < count; ++rank) send_text(job, rank, kJobTag);
     const Work work = made_ready(make_ready, job);
     for (int rank = 1; rank < count; ++rank) receive_text(rank, kReadyTag);
-    for (int rank = 1; rank < count; ++rank) send_text("", rank, kGoTag);
-    std::vector<std::string> all = {told_by(work)};
+    const Stopwatch time;
+    for (int rank = 1; rank < count; ++rank) send_word(rank, kGoTag);
+    const Tell tell = done(work);
+    for (int rank = 1; rank < count; ++rank) receive_word(rank, kDoneTag);
+    const double wall_s = time.wall_s();
+    std::vector<std::string> all = {told_by(tell)};
     for (int rank = 1; rank < count; ++rank) all.push_back(receive_text(rank, kToldTag));
     for (std::string& told : all) {  // after all have come, so that none is left over
       if (told.front() != '+') throw InternalError(told.substr(1));
       told.erase(0, 1);
     }
-    return all;
+    return {wall_s, std::move(all)};
   }
 
   void help(const MakeReady& make_ready) override {
     for (std::string job = receive_text(0, kJobTag); !job.empty(); job = receive_text(0, kJobTag)) {
       const Work work = made_ready(make_ready, job);
-      send_text("", 0, kReadyTag);
-      // Not by looking every now and then: the ranks are to begin at the same time.
-      MPI_Recv(nullptr, 0, MPI_CHAR, 0, kGoTag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-      send_text(told_by(work), 0, kToldTag);
+      send_word(0, kReadyTag);
+      receive_word(0, kGoTag);
+      const Tell tell = done(work);
+      send_word(0, kDoneTag);
+      send_text(told_by(tell), 0, kToldTag);
     }
   }
 

@@ -54,7 +54,8 @@ TEST_F(Mpi, FourRanksMakeTheSameRows) {
 
 TEST_F(Mpi, TimedRowsAreMadeByTheFirstRankAlone) {
   const std::string spec = scratch_.write("phases.toml", kPhases);
-  const Outcome two = run(ranks(2) + "study run -q --force-timing " + spec + " -o " + path("two.h5"));
+  const Outcome two =
+      run(ranks(2) + "study run -q --force-timing " + spec + " -o " + path("two.h5"));
   EXPECT_EQ(two.exit_code, 0) << two.err;
   EXPECT_EQ(run("{} study run -q --force-timing " + spec + " -o " + path("one.h5")).exit_code, 0);
   expect_same_rows(path("two.h5"), path("one.h5"));
@@ -114,18 +115,43 @@ TEST_F(Mpi, BatchesAreSharedByRanks) {
   EXPECT_EQ((rows[{RunPhase::strong_ranks, 1}]), 4 * 5 * 2);
   EXPECT_EQ((rows[{RunPhase::strong_ranks, 3}]), 4 * 5 * 2);
   EXPECT_EQ((rows[{RunPhase::weak_ranks, 2}]), 4 * 2 * 2);
-  EXPECT_EQ(run(ranks(4) + "study run -q --force-timing " + spec + " -o " + path("four.h5")).exit_code,
-            0);
+  EXPECT_EQ(
+      run(ranks(4) + "study run -q --force-timing " + spec + " -o " + path("four.h5")).exit_code,
+      0);
   expect_same_rows(path("three.h5"), path("four.h5"));
   EXPECT_EQ(run("{} check " + path("three.h5")).exit_code, 0);
   EXPECT_THAT(run("cat " + path("three.html")).out, HasSubstr("strong scaling over ranks"));
+}
+
+// One core does a second's work in a second: a batch lasts as long as the processor's time of all
+// its drawings, however late a rank begins.
+TEST_F(Mpi, ThreeRanksOnOneCoreAreNoFasterThanOne) {
+  const std::string spec = scratch_.write("crowd.toml", R"(study = "crowd"
+[[sweep]]
+families = "random-cubic"
+sizes = 200
+algorithms = "grid"
+strong_ranks = { ranks = [1, 3], drawings = 9, repetitions = 5 }
+)");
+  const std::string one_core = "taskset -c $(taskset -pc $$ | sed 's/.*: //; s/[,-].*//') ";
+  const Outcome crowd =
+      run(one_core + "mpirun --allow-run-as-root --oversubscribe --bind-to none -n 3 " +
+          AR3D_MPI_PROGRAM + " study run -q --force-timing " + spec + " -o " + path("crowd.h5"));
+  ASSERT_EQ(crowd.exit_code, 0) << crowd.err;
+  std::map<std::pair<std::int64_t, double>, double> cpu_s;  // of a batch: its scale and time
+  for (const ar3d::Run& row : read_results(path("crowd.h5")).runs) {
+    if (row.phase == RunPhase::strong_ranks) cpu_s[{row.scale, row.batch_s}] += row.cpu_s;
+  }
+  EXPECT_EQ(cpu_s.size(), 10u);
+  for (const auto& [batch, sum] : cpu_s) EXPECT_LE(sum, batch.second) << batch.first << " ranks";
 }
 
 TEST_F(Mpi, BatchesForMoreRanksThanThereAreAreRefused) {
   const std::string spec = scratch_.write("batches.toml", kBatches);
   const Outcome two = run(ranks(2) + "study run -q --force-timing " + spec + " -o " + path("r.h5"));
   EXPECT_EQ(two.exit_code, 2);
-  EXPECT_THAT(two.err, HasSubstr("ar3d: batches are to be shared by 3 ranks of mpirun but there are 2\n"));
+  EXPECT_THAT(two.err,
+              HasSubstr("ar3d: batches are to be shared by 3 ranks of mpirun but there are 2\n"));
   const Outcome alone = run("{} study run -q --force-timing " + spec + " -o " + path("r.h5"));
   EXPECT_EQ(alone.exit_code, 2);
   EXPECT_EQ(alone.err, "ar3d: batches are to be shared by 3 ranks of mpirun but there is 1\n");
