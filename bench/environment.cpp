@@ -135,6 +135,8 @@ std::string source_hash() { return AR3D_SOURCE_HASH; }
 
 bool source_is_dirty() { return AR3D_SOURCE_DIRTY != 0; }
 
+std::string dirty_hash() { return AR3D_DIRTY_HASH; }
+
 std::string load_average() {
   const std::string line = first_line("/proc/loadavg");
   std::size_t end = 0;
@@ -176,7 +178,7 @@ std::vector<EnvironmentEntry> capture_environment(int threads) {
       {"invariant_checks", kHeavyChecks ? "heavy" : "light"},
       {"timing_mark", *timing_mark() == '\0' ? "none" : timing_mark()},
       {"source_hash", AR3D_SOURCE_HASH},
-      {"dirty_hash", *AR3D_DIRTY_HASH == '\0' ? "none" : AR3D_DIRTY_HASH},
+      {"dirty_hash", source_is_dirty() ? dirty_hash() : "none"},
       {"openmp", fmt::format("{}", _OPENMP)},
       {"threads", fmt::format("{}", threads)},
       {"hardware_counters", HardwareCounters().availability()},

@@ -12,6 +12,9 @@ std::string source_hash();
 /// True if tracked files differed from that commit when the program was built.
 bool source_is_dirty();
 
+/// SHA-256 of what differed; empty if nothing did.
+std::string dirty_hash();
+
 /// Why times of this build are worth little: "debug" (no -DNDEBUG), "sanitised", or "" for a good
 /// build.
 const char* timing_mark();

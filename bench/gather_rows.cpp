@@ -14,7 +14,7 @@ void refuse_unknown_row(const GatheredRows& gathered, const RowCollection& rows)
     if (!known[place]) {
       throw InputError(fmt::format(
           "row {} is none of study {} as this program plans it (the rows are of source {})",
-          to_string(rows.key(place)), rows.identity().study_id, rows.identity().source_hash));
+          to_string(rows.key(place)), rows.identity().study_id, rows.identity().source()));
     }
   }
 }

@@ -151,6 +151,7 @@ Results describe_study(const StudySpec& spec, int threads) {
   results.spec_sha256 = sha256(spec.text);
   results.source_hash = source_hash();
   results.dirty = source_is_dirty();
+  results.dirty_hash = dirty_hash();
   results.created = now_with_zone();
   results.environment = capture_environment(threads > 0 ? threads : omp_get_max_threads());
   return results;

@@ -94,6 +94,7 @@ std::string identity_text(const StudyIdentity& identity) {
                  {"spec_sha256", identity.spec_sha256},
                  {"source_hash", identity.source_hash},
                  {"dirty", identity.dirty},
+                 {"dirty_hash", identity.dirty_hash},
                  {"created", identity.created},
                  {"shard", {identity.shard.index, identity.shard.count}},
                  {"planned_rows", identity.planned_rows},
@@ -113,6 +114,7 @@ StudyIdentity parse_identity(std::span<const char> text, const std::string& path
     json.at("spec_sha256").get_to(identity.spec_sha256);
     json.at("source_hash").get_to(identity.source_hash);
     json.at("dirty").get_to(identity.dirty);
+    identity.dirty_hash = json.value("dirty_hash", "");  // journals of older programs lack it
     json.at("created").get_to(identity.created);
     json.at("shard").at(0).get_to(identity.shard.index);
     json.at("shard").at(1).get_to(identity.shard.count);

@@ -31,7 +31,7 @@ void require_same(const StudyIdentity& journal, const StudyIdentity& study,
   };
   const auto shard = [](const Shard& s) { return fmt::format("{}/{}", s.index, s.count); };
   compare("specification", journal.spec_sha256, study.spec_sha256);
-  compare("program's source", journal.source_hash, study.source_hash);
+  compare("program's source", journal.source(), study.source());
   compare("shard", shard(journal.shard), shard(study.shard));
 }
 

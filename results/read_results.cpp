@@ -76,6 +76,9 @@ StudyIdentity read_identity(hid_t file) {
   identity.spec_sha256 = read_text_attribute(file, "spec_sha256");
   identity.source_hash = read_text_attribute(file, "source_hash");
   identity.dirty = read_integer_attribute(file, "dirty") != 0;
+  if (H5Aexists(file, "dirty_hash") > 0) {  // files of older programs lack it
+    identity.dirty_hash = read_text_attribute(file, "dirty_hash");
+  }
   identity.created = read_text_attribute(file, "created");
   identity.shard = parse_shard(read_text_attribute(file, "shard"));
   identity.planned_rows = read_integer_attribute(file, "planned_rows");

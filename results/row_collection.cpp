@@ -80,7 +80,7 @@ void require_same_study(const Source& first, const Source& other) {
     }
   };
   compare("specification", first.identity.spec_sha256, other.identity.spec_sha256);
-  compare("program's source", first.identity.source_hash, other.identity.source_hash);
+  compare("program's source", first.identity.source(), other.identity.source());
 }
 
 }  // namespace
@@ -130,7 +130,6 @@ void RowCollection::add(const std::string& path) {
     require_same_study(state_->sources.front(), source);
     StudyIdentity& identity = state_->identity;
     identity.created = std::min(identity.created, source.identity.created);
-    identity.dirty = identity.dirty || source.identity.dirty;
   }
   state_->shards.push_back(source.identity.shard);
   state_->sources.push_back(std::move(source));

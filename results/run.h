@@ -118,13 +118,17 @@ struct Shard {
 /// What makes rows belong together.
 struct StudyIdentity {
   std::string study_id;
-  std::string spec;         ///< the verbatim TOML
-  std::string spec_sha256;  ///< of spec
-  std::string source_hash;  ///< git commit of the program
-  bool dirty = false;
+  std::string spec;                ///< the verbatim TOML
+  std::string spec_sha256;         ///< of spec
+  std::string source_hash;         ///< git commit of the program
+  bool dirty = false;              ///< the program had changes to it
+  std::string dirty_hash;          ///< SHA-256 of the changes; empty: none, or not known
   std::string created;             ///< ISO 8601 with zone
   Shard shard;                     ///< what of the study
   std::int64_t planned_rows = -1;  ///< of this shard; -1: unknown
+
+  /// Commit and changes, "8a1f… with changes 17c0…".
+  std::string source() const;
 };
 
 /// A whole results file in memory.

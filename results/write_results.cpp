@@ -21,6 +21,7 @@ void write_root_attributes(hid_t file, const StudyIdentity& results) {
   write_attribute(file, "spec_sha256", results.spec_sha256);
   write_attribute(file, "source_hash", results.source_hash);
   write_attribute(file, "dirty", results.dirty ? 1 : 0);
+  write_attribute(file, "dirty_hash", results.dirty_hash);
   write_attribute(file, "created", results.created);
   write_attribute(file, "shard", fmt::format("{}/{}", results.shard.index, results.shard.count));
   write_attribute(file, "planned_rows", static_cast<long long>(results.planned_rows));

@@ -253,6 +253,14 @@ TEST_F(JournaledStudy, MergeRefusesWhatDoesNotBelongTogether) {
   const Outcome source = merge(a + " " + b + " " + path("foreign.h5"));
   EXPECT_EQ(source.exit_code, 2);
   EXPECT_THAT(source.err, HasSubstr("differ in their program's source"));
+
+  Results changed = read_results(c);
+  changed.dirty = true;
+  changed.dirty_hash = std::string(64, '0');
+  write_results(changed, path("changed.h5"));
+  const Outcome changes = merge(a + " " + b + " " + path("changed.h5"));
+  EXPECT_EQ(changes.exit_code, 2);
+  EXPECT_THAT(changes.err, HasSubstr("differ in their program's source"));
 }
 
 TEST_F(JournaledStudy, RefusesShardsThatAreNone) {

@@ -33,6 +33,8 @@ StudyIdentity sample_identity() {
   identity.spec = "# h\xc3\xb6her\nstudy = \"sample\"\n";
   identity.spec_sha256 = std::string(64, 'a');
   identity.source_hash = std::string(40, 'b');
+  identity.dirty = true;
+  identity.dirty_hash = std::string(64, 'd');
   identity.created = "2026-01-02T03:04:05+00:00";
   identity.planned_rows = 100;
   return identity;
@@ -226,6 +228,8 @@ TEST_F(Journal, RefusesAnotherStudySourceOrShard) {
               HasSubstr("its specification is a"));
   EXPECT_THAT(error_with([](StudyIdentity& i) { i.source_hash[0] = 'c'; }),
               HasSubstr("its program's source is b"));
+  EXPECT_THAT(error_with([](StudyIdentity& i) { i.dirty_hash[0] = 'e'; }),
+              HasSubstr("b with changes d"));
   EXPECT_THAT(error_with([](StudyIdentity& i) {
                 i.shard = {2, 3};
               }),

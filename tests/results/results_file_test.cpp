@@ -32,6 +32,7 @@ Results sample_results(std::int64_t count) {
   results.spec_sha256 = std::string(64, 'a');
   results.source_hash = "unknown";
   results.dirty = true;
+  results.dirty_hash = std::string(64, 'd');
   results.created = "2026-01-02T03:04:05+00:00";
   results.shard = {2, 3};
   results.planned_rows = 7;
@@ -81,6 +82,7 @@ TEST_F(ResultsFile, ReadsBackWhatWasWritten) {
     EXPECT_EQ(read.spec_sha256, written.spec_sha256);
     EXPECT_EQ(read.source_hash, written.source_hash);
     EXPECT_TRUE(read.dirty);
+    EXPECT_EQ(read.dirty_hash, written.dirty_hash);
     EXPECT_EQ(read.created, written.created);
     EXPECT_EQ(read.shard, written.shard);
     EXPECT_EQ(read.planned_rows, written.planned_rows);
@@ -300,9 +302,8 @@ TEST(RunStatus, TextsGoBothWays) {
     EXPECT_EQ(parse_run_status(to_string(status)), status);
   }
   EXPECT_THROW(parse_run_status("fine"), InputError);
-  for (const RunPhase phase :
-       {RunPhase::metrics, RunPhase::timing, RunPhase::strong, RunPhase::weak,
-        RunPhase::strong_ranks, RunPhase::weak_ranks}) {
+  for (const RunPhase phase : {RunPhase::metrics, RunPhase::timing, RunPhase::strong,
+                               RunPhase::weak, RunPhase::strong_ranks, RunPhase::weak_ranks}) {
     EXPECT_EQ(parse_run_phase(to_string(phase)), phase);
   }
   EXPECT_THROW(parse_run_phase("fast"), InputError);
