@@ -1,6 +1,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -46,7 +47,13 @@ void make_rows_in_threads(RowSource& source, const Crew& crew) {
     }
   };
   std::vector<std::thread> others;
-  for (int slot = 1; slot < crew.size; ++slot) others.emplace_back(work_guarded, slot);
+  try {
+    for (int slot = 1; slot < crew.size; ++slot) others.emplace_back(work_guarded, slot);
+  } catch (const std::system_error& error) {
+    failed = true;
+    for (std::thread& thread : others) thread.join();
+    throw cannot_start_threads(crew.size, error);
+  }
   work_guarded(0);
   for (std::thread& thread : others) thread.join();
   if (failure) std::rethrow_exception(failure);

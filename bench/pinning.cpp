@@ -5,8 +5,6 @@
 #include <cerrno>
 #include <cstring>
 
-#include "ar3d/model/error.h"
-
 namespace ar3d {
 
 std::vector<int> allowed_cores() {
@@ -18,6 +16,10 @@ std::vector<int> allowed_cores() {
     if (CPU_ISSET(core, &set)) cores.push_back(core);
   }
   return cores;
+}
+
+InputError cannot_start_threads(int count, const std::system_error& reason) {
+  return InputError(fmt::format("cannot start {} threads: {}", count, reason.code().message()));
 }
 
 Pinning::Pinning(int core) {

@@ -5,6 +5,7 @@
 #include <exception>
 #include <map>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 #include "ar3d/bench/make_rows.h"
@@ -58,7 +59,12 @@ class ThreadBatch {
     std::vector<std::thread> crew;
     for (int i = 0; i < threads; ++i) {
       const int core = pin ? cores[cores.size() - 1 - static_cast<std::size_t>(i)] : -1;
-      crew.emplace_back([this, core, &start] { work(core, start); });
+      try {
+        crew.emplace_back([this, core, &start] { work(core, start); });
+      } catch (const std::system_error& error) {
+        note(std::make_exception_ptr(cannot_start_threads(threads, error)));
+        for (; i < threads; ++i) start.arrive_and_drop();  // those that began wait for all
+      }
     }
     for (std::thread& thread : crew) thread.join();
     if (failure_) std::rethrow_exception(failure_);
@@ -93,10 +99,14 @@ class ThreadBatch {
       first_start_ = std::min(first_start_, begun);
       last_end_ = std::max(last_end_, ended);
     } catch (...) {  // nothing may leave a thread
-      const std::lock_guard<std::mutex> lock(mutex_);
-      failure_ = std::current_exception();
+      note(std::current_exception());
     }
     if (!waited) start.arrive_and_wait();
+  }
+
+  void note(const std::exception_ptr& failure) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    failure_ = failure;
   }
 
   void draw_row(std::size_t i, int core, HardwareCounters& counters) {

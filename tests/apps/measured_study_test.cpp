@@ -102,6 +102,28 @@ TEST(MeasuredStudy, CountedInstructionsHaveNoNoise) {
   EXPECT_EQ(run("{} study count --max-n 1 " + results).exit_code, 5);
 }
 
+// As where a batch system allows few processes: an error, not the end by std::terminate.
+TEST(MeasuredStudy, ThreadsThatTheSystemDoesNotStartAreAnError) {
+  if (std::string(timing_mark()) == "sanitised") GTEST_SKIP() << "needs all address space";
+  const ScratchDirectory scratch;
+  const std::string spec = scratch.write("s.toml", R"(study = "s"
+[[sweep]]
+families = "cycle"
+sizes = 30
+algorithms = "grid"
+strong = { threads = [1, 512] }
+)");
+  for (const std::string& what :
+       {std::string("smoke --threads 1024"), spec + " --force-timing --threads 1"}) {
+    const std::string results = scratch.path("r.h5");
+    const Outcome study = run("ulimit -v 2000000; {} study run -q " + what + " -o " + results);
+    EXPECT_EQ(study.exit_code, 2) << what << study.err;
+    EXPECT_THAT(study.err, HasSubstr("ar3d: cannot start ")) << what;
+    const Outcome status = run("{} study status " + results + "; rm " + results + ".journal");
+    EXPECT_THAT(status.out, HasSubstr(", stopped")) << "it can be gone on with";
+  }
+}
+
 TEST(MeasuredStudy, AFailingSpecificationIsRefusedBeforeAnyWork) {
   const ScratchDirectory scratch;
   scratch.write("s.toml",
