@@ -52,6 +52,13 @@ TEST_F(Mpi, FourRanksMakeTheSameRows) {
   EXPECT_EQ(run("ls " + path("*.journal")).out, "");
 }
 
+TEST_F(Mpi, OneRankMakesAllRows) {
+  const Outcome one = run(ranks(1) + "study run smoke -q -o " + path("one.h5"));
+  EXPECT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_EQ(run("{} study run smoke -q -o " + path("alone.h5")).exit_code, 0);
+  expect_same_rows(path("one.h5"), path("alone.h5"));
+}
+
 TEST_F(Mpi, TimedRowsAreMadeByTheFirstRankAlone) {
   const std::string spec = scratch_.write("phases.toml", kPhases);
   const Outcome two =
