@@ -50,7 +50,7 @@ void write_drawing(const Run& row, const std::string& path) {
 int replay_row(const ReplayArguments& arguments) {
   const Results results = read_results(arguments.results);
   const Run& then = find_row(results, arguments);
-  const Run now = replayed(then);
+  const Run now = replayed(then, study_seed(results));
   if (!arguments.output.empty()) write_drawing(then, arguments.output);
   const std::vector<std::string> differing = differing_columns(then, now);
   fmt::print("{} {} n={} seed {} with {} {}: {}\n", then.family, then.parameters, then.n, then.seed,

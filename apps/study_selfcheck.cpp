@@ -6,6 +6,7 @@
 #include <string>
 
 #include "ar3d/bench/environment.h"
+#include "ar3d/bench/replay_row.h"
 #include "ar3d/bench/selfcheck.h"
 #include "ar3d/results/run.h"
 #include "commands.h"
@@ -38,7 +39,7 @@ int check_a_sample(const SelfcheckArguments& arguments) {
   }
   std::size_t done = 0;
   const bool terminal = isatty(fileno(stderr)) == 1;
-  const SelfCheck check = selfcheck(results.runs, places, [&](std::size_t) {
+  const SelfCheck check = selfcheck(results.runs, places, study_seed(results), [&](std::size_t) {
     if (terminal) fmt::print(stderr, "\r{} of {} rows made again", ++done, places.size());
   });
   if (terminal) fmt::print(stderr, "\n");

@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "ar3d/bench/make_row.h"
+#include "ar3d/bench/study_spec.h"
 #include "ar3d/model/assignments.h"
+#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {
@@ -45,8 +47,25 @@ PlannedInstance plan_of_row(const Run& row) {
   return instance;
 }
 
-Run replayed(const Run& row) {
-  const PlannedInstance instance = plan_of_row(row);
+std::optional<std::uint64_t> study_seed(const StudyIdentity& identity) {
+  try {
+    return parse_study(identity.spec, identity.study_id).seed;
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+Run replayed(const Run& row, const std::optional<std::uint64_t>& study_seed) {
+  PlannedInstance instance = plan_of_row(row);
+  if (study_seed) {
+    PlannedBlock block;
+    block.first = instance;
+    block.first.n =
+        instance.choice.family->nearest_n(instance.wanted_n, instance.choice.parameters);
+    PlannedInstances study(*study_seed);
+    study.append(std::move(block));
+    instance = study[0];
+  }
   RowMaker maker({.concurrency = 1, .core = -1, .memory = MemoryScope::row});
   maker.prepare(instance);
   return maker.make(instance.runs.front());

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include "ar3d/bench/plan.h"
 #include "ar3d/results/run.h"
 
@@ -9,8 +12,14 @@ namespace ar3d {
 /// @throws InputError naming an unknown family, algorithm, parameter or option.
 PlannedInstance plan_of_row(const Run& row);
 
+/// The seed of the study that the rows are of, from its specification; nothing if that cannot be
+/// read any more.
+std::optional<std::uint64_t> study_seed(const StudyIdentity& identity);
+
 /// Makes a recorded row again: generates, draws, certifies. differing_columns(row, replayed(row))
-/// is empty if nothing but measurements changed. @throws InputError as plan_of_row.
-Run replayed(const Run& row);
+/// is empty if nothing but measurements changed.
+/// @param study_seed  given: the row's key and its graph's seed are made from it again; else they
+/// are taken from the row. @throws InputError as plan_of_row.
+Run replayed(const Run& row, const std::optional<std::uint64_t>& study_seed = {});
 
 }  // namespace ar3d

@@ -27,10 +27,11 @@ std::vector<std::size_t> sample_of_rows(const std::vector<Run>& rows, std::size_
 }
 
 SelfCheck selfcheck(const std::vector<Run>& rows, const std::vector<std::size_t>& places,
+                    const std::optional<std::uint64_t>& study_seed,
                     const std::function<void(std::size_t)>& after_each) {
   SelfCheck check;
   for (const std::size_t place : places) {
-    const Run now = replayed(rows[place]);
+    const Run now = replayed(rows[place], study_seed);
     ++check.replayed;
     if (now.status == RunStatus::violated) ++check.violated;
     std::vector<std::string> columns = differing_columns(rows[place], now);

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,9 +30,11 @@ std::vector<std::size_t> sample_of_rows(const std::vector<Run>& rows, std::size_
                                         std::uint64_t seed);
 
 /// Makes the rows at those places again and compares every column that is not measured, bit by bit.
+/// @param study_seed  as replayed().
 /// @param after_each  told the place of every row that has been made again; may be empty.
 /// @throws InputError if a row names an unknown family, algorithm or option.
 SelfCheck selfcheck(const std::vector<Run>& rows, const std::vector<std::size_t>& places,
+                    const std::optional<std::uint64_t>& study_seed = {},
                     const std::function<void(std::size_t)>& after_each = {});
 
 }  // namespace ar3d

@@ -8,6 +8,7 @@
 namespace ar3d {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 
 std::vector<ar3d::Run> study_rows() {
@@ -23,7 +24,7 @@ std::vector<ar3d::Run> study_rows() {
 TEST(SelfCheck, EveryRowOfAStudyIsReproduced) {
   const std::vector<ar3d::Run> rows = study_rows();
   std::size_t told = 0;
-  const SelfCheck check = selfcheck(rows, sample_of_rows(rows, rows.size(), 1),
+  const SelfCheck check = selfcheck(rows, sample_of_rows(rows, rows.size(), 1), 0,
                                     [&](std::size_t place) { EXPECT_EQ(place, told++); });
   EXPECT_EQ(check.replayed, rows.size());
   EXPECT_EQ(check.violated, 0u);
@@ -34,8 +35,12 @@ TEST(SelfCheck, FindsWhatWasChanged) {
   std::vector<ar3d::Run> rows = study_rows();
   rows[3].extents[1] += 1;
   rows[5].drawing_hash[7] = rows[5].drawing_hash[7] == 'a' ? 'b' : 'a';
-  const SelfCheck check = selfcheck(rows, {1, 3, 5});
-  ASSERT_EQ(check.irreproducible.size(), 2u);
+  rows[7].row_key[0] = rows[7].row_key[0] == 'a' ? 'b' : 'a';
+  rows[9].instance_index += 1;
+  const SelfCheck check = selfcheck(rows, {1, 3, 5, 7, 9}, 0);
+  ASSERT_EQ(check.irreproducible.size(), 4u);
+  EXPECT_THAT(check.irreproducible[2].columns, ElementsAre("row_key"));
+  EXPECT_THAT(check.irreproducible[3].columns, Contains("row_key"));
   EXPECT_EQ(check.irreproducible[0].row, 3u);
   EXPECT_THAT(check.irreproducible[0].columns, ElementsAre("extent_y"));
   EXPECT_THAT(check.irreproducible[1].columns, ElementsAre("drawing_hash"));
