@@ -119,6 +119,11 @@ int make_study(const RunArguments& arguments, const std::function<JournaledStudy
     // Said before the ranks part: mpirun ends all of them as soon as one has left with an error.
     if (ranks->is_first()) fmt::print(stderr, "ar3d: {}\n", error.what());
     return kUsage;
+  } catch (const std::exception& error) {
+    if (ranks->size() == 1) throw;
+    fmt::print(stderr, "ar3d: rank {}: {}\n", ranks->rank(), error.what());
+    ranks->give_up();
+    throw;
   }
 }
 
@@ -143,8 +148,8 @@ void add_run(CLI::App& study, int& exit_code) {
       "`ar3d study resume` goes on.\nExample: ar3d study run smoke --threads 2 -o smoke.h5");
   verb->callback([arguments, &exit_code] {
     const Shard shard = arguments->shard.empty() ? Shard() : parse_shard(arguments->shard);
-    exit_code = make_study(
-        *arguments, [&] { return new_study(arguments->study, shard, arguments->output); });
+    exit_code = make_study(*arguments,
+                           [&] { return new_study(arguments->study, shard, arguments->output); });
   });
 }
 

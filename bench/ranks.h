@@ -65,6 +65,9 @@ class Ranks {
   /// On the others: does the jobs of rank 0 until it calls dismiss().
   virtual void help(const MakeReady& make_ready) { (void)make_ready; }
   virtual void dismiss() {}
+
+  /// Ends the others, which may wait for this rank for ever, where it fails on its own.
+  virtual void give_up() {}
 };
 
 }  // namespace ar3d

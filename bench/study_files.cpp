@@ -87,7 +87,8 @@ void remove_leftovers(const std::string& results) {
   const std::string page = report_path(results);
   for (const std::string& path : neighbours(results)) {
     const bool ours = path.starts_with(results + ".") || path.starts_with(page + ".");
-    if (ours && path.find(".partial-") != std::string::npos) fs::remove(path);
+    std::error_code ignored;  // they do no harm
+    if (ours && path.find(".partial-") != std::string::npos) fs::remove(path, ignored);
   }
 }
 

@@ -339,6 +339,10 @@ class MpiRanks final : public Ranks {
     }
   }
 
+  void give_up() override {
+    if (size_ > 1) MPI_Abort(MPI_COMM_WORLD, 1);
+  }
+
   void dismiss() override {
     for (int rank = 1; rank < size_; ++rank) send_text("", rank, kJobTag);
   }

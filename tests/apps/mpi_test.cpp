@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "ar3d/bench/environment.h"
 #include "support/program.h"
 #include "support/results.h"
 
@@ -184,6 +185,28 @@ TEST_F(Mpi, IsResumedByAnyNumberOfRanks) {
     expect_same_rows(results, path("whole.h5"));
     fs::remove(results);
   }
+}
+
+// What only rank 0 does, and what only rank 1 suffers: no rank waits for one that is gone.
+TEST_F(Mpi, NoRankIsWaitedForInVain) {
+  fs::create_directories(path("r.h5.partial-1/not-empty"));
+  const Outcome kept = run("timeout 60 " + ranks(2) + "study run smoke -q -o " + path("r.h5"));
+  EXPECT_EQ(kept.exit_code, 0) << kept.err;
+  if (std::string(timing_mark()) == "sanitised") return;  // needs all address space
+
+  std::string jumps = "1";
+  for (int k = 2; k <= 500; ++k) jumps += ", " + std::to_string(k);
+  const std::string spec = scratch_.write(
+      "wide.toml",
+      "study = 'wide'\n[[sweep]]\nfamilies = { family = 'generalised-petersen', k = [" + jumps +
+          "] }\nsizes = { from = 4, to = 100000, per_decade = 500 }\n"
+          "algorithms = 'grid'\n");
+  const std::string program =
+      std::string(AR3D_MPI_PROGRAM) + " study run -q " + spec + " -o " + path("w.h5");
+  const Outcome alone = run("timeout 60 mpirun --allow-run-as-root --oversubscribe -n 1 " +
+                            program + " : -n 1 bash -c 'ulimit -v 600000; exec " + program + "'");
+  EXPECT_THAT(alone.err, HasSubstr("ar3d: rank 1: "));
+  EXPECT_EQ(alone.exit_code, 1);
 }
 
 TEST_F(Mpi, AnErrorOfAllRanksIsOneLine) {
