@@ -125,7 +125,10 @@ class SpecReader {
     read("weak", "threads", sweep.weak);
     read("strong_ranks", "ranks", sweep.strong_ranks);
     read("weak_ranks", "ranks", sweep.weak_ranks);
-    if (const toml::node* include = table.find("include")) sweep.include = patterns(*include);
+    if (const toml::node* include = table.find("include")) {
+      list(*include, "include");  // an empty one would match no cell, or all of them
+      sweep.include = patterns(*include);
+    }
     if (const toml::node* exclude = table.find("exclude")) sweep.exclude = patterns(*exclude);
     table.refuse_other_keys();
     return sweep;

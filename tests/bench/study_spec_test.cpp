@@ -166,6 +166,8 @@ TEST(StudySpec, ErrorsNameFileLineAndValue) {
   EXPECT_THAT(error_of("study = \"t\"\nx ="), HasSubstr("t.toml:2: "));
   EXPECT_THAT(error_of(study_with("repetition = 3")),
               HasSubstr("t.toml:6: unknown key 'repetition' in sweep (known: algorithms,"));
+  EXPECT_THAT(error_of(study_with("include = []")), HasSubstr("t.toml:6: include is empty"));
+  EXPECT_THAT(error_of(study_with("exclude = []")), "no error");
   EXPECT_THAT(error_of("colour = 1\n" + study_with("")),
               HasSubstr("t.toml:1: unknown key 'colour' in the study"));
   EXPECT_THAT(error_of("study = \"t\""), HasSubstr("the study lacks 'sweep'"));
