@@ -1,6 +1,7 @@
 #include "study.h"
 
 #include <fmt/format.h>
+#include <omp.h>
 
 #include <atomic>
 #include <csignal>
@@ -110,6 +111,8 @@ int make_study(const RunArguments& arguments, const std::function<JournaledStudy
     JournaledStudy begun = begin();
     MakingRules making = arguments.making;
     making.ranks = ranks.get();
+    const int all = ranks->size() > 1 ? 1 : omp_get_max_threads();
+    making.threads = arguments.threads > 0 ? arguments.threads : all;
     refuse_impossible_study(begun.spec, making);
     return begun;
   };

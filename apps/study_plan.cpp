@@ -55,7 +55,7 @@ void refuse_impossible_study(const StudySpec& spec, const MakingRules& options) 
     return block.first.n >= kLargeSize;
   });
   if (!is_large && !plan.budget.limits_rows()) return;
-  refuse_impossible(plan, estimate(plan, 1), available_memory());
+  refuse_impossible(plan, estimate(plan, rules.threads), available_memory());
 }
 
 void add_study_plan(CLI::App& study, int&) {

@@ -24,7 +24,7 @@ constexpr std::uint64_t kSizeRatio = 6;
 // Far beyond what is measured, the caches make the power law another one.
 std::uint64_t calibration_size(std::uint64_t largest) {
   constexpr std::uint64_t kUsual = 3000;
-  constexpr std::uint64_t kMost = 100000;
+  constexpr std::uint64_t kMost = 33333;
   return std::min(largest, std::clamp(largest / 30, kUsual, kMost));
 }
 
@@ -123,6 +123,7 @@ class Estimator {
                      phase_s_[RunPhase::timing] / plan_.timing.concurrency +
                      phase_s_[RunPhase::strong] + phase_s_[RunPhase::weak] +
                      phase_s_[RunPhase::strong_ranks] + phase_s_[RunPhase::weak_ranks];
+    result_.threads = threads;
     return std::move(result_);
   }
 
@@ -156,12 +157,7 @@ class Estimator {
     const auto [at, is_new] =
         places_.try_emplace(std::tuple_cat(key, std::tuple(instance.n)), result_.cells.size());
     if (is_new) {
-      const auto model = models_.find(key);
-      const CostModel& costs =
-          model != models_.end()
-              ? model->second
-              : models_.emplace(key, calibrated(instance, run, largest_.at(key))).first->second;
-      result_.calibration_n = std::max(result_.calibration_n, calibration_size(largest_.at(key)));
+      const CostModel& costs = model_of(key, instance, run);
       CellEstimate cell;
       std::tie(cell.family, cell.parameters, cell.algorithm, cell.options) = key;
       cell.n = instance.n;
@@ -174,10 +170,34 @@ class Estimator {
     return result_.cells[at->second];
   }
 
+  // Of a family with very many parameters only the first few are drawn; the costliest of them
+  // stands for the others.
+  const CostModel& model_of(const ModelKey& key, const PlannedInstance& instance,
+                            const PlannedRun& run) {
+    const auto known = models_.find(key);
+    if (known != models_.end()) return known->second;
+    constexpr std::size_t kMost = 16;
+    std::vector<const CostModel*>& alike =
+        by_family_[{std::get<0>(key), std::get<2>(key), std::get<3>(key)}];
+    if (alike.size() >= kMost) {
+      return **std::max_element(alike.begin(), alike.end(),
+                                [&](const CostModel* a, const CostModel* b) {
+                                  return a->row_s(instance.n) < b->row_s(instance.n);
+                                });
+    }
+    const CostModel& model =
+        models_.emplace(key, calibrated(instance, run, largest_.at(key))).first->second;
+    result_.calibration_n = std::max(result_.calibration_n, calibration_size(largest_.at(key)));
+    alike.push_back(&model);
+    return model;
+  }
+
   const StudyPlan& plan_;
   StudyEstimate result_;
   std::map<ModelKey, std::uint64_t> largest_;
   std::map<ModelKey, CostModel> models_;
+  std::map<std::tuple<std::string, std::string, std::string>, std::vector<const CostModel*>>
+      by_family_;  // family, algorithm, options
   std::map<std::tuple<std::string, std::string, std::string, std::string, std::uint64_t>,
            std::size_t>
       places_;
@@ -196,6 +216,27 @@ void refuse_above(const CellEstimate& cell, double estimated, double limit, cons
   if (estimated <= limit) return;
   throw InputError(fmt::format("{} is estimated at {:.3g} {}, {} {:.3g} {}", cell_name(cell),
                                estimated, unit, what, limit, unit));
+}
+
+// The largest rows that may be made at the same time.
+void refuse_together(const StudyEstimate& estimate, double memory_bytes) {
+  std::vector<const CellEstimate*> cells;
+  for (const CellEstimate& cell : estimate.cells) cells.push_back(&cell);
+  std::stable_sort(cells.begin(), cells.end(), [](const CellEstimate* a, const CellEstimate* b) {
+    return a->row_bytes > b->row_bytes;
+  });
+  auto left = static_cast<std::size_t>(estimate.threads);
+  double bytes = 0;
+  for (const CellEstimate* cell : cells) {
+    const std::size_t at_once = std::min(left, cell->rows);
+    bytes += cell->row_bytes * static_cast<double>(at_once);
+    left -= at_once;
+  }
+  if (bytes <= memory_bytes) return;
+  throw InputError(
+      fmt::format("the largest rows, made {} at a time, are estimated at {:.3g} bytes, but this "
+                  "machine has {:.3g} bytes: --threads can be fewer",
+                  estimate.threads, bytes, memory_bytes));
 }
 
 }  // namespace
@@ -229,6 +270,7 @@ void refuse_impossible(const StudyPlan& plan, const StudyEstimate& estimate, dou
                    "even halved, but budget.row_time gives");
     }
   }
+  refuse_together(estimate, memory_bytes);
 }
 
 }  // namespace ar3d

@@ -32,13 +32,14 @@ struct StudyEstimate {
   std::vector<CellEstimate> cells;  ///< in the plan's order
   std::size_t rows = 0;             ///< without the optional ones
   std::size_t optional_rows = 0;
+  int threads = 1;    ///< rows at a time in the metrics phase
   double wall_s = 0;  ///< of the whole study on so many threads
   double largest_row_bytes = 0;
   std::uint64_t calibration_n = 0;  ///< the largest size that was drawn for it
 };
 
 /// Draws each family with each algorithm at two sizes, the larger one 3000 or a thirtieth of the
-/// largest planned, but at most 10^5: a few seconds for the whole catalogue.
+/// largest planned, but at most 33,333: a few seconds for the whole catalogue.
 StudyEstimate estimate(const StudyPlan& plan, int threads);
 
 /// Memory that this process may use in bytes: the machine's, or its control group's if that is
@@ -46,7 +47,8 @@ StudyEstimate estimate(const StudyPlan& plan, int threads);
 double available_memory();
 
 /// @throws InputError naming the first cell that is impossible: estimated above the machine's
-/// memory, or more than twice above the budget's row_memory or row_time.
+/// memory, or more than twice above the budget's row_memory or row_time; or if the largest rows
+/// that may be made at the same time are above the memory together.
 void refuse_impossible(const StudyPlan& plan, const StudyEstimate& estimate, double memory_bytes);
 
 }  // namespace ar3d

@@ -45,6 +45,19 @@ TEST(Estimate, CountsCellsInstancesAndRows) {
   EXPECT_GT(made.cells[1].row_s, made.cells[1].draw_s);
 }
 
+// A model for every parameter would take longer than the study.
+TEST(Estimate, ManyParametersShareModels) {
+  std::string parameters;
+  for (int k = 1; k <= 40; ++k) parameters += std::to_string(k) + ",";
+  const StudyPlan plan = plan_study(parse_study(
+      "study = \"t\"\n[[sweep]]\nfamilies = { family = \"generalised-petersen\", k = [" +
+          parameters + "] }\nsizes = 400\nalgorithms = \"grid\"\n",
+      "t.toml"));
+  const StudyEstimate made = estimate(plan, 1);
+  EXPECT_EQ(made.cells.size(), 40u);
+  for (const CellEstimate& cell : made.cells) EXPECT_GT(cell.row_s, 0) << cell.parameters;
+}
+
 // A million vertices are not drawn to know that they take longer and more memory.
 TEST(Estimate, GrowsWithNFromSmallRuns) {
   const StudyEstimate made = estimate(plan_of("", "sizes = [1000, 1000000]\n"), 1);
@@ -70,6 +83,10 @@ TEST(Estimate, RefusesWhatIsImpossible) {
       refusal(plan_of("budget = { row_time = \"1 h\", row_memory = \"4 GB\" }", "sizes = 1000\n"),
               1e15),
       "none");
+  const StudyPlan three = plan_of("", "sizes = 1000000\ninstances = 3\n");
+  const StudyEstimate four = estimate(three, 4);
+  EXPECT_NO_THROW(refuse_impossible(three, four, 3.01 * four.largest_row_bytes));
+  EXPECT_THROW(refuse_impossible(three, four, 2.9 * four.largest_row_bytes), InputError);
   EXPECT_GT(available_memory(), 1e8);
   EXPECT_LT(available_memory(), 1e15);
 }
