@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ar3d/algorithms/compact/compact.h"
 #include "ar3d/algorithms/degree_limit.h"
 #include "ar3d/algorithms/diamond/diamond.h"
 #include "ar3d/algorithms/grid/grid.h"
@@ -18,6 +19,7 @@ const std::vector<Algorithm>& algorithms() {
       diamond_row(),
       two_bend_row(),
       grid_row(),
+      compact_row(),
   };
   return rows;
 }

@@ -1,0 +1,116 @@
+#include "ar3d/algorithms/compact/compact.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "ar3d/algorithms/compact/routes.h"
+#include "ar3d/algorithms/compact/zones.h"
+#include "ar3d/algorithms/degree_limit.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d::compact {
+namespace {
+
+constexpr std::uint64_t kStrips = 8;  ///< narrow strips tried, each wider than the one before
+constexpr std::uint64_t kZoneStream = 1000;
+
+const SizeBound& size_bound() {
+  static const SizeBound bound = {"proved here",
+                                  "docs/compact.md",
+                                  {{{726, 1, 1, 1800}, {726, 1, 1, 1800}, {724, 1, 1, 1800}}}};
+  return bound;
+}
+
+Tightness first_tightness(int effort) {
+  switch (effort) {
+    case 0:
+      return {.cells = 105, .rows = 90, .reach = 65, .extra_columns = 6, .extra_reach = 2};
+    case 1:
+      return {};
+    case 2:
+      return {.cells = 95, .rows = 107, .reach = 57, .extra_columns = 2, .kicks = 200};
+    default:
+      throw InputError(fmt::format("compact has effort 0, 1 and 2, not {}", effort));
+  }
+}
+
+void refuse_bad_graph(const Graph& graph) {
+  refuse_larger_degrees("compact", graph, 4);
+  if (graph.num_vertices() > kMaxVertices) {
+    throw InputError(fmt::format("compact draws at most {} vertices, this graph has {}",
+                                 kMaxVertices, graph.num_vertices()));
+  }
+}
+
+/// The first of some ever wider strips that can be filled, if it keeps the guarantee's box.
+std::optional<Strip> fill_some_narrow_strip(const Graph& graph, const Decomposition& links,
+                                            Tightness tightness, std::uint64_t seed,
+                                            Census& census) {
+  for (std::uint64_t i = 0; i < kStrips; ++i, tightness = widened(tightness)) {
+    const StripSize size = narrow_size(graph.num_vertices(), tightness);
+    if (!size_bound().holds(box_of(size), graph.num_vertices())) break;
+    std::optional<Strip> strip =
+        fill_narrow_strip(links, graph.num_edges(), tightness, RandomStream(seed, i), census);
+    if (strip) return strip;
+    ++census.widenings;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Drawing draw(const Graph& graph, const Options& options) {
+  refuse_bad_graph(graph);
+  const Tightness tightness = first_tightness(options.effort);
+  const Decomposition links = decompose(graph);
+  const std::uint64_t seed = mix_seed(graph.num_vertices(), graph.num_edges());
+  Census census;
+  std::optional<Strip> strip;
+  if (!options.guaranteed) {
+    strip = fill_some_narrow_strip(graph, links, tightness, seed, census);
+  }
+  const bool zones = !strip;
+  if (zones) strip = fill_zones(graph, links, RandomStream(seed, kZoneStream), census);
+  Drawing drawing = lift(graph, links, *strip);
+  const StripSize& size = strip->size();
+  drawing.counters = {{"zones", zones ? 1 : 0}, {"widenings", census.widenings},
+                      {"kicks", census.kicks},  {"trials", census.trials},
+                      {"scans", census.scans},  {"columns", size.columns},
+                      {"rows", size.rows},      {"reach", size.reach}};
+  if (graph.num_vertices() > 0) drawing.instance_bound = box_of(size);
+  return drawing;
+}
+
+}  // namespace ar3d::compact
+
+namespace ar3d {
+
+Algorithm compact_row() {
+  Algorithm row;
+  row.name = "compact";
+  row.summary = "Degree at most 4, 5 bends an edge, all angles 109.47 degrees, volume O(n^1.5).";
+  row.source = "the paper's last open question";
+  row.guarantee = {
+      .max_degree = 4,
+      .max_bends = 5,
+      .angle_rule = AngleRule::exactly,
+      .cosine = {-1, 3},
+      .lattice = kCubeLattice,
+      .directions = {{1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}},
+      .vertices_in_plane = true,
+      .bound = compact::size_bound(),
+      .published = {},
+  };
+  row.options = {
+      {"effort", 0, 2, 1, "0: a roomy strip; 1: a narrow one; 2: a narrower one, slower"},
+      {"guaranteed", 0, 1, 0, "1: the zones of the size bound's proof, whatever the effort"},
+  };
+  row.draw = [](const Graph& graph, const OptionValues& values) {
+    return compact::draw(graph, {.effort = static_cast<int>(option(values, "effort")),
+                                 .guaranteed = option(values, "guaranteed") != 0});
+  };
+  return row;
+}
+
+}  // namespace ar3d

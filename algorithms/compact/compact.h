@@ -1,0 +1,35 @@
+#pragma once
+
+#include "ar3d/algorithms/catalog.h"
+#include "ar3d/model/drawing.h"
+#include "ar3d/model/graph.h"
+
+namespace ar3d::compact {
+
+struct Options {
+  /// How narrow the first strip is: 0 roomy, 1 narrow, 2 narrower yet and slower.
+  int effort = 1;
+  /// The zones of the size bound's proof at once, whatever the effort.
+  bool guaranteed = false;
+};
+
+/// Draws a simple graph of maximum degree 4 on the diamond lattice with five bends an edge in
+/// volume O(n^1.5) (docs/compact.md).
+/// @param graph  n <= 2^27 vertices, m edges; may be disconnected.
+/// @return n points with z = 0 and 5 bends an edge, on the unit cube grid; segments parallel to
+/// (±1, ±1, ±1);
+///   extents at most 726 sqrt(n) + 1800, the same, 724 sqrt(n) + 1800. Counters: zones (1 if the
+///   proof's zones were needed), widenings, kicks, trials, scans, columns, rows, reach.
+///   instance_bound is the box of the strip that was filled.
+/// @throws InputError if graph.max_degree() > 4, n > 2^27 or there is no such effort.
+/// Cost: O(n + m) expected time over the fixed random stream, O(n + m) memory.
+Drawing draw(const Graph& graph, const Options& options = {});
+
+}  // namespace ar3d::compact
+
+namespace ar3d {
+
+/// The catalogue's row.
+Algorithm compact_row();
+
+}  // namespace ar3d

@@ -1,0 +1,59 @@
+#pragma once
+
+// The contested lines: those on which more than one edge may run. Lines of different letters never
+// meet, and all other lines are private to a vertex, so that a drawing is right if no two pieces
+// here overlap.
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "ar3d/algorithms/compact/letters.h"
+
+namespace ar3d::compact {
+
+enum class LineKind : std::uint8_t { upper_b = 1, upper_c = 2, lower_c = 3 };
+
+/// A number for the line of the kind's letter through the point; different for different lines, not
+/// 0.
+std::uint64_t line_key(LineKind kind, const Letters& through);
+
+/// A closed interval of heights on a line.
+struct Piece {
+  std::uint64_t line = 0;
+  std::int32_t low = 0;
+  std::int32_t high = 0;
+  bool overlaps(const Piece& other) const {
+    return line == other.line && low <= other.high && other.low <= high;
+  }
+  friend bool operator==(const Piece&, const Piece&) = default;
+};
+
+inline Piece whole_line(std::uint64_t line) {
+  return {line, std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max()};
+}
+
+/// The pieces in use: open addressing with linear probing; 16 bytes a slot, at most 3/4 of them in
+/// use.
+class Lines {
+ public:
+  /// Room for `most` pieces.
+  explicit Lines(std::size_t most);
+
+  /// True if no stored piece overlaps this one (touching is overlapping). O(1) expected.
+  bool is_free(const Piece& piece) const;
+  void insert(const Piece& piece);
+  /// Removes a piece that is_stored. @throws InternalError if it is not.
+  void erase(const Piece& piece);
+
+ private:
+  std::size_t home(std::uint64_t line) const {
+    return static_cast<std::size_t>((line * 0x9e3779b97f4a7c15u) >> shift_);
+  }
+  std::size_t next(std::size_t slot) const { return slot + 1 == slots_.size() ? 0 : slot + 1; }
+
+  unsigned shift_ = 0;
+  std::vector<Piece> slots_;  ///< line 0: empty
+};
+
+}  // namespace ar3d::compact

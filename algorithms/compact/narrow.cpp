@@ -1,0 +1,134 @@
+#include "ar3d/algorithms/compact/narrow.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "ar3d/algorithms/compact/square_root.h"
+
+namespace ar3d::compact {
+namespace {
+
+constexpr int kTrials = 120;
+
+struct Columns {
+  std::int32_t low = 0;
+  std::int32_t high = 0;
+};
+
+/// Fills one strip.
+class Filler {
+ public:
+  Filler(Strip& strip, RandomStream& random, Census& census)
+      : strip_(strip), random_(random), census_(census) {}
+
+  /// @param kicks  how often a vertex may be taken away.
+  bool run(Vertex n, std::int64_t kicks) {
+    for (Vertex v = n; v > 0; --v) waiting_.push_back(v - 1);
+    while (!waiting_.empty()) {
+      const Vertex v = waiting_.back();
+      if (place(v)) {
+        waiting_.pop_back();
+      } else if (kicks-- == 0) {
+        return false;
+      } else {
+        kick_a_neighbour(v);
+      }
+    }
+    return true;
+  }
+
+ private:
+  /// The columns that reach and the types of placed tails leave to v.
+  Columns columns_for(Vertex v) const {
+    const StripSize& size = strip_.size();
+    Columns columns{0, size.columns - 1};
+    const Roles& roles = strip_.roles(v);
+    for (const HalfEdge& edge : roles) {
+      if (edge.to == kNobody || !strip_.is_placed(edge.to)) continue;
+      const std::int32_t at = strip_.site(edge.to).column;
+      columns.low = std::max(columns.low, at - size.reach);
+      columns.high = std::min(columns.high, at + size.reach);
+    }
+    const Vertex tail = roles[kGreenIn].to;
+    if (tail != kNobody && strip_.is_placed(tail)) {
+      const Site& site = strip_.site(tail);
+      if (site.type == 0) {
+        columns.low = std::max(columns.low, site.column + 1);
+      } else {
+        columns.high = std::min(columns.high, site.column - 1);
+      }
+    }
+    return columns;
+  }
+
+  /// By the side of the green head; if that is to come, by the side that has more room.
+  std::int32_t type_for(Vertex v, std::int32_t column) const {
+    const Vertex head = strip_.roles(v)[kGreenOut].to;
+    if (head != kNobody && strip_.is_placed(head)) return strip_.site(head).column < column ? 1 : 0;
+    return 2 * column < strip_.size().columns ? 0 : 1;
+  }
+
+  bool place(Vertex v) {
+    const Columns columns = columns_for(v);
+    for (int trial = 0; trial < kTrials; ++trial) {
+      ++census_.trials;
+      const auto row =
+          static_cast<std::int32_t>(random_.below(static_cast<std::uint32_t>(strip_.size().rows)));
+      const std::int32_t first = columns.low + ((columns.low ^ row) & 1);
+      if (first > columns.high) continue;
+      const auto choices = static_cast<std::uint32_t>((columns.high - first) / 2 + 1);
+      const std::int32_t column = first + 2 * static_cast<std::int32_t>(random_.below(choices));
+      if (strip_.try_place(v, {column, row, type_for(v, column)})) return true;
+    }
+    return false;
+  }
+
+  void kick_a_neighbour(Vertex v) {
+    std::array<Vertex, 4> placed{};
+    std::uint32_t count = 0;
+    for (const HalfEdge& edge : strip_.roles(v)) {
+      if (edge.to != kNobody && strip_.is_placed(edge.to)) placed[count++] = edge.to;
+    }
+    if (count == 0) return;
+    const Vertex away = placed[random_.below(count)];
+    strip_.remove(away);
+    waiting_.insert(waiting_.end() - 1, away);
+    ++census_.kicks;
+  }
+
+  Strip& strip_;
+  RandomStream& random_;
+  Census& census_;
+  std::vector<Vertex> waiting_;  // a stack
+};
+
+}  // namespace
+
+StripSize narrow_size(std::int64_t n, const Tightness& tightness) {
+  const std::int64_t rows = square_root(tightness.rows * tightness.rows * n) / 100 + 2;
+  const std::int64_t cells = tightness.cells * n / 100 + 1;
+  const std::int64_t columns = 2 * cells / rows + tightness.extra_columns;
+  const std::int64_t reach = tightness.reach * columns / 100 + tightness.extra_reach;
+  return {static_cast<std::int32_t>(columns), static_cast<std::int32_t>(rows),
+          static_cast<std::int32_t>(std::min(reach, columns))};
+}
+
+Tightness widened(Tightness tightness) {
+  tightness.cells += tightness.cells / 10;
+  ++tightness.extra_columns;
+  ++tightness.extra_reach;
+  return tightness;
+}
+
+std::optional<Strip> fill_narrow_strip(const Decomposition& links, std::size_t num_edges,
+                                       const Tightness& tightness, RandomStream random,
+                                       Census& census) {
+  const auto n = static_cast<Vertex>(links.at.size());
+  std::optional<Strip> strip(std::in_place, links, num_edges, narrow_size(n, tightness),
+                             StripRules{});
+  const std::int64_t kicks = tightness.kicks * n / 100 + 20;
+  if (!Filler(*strip, random, census).run(n, kicks)) strip.reset();
+  return strip;
+}
+
+}  // namespace ar3d::compact

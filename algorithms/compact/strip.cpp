@@ -1,0 +1,119 @@
+#include "ar3d/algorithms/compact/strip.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "ar3d/model/error.h"
+
+namespace ar3d::compact {
+
+Strip::Strip(const Decomposition& links, std::size_t num_edges, StripSize size, StripRules rules)
+    : links_(&links),
+      size_(size),
+      rules_(rules),
+      sites_(links.at.size()),
+      variant_(num_edges, 0),
+      taken_(2 * static_cast<std::size_t>(size.columns) * static_cast<std::size_t>(size.rows)),
+      lines_(num_edges + links.num_green) {
+  if (rules.cap > 0) caps_.emplace(rules.cap, 8 * size.columns + 4 * size.rows + 16);
+}
+
+std::size_t Strip::cell_bit(Site site) const {
+  return 2 * (static_cast<std::size_t>(site.column) * static_cast<std::size_t>(size_.rows) +
+              static_cast<std::size_t>(site.row)) +
+         static_cast<std::size_t>(site.type);
+}
+
+bool Strip::is_free(const Piece& piece, const Plan& plan) const {
+  for (std::size_t i = 0; i < plan.count; ++i) {
+    if (plan.pieces[i].overlaps(piece)) return false;
+  }
+  return lines_.is_free(piece);
+}
+
+bool Strip::plan_arrival(Vertex v, Site site, Plan& plan) const {
+  if (!has_arrival(v)) return true;
+  const Piece piece = arrival_line(site);
+  if (!is_free(piece, plan)) return false;
+  plan.edges[plan.count] = kNobody;
+  plan.pieces[plan.count++] = piece;
+  return true;
+}
+
+bool Strip::plan_edge(Role role, Site own, Site other, EdgeId edge, Plan& plan) const {
+  const Site tail = is_out(role) ? own : other;
+  const Site head = is_out(role) ? other : own;
+  const std::int32_t across = head.column - tail.column;
+  if (across == 0 || std::abs(across) > size_.reach) return false;
+  Shape shape{is_red(role), tail.type, head.type, across > 0, 0};
+  if (!shape.red && shape.right != (tail.type == 0)) return false;
+  const Letters from = letters_of(tail);
+  const Letters to = letters_of(head);
+  const unsigned tried = rules_.whole_lines ? 1 : variants(shape.red);
+  for (; shape.variant < tried; ++shape.variant) {
+    const Word word = word_of(shape);
+    const auto lengths = long_lengths(word, from, to);
+    if (*std::min_element(lengths.begin(), lengths.end()) < 1) continue;
+    const Letters start = middle_start(word, from, lengths);
+    Piece piece = middle_piece(word, shape.red, start, lengths[1]);
+    if (rules_.whole_lines) piece = whole_line(piece.line);
+    if (!is_free(piece, plan)) continue;
+    if (caps_ && !caps_->is_open(shape, start)) continue;
+    plan.edges[plan.count] = edge;
+    plan.shapes[plan.count] = shape;
+    plan.starts[plan.count] = start;
+    plan.pieces[plan.count++] = piece;
+    return true;
+  }
+  return false;
+}
+
+Piece Strip::piece_of(const Shape& shape, Site tail, Site head) const {
+  const Word word = word_of(shape);
+  const Letters from = letters_of(tail);
+  const auto lengths = long_lengths(word, from, letters_of(head));
+  return middle_piece(word, shape.red, middle_start(word, from, lengths), lengths[1]);
+}
+
+void Strip::commit(Vertex v, Site site, const Plan& plan) {
+  sites_[v] = site;
+  taken_[cell_bit(site)] = true;
+  for (std::size_t i = 0; i < plan.count; ++i) {
+    lines_.insert(plan.pieces[i]);
+    if (plan.edges[i] == kNobody) continue;
+    variant_[plan.edges[i]] = static_cast<std::uint8_t>(plan.shapes[i].variant);
+    if (caps_) caps_->add(plan.shapes[i], plan.starts[i]);
+  }
+}
+
+bool Strip::try_place(Vertex v, Site site) {
+  if (taken_[cell_bit(site)]) return false;
+  Plan plan;
+  for (const Role role : {kGreenOut, kGreenIn, kRedOut, kRedIn}) {
+    const HalfEdge edge = links_->at[v][role];
+    if (edge.to == kNobody || !is_placed(edge.to)) continue;
+    if (!plan_edge(role, site, sites_[edge.to], edge.edge, plan)) return false;
+  }
+  if (!plan_arrival(v, site, plan)) return false;
+  commit(v, site, plan);
+  return true;
+}
+
+void Strip::remove(Vertex v) {
+  expect(!rules_.whole_lines && !caps_, "vertices are removed only where edges take pieces");
+  const Site site = sites_[v];
+  if (has_arrival(v)) lines_.erase(arrival_line(site));
+  for (const Role role : {kGreenOut, kGreenIn, kRedOut, kRedIn}) {
+    const HalfEdge edge = links_->at[v][role];
+    if (edge.to == kNobody || !is_placed(edge.to)) continue;
+    const Site tail = is_out(role) ? site : sites_[edge.to];
+    const Site head = is_out(role) ? sites_[edge.to] : site;
+    lines_.erase(piece_of(
+        {is_red(role), tail.type, head.type, head.column > tail.column, variant_[edge.edge]}, tail,
+        head));
+  }
+  taken_[cell_bit(site)] = false;
+  sites_[v] = {};
+}
+
+}  // namespace ar3d::compact

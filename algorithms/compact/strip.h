@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "ar3d/algorithms/compact/caps.h"
+#include "ar3d/algorithms/compact/decomposition.h"
+#include "ar3d/algorithms/compact/lines.h"
+#include "ar3d/algorithms/compact/words.h"
+
+namespace ar3d::compact {
+
+/// The cells (i, j), 0 <= i < columns, 0 <= j < rows, i = j mod 2.
+struct StripSize {
+  std::int32_t columns = 1;
+  std::int32_t rows = 1;
+  std::int32_t reach = 1;  ///< an edge spans at most this many columns
+  friend bool operator==(const StripSize&, const StripSize&) = default;
+};
+
+/// How vertices share the lines.
+struct StripRules {
+  bool whole_lines =
+      false;             ///< an edge takes all of its contested line, and only variant 0 is used
+  std::int32_t cap = 0;  ///< T of the cap rule; 0: no cap
+};
+
+/// The vertices placed so far and the pieces of contested lines that their edges use. Invariants:
+/// (a) a green edge leaves a tail of type 0 to the right and one of type 1 to the left; (b) all
+/// lengths are at least 1; (c) one edge of each role at a vertex; (d) one vertex a cell and type;
+/// (e) no two pieces overlap. By docs/compact.md these are enough for a right drawing.
+class Strip {
+ public:
+  Strip(const Decomposition& links, std::size_t num_edges, StripSize size, StripRules rules);
+
+  /// Places v if that keeps the invariants; routes its edges to placed neighbours in the first
+  /// variants that fit. O(1) expected.
+  bool try_place(Vertex v, Site site);
+  /// Takes a placed vertex and its edges away.
+  void remove(Vertex v);
+
+  bool is_placed(Vertex v) const { return sites_[v].is_set(); }
+  const Site& site(Vertex v) const { return sites_[v]; }
+  const StripSize& size() const { return size_; }
+  const Roles& roles(Vertex v) const { return links_->at[v]; }
+  const std::vector<Site>& sites() const { return sites_; }
+  /// By edge: the variant in which it is routed.
+  const std::vector<std::uint8_t>& variant() const { return variant_; }
+
+ private:
+  /// What placing one vertex would add: its arrival line and four edges at most.
+  struct Plan {
+    std::array<Piece, 5> pieces;
+    std::array<Shape, 5> shapes;
+    std::array<Letters, 5> starts{};
+    std::array<EdgeId, 5> edges{};
+    std::size_t count = 0;
+  };
+
+  std::size_t cell_bit(Site site) const;
+  bool has_arrival(Vertex v) const { return links_->at[v][kGreenIn].to != kNobody; }
+  bool is_free(const Piece& piece, const Plan& plan) const;
+  bool plan_arrival(Vertex v, Site site, Plan& plan) const;
+  bool plan_edge(Role role, Site own, Site other, EdgeId edge, Plan& plan) const;
+  Piece piece_of(const Shape& shape, Site tail, Site head) const;
+  void commit(Vertex v, Site site, const Plan& plan);
+
+  const Decomposition* links_;  ///< never null
+  StripSize size_;
+  StripRules rules_;
+  std::vector<Site> sites_;
+  std::vector<std::uint8_t> variant_;
+  std::vector<bool> taken_;  ///< two bits a cell, one for each type
+  Lines lines_;
+  std::optional<Caps> caps_;
+};
+
+}  // namespace ar3d::compact

@@ -1,0 +1,111 @@
+#include "ar3d/algorithms/compact/zones.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "ar3d/algorithms/compact/square_root.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d::compact {
+
+std::vector<std::uint8_t> greedy_colours(const Graph& graph) {
+  std::vector<std::uint8_t> colours(graph.num_vertices());
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+    unsigned used = 0;
+    for (const HalfEdge& edge : graph.incident(v)) {
+      if (edge.to < v) used |= 1u << colours[edge.to];
+    }
+    colours[v] = static_cast<std::uint8_t>(std::countr_one(used));
+  }
+  return colours;
+}
+
+std::int64_t most_closed_cells(std::int64_t n_k, std::int64_t n, std::int64_t rows,
+                               std::int64_t cap) {
+  return n_k - 1 + n                          // cells taken, arrival lines on stored lines
+         + (rows + 1) * (2 * rows + cap + 1)  // green in-edge and red out-edge: stored lines
+         + 2 * (rows + 1) * rows              // green out-edge and red in-edge: stored lines
+         + (n / cap) * (3 * rows + 1);        // values closed by the cap rule
+}
+
+Zones lay_out_zones(const std::vector<std::int64_t>& sizes) {
+  std::int64_t n = 0;
+  for (const std::int64_t n_k : sizes) n += n_k;
+  const std::int64_t rows = square_root(27 * n / 100) + 1;
+  const std::int64_t cap = square_root(3 * n) + 1;
+  Zones zones;
+  std::int64_t columns = 0;
+  for (const std::int64_t n_k : sizes) {
+    const std::int64_t closed = most_closed_cells(n_k, n, rows, cap);
+    const std::int64_t cells = closed + closed / 8 + 1;
+    const std::int64_t width = 2 * ((cells + rows - 1) / rows);
+    if (columns > 0) columns += rows + 3;
+    zones.begin.push_back(static_cast<std::int32_t>(columns));
+    zones.width.push_back(static_cast<std::int32_t>(width));
+    columns += width;
+  }
+  zones.size = {static_cast<std::int32_t>(columns), static_cast<std::int32_t>(rows),
+                static_cast<std::int32_t>(columns)};
+  zones.cap = static_cast<std::int32_t>(cap);
+  return zones;
+}
+
+namespace {
+
+/// The cells of one zone, numbered.
+struct ZoneCells {
+  std::int32_t begin = 0;
+  std::int32_t width = 0;
+  std::int32_t rows = 1;
+
+  std::uint32_t count() const { return static_cast<std::uint32_t>(width / 2 * rows); }
+  Site operator[](std::uint32_t cell) const {
+    const auto row = static_cast<std::int32_t>(cell % static_cast<std::uint32_t>(rows));
+    const auto pair = static_cast<std::int32_t>(cell / static_cast<std::uint32_t>(rows));
+    return {begin + 2 * pair + ((begin ^ row) & 1), row, 0};
+  }
+};
+
+bool place_in(const ZoneCells& cells, Vertex v, std::int32_t type, int random_trials, Strip& strip,
+              RandomStream& random, Census& census) {
+  const auto try_cell = [&](std::uint32_t cell) {
+    ++census.trials;
+    Site site = cells[cell];
+    site.type = type;
+    return strip.try_place(v, site);
+  };
+  for (int trial = 0; trial < random_trials; ++trial) {
+    if (try_cell(random.below(cells.count()))) return true;
+  }
+  ++census.scans;
+  for (std::uint32_t cell = 0; cell < cells.count(); ++cell) {
+    if (try_cell(cell)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Strip fill_zones(const Graph& graph, const Decomposition& links, RandomStream random,
+                 Census& census, bool random_trials) {
+  const Vertex n = graph.num_vertices();
+  const std::vector<std::uint8_t> colours = greedy_colours(graph);
+  std::vector<std::int64_t> sizes;
+  for (const std::uint8_t colour : colours) {
+    if (colour >= sizes.size()) sizes.resize(colour + 1u);
+    ++sizes[colour];
+  }
+  const Zones zones = lay_out_zones(sizes);
+  Strip strip(links, graph.num_edges(), zones.size, {.whole_lines = true, .cap = zones.cap});
+  const int trials = random_trials ? 6 * std::bit_width(n) + 8 : 0;
+  for (Vertex v = 0; v < n; ++v) {
+    const Vertex head = links.at[v][kGreenOut].to;
+    const std::int32_t type = head != kNobody && colours[head] < colours[v] ? 1 : 0;
+    const ZoneCells cells{zones.begin[colours[v]], zones.width[colours[v]], zones.size.rows};
+    const bool placed = place_in(cells, v, type, trials, strip, random, census);
+    expect(placed, "a zone has a cell for each of its vertices");
+  }
+  return strip;
+}
+
+}  // namespace ar3d::compact
