@@ -86,15 +86,24 @@ void Strip::commit(Vertex v, Site site, const Plan& plan) {
   }
 }
 
-bool Strip::try_place(Vertex v, Site site) {
+bool Strip::make_plan(Vertex v, Site site, Plan& plan) const {
   if (taken_[cell_bit(site)]) return false;
-  Plan plan;
   for (const Role role : {kGreenOut, kGreenIn, kRedOut, kRedIn}) {
     const HalfEdge edge = links_->at[v][role];
     if (edge.to == kNobody || !is_placed(edge.to)) continue;
     if (!plan_edge(role, site, sites_[edge.to], edge.edge, plan)) return false;
   }
-  if (!plan_arrival(v, site, plan)) return false;
+  return plan_arrival(v, site, plan);
+}
+
+bool Strip::fits(Vertex v, Site site) const {
+  Plan plan;
+  return make_plan(v, site, plan);
+}
+
+bool Strip::try_place(Vertex v, Site site) {
+  Plan plan;
+  if (!make_plan(v, site, plan)) return false;
   commit(v, site, plan);
   return true;
 }

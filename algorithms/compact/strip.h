@@ -34,6 +34,8 @@ class Strip {
  public:
   Strip(const Decomposition& links, std::size_t num_edges, StripSize size, StripRules rules);
 
+  /// True if v can be placed there. O(1) expected.
+  bool fits(Vertex v, Site site) const;
   /// Places v if that keeps the invariants; routes its edges to placed neighbours in the first
   /// variants that fit. O(1) expected.
   bool try_place(Vertex v, Site site);
@@ -44,7 +46,6 @@ class Strip {
   const Site& site(Vertex v) const { return sites_[v]; }
   const StripSize& size() const { return size_; }
   const Roles& roles(Vertex v) const { return links_->at[v]; }
-  const std::vector<Site>& sites() const { return sites_; }
   /// By edge: the variant in which it is routed.
   const std::vector<std::uint8_t>& variant() const { return variant_; }
 
@@ -61,6 +62,7 @@ class Strip {
   std::size_t cell_bit(Site site) const;
   bool has_arrival(Vertex v) const { return links_->at[v][kGreenIn].to != kNobody; }
   bool is_free(const Piece& piece, const Plan& plan) const;
+  bool make_plan(Vertex v, Site site, Plan& plan) const;
   bool plan_arrival(Vertex v, Site site, Plan& plan) const;
   bool plan_edge(Role role, Site own, Site other, EdgeId edge, Plan& plan) const;
   Piece piece_of(const Shape& shape, Site tail, Site head) const;

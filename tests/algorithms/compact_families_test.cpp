@@ -1,0 +1,62 @@
+// All families of the catalogue, with their own labels and with others, and unions.
+
+#include <gtest/gtest.h>
+
+#include "algorithms/compact_support.h"
+#include "ar3d/generators/catalog.h"
+#include "support/graphs.h"
+
+namespace ar3d {
+namespace {
+
+using testing::compact_fault;
+
+class CompactFamilies : public ::testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(CompactFamilies, AreCertifiedInEveryMode) {
+  for (const Family& family : families()) {
+    if (family.max_degree > 4) continue;
+    for (const int shuffle : {0, 1}) {
+      const Graph graph = generate(family, GetParam(), 7, {{"shuffle", shuffle}});
+      for (const compact::Options& options : testing::compact_modes()) {
+        EXPECT_EQ(compact_fault(graph, options), "")
+            << family.name << " shuffle " << shuffle << " effort " << options.effort
+            << " guaranteed " << options.guaranteed;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, CompactFamilies, ::testing::Values(4, 12, 40, 150, 600));
+
+TEST(CompactFamilies, OfFiveThousandVerticesAreCertified) {
+  for (const char* name : {"random-4-regular", "random-tree", "union-octahedron", "path"}) {
+    EXPECT_EQ(compact_fault(generate(find_family(name), 5000, 3), {}), "") << name;
+  }
+}
+
+TEST(CompactFamilies, ProofsZonesTriedInTurnAreCertified) {
+  for (const Family& family : families()) {
+    if (family.max_degree > 4) continue;
+    const Graph graph = generate(family, 100, 5);
+    EXPECT_EQ(compact_fault(graph, testing::draw_by_scans(graph)), "") << family.name;
+  }
+}
+
+TEST(CompactUnions, OfManyKindsAreCertified) {
+  const Graph point(1, {});
+  std::vector<Graph> parts;
+  for (int round = 0; round < 12; ++round) {
+    for (const Graph& part : {point, testing::complete(5), testing::octahedron(), testing::path(7),
+                              testing::cycle(3), testing::petersen(), testing::complete(2)}) {
+      parts.push_back(part);
+    }
+  }
+  const Graph graph = testing::shuffled(testing::disjoint_union(parts), 1);
+  for (const compact::Options& options : testing::compact_modes()) {
+    EXPECT_EQ(compact_fault(graph, options), "");
+  }
+}
+
+}  // namespace
+}  // namespace ar3d
