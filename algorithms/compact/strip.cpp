@@ -40,13 +40,27 @@ bool Strip::plan_arrival(Vertex v, Site site, Plan& plan) const {
   return true;
 }
 
+/// What no variant mends: reach, the side of the head, and |dV| > |dU| + 2, which leaves a length
+/// below 1. (A length is (|dU| +- dV)/2 plus at most 2.) Cheap, so that few lines are looked up in
+/// vain.
+bool Strip::may_join(Role role, Site own, Site other) const {
+  const std::int32_t across = std::abs(other.column - own.column);
+  if (across == 0 || across > size_.reach) return false;
+  if (!is_red(role)) {
+    const Site tail = is_out(role) ? own : other;
+    const Site head = is_out(role) ? other : own;
+    if ((head.column > tail.column) != (tail.type == 0)) return false;
+  }
+  const std::int32_t types = other.type - own.type;
+  const std::int32_t du = std::abs(4 * (other.column - own.column) + 2 * types);
+  const std::int32_t dv = std::abs(4 * (other.row - own.row) - 2 * types);
+  return dv <= du + 2;
+}
+
 bool Strip::plan_edge(Role role, Site own, Site other, EdgeId edge, Plan& plan) const {
   const Site tail = is_out(role) ? own : other;
   const Site head = is_out(role) ? other : own;
-  const std::int32_t across = head.column - tail.column;
-  if (across == 0 || std::abs(across) > size_.reach) return false;
-  Shape shape{is_red(role), tail.type, head.type, across > 0, 0};
-  if (!shape.red && shape.right != (tail.type == 0)) return false;
+  Shape shape{is_red(role), tail.type, head.type, head.column > tail.column, 0};
   const Letters from = letters_of(tail);
   const Letters to = letters_of(head);
   const unsigned tried = rules_.whole_lines ? 1 : variants(shape.red);
@@ -88,6 +102,11 @@ void Strip::commit(Vertex v, Site site, const Plan& plan) {
 
 bool Strip::make_plan(Vertex v, Site site, Plan& plan) const {
   if (taken_[cell_bit(site)]) return false;
+  for (const Role role : {kGreenOut, kGreenIn, kRedOut, kRedIn}) {
+    const HalfEdge edge = links_->at[v][role];
+    if (edge.to == kNobody || !is_placed(edge.to)) continue;
+    if (!may_join(role, site, sites_[edge.to])) return false;
+  }
   for (const Role role : {kGreenOut, kGreenIn, kRedOut, kRedIn}) {
     const HalfEdge edge = links_->at[v][role];
     if (edge.to == kNobody || !is_placed(edge.to)) continue;

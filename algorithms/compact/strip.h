@@ -62,6 +62,7 @@ class Strip {
   std::size_t cell_bit(Site site) const;
   bool has_arrival(Vertex v) const { return links_->at[v][kGreenIn].to != kNobody; }
   bool is_free(const Piece& piece, const Plan& plan) const;
+  bool may_join(Role role, Site own, Site other) const;
   bool make_plan(Vertex v, Site site, Plan& plan) const;
   bool plan_arrival(Vertex v, Site site, Plan& plan) const;
   bool plan_edge(Role role, Site own, Site other, EdgeId edge, Plan& plan) const;
