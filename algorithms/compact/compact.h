@@ -22,7 +22,8 @@ struct Options {
 ///   proof's zones were needed), widenings, kicks, trials, scans, columns, rows, reach.
 ///   instance_bound is the box of the strip that was filled.
 /// @throws InputError if graph.max_degree() > 4, n > 2^27 or there is no such effort.
-/// Cost: O(n + m) expected time over the fixed random stream, O(n + m) memory.
+/// Cost: O(n + m) cells tried with O(1) look-ups each, in expectation over the fixed random stream;
+/// O(n + m) memory.
 Drawing draw(const Graph& graph, const Options& options = {});
 
 }  // namespace ar3d::compact

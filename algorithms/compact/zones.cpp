@@ -97,7 +97,7 @@ Strip fill_zones(const Graph& graph, const Decomposition& links, RandomStream ra
   }
   const Zones zones = lay_out_zones(sizes);
   Strip strip(links, graph.num_edges(), zones.size, {.whole_lines = true, .cap = zones.cap});
-  const int trials = random_trials ? 6 * std::bit_width(n) + 8 : 0;
+  const int trials = random_trials ? 6 * static_cast<int>(std::bit_width(n)) + 8 : 0;
   for (Vertex v = 0; v < n; ++v) {
     const Vertex head = links.at[v][kGreenOut].to;
     const std::int32_t type = head != kNobody && colours[head] < colours[v] ? 1 : 0;

@@ -21,7 +21,9 @@ inline const std::vector<compact::Options>& compact_modes() {
 /// and that of its own strip; else what is wrong.
 inline std::string compact_fault(const Graph& graph, const Drawing& drawing) {
   static const Algorithm row = compact_row();
-  const Certificate certificate = certify(graph, drawing, row.guarantee);
+  const CrossingTest test =
+      graph.num_vertices() <= 200 ? CrossingTest::all_pairs : CrossingTest::automatic;
+  const Certificate certificate = certify(graph, drawing, row.guarantee, {.crossing_test = test});
   if (!certificate.valid()) return certificate.violations[0].message;
   std::vector<Point> points;
   for (EdgeId e = 0; e < drawing.num_edges(); ++e) {

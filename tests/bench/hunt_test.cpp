@@ -123,14 +123,14 @@ TEST_P(Planted, IsFoundAndShrunk) {
       << "without the fault the drawing is right";
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryAlgorithm, Planted,
-                         ::testing::Combine(::testing::Values("diamond", "grid", "two-bend"),
-                                            ::testing::Values("wrong-bend"),
-                                            ::testing::Values("")));
-INSTANTIATE_TEST_SUITE_P(EveryBound, Planted,
-                         ::testing::Combine(::testing::Values("diamond", "grid", "two-bend"),
-                                            ::testing::Values("passed-bound"),
-                                            ::testing::Values("size")));
+INSTANTIATE_TEST_SUITE_P(
+    EveryAlgorithm, Planted,
+    ::testing::Combine(::testing::Values("diamond", "grid", "two-bend", "compact"),
+                       ::testing::Values("wrong-bend"), ::testing::Values("")));
+INSTANTIATE_TEST_SUITE_P(
+    EveryBound, Planted,
+    ::testing::Combine(::testing::Values("diamond", "grid", "two-bend", "compact"),
+                       ::testing::Values("passed-bound"), ::testing::Values("size")));
 
 TEST(Shrink, LeavesWhatThePropertyNeeds) {
   const Graph graph = generate(find_family("union-petersen"), 60, 1);
