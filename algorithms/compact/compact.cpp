@@ -61,15 +61,17 @@ std::optional<Strip> fill_some_narrow_strip(const Graph& graph, const Decomposit
 }  // namespace
 
 Drawing draw(const Graph& graph, const Options& options) {
-  refuse_bad_graph(graph);
   const Tightness tightness = first_tightness(options.effort);
+  return draw_from(graph, options.guaranteed ? std::nullopt : std::optional(tightness));
+}
+
+Drawing draw_from(const Graph& graph, const std::optional<Tightness>& first) {
+  refuse_bad_graph(graph);
   const Decomposition links = decompose(graph);
   const std::uint64_t seed = mix_seed(graph.num_vertices(), graph.num_edges());
   Census census;
   std::optional<Strip> strip;
-  if (!options.guaranteed) {
-    strip = fill_some_narrow_strip(graph, links, tightness, seed, census);
-  }
+  if (first) strip = fill_some_narrow_strip(graph, links, *first, seed, census);
   const bool zones = !strip;
   if (zones) strip = fill_zones(graph, links, RandomStream(seed, kZoneStream), census);
   Drawing drawing = lift(graph, links, *strip);

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
+
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/algorithms/compact/narrow.h"
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"
 
@@ -25,6 +28,9 @@ struct Options {
 /// Cost: O(n + m) cells tried with O(1) look-ups each, in expectation over the fixed random stream;
 /// O(n + m) memory.
 Drawing draw(const Graph& graph, const Options& options = {});
+
+/// As draw, beginning with a narrow strip of the given tightness; without one, in the zones.
+Drawing draw_from(const Graph& graph, const std::optional<Tightness>& first);
 
 }  // namespace ar3d::compact
 

@@ -79,6 +79,25 @@ TEST(Compact, TellsWhatItDid) {
   EXPECT_GT(count_of(zones, "columns"), 10 * count_of(narrow, "columns"));
 }
 
+TEST(Compact, FallsBackOnTheZonesWhenNoNarrowStripCanBeFilled) {
+  for (const char* family : {"path", "random-4-regular", "union-k5"}) {
+    const Graph graph = generate(find_family(family), 500, 2);
+    const Drawing drawing = compact::draw_from(graph, compact::Tightness{.cells = 25, .rows = 60});
+    EXPECT_EQ(count_of(drawing, "zones"), 1) << family;
+    EXPECT_EQ(count_of(drawing, "widenings"), 8) << family;
+    EXPECT_LE(count_of(drawing, "kicks"), 8 * (250 + 20)) << family;
+    EXPECT_EQ(compact_fault(graph, drawing), "") << family;
+  }
+}
+
+TEST(Compact, StripsBeyondTheTheoremsBoxAreNotTried) {
+  const Graph graph = testing::path(500);
+  const Drawing drawing = compact::draw_from(graph, compact::Tightness{.extra_columns = 100000});
+  EXPECT_EQ(count_of(drawing, "zones"), 1);
+  EXPECT_EQ(count_of(drawing, "widenings"), 0);
+  EXPECT_EQ(compact_fault(graph, drawing), "");
+}
+
 TEST(Compact, VolumeGrowsWithPowerOneAndAHalf) {
   // The largest is 1000 times the smallest: a volume of order n^2 would miss by a factor of 30.
   for (const std::uint64_t n : {100, 1000, 10000, 100000}) {
