@@ -93,7 +93,7 @@ void check_edge(const std::vector<Point>& points, bool red) {
   EXPECT_EQ(steps[1].length, red ? 1 : 2);
   EXPECT_EQ(steps[3].length, red && !right ? 1 : 2);
   EXPECT_EQ(steps[5].length, red && right ? 1 : 2);
-  for (const std::size_t i : {0, 2, 4}) {
+  for (const std::size_t i : {0u, 2u, 4u}) {
     for (const std::size_t end : {i, i + 1}) {
       const Forms forms(points[end]);
       EXPECT_TRUE(red ? lower_line_is_in_table(steps[i].letter, forms)
@@ -121,7 +121,7 @@ void check_drawing(const Graph& graph, const Drawing& drawing) {
 TEST(CompactResidues, HoldOnEveryLongSegmentOfEveryFamily) {
   for (const Family& family : families()) {
     if (family.max_degree > 4) continue;
-    for (const std::uint64_t n : {10, 100, 500}) {
+    for (const std::uint64_t n : {10u, 100u, 500u}) {
       const Graph graph = generate(family, n, 4);
       for (const compact::Options& options : testing::compact_modes()) {
         check_drawing(graph, compact::draw(graph, options));

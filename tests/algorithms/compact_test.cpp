@@ -100,7 +100,7 @@ TEST(Compact, StripsBeyondTheTheoremsBoxAreNotTried) {
 
 TEST(Compact, VolumeGrowsWithPowerOneAndAHalf) {
   // The largest is 1000 times the smallest: a volume of order n^2 would miss by a factor of 30.
-  for (const std::uint64_t n : {100, 1000, 10000, 100000}) {
+  for (const std::uint64_t n : {100u, 1000u, 10000u, 100000u}) {
     const Graph graph = generate(find_family("random-4-regular"), n, 1);
     const auto [x, y, z] = bounding_box(compact::draw(graph)).extents();
     for (const std::int64_t side : {x, y, z}) {
