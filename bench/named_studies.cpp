@@ -27,6 +27,7 @@ seed = 1
 
 [max_n]
 two-bend = 25000  # certifying its tall drawings is what takes longest
+compact = 25000   # and certifying the many segments of these
 
 [[sweep]]
 families = "all"
@@ -44,7 +45,7 @@ seed = 1
 [[sweep]]
 families = "random-4-regular"
 sizes = 1000000
-algorithms = "diamond"
+algorithms = ["diamond", "compact"]
 
 [[sweep]]
 families = "random-cubic"
