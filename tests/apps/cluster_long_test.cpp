@@ -1,4 +1,5 @@
-// The Slurm recipes of docs/cluster.md on a Slurm of one node, started for each and ended after it.
+// The Slurm recipes of docs/cluster.md on a Slurm of one node, started for each and ended after it:
+// one after the other, since two of them would have the same ports.
 #include <gtest/gtest.h>
 
 #include "apps/cluster_recipes.h"
@@ -19,7 +20,8 @@ void run_on_slurm(const std::string& job_file, const std::string& name) {
   const std::string script = folder.write("script", "set -e\n" + recipe(name));
   const Outcome outcome =
       run("cd " + folder.path("") +
-          " && timeout 300 " AR3D_SOURCE_DIR "/tests/cluster/one_node_slurm.sh slurm bash " +
+          " && flock -o ${TMPDIR:-/tmp}/ar3d-one-node-slurm.lock timeout 300 " AR3D_SOURCE_DIR
+          "/tests/cluster/one_node_slurm.sh slurm bash " +
           script + "; code=$?; cat slurm-*.out; exit $code");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   EXPECT_EQ(run("{} study run smoke -q -o " + folder.path("one.h5")).exit_code, 0);
