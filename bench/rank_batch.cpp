@@ -86,7 +86,8 @@ Work RankBatches::make_ready(const std::string& text) {
     maker_.prepare(*instance_);
   }
   if (maker_.graph() == nullptr) {
-    throw InternalError(fmt::format("internal error: only rank {} cannot generate a graph", rank_));
+    throw InternalError(
+        fmt::format("internal error: rank {} cannot generate rank 0's graph", rank_));
   }
   const AlgorithmChoice& choice = instance_->runs[job.rows.front()].choice;
   for (std::uint32_t i = 0; i < rules_.warm_up; ++i) {
