@@ -62,10 +62,10 @@ std::unique_ptr<RowSource> timing_source(const StudyPlan& plan, const TimingRule
 
 struct MakingRules;
 
-/// Strong and weak scaling: batches of the same drawing shared by 1, ... threads or ranks. The ideal
-/// of a batch is the one on a single thread or rank of the same round: its time divided by how many
-/// share (strong) or its time (weak). Threads are pinned, each to a core of its own, if there are so
-/// many; ranks stay where mpirun has put them.
+/// Strong and weak scaling: batches of the same drawing shared by 1, ... threads or ranks. The
+/// ideal of a batch is the one on a single thread or rank of the same round: its time divided by
+/// how many share (strong) or its time (weak). Threads are pinned, each to a core of its own, if
+/// there are so many; ranks stay where mpirun has put them.
 void run_batches(const StudyPlan& plan, const MakingRules& rules, const RowHooks& hooks,
                  const KnownFailure& failure);
 

@@ -22,8 +22,8 @@ struct DiamondOptions {
 /// (±1, ±1, ±1); extents at most
 ///   16n/3, 16n/3, 8n. Counters: mode (0 guaranteed, 1 alternating, 2 pairs, 3 jointly rotated, 4
 ///   annealed), m_green, m_red, hits in compact modes, and in the guaranteed mode the terms of H
-///   (GapCount). instance_bound is the guaranteed mode's 4n + 2H, 4n + 2H, 6n + 3H - 4; efforts 1 and
-///   2 keep it with H where their drawing fits it.
+///   (GapCount). instance_bound is the guaranteed mode's 4n + 2H, 4n + 2H, 6n + 3H - 4; efforts 1
+///   and 2 keep it with H where their drawing fits it.
 /// @throws InputError if graph.max_degree() > 4 or n > 2^27.
 /// Cost: O(n + m) time and memory, about 5 times as much time at effort 1 and 20 times at effort 2.
 /// Differs from the paper: the box is that of the input without dummy vertices, height 8n instead

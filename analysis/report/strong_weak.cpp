@@ -36,7 +36,8 @@ std::vector<Batches> batches_of(const Results& results) {
   using CurveKey = std::pair<std::string, std::int64_t>;
   std::map<std::pair<RunPhase, std::string>, std::map<CurveKey, Curve>> found;
   for (const Run& run : results.runs) {
-    if (!is_batched(run.phase) || run.scale < 1 || !(run.efficiency > 0) || !(run.batch_s > 0)) continue;
+    if (!is_batched(run.phase) || run.scale < 1 || !(run.efficiency > 0) || !(run.batch_s > 0))
+      continue;
     const CellKey key{run.algorithm, run.options, run.family, run.parameters};
     Curve& curve = found[{run.phase, algorithm_label(key)}][CurveKey(family_label(key), run.n)];
     curve.family = family_label(key);
@@ -160,8 +161,10 @@ std::string strong_weak_section(const Analysis& analysis) {
   if (plots.empty()) return "";
   std::string html =
       "<section id=strong-weak><h2>Strong and weak scaling</h2><p>Batches of equal drawings shared "
-      "by threads or ranks, medians over batches. Drawings at a time: how many drawings they make in "
-      "the time in which one alone makes one; ideal is their number. Efficiency is the ideal time of "
+      "by threads or ranks, medians over batches. Drawings at a time: how many drawings they make "
+      "in "
+      "the time in which one alone makes one; ideal is their number. Efficiency is the ideal time "
+      "of "
       "a batch divided by its time.</p><div class=figures>\n";
   for (NamedPlot plot : plots) {
     plot.svg += legend_html(plot.legend, false);

@@ -22,7 +22,8 @@ Drawing one_edge(std::size_t bends_per_edge, Lattice lattice = kCubeLattice) {
 
 std::size_t count(const std::string& text, const std::string& part) {
   std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++found;
   return found;
 }
 
@@ -35,7 +36,8 @@ TEST(DrawingSvg, OneBallAVertexAndOneTubeASegment) {
 }
 
 TEST(DrawingSvg, TallLatticeIsShrunkInZ) {
-  // Seen from the side, the apex (1, 1, 1) stands lower in the tall lattice, where z counts 1/sqrt(3).
+  // Seen from the side, the apex (1, 1, 1) stands lower in the tall lattice, where z counts
+  // 1/sqrt(3).
   const SvgView side{.turn_degrees = 0, .tilt_degrees = 90};
   EXPECT_NE(drawing_to_svg(one_edge(1), side), drawing_to_svg(one_edge(1, kTallLattice), side));
 }
