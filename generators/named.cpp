@@ -26,7 +26,7 @@ NamedGraph lcf(std::string name, std::string summary, std::vector<int> shifts, C
 /// A graph given by its edges.
 Graph from_edges(Count n, const std::vector<Edge>& edges) { return Graph(n, edges); }
 
-/// Seven claws; the leaves of one kind form a cycle of step 1, 2 or 3 modulo 7.
+/// Seven claws; the leaves of one kind form a cycle whose steps are 1, 2 or 3 modulo 7.
 Graph coxeter_graph() {
   GraphBuilder builder(28, 42);
   for (Count i = 0; i < 7; ++i) {

@@ -55,8 +55,7 @@ std::vector<std::uint8_t> codes(const Graph& graph, const Decomposition& links,
 
 std::array<std::int64_t, 3> box_of(const StripSize& size) {
   // U stays within 4 of the vertices' range 0 .. 4 columns - 2, and V within span/2 + 2 of -2 .. 4
-  // rows - 4. Green edges rise at most span + 6, red ones fall at most span + 4 (docs/compact.md,
-  // lemma 6).
+  // rows - 4. Green edges rise at most span + 6, red ones fall at most span + 4 (Lemma C.6).
   const std::int64_t span = 4 * std::int64_t{std::min(size.reach, size.columns - 1)} + 2;
   const std::int64_t side = 4 * (std::int64_t{size.columns} + size.rows) + span + 8;
   return {side, side, 2 * span + 10};

@@ -1,6 +1,6 @@
 #pragma once
 
-// Theorem 1, step 1: the edges in two colours such that every vertex has at most two edges of each
+// Step 1.1: the edges in two colours such that every vertex has at most two edges of each
 // colour.
 
 #include <array>

@@ -10,7 +10,7 @@ namespace {
 
 std::uint32_t distance(std::uint32_t a, std::uint32_t b) { return a > b ? a - b : b - a; }
 
-/// Step 2. Closes a green cycle at an edge between two red items if it has one. Else the cycle is
+/// Step 1.3. Closes a green cycle at an edge between two red items if it has one. Else the cycle is
 /// contained in one red item, and it is closed at an edge whose distance there is not k - 1, its
 /// distance in x. One exists: at the cycle's first vertex in the red item, the two edges have
 /// different distances.
@@ -31,8 +31,8 @@ GreenClosing close_green_cycle(Items& green, std::uint32_t cycle, const Whereabo
           external != kNone ? kNone : red.item[green.first(cycle)]};
 }
 
-/// Step 4 for red cycles without a contained green cycle: closes at an edge with |dx| != k - 1. One
-/// exists, since a closed walk of k steps of length k - 1 does not visit k distinct integers.
+/// Step 1.5 for red cycles without a contained green cycle: closes at an edge with |dx| != k - 1.
+/// One exists, since a closed walk of k steps of length k - 1 does not visit k distinct integers.
 void close_red_cycle(Items& red, std::uint32_t cycle, const std::vector<PlanePoint>& at) {
   const auto v = red.of(cycle);
   const std::size_t k = v.size();
@@ -44,7 +44,7 @@ void close_red_cycle(Items& red, std::uint32_t cycle, const std::vector<PlanePoi
   red.close_at(cycle, static_cast<std::uint32_t>(i));
 }
 
-/// Step 4 for a red cycle R that contains a green cycle. Its rotation stays, since the green
+/// Step 1.5 for a red cycle R that contains a green cycle. Its rotation stays, since the green
 /// closings rely on it; instead its two ends move out until all four kinds of edges there keep |dx|
 /// != |dy|.
 class BumpSearch {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Theorem 1, guaranteed mode, steps 2 and 4: where the cycles are closed. Coordinates here are x =
+// Steps 1.3 and 1.5: where the cycles are closed. Coordinates here are x =
 // X/2 and y = Y/2.
 
 #include "ar3d/algorithms/diamond/placement.h"
@@ -14,7 +14,7 @@ struct GreenClosing {
   std::uint32_t contained_in = kNone;
 };
 
-/// Step 2. Rotates every green cycle. A closing edge between two red items is free to change its
+/// Step 1.3. Rotates every green cycle. A closing edge between two red items is free to change its
 /// length with their offset; one inside a red item R has |rp(u) - rp(w)| != k - 1 = |x(u) - x(w)|
 /// for the natural ranks rp in R. One entry a green cycle. Cost: O(n).
 std::vector<GreenClosing> close_green_cycles(Items& green, const Whereabouts& natural_red);
@@ -33,8 +33,8 @@ struct RedCycles {
   std::int64_t lines = 0;      ///< sum of all bumps
 };
 
-/// Step 4. Rotates or bumps every red cycle, so that inside every red item all edges but the green
-/// closings to other items have |dx| != |dy|. All x are final. Cost: O(n).
+/// Step 1.5. Rotates or bumps every red cycle, so that inside every red item all edges but the
+/// green closings to other items have |dx| != |dy|. All x are final. Cost: O(n).
 RedCycles settle_red_cycles(Items& red, const std::vector<GreenClosing>& closings,
                             const std::vector<PlanePoint>& at, const Whereabouts& natural_red);
 

@@ -12,7 +12,7 @@ namespace {
 
 // Coordinates here are x = X/2 and y = Y/2 until the last step.
 
-/// Step 3. Neighbouring lines, but for a free one at each bad boundary of the green order.
+/// Step 1.4. Neighbouring lines, but for a free one at each bad boundary of the green order.
 std::int64_t assign_x(const Graph& graph, const Items& green, std::vector<PlanePoint>& at) {
   const std::vector<bool> bad = bad_boundaries(graph, green);
   std::int32_t x = 0;
@@ -35,8 +35,8 @@ void assign_relative_y(const Items& red, std::uint32_t item, Bump bump,
   }
 }
 
-/// Step 6. Each red item stands rigidly on the least line above the earlier ones on which no green
-/// closing edge to an earlier item has |dx| = |dy|, and not right above a bad boundary.
+/// Step 1.6. Each red item stands rigidly on the least line above the earlier ones on which no
+/// green closing edge to an earlier item has |dx| = |dy|, and not right above a bad boundary.
 class RedStack {
  public:
   RedStack(const Items& red, const std::vector<GreenClosing>& closings,

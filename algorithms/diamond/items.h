@@ -1,6 +1,6 @@
 #pragma once
 
-// Theorem 1, step 2: the green and the red items (paths, cycles and single vertices of one colour).
+// Step 1.2: the green and the red items (paths, cycles and single vertices of one colour).
 
 #include <cstdint>
 #include <span>

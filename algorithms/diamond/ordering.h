@@ -9,7 +9,7 @@ namespace ar3d::theorem1 {
 
 /// Items in an order and direction such that the last vertex of one and the first vertex of the
 /// next are not adjacent, with at most one exception if n >= 4, and none if there are at least 6
-/// items; an exception is a bad boundary. Proof in docs/theorem1.md (lemma 3). Cost: O(n).
+/// items; an exception is a bad boundary. Proof: Lemma 1.3. Cost: O(n).
 Arrangement order_items(const Graph& graph, const Items& items);
 
 bool adjacent(const Graph& graph, Vertex u, Vertex v);

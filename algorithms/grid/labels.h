@@ -41,7 +41,7 @@ struct Labels {
   std::uint64_t clashes = 0;  ///< clash vertices
 };
 
-/// Labels in processing order (section 5; lazily for f, amendment A2): what the core needs.
+/// Step 3.2: labels in processing order, lazily for f. What the core needs.
 /// Cost: O(n + m).
 Labels label_half_edges(const Graph& graph, const ProcessingOrder& order);
 

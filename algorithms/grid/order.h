@@ -24,8 +24,7 @@ struct ProcessingOrder {
   std::vector<OrderPart> parts;
 };
 
-/// Stage 1: reverse breadth-first orders (section 5 of the proof; amendment A2 for cubic
-/// components). Cost: O(n + m).
+/// Step 3.1: reverse breadth-first orders. Cost: O(n + m).
 ProcessingOrder processing_order(const Graph& graph);
 
 }  // namespace ar3d::grid

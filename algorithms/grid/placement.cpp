@@ -97,7 +97,7 @@ Placement::Site Placement::look(Vertex v) const {
   return site;
 }
 
-/// Ordinary vertices (P1): the planes of back U-edges are given, everything else is new, and the
+/// Step 3.3: the planes of back U-edges are given, everything else is new, and the
 /// last number makes the sum new and far from those of the neighbours along U-edges.
 bool Placement::place_ordinary(const Site& site) {
   if (!choose_colours(site, missing_colours(site.v))) return false;

@@ -13,7 +13,7 @@
 
 namespace ar3d::grid {
 
-/// The constants of the size proof (docs/theorem3.md, "Size"), for n vertices.
+/// The constants of Lemmas 3.4 and 3.5, for n vertices.
 struct ZoneProof {
   std::int64_t n = 0;
   /// Twice the number of candidates that taken numbers (3n), their neighbours (9n in triple
@@ -24,7 +24,7 @@ struct ZoneProof {
   std::int64_t far_window() const { return 5 * n + 18; }
   /// Numbers of other vertices than f and r never pass this.
   std::int64_t largest_zone() const { return 11 * n + 20; }
-  /// Below this, X_gamma(w) forces the rule NT.
+  /// Below this, X_gamma(w) forces Rule 3.1 (NT).
   std::int64_t lowest_for_pq() const { return -(61 * n + 100); }
   /// Half width of the preferred window.
   std::int64_t window(std::int64_t percent_of_n) const {

@@ -1,4 +1,4 @@
-// The edge fr that is set aside in a cubic component (amendment A2): f first, its neighbours, r
+// The edge fr that is set aside in a cubic component (Step 3.5): f first, its neighbours, r
 // last.
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Clash vertices (P2 with amendment A1): two earlier neighbours w, w' chose the same label lambda
+// Step 3.4, Rules 3.1 and 3.2: two earlier neighbours w, w' chose the same label lambda
 // for v.
 
 #include <algorithm>
@@ -28,8 +28,9 @@ Placement::Clash Placement::look_at_clash(const Site& site) const {
   return clash;
 }
 
-/// NT (E < 0) if it fits, else PQ (E > 0). Rule NT alone would let numbers H feed on each other,
-/// rule PQ alone the numbers L (finding 14); together every number stays within O(n).
+/// Rule 3.1 (NT, E < 0) if it fits, else Rule 3.2 (PQ, E > 0). Rule 3.1 alone would let numbers H
+/// feed on each other, Rule 3.2 alone the numbers L; together every number stays within O(n)
+/// (Lemma 3.5).
 bool Placement::place_clash(const Site& site) {
   Clash clash = look_at_clash(site);
   planes_.labels.set(clash.w.edge, site.v, clash.w.to, clash.beta);
@@ -54,8 +55,8 @@ std::int64_t Placement::highest_low_number(const Clash& clash) const {
   return low;
 }
 
-/// (i) H so large that C > A + B. Must succeed if X_gamma(w) is very low, so that low numbers do
-/// not feed.
+/// Rule 3.1: H so large that C > A + B. Must succeed if X_gamma(w) is very low, so that low numbers
+/// do not feed.
 bool Placement::place_clash_nt(const Clash& clash) {
   const std::int64_t low = highest_low_number(clash);
   const std::int64_t least = clash.w_gamma + clash.a + clash.w_beta - low + 1;
@@ -77,7 +78,7 @@ bool Placement::place_clash_nt(const Clash& clash) {
   return true;
 }
 
-/// (ii) H - 2, H - 1, H free and L so low that B >= C; the slot is H - 1.
+/// Rule 3.2: H - 2, H - 1, H free and L so low that B >= C; the slot is H - 1.
 bool Placement::place_clash_pq(const Clash& clash) {
   const std::int64_t start = std::max(clash.w_gamma + 3, -window_ + 2);
   const NumberSet& near = near_taken_[clash.gamma];

@@ -82,7 +82,7 @@ struct PlaneOptions {
 };
 
 /// Plane numbers of every component on its own: flat ones where asked for and possible, else the
-/// core's, amendments A1, A2 and A3. Never fails.
+/// core's (Step 3.6). Never fails.
 /// Cost: O(n log n) expected over the stream of random numbers, on every input.
 Planes assign_planes(const Graph& graph, const ProcessingOrder& order, const PlaneOptions& options);
 

@@ -19,7 +19,7 @@ struct RouteRule {
   std::int64_t nt_first = 1;     ///< length of the first segment of a defect with E < 0
 };
 
-/// Stage 6: the three bends of every edge (section 3 of the proof), computed from the two labels,
+/// Step 3.8: the three bends of every edge, computed from the two labels,
 /// the two ends and, for a defect with E > 0, its slot. Holds one byte an edge and the slots.
 class Routes final : public BendSource {
  public:

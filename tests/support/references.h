@@ -1,0 +1,29 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace ar3d::testing {
+
+/// What references are checked against: the files of a source tree, and the help of the program.
+struct Tree {
+  std::map<std::string, std::string> files;  ///< text by path, '/' between folders
+  std::map<std::string, std::string> help;   ///< by verb and sub-verb: "", "draw", "study run", ...
+};
+
+/// The files below `root` that people write: no build folders, no hidden ones, nothing binary.
+Tree read_tree(const std::string& root);
+
+/// Asks the program for its help, verb by verb.
+std::map<std::string, std::string> read_help();
+
+/// References in comments and pages that lead nowhere, as "file:line: what". What is looked at:
+///  - Lemma, Rule and Step with a number, which a page defines in bold (CONTRIBUTING.md, "How to
+///    cite"); bare numbers, and numbers of notes that are not in the tree;
+///  - in backticks: functions, types and columns (a word of the code), files, tests
+///    (Suite.Name), commands of the program with their options;
+///  - links between pages, and paths that begin with a folder of the tree.
+std::vector<std::string> dangling_references(const Tree& tree);
+
+}  // namespace ar3d::testing
