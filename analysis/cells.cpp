@@ -17,7 +17,7 @@ std::vector<InstanceRows> group_instances(const Results& results, const Cell& ce
   std::map<std::tuple<std::int64_t, std::int64_t, std::uint64_t>, std::size_t> index_of;
   std::vector<InstanceRows> instances;
   for (const std::size_t row : cell.rows) {
-    const Run& run = results.runs[row];
+    const RunRecord& run = results.runs[row];
     const auto identity = std::tuple(run.wanted_n, run.instance_index, run.seed);
     const auto [place, is_new] = index_of.try_emplace(identity, instances.size());
     if (is_new) instances.push_back({run.n >= 0 ? run.n : run.wanted_n, {}});
@@ -40,7 +40,7 @@ std::vector<Cell> cells(const Results& results) {
   std::map<CellKey, std::size_t> index_of;
   std::vector<Cell> cells;
   for (std::size_t row = 0; row < results.runs.size(); ++row) {
-    const Run& run = results.runs[row];
+    const RunRecord& run = results.runs[row];
     const CellKey key{run.algorithm, run.options, run.family, run.parameters};
     const auto [place, is_new] = index_of.try_emplace(key, cells.size());
     if (is_new) cells.push_back({key, {}, {}});
@@ -50,7 +50,7 @@ std::vector<Cell> cells(const Results& results) {
   return cells;
 }
 
-const Run* first_ok(const Results& results, const InstanceRows& instance) {
+const RunRecord* first_ok(const Results& results, const InstanceRows& instance) {
   for (const std::size_t row : instance.rows) {
     if (results.runs[row].status == RunStatus::ok) return &results.runs[row];
   }

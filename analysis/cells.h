@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/results/run.h"
+#include "ar3d/results/run_record.h"
 
 namespace ar3d {
 
@@ -44,6 +44,6 @@ struct Cell {
 std::vector<Cell> cells(const Results& results);
 
 /// The instance's first row with status ok, or nullptr.
-const Run* first_ok(const Results& results, const InstanceRows& instance);
+const RunRecord* first_ok(const Results& results, const InstanceRows& instance);
 
 }  // namespace ar3d

@@ -28,7 +28,7 @@ constexpr double kRounding = 1e-12;
 
 using Findings = std::vector<Finding>;
 
-void check_axis(const Run& run, std::size_t row, std::size_t axis, Findings& findings) {
+void check_axis(const RunRecord& run, std::size_t row, std::size_t axis, Findings& findings) {
   const std::int64_t extent = run.extents[axis];
   const double bound = run.theorem_bound[axis];
   if (extent < 0) {
@@ -53,7 +53,7 @@ void check_axis(const Run& run, std::size_t row, std::size_t axis, Findings& fin
 }
 
 /// What every ok row has, whatever its graph; a missing value is NaN.
-void check_numbers(const Run& run, std::size_t row, Findings& findings) {
+void check_numbers(const RunRecord& run, std::size_t row, Findings& findings) {
   const bool is_timed = run.phase == RunPhase::metrics || run.phase == RunPhase::timing;
   const std::array<std::pair<const char*, double>, 2> numbers = {
       {{"log2_volume", run.log2_volume}, {"wall_s", is_timed ? run.wall_s : 0}}};
@@ -64,7 +64,7 @@ void check_numbers(const Run& run, std::size_t row, Findings& findings) {
   }
 }
 
-void check_certificate(const Run& run, std::size_t row, Findings& findings) {
+void check_certificate(const RunRecord& run, std::size_t row, Findings& findings) {
   if (run.violations > 0) {
     findings.push_back({FindingKind::certificate, row,
                         fmt::format("{} violations: {}", run.violations, run.message)});
@@ -76,7 +76,7 @@ void check_certificate(const Run& run, std::size_t row, Findings& findings) {
 }
 
 /// What the row alone tells.
-Findings row_findings(const Run& run, std::size_t row) {
+Findings row_findings(const RunRecord& run, std::size_t row) {
   Findings findings;
   switch (run.status) {
     case RunStatus::refused:
@@ -97,13 +97,13 @@ Findings row_findings(const Run& run, std::size_t row) {
 }
 
 /// Everything that must be equal in two drawings of the same graph with the same options.
-auto drawing_columns(const Run& run) {
+auto drawing_columns(const RunRecord& run) {
   return std::tie(run.graph_hash, run.drawing_hash, run.n, run.m, run.extents, run.bends,
                   run.instance_bound, run.counters, run.violations);
 }
 
 /// Which graph, drawn how: rows that agree in it are repetitions.
-std::string repetition_key(const Run& run) {
+std::string repetition_key(const RunRecord& run) {
   return fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}", run.algorithm, run.options, run.family,
                      run.parameters, run.wanted_n, run.instance_index, run.seed);
 }
@@ -111,7 +111,7 @@ std::string repetition_key(const Run& run) {
 /// What the repetitions of one drawing tell, row after row.
 class Repetitions {
  public:
-  void look_at(const Run& run, std::size_t row, Findings& findings) {
+  void look_at(const RunRecord& run, std::size_t row, Findings& findings) {
     if (!measured_.insert({run.phase, run.scale, run.repetition}).second) {
       findings.push_back({FindingKind::duplicate, row, "the same measurement stands twice"});
     }
@@ -124,7 +124,7 @@ class Repetitions {
   }
 
  private:
-  std::optional<Run> first_;  // that is ok
+  std::optional<RunRecord> first_;  // that is ok
   std::set<std::tuple<RunPhase, std::int64_t, std::int64_t>> measured_;
 };
 
@@ -139,7 +139,7 @@ Findings repetition_findings(const RowView& rows, RowsByHash by_hash) {
                                   [&](const auto& entry) { return entry.first != begin->first; });
     std::map<std::string, Repetitions> drawings;  // more than one if their hashes are equal
     for (auto at = begin; end - begin > 1 && at != end; ++at) {
-      const Run& run = rows.read(at->second);
+      const RunRecord& run = rows.read(at->second);
       drawings[repetition_key(run)].look_at(run, at->second, findings);
     }
     begin = end;
@@ -171,7 +171,7 @@ void count_rows(const std::vector<bool>& is_ok, CheckVerdict& verdict) {
 std::string describe(const Finding& finding, const RowView& rows) {
   const std::string head = is_violation(finding.kind) ? "VIOLATED" : "INCOMPLETE";
   if (!finding.row) return fmt::format("{}: {}\n", head, finding.message);
-  const Run& run = rows.read(*finding.row);
+  const RunRecord& run = rows.read(*finding.row);
   return fmt::format("{} row {} ({}): {} on {}, n = {}: {}\n    {}\n", head, *finding.row,
                      to_string(finding.kind), one_line(run.algorithm), one_line(run.family), run.n,
                      finding.message, one_line(draw_command(run)));
@@ -218,7 +218,7 @@ const char* CheckVerdict::word() const {
   return code == 0 ? "PASS" : code == 4 ? "VIOLATED" : "INCOMPLETE";
 }
 
-bool breaks_promise(const Run& run) {
+bool breaks_promise(const RunRecord& run) {
   const Findings findings = row_findings(run, 0);
   return std::any_of(findings.begin(), findings.end(),
                      [](const Finding& finding) { return is_violation(finding.kind); });
@@ -228,7 +228,7 @@ void require_one_study(const Results& results, const std::string& path) {
   using Identity = std::tuple<std::string_view, std::string_view, std::int64_t, std::int64_t>;
   std::map<Identity, std::size_t> first_row;
   for (std::size_t row = 0; row < results.runs.size(); ++row) {
-    const Run& run = results.runs[row];
+    const RunRecord& run = results.runs[row];
     const Identity identity{run.family, run.parameters, run.n, run.instance_index};
     const std::size_t first = first_row.try_emplace(identity, row).first->second;
     if (run.n >= 0 && results.runs[first].seed != run.seed) {
@@ -241,13 +241,13 @@ void require_one_study(const Results& results, const std::string& path) {
 
 RowView view_of(const Results& results) {
   return {results.runs.size(), results.planned_rows,
-          [&](std::size_t row) -> const Run& { return results.runs[row]; }};
+          [&](std::size_t row) -> const RunRecord& { return results.runs[row]; }};
 }
 
 RowView view_of(ResultsReader& reader) {
-  const auto run = std::make_shared<Run>();
+  const auto run = std::make_shared<RunRecord>();
   return {reader.size(), reader.identity().planned_rows,
-          [&reader, run](std::size_t row) -> const Run& {
+          [&reader, run](std::size_t row) -> const RunRecord& {
             *run = load_record(reader.read(row));
             return *run;
           }};
@@ -260,7 +260,7 @@ CheckVerdict check(const RowView& rows) {
   std::vector<bool> is_ok(rows.count);
   RowsByHash by_hash(rows.count);
   for (std::size_t row = 0; row < rows.count; ++row) {
-    const Run& run = rows.read(row);
+    const RunRecord& run = rows.read(row);
     add(row_findings(run, row), verdict.findings);
     is_ok[row] = run.status == RunStatus::ok;
     any_drawn = any_drawn || is_ok[row] || run.status == RunStatus::violated;

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/results/results_reader.h"
-#include "ar3d/results/run.h"
+#include "ar3d/results/hdf5/results_reader.h"
+#include "ar3d/results/run_record.h"
 
 namespace ar3d {
 
@@ -52,8 +52,8 @@ struct CheckVerdict {
 /// Rows that are looked at one at a time.
 struct RowView {
   std::size_t count = 0;
-  std::int64_t planned = -1;                        ///< StudyIdentity::planned_rows
-  std::function<const Run&(std::size_t row)> read;  ///< valid until the next call
+  std::int64_t planned = -1;                              ///< StudyIdentity::planned_rows
+  std::function<const RunRecord&(std::size_t row)> read;  ///< valid until the next call
 };
 RowView view_of(const Results& results);
 /// Rows that stay in their file. The reader outlives the view. @throws InputError when reading.
@@ -68,7 +68,7 @@ CheckVerdict check(const Results& results);
 void require_one_study(const Results& results, const std::string& path);
 
 /// True if the row alone shows a broken bound or certificate.
-bool breaks_promise(const Run& run);
+bool breaks_promise(const RunRecord& run);
 
 /// A short text for a terminal: the verdict, the counts, and the first `max_findings` findings,
 /// each with the command that shows it again.

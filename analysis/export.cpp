@@ -155,7 +155,7 @@ std::string rows_csv(const Results& results) {
   csv += "\r\n";
   const auto integer = [](std::int64_t value) { return value < 0 ? "" : std::to_string(value); };
   for (std::size_t row = 0; row < results.runs.size(); ++row) {
-    const Run& run = results.runs[row];
+    const RunRecord& run = results.runs[row];
     std::vector<std::string> fields = {
         std::to_string(row), field(run.algorithm),     field(run.options),
         field(run.family),   field(run.parameters),    integer(run.n),

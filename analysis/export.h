@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ar3d/results/run.h"
+#include "ar3d/results/run_record.h"
 
 namespace ar3d {
 

@@ -20,7 +20,7 @@ using nlohmann::ordered_json;
 
 constexpr const char* kStudy = "Google Benchmark";
 
-std::string benchmark_name(const Run& run) {
+std::string benchmark_name(const RunRecord& run) {
   std::string name = "draw";
   for (const std::string* part : {&run.algorithm, &run.options, &run.family, &run.parameters}) {
     if (!part->empty()) name += "/" + *part;
@@ -30,7 +30,7 @@ std::string benchmark_name(const Run& run) {
   return one_line(name);
 }
 
-ordered_json benchmark_row(const Run& run, const std::string& name) {
+ordered_json benchmark_row(const RunRecord& run, const std::string& name) {
   ordered_json row = {{"name", name},
                       {"run_name", name},
                       {"run_type", "iteration"},
@@ -71,8 +71,8 @@ double seconds_of(const std::string& unit) {
   return at->second;
 }
 
-Run run_of(const json& row, std::int64_t repetition) {
-  Run run;
+RunRecord run_of(const json& row, std::int64_t repetition) {
+  RunRecord run;
   run.algorithm = row.at("name").get<std::string>();
   run.repetition = repetition;
   if (row.value("error_occurred", false)) {
@@ -125,13 +125,13 @@ Results results_of(const json& report) {
 
 std::string google_benchmark_json(const Results& results) {
   std::set<std::string> timed;  // names with a timing phase
-  for (const Run& run : results.runs) {
+  for (const RunRecord& run : results.runs) {
     if (run.phase == RunPhase::timing) timed.insert(benchmark_name(run));
   }
   ordered_json report;
   report["context"] = context_of(results);
   report["benchmarks"] = ordered_json::array();
-  for (const Run& run : results.runs) {
+  for (const RunRecord& run : results.runs) {
     const std::string name = benchmark_name(run);
     const RunPhase wanted = timed.contains(name) ? RunPhase::timing : RunPhase::metrics;
     if (run.phase == wanted) report["benchmarks"].push_back(benchmark_row(run, name));

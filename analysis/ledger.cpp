@@ -22,7 +22,7 @@ double smallest(const std::vector<double>& values) {
 std::vector<std::size_t> measured_rows(const Results& results, const Cell& cell) {
   std::vector<std::size_t> rows;
   for (const InstanceRows& instance : cell.instances) {
-    const Run* run = first_ok(results, instance);
+    const RunRecord* run = first_ok(results, instance);
     if (run != nullptr) rows.push_back(static_cast<std::size_t>(run - results.runs.data()));
   }
   return rows;
@@ -38,7 +38,7 @@ AxisLedger axis_ledger(const Results& results, const std::vector<std::size_t>& r
   AxisLedger entry;
   std::vector<double> theorem, instance, published;
   for (const std::size_t row : rows) {
-    const Run& run = results.runs[row];
+    const RunRecord& run = results.runs[row];
     const double slack = slack_of(run.extents[axis], run.theorem_bound[axis]);
     if (!std::isnan(slack) && (!entry.worst_row || slack < entry.worst_slack)) {
       entry.worst_slack = slack;
@@ -74,7 +74,7 @@ VolumeLedger volume_ledger(const Results& results, const std::vector<std::size_t
 
 void count_rows(const Results& results, const Cell& cell, LedgerEntry& entry) {
   for (const std::size_t row : cell.rows) {
-    const Run& run = results.runs[row];
+    const RunRecord& run = results.runs[row];
     ++entry.rows_of_status[static_cast<std::size_t>(run.status)];
     entry.violations += breaks_promise(run);
   }

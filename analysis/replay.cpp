@@ -39,19 +39,19 @@ std::string settings(std::string_view list, std::string_view flag) {
 
 }  // namespace
 
-CommandParts draw_command_parts(const Run& run) {
+CommandParts draw_command_parts(const RunRecord& run) {
   return {fmt::format("ar3d generate {} -n ", shell_word(run.family)),
           fmt::format("{} | ar3d draw - --algorithm {}{}", settings(run.parameters, "--set"),
                       shell_word(run.algorithm), settings(run.options, "--set"))};
 }
 
-std::string draw_command(const Run& run) {
+std::string draw_command(const RunRecord& run) {
   const CommandParts parts = draw_command_parts(run);
   return fmt::format("{}{} --seed {}{}", parts.before_n, run.n >= 0 ? run.n : run.wanted_n,
                      run.seed, parts.behind_seed);
 }
 
-std::string replay_command(const Run& run, std::size_t row) {
+std::string replay_command(const RunRecord& run, std::size_t row) {
   return "ar3d replay RESULTS.h5 " +
          (run.row_key.empty() ? std::to_string(row) : shell_word(run.row_key));
 }

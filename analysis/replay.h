@@ -2,24 +2,24 @@
 
 #include <string>
 
-#include "ar3d/results/run.h"
+#include "ar3d/results/run_record.h"
 
 namespace ar3d {
 
 /// The shell line that generates the row's graph again and draws it with the same algorithm and
 /// options. Words that a shell would read in another way are quoted, whatever the results file
 /// holds.
-std::string draw_command(const Run& run);
+std::string draw_command(const RunRecord& run);
 
 /// The same line is before_n, n, " --seed ", the seed, behind_seed.
 struct CommandParts {
   std::string before_n;
   std::string behind_seed;
 };
-CommandParts draw_command_parts(const Run& run);
+CommandParts draw_command_parts(const RunRecord& run);
 
 /// "ar3d replay RESULTS.h5 ROW" with the row's key, or with `row` (its number in /runs) if it has
 /// none.
-std::string replay_command(const Run& run, std::size_t row);
+std::string replay_command(const RunRecord& run, std::size_t row);
 
 }  // namespace ar3d

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "ar3d/analysis/google_benchmark.h"
-#include "ar3d/bench/interleave.h"
-#include "ar3d/bench/plan.h"
-#include "ar3d/bench/reference_build.h"
-#include "ar3d/bench/study_spec.h"
+#include "ar3d/bench/compare/interleave.h"
+#include "ar3d/bench/compare/reference_build.h"
+#include "ar3d/bench/plan/plan.h"
+#include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/model/error.h"
 #include "ar3d/results/atomic_file.h"
 #include "commands.h"

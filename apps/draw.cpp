@@ -9,11 +9,11 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/formats/catalog.h"
-#include "ar3d/formats/drawing_jsonl.h"
-#include "ar3d/formats/drawing_svg.h"
-#include "ar3d/formats/output.h"
+#include "ar3d/formats/drawings/drawing_jsonl.h"
+#include "ar3d/formats/drawings/drawing_svg.h"
+#include "ar3d/formats/text/output.h"
 #include "ar3d/model/assignments.h"
-#include "ar3d/results/drawing_hdf5.h"
+#include "ar3d/results/hdf5/drawing_hdf5.h"
 #include "batches.h"
 #include "commands.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ar3d/formats/catalog.h"
-#include "ar3d/formats/output.h"
+#include "ar3d/formats/text/output.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/model/assignments.h"
 #include "commands.h"

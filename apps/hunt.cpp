@@ -1,4 +1,4 @@
-#include "ar3d/bench/hunt.h"
+#include "ar3d/bench/search/hunt.h"
 
 #include <fmt/format.h>
 

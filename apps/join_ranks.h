@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "ar3d/bench/ranks.h"
+#include "ar3d/bench/run/ranks.h"
 
 namespace ar3d {
 

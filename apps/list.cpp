@@ -6,7 +6,7 @@
 #include <string>
 
 #include "ar3d/algorithms/catalog.h"
-#include "ar3d/bench/named_studies.h"
+#include "ar3d/bench/spec/named_studies.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/generators/named.h"

@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "ar3d/bench/make_rows.h"
+#include "ar3d/bench/run/make_rows.h"
 
 namespace ar3d {
 

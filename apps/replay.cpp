@@ -4,12 +4,12 @@
 #include <memory>
 #include <string>
 
-#include "ar3d/bench/replay_row.h"
-#include "ar3d/formats/drawing_jsonl.h"
-#include "ar3d/formats/output.h"
+#include "ar3d/bench/replay/replay_row.h"
+#include "ar3d/formats/drawings/drawing_jsonl.h"
+#include "ar3d/formats/text/output.h"
 #include "ar3d/model/error.h"
 #include "ar3d/results/columns.h"
-#include "ar3d/results/run.h"
+#include "ar3d/results/run_record.h"
 #include "commands.h"
 
 namespace ar3d {
@@ -22,8 +22,8 @@ struct ReplayArguments {
 };
 
 /// The row with that key, or with that number from 0.
-const Run& find_row(const Results& results, const ReplayArguments& arguments) {
-  for (const Run& run : results.runs) {
+const RunRecord& find_row(const Results& results, const ReplayArguments& arguments) {
+  for (const RunRecord& run : results.runs) {
     if (run.row_key == arguments.row) return run;
   }
   std::size_t number = 0;
@@ -37,7 +37,7 @@ const Run& find_row(const Results& results, const ReplayArguments& arguments) {
   return results.runs[number];
 }
 
-void write_drawing(const Run& row, const std::string& path) {
+void write_drawing(const RunRecord& row, const std::string& path) {
   const PlannedInstance instance = plan_of_row(row);
   const Graph graph =
       generate(*instance.choice.family, instance.n, instance.seed, instance.choice.parameters);
@@ -49,8 +49,8 @@ void write_drawing(const Run& row, const std::string& path) {
 
 int replay_row(const ReplayArguments& arguments) {
   const Results results = read_results(arguments.results);
-  const Run& then = find_row(results, arguments);
-  const Run now = replayed(then, study_seed(results));
+  const RunRecord& then = find_row(results, arguments);
+  const RunRecord now = replayed(then, study_seed(results));
   if (!arguments.output.empty()) write_drawing(then, arguments.output);
   const std::vector<std::string> differing = differing_columns(then, now);
   fmt::print("{} {} n={} seed {} with {} {}: {}\n", then.family, then.parameters, then.n, then.seed,

@@ -9,10 +9,10 @@
 #include "ar3d/analysis/check.h"
 #include "ar3d/analysis/export.h"
 #include "ar3d/analysis/google_benchmark.h"
-#include "ar3d/bench/study_files.h"
+#include "ar3d/bench/keep/study_files.h"
 #include "ar3d/model/error.h"
 #include "ar3d/results/atomic_file.h"
-#include "ar3d/results/run.h"
+#include "ar3d/results/run_record.h"
 #include "commands.h"
 #include "svg_to_pdf.h"
 

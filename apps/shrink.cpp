@@ -1,4 +1,4 @@
-#include "ar3d/bench/shrink.h"
+#include "ar3d/bench/search/shrink.h"
 
 #include <fmt/format.h>
 

@@ -3,9 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "ar3d/bench/make_rows.h"
-#include "ar3d/bench/study_spec.h"
-#include "ar3d/results/run.h"
+#include "ar3d/bench/run/make_rows.h"
+#include "ar3d/bench/spec/study_spec.h"
+#include "ar3d/results/run_record.h"
 
 namespace ar3d {
 

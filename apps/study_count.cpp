@@ -6,11 +6,11 @@
 #include <string>
 #include <tuple>
 
-#include "ar3d/bench/count_instructions.h"
-#include "ar3d/bench/make_row.h"
+#include "ar3d/bench/replay/count_instructions.h"
+#include "ar3d/bench/run/make_row.h"
 #include "ar3d/model/error.h"
 #include "ar3d/results/atomic_file.h"
-#include "ar3d/results/run.h"
+#include "ar3d/results/run_record.h"
 #include "commands.h"
 #include "study.h"
 
@@ -28,7 +28,7 @@ int count_rows(const CountArguments& arguments) {
   Results results = read_results(arguments.results);
   require_writable(path);
   std::map<std::tuple<std::string, std::string, std::string>, std::int64_t> counts;
-  for (Run& run : results.runs) {
+  for (RunRecord& run : results.runs) {
     if (!is_drawn(run) || run.n > arguments.max_n) continue;
     const auto key = std::tuple(run.graph_hash, run.algorithm, run.options);
     if (!counts.contains(key)) {
@@ -49,7 +49,7 @@ int count_rows(const CountArguments& arguments) {
 }
 
 struct DrawOnceArguments {
-  Run row;
+  RunRecord row;
   std::string parameters;
   std::string options;
 };

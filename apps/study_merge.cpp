@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "ar3d/bench/merge_study.h"
+#include "ar3d/bench/keep/merge_study.h"
 #include "ar3d/model/error.h"
 #include "commands.h"
 #include "study.h"

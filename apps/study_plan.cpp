@@ -5,10 +5,10 @@
 #include <memory>
 #include <string>
 
-#include "ar3d/bench/estimate.h"
-#include "ar3d/bench/make_rows.h"
-#include "ar3d/bench/plan.h"
-#include "ar3d/bench/study_spec.h"
+#include "ar3d/bench/plan/plan.h"
+#include "ar3d/bench/run/estimate.h"
+#include "ar3d/bench/run/make_rows.h"
+#include "ar3d/bench/spec/study_spec.h"
 #include "commands.h"
 #include "study.h"
 

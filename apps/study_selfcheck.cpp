@@ -5,10 +5,10 @@
 #include <memory>
 #include <string>
 
-#include "ar3d/bench/environment.h"
-#include "ar3d/bench/replay_row.h"
-#include "ar3d/bench/selfcheck.h"
-#include "ar3d/results/run.h"
+#include "ar3d/bench/measure/environment.h"
+#include "ar3d/bench/replay/replay_row.h"
+#include "ar3d/bench/replay/selfcheck.h"
+#include "ar3d/results/run_record.h"
 #include "commands.h"
 #include "study.h"
 
@@ -22,7 +22,7 @@ struct SelfcheckArguments {
 };
 
 void print_irreproducible(const Results& results, const IrreproducibleRow& row) {
-  const Run& run = results.runs[row.row];
+  const RunRecord& run = results.runs[row.row];
   std::string columns;
   for (const std::string& name : row.columns) columns += " " + name;
   fmt::print("row {} ({} n={} with {} {}) differs in{}\n", row.row, run.family, run.n,

@@ -8,11 +8,11 @@
 #include <memory>
 #include <thread>
 
-#include "ar3d/bench/journaled_study.h"
-#include "ar3d/bench/study_files.h"
+#include "ar3d/bench/keep/journaled_study.h"
+#include "ar3d/bench/keep/study_files.h"
 #include "ar3d/model/error.h"
-#include "ar3d/results/journal_reader.h"
-#include "ar3d/results/results_reader.h"
+#include "ar3d/results/hdf5/results_reader.h"
+#include "ar3d/results/journal/journal_reader.h"
 #include "commands.h"
 #include "study.h"
 

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "ar3d/formats/drawing_jsonl.h"
-#include "ar3d/formats/drawing_svg.h"
-#include "ar3d/formats/sparse6.h"
+#include "ar3d/formats/drawings/drawing_jsonl.h"
+#include "ar3d/formats/drawings/drawing_svg.h"
+#include "ar3d/formats/graphs/sparse6.h"
 #include "ar3d/model/assignments.h"
 #include "ar3d/model/error.h"
 #include "ar3d/results/atomic_file.h"
@@ -67,7 +67,7 @@ Subject subject_of(const SubjectArguments& arguments) {
   Subject subject;
   subject.choice = {&algorithm,
                     complete_options(algorithm, parse_assignments<OptionValue>(arguments.options))};
-  if (!arguments.plant.empty()) subject.fault = &find_planted_fault(arguments.plant);
+  if (!arguments.plant.empty()) subject.fault = &find_seeded_fault(arguments.plant);
   return subject;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/bench/trial.h"
+#include "ar3d/bench/search/trial.h"
 
 namespace ar3d {
 

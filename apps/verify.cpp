@@ -9,7 +9,7 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/formats/catalog.h"
-#include "ar3d/formats/drawing_jsonl.h"
+#include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/model/error.h"
 #include "ar3d/verify/certificate.h"
 #include "batches.h"

@@ -5,13 +5,13 @@
 
 #include <utility>
 
-#include "ar3d/formats/adjacency_list.h"
-#include "ar3d/formats/dimacs.h"
-#include "ar3d/formats/edge_list.h"
-#include "ar3d/formats/graphml.h"
-#include "ar3d/formats/matrix_market.h"
-#include "ar3d/formats/metis.h"
-#include "ar3d/formats/nauty_lines.h"
+#include "ar3d/formats/graphs/adjacency_list.h"
+#include "ar3d/formats/graphs/dimacs.h"
+#include "ar3d/formats/graphs/edge_list.h"
+#include "ar3d/formats/graphs/graphml.h"
+#include "ar3d/formats/graphs/matrix_market.h"
+#include "ar3d/formats/graphs/metis.h"
+#include "ar3d/formats/graphs/nauty_lines.h"
 #include "ar3d/model/error.h"
 
 namespace ar3d {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ar3d/formats/graph_format.h"
+#include "ar3d/formats/graphs/graph_format.h"
 
 namespace ar3d {
 

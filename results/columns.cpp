@@ -69,24 +69,24 @@ void store_text(const std::string& text, char* to, std::size_t size) {
 }
 
 // Text that identifies something: refused, never cut, if it does not fit.
-Column text(const Description& d, std::string Run::*member, std::size_t size) {
+Column text(const Description& d, std::string RunRecord::*member, std::size_t size) {
   Column column = described(d, FieldType::text, size);
-  column.store = [member, size, name = column.name](const Run& run, char* to) {
+  column.store = [member, size, name = column.name](const RunRecord& run, char* to) {
     require_fits(run.*member, name, size);
     store_text(run.*member, to, size);
   };
   column.exact_text = member;
-  column.load = [member, size](const char* from, Run& run) {
+  column.load = [member, size](const char* from, RunRecord& run) {
     run.*member = loaded_text(from, size);
   };
   return column;
 }
 
 // Text for people, cut to fit.
-Column message(const Description& d, std::string Run::*member, std::size_t size) {
+Column message(const Description& d, std::string RunRecord::*member, std::size_t size) {
   Column column = text(d, member, size);
   column.exact_text = nullptr;
-  column.store = [member, size](const Run& run, char* to) {
+  column.store = [member, size](const RunRecord& run, char* to) {
     const std::string& value = run.*member;
     store_text(fits(value, size) ? value : fitted_text(value, size), to, size);
   };
@@ -95,13 +95,13 @@ Column message(const Description& d, std::string Run::*member, std::size_t size)
 
 // One of a few names.
 template <class Enum>
-Column choice(const Description& d, Enum Run::*member, Enum (*parse)(std::string_view),
+Column choice(const Description& d, Enum RunRecord::*member, Enum (*parse)(std::string_view),
               std::size_t size) {
   Column column = described(d, FieldType::text, size);
-  column.store = [member, size](const Run& run, char* to) {
+  column.store = [member, size](const RunRecord& run, char* to) {
     store_text(to_string(run.*member), to, size);
   };
-  column.load = [member, parse, size](const char* from, Run& run) {
+  column.load = [member, parse, size](const char* from, RunRecord& run) {
     run.*member = parse(loaded_text(from, size));
   };
   return column;
@@ -113,10 +113,12 @@ constexpr FieldType kTypeOf = std::is_same_v<T, double>         ? FieldType::flo
                                                                 : FieldType::uint64;
 
 template <class T>
-Column number(const Description& d, T Run::*member) {
+Column number(const Description& d, T RunRecord::*member) {
   Column column = described(d, kTypeOf<T>, sizeof(T));
-  column.store = [member](const Run& run, char* to) { std::memcpy(to, &(run.*member), sizeof(T)); };
-  column.load = [member](const char* from, Run& run) {
+  column.store = [member](const RunRecord& run, char* to) {
+    std::memcpy(to, &(run.*member), sizeof(T));
+  };
+  column.load = [member](const char* from, RunRecord& run) {
     std::memcpy(&(run.*member), from, sizeof(T));
   };
   return column;
@@ -124,15 +126,15 @@ Column number(const Description& d, T Run::*member) {
 
 // One column for each entry of an array, named by `suffixes`.
 template <class T, std::size_t N>
-void add_array(std::vector<Column>& columns, const Description& d, std::array<T, N> Run::*member,
-               const std::array<const char*, N>& suffixes) {
+void add_array(std::vector<Column>& columns, const Description& d,
+               std::array<T, N> RunRecord::*member, const std::array<const char*, N>& suffixes) {
   for (std::size_t i = 0; i < N; ++i) {
     Column column = described(d, kTypeOf<T>, sizeof(T));
     column.name += suffixes[i];
-    column.store = [member, i](const Run& run, char* to) {
+    column.store = [member, i](const RunRecord& run, char* to) {
       std::memcpy(to, &(run.*member)[i], sizeof(T));
     };
-    column.load = [member, i](const char* from, Run& run) {
+    column.load = [member, i](const char* from, RunRecord& run) {
       std::memcpy(&(run.*member)[i], from, sizeof(T));
     };
     columns.push_back(std::move(column));
@@ -147,152 +149,154 @@ void add_identity(std::vector<Column>& c) {
   const auto run = ColumnKind::run;
   c.push_back(
       text({"row_key", "", "hash of study seed, instance, algorithm, options and repetition", run},
-           &Run::row_key, 32));
-  c.push_back(text({"family", "", "family of graphs", instance}, &Run::family, 48));
+           &RunRecord::row_key, 32));
+  c.push_back(text({"family", "", "family of graphs", instance}, &RunRecord::family, 48));
   c.push_back(
       text({"parameters", "", "the family's parameters, complete, in catalogue order", instance},
-           &Run::parameters, 128));
+           &RunRecord::parameters, 128));
   c.push_back(number({"wanted_n", "1", "number of vertices that the study asked for", instance},
-                     &Run::wanted_n));
-  c.push_back(number({"n", "1", "number of vertices", instance}, &Run::n));
-  c.push_back(number({"m", "1", "number of edges", instance}, &Run::m));
+                     &RunRecord::wanted_n));
+  c.push_back(number({"n", "1", "number of vertices", instance}, &RunRecord::n));
+  c.push_back(number({"m", "1", "number of edges", instance}, &RunRecord::m));
   c.push_back(number({"instance_index", "1",
                       "0, 1, ...: which instance of (family, parameters, wanted_n)", instance},
-                     &Run::instance_index));
-  c.push_back(number({"seed", "", "the generator's seed of this instance", instance}, &Run::seed));
+                     &RunRecord::instance_index));
   c.push_back(
-      text({"graph_hash", "", "128-bit hash of the graph", instance}, &Run::graph_hash, 32));
-  c.push_back(text({"algorithm", "", "drawing algorithm", run}, &Run::algorithm, 48));
+      number({"seed", "", "the generator's seed of this instance", instance}, &RunRecord::seed));
+  c.push_back(
+      text({"graph_hash", "", "128-bit hash of the graph", instance}, &RunRecord::graph_hash, 32));
+  c.push_back(text({"algorithm", "", "drawing algorithm", run}, &RunRecord::algorithm, 48));
   c.push_back(text({"options", "", "the algorithm's options, complete, in catalogue order", run},
-                   &Run::options, 96));
+                   &RunRecord::options, 96));
   c.push_back(
       choice({"phase", "",
               "what the row was made for: metrics, timing, strong, weak, strong_r, weak_r", run},
-             &Run::phase, parse_run_phase, 8));
+             &RunRecord::phase, parse_run_phase, 8));
   c.push_back(
       number({"scale", "1", "threads (strong, weak) or ranks (_r) that share the batch", run},
-             &Run::scale));
+             &RunRecord::scale));
   c.push_back(number({"repetition", "1", "0, 1, ...: which one within its phase and scale", run},
-                     &Run::repetition));
+                     &RunRecord::repetition));
 }
 
 void add_results(std::vector<Column>& c) {
   const auto kind = ColumnKind::result;
   c.push_back(
       choice({"status", "", "ok, timeout, out_of_memory, refused, violated or crashed", kind},
-             &Run::status, parse_run_status, 16));
+             &RunRecord::status, parse_run_status, 16));
   c.push_back(message({"message", "", "first violation or error, cut to fit; empty if ok", kind},
-                      &Run::message, 240));
+                      &RunRecord::message, 240));
   c.push_back(text({"drawing_hash", "", "128-bit hash of positions, edges and bends", kind},
-                   &Run::drawing_hash, 32));
+                   &RunRecord::drawing_hash, 32));
   add_array(c, {"extent", "lattice units", "largest minus smallest coordinate", kind},
-            &Run::extents, kAxes);
+            &RunRecord::extents, kAxes);
   c.push_back(number(
       {"log2_volume", "log2 of cubic lattice units", "sum of log2(extent + 1) over the axes", kind},
-      &Run::log2_volume));
+      &RunRecord::log2_volume));
   c.push_back(number({"volume_per_n3", "cubic lattice units", "product of the extents / n^3", kind},
-                     &Run::volume_per_n3));
+                     &RunRecord::volume_per_n3));
   add_array(c,
             {"instance_bound", "lattice units",
              "extent that the proof promises for this very instance", kind},
-            &Run::instance_bound, kAxes);
+            &RunRecord::instance_bound, kAxes);
   add_array(c,
             {"theorem_bound", "lattice units", "extent that the theorem promises for this n", kind},
-            &Run::theorem_bound, kAxes);
-  add_array(c, {"slack", "1", "1 - extent / theorem_bound", kind}, &Run::slack, kAxes);
+            &RunRecord::theorem_bound, kAxes);
+  add_array(c, {"slack", "1", "1 - extent / theorem_bound", kind}, &RunRecord::slack, kAxes);
   add_array(c,
             {"published_bound", "lattice units",
              "extent that the paper promises for this n, for comparison only", kind},
-            &Run::published_bound, kAxes);
+            &RunRecord::published_bound, kAxes);
   c.push_back(message(
       {"theorem_bound_formula", "", "the theorem's bound by axis, and where it is proved", kind},
-      &Run::theorem_bound_formula, 128));
+      &RunRecord::theorem_bound_formula, 128));
   c.push_back(message(
       {"published_bound_formula", "", "the published bound by axis, and where it stands", kind},
-      &Run::published_bound_formula, 128));
+      &RunRecord::published_bound_formula, 128));
   add_array(c, {"bends", "1", "number of edges with that many bends (the last: 7 or more)", kind},
-            &Run::bends, kBends);
+            &RunRecord::bends, kBends);
   c.push_back(
       number({"total_edge_length", "lattice units", "sum of the lengths of all edges", kind},
-             &Run::total_edge_length));
+             &RunRecord::total_edge_length));
   c.push_back(number({"longest_edge_length", "lattice units", "length of the longest edge", kind},
-                     &Run::longest_edge_length));
+                     &RunRecord::longest_edge_length));
   c.push_back(number({"smallest_vertex_distance", "lattice units",
                       "smallest distance of two vertices; missing if n < 2", kind},
-                     &Run::smallest_vertex_distance));
+                     &RunRecord::smallest_vertex_distance));
   c.push_back(
       number({"violations", "1",
               "violations of the guarantee that the certificate lists; 0 is proved right", kind},
-             &Run::violations));
+             &RunRecord::violations));
   c.push_back(text({"counters", "", "what the algorithm tells about its run, name=value;...", kind},
-                   &Run::counters, 512));
+                   &RunRecord::counters, 512));
 }
 
 void add_measurements(std::vector<Column>& c) {
   const auto kind = ColumnKind::measured;
+  c.push_back(number({"generate_s", "s", "wall time of generating the graph", kind},
+                     &RunRecord::generate_s));
   c.push_back(
-      number({"generate_s", "s", "wall time of generating the graph", kind}, &Run::generate_s));
-  c.push_back(number({"wall_s", "s", "wall time of drawing, nothing else", kind}, &Run::wall_s));
-  c.push_back(
-      number({"cpu_s", "s", "CPU time of the drawing thread, drawing only", kind}, &Run::cpu_s));
-  c.push_back(
-      number({"certify_s", "s", "wall time of certifying the drawing", kind}, &Run::certify_s));
+      number({"wall_s", "s", "wall time of drawing, nothing else", kind}, &RunRecord::wall_s));
+  c.push_back(number({"cpu_s", "s", "CPU time of the drawing thread, drawing only", kind},
+                     &RunRecord::cpu_s));
+  c.push_back(number({"certify_s", "s", "wall time of certifying the drawing", kind},
+                     &RunRecord::certify_s));
   c.push_back(number({"write_s", "s", "wall time of formatting the drawing as JSON lines", kind},
-                     &Run::write_s));
+                     &RunRecord::write_s));
 }
 
 void add_circumstances(std::vector<Column>& c) {
   const auto kind = ColumnKind::measured;
   c.push_back(number({"concurrency", "1", "rows that this study makes at the same time", kind},
-                     &Run::concurrency));
-  c.push_back(
-      number({"core", "1", "core that the row was pinned to; missing if none", kind}, &Run::core));
+                     &RunRecord::concurrency));
+  c.push_back(number({"core", "1", "core that the row was pinned to; missing if none", kind},
+                     &RunRecord::core));
   c.push_back(number({"warm_ups", "1", "drawings of the graph just before, thrown away", kind},
-                     &Run::warm_ups));
+                     &RunRecord::warm_ups));
   c.push_back(
       text({"timing_mark", "", "why times are worth little: debug or sanitised build", kind},
-           &Run::timing_mark, 16));
+           &RunRecord::timing_mark, 16));
 }
 
 void add_counters(std::vector<Column>& c) {
   const auto kind = ColumnKind::measured;
   c.push_back(
       number({"instructions", "1", "of drawing, user space, by the processor's counter", kind},
-             &Run::instructions));
+             &RunRecord::instructions));
   c.push_back(number({"cycles", "1", "of drawing, user space, by the processor's counter", kind},
-                     &Run::cycles));
+                     &RunRecord::cycles));
   c.push_back(
       number({"cache_misses", "1", "of drawing, user space, by the processor's counter", kind},
-             &Run::cache_misses));
+             &RunRecord::cache_misses));
   c.push_back(number({"counted_instructions", "1", "of drawing, counted by callgrind", kind},
-                     &Run::counted_instructions));
+                     &RunRecord::counted_instructions));
 }
 
 void add_memory(std::vector<Column>& c) {
   const auto kind = ColumnKind::measured;
   c.push_back(number({"base_bytes", "bytes", "resident memory when the row began", kind},
-                     &Run::base_bytes));
+                     &RunRecord::base_bytes));
   c.push_back(number({"draw_peak_bytes", "bytes", "peak resident memory while drawing", kind},
-                     &Run::draw_peak_bytes));
+                     &RunRecord::draw_peak_bytes));
   c.push_back(number({"peak_bytes", "bytes", "peak resident memory, as peak_scope says", kind},
-                     &Run::peak_bytes));
+                     &RunRecord::peak_bytes));
   c.push_back(text(
       {"peak_scope", "",
        "of this row alone (row, worker: in a process of its own) or of the process so far", kind},
-      &Run::peak_scope, 8));
+      &RunRecord::peak_scope, 8));
 }
 
 void add_scaling(std::vector<Column>& c) {
   const auto kind = ColumnKind::measured;
   c.push_back(
       number({"batch_s", "s", "wall time of the whole batch; only in phases with batches", kind},
-             &Run::batch_s));
+             &RunRecord::batch_s));
   c.push_back(
       number({"ideal_batch_s", "s", "batch_s of one thread or rank if scaling were perfect", kind},
-             &Run::ideal_batch_s));
-  c.push_back(number({"efficiency", "1", "ideal_batch_s / batch_s", kind}, &Run::efficiency));
+             &RunRecord::ideal_batch_s));
+  c.push_back(number({"efficiency", "1", "ideal_batch_s / batch_s", kind}, &RunRecord::efficiency));
   c.push_back(number({"session", "1", "the session of /environments that made the row", kind},
-                     &Run::session));
+                     &RunRecord::session));
 }
 
 std::vector<Column> make_run_columns() {
@@ -334,19 +338,19 @@ std::size_t run_record_size() {
   return size;
 }
 
-void require_storable(const Run& run) {
+void require_storable(const RunRecord& run) {
   for (const Column& column : run_columns()) {
     if (column.exact_text != nullptr)
       require_fits(run.*column.exact_text, column.name, column.size);
   }
 }
 
-void store_record(const Run& run, char* record) {
+void store_record(const RunRecord& run, char* record) {
   for (const Column& column : run_columns()) column.store(run, record + column.offset);
 }
 
-Run load_record(const char* record) {
-  Run run;
+RunRecord load_record(const char* record) {
+  RunRecord run;
   for (const Column& column : run_columns()) column.load(record + column.offset, run);
   return run;
 }
@@ -360,7 +364,7 @@ std::vector<Column> columns_of_kind(const std::vector<Column>& columns, ColumnKi
   return chosen;
 }
 
-std::string column_text(const Column& column, const Run& run) {
+std::string column_text(const Column& column, const RunRecord& run) {
   std::string bytes(column.size, '\0');
   column.store(run, bytes.data());
   switch (column.type) {
@@ -376,7 +380,7 @@ std::string column_text(const Column& column, const Run& run) {
   throw InternalError("internal error: unknown column type");
 }
 
-std::vector<std::string> differing_columns(const Run& a, const Run& b) {
+std::vector<std::string> differing_columns(const RunRecord& a, const RunRecord& b) {
   std::vector<std::string> names;
   for (const Column& column : run_columns()) {
     if (column.kind == ColumnKind::measured) continue;

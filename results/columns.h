@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ar3d/results/field.h"
-#include "ar3d/results/run.h"
+#include "ar3d/results/run_record.h"
 
 namespace ar3d {
 
@@ -21,9 +21,9 @@ enum class ColumnKind {
 /// schema page are made. Columns stand in the order of their bytes in a record.
 struct Column : Field {
   ColumnKind kind = ColumnKind::result;
-  std::function<void(const Run&, char*)> store;  ///< writes `size` bytes
-  std::function<void(const char*, Run&)> load;   ///< reads `size` bytes
-  std::string Run::*exact_text = nullptr;        ///< a text that is refused, not cut, if too long
+  std::function<void(const RunRecord&, char*)> store;  ///< writes `size` bytes
+  std::function<void(const char*, RunRecord&)> load;   ///< reads `size` bytes
+  std::string RunRecord::*exact_text = nullptr;  ///< a text that is refused, not cut, if too long
 };
 
 /// All columns of /runs.
@@ -37,21 +37,21 @@ const Column& run_column(std::string_view name);
 std::size_t run_record_size();
 
 /// @throws InputError if an identifying text does not fit its column.
-void require_storable(const Run& run);
+void require_storable(const RunRecord& run);
 
 /// Writes run_record_size() bytes. @throws InputError as require_storable.
-void store_record(const Run& run, char* record);
-Run load_record(const char* record);
+void store_record(const RunRecord& run, char* record);
+RunRecord load_record(const char* record);
 
 /// The columns of one kind, packed anew.
 std::vector<Column> columns_of_kind(const std::vector<Column>& columns, ColumnKind kind);
 
 /// The value for people and CSV files: text, a decimal integer, or the shortest decimal that reads
 /// back to the same double; "nan" if missing.
-std::string column_text(const Column& column, const Run& run);
+std::string column_text(const Column& column, const RunRecord& run);
 
 /// Names of the columns that are not measured and differ in their bits. Empty: the same result.
-std::vector<std::string> differing_columns(const Run& a, const Run& b);
+std::vector<std::string> differing_columns(const RunRecord& a, const RunRecord& b);
 
 /// `text` as a column holds it: cut to `size` bytes, everything but printable ASCII replaced by
 /// '?'.

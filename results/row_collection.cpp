@@ -9,8 +9,8 @@
 
 #include "ar3d/model/error.h"
 #include "ar3d/results/columns.h"
-#include "ar3d/results/journal_reader.h"
-#include "ar3d/results/results_reader.h"
+#include "ar3d/results/hdf5/results_reader.h"
+#include "ar3d/results/journal/journal_reader.h"
 
 namespace ar3d {
 namespace {

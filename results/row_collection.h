@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ar3d/results/row_key.h"
-#include "ar3d/results/run.h"
+#include "ar3d/results/run_record.h"
 
 namespace ar3d {
 

@@ -12,32 +12,32 @@ namespace {
 using Wide = boost::multiprecision::uint256_t;  // holds every product of three 64-bit numbers
 
 /// Lattice points of the box.
-Wide volume(const Run& run) {
+Wide volume(const RunRecord& run) {
   Wide points = 1;
   for (const std::int64_t extent : run.extents) points *= Wide(extent) + 1;
   return points;
 }
 
-bool has_extents(const Run& run) {
+bool has_extents(const RunRecord& run) {
   return std::all_of(run.extents.begin(), run.extents.end(), [](auto e) { return e >= 0; });
 }
 
-bool has_bends(const Run& run) {
+bool has_bends(const RunRecord& run) {
   return std::all_of(run.bends.begin(), run.bends.end(), [](auto b) { return b >= 0; });
 }
 
-std::string box(const Run& run) {
+std::string box(const RunRecord& run) {
   return fmt::format("{} x {} x {}", run.extents[0], run.extents[1], run.extents[2]);
 }
 
 /// Total number of bends; edges with 7 or more count 7.
-Wide total_bends(const Run& run) {
+Wide total_bends(const RunRecord& run) {
   Wide total = 0;
   for (std::size_t b = 0; b < run.bends.size(); ++b) total += Wide(run.bends[b]) * b;
   return total;
 }
 
-std::size_t most_bends(const Run& run) {
+std::size_t most_bends(const RunRecord& run) {
   std::size_t most = 0;
   for (std::size_t b = 0; b < run.bends.size(); ++b) {
     if (run.bends[b] > 0) most = b;
@@ -47,7 +47,8 @@ std::size_t most_bends(const Run& run) {
 
 Effect direction(bool worse) { return worse ? Effect::worse : Effect::better; }
 
-void compare_status(const Run& base, const Run& now, std::vector<FixedChange>& changes) {
+void compare_status(const RunRecord& base, const RunRecord& now,
+                    std::vector<FixedChange>& changes) {
   const bool violated = now.status == RunStatus::violated || now.violations > 0;
   if (violated) {
     changes.push_back({Effect::violated, fmt::format("violated: {}", now.message)});
@@ -62,7 +63,8 @@ void compare_status(const Run& base, const Run& now, std::vector<FixedChange>& c
   }
 }
 
-void compare_volume(const Run& base, const Run& now, std::vector<FixedChange>& changes) {
+void compare_volume(const RunRecord& base, const RunRecord& now,
+                    std::vector<FixedChange>& changes) {
   if (!has_extents(base) || !has_extents(now) || base.extents == now.extents) return;
   const Wide before = volume(base), after = volume(now);
   const std::string boxes = fmt::format("box {} became {}", box(base), box(now));
@@ -74,7 +76,7 @@ void compare_volume(const Run& base, const Run& now, std::vector<FixedChange>& c
   }
 }
 
-void compare_bends(const Run& base, const Run& now, std::vector<FixedChange>& changes) {
+void compare_bends(const RunRecord& base, const RunRecord& now, std::vector<FixedChange>& changes) {
   if (!has_bends(base) || !has_bends(now) || base.bends == now.bends) return;
   const std::size_t most_before = most_bends(base), most_after = most_bends(now);
   if (most_before != most_after) {
@@ -92,8 +94,8 @@ void compare_bends(const Run& base, const Run& now, std::vector<FixedChange>& ch
 }  // namespace
 
 std::vector<FixedChange> fixed_changes(const PairedRow& row) {
-  const Run& base = *row.base;
-  const Run& now = *row.now;
+  const RunRecord& base = *row.base;
+  const RunRecord& now = *row.now;
   std::vector<FixedChange> changes;
   compare_status(base, now, changes);
   if (!base.graph_hash.empty() && !now.graph_hash.empty() && base.graph_hash != now.graph_hash) {

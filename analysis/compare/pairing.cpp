@@ -13,20 +13,24 @@
 namespace ar3d {
 namespace {
 
-CellKey key_of(const Run& run) { return {run.algorithm, run.options, run.family, run.parameters}; }
+CellKey key_of(const RunRecord& run) {
+  return {run.algorithm, run.options, run.family, run.parameters};
+}
 
-auto graph_of(const Run& run) { return std::tuple(run.wanted_n, run.instance_index, run.seed); }
+auto graph_of(const RunRecord& run) {
+  return std::tuple(run.wanted_n, run.instance_index, run.seed);
+}
 
-auto identity(const Run& run) {
+auto identity(const RunRecord& run) {
   return std::tuple_cat(std::tuple(key_of(run)), graph_of(run),
                         std::tuple(run.phase, run.scale, run.repetition));
 }
 
-using RowIndex = std::map<decltype(identity(Run())), const Run*>;
+using RowIndex = std::map<decltype(identity(RunRecord())), const RunRecord*>;
 
 RowIndex index_of(const Results& results, const char* side) {
   RowIndex index;
-  for (const Run& run : results.runs) {
+  for (const RunRecord& run : results.runs) {
     if (!index.try_emplace(identity(run), &run).second) {
       throw InputError(
           fmt::format("{} holds the same measurement twice: {}", side, row_label(run)));
@@ -65,7 +69,7 @@ bool has_times(const PairedRow& row) {
 
 }  // namespace
 
-std::string row_label(const Run& run) {
+std::string row_label(const RunRecord& run) {
   const CellKey key = key_of(run);
   std::string label = algorithm_label(key);
   if (!run.family.empty()) label += fmt::format(" on {} n={}", family_label(key), run.wanted_n);
@@ -80,7 +84,7 @@ Pairing pair_rows(const Results& base, const Results& now) {
   Pairing pairing;
   std::map<std::pair<CellKey, std::int64_t>, std::size_t> cell_of;
   std::size_t matched = 0;
-  for (const Run& run : base.runs) {
+  for (const RunRecord& run : base.runs) {
     const auto partner = new_rows.find(identity(run));
     if (partner == new_rows.end()) {
       const bool may_lack = run.phase == RunPhase::timing && run.repetition > 0;
@@ -110,7 +114,7 @@ std::vector<double> log_time_ratios(const PairedCell& cell) {
 }
 
 double round_log_time_ratio(const PairedCell& cell) {
-  std::map<decltype(graph_of(Run())), std::pair<double, double>> smallest;
+  std::map<decltype(graph_of(RunRecord())), std::pair<double, double>> smallest;
   for (const PairedRow& row : candidates(cell)) {
     if (!has_times(row)) continue;
     const std::pair<double, double> times = {row.base->wall_s, row.now->wall_s};

@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "ar3d/analysis/cells.h"
-#include "ar3d/results/run.h"
+#include "ar3d/results/run_record.h"
 
 namespace ar3d {
 
 /// One measurement that both sides made: the same graph, algorithm, options, phase and repetition.
 struct PairedRow {
-  const Run* base = nullptr;
-  const Run* now = nullptr;
+  const RunRecord* base = nullptr;
+  const RunRecord* now = nullptr;
 };
 
 /// The measurements of one algorithm on one family at one size.
@@ -35,7 +35,7 @@ struct Pairing {
 Pairing pair_rows(const Results& base, const Results& now);
 
 /// "random-cubic n=100 instance 0, diamond (effort=1), repetition 2": which measurement a row is.
-std::string row_label(const Run& run);
+std::string row_label(const RunRecord& run);
 
 /// log(new / base) of the drawing times of a cell's pairs: of rows of the timing phase if the cell
 /// has any, else of all. A pair without two finite positive times is left out.

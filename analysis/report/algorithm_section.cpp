@@ -91,7 +91,7 @@ std::string closest_sentence(const Analysis& analysis, const Section& section) {
     }
   }
   if (closest == nullptr) return "";
-  const Run& run = analysis.results.runs[*closest->axes[axis].worst_row];
+  const RunRecord& run = analysis.results.runs[*closest->axes[axis].worst_row];
   return fmt::format(
       "<p>The closest to a bound: the {} extent on {} with n = {} is {} of {:.6g}, {} of what "
       "the theorem allows.</p>\n",

@@ -26,7 +26,7 @@ std::string json_string(std::string_view text) {
 }
 
 /// What the rows of a cell share: label, and the draw command before n and behind the seed.
-std::string cell_json(const Run& run) {
+std::string cell_json(const RunRecord& run) {
   const CommandParts parts = draw_command_parts(run);
   const CellKey key{run.algorithm, run.options, run.family, run.parameters};
   return fmt::format("[{},{},{}]", json_string(family_label(key) + "\n" + algorithm_label(key)),
@@ -40,7 +40,7 @@ std::string numbers(const std::array<double, 3>& values) {
 
 /// [cell, n, m, "seed", status, extents, own bound, theorem's bound, published bound, seconds]; 0
 /// for what is missing.
-std::string row_json(const Run& run, std::size_t cell) {
+std::string row_json(const RunRecord& run, std::size_t cell) {
   std::array<double, 3> own{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     own[axis] = static_cast<double>(run.instance_bound[axis]);
@@ -69,7 +69,7 @@ std::string plotted_rows_json(const Analysis& analysis) {
   std::map<CellKey, std::size_t> cell_of;
   std::string cells, rows;
   for (const std::size_t row : plotted_rows(analysis)) {
-    const Run& run = analysis.results.runs[row];
+    const RunRecord& run = analysis.results.runs[row];
     const CellKey key{run.algorithm, run.options, run.family, run.parameters};
     const auto [place, is_new] = cell_of.try_emplace(key, cell_of.size());
     if (is_new) cells += (cells.empty() ? "" : ",\n") + cell_json(run);

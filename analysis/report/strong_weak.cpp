@@ -35,7 +35,7 @@ struct Batches {
 std::vector<Batches> batches_of(const Results& results) {
   using CurveKey = std::pair<std::string, std::int64_t>;
   std::map<std::pair<RunPhase, std::string>, std::map<CurveKey, Curve>> found;
-  for (const Run& run : results.runs) {
+  for (const RunRecord& run : results.runs) {
     if (!is_batched(run.phase) || run.scale < 1 || !(run.efficiency > 0) || !(run.batch_s > 0))
       continue;
     const CellKey key{run.algorithm, run.options, run.family, run.parameters};

@@ -54,7 +54,7 @@ std::string worst_instance(const Analysis& analysis, const LedgerEntry& entry) {
   const auto axis = worst_axis(entry);
   if (!axis) return "–";
   const std::size_t row = *entry.axes[*axis].worst_row;
-  const Run& run = analysis.results.runs[row];
+  const RunRecord& run = analysis.results.runs[row];
   return fmt::format(
       "<details><summary>n = {}, seed {}</summary>measured {}<br>own bound {}<br>theorem {}<br>"
       "published {}<br><code>{}</code><br><code>{}</code></details>",

@@ -29,7 +29,7 @@ bool is_censored(RunStatus status) {
 /// The phase whose times speak for the instance: timing if it has such rows, else metrics.
 RunPhase phase_of_times(const Results& results, const InstanceRows& instance) {
   const bool timed = std::any_of(instance.rows.begin(), instance.rows.end(), [&](std::size_t row) {
-    const Run& run = results.runs[row];
+    const RunRecord& run = results.runs[row];
     return run.phase == RunPhase::timing && run.status == RunStatus::ok;
   });
   return timed ? RunPhase::timing : RunPhase::metrics;
@@ -85,7 +85,7 @@ const char* unit_of(Quantity quantity) {
   return quantity == Quantity::volume ? "lattice points" : "lattice units";
 }
 
-double log_value(const Run& run, Quantity quantity) {
+double log_value(const RunRecord& run, Quantity quantity) {
   switch (quantity) {
     case Quantity::wall_s:
       return log_positive(run.wall_s);
@@ -101,7 +101,7 @@ double log_value(const Run& run, Quantity quantity) {
   }
 }
 
-double log_bound(const Run& run, Quantity quantity) {
+double log_bound(const RunRecord& run, Quantity quantity) {
   const auto& bound = run.theorem_bound;
   switch (quantity) {
     case Quantity::wall_s:

@@ -19,10 +19,10 @@ const char* unit_of(Quantity quantity);
 
 /// Natural logarithm of the row's quantity; missing if the row has none or it is not positive.
 /// Volume is the product of (extent + 1) over the axes.
-double log_value(const Run& run, Quantity quantity);
+double log_value(const RunRecord& run, Quantity quantity);
 /// Natural logarithm of the theorem's bound on the quantity; missing for times and where the row
 /// has no bound.
-double log_bound(const Run& run, Quantity quantity);
+double log_bound(const RunRecord& run, Quantity quantity);
 
 /// One instance: its value (the median over the repetitions, of logarithms) and a row that shows
 /// it.

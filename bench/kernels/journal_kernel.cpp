@@ -26,13 +26,13 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/bench/one_thread.h"
-#include "ar3d/bench/plan.h"
-#include "ar3d/bench/run_study.h"
-#include "ar3d/bench/stopwatch.h"
+#include "ar3d/bench/measure/one_thread.h"
+#include "ar3d/bench/measure/stopwatch.h"
+#include "ar3d/bench/plan/plan.h"
+#include "ar3d/bench/run/run_study.h"
 #include "ar3d/results/columns.h"
-#include "ar3d/results/journal_reader.h"
-#include "ar3d/results/journal_writer.h"
+#include "ar3d/results/journal/journal_reader.h"
+#include "ar3d/results/journal/journal_writer.h"
 #include "ar3d/verify/certificate.h"
 #include "ar3d/verify/metrics.h"
 
@@ -62,8 +62,8 @@ StudyIdentity identity() {
   return identity;
 }
 
-Run typical_run() {
-  Run run;
+RunRecord typical_run() {
+  RunRecord run;
   run.row_key = "0123456789abcdef0123456789abcdef";
   run.family = "random-cubic";
   run.wanted_n = run.n = 1000;
@@ -85,7 +85,7 @@ void append_kernel(benchmark::State& state) {
   const Folder folder;
   JournalWriter journal(folder.file("k.journal"), identity());
   journal.begin_session({});
-  const Run run = typical_run();
+  const RunRecord run = typical_run();
   for (auto _ : state) journal.append(run);
   state.SetItemsProcessed(state.iterations());
 }
@@ -115,7 +115,7 @@ class Database {
       throw std::runtime_error(sqlite3_errmsg(database_));
     }
   }
-  void append(const Run& run) {
+  void append(const RunRecord& run) {
     store_record(run, record_.data());
     int place = 0;
     for (const Column& column : run_columns()) bind(++place, column);
@@ -148,7 +148,7 @@ class Database {
 void sqlite_kernel(benchmark::State& state, std::int64_t rows_a_transaction) {
   const Folder folder;
   Database database(folder.file("k.sqlite"));
-  const Run run = typical_run();
+  const RunRecord run = typical_run();
   std::int64_t row = 0;
   for (auto _ : state) {
     if (row % rows_a_transaction == 0) database.execute("BEGIN");
@@ -164,7 +164,7 @@ void status_kernel(benchmark::State& state) {
   {
     JournalWriter journal(folder.file("k.journal"), identity());
     journal.begin_session({});
-    const Run run = typical_run();
+    const RunRecord run = typical_run();
     for (std::int64_t i = 0; i < state.range(0); ++i) journal.append(run);
   }
   for (auto _ : state) benchmark::DoNotOptimize(journal_status(folder.file("k.journal")).rows);
@@ -241,7 +241,7 @@ void journaled_kernel(benchmark::State& state) {
   JournalWriter journal(folder.file("k.journal"), identity());
   journal.begin_session({});
   Besides besides;
-  const auto keep = [&](std::size_t, const Run& run) {  // called by one thread at a time
+  const auto keep = [&](std::size_t, const RunRecord& run) {  // called by one thread at a time
     journal.append(run);
     besides.add(run.generate_s + run.wall_s + run.certify_s);
   };

@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "ar3d/formats/drawing_jsonl.h"
+#include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/model/error.h"
 
 namespace ar3d::fuzz {

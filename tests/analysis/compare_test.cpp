@@ -14,7 +14,7 @@ namespace ar3d {
 namespace {
 
 using testing::good_run;
-using Row = Run;  // within a test, Run is gtest's
+using Row = RunRecord;  // within a test, RunRecord is gtest's
 using ::testing::HasSubstr;
 
 /// 2 algorithms x 10 families x 10 sizes with `repetitions` each: 200 cells.
@@ -31,7 +31,7 @@ Results results_of(std::int64_t repetitions, std::uint64_t noise_seed) {
     for (int family = 0; family < 10; ++family) {
       for (int size = 0; size < 10; ++size) {
         for (std::int64_t repetition = 0; repetition < repetitions; ++repetition) {
-          Run run =
+          RunRecord run =
               good_run(algorithm, "family" + std::to_string(family), 16 << size, 0, repetition);
           run.wall_s *= std::exp(0.02 * testing::normal(random));
           results.runs.push_back(run);

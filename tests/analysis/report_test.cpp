@@ -131,10 +131,10 @@ TEST(Report, ResidualsAndEffortsAreShownWhereThereAreSome) {
 TEST(Report, BatchesAreShownAgainstTheIdeal) {
   Results results = testing::good_results({"diamond"}, {"cubic"}, 3, 1);
   EXPECT_EQ(count(render_report(results), "id=strong-weak"), 0u) << "there are no batches";
-  const ar3d::Run like = results.runs.back();
+  const ar3d::RunRecord like = results.runs.back();
   for (const RunPhase phase : {RunPhase::strong, RunPhase::weak, RunPhase::weak_ranks}) {
     for (const std::int64_t threads : {1, 2, 4}) {
-      ar3d::Run run = like;
+      ar3d::RunRecord run = like;
       run.phase = phase;
       run.scale = threads;
       run.ideal_batch_s = 0.012;

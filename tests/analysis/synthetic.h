@@ -9,7 +9,7 @@
 
 #include "ar3d/analysis/scaling/samples.h"
 #include "ar3d/model/random.h"
-#include "ar3d/results/run.h"
+#include "ar3d/results/run_record.h"
 
 namespace ar3d::testing {
 
@@ -20,9 +20,9 @@ inline double normal(RandomStream& random) {
 }
 
 /// A row as a study would write it: extents of about 4n, 4n, 6n in a box 16n/3, 16n/3, 8n.
-inline Run good_run(const std::string& algorithm, const std::string& family, std::int64_t n,
-                    std::int64_t instance, std::int64_t repetition = 0) {
-  Run run;
+inline RunRecord good_run(const std::string& algorithm, const std::string& family, std::int64_t n,
+                          std::int64_t instance, std::int64_t repetition = 0) {
+  RunRecord run;
   run.algorithm = algorithm;
   run.family = family;
   run.wanted_n = run.n = n;

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "ar3d/bench/environment.h"
+#include "ar3d/bench/measure/environment.h"
 #include "support/program.h"
 
 namespace ar3d {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "ar3d/results/run.h"
+#include "ar3d/results/run_record.h"
 #include "support/program.h"
 
 namespace ar3d {

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <map>
 
-#include "ar3d/bench/run_study.h"
-#include "ar3d/results/journal_writer.h"
+#include "ar3d/bench/run/run_study.h"
+#include "ar3d/results/journal/journal_writer.h"
 #include "support/program.h"
 #include "support/results.h"
 
@@ -89,8 +89,8 @@ TEST_F(JournaledStudy, ResumesAfterAKillWithTheRowsItHad) {
   const Results after = read_results(results);
   ASSERT_GT(before.runs.size(), 0u);
   std::map<std::string, std::string> kept;
-  for (const ar3d::Run& row : after.runs) kept[row.row_key] = testing::all_bytes(row);
-  for (const ar3d::Run& row : before.runs) {
+  for (const ar3d::RunRecord& row : after.runs) kept[row.row_key] = testing::all_bytes(row);
+  for (const ar3d::RunRecord& row : before.runs) {
     EXPECT_EQ(kept[row.row_key], testing::all_bytes(row)) << "rows never change";
   }
   EXPECT_EQ(after.runs.back().session + 1, 2);

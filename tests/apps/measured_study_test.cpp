@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "ar3d/bench/environment.h"
-#include "ar3d/results/run.h"
+#include "ar3d/bench/measure/environment.h"
+#include "ar3d/results/run_record.h"
 #include "support/program.h"
 
 namespace ar3d {
@@ -18,7 +18,7 @@ using testing::ScratchDirectory;
 
 std::int64_t rows_of_phase(const Results& results, RunPhase phase) {
   return std::count_if(results.runs.begin(), results.runs.end(),
-                       [&](const ar3d::Run& row) { return row.phase == phase; });
+                       [&](const ar3d::RunRecord& row) { return row.phase == phase; });
 }
 
 TEST(MeasuredStudy, IsolatedPhasesPassTheCheck) {
@@ -70,7 +70,7 @@ TEST(MeasuredStudy, SelfcheckMakesASampleAgain) {
   EXPECT_EQ(good.exit_code, 0) << good.out << good.err;
   EXPECT_THAT(good.out, HasSubstr("30 equal bit for bit, 0 not"));
   Results changed = read_results(results);
-  for (ar3d::Run& row : changed.runs) row.longest_edge_length += 1;
+  for (ar3d::RunRecord& row : changed.runs) row.longest_edge_length += 1;
   write_results(changed, results);
   const Outcome bad = run("{} study selfcheck " + results + " --sample 3");
   EXPECT_EQ(bad.exit_code, 3);

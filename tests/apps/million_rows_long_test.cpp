@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "ar3d/results/results_reader.h"
+#include "ar3d/results/hdf5/results_reader.h"
 #include "support/program.h"
 
 namespace ar3d {

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "ar3d/bench/environment.h"
+#include "ar3d/bench/measure/environment.h"
 #include "support/program.h"
 #include "support/results.h"
 
@@ -48,7 +48,8 @@ TEST_F(Mpi, FourRanksMakeTheSameRows) {
   EXPECT_EQ(run("{} study run smoke -q -o " + path("one.h5")).exit_code, 0);
   expect_same_rows(path("four.h5"), path("one.h5"));
   std::set<std::int64_t> sessions;
-  for (const ar3d::Run& row : read_results(path("four.h5")).runs) sessions.insert(row.session);
+  for (const ar3d::RunRecord& row : read_results(path("four.h5")).runs)
+    sessions.insert(row.session);
   EXPECT_EQ(sessions.size(), 4u) << "every rank has made some";
   EXPECT_EQ(run("ls " + path("*.journal")).out, "");
 }
@@ -68,7 +69,7 @@ TEST_F(Mpi, TimedRowsAreMadeByTheFirstRankAlone) {
   EXPECT_EQ(run("{} study run -q --force-timing " + spec + " -o " + path("one.h5")).exit_code, 0);
   expect_same_rows(path("two.h5"), path("one.h5"));
   std::set<std::int64_t> timing_sessions;
-  for (const ar3d::Run& row : read_results(path("two.h5")).runs) {
+  for (const ar3d::RunRecord& row : read_results(path("two.h5")).runs) {
     if (row.phase == RunPhase::timing) timing_sessions.insert(row.session);
   }
   EXPECT_EQ(timing_sessions.size(), 1u);
@@ -89,7 +90,7 @@ timed_repetitions = 1
   EXPECT_EQ(two.exit_code, 5) << two.err;
   const Results results = read_results(path("r.h5"));
   EXPECT_GT(results.runs.size(), 0u);
-  for (const ar3d::Run& row : results.runs) ASSERT_EQ(row.phase, RunPhase::metrics);
+  for (const ar3d::RunRecord& row : results.runs) ASSERT_EQ(row.phase, RunPhase::metrics);
 }
 
 const char* const kBatches = R"(study = "batches"
@@ -109,7 +110,7 @@ TEST_F(Mpi, BatchesAreSharedByRanks) {
       run(ranks(3) + "study run -q --force-timing " + spec + " -o " + path("three.h5"));
   ASSERT_EQ(three.exit_code, 0) << three.err;
   std::map<std::pair<RunPhase, std::int64_t>, int> rows;
-  for (const ar3d::Run& row : read_results(path("three.h5")).runs) {
+  for (const ar3d::RunRecord& row : read_results(path("three.h5")).runs) {
     EXPECT_EQ(row.status, RunStatus::ok) << row.message;
     if (row.phase == RunPhase::metrics) continue;
     ++rows[{row.phase, row.scale}];
@@ -147,7 +148,7 @@ strong_ranks = { ranks = [1, 3], drawings = 9, repetitions = 5 }
           AR3D_MPI_PROGRAM + " study run -q --force-timing " + spec + " -o " + path("crowd.h5"));
   ASSERT_EQ(crowd.exit_code, 0) << crowd.err;
   std::map<std::pair<std::int64_t, double>, double> cpu_s;  // of a batch: its scale and time
-  for (const ar3d::Run& row : read_results(path("crowd.h5")).runs) {
+  for (const ar3d::RunRecord& row : read_results(path("crowd.h5")).runs) {
     if (row.phase == RunPhase::strong_ranks) cpu_s[{row.scale, row.batch_s}] += row.cpu_s;
   }
   EXPECT_EQ(cpu_s.size(), 10u);

@@ -148,9 +148,9 @@ struct Planted {
 };
 std::ostream& operator<<(std::ostream& out, const Planted& planted) { return out << planted.name; }
 
-class PlantedFaultTest : public ::testing::TestWithParam<Planted> {};
+class SeededFaultTest : public ::testing::TestWithParam<Planted> {};
 
-TEST_P(PlantedFaultTest, IsHuntedShrunkAndShown) {
+TEST_P(SeededFaultTest, IsHuntedShrunkAndShown) {
   const ScratchDirectory scratch;
   const std::string subject =
       std::string(" --algorithm ") + GetParam().algorithm + " --plant " + GetParam().fault;
@@ -178,7 +178,7 @@ TEST_P(PlantedFaultTest, IsHuntedShrunkAndShown) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Program, PlantedFaultTest,
+    Program, SeededFaultTest,
     ::testing::Values(Planted{"wrong_drawing_by_diamond", "wrong-bend", "diamond"},
                       Planted{"wrong_drawing_by_grid", "wrong-bend", "grid"},
                       Planted{"wrong_drawing_by_two_bend", "wrong-bend", "two-bend"},

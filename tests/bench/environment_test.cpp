@@ -1,4 +1,4 @@
-#include "ar3d/bench/environment.h"
+#include "ar3d/bench/measure/environment.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <map>
 
-#include "ar3d/bench/pinning.h"
+#include "ar3d/bench/measure/pinning.h"
 
 namespace ar3d {
 namespace {

@@ -1,9 +1,9 @@
-#include "ar3d/bench/estimate.h"
+#include "ar3d/bench/run/estimate.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "ar3d/bench/environment.h"
+#include "ar3d/bench/measure/environment.h"
 #include "ar3d/model/error.h"
 
 namespace ar3d {

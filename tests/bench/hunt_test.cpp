@@ -1,11 +1,11 @@
-#include "ar3d/bench/hunt.h"
+#include "ar3d/bench/search/hunt.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "ar3d/bench/shrink.h"
+#include "ar3d/bench/search/shrink.h"
 #include "ar3d/model/error.h"
 #include "ar3d/verify/certificate.h"
 #include "support/graphs.h"
@@ -16,7 +16,7 @@ namespace {
 Subject subject_of(const char* algorithm, const char* fault = nullptr,
                    const OptionValues& options = {}) {
   const Algorithm& row = find_algorithm(algorithm);
-  return {{&row, complete_options(row, options)}, fault ? &find_planted_fault(fault) : nullptr};
+  return {{&row, complete_options(row, options)}, fault ? &find_seeded_fault(fault) : nullptr};
 }
 
 HuntOptions small_hunt(const Subject& subject, std::uint64_t evaluations) {
@@ -164,12 +164,12 @@ TEST(Shrink, StopsWhenTheEvaluationsRunOut) {
   EXPECT_FALSE(result.minimal);
 }
 
-TEST(PlantedFault, ShowsOnlyWhereItIsProvoked) {
+TEST(SeededFault, ShowsOnlyWhereItIsProvoked) {
   const Graph path = testing::path(6);
-  for (const PlantedFault& fault : planted_faults()) {
+  for (const SeededFault& fault : seeded_faults()) {
     EXPECT_TRUE(try_graph(subject_of("grid", fault.name.c_str()), {}, path).failure.empty());
   }
-  EXPECT_THROW(find_planted_fault("no-such-fault"), InputError);
+  EXPECT_THROW(find_seeded_fault("no-such-fault"), InputError);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // A study, its journals and its results file: who may write them when, and what is there at the
 // end.
-#include "ar3d/bench/journaled_study.h"
+#include "ar3d/bench/keep/journaled_study.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,11 +10,11 @@
 #include <map>
 #include <string>
 
-#include "ar3d/bench/study_files.h"
+#include "ar3d/bench/keep/study_files.h"
 #include "ar3d/model/error.h"
-#include "ar3d/results/journal_reader.h"
-#include "ar3d/results/journal_writer.h"
-#include "ar3d/results/results_reader.h"
+#include "ar3d/results/hdf5/results_reader.h"
+#include "ar3d/results/journal/journal_reader.h"
+#include "ar3d/results/journal/journal_writer.h"
 #include "support/program.h"
 #include "support/results.h"
 
@@ -76,7 +76,8 @@ class JournaledStudyFiles : public ::testing::Test {
   }
   std::map<std::string, std::string> rows() const {
     std::map<std::string, std::string> rows;
-    for (const ar3d::Run& row : read_results(results()).runs) rows[row.row_key] = all_bytes(row);
+    for (const ar3d::RunRecord& row : read_results(results()).runs)
+      rows[row.row_key] = all_bytes(row);
     return rows;
   }
 

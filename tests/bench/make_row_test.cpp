@@ -1,4 +1,4 @@
-#include "ar3d/bench/make_row.h"
+#include "ar3d/bench/run/make_row.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <new>
 #include <vector>
 
-#include "ar3d/bench/environment.h"
+#include "ar3d/bench/measure/environment.h"
 #include "ar3d/model/error.h"
 #include "ar3d/results/columns.h"
 #include "bench/planted.h"
@@ -19,16 +19,16 @@ using testing::cycle_of;
 using testing::diamond_drawn_by;
 using ::testing::HasSubstr;
 
-std::vector<ar3d::Run> rows_of(const PlannedInstance& instance) {
+std::vector<ar3d::RunRecord> rows_of(const PlannedInstance& instance) {
   RowMaker maker({});
   maker.prepare(instance);
-  std::vector<ar3d::Run> rows;
+  std::vector<ar3d::RunRecord> rows;
   for (const PlannedRun& run : instance.runs) rows.push_back(maker.make(run));
   return rows;
 }
 
 TEST(MakeRow, FillsARow) {
-  const ar3d::Run run = rows_of(cycle_of(12, {&find_algorithm("diamond")}))[0];
+  const ar3d::RunRecord run = rows_of(cycle_of(12, {&find_algorithm("diamond")}))[0];
   EXPECT_EQ(run.status, RunStatus::ok) << run.message;
   EXPECT_EQ(run.n, 12);
   EXPECT_EQ(run.m, 12);
@@ -55,7 +55,7 @@ TEST(MakeRow, FillsARow) {
 }
 
 TEST(MakeRow, TellsTheTheoremsAndThePublishedBound) {
-  const ar3d::Run grid = rows_of(cycle_of(12, {&find_algorithm("grid")}))[0];
+  const ar3d::RunRecord grid = rows_of(cycle_of(12, {&find_algorithm("grid")}))[0];
   for (std::size_t axis = 0; axis < 3; ++axis) {
     EXPECT_EQ(grid.published_bound[axis], 12 * 12 * 12) << "the paper: O(n^3) a side";
     EXPECT_EQ(grid.theorem_bound[axis], 5600 * 12 + 3700);
@@ -63,7 +63,7 @@ TEST(MakeRow, TellsTheTheoremsAndThePublishedBound) {
   EXPECT_EQ(grid.published_bound_formula,
             "n^3, n^3, n^3 (paper; order only, constant 1 assumed, Theorem 3)");
   EXPECT_THAT(grid.theorem_bound_formula, ::testing::HasSubstr("5600 n + 3700"));
-  const ar3d::Run two_bend = rows_of(cycle_of(12, {&find_algorithm("two-bend")}))[0];
+  const ar3d::RunRecord two_bend = rows_of(cycle_of(12, {&find_algorithm("two-bend")}))[0];
   EXPECT_TRUE(std::isnan(two_bend.published_bound[0])) << "the paper has none";
   EXPECT_EQ(two_bend.published_bound_formula, "");
 }
@@ -103,7 +103,7 @@ TEST(MakeRow, AGraphThatCannotBeMadeRefusesAllItsRows) {
   };
   PlannedInstance instance = cycle_of(5, {&find_algorithm("diamond")}, 2);
   instance.choice.family = &family;
-  for (const ar3d::Run& run : rows_of(instance)) {
+  for (const ar3d::RunRecord& run : rows_of(instance)) {
     EXPECT_EQ(run.status, RunStatus::refused);
     EXPECT_EQ(run.message, "not today");
     EXPECT_EQ(run.n, -1);
@@ -116,7 +116,7 @@ TEST(MakeRow, ARowThatNoFileCouldHoldIsAMarkedRow) {
     drawing.counters.push_back({std::string(1000, 'c'), 1});
     return drawing;
   });
-  const ar3d::Run run = rows_of(cycle_of(5, {&chatty}))[0];
+  const ar3d::RunRecord run = rows_of(cycle_of(5, {&chatty}))[0];
   EXPECT_EQ(run.status, RunStatus::crashed);
   EXPECT_THAT(run.message, HasSubstr("counters"));
 }
@@ -131,7 +131,7 @@ TEST(MakeRow, WarmsUpAndHashesTheDrawing) {
   const PlannedInstance instance = cycle_of(12, {&counted});
   RowMaker maker({.concurrency = 3, .core = 1});
   maker.prepare(instance);
-  const ar3d::Run run = maker.make(instance.runs[0], {.warm_ups = 2, .write = true});
+  const ar3d::RunRecord run = maker.make(instance.runs[0], {.warm_ups = 2, .write = true});
   EXPECT_EQ(drawings, 3);
   EXPECT_EQ(run.warm_ups, 2);
   EXPECT_EQ(run.concurrency, 3);
@@ -146,11 +146,11 @@ TEST(MakeRow, TakesOverTheCertificateOfTheSameDrawingOnly) {
   const PlannedInstance instance = cycle_of(12, {&find_algorithm("diamond")}, 2);
   RowMaker maker({});
   maker.prepare(instance);
-  const ar3d::Run certified = maker.make(instance.runs[0]);
-  ar3d::Run run = maker.make(instance.runs[1], {.certify = false});
+  const ar3d::RunRecord certified = maker.make(instance.runs[0]);
+  ar3d::RunRecord run = maker.make(instance.runs[1], {.certify = false});
   EXPECT_EQ(run.violations, -1);
   EXPECT_TRUE(std::isnan(run.certify_s));
-  ar3d::Run other = run;
+  ar3d::RunRecord other = run;
   take_over_certificate(certified, run);
   EXPECT_THAT(differing_columns(certified, run), ::testing::ElementsAre("row_key", "repetition"));
   EXPECT_TRUE(std::isnan(run.certify_s)) << "it was not certified";
@@ -170,8 +170,8 @@ TEST(MakeRow, PeakMemoryIsTheRowsOwn) {
   const PlannedInstance instance = cycle_of(12, {&large, &find_algorithm("diamond")});
   RowMaker maker({.memory = MemoryScope::row});
   maker.prepare(instance);
-  const ar3d::Run first = maker.make(instance.runs[0]);
-  const ar3d::Run second = maker.make(instance.runs[1]);
+  const ar3d::RunRecord first = maker.make(instance.runs[0]);
+  const ar3d::RunRecord second = maker.make(instance.runs[1]);
   EXPECT_EQ(first.peak_scope, "row");
   EXPECT_GE(first.draw_peak_bytes, first.base_bytes + (60 << 20));
   EXPECT_GE(first.peak_bytes, first.draw_peak_bytes);
@@ -180,7 +180,7 @@ TEST(MakeRow, PeakMemoryIsTheRowsOwn) {
   }
   RowMaker among_others({});
   among_others.prepare(instance);
-  const ar3d::Run third = among_others.make(instance.runs[1]);
+  const ar3d::RunRecord third = among_others.make(instance.runs[1]);
   EXPECT_EQ(third.peak_scope, "process");
   EXPECT_EQ(third.draw_peak_bytes, -1) << "unknown, not zero";
   EXPECT_EQ(third.base_bytes, -1);
@@ -191,7 +191,7 @@ TEST(MakeRow, CountersAreThereOrMissing) {
   const PlannedInstance instance = cycle_of(1000, {&find_algorithm("diamond")});
   RowMaker maker({});
   maker.prepare(instance);
-  const ar3d::Run run = maker.make(instance.runs[0]);
+  const ar3d::RunRecord run = maker.make(instance.runs[0]);
   if (maker.counter_availability() == "available") {
     EXPECT_GT(run.instructions, 1000);
     EXPECT_GT(run.cycles, 1000);

@@ -7,10 +7,10 @@
 #include <map>
 #include <set>
 
-#include "ar3d/bench/environment.h"
-#include "ar3d/bench/make_rows.h"
-#include "ar3d/bench/pinning.h"
-#include "ar3d/bench/precision.h"
+#include "ar3d/bench/measure/environment.h"
+#include "ar3d/bench/measure/pinning.h"
+#include "ar3d/bench/run/make_rows.h"
+#include "ar3d/bench/run/precision.h"
 #include "ar3d/model/error.h"
 #include "ar3d/results/columns.h"
 #include "bench/planted.h"
@@ -32,13 +32,13 @@ MakingRules forced() {
 
 struct Made {
   std::vector<std::size_t> order;
-  std::map<std::size_t, ar3d::Run> rows;
+  std::map<std::size_t, ar3d::RunRecord> rows;
 };
 
 Made make(const StudyPlan& plan, const MakingRules& rules = forced(), RowHooks hooks = {}) {
   Made made;
   std::mutex mutex;
-  hooks.emit = [&](std::size_t row, ar3d::Run run) {
+  hooks.emit = [&](std::size_t row, ar3d::RunRecord run) {
     const std::lock_guard<std::mutex> lock(mutex);
     made.order.push_back(row);
     EXPECT_TRUE(made.rows.emplace(row, std::move(run)).second) << "row " << row << " twice";
@@ -71,7 +71,7 @@ TEST(TimingPhase, GoesRoundAllDrawingsPinnedAndAlone) {
   ASSERT_EQ(made.rows.size(), plan.rows());
   std::vector<std::int64_t> repetitions;  // of the timing rows, as they were made
   for (const std::size_t row : made.order) {
-    const ar3d::Run& run = made.rows.at(row);
+    const ar3d::RunRecord& run = made.rows.at(row);
     EXPECT_EQ(run.status, RunStatus::ok) << run.message;
     if (run.phase == RunPhase::metrics) {
       EXPECT_TRUE(repetitions.empty()) << "the metrics come first";
@@ -125,7 +125,7 @@ TEST(TimingPhase, OptionalRepetitionsEndAtThePrecision) {
     }
     return true;
   };
-  hooks.known = [&](const std::string& key) -> std::optional<ar3d::Run> {
+  hooks.known = [&](const std::string& key) -> std::optional<ar3d::RunRecord> {
     for (const auto& [row, run] : made.rows) {
       if (run.row_key == key) return run;
     }

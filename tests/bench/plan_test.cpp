@@ -1,4 +1,4 @@
-#include "ar3d/bench/plan.h"
+#include "ar3d/bench/plan/plan.h"
 
 #include <gtest/gtest.h>
 

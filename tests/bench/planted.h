@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/bench/plan.h"
+#include "ar3d/bench/plan/plan.h"
 
 namespace ar3d::testing {
 

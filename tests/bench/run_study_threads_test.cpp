@@ -5,7 +5,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "ar3d/bench/run_study.h"
+#include "ar3d/bench/run/run_study.h"
 #include "ar3d/results/columns.h"
 #include "ar3d/results/sha256.h"
 
@@ -35,7 +35,7 @@ TEST(RunStudy, SameColumnsOnAnyNumberOfThreads) {
           << "row " << i;
     }
   }
-  for (const ar3d::Run& run : one.runs) {
+  for (const ar3d::RunRecord& run : one.runs) {
     EXPECT_EQ(run.status, RunStatus::ok)
         << run.family << ' ' << run.n << ' ' << run.algorithm << ": " << run.message;
   }
@@ -46,7 +46,7 @@ TEST(RunStudy, SmokeIsAllRight) {
   const Results results = run_study(spec, {.threads = 2});
   EXPECT_EQ(results.runs.size(), plan_study(spec).rows());
   std::set<std::string> algorithms_seen;
-  for (const ar3d::Run& run : results.runs) {
+  for (const ar3d::RunRecord& run : results.runs) {
     EXPECT_EQ(run.status, RunStatus::ok) << run.row_key << ": " << run.message;
     algorithms_seen.insert(run.algorithm);
   }
@@ -55,12 +55,12 @@ TEST(RunStudy, SmokeIsAllRight) {
 
 TEST(RunStudy, TakesOverFinishedRowsAndTellsOnlyTheNewOnes) {
   const StudyPlan plan = plan_study(parse_study(kStudy, "t.toml"));
-  const std::vector<ar3d::Run> all = run_plan(plan, {.threads = 2});
+  const std::vector<ar3d::RunRecord> all = run_plan(plan, {.threads = 2});
   FinishedRuns finished;
   for (std::size_t i = 0; i < all.size(); i += 3) finished[all[i].row_key] = all[i];
   std::size_t made = 0;
-  const std::vector<ar3d::Run> again =
-      run_plan(plan, {.threads = 2}, finished, [&](const ar3d::Run& run) {
+  const std::vector<ar3d::RunRecord> again =
+      run_plan(plan, {.threads = 2}, finished, [&](const ar3d::RunRecord& run) {
         EXPECT_FALSE(finished.contains(run.row_key));
         ++made;
       });
@@ -74,7 +74,7 @@ TEST(RunStudy, StopsWhenAskedTo) {
   const StudyPlan plan = plan_study(parse_study(kStudy, "t.toml"));
   std::atomic<bool> stop = false;
   std::size_t made = 0;
-  const auto rows = run_plan(plan, {.threads = 2, .stop = &stop}, {}, [&](const ar3d::Run&) {
+  const auto rows = run_plan(plan, {.threads = 2, .stop = &stop}, {}, [&](const ar3d::RunRecord&) {
     if (++made == 5) stop = true;
   });
   EXPECT_EQ(rows.size(), made);
@@ -86,7 +86,7 @@ TEST(RunStudy, AFailingListenerEndsTheStudy) {
   const StudyPlan plan = plan_study(parse_study(kStudy, "t.toml"));
   std::size_t told = 0;
   EXPECT_THROW(run_plan(plan, {.threads = 2}, {},
-                        [&](const ar3d::Run&) {
+                        [&](const ar3d::RunRecord&) {
                           if (++told == 3) throw std::runtime_error("disk full");
                         }),
                std::runtime_error);

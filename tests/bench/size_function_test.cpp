@@ -1,4 +1,4 @@
-#include "ar3d/bench/size_function.h"
+#include "ar3d/bench/spec/size_function.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "ar3d/bench/study_spec.h"
+#include "ar3d/bench/spec/study_spec.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "ar3d/bench/named_studies.h"
+#include "ar3d/bench/spec/named_studies.h"
 #include "ar3d/model/error.h"
 
 namespace ar3d {

@@ -13,8 +13,8 @@
 #include <map>
 #include <thread>
 
-#include "ar3d/bench/environment.h"
-#include "ar3d/bench/make_rows.h"
+#include "ar3d/bench/measure/environment.h"
+#include "ar3d/bench/run/make_rows.h"
 #include "ar3d/model/error.h"
 #include "ar3d/results/columns.h"
 #include "bench/planted.h"
@@ -29,11 +29,11 @@ using ::testing::HasSubstr;
 using testing::plan_of;
 using ::testing::StartsWith;
 
-std::vector<ar3d::Run> made_rows(const StudyPlan& plan, const MakingRules& rules) {
-  std::vector<ar3d::Run> rows(plan.rows());
+std::vector<ar3d::RunRecord> made_rows(const StudyPlan& plan, const MakingRules& rules) {
+  std::vector<ar3d::RunRecord> rows(plan.rows());
   std::vector<int> times_told(plan.rows());
   RowHooks hooks;
-  hooks.emit = [&](std::size_t row, ar3d::Run run) {
+  hooks.emit = [&](std::size_t row, ar3d::RunRecord run) {
     rows[row] = std::move(run);
     ++times_told[row];
   };
@@ -130,7 +130,7 @@ TEST(Workers, AGeneratorThatHangsIsTriedOnceAnInstance) {
   PlannedInstance instance = cycle_of(8, {&kGood}, 50);
   instance.choice.family = &family;
   const auto rows = made_rows(plan_of(instance), within("200 ms"));
-  for (const ar3d::Run& run : rows) {
+  for (const ar3d::RunRecord& run : rows) {
     EXPECT_EQ(run.status, RunStatus::timeout);
     EXPECT_EQ(run.message, "no graph within 0.2 s");
     EXPECT_EQ(run.n, -1);
@@ -193,7 +193,7 @@ TEST(Workers, AStopGivesUpTheRowsInFlight) {
   const StudyPlan plan = plan_of(cycle_of(8, {&kGood, &kLoops, &kGood}));
   std::vector<std::size_t> told;
   RowHooks hooks;
-  hooks.emit = [&](std::size_t row, ar3d::Run) { told.push_back(row); };
+  hooks.emit = [&](std::size_t row, ar3d::RunRecord) { told.push_back(row); };
   hooks.stop = [&] { return told.size() == 1; };
   EXPECT_EQ(make_rows(plan, isolated(), hooks), MakingEnd::stopped);
   EXPECT_THAT(told, ElementsAre(0));
@@ -206,7 +206,7 @@ TEST(Workers, TheStudysBudgetEndsItWithWhatIsDone) {
   rules.budget.study_s = 0.5;
   std::vector<std::size_t> told;
   RowHooks hooks;
-  hooks.emit = [&](std::size_t row, ar3d::Run) { told.push_back(row); };
+  hooks.emit = [&](std::size_t row, ar3d::RunRecord) { told.push_back(row); };
   EXPECT_EQ(make_rows(plan, rules, hooks), MakingEnd::budget_spent);
   EXPECT_THAT(told, ElementsAre(0));
   expect_no_children();
@@ -229,7 +229,7 @@ TEST(Workers, DieWithTheirParent) {
       std::abort();
     });
     RowHooks hooks;
-    hooks.emit = [](std::size_t, const ar3d::Run&) {};
+    hooks.emit = [](std::size_t, const ar3d::RunRecord&) {};
     make_rows(plan_of(cycle_of(8, {&tells})), isolated(), hooks);
     _exit(0);
   }
@@ -244,7 +244,7 @@ TEST(Workers, DieWithTheirParent) {
 
 TEST(Workers, WhatTheListenerThrowsIsPassedOn) {
   RowHooks hooks;
-  hooks.emit = [](std::size_t, const ar3d::Run&) { throw std::runtime_error("disk full"); };
+  hooks.emit = [](std::size_t, const ar3d::RunRecord&) { throw std::runtime_error("disk full"); };
   EXPECT_THROW(make_rows(plan_of(cycle_of(8, {&kGood, &kGood})), isolated(), hooks),
                std::runtime_error);
   expect_no_children();

@@ -1,4 +1,4 @@
-#include "ar3d/formats/adjacency_list.h"
+#include "ar3d/formats/graphs/adjacency_list.h"
 
 #include <gtest/gtest.h>
 

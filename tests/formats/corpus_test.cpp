@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <variant>
 
-#include "ar3d/formats/drawing_jsonl.h"
+#include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "formats/format_helpers.h"
 
 // The seeds of the fuzz targets, and every input that once went wrong, replayed without a fuzzer:

@@ -1,4 +1,4 @@
-#include "ar3d/formats/dimacs.h"
+#include "ar3d/formats/graphs/dimacs.h"
 
 #include <gtest/gtest.h>
 

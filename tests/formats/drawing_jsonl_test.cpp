@@ -1,4 +1,4 @@
-#include "ar3d/formats/drawing_jsonl.h"
+#include "ar3d/formats/drawings/drawing_jsonl.h"
 
 #include <gtest/gtest.h>
 

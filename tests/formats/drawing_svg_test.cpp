@@ -1,4 +1,4 @@
-#include "ar3d/formats/drawing_svg.h"
+#include "ar3d/formats/drawings/drawing_svg.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "ar3d/formats/edge_list.h"
+#include "ar3d/formats/graphs/edge_list.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "ar3d/formats/graphml.h"
+#include "ar3d/formats/graphs/graphml.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "ar3d/formats/xml_tags.h"
+#include "ar3d/formats/text/xml_tags.h"
 #include "formats/format_helpers.h"
 
 namespace ar3d {

@@ -1,4 +1,4 @@
-#include "ar3d/formats/matrix_market.h"
+#include "ar3d/formats/graphs/matrix_market.h"
 
 #include <gtest/gtest.h>
 

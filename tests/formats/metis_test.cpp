@@ -1,8 +1,8 @@
-#include "ar3d/formats/metis.h"
+#include "ar3d/formats/graphs/metis.h"
 
 #include <gtest/gtest.h>
 
-#include "ar3d/formats/metis_detection.h"
+#include "ar3d/formats/graphs/metis_detection.h"
 #include "formats/format_helpers.h"
 #include "support/graphs.h"
 

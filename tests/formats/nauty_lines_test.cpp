@@ -1,4 +1,4 @@
-#include "ar3d/formats/nauty_lines.h"
+#include "ar3d/formats/graphs/nauty_lines.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ar3d/formats/output.h"
+#include "ar3d/formats/text/output.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

@@ -1,11 +1,11 @@
-#include "ar3d/results/drawing_hdf5.h"
+#include "ar3d/results/hdf5/drawing_hdf5.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 
-#include "ar3d/formats/drawing_jsonl.h"
+#include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/random.h"
 #include "formats/format_helpers.h"

@@ -13,8 +13,8 @@
 
 #include "ar3d/model/error.h"
 #include "ar3d/results/columns.h"
-#include "ar3d/results/journal_reader.h"
-#include "ar3d/results/journal_writer.h"
+#include "ar3d/results/journal/journal_reader.h"
+#include "ar3d/results/journal/journal_writer.h"
 #include "results/sample_runs.h"
 #include "support/program.h"
 
@@ -79,7 +79,7 @@ void expect_rows(const std::string& path, std::int64_t count) {
   std::vector<char> record(run_record_size());
   for (std::int64_t i = 0; i < count; ++i) {
     reader.read(static_cast<std::size_t>(i), record.data());
-    const ar3d::Run run = load_record(record.data());
+    const ar3d::RunRecord run = load_record(record.data());
     EXPECT_TRUE(differing_columns(run, sample_run(i)).empty()) << i;
     EXPECT_EQ(run.wall_s, sample_run(i).wall_s);
     EXPECT_EQ(to_string(reader.key(static_cast<std::size_t>(i))), sample_run(i).row_key);
@@ -289,7 +289,7 @@ TEST_F(Journal, StatusCountsRowsThatAreNotOk) {
     JournalWriter writer(path_, sample_identity());
     writer.begin_session({});
     for (std::int64_t i = 0; i < 2000; ++i) {
-      ar3d::Run run = sample_run(i);
+      ar3d::RunRecord run = sample_run(i);
       if (i % 10 == 0) run.status = RunStatus::timeout;
       writer.append(run);
     }

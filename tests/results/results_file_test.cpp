@@ -15,7 +15,7 @@
 #include "ar3d/model/error.h"
 #include "ar3d/results/atomic_file.h"
 #include "ar3d/results/columns.h"
-#include "ar3d/results/run.h"
+#include "ar3d/results/run_record.h"
 #include "results/sample_runs.h"
 
 namespace ar3d {
@@ -103,10 +103,10 @@ TEST_F(ResultsFile, ReadsBackWhatWasWritten) {
 
 TEST_F(ResultsFile, KeepsMissingValuesMissing) {
   Results results = sample_results(1);
-  results.runs[0] = ar3d::Run();
+  results.runs[0] = ar3d::RunRecord();
   results.runs[0].status = RunStatus::timeout;
   write_results(results, in_folder("r.h5"));
-  const ar3d::Run run = read_results(in_folder("r.h5")).runs.at(0);
+  const ar3d::RunRecord run = read_results(in_folder("r.h5")).runs.at(0);
   EXPECT_EQ(run.status, RunStatus::timeout);
   EXPECT_EQ(run.n, -1);
   EXPECT_EQ(run.bends[7], -1);
@@ -271,8 +271,8 @@ TEST(Columns, SchemaPageListsThemInOrder) {
 }
 
 TEST(Columns, DifferencesNameTheColumnAndLeaveTimesOut) {
-  ar3d::Run a = sample_run(4);
-  ar3d::Run b = a;
+  ar3d::RunRecord a = sample_run(4);
+  ar3d::RunRecord b = a;
   b.wall_s = 7;
   b.peak_bytes = 5;
   EXPECT_TRUE(differing_columns(a, b).empty());
@@ -284,7 +284,7 @@ TEST(Columns, DifferencesNameTheColumnAndLeaveTimesOut) {
 TEST(Columns, IdentifyingTextsArePrintableAtEveryPlace) {
   for (int c = 0; c < 256; ++c) {
     for (std::size_t place = 0; place < 19; ++place) {
-      ar3d::Run run = sample_run(4);
+      ar3d::RunRecord run = sample_run(4);
       run.options = std::string(19, place % 2 == 0 ? ' ' : '~');
       run.options[place] = static_cast<char>(c);
       if (c >= ' ' && c <= '~') {

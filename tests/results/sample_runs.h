@@ -3,13 +3,13 @@
 #include <cstdint>
 #include <string>
 
-#include "ar3d/results/run.h"
+#include "ar3d/results/run_record.h"
 
 namespace ar3d::testing {
 
 /// A row of a study that exists only on paper; rows with different numbers differ.
-inline Run sample_run(std::int64_t i) {
-  Run run;
+inline RunRecord sample_run(std::int64_t i) {
+  RunRecord run;
   const std::string digits = std::to_string(i);
   run.row_key = "0123456789abcdef0123456789abcdef";
   run.row_key.replace(run.row_key.size() - digits.size(), digits.size(), digits);

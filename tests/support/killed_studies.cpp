@@ -10,7 +10,7 @@
 
 #include "ar3d/model/random.h"
 #include "ar3d/results/columns.h"
-#include "ar3d/results/journal_reader.h"
+#include "ar3d/results/journal/journal_reader.h"
 #include "support/program.h"
 #include "support/results.h"
 
@@ -80,8 +80,8 @@ class KilledStudy {
 
   /// Once complete: rows that were acknowledged on the way are the rows of the results.
   void check_results() const {
-    std::map<std::string, ar3d::Run> rows;
-    for (const ar3d::Run& row : read_results(results_).runs) rows[row.row_key] = row;
+    std::map<std::string, ar3d::RunRecord> rows;
+    for (const ar3d::RunRecord& row : read_results(results_).runs) rows[row.row_key] = row;
     for (const auto& [key, bytes] : kept_) {
       EXPECT_EQ(bytes, all_bytes(rows.at(key))) << key;
     }

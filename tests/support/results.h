@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ar3d/results/columns.h"
-#include "ar3d/results/run.h"
+#include "ar3d/results/run_record.h"
 
 namespace ar3d::testing {
 
@@ -23,7 +23,7 @@ inline void expect_same_rows(const std::string& a, const std::string& b) {
 }
 
 /// Every column of a row, measured ones and session too, as its bytes.
-inline std::string all_bytes(const Run& run) {
+inline std::string all_bytes(const RunRecord& run) {
   std::string record(run_record_size(), '\0');
   store_record(run, record.data());
   return record;

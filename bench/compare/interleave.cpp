@@ -1,0 +1,94 @@
+#include "ar3d/bench/compare/interleave.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+
+#include "ar3d/bench/measure/child_process.h"
+#include "ar3d/bench/measure/pinning.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kInterruptedCode = 130;
+
+std::string last_line(const fs::path& path) {
+  std::ifstream file(path);
+  std::string last;
+  for (std::string line; std::getline(file, line);) {
+    if (!line.empty()) last = line;
+  }
+  return last;
+}
+
+/// The two programs, the study and their results, in a folder of its own.
+class Arena {
+ public:
+  Arena(const std::string& base_program, const std::string& new_program, const StudySpec& spec,
+        const std::string& folder)
+      : root_(fs::path(folder) / fmt::format("run-{}", getpid())) {
+    for (const auto& [side, program] :
+         {std::pair{kBase, &base_program}, std::pair{kNew, &new_program}}) {
+      fs::create_directories(root_ / side);
+      fs::copy_file(*program, root_ / side / "ar3d", fs::copy_options::overwrite_existing);
+    }
+    std::ofstream(root_ / "study.toml", std::ios::binary) << spec.text;
+  }
+  Arena(const Arena&) = delete;
+  Arena& operator=(const Arena&) = delete;
+  ~Arena() {
+    std::error_code ignored;
+    fs::remove_all(root_, ignored);
+  }
+
+  static constexpr const char* kBase = "base";
+  static constexpr const char* kNew = "next";  // as long as "base"
+
+  /// Runs the study once. @return false if it was interrupted.
+  bool run(const char* side, std::size_t round, int core, std::vector<Results>& into) {
+    const fs::path results = root_ / fmt::format("{}-{}.h5", side, round), log = root_ / "log";
+    const int code = run_child(
+        {(root_ / side / "ar3d").string(), "study", "run", (root_ / "study.toml").string(),
+         "--threads", "1", "--quiet", "-o", results.string()},
+        {.output = log.string(), .core = core});
+    if (code == kInterruptedCode || code == 128 + SIGINT) return false;
+    if (code != 0 && code != 4 && code != 5) {  // verdicts on the rows, which are there
+      throw InputError(fmt::format("round {}: the {} program ended with code {}: {}", round, side,
+                                   code, last_line(log)));
+    }
+    into.push_back(read_results(results.string()));
+    fs::remove(results);
+    return true;
+  }
+
+ private:
+  fs::path root_;
+};
+
+}  // namespace
+
+InterleavedRounds run_interleaved(const std::string& base_program, const std::string& new_program,
+                                  const StudySpec& spec, const std::string& folder,
+                                  const InterleaveOptions& options) {
+  Arena arena(base_program, new_program, spec, folder);
+  const int core = options.core >= 0 ? options.core : allowed_cores().back();
+  InterleavedRounds rounds;
+  for (std::size_t round = 0; round < options.rounds; ++round) {
+    const auto base = [&] { return arena.run(Arena::kBase, round, core, rounds.base); };
+    const auto now = [&] { return arena.run(Arena::kNew, round, core, rounds.now); };
+    rounds.interrupted = round % 2 == 0 ? !(base() && now()) : !(now() && base());
+    if (rounds.interrupted) break;
+    if (options.progress != nullptr) {
+      fmt::print(options.progress, "round {} of {}\n", round + 1, options.rounds);
+    }
+  }
+  return rounds;
+}
+
+}  // namespace ar3d

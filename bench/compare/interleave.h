@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "ar3d/bench/spec/study_spec.h"
+#include "ar3d/results/run_record.h"
+
+namespace ar3d {
+
+struct InterleaveOptions {
+  std::size_t rounds = 15;
+  int core = -1;                  ///< that both programs are pinned to; -1: the last allowed one
+  std::FILE* progress = nullptr;  ///< where to tell how far it is; null: nowhere
+};
+
+/// What two programs measured in turns; base[i] and now[i] belong to round i.
+struct InterleavedRounds {
+  std::vector<Results> base;
+  std::vector<Results> now;
+  bool interrupted = false;  ///< by the keyboard: the rounds are not all there
+};
+
+/// Runs the study with both programs in turns, base first in even rounds and last in odd ones, so
+/// that a machine that gets slower or faster treats both alike. Each run is a process of its own on
+/// one thread, pinned to one core; both programs run under paths of equal length. Files go into a
+/// folder of their own in `folder`, which is removed afterwards.
+/// @throws InputError naming round and program if one ends with anything but a verdict.
+InterleavedRounds run_interleaved(const std::string& base_program, const std::string& new_program,
+                                  const StudySpec& spec, const std::string& folder,
+                                  const InterleaveOptions& options);
+
+}  // namespace ar3d

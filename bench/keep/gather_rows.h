@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ar3d/bench/plan/plan.h"
+#include "ar3d/results/row_collection.h"
+#include "ar3d/results/run_record.h"
+
+namespace ar3d {
+
+/// The part of a plan that a shard makes: every count-th instance, from the index-th. Rows keep
+/// their keys and their order, not their numbers.
+StudyPlan plan_of_shard(StudyPlan plan, const Shard& shard);
+
+/// Rows that a study is not complete without.
+std::int64_t required_rows(const StudyPlan& plan);
+
+/// The rows of a plan that a collection has, in the plan's order.
+struct GatheredRows {
+  std::vector<std::uint32_t> places;  ///< in the collection
+  std::size_t missing = 0;            ///< required rows that it does not have
+  std::string first_missing;          ///< key of the first of them
+};
+
+/// @throws InputError naming a row that the plan does not have.
+GatheredRows gather_rows(const StudyPlan& plan, const RowCollection& rows);
+
+/// Writes the gathered rows as a results file. Its planned_rows are those that it is complete with:
+/// the ones it has and the ones it lacks. @throws InputError as write_results.
+void write_gathered(const StudyIdentity& identity, const GatheredRows& gathered,
+                    const RowCollection& rows, const std::string& path);
+
+}  // namespace ar3d

@@ -1,0 +1,324 @@
+#include "ar3d/bench/keep/journaled_study.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+#include "ar3d/bench/keep/gather_rows.h"
+#include "ar3d/bench/keep/study_files.h"
+#include "ar3d/bench/measure/environment.h"
+#include "ar3d/bench/measure/stopwatch.h"
+#include "ar3d/bench/plan/plan.h"
+#include "ar3d/bench/run/rank_batch.h"
+#include "ar3d/model/error.h"
+#include "ar3d/results/atomic_file.h"
+#include "ar3d/results/columns.h"
+#include "ar3d/results/hdf5/results_reader.h"
+#include "ar3d/results/journal/journal_format.h"
+#include "ar3d/results/journal/journal_reader.h"
+#include "ar3d/results/journal/journal_writer.h"
+#include "ar3d/results/row_collection.h"
+
+namespace ar3d {
+namespace {
+
+namespace fs = std::filesystem;
+
+RowCollection rows_so_far(const JournaledStudy& study) {
+  RowCollection rows;
+  const std::vector<std::string> journals = existing_journals(study.results);
+  for (const std::string& file : journals) rows.add(file);
+  if (rows_are_in_results(study.results)) rows.add(study.results);
+  rows.close();
+  return rows;
+}
+
+// An unfinished results file without journals becomes a journal, whole or not at all.
+void seed_journal(const JournaledStudy& study, const StudyIdentity& identity) {
+  if (study.has_journals && existing_journals(study.results).empty()) {
+    throw InputError(fmt::format("{}: another process has finished the study", study.results));
+  }
+  if (!study.seed_from_results) return;
+  const std::string journal_of_study = journal_path(study.results);
+  const std::string seed = fmt::format("{}.partial-{}", journal_of_study, getpid());
+  fs::remove(seed);
+  {
+    RowCollection rows;
+    rows.add(study.results);
+    rows.close();
+    JournalWriter journal(seed, identity);
+    std::vector<EnvironmentEntry> session;
+    for (const EnvironmentEntry& entry : rows.environment()) {
+      if (entry.session != (session.empty() ? 0 : session.back().session)) {
+        journal.begin_session(session);
+        session.clear();
+      }
+      session.push_back(entry);
+    }
+    journal.begin_session(session);
+    std::vector<char> record(run_record_size());
+    for (std::size_t place = 0; place < rows.size(); ++place) {
+      rows.read(place, record.data());
+      journal.append_record(record.data());
+    }
+    journal.sync();
+  }
+  // Not by renaming: another process may have made the same journal and be at work with it.
+  std::error_code failure;
+  fs::create_hard_link(seed, journal_of_study, failure);
+  fs::remove(seed);
+  if (failure && failure != std::errc::file_exists) {
+    throw InputError(fmt::format("cannot write {}: {}", journal_of_study, failure.message()));
+  }
+}
+
+StudyPlan plan_of(const JournaledStudy& study) {
+  return plan_of_shard(plan_study(study.spec), study.shard);
+}
+
+StudyIdentity identity_of(const JournaledStudy& study, const StudyPlan& plan) {
+  StudyIdentity identity = describe_study(study.spec, 1);
+  identity.created = study.created;
+  identity.shard = study.shard;
+  identity.planned_rows = required_rows(plan);
+  return identity;
+}
+
+std::vector<EnvironmentEntry> session_of(const JournaledStudy& study, const StudyOptions& options,
+                                         const Ranks& ranks) {
+  const Results description = describe_study(study.spec, options.threads);
+  std::vector<EnvironmentEntry> session = {{"started", description.created}};
+  if (study.shard.count > 1) {
+    session.push_back({"shard", fmt::format("{}/{}", study.shard.index, study.shard.count)});
+  }
+  if (ranks.size() > 1) {
+    session.push_back({"rank", fmt::format("{} of {}", ranks.rank(), ranks.size())});
+  }
+  session.insert(session.end(), description.environment.begin(), description.environment.end());
+  return session;
+}
+
+ExistingRows existing_rows(const RowCollection& rows) {
+  if (rows.size() == 0) return {};
+  const auto contains = [&rows](const std::string& key) {
+    return rows.find(parse_row_key(key)).has_value();
+  };
+  const auto read = [&rows](const std::string& key) {
+    std::vector<char> record(run_record_size());
+    rows.read(rows.find(parse_row_key(key)).value(), record.data());
+    return load_record(record.data());
+  };
+  return {contains, read};
+}
+
+// Does a step on all ranks; where it fails on one, it fails on all.
+void together(Ranks& ranks, const std::function<void()>& step) {
+  std::exception_ptr failure;
+  std::string problem;
+  try {
+    step();
+  } catch (const JournalFull& error) {
+    failure = std::current_exception();
+    problem = fmt::format("F{}", error.what());
+  } catch (const std::exception& error) {
+    failure = std::current_exception();
+    problem = fmt::format("E{}", error.what());
+  }
+  const std::string told = ranks.any_of(problem);
+  if (failure) std::rethrow_exception(failure);
+  if (told.empty()) return;
+  if (told[0] == 'F') throw JournalFull(told.substr(1));
+  throw InputError(told.substr(1));
+}
+
+StudyOutcome write_rows_so_far(const JournaledStudy& study, const StudyPlan& plan,
+                               const std::string& path) {
+  const RowCollection rows = rows_so_far(study);
+  const GatheredRows gathered = gather_rows(plan, rows);
+  write_gathered(rows.identity(), gathered, rows, path);
+  return {gathered.places.size(), gathered.missing, gathered.first_missing, {}};
+}
+
+}  // namespace
+
+JournaledStudy new_study(const std::string& name_or_path, const Shard& shard,
+                         const std::string& results) {
+  JournaledStudy study{load_study(name_or_path), shard, results, now_with_zone()};
+  if (study.results.empty()) study.results = path_of_shard(default_results_path(study.spec), shard);
+  if (const auto journals = existing_journals(study.results); !journals.empty()) {
+    throw InputError(fmt::format(
+        "{} is the journal of a study that is not finished: go on with `ar3d study resume {}`, or "
+        "delete it",
+        journals.front(), study.results));
+  }
+  require_writable(study.results);
+  return study;
+}
+
+JournaledStudy begun_study(const std::string& journal_or_results) {
+  const std::string results = results_path_of(journal_or_results);
+  const std::vector<std::string> journals = existing_journals(results);
+  const bool in_results = rows_are_in_results(results);
+  const StudyIdentity identity =
+      in_results ? ResultsReader(results).identity() : journal_status(journals.front()).identity;
+  return {parse_study(identity.spec, in_results ? results : journals.front()),
+          identity.shard,
+          results,
+          identity.created,
+          in_results,
+          !in_results};
+}
+
+JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()>& begin) {
+  std::optional<JournaledStudy> study;
+  together(ranks, [&] {
+    if (ranks.is_first()) study = begin();
+  });
+  if (ranks.size() == 1) return *study;
+  const std::string results = ranks.from_first(study ? study->results : "");
+  StudyIdentity identity;
+  if (study) identity = identity_of(*study, StudyPlan());
+  const std::string text = ranks.from_first(identity_text(identity));
+  identity = parse_identity({text.data(), text.size()}, results);
+  return {parse_study(identity.spec, results),
+          identity.shard,
+          results,
+          identity.created,
+          study && study->seed_from_results,
+          study && study->has_journals};
+}
+
+namespace {
+
+// Lets the helpers of rank 0 go, whatever happens.
+class Dismissal {
+ public:
+  explicit Dismissal(Ranks& ranks) : ranks_(ranks) {}
+  ~Dismissal() { ranks_.dismiss(); }
+
+ private:
+  Ranks& ranks_;
+};
+
+// One process's part in a study: its journal and what was there before.
+class Part {
+ public:
+  Part(const JournaledStudy& study, const StudyOptions& options, Ranks& ranks)
+      : study_(study), options_(options), ranks_(ranks), plan_(plan_of(study)) {
+    const StudyIdentity identity = identity_of(study, plan_);
+    const std::string path = journal_path(study.results, ranks.rank());
+    together(ranks, [&] {
+      if (ranks.is_first()) seed_journal(study, identity);
+      journal_.emplace(path, identity);
+    });
+    if (options.progress != nullptr && journal_->bytes_cut() > 0) {
+      fmt::print(options.progress,
+                 "ar3d: {} ended with {} bytes of an unfinished row; they are cut off\n", path,
+                 journal_->bytes_cut());
+    }
+    if (ranks.is_first()) remove_leftovers(study.results);
+  }
+
+  void make_rows() {
+    const Stopwatch time;
+    together(ranks_, [&] { journal_->begin_session(session_of(study_, options_, ranks_)); });
+    StudyOptions shared = options_;
+    shared.making.ranks = &ranks_;
+    if (ranks_.size() > 1) {
+      shared.threads = std::max(1, options_.threads);
+      shared.making.timed_phases = false;
+      shared.making.neighbours = (ranks_.size() - 1) * shared.threads;
+    }
+    together(ranks_, [&] {
+      const RowCollection before = rows_so_far(study_);
+      make_shared(shared, before);
+    });
+    if (ranks_.size() > 1 && ranks_.is_first()) {
+      shared.making.timed_phases = options_.making.timed_phases;
+      shared.next_instance = [] { return std::nullopt; };
+      if (plan_.budget.study_s) *plan_.budget.study_s -= time.wall_s();  // what is left of it
+      const Dismissal at_end(ranks_);
+      make(shared, rows_so_far(study_));
+    } else if (ranks_.size() > 1) {
+      RankBatches batches(plan_, plan_.timing, ranks_.rank());
+      ranks_.help([&](const std::string& job) { return batches.make_ready(job); });
+    }
+    journal_->end_session({{"load_after", load_average()}});
+  }
+
+  StudyOutcome write_results() {
+    const StudyOutcome outcome = write_rows_so_far(study_, plan_, study_.results);
+    if (outcome.complete()) remove_journals(study_.results);
+    return outcome;
+  }
+
+ private:
+  // The largest instances first, so that none is left to the end.
+  void make_shared(const StudyOptions& options, const RowCollection& before) {
+    const LargestFirst order(plan_);
+    std::vector<double> work;
+    for (std::size_t i = 0; ranks_.size() > 1 && i < order.size(); ++i) {
+      work.push_back(work_of_instance(plan_.instances.block_of_place(order[i]).first));
+    }
+    ranks_.share_out(work, [&](const Tickets& tickets) {
+      StudyOptions mine = options;
+      if (tickets) {
+        mine.next_instance = [&]() -> std::optional<std::size_t> {
+          const std::optional<std::size_t> ticket = tickets();
+          if (!ticket) return std::nullopt;
+          return order[*ticket];
+        };
+      }
+      make(mine, before);
+    });
+  }
+
+  void make(const StudyOptions& options, const RowCollection& before) {
+    const auto append = [&](std::size_t, const RunRecord& run) { journal_->append(run); };
+    make_plan(plan_, options, existing_rows(before), append, study_.spec.name);
+  }
+
+  const JournaledStudy& study_;
+  const StudyOptions& options_;
+  Ranks& ranks_;
+  StudyPlan plan_;
+  std::optional<JournalWriter> journal_;  // until the end, so that nobody else takes the study up
+};
+
+}  // namespace
+
+StudyOutcome run_journaled(const JournaledStudy& study, const StudyOptions& options, Ranks& ranks) {
+  Part part(study, options, ranks);
+  StudyOutcome outcome;
+  together(ranks, [&] { part.make_rows(); });
+  together(ranks, [&] {
+    try {
+      if (ranks.is_first()) outcome = part.write_results();
+    } catch (const InputError& error) {  // the rows are in the journals all the same
+      throw JournalFull(error.what());
+    }
+  });
+  return outcome;
+}
+
+StudyOutcome write_snapshot(const JournaledStudy& study, const std::string& path) {
+  std::vector<std::string> own = existing_journals(study.results);
+  own.push_back(study.results);
+  for (const std::string& file : own) {
+    if (fs::weakly_canonical(file) != fs::weakly_canonical(path)) continue;
+    throw InputError(fmt::format("{} is a file of the study itself, not for a snapshot", path));
+  }
+  return write_rows_so_far(study, plan_of(study), path);
+}
+
+StudyOutcome outcome_so_far(const JournaledStudy& study) {
+  const GatheredRows gathered = gather_rows(plan_of(study), rows_so_far(study));
+  return {gathered.places.size(), gathered.missing, gathered.first_missing, {}};
+}
+
+}  // namespace ar3d

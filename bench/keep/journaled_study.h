@@ -1,0 +1,60 @@
+#pragma once
+
+#include <string>
+
+#include "ar3d/bench/run/ranks.h"
+#include "ar3d/bench/run/run_study.h"
+#include "ar3d/bench/spec/study_spec.h"
+#include "ar3d/results/run_record.h"
+
+namespace ar3d {
+
+/// A study whose rows go into a journal beside its results file.
+struct JournaledStudy {
+  StudySpec spec;
+  Shard shard;
+  std::string results;             ///< path of the results file
+  std::string created;             ///< when it began, ISO 8601 with zone
+  bool seed_from_results = false;  ///< its rows so far are in the results file and nowhere else
+  bool has_journals = false;       ///< its rows so far are in journals
+};
+
+/// How it stands with a journaled study.
+struct StudyOutcome {
+  std::size_t rows = 0;        ///< in the results file
+  std::size_t missing = 0;     ///< rows that it is not complete without
+  std::string first_missing;   ///< key of one
+  std::string missing_shards;  ///< "2, 5"; of a merged study
+  bool complete() const { return missing == 0; }
+};
+
+/// A study that begins. @throws InputError if there are journals of it already, the results file
+/// cannot be written, or the specification is bad.
+JournaledStudy new_study(const std::string& name_or_path, const Shard& shard,
+                         const std::string& results);
+
+/// A study that has begun, from its journal or its unfinished results file.
+/// @throws InputError naming the file if it cannot be read or does not say what study it is.
+JournaledStudy begun_study(const std::string& journal_or_results);
+
+/// The study that rank 0 begins, on every rank. @throws InputError on all ranks if `begin` throws.
+JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()>& begin);
+
+/// Makes the rows that are not there yet. Rows that are in the journals, or in a results file made
+/// from them, stay as they are. Afterwards, whether complete or stopped, the results file holds all
+/// rows so far; the journals are removed when it is complete. Several ranks share the metrics phase
+/// and write a journal each; rank 0 does the timed phases alone and makes the results file.
+/// @return of rank 0; other ranks know nothing of it.
+/// @throws JournalFull (results.journal is whole), InputError as JournalWriter, plan_study; if one
+/// rank throws, all do.
+StudyOutcome run_journaled(const JournaledStudy& study, const StudyOptions& options, Ranks& ranks);
+
+/// Writes the rows so far as a results file, also while they are being made.
+/// @throws InputError naming the file; if it is the study's results file or a journal of it.
+StudyOutcome write_snapshot(const JournaledStudy& study, const std::string& path);
+
+/// How it stands with a study that has begun, also while its rows are being made; reads all of
+/// them. @throws InputError as begun_study.
+StudyOutcome outcome_so_far(const JournaledStudy& study);
+
+}  // namespace ar3d

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ar3d/results/run_record.h"
+
+namespace ar3d {
+
+/// "r.shard-2-of-8.h5" for r.h5; r.h5 itself if there is one shard.
+std::string path_of_shard(const std::string& results, const Shard& shard);
+
+/// "r.h5.journal", and "r.h5.rank-3.journal" for a rank other than 0.
+std::string journal_path(const std::string& results, int rank = 0);
+
+/// The journals of a study that exist, rank 0 first.
+std::vector<std::string> existing_journals(const std::string& results);
+
+/// The page that a study's report is, beside its results file.
+std::string report_path(const std::string& results);
+
+/// The results file that a journal is made into; other paths are results files themselves.
+std::string results_path_of(const std::string& journal_or_results);
+
+/// True if there are no journals, or only some that a killed process has not removed any more after
+/// it had made the results file. @throws InputError naming a journal that cannot be read.
+bool rows_are_in_results(const std::string& results);
+
+/// Unfinished new files that a killed process has left of the results file, journals or report. To
+/// be called by the one that has the journal locked.
+void remove_leftovers(const std::string& results);
+
+/// After the results file is safe on the disk.
+void remove_journals(const std::string& results);
+
+}  // namespace ar3d

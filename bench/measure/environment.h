@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ar3d/results/run_record.h"
+
+namespace ar3d {
+
+/// Git commit of the sources that the program was built from, "unknown" outside of a git checkout.
+std::string source_hash();
+/// True if tracked files differed from that commit when the program was built.
+bool source_is_dirty();
+
+/// SHA-256 of what differed; empty if nothing did.
+std::string dirty_hash();
+
+/// Why times of this build are worth little: "debug" (no -DNDEBUG), "sanitised", or "" for a good
+/// build.
+const char* timing_mark();
+
+/// Machine, operating system, compiler, libraries, settings that influence speed; "absent" for what
+/// the system does not tell.
+std::vector<EnvironmentEntry> capture_environment(int threads);
+
+/// The first three fields of /proc/loadavg.
+std::string load_average();
+
+}  // namespace ar3d

@@ -1,0 +1,242 @@
+#include "ar3d/bench/plan/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+namespace {
+
+constexpr std::size_t kMaxRows = 10000000;
+constexpr std::uint64_t kProbeSize = 1000;
+
+// "a=1;b=2" for ParameterValues and OptionValues.
+template <class Values>
+std::string settings_text(const Values& values) {
+  std::string text;
+  for (const auto& value : values) {
+    text += fmt::format("{}{}={}", text.empty() ? "" : ";", value.name, value.value);
+  }
+  return text;
+}
+
+// The largest degree of the family's graphs: of the largest one that the sweep asks for up to
+// kProbeSize, or one of kProbeSize if it asks for larger ones only.
+std::uint32_t probed_degree(const FamilyChoice& choice, const std::vector<std::uint64_t>& sizes) {
+  std::uint64_t wanted = std::min(sizes.front(), kProbeSize);
+  for (const std::uint64_t size : sizes) {
+    if (size <= kProbeSize) wanted = size;
+  }
+  return generate(*choice.family, wanted, 0, choice.parameters).max_degree();
+}
+
+// One row of a drawing.
+struct Measurement {
+  RunPhase phase = RunPhase::metrics;
+  std::int64_t scale = -1;
+  std::uint32_t repetition = 0;
+  std::uint32_t batch = 0;
+};
+
+// Drawings of all repetitions of a batch that so many share; at most 2^50.
+std::uint64_t drawings_of(const Batches& batches, std::uint32_t scale, RunPhase phase) {
+  const std::uint64_t drawings = std::uint64_t{batches.repetitions} * batches.drawings;
+  return is_strong(phase) ? drawings : drawings * scale;
+}
+
+// Calls use(batches, phase) for each kind of batches.
+template <class Use>
+void for_each_kind(const Sweep& sweep, Use&& use) {
+  use(sweep.strong, RunPhase::strong);
+  use(sweep.weak, RunPhase::weak);
+  use(sweep.strong_ranks, RunPhase::strong_ranks);
+  use(sweep.weak_ranks, RunPhase::weak_ranks);
+}
+
+// Rows of one drawing; at most 2^62.
+std::uint64_t rows_of_a_drawing(const Sweep& sweep) {
+  std::uint64_t rows = std::uint64_t{sweep.repetitions} + sweep.timed.most;
+  for_each_kind(sweep, [&](const Batches& batches, RunPhase phase) {
+    for (const std::uint32_t scale : batches.scales) rows += drawings_of(batches, scale, phase);
+  });
+  return rows;
+}
+
+// Every row of one drawing, in order.
+template <class Use>
+void for_each_measurement(const Sweep& sweep, Use&& use) {
+  for (std::uint32_t i = 0; i < sweep.repetitions; ++i) use({RunPhase::metrics, -1, i, 0});
+  for (std::uint32_t i = 0; i < sweep.timed.most; ++i) use({RunPhase::timing, -1, i, 0});
+  for_each_kind(sweep, [&](const Batches& batches, RunPhase phase) {
+    for (const std::uint32_t scale : batches.scales) {
+      const auto drawings = static_cast<std::uint32_t>(drawings_of(batches, scale, phase));
+      const std::uint32_t members = drawings / batches.repetitions;
+      for (std::uint32_t i = 0; i < drawings; ++i) use({phase, scale, i, i / members});
+    }
+  });
+}
+
+bool any_matches(const std::vector<CellPattern>& patterns, const std::string& family,
+                 const std::string& algorithm, std::uint64_t n) {
+  return std::any_of(patterns.begin(), patterns.end(),
+                     [&](const CellPattern& p) { return p.matches(family, algorithm, n); });
+}
+
+class Planner {
+ public:
+  explicit Planner(const StudySpec& spec) : spec_(spec) {
+    plan_.instances = PlannedInstances(spec.seed);
+  }
+
+  StudyPlan plan() {
+    for (const Sweep& sweep : spec_.sweeps) {
+      for (const FamilyChoice& family : sweep.families) add_cells(sweep, family);
+    }
+    group_cells();
+    for (const Cell& cell : cells_) add_instances(cell);
+    plan_.timing = spec_.timing;
+    plan_.budget = spec_.budget;
+    if (plan_.rows() == 0) {
+      throw InputError(
+          fmt::format("study {} has no run: no algorithm fits a family and a size", spec_.name));
+    }
+    return std::move(plan_);
+  }
+
+ private:
+  // A family at one size, and what is done with each of its instances.
+  struct Cell {
+    FamilyChoice family;
+    std::uint64_t wanted_n = 0;
+    std::uint64_t n = 0;
+    std::uint32_t instances = 1;
+    const Sweep* sweep = nullptr;
+    std::vector<AlgorithmChoice> algorithms;
+  };
+
+  void add_cells(const Sweep& sweep, const FamilyChoice& family) {
+    const std::uint32_t degree = probed_degree(family, sweep.sizes);
+    for (const std::uint64_t wanted_n : sweep.sizes) {
+      const std::uint64_t n = family.family->nearest_n(wanted_n, family.parameters);
+      const bool many = depends_on_seed(*family.family, family.parameters);
+      const std::uint32_t instances = many ? sweep.instances : 1;
+      std::vector<AlgorithmChoice> fitting = fitting_algorithms(sweep, family, degree, n);
+      if (fitting.empty()) continue;
+      cells_.push_back({family, wanted_n, n, instances, &sweep, std::move(fitting)});
+      count_rows(cells_.back());
+    }
+  }
+
+  // Refuses too many before any of them costs time or memory; rows asked for twice count twice.
+  void count_rows(const Cell& cell) {
+    const std::size_t drawings = std::size_t{cell.instances} * cell.algorithms.size();
+    const std::size_t each = rows_of_a_drawing(*cell.sweep);
+    if (each > (kMaxRows - cell_rows_) / drawings) {
+      throw InputError(fmt::format("study {} has more than {} rows", spec_.name, kMaxRows));
+    }
+    cell_rows_ += drawings * each;
+  }
+
+  // The cells of the same graphs.
+  struct Group {
+    std::vector<const Cell*> cells;
+    std::uint32_t planned = 0;  // instances so far: 0 .. planned - 1
+  };
+
+  static std::string group_key(const Cell& cell) {
+    return fmt::format("{}\n{}\n{}", cell.family.family->name,
+                       settings_text(cell.family.parameters), cell.n);
+  }
+
+  void group_cells() {
+    for (const Cell& cell : cells_) groups_[group_key(cell)].cells.push_back(&cell);
+  }
+
+  // The instances that no cell before has asked for, as blocks on which the same cells agree.
+  void add_instances(const Cell& cell) {
+    Group& group = groups_.at(group_key(cell));
+    while (group.planned < cell.instances) {
+      std::uint32_t end = cell.instances;
+      for (const Cell* other : group.cells) {
+        if (other->instances > group.planned) end = std::min(end, other->instances);
+      }
+      add_block(cell, group, end - group.planned);
+      group.planned = end;
+    }
+  }
+
+  void add_block(const Cell& cell, const Group& group, std::uint32_t count) {
+    PlannedBlock block;
+    block.count = count;
+    PlannedInstance& instance = block.first;
+    instance.choice = cell.family;
+    instance.parameters = settings_text(cell.family.parameters);
+    instance.wanted_n = cell.wanted_n;
+    instance.n = cell.n;
+    instance.index = group.planned;
+    std::set<RunIdentity> known;
+    for (const Cell* other : group.cells) {
+      if (other->instances > group.planned) add_runs(instance, *other, known);
+    }
+    if (!instance.runs.empty()) plan_.instances.append(std::move(block));
+  }
+
+  std::vector<AlgorithmChoice> fitting_algorithms(const Sweep& sweep, const FamilyChoice& choice,
+                                                  std::uint32_t degree, std::uint64_t n) const {
+    std::vector<AlgorithmChoice> fitting;
+    for (const AlgorithmChoice& algorithm : sweep.algorithms) {
+      const std::string& family_name = choice.family->name;
+      const std::string& name = algorithm.algorithm->name;
+      const auto limit = spec_.max_n.find(name);
+      const bool fits =
+          degree <= algorithm.algorithm->guarantee.max_degree &&
+          (limit == spec_.max_n.end() || n <= limit->second) &&
+          (sweep.include.empty() || any_matches(sweep.include, family_name, name, n)) &&
+          !any_matches(sweep.exclude, family_name, name, n);
+      if (fits) fitting.push_back(algorithm);
+    }
+    return fitting;
+  }
+
+  // What tells the runs of one instance apart.
+  using RunIdentity =
+      std::tuple<const Algorithm*, std::string, RunPhase, std::int64_t, std::uint32_t>;
+
+  static void add_runs(PlannedInstance& instance, const Cell& cell, std::set<RunIdentity>& known) {
+    for (const AlgorithmChoice& choice : cell.algorithms) {
+      PlannedRun run;
+      run.choice = choice;
+      run.options = settings_text(choice.options);
+      for_each_measurement(*cell.sweep, [&](const Measurement& measurement) {
+        run.phase = measurement.phase;
+        run.scale = measurement.scale;
+        run.repetition = measurement.repetition;
+        run.batch = measurement.batch;
+        run.optional = measurement.phase == RunPhase::timing &&
+                       measurement.repetition >= cell.sweep->timed.least;
+        run.precision = cell.sweep->timed.precision;
+        const bool is_new =
+            known.emplace(choice.algorithm, run.options, run.phase, run.scale, run.repetition)
+                .second;
+        if (is_new) instance.runs.push_back(run);
+      });
+    }
+  }
+
+  const StudySpec& spec_;
+  std::vector<Cell> cells_;
+  std::size_t cell_rows_ = 0;  // of all of them
+  StudyPlan plan_;
+  std::map<std::string, Group> groups_;
+};
+
+}  // namespace
+
+StudyPlan plan_study(const StudySpec& spec) { return Planner(spec).plan(); }
+
+}  // namespace ar3d

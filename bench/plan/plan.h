@@ -1,0 +1,125 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "ar3d/bench/spec/study_spec.h"
+#include "ar3d/results/run_record.h"
+
+namespace ar3d {
+
+/// One row to come: an algorithm with options, and which repetition.
+struct PlannedRun {
+  AlgorithmChoice choice;
+  std::string options;  ///< "effort=1"
+  std::uint32_t repetition = 0;
+  std::string row_key;  ///< 32 hexadecimal digits
+  std::size_t row = 0;  ///< place in the results
+  RunPhase phase = RunPhase::metrics;
+  std::int64_t scale = -1;  ///< threads or ranks that share the row's batch; -1: it is in none
+  std::uint32_t batch = 0;  ///< rows of a phase with equal scale and batch are drawn together
+  /// A study is complete without it: it is only made while the median of the repetitions before it
+  /// is less precise than `precision`.
+  bool optional = false;
+  double precision = 0;
+};
+
+/// One graph to come and everything that is done with it.
+struct PlannedInstance {
+  FamilyChoice choice;
+  std::string parameters;  ///< "k=2;p=750000"
+  std::uint64_t wanted_n = 0;
+  std::uint64_t n = 0;  ///< what the family makes of wanted_n
+  std::uint32_t index = 0;
+  std::uint64_t seed = 0;  ///< a function of the study's seed, family, parameters, n and index only
+  std::vector<PlannedRun> runs;
+};
+
+/// Runs that a study is not complete without.
+std::size_t required_runs(const PlannedInstance& instance);
+
+/// Instances that differ in their index only, and hence in seed and keys.
+struct PlannedBlock {
+  PlannedInstance first;  ///< its runs have keys only if is_explicit
+  std::size_t step = 1;   ///< between the indices of two neighbours
+  std::size_t count = 1;
+  std::size_t first_place = 0;  ///< of the first instance among all
+  std::size_t first_row = 0;    ///< of the first instance's first run
+  bool is_explicit = false;     ///< one instance whose seed and keys stand as they are
+};
+
+/// The instances of a plan in order. They are kept as blocks and made when asked for, so that a
+/// million of them cost no more than one.
+class PlannedInstances {
+ public:
+  explicit PlannedInstances(std::uint64_t study_seed = 0) : study_seed_(study_seed) {}
+
+  std::size_t size() const { return size_; }
+  std::size_t rows() const { return rows_; }
+  /// Made afresh by every call: about 1 us a row. @pre place < size().
+  PlannedInstance operator[](std::size_t place) const;
+  const std::vector<PlannedBlock>& blocks() const { return blocks_; }
+  const PlannedBlock& block_of_place(std::size_t place) const;
+  const PlannedBlock& block_of_row(std::size_t row) const;
+
+  /// A block behind the others; its places and rows are numbered here.
+  void append(PlannedBlock block);
+  /// Of these instances, place `first` and every n-th after it. @pre first < n.
+  PlannedInstances every_nth(std::size_t first, std::size_t n) const;
+  /// One instance, as it stands but for the numbers of its rows.
+  void push_back(PlannedInstance instance);
+
+  class Iterator {
+   public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = PlannedInstance;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const PlannedInstance*;
+    using reference = PlannedInstance;
+    Iterator(const PlannedInstances& all, std::size_t place) : all_(&all), place_(place) {}
+    PlannedInstance operator*() const { return (*all_)[place_]; }
+    Iterator& operator++() {
+      ++place_;
+      return *this;
+    }
+    Iterator operator++(int) {
+      Iterator before = *this;
+      ++place_;
+      return before;
+    }
+    bool operator==(const Iterator& other) const { return place_ == other.place_; }
+
+   private:
+    const PlannedInstances* all_;
+    std::size_t place_;
+  };
+  Iterator begin() const { return {*this, 0}; }
+  Iterator end() const { return {*this, size_}; }
+
+ private:
+  std::uint64_t study_seed_;
+  std::vector<PlannedBlock> blocks_;
+  std::size_t size_ = 0;
+  std::size_t rows_ = 0;
+};
+
+/// All rows of a study, in the order of the specification: family, parameters, size, index,
+/// algorithm, options, repetition. Two sizes that a family rounds to the same n are one instance; a
+/// row that two sweeps ask for is planned once.
+struct StudyPlan {
+  PlannedInstances instances;
+  TimingRules timing;  ///< of the specification
+  Budget budget;       ///< of the specification
+  std::size_t rows() const { return instances.rows(); }
+};
+
+/// Leaves out an algorithm where the family's graphs pass its maximum degree (found by generating
+/// one of at most 1000 vertices) or n passes spec.max_n.
+/// @throws InputError if nothing is left or there are more than 10^7 rows.
+/// Memory: that of the cells, whatever the number of instances.
+StudyPlan plan_study(const StudySpec& spec);
+
+}  // namespace ar3d

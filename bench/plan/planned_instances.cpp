@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <concepts>
+#include <string_view>
+
+#include "ar3d/bench/plan/plan.h"
+#include "ar3d/model/error.h"
+#include "ar3d/model/random.h"
+#include "ar3d/results/row_key.h"
+
+namespace ar3d {
+namespace {
+
+// Not with one format string: this is done for every row, and costs a third so. Nor by letting the
+// text grow step by step.
+constexpr std::size_t kUsualText = 512;
+
+void append_line(std::string& text, const char* name, std::string_view value) {
+  text.append(name).append("=").append(value).append("\n");
+}
+
+template <std::integral T>
+void append_line(std::string& text, const char* name, T value) {
+  const fmt::format_int digits(value);
+  append_line(text, name, std::string_view(digits.data(), digits.size()));
+}
+
+std::string hash128(const std::string& text) {
+  const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
+  return to_string(RowKey{hash.high64, hash.low64});
+}
+
+std::string instance_identity(const PlannedInstance& instance) {
+  std::string text;
+  text.reserve(kUsualText);
+  append_line(text, "family", instance.choice.family->name);
+  append_line(text, "parameters", instance.parameters);
+  append_line(text, "n", instance.n);
+  append_line(text, "index", instance.index);
+  return text;
+}
+
+std::uint64_t instance_seed(std::uint64_t study_seed, const std::string& identity) {
+  return mix_seed(study_seed, XXH3_64bits(identity.data(), identity.size()));
+}
+
+// What stands before the repetition tells the phases apart; the metrics phase has nothing there.
+std::string row_key(const std::string& prefix, const PlannedRun& run) {
+  std::string text;
+  text.reserve(kUsualText);
+  text += prefix;
+  append_line(text, "algorithm", run.choice.algorithm->name);
+  append_line(text, "options", run.options);
+  if (run.phase != RunPhase::metrics) append_line(text, "phase", to_string(run.phase));
+  if (run.scale >= 0) append_line(text, "scale", run.scale);
+  append_line(text, "repetition", run.repetition);
+  return hash128(text);
+}
+
+}  // namespace
+
+std::size_t required_runs(const PlannedInstance& instance) {
+  return static_cast<std::size_t>(
+      std::count_if(instance.runs.begin(), instance.runs.end(),
+                    [](const PlannedRun& run) { return !run.optional; }));
+}
+
+PlannedInstance PlannedInstances::operator[](std::size_t place) const {
+  const PlannedBlock& block = block_of_place(place);
+  const std::size_t within = place - block.first_place;
+  PlannedInstance instance = block.first;
+  std::size_t row = block.first_row + within * instance.runs.size();
+  for (PlannedRun& run : instance.runs) run.row = row++;
+  if (block.is_explicit) return instance;
+  instance.index += static_cast<std::uint32_t>(within * block.step);  // at most 10^7 instances
+  const std::string identity = instance_identity(instance);
+  instance.seed = instance_seed(study_seed_, identity);
+  std::string prefix;
+  prefix.reserve(kUsualText);
+  append_line(prefix, "study_seed", study_seed_);
+  prefix += identity;
+  for (PlannedRun& run : instance.runs) run.row_key = row_key(prefix, run);
+  return instance;
+}
+
+const PlannedBlock& PlannedInstances::block_of_place(std::size_t place) const {
+  expect(place < size_, "a plan has that instance");
+  const auto behind = std::upper_bound(
+      blocks_.begin(), blocks_.end(), place,
+      [](std::size_t wanted, const PlannedBlock& block) { return wanted < block.first_place; });
+  return *std::prev(behind);
+}
+
+const PlannedBlock& PlannedInstances::block_of_row(std::size_t row) const {
+  expect(row < rows_, "a plan has that row");
+  const auto behind = std::upper_bound(
+      blocks_.begin(), blocks_.end(), row,
+      [](std::size_t wanted, const PlannedBlock& block) { return wanted < block.first_row; });
+  return *std::prev(behind);
+}
+
+void PlannedInstances::append(PlannedBlock block) {
+  expect(block.count > 0 && !block.first.runs.empty(), "a block of a plan has rows");
+  block.first_place = size_;
+  block.first_row = rows_;
+  size_ += block.count;
+  rows_ += block.count * block.first.runs.size();
+  blocks_.push_back(std::move(block));
+}
+
+PlannedInstances PlannedInstances::every_nth(std::size_t first, std::size_t n) const {
+  PlannedInstances part(study_seed_);
+  for (PlannedBlock block : blocks_) {
+    // The first of its instances that is taken.
+    const std::size_t skipped = (first + n - block.first_place % n) % n;
+    if (skipped >= block.count) continue;
+    block.first.index += static_cast<std::uint32_t>(skipped * block.step);
+    block.count = (block.count - skipped - 1) / n + 1;
+    block.step *= n;
+    part.append(std::move(block));
+  }
+  return part;
+}
+
+void PlannedInstances::push_back(PlannedInstance instance) {
+  PlannedBlock block;
+  block.first = std::move(instance);
+  block.is_explicit = true;
+  append(std::move(block));
+}
+
+}  // namespace ar3d

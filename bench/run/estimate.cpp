@@ -1,0 +1,276 @@
+#include "ar3d/bench/run/estimate.h"
+
+#include <fmt/format.h>
+#include <malloc.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "ar3d/bench/measure/one_thread.h"
+#include "ar3d/bench/measure/stopwatch.h"
+#include "ar3d/bench/run/make_row.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+namespace {
+
+constexpr std::uint64_t kSizeRatio = 6;
+
+// Far beyond what is measured, the caches make the power law another one.
+std::uint64_t calibration_size(std::uint64_t largest) {
+  constexpr std::uint64_t kUsual = 3000;
+  constexpr std::uint64_t kMost = 33333;
+  return std::min(largest, std::clamp(largest / 30, kUsual, kMost));
+}
+
+// value(n) = value at the larger calibration size * (n / that size)^exponent.
+struct PowerLaw {
+  double size = 1;
+  double value = 0;
+  double exponent = 1;
+  double operator()(std::uint64_t n) const {
+    return value * std::pow(static_cast<double>(std::max<std::uint64_t>(n, 1)) / size, exponent);
+  }
+};
+
+PowerLaw law_through(double n1, double value1, double n2, double value2) {
+  PowerLaw law{std::max(n2, 1.0), value2, 1};
+  if (n2 > n1 && value1 > 0 && value2 > 0) {
+    law.exponent = std::clamp(std::log(value2 / value1) / std::log(n2 / n1), 1.0, 2.5);
+  }
+  return law;
+}
+
+struct CostModel {
+  PowerLaw row_s;
+  PowerLaw draw_s;
+  double bytes_per_vertex = 0;
+};
+
+struct Measured {
+  double n = 0;
+  double row_s = 0;
+  double draw_s = 0;
+  double bytes = 0;
+};
+
+// The better of two goes: the first one pays for cold caches. CPU time, since what else runs now
+// says nothing about when the study runs.
+Measured measured_at(const PlannedInstance& like, const PlannedRun& run, std::uint64_t wanted_n) {
+  PlannedInstance instance = like;
+  instance.wanted_n = wanted_n;
+  const OneThread one_thread;
+  Measured best;
+  best.row_s = std::numeric_limits<double>::infinity();
+  for (int go = 0; go < 2; ++go) {
+    malloc_trim(0);  // else what is freed hides what is used
+    RowMaker maker({.concurrency = 1, .core = -1, .memory = MemoryScope::row});
+    RowMemory memory(MemoryScope::row);
+    const std::int64_t before = memory.begin_row();
+    const CpuStopwatch time;
+    maker.prepare(instance);
+    const RunRecord row = maker.make(run);
+    const double seconds = time.cpu_s();
+    if (!is_drawn(row)) return {};
+    const auto used = static_cast<double>(row.peak_bytes - std::min(before, row.base_bytes));
+    best.n = static_cast<double>(row.n);
+    best.row_s = std::min(best.row_s, seconds);
+    best.draw_s = go == 0 ? row.cpu_s : std::min(best.draw_s, row.cpu_s);
+    best.bytes = std::max(best.bytes, used);
+  }
+  return best;
+}
+
+CostModel calibrated(const PlannedInstance& instance, const PlannedRun& run,
+                     std::uint64_t largest) {
+  const std::uint64_t size = calibration_size(largest);
+  const Measured small = measured_at(instance, run, std::max<std::uint64_t>(1, size / kSizeRatio));
+  const Measured large = measured_at(instance, run, size);
+  return {law_through(small.n, small.row_s, large.n, large.row_s),
+          law_through(small.n, small.draw_s, large.n, large.draw_s),
+          large.n > 0 ? std::max(0.0, large.bytes) / large.n : 0};
+}
+
+using ModelKey = std::tuple<std::string, std::string, std::string, std::string>;
+
+ModelKey key_of(const PlannedInstance& instance, const PlannedRun& run) {
+  return {instance.choice.family->name, instance.parameters, run.choice.algorithm->name,
+          run.options};
+}
+
+class Estimator {
+ public:
+  explicit Estimator(const StudyPlan& plan) : plan_(plan) {
+    for (const PlannedBlock& block : plan.instances.blocks()) {
+      for (const PlannedRun& run : block.first.runs) {
+        std::uint64_t& largest = largest_[key_of(block.first, run)];
+        largest = std::max(largest, block.first.wanted_n);
+      }
+    }
+  }
+
+  StudyEstimate run(int threads) {
+    for (std::size_t i = 0; i < plan_.instances.blocks().size(); ++i) {
+      const PlannedInstance first = plan_.instances[plan_.instances.blocks()[i].first_place];
+      for (const PlannedRun& run : first.runs) add(i, first, run);
+    }
+    result_.wall_s = phase_s_[RunPhase::metrics] / threads +
+                     phase_s_[RunPhase::timing] / plan_.timing.concurrency +
+                     phase_s_[RunPhase::strong] + phase_s_[RunPhase::weak] +
+                     phase_s_[RunPhase::strong_ranks] + phase_s_[RunPhase::weak_ranks];
+    result_.threads = threads;
+    return std::move(result_);
+  }
+
+ private:
+  // A run of every instance of a block.
+  void add(std::size_t block, const PlannedInstance& instance, const PlannedRun& run) {
+    const std::size_t count = plan_.instances.blocks()[block].count;
+    if (run.optional) {
+      result_.optional_rows += count;
+      return;
+    }
+    result_.rows += count;
+    CellEstimate& cell = cell_of(instance, run);
+    cell.rows += count;
+    if (counted_.emplace(&cell - result_.cells.data(), block).second) cell.instances += count;
+    const double seconds = cost_of(cell, run) * static_cast<double>(count);
+    cell.total_s += seconds;
+    phase_s_[run.phase] += seconds;
+  }
+
+  // A metrics row and the first timed one are certified; other timed ones are only drawn, after
+  // their warm-ups.
+  double cost_of(const CellEstimate& cell, const PlannedRun& run) const {
+    const bool certified = run.phase == RunPhase::metrics || run.repetition == 0;
+    const double warm_ups = run.phase == RunPhase::timing ? plan_.timing.warm_up : 0;
+    return (certified ? cell.row_s : cell.draw_s) + warm_ups * cell.draw_s;
+  }
+
+  CellEstimate& cell_of(const PlannedInstance& instance, const PlannedRun& run) {
+    const ModelKey key = key_of(instance, run);
+    const auto [at, is_new] =
+        places_.try_emplace(std::tuple_cat(key, std::tuple(instance.n)), result_.cells.size());
+    if (is_new) {
+      const CostModel& costs = model_of(key, instance, run);
+      CellEstimate cell;
+      std::tie(cell.family, cell.parameters, cell.algorithm, cell.options) = key;
+      cell.n = instance.n;
+      cell.row_s = costs.row_s(cell.n);
+      cell.draw_s = costs.draw_s(cell.n);
+      cell.row_bytes = costs.bytes_per_vertex * static_cast<double>(cell.n);
+      result_.largest_row_bytes = std::max(result_.largest_row_bytes, cell.row_bytes);
+      result_.cells.push_back(std::move(cell));
+    }
+    return result_.cells[at->second];
+  }
+
+  // Of a family with very many parameters only the first few are drawn; the costliest of them
+  // stands for the others.
+  const CostModel& model_of(const ModelKey& key, const PlannedInstance& instance,
+                            const PlannedRun& run) {
+    const auto known = models_.find(key);
+    if (known != models_.end()) return known->second;
+    constexpr std::size_t kMost = 16;
+    std::vector<const CostModel*>& alike =
+        by_family_[{std::get<0>(key), std::get<2>(key), std::get<3>(key)}];
+    if (alike.size() >= kMost) {
+      return **std::max_element(alike.begin(), alike.end(),
+                                [&](const CostModel* a, const CostModel* b) {
+                                  return a->row_s(instance.n) < b->row_s(instance.n);
+                                });
+    }
+    const CostModel& model =
+        models_.emplace(key, calibrated(instance, run, largest_.at(key))).first->second;
+    result_.calibration_n = std::max(result_.calibration_n, calibration_size(largest_.at(key)));
+    alike.push_back(&model);
+    return model;
+  }
+
+  const StudyPlan& plan_;
+  StudyEstimate result_;
+  std::map<ModelKey, std::uint64_t> largest_;
+  std::map<ModelKey, CostModel> models_;
+  std::map<std::tuple<std::string, std::string, std::string>, std::vector<const CostModel*>>
+      by_family_;  // family, algorithm, options
+  std::map<std::tuple<std::string, std::string, std::string, std::string, std::uint64_t>,
+           std::size_t>
+      places_;
+  std::set<std::pair<std::ptrdiff_t, std::size_t>> counted_;  // instances of a cell, by block
+  std::map<RunPhase, double> phase_s_;
+};
+
+std::string cell_name(const CellEstimate& cell) {
+  return fmt::format("{} {}n={} with {} {}", cell.family,
+                     cell.parameters.empty() ? "" : cell.parameters + " ", cell.n, cell.algorithm,
+                     cell.options);
+}
+
+void refuse_above(const CellEstimate& cell, double estimated, double limit, const char* unit,
+                  const std::string& what) {
+  if (estimated <= limit) return;
+  throw InputError(fmt::format("{} is estimated at {:.3g} {}, {} {:.3g} {}", cell_name(cell),
+                               estimated, unit, what, limit, unit));
+}
+
+// The largest rows that may be made at the same time.
+void refuse_together(const StudyEstimate& estimate, double memory_bytes) {
+  std::vector<const CellEstimate*> cells;
+  for (const CellEstimate& cell : estimate.cells) cells.push_back(&cell);
+  std::stable_sort(cells.begin(), cells.end(), [](const CellEstimate* a, const CellEstimate* b) {
+    return a->row_bytes > b->row_bytes;
+  });
+  auto left = static_cast<std::size_t>(estimate.threads);
+  double bytes = 0;
+  for (const CellEstimate* cell : cells) {
+    const std::size_t at_once = std::min(left, cell->rows);
+    bytes += cell->row_bytes * static_cast<double>(at_once);
+    left -= at_once;
+  }
+  if (bytes <= memory_bytes) return;
+  throw InputError(
+      fmt::format("the largest rows, made {} at a time, are estimated at {:.3g} bytes, but this "
+                  "machine has {:.3g} bytes: --threads can be fewer",
+                  estimate.threads, bytes, memory_bytes));
+}
+
+}  // namespace
+
+StudyEstimate estimate(const StudyPlan& plan, int threads) { return Estimator(plan).run(threads); }
+
+double available_memory() {
+  double bytes = std::numeric_limits<double>::infinity();
+  std::ifstream meminfo("/proc/meminfo");
+  double kilobytes = 0;
+  for (std::string name, unit; meminfo >> name >> kilobytes >> unit;) {
+    if (name == "MemTotal:") {
+      bytes = kilobytes * 1024;
+      break;
+    }
+  }
+  double limit = 0;
+  if (std::ifstream("/sys/fs/cgroup/memory.max") >> limit) bytes = std::min(bytes, limit);
+  return bytes;
+}
+
+void refuse_impossible(const StudyPlan& plan, const StudyEstimate& estimate, double memory_bytes) {
+  for (const CellEstimate& cell : estimate.cells) {
+    refuse_above(cell, cell.row_bytes, memory_bytes, "bytes", "but this machine has");
+    if (plan.budget.row_memory_bytes) {
+      refuse_above(cell, cell.row_bytes / 2, (*plan.budget.row_memory_bytes)(cell.n), "bytes",
+                   "even halved, but budget.row_memory gives");
+    }
+    if (plan.budget.row_time_s) {
+      refuse_above(cell, cell.row_s / 2, (*plan.budget.row_time_s)(cell.n), "s",
+                   "even halved, but budget.row_time gives");
+    }
+  }
+  refuse_together(estimate, memory_bytes);
+}
+
+}  // namespace ar3d

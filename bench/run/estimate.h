@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ar3d/bench/plan/plan.h"
+
+namespace ar3d {
+
+/// All rows of a family with parameters, at one size, by one algorithm with options.
+struct CellEstimate {
+  std::string family;
+  std::string parameters;
+  std::string algorithm;
+  std::string options;
+  std::uint64_t n = 0;
+  std::size_t instances = 0;
+  std::size_t rows = 0;  ///< without the optional ones
+  double row_s = 0;      ///< estimated: generating, drawing and certifying one graph
+  double draw_s = 0;     ///< estimated: drawing alone
+  double total_s = 0;    ///< estimated: all rows, on one core
+  double row_bytes = 0;  ///< estimated: peak of a row above the program's own memory
+};
+
+/// What a study will cost, extrapolated from runs at small sizes on this machine: for each family
+/// and algorithm a power law through two sizes for the CPU time (exponent between 1 and 2.5), and
+/// proportional to n for the memory. An estimate: expect it to be right within a factor of about
+/// three.
+struct StudyEstimate {
+  std::vector<CellEstimate> cells;  ///< in the plan's order
+  std::size_t rows = 0;             ///< without the optional ones
+  std::size_t optional_rows = 0;
+  int threads = 1;    ///< rows at a time in the metrics phase
+  double wall_s = 0;  ///< of the whole study on so many threads
+  double largest_row_bytes = 0;
+  std::uint64_t calibration_n = 0;  ///< the largest size that was drawn for it
+};
+
+/// Draws each family with each algorithm at two sizes, the larger one 3000 or a thirtieth of the
+/// largest planned, but at most 33,333: a few seconds for the whole catalogue.
+StudyEstimate estimate(const StudyPlan& plan, int threads);
+
+/// Memory that this process may use in bytes: the machine's, or its control group's if that is
+/// less.
+double available_memory();
+
+/// @throws InputError naming the first cell that is impossible: estimated above the machine's
+/// memory, or more than twice above the budget's row_memory or row_time; or if the largest rows
+/// that may be made at the same time are above the memory together.
+void refuse_impossible(const StudyPlan& plan, const StudyEstimate& estimate, double memory_bytes);
+
+}  // namespace ar3d

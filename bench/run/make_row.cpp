@@ -1,0 +1,242 @@
+#include "ar3d/bench/run/make_row.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <new>
+
+#include "ar3d/bench/measure/environment.h"
+#include "ar3d/bench/measure/stopwatch.h"
+#include "ar3d/formats/drawings/drawing_jsonl.h"
+#include "ar3d/formats/text/output.h"
+#include "ar3d/model/error.h"
+#include "ar3d/results/columns.h"
+#include "ar3d/verify/certificate.h"
+#include "ar3d/verify/metrics.h"
+
+namespace ar3d {
+namespace {
+
+std::string counters_text(const std::vector<Counter>& counters) {
+  std::string text;
+  text.reserve(24 * counters.size());
+  for (const Counter& counter : counters) {
+    const fmt::format_int value(counter.value);
+    if (!text.empty()) text += ';';
+    text.append(counter.name).append("=").append(value.data(), value.size());
+  }
+  return text;
+}
+
+void record_verdict(RunRecord& run, const Certificate& certificate) {
+  run.violations = static_cast<std::int64_t>(certificate.violations.size());
+  run.status = certificate.valid() ? RunStatus::ok : RunStatus::violated;
+  if (!certificate.valid()) run.message = certificate.violations.front().message;
+}
+
+void record_metrics(RunRecord& run, const Metrics& metrics) {
+  run.extents = metrics.extents;
+  run.log2_volume = metrics.log2_volume;
+  run.volume_per_n3 = metrics.volume_per_n3;
+  run.theorem_bound = metrics.theorem_bound;
+  run.slack = metrics.slack;
+  run.total_edge_length = metrics.total_edge_length;
+  run.longest_edge_length = metrics.longest_edge_length;
+  run.smallest_vertex_distance = metrics.smallest_vertex_distance;
+  run.bends.fill(0);
+  for (std::size_t bends = 0; bends < metrics.bend_histogram.size(); ++bends) {
+    run.bends[std::min(bends, run.bends.size() - 1)] +=
+        static_cast<std::int64_t>(metrics.bend_histogram[bends]);
+  }
+}
+
+void record_published_bound(RunRecord& run, const Guarantee& guarantee) {
+  if (guarantee.published.empty()) return;
+  const SizeBound& published = guarantee.published.front();
+  for (std::size_t axis = 0; axis < 3 && run.n > 0; ++axis) {
+    run.published_bound[axis] = published.axes[axis].value(static_cast<std::uint64_t>(run.n));
+  }
+}
+
+double timed_writing_s(const Drawing& drawing) {
+  OutputFile nowhere("/dev/null");
+  const Stopwatch time;
+  write_drawing_line(nowhere, drawing);
+  nowhere.flush();
+  return time.wall_s();
+}
+
+RunRecord instance_row(const PlannedInstance& instance) {
+  RunRecord run;
+  run.family = instance.choice.family->name;
+  run.parameters = instance.parameters;
+  run.wanted_n = static_cast<std::int64_t>(instance.wanted_n);
+  run.instance_index = instance.index;
+  run.seed = instance.seed;
+  return run;
+}
+
+void set_run(const PlannedRun& planned, RunRecord& run) {
+  run.row_key = planned.row_key;
+  run.algorithm = planned.choice.algorithm->name;
+  run.options = planned.options;
+  run.phase = planned.phase;
+  run.scale = planned.scale;
+  run.repetition = planned.repetition;
+}
+
+// A row that no results file could hold (a name that is too long, say) is a bug, but only of this
+// row.
+void mark_if_not_storable(RunRecord& run) {
+  if (attempt(run, [&] { require_storable(run); })) return;
+  run.status = RunStatus::crashed;
+  run.counters.clear();
+}
+
+}  // namespace
+
+bool attempt(RunRecord& run, const std::function<void()>& step) {
+  const auto failed = [&run](RunStatus status, const char* message) {
+    run.status = status;
+    run.message = message;
+    return false;
+  };
+  try {
+    step();
+    return true;
+  } catch (const InputError& error) {
+    return failed(RunStatus::refused, error.what());
+  } catch (const std::bad_alloc&) {
+    return failed(RunStatus::out_of_memory, "out of memory");
+  } catch (const std::exception& error) {
+    return failed(RunStatus::crashed, error.what());
+  }
+}
+
+RowMaker::RowMaker(const Circumstances& circumstances)
+    : circumstances_(circumstances), memory_(circumstances.memory) {}
+
+void RowMaker::prepare(const PlannedInstance& instance) {
+  graph_.reset();
+  base_ = instance_row(instance);
+  attempt(base_, [&] {
+    const FamilyChoice& choice = instance.choice;
+    const Stopwatch time;
+    Graph graph = generate(*choice.family, instance.wanted_n, instance.seed, choice.parameters);
+    base_.generate_s = time.wall_s();
+    base_.n = graph.num_vertices();
+    base_.m = graph.num_edges();
+    base_.graph_hash = graph_hash(graph);
+    graph_ = std::move(graph);
+  });
+}
+
+RunRecord RowMaker::begun(const PlannedRun& planned) const {
+  RunRecord run = base_;
+  set_run(planned, run);
+  run.concurrency = circumstances_.concurrency;
+  run.core = circumstances_.core;
+  run.timing_mark = timing_mark();
+  return run;
+}
+
+RunRecord RowMaker::make(const PlannedRun& planned, const RowRequest& request) {
+  RunRecord run = begun(planned);
+  run.base_bytes = memory_.begin_row();
+  if (graph_) attempt(run, [&] { draw_and_certify(planned, request, run); });
+  run.peak_bytes = memory_.peak_bytes();
+  run.peak_scope = to_string(memory_.scope());
+  mark_if_not_storable(run);
+  return run;
+}
+
+void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& request,
+                                RunRecord& run) {
+  const AlgorithmChoice& choice = planned.choice;
+  for (std::uint32_t i = 0; i < request.warm_ups; ++i) {
+    draw(*choice.algorithm, *graph_, choice.options);
+  }
+  run.warm_ups = request.warm_ups;
+  if (request.warm_ups > 0) memory_.restart();
+  const Drawing drawing = timed_drawing(*graph_, choice, counters_, run);
+  if (memory_.scope() != MemoryScope::process) run.draw_peak_bytes = memory_.peak_bytes();
+  run.drawing_hash = drawing_hash(drawing);
+  run.counters = counters_text(drawing.counters);
+  if (drawing.instance_bound) run.instance_bound = *drawing.instance_bound;
+  if (request.write) run.write_s = timed_writing_s(drawing);
+  if (!request.certify) {
+    run.status = RunStatus::ok;
+    return;
+  }
+  const Stopwatch certifying_time;
+  const Certificate certificate = certify(*graph_, drawing, choice.algorithm->guarantee);
+  run.certify_s = certifying_time.wall_s();
+  record_verdict(run, certificate);
+  record_metrics(run, measure(*graph_, drawing, choice.algorithm->guarantee));
+  record_published_bound(run, choice.algorithm->guarantee);
+  record_formulas(*choice.algorithm, run);
+}
+
+void RowMaker::record_formulas(const Algorithm& algorithm, RunRecord& run) {
+  if (formulas_.of != &algorithm) {
+    const std::vector<SizeBound>& published = algorithm.guarantee.published;
+    formulas_ = {&algorithm, algorithm.guarantee.bound.formula(),
+                 published.empty() ? std::string() : published.front().formula()};
+  }
+  run.theorem_bound_formula = formulas_.theorem;
+  run.published_bound_formula = formulas_.published;
+}
+
+Drawing timed_drawing(const Graph& graph, const AlgorithmChoice& choice, HardwareCounters& counters,
+                      RunRecord& run) {
+  counters.start();
+  const CpuStopwatch cpu;
+  const Stopwatch time;
+  Drawing drawing = draw(*choice.algorithm, graph, choice.options);
+  run.wall_s = time.wall_s();
+  run.cpu_s = cpu.cpu_s();
+  const CountedEvents events = counters.stop();
+  run.instructions = events.instructions;
+  run.cycles = events.cycles;
+  run.cache_misses = events.cache_misses;
+  return drawing;
+}
+
+RunRecord planned_row(const PlannedInstance& instance, const PlannedRun& planned) {
+  RunRecord run = instance_row(instance);
+  set_run(planned, run);
+  return run;
+}
+
+RunRecord failed_row(const PlannedInstance& instance, const PlannedRun& planned,
+                     const RunRecord& failed) {
+  RunRecord run = planned_row(instance, planned);
+  run.n = failed.n;
+  run.m = failed.m;
+  run.graph_hash = failed.graph_hash;
+  run.status = failed.status;
+  run.message = failed.message;
+  return run;
+}
+
+bool is_drawn(const RunRecord& run) {
+  return run.status == RunStatus::ok || run.status == RunStatus::violated;
+}
+
+void take_over_certificate(const RunRecord& certified, RunRecord& run) {
+  if (run.status != RunStatus::ok) return;
+  if (run.drawing_hash != certified.drawing_hash) {
+    run.status = RunStatus::crashed;
+    run.message = "another drawing than the certified one of the same graph and options";
+    return;
+  }
+  std::string bytes;
+  for (const Column& column : run_columns()) {
+    if (column.kind != ColumnKind::result) continue;
+    bytes.assign(column.size, '\0');
+    column.store(certified, bytes.data());
+    column.load(bytes.data(), run);
+  }
+}
+
+}  // namespace ar3d

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ar3d/bench/measure/stopwatch.h"
+
+namespace ar3d {
+
+/// Gives out the next ticket, each once over all ranks; called by several threads at once.
+using Tickets = std::function<std::optional<std::size_t>()>;
+
+/// A job that was made ready.
+struct Work {
+  std::function<void()> run;          ///< what is timed
+  std::function<std::string()> tell;  ///< what came out; called once `run` is done
+};
+/// Makes a job ready: whatever is not to be timed.
+using MakeReady = std::function<Work(const std::string& job)>;
+
+/// A job that ranks have done at the same time.
+struct DoneAtOnce {
+  double wall_s = 0;              ///< from the word to begin to the news that the last is done
+  std::vector<std::string> told;  ///< rank by rank
+};
+
+/// The processes that make one study together. This class is a process that is alone; the program
+/// for mpirun has another (apps/mpi/mpi_ranks.cpp). What several ranks do together, all of them
+/// have to call.
+class Ranks {
+ public:
+  virtual ~Ranks() = default;
+  virtual int rank() const { return 0; }
+  virtual int size() const { return 1; }
+  bool is_first() const { return rank() == 0; }
+
+  /// The text of rank 0.
+  virtual std::string from_first(const std::string& text) { return text; }
+  /// The text of the first rank that has any. No rank returns before all have come.
+  virtual std::string any_of(const std::string& text) { return text; }
+
+  /// Calls `use` on every rank with tickets for 0 .. work.size() - 1, roughly in this order;
+  /// work[i] is what ticket i costs in any unit. The tickets of a process that is alone are empty:
+  /// it may take all in any order.
+  virtual void share_out(const std::vector<double>& work,
+                         const std::function<void(const Tickets&)>& use) {
+    (void)work;
+    use({});
+  }
+
+  /// On rank 0: ranks 0 .. count - 1 make a job ready, wait for each other, and do it at the same
+  /// time, by rank 0's clock; the others are in help() meanwhile.
+  /// @throws InternalError what went wrong at one of them. @pre count <= size().
+  virtual DoneAtOnce at_once(int count, const std::string& job, const MakeReady& make_ready) {
+    (void)count;
+    const Work work = make_ready(job);
+    const Stopwatch time;
+    work.run();
+    const double wall_s = time.wall_s();
+    return {wall_s, {work.tell()}};
+  }
+  /// On the others: does the jobs of rank 0 until it calls dismiss().
+  virtual void help(const MakeReady& make_ready) { (void)make_ready; }
+  virtual void dismiss() {}
+
+  /// Ends the others, which may wait for this rank for ever, where it fails on its own.
+  virtual void give_up() {}
+};
+
+}  // namespace ar3d

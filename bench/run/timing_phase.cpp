@@ -1,0 +1,128 @@
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <unordered_map>
+
+#include "ar3d/bench/run/phases.h"
+#include "ar3d/bench/run/precision.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+namespace {
+
+// One drawing's repetitions.
+struct TimedDrawing {
+  std::size_t place = 0;
+  std::shared_ptr<const PlannedInstance> instance;
+  std::deque<const PlannedRun*> left;  // rows not made yet, by repetition
+  std::vector<double> times_s;
+  std::optional<RunRecord> certified;
+
+  bool needs_more() const {
+    if (left.empty()) return false;
+    const PlannedRun& next = *left.front();
+    return !next.optional || median_precision(times_s) > next.precision;
+  }
+};
+
+class TimingSource final : public RowSource {
+ public:
+  TimingSource(const StudyPlan& plan, const TimingRules& rules, const RowHooks& hooks,
+               KnownFailure failure)
+      : RowSource(plan.instances), rules_(rules), hooks_(hooks), failure_(std::move(failure)) {
+    for (const PlannedBlock& block : plan.instances.blocks()) {
+      if (!has_run(block.first, [](RunPhase phase) { return phase == RunPhase::timing; })) continue;
+      for (std::size_t i = 0; i < block.count; ++i) add_drawings(block.first_place + i);
+    }
+    for (std::size_t i = 0; i < drawings_.size(); ++i) {
+      if (drawings_[i].needs_more()) round_.push_back(i);
+    }
+  }
+
+  std::optional<RowJob> next(int) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    while (!round_.empty()) {
+      const std::size_t place = round_.front();
+      round_.pop_front();
+      TimedDrawing& drawing = drawings_[place];
+      if (const auto failed = failure_(*drawing.instance, *drawing.left.front())) {
+        fail_all(drawing, *failed);
+        continue;
+      }
+      const PlannedRun* run = drawing.left.front();
+      drawing.left.pop_front();
+      in_hand_[run] = place;
+      return RowJob{
+          drawing.place, drawing.instance, run, {!drawing.certified, rules_.warm_up, rules_.write}};
+    }
+    return std::nullopt;
+  }
+
+  void done(const RowJob& job, RunRecord row) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::size_t place = in_hand_.at(job.run);
+    in_hand_.erase(job.run);
+    TimedDrawing& drawing = drawings_[place];
+    if (drawing.certified) {
+      take_over_certificate(*drawing.certified, row);
+    } else if (is_drawn(row)) {
+      drawing.certified = row;
+    }
+    hooks_.emit(job.run->row, row);
+    if (!is_drawn(row)) {
+      fail_all(drawing, row);
+      return;
+    }
+    drawing.times_s.push_back(row.wall_s);
+    if (drawing.needs_more()) round_.push_back(place);
+  }
+
+ private:
+  // The drawings of an instance: runs of one algorithm and options follow each other in the plan.
+  void add_drawings(std::size_t place) {
+    const auto instance = std::make_shared<const PlannedInstance>(instances()[place]);
+    const PlannedRun* previous = nullptr;
+    for (const PlannedRun& run : instance->runs) {
+      if (run.phase != RunPhase::timing) continue;
+      const bool same = previous != nullptr && run.options == previous->options &&
+                        run.choice.algorithm == previous->choice.algorithm;
+      if (!same) {
+        drawings_.emplace_back().instance = instance;
+        drawings_.back().place = place;
+      }
+      previous = &run;
+      if (!hooks_.wanted || hooks_.wanted(run.row_key)) {
+        drawings_.back().left.push_back(&run);
+      } else if (hooks_.known) {
+        const std::optional<RunRecord> known = hooks_.known(run.row_key);
+        if (known && is_drawn(*known)) drawings_.back().times_s.push_back(known->wall_s);
+      }
+    }
+  }
+
+  // Every row that the study needs of a drawing that failed is a row that says so.
+  void fail_all(TimedDrawing& drawing, const RunRecord& failed) {
+    for (const PlannedRun* run : drawing.left) {
+      if (run->optional) continue;
+      hooks_.emit(run->row, failed_row(*drawing.instance, *run, failed));
+    }
+    drawing.left.clear();
+  }
+
+  const TimingRules& rules_;
+  const RowHooks& hooks_;
+  KnownFailure failure_;
+  std::mutex mutex_;
+  std::vector<TimedDrawing> drawings_;
+  std::deque<std::size_t> round_;  // places in drawings_ of those that wait for their turn
+  std::unordered_map<const PlannedRun*, std::size_t> in_hand_;
+};
+
+}  // namespace
+
+std::unique_ptr<RowSource> timing_source(const StudyPlan& plan, const TimingRules& rules,
+                                         const RowHooks& hooks, KnownFailure failure) {
+  return std::make_unique<TimingSource>(plan, rules, hooks, std::move(failure));
+}
+
+}  // namespace ar3d

@@ -1,0 +1,241 @@
+#include "ar3d/bench/run/worker_process.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <omp.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include "ar3d/bench/measure/pinning.h"
+#include "ar3d/model/error.h"
+#include "ar3d/results/columns.h"
+
+namespace ar3d {
+namespace {
+
+constexpr char kBegun = 'b';
+constexpr char kMade = 'm';
+
+std::size_t message_size() { return 1 + run_record_size(); }
+
+bool send_all(int socket, const char* bytes, std::size_t size) {
+  while (size > 0) {
+    const ssize_t sent = ::send(socket, bytes, size, MSG_NOSIGNAL);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent <= 0) return false;
+    bytes += sent;
+    size -= static_cast<std::size_t>(sent);
+  }
+  return true;
+}
+
+bool receive_all(int socket, char* bytes, std::size_t size) {
+  while (size > 0) {
+    const ssize_t got = recv(socket, bytes, size, 0);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    bytes += got;
+    size -= static_cast<std::size_t>(got);
+  }
+  return true;
+}
+
+// How many processes the kernel has killed for want of memory since it was started.
+long long oom_kills() {
+  std::ifstream in("/proc/vmstat");
+  long long count = 0;
+  for (std::string name; in >> name >> count;) {
+    if (name == "oom_kill") return count;
+  }
+  return 0;
+}
+
+std::int64_t address_space_bytes() {
+  std::ifstream in("/proc/self/statm");
+  std::int64_t pages = 0;
+  in >> pages;
+  return pages * sysconf(_SC_PAGESIZE);
+}
+
+// Lets this process map at most so much more than now, for its lifetime.
+class AddressSpaceLimit {
+ public:
+  explicit AddressSpaceLimit(const std::optional<double>& bytes) {
+    if (!bytes || getrlimit(RLIMIT_AS, &before_) != 0) return;
+    rlimit limit = before_;
+    const double sum = static_cast<double>(address_space_bytes()) + *bytes;
+    if (sum < 9e18) limit.rlim_cur = std::min(limit.rlim_max, static_cast<rlim_t>(sum));
+    set_ = setrlimit(RLIMIT_AS, &limit) == 0;
+  }
+  ~AddressSpaceLimit() {
+    if (set_) setrlimit(RLIMIT_AS, &before_);
+  }
+  AddressSpaceLimit(const AddressSpaceLimit&) = delete;
+  AddressSpaceLimit& operator=(const AddressSpaceLimit&) = delete;
+
+ private:
+  bool set_ = false;
+  rlimit before_{};
+};
+
+// The new process: own group, dies with its parent, keeps no descriptor but its socket and the
+// standard ones, leaves no core file.
+void become_worker(pid_t parent, int socket) {
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(0);  // it died before it could be asked to take us along
+  signal(SIGINT, SIG_DFL);
+  signal(SIGTERM, SIG_DFL);
+  const auto own = static_cast<unsigned>(socket);
+  if (own > 3) close_range(3, own - 1, 0);
+  close_range(own + 1, ~0U, 0);
+  const rlimit no_core{0, 0};
+  setrlimit(RLIMIT_CORE, &no_core);
+}
+
+// What a worker is told. It has the plan from its parent.
+struct Order {
+  std::size_t place = 0;  // of the instance
+  std::size_t run = 0;    // of its runs
+  RowRequest request;
+};
+static_assert(std::is_trivially_copyable_v<Order>);  // it is sent as it stands in memory
+
+// Tag and record: everything that a worker says.
+class Message {
+ public:
+  bool send(int socket, char tag, const RunRecord& run) {
+    bytes_[0] = tag;
+    store_record(run, bytes_.data() + 1);
+    return send_all(socket, bytes_.data(), bytes_.size());
+  }
+
+ private:
+  std::string bytes_ = std::string(message_size(), '\0');
+};
+
+// Serves rows until the parent hangs up.
+void serve(int socket, const PlannedInstances& instances, const Crew& crew, int core) {
+  omp_set_num_threads(1);  // a forked process has none of its parent's other threads
+  const Pinning pinning(core);
+  RowMaker maker(
+      {.concurrency = crew.size + crew.neighbours, .core = core, .memory = MemoryScope::worker});
+  PlannedInstance instance;
+  std::optional<std::size_t> prepared;
+  Message message;
+  Order order;
+  char bytes[sizeof order];
+  while (receive_all(socket, bytes, sizeof bytes)) {
+    std::memcpy(&order, bytes, sizeof order);
+    const bool is_new = prepared != order.place;
+    if (is_new) instance = instances[order.place];
+    const PlannedRun& planned = instance.runs.at(order.run);
+    RunRecord run;
+    {
+      std::optional<double> limit;
+      if (crew.budget.row_memory_bytes) limit = (*crew.budget.row_memory_bytes)(instance.n);
+      const AddressSpaceLimit memory(limit);
+      if (is_new) maker.prepare(instance);
+      prepared = order.place;
+      if (!message.send(socket, kBegun, maker.begun(planned))) return;
+      run = maker.make(planned, order.request);
+    }
+    if (!message.send(socket, kMade, run)) return;
+  }
+}
+
+}  // namespace
+
+WorkerProcess::WorkerProcess(const PlannedInstances& instances, const Crew& crew, int core)
+    : oom_kills_before_(oom_kills()) {
+  int ends[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
+    throw InputError(fmt::format("cannot make a socket for a worker: {}", std::strerror(errno)));
+  }
+  run_record_size();  // so that the columns are made once, by the parent
+  const pid_t parent = getpid();
+  pid_ = fork();
+  if (pid_ == 0) {
+    become_worker(parent, ends[1]);
+    try {
+      serve(ends[1], instances, crew, core);
+    } catch (...) {
+      _exit(1);
+    }
+    _exit(0);
+  }
+  close(ends[1]);
+  socket_ = ends[0];
+  if (pid_ < 0) {
+    const int error = errno;
+    close(socket_);
+    throw InputError(fmt::format("cannot start a worker: {}", std::strerror(error)));
+  }
+  setpgid(pid_, pid_);  // whoever comes first, the parent or the child
+  fcntl(socket_, F_SETFL, O_NONBLOCK);
+}
+
+WorkerProcess::~WorkerProcess() {
+  kill();
+  close(socket_);
+}
+
+bool WorkerProcess::send(const RowJob& job) {
+  const auto run = static_cast<std::size_t>(job.run - job.instance->runs.data());
+  const Order order{job.place, run, job.request};
+  char bytes[sizeof order];
+  std::memcpy(bytes, &order, sizeof order);
+  return send_all(socket_, bytes, sizeof bytes);  // far less than a socket's buffer: never waits
+}
+
+WorkerProcess::News WorkerProcess::read_news() {
+  char bytes[4096];
+  while (!hung_up_ && received_.size() < message_size()) {
+    const ssize_t got = recv(socket_, bytes, sizeof bytes, 0);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0 && errno == EAGAIN) return News::none;
+    hung_up_ = got <= 0;
+    if (got > 0) received_.append(bytes, static_cast<std::size_t>(got));
+  }
+  if (received_.size() < message_size()) return News::is_gone;
+  row_ = load_record(received_.data() + 1);
+  const bool begun = received_[0] == kBegun;
+  received_.erase(0, message_size());
+  return begun ? News::begun : News::made;
+}
+
+WorkerProcess::End WorkerProcess::end() {
+  int status = 0;
+  while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+  }
+  ::kill(-pid_, SIGKILL);  // what it may have started
+  pid_ = -1;
+  if (WIFEXITED(status)) {
+    return {RunStatus::crashed, fmt::format("exited with code {}", WEXITSTATUS(status))};
+  }
+  const int signal = WTERMSIG(status);
+  if (signal == SIGKILL && oom_kills() > oom_kills_before_) {
+    return {RunStatus::out_of_memory, "killed by the system for want of memory"};
+  }
+  return {RunStatus::crashed, fmt::format("killed by signal {} ({})", signal, strsignal(signal))};
+}
+
+void WorkerProcess::kill() {
+  if (pid_ < 0) return;
+  ::kill(-pid_, SIGKILL);
+  ::kill(pid_, SIGKILL);  // should it not have got as far as its own group
+  while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+  pid_ = -1;
+}
+
+}  // namespace ar3d

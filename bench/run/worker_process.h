@@ -1,0 +1,60 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <optional>
+#include <string>
+
+#include "ar3d/bench/run/row_source.h"
+
+namespace ar3d {
+
+/// A forked process that makes rows for its parent, in a process group of its own. It dies with its
+/// parent, and with this object.
+class WorkerProcess {
+ public:
+  /// @param instances  of the plan whose rows it will make.
+  /// @param core  the core it is pinned to, or -1.
+  /// @throws InputError if the system has no process or descriptor left.
+  WorkerProcess(const PlannedInstances& instances, const Crew& crew, int core);
+  ~WorkerProcess();
+  WorkerProcess(const WorkerProcess&) = delete;
+  WorkerProcess& operator=(const WorkerProcess&) = delete;
+
+  /// Hands out a row. False if the process is gone.
+  bool send(const RowJob& job);
+
+  /// What a worker tells of the row it has.
+  enum class News {
+    none,     ///< nothing yet
+    begun,    ///< the graph is there, the row itself begins; row() is what is known of it
+    made,     ///< row() is the row
+    is_gone,  ///< the process has ended: end()
+  };
+  /// Reads the next thing that has come; never waits.
+  News read_news();
+  const RunRecord& row() const { return row_; }
+
+  /// The descriptor that becomes readable with news.
+  int descriptor() const { return socket_; }
+
+  /// How the process ended, after is_gone: "killed by signal 11 (Segmentation fault)", …
+  struct End {
+    RunStatus status = RunStatus::crashed;
+    std::string message;
+  };
+  End end();
+
+  /// Ends the process and all that it has started.
+  void kill();
+
+ private:
+  pid_t pid_ = -1;
+  int socket_ = -1;
+  long long oom_kills_before_ = 0;
+  std::string received_;
+  bool hung_up_ = false;
+  RunRecord row_;
+};
+
+}  // namespace ar3d

@@ -1,0 +1,134 @@
+#include "ar3d/bench/search/hunt.h"
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+#include <utility>
+
+#include "ar3d/generators/shuffled_labels.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+namespace {
+
+constexpr std::uint64_t kStepStream = 1;
+constexpr int kSwitchTries = 20;
+
+bool has_edge(const Graph& graph, Vertex u, Vertex v) {
+  const auto edges = graph.incident(u);
+  return std::any_of(edges.begin(), edges.end(),
+                     [v](const HalfEdge& half) { return half.to == v; });
+}
+
+/// A few labels exchanged.
+Graph exchanged_labels(const Graph& graph, RandomStream& random) {
+  std::vector<Vertex> names(graph.num_vertices());
+  std::iota(names.begin(), names.end(), Vertex{0});
+  if (names.empty()) return graph;
+  for (std::uint32_t pairs = 1 + random.below(3); pairs > 0; --pairs) {
+    std::swap(names[random.below(graph.num_vertices())], names[random.below(graph.num_vertices())]);
+  }
+  return relabelled(graph, names);
+}
+
+Graph neighbour(const Graph& graph, RandomStream& random) {
+  return random.chance(1, 2) ? with_switched_edges(graph, random) : exchanged_labels(graph, random);
+}
+
+class Hunter {
+ public:
+  Hunter(const Subject& subject, const RatioRule& rule, const HuntOptions& options,
+         const std::function<void(const HuntResult&)>& progress)
+      : subject_(subject), rule_(rule), options_(options), progress_(progress) {}
+
+  HuntResult run() {
+    while (!is_over()) climb_from_new_start();
+    return std::move(result_);
+  }
+
+ private:
+  bool is_over() const {
+    if (result_.evaluations == 0) return false;
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
+    return !result_.best.failure.empty() || result_.evaluations >= options_.evaluations ||
+           (options_.seconds > 0 && elapsed.count() >= options_.seconds);
+  }
+
+  void climb_from_new_start() {
+    const std::uint64_t number = result_.starts++;
+    start_ = options_.families[number % options_.families.size()];
+    start_seed_ = mix_seed(options_.seed, number);
+    RandomStream random(start_seed_, kStepStream);
+    Graph graph = generate(*start_.family, options_.n, start_seed_, start_.parameters);
+    if (number >= options_.families.size()) graph = shuffled_labels(graph, random);
+    Trial current = evaluate(std::move(graph));
+    for (std::uint64_t stale = 0; stale < options_.patience && !is_over(); ++stale) {
+      Trial next = evaluate(neighbour(current.graph, random));
+      if (next.ratio < current.ratio) continue;
+      if (next.ratio > current.ratio) stale = 0;
+      current = std::move(next);
+    }
+  }
+
+  Trial evaluate(Graph graph) {
+    Trial trial = try_graph(subject_, rule_, std::move(graph));
+    ++result_.evaluations;
+    const bool is_first = result_.evaluations == 1;
+    if (is_first || !trial.failure.empty() || trial.ratio > result_.best.ratio) {
+      result_.best = trial;
+      result_.start = start_;
+      result_.start_seed = start_seed_;
+      if (progress_) progress_(result_);
+    }
+    return trial;
+  }
+
+  const Subject& subject_;
+  RatioRule rule_;
+  const HuntOptions& options_;
+  const std::function<void(const HuntResult&)>& progress_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  FamilyChoice start_;
+  std::uint64_t start_seed_ = 0;
+  HuntResult result_;
+};
+
+}  // namespace
+
+HuntResult hunt(const Subject& subject, const RatioRule& rule, const HuntOptions& options,
+                const std::function<void(const HuntResult&)>& progress) {
+  expect(!options.families.empty(), "a hunt has a family to start from");
+  return Hunter(subject, rule, options, progress).run();
+}
+
+std::vector<FamilyChoice> fitting_families(const Algorithm& algorithm, std::uint64_t n) {
+  std::vector<FamilyChoice> fitting;
+  for (const Family& family : families()) {
+    const ParameterValues parameters = complete_parameters(family, {});
+    const Graph graph = generate(family, n, 0, parameters);
+    if (graph.max_degree() <= algorithm.guarantee.max_degree && graph.num_edges() > 0) {
+      fitting.push_back({&family, parameters});
+    }
+  }
+  return fitting;
+}
+
+Graph with_switched_edges(const Graph& graph, RandomStream& random) {
+  if (graph.num_edges() < 2) return graph;
+  for (int tries = 0; tries < kSwitchTries; ++tries) {
+    const EdgeId first = random.below(graph.num_edges());
+    const EdgeId second = random.below(graph.num_edges());
+    Edge ab = graph.edge(first), cd = graph.edge(second);
+    if (random.chance(1, 2)) std::swap(cd.u, cd.v);
+    const bool is_simple = ab.u != cd.u && ab.u != cd.v && ab.v != cd.u && ab.v != cd.v &&
+                           !has_edge(graph, ab.u, cd.u) && !has_edge(graph, ab.v, cd.v);
+    if (!is_simple) continue;
+    std::vector<Edge> edges(graph.edges().begin(), graph.edges().end());
+    edges[first] = {ab.u, cd.u};
+    edges[second] = {ab.v, cd.v};
+    return Graph(graph.num_vertices(), std::move(edges));
+  }
+  return graph;
+}
+
+}  // namespace ar3d

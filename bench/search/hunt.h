@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "ar3d/bench/search/trial.h"
+#include "ar3d/model/random.h"
+
+namespace ar3d {
+
+struct HuntOptions {
+  std::vector<FamilyChoice> families;  ///< where searches start, in turn; not empty
+  std::uint64_t n = 40;                ///< wanted number of vertices
+  std::uint64_t seed = 1;
+  std::uint64_t evaluations = 1000;  ///< graphs drawn
+  double seconds = 0;                ///< stop after that time even so; 0: no limit
+  std::uint64_t patience = 60;       ///< evaluations without progress before a new start
+};
+
+struct HuntResult {
+  Trial best;  ///< the first failure, else the largest ratio
+  FamilyChoice start;
+  std::uint64_t start_seed = 0;
+  std::uint64_t evaluations = 0;
+  std::uint64_t starts = 0;
+};
+
+/// Searches for the largest ratio of measured to bound: random starts in the families (seeds),
+/// then steps that are kept unless the ratio falls: labels exchanged, or two edges switched so that
+/// all degrees stay. A failure ends the search at once. A pure function of its arguments unless
+/// `seconds` ends it.
+/// @param progress  called at every improvement of the best; may be empty.
+/// @throws InputError if no graph of a family can be drawn.
+HuntResult hunt(const Subject& subject, const RatioRule& rule, const HuntOptions& options,
+                const std::function<void(const HuntResult&)>& progress = {});
+
+/// All families of the catalogue whose graphs (of about n vertices) the algorithm draws.
+std::vector<FamilyChoice> fitting_families(const Algorithm& algorithm, std::uint64_t n);
+
+/// Two edges ab and cd become ac and bd, or ad and bc: the degrees stay. The same graph if no
+/// switch was found in a few tries. O(n + m).
+Graph with_switched_edges(const Graph& graph, RandomStream& random);
+
+}  // namespace ar3d

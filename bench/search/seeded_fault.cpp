@@ -1,0 +1,128 @@
+#include "ar3d/bench/search/seeded_fault.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+namespace {
+
+bool adjacent(const Graph& graph, Vertex u, Vertex v) {
+  const auto edges = graph.incident(u);
+  return std::any_of(edges.begin(), edges.end(),
+                     [v](const HalfEdge& half) { return half.to == v; });
+}
+
+struct Triangle {
+  EdgeId edge = 0;    // the first edge that lies on a triangle
+  Vertex corner = 0;  // the vertex across
+};
+
+std::optional<Triangle> first_triangle(const Graph& graph) {
+  for (EdgeId e = 0; e < graph.num_edges(); ++e) {
+    for (const HalfEdge& half : graph.incident(graph.edge(e).u)) {
+      if (adjacent(graph, half.to, graph.edge(e).v)) return Triangle{e, half.to};
+    }
+  }
+  return std::nullopt;
+}
+
+/// True if two vertices have two common neighbours.
+bool has_four_cycle(const Graph& graph) {
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+    for (const HalfEdge& a : graph.incident(v)) {
+      for (const HalfEdge& b : graph.incident(v)) {
+        if (a.to >= b.to) continue;
+        for (const HalfEdge& c : graph.incident(a.to)) {
+          if (c.to != v && adjacent(graph, c.to, b.to)) return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+/// The drawing with its points changed: every vertex and every edge's bends pass through the given
+/// functions.
+Drawing changed(const Drawing& drawing, const std::function<Point(Point)>& vertex,
+                const std::function<void(EdgeId, std::vector<Point>&)>& bends) {
+  Coordinates places(drawing.num_vertices(), kMaxCoordinate);
+  for (Vertex v = 0; v < drawing.num_vertices(); ++v) places.set(v, vertex(drawing.vertex(v)));
+  const auto edges = std::make_shared<std::vector<Edge>>();
+  const auto stored = std::make_shared<StoredBends>();
+  std::vector<Point> points;
+  for (EdgeId e = 0; e < drawing.num_edges(); ++e) {
+    edges->push_back(drawing.edge(e));
+    drawing.polyline(e, points);
+    std::vector<Point> inner(points.begin() + 1, points.end() - 1);
+    bends(e, inner);
+    stored->add_edge(inner);
+  }
+  return {drawing.algorithm(), drawing.lattice(), std::move(places), edges, stored};
+}
+
+/// An edge of a triangle bends on the triangle's third vertex instead.
+Drawing plant_wrong_bend(const Graph& graph, const Drawing& drawing, const Guarantee&) {
+  const auto triangle = first_triangle(graph);
+  if (!triangle) return drawing;
+  const Point wrong = drawing.vertex(triangle->corner);
+  return changed(
+      drawing, [](Point p) { return p; },
+      [&](EdgeId e, std::vector<Point>& bends) {
+        if (e != triangle->edge) return;
+        if (bends.empty()) bends.push_back(wrong);
+        bends.front() = wrong;
+      });
+}
+
+/// Stretched until it leaves the theorem's box: angles, directions and crossings stay right. The
+/// points stay within a few times the bound, so below 2^60 for n <= 10^6.
+Drawing plant_passed_bound(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee) {
+  if (!has_four_cycle(graph)) return drawing;
+  if (graph.num_vertices() > 1000000) {
+    throw InputError("this fault is planted in graphs of at most 1000000 vertices only");
+  }
+  const std::array<std::int64_t, 3> extents = bounding_box(drawing).extents();
+  std::int64_t factor = kMaxCoordinate;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (extents[axis] == 0) continue;
+    const double share =
+        guarantee.bound.axes[axis].value(graph.num_vertices()) / static_cast<double>(extents[axis]);
+    factor = std::min(factor, 1 + static_cast<std::int64_t>(std::ceil(share)));
+  }
+  const auto stretched = [factor](Point p) {
+    return Point{factor * p.x, factor * p.y, factor * p.z};
+  };
+  return changed(drawing, stretched, [&](EdgeId, std::vector<Point>& bends) {
+    for (Point& bend : bends) bend = stretched(bend);
+  });
+}
+
+}  // namespace
+
+const std::vector<SeededFault>& seeded_faults() {
+  static const std::vector<SeededFault> rows = {
+      {"wrong-bend", "an edge of a triangle bends on the triangle's third vertex",
+       plant_wrong_bend},
+      {"passed-bound", "graphs with a cycle of length 4 are drawn larger than the theorem allows",
+       plant_passed_bound}};
+  return rows;
+}
+
+const SeededFault& find_seeded_fault(std::string_view name) {
+  std::string known;
+  for (const SeededFault& row : seeded_faults()) {
+    if (row.name == name) return row;
+    known += (known.empty() ? "" : ", ") + row.name;
+  }
+  throw InputError(fmt::format("unknown planted fault '{}' (known: {})", name, known));
+}
+
+}  // namespace ar3d

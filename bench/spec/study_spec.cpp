@@ -1,0 +1,294 @@
+#include "ar3d/bench/spec/study_spec.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <limits>
+
+#include "ar3d/bench/spec/named_studies.h"
+#include "ar3d/bench/spec/read_measures.h"
+#include "ar3d/bench/spec/toml_table.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+namespace {
+
+constexpr std::int64_t kMaxN = 4294967294;  // a graph has n < 2^32 - 1 vertices
+constexpr std::int64_t kMaxCount = 1000000;
+constexpr std::size_t kMaxChoices = 100000;
+
+// One integer setting of a family or an algorithm and the values that it takes in turn.
+struct Setting {
+  std::string name;
+  std::vector<std::int64_t> values;
+};
+
+// Every combination of the settings, the last one fastest, as a list of ParameterValue or
+// OptionValue.
+template <class Value>
+std::vector<std::vector<Value>> combinations(const std::vector<Setting>& settings) {
+  std::vector<std::vector<Value>> all = {{}};
+  for (const Setting& setting : settings) {
+    std::vector<std::vector<Value>> longer;
+    for (const auto& prefix : all) {
+      for (const std::int64_t value : setting.values) {
+        longer.push_back(prefix);
+        longer.back().push_back({setting.name, value});
+      }
+    }
+    if (longer.size() > kMaxChoices) throw InputError("more than 100000 combinations of settings");
+    all = std::move(longer);
+  }
+  return all;
+}
+
+class SpecReader {
+ public:
+  explicit SpecReader(const std::string& file) : file_(file) {}
+
+  StudySpec read(const std::string& text) {
+    const toml::table root = parse_toml(text, file_);
+    TomlTable table(file_, root, "the study");
+    StudySpec spec;
+    spec.text = text;
+    spec.name = study_name(table);
+    spec.description = table.text("description", "");
+    spec.seed = static_cast<std::uint64_t>(
+        table.integer("seed", 0, std::numeric_limits<std::int64_t>::max(), 0));
+    if (const toml::node* limits = table.find("max_n")) spec.max_n = size_limits(*limits);
+    if (const toml::node* rules = table.find("timing")) {
+      spec.timing = read_timing_rules(file_, *rules);
+    }
+    if (const toml::node* budget = table.find("budget")) spec.budget = read_budget(file_, *budget);
+    for (const toml::node* sweep : list(table.get("sweep"), "sweep")) {
+      spec.sweeps.push_back(read_sweep(*sweep));
+    }
+    table.refuse_other_keys();
+    return spec;
+  }
+
+ private:
+  // The name becomes part of file names.
+  std::string study_name(TomlTable& table) {
+    const std::string name = table.text("study");
+    const bool plain = !name.empty() && name.size() <= 64 && name[0] != '-' &&
+                       std::all_of(name.begin(), name.end(), [](char c) {
+                         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                                (c >= '0' && c <= '9') || c == '-' || c == '_';
+                       });
+    if (!plain) {
+      refuse_toml(file_, table.get("study"),
+                  fmt::format("study name '{}' is not 1 to 64 letters, digits, '-' or '_'", name));
+    }
+    return name;
+  }
+
+  std::vector<const toml::node*> list(const toml::node& node, const std::string& what) const {
+    const std::vector<const toml::node*> nodes = one_or_many(node);
+    if (nodes.empty()) refuse_toml(file_, node, fmt::format("{} is empty", what));
+    return nodes;
+  }
+
+  std::map<std::string, std::uint64_t> size_limits(const toml::node& node) const {
+    TomlTable table(file_, node, "max_n");
+    std::map<std::string, std::uint64_t> limits;
+    for (const std::string& name : table.other_keys()) {
+      with_place(file_, table.get(name), [&] { find_algorithm(name); });
+      limits[name] = static_cast<std::uint64_t>(table.integer(name, 0, kMaxN));
+    }
+    return limits;
+  }
+
+  Sweep read_sweep(const toml::node& node) const {
+    TomlTable table(file_, node, "sweep");
+    Sweep sweep;
+    sweep.families = family_choices(table.get("families"));
+    sweep.sizes = sizes(table.get("sizes"));
+    sweep.algorithms = algorithm_choices(table.get("algorithms"));
+    sweep.instances = static_cast<std::uint32_t>(table.integer("instances", 1, kMaxCount, 1));
+    sweep.repetitions = static_cast<std::uint32_t>(table.integer("repetitions", 1, kMaxCount, 1));
+    if (const toml::node* timed = table.find("timed_repetitions")) {
+      sweep.timed = read_timed_repetitions(file_, *timed);
+    }
+    const auto read = [&](const char* key, const char* sharers, Batches& batches) {
+      const toml::node* found = table.find(key);
+      if (found != nullptr) batches = read_batches(file_, *found, key, sharers);
+    };
+    read("strong", "threads", sweep.strong);
+    read("weak", "threads", sweep.weak);
+    read("strong_ranks", "ranks", sweep.strong_ranks);
+    read("weak_ranks", "ranks", sweep.weak_ranks);
+    if (const toml::node* include = table.find("include")) {
+      list(*include, "include");  // an empty one would match no cell, or all of them
+      sweep.include = patterns(*include);
+    }
+    if (const toml::node* exclude = table.find("exclude")) sweep.exclude = patterns(*exclude);
+    table.refuse_other_keys();
+    return sweep;
+  }
+
+  // "name", or { <key> = "name", setting = value or list, ... }: the name and the settings in order
+  // of name.
+  std::string name_and_settings(const toml::node& node, const std::string& key,
+                                std::vector<Setting>& settings) const {
+    if (node.is_string()) return toml_text(file_, node, key);
+    TomlTable table(file_, node, key);
+    const std::string name = table.text(key);
+    for (const std::string& setting : table.other_keys()) {
+      settings.push_back({setting, {}});
+      for (const toml::node* value : list(table.get(setting), setting)) {
+        settings.back().values.push_back(toml_integer(file_, *value, setting,
+                                                      std::numeric_limits<std::int64_t>::min(),
+                                                      std::numeric_limits<std::int64_t>::max()));
+      }
+    }
+    return name;
+  }
+
+  std::vector<FamilyChoice> family_choices(const toml::node& node) const {
+    std::vector<FamilyChoice> choices;
+    for (const toml::node* entry : list(node, "families")) {
+      std::vector<Setting> settings;
+      const std::string name = name_and_settings(*entry, "family", settings);
+      const auto add = [&](const Family& family) {
+        for (const ParameterValues& values : combinations<ParameterValue>(settings)) {
+          choices.push_back({&family, complete_parameters(family, values)});
+        }
+      };
+      with_place(file_, *entry, [&] {
+        if (name == "all") {
+          for (const Family& family : families()) add(family);
+        } else {
+          add(find_family(name));
+        }
+      });
+    }
+    return choices;
+  }
+
+  std::vector<AlgorithmChoice> algorithm_choices(const toml::node& node) const {
+    std::vector<AlgorithmChoice> choices;
+    for (const toml::node* entry : list(node, "algorithms")) {
+      std::vector<Setting> settings;
+      const std::string name = name_and_settings(*entry, "algorithm", settings);
+      if (name == "all" && settings.empty()) {
+        for (const Algorithm& algorithm : algorithms()) {
+          choices.push_back({&algorithm, complete_options(algorithm, {})});
+        }
+        continue;
+      }
+      with_place(file_, *entry, [&] {
+        const Algorithm& algorithm = find_algorithm(name);
+        for (const OptionValues& values : combinations<OptionValue>(settings)) {
+          choices.push_back({&algorithm, complete_options(algorithm, values)});
+        }
+      });
+    }
+    return choices;
+  }
+
+  std::vector<std::uint64_t> sizes(const toml::node& node) const {
+    std::vector<std::uint64_t> sizes;
+    for (const toml::node* entry : list(node, "sizes")) {
+      if (entry->is_table()) {
+        add_ladder(*entry, sizes);
+      } else {
+        sizes.push_back(static_cast<std::uint64_t>(toml_integer(file_, *entry, "size", 0, kMaxN)));
+      }
+    }
+    std::sort(sizes.begin(), sizes.end());
+    sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
+    return sizes;
+  }
+
+  // from, from * step, from * step^2, ... up to `to`, rounded to integers; step is `factor`, or
+  // 10^(1/per_decade).
+  void add_ladder(const toml::node& node, std::vector<std::uint64_t>& sizes) const {
+    TomlTable table(file_, node, "sizes");
+    const std::int64_t from = table.integer("from", 1, kMaxN);
+    const std::int64_t to = table.integer("to", from, kMaxN);
+    const bool by_factor = table.find("factor") != nullptr;
+    const double base = by_factor ? table.number("factor", 1.001, 1e6) : 10;
+    const auto steps = static_cast<double>(by_factor ? 1 : table.integer("per_decade", 1, 1000));
+    table.refuse_other_keys();
+    for (std::int64_t step = 0;; ++step) {
+      const double power = static_cast<double>(step) / steps;
+      const double size = std::round(static_cast<double>(from) * std::pow(base, power));
+      if (size > static_cast<double>(to)) return;
+      sizes.push_back(static_cast<std::uint64_t>(size));
+    }
+  }
+
+  std::vector<CellPattern> patterns(const toml::node& node) const {
+    std::vector<CellPattern> patterns;
+    for (const toml::node* entry : one_or_many(node)) {
+      TomlTable table(file_, *entry, "include or exclude");
+      CellPattern pattern;
+      pattern.family = table.text("family", "");
+      pattern.algorithm = table.text("algorithm", "");
+      pattern.from = static_cast<std::uint64_t>(table.integer("from", 0, kMaxN, 0));
+      pattern.to = static_cast<std::uint64_t>(table.integer("to", 0, kMaxN, kMaxN));
+      table.refuse_other_keys();
+      with_place(file_, *entry, [&] {
+        if (!pattern.family.empty()) find_family(pattern.family);
+        if (!pattern.algorithm.empty()) find_algorithm(pattern.algorithm);
+      });
+      patterns.push_back(std::move(pattern));
+    }
+    return patterns;
+  }
+
+  std::string file_;
+};
+
+std::string read_text_file(const std::string& path) {
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw InputError(fmt::format("cannot read {}: {}", path, std::strerror(errno)));
+  std::string text(std::istreambuf_iterator<char>(in), {});
+  if (in.bad()) throw InputError(fmt::format("cannot read {}: {}", path, std::strerror(errno)));
+  return text;
+}
+
+}  // namespace
+
+bool CellPattern::matches(const std::string& family_name, const std::string& algorithm_name,
+                          std::uint64_t n) const {
+  return (family.empty() || family == family_name) &&
+         (algorithm.empty() || algorithm == algorithm_name) && from <= n && n <= to;
+}
+
+StudySpec parse_study(const std::string& text, const std::string& file) {
+  return SpecReader(file).read(text);
+}
+
+StudySpec load_study(const std::string& name_or_path) {
+  if (const NamedStudy* study = find_named_study(name_or_path)) {
+    return parse_study(std::string(study->toml), std::string(study->name) + ".toml");
+  }
+  std::error_code error;
+  const auto status = std::filesystem::status(name_or_path, error);
+  if (std::filesystem::is_directory(status)) {
+    throw InputError(fmt::format("cannot read {}: {}", name_or_path, std::strerror(EISDIR)));
+  }
+  if (!std::filesystem::exists(status)) {
+    std::string known;
+    for (const NamedStudy& study : named_studies()) {
+      known += fmt::format("{}{}", known.empty() ? "" : ", ", study.name);
+    }
+    throw InputError(
+        fmt::format("'{}' is neither a file nor a named study (named: {})", name_or_path, known));
+  }
+  return parse_study(read_text_file(name_or_path), name_or_path);
+}
+
+std::string default_results_path(const StudySpec& spec) { return "ar3d-" + spec.name + ".h5"; }
+
+}  // namespace ar3d

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "ar3d/formats/text/output.h"
+#include "ar3d/formats/text/text_input.h"
+#include "ar3d/model/drawing.h"
+
+namespace ar3d {
+
+/// A graph of n vertices that could not be drawn, and why.
+struct UndrawnGraph {
+  std::uint64_t n = 0;
+  std::string error;
+  friend bool operator==(const UndrawnGraph&, const UndrawnGraph&) = default;
+};
+
+/// Appends the drawing as one line of JSON:
+///   {"n":N,"algorithm":"…","gram":[[…],[…],[…]],"gram_denominator":D,
+///    "vertices":[[x,y,z],…],"edges":[[u,v,[[x,y,z],…]],…]}
+/// with the bends of an edge in order from u to v. Exact: integers only.
+void append_drawing_line(std::string& out, const Drawing& drawing);
+
+/// Appends {"n":N,"error":"…"} as one line.
+void append_error_line(std::string& out, const UndrawnGraph& undrawn);
+
+/// Writes the drawing's line without ever holding it as a whole. @throws InputError if it cannot be
+/// written.
+void write_drawing_line(OutputFile& output, const Drawing& drawing);
+
+/// Reads drawings, and graphs that could not be drawn, line by line.
+class DrawingJsonlReader {
+ public:
+  using Line = std::variant<Drawing, UndrawnGraph>;
+
+  /// @throws InputError if the file cannot be opened or is empty ("-" is standard input; gzip and
+  /// xz are unpacked).
+  explicit DrawingJsonlReader(const std::string& path);
+  explicit DrawingJsonlReader(TextInput input);
+
+  /// The next line that is not blank; nothing at the end. Memory: the line and its drawing.
+  /// @throws InputError "FILE:LINE: message" on anything but the shape above: syntax errors,
+  /// unknown, missing or repeated keys, numbers that are not integers of 64 bits, coordinates
+  /// beyond kMaxCoordinate, ids out of range, a Gram matrix that is none.
+  std::optional<Line> next();
+
+  /// "FILE:LINE" of the line just given.
+  std::string where() const;
+
+ private:
+  std::unique_ptr<TextInput> input_;
+};
+
+}  // namespace ar3d

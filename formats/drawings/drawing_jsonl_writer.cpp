@@ -1,0 +1,88 @@
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "ar3d/formats/drawings/drawing_jsonl.h"
+#include "ar3d/formats/text/numbers_text.h"
+
+namespace ar3d {
+namespace {
+
+std::string json_string(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+void append_point(std::string& out, Point p) {
+  out += '[';
+  append_number(out, p.x);
+  out += ',';
+  append_number(out, p.y);
+  out += ',';
+  append_number(out, p.z);
+  out += ']';
+}
+
+void append_head(std::string& out, const Drawing& drawing) {
+  out += "{\"n\":";
+  append_number(out, drawing.num_vertices());
+  out += ",\"algorithm\":" + json_string(drawing.algorithm()) + ",\"gram\":[";
+  for (std::size_t row = 0; row < 3; ++row) {
+    const auto& entries = drawing.lattice().gram[row];
+    if (row > 0) out += ',';
+    append_point(out, {entries[0], entries[1], entries[2]});
+  }
+  out += "],\"gram_denominator\":";
+  append_number(out, drawing.lattice().gram_denominator);
+}
+
+void append_edge(std::string& out, Edge ends, const std::vector<Point>& polyline) {
+  out += '[';
+  append_number(out, ends.u);
+  out += ',';
+  append_number(out, ends.v);
+  out += ",[";
+  for (std::size_t i = 1; i + 1 < polyline.size(); ++i) {
+    if (i > 1) out += ',';
+    append_point(out, polyline[i]);
+  }
+  out += "]]";
+}
+
+/// Appends the line; `flush` is called after every vertex and edge and may empty the text.
+template <class Flush>
+void append_line(std::string& out, const Drawing& drawing, Flush flush) {
+  append_head(out, drawing);
+  out += ",\"vertices\":[";
+  for (std::size_t v = 0; v < drawing.num_vertices(); ++v) {
+    if (v > 0) out += ',';
+    append_point(out, drawing.vertex(static_cast<Vertex>(v)));
+    flush();
+  }
+  out += "],\"edges\":[";
+  std::vector<Point> polyline;
+  for (EdgeId e = 0; e < drawing.num_edges(); ++e) {
+    if (e > 0) out += ',';
+    drawing.polyline(e, polyline);
+    append_edge(out, drawing.edge(e), polyline);
+    flush();
+  }
+  out += "]}\n";
+}
+
+}  // namespace
+
+void append_drawing_line(std::string& out, const Drawing& drawing) {
+  append_line(out, drawing, [] {});
+}
+
+void append_error_line(std::string& out, const UndrawnGraph& undrawn) {
+  out += "{\"n\":";
+  append_number(out, undrawn.n);
+  out += ",\"error\":" + json_string(undrawn.error) + "}\n";
+}
+
+void write_drawing_line(OutputFile& output, const Drawing& drawing) {
+  append_line(output.pending(), drawing, [&] { output.flush_if_full(); });
+  output.flush_if_full();
+}
+
+}  // namespace ar3d

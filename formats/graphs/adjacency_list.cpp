@@ -1,0 +1,146 @@
+#include "ar3d/formats/graphs/adjacency_list.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "ar3d/formats/graphs/arc_collector.h"
+#include "ar3d/formats/graphs/edge_collector.h"
+#include "ar3d/formats/graphs/plain_rows.h"
+#include "ar3d/formats/text/line_shapes.h"
+#include "ar3d/formats/text/numbers_text.h"
+
+namespace ar3d {
+namespace {
+
+class AdjacencyListParser final : public GraphParser {
+ public:
+  AdjacencyListParser(TextInput& input, const ReadOptions& options)
+      : input_(input),
+        ids_(input, options, options.base),
+        arcs_(input, options.base, ArcCollector::Rule::one_or_both),
+        base_(options.base) {}
+
+  std::optional<Graph> next() override {
+    bool begun = false;
+    arcs_.begin();
+    while (const std::optional<std::string_view> line = next_odd_line(begun)) {
+      if (is_blank(*line)) continue;
+      if (std::optional<Tokens> header = size_header(input_, *line)) {
+        if (begun) {
+          input_.put_back();
+          break;
+        }
+        const std::uint64_t n = header->number("a number of vertices");
+        header->expect_done("the number of vertices");
+        ids_.begin(n);
+        begun = true;
+      } else if (!is_comment(*line)) {
+        if (!begun) ids_.begin(std::nullopt);
+        begun = true;
+        read_row(*line);
+      }
+    }
+    if (!begun) return std::nullopt;
+    return arcs_.finish(ids_.checked_n());
+  }
+
+ private:
+  /// The next line that is not read as one of many plain rows.
+  std::optional<std::string_view> next_odd_line(bool begun) {
+    constexpr std::uint64_t kAll = std::numeric_limits<std::uint64_t>::max();
+    if (begun) {
+      read_plain_rows(input_, true, kAll, [&](auto u, const auto& row, auto line) {
+        for (const std::uint64_t v : row) {
+          if (!ids_.accepts(u, v, line)) return false;
+        }
+        if (row.empty()) return false;  // its vertex counts, too: the careful reader's
+        for (const std::uint64_t v : row) {
+          arcs_.add(static_cast<Vertex>(u - base_), static_cast<Vertex>(v - base_), line);
+        }
+        return true;
+      });
+    }
+    return input_.next_line();
+  }
+  void read_row(std::string_view line) {
+    const std::size_t colon = line.find(':');
+    std::string_view before = colon == std::string_view::npos ? line : line.substr(0, colon);
+    Tokens vertex(input_, before);
+    const Vertex u = ids_.read_vertex(vertex);
+    Tokens row = vertex;
+    if (colon != std::string_view::npos) {
+      vertex.expect_done("the vertex before the colon");
+      row = Tokens(input_, line, colon + 1);
+    }
+    while (!row.done()) {
+      const Vertex v = ids_.read_vertex(row);
+      if (u == v) row.fail(fmt::format("edge ({0}, {0}) is a loop", std::uint64_t{u} + base_));
+      arcs_.add(u, v, input_.line());
+    }
+  }
+
+  TextInput& input_;
+  EdgeCollector ids_;
+  ArcCollector arcs_;
+  unsigned base_;
+};
+
+class AdjacencyListWriter final : public GraphWriter {
+ public:
+  AdjacencyListWriter(OutputFile& output, const WriteOptions& options)
+      : output_(output), base_(options.base) {}
+  void write(const Graph& graph) override {
+    std::string& out = output_.pending();
+    out += fmt::format("# vertices {}\n", graph.num_vertices());
+    for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+      append_number(out, std::uint64_t{v} + base_);
+      out += ':';
+      for (const HalfEdge& half : graph.incident(v)) {
+        out += ' ';
+        append_number(out, std::uint64_t{half.to} + base_);
+      }
+      out += '\n';
+      output_.flush_if_full();
+    }
+  }
+
+ private:
+  OutputFile& output_;
+  unsigned base_;
+};
+
+/// The first line that is no comment begins with a number and a colon.
+bool looks_like_adjacency_list(const InputHead& head) {
+  std::string_view text = head.text;
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    const std::string_view line = text.substr(0, end);
+    if (!is_blank(line) && !is_comment(line) && !line.starts_with("n ")) {
+      const std::size_t after = line.find_first_not_of("0123456789 \t");
+      return after != std::string_view::npos && after > 0 && line[after] == ':';
+    }
+    if (end == std::string_view::npos) return false;
+    text.remove_prefix(end + 1);
+  }
+  return false;
+}
+
+}  // namespace
+
+GraphFormat adjacency_list_format() {
+  return {
+      .name = "adjlist",
+      .extensions = {".adj", ".adjlist"},
+      .summary = "a vertex a line with its neighbours, \"u: v w …\"",
+      .detect = looks_like_adjacency_list,
+      .parser = [](TextInput& input, const ReadOptions& options) -> std::unique_ptr<GraphParser> {
+        return std::make_unique<AdjacencyListParser>(input, options);
+      },
+      .writer = [](OutputFile& output,
+                   const WriteOptions& options) -> std::unique_ptr<GraphWriter> {
+        return std::make_unique<AdjacencyListWriter>(output, options);
+      }};
+}
+
+}  // namespace ar3d

@@ -1,0 +1,163 @@
+#include "ar3d/formats/graphs/arc_collector.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace ar3d {
+namespace {
+
+template <class Arc>
+std::uint64_t number_of(const Arc& arc) {
+  return (std::uint64_t{arc.small} << 32) | arc.large;
+}
+
+}  // namespace
+
+void ArcCollector::begin(std::uint64_t announced) {
+  forward_.clear();
+  backward_.clear();
+  const std::uint64_t most = std::min(announced, input_->bytes_left() / 2);  // "1 " an arc
+  forward_.reserve(most / 2);
+  backward_.reserve(most / 2);
+}
+
+void ArcCollector::fail(const Arc& arc, bool backward, const char* problem) const {
+  const std::uint64_t from = std::uint64_t{backward ? arc.large : arc.small} + base_;
+  const std::uint64_t to = std::uint64_t{backward ? arc.small : arc.large} + base_;
+  input_->fail_at(arc.line, 0, fmt::format("({}, {}) {}", from, to, problem));
+}
+
+namespace {
+
+/// Sorts arcs by the end `key`, those with the same end in the order given (counting sort).
+template <class Arcs, class End>
+void group_by(std::uint64_t n, Arcs& arcs, End key) {
+  constexpr std::size_t kAhead = 16;  // arcs; hides the way to memory
+  UnwrittenVector<std::uint32_t> place(n + 1);
+  std::fill(place.begin(), place.end(), 0u);
+  for (const auto& arc : arcs) ++place[arc.*key + 1];
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  Arcs result(arcs.size());
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    if (i + 2 * kAhead < arcs.size()) {
+      __builtin_prefetch(&place[arcs[i + 2 * kAhead].*key], 1);
+      __builtin_prefetch(result.data() + place[arcs[i + kAhead].*key], 1);
+    }
+    result[place[arcs[i].*key]++] = arcs[i];
+  }
+  arcs.swap(result);
+}
+
+/// Sorts a few items, most of them in place already.
+template <class Iterator, class Before>
+void sort_row(Iterator begin, Iterator end, Before before) {
+  if (end - begin > 16) return std::sort(begin, end, before);
+  for (auto i = begin; i != end; ++i) {
+    for (auto j = i; j != begin && before(*j, *std::prev(j)); --j) std::iter_swap(j, std::prev(j));
+  }
+}
+
+/// Sorts arcs by the end `key`, then by `before`, which compares arcs with the same such end.
+template <class Arcs, class End, class Before>
+void sort_by(std::uint64_t n, Arcs& arcs, End key, Before before) {
+  const auto by_key = [key](const auto& a, const auto& b) { return a.*key < b.*key; };
+  const bool countable = arcs.size() <= std::numeric_limits<std::uint32_t>::max();
+  if (!std::is_sorted(arcs.begin(), arcs.end(), by_key)) {
+    if (n <= 8 * arcs.size() && countable) {
+      group_by(n, arcs, key);
+    } else {  // counting would cost more
+      std::stable_sort(arcs.begin(), arcs.end(), by_key);
+    }
+  }
+  for (auto row = arcs.begin(); row != arcs.end();) {
+    auto end = row;
+    while (end != arcs.end() && (*end).*key == (*row).*key) ++end;
+    sort_row(row, end, before);
+    row = end;
+  }
+}
+
+}  // namespace
+
+/// By smaller end, then larger, then line.
+void ArcCollector::sort_from_one_end(std::uint64_t n, Arcs& arcs) {
+  sort_by(n, arcs, &Arc::small, [](const Arc& a, const Arc& b) {
+    return std::tie(a.large, a.line) < std::tie(b.large, b.line);
+  });
+}
+
+void ArcCollector::refuse_repeats(const Arcs& arcs) const {
+  for (std::size_t i = 1; i < arcs.size(); ++i) {
+    if (number_of(arcs[i - 1]) == number_of(arcs[i]))
+      fail(arcs[i], &arcs == &backward_, "stands twice");
+  }
+}
+
+/// The graph, if each arc has its counterpart and none stands twice. The rows of the graph of the
+/// sorted forward arcs are sorted, so the backward arcs, sorted by the end that names them, must
+/// read like the beginnings of the rows: nothing is looked up.
+std::optional<Graph> ArcCollector::matched(std::uint64_t n) {
+  if (forward_.size() != backward_.size()) return std::nullopt;
+  sort_from_one_end(n, forward_);
+  sort_by(n, backward_, &Arc::large, [](const Arc& a, const Arc& b) { return a.small < b.small; });
+  std::vector<Edge> edges;
+  edges.reserve(forward_.size());
+  for (std::size_t i = 0; i < forward_.size(); ++i) {
+    if (i > 0 && number_of(forward_[i - 1]) == number_of(forward_[i])) return std::nullopt;
+    edges.push_back({forward_[i].small, forward_[i].large});
+  }
+  Graph graph(n, std::move(edges));
+  auto arc = backward_.begin();
+  for (Vertex v = 0; v < n; ++v) {
+    for (const HalfEdge& half : graph.incident(v)) {
+      if (half.to > v) break;
+      if (arc == backward_.end() || arc->large != v || arc->small != half.to) return std::nullopt;
+      ++arc;
+    }
+  }
+  return graph;
+}
+
+std::vector<Edge> ArcCollector::merged() {
+  constexpr const char* kAlone = "stands without its counterpart";
+  std::vector<Edge> edges;
+  edges.reserve(std::max(forward_.size(), backward_.size()));
+  std::size_t f = 0;
+  std::size_t b = 0;
+  while (f < forward_.size() || b < backward_.size()) {
+    const bool in_forward =
+        b == backward_.size() ||
+        (f < forward_.size() && number_of(forward_[f]) <= number_of(backward_[b]));
+    const bool in_backward =
+        f == forward_.size() ||
+        (b < backward_.size() && number_of(backward_[b]) <= number_of(forward_[f]));
+    const Arc& arc = in_forward ? forward_[f] : backward_[b];
+    if (rule_ == Rule::both_ends && in_forward != in_backward) fail(arc, in_backward, kAlone);
+    edges.push_back({arc.small, arc.large});
+    f += in_forward ? 1 : 0;
+    b += in_backward ? 1 : 0;
+  }
+  return edges;
+}
+
+Graph ArcCollector::finish(std::uint64_t n) {
+  if (std::optional<Graph> graph = matched(n)) {
+    begin();
+    return std::move(*graph);
+  }
+  for (Arcs* const arcs : {&forward_, &backward_}) {
+    sort_from_one_end(n, *arcs);
+    refuse_repeats(*arcs);
+  }
+  std::vector<Edge> edges = merged();
+  begin();
+  return Graph(n, std::move(edges));
+}
+
+}  // namespace ar3d

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "ar3d/formats/graphs/graph_format.h"
+
+namespace ar3d {
+
+/// Collects the edges of a format that gives them from one or both of their ends: adjacency lists,
+/// full matrices, arcs.
+class ArcCollector {
+ public:
+  enum class Rule {
+    both_ends,    ///< (u, v) needs (v, u)
+    one_or_both,  ///< either will do
+  };
+
+  /// @param base  smallest vertex id of the format, for messages.
+  ArcCollector(const TextInput& input, unsigned base, Rule rule)
+      : input_(&input), base_(base), rule_(rule) {}
+
+  /// Starts a graph. @param announced  how many arcs the text claims to have.
+  void begin(std::uint64_t announced = 0);
+  /// The vertex u names its neighbour v != u in a line.
+  void add(Vertex u, Vertex v, std::uint64_t line) {
+    constexpr std::uint64_t kLastLine = std::numeric_limits<std::uint32_t>::max();
+    const auto short_line = static_cast<std::uint32_t>(std::min(line, kLastLine));
+    if (u < v) {
+      forward_.push_back({u, v, short_line});
+    } else {
+      backward_.push_back({v, u, short_line});
+    }
+  }
+  std::uint64_t num_arcs() const { return forward_.size() + backward_.size(); }
+
+  /// Ends the graph on n vertices (all ids are below n); its edges (u, v), u < v, are ordered by
+  /// (u, v).
+  /// @throws InputError on a neighbour named twice from the same end, or against the rule.
+  /// Cost: O(n + m), and O(m log D) for the largest degree D if the rows are not sorted; arcs that
+  /// come from both ends, by the vertex that names them, are read in order only.
+  Graph finish(std::uint64_t n);
+
+ private:
+  struct Arc {
+    Vertex small = 0;
+    Vertex large = 0;
+    std::uint32_t line = 0;  // saturated
+  };
+  using Arcs = UnwrittenVector<Arc>;
+  std::optional<Graph> matched(std::uint64_t n);
+  static void sort_from_one_end(std::uint64_t n, Arcs& arcs);
+  void refuse_repeats(const Arcs& arcs) const;
+  std::vector<Edge> merged();
+  [[noreturn]] void fail(const Arc& arc, bool backward, const char* problem) const;
+
+  const TextInput* input_;
+  unsigned base_;
+  Rule rule_;
+  Arcs forward_;   // named by the smaller end
+  Arcs backward_;  // named by the larger end
+};
+
+}  // namespace ar3d

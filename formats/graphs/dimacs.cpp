@@ -1,0 +1,142 @@
+#include "ar3d/formats/graphs/dimacs.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <utility>
+
+#include "ar3d/formats/graphs/arc_collector.h"
+#include "ar3d/formats/graphs/edge_collector.h"
+#include "ar3d/formats/text/line_shapes.h"
+#include "ar3d/formats/text/numbers_text.h"
+
+namespace ar3d {
+namespace {
+
+class DimacsParser final : public GraphParser {
+ public:
+  DimacsParser(TextInput& input, const ReadOptions& options)
+      : input_(input), edges_(input, options, 1), arcs_(input, 1, ArcCollector::Rule::both_ends) {}
+
+  std::optional<Graph> next() override {
+    if (!read_problem()) return std::nullopt;
+    arcs_.begin(with_arcs_ ? announced_ : 0);
+    if (!with_arcs_) edges_.expect_edges(announced_);
+    while (const std::optional<std::string_view> line = next_odd_line()) {
+      if (is_blank(*line)) continue;
+      Tokens tokens(input_, *line);
+      const std::string_view kind = tokens.word();
+      if (kind == "c") continue;
+      if (kind == "p") {
+        input_.put_back();
+        break;
+      }
+      read_line(tokens, kind);
+    }
+    const std::uint64_t found = with_arcs_ ? arcs_.num_arcs() : edges_.num_edges();
+    if (found != announced_) {
+      input_.fail(0, fmt::format("{} {} announced, found {}", announced_,
+                                 with_arcs_ ? "arcs" : "edges", found));
+    }
+    if (with_arcs_) return arcs_.finish(edges_.checked_n());
+    return edges_.finish();
+  }
+
+ private:
+  /// Reads up to the line "p …" and begins its graph; false at the end of the text.
+  bool read_problem() {
+    while (const std::optional<std::string_view> line = input_.next_line()) {
+      if (is_blank(*line)) continue;
+      Tokens tokens(input_, *line);
+      const std::string_view kind = tokens.word();
+      if (kind == "c") continue;
+      if (kind != "p") tokens.fail(fmt::format("expected 'p', found {}", shown(kind)));
+      const std::string_view problem = tokens.word();
+      if (problem != "edge" && problem != "col" && problem != "sp") {
+        tokens.fail(fmt::format("only 'edge', 'col' and 'sp' are supported here, found {}",
+                                shown(problem)));
+      }
+      with_arcs_ = problem == "sp";
+      const std::uint64_t n = tokens.number("a number of vertices");
+      announced_ = tokens.number("a number of edges");
+      tokens.expect_done("the sizes");
+      edges_.begin(n);
+      return true;
+    }
+    return false;
+  }
+
+  /// The next line that is not read as one of many plain edges.
+  std::optional<std::string_view> next_odd_line() {
+    constexpr std::uint64_t kAll = std::numeric_limits<std::uint64_t>::max();
+    if (!with_arcs_) edges_.read_plain_edges(input_, "e ", kAll);
+    return input_.next_line();
+  }
+
+  void read_line(Tokens& tokens, std::string_view kind) {
+    if (kind != (with_arcs_ ? "a" : "e")) {
+      tokens.fail(
+          fmt::format("expected 'c' or '{}', found {}", with_arcs_ ? 'a' : 'e', shown(kind)));
+    }
+    const Edge ends = edges_.read_ends(tokens);
+    if (with_arcs_) {
+      if (!tokens.done()) tokens.number("a weight");  // lengths mean nothing here
+      arcs_.add(ends.u, ends.v, input_.line());
+    } else {
+      edges_.add(ends.u, ends.v);
+    }
+    tokens.expect_done("the edge");
+  }
+
+  TextInput& input_;
+  EdgeCollector edges_;
+  ArcCollector arcs_;
+  bool with_arcs_ = false;
+  std::uint64_t announced_ = 0;
+};
+
+class DimacsWriter final : public GraphWriter {
+ public:
+  explicit DimacsWriter(OutputFile& output) : output_(output) {}
+  void write(const Graph& graph) override {
+    std::string& out = output_.pending();
+    out += fmt::format("p edge {} {}\n", graph.num_vertices(), graph.num_edges());
+    for (const auto [u, v] : graph.edges()) {
+      out += "e ";
+      append_number(out, std::uint64_t{u} + 1);
+      out += ' ';
+      append_number(out, std::uint64_t{v} + 1);
+      out += '\n';
+      output_.flush_if_full();
+    }
+  }
+
+ private:
+  OutputFile& output_;
+};
+
+bool looks_like_dimacs(const InputHead& head) {
+  const std::size_t first = head.text.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos) return false;
+  const std::string_view text = head.text.substr(first);
+  const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+  return line == "c" || line.starts_with("c ") || line.starts_with("c\t") || line.starts_with("p ");
+}
+
+}  // namespace
+
+GraphFormat dimacs_format() {
+  return {
+      .name = "dimacs",
+      .extensions = {".dimacs", ".col", ".gr"},
+      .summary = "DIMACS: \"p edge N M\" and lines \"e u v\", 1-based",
+      .detect = looks_like_dimacs,
+      .parser = [](TextInput& input, const ReadOptions& options) -> std::unique_ptr<GraphParser> {
+        return std::make_unique<DimacsParser>(input, options);
+      },
+      .writer = [](OutputFile& output, const WriteOptions&) -> std::unique_ptr<GraphWriter> {
+        return std::make_unique<DimacsWriter>(output);
+      }};
+}
+
+}  // namespace ar3d

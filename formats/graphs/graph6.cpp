@@ -1,0 +1,71 @@
+#include "ar3d/formats/graphs/graph6.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+
+#include "ar3d/formats/graphs/vertex_limit.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+namespace {
+
+constexpr std::uint64_t kMaxWritten = std::uint64_t{1} << 18;
+
+/// Entries above the diagonal, in groups of six; n < 2^32.
+std::uint64_t body_groups(std::uint64_t n) { return n == 0 ? 0 : (n * (n - 1) / 2 + 5) / 6; }
+
+}  // namespace
+
+EdgesOnVertices decode_graph6(SixBits bits, const ReadOptions& options) {
+  EdgesOnVertices result;
+  result.n = bits.size();
+  if (const auto problem = vertex_count_problem(result.n, bits.left(), options)) {
+    bits.input().fail(1, *problem);
+  }
+  const std::uint64_t groups = body_groups(result.n);
+  if (bits.left() != groups) {
+    bits.input().fail(bits.column(),
+                      fmt::format("{} vertices take {} characters after the size, found {}",
+                                  result.n, groups, bits.left()));
+  }
+  std::uint64_t u = 0;  // the group's first entry is (u, v)
+  std::uint64_t v = 1;
+  for (std::uint64_t i = 0; i < groups; ++i) {
+    unsigned group = bits.group();
+    while (group != 0) {
+      const auto skipped = static_cast<unsigned>(std::countl_zero(group)) - 26;  // of the six bits
+      std::uint64_t row = u + skipped;
+      std::uint64_t column = v;
+      while (row >= column) row -= column++;
+      if (column >= result.n) bits.input().fail(bits.column() - 1, "the padding bits are not zero");
+      result.edges.push_back({static_cast<Vertex>(row), static_cast<Vertex>(column)});
+      group &= ~(32u >> skipped);
+    }
+    u += 6;
+    while (u >= v) u -= v++;
+  }
+  return result;
+}
+
+void append_graph6(std::string& out, const Graph& graph) {
+  const std::uint64_t n = graph.num_vertices();
+  if (n >= kMaxWritten) {
+    throw InputError(
+        fmt::format("graph6 of {} vertices would be gigabytes, choose another format", n));
+  }
+  append_size(out, n);
+  const std::size_t body = out.size();
+  out.append(body_groups(n), '?');
+  for (const auto [a, b] : graph.edges()) {
+    const std::uint64_t u = std::min(a, b);
+    const std::uint64_t v = std::max(a, b);
+    const std::uint64_t bit = v * (v - 1) / 2 + u;
+    char& group = out[body + bit / 6];
+    group = static_cast<char>(63 + ((group - 63) | (32 >> (bit % 6))));
+  }
+  out += '\n';
+}
+
+}  // namespace ar3d

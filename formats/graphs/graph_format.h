@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ar3d/formats/text/output.h"
+#include "ar3d/formats/text/text_input.h"
+#include "ar3d/model/graph.h"
+
+namespace ar3d {
+
+struct ReadOptions {
+  std::string format = {};  ///< name of a format; empty: detected by content
+  unsigned base = 0;        ///< smallest vertex id in edge lists and adjacency lists, 0 or 1
+  /// A graph may have this many vertices plus 64 per byte of its text; what claims more is refused,
+  /// so that a few bytes cannot claim gigabytes.
+  std::uint64_t free_vertices = std::uint64_t{1} << 24;
+};
+
+struct WriteOptions {
+  unsigned base = 0;  ///< smallest vertex id in edge lists and adjacency lists, 0 or 1
+};
+
+/// Reads the graphs of one input in one format, one after the other.
+class GraphParser {
+ public:
+  GraphParser() = default;
+  GraphParser(const GraphParser&) = delete;
+  GraphParser& operator=(const GraphParser&) = delete;
+  virtual ~GraphParser() = default;
+  /// The next graph; nothing at the end. @throws InputError naming file, line, column and value.
+  virtual std::optional<Graph> next() = 0;
+};
+
+/// Writes graphs in one format, one after the other.
+class GraphWriter {
+ public:
+  GraphWriter() = default;
+  GraphWriter(const GraphWriter&) = delete;
+  GraphWriter& operator=(const GraphWriter&) = delete;
+  virtual ~GraphWriter() = default;
+  virtual void write(const Graph& graph) = 0;
+  /// What stands after the last graph. Does not commit the output.
+  virtual void finish() {}
+};
+
+/// The first bytes of an input, for detection.
+struct InputHead {
+  std::string_view text;
+  bool whole = false;  ///< the text is all there is
+};
+
+/// One row of the catalogue of graph formats. Every format holds many graphs a file.
+struct GraphFormat {
+  std::string name;
+  std::vector<std::string> extensions;  ///< with the dot
+  std::string summary;                  ///< one sentence
+  /// True if the text looks like this format; asked in the catalogue's order.
+  bool (*detect)(const InputHead& head) = nullptr;
+  std::unique_ptr<GraphParser> (*parser)(TextInput& input, const ReadOptions& options) = nullptr;
+  std::unique_ptr<GraphWriter> (*writer)(OutputFile& output, const WriteOptions& options) = nullptr;
+};
+
+}  // namespace ar3d

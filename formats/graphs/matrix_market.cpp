@@ -1,0 +1,165 @@
+#include "ar3d/formats/graphs/matrix_market.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "ar3d/formats/graphs/arc_collector.h"
+#include "ar3d/formats/graphs/edge_collector.h"
+#include "ar3d/formats/graphs/plain_pairs.h"
+#include "ar3d/formats/text/line_shapes.h"
+#include "ar3d/formats/text/numbers_text.h"
+
+namespace ar3d {
+namespace {
+
+constexpr std::string_view kBanner = "%%MatrixMarket";
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return lower;
+}
+
+bool is_banner(std::string_view line) {
+  return lower_case(line.substr(0, kBanner.size())) == lower_case(kBanner);
+}
+
+class MatrixMarketParser final : public GraphParser {
+ public:
+  MatrixMarketParser(TextInput& input, const ReadOptions& options)
+      : input_(input),
+        entries_(input, options, 1),
+        arcs_(input, 1, ArcCollector::Rule::both_ends) {}
+
+  std::optional<Graph> next() override {
+    const std::optional<bool> symmetric = read_banner();
+    if (!symmetric) return std::nullopt;
+    const std::uint64_t count = read_size();
+    if (*symmetric) return read_symmetric(count);
+    return read_general(count);
+  }
+
+ private:
+  /// True for "symmetric", false for "general", nothing at the end of the text.
+  std::optional<bool> read_banner() {
+    std::optional<std::string_view> line = input_.next_line();
+    while (line && !is_banner(*line) && (is_blank(*line) || is_comment(*line)))
+      line = input_.next_line();
+    if (!line) return std::nullopt;
+    if (!is_banner(*line)) {
+      input_.fail(1, fmt::format("expected '%%MatrixMarket', found {}", shown(*line)));
+    }
+    Tokens tokens(input_, *line);
+    tokens.word();
+    for (const std::string_view wanted : {"matrix", "coordinate", "pattern"}) {
+      const std::string_view word = tokens.word();
+      if (lower_case(word) != wanted) {
+        tokens.fail(fmt::format("only '{}' is supported here, found {}", wanted, shown(word)));
+      }
+    }
+    const std::string_view word = tokens.word();
+    const std::string symmetry = lower_case(word);
+    if (symmetry != "symmetric" && symmetry != "general") {
+      tokens.fail(
+          fmt::format("only 'symmetric' and 'general' are supported here, found {}", shown(word)));
+    }
+    tokens.expect_done("the banner");
+    return symmetry == "symmetric";
+  }
+
+  std::string_view next_entry(std::uint64_t announced, std::uint64_t found) {
+    while (const std::optional<std::string_view> line = input_.next_line()) {
+      if (!is_blank(*line) && !is_comment(*line)) return *line;
+    }
+    input_.fail(0, fmt::format("the text ends after {} of {} announced entries", found, announced));
+  }
+
+  /// Begins the graph and returns the number of entries.
+  std::uint64_t read_size() {
+    std::optional<std::string_view> line = input_.next_line();
+    while (line && (is_blank(*line) || is_comment(*line))) line = input_.next_line();
+    if (!line) input_.fail(0, "the text ends before the line with the sizes");
+    Tokens tokens(input_, *line);
+    const std::uint64_t rows = tokens.number("a number of rows");
+    const std::uint64_t columns = tokens.number("a number of columns");
+    if (rows != columns) {
+      tokens.fail(fmt::format("a graph's matrix is square, this one is {} by {}", rows, columns));
+    }
+    const std::uint64_t count = tokens.number("a number of entries");
+    tokens.expect_done("the sizes");
+    entries_.begin(rows);
+    return count;
+  }
+
+  Graph read_symmetric(std::uint64_t count) {
+    entries_.expect_edges(count);
+    for (;;) {
+      entries_.read_plain_edges(input_, "", count - entries_.num_edges());
+      if (entries_.num_edges() == count) return entries_.finish();
+      Tokens tokens(input_, next_entry(count, entries_.num_edges()));
+      entries_.read_edge(tokens);
+      tokens.expect_done("the entry");
+    }
+  }
+
+  Graph read_general(std::uint64_t count) {
+    arcs_.begin(count);
+    for (;;) {
+      read_plain_pairs(input_, "", count - arcs_.num_arcs(), [&](auto u, auto v, auto line) {
+        if (!entries_.accepts(u, v, line)) return false;
+        arcs_.add(static_cast<Vertex>(u - 1), static_cast<Vertex>(v - 1), line);
+        return true;
+      });
+      if (arcs_.num_arcs() == count) return arcs_.finish(entries_.checked_n());
+      Tokens tokens(input_, next_entry(count, arcs_.num_arcs()));
+      const auto [u, v] = entries_.read_ends(tokens);
+      tokens.expect_done("the entry");
+      arcs_.add(u, v, input_.line());
+    }
+  }
+
+  TextInput& input_;
+  EdgeCollector entries_;
+  ArcCollector arcs_;
+};
+
+class MatrixMarketWriter final : public GraphWriter {
+ public:
+  explicit MatrixMarketWriter(OutputFile& output) : output_(output) {}
+  void write(const Graph& graph) override {
+    std::string& out = output_.pending();
+    out += fmt::format("{} matrix coordinate pattern symmetric\n{} {} {}\n", kBanner,
+                       graph.num_vertices(), graph.num_vertices(), graph.num_edges());
+    for (const auto [u, v] : graph.edges()) {  // the lower triangle
+      append_number(out, std::uint64_t{std::max(u, v)} + 1);
+      out += ' ';
+      append_number(out, std::uint64_t{std::min(u, v)} + 1);
+      out += '\n';
+      output_.flush_if_full();
+    }
+  }
+
+ private:
+  OutputFile& output_;
+};
+
+}  // namespace
+
+GraphFormat matrix_market_format() {
+  return {
+      .name = "matrixmarket",
+      .extensions = {".mtx"},
+      .summary = "Matrix Market: the adjacency matrix as coordinate pattern symmetric",
+      .detect = [](const InputHead& head) { return is_banner(head.text); },
+      .parser = [](TextInput& input, const ReadOptions& options) -> std::unique_ptr<GraphParser> {
+        return std::make_unique<MatrixMarketParser>(input, options);
+      },
+      .writer = [](OutputFile& output, const WriteOptions&) -> std::unique_ptr<GraphWriter> {
+        return std::make_unique<MatrixMarketWriter>(output);
+      }};
+}
+
+}  // namespace ar3d

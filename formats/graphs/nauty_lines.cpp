@@ -1,0 +1,171 @@
+#include "ar3d/formats/graphs/nauty_lines.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "ar3d/formats/graphs/graph6.h"
+#include "ar3d/formats/graphs/sparse6.h"
+#include "ar3d/formats/text/line_shapes.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+namespace {
+
+class NautyParser final : public GraphParser {
+ public:
+  NautyParser(TextInput& input, const ReadOptions& options) : input_(input), options_(options) {}
+
+  std::optional<Graph> next() override {
+    while (const std::optional<std::string_view> line = input_.next_line()) {
+      const std::size_t begin = after_file_header(*line);
+      if (!is_blank(line->substr(begin))) return decode(*line, begin);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  /// Where the graph begins: behind a header ">>graph6<<" or ">>sparse6<<", which the first line
+  /// may have.
+  std::size_t after_file_header(std::string_view line) const {
+    if (input_.line() != 1 || !line.starts_with(">>")) return 0;
+    for (const std::string_view header : {">>graph6<<", ">>sparse6<<"}) {
+      if (line.starts_with(header)) return header.size();
+    }
+    input_.fail(
+        1, fmt::format("unknown header {}, expected '>>graph6<<' or '>>sparse6<<'", shown(line)));
+  }
+
+  Graph decode(std::string_view line, std::size_t begin) {
+    EdgesOnVertices read = decode_line(line, begin);
+    try {
+      Graph graph(read.n, std::move(read.edges));
+      previous_n_ = read.n;
+      previous_ = graph.shared_edges();
+      return graph;
+    } catch (const EdgeError& error) {
+      input_.fail(0, error.what());
+    }
+  }
+
+  EdgesOnVertices decode_line(std::string_view line, std::size_t begin) const {
+    switch (line[begin]) {
+      case ':':
+        return decode_sparse6({input_, line, begin + 1}, options_);
+      case ';':
+        if (previous_ == nullptr)
+          input_.fail(begin + 1, "an incremental line without a graph before it");
+        return decode_incremental_sparse6({input_, line, begin + 1}, previous_n_, *previous_);
+      case '&':
+        input_.fail(begin + 1, "this is digraph6: directed graphs are not supported");
+      default:
+        return decode_graph6({input_, line, begin}, options_);
+    }
+  }
+
+  TextInput& input_;
+  ReadOptions options_;
+  std::uint64_t previous_n_ = 0;
+  std::shared_ptr<const std::vector<Edge>> previous_;  // of the last graph, for incremental lines
+};
+
+class Graph6Writer final : public GraphWriter {
+ public:
+  explicit Graph6Writer(OutputFile& output) : output_(output) {}
+  void write(const Graph& graph) override {
+    append_graph6(output_.pending(), graph);
+    output_.flush_if_full();
+  }
+
+ private:
+  OutputFile& output_;
+};
+
+void write_sparse6(OutputFile& output, const Graph& graph) {
+  append_sparse6(output.pending(), graph, [&] { output.flush_if_full(); });
+  output.flush_if_full();
+}
+
+class Sparse6Writer final : public GraphWriter {
+ public:
+  explicit Sparse6Writer(OutputFile& output) : output_(output) {}
+  void write(const Graph& graph) override { write_sparse6(output_, graph); }
+
+ private:
+  OutputFile& output_;
+};
+
+template <class Writer>
+std::unique_ptr<GraphWriter> writer_of(OutputFile& output, const WriteOptions&) {
+  return std::make_unique<Writer>(output);
+}
+
+/// The first graph of each size in sparse6, the others as changes.
+class IncrementalWriter final : public GraphWriter {
+ public:
+  explicit IncrementalWriter(OutputFile& output) : output_(output) {}
+  void write(const Graph& graph) override {
+    if (previous_ && previous_->num_vertices() == graph.num_vertices()) {
+      append_incremental_sparse6(output_.pending(), *previous_, graph);
+    } else {
+      write_sparse6(output_, graph);
+    }
+    previous_ = graph;
+    output_.flush_if_full();
+  }
+
+ private:
+  OutputFile& output_;
+  std::optional<Graph> previous_;
+};
+
+std::unique_ptr<GraphParser> nauty_parser(TextInput& input, const ReadOptions& options) {
+  return std::make_unique<NautyParser>(input, options);
+}
+
+/// The first line is one word that begins with a character of graph6 (so it is not made of
+/// numbers).
+bool looks_like_graph6(const InputHead& head) {
+  if (head.text.starts_with(">>")) return !head.text.starts_with(">>sparse6");
+  const std::string_view line = head.text.substr(0, head.text.find_first_of("\r\n"));
+  return !line.empty() && ((line[0] >= '?' && line[0] <= '~') || line[0] == '&') &&
+         line.find_first_of(" \t") == std::string_view::npos;
+}
+
+bool looks_like_sparse6(const InputHead& head) {
+  return head.text.starts_with(">>sparse6") || head.text.starts_with(':');
+}
+
+/// A first line that is an increment has nothing to change; the parser says so.
+bool looks_like_increment(const InputHead& head) { return head.text.starts_with(';'); }
+
+}  // namespace
+
+GraphFormat graph6_format() {
+  return {.name = "graph6",
+          .extensions = {".g6"},
+          .summary = "nauty's format for small or dense graphs, one graph a line",
+          .detect = looks_like_graph6,
+          .parser = nauty_parser,
+          .writer = writer_of<Graph6Writer>};
+}
+
+GraphFormat sparse6_format() {
+  return {.name = "sparse6",
+          .extensions = {".s6"},
+          .summary = "nauty's format for sparse graphs, one graph a line",
+          .detect = looks_like_sparse6,
+          .parser = nauty_parser,
+          .writer = writer_of<Sparse6Writer>};
+}
+
+GraphFormat incremental_sparse6_format() {
+  return {.name = "isparse6",
+          .extensions = {".is6"},
+          .summary = "incremental sparse6: each graph as its difference from the one before",
+          .detect = looks_like_increment,
+          .parser = nauty_parser,
+          .writer = writer_of<IncrementalWriter>};
+}
+
+}  // namespace ar3d

@@ -1,0 +1,223 @@
+#include "ar3d/formats/text/byte_source.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <lzma.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+namespace {
+
+constexpr std::size_t kCompressedBlock = std::size_t{1} << 16;
+constexpr std::uint64_t kXzMemory = std::uint64_t{128} << 20;  // xz -9 needs 65 MiB
+
+class FileBytes final : public ByteSource {
+ public:
+  explicit FileBytes(const std::string& path) : name_(display_name(path)) {
+    fd_ = path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (fd_ < 0) fail();
+  }
+  ~FileBytes() override {
+    if (fd_ > STDIN_FILENO) ::close(fd_);
+  }
+
+  /// The first bytes, at most `size`; the next read gives them again.
+  std::string_view peek(std::size_t size) {
+    while (peeked_.size() < size) {
+      char block[16];
+      const std::size_t got = read_file(block, std::min(size - peeked_.size(), sizeof block));
+      if (got == 0) break;
+      peeked_.append(block, got);
+    }
+    return peeked_;
+  }
+
+  std::size_t read(char* to, std::size_t size) override {
+    if (peeked_.empty()) return read_file(to, size);
+    const std::size_t given = std::min(size, peeked_.size());
+    std::memcpy(to, peeked_.data(), given);
+    peeked_.erase(0, given);
+    return given;
+  }
+
+  std::uint64_t bytes_left() const override {
+    struct stat status {};
+    if (::fstat(fd_, &status) != 0 || !S_ISREG(status.st_mode)) return 0;
+    const off_t place = ::lseek(fd_, 0, SEEK_CUR);
+    if (place < 0 || place > status.st_size) return 0;
+    return static_cast<std::uint64_t>(status.st_size - place) + peeked_.size();
+  }
+
+ private:
+  std::size_t read_file(char* to, std::size_t size) {
+    for (;;) {
+      const ssize_t got = ::read(fd_, to, size);
+      if (got >= 0) return static_cast<std::size_t>(got);
+      if (errno != EINTR) fail();
+    }
+  }
+  [[noreturn]] void fail() const {
+    throw InputError(fmt::format("cannot read {}: {}", name_, std::strerror(errno)));
+  }
+
+  std::string name_;
+  int fd_ = -1;
+  std::string peeked_;
+};
+
+/// What gzip and xz share: compressed bytes come in blocks.
+class CompressedBytes : public ByteSource {
+ public:
+  CompressedBytes(std::unique_ptr<ByteSource> inner, std::string name)
+      : inner_(std::move(inner)), name_(std::move(name)), block_(kCompressedBlock) {}
+
+ protected:
+  std::string_view next_block() {
+    return {block_.data(), inner_->read(block_.data(), block_.size())};
+  }
+  [[noreturn]] void fail(const std::string& problem) const {
+    throw InputError(fmt::format("{}: {}", name_, problem));
+  }
+
+ private:
+  std::unique_ptr<ByteSource> inner_;
+  std::string name_;
+  std::vector<char> block_;
+};
+
+class GzipBytes final : public CompressedBytes {
+ public:
+  GzipBytes(std::unique_ptr<ByteSource> inner, const std::string& name)
+      : CompressedBytes(std::move(inner), name) {
+    expect(inflateInit2(&stream_, 15 + 16) == Z_OK, "zlib starts");  // 16: gzip headers only
+  }
+  ~GzipBytes() override { inflateEnd(&stream_); }
+
+  std::size_t read(char* to, std::size_t size) override {
+    stream_.next_out = reinterpret_cast<Bytef*>(to);
+    stream_.avail_out = static_cast<uInt>(std::min<std::size_t>(size, kCompressedBlock));
+    const std::size_t room = stream_.avail_out;
+    while (stream_.avail_out == room) {
+      if (stream_.avail_in == 0 && !refill()) break;
+      if (!in_member_) begin_member();
+      const int status = inflate(&stream_, Z_NO_FLUSH);
+      if (status == Z_STREAM_END) {
+        in_member_ = false;
+      } else if (status != Z_OK && status != Z_BUF_ERROR) {
+        fail(fmt::format("corrupt gzip data ({})", stream_.msg ? stream_.msg : "no reason given"));
+      }
+    }
+    return room - stream_.avail_out;
+  }
+
+ private:
+  bool refill() {
+    const std::string_view block = next_block();
+    if (block.empty()) {
+      if (in_member_) fail("the gzip data end too early");
+      return false;
+    }
+    stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(block.data()));
+    stream_.avail_in = static_cast<uInt>(block.size());
+    return true;
+  }
+  void begin_member() {  // gzip files may be written one after the other
+    inflateReset(&stream_);
+    in_member_ = true;
+  }
+
+  z_stream stream_{};
+  bool in_member_ = true;
+};
+
+class XzBytes final : public CompressedBytes {
+ public:
+  XzBytes(std::unique_ptr<ByteSource> inner, const std::string& name)
+      : CompressedBytes(std::move(inner), name) {
+    expect(lzma_stream_decoder(&stream_, kXzMemory, LZMA_CONCATENATED) == LZMA_OK,
+           "liblzma starts");
+  }
+  ~XzBytes() override { lzma_end(&stream_); }
+
+  std::size_t read(char* to, std::size_t size) override {
+    stream_.next_out = reinterpret_cast<std::uint8_t*>(to);
+    stream_.avail_out = size;
+    while (stream_.avail_out == size && !finished_) {
+      if (stream_.avail_in == 0 && !at_end_) refill();
+      const lzma_ret status = lzma_code(&stream_, at_end_ ? LZMA_FINISH : LZMA_RUN);
+      if (status == LZMA_STREAM_END) {
+        finished_ = true;
+      } else if (status != LZMA_OK) {
+        fail(problem(status));
+      }
+    }
+    return size - stream_.avail_out;
+  }
+
+ private:
+  void refill() {
+    const std::string_view block = next_block();
+    at_end_ = block.empty();
+    stream_.next_in = reinterpret_cast<const std::uint8_t*>(block.data());
+    stream_.avail_in = block.size();
+  }
+  static std::string problem(lzma_ret status) {
+    if (status == LZMA_BUF_ERROR) return "the xz data end too early";
+    if (status == LZMA_MEMLIMIT_ERROR) return "the xz data need more than 128 MiB to unpack";
+    return fmt::format("corrupt xz data (liblzma status {})", static_cast<int>(status));
+  }
+
+  lzma_stream stream_ = LZMA_STREAM_INIT;
+  bool at_end_ = false;
+  bool finished_ = false;
+};
+
+class MemoryBytes final : public ByteSource {
+ public:
+  explicit MemoryBytes(std::string text) : text_(std::move(text)) {}
+  std::size_t read(char* to, std::size_t size) override {
+    const std::size_t given = std::min(size, text_.size() - used_);
+    std::memcpy(to, text_.data() + used_, given);
+    used_ += given;
+    return given;
+  }
+  std::uint64_t bytes_left() const override { return text_.size() - used_; }
+
+ private:
+  std::string text_;
+  std::size_t used_ = 0;
+};
+
+}  // namespace
+
+std::string display_name(const std::string& path) { return path == "-" ? "<stdin>" : path; }
+
+std::unique_ptr<ByteSource> open_bytes(const std::string& path) {
+  using namespace std::string_view_literals;
+  auto file = std::make_unique<FileBytes>(path);
+  const std::string_view magic = file->peek(6);
+  if (magic.starts_with("\x1f\x8b"sv)) {
+    return std::make_unique<GzipBytes>(std::move(file), display_name(path));
+  }
+  if (magic == "\xfd\x37zXZ\0"sv) {
+    return std::make_unique<XzBytes>(std::move(file), display_name(path));
+  }
+  return file;
+}
+
+std::unique_ptr<ByteSource> bytes_of(std::string text) {
+  return std::make_unique<MemoryBytes>(std::move(text));
+}
+
+}  // namespace ar3d

@@ -1,0 +1,31 @@
+#include "ar3d/formats/text/tokens.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <system_error>
+
+namespace ar3d {
+
+std::uint64_t Tokens::rare_number(const char* what) {
+  at_ = word_;
+  const std::string_view text = word();
+  if (text.empty()) fail(fmt::format("expected {}, found the end of the line", what));
+  std::uint64_t value = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc::result_out_of_range && stop == text.data() + text.size()) {
+    fail(fmt::format("{} {} does not fit 64 bits", what, shown(text)));
+  }
+  if (error != std::errc() || stop != text.data() + text.size()) {
+    fail(fmt::format("expected {}, found {}", what, shown(text)));
+  }
+  return value;
+}
+
+void Tokens::expect_done(const char* after_what) {
+  if (done()) return;
+  const std::string_view text = word();
+  fail(fmt::format("unexpected {} after {}", shown(text), after_what));
+}
+
+}  // namespace ar3d

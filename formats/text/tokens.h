@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "ar3d/formats/text/leading_digits.h"
+#include "ar3d/formats/text/text_input.h"
+
+namespace ar3d {
+
+/// The words of the line that a TextInput has just given, separated by blanks, tabs and other white
+/// space.
+class Tokens {
+ public:
+  /// @param at  where in the line to begin.
+  Tokens(const TextInput& input, std::string_view line, std::size_t at = 0)
+      : input_(&input),
+        line_(line.data()),
+        at_(line.data() + at),
+        end_(line.data() + line.size()) {}
+
+  bool done() {
+    skip_space();
+    return at_ == end_;
+  }
+  /// The next word; empty at the end of the line.
+  std::string_view word() {
+    skip_space();
+    word_ = at_;
+    while (at_ != end_ && !is_space(*at_)) ++at_;
+    return {word_, static_cast<std::size_t>(at_ - word_)};
+  }
+  /// The next word as a decimal number; `what` names it in the message.
+  /// @throws InputError if there is none, or it is not a number of at most 64 bits without sign.
+  std::uint64_t number(const char* what) {
+    skip_space();
+    word_ = at_;
+    std::uint64_t value = 0;
+    const char* limit = end_ - at_ > 18 ? at_ + 18 : end_;  // 18 digits cannot overflow
+    if (end_ - at_ >= 8) at_ += leading_digits(at_, value);
+    while (at_ != limit && is_digit(*at_)) value = value * 10 + static_cast<unsigned>(*at_++ - '0');
+    if (at_ == word_ || (at_ != end_ && !is_space(*at_))) return rare_number(what);
+    return value;
+  }
+  /// Column of the last word or number, from 1.
+  std::size_t column() const { return static_cast<std::size_t>(word_ - line_) + 1; }
+  /// @throws InputError if the line goes on.
+  void expect_done(const char* after_what);
+  [[noreturn]] void fail(const std::string& message) const { input_->fail(column(), message); }
+
+ private:
+  static bool is_digit(char c) { return c >= '0' && c <= '9'; }
+  static bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+  void skip_space() {
+    while (at_ != end_ && is_space(*at_)) ++at_;
+  }
+  std::uint64_t rare_number(const char* what);  // 19 or more digits, or not a number
+
+  const TextInput* input_;
+  const char* line_;
+  const char* at_;
+  const char* end_;
+  const char* word_ = line_;
+};
+
+}  // namespace ar3d

@@ -1,0 +1,187 @@
+#include "ar3d/results/journal/journal_writer.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <string_view>
+
+#include "ar3d/results/atomic_file.h"
+#include "ar3d/results/columns.h"
+
+namespace ar3d {
+namespace {
+
+[[noreturn]] void refuse(const std::string& path, int reason) {
+  throw InputError(fmt::format("cannot write {}: {}", path, std::strerror(reason)));
+}
+
+std::span<const char> as_bytes(const std::string& text) { return {text.data(), text.size()}; }
+
+void require_same(const StudyIdentity& journal, const StudyIdentity& study,
+                  const std::string& path) {
+  const auto compare = [&](const char* what, const std::string& theirs, const std::string& ours) {
+    if (theirs != ours) {
+      throw InputError(fmt::format("{}: its {} is {}, not {}", path, what, theirs, ours));
+    }
+  };
+  const auto shard = [](const Shard& s) { return fmt::format("{}/{}", s.index, s.count); };
+  compare("specification", journal.spec_sha256, study.spec_sha256);
+  compare("program's source", journal.source(), study.source());
+  compare("shard", shard(journal.shard), shard(study.shard));
+}
+
+// False if the file was removed, or another one has its name, since it was opened.
+bool has_its_name(int file, const std::string& path) {
+  struct stat opened {};
+  struct stat named {};
+  return fstat(file, &opened) == 0 && stat(path.c_str(), &named) == 0 &&
+         opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
+}
+
+}  // namespace
+
+JournalWriter::JournalWriter(const std::string& path, const StudyIdentity& identity,
+                             const std::function<void(const JournalRecord&)>& existing)
+    : path_(path), record_(run_record_size()) {
+  create_if_missing(identity);
+  lock();
+  read_existing(identity, existing);
+  syncer_ = std::thread([this] { sync_every_second(); });
+}
+
+JournalWriter::~JournalWriter() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ends_ = true;
+  }
+  wake_.notify_one();
+  syncer_.join();
+  fdatasync(file_.get());
+}
+
+// The identity is in the file before it gets its name, so that no crash leaves half a beginning.
+void JournalWriter::create_if_missing(const StudyIdentity& identity) {
+  if (access(path_.c_str(), F_OK) != 0) {
+    std::vector<char> bytes;
+    const std::string text = identity_text(identity);
+    frame_record({.kind = JournalKind::identity}, as_bytes(text), sizeof(kJournalMagic), bytes);
+    bytes.insert(bytes.begin(), kJournalMagic, kJournalMagic + sizeof(kJournalMagic));
+    create_file_atomically(path_, bytes);
+  }
+  file_ = Descriptor(open(path_.c_str(), O_RDWR | O_APPEND | O_CLOEXEC));
+  if (file_.get() < 0) refuse(path_, errno);
+}
+
+// The lock belongs to the open file: it lasts until the last process that has it is gone, which may
+// be a worker that dies with its parent a moment later.
+void JournalWriter::lock() {
+  struct flock range {};
+  range.l_type = F_WRLCK;
+  range.l_whence = SEEK_SET;
+  for (int tries = 0; tries < 20; ++tries) {
+    if (fcntl(file_.get(), F_OFD_SETLK, &range) == 0) {
+      if (has_its_name(file_.get(), path_)) return;
+      throw InputError(fmt::format("{} is gone: another process has finished it", path_));
+    }
+    if (errno != EACCES && errno != EAGAIN) refuse(path_, errno);
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  throw InputError(fmt::format("{} is being written by another process", path_));
+}
+
+void JournalWriter::read_existing(const StudyIdentity& identity,
+                                  const std::function<void(const JournalRecord&)>& existing) {
+  end_ = scan_journal(file_.get(), path_, [&](const JournalRecord& record) {
+    head_ = record.head;
+    if (record.head.kind == JournalKind::identity) {
+      require_same(parse_identity(record.payload, path_), identity, path_);
+    }
+    if (record.head.kind == JournalKind::session) ++session_;
+    if (record.head.kind == JournalKind::row && existing) existing(record);
+    return true;
+  });
+  const off_t size = lseek(file_.get(), 0, SEEK_END);
+  if (size < 0) refuse(path_, errno);
+  bytes_cut_ = static_cast<std::uint64_t>(size) - end_;
+  if (bytes_cut_ > 0 && ftruncate(file_.get(), static_cast<off_t>(end_)) != 0) {
+    refuse(path_, errno);
+  }
+  if (fsync(file_.get()) != 0) refuse(path_, errno);
+}
+
+void JournalWriter::begin_session(const std::vector<EnvironmentEntry>& environment) {
+  write_record(JournalKind::session, head_, as_bytes(session_text(environment)));
+  ++session_;
+}
+
+void JournalWriter::end_session(const std::vector<EnvironmentEntry>& environment) {
+  write_record(JournalKind::session_end, head_, as_bytes(session_text(environment)));
+  sync();
+}
+
+void JournalWriter::append(const RunRecord& run) {
+  static const Column& session = run_column("session");
+  expect(session_ >= 0, "a journal's rows belong to a session");
+  store_record(run, record_.data());
+  std::memcpy(record_.data() + session.offset, &session_, sizeof(session_));
+  append_record(record_.data());
+}
+
+void JournalWriter::append_record(const char* record) {
+  static const Column& status = run_column("status");
+  const std::span<const char> packed = pack_row(record, packed_);
+  JournalHead head = head_;
+  ++head.rows;
+  if (std::string_view(record + status.offset, 3) != std::string_view("ok", 3)) ++head.not_ok;
+  write_record(JournalKind::row, head, packed);
+}
+
+void JournalWriter::write_record(JournalKind kind, JournalHead head,
+                                 std::span<const char> payload) {
+  if (const int reason = sync_error_) fail(reason);
+  head.kind = kind;
+  frame_record(head, payload, end_, framed_);
+  write_whole(framed_);
+  head_ = head;
+  end_ += framed_.size();
+  unsynced_ = true;
+}
+
+void JournalWriter::write_whole(std::span<const char> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = write(file_.get(), bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) {
+      const int reason = errno;
+      // Should this fail as well, the next writer cuts the half record off.
+      if (ftruncate(file_.get(), static_cast<off_t>(end_)) != 0) errno = reason;
+      fail(reason);
+    }
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+}
+
+void JournalWriter::sync() {
+  unsynced_ = false;
+  if (fdatasync(file_.get()) != 0) sync_error_ = errno;
+  if (const int reason = sync_error_) fail(reason);
+}
+
+void JournalWriter::sync_every_second() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (!ends_) {
+    wake_.wait_for(lock, std::chrono::seconds(1));
+    if (unsynced_.exchange(false) && fdatasync(file_.get()) != 0) sync_error_ = errno;
+  }
+}
+
+void JournalWriter::fail(int reason) const {
+  throw JournalFull(fmt::format("cannot write {}: {}", path_, std::strerror(reason)));
+}
+
+}  // namespace ar3d
