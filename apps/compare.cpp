@@ -17,6 +17,7 @@
 #include "ar3d/model/error.h"
 #include "ar3d/results/atomic_file.h"
 #include "commands.h"
+#include "outputs.h"
 
 namespace ar3d {
 namespace {
@@ -177,6 +178,7 @@ void add_compare(CLI::App& app, int& exit_code) {
       "inconclusive.\nExample: ar3d compare before.h5 after.h5\n         ar3d compare --base main "
       "--calibrate");
   verb->callback([arguments, &exit_code] {
+    refuse_unsafe_outputs({.inputs = arguments->files, .outputs = {arguments->json}});
     arguments->options.time.threshold = arguments->threshold_percent / 100;
     const bool builds = !arguments->base.empty() || arguments->calibrate;
     exit_code = builds ? compare_builds(*arguments) : compare_files(*arguments);

@@ -11,6 +11,7 @@
 #include "ar3d/results/columns.h"
 #include "ar3d/results/run_record.h"
 #include "commands.h"
+#include "outputs.h"
 
 namespace ar3d {
 namespace {
@@ -48,6 +49,7 @@ void write_drawing(const RunRecord& row, const std::string& path) {
 }
 
 int replay_row(const ReplayArguments& arguments) {
+  refuse_unsafe_outputs({.inputs = {arguments.results}, .outputs = {arguments.output}});
   const Results results = read_results(arguments.results);
   const RunRecord& then = find_row(results, arguments);
   const RunRecord now = replayed(then, study_seed(results));

@@ -14,6 +14,7 @@
 #include "ar3d/results/atomic_file.h"
 #include "ar3d/results/run_record.h"
 #include "commands.h"
+#include "outputs.h"
 #include "svg_to_pdf.h"
 
 namespace ar3d {
@@ -64,10 +65,14 @@ void add_report(CLI::App& app, int& exit_code) {
                    "also write the timed rows as a Google Benchmark report to this file");
   verb->footer("Example: ar3d report smoke.h5 -o smoke.html --figures figures");
   verb->callback([arguments, &exit_code] {
-    const Results results = read_results(arguments->results);
-    require_one_study(results, arguments->results);
     const std::string path =
         arguments->output.empty() ? report_path(arguments->results) : arguments->output;
+    refuse_unsafe_outputs({.inputs = {arguments->results},
+                           .outputs = {path, arguments->csv, arguments->json, arguments->rows,
+                                       arguments->growth, arguments->benchmark_json}});
+    if (arguments->output.empty()) refuse_foreign_page(path, arguments->results);
+    const Results results = read_results(arguments->results);
+    require_one_study(results, arguments->results);
     write_file_atomically(path, render_report(results));
     if (!arguments->csv.empty()) write_file_atomically(arguments->csv, ledger_csv(results));
     if (!arguments->json.empty()) write_file_atomically(arguments->json, analysis_json(results));

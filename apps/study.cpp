@@ -25,6 +25,7 @@
 #include "commands.h"
 #include "join_ranks.h"
 #include "making_options.h"
+#include "outputs.h"
 
 namespace ar3d {
 namespace {
@@ -35,6 +36,7 @@ struct RunArguments {
   std::string shard;
   int threads = 0;
   bool quiet = false;
+  bool force = false;
   MakingRules making;
 };
 
@@ -137,6 +139,16 @@ void add_common(CLI::App& verb, RunArguments& arguments) {
   add_making_options(verb, arguments.making);
 }
 
+JournaledStudy begin_new(const RunArguments& arguments, const Shard& shard) {
+  JournaledStudy study = new_study(arguments.study, shard, arguments.output);
+  const std::string page = report_path(study.results);
+  refuse_unsafe_outputs({.inputs = {arguments.study},
+                         .outputs = {study.results, page},
+                         .force = arguments.force ? Force::given : Force::not_given});
+  refuse_foreign_page(page, study.results);
+  return study;
+}
+
 void add_run(CLI::App& study, int& exit_code) {
   CLI::App* verb = study.add_subcommand("run", "Runs a study and writes its results and report");
   const auto arguments = std::make_shared<RunArguments>();
@@ -145,14 +157,14 @@ void add_run(CLI::App& study, int& exit_code) {
   verb->add_option("-o,--output", arguments->output, "results file; ar3d-NAME.h5 if left out");
   verb->add_option("--shard", arguments->shard,
                    "i/N: only the i-th of N parts of the study, to be merged later");
+  verb->add_flag("--force", arguments->force, "replace the results file of a finished study");
   add_common(*verb, *arguments);
   verb->footer(
       "Rows go to a journal beside the results file as they are made; whatever ends the study, "
       "`ar3d study resume` goes on.\nExample: ar3d study run smoke --threads 2 -o smoke.h5");
   verb->callback([arguments, &exit_code] {
     const Shard shard = arguments->shard.empty() ? Shard() : parse_shard(arguments->shard);
-    exit_code = make_study(*arguments,
-                           [&] { return new_study(arguments->study, shard, arguments->output); });
+    exit_code = make_study(*arguments, [&] { return begin_new(*arguments, shard); });
   });
 }
 

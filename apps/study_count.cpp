@@ -12,6 +12,7 @@
 #include "ar3d/results/atomic_file.h"
 #include "ar3d/results/run_record.h"
 #include "commands.h"
+#include "outputs.h"
 #include "study.h"
 
 namespace ar3d {
@@ -20,11 +21,17 @@ namespace {
 struct CountArguments {
   std::string results;
   std::string output;
+  bool force = false;
   std::int64_t max_n = 10000;
 };
 
 int count_rows(const CountArguments& arguments) {
   const std::string path = arguments.output.empty() ? arguments.results : arguments.output;
+  if (!arguments.output.empty()) {
+    refuse_unsafe_outputs({.inputs = {arguments.results},
+                           .outputs = {path},
+                           .force = arguments.force ? Force::given : Force::not_given});
+  }
   Results results = read_results(arguments.results);
   require_writable(path);
   std::map<std::tuple<std::string, std::string, std::string>, std::int64_t> counts;
@@ -82,6 +89,7 @@ void add_study_count(CLI::App& study, int& exit_code) {
   verb->add_option("RESULTS", arguments->results, "results file (HDF5)")->required();
   verb->add_option("-o,--output", arguments->output,
                    "results file with the counts; RESULTS itself if left out");
+  verb->add_flag("--force", arguments->force, "replace the results file of a finished study");
   verb->add_option("--max-n", arguments->max_n, "largest n to count, default 10000")
       ->check(CLI::Range(0, 100000000));
   verb->footer(

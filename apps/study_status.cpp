@@ -14,6 +14,7 @@
 #include "ar3d/results/hdf5/results_reader.h"
 #include "ar3d/results/journal/journal_reader.h"
 #include "commands.h"
+#include "outputs.h"
 #include "study.h"
 
 namespace ar3d {
@@ -22,6 +23,7 @@ namespace {
 struct StatusArguments {
   std::string file;
   std::string snapshot;
+  bool force = false;
   bool watch = false;
 };
 
@@ -133,6 +135,9 @@ Standing watch(const std::string& file) {
 
 int show(const StatusArguments& arguments) {
   if (!arguments.snapshot.empty()) {
+    refuse_unsafe_outputs({.inputs = {arguments.file, results_path_of(arguments.file)},
+                           .outputs = {arguments.snapshot},
+                           .force = arguments.force ? Force::given : Force::not_given});
     const StudyOutcome outcome = write_snapshot(begun_study(arguments.file), arguments.snapshot);
     fmt::print("{} rows are in {}\n", outcome.rows, arguments.snapshot);
     return outcome.complete() ? kPass : kIncomplete;
@@ -152,6 +157,7 @@ void add_study_status(CLI::App& study, int& exit_code) {
   verb->add_flag("--watch", arguments->watch, "tell it every second until nobody writes any more");
   verb->add_option("--snapshot", arguments->snapshot,
                    "write the rows so far as a results file of their own");
+  verb->add_flag("--force", arguments->force, "replace the results file of a finished study");
   verb->footer(
       "Exit code 0 if all rows are there, else 5.\nExample: ar3d study status --watch "
       "ar3d-quick.h5");

@@ -1,0 +1,112 @@
+#include "outputs.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+
+#include "ar3d/bench/keep/study_files.h"
+#include "ar3d/model/error.h"
+#include "ar3d/results/journal/journal_format.h"
+
+namespace ar3d {
+namespace {
+
+// What every report has near its beginning.
+constexpr const char* kReportMark = "<title>ar3d report: ";
+
+// The value of the attribute `format` of every results file (results/SCHEMA.md).
+constexpr const char* kResultsMark = "ar3d-results";
+
+bool is_file_name(const std::string& path) { return !path.empty() && path != "-"; }
+
+bool is_regular(const std::string& path) {
+  struct stat status {};
+  return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+}
+
+// Whether both names lead to one file, be it there already or not. Devices may be named twice.
+bool are_one_file(const std::string& a, const std::string& b) {
+  struct stat left {};
+  struct stat right {};
+  const bool a_exists = stat(a.c_str(), &left) == 0;
+  const bool b_exists = stat(b.c_str(), &right) == 0;
+  if (a_exists && b_exists) {
+    const bool same = left.st_dev == right.st_dev && left.st_ino == right.st_ino;
+    return same && S_ISREG(left.st_mode);
+  }
+  if (a_exists || b_exists) return false;
+  std::error_code error_a;
+  std::error_code error_b;
+  const auto path_a = std::filesystem::weakly_canonical(std::filesystem::absolute(a), error_a);
+  const auto path_b = std::filesystem::weakly_canonical(std::filesystem::absolute(b), error_b);
+  return !error_a && !error_b && path_a == path_b;
+}
+
+// What a file of ours says of itself within its first kilobytes. HDF5 itself is not asked: the file
+// may be anybody's.
+std::string beginning_of(const std::string& path) {
+  std::array<char, 4096> bytes{};
+  std::ifstream in(path, std::ios::binary);
+  in.read(bytes.data(), bytes.size());
+  return {bytes.data(), static_cast<std::size_t>(in.gcount())};
+}
+
+void refuse_needed(const std::string& path, Force force) {
+  if (!is_regular(path)) return;
+  const std::string beginning = beginning_of(path);
+  if (beginning.starts_with(std::string_view(kJournalMagic).substr(0, 8))) {
+    throw InputError(fmt::format("{} is a study's journal, which is not overwritten", path));
+  }
+  const bool is_results = beginning.starts_with("\x89HDF\r\n\x1a\n") &&
+                          beginning.find(kResultsMark) != std::string::npos;
+  if (is_results && force != Force::given) {
+    throw InputError(
+        fmt::format("{} is a results file, which is not overwritten: choose another name, or {}",
+                    path, force == Force::not_given ? "say --force" : "remove it first"));
+  }
+}
+
+// The journal of rank 0 is there as long as a study is not finished.
+void refuse_unfinished(const std::string& path) {
+  const std::string journal = journal_path(path);
+  if (!is_regular(journal)) return;
+  throw InputError(fmt::format(
+      "{} is the results file of a study that is not finished: go on with `ar3d study resume {}`, "
+      "or delete {}",
+      path, path, journal));
+}
+
+}  // namespace
+
+void refuse_unsafe_outputs(const VerbFiles& files) {
+  for (std::size_t i = 0; i < files.outputs.size(); ++i) {
+    const std::string& output = files.outputs[i];
+    if (!is_file_name(output)) continue;
+    for (const std::string& input : files.inputs) {
+      if (is_file_name(input) && are_one_file(input, output)) {
+        throw InputError(fmt::format("{} would be overwritten by what is made from it", output));
+      }
+    }
+    for (std::size_t other = 0; other < i; ++other) {
+      if (is_file_name(files.outputs[other]) && are_one_file(files.outputs[other], output)) {
+        throw InputError(fmt::format("{} is named for two outputs", output));
+      }
+    }
+    refuse_unfinished(output);
+    refuse_needed(output, files.force);
+  }
+}
+
+void refuse_foreign_page(const std::string& page, const std::string& results) {
+  if (!is_regular(page) || beginning_of(page).find(kReportMark) != std::string::npos) return;
+  throw InputError(
+      fmt::format("{} exists and is no report of ar3d: the report of {} would replace it; choose "
+                  "another name",
+                  page, results));
+}
+
+}  // namespace ar3d

@@ -1,0 +1,112 @@
+// No verb replaces a file that somebody still needs.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "support/program.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::read_file;
+using testing::run;
+using testing::ScratchDirectory;
+namespace fs = std::filesystem;
+
+class Outputs : public ::testing::Test {
+ protected:
+  // One small study for all tests of this program.
+  static void SetUpTestSuite() {
+    folder_ = new ScratchDirectory;
+    ASSERT_EQ(run("{} study run smoke -q -o " + folder_->path("made.h5")).exit_code, 0);
+  }
+  static void TearDownTestSuite() { delete folder_; }
+
+  void SetUp() override {
+    results_ = scratch_.path("r.h5");
+    fs::copy_file(folder_->path("made.h5"), results_);
+    fs::copy_file(folder_->path("made.h5"), scratch_.path("other.h5"));
+    bytes_ = read_file(results_);
+  }
+
+  void expect_refused(const std::string& command, const std::string& why) {
+    const Outcome outcome = run("cd " + scratch_.path("") + " && {} " + command);
+    EXPECT_EQ(outcome.exit_code, 2) << command;
+    EXPECT_THAT(outcome.err, HasSubstr(why)) << command;
+    EXPECT_EQ(read_file(results_), bytes_) << command;
+    EXPECT_EQ(read_file(scratch_.path("other.h5")), bytes_) << command;
+  }
+
+  ScratchDirectory scratch_;
+  std::string results_;
+  std::string bytes_;
+
+ private:
+  static ScratchDirectory* folder_;
+};
+
+ScratchDirectory* Outputs::folder_ = nullptr;
+
+TEST_F(Outputs, AreNotTheVerbsInput) {
+  fs::create_directory(scratch_.path("sub"));
+  fs::create_symlink("r.h5", scratch_.path("link.h5"));
+  fs::create_hard_link(results_, scratch_.path("hard.h5"));
+  for (const char* name : {"r.h5", "./r.h5", "sub/../r.h5", "link.h5", "hard.h5"}) {
+    const std::string why = std::string(name) + " would be overwritten by what is made from it";
+    for (const char* option : {"-o", "--csv", "--json", "--rows", "--growth", "--benchmark-json"}) {
+      expect_refused(std::string("report r.h5 ") + option + " " + name, why);
+    }
+    expect_refused(std::string("replay r.h5 0 -o ") + name, why);
+    expect_refused(std::string("compare other.h5 r.h5 --json ") + name, why);
+    expect_refused(std::string("study merge r.h5 -o ") + name, why);
+    expect_refused(std::string("study count r.h5 -o ") + name, why);
+    expect_refused(std::string("study status r.h5 --snapshot ") + name, why);
+  }
+}
+
+TEST_F(Outputs, AreNotEachOther) {
+  expect_refused("report r.h5 --csv a.csv --json ./a.csv", "./a.csv is named for two outputs");
+  expect_refused("study run smoke -q -o new.html", "new.html is named for two outputs");
+  EXPECT_FALSE(fs::exists(scratch_.path("new.html")));
+}
+
+TEST_F(Outputs, DoNotReplaceResultsUnasked) {
+  const std::string why = "other.h5 is a results file, which is not overwritten";
+  for (const char* command :
+       {"study run smoke -q -o other.h5", "study merge r.h5 -o other.h5", "report r.h5 -o other.h5",
+        "study status r.h5 --snapshot other.h5", "study count r.h5 -o other.h5",
+        "replay r.h5 0 -o other.h5", "report r.h5 --csv other.h5"}) {
+    expect_refused(command, why);
+  }
+  const std::string other = scratch_.path("other.h5");
+  EXPECT_EQ(run("{} study run smoke -q --force -o " + other).exit_code, 0);
+  EXPECT_NE(read_file(other), bytes_);
+  EXPECT_EQ(run("{} study merge --force " + results_ + " -o " + other).exit_code, 0);
+}
+
+TEST_F(Outputs, DoNotReplaceAPageThatIsNoReport) {
+  scratch_.write("index.html", "<!doctype html><title>my pages</title>");
+  const std::string why = "index.html exists and is no report of ar3d";
+  expect_refused("study run smoke -q -o index.h5", why);
+  EXPECT_FALSE(fs::exists(scratch_.path("index.h5"))) << "said before any work";
+  fs::copy_file(results_, scratch_.path("index.h5"));
+  expect_refused("report index.h5", why);
+  EXPECT_EQ(read_file(scratch_.path("index.html")), "<!doctype html><title>my pages</title>");
+  EXPECT_EQ(run("{} report " + results_ + " && {} report " + results_).exit_code, 0)
+      << "a report is made again";
+}
+
+TEST_F(Outputs, DoNotReplaceWhatBelongsToAnUnfinishedStudy) {
+  scratch_.write("new.h5.journal", "ar3d-journal 1\n");
+  const std::string why = "new.h5 is the results file of a study that is not finished";
+  expect_refused("study merge r.h5 -o new.h5", why);
+  expect_refused("report r.h5 -o new.h5", why);
+  expect_refused("report r.h5 -o new.h5.journal", "is a study's journal");
+}
+
+}  // namespace
+}  // namespace ar3d
