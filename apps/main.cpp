@@ -5,6 +5,7 @@
 #include <new>
 
 #include "ar3d/model/error.h"
+#include "ar3d/model/printable.h"
 #include "commands.h"
 
 namespace {
@@ -40,7 +41,7 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    fmt::print(stderr, "ar3d: {} (see ar3d --help)\n", error.what());
+    fmt::print(stderr, "ar3d: {} (see ar3d --help)\n", ar3d::printable(error.what()));
     return ar3d::kUsage;
   }
   return exit_code;
@@ -52,13 +53,13 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const ar3d::InputError& error) {
-    fmt::print(stderr, "ar3d: {}\n", error.what());
+    fmt::print(stderr, "ar3d: {}\n", ar3d::printable(error.what()));
     return ar3d::kUsage;
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "ar3d: out of memory\n");
     return ar3d::kInternalError;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "ar3d: {}\n", error.what());
+    fmt::print(stderr, "ar3d: {}\n", ar3d::printable(error.what()));
     return ar3d::kInternalError;
   }
 }

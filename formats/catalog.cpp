@@ -13,6 +13,7 @@
 #include "ar3d/formats/graphs/metis.h"
 #include "ar3d/formats/graphs/nauty_lines.h"
 #include "ar3d/model/error.h"
+#include "ar3d/model/nearest_name.h"
 
 namespace ar3d {
 namespace {
@@ -49,13 +50,12 @@ const std::vector<GraphFormat>& graph_formats() {
 }
 
 const GraphFormat& find_graph_format(std::string_view name) {
-  std::vector<std::string> known;
   for (const GraphFormat& format : graph_formats()) {
     if (format.name == name) return format;
-    known.push_back(format.name);
   }
-  throw InputError(
-      fmt::format("unknown graph format '{}', known: {}", name, fmt::join(known, ", ")));
+  const auto known = names_of(graph_formats());
+  throw InputError(fmt::format("unknown graph format '{}', known: {}{}", name,
+                               fmt::join(known, ", "), did_you_mean(name, known)));
 }
 
 const GraphFormat* graph_format_of_path(std::string_view path) {

@@ -21,6 +21,7 @@
 #include "ar3d/generators/trees.h"
 #include "ar3d/generators/unions.h"
 #include "ar3d/model/error.h"
+#include "ar3d/model/nearest_name.h"
 
 namespace ar3d {
 namespace {
@@ -232,7 +233,8 @@ const Family& find_family(std::string_view name) {
   for (const Family& family : families()) {
     if (family.name == name) return family;
   }
-  throw InputError(fmt::format("unknown family '{}' (see: ar3d list families)", name));
+  throw InputError(fmt::format("unknown family '{}'{} (see: ar3d list families)", name,
+                               did_you_mean(name, names_of(families()))));
 }
 
 bool is_shuffled(const ParameterValues& parameters) {

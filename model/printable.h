@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace ar3d {
+
+/// Foreign text (names of files, words of an input, messages that hold them) as it may stand on one
+/// line of a terminal or a log: printable UTF-8 stays; control characters, line ends, what turns
+/// the direction of text, and bytes that are no UTF-8 become "\xNN", byte by byte. So no escape
+/// sequence reaches a terminal, and no text looks like another line. O(length) time.
+std::string printable(std::string_view text);
+
+}  // namespace ar3d
