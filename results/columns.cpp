@@ -239,8 +239,9 @@ void add_measurements(std::vector<Column>& c) {
       number({"wall_s", "s", "wall time of drawing, nothing else", kind}, &RunRecord::wall_s));
   c.push_back(number({"cpu_s", "s", "CPU time of the drawing thread, drawing only", kind},
                      &RunRecord::cpu_s));
-  c.push_back(number({"certify_s", "s", "wall time of certifying the drawing", kind},
-                     &RunRecord::certify_s));
+  c.push_back(number(
+      {"certify_s", "s", "wall time of certifying the drawing, with its metrics and hash", kind},
+      &RunRecord::certify_s));
   c.push_back(number({"write_s", "s", "wall time of formatting the drawing as JSON lines", kind},
                      &RunRecord::write_s));
 }
