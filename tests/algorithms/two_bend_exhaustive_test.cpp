@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/two_bend_support.h"
+#include "support/names.h"
 
 namespace ar3d {
 namespace {
@@ -23,7 +24,7 @@ TEST_P(TwoBendExhaustive, CertifiesEveryGraphOfMaximumDegree3) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sizes, TwoBendExhaustive, ::testing::Range(1, 12));
+INSTANTIATE_TEST_SUITE_P(Sizes, TwoBendExhaustive, ::testing::Range(1, 12), testing::named("n"));
 
 }  // namespace
 }  // namespace ar3d
