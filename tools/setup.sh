@@ -26,16 +26,28 @@ install_packages() {
     fi
   fi
   echo "ar3d: installing with apt-get:$missing" >&2
-  # Another package manager that is at work is waited for, up to ten minutes; what apt prints is shown only if it fails.
   local apt="$sudo env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=600" log
   log=$(mktemp)
-  { $apt update && $apt install -y $missing; } >"$log" 2>&1 || {
+  { waiting_for_lists "$log" $apt update && $apt install -y $missing >"$log" 2>&1; } || {
     cat "$log" >&2
     rm -f "$log"
     echo "ar3d: installation failed. Type: sudo apt-get install -y$missing" >&2
     return 2
   }
   rm -f "$log"
+}
+
+# waiting_for_lists LOG COMMAND...: runs apt-get update, again while another package manager holds the lists (at most ten minutes);
+# DPkg::Lock::Timeout waits for dpkg's lock, not for theirs. What apt-get prints goes to the log.
+waiting_for_lists() {
+  local log=$1 tries=0
+  shift
+  until "$@" >"$log" 2>&1; do
+    grep -q 'Could not get lock' "$log" && [ $tries -lt 120 ] || return 1
+    [ $tries -gt 0 ] || echo "ar3d: waiting for another package manager" >&2
+    tries=$((tries + 1))
+    sleep 5
+  done
 }
 
 # configure PRESET [cmake options...]: once, unless AR3D_RECONFIGURE=1. AR3D_CONFIGURE holds further options.
