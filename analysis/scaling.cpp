@@ -86,7 +86,7 @@ bool is_adequate(const CurveFit& fit, double p_value, std::size_t sizes) {
   return p_value >= kFitLevel || fit.typical_residual(sizes) <= kNegligibleResidual;
 }
 
-/// Rule 5: the local exponent is the same over the sizes.
+/// Point 5 of docs/analysis.md: the local exponent is the same over the sizes.
 bool is_power_law(const ScalingEntry& entry) {
   const Interval drift = entry.curvature.drift;
   return span_of(entry.sizes.used) >= kLawSpan && drift.low > -kSteadyDrift &&
@@ -101,7 +101,8 @@ bool holds_whole_number(const Interval& b) {
   return false;
 }
 
-/// Rule 6: the local exponent falls as a plausible logarithm makes it fall, and as nothing else.
+/// Point 6 of docs/analysis.md: the local exponent falls as a plausible logarithm makes it fall,
+/// and as nothing else.
 bool is_power_and_log(const ScalingEntry& entry) {
   const Interval b = entry.with_log.log_exponent_interval;
   return span_of(entry.sizes.used) >= kLogSpan && entry.curvature.drift.high < 0 && b.low > 0 &&
