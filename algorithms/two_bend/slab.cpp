@@ -1,3 +1,6 @@
+// Step 2.11, one vertex at a time: the bends around it, and how much of the height it takes.
+// Written for MERGEs and SINKs of a view; SPLITs and SOURCEs are the same in the reversed view.
+// Cost: O(n).
 #include "ar3d/algorithms/two_bend/slab.h"
 
 #include <algorithm>
