@@ -141,6 +141,9 @@ void expect_closest(const Draft& draft) {
     for (Vertex u = 0; u < v; ++u) smallest = std::min(smallest, squared_distance(drawing, u, v));
   }
   ASSERT_NEAR(squared_distance(drawing, pair->u, pair->v), smallest, smallest * 1e-9);
+  const auto plain = verify::closest_pair_by_grid(drawing);
+  ASSERT_EQ(squared_distance(drawing, pair->u, pair->v),
+            squared_distance(drawing, plain->u, plain->v));
 }
 
 TEST(ClosestPair, IsTheBestOfAllPairs) {
@@ -161,6 +164,21 @@ TEST(ClosestPair, IsTheBestOfAllPairs) {
       ASSERT_NO_FATAL_FAILURE(expect_closest(testing::RandomDrafts::far_away(draft))) << i;
     }
   }
+}
+
+TEST(ClosestPair, StripsGiveUpOnWhatTheyAreNotMadeFor) {
+  Draft cloud;  // in space: a slab of strips has too many vertices that are near along one axis
+  for (std::int64_t i = 0; i < 17 * 17 * 17; ++i) {
+    cloud.vertices.push_back({i % 17 * 100, i / 17 % 17 * 100, i / 289 * 100});
+  }
+  EXPECT_FALSE(verify::closest_pair_by_strips(cloud.drawing()).has_value());
+  ASSERT_NO_FATAL_FAILURE(expect_closest(cloud));
+  Draft far;
+  far.vertices = {{0, 0, 0}, {std::int64_t{1} << 41, 0, 0}};
+  EXPECT_FALSE(verify::closest_pair_by_strips(far.drawing()).has_value());
+  far.vertices = {{0, 0, 0}, {1 << 20, 1, 0}};
+  EXPECT_FALSE(verify::closest_pair_by_strips(far.drawing()).has_value());
+  EXPECT_TRUE(verify::closest_pair(far.drawing()).has_value());
 }
 
 TEST(ClosestPair, ComparesExactlyWhereDoublesCannot) {
