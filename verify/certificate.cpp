@@ -7,6 +7,7 @@
 #include "ar3d/model/error.h"
 #include "ar3d/verify/checks.h"
 #include "ar3d/verify/contacts.h"
+#include "ar3d/verify/counting/counting_proof.h"
 #include "ar3d/verify/crossings.h"
 #include "ar3d/verify/examination.h"
 #include "ar3d/verify/findings.h"
@@ -59,6 +60,24 @@ void check_geometry(const Drawing& drawing, const Guarantee& guarantee,
   if (!findings.done()) check_crossings(segments, options.crossing_test, findings);
 }
 
+/// Lattice, bends, range and box, without names for what is wrong.
+bool keeps_places(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
+                  const CertifyOptions& options, const DrawingSummary& summary) {
+  Findings findings(0);
+  check_lattice(drawing, guarantee, findings);
+  if (options.check_size) check_size(graph, summary.box, guarantee, findings);
+  return findings.empty() && keeps_bends(summary, guarantee) && summary.in_range;
+}
+
+Certificate valid_certificate(const DrawingSummary& summary) {
+  Certificate certificate;
+  certificate.complete = true;
+  certificate.box = summary.box;
+  certificate.bend_histogram = summary.bend_histogram;
+  certificate.segments = summary.segments;
+  return certificate;
+}
+
 /// Names every violation.
 Certificate certify_in_full(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
                             const CertifyOptions& options, const DrawingSummary& summary) {
@@ -73,12 +92,10 @@ Certificate certify_in_full(const Graph& graph, const Drawing& drawing, const Gu
   } else {
     check_coordinates(drawing, findings);
   }
-  Certificate certificate;
+  Certificate certificate = valid_certificate(summary);
   certificate.complete = summary.in_range && !findings.done();
   certificate.violations = findings.take();
-  certificate.box = summary.box;
-  certificate.bend_histogram = summary.bend_histogram;
-  if (summary.in_range) certificate.segments = summary.segments;
+  if (!summary.in_range) certificate.segments = 0;
   return certificate;
 }
 
@@ -130,15 +147,23 @@ Examination examine(const Graph& graph, const Drawing& drawing, const Guarantee&
   verify::SummaryPass summary(drawing, parts.metrics);
   std::optional<DrawingHash> hash;
   if (parts.hash) hash.emplace(drawing);
+  std::optional<verify::CountingProof> proof;
+  if (parts.certificate && options.crossing_test == CrossingTest::automatic) {
+    proof.emplace(graph, drawing, guarantee);
+  }
   for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {
     summary.add(points);
     if (hash) hash->add(drawing.edge(e), points);
+    if (proof) proof->add(e, drawing.edge(e), points);
   });
   result.summary = summary.finish();
   if (hash) result.drawing_hash = hash->digest();
-  if (parts.certificate) {
-    result.certificate = certify_in_full(graph, drawing, guarantee, options, result.summary);
-  }
+  if (!parts.certificate) return result;
+  const bool proved = proof && keeps_places(graph, drawing, guarantee, options, result.summary) &&
+                      proof->holds(result.summary);
+  proof.reset();  // its memory
+  result.certificate = proved ? valid_certificate(result.summary)
+                              : certify_in_full(graph, drawing, guarantee, options, result.summary);
   return result;
 }
 
