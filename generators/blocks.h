@@ -18,10 +18,9 @@ Graph random_cactus(Count cycles, Count length, std::uint64_t seed);
 
 /// A long cycle whose vertices carry triangles (0, 2, 4) and (1, 3, 5) in every six along it:
 /// 4-regular, n = 6k, k >= 2, m = 2n, 2-connected. Labels: first the vertices at even places of the
-/// cycle, then those at odd places; so whatever the order of the edges after a round trip through a
-/// file, `diamond` pairs the triangles' edges with each other and colours them green, and the cycle
-/// red. Every triangle is then a green cycle contained in a red one, cannot be closed at two of its
-/// three edges, and has a Z with |dX| = 2, |dY| = 4.
+/// cycle, then those at odd places; so `diamond` pairs the triangles' edges with each other and
+/// colours them green, and the cycle red. Every triangle is then a green cycle contained in a red
+/// one, cannot be closed at two of its three edges, and has a Z with |dX| = 2, |dY| = 4.
 Graph contained_cycles(Count k);
 
 /// Copies of triangle, K4, two leaf blocks joined by a bridge, prism, Petersen graph and triangle

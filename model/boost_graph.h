@@ -110,7 +110,7 @@ adjacent_vertices(Vertex v, const Graph& g) {
   return {{row.data(), {}}, {row.data() + row.size(), {}}};
 }
 
-/// Boost's edge_index map: the edge's number in input order.
+/// Boost's edge_index map: the edge's number, in Graph's order.
 struct EdgeIndexMap {
   using value_type = EdgeId;
   using reference = EdgeId;
@@ -124,8 +124,8 @@ inline Vertex get(boost::vertex_index_t, const Graph&, Vertex v) { return v; }
 inline EdgeIndexMap get(boost::edge_index_t, const Graph&) { return {}; }
 inline EdgeId get(boost::edge_index_t, const Graph&, const BoostEdge& e) { return e.id; }
 
-/// Builds a Graph from any model of VertexListGraph and EdgeListGraph; vertices are numbered in the
-/// order of vertices(g) and edges in the order of edges(g).
+/// Builds a Graph from any model of VertexListGraph and EdgeListGraph; vertices are numbered
+/// by the index map and edges in Graph's order, whatever that of edges(g).
 /// @param index  readable property map: vertex descriptor -> 0..n-1.
 /// @throws InputError on loops and parallel edges.
 template <class BoostGraph, class IndexMap>

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <utility>
 
+#include "ar3d/model/canonical_edges.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/graph_rows.h"
 #include "ar3d/model/hash_stream.h"
@@ -48,30 +50,23 @@ Graph::Graph(std::uint64_t num_vertices, std::vector<Edge> edges) {
         fmt::format("{} edges are too many, the limit is {}", edges.size(), kMaxEdges));
   }
   refuse_bad_ends(num_vertices, edges);
+  const std::uint64_t repeating = make_canonical(num_vertices, edges);
   edges_ = std::make_shared<const std::vector<Edge>>(std::move(edges));
+  if (repeating != num_vertices) refuse_parallel_edges(repeating);
   Rows rows = rows_of(num_vertices, *edges_);
   offsets_ = std::move(rows.offsets);
   half_edges_ = std::move(rows.half_edges);
   max_degree_ = rows.max_degree;
-  refuse_parallel_edges(rows.repeating);
 }
 
 void Graph::refuse_parallel_edges(std::uint64_t repeating) const {
-  std::uint64_t bad = repeating;
-  std::size_t place = bad < num_vertices() ? first_repeat(incident(static_cast<Vertex>(bad))) : 0;
-  if (max_degree_ > kShortRow) {
-    std::vector<Vertex> stamp(num_vertices(), num_vertices());
-    for (Vertex v = 0; v < bad; ++v) {
-      const auto row = incident(v);
-      for (std::size_t i = 0; row.size() > kShortRow && i < row.size() && v < bad; ++i) {
-        if (std::exchange(stamp[row[i].to], v) != v) continue;
-        bad = v;
-        place = i;
-      }
-    }
+  std::set<Vertex> seen;
+  EdgeId e = 0;
+  for (;; ++e) {
+    expect(e < num_edges(), "a repeated edge stands in the list");
+    const auto [u, v] = edge(e);
+    if (std::min(u, v) == repeating && !seen.insert(std::max(u, v)).second) break;
   }
-  if (bad == num_vertices()) return;
-  const EdgeId e = incident(static_cast<Vertex>(bad))[place].edge;
   const auto [u, v] = edge(e);
   throw EdgeError(e, u, v, fmt::format("edge {} ({}, {}) is parallel to an earlier edge", e, u, v));
 }

@@ -26,18 +26,18 @@ struct HalfEdge {
   friend bool operator==(const HalfEdge&, const HalfEdge&) = default;
 };
 
-/// A simple, undirected, immutable graph with vertices 0..n-1 and edges numbered in input order,
-/// stored as compressed rows. The incident half-edges of a vertex stand in input order of the
-/// edges. Memory: 4(n+1) + 24 m bytes. Copies share the edge list.
+/// A simple, undirected, immutable graph with vertices 0..n-1, stored as compressed rows. Edges are
+/// pairs (u, v) with u < v, numbered in ascending order of (u, v) however they came; half-edges of
+/// a vertex ascend by neighbour, hence by edge. 4(n+1) + 24 m bytes. Copies share the edge list.
 class Graph {
  public:
   /// The graph without vertices.
   Graph() : Graph(0, {}) {}
 
   /// @param num_vertices  n < 2^32 - 1.
-  /// @param edges  m < 2^31 pairs of ids below n, no loops, no pair twice in either order.
-  /// @throws EdgeError naming the offending edge and value, InputError if there are too many of
-  /// them. Cost: O(n + m) time on all threads (threads_for), memory as rows_of.
+  /// @param edges  m < 2^31 pairs of ids below n in any order, no loops, no pair twice either way.
+  /// @throws EdgeError naming the offending edge (its place in `edges`) and value, InputError if
+  /// too many. Cost: O(n + m log D), D the largest degree, on all threads; memory: make_canonical.
   Graph(std::uint64_t num_vertices, std::vector<Edge> edges);
 
   Vertex num_vertices() const { return static_cast<Vertex>(offsets_.size() - 1); }
@@ -60,7 +60,7 @@ class Graph {
   }
 
  private:
-  /// @param repeating  the first row of at most kShortRow that repeats a neighbour, or n.
+  /// @param repeating  the smallest end of a pair that stands twice among edges_, as they came.
   void refuse_parallel_edges(std::uint64_t repeating) const;
 
   std::shared_ptr<const std::vector<Edge>> edges_;
@@ -69,10 +69,10 @@ class Graph {
   std::uint32_t max_degree_ = 0;
 };
 
-/// 128-bit hash of (n, edge list in order), as 32 hexadecimal digits; equal on all platforms.
+/// 128-bit hash of (n, edges in their order), as 32 hexadecimal digits; equal on all platforms.
 std::string graph_hash(const Graph& graph);
 
-/// The graph with vertex v renamed to new_name[v] (a permutation) and edges kept in order.
+/// The graph with vertex v renamed to new_name[v] (a permutation).
 /// @throws InputError if new_name is not a permutation of 0..n-1.
 Graph relabelled(const Graph& graph, std::span<const Vertex> new_name);
 

@@ -1,6 +1,3 @@
-// Rules 2.3 and 2.4: MERGEs inserted between their in-neighbours, and the row of a SINK's special
-// edge moved between its two other neighbours (Lemma 2.7). Everything that depends on this row
-// waits until the SINK's turn. Cost: O(n).
 #include "ar3d/algorithms/two_bend/view_list.h"
 
 #include <algorithm>
@@ -17,7 +14,7 @@ namespace {
 
 using Pair = std::array<NodeId, 2>;
 
-/// A SINK's ordinary neighbours, and what had to wait for them (Rule 2.4).
+/// A SINK's ordinary neighbours, and what had to wait for them (4.1, step 5).
 struct WaitingSink {
   NodeId c = kNone;
   NodeId w = kNone;
@@ -27,11 +24,11 @@ struct WaitingSink {
 
 class ListBuilder {
  public:
-  ListBuilder(Flow& flow, bool columns, bool straighten, const std::vector<std::uint32_t>& weights)
+  ListBuilder(Flow& flow, bool columns, bool straighten)
       : view_(flow, columns),
         poles_(flow.poles),
         attachment_(attach_merges(view_)),
-        list_(view_.size(), order_owners(view_, attachment_, straighten, weights)),
+        list_(view_.size(), order_owners(view_, attachment_, straighten)),
         postponed_(view_.size(), false) {}
 
   std::vector<NodeId> build() {
@@ -137,7 +134,7 @@ class ListBuilder {
     list_.insert_after(m[1], pole.node);
   }
 
-  /// Rule 2.4: hold comes to lie strictly between lo and hi.
+  /// 4.1.5, step 1: hold comes to lie strictly between lo and hi.
   void place_hold(const Pole& pole, NodeId lo, NodeId hi) {
     const NodeId hold = view_.hold_of(pole);
     const bool has_place = list_.contains(hold) || !pole.a_type;
@@ -180,7 +177,7 @@ class ListBuilder {
     return false;
   }
 
-  /// Rule 2.4, the chain does not run into c.
+  /// 4.1.5, step 2 (i).
   void place_apart(const WaitingSink& sink, NodeId hold, Pair r12, Pair r34) {
     if (list_.before(r34[0], hold) && list_.before(hold, r12[1])) {
       list_.insert_after(r34[0], sink.w);
@@ -192,7 +189,7 @@ class ListBuilder {
     insert_chain(sink.chain);
   }
 
-  /// Rule 2.4, the chain runs into c.
+  /// 4.1.5, step 2 (ii).
   void place_when_chain_reaches(const WaitingSink& sink, NodeId hold, NodeId r2, Pair r34,
                                 NodeId chain_end) {
     insert_chain(sink.chain);
@@ -217,9 +214,8 @@ class ListBuilder {
 
 }  // namespace
 
-std::vector<NodeId> build_view_list(Flow& flow, bool columns, bool straighten,
-                                    const std::vector<std::uint32_t>& weights) {
-  return ListBuilder(flow, columns, straighten, weights).build();
+std::vector<NodeId> build_view_list(Flow& flow, bool columns, bool straighten) {
+  return ListBuilder(flow, columns, straighten).build();
 }
 
 void choose_outer_specials(Flow& flow, bool columns_are_second,

@@ -5,7 +5,6 @@
 
 #include "algorithms/compact_support.h"
 #include "support/graphs.h"
-#include "support/names.h"
 
 namespace ar3d {
 namespace {
@@ -29,8 +28,7 @@ TEST_P(CompactSmallGraphs, AreCertifiedWithCellsTriedInTurn) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(UpToNineVertices, CompactSmallGraphs, ::testing::Range(1, 10),
-                         testing::named("n"));
+INSTANTIATE_TEST_SUITE_P(UpToNineVertices, CompactSmallGraphs, ::testing::Range(1, 10));
 
 class CompactFourRegular : public ::testing::TestWithParam<int> {};
 
@@ -46,8 +44,7 @@ TEST_P(CompactFourRegular, AreCertifiedInThreeLabellings) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(UpToElevenVertices, CompactFourRegular, ::testing::Range(5, 12),
-                         testing::named("n"));
+INSTANTIATE_TEST_SUITE_P(UpToElevenVertices, CompactFourRegular, ::testing::Range(5, 12));
 
 }  // namespace
 }  // namespace ar3d

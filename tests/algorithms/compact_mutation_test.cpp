@@ -42,7 +42,8 @@ class RandomDrawing {
     const Graph graph(sites_.size(), edges_);
     Coordinates at(sites_.size(), 1000);
     for (std::size_t v = 0; v < sites_.size(); ++v) at.set(v, to_point(rules_.place(sites_[v])));
-    const Drawing drawing("compact", kCubeLattice, std::move(at), graph.shared_edges(),
+    const Drawing drawing("compact", kCubeLattice, std::move(at),
+                          std::make_shared<const std::vector<Edge>>(edges_),
                           std::make_shared<StoredBends>(bends_));
     return certify(graph, drawing, compact_row().guarantee,
                    {.crossing_test = CrossingTest::all_pairs, .check_size = false})

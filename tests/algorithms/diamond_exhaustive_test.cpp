@@ -6,7 +6,6 @@
 #include "algorithms/diamond_colourings.h"
 #include "algorithms/diamond_support.h"
 #include "support/graphs.h"
-#include "support/names.h"
 
 namespace ar3d {
 namespace {
@@ -31,8 +30,7 @@ TEST(SmallGraphs, AreAll18745) {
   EXPECT_EQ(count, 18745u);
 }
 
-INSTANTIATE_TEST_SUITE_P(UpToNineVertices, EverySmallGraph, ::testing::Range(1, 10),
-                         testing::named("n"));
+INSTANTIATE_TEST_SUITE_P(UpToNineVertices, EverySmallGraph, ::testing::Range(1, 10));
 
 class EveryFourRegularGraph : public ::testing::TestWithParam<int> {};
 
@@ -48,8 +46,7 @@ TEST_P(EveryFourRegularGraph, IsCertifiedInFiveLabellings) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(UpToTwelveVertices, EveryFourRegularGraph, ::testing::Range(5, 13),
-                         testing::named("n"));
+INSTANTIATE_TEST_SUITE_P(UpToTwelveVertices, EveryFourRegularGraph, ::testing::Range(5, 13));
 
 // With diamond_long_test.cpp (n = 7) this is the part of the size bound's proof for n <= 7, see
 // docs/theorem1.md.

@@ -6,7 +6,6 @@
 #include "algorithms/grid_checks.h"
 #include "ar3d/algorithms/catalog.h"
 #include "support/graphs.h"
-#include "support/names.h"
 
 namespace ar3d {
 namespace {
@@ -30,8 +29,7 @@ TEST_P(GridOnAllGraphs, UpToElevenVerticesAreCertified) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Efforts, GridOnAllGraphs, ::testing::Values(0, 1, 2),
-                         testing::named("effort"));
+INSTANTIATE_TEST_SUITE_P(Efforts, GridOnAllGraphs, ::testing::Values(0, 1, 2));
 
 }  // namespace
 }  // namespace ar3d

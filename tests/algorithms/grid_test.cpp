@@ -125,7 +125,7 @@ TEST(Grid, InvariantHoldsForFlatNumbersWithManyDefects) {
 
 TEST(Grid, ColouredGraphsGetAFlatBox) {
   for (const char* family : {"random-cubic", "prism", "binary-tree", "union-k4", "cycle"}) {
-    const Graph graph = testing::shuffled(generate(find_family(family), 3000, 1), 8);
+    const Graph graph = testing::shuffled(generate(find_family(family), 3000, 3), 8);
     const Drawing drawing = draw_grid(graph);
     EXPECT_EQ(testing::counter(drawing, "flat_defects"), 0) << family;
     EXPECT_EQ(testing::counter(drawing, "core_parts"), 0) << family;

@@ -43,7 +43,7 @@ TEST(BoostGraph, BuildsFromBoostGraphs) {
   add_edge(3, 1, list);
   const Graph from_list = from_boost(list);
   EXPECT_EQ(from_list.num_vertices(), 4u);
-  EXPECT_EQ(from_list.edge(1), (Edge{3, 1}));
+  EXPECT_EQ(from_list.edge(1), (Edge{1, 3}));
   boost::adjacency_matrix<boost::undirectedS> matrix(3);
   add_edge(0, 2, matrix);
   EXPECT_EQ(from_boost(matrix).num_edges(), 1u);

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "ar3d/model/graph.h"
+
+namespace ar3d {
+
+/// True if every edge (u, v) has u < v and the edges ascend by (u, v), none standing twice.
+/// O(m) time.
+bool are_canonical(std::span<const Edge> edges);
+
+/// Brings m < 2^32 edges without loops, with ends below n, into canonical order: every edge as
+/// (u, v) with u < v, ascending by (u, v).
+/// @return the smallest end of a pair that stands twice, in either order; n if there is none. If
+/// there is one, the edges stay as they were.
+/// Cost: O(n + m log D) time for the largest degree D, on all threads (threads_for), and while it
+/// runs 8 m bytes, n m / 2^30 bytes and for each thread 8 bytes for each edge at the fullest 8192
+/// vertices with neighbouring names.
+std::uint64_t make_canonical(std::uint64_t n, std::vector<Edge>& edges);
+
+}  // namespace ar3d

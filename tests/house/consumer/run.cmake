@@ -1,0 +1,16 @@
+# Installs the build into a prefix of its own, builds the consumer against it and runs it.
+set(prefix ${BUILD}/consumer-test/prefix)
+set(build ${BUILD}/consumer-test/build)
+file(REMOVE_RECURSE ${BUILD}/consumer-test)
+function(run)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "failed (${result}): ${ARGV}")
+  endif()
+endfunction()
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
+run(${CMAKE_COMMAND} -G Ninja -S ${SOURCE} -B ${build} -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_BUILD_TYPE=Release
+    -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_C_COMPILER=${CC} -DCMAKE_CXX_FLAGS=${FLAGS})
+run(${CMAKE_COMMAND} --build ${build})
+run(${build}/consumer)
+run(${prefix}/bin/ar3d --version)
