@@ -9,29 +9,27 @@
 namespace ar3d {
 namespace {
 
-/// A factor log^b n with |b| below this is called no logarithm.
-constexpr double kNegligibleLogExponent = 0.5;
-constexpr double kDecisiveWeight = 0.98;  // wrong in about 0.2 % of pure power laws
+/// A power law: the drift of the local exponent lies within this on either side.
+constexpr double kSteadyDrift = 0.1;
+/// A power law needs a largest size so many times the smallest: then the drift bounds what is left
+/// of a lower-order term of relative order n^(-1/2).
+constexpr double kLawSpan = 16;
+/// A logarithm needs more: over 100-fold sizes a factor log n bends the line visibly.
+constexpr double kLogSpan = 100;
+/// A model is adequate if the test of fit does not reject it at this level, or if the sizes are off
+/// it by less than one per cent.
+constexpr double kFitLevel = 0.1;
+constexpr double kNegligibleResidual = 0.01;
+/// A logarithm's exponent is a whole number, no larger than this, and known this well.
+constexpr int kLargestLogExponent = 3;
+constexpr double kLogExponentWidth = 2;
+constexpr double kDecisiveWeight = 0.95;
 /// log log n needs n > 1, and is steep just above it.
 constexpr std::int64_t kSmallestNForLogs = 3;
-/// More seeds than this are not proposed; larger sizes tell more.
-constexpr double kManySeeds = 200;
 constexpr std::size_t kUsualSeeds = 8;
 /// Proposed where nothing was measured.
 constexpr std::int64_t kFirstSize = 16;
 constexpr std::int64_t kLargestProposal = std::int64_t{1} << 30;
-
-/// exp(-aicc/2) of the second model over the sum of both.
-double akaike_weight(double aicc_first, double aicc_second) {
-  if (std::isinf(aicc_first)) return std::isinf(aicc_second) ? 0.5 : 0;
-  return 1 / (1 + std::exp((aicc_second - aicc_first) / 2));
-}
-
-double fewest_instances(const std::vector<SizeSample>& sizes) {
-  std::size_t fewest = sizes.front().instances.size();
-  for (const SizeSample& size : sizes) fewest = std::min(fewest, size.instances.size());
-  return static_cast<double>(fewest);
-}
 
 /// "sizes 2000 and 4000", "sizes 10, 20 and 40"
 std::string sizes_text(const std::vector<std::int64_t>& sizes) {
@@ -42,42 +40,22 @@ std::string sizes_text(const std::vector<std::int64_t>& sizes) {
   return text;
 }
 
-std::int64_t largest_n(const std::vector<SizeSample>& sizes) {
-  return sizes.empty() ? kFirstSize / 2 : sizes.back().n;
-}
-
 /// `count` sizes, each twice the one before, above everything that was measured.
 std::vector<std::int64_t> doubled_sizes(const ScalingEntry& entry, std::size_t count) {
   std::vector<std::int64_t> sizes;
-  std::int64_t n = largest_n(entry.all);
+  std::int64_t n = entry.all.empty() ? kFirstSize / 2 : entry.all.back().n;
   while (sizes.size() < count && n <= kLargestProposal / 2) sizes.push_back(n *= 2);
   return sizes;
 }
 
 void propose(std::vector<std::int64_t> sizes, std::size_t seeds, ScalingEntry& entry) {
+  if (sizes.empty()) return;
   entry.next = sizes_text(sizes) + fmt::format(" with {} seeds each", seeds);
   entry.next_study = {std::move(sizes), seeds};
 }
 
-/// An interval's width falls with the square root of the seeds a size; half the threshold on either
-/// side decides. Where the sizes scatter by themselves, more seeds do not help: larger sizes do.
-void propose_what_decides(ScalingEntry& entry) {
-  const std::vector<std::int64_t> larger = doubled_sizes(entry, 2);
-  const auto present = static_cast<std::size_t>(fewest_instances(entry.sizes.used));
-  if (entry.with_log.spread == Spread::sizes) {
-    propose(larger, std::max(kUsualSeeds, present), entry);
-    return;
-  }
-  const double ratio = entry.with_log.log_exponent_interval.width() / kNegligibleLogExponent;
-  const double seeds = std::ceil(static_cast<double>(present) * ratio * ratio);
-  if (!(seeds <= kManySeeds)) {
-    propose(larger, std::max(kUsualSeeds, present), entry);
-    entry.next += fmt::format(" (more than {:.0f} seeds at the present sizes)", kManySeeds);
-    return;
-  }
-  entry.next = fmt::format("about {:.0f} seeds a size at the present sizes, or {}", seeds,
-                           sizes_text(larger));
-  entry.next_study = {{}, static_cast<std::size_t>(seeds)};
+double span_of(const std::vector<SizeSample>& sizes) {
+  return static_cast<double>(sizes.back().n) / static_cast<double>(sizes.front().n);
 }
 
 /// True if there are enough sizes; else says what is missing.
@@ -89,33 +67,92 @@ bool has_enough_sizes(const FitOptions& options, ScalingEntry& entry) {
     propose(doubled_sizes(entry, options.minimum_sizes - used.size()), kUsualSeeds, entry);
     return false;
   }
-  const double span = static_cast<double>(used.back().n) / static_cast<double>(used.front().n);
-  if (span < options.minimum_span) {
+  if (span_of(used) < options.minimum_span) {
     entry.reason =
         fmt::format("the largest size is only {:.2g} times the smallest; at least {:.2g} is needed",
-                    span, options.minimum_span);
+                    span_of(used), options.minimum_span);
     propose(doubled_sizes(entry, 2), kUsualSeeds, entry);
+    return false;
+  }
+  if (used.front().n < kSmallestNForLogs) {
+    entry.reason = fmt::format("sizes below {} cannot tell logarithms", kSmallestNForLogs);
+    propose(doubled_sizes(entry, 1), kUsualSeeds, entry);
     return false;
   }
   return true;
 }
 
-/// An interval of b inside ±1/2 rules a logarithm out; one that excludes 0, with a decisive weight,
-/// shows one.
-void decide_growth(ScalingEntry& entry) {
-  const Interval b = entry.with_log.log_exponent_interval;
-  const std::string interval = fmt::format("log exponent {:.2f} [{:.2f}, {:.2f}]",
-                                           entry.with_log.log_exponent, b.low, b.high);
-  if (b.low > -kNegligibleLogExponent && b.high < kNegligibleLogExponent) {
-    entry.growth = Growth::power;
-    entry.reason = interval;
-  } else if (!b.contains(0) && entry.log_weight >= kDecisiveWeight) {
-    entry.growth = Growth::power_and_log;
-    entry.reason = interval + fmt::format(", Akaike weight {:.3f}", entry.log_weight);
-  } else {
-    entry.reason = interval;
-    propose_what_decides(entry);
+bool is_adequate(const CurveFit& fit, double p_value, std::size_t sizes) {
+  return p_value >= kFitLevel || fit.typical_residual(sizes) <= kNegligibleResidual;
+}
+
+/// Point 5 of docs/analysis.md: the local exponent is the same over the sizes.
+bool is_power_law(const ScalingEntry& entry) {
+  const Interval drift = entry.curvature.drift;
+  return span_of(entry.sizes.used) >= kLawSpan && drift.low > -kSteadyDrift &&
+         drift.high < kSteadyDrift &&
+         is_adequate(entry.power, entry.curvature.line_p, entry.sizes.used.size());
+}
+
+bool holds_whole_number(const Interval& b) {
+  for (int whole = 1; whole <= kLargestLogExponent; ++whole) {
+    if (b.contains(whole)) return true;
   }
+  return false;
+}
+
+/// Point 6 of docs/analysis.md: the local exponent falls as a plausible logarithm makes it fall,
+/// and as nothing else.
+bool is_power_and_log(const ScalingEntry& entry) {
+  const Interval b = entry.with_log.log_exponent_interval;
+  return span_of(entry.sizes.used) >= kLogSpan && entry.curvature.drift.high < 0 && b.low > 0 &&
+         b.width() <= kLogExponentWidth && holds_whole_number(b) &&
+         entry.log_weight >= kDecisiveWeight &&
+         is_adequate(entry.with_log, entry.curvature.with_log_p, entry.sizes.used.size());
+}
+
+/// What the local exponent does over the sizes, one clause.
+std::string drift_text(const Curvature& curvature) {
+  const char* verb = curvature.drift.low > 0    ? "rises"
+                     : curvature.drift.high < 0 ? "falls"
+                                                : "changes";
+  return fmt::format("local exponent {} from {:.2f} to {:.2f}, by [{:+.2f}, {:+.2f}]", verb,
+                     curvature.first_exponent, curvature.last_exponent, curvature.drift.low,
+                     curvature.drift.high);
+}
+
+void decide_growth(ScalingEntry& entry) {
+  const Curvature& curvature = entry.curvature;
+  entry.reason = drift_text(curvature);
+  if (is_power_law(entry)) {
+    entry.growth = Growth::power;
+    const double left = std::max(std::abs(curvature.drift.low), std::abs(curvature.drift.high));
+    const Interval a = entry.power.exponent_interval;
+    entry.law_interval = {a.low - left, a.high + left};
+    return;
+  }
+  if (is_power_and_log(entry)) {
+    const Interval b = entry.with_log.log_exponent_interval;
+    entry.growth = Growth::power_and_log;
+    entry.reason = fmt::format("log exponent {:.2f} [{:.2f}, {:.2f}], Akaike weight {:.3f}",
+                               entry.with_log.log_exponent, b.low, b.high, entry.log_weight);
+    return;
+  }
+  entry.growth = Growth::apparent;
+  const bool is_steady = curvature.drift.low > -kSteadyDrift && curvature.drift.high < kSteadyDrift;
+  if (is_steady && span_of(entry.sizes.used) >= kLawSpan) {
+    entry.reason += fmt::format("; the sizes are off the line (p {:.2g})", curvature.line_p);
+  } else if (curvature.drift.contains(0)) {
+    propose(doubled_sizes(entry, 2), kUsualSeeds, entry);
+  }
+}
+
+/// Times of rows that others ran beside are no measurements of the program alone.
+void refuse_untimed(ScalingEntry& entry) {
+  ScalingEntry untimed;
+  untimed.all = std::move(entry.all);
+  untimed.reason = "no rows of the timing phase";
+  entry = std::move(untimed);
 }
 
 }  // namespace
@@ -126,10 +163,19 @@ const char* to_string(Growth growth) {
       return "power law";
     case Growth::power_and_log:
       return "power law with logarithm";
+    case Growth::apparent:
+      return "apparent exponent";
     case Growth::undecided:
       return "undecided";
   }
   return "unknown";
+}
+
+std::string growth_label(const ScalingEntry& entry) {
+  std::string label = to_string(entry.growth);
+  if (entry.growth != Growth::apparent) return label;
+  const auto& used = entry.sizes.used;
+  return label + fmt::format(" on [{}, {}]", used.front().n, used.back().n);
 }
 
 ScalingEntry fit_scaling(std::vector<SizeSample> all, const FitOptions& options) {
@@ -138,15 +184,11 @@ ScalingEntry fit_scaling(std::vector<SizeSample> all, const FitOptions& options)
   entry.sizes = choose_sizes(entry.all, options.minimum_sizes);
   const auto& used = entry.sizes.used;
   entry.decided = has_enough_sizes(options, entry);
-  entry.power = fit_curve(used, false, entry.decided, options.bootstrap);
+  entry.power = fit_curve(used, false, entry.decided, options.confidence);
   if (!entry.decided) return entry;
-  if (used.front().n < kSmallestNForLogs) {
-    entry.reason = fmt::format("sizes below {} cannot tell logarithms", kSmallestNForLogs);
-    propose(doubled_sizes(entry, 1), kUsualSeeds, entry);
-    return entry;
-  }
-  entry.with_log = fit_curve(used, true, true, options.bootstrap);
-  entry.log_weight = akaike_weight(entry.power.aicc, entry.with_log.aicc);
+  entry.with_log = fit_curve(used, true, true, options.confidence);
+  entry.curvature = curvature(used, options.confidence);
+  entry.log_weight = log_weight(used);
   decide_growth(entry);
   return entry;
 }
@@ -160,10 +202,12 @@ std::vector<ScalingEntry> scaling(const Results& results, const FitOptions& opti
     const auto index = static_cast<std::size_t>(i);
     const Cell& cell = all_cells[index / quantities().size()];
     const Quantity quantity = quantities()[index % quantities().size()];
-    entries[index] = fit_scaling(samples(results, cell, quantity), options);
-    entries[index].key = cell.key;
-    entries[index].quantity = quantity;
-    entries[index].censored = censored_rows(results, cell);
+    ScalingEntry& entry = entries[index];
+    entry = fit_scaling(samples(results, cell, quantity), options);
+    if (quantity == Quantity::wall_s && !has_timing_rows(results, cell)) refuse_untimed(entry);
+    entry.key = cell.key;
+    entry.quantity = quantity;
+    entry.censored = censored_rows(results, cell);
   }
   std::erase_if(entries, [](const ScalingEntry& entry) { return entry.all.empty(); });
   return entries;

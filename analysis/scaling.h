@@ -9,12 +9,14 @@
 
 namespace ar3d {
 
+/// What may be said of a growth. The rules are numbered in docs/analysis.md, section Growth.
 enum class Growth {
-  power,          ///< n^a; a factor log^b n, if any, has |b| < 1/2
-  power_and_log,  ///< n^a log^b n with b != 0
-  undecided,
+  power,          ///< n^a: the local exponent stays the same over the sizes
+  power_and_log,  ///< n^a log^b n with a plausible b, and nothing else explains the bend
+  apparent,       ///< an exponent over the fitted sizes, which says nothing about larger ones
+  undecided,      ///< too few sizes, or no times that can be compared
 };
-/// "power law", "power law with logarithm", "undecided"
+/// "power law", "power law with logarithm", "apparent exponent", "undecided"
 const char* to_string(Growth growth);
 
 /// What more to measure so that an undecided answer becomes one; both empty if it is decided.
@@ -32,18 +34,26 @@ struct ScalingEntry {
   FitSizes sizes;                     ///< what was fitted
   CurveFit power;                     ///< n^a; a is the apparent exponent over the fitted sizes
   CurveFit with_log;                  ///< n^a log^b n
-  double log_weight = kMissing;       ///< Akaike weight of with_log against power, in [0, 1]
-  bool decided = false;               ///< enough sizes for the exponent's interval
+  Curvature curvature;                ///< how far from a power law the sizes are
+  double log_weight = kMissing;       ///< ar3d::log_weight
+  bool decided = false;               ///< the apparent exponent has an interval
   Growth growth = Growth::undecided;
+  /// Of a power law: where the exponent lies for larger n, too, if what is left of a lower-order
+  /// term falls at least like n^(-1/2): power.exponent_interval widened by the drift at either end.
+  Interval law_interval{kMissing, kMissing};
   std::string reason;  ///< why so, one sentence
-  std::string next;    ///< which sizes and seeds would decide, in words; empty if decided
+  std::string next;    ///< which sizes and seeds would decide, in words; empty if nothing would
   NextStudy next_study;
 };
 
-/// Fits one sample. Cost: O(replicates * instances).
+/// "power law", "apparent exponent on [64, 8192]": the label for people.
+std::string growth_label(const ScalingEntry& entry);
+
+/// Fits one sample. Cost: O(s^2) for s sizes.
 ScalingEntry fit_scaling(std::vector<SizeSample> all, const FitOptions& options = {});
 
-/// Every quantity that was measured in every cell, in the order of the file. Same numbers on any
+/// Every quantity that was measured in every cell, in the order of the file. Drawing times are
+/// fitted where the cell has rows of the timing phase, and from these alone. Same numbers on any
 /// thread count.
 std::vector<ScalingEntry> scaling(const Results& results, const FitOptions& options = {});
 

@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "ar3d/model/error.h"
-#include "ar3d/model/hash_stream.h"
 
 namespace ar3d {
 
@@ -70,60 +68,57 @@ Drawing::Drawing(std::string algorithm, Lattice lattice, Coordinates vertices,
 
 void Drawing::polyline(EdgeId e, std::vector<Point>& out) const {
   const Edge ends = edge(e);
-  const Point at_u = vertex(ends.u);
-  const Point at_v = vertex(ends.v);
+  polyline_between(e, ends, vertex(ends.u), vertex(ends.v), out);
+}
+
+void Drawing::polyline_between(EdgeId e, Edge ends, Point at_u, Point at_v,
+                               std::vector<Point>& out) const {
   out.clear();
   out.push_back(at_u);
   bends_->append_bends(e, ends, at_u, at_v, out);
   out.push_back(at_v);
 }
 
-namespace {
-void include(Box& box, bool& empty, Point p) {
-  if (empty) box = {p, p};
-  empty = false;
-  box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-  box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
-}
-}  // namespace
-
 Box bounding_box(const Drawing& drawing) {
-  Box box;
-  bool empty = true;
+  GrowingBox box;
   for (std::size_t v = 0; v < drawing.num_vertices(); ++v) {
-    include(box, empty, drawing.vertex(static_cast<Vertex>(v)));
+    box.add(drawing.vertex(static_cast<Vertex>(v)));
   }
-  std::vector<Point> points;
-  for (EdgeId e = 0; e < drawing.num_edges(); ++e) {
-    drawing.polyline(e, points);
-    for (const Point p : points) include(box, empty, p);
-  }
-  return box;
+  for_each_polyline(drawing, [&](EdgeId, const std::vector<Point>& points) {
+    for (const Point p : points) box.add(p);
+  });
+  return box.box();
 }
 
-std::string drawing_hash(const Drawing& drawing) {
-  HashStream hash;
-  const auto put = [&hash](Point p) {
-    hash.put(p.x);
-    hash.put(p.y);
-    hash.put(p.z);
-  };
+DrawingHash::DrawingHash(const Drawing& drawing) {
   for (const auto& row : drawing.lattice().gram) {
-    for (const std::int32_t entry : row) hash.put(std::int64_t{entry});
+    for (const std::int32_t entry : row) hash_.put(std::int64_t{entry});
   }
-  hash.put(std::int64_t{drawing.lattice().gram_denominator});
-  hash.put(std::uint64_t{drawing.num_vertices()});
+  hash_.put(std::int64_t{drawing.lattice().gram_denominator});
+  hash_.put(std::uint64_t{drawing.num_vertices()});
   for (std::size_t v = 0; v < drawing.num_vertices(); ++v) {
     put(drawing.vertex(static_cast<Vertex>(v)));
   }
-  std::vector<Point> points;
-  for (EdgeId e = 0; e < drawing.num_edges(); ++e) {
-    hash.put(drawing.edge(e).u);
-    hash.put(drawing.edge(e).v);
-    drawing.polyline(e, points);
-    hash.put(std::uint64_t{points.size()});
-    for (const Point p : points) put(p);
-  }
+}
+
+void DrawingHash::put(Point p) {
+  hash_.put(p.x);
+  hash_.put(p.y);
+  hash_.put(p.z);
+}
+
+void DrawingHash::add(Edge ends, const std::vector<Point>& points) {
+  hash_.put(ends.u);
+  hash_.put(ends.v);
+  hash_.put(std::uint64_t{points.size()});
+  for (const Point p : points) put(p);
+}
+
+std::string drawing_hash(const Drawing& drawing) {
+  DrawingHash hash(drawing);
+  for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {
+    hash.add(drawing.edge(e), points);
+  });
   return hash.digest();
 }
 

@@ -24,6 +24,7 @@ void advise_long_array(void* array, std::size_t bytes) {
   // Whole pages inside the array only; the advice takes addresses that are multiples of 4 KiB.
   const auto begin = (reinterpret_cast<std::uintptr_t>(array) + kPage - 1) / kPage * kPage;
   const auto end = (reinterpret_cast<std::uintptr_t>(array) + bytes) / kPage * kPage;
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): rounded up to a page
   if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
 }
 

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/random.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -44,8 +45,7 @@ void sync_directory(const std::string& target) {
 
 }  // namespace
 
-NewFile::NewFile(const std::string& target)
-    : target_(target), name_(fmt::format("{}.partial-{}", target, getpid())) {
+NewFile::NewFile(const std::string& target) : target_(target), name_(name_of_new_file(target)) {
   descriptor_ = Descriptor(open(name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   if (descriptor_.get() < 0) refuse(target_, errno);
 }
@@ -74,11 +74,36 @@ void NewFile::become_target() {
 
 bool NewFile::become_new_target() {
   if (fsync(descriptor_.get()) != 0) refuse(target_, errno);
-  if (link(name_.c_str(), target_.c_str()) != 0) {
-    if (errno != EEXIST) refuse(target_, errno);
+  return give_name_if_free(name_, target_);
+}
+
+std::string name_of_new_file(const std::string& target) {
+  std::uint64_t number = 0;  // process ids alone are the same in every container
+  if (getrandom(&number, sizeof(number), 0) != sizeof(number)) refuse(target, errno);
+  return fmt::format("{}.partial-{}-{:016x}", target, getpid(), number);
+}
+
+bool give_name_if_free(const std::string& name, const std::string& target) {
+  const auto failed = [&] {
+    const int reason = errno;
+    unlink(name.c_str());
+    if (reason != EEXIST) refuse(target, reason);
     return false;
+  };
+  if (link(name.c_str(), target.c_str()) == 0) {
+    unlink(name.c_str());
+  } else if (errno == EEXIST) {
+    return failed();
+  } else if (renameat2(AT_FDCWD, name.c_str(), AT_FDCWD, target.c_str(), RENAME_NOREPLACE) != 0) {
+    if (errno == EEXIST) return failed();
+    // Neither hard links nor that rename: what is left has a gap between looking and renaming.
+    if (access(target.c_str(), F_OK) == 0) {
+      errno = EEXIST;
+      return failed();
+    }
+    if (std::rename(name.c_str(), target.c_str()) != 0) return failed();
   }
-  sync_directory(target_);
+  sync_directory(target);
   return true;
 }
 

@@ -33,6 +33,16 @@ class NewFile {
   bool renamed_ = false;
 };
 
+/// A name beside `target` that no other process uses, be it in another container or on another
+/// machine. @throws InputError if the system has no random number.
+std::string name_of_new_file(const std::string& target);
+
+/// Gives the file `name` the name `target`, whole and at once, unless something has that name
+/// already; `name` is gone afterwards in either case. By a hard link; on file systems without them
+/// by a rename that replaces nothing; where that is unknown, too, by looking and then renaming.
+/// @return false if something has the name. @throws InputError naming the target.
+bool give_name_if_free(const std::string& name, const std::string& target);
+
 /// Replaces the file at `path` by `bytes`, or leaves everything as it was: writes a new file beside
 /// it, fsync, rename, fsync of the directory. A symbolic link is followed; what exists and is no
 /// regular file is refused.

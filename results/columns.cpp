@@ -32,8 +32,7 @@ Column described(const Description& d, FieldType type, std::size_t size) {
 bool is_printable(char c) { return c >= ' ' && c <= '~'; }
 
 // Eight characters at once, the last eight once more: the top bit of each says that it is none of
-// ASCII, is 127, or is below 32. No carry leaves its character but one of 255, and that is no
-// ASCII.
+// ASCII, is 127, or is below 32. No carry leaves its character but that of 255, which is none.
 bool all_printable(const std::string& text) {
   constexpr std::uint64_t kOnes = 0x0101010101010101;
   constexpr std::uint64_t kTops = kOnes * 128;
@@ -239,8 +238,9 @@ void add_measurements(std::vector<Column>& c) {
       number({"wall_s", "s", "wall time of drawing, nothing else", kind}, &RunRecord::wall_s));
   c.push_back(number({"cpu_s", "s", "CPU time of the drawing thread, drawing only", kind},
                      &RunRecord::cpu_s));
-  c.push_back(number({"certify_s", "s", "wall time of certifying the drawing", kind},
-                     &RunRecord::certify_s));
+  c.push_back(number(
+      {"certify_s", "s", "wall time of certifying the drawing, with its metrics and hash", kind},
+      &RunRecord::certify_s));
   c.push_back(number({"write_s", "s", "wall time of formatting the drawing as JSON lines", kind},
                      &RunRecord::write_s));
 }
@@ -384,8 +384,7 @@ std::vector<std::string> differing_columns(const RunRecord& a, const RunRecord& 
   std::vector<std::string> names;
   for (const Column& column : run_columns()) {
     if (column.kind == ColumnKind::measured) continue;
-    std::string left(column.size, '\0');
-    std::string right(column.size, '\0');
+    std::string left(column.size, '\0'), right(column.size, '\0');
     column.store(a, left.data());
     column.store(b, right.data());
     if (left != right) names.push_back(column.name);
@@ -395,8 +394,7 @@ std::vector<std::string> differing_columns(const RunRecord& a, const RunRecord& 
 
 std::string fitted_text(const std::string& text, std::size_t size) {
   std::string fitted = text.substr(0, size);
-  std::replace_if(
-      fitted.begin(), fitted.end(), [](char c) { return !is_printable(c); }, '?');
+  for (char& c : fitted) c = is_printable(c) ? c : '?';
   return fitted;
 }
 

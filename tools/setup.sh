@@ -25,32 +25,69 @@ install_packages() {
       return 2
     fi
   fi
-  echo "ar3d: installing$missing" >&2
-  { $sudo apt-get update -qq && $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq $missing; } >&2 || {
+  echo "ar3d: installing with apt-get:$missing" >&2
+  local apt="$sudo env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=600" log
+  log=$(mktemp)
+  { waiting_for_lists "$log" $apt update && $apt install -y $missing >"$log" 2>&1; } || {
+    cat "$log" >&2
+    rm -f "$log"
     echo "ar3d: installation failed. Type: sudo apt-get install -y$missing" >&2
     return 2
   }
+  rm -f "$log"
+}
+
+# waiting_for_lists LOG COMMAND...: runs apt-get update, again while another package manager holds the lists (at most ten minutes);
+# DPkg::Lock::Timeout waits for dpkg's lock, not for theirs. What apt-get prints goes to the log.
+waiting_for_lists() {
+  local log=$1 tries=0
+  shift
+  until "$@" >"$log" 2>&1; do
+    grep -q 'Could not get lock' "$log" && [ $tries -lt 120 ] || return 1
+    [ $tries -gt 0 ] || echo "ar3d: waiting for another package manager" >&2
+    tries=$((tries + 1))
+    sleep 5
+  done
+}
+
+# configure PRESET [cmake options...]: once, unless AR3D_RECONFIGURE=1. AR3D_CONFIGURE holds further options.
+configure() {
+  local preset=$1 folder="$AR3D_ROOT/build/$1"
+  shift
+  mkdir -p "$folder"
+  if [ ! -f "$folder/build.ninja" ] || [ "${AR3D_RECONFIGURE:-}" = 1 ]; then
+    echo "ar3d: configuring ($preset)" >&2
+    (cd "$AR3D_ROOT" && cmake --preset "$preset" ${AR3D_CONFIGURE:-} "$@") >"$folder/setup.log" 2>&1 || { cat "$folder/setup.log" >&2; return 1; }
+  fi
 }
 
 # build PRESET TARGET [cmake options...]: configures once, then lets ninja decide what has changed.
-# The output goes to a log that is shown only if something fails; a build of more than two seconds says so.
+# The output goes to a log that is shown only if something fails; a build of more than two seconds says how far it is.
 build() {
   local preset=$1 target=$2 folder="$AR3D_ROOT/build/$1" log ninja
   shift 2
-  mkdir -p "$folder"
+  configure "$preset" "$@" || return 1
   log="$folder/setup.log"
-  if [ ! -f "$folder/build.ninja" ] || [ "${AR3D_RECONFIGURE:-}" = 1 ]; then
-    echo "ar3d: configuring ($preset)" >&2
-    (cd "$AR3D_ROOT" && cmake --preset "$preset" "$@") >"$log" 2>&1 || { cat "$log" >&2; return 1; }
-  fi
   ninja -C "$folder" "$target" >"$log" 2>&1 &
   ninja=$!
-  for _ in 1 2 3 4 5 6 7 8 9 10; do
-    kill -0 $ninja 2>/dev/null || break
-    sleep 0.2
-  done
-  if kill -0 $ninja 2>/dev/null; then echo "ar3d: building ($preset), the first time takes minutes" >&2; fi
+  report_progress $ninja "$log" "$preset"
   wait $ninja || { grep -vE '^\[[0-9]+/[0-9]+\]' "$log" >&2; return 1; }
+}
+
+# report_progress PID LOG PRESET: while ninja runs, how many of its steps are done, in per cent: after two seconds, then at every tenth.
+report_progress() {
+  local pid=$1 log=$2 preset=$3 percent shown=-1 waited=0
+  while kill -0 "$pid" 2>/dev/null; do
+    sleep 0.2
+    waited=$((waited + 1))
+    [ $waited -ge 10 ] || continue
+    percent=$(tail -c 4000 "$log" | sed -n 's|^\[\([0-9]*\)/\([0-9]*\)\].*|\1 \2|p' | awk 'END {if ($2 > 0) print int(10 * $1 / $2) * 10; else print 0}')
+    if [ $waited = 10 ]; then echo "ar3d: building ($preset), the first time takes minutes" >&2; fi
+    if [ "$percent" -gt "$shown" ]; then
+      if [ "$percent" -gt 0 ]; then echo "ar3d: building ($preset), $percent %" >&2; fi
+      shown=$percent
+    fi
+  done
 }
 
 # with_mpi [cmake options...]: builds the program for mpirun, with the packages that this takes.

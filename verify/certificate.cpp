@@ -7,9 +7,12 @@
 #include "ar3d/model/error.h"
 #include "ar3d/verify/checks.h"
 #include "ar3d/verify/contacts.h"
+#include "ar3d/verify/counting/counting_proof.h"
 #include "ar3d/verify/crossings.h"
+#include "ar3d/verify/examination.h"
 #include "ar3d/verify/findings.h"
 #include "ar3d/verify/segments.h"
+#include "ar3d/verify/summary_pass.h"
 
 namespace ar3d {
 namespace {
@@ -40,16 +43,60 @@ void check_crossings(const Segments& segments, CrossingTest test, Findings& find
   contacts.report();
 }
 
+/// Do all edges have segments of positive length and no more bends than promised?
+bool keeps_bends(const DrawingSummary& summary, const Guarantee& guarantee) {
+  return summary.repeated_points == 0 &&
+         summary.bend_histogram.size() <= std::size_t{guarantee.max_bends} + 1;
+}
+
 /// Everything that needs differences of coordinates, hence coordinates in range.
 void check_geometry(const Drawing& drawing, const Guarantee& guarantee,
-                    const CertifyOptions& options, Certificate& certificate, Findings& findings) {
+                    const CertifyOptions& options, Findings& findings) {
   const Segments segments(drawing);
-  certificate.segments = segments.size();
   check_directions(segments, guarantee, findings);
   check_bend_angles(segments, guarantee, findings);
   check_vertex_angles(segments, guarantee, findings);
   check_distinct_vertices(drawing, findings);
   if (!findings.done()) check_crossings(segments, options.crossing_test, findings);
+}
+
+/// Lattice, bends, range and box, without names for what is wrong.
+bool keeps_places(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
+                  const CertifyOptions& options, const DrawingSummary& summary) {
+  Findings findings(0);
+  check_lattice(drawing, guarantee, findings);
+  if (options.check_size) check_size(graph, summary.box, guarantee, findings);
+  return findings.empty() && keeps_bends(summary, guarantee) && summary.in_range;
+}
+
+Certificate valid_certificate(const DrawingSummary& summary) {
+  Certificate certificate;
+  certificate.complete = true;
+  certificate.box = summary.box;
+  certificate.bend_histogram = summary.bend_histogram;
+  certificate.segments = summary.segments;
+  return certificate;
+}
+
+/// Names every violation.
+Certificate certify_in_full(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
+                            const CertifyOptions& options, const DrawingSummary& summary) {
+  Findings findings(options.max_violations);
+  check_graph(graph, drawing, findings);
+  check_lattice(drawing, guarantee, findings);
+  check_plane(drawing, guarantee, findings);
+  if (!keeps_bends(summary, guarantee)) check_bends(drawing, guarantee, findings);
+  if (summary.in_range) {
+    if (options.check_size) check_size(graph, summary.box, guarantee, findings);
+    check_geometry(drawing, guarantee, options, findings);
+  } else {
+    check_coordinates(drawing, findings);
+  }
+  Certificate certificate = valid_certificate(summary);
+  certificate.complete = summary.in_range && !findings.done();
+  certificate.violations = findings.take();
+  if (!summary.in_range) certificate.segments = 0;
+  return certificate;
 }
 
 }  // namespace
@@ -90,21 +137,34 @@ const char* to_string(ViolationKind kind) {
 
 Certificate certify(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
                     const CertifyOptions& options) {
-  Findings findings(options.max_violations);
-  Certificate certificate;
-  check_graph(graph, drawing, findings);
-  check_lattice(drawing, guarantee, findings);
-  check_plane(drawing, guarantee, findings);
-  check_bends(drawing, guarantee, certificate.bend_histogram, findings);
-  const bool in_range = check_coordinates(drawing, findings);
-  if (in_range) {
-    certificate.box = bounding_box(drawing);
-    if (options.check_size) check_size(graph, certificate.box, guarantee, findings);
-    check_geometry(drawing, guarantee, options, certificate, findings);
+  const ExaminationParts parts{.certificate = true, .metrics = false, .hash = false};
+  return examine(graph, drawing, guarantee, parts, options).certificate;
+}
+
+Examination examine(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
+                    const ExaminationParts& parts, const CertifyOptions& options) {
+  Examination result;
+  verify::SummaryPass summary(drawing, parts.metrics);
+  std::optional<DrawingHash> hash;
+  if (parts.hash) hash.emplace(drawing);
+  std::optional<verify::CountingProof> proof;
+  if (parts.certificate && options.crossing_test == CrossingTest::automatic) {
+    proof.emplace(graph, drawing, guarantee);
   }
-  certificate.complete = in_range && !findings.done();
-  certificate.violations = findings.take();
-  return certificate;
+  for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {
+    summary.add(points);
+    if (hash) hash->add(drawing.edge(e), points);
+    if (proof) proof->add(e, drawing.edge(e), points);
+  });
+  result.summary = summary.finish();
+  if (hash) result.drawing_hash = hash->digest();
+  if (!parts.certificate) return result;
+  const bool proved = proof && keeps_places(graph, drawing, guarantee, options, result.summary) &&
+                      proof->holds(result.summary);
+  proof.reset();  // its memory
+  result.certificate = proved ? valid_certificate(result.summary)
+                              : certify_in_full(graph, drawing, guarantee, options, result.summary);
+  return result;
 }
 
 }  // namespace ar3d

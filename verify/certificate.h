@@ -55,8 +55,9 @@ struct CertifyOptions {
 /// The verdict on one drawing: proved right iff valid().
 struct Certificate {
   std::vector<Violation> violations;
-  bool complete = true;  ///< false when max_violations cut the list, or a coordinate out of range
-  Box box;               ///< of all vertices and bends; the origin if a coordinate is out of range
+  bool complete = false;  ///< false until judged, when max_violations cut the list, or a coordinate
+                          ///< is out of range
+  Box box;                ///< of all vertices and bends; the origin if a coordinate is out of range
   std::vector<std::uint64_t> bend_histogram;  ///< entry b: number of edges with b bends
   std::uint64_t segments = 0;
   bool valid() const { return complete && violations.empty(); }

@@ -22,24 +22,19 @@ void check_lengths(const Drawing& drawing, EdgeId e, const std::vector<Point>& p
 
 }  // namespace
 
-void check_bends(const Drawing& drawing, const Guarantee& guarantee,
-                 std::vector<std::uint64_t>& histogram, Findings& findings) {
-  std::vector<Point> points;
-  for (EdgeId e = 0; e < drawing.num_edges(); ++e) {
-    drawing.polyline(e, points);
-    const std::size_t bends = points.size() - 2;
-    if (bends >= histogram.size()) histogram.resize(bends + 1);
-    ++histogram[bends];
-    if (findings.done()) continue;  // the histogram counts all edges
+void check_bends(const Drawing& drawing, const Guarantee& guarantee, Findings& findings) {
+  for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {
+    if (findings.done()) return;
     check_lengths(drawing, e, points, findings);
-    if (bends <= guarantee.max_bends) continue;
+    const std::size_t bends = points.size() - 2;
+    if (bends <= guarantee.max_bends) return;
     findings.add({ViolationKind::bends,
                   {},
                   {e},
                   {},
                   fmt::format("{} has {} bends, at most {} are promised", describe_edge(drawing, e),
                               bends, guarantee.max_bends)});
-  }
+  });
 }
 
 }  // namespace ar3d::verify

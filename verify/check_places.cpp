@@ -29,25 +29,20 @@ void check_lattice(const Drawing& drawing, const Guarantee& guarantee, Findings&
   }
 }
 
-bool check_coordinates(const Drawing& drawing, Findings& findings) {
-  bool all_in_range = true;
+void check_coordinates(const Drawing& drawing, Findings& findings) {
   for (std::size_t i = 0; i < drawing.num_vertices(); ++i) {
     const auto v = static_cast<Vertex>(i);
     const Point p = drawing.vertex(v);
     if (in_range(p)) continue;
-    all_in_range = false;
     findings.add({ViolationKind::coordinate_range,
                   {v},
                   {},
                   {p},
                   fmt::format("vertex {} at {}: a coordinate passes 2^61", v, to_string(p))});
   }
-  std::vector<Point> points;
-  for (EdgeId e = 0; e < drawing.num_edges(); ++e) {
-    drawing.polyline(e, points);
+  for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
       if (in_range(points[i])) continue;
-      all_in_range = false;
       findings.add({ViolationKind::coordinate_range,
                     {},
                     {e},
@@ -55,8 +50,7 @@ bool check_coordinates(const Drawing& drawing, Findings& findings) {
                     fmt::format("{}, bend {}: a coordinate passes 2^61", describe_edge(drawing, e),
                                 to_string(points[i]))});
     }
-  }
-  return all_in_range;
+  });
 }
 
 void check_plane(const Drawing& drawing, const Guarantee& guarantee, Findings& findings) {

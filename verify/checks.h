@@ -8,7 +8,7 @@
 
 namespace ar3d::verify {
 
-// One function a promise; each adds what is broken to `findings` and may stop once these are
+// One function per promise; each adds what is broken to `findings` and may stop once these are
 // done().
 
 /// vertex_count, edge_set: the drawing has the graph's vertices and draws each of its edges exactly
@@ -21,8 +21,7 @@ void check_lattice(const Drawing& drawing, const Guarantee& guarantee, Findings&
 
 /// coordinate_range: every vertex and bend is in range, which the exact arithmetic of the other
 /// checks needs.
-/// @return true if they all are.
-bool check_coordinates(const Drawing& drawing, Findings& findings);
+void check_coordinates(const Drawing& drawing, Findings& findings);
 
 /// plane: all vertices have z = 0, if promised.
 void check_plane(const Drawing& drawing, const Guarantee& guarantee, Findings& findings);
@@ -30,9 +29,8 @@ void check_plane(const Drawing& drawing, const Guarantee& guarantee, Findings& f
 /// same_point: no two vertices coincide. O(n log n).
 void check_distinct_vertices(const Drawing& drawing, Findings& findings);
 
-/// bends, degenerate_segment. Fills entry b of `histogram` with the number of edges with b bends.
-void check_bends(const Drawing& drawing, const Guarantee& guarantee,
-                 std::vector<std::uint64_t>& histogram, Findings& findings);
+/// bends, degenerate_segment.
+void check_bends(const Drawing& drawing, const Guarantee& guarantee, Findings& findings);
 
 /// direction: every segment is parallel to an allowed direction, if any are named.
 void check_directions(const Segments& segments, const Guarantee& guarantee, Findings& findings);

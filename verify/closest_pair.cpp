@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <boost/multiprecision/cpp_int.hpp>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <span>
@@ -12,6 +11,7 @@
 #include "ar3d/model/random.h"
 #include "ar3d/verify/exact.h"
 #include "ar3d/verify/functional.h"
+#include "ar3d/verify/squared_length.h"
 
 namespace ar3d::verify {
 namespace {
@@ -19,34 +19,6 @@ namespace {
 // Differences are at most 2^62, Gram entries below 2^31: nine terms are below 2^(124 + 31 + 4) =
 // 2^159.
 using Wide = boost::multiprecision::checked_int256_t;
-
-/// d^T gram d.
-template <class Integer>
-Integer squared_length(const Lattice& lattice, Vector d) {
-  Integer sum = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      sum += Integer(component(d, i)) * Integer(lattice.gram[i][j]) * Integer(component(d, j));
-    }
-  }
-  return sum;
-}
-
-/// Diagonal of the inverse Gram matrix: |d_i|^2 <= d^T gram d * inverse_ii for every vector d.
-std::array<double, 3> inverse_diagonal(const Lattice& lattice) {
-  const auto g = [&](std::size_t i, std::size_t j) {
-    return static_cast<long double>(lattice.gram[i % 3][j % 3]);
-  };
-  const auto cofactor = [&](std::size_t i) {
-    return g(i + 1, i + 1) * g(i + 2, i + 2) - g(i + 1, i + 2) * g(i + 2, i + 1);
-  };
-  const long double determinant = g(0, 0) * cofactor(0) +
-                                  g(0, 1) * (g(1, 2) * g(2, 0) - g(1, 0) * g(2, 2)) +
-                                  g(0, 2) * (g(1, 0) * g(2, 1) - g(1, 1) * g(2, 0));
-  std::array<double, 3> diagonal{};
-  for (std::size_t i = 0; i < 3; ++i) diagonal[i] = static_cast<double>(cofactor(i) / determinant);
-  return diagonal;
-}
 
 /// Points inserted one after the other into a grid whose cells are about as large as the smallest
 /// distance so far: a closer pair lies in neighbouring cells, and a cell holds a bounded number of
@@ -130,11 +102,9 @@ class ClosestPair {
 
   /// Cells for the smallest distance so far, with the first `count` vertices in them.
   void rebuild(std::size_t count) {
+    // Pairs at most so far apart are neighbours.
     for (std::size_t i = 0; i < 3; ++i) {
-      // Rounded up by more than the error of the floating-point terms: pairs at most so far apart
-      // are neighbours.
-      const double reach = std::sqrt(static_cast<double>(smallest_) * inverse_diagonal_[i]);
-      side_[i] = static_cast<std::int64_t>(std::min(reach * 1.000001, 0x1p61)) + 1;
+      side_[i] = reach(static_cast<double>(smallest_), inverse_diagonal_[i]);
     }
     std::fill(heads_.begin(), heads_.end(), kEnd);
     for (std::size_t i = 0; i < count; ++i) insert(order_[i]);
@@ -163,11 +133,18 @@ bool is_small(const Drawing& drawing) {
 
 }  // namespace
 
-std::optional<VertexPair> closest_pair(const Drawing& drawing) {
+std::optional<VertexPair> closest_pair_by_grid(const Drawing& drawing) {
   if (drawing.num_vertices() < 2) return std::nullopt;
   drawing.lattice().validate();
   if (is_small(drawing)) return ClosestPair<Int128>(drawing).run();
   return ClosestPair<Wide>(drawing).run();
+}
+
+std::optional<VertexPair> closest_pair(const Drawing& drawing) {
+  if (drawing.num_vertices() < 2) return std::nullopt;
+  drawing.lattice().validate();
+  if (const auto pair = closest_pair_by_strips(drawing)) return pair;
+  return closest_pair_by_grid(drawing);
 }
 
 }  // namespace ar3d::verify

@@ -12,9 +12,20 @@ struct VertexPair {
 };
 
 /// Two vertices at the smallest distance in the drawing's metric; nothing if there are fewer than
-/// two. Distances are compared exactly. Source: Golin, Raman, Schwarz, Smid, Simple randomized
-/// algorithms for closest pair problems (1995), with a fixed random order. O(n) expected time and
-/// memory.
+/// two. Distances are compared exactly. By strips where these apply, else by the grid: the same
+/// distance, not always the same of several closest pairs.
+/// @throws InputError if the drawing's Gram matrix is not positive definite.
 std::optional<VertexPair> closest_pair(const Drawing& drawing);
+
+/// The plain version. Source: Golin, Raman, Schwarz, Smid, Simple randomized algorithms for closest
+/// pair problems (1995), with a fixed random order. O(n) expected time and memory, with 27 look-ups
+/// at random per vertex.
+std::optional<VertexPair> closest_pair_by_grid(const Drawing& drawing);
+
+/// Radix sorts along the two widest axes, strips as wide as a distance that was seen. O(n) time and
+/// memory besides the pairs that are looked at; nothing if these are more than 60 per vertex, or
+/// coordinates or distances pass 2^41 or 2^20.
+/// @pre two vertices at least, and a positive definite Gram matrix.
+std::optional<VertexPair> closest_pair_by_strips(const Drawing& drawing);
 
 }  // namespace ar3d::verify

@@ -1,46 +1,56 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <limits>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "ar3d/model/drawing.h"
-#include "ar3d/model/graph.h"
-#include "ar3d/model/guarantee.h"
 
 namespace ar3d {
 
-/// The sizes of one drawing. Extents are integers and exact; the other figures are rounded doubles,
-/// equal for equal drawings. What does not exist (a distance of fewer than two vertices, a slack
-/// without a bound) is NaN.
-struct Metrics {
-  std::array<std::int64_t, 3> extents{};
-  double log2_volume = 0;
-  double volume_per_n3 = 0;
+/// What one pass over a drawing gathers; every metric is a function of it. Integers are exact;
+/// doubles are rounded, and equal for equal drawings.
+struct DrawingSummary {
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+  bool in_range = true;  ///< no coordinate passes kMaxCoordinate in absolute value
+  Box box;               ///< of all vertices and bends; the origin if not in_range
   std::vector<std::uint64_t> bend_histogram;  ///< entry b: number of edges with b bends
-  double total_edge_length = 0;
-  double longest_edge_length = 0;
-  double smallest_vertex_distance = 0;
-  std::array<double, 3> theorem_bound{};
-  std::array<double, 3> slack{};
+  std::uint64_t segments = 0;                 ///< of positive length
+  std::uint64_t repeated_points = 0;          ///< segments of length zero
+  double total_edge_length = kNone;           ///< in the lattice's metric, as all lengths here
+  double longest_edge_length = kNone;
+  double smallest_vertex_distance = kNone;
 };
 
-/// All of them. Nothing is checked: certify() does that.
-/// @pre every coordinate is in range.
-/// @throws InputError if the drawing's Gram matrix is not positive definite.
-/// Cost: O(n + m + S) expected time, O(n) memory.
-Metrics measure(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee);
+/// A metric's value. What does not exist (the distance of fewer than two vertices, the size of a
+/// drawing with a coordinate out of range) is -1 among integers and NaN among doubles.
+using MetricValue = std::variant<std::int64_t, double>;
 
-/// One row of the catalogue of metrics.
+enum class MetricType { int64, float64 };
+
+/// One row of the table of metrics.
 struct Metric {
-  std::string name;
+  std::string name;  ///< of its column wherever metrics are listed or stored
   std::string unit;
   std::string definition;
-  double (*value)(const Metrics&) = nullptr;
+  MetricType type;
+  MetricValue (*value)(const DrawingSummary&) = nullptr;
 };
 
-/// All metrics, in the order in which they are listed.
+/// All metrics, in the order of their columns. Whoever lists or stores metrics reads this table: a
+/// new metric is one row here, and nothing elsewhere.
 const std::vector<Metric>& metrics();
+
+/// The values of metrics(), in that order.
+std::vector<MetricValue> metric_values(const DrawingSummary& summary);
+
+/// The summary of a drawing with all that metrics need. Nothing is judged: certify() does that, and
+/// examine() does both in one pass.
+/// @throws InputError if the drawing's Gram matrix is not positive definite.
+/// Cost: O(n + m + S) expected time for S segments, O(n) memory.
+DrawingSummary measure(const Drawing& drawing);
 
 }  // namespace ar3d

@@ -9,9 +9,7 @@
 namespace ar3d::verify {
 
 Segments::Segments(const Drawing& drawing) : drawing_(&drawing) {
-  std::vector<Point> polyline;
-  for (EdgeId e = 0; e < drawing.num_edges(); ++e) {
-    drawing.polyline(e, polyline);
+  for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& polyline) {
     if (points_.size() + polyline.size() >= std::numeric_limits<SegmentId>::max()) {
       throw InputError(
           fmt::format("edge {}: a drawing of 2^32 - 1 points or more is not verified", e));
@@ -22,7 +20,7 @@ Segments::Segments(const Drawing& drawing) : drawing_(&drawing) {
       points_.push_back(polyline[i]);
       edge_.push_back(e);
     }
-  }
+  });
 }
 
 std::optional<Vertex> Segments::vertex_at(SegmentId s, Point p) const {

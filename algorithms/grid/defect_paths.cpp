@@ -131,7 +131,8 @@ void DefectPaths::grow(Path& path, unsigned side) {
   const std::size_t at = side == 0 ? joint : joint - 1;
   const Place between = path.vertices[at];
   const auto ahead = [&](std::size_t steps) { return side == 0 ? at - steps : at + steps; };
-  if (ahead(2 * kAhead) < path.vertices.size()) pool_.ask_for(path.vertices[ahead(2 * kAhead)]);
+  if (ahead(std::size_t{2} * kAhead) < path.vertices.size())
+    pool_.ask_for(path.vertices[ahead(std::size_t{2} * kAhead)]);
   if (ahead(kAhead) < path.vertices.size()) pool_.ask_for_partner(path.vertices[ahead(kAhead)]);
   const Colour c = path.colour_of(joint);
   std::int64_t h = pool_.next_free(c, std::max(path.side[side] - 1, path.floor));

@@ -116,8 +116,9 @@ void number_cycle(HeightPool& pool, Place start, std::vector<Place>& buffer) {
   Link low = chain.first(1);
   Link high = low;
   const auto ask_ahead = [&](bool from_front) __attribute__((always_inline)) {
-    if (b - a <= 2 * kAhead) return;
-    pool.ask_for(buffer[from_front ? a + 2 * kAhead : b - 1 - 2 * kAhead]);
+    if (b - a <= std::size_t{2} * kAhead) return;
+    pool.ask_for(
+        buffer[from_front ? a + std::size_t{2} * kAhead : b - 1 - std::size_t{2} * kAhead]);
     pool.ask_for_partner(buffer[from_front ? a + kAhead : b - 1 - kAhead]);
   };
   while (b - a > 1) {

@@ -1,3 +1,6 @@
+// Step 2.1: bridges and blocks by Tarjan's lowpoints, and the smallest leaf block, Q, cut off. Q
+// has too few vertices for a SINK with two MERGEs below it, so it gets a drawing of its own. Cost:
+// O(n).
 #include "ar3d/algorithms/two_bend/blocks.h"
 
 #include <algorithm>

@@ -46,12 +46,12 @@ struct QBody {
 QBody read_q_body(const LocalGraph& graph, const Blocks& blocks, Vertex joint);
 
 /// True if the block has five vertices, one of them with two edges inside and the others with three
-/// (R2).
+/// (Step 2.1).
 bool is_q_block(const Block& block);
 
 /// Replaces every Q that hangs on a bridge by its joint, now a vertex of degree 1: cuts the other
 /// four off (they keep their rows but nobody points to them) and makes the joint a block of its own
-/// (2.1, step 3).
+/// (Step 2.1).
 /// @return the cut bodies; the cut vertices are the other four of each.
 std::vector<QBody> cut_q_bodies(LocalGraph& graph, Blocks& blocks);
 

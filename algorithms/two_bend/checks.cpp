@@ -1,3 +1,5 @@
+// What the lemmas claim of the stages, decided slowly and plainly: the `check` build asks after
+// every stage, and tests spoil a stage to see the condition fail.
 #include "ar3d/algorithms/two_bend/checks.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// Rules 2.5 to 2.7: numbers along a list, MERGEs moved towards the middle, free rows and columns.
+// Parity keeps rays apart without any look-up: owners are even, MERGEs odd. The pair of a VV edge
+// is searched outwards from the middles, since the angle there is best; Lemma 2.9 says when a pair
+// must exist. Cost: O(n) and a greatest common divisor per try.
 #include "ar3d/algorithms/two_bend/coordinates.h"
 
 #include <algorithm>
@@ -50,7 +54,7 @@ Values number_list(const View& view, const std::vector<NodeId>& list, const Spac
     const bool is_first = value < 0;
     value += is_first ? 2
                       : std::max({base_gap(last, type), before.hold_gap, widening.hold_gap}) +
-                            before.extra_after;
+                            before.extra_after + widening.extra_before;
     if ((value % 2 != 0) != is_odd(type)) ++value;
     expect(value <= kMaxHorizontal, "rows and columns fit 31 bits");
     values[v] = static_cast<std::int32_t>(value);
@@ -66,8 +70,8 @@ std::int64_t bound_of_list(const View& view, const Spacing& spacing) {
   for (NodeId v = 0; v < view.size(); ++v) {
     if (!view.is_owner(v) && !view.is_listed_merge(v)) continue;
     bound += view.type(v) == NodeType::station ? 4 : 2;
-    const auto [extra_after, hold_gap] = spacing[v];
-    if (extra_after > 0) bound += extra_after + 1;
+    const auto [extra_before, extra_after, hold_gap] = spacing[v];
+    if (extra_before + extra_after > 0) bound += extra_before + extra_after + 1;
     if (hold_gap > 0) bound += 2 * (hold_gap + 1);
   }
   return bound;

@@ -10,13 +10,14 @@
 
 namespace ar3d::two_bend {
 
-/// What widens a list beyond its base gaps; the only state that persists from round to round (R18).
-/// Few entries have any.
+/// What widens a list beyond its base gaps; the only state that persists from round to round
+/// (Step 2.9). Few entries have any.
 class Spacing {
  public:
   struct Widening {
-    std::int64_t extra_after = 0;  ///< added to the gap directly after the entry
-    std::int64_t hold_gap = 0;     ///< least gap on both sides of the entry
+    std::int64_t extra_before = 0;  ///< added to the gap directly before the entry
+    std::int64_t extra_after = 0;   ///< added to the gap directly after the entry
+    std::int64_t hold_gap = 0;      ///< least gap on both sides of the entry
   };
   explicit Spacing(std::size_t num_nodes) : is_widened_(num_nodes, false) {}
   Widening& at(NodeId v) {
@@ -38,7 +39,7 @@ using Values = std::vector<std::int32_t>;
 /// The place of every node's row in the list, 0 for nodes that have none.
 Values list_places(const View& view, const std::vector<NodeId>& list);
 
-/// 4.6 and R15: numbers along the list; free MERGEs keep the number of their entry, if any.
+/// Rule 2.5: numbers along the list; free MERGEs keep the number of their entry, if any.
 /// @throws InternalError if a number passes kMaxHorizontal.
 Values number_list(const View& view, const std::vector<NodeId>& list, const Spacing& spacing);
 
@@ -46,7 +47,7 @@ Values number_list(const View& view, const std::vector<NodeId>& list, const Spac
 /// STATION, what widens, and both gaps of every special row.
 std::int64_t bound_of_list(const View& view, const Spacing& spacing);
 
-/// The odd numbers from low to high that a free MERGE may take (R13); never empty.
+/// The odd numbers from low to high that a free MERGE may take (Rule 2.6); never empty.
 struct OddInterval {
   std::int64_t low = 0;
   std::int64_t high = 0;
@@ -74,8 +75,8 @@ std::vector<LongId> find_vv_edges(const Flow& flow);
 /// For one VV edge: puts the MERGE into the row of the SPLIT and the SPLIT into the column of the
 /// MERGE, so that the edge is straight, if both are inside the intervals; else an odd row of the
 /// MERGE and an odd column of the SPLIT, as near to the middles of both
-/// intervals as possible, such that the lean between the two stems is primitive (R16). Certain to
-/// succeed if both intervals hold 8 numbers and the horizontal differences are below 3.5e10.
+/// intervals as possible, such that the lean between the two stems is primitive (Rule 2.6). Certain
+/// to succeed if the intervals hold the numbers that Lemma 2.9 asks for.
 /// @return false if there is none; nothing is changed then.
 bool choose_vv_values(const Flow& flow, const LongEdge& edge, Values& rows, Values& columns);
 

@@ -1,3 +1,6 @@
+// The list of Rule 2.3 while it is built. Order tests need no balanced tree: what is put next to an
+// owner stays in its cluster, clusters keep their ranks, and inside one a short walk decides. Cost:
+// O(1) per insertion, amortised.
 #include "ar3d/algorithms/two_bend/entry_list.h"
 
 #include "ar3d/model/error.h"

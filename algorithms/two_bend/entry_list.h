@@ -9,7 +9,7 @@ namespace ar3d::two_bend {
 
 /// A linked list of entries with order tests. Each entry belongs to the cluster of the owner it was
 /// put next to; clusters are contiguous, so two entries of different clusters compare by rank,
-/// others by a walk inside the cluster (needed O(1) times a cluster: 4.1, step 4).
+/// others by a walk inside the cluster (needed O(1) times a cluster: Rule 2.3).
 class EntryList {
  public:
   /// The owners in their order, each a cluster of its own; room for entries below num_nodes.

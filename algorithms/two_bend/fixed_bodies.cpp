@@ -1,3 +1,5 @@
+// Step 2.1: K4, K3,3 and Q from tables. Their poles cannot have the neighbours that the
+// construction needs. The tables were found by search and are certified like any drawing.
 #include "ar3d/algorithms/two_bend/fixed_bodies.h"
 
 #include <algorithm>

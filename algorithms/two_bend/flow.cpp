@@ -1,3 +1,6 @@
+// Step 2.6: types, long edges and stations of the oriented component, in one pass along the time
+// order so that memory is read in that order. A STATION is made where two AA edges would be
+// parallel. Cost: O(n).
 #include "ar3d/algorithms/two_bend/flow.h"
 
 #include <algorithm>
@@ -125,7 +128,7 @@ class FlowBuilder {
   }
 
   /// If two chains join a node to the same node, a PASS on one of them becomes a STATION
-  /// (section 3).
+  /// (Step 2.6).
   void make_station(std::uint32_t i) {
     std::array<Step, 3> steps;
     if (steps_up(i, steps) != 2) return;

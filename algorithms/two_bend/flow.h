@@ -14,7 +14,7 @@ using NodeId = std::uint32_t;  // number of a node in time order
 using LongId = std::uint32_t;
 inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-/// What a vertex is, by its numbers of earlier and later neighbours (section 2). PASS (1, 1) is no
+/// What a vertex is, by its numbers of earlier and later neighbours. PASS (1, 1) is no
 /// node.
 enum class NodeType : std::uint8_t {
   start,    ///< (0, 1)
@@ -140,7 +140,7 @@ class View {
   bool is_owner(NodeId v) const { return has_role(v, kOwner); }
   /// A MERGE with an odd entry in the list.
   bool is_listed_merge(NodeId v) const { return has_role(v, kListedMerge); }
-  /// A MERGE whose row is chosen after all others (R13).
+  /// A MERGE whose row is chosen after all others (Rule 2.6).
   bool is_free_merge(NodeId v) const { return has_role(v, kFreeMerge); }
   /// A SPLIT with others in its row.
   bool shares_row(NodeId v) const { return has_role(v, kSharesRow); }

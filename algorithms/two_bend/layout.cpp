@@ -1,3 +1,7 @@
+// Steps 2.7 to 2.9: both lists, then rounds that number, choose and fit, and widen only what
+// failed. Most drawings succeed at once and stay small, which reserving room beforehand would
+// prevent. That a round succeeds is not proved; safe_layout.cpp stands behind them. Cost: O(n) per
+// round, at most ten.
 #include "ar3d/algorithms/two_bend/layout.h"
 
 #include <algorithm>
@@ -17,11 +21,13 @@ Lists build_lists(Flow& flow, const ListOptions& options) {
       });
   if (options.share)
     share_rows(flow, columns_first, guess_rows(flow, !columns_first, options.straighten));
-  std::vector<NodeId> first = build_view_list(flow, columns_first, options.straighten);
+  std::vector<NodeId> first = build_view_list(flow, columns_first, options.straighten,
+                                              options.weights[columns_first ? 1 : 0]);
   choose_outer_specials(flow, !columns_first, first);
   if (options.share)
     share_rows(flow, !columns_first, list_places(View(flow, columns_first), first));
-  std::vector<NodeId> second = build_view_list(flow, !columns_first, options.straighten);
+  std::vector<NodeId> second = build_view_list(flow, !columns_first, options.straighten,
+                                               options.weights[columns_first ? 0 : 1]);
   if (options.share) {
     separate_rows(flow, columns_first, list_places(View(flow, !columns_first), second), first);
   }
@@ -46,10 +52,10 @@ constexpr std::int64_t kVvCount =
 
 class LayoutSearch {
  public:
-  LayoutSearch(const Flow& flow, const Lists& lists, const LayoutOptions& options)
+  LayoutSearch(const Flow& flow, const Lists& lists, unsigned relax_passes)
       : flow_(flow),
         lists_(lists),
-        options_(options),
+        relax_passes_(relax_passes),
         row_view_(flow, false),
         column_view_(flow, true),
         vv_(find_vv_edges(flow)),
@@ -58,21 +64,17 @@ class LayoutSearch {
     for (const Pole& pole : flow.poles) set_gap(pole, kFirstGap);
   }
 
-  Layout run() {
-    for (unsigned round = 0; round < kOrdinaryRounds && !options_.force_safe; ++round) {
-      ++layout_.rounds;
+  std::optional<Layout> run() {
+    for (unsigned round = 1; round <= kOrdinaryRounds; ++round) {
+      layout_.rounds = round;
       number();
-      if (!choose_free_values()) continue;
-      if (fit_poles()) return finish();
+      if (choose_free_values() && fit_poles()) return finish();
     }
-    ++layout_.rounds;
-    safe_round();
-    return finish();
+    return std::nullopt;
   }
 
  private:
   Layout finish() {
-    --layout_.rounds;  // counted from 1
     layout_.width_bound = {bound_of_list(row_view_, row_spacing_),
                            bound_of_list(column_view_, column_spacing_)};
     for (const Pole& pole : flow_.poles)
@@ -97,9 +99,8 @@ class LayoutSearch {
   void number() {
     layout_.rows = number_list(row_view_, lists_.rows, row_spacing_);
     layout_.columns = number_list(column_view_, lists_.columns, column_spacing_);
-    if (layout_.safe) return;  // its proof counts on the intervals of the lists
-    relax_merges(row_view_, options_.relax_passes, layout_.rows);
-    relax_merges(column_view_, options_.relax_passes, layout_.columns);
+    relax_merges(row_view_, relax_passes_, layout_.rows);
+    relax_merges(column_view_, relax_passes_, layout_.columns);
   }
 
   /// False if a VV edge found no primitive lean; then the intervals are wider for the next round.
@@ -152,60 +153,9 @@ class LayoutSearch {
     return all_fit;
   }
 
-  /// Distance of the ordinary neighbours of a pole across its view.
-  std::int64_t spread(const Pole& pole) const {
-    const View& view = view_of(pole);
-    const auto [c, w] = view.ordinary_of(pole);
-    const Values& cross = values_of(view).cross;
-    return std::abs(cross[c] - cross[w]);
-  }
-
-  /// Section 4 of the amendments: gaps that are wide enough by L1 to L3.
-  void safe_round() {
-    layout_.safe = true;
-    for (const Pole& pole : flow_.poles) set_gap(pole, 0);
-    number();
-    widen_vv(vv_);
-    number();
-    if (flow_.joint) {
-      widen_joint_poles();
-    } else {
-      for (const Pole& pole : flow_.poles)
-        set_gap(pole, std::max<std::int64_t>(12, 2 * spread(pole)));
-    }
-    number();
-    expect(choose_free_values(), "8 x 8 values always hold a primitive VV lean");
-    layout_.poles.clear();
-    for (const Pole& pole : flow_.poles) {
-      const View& view = view_of(pole);
-      const std::int64_t far_b = flow_.joint ? 2 : spread(pole) - 1;
-      layout_.poles.push_back(safe_pole(view, values_of(view), pole, gap_of(pole), far_b));
-    }
-  }
-
-  /// SOURCE and SINK of one block: both spreads become P + 2 for a power P of two, both gaps 7 P /
-  /// 16 + 5.
-  void widen_joint_poles() {
-    std::int64_t spread_now = 0;
-    for (const Pole& pole : flow_.poles) spread_now = std::max(spread_now, spread(pole));
-    std::int64_t power = 16;
-    while (power < 8 * (spread_now + 10)) power *= 2;
-    for (const Pole& pole : flow_.poles) set_gap(pole, 7 * power / 16 + 5);
-    number();
-    for (const Pole& pole : flow_.poles) {
-      const View& view = view_of(pole);
-      const View& other = view.columns() ? row_view_ : column_view_;
-      const Values& cross = values_of(view).cross;
-      const auto [c, w] = view.ordinary_of(pole);
-      const std::int64_t missing = power + 2 - spread(pole);
-      expect(missing >= 0, "the gaps of the safe round fit between the ordinary neighbours");
-      spacing_of(other).at(cross[c] < cross[w] ? c : w).extra_after += missing;
-    }
-  }
-
   const Flow& flow_;
   const Lists& lists_;
-  const LayoutOptions options_;
+  const unsigned relax_passes_;
   const View row_view_;
   const View column_view_;
   const std::vector<LongId> vv_;
@@ -217,8 +167,8 @@ class LayoutSearch {
 
 }  // namespace
 
-Layout find_layout(const Flow& flow, const Lists& lists, const LayoutOptions& options) {
-  return LayoutSearch(flow, lists, options).run();
+std::optional<Layout> find_layout(const Flow& flow, const Lists& lists, unsigned relax_passes) {
+  return LayoutSearch(flow, lists, relax_passes).run();
 }
 
 }  // namespace ar3d::two_bend

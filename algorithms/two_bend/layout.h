@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "ar3d/algorithms/two_bend/coordinates.h"
@@ -16,6 +18,8 @@ struct Lists {
 struct ListOptions {
   bool share = true;        ///< lets vertices share rows and columns (share_rows)
   bool straighten = false;  ///< orders rows for straight VV edges (order_owners)
+  /// Per node, what it weighs in the trees of rows and of columns; empty: 1 each.
+  std::array<std::vector<std::uint32_t>, 2> weights;
 };
 
 /// Builds both lists, columns first if the component is joint and its SOURCE is A-type, else rows
@@ -31,18 +35,15 @@ struct Layout {
   std::vector<PoleShape>
       poles;            ///< one entry per flow.poles, in the view in which the pole is a SINK
   unsigned rounds = 1;  ///< numberings tried, the successful one included
-  bool safe = false;    ///< the safe round was used
+  bool safe = false;    ///< it is a safe layout (safe_layout.h)
   std::array<std::int64_t, 2> width_bound{};  ///< of rows, of columns: see bound_of_list
   std::int64_t largest_gap = 0;               ///< of the gaps around special rows and columns
 };
 
-struct LayoutOptions {
-  bool force_safe = false;    ///< skip the ordinary rounds
-  unsigned relax_passes = 2;  ///< see relax_merges
-};
-
-/// Ordinary rounds, at most kOrdinaryRounds, then the safe round, which succeeds by proof.
-Layout find_layout(const Flow& flow, const Lists& lists, const LayoutOptions& options);
+/// Step 2.9: numbers, chooses free values and fits the poles, at most kOrdinaryRounds times, and
+/// widens in between what failed. Nothing if every round failed.
+/// @param relax_passes  see relax_merges.
+std::optional<Layout> find_layout(const Flow& flow, const Lists& lists, unsigned relax_passes);
 
 inline constexpr unsigned kOrdinaryRounds = 10;
 

@@ -20,7 +20,8 @@ inline std::int64_t ceil_sqrt(std::int64_t value) {
   return h;
 }
 
-/// Least height of a lean (d, q, h) that may follow a vertical segment (F1): h^2 >= d^2 + q^2.
+/// Least height of a lean (d, q, h) that may follow a vertical segment (Lemma 2.2): h^2 >= d^2 +
+/// q^2.
 inline std::int64_t lean_height(std::int64_t d, std::int64_t q) { return ceil_sqrt(d * d + q * q); }
 
 /// An arm of length `arm` and a lean (run, q, height) that together cover `run + arm` along the
@@ -33,7 +34,8 @@ struct ArmLean {
 };
 
 /// The condition of the lemma of arms and leans: arm and run cover `along`, the lean (run, across,
-/// height) is primitive, and its bends keep F1 (to the vertical) and F2 (to the arm).
+/// height) is primitive, and its bends keep Lemma 2.2 (to the vertical) and
+/// Lemma 2.3 (to the arm).
 inline bool is_sound(const ArmLean& shape, std::int64_t along, std::int64_t across) {
   const auto [arm, run, height] = shape;
   return arm >= 1 && run >= 1 && arm + run == along && std::gcd(run, across) == 1 &&
@@ -42,8 +44,7 @@ inline bool is_sound(const ArmLean& shape, std::int64_t along, std::int64_t acro
 }
 
 /// The lowest arm and lean over `along` >= 2 and across `q` >= 1 whose lean is primitive
-/// (5.1, 7.1): the largest run below `along` coprime to q; the height keeps F1 and F2, 2 run^2 + 2
-/// run h >= q^2.
+/// (Lemma 2.10): the largest run below `along` coprime to q; the height keeps Lemmas 2.2 and 2.3.
 inline ArmLean arm_and_lean(std::int64_t along, std::int64_t q) {
   expect(along >= 2 && q >= 1 && along <= kMaxHorizontal && q <= kMaxHorizontal,
          "an arm and a lean have room for both");
@@ -54,7 +55,7 @@ inline ArmLean arm_and_lean(std::int64_t along, std::int64_t q) {
   if (missing > 0) height = std::max(height, (missing + 2 * run - 1) / (2 * run));
   const ArmLean shape{along - run, run, height};
   expect_heavy([&] { return is_sound(shape, along, q); },
-               "a lean is primitive and keeps F1 and F2");
+               "a lean is primitive and its bends are fine");
   return shape;
 }
 

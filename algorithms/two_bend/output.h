@@ -14,7 +14,7 @@
 
 namespace ar3d::two_bend {
 
-/// At most two bends an edge, 32 bytes an edge. Two bends are kept in the order from the edge's
+/// At most two bends per edge, 32 bytes per edge. Two bends are kept in the order from the edge's
 /// lower end (is_below) to the upper one: so nothing needs the order in which the input names the
 /// ends.
 class PackedBends final : public BendSource {

@@ -1,3 +1,6 @@
+// Rules 2.1 and 2.2: who stands next to whom, and the order of the rows before anything moves. The
+// light child of a SPLIT lies on its parent's side and the heavy one away from it, so the leans of
+// a tree cost no more than the square of its rows (Lemma 2.17). Cost: O(n).
 #include "ar3d/algorithms/two_bend/owner_order.h"
 
 #include <algorithm>
@@ -49,10 +52,10 @@ Attachment attach_merges(const View& view) {
 
 namespace {
 
-/// The forest of 4.1, step 2: SPLIT and STATION below a SPLIT; weights; trees hung elsewhere.
+/// The forest of Rule 2.2: SPLIT and STATION below a SPLIT; weights; trees hung elsewhere.
 class Forest {
  public:
-  Forest(const View& view, const Attachment& attachment)
+  Forest(const View& view, const Attachment& attachment, const std::vector<std::uint32_t>& weights)
       : view_(view),
         attachment_(attachment),
         cells_(view.size()),
@@ -63,7 +66,7 @@ class Forest {
       if (view.type(pole.node) == NodeType::sink && !view.flow().joint) mark_hanging_block(pole);
     }
     hang_trees();
-    weigh();
+    weigh(weights);
   }
 
   /// Every tree fills consecutive places of the order: first the roots' places are found, then from
@@ -167,8 +170,8 @@ class Forest {
     }
   }
 
-  /// R11: the roots of a SINK's block other than its entry e are emitted with e's tree, if e has a
-  /// parent.
+  /// Rule 2.2: the roots of a SINK's block other than its entry e are emitted with e's tree, if e
+  /// has a parent.
   void mark_hanging_block(const Pole& sink) {
     const Flow& flow = view_.flow();
     const BlockId block = flow.block[sink.node];
@@ -191,13 +194,13 @@ class Forest {
     }
   }
 
-  void weigh() {
+  void weigh(const std::vector<std::uint32_t>& weights) {
     for (NodeId i = view_.size();
          i-- > 0;) {  // attachments go back in time, so clusters add up to their owners
       const NodeId v = view_.at(i);
       if (i >= kAhead) ask_for(cells_, below_in_tree(view_.at(i - kAhead)));
       Cell& cell = cells_[v];
-      ++cell.weight;
+      cell.weight += weights.empty() ? 1 : weights[v];
       if (is_initial_owner(v)) ++cell.size;
       const NodeId to = below_in_tree(v);
       if (to == kNone) continue;
@@ -301,8 +304,9 @@ class Forest {
 
 }  // namespace
 
-std::vector<NodeId> order_owners(const View& view, const Attachment& attachment, bool straighten) {
-  return Forest(view, attachment).emit(straighten);
+std::vector<NodeId> order_owners(const View& view, const Attachment& attachment, bool straighten,
+                                 const std::vector<std::uint32_t>& weights) {
+  return Forest(view, attachment, weights).emit(straighten);
 }
 
 }  // namespace ar3d::two_bend

@@ -7,11 +7,11 @@
 namespace ar3d::two_bend {
 
 /// Per listed MERGE the in-neighbour (its row's owner) next to which it stands (kNone for all other
-/// nodes), fixed in time order before anything is laid out (4.1, step 1).
+/// nodes), fixed in time order before anything is laid out (Rule 2.1).
 using Attachment = std::vector<NodeId>;
 Attachment attach_merges(const View& view);
 
-/// The owners that a SOURCE of the view keeps side by side (4.1, step 3).
+/// The owners that a SOURCE of the view keeps side by side (Rule 2.2).
 struct Unit {
   NodeId first = kNone;
   NodeId second = kNone;
@@ -20,10 +20,12 @@ struct Unit {
 };
 Unit unit_of(const View& view, const Pole& pole);
 
-/// The owners of the view in the order of their rows, before anything moves (4.1, steps 2 and 3).
+/// The owners of the view in the order of their rows, before anything moves (Rule 2.2).
 /// Along every edge from SPLIT to SPLIT the distance is at most the weights of both ends and of the
 /// lighter subtrees.
 /// @param straighten  moves trees so that more VV edges can be straight (choose_vv_values).
-std::vector<NodeId> order_owners(const View& view, const Attachment& attachment, bool straighten);
+/// @param weights  per node, what it counts in a tree; empty: 1 each.
+std::vector<NodeId> order_owners(const View& view, const Attachment& attachment, bool straighten,
+                                 const std::vector<std::uint32_t>& weights = {});
 
 }  // namespace ar3d::two_bend

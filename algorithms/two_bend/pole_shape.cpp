@@ -1,3 +1,5 @@
+// Lemma 2.12: how a SINK, and by reflection a SOURCE, is reached by its two leans. All angles are
+// compared in 128-bit integers. The ordinary rounds try every b; the safe layout knows it.
 #include "ar3d/algorithms/two_bend/pole_shape.h"
 
 #include <algorithm>
@@ -52,13 +54,17 @@ void set_lean(PoleShape& shape, PoleLean& lean, const ViewValues& values, std::i
 
 /// Travel directions l = (e, y, h) and (1, 2, -1) in the metric 3, 3, 1: <l, a> = 3e + 6y - h, <a,
 /// a> = 16, and a turn of at most 60 degrees is <l, a> > 0 with 4 <l, a>^2 >= 16 <l, l>.
-bool lean_fits(std::int64_t e, std::int64_t y) {
-  if (y < 1 || std::gcd(e, y) != 1) return false;
+bool lean_turns(std::int64_t e, std::int64_t y) {
+  if (y < 1) return false;
   const std::int64_t h = lean_height(std::abs(e), y);
   const std::int64_t inner = 3 * e + 6 * y - h;
   const Int128 square = Int128(inner) * inner;
   const Int128 length = 3 * Int128(e) * e + 3 * Int128(y) * y + Int128(h) * h;
   return inner > 0 && square >= 4 * length;
+}
+
+bool lean_fits(std::int64_t e, std::int64_t y) {
+  return y >= 1 && std::gcd(e, y) == 1 && lean_turns(e, y);
 }
 
 std::optional<PoleShape> fit_pole(const View& view, const ViewValues& values, const Pole& sink,
@@ -74,14 +80,13 @@ std::optional<PoleShape> fit_pole(const View& view, const ViewValues& values, co
   return shape;
 }
 
-PoleShape safe_pole(const View& view, const ViewValues& values, const Pole& sink, std::int64_t gap,
-                    std::int64_t far_b) {
+PoleShape safe_pole(const View& view, const ViewValues& values, const Pole& sink,
+                    std::int64_t far_b, bool alone) {
   PoleShape shape = frame_of(view, values, sink);
   for (PoleLean* lean : {&shape.up, &shape.down}) {
     const std::int64_t b = values.cross[lean->from] == shape.cross ? 1 : far_b;
-    const Reach reach = reach_of(shape, values, lean->from, b);
-    expect(2 * b <= gap - 1 && lean_fits(reach.e, reach.y),
-           "the leans of the safe round fit (L1, L2, L3)");
+    const auto [e, y] = reach_of(shape, values, lean->from, b);
+    expect(alone ? lean_turns(e, y) : lean_fits(e, y), "the leans of a safe layout fit");
     set_lean(shape, *lean, values, b);
   }
   return shape;

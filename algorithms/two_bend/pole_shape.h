@@ -24,7 +24,7 @@ struct PoleLean {
   std::int64_t height = 0;  ///< of the lean
 };
 
-/// How a SINK of the view is drawn (5.3), in the view's coordinates (cross, own, time).
+/// How a SINK of the view is drawn (Lemma 2.12), in the view's coordinates (cross, own, time).
 struct PoleShape {
   std::int64_t cross = 0;          ///< of the SINK
   std::int64_t own = 0;            ///< of the SINK: the row of its special edge
@@ -39,14 +39,17 @@ struct PoleShape {
 std::optional<PoleShape> fit_pole(const View& view, const ViewValues& values, const Pole& sink,
                                   std::int64_t gap);
 
-/// The shape of the safe round: b = 1 for the near lean, far_b for the far one; expects that both
-/// fit.
-PoleShape safe_pole(const View& view, const ViewValues& values, const Pole& sink, std::int64_t gap,
-                    std::int64_t far_b);
+/// The shape of a SINK in a safe layout, b = 1 for the near lean (Lemma 2.13 and Lemma 2.14).
+/// @param far_b  b of the far lean. @param alone  no other ray passes the SINK's slab, so leans
+/// need not be primitive.
+/// @throws InternalError if a lean does not fit.
+PoleShape safe_pole(const View& view, const ViewValues& values, const Pole& sink,
+                    std::int64_t far_b, bool alone);
 
-/// True if a lean (e, y, ceil sqrt(e^2 + y^2)) is primitive and may be followed by the direction
-/// (1, 2, -1) in which the SINK is reached (its own axis turned so that y > 0): 2 (3e + 6y - h)^2
-/// >= ... with equality allowed.
+/// True if the lean (e, y, h), h = ceil sqrt(e^2 + y^2), may be followed by the direction (1, 2,
+/// -1) in which the SINK is reached, each axis turned so that y > 0 (Lemma 2.12).
+bool lean_turns(std::int64_t e, std::int64_t y);
+/// lean_turns, and the lean is primitive.
 bool lean_fits(std::int64_t e, std::int64_t y);
 
 }  // namespace ar3d::two_bend

@@ -1,3 +1,5 @@
+// An order of tree roots with insertion and comparison, for effort 2 only (Bender, Cole, Demaine,
+// Farach-Colton and Zito 2002): labels, spread again where they run out. Cost: amortised O(log n).
 #include "ar3d/algorithms/two_bend/root_order.h"
 
 #include "ar3d/model/error.h"

@@ -1,3 +1,6 @@
+// Rule 2.8: SPLITs in the row of the SPLIT below them, which saves a bend and a row each. Whether
+// two arms of a row can meet depends on the columns, whose order depends on the rows; so the first
+// list shares by a guess and gives back what does not fit. Cost: O(n).
 #include "ar3d/algorithms/two_bend/shared_rows.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Step 2.11, one vertex at a time: the bends around it, and how much of the height it takes.
+// Written for MERGEs and SINKs of a view; SPLITs and SOURCEs are the same in the reversed view.
+// Cost: O(n).
 #include "ar3d/algorithms/two_bend/slab.h"
 
 #include <algorithm>
@@ -119,7 +122,7 @@ class ViewSlabs {
   void add_pole_lean(NodeId t, LongId edge, const PoleShape& shape, const PoleLean& lean,
                      int side) {
     add(t, edge, {cross_[lean.from], own_[lean.from], lean.height - lean.b});
-    add(t, edge, {shape.cross - shape.sign * lean.b, shape.own + side * 2 * lean.b, -lean.b});
+    add(t, edge, {shape.cross - shape.sign * lean.b, shape.own + 2L * side * lean.b, -lean.b});
   }
 
   void add_special(const Pole& pole, LongId edge, const PoleShape& shape) {

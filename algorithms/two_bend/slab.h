@@ -36,7 +36,7 @@ struct Slab {
   std::int64_t above = 0;
 };
 
-/// Slabs of all nodes and bends of all long edges (sections 5.1 to 5.4).
+/// Slabs of all nodes and bends of all long edges (Step 2.11).
 struct Slabs {
   std::vector<Slab> of_node;
   std::vector<LongBends> of_edge;

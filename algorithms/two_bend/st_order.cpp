@@ -1,3 +1,6 @@
+// Step 2.3: Tarjan's st-order of a block from its lowpoints, by sizes of subtrees instead of a
+// linked list, and Step 2.4: the repair of its end, which is this project's. Cost: O(size of the
+// block).
 #include "ar3d/algorithms/two_bend/st_order.h"
 
 #include <algorithm>

@@ -48,7 +48,7 @@ class StOrder {
 };
 
 /// Repairs the end of an st-order ... p5 y w c t whose last vertex has three earlier neighbours
-/// (2.1, step 6): permutes the last four places so that at least two neighbours of the last vertex
+/// (Step 2.4): permutes the last four places so that at least two neighbours of the last vertex
 /// have it as their only later neighbour.
 /// @return false (list unchanged) if no case applies: possible only for 6 and 8 vertices and for K4
 /// and Q blocks.

@@ -1,3 +1,5 @@
+// Step 2.11: slabs stacked in time order, then all points written. Vertices of degree 1 and 2 stand
+// on the bends of their edge where it has any: that saves the bend and a slab. Cost: O(n).
 #include "ar3d/algorithms/two_bend/sweep.h"
 
 #include <algorithm>
@@ -117,8 +119,8 @@ class Sweep {
     return all <= bends.count() || k < bends.lower_count || all - k <= bends.upper_count;
   }
 
-  /// Stacks the slabs in time order (R19). A vertex that is not alone in its slab and would have an
-  /// empty one stands on a bend instead.
+  /// Stacks the slabs in time order (Step 2.11). A vertex that is not alone in its slab and would
+  /// have an empty one stands on a bend instead.
   void place_heights() {
     std::vector<std::uint32_t> passed(passes_.size(), 0);  // per long edge
     std::int64_t next = output_.base_z();

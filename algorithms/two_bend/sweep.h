@@ -18,7 +18,7 @@ struct Component {
   const std::vector<QBody>& bodies;
 };
 
-/// Section 5: gives every vertex its own slab in time order (z), x and y from rays and poles, and
+/// Step 2.11: gives every vertex its own slab in time order (z), x and y from rays and poles, and
 /// writes vertices and bends, translated so that the smallest x and y of the component are 0. Cost:
 /// O(n).
 void sweep(const Component& component, Output& output);

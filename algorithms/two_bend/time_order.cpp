@@ -1,3 +1,6 @@
+// Steps 2.2 to 2.5: the root, the walk over the tree of blocks, and both ends of a cubic bridgeless
+// component. An st-order leaves at most one SOURCE, and one SINK per leaf block; the repairs give
+// these the neighbours that their triples need. Cost: O(n).
 #include "ar3d/algorithms/two_bend/time_order.h"
 
 #include <algorithm>
@@ -16,8 +19,8 @@ class BlockLists {
       : graph_(graph), blocks_(blocks), st_(graph, blocks) {}
 
   /// The block of s from s on, so that its last vertex has degree 2 inside the block if any but s
-  /// has, and is a repaired true sink otherwise (R6: the block then has at least 7 vertices and a
-  /// bridge at most at s).
+  /// has, and is a repaired true sink otherwise (Step 2.4: the block then has at least 7 vertices
+  /// and a bridge at most at s).
   std::vector<Vertex> from(Vertex s) {
     const Block& block = blocks_.block_of(s);
     if (block.size == 1) return {s};
@@ -30,7 +33,7 @@ class BlockLists {
     return list;
   }
 
-  /// The st-order of a cubic block with both ends repaired (2.2); nothing if a repair does not
+  /// The st-order of a cubic block with both ends repaired (Step 2.5); nothing if a repair does not
   /// apply.
   std::optional<std::vector<Vertex>> with_both_ends(Vertex s, Vertex t) {
     std::vector<Vertex> list = st_.order(s, t);
@@ -72,8 +75,8 @@ bool both_ends_closed(const LocalGraph& graph, std::vector<Vertex> list) {
   return count_closing_neighbours(graph, list) >= 2;
 }
 
-/// 2.2: a cubic bridgeless component. From 10 vertices on any pair works; the six smaller graphs
-/// are searched.
+/// Step 2.5: a cubic bridgeless component. From 10 vertices on any pair works; the six smaller
+/// graphs are searched.
 std::vector<Vertex> order_of_cubic_block(const LocalGraph& graph, BlockLists& lists) {
   if (graph.size() >= 10) {
     auto list = lists.with_both_ends(0, breadth_first(graph, 0).back());
@@ -93,7 +96,7 @@ std::vector<Vertex> order_of_cubic_block(const LocalGraph& graph, BlockLists& li
 }
 
 /// A walk over the block tree that emits a block's list and, after each vertex, what hangs on its
-/// bridges (R5).
+/// bridges (Step 2.3).
 class BlockTreeWalk {
  public:
   BlockTreeWalk(const LocalGraph& graph, const Blocks& blocks, BlockLists& lists)

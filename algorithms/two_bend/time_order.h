@@ -16,7 +16,7 @@ struct TimeOrder {
       false;  ///< cubic and bridgeless: both ends of the list are such vertices, in one block
 };
 
-/// Section 2.1 and 2.2 of the construction: the root, the walk over the block tree, repairs of true
+/// Steps 2.2 to 2.5: the root, the walk over the block tree, repairs of true
 /// sinks. Q bodies on bridges are cut off already; the component is not K4, K3,3 or a lone Q block.
 /// Cost: O(n).
 TimeOrder find_time_order(const LocalGraph& graph, const Blocks& blocks);

@@ -1,19 +1,31 @@
+// Theorem 2, component by component: Steps 2.1 to 2.11 of docs/theorem2.md in their order. Not the
+// paper's construction (contract triangles, seek chordless cycles), which has no grid and no volume
+// bound: a sweep along an st-order keeps all coordinates polynomial. The result of the ordinary
+// rounds is compared with a box and, where it breaks it, replaced by the layout whose box is
+// proved.
 #include "ar3d/algorithms/two_bend/two_bend.h"
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "ar3d/algorithms/degree_limit.h"
 #include "ar3d/algorithms/two_bend/checks.h"
 #include "ar3d/algorithms/two_bend/fixed_bodies.h"
 #include "ar3d/algorithms/two_bend/instance_bound.h"
+#include "ar3d/algorithms/two_bend/safe_layout.h"
 #include "ar3d/algorithms/two_bend/sweep.h"
 #include "ar3d/algorithms/two_bend/view_list.h"
 #include "ar3d/model/error.h"
 
 namespace ar3d::two_bend {
 namespace {
+
+// Up to this many vertices the promised box fits the integers used, so no check of widths can fail.
+constexpr std::int64_t kMostVertices = 26'843'543;
+static_assert(40 * kMostVertices + 80 <= kMaxHorizontal);
+static_assert(1000 * kMostVertices * kMostVertices + 1000 < kMaxCoordinate);
 
 /// What the construction met in one run.
 struct Census {
@@ -52,10 +64,7 @@ struct Attempt {
   Slabs slabs;
 };
 
-Attempt lay_out(Flow flow, const Options& options, bool straighten) {
-  const Lists lists = build_lists(flow, {options.effort > 0, straighten});
-  Layout layout =
-      find_layout(flow, lists, {options.force_safe_round, options.effort == 0 ? 0u : 2u});
+Attempt draw_layout(Flow flow, Layout layout) {
   expect_heavy([&] { return merges_keep_distances(View(flow, false), layout.rows); },
                "MERGEs keep their distances in the rows");
   expect_heavy([&] { return merges_keep_distances(View(flow, true), layout.columns); },
@@ -66,23 +75,71 @@ Attempt lay_out(Flow flow, const Options& options, bool straighten) {
   return {std::move(flow), std::move(layout), std::move(slabs)};
 }
 
-/// Up to what sticks out at the edges.
-double volume_of(const Attempt& attempt) {
-  const auto width = [](const Values& values) {
-    return static_cast<double>(*std::max_element(values.begin(), values.end()) + 1);
-  };
-  double height = 1;
-  for (const Slab& slab : attempt.slabs.of_node) {
-    height += static_cast<double>(slab.below + slab.above + 1);
-  }
-  return width(attempt.layout.columns) * width(attempt.layout.rows) * height;
+std::optional<Attempt> lay_out(Flow flow, unsigned effort, bool straighten) {
+  const Lists lists =
+      build_lists(flow, {.share = effort > 0, .straighten = straighten, .weights = {}});
+  std::optional<Layout> layout = find_layout(flow, lists, effort == 0 ? 0u : 2u);
+  if (!layout) return std::nullopt;
+  return draw_layout(std::move(flow), *std::move(layout));
 }
 
-Attempt find_attempt(const Flow& flow, const Options& options) {
-  Attempt plain = lay_out(flow, options, false);
-  if (options.effort < 2 || find_vv_edges(flow).empty()) return plain;
-  Attempt straight = lay_out(flow, options, true);
-  return volume_of(straight) <= volume_of(plain) ? std::move(straight) : std::move(plain);
+Attempt lay_out_safely(Flow flow) {
+  const Lists lists = build_safe_lists(flow);
+  Layout layout = find_safe_layout(flow, lists);
+  return draw_layout(std::move(flow), std::move(layout));
+}
+
+std::int64_t width_of(const Values& values) {
+  return *std::max_element(values.begin(), values.end()) + 1;
+}
+
+/// Stops where the drawing would be too high anyway: a slab is lower than kMaxCoordinate.
+std::int64_t height_of(const Slabs& slabs) {
+  std::int64_t height = 1;
+  for (const Slab& slab : slabs.of_node) {
+    height += slab.below + slab.above + 1;
+    if (height >= kMaxCoordinate) break;
+  }
+  return height;
+}
+
+/// What a component has: vertices in all, in the time order, and Q bodies.
+struct ComponentSize {
+  std::size_t vertices = 0;
+  std::size_t places = 0;
+  std::size_t bodies = 0;
+};
+
+/// Whether ordinary rounds kept the smaller box, which they are held to (Lemma 2.18). Counts what
+/// may stick out at the edges.
+bool keeps_box(const Attempt& attempt, const ComponentSize& size) {
+  const std::int64_t edge = 2 * (attempt.layout.largest_gap + kQHalfWidth) + 1;
+  const auto passes_and_bodies =
+      static_cast<std::int64_t>(size.places) + kQHeight * static_cast<std::int64_t>(size.bodies);
+  return kOrdinaryBox[0].holds(width_of(attempt.layout.columns) + edge, size.vertices) &&
+         kOrdinaryBox[1].holds(width_of(attempt.layout.rows) + edge, size.vertices) &&
+         kOrdinaryBox[2].holds(height_of(attempt.slabs) + passes_and_bodies, size.vertices);
+}
+
+/// Up to what sticks out at the edges.
+double volume_of(const Attempt& attempt) {
+  return static_cast<double>(width_of(attempt.layout.columns)) *
+         static_cast<double>(width_of(attempt.layout.rows)) *
+         static_cast<double>(height_of(attempt.slabs));
+}
+
+Attempt find_attempt(const Flow& flow, const Options& options, const ComponentSize& size) {
+  if (options.force_safe_layout) return lay_out_safely(flow);
+  std::optional<Attempt> plain = lay_out(flow, options.effort, false);
+  if (plain && !keeps_box(*plain, size)) plain.reset();
+  if (options.effort < 2 || find_vv_edges(flow).empty())
+    return plain ? *std::move(plain) : lay_out_safely(flow);
+  std::optional<Attempt> straight = lay_out(flow, options.effort, true);
+  if (straight && !keeps_box(*straight, size)) straight.reset();
+  if (!plain && !straight) return lay_out_safely(flow);
+  if (!plain) return *std::move(straight);
+  if (!straight) return *std::move(plain);
+  return volume_of(*straight) <= volume_of(*plain) ? *std::move(straight) : *std::move(plain);
 }
 
 void draw_component(LocalGraph& graph, const Options& options, Output& output, Census& census) {
@@ -105,7 +162,8 @@ void draw_component(LocalGraph& graph, const Options& options, Output& output, C
   const TimeOrder order = find_time_order(graph, blocks);
   expect_heavy([&] { return is_time_order(graph, order); },
                "sources and sinks of the time order have the neighbours they need");
-  const Attempt found = find_attempt(build_flow(graph, blocks, order), options);
+  const Attempt found = find_attempt(build_flow(graph, blocks, order), options,
+                                     {graph.size(), order.list.size(), bodies.size()});
   sweep({graph, order, found.flow, found.layout, found.slabs, bodies}, output);
   census.add(found.flow, found.layout, order.list.size(), bodies.size());
 }
@@ -139,13 +197,10 @@ Algorithm two_bend_row() {
   guarantee.angle_rule = AngleRule::at_least;
   guarantee.cosine = {-1, 2};
   guarantee.lattice = kTallLattice;
-  // x and y: proved unless a component needs the safe round; z: O(n^2) is proved, this constant is
-  // not (docs/theorem2.md).
-  guarantee.bound = {
-      "checked", "docs/theorem2.md", {{{40, 1, 2, 80}, {40, 1, 2, 80}, {64, 1, 4, 64}}}};
+  guarantee.bound = {"proved here", "docs/theorem2.md", two_bend::kBox};
   return {
       "two-bend",
-      "at most two bends an edge, angles of at least 120 degrees, in volume O(n) x O(n) x O(n^2)",
+      "at most two bends per edge, angles of at least 120 degrees, in volume O(n) x O(n) x O(n^2)",
       "Theorem 2",
       guarantee,
       {{"effort", 0, 2, 1,

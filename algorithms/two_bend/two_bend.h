@@ -1,8 +1,11 @@
 #pragma once
 
+#include <array>
+
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"
+#include "ar3d/model/guarantee.h"
 
 namespace ar3d::two_bend {
 
@@ -10,11 +13,17 @@ struct Options {
   /// 0: plain. 1: vertices share rows and columns (share_rows), arms are balanced (relax_merges).
   /// 2: as 1, and once more with rows ordered for straight edges; the smaller volume is kept.
   unsigned effort = 1;
-  bool force_safe_round =
-      false;  ///< lay every component out by the fallback whose success is proved
+  bool force_safe_layout = false;  ///< lay every component out by find_safe_layout (tests)
 };
 
-/// Draws a simple graph of maximum degree 3 with at most two bends an edge and all angles at least
+/// The promised box, in the number n of vertices (Lemma 2.18).
+inline constexpr std::array<AxisBound, 3> kBox{
+    {{40, 1, 2, 80}, {40, 1, 2, 80}, {1000, 1, 4, 1000}}};
+/// The box that the ordinary rounds are held to.
+inline constexpr std::array<AxisBound, 3> kOrdinaryBox{
+    {{40, 1, 2, 80}, {40, 1, 2, 80}, {64, 1, 4, 64}}};
+
+/// Draws a simple graph of maximum degree 3 with at most two bends per edge and all angles at least
 /// 120 degrees, exactly 120 at vertices of degree 3 (Theorem 2).
 /// @param graph  n vertices, m edges; may be disconnected.
 /// @return points of the lattice with squared length x^2 + y^2 + z^2/3; smallest x, y and z are 0.

@@ -1,3 +1,6 @@
+// Rules 2.3 and 2.4: MERGEs inserted between their in-neighbours, and the row of a SINK's special
+// edge moved between its two other neighbours (Lemma 2.7). Everything that depends on this row
+// waits until the SINK's turn. Cost: O(n).
 #include "ar3d/algorithms/two_bend/view_list.h"
 
 #include <algorithm>
@@ -14,7 +17,7 @@ namespace {
 
 using Pair = std::array<NodeId, 2>;
 
-/// A SINK's ordinary neighbours, and what had to wait for them (4.1, step 5).
+/// A SINK's ordinary neighbours, and what had to wait for them (Rule 2.4).
 struct WaitingSink {
   NodeId c = kNone;
   NodeId w = kNone;
@@ -24,11 +27,11 @@ struct WaitingSink {
 
 class ListBuilder {
  public:
-  ListBuilder(Flow& flow, bool columns, bool straighten)
+  ListBuilder(Flow& flow, bool columns, bool straighten, const std::vector<std::uint32_t>& weights)
       : view_(flow, columns),
         poles_(flow.poles),
         attachment_(attach_merges(view_)),
-        list_(view_.size(), order_owners(view_, attachment_, straighten)),
+        list_(view_.size(), order_owners(view_, attachment_, straighten, weights)),
         postponed_(view_.size(), false) {}
 
   std::vector<NodeId> build() {
@@ -134,7 +137,7 @@ class ListBuilder {
     list_.insert_after(m[1], pole.node);
   }
 
-  /// 4.1.5, step 1: hold comes to lie strictly between lo and hi.
+  /// Rule 2.4: hold comes to lie strictly between lo and hi.
   void place_hold(const Pole& pole, NodeId lo, NodeId hi) {
     const NodeId hold = view_.hold_of(pole);
     const bool has_place = list_.contains(hold) || !pole.a_type;
@@ -177,7 +180,7 @@ class ListBuilder {
     return false;
   }
 
-  /// 4.1.5, step 2 (i).
+  /// Rule 2.4, the chain does not run into c.
   void place_apart(const WaitingSink& sink, NodeId hold, Pair r12, Pair r34) {
     if (list_.before(r34[0], hold) && list_.before(hold, r12[1])) {
       list_.insert_after(r34[0], sink.w);
@@ -189,7 +192,7 @@ class ListBuilder {
     insert_chain(sink.chain);
   }
 
-  /// 4.1.5, step 2 (ii).
+  /// Rule 2.4, the chain runs into c.
   void place_when_chain_reaches(const WaitingSink& sink, NodeId hold, NodeId r2, Pair r34,
                                 NodeId chain_end) {
     insert_chain(sink.chain);
@@ -214,8 +217,9 @@ class ListBuilder {
 
 }  // namespace
 
-std::vector<NodeId> build_view_list(Flow& flow, bool columns, bool straighten) {
-  return ListBuilder(flow, columns, straighten).build();
+std::vector<NodeId> build_view_list(Flow& flow, bool columns, bool straighten,
+                                    const std::vector<std::uint32_t>& weights) {
+  return ListBuilder(flow, columns, straighten, weights).build();
 }
 
 void choose_outer_specials(Flow& flow, bool columns_are_second,

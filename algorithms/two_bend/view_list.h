@@ -7,13 +7,15 @@
 
 namespace ar3d::two_bend {
 
-/// Builds the list of a view (section 4.1): owners, listed MERGEs and the rows that SINKs ask for.
-/// Invariants: every listed MERGE stands strictly between its two in-neighbours; the row of a
+/// Builds the list of a view (Rules 2.1 to 2.4): owners, listed MERGEs and the rows that SINKs ask
+/// for. Invariants: every listed MERGE stands strictly between its two in-neighbours; the row of a
 /// SINK's special edge (hold) stands strictly between its two ordinary in-neighbours c and w.
 /// Chooses the special neighbour of every V-type SINK of the view that has none: the median of the
 /// three. Cost: O(n).
 /// @param straighten  see order_owners.
-std::vector<NodeId> build_view_list(Flow& flow, bool columns, bool straighten);
+/// @param weights  see order_owners.
+std::vector<NodeId> build_view_list(Flow& flow, bool columns, bool straighten,
+                                    const std::vector<std::uint32_t>& weights = {});
 
 /// For the view built second: makes the special neighbour of every V-type SINK an outer one of its
 /// three in the list of the other view, the one farther from the middle one.

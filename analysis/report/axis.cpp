@@ -29,7 +29,7 @@ std::string si(int digit, int exponent, const char* unit, bool spaced) {
   if (group < -4 || group > 4) return fmt::format("{}·10{}", digit, superscript(exponent));
   const int value = digit * static_cast<int>(std::lround(std::pow(10, exponent - 3 * group)));
   return fmt::format("{}{}{}{}", value, spaced ? " " : "",
-                     kPrefixes.at(static_cast<std::size_t>(group + 4)), unit);
+                     kPrefixes.at(static_cast<std::size_t>(4L + group)), unit);
 }
 
 std::string label(int digit, int exponent, TickStyle style) {

@@ -14,15 +14,18 @@ order without a constant, 1 stands for it). Fill is extent over bound, worst and
 repetition each, since repetitions must give the same drawing).</p>
 <p><b>Volume.</b> The number of lattice points in the box, the product of extent + 1 over the axes.</p>
 <p><b>Exponents.</b> Logarithms of the values, averaged over the graphs of each size (over repetitions the median),
-fitted by least squares against log n with the number of graphs as weight. Sizes below the square root of the largest n
+fitted by least squares against log n, every size with the same weight. Sizes below the square root of the largest n
 are left out while eight stay; a size with an unfinished graph is left out, because its finished ones are the fast ones.
 With fewer than eight sizes, or sizes less than four-fold apart, the answer is “undecided”.</p>
-<p><b>Intervals.</b> 95 %, basic bootstrap with 2000 replicates over graphs within each size, deviations inflated by
-√(k/(k−1)), widened by Student's t with Welch's degrees of freedom. If the sizes scatter around the power law more than
-their graphs explain (F-test, 1 %), or there is one graph a size, the residuals of the sizes are drawn instead.</p>
-<p><b>Logarithms.</b> n^a·log^b n is fitted beside n^a. An interval of b inside ±½ means no logarithm; one that excludes 0
-with an Akaike weight (AICc) of at least 0.98 means there is one; anything else is undecided.</p>
-<p><b>Times.</b> Wall time of the drawing alone, without generating, certifying or writing.</p>
+<p><b>Intervals.</b> 95 %. A size is a cluster: its graphs may share an error. Cluster-robust variance (HC2 on the means of
+the sizes) with Student's t and the degrees of freedom of Bell and McCaffrey (Imbens and Kolesár 2016).</p>
+<p><b>Labels.</b> “Power law”: sizes at least 16-fold apart, the drift of the local exponent from the smallest to the
+largest size lies within ±0.1 with 95 % confidence, and a test of fit for quadratic and cubic terms (10 %) does not reject the line, or
+the sizes are off it by less than 1 %. “With logarithm”: sizes at least 100-fold apart, the local exponent falls, the interval of b in
+n^a·log^b n holds 1, 2 or 3 and not 0, and an Akaike weight of at least 0.95 against n^a alone, with a lower-order term, or with
+a step. Everything else is an “apparent exponent”: true of the sizes it was fitted to, and of no others.</p>
+<p><b>Times.</b> Wall time of the drawing alone, without generating, certifying or writing. Only times of the timing phase are
+fitted, where a drawing has a core of its own; other rows ran beside others.</p>
 <p><b>Unfinished rows.</b> A timeout, a crash or exhausted memory is a value that is only known to be large: such rows stand as
 red points at the upper edge of their plots, and their size is left out of the fit.</p>
 <p><b>Plots.</b> Line: median. Band: the middle 80 % of the graphs. Points: graphs, at most twelve a size, evenly over the

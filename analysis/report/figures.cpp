@@ -47,7 +47,8 @@ std::string legend_svg(const std::vector<LegendEntry>& legend, double top) {
   std::string svg;
   for (std::size_t i = 0; i < legend.size(); ++i) {
     const double x = 6 + kLegendColumn * static_cast<double>(i % 2);
-    const double y = top + kLegendLine * (0.5 + static_cast<double>(i / 2));
+    const std::size_t row = i / 2;
+    const double y = top + kLegendLine * (0.5 + static_cast<double>(row));
     svg +=
         fmt::format("<path class='median {}' d='M{} {}h20'/><text x='{}' y='{}'>{}</text>",
                     stroke_class(legend[i].colour), x, y, x + 25, y + 4, escape(legend[i].label));

@@ -101,14 +101,13 @@ std::string fit_notes(const ScalingEntry& entry) {
   const bool is_censored = std::any_of(entry.all.begin(), entry.all.end(),
                                        [](const SizeSample& size) { return size.censored; });
   if (is_censored) notes += "; sizes with unfinished graphs left out";
-  if (entry.decided && entry.power.spread == Spread::sizes) notes += "; interval from sizes";
   return notes;
 }
 
-/// The label of the drawing time: the one quantity for which a logarithm is a question.
+/// The label of the drawing time.
 std::string time_label(const ScalingEntry* entry) {
   if (entry == nullptr) return "–";
-  std::string html = fmt::format("{} <small>{}", to_string(entry->growth), escape(entry->reason));
+  std::string html = fmt::format("{} <small>{}", growth_label(*entry), escape(entry->reason));
   if (!entry->next.empty()) html += "; would decide: " + escape(entry->next);
   return html + "</small>";
 }
@@ -143,12 +142,11 @@ std::string growth_table(const Section& section) {
   if (section.scaling.empty()) return "";
   std::string html =
       "<h3>Growth</h3><p class=muted>Exponent a of n^a over the fitted sizes, with its 95 % "
-      "interval "
-      "over graphs. Volume is the number of lattice points of the box, here also at the largest n "
+      "interval. Volume is the number of lattice points of the box, here also at the largest n "
       "in units of n³ (the order of Theorem 1, and of O(n) a side), n⁴ (two-bend's O(n) × O(n) × "
       "O(n²)) and n⁹ (the paper's O(n³) a side).</p><div class=scroll><table><thead><tr><th>Family"
       "<th class=num>Longest side<th class=num>Volume<th class=num>/ n³<th class=num>/ n⁴<th "
-      "class=num>/ n⁹<th class=num>Drawing time<th>Time: is there a logarithm?<th>Fit of the "
+      "class=num>/ n⁹<th class=num>Drawing time<th>Growth of the time<th>Fit of the "
       "time</tr></thead><tbody>\n";
   for (const LedgerEntry* entry : section.ledger) {
     const auto find = [&](Quantity quantity) { return find_entry(section, entry->key, quantity); };

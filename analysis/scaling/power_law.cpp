@@ -1,44 +1,74 @@
 #include "ar3d/analysis/scaling/power_law.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 
 namespace ar3d {
 namespace {
 
-std::vector<FitPoint> fit_points(const std::vector<SizeSample>& sizes, bool with_log,
-                                 bool equal_weights) {
+/// Squares of residuals below this are rounding: logarithms are near 10, doubles have 16 digits.
+constexpr double kRoundingSquare = 1e-26;
+
+using Regressor = std::function<double(double log_n)>;
+
+std::vector<FitPoint> fit_points(std::span<const SizeSample> sizes,
+                                 const std::vector<Regressor>& regressors) {
   std::vector<FitPoint> points;
   for (const SizeSample& size : sizes) {
-    const double log_n = std::log(static_cast<double>(size.n));
-    const std::vector<double> values = size.log_values();
-    FitPoint point{{1, log_n}, mean(values), 1};
-    if (with_log) point.regressors.push_back(std::log(log_n));
-    if (!equal_weights) point.weight = static_cast<double>(values.size());
+    FitPoint point{{1}, mean(size.log_values())};
+    for (const Regressor& regressor : regressors) {
+      point.regressors.push_back(regressor(std::log(static_cast<double>(size.n))));
+    }
     points.push_back(std::move(point));
   }
   return points;
 }
 
-/// Akaike's criterion for least squares over all instances, with its correction for few of them;
-/// missing when there are too few for it. A perfect fit gives minus infinity.
-double corrected_akaike(const LinearFit& fit, const std::vector<std::vector<double>>& values) {
-  double square_sum = fit.weighted_square_sum;
-  std::size_t count = 0;
-  for (const std::vector<double>& size : values) {
-    if (size.size() > 1) square_sum += variance(size) * static_cast<double>(size.size() - 1);
-    count += size.size();
-  }
-  const double s = static_cast<double>(count);
-  const double k = static_cast<double>(fit.coefficients.size() + 1);  // and the variance
-  if (s - k - 1 <= 0) return kMissing;
-  return s * std::log(square_sum / s) + 2 * k + 2 * k * (k + 1) / (s - k - 1);
+double identity(double x) { return x; }
+double log_log(double x) { return std::log(x); }
+
+/// The middle of the sizes in log n; polynomials around it are well conditioned.
+double centre_of(std::span<const SizeSample> sizes) {
+  double sum = 0;
+  for (const SizeSample& size : sizes) sum += std::log(static_cast<double>(size.n));
+  return sum / static_cast<double>(sizes.size());
 }
 
-void take_coefficients(const LinearFit& fit, CurveFit& curve) {
-  curve.fitted = true;
-  curve.log_factor = fit.coefficients[0];
-  curve.exponent = fit.coefficients[1];
-  if (fit.coefficients.size() > 2) curve.log_exponent = fit.coefficients[2];
+Regressor power_of(double centre, int exponent) {
+  return [=](double x) { return std::pow(x - centre, exponent); };
+}
+
+double floored(double square_sum) { return std::max(square_sum, kRoundingSquare); }
+
+/// p-value of the F-test of a fit within one of more coefficients.
+double nested_p(const LinearFit& small, const LinearFit& large) {
+  const double more = static_cast<double>(large.coefficients.size() - small.coefficients.size());
+  const double df = static_cast<double>(large.residuals.size() - large.coefficients.size());
+  const double gain = floored(small.square_sum) - floored(large.square_sum);
+  const double ratio = std::max(0.0, gain / more) / (floored(large.square_sum) / df);
+  return fisher_f_tail(ratio, more, df);
+}
+
+/// Akaike's criterion with its correction for few points; infinite if there are too few of them.
+/// @param parameters  coefficients and whatever else was chosen by the data.
+double corrected_akaike(const LinearFit& fit, std::size_t parameters) {
+  const double s = static_cast<double>(fit.residuals.size());
+  const double k = static_cast<double>(parameters + 1);  // and the variance
+  if (s - k - 1 <= 0) return std::numeric_limits<double>::infinity();
+  return s * std::log(floored(fit.square_sum) / s) + 2 * k + 2 * k * (k + 1) / (s - k - 1);
+}
+
+/// The best smooth step, two octaves wide, at an inner size.
+double step_akaike(std::span<const SizeSample> sizes) {
+  double best = std::numeric_limits<double>::infinity();
+  for (std::size_t s = 1; s + 1 < sizes.size(); ++s) {
+    const double place = std::log(static_cast<double>(sizes[s].n));
+    const Regressor step = [=](double x) { return std::tanh((x - place) / std::log(2.0)); };
+    best = std::min(best, corrected_akaike(fit_linear(fit_points(sizes, {identity, step})), 4));
+  }
+  return best;
 }
 
 }  // namespace
@@ -49,26 +79,64 @@ double CurveFit::log_value(double n) const {
   return log_factor + exponent * log_n + log_part;
 }
 
-CurveFit fit_curve(const std::vector<SizeSample>& sizes, bool with_log, bool intervals,
-                   const BootstrapOptions& options) {
+double CurveFit::typical_residual(std::size_t sizes) const {
+  return std::sqrt(square_sum / static_cast<double>(sizes));
+}
+
+CurveFit fit_curve(std::span<const SizeSample> sizes, bool with_log, bool intervals,
+                   double confidence) {
   CurveFit curve;
-  const std::size_t coefficients = with_log ? 3 : 2;
-  if (sizes.size() < coefficients) return curve;
-  std::vector<std::vector<double>> values;
-  for (const SizeSample& size : sizes) values.push_back(size.log_values());
-  LinearFit fit = fit_linear(fit_points(sizes, with_log, false));
-  curve.spread = choose_spread(values, fit);
-  curve.aicc = corrected_akaike(fit, values);
-  if (curve.spread == Spread::sizes) fit = fit_linear(fit_points(sizes, with_log, true));
-  take_coefficients(fit, curve);
-  if (!intervals || sizes.size() == coefficients) return curve;
-  const auto interval = [&](std::size_t j) {
-    return curve.spread == Spread::instances ? interval_over_instances(values, fit, j, options)
-                                             : interval_over_sizes(fit, j, options);
-  };
-  curve.exponent_interval = interval(1);
-  if (with_log) curve.log_exponent_interval = interval(2);
+  std::vector<Regressor> regressors = {identity};
+  if (with_log) regressors.push_back(log_log);
+  if (sizes.size() <= regressors.size()) return curve;
+  const LinearFit fit = fit_linear(fit_points(sizes, regressors));
+  curve.fitted = true;
+  curve.log_factor = fit.coefficients[0];
+  curve.exponent = fit.coefficients[1];
+  if (with_log) curve.log_exponent = fit.coefficients[2];
+  curve.square_sum = fit.square_sum;
+  if (!intervals) return curve;
+  curve.exponent_interval = robust_interval(fit, 1, confidence);
+  if (with_log) curve.log_exponent_interval = robust_interval(fit, 2, confidence);
   return curve;
+}
+
+Curvature curvature(std::span<const SizeSample> sizes, double confidence) {
+  const double centre = centre_of(sizes);
+  const Regressor linear = power_of(centre, 1), square = power_of(centre, 2),
+                  cube = power_of(centre, 3);
+  const LinearFit line = fit_linear(fit_points(sizes, {linear}));
+  const LinearFit parabola = fit_linear(fit_points(sizes, {linear, square}));
+  const LinearFit cubic = fit_linear(fit_points(sizes, {linear, square, cube}));
+  const LinearFit with_log = fit_linear(fit_points(sizes, {linear, log_log}));
+  const LinearFit with_both = fit_linear(fit_points(sizes, {linear, log_log, cube}));
+  const double first = std::log(static_cast<double>(sizes.front().n)) - centre;
+  const double last = std::log(static_cast<double>(sizes.back().n)) - centre;
+  Curvature result;
+  result.first_exponent = parabola.coefficients[1] + 2 * parabola.coefficients[2] * first;
+  result.last_exponent = parabola.coefficients[1] + 2 * parabola.coefficients[2] * last;
+  const Interval bend = robust_interval(parabola, 2, confidence);
+  result.drift = {2 * bend.low * (last - first), 2 * bend.high * (last - first)};
+  result.line_p = nested_p(line, cubic);
+  result.with_log_p = nested_p(with_log, with_both);
+  return result;
+}
+
+double log_weight(std::span<const SizeSample> sizes) {
+  const auto criterion = [&](const std::vector<Regressor>& regressors) {
+    return corrected_akaike(fit_linear(fit_points(sizes, regressors)), regressors.size() + 1);
+  };
+  const double centre = centre_of(sizes);
+  const auto lower_order = [=](double order) -> Regressor {
+    return [=](double x) { return std::exp(-order * (x - centre)); };
+  };
+  const double with_log = criterion({identity, log_log});
+  const std::vector<double> others = {criterion({identity}),
+                                      criterion({identity, lower_order(0.5)}),
+                                      criterion({identity, lower_order(1)}), step_akaike(sizes)};
+  double sum = 1;
+  for (const double other : others) sum += std::exp(std::min(700.0, (with_log - other) / 2));
+  return std::isinf(with_log) ? 0 : 1 / sum;
 }
 
 }  // namespace ar3d

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
+#include <span>
 #include <vector>
 
-#include "ar3d/analysis/scaling/bootstrap.h"
+#include "ar3d/analysis/scaling/linear_fit.h"
 #include "ar3d/analysis/scaling/samples.h"
 
 namespace ar3d {
@@ -12,10 +12,12 @@ namespace ar3d {
 struct FitOptions {
   std::size_t minimum_sizes = 8;  ///< fewer distinct sizes: no interval, "undecided"
   double minimum_span = 4;        ///< largest over smallest used n; less: "undecided"
-  BootstrapOptions bootstrap;
+  double confidence = 0.95;       ///< of every interval
 };
 
-/// value = exp(log_factor) * n^exponent, or with logarithms * log(n)^log_exponent.
+/// value = exp(log_factor) * n^exponent, or with logarithms * log(n)^log_exponent, fitted to the
+/// means of the logarithms of each size, every size with the same weight: a size is a cluster,
+/// whose graphs may share an error. Intervals are robust_interval's.
 struct CurveFit {
   bool fitted = false;  ///< false with fewer sizes than coefficients
   double log_factor = 0;
@@ -23,16 +25,36 @@ struct CurveFit {
   double log_exponent = 0;  ///< 0 in the pure power law
   Interval exponent_interval{kMissing, kMissing};
   Interval log_exponent_interval{kMissing, kMissing};
-  Spread spread = Spread::sizes;
-  double aicc = kMissing;
+  double square_sum = 0;  ///< of the sizes' residuals
   double log_value(double n) const;
+  /// Square root of the mean squared residual of `sizes` sizes.
+  double typical_residual(std::size_t sizes) const;
 };
 
-/// Fits the size means of logarithms, weighted by their number of instances (equally where
-/// Spread::sizes).
 /// @param with_log  fits n^a log(n)^b instead of n^a; all n > 1 then.
-/// @param intervals  false skips the bootstrap.
-CurveFit fit_curve(const std::vector<SizeSample>& sizes, bool with_log, bool intervals,
-                   const BootstrapOptions& options);
+/// @param intervals  false leaves them missing.
+CurveFit fit_curve(std::span<const SizeSample> sizes, bool with_log, bool intervals,
+                   double confidence = 0.95);
+
+/// How far the sizes are from a straight line in log-log axes.
+struct Curvature {
+  /// Local exponent (slope in log-log axes) of the fitted parabola at the smallest and at the
+  /// largest size; their difference, the drift, has an interval.
+  double first_exponent = kMissing;
+  double last_exponent = kMissing;
+  Interval drift{kMissing, kMissing};
+  /// p-value of the F-test that neither a quadratic nor a cubic term is needed.
+  double line_p = kMissing;
+  /// The same for a cubic term beside n^a log(n)^b.
+  double with_log_p = kMissing;
+};
+
+/// @param sizes  at least six, all n > 1.
+Curvature curvature(std::span<const SizeSample> sizes, double confidence = 0.95);
+
+/// Akaike weight, in [0, 1], of n^a log(n)^b among: n^a; n^a log(n)^b; n^a with a lower-order term
+/// of relative order n^(-1/2) or 1/n; and n^a with one smooth step (a cache boundary) at any of the
+/// inner sizes. AICc over the means of the sizes. @param sizes  at least eight, all n > 1.
+double log_weight(std::span<const SizeSample> sizes);
 
 }  // namespace ar3d

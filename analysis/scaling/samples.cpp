@@ -26,19 +26,9 @@ bool is_censored(RunStatus status) {
          status == RunStatus::crashed;
 }
 
-/// The phase whose times speak for the instance: timing if it has such rows, else metrics.
-RunPhase phase_of_times(const Results& results, const InstanceRows& instance) {
-  const bool timed = std::any_of(instance.rows.begin(), instance.rows.end(), [&](std::size_t row) {
-    const RunRecord& run = results.runs[row];
-    return run.phase == RunPhase::timing && run.status == RunStatus::ok;
-  });
-  return timed ? RunPhase::timing : RunPhase::metrics;
-}
-
 /// Median of the repetitions' logarithms and the first row with a value; false if there is none.
 bool instance_value(const Results& results, const InstanceRows& instance, Quantity quantity,
-                    InstanceValue& value) {
-  const RunPhase times = phase_of_times(results, instance);
+                    RunPhase times, InstanceValue& value) {
   std::vector<double> logs;
   for (const std::size_t row : instance.rows) {
     if (results.runs[row].status != RunStatus::ok) continue;
@@ -135,7 +125,15 @@ std::vector<CensoredRow> censored_rows(const Results& results, const Cell& cell)
   return rows;
 }
 
+bool has_timing_rows(const Results& results, const Cell& cell) {
+  return std::any_of(cell.rows.begin(), cell.rows.end(), [&](std::size_t row) {
+    const RunRecord& run = results.runs[row];
+    return run.phase == RunPhase::timing && run.status == RunStatus::ok;
+  });
+}
+
 std::vector<SizeSample> samples(const Results& results, const Cell& cell, Quantity quantity) {
+  const RunPhase times = has_timing_rows(results, cell) ? RunPhase::timing : RunPhase::metrics;
   std::map<std::int64_t, SizeSample> by_size;
   for (const InstanceRows& instance : cell.instances) {
     if (instance.n < 1) continue;
@@ -145,7 +143,7 @@ std::vector<SizeSample> samples(const Results& results, const Cell& cell, Quanti
       return is_censored(results.runs[row].status);
     });
     InstanceValue value;
-    if (!instance_value(results, instance, quantity, value)) continue;
+    if (!instance_value(results, instance, quantity, times, value)) continue;
     if (size.instances.empty()) size.log_bound = log_bound(results.runs[value.row], quantity);
     size.instances.push_back(value);
   }

@@ -51,7 +51,11 @@ struct CensoredRow {
 /// All of a cell with n >= 1, in increasing order of n.
 std::vector<CensoredRow> censored_rows(const Results& results, const Cell& cell);
 
-/// The measured sizes of one cell in increasing order of n >= 1; only ok rows count.
+/// Whether some ok row of the cell is of the timing phase.
+bool has_timing_rows(const Results& results, const Cell& cell);
+
+/// The measured sizes of one cell in increasing order of n >= 1; only ok rows count. Times are
+/// those of the timing phase if the cell has such rows, else of the metrics phase (for plots).
 std::vector<SizeSample> samples(const Results& results, const Cell& cell, Quantity quantity);
 
 /// Which sizes a fit uses, and what is left out and why (one clause each, for the report).

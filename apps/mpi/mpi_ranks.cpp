@@ -280,7 +280,7 @@ class MpiRanks final : public Ranks {
   std::string any_of(const std::string& text) override {
     int mine = text.empty() ? size_ : rank_;
     int first = size_;
-    MPI_Request request;
+    MPI_Request request = MPI_REQUEST_NULL;
     MPI_Iallreduce(&mine, &first, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD, &request);
     wait_quietly(request);
     return first == size_ ? std::string() : from(first, text);

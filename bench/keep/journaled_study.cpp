@@ -1,7 +1,6 @@
 #include "ar3d/bench/keep/journaled_study.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <exception>
@@ -45,8 +44,7 @@ void seed_journal(const JournaledStudy& study, const StudyIdentity& identity) {
   }
   if (!study.seed_from_results) return;
   const std::string journal_of_study = journal_path(study.results);
-  const std::string seed = fmt::format("{}.partial-{}", journal_of_study, getpid());
-  fs::remove(seed);
+  const std::string seed = name_of_new_file(journal_of_study);
   {
     RowCollection rows;
     rows.add(study.results);
@@ -68,13 +66,8 @@ void seed_journal(const JournaledStudy& study, const StudyIdentity& identity) {
     }
     journal.sync();
   }
-  // Not by renaming: another process may have made the same journal and be at work with it.
-  std::error_code failure;
-  fs::create_hard_link(seed, journal_of_study, failure);
-  fs::remove(seed);
-  if (failure && failure != std::errc::file_exists) {
-    throw InputError(fmt::format("cannot write {}: {}", journal_of_study, failure.message()));
-  }
+  // Not by replacing: another process may have made the same journal and be at work with it.
+  give_name_if_free(seed, journal_of_study);
 }
 
 StudyPlan plan_of(const JournaledStudy& study) {
@@ -150,6 +143,8 @@ JournaledStudy new_study(const std::string& name_or_path, const Shard& shard,
                          const std::string& results) {
   JournaledStudy study{load_study(name_or_path), shard, results, now_with_zone()};
   if (study.results.empty()) study.results = path_of_shard(default_results_path(study.spec), shard);
+  require_results_name(study.results);
+  study.results = in_resolved_folder(study.results);
   if (const auto journals = existing_journals(study.results); !journals.empty()) {
     throw InputError(fmt::format(
         "{} is the journal of a study that is not finished: go on with `ar3d study resume {}`, or "
@@ -161,7 +156,7 @@ JournaledStudy new_study(const std::string& name_or_path, const Shard& shard,
 }
 
 JournaledStudy begun_study(const std::string& journal_or_results) {
-  const std::string results = results_path_of(journal_or_results);
+  const std::string results = in_resolved_folder(results_path_of(journal_or_results));
   const std::vector<std::string> journals = existing_journals(results);
   const bool in_results = rows_are_in_results(results);
   const StudyIdentity identity =
@@ -216,12 +211,10 @@ class Part {
       if (ranks.is_first()) seed_journal(study, identity);
       journal_.emplace(path, identity);
     });
-    if (options.progress != nullptr && journal_->bytes_cut() > 0) {
-      fmt::print(options.progress,
-                 "ar3d: {} ended with {} bytes of an unfinished row; they are cut off\n", path,
-                 journal_->bytes_cut());
-    }
-    if (ranks.is_first()) remove_leftovers(study.results);
+    tell_of_cut_bytes(path);
+    together(ranks, [&] {
+      if (ranks.is_first()) remove_leftovers(study.results);
+    });
   }
 
   void make_rows() {
@@ -234,10 +227,11 @@ class Part {
       shared.making.timed_phases = false;
       shared.making.neighbours = (ranks_.size() - 1) * shared.threads;
     }
-    together(ranks_, [&] {
-      const RowCollection before = rows_so_far(study_);
-      make_shared(shared, before);
-    });
+    // Two steps: a rank that cannot read must not leave the others sharing rows without it.
+    std::optional<RowCollection> before;
+    together(ranks_, [&] { before.emplace(rows_so_far(study_)); });
+    together(ranks_, [&] { make_shared(shared, *before); });
+    before.reset();
     if (ranks_.size() > 1 && ranks_.is_first()) {
       shared.making.timed_phases = options_.making.timed_phases;
       shared.next_instance = [] { return std::nullopt; };
@@ -258,6 +252,19 @@ class Part {
   }
 
  private:
+  // Silent only about what is kept nowhere since nobody has acknowledged it.
+  void tell_of_cut_bytes(const std::string& path) const {
+    if (!journal_->cut_file().empty()) {
+      fmt::print(stderr,
+                 "ar3d: {} ended with {} bytes that are no row of it; they are kept in {}\n", path,
+                 journal_->bytes_cut(), journal_->cut_file());
+    } else if (options_.progress != nullptr && journal_->bytes_cut() > 0) {
+      fmt::print(options_.progress,
+                 "ar3d: {} ended with {} bytes of an unfinished row; they are cut off\n", path,
+                 journal_->bytes_cut());
+    }
+  }
+
   // The largest instances first, so that none is left to the end.
   void make_shared(const StudyOptions& options, const RowCollection& before) {
     const LargestFirst order(plan_);

@@ -1,12 +1,18 @@
 #include "ar3d/bench/keep/study_files.h"
 
+#include <dirent.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
+#include <cstring>
 #include <filesystem>
+#include <memory>
 #include <optional>
+#include <string_view>
 
+#include "ar3d/model/error.h"
 #include "ar3d/results/hdf5/results_reader.h"
 #include "ar3d/results/journal/journal_reader.h"
 
@@ -17,33 +23,61 @@ namespace fs = std::filesystem;
 constexpr std::string_view kSuffix = ".journal";
 constexpr std::string_view kRank = ".rank-";
 
-// What a journal's name says.
-struct Name {
-  std::string results;
+// The number that stands between the two, from 1 on; nothing if no such number does.
+std::optional<int> rank_between(std::string_view name, std::string_view before,
+                                std::string_view after) {
+  if (name.size() <= before.size() + after.size() || !name.starts_with(before) ||
+      !name.ends_with(after)) {
+    return std::nullopt;
+  }
+  const char* end = name.data() + name.size() - after.size();
   int rank = 0;
-};
-
-std::optional<Name> parse_name(std::string path) {
-  if (!path.ends_with(kSuffix)) return std::nullopt;
-  path.resize(path.size() - kSuffix.size());
-  const std::size_t at = path.rfind(kRank);
-  if (at == std::string::npos) return Name{path, 0};
-  int rank = 0;
-  const char* end = path.data() + path.size();
-  const auto read = std::from_chars(path.data() + at + kRank.size(), end, rank);
-  if (read.ec != std::errc() || read.ptr != end || rank < 1) return Name{path, 0};
-  return Name{path.substr(0, at), rank};
+  const auto read = std::from_chars(name.data() + before.size(), end, rank);
+  if (read.ec != std::errc() || read.ptr != end || rank < 1) return std::nullopt;
+  return rank;
 }
 
-// The files in the folder of the results file.
-std::vector<std::string> neighbours(const std::string& results) {
-  const fs::path folder = fs::path(results).parent_path();
-  std::vector<std::string> paths;
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, ignored)) {
-    paths.push_back((folder / entry.path().filename()).string());
+std::string file_name(const std::string& path) { return fs::path(path).filename().string(); }
+
+std::string beside(const std::string& path, const std::string& name) {
+  return (fs::path(path).parent_path() / name).string();
+}
+
+// The rank whose journal has that file name; nothing: it is no journal of this study. Only names
+// are compared, never paths: one folder has many of these.
+std::optional<int> rank_of_journal(const std::string& name, const std::string& results) {
+  const std::string own = file_name(results);
+  if (name == own + std::string(kSuffix)) return 0;
+  return rank_between(name, own + std::string(kRank), kSuffix);
+}
+
+std::string folder_of(const std::string& path) {
+  const std::string folder = fs::path(path).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+struct CloseFolder {
+  void operator()(DIR* folder) const { closedir(folder); }
+};
+
+// The names of the files in the folder of a path. A folder that is not there has none; every other
+// failure to list is an error, since what is not seen here would be taken for not there.
+std::vector<std::string> names_beside(const std::string& path) {
+  const std::string folder = folder_of(path);
+  const auto refuse = [&folder](int reason) {
+    throw InputError(fmt::format("cannot list {}: {}", folder, std::strerror(reason)));
+  };
+  const std::unique_ptr<DIR, CloseFolder> open(opendir(folder.c_str()));
+  std::vector<std::string> names;
+  if (!open && errno == ENOENT) return names;
+  if (!open) refuse(errno);
+  for (;;) {
+    errno = 0;
+    const dirent* entry = readdir(open.get());
+    if (entry == nullptr && errno != 0) refuse(errno);
+    if (entry == nullptr) return names;
+    names.emplace_back(entry->d_name);
   }
-  return paths;
 }
 
 }  // namespace
@@ -60,23 +94,48 @@ std::string journal_path(const std::string& results, int rank) {
   return fmt::format("{}{}{}{}", results, kRank, rank, kSuffix);
 }
 
-std::vector<std::string> existing_journals(const std::string& results) {
-  std::vector<std::pair<int, std::string>> found;
-  for (const std::string& path : neighbours(results)) {
-    const auto name = parse_name(path);
-    if (name && name->results == results) {
-      found.emplace_back(name->rank, journal_path(results, name->rank));
-    }
+std::string in_resolved_folder(const std::string& path) {
+  const fs::path folder = fs::path(path).parent_path();
+  if (folder.empty()) return path;
+  std::error_code error;
+  const fs::path resolved = fs::canonical(folder, error);
+  if (error) return path;
+  return (resolved / fs::path(path).filename()).string();
+}
+
+void require_results_name(const std::string& results) {
+  const std::string name = file_name(results);
+  const std::size_t at = name.rfind(kRank);
+  const bool is_of_a_rank =
+      at != std::string::npos && rank_between(name, name.substr(0, at) + std::string(kRank), "");
+  if (name.empty() || name.ends_with(kSuffix) || is_of_a_rank ||
+      name.find(".partial-") != std::string::npos) {
+    throw InputError(fmt::format(
+        "'{}' cannot name a results file: names that end in .journal or .rank-1, or hold "
+        ".partial-, are of the files beside one",
+        results));
   }
-  std::sort(found.begin(), found.end());
+}
+
+std::vector<std::string> existing_journals(const std::string& results) {
+  std::vector<int> ranks;
+  for (const std::string& name : names_beside(results)) {
+    if (const auto rank = rank_of_journal(name, results)) ranks.push_back(*rank);
+  }
+  std::sort(ranks.begin(), ranks.end());
   std::vector<std::string> paths;
-  for (auto& [rank, path] : found) paths.push_back(std::move(path));
+  for (const int rank : ranks) paths.push_back(journal_path(results, rank));
   return paths;
 }
 
 std::string results_path_of(const std::string& journal_or_results) {
-  const auto name = parse_name(journal_or_results);
-  return name ? name->results : journal_or_results;
+  std::string path = journal_or_results;
+  if (!path.ends_with(kSuffix)) return path;
+  path.resize(path.size() - kSuffix.size());
+  const std::size_t at = path.rfind(kRank);
+  if (at == std::string::npos) return path;
+  return rank_between(path, path.substr(0, at) + std::string(kRank), "") ? path.substr(0, at)
+                                                                         : path;
 }
 
 std::string report_path(const std::string& results) {
@@ -84,11 +143,14 @@ std::string report_path(const std::string& results) {
 }
 
 void remove_leftovers(const std::string& results) {
-  const std::string page = report_path(results);
-  for (const std::string& path : neighbours(results)) {
-    const bool ours = path.starts_with(results + ".") || path.starts_with(page + ".");
+  const std::string own = file_name(results) + ".";
+  const std::string page = file_name(report_path(results)) + ".";
+  for (const std::string& name : names_beside(results)) {
+    const bool ours = name.starts_with(own) || name.starts_with(page);
     std::error_code ignored;  // they do no harm
-    if (ours && path.find(".partial-") != std::string::npos) fs::remove(path, ignored);
+    if (ours && name.find(".partial-") != std::string::npos) {
+      fs::remove(beside(results, name), ignored);
+    }
   }
 }
 

@@ -13,7 +13,17 @@ std::string path_of_shard(const std::string& results, const Shard& shard);
 /// "r.h5.journal", and "r.h5.rank-3.journal" for a rank other than 0.
 std::string journal_path(const std::string& results, int rank = 0);
 
-/// The journals of a study that exist, rank 0 first.
+/// The path with its folder resolved (links, `.` and `..` followed), so that from now on it leads
+/// to the same file whatever happens to the way there. A path without a folder, or with one that
+/// is not there, stays as it is.
+std::string in_resolved_folder(const std::string& path);
+
+/// @throws InputError if the name is one that a journal or an unfinished file beside another
+/// results file would have.
+void require_results_name(const std::string& results);
+
+/// The journals of a study that exist, rank 0 first. Names are compared within the folder, whatever
+/// the path to it. @throws InputError if the folder cannot be listed.
 std::vector<std::string> existing_journals(const std::string& results);
 
 /// The page that a study's report is, beside its results file.
@@ -23,11 +33,13 @@ std::string report_path(const std::string& results);
 std::string results_path_of(const std::string& journal_or_results);
 
 /// True if there are no journals, or only some that a killed process has not removed any more after
-/// it had made the results file. @throws InputError naming a journal that cannot be read.
+/// it had made the results file. @throws InputError naming a journal that cannot be read, or the
+/// folder if it cannot be listed.
 bool rows_are_in_results(const std::string& results);
 
 /// Unfinished new files that a killed process has left of the results file, journals or report. To
-/// be called by the one that has the journal locked.
+/// be called by the one that has the journal locked. @throws InputError if the folder cannot be
+/// listed.
 void remove_leftovers(const std::string& results);
 
 /// After the results file is safe on the disk.

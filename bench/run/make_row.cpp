@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 
 #include "ar3d/bench/measure/environment.h"
@@ -11,8 +12,7 @@
 #include "ar3d/formats/text/output.h"
 #include "ar3d/model/error.h"
 #include "ar3d/results/columns.h"
-#include "ar3d/verify/certificate.h"
-#include "ar3d/verify/metrics.h"
+#include "ar3d/verify/examination.h"
 
 namespace ar3d {
 namespace {
@@ -34,19 +34,32 @@ void record_verdict(RunRecord& run, const Certificate& certificate) {
   if (!certificate.valid()) run.message = certificate.violations.front().message;
 }
 
-void record_metrics(RunRecord& run, const Metrics& metrics) {
-  run.extents = metrics.extents;
-  run.log2_volume = metrics.log2_volume;
-  run.volume_per_n3 = metrics.volume_per_n3;
-  run.theorem_bound = metrics.theorem_bound;
-  run.slack = metrics.slack;
-  run.total_edge_length = metrics.total_edge_length;
-  run.longest_edge_length = metrics.longest_edge_length;
-  run.smallest_vertex_distance = metrics.smallest_vertex_distance;
+void record_size(RunRecord& run, const DrawingSummary& summary, const Guarantee& guarantee) {
+  const auto n = static_cast<std::uint64_t>(run.n);
+  double volume = 1;
+  run.log2_volume = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    run.extents[axis] = summary.box.extents()[axis];
+    const auto extent = static_cast<double>(run.extents[axis]);
+    volume *= extent;
+    run.log2_volume += std::log2(extent + 1);
+    const double bound = n == 0 ? 0 : guarantee.bound.axes[axis].value(n);
+    run.theorem_bound[axis] = bound > 0 ? bound : kMissing;
+    run.slack[axis] = bound > 0 ? 1 - extent / bound : kMissing;
+  }
+  const auto size = static_cast<double>(n);
+  run.volume_per_n3 = n == 0 ? kMissing : volume / (size * size * size);
+}
+
+void record_metrics(RunRecord& run, const DrawingSummary& summary, const Guarantee& guarantee) {
+  record_size(run, summary, guarantee);
+  run.total_edge_length = summary.total_edge_length;
+  run.longest_edge_length = summary.longest_edge_length;
+  run.smallest_vertex_distance = summary.smallest_vertex_distance;
   run.bends.fill(0);
-  for (std::size_t bends = 0; bends < metrics.bend_histogram.size(); ++bends) {
+  for (std::size_t bends = 0; bends < summary.bend_histogram.size(); ++bends) {
     run.bends[std::min(bends, run.bends.size() - 1)] +=
-        static_cast<std::int64_t>(metrics.bend_histogram[bends]);
+        static_cast<std::int64_t>(summary.bend_histogram[bends]);
   }
 }
 
@@ -160,19 +173,21 @@ void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& req
   if (request.warm_ups > 0) memory_.restart();
   const Drawing drawing = timed_drawing(*graph_, choice, counters_, run);
   if (memory_.scope() != MemoryScope::process) run.draw_peak_bytes = memory_.peak_bytes();
-  run.drawing_hash = drawing_hash(drawing);
   run.counters = counters_text(drawing.counters);
   if (drawing.instance_bound) run.instance_bound = *drawing.instance_bound;
   if (request.write) run.write_s = timed_writing_s(drawing);
   if (!request.certify) {
+    run.drawing_hash = drawing_hash(drawing);
     run.status = RunStatus::ok;
     return;
   }
+  const Guarantee& guarantee = choice.algorithm->guarantee;
   const Stopwatch certifying_time;
-  const Certificate certificate = certify(*graph_, drawing, choice.algorithm->guarantee);
+  const Examination examination = examine(*graph_, drawing, guarantee);
   run.certify_s = certifying_time.wall_s();
-  record_verdict(run, certificate);
-  record_metrics(run, measure(*graph_, drawing, choice.algorithm->guarantee));
+  run.drawing_hash = examination.drawing_hash;
+  record_verdict(run, examination.certificate);
+  record_metrics(run, examination.summary, guarantee);
   record_published_bound(run, choice.algorithm->guarantee);
   record_formulas(*choice.algorithm, run);
 }

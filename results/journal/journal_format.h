@@ -15,6 +15,8 @@ namespace ar3d {
 
 inline constexpr char kJournalMagic[] = "ar3d-journal 1\n";  ///< 16 bytes with the null
 
+inline constexpr std::uint32_t kLargestPayload = 1u << 26;
+
 enum class JournalKind : std::uint32_t { identity = 1, session = 2, row = 3, session_end = 4 };
 
 /// Stands before every payload. `checksum` is XXH3 of everything behind itself up to the payload's

@@ -19,7 +19,6 @@ static_assert(std::endian::native == std::endian::little, "journals hold little-
 
 constexpr std::size_t kHeadSize = sizeof(JournalHead);
 constexpr std::size_t kMagicSize = sizeof(kJournalMagic);
-constexpr std::uint32_t kLargestPayload = 1u << 26;
 constexpr std::size_t kReadAtOnce = std::size_t{1} << 20;
 
 std::uint64_t checksum_of(std::span<const char> record, std::uint64_t offset) {

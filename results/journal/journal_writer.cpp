@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
@@ -33,6 +34,18 @@ void require_same(const StudyIdentity& journal, const StudyIdentity& study,
   compare("specification", journal.spec_sha256, study.spec_sha256);
   compare("program's source", journal.source(), study.source());
   compare("shard", shard(journal.shard), shard(study.shard));
+}
+
+// True if the bytes are the beginning of one record or zeros, which a loss of power may leave.
+bool is_one_record_cut_short(std::span<const char> bytes) {
+  if (std::all_of(bytes.begin(), bytes.end(), [](char byte) { return byte == 0; })) return true;
+  if (bytes.size() < sizeof(JournalHead)) return true;
+  JournalHead head;
+  std::memcpy(&head, bytes.data(), sizeof(head));
+  const bool is_head = head.kind >= JournalKind::identity &&
+                       head.kind <= JournalKind::session_end &&
+                       head.payload_size <= kLargestPayload;
+  return is_head && bytes.size() < sizeof(head) + head.payload_size;
 }
 
 // False if the file was removed, or another one has its name, since it was opened.
@@ -108,10 +121,30 @@ void JournalWriter::read_existing(const StudyIdentity& identity,
   const off_t size = lseek(file_.get(), 0, SEEK_END);
   if (size < 0) refuse(path_, errno);
   bytes_cut_ = static_cast<std::uint64_t>(size) - end_;
-  if (bytes_cut_ > 0 && ftruncate(file_.get(), static_cast<off_t>(end_)) != 0) {
-    refuse(path_, errno);
+  if (bytes_cut_ > 0) {
+    keep_what_is_cut();
+    if (ftruncate(file_.get(), static_cast<off_t>(end_)) != 0) refuse(path_, errno);
   }
   if (fsync(file_.get()) != 0) refuse(path_, errno);
+}
+
+// One record cut short is what every crash leaves behind. Anything else, a whole record that stands
+// where it does not belong for one, may be rows that another process has acknowledged.
+void JournalWriter::keep_what_is_cut() {
+  std::vector<char> bytes(bytes_cut_);
+  std::size_t have = 0;
+  while (have < bytes.size()) {
+    const ssize_t got = pread(file_.get(), bytes.data() + have, bytes.size() - have,
+                              static_cast<off_t>(end_ + have));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) refuse(path_, got < 0 ? errno : EIO);
+    have += static_cast<std::size_t>(got);
+  }
+  if (is_one_record_cut_short(bytes)) return;
+  for (int number = 1; cut_file_.empty(); ++number) {
+    const std::string path = fmt::format("{}.cut-{}", path_, number);
+    if (create_file_atomically(path, bytes)) cut_file_ = path;
+  }
 }
 
 void JournalWriter::begin_session(const std::vector<EnvironmentEntry>& environment) {
@@ -147,6 +180,10 @@ void JournalWriter::write_record(JournalKind kind, JournalHead head,
   head.kind = kind;
   frame_record(head, payload, end_, framed_);
   write_whole(framed_);
+  // The file is opened for appending: a write that ends elsewhere began behind bytes of another
+  // process, and this record does not count there.
+  const off_t written_to = lseek(file_.get(), 0, SEEK_CUR);
+  if (written_to != static_cast<off_t>(end_ + framed_.size())) fail_because_of_another();
   head_ = head;
   end_ += framed_.size();
   unsynced_ = true;
@@ -158,12 +195,27 @@ void JournalWriter::write_whole(std::span<const char> bytes) {
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) {
       const int reason = errno;
-      // Should this fail as well, the next writer cuts the half record off.
-      if (ftruncate(file_.get(), static_cast<off_t>(end_)) != 0) errno = reason;
+      cut_half_record(bytes.size());
       fail(reason);
     }
     bytes = bytes.subspan(static_cast<std::size_t>(written));
   }
+}
+
+// After a write that failed with `unwritten` bytes left. Nothing is cut off where another process
+// has written meanwhile. Should this fail as well, the next writer cuts the half record off.
+void JournalWriter::cut_half_record(std::size_t unwritten) {
+  const off_t size = lseek(file_.get(), 0, SEEK_END);
+  const auto ours = static_cast<off_t>(end_ + framed_.size() - unwritten);
+  if (size > ours || size < 0) return;
+  if (ftruncate(file_.get(), static_cast<off_t>(end_)) != 0) return;
+}
+
+void JournalWriter::fail_because_of_another() const {
+  throw JournalFull(
+      fmt::format("{} is being written by another process, too: its file system keeps no locks; "
+                  "this process ends, so that one is left",
+                  path_));
 }
 
 void JournalWriter::sync() {

@@ -16,8 +16,8 @@
 
 namespace ar3d {
 
-/// The journal cannot take another row (the disk is full, say). It is whole; the study can go on
-/// later.
+/// The journal cannot take another row (the disk is full, say, or another process appends to it
+/// where the file system keeps no locks). It is whole; the study can go on later.
 class JournalFull : public InputError {
  public:
   using InputError::InputError;
@@ -57,12 +57,18 @@ class JournalWriter {
   std::uint64_t rows() const { return head_.rows; }
   /// Bytes of an unfinished record that opening the journal cut off.
   std::uint64_t bytes_cut() const { return bytes_cut_; }
+  /// The file beside the journal that they are kept in; empty if they were the beginning of one
+  /// record, which a crash leaves behind and nobody has acknowledged.
+  const std::string& cut_file() const { return cut_file_; }
 
  private:
   void create_if_missing(const StudyIdentity& identity);
   void lock();
   void read_existing(const StudyIdentity& identity,
                      const std::function<void(const JournalRecord&)>& existing);
+  void keep_what_is_cut();
+  void cut_half_record(std::size_t unwritten);
+  [[noreturn]] void fail_because_of_another() const;
   void write_record(JournalKind kind, JournalHead head, std::span<const char> payload);
   void write_whole(std::span<const char> bytes);
   void sync_every_second();
@@ -72,6 +78,7 @@ class JournalWriter {
   Descriptor file_;
   std::uint64_t end_ = 0;
   std::uint64_t bytes_cut_ = 0;
+  std::string cut_file_;
   std::int64_t session_ = -1;
   JournalHead head_;
   std::vector<char> record_;

@@ -5,6 +5,7 @@
 
 #include "algorithms/compact_support.h"
 #include "support/graphs.h"
+#include "support/names.h"
 
 namespace ar3d {
 namespace {
@@ -28,7 +29,8 @@ TEST_P(CompactSmallGraphs, AreCertifiedWithCellsTriedInTurn) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(UpToNineVertices, CompactSmallGraphs, ::testing::Range(1, 10));
+INSTANTIATE_TEST_SUITE_P(UpToNineVertices, CompactSmallGraphs, ::testing::Range(1, 10),
+                         testing::named("n"));
 
 class CompactFourRegular : public ::testing::TestWithParam<int> {};
 
@@ -44,7 +46,8 @@ TEST_P(CompactFourRegular, AreCertifiedInThreeLabellings) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(UpToElevenVertices, CompactFourRegular, ::testing::Range(5, 12));
+INSTANTIATE_TEST_SUITE_P(UpToElevenVertices, CompactFourRegular, ::testing::Range(5, 12),
+                         testing::named("n"));
 
 }  // namespace
 }  // namespace ar3d

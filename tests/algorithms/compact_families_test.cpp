@@ -5,6 +5,7 @@
 #include "algorithms/compact_support.h"
 #include "ar3d/generators/catalog.h"
 #include "support/graphs.h"
+#include "support/names.h"
 
 namespace ar3d {
 namespace {
@@ -27,7 +28,8 @@ TEST_P(CompactFamilies, AreCertifiedInEveryMode) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sizes, CompactFamilies, ::testing::Values(4, 12, 40, 150, 600));
+INSTANTIATE_TEST_SUITE_P(Sizes, CompactFamilies, ::testing::Values(4, 12, 40, 150, 600),
+                         testing::named("n"));
 
 TEST(CompactFamilies, OfFiveThousandVerticesAreCertified) {
   for (const char* name : {"random-4-regular", "random-tree", "union-octahedron", "path"}) {

@@ -6,6 +6,7 @@
 #include "algorithms/diamond_colourings.h"
 #include "algorithms/diamond_support.h"
 #include "support/graphs.h"
+#include "support/names.h"
 
 namespace ar3d {
 namespace {
@@ -30,7 +31,8 @@ TEST(SmallGraphs, AreAll18745) {
   EXPECT_EQ(count, 18745u);
 }
 
-INSTANTIATE_TEST_SUITE_P(UpToNineVertices, EverySmallGraph, ::testing::Range(1, 10));
+INSTANTIATE_TEST_SUITE_P(UpToNineVertices, EverySmallGraph, ::testing::Range(1, 10),
+                         testing::named("n"));
 
 class EveryFourRegularGraph : public ::testing::TestWithParam<int> {};
 
@@ -46,7 +48,8 @@ TEST_P(EveryFourRegularGraph, IsCertifiedInFiveLabellings) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(UpToTwelveVertices, EveryFourRegularGraph, ::testing::Range(5, 13));
+INSTANTIATE_TEST_SUITE_P(UpToTwelveVertices, EveryFourRegularGraph, ::testing::Range(5, 13),
+                         testing::named("n"));
 
 // With diamond_long_test.cpp (n = 7) this is the part of the size bound's proof for n <= 7, see
 // docs/theorem1.md.

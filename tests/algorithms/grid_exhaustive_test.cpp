@@ -6,6 +6,7 @@
 #include "algorithms/grid_checks.h"
 #include "ar3d/algorithms/catalog.h"
 #include "support/graphs.h"
+#include "support/names.h"
 
 namespace ar3d {
 namespace {
@@ -29,7 +30,8 @@ TEST_P(GridOnAllGraphs, UpToElevenVerticesAreCertified) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Efforts, GridOnAllGraphs, ::testing::Values(0, 1, 2));
+INSTANTIATE_TEST_SUITE_P(Efforts, GridOnAllGraphs, ::testing::Values(0, 1, 2),
+                         testing::named("effort"));
 
 }  // namespace
 }  // namespace ar3d

@@ -162,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, HardFamilies,
                                            std::pair{720, false}, std::pair{720, true},
                                            std::pair{7200, false}, std::pair{7200, true}),
                          [](const auto& info) {
-                           return fmt::format("{}{}", info.param.first,
+                           return fmt::format("n{}{}", info.param.first,
                                               info.param.second ? "_shuffled" : "");
                          });
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/two_bend_support.h"
+#include "support/names.h"
 
 namespace ar3d {
 namespace {
@@ -16,14 +17,14 @@ TEST_P(TwoBendExhaustive, CertifiesEveryGraphOfMaximumDegree3) {
   std::uint64_t seed = 0;
   for (const Graph& graph : testing::geng(fmt::format("-D3 {}", n))) {
     expect_certified(graph);
-    expect_certified(graph, {.force_safe_round = true});
+    expect_certified(graph, {.force_safe_layout = true});
     for (int i = 0; i < 5; ++i) expect_certified(testing::shuffled(graph, ++seed));
     expect_certified(graph, {.effort = 0});
     if (HasFailure()) break;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sizes, TwoBendExhaustive, ::testing::Range(1, 12));
+INSTANTIATE_TEST_SUITE_P(Sizes, TwoBendExhaustive, ::testing::Range(1, 12), testing::named("n"));
 
 }  // namespace
 }  // namespace ar3d

@@ -36,7 +36,7 @@ TEST(TwoBendLong, EveryConnectedCubicGraphUpTo18Vertices) {
       for (int i = 0; i < relabellings; ++i) {
         const Graph other = testing::shuffled(graph, ++seed);
         expect_certified(other);
-        if (n <= 16) expect_certified(other, {.force_safe_round = true});
+        if (n <= 16) expect_certified(other, {.force_safe_layout = true});
       }
       if (HasFailure()) return;
     }
@@ -48,7 +48,7 @@ TEST(TwoBendLong, RandomGraphsOfAllKinds) {
     const Vertex n = seed % 100 == 0 ? 200 : seed % 10 == 0 ? 60 : 20;
     const Graph graph = testing::shuffled(testing::random_graph_of_any_kind(n, seed), seed);
     expect_certified(graph);
-    if (seed % 4 == 0) expect_certified(graph, {.force_safe_round = true});
+    if (seed % 4 == 0) expect_certified(graph, {.force_safe_layout = true});
     if (HasFailure()) return;
   }
 }

@@ -67,18 +67,6 @@ TEST(TwoBend, DrawsEveryFamilyOfTheCatalogue) {
   }
 }
 
-TEST(TwoBend, SafeRoundIsCorrectWhenForced) {
-  Totals totals;
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
-    const Graph graph = testing::random_graph_of_any_kind(20, seed);
-    totals.add(expect_certified(graph, {.force_safe_round = true}));
-    const auto extents = bounding_box(two_bend::draw(graph, {.force_safe_round = true})).extents();
-    const std::int64_t proved = 560 * std::int64_t{graph.num_vertices()} + 400;
-    EXPECT_LE(std::max(extents[0], extents[1]), proved);
-  }
-  EXPECT_GT(totals["safe_rounds"], 300);
-}
-
 /// Edges by their number of bends, and the volume.
 struct Price {
   std::array<std::int64_t, 3> edges{};
@@ -179,7 +167,7 @@ std::optional<Drawing> with_a_flatter_lean(const Drawing& drawing, EdgeId spoilt
   return Drawing(drawing.algorithm(), drawing.lattice(), std::move(vertices), edges, bends);
 }
 
-/// Leans are as low as F1 and F2 allow: one step less, and an angle is too sharp.
+/// Leans are as low as Lemmas 2.2 and 2.3 allow: one step less, and an angle is too sharp.
 TEST(TwoBend, VerifierSeesEveryLeanThatIsTooLow) {
   const Graph graph = generate(find_family("random-cubic"), 40, 1);
   const Drawing drawing = two_bend::draw(graph);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <unistd.h>
+
+#include <regex>
 #include <string>
 
 #include "support/program.h"
@@ -7,8 +10,7 @@
 namespace ar3d::testing {
 
 /// A code block of docs/cluster.md: what stands below "<!-- recipe: NAME -->", with the path of the
-/// program that was built instead of ./ar3d (the one for MPI behind mpirun), and mpirun willing to
-/// run here.
+/// program that was built instead of ./ar3d (the one for MPI behind mpirun).
 inline std::string recipe(const std::string& name) {
   const std::string page = read_file(AR3D_SOURCE_DIR "/docs/cluster.md");
   const std::string mark = "<!-- recipe: " + name + " -->\n```sh\n";
@@ -21,17 +23,15 @@ inline std::string recipe(const std::string& name) {
       text.replace(i, from.size(), to);
     }
   };
-  replace("mpirun -n 4 ./ar3d", "mpirun -n 4 " AR3D_MPI_PROGRAM);
-  replace("mpirun -n 2 ./ar3d", "mpirun -n 2 " AR3D_MPI_PROGRAM);
-  replace("mpirun ./ar3d", "mpirun " AR3D_MPI_PROGRAM);
-  replace("mpirun ", "mpirun --allow-run-as-root --oversubscribe ");
+  text = std::regex_replace(text, std::regex("(mpirun .*)\\./ar3d"), "$1" AR3D_MPI_PROGRAM);
   replace("./ar3d", AR3D_PROGRAM);
   return text;
 }
 
-/// Runs a recipe in a folder.
+/// Runs a recipe in a folder; as root with what the page says to add then.
 inline Outcome run_recipe(const ScratchDirectory& folder, const std::string& name) {
-  return run("set -e; cd " + folder.path("") + "; " + recipe(name));
+  const std::string root = geteuid() == 0 ? recipe("mpi as root") : "";
+  return run("set -e; " + root + "cd " + folder.path("") + "; " + recipe(name));
 }
 
 }  // namespace ar3d::testing

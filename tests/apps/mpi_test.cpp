@@ -19,6 +19,7 @@ using ::testing::HasSubstr;
 using testing::Outcome;
 using testing::run;
 using testing::ScratchDirectory;
+using testing::with_fault;
 namespace fs = std::filesystem;
 
 const char* const kPhases = R"(study = "phases"
@@ -208,6 +209,19 @@ TEST_F(Mpi, NoRankIsWaitedForInVain) {
                             program + " : -n 1 bash -c 'ulimit -v 600000; exec " + program + "'");
   EXPECT_THAT(alone.err, HasSubstr("ar3d: rank 1: "));
   EXPECT_EQ(alone.exit_code, 1);
+}
+
+// Rank 1 cannot read the rows so far; rank 0, which can, must not wait for it.
+TEST_F(Mpi, ARankThatCannotReadEndsAll) {
+  const std::string shim = with_fault("read:1") + AR3D_MPI_PROGRAM;
+  EXPECT_EQ(run(with_fault("full:60000") + "{} study run smoke -q -o " + path("r.h5")).exit_code,
+            5);
+  const std::string resume = " study resume -q " + path("r.h5");
+  const Outcome ended = run("timeout 60 mpirun --allow-run-as-root --oversubscribe -n 1 " +
+                            std::string(AR3D_MPI_PROGRAM) + resume + " : -n 1 " + shim + resume);
+  EXPECT_EQ(ended.exit_code, 2) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("r.h5.journal: Input/output error"));
+  EXPECT_EQ(run("{} study resume -q " + path("r.h5")).exit_code, 0);
 }
 
 TEST_F(Mpi, AnErrorOfAllRanksIsOneLine) {

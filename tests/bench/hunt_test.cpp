@@ -123,14 +123,22 @@ TEST_P(Planted, IsFoundAndShrunk) {
       << "without the fault the drawing is right";
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    EveryAlgorithm, Planted,
-    ::testing::Combine(::testing::Values("diamond", "grid", "two-bend", "compact"),
-                       ::testing::Values("wrong-bend"), ::testing::Values("")));
+std::string algorithm_of(const ::testing::TestParamInfo<Planted::ParamType>& info) {
+  std::string name = std::get<0>(info.param);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryAlgorithm, Planted,
+                         ::testing::Combine(::testing::Values("diamond", "grid", "two-bend",
+                                                              "compact"),
+                                            ::testing::Values("wrong-bend"), ::testing::Values("")),
+                         algorithm_of);
 INSTANTIATE_TEST_SUITE_P(
     EveryBound, Planted,
     ::testing::Combine(::testing::Values("diamond", "grid", "two-bend", "compact"),
-                       ::testing::Values("passed-bound"), ::testing::Values("size")));
+                       ::testing::Values("passed-bound"), ::testing::Values("size")),
+    algorithm_of);
 
 TEST(Shrink, LeavesWhatThePropertyNeeds) {
   const Graph graph = generate(find_family("union-petersen"), 60, 1);

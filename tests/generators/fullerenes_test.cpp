@@ -10,6 +10,7 @@
 #include "ar3d/model/boost_graph.h"
 #include "ar3d/model/error.h"
 #include "support/graph_facts.h"
+#include "support/names.h"
 
 namespace ar3d {
 namespace {
@@ -125,7 +126,8 @@ INSTANTIATE_TEST_SUITE_P(Small, GoldbergCoxeter,
                                            std::pair{2, 1}, std::pair{3, 0}, std::pair{2, 2},
                                            std::pair{3, 1}, std::pair{3, 2}, std::pair{4, 1},
                                            std::pair{5, 2}, std::pair{3, 3}, std::pair{5, 3},
-                                           std::pair{4, 0}, std::pair{6, 5}, std::pair{7, 1}));
+                                           std::pair{4, 0}, std::pair{6, 5}, std::pair{7, 1}),
+                         testing::named("a_b"));
 
 TEST(Fullerenes, RefuseOtherPairs) {
   EXPECT_THROW(goldberg_coxeter(0, 0), InputError);

@@ -38,6 +38,28 @@ TEST(Drawing, HashTellsApartWhatIsDrawnAndNothingElse) {
   EXPECT_NE(drawing_hash(one_edge({0, 0, 0}, {{1, 1, 1}}, {3, 3, 1})), hash);
 }
 
+TEST(Drawing, PolylinesInBlocksAreThoseOneByOne) {
+  for (const std::size_t edges : {0u, 1u, 31u, 32u, 33u, 100u}) {
+    Coordinates vertices(edges + 1, 1000);
+    auto ends = std::make_shared<std::vector<Edge>>();
+    auto bends = std::make_shared<StoredBends>();
+    for (Vertex v = 0; v < edges; ++v) {
+      vertices.set(v, {v, -std::int64_t{v}, 7});
+      ends->push_back({v + 1, v});
+      bends->add_edge(std::vector<Point>(v % 3, Point{1, 2, v}));
+    }
+    const Drawing drawing("test", kCubeLattice, std::move(vertices), ends, bends);
+    EdgeId next = 0;
+    std::vector<Point> expected;
+    for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {
+      EXPECT_EQ(e, next++);
+      drawing.polyline(e, expected);
+      EXPECT_EQ(points, expected);
+    });
+    EXPECT_EQ(next, drawing.num_edges());
+  }
+}
+
 TEST(Drawing, EmptyDrawingHasNoExtent) {
   const Drawing drawing("test", kCubeLattice, Coordinates(0, 0),
                         std::make_shared<std::vector<Edge>>(), nullptr);

@@ -4,10 +4,17 @@
 //   AR3D_FAULT=half:K     the K-th call, if it writes, writes half of its bytes; then SIGKILL
 //   AR3D_FAULT=after:K    SIGKILL just after the K-th call
 //   AR3D_FAULT=full:B     the disk has room for B more bytes
+//   AR3D_FAULT=list:K     from the K-th time on, no folder can be listed
+//   AR3D_FAULT=read:K     from the K-th time on, no *.journal can be opened for reading
+//   AR3D_FAULT=nolock:1   locks are granted to everybody (NFS mounted with nolock)
+//   AR3D_FAULT=nolink:L   no hard links; L = 2: nor a rename that replaces nothing
 // AR3D_ACKNOWLEDGED names a file; into it goes, after every completed write to a *.journal, how
 // long that journal is: the witness of what was acknowledged.
+#include <dirent.h>
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <stdarg.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -37,7 +44,7 @@ struct Fault {
   }
   bool is(const char* name) const { return std::strcmp(kind, name) == 0; }
 
-  char kind[8] = {};
+  char kind[8] = {};  // the longest is "before"
   long count = 0;
   std::atomic<long> calls = 0;
   std::atomic<long> bytes = 0;
@@ -130,8 +137,56 @@ int rename(const char* from, const char* to) noexcept {
 }
 
 int link(const char* from, const char* to) noexcept {
+  if (fault().is("nolink")) {
+    errno = EPERM;
+    return -1;
+  }
   const bool hit = begins();
   return ends(hit, static_cast<int>(syscall(SYS_linkat, AT_FDCWD, from, AT_FDCWD, to, 0)));
+}
+
+int renameat2(int from_folder, const char* from, int to_folder, const char* to,
+              unsigned flags) noexcept {
+  if (fault().is("nolink") && fault().count >= 2 && flags != 0) {
+    errno = EINVAL;
+    return -1;
+  }
+  const bool hit = begins();
+  return ends(hit,
+              static_cast<int>(syscall(SYS_renameat2, from_folder, from, to_folder, to, flags)));
+}
+
+DIR* opendir(const char* path) {
+  static const auto real = reinterpret_cast<DIR* (*)(const char*)>(dlsym(RTLD_NEXT, "opendir"));
+  if (fault().is("list") && ++fault().calls >= fault().count) {
+    errno = EACCES;
+    return nullptr;
+  }
+  return real(path);
+}
+
+int open(const char* path, int flags, ...) {
+  va_list arguments;
+  va_start(arguments, flags);
+  const int mode = (flags & O_CREAT) != 0 ? va_arg(arguments, int) : 0;
+  va_end(arguments);
+  const std::size_t size = std::strlen(path);
+  const bool is_journal = size >= 8 && std::memcmp(path + size - 8, ".journal", 8) == 0;
+  if (fault().is("read") && is_journal && (flags & O_ACCMODE) == O_RDONLY &&
+      ++fault().calls >= fault().count) {
+    errno = EIO;
+    return -1;
+  }
+  return static_cast<int>(syscall(SYS_openat, AT_FDCWD, path, flags, mode));
+}
+
+int fcntl(int file, int command, ...) {
+  va_list arguments;
+  va_start(arguments, command);
+  void* const argument = va_arg(arguments, void*);
+  va_end(arguments);
+  if (fault().is("nolock") && command == F_OFD_SETLK) return 0;
+  return static_cast<int>(syscall(SYS_fcntl, file, command, argument));
 }
 
 int unlink(const char* path) noexcept {

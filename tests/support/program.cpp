@@ -56,6 +56,11 @@ std::string with_program(std::string command) {
 
 }  // namespace
 
+std::string with_fault(const std::string& fault) {
+  return std::string("env ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD=") + AR3D_FAULT_SHIM +
+         " AR3D_FAULT=" + fault + " ";
+}
+
 Outcome run(const std::string& command) {
   const ScratchDirectory scratch;
   const std::string line = "bash -c " + quoted(with_program(command)) + " > " +

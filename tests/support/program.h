@@ -15,6 +15,10 @@ struct Outcome {
 /// for the ar3d program that was built with the tests.
 Outcome run(const std::string& command);
 
+/// What stands before a command so that it meets a fault of tests/shim/fault_shim.cpp, such as
+/// "full:9000".
+std::string with_fault(const std::string& fault);
+
 /// A fresh directory of this test, removed by the destructor.
 class ScratchDirectory {
  public:

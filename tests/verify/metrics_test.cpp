@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <set>
+#include <stdexcept>
 
 #include "ar3d/verify/closest_pair.h"
+#include "ar3d/verify/examination.h"
 #include "verify/random_drafts.h"
 
 namespace ar3d {
@@ -15,27 +18,26 @@ namespace {
 using testing::Draft;
 using ::testing::ElementsAre;
 
-Guarantee with_bound(std::int64_t per_vertex) {
-  Guarantee guarantee = testing::no_promise();
-  const AxisBound bound{per_vertex, 1, 2, 0};
-  guarantee.bound = {"test", "test", {bound, bound, bound}};
-  return guarantee;
+MetricValue value_of(const std::string& name, const DrawingSummary& summary) {
+  for (const Metric& metric : metrics()) {
+    if (metric.name == name) return metric.value(summary);
+  }
+  throw std::runtime_error("no metric " + name);
 }
 
 TEST(Metrics, OfADrawingByHand) {
   Draft draft;
   draft.vertices = {{0, 0, 0}, {4, 4, 0}, {10, 0, 0}};
   draft.edges = {{{0, 1}, {{2, 2, 2}}}, {{1, 2}, {}}};
-  const Metrics m = measure(draft.graph(), draft.drawing(), with_bound(5));
-  EXPECT_THAT(m.extents, ElementsAre(10, 4, 2));
-  EXPECT_DOUBLE_EQ(m.log2_volume, std::log2(11) + std::log2(5) + std::log2(3));
-  EXPECT_DOUBLE_EQ(m.volume_per_n3, 80.0 / 27.0);
-  EXPECT_THAT(m.bend_histogram, ElementsAre(1, 1));
-  EXPECT_DOUBLE_EQ(m.total_edge_length, 4 * std::sqrt(3.0) + std::sqrt(52.0));
-  EXPECT_DOUBLE_EQ(m.longest_edge_length, std::sqrt(52.0));
-  EXPECT_DOUBLE_EQ(m.smallest_vertex_distance, std::sqrt(32.0));
-  EXPECT_THAT(m.theorem_bound, ElementsAre(15.0, 15.0, 15.0));
-  EXPECT_DOUBLE_EQ(m.slack[1], 1 - 4 / 15.0);
+  const DrawingSummary summary = measure(draft.drawing());
+  EXPECT_THAT(summary.box.extents(), ElementsAre(10, 4, 2));
+  EXPECT_THAT(summary.bend_histogram, ElementsAre(1, 1));
+  EXPECT_EQ(summary.segments, 3u);
+  EXPECT_DOUBLE_EQ(summary.total_edge_length, 4 * std::sqrt(3.0) + std::sqrt(52.0));
+  EXPECT_DOUBLE_EQ(summary.longest_edge_length, std::sqrt(52.0));
+  EXPECT_DOUBLE_EQ(summary.smallest_vertex_distance, std::sqrt(32.0));
+  EXPECT_DOUBLE_EQ(std::get<double>(value_of("log2_volume", summary)),
+                   std::log2(11) + std::log2(5) + std::log2(3));
 }
 
 TEST(Metrics, LengthsAreThoseOfTheLattice) {
@@ -43,39 +45,84 @@ TEST(Metrics, LengthsAreThoseOfTheLattice) {
   draft.lattice = kTallLattice;
   draft.vertices = {{0, 0, 0}, {0, 0, 3}, {2, 0, 0}};
   draft.edges = {{{0, 1}, {}}};
-  const Metrics m = measure(draft.graph(), draft.drawing(), with_bound(5));
-  EXPECT_DOUBLE_EQ(m.total_edge_length, std::sqrt(3.0));
-  EXPECT_DOUBLE_EQ(m.smallest_vertex_distance, std::sqrt(3.0));  // less than 2
+  const DrawingSummary summary = measure(draft.drawing());
+  EXPECT_DOUBLE_EQ(summary.total_edge_length, std::sqrt(3.0));
+  EXPECT_DOUBLE_EQ(summary.smallest_vertex_distance, std::sqrt(3.0));  // less than 2
 }
 
 TEST(Metrics, WhatDoesNotExistIsMissing) {
-  const Metrics empty = measure(Graph(), Draft{}.drawing(), with_bound(5));
+  const DrawingSummary empty = measure(Draft{}.drawing());
   EXPECT_TRUE(std::isnan(empty.smallest_vertex_distance));
-  EXPECT_TRUE(std::isnan(empty.slack[0]));
-  EXPECT_TRUE(std::isnan(empty.volume_per_n3));
-  EXPECT_EQ(empty.log2_volume, 0);
-  const Metrics unbounded = measure(Graph(), Draft{}.drawing(), testing::no_promise());
-  EXPECT_TRUE(std::isnan(unbounded.theorem_bound[2]));
+  EXPECT_EQ(empty.total_edge_length, 0);
+  EXPECT_EQ(std::get<double>(value_of("log2_volume", empty)), 0);
 }
 
-TEST(Metrics, CatalogueIsComplete) {
+TEST(Metrics, OfACoordinateOutOfRangeAreMissing) {
+  Draft draft;
+  draft.vertices = {{0, 0, 0}, {4, 4, 0}, {10, 0, 0}};
+  draft.edges = {{{0, 1}, {{2, 2, std::numeric_limits<std::int64_t>::max()}, {0, 0, -3}}},
+                 {{1, 2}, {}}};
+  const DrawingSummary summary = measure(draft.drawing());
+  EXPECT_FALSE(summary.in_range);
+  for (const Metric& metric : metrics()) {
+    if (metric.name.starts_with("bends_")) continue;
+    const MetricValue value = metric.value(summary);
+    if (const auto* number = std::get_if<double>(&value)) {
+      EXPECT_TRUE(std::isnan(*number)) << metric.name;
+    } else {
+      EXPECT_EQ(std::get<std::int64_t>(value), -1) << metric.name;
+    }
+  }
+}
+
+TEST(Metrics, TableIsComplete) {
   std::set<std::string> names;
-  Metrics m;
-  m.bend_histogram = {10, 11, 12, 13, 14, 15, 16, 17, 18};
+  DrawingSummary summary;
+  summary.box = {{0, 0, 0}, {7, 8, 9}};
+  summary.bend_histogram = {10, 11, 12, 13, 14, 15, 16, 17, 18};
   for (const Metric& metric : metrics()) {
     EXPECT_TRUE(names.insert(metric.name).second) << metric.name;
     EXPECT_FALSE(metric.unit.empty() || metric.definition.empty()) << metric.name;
-    const double value = metric.value(m);
-    if (metric.name == "bends_0") {
-      EXPECT_EQ(value, 10);
-    }
-    if (metric.name == "bends_6") {
-      EXPECT_EQ(value, 16);
-    }
-    if (metric.name == "bends_7") {
-      EXPECT_EQ(value, 35);
-    }
+    const MetricValue value = metric.value(summary);
+    EXPECT_EQ(metric.type == MetricType::int64, std::holds_alternative<std::int64_t>(value))
+        << metric.name;
   }
+  EXPECT_EQ(metric_values(summary).size(), metrics().size());
+  EXPECT_EQ(value_of("extent_x", summary), MetricValue(std::int64_t{7}));
+  EXPECT_EQ(value_of("extent_z", summary), MetricValue(std::int64_t{9}));
+  EXPECT_EQ(value_of("bends_0", summary), MetricValue(std::int64_t{10}));
+  EXPECT_EQ(value_of("bends_6", summary), MetricValue(std::int64_t{16}));
+  EXPECT_EQ(value_of("bends_7", summary), MetricValue(std::int64_t{35}));
+}
+
+/// What examine() tells in one pass is what the functions of its parts tell one by one.
+TEST(Examination, IsItsParts) {
+  testing::RandomDrafts drafts(11, 3);
+  for (std::uint32_t i = 0; i < 300; ++i) {
+    const auto& directions = testing::direction_sets()[i % testing::direction_sets().size()];
+    const Draft draft = drafts.walks(directions, 1 + i % 20, 12);
+    const Drawing drawing = draft.drawing();
+    const Guarantee guarantee = testing::no_promise();
+    const Examination all = examine(draft.graph(), drawing, guarantee);
+    const Certificate certificate = certify(draft.graph(), drawing, guarantee);
+    EXPECT_EQ(all.certificate.valid(), certificate.valid());
+    EXPECT_EQ(all.certificate.violations.size(), certificate.violations.size());
+    EXPECT_EQ(all.certificate.box, bounding_box(drawing));
+    EXPECT_EQ(all.drawing_hash, drawing_hash(drawing));
+    EXPECT_EQ(metric_values(all.summary), metric_values(measure(drawing)));
+  }
+}
+
+TEST(Examination, LeavesOutWhatIsNotWanted) {
+  Draft draft;
+  draft.vertices = {{0, 0, 0}, {4, 4, 0}};
+  draft.edges = {{{0, 1}, {{2, 2, 2}}}};
+  const Examination nothing = examine(draft.graph(), draft.drawing(), testing::no_promise(),
+                                      {.certificate = false, .metrics = false, .hash = false});
+  EXPECT_TRUE(nothing.drawing_hash.empty());
+  EXPECT_TRUE(std::isnan(nothing.summary.total_edge_length));
+  EXPECT_EQ(nothing.certificate.segments, 0u);
+  EXPECT_FALSE(nothing.certificate.complete) << "nothing was judged";
 }
 
 double squared_distance(const Drawing& drawing, Vertex u, Vertex v) {
@@ -94,6 +141,9 @@ void expect_closest(const Draft& draft) {
     for (Vertex u = 0; u < v; ++u) smallest = std::min(smallest, squared_distance(drawing, u, v));
   }
   ASSERT_NEAR(squared_distance(drawing, pair->u, pair->v), smallest, smallest * 1e-9);
+  const auto plain = verify::closest_pair_by_grid(drawing);
+  ASSERT_EQ(squared_distance(drawing, pair->u, pair->v),
+            squared_distance(drawing, plain->u, plain->v));
 }
 
 TEST(ClosestPair, IsTheBestOfAllPairs) {
@@ -114,6 +164,21 @@ TEST(ClosestPair, IsTheBestOfAllPairs) {
       ASSERT_NO_FATAL_FAILURE(expect_closest(testing::RandomDrafts::far_away(draft))) << i;
     }
   }
+}
+
+TEST(ClosestPair, StripsGiveUpOnWhatTheyAreNotMadeFor) {
+  Draft cloud;  // in space: a slab of strips has too many vertices that are near along one axis
+  for (std::int64_t i = 0; i < 17 * 17 * 17; ++i) {
+    cloud.vertices.push_back({i % 17 * 100, i / 17 % 17 * 100, i / 289 * 100});
+  }
+  EXPECT_FALSE(verify::closest_pair_by_strips(cloud.drawing()).has_value());
+  ASSERT_NO_FATAL_FAILURE(expect_closest(cloud));
+  Draft far;
+  far.vertices = {{0, 0, 0}, {std::int64_t{1} << 41, 0, 0}};
+  EXPECT_FALSE(verify::closest_pair_by_strips(far.drawing()).has_value());
+  far.vertices = {{0, 0, 0}, {1 << 20, 1, 0}};
+  EXPECT_FALSE(verify::closest_pair_by_strips(far.drawing()).has_value());
+  EXPECT_TRUE(verify::closest_pair(far.drawing()).has_value());
 }
 
 TEST(ClosestPair, ComparesExactlyWhereDoublesCannot) {

@@ -292,9 +292,24 @@ TEST_P(Violations, AreCountedUpToTheLimit) {
   }
 }
 
+std::string_view name_of(CrossingTest test) {
+  switch (test) {
+    case CrossingTest::automatic:
+      return "automatic";
+    case CrossingTest::all_pairs:
+      return "all_pairs";
+    case CrossingTest::sweep:
+      return "sweep";
+    case CrossingTest::slabs:
+      return "slabs";
+  }
+  return "unknown";
+}
+
 INSTANTIATE_TEST_SUITE_P(Tests, Violations,
                          ::testing::Values(CrossingTest::automatic, CrossingTest::all_pairs,
-                                           CrossingTest::sweep, CrossingTest::slabs));
+                                           CrossingTest::sweep, CrossingTest::slabs),
+                         [](const auto& info) { return std::string(name_of(info.param)); });
 
 }  // namespace
 }  // namespace ar3d

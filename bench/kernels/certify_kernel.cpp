@@ -1,0 +1,111 @@
+// Certifying drawings of random graphs, the proof by counting against the plain tests:
+//   certify/ALGORITHM/N  nanoseconds per segment of certify() where the drawing is proved right by
+//                        counting; counters, medians over the iterations, timed in turns:
+//     plain    time of the plain tests alone (sweep or slabs) / that time
+//     examine  time of certificate, metrics and hash together / that time
+//     draw     time of drawing / that time
+//   closest/ALGORITHM/N  nanoseconds per vertex of the closest pair by strips; counter `grid`: the
+//                        randomised grid's time / that time
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "ar3d/algorithms/catalog.h"
+#include "ar3d/generators/catalog.h"
+#include "ar3d/verify/closest_pair.h"
+#include "ar3d/verify/examination.h"
+#include "inputs.h"
+
+namespace ar3d {
+namespace {
+
+using Function = std::function<void()>;
+
+double seconds_of(const Function& function) {
+  const auto start = std::chrono::steady_clock::now();
+  function();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                   values.end());
+  return values[values.size() / 2];
+}
+
+/// Times the functions in turns; the first is the kernel's own time, the others become counters.
+void time_in_turns(benchmark::State& state, std::uint64_t items,
+                   const std::vector<std::pair<std::string, Function>>& functions) {
+  std::vector<std::vector<double>> times(functions.size());
+  for (auto _ : state) {
+    for (std::size_t i = 0; i < functions.size(); ++i) {
+      times[i].push_back(seconds_of(functions[i].second));
+    }
+    state.SetIterationTime(times[0].back());
+  }
+  const double own = median(times[0]);
+  state.counters["ns"] = own / static_cast<double>(items) * 1e9;
+  for (std::size_t i = 1; i < functions.size(); ++i) {
+    state.counters[functions[i].first] = median(times[i]) / own;
+  }
+}
+
+const Graph& input(const Algorithm& algorithm, benchmark::State& state) {
+  const char* family = algorithm.guarantee.max_degree == 4 ? "random-4-regular" : "random-cubic";
+  return kernels::graph_of(find_family(family), static_cast<std::uint64_t>(state.range(0)));
+}
+
+void certify_kernel(benchmark::State& state, const Algorithm& algorithm) {
+  const Graph& graph = input(algorithm, state);
+  const Drawing drawing = draw(algorithm, graph);
+  const Guarantee& guarantee = algorithm.guarantee;
+  const auto require_valid = [](const Certificate& certificate) {
+    if (!certificate.valid()) throw std::runtime_error("a drawing is not valid");
+  };
+  const CrossingTest plain =
+      guarantee.directions.empty() ? CrossingTest::slabs : CrossingTest::sweep;
+  time_in_turns(
+      state, certify(graph, drawing, guarantee).segments,
+      {{"certify", [&] { require_valid(certify(graph, drawing, guarantee)); }},
+       {"plain",
+        [&] { require_valid(certify(graph, drawing, guarantee, {.crossing_test = plain})); }},
+       {"examine", [&] { require_valid(examine(graph, drawing, guarantee).certificate); }},
+       {"draw", [&] { benchmark::DoNotOptimize(draw(algorithm, graph).num_edges()); }}});
+}
+
+void closest_kernel(benchmark::State& state, const Algorithm& algorithm) {
+  const Graph& graph = input(algorithm, state);
+  const Drawing drawing = draw(algorithm, graph);
+  time_in_turns(
+      state, graph.num_vertices(),
+      {{"strips", [&] { benchmark::DoNotOptimize(verify::closest_pair_by_strips(drawing)); }},
+       {"grid", [&] { benchmark::DoNotOptimize(verify::closest_pair_by_grid(drawing)); }}});
+}
+
+const bool kRegistered = [] {
+  for (const Algorithm& algorithm : algorithms()) {
+    const auto add = [&](const char* what, auto kernel) {
+      benchmark::RegisterBenchmark(
+          (what + algorithm.name).c_str(),
+          [kernel, &algorithm](benchmark::State& state) { kernel(state, algorithm); })
+          ->RangeMultiplier(10)
+          ->Range(10000, 1000000)
+          ->Iterations(9)
+          ->UseManualTime()
+          ->Unit(benchmark::kMillisecond);
+    };
+    add("certify/", certify_kernel);
+    add("closest/", closest_kernel);
+  }
+  return true;
+}();
+
+}  // namespace
+}  // namespace ar3d

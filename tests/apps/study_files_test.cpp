@@ -1,0 +1,117 @@
+// A study finds its own files by whatever path it is named, and meets file systems that lack what
+// others have.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+
+#include "ar3d/results/journal/journal_reader.h"
+#include "support/program.h"
+#include "support/results.h"
+
+namespace ar3d {
+namespace {
+
+using testing::expect_same_rows;
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::run;
+using testing::ScratchDirectory;
+using testing::with_fault;
+namespace fs = std::filesystem;
+
+class StudyFiles : public ::testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return scratch_.path(name); }
+  Outcome in_folder(const std::string& command) const {
+    return run("cd " + path("") + "; " + command);
+  }
+  ScratchDirectory scratch_;
+};
+
+TEST_F(StudyFiles, AreFoundByEveryPathToThem) {
+  fs::create_directories(path("sub/deep"));
+  fs::create_symlink("sub", path("link"));
+  EXPECT_EQ(in_folder("{} study run smoke -q -o sub/old.h5").exit_code, 0);
+  for (const char* results :
+       {"sub//r.h5", "./sub/./r.h5", "sub/deep/../r.h5", "link/r.h5", "sub/r.h5"}) {
+    for (const char* suffix : {".h5", ".html"}) fs::remove(path(std::string("sub/r") + suffix));
+    const std::string name = results;
+    const Outcome full = in_folder(with_fault("full:60000") + "{} study run smoke -q -o " + name);
+    EXPECT_EQ(full.exit_code, 5) << name << full.err;
+    ASSERT_TRUE(fs::exists(path("sub/r.h5.journal"))) << name;
+    for (const char* other : {"sub/r.h5", "sub//r.h5.journal", "link/r.h5"}) {
+      const Outcome status = in_folder(std::string("{} study status ") + other);
+      EXPECT_EQ(status.exit_code, 5) << name << other;
+      EXPECT_THAT(status.out, HasSubstr(" of 708 rows, stopped")) << name << other;
+    }
+    const Outcome again = in_folder("{} study run smoke -q --force -o " + name);
+    EXPECT_EQ(again.exit_code, 2) << name;
+    EXPECT_THAT(again.err, HasSubstr("is the journal of a study that is not finished")) << name;
+    EXPECT_EQ(in_folder("{} study resume -q " + name).exit_code, 0) << name;
+    EXPECT_FALSE(fs::exists(path("sub/r.h5.journal"))) << name;
+    expect_same_rows(path("sub/r.h5"), path("sub/old.h5"));
+  }
+}
+
+TEST_F(StudyFiles, ResultsAreNotNamedAsJournalsAre) {
+  for (const char* name : {"r.h5.rank-1", "r.journal", "r.h5.partial-7"}) {
+    const Outcome refused = in_folder(std::string("{} study run smoke -q -o ") + name);
+    EXPECT_EQ(refused.exit_code, 2) << name;
+    EXPECT_THAT(refused.err, HasSubstr("cannot name a results file")) << name;
+  }
+}
+
+TEST_F(StudyFiles, AFolderThatCannotBeListedIsAnError) {
+  const Outcome refused = in_folder(with_fault("list:1") + "{} study run smoke -q -o r.h5");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("cannot list .: Permission denied"));
+  EXPECT_FALSE(fs::exists(path("r.h5.journal")));
+  EXPECT_EQ(in_folder("{} study run smoke -q -o r.h5").exit_code, 0);
+  const Outcome status = in_folder(with_fault("list:1") + "{} study status r.h5");
+  EXPECT_EQ(status.exit_code, 2);
+  EXPECT_THAT(status.err, HasSubstr("cannot list .: Permission denied"));
+}
+
+TEST_F(StudyFiles, NeedNoHardLinks) {
+  for (const char* fault : {"nolink:1", "nolink:2"}) {
+    const Outcome made = in_folder(with_fault(fault) + "{} study run smoke -q --force -o r.h5");
+    EXPECT_EQ(made.exit_code, 0) << fault << made.err;
+    EXPECT_EQ(in_folder("ls").out, "r.h5\nr.html\n") << fault;
+  }
+}
+
+// Two processes that resume one study where locks are granted to both.
+TEST_F(StudyFiles, WhereLocksDoNothingNoAcknowledgedRowIsLost) {
+  scratch_.write("slow.toml",
+                 "study = \"slow\"\n[[sweep]]\nfamilies = \"random-cubic\"\nsizes = 3000\n"
+                 "algorithms = \"grid\"\ninstances = 200\n");
+  const std::string study = with_fault("nolock:1") + "{} study ";
+  const Outcome both = in_folder(
+      study +
+      "run -q --threads 1 slow.toml -o r.h5 2> a & until [ \"$(stat -c %s r.h5.journal 2> " +
+      "/dev/null || echo 0)\" -gt 20000 ]; do sleep 0.01; done; " + study +
+      "resume -q --threads 1 r.h5 2> b; wait; cat a b");
+  EXPECT_THAT(both.out, HasSubstr("is being written by another process, too"));
+  const JournalReader reader(path("r.h5.journal"));
+  std::map<std::string, std::string> rows;
+  std::string record(run_record_size(), '\0');
+  for (std::size_t i = 0; i < reader.size(); ++i) {
+    reader.read(i, record.data());
+    rows[to_string(reader.key(i))] = record;
+  }
+  const Outcome resumed = in_folder("{} study resume -q r.h5");
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+  EXPECT_THAT(resumed.err, HasSubstr("they are kept in "));
+  EXPECT_TRUE(fs::exists(path("r.h5.journal.cut-1")));
+  std::map<std::string, std::string> after;
+  for (const ar3d::RunRecord& row : read_results(path("r.h5")).runs) {
+    after[row.row_key] = testing::all_bytes(row);
+  }
+  EXPECT_EQ(after.size(), 200u);
+  for (const auto& [key, bytes] : rows) EXPECT_EQ(after.at(key), bytes) << key;
+}
+
+}  // namespace
+}  // namespace ar3d

@@ -1,0 +1,103 @@
+"""Does what a walk-through of CONTRIBUTING.md says, in a copy of the tree, and expects the new row everywhere.
+
+walkthrough.py SOURCE BUILD HEADING NAME: HEADING names the walk-through, NAME what it adds. A `cpp` block is the file
+that its first line names, a `diff` block changes the file named before it (lines with a blank stand there already, one
+after the other; lines with + come in between), the `sh` block is run. Only what is new or changed is compiled, with
+the build's own commands, and linked with the build's libraries.
+"""
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+
+def blocks(page, heading):
+    """(file, language, text) for each code block below the heading."""
+    section = page.split(f"\n### {heading}\n", 1)[1]
+    section = re.split(r"\n##+ (?!#)", section.replace("\n#include", "\n\0include"), maxsplit=1)[0]
+    section = section.replace("\0", "#")
+    name = None
+    for words, language, text in re.findall(r"(.*?)```(\w+)\n(.*?)```", section, re.S):
+        named = re.findall(r"`([\w/]+\.(?:h|cpp))`", words)
+        name = named[-1] if named else name
+        if language == "cpp":
+            name = re.match(r"// (\S+)\n", text)[1]
+        yield name, language, text
+
+
+def changed(text, diff):
+    lines = diff.splitlines()
+    context = "\n".join(line[1:] for line in lines if line[0] == " ")
+    assert text.count(context) == 1, f"stands {text.count(context)} times in the file:\n{context}"
+    return text.replace(context, "\n".join(line[1:] for line in lines))
+
+
+def copy_of(source, tree):
+    listed = subprocess.run(["git", "ls-files", "*.h", "*.cpp"], cwd=source, capture_output=True, text=True)
+    for name in listed.stdout.split():
+        target = tree / name
+        target.parent.mkdir(parents=True, exist_ok=True)
+        if (source / name).exists():
+            target.write_bytes((source / name).read_bytes())
+
+
+def compile_unit(name, tree, build, commands):
+    """The object of a source: compiled as itself or, if it is new, as its neighbours are; quickly."""
+    folder = name.split("/")[0]
+    like = commands.get(name) or next(c for n, c in commands.items() if n.startswith(folder + "/"))
+    target = str(tree / name.replace("/", "_")) + ".o"
+    command = re.sub(r" -o \S+ -c \S+", f" -O0 -o {target} -c {tree / name}", like)
+    command = command.replace(f"-I{build}/include", f"-I{tree}/include")
+    subprocess.run(command, shell=True, check=True, cwd=build)
+    return target
+
+
+def link(objects, tree, build):
+    link_line = subprocess.run(["ninja", "-t", "commands", "apps/ar3d"], cwd=build, capture_output=True, text=True,
+                               check=True).stdout.splitlines()[-1]
+    mine = link_line.replace(" apps/CMakeFiles", f" {' '.join(objects)} apps/CMakeFiles", 1)
+    subprocess.run(mine.replace("-o apps/ar3d ", f"-o {tree}/ar3d "), shell=True, check=True, cwd=build)
+
+
+def expect_everywhere(name, tree, listed):
+    import h5py
+    assert name in listed, f"list does not show {name}:\n{listed}"
+    runs = h5py.File(tree / "results.h5")["runs"][:]
+    columns = [c for c in runs.dtype.names if runs.dtype[c].kind == "S"]
+    assert name in runs.dtype.names or any(name.encode() in runs[c] for c in columns), "not in the HDF5 file"
+    assert name in (tree / "report.html").read_text(), "not in the report"
+    assert any(name in p.read_text() for p in tree.glob("**/*.csv")), "not in the CSV files"
+
+
+def main():
+    source, build = (pathlib.Path(p).resolve() for p in sys.argv[1:3])
+    heading, name = sys.argv[3:5]
+    commands = {str(pathlib.Path(e["file"]).relative_to(source)): e["command"]
+                for e in json.loads((build / "compile_commands.json").read_text())
+                if e["file"].startswith(f"{source}/")}
+    with tempfile.TemporaryDirectory(prefix="ar3d-walk-") as scratch:
+        tree = pathlib.Path(scratch)
+        copy_of(source, tree)
+        (tree / "include").mkdir()
+        (tree / "include" / "ar3d").symlink_to(tree)
+        touched, shell = [], []
+        for file, language, text in blocks((source / "CONTRIBUTING.md").read_text(), heading):
+            if language == "sh":
+                shell.append(text)
+                continue
+            path = tree / file
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text if language == "cpp" else changed(path.read_text(), text))
+            if file.endswith(".cpp") and file not in touched:
+                touched.append(file)
+        assert touched and shell, f"no walk-through '{heading}'"
+        link([compile_unit(f, tree, build, commands) for f in touched], tree, build)
+        done = subprocess.run(["bash", "-euo", "pipefail", "-c", "\n".join(shell)], cwd=tree, capture_output=True,
+                              text=True)
+        assert done.returncode == 0, done.stdout + done.stderr
+        expect_everywhere(name, tree, done.stdout)
+
+
+main()

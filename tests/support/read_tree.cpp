@@ -1,0 +1,49 @@
+// What references.h judges: the tree's files and the program's help.
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <sstream>
+
+#include "support/program.h"
+#include "support/references.h"
+
+namespace ar3d::testing {
+
+namespace fs = std::filesystem;
+
+Tree read_tree(const std::string& root) {
+  static const std::set<std::string> binary = {".h5", ".csv", ".gz", ".xz", ".png", ".pdf"};
+  Tree tree;
+  for (fs::recursive_directory_iterator at(root), end; at != end; ++at) {
+    const std::string name = at->path().filename();
+    if (at->is_directory() && (name.starts_with(".") || name.starts_with("build"))) {
+      at.disable_recursion_pending();
+    } else if (at->is_regular_file()) {
+      const std::string path = fs::relative(at->path(), root).generic_string();
+      tree.files[path] = binary.contains(at->path().extension()) ? "" : read_file(at->path());
+    }
+  }
+  return tree;
+}
+
+std::map<std::string, std::string> read_help() {
+  std::map<std::string, std::string> help;
+  const std::function<void(const std::string&)> ask = [&](const std::string& verb) {
+    const std::string text = run("{} " + verb + " --help").out;
+    help[verb] = text;
+    std::istringstream lines(text.substr(std::min(text.size(), text.find("Subcommands:"))));
+    std::string line;
+    std::getline(lines, line);
+    while (std::getline(lines, line) && line.starts_with("  ")) {
+      std::istringstream words(line);
+      std::string name;
+      words >> name;
+      if (line[2] != ' ') ask(verb.empty() ? name : verb + " " + name);
+    }
+  };
+  ask("");
+  return help;
+}
+
+}  // namespace ar3d::testing

@@ -1,0 +1,269 @@
+// The proof by counting against the oracle: the same verdicts, and the same counts as by all pairs.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "ar3d/verify/counting/counting_proof.h"
+#include "ar3d/verify/exact.h"
+#include "ar3d/verify/examination.h"
+#include "ar3d/verify/segments.h"
+#include "verify/random_drafts.h"
+
+namespace ar3d {
+namespace {
+
+using testing::Draft;
+using testing::RandomDrafts;
+using verify::CountedMeetings;
+using verify::CountingProof;
+using verify::CountingSizes;
+using verify::MeetingCounts;
+
+/// Every branch runs on small drawings: buckets and slots of a few records, early sweeps.
+const std::vector<CountingSizes>& sizes() {
+  static const std::vector<CountingSizes> list = {
+      {}, {.bucket = 8, .crowded = 32}, {.bucket = 64, .crowded = 1}, {.bucket = 2, .crowded = 0}};
+  return list;
+}
+
+/// Without edges drawn twice and loops: what is left draws a simple graph.
+Draft simple(Draft draft) {
+  std::set<std::pair<Vertex, Vertex>> seen;
+  std::erase_if(draft.edges, [&](const Draft::DraftEdge& edge) {
+    const auto [u, v] = edge.ends;
+    return u == v || !seen.emplace(std::min(u, v), std::max(u, v)).second;
+  });
+  return draft;
+}
+
+struct Outcome {
+  bool proved;
+  CountedMeetings counts;
+};
+
+Outcome count(const Draft& draft, const CountingSizes& sizes) {
+  const Graph graph = draft.graph();
+  const Drawing drawing = draft.drawing();
+  const Guarantee guarantee = testing::no_promise();
+  CountingProof proof(graph, drawing, guarantee, sizes);
+  for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {
+    proof.add(e, drawing.edge(e), points);
+  });
+  const bool proved = proof.holds(measure(drawing));
+  return {proved, proof.counts()};
+}
+
+MeetingCounts count_all_pairs(const verify::Segments& segments) {
+  MeetingCounts counts;
+  for (verify::SegmentId s = 0; s < segments.size(); ++s) {
+    for (verify::SegmentId t = 0; t < s; ++t) {
+      const auto meeting =
+          verify::meet(segments.from(s), segments.to(s), segments.from(t), segments.to(t));
+      const bool is_parallel = verify::parallel(segments.direction(s), segments.direction(t));
+      if (meeting.kind == verify::Meeting::Kind::overlap) counts.overlap = true;
+      if (meeting.kind != verify::Meeting::Kind::point) continue;
+      ++(is_parallel ? counts.touching : counts.crossing);
+    }
+  }
+  return counts;
+}
+
+bool has_isolated_vertex(const Draft& draft) {
+  std::vector<bool> used(draft.vertices.size());
+  for (const auto& edge : draft.edges) used[edge.ends.u] = used[edge.ends.v] = true;
+  return std::find(used.begin(), used.end(), false) != used.end();
+}
+
+struct Tally {
+  int valid = 0;
+  int invalid = 0;
+  int more_meetings = 0;
+};
+
+void expect_agreement(const Draft& draft, Tally& tally) {
+  const Drawing drawing = draft.drawing();
+  const bool valid = certify(draft.graph(), drawing, testing::no_promise(),
+                             {.crossing_test = CrossingTest::all_pairs, .check_size = false})
+                         .valid();
+  ++(valid ? tally.valid : tally.invalid);
+  const MeetingCounts all = count_all_pairs(verify::Segments(drawing));
+  for (const CountingSizes& s : sizes()) {
+    const Outcome outcome = count(draft, s);
+    ASSERT_EQ(outcome.proved, valid) << "bucket " << s.bucket;
+    const MeetingCounts& found = outcome.counts.found;
+    if (has_isolated_vertex(draft)) continue;  // these are counted, too
+    ASSERT_EQ(found.overlap, all.overlap);
+    ASSERT_EQ(found.crossing, all.crossing);
+    if (!all.overlap) {
+      ASSERT_EQ(found.touching, all.touching);
+    }
+    tally.more_meetings += all.crossing > outcome.counts.crossing_neighbours;
+  }
+}
+
+bool in_limits(const Draft& draft) {
+  std::vector<int> degrees(draft.vertices.size());
+  for (const auto& edge : draft.edges) ++degrees[edge.ends.u], ++degrees[edge.ends.v];
+  if (std::any_of(degrees.begin(), degrees.end(), [](int d) { return d > 4; })) return false;
+  const Drawing drawing = draft.drawing();
+  const DrawingSummary summary = measure(drawing);
+  std::set<Vector> directions;
+  const verify::Segments segments(drawing);
+  for (verify::SegmentId s = 0; s < segments.size(); ++s) {
+    const Vector d = primitive(segments.direction(s));
+    directions.insert(std::max(d, -d));
+  }
+  return summary.repeated_points == 0 && directions.size() <= 16;
+}
+
+TEST(Counting, AgreesOnRandomAndDamagedDrawings) {
+  RandomDrafts drafts(5, 17);
+  Tally tally;
+  for (std::uint32_t i = 0; i < 3000; ++i) {
+    const auto& set = testing::direction_sets()[i % testing::direction_sets().size()];
+    const std::vector<Vector> directions(set.begin(), set.begin() + 1 + i / 4 % set.size());
+    Draft draft = simple(drafts.walks(directions, 1 + i % 9, 4 + i % 23));
+    for (std::uint32_t damages = i % 3; damages > 0 && !draft.edges.empty(); --damages) {
+      drafts.damage(draft);
+      draft = simple(std::move(draft));
+    }
+    if (!in_limits(draft)) continue;
+    ASSERT_NO_FATAL_FAILURE(expect_agreement(draft, tally)) << "drawing " << i;
+  }
+  EXPECT_GT(tally.valid, 200);
+  EXPECT_GT(tally.invalid, 200);
+  EXPECT_GT(tally.more_meetings, 200);
+}
+
+/// Axis-parallel segments in three planes, long and short, no two of which meet.
+Draft crowded_draft(RandomStream& random, std::uint32_t tries, std::uint32_t side) {
+  Draft draft;
+  std::vector<std::pair<Point, Point>> placed;
+  for (std::uint32_t i = 0; i < tries; ++i) {
+    const Point from{random.below(side), random.below(side), random.below(3)};
+    const std::int64_t length = 1 + random.below(i % 10 == 0 ? side : 5);
+    const Point to = from + (random.chance(1, 2) ? Vector{length, 0, 0} : Vector{0, length, 0});
+    const bool meets = std::any_of(placed.begin(), placed.end(), [&](const auto& other) {
+      return verify::meet(from, to, other.first, other.second).kind !=
+             verify::Meeting::Kind::nothing;
+    });
+    if (meets) continue;
+    placed.emplace_back(from, to);
+    const auto v = static_cast<Vertex>(draft.vertices.size());
+    draft.vertices.insert(draft.vertices.end(), {from, to});
+    draft.edges.push_back({{v, v + 1}, {}});
+  }
+  return draft;
+}
+
+TEST(Counting, SeesOneLongerSegmentInACrowdedPlane) {
+  RandomStream random(3, 4);
+  int seen = 0;
+  for (int i = 0; i < 8; ++i) {
+    Draft draft = crowded_draft(random, 900, 110);
+    ASSERT_GT(draft.edges.size(), 250u);
+    for (const CountingSizes& s : sizes()) ASSERT_TRUE(count(draft, s).proved);
+    const auto v = 2 * random.below(static_cast<std::uint32_t>(draft.edges.size())) + 1;
+    draft.vertices[v] =
+        draft.vertices[v] + 60 * primitive(draft.vertices[v] - draft.vertices[v - 1]);
+    Tally tally;
+    ASSERT_NO_FATAL_FAILURE(expect_agreement(draft, tally));
+    seen += tally.invalid;
+  }
+  EXPECT_GE(seen, 4);
+}
+
+TEST(Counting, QuadraticallyManyCrossings) {
+  Draft draft;
+  for (std::int64_t i = 0; i < 300; ++i) {
+    const auto v = static_cast<Vertex>(draft.vertices.size());
+    draft.vertices.insert(draft.vertices.end(), {{i, -1, 0}, {i, 300, 0}, {-1, i, 0}, {300, i, 0}});
+    draft.edges.push_back({{v, v + 1}, {}});
+    draft.edges.push_back({{v + 2, v + 3}, {}});
+  }
+  for (const CountingSizes& s : sizes()) {
+    EXPECT_EQ(count(draft, s).counts.found.crossing, 90000u);
+    EXPECT_FALSE(count(draft, s).proved);
+  }
+}
+
+/// An edge, and a vertex without edges at some place.
+Draft with_isolated(Point isolated) {
+  Draft draft;
+  draft.vertices = {{0, 0, 0}, {8, 4, 0}, isolated};
+  draft.edges = {{{0, 1}, {{4, 0, 0}, {4, 4, 0}}}};
+  return draft;
+}
+
+TEST(Counting, IsolatedVertices) {
+  for (const Point on : {Point{0, 0, 0}, {2, 0, 0}, {4, 0, 0}, {4, 3, 0}, {4, 4, 0}, {8, 4, 0}}) {
+    EXPECT_FALSE(count(with_isolated(on), {}).proved) << to_string(on);
+  }
+  for (const Point off : {Point{9, 4, 0}, {3, 1, 0}, {4, 5, 0}, {-1, 0, 0}, {4, 2, 1}}) {
+    EXPECT_TRUE(count(with_isolated(off), {}).proved) << to_string(off);
+  }
+  Draft alone;
+  alone.vertices = {{1, 2, 3}, {1, 2, 4}, {0, 2, 3}};
+  EXPECT_TRUE(count(alone, {}).proved);
+  alone.vertices.push_back({1, 2, 4});
+  EXPECT_FALSE(count(alone, {}).proved);
+}
+
+/// A cross of two edges, moved to where the coordinates reach `far`.
+Draft cross_at(std::int64_t far, bool meeting) {
+  Draft draft;
+  const std::int64_t gap = meeting ? 0 : 1;
+  draft.vertices = {{far - 4, far - 4, far},
+                    {far, far, far},
+                    {far - 4, far, far - gap},
+                    {far, far - 4, far - gap}};
+  draft.edges = {{{0, 1}, {}}, {{2, 3}, {}}};
+  return draft;
+}
+
+TEST(Counting, WidthsAreKeptOrRefused) {
+  // Functionals of these directions have coefficients of sum 2 at most.
+  const std::int64_t limit = std::int64_t{1} << 30;
+  for (const std::int64_t far : {limit - 1, -limit + 5}) {
+    EXPECT_TRUE(count(cross_at(far, false), {}).proved) << far;
+    EXPECT_FALSE(count(cross_at(far, true), {}).proved) << far;
+    EXPECT_EQ(count(cross_at(far, true), {}).counts.found.crossing, 1u) << far;
+  }
+  for (const std::int64_t far : {limit, limit + 1, -limit + 3, std::int64_t{1} << 32,
+                                 std::int64_t{1} << 61, (std::int64_t{1} << 32) + 10}) {
+    EXPECT_FALSE(count(cross_at(far, false), {}).proved) << far << ": out of the limits";
+    const Draft draft = cross_at(far, false);
+    EXPECT_TRUE(
+        certify(draft.graph(), draft.drawing(), testing::no_promise(), {.check_size = false})
+            .valid())
+        << "the full verifier judges it";
+  }
+}
+
+TEST(Counting, NeighboursThatOverlapAreNoProof) {
+  Draft draft;  // an edge that runs back over itself
+  draft.vertices = {{0, 0, 0}, {2, 0, 0}};
+  draft.edges = {{{0, 1}, {{5, 0, 0}}}};
+  EXPECT_FALSE(count(draft, {}).proved);
+  draft.edges = {{{0, 1}, {{1, 0, 0}}}};
+  EXPECT_TRUE(count(draft, {}).proved);
+}
+
+TEST(Counting, AnotherGraphIsNotDrawn) {
+  const Draft draft = with_isolated({20, 20, 20});
+  const Drawing drawing = draft.drawing();
+  const Guarantee guarantee = testing::no_promise();
+  for (const Graph& graph : {Graph(3, {{0, 2}}), Graph(2, {{0, 1}}), Graph(3, {{0, 1}, {1, 2}})}) {
+    CountingProof proof(graph, drawing, guarantee);
+    for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {
+      proof.add(e, drawing.edge(e), points);
+    });
+    EXPECT_FALSE(proof.holds(measure(drawing)));
+  }
+}
+
+}  // namespace
+}  // namespace ar3d

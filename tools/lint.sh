@@ -1,0 +1,37 @@
+# Sourced by ./run-tests after tools/setup.sh.
+
+# lint [FILE...]: clang-format, then clang-tidy, over the sources named or over all; prints every finding once.
+# Builds the generated headers only. Needs the folder build/release configured.
+lint() (
+  cd "$AR3D_ROOT" || exit 2
+  local folder=build/release scratch
+  scratch=$(mktemp -d) && trap 'rm -rf "$scratch"' EXIT
+  all_sources "$@" >"$scratch/sources"
+  clang-format --dry-run -Werror $(cat "$scratch/sources") || { echo "ar3d: not formatted; clang-format -i mends it" >&2; exit 1; }
+  ninja -C "$folder" ar3d_generated >"$scratch/log" 2>&1 || { cat "$scratch/log" >&2; exit 1; }
+  # What the build compiles, of the sources asked for.
+  sed -n 's/^ *"file": "\(.*\)",\{0,1\}$/\1/p' "$folder/compile_commands.json" | sed "s|^$PWD/||" | sort -u |
+    grep -Fx -f "$scratch/sources" >"$scratch/units"
+  tidy_all "$folder" "$scratch"
+)
+
+# The .cpp and .h files of the tree, or of the files and folders named.
+all_sources() {
+  git ls-files -- "${@:-.}" | grep -E '\.(cpp|h)$'
+}
+
+# tidy_all FOLDER SCRATCH: clang-tidy on each line of SCRATCH/units, as many at a time as there are cores.
+tidy_all() {
+  local folder=$1 scratch=$2 total
+  total=$(wc -l <"$scratch/units")
+  xargs -P "$(nproc)" -I{} sh -c 'clang-tidy -p "$0" --quiet "$1" >"$2/$$.found" 2>"$2/$$.err" || echo failed; echo' \
+    "$folder" {} "$scratch" <"$scratch/units" |
+    awk -v total="$total" '/failed/ {failed++} /^$/ {done++; if (done % 50 == 0) {
+      printf "ar3d: clang-tidy, %d of %d files\n", done, total > "/dev/stderr"; fflush("/dev/stderr") }}
+      END {exit failed > 0}'
+  local result=$?
+  # A finding in a header is seen by every file that includes it.
+  cat "$scratch"/*.found | awk '/^[^ ].*: (error|warning|note): / {shown = ($0 in seen); seen[$0]} !shown'
+  [ $result = 0 ] || grep -hE "^(error|Error)" "$scratch"/*.err | sort -u
+  return $result
+}

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "ar3d/model/drawing.h"
+#include "ar3d/model/graph.h"
+#include "ar3d/model/guarantee.h"
+#include "ar3d/verify/counting/plane_counts.h"
+#include "ar3d/verify/counting/signed_directions.h"
+#include "ar3d/verify/metrics.h"
+
+namespace ar3d::verify {
+
+/// What must be equal if nothing meets that must not (Lemma V.1).
+struct CountedMeetings {
+  std::uint64_t crossing_neighbours = 0;  ///< A: neighbours that are not parallel
+  std::uint64_t touching_neighbours = 0;  ///< B: neighbours that are parallel
+  MeetingCounts found;                    ///< M, T, and whether an overlap was seen
+  bool agree() const {
+    return !found.overlap && found.crossing == crossing_neighbours &&
+           found.touching == touching_neighbours;
+  }
+};
+
+/// Proves a drawing of few directions right by counting the meetings of its segments, in one pass
+/// over the polylines. It never says what is wrong: a drawing that it does not prove is wrong or
+/// passes one of its limits (at most 16 directions of components below 2^20, coordinates below
+/// 2^30 and such that all functionals fit 32 bits, degree at most 4).
+/// Memory: 16 bytes per segment, 16 for each segment of two directions, 4 per vertex.
+class CountingProof {
+ public:
+  CountingProof(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
+                const CountingSizes& sizes = {});
+
+  /// The next edge and its polyline, in order of edge numbers.
+  void add(EdgeId e, Edge ends, const std::vector<Point>& points) {
+    if (possible_) possible_ = take_edge(e, ends, points);
+  }
+  /// After the last edge: true if the graph is drawn, all angles, directions and the plane of the
+  /// vertices are as promised, and nothing meets that must not. Bends, lattice and box are judged
+  /// elsewhere. @param summary  of the drawing.
+  bool holds(const DrawingSummary& summary);
+  /// The counts of holds(), as far as it came.
+  const CountedMeetings& counts() const { return counts_; }
+
+ private:
+  enum class Angle : std::uint8_t { unknown, right, wrong };
+  static constexpr std::size_t kIds = 2 * SignedDirections::kMaxIndices;
+
+  bool take_edge(EdgeId e, Edge ends, const std::vector<Point>& points);
+  bool store(Point from, Point to, SignedDirections::Found found);
+  bool leave(Vertex v, std::uint8_t id);
+  bool right_angle(std::size_t id, std::size_t other);
+  bool take_neighbours(std::size_t id, std::size_t other);
+  bool take_vertices();
+  bool take_star(std::uint32_t star);
+  bool allowed_directions() const;
+  bool take_families(std::int64_t largest);
+
+  const Graph& graph_;
+  const Drawing& drawing_;
+  const Guarantee& guarantee_;
+  CountingSizes sizes_;
+  bool possible_;
+  SignedDirections directions_;
+  std::array<PlacedSegments, SignedDirections::kMaxIndices> segments_;
+  std::array<std::array<Angle, kIds>, kIds> angles_{};
+  /// Of each vertex the directions in which edges leave it: up to four bytes, id + 1 each.
+  std::vector<std::uint32_t> stars_;
+  CountedMeetings counts_;
+};
+
+}  // namespace ar3d::verify

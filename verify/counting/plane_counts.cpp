@@ -1,0 +1,194 @@
+// Two segments that meet and are not parallel lie in a plane of their two directions. The segments
+// of two directions become records of 16 bytes, are partitioned by plane into buckets that fit the
+// second-level cache, there sorted by plane into slots of about two records, and compared. Planes
+// with many segments go to CrowdedPlanes. Each record is written twice and read three times, always
+// in order or within the cache; see docs/verify.md, section "Counting".
+#include "ar3d/verify/counting/plane_counts.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdlib>
+#include <utility>
+
+#include "ar3d/verify/functional.h"
+
+namespace ar3d::verify {
+namespace {
+
+/// Odd, so that multiplying by it modulo 2^32 is one to one; spreads neighbouring planes.
+constexpr std::uint32_t kSpread = 0x9E3779B1;
+
+std::int64_t product(Vector f, Vector d) { return f.x * d.x + f.y * d.y + f.z * d.z; }
+
+bool meet(const PlaneRecord& row, const PlaneRecord& column) {
+  return (row.plane == column.plane) & (row.low <= column.at) & (column.at <= row.high) &
+         (column.low <= row.at) & (row.at <= column.high);
+}
+
+/// All pairs of one direction that lie on a line.
+void count_on_lines(std::span<const PlaneRecord> records, MeetingCounts& counts) {
+  for (std::size_t i = 1; i < records.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const PlaneRecord& a = records[i];
+      const PlaneRecord& b = records[j];
+      if (a.plane != b.plane || a.at != b.at || a.high < b.low || b.high < a.low) continue;
+      const bool touch = a.high == b.low || b.high == a.low;
+      counts.touching += touch;
+      counts.overlap |= !touch;
+    }
+  }
+}
+
+}  // namespace
+
+MeetingCounts& MeetingCounts::operator+=(const MeetingCounts& other) {
+  crossing += other.crossing;
+  touching += other.touching;
+  overlap |= other.overlap;
+  return *this;
+}
+
+PlaneFamily::PlaneFamily(const SignedDirections& directions, std::size_t i, std::size_t j) {
+  const Vector d[2] = {directions[i], directions[j]};
+  const auto n = cross(d[0], d[1]);  // components below 2 * 2^40
+  normal_ = primitive({static_cast<std::int64_t>(n[0]), static_cast<std::int64_t>(n[1]),
+                       static_cast<std::int64_t>(n[2])});
+  plane_ = narrowed(normal_);
+  const std::size_t axis = leading_axis(normal_);
+  for (std::size_t side = 0; side < 2; ++side) {
+    // Constant along d[side]; along the other direction it is a component of the normal, not zero.
+    across_[side] = times_unit(d[side], axis);
+    const std::int64_t speed = product(across_[side], d[1 - side]);
+    if (speed < 0) across_[side] = -across_[side];
+    at_[side] = narrowed(across_[side]);
+    speed_[1 - side] = static_cast<std::uint32_t>(std::abs(speed));
+  }
+}
+
+PlaneFamily::Functional PlaneFamily::narrowed(Vector f) {
+  return {static_cast<std::int32_t>(f.x), static_cast<std::int32_t>(f.y),
+          static_cast<std::int32_t>(f.z)};
+}
+
+// A sum of absolute coefficients times the largest coordinate bounds every term, every partial sum
+// and every value.
+bool PlaneFamily::fits(std::int64_t largest) const {
+  const auto narrow = [largest](Vector f) {
+    const Int128 sum = Int128{std::abs(f.x)} + std::abs(f.y) + std::abs(f.z);
+    return sum * std::max<std::int64_t>(largest, 1) < (Int128{1} << 31);
+  };
+  return narrow(normal_) && narrow(across_[0]) && narrow(across_[1]);
+}
+
+std::uint32_t PlaneFamily::plane_of(const PlacedSegment& s) const {
+  return static_cast<std::uint32_t>(plane_(s)) * kSpread;
+}
+
+PlaneRecord PlaneFamily::record(const PlacedSegment& s, std::size_t side) const {
+  const std::int32_t low = at_[1 - side](s);
+  // The value at the other end fits, the difference need not: modulo 2^32.
+  const std::uint32_t run = static_cast<std::uint32_t>(s.steps) * speed_[side];
+  return {plane_of(s), at_[side](s), low,
+          static_cast<std::int32_t>(static_cast<std::uint32_t>(low) + run)};
+}
+
+MeetingCounts PlaneCounter::count(const PlaneFamily& family, const PlacedSegments& rows,
+                                  const PlacedSegments& columns, LinesToCount lines) {
+  counts_ = {};
+  lines_ = lines;
+  const bool pairs = rows.size() > 0 && columns.size() > 0;
+  if (!pairs && !(lines.rows && rows.size() > 0) && !(lines.columns && columns.size() > 0)) {
+    return counts_;
+  }
+  partition(family, rows, columns);
+  std::size_t begin = 0;
+  for (std::size_t b = 0; b < bucket_ends_.size(); b += 2) {
+    const std::size_t middle = bucket_ends_[b];
+    const std::size_t end = bucket_ends_[b + 1];
+    const Records all(records_);
+    count_bucket(all.subspan(begin, middle - begin), all.subspan(middle, end - middle));
+    begin = end;
+  }
+  return counts_;
+}
+
+void PlaneCounter::partition(const PlaneFamily& family, const PlacedSegments& rows,
+                             const PlacedSegments& columns) {
+  constexpr unsigned kMostBits = 11;  // more streams at a time than the memory system follows
+  const std::size_t total = rows.size() + columns.size();
+  bucket_bits_ = std::min(kMostBits, static_cast<unsigned>(std::bit_width(total / sizes_.bucket)));
+  const unsigned shift = 32 - bucket_bits_;
+  const auto bucket = [shift](std::uint32_t plane) {
+    return static_cast<std::size_t>(std::uint64_t{plane} >> shift);
+  };
+  // Places of rows and columns in turns: first counted, then summed, then moved while writing.
+  bucket_ends_.assign(std::size_t{2} << bucket_bits_, 0);
+  rows.for_each([&](const PlacedSegment& s) { ++bucket_ends_[2 * bucket(family.plane_of(s))]; });
+  columns.for_each(
+      [&](const PlacedSegment& s) { ++bucket_ends_[2 * bucket(family.plane_of(s)) + 1]; });
+  std::size_t begin = 0;
+  for (std::size_t& place : bucket_ends_) begin += std::exchange(place, begin);
+  if (records_.size() < total) records_.resize(total);
+  rows.for_each([&](const PlacedSegment& s) {
+    const PlaneRecord record = family.row(s);
+    records_[bucket_ends_[2 * bucket(record.plane)]++] = record;
+  });
+  columns.for_each([&](const PlacedSegment& s) {
+    const PlaneRecord record = family.column(s);
+    records_[bucket_ends_[2 * bucket(record.plane) + 1]++] = record;
+  });
+}
+
+void PlaneCounter::count_bucket(Records rows, Records columns) {
+  constexpr unsigned kMostBits = 15;
+  if (rows.size() + columns.size() < 2) return;
+  const std::size_t slots = (rows.size() + columns.size()) / 2;
+  slot_bits_ = std::min(kMostBits, static_cast<unsigned>(std::bit_width(slots)));
+  into_slots(rows, slot_rows_, row_ends_);
+  into_slots(columns, slot_columns_, column_ends_);
+  const Records all_rows(slot_rows_);
+  const Records all_columns(slot_columns_);
+  std::size_t row = 0;
+  std::size_t column = 0;
+  for (std::size_t slot = 0; slot < row_ends_.size(); ++slot) {
+    const std::size_t row_end = row_ends_[slot];
+    const std::size_t column_end = column_ends_[slot];
+    count_slot(all_rows.subspan(row, row_end - row),
+               all_columns.subspan(column, column_end - column));
+    row = row_end;
+    column = column_end;
+  }
+}
+
+/// Afterwards ends[s] is the end of slot s.
+void PlaneCounter::into_slots(Records from, std::vector<PlaneRecord>& to,
+                              std::vector<std::uint32_t>& ends) {
+  const auto slot = [this](const PlaneRecord& record) {
+    const std::uint32_t below_bucket =
+        static_cast<std::uint32_t>(std::uint64_t{record.plane} << bucket_bits_);
+    return static_cast<std::size_t>(std::uint64_t{below_bucket} >> (32 - slot_bits_));
+  };
+  ends.assign(std::size_t{1} << slot_bits_, 0);
+  for (const PlaneRecord& record : from) ++ends[slot(record)];
+  std::uint32_t begin = 0;
+  for (std::uint32_t& place : ends) begin += std::exchange(place, begin);
+  if (to.size() < from.size()) to.resize(from.size());
+  for (const PlaneRecord& record : from) to[ends[slot(record)]++] = record;
+}
+
+void PlaneCounter::count_slot(Records rows, Records columns) {
+  const std::size_t pairs = rows.size() * columns.size() +
+                            (lines_.rows ? rows.size() * rows.size() : 0) +
+                            (lines_.columns ? columns.size() * columns.size() : 0);
+  if (pairs > sizes_.crowded * (rows.size() + columns.size())) {
+    counts_ += crowded_.count(rows, columns, lines_);
+    return;
+  }
+  for (const PlaneRecord& row : rows) {
+    for (const PlaneRecord& column : columns) counts_.crossing += meet(row, column);
+  }
+  if (lines_.rows) count_on_lines(rows, counts_);
+  if (lines_.columns) count_on_lines(columns, counts_);
+}
+
+}  // namespace ar3d::verify

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "ar3d/model/lattice.h"
+
+namespace ar3d::verify {
+
+/// The directions that segments have, numbered in the order in which they are met. A direction and
+/// its opposite share an index; an id is 2 * index, plus 1 for the opposite sense.
+class SignedDirections {
+ public:
+  static constexpr std::size_t kMaxIndices = 16;
+  static constexpr std::int64_t kMaxComponent = std::int64_t{1} << 20;
+
+  struct Found {
+    bool known = false;  ///< false if the direction passes the limits
+    std::uint8_t id = 0;
+    std::int32_t steps = 0;  ///< d = steps * direction(id), steps > 0
+  };
+
+  /// The direction of d, which is added if it is new.
+  /// @pre d is not zero and its components are below 2^31 in absolute value.
+  Found find(Vector d) {
+    for (const Known& known : classes_[sense(d)]) {
+      // Products are below 2^31 * 2^20. Parallel with equal signs: of the same sense.
+      const Vector k = known.direction;
+      if (d.x * k.y == d.y * k.x && d.y * k.z == d.z * k.y && d.x * k.z == d.z * k.x) {
+        return {true, known.id, known.steps(d)};
+      }
+    }
+    return add(d);
+  }
+
+  std::size_t indices() const { return directions_.size(); }
+  /// The primitive vector of an index.
+  Vector operator[](std::size_t index) const { return directions_[index]; }
+  Vector of_id(std::size_t id) const {
+    return id % 2 == 0 ? directions_[id / 2] : -directions_[id / 2];
+  }
+
+ private:
+  struct Known {
+    Vector direction;
+    std::uint8_t id;
+    std::uint8_t axis;  ///< an axis of the direction's smallest component that is not zero
+    std::int32_t steps(Vector d) const;
+  };
+
+  static std::size_t sense(Vector d) {
+    const auto sign = [](std::int64_t c) {
+      return static_cast<std::size_t>((c > 0) + 2 * (c < 0));
+    };
+    return 9 * sign(d.x) + 3 * sign(d.y) + sign(d.z);
+  }
+  Found add(Vector d);
+
+  std::vector<Vector> directions_;
+  std::array<std::vector<Known>, 27> classes_;
+};
+
+}  // namespace ar3d::verify

@@ -1,0 +1,56 @@
+#include "ar3d/verify/summary_pass.h"
+
+#include <algorithm>
+
+#include "ar3d/verify/closest_pair.h"
+
+namespace ar3d::verify {
+
+SummaryPass::SummaryPass(const Drawing& drawing, bool lengths)
+    : drawing_(drawing), lengths_(lengths) {
+  for (std::size_t v = 0; v < drawing.num_vertices(); ++v) {
+    box_.add(drawing.vertex(static_cast<Vertex>(v)));
+  }
+  if (lengths_) summary_.total_edge_length = summary_.longest_edge_length = 0;
+}
+
+void SummaryPass::add(const std::vector<Point>& points) {
+  const std::size_t bends = points.size() - 2;
+  if (bends >= summary_.bend_histogram.size()) summary_.bend_histogram.resize(bends + 1);
+  ++summary_.bend_histogram[bends];
+  summary_.segments += points.size() - 1;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    summary_.repeated_points += points[i] == points[i - 1];
+    box_.add(points[i]);  // the first point is a vertex
+  }
+  if (lengths_ && in_range()) add_lengths(points);  // else differences might not fit
+}
+
+void SummaryPass::add_lengths(const std::vector<Point>& points) {
+  double length = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    length += approximate_length(drawing_.lattice(), points[i] - points[i - 1]);
+  }
+  summary_.total_edge_length += length;
+  summary_.longest_edge_length = std::max(summary_.longest_edge_length, length);
+}
+
+DrawingSummary SummaryPass::finish() {
+  summary_.segments -= summary_.repeated_points;
+  summary_.in_range = drawing_.num_vertices() == 0 || in_range();
+  if (summary_.in_range) {
+    summary_.box = box_.box();
+  } else {
+    summary_.total_edge_length = summary_.longest_edge_length = DrawingSummary::kNone;
+  }
+  if (!lengths_) return summary_;
+  drawing_.lattice().validate();
+  const auto pair = summary_.in_range ? closest_pair(drawing_) : std::nullopt;
+  if (pair) {
+    summary_.smallest_vertex_distance =
+        approximate_length(drawing_.lattice(), drawing_.vertex(pair->u) - drawing_.vertex(pair->v));
+  }
+  return summary_;
+}
+
+}  // namespace ar3d::verify

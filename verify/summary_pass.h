@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "ar3d/model/drawing.h"
+#include "ar3d/verify/metrics.h"
+
+namespace ar3d::verify {
+
+/// Grows a DrawingSummary polyline by polyline.
+class SummaryPass {
+ public:
+  /// Takes the vertices of the drawing. @param lengths  are lengths and distances wanted?
+  SummaryPass(const Drawing& drawing, bool lengths);
+  /// Takes the polyline of the next edge, in order of edge numbers: sums of doubles depend on it.
+  void add(const std::vector<Point>& points);
+  /// After the last edge. Finds the closest vertices, if lengths are wanted.
+  /// @throws InputError if they are and the drawing's Gram matrix is not positive definite.
+  DrawingSummary finish();
+
+ private:
+  void add_lengths(const std::vector<Point>& points);
+  bool in_range() const { return ar3d::in_range(box_.low()) && ar3d::in_range(box_.high()); }
+
+  const Drawing& drawing_;
+  const bool lengths_;
+  GrowingBox box_;
+  DrawingSummary summary_;
+};
+
+}  // namespace ar3d::verify
