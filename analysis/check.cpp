@@ -224,18 +224,33 @@ bool breaks_promise(const RunRecord& run) {
                      [](const Finding& finding) { return is_violation(finding.kind); });
 }
 
-void require_one_study(const Results& results, const std::string& path) {
-  using Identity = std::tuple<std::string_view, std::string_view, std::int64_t, std::int64_t>;
-  std::map<Identity, std::size_t> first_row;
-  for (std::size_t row = 0; row < results.runs.size(); ++row) {
-    const RunRecord& run = results.runs[row];
-    const Identity identity{run.family, run.parameters, run.n, run.instance_index};
-    const std::size_t first = first_row.try_emplace(identity, row).first->second;
-    if (run.n >= 0 && results.runs[first].seed != run.seed) {
-      throw InputError(fmt::format(
-          "{}: rows {} and {} are of different studies: {}, n = {}, instance {} has two seeds",
-          path, first, row, one_line(run.family), run.n, run.instance_index));
-    }
+void require_one_study(const RowView& rows, const std::string& path) {
+  struct Graph {
+    std::size_t identity;  // hash of family, parameters, n and index
+    std::uint64_t seed;
+    std::size_t row;
+    auto operator<=>(const Graph&) const = default;
+  };
+  const auto identity_of = [](const RunRecord& run) {
+    return fmt::format("{}\n{}\n{}\n{}", run.family, run.parameters, run.n, run.instance_index);
+  };
+  std::vector<Graph> graphs;
+  graphs.reserve(rows.count);
+  for (std::size_t row = 0; row < rows.count; ++row) {
+    const RunRecord& run = rows.read(row);
+    if (run.n < 0) continue;
+    graphs.push_back({std::hash<std::string>()(identity_of(run)), run.seed, row});
+  }
+  std::sort(graphs.begin(), graphs.end());
+  for (std::size_t i = 1; i < graphs.size(); ++i) {
+    const Graph &one = graphs[i - 1], &two = graphs[i];
+    if (one.identity != two.identity || one.seed == two.seed) continue;
+    const RunRecord run = rows.read(std::min(one.row, two.row));
+    if (identity_of(run) != identity_of(rows.read(std::max(one.row, two.row)))) continue;
+    throw InputError(fmt::format(
+        "{}: rows {} and {} are of different studies: {}, n = {}, instance {} has two seeds", path,
+        std::min(one.row, two.row), std::max(one.row, two.row), one_line(run.family), run.n,
+        run.instance_index));
   }
 }
 

@@ -20,7 +20,28 @@ struct Evidence {
   PairedCell cell;
   std::vector<FixedChange> fixed;
   std::vector<double> log_ratios;
+  double log2_volume_change = 0;
+  bool is_drawn = false;  ///< some pair of drawings is there, so that there are times to judge
 };
+
+/// Whether one side is the other: begun at the same moment in the same environment, and every time
+/// equal to the last bit.
+bool holds_same_measurements(const Results& base, const Results& now) {
+  const auto same_time = [](const RunRecord& a, const RunRecord& b) {
+    return a.wall_s == b.wall_s || (std::isnan(a.wall_s) && std::isnan(b.wall_s));
+  };
+  const auto same_entry = [](const EnvironmentEntry& a, const EnvironmentEntry& b) {
+    return a.name == b.name && a.value == b.value && a.session == b.session;
+  };
+  return base.created == now.created &&
+         std::equal(base.environment.begin(), base.environment.end(), now.environment.begin(),
+                    now.environment.end(), same_entry) &&
+         std::equal(base.runs.begin(), base.runs.end(), now.runs.begin(), now.runs.end(),
+                    same_time);
+}
+
+/// Takes the pairs of one cell, of one round or of all, into the evidence.
+void add_pairs(const PairedCell& cell, double instruction_threshold, Evidence& into);
 
 void require_same_study(const Results& base, const Results& now) {
   if (base.study_id == now.study_id) return;
@@ -34,6 +55,17 @@ std::vector<FixedChange> fixed_changes_of(const PairedCell& cell, double instruc
     for (FixedChange& change : fixed_changes(row)) changes.push_back(std::move(change));
   }
   return changes;
+}
+
+void add_pairs(const PairedCell& cell, double instruction_threshold, Evidence& into) {
+  for (FixedChange& change : fixed_changes_of(cell, instruction_threshold)) {
+    into.fixed.push_back(std::move(change));
+  }
+  for (const PairedRow& row : cell.rows) {
+    const double change = log2_volume_change(row);
+    if (std::abs(change) > std::abs(into.log2_volume_change)) into.log2_volume_change = change;
+    into.is_drawn |= row.base->status == RunStatus::ok && row.now->status == RunStatus::ok;
+  }
 }
 
 /// Curves of which some size has too few pairs become one cell of all sizes.
@@ -102,16 +134,22 @@ std::string undecided_reason(const TimeVerdict& time, std::size_t enough) {
   return "the times' noise hides a change of the threshold's size";
 }
 
-/// Weighs the noiseless verdict and the time's together.
-void judge(CellComparison& cell, const FixedVerdict& fixed, const TimeRule& rule,
-           bool time_judged) {
+/// Weighs the noiseless verdict and the time's together. What was not drawn on both sides has no
+/// time to judge.
+void judge(CellComparison& cell, const FixedVerdict& fixed, bool is_drawn, const TimeRule& rule,
+           const Comparison& comparison) {
   cell.verdict = fixed.verdict;
   cell.reason = fixed.reason;
-  if (!time_judged || cell.verdict >= Verdict::regressed) return;
+  const bool is_heavy = cell.verdict >= Verdict::regressed;
+  if (is_heavy || comparison.drawings_only || comparison.is_copy || !is_drawn) return;
   const auto set = [&](Verdict verdict, const std::string& reason) {
     cell.verdict = verdict;
     cell.reason = reason + (fixed.reason.empty() ? "" : "; " + fixed.reason);
   };
+  if (!comparison.time_judged) {
+    set(Verdict::unjudged, "times not judged");
+    return;
+  }
   switch (cell.time.change) {
     case TimeChange::same:
       break;
@@ -122,9 +160,7 @@ void judge(CellComparison& cell, const FixedVerdict& fixed, const TimeRule& rule
       set(Verdict::improved, "faster");
       break;
     case TimeChange::undecided:
-      if (fixed.verdict == Verdict::pass) {
-        set(Verdict::inconclusive, undecided_reason(cell.time, fewest_pairs(rule)));
-      }
+      set(Verdict::inconclusive, undecided_reason(cell.time, fewest_pairs(rule)));
   }
 }
 
@@ -140,7 +176,8 @@ Comparison judge_all(std::vector<Evidence> evidence, Comparison comparison,
     cell.rows = evidence[i].cell.rows.size();
     cell.time = times[i];
     cell.log_ratios = std::move(evidence[i].log_ratios);
-    judge(cell, judge_fixed(evidence[i].fixed), options.time, comparison.time_judged);
+    cell.log2_volume_change = evidence[i].log2_volume_change;
+    judge(cell, judge_fixed(evidence[i].fixed), evidence[i].is_drawn, options.time, comparison);
     comparison.cells.push_back(std::move(cell));
   }
   return comparison;
@@ -199,7 +236,10 @@ void note_marks(const Results& results, const char* side, Comparison& comparison
 Comparison first_look(const Results& base, const Results& now, const CompareOptions& options,
                       bool load_matters) {
   Comparison comparison;
-  comparison.environment = environment_changes(base, now);
+  comparison.drawings_only = options.drawings_only;
+  comparison.is_copy = load_matters && holds_same_measurements(base, now);
+  if (comparison.is_copy) comparison.remarks.push_back("BASE and NEW hold the same measurements");
+  if (!comparison.is_copy) comparison.environment = environment_changes(base, now);
   if (!load_matters) {
     std::erase_if(comparison.environment,
                   [](const EnvironmentChange& change) { return change.name == kLoadOfOtherWork; });
@@ -207,7 +247,7 @@ Comparison first_look(const Results& base, const Results& now, const CompareOpti
   comparison.time_judged = comparison.environment.empty();
   note_marks(base, "BASE", comparison);
   note_marks(now, "NEW", comparison);
-  comparison.time_judged = comparison.time_judged || options.time_always;
+  comparison.time_judged = comparison.time_judged || options.time_always || comparison.is_copy;
   note_gaps(base, "BASE", comparison);
   note_gaps(now, "NEW", comparison);
   return comparison;
@@ -223,7 +263,7 @@ Comparison compare(const Results& base, const Results& now, const CompareOptions
   std::vector<Evidence> evidence;
   for (PairedCell& cell : with_enough_pairs(std::move(pairing.cells), fewest_pairs(options.time))) {
     Evidence& added = evidence.emplace_back();
-    added.fixed = fixed_changes_of(cell, options.instruction_threshold);
+    add_pairs(cell, options.instruction_threshold, added);
     added.log_ratios = log_time_ratios(cell);
     added.cell = std::move(cell);
   }
@@ -242,11 +282,9 @@ Comparison compare_rounds(const std::vector<Results>& base, const std::vector<Re
     note_pairing(pairing, comparison);
     for (const PairedCell& cell : pairing.cells) {
       const auto [place, is_new] = place_of.try_emplace({cell.key, cell.n}, evidence.size());
-      if (is_new) evidence.push_back({cell, {}, {}});
+      if (is_new) evidence.push_back({.cell = cell, .fixed = {}, .log_ratios = {}});
       Evidence& into = evidence[place->second];
-      for (FixedChange& change : fixed_changes_of(cell, options.instruction_threshold)) {
-        into.fixed.push_back(std::move(change));
-      }
+      add_pairs(cell, options.instruction_threshold, into);
       const double ratio = round_log_time_ratio(cell);
       if (std::isfinite(ratio)) into.log_ratios.push_back(ratio);
     }
@@ -255,7 +293,8 @@ Comparison compare_rounds(const std::vector<Results>& base, const std::vector<Re
 }
 
 const char* to_string(Verdict verdict) {
-  constexpr const char* kWords[] = {"PASS", "IMPROVED", "INCONCLUSIVE", "REGRESSED", "VIOLATED"};
+  constexpr const char* kWords[] = {"PASS",         "IMPROVED",  "UNJUDGED",
+                                    "INCONCLUSIVE", "REGRESSED", "VIOLATED"};
   return kWords[static_cast<std::size_t>(verdict)];
 }
 
@@ -269,15 +308,24 @@ std::string Comparison::word() const {
     if (count(verdict) > 0) return to_string(verdict);
   }
   if (!incomplete.empty() || cells.empty()) return "INCOMPLETE";
-  if (count(Verdict::inconclusive) > 0) return to_string(Verdict::inconclusive);
-  return to_string(count(Verdict::improved) > 0 ? Verdict::improved : Verdict::pass);
+  for (const Verdict verdict : {Verdict::inconclusive, Verdict::unjudged}) {
+    if (count(verdict) > 0) return to_string(verdict);
+  }
+  const Verdict good = count(Verdict::improved) > 0 ? Verdict::improved : Verdict::pass;
+  return (drawings_only ? "DRAWINGS " : "") + std::string(to_string(good));
 }
 
-int Comparison::exit_code(bool strict) const {
+int Comparison::exit_code() const {
   if (count(Verdict::violated) > 0) return 4;
   if (count(Verdict::regressed) > 0) return 3;
   if (!incomplete.empty() || cells.empty()) return 5;
-  return strict && (!time_judged || count(Verdict::inconclusive) > 0) ? 6 : 0;
+  if (count(Verdict::inconclusive) > 0) return 6;
+  return count(Verdict::unjudged) > 0 ? 7 : 0;
+}
+
+std::string Comparison::judged() const {
+  if (drawings_only) return "drawings only, as asked";
+  return time_judged ? "drawings and times" : "drawings only; times cannot be compared";
 }
 
 }  // namespace ar3d

@@ -16,11 +16,14 @@ struct CompareOptions {
   TimeRule time;
   double instruction_threshold = 0.01;  ///< smaller changes of counted instructions do not matter
   bool time_always = false;             ///< judge times of unlike environments too
+  bool drawings_only = false;           ///< judge what has no noise, and no times
 };
 
-/// Sorted by what outweighs what.
-enum class Verdict { pass, improved, inconclusive, regressed, violated };
-/// "PASS", "IMPROVED", "INCONCLUSIVE", "REGRESSED", "VIOLATED"
+/// Sorted by what outweighs what. unjudged: nothing got worse among what has no noise, and the
+/// times were not judged; inconclusive: they were, and their noise, or too few pairs, leaves it
+/// open.
+enum class Verdict { pass, improved, unjudged, inconclusive, regressed, violated };
+/// "PASS", "IMPROVED", "UNJUDGED", "INCONCLUSIVE", "REGRESSED", "VIOLATED"
 const char* to_string(Verdict verdict);
 
 /// The verdict on one cell: an algorithm with its options on a family at one size, or, where no
@@ -33,28 +36,38 @@ struct CellComparison {
   std::string reason;              ///< one line, empty for a plain pass
   TimeVerdict time;                ///< of log(new / base)
   std::vector<double> log_ratios;  ///< one a pair
+  /// log2(new / base) of the volume, of the pair of drawings in which it changed most.
+  double log2_volume_change = 0;
 };
 
 struct Comparison {
   std::vector<CellComparison> cells;  ///< in base's order
   std::vector<EnvironmentChange> environment;
-  bool time_judged = true;  ///< false: unlike environments, times are shown but are no gate
-  std::size_t rows = 0;     ///< measurements that both sides hold
+  bool time_judged = true;     ///< false: unlike environments, times are shown but are no gate
+  bool drawings_only = false;  ///< times were not to be judged
+  bool is_copy = false;        ///< the two hold the same measurements, down to every time
+  std::size_t rows = 0;        ///< measurements that both sides hold
   std::vector<std::string> incomplete;  ///< why the comparison is not whole, one line each
   std::vector<std::string> remarks;     ///< one line each
 
   std::size_t count(Verdict verdict) const;
-  /// The heaviest verdict of all cells, between which stands INCOMPLETE (below REGRESSED).
+  /// The heaviest verdict of all cells, between which stands INCOMPLETE (below REGRESSED). PASS and
+  /// IMPROVED say that everything was judged; "DRAWINGS PASS" and "DRAWINGS IMPROVED" that times
+  /// were not to be.
   std::string word() const;
-  /// 0 pass, 3 regression, 4 violated, 5 incomplete or nothing compared; with `strict` 6 if
-  /// anything is inconclusive or times could not be judged.
-  int exit_code(bool strict = false) const;
+  /// 0 pass or improved, 3 regression, 4 violated, 5 incomplete or nothing compared, 6
+  /// inconclusive, 7 times not judged.
+  int exit_code() const;
+  /// What the verdict is about: "drawings and times", or "drawings only" and why.
+  std::string judged() const;
 };
 
 /// Compares two results: first what has no noise (status, certificate, graph, volume, bends,
 /// counted instructions), then times of drawing, measured one after the other: a pair is a row of
 /// each. A cell is one size where every size of its curve has enough pairs to be significant alone,
-/// else the whole curve. Cost: O(r log r) for r rows, and O(k^2) for k pairs of a cell.
+/// else the whole curve. Two that hold the same measurements, down to every time (a file and its
+/// copy), are alike whatever the machine was doing. Cost: O(r log r) for r rows, and O(k^2) for k
+/// pairs of a cell.
 /// @throws InputError if the two are of different studies, or one holds a measurement twice.
 Comparison compare(const Results& base, const Results& now, const CompareOptions& options = {});
 
@@ -64,14 +77,15 @@ Comparison compare(const Results& base, const Results& now, const CompareOptions
 Comparison compare_rounds(const std::vector<Results>& base, const std::vector<Results>& now,
                           const CompareOptions& options = {});
 
-/// For a terminal: the verdict, the environment where it differs, and the cells that did not pass,
-/// `most_cells` of each kind.
-std::string summary(const Comparison& comparison, const CompareOptions& options, bool strict,
+/// For a terminal: the environment where it differs, the cells that did not pass, `most_cells` of
+/// each kind, the largest changes of time and volume whatever the verdict, and the verdict with
+/// what it judged.
+std::string summary(const Comparison& comparison, const CompareOptions& options,
                     std::size_t most_cells = 20);
 std::string summary(const Calibration& calibration, const TimeRule& rule);
 
 /// Everything, for programs; missing numbers are null. @param calibration  null if there was none.
 std::string comparison_json(const Comparison& comparison, const CompareOptions& options,
-                            bool strict, const Calibration* calibration = nullptr);
+                            const Calibration* calibration = nullptr);
 
 }  // namespace ar3d

@@ -18,10 +18,11 @@ void add_check(CLI::App& app, int& exit_code) {
       "Exit code 0 pass, 4 violated, 5 incomplete or nothing measured.\nExample: ar3d check "
       "smoke.h5");
   verb->callback([path, &exit_code] {
-    const Results results = read_results(*path);
-    require_one_study(results, *path);
-    const CheckVerdict verdict = check(results);
-    fmt::print("{}", summary(verdict, results));
+    ResultsReader reader(*path);
+    const RowView rows = view_of(reader);  // millions of rows need not fit into memory
+    require_one_study(rows, *path);
+    const CheckVerdict verdict = check(rows);
+    fmt::print("{}", summary(verdict, rows));
     exit_code = verdict.exit_code();
   });
 }

@@ -13,6 +13,7 @@ enum ExitCode : int {
   kViolated = 4,
   kIncomplete = 5,
   kInconclusive = 6,
+  kUnjudged = 7,
   kInterrupted = 130,
 };
 

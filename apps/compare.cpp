@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
+#include <csignal>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -32,7 +35,6 @@ struct CompareArguments {
   std::size_t rounds = 0;
   int core = -1;
   bool calibrate = false;
-  bool strict = false;
   double threshold_percent = 5;
   std::string json;
   bool quiet = false;
@@ -61,12 +63,12 @@ std::string reference_for(const Results& results) {
 
 int report_verdict(const CompareArguments& arguments, const Comparison& comparison,
                    const Calibration* calibration) {
-  fmt::print("{}", summary(comparison, arguments.options, arguments.strict));
+  fmt::print("{}", summary(comparison, arguments.options));
   if (!arguments.json.empty()) {
-    write_file_atomically(arguments.json, comparison_json(comparison, arguments.options,
-                                                          arguments.strict, calibration));
+    write_file_atomically(arguments.json,
+                          comparison_json(comparison, arguments.options, calibration));
   }
-  return comparison.exit_code(arguments.strict);
+  return comparison.exit_code();
 }
 
 int compare_files(const CompareArguments& arguments) {
@@ -103,34 +105,57 @@ std::size_t rounds_of(const CompareArguments& arguments, const StudySpec& spec) 
   return std::max<std::size_t>(15, fewest_pairs(arguments.options.time, cells_of(spec)) + 1);
 }
 
+std::atomic<bool> g_stop{false};
+static_assert(std::atomic<bool>::is_always_lock_free);  // so that a signal handler may set it
+
+void ask_to_stop(int) { g_stop = true; }
+
+int say_interrupted(const std::string& where) {
+  fmt::print(stderr, "ar3d: interrupted {}; nothing was left behind\n", where);
+  return kInterrupted;
+}
+
+/// @return nothing if it was interrupted, which has been said then.
+std::optional<Comparison> take_turns(const std::string& base, const StudySpec& spec,
+                                     const std::string& folder, const InterleaveOptions& options,
+                                     const CompareOptions& rule) {
+  const InterleavedRounds rounds = run_interleaved(base, kThisProgram, spec, folder, options);
+  if (!rounds.interrupted) return compare_rounds(rounds.base, rounds.now, rule);
+  say_interrupted(fmt::format("in round {} of {}",
+                              std::min(rounds.base.size(), rounds.now.size()) + 1, options.rounds));
+  return {};
+}
+
 int compare_builds(const CompareArguments& arguments) {
   if (!arguments.files.empty()) throw InputError("--base and --calibrate take no results files");
+  std::signal(SIGINT, ask_to_stop);
+  std::signal(SIGTERM, ask_to_stop);
   std::FILE* progress = arguments.quiet ? nullptr : stderr;
   const StudySpec spec = load_study(arguments.study);
   if (!arguments.json.empty()) require_writable(arguments.json);
   const std::string checkout = find_checkout();
   const std::string folder = (fs::path(checkout) / "build" / "compare").string();
-  const std::string base =
-      arguments.base.empty() ? "" : build_reference(checkout, arguments.base, progress);
-  const InterleaveOptions options{rounds_of(arguments, spec), arguments.core, progress};
+  std::optional<std::string> base;
+  if (!arguments.base.empty()) {
+    base = build_reference(checkout, arguments.base, {progress, &g_stop});
+    if (!base) return say_interrupted("while building " + arguments.base);
+  }
+  const InterleaveOptions options{rounds_of(arguments, spec), arguments.core, progress, &g_stop};
   Calibration calibration;
-  Comparison comparison;
+  std::optional<Comparison> comparison;
   if (arguments.calibrate) {
-    const InterleavedRounds rounds =
-        run_interleaved(kThisProgram, kThisProgram, spec, folder, options);
-    if (rounds.interrupted) return kInterrupted;
-    comparison = compare_rounds(rounds.base, rounds.now, arguments.options);
+    comparison = take_turns(kThisProgram, spec, folder, options, arguments.options);
+    if (!comparison) return kInterrupted;
     std::vector<std::vector<double>> ratios;
-    for (const CellComparison& cell : comparison.cells) ratios.push_back(cell.log_ratios);
+    for (const CellComparison& cell : comparison->cells) ratios.push_back(cell.log_ratios);
     calibration = calibrate(ratios, arguments.options.time);
     fmt::print("{}", summary(calibration, arguments.options.time));
   }
-  if (!base.empty()) {
-    const InterleavedRounds rounds = run_interleaved(base, kThisProgram, spec, folder, options);
-    if (rounds.interrupted) return kInterrupted;
-    comparison = compare_rounds(rounds.base, rounds.now, arguments.options);
+  if (base) {
+    comparison = take_turns(*base, spec, folder, options, arguments.options);
+    if (!comparison) return kInterrupted;
   }
-  return report_verdict(arguments, comparison, arguments.calibrate ? &calibration : nullptr);
+  return report_verdict(arguments, *comparison, arguments.calibrate ? &calibration : nullptr);
 }
 
 void add_options(CLI::App& verb, CompareArguments& a) {
@@ -161,7 +186,8 @@ void add_options(CLI::App& verb, CompareArguments& a) {
       ->check(CLI::Range(1e-12, 0.5))
       ->capture_default_str();
   verb.add_flag("--time-always", a.options.time_always, "judge times of unlike environments too");
-  verb.add_flag("--strict", a.strict, "exit with 6 if anything is inconclusive");
+  verb.add_flag("--drawings-only", a.options.drawings_only,
+                "judge status, certificate, graph, volume, bends and instructions, and no times");
   verb.add_option("--json", a.json, "also write the verdict as JSON to this file");
   verb.add_flag("-q,--quiet", a.quiet, "no progress on standard error");
 }
@@ -174,8 +200,10 @@ void add_compare(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<CompareArguments>();
   add_options(*verb, *arguments);
   verb->footer(
-      "Exit code 0 pass, 3 regression, 4 violated, 5 incomplete or nothing measured, 6 (--strict) "
-      "inconclusive.\nExample: ar3d compare before.h5 after.h5\n         ar3d compare --base main "
+      "Exit code 0 pass or improved (everything was judged), 3 regression, 4 violated, 5 "
+      "incomplete "
+      "or nothing measured, 6 inconclusive, 7 times not judged (unlike environments).\nExample: "
+      "ar3d compare before.h5 after.h5\n         ar3d compare --base main "
       "--calibrate");
   verb->callback([arguments, &exit_code] {
     refuse_unsafe_outputs({.inputs = arguments->files, .outputs = {arguments->json}});

@@ -72,7 +72,7 @@ void add_report(CLI::App& app, int& exit_code) {
                                        arguments->growth, arguments->benchmark_json}});
     if (arguments->output.empty()) refuse_foreign_page(path, arguments->results);
     const Results results = read_results(arguments->results);
-    require_one_study(results, arguments->results);
+    require_one_study(view_of(results), arguments->results);
     write_file_atomically(path, render_report(results));
     if (!arguments->csv.empty()) write_file_atomically(arguments->csv, ledger_csv(results));
     if (!arguments->json.empty()) write_file_atomically(arguments->json, analysis_json(results));

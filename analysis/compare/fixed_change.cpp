@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
 #include <cstdint>
 
 namespace ar3d {
@@ -109,6 +110,16 @@ std::vector<FixedChange> fixed_changes(const PairedRow& row) {
     changes.push_back({Effect::other, "another drawing of the same volume and bends"});
   }
   return changes;
+}
+
+double log2_volume_change(const PairedRow& row) {
+  if (!has_extents(*row.base) || !has_extents(*row.now)) return 0;
+  double change = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    change += std::log2((static_cast<double>(row.now->extents[axis]) + 1) /
+                        (static_cast<double>(row.base->extents[axis]) + 1));
+  }
+  return change;
 }
 
 std::vector<FixedChange> instruction_change(const PairedCell& cell, double threshold) {

@@ -21,6 +21,9 @@ struct FixedChange {
 /// else is `other`.
 std::vector<FixedChange> fixed_changes(const PairedRow& row);
 
+/// log2(new / base) of the volume; 0 where one of the two has no box.
+double log2_volume_change(const PairedRow& row);
+
 /// Counted instructions of a whole cell: worse or better if their sum changes by more than
 /// `threshold` (0.01 is 1 %); rows that miss them are left out. @return at most one.
 std::vector<FixedChange> instruction_change(const PairedCell& cell, double threshold);

@@ -32,6 +32,7 @@ ordered_json cell_json(const CellComparison& cell) {
           {"verdict", to_string(cell.verdict)},
           {"reason", valid_utf8(cell.reason)},
           {"measurements", cell.rows},
+          {"volume_ratio", number(std::exp2(cell.log2_volume_change))},
           {"time", time_json(cell.time)}};
 }
 
@@ -58,21 +59,22 @@ ordered_json calibration_json(const Calibration& calibration) {
 }  // namespace
 
 std::string comparison_json(const Comparison& comparison, const CompareOptions& options,
-                            bool strict, const Calibration* calibration) {
+                            const Calibration* calibration) {
   ordered_json json;
   json["verdict"] = comparison.word();
-  json["exit_code"] = comparison.exit_code(strict);
+  json["exit_code"] = comparison.exit_code();
+  json["judged"] = comparison.judged();
   json["rule"] = {{"threshold", options.time.threshold},
                   {"significance", options.time.significance},
                   {"false_discovery_rate", options.time.false_discovery_rate},
                   {"confidence", options.time.confidence},
                   {"instruction_threshold", options.instruction_threshold},
-                  {"strict", strict}};
+                  {"drawings_only", options.drawings_only}};
   json["time_judged"] = comparison.time_judged;
   json["environment_changes"] = environment_json(comparison);
   json["measurements"] = comparison.rows;
-  for (const Verdict verdict : {Verdict::pass, Verdict::improved, Verdict::inconclusive,
-                                Verdict::regressed, Verdict::violated}) {
+  for (const Verdict verdict : {Verdict::pass, Verdict::improved, Verdict::unjudged,
+                                Verdict::inconclusive, Verdict::regressed, Verdict::violated}) {
     json["counts"][to_string(verdict)] = comparison.count(verdict);
   }
   for (const auto& [name, lines] : {std::pair{"incomplete", &comparison.incomplete},

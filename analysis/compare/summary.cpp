@@ -1,12 +1,16 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "ar3d/analysis/compare.h"
 #include "ar3d/analysis/text.h"
 
 namespace ar3d {
 namespace {
+
+constexpr std::size_t kLargestChanges = 10;
 
 std::string cell_label(const CellComparison& cell) {
   std::string label = algorithm_label(cell.key);
@@ -50,11 +54,47 @@ std::string cell_table(const Comparison& comparison, std::size_t most_cells) {
   return text;
 }
 
+/// The cells with the largest |of|, largest first; those where it is 0 are left out.
+std::vector<const CellComparison*> largest(const Comparison& comparison, std::size_t most,
+                                           const std::function<double(const CellComparison&)>& of) {
+  std::vector<const CellComparison*> cells;
+  for (const CellComparison& cell : comparison.cells) {
+    if (std::abs(of(cell)) > 0) cells.push_back(&cell);  // no NaN
+  }
+  std::stable_sort(cells.begin(), cells.end(), [&](const auto* a, const auto* b) {
+    return std::abs(of(*a)) > std::abs(of(*b));
+  });
+  cells.resize(std::min(cells.size(), most));
+  return cells;
+}
+
+/// What changed most, in every case: a change that was not judged is seen, too.
+std::string largest_changes(const Comparison& comparison, std::size_t most) {
+  const auto time_of = [](const CellComparison& cell) {
+    return cell.time.test.pairs == 0 ? 0 : cell.time.test.estimate;
+  };
+  const auto volume_of = [](const CellComparison& cell) { return cell.log2_volume_change; };
+  const bool is_judged = comparison.time_judged && !comparison.drawings_only;
+  const auto times = largest(comparison, most, time_of);
+  std::string text =
+      fmt::format("largest changes of time ({}){}\n", is_judged ? "judged" : "NOT JUDGED",
+                  times.empty() ? ": none" : "");
+  for (const CellComparison* cell : times) {
+    text += fmt::format("  {:<58} {}\n", cell_label(*cell), time_text(cell->time));
+  }
+  const auto volumes = largest(comparison, most, volume_of);
+  text += fmt::format("largest changes of volume{}\n", volumes.empty() ? ": none" : "");
+  for (const CellComparison* cell : volumes) {
+    text += fmt::format("  {:<58} {}\n", cell_label(*cell), percent(std::exp2(volume_of(*cell))));
+  }
+  return text;
+}
+
 std::string environment_text(const Comparison& comparison) {
   if (comparison.environment.empty()) return "";
   std::string text = fmt::format(
       "UNLIKE ENVIRONMENTS: times are {}\n",
-      comparison.time_judged ? "judged all the same, as asked" : "shown, but are no gate");
+      comparison.time_judged ? "judged all the same, as asked" : "shown, but not judged");
   for (const EnvironmentChange& change : comparison.environment) {
     text += fmt::format("  {}: {} -> {}\n", one_line(change.name), one_line(change.base),
                         one_line(change.now));
@@ -73,26 +113,29 @@ std::size_t other_drawings(const Comparison& comparison) {
 
 }  // namespace
 
-std::string summary(const Comparison& comparison, const CompareOptions& options, bool strict,
+std::string summary(const Comparison& comparison, const CompareOptions& options,
                     std::size_t most_cells) {
-  std::string text = environment_text(comparison) + cell_table(comparison, most_cells);
+  std::string text = environment_text(comparison) + cell_table(comparison, most_cells) +
+                     largest_changes(comparison, kLargestChanges);
   for (const std::string& line : comparison.incomplete) text += "INCOMPLETE   " + line + "\n";
   for (const std::string& line : comparison.remarks) text += "note         " + line + "\n";
   if (const std::size_t others = other_drawings(comparison); others > 0) {
     text += fmt::format("note         {} cells passed with other drawings than before\n", others);
   }
   text += fmt::format(
-      "{}  {} cells ({} measurements): {} pass, {} improved, {} inconclusive, {} regressed, {} "
-      "violated\n",
+      "{}  {} cells ({} measurements): {} pass, {} improved, {} unjudged, {} inconclusive, {} "
+      "regressed, {} violated\n",
       comparison.word(), comparison.cells.size(), comparison.rows, comparison.count(Verdict::pass),
-      comparison.count(Verdict::improved), comparison.count(Verdict::inconclusive),
-      comparison.count(Verdict::regressed), comparison.count(Verdict::violated));
+      comparison.count(Verdict::improved), comparison.count(Verdict::unjudged),
+      comparison.count(Verdict::inconclusive), comparison.count(Verdict::regressed),
+      comparison.count(Verdict::violated));
   const TimeRule& rule = options.time;
+  text += fmt::format("judged: {}\n", comparison.judged());
   text += fmt::format(
       "rule: time changes by {:.3g} % or more, p <= {:.3g} a cell, false discovery rate {:.3g} %; "
       "volume, bends, status, certificate: any change for the worse; exit code {}\n",
       100 * rule.threshold, rule.significance, 100 * rule.false_discovery_rate,
-      comparison.exit_code(strict));
+      comparison.exit_code());
   return text;
 }
 

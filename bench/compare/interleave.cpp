@@ -9,6 +9,7 @@
 
 #include "ar3d/bench/measure/child_process.h"
 #include "ar3d/bench/measure/pinning.h"
+#include "ar3d/bench/measure/stopwatch.h"
 #include "ar3d/model/error.h"
 
 namespace ar3d {
@@ -51,13 +52,15 @@ class Arena {
   static constexpr const char* kNew = "next";  // as long as "base"
 
   /// Runs the study once. @return false if it was interrupted.
-  bool run(const char* side, std::size_t round, int core, std::vector<Results>& into) {
+  bool run(const char* side, std::size_t round, int core, const std::atomic<bool>* stop,
+           std::vector<Results>& into) {
     const fs::path results = root_ / fmt::format("{}-{}.h5", side, round), log = root_ / "log";
     const int code = run_child(
         {(root_ / side / "ar3d").string(), "study", "run", (root_ / "study.toml").string(),
          "--threads", "1", "--quiet", "-o", results.string()},
-        {.output = log.string(), .core = core});
-    if (code == kInterruptedCode || code == 128 + SIGINT) return false;
+        {.output = log.string(), .core = core, .stop = stop});
+    const bool is_stopped = stop != nullptr && *stop;
+    if (is_stopped || code == kInterruptedCode || code == 128 + SIGINT) return false;
     if (code != 0 && code != 4 && code != 5) {  // verdicts on the rows, which are there
       throw InputError(fmt::format("round {}: the {} program ended with code {}: {}", round, side,
                                    code, last_line(log)));
@@ -78,14 +81,20 @@ InterleavedRounds run_interleaved(const std::string& base_program, const std::st
                                   const InterleaveOptions& options) {
   Arena arena(base_program, new_program, spec, folder);
   const int core = options.core >= 0 ? options.core : allowed_cores().back();
+  const Stopwatch stopwatch;
   InterleavedRounds rounds;
   for (std::size_t round = 0; round < options.rounds; ++round) {
-    const auto base = [&] { return arena.run(Arena::kBase, round, core, rounds.base); };
-    const auto now = [&] { return arena.run(Arena::kNew, round, core, rounds.now); };
+    const auto base = [&] {
+      return arena.run(Arena::kBase, round, core, options.stop, rounds.base);
+    };
+    const auto now = [&] { return arena.run(Arena::kNew, round, core, options.stop, rounds.now); };
     rounds.interrupted = round % 2 == 0 ? !(base() && now()) : !(now() && base());
     if (rounds.interrupted) break;
     if (options.progress != nullptr) {
-      fmt::print(options.progress, "round {} of {}\n", round + 1, options.rounds);
+      const double left = static_cast<double>(options.rounds - round - 1) * stopwatch.wall_s() /
+                          static_cast<double>(round + 1);
+      fmt::print(options.progress, "round {} of {}, about {:.0f} s left\n", round + 1,
+                 options.rounds, left);
     }
   }
   return rounds;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -13,13 +14,14 @@ struct InterleaveOptions {
   std::size_t rounds = 15;
   int core = -1;                  ///< that both programs are pinned to; -1: the last allowed one
   std::FILE* progress = nullptr;  ///< where to tell how far it is; null: nowhere
+  const std::atomic<bool>* stop = nullptr;  ///< set by a signal handler: ends early
 };
 
 /// What two programs measured in turns; base[i] and now[i] belong to round i.
 struct InterleavedRounds {
   std::vector<Results> base;
   std::vector<Results> now;
-  bool interrupted = false;  ///< by the keyboard: the rounds are not all there
+  bool interrupted = false;  ///< the rounds are not all there
 };
 
 /// Runs the study with both programs in turns, base first in even rounds and last in odd ones, so

@@ -31,13 +31,88 @@ Said ask_git(std::vector<std::string> words) {
   return said;
 }
 
-void run_or_throw(const std::vector<std::string>& words, const std::string& folder,
-                  const fs::path& log, const std::string& what) {
-  const int code = run_child(words, {.folder = folder, .output = log.string()});
-  if (code != 0) {
-    throw InputError(fmt::format("cannot {}: {} ended with code {}, see {}", what, words[0], code,
-                                 log.string()));
+/// Thrown where the caller asked to stop.
+struct Stopped {};
+
+/// "[57/140] Building …" of ninja's last line, as "57 of 140"; empty if there is none.
+std::string steps_done(const fs::path& log) {
+  std::ifstream file(log);
+  std::string steps;
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t slash = line.find('/'), end = line.find(']');
+    if (!line.starts_with('[') || end == std::string::npos || slash > end) continue;
+    steps = line.substr(1, slash - 1) + " of " + line.substr(slash + 1, end - slash - 1);
   }
+  return steps;
+}
+
+/// Runs the steps of one build, all with one log.
+class Build {
+ public:
+  Build(std::string ref, fs::path log, const BuildOptions& options)
+      : ref_(std::move(ref)), log_(std::move(log)), options_(options) {}
+
+  /// @throws Stopped, and InputError naming the log if it fails.
+  void run(const std::vector<std::string>& words) {
+    std::string last;
+    int seconds = 0;
+    const auto tell = [&] {
+      if (options_.progress == nullptr || ++seconds % kSecondsBetweenLines != 0) return;
+      const std::string steps = steps_done(log_);
+      if (steps.empty() || steps == last) return;
+      fmt::print(options_.progress, "building {}: step {}\n", ref_, steps);
+      last = steps;
+    };
+    const int code =
+        run_child(words, {.output = log_.string(), .stop = options_.stop, .every_second = tell});
+    if (options_.stop != nullptr && *options_.stop) throw Stopped();
+    if (code == 0) return;
+    throw InputError(fmt::format("cannot build {}: {} ended with code {}, see {}", ref_, words[0],
+                                 code, log_.string()));
+  }
+
+ private:
+  static constexpr int kSecondsBetweenLines = 5;
+
+  std::string ref_;
+  fs::path log_;
+  BuildOptions options_;
+};
+
+/// A git worktree of the commit that goes with this object.
+class Worktree {
+ public:
+  Worktree(const std::string& checkout, fs::path folder)
+      : checkout_(checkout), folder_(std::move(folder)) {}
+  Worktree(const Worktree&) = delete;
+  Worktree& operator=(const Worktree&) = delete;
+  ~Worktree() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+    ask_git({"-C", checkout_, "worktree", "prune"});
+  }
+
+  const fs::path& folder() const { return folder_; }
+
+ private:
+  std::string checkout_;
+  fs::path folder_;
+};
+
+/// Builds the commit and puts its program in place, whole or not at all.
+void build_program(const std::string& checkout, const std::string& commit, Build& build,
+                   const fs::path& program) {
+  const fs::path folder = program.parent_path();
+  const Worktree worktree(checkout, folder.string() + fmt::format(".sources-{}", getpid()));
+  const std::string sources = worktree.folder().string(), tree = sources + "/build/compare";
+  build.run({"git", "-C", checkout, "worktree", "add", "--detach", sources, commit});
+  build.run({"cmake", "-S", sources, "-B", tree, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+             "-DAR3D_TESTS=OFF", "-DAR3D_BENCHMARKS=OFF"});
+  build.run({"ninja", "-C", tree, "ar3d_program"});
+  fs::create_directories(folder);
+  const fs::path part = folder / fmt::format("ar3d.part-{}", getpid());
+  fs::copy_file(fs::path(tree) / "apps" / "ar3d", part);
+  fs::rename(part, program);
 }
 
 }  // namespace
@@ -50,30 +125,27 @@ std::string find_checkout() {
   return root.first_line;
 }
 
-std::string build_reference(const std::string& checkout, const std::string& ref,
-                            std::FILE* progress) {
+std::optional<std::string> build_reference(const std::string& checkout, const std::string& ref,
+                                           const BuildOptions& options) {
   const Said commit = ask_git(
       {"-C", checkout, "rev-parse", "--verify", "--quiet", "--end-of-options", ref + "^{commit}"});
   if (commit.exit_code != 0) throw InputError(fmt::format("no commit '{}' in {}", ref, checkout));
   const fs::path folder = fs::path(checkout) / "build" / "compare";
-  const fs::path sources = folder / commit.first_line, build = sources / "build" / "compare";
-  const fs::path log = folder / (commit.first_line + ".log");
-  const std::string what = fmt::format("build {}", ref);
+  const fs::path program = folder / commit.first_line / "ar3d";
+  if (fs::exists(program)) return program.string();
   fs::create_directories(folder);
-  if (!fs::exists(sources / ".git")) {
-    run_or_throw({"git", "-C", checkout, "worktree", "prune"}, "", log, what);
-    run_or_throw(
-        {"git", "-C", checkout, "worktree", "add", "--detach", sources.string(), commit.first_line},
-        "", log, what);
+  const fs::path log = folder / (commit.first_line + ".log");
+  if (options.progress != nullptr) {
+    fmt::print(options.progress, "building {} as {}, which takes minutes\n", ref, program.string());
   }
-  const fs::path program = build / "apps" / "ar3d";
-  if (progress != nullptr && !fs::exists(program)) {
-    fmt::print(progress, "building {} in {}, which takes minutes\n", ref, build.string());
+  try {
+    Build build(ref, log, options);
+    build_program(checkout, commit.first_line, build, program);
+  } catch (const Stopped&) {
+    fs::remove(log);
+    return {};
   }
-  run_or_throw({"cmake", "-S", sources.string(), "-B", build.string(), "-G", "Ninja",
-                "-DCMAKE_BUILD_TYPE=Release", "-DAR3D_TESTS=OFF", "-DAR3D_BENCHMARKS=OFF"},
-               "", log, what);
-  run_or_throw({"ninja", "-C", build.string(), "ar3d_program"}, "", log, what);
+  fs::remove(log);
   return program.string();
 }
 

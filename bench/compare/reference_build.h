@@ -1,6 +1,8 @@
 #pragma once
 
+#include <atomic>
 #include <cstdio>
+#include <optional>
 #include <string>
 
 namespace ar3d {
@@ -9,12 +11,18 @@ namespace ar3d {
 /// @throws InputError if there is none.
 std::string find_checkout();
 
-/// Builds the program of another commit, Release, in a git worktree of its own below
-/// CHECKOUT/build/compare/, and gives its path. What is built already is taken as it is.
+struct BuildOptions {
+  std::FILE* progress = nullptr;            ///< where to tell how far it is; null: nowhere
+  const std::atomic<bool>* stop = nullptr;  ///< set by a signal handler: ends early
+};
+
+/// The program of another commit, Release, as CHECKOUT/build/compare/COMMIT/ar3d. What is there is
+/// taken as it is; else it is built in a git worktree beside it, which is removed afterwards,
+/// however the build ends.
 /// @param ref  whatever git takes for a commit: a tag, a branch, HEAD~3.
-/// @param progress  where to tell what takes long; null: nowhere.
+/// @return nothing if it was stopped.
 /// @throws InputError naming the ref if there is no such commit, or the log if it does not build.
-std::string build_reference(const std::string& checkout, const std::string& ref,
-                            std::FILE* progress);
+std::optional<std::string> build_reference(const std::string& checkout, const std::string& ref,
+                                           const BuildOptions& options);
 
 }  // namespace ar3d

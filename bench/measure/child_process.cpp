@@ -7,8 +7,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstring>
+#include <thread>
 
 #include "ar3d/model/error.h"
 
@@ -35,23 +37,51 @@ constexpr int kCannotRun = 127;
   _exit(kCannotRun);
 }
 
+/// Looks every 20 ms whether the child has ended or is to. @return as waitpid.
+pid_t watch(pid_t child, int& status, const ChildOptions& options) {
+  using Clock = std::chrono::steady_clock;
+  auto next_call = Clock::now() + std::chrono::seconds(1);
+  Clock::time_point patience{};  // until then it may end by itself
+  while (true) {
+    const pid_t ended = waitpid(child, &status, WNOHANG);
+    if (ended != 0 && !(ended < 0 && errno == EINTR)) return ended;
+    const auto now = Clock::now();
+    if (options.stop != nullptr && *options.stop) {
+      if (patience == Clock::time_point{}) {
+        patience = now + std::chrono::seconds(10);
+        kill(child, SIGINT);
+      } else if (now > patience) {
+        kill(child, SIGKILL);
+      }
+    }
+    if (options.every_second && now >= next_call) {
+      options.every_second();
+      next_call = now + std::chrono::seconds(1);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+}
+
 }  // namespace
 
 int run_child(const std::vector<std::string>& words, const ChildOptions& options) {
   std::vector<char*> pointers;
   for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
   pointers.push_back(nullptr);
-  const auto interrupt = std::signal(SIGINT, SIG_IGN);
+  const bool is_watched = options.stop != nullptr || options.every_second;
+  const auto interrupt = options.stop == nullptr ? std::signal(SIGINT, SIG_IGN) : SIG_DFL;
   const pid_t child = fork();
   if (child == 0) become(pointers.data(), options);
   int status = 0;
   pid_t ended = child;
-  if (child > 0) {
+  if (child > 0 && is_watched) {
+    ended = watch(child, status, options);
+  } else if (child > 0) {
     do ended = waitpid(child, &status, 0);
     while (ended < 0 && errno == EINTR);
   }
   const int reason = errno;
-  std::signal(SIGINT, interrupt);
+  if (options.stop == nullptr) std::signal(SIGINT, interrupt);
   if (ended < 0)
     throw InputError(fmt::format("cannot run {}: {}", words[0], std::strerror(reason)));
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -9,11 +11,14 @@ struct ChildOptions {
   std::string folder = {};  ///< working directory; empty: this process's
   std::string output = {};  ///< file that takes its standard output and error
   int core = -1;            ///< the only core it may use; -1: as this process
+  /// Set by a signal handler of the caller: the child is then asked to end (SIGINT), and after ten
+  /// seconds made to. Null: an interrupt from the keyboard ends the child and not this process.
+  const std::atomic<bool>* stop = nullptr;
+  std::function<void()> every_second = {};  ///< called about once a second while it runs
 };
 
 /// Runs a program (looked up in PATH, no shell) to its end and gives its exit code, 128 + the
-/// signal that ended it, or 127 if it cannot be run. While it runs, an interrupt from the keyboard
-/// ends the child and not this process. @throws InputError if no process can be made.
+/// signal that ended it, or 127 if it cannot be run. @throws InputError if no process can be made.
 int run_child(const std::vector<std::string>& words, const ChildOptions& options);
 
 }  // namespace ar3d

@@ -47,7 +47,7 @@ TEST(Compare, AResultAgainstAnotherRunOfTheSameProgramPasses) {
   EXPECT_EQ(comparison.cells.size(), 200u);
   EXPECT_EQ(comparison.count(Verdict::pass), 200u);
   EXPECT_EQ(comparison.word(), "PASS");
-  EXPECT_EQ(comparison.exit_code(true), 0);
+  EXPECT_EQ(comparison.exit_code(), 0);
 }
 
 TEST(Compare, APlantedVolumeRegressionIsFoundWhereverItIs) {
@@ -114,7 +114,7 @@ TEST(Compare, ASlowerCellIsFoundAndNothingElse) {
   EXPECT_EQ(comparison.exit_code(), 3);
   EXPECT_EQ(comparison.count(Verdict::regressed), 1u);
   EXPECT_EQ(comparison.count(Verdict::pass), 199u);
-  EXPECT_THAT(summary(comparison, {}, false), HasSubstr("grid on family4 n=1024"));
+  EXPECT_THAT(summary(comparison, {}), HasSubstr("grid on family4 n=1024"));
 }
 
 TEST(Compare, SizesWithFewPairsAreJudgedTogether) {
@@ -148,9 +148,11 @@ TEST(Compare, UnlikeEnvironmentsAreFlaggedAndTimesAreNoGateUnlessAsked) {
   for (Row& run : now.runs) run.wall_s *= 2;
   now.environment[2].value = "-O0";
   const Comparison comparison = compare(base, now);
-  EXPECT_EQ(comparison.exit_code(), 0);
-  EXPECT_EQ(comparison.exit_code(true), 6);
-  EXPECT_THAT(summary(comparison, {}, false), HasSubstr("flags: -O3 -> -O0"));
+  EXPECT_EQ(comparison.word(), "UNJUDGED");
+  EXPECT_EQ(comparison.exit_code(), 7);
+  EXPECT_THAT(summary(comparison, {}), HasSubstr("largest changes of time (NOT JUDGED)"));
+  EXPECT_THAT(summary(comparison, {}), HasSubstr("+100."));
+  EXPECT_THAT(summary(comparison, {}), HasSubstr("flags: -O3 -> -O0"));
   EXPECT_EQ(compare(base, now, {.time = {}, .time_always = true}).exit_code(), 3);
 
   now.environment[2].value = "-O3";
@@ -160,6 +162,83 @@ TEST(Compare, UnlikeEnvironmentsAreFlaggedAndTimesAreNoGateUnlessAsked) {
   EXPECT_TRUE(compare(base, now).time_judged);
   now.runs[0].timing_mark = "sanitised";
   EXPECT_FALSE(compare(base, now).time_judged);
+}
+
+/// The whole program slower by so many per cent, in files of a quiet and of a loaded machine.
+TEST(Compare, ASlowerProgramNeverPassesWhatWasNotJudged) {
+  const Results base = results_of(15, 1);
+  for (const double percent : {3.0, 5.0, 10.0, 20.0, 50.0}) {
+    Results now = results_of(15, 2);
+    for (Row& run : now.runs) run.wall_s *= 1 + percent / 100;
+    const Comparison quiet = compare(base, now);
+    if (percent >= 10) {
+      EXPECT_EQ(quiet.word(), "REGRESSED") << percent;
+    }
+    if (percent >= 5) {
+      EXPECT_NE(quiet.exit_code(), 0) << percent;
+    }
+    EXPECT_THAT(summary(quiet, {}), HasSubstr("judged: drawings and times")) << percent;
+
+    now.environment.push_back({"load_before", "1.90 1.00 1.00", 0});
+    const Comparison loaded = compare(base, now);
+    EXPECT_EQ(loaded.word(), "UNJUDGED") << percent;
+    EXPECT_EQ(loaded.exit_code(), 7) << percent;
+    EXPECT_EQ(loaded.count(Verdict::pass), 0u) << percent;
+    EXPECT_THAT(summary(loaded, {}), HasSubstr("judged: drawings only")) << percent;
+  }
+}
+
+TEST(Compare, FewPairsOrMuchNoiseAreInconclusiveAndNoPass) {
+  const Results base = results_of(1, 1);
+  Results now = results_of(1, 2);
+  const Comparison few = compare(base, now);
+  EXPECT_EQ(few.word(), "INCONCLUSIVE");
+  EXPECT_EQ(few.exit_code(), 6);
+  now = results_of(15, 2);
+  now.runs[0].extents[0] -= 1;  // better, but the noise of the times hides everything
+  for (std::size_t i = 0; i < now.runs.size(); ++i) now.runs[i].wall_s *= i % 2 == 0 ? 0.7 : 1.4;
+  EXPECT_EQ(compare(results_of(15, 1), now).word(), "INCONCLUSIVE");
+}
+
+TEST(Compare, AFileAgainstItselfPassesWhateverTheMachineWasDoing) {
+  Results base = results_of(1, 1);  // too few pairs for any test
+  base.environment.push_back({"load_before", "7.00 7.00 7.00", 0});
+  base.runs[0].timing_mark = "sanitised";
+  base.runs[5].status = RunStatus::refused;
+  const Comparison comparison = compare(base, base);
+  EXPECT_EQ(comparison.word(), "PASS");
+  EXPECT_EQ(comparison.exit_code(), 0);
+  Results other = base;
+  other.runs[3].wall_s *= 1 + 1e-9;  // another measurement after all
+  EXPECT_EQ(compare(base, other).word(), "UNJUDGED");
+}
+
+TEST(Compare, DrawingsAloneAreJudgedIfThatIsAsked) {
+  Results now = results_of(15, 2);
+  for (Row& run : now.runs) run.wall_s *= 2;
+  const CompareOptions drawings{.time = {}, .drawings_only = true};
+  const Comparison comparison = compare(results_of(15, 1), now, drawings);
+  EXPECT_EQ(comparison.word(), "DRAWINGS PASS");
+  EXPECT_EQ(comparison.exit_code(), 0);
+  EXPECT_THAT(summary(comparison, drawings), HasSubstr("largest changes of time (NOT JUDGED)"));
+  now.runs[0].extents[0] += 1;
+  EXPECT_EQ(compare(results_of(15, 1), now, drawings).exit_code(), 3);
+}
+
+TEST(Compare, TheLargestChangesAreShownWhateverTheVerdict) {
+  Results now = results_of(15, 2);
+  for (Row& run : now.runs) {
+    if (run.algorithm == "grid" && run.family == "family4" && run.n == 1024) {
+      run.wall_s *= 1.03;
+      run.extents = {run.extents[1], run.extents[0], run.extents[2] - 1};
+    }
+  }
+  const Comparison comparison = compare(results_of(15, 1), now);
+  const std::string text = summary(comparison, {});
+  const std::size_t volumes = text.find("largest changes of volume\n");
+  ASSERT_NE(volumes, std::string::npos) << text;
+  EXPECT_NE(text.find("grid on family4 n=1024", volumes), std::string::npos) << text;
+  EXPECT_THAT(text, HasSubstr("largest changes of time (judged)"));
 }
 
 TEST(Compare, RoundsArePairsOfTheirSmallestTimes) {
@@ -227,8 +306,8 @@ TEST(Compare, JsonHoldsTheVerdictAndNullForWhatIsMissing) {
   Results now = results_of(1, 2);
   now.runs[0].extents[0] += 5;
   const Calibration calibration = calibrate({{0.1}}, {}, 10);
-  const auto json = nlohmann::json::parse(
-      comparison_json(compare(results_of(1, 1), now), {}, false, &calibration));
+  const auto json =
+      nlohmann::json::parse(comparison_json(compare(results_of(1, 1), now), {}, &calibration));
   EXPECT_EQ(json.at("verdict"), "REGRESSED");
   EXPECT_EQ(json.at("exit_code"), 3);
   EXPECT_EQ(json.at("cells").size(), 20u);

@@ -16,7 +16,9 @@ namespace ar3d::testing {
 /// fifteen rounds and a random walk of 1 % a process, half of which an A meets before its B.
 class MachineNoise {
  public:
-  MachineNoise(std::uint64_t seed, std::uint64_t trial) : random_(seed, trial) {}
+  /// @param burst_percent  of the repetitions: 10 on a quiet machine, more on a loaded one.
+  MachineNoise(std::uint64_t seed, std::uint64_t trial, std::uint32_t burst_percent = 10)
+      : random_(seed, trial), burst_percent_(burst_percent) {}
 
   /// log(B / A) of every cell and round, the sides in turns, the smallest of `repetitions` each.
   /// @param slowdown  of B, by cell: log(true B / true A).
@@ -53,11 +55,12 @@ class MachineNoise {
 
   double repetition() {
     const double noise = 0.03 * normal(random_);
-    if (!random_.chance(1, 10)) return noise;
+    if (!random_.chance(burst_percent_, 100)) return noise;
     return noise + std::log1p(0.1 / (1 - random_.unit()));
   }
 
   RandomStream random_;
+  std::uint32_t burst_percent_;
   double clock_ = 0;
   double walk_ = 0;
 };

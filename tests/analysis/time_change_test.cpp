@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 #include "ar3d/analysis/compare/calibration.h"
@@ -58,6 +59,35 @@ TEST(TimeChange, TenPercentInOneCellAmongAllAreFoundNinetyNineTimesOfAHundred) {
   RecordProperty("others", static_cast<int>(others));
   EXPECT_GE(found * 100, kTrials * 99);
   EXPECT_LE(others, kCells * kTrials / 1000);
+}
+
+/// Builds that take turns, slower by so many per cent, quiet and loaded (half of the repetitions
+/// hit by bursts). docs/analysis.md quotes what this prints.
+TEST(TimeChange, ASlowerBuildNeverPassesUnnoticed) {
+  constexpr std::size_t kTrials = 20;
+  for (const std::uint32_t bursts : {10U, 50U}) {
+    for (const double percent : {3.0, 5.0, 10.0, 20.0, 50.0}) {
+      std::size_t slower = 0, same = 0;
+      for (std::size_t trial = 0; trial < kTrials; ++trial) {
+        const std::vector<double> slowdown(kCells, std::log1p(percent / 100));
+        MachineNoise machine(16, trial, bursts);
+        const auto verdicts = judge_times(machine.rounds(slowdown, kRounds, kRepetitions), {});
+        slower += count(verdicts, TimeChange::slower);
+        same += count(verdicts, TimeChange::same);
+      }
+      std::printf("%4.0f %% slower, %u %% bursts: slower %zu, same %zu of %zu cells\n", percent,
+                  bursts, slower, same, kCells * kTrials);
+      if (percent >= 5) {
+        EXPECT_LE(same * 100, kCells * kTrials * 5) << percent << " " << bursts;
+      }
+      if (percent >= 10) {
+        EXPECT_EQ(same, 0U) << percent << " " << bursts;
+      }
+      if (percent >= 20) {
+        EXPECT_GE(slower * 100, kCells * kTrials * 99) << percent << " " << bursts;
+      }
+    }
+  }
 }
 
 TEST(TimeChange, TenPercentFasterIsAnImprovementAndTwoPercentArePassed) {

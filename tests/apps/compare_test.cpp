@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "ar3d/results/run_record.h"
@@ -13,6 +14,7 @@ namespace ar3d {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using testing::Outcome;
 using testing::read_file;
 using testing::run;
@@ -166,6 +168,81 @@ TEST(CompareProgram, GoogleBenchmarkReportsAreReadAndItsOwnToolReadsOurs) {
   EXPECT_EQ(ours.exit_code, 3) << ours.out << ours.err;
 }
 
+/// A checkout whose build runs `command`, and then gives the program of this test.
+std::string pretended_checkout(const ScratchDirectory& scratch, const std::string& command) {
+  const std::string checkout = scratch.path("checkout");
+  std::filesystem::create_directories(checkout + "/apps");
+  std::ofstream(checkout + "/CMakeLists.txt")
+      << "cmake_minimum_required(VERSION 3.20)\nproject(pretended NONE)\n"
+         "add_custom_target(ar3d_program COMMAND "
+      << command
+      << " COMMAND ${CMAKE_COMMAND} -E make_directory apps COMMAND ${CMAKE_COMMAND} -E copy "
+         "$ENV{AR3D_PROGRAM} apps/ar3d)\n";
+  const Outcome made =
+      run("cd " + checkout +
+          " && touch apps/study.cpp && git init -q && git add -A && git -c user.name=t -c "
+          "user.email=t@t commit -qm first");
+  EXPECT_EQ(made.exit_code, 0) << made.err;
+  return checkout;
+}
+
+/// What a build may not leave behind.
+void expect_no_worktree(const std::string& checkout) {
+  const Outcome trees = run("git -C " + checkout + " worktree list");
+  EXPECT_EQ(std::count(trees.out.begin(), trees.out.end(), '\n'), 1) << trees.out;
+  for (const auto& entry : std::filesystem::directory_iterator(checkout + "/build/compare")) {
+    EXPECT_THAT(entry.path().string(), Not(HasSubstr("sources")));
+    EXPECT_THAT(entry.path().string(), Not(HasSubstr("run-")));
+  }
+}
+
+TEST(CompareProgram, ACommitIsBuiltOnceAndItsWorktreeGoes) {
+  const ScratchDirectory scratch;
+  const std::string spec = scratch.write("tiny.toml", kStudy);
+  const std::string checkout = pretended_checkout(scratch, "true");
+  const std::string command = "cd " + checkout +
+                              " && AR3D_PROGRAM=$(realpath {}) {} compare --base HEAD --rounds 1 "
+                              "--study " +
+                              spec;
+  const Outcome first = run(command), second = run(command);
+  EXPECT_EQ(first.exit_code, 6) << first.out << first.err;  // one round decides nothing
+  EXPECT_THAT(first.err, HasSubstr("building HEAD"));
+  EXPECT_THAT(first.err, HasSubstr("round 1 of 1"));
+  EXPECT_EQ(second.exit_code, 6) << second.out << second.err;
+  EXPECT_THAT(second.err, Not(HasSubstr("building")));
+  expect_no_worktree(checkout);
+}
+
+TEST(CompareProgram, AnInterruptSaysSoAndLeavesNothingBehind) {
+  const ScratchDirectory scratch;
+  const std::string spec = scratch.write("tiny.toml", kStudy);
+  const std::string checkout = pretended_checkout(scratch, "sleep 600");
+  for (const char* signal : {"INT", "TERM"}) {
+    const Outcome outcome =
+        run("cd " + checkout + " && AR3D_PROGRAM=$(realpath {}) timeout --preserve-status -s " +
+            signal + " 4 {} compare --base HEAD --study " + spec);
+    EXPECT_EQ(outcome.exit_code, 130) << outcome.out << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("interrupted while building HEAD"));
+    expect_no_worktree(checkout);
+  }
+  const Outcome rounds = run("cd " + checkout +
+                             " && timeout --preserve-status -s INT 3 {} compare --calibrate "
+                             "--rounds 1000 --study " +
+                             spec);
+  EXPECT_EQ(rounds.exit_code, 130) << rounds.out << rounds.err;
+  EXPECT_THAT(rounds.err, HasSubstr("ar3d: interrupted in round"));
+  expect_no_worktree(checkout);
+}
+
+TEST(CompareProgram, ABuildThatFailsNamesItsLogAndLeavesNoWorktree) {
+  const ScratchDirectory scratch;
+  const std::string checkout = pretended_checkout(scratch, "false");
+  const Outcome outcome = run("cd " + checkout + " && {} compare --base HEAD");
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
+  EXPECT_THAT(outcome.err, HasSubstr(".log"));
+  expect_no_worktree(checkout);
+}
+
 TEST(CompareProgram, BuildsTakeTurnsAndTheMachineIsCalibrated) {
   const ScratchDirectory scratch;
   const std::string spec = scratch.write("tiny.toml", kStudy);
@@ -173,7 +250,7 @@ TEST(CompareProgram, BuildsTakeTurnsAndTheMachineIsCalibrated) {
   const Outcome outcome =
       run("cd " AR3D_SOURCE_DIR " && {} compare --calibrate --rounds 2 --study " + spec +
           " --json " + verdict);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_EQ(outcome.exit_code, 6) << "two rounds decide nothing: " << outcome.out << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("round 2 of 2"));
   EXPECT_THAT(outcome.out, HasSubstr("the program against itself"));
   const auto json = nlohmann::json::parse(read_file(verdict));
