@@ -1,6 +1,7 @@
 #include "ar3d/analysis/check.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -9,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <span>
 #include <string_view>
 #include <tuple>
 
@@ -128,19 +130,51 @@ class Repetitions {
   std::set<std::tuple<RunPhase, std::int64_t, std::int64_t>> measured_;
 };
 
-/// Rows by a hash of their key; rows of one key are neighbours, in file order.
-using RowsByHash = std::vector<std::pair<std::size_t, std::size_t>>;
+/// What is kept of a row: hashes, so that only rows that may be wrong are read again.
+struct Fingerprint {
+  std::size_t key = 0;          ///< of repetition_key
+  std::size_t row = 0;          ///< so that rows of one key are neighbours, in file order
+  std::size_t measurement = 0;  ///< of phase, scale and repetition
+  std::size_t drawing = 0;      ///< of drawing_columns; 0: the row is not ok
+  auto operator<=>(const Fingerprint&) const = default;
+};
 
-Findings repetition_findings(const RowView& rows, RowsByHash by_hash) {
+Fingerprint fingerprint_of(const RunRecord& run, std::size_t row) {
+  const std::hash<std::string> hash;
+  Fingerprint print{hash(repetition_key(run)), row, 0, 0};
+  print.measurement =
+      hash(fmt::format("{} {} {}", static_cast<int>(run.phase), run.scale, run.repetition));
+  if (run.status == RunStatus::ok) {
+    print.drawing = hash(fmt::format("{}\n{}\n{} {} {}\n{}\n{}\n{}\n{}", run.graph_hash,
+                                     run.drawing_hash, run.n, run.m, run.violations,
+                                     fmt::join(run.extents, " "), fmt::join(run.bends, " "),
+                                     fmt::join(run.instance_bound, " "), run.counters)) |
+                    1;
+  }
+  return print;
+}
+
+/// Whether rows of one key may hold a measurement twice or different drawings.
+bool is_suspicious(std::span<const Fingerprint> prints) {
+  std::set<std::size_t> measurements, drawings;
+  for (const Fingerprint& print : prints) {
+    if (!measurements.insert(print.measurement).second) return true;
+    if (print.drawing != 0) drawings.insert(print.drawing);
+  }
+  return drawings.size() > 1;
+}
+
+Findings repetition_findings(const RowView& rows, std::vector<Fingerprint> prints) {
   Findings findings;
-  std::sort(by_hash.begin(), by_hash.end());
-  for (auto begin = by_hash.begin(); begin != by_hash.end();) {
-    const auto end = std::find_if(begin, by_hash.end(),
-                                  [&](const auto& entry) { return entry.first != begin->first; });
+  std::sort(prints.begin(), prints.end());
+  for (auto begin = prints.begin(); begin != prints.end();) {
+    const auto end = std::find_if(
+        begin, prints.end(), [&](const Fingerprint& print) { return print.key != begin->key; });
     std::map<std::string, Repetitions> drawings;  // more than one if their hashes are equal
-    for (auto at = begin; end - begin > 1 && at != end; ++at) {
-      const RunRecord& run = rows.read(at->second);
-      drawings[repetition_key(run)].look_at(run, at->second, findings);
+    const bool is_read = end - begin > 1 && is_suspicious({begin, end});
+    for (auto at = begin; is_read && at != end; ++at) {
+      const RunRecord& run = rows.read(at->row);
+      drawings[repetition_key(run)].look_at(run, at->row, findings);
     }
     begin = end;
   }
@@ -273,16 +307,16 @@ CheckVerdict check(const RowView& rows) {
   verdict.rows = rows.count;
   bool any_drawn = false;
   std::vector<bool> is_ok(rows.count);
-  RowsByHash by_hash(rows.count);
+  std::vector<Fingerprint> prints(rows.count);
   for (std::size_t row = 0; row < rows.count; ++row) {
     const RunRecord& run = rows.read(row);
     add(row_findings(run, row), verdict.findings);
     is_ok[row] = run.status == RunStatus::ok;
     any_drawn = any_drawn || is_ok[row] || run.status == RunStatus::violated;
     verdict.refused += run.status == RunStatus::refused;
-    by_hash[row] = {std::hash<std::string>()(repetition_key(run)), row};
+    prints[row] = fingerprint_of(run, row);
   }
-  add(repetition_findings(rows, std::move(by_hash)), verdict.findings);
+  add(repetition_findings(rows, std::move(prints)), verdict.findings);
   if (!any_drawn) {
     const std::string why = rows.count == 0 ? "the file has no rows" : "no row was drawn";
     verdict.findings.push_back({FindingKind::nothing_measured, {}, "nothing measured: " + why});

@@ -59,7 +59,8 @@ RowView view_of(const Results& results);
 /// Rows that stay in their file. The reader outlives the view. @throws InputError when reading.
 RowView view_of(ResultsReader& reader);
 
-/// Looks at every row. Cost: O(r log r) time for r rows, 16 bytes a row and what the findings take.
+/// Looks at every row, once and in file order, and again at those whose repetitions differ. Cost:
+/// O(r log r) time for r rows, 32 bytes a row and what the findings take.
 CheckVerdict check(const RowView& rows);
 CheckVerdict check(const Results& results);
 

@@ -189,8 +189,10 @@ TEST(Compare, ASlowerProgramNeverPassesWhatWasNotJudged) {
 }
 
 TEST(Compare, FewPairsOrMuchNoiseAreInconclusiveAndNoPass) {
-  const Results base = results_of(1, 1);
-  Results now = results_of(1, 2);
+  Results base = results_of(1, 1), now = results_of(1, 2);
+  for (Results* side : {&base, &now}) {
+    std::erase_if(side->runs, [](const Row& run) { return run.n > 64; });
+  }
   const Comparison few = compare(base, now);
   EXPECT_EQ(few.word(), "INCONCLUSIVE");
   EXPECT_EQ(few.exit_code(), 6);
