@@ -81,9 +81,9 @@ std::vector<std::string> long_functions(const Lines& lines) {
 
 std::vector<fs::path> sources() {
   std::vector<fs::path> found;
-  for (const char* folder : {"model", "formats", "generators", "algorithms", "verify", "results",
-                             "bench", "analysis", "apps", "tests"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(AR3D_SOURCE_DIR) / folder)) {
+  for (const auto& folder : fs::directory_iterator(AR3D_SOURCE_DIR)) {
+    if (!fs::exists(folder.path() / "CMakeLists.txt")) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
       const fs::path& path = entry.path();
       if (path.extension() == ".h" || path.extension() == ".cpp") found.push_back(path);
     }
