@@ -22,8 +22,10 @@
 namespace ar3d::two_bend {
 namespace {
 
-// Up to this many vertices the promised box fits the integers used, so no check of widths can fail.
-constexpr std::int64_t kMostVertices = 26'843'543;
+// Up to this many vertices no check of integer widths can fail: the promised box fits, and so does
+// whatever ten ordinary rounds can widen a list to (Lemma 2.18).
+constexpr std::int64_t kMostVertices = 12'000'000;
+static_assert(88 * kMostVertices + 200 <= kMaxHorizontal);
 static_assert(40 * kMostVertices + 80 <= kMaxHorizontal);
 static_assert(1000 * kMostVertices * kMostVertices + 1000 < kMaxCoordinate);
 
