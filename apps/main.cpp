@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <new>
+#include <system_error>
 
 #include "ar3d/model/error.h"
 #include "ar3d/model/printable.h"
@@ -47,14 +50,30 @@ int run(int argc, char** argv) {
   return exit_code;
 }
 
+// A verdict that nobody could read is none: standard output that could not take all of it (a full
+// disk) is an error of every verb.
+int with_output_flushed(int exit_code) {
+  errno = 0;
+  const bool flushed = std::fflush(stdout) == 0;
+  if (flushed && std::ferror(stdout) == 0) return exit_code;
+  fmt::print(stderr, "ar3d: cannot write to standard output: {}\n",
+             std::strerror(errno != 0 ? errno : EIO));
+  return ar3d::kUsage;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    return run(argc, argv);
+    return with_output_flushed(run(argc, argv));
   } catch (const ar3d::InputError& error) {
     fmt::print(stderr, "ar3d: {}\n", ar3d::printable(error.what()));
     return ar3d::kUsage;
+  } catch (const std::system_error& error) {
+    const bool is_output = std::ferror(stdout) != 0;
+    fmt::print(stderr, "ar3d: {}{}\n", is_output ? "cannot write to standard output: " : "",
+               is_output ? error.code().message() : error.what());
+    return is_output ? ar3d::kUsage : ar3d::kInternalError;
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "ar3d: out of memory\n");
     return ar3d::kInternalError;

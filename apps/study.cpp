@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -18,6 +19,7 @@
 #include "ar3d/bench/run/run_study.h"
 #include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/model/error.h"
+#include "ar3d/model/printable.h"
 #include "ar3d/results/atomic_file.h"
 #include "ar3d/results/hdf5/results_reader.h"
 #include "ar3d/results/journal/journal_writer.h"
@@ -34,6 +36,7 @@ struct RunArguments {
   std::string study;
   std::string output;
   std::string shard;
+  std::vector<std::string> again;
   int threads = 0;
   bool quiet = false;
   bool force = false;
@@ -43,7 +46,11 @@ struct RunArguments {
 std::atomic<bool> g_stop{false};
 static_assert(std::atomic<bool>::is_always_lock_free);  // so that a signal handler may set it
 
-void ask_to_stop(int) { g_stop = true; }
+// The second time it ends the program at once: what is acknowledged is in the journal.
+void ask_to_stop(int signal) {
+  g_stop = true;
+  std::signal(signal, SIG_DFL);
+}
 
 // A report of more rows is made on demand only: it takes about 2 kB of memory a row.
 constexpr std::size_t kMostReportedRows = 100000;
@@ -168,14 +175,41 @@ void add_run(CLI::App& study, int& exit_code) {
   });
 }
 
+// @throws InputError naming what is no status, or none whose rows are worth making again.
+std::vector<RunStatus> statuses(const std::vector<std::string>& words) {
+  constexpr RunStatus kAll[] = {RunStatus::timeout, RunStatus::out_of_memory, RunStatus::crashed,
+                                RunStatus::refused, RunStatus::violated};
+  std::vector<RunStatus> statuses;
+  for (const std::string& word : words) {
+    const auto at = std::find_if(std::begin(kAll), std::end(kAll),
+                                 [&](RunStatus status) { return word == to_string(status); });
+    if (at == std::end(kAll)) {
+      throw InputError(fmt::format(
+          "--again '{}': rows that can be made again are timeout, out_of_memory, crashed, refused "
+          "and violated",
+          printable(word)));
+    }
+    statuses.push_back(*at);
+  }
+  return statuses;
+}
+
 void add_resume(CLI::App& study, int& exit_code) {
   CLI::App* verb = study.add_subcommand("resume", "Goes on with a study that was ended early");
   const auto arguments = std::make_shared<RunArguments>();
   verb->add_option("FILE", arguments->study, "its results file or its journal")->required();
+  verb->add_option("--again", arguments->again,
+                   "make rows with this status again: timeout, out_of_memory, crashed, refused, "
+                   "violated; may be given several times");
   add_common(*verb, *arguments);
   verb->footer("Rows that are there stay as they are.\nExample: ar3d study resume ar3d-quick.h5");
   verb->callback([arguments, &exit_code] {
-    exit_code = make_study(*arguments, [&] { return begun_study(arguments->study); });
+    const std::vector<RunStatus> again = statuses(arguments->again);
+    exit_code = make_study(*arguments, [&] {
+      JournaledStudy study = begun_study(arguments->study);
+      study.again = again;
+      return study;
+    });
   });
 }
 

@@ -6,6 +6,7 @@
 #include <exception>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "ar3d/bench/keep/gather_rows.h"
@@ -37,12 +38,64 @@ RowCollection rows_so_far(const JournaledStudy& study) {
   return rows;
 }
 
-// An unfinished results file without journals becomes a journal, whole or not at all.
+StudyPlan plan_of(const JournaledStudy& study) {
+  return plan_of_shard(plan_study(study.spec), study.shard);
+}
+
+StudyOutcome write_rows_so_far(const JournaledStudy& study, const StudyPlan& plan,
+                               const std::string& path) {
+  const RowCollection rows = rows_so_far(study);
+  const GatheredRows gathered = gather_rows(plan, rows);
+  write_gathered(rows.identity(), gathered, rows, path);
+  return {gathered.places.size(), gathered.missing, gathered.first_missing, {}};
+}
+
+// Copies rows from a study's files into a new journal, session by session.
+void copy_rows(const RowCollection& rows, const std::function<bool(const char* record)>& is_kept,
+               JournalWriter& journal) {
+  std::vector<EnvironmentEntry> session;
+  for (const EnvironmentEntry& entry : rows.environment()) {
+    if (entry.session != (session.empty() ? 0 : session.back().session)) {
+      journal.begin_session(session);
+      session.clear();
+    }
+    session.push_back(entry);
+  }
+  journal.begin_session(session);
+  std::vector<char> record(run_record_size());
+  for (std::size_t place = 0; place < rows.size(); ++place) {
+    rows.read(place, record.data());
+    if (is_kept(record.data())) journal.append_record(record.data());
+  }
+  journal.sync();
+}
+
+bool is_again(const JournaledStudy& study, const char* record) {
+  if (study.again.empty()) return false;
+  const RunStatus status = load_record(record).status;
+  return std::find(study.again.begin(), study.again.end(), status) != study.again.end();
+}
+
+// Rows are only taken away from a study that is whole in its results file. @throws InputError if
+// another process is at work with it.
+void fold_journals(const JournaledStudy& study, const StudyIdentity& identity) {
+  std::vector<std::unique_ptr<JournalWriter>> locked;
+  for (const std::string& journal : existing_journals(study.results)) {
+    locked.push_back(std::make_unique<JournalWriter>(journal, identity));
+  }
+  if (!rows_are_in_results(study.results)) {
+    write_rows_so_far(study, plan_of(study), study.results);
+  }
+  remove_journals(study.results);
+}
+
+// A results file without journals becomes a journal, whole or not at all.
 void seed_journal(const JournaledStudy& study, const StudyIdentity& identity) {
   if (study.has_journals && existing_journals(study.results).empty()) {
     throw InputError(fmt::format("{}: another process has finished the study", study.results));
   }
-  if (!study.seed_from_results) return;
+  if (!study.again.empty()) fold_journals(study, identity);
+  if (!study.seed_from_results && study.again.empty()) return;
   const std::string journal_of_study = journal_path(study.results);
   const std::string seed = name_of_new_file(journal_of_study);
   {
@@ -50,28 +103,15 @@ void seed_journal(const JournaledStudy& study, const StudyIdentity& identity) {
     rows.add(study.results);
     rows.close();
     JournalWriter journal(seed, identity);
-    std::vector<EnvironmentEntry> session;
-    for (const EnvironmentEntry& entry : rows.environment()) {
-      if (entry.session != (session.empty() ? 0 : session.back().session)) {
-        journal.begin_session(session);
-        session.clear();
-      }
-      session.push_back(entry);
+    copy_rows(
+        rows, [&study](const char* record) { return !is_again(study, record); }, journal);
+    if (!study.again.empty()) {
+      fmt::print(stderr, "ar3d: {} of {} rows are made again\n", rows.size() - journal.rows(),
+                 rows.size());
     }
-    journal.begin_session(session);
-    std::vector<char> record(run_record_size());
-    for (std::size_t place = 0; place < rows.size(); ++place) {
-      rows.read(place, record.data());
-      journal.append_record(record.data());
-    }
-    journal.sync();
   }
   // Not by replacing: another process may have made the same journal and be at work with it.
   give_name_if_free(seed, journal_of_study);
-}
-
-StudyPlan plan_of(const JournaledStudy& study) {
-  return plan_of_shard(plan_study(study.spec), study.shard);
 }
 
 StudyIdentity identity_of(const JournaledStudy& study, const StudyPlan& plan) {
@@ -127,14 +167,6 @@ void together(Ranks& ranks, const std::function<void()>& step) {
   if (told.empty()) return;
   if (told[0] == 'F') throw JournalFull(told.substr(1));
   throw InputError(told.substr(1));
-}
-
-StudyOutcome write_rows_so_far(const JournaledStudy& study, const StudyPlan& plan,
-                               const std::string& path) {
-  const RowCollection rows = rows_so_far(study);
-  const GatheredRows gathered = gather_rows(plan, rows);
-  write_gathered(rows.identity(), gathered, rows, path);
-  return {gathered.places.size(), gathered.missing, gathered.first_missing, {}};
 }
 
 }  // namespace
@@ -239,7 +271,8 @@ class Part {
       const Dismissal at_end(ranks_);
       make(shared, rows_so_far(study_));
     } else if (ranks_.size() > 1) {
-      RankBatches batches(plan_, plan_.timing, ranks_.rank());
+      RankBatches batches(plan_, plan_.timing, ranks_.rank(),
+                          [this] { return options_.stop != nullptr && options_.stop->load(); });
       ranks_.help([&](const std::string& job) { return batches.make_ready(job); });
     }
     journal_->end_session({{"load_after", load_average()}});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "ar3d/bench/run/ranks.h"
 #include "ar3d/bench/run/run_study.h"
@@ -17,6 +18,9 @@ struct JournaledStudy {
   std::string created;             ///< when it began, ISO 8601 with zone
   bool seed_from_results = false;  ///< its rows so far are in the results file and nowhere else
   bool has_journals = false;       ///< its rows so far are in journals
+  /// Rows with such a status are made again: what is there of them is forgotten once the rows so
+  /// far are in the results file, which keeps them until the study ends anew.
+  std::vector<RunStatus> again = {};
 };
 
 /// How it stands with a journaled study.
@@ -24,7 +28,7 @@ struct StudyOutcome {
   std::size_t rows = 0;        ///< in the results file
   std::size_t missing = 0;     ///< rows that it is not complete without
   std::string first_missing;   ///< key of one
-  std::string missing_shards;  ///< "2, 5"; of a merged study
+  std::string missing_shards;  ///< "2, 5-8"; of a merged study
   bool complete() const { return missing == 0; }
 };
 

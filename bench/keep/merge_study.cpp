@@ -20,17 +20,21 @@ void require_one_division(const std::vector<Shard>& shards) {
   }
 }
 
-// "shard 2/8 is missing", or nothing.
+// "2, 5-8", or nothing. In time proportional to the shards that are there, however many there are
+// to be.
 std::string missing_shards(const std::vector<Shard>& shards) {
   std::string missing;
-  std::size_t next = 0;
-  for (std::uint32_t index = 1; index <= shards.front().count; ++index) {
-    if (next < shards.size() && shards[next].index == index) {
-      ++next;
-    } else {
-      missing += fmt::format("{}{}", missing.empty() ? "" : ", ", index);
-    }
+  const auto add = [&missing](std::uint64_t first, std::uint64_t last) {
+    if (first > last) return;
+    if (!missing.empty()) missing += ", ";
+    missing += first == last ? fmt::format("{}", first) : fmt::format("{}-{}", first, last);
+  };
+  std::uint64_t next = 1;
+  for (const Shard& shard : shards) {
+    add(next, std::uint64_t{shard.index} - 1);
+    next = std::uint64_t{shard.index} + 1;
   }
+  add(next, shards.front().count);
   return missing;
 }
 

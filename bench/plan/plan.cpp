@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t kMaxRows = 10000000;
 constexpr std::uint64_t kProbeSize = 1000;
+constexpr std::uint64_t kLargestProbe = 100 * kProbeSize;
 
 // "a=1;b=2" for ParameterValues and OptionValues.
 template <class Values>
@@ -26,11 +27,15 @@ std::string settings_text(const Values& values) {
 }
 
 // The largest degree of the family's graphs: of the largest one that the sweep asks for up to
-// kProbeSize, or one of kProbeSize if it asks for larger ones only.
+// kProbeSize, or one of kProbeSize if it asks for larger ones only. Where the parameters make even
+// that one far larger, planning does not generate it: what the catalogue says has to do.
 std::uint32_t probed_degree(const FamilyChoice& choice, const std::vector<std::uint64_t>& sizes) {
   std::uint64_t wanted = std::min(sizes.front(), kProbeSize);
   for (const std::uint64_t size : sizes) {
     if (size <= kProbeSize) wanted = size;
+  }
+  if (choice.family->nearest_n(wanted, choice.parameters) > kLargestProbe) {
+    return choice.family->max_degree;
   }
   return generate(*choice.family, wanted, 0, choice.parameters).max_degree();
 }

@@ -8,9 +8,12 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <new>
 #include <set>
 #include <tuple>
+#include <type_traits>
 
+#include "ar3d/bench/measure/limited_process.h"
 #include "ar3d/bench/measure/one_thread.h"
 #include "ar3d/bench/measure/stopwatch.h"
 #include "ar3d/bench/run/make_row.h"
@@ -59,15 +62,14 @@ struct Measured {
   double bytes = 0;
 };
 
-// The better of two goes: the first one pays for cold caches. CPU time, since what else runs now
-// says nothing about when the study runs.
-Measured measured_at(const PlannedInstance& like, const PlannedRun& run, std::uint64_t wanted_n) {
-  PlannedInstance instance = like;
-  instance.wanted_n = wanted_n;
+// The better of two goes, the first of which pays for cold caches, unless that is nothing beside
+// it. CPU time, since what else runs now says nothing about when the study runs.
+Measured measured_here(const PlannedInstance& instance, const PlannedRun& run) {
+  constexpr double kLong_s = 1;
   const OneThread one_thread;
   Measured best;
   best.row_s = std::numeric_limits<double>::infinity();
-  for (int go = 0; go < 2; ++go) {
+  for (int go = 0; go < 2 && (go == 0 || best.row_s < kLong_s); ++go) {
     malloc_trim(0);  // else what is freed hides what is used
     RowMaker maker({.concurrency = 1, .core = -1, .memory = MemoryScope::row});
     RowMemory memory(MemoryScope::row);
@@ -76,6 +78,7 @@ Measured measured_at(const PlannedInstance& like, const PlannedRun& run, std::ui
     maker.prepare(instance);
     const RunRecord row = maker.make(run);
     const double seconds = time.cpu_s();
+    if (row.status == RunStatus::out_of_memory) throw std::bad_alloc();
     if (!is_drawn(row)) return {};
     const auto used = static_cast<double>(row.peak_bytes - std::min(before, row.base_bytes));
     best.n = static_cast<double>(row.n);
@@ -86,11 +89,50 @@ Measured measured_at(const PlannedInstance& like, const PlannedRun& run, std::ui
   return best;
 }
 
-CostModel calibrated(const PlannedInstance& instance, const PlannedRun& run,
-                     std::uint64_t largest) {
+std::string passed(StepEnd end, const Budget& budget, std::uint64_t n) {
+  if (end == StepEnd::out_of_time) {
+    return fmt::format("twice its limit: budget.row_time gives {:.3g} s", (*budget.row_time_s)(n));
+  }
+  if (!budget.row_memory_bytes) return "this machine's memory";
+  return fmt::format("twice its limit: budget.row_memory gives {:.3g} bytes",
+                     (*budget.row_memory_bytes)(n));
+}
+
+// In a process of its own, which may use twice what the study gives such a row: where that does not
+// do, the row is impossible. Smaller rows of the same kind may be possible; the plan has larger
+// ones.
+Measured measured_at(const PlannedInstance& like, const PlannedRun& run, std::uint64_t wanted_n,
+                     const Budget& budget) {
+  PlannedInstance instance = like;
+  instance.wanted_n = wanted_n;
+  const std::uint64_t n = like.choice.family->nearest_n(wanted_n, like.choice.parameters);
+  StepLimits limits{.cpu_s = {}, .memory_bytes = available_memory()};
+  if (budget.row_time_s) limits.cpu_s = 2 * (*budget.row_time_s)(n) + 1;
+  if (budget.row_memory_bytes) {
+    limits.memory_bytes = std::min(*limits.memory_bytes, 2 * (*budget.row_memory_bytes)(n));
+  }
+  Measured measured;
+  static_assert(std::is_trivially_copyable_v<Measured>);
+  const StepEnd end = run_within(limits, {reinterpret_cast<char*>(&measured), sizeof measured},
+                                 [&] { measured = measured_here(instance, run); });
+  if (end == StepEnd::done) return measured;
+  if (end == StepEnd::failed) return {};  // the row will say why
+  throw InputError(fmt::format("{} {}n={} with {} {} is impossible: planning it passed {}",
+                               like.choice.family->name,
+                               like.parameters.empty() ? "" : like.parameters + " ", n,
+                               run.choice.algorithm->name, run.options, passed(end, budget, n)));
+}
+
+CostModel calibrated(const PlannedInstance& instance, const PlannedRun& run, std::uint64_t largest,
+                     const Budget& budget) {
   const std::uint64_t size = calibration_size(largest);
-  const Measured small = measured_at(instance, run, std::max<std::uint64_t>(1, size / kSizeRatio));
-  const Measured large = measured_at(instance, run, size);
+  const std::uint64_t smaller = std::max<std::uint64_t>(1, size / kSizeRatio);
+  const Measured small = measured_at(instance, run, smaller, budget);
+  const auto n_of = [&](std::uint64_t wanted) {
+    return instance.choice.family->nearest_n(wanted, instance.choice.parameters);
+  };
+  const Measured large =
+      n_of(size) == n_of(smaller) ? small : measured_at(instance, run, size, budget);
   return {law_through(small.n, small.row_s, large.n, large.row_s),
           law_through(small.n, small.draw_s, large.n, large.draw_s),
           large.n > 0 ? std::max(0.0, large.bytes) / large.n : 0};
@@ -186,7 +228,8 @@ class Estimator {
                                 });
     }
     const CostModel& model =
-        models_.emplace(key, calibrated(instance, run, largest_.at(key))).first->second;
+        models_.emplace(key, calibrated(instance, run, largest_.at(key), plan_.budget))
+            .first->second;
     result_.calibration_n = std::max(result_.calibration_n, calibration_size(largest_.at(key)));
     alike.push_back(&model);
     return model;

@@ -39,7 +39,10 @@ struct StudyEstimate {
 };
 
 /// Draws each family with each algorithm at two sizes, the larger one 3000 or a thirtieth of the
-/// largest planned, but at most 33,333: a few seconds for the whole catalogue.
+/// largest planned, but at most 33,333: a few seconds for the whole catalogue. Each in a process of
+/// its own that may use twice what the plan's budget gives such a row. To be called while no other
+/// thread runs.
+/// @throws InputError naming a cell of which that is not enough.
 StudyEstimate estimate(const StudyPlan& plan, int threads);
 
 /// Memory that this process may use in bytes: the machine's, or its control group's if that is

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
+#include <optional>
 
 #include "ar3d/bench/run/row_source.h"
 #include "ar3d/bench/run/worker_process.h"
@@ -14,20 +16,43 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using News = WorkerProcess::News;
 
-constexpr auto kPatience = std::chrono::milliseconds(100);  // until stop is asked again
+constexpr double kPatience_s = 0.1;  // until stop is asked again
+
+// Seconds in which this process was awake. It looks at the clock every kPatience_s; a much longer
+// step is one in which it was frozen, and the whole study with it (SIGSTOP, scontrol suspend).
+class AwakeClock {
+ public:
+  double now_s() {
+    const Clock::time_point now = Clock::now();
+    const std::chrono::duration<double> step = now - last_;
+    last_ = now;
+    return awake_s_ += std::min(step.count(), kPatience_s + 1);
+  }
+
+ private:
+  Clock::time_point last_ = Clock::now();
+  double awake_s_ = 0;
+};
 
 // A place for a worker: it has a row in hand, or there is nothing left for it.
 class Slot {
  public:
-  Slot(RowSource& source, const Crew& crew, int number)
+  Slot(RowSource& source, const Crew& crew, AwakeClock& clock, int number)
       : source_(source),
         crew_(crew),
+        clock_(clock),
         number_(number),
         core_(crew.cores.empty() ? -1 : crew.cores.at(static_cast<std::size_t>(number))) {}
 
   bool busy() const { return job_.has_value(); }
   int descriptor() const { return worker_->descriptor(); }
-  Clock::time_point deadline() const { return deadline_; }
+  // Seconds until the row can be late at the earliest; 0: it is late.
+  double left_s() const {
+    if (!limit_s_) return kPatience_s;
+    const double computing = worker_->cpu_s() - cpu_before_s_;
+    const double waiting = clock_.now_s() - began_s_;
+    return std::max(0.0, std::min(*limit_s_ - computing, idle_limit_s(*limit_s_) - waiting));
+  }
 
   // Takes the next row and hands it to the worker, a new one if the last one is gone.
   void begin_next() {
@@ -37,11 +62,10 @@ class Slot {
         fail(why_hopeless_);
         continue;
       }
-      set_deadline();
-      if (worker_ && worker_->send(*job_)) return;
+      if (worker_ && worker_->send(*job_)) return begin_time();
       worker_.reset();
       worker_ = std::make_unique<WorkerProcess>(source_.instances(), crew_, core_);
-      if (worker_->send(*job_)) return;
+      if (worker_->send(*job_)) return begin_time();
       give_up(worker_->end());
     }
   }
@@ -54,10 +78,13 @@ class Slot {
           return false;
         case News::begun:
           begun_ = worker_->row();
-          set_deadline();
+          begin_time();
           break;
         case News::made:
           source_.done(*job_, worker_->row());
+          return true;
+        case News::garbage:
+          give_up({RunStatus::crashed, "its process wrote into the socket that rows come through"});
           return true;
         case News::is_gone:
           give_up(worker_->end());
@@ -67,20 +94,21 @@ class Slot {
   }
 
   void time_out() {
-    const double limit = (*crew_.budget.row_time_s)(job_->instance->n);
     give_up({RunStatus::timeout,
-             fmt::format("no {} within {:.6g} s", begun_ ? "row" : "graph", limit)});
+             fmt::format("no {} within {:.6g} s", begun_ ? "row" : "graph", *limit_s_)});
   }
 
  private:
-  void set_deadline() {
-    deadline_ = Clock::time_point::max();
+  // A row has its limit in CPU time, which neither other jobs nor a pause of the study use up. One
+  // that computes nothing, since it waits for ever, ends after this time awake.
+  static double idle_limit_s(double limit_s) { return 10 * limit_s + 1; }
+
+  void begin_time() {
+    limit_s_.reset();
     if (!crew_.budget.row_time_s) return;
-    const double limit = (*crew_.budget.row_time_s)(job_->instance->n);
-    if (limit < 1e9) {
-      deadline_ = Clock::now() +
-                  std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limit));
-    }
+    limit_s_ = (*crew_.budget.row_time_s)(job_->instance->n);
+    cpu_before_s_ = worker_->cpu_s();
+    began_s_ = clock_.now_s();
   }
 
   // The row ends here, and its worker with it. Where not even the graph came, the other rows of the
@@ -103,37 +131,40 @@ class Slot {
 
   RowSource& source_;
   const Crew& crew_;
+  AwakeClock& clock_;
   int number_;
   int core_;
   std::unique_ptr<WorkerProcess> worker_;
   std::optional<RowJob> job_;
   std::optional<RunRecord> begun_;  // what is known of the row in hand, once its graph is there
-  Clock::time_point deadline_{};
+  std::optional<double> limit_s_;   // of the row or graph in hand
+  double cpu_before_s_ = 0;
+  double began_s_ = 0;
   std::shared_ptr<const PlannedInstance> hopeless_;
   WorkerProcess::End why_hopeless_;
 };
 
-// Waits until a worker has news, a deadline passes or it is time to ask for a stop.
+// Waits until a worker has news, a row may be late or it is time to ask for a stop.
 void wait_for_news(const std::vector<Slot>& slots) {
   std::vector<pollfd> sockets;
-  Clock::time_point until = Clock::now() + kPatience;
+  double left_s = kPatience_s;
   for (const Slot& slot : slots) {
     if (!slot.busy()) continue;
     sockets.push_back({slot.descriptor(), POLLIN, 0});
-    until = std::min(until, slot.deadline());
+    left_s = std::min(left_s, slot.left_s());
   }
-  const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now()).count();
-  poll(sockets.data(), sockets.size(), static_cast<int>(std::max<long long>(0, left)));
+  poll(sockets.data(), sockets.size(), static_cast<int>(std::ceil(1000 * left_s)));
 }
 
 }  // namespace
 
 void make_rows_in_workers(RowSource& source, const Crew& crew) {
   const auto stopped = [&] { return crew.stop && crew.stop(); };
+  AwakeClock clock;
   std::vector<Slot> slots;
   slots.reserve(static_cast<std::size_t>(crew.size));
   for (int i = 0; i < crew.size && !stopped(); ++i) {
-    slots.emplace_back(source, crew, i).begin_next();
+    slots.emplace_back(source, crew, clock, i).begin_next();
   }
   while (std::any_of(slots.begin(), slots.end(), [](const Slot& slot) { return slot.busy(); })) {
     wait_for_news(slots);
@@ -141,7 +172,7 @@ void make_rows_in_workers(RowSource& source, const Crew& crew) {
     for (Slot& slot : slots) {
       if (!slot.busy()) continue;
       bool done = slot.look();
-      if (!done && Clock::now() >= slot.deadline()) {
+      if (!done && slot.left_s() <= 0) {
         slot.time_out();
         done = true;
       }

@@ -55,10 +55,12 @@ struct RankBatches::Share {
   }
 };
 
-RankBatches::RankBatches(const StudyPlan& plan, const TimingRules& rules, int rank)
+RankBatches::RankBatches(const StudyPlan& plan, const TimingRules& rules, int rank,
+                         std::function<bool()> stop)
     : plan_(plan),
       rules_(rules),
       rank_(rank),
+      stop_(std::move(stop)),
       maker_({.concurrency = 1, .core = -1, .memory = MemoryScope::process}) {}
 
 MadeBatch RankBatches::make(Ranks& ranks, int count, std::size_t place,
@@ -105,7 +107,7 @@ Work RankBatches::make_ready(const std::string& text) {
 }
 
 void RankBatches::draw(Share& share) {
-  for (std::size_t i = 0; i < share.rows.size(); ++i) {
+  for (std::size_t i = 0; i < share.rows.size() && !(stop_ && stop_()); ++i) {
     RunRecord& row = share.rows[i];
     attempt(row, [&] {
       share.drawings[i] = timed_drawing(*maker_.graph(), *share.choices[i], counters_, row);

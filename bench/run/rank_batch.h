@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,7 +23,10 @@ struct MadeBatch {
 class RankBatches {
  public:
   /// @param plan  the same on every rank; outlives this.
-  RankBatches(const StudyPlan& plan, const TimingRules& rules, int rank);
+  /// @param stop  asked before every drawing of this rank; once it is true, a batch has rows that
+  /// were not drawn. May be empty.
+  RankBatches(const StudyPlan& plan, const TimingRules& rules, int rank,
+              std::function<bool()> stop);
 
   /// On rank 0, whose clock wall_s is taken from (DoneAtOnce).
   /// @param place  of the instance in the plan.
@@ -41,6 +45,7 @@ class RankBatches {
   const StudyPlan& plan_;
   const TimingRules rules_;
   const int rank_;
+  const std::function<bool()> stop_;
   std::size_t place_ = 0;
   std::optional<PlannedInstance> instance_;  // at place_
   RowMaker maker_;

@@ -45,10 +45,11 @@ std::vector<BatchedDrawing> batched_drawings(const PlannedInstance& instance) {
 class ThreadBatch {
  public:
   ThreadBatch(const Graph& graph, const TimingRules& rules, const Rows& rows,
-              const RunRecord& begun)
+              const RunRecord& begun, const std::function<bool()>& stop)
       : graph_(graph),
         rules_(rules),
         rows_(rows),
+        stop_(stop),
         results_(rows.size(), begun),
         drawings_(rows.size()) {}
 
@@ -88,13 +89,15 @@ class ThreadBatch {
       const Pinning pinning(core);
       HardwareCounters counters;
       const AlgorithmChoice& choice = rows_.front()->choice;
-      for (std::uint32_t i = 0; i < rules_.warm_up; ++i) {
+      for (std::uint32_t i = 0; i < rules_.warm_up && !stopped(); ++i) {
         draw(*choice.algorithm, graph_, choice.options);
       }
       start.arrive_and_wait();
       waited = true;
       const Clock::time_point begun = Clock::now();
-      for (std::size_t i = next_++; i < rows_.size(); i = next_++) draw_row(i, core, counters);
+      for (std::size_t i = next_++; i < rows_.size() && !stopped(); i = next_++) {
+        draw_row(i, core, counters);
+      }
       const Clock::time_point ended = Clock::now();
       const std::lock_guard<std::mutex> lock(mutex_);
       first_start_ = std::min(first_start_, begun);
@@ -104,6 +107,8 @@ class ThreadBatch {
     }
     if (!waited) start.arrive_and_wait();
   }
+
+  bool stopped() const { return stop_ && stop_(); }
 
   void note(const std::exception_ptr& failure) {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -123,6 +128,7 @@ class ThreadBatch {
   const Graph& graph_;
   const TimingRules& rules_;
   const Rows& rows_;
+  const std::function<bool()>& stop_;  // asked before every drawing
   std::vector<RunRecord> results_;
   std::vector<std::optional<Drawing>> drawings_;
   std::atomic<std::size_t> next_ = 0;
@@ -184,6 +190,7 @@ class InstanceBatches {
       }
       MadeBatch made = is_over_ranks(phase) ? shared_by_ranks(static_cast<int>(scale), rows)
                                             : shared_by_threads(static_cast<int>(scale), rows);
+      if (hooks_.stop && hooks_.stop()) return;  // it may not have been drawn to its end
       if (scale == 1) single_s = made.wall_s;
       const double ideal_s = is_strong(phase) ? single_s / static_cast<double>(scale) : single_s;
       for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -201,7 +208,8 @@ class InstanceBatches {
   }
 
   MadeBatch shared_by_threads(int threads, const Rows& rows) {
-    ThreadBatch batch(*maker_.graph(), rules_.timing, rows, maker_.begun(*rows.front()));
+    ThreadBatch batch(*maker_.graph(), rules_.timing, rows, maker_.begun(*rows.front()),
+                      hooks_.stop);
     const double wall_s = batch.run(threads);
     return {wall_s, batch.take_rows()};
   }
@@ -233,7 +241,7 @@ class InstanceBatches {
 
 void run_batches(const StudyPlan& plan, const MakingRules& rules, const RowHooks& hooks,
                  const KnownFailure& failure) {
-  RankBatches rank_batches(plan, rules.timing, 0);
+  RankBatches rank_batches(plan, rules.timing, 0, hooks.stop);
   for (const PlannedBlock& block : plan.instances.blocks()) {
     if (!has_run(block.first, is_batched)) continue;
     for (std::size_t i = 0; i < block.count; ++i) {

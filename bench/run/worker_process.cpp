@@ -9,11 +9,14 @@
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <xxhash.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <ctime>
 #include <fstream>
+#include <limits>
 
 #include "ar3d/bench/measure/pinning.h"
 #include "ar3d/model/error.h"
@@ -25,7 +28,13 @@ namespace {
 constexpr char kBegun = 'b';
 constexpr char kMade = 'm';
 
-std::size_t message_size() { return 1 + run_record_size(); }
+// Checksum, tag and record.
+std::size_t message_size() { return sizeof(std::uint64_t) + 1 + run_record_size(); }
+
+std::uint64_t checksum_of(const std::string& message) {
+  return XXH3_64bits(message.data() + sizeof(std::uint64_t),
+                     message_size() - sizeof(std::uint64_t));
+}
 
 bool send_all(int socket, const char* bytes, std::size_t size) {
   while (size > 0) {
@@ -110,12 +119,14 @@ struct Order {
 };
 static_assert(std::is_trivially_copyable_v<Order>);  // it is sent as it stands in memory
 
-// Tag and record: everything that a worker says.
+// Everything that a worker says.
 class Message {
  public:
   bool send(int socket, char tag, const RunRecord& run) {
-    bytes_[0] = tag;
-    store_record(run, bytes_.data() + 1);
+    bytes_[sizeof(std::uint64_t)] = tag;
+    store_record(run, bytes_.data() + sizeof(std::uint64_t) + 1);
+    const std::uint64_t checksum = checksum_of(bytes_);
+    std::memcpy(bytes_.data(), &checksum, sizeof(checksum));
     return send_all(socket, bytes_.data(), bytes_.size());
   }
 
@@ -207,10 +218,24 @@ WorkerProcess::News WorkerProcess::read_news() {
     if (got > 0) received_.append(bytes, static_cast<std::size_t>(got));
   }
   if (received_.size() < message_size()) return News::is_gone;
-  row_ = load_record(received_.data() + 1);
-  const bool begun = received_[0] == kBegun;
+  // An algorithm may write into descriptors that are not its own.
+  std::uint64_t checksum = 0;
+  std::memcpy(&checksum, received_.data(), sizeof(checksum));
+  const char tag = received_[sizeof(checksum)];
+  if (checksum != checksum_of(received_) || (tag != kBegun && tag != kMade)) return News::garbage;
+  row_ = load_record(received_.data() + sizeof(checksum) + 1);
+  const bool begun = tag == kBegun;
   received_.erase(0, message_size());
   return begun ? News::begun : News::made;
+}
+
+double WorkerProcess::cpu_s() const {
+  clockid_t clock{};
+  std::timespec time{};
+  if (clock_getcpuclockid(pid_, &clock) != 0 || clock_gettime(clock, &time) != 0) {
+    return std::numeric_limits<double>::max();
+  }
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 WorkerProcess::End WorkerProcess::end() {

@@ -29,11 +29,15 @@ class WorkerProcess {
     none,     ///< nothing yet
     begun,    ///< the graph is there, the row itself begins; row() is what is known of it
     made,     ///< row() is the row
+    garbage,  ///< what has come is no message of a worker
     is_gone,  ///< the process has ended: end()
   };
   /// Reads the next thing that has come; never waits.
   News read_news();
   const RunRecord& row() const { return row_; }
+
+  /// CPU time of the process so far; the largest double once it has ended.
+  double cpu_s() const;
 
   /// The descriptor that becomes readable with news.
   int descriptor() const { return socket_; }

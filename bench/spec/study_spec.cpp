@@ -16,6 +16,8 @@
 #include "ar3d/bench/spec/read_measures.h"
 #include "ar3d/bench/spec/toml_table.h"
 #include "ar3d/model/error.h"
+#include "ar3d/model/nearest_name.h"
+#include "ar3d/model/printable.h"
 
 namespace ar3d {
 namespace {
@@ -283,8 +285,9 @@ StudySpec load_study(const std::string& name_or_path) {
     for (const NamedStudy& study : named_studies()) {
       known += fmt::format("{}{}", known.empty() ? "" : ", ", study.name);
     }
-    throw InputError(
-        fmt::format("'{}' is neither a file nor a named study (named: {})", name_or_path, known));
+    throw InputError(fmt::format("'{}' is neither a file nor a named study{} (named: {})",
+                                 printable(name_or_path),
+                                 did_you_mean(name_or_path, names_of(named_studies())), known));
   }
   return parse_study(read_text_file(name_or_path), name_or_path);
 }

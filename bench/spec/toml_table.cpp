@@ -2,10 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 #include "ar3d/model/error.h"
+#include "ar3d/model/nearest_name.h"
+#include "ar3d/model/printable.h"
 
 namespace ar3d {
 namespace {
+
+constexpr const char* kHelp = "docs/study.md describes the keys";
 
 std::string joined(const std::set<std::string>& names) {
   std::string text;
@@ -49,8 +55,19 @@ const toml::node* TomlTable::find(const std::string& key) {
 
 const toml::node& TomlTable::get(const std::string& key) {
   const toml::node* node = find(key);
-  if (node == nullptr) refuse_toml(file_, *table_, fmt::format("{} lacks '{}'", what_, key));
+  if (node == nullptr) refuse_missing(key);
   return *node;
+}
+
+// A key that is missing is often there, but misspelt.
+void TomlTable::refuse_missing(const std::string& key) const {
+  const std::vector<std::string> others = other_keys();
+  const auto misspelt =
+      nearest_name(key, std::vector<std::string_view>(others.begin(), others.end()));
+  if (!misspelt) refuse_toml(file_, *table_, fmt::format("{} lacks '{}' ({})", what_, key, kHelp));
+  refuse_toml(
+      file_, *table_->get(*misspelt),
+      fmt::format("unknown key '{}' in {}; did you mean '{}'? ({})", *misspelt, what_, key, kHelp));
 }
 
 std::string TomlTable::text(const std::string& key) { return toml_text(file_, get(key), key); }
@@ -92,8 +109,10 @@ std::vector<std::string> TomlTable::other_keys() const {
 
 void TomlTable::refuse_other_keys() const {
   for (const std::string& key : other_keys()) {
+    const std::vector<std::string_view> known(known_.begin(), known_.end());
     refuse_toml(file_, *table_->get(key),
-                fmt::format("unknown key '{}' in {} (known: {})", key, what_, joined(known_)));
+                fmt::format("unknown key '{}' in {}{} (known: {}; {})", printable(key), what_,
+                            did_you_mean(key, known), joined(known_), kHelp));
   }
 }
 

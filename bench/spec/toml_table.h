@@ -30,7 +30,7 @@ class TomlTable {
 
   /// The node of a key, or null; the key counts as known from now on.
   const toml::node* find(const std::string& key);
-  /// @throws InputError if the key is missing.
+  /// @throws InputError if the key is missing, naming one that looks like it.
   const toml::node& get(const std::string& key);
 
   std::string text(const std::string& key);
@@ -43,12 +43,15 @@ class TomlTable {
 
   /// The keys that nobody has asked for yet, in order of name.
   std::vector<std::string> other_keys() const;
-  /// @throws InputError naming the first key that nobody asked for, and the known ones.
+  /// @throws InputError naming the first key that nobody asked for, the known ones and the nearest
+  /// of them.
   void refuse_other_keys() const;
 
   const toml::node& node() const { return *table_; }
 
  private:
+  [[noreturn]] void refuse_missing(const std::string& key) const;
+
   std::string file_;
   const toml::table* table_ = nullptr;
   std::string what_;

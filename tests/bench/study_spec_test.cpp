@@ -165,7 +165,8 @@ TEST(StudySpec, ErrorsNameFileLineAndValue) {
   EXPECT_THAT(error_of(study_with("")), "no error");
   EXPECT_THAT(error_of("study = \"t\"\nx ="), HasSubstr("t.toml:2: "));
   EXPECT_THAT(error_of(study_with("repetition = 3")),
-              HasSubstr("t.toml:6: unknown key 'repetition' in sweep (known: algorithms,"));
+              HasSubstr("t.toml:6: unknown key 'repetition' in sweep; did you mean 'repetitions'? "
+                        "(known: algorithms,"));
   EXPECT_THAT(error_of(study_with("include = []")), HasSubstr("t.toml:6: include is empty"));
   EXPECT_THAT(error_of(study_with("exclude = []")), "no error");
   EXPECT_THAT(error_of("colour = 1\n" + study_with("")),

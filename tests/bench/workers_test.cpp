@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 #include <signal.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -209,6 +210,23 @@ TEST(Workers, TheStudysBudgetEndsItWithWhatIsDone) {
   hooks.emit = [&](std::size_t row, ar3d::RunRecord) { told.push_back(row); };
   EXPECT_EQ(make_rows(plan, rules, hooks), MakingEnd::budget_spent);
   EXPECT_THAT(told, ElementsAre(0));
+  expect_no_children();
+}
+
+// It writes into every descriptor that it finds, the one its rows go through among them.
+TEST(Workers, GarbageOnTheSocketIsACrashOfTheRow) {
+  const Algorithm garbles = diamond_drawn_by([](const Graph& graph, const OptionValues& options) {
+    const std::string garbage(100000, 'm');
+    for (int file = 3; file < 64; ++file) {
+      (void)!::send(file, garbage.data(), garbage.size(), MSG_NOSIGNAL);
+    }
+    return good_drawing(graph, options);
+  });
+  const auto rows = made_rows(plan_of(cycle_of(8, {&kGood, &garbles, &kGood})), isolated());
+  EXPECT_EQ(rows[0].status, RunStatus::ok);
+  EXPECT_EQ(rows[1].status, RunStatus::crashed);
+  EXPECT_THAT(rows[1].message, HasSubstr("wrote into the socket"));
+  EXPECT_EQ(rows[2].status, RunStatus::ok) << rows[2].message;
   expect_no_children();
 }
 

@@ -1,0 +1,147 @@
+// Limits and signals, in every phase of a study and before it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "ar3d/bench/measure/environment.h"
+#include "support/program.h"
+#include "support/results.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing::Outcome;
+using testing::run;
+using testing::ScratchDirectory;
+
+class Limits : public ::testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return scratch_.path(name); }
+  ScratchDirectory scratch_;
+};
+
+// All processes of the study are stopped for longer than a row may take, and go on.
+TEST_F(Limits, AFrozenStudyHasNoTimeouts) {
+  if (std::string(timing_mark()) == "sanitised") GTEST_SKIP() << "rows are slower";
+  const std::string spec = scratch_.write(
+      "t.toml",
+      "study = \"t\"\nbudget = { row_time = \"2 s\" }\n[[sweep]]\nfamilies = \"random-cubic\"\n"
+      "sizes = 20000\nalgorithms = \"grid\"\ninstances = 30\n");
+  const Outcome outcome =
+      run("{} study run -q --threads 2 " + spec + " -o " + path("t.h5") +
+          " & study=$!; until [ \"$(stat -c %s " + path("t.h5.journal") +
+          " 2> /dev/null || echo 0)\" -gt 4000 ]; do sleep 0.01; done; workers=$(pgrep -P $study); "
+          "kill -STOP $study $workers; sleep 3; kill -CONT $workers $study; wait $study");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  for (const ar3d::RunRecord& row : read_results(path("t.h5")).runs) {
+    EXPECT_EQ(row.status, RunStatus::ok) << row.message;
+  }
+}
+
+TEST_F(Limits, ChosenRowsAreMadeAgain) {
+  const std::string results = path("s.h5");
+  ASSERT_EQ(run("{} study run smoke -q -o " + results).exit_code, 0);
+  Results changed = read_results(results);
+  for (const std::size_t row : {3, 400}) {
+    changed.runs[row].status = RunStatus::timeout;
+    changed.runs[row].message = "no row within 1 s";
+  }
+  changed.runs[5].status = RunStatus::crashed;
+  write_results(changed, results);
+  EXPECT_EQ(run("{} check " + results).exit_code, 5);
+
+  const Outcome unknown = run("{} study resume -q --again late " + results);
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("'late'"));
+  const Outcome again = run("{} study resume -q --again timeout " + results);
+  EXPECT_THAT(again.err, HasSubstr("2 of 708 rows are made again"));
+  EXPECT_EQ(again.exit_code, 5) << "one has crashed and was not chosen";
+  const Results now = read_results(results);
+  ASSERT_EQ(now.runs.size(), changed.runs.size());
+  for (std::size_t row = 0; row < now.runs.size(); ++row) {
+    if (row == 3 || row == 400) {
+      EXPECT_EQ(now.runs[row].status, RunStatus::ok);
+    } else {
+      EXPECT_EQ(now.runs[row].wall_s, changed.runs[row].wall_s) << row;
+    }
+  }
+  EXPECT_EQ(run("{} study resume -q --again timeout --again crashed " + results).exit_code, 0);
+  EXPECT_EQ(run("{} check " + results).exit_code, 0);
+}
+
+// A study that was interrupted has its rows in journals, too.
+TEST_F(Limits, RowsOfAnUnfinishedStudyAreMadeAgain) {
+  const std::string results = path("s.h5");
+  EXPECT_EQ(
+      run(testing::with_fault("full:60000") + "{} study run smoke -q -o " + results).exit_code, 5);
+  const Outcome again = run("{} study resume -q --again timeout " + results);
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_THAT(again.err, HasSubstr("0 of "));
+  EXPECT_EQ(run("{} study status " + results).exit_code, 0);
+}
+
+TEST_F(Limits, HoldForPlanningToo) {
+  if (std::string(timing_mark()) == "sanitised") GTEST_SKIP() << "memory is not limited";
+  const std::string spec = scratch_.write(
+      "huge.toml",
+      "study = \"huge\"\nbudget = { row_time = \"3 s\", row_memory = \"64 MB\" }\n[[sweep]]\n"
+      "families = { family = \"torus\", rows = 1000000 }\nsizes = 1000\nalgorithms = \"all\"\n");
+  for (const char* verb : {"plan ", "run -q "}) {
+    const Outcome refused = run("cd " + path("") + " && {} study " + verb + spec);
+    EXPECT_EQ(refused.exit_code, 2) << verb << refused.err;
+    EXPECT_THAT(refused.err, HasSubstr("torus rows=1000000 n=")) << verb;
+    EXPECT_THAT(refused.err, HasSubstr("budget.row_memory gives")) << verb;
+  }
+}
+
+TEST_F(Limits, MergingOneOfVeryManyShardsEnds) {
+  const std::string part = path("one.h5");
+  EXPECT_EQ(run("{} study run smoke -q --shard 1/4294967295 -o " + part).exit_code, 0);
+  const Outcome merged = run("timeout 60 {} study merge " + part + " -o " + path("m.h5"));
+  EXPECT_EQ(merged.exit_code, 5) << merged.err;
+  EXPECT_THAT(merged.err, HasSubstr("no file of shard 2-4294967295"));
+}
+
+TEST_F(Limits, AFullStandardOutputIsAnErrorOfEveryVerb) {
+  const std::string results = path("s.h5");
+  ASSERT_EQ(run("{} study run smoke -q -o " + results).exit_code, 0);
+  const std::vector<std::string> commands = {"check " + results,
+                                             "report " + results,
+                                             "list families",
+                                             "replay " + results + " 0",
+                                             "study status " + results,
+                                             "study plan smoke",
+                                             "compare " + results + " " + results,
+                                             "generate cycle -n 9 --format edgelist"};
+  for (const std::string& command : commands) {
+    const Outcome full = run("{} " + command + " > /dev/full");
+    EXPECT_EQ(full.exit_code, 2) << command;
+    EXPECT_THAT(full.err, HasSubstr("No space left on device")) << command;
+  }
+}
+
+TEST_F(Limits, MisspeltNamesAreTold) {
+  const auto error_of = [&](const std::string& toml) {
+    const Outcome refused = run("{} study plan " + scratch_.write("m.toml", toml));
+    EXPECT_EQ(refused.exit_code, 2);
+    return refused.err;
+  };
+  const std::string rest = "sizes = 9\nalgorithms = \"diamond\"\n";
+  EXPECT_THAT(error_of("study = \"m\"\n[[sweep]]\nfamilys = \"cycle\"\n" + rest),
+              HasSubstr("m.toml:3: unknown key 'familys' in sweep; did you mean 'families'?"));
+  EXPECT_THAT(error_of("study = \"m\"\n[[sweep]]\nfamilies = \"cycle\"\ninstance = 2\n" + rest),
+              HasSubstr("m.toml:4: unknown key 'instance' in sweep; did you mean 'instances'?"));
+  EXPECT_THAT(error_of("study = \"m\"\n[[sweep]]\nfamilies = \"cycle\"\ninstances = -2\n" + rest),
+              HasSubstr("instances = -2 is outside 1..1000000"));
+  const Outcome name = run("{} study run smoek -q");
+  EXPECT_EQ(name.exit_code, 2);
+  EXPECT_THAT(name.err, HasSubstr("did you mean 'smoke'?"));
+}
+
+}  // namespace
+}  // namespace ar3d
