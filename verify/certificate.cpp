@@ -154,7 +154,7 @@ Examination examine(const Graph& graph, const Drawing& drawing, const Guarantee&
   for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {
     summary.add(points);
     if (hash) hash->add(drawing.edge(e), points);
-    if (proof) proof->add(e, drawing.edge(e), points);
+    if (proof) proof->add(drawing.edge(e), points);
   });
   result.summary = summary.finish();
   if (hash) result.drawing_hash = hash->digest();

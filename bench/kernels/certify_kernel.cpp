@@ -1,23 +1,26 @@
 // Certifying drawings of random graphs, the proof by counting against the plain tests:
-//   certify/ALGORITHM/N  nanoseconds per segment of certify() where the drawing is proved right by
-//                        counting; counters, medians over the iterations, timed in turns:
+//   certificate/ALGORITHM/N  CPU time of certify(); counters from medians over the iterations,
+//   which
+//                            time these in turns:
+//     ns       nanoseconds per segment
 //     plain    time of the plain tests alone (sweep or slabs) / that time
 //     examine  time of certificate, metrics and hash together / that time
 //     draw     time of drawing / that time
-//   closest/ALGORITHM/N  nanoseconds per vertex of the closest pair by strips; counter `grid`: the
-//                        randomised grid's time / that time
+//   closest/ALGORITHM/N  CPU time of the closest pair by strips; counters `ns`, nanoseconds per
+//                        vertex, and `grid`, the randomised grid's time / that time
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/bench/measure/stopwatch.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/closest_pair.h"
 #include "ar3d/verify/examination.h"
@@ -29,9 +32,9 @@ namespace {
 using Function = std::function<void()>;
 
 double seconds_of(const Function& function) {
-  const auto start = std::chrono::steady_clock::now();
+  const CpuStopwatch time;  // what else runs on the machine counts less
   function();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return time.cpu_s();
 }
 
 double median(std::vector<double> values) {
@@ -101,7 +104,7 @@ const bool kRegistered = [] {
           ->UseManualTime()
           ->Unit(benchmark::kMillisecond);
     };
-    add("certify/", certify_kernel);
+    add("certificate/", certify_kernel);
     add("closest/", closest_kernel);
   }
   return true;

@@ -50,7 +50,7 @@ Outcome count(const Draft& draft, const CountingSizes& sizes) {
   const Guarantee guarantee = testing::no_promise();
   CountingProof proof(graph, drawing, guarantee, sizes);
   for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {
-    proof.add(e, drawing.edge(e), points);
+    proof.add(drawing.edge(e), points);
   });
   const bool proved = proof.holds(measure(drawing));
   return {proved, proof.counts()};
@@ -252,6 +252,17 @@ TEST(Counting, NeighboursThatOverlapAreNoProof) {
   EXPECT_TRUE(count(draft, {}).proved);
 }
 
+TEST(Counting, EdgesMayBeDrawnInAnyOrder) {
+  Draft draft;
+  draft.vertices = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
+  draft.edges = {{{3, 2}, {}}, {{1, 2}, {}}, {{0, 3}, {}}, {{1, 0}, {}}};
+  EXPECT_TRUE(count(draft, {}).proved);
+  draft.edges.push_back({{2, 3}, {{4, 8, 0}, {0, 8, 0}}});  // in place of one that is missing
+  draft.edges.erase(draft.edges.begin() + 1);
+  const Graph graph(4, {{2, 3}, {1, 2}, {0, 3}, {0, 1}});
+  EXPECT_FALSE(certify(graph, draft.drawing(), testing::no_promise()).valid());
+}
+
 TEST(Counting, AnotherGraphIsNotDrawn) {
   const Draft draft = with_isolated({20, 20, 20});
   const Drawing drawing = draft.drawing();
@@ -259,7 +270,7 @@ TEST(Counting, AnotherGraphIsNotDrawn) {
   for (const Graph& graph : {Graph(3, {{0, 2}}), Graph(2, {{0, 1}}), Graph(3, {{0, 1}, {1, 2}})}) {
     CountingProof proof(graph, drawing, guarantee);
     for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {
-      proof.add(e, drawing.edge(e), points);
+      proof.add(drawing.edge(e), points);
     });
     EXPECT_FALSE(proof.holds(measure(drawing)));
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "ar3d/verify/checks.h"
 #include "ar3d/verify/exact.h"
 
 namespace ar3d::verify {
@@ -41,11 +42,8 @@ CountingProof::CountingProof(const Graph& graph, const Drawing& drawing, const G
   if (possible_) stars_.resize(drawing.num_vertices());
 }
 
-bool CountingProof::take_edge(EdgeId e, Edge ends, const std::vector<Point>& points) {
-  const Edge edge = graph_.edge(e);
-  const bool same =
-      (edge.u == ends.u && edge.v == ends.v) || (edge.u == ends.v && edge.v == ends.u);
-  if (!same || !is_near(points[0])) return false;
+bool CountingProof::take_edge(Edge ends, const std::vector<Point>& points) {
+  if (!is_near(points[0])) return false;
   std::uint8_t before = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {
     if (!is_near(points[i]) || points[i] == points[i - 1]) return false;
@@ -144,6 +142,9 @@ bool CountingProof::take_families(std::int64_t largest) {
 
 bool CountingProof::holds(const DrawingSummary& summary) {
   if (!possible_ || !allowed_directions()) return false;
+  Findings findings(0);
+  check_graph(graph_, drawing_, findings);
+  if (!findings.empty()) return false;
   // Two directions at least, so that there is a family that looks at the lines of each.
   for (const Vector d : {Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}}) {
     if (directions_.indices() < 2) directions_.find(d);

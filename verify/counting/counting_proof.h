@@ -34,9 +34,9 @@ class CountingProof {
   CountingProof(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
                 const CountingSizes& sizes = {});
 
-  /// The next edge and its polyline, in order of edge numbers.
-  void add(EdgeId e, Edge ends, const std::vector<Point>& points) {
-    if (possible_) possible_ = take_edge(e, ends, points);
+  /// An edge of the drawing and its polyline: every edge once.
+  void add(Edge ends, const std::vector<Point>& points) {
+    if (possible_) possible_ = take_edge(ends, points);
   }
   /// After the last edge: true if the graph is drawn, all angles, directions and the plane of the
   /// vertices are as promised, and nothing meets that must not. Bends, lattice and box are judged
@@ -49,7 +49,7 @@ class CountingProof {
   enum class Angle : std::uint8_t { unknown, right, wrong };
   static constexpr std::size_t kIds = 2 * SignedDirections::kMaxIndices;
 
-  bool take_edge(EdgeId e, Edge ends, const std::vector<Point>& points);
+  bool take_edge(Edge ends, const std::vector<Point>& points);
   bool store(Point from, Point to, SignedDirections::Found found);
   bool leave(Vertex v, std::uint8_t id);
   bool right_angle(std::size_t id, std::size_t other);
