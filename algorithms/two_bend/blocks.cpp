@@ -15,9 +15,9 @@ std::vector<Vertex> lowpoints(const LocalGraph& graph) {
   std::vector<Vertex> low(graph.size());
   for (Vertex v = graph.size(); v-- > 0;) {
     Vertex least = v;
-    const Row& row = graph.rows[v];
-    for (std::size_t k = 0; k < row.degree(); ++k) {
-      const Vertex u = row.to[k];
+    const NeighbourList& near = graph.neighbours[v];
+    for (std::size_t k = 0; k < near.degree(); ++k) {
+      const Vertex u = near.to[k];
       if (u > v && graph.parent[u] == v) {
         least = std::min(least, low[u]);
       } else if (u != graph.parent[v]) {
@@ -31,13 +31,13 @@ std::vector<Vertex> lowpoints(const LocalGraph& graph) {
 
 void register_vertex(const LocalGraph& graph, Blocks& blocks, Vertex v) {
   Block& block = blocks.blocks[blocks.of[v]];
-  const Row& row = graph.rows[v];
+  const NeighbourList& near = graph.neighbours[v];
   unsigned inside = 0;
-  for (std::size_t k = 0; k < row.degree(); ++k) {
-    if (!blocks.is_bridge(v, row.to[k])) ++inside;
+  for (std::size_t k = 0; k < near.degree(); ++k) {
+    if (!blocks.is_bridge(v, near.to[k])) ++inside;
   }
-  block.bridges += static_cast<std::uint32_t>(row.degree()) - inside;
-  if (inside < row.degree()) block.bridge_vertex = v;
+  block.bridges += static_cast<std::uint32_t>(near.degree()) - inside;
+  if (inside < near.degree()) block.bridge_vertex = v;
   if (inside == 2 && block.free_count++ < 2) block.free[block.free_count - 1] = v;
   block.members[block.size++ % 2] = v;
 }
@@ -65,12 +65,12 @@ bool is_q_block(const Block& block) { return block.size == 5 && block.free_count
 QBody read_q_body(const LocalGraph& graph, const Blocks& blocks, Vertex joint) {
   QBody body{joint, {}, {}};
   std::size_t sides = 0;
-  const Row& row = graph.rows[joint];
-  for (std::size_t k = 0; k < row.degree(); ++k) {
-    if (!blocks.is_bridge(joint, row.to[k])) body.side[sides++] = row.to[k];
+  const NeighbourList& near = graph.neighbours[joint];
+  for (std::size_t k = 0; k < near.degree(); ++k) {
+    if (!blocks.is_bridge(joint, near.to[k])) body.side[sides++] = near.to[k];
   }
   std::size_t cores = 0;
-  for (const Vertex v : graph.rows[body.side[0]].to) {
+  for (const Vertex v : graph.neighbours[body.side[0]].to) {
     if (v != joint && v != body.side[1]) body.core[cores++] = v;
   }
   expect(sides == 2 && cores == 2 && graph.adjacent(body.core[0], body.core[1]) &&
@@ -85,10 +85,10 @@ std::vector<QBody> cut_q_bodies(LocalGraph& graph, Blocks& blocks) {
   for (Block& block : blocks.blocks) {
     if (!is_q_block(block) || block.bridges == 0) continue;
     const QBody body = read_q_body(graph, blocks, block.free[0]);
-    const Row row = graph.rows[body.joint];
+    const NeighbourList near = graph.neighbours[body.joint];
     std::size_t bridge = 0;
-    while (!blocks.is_bridge(body.joint, row.to[bridge])) ++bridge;
-    graph.rows[body.joint] = Row{{row.to[bridge], kNoVertex, kNoVertex}};
+    while (!blocks.is_bridge(body.joint, near.to[bridge])) ++bridge;
+    graph.neighbours[body.joint] = NeighbourList{{near.to[bridge], kNoVertex, kNoVertex}};
     graph.edges[body.joint][0] = graph.edges[body.joint][bridge];
     block = Block{1, 1, 0, {}, {body.joint, body.joint}, body.joint};
     bodies.push_back(body);

@@ -15,10 +15,10 @@ namespace {
 /// Neighbours of v on one side of it in `place`.
 unsigned count_side(const LocalGraph& graph, const std::vector<std::uint32_t>& place, Vertex v,
                     bool later) {
-  const Row& row = graph.rows[v];
+  const NeighbourList& near = graph.neighbours[v];
   unsigned count = 0;
-  for (std::size_t k = 0; k < row.degree(); ++k) {
-    if ((place[row.to[k]] > place[v]) == later) ++count;
+  for (std::size_t k = 0; k < near.degree(); ++k) {
+    if ((place[near.to[k]] > place[v]) == later) ++count;
   }
   return count;
 }
@@ -27,8 +27,8 @@ unsigned count_side(const LocalGraph& graph, const std::vector<std::uint32_t>& p
 unsigned count_closing(const LocalGraph& graph, const std::vector<std::uint32_t>& place, Vertex v,
                        bool later) {
   unsigned count = 0;
-  for (const Vertex u : graph.rows[v].to) {
-    count += graph.rows[u].degree() == 3 && count_side(graph, place, u, later) == 1 ? 1u : 0u;
+  for (const Vertex u : graph.neighbours[v].to) {
+    count += graph.neighbours[u].degree() == 3 && count_side(graph, place, u, later) == 1 ? 1u : 0u;
   }
   return count;
 }
@@ -41,7 +41,7 @@ bool is_time_order(const LocalGraph& graph, const TimeOrder& order) {
   for (const Vertex v : order.list) {
     const bool is_first = v == order.list.front();
     if ((count_side(graph, place, v, false) == 0) != is_first) return false;
-    if (graph.rows[v].degree() < 3) continue;
+    if (graph.neighbours[v].degree() < 3) continue;
     for (const bool later : {false, true}) {
       if (count_side(graph, place, v, later) == 0 && count_closing(graph, place, v, later) < 2)
         return false;

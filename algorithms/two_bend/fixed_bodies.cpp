@@ -16,9 +16,9 @@ namespace ar3d::two_bend {
 namespace {
 
 EdgeId edge_between(const LocalGraph& graph, Vertex u, Vertex v) {
-  const Row& row = graph.rows[u];
-  for (std::size_t k = 0; k < row.degree(); ++k) {
-    if (row.to[k] == v) return graph.edges[u][k];
+  const NeighbourList& near = graph.neighbours[u];
+  for (std::size_t k = 0; k < near.degree(); ++k) {
+    if (near.to[k] == v) return graph.edges[u][k];
   }
   throw InternalError("internal error: a fixed body lacks an edge");
 }
@@ -73,10 +73,10 @@ std::optional<std::vector<Vertex>> sides_of_k33(const LocalGraph& graph) {
   if (graph.size() != 6) return std::nullopt;
   std::vector<Vertex> result;
   for (Vertex v = 0; v < 6; ++v) {
-    if (graph.rows[v].degree() != 3) return std::nullopt;
+    if (graph.neighbours[v].degree() != 3) return std::nullopt;
     if (!graph.adjacent(0, v)) result.push_back(v);
   }
-  for (const Vertex v : graph.rows[0].to) result.push_back(v);
+  for (const Vertex v : graph.neighbours[0].to) result.push_back(v);
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 3; j < 6; ++j) {
       if (!graph.adjacent(result[i], result[j])) return std::nullopt;
@@ -94,8 +94,9 @@ struct Flat {
 }  // namespace
 
 bool draw_small_cubic(const LocalGraph& graph, Output& output) {
-  const auto is_cubic = [](const Row& row) { return row.degree() == 3; };
-  if (graph.size() == 4 && std::all_of(graph.rows.begin(), graph.rows.end(), is_cubic)) {
+  const auto is_cubic = [](const NeighbourList& near) { return near.degree() == 3; };
+  if (graph.size() == 4 &&
+      std::all_of(graph.neighbours.begin(), graph.neighbours.end(), is_cubic)) {
     draw_table(graph, std::array<Vertex, 4>{0, 1, 2, 3}, kK4Vertices, kK4Edges, output);
     return true;
   }

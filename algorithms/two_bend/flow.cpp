@@ -60,8 +60,8 @@ class FlowBuilder {
   }
 
   Flow build(const Blocks& blocks) {
-    const auto may_pass = [](const Row& row) { return row.degree() == 2; };
-    if (std::any_of(graph_.rows.begin(), graph_.rows.end(), may_pass)) find_passes();
+    const auto may_pass = [](const NeighbourList& near) { return near.degree() == 2; };
+    if (std::any_of(graph_.neighbours.begin(), graph_.neighbours.end(), may_pass)) find_passes();
     number_nodes();
     flow_.block.reserve(count_);
     flow_.edges.reserve(std::size_t{3} * count_ / 2);
@@ -80,10 +80,10 @@ class FlowBuilder {
   /// The later neighbours of the vertex at a place, at most three.
   unsigned steps_up(std::uint32_t i, std::array<Step, 3>& steps) const {
     const Vertex v = order_[i];
-    const Row& row = graph_.rows[v];
+    const NeighbourList& near = graph_.neighbours[v];
     unsigned count = 0;
-    for (std::size_t k = 0; k < row.degree(); ++k) {
-      const std::uint32_t to = flow_.place[row.to[k]];
+    for (std::size_t k = 0; k < near.degree(); ++k) {
+      const std::uint32_t to = flow_.place[near.to[k]];
       if (to > i) steps[count++] = {to, graph_.edges[v][k]};
     }
     return count;
@@ -93,15 +93,15 @@ class FlowBuilder {
   [[gnu::always_inline]] void ask_for_node(std::uint32_t i) const {
     if (i + 3 * kAhead >= order_.size()) return;
     const Vertex far = order_[i + 3 * kAhead];
-    ask_for(graph_.rows, far);
+    ask_for(graph_.neighbours, far);
     ask_for(graph_.edges, far);
-    for (const Vertex u : graph_.rows[order_[i + 2 * kAhead]].to) ask_for(flow_.place, u);
-    for (const Vertex u : graph_.rows[order_[i + kAhead]].to) {
+    for (const Vertex u : graph_.neighbours[order_[i + 2 * kAhead]].to) ask_for(flow_.place, u);
+    for (const Vertex u : graph_.neighbours[order_[i + kAhead]].to) {
       if (u != kNoVertex) ask_for(flow_.nodes, flow_.element[flow_.place[u]]);
     }
   }
 
-  std::size_t degree_at(std::uint32_t i) const { return graph_.rows[order_[i]].degree(); }
+  std::size_t degree_at(std::uint32_t i) const { return graph_.neighbours[order_[i]].degree(); }
 
   void find_passes() {
     std::array<Step, 3> steps;

@@ -8,8 +8,8 @@
 namespace ar3d::two_bend {
 
 bool LocalGraph::adjacent(Vertex u, Vertex v) const {
-  const Row& row = rows[u];
-  return std::find(row.to.begin(), row.to.end(), v) != row.to.end();
+  const NeighbourList& near = neighbours[u];
+  return std::find(near.to.begin(), near.to.end(), v) != near.to.end();
 }
 
 ComponentReader::ComponentReader(const Graph& graph)
@@ -17,25 +17,26 @@ ComponentReader::ComponentReader(const Graph& graph)
       local_(graph.num_vertices(), kNoVertex),
       is_read_(graph.num_vertices(), false) {
   const bool is_cubic = std::uint64_t{2} * graph.num_edges() == std::uint64_t{3} * local_.size();
-  if (is_cubic && !local_.empty()) cubic_rows_ = graph.incident(0).data();
+  if (is_cubic && !local_.empty()) cubic_half_edges_ = graph.incident(0).data();
 }
 
 bool ComponentReader::next(LocalGraph& out) {
   while (first_ < graph_.num_vertices() && is_read_[first_]) ++first_;
   if (first_ == graph_.num_vertices()) return false;
   search_from(first_, out);
-  for (Row& row : out.rows) {
-    for (std::size_t k = 0, degree = row.degree(); k < degree; ++k) row.to[k] = local_[row.to[k]];
+  for (NeighbourList& near : out.neighbours) {
+    for (std::size_t k = 0, degree = near.degree(); k < degree; ++k)
+      near.to[k] = local_[near.to[k]];
   }
   return true;
 }
 
-/// Every vertex's half-edges are read once from the input; rows hold input names until the search
+/// Every vertex's half-edges are read once from the input; lists hold input names until the search
 /// has ended.
 void ComponentReader::search_from(Vertex root, LocalGraph& out) {
   out.name.clear();
   out.parent.clear();
-  out.rows.clear();
+  out.neighbours.clear();
   out.edges.clear();
   reserve(out);
   turns_.assign(1, {root, 0});
@@ -50,14 +51,14 @@ void ComponentReader::search_from(Vertex root, LocalGraph& out) {
 void ComponentReader::reserve(LocalGraph& out) const {
   out.name.reserve(local_.size());
   out.parent.reserve(local_.size());
-  out.rows.reserve(local_.size());
+  out.neighbours.reserve(local_.size());
   out.edges.reserve(local_.size());
 }
 
-/// Without a look at where rows begin if all are equally long: one wait for memory less.
+/// Without a look at where lists begin if all are equally long: one wait for memory less.
 std::span<const HalfEdge> ComponentReader::incident(Vertex v) const {
-  if (cubic_rows_ == nullptr) return graph_.incident(v);
-  return {cubic_rows_ + std::size_t{3} * v, 3};
+  if (cubic_half_edges_ == nullptr) return graph_.incident(v);
+  return {cubic_half_edges_ + std::size_t{3} * v, 3};
 }
 
 /// Unread neighbours are asked for at once: the search comes to one of them in the next turn.
@@ -67,15 +68,15 @@ void ComponentReader::read(Turn turn, LocalGraph& out) {
   is_read_[turn.to] = true;
   out.name.push_back(turn.to);
   out.parent.push_back(turn.parent);
-  Row& row = out.rows.emplace_back();
+  NeighbourList& near = out.neighbours.emplace_back();
   std::array<EdgeId, 3>& edges = out.edges.emplace_back();
   const std::span<const HalfEdge> halves = incident(turn.to);
   for (std::size_t k = halves.size(); k-- > 0;) {
-    row.to[k] = halves[k].to;
+    near.to[k] = halves[k].to;
     edges[k] = halves[k].edge;
-    if (is_read_[row.to[k]]) continue;
-    __builtin_prefetch(incident(row.to[k]).data());
-    turns_.push_back({row.to[k], name});
+    if (is_read_[near.to[k]]) continue;
+    __builtin_prefetch(incident(near.to[k]).data());
+    turns_.push_back({near.to[k], name});
   }
 }
 

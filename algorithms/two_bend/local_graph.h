@@ -23,7 +23,7 @@ template <class T>
 }
 
 /// The neighbours of one vertex of a component: at most three, then kNoVertex.
-struct Row {
+struct NeighbourList {
   std::array<Vertex, 3> to{kNoVertex, kNoVertex, kNoVertex};
   std::size_t degree() const {
     return std::size_t{to[0] != kNoVertex} + (to[1] != kNoVertex) + (to[2] != kNoVertex);
@@ -34,11 +34,11 @@ struct Row {
 /// is known (parent[v] < v) and neighbours tend to lie close together in memory.
 struct LocalGraph {
   std::vector<Vertex> name;  ///< of the input graph
-  std::vector<Row> rows;
-  std::vector<std::array<EdgeId, 3>> edges;  ///< of the input graph, in the order of the rows
+  std::vector<NeighbourList> neighbours;
+  std::vector<std::array<EdgeId, 3>> edges;  ///< of the input graph, in the order of the neighbours
   std::vector<Vertex> parent;                ///< parent[0] = 0
 
-  Vertex size() const { return static_cast<Vertex>(rows.size()); }
+  Vertex size() const { return static_cast<Vertex>(neighbours.size()); }
   bool adjacent(Vertex u, Vertex v) const;
 };
 
@@ -61,10 +61,10 @@ class ComponentReader {
   std::span<const HalfEdge> incident(Vertex v) const;
 
   const Graph& graph_;
-  const HalfEdge* cubic_rows_ = nullptr;  // of all vertices, if all have degree 3
-  std::vector<Vertex> local_;             // kNoVertex until named
-  std::vector<bool> is_read_;             // as local_, but small enough to stay in the cache
-  std::vector<Turn> turns_;               // not taken yet, the next one last
+  const HalfEdge* cubic_half_edges_ = nullptr;  // of all vertices, if all have degree 3
+  std::vector<Vertex> local_;                   // kNoVertex until named
+  std::vector<bool> is_read_;                   // as local_, but small enough to stay in the cache
+  std::vector<Turn> turns_;                     // not taken yet, the next one last
   Vertex first_ = 0;
 };
 

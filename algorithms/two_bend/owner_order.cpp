@@ -58,7 +58,7 @@ class Forest {
   Forest(const View& view, const Attachment& attachment, const std::vector<std::uint32_t>& weights)
       : view_(view),
         attachment_(attachment),
-        cells_(view.size()),
+        trees_(view.size()),
         grows_right_(view.size(), false),
         order_(view.size(), kNone) {
     find_parents();
@@ -85,15 +85,15 @@ class Forest {
       }
     }
     for (NodeId i = 0; i < view_.size(); ++i) {
-      view_.ask(i + kAhead, cells_);
-      if (cells_[view_.at(i)].begin != kNone) place_parts(view_.at(i));
+      view_.ask(i + kAhead, trees_);
+      if (trees_[view_.at(i)].begin != kNone) place_parts(view_.at(i));
     }
     order_.resize(end_);
     return std::move(order_);
   }
 
  private:
-  struct Cell {
+  struct Tree {
     NodeId parent = kNone;
     std::uint32_t weight = 0;
     std::uint32_t size = 0;       // owners of the tree
@@ -166,7 +166,7 @@ class Forest {
       if ((type != NodeType::split && type != NodeType::station) || view_.ins(v).empty()) continue;
       const NodeId u = view_.ins(v)[0];
       const NodeType below = view_.type(u);
-      if (below == NodeType::split || below == NodeType::source) cells_[v].parent = view_.row_of(u);
+      if (below == NodeType::split || below == NodeType::source) trees_[v].parent = view_.row_of(u);
     }
   }
 
@@ -176,7 +176,7 @@ class Forest {
     const Flow& flow = view_.flow();
     const BlockId block = flow.block[sink.node];
     const NodeId entry = flow.block_entry[block];
-    if (entry == kNone || cells_[entry].parent == kNone) return;
+    if (entry == kNone || trees_[entry].parent == kNone) return;
     if (hang_block_.empty()) hang_block_.assign(flow.block_entry.size(), kNone);
     hang_block_[block] = entry;
   }
@@ -187,7 +187,7 @@ class Forest {
     for (NodeId i = view_.size(); i-- > 0;) {
       const NodeId v = view_.at(i);
       const NodeId entry = hang_block_[view_.flow().block[v]];
-      if (entry == kNone || entry == v || !is_initial_owner(v) || cells_[v].parent != kNone)
+      if (entry == kNone || entry == v || !is_initial_owner(v) || trees_[v].parent != kNone)
         continue;
       hanging_[v].on = entry;
       hanging_[v].next = std::exchange(hanging_[entry].first, v);
@@ -198,14 +198,14 @@ class Forest {
     for (NodeId i = view_.size();
          i-- > 0;) {  // attachments go back in time, so clusters add up to their owners
       const NodeId v = view_.at(i);
-      if (i >= kAhead) ask_for(cells_, below_in_tree(view_.at(i - kAhead)));
-      Cell& cell = cells_[v];
-      cell.weight += weights.empty() ? 1 : weights[v];
-      if (is_initial_owner(v)) ++cell.size;
+      if (i >= kAhead) ask_for(trees_, below_in_tree(view_.at(i - kAhead)));
+      Tree& tree = trees_[v];
+      tree.weight += weights.empty() ? 1 : weights[v];
+      if (is_initial_owner(v)) ++tree.size;
       const NodeId to = below_in_tree(v);
       if (to == kNone) continue;
-      cells_[to].weight += cell.weight;
-      cells_[to].size += cell.size;
+      trees_[to].weight += tree.weight;
+      trees_[to].size += tree.size;
     }
   }
 
@@ -214,7 +214,7 @@ class Forest {
   }
 
   NodeId tree_above(NodeId v) const {
-    if (cells_[v].parent != kNone || hanging_.empty()) return cells_[v].parent;
+    if (trees_[v].parent != kNone || hanging_.empty()) return trees_[v].parent;
     return hanging_[v].on;
   }
 
@@ -228,7 +228,7 @@ class Forest {
     Children result;
     add_children(owner, owner, result);
     std::sort(result.of.begin(), result.of.begin() + result.count,
-              [&](NodeId a, NodeId b) { return cells_[a].weight < cells_[b].weight; });
+              [&](NodeId a, NodeId b) { return trees_[a].weight < trees_[b].weight; });
     return result;
   }
 
@@ -249,9 +249,9 @@ class Forest {
 
   /// The next places for the whole tree of v, which grows to the right or to the left.
   void place_tree(NodeId v, bool to_right) {
-    cells_[v].begin = end_;
+    trees_[v].begin = end_;
     grows_right_[v] = to_right;
-    end_ += cells_[v].size;
+    end_ += trees_[v].size;
   }
 
   /// The unit's members side by side; the children of the first to the left, all others to the
@@ -273,13 +273,13 @@ class Forest {
   /// parent.
   void place_parts(NodeId v) {
     const bool to_right = grows_right_[v];
-    std::uint32_t at = cells_[v].begin + (to_right ? 0 : cells_[v].size);
+    std::uint32_t at = trees_[v].begin + (to_right ? 0 : trees_[v].size);
     const auto take = [&](std::uint32_t size) {
       if (to_right) return std::exchange(at, at + size);
       return at -= size;
     };
     const auto place = [&](NodeId tree, bool away) {
-      cells_[tree].begin = take(cells_[tree].size);
+      trees_[tree].begin = take(trees_[tree].size);
       grows_right_[tree] = away == to_right;
     };
     const Children above = children(v);
@@ -294,7 +294,7 @@ class Forest {
 
   const View& view_;
   const Attachment& attachment_;
-  std::vector<Cell> cells_;
+  std::vector<Tree> trees_;
   std::vector<NodeId> hang_block_;  // per block: the entry its other roots hang on
   std::vector<Hanging> hanging_;    // per node; empty if no tree hangs
   std::vector<bool> grows_right_;   // per root of a tree

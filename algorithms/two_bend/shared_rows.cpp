@@ -107,7 +107,7 @@ class Sharing {
 
 std::vector<NodeId>& owners_of(Flow& flow, bool columns) { return flow.row_owner[columns ? 1 : 0]; }
 
-/// Row owners from who shares; the lowest of a row owns it.
+/// NeighbourList owners from who shares; the lowest of a row owns it.
 void set_owners(Flow& flow, const View& view, const std::vector<std::uint8_t>& shares) {
   std::vector<NodeId>& owner = owners_of(flow, view.columns());
   std::vector<std::uint8_t>& roles = flow.roles[view.columns() ? 1 : 0];

@@ -13,7 +13,7 @@ namespace ar3d::two_bend {
 StOrder::StOrder(const LocalGraph& graph, const Blocks& blocks)
     : graph_(graph), blocks_(blocks), number_(graph.size(), kUnseen) {
   visited_.reserve(graph.size());
-  cells_.reserve(graph.size());
+  numbered_.reserve(graph.size());
 }
 
 const std::vector<Vertex>& StOrder::order(Vertex s, Vertex t) {
@@ -28,7 +28,7 @@ const std::vector<Vertex>& StOrder::order(Vertex s, Vertex t) {
 /// Depth-first search of the block from t, with the virtual tree edge s - t above it.
 void StOrder::search(Vertex s, Vertex t) {
   visited_.assign(1, s);
-  cells_.assign(1, {});
+  numbered_.assign(1, {});
   number_[s] = 0;
   turns_.assign(1, {t, 0});
   while (!turns_.empty()) {
@@ -45,27 +45,27 @@ void StOrder::visit(Turn turn) {
   const auto number = static_cast<Vertex>(visited_.size());
   number_[v] = number;
   visited_.push_back(v);
-  Cell& cell = cells_.emplace_back();
-  cell.parent = turn.parent;
-  cell.low = number;
-  const Row& row = graph_.rows[v];
-  for (std::size_t k = row.degree(); k-- > 0;) {
-    const Vertex u = row.to[k];
+  Numbered& here = numbered_.emplace_back();
+  here.parent = turn.parent;
+  here.low = number;
+  const NeighbourList& near = graph_.neighbours[v];
+  for (std::size_t k = near.degree(); k-- > 0;) {
+    const Vertex u = near.to[k];
     if (blocks_.is_bridge(v, u)) continue;
     if (number_[u] == kUnseen) {
-      ask_for(graph_.rows, u);
+      ask_for(graph_.neighbours, u);
       turns_.push_back({u, number});
     } else if (number_[u] != turn.parent) {
-      cell.low = std::min(cell.low, number_[u]);
+      here.low = std::min(here.low, number_[u]);
     }
   }
 }
 
 void StOrder::find_lows() {
-  for (std::size_t i = cells_.size(); i-- > 2;) {
-    Cell& parent = cells_[cells_[i].parent];
-    parent.low = std::min(parent.low, cells_[i].low);
-    parent.size += cells_[i].size;
+  for (std::size_t i = numbered_.size(); i-- > 2;) {
+    Numbered& parent = numbered_[numbered_[i].parent];
+    parent.low = std::min(parent.low, numbered_[i].low);
+    parent.size += numbered_[i].size;
   }
 }
 
@@ -75,22 +75,22 @@ void StOrder::find_lows() {
 void StOrder::place_in_preorder() {
   list_.resize(visited_.size());
   list_[0] = visited_[0];
-  plus_.assign(cells_.size(), false);
-  cells_[1].begin = 1;
-  cells_[1].end = static_cast<std::uint32_t>(cells_.size());
-  for (Vertex i = 2; i < cells_.size(); ++i) {
-    Cell& cell = cells_[i];
-    Cell& parent = cells_[cell.parent];
-    const bool before = !plus_[cell.low];
-    expect(before || cell.parent != 1, "nothing is inserted behind t");
-    plus_[cell.parent] = before;
-    cell.begin = before ? parent.begin : parent.end - cell.size;
-    cell.end = cell.begin + cell.size;
-    (before ? parent.begin : parent.end) = before ? cell.end : cell.begin;
+  plus_.assign(numbered_.size(), false);
+  numbered_[1].begin = 1;
+  numbered_[1].end = static_cast<std::uint32_t>(numbered_.size());
+  for (Vertex i = 2; i < numbered_.size(); ++i) {
+    Numbered& here = numbered_[i];
+    Numbered& parent = numbered_[here.parent];
+    const bool before = !plus_[here.low];
+    expect(before || here.parent != 1, "nothing is inserted behind t");
+    plus_[here.parent] = before;
+    here.begin = before ? parent.begin : parent.end - here.size;
+    here.end = here.begin + here.size;
+    (before ? parent.begin : parent.end) = before ? here.end : here.begin;
   }
-  for (Vertex i = 1; i < cells_.size(); ++i) {
-    expect(cells_[i].begin + 1 == cells_[i].end, "a vertex has one place");
-    list_[cells_[i].begin] = visited_[i];
+  for (Vertex i = 1; i < numbered_.size(); ++i) {
+    expect(numbered_[i].begin + 1 == numbered_[i].end, "a vertex has one place");
+    list_[numbered_[i].begin] = visited_[i];
   }
 }
 
@@ -152,14 +152,14 @@ bool repair_true_sink(const LocalGraph& graph, std::vector<Vertex>& list) {
 
 unsigned count_closing_neighbours(const LocalGraph& graph, const std::vector<Vertex>& list) {
   const Vertex t = list.back();
-  const Row& row = graph.rows[t];
+  const NeighbourList& near = graph.neighbours[t];
   unsigned count = 0;
-  for (std::size_t k = 0; k < row.degree(); ++k) {
-    const auto at = std::find(list.rbegin(), list.rend(), row.to[k]);
+  for (std::size_t k = 0; k < near.degree(); ++k) {
+    const auto at = std::find(list.rbegin(), list.rend(), near.to[k]);
     if (at == list.rend()) continue;
     const auto is_later = [&](Vertex v) { return std::find(list.rbegin(), at, v) != at; };
     unsigned later = 0;
-    const Row& other = graph.rows[*at];
+    const NeighbourList& other = graph.neighbours[*at];
     for (std::size_t j = 0; j < other.degree(); ++j) later += is_later(other.to[j]) ? 1u : 0u;
     if (later == 1) ++count;
   }

@@ -23,7 +23,7 @@ class StOrder {
     Vertex parent;  // that neighbour's number
   };
   /// What is known of the vertex with a number; all names in it are numbers.
-  struct Cell {
+  struct Numbered {
     Vertex parent = 0;
     Vertex low = 0;
     std::uint32_t size = 1;   // of its subtree, which fills consecutive places of the list
@@ -39,11 +39,11 @@ class StOrder {
 
   const LocalGraph& graph_;
   const Blocks& blocks_;
-  std::vector<Vertex> number_;   // per vertex, in preorder; kUnseen outside the block
-  std::vector<Vertex> visited_;  // per number: the vertex
-  std::vector<Cell> cells_;      // per number
-  std::vector<bool> plus_;       // per number: which side of it the next one takes
-  std::vector<Turn> turns_;      // not taken yet, the next one last
+  std::vector<Vertex> number_;      // per vertex, in preorder; kUnseen outside the block
+  std::vector<Vertex> visited_;     // per number: the vertex
+  std::vector<Numbered> numbered_;  // per number
+  std::vector<bool> plus_;          // per number: which side of it the next one takes
+  std::vector<Turn> turns_;         // not taken yet, the next one last
   std::vector<Vertex> list_;
 };
 

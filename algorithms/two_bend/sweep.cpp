@@ -12,9 +12,9 @@ namespace ar3d::two_bend {
 namespace {
 
 /// Works on places in the time order.
-class Sweep {
+class Writer {
  public:
-  Sweep(const Component& component, Output& output)
+  Writer(const Component& component, Output& output)
       : in_(component),
         output_(output),
         xy_(component.order.list.size()),
@@ -210,7 +210,7 @@ class Sweep {
       const Vertex v = in_.order.list[i];
       const std::size_t other = in_.graph.edges[v][0] == id ? 1 : 0;
       id = in_.graph.edges[v][other];
-      i = in_.flow.place[in_.graph.rows[v].to[other]];
+      i = in_.flow.place[in_.graph.neighbours[v].to[other]];
     }
     std::size_t last = in_.slabs.of_edge[e].count();
     if (stands_free(edge.upper) && bend_under(e, k)) stand_on(i, points[--last]);
@@ -235,6 +235,6 @@ class Sweep {
 
 }  // namespace
 
-void sweep(const Component& component, Output& output) { Sweep(component, output).run(); }
+void sweep(const Component& component, Output& output) { Writer(component, output).run(); }
 
 }  // namespace ar3d::two_bend

@@ -57,12 +57,12 @@ std::vector<Vertex> breadth_first(const LocalGraph& graph, Vertex start) {
   std::vector<Vertex> queue{start};
   seen[start] = true;
   for (std::size_t i = 0; i < queue.size(); ++i) {
-    if (i + kAhead < queue.size()) ask_for(graph.rows, queue[i + kAhead]);
-    const Row& row = graph.rows[queue[i]];
-    for (std::size_t k = 0; k < row.degree(); ++k) {
-      if (!seen[row.to[k]]) {
-        seen[row.to[k]] = true;
-        queue.push_back(row.to[k]);
+    if (i + kAhead < queue.size()) ask_for(graph.neighbours, queue[i + kAhead]);
+    const NeighbourList& near = graph.neighbours[queue[i]];
+    for (std::size_t k = 0; k < near.degree(); ++k) {
+      if (!seen[near.to[k]]) {
+        seen[near.to[k]] = true;
+        queue.push_back(near.to[k]);
       }
     }
   }
@@ -110,9 +110,9 @@ class BlockTreeWalk {
 
  private:
   struct Frame {
-    std::size_t begin;  // of the block's list in pending_
-    std::size_t next;   // the next vertex of the list to emit
-    std::uint8_t slot;  // half-edges of the last emitted vertex looked at so far
+    std::size_t begin;       // of the block's list in pending_
+    std::size_t next;        // the next vertex of the list to emit
+    std::uint8_t looked_at;  // half-edges of the last emitted vertex looked at so far
   };
 
   void push(const std::vector<Vertex>& list) {
@@ -124,7 +124,7 @@ class BlockTreeWalk {
 
   void emit_next(Frame& frame) {
     const Vertex v = pending_[frame.next++];
-    frame.slot = 0;
+    frame.looked_at = 0;
     emitted_[v] = true;
     order_.push_back(v);
   }
@@ -132,9 +132,9 @@ class BlockTreeWalk {
   void step() {
     Frame& frame = frames_.back();
     const Vertex v = pending_[frame.next - 1];
-    const Row& row = graph_.rows[v];
-    while (frame.slot < row.degree()) {
-      const Vertex u = row.to[frame.slot++];
+    const NeighbourList& near = graph_.neighbours[v];
+    while (frame.looked_at < near.degree()) {
+      const Vertex u = near.to[frame.looked_at++];
       if (blocks_.is_bridge(v, u) && !emitted_[u]) {
         push(lists_.from(u));
         return;
@@ -163,7 +163,7 @@ class BlockTreeWalk {
 std::optional<Vertex> root_of_low_degree(const LocalGraph& graph, const Blocks& blocks) {
   std::optional<Vertex> found;
   for (Vertex v = 0; v < graph.size(); ++v) {
-    const std::size_t degree = graph.rows[v].degree();
+    const std::size_t degree = graph.neighbours[v].degree();
     const Block& block = blocks.block_of(v);
     if (block.size == 1 && block.members[0] != v) continue;  // cut off with its Q body
     if (degree == 1) return v;

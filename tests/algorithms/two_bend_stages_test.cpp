@@ -36,8 +36,8 @@ std::size_t count_reachable_without(const LocalGraph& graph, Vertex from, Vertex
     const Vertex at = stack.back();
     stack.pop_back();
     ++count;
-    for (std::size_t k = 0; k < graph.rows[at].degree(); ++k) {
-      const Vertex to = graph.rows[at].to[k];
+    for (std::size_t k = 0; k < graph.neighbours[at].degree(); ++k) {
+      const Vertex to = graph.neighbours[at].to[k];
       if ((at == u && to == v) || (at == v && to == u) || seen[to]) continue;
       seen[to] = true;
       stack.push_back(to);
@@ -83,8 +83,8 @@ TEST(TwoBendBlocks, BridgesAreThoseWhoseRemovalDisconnects) {
     for (const LocalGraph& graph : components_of(testing::random_graph_of_any_kind(20, seed))) {
       const Blocks blocks = find_blocks(graph);
       for (Vertex v = 0; v < graph.size(); ++v) {
-        for (std::size_t k = 0; k < graph.rows[v].degree(); ++k) {
-          const Vertex u = graph.rows[v].to[k];
+        for (std::size_t k = 0; k < graph.neighbours[v].degree(); ++k) {
+          const Vertex u = graph.neighbours[v].to[k];
           EXPECT_EQ(blocks.is_bridge(v, u), count_reachable_without(graph, v, v, u) < graph.size());
         }
       }
@@ -110,7 +110,8 @@ TEST(TwoBendOrder, StOrderHasNoInnerSourceOrSink) {
       for (const Vertex v : list) {
         bool earlier = v == s;
         bool later = v == t;
-        for (const Vertex u : graph.rows[v].to) (place[u] < place[v] ? earlier : later) = true;
+        for (const Vertex u : graph.neighbours[v].to)
+          (place[u] < place[v] ? earlier : later) = true;
         EXPECT_TRUE(earlier && later);
       }
     }
