@@ -1,7 +1,6 @@
 #include "study.h"
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <atomic>
@@ -16,7 +15,6 @@
 #include "ar3d/analysis/report.h"
 #include "ar3d/bench/keep/journaled_study.h"
 #include "ar3d/bench/keep/study_files.h"
-#include "ar3d/bench/run/run_study.h"
 #include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/printable.h"
@@ -37,10 +35,10 @@ struct RunArguments {
   std::string output;
   std::string shard;
   std::vector<std::string> again;
-  int threads = 0;
+  int workers = 0;  // 0: workers_for() decides
   bool quiet = false;
   bool force = false;
-  MakingRules making;
+  MakingPolicy policy;  // what the command line says of it
 };
 
 std::atomic<bool> g_stop{false};
@@ -79,7 +77,8 @@ int conclude(const JournaledStudy& study) {
   return verdict.exit_code();
 }
 
-int run_to_the_end(const JournaledStudy& study, const RunArguments& arguments, Ranks& ranks) {
+int run_to_the_end(const JournaledStudy& study, const RunArguments& arguments,
+                   const MakingPolicy& policy, Ranks& ranks) {
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
   std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error of the write, like a full disk
@@ -89,13 +88,7 @@ int run_to_the_end(const JournaledStudy& study, const RunArguments& arguments, R
   }
   StudyOutcome outcome;
   try {
-    outcome = run_journaled(study,
-                            {.threads = arguments.threads,
-                             .progress = arguments.quiet || ranks.size() > 1 ? nullptr : stderr,
-                             .stop = &g_stop,
-                             .making = arguments.making,
-                             .next_instance = {}},
-                            ranks);
+    outcome = run_journaled(study, policy, ranks);
   } catch (const JournalFull& error) {
     if (ranks.is_first()) {
       fmt::print(stderr,
@@ -116,17 +109,18 @@ int run_to_the_end(const JournaledStudy& study, const RunArguments& arguments, R
 // Begins and makes a study on all ranks; the first one speaks for all.
 int make_study(const RunArguments& arguments, const std::function<JournaledStudy()>& begin) {
   const std::unique_ptr<Ranks> ranks = join_ranks();
+  MakingPolicy policy = arguments.policy;
+  policy.workers = workers_for(arguments.workers, ranks->size());
+  policy.ranks = ranks.get();
+  policy.stop = &g_stop;
+  if (!arguments.quiet && ranks->size() == 1) policy.progress = stderr;
   const auto begin_possible = [&] {
     JournaledStudy begun = begin();
-    MakingRules making = arguments.making;
-    making.ranks = ranks.get();
-    const int all = ranks->size() > 1 ? 1 : omp_get_max_threads();
-    making.threads = arguments.threads > 0 ? arguments.threads : all;
-    refuse_impossible_study(begun.spec, making);
+    refuse_impossible_study(begun.spec, policy);
     return begun;
   };
   try {
-    return run_to_the_end(begin_together(*ranks, begin_possible), arguments, *ranks);
+    return run_to_the_end(begin_together(*ranks, begin_possible), arguments, policy, *ranks);
   } catch (const InputError& error) {
     // Said before the ranks part: mpirun ends all of them as soon as one has left with an error.
     if (ranks->is_first()) fmt::print(stderr, "ar3d: {}\n", error.what());
@@ -140,10 +134,13 @@ int make_study(const RunArguments& arguments, const std::function<JournaledStudy
 }
 
 void add_common(CLI::App& verb, RunArguments& arguments) {
-  verb.add_option("--threads", arguments.threads, "number of threads; all cores if left out")
+  verb.add_option(
+          "--threads", arguments.workers,
+          "rows made at the same time; as many as cores if left out, one on each of several "
+          "ranks")
       ->check(CLI::Range(1, 1024));
   verb.add_flag("-q,--quiet", arguments.quiet, "no progress on standard error");
-  add_making_options(verb, arguments.making);
+  add_making_options(verb, arguments.policy);
 }
 
 JournaledStudy begin_new(const RunArguments& arguments, const Shard& shard) {

@@ -16,10 +16,10 @@ void add_study_plan(CLI::App& study, int& exit_code);
 void add_study_selfcheck(CLI::App& study, int& exit_code);
 void add_study_count(CLI::App& study, int& exit_code);
 
-/// Before any work: @throws InputError if the study cannot be made with these rules (bad build, too
+/// Before any work: @throws InputError if the study cannot be made with this policy (bad build, too
 /// few cores) or, for large sizes and for rows with limits, if a cell is estimated to be
 /// impossible.
-void refuse_impossible_study(const StudySpec& spec, const MakingRules& options);
+void refuse_impossible_study(const StudySpec& spec, const MakingPolicy& policy);
 
 /// "2/8": the second of eight. @throws InputError naming the text.
 Shard parse_shard(const std::string& text);

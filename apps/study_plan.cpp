@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <memory>
@@ -25,7 +24,7 @@ std::string about(double seconds) {
   return fmt::format("{:.3g} h", seconds / 3600);
 }
 
-void print_estimate(const StudyPlan& plan, const StudyEstimate& estimate, int threads) {
+void print_estimate(const StudyPlan& plan, const StudyEstimate& estimate, int workers) {
   for (const CellEstimate& cell : estimate.cells) {
     fmt::print("{} {} n={} {} {}: {} instances, {} rows, about {} and {:.2g} MB a row, {} in all\n",
                cell.family, cell.parameters, cell.n, cell.algorithm, cell.options, cell.instances,
@@ -36,7 +35,7 @@ void print_estimate(const StudyPlan& plan, const StudyEstimate& estimate, int th
   if (estimate.optional_rows > 0) fmt::print(" and at most {} more", estimate.optional_rows);
   fmt::print(
       "\nestimated from runs up to n = {}: {} on {} threads, {:.2g} MB for the largest row\n",
-      estimate.calibration_n, about(estimate.wall_s), threads, estimate.largest_row_bytes / 1e6);
+      estimate.calibration_n, about(estimate.wall_s), workers, estimate.largest_row_bytes / 1e6);
   if (plan.budget.study_s && estimate.wall_s > *plan.budget.study_s) {
     fmt::print("the budget of {} will probably end it earlier\n", about(*plan.budget.study_s));
   }
@@ -44,18 +43,15 @@ void print_estimate(const StudyPlan& plan, const StudyEstimate& estimate, int th
 
 }  // namespace
 
-void refuse_impossible_study(const StudySpec& spec, const MakingRules& options) {
+void refuse_impossible_study(const StudySpec& spec, const MakingPolicy& policy) {
   const StudyPlan plan = plan_study(spec);
-  MakingRules rules = options;
-  rules.timing = plan.timing;
-  rules.budget = plan.budget;
-  require_makeable(plan, rules);
+  require_makeable(plan, policy);
   const std::vector<PlannedBlock>& blocks = plan.instances.blocks();
   const bool is_large = std::any_of(blocks.begin(), blocks.end(), [](const PlannedBlock& block) {
     return block.first.n >= kLargeSize;
   });
   if (!is_large && !plan.budget.limits_rows()) return;
-  refuse_impossible(plan, estimate(plan, rules.threads), available_memory());
+  refuse_impossible(plan, estimate(plan, policy.workers), available_memory());
 }
 
 void add_study_plan(CLI::App& study, int&) {
@@ -63,12 +59,13 @@ void add_study_plan(CLI::App& study, int&) {
       "plan", "Lists the cells of a study with estimated time and memory; refuses impossible ones");
   struct Arguments {
     std::string study;
-    int threads = omp_get_max_threads();
+    int workers = 0;
   };
   const auto arguments = std::make_shared<Arguments>();
   verb->add_option("STUDY", arguments->study, "a TOML file or a study of `ar3d list studies`")
       ->required();
-  verb->add_option("--threads", arguments->threads, "of the metrics phase; all cores if left out")
+  verb->add_option("--threads", arguments->workers,
+                   "rows made at the same time; as many as cores if left out")
       ->check(CLI::Range(1, 1024));
   verb->footer(
       "Estimates are extrapolated from short runs at small sizes on this machine; expect them to "
@@ -77,8 +74,9 @@ void add_study_plan(CLI::App& study, int&) {
       "plan quick");
   verb->callback([arguments] {
     const StudyPlan plan = plan_study(load_study(arguments->study));
-    const StudyEstimate made = estimate(plan, arguments->threads);
-    print_estimate(plan, made, arguments->threads);
+    const int workers = workers_for(arguments->workers);
+    const StudyEstimate made = estimate(plan, workers);
+    print_estimate(plan, made, workers);
     refuse_impossible(plan, made, available_memory());
   });
 }

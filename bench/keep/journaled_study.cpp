@@ -14,6 +14,9 @@
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/stopwatch.h"
 #include "ar3d/bench/plan/plan.h"
+#include "ar3d/bench/plan/work_order.h"
+#include "ar3d/bench/run/describe_study.h"
+#include "ar3d/bench/run/make_rows.h"
 #include "ar3d/bench/run/rank_batch.h"
 #include "ar3d/model/error.h"
 #include "ar3d/results/atomic_file.h"
@@ -122,9 +125,9 @@ StudyIdentity identity_of(const JournaledStudy& study, const StudyPlan& plan) {
   return identity;
 }
 
-std::vector<EnvironmentEntry> session_of(const JournaledStudy& study, const StudyOptions& options,
+std::vector<EnvironmentEntry> session_of(const JournaledStudy& study, const MakingPolicy& policy,
                                          const Ranks& ranks) {
-  const Results description = describe_study(study.spec, options.threads);
+  const Results description = describe_study(study.spec, policy.workers);
   std::vector<EnvironmentEntry> session = {{"started", description.created}};
   if (study.shard.count > 1) {
     session.push_back({"shard", fmt::format("{}/{}", study.shard.index, study.shard.count)});
@@ -136,18 +139,26 @@ std::vector<EnvironmentEntry> session_of(const JournaledStudy& study, const Stud
   return session;
 }
 
-ExistingRows existing_rows(const RowCollection& rows) {
-  if (rows.size() == 0) return {};
-  const auto contains = [&rows](const std::string& key) {
-    return rows.find(parse_row_key(key)).has_value();
-  };
-  const auto read = [&rows](const std::string& key) {
+// New rows go into the journal; those that the collection has are there.
+class JournalSink final : public RowSink {
+ public:
+  JournalSink(const RowCollection& before, JournalWriter& journal)
+      : before_(before), journal_(journal) {}
+  bool has_any() const override { return before_.size() > 0; }
+  bool has(const std::string& key) const override {
+    return before_.find(parse_row_key(key)).has_value();
+  }
+  RunRecord read(const std::string& key) const override {
     std::vector<char> record(run_record_size());
-    rows.read(rows.find(parse_row_key(key)).value(), record.data());
+    before_.read(before_.find(parse_row_key(key)).value(), record.data());
     return load_record(record.data());
-  };
-  return {contains, read};
-}
+  }
+  void add(std::size_t, const RunRecord& row) override { journal_.append(row); }
+
+ private:
+  const RowCollection& before_;
+  JournalWriter& journal_;
+};
 
 // Does a step on all ranks; where it fails on one, it fails on all.
 void together(Ranks& ranks, const std::function<void()>& step) {
@@ -235,8 +246,8 @@ class Dismissal {
 // One process's part in a study: its journal and what was there before.
 class Part {
  public:
-  Part(const JournaledStudy& study, const StudyOptions& options, Ranks& ranks)
-      : study_(study), options_(options), ranks_(ranks), plan_(plan_of(study)) {
+  Part(const JournaledStudy& study, const MakingPolicy& policy, Ranks& ranks)
+      : study_(study), policy_(policy), ranks_(ranks), plan_(plan_of(study)) {
     const StudyIdentity identity = identity_of(study, plan_);
     const std::string path = journal_path(study.results, ranks.rank());
     together(ranks, [&] {
@@ -251,13 +262,13 @@ class Part {
 
   void make_rows() {
     const Stopwatch time;
-    together(ranks_, [&] { journal_->begin_session(session_of(study_, options_, ranks_)); });
-    StudyOptions shared = options_;
-    shared.making.ranks = &ranks_;
+    together(ranks_, [&] { journal_->begin_session(session_of(study_, policy_, ranks_)); });
+    MakingPolicy shared = policy_;
+    shared.name = study_.spec.name;
+    shared.ranks = &ranks_;
     if (ranks_.size() > 1) {
-      shared.threads = std::max(1, options_.threads);
-      shared.making.timed_phases = false;
-      shared.making.neighbours = (ranks_.size() - 1) * shared.threads;
+      shared.timed_phases = false;
+      shared.workers_elsewhere = (ranks_.size() - 1) * shared.workers;
     }
     // Two steps: a rank that cannot read must not leave the others sharing rows without it.
     std::optional<RowCollection> before;
@@ -265,14 +276,14 @@ class Part {
     together(ranks_, [&] { make_shared(shared, *before); });
     before.reset();
     if (ranks_.size() > 1 && ranks_.is_first()) {
-      shared.making.timed_phases = options_.making.timed_phases;
+      shared.timed_phases = policy_.timed_phases;
       shared.next_instance = [] { return std::nullopt; };
       if (plan_.budget.study_s) *plan_.budget.study_s -= time.wall_s();  // what is left of it
       const Dismissal at_end(ranks_);
       make(shared, rows_so_far(study_));
     } else if (ranks_.size() > 1) {
       RankBatches batches(plan_, plan_.timing, ranks_.rank(),
-                          [this] { return options_.stop != nullptr && options_.stop->load(); });
+                          [this] { return policy_.stop != nullptr && policy_.stop->load(); });
       ranks_.help([&](const std::string& job) { return batches.make_ready(job); });
     }
     journal_->end_session({{"load_after", load_average()}});
@@ -291,22 +302,22 @@ class Part {
       fmt::print(stderr,
                  "ar3d: {} ended with {} bytes that are no row of it; they are kept in {}\n", path,
                  journal_->bytes_cut(), journal_->cut_file());
-    } else if (options_.progress != nullptr && journal_->bytes_cut() > 0) {
-      fmt::print(options_.progress,
+    } else if (policy_.progress != nullptr && journal_->bytes_cut() > 0) {
+      fmt::print(policy_.progress,
                  "ar3d: {} ended with {} bytes of an unfinished row; they are cut off\n", path,
                  journal_->bytes_cut());
     }
   }
 
   // The largest instances first, so that none is left to the end.
-  void make_shared(const StudyOptions& options, const RowCollection& before) {
+  void make_shared(const MakingPolicy& policy, const RowCollection& before) {
     const LargestFirst order(plan_);
     std::vector<double> work;
     for (std::size_t i = 0; ranks_.size() > 1 && i < order.size(); ++i) {
       work.push_back(work_of_instance(plan_.instances.block_of_place(order[i]).first));
     }
     ranks_.share_out(work, [&](const Tickets& tickets) {
-      StudyOptions mine = options;
+      MakingPolicy mine = policy;
       if (tickets) {
         mine.next_instance = [&]() -> std::optional<std::size_t> {
           const std::optional<std::size_t> ticket = tickets();
@@ -318,13 +329,13 @@ class Part {
     });
   }
 
-  void make(const StudyOptions& options, const RowCollection& before) {
-    const auto append = [&](std::size_t, const RunRecord& run) { journal_->append(run); };
-    make_plan(plan_, options, existing_rows(before), append, study_.spec.name);
+  void make(const MakingPolicy& policy, const RowCollection& before) {
+    JournalSink sink(before, *journal_);
+    ar3d::make_rows(plan_, policy, sink);
   }
 
   const JournaledStudy& study_;
-  const StudyOptions& options_;
+  const MakingPolicy& policy_;
   Ranks& ranks_;
   StudyPlan plan_;
   std::optional<JournalWriter> journal_;  // until the end, so that nobody else takes the study up
@@ -332,8 +343,8 @@ class Part {
 
 }  // namespace
 
-StudyOutcome run_journaled(const JournaledStudy& study, const StudyOptions& options, Ranks& ranks) {
-  Part part(study, options, ranks);
+StudyOutcome run_journaled(const JournaledStudy& study, const MakingPolicy& policy, Ranks& ranks) {
+  Part part(study, policy, ranks);
   StudyOutcome outcome;
   together(ranks, [&] { part.make_rows(); });
   together(ranks, [&] {

@@ -29,7 +29,7 @@
 #include "ar3d/bench/measure/one_thread.h"
 #include "ar3d/bench/measure/stopwatch.h"
 #include "ar3d/bench/plan/plan.h"
-#include "ar3d/bench/run/run_study.h"
+#include "ar3d/bench/run/make_rows.h"
 #include "ar3d/results/columns.h"
 #include "ar3d/results/journal/journal_reader.h"
 #include "ar3d/results/journal/journal_writer.h"
@@ -234,6 +234,19 @@ void bare_kernel(benchmark::State& state, bool hash) {
   state.SetItemsProcessed(state.iterations() * kGraphs);
 }
 
+class MeasuringSink final : public RowSink {
+ public:
+  MeasuringSink(JournalWriter& journal, Besides& besides) : journal_(journal), besides_(besides) {}
+  void add(std::size_t, const RunRecord& run) override {
+    journal_.append(run);
+    besides_.add(run.generate_s + run.wall_s + run.certify_s);
+  }
+
+ private:
+  JournalWriter& journal_;
+  Besides& besides_;
+};
+
 void journaled_kernel(benchmark::State& state) {
   keep_heap();
   const StudyPlan plan = cubic_plan(state.range(0));
@@ -241,13 +254,10 @@ void journaled_kernel(benchmark::State& state) {
   JournalWriter journal(folder.file("k.journal"), identity());
   journal.begin_session({});
   Besides besides;
-  const auto keep = [&](std::size_t, const RunRecord& run) {  // called by one thread at a time
-    journal.append(run);
-    besides.add(run.generate_s + run.wall_s + run.certify_s);
-  };
-  for (auto _ : state) {
-    make_plan(plan, {.threads = static_cast<int>(state.range(1))}, {}, keep, "k");
-  }
+  MeasuringSink sink(journal, besides);
+  MakingPolicy policy;
+  policy.workers = static_cast<int>(state.range(1));
+  for (auto _ : state) make_rows(plan, policy, sink);
   besides.report(state, state.range(1));
   state.SetItemsProcessed(state.iterations() * kGraphs);
 }

@@ -12,16 +12,16 @@
 namespace ar3d {
 namespace {
 
-void work(RowSource& source, const Crew& crew, int slot, const std::atomic<bool>& failed) {
+void work(RowSource& source, const WorkerPool& pool, int worker, const std::atomic<bool>& failed) {
   const OneThread one_thread;
-  const int core = crew.cores.empty() ? -1 : crew.cores.at(static_cast<std::size_t>(slot));
+  const int core = pool.cores.empty() ? -1 : pool.cores.at(static_cast<std::size_t>(worker));
   const Pinning pinning(core);
-  RowMaker maker({.concurrency = crew.size + crew.neighbours,
+  RowMaker maker({.concurrency = pool.workers + pool.elsewhere,
                   .core = core,
-                  .memory = crew.size == 1 ? MemoryScope::row : MemoryScope::process});
+                  .memory = pool.workers == 1 ? MemoryScope::row : MemoryScope::process});
   std::shared_ptr<const PlannedInstance> prepared;
-  while (!failed && !(crew.stop && crew.stop())) {
-    const std::optional<RowJob> job = source.next(slot);
+  while (!failed && !source.making().stopped()) {
+    const std::optional<RowJob> job = source.next(worker);
     if (!job) return;
     if (job->instance != prepared) maker.prepare(*job->instance);
     prepared = job->instance;
@@ -33,13 +33,13 @@ void work(RowSource& source, const Crew& crew, int slot, const std::atomic<bool>
 
 // Not a parallel region of OpenMP: inside one, the regions of the generators would each make a
 // team.
-void make_rows_in_threads(RowSource& source, const Crew& crew) {
+void make_rows_in_threads(RowSource& source, const WorkerPool& pool) {
   std::mutex mutex;
   std::exception_ptr failure;
   std::atomic<bool> failed = false;
-  const auto work_guarded = [&](int slot) {
+  const auto work_guarded = [&](int worker) {
     try {
-      work(source, crew, slot, failed);
+      work(source, pool, worker, failed);
     } catch (...) {  // nothing may leave a thread
       const std::lock_guard<std::mutex> lock(mutex);
       if (!failure) failure = std::current_exception();
@@ -48,11 +48,11 @@ void make_rows_in_threads(RowSource& source, const Crew& crew) {
   };
   std::vector<std::thread> others;
   try {
-    for (int slot = 1; slot < crew.size; ++slot) others.emplace_back(work_guarded, slot);
+    for (int worker = 1; worker < pool.workers; ++worker) others.emplace_back(work_guarded, worker);
   } catch (const std::system_error& error) {
     failed = true;
     for (std::thread& thread : others) thread.join();
-    throw cannot_start_threads(crew.size, error);
+    throw cannot_start_threads(pool.workers, error);
   }
   work_guarded(0);
   for (std::thread& thread : others) thread.join();

@@ -37,12 +37,12 @@ class AwakeClock {
 // A place for a worker: it has a row in hand, or there is nothing left for it.
 class Slot {
  public:
-  Slot(RowSource& source, const Crew& crew, AwakeClock& clock, int number)
+  Slot(RowSource& source, const WorkerPool& pool, AwakeClock& clock, int number)
       : source_(source),
-        crew_(crew),
+        pool_(pool),
         clock_(clock),
         number_(number),
-        core_(crew.cores.empty() ? -1 : crew.cores.at(static_cast<std::size_t>(number))) {}
+        core_(pool.cores.empty() ? -1 : pool.cores.at(static_cast<std::size_t>(number))) {}
 
   bool busy() const { return job_.has_value(); }
   int descriptor() const { return worker_->descriptor(); }
@@ -64,7 +64,7 @@ class Slot {
       }
       if (worker_ && worker_->send(*job_)) return begin_time();
       worker_.reset();
-      worker_ = std::make_unique<WorkerProcess>(source_.instances(), crew_, core_);
+      worker_ = std::make_unique<WorkerProcess>(source_.making().plan(), pool_, core_);
       if (worker_->send(*job_)) return begin_time();
       give_up(worker_->end());
     }
@@ -105,8 +105,9 @@ class Slot {
 
   void begin_time() {
     limit_s_.reset();
-    if (!crew_.budget.row_time_s) return;
-    limit_s_ = (*crew_.budget.row_time_s)(job_->instance->n);
+    const Budget& budget = source_.making().plan().budget;
+    if (!budget.row_time_s) return;
+    limit_s_ = (*budget.row_time_s)(job_->instance->n);
     cpu_before_s_ = worker_->cpu_s();
     began_s_ = clock_.now_s();
   }
@@ -130,7 +131,7 @@ class Slot {
   }
 
   RowSource& source_;
-  const Crew& crew_;
+  const WorkerPool& pool_;
   AwakeClock& clock_;
   int number_;
   int core_;
@@ -158,13 +159,13 @@ void wait_for_news(const std::vector<Slot>& slots) {
 
 }  // namespace
 
-void make_rows_in_workers(RowSource& source, const Crew& crew) {
-  const auto stopped = [&] { return crew.stop && crew.stop(); };
+void make_rows_in_workers(RowSource& source, const WorkerPool& pool) {
+  const auto stopped = [&] { return source.making().stopped(); };
   AwakeClock clock;
   std::vector<Slot> slots;
-  slots.reserve(static_cast<std::size_t>(crew.size));
-  for (int i = 0; i < crew.size && !stopped(); ++i) {
-    slots.emplace_back(source, crew, clock, i).begin_next();
+  slots.reserve(static_cast<std::size_t>(pool.workers));
+  for (int i = 0; i < pool.workers && !stopped(); ++i) {
+    slots.emplace_back(source, pool, clock, i).begin_next();
   }
   while (std::any_of(slots.begin(), slots.end(), [](const Slot& slot) { return slot.busy(); })) {
     wait_for_news(slots);

@@ -9,7 +9,8 @@
 #include <thread>
 
 #include "ar3d/bench/measure/pinning.h"
-#include "ar3d/bench/run/make_rows.h"
+#include "ar3d/bench/plan/work_order.h"
+#include "ar3d/bench/run/phases.h"
 #include "ar3d/bench/run/rank_batch.h"
 
 namespace ar3d {
@@ -45,11 +46,11 @@ std::vector<BatchedDrawing> batched_drawings(const PlannedInstance& instance) {
 class ThreadBatch {
  public:
   ThreadBatch(const Graph& graph, const TimingRules& rules, const Rows& rows,
-              const RunRecord& begun, const std::function<bool()>& stop)
+              const RunRecord& begun, const Making& making)
       : graph_(graph),
         rules_(rules),
         rows_(rows),
-        stop_(stop),
+        making_(making),
         results_(rows.size(), begun),
         drawings_(rows.size()) {}
 
@@ -58,17 +59,17 @@ class ThreadBatch {
     const std::vector<int> cores = allowed_cores();
     const bool pin = static_cast<std::size_t>(threads) <= cores.size();
     std::barrier start(threads);
-    std::vector<std::thread> crew;
+    std::vector<std::thread> members;
     for (int i = 0; i < threads; ++i) {
       const int core = pin ? cores[cores.size() - 1 - static_cast<std::size_t>(i)] : -1;
       try {
-        crew.emplace_back([this, core, &start] { work(core, start); });
+        members.emplace_back([this, core, &start] { work(core, start); });
       } catch (const std::system_error& error) {
         note(std::make_exception_ptr(cannot_start_threads(threads, error)));
         for (; i < threads; ++i) start.arrive_and_drop();  // those that began wait for all
       }
     }
-    for (std::thread& thread : crew) thread.join();
+    for (std::thread& thread : members) thread.join();
     if (failure_) std::rethrow_exception(failure_);
     return std::chrono::duration<double>(last_end_ - first_start_).count();
   }
@@ -89,13 +90,13 @@ class ThreadBatch {
       const Pinning pinning(core);
       HardwareCounters counters;
       const AlgorithmChoice& choice = rows_.front()->choice;
-      for (std::uint32_t i = 0; i < rules_.warm_up && !stopped(); ++i) {
+      for (std::uint32_t i = 0; i < rules_.warm_up && !making_.stopped(); ++i) {
         draw(*choice.algorithm, graph_, choice.options);
       }
       start.arrive_and_wait();
       waited = true;
       const Clock::time_point begun = Clock::now();
-      for (std::size_t i = next_++; i < rows_.size() && !stopped(); i = next_++) {
+      for (std::size_t i = next_++; i < rows_.size() && !making_.stopped(); i = next_++) {
         draw_row(i, core, counters);
       }
       const Clock::time_point ended = Clock::now();
@@ -107,8 +108,6 @@ class ThreadBatch {
     }
     if (!waited) start.arrive_and_wait();
   }
-
-  bool stopped() const { return stop_ && stop_(); }
 
   void note(const std::exception_ptr& failure) {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -128,7 +127,7 @@ class ThreadBatch {
   const Graph& graph_;
   const TimingRules& rules_;
   const Rows& rows_;
-  const std::function<bool()>& stop_;  // asked before every drawing
+  const Making& making_;
   std::vector<RunRecord> results_;
   std::vector<std::optional<Drawing>> drawings_;
   std::atomic<std::size_t> next_ = 0;
@@ -142,20 +141,15 @@ class ThreadBatch {
 class InstanceBatches {
  public:
   /// @param place  of the instance in the plan.
-  InstanceBatches(const PlannedInstance& instance, std::size_t place, const MakingRules& rules,
-                  const RowHooks& hooks, const KnownFailure& failure, RankBatches& rank_batches)
-      : instance_(instance),
-        place_(place),
-        rules_(rules),
-        hooks_(hooks),
-        failure_(failure),
-        rank_batches_(rank_batches) {}
+  InstanceBatches(const PlannedInstance& instance, std::size_t place, Making& making,
+                  RankBatches& rank_batches)
+      : instance_(instance), place_(place), making_(making), rank_batches_(rank_batches) {}
 
   void run() {
     for (const BatchedDrawing& drawing : batched_drawings(instance_)) {
       std::optional<RunRecord> reference;
       for (const auto& [number, batches] : drawing.rounds) {
-        if (hooks_.stop && hooks_.stop()) return;
+        if (making_.stopped()) return;
         if (!any_wanted(batches)) continue;
         if (!reference) reference = certified(*batches.begin()->second.front());
         run_round(drawing.phase, batches, *reference);
@@ -164,17 +158,16 @@ class InstanceBatches {
   }
 
  private:
-  bool wanted(const PlannedRun& run) const { return !hooks_.wanted || hooks_.wanted(run.row_key); }
   bool any_wanted(const std::map<std::int64_t, Rows>& batches) const {
     return std::any_of(batches.begin(), batches.end(), [&](const auto& batch) {
       return std::any_of(batch.second.begin(), batch.second.end(),
-                         [&](const PlannedRun* run) { return wanted(*run); });
+                         [&](const PlannedRun* run) { return making_.wants(*run); });
     });
   }
 
   // The drawing certified, outside every batch; or how it failed.
   RunRecord certified(const PlannedRun& run) {
-    if (std::optional<RunRecord> failed = failure_(instance_, run)) return *failed;
+    if (std::optional<RunRecord> failed = making_.failure(instance_, run)) return *failed;
     if (maker_.graph() == nullptr) maker_.prepare(instance_);
     return maker_.make(run);
   }
@@ -183,14 +176,14 @@ class InstanceBatches {
                  const RunRecord& reference) {
     double single_s = kMissing;
     for (const auto& [scale, rows] : batches) {
-      if (hooks_.stop && hooks_.stop()) return;
+      if (making_.stopped()) return;
       if (!is_drawn(reference)) {
         for (const PlannedRun* run : rows) emit(*run, failed_row(instance_, *run, reference));
         continue;
       }
       MadeBatch made = is_over_ranks(phase) ? shared_by_ranks(static_cast<int>(scale), rows)
                                             : shared_by_threads(static_cast<int>(scale), rows);
-      if (hooks_.stop && hooks_.stop()) return;  // it may not have been drawn to its end
+      if (making_.stopped()) return;  // it may not have been drawn to its end
       if (scale == 1) single_s = made.wall_s;
       const double ideal_s = is_strong(phase) ? single_s / static_cast<double>(scale) : single_s;
       for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -208,8 +201,8 @@ class InstanceBatches {
   }
 
   MadeBatch shared_by_threads(int threads, const Rows& rows) {
-    ThreadBatch batch(*maker_.graph(), rules_.timing, rows, maker_.begun(*rows.front()),
-                      hooks_.stop);
+    ThreadBatch batch(*maker_.graph(), making_.plan().timing, rows, maker_.begun(*rows.front()),
+                      making_);
     const double wall_s = batch.run(threads);
     return {wall_s, batch.take_rows()};
   }
@@ -220,35 +213,33 @@ class InstanceBatches {
       places.push_back(static_cast<std::size_t>(run - instance_.runs.data()));
     }
     Ranks alone;
-    return rank_batches_.make(rules_.ranks != nullptr ? *rules_.ranks : alone, count, place_,
-                              places);
+    Ranks* const ranks = making_.policy().ranks;
+    return rank_batches_.make(ranks != nullptr ? *ranks : alone, count, place_, places);
   }
 
   void emit(const PlannedRun& run, const RunRecord& row) {
-    if (wanted(run)) hooks_.emit(run.row, row);
+    if (making_.wants(run)) making_.add(run, row);
   }
 
   const PlannedInstance& instance_;
   const std::size_t place_;
-  const MakingRules& rules_;
-  const RowHooks& hooks_;
-  const KnownFailure& failure_;
+  Making& making_;
   RankBatches& rank_batches_;
   RowMaker maker_{{.concurrency = 1, .core = -1, .memory = MemoryScope::process}};
 };
 
 }  // namespace
 
-void run_batches(const StudyPlan& plan, const MakingRules& rules, const RowHooks& hooks,
-                 const KnownFailure& failure) {
-  RankBatches rank_batches(plan, rules.timing, 0, hooks.stop);
+void run_batches(Making& making) {
+  const StudyPlan& plan = making.plan();
+  RankBatches rank_batches(plan, plan.timing, 0, [&making] { return making.stopped(); });
   for (const PlannedBlock& block : plan.instances.blocks()) {
     if (!has_run(block.first, is_batched)) continue;
     for (std::size_t i = 0; i < block.count; ++i) {
-      if (hooks.stop && hooks.stop()) return;
+      if (making.stopped()) return;
       const std::size_t place = block.first_place + i;
       const PlannedInstance instance = plan.instances[place];
-      InstanceBatches(instance, place, rules, hooks, failure, rank_batches).run();
+      InstanceBatches(instance, place, making, rank_batches).run();
     }
   }
 }

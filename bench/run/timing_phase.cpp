@@ -3,6 +3,7 @@
 #include <mutex>
 #include <unordered_map>
 
+#include "ar3d/bench/plan/work_order.h"
 #include "ar3d/bench/run/phases.h"
 #include "ar3d/bench/run/precision.h"
 #include "ar3d/model/error.h"
@@ -27,10 +28,8 @@ struct TimedDrawing {
 
 class TimingSource final : public RowSource {
  public:
-  TimingSource(const StudyPlan& plan, const TimingRules& rules, const RowHooks& hooks,
-               KnownFailure failure)
-      : RowSource(plan.instances), rules_(rules), hooks_(hooks), failure_(std::move(failure)) {
-    for (const PlannedBlock& block : plan.instances.blocks()) {
+  explicit TimingSource(Making& making) : RowSource(making), rules_(making.plan().timing) {
+    for (const PlannedBlock& block : making.plan().instances.blocks()) {
       if (!has_run(block.first, [](RunPhase phase) { return phase == RunPhase::timing; })) continue;
       for (std::size_t i = 0; i < block.count; ++i) add_drawings(block.first_place + i);
     }
@@ -45,7 +44,7 @@ class TimingSource final : public RowSource {
       const std::size_t place = round_.front();
       round_.pop_front();
       TimedDrawing& drawing = drawings_[place];
-      if (const auto failed = failure_(*drawing.instance, *drawing.left.front())) {
+      if (const auto failed = making().failure(*drawing.instance, *drawing.left.front())) {
         fail_all(drawing, *failed);
         continue;
       }
@@ -68,7 +67,7 @@ class TimingSource final : public RowSource {
     } else if (is_drawn(row)) {
       drawing.certified = row;
     }
-    hooks_.emit(job.run->row, row);
+    making().add(*job.run, row);
     if (!is_drawn(row)) {
       fail_all(drawing, row);
       return;
@@ -80,7 +79,7 @@ class TimingSource final : public RowSource {
  private:
   // The drawings of an instance: runs of one algorithm and options follow each other in the plan.
   void add_drawings(std::size_t place) {
-    const auto instance = std::make_shared<const PlannedInstance>(instances()[place]);
+    const auto instance = std::make_shared<const PlannedInstance>(making().plan().instances[place]);
     const PlannedRun* previous = nullptr;
     for (const PlannedRun& run : instance->runs) {
       if (run.phase != RunPhase::timing) continue;
@@ -91,11 +90,10 @@ class TimingSource final : public RowSource {
         drawings_.back().place = place;
       }
       previous = &run;
-      if (!hooks_.wanted || hooks_.wanted(run.row_key)) {
+      if (making().wants(run)) {
         drawings_.back().left.push_back(&run);
-      } else if (hooks_.known) {
-        const std::optional<RunRecord> known = hooks_.known(run.row_key);
-        if (known && is_drawn(*known)) drawings_.back().times_s.push_back(known->wall_s);
+      } else if (const RunRecord known = making().known(run); is_drawn(known)) {
+        drawings_.back().times_s.push_back(known.wall_s);
       }
     }
   }
@@ -104,14 +102,12 @@ class TimingSource final : public RowSource {
   void fail_all(TimedDrawing& drawing, const RunRecord& failed) {
     for (const PlannedRun* run : drawing.left) {
       if (run->optional) continue;
-      hooks_.emit(run->row, failed_row(*drawing.instance, *run, failed));
+      making().add(*run, failed_row(*drawing.instance, *run, failed));
     }
     drawing.left.clear();
   }
 
   const TimingRules& rules_;
-  const RowHooks& hooks_;
-  KnownFailure failure_;
   std::mutex mutex_;
   std::vector<TimedDrawing> drawings_;
   std::deque<std::size_t> round_;  // places in drawings_ of those that wait for their turn
@@ -120,9 +116,8 @@ class TimingSource final : public RowSource {
 
 }  // namespace
 
-std::unique_ptr<RowSource> timing_source(const StudyPlan& plan, const TimingRules& rules,
-                                         const RowHooks& hooks, KnownFailure failure) {
-  return std::make_unique<TimingSource>(plan, rules, hooks, std::move(failure));
+std::unique_ptr<RowSource> timing_source(Making& making) {
+  return std::make_unique<TimingSource>(making);
 }
 
 }  // namespace ar3d

@@ -135,11 +135,11 @@ class Message {
 };
 
 // Serves rows until the parent hangs up.
-void serve(int socket, const PlannedInstances& instances, const Crew& crew, int core) {
+void serve(int socket, const StudyPlan& plan, const WorkerPool& pool, int core) {
   omp_set_num_threads(1);  // a forked process has none of its parent's other threads
   const Pinning pinning(core);
   RowMaker maker(
-      {.concurrency = crew.size + crew.neighbours, .core = core, .memory = MemoryScope::worker});
+      {.concurrency = pool.workers + pool.elsewhere, .core = core, .memory = MemoryScope::worker});
   PlannedInstance instance;
   std::optional<std::size_t> prepared;
   Message message;
@@ -148,12 +148,12 @@ void serve(int socket, const PlannedInstances& instances, const Crew& crew, int 
   while (receive_all(socket, bytes, sizeof bytes)) {
     std::memcpy(&order, bytes, sizeof order);
     const bool is_new = prepared != order.place;
-    if (is_new) instance = instances[order.place];
+    if (is_new) instance = plan.instances[order.place];
     const PlannedRun& planned = instance.runs.at(order.run);
     RunRecord run;
     {
       std::optional<double> limit;
-      if (crew.budget.row_memory_bytes) limit = (*crew.budget.row_memory_bytes)(instance.n);
+      if (plan.budget.row_memory_bytes) limit = (*plan.budget.row_memory_bytes)(instance.n);
       const AddressSpaceLimit memory(limit);
       if (is_new) maker.prepare(instance);
       prepared = order.place;
@@ -166,7 +166,7 @@ void serve(int socket, const PlannedInstances& instances, const Crew& crew, int 
 
 }  // namespace
 
-WorkerProcess::WorkerProcess(const PlannedInstances& instances, const Crew& crew, int core)
+WorkerProcess::WorkerProcess(const StudyPlan& plan, const WorkerPool& pool, int core)
     : oom_kills_before_(oom_kills()) {
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
@@ -178,7 +178,7 @@ WorkerProcess::WorkerProcess(const PlannedInstances& instances, const Crew& crew
   if (pid_ == 0) {
     become_worker(parent, ends[1]);
     try {
-      serve(ends[1], instances, crew, core);
+      serve(ends[1], plan, pool, core);
     } catch (...) {
       _exit(1);
     }

@@ -13,10 +13,10 @@ namespace ar3d {
 /// parent, and with this object.
 class WorkerProcess {
  public:
-  /// @param instances  of the plan whose rows it will make.
+  /// @param plan  whose rows it will make, within its budget.
   /// @param core  the core it is pinned to, or -1.
   /// @throws InputError if the system has no process or descriptor left.
-  WorkerProcess(const PlannedInstances& instances, const Crew& crew, int core);
+  WorkerProcess(const StudyPlan& plan, const WorkerPool& pool, int core);
   ~WorkerProcess();
   WorkerProcess(const WorkerProcess&) = delete;
   WorkerProcess& operator=(const WorkerProcess&) = delete;

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <map>
 
-#include "ar3d/bench/run/run_study.h"
+#include "ar3d/bench/run/describe_study.h"
 #include "ar3d/results/journal/journal_writer.h"
 #include "support/program.h"
 #include "support/results.h"

@@ -3,9 +3,9 @@
 
 #include <map>
 
-#include "ar3d/bench/run/run_study.h"
 #include "ar3d/results/columns.h"
 #include "ar3d/results/sha256.h"
+#include "bench/in_memory.h"
 
 namespace ar3d {
 namespace {
@@ -22,7 +22,7 @@ const std::map<std::string, std::string> kSmoke = {
 TEST(Golden, RowsOfSmoke) {
   std::map<std::string, std::string> bytes;
   std::string record(run_record_size(), '\0');
-  for (const ar3d::RunRecord& run : run_study(load_study("smoke"), {.threads = 2}).runs) {
+  for (const ar3d::RunRecord& run : testing::run_study(load_study("smoke"), {.workers = 2}).runs) {
     store_record(run, record.data());
     for (const Column& column : run_columns()) {
       if (column.kind == ColumnKind::measured) continue;

@@ -59,13 +59,12 @@ class JournaledStudyFiles : public ::testing::Test {
   std::string results() const { return scratch_.path("s.h5"); }
   StudyOutcome finish(const JournaledStudy& study) const {
     Ranks alone;
-    return run_journaled(study, options(), alone);
+    return run_journaled(study, policy(), alone);
   }
-  static StudyOptions options() {
-    StudyOptions options;
-    options.threads = 1;
-    options.making.force_timing = true;
-    return options;
+  static MakingPolicy policy() {
+    MakingPolicy policy;
+    policy.force_timing = true;
+    return policy;
   }
   // Puts the rows [from, to) of the results file into a journal.
   void put_into_journal(const std::string& path, std::size_t from, std::size_t to) const {
@@ -92,7 +91,7 @@ TEST_F(JournaledStudyFiles, AreLockedUntilTheResultsAreWritten) {
     ++locked;
   });
   const JournaledStudy study = begin();
-  EXPECT_TRUE(run_journaled(study, options(), ranks).complete());
+  EXPECT_TRUE(run_journaled(study, policy(), ranks).complete());
   EXPECT_EQ(locked, 6u)
       << "journal made, leftovers gone, session begun, rows read, rows made, all of them made";
 }

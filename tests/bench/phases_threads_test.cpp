@@ -13,6 +13,7 @@
 #include "ar3d/bench/run/precision.h"
 #include "ar3d/model/error.h"
 #include "ar3d/results/columns.h"
+#include "bench/in_memory.h"
 #include "bench/planted.h"
 
 namespace ar3d {
@@ -21,13 +22,14 @@ namespace {
 using testing::cycle_of;
 using testing::diamond_drawn_by;
 using ::testing::ElementsAre;
+using testing::FunctionSink;
 using ::testing::HasSubstr;
 using testing::plan_of;
 
-MakingRules forced() {
-  MakingRules rules;
-  rules.force_timing = true;  // these tests run in sanitised builds too
-  return rules;
+MakingPolicy forced() {
+  MakingPolicy policy;
+  policy.force_timing = true;  // these tests run in sanitised builds too
+  return policy;
 }
 
 struct Made {
@@ -35,15 +37,19 @@ struct Made {
   std::map<std::size_t, ar3d::RunRecord> rows;
 };
 
-Made make(const StudyPlan& plan, const MakingRules& rules = forced(), RowHooks hooks = {}) {
+// All rows of a plan but the finished ones.
+Made make(const StudyPlan& plan, const MakingPolicy& policy = forced(),
+          const std::unordered_map<std::string, ar3d::RunRecord>& finished = {},
+          const std::function<void()>& after_each = {}) {
   Made made;
-  std::mutex mutex;
-  hooks.emit = [&](std::size_t row, ar3d::RunRecord run) {
-    const std::lock_guard<std::mutex> lock(mutex);
-    made.order.push_back(row);
-    EXPECT_TRUE(made.rows.emplace(row, std::move(run)).second) << "row " << row << " twice";
-  };
-  make_rows(plan, rules, hooks);
+  FunctionSink sink(
+      [&](std::size_t row, const ar3d::RunRecord& run) {
+        made.order.push_back(row);
+        EXPECT_TRUE(made.rows.emplace(row, run).second) << "row " << row << " twice";
+        if (after_each) after_each();
+      },
+      finished);
+  make_rows(plan, policy, sink);
   return made;
 }
 
@@ -53,21 +59,20 @@ StudyPlan study(const std::string& sweep) {
 
 TEST(MetricsPhase, MakesOnlyWhatIsWantedAndStops) {
   const StudyPlan plan = plan_of(cycle_of(5, {&find_algorithm("diamond")}, 4));
-  RowHooks hooks;
-  hooks.wanted = [](const std::string& key) { return key != "key1"; };
-  EXPECT_THAT(make(plan, forced(), hooks).order, ElementsAre(0, 2, 3));
-  std::atomic<int> asked = 0;
-  hooks.stop = [&] { return ++asked > 2; };
-  EXPECT_LT(make(plan, forced(), hooks).order.size(), 3u);
+  EXPECT_THAT(make(plan, forced(), {{"key1", {}}}).order, ElementsAre(0, 2, 3));
+  std::atomic<bool> stop = false;
+  MakingPolicy policy = forced();
+  policy.stop = &stop;
+  EXPECT_THAT(make(plan, policy, {}, [&] { stop = true; }).order, ElementsAre(0));
 }
 
 TEST(TimingPhase, GoesRoundAllDrawingsPinnedAndAlone) {
   const StudyPlan plan =
       study("sizes = [10, 20]\nalgorithms = [\"diamond\", \"grid\"]\ntimed_repetitions = 3\n");
   ASSERT_EQ(plan.rows(), 4u * (1 + 3));
-  MakingRules rules = forced();
-  rules.threads = 2;
-  const Made made = make(plan, rules);
+  MakingPolicy policy = forced();
+  policy.workers = 2;
+  const Made made = make(plan, policy);
   ASSERT_EQ(made.rows.size(), plan.rows());
   std::vector<std::int64_t> repetitions;  // of the timing rows, as they were made
   for (const std::size_t row : made.order) {
@@ -118,20 +123,9 @@ TEST(TimingPhase, OptionalRepetitionsEndAtThePrecision) {
   EXPECT_TRUE(made.rows.size() == plan.rows() || median_precision(times) <= 1.0);
 
   // A second go that knows those rows needs no more.
-  RowHooks hooks;
-  hooks.wanted = [&](const std::string& key) {
-    for (const auto& [row, run] : made.rows) {
-      if (run.row_key == key) return false;
-    }
-    return true;
-  };
-  hooks.known = [&](const std::string& key) -> std::optional<ar3d::RunRecord> {
-    for (const auto& [row, run] : made.rows) {
-      if (run.row_key == key) return run;
-    }
-    return std::nullopt;
-  };
-  EXPECT_TRUE(make(plan, forced(), hooks).rows.empty());
+  std::unordered_map<std::string, ar3d::RunRecord> finished;
+  for (const auto& [row, run] : made.rows) finished[run.row_key] = run;
+  EXPECT_TRUE(make(plan, forced(), finished).rows.empty());
 }
 
 // An algorithm that draws differently the second time: its row must not pass for certified.
@@ -144,10 +138,10 @@ TEST(TimingPhase, ADrawingThatIsNotRepeatableIsACrash) {
     return find_algorithm("diamond").draw(drawn, other);
   });
   PlannedInstance instance = cycle_of(40, {&fickle}, 2, RunPhase::timing);
-  MakingRules rules = forced();
-  rules.timing.warm_up = 0;
+  StudyPlan plan = plan_of(instance);
+  plan.timing.warm_up = 0;
   drawings = 0;
-  const Made made = make(plan_of(instance), rules);
+  const Made made = make(plan);
   EXPECT_EQ(made.rows.at(0).status, RunStatus::ok);
   EXPECT_EQ(made.rows.at(1).status, RunStatus::crashed);
   EXPECT_THAT(made.rows.at(1).message, HasSubstr("another drawing"));
@@ -177,32 +171,30 @@ TEST(TimingPhase, ADrawingThatFailedIsNotTriedAgain) {
 }
 
 TEST(TimingPhase, SeveralAtOnceStateIt) {
-  const StudyPlan plan =
-      study("sizes = [10, 20, 30]\nalgorithms = \"diamond\"\ntimed_repetitions = 2\n");
-  MakingRules rules = forced();
-  rules.timing.concurrency = static_cast<std::uint32_t>(allowed_cores().size());
-  const Made made = make(plan, rules);
+  StudyPlan plan = study("sizes = [10, 20, 30]\nalgorithms = \"diamond\"\ntimed_repetitions = 2\n");
+  plan.timing.concurrency = static_cast<std::uint32_t>(allowed_cores().size());
+  const Made made = make(plan);
   EXPECT_EQ(made.rows.size(), plan.rows());
   for (const auto& [row, run] : made.rows) {
     if (run.phase == RunPhase::timing) {
-      EXPECT_EQ(run.concurrency, rules.timing.concurrency);
+      EXPECT_EQ(run.concurrency, plan.timing.concurrency);
     }
   }
-  rules.timing.concurrency += 1;
-  EXPECT_THROW(make(plan, rules), InputError) << "one core each";
+  plan.timing.concurrency += 1;
+  EXPECT_THROW(make(plan), InputError) << "one core each";
 }
 
 TEST(TimingPhase, ABadBuildIsRefusedUnlessForced) {
   const StudyPlan timed = study("sizes = 10\nalgorithms = \"diamond\"\ntimed_repetitions = 1\n");
   const StudyPlan plain = study("sizes = 10\nalgorithms = \"diamond\"\n");
-  MakingRules rules;
-  EXPECT_NO_THROW(require_makeable(plain, rules));
+  MakingPolicy policy;
+  EXPECT_NO_THROW(require_makeable(plain, policy));
   if (std::string(timing_mark()).empty()) {
-    EXPECT_NO_THROW(require_makeable(timed, rules));
+    EXPECT_NO_THROW(require_makeable(timed, policy));
   } else {
-    EXPECT_THROW(require_makeable(timed, rules), InputError);
-    rules.timed_phases = false;
-    EXPECT_NO_THROW(require_makeable(timed, rules));
+    EXPECT_THROW(require_makeable(timed, policy), InputError);
+    policy.timed_phases = false;
+    EXPECT_NO_THROW(require_makeable(timed, policy));
   }
   EXPECT_NO_THROW(require_makeable(timed, forced()));
 }
@@ -274,7 +266,7 @@ TEST(ScalingPhase, MoreRanksThanThereAreAreRefused) {
   const StudyPlan plan =
       study("sizes = 10\nalgorithms = \"diamond\"\nweak_ranks = { ranks = [1, 2] }\n");
   EXPECT_THROW(require_makeable(plan, forced()), InputError);
-  MakingRules helper = forced();
+  MakingPolicy helper = forced();
   helper.timed_phases = false;
   EXPECT_NO_THROW(require_makeable(plan, helper));
 }
@@ -296,6 +288,24 @@ TEST(ScalingPhase, ThreadsDrawAtTheSameTime) {
   for (PlannedRun& run : instance.runs) run.scale = 2;
   make(plan_of(instance));
   EXPECT_EQ(most, 2);
+}
+
+// A stop ends a batch with the drawings that have begun; none of its rows is handed on.
+TEST(ScalingPhase, AStopEndsABatch) {
+  static std::atomic<int> drawn = 0;
+  static std::atomic<bool> stop = false;
+  const Algorithm stopping = diamond_drawn_by([](const Graph& graph, const OptionValues& options) {
+    if (++drawn == 4) stop = true;
+    return find_algorithm("diamond").draw(graph, options);
+  });
+  PlannedInstance instance = cycle_of(8, {&stopping}, 500, RunPhase::strong);
+  for (PlannedRun& run : instance.runs) run.scale = 2;
+  drawn = 0;
+  stop = false;
+  MakingPolicy policy = forced();
+  policy.stop = &stop;
+  EXPECT_TRUE(make(plan_of(instance), policy).rows.empty());
+  EXPECT_LE(drawn, 6);
 }
 
 TEST(Precision, IsHalfTheWidthOfTheMediansInterval) {

@@ -5,12 +5,16 @@
 #include <set>
 #include <stdexcept>
 
-#include "ar3d/bench/run/run_study.h"
+#include "ar3d/bench/run/describe_study.h"
 #include "ar3d/results/columns.h"
 #include "ar3d/results/sha256.h"
+#include "bench/in_memory.h"
 
 namespace ar3d {
 namespace {
+
+using testing::run_plan;
+using testing::run_study;
 
 const char* const kStudy = R"(study = "t"
 seed = 3
@@ -24,11 +28,11 @@ repetitions = 2
 
 TEST(RunStudy, SameColumnsOnAnyNumberOfThreads) {
   const StudySpec spec = parse_study(kStudy, "t.toml");
-  const Results one = run_study(spec, {.threads = 1});
+  const Results one = run_study(spec, {.workers = 1});
   EXPECT_EQ(one.runs.size(), plan_study(spec).rows());
   EXPECT_EQ(one.spec_sha256, sha256(kStudy));
   for (const int threads : {2, 4}) {
-    const Results many = run_study(spec, {.threads = threads});
+    const Results many = run_study(spec, {.workers = threads});
     ASSERT_EQ(many.runs.size(), one.runs.size());
     for (std::size_t i = 0; i < one.runs.size(); ++i) {
       EXPECT_EQ(differing_columns(one.runs[i], many.runs[i]), std::vector<std::string>())
@@ -43,7 +47,7 @@ TEST(RunStudy, SameColumnsOnAnyNumberOfThreads) {
 
 TEST(RunStudy, SmokeIsAllRight) {
   const StudySpec spec = load_study("smoke");
-  const Results results = run_study(spec, {.threads = 2});
+  const Results results = run_study(spec, {.workers = 2});
   EXPECT_EQ(results.runs.size(), plan_study(spec).rows());
   std::set<std::string> algorithms_seen;
   for (const ar3d::RunRecord& run : results.runs) {
@@ -55,12 +59,12 @@ TEST(RunStudy, SmokeIsAllRight) {
 
 TEST(RunStudy, TakesOverFinishedRowsAndTellsOnlyTheNewOnes) {
   const StudyPlan plan = plan_study(parse_study(kStudy, "t.toml"));
-  const std::vector<ar3d::RunRecord> all = run_plan(plan, {.threads = 2});
-  FinishedRuns finished;
+  const std::vector<ar3d::RunRecord> all = run_plan(plan, {.workers = 2});
+  std::unordered_map<std::string, ar3d::RunRecord> finished;
   for (std::size_t i = 0; i < all.size(); i += 3) finished[all[i].row_key] = all[i];
   std::size_t made = 0;
   const std::vector<ar3d::RunRecord> again =
-      run_plan(plan, {.threads = 2}, finished, [&](const ar3d::RunRecord& run) {
+      run_plan(plan, {.workers = 2}, finished, [&](const ar3d::RunRecord& run) {
         EXPECT_FALSE(finished.contains(run.row_key));
         ++made;
       });
@@ -74,7 +78,7 @@ TEST(RunStudy, StopsWhenAskedTo) {
   const StudyPlan plan = plan_study(parse_study(kStudy, "t.toml"));
   std::atomic<bool> stop = false;
   std::size_t made = 0;
-  const auto rows = run_plan(plan, {.threads = 2, .stop = &stop}, {}, [&](const ar3d::RunRecord&) {
+  const auto rows = run_plan(plan, {.workers = 2, .stop = &stop}, {}, [&](const ar3d::RunRecord&) {
     if (++made == 5) stop = true;
   });
   EXPECT_EQ(rows.size(), made);
@@ -85,7 +89,7 @@ TEST(RunStudy, StopsWhenAskedTo) {
 TEST(RunStudy, AFailingListenerEndsTheStudy) {
   const StudyPlan plan = plan_study(parse_study(kStudy, "t.toml"));
   std::size_t told = 0;
-  EXPECT_THROW(run_plan(plan, {.threads = 2}, {},
+  EXPECT_THROW(run_plan(plan, {.workers = 2}, {},
                         [&](const ar3d::RunRecord&) {
                           if (++told == 3) throw std::runtime_error("disk full");
                         }),
@@ -96,7 +100,7 @@ TEST(RunStudy, AFailingListenerEndsTheStudy) {
 TEST(RunStudy, TellsProgress) {
   std::FILE* out = std::tmpfile();
   ASSERT_NE(out, nullptr);
-  run_study(parse_study(kStudy, "t.toml"), {.threads = 2, .progress = out});
+  run_study(parse_study(kStudy, "t.toml"), {.workers = 2, .progress = out});
   std::rewind(out);
   char line[200] = {};
   ASSERT_NE(std::fgets(line, sizeof(line), out), nullptr);

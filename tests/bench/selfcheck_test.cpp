@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "ar3d/bench/run/run_study.h"
+#include "bench/in_memory.h"
 
 namespace ar3d {
 namespace {
@@ -12,12 +12,13 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 
 std::vector<ar3d::RunRecord> study_rows() {
-  return run_study(parse_study("study = \"t\"\n[[sweep]]\nfamilies = [\"random-cubic\", "
-                               "{ family = \"generalised-petersen\", k = [2, 3] }]\nsizes = [20, "
-                               "40]\nalgorithms = [\"grid\", { algorithm = \"diamond\", effort = "
-                               "[0, 2] }]\nrepetitions = 2\ninstances = 2\n",
-                               "t.toml"),
-                   {.threads = 1})
+  return testing::run_study(
+             parse_study("study = \"t\"\n[[sweep]]\nfamilies = [\"random-cubic\", "
+                         "{ family = \"generalised-petersen\", k = [2, 3] }]\nsizes = [20, "
+                         "40]\nalgorithms = [\"grid\", { algorithm = \"diamond\", effort = "
+                         "[0, 2] }]\nrepetitions = 2\ninstances = 2\n",
+                         "t.toml"),
+             {.threads = 1})
       .runs;
 }
 

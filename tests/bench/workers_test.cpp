@@ -18,6 +18,7 @@
 #include "ar3d/bench/run/make_rows.h"
 #include "ar3d/model/error.h"
 #include "ar3d/results/columns.h"
+#include "bench/in_memory.h"
 #include "bench/planted.h"
 
 namespace ar3d {
@@ -26,33 +27,32 @@ namespace {
 using testing::cycle_of;
 using testing::diamond_drawn_by;
 using ::testing::ElementsAre;
+using testing::FunctionSink;
 using ::testing::HasSubstr;
 using testing::plan_of;
 using ::testing::StartsWith;
 
-std::vector<ar3d::RunRecord> made_rows(const StudyPlan& plan, const MakingRules& rules) {
+std::vector<ar3d::RunRecord> made_rows(const StudyPlan& plan, const MakingPolicy& policy = {}) {
   std::vector<ar3d::RunRecord> rows(plan.rows());
   std::vector<int> times_told(plan.rows());
-  RowHooks hooks;
-  hooks.emit = [&](std::size_t row, ar3d::RunRecord run) {
-    rows[row] = std::move(run);
+  FunctionSink sink([&](std::size_t row, const ar3d::RunRecord& run) {
+    rows[row] = run;
     ++times_told[row];
-  };
-  EXPECT_EQ(make_rows(plan, rules, hooks), MakingEnd::complete);
+  });
+  EXPECT_EQ(make_rows(plan, policy, sink), MakingEnd::complete);
   EXPECT_THAT(times_told, ::testing::Each(1));
   return rows;
 }
 
-MakingRules isolated() {
-  MakingRules rules;
-  rules.isolate = true;
-  return rules;
+MakingPolicy isolated() {
+  MakingPolicy policy;
+  policy.isolate = true;
+  return policy;
 }
 
-MakingRules within(const std::string& time) {
-  MakingRules rules;
-  rules.budget.row_time_s = SizeFunction::time(time);
-  return rules;
+StudyPlan within(const std::string& time, StudyPlan plan) {
+  plan.budget.row_time_s = SizeFunction::time(time);
+  return plan;
 }
 
 // No child of this process is left, running or dead.
@@ -109,8 +109,8 @@ TEST(Workers, ALoopIsATimeoutAndNothingOfItIsLeft) {
     close(held);
     std::abort();
   });
-  const auto rows = made_rows(plan_of(cycle_of(8, {&kGood, &kLoops, &forks, &kGood})),
-                              within("300 ms + 1 us * n"));
+  const auto rows = made_rows(
+      within("300 ms + 1 us * n", plan_of(cycle_of(8, {&kGood, &kLoops, &forks, &kGood}))));
   EXPECT_EQ(rows[1].status, RunStatus::timeout);
   EXPECT_EQ(rows[1].message, "no row within 0.300008 s");
   EXPECT_EQ(rows[2].status, RunStatus::timeout);
@@ -130,7 +130,7 @@ TEST(Workers, AGeneratorThatHangsIsTriedOnceAnInstance) {
   };
   PlannedInstance instance = cycle_of(8, {&kGood}, 50);
   instance.choice.family = &family;
-  const auto rows = made_rows(plan_of(instance), within("200 ms"));
+  const auto rows = made_rows(within("200 ms", plan_of(instance)));
   for (const ar3d::RunRecord& run : rows) {
     EXPECT_EQ(run.status, RunStatus::timeout);
     EXPECT_EQ(run.message, "no graph within 0.2 s");
@@ -146,29 +146,28 @@ const Algorithm kGreedy = diamond_drawn_by([](const Graph& graph, const OptionVa
 });
 
 TEST(Workers, TooMuchMemoryIsOutOfMemory) {
-  MakingRules rules;
-  rules.budget.row_memory_bytes = SizeFunction::memory("128 MiB + 1 kB * n");
-  const StudyPlan plan = plan_of(cycle_of(8, {&kGreedy, &kGood}));
+  StudyPlan plan = plan_of(cycle_of(8, {&kGreedy, &kGood}));
+  plan.budget.row_memory_bytes = SizeFunction::memory("128 MiB + 1 kB * n");
   if (std::string(timing_mark()) == "sanitised") {
-    EXPECT_THROW(make_rows(plan, rules, {}), InputError);
+    EXPECT_THROW(require_makeable(plan, {}), InputError);
     return;
   }
-  const auto rows = made_rows(plan, rules);
+  const auto rows = made_rows(plan);
   EXPECT_EQ(rows[0].status, RunStatus::out_of_memory);
   EXPECT_EQ(rows[1].status, RunStatus::ok) << rows[1].message;
-  rules.budget.row_memory_bytes = SizeFunction::memory("2 GiB");
-  EXPECT_EQ(made_rows(plan, rules)[0].status, RunStatus::ok) << "the limit was what stopped it";
+  plan.budget.row_memory_bytes = SizeFunction::memory("2 GiB");
+  EXPECT_EQ(made_rows(plan)[0].status, RunStatus::ok) << "the limit was what stopped it";
 }
 
 TEST(Workers, RowsAreTheSameAsInThreads) {
   const StudyPlan plan = plan_study(parse_study(
       "study = \"t\"\n[[sweep]]\nfamilies = \"all\"\nsizes = [6, 30]\nalgorithms = \"all\"\n",
       "t.toml"));
-  MakingRules rules = isolated();
-  rules.threads = 3;
-  const auto in_workers = made_rows(plan, rules);
-  rules.isolate = false;
-  const auto in_threads = made_rows(plan, rules);
+  MakingPolicy policy = isolated();
+  policy.workers = 3;
+  const auto in_workers = made_rows(plan, policy);
+  policy.isolate = false;
+  const auto in_threads = made_rows(plan, policy);
   for (std::size_t i = 0; i < plan.rows(); ++i) {
     EXPECT_THAT(differing_columns(in_workers[i], in_threads[i]), ElementsAre()) << i;
     EXPECT_EQ(in_workers[i].concurrency, 3);
@@ -185,30 +184,30 @@ TEST(Workers, GenerateLargeGraphsAfterThreadsWereUsed) {
   PlannedInstance instance = cycle_of(n, {&kGood});
   instance.choice.family = &find_family("random-cubic");
   instance.choice.parameters = complete_parameters(*instance.choice.family, {});
-  MakingRules rules = within("60 s");
-  rules.threads = 1;
-  EXPECT_EQ(made_rows(plan_of(instance), rules)[0].status, RunStatus::ok);
+  EXPECT_EQ(made_rows(within("60 s", plan_of(instance)))[0].status, RunStatus::ok);
 }
 
 TEST(Workers, AStopGivesUpTheRowsInFlight) {
   const StudyPlan plan = plan_of(cycle_of(8, {&kGood, &kLoops, &kGood}));
   std::vector<std::size_t> told;
-  RowHooks hooks;
-  hooks.emit = [&](std::size_t row, ar3d::RunRecord) { told.push_back(row); };
-  hooks.stop = [&] { return told.size() == 1; };
-  EXPECT_EQ(make_rows(plan, isolated(), hooks), MakingEnd::stopped);
+  std::atomic<bool> stop = false;
+  FunctionSink sink([&](std::size_t row, const ar3d::RunRecord&) {
+    told.push_back(row);
+    stop = true;
+  });
+  MakingPolicy policy = isolated();
+  policy.stop = &stop;
+  EXPECT_EQ(make_rows(plan, policy, sink), MakingEnd::stopped);
   EXPECT_THAT(told, ElementsAre(0));
   expect_no_children();
 }
 
 TEST(Workers, TheStudysBudgetEndsItWithWhatIsDone) {
-  const StudyPlan plan = plan_of(cycle_of(8, {&kGood, &kLoops}));
-  MakingRules rules = isolated();
-  rules.budget.study_s = 0.5;
+  StudyPlan plan = plan_of(cycle_of(8, {&kGood, &kLoops}));
+  plan.budget.study_s = 0.5;
   std::vector<std::size_t> told;
-  RowHooks hooks;
-  hooks.emit = [&](std::size_t row, ar3d::RunRecord) { told.push_back(row); };
-  EXPECT_EQ(make_rows(plan, rules, hooks), MakingEnd::budget_spent);
+  FunctionSink sink([&](std::size_t row, const ar3d::RunRecord&) { told.push_back(row); });
+  EXPECT_EQ(make_rows(plan, isolated(), sink), MakingEnd::budget_spent);
   EXPECT_THAT(told, ElementsAre(0));
   expect_no_children();
 }
@@ -246,9 +245,8 @@ TEST(Workers, DieWithTheirParent) {
       }
       std::abort();
     });
-    RowHooks hooks;
-    hooks.emit = [](std::size_t, const ar3d::RunRecord&) {};
-    make_rows(plan_of(cycle_of(8, {&tells})), isolated(), hooks);
+    FunctionSink sink([](std::size_t, const ar3d::RunRecord&) {});
+    make_rows(plan_of(cycle_of(8, {&tells})), isolated(), sink);
     _exit(0);
   }
   close(ends[1]);
@@ -261,9 +259,9 @@ TEST(Workers, DieWithTheirParent) {
 }
 
 TEST(Workers, WhatTheListenerThrowsIsPassedOn) {
-  RowHooks hooks;
-  hooks.emit = [](std::size_t, const ar3d::RunRecord&) { throw std::runtime_error("disk full"); };
-  EXPECT_THROW(make_rows(plan_of(cycle_of(8, {&kGood, &kGood})), isolated(), hooks),
+  FunctionSink sink(
+      [](std::size_t, const ar3d::RunRecord&) { throw std::runtime_error("disk full"); });
+  EXPECT_THROW(make_rows(plan_of(cycle_of(8, {&kGood, &kGood})), isolated(), sink),
                std::runtime_error);
   expect_no_children();
 }
