@@ -18,7 +18,7 @@ std::vector<ar3d::RunRecord> study_rows() {
                          "40]\nalgorithms = [\"grid\", { algorithm = \"diamond\", effort = "
                          "[0, 2] }]\nrepetitions = 2\ninstances = 2\n",
                          "t.toml"),
-             {.threads = 1})
+             {.workers = 1})
       .runs;
 }
 
