@@ -123,7 +123,7 @@ int make_study(const RunArguments& arguments, const std::function<JournaledStudy
     return run_to_the_end(begin_together(*ranks, begin_possible), arguments, policy, *ranks);
   } catch (const InputError& error) {
     // Said before the ranks part: mpirun ends all of them as soon as one has left with an error.
-    if (ranks->is_first()) fmt::print(stderr, "ar3d: {}\n", error.what());
+    if (ranks->is_first()) fmt::print(stderr, "ar3d: {}\n", printable(error.what()));
     return kUsage;
   } catch (const std::exception& error) {
     if (ranks->size() == 1) throw;

@@ -11,6 +11,7 @@
 #include "ar3d/bench/keep/journaled_study.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/model/error.h"
+#include "ar3d/model/printable.h"
 #include "ar3d/results/hdf5/results_reader.h"
 #include "ar3d/results/journal/journal_reader.h"
 #include "commands.h"
@@ -83,7 +84,7 @@ Standing standing_of(const std::string& file) {
 }
 
 std::string line(const Standing& standing) {
-  std::string text = fmt::format("study {}", standing.identity.study_id);
+  std::string text = fmt::format("study {}", printable(standing.identity.study_id));
   const Shard& shard = standing.identity.shard;
   if (shard.count > 1) text += fmt::format(" shard {}/{}", shard.index, shard.count);
   text += fmt::format(": {} of {} rows", standing.rows, standing.identity.planned_rows);
@@ -98,8 +99,9 @@ std::string line(const Standing& standing) {
 }
 
 void print_details(const Standing& standing, const std::string& file) {
-  fmt::print("{}\nbegun    {}\nsource   {}{}\n", line(standing), standing.identity.created,
-             standing.identity.source_hash, standing.identity.dirty ? " and changes" : "");
+  fmt::print("{}\nbegun    {}\nsource   {}{}\n", line(standing),
+             printable(standing.identity.created), printable(standing.identity.source_hash),
+             standing.identity.dirty ? " and changes" : "");
   const std::string results = results_path_of(file);
   if (standing.writers > 0) {
     fmt::print("watch it with `ar3d study status --watch {}`\n", results);
