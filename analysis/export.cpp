@@ -6,8 +6,8 @@
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 
+#include "ar3d/analysis/bounds_table.h"
 #include "ar3d/analysis/check.h"
-#include "ar3d/analysis/ledger.h"
 #include "ar3d/analysis/replay.h"
 #include "ar3d/analysis/scaling.h"
 #include "ar3d/analysis/text.h"
@@ -43,7 +43,7 @@ ordered_json key_json(const CellKey& key) {
           {"parameters", valid_utf8(key.parameters)}};
 }
 
-ordered_json axis_json(const Results& results, const AxisLedger& axis) {
+ordered_json axis_json(const Results& results, const AxisBounds& axis) {
   ordered_json json = {{"measured", axis.measured},
                        {"worst_slack", number(axis.worst_slack)},
                        {"median_slack", number(axis.median_slack)},
@@ -60,7 +60,7 @@ ordered_json axis_json(const Results& results, const AxisLedger& axis) {
   return json;
 }
 
-ordered_json ledger_json(const Results& results, const LedgerEntry& entry) {
+ordered_json bounds_json(const Results& results, const BoundsEntry& entry) {
   ordered_json json = key_json(entry.key);
   json["smallest_n"] = entry.smallest_n;
   json["largest_n"] = entry.largest_n;
@@ -70,11 +70,10 @@ ordered_json ledger_json(const Results& results, const LedgerEntry& entry) {
   json["edges_with_bends"] = entry.bends;
   json["theorem_bound"] = valid_utf8(entry.theorem_formula);
   json["published_bound"] = valid_utf8(entry.published_formula);
-  json["volume"] = {{"n", entry.volume.n}, {"log2_volume", number(entry.volume.log2_volume)}};
-  for (std::size_t i = 0; i < kVolumePowers.size(); ++i) {
-    json["volume"][fmt::format("per_n{}", kVolumePowers[i])] = number(entry.volume.per_power[i]);
-  }
-  for (const AxisLedger& axis : entry.axes) json["axes"].push_back(axis_json(results, axis));
+  json["volume"] = {{"n", entry.volume.n},
+                    {"log2_volume", number(entry.volume.log2_volume)},
+                    {"share", number(entry.volume.share)}};
+  for (const AxisBounds& axis : entry.axes) json["axes"].push_back(axis_json(results, axis));
   return json;
 }
 
@@ -108,21 +107,22 @@ std::vector<std::string> key_fields(const CellKey& key) {
   return {field(key.algorithm), field(key.options), field(key.family), field(key.parameters)};
 }
 
-std::string ledger_line(const Results& results, const LedgerEntry& entry) {
+std::string bounds_line(const Results& results, const BoundsEntry& entry) {
   std::vector<std::string> fields = key_fields(entry.key);
   for (const std::int64_t n : {entry.smallest_n, entry.largest_n})
     fields.push_back(std::to_string(n));
   for (const std::size_t count : {entry.rows, entry.instances, entry.violations}) {
     fields.push_back(std::to_string(count));
   }
-  for (const AxisLedger& axis : entry.axes) {
+  for (const AxisBounds& axis : entry.axes) {
     for (const double slack :
          {axis.worst_slack, axis.median_slack, axis.worst_instance_slack,
           axis.median_instance_slack, axis.worst_published_slack, axis.median_published_slack}) {
       fields.push_back(field(slack));
     }
   }
-  for (const double share : entry.volume.per_power) fields.push_back(field(share));
+  fields.push_back(field(entry.volume.log2_volume));
+  fields.push_back(field(entry.volume.share));
   const auto axis = worst_axis(entry);
   fields.push_back(axis ? field(draw_command(results.runs[*entry.axes[*axis].worst_row])) : "");
   return line(fields);
@@ -130,7 +130,7 @@ std::string ledger_line(const Results& results, const LedgerEntry& entry) {
 
 }  // namespace
 
-std::string ledger_csv(const Results& results) {
+std::string bounds_csv(const Results& results) {
   std::string csv =
       "algorithm,options,family,parameters,smallest_n,largest_n,rows,instances,violations";
   for (const char axis : {'x', 'y', 'z'}) {
@@ -140,9 +140,8 @@ std::string ledger_csv(const Results& results) {
       csv += fmt::format(",{}_{}", column, axis);
     }
   }
-  for (const int power : kVolumePowers) csv += fmt::format(",volume_per_n{}", power);
-  csv += ",worst_command\r\n";
-  for (const LedgerEntry& entry : ledger(results)) csv += ledger_line(results, entry);
+  csv += ",log2_volume,volume_share,worst_command\r\n";
+  for (const BoundsEntry& entry : bounds_table(results)) csv += bounds_line(results, entry);
   return csv;
 }
 
@@ -209,9 +208,9 @@ std::string analysis_json(const Results& results) {
                      {"violated", verdict.violated_rows},
                      {"incomplete", verdict.incomplete_rows},
                      {"refused", verdict.refused}};
-  json["ledger"] = ordered_json::array();
-  for (const LedgerEntry& entry : ledger(results)) {
-    json["ledger"].push_back(ledger_json(results, entry));
+  json["bounds"] = ordered_json::array();
+  for (const BoundsEntry& entry : bounds_table(results)) {
+    json["bounds"].push_back(bounds_json(results, entry));
   }
   json["scaling"] = ordered_json::array();
   for (const ScalingEntry& entry : scaling(results)) json["scaling"].push_back(scaling_json(entry));

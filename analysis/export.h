@@ -6,9 +6,9 @@
 
 namespace ar3d {
 
-/// The bound ledger, one line a cell (algorithm, options, family, parameters), RFC 4180 with a
+/// The bounds table, one line a cell (algorithm, options, family, parameters), RFC 4180 with a
 /// header line. Missing numbers are empty fields; slack is 1 - extent / bound.
-std::string ledger_csv(const Results& results);
+std::string bounds_csv(const Results& results);
 
 /// The boxes of every row: measured, its own bound, the theorem's, the published one, and the slack
 /// against the theorem's.
@@ -18,7 +18,7 @@ std::string rows_csv(const Results& results);
 /// exponent with its own, label, reason and the sizes that were fitted.
 std::string scaling_csv(const Results& results);
 
-/// Verdict, ledger and growth as one JSON object; missing numbers are null.
+/// Verdict, bounds table and growth as one JSON object; missing numbers are null.
 std::string analysis_json(const Results& results);
 
 }  // namespace ar3d

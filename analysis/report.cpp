@@ -27,7 +27,7 @@ std::string head(const Results& results) {
 }
 
 report::Analysis analyse(const Results& results) {
-  return {results, check(results), ledger(results), scaling(results)};
+  return {results, check(results), bounds_table(results), scaling(results)};
 }
 
 }  // namespace

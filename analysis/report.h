@@ -7,9 +7,9 @@
 
 namespace ar3d {
 
-/// One HTML page about a results file: verdict, bound ledger, growth, plots, bends, environment,
+/// One HTML page about a results file: verdict, bounds table, growth, plots, bends, environment,
 /// spec and methods. It needs nothing from outside (no network, no other file); every string of the
-/// file is escaped. Cost: that of check, ledger and scaling; about 1 kB a plotted size.
+/// file is escaped. Cost: that of check, bounds table and scaling; about 1 kB a plotted size.
 std::string render_report(const Results& results);
 
 /// A figure for a paper: an SVG document of its own, in dark colours on white.

@@ -37,7 +37,7 @@ void write_figures(const Results& results, const std::string& directory) {
 
 void add_report(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand(
-      "report", "Bound ledger, scaling models and figures as one offline HTML file");
+      "report", "Bounds table, scaling models and figures as one offline HTML file");
   struct Arguments {
     std::string results;
     std::string output;
@@ -52,9 +52,9 @@ void add_report(CLI::App& app, int& exit_code) {
   verb->add_option("RESULTS", arguments->results, "results file (HDF5)")->required();
   verb->add_option("-o,--output", arguments->output,
                    "HTML file; the results file's name with .html if left out");
-  verb->add_option("--csv", arguments->csv, "also write the bound ledger as CSV to this file");
+  verb->add_option("--csv", arguments->csv, "also write the bounds table as CSV to this file");
   verb->add_option("--json", arguments->json,
-                   "also write ledger and growth models as JSON to this file");
+                   "also write bounds table and growth models as JSON to this file");
   verb->add_option("--growth", arguments->growth,
                    "also write the growth models as CSV to this file");
   verb->add_option("--rows", arguments->rows,
@@ -74,7 +74,7 @@ void add_report(CLI::App& app, int& exit_code) {
     const Results results = read_results(arguments->results);
     require_one_study(view_of(results), arguments->results);
     write_file_atomically(path, render_report(results));
-    if (!arguments->csv.empty()) write_file_atomically(arguments->csv, ledger_csv(results));
+    if (!arguments->csv.empty()) write_file_atomically(arguments->csv, bounds_csv(results));
     if (!arguments->json.empty()) write_file_atomically(arguments->json, analysis_json(results));
     if (!arguments->rows.empty()) write_file_atomically(arguments->rows, rows_csv(results));
     if (!arguments->growth.empty()) write_file_atomically(arguments->growth, scaling_csv(results));

@@ -18,16 +18,16 @@ TickStyle tick_style(Quantity quantity) {
   return quantity == Quantity::volume ? TickStyle::power : TickStyle::count;
 }
 
-/// The curves of one quantity. The colour of a family is its place in the ledger, so that it is the
-/// same in every plot of the section.
+/// The curves of one quantity. The colour of a family is its place in the bounds table, so that it
+/// is the same in every plot of the section.
 std::vector<Series> curves(const Section& section, Quantity quantity) {
   std::vector<Series> series;
   for (const ScalingEntry* entry : section.scaling) {
     if (entry->quantity != quantity) continue;
-    const auto place = std::find_if(section.ledger.begin(), section.ledger.end(),
-                                    [&](const LedgerEntry* row) { return row->key == entry->key; });
+    const auto place = std::find_if(section.bounds.begin(), section.bounds.end(),
+                                    [&](const BoundsEntry* row) { return row->key == entry->key; });
     series.push_back({family_label(entry->key), entry,
-                      static_cast<std::size_t>(place - section.ledger.begin())});
+                      static_cast<std::size_t>(place - section.bounds.begin())});
   }
   return series;
 }
@@ -35,10 +35,10 @@ std::vector<Series> curves(const Section& section, Quantity quantity) {
 /// The families by name; with their parameters only where two would be called the same.
 std::vector<LegendEntry> legend_of(const Section& section) {
   std::vector<LegendEntry> legend;
-  for (const LedgerEntry* entry : section.ledger) {
+  for (const BoundsEntry* entry : section.bounds) {
     const auto same = std::count_if(
-        section.ledger.begin(), section.ledger.end(),
-        [&](const LedgerEntry* other) { return other->key.family == entry->key.family; });
+        section.bounds.begin(), section.bounds.end(),
+        [&](const BoundsEntry* other) { return other->key.family == entry->key.family; });
     legend.push_back({same == 1 ? entry->key.family : family_label(entry->key), legend.size()});
   }
   return legend;
@@ -80,9 +80,9 @@ std::string quantity_panels(const Section& section, const std::string& id, Quant
 }
 
 std::string closest_sentence(const Analysis& analysis, const Section& section) {
-  const LedgerEntry* closest = nullptr;
+  const BoundsEntry* closest = nullptr;
   std::size_t axis = 0;
-  for (const LedgerEntry* entry : section.ledger) {
+  for (const BoundsEntry* entry : section.bounds) {
     const auto worst = worst_axis(*entry);
     if (worst &&
         (closest == nullptr || entry->axes[*worst].worst_slack < closest->axes[axis].worst_slack)) {
@@ -132,7 +132,7 @@ std::string algorithm_section(const Analysis& analysis, const Section& section,
   std::string html = fmt::format("<section id={}><h2>{}</h2>\n", id, escape(section.label));
   html += closest_sentence(analysis, section) + bound_sentences(section);
   html += section.scaling.empty() ? "" : overview_plots(section);
-  html += ledger_table(analysis, section) + growth_table(section) + bend_histogram(section);
+  html += bounds_table_html(analysis, section) + growth_table(section) + bend_histogram(section);
   for (const Quantity quantity : {Quantity::longest_side, Quantity::volume, Quantity::wall_s}) {
     html += quantity_panels(section, id, quantity);
   }

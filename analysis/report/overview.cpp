@@ -70,14 +70,14 @@ std::string algorithm_row(const Section& section, std::size_t index) {
   std::size_t instances = 0, violations = 0;
   std::int64_t largest = 0;
   double worst = kMissing;
-  for (const LedgerEntry* entry : section.ledger) {
+  for (const BoundsEntry* entry : section.bounds) {
     instances += entry->instances;
     violations += entry->violations;
     largest = std::max(largest, entry->largest_n);
-    for (const AxisLedger& axis : entry->axes) worst = std::fmin(worst, axis.worst_slack);
+    for (const AxisBounds& axis : entry->axes) worst = std::fmin(worst, axis.worst_slack);
   }
   return fmt::format("<tr><th scope=row><a href='#a{}'>{}</a></th>", index, escape(section.label)) +
-         cell(std::to_string(section.ledger.size()), true) +
+         cell(std::to_string(section.bounds.size()), true) +
          cell(grouped(static_cast<std::int64_t>(instances)), true) + cell(grouped(largest), true) +
          cell(violations == 0 ? "<span class=pass>none</span>"
                               : fmt::format("<b class=violated>{}</b>", violations),
@@ -93,11 +93,11 @@ std::string algorithm_row(const Section& section, std::size_t index) {
 std::vector<Section> sections(const Analysis& analysis) {
   std::vector<Section> sections;
   std::map<std::string, std::size_t> index_of;
-  for (const LedgerEntry& entry : analysis.ledger) {
+  for (const BoundsEntry& entry : analysis.bounds) {
     const std::string label = algorithm_label(entry.key);
     const auto [place, is_new] = index_of.try_emplace(label, sections.size());
     if (is_new) sections.push_back({label, {}, {}});
-    sections[place->second].ledger.push_back(&entry);
+    sections[place->second].bounds.push_back(&entry);
   }
   for (const ScalingEntry& entry : analysis.scaling) {
     sections[index_of.at(algorithm_label(entry.key))].scaling.push_back(&entry);

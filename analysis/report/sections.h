@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "ar3d/analysis/bounds_table.h"
 #include "ar3d/analysis/check.h"
-#include "ar3d/analysis/ledger.h"
 #include "ar3d/analysis/scaling.h"
 
 namespace ar3d::report {
@@ -16,28 +16,28 @@ namespace ar3d::report {
 struct Analysis {
   const Results& results;
   CheckVerdict verdict;
-  std::vector<LedgerEntry> ledger;
+  std::vector<BoundsEntry> bounds;
   std::vector<ScalingEntry> scaling;
 };
 
-/// One algorithm with one set of options: the ledger entries and curves of its families, in the
-/// order of the file.
+/// One algorithm with one set of options: the entries of the bounds table and curves of its
+/// families, in the order of the file.
 struct Section {
   std::string label;
-  std::vector<const LedgerEntry*> ledger;
+  std::vector<const BoundsEntry*> bounds;
   std::vector<const ScalingEntry*> scaling;
 };
 std::vector<Section> sections(const Analysis& analysis);
 
 /// The head of the page: title, verdict, counts, findings, table of the algorithms with links.
 std::string overview(const Analysis& analysis, const std::vector<Section>& sections);
-/// One algorithm: sentence, plots, ledger, growth table, bends, small multiples. `id` is its
+/// One algorithm: sentence, plots, bounds table, growth table, bends, small multiples. `id` is its
 /// anchor.
 std::string algorithm_section(const Analysis& analysis, const Section& section,
                               const std::string& id);
 /// Parts of it.
 std::string bound_sentences(const Section& section);
-std::string ledger_table(const Analysis& analysis, const Section& section);
+std::string bounds_table_html(const Analysis& analysis, const Section& section);
 std::string growth_table(const Section& section);
 std::string bend_histogram(const Section& section);
 /// Edges with 0, 1, … bends over all families of the section.

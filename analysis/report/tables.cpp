@@ -23,14 +23,14 @@ std::string fill(double worst_slack, double median_slack) {
 }
 
 /// The smallest slack over the axes.
-double worst_of(const LedgerEntry& entry, double AxisLedger::*slack) {
+double worst_of(const BoundsEntry& entry, double AxisBounds::*slack) {
   double worst = kMissing;
-  for (const AxisLedger& axis : entry.axes) worst = std::fmin(worst, axis.*slack);
+  for (const AxisBounds& axis : entry.axes) worst = std::fmin(worst, axis.*slack);
   return worst;
 }
 
 /// "120 ok, 3 timeout": every status that occurs.
-std::string statuses(const LedgerEntry& entry) {
+std::string statuses(const BoundsEntry& entry) {
   std::string text;
   for (std::size_t i = 0; i < entry.rows_of_status.size(); ++i) {
     if (entry.rows_of_status[i] == 0) continue;
@@ -50,7 +50,7 @@ std::string box(const Values& values) {
 
 /// The boxes of the row that comes closest to the theorem's: measured, its own bound, the
 /// theorem's, the published one; and the lines that show it again.
-std::string worst_instance(const Analysis& analysis, const LedgerEntry& entry) {
+std::string worst_instance(const Analysis& analysis, const BoundsEntry& entry) {
   const auto axis = worst_axis(entry);
   if (!axis) return "–";
   const std::size_t row = *entry.axes[*axis].worst_row;
@@ -62,18 +62,18 @@ std::string worst_instance(const Analysis& analysis, const LedgerEntry& entry) {
       box(run.published_bound), escape(draw_command(run)), escape(replay_command(run, row)));
 }
 
-std::string ledger_row(const Analysis& analysis, const LedgerEntry& entry) {
+std::string bounds_row(const Analysis& analysis, const BoundsEntry& entry) {
   std::string html = fmt::format("<tr><th scope=row>{}</th>", escape(family_label(entry.key)));
   html += cell(grouped(entry.smallest_n) + " – " + grouped(entry.largest_n), true);
   html += cell(statuses(entry));
   html += cell(entry.violations == 0 ? "<span class=pass>none</span>"
                                      : fmt::format("<b class=violated>{}</b>", entry.violations),
                true);
-  for (const AxisLedger& axis : entry.axes) {
+  for (const AxisBounds& axis : entry.axes) {
     html += cell(fill(axis.worst_slack, axis.median_slack), true);
   }
-  html += cell(percent(1 - worst_of(entry, &AxisLedger::worst_instance_slack)), true);
-  html += cell(percent(1 - worst_of(entry, &AxisLedger::worst_published_slack)), true);
+  html += cell(percent(1 - worst_of(entry, &AxisBounds::worst_instance_slack)), true);
+  html += cell(percent(1 - worst_of(entry, &AxisBounds::worst_published_slack)), true);
   return html + cell(worst_instance(analysis, entry)) + "</tr>\n";
 }
 
@@ -115,7 +115,7 @@ std::string time_label(const ScalingEntry* entry) {
 }  // namespace
 
 std::string bound_sentences(const Section& section) {
-  for (const LedgerEntry* entry : section.ledger) {
+  for (const BoundsEntry* entry : section.bounds) {
     if (entry->theorem_formula.empty()) continue;
     return fmt::format(
         "<p>Theorem's box: {}.<br>Published box: {}.</p>\n", escape(entry->theorem_formula),
@@ -124,9 +124,9 @@ std::string bound_sentences(const Section& section) {
   return "";
 }
 
-std::string ledger_table(const Analysis& analysis, const Section& section) {
+std::string bounds_table_html(const Analysis& analysis, const Section& section) {
   std::string html =
-      "<h3>Bound ledger</h3><p class=muted>Share of the theorem's bound that "
+      "<h3>Bounds table</h3><p class=muted>Share of the theorem's bound that "
       "the "
       "worst and (grey) the median graph use, by axis; then the worst share over the axes of the "
       "proof's own bound for the very graph and of the published bound. 100 % touches the "
@@ -134,7 +134,7 @@ std::string ledger_table(const Analysis& analysis, const Section& section) {
       "class=num>n<th>Rows"
       "<th class=num>Violations<th class=num>x<th class=num>y<th class=num>z"
       "<th class=num>Own bound<th class=num>Published<th>Worst graph</tr></thead><tbody>\n";
-  for (const LedgerEntry* entry : section.ledger) html += ledger_row(analysis, *entry);
+  for (const BoundsEntry* entry : section.bounds) html += bounds_row(analysis, *entry);
   return html + "</tbody></table></div>\n";
 }
 
@@ -143,19 +143,18 @@ std::string growth_table(const Section& section) {
   std::string html =
       "<h3>Growth</h3><p class=muted>Exponent a of n^a over the fitted sizes, with its 95 % "
       "interval. Volume is the number of lattice points of the box, here also at the largest n "
-      "in units of n³ (the order of Theorem 1, and of O(n) a side), n⁴ (two-bend's O(n) × O(n) × "
-      "O(n²)) and n⁹ (the paper's O(n³) a side).</p><div class=scroll><table><thead><tr><th>Family"
-      "<th class=num>Longest side<th class=num>Volume<th class=num>/ n³<th class=num>/ n⁴<th "
-      "class=num>/ n⁹<th class=num>Drawing time<th>Growth of the time<th>Fit of the "
+      "as its share of the theorem's own box.</p><div class=scroll><table><thead><tr><th>Family"
+      "<th class=num>Longest side<th class=num>Volume<th class=num>Share of the theorem's<th "
+      "class=num>Drawing time<th>Growth of the time<th>Fit of the "
       "time</tr></thead><tbody>\n";
-  for (const LedgerEntry* entry : section.ledger) {
+  for (const BoundsEntry* entry : section.bounds) {
     const auto find = [&](Quantity quantity) { return find_entry(section, entry->key, quantity); };
     const ScalingEntry* time = find(Quantity::wall_s);
     html += fmt::format("<tr><th scope=row>{}</th>", escape(family_label(entry->key))) +
             cell(exponent(find(Quantity::longest_side)), true) +
             cell(exponent(find(Quantity::volume)), true);
-    for (const double share : entry->volume.per_power) html += cell(number(share), true);
-    html += cell(exponent(time), true) + note(time_label(time)) +
+    html += cell(percent(entry->volume.share), true) + cell(exponent(time), true) +
+            note(time_label(time)) +
             note(time == nullptr ? "–" : "<small>" + escape(fit_notes(*time)) + "</small>") +
             "</tr>\n";
   }
@@ -164,7 +163,7 @@ std::string growth_table(const Section& section) {
 
 std::array<std::uint64_t, 8> bends_of(const Section& section) {
   std::array<std::uint64_t, 8> bends{};
-  for (const LedgerEntry* entry : section.ledger) {
+  for (const BoundsEntry* entry : section.bounds) {
     for (std::size_t b = 0; b < bends.size(); ++b) bends[b] += entry->bends[b];
   }
   return bends;

@@ -240,7 +240,7 @@ TEST(Html, Numbers) {
 TEST(Export, CsvHasOneLineACellAndQuotes) {
   Results results = testing::good_results({"diamond"}, {"a,\"b\"", "prism"}, 2, 2);
   results.runs[0].theorem_bound[0] = kMissing;
-  const std::string csv = ledger_csv(results);
+  const std::string csv = bounds_csv(results);
   EXPECT_EQ(count(csv, "\r\n"), 3u);
   EXPECT_THAT(csv, HasSubstr("diamond,,\"a,\"\"b\"\"\",,16,32,4,4,0,"));
   EXPECT_THAT(csv, Not(HasSubstr("nan")));
@@ -253,12 +253,12 @@ TEST(Export, CsvHasOneLineACellAndQuotes) {
   EXPECT_THAT(growth, HasSubstr("undecided"));
 }
 
-TEST(Export, JsonHoldsVerdictLedgerAndGrowth) {
+TEST(Export, JsonHoldsVerdictBoundsAndGrowth) {
   const auto json =
       nlohmann::json::parse(analysis_json(testing::good_results({"diamond"}, {"cubic"}, 9, 4)));
   EXPECT_EQ(json["verdict"]["exit_code"], 0);
-  EXPECT_EQ(json["ledger"].size(), 1u);
-  EXPECT_EQ(json["ledger"][0]["axes"].size(), 3u);
+  EXPECT_EQ(json["bounds"].size(), 1u);
+  EXPECT_EQ(json["bounds"][0]["axes"].size(), 3u);
   EXPECT_EQ(json["scaling"].size(), 6u);
   EXPECT_NEAR(json["scaling"][0]["exponent"].get<double>(), 1, 0.05);
   EXPECT_NO_THROW(nlohmann::json::parse(analysis_json(hostile_results())));

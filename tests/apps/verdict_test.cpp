@@ -88,7 +88,7 @@ TEST(ReportProgram, WritesFiguresAndTables) {
     EXPECT_THAT(read_file(stem + ".pdf"), ::testing::StartsWith("%PDF-")) << name;
   }
   EXPECT_THAT(read_file(scratch.path("r.csv")), HasSubstr("published_bound_x"));
-  EXPECT_THAT(read_file(scratch.path("l.csv")), HasSubstr("volume_per_n9"));
+  EXPECT_THAT(read_file(scratch.path("l.csv")), HasSubstr("volume_share"));
   EXPECT_THAT(read_file(scratch.path("g.csv")), HasSubstr("exponent_low"));
   EXPECT_THAT(read_file(scratch.path("a.json")), HasSubstr("\"next_sizes\""));
 }

@@ -1,9 +1,10 @@
-#include "ar3d/analysis/ledger.h"
+#include "ar3d/analysis/bounds_table.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "ar3d/analysis/check.h"
+#include "ar3d/analysis/scaling/samples.h"
 #include "ar3d/analysis/statistics.h"
 
 namespace ar3d {
@@ -33,9 +34,9 @@ void add_slack(std::int64_t extent, double bound, std::vector<double>& slacks) {
   if (!std::isnan(slack)) slacks.push_back(slack);
 }
 
-AxisLedger axis_ledger(const Results& results, const std::vector<std::size_t>& rows,
+AxisBounds axis_bounds(const Results& results, const std::vector<std::size_t>& rows,
                        std::size_t axis) {
-  AxisLedger entry;
+  AxisBounds entry;
   std::vector<double> theorem, instance, published;
   for (const std::size_t row : rows) {
     const RunRecord& run = results.runs[row];
@@ -57,22 +58,22 @@ AxisLedger axis_ledger(const Results& results, const std::vector<std::size_t>& r
   return entry;
 }
 
-VolumeLedger volume_ledger(const Results& results, const std::vector<std::size_t>& rows) {
-  VolumeLedger ledger;
-  for (const std::size_t row : rows) ledger.n = std::max(ledger.n, results.runs[row].n);
-  std::vector<double> volumes;
+VolumeBound volume_bound(const Results& results, const std::vector<std::size_t>& rows) {
+  VolumeBound volume;
+  for (const std::size_t row : rows) volume.n = std::max(volume.n, results.runs[row].n);
+  std::vector<double> volumes, shares;
   for (const std::size_t row : rows) {
-    if (results.runs[row].n == ledger.n) volumes.push_back(results.runs[row].log2_volume);
+    const RunRecord& run = results.runs[row];
+    if (run.n != volume.n) continue;
+    volumes.push_back(run.log2_volume);
+    shares.push_back(std::exp(log_value(run, Quantity::volume) - log_bound(run, Quantity::volume)));
   }
-  ledger.log2_volume = median(std::move(volumes));
-  for (std::size_t i = 0; i < kVolumePowers.size() && ledger.n > 0; ++i) {
-    const double power = kVolumePowers[i] * std::log2(static_cast<double>(ledger.n));
-    ledger.per_power[i] = std::exp2(ledger.log2_volume - power);
-  }
-  return ledger;
+  volume.log2_volume = median(std::move(volumes));
+  volume.share = median(std::move(shares));
+  return volume;
 }
 
-void count_rows(const Results& results, const Cell& cell, LedgerEntry& entry) {
+void count_rows(const Results& results, const Cell& cell, BoundsEntry& entry) {
   for (const std::size_t row : cell.rows) {
     const RunRecord& run = results.runs[row];
     ++entry.rows_of_status[static_cast<std::size_t>(run.status)];
@@ -80,7 +81,7 @@ void count_rows(const Results& results, const Cell& cell, LedgerEntry& entry) {
   }
 }
 
-void add_bends(const Results& results, const std::vector<std::size_t>& rows, LedgerEntry& entry) {
+void add_bends(const Results& results, const std::vector<std::size_t>& rows, BoundsEntry& entry) {
   for (const std::size_t row : rows) {
     for (std::size_t b = 0; b < entry.bends.size(); ++b) {
       const std::int64_t edges = results.runs[row].bends[b];
@@ -91,10 +92,10 @@ void add_bends(const Results& results, const std::vector<std::size_t>& rows, Led
 
 }  // namespace
 
-std::vector<LedgerEntry> ledger(const Results& results) {
-  std::vector<LedgerEntry> entries;
+std::vector<BoundsEntry> bounds_table(const Results& results) {
+  std::vector<BoundsEntry> entries;
   for (const Cell& cell : cells(results)) {
-    LedgerEntry entry;
+    BoundsEntry entry;
     entry.key = cell.key;
     entry.smallest_n = cell.instances.front().n;
     entry.largest_n = cell.instances.back().n;
@@ -103,9 +104,9 @@ std::vector<LedgerEntry> ledger(const Results& results) {
     count_rows(results, cell, entry);
     const std::vector<std::size_t> rows = measured_rows(results, cell);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      entry.axes[axis] = axis_ledger(results, rows, axis);
+      entry.axes[axis] = axis_bounds(results, rows, axis);
     }
-    entry.volume = volume_ledger(results, rows);
+    entry.volume = volume_bound(results, rows);
     if (!rows.empty()) {
       entry.theorem_formula = results.runs[rows.front()].theorem_bound_formula;
       entry.published_formula = results.runs[rows.front()].published_bound_formula;
@@ -116,7 +117,7 @@ std::vector<LedgerEntry> ledger(const Results& results) {
   return entries;
 }
 
-std::optional<std::size_t> worst_axis(const LedgerEntry& entry) {
+std::optional<std::size_t> worst_axis(const BoundsEntry& entry) {
   std::optional<std::size_t> worst;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (entry.axes[axis].measured == 0) continue;

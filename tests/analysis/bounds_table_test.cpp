@@ -1,4 +1,4 @@
-#include "ar3d/analysis/ledger.h"
+#include "ar3d/analysis/bounds_table.h"
 
 #include <gtest/gtest.h>
 
@@ -29,10 +29,10 @@ Results three_instances() {
   return results;
 }
 
-TEST(Ledger, GivesWorstAndMedianSlackPerAxisAndTheWorstRow) {
-  const std::vector<LedgerEntry> entries = ledger(three_instances());
+TEST(BoundsTable, GivesWorstAndMedianSlackPerAxisAndTheWorstRow) {
+  const std::vector<BoundsEntry> entries = bounds_table(three_instances());
   ASSERT_EQ(entries.size(), 1u);
-  const AxisLedger& x = entries[0].axes[0];
+  const AxisBounds& x = entries[0].axes[0];
   EXPECT_DOUBLE_EQ(x.worst_slack, 1 - 30.0 / 40);
   EXPECT_DOUBLE_EQ(x.median_slack, 1 - 20.0 / 40);
   EXPECT_EQ(x.worst_row, 1u);
@@ -43,29 +43,29 @@ TEST(Ledger, GivesWorstAndMedianSlackPerAxisAndTheWorstRow) {
   EXPECT_EQ(worst_axis(entries[0]), 0u);
 }
 
-TEST(Ledger, ComparesWithThePublishedBoundAndWithPowersOfN) {
-  const LedgerEntry entry = ledger(three_instances()).at(0);
+TEST(BoundsTable, ComparesWithThePublishedBound) {
+  const BoundsEntry entry = bounds_table(three_instances()).at(0);
   EXPECT_DOUBLE_EQ(entry.axes[0].worst_published_slack, 1 - 30.0 / 60);
   EXPECT_DOUBLE_EQ(entry.axes[0].median_published_slack, 1 - 20.0 / 60);
   EXPECT_TRUE(std::isnan(entry.axes[1].worst_published_slack));
   EXPECT_EQ(entry.published_formula, "12 n, 25 n (paper)");
   EXPECT_EQ(entry.volume.n, 5);
   EXPECT_DOUBLE_EQ(entry.volume.log2_volume, 11) << "the median of 10, 11 and 12";
-  EXPECT_NEAR(entry.volume.per_power[0], 2048.0 / (5 * 5 * 5), 1e-9);
-  EXPECT_NEAR(entry.volume.per_power[1], 2048.0 / (5 * 5 * 5 * 5), 1e-9);
-  EXPECT_NEAR(entry.volume.per_power[2] * std::pow(5, 9), 2048, 1e-6);
 }
 
-TEST(Ledger, VolumesAreThoseOfTheLargestSize) {
-  const LedgerEntry entry = ledger(good_results({"diamond"}, {"cubic"}, 3, 2)).at(0);
+/// Whatever order the theorem promises: the same growth of extents and bound gives the same share.
+TEST(BoundsTable, VolumesAreSetAgainstTheTheoremsOwnBox) {
+  const BoundsEntry entry = bounds_table(good_results({"diamond"}, {"cubic"}, 3, 2)).at(0);
   EXPECT_EQ(entry.volume.n, 64);
-  EXPECT_GT(entry.volume.per_power[0], 4 * 4 * 6);
+  // Extents of 4n to 4.5n, 4n and 6n in a box of 16n/3, 16n/3 and 8n.
+  EXPECT_GT(entry.volume.share, 0.4);
+  EXPECT_LT(entry.volume.share, 0.5);
 }
 
-TEST(Ledger, OneEntryForEachAlgorithmOptionsFamilyAndParameters) {
+TEST(BoundsTable, OneEntryForEachAlgorithmOptionsFamilyAndParameters) {
   Results results = good_results({"diamond", "grid"}, {"cubic", "prism"}, 2, 2);
   results.runs[0].options = "effort=2";
-  const std::vector<LedgerEntry> entries = ledger(results);
+  const std::vector<BoundsEntry> entries = bounds_table(results);
   ASSERT_EQ(entries.size(), 5u);
   EXPECT_EQ(entries[0].key.options, "effort=2");
   EXPECT_EQ(entries[0].rows, 1u);
@@ -73,31 +73,31 @@ TEST(Ledger, OneEntryForEachAlgorithmOptionsFamilyAndParameters) {
   EXPECT_EQ(entries[1].largest_n, 32);
 }
 
-TEST(Ledger, RepetitionsCountOnceInStatisticsAndBends) {
+TEST(BoundsTable, RepetitionsCountOnceInStatisticsAndBends) {
   Results results = good_results({"diamond"}, {"cubic"}, 1, 2);
   results.runs.push_back(good_run("diamond", "cubic", 16, 0, 1));
-  const LedgerEntry entry = ledger(results).at(0);
+  const BoundsEntry entry = bounds_table(results).at(0);
   EXPECT_EQ(entry.rows, 3u);
   EXPECT_EQ(entry.instances, 2u);
   EXPECT_EQ(entry.axes[0].measured, 2u);
   EXPECT_EQ(entry.bends[2], 32u);
 }
 
-TEST(Ledger, CountsStatusesAndViolations) {
+TEST(BoundsTable, CountsStatusesAndViolations) {
   Results results = good_results({"diamond"}, {"cubic"}, 2, 2);
   results.runs[0].status = RunStatus::timeout;
   results.runs[1].extents[0] = 1000;
-  const LedgerEntry entry = ledger(results).at(0);
+  const BoundsEntry entry = bounds_table(results).at(0);
   EXPECT_EQ(entry.count(RunStatus::timeout), 1u);
   EXPECT_EQ(entry.count(RunStatus::ok), 3u);
   EXPECT_EQ(entry.violations, 1u);
   EXPECT_LT(entry.axes[0].worst_slack, 0);
 }
 
-TEST(Ledger, NothingMeasuredHasNoWorstAxis) {
+TEST(BoundsTable, NothingMeasuredHasNoWorstAxis) {
   Results results = good_results({"diamond"}, {"cubic"}, 1, 1);
   results.runs[0].status = RunStatus::refused;
-  EXPECT_FALSE(worst_axis(ledger(results).at(0)).has_value());
+  EXPECT_FALSE(worst_axis(bounds_table(results).at(0)).has_value());
 }
 
 TEST(Replay, QuotesWhatAShellWouldRead) {

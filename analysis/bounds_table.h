@@ -14,7 +14,7 @@ namespace ar3d {
 /// One axis of one cell. Slack is 1 - extent / bound, computed here from the extents: 0 touches the
 /// bound, a negative one breaks it. Statistics are over instances (the first ok repetition of
 /// each).
-struct AxisLedger {
+struct AxisBounds {
   std::size_t measured = 0;  ///< instances with an extent and a positive finite theorem's bound
   double worst_slack = kMissing;   ///< smallest slack against the theorem's bound
   double median_slack = kMissing;  ///< median slack against the theorem's bound
@@ -27,20 +27,18 @@ struct AxisLedger {
   std::optional<std::size_t> worst_row;  ///< index in Results::runs of the smallest slack
 };
 
-/// The powers of n that volumes are set against: the order of Theorem 1 and of grid's O(n) a side,
-/// of two-bend's O(n) x O(n) x O(n^2), and of the paper's O(n^3) a side for Theorem 3.
-inline constexpr std::array<int, 3> kVolumePowers = {3, 4, 9};
-
 /// Volumes (lattice points of the box) of the largest n that was measured; medians over its
 /// instances.
-struct VolumeLedger {
+struct VolumeBound {
   std::int64_t n = -1;
   double log2_volume = kMissing;
-  std::array<double, 3> per_power{kMissing, kMissing, kMissing};  ///< volume / n^3, n^4, n^9
+  /// Volume over that of the theorem's own box, the product of bound + 1: what the volume is set
+  /// against has the order that the very theorem promises. Missing without a theorem's bound.
+  double share = kMissing;
 };
 
-/// The bound ledger of one cell: what the theorem promises beside what was measured.
-struct LedgerEntry {
+/// The bounds table of one cell: what the theorem promises beside what was measured.
+struct BoundsEntry {
   CellKey key;
   std::int64_t smallest_n = -1;
   std::int64_t largest_n = -1;
@@ -48,8 +46,8 @@ struct LedgerEntry {
   std::size_t instances = 0;
   std::array<std::size_t, 6> rows_of_status{};  ///< indexed by RunStatus
   std::size_t violations = 0;  ///< rows that break a bound or a certificate, as `check` counts them
-  std::array<AxisLedger, 3> axes;
-  VolumeLedger volume;
+  std::array<AxisBounds, 3> axes;
+  VolumeBound volume;
   std::string theorem_formula;    ///< "16/3 n, 16/3 n, 8 n (proved here, docs/theorem1.md)"
   std::string published_formula;  ///< empty if nobody published a bound
   std::array<std::uint64_t, 8>
@@ -61,9 +59,9 @@ struct LedgerEntry {
 };
 
 /// One entry a cell, in the order of the file. Cost: O(r log r) for r rows.
-std::vector<LedgerEntry> ledger(const Results& results);
+std::vector<BoundsEntry> bounds_table(const Results& results);
 
 /// The entry's axis of smallest slack, or nullopt if nothing was measured.
-std::optional<std::size_t> worst_axis(const LedgerEntry& entry);
+std::optional<std::size_t> worst_axis(const BoundsEntry& entry);
 
 }  // namespace ar3d
