@@ -48,6 +48,25 @@ Vertex EdgeCollector::read_vertex(Tokens& tokens) {
   return static_cast<Vertex>(id - base_);
 }
 
+void EdgeCollector::note_end(std::uint64_t end, std::uint64_t line) {
+  if (end <= largest_end_) return;
+  largest_end_ = end;
+  largest_line_ = line;
+}
+
+void EdgeCollector::first_was_header(std::uint64_t n, bool collected) {
+  if (n > kMaxVertices) input_->fail_at(header_line_, 0, *vertex_count_problem(n, 0, options_));
+  known_n_ = n;
+  if (!collected) return;
+  edges_.erase(edges_.begin());
+  for (Run& run : runs_) {
+    if (run.first > 0)
+      --run.first;
+    else
+      ++run.line;
+  }
+}
+
 Edge EdgeCollector::read_ends(Tokens& tokens) {
   const Vertex u = read_vertex(tokens);
   const Vertex v = read_vertex(tokens);

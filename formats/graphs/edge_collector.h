@@ -50,6 +50,14 @@ class EdgeCollector {
   std::uint64_t checked_n() const;
 
   std::uint64_t num_edges() const { return edges_.size(); }
+  /// Largest vertex + 1 so far, and the same counted anew from here on.
+  std::uint64_t largest_end() const { return largest_end_; }
+  void forget_largest_end() { largest_end_ = 0; }
+  /// Notes a largest vertex + 1 that stands in a line.
+  void note_end(std::uint64_t end, std::uint64_t line);
+  /// The first line read was no edge but said that there are n vertices. @throws InputError as
+  /// begin. `collected`: it has been collected as an edge. O(m) time.
+  void first_was_header(std::uint64_t n, bool collected);
   /// Ends the graph; without a known n it has the vertices up to the largest id.
   /// @throws InputError on parallel edges, or on more vertices than the text accounts for.
   Graph finish();

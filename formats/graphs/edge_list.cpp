@@ -1,10 +1,15 @@
 #include "ar3d/formats/graphs/edge_list.h"
 
+#include <fmt/format.h>
+
 #include <limits>
+#include <optional>
+#include <string>
 
 #include "ar3d/formats/graphs/edge_collector.h"
 #include "ar3d/formats/text/line_shapes.h"
 #include "ar3d/formats/text/numbers_text.h"
+#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {
@@ -12,10 +17,11 @@ namespace {
 class EdgeListParser final : public GraphParser {
  public:
   EdgeListParser(TextInput& input, const ReadOptions& options)
-      : input_(input), edges_(input, options, options.base) {}
+      : input_(input), edges_(input, options, options.base), options_(options) {}
 
   std::optional<Graph> next() override {
     bool begun = false;
+    first_.reset();
     while (const std::optional<std::string_view> line = next_odd_line(begun)) {
       if (is_blank(*line)) continue;
       if (const std::optional<Tokens> header = size_header(input_, *line)) {
@@ -26,18 +32,32 @@ class EdgeListParser final : public GraphParser {
         begin_with(*header);
         begun = true;
       } else if (!is_comment(*line)) {
-        if (!begun) edges_.begin(std::nullopt);
-        begun = true;
         Tokens tokens(input_, *line);
-        edges_.read_edge(tokens);
-        tokens.expect_done("the edge");
+        if (!begun) {
+          edges_.begin(std::nullopt);
+          read_first_line(tokens);
+        } else {
+          edges_.read_edge(tokens);
+        }
+        begun = true;
+        skip_attributes(tokens);
       }
     }
     if (!begun) return std::nullopt;
+    if (first_) decide_first_line();
     return edges_.finish();
   }
 
  private:
+  /// The first line of a graph that no size line begins.
+  struct First {
+    std::uint64_t a = 0;
+    std::uint64_t b = 0;
+    std::uint64_t line = 0;
+    std::string problem;    ///< why it is no edge; empty: it is collected as one
+    std::uint64_t end = 0;  ///< its largest vertex + 1
+  };
+
   /// The next line that is not read as one of many plain edges.
   std::optional<std::string_view> next_odd_line(bool begun) {
     constexpr std::uint64_t kAll = std::numeric_limits<std::uint64_t>::max();
@@ -49,9 +69,58 @@ class EdgeListParser final : public GraphParser {
     header.expect_done("the number of vertices");
     edges_.begin(n);
   }
+  /// "0 1 {}" or "0 1 {'weight': 2}", as networkx writes; anything else behind an edge is refused.
+  void skip_attributes(Tokens& tokens) const {
+    Tokens rest = tokens;
+    if (!rest.word().starts_with('{')) tokens.expect_done("the edge");
+  }
+
+  void read_first_line(Tokens& tokens) {
+    Tokens ends = tokens;
+    First first;
+    first.a = ends.number("a vertex id");
+    first.b = ends.number("a vertex id");
+    first.line = input_.line();
+    if (!ends.done() || options_.first_line == FirstLine::edge) return edges_.read_edge(tokens);
+    try {
+      edges_.read_edge(tokens);
+    } catch (const InputError& error) {
+      first.problem = error.what();
+      tokens = ends;
+    }
+    first.end = edges_.largest_end();
+    edges_.forget_largest_end();
+    first_ = first;
+  }
+
+  /// Header or edge, now that the graph's other lines are known.
+  void decide_first_line() {
+    const bool is_edge = first_->problem.empty();
+    const std::uint64_t others = edges_.num_edges() - (is_edge ? 1 : 0);
+    const bool fits = others == first_->b && edges_.largest_end() <= first_->a;
+    const bool wanted = options_.first_line == FirstLine::header;
+    if (wanted && !fits) {
+      input_.fail_at(first_->line, 0,
+                     fmt::format("{} vertices and {} edges announced, found {} edges and ids up to "
+                                 "vertex {}",
+                                 first_->a, first_->b, others, edges_.largest_end()));
+    }
+    if (fits && is_edge && !wanted) {
+      input_.fail_at(first_->line, 0,
+                     fmt::format("'{0} {1}' may be an edge, or the header of a graph with {0} "
+                                 "vertices and {1} edges: --first-line edge or --first-line header "
+                                 "says which",
+                                 first_->a, first_->b));
+    }
+    if (fits) return edges_.first_was_header(first_->a, is_edge);
+    if (!is_edge) throw InputError(first_->problem);
+    edges_.note_end(first_->end, first_->line);
+  }
 
   TextInput& input_;
   EdgeCollector edges_;
+  ReadOptions options_;
+  std::optional<First> first_;
 };
 
 class EdgeListWriter final : public GraphWriter {

@@ -1,47 +1,51 @@
 #include "ar3d/formats/graphs/graphml.h"
 
 #include <fmt/format.h>
+#include <iconv.h>
 
 #include <algorithm>
-#include <boost/graph/graphml.hpp>
-#include <sstream>
-#include <unordered_set>
+#include <limits>
+#include <pugixml.hpp>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "ar3d/formats/text/numbers_text.h"
-#include "ar3d/formats/text/xml_tags.h"
 #include "ar3d/model/error.h"
 
+// The whole document is read into pugixml's tree, which expands no entity that a document defines
+// itself and parses without recursion: neither bombs of entities nor deep nesting cost more than
+// their text.
 namespace ar3d {
 namespace {
 
-constexpr std::size_t kMaxDepth = 100;  // Boost's parser is recursive
+/// The name of an element without the prefix of its namespace.
+std::string_view local_name(pugi::xml_node element) {
+  const std::string_view name = element.name();
+  return name.substr(name.rfind(':') + 1);
+}
 
-/// Receives the elements from Boost's reader in the order of the file.
-class EdgeReceiver final : public boost::mutate_graph {
- public:
-  std::uint64_t n = 0;
-  std::vector<Edge> edges;
+bool is_utf16(std::string_view text) {
+  return text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
+}
 
-  bool is_directed() const override { return false; }
-  boost::any do_add_vertex() override { return static_cast<Vertex>(n++); }
-  std::pair<boost::any, bool> do_add_edge(boost::any source, boost::any target) override {
-    edges.push_back({boost::any_cast<Vertex>(source), boost::any_cast<Vertex>(target)});
-    return {boost::any(edges.size() - 1), true};
-  }
-  void set_graph_property(const std::string&, const std::string&, const std::string&) override {}
-  void set_vertex_property(const std::string&, boost::any, const std::string&,
-                           const std::string&) override {}
-  void set_edge_property(const std::string&, boost::any, const std::string&,
-                         const std::string&) override {}
-};
-
-/// Where one <graph> element stands.
-struct Range {
-  std::size_t begin = 0;
-  std::size_t end = 0;
-};
+/// UTF-16 with its mark as UTF-8; nothing if it is not that.
+std::optional<std::string> utf8_of_utf16(std::string_view text) {
+  const iconv_t converter = iconv_open("UTF-8", "UTF-16");
+  expect(converter != reinterpret_cast<iconv_t>(-1), "iconv knows UTF-16");
+  std::string result(text.size() / 2 * 3 + 4, '\0');  // at most 3 bytes for a unit of 2
+  char* from = const_cast<char*>(text.data());
+  char* to = result.data();
+  std::size_t from_left = text.size();
+  std::size_t to_left = result.size();
+  const bool good =
+      iconv(converter, &from, &from_left, &to, &to_left) != static_cast<std::size_t>(-1);
+  iconv_close(converter);
+  if (!good) return std::nullopt;
+  result.resize(result.size() - to_left);
+  return result;
+}
 
 class GraphmlParser final : public GraphParser {
  public:
@@ -49,132 +53,102 @@ class GraphmlParser final : public GraphParser {
 
   std::optional<Graph> next() override {
     if (!loaded_) load();
-    if (next_range_ == ranges_.size()) return std::nullopt;
-    return read(ranges_[next_range_++]);
+    if (next_ == graphs_.size()) return std::nullopt;
+    return read(graphs_[next_++]);
   }
 
  private:
   void load() {
     loaded_ = true;
-    while (const std::optional<std::string_view> line = input_.next_line())
-      text_.append(*line) += '\n';
-    find_graphs();
-    if (ranges_.empty()) input_.fail(0, "no <graph> element inside a <graphml> element");
-  }
-
-  /// Fills ranges_ with the graphs that stand directly in <graphml>.
-  void find_graphs() {
-    XmlTags tags(text_);
-    std::size_t depth = 0;
-    std::size_t begin = 0;
-    while (const std::optional<XmlTag> tag = tags.next()) {
-      const bool graph = tag->name == "graph";
-      if (tag->kind == XmlTag::Kind::close) {
-        if (depth > 0) --depth;
-        if (graph && depth == 1) ranges_.push_back({begin, tag->end});
-        continue;
-      }
-      if (graph && depth == 1) begin = tag->begin;
-      if (tag->kind == XmlTag::Kind::empty) {
-        if (graph && depth == 1) ranges_.push_back({begin, tag->end});
-      } else if (++depth > kMaxDepth) {
-        input_.fail_at(line_of(tag->begin), 0,
-                       fmt::format("elements nested deeper than {}", kMaxDepth));
+    text_ = input_.look_ahead(std::numeric_limits<std::size_t>::max());
+    input_.take(text_.size(), 1);
+    if (is_utf16(text_)) {
+      std::optional<std::string> text = utf8_of_utf16(text_);
+      if (!text) input_.fail(0, "the text is no UTF-16");
+      text_ = std::move(*text);
+    }
+    constexpr unsigned kOptions = pugi::parse_escapes | pugi::parse_wconv_attribute;
+    const pugi::xml_parse_result parsed =
+        document_.load_buffer(text_.data(), text_.size(), kOptions);
+    if (!parsed) fail_at(static_cast<std::size_t>(parsed.offset), parsed.description());
+    for (const pugi::xml_node root : document_.children()) {
+      if (local_name(root) != "graphml") continue;
+      for (const pugi::xml_node child : root.children()) {
+        if (local_name(child) == "graph") graphs_.push_back(child);
       }
     }
-    if (depth > 0) input_.fail(0, "the text ends inside an element");
+    if (graphs_.empty()) input_.fail(0, "no <graph> element inside a <graphml> element");
   }
 
-  /// The document with no other graph than this one.
-  std::string document(Range range) const {
-    const std::size_t first = ranges_.front().begin;
-    return text_.substr(0, first) + text_.substr(range.begin, range.end - range.begin) +
-           "</graphml>";
-  }
-
-  Graph read(Range range) const {
-    EdgeReceiver received;
-    std::istringstream stream(document(range));
+  Graph read(pugi::xml_node graph) const {
+    const std::string_view kind = graph.attribute("edgedefault").value();
+    if (kind != "undirected") {
+      fail(graph, fmt::format("edgedefault is {}: only undirected graphs are read", shown(kind)));
+    }
+    Ids ids;
+    for (const pugi::xml_node element : graph.children()) read_node(element, ids);
+    std::vector<Edge> edges;
+    for (const pugi::xml_node element : graph.children()) {
+      if (local_name(element) == "edge") edges.push_back(read_edge(element, ids));
+    }
     try {
-      boost::read_graphml(stream, received, 0);
-      refuse_unknown_nodes(range, received.n);
-      return Graph(received.n, std::move(received.edges));
+      return Graph(ids.size(), std::move(edges));
     } catch (const EdgeError& error) {
-      fail_edge(range, error.edge(), error.what());
-    } catch (const InputError&) {
+      std::uint64_t left = error.edge();
+      for (const pugi::xml_node element : graph.children()) {
+        if (local_name(element) == "edge" && left-- == 0) fail(element, error.what());
+      }
       throw;
-    } catch (const std::exception& error) {
-      // Boost's own exceptions: graph errors, XML errors, missing attributes
-      input_.fail_at(line_of(range.begin), 0,
-                     fmt::format("graph {}: {}", next_range_, one_line(error.what())));
     }
   }
 
-  /// Boost makes a vertex of every name: of two nodes with one id it makes one, of an edge to a
-  /// node that is not there a new one. Finds such nodes, if there are any.
-  void refuse_unknown_nodes(Range range, std::uint64_t vertices) const {
-    std::unordered_set<std::string_view> ids;
-    std::uint64_t nodes = 0;
-    for_each_tag(range, "node", [&](const XmlTag& tag, std::string_view text) {
-      const std::string_view id = attribute_of(text, "id").value_or("");
-      if (!ids.insert(id).second)
-        fail_tag(range, tag, fmt::format("node {} stands twice", shown(id)));
-      ++nodes;
-    });
-    if (nodes == vertices) return;
-    for_each_tag(range, "edge", [&](const XmlTag& tag, std::string_view text) {
-      for (const std::string_view end : {"source", "target"}) {
-        const std::string_view id = attribute_of(text, end).value_or("");
-        if (!ids.contains(id)) {
-          fail_tag(range, tag, fmt::format("{} {} is no node of this graph", end, shown(id)));
-        }
-      }
-    });
-    input_.fail_at(line_of(range.begin), 0, "an edge ends at a node that is not of this graph");
-  }
+  using Ids = std::unordered_map<std::string_view, Vertex>;  // the texts lie in the document
 
-  [[noreturn]] void fail_edge(Range range, std::uint64_t edge, const std::string& problem) const {
-    std::uint64_t seen = 0;
-    for_each_tag(range, "edge", [&](const XmlTag& tag, std::string_view) {
-      if (seen++ == edge) fail_tag(range, tag, problem);
-    });
-    input_.fail_at(line_of(range.begin), 0, problem);
-  }
-
-  /// Calls visit(tag, its text) for the opening tags of a name inside a graph.
-  template <class Visit>
-  void for_each_tag(Range range, std::string_view name, Visit visit) const {
-    const std::string_view text =
-        std::string_view(text_).substr(range.begin, range.end - range.begin);
-    XmlTags tags(text);
-    while (const std::optional<XmlTag> tag = tags.next()) {
-      if (tag->name == name && tag->kind != XmlTag::Kind::close) {
-        visit(*tag, text.substr(tag->begin, tag->end - tag->begin));
-      }
+  void read_node(pugi::xml_node element, Ids& ids) const {
+    const std::string_view name = local_name(element);
+    if (name == "hyperedge") fail(element, "hyperedges are not read");
+    if (name != "node" && name != "edge") return;
+    for (const pugi::xml_node inner : element.children()) {
+      if (local_name(inner) == "graph") fail(inner, "graphs inside nodes or edges are not read");
+    }
+    if (name == "edge") return;
+    const pugi::xml_attribute id = element.attribute("id");
+    if (!id) fail(element, "a node without an id");
+    if (!ids.emplace(id.value(), static_cast<Vertex>(ids.size())).second) {
+      fail(element, fmt::format("node {} stands twice", shown(id.value())));
     }
   }
 
-  [[noreturn]] void fail_tag(Range range, const XmlTag& tag, const std::string& problem) const {
-    const std::size_t at = range.begin + tag.begin;
-    const std::size_t line_begin = text_.rfind('\n', at) + 1;
-    input_.fail_at(line_of(at), at - line_begin + 1, problem);
+  Edge read_edge(pugi::xml_node element, const Ids& ids) const {
+    const std::string_view directed = element.attribute("directed").value();
+    if (directed == "true" || directed == "1") fail(element, "directed edges are not read");
+    return {end_of(element, "source", ids), end_of(element, "target", ids)};
+  }
+  Vertex end_of(pugi::xml_node element, const char* which, const Ids& ids) const {
+    const pugi::xml_attribute end = element.attribute(which);
+    if (!end) fail(element, fmt::format("an edge without a {}", which));
+    const auto found = ids.find(end.value());
+    if (found == ids.end()) {
+      fail(element, fmt::format("{} {} is no node of this graph", which, shown(end.value())));
+    }
+    return found->second;
   }
 
-  std::uint64_t line_of(std::size_t at) const {
-    return static_cast<std::uint64_t>(
-               std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at), '\n')) +
-           1;
+  [[noreturn]] void fail(pugi::xml_node element, const std::string& problem) const {
+    fail_at(static_cast<std::size_t>(element.offset_debug() - 1), problem);  // at its '<'
   }
-  static std::string one_line(std::string text) {
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    return text;
+  [[noreturn]] void fail_at(std::size_t offset, const std::string& problem) const {
+    const std::string_view before = std::string_view(text_).substr(0, offset);
+    const auto lines = static_cast<std::uint64_t>(std::count(before.begin(), before.end(), '\n'));
+    input_.fail_at(lines + 1, before.size() - (before.rfind('\n') + 1) + 1, problem);
   }
 
   TextInput& input_;
   bool loaded_ = false;
-  std::string text_;
-  std::vector<Range> ranges_;
-  std::size_t next_range_ = 0;
+  std::string text_;  // UTF-8, for places in messages
+  pugi::xml_document document_;
+  std::vector<pugi::xml_node> graphs_;
+  std::size_t next_ = 0;
 };
 
 class GraphmlWriter final : public GraphWriter {
@@ -219,6 +193,7 @@ GraphFormat graphml_format() {
           .detect =
               [](const InputHead& head) {
                 const std::size_t first = head.text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+                if (is_utf16(head.text)) return true;
                 return first != std::string_view::npos && head.text[first] == '<';
               },
           .parser = [](TextInput& input, const ReadOptions&) -> std::unique_ptr<GraphParser> {

@@ -77,5 +77,34 @@ TEST(EdgeList, LineOfAParallelEdgeIsFoundThroughGaps) {
   EXPECT_EQ(refusal(text + "7 0\n0 60\n"), "f:66: edge (7, 0) is parallel to an earlier edge");
 }
 
+TEST(EdgeList, ReadsOverAttributesOfNetworkx) {
+  const std::vector<Graph> graphs = read_text("0 1 {}\n1 2 {'weight': 2.5}\n");
+  ASSERT_EQ(graphs.size(), 1u);
+  EXPECT_EQ(edge_set(graphs[0]), edge_set(Graph(3, {{0, 1}, {1, 2}})));
+  EXPECT_EQ(refusal("0 1 2.5\n"), "f:1:5: unexpected '2.5' after the edge");
+  EXPECT_EQ(refusal("0 1 {}\n1 0 {}\n"), "f:2: edge (1, 0) is parallel to an earlier edge");
+}
+
+TEST(EdgeList, AHeaderThatCanBeNothingElseIsRead) {
+  EXPECT_EQ(edge_set(read_text("3 3\n0 1\n1 2\n2 0\n").at(0)),
+            edge_set(Graph(3, {{0, 1}, {1, 2}, {0, 2}})));
+  const std::vector<Graph> empty = read_text("0 0\n");
+  ASSERT_EQ(empty.size(), 1u);
+  EXPECT_EQ(empty[0].num_vertices(), 0u);
+}
+
+TEST(EdgeList, AFirstLineThatCanBeBothIsAskedAbout) {
+  for (const char* text : {"1 0\n", "1 0\n\n", "2 1\n0 1\n", "9 2\n0 1\n1 2\n"}) {
+    EXPECT_NE(refusal(text).find("--first-line edge or --first-line header"), std::string::npos)
+        << text << refusal(text);
+  }
+  const ReadOptions header{.first_line = FirstLine::header};
+  EXPECT_EQ(read_text("9 2\n0 1\n1 2\n", header).at(0).num_vertices(), 9u);
+  EXPECT_EQ(read_text("9 2\n0 1\n1 2\n", header).at(0).num_edges(), 2u);
+  EXPECT_EQ(read_text("9 2\n0 1\n1 2\n", {.first_line = FirstLine::edge}).at(0).num_edges(), 3u);
+  EXPECT_EQ(read_text("0 1\n1 2\n").at(0).num_edges(), 2u) << "no header: ids are not below 0";
+  EXPECT_NE(refusal("9 3\n0 1\n", header).find("announced"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace ar3d

@@ -59,7 +59,7 @@ TEST(Metis, IsToldFromEdgeLists) {
   const auto detected = [](const std::string& text) { return looks_like_metis({text, true}); };
   EXPECT_TRUE(detected("3 2\n2\n1 3\n2\n"));           // rows of other lengths than two
   EXPECT_TRUE(detected("4 4\n2 4\n1 3\n2 4\n1 3\n"));  // all two, but (4, 4) would be a loop
-  EXPECT_TRUE(detected("2 0\n\n\n"));
+  EXPECT_FALSE(detected("2 0\n\n\n"));
   EXPECT_TRUE(detected("3 2\n2\n1 3\n"));       // cut
   EXPECT_TRUE(detected("3 2 001\n2 9 3 9\n"));  // weights
   EXPECT_FALSE(detected("2 0\n"));              // one edge
