@@ -13,19 +13,6 @@ bool is_plain(char c) {
          std::string_view("_-.=+:/,").find(c) != std::string_view::npos;
 }
 
-std::string shell_word(std::string_view word) {
-  if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return std::string(word);
-  std::string quoted = "'";
-  for (const char c : word) {
-    if (c == '\'') {
-      quoted += "'\\''";
-    } else {
-      quoted += c;
-    }
-  }
-  return quoted + "'";
-}
-
 /// "a=1;b=2" -> " FLAG a=1 FLAG b=2".
 std::string settings(std::string_view list, std::string_view flag) {
   std::string arguments;
@@ -38,6 +25,19 @@ std::string settings(std::string_view list, std::string_view flag) {
 }
 
 }  // namespace
+
+std::string shell_word(std::string_view word) {
+  if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return std::string(word);
+  std::string quoted = "'";
+  for (const char c : word) {
+    if (c == '\'') {
+      quoted += "'\\''";
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + "'";
+}
 
 CommandParts draw_command_parts(const RunRecord& run) {
   return {fmt::format("ar3d generate {} -n ", shell_word(run.family)),

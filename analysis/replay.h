@@ -1,10 +1,14 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "ar3d/results/run_record.h"
 
 namespace ar3d {
+
+/// The word as a POSIX shell reads it back: in quotes unless it is plain.
+std::string shell_word(std::string_view word);
 
 /// The shell line that generates the row's graph again and draws it with the same algorithm and
 /// options. Words that a shell would read in another way are quoted, whatever the results file

@@ -10,12 +10,14 @@
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
-#include "ar3d/formats/drawings/drawing_svg.h"
 #include "ar3d/formats/text/output.h"
 #include "ar3d/model/assignments.h"
-#include "ar3d/results/hdf5/drawing_hdf5.h"
+#include "ar3d/model/printable.h"
 #include "batches.h"
 #include "commands.h"
+#include "drawing_formats.h"
+#include "numbers.h"
+#include "outputs.h"
 
 namespace ar3d {
 namespace {
@@ -24,6 +26,7 @@ struct DrawArguments {
   std::string input = "-";
   std::string from;
   unsigned base = 0;
+  std::string first_line = "automatic";
   std::string algorithm;
   std::vector<std::string> options;
   std::string format;
@@ -70,7 +73,7 @@ bool draw_all(GraphReader& reader, const Algorithm& algorithm, const OptionValue
         file.append(line.text);
         if (line.error) {
           all_drawn = false;
-          fmt::print(stderr, "ar3d: {}\n", *line.error);
+          fmt::print(stderr, "ar3d: {}\n", printable(*line.error));
         }
       });
   return all_drawn;
@@ -93,29 +96,27 @@ Drawing draw_only(GraphReader& reader, const Algorithm& algorithm, const OptionV
   }
 }
 
-std::string drawing_format(const DrawArguments& arguments) {
-  if (!arguments.format.empty()) return arguments.format;
-  const auto ends_with = [&](const char* ending) { return arguments.output.ends_with(ending); };
-  return ends_with(".h5") ? "hdf5" : ends_with(".svg") ? "svg" : "jsonl";
+FirstLine first_line_of(const std::string& name) {
+  if (name == "edge") return FirstLine::edge;
+  return name == "header" ? FirstLine::header : FirstLine::automatic;
 }
 
 int draw_graphs(const DrawArguments& arguments) {
+  refuse_unsafe_outputs({.inputs = {arguments.input}, .outputs = {arguments.output}});
   const Algorithm& algorithm = find_algorithm(arguments.algorithm);
   const OptionValues options =
       complete_options(algorithm, parse_assignments<OptionValue>(arguments.options));
-  const std::string format = drawing_format(arguments);
-  GraphReader reader(arguments.input, {.format = arguments.from, .base = arguments.base});
-  if (format == "hdf5") {
-    write_drawing_hdf5(draw_only(reader, algorithm, options, format), arguments.output);
+  const DrawingFormat& format = drawing_format(arguments.format, arguments.output);
+  GraphReader reader(arguments.input, {.format = arguments.from,
+                                       .base = arguments.base,
+                                       .first_line = first_line_of(arguments.first_line)});
+  if (!format.many_per_file) {
+    format.write(draw_only(reader, algorithm, options, format.name), arguments.output,
+                 arguments.view);
     return kPass;
   }
   OutputFile file(arguments.output);
-  bool all_drawn = true;
-  if (format == "svg") {
-    file.append(drawing_to_svg(draw_only(reader, algorithm, options, format), arguments.view));
-  } else {
-    all_drawn = draw_all(reader, algorithm, options, file);
-  }
+  const bool all_drawn = draw_all(reader, algorithm, options, file);
   file.commit();
   return all_drawn ? kPass : kUsage;
 }
@@ -130,19 +131,26 @@ void add_draw(CLI::App& app, int& exit_code) {
   verb->add_option("--from", arguments->from, "input format; detected by content if left out");
   verb->add_option("--base", arguments->base,
                    "smallest vertex id of edge and adjacency lists: 0 or 1")
-      ->check(CLI::Range(0, 1));
+      ->check(whole_number(0, 1));
+  verb->add_option("--first-line", arguments->first_line,
+                   "what a first line 'a b' of an edge list is where that is open: edge, or header "
+                   "(numbers of vertices and edges)")
+      ->check(CLI::IsMember({"automatic", "edge", "header"}));
   verb->add_option("--algorithm", arguments->algorithm, "an algorithm of `ar3d list algorithms`")
       ->required();
   verb->add_option("--set", arguments->options,
                    "an option of the algorithm, name=integer; may be repeated")
       ->type_size(1)
       ->allow_extra_args(false);
-  verb->add_option("--format", arguments->format,
-                   "jsonl (all graphs), hdf5 or svg (one graph); by the file's ending, else jsonl")
-      ->check(CLI::IsMember({"jsonl", "hdf5", "svg"}));
-  verb->add_option("--turn", arguments->view.turn_degrees, "svg: turn about the z axis, degrees");
+  verb->add_option(
+      "--format", arguments->format,
+      "jsonl (all graphs), hdf5 or svg (one graph); by the file's ending, jsonl without "
+      "one");
+  verb->add_option("--turn", arguments->view.turn_degrees, "svg: turn about the z axis, degrees")
+      ->check(finite_number(false));
   verb->add_option("--tilt", arguments->view.tilt_degrees,
-                   "svg: 0 is seen from above, 90 from the side");
+                   "svg: 0 is seen from above, 90 from the side")
+      ->check(finite_number(false));
   verb->add_option("-o,--output", arguments->output, "file, or - for standard output");
   verb->footer(
       "Example: nauty-geng -D4 7 | ar3d draw - --algorithm diamond --set effort=2 | ar3d verify -");

@@ -1,20 +1,32 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <cstdint>
+#include <cstdio>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/text/output.h"
 #include "ar3d/generators/catalog.h"
+#include "ar3d/generators/named.h"
 #include "ar3d/model/assignments.h"
+#include "ar3d/model/error.h"
+#include "ar3d/model/nearest_name.h"
 #include "commands.h"
+#include "numbers.h"
+#include "outputs.h"
 
 namespace ar3d {
 namespace {
 
 struct GenerateArguments {
   std::string family;
-  std::uint64_t n = 0;
+  std::optional<std::uint64_t> n;
   std::uint64_t seed = 1;
   std::uint64_t count = 1;
   std::vector<std::string> parameters;
@@ -22,21 +34,63 @@ struct GenerateArguments {
   std::string output = "-";
 };
 
-const GraphFormat& output_format(const GenerateArguments& arguments) {
-  if (!arguments.format.empty()) return find_graph_format(arguments.format);
-  const GraphFormat* by_path = graph_format_of_path(arguments.output);
-  return by_path != nullptr ? *by_path : find_graph_format("sparse6");
+/// Which graphs, after all names are looked up.
+struct Request {
+  const Family* family = nullptr;
+  ParameterValues parameters;
+  std::uint64_t n = 0;
+};
+
+[[noreturn]] void refuse_unknown(const std::string& name) {
+  std::vector<std::string_view> known = names_of(families());
+  const auto named = names_of(named_graphs());
+  known.insert(known.end(), named.begin(), named.end());
+  throw InputError(fmt::format(
+      "unknown family or graph '{}'{} (see: ar3d list families, ar3d list named-graphs)", name,
+      did_you_mean(name, known)));
+}
+
+/// A family with its parameters and n, or one of the named graphs by its name.
+Request requested(const GenerateArguments& arguments) {
+  auto given = parse_assignments<ParameterValue>(arguments.parameters);
+  const auto is_it = [&](const auto& row) { return row.name == arguments.family; };
+  const auto family = std::ranges::find_if(families(), is_it);
+  if (family != families().end()) {
+    if (!arguments.n) {
+      throw InputError(fmt::format("family {} takes a size: -n NUMBER", family->name));
+    }
+    return {&*family, complete_parameters(*family, given), *arguments.n};
+  }
+  const auto graph = std::ranges::find_if(named_graphs(), is_it);
+  if (graph == named_graphs().end()) refuse_unknown(arguments.family);
+  given.push_back({"index", graph - named_graphs().begin()});
+  const Family& named = find_family("named");
+  return {&named, complete_parameters(named, given), arguments.n.value_or(graph->num_vertices)};
+}
+
+void refuse_wrapping_seeds(const GenerateArguments& arguments) {
+  constexpr std::uint64_t kLast = std::numeric_limits<std::uint64_t>::max();
+  if (arguments.seed <= kLast - (arguments.count - 1)) return;
+  throw InputError(
+      fmt::format("{} seeds from {} on pass {}", arguments.count, arguments.seed, kLast));
 }
 
 void generate_graphs(const GenerateArguments& arguments) {
-  const Family& family = find_family(arguments.family);
-  const auto parameters =
-      complete_parameters(family, parse_assignments<ParameterValue>(arguments.parameters));
-  const GraphFormat& format = output_format(arguments);
+  refuse_unsafe_outputs({.inputs = {}, .outputs = {arguments.output}});
+  refuse_wrapping_seeds(arguments);
+  const Request request = requested(arguments);
+  const GraphFormat& format = graph_format_to_write(arguments.format, arguments.output);
   OutputFile file(arguments.output);
   const std::unique_ptr<GraphWriter> writer = format.writer(file, {});
   for (std::uint64_t i = 0; i < arguments.count; ++i) {
-    writer->write(generate(family, arguments.n, arguments.seed + i, parameters));
+    const Graph graph =
+        generate(*request.family, request.n, arguments.seed + i, request.parameters);
+    if (i == 0 && graph.num_vertices() != request.n) {
+      fmt::print(stderr,
+                 "ar3d: {} has no graph with {} vertices for these parameters: this has {}\n",
+                 arguments.family, request.n, graph.num_vertices());
+    }
+    writer->write(graph);
     file.flush_if_full();
   }
   writer->finish();
@@ -46,21 +100,28 @@ void generate_graphs(const GenerateArguments& arguments) {
 }  // namespace
 
 void add_generate(CLI::App& app, int&) {
-  CLI::App* verb = app.add_subcommand("generate", "Writes graphs of a family");
+  CLI::App* verb = app.add_subcommand("generate", "Writes graphs of a family, or a named graph");
   const auto arguments = std::make_shared<GenerateArguments>();
-  verb->add_option("FAMILY", arguments->family, "a family of `ar3d list families`")->required();
-  verb->add_option("-n", arguments->n, "wanted number of vertices; the nearest valid one is taken")
+  verb->add_option("FAMILY", arguments->family,
+                   "a family of `ar3d list families`, or a graph of `ar3d list named-graphs`")
       ->required();
-  verb->add_option("--seed", arguments->seed, "seed of the first graph; each further one adds 1");
-  verb->add_option("--count", arguments->count, "number of graphs");
+  verb->add_option("-n", arguments->n,
+                   "requested number of vertices; the nearest below that the family has is taken, "
+                   "else its least")
+      ->check(whole_number(0, std::numeric_limits<std::uint32_t>::max()));
+  verb->add_option("--seed", arguments->seed, "seed of the first graph; each further one adds 1")
+      ->check(whole_number(0));
+  verb->add_option("--count", arguments->count, "number of graphs")->check(whole_number(1));
   verb->add_option("--set", arguments->parameters,
                    "a parameter of the family, name=integer; may be repeated")
       ->type_size(1)
       ->allow_extra_args(false);
   verb->add_option("--format", arguments->format,
-                   "graph format; by the file's ending, else sparse6");
+                   "graph format; by the file's ending, sparse6 without one");
   verb->add_option("-o,--output", arguments->output, "file, or - for standard output");
-  verb->footer("Example: ar3d generate generalised-petersen -n 100 --set k=7 -o gp.s6");
+  verb->footer(
+      "Examples: ar3d generate generalised-petersen -n 100 --set k=7 -o gp.s6\n"
+      "          ar3d generate petersen");
   verb->callback([arguments] { generate_graphs(*arguments); });
 }
 

@@ -8,6 +8,7 @@
 #include "ar3d/model/assignments.h"
 #include "ar3d/model/error.h"
 #include "commands.h"
+#include "numbers.h"
 #include "subject_arguments.h"
 
 namespace ar3d {
@@ -31,6 +32,7 @@ std::vector<FamilyChoice> chosen_families(const HuntArguments& arguments,
 }
 
 int hunt_and_show(HuntArguments arguments) {
+  refuse_unsafe_exhibit(arguments.subject, "");
   const Subject subject = subject_of(arguments.subject);
   arguments.options.families = chosen_families(arguments, *subject.choice.algorithm);
   const HuntResult result =
@@ -43,6 +45,7 @@ int hunt_and_show(HuntArguments arguments) {
   fmt::print("{}", trial_text(result.best, arguments.subject));
   if (!arguments.subject.output.empty()) {
     write_exhibit(subject, result.best, arguments.subject);
+    fmt::print("{}\n", shrink_line(result.best, arguments.subject));
   }
   return result.best.failure.empty() ? kPass : kViolated;
 }
@@ -61,13 +64,13 @@ void add_hunt(CLI::App& app, int& exit_code) {
                    "a parameter of the family, name=integer; may be repeated")
       ->type_size(1)
       ->allow_extra_args(false);
-  verb->add_option("-n", options.n, "wanted number of vertices")->check(CLI::Range(1, 100000));
-  verb->add_option("--seed", options.seed, "seed of the search");
+  verb->add_option("-n", options.n, "requested number of vertices")->check(whole_number(1, 100000));
+  verb->add_option("--seed", options.seed, "seed of the search")->check(whole_number(0));
   verb->add_option("--evaluations", options.evaluations, "how many graphs to draw and certify")
-      ->check(CLI::Range(1, 1000000000));
+      ->check(whole_number(1, 1000000000));
   verb->add_option("--seconds", options.seconds,
                    "stop after that time even so (the result then depends on the machine)")
-      ->check(positive_number());
+      ->check(finite_number(true));
   verb->add_option("-o,--output", arguments->subject.output,
                    "prefix of the files that show the best one: .s6, .jsonl, .svg, .txt");
   verb->footer(

@@ -5,9 +5,12 @@
 #include <cstring>
 #include <exception>
 #include <new>
+#include <string>
 #include <system_error>
+#include <vector>
 
 #include "ar3d/model/error.h"
+#include "ar3d/model/nearest_name.h"
 #include "ar3d/model/printable.h"
 #include "commands.h"
 
@@ -20,6 +23,43 @@ constexpr const char* kExamples = R"(Examples:
 
 Exit codes: 0 pass, 1 internal error, 2 usage or bad input, 3 regression, 4 bound or certificate violated,
 5 incomplete, 6 inconclusive, 130 interrupted.)";
+
+/// The verb that the words lead to, sub-verbs of `study` included; the program without one.
+const CLI::App& verb_in(const CLI::App& app) {
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  return chosen.empty() ? app : verb_in(*chosen.front());
+}
+
+/// The nearest option or verb to a word that was not expected.
+std::string nearest_word(const CLI::App& verb, const std::string& word) {
+  std::vector<std::string> names;
+  if (word.starts_with("--")) {
+    for (const CLI::Option* option : verb.get_options()) {
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+  } else {
+    for (const CLI::App* sub : verb.get_subcommands([](const CLI::App*) { return true; })) {
+      names.push_back(sub->get_name());
+    }
+  }
+  return ar3d::did_you_mean(word.substr(0, word.find('=')), {names.begin(), names.end()});
+}
+
+void tell_usage(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App& verb = verb_in(app);
+  const std::vector<std::string> rest = app.remaining(true);
+  std::string message = error.what();
+  if (!rest.empty()) {
+    const bool is_verb = &verb == &app && !rest.front().starts_with("-");
+    message = fmt::format("{} '{}'{}", is_verb ? "unknown verb" : "not expected:", rest.front(),
+                          nearest_word(verb, rest.front()));
+  }
+  std::string page = verb.get_name();
+  for (const CLI::App* above = verb.get_parent(); above != nullptr; above = above->get_parent()) {
+    page = above->get_name() + " " + page;
+  }
+  fmt::print(stderr, "ar3d: {} (see {} --help)\n", ar3d::printable(message), page);
+}
 
 int run(int argc, char** argv) {
   CLI::App app{
@@ -44,7 +84,7 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    fmt::print(stderr, "ar3d: {} (see ar3d --help)\n", ar3d::printable(error.what()));
+    tell_usage(app, error);
     return ar3d::kUsage;
   }
   return exit_code;

@@ -1,16 +1,16 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cstdio>
 #include <memory>
 #include <string>
 
 #include "ar3d/bench/replay/replay_row.h"
-#include "ar3d/formats/drawings/drawing_jsonl.h"
-#include "ar3d/formats/text/output.h"
 #include "ar3d/model/error.h"
 #include "ar3d/results/columns.h"
 #include "ar3d/results/run_record.h"
 #include "commands.h"
+#include "drawing_formats.h"
 #include "outputs.h"
 
 namespace ar3d {
@@ -20,6 +20,7 @@ struct ReplayArguments {
   std::string results;
   std::string row;
   std::string output;
+  std::string format;
 };
 
 /// The row with that key, or with that number from 0.
@@ -38,28 +39,28 @@ const RunRecord& find_row(const Results& results, const ReplayArguments& argumen
   return results.runs[number];
 }
 
-void write_drawing(const RunRecord& row, const std::string& path) {
+void write_drawing(const RunRecord& row, const DrawingFormat& format, const std::string& path) {
   const PlannedInstance instance = plan_of_row(row);
   const Graph graph =
       generate(*instance.choice.family, instance.n, instance.seed, instance.choice.parameters);
   const AlgorithmChoice& choice = instance.runs.front().choice;
-  OutputFile file(path);
-  write_drawing_line(file, draw(*choice.algorithm, graph, choice.options));
-  file.commit();
+  format.write(draw(*choice.algorithm, graph, choice.options), path, {});
 }
 
 int replay_row(const ReplayArguments& arguments) {
   refuse_unsafe_outputs({.inputs = {arguments.results}, .outputs = {arguments.output}});
+  const DrawingFormat& format = drawing_format(arguments.format, arguments.output);
   const Results results = read_results(arguments.results);
   const RunRecord& then = find_row(results, arguments);
   const RunRecord now = replayed(then, study_seed(results));
-  if (!arguments.output.empty()) write_drawing(then, arguments.output);
+  if (!arguments.output.empty()) write_drawing(then, format, arguments.output);
   const std::vector<std::string> differing = differing_columns(then, now);
-  fmt::print("{} {} n={} seed {} with {} {}: {}\n", then.family, then.parameters, then.n, then.seed,
-             then.algorithm, then.options, to_string(now.status));
+  std::FILE* const log = arguments.output == "-" ? stderr : stdout;  // never amid the drawing
+  fmt::print(log, "{} {} n={} seed {} with {} {}: {}\n", then.family, then.parameters, then.n,
+             then.seed, then.algorithm, then.options, to_string(now.status));
   for (const std::string& column : differing)
-    fmt::print("column {} differs from the recorded row\n", column);
-  if (differing.empty()) fmt::print("every non-timing column is equal, bit for bit\n");
+    fmt::print(log, "column {} differs from the recorded row\n", column);
+  if (differing.empty()) fmt::print(log, "every non-timing column is equal, bit for bit\n");
   if (now.status == RunStatus::violated) return kViolated;
   return differing.empty() ? kPass : kRegression;
 }
@@ -73,7 +74,9 @@ void add_replay(CLI::App& app, int& exit_code) {
   verb->add_option("RESULTS", arguments->results, "results file (HDF5)")->required();
   verb->add_option("ROW", arguments->row, "a row key, or a row number from 0")->required();
   verb->add_option("-o,--output", arguments->output,
-                   "also write the drawing as JSON lines; - is standard output");
+                   "also write the drawing to this file; - is standard output");
+  verb->add_option("--format", arguments->format,
+                   "jsonl, hdf5 or svg; by the file's ending, jsonl without one");
   verb->footer(
       "Exit code 3 if the row is not reproduced, 4 if its drawing is violated.\nExample: ar3d "
       "replay smoke.h5 0");

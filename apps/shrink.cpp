@@ -8,6 +8,7 @@
 #include "ar3d/formats/catalog.h"
 #include "ar3d/model/error.h"
 #include "commands.h"
+#include "numbers.h"
 #include "subject_arguments.h"
 
 namespace ar3d {
@@ -30,6 +31,7 @@ Graph only_graph(const std::string& path) {
 }
 
 int shrink_and_show(const ShrinkArguments& arguments) {
+  refuse_unsafe_exhibit(arguments.subject, arguments.input);
   const Subject subject = subject_of(arguments.subject);
   const RatioRule rule = rule_of(arguments.subject);
   const Graph graph = only_graph(arguments.input);
@@ -40,8 +42,8 @@ int shrink_and_show(const ShrinkArguments& arguments) {
         fmt::format("{}: its drawing is proved right; give --ratio to shrink it", arguments.input));
   }
   if (!keeps_failure && !(whole.ratio >= *arguments.ratio)) {
-    throw InputError(fmt::format("{}: its ratio is {:.6f}, less than {}", arguments.input,
-                                 whole.ratio, *arguments.ratio));
+    throw InputError(fmt::format("{}: its ratio is {}, less than {}", arguments.input, whole.ratio,
+                                 *arguments.ratio));
   }
   const ShrinkResult result = shrink(
       graph,
@@ -70,9 +72,9 @@ void add_shrink(CLI::App& app, int& exit_code) {
   add_subject_options(*verb, arguments->subject);
   verb->add_option("--ratio", arguments->ratio,
                    "keep the share of the bound at least this; else the violation stays")
-      ->check(positive_number());
+      ->check(finite_number(true));
   verb->add_option("--evaluations", arguments->evaluations, "at most so many drawings")
-      ->check(CLI::Range(1, 1000000000));
+      ->check(whole_number(1, 1000000000));
   verb->add_option("-o,--output", arguments->subject.output,
                    "prefix of the files that show what is left: .s6, .jsonl, .svg, .txt")
       ->required();

@@ -2,31 +2,40 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
+#include "ar3d/analysis/replay.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/formats/drawings/drawing_svg.h"
 #include "ar3d/formats/graphs/sparse6.h"
 #include "ar3d/model/assignments.h"
 #include "ar3d/model/error.h"
 #include "ar3d/results/atomic_file.h"
+#include "outputs.h"
 
 namespace ar3d {
 namespace {
 
 constexpr EdgeId kMostEdgesInPicture = 2000;
 
+std::string algorithm_words(const SubjectArguments& arguments) {
+  std::string words = " --algorithm " + shell_word(arguments.algorithm);
+  for (const std::string& option : arguments.options) words += " --set " + shell_word(option);
+  return words;
+}
+
 std::string draw_line(const SubjectArguments& arguments) {
-  std::string line =
-      fmt::format("ar3d draw {}.s6 --algorithm {}", arguments.output, arguments.algorithm);
-  for (const std::string& option : arguments.options) line += " --set " + option;
-  return line;
+  return fmt::format("ar3d draw {}{}", shell_word(arguments.output + ".s6"),
+                     algorithm_words(arguments));
 }
 
 /// The lines with which anybody sees the same again.
 std::string replay_lines(const Trial& trial, const SubjectArguments& arguments) {
-  std::string lines = fmt::format("ar3d verify {0}.jsonl --graphs {0}.s6\n", arguments.output);
+  const std::string graph = shell_word(arguments.output + ".s6");
+  std::string lines =
+      fmt::format("ar3d verify {} --graphs {}\n", shell_word(arguments.output + ".jsonl"), graph);
   if (arguments.plant.empty()) {
-    return lines + fmt::format("{} | ar3d verify - --graphs {}.s6\n", draw_line(arguments),
-                               arguments.output);
+    return lines + fmt::format("{} | ar3d verify - --graphs {}\n", draw_line(arguments), graph);
   }
   return lines +
          fmt::format("{} is planted: {} draws the graph right\n", arguments.plant,
@@ -53,13 +62,24 @@ void add_subject_options(CLI::App& verb, SubjectArguments& arguments) {
                   "passed-bound");
 }
 
-CLI::Validator positive_number() {
-  return {[](std::string& text) {
-            double value = 0;
-            const bool is_good = CLI::detail::lexical_cast(text, value) && value > 0;
-            return is_good ? std::string() : text + " is not a number above 0";
-          },
-          "POSITIVE"};
+std::string shrink_line(const Trial& trial, const SubjectArguments& arguments) {
+  std::string line =
+      fmt::format("ar3d shrink {}{} --measure {} --bound {}", shell_word(arguments.output + ".s6"),
+                  algorithm_words(arguments), arguments.measure, arguments.against);
+  if (!arguments.plant.empty()) line += " --plant " + shell_word(arguments.plant);
+  if (trial.failure.empty()) line += fmt::format(" --ratio {}", trial.ratio);
+  return line + " -o " + shell_word(arguments.output + "-small");
+}
+
+void refuse_unsafe_exhibit(const SubjectArguments& arguments, const std::string& input) {
+  const std::string& prefix = arguments.output;
+  if (prefix == "-") {
+    throw InputError("-o is the beginning of several files' names here, not a stream");
+  }
+  if (prefix.empty()) return;
+  refuse_unsafe_outputs(
+      {.inputs = {input},
+       .outputs = {prefix + ".s6", prefix + ".jsonl", prefix + ".svg", prefix + ".txt"}});
 }
 
 Subject subject_of(const SubjectArguments& arguments) {
@@ -88,7 +108,7 @@ std::string trial_text(const Trial& trial, const SubjectArguments& arguments) {
       "{} is {:.4f} of the {}'s bound\n",
       trial.graph.num_vertices(), trial.graph.num_edges(), trial.extents[0], trial.extents[1],
       trial.extents[2], trial.bound[0], trial.bound[1], trial.bound[2], arguments.measure,
-      trial.ratio, arguments.against);
+      std::floor(trial.ratio * 1e4) / 1e4, arguments.against);
   if (trial.failure.empty()) return text;
   return text + fmt::format("VIOLATED: {}: {}\n", trial.failure, trial.message);
 }

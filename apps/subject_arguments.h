@@ -21,15 +21,19 @@ struct SubjectArguments {
 
 void add_subject_options(CLI::App& verb, SubjectArguments& arguments);
 
-/// Numbers above 0; not NaN, which CLI11's own checks let pass.
-CLI::Validator positive_number();
-
 /// @throws InputError naming what is unknown.
 Subject subject_of(const SubjectArguments& arguments);
 RatioRule rule_of(const SubjectArguments& arguments);
 
 /// "extent x 12 of 16 (75.0 %), …; ratio 0.75", and the failure if there is one.
 std::string trial_text(const Trial& trial, const SubjectArguments& arguments);
+
+/// The line that shrinks the graph of PREFIX.s6 and keeps what the trial shows: its violation, or
+/// its ratio to the last digit.
+std::string shrink_line(const Trial& trial, const SubjectArguments& arguments);
+
+/// @throws InputError if the exhibit would go to a stream, over `input` or over somebody's results.
+void refuse_unsafe_exhibit(const SubjectArguments& arguments, const std::string& input);
 
 /// Writes PREFIX.s6 (the graph), PREFIX.jsonl (its drawing), PREFIX.svg (a picture, if it is small
 /// enough for one) and PREFIX.txt (what it shows and the lines that show it again), and prints

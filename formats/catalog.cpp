@@ -70,6 +70,28 @@ const GraphFormat* graph_format_of_path(std::string_view path) {
   return nullptr;
 }
 
+std::string path_ending(std::string_view path) {
+  const std::string_view name = path.substr(path.rfind('/') + 1);
+  const std::size_t dot = name.rfind('.');
+  return dot == std::string_view::npos || dot == 0 ? "" : std::string(name.substr(dot));
+}
+
+const GraphFormat& graph_format_to_write(std::string_view name, const std::string& path) {
+  if (!name.empty()) return find_graph_format(name);
+  const std::string ending = path == "-" ? "" : path_ending(path);
+  if (ending.empty()) return find_graph_format("sparse6");
+  std::vector<std::string> known;
+  for (const GraphFormat& format : graph_formats()) {
+    for (const std::string& extension : format.extensions) {
+      if (extension == ending) return format;
+      known.push_back(extension);
+    }
+  }
+  throw InputError(fmt::format(
+      "{}: '{}' is no graph format's ending (known: {}); --format says which one is meant", path,
+      ending, fmt::join(known, " ")));
+}
+
 GraphReader::GraphReader(const std::string& path, const ReadOptions& options)
     : GraphReader(TextInput(path), options) {}
 

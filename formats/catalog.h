@@ -19,6 +19,15 @@ const GraphFormat& find_graph_format(std::string_view name);
 /// The format whose extension the path has (a final .gz or .xz is looked through), or null.
 const GraphFormat* graph_format_of_path(std::string_view path);
 
+/// What stands behind the last dot of the path's last part, dot included: ".s6"; empty without one.
+std::string path_ending(std::string_view path);
+
+/// The format called `name`, or, if that is empty, the one whose ending the path has; sparse6 where
+/// the path has no ending and for "-".
+/// @throws InputError naming the unknown format, or the ending that is none's: files are not
+/// packed, so .gz and .xz are none either.
+const GraphFormat& graph_format_to_write(std::string_view name, const std::string& path);
+
 /// A streaming reader of all graphs of a file.
 ///
 ///     GraphReader reader("cubic.s6.gz");

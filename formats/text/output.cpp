@@ -43,7 +43,34 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(path_
     (void)::fchmod(file_, status.st_mode & 07777);  // a file keeps its mode when it is replaced
 }
 
+/// A file without a name in the target's folder; false if there is no such thing.
+bool OutputFile::open_nameless() {
+  if (::access("/proc/self/fd", X_OK) != 0) return false;  // name_temporary needs it
+  const std::string folder = std::filesystem::path(target_).parent_path().string();
+  file_ =
+      ::open(folder.empty() ? "." : folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, kNewFileMode);
+  return file_ >= 0;
+}
+
+/// Gives the file without a name one beside the target.
+void OutputFile::name_temporary() {
+  const std::string self = fmt::format("/proc/self/fd/{}", file_);
+  int error = EEXIST;
+  for (int i = 0; i < kTemporaryNames && error == EEXIST; ++i) {
+    const std::string name = fmt::format("{}.part-{}-{}", target_, ::getpid(), i);
+    if (::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) {
+      temporary_ = name;
+      nameless_ = false;
+      return;
+    }
+    error = errno;
+  }
+  fail(error);
+}
+
 void OutputFile::open_temporary() {
+  nameless_ = open_nameless();
+  if (nameless_) return;
   int error = EEXIST;
   for (int i = 0; i < kTemporaryNames && error == EEXIST; ++i) {
     temporary_ = fmt::format("{}.part-{}-{}", target_, ::getpid(), i);
@@ -76,8 +103,9 @@ void OutputFile::flush() {
 void OutputFile::commit() {
   flush();
   if (file_ <= STDERR_FILENO) return;
-  const bool regular = !temporary_.empty();
+  const bool regular = nameless_ || !temporary_.empty();
   if (regular && ::fsync(file_) != 0) fail(errno);
+  if (nameless_) name_temporary();
   if (::close(std::exchange(file_, -1)) != 0) fail(errno);
   if (regular && std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
   temporary_.clear();

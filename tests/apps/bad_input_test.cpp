@@ -26,17 +26,17 @@ struct BadInput {
 
 std::ostream& operator<<(std::ostream& out, const BadInput& bad) { return out << bad.name; }
 
-const char* const kDraw = "{} draw @ --algorithm diamond -o @.out";
+const char* const kDraw = "{} draw @ --algorithm diamond -o @.jsonl";
 
 std::vector<BadInput> bad_inputs() {
   using namespace std::string_literals;
   return {
       {"missing_file",
-       "{} draw @.missing --algorithm diamond -o @.out",
+       "{} draw @.missing --algorithm diamond -o @.jsonl",
        "",
        {".missing", "No such file"}},
       {"unreadable_directory",
-       "{} draw /tmp --algorithm diamond -o @.out",
+       "{} draw /tmp --algorithm diamond -o @.jsonl",
        "",
        {"/tmp", "directory"}},
       {"empty_file", kDraw, "", {"@", "empty"}},
@@ -44,38 +44,38 @@ std::vector<BadInput> bad_inputs() {
       {"non_ascii_graph6", kDraw, "D\xff\xfe\n", {"@:1"}},
       {"sparse6_bad_padding", kDraw, ":Fa@x^@\n", {"@:1:"}},
       {"id_out_of_range",
-       "{} draw @ --from edgelist --algorithm diamond -o @.out",
+       "{} draw @ --from edgelist --algorithm diamond -o @.jsonl",
        "# vertices 3\n0 1\n1 7\n",
        {"@:3:", "7"}},
       {"loop",
-       "{} draw @ --from edgelist --algorithm diamond -o @.out",
+       "{} draw @ --from edgelist --algorithm diamond -o @.jsonl",
        "0 1\n4 4\n",
        {"@:2:", "loop"}},
       {"parallel_edges",
-       "{} draw @ --from edgelist --algorithm diamond -o @.out",
+       "{} draw @ --from edgelist --algorithm diamond -o @.jsonl",
        "0 1\n1 2\n1 0\n",
        {"@:3:", "parallel"}},
       {"not_a_number",
-       "{} draw @ --from edgelist --algorithm diamond -o @.out",
+       "{} draw @ --from edgelist --algorithm diamond -o @.jsonl",
        "0 1\n1 two\n",
        {"@:2:", "two"}},
       {"absurd_n_graph6", kDraw, "~~~~~~~~\n", {"@:1:"}},
       {"absurd_n_sparse6", kDraw, ":~~~~~~~~\n", {"@:1:"}},
       {"unknown_family", "{} generate no-such-family -n 10 -o @.out", "", {"no-such-family"}},
       {"unknown_algorithm",
-       "{} draw @ --algorithm no-such-algorithm -o @.out",
+       "{} draw @ --algorithm no-such-algorithm -o @.jsonl",
        "Dhc\n",
        {"no-such-algorithm"}},
       {"unknown_option",
-       "{} draw @ --algorithm diamond --set colour=3 -o @.out",
+       "{} draw @ --algorithm diamond --set colour=3 -o @.jsonl",
        "Dhc\n",
        {"colour"}},
       {"option_out_of_range",
-       "{} draw @ --algorithm diamond --set effort=9 -o @.out",
+       "{} draw @ --algorithm diamond --set effort=9 -o @.jsonl",
        "Dhc\n",
        {"effort", "9"}},
       {"unknown_flag",
-       "{} draw @ --algorithm diamond --colour red -o @.out",
+       "{} draw @ --algorithm diamond --colour red -o @.jsonl",
        "Dhc\n",
        {"--colour"}},
       {"no_verb", "{}", "", {"subcommand"}},
@@ -112,7 +112,9 @@ TEST_P(BadInputTest, OneLineAndExitTwoAndNothingWritten) {
   EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   for (const std::string& part : bad.message) EXPECT_THAT(outcome.err, HasSubstr(fill(part)));
-  EXPECT_FALSE(std::filesystem::exists(file + ".out")) << "half-written output";
+  for (const char* ending : {".out", ".jsonl"}) {
+    EXPECT_FALSE(std::filesystem::exists(file + ending)) << "half-written output";
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Program, BadInputTest, ::testing::ValuesIn(bad_inputs()),

@@ -1,0 +1,106 @@
+// Numbers, names and files of generate, draw, replay, hunt and shrink.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "support/program.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::run;
+using testing::ScratchDirectory;
+
+/// One line on stderr that holds `part`, exit code 2, nothing on stdout.
+void expect_refused(const std::string& command, const std::string& part) {
+  const Outcome outcome = run("timeout 20 " + command);
+  EXPECT_EQ(outcome.exit_code, 2) << command;
+  EXPECT_THAT(outcome.err, HasSubstr(part)) << command;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_EQ(outcome.out, "") << command;
+}
+
+TEST(Numbers, NegativeAndOverlargeOnesAreRefused) {
+  expect_refused("{} generate cycle -n -5", "'-5' is not a whole number");
+  expect_refused("{} generate cycle -n 99999999999999999999", "is not a whole number");
+  expect_refused("{} generate cycle -n 1e3", "'1e3' is not a whole number");
+  expect_refused("{} generate cycle -n 9 --count -1", "'-1' is not a whole number");
+  expect_refused("{} generate cycle -n 9 --count 0", "'0' is not a whole number");
+  expect_refused("{} generate cycle -n 9 --seed -1", "'-1' is not a whole number");
+  expect_refused("{} generate random-cubic -n 9 --seed 18446744073709551615 --count 2", "pass");
+  expect_refused("{} hunt --algorithm grid -n -5", "'-5' is not a whole number");
+  expect_refused("{} hunt --algorithm grid --seconds nan", "'nan' is not a number");
+  expect_refused("{} draw - --algorithm grid --turn inf", "'inf' is not a number");
+}
+
+TEST(Numbers, SizesThatAFamilyLacksAreSaid) {
+  const Outcome c20 = run("{} generate fullerene -n 60");
+  EXPECT_EQ(c20.exit_code, 0);
+  EXPECT_EQ(c20.err,
+            "ar3d: fullerene has no graph with 60 vertices for these parameters: this has "
+            "20\n");
+  EXPECT_THAT(run("{} generate random-cubic -n 0").err, HasSubstr("this has 4"));
+  EXPECT_EQ(run("{} generate random-cubic -n 4").err, "");
+}
+
+TEST(Names, GraphsWithNamesOfTheirOwn) {
+  const Outcome petersen = run("{} generate petersen --format graph6");
+  EXPECT_EQ(petersen.exit_code, 0) << petersen.err;
+  EXPECT_EQ(petersen.err, "");
+  EXPECT_EQ(petersen.out.front(), 'I') << "10 vertices";
+  expect_refused("{} generate petersn", "did you mean 'petersen'?");
+  expect_refused("{} generate cycle", "-n NUMBER");
+}
+
+TEST(Names, UnknownOnesAreAnsweredWithTheNearest) {
+  expect_refused("{} drwa -", "unknown verb 'drwa'; did you mean 'draw'? (see ar3d --help)");
+  expect_refused("{} study rum quick", "did you mean 'run'? (see ar3d study --help)");
+  expect_refused("{} generate cycle -n 9 --sed 3",
+                 "did you mean '--seed'? (see ar3d generate --help)");
+  expect_refused("{} generate cycel -n 9", "did you mean 'cycle'?");
+  expect_refused("{} generate cycle -n 9 --format grap6", "did you mean 'graph6'?");
+  expect_refused("{} draw - --algorithm grid --format jsnl", "did you mean 'jsonl'?");
+}
+
+TEST(Files, AnEndingThatIsNoFormatIsRefused) {
+  const ScratchDirectory scratch;
+  expect_refused("{} generate k5 | {} draw - --algorithm diamond -o " + scratch.path("k5.obj"),
+                 "'.obj' is no drawing format's ending");
+  expect_refused("{} generate k5 -o " + scratch.path("k5.obj"),
+                 "'.obj' is no graph format's ending");
+  expect_refused("{} generate k5 -o " + scratch.path("k5.s6.gz"), "'.gz' is no graph format's");
+  expect_refused("{} generate k5 | {} draw - --algorithm diamond --format hdf5",
+                 "cannot go to standard output");
+  EXPECT_TRUE(std::filesystem::is_empty(scratch.path("")));
+  EXPECT_EQ(run("{} generate k5 --format edgelist -o " + scratch.path("k5.obj")).exit_code, 0);
+}
+
+TEST(Files, AStreamIsNoPrefix) {
+  expect_refused("{} hunt --algorithm grid --evaluations 1 -o -", "not a stream");
+  expect_refused("{} generate k4 | {} shrink - --algorithm grid --ratio 0.01 -o -", "not a stream");
+}
+
+TEST(Files, AnInterruptedGenerateLeavesNothing) {
+  const ScratchDirectory scratch;
+  run("timeout -s INT 0.3 {} generate random-cubic -n 1000 --count 1000000 -o " +
+      scratch.path("many.s6"));
+  EXPECT_TRUE(std::filesystem::is_empty(scratch.path("")));
+}
+
+TEST(Files, EscapeSequencesDoNotReachTheTerminal) {
+  const ScratchDirectory scratch;
+  const std::string name = scratch.write("\x1b[31m.s6", "\x1b[2J");
+  for (const std::string verb : {"draw --algorithm grid ", "verify ", "check ", "report ",
+                                 "generate ", "shrink --algorithm grid -o x "}) {
+    const Outcome outcome = run("{} " + verb + "'" + name + "'");
+    EXPECT_EQ(outcome.exit_code, 2) << verb;
+    EXPECT_EQ(outcome.err.find('\x1b'), std::string::npos) << verb << outcome.err;
+  }
+}
+
+}  // namespace
+}  // namespace ar3d

@@ -1,0 +1,90 @@
+// Commands that the program prints show the same drawing again.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "ar3d/analysis/replay.h"
+#include "ar3d/formats/drawings/drawing_jsonl.h"
+#include "support/program.h"
+#include "support/results.h"
+
+namespace ar3d {
+namespace {
+
+using testing::Outcome;
+using testing::run;
+using testing::ScratchDirectory;
+
+/// The command with the program that was built with the tests.
+std::string runnable(std::string command) {
+  for (std::size_t at = 0; (at = command.find("ar3d ", at)) != std::string::npos; at += 3) {
+    if (at == 0 || command[at - 1] == ' ') command.replace(at, 5, "{} ");
+  }
+  return command;
+}
+
+std::string hash_of_drawing(const std::string& command, const ScratchDirectory& scratch) {
+  const Outcome outcome = run(runnable(command) + " > " + scratch.path("drawing"));
+  EXPECT_EQ(outcome.exit_code, 0) << command << '\n' << outcome.err;
+  DrawingJsonlReader reader(scratch.path("drawing"));
+  const auto line = reader.next();
+  EXPECT_TRUE(line.has_value()) << command;
+  return line ? drawing_hash(std::get<Drawing>(*line)) : "";
+}
+
+/// Every row's own command, whatever format the graph passes through.
+TEST(PrintedCommands, OfRowsDrawTheRowsDrawing) {
+  const ScratchDirectory scratch;
+  const std::string file = scratch.path("r.h5");
+  const std::string spec = scratch.write(
+      "s.toml",
+      "study = 's'\n[[sweep]]\nfamilies = ['random-cubic', { family = 'torus', rows = 5 }, "
+      "{ family = 'contained-cycles', shuffle = 1 }, 'named', 'union-petersen']\n"
+      "sizes = [20, 61]\nalgorithms = ['diamond', 'grid', 'two-bend', 'compact']\ninstances = 2\n");
+  ASSERT_LE(run("{} study run " + spec + " -o " + file).exit_code, 5);
+  std::size_t drawn = 0;
+  for (const RunRecord& run : read_results(file).runs) {
+    if (run.status != RunStatus::ok) continue;
+    EXPECT_EQ(hash_of_drawing(draw_command(run), scratch), run.drawing_hash) << draw_command(run);
+    ++drawn;
+  }
+  EXPECT_GT(drawn, 20u);
+}
+
+std::vector<std::string> lines_with(const std::string& text, const std::string& beginning) {
+  std::vector<std::string> found;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(beginning)) found.push_back(line);
+  }
+  return found;
+}
+
+/// What `hunt -o` prints runs as printed; `shrink` finds the ratio that `hunt` has found.
+TEST(PrintedCommands, OfHuntAndShrinkRunAsPrinted) {
+  const ScratchDirectory scratch;
+  for (const std::string algorithm : {"diamond", "grid"}) {
+    const std::string prefix = scratch.path("it's " + algorithm);
+    const Outcome hunt = run("{} hunt --algorithm " + algorithm +
+                             " -n 12 --evaluations 40 --measure z -o \"" + prefix + "\"");
+    ASSERT_EQ(hunt.exit_code, 0) << hunt.err;
+    const auto printed = lines_with(hunt.out, "ar3d ");
+    ASSERT_EQ(printed.size(), 3u) << hunt.out;
+    for (const std::string& command : printed) {
+      const Outcome again = run(runnable(command));
+      EXPECT_EQ(again.exit_code, 0) << command << '\n' << again.err;
+    }
+    EXPECT_TRUE(std::filesystem::exists(prefix + "-small.s6"));
+    for (const std::string& command :
+         lines_with(testing::read_file(prefix + "-small.txt"), "ar3d ")) {
+      EXPECT_EQ(run(runnable(command)).exit_code, 0) << command;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ar3d
