@@ -120,8 +120,8 @@ void add_generate(CLI::App& app, int&) {
                    "graph format; by the file's ending, sparse6 without one");
   verb->add_option("-o,--output", arguments->output, "file, or - for standard output");
   verb->footer(
-      "Examples: ar3d generate generalised-petersen -n 100 --set k=7 -o gp.s6\n"
-      "          ar3d generate petersen");
+      "Example: ar3d generate generalised-petersen -n 100 --set k=7 -o gp.s6\n"
+      "or:      ar3d generate petersen");
   verb->callback([arguments] { generate_graphs(*arguments); });
 }
 
