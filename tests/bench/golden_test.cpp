@@ -16,7 +16,7 @@ const std::map<std::string, std::string> kSmoke = {
     {"compact", "097ca7aba299eedd231d22e5949cdb3e74c226a96d811e66f0dc3e2b637a55dd"},
     {"diamond", "16363cdc7a6b69e8400d7b3df6a097911041bd61bc409208adf7465aa0e7d8bb"},
     {"grid", "1ef346bb4f553044e76a76cda49649d4bbbe79eec0e1829020666c2927889fab"},
-    {"two-bend", "cba339aa657cb7b50cee3b073b2dcb86d629fe92b2d35ed5950ee88b09407bd5"},
+    {"two-bend", "1784f00ca0579186a3f78265ea9095ff42bc8f1076169ad4cb8c1ca09d25372c"},
 };
 
 TEST(Golden, RowsOfSmoke) {
