@@ -6,6 +6,7 @@
 #include "ar3d/analysis/check.h"
 #include "ar3d/analysis/scaling/samples.h"
 #include "ar3d/analysis/statistics.h"
+#include "ar3d/records/algorithm_table.h"
 
 namespace ar3d {
 namespace {
@@ -94,6 +95,7 @@ void add_bends(const Results& results, const std::vector<std::size_t>& rows, Bou
 
 std::vector<BoundsEntry> bounds_table(const Results& results) {
   std::vector<BoundsEntry> entries;
+  const std::vector<AlgorithmRecord> algorithms = algorithm_records(results);
   for (const Cell& cell : cells(results)) {
     BoundsEntry entry;
     entry.key = cell.key;
@@ -107,9 +109,11 @@ std::vector<BoundsEntry> bounds_table(const Results& results) {
       entry.axes[axis] = axis_bounds(results, rows, axis);
     }
     entry.volume = volume_bound(results, rows);
-    if (!rows.empty()) {
-      entry.theorem_formula = results.runs[rows.front()].theorem_bound_formula;
-      entry.published_formula = results.runs[rows.front()].published_bound_formula;
+    const AlgorithmRecord* algorithm =
+        find_algorithm_record(algorithms, results.runs[cell.rows.front()]);
+    if (algorithm != nullptr) {
+      entry.theorem_formula = algorithm->theorem.formula();
+      if (algorithm->published) entry.published_formula = algorithm->published->formula();
     }
     add_bends(results, rows, entry);
     entries.push_back(std::move(entry));

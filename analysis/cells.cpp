@@ -18,9 +18,9 @@ std::vector<InstanceRows> group_instances(const Results& results, const Cell& ce
   std::vector<InstanceRows> instances;
   for (const std::size_t row : cell.rows) {
     const RunRecord& run = results.runs[row];
-    const auto identity = std::tuple(run.wanted_n, run.instance_index, run.seed);
+    const auto identity = std::tuple(run.requested_n, run.instance_index, run.seed);
     const auto [place, is_new] = index_of.try_emplace(identity, instances.size());
-    if (is_new) instances.push_back({run.n >= 0 ? run.n : run.wanted_n, {}});
+    if (is_new) instances.push_back({run.n >= 0 ? run.n : run.requested_n, {}});
     instances[place->second].rows.push_back(row);
   }
   std::stable_sort(instances.begin(), instances.end(),

@@ -17,7 +17,7 @@
 #include "ar3d/analysis/replay.h"
 #include "ar3d/analysis/text.h"
 #include "ar3d/model/error.h"
-#include "ar3d/results/columns.h"
+#include "ar3d/records/run_columns.h"
 
 namespace ar3d {
 namespace {
@@ -107,7 +107,7 @@ auto drawing_columns(const RunRecord& run) {
 /// Which graph, drawn how: rows that agree in it are repetitions.
 std::string repetition_key(const RunRecord& run) {
   return fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}", run.algorithm, run.options, run.family,
-                     run.parameters, run.wanted_n, run.instance_index, run.seed);
+                     run.parameters, run.requested_n, run.instance_index, run.seed);
 }
 
 /// What the repetitions of one drawing tell, row after row.
@@ -293,11 +293,11 @@ RowView view_of(const Results& results) {
           [&](std::size_t row) -> const RunRecord& { return results.runs[row]; }};
 }
 
-RowView view_of(ResultsReader& reader) {
+RowView view_of(RunReader& reader) {
   const auto run = std::make_shared<RunRecord>();
   return {reader.size(), reader.identity().planned_rows,
           [&reader, run](std::size_t row) -> const RunRecord& {
-            *run = load_record(reader.read(row));
+            *run = reader.read(row);
             return *run;
           }};
 }

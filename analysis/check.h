@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/results/hdf5/results_reader.h"
-#include "ar3d/results/run_record.h"
+#include "ar3d/records/run_storage.h"
 
 namespace ar3d {
 
@@ -57,7 +56,7 @@ struct RowView {
 };
 RowView view_of(const Results& results);
 /// Rows that stay in their file. The reader outlives the view. @throws InputError when reading.
-RowView view_of(ResultsReader& reader);
+RowView view_of(RunReader& reader);
 
 /// Looks at every row, once and in file order, and again at those whose repetitions differ. Cost:
 /// O(r log r) time for r rows, 32 bytes a row and what the findings take.

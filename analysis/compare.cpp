@@ -224,10 +224,10 @@ void note_pairing(const Pairing& pairing, Comparison& comparison) {
 /// Marks of sanitised or unoptimised builds.
 void note_marks(const Results& results, const char* side, Comparison& comparison) {
   const auto marked = std::find_if(results.runs.begin(), results.runs.end(),
-                                   [](const RunRecord& run) { return !run.timing_mark.empty(); });
+                                   [](const RunRecord& run) { return !run.build_kind.empty(); });
   if (marked == results.runs.end()) return;
   comparison.remarks.push_back(
-      fmt::format("{} was measured by a {} build", side, one_line(marked->timing_mark)));
+      fmt::format("{} was measured by a {} build", side, one_line(marked->build_kind)));
   comparison.time_judged = false;
 }
 

@@ -8,7 +8,7 @@
 #include "ar3d/analysis/compare/calibration.h"
 #include "ar3d/analysis/compare/environment_change.h"
 #include "ar3d/analysis/compare/time_change.h"
-#include "ar3d/results/run_record.h"
+#include "ar3d/records/run_storage.h"
 
 namespace ar3d {
 

@@ -47,7 +47,7 @@ CommandParts draw_command_parts(const RunRecord& run) {
 
 std::string draw_command(const RunRecord& run) {
   const CommandParts parts = draw_command_parts(run);
-  return fmt::format("{}{} --seed {}{}", parts.before_n, run.n >= 0 ? run.n : run.wanted_n,
+  return fmt::format("{}{} --seed {}{}", parts.before_n, run.n >= 0 ? run.n : run.requested_n,
                      run.seed, parts.behind_seed);
 }
 

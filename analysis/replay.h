@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "ar3d/results/run_record.h"
+#include "ar3d/records/run_record.h"
 
 namespace ar3d {
 

@@ -18,7 +18,7 @@ void add_check(CLI::App& app, int& exit_code) {
       "Exit code 0 pass, 4 violated, 5 incomplete or nothing measured.\nExample: ar3d check "
       "smoke.h5");
   verb->callback([path, &exit_code] {
-    ResultsReader reader(*path);
+    RunReader reader(*path);
     const RowView rows = view_of(reader);  // millions of rows need not fit into memory
     require_one_study(rows, *path);
     const CheckVerdict verdict = check(rows);

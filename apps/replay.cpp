@@ -7,8 +7,8 @@
 
 #include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/model/error.h"
-#include "ar3d/results/columns.h"
-#include "ar3d/results/run_record.h"
+#include "ar3d/records/run_columns.h"
+#include "ar3d/records/run_storage.h"
 #include "commands.h"
 #include "drawing_formats.h"
 #include "outputs.h"

@@ -12,7 +12,7 @@
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/model/error.h"
 #include "ar3d/results/atomic_file.h"
-#include "ar3d/results/run_record.h"
+#include "ar3d/records/run_storage.h"
 #include "commands.h"
 #include "outputs.h"
 #include "svg_to_pdf.h"

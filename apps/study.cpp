@@ -21,7 +21,7 @@
 #include "ar3d/results/atomic_file.h"
 #include "ar3d/results/hdf5/results_reader.h"
 #include "ar3d/results/journal/journal_writer.h"
-#include "ar3d/results/run_record.h"
+#include "ar3d/records/run_storage.h"
 #include "commands.h"
 #include "join_ranks.h"
 #include "making_options.h"
@@ -55,7 +55,7 @@ constexpr std::size_t kMostReportedRows = 100000;
 
 // The last lines of a study that is whole: the verdict and where everything is.
 int conclude(const JournaledStudy& study) {
-  ResultsReader reader(study.results);
+  RunReader reader(study.results);
   std::optional<Results> reported;  // what a report is made of, read once for verdict and report
   if (study.shard.count == 1 && reader.size() <= kMostReportedRows) {
     reported = read_results(study.results);

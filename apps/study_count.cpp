@@ -10,7 +10,7 @@
 #include "ar3d/bench/run/make_row.h"
 #include "ar3d/model/error.h"
 #include "ar3d/results/atomic_file.h"
-#include "ar3d/results/run_record.h"
+#include "ar3d/records/run_storage.h"
 #include "commands.h"
 #include "outputs.h"
 #include "study.h"
@@ -69,7 +69,7 @@ void add_draw_once(CLI::App& study) {
   const auto arguments = std::make_shared<DrawOnceArguments>();
   verb->add_option("FAMILY", arguments->row.family)->required();
   verb->add_option("PARAMETERS", arguments->parameters)->required();
-  verb->add_option("N", arguments->row.wanted_n)->required();
+  verb->add_option("N", arguments->row.requested_n)->required();
   verb->add_option("SEED", arguments->row.seed)->required();
   verb->add_option("ALGORITHM", arguments->row.algorithm)->required();
   verb->add_option("OPTIONS", arguments->options)->required();

@@ -12,6 +12,7 @@
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/printable.h"
+#include "ar3d/records/run_storage.h"
 #include "ar3d/results/hdf5/results_reader.h"
 #include "ar3d/results/journal/journal_reader.h"
 #include "commands.h"
@@ -58,13 +59,13 @@ Standing standing_now(const std::string& file) {
   const std::string results = results_path_of(file);
   Standing standing;
   if (rows_are_in_results(results)) {
-    const ResultsReader reader(results);
+    const ResultsReader reader(results, run_format());
     standing.identity = reader.identity();
     standing.rows = reader.size();
     return standing;
   }
   for (const std::string& path : existing_journals(results)) {
-    const JournalStatus status = journal_status(path);
+    const JournalStatus status = journal_status(path, run_format());
     if (standing.journals++ == 0) standing.identity = status.identity;
     standing.rows += status.rows;
     standing.not_ok += status.not_ok;

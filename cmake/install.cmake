@@ -2,7 +2,7 @@ include(CMakePackageConfigHelpers)
 get_property(libraries GLOBAL PROPERTY AR3D_LIBRARIES)
 install(TARGETS ${libraries} EXPORT ar3dTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS ar3d_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-foreach(folder IN ITEMS model formats generators algorithms verify results bench analysis)
+foreach(folder IN ITEMS model formats generators algorithms verify results records bench analysis)
   install(DIRECTORY ${CMAKE_SOURCE_DIR}/${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ar3d
           FILES_MATCHING PATTERN "*.h")
 endforeach()

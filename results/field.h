@@ -16,7 +16,16 @@ struct Field {
   FieldType type = FieldType::text;
   std::size_t size = 0;    ///< bytes, at least 1
   std::size_t offset = 0;  ///< in a packed record, see pack_fields
+  bool required = true;    ///< a file without it is refused; else its values are missing there
+  std::string former_name = "";  ///< what files of version 2 call it, if otherwise
 };
+
+/// Writes what stands for no value: -1, NaN, 0 (uint64) or an empty text.
+void store_missing(const Field& field, char* to);
+
+/// `text` as a field holds it: cut to `size` bytes, everything but printable ASCII replaced by
+/// '?'.
+std::string fitted_text(const std::string& text, std::size_t size);
 
 /// Lays the fields out one after the other, without gaps.
 template <class FieldLike>

@@ -8,7 +8,6 @@
 #include <functional>
 
 #include "ar3d/model/error.h"
-#include "ar3d/results/columns.h"
 #include "ar3d/results/hdf5/results_reader.h"
 #include "ar3d/results/journal/journal_reader.h"
 
@@ -28,8 +27,8 @@ struct Source {
   std::vector<std::int64_t> session_numbers;  // in the collection, by number in the file
 };
 
-Source journal_source(const std::string& path) {
-  const auto reader = std::make_shared<JournalReader>(path);
+Source journal_source(const std::string& path, const RowFormat& format) {
+  const auto reader = std::make_shared<JournalReader>(path, format);
   return {.path = path,
           .identity = reader->identity(),
           .sessions = reader->sessions(),
@@ -54,16 +53,18 @@ std::vector<Session> sessions_of(const std::vector<EnvironmentEntry>& environmen
   return sessions;
 }
 
-Source results_source(const std::string& path) {
-  const auto reader = std::make_shared<ResultsReader>(path);
-  return {.path = path,
-          .identity = reader->identity(),
-          .sessions = sessions_of(reader->environment(), path),
-          .size = reader->size(),
-          .key = [reader](std::size_t i) { return key_of_record(reader->read(i)); },
-          .read = [reader](std::size_t i,
-                           char* to) { std::memcpy(to, reader->read(i), run_record_size()); },
-          .session_numbers = {}};
+Source results_source(const std::string& path, const RowFormat& format) {
+  const auto reader = std::make_shared<ResultsReader>(path, format);
+  return {
+      .path = path,
+      .identity = reader->identity(),
+      .sessions = sessions_of(reader->environment(), path),
+      .size = reader->size(),
+      .key = [reader, &format](std::size_t i) { return key_of_record(format, reader->read(i)); },
+      .read = [reader, &format](
+                  std::size_t i,
+                  char* to) { std::memcpy(to, reader->read(i), format.record_size()); },
+      .session_numbers = {}};
 }
 
 bool is_journal(const std::string& path) {
@@ -79,13 +80,15 @@ void require_same_study(const Source& first, const Source& other) {
                                    other.path, what, a, b));
     }
   };
-  compare("specification", first.identity.spec_sha256, other.identity.spec_sha256);
+  compare("specification", first.identity.spec_hash, other.identity.spec_hash);
   compare("program's source", first.identity.source(), other.identity.source());
 }
 
 }  // namespace
 
 struct RowCollection::State {
+  explicit State(const RowFormat& format_of_rows) : format(format_of_rows) {}
+
   struct Row {
     RowKey key;
     std::uint32_t source = 0;
@@ -95,7 +98,7 @@ struct RowCollection::State {
   void read(const Row& row, char* record) const {
     const Source& source = sources[row.source];
     source.read(row.row, record);
-    char* field = record + session_offset;
+    char* field = record + format.rows.fields[format.session].offset;
     std::int64_t number = -1;
     std::memcpy(&number, field, sizeof(number));
     const auto place = static_cast<std::size_t>(number);
@@ -110,7 +113,7 @@ struct RowCollection::State {
   void index_rows();
   void require_equal(const Row& a, const Row& b) const;
 
-  const std::size_t session_offset = run_column("session").offset;
+  const RowFormat& format;
   StudyIdentity identity;
   std::vector<Shard> shards;
   std::vector<EnvironmentEntry> environment;
@@ -118,12 +121,13 @@ struct RowCollection::State {
   std::vector<Row> rows;  // by key
 };
 
-RowCollection::RowCollection() : state_(std::make_unique<State>()) {}
+RowCollection::RowCollection(const RowFormat& format) : state_(std::make_unique<State>(format)) {}
 RowCollection::~RowCollection() = default;
 RowCollection::RowCollection(RowCollection&&) noexcept = default;
 
 void RowCollection::add(const std::string& path) {
-  Source source = is_journal(path) ? journal_source(path) : results_source(path);
+  Source source = is_journal(path) ? journal_source(path, state_->format)
+                                   : results_source(path, state_->format);
   if (state_->sources.empty()) {
     state_->identity = source.identity;
   } else {
@@ -192,11 +196,11 @@ void RowCollection::State::index_rows() {
 }
 
 void RowCollection::State::require_equal(const Row& a, const Row& b) const {
-  std::vector<char> left(run_record_size());
-  std::vector<char> right(run_record_size());
+  std::vector<char> left(format.record_size());
+  std::vector<char> right(format.record_size());
   read(a, left.data());
   read(b, right.data());
-  for (const Column& column : run_columns()) {
+  for (const Field& column : format.rows.fields) {
     if (std::memcmp(left.data() + column.offset, right.data() + column.offset, column.size) == 0) {
       continue;
     }

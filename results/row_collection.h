@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/results/row_key.h"
-#include "ar3d/results/run_record.h"
+#include "ar3d/results/row_format.h"
 
 namespace ar3d {
 
@@ -16,7 +15,8 @@ namespace ar3d {
 /// Memory: about 60 bytes a row and 1 MB a file.
 class RowCollection {
  public:
-  RowCollection();
+  /// @param format  outlives the collection.
+  explicit RowCollection(const RowFormat& format);
   ~RowCollection();
   RowCollection(RowCollection&&) noexcept;
 
@@ -40,7 +40,7 @@ class RowCollection {
   std::size_t size() const;
   const RowKey& key(std::size_t place) const;
   std::optional<std::size_t> find(const RowKey& key) const;
-  /// Writes run_record_size() bytes; cheap if the places of one file's rows are read in order.
+  /// Writes a record; cheap if the places of one file's rows are read in order.
   void read(std::size_t place, char* record) const;
 
  private:

@@ -5,7 +5,6 @@
 #include <charconv>
 
 #include "ar3d/model/error.h"
-#include "ar3d/results/columns.h"
 
 namespace ar3d {
 namespace {
@@ -34,11 +33,6 @@ std::string to_string(const RowKey& key) {
     text[i] = "0123456789abcdef"[number & 15];
   }
   return text;
-}
-
-RowKey key_of_record(const char* record) {
-  static const Column& column = run_column("row_key");
-  return parse_row_key({record + column.offset, column.size});
 }
 
 }  // namespace ar3d

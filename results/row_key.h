@@ -19,9 +19,6 @@ struct RowKey {
 RowKey parse_row_key(std::string_view text);
 std::string to_string(const RowKey& key);
 
-/// The key of a record of /runs. @throws InputError as parse_row_key.
-RowKey key_of_record(const char* record);
-
 }  // namespace ar3d
 
 /// A key is a hash already.

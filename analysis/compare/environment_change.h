@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/results/run_record.h"
+#include "ar3d/records/run_storage.h"
 
 namespace ar3d {
 

@@ -18,7 +18,7 @@ CellKey key_of(const RunRecord& run) {
 }
 
 auto graph_of(const RunRecord& run) {
-  return std::tuple(run.wanted_n, run.instance_index, run.seed);
+  return std::tuple(run.requested_n, run.instance_index, run.seed);
 }
 
 auto identity(const RunRecord& run) {
@@ -72,7 +72,7 @@ bool has_times(const PairedRow& row) {
 std::string row_label(const RunRecord& run) {
   const CellKey key = key_of(run);
   std::string label = algorithm_label(key);
-  if (!run.family.empty()) label += fmt::format(" on {} n={}", family_label(key), run.wanted_n);
+  if (!run.family.empty()) label += fmt::format(" on {} n={}", family_label(key), run.requested_n);
   if (run.instance_index >= 0) label += fmt::format(", instance {}", run.instance_index);
   if (run.repetition >= 0) label += fmt::format(", repetition {}", run.repetition);
   return label;
@@ -96,7 +96,7 @@ Pairing pair_rows(const Results& base, const Results& now) {
       continue;
     }
     ++matched;
-    const std::int64_t n = run.n >= 0 ? run.n : run.wanted_n;
+    const std::int64_t n = run.n >= 0 ? run.n : run.requested_n;
     const auto [place, is_new] = cell_of.try_emplace({key_of(run), n}, pairing.cells.size());
     if (is_new) pairing.cells.push_back({key_of(run), n, {}});
     pairing.cells[place->second].rows.push_back({&run, partner->second});

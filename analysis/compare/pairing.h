@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ar3d/analysis/cells.h"
-#include "ar3d/results/run_record.h"
+#include "ar3d/records/run_storage.h"
 
 namespace ar3d {
 

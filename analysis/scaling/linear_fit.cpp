@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "ar3d/model/error.h"
-#include "ar3d/results/run_record.h"
+#include "ar3d/records/run_record.h"
 
 namespace ar3d {
 namespace {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "ar3d/model/error.h"
+#include "ar3d/records/run_storage.h"
 
 namespace ar3d {
 namespace {
@@ -56,7 +57,7 @@ void write_gathered(const StudyIdentity& identity, const GatheredRows& gathered,
   const auto read = [&](std::size_t i, char* record) { rows.read(gathered.places[i], record); };
   StudyIdentity described = identity;
   described.planned_rows = static_cast<std::int64_t>(gathered.places.size() + gathered.missing);
-  write_results(described, rows.environment(), {gathered.places.size(), read}, path);
+  write_results(described, rows.environment(), run_format(), {gathered.places.size(), read}, path);
 }
 
 }  // namespace ar3d

@@ -7,7 +7,7 @@
 
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/results/row_collection.h"
-#include "ar3d/results/run_record.h"
+#include "ar3d/records/run_storage.h"
 
 namespace ar3d {
 

@@ -19,8 +19,9 @@
 #include "ar3d/bench/run/make_rows.h"
 #include "ar3d/bench/run/rank_batch.h"
 #include "ar3d/model/error.h"
+#include "ar3d/records/run_columns.h"
+#include "ar3d/records/run_storage.h"
 #include "ar3d/results/atomic_file.h"
-#include "ar3d/results/columns.h"
 #include "ar3d/results/hdf5/results_reader.h"
 #include "ar3d/results/journal/journal_format.h"
 #include "ar3d/results/journal/journal_reader.h"
@@ -33,7 +34,7 @@ namespace {
 namespace fs = std::filesystem;
 
 RowCollection rows_so_far(const JournaledStudy& study) {
-  RowCollection rows;
+  RowCollection rows(run_format());
   const std::vector<std::string> journals = existing_journals(study.results);
   for (const std::string& file : journals) rows.add(file);
   if (rows_are_in_results(study.results)) rows.add(study.results);
@@ -84,7 +85,7 @@ bool is_again(const JournaledStudy& study, const char* record) {
 void fold_journals(const JournaledStudy& study, const StudyIdentity& identity) {
   std::vector<std::unique_ptr<JournalWriter>> locked;
   for (const std::string& journal : existing_journals(study.results)) {
-    locked.push_back(std::make_unique<JournalWriter>(journal, identity));
+    locked.push_back(std::make_unique<JournalWriter>(journal, identity, run_format()));
   }
   if (!rows_are_in_results(study.results)) {
     write_rows_so_far(study, plan_of(study), study.results);
@@ -102,10 +103,10 @@ void seed_journal(const JournaledStudy& study, const StudyIdentity& identity) {
   const std::string journal_of_study = journal_path(study.results);
   const std::string seed = name_of_new_file(journal_of_study);
   {
-    RowCollection rows;
+    RowCollection rows(run_format());
     rows.add(study.results);
     rows.close();
-    JournalWriter journal(seed, identity);
+    JournalWriter journal(seed, identity, run_format());
     copy_rows(
         rows, [&study](const char* record) { return !is_again(study, record); }, journal);
     if (!study.again.empty()) {
@@ -153,7 +154,7 @@ class JournalSink final : public RowSink {
     before_.read(before_.find(parse_row_key(key)).value(), record.data());
     return load_record(record.data());
   }
-  void add(std::size_t, const RunRecord& row) override { journal_.append(row); }
+  void add(std::size_t, const RunRecord& row) override { append_run(journal_, row); }
 
  private:
   const RowCollection& before_;
@@ -202,8 +203,9 @@ JournaledStudy begun_study(const std::string& journal_or_results) {
   const std::string results = in_resolved_folder(results_path_of(journal_or_results));
   const std::vector<std::string> journals = existing_journals(results);
   const bool in_results = rows_are_in_results(results);
-  const StudyIdentity identity =
-      in_results ? ResultsReader(results).identity() : journal_status(journals.front()).identity;
+  const StudyIdentity identity = in_results
+                                     ? ResultsReader(results, run_format()).identity()
+                                     : journal_status(journals.front(), run_format()).identity;
   return {parse_study(identity.spec, in_results ? results : journals.front()),
           identity.shard,
           results,
@@ -221,8 +223,8 @@ JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()
   const std::string results = ranks.from_first(study ? study->results : "");
   StudyIdentity identity;
   if (study) identity = identity_of(*study, StudyPlan());
-  const std::string text = ranks.from_first(identity_text(identity));
-  identity = parse_identity({text.data(), text.size()}, results);
+  const std::string text = ranks.from_first(identity_text(identity, run_format()));
+  identity = parse_identity({text.data(), text.size()}, run_format(), results);
   return {parse_study(identity.spec, results),
           identity.shard,
           results,
@@ -252,7 +254,7 @@ class Part {
     const std::string path = journal_path(study.results, ranks.rank());
     together(ranks, [&] {
       if (ranks.is_first()) seed_journal(study, identity);
-      journal_.emplace(path, identity);
+      journal_.emplace(path, identity, run_format());
     });
     tell_of_cut_bytes(path);
     together(ranks, [&] {

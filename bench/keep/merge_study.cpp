@@ -4,6 +4,7 @@
 
 #include "ar3d/bench/keep/gather_rows.h"
 #include "ar3d/model/error.h"
+#include "ar3d/records/run_storage.h"
 #include "ar3d/results/atomic_file.h"
 #include "ar3d/results/row_collection.h"
 
@@ -42,7 +43,7 @@ std::string missing_shards(const std::vector<Shard>& shards) {
 
 StudyOutcome merge_study(const std::vector<std::string>& parts, const std::string& output) {
   require_writable(output);
-  RowCollection rows;
+  RowCollection rows(run_format());
   for (const std::string& part : parts) rows.add(part);
   rows.close();
   require_one_division(rows.shards());

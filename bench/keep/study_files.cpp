@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "ar3d/model/error.h"
+#include "ar3d/records/run_storage.h"
 #include "ar3d/results/hdf5/results_reader.h"
 #include "ar3d/results/journal/journal_reader.h"
 
@@ -159,8 +160,8 @@ bool rows_are_in_results(const std::string& results) {
   const std::vector<std::string> journals = existing_journals(results);
   if (journals.empty()) return true;
   return journals.front() != journal_path(results) && fs::exists(results) &&
-         ResultsReader(results).identity().created ==
-             journal_status(journals.front()).identity.created;
+         ResultsReader(results, run_format()).identity().created ==
+             journal_status(journals.front(), run_format()).identity.created;
 }
 
 void remove_journals(const std::string& results) {

@@ -30,7 +30,8 @@
 #include "ar3d/bench/measure/stopwatch.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/run/make_rows.h"
-#include "ar3d/results/columns.h"
+#include "ar3d/records/run_columns.h"
+#include "ar3d/records/run_storage.h"
 #include "ar3d/results/journal/journal_reader.h"
 #include "ar3d/results/journal/journal_writer.h"
 #include "ar3d/verify/certificate.h"
@@ -58,7 +59,7 @@ class Folder {
 StudyIdentity identity() {
   StudyIdentity identity;
   identity.study_id = "kernel";
-  identity.spec_sha256 = std::string(64, 'a');
+  identity.spec_hash = std::string(64, 'a');
   return identity;
 }
 
@@ -66,7 +67,7 @@ RunRecord typical_run() {
   RunRecord run;
   run.row_key = "0123456789abcdef0123456789abcdef";
   run.family = "random-cubic";
-  run.wanted_n = run.n = 1000;
+  run.requested_n = run.n = 1000;
   run.m = 1500;
   run.instance_index = 17;
   run.seed = 0x123456789abcdef;
@@ -83,10 +84,10 @@ RunRecord typical_run() {
 
 void append_kernel(benchmark::State& state) {
   const Folder folder;
-  JournalWriter journal(folder.file("k.journal"), identity());
+  JournalWriter journal(folder.file("k.journal"), identity(), run_format());
   journal.begin_session({});
   const RunRecord run = typical_run();
-  for (auto _ : state) journal.append(run);
+  for (auto _ : state) append_run(journal, run);
   state.SetItemsProcessed(state.iterations());
 }
 
@@ -162,12 +163,13 @@ void sqlite_kernel(benchmark::State& state, std::int64_t rows_a_transaction) {
 void status_kernel(benchmark::State& state) {
   const Folder folder;
   {
-    JournalWriter journal(folder.file("k.journal"), identity());
+    JournalWriter journal(folder.file("k.journal"), identity(), run_format());
     journal.begin_session({});
     const RunRecord run = typical_run();
-    for (std::int64_t i = 0; i < state.range(0); ++i) journal.append(run);
+    for (std::int64_t i = 0; i < state.range(0); ++i) append_run(journal, run);
   }
-  for (auto _ : state) benchmark::DoNotOptimize(journal_status(folder.file("k.journal")).rows);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(journal_status(folder.file("k.journal"), run_format()).rows);
 }
 
 constexpr std::int64_t kGraphs = 500;
@@ -251,7 +253,7 @@ void journaled_kernel(benchmark::State& state) {
   keep_heap();
   const StudyPlan plan = cubic_plan(state.range(0));
   const Folder folder;
-  JournalWriter journal(folder.file("k.journal"), identity());
+  JournalWriter journal(folder.file("k.journal"), identity(), run_format());
   journal.begin_session({});
   Besides besides;
   MeasuringSink sink(journal, besides);

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/results/run_record.h"
+#include "ar3d/results/study_identity.h"
 
 namespace ar3d {
 

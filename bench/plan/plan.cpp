@@ -244,4 +244,12 @@ class Planner {
 
 StudyPlan plan_study(const StudySpec& spec) { return Planner(spec).plan(); }
 
+AlgorithmRecord algorithm_record(const AlgorithmChoice& choice) {
+  const Guarantee& guarantee = choice.algorithm->guarantee;
+  AlgorithmRecord record{
+      choice.algorithm->name, settings_text(choice.options), guarantee.bound, {}};
+  if (!guarantee.published.empty()) record.published = guarantee.published.front();
+  return record;
+}
+
 }  // namespace ar3d

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "ar3d/bench/spec/study_spec.h"
-#include "ar3d/results/run_record.h"
+#include "ar3d/records/algorithm_table.h"
+#include "ar3d/records/run_record.h"
 
 namespace ar3d {
 
@@ -115,6 +116,9 @@ struct StudyPlan {
   Budget budget;       ///< of the specification
   std::size_t rows() const { return instances.rows(); }
 };
+
+/// The record of /algorithms of a choice.
+AlgorithmRecord algorithm_record(const AlgorithmChoice& choice);
 
 /// Leaves out an algorithm where the family's graphs pass its maximum degree (found by generating
 /// one of at most 1000 vertices) or n passes spec.max_n.

@@ -69,7 +69,7 @@ std::vector<std::string> command_line(const RunRecord& row, const std::string& o
           kDrawOnceVerb,
           row.family,
           "parameters:" + row.parameters,
-          std::to_string(row.wanted_n),
+          std::to_string(row.requested_n),
           std::to_string(row.seed),
           row.algorithm,
           "options:" + row.options};

@@ -32,7 +32,7 @@ PlannedInstance plan_of_row(const RunRecord& row) {
   instance.choice.parameters =
       complete_parameters(*instance.choice.family, parse_list<ParameterValue>(row.parameters));
   instance.parameters = row.parameters;
-  instance.wanted_n = static_cast<std::uint64_t>(row.wanted_n);
+  instance.wanted_n = static_cast<std::uint64_t>(row.requested_n);
   instance.n = static_cast<std::uint64_t>(row.n);
   instance.index = static_cast<std::uint32_t>(row.instance_index);
   instance.seed = row.seed;

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "ar3d/bench/plan/plan.h"
-#include "ar3d/results/run_record.h"
+#include "ar3d/records/run_record.h"
 
 namespace ar3d {
 

@@ -6,7 +6,7 @@
 #include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/bench/run/make_row.h"
 #include "ar3d/model/random.h"
-#include "ar3d/results/columns.h"
+#include "ar3d/records/run_columns.h"
 
 namespace ar3d {
 

@@ -5,11 +5,29 @@
 
 #include <chrono>
 #include <ctime>
+#include <map>
+#include <utility>
 
 #include "ar3d/bench/measure/environment.h"
-#include "ar3d/results/sha256.h"
+#include "ar3d/bench/plan/plan.h"
 
 namespace ar3d {
+namespace {
+
+std::vector<AlgorithmRecord> algorithms_of(const StudySpec& spec) {
+  std::map<std::pair<std::string, std::string>, AlgorithmRecord> records;
+  for (const Sweep& sweep : spec.sweeps) {
+    for (const AlgorithmChoice& choice : sweep.algorithms) {
+      const AlgorithmRecord record = algorithm_record(choice);
+      records.try_emplace({record.algorithm, record.options}, record);
+    }
+  }
+  std::vector<AlgorithmRecord> in_order;
+  for (auto& [key, record] : records) in_order.push_back(std::move(record));
+  return in_order;
+}
+
+}  // namespace
 
 std::string now_with_zone() {
   using namespace std::chrono;
@@ -24,11 +42,12 @@ Results describe_study(const StudySpec& spec, int workers) {
   Results results;
   results.study_id = spec.name;
   results.spec = spec.text;
-  results.spec_sha256 = sha256(spec.text);
+  results.spec_hash = content_hash(spec.text);
   results.source_hash = source_hash();
   results.dirty = source_is_dirty();
   results.dirty_hash = dirty_hash();
   results.created = now_with_zone();
+  results.tables = {algorithm_table(algorithms_of(spec))};
   results.environment = capture_environment(workers);
   return results;
 }

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "ar3d/bench/spec/study_spec.h"
-#include "ar3d/results/run_record.h"
+#include "ar3d/records/run_storage.h"
 
 namespace ar3d {
 

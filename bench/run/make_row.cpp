@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <new>
 
 #include "ar3d/bench/measure/environment.h"
@@ -11,7 +10,8 @@
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/formats/text/output.h"
 #include "ar3d/model/error.h"
-#include "ar3d/results/columns.h"
+#include "ar3d/records/algorithm_table.h"
+#include "ar3d/records/run_columns.h"
 #include "ar3d/verify/examination.h"
 
 namespace ar3d {
@@ -34,41 +34,9 @@ void record_verdict(RunRecord& run, const Certificate& certificate) {
   if (!certificate.valid()) run.message = certificate.violations.front().message;
 }
 
-void record_size(RunRecord& run, const DrawingSummary& summary, const Guarantee& guarantee) {
-  const auto n = static_cast<std::uint64_t>(run.n);
-  double volume = 1;
-  run.log2_volume = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    run.extents[axis] = summary.box.extents()[axis];
-    const auto extent = static_cast<double>(run.extents[axis]);
-    volume *= extent;
-    run.log2_volume += std::log2(extent + 1);
-    const double bound = n == 0 ? 0 : guarantee.bound.axes[axis].value(n);
-    run.theorem_bound[axis] = bound > 0 ? bound : kMissing;
-    run.slack[axis] = bound > 0 ? 1 - extent / bound : kMissing;
-  }
-  const auto size = static_cast<double>(n);
-  run.volume_per_n3 = n == 0 ? kMissing : volume / (size * size * size);
-}
-
-void record_metrics(RunRecord& run, const DrawingSummary& summary, const Guarantee& guarantee) {
-  record_size(run, summary, guarantee);
-  run.total_edge_length = summary.total_edge_length;
-  run.longest_edge_length = summary.longest_edge_length;
-  run.smallest_vertex_distance = summary.smallest_vertex_distance;
-  run.bends.fill(0);
-  for (std::size_t bends = 0; bends < summary.bend_histogram.size(); ++bends) {
-    run.bends[std::min(bends, run.bends.size() - 1)] +=
-        static_cast<std::int64_t>(summary.bend_histogram[bends]);
-  }
-}
-
-void record_published_bound(RunRecord& run, const Guarantee& guarantee) {
-  if (guarantee.published.empty()) return;
-  const SizeBound& published = guarantee.published.front();
-  for (std::size_t axis = 0; axis < 3 && run.n > 0; ++axis) {
-    run.published_bound[axis] = published.axes[axis].value(static_cast<std::uint64_t>(run.n));
-  }
+void record_bounds(RunRecord& run, const Guarantee& guarantee) {
+  const bool is_published = !guarantee.published.empty();
+  set_bounds(&guarantee.bound, is_published ? &guarantee.published.front() : nullptr, run);
 }
 
 double timed_writing_s(const Drawing& drawing) {
@@ -83,7 +51,7 @@ RunRecord instance_row(const PlannedInstance& instance) {
   RunRecord run;
   run.family = instance.choice.family->name;
   run.parameters = instance.parameters;
-  run.wanted_n = static_cast<std::int64_t>(instance.wanted_n);
+  run.requested_n = static_cast<std::int64_t>(instance.wanted_n);
   run.instance_index = instance.index;
   run.seed = instance.seed;
   return run;
@@ -149,7 +117,7 @@ RunRecord RowMaker::begun(const PlannedRun& planned) const {
   set_run(planned, run);
   run.concurrency = circumstances_.concurrency;
   run.core = circumstances_.core;
-  run.timing_mark = timing_mark();
+  run.build_kind = timing_mark();
   return run;
 }
 
@@ -187,19 +155,8 @@ void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& req
   run.certify_s = certifying_time.wall_s();
   run.drawing_hash = examination.drawing_hash;
   record_verdict(run, examination.certificate);
-  record_metrics(run, examination.summary, guarantee);
-  record_published_bound(run, choice.algorithm->guarantee);
-  record_formulas(*choice.algorithm, run);
-}
-
-void RowMaker::record_formulas(const Algorithm& algorithm, RunRecord& run) {
-  if (formulas_.of != &algorithm) {
-    const std::vector<SizeBound>& published = algorithm.guarantee.published;
-    formulas_ = {&algorithm, algorithm.guarantee.bound.formula(),
-                 published.empty() ? std::string() : published.front().formula()};
-  }
-  run.theorem_bound_formula = formulas_.theorem;
-  run.published_bound_formula = formulas_.published;
+  set_metrics(examination.summary, run);
+  record_bounds(run, guarantee);
 }
 
 Drawing timed_drawing(const Graph& graph, const AlgorithmChoice& choice, HardwareCounters& counters,
@@ -247,11 +204,14 @@ void take_over_certificate(const RunRecord& certified, RunRecord& run) {
   }
   std::string bytes;
   for (const Column& column : run_columns()) {
-    if (column.kind != ColumnKind::result) continue;
+    if (column.kind != ColumnKind::result && column.kind != ColumnKind::metric) continue;
     bytes.assign(column.size, '\0');
     column.store(certified, bytes.data());
     column.load(bytes.data(), run);
   }
+  run.theorem_bound = certified.theorem_bound;
+  run.slack = certified.slack;
+  run.published_bound = certified.published_bound;
 }
 
 }  // namespace ar3d

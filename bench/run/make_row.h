@@ -8,7 +8,7 @@
 #include "ar3d/bench/measure/row_memory.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/model/graph.h"
-#include "ar3d/results/run_record.h"
+#include "ar3d/records/run_record.h"
 
 namespace ar3d {
 
@@ -52,16 +52,7 @@ class RowMaker {
   RowMemory memory_;
   RunRecord base_;
   std::optional<Graph> graph_;
-  // The bounds of the algorithm of the last row as text, which costs more than the rest of a row's
-  // book-keeping.
-  struct Formulas {
-    const Algorithm* of = nullptr;
-    std::string theorem;
-    std::string published;
-  };
-  Formulas formulas_;
 
-  void record_formulas(const Algorithm& algorithm, RunRecord& run);
   void draw_and_certify(const PlannedRun& planned, const RowRequest& request, RunRecord& run);
 };
 

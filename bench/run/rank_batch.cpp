@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "ar3d/model/error.h"
-#include "ar3d/results/columns.h"
+#include "ar3d/records/run_columns.h"
 
 namespace ar3d {
 namespace {

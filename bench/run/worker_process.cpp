@@ -20,7 +20,7 @@
 
 #include "ar3d/bench/measure/pinning.h"
 #include "ar3d/model/error.h"
-#include "ar3d/results/columns.h"
+#include "ar3d/records/run_columns.h"
 
 namespace ar3d {
 namespace {

@@ -13,9 +13,4 @@ namespace ar3d {
 /// written.
 void write_drawing_hdf5(const Drawing& drawing, const std::string& path);
 
-/// @throws InputError naming the file and what is wrong with it: missing, not HDF5, no drawing,
-/// another version, shapes or offsets that do not fit, coordinates beyond kMaxCoordinate, ids out
-/// of range.
-Drawing read_drawing_hdf5(const std::string& path);
-
 }  // namespace ar3d

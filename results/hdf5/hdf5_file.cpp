@@ -1,11 +1,13 @@
 #include "ar3d/results/hdf5/hdf5_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
+#include <string_view>
 
 #include "ar3d/model/error.h"
 
@@ -27,16 +29,22 @@ std::vector<char> hdf5_image(hid_t file) {
   return image;
 }
 
-void require_hdf5_file(const std::string& path) {
-  if (std::filesystem::is_directory(path)) {
-    throw InputError(fmt::format("cannot read {}: {}", path, std::strerror(EISDIR)));
-  }
-  errno = 0;
-  std::ifstream probe(path, std::ios::binary);
-  if (!probe) throw InputError(fmt::format("cannot read {}: {}", path, std::strerror(errno)));
-  if (H5Fis_hdf5(path.c_str()) <= 0) {
+Descriptor open_hdf5_file(const std::string& path) {
+  const auto refuse = [&](int reason) {
+    throw InputError(fmt::format("cannot read {}: {}", path, std::strerror(reason)));
+  };
+  Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (file.get() < 0) refuse(errno);
+  struct stat status {};
+  if (fstat(file.get(), &status) != 0) refuse(errno);
+  if (S_ISDIR(status.st_mode)) refuse(EISDIR);
+  constexpr std::string_view kSignature("\211HDF\r\n\032\n", 8);
+  char start[kSignature.size()] = {};
+  if (!S_ISREG(status.st_mode) || pread(file.get(), start, sizeof(start), 0) != sizeof(start) ||
+      std::string_view(start, sizeof(start)) != kSignature) {
     throw InputError(fmt::format("{} is not an HDF5 file", path));
   }
+  return file;
 }
 
 }  // namespace ar3d

@@ -39,7 +39,8 @@ Hdf5Handle create_hdf5_in_memory();
 /// The bytes of that file.
 std::vector<char> hdf5_image(hid_t file);
 
-/// @throws InputError naming the system's reason if the file cannot be read, or if it is not HDF5.
-void require_hdf5_file(const std::string& path);
+/// Opens a regular file to read that begins as HDF5 files do. @throws InputError naming the path:
+/// the system's reason if it cannot be read, or that it is not HDF5.
+Descriptor open_hdf5_file(const std::string& path);
 
 }  // namespace ar3d

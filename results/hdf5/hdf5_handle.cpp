@@ -4,10 +4,12 @@
 
 #include <algorithm>
 
-#include "ar3d/results/run_record.h"
+#include "ar3d/results/hdf5/results_reader.h"
 
 namespace ar3d {
 namespace {
+
+constexpr std::size_t kLargestText = 1 << 20;  // bytes of an attribute
 
 // Called from the outermost to the innermost entry: the last one stays.
 herr_t keep_description(unsigned, const H5E_error2_t* entry, void* data) {
@@ -81,7 +83,7 @@ std::string read_text_attribute(hid_t object, const std::string& name) {
   const Hdf5Handle type(H5Aget_type(attribute.get()), H5Tclose, "read an attribute's type");
   const Hdf5Handle space(H5Aget_space(attribute.get()), H5Sclose, "read an attribute's shape");
   if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0 ||
-      H5Sget_simple_extent_npoints(space.get()) != 1) {
+      H5Sget_simple_extent_npoints(space.get()) != 1 || H5Tget_size(type.get()) > kLargestText) {
     throw Hdf5Error("attribute '" + name + "' is not one fixed-size string");
   }
   std::string text(H5Tget_size(type.get()), '\0');
@@ -92,9 +94,10 @@ std::string read_text_attribute(hid_t object, const std::string& name) {
 
 long long read_integer_attribute(hid_t object, const std::string& name) {
   const Hdf5Handle attribute = open_attribute(object, name);
+  const Hdf5Handle type(H5Aget_type(attribute.get()), H5Tclose, "read an attribute's type");
   const Hdf5Handle space(H5Aget_space(attribute.get()), H5Sclose, "read an attribute's shape");
-  if (H5Sget_simple_extent_npoints(space.get()) != 1) {
-    throw Hdf5Error("attribute '" + name + "' is not one integer");
+  if (H5Tequal(type.get(), H5T_STD_I64LE) <= 0 || H5Sget_simple_extent_npoints(space.get()) != 1) {
+    throw Hdf5Error("attribute '" + name + "' is not one 64-bit integer");
   }
   long long value = 0;
   hdf5_checked(H5Aread(attribute.get(), H5T_NATIVE_LLONG, &value), "read an attribute");

@@ -13,13 +13,4 @@ namespace ar3d {
 void write_rows(hid_t file, const std::string& name, std::uint64_t rows, unsigned columns,
                 const std::function<void(std::int64_t* row)>& next);
 
-/// Number of rows. @throws Hdf5Error if the dataset is missing, holds no integers, has not that
-/// many columns, or claims more numbers than a file of `file_bytes` bytes can hold.
-std::uint64_t count_rows(hid_t file, const std::string& name, unsigned columns,
-                         std::uint64_t file_bytes);
-
-/// Calls `visit` with every row in order. @throws Hdf5Error
-void read_rows(hid_t file, const std::string& name, std::uint64_t rows, unsigned columns,
-               const std::function<void(const std::int64_t* row)>& visit);
-
 }  // namespace ar3d

@@ -3,34 +3,43 @@
 #include <cinttypes>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <optional>
+#include <utility>
 
 #include "ar3d/model/error.h"
+#include "ar3d/results/hdf5/file_checksum.h"
 #include "ar3d/results/hdf5/hdf5_file.h"
+#include "ar3d/results/hdf5/hdf5_records.h"
 #include "ar3d/results/hdf5/results_format.h"
 #include "ar3d/results/hdf5/results_reader.h"
 
 namespace ar3d {
 namespace {
 
-void require_format(hid_t file) {
+constexpr std::size_t kLargestSpec = std::size_t{1} << 26;
+
+// @return the version.
+long long require_format(hid_t file) {
   const std::string format = read_text_attribute(file, "format");
   if (format != kResultsFormat) {
     throw Hdf5Error(fmt::format("its format is '{}', not '{}'", format, kResultsFormat));
   }
   const long long version = read_integer_attribute(file, "format_version");
-  if (version != kResultsFormatVersion) {
-    throw Hdf5Error(fmt::format("it has format version {}, this program reads version {}", version,
-                                kResultsFormatVersion));
+  if (version != kResultsFormatVersion && version != kFormerVersion) {
+    throw Hdf5Error(fmt::format("it has format version {}, this program reads versions {} and {}",
+                                version, kFormerVersion, kResultsFormatVersion));
   }
+  return version;
 }
 
 std::string read_spec(hid_t file) {
-  const Hdf5Handle dataset(H5Dopen2(file, "spec", H5P_DEFAULT), H5Dclose, "open /spec");
+  const Hdf5Handle dataset = hdf5::open_own_dataset(file, "spec");
   const Hdf5Handle type(H5Dget_type(dataset.get()), H5Tclose, "read the type of /spec");
   const Hdf5Handle space(H5Dget_space(dataset.get()), H5Sclose, "read the shape of /spec");
   if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0 ||
-      H5Sget_simple_extent_npoints(space.get()) != 1) {
-    throw Hdf5Error("/spec is not one fixed-size string");
+      H5Sget_simple_extent_npoints(space.get()) != 1 || H5Tget_size(type.get()) > kLargestSpec) {
+    throw Hdf5Error("/spec is not one string of fixed size");
   }
   std::string spec(H5Tget_size(type.get()), '\0');
   hdf5_checked(H5Dread(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, spec.data()),
@@ -39,14 +48,14 @@ std::string read_spec(hid_t file) {
   return spec;
 }
 
-std::vector<EnvironmentEntry> read_environment(hid_t file) {
+std::vector<EnvironmentEntry> read_environment(hid_t file, std::uint64_t bytes) {
   const TableSpec table = environments_table(stored_text_size(file, "environments", "name"),
                                              stored_text_size(file, "environments", "value"));
   const auto text = [](const char* at, std::size_t size) {
     return std::string(at, strnlen(at, size));
   };
   std::vector<EnvironmentEntry> entries;
-  read_table(file, table, [&](const char* record) {
+  read_table(file, table, bytes, [&](const char* record) {
     const Field& name = table.fields[1];
     const Field& value = table.fields[2];
     EnvironmentEntry entry{text(record + name.offset, name.size),
@@ -62,18 +71,24 @@ Shard parse_shard(const std::string& text) {
   int used = 0;
   if (std::sscanf(text.c_str(), "%" SCNu32 "/%" SCNu32 "%n", &shard.index, &shard.count, &used) !=
           2 ||
-      static_cast<std::size_t>(used) != text.size() || shard.index < 1 ||
-      shard.index > shard.count) {
+      static_cast<std::size_t>(used) != text.size() || !is_shard(shard)) {
     throw Hdf5Error(fmt::format("'{}' is no shard", text));
   }
   return shard;
 }
 
-StudyIdentity read_identity(hid_t file) {
-  require_format(file);
+std::string read_spec_hash(hid_t file, long long version, const std::string& spec) {
+  if (version == kFormerVersion) return content_hash(spec);  // it has one of another kind
+  const std::string hash = read_text_attribute(file, "spec_hash");
+  if (hash != content_hash(spec)) throw Hdf5Error("/spec is not what spec_hash says");
+  return hash;
+}
+
+StudyIdentity read_identity(hid_t file, long long version) {
   StudyIdentity identity;
   identity.study_id = read_text_attribute(file, "study_id");
-  identity.spec_sha256 = read_text_attribute(file, "spec_sha256");
+  identity.spec = read_spec(file);
+  identity.spec_hash = read_spec_hash(file, version, identity.spec);
   identity.source_hash = read_text_attribute(file, "source_hash");
   identity.dirty = read_integer_attribute(file, "dirty") != 0;
   if (H5Aexists(file, "dirty_hash") > 0) {  // files of older programs lack it
@@ -82,8 +97,22 @@ StudyIdentity read_identity(hid_t file) {
   identity.created = read_text_attribute(file, "created");
   identity.shard = parse_shard(read_text_attribute(file, "shard"));
   identity.planned_rows = read_integer_attribute(file, "planned_rows");
-  identity.spec = read_spec(file);
+  if (identity.planned_rows < -1) throw Hdf5Error("planned_rows is negative");
   return identity;
+}
+
+std::vector<StoredTable> read_tables(hid_t file, const RowFormat& format, std::uint64_t bytes) {
+  std::vector<StoredTable> tables;
+  for (const TableSpec& spec : format.tables) {
+    if (!has_table(file, spec.name)) continue;
+    StoredTable table{spec, {}};
+    const std::size_t size = record_size(spec.fields);
+    read_table(file, spec, bytes, [&](const char* record) {
+      table.records.insert(table.records.end(), record, record + size);
+    });
+    tables.push_back(std::move(table));
+  }
+  return tables;
 }
 
 // Runs `step`; what HDF5 has against the file becomes one line that names it.
@@ -97,48 +126,64 @@ auto explained(const std::string& path, const Step& step) {
   }
 }
 
-Hdf5Handle open_file(const std::string& path) {
-  require_hdf5_file(path);
-  return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open it"};
+// Whether the file is of the present version and whole, so that HDF5 may see it. @throws InputError
+// if it is damaged.
+bool has_checksum(int file, const std::string& path) {
+  const ChecksumVerdict verdict = verify_checksum(file, path);
+  if (verdict == ChecksumVerdict::wrong) {
+    throw InputError(
+        fmt::format("{} is damaged: its bytes are not those that its checksum was made of", path));
+  }
+  return verdict == ChecksumVerdict::right;
 }
 
 }  // namespace
 
+OpenResults open_results(int descriptor, long long version, const RowFormat& format) {
+  H5PLset_loading_state(0);  // no filter that a file names is loaded
+  const Hdf5Silence silence;
+  const std::string path = fmt::format("/proc/self/fd/{}", descriptor);
+  Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open it");
+  const long long found = require_format(file.get());
+  if (found != version && version == kFormerVersion) {
+    throw Hdf5Error(
+        "it has no checksum at its end: it was cut short or changed by another program");
+  }
+  if (found != version) throw Hdf5Error("files of version 2 have no checksum");
+  const std::uint64_t bytes = std::filesystem::file_size(path);
+  StudyIdentity identity = read_identity(file.get(), version);
+  identity.tables = read_tables(file.get(), format, bytes);
+  std::vector<EnvironmentEntry> environment = read_environment(file.get(), bytes);
+  return {std::move(file), bytes, std::move(identity), std::move(environment)};
+}
+
 struct ResultsReader::File {
-  explicit File(const std::string& path)
-      : path(path), file(open_file(path)), table(file.get(), runs_table()) {}
   std::string path;
-  Hdf5Handle file;
-  TableReader table;
+  TableReader rows;  // keeps the HDF5 file open
 };
 
-ResultsReader::ResultsReader(const std::string& path) {
+ResultsReader::ResultsReader(const std::string& path, const RowFormat& format) {
   explained(path, [&] {
-    file_ = std::make_unique<File>(path);
-    identity_ = read_identity(file_->file.get());
-    environment_ = read_environment(file_->file.get());
+    const Descriptor file = open_hdf5_file(path);
+    std::optional<TemporaryFile> converted;
+    if (!has_checksum(file.get(), path)) {
+      convert_former(file.get(), converted.emplace().descriptor(), format, path);
+    }
+    const int whole = converted ? converted->descriptor() : file.get();
+    OpenResults opened = open_results(whole, kResultsFormatVersion, format);
+    identity_ = std::move(opened.identity);
+    environment_ = std::move(opened.environment);
+    file_.reset(new File{path, TableReader(opened.file.get(), format.rows, opened.bytes)});
   });
 }
 
 ResultsReader::~ResultsReader() = default;
 ResultsReader::ResultsReader(ResultsReader&&) noexcept = default;
 
-std::size_t ResultsReader::size() const { return file_->table.size(); }
+std::size_t ResultsReader::size() const { return file_->rows.size(); }
 
 const char* ResultsReader::read(std::size_t i) {
-  return explained(file_->path, [&] { return file_->table.read(i); });
-}
-
-Results read_results(const std::string& path) {
-  ResultsReader reader(path);
-  Results results;
-  static_cast<StudyIdentity&>(results) = reader.identity();
-  results.environment = reader.environment();
-  results.runs.reserve(reader.size());
-  for (std::size_t i = 0; i < reader.size(); ++i) {
-    results.runs.push_back(load_record(reader.read(i)));
-  }
-  return results;
+  return explained(file_->path, [&] { return file_->rows.read(i); });
 }
 
 }  // namespace ar3d

@@ -6,34 +6,61 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/results/columns.h"
+#include "ar3d/results/descriptor.h"
 #include "ar3d/results/hdf5/hdf5_table.h"
+#include "ar3d/results/row_format.h"
 
 namespace ar3d {
 
 inline constexpr const char* kResultsFormat = "ar3d-results";
-inline constexpr long long kResultsFormatVersion = 2;
-
-template <class FieldLike>
-TableSpec table_of(const std::string& name, const std::string& title,
-                   const std::vector<FieldLike>& fields) {
-  return {name, title, {fields.begin(), fields.end()}};
-}
-
-/// /runs: one record a run.
-inline TableSpec runs_table() {
-  return table_of("runs", "instance x algorithm x options x repetition", run_columns());
-}
+inline constexpr long long kResultsFormatVersion = 3;
+inline constexpr long long kFormerVersion = 2;  ///< is read, not written
 
 /// /environments: session, name and value, as wide as they are.
 inline TableSpec environments_table(std::size_t name_size, std::size_t value_size) {
-  std::vector<Field> fields = {
-      {"session", "1", "which process of the study", FieldType::int64, sizeof(std::int64_t), 0},
-      {"name", "", "what is described", FieldType::text, std::max<std::size_t>(1, name_size), 0},
-      {"value", "", "its value", FieldType::text, std::max<std::size_t>(1, value_size), 0}};
-  pack_fields(fields);
-  return table_of("environments", "machine, compiler, libraries and settings of every session",
-                  fields);
+  TableSpec table{"environments", "machine, compiler, libraries and settings of every session", {}};
+  table.fields = {
+      {"session", "1", "which process of the study", FieldType::int64, sizeof(std::int64_t)},
+      {"name", "", "what is described", FieldType::text, std::max<std::size_t>(1, name_size)},
+      {"value", "", "its value", FieldType::text, std::max<std::size_t>(1, value_size)}};
+  pack_fields(table.fields);
+  return table;
 }
+
+/// Fills an empty, readable and writable file, with its checksum at the end; `path` is for
+/// messages.
+/// @throws InputError as write_results.
+void write_results_into(int descriptor, const StudyIdentity& identity,
+                        const std::vector<EnvironmentEntry>& environment, const RowFormat& format,
+                        const RecordSource& rows, const std::string& path);
+
+/// An open file of this very program: its checksum is right.
+struct OpenResults {
+  Hdf5Handle file;
+  std::uint64_t bytes;
+  StudyIdentity identity;
+  std::vector<EnvironmentEntry> environment;
+};
+/// Opens what the descriptor stands for. @throws Hdf5Error, InputError
+OpenResults open_results(int descriptor, long long version, const RowFormat& format);
+
+/// A file whose name goes when this does; what has it open keeps it.
+class TemporaryFile {
+ public:
+  /// @throws InputError if there can be none.
+  TemporaryFile();
+  ~TemporaryFile();
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  int descriptor() const { return descriptor_.get(); }
+
+ private:
+  std::string path_;
+  Descriptor descriptor_;
+};
+
+/// Writes a file of version 2 as one of version 3 into an empty file, in a process of its own.
+/// @throws Hdf5Error, InputError
+void convert_former(int former, int converted, const RowFormat& format, const std::string& path);
 
 }  // namespace ar3d

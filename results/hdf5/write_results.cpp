@@ -1,15 +1,15 @@
 #include <fmt/format.h>
 #include <xxhash.h>
 
-#include <array>
 #include <cstring>
 #include <unordered_set>
 
 #include "ar3d/model/error.h"
 #include "ar3d/results/atomic_file.h"
+#include "ar3d/results/hdf5/file_checksum.h"
 #include "ar3d/results/hdf5/hdf5_file.h"
 #include "ar3d/results/hdf5/results_format.h"
-#include "ar3d/results/row_key.h"
+#include "ar3d/results/hdf5/results_reader.h"
 
 namespace ar3d {
 namespace {
@@ -18,7 +18,7 @@ void write_root_attributes(hid_t file, const StudyIdentity& results) {
   write_attribute(file, "format", kResultsFormat);
   write_attribute(file, "format_version", kResultsFormatVersion);
   write_attribute(file, "study_id", results.study_id);
-  write_attribute(file, "spec_sha256", results.spec_sha256);
+  write_attribute(file, "spec_hash", results.spec_hash);
   write_attribute(file, "source_hash", results.source_hash);
   write_attribute(file, "dirty", results.dirty ? 1 : 0);
   write_attribute(file, "dirty_hash", results.dirty_hash);
@@ -42,55 +42,71 @@ void write_spec(hid_t file, const std::string& spec) {
                "write /spec");
 }
 
-// What tells instances apart, hashed.
-RowKey identity_of(const char* run) {
-  static const std::array<Column, 4> columns = {run_column("family"), run_column("parameters"),
-                                                run_column("wanted_n"),
-                                                run_column("instance_index")};
-  std::string text;
-  for (const Column& column : columns) text.append(run + column.offset, column.size);
-  const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
-  return {hash.high64, hash.low64};
+TableSpec extract_table(const RowFormat& format) {
+  TableSpec table{format.extract.name, format.extract.title, {}};
+  for (const std::size_t place : format.extract.fields) {
+    table.fields.push_back(format.rows.fields[place]);
+  }
+  pack_fields(table.fields);
+  return table;
 }
 
-// Takes records of /runs and keeps one record of every instance among them.
-class InstanceWriter {
+// Takes records and keeps one for every value of the extract's key.
+class ExtractWriter {
  public:
-  explicit InstanceWriter(hid_t file)
-      : columns_(columns_of_kind(run_columns(), ColumnKind::instance)),
-        record_(record_size(columns_)),
-        table_(file, table_of("instances", "one record a graph", columns_)) {
-    for (const Column& column : columns_) from_.push_back(run_column(column.name).offset);
-  }
+  ExtractWriter(hid_t file, const RowFormat& format)
+      : format_(format), spec_(extract_table(format)), table_(file, spec_) {}
 
-  void note(const char* run) {
-    if (!seen_.insert(identity_of(run)).second) return;
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      std::memcpy(record_.data() + columns_[i].offset, run + from_[i], columns_[i].size);
+  void note(const char* row) {
+    if (!seen_.insert(key_of(row)).second) return;
+    record_.clear();
+    for (const std::size_t place : format_.extract.fields) {
+      const Field& field = format_.rows.fields[place];
+      record_.append(row + field.offset, field.size);
     }
     table_.append(record_.data());
   }
   void finish() { table_.finish(); }
 
  private:
-  std::vector<Column> columns_;
-  std::vector<std::size_t> from_;  // where the columns stand in a record of /runs
-  std::vector<char> record_;
+  // The key's fields, hashed.
+  RowKey key_of(const char* row) {
+    text_.clear();
+    for (const std::size_t place : format_.extract.key) {
+      const Field& field = format_.rows.fields[place];
+      text_.append(row + field.offset, field.size);
+    }
+    const XXH128_hash_t hash = XXH3_128bits(text_.data(), text_.size());
+    return {hash.high64, hash.low64};
+  }
+
+  const RowFormat& format_;
+  const TableSpec spec_;
+  std::string record_;
+  std::string text_;
   TableWriter table_;
   std::unordered_set<RowKey> seen_;
 };
 
-void write_rows(hid_t file, const RecordSource& rows) {
-  InstanceWriter instances(file);
-  TableWriter runs(file, runs_table());
-  std::vector<char> record(run_record_size());
+void write_rows(hid_t file, const RowFormat& format, const RecordSource& rows) {
+  ExtractWriter extract(file, format);
+  TableWriter table(file, format.rows);
+  std::vector<char> record(format.record_size());
   for (std::size_t i = 0; i < rows.count; ++i) {
     rows.read(i, record.data());
-    instances.note(record.data());
-    runs.append(record.data());
+    extract.note(record.data());
+    table.append(record.data());
   }
-  instances.finish();
-  runs.finish();
+  extract.finish();
+  table.finish();
+}
+
+void write_tables(hid_t file, const StudyIdentity& identity) {
+  for (const StoredTable& table : identity.tables) {
+    write_table(file, table.spec, table.size(), [&](std::size_t i, char* record) {
+      std::memcpy(record, table.record(i), record_size(table.spec.fields));
+    });
+  }
 }
 
 void write_environment(hid_t file, const std::vector<EnvironmentEntry>& environment) {
@@ -111,11 +127,13 @@ void write_environment(hid_t file, const std::vector<EnvironmentEntry>& environm
 }
 
 void write_everything(Hdf5Output& file, const StudyIdentity& identity,
-                      const std::vector<EnvironmentEntry>& environment, const RecordSource& rows) {
+                      const std::vector<EnvironmentEntry>& environment, const RowFormat& format,
+                      const RecordSource& rows) {
   write_root_attributes(file.get(), identity);
   write_spec(file.get(), identity.spec);
   write_environment(file.get(), environment);
-  write_rows(file.get(), rows);
+  write_tables(file.get(), identity);
+  write_rows(file.get(), format, rows);
 }
 
 [[noreturn]] void refuse(const std::string& path, const char* why) {
@@ -124,23 +142,25 @@ void write_everything(Hdf5Output& file, const StudyIdentity& identity,
 
 }  // namespace
 
-void write_results(const StudyIdentity& identity, const std::vector<EnvironmentEntry>& environment,
-                   const RecordSource& rows, const std::string& path) {
+void write_results_into(int descriptor, const StudyIdentity& identity,
+                        const std::vector<EnvironmentEntry>& environment, const RowFormat& format,
+                        const RecordSource& rows, const std::string& path) {
   const Hdf5Silence silence;
-  NewFile file = NewFile::to_replace(path);
   try {
-    Hdf5Output output(file.descriptor());
-    write_everything(output, identity, environment, rows);
+    Hdf5Output output(descriptor);
+    write_everything(output, identity, environment, format, rows);
     if (const int error = output.close()) refuse(path, std::strerror(error));
   } catch (const Hdf5Error& error) {
     refuse(path, error.what());
   }
-  file.become_target();
+  if (const int error = append_checksum(descriptor)) refuse(path, std::strerror(error));
 }
 
-void write_results(const Results& results, const std::string& path) {
-  const auto read = [&](std::size_t i, char* record) { store_record(results.runs[i], record); };
-  write_results(results, results.environment, {results.runs.size(), read}, path);
+void write_results(const StudyIdentity& identity, const std::vector<EnvironmentEntry>& environment,
+                   const RowFormat& format, const RecordSource& rows, const std::string& path) {
+  NewFile file = NewFile::to_replace(path);
+  write_results_into(file.descriptor(), identity, environment, format, rows, path);
+  file.become_target();
 }
 
 }  // namespace ar3d

@@ -8,12 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/results/row_key.h"
-#include "ar3d/results/run_record.h"
+#include "ar3d/results/row_format.h"
 
 namespace ar3d {
 
-inline constexpr char kJournalMagic[] = "ar3d-journal 1\n";  ///< 16 bytes with the null
+inline constexpr char kJournalMagic[] = "ar3d-journal 2\n";  ///< 16 bytes with the null
 
 inline constexpr std::uint32_t kLargestPayload = 1u << 26;
 
@@ -51,17 +50,19 @@ std::uint64_t scan_journal(int file, const std::string& path,
 /// @throws InputError as scan_journal.
 JournalHead last_journal_record(int file, const std::string& path);
 
-/// A record of /runs without its padding: for every column 8 bytes, or two bytes of length and
-/// text. The result lies in `buffer`, which keeps the size that any row fits in.
-std::span<const char> pack_row(const char* record, std::vector<char>& buffer);
+/// A record without its padding: for every field 8 bytes, or two bytes of length and text. The
+/// result lies in `buffer`, which keeps the size that any row fits in.
+std::span<const char> pack_row(const RowFormat& format, const char* record,
+                               std::vector<char>& buffer);
 /// @throws InputError if the bytes are no packed row.
-void unpack_row(std::span<const char> packed, char* record);
-RowKey packed_row_key(std::span<const char> packed);
+void unpack_row(const RowFormat& format, std::span<const char> packed, char* record);
+RowKey packed_row_key(const RowFormat& format, std::span<const char> packed);
 
-/// The study's identity, and the columns that the rows have, as JSON.
-std::string identity_text(const StudyIdentity& identity);
-/// @throws InputError naming `path` if it is not the identity of a study with our columns.
-StudyIdentity parse_identity(std::span<const char> text, const std::string& path);
+/// The study's identity with its tables, and the columns that the rows have, as JSON.
+std::string identity_text(const StudyIdentity& identity, const RowFormat& format);
+/// @throws InputError naming `path` if it is not the identity of a study with the format's columns.
+StudyIdentity parse_identity(std::span<const char> text, const RowFormat& format,
+                             const std::string& path);
 
 std::string session_text(const std::vector<EnvironmentEntry>& environment);
 /// @throws InputError naming `path`.

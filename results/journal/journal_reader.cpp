@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "ar3d/model/error.h"
-#include "ar3d/results/columns.h"
 
 namespace ar3d {
 namespace {
@@ -24,7 +23,7 @@ Descriptor open_to_read(const std::string& path) {
 }
 
 void require_beginning(const StudyIdentity& identity, const std::string& path) {
-  if (identity.spec_sha256.empty()) {
+  if (identity.spec_hash.empty()) {
     throw InputError(fmt::format("{} is a journal without a beginning", path));
   }
 }
@@ -38,11 +37,11 @@ bool is_locked(int file) {
 
 }  // namespace
 
-JournalStatus journal_status(const std::string& path) {
+JournalStatus journal_status(const std::string& path, const RowFormat& format) {
   const Descriptor file = open_to_read(path);
   JournalStatus status;
   scan_journal(file.get(), path, [&](const JournalRecord& record) {
-    status.identity = parse_identity(record.payload, path);
+    status.identity = parse_identity(record.payload, format, path);
     return false;  // the first record is all that is asked for
   });
   require_beginning(status.identity, path);
@@ -53,8 +52,8 @@ JournalStatus journal_status(const std::string& path) {
   return status;
 }
 
-JournalReader::JournalReader(std::string path)
-    : path_(std::move(path)), file_(open_to_read(path_)) {
+JournalReader::JournalReader(std::string path, const RowFormat& format)
+    : path_(std::move(path)), format_(format), file_(open_to_read(path_)) {
   whole_bytes_ = scan_journal(file_.get(), path_, [this](const JournalRecord& record) {
     note(record);
     return true;
@@ -66,18 +65,21 @@ void JournalReader::note(const JournalRecord& record) {
   const auto session_entries = [&] { return parse_session(record.payload, path_); };
   switch (record.head.kind) {
     case JournalKind::identity:
-      identity_ = parse_identity(record.payload, path_);
+      identity_ = parse_identity(record.payload, format_, path_);
       return;
     case JournalKind::session:
       sessions_.push_back(session_entries());
       return;
     case JournalKind::session_end:
+      if (sessions_.empty()) {
+        throw InputError(fmt::format("{}: a session ends that has not begun", path_));
+      }
       for (EnvironmentEntry& entry : session_entries()) {
-        sessions_.at(sessions_.size() - 1).push_back(std::move(entry));
+        sessions_.back().push_back(std::move(entry));
       }
       return;
     case JournalKind::row:
-      rows_.push_back({packed_row_key(record.payload), record.offset + sizeof(JournalHead),
+      rows_.push_back({packed_row_key(format_, record.payload), record.offset + sizeof(JournalHead),
                        record.head.payload_size});
       return;
   }
@@ -91,7 +93,7 @@ void JournalReader::read(std::size_t i, char* record) const {
       static_cast<ssize_t>(packed.size())) {
     refuse(path_, errno);
   }
-  unpack_row(packed, record);
+  unpack_row(format_, packed, record);
 }
 
 }  // namespace ar3d

@@ -7,7 +7,6 @@
 
 #include "ar3d/results/descriptor.h"
 #include "ar3d/results/journal/journal_format.h"
-#include "ar3d/results/row_key.h"
 
 namespace ar3d {
 
@@ -21,14 +20,16 @@ struct JournalStatus {
 
 /// Reads the identity and the last record: the same time for any number of rows, also while the
 /// journal is written. @throws InputError if it cannot be read or is no journal.
-JournalStatus journal_status(const std::string& path);
+JournalStatus journal_status(const std::string& path, const RowFormat& format);
 
 /// A journal's rows in the order in which they were made; may be written meanwhile: what is whole
 /// when it is opened counts. Memory: 32 bytes a row.
 class JournalReader {
  public:
-  /// @throws InputError if it cannot be read, is no journal, or is damaged (naming the offset).
-  explicit JournalReader(std::string path);
+  /// @param format  outlives the reader.
+  /// @throws InputError if it cannot be read, is no journal, has other columns, or is damaged
+  /// (naming the offset).
+  JournalReader(std::string path, const RowFormat& format);
 
   const StudyIdentity& identity() const { return identity_; }
   /// Entry `session` is its position.
@@ -37,7 +38,7 @@ class JournalReader {
   /// Where the last whole record ends.
   std::uint64_t whole_bytes() const { return whole_bytes_; }
   RowKey key(std::size_t i) const { return rows_[i].key; }
-  /// Writes run_record_size() bytes. @throws InputError
+  /// Writes a record. @throws InputError
   void read(std::size_t i, char* record) const;
 
  private:
@@ -50,6 +51,7 @@ class JournalReader {
   void note(const JournalRecord& record);
 
   std::string path_;
+  const RowFormat& format_;
   Descriptor file_;
   std::uint64_t whole_bytes_ = 0;
   StudyIdentity identity_;

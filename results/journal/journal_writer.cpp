@@ -9,10 +9,8 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <string_view>
 
 #include "ar3d/results/atomic_file.h"
-#include "ar3d/results/columns.h"
 
 namespace ar3d {
 namespace {
@@ -31,7 +29,7 @@ void require_same(const StudyIdentity& journal, const StudyIdentity& study,
     }
   };
   const auto shard = [](const Shard& s) { return fmt::format("{}/{}", s.index, s.count); };
-  compare("specification", journal.spec_sha256, study.spec_sha256);
+  compare("specification", journal.spec_hash, study.spec_hash);
   compare("program's source", journal.source(), study.source());
   compare("shard", shard(journal.shard), shard(study.shard));
 }
@@ -59,8 +57,9 @@ bool has_its_name(int file, const std::string& path) {
 }  // namespace
 
 JournalWriter::JournalWriter(const std::string& path, const StudyIdentity& identity,
+                             const RowFormat& format,
                              const std::function<void(const JournalRecord&)>& existing)
-    : path_(path), record_(run_record_size()) {
+    : path_(path), format_(format), record_(format.record_size()) {
   create_if_missing(identity);
   lock();
   read_existing(identity, existing);
@@ -81,7 +80,7 @@ JournalWriter::~JournalWriter() {
 void JournalWriter::create_if_missing(const StudyIdentity& identity) {
   if (access(path_.c_str(), F_OK) != 0) {
     std::vector<char> bytes;
-    const std::string text = identity_text(identity);
+    const std::string text = identity_text(identity, format_);
     frame_record({.kind = JournalKind::identity}, as_bytes(text), sizeof(kJournalMagic), bytes);
     bytes.insert(bytes.begin(), kJournalMagic, kJournalMagic + sizeof(kJournalMagic));
     create_file_atomically(path_, bytes);
@@ -112,7 +111,7 @@ void JournalWriter::read_existing(const StudyIdentity& identity,
   end_ = scan_journal(file_.get(), path_, [&](const JournalRecord& record) {
     head_ = record.head;
     if (record.head.kind == JournalKind::identity) {
-      require_same(parse_identity(record.payload, path_), identity, path_);
+      require_same(parse_identity(record.payload, format_, path_), identity, path_);
     }
     if (record.head.kind == JournalKind::session) ++session_;
     if (record.head.kind == JournalKind::row && existing) existing(record);
@@ -157,20 +156,21 @@ void JournalWriter::end_session(const std::vector<EnvironmentEntry>& environment
   sync();
 }
 
-void JournalWriter::append(const RunRecord& run) {
-  static const Column& session = run_column("session");
+void JournalWriter::append(const std::function<void(char* record)>& store) {
   expect(session_ >= 0, "a journal's rows belong to a session");
-  store_record(run, record_.data());
-  std::memcpy(record_.data() + session.offset, &session_, sizeof(session_));
+  store(record_.data());
+  std::memcpy(record_.data() + format_.rows.fields[format_.session].offset, &session_,
+              sizeof(session_));
   append_record(record_.data());
 }
 
 void JournalWriter::append_record(const char* record) {
-  static const Column& status = run_column("status");
-  const std::span<const char> packed = pack_row(record, packed_);
+  const std::span<const char> packed = pack_row(format_, record, packed_);
+  const Field& status = format_.rows.fields[format_.status];
+  const char ok[] = "ok";  // with the null that ends it
   JournalHead head = head_;
   ++head.rows;
-  if (std::string_view(record + status.offset, 3) != std::string_view("ok", 3)) ++head.not_ok;
+  if (std::memcmp(record + status.offset, ok, sizeof(ok)) != 0) ++head.not_ok;
   write_record(JournalKind::row, head, packed);
 }
 

@@ -34,7 +34,8 @@ class JournalWriter {
   /// rows that it holds.
   /// @throws InputError if another process writes it, it is damaged, it is of another study, shard
   /// or source, or it cannot be written.
-  JournalWriter(const std::string& path, const StudyIdentity& identity,
+  /// @param format  outlives the writer.
+  JournalWriter(const std::string& path, const StudyIdentity& identity, const RowFormat& format,
                 const std::function<void(const JournalRecord& row)>& existing = {});
   ~JournalWriter();
   JournalWriter(const JournalWriter&) = delete;
@@ -45,10 +46,11 @@ class JournalWriter {
   /// What is known only at the end of the session, such as the load.
   void end_session(const std::vector<EnvironmentEntry>& environment);
 
-  /// One call at a time. @throws JournalFull: the row is not in the journal, all before it are.
-  void append(const RunRecord& run);
+  /// A row of this session; `store` writes its record. One call at a time.
+  /// @throws JournalFull: the row is not in the journal, all before it are.
+  void append(const std::function<void(char* record)>& store);
 
-  /// A record of run_record_size() bytes as it is; its session counts this journal's, from 0.
+  /// A record as it is; its session counts this journal's, from 0.
   void append_record(const char* record);
 
   /// Everything appended is on the disk. @throws JournalFull
@@ -75,6 +77,7 @@ class JournalWriter {
   [[noreturn]] void fail(int reason) const;
 
   std::string path_;
+  const RowFormat& format_;
   Descriptor file_;
   std::uint64_t end_ = 0;
   std::uint64_t bytes_cut_ = 0;

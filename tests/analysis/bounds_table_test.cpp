@@ -22,10 +22,13 @@ Results three_instances() {
     run.theorem_bound = {40, 40, 0};
     run.instance_bound = {32, -1, -1};
     run.published_bound = {60, kMissing, 125};
-    run.published_bound_formula = "12 n, 25 n (paper)";
     run.log2_volume = 10 + static_cast<double>(i);
     results.runs.push_back(run);
   }
+  const SizeBound theorem{"here", "a page", {{{8, 1, 2, 0}, {8, 1, 2, 0}, {1, 1, 4, 0}}}};
+  const SizeBound published{"paper", "Theorem", {{{12, 1, 2, 0}, {1, 1, 6, 0}, {1, 1, 6, 0}}}};
+  const ar3d::RunRecord& run = results.runs.front();
+  results.tables = {algorithm_table({{run.algorithm, run.options, theorem, published}})};
   return results;
 }
 
@@ -48,7 +51,7 @@ TEST(BoundsTable, ComparesWithThePublishedBound) {
   EXPECT_DOUBLE_EQ(entry.axes[0].worst_published_slack, 1 - 30.0 / 60);
   EXPECT_DOUBLE_EQ(entry.axes[0].median_published_slack, 1 - 20.0 / 60);
   EXPECT_TRUE(std::isnan(entry.axes[1].worst_published_slack));
-  EXPECT_EQ(entry.published_formula, "12 n, 25 n (paper)");
+  EXPECT_EQ(entry.published_formula, "12 n, n^3, n^3 (paper, Theorem)");
   EXPECT_EQ(entry.volume.n, 5);
   EXPECT_DOUBLE_EQ(entry.volume.log2_volume, 11) << "the median of 10, 11 and 12";
 }

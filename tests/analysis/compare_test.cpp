@@ -160,7 +160,7 @@ TEST(Compare, UnlikeEnvironmentsAreFlaggedAndTimesAreNoGateUnlessAsked) {
   EXPECT_FALSE(compare(base, now).time_judged) << "a busy machine";
   now.environment.back().value = "0.20 1.00 1.00";
   EXPECT_TRUE(compare(base, now).time_judged);
-  now.runs[0].timing_mark = "sanitised";
+  now.runs[0].build_kind = "sanitised";
   EXPECT_FALSE(compare(base, now).time_judged);
 }
 

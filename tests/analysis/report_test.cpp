@@ -44,7 +44,7 @@ Results hostile_results() {
     run.options = run.parameters = run.message = run.graph_hash = run.row_key = attack;
   }
   results.runs[0].status = RunStatus::crashed;
-  results.study_id = results.spec = results.spec_sha256 = results.source_hash = results.created =
+  results.study_id = results.spec = results.spec_hash = results.source_hash = results.created =
       attack;
   results.environment = {{attack, attack}};
   return results;

@@ -9,7 +9,7 @@
 
 #include "ar3d/analysis/scaling/samples.h"
 #include "ar3d/model/random.h"
-#include "ar3d/results/run_record.h"
+#include "ar3d/records/run_storage.h"
 
 namespace ar3d::testing {
 
@@ -25,7 +25,7 @@ inline RunRecord good_run(const std::string& algorithm, const std::string& famil
   RunRecord run;
   run.algorithm = algorithm;
   run.family = family;
-  run.wanted_n = run.n = n;
+  run.requested_n = run.n = n;
   run.m = 2 * n;
   run.instance_index = instance;
   run.seed = static_cast<std::uint64_t>(1000 * n + instance);

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "ar3d/results/run_record.h"
+#include "ar3d/records/run_storage.h"
 #include "support/program.h"
 
 namespace ar3d {

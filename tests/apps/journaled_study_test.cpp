@@ -7,6 +7,7 @@
 #include <map>
 
 #include "ar3d/bench/run/describe_study.h"
+#include "ar3d/records/run_storage.h"
 #include "ar3d/results/journal/journal_writer.h"
 #include "support/program.h"
 #include "support/results.h"
@@ -165,7 +166,10 @@ TEST_F(JournaledStudy, ResumeRefusesTheImpossibleToo) {
       "study = \"tight\"\nbudget = { row_time = \"1 ns\" }\n[[sweep]]\nfamilies = \"cycle\"\n"
       "sizes = 1000\nalgorithms = \"diamond\"\n";
   const std::string journal = path("tight.h5.journal");
-  { const JournalWriter begun(journal, describe_study(parse_study(spec, "tight.toml"), 1)); }
+  {
+    const JournalWriter begun(journal, describe_study(parse_study(spec, "tight.toml"), 1),
+                              run_format());
+  }
   const Outcome refused = study("resume -q " + journal);
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.err, HasSubstr("but budget.row_time gives"));

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "ar3d/bench/measure/environment.h"
-#include "ar3d/results/run_record.h"
+#include "ar3d/records/run_storage.h"
 #include "support/program.h"
 
 namespace ar3d {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "ar3d/records/run_storage.h"
 #include "ar3d/results/hdf5/results_reader.h"
 #include "support/program.h"
 
@@ -35,7 +36,7 @@ TEST(MillionRows, RunResumeStatusAndPandas) {
   EXPECT_THAT(outcome.out, HasSubstr("PASS: 1000000 rows, 1000000 proved"));
   EXPECT_THAT(outcome.out, HasSubstr("ar3d report " + results));
   EXPECT_FALSE(std::filesystem::exists(results + ".journal"));
-  EXPECT_EQ(ResultsReader(results).size(), 1000000u);
+  EXPECT_EQ(ResultsReader(results, run_format()).size(), 1000000u);
   const Outcome pandas =
       run("/usr/bin/python3 -c 'import pandas; "
           "print(len(pandas.read_hdf(\"" +

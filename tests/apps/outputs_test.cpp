@@ -101,7 +101,7 @@ TEST_F(Outputs, DoNotReplaceAPageThatIsNoReport) {
 }
 
 TEST_F(Outputs, DoNotReplaceWhatBelongsToAnUnfinishedStudy) {
-  scratch_.write("new.h5.journal", "ar3d-journal 1\n");
+  scratch_.write("new.h5.journal", "ar3d-journal 2\n");
   const std::string why = "new.h5 is the results file of a study that is not finished";
   expect_refused("study merge r.h5 -o new.h5", why);
   expect_refused("report r.h5 -o new.h5", why);

@@ -12,6 +12,7 @@
 
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/model/error.h"
+#include "ar3d/records/run_storage.h"
 #include "ar3d/results/hdf5/results_reader.h"
 #include "ar3d/results/journal/journal_reader.h"
 #include "ar3d/results/journal/journal_writer.h"
@@ -68,8 +69,8 @@ class JournaledStudyFiles : public ::testing::Test {
   }
   // Puts the rows [from, to) of the results file into a journal.
   void put_into_journal(const std::string& path, std::size_t from, std::size_t to) const {
-    ResultsReader reader(results());
-    JournalWriter journal(path, reader.identity());
+    ResultsReader reader(results(), run_format());
+    JournalWriter journal(path, reader.identity(), run_format());
     journal.begin_session(reader.environment());
     for (std::size_t i = from; i < to; ++i) journal.append_record(reader.read(i));
   }
@@ -87,7 +88,7 @@ TEST_F(JournaledStudyFiles, AreLockedUntilTheResultsAreWritten) {
   std::size_t locked = 0;
   Onlooker ranks([&] {
     if (!fs::exists(journal_path(results()))) return;
-    EXPECT_TRUE(journal_status(journal_path(results())).is_written);
+    EXPECT_TRUE(journal_status(journal_path(results()), run_format()).is_written);
     ++locked;
   });
   const JournaledStudy study = begin();

@@ -9,7 +9,7 @@
 
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/model/error.h"
-#include "ar3d/results/columns.h"
+#include "ar3d/records/run_columns.h"
 #include "bench/planted.h"
 
 namespace ar3d {
@@ -60,12 +60,8 @@ TEST(MakeRow, TellsTheTheoremsAndThePublishedBound) {
     EXPECT_EQ(grid.published_bound[axis], 12 * 12 * 12) << "the paper: O(n^3) a side";
     EXPECT_EQ(grid.theorem_bound[axis], 5600 * 12 + 3700);
   }
-  EXPECT_EQ(grid.published_bound_formula,
-            "n^3, n^3, n^3 (paper; order only, constant 1 assumed, Theorem 3)");
-  EXPECT_THAT(grid.theorem_bound_formula, ::testing::HasSubstr("5600 n + 3700"));
   const ar3d::RunRecord two_bend = rows_of(cycle_of(12, {&find_algorithm("two-bend")}))[0];
   EXPECT_TRUE(std::isnan(two_bend.published_bound[0])) << "the paper has none";
-  EXPECT_EQ(two_bend.published_bound_formula, "");
 }
 
 TEST(MakeRow, WhatGoesWrongIsARowAndTheOthersGoOn) {

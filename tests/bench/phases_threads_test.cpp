@@ -12,7 +12,7 @@
 #include "ar3d/bench/run/make_rows.h"
 #include "ar3d/bench/run/precision.h"
 #include "ar3d/model/error.h"
-#include "ar3d/results/columns.h"
+#include "ar3d/records/run_columns.h"
 #include "bench/in_memory.h"
 #include "bench/planted.h"
 
@@ -88,7 +88,7 @@ TEST(TimingPhase, GoesRoundAllDrawingsPinnedAndAlone) {
     EXPECT_EQ(run.concurrency, 1);
     EXPECT_EQ(run.core, allowed_cores().back());
     EXPECT_EQ(run.warm_ups, 1);
-    EXPECT_EQ(run.timing_mark, timing_mark());
+    EXPECT_EQ(run.build_kind, timing_mark());
     EXPECT_EQ(run.peak_scope, "row");
     EXPECT_EQ(std::isnan(run.certify_s), run.repetition > 0) << "the first one is certified";
     EXPECT_EQ(run.violations, 0);

@@ -6,8 +6,7 @@
 #include <stdexcept>
 
 #include "ar3d/bench/run/describe_study.h"
-#include "ar3d/results/columns.h"
-#include "ar3d/results/sha256.h"
+#include "ar3d/records/run_columns.h"
 #include "bench/in_memory.h"
 
 namespace ar3d {
@@ -30,7 +29,7 @@ TEST(RunStudy, SameColumnsOnAnyNumberOfThreads) {
   const StudySpec spec = parse_study(kStudy, "t.toml");
   const Results one = run_study(spec, {.workers = 1});
   EXPECT_EQ(one.runs.size(), plan_study(spec).rows());
-  EXPECT_EQ(one.spec_sha256, sha256(kStudy));
+  EXPECT_EQ(one.spec_hash, content_hash(kStudy));
   for (const int threads : {2, 4}) {
     const Results many = run_study(spec, {.workers = threads});
     ASSERT_EQ(many.runs.size(), one.runs.size());

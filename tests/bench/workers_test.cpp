@@ -17,7 +17,7 @@
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/run/make_rows.h"
 #include "ar3d/model/error.h"
-#include "ar3d/results/columns.h"
+#include "ar3d/records/run_columns.h"
 #include "bench/in_memory.h"
 #include "bench/planted.h"
 

@@ -1,6 +1,5 @@
 #include "ar3d/results/hdf5/drawing_hdf5.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -13,7 +12,6 @@
 namespace ar3d {
 namespace {
 
-using ::testing::HasSubstr;
 using testing::TemporaryFolder;
 
 Drawing sample(Vertex n, Lattice lattice = kCubeLattice) {
@@ -51,72 +49,40 @@ std::string refusal(Action action) {
   return "accepted";
 }
 
-TEST(DrawingHdf5, GivesBackWhatItWrote) {
+// Every number, against the same drawing as a JSON line.
+TEST(DrawingHdf5, H5pyReadsTheDrawingThatWasWritten) {
   const TemporaryFolder folder;
-  for (const Vertex n : {0u, 1u, 2u, 17u, 10000u}) {  // 10000: more than one block of rows
+  testing::write_file(folder.file("check.py"), R"(
+import json, sys, h5py
+d = json.load(open(sys.argv[1]))
+f = h5py.File(sys.argv[2])
+assert f.attrs["format"].decode() == "ar3d-drawing" and f.attrs["format_version"] == 1
+assert f.attrs["algorithm"].decode() == d["algorithm"]
+assert f.attrs["gram"].tolist() == d["gram"], f.attrs["gram"]
+assert f.attrs["gram_denominator"] == d["gram_denominator"]
+for name in ("vertices", "edges", "bends/offsets", "bends/points"):
+    assert f[name].dtype == "int64"
+at = f["bends/offsets"][:]
+points = f["bends/points"][:].tolist()
+assert f["vertices"][:].tolist() == d["vertices"]
+assert f["edges"][:].tolist() == [e[:2] for e in d["edges"]]
+assert [points[a:b] for a, b in zip(at, at[1:])] == [e[2] for e in d["edges"]]
+)");
+  for (const Vertex n : {0u, 1u, 2u, 17u, 5000u}) {  // 5000: more than one block of rows
     const Drawing drawing = sample(n, kTallLattice);
     write_drawing_hdf5(drawing, folder.file("d.h5"));
-    EXPECT_EQ(text_of(read_drawing_hdf5(folder.file("d.h5"))), text_of(drawing)) << n;
+    testing::write_file(folder.file("d.json"), text_of(drawing));
+    const std::string command = "/usr/bin/python3 " + folder.file("check.py") + " " +
+                                folder.file("d.json") + " " + folder.file("d.h5");
+    EXPECT_EQ(std::system(command.c_str()), 0) << n;
   }
-  EXPECT_EQ(folder.entries(), 1u);
 }
 
-TEST(DrawingHdf5, RefusesFilesThatCannotBeReadOrWritten) {
+TEST(DrawingHdf5, RefusesPlacesThatCannotBeWritten) {
   const TemporaryFolder folder;
-  const std::string path = folder.file("d.h5");
-  const auto reading = [&] { return refusal([&] { read_drawing_hdf5(path); }); };
-  EXPECT_EQ(reading(), "cannot read " + path + ": No such file or directory");
-  testing::write_file(path, "no HDF5");
-  EXPECT_EQ(reading(), path + " is not an HDF5 file");
   EXPECT_EQ(refusal([&] { write_drawing_hdf5(sample(3), folder.file("no/d.h5")); }),
             "cannot write " + folder.file("no/d.h5") + ": No such file or directory");
-  EXPECT_EQ(folder.entries(), 1u);
-}
-
-/// Runs a python line on the file f (an h5py.File) of a written sample; false without h5py.
-bool changed(const std::string& path, const std::string& line) {
-  write_drawing_hdf5(sample(10), path);
-  const std::string command = "/usr/bin/python3 -c \"import h5py, numpy\nf = h5py.File('" + path +
-                              "', 'r+')\n" + line + "\" 2> /dev/null";
-  return std::system(command.c_str()) == 0;
-}
-
-TEST(DrawingHdf5, IsReadByH5pyAndRefusesWhatWasChanged) {
-  const TemporaryFolder folder;
-  const std::string path = folder.file("d.h5");
-  ASSERT_TRUE(changed(path, "")) << "python3-h5py is one of the packages that ./run-tests installs";
-  EXPECT_TRUE(
-      changed(path,
-              "assert f['vertices'].shape == (10, 3) and f['edges'].shape == (9, 2)\n"
-              "assert f['vertices'].dtype == 'int64' and f['bends/points'].dtype == 'int64'\n"
-              "assert f['bends/offsets'].shape == (10,) and f['bends/offsets'][-1] == "
-              "len(f['bends/points'])\n"
-              "assert f.attrs['gram'].tolist() == [[1,0,0],[0,1,0],[0,0,1]]\n"
-              "assert f.attrs['gram_denominator'] == 1\n"));
-  const auto refused = [&](const std::string& line) {
-    EXPECT_TRUE(changed(path, line)) << line;
-    return refusal([&] { read_drawing_hdf5(path); });
-  };
-  EXPECT_THAT(refused("f['edges'][3, 1] = 10"),
-              HasSubstr("/edges[3]: 10 is no vertex, there are 10"));
-  EXPECT_THAT(refused("f['edges'][3, 1] = -1"), HasSubstr("/edges[3]: -1 is no vertex"));
-  EXPECT_THAT(refused("f['vertices'][2, 0] = 2**62"),
-              HasSubstr("/vertices[2]: (4611686018427387904, "));
-  EXPECT_THAT(refused("f['bends/offsets'][0] = 1"), HasSubstr("/bends/offsets: 1 after -1"));
-  EXPECT_THAT(refused("f['bends/offsets'][9] = 99"), HasSubstr("/bends/offsets: 99 after "));
-  EXPECT_THAT(refused("f['bends/offsets'][:] = 0"), HasSubstr("/bends/offsets ends with "));
-  EXPECT_THAT(refused("del f['edges']"), HasSubstr("/edges is missing"));
-  EXPECT_THAT(refused("del f['edges']\nf['edges'] = numpy.zeros((9, 3), 'i8')"),
-              HasSubstr("has not the shape rows x 2"));
-  EXPECT_THAT(refused("del f['edges']\nf['edges'] = numpy.zeros((9, 2))"),
-              HasSubstr("/edges holds no integers"));
-  EXPECT_THAT(refused("del f['edges']\nf.create_dataset('edges', (10**12, 2), 'i8')"),
-              HasSubstr("/edges claims 1000000000000 rows, more than the file can hold"));
-  EXPECT_THAT(refused("f.attrs['gram'] = numpy.zeros((3, 3), 'i4')"),
-              HasSubstr("not positive definite"));
-  EXPECT_THAT(refused("f.attrs['format_version'] = 2"),
-              HasSubstr("it has format version 2, this program reads version 1"));
-  EXPECT_THAT(refused("del f.attrs['format']"), HasSubstr("attribute 'format' is missing"));
+  EXPECT_EQ(folder.entries(), 0u);
 }
 
 }  // namespace

@@ -12,7 +12,8 @@
 #include <thread>
 
 #include "ar3d/model/error.h"
-#include "ar3d/results/columns.h"
+#include "ar3d/records/run_columns.h"
+#include "ar3d/records/run_storage.h"
 #include "ar3d/results/journal/journal_reader.h"
 #include "ar3d/results/journal/journal_writer.h"
 #include "results/sample_runs.h"
@@ -31,7 +32,7 @@ StudyIdentity sample_identity() {
   StudyIdentity identity;
   identity.study_id = "sample";
   identity.spec = "# h\xc3\xb6her\nstudy = \"sample\"\n";
-  identity.spec_sha256 = std::string(64, 'a');
+  identity.spec_hash = std::string(32, 'a');
   identity.source_hash = std::string(40, 'b');
   identity.dirty = true;
   identity.dirty_hash = std::string(64, 'd');
@@ -43,9 +44,9 @@ StudyIdentity sample_identity() {
 class Journal : public ::testing::Test {
  protected:
   void write_rows(std::int64_t from, std::int64_t to) const {
-    JournalWriter writer(path_, sample_identity());
+    JournalWriter writer(path_, sample_identity(), run_format());
     writer.begin_session({{"cpu", "abacus"}, {"odd", "\xff"}});
-    for (std::int64_t i = from; i < to; ++i) writer.append(sample_run(i));
+    for (std::int64_t i = from; i < to; ++i) append_run(writer, sample_run(i));
   }
   void overwrite(std::uint64_t offset, const std::string& bytes) const {
     std::fstream file(path_, std::ios::binary | std::ios::in | std::ios::out);
@@ -54,7 +55,7 @@ class Journal : public ::testing::Test {
   }
   std::string open_error() const {
     try {
-      JournalWriter writer(path_, sample_identity());
+      JournalWriter writer(path_, sample_identity(), run_format());
     } catch (const InputError& error) {
       return error.what();
     }
@@ -62,7 +63,7 @@ class Journal : public ::testing::Test {
   }
   std::string read_error() const {
     try {
-      JournalReader reader(path_);
+      JournalReader reader(path_, run_format());
     } catch (const InputError& error) {
       return error.what();
     }
@@ -74,7 +75,7 @@ class Journal : public ::testing::Test {
 };
 
 void expect_rows(const std::string& path, std::int64_t count) {
-  const JournalReader reader(path);
+  const JournalReader reader(path, run_format());
   ASSERT_EQ(reader.size(), static_cast<std::size_t>(count));
   std::vector<char> record(run_record_size());
   for (std::int64_t i = 0; i < count; ++i) {
@@ -90,7 +91,7 @@ TEST_F(Journal, HoldsWhatWasAppended) {
   write_rows(0, 30);
   write_rows(30, 50);
   expect_rows(path_, 50);
-  const JournalReader reader(path_);
+  const JournalReader reader(path_, run_format());
   EXPECT_EQ(reader.identity().spec, sample_identity().spec);
   EXPECT_EQ(reader.identity().planned_rows, 100);
   ASSERT_EQ(reader.sessions().size(), 2u);
@@ -105,9 +106,10 @@ TEST_F(Journal, HoldsWhatWasAppended) {
 TEST_F(Journal, TellsTheRowsItHasWhenContinued) {
   write_rows(0, 7);
   std::vector<std::string> keys;
-  const JournalWriter writer(path_, sample_identity(), [&](const JournalRecord& record) {
-    keys.push_back(to_string(packed_row_key(record.payload)));
-  });
+  const JournalWriter writer(path_, sample_identity(), run_format(),
+                             [&](const JournalRecord& record) {
+                               keys.push_back(to_string(packed_row_key(run_format(), record.payload)));
+                             });
   ASSERT_EQ(keys.size(), 7u);
   EXPECT_EQ(keys[6], sample_run(6).row_key);
   EXPECT_EQ(writer.rows(), 7u);
@@ -122,10 +124,11 @@ TEST_F(Journal, CutsOffARecordThatACrashCutShort) {
   const std::string six = read_file(path_);
   for (std::size_t size = five.size(); size < six.size(); size += 7) {
     std::ofstream(path_, std::ios::binary) << six.substr(0, size);
-    const std::size_t lost_session = JournalReader(path_).sessions().size() == 1 ? 1 : 0;
-    EXPECT_EQ(JournalReader(path_).size(), 5u) << size;
+    const std::size_t lost_session =
+        JournalReader(path_, run_format()).sessions().size() == 1 ? 1 : 0;
+    EXPECT_EQ(JournalReader(path_, run_format()).size(), 5u) << size;
     {
-      JournalWriter writer(path_, sample_identity());
+      JournalWriter writer(path_, sample_identity(), run_format());
       EXPECT_LE(writer.bytes_cut(), size - five.size());
       EXPECT_EQ(writer.rows(), 5u);
       if (lost_session == 1) {
@@ -144,8 +147,8 @@ TEST_F(Journal, CutsOffGarbageAtTheEnd) {
   for (const std::string& tail : {std::string(1, '\0'), std::string(5000, '\0'),
                                   std::string(700, '\xff'), five.substr(five.size() - 400)}) {
     std::ofstream(path_, std::ios::binary) << five << tail;
-    EXPECT_EQ(journal_status(path_).rows, 5u);
-    EXPECT_EQ(JournalWriter(path_, sample_identity()).bytes_cut(), tail.size());
+    EXPECT_EQ(journal_status(path_, run_format()).rows, 5u);
+    EXPECT_EQ(JournalWriter(path_, sample_identity(), run_format()).bytes_cut(), tail.size());
     EXPECT_EQ(read_file(path_), five);
   }
 }
@@ -155,7 +158,7 @@ TEST_F(Journal, AFlippedByteInTheMiddleIsAnErrorThatNamesTheOffset) {
   const std::string whole = read_file(path_);
   std::vector<std::uint64_t> offsets;
   {
-    JournalWriter writer(path_, sample_identity(),
+    JournalWriter writer(path_, sample_identity(), run_format(),
                          [&](const JournalRecord& record) { offsets.push_back(record.offset); });
   }
   for (std::uint64_t at = sizeof(kJournalMagic); at < offsets[11]; at += 3) {
@@ -175,18 +178,18 @@ TEST_F(Journal, AFlippedByteInTheMiddleIsAnErrorThatNamesTheOffset) {
 
 TEST_F(Journal, HasOneWriterAtATime) {
   {
-    JournalWriter writer(path_, sample_identity());
+    JournalWriter writer(path_, sample_identity(), run_format());
     EXPECT_THAT(open_error(), HasSubstr("is being written by another process"));
-    EXPECT_TRUE(journal_status(path_).is_written);
-    JournalReader reader(path_);
+    EXPECT_TRUE(journal_status(path_, run_format()).is_written);
+    JournalReader reader(path_, run_format());
   }  // a reader's end does not give up the lock before its time
-  EXPECT_FALSE(journal_status(path_).is_written);
+  EXPECT_FALSE(journal_status(path_, run_format()).is_written);
   EXPECT_EQ(open_error(), "no error");
 }
 
 // A worker process has the open file too.
 TEST_F(Journal, IsNotContinuedWhenItsWriterHasRemovedIt) {
-  auto writer = std::make_unique<JournalWriter>(path_, sample_identity());
+  auto writer = std::make_unique<JournalWriter>(path_, sample_identity(), run_format());
   std::string error;
   std::thread waiting([&] { error = open_error(); });
   std::this_thread::sleep_for(std::chrono::milliseconds(50));  // it waits for the lock by then
@@ -199,14 +202,14 @@ TEST_F(Journal, IsNotContinuedWhenItsWriterHasRemovedIt) {
 TEST_F(Journal, IsLockedUntilTheLastWorkerIsGone) {
   pid_t child = -1;
   {
-    JournalWriter writer(path_, sample_identity());
+    JournalWriter writer(path_, sample_identity(), run_format());
     child = fork();
     if (child == 0) {
       pause();
       _exit(0);
     }
   }
-  EXPECT_TRUE(journal_status(path_).is_written);
+  EXPECT_TRUE(journal_status(path_, run_format()).is_written);
   kill(child, SIGKILL);
   EXPECT_EQ(open_error(), "no error") << "a worker that dies a moment later is waited for";
   waitpid(child, nullptr, 0);
@@ -218,13 +221,13 @@ TEST_F(Journal, RefusesAnotherStudySourceOrShard) {
     StudyIdentity other = sample_identity();
     change(other);
     try {
-      JournalWriter writer(path_, other);
+      JournalWriter writer(path_, other, run_format());
     } catch (const InputError& error) {
       return std::string(error.what());
     }
     return std::string("no error");
   };
-  EXPECT_THAT(error_with([](StudyIdentity& i) { i.spec_sha256[0] = 'c'; }),
+  EXPECT_THAT(error_with([](StudyIdentity& i) { i.spec_hash[0] = 'c'; }),
               HasSubstr("its specification is a"));
   EXPECT_THAT(error_with([](StudyIdentity& i) { i.source_hash[0] = 'c'; }),
               HasSubstr("its program's source is b"));
@@ -250,7 +253,7 @@ TEST_F(Journal, RefusesWhatIsNoJournal) {
 TEST_F(Journal, RefusesUnwritablePlaces) {
   for (const char* path : {"/proc/s.journal", "/sys/s.journal", "/no/such/place/s.journal"}) {
     try {
-      JournalWriter writer(path, sample_identity());
+      JournalWriter writer(path, sample_identity(), run_format());
       ADD_FAILURE() << path;
     } catch (const JournalFull&) {
       ADD_FAILURE() << "nothing was written yet";
@@ -275,7 +278,7 @@ TEST_F(Journal, IsWholeWhenTheDiskIsFull) {
   signal(SIGXFSZ, old_handler);
   std::uint64_t rows = 0;
   {
-    JournalWriter writer(path_, sample_identity());
+    JournalWriter writer(path_, sample_identity(), run_format());
     EXPECT_EQ(writer.bytes_cut(), 0u) << "the half record is cut off at once";
     rows = writer.rows();
   }
@@ -286,21 +289,21 @@ TEST_F(Journal, IsWholeWhenTheDiskIsFull) {
 
 TEST_F(Journal, StatusCountsRowsThatAreNotOk) {
   {
-    JournalWriter writer(path_, sample_identity());
+    JournalWriter writer(path_, sample_identity(), run_format());
     writer.begin_session({});
     for (std::int64_t i = 0; i < 2000; ++i) {
       ar3d::RunRecord run = sample_run(i);
       if (i % 10 == 0) run.status = RunStatus::timeout;
-      writer.append(run);
+      append_run(writer, run);
     }
     writer.end_session({{"load_after", "1.00"}});
   }
-  const JournalStatus status = journal_status(path_);
+  const JournalStatus status = journal_status(path_, run_format());
   EXPECT_EQ(status.rows, 2000u);
   EXPECT_EQ(status.not_ok, 200u);
   EXPECT_EQ(status.identity.study_id, "sample");
   EXPECT_FALSE(status.is_written);
-  EXPECT_EQ(JournalReader(path_).sessions()[0].back().name, "load_after");
+  EXPECT_EQ(JournalReader(path_, run_format()).sessions()[0].back().name, "load_after");
 }
 
 TEST(RowKey, ReadsBackAndRefusesOtherTexts) {

@@ -1,3 +1,4 @@
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -13,9 +14,10 @@
 #include <thread>
 
 #include "ar3d/model/error.h"
+#include "ar3d/records/run_columns.h"
+#include "ar3d/records/run_storage.h"
 #include "ar3d/results/atomic_file.h"
-#include "ar3d/results/columns.h"
-#include "ar3d/results/run_record.h"
+#include "ar3d/results/hdf5/file_checksum.h"
 #include "results/sample_runs.h"
 
 namespace ar3d {
@@ -29,7 +31,7 @@ Results sample_results(std::int64_t count) {
   Results results;
   results.study_id = "sample";
   results.spec = "# h\xc3\xb6her\n[study]\n";
-  results.spec_sha256 = std::string(64, 'a');
+  results.spec_hash = content_hash(results.spec);
   results.source_hash = "unknown";
   results.dirty = true;
   results.dirty_hash = std::string(64, 'd');
@@ -79,7 +81,7 @@ TEST_F(ResultsFile, ReadsBackWhatWasWritten) {
     const Results read = read_results(in_folder("r.h5"));
     EXPECT_EQ(read.study_id, written.study_id);
     EXPECT_EQ(read.spec, written.spec);
-    EXPECT_EQ(read.spec_sha256, written.spec_sha256);
+    EXPECT_EQ(read.spec_hash, written.spec_hash);
     EXPECT_EQ(read.source_hash, written.source_hash);
     EXPECT_TRUE(read.dirty);
     EXPECT_EQ(read.dirty_hash, written.dirty_hash);
@@ -153,27 +155,148 @@ TEST_F(ResultsFile, RefusesAFileCutShort) {
               HasSubstr("is not a readable results file: cannot open it"));
 }
 
-// Changes a written file with h5py and gives the error of reading it.
+void change_with_h5py(const std::string& path, const std::string& change) {
+  const std::string script = "import h5py, numpy; f = h5py.File('" + path + "', 'a'); " + change;
+  EXPECT_EQ(std::system(("/usr/bin/python3 -c \"" + script + "\"").c_str()), 0);
+}
+
+// Changes a written file with h5py, makes its checksum right again and gives the error of reading.
 std::string error_after(const std::string& path, const std::string& change) {
   write_results(sample_results(3), path);
-  const std::string script = "import h5py; f = h5py.File('" + path + "', 'a'); " + change;
-  EXPECT_EQ(std::system(("/usr/bin/python3 -c \"" + script + "\"").c_str()), 0);
+  change_with_h5py(path, change);
+  const Descriptor file(open(path.c_str(), O_RDWR));
+  EXPECT_EQ(append_checksum(file.get()), 0);
   return read_error(path);
 }
 
 TEST_F(ResultsFile, RefusesAnotherFormatOrVersion) {
   const std::string path = in_folder("r.h5");
-  EXPECT_THAT(error_after(path, "f.attrs['format_version'] = 1"), HasSubstr("format version 1"));
+  EXPECT_THAT(error_after(path, "f.attrs['format_version'] = 4"), HasSubstr("format version 4"));
   EXPECT_THAT(error_after(path, "del f.attrs['format']"),
               HasSubstr("attribute 'format' is missing"));
   EXPECT_THAT(error_after(path, "del f['runs']"), HasSubstr("/runs is missing"));
-  EXPECT_THAT(error_after(path, "del f['spec']"), HasSubstr("cannot open /spec"));
+  EXPECT_THAT(error_after(path, "del f['spec']"), HasSubstr("/spec is missing"));
   EXPECT_THAT(error_after(path,
                           "d = f['runs'][:]; del f['runs']; "
                           "f['runs'] = d[[n for n in d.dtype.names if n != 'seed']]"),
               HasSubstr("/runs has no field 'seed'"));
   EXPECT_THAT(error_after(path, "del f['runs']; f['runs'] = [1, 2]"),
               HasSubstr("/runs is not a table of records"));
+  EXPECT_THAT(error_after(path, "f['spec'][()] = b'another'"), HasSubstr("/spec"));
+  EXPECT_THAT(error_after(path, "f.attrs['planned_rows'] = 1.5"), HasSubstr("planned_rows"));
+}
+
+TEST_F(ResultsFile, FillsColumnsThatAreMissing) {
+  const std::string path = in_folder("r.h5");
+  EXPECT_EQ(error_after(path,
+                        "from numpy.lib.recfunctions import repack_fields; d = f['runs'][:]; "
+                        "del f['runs']; f['runs'] = repack_fields(d[[n for n in d.dtype.names "
+                        "if n not in ('log2_volume', 'violations', 'counters')]])"),
+            "no error");
+  const Results results = read_results(path);
+  EXPECT_TRUE(std::isnan(results.runs.at(2).log2_volume));
+  EXPECT_EQ(results.runs[2].violations, -1);
+  EXPECT_EQ(results.runs[2].counters, "");
+  EXPECT_EQ(results.runs[2].extents, sample_run(2).extents);
+}
+
+// What the bytes of a file lead out of it, or claim that cannot be.
+TEST_F(ResultsFile, RefusesFilesThatReachForOthers) {
+  const std::string path = in_folder("r.h5");
+  std::ofstream(in_folder("secret.txt")) << std::string(5000, 's');
+  const std::string secret = in_folder("secret.txt");
+  write_results(sample_results(1), in_folder("other.h5"));
+  EXPECT_THAT(error_after(path,
+                          "del f['spec']; f.create_dataset('spec', shape=(), dtype='S9', "
+                          "external=[('" +
+                              secret + "', 0, 9)])"),
+              HasSubstr("/spec has its bytes in another file"));
+  EXPECT_THAT(error_after(path, "del f['runs']; f['runs'] = h5py.ExternalLink('" +
+                                    in_folder("other.h5") + "', 'runs')"),
+              HasSubstr("/runs is a link elsewhere"));
+  EXPECT_THAT(error_after(path,
+                          "d = f['runs'].dtype; del f['runs']; l = h5py.VirtualLayout((1,), d); "
+                          "l[:] = h5py.VirtualSource('" +
+                              in_folder("other.h5") +
+                              "', 'runs', (1,)); f.create_virtual_dataset('runs', l)"),
+              HasSubstr("/runs is a view of other datasets"));
+  EXPECT_THAT(error_after(path,
+                          "d = f['runs'].dtype; del f['runs']; "
+                          "f.create_dataset('runs', (10**12,), d, chunks=(512,))"),
+              HasSubstr("more than the file can hold"));
+  EXPECT_THAT(error_after(path,
+                          "d = f['runs'].dtype; del f['runs']; "
+                          "f.create_dataset('runs', (10**6,), d, chunks=(10**6,))"),
+              HasSubstr("/runs has chunks of more than"));
+}
+
+TEST_F(ResultsFile, RefusesFilesThatAnotherProgramHasChanged) {
+  const std::string path = in_folder("r.h5");
+  write_results(sample_results(3), path);
+  change_with_h5py(path, "f.attrs['study_id'] = 'mine'");
+  EXPECT_THAT(read_error(path),
+              ::testing::AnyOf(HasSubstr("has no checksum at its end"), HasSubstr("is damaged")));
+}
+
+// A sample of the flips of tests/results/bit_flips_long_test.cpp.
+TEST_F(ResultsFile, NoFlippedBitIsAccepted) {
+  const std::string path = in_folder("r.h5");
+  write_results(sample_results(40), path);
+  std::ifstream in(path, std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(in), {});
+  const std::size_t bits = 8 * bytes.size();
+  for (std::size_t bit = 0; bit < bits; bit += bits / 300) {
+    std::string flipped = bytes;
+    flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ (1 << bit % 8));
+    std::ofstream(path, std::ios::binary) << flipped;
+    EXPECT_NE(read_error(path), "no error") << bit;
+  }
+  for (std::size_t bit = bits - 8 * kChecksumSize; bit < bits; bit += 7) {
+    std::string flipped = bytes;
+    flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ (1 << bit % 8));
+    std::ofstream(path, std::ios::binary) << flipped;
+    EXPECT_NE(read_error(path), "no error") << bit;
+  }
+}
+
+// The committed files of version 2: every column that both versions have has the same values.
+TEST_F(ResultsFile, ReadsFilesOfVersion2) {
+  for (const char* name : {"compact-volume", "grid-million", "two-bend-million", "volume"}) {
+    const std::string path =
+        std::string(AR3D_SOURCE_DIR "/results/reference/0.1.0-") + name + ".h5";
+    const Results results = read_results(path);
+    ASSERT_FALSE(results.runs.empty()) << path;
+    EXPECT_EQ(results.spec_hash, content_hash(results.spec));
+    for (const ar3d::RunRecord& run : results.runs) {
+      EXPECT_GT(run.requested_n, 0);
+      if (run.status != RunStatus::ok) continue;
+      EXPECT_GT(run.theorem_bound[0], 0) << run.algorithm;
+      EXPECT_FALSE(std::isnan(run.log2_volume));
+    }
+    write_results(results, in_folder("now.h5"));
+    std::ofstream(in_folder("same.py")) << R"(
+import sys, h5py, numpy
+old, new = (h5py.File(f)["runs"][:] for f in sys.argv[1:])
+new_name = {"wanted_n": "requested_n", "timing_mark": "build_kind"}
+common = [n for n in old.dtype.names if new_name.get(n, n) in new.dtype.names]
+assert len(common) > 50, common
+for n in common:
+    assert old[n].tobytes() == new[new_name.get(n, n)].tobytes(), n
+a = h5py.File(sys.argv[2])["algorithms"][:]
+for r in a:
+    rows = old[(old["algorithm"] == r["algorithm"]) & (old["options"] == r["options"])]
+    rows = rows[rows["status"] == b"ok"]
+    for axis in "xyz":
+        bound = (r["theorem_numerator_" + axis] / r["theorem_denominator_" + axis]
+                 * rows["n"] ** r["theorem_exponent_" + axis] + r["theorem_constant_" + axis])
+        assert numpy.allclose(bound, rows["theorem_bound_" + axis], rtol=1e-12), (r, axis)
+)";
+    EXPECT_EQ(std::system(("/usr/bin/python3 " + in_folder("same.py") + " " + path + " " +
+                           in_folder("now.h5"))
+                              .c_str()),
+              0)
+        << name;
+  }
 }
 
 TEST_F(ResultsFile, RefusesUnwritablePlaces) {
@@ -226,21 +349,42 @@ a = pandas.read_hdf(f, "runs")
 b = pandas.DataFrame(h5py.File(f)["runs"][:])
 for t in (a, b):
     assert len(t) == 600, len(t)
-    assert t.wanted_n[7] == 13 and t.extent_z[0] == 2**61 and t.bends_7[599] == 8
+    assert t.requested_n[7] == 13 and t.extent_z[0] == 2**61 and t.bends_7[599] == 8
     assert t.seed[0] == 2**64 - 1 and t.seed.dtype == numpy.uint64
     assert numpy.isnan(t.certify_s).all() and (t.peak_bytes == -1).all()
     assert abs(t.log2_volume[3] - 0.3) < 1e-15
 assert a.algorithm[1] == "grid" and b.algorithm[1] == b"grid", (a.algorithm[1], b.algorithm[1])
 assert list(a.columns) == list(b.columns)
 i = pandas.read_hdf(f, "instances")
-assert len(i) == 300 and list(i.wanted_n) == list(range(10, 310))
+assert len(i) == 300 and list(i.requested_n) == list(range(10, 310))
 e = pandas.read_hdf(f, "environments")
 assert e.value[0] == "abacus"
 h = h5py.File(f)
 assert h["spec"][()].decode() == "# h\u00f6her\n[study]\n"
-assert h.attrs["format"].decode() == "ar3d-results" and h.attrs["format_version"] == 2
+assert h.attrs["format"].decode() == "ar3d-results" and h.attrs["format_version"] == 3
 assert h["runs"].attrs["wall_s.unit"].decode() == "s"
 tables.open_file(f).root.runs.attrs._f_list("all")
+)";
+  EXPECT_EQ(std::system(("/usr/bin/python3 " + in_folder("check.py")).c_str()), 0);
+}
+
+TEST_F(ResultsFile, TheReaderForPandasGivesTextsAndMasksWhatIsMissing) {
+  Results results = sample_results(4);
+  results.runs[1].violations = -1;
+  write_results(results, in_folder("r.h5"));
+  std::ofstream(in_folder("check.py")) << R"(
+import sys
+sys.path.insert(0, ")" << AR3D_SOURCE_DIR "/tools"
+                                       << R"(")
+import ar3d_results
+runs = ar3d_results.read(")" << in_folder("r.h5")
+                                       << R"(")
+assert runs.algorithm[1] == "grid" and isinstance(runs.algorithm[1], str)
+assert runs.violations.mean() == 0 and runs.violations.count() == 3
+assert runs.peak_bytes.isna().all() and runs.wall_s.isna().sum() == 0
+assert runs.seed[0] == 2**64 - 1
+assert len(ar3d_results.read(")" << in_folder("r.h5")
+                                       << R"(", "instances")) == 2
 )";
   EXPECT_EQ(std::system(("/usr/bin/python3 " + in_folder("check.py")).c_str()), 0);
 }
@@ -253,7 +397,7 @@ TEST(Columns, NamesAreUniqueAndDescribed) {
     EXPECT_EQ(column.unit.empty(), column.type == FieldType::text || column.name == "seed")
         << column.name;
   }
-  EXPECT_TRUE(names.contains("theorem_bound_z"));
+  EXPECT_TRUE(names.contains("extent_z"));
 }
 
 // The schema page lists every column with its unit's meaning, in the order of the record.
@@ -277,8 +421,8 @@ TEST(Columns, DifferencesNameTheColumnAndLeaveTimesOut) {
   b.peak_bytes = 5;
   EXPECT_TRUE(differing_columns(a, b).empty());
   b.extents[1] += 1;
-  b.slack[0] = 0.5;
-  EXPECT_THAT(differing_columns(a, b), ::testing::ElementsAre("extent_y", "slack_x"));
+  b.counters = "H=4";
+  EXPECT_THAT(differing_columns(a, b), ::testing::ElementsAre("counters", "extent_y"));
 }
 
 TEST(Columns, IdentifyingTextsArePrintableAtEveryPlace) {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "ar3d/results/run_record.h"
+#include "ar3d/records/run_record.h"
 
 namespace ar3d::testing {
 
@@ -15,8 +15,8 @@ inline RunRecord sample_run(std::int64_t i) {
   run.row_key.replace(run.row_key.size() - digits.size(), digits.size(), digits);
   run.family = "petersen";
   run.parameters = "k=2;p=750000";
-  run.wanted_n = 10 + i / 2;
-  run.n = run.wanted_n;
+  run.requested_n = 10 + i / 2;
+  run.n = run.requested_n;
   run.m = 15;
   run.instance_index = 0;
   run.seed = ~std::uint64_t{0} - static_cast<std::uint64_t>(i);

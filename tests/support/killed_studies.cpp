@@ -9,7 +9,8 @@
 #include <string>
 
 #include "ar3d/model/random.h"
-#include "ar3d/results/columns.h"
+#include "ar3d/records/run_columns.h"
+#include "ar3d/records/run_storage.h"
 #include "ar3d/results/journal/journal_reader.h"
 #include "support/program.h"
 #include "support/results.h"
@@ -58,7 +59,7 @@ class KilledStudy {
       EXPECT_TRUE(kept_.empty() || fs::exists(results_)) << "the journal is gone before its time";
       return;
     }
-    const JournalReader reader(journal_);
+    const JournalReader reader(journal_, run_format());
     std::map<std::string, std::string> rows;
     std::string record(run_record_size(), '\0');
     for (std::size_t i = 0; i < reader.size(); ++i) {

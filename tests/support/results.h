@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/results/columns.h"
-#include "ar3d/results/run_record.h"
+#include "ar3d/records/run_columns.h"
+#include "ar3d/records/run_storage.h"
 
 namespace ar3d::testing {
 

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "ar3d/records/run_record.h"
 #include "ar3d/results/field.h"
-#include "ar3d/results/run_record.h"
 
 namespace ar3d {
 
@@ -14,11 +14,13 @@ enum class ColumnKind {
   instance,  ///< describes the instance; also a column of /instances
   run,       ///< with the instance: which run this is
   result,    ///< a pure function of the instance, the algorithm and its options
+  metric,    ///< the same: a row of the table of verify/metrics.h
   measured,  ///< times and memory: differ from run to run
 };
 
 /// One column of /runs: the single description from which the file, its reader, comparisons and the
-/// schema page are made. Columns stand in the order of their bytes in a record.
+/// schema page are made. Columns stand in the order of their bytes in a record. Name, unit and
+/// meaning of a metric are those of its row in verify/metrics.h.
 struct Column : Field {
   ColumnKind kind = ColumnKind::result;
   std::function<void(const RunRecord&, char*)> store;  ///< writes `size` bytes
@@ -43,8 +45,11 @@ void require_storable(const RunRecord& run);
 void store_record(const RunRecord& run, char* record);
 RunRecord load_record(const char* record);
 
-/// The columns of one kind, packed anew.
-std::vector<Column> columns_of_kind(const std::vector<Column>& columns, ColumnKind kind);
+/// The columns of that kind, in the same order. `offset` is their place in a record of /runs.
+std::vector<Column> columns_of_kind(ColumnKind kind);
+
+/// Takes over the metrics of a drawing: all of them, in one go.
+void set_metrics(const DrawingSummary& summary, RunRecord& run);
 
 /// The value for people and CSV files: text, a decimal integer, or the shortest decimal that reads
 /// back to the same double; "nan" if missing.
@@ -52,9 +57,5 @@ std::string column_text(const Column& column, const RunRecord& run);
 
 /// Names of the columns that are not measured and differ in their bits. Empty: the same result.
 std::vector<std::string> differing_columns(const RunRecord& a, const RunRecord& b);
-
-/// `text` as a column holds it: cut to `size` bytes, everything but printable ASCII replaced by
-/// '?'.
-std::string fitted_text(const std::string& text, std::size_t size);
 
 }  // namespace ar3d

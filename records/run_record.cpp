@@ -1,4 +1,4 @@
-#include "ar3d/results/run_record.h"
+#include "ar3d/records/run_record.h"
 
 #include <fmt/format.h>
 
@@ -22,11 +22,6 @@ std::size_t place_of(std::string_view text, const std::array<const char*, N>& na
 }
 
 }  // namespace
-
-std::string StudyIdentity::source() const {
-  if (!dirty) return source_hash;
-  return source_hash + " with changes" + (dirty_hash.empty() ? "" : " " + dirty_hash);
-}
 
 const char* to_string(RunStatus status) { return kNames.at(static_cast<std::size_t>(status)); }
 

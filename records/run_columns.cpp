@@ -1,10 +1,11 @@
-#include "ar3d/results/columns.h"
+#include "ar3d/records/run_columns.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstring>
 #include <type_traits>
+#include <variant>
 
 #include "ar3d/model/error.h"
 
@@ -26,6 +27,7 @@ Column described(const Description& d, FieldType type, std::size_t size) {
   column.kind = d.kind;
   column.type = type;
   column.size = size;
+  column.required = d.kind == ColumnKind::instance || d.kind == ColumnKind::run;
   return column;
 }
 
@@ -153,12 +155,13 @@ void add_identity(std::vector<Column>& c) {
   c.push_back(
       text({"parameters", "", "the family's parameters, complete, in catalogue order", instance},
            &RunRecord::parameters, 128));
-  c.push_back(number({"wanted_n", "1", "number of vertices that the study asked for", instance},
-                     &RunRecord::wanted_n));
+  c.push_back(number({"requested_n", "1", "number of vertices that the study asked for", instance},
+                     &RunRecord::requested_n));
+  c.back().former_name = "wanted_n";
   c.push_back(number({"n", "1", "number of vertices", instance}, &RunRecord::n));
   c.push_back(number({"m", "1", "number of edges", instance}, &RunRecord::m));
   c.push_back(number({"instance_index", "1",
-                      "0, 1, ...: which instance of (family, parameters, wanted_n)", instance},
+                      "0, 1, ...: which instance of (family, parameters, requested_n)", instance},
                      &RunRecord::instance_index));
   c.push_back(
       number({"seed", "", "the generator's seed of this instance", instance}, &RunRecord::seed));
@@ -187,47 +190,70 @@ void add_results(std::vector<Column>& c) {
                       &RunRecord::message, 240));
   c.push_back(text({"drawing_hash", "", "128-bit hash of positions, edges and bends", kind},
                    &RunRecord::drawing_hash, 32));
-  add_array(c, {"extent", "lattice units", "largest minus smallest coordinate", kind},
-            &RunRecord::extents, kAxes);
-  c.push_back(number(
-      {"log2_volume", "log2 of cubic lattice units", "sum of log2(extent + 1) over the axes", kind},
-      &RunRecord::log2_volume));
-  c.push_back(number({"volume_per_n3", "cubic lattice units", "product of the extents / n^3", kind},
-                     &RunRecord::volume_per_n3));
-  add_array(c,
-            {"instance_bound", "lattice units",
-             "extent that the proof promises for this very instance", kind},
-            &RunRecord::instance_bound, kAxes);
-  add_array(c,
-            {"theorem_bound", "lattice units", "extent that the theorem promises for this n", kind},
-            &RunRecord::theorem_bound, kAxes);
-  add_array(c, {"slack", "1", "1 - extent / theorem_bound", kind}, &RunRecord::slack, kAxes);
-  add_array(c,
-            {"published_bound", "lattice units",
-             "extent that the paper promises for this n, for comparison only", kind},
-            &RunRecord::published_bound, kAxes);
-  c.push_back(message(
-      {"theorem_bound_formula", "", "the theorem's bound by axis, and where it is proved", kind},
-      &RunRecord::theorem_bound_formula, 128));
-  c.push_back(message(
-      {"published_bound_formula", "", "the published bound by axis, and where it stands", kind},
-      &RunRecord::published_bound_formula, 128));
-  add_array(c, {"bends", "1", "number of edges with that many bends (the last: 7 or more)", kind},
-            &RunRecord::bends, kBends);
-  c.push_back(
-      number({"total_edge_length", "lattice units", "sum of the lengths of all edges", kind},
-             &RunRecord::total_edge_length));
-  c.push_back(number({"longest_edge_length", "lattice units", "length of the longest edge", kind},
-                     &RunRecord::longest_edge_length));
-  c.push_back(number({"smallest_vertex_distance", "lattice units",
-                      "smallest distance of two vertices; missing if n < 2", kind},
-                     &RunRecord::smallest_vertex_distance));
   c.push_back(
       number({"violations", "1",
               "violations of the guarantee that the certificate lists; 0 is proved right", kind},
              &RunRecord::violations));
+  add_array(c,
+            {"instance_bound", "lattice units",
+             "extent that the proof promises for this very instance", kind},
+            &RunRecord::instance_bound, kAxes);
   c.push_back(text({"counters", "", "what the algorithm tells about its run, name=value;...", kind},
                    &RunRecord::counters, 512));
+}
+
+// The metrics that have a member; unit and meaning come from their table.
+std::vector<Column> metrics_with_member() {
+  const auto kind = ColumnKind::metric;
+  std::vector<Column> c;
+  add_array(c, {"extent", "", "", kind}, &RunRecord::extents, kAxes);
+  c.push_back(number({"log2_volume", "", "", kind}, &RunRecord::log2_volume));
+  add_array(c, {"bends", "", "", kind}, &RunRecord::bends, kBends);
+  c.push_back(number({"total_edge_length", "", "", kind}, &RunRecord::total_edge_length));
+  c.push_back(number({"longest_edge_length", "", "", kind}, &RunRecord::longest_edge_length));
+  c.push_back(
+      number({"smallest_vertex_distance", "", "", kind}, &RunRecord::smallest_vertex_distance));
+  return c;
+}
+
+// A metric without a member: value `slot` of other_metrics.
+Column other_metric(const Metric& metric, std::size_t slot) {
+  const bool is_integer = metric.type == MetricType::int64;
+  Column column = described({metric.name.c_str(), "", "", ColumnKind::metric},
+                            is_integer ? FieldType::int64 : FieldType::float64, sizeof(double));
+  const Field field = column;
+  column.store = [slot, field](const RunRecord& run, char* to) {
+    if (slot >= run.other_metrics.size()) return store_missing(field, to);
+    std::visit([to](auto value) { std::memcpy(to, &value, sizeof(value)); },
+               run.other_metrics[slot]);
+  };
+  column.load = [slot, is_integer](const char* from, RunRecord& run) {
+    if (slot >= run.other_metrics.size()) run.other_metrics.resize(slot + 1);
+    std::int64_t integer = 0;
+    double number = 0;
+    std::memcpy(&integer, from, sizeof(integer));
+    std::memcpy(&number, from, sizeof(number));
+    run.other_metrics[slot] = is_integer ? MetricValue(integer) : MetricValue(number);
+  };
+  return column;
+}
+
+void add_metrics(std::vector<Column>& c) {
+  std::vector<Column> with_member = metrics_with_member();
+  std::size_t slots = 0;
+  for (const Metric& metric : metrics()) {
+    const auto at = std::find_if(with_member.begin(), with_member.end(),
+                                 [&](const Column& m) { return m.name == metric.name; });
+    const bool has_member = at != with_member.end();
+    Column column = has_member ? *at : other_metric(metric, slots++);
+    if (has_member) with_member.erase(at);
+    column.unit = metric.unit;
+    column.meaning = metric.definition;
+    expect((column.type == FieldType::int64) == (metric.type == MetricType::int64),
+           "a metric has its member's type");
+    c.push_back(std::move(column));
+  }
+  expect(with_member.empty(), "every metric with a member is in the table of metrics");
 }
 
 void add_measurements(std::vector<Column>& c) {
@@ -254,8 +280,9 @@ void add_circumstances(std::vector<Column>& c) {
   c.push_back(number({"warm_ups", "1", "drawings of the graph just before, thrown away", kind},
                      &RunRecord::warm_ups));
   c.push_back(
-      text({"timing_mark", "", "why times are worth little: debug or sanitised build", kind},
-           &RunRecord::timing_mark, 16));
+      text({"build_kind", "", "why times are worth little: debug or sanitised; else empty", kind},
+           &RunRecord::build_kind, 16));
+  c.back().former_name = "timing_mark";
 }
 
 void add_counters(std::vector<Column>& c) {
@@ -303,6 +330,7 @@ std::vector<Column> make_run_columns() {
   std::vector<Column> columns;
   add_identity(columns);
   add_results(columns);
+  add_metrics(columns);
   add_measurements(columns);
   add_circumstances(columns);
   add_counters(columns);
@@ -355,13 +383,22 @@ RunRecord load_record(const char* record) {
   return run;
 }
 
-std::vector<Column> columns_of_kind(const std::vector<Column>& columns, ColumnKind kind) {
+std::vector<Column> columns_of_kind(ColumnKind kind) {
   std::vector<Column> chosen;
-  for (const Column& column : columns) {
+  for (const Column& column : run_columns()) {
     if (column.kind == kind) chosen.push_back(column);
   }
-  pack_fields(chosen);
   return chosen;
+}
+
+void set_metrics(const DrawingSummary& summary, RunRecord& run) {
+  static const std::vector<Column> columns = columns_of_kind(ColumnKind::metric);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    char bytes[sizeof(double)];
+    std::visit([&](auto value) { std::memcpy(bytes, &value, sizeof(value)); },
+               metrics()[i].value(summary));
+    columns[i].load(bytes, run);
+  }
 }
 
 std::string column_text(const Column& column, const RunRecord& run) {
@@ -390,12 +427,6 @@ std::vector<std::string> differing_columns(const RunRecord& a, const RunRecord& 
     if (left != right) names.push_back(column.name);
   }
   return names;
-}
-
-std::string fitted_text(const std::string& text, std::size_t size) {
-  std::string fitted = text.substr(0, size);
-  for (char& c : fitted) c = is_printable(c) ? c : '?';
-  return fitted;
 }
 
 }  // namespace ar3d

@@ -2,11 +2,12 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "ar3d/verify/metrics.h"
 
 namespace ar3d {
 
@@ -18,8 +19,8 @@ const char* to_string(RunStatus status);
 /// @throws InputError naming the text if it is no status.
 RunStatus parse_run_status(std::string_view text);
 
-/// What a row was made for. metrics: certified, on all cores, its times disturbed by the
-/// neighbours; timing: alone on a core of its own; strong, weak: one of a batch of equal drawings
+/// What a row was made for. metrics: certified, on all cores, its times disturbed by the other
+/// workers; timing: alone on a core of its own; strong, weak: one of a batch of equal drawings
 /// that several threads share; strong_ranks, weak_ranks: that several ranks share.
 enum class RunPhase : std::uint8_t { metrics, timing, strong, weak, strong_ranks, weak_ranks };
 /// "metrics", "timing", "strong", "weak", "strong_r", "weak_r".
@@ -42,7 +43,7 @@ struct RunRecord {
                         ///< options, repetition)
   std::string family;
   std::string parameters;  ///< "k=2;p=750000", complete and in catalogue order
-  std::int64_t wanted_n = -1;
+  std::int64_t requested_n = -1;
   std::int64_t n = -1;
   std::int64_t m = -1;
   std::int64_t instance_index = -1;  ///< 0, 1, … : which instance of (family, parameters, n)
@@ -53,30 +54,31 @@ struct RunRecord {
   RunPhase phase = RunPhase::metrics;
   std::int64_t scale = -1;       ///< threads or ranks that share the batch; missing outside of one
   std::int64_t repetition = -1;  ///< within (phase, scale)
-  RunStatus status = RunStatus::crashed;
-  std::string message;  ///< first violation or error, cut to fit
 
   // Deterministic results.
+  RunStatus status = RunStatus::crashed;
+  std::string message;       ///< first violation or error, cut to fit
   std::string drawing_hash;  ///< 32 hexadecimal digits
+  std::int64_t violations = -1;
+  std::array<std::int64_t, 3> instance_bound{-1, -1, -1};  ///< from the proof, for this instance
+  std::string counters;                                    ///< "H=3;mode=1"
+
+  // Metrics: those of verify/metrics.h that code reasons with have a member here, and every other
+  // one its value in `other_metrics`, in the order of that table.
   std::array<std::int64_t, 3> extents{-1, -1, -1};
-  double log2_volume = kMissing;    ///< sum of log2(extent + 1) over the axes
-  double volume_per_n3 = kMissing;  ///< product of extents / n^3
-  std::array<std::int64_t, 3> instance_bound{-1, -1,
-                                             -1};  ///< from the proof, for this very instance
-  std::array<double, 3> theorem_bound{kMissing, kMissing, kMissing};
-  std::array<double, 3> slack{kMissing, kMissing, kMissing};  ///< 1 - extent / theorem bound
-  /// The bound of somebody else, for comparison only; missing if there is none.
-  std::array<double, 3> published_bound{kMissing, kMissing, kMissing};
-  std::string theorem_bound_formula;  ///< "16/3 n, 16/3 n, 8 n (proved here, docs/theorem1.md)"
-  std::string
-      published_bound_formula;  ///< the same for the published bound; empty if there is none
-  std::array<std::int64_t, 8> bends{-1, -1, -1, -1,
-                                    -1, -1, -1, -1};  ///< edges with b bends; last: 7 or more
+  double log2_volume = kMissing;  ///< sum of log2(extent + 1) over the axes
+  std::array<std::int64_t, 8> bends{-1, -1, -1, -1, -1, -1, -1, -1};  ///< edges with b bends;
+                                                                      ///< last: 7 or more
   double total_edge_length = kMissing;
   double longest_edge_length = kMissing;
   double smallest_vertex_distance = kMissing;  ///< missing if n < 2
-  std::int64_t violations = -1;
-  std::string counters;  ///< "H=3;mode=1"
+  std::vector<MetricValue> other_metrics;      ///< empty: all missing
+
+  // What follows from algorithm, options and n; see set_bounds(). No columns of /runs.
+  std::array<double, 3> theorem_bound{kMissing, kMissing, kMissing};
+  std::array<double, 3> slack{kMissing, kMissing, kMissing};  ///< 1 - extent / theorem_bound
+  /// The bound of somebody else, for comparison only; missing if there is none.
+  std::array<double, 3> published_bound{kMissing, kMissing, kMissing};
 
   // Measured.
   double generate_s = kMissing;
@@ -87,6 +89,7 @@ struct RunRecord {
   std::int64_t concurrency = -1;   ///< rows that this study makes at the same time
   std::int64_t core = -1;          ///< core that the row was pinned to
   std::int64_t warm_ups = -1;      ///< drawings of the same graph just before, thrown away
+  std::string build_kind;          ///< why its times are worth little: "debug", "sanitised"
   std::int64_t instructions = -1;  ///< drawing only, by the processor's counters, user space
   std::int64_t cycles = -1;
   std::int64_t cache_misses = -1;
@@ -98,63 +101,7 @@ struct RunRecord {
   double batch_s = kMissing;        ///< wall time of the whole batch, if in one
   double ideal_batch_s = kMissing;  ///< what it would be with perfect scaling
   double efficiency = kMissing;     ///< ideal_batch_s / batch_s
-  std::string timing_mark;          ///< why its times are worth little: "debug", "sanitised"
   std::int64_t session = -1;        ///< which of the /environments it was made in
 };
-
-struct EnvironmentEntry {
-  std::string name;
-  std::string value;
-  std::int64_t session = 0;  ///< a session is one process that made rows of the study
-};
-
-/// Which part of a study's instances a process makes: shard `index` of `count`, from 1.
-struct Shard {
-  std::uint32_t index = 1;
-  std::uint32_t count = 1;
-  bool operator==(const Shard&) const = default;
-};
-
-/// What makes rows belong together.
-struct StudyIdentity {
-  std::string study_id;
-  std::string spec;                ///< the verbatim TOML
-  std::string spec_sha256;         ///< of spec
-  std::string source_hash;         ///< git commit of the program
-  bool dirty = false;              ///< the program had changes to it
-  std::string dirty_hash;          ///< SHA-256 of the changes; empty: none, or not known
-  std::string created;             ///< ISO 8601 with zone
-  Shard shard;                     ///< what of the study
-  std::int64_t planned_rows = -1;  ///< of this shard; -1: unknown
-
-  /// Commit and changes, "8a1f… with changes 17c0…".
-  std::string source() const;
-};
-
-/// A whole results file in memory.
-struct Results : StudyIdentity {
-  std::vector<EnvironmentEntry> environment;
-  std::vector<RunRecord> runs;
-};
-
-/// Rows that are made or fetched one at a time; `read` writes record i of run_record_size() bytes.
-struct RecordSource {
-  std::size_t count = 0;
-  std::function<void(std::size_t i, char* record)> read;
-};
-
-/// Writes FILE.h5 atomically: a new file beside it, fsync, rename. @throws InputError if it cannot
-/// (a disk that gets full leaves nothing behind).
-/// Memory: a few hundred rows, and 40 bytes an instance.
-void write_results(const StudyIdentity& identity, const std::vector<EnvironmentEntry>& environment,
-                   const RecordSource& rows, const std::string& path);
-void write_results(const Results& results, const std::string& path);
-
-/// @throws InputError naming the file and what is wrong with it: missing, not HDF5, another
-/// version, no /runs, …
-Results read_results(const std::string& path);
-
-/// Version of the HDF5 library in use, "1.10.8".
-std::string hdf5_version();
 
 }  // namespace ar3d

@@ -1,0 +1,58 @@
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include "ar3d/model/error.h"
+#include "ar3d/results/hdf5/apart.h"
+#include "ar3d/results/hdf5/results_format.h"
+
+namespace ar3d {
+namespace {
+
+constexpr unsigned kLeastSeconds = 60;
+constexpr off_t kBytesPerSecond = 1 << 16;  // of the file; ten times slower than it is
+
+void convert(int from, int to, const RowFormat& format, const std::string& path) {
+  OpenResults former = open_results(from, kFormerVersion, format);
+  TableSpec rows = format.rows;
+  rows.fields.insert(rows.fields.end(), format.former_fields.begin(), format.former_fields.end());
+  pack_fields(rows.fields);
+  TableReader reader(former.file.get(), rows, former.bytes, FieldNames::former);
+  for (std::size_t i = 0; i < reader.size(); ++i) {
+    format.keep_of_former(reader.read(i), former.identity);
+  }
+  const auto read = [&](std::size_t i, char* record) {
+    std::memcpy(record, reader.read(i), format.record_size());
+  };
+  write_results_into(to, former.identity, former.environment, format, {reader.size(), read}, path);
+}
+
+}  // namespace
+
+TemporaryFile::TemporaryFile()
+    : path_((std::filesystem::temp_directory_path() / "ar3d-XXXXXX").string()),
+      descriptor_(mkostemp(path_.data(), O_CLOEXEC)) {
+  if (descriptor_.get() < 0) {
+    throw InputError(
+        fmt::format("cannot make a temporary file {}: {}", path_, std::strerror(errno)));
+  }
+}
+
+TemporaryFile::~TemporaryFile() { unlink(path_.c_str()); }
+
+void convert_former(int former, int converted, const RowFormat& format, const std::string& path) {
+  struct stat status {};
+  fstat(former, &status);
+  const std::string problem =
+      do_apart([&] { convert(former, converted, format, path); },
+               kLeastSeconds + static_cast<unsigned>(status.st_size / kBytesPerSecond));
+  if (!problem.empty()) throw Hdf5Error(problem);
+}
+
+}  // namespace ar3d
