@@ -240,7 +240,7 @@ class MeasuringSink final : public RowSink {
  public:
   MeasuringSink(JournalWriter& journal, Besides& besides) : journal_(journal), besides_(besides) {}
   void add(std::size_t, const RunRecord& run) override {
-    journal_.append(run);
+    append_run(journal_, run);
     besides_.add(run.generate_s + run.wall_s + run.certify_s);
   }
 

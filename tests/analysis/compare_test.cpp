@@ -205,7 +205,7 @@ TEST(Compare, FewPairsOrMuchNoiseAreInconclusiveAndNoPass) {
 TEST(Compare, AFileAgainstItselfPassesWhateverTheMachineWasDoing) {
   Results base = results_of(1, 1);  // too few pairs for any test
   base.environment.push_back({"load_before", "7.00 7.00 7.00", 0});
-  base.runs[0].timing_mark = "sanitised";
+  base.runs[0].build_kind = "sanitised";
   base.runs[5].status = RunStatus::refused;
   const Comparison comparison = compare(base, base);
   EXPECT_EQ(comparison.word(), "PASS");

@@ -16,7 +16,28 @@ using Digests = std::map<std::string, std::string>;
 // what it is of: `instance` with the families, `run` with plan and keys, `result` with drawings,
 // verdicts and counters, `metric` with the table of metrics; then the change belongs to that
 // commit.
-const std::map<std::string, Digests> kSmoke = {};
+const std::map<std::string, Digests> kSmoke = {
+    {"instance",
+     {{"compact", "eade0f1a729624c1ef61c7d878df0a08"},
+      {"diamond", "eade0f1a729624c1ef61c7d878df0a08"},
+      {"grid", "b41b5ef78e50f4a458e2243e73d2c57e"},
+      {"two-bend", "b41b5ef78e50f4a458e2243e73d2c57e"}}},
+    {"metric",
+     {{"compact", "8ac2af62f7e8f9a793b1a518f5b90a6f"},
+      {"diamond", "399ec515420835578de2a3e505140c24"},
+      {"grid", "05452dc9823d14fb4f70955dbf4e04ed"},
+      {"two-bend", "f67f02b60990acac3db8c20adaee887c"}}},
+    {"result",
+     {{"compact", "f5efc12f8c531814fee7873ea729fe20"},
+      {"diamond", "f71205ee46c9dfa60422df6540236af7"},
+      {"grid", "d2e5ec834366e288bba142728715bc6c"},
+      {"two-bend", "c9211c73c82ead848d8d0e6129634f8b"}}},
+    {"run",
+     {{"compact", "0e28b93a820de5975f7decbe24cce8d0"},
+      {"diamond", "449714e3db6648c3dad3071c098d3f94"},
+      {"grid", "011d8b4c66cdbdba6b7312ef742a6b53"},
+      {"two-bend", "12d2a177c046c0bba6099fd12f8af063"}}},
+};
 
 const char* name_of(ColumnKind kind) {
   switch (kind) {

@@ -207,7 +207,7 @@ TEST_F(ResultsFile, RefusesFilesThatReachForOthers) {
   const std::string secret = in_folder("secret.txt");
   write_results(sample_results(1), in_folder("other.h5"));
   EXPECT_THAT(error_after(path,
-                          "del f['spec']; f.create_dataset('spec', shape=(), dtype='S9', "
+                          "del f['spec']; f.create_dataset('spec', shape=(1,), dtype='S9', "
                           "external=[('" +
                               secret + "', 0, 9)])"),
               HasSubstr("/spec has its bytes in another file"));
