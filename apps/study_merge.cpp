@@ -45,9 +45,8 @@ Shard parse_shard(const std::string& text) {
   const auto index = std::from_chars(text.data(), end, shard.index);
   const bool slash = index.ec == std::errc() && index.ptr != end && *index.ptr == '/';
   const auto count = std::from_chars(slash ? index.ptr + 1 : end, end, shard.count);
-  if (!slash || count.ec != std::errc() || count.ptr != end || shard.index < 1 ||
-      shard.index > shard.count) {
-    throw InputError(fmt::format("'{}' is no shard: i/N with 1 <= i <= N", text));
+  if (!slash || count.ec != std::errc() || count.ptr != end || !is_shard(shard)) {
+    throw InputError(fmt::format("'{}' is no shard: i/N with 1 <= i <= N <= 1000000", text));
   }
   return shard;
 }

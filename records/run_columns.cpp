@@ -340,13 +340,6 @@ std::vector<Column> make_run_columns() {
   return columns;
 }
 
-template <class T>
-T loaded(const std::string& bytes) {
-  T value{};
-  std::memcpy(&value, bytes.data(), sizeof(T));
-  return value;
-}
-
 }  // namespace
 
 const std::vector<Column>& run_columns() {
@@ -399,34 +392,6 @@ void set_metrics(const DrawingSummary& summary, RunRecord& run) {
                metrics()[i].value(summary));
     columns[i].load(bytes, run);
   }
-}
-
-std::string column_text(const Column& column, const RunRecord& run) {
-  std::string bytes(column.size, '\0');
-  column.store(run, bytes.data());
-  switch (column.type) {
-    case FieldType::text:
-      return bytes.substr(0, bytes.find('\0'));
-    case FieldType::int64:
-      return fmt::format("{}", loaded<std::int64_t>(bytes));
-    case FieldType::uint64:
-      return fmt::format("{}", loaded<std::uint64_t>(bytes));
-    case FieldType::float64:
-      return fmt::format("{}", loaded<double>(bytes));
-  }
-  throw InternalError("internal error: unknown column type");
-}
-
-std::vector<std::string> differing_columns(const RunRecord& a, const RunRecord& b) {
-  std::vector<std::string> names;
-  for (const Column& column : run_columns()) {
-    if (column.kind == ColumnKind::measured) continue;
-    std::string left(column.size, '\0'), right(column.size, '\0');
-    column.store(a, left.data());
-    column.store(b, right.data());
-    if (left != right) names.push_back(column.name);
-  }
-  return names;
 }
 
 }  // namespace ar3d

@@ -39,8 +39,9 @@ std::string rows_json(const std::string& html) {
 Results hostile_results() {
   const std::string attack =
       "</script><script>alert(1)</script><img src=x onerror='alert(2)'>\"&\xff\x01";
-  Results results = testing::good_results({"diamond" + attack}, {"cubic" + attack}, 9, 3);
+  Results results = testing::good_results({"diamond"}, {"cubic" + attack}, 9, 3);
   for (auto& run : results.runs) {
+    run.algorithm += attack;
     run.options = run.parameters = run.message = run.graph_hash = run.row_key = attack;
   }
   results.runs[0].status = RunStatus::crashed;

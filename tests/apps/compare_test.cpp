@@ -9,6 +9,7 @@
 
 #include "ar3d/records/run_storage.h"
 #include "support/program.h"
+#include "support/results.h"
 
 namespace ar3d {
 namespace {
@@ -124,6 +125,7 @@ TEST(CompareProgram, OtherVersionsAndMissingTablesAreNamed) {
                   edit + "'")
                   .exit_code,
               0);
+    testing::renew_checksum(broken);
     const Outcome outcome = run("{} compare " + base + " " + broken);
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 const char* const kSlow = R"(study = "slow"
 [[sweep]]
 families = "random-cubic"
-sizes = 3000
+sizes = 10000
 algorithms = "grid"
 instances = 60
 )";

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/records/run_storage.h"
@@ -116,6 +117,7 @@ strong = { threads = [1, 512] }
   for (const std::string& what :
        {std::string("smoke --threads 1024"), spec + " --force-timing --threads 1"}) {
     const std::string results = scratch.path("r.h5");
+    std::filesystem::remove(results);
     const Outcome study = run("ulimit -v 2000000; {} study run -q " + what + " -o " + results);
     EXPECT_EQ(study.exit_code, 2) << what << study.err;
     EXPECT_THAT(study.err, HasSubstr("ar3d: cannot start ")) << what;

@@ -106,10 +106,10 @@ TEST_F(Journal, HoldsWhatWasAppended) {
 TEST_F(Journal, TellsTheRowsItHasWhenContinued) {
   write_rows(0, 7);
   std::vector<std::string> keys;
-  const JournalWriter writer(path_, sample_identity(), run_format(),
-                             [&](const JournalRecord& record) {
-                               keys.push_back(to_string(packed_row_key(run_format(), record.payload)));
-                             });
+  const JournalWriter writer(
+      path_, sample_identity(), run_format(), [&](const JournalRecord& record) {
+        keys.push_back(to_string(packed_row_key(run_format(), record.payload)));
+      });
   ASSERT_EQ(keys.size(), 7u);
   EXPECT_EQ(keys[6], sample_run(6).row_key);
   EXPECT_EQ(writer.rows(), 7u);

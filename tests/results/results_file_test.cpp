@@ -238,7 +238,7 @@ TEST_F(ResultsFile, RefusesFilesThatAnotherProgramHasChanged) {
               ::testing::AnyOf(HasSubstr("has no checksum at its end"), HasSubstr("is damaged")));
 }
 
-// A sample of the flips of tests/results/bit_flips_long_test.cpp.
+// A sample of the flips; tests/results/bit_flips_long_test.cpp makes them all.
 TEST_F(ResultsFile, NoFlippedBitIsAccepted) {
   const std::string path = in_folder("r.h5");
   write_results(sample_results(40), path);
@@ -387,70 +387,6 @@ assert len(ar3d_results.read(")" << in_folder("r.h5")
                                        << R"(", "instances")) == 2
 )";
   EXPECT_EQ(std::system(("/usr/bin/python3 " + in_folder("check.py")).c_str()), 0);
-}
-
-TEST(Columns, NamesAreUniqueAndDescribed) {
-  std::set<std::string> names;
-  for (const Column& column : run_columns()) {
-    EXPECT_TRUE(names.insert(column.name).second) << column.name;
-    EXPECT_FALSE(column.meaning.empty()) << column.name;
-    EXPECT_EQ(column.unit.empty(), column.type == FieldType::text || column.name == "seed")
-        << column.name;
-  }
-  EXPECT_TRUE(names.contains("extent_z"));
-}
-
-// The schema page lists every column with its unit's meaning, in the order of the record.
-TEST(Columns, SchemaPageListsThemInOrder) {
-  std::ifstream in(AR3D_SOURCE_DIR "/results/SCHEMA.md");
-  const std::string page(std::istreambuf_iterator<char>(in), {});
-  std::size_t at = page.find("## Columns of `/runs`");
-  ASSERT_NE(at, std::string::npos);
-  for (const Column& column : run_columns()) {
-    const bool instance = column.kind == ColumnKind::instance;
-    at = page.find("| `" + column.name + (instance ? "` * | " : "` | "), at);
-    ASSERT_NE(at, std::string::npos) << column.name;
-    EXPECT_NE(page.find(column.meaning, at), std::string::npos) << column.name;
-  }
-}
-
-TEST(Columns, DifferencesNameTheColumnAndLeaveTimesOut) {
-  ar3d::RunRecord a = sample_run(4);
-  ar3d::RunRecord b = a;
-  b.wall_s = 7;
-  b.peak_bytes = 5;
-  EXPECT_TRUE(differing_columns(a, b).empty());
-  b.extents[1] += 1;
-  b.counters = "H=4";
-  EXPECT_THAT(differing_columns(a, b), ::testing::ElementsAre("counters", "extent_y"));
-}
-
-TEST(Columns, IdentifyingTextsArePrintableAtEveryPlace) {
-  for (int c = 0; c < 256; ++c) {
-    for (std::size_t place = 0; place < 19; ++place) {
-      ar3d::RunRecord run = sample_run(4);
-      run.options = std::string(19, place % 2 == 0 ? ' ' : '~');
-      run.options[place] = static_cast<char>(c);
-      if (c >= ' ' && c <= '~') {
-        EXPECT_NO_THROW(require_storable(run)) << c << " at " << place;
-      } else {
-        EXPECT_THROW(require_storable(run), InputError) << c << " at " << place;
-      }
-    }
-  }
-}
-
-TEST(RunStatus, TextsGoBothWays) {
-  for (int i = 0; i < 6; ++i) {
-    const auto status = static_cast<RunStatus>(i);
-    EXPECT_EQ(parse_run_status(to_string(status)), status);
-  }
-  EXPECT_THROW(parse_run_status("fine"), InputError);
-  for (const RunPhase phase : {RunPhase::metrics, RunPhase::timing, RunPhase::strong,
-                               RunPhase::weak, RunPhase::strong_ranks, RunPhase::weak_ranks}) {
-    EXPECT_EQ(parse_run_phase(to_string(phase)), phase);
-  }
-  EXPECT_THROW(parse_run_phase("fast"), InputError);
 }
 
 }  // namespace

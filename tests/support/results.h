@@ -1,5 +1,6 @@
 #pragma once
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -7,6 +8,8 @@
 
 #include "ar3d/records/run_columns.h"
 #include "ar3d/records/run_storage.h"
+#include "ar3d/results/descriptor.h"
+#include "ar3d/results/hdf5/file_checksum.h"
 
 namespace ar3d::testing {
 
@@ -20,6 +23,12 @@ inline void expect_same_rows(const std::string& a, const std::string& b) {
     EXPECT_EQ(differing_columns(left.runs[i], right.runs[i]), std::vector<std::string>())
         << "row " << i << " of " << a << " and " << b;
   }
+}
+
+/// Makes the checksum of a results file right again that somebody has changed with h5py.
+inline void renew_checksum(const std::string& path) {
+  const Descriptor file(open(path.c_str(), O_RDWR));
+  EXPECT_EQ(append_checksum(file.get()), 0) << path;
 }
 
 /// Every column of a row, measured ones and session too, as its bytes.
