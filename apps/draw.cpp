@@ -11,8 +11,9 @@
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/formats/text/output.h"
-#include "ar3d/model/assignments.h"
+#include "ar3d/model/error.h"
 #include "ar3d/model/printable.h"
+#include "ar3d/model/settings.h"
 #include "batches.h"
 #include "commands.h"
 #include "drawing_formats.h"
@@ -47,7 +48,7 @@ struct Line {
 
 /// Every graph of the input as one line; a graph outside the guarantee gives an error line and the
 /// others go on.
-bool draw_all(GraphReader& reader, const Algorithm& algorithm, const OptionValues& options,
+bool draw_all(GraphReader& reader, const Algorithm& algorithm, const Settings& options,
               OutputFile& file) {
   bool all_drawn = true;
   in_batches<Task>(
@@ -80,7 +81,7 @@ bool draw_all(GraphReader& reader, const Algorithm& algorithm, const OptionValue
 }
 
 /// The drawing of the only graph of the input, for formats that hold one drawing a file.
-Drawing draw_only(GraphReader& reader, const Algorithm& algorithm, const OptionValues& options,
+Drawing draw_only(GraphReader& reader, const Algorithm& algorithm, const Settings& options,
                   const std::string& format) {
   const std::optional<Graph> graph = reader.next();
   if (!graph) throw InputError("the input has no graph");
@@ -104,8 +105,7 @@ FirstLine first_line_of(const std::string& name) {
 int draw_graphs(const DrawArguments& arguments) {
   refuse_unsafe_outputs({.inputs = {arguments.input}, .outputs = {arguments.output}});
   const Algorithm& algorithm = find_algorithm(arguments.algorithm);
-  const OptionValues options =
-      complete_options(algorithm, parse_assignments<OptionValue>(arguments.options));
+  const Settings options = complete_options(algorithm, parse_settings(arguments.options));
   const DrawingFormat& format = drawing_format(arguments.format, arguments.output);
   GraphReader reader(arguments.input, {.format = arguments.from,
                                        .base = arguments.base,

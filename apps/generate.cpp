@@ -14,9 +14,9 @@
 #include "ar3d/formats/text/output.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/generators/named.h"
-#include "ar3d/model/assignments.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/nearest_name.h"
+#include "ar3d/model/settings.h"
 #include "commands.h"
 #include "numbers.h"
 #include "outputs.h"
@@ -37,7 +37,7 @@ struct GenerateArguments {
 /// Which graphs, after all names are looked up.
 struct Request {
   const Family* family = nullptr;
-  ParameterValues parameters;
+  Settings parameters;
   std::uint64_t n = 0;
 };
 
@@ -52,7 +52,7 @@ struct Request {
 
 /// A family with its parameters and n, or one of the named graphs by its name.
 Request requested(const GenerateArguments& arguments) {
-  auto given = parse_assignments<ParameterValue>(arguments.parameters);
+  auto given = parse_settings(arguments.parameters);
   const auto is_it = [&](const auto& row) { return row.name == arguments.family; };
   const auto family = std::ranges::find_if(families(), is_it);
   if (family != families().end()) {

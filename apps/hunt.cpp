@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <memory>
 
-#include "ar3d/model/assignments.h"
 #include "ar3d/model/error.h"
+#include "ar3d/model/settings.h"
 #include "commands.h"
 #include "numbers.h"
 #include "subject_arguments.h"
@@ -27,8 +27,7 @@ std::vector<FamilyChoice> chosen_families(const HuntArguments& arguments,
     return fitting_families(algorithm, arguments.options.n);
   }
   const Family& family = find_family(arguments.family);
-  return {{&family,
-           complete_parameters(family, parse_assignments<ParameterValue>(arguments.parameters))}};
+  return {{&family, complete_parameters(family, parse_settings(arguments.parameters))}};
 }
 
 int hunt_and_show(HuntArguments arguments) {

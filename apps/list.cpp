@@ -32,7 +32,7 @@ void print_algorithm(const Algorithm& row) {
              g.max_degree, g.max_bends, g.angle_rule == AngleRule::exactly ? "exactly" : "at least",
              degrees(g.cosine));
   fmt::print("    box <= {} ({})\n", size_text(g.bound), g.bound.source);
-  for (const OptionSpec& option : row.options) {
+  for (const SettingSpec& option : row.options) {
     fmt::print("    option {} = {}..{} (default {}): {}\n", option.name, option.low, option.high,
                option.default_value, option.description);
   }
@@ -41,7 +41,7 @@ void print_algorithm(const Algorithm& row) {
 void print_family(const Family& row) {
   fmt::print("{}: {} (degree <= {}{})\n", row.name, row.summary, row.max_degree,
              row.is_random ? ", random" : "");
-  for (const ParameterSpec& parameter : row.parameters) {
+  for (const SettingSpec& parameter : row.parameters) {
     fmt::print("    parameter {} = {}..{} (default {}): {}\n", parameter.name, parameter.low,
                parameter.high, parameter.default_value, parameter.description);
   }

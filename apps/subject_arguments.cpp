@@ -8,8 +8,8 @@
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/formats/drawings/drawing_svg.h"
 #include "ar3d/formats/graphs/sparse6.h"
-#include "ar3d/model/assignments.h"
 #include "ar3d/model/error.h"
+#include "ar3d/model/settings.h"
 #include "ar3d/results/atomic_file.h"
 #include "outputs.h"
 
@@ -85,8 +85,7 @@ void refuse_unsafe_exhibit(const SubjectArguments& arguments, const std::string&
 Subject subject_of(const SubjectArguments& arguments) {
   const Algorithm& algorithm = find_algorithm(arguments.algorithm);
   Subject subject;
-  subject.choice = {&algorithm,
-                    complete_options(algorithm, parse_assignments<OptionValue>(arguments.options))};
+  subject.choice = {&algorithm, complete_options(algorithm, parse_settings(arguments.options))};
   if (!arguments.plant.empty()) subject.fault = &find_seeded_fault(arguments.plant);
   return subject;
 }

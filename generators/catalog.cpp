@@ -26,37 +26,37 @@
 namespace ar3d {
 namespace {
 
-using S = std::uint64_t;           // seed
-using P = const ParameterValues&;  // complete parameters
+using S = std::uint64_t;    // seed
+using P = const Settings&;  // complete parameters
 
-const ParameterSpec kTorusRows = {"rows", 3, 1000000, 4, "length of the short cycles"};
-const ParameterSpec kJump = {"k", 1, 1000000, 2, "step of the inner edges"};
-const ParameterSpec kDegree = {"degree", 1, 4, 3, "degree of every vertex"};
-const ParameterSpec kMaxDegree = {"degree", 1, 4, 4, "largest degree allowed"};
-const ParameterSpec kEdgesPerVertex = {"edges-per-vertex", 0, 2000000, 1400000,
-                                       "edges a vertex, in parts per million"};
-const ParameterSpec kLeafSize = {"leaf", 5, 7, 5, "vertices of a leaf block, 5 or 7"};
-const ParameterSpec kTreeShape = {"shape", 0, 1, 0, "0 balanced, 1 a caterpillar"};
-const ParameterSpec kLeaves = {"leaves", 1, 4, 3, "leaves of a star"};
-const ParameterSpec kStepA = {"a", 1, 1000000, 1, "the smaller step"};
-const ParameterSpec kStepB = {"b", 2, 1000000, 4, "the larger step"};
-const ParameterSpec kOuterJump = {"j", 1, 1000000, 2, "step of the outer edges"};
-const ParameterSpec kInnerJump = {"k", 1, 1000000, 3, "step of the inner edges"};
-const ParameterSpec kSnarkType = {"type", 1, 2, 1, "distance of the two edges cut in each link"};
-const ParameterSpec kAround = {"around", 5, 6, 5, "vertices of the caps"};
-const ParameterSpec kTurn = {"b", 0, 8000, 0, "b of GC(a, b), n = 20 (a^2 + ab + b^2) with a >= b"};
-const ParameterSpec kKeep = {"keep", 0, 1000000, 800000,
-                             "probability of an edge, in parts per million"};
-const ParameterSpec kTreeDegree = {"degree", 2, 4, 3, "largest degree allowed"};
-const ParameterSpec kCycleLength = {"length", 3, 1000000, 5, "vertices of a cycle"};
-const ParameterSpec kBridges = {"bridges", 0, 1000000, 3, "number of bridges"};
-const ParameterSpec kLegs = {"legs", 1, 2, 1, "pendant vertices of a spine vertex"};
+const SettingSpec kTorusRows = {"rows", 3, 1000000, 4, "length of the short cycles"};
+const SettingSpec kJump = {"k", 1, 1000000, 2, "step of the inner edges"};
+const SettingSpec kDegree = {"degree", 1, 4, 3, "degree of every vertex"};
+const SettingSpec kMaxDegree = {"degree", 1, 4, 4, "largest degree allowed"};
+const SettingSpec kEdgesPerVertex = {"edges-per-vertex", 0, 2000000, 1400000,
+                                     "edges a vertex, in parts per million"};
+const SettingSpec kLeafSize = {"leaf", 5, 7, 5, "vertices of a leaf block, 5 or 7"};
+const SettingSpec kTreeShape = {"shape", 0, 1, 0, "0 balanced, 1 a caterpillar"};
+const SettingSpec kLeaves = {"leaves", 1, 4, 3, "leaves of a star"};
+const SettingSpec kStepA = {"a", 1, 1000000, 1, "the smaller step"};
+const SettingSpec kStepB = {"b", 2, 1000000, 4, "the larger step"};
+const SettingSpec kOuterJump = {"j", 1, 1000000, 2, "step of the outer edges"};
+const SettingSpec kInnerJump = {"k", 1, 1000000, 3, "step of the inner edges"};
+const SettingSpec kSnarkType = {"type", 1, 2, 1, "distance of the two edges cut in each link"};
+const SettingSpec kAround = {"around", 5, 6, 5, "vertices of the caps"};
+const SettingSpec kTurn = {"b", 0, 8000, 0, "b of GC(a, b), n = 20 (a^2 + ab + b^2) with a >= b"};
+const SettingSpec kKeep = {"keep", 0, 1000000, 800000,
+                           "probability of an edge, in parts per million"};
+const SettingSpec kTreeDegree = {"degree", 2, 4, 3, "largest degree allowed"};
+const SettingSpec kCycleLength = {"length", 3, 1000000, 5, "vertices of a cycle"};
+const SettingSpec kBridges = {"bridges", 0, 1000000, 3, "number of bridges"};
+const SettingSpec kLegs = {"legs", 1, 2, 1, "pendant vertices of a spine vertex"};
 
-ParameterSpec named_graph_index() {
+SettingSpec named_graph_index() {
   return {"index", 0, static_cast<std::int64_t>(named_graphs().size()) - 1, 7, "0 is the smallest"};
 }
 std::uint32_t keep(P parameters) {
-  return static_cast<std::uint32_t>(value_of(parameters, "keep"));
+  return static_cast<std::uint32_t>(count_of(parameters, "keep"));
 }
 
 // clang-format off
@@ -80,7 +80,7 @@ std::vector<Family> catalogue() {
 
       {"random-tree", "Every vertex joined to a random earlier one of degree below the limit", 3,
        true, {kTreeDegree}, from<1>,
-       [](Count n, S seed, P p) { return random_tree(n, value_of(p, "degree"), seed); }},
+       [](Count n, S seed, P p) { return random_tree(n, count_of(p, "degree"), seed); }},
 
       {"ladder", "Two paths with rungs", 3, false, {}, steps<2, 2>,
        [](Count n, S, P) { return ladder(n / 2); }},
@@ -92,12 +92,12 @@ std::vector<Family> catalogue() {
        from<5>, [](Count n, S, P) { return squared_cycle(n); }},
       {"circulant", "C_n(a, b): every i joined to i +- a and i +- b", 4, false, {kStepA, kStepB},
        circulant_sizes,
-       [](Count n, S, P p) { return circulant(n, value_of(p, "a"), value_of(p, "b")); }},
+       [](Count n, S, P p) { return circulant(n, count_of(p, "a"), count_of(p, "b")); }},
       {"hypercube", "Q_0 to Q_4", 4, false, {}, hypercube_sizes, hypercube_of_size},
       {"square-grid", "The square patch of k by k vertices", 4, false, {}, squares<1>,
        [](Count n, S, P) { return square_grid(root(n), root(n)); }},
       {"torus", "The product of two cycles", 4, false, {kTorusRows}, torus_sizes,
-       [](Count n, S, P p) { return torus(value_of(p, "rows"), n / value_of(p, "rows")); }},
+       [](Count n, S, P p) { return torus(count_of(p, "rows"), n / count_of(p, "rows")); }},
       {"honeycomb", "The hexagonal patch of the honeycomb with k hexagons on a side", 3, false, {},
        squares<6>, [](Count n, S, P) { return honeycomb(root(n / 6)); }},
       {"diamond-lattice", "Breadth-first piece of the diamond lattice", 4, false, {}, from<1>,
@@ -128,15 +128,15 @@ std::vector<Family> catalogue() {
 
       {"generalised-petersen", "GP(N, k) with N = n/2 (Watkins 1969)", 3, false, {kJump},
        petersen_sizes,
-       [](Count n, S, P p) { return generalised_petersen(n / 2, value_of(p, "k")); }},
+       [](Count n, S, P p) { return generalised_petersen(n / 2, count_of(p, "k")); }},
       {"flower-snark", "Isaacs' flower snarks J_k with odd k = n/4 (Isaacs 1975)", 3, false, {},
        steps<12, 8>, [](Count n, S, P) { return flower_snark(n / 4); }},
       {"i-graph", "I(N, j, k) with N = n/2 (Foster census)", 3, false, {kOuterJump, kInnerJump},
        i_graph_sizes,
-       [](Count n, S, P p) { return i_graph(n / 2, value_of(p, "j"), value_of(p, "k")); }},
+       [](Count n, S, P p) { return i_graph(n / 2, count_of(p, "j"), count_of(p, "k")); }},
       {"blanusa-snark", "Chain of Petersen graphs by dot products (Blanusa 1946, Watkins 1983)", 3,
        false, {kSnarkType}, steps<10, 8>,
-       [](Count n, S, P p) { return blanusa_snark((n - 10) / 8, value_of(p, "type")); }},
+       [](Count n, S, P p) { return blanusa_snark((n - 10) / 8, count_of(p, "type")); }},
       {"goldberg-snark", "Goldberg's snarks G_k with odd k = n/8 (Goldberg 1981)", 3, false, {},
        steps<40, 16>, [](Count n, S, P) { return goldberg_snark(n / 8); }},
       {"odd-graph", "The odd graphs O_2, O_3 and O_4 (Kneser graphs)", 4, false, {}, odd_graph_sizes,
@@ -150,7 +150,7 @@ std::vector<Family> catalogue() {
        "blocks", 3, true, {}, steps<10, 2>, random_cubic_tree_of_size},
       {"random-cubic-bridges", "Cubic with exactly b bridges: random bridgeless pieces in a random tree", 3,
        true, {kBridges}, bridges_sizes,
-       [](Count n, S seed, P p) { return random_cubic_with_bridges(n, value_of(p, "bridges"), seed); }},
+       [](Count n, S seed, P p) { return random_cubic_with_bridges(n, count_of(p, "bridges"), seed); }},
       {"block-chain", "Diamonds between two leaf blocks, joined by bridges", 3, false, {},
        steps<10, 4>, [](Count n, S, P) { return block_chain((n - 10) / 4); }},
       {"diamond-necklace", "A ring of diamonds (K4 without an edge)", 3, false, {}, steps<8, 4>,
@@ -204,24 +204,9 @@ std::vector<Family> catalogue() {
 
 constexpr Count kMostVertices = (Count{1} << 30) - 1;  // 2n edges keep Graph's limit of 2^31 - 1
 
-const ParameterSpec kShuffle{"shuffle", 0, 1, 0, "1: labels permuted at random by the seed"};
+const SettingSpec kShuffle{"shuffle", 0, 1, 0, "1: labels permuted at random by the seed"};
 constexpr std::uint64_t kShuffleStream = 0x73687566666c65;  // "shuffle"
 
-ParameterValue complete_parameter(const Family& family, const ParameterSpec& spec,
-                                  const ParameterValues& given) {
-  const auto named = [&](const ParameterValue& v) { return v.name == spec.name; };
-  const auto wanted = std::find_if(given.begin(), given.end(), named);
-  if (std::count_if(given.begin(), given.end(), named) > 1) {
-    throw InputError(
-        fmt::format("parameter '{}' of family {} is given twice", spec.name, family.name));
-  }
-  const std::int64_t value = wanted == given.end() ? spec.default_value : wanted->value;
-  if (value < spec.low || value > spec.high) {
-    throw InputError(fmt::format("family {}: {} = {} is outside {}..{}", family.name, spec.name,
-                                 value, spec.low, spec.high));
-  }
-  return {spec.name, value};
-}
 }  // namespace
 
 const std::vector<Family>& families() {
@@ -237,34 +222,25 @@ const Family& find_family(std::string_view name) {
                                did_you_mean(name, names_of(families()))));
 }
 
-bool is_shuffled(const ParameterValues& parameters) {
-  return !parameters.empty() && parameters.back() == ParameterValue{kShuffle.name, 1};
+bool is_shuffled(const Settings& parameters) {
+  return !parameters.empty() && parameters.back() == Setting{kShuffle.name, 1};
 }
 
-bool depends_on_seed(const Family& family, const ParameterValues& parameters) {
+bool depends_on_seed(const Family& family, const Settings& parameters) {
   return family.is_random || is_shuffled(parameters);
 }
 
-ParameterValues complete_parameters(const Family& family, const ParameterValues& given) {
-  ParameterValues values;
-  for (const ParameterSpec& spec : family.parameters) {
-    values.push_back(complete_parameter(family, spec, given));
-  }
-  const ParameterValue shuffle = complete_parameter(family, kShuffle, given);
-  if (shuffle.value == 1) values.push_back(shuffle);
-  for (const ParameterValue& value : given) {
-    const auto known = [&](const ParameterSpec& spec) { return spec.name == value.name; };
-    if (!known(kShuffle) &&
-        std::none_of(family.parameters.begin(), family.parameters.end(), known)) {
-      throw InputError(fmt::format("family {} has no parameter '{}'", family.name, value.name));
-    }
-  }
-  return values;
+Settings complete_parameters(const Family& family, const Settings& given) {
+  std::vector<SettingSpec> specs = family.parameters;
+  specs.push_back(kShuffle);
+  Settings parameters =
+      complete_settings(fmt::format("family {}", family.name), "parameter", specs, given);
+  if (!is_shuffled(parameters)) parameters.pop_back();
+  return parameters;
 }
 
-Graph generate(const Family& family, std::uint64_t n, std::uint64_t seed,
-               const ParameterValues& given) {
-  ParameterValues parameters = complete_parameters(family, given);
+Graph generate(const Family& family, std::uint64_t n, std::uint64_t seed, const Settings& given) {
+  Settings parameters = complete_parameters(family, given);
   const bool shuffle = is_shuffled(parameters);
   if (shuffle) parameters.pop_back();
   if (n > kMostVertices || family.nearest_n(n, parameters) > kMostVertices) {

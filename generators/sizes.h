@@ -9,7 +9,7 @@ namespace ar3d {
 
 /// The value of a completed parameter that is never negative. @throws InternalError if it is
 /// missing.
-Count value_of(const ParameterValues& parameters, std::string_view name);
+Count count_of(const Settings& parameters, std::string_view name);
 
 /// The largest r with r^2 <= n.
 Count root(Count n);
@@ -22,50 +22,50 @@ constexpr Count nearest_step(Count wanted, Count first, Count step) {
 // What the catalogue's rows use as Family::nearest_n.
 
 template <Count first>
-Count from(Count wanted, const ParameterValues&) {
+Count from(Count wanted, const Settings&) {
   return wanted < first ? first : wanted;
 }
 template <Count first, Count step>
-Count steps(Count wanted, const ParameterValues&) {
+Count steps(Count wanted, const Settings&) {
   return nearest_step(wanted, first, step);
 }
 /// factor k^2, k >= 1
 template <Count factor>
-Count squares(Count wanted, const ParameterValues&) {
+Count squares(Count wanted, const Settings&) {
   const Count k = root(wanted / factor);
   return factor * (k == 0 ? 1 : k * k);
 }
 
 /// Multiples of a parameter: rows * columns with columns >= 3.
-Count torus_sizes(Count wanted, const ParameterValues& parameters);
+Count torus_sizes(Count wanted, const Settings& parameters);
 /// 2N with N > 2k.
-Count petersen_sizes(Count wanted, const ParameterValues& parameters);
+Count petersen_sizes(Count wanted, const Settings& parameters);
 /// Multiples of leaves + 1, of legs + 1.
-Count star_sizes(Count wanted, const ParameterValues& parameters);
-Count caterpillar_sizes(Count wanted, const ParameterValues& parameters);
+Count star_sizes(Count wanted, const Settings& parameters);
+Count caterpillar_sizes(Count wanted, const Settings& parameters);
 /// n > degree, even where the degree is odd.
-Count regular_sizes(Count wanted, const ParameterValues& parameters);
+Count regular_sizes(Count wanted, const Settings& parameters);
 /// inner + leaf (inner + 2).
-Count cubic_tree_sizes(Count wanted, const ParameterValues& parameters);
+Count cubic_tree_sizes(Count wanted, const Settings& parameters);
 /// n >= 2b, and > 2b for 4-regular graphs: n >= 2b + 1.
-Count circulant_sizes(Count wanted, const ParameterValues& parameters);
+Count circulant_sizes(Count wanted, const Settings& parameters);
 /// 1, 2, 4, 8, 16
-Count hypercube_sizes(Count wanted, const ParameterValues&);
+Count hypercube_sizes(Count wanted, const Settings&);
 /// 4 3^t
-Count truncation_sizes(Count wanted, const ParameterValues&);
+Count truncation_sizes(Count wanted, const Settings&);
 /// 2 around (rings + 1), rings >= 1
-Count nanotube_sizes(Count wanted, const ParameterValues& parameters);
+Count nanotube_sizes(Count wanted, const Settings& parameters);
 /// 20 (a^2 + ab + b^2), a >= b
-Count fullerene_sizes(Count wanted, const ParameterValues& parameters);
+Count fullerene_sizes(Count wanted, const Settings& parameters);
 /// 2N with N > 2j, 2k
-Count i_graph_sizes(Count wanted, const ParameterValues& parameters);
+Count i_graph_sizes(Count wanted, const Settings& parameters);
 /// 3, 10, 35
-Count odd_graph_sizes(Count wanted, const ParameterValues&);
+Count odd_graph_sizes(Count wanted, const Settings&);
 /// The named graph's own n.
-Count named_sizes(Count wanted, const ParameterValues& parameters);
+Count named_sizes(Count wanted, const Settings& parameters);
 /// Even, at least 6 bridges + 4.
-Count bridges_sizes(Count wanted, const ParameterValues& parameters);
+Count bridges_sizes(Count wanted, const Settings& parameters);
 /// length + (cycles - 1)(length - 1)
-Count cactus_sizes(Count wanted, const ParameterValues& parameters);
+Count cactus_sizes(Count wanted, const Settings& parameters);
 
 }  // namespace ar3d

@@ -9,7 +9,8 @@
 
 namespace ar3d {
 
-/// extent <= (numerator / denominator) * n^(half_power / 2) + constant, decided exactly.
+/// extent <= (numerator / denominator) * n^(half_power / 2) + constant, decided exactly. Written
+/// linear(16, 3) for 16n/3 and sqrt_n(726) + 1800 for 726 sqrt(n) + 1800.
 struct AxisBound {
   std::int64_t numerator = 0;
   std::int64_t denominator = 1;
@@ -24,6 +25,23 @@ struct AxisBound {
   /// "16/3 n", "8 n", "12 n^2 + 7", … for people.
   std::string formula() const;
 };
+
+inline constexpr AxisBound sqrt_n(std::int64_t numerator, std::int64_t denominator = 1) {
+  return {numerator, denominator, 1, 0};
+}
+inline constexpr AxisBound linear(std::int64_t numerator, std::int64_t denominator = 1) {
+  return {numerator, denominator, 2, 0};
+}
+inline constexpr AxisBound quadratic(std::int64_t numerator, std::int64_t denominator = 1) {
+  return {numerator, denominator, 4, 0};
+}
+inline constexpr AxisBound cubic(std::int64_t numerator, std::int64_t denominator = 1) {
+  return {numerator, denominator, 6, 0};
+}
+inline constexpr AxisBound operator+(AxisBound bound, std::int64_t constant) {
+  bound.constant += constant;
+  return bound;
+}
 
 /// Extents (largest minus smallest coordinate) per axis in terms of the input's number n >= 1 of
 /// vertices.

@@ -4,25 +4,24 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/algorithms/compact/narrow.h"
+#include "ar3d/algorithms/effort.h"
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"
 
 namespace ar3d::compact {
 
 struct Options {
-  /// How narrow the first strip is: 0 roomy, 1 narrow, 2 narrower yet and slower.
-  int effort = 1;
-  /// The zones of the size bound's proof at once, whatever the effort.
-  bool guaranteed = false;
+  /// 0: the zones of the size bound's proof. 1: a narrow strip. 2: a narrower one, slower.
+  int effort = kDefaultEffort;
 };
 
-/// Draws a simple graph of maximum degree 4 on the diamond lattice with five bends an edge in
+/// Draws a simple graph of maximum degree 4 on the diamond lattice with five bends per edge in
 /// volume O(n^1.5) (docs/compact.md).
 /// @param graph  n <= 2^27 vertices, m edges; may be disconnected.
-/// @return n points with z = 0 and 5 bends an edge, on the unit cube grid; segments parallel to
+/// @return n points with z = 0 and 5 bends per edge, on the unit cube grid; segments parallel to
 /// (±1, ±1, ±1);
 ///   extents at most 726 sqrt(n) + 1800, the same, 724 sqrt(n) + 1800. Counters: zones (1 if the
-///   proof's zones were needed), widenings, kicks, trials, scans, columns, rows, reach.
+///   proof's zones were needed), widenings, ejections, trials, scans, columns, rows, reach.
 ///   instance_bound is the box of the strip that was filled.
 /// @throws InputError if graph.max_degree() > 4, n > 2^27 or there is no such effort.
 /// Cost: O(n + m) cells tried with O(1) look-ups each, in expectation over the fixed random stream;
@@ -32,11 +31,7 @@ Drawing draw(const Graph& graph, const Options& options = {});
 /// As draw, beginning with a narrow strip of the given tightness; without one, in the zones.
 Drawing draw_from(const Graph& graph, const std::optional<Tightness>& first);
 
+/// The catalogue row `compact`.
+Algorithm row();
+
 }  // namespace ar3d::compact
-
-namespace ar3d {
-
-/// The catalogue's row.
-Algorithm compact_row();
-
-}  // namespace ar3d

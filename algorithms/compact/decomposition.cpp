@@ -1,3 +1,5 @@
+// Step 1.1 again: every edge directed and green or red. The four roles at a vertex are what gives
+// every edge letters of its own at both ends (Lemma C.1). O(n + m).
 #include "ar3d/algorithms/compact/decomposition.h"
 
 #include "ar3d/algorithms/diamond/colouring.h"
@@ -6,16 +8,16 @@
 namespace ar3d::compact {
 
 Decomposition decompose(const Graph& graph) {
-  const theorem1::TwoColouring colours = [&] {
-    const theorem1::Slots slots = theorem1::padded_slots(graph);
-    return theorem1::two_colouring(graph, slots, theorem1::balanced_orientation(slots));
+  const diamond::TwoColouring colours = [&] {
+    const diamond::Slots slots = diamond::padded_slots(graph);
+    return diamond::two_colouring(graph, slots, diamond::balanced_orientation(slots));
   }();
-  static_assert(theorem1::kNone == kNobody);
+  static_assert(diamond::kNone == kNobody);
   const HalfEdge nothing{kNobody, kNobody};
   Decomposition result;
   result.at.assign(graph.num_vertices(), {nothing, nothing, nothing, nothing});
-  for (const auto colour : {theorem1::kGreen, theorem1::kRed}) {
-    const Role out = colour == theorem1::kGreen ? kGreenOut : kRedOut;
+  for (const auto colour : {diamond::kGreen, diamond::kRed}) {
+    const Role out = colour == diamond::kGreen ? kGreenOut : kRedOut;
     for (Vertex v = 0; v < graph.num_vertices(); ++v) {
       const HalfEdge edge = colours.next[colour][v];
       if (edge.to == kNobody) continue;

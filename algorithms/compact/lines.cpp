@@ -1,3 +1,6 @@
+// The hash table of contested lines, the only thing that vertices share (Lemma C.5 and its
+// consequence). Open addressing with linear probing, Knuth's multiplicative hash and deletion by
+// shifting back, so that no marks of deleted entries pile up. 16 bytes per piece, O(1) expected.
 #include "ar3d/algorithms/compact/lines.h"
 
 #include <bit>

@@ -1,3 +1,7 @@
+// What efforts 1 and 2 draw: a strip with about one cell per vertex, filled greedily at random; a
+// vertex that finds no cell among 120 ejects a placed neighbour, as cuckoo hashing does (Pagh and
+// Rodler 2001). Without a proof that it ends well, hence the bounded number of ejections and the
+// zones behind it. O(n + ejections) cells tried, each in O(1) expected.
 #include "ar3d/algorithms/compact/narrow.h"
 
 #include <algorithm>
@@ -21,17 +25,17 @@ class Filler {
   Filler(Strip& strip, RandomStream& random, Census& census)
       : strip_(strip), random_(random), census_(census) {}
 
-  /// @param kicks  how often a vertex may be taken away.
-  bool run(Vertex n, std::int64_t kicks) {
+  /// @param ejections  how often a vertex may be taken away.
+  bool run(Vertex n, std::int64_t ejections) {
     for (Vertex v = n; v > 0; --v) waiting_.push_back(v - 1);
     while (!waiting_.empty()) {
       const Vertex v = waiting_.back();
       if (place(v)) {
         waiting_.pop_back();
-      } else if (kicks-- == 0) {
+      } else if (ejections-- == 0) {
         return false;
       } else {
-        kick_a_neighbour(v);
+        eject_a_neighbour(v);
       }
     }
     return true;
@@ -83,7 +87,7 @@ class Filler {
     return false;
   }
 
-  void kick_a_neighbour(Vertex v) {
+  void eject_a_neighbour(Vertex v) {
     std::array<Vertex, 4> placed{};
     std::uint32_t count = 0;
     for (const HalfEdge& edge : strip_.roles(v)) {
@@ -93,7 +97,7 @@ class Filler {
     const Vertex away = placed[random_.below(count)];
     strip_.remove(away);
     waiting_.insert(waiting_.end() - 1, away);
-    ++census_.kicks;
+    ++census_.ejections;
   }
 
   Strip& strip_;
@@ -126,8 +130,8 @@ std::optional<Strip> fill_narrow_strip(const Decomposition& links, std::size_t n
   const auto n = static_cast<Vertex>(links.at.size());
   std::optional<Strip> strip(std::in_place, links, num_edges, narrow_size(n, tightness),
                              StripRules{});
-  const std::int64_t kicks = tightness.kicks * n / 100 + 20;
-  if (!Filler(*strip, random, census).run(n, kicks)) strip.reset();
+  const std::int64_t ejections = tightness.ejections * n / 100 + 20;
+  if (!Filler(*strip, random, census).run(n, ejections)) strip.reset();
   return strip;
 }
 

@@ -1,3 +1,5 @@
+// Lemma C.6, and the drawing in space. The sites of the two ends and one byte per edge give the
+// word and with it all five bends, so bends are computed when somebody reads them, in O(1).
 #include "ar3d/algorithms/compact/routes.h"
 
 #include <algorithm>

@@ -9,7 +9,7 @@ namespace ar3d::compact {
 /// Bounds on the extents of any drawing in a strip of this size.
 std::array<std::int64_t, 3> box_of(const StripSize& size);
 
-/// The drawing in space; one byte an edge besides the graph's own edge list.
+/// The drawing in space; one byte per edge besides the graph's own edge list.
 Drawing lift(const Graph& graph, const Decomposition& links, const Strip& strip);
 
 }  // namespace ar3d::compact

@@ -1,3 +1,6 @@
+// Places vertices and routes their edges while (a) to (e) hold, which by Lemmas C.3 to C.5 is all
+// that a right drawing needs. Cheap refusals (reach, sides, lengths) come before lines are looked
+// up. O(1) expected per vertex tried: at most five pieces of contested lines.
 #include "ar3d/algorithms/compact/strip.h"
 
 #include <algorithm>

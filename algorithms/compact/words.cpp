@@ -1,3 +1,6 @@
+// The words of the edges (docs/compact.md, "The edges") and what follows from them: forced long
+// lengths, the middle line, the arrival line, the five bends. Residues modulo 4 (Lemma C.4) are a
+// matter of these tables alone. O(1) each.
 #include "ar3d/algorithms/compact/words.h"
 
 namespace ar3d::compact {

@@ -1,3 +1,7 @@
+// The proof that a strip of O(sqrt n) columns is wide enough, as a program: a zone for each colour
+// of a greedy vertex colouring, with as many cells as Lemma C.7 can close and one eighth more.
+// Random cells first, then all in turn, so that a place is found on every input: O(1) expected
+// tries per vertex.
 #include "ar3d/algorithms/compact/zones.h"
 
 #include <algorithm>

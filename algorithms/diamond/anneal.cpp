@@ -1,10 +1,15 @@
+// Step 1.9. Parity classes with few equal neighbours in the two orders, which is a maximum cut of
+// a graph of degree at most 4. Simulated annealing (Kirkpatrick, Gelatt and Vecchi 1983) with a
+// linear schedule; probabilities are integers out of 65536, so every platform draws the same. Each
+// round costs O(n), and memory is read in the green order. Idea: not in the paper, which has even
+// coordinates only.
 #include "ar3d/algorithms/diamond/anneal.h"
 
 #include <array>
 
 #include "ar3d/model/random.h"
 
-namespace ar3d::theorem1 {
+namespace ar3d::diamond {
 namespace {
 
 constexpr unsigned kSweeps = 40;
@@ -104,4 +109,4 @@ std::vector<std::uint8_t> annealed_parity(const Items& green, const Items& red) 
   return equal_neighbours(green, red, end) < equal_neighbours(green, red, start) ? end : start;
 }
 
-}  // namespace ar3d::theorem1
+}  // namespace ar3d::diamond

@@ -4,7 +4,7 @@
 
 #include "ar3d/algorithms/diamond/items.h"
 
-namespace ar3d::theorem1 {
+namespace ar3d::diamond {
 
 /// Parities by vertex with few equal neighbours in the green and in the red order: every equal pair
 /// costs a line, so this is a maximum cut of a graph of degree 4. Starts from alternating parity
@@ -16,4 +16,4 @@ std::vector<std::uint8_t> annealed_parity(const Items& green, const Items& red);
 std::int64_t equal_neighbours(const Items& green, const Items& red,
                               const std::vector<std::uint8_t>& parity);
 
-}  // namespace ar3d::theorem1
+}  // namespace ar3d::diamond

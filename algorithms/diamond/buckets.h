@@ -5,7 +5,7 @@
 
 #include "ar3d/algorithms/diamond/colouring.h"
 
-namespace ar3d::theorem1 {
+namespace ar3d::diamond {
 
 /// Lists of numbers, one list a bucket; linear in all.
 class Buckets {
@@ -26,4 +26,4 @@ class Buckets {
   std::vector<std::uint32_t> next_;
 };
 
-}  // namespace ar3d::theorem1
+}  // namespace ar3d::diamond

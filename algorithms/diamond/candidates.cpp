@@ -1,13 +1,16 @@
+// What each effort keeps: the placements of Steps 1.3 to 1.6 and 1.8 to 1.10 as candidates,
+// compared by the volume of their boxes. A candidate that passes the theorem's box is dropped; the
+// guaranteed one never does (Lemma 1.6). O(n) for each candidate, six of them at most.
 #include "ar3d/algorithms/diamond/candidates.h"
 
 #include <utility>
 
 #include "ar3d/algorithms/diamond/anneal.h"
-#include "ar3d/algorithms/diamond/compact.h"
 #include "ar3d/algorithms/diamond/guaranteed.h"
 #include "ar3d/algorithms/diamond/joint_rotation.h"
+#include "ar3d/algorithms/diamond/parity_placement.h"
 
-namespace ar3d::theorem1 {
+namespace ar3d::diamond {
 namespace {
 
 __extension__ using Volume = unsigned __int128;
@@ -20,8 +23,8 @@ Volume volume(const Candidate& candidate) {
   return product;
 }
 
-std::optional<Candidate> compact_candidate(const Graph& graph, Mode mode,
-                                           std::optional<CompactPlacement> placed) {
+std::optional<Candidate> parity_candidate(const Graph& graph, Mode mode,
+                                          std::optional<ParityPlacement> placed) {
   if (!placed) return std::nullopt;
   Candidate result;
   result.placement = std::move(placed->placement);
@@ -36,9 +39,9 @@ std::optional<Candidate> compact_candidate(const Graph& graph, Mode mode,
 
 std::optional<Candidate> alternating_candidate(const Graph& graph, Items green, Items red,
                                                Mode mode) {
-  return compact_candidate(
+  return parity_candidate(
       graph, mode,
-      place_compact(graph, std::move(green), std::move(red), ParityPattern::alternating));
+      place_by_parity(graph, std::move(green), std::move(red), ParityPattern::alternating));
 }
 
 bool fits(const std::array<std::int64_t, 3>& extents, const std::array<std::int64_t, 3>& bound) {
@@ -94,19 +97,14 @@ Candidate alternating_or_guaranteed(const Graph& graph, Items green, Items red) 
   return guaranteed_candidate(graph, std::move(green), std::move(red));
 }
 
-Candidate smallest_linear(const Graph& graph, const Items& green, const Items& red) {
+Candidate smallest(const Graph& graph, const Items& green, const Items& red) {
   Candidate best = guaranteed_candidate(graph, green, red);
   keep_smaller(best, alternating_candidate(graph, green, red, Mode::alternating));
-  keep_smaller(best, compact_candidate(graph, Mode::pairs,
-                                       place_compact(graph, green, red, ParityPattern::pairs)));
-  return best;
-}
-
-Candidate smallest_annealed(const Graph& graph, const Items& green, const Items& red) {
-  Candidate best = smallest_linear(graph, green, red);
+  keep_smaller(best, parity_candidate(graph, Mode::pairs,
+                                      place_by_parity(graph, green, red, ParityPattern::pairs)));
   const auto anneal = [&](const Items& g, const Items& r) {
-    keep_smaller(best, compact_candidate(graph, Mode::annealed,
-                                         place_compact(graph, g, r, annealed_parity(g, r))));
+    keep_smaller(best, parity_candidate(graph, Mode::annealed,
+                                        place_by_parity(graph, g, r, annealed_parity(g, r))));
   };
   anneal(green, red);
   Items rotated_green = green;
@@ -118,4 +116,4 @@ Candidate smallest_annealed(const Graph& graph, const Items& green, const Items&
   return best;
 }
 
-}  // namespace ar3d::theorem1
+}  // namespace ar3d::diamond

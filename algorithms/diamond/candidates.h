@@ -7,7 +7,7 @@
 
 #include "ar3d/algorithms/diamond/routes.h"
 
-namespace ar3d::theorem1 {
+namespace ar3d::diamond {
 
 /// Value of the counter `mode`.
 enum class Mode { guaranteed = 0, alternating = 1, pairs = 2, joint = 3, annealed = 4 };
@@ -28,10 +28,8 @@ Candidate guaranteed_candidate(const Graph& graph, Items green, Items red);
 /// Alternating parity, or the guaranteed mode if that passes the theorem's box.
 Candidate alternating_or_guaranteed(const Graph& graph, Items green, Items red);
 
-/// The candidate of least volume among alternating parity, pairs and the guaranteed mode.
-Candidate smallest_linear(const Graph& graph, const Items& green, const Items& red);
+/// The candidate of least volume among the guaranteed mode, alternating parity, pairs, joint
+/// rotation, and annealed parity with and without it.
+Candidate smallest(const Graph& graph, const Items& green, const Items& red);
 
-/// As smallest_linear, and with joint rotation and annealed parity.
-Candidate smallest_annealed(const Graph& graph, const Items& green, const Items& red);
-
-}  // namespace ar3d::theorem1
+}  // namespace ar3d::diamond

@@ -10,7 +10,7 @@
 
 #include "ar3d/model/graph.h"
 
-namespace ar3d::theorem1 {
+namespace ar3d::diamond {
 
 inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
@@ -47,4 +47,4 @@ struct TwoColouring {
 TwoColouring two_colouring(const Graph& graph, const Slots& slots,
                            const BalancedOrientation& orientation);
 
-}  // namespace ar3d::theorem1
+}  // namespace ar3d::diamond

@@ -1,3 +1,7 @@
+// Steps 1.3 and 1.5, Lemma 1.4. The paper shifts a cycle when its closing edge has |dX| = |dY|,
+// and claims that nothing else changes; it does (docs/theorem1.md, "What differs"). Here a cycle
+// is rotated before coordinates are final, or the ends of a red one move out by at most three
+// lines. O(n).
 #include "ar3d/algorithms/diamond/cycles.h"
 
 #include <algorithm>
@@ -5,7 +9,7 @@
 #include "ar3d/algorithms/diamond/buckets.h"
 #include "ar3d/model/error.h"
 
-namespace ar3d::theorem1 {
+namespace ar3d::diamond {
 namespace {
 
 std::uint32_t distance(std::uint32_t a, std::uint32_t b) { return a > b ? a - b : b - a; }
@@ -130,4 +134,4 @@ RedCycles settle_red_cycles(Items& red, const std::vector<GreenClosing>& closing
   return result;
 }
 
-}  // namespace ar3d::theorem1
+}  // namespace ar3d::diamond

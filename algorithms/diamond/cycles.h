@@ -5,7 +5,7 @@
 
 #include "ar3d/algorithms/diamond/placement.h"
 
-namespace ar3d::theorem1 {
+namespace ar3d::diamond {
 
 /// The closing edge of a green cycle, and the red item that holds the whole cycle, or kNone.
 struct GreenClosing {
@@ -42,4 +42,4 @@ inline std::int32_t x_distance(const std::vector<PlanePoint>& at, Vertex u, Vert
   return std::abs(at[u].X - at[v].X);
 }
 
-}  // namespace ar3d::theorem1
+}  // namespace ar3d::diamond

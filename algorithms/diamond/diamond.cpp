@@ -1,3 +1,5 @@
+// Theorem 1: colouring, items, placement, tracks, routes. The outline of docs/theorem1.md as a
+// function, the theorem as data in the catalogue's row, and the refusals of the public entry.
 #include "ar3d/algorithms/diamond/diamond.h"
 
 #include <fmt/format.h>
@@ -9,12 +11,13 @@
 #include "ar3d/algorithms/diamond/routes.h"
 #include "ar3d/model/error.h"
 
-namespace ar3d {
+namespace ar3d::diamond {
 namespace {
 
-using namespace theorem1;
+constexpr int kHighestEffort = 2;
 
-void refuse_bad_graph(const Graph& graph) {
+void refuse_bad_input(const Graph& graph, const Options& options) {
+  check_effort("diamond", options.effort, kHighestEffort);
   refuse_larger_degrees("diamond", graph, 4);
   if (graph.num_vertices() > kMaxVertices) {
     throw InputError(fmt::format("diamond draws at most {} vertices, this graph has {}",
@@ -22,30 +25,22 @@ void refuse_bad_graph(const Graph& graph) {
   }
 }
 
-Candidate choose(const Graph& graph, Items green, Items red, const DiamondOptions& options) {
-  if (options.guaranteed) return guaranteed_candidate(graph, std::move(green), std::move(red));
-  switch (options.effort) {
-    case 0:
-      return alternating_or_guaranteed(graph, std::move(green), std::move(red));
-    case 1:
-      return smallest_linear(graph, green, red);
-    case 2:
-      return smallest_annealed(graph, green, red);
-    default:
-      throw InputError(fmt::format("diamond has effort 0, 1 and 2, not {}", options.effort));
-  }
+Candidate choose(const Graph& graph, Items green, Items red, int effort) {
+  if (effort == 0) return guaranteed_candidate(graph, std::move(green), std::move(red));
+  if (effort == 1) return alternating_or_guaranteed(graph, std::move(green), std::move(red));
+  return smallest(graph, green, red);
 }
 
 }  // namespace
 
-Drawing diamond(const Graph& graph, const DiamondOptions& options) {
-  refuse_bad_graph(graph);
+Drawing draw(const Graph& graph, const Options& options) {
+  refuse_bad_input(graph, options);
   auto [green, red] = [&] {
     const Slots slots = padded_slots(graph);
     const TwoColouring colours = two_colouring(graph, slots, balanced_orientation(slots));
     return std::pair{extract_items(colours.next[kGreen]), extract_items(colours.next[kRed])};
   }();
-  Candidate chosen = choose(graph, std::move(green), std::move(red), options);
+  Candidate chosen = choose(graph, std::move(green), std::move(red), options.effort);
   expect(graph.num_vertices() == 0 || fits_theorem_box(chosen.tracks.extents, graph.num_vertices()),
          "the drawing keeps the theorem's box");
   Drawing drawing = lift(graph, chosen.placement, std::move(chosen.tracks));
@@ -54,11 +49,11 @@ Drawing diamond(const Graph& graph, const DiamondOptions& options) {
   return drawing;
 }
 
-Algorithm diamond_row() {
+Algorithm row() {
   Algorithm row;
   row.name = "diamond";
   row.summary =
-      "Degree at most 4, at most 3 bends an edge, all angles 109.47 degrees, diamond lattice.";
+      "Degree at most 4, at most 3 bends per edge, all angles 109.47 degrees, diamond lattice.";
   row.source = "Theorem 1";
   row.guarantee = {
       .max_degree = 4,
@@ -68,18 +63,16 @@ Algorithm diamond_row() {
       .lattice = kCubeLattice,
       .directions = {{1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}},
       .vertices_in_plane = true,
-      .bound = {"proved here", "docs/theorem1.md", {{{16, 3, 2, 0}, {16, 3, 2, 0}, {8, 1, 2, 0}}}},
-      .published = {{"paper", "Theorem 1", {{{16, 3, 2, 0}, {16, 3, 2, 0}, {16, 1, 2, 0}}}}},
+      .bound = {"proved here", "docs/theorem1.md", {linear(16, 3), linear(16, 3), linear(8)}},
+      .published = {{"paper", "Theorem 1", {linear(16, 3), linear(16, 3), linear(16)}}},
   };
-  row.options = {
-      {"effort", 0, 2, 0, "0: one linear pass; 1: the smallest of three; 2: also annealed"},
-      {"guaranteed", 0, 1, 0, "1: the theorem's own mode alone, whatever the effort"},
-  };
-  row.draw = [](const Graph& graph, const OptionValues& values) {
-    return diamond(graph, {.effort = static_cast<int>(option(values, "effort")),
-                           .guaranteed = option(values, "guaranteed") != 0});
+  row.options = {effort_option(
+      kHighestEffort,
+      "0: the proof's construction; 1: one linear pass; 2: the smallest of many, also annealed")};
+  row.draw = [](const Graph& graph, const Settings& values) {
+    return draw(graph, {.effort = static_cast<int>(value_of(values, "effort"))});
   };
   return row;
 }
 
-}  // namespace ar3d
+}  // namespace ar3d::diamond

@@ -1,3 +1,7 @@
+// Steps 1.3 to 1.6 in the order of the proof, with the count H of Lemma 1.5. Rotations, x, bumps
+// and offsets come in an order in which no step undoes an earlier one, which the paper's shifting
+// does not have. An offset is the least free value among at most (closing edges + 1) forbidden
+// ones. O(n).
 #include "ar3d/algorithms/diamond/guaranteed.h"
 
 #include <algorithm>
@@ -7,7 +11,7 @@
 #include "ar3d/algorithms/diamond/ordering.h"
 #include "ar3d/model/error.h"
 
-namespace ar3d::theorem1 {
+namespace ar3d::diamond {
 namespace {
 
 // Coordinates here are x = X/2 and y = Y/2 until the last step.
@@ -128,4 +132,4 @@ GuaranteedPlacement place_guaranteed(const Graph& graph, Items green, Items red)
   return result;
 }
 
-}  // namespace ar3d::theorem1
+}  // namespace ar3d::diamond

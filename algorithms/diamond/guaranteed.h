@@ -5,7 +5,7 @@
 
 #include "ar3d/algorithms/diamond/placement.h"
 
-namespace ar3d::theorem1 {
+namespace ar3d::diamond {
 
 /// Where the width comes from: the x- and the y-extent are at most 4n + 2H, the z-extent at most 6n
 /// + 3H - 4 (n >= 2), with H = green_gaps + bumps + offsets <= m_green + rho + 2.
@@ -30,4 +30,4 @@ struct GuaranteedPlacement {
 /// @param green,red  the items of a two-colouring of the graph's edges. Cost: O(n).
 GuaranteedPlacement place_guaranteed(const Graph& graph, Items green, Items red);
 
-}  // namespace ar3d::theorem1
+}  // namespace ar3d::diamond

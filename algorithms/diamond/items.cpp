@@ -1,8 +1,11 @@
+// Step 1.2. The components of one colour laid end to end in one array, so that later stages read
+// memory forwards. Paths come first, then cycles, each by its smallest start: the order depends on
+// nothing but the colouring. O(n).
 #include "ar3d/algorithms/diamond/items.h"
 
 #include <algorithm>
 
-namespace ar3d::theorem1 {
+namespace ar3d::diamond {
 
 void Items::close_at(std::uint32_t item, std::uint32_t p) {
   const auto rotate = [&](auto& list) {
@@ -79,4 +82,4 @@ Items arranged(const Items& items, const Arrangement& arrangement) {
   return result;
 }
 
-}  // namespace ar3d::theorem1
+}  // namespace ar3d::diamond

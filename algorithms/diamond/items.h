@@ -8,7 +8,7 @@
 
 #include "ar3d/algorithms/diamond/colouring.h"
 
-namespace ar3d::theorem1 {
+namespace ar3d::diamond {
 
 /// The components of one colour, laid end to end: item i is the range begin[i] .. begin[i+1] of
 /// `vertex`, which holds every vertex of the graph once. edge[p] joins vertex[p] to the next vertex
@@ -61,4 +61,4 @@ struct Arrangement {
 /// cycle. Cost: O(n).
 Items arranged(const Items& items, const Arrangement& arrangement);
 
-}  // namespace ar3d::theorem1
+}  // namespace ar3d::diamond

@@ -1,10 +1,14 @@
+// Step 1.10. Where the two largest cycles are closed. A closing edge is the longest edge of most
+// drawings, and closing one colour's cycle elsewhere moves the ranks of the other; so pairs of
+// closing edges are judged together: 16 random green ones, each against every red one. O(n). Idea:
+// not in the paper.
 #include "ar3d/algorithms/diamond/joint_rotation.h"
 
 #include <algorithm>
 
 #include "ar3d/model/random.h"
 
-namespace ar3d::theorem1 {
+namespace ar3d::diamond {
 namespace {
 
 constexpr unsigned kSamples = 16;
@@ -82,4 +86,4 @@ bool rotate_jointly(Items& green, Items& red) {
   return true;
 }
 
-}  // namespace ar3d::theorem1
+}  // namespace ar3d::diamond

@@ -4,7 +4,7 @@
 
 #include "ar3d/algorithms/diamond/items.h"
 
-namespace ar3d::theorem1 {
+namespace ar3d::diamond {
 
 /// Rotates the largest green and the largest red cycle so that their closing edges, the longest
 /// edges of most drawings, run short: a closing edge costs as height half the sum of its ends'
@@ -14,4 +14,4 @@ namespace ar3d::theorem1 {
 /// O(n).
 bool rotate_jointly(Items& green, Items& red);
 
-}  // namespace ar3d::theorem1
+}  // namespace ar3d::diamond

@@ -1,9 +1,12 @@
+// Lemma 1.3. Greedy: of three waiting items one fits behind the last vertex, since that has only
+// two neighbours in the other colour. The at most two left over are put where they fit. The paper
+// leaves gaps between all items instead, which costs a line for each. O(n).
 #include "ar3d/algorithms/diamond/ordering.h"
 
 #include <algorithm>
 #include <optional>
 
-namespace ar3d::theorem1 {
+namespace ar3d::diamond {
 namespace {
 
 using Place = Arrangement::Place;
@@ -92,4 +95,4 @@ std::vector<bool> bad_boundaries(const Graph& graph, const Items& items) {
   return bad;
 }
 
-}  // namespace ar3d::theorem1
+}  // namespace ar3d::diamond

@@ -5,7 +5,7 @@
 
 #include "ar3d/algorithms/diamond/items.h"
 
-namespace ar3d::theorem1 {
+namespace ar3d::diamond {
 
 /// Items in an order and direction such that the last vertex of one and the first vertex of the
 /// next are not adjacent, with at most one exception if n >= 4, and none if there are at least 6
@@ -18,4 +18,4 @@ bool adjacent(const Graph& graph, Vertex u, Vertex v);
 /// neighbouring lines.
 std::vector<bool> bad_boundaries(const Graph& graph, const Items& items);
 
-}  // namespace ar3d::theorem1
+}  // namespace ar3d::diamond

@@ -1,6 +1,8 @@
+// Checks the four invariants of a placement, from which Lemmas 1.1 and 1.2 conclude that the
+// drawing is right. Only tests and builds with AR3D_CHECKS run it. O(n + m).
 #include "ar3d/algorithms/diamond/placement.h"
 
-namespace ar3d::theorem1 {
+namespace ar3d::diamond {
 namespace {
 
 /// The order increases, and every odd cycle can turn one path edge into a Z.
@@ -35,4 +37,4 @@ bool keeps_invariants(const Graph& graph, const Placement& placement) {
   return keeps_order_and_c2(placement.green, x, y) && keeps_order_and_c2(placement.red, y, x);
 }
 
-}  // namespace ar3d::theorem1
+}  // namespace ar3d::diamond

@@ -8,7 +8,7 @@
 
 #include "ar3d/algorithms/diamond/items.h"
 
-namespace ar3d::theorem1 {
+namespace ar3d::diamond {
 
 /// Largest n drawn. In every mode a coordinate X or Y is at most 16n/3 + 14 < 2^30, and so are
 /// tracks; sums and differences of two of them therefore fit 32 bits, and a track with its colour
@@ -52,4 +52,4 @@ inline std::int32_t z_distance(std::int32_t along, std::int32_t across) {
 /// Checks all four invariants; O(n + m).
 bool keeps_invariants(const Graph& graph, const Placement& placement);
 
-}  // namespace ar3d::theorem1
+}  // namespace ar3d::diamond

@@ -1,3 +1,6 @@
+// The routes in space: two turns and the apex of every edge, from one number per edge. A route's
+// height is the distance in the plane from its nearer end (Lemma 1.2), so bends are computed when
+// somebody reads them and cost O(1).
 #include "ar3d/algorithms/diamond/routes.h"
 
 #include <algorithm>
@@ -6,7 +9,7 @@
 
 #include "ar3d/model/error.h"
 
-namespace ar3d::theorem1 {
+namespace ar3d::diamond {
 namespace {
 
 class DiamondRoutes final : public BendSource {
@@ -69,4 +72,4 @@ Drawing lift(const Graph& graph, const Placement& placement, Tracks tracks) {
                  std::make_shared<DiamondRoutes>(std::move(tracks.code)));
 }
 
-}  // namespace ar3d::theorem1
+}  // namespace ar3d::diamond

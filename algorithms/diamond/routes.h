@@ -7,9 +7,9 @@
 #include "ar3d/algorithms/diamond/placement.h"
 #include "ar3d/model/drawing.h"
 
-namespace ar3d::theorem1 {
+namespace ar3d::diamond {
 
-/// One number an edge. A green edge uv runs in the plane from u vertically to the line Y = track,
+/// One number per edge. A green edge uv runs in the plane from u vertically to the line Y = track,
 /// along it, and vertically to v; a red one horizontally to X = track and back. It is drawn as U
 /// (track beyond both ends) or as Z (between). Invariants: the two green ends at a vertex leave to
 /// opposite sides, and the two red ones; no apex is on a turn.
@@ -24,8 +24,8 @@ struct Tracks {
 Tracks choose_tracks(const Graph& graph, const Placement& placement);
 
 /// The drawing in space: vertices (X - Y, X + Y, 0); the height over a green edge is its distance
-/// from the nearer end in the plane, red edges run below. 4 bytes an edge besides the graph's own
+/// from the nearer end in the plane, red edges run below. 4 bytes per edge besides the graph's own
 /// edge list.
 Drawing lift(const Graph& graph, const Placement& placement, Tracks tracks);
 
-}  // namespace ar3d::theorem1
+}  // namespace ar3d::diamond

@@ -1,9 +1,13 @@
+// Step 1.7, and the numbers of Lemma 1.6. The paper's labels of the edges' ends, read off item by
+// item: U flips the side, Z keeps it. Where a Z is needed, the track at distance 1 of the paper
+// can put the apex on a turn; distance 2 then works (Lemma 1.1). The extents are measured on the
+// way, so that candidates can be compared without any bend in memory. O(n + m).
 #include <algorithm>
 
 #include "ar3d/algorithms/diamond/routes.h"
 #include "ar3d/model/error.h"
 
-namespace ar3d::theorem1 {
+namespace ar3d::diamond {
 namespace {
 
 /// A plane point as a colour sees it: `a` orders the colour's items (green: X), `b` is the other
@@ -165,4 +169,4 @@ Tracks choose_tracks(const Graph& graph, const Placement& placement) {
   return tracks;
 }
 
-}  // namespace ar3d::theorem1
+}  // namespace ar3d::diamond

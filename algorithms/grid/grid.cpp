@@ -1,3 +1,5 @@
+// Theorem 3 with O(n) a side: order, labels and plane numbers, packing, routes. The outline of
+// docs/theorem3.md as a function, and the theorem as data in the catalogue's row.
 #include "ar3d/algorithms/grid/grid.h"
 
 #include <algorithm>
@@ -11,16 +13,15 @@
 #include "ar3d/algorithms/grid/routes.h"
 #include "ar3d/model/error.h"
 
-namespace ar3d {
+namespace ar3d::grid {
 namespace {
 
-using grid::PlaneNumbers;
-using grid::Planes;
+constexpr int kHighestEffort = 1;
 
 std::int64_t largest_coordinate(const Planes& planes) {
   std::int64_t largest = 0;
   for (const PlaneNumbers& x : planes.of) {
-    const Point p = grid::position(x);
+    const Point p = position(x);
     largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   }
   return largest;
@@ -29,10 +30,10 @@ std::int64_t largest_coordinate(const Planes& planes) {
 /// The size proof for the plane numbers at hand, before components are packed: a component whose
 /// numbers are at most P in absolute value has extents of at most 12 P + 100; side by side they
 /// need at most the sum, each with a margin of 12.
-std::int64_t own_side(const grid::ProcessingOrder& order, const Planes& planes) {
+std::int64_t own_side(const ProcessingOrder& order, const Planes& planes) {
   const std::int64_t margin = order.parts.size() > 1 ? 12 : 0;
   std::int64_t side = 0;
-  for (const grid::OrderPart& part : order.parts) {
+  for (const OrderPart& part : order.parts) {
     std::int64_t largest = 0;  // P
     for (std::size_t i = part.begin; i < part.end; ++i) {
       for (const std::int64_t x : planes.of[order.sequence[i]]) {
@@ -46,9 +47,9 @@ std::int64_t own_side(const grid::ProcessingOrder& order, const Planes& planes) 
 
 Drawing to_drawing(const Graph& graph, Planes planes) {
   Coordinates vertices(graph.num_vertices(), largest_coordinate(planes));
-  for (Vertex v = 0; v < graph.num_vertices(); ++v) vertices.set(v, grid::position(planes.of[v]));
-  const grid::PlaneCounts counts = planes.counts;
-  auto routes = std::make_shared<grid::Routes>(std::move(planes.labels), std::move(planes.slots));
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) vertices.set(v, position(planes.of[v]));
+  const PlaneCounts counts = planes.counts;
+  auto routes = std::make_shared<Routes>(std::move(planes.labels), std::move(planes.slots));
   Drawing drawing("grid", kCubeLattice, std::move(vertices), graph.shared_edges(),
                   std::move(routes));
   drawing.counters = {{"nt", counts.nt},
@@ -63,42 +64,33 @@ Drawing to_drawing(const Graph& graph, Planes planes) {
 }
 
 SizeBound proved_bound() {
-  const AxisBound axis{5600, 1, 2, 3700};
-  return {"proved here", "docs/theorem3.md, Size", {axis, axis, axis}};
+  const AxisBound axis = linear(5600) + 3700;
+  return {"proved here", "docs/theorem3.md", {axis, axis, axis}};
 }
 
 /// The paper states O(n^3) a side without a constant; 1 stands for it.
 SizeBound paper_bound() {
-  const AxisBound axis{1, 1, 6, 0};
+  const AxisBound axis = cubic(1);
   return {"paper; order only, constant 1 assumed", "Theorem 3", {axis, axis, axis}};
-}
-
-Drawing draw_row(const Graph& graph, const OptionValues& values) {
-  return draw_grid(graph, {static_cast<int>(option(values, "effort")), option(values, "window"),
-                           option(values, "kempe")});
 }
 
 }  // namespace
 
-Drawing draw_grid(const Graph& graph, const GridOptions& options) {
+Drawing draw(const Graph& graph, const Options& options) {
+  check_effort("grid", options.effort, kHighestEffort);
   refuse_larger_degrees("grid", graph, 3);
-  const grid::ProcessingOrder order = grid::processing_order(graph);
-  grid::PlaneOptions plane_options;
-  plane_options.flat = options.effort > 0;
-  plane_options.window_percent = options.window;
-  plane_options.longest_chain = static_cast<std::uint64_t>(
-      options.effort > 1 ? options.kempe : std::min(options.kempe, GridOptions::kShortChain));
-  Planes planes = grid::assign_planes(graph, order, plane_options);
+  const ProcessingOrder order = processing_order(graph);
+  Planes planes = assign_planes(graph, order, {.flat = options.effort > 0});
   const std::int64_t side = own_side(order, planes);
-  grid::pack_components(graph, order, planes);
-  expect_heavy([&] { return grid::broken_invariant(graph, planes).empty(); },
+  pack_components(graph, order, planes);
+  expect_heavy([&] { return broken_invariant(graph, planes).empty(); },
                "plane numbers, labels and slots keep (I1)-(I5)");
   Drawing drawing = to_drawing(graph, std::move(planes));
   if (graph.num_vertices() > 0) drawing.instance_bound = {side, side, side};
   return drawing;
 }
 
-Algorithm grid_row() {
+Algorithm row() {
   Guarantee guarantee;
   guarantee.max_degree = 3;
   guarantee.max_bends = 3;
@@ -113,10 +105,10 @@ Algorithm grid_row() {
       "face diagonals of the cube grid, 3 bends, exactly 120 degrees, O(n) a side",
       "Theorem 3",
       std::move(guarantee),
-      {{"effort", 0, 2, 2, "0: the proved core; 1: flat numbers, short Kempe chains; 2: long ones"},
-       {"window", 20, 400, 55, "half width of the core's window, hundredths of n"},
-       {"kempe", 0, 1000000, 8192, "longest Kempe chain swapped to avoid a defect"}},
-      draw_row};
+      {effort_option(kHighestEffort, "0: the proved core; 1: flat numbers where that is possible")},
+      [](const Graph& graph, const Settings& values) {
+        return draw(graph, {.effort = static_cast<int>(value_of(values, "effort"))});
+      }};
 }
 
-}  // namespace ar3d
+}  // namespace ar3d::grid

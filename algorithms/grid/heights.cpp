@@ -1,3 +1,6 @@
+// Step 3.10. Chains of colours 0 and 1 numbered upwards, a cycle along both of its sides at once
+// so that they meet at about the same height. The lowest free height that suits is taken; so X_0 +
+// X_1 of a vertex stays small, which is what makes the drawing flat. O(log n) per height tried.
 #include "ar3d/algorithms/grid/heights.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Step 3.2. The core's labels, without positions: greedy in processing order. A clash is only
+// noted, since which of its two edges becomes the defect depends on plane numbers (Step 3.4).
+// Labels of f are chosen late, so that no neighbour of f is a clash. O(n + m).
 #include "ar3d/algorithms/grid/labels.h"
 
 #include <algorithm>

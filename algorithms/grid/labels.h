@@ -9,7 +9,7 @@
 
 namespace ar3d::grid {
 
-/// The labels of all half-edges, one byte an edge. A label not decided yet is kNoColour.
+/// The labels of all half-edges, one byte per edge. A label not decided yet is kNoColour.
 class EdgeLabels {
  public:
   explicit EdgeLabels(EdgeId num_edges) : both_(num_edges, kNoColour | (kNoColour << 4)) {}

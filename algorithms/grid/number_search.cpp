@@ -1,3 +1,6 @@
+// How a plane number is found (Lemma 3.4): 64 candidates in one word, the near blocks in turn,
+// then random blocks of ever longer stretches. At most half of a long stretch is spoiled, so O(log
+// n) blocks are looked at in expectation, on every input; a plain scan would be quadratic on some.
 #include "ar3d/algorithms/grid/number_search.h"
 
 #include <algorithm>

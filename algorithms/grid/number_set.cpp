@@ -1,3 +1,6 @@
+// A set of integers with "next number not in it", as a tree of bit words with 64 children per node
+// (van Emde Boas's idea with a fixed fan-out). Numbers are dense near 0, so a bit vector is
+// smaller and faster than a hash table or a balanced tree. At most five words read per question.
 #include "ar3d/algorithms/grid/number_set.h"
 
 #include <algorithm>

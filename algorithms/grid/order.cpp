@@ -1,3 +1,6 @@
+// Step 3.1. Reverse breadth-first orders. In a cubic component the vertex f that comes first must
+// not be a cut vertex: the neighbour tried first seldom is one, and the last vertex of a search
+// never is. At most three searches, O(n + m).
 #include "ar3d/algorithms/grid/order.h"
 
 #include <algorithm>

@@ -26,10 +26,8 @@ struct ZoneProof {
   std::int64_t largest_zone() const { return 11 * n + 20; }
   /// Below this, X_gamma(w) forces Rule 3.1 (NT).
   std::int64_t lowest_for_pq() const { return -(61 * n + 100); }
-  /// Half width of the preferred window.
-  std::int64_t window(std::int64_t percent_of_n) const {
-    return std::min(percent_of_n * n / 100 + 3, far_window() - 1);
-  }
+  /// Half width of the preferred window: it has 1.1 n numbers, of which a colour takes about n.
+  std::int64_t window() const { return std::min(55 * n / 100 + 3, far_window() - 1); }
 };
 
 /// One attempt to place one component with a given zone (-zone, zone) for ordinary numbers.

@@ -1,5 +1,7 @@
-// The edge fr that is set aside in a cubic component (Step 3.5): f first, its neighbours, r
-// last.
+// Step 3.5: in a cubic component some vertex has three earlier neighbours, so one edge fr is set
+// aside: f comes first, r last. If their free labels differ, fr becomes a defect with a slot beside
+// f, and f stands outside the zone of all other numbers, where nothing can be in the way. O(log n)
+// expected.
 
 #include <algorithm>
 

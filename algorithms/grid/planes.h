@@ -75,10 +75,9 @@ struct Planes {
 };
 
 struct PlaneOptions {
-  bool flat = true;                       ///< try the flat numbers first, component by component
-  std::uint64_t longest_chain = 1000000;  ///< edges of a Kempe chain; only for flat numbers
-  std::int64_t flat_allowance = 300;      ///< flat numbers beyond 2 n + this are left to the core
-  std::int64_t window_percent = 55;       ///< half width of the core's window in hundredths of n
+  bool flat = true;                    ///< try the flat numbers first, component by component
+  std::uint64_t longest_chain = 8192;  ///< edges of a Kempe chain; 0: none; only for flat numbers
+  std::int64_t flat_allowance = 300;   ///< flat numbers beyond 2 n + this are left to the core
 };
 
 /// Plane numbers of every component on its own: flat ones where asked for and possible, else the

@@ -20,7 +20,7 @@ struct RouteRule {
 };
 
 /// Step 3.8: the three bends of every edge, computed from the two labels,
-/// the two ends and, for a defect with E > 0, its slot. Holds one byte an edge and the slots.
+/// the two ends and, for a defect with E > 0, its slot. Holds one byte per edge and the slots.
 class Routes final : public BendSource {
  public:
   Routes(EdgeLabels labels, std::vector<Slot> slots, RouteRule rule = {});

@@ -1,3 +1,6 @@
+// The graph renumbered in processing order, before Step 3.9: all later stages read it forwards.
+// Entries are asked for 8 and 16 places ahead of use, since the far ends of edges are cache
+// misses. O(n + m).
 #include "ar3d/algorithms/grid/rows.h"
 
 namespace ar3d::grid {

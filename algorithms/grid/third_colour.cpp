@@ -1,3 +1,6 @@
+// Step 3.12. Plane numbers of colour 2 in one pass over its edges; then the ends y of the defects,
+// in the order in which they depend on one another. What depends on itself is returned as a
+// circle, for Step 3.13. O(log n) expected per edge.
 #include "ar3d/algorithms/grid/third_colour.h"
 
 #include <algorithm>

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "ar3d/algorithms/degree_limit.h"
+#include "ar3d/algorithms/effort.h"
 #include "ar3d/algorithms/two_bend/checks.h"
 #include "ar3d/algorithms/two_bend/fixed_bodies.h"
 #include "ar3d/algorithms/two_bend/instance_bound.h"
@@ -21,6 +22,8 @@
 
 namespace ar3d::two_bend {
 namespace {
+
+constexpr int kHighestEffort = 2;
 
 // Up to this many vertices no check of integer widths can fail: the promised box fits, and so does
 // whatever ten ordinary rounds can widen a list to (Lemma 2.18).
@@ -173,6 +176,7 @@ void draw_component(LocalGraph& graph, const Options& options, Output& output, C
 }  // namespace
 
 Drawing draw(const Graph& graph, const Options& options) {
+  check_effort("two-bend", static_cast<int>(options.effort), kHighestEffort);
   refuse_larger_degrees("two-bend", graph, 3);
   Output output(graph);
   Census census;
@@ -192,7 +196,7 @@ Drawing draw(const Graph& graph, const Options& options) {
 
 namespace ar3d {
 
-Algorithm two_bend_row() {
+Algorithm two_bend::row() {
   Guarantee guarantee;
   guarantee.max_degree = 3;
   guarantee.max_bends = 2;
@@ -205,10 +209,11 @@ Algorithm two_bend_row() {
       "at most two bends per edge, angles of at least 120 degrees, in volume O(n) x O(n) x O(n^2)",
       "Theorem 2",
       guarantee,
-      {{"effort", 0, 2, 1,
-        "0 plain, 1 edges share rows and columns, 2 also seeks straight edges, keeps the better"}},
-      [](const Graph& graph, const OptionValues& values) {
-        return two_bend::draw(graph, {.effort = static_cast<unsigned>(option(values, "effort"))});
+      {effort_option(two_bend::kHighestEffort,
+                     "0: plain; 1: edges share rows and columns; 2: also seeks straight edges and "
+                     "keeps the smaller drawing")},
+      [](const Graph& graph, const Settings& values) {
+        return two_bend::draw(graph, {.effort = static_cast<unsigned>(value_of(values, "effort"))});
       }};
 }
 

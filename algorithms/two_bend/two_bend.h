@@ -17,27 +17,23 @@ struct Options {
 };
 
 /// The promised box, in the number n of vertices (Lemma 2.18).
-inline constexpr std::array<AxisBound, 3> kBox{
-    {{40, 1, 2, 80}, {40, 1, 2, 80}, {1000, 1, 4, 1000}}};
+inline constexpr std::array<AxisBound, 3> kBox{linear(40) + 80, linear(40) + 80,
+                                               quadratic(1000) + 1000};
 /// The box that the ordinary rounds are held to.
-inline constexpr std::array<AxisBound, 3> kOrdinaryBox{
-    {{40, 1, 2, 80}, {40, 1, 2, 80}, {64, 1, 4, 64}}};
+inline constexpr std::array<AxisBound, 3> kOrdinaryBox{linear(40) + 80, linear(40) + 80,
+                                                       quadratic(64) + 64};
 
 /// Draws a simple graph of maximum degree 3 with at most two bends per edge and all angles at least
 /// 120 degrees, exactly 120 at vertices of degree 3 (Theorem 2).
 /// @param graph  n vertices, m edges; may be disconnected.
 /// @return points of the lattice with squared length x^2 + y^2 + z^2/3; smallest x, y and z are 0.
-/// @throws InputError if graph.max_degree() > 3.
+/// @throws InputError if graph.max_degree() > 3 or there is no such effort.
 /// Cost: O(n) but for greatest common divisors, O(n) memory. Differs from the paper: no cycles are
 /// sought and no triangles contracted; the graph is swept along an st-order (docs/theorem2.md says
 /// why).
 Drawing draw(const Graph& graph, const Options& options = {});
 
-}  // namespace ar3d::two_bend
-
-namespace ar3d {
-
 /// The catalogue row `two-bend`.
-Algorithm two_bend_row();
+Algorithm row();
 
-}  // namespace ar3d
+}  // namespace ar3d::two_bend

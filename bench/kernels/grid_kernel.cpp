@@ -100,7 +100,7 @@ void size_kernel(benchmark::State& state, const Family& family) {
 }
 
 const bool kRegistered = [] {
-  for (std::int64_t effort = 0; effort <= 2; ++effort) {
+  for (std::int64_t effort = 0; effort <= 1; ++effort) {
     benchmark::RegisterBenchmark(("grid/draw/" + std::to_string(effort)).c_str(),
                                  [effort](benchmark::State& s) { draw_grid_kernel(s, effort); })
         ->RangeMultiplier(10)

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "ar3d/model/error.h"
+#include "ar3d/model/settings.h"
 
 namespace ar3d {
 namespace {
@@ -15,16 +16,6 @@ namespace {
 constexpr std::size_t kMaxRows = 10000000;
 constexpr std::uint64_t kProbeSize = 1000;
 constexpr std::uint64_t kLargestProbe = 100 * kProbeSize;
-
-// "a=1;b=2" for ParameterValues and OptionValues.
-template <class Values>
-std::string settings_text(const Values& values) {
-  std::string text;
-  for (const auto& value : values) {
-    text += fmt::format("{}{}={}", text.empty() ? "" : ";", value.name, value.value);
-  }
-  return text;
-}
 
 // The largest degree of the family's graphs: of the largest one that the sweep asks for up to
 // kProbeSize, or one of kProbeSize if it asks for larger ones only. Where the parameters make even

@@ -1,43 +1,26 @@
 #include "ar3d/bench/replay/replay_row.h"
 
 #include <algorithm>
-#include <vector>
 
 #include "ar3d/bench/run/make_row.h"
 #include "ar3d/bench/spec/study_spec.h"
-#include "ar3d/model/assignments.h"
 #include "ar3d/model/error.h"
+#include "ar3d/model/settings.h"
 
 namespace ar3d {
-namespace {
-
-/// "a=1;b=2" as values.
-template <class Value>
-std::vector<Value> parse_list(const std::string& list) {
-  std::vector<std::string> words;
-  for (std::size_t begin = 0; begin < list.size();) {
-    const std::size_t end = std::min(list.find(';', begin), list.size());
-    words.push_back(list.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parse_assignments<Value>(words);
-}
-
-}  // namespace
-
 PlannedInstance plan_of_row(const RunRecord& row) {
   const Algorithm& algorithm = find_algorithm(row.algorithm);
   PlannedInstance instance;
   instance.choice.family = &find_family(row.family);
   instance.choice.parameters =
-      complete_parameters(*instance.choice.family, parse_list<ParameterValue>(row.parameters));
+      complete_parameters(*instance.choice.family, parse_settings(row.parameters));
   instance.parameters = row.parameters;
   instance.wanted_n = static_cast<std::uint64_t>(row.requested_n);
   instance.n = static_cast<std::uint64_t>(row.n);
   instance.index = static_cast<std::uint32_t>(row.instance_index);
   instance.seed = row.seed;
   PlannedRun run;
-  run.choice = {&algorithm, complete_options(algorithm, parse_list<OptionValue>(row.options))};
+  run.choice = {&algorithm, complete_options(algorithm, parse_settings(row.options))};
   run.options = row.options;
   run.repetition = static_cast<std::uint32_t>(row.repetition);
   run.row_key = row.row_key;

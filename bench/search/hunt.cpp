@@ -104,7 +104,7 @@ HuntResult hunt(const Subject& subject, const RatioRule& rule, const HuntOptions
 std::vector<FamilyChoice> fitting_families(const Algorithm& algorithm, std::uint64_t n) {
   std::vector<FamilyChoice> fitting;
   for (const Family& family : families()) {
-    const ParameterValues parameters = complete_parameters(family, {});
+    const Settings parameters = complete_parameters(family, {});
     const Graph graph = generate(family, n, 0, parameters);
     if (graph.max_degree() <= algorithm.guarantee.max_degree && graph.num_edges() > 0) {
       fitting.push_back({&family, parameters});

@@ -27,18 +27,16 @@ constexpr std::int64_t kMaxCount = 1000000;
 constexpr std::size_t kMaxChoices = 100000;
 
 // One integer setting of a family or an algorithm and the values that it takes in turn.
-struct Setting {
+struct SettingChoices {
   std::string name;
   std::vector<std::int64_t> values;
 };
 
-// Every combination of the settings, the last one fastest, as a list of ParameterValue or
-// OptionValue.
-template <class Value>
-std::vector<std::vector<Value>> combinations(const std::vector<Setting>& settings) {
-  std::vector<std::vector<Value>> all = {{}};
-  for (const Setting& setting : settings) {
-    std::vector<std::vector<Value>> longer;
+// Every combination of the settings, the last one fastest.
+std::vector<Settings> combinations(const std::vector<SettingChoices>& settings) {
+  std::vector<Settings> all = {{}};
+  for (const SettingChoices& setting : settings) {
+    std::vector<Settings> longer;
     for (const auto& prefix : all) {
       for (const std::int64_t value : setting.values) {
         longer.push_back(prefix);
@@ -139,7 +137,7 @@ class SpecReader {
   // "name", or { <key> = "name", setting = value or list, ... }: the name and the settings in order
   // of name.
   std::string name_and_settings(const toml::node& node, const std::string& key,
-                                std::vector<Setting>& settings) const {
+                                std::vector<SettingChoices>& settings) const {
     if (node.is_string()) return toml_text(file_, node, key);
     TomlTable table(file_, node, key);
     const std::string name = table.text(key);
@@ -157,10 +155,10 @@ class SpecReader {
   std::vector<FamilyChoice> family_choices(const toml::node& node) const {
     std::vector<FamilyChoice> choices;
     for (const toml::node* entry : list(node, "families")) {
-      std::vector<Setting> settings;
+      std::vector<SettingChoices> settings;
       const std::string name = name_and_settings(*entry, "family", settings);
       const auto add = [&](const Family& family) {
-        for (const ParameterValues& values : combinations<ParameterValue>(settings)) {
+        for (const Settings& values : combinations(settings)) {
           choices.push_back({&family, complete_parameters(family, values)});
         }
       };
@@ -178,7 +176,7 @@ class SpecReader {
   std::vector<AlgorithmChoice> algorithm_choices(const toml::node& node) const {
     std::vector<AlgorithmChoice> choices;
     for (const toml::node* entry : list(node, "algorithms")) {
-      std::vector<Setting> settings;
+      std::vector<SettingChoices> settings;
       const std::string name = name_and_settings(*entry, "algorithm", settings);
       if (name == "all" && settings.empty()) {
         for (const Algorithm& algorithm : algorithms()) {
@@ -188,7 +186,7 @@ class SpecReader {
       }
       with_place(file_, *entry, [&] {
         const Algorithm& algorithm = find_algorithm(name);
-        for (const OptionValues& values : combinations<OptionValue>(settings)) {
+        for (const Settings& values : combinations(settings)) {
           choices.push_back({&algorithm, complete_options(algorithm, values)});
         }
       });

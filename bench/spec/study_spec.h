@@ -14,13 +14,13 @@ namespace ar3d {
 /// A family with complete parameters.
 struct FamilyChoice {
   const Family* family = nullptr;
-  ParameterValues parameters;
+  Settings parameters;
 };
 
 /// An algorithm with complete options.
 struct AlgorithmChoice {
   const Algorithm* algorithm = nullptr;
-  OptionValues options;
+  Settings options;
 };
 
 /// What an include or exclude entry says: an empty name matches all.

@@ -45,7 +45,7 @@ class RandomDrawing {
     const Drawing drawing("compact", kCubeLattice, std::move(at),
                           std::make_shared<const std::vector<Edge>>(edges_),
                           std::make_shared<StoredBends>(bends_));
-    return certify(graph, drawing, compact_row().guarantee,
+    return certify(graph, drawing, compact::row().guarantee,
                    {.crossing_test = CrossingTest::all_pairs, .check_size = false})
         .valid();
   }

@@ -159,13 +159,13 @@ TEST(CompactStrip, GivesBackWhatAVertexUsed) {
   }
 }
 
-TEST(CompactNarrowStrips, AreGivenUpAfterTheirKicks) {
+TEST(CompactNarrowStrips, AreGivenUpAfterTheirEjections) {
   const Graph graph = random_regular(200);
   Census census;
-  const Tightness tight{.cells = 30, .kicks = 50};
+  const Tightness tight{.cells = 30, .ejections = 50};
   EXPECT_FALSE(
       fill_narrow_strip(decompose(graph), graph.num_edges(), tight, RandomStream(1), census));
-  EXPECT_LE(census.kicks, 100 + 20);
+  EXPECT_LE(census.ejections, 100 + 20);
   EXPECT_LE(census.trials, 120 * (200 + 2 * 120 + 1));
   EXPECT_GT(narrow_size(200, widened(tight)).columns, narrow_size(200, tight).columns);
 }

@@ -10,17 +10,16 @@
 
 namespace ar3d::testing {
 
-/// The four ways of drawing: the proof's zones and the three efforts.
+/// One for each effort.
 inline const std::vector<compact::Options>& compact_modes() {
-  static const std::vector<compact::Options> modes = {
-      {.guaranteed = true}, {.effort = 0}, {.effort = 1}, {.effort = 2}};
+  static const std::vector<compact::Options> modes = {{.effort = 0}, {.effort = 1}, {.effort = 2}};
   return modes;
 }
 
 /// Empty if the drawing is proved right, has five bends on every edge and keeps the theorem's box
 /// and that of its own strip; else what is wrong.
 inline std::string compact_fault(const Graph& graph, const Drawing& drawing) {
-  static const Algorithm row = compact_row();
+  static const Algorithm row = compact::row();
   const CrossingTest test =
       graph.num_vertices() <= 200 ? CrossingTest::all_pairs : CrossingTest::automatic;
   const Certificate certificate = certify(graph, drawing, row.guarantee, {.crossing_test = test});

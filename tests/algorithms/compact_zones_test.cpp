@@ -10,7 +10,7 @@ namespace ar3d::compact {
 namespace {
 
 TEST(CompactZones, KeepTheTheoremsBoxForEverySize) {
-  const SizeBound bound = compact_row().guarantee.bound;
+  const SizeBound bound = compact::row().guarantee.bound;
   RandomStream random(3);
   std::int64_t n = 1;
   while (n <= std::int64_t{kMaxVertices}) {

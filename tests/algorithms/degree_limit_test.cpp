@@ -41,8 +41,8 @@ TEST(DegreeLimit, NamesTheFirstVertexAndItsDegree) {
                   ", but vertex 2 has degree 5 (vertices count from 0)");
   }
   const std::string vertex = "but vertex 2 has degree 5 (vertices count from 0)";
-  EXPECT_THAT(refusal([](const Graph& graph) { diamond(graph); }), HasSubstr(vertex));
-  EXPECT_THAT(refusal([](const Graph& graph) { draw_grid(graph); }), HasSubstr(vertex));
+  EXPECT_THAT(refusal([](const Graph& graph) { diamond::draw(graph); }), HasSubstr(vertex));
+  EXPECT_THAT(refusal([](const Graph& graph) { grid::draw(graph); }), HasSubstr(vertex));
   EXPECT_THAT(refusal([](const Graph& graph) { two_bend::draw(graph); }), HasSubstr(vertex));
 }
 

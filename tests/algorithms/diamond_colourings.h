@@ -38,14 +38,14 @@ inline std::vector<Cut> all_cuts(std::uint32_t n) {
 
 /// The order cut into items; the edges are appended to `edges`. False if one is there already.
 inline bool make_items(const std::vector<Vertex>& order, const Cut& cut, std::vector<Edge>& edges,
-                       theorem1::Items& items) {
+                       diamond::Items& items) {
   items = {order, {}, {0}};
   std::uint32_t begin = 0;
   for (std::size_t i = 0; i < cut.size.size(); ++i) {
     const std::uint32_t end = begin + cut.size[i];
     for (std::uint32_t p = begin; p < end; ++p) {
       if (p + 1 == end && !cut.cycle[i]) {
-        items.edge.push_back(theorem1::kNone);
+        items.edge.push_back(diamond::kNone);
         continue;
       }
       const auto [u, v] = std::minmax(order[p], order[p + 1 == end ? begin : p + 1]);
@@ -69,14 +69,14 @@ std::size_t for_all_colourings(Vertex n, Visit visit) {
   std::iota(green_order.begin(), green_order.end(), 0u);
   std::size_t count = 0;
   for (const Cut& green_cut : cuts) {
-    theorem1::Items green;
+    diamond::Items green;
     std::vector<Edge> green_edges;
     make_items(green_order, green_cut, green_edges, green);
     std::vector<Vertex> red_order = green_order;
     do {
       for (const Cut& red_cut : cuts) {
         std::vector<Edge> edges = green_edges;
-        theorem1::Items red;
+        diamond::Items red;
         if (!make_items(red_order, red_cut, edges, red)) continue;
         visit(Graph(n, std::move(edges)), green, red);
         ++count;
@@ -91,12 +91,12 @@ std::size_t for_all_colourings(Vertex n, Visit visit) {
 inline std::size_t count_colouring_faults(Vertex n, std::size_t& colourings) {
   std::size_t faults = 0;
   colourings = for_all_colourings(
-      n, [&](const Graph& graph, const theorem1::Items& green, const theorem1::Items& red) {
-        const auto [placement, gaps] = theorem1::place_guaranteed(graph, green, red);
-        const auto extents = theorem1::choose_tracks(graph, placement).extents;
+      n, [&](const Graph& graph, const diamond::Items& green, const diamond::Items& red) {
+        const auto [placement, gaps] = diamond::place_guaranteed(graph, green, red);
+        const auto extents = diamond::choose_tracks(graph, placement).extents;
         const std::int64_t side = 4 * std::int64_t{n} + 2 * gaps.H();
-        const bool fine = theorem1::keeps_invariants(graph, placement) &&
-                          theorem1::fits_theorem_box(extents, n) &&
+        const bool fine = diamond::keeps_invariants(graph, placement) &&
+                          diamond::fits_theorem_box(extents, n) &&
                           gaps.H() <= gaps.m_green + gaps.rho + gaps.green_gaps + gaps.red_gaps &&
                           (n < 4 || (gaps.green_gaps <= 1 && gaps.red_gaps <= 1)) &&
                           (n < 2 || (extents[0] <= side && extents[1] <= side &&

@@ -18,9 +18,8 @@ class EverySmallGraph : public ::testing::TestWithParam<int> {};
 
 TEST_P(EverySmallGraph, IsCertifiedInEveryMode) {
   for (const Graph& graph : testing::geng(fmt::format("-D4 {}", GetParam()))) {
-    for (const DiamondOptions& options : diamond_modes()) {
-      ASSERT_EQ(diamond_fault(graph, options), "")
-          << "effort " << options.effort << " guaranteed " << options.guaranteed;
+    for (const diamond::Options& options : diamond_modes()) {
+      ASSERT_EQ(diamond_fault(graph, options), "") << "effort " << options.effort;
     }
   }
 }
@@ -41,7 +40,7 @@ TEST_P(EveryFourRegularGraph, IsCertifiedInFiveLabellings) {
   for (const Graph& graph : testing::geng(fmt::format("-c -d4 -D4 {}", GetParam()))) {
     for (int relabelling = 0; relabelling < 5; ++relabelling) {
       const Graph shuffled = testing::shuffled(graph, ++seed);
-      for (const DiamondOptions& options : diamond_modes()) {
+      for (const diamond::Options& options : diamond_modes()) {
         ASSERT_EQ(diamond_fault(shuffled, options), "") << "seed " << seed;
       }
     }

@@ -19,9 +19,8 @@ TEST(EveryGraphOfTenVertices, IsCertifiedInEveryMode) {
   const std::vector<Graph> graphs = testing::geng("-D4 10");
   EXPECT_GT(graphs.size(), 100000u);
   for (const Graph& graph : graphs) {
-    for (const DiamondOptions& options : testing::diamond_modes()) {
-      ASSERT_EQ(testing::diamond_fault(graph, options), "")
-          << "effort " << options.effort << " guaranteed " << options.guaranteed;
+    for (const diamond::Options& options : testing::diamond_modes()) {
+      ASSERT_EQ(testing::diamond_fault(graph, options), "") << "effort " << options.effort;
     }
   }
 }
@@ -31,7 +30,7 @@ TEST(EveryFourRegularGraphOfTwelveVertices, IsCertifiedInFiftyLabellings) {
   for (const Graph& graph : testing::geng("-c -d4 -D4 12")) {
     for (int relabelling = 0; relabelling < 50; ++relabelling) {
       const Graph shuffled = testing::shuffled(graph, ++seed);
-      for (const DiamondOptions& options : testing::diamond_modes()) {
+      for (const diamond::Options& options : testing::diamond_modes()) {
         ASSERT_EQ(testing::diamond_fault(shuffled, options), "") << "seed " << seed;
       }
     }

@@ -6,18 +6,18 @@
 #include <algorithm>
 
 #include "algorithms/diamond_support.h"
-#include "ar3d/algorithms/diamond/compact.h"
 #include "ar3d/algorithms/diamond/guaranteed.h"
+#include "ar3d/algorithms/diamond/parity_placement.h"
 #include "ar3d/algorithms/diamond/routes.h"
 #include "support/graphs.h"
 
 namespace ar3d {
 namespace {
 
-using namespace theorem1;
+using namespace diamond;
 
 Certificate judge(const Graph& graph, const Placement& placement, Tracks tracks) {
-  return certify(graph, lift(graph, placement, std::move(tracks)), diamond_row().guarantee,
+  return certify(graph, lift(graph, placement, std::move(tracks)), diamond::row().guarantee,
                  {.crossing_test = CrossingTest::all_pairs, .check_size = false});
 }
 

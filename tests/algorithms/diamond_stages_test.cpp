@@ -8,10 +8,10 @@
 #include "algorithms/diamond_support.h"
 #include "ar3d/algorithms/diamond/anneal.h"
 #include "ar3d/algorithms/diamond/candidates.h"
-#include "ar3d/algorithms/diamond/compact.h"
 #include "ar3d/algorithms/diamond/guaranteed.h"
 #include "ar3d/algorithms/diamond/joint_rotation.h"
 #include "ar3d/algorithms/diamond/ordering.h"
+#include "ar3d/algorithms/diamond/parity_placement.h"
 #include "ar3d/algorithms/diamond/routes.h"
 #include "ar3d/model/random.h"
 #include "support/graphs.h"
@@ -19,7 +19,7 @@
 namespace ar3d {
 namespace {
 
-using namespace theorem1;
+using namespace diamond;
 
 /// Random graph of maximum degree 4: random pairs are joined where both ends have room.
 Graph random_graph(Vertex n, unsigned tries, std::uint64_t seed) {
@@ -160,13 +160,13 @@ TEST(Placements, KeepTheirInvariantsInEveryMode) {
     EXPECT_TRUE(keeps_invariants(graph, guaranteed));
     for (const PlanePoint p : guaranteed.at) EXPECT_EQ((p.X | p.Y) & 1, 0);
     for (const auto pattern : {ParityPattern::alternating, ParityPattern::pairs}) {
-      const auto compact = place_compact(graph, green, red, pattern);
+      const auto compact = place_by_parity(graph, green, red, pattern);
       EXPECT_TRUE(!compact || keeps_invariants(graph, compact->placement));
     }
     RandomStream random(graph.num_edges(), 3);
     std::vector<std::uint8_t> parity(graph.num_vertices());
     for (auto& p : parity) p = random.chance(1, 2);
-    const auto compact = place_compact(graph, green, red, parity);
+    const auto compact = place_by_parity(graph, green, red, parity);
     EXPECT_TRUE(!compact || keeps_invariants(graph, compact->placement));
   }
 }

@@ -8,10 +8,9 @@
 
 namespace ar3d::testing {
 
-/// The four ways of drawing: the guaranteed mode and the three efforts.
-inline const std::vector<DiamondOptions>& diamond_modes() {
-  static const std::vector<DiamondOptions> modes = {
-      {.guaranteed = true}, {.effort = 0}, {.effort = 1}, {.effort = 2}};
+/// One for each effort.
+inline const std::vector<diamond::Options>& diamond_modes() {
+  static const std::vector<diamond::Options> modes = {{.effort = 0}, {.effort = 1}, {.effort = 2}};
   return modes;
 }
 
@@ -26,7 +25,7 @@ inline std::int64_t counter(const Drawing& drawing, const std::string& name) {
 /// Empty if the drawing is proved right, keeps the theorem's box and, where it claims one, the box
 /// of its own proof; else what is wrong.
 inline std::string diamond_fault(const Graph& graph, const Drawing& drawing) {
-  static const Algorithm row = diamond_row();
+  static const Algorithm row = diamond::row();
   const Certificate certificate =
       certify(graph, drawing, row.guarantee, {.crossing_test = CrossingTest::all_pairs});
   if (!certificate.valid()) return certificate.violations[0].message;
@@ -42,8 +41,8 @@ inline std::string diamond_fault(const Graph& graph, const Drawing& drawing) {
   return "";
 }
 
-inline std::string diamond_fault(const Graph& graph, const DiamondOptions& options) {
-  return diamond_fault(graph, diamond(graph, options));
+inline std::string diamond_fault(const Graph& graph, const diamond::Options& options) {
+  return diamond_fault(graph, diamond::draw(graph, options));
 }
 
 }  // namespace ar3d::testing

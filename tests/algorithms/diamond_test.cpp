@@ -69,22 +69,21 @@ std::vector<Named> corner_cases() {
 
 TEST(Diamond, DrawsCornerCasesInEveryMode) {
   for (const auto& [name, graph] : corner_cases()) {
-    for (const DiamondOptions& options : diamond_modes()) {
-      EXPECT_EQ(diamond_fault(graph, options), "")
-          << name << ", effort " << options.effort << " guaranteed " << options.guaranteed;
+    for (const diamond::Options& options : diamond_modes()) {
+      EXPECT_EQ(diamond_fault(graph, options), "") << name << ", effort " << options.effort;
     }
   }
 }
 
 TEST(Diamond, RefusesDegreeFiveAndUnknownEfforts) {
-  EXPECT_THROW(diamond(complete(6)), InputError);
-  EXPECT_THROW(diamond(path(3), {.effort = 3}), InputError);
-  EXPECT_THROW(diamond(path(3), {.effort = -1}), InputError);
+  EXPECT_THROW(diamond::draw(complete(6)), InputError);
+  EXPECT_THROW(diamond::draw(path(3), {.effort = 3}), InputError);
+  EXPECT_THROW(diamond::draw(path(3), {.effort = -1}), InputError);
 }
 
 TEST(Diamond, EveryEdgeHasThreeBends) {
   const Graph graph = testing::petersen();
-  const Drawing drawing = diamond(graph);
+  const Drawing drawing = diamond::draw(graph);
   std::vector<Point> points;
   for (EdgeId e = 0; e < graph.num_edges(); ++e) {
     drawing.polyline(e, points);
@@ -94,9 +93,9 @@ TEST(Diamond, EveryEdgeHasThreeBends) {
 
 TEST(Diamond, SameGraphSameDrawing) {
   const Graph graph = squared_cycle(60);
-  for (const DiamondOptions& options : diamond_modes()) {
-    const Drawing one = diamond(graph, options);
-    const Drawing two = diamond(graph, options);
+  for (const diamond::Options& options : diamond_modes()) {
+    const Drawing one = diamond::draw(graph, options);
+    const Drawing two = diamond::draw(graph, options);
     std::vector<Point> p;
     std::vector<Point> q;
     for (EdgeId e = 0; e < graph.num_edges(); ++e) {
@@ -113,20 +112,16 @@ std::int64_t grid_points(const Drawing& drawing) {
   return (x + 1) * (y + 1) * (z + 1);
 }
 
-TEST(Diamond, MoreEffortNeverCostsVolume) {
+TEST(Diamond, TheHighestEffortIsNeverLarger) {
   for (const auto& [name, graph] : corner_cases()) {
-    const std::int64_t zero = grid_points(diamond(graph, {.effort = 0}));
-    const std::int64_t one = grid_points(diamond(graph, {.effort = 1}));
-    const std::int64_t two = grid_points(diamond(graph, {.effort = 2}));
-    EXPECT_LE(one, zero) << name;
-    EXPECT_LE(two, one) << name;
-    EXPECT_LE(one, grid_points(diamond(graph, {.guaranteed = true}))) << name;
+    const std::int64_t two = grid_points(diamond::draw(graph, {.effort = 2}));
+    EXPECT_LE(two, grid_points(diamond::draw(graph, {.effort = 1}))) << name;
+    EXPECT_LE(two, grid_points(diamond::draw(graph, {.effort = 0}))) << name;
   }
 }
 
 TEST(Diamond, GuaranteedModeTellsItsGaps) {
-  const Drawing drawing =
-      diamond(disjoint_union({complete(5), octahedron()}), {.guaranteed = true});
+  const Drawing drawing = diamond::draw(disjoint_union({complete(5), octahedron()}), {.effort = 0});
   EXPECT_EQ(counter(drawing, "mode"), 0);
   EXPECT_EQ(counter(drawing, "H"), counter(drawing, "green_gaps") + counter(drawing, "bumps") +
                                        counter(drawing, "offsets"));
@@ -137,8 +132,8 @@ TEST(Diamond, GuaranteedModeTellsItsGaps) {
 
 TEST(Diamond, SmallerModesKeepTheBoundOfTheGuaranteedOne) {
   const Graph graph = squared_cycle(100);
-  const Drawing proof = diamond(graph, {.guaranteed = true});
-  const Drawing smaller = diamond(graph, {.effort = 1});
+  const Drawing proof = diamond::draw(graph, {.effort = 0});
+  const Drawing smaller = diamond::draw(graph, {.effort = 2});
   ASSERT_NE(counter(smaller, "mode"), 0);
   ASSERT_TRUE(smaller.instance_bound);
   EXPECT_EQ(*smaller.instance_bound, *proof.instance_bound);
@@ -147,7 +142,7 @@ TEST(Diamond, SmallerModesKeepTheBoundOfTheGuaranteedOne) {
 
 TEST(Diamond, PairsBeatAlternatingParityOnManyTriangles) {
   // Squared cycles put a clash on every line of the alternating mode; pairs 0011 avoid them.
-  const Drawing drawing = diamond(squared_cycle(1000), {.effort = 1});
+  const Drawing drawing = diamond::draw(squared_cycle(1000), {.effort = 2});
   EXPECT_EQ(counter(drawing, "mode"), 2);
 }
 

@@ -77,10 +77,10 @@ TEST(DiamondUnions, AreCertifiedAndReachTheRareCases) {
   std::map<std::string, std::int64_t> total;
   for (std::uint64_t seed = 0; seed < 1500; ++seed) {
     const Graph graph = random_union(seed);
-    for (const DiamondOptions& options : testing::diamond_modes()) {
-      const Drawing drawing = diamond(graph, options);
+    for (const diamond::Options& options : testing::diamond_modes()) {
+      const Drawing drawing = diamond::draw(graph, options);
       ASSERT_EQ(testing::diamond_fault(graph, drawing), "") << "seed " << seed;
-      if (options.guaranteed) {
+      if (options.effort == 0) {
         for (const Counter& c : drawing.counters) total[c.name] += c.value;
       }
     }

@@ -17,7 +17,7 @@ TEST(GridLong, TwelveAndThirteenVertices) {
   std::size_t drawn = 0;
   for (const int n : {12, 13}) {
     for (const Graph& graph : testing::geng(fmt::format("-D3 {}", n))) {
-      for (const int effort : {0, 1, 2}) ASSERT_EQ(testing::grid_fault(graph, effort), "");
+      for (const int effort : {0, 1}) ASSERT_EQ(testing::grid_fault(graph, effort), "");
       ++drawn;
     }
   }
@@ -25,11 +25,11 @@ TEST(GridLong, TwelveAndThirteenVertices) {
 }
 
 TEST(GridLong, ConnectedCubicGraphs) {
-  std::array<testing::CaseCounts, 3> counts;  // by effort
+  std::array<testing::CaseCounts, 2> counts;  // by effort
   std::size_t drawn = 0;
   for (int n = 4; n <= 18; n += 2) {
     for (const Graph& graph : testing::geng(fmt::format("-c -d3 -D3 {}", n))) {
-      for (const std::size_t effort : {0u, 1u, 2u}) {
+      for (const std::size_t effort : {0u, 1u}) {
         ASSERT_EQ(testing::grid_fault(graph, static_cast<std::int64_t>(effort), &counts[effort]),
                   "");
       }
@@ -38,17 +38,15 @@ TEST(GridLong, ConnectedCubicGraphs) {
   }
   EXPECT_EQ(drawn, 1u + 2 + 5 + 19 + 85 + 509 + 4060 + 41301);
   counts[0].expect_all_hit();
-  for (const std::size_t effort : {1u, 2u}) {
-    EXPECT_GT(counts[effort].flat_defects, 0);
-    EXPECT_EQ(counts[effort].core_parts, 0) << "flat numbers have worked for all of them so far";
-  }
+  EXPECT_GT(counts[1].flat_defects, 0);
+  EXPECT_EQ(counts[1].core_parts, 0) << "flat numbers have worked for all of them so far";
 }
 
 TEST(GridLong, LargeFamilies) {
   for (const Family& family : families()) {
     const Graph graph = testing::shuffled(generate(family, 10000, 5), 6);
     if (graph.max_degree() > 3) continue;
-    for (const int effort : {0, 1, 2}) {
+    for (const int effort : {0, 1}) {
       ASSERT_EQ(testing::grid_fault(graph, effort), "") << family.name << " effort " << effort;
     }
   }
@@ -58,7 +56,7 @@ TEST(GridLong, HundredThousandVerticesOfHardFamilies) {
   for (const char* family : {"union-petersen", "union-flower-snark", "mixed-union", "cubic-tree",
                              "random-cubic-tree", "goldberg-snark", "spine-with-pendant-trees"}) {
     const Graph graph = testing::shuffled(generate(find_family(family), 100000, 5), 6);
-    for (const int effort : {0, 1, 2}) {
+    for (const int effort : {0, 1}) {
       ASSERT_EQ(testing::grid_fault(graph, effort), "") << family << " effort " << effort;
     }
   }
@@ -67,7 +65,7 @@ TEST(GridLong, HundredThousandVerticesOfHardFamilies) {
 TEST(GridLong, TrianglesNestedAHundredThousandDeep) {
   const Graph graph = testing::shuffled(testing::nested_cubic_triangles(100000), 3);
   ASSERT_EQ(graph.max_degree(), 3u);
-  for (const int effort : {0, 2}) ASSERT_EQ(testing::grid_fault(graph, effort), "");
+  for (const int effort : {0, 1}) ASSERT_EQ(testing::grid_fault(graph, effort), "");
 }
 
 TEST(GridLong, AMillionVerticesOfARandomCubicGraph) {
@@ -77,7 +75,7 @@ TEST(GridLong, AMillionVerticesOfARandomCubicGraph) {
 TEST(GridLong, SpineWithPendantTreesStaysLinear) {
   for (const std::uint64_t n : {10000u, 100000u}) {
     const Graph graph = generate(find_family("spine-with-pendant-trees"), n, 1);
-    for (const int effort : {0, 1, 2}) {
+    for (const int effort : {0, 1}) {
       const Drawing drawing = draw(find_algorithm("grid"), graph, {{"effort", effort}});
       for (const std::int64_t extent : bounding_box(drawing).extents()) {
         EXPECT_LE(extent, 20 * static_cast<std::int64_t>(n)) << "effort " << effort;

@@ -22,20 +22,20 @@ namespace ar3d {
 namespace {
 
 Graph member(const std::string& family, std::uint64_t n, bool shuffled) {
-  ParameterValues parameters;
+  Settings parameters;
   if (shuffled) parameters.push_back({"shuffle", 1});
   return generate(find_family(family), n, 7, parameters);
 }
 
 /// What the construction of Theorem 1 in its guaranteed mode meets.
 struct DiamondCases {
-  theorem1::GapCount gaps;
+  diamond::GapCount gaps;
   std::int64_t midpoint_z =
       0;  ///< edges drawn as Z with |dY| = 4 and |dX| = 2: no track at distance 1
 };
 
 DiamondCases diamond_cases(const Graph& graph) {
-  using namespace theorem1;
+  using namespace diamond;
   const Slots slots = padded_slots(graph);
   const TwoColouring colours = two_colouring(graph, slots, balanced_orientation(slots));
   const auto [placement, gaps] = place_guaranteed(graph, extract_items(colours.next[kGreen]),
@@ -116,11 +116,9 @@ TEST_P(HardFamilies, MixedUnionHasDefectsAtEveryEffort) {
   const Graph graph = member("mixed-union");
   const std::int64_t rounds = graph.num_vertices() / 36;
   const Graph random = member("random-cubic");
-  for (const int effort : {1, 2}) {
-    EXPECT_EQ(counter("grid", graph, effort, "core_parts"), 0);
-    EXPECT_GE(counter("grid", graph, effort, "flat_defects"), 4 * rounds);
-    EXPECT_LE(counter("grid", random, effort, "flat_defects"), rounds) << "effort " << effort;
-  }
+  EXPECT_EQ(counter("grid", graph, 1, "core_parts"), 0);
+  EXPECT_GE(counter("grid", graph, 1, "flat_defects"), 4 * rounds);
+  EXPECT_LE(counter("grid", random, 1, "flat_defects"), rounds);
   EXPECT_EQ(counter("grid", graph, 0, "core_parts"), 6 * rounds);
   for (const char* special : {"nt", "pq"})
     EXPECT_GT(counter("grid", graph, 0, special), rounds / 2) << special;
@@ -133,10 +131,8 @@ TEST_P(HardFamilies, SnarkUnionsHaveTwoDefectsInEveryComponent) {
   for (const auto& [family, size] :
        {std::pair{"union-petersen", 10}, std::pair{"union-flower-snark", 20}}) {
     const Graph graph = member(family);
-    for (const int effort : {1, 2}) {
-      EXPECT_EQ(counter("grid", graph, effort, "flat_defects"), 2 * (graph.num_vertices() / size))
-          << family << " effort " << effort;
-    }
+    EXPECT_EQ(counter("grid", graph, 1, "flat_defects"), 2 * (graph.num_vertices() / size))
+        << family;
   }
 }
 

@@ -28,14 +28,14 @@ const std::map<std::string, Digests> kSmoke = {
       {"grid", "05452dc9823d14fb4f70955dbf4e04ed"},
       {"two-bend", "f67f02b60990acac3db8c20adaee887c"}}},
     {"result",
-     {{"compact", "f5efc12f8c531814fee7873ea729fe20"},
+     {{"compact", "53efc76320cea9bcf430ce1b38709118"},
       {"diamond", "f71205ee46c9dfa60422df6540236af7"},
       {"grid", "d2e5ec834366e288bba142728715bc6c"},
       {"two-bend", "c9211c73c82ead848d8d0e6129634f8b"}}},
     {"run",
-     {{"compact", "0e28b93a820de5975f7decbe24cce8d0"},
-      {"diamond", "449714e3db6648c3dad3071c098d3f94"},
-      {"grid", "011d8b4c66cdbdba6b7312ef742a6b53"},
+     {{"compact", "fc6eec179e7a064e88acaaeaa3f282d9"},
+      {"diamond", "1273d6bfc58a3ca1578f9ed301979ab6"},
+      {"grid", "2a391a9af39b705d020ea9eb3b1f189d"},
       {"two-bend", "12d2a177c046c0bba6099fd12f8af063"}}},
 };
 

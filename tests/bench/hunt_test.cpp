@@ -14,7 +14,7 @@ namespace ar3d {
 namespace {
 
 Subject subject_of(const char* algorithm, const char* fault = nullptr,
-                   const OptionValues& options = {}) {
+                   const Settings& options = {}) {
   const Algorithm& row = find_algorithm(algorithm);
   return {{&row, complete_options(row, options)}, fault ? &find_seeded_fault(fault) : nullptr};
 }
@@ -59,7 +59,7 @@ TEST(Hunt, ClimbsAboveWhereItStarts) {
 }
 
 TEST(Hunt, RatioIsTheShareOfTheAskedBound) {
-  const Subject subject = subject_of("diamond", nullptr, {{"effort", 1}});
+  const Subject subject = subject_of("diamond", nullptr, {{"effort", 2}});
   const Graph graph = generate(find_family("random-4-regular"), 60, 1);
   const Trial side = try_graph(subject, {Measure::side}, graph);
   double largest = 0, volume = 1;
@@ -77,7 +77,7 @@ TEST(Hunt, RatioIsTheShareOfTheAskedBound) {
   const Trial own = try_graph(subject, {Measure::z, Against::instance}, graph);
   EXPECT_GE(own.ratio, try_graph(subject, {Measure::z}, graph).ratio);
   Algorithm silent = find_algorithm("diamond");
-  silent.draw = [](const Graph& g, const OptionValues& values) {
+  silent.draw = [](const Graph& g, const Settings& values) {
     Drawing drawing = find_algorithm("diamond").draw(g, values);
     drawing.instance_bound.reset();
     return drawing;

@@ -65,13 +65,13 @@ TEST(MakeRow, TellsTheTheoremsAndThePublishedBound) {
 }
 
 TEST(MakeRow, WhatGoesWrongIsARowAndTheOthersGoOn) {
-  const Algorithm refusing = diamond_drawn_by(
-      [](const Graph&, const OptionValues&) -> Drawing { throw InputError("no"); });
-  const Algorithm greedy = diamond_drawn_by(
-      [](const Graph&, const OptionValues&) -> Drawing { throw std::bad_alloc(); });
+  const Algorithm refusing =
+      diamond_drawn_by([](const Graph&, const Settings&) -> Drawing { throw InputError("no"); });
+  const Algorithm greedy =
+      diamond_drawn_by([](const Graph&, const Settings&) -> Drawing { throw std::bad_alloc(); });
   const Algorithm broken = diamond_drawn_by(
-      [](const Graph&, const OptionValues&) -> Drawing { throw InternalError("bug"); });
-  const Algorithm wrong = diamond_drawn_by([](const Graph& graph, const OptionValues&) {
+      [](const Graph&, const Settings&) -> Drawing { throw InternalError("bug"); });
+  const Algorithm wrong = diamond_drawn_by([](const Graph& graph, const Settings&) {
     auto straight = std::make_shared<StoredBends>();
     for (EdgeId e = 0; e < graph.num_edges(); ++e) straight->add_edge({});
     return Drawing("diamond", kCubeLattice, Coordinates(graph.num_vertices(), 1),
@@ -94,7 +94,7 @@ TEST(MakeRow, WhatGoesWrongIsARowAndTheOthersGoOn) {
 
 TEST(MakeRow, AGraphThatCannotBeMadeRefusesAllItsRows) {
   Family family = find_family("cycle");
-  family.generate = [](std::uint64_t, std::uint64_t, const ParameterValues&) -> Graph {
+  family.generate = [](std::uint64_t, std::uint64_t, const Settings&) -> Graph {
     throw InputError("not today");
   };
   PlannedInstance instance = cycle_of(5, {&find_algorithm("diamond")}, 2);
@@ -107,7 +107,7 @@ TEST(MakeRow, AGraphThatCannotBeMadeRefusesAllItsRows) {
 }
 
 TEST(MakeRow, ARowThatNoFileCouldHoldIsAMarkedRow) {
-  const Algorithm chatty = diamond_drawn_by([](const Graph& graph, const OptionValues& options) {
+  const Algorithm chatty = diamond_drawn_by([](const Graph& graph, const Settings& options) {
     Drawing drawing = find_algorithm("diamond").draw(graph, options);
     drawing.counters.push_back({std::string(1000, 'c'), 1});
     return drawing;
@@ -120,7 +120,7 @@ TEST(MakeRow, ARowThatNoFileCouldHoldIsAMarkedRow) {
 // Warm-ups are drawn, not recorded; the hash is the drawing's.
 TEST(MakeRow, WarmsUpAndHashesTheDrawing) {
   static int drawings = 0;
-  const Algorithm counted = diamond_drawn_by([](const Graph& graph, const OptionValues& options) {
+  const Algorithm counted = diamond_drawn_by([](const Graph& graph, const Settings& options) {
     ++drawings;
     return find_algorithm("diamond").draw(graph, options);
   });
@@ -158,7 +158,7 @@ TEST(MakeRow, TakesOverTheCertificateOfTheSameDrawingOnly) {
 
 // 64 MiB that the drawing takes and gives back stand in its peak, and not in the next row's.
 TEST(MakeRow, PeakMemoryIsTheRowsOwn) {
-  const Algorithm large = diamond_drawn_by([](const Graph& graph, const OptionValues& options) {
+  const Algorithm large = diamond_drawn_by([](const Graph& graph, const Settings& options) {
     std::vector<char> bytes(std::size_t{64} << 20, 1);
     asm volatile("" : : "r"(bytes.data()) : "memory");
     return find_algorithm("diamond").draw(graph, options);

@@ -131,9 +131,9 @@ TEST(TimingPhase, OptionalRepetitionsEndAtThePrecision) {
 // An algorithm that draws differently the second time: its row must not pass for certified.
 TEST(TimingPhase, ADrawingThatIsNotRepeatableIsACrash) {
   static int drawings = 0;
-  const Algorithm fickle = diamond_drawn_by([](const Graph& graph, const OptionValues& options) {
+  const Algorithm fickle = diamond_drawn_by([](const Graph& graph, const Settings& options) {
     const Graph& drawn = graph;
-    OptionValues other = options;
+    Settings other = options;
     if (drawings++ % 2 == 1) other[0].value = other[0].value == 0 ? 2 : 0;
     return find_algorithm("diamond").draw(drawn, other);
   });
@@ -150,7 +150,7 @@ TEST(TimingPhase, ADrawingThatIsNotRepeatableIsACrash) {
 // What failed in the metrics phase is not tried again a hundred times; its rows say why.
 TEST(TimingPhase, ADrawingThatFailedIsNotTriedAgain) {
   static std::atomic<int> tried = 0;
-  const Algorithm failing = diamond_drawn_by([](const Graph&, const OptionValues&) -> Drawing {
+  const Algorithm failing = diamond_drawn_by([](const Graph&, const Settings&) -> Drawing {
     ++tried;
     throw std::bad_alloc();
   });
@@ -275,7 +275,7 @@ TEST(ScalingPhase, MoreRanksThanThereAreAreRefused) {
 TEST(ScalingPhase, ThreadsDrawAtTheSameTime) {
   static std::atomic<int> inside = 0;
   static std::atomic<int> most = 0;
-  const Algorithm noting = diamond_drawn_by([](const Graph& graph, const OptionValues& options) {
+  const Algorithm noting = diamond_drawn_by([](const Graph& graph, const Settings& options) {
     const int now = ++inside;
     int seen = most;
     while (now > seen && !most.compare_exchange_weak(seen, now)) {
@@ -294,7 +294,7 @@ TEST(ScalingPhase, ThreadsDrawAtTheSameTime) {
 TEST(ScalingPhase, AStopEndsABatch) {
   static std::atomic<int> drawn = 0;
   static std::atomic<bool> stop = false;
-  const Algorithm stopping = diamond_drawn_by([](const Graph& graph, const OptionValues& options) {
+  const Algorithm stopping = diamond_drawn_by([](const Graph& graph, const Settings& options) {
     if (++drawn == 4) stop = true;
     return find_algorithm("diamond").draw(graph, options);
   });

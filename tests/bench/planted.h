@@ -36,7 +36,7 @@ inline StudyPlan plan_of(PlannedInstance instance) {
 }
 
 /// The algorithm diamond, but drawing as the given function does.
-inline Algorithm diamond_drawn_by(Drawing (*draw)(const Graph&, const OptionValues&)) {
+inline Algorithm diamond_drawn_by(Drawing (*draw)(const Graph&, const Settings&)) {
   Algorithm algorithm = find_algorithm("diamond");
   algorithm.draw = draw;
   return algorithm;

@@ -66,11 +66,11 @@ weak_ranks = { ranks = [1, 2], repetitions = 5 }
   ASSERT_EQ(spec.sweeps.size(), 1u);
   const Sweep& sweep = spec.sweeps[0];
   ASSERT_EQ(sweep.families.size(), 3u);
-  EXPECT_EQ(sweep.families[1].parameters, (ParameterValues{{"k", 2}}));
-  EXPECT_EQ(sweep.families[2].parameters, (ParameterValues{{"k", 3}}));
+  EXPECT_EQ(sweep.families[1].parameters, (Settings{{"k", 2}}));
+  EXPECT_EQ(sweep.families[2].parameters, (Settings{{"k", 3}}));
   EXPECT_THAT(sweep.sizes, ElementsAre(10, 22, 46, 100, 1000));
   ASSERT_EQ(sweep.algorithms.size(), 2u);
-  EXPECT_EQ(option(sweep.algorithms[1].options, "effort"), 2);
+  EXPECT_EQ(value_of(sweep.algorithms[1].options, "effort"), 2);
   EXPECT_EQ(sweep.instances, 3u);
   EXPECT_EQ(sweep.repetitions, 4u);
   EXPECT_TRUE(sweep.include.at(0).matches("cycle", "diamond", 5));
@@ -215,7 +215,7 @@ TEST(StudySpec, RefusesBadAxes) {
   EXPECT_THAT(sweep_error("\"cycle\"", "10", "{ algorithm = \"diamond\", efort = 1 }"),
               HasSubstr("t.toml:5: algorithm diamond has no option 'efort'"));
   EXPECT_THAT(sweep_error("\"cycle\"", "10", "{ algorithm = \"diamond\", effort = 99 }"),
-              HasSubstr("t.toml:5: option effort = 99 is outside"));
+              HasSubstr("t.toml:5: algorithm diamond: option effort = 99 is outside"));
   EXPECT_THAT(sweep_error("\"cycle\"", "10", "{ effort = 1 }"),
               HasSubstr("algorithm lacks 'algorithm'"));
 }

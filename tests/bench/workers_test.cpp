@@ -58,19 +58,19 @@ StudyPlan within(const std::string& time, StudyPlan plan) {
 // No child of this process is left, running or dead.
 void expect_no_children() { EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1) << "a child is left"; }
 
-Drawing good_drawing(const Graph& graph, const OptionValues& options) {
+Drawing good_drawing(const Graph& graph, const Settings& options) {
   return find_algorithm("diamond").draw(graph, options);
 }
 
 const Algorithm kAborts =
-    diamond_drawn_by([](const Graph&, const OptionValues&) -> Drawing { std::abort(); });
-const Algorithm kSegfaults = diamond_drawn_by([](const Graph&, const OptionValues&) -> Drawing {
+    diamond_drawn_by([](const Graph&, const Settings&) -> Drawing { std::abort(); });
+const Algorithm kSegfaults = diamond_drawn_by([](const Graph&, const Settings&) -> Drawing {
   raise(SIGSEGV);
   std::abort();
 });
 const Algorithm kLeaves =
-    diamond_drawn_by([](const Graph&, const OptionValues&) -> Drawing { _exit(7); });
-const Algorithm kLoops = diamond_drawn_by([](const Graph&, const OptionValues&) -> Drawing {
+    diamond_drawn_by([](const Graph&, const Settings&) -> Drawing { _exit(7); });
+const Algorithm kLoops = diamond_drawn_by([](const Graph&, const Settings&) -> Drawing {
   for (std::atomic<std::uint64_t> i = 0;; ++i) {
   }
 });
@@ -100,7 +100,7 @@ TEST(Workers, ALoopIsATimeoutAndNothingOfItIsLeft) {
   // holds the pipe open (a worker closes all it inherits, so it is opened anew).
   static std::string path;
   path = "/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(pipe_ends[1]);
-  const Algorithm forks = diamond_drawn_by([](const Graph&, const OptionValues&) -> Drawing {
+  const Algorithm forks = diamond_drawn_by([](const Graph&, const Settings&) -> Drawing {
     const int held = open(path.c_str(), O_WRONLY);
     if (fork() == 0) {
       for (;;) pause();
@@ -125,7 +125,7 @@ TEST(Workers, ALoopIsATimeoutAndNothingOfItIsLeft) {
 
 TEST(Workers, AGeneratorThatHangsIsTriedOnceAnInstance) {
   static Family family = find_family("cycle");
-  family.generate = [](std::uint64_t, std::uint64_t, const ParameterValues&) -> Graph {
+  family.generate = [](std::uint64_t, std::uint64_t, const Settings&) -> Graph {
     for (;;) pause();
   };
   PlannedInstance instance = cycle_of(8, {&kGood}, 50);
@@ -139,7 +139,7 @@ TEST(Workers, AGeneratorThatHangsIsTriedOnceAnInstance) {
 }
 
 // 1 GiB in pieces, so that it is no single absurd request.
-const Algorithm kGreedy = diamond_drawn_by([](const Graph& graph, const OptionValues& options) {
+const Algorithm kGreedy = diamond_drawn_by([](const Graph& graph, const Settings& options) {
   std::vector<std::vector<char>> pieces;
   for (int i = 0; i < 64; ++i) pieces.emplace_back(std::size_t{16} << 20, 'x');
   return good_drawing(graph, options);
@@ -214,7 +214,7 @@ TEST(Workers, TheStudysBudgetEndsItWithWhatIsDone) {
 
 // It writes into every descriptor that it finds, the one its rows go through among them.
 TEST(Workers, GarbageOnTheSocketIsACrashOfTheRow) {
-  const Algorithm garbles = diamond_drawn_by([](const Graph& graph, const OptionValues& options) {
+  const Algorithm garbles = diamond_drawn_by([](const Graph& graph, const Settings& options) {
     const std::string garbage(100000, 'm');
     for (int file = 3; file < 64; ++file) {
       (void)!::send(file, garbage.data(), garbage.size(), MSG_NOSIGNAL);
@@ -238,7 +238,7 @@ TEST(Workers, DieWithTheirParent) {
   if (study == 0) {
     static std::string path;
     path = "/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(ends[1]);
-    const Algorithm tells = diamond_drawn_by([](const Graph&, const OptionValues&) -> Drawing {
+    const Algorithm tells = diamond_drawn_by([](const Graph&, const Settings&) -> Drawing {
       const int held = open(path.c_str(), O_WRONLY);
       if (write(held, "x", 1) == 1) {
         for (;;) pause();

@@ -15,7 +15,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::string refusal(const std::string& family, std::uint64_t n, const ParameterValues& parameters) {
+std::string refusal(const std::string& family, std::uint64_t n, const Settings& parameters) {
   try {
     generate(find_family(family), n, 1, parameters);
   } catch (const InputError& error) {
@@ -50,7 +50,7 @@ TEST(Catalogue, NamesAreDistinctAndRowsComplete) {
     EXPECT_LE(family.max_degree, 4u) << family.name;
     EXPECT_NE(family.nearest_n, nullptr) << family.name;
     EXPECT_NE(family.generate, nullptr) << family.name;
-    for (const ParameterSpec& spec : family.parameters) {
+    for (const SettingSpec& spec : family.parameters) {
       EXPECT_LE(spec.low, spec.default_value) << family.name;
       EXPECT_LE(spec.default_value, spec.high) << family.name;
       EXPECT_FALSE(spec.description.empty()) << family.name;
@@ -60,7 +60,7 @@ TEST(Catalogue, NamesAreDistinctAndRowsComplete) {
 
 TEST(Catalogue, SizesAreTheNearestNotAboveAndKept) {
   for (const Family& family : families()) {
-    const ParameterValues defaults = complete_parameters(family, {});
+    const Settings defaults = complete_parameters(family, {});
     const std::uint64_t smallest = family.nearest_n(0, defaults);
     std::uint64_t previous = smallest;
     for (std::uint64_t wanted = 0; wanted < 400; ++wanted) {
@@ -121,7 +121,7 @@ TEST(Catalogue, BadParametersAreRefusedWithTheirValue) {
   EXPECT_THAT(refusal("prism", 10, {{"k", 3}}), HasSubstr("prism has no parameter 'k'"));
   EXPECT_THAT(refusal("torus", 10, {{"rows", 2}}), HasSubstr("rows = 2 is outside 3..1000000"));
   EXPECT_THAT(refusal("torus", 10, {{"rows", 3}, {"rows", 4}}),
-              HasSubstr("'rows' of family torus is given twice"));
+              HasSubstr("family torus: parameter 'rows' is given twice"));
   EXPECT_THAT(refusal("cubic-tree", 10, {{"leaf", 6}}), HasSubstr("leaf = 6"));
   EXPECT_THAT(refusal("random-max-degree", 10, {{"degree", 3}, {"edges-per-vertex", 1500001}}),
               HasSubstr("edges-per-vertex = 1500001 is above 1500000"));

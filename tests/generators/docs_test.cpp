@@ -12,7 +12,7 @@ namespace {
 
 std::string parameters_of(const Family& family) {
   std::string text;
-  for (const ParameterSpec& spec : family.parameters) {
+  for (const SettingSpec& spec : family.parameters) {
     text += fmt::format("{}`{}` {}..{}, default {}: {}", text.empty() ? "" : "; ", spec.name,
                         spec.low, spec.high, spec.default_value, spec.description);
   }
@@ -22,7 +22,7 @@ std::string parameters_of(const Family& family) {
 std::string table_of_families() {
   std::string text;
   for (const Family& family : families()) {
-    const ParameterValues defaults = complete_parameters(family, {});
+    const Settings defaults = complete_parameters(family, {});
     text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", family.name, family.summary,
                         family.max_degree, family.is_random ? "random" : "fixed",
                         family.nearest_n(0, defaults), parameters_of(family));

@@ -29,7 +29,7 @@ struct Expectation {
   std::int64_t components;
   std::int64_t connectivity;
   std::map<std::uint32_t, std::uint64_t> degrees;  // empty: says nothing
-  ParameterValues parameters = {};
+  Settings parameters = {};
 };
 
 constexpr std::int64_t kAny = -1;

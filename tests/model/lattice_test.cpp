@@ -62,15 +62,19 @@ TEST(Lattice, RefusesWhatIsNoMetric) {
 }
 
 TEST(AxisBound, DecidesExactly) {
-  const AxisBound third{16, 3, 2, 0};
+  const AxisBound third = linear(16, 3);
   EXPECT_TRUE(third.holds(16, 3));
   EXPECT_FALSE(third.holds(17, 3));
   EXPECT_EQ(third.formula(), "16/3 n");
-  const AxisBound root{3, 1, 1, 2};
+  const AxisBound root = sqrt_n(3) + 2;
   EXPECT_TRUE(root.holds(11, 9));
   EXPECT_FALSE(root.holds(12, 9));
   EXPECT_EQ(root.formula(), "3 sqrt(n) + 2");
-  const AxisBound ninth{1, 1, 18, 0};
+  EXPECT_EQ((quadratic(64) + 64).formula(), "64 n^2 + 64");
+  EXPECT_EQ(cubic(1).formula(), "n^3");
+  EXPECT_TRUE(quadratic(64).holds(64 * 25, 5));
+  EXPECT_FALSE(quadratic(64).holds(64 * 25 + 1, 5));
+  const AxisBound ninth{.numerator = 1, .half_power = 18};
   EXPECT_TRUE(ninth.holds(std::int64_t{1} << 61, 1u << 31));
 }
 

@@ -31,7 +31,7 @@ bool is_known_outside(const std::string& name) {
   static const std::set<std::string> names = {"OMP_NUM_THREADS", "FIELD_i_NAME",    "member_",
                                               "kConstant",       "perf_event_open", "hdf5.h",
                                               "--sshlogin",      "--return"};
-  static const std::regex built("fuzz_.*|ar3d_.*_tests|.*_bound_[xyz]|std::.*");
+  static const std::regex built("fuzz_.*|ar3d_.*_tests|.*_(bound|slack)_[xyz]|slack_[xyz]|std::.*");
   return names.contains(name) || std::regex_match(name, built);
 }
 

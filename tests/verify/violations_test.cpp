@@ -26,7 +26,7 @@ Guarantee promise() {
   guarantee.lattice = kCubeLattice;
   guarantee.directions = {{1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}};
   guarantee.vertices_in_plane = true;
-  const AxisBound bound{4, 1, 2, 0};  // 4 n
+  const AxisBound bound = linear(4);
   guarantee.bound = {"test", "test", {bound, bound, bound}};
   return guarantee;
 }

@@ -1,11 +1,15 @@
-#include "ar3d/algorithms/diamond/compact.h"
+// Step 1.8. Any parity class for each vertex instead of even coordinates: X by the green order,
+// then the least Y of the right parity for each vertex in red order. At most six values are
+// forbidden for a vertex, so the walk never fails; (C1) and (C2) are kept by rules filed under the
+// later vertex. O(n). Idea: not in the paper; without a proved box of its own.
+#include "ar3d/algorithms/diamond/parity_placement.h"
 
 #include <algorithm>
 
 #include "ar3d/algorithms/diamond/ordering.h"
 #include "ar3d/model/error.h"
 
-namespace ar3d::theorem1 {
+namespace ar3d::diamond {
 namespace {
 
 /// Pairs of vertices at which a difference of Y is forbidden, filed under the later one's place in
@@ -35,9 +39,9 @@ class ForbiddenDifferences {
   std::vector<Rule> rules_;
 };
 
-class CompactPlacer {
+class ParityPlacer {
  public:
-  CompactPlacer(const Graph& graph, Placement& placement)
+  ParityPlacer(const Graph& graph, Placement& placement)
       : graph_(graph),
         green_(placement.green),
         red_(placement.red),
@@ -148,8 +152,8 @@ class CompactPlacer {
   std::int64_t hits_ = 0;
 };
 
-std::optional<CompactPlacement> finish(const Graph& graph, CompactPlacement result) {
-  CompactPlacer placer(graph, result.placement);
+std::optional<ParityPlacement> finish(const Graph& graph, ParityPlacement result) {
+  ParityPlacer placer(graph, result.placement);
   if (!placer.place_y()) return std::nullopt;
   result.hits = placer.hits();
   expect_heavy([&] { return keeps_invariants(graph, result.placement); },
@@ -159,9 +163,9 @@ std::optional<CompactPlacement> finish(const Graph& graph, CompactPlacement resu
 
 }  // namespace
 
-std::optional<CompactPlacement> place_compact(const Graph& graph, Items green, Items red,
-                                              ParityPattern pattern) {
-  CompactPlacement result{{std::move(green), std::move(red), {}}, 0};
+std::optional<ParityPlacement> place_by_parity(const Graph& graph, Items green, Items red,
+                                               ParityPattern pattern) {
+  ParityPlacement result{{std::move(green), std::move(red), {}}, 0};
   const auto& order = result.placement.green.vertex;
   result.placement.at.resize(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -172,9 +176,9 @@ std::optional<CompactPlacement> place_compact(const Graph& graph, Items green, I
   return finish(graph, std::move(result));
 }
 
-std::optional<CompactPlacement> place_compact(const Graph& graph, Items green, Items red,
-                                              const std::vector<std::uint8_t>& parity) {
-  CompactPlacement result{{std::move(green), std::move(red), {}}, 0};
+std::optional<ParityPlacement> place_by_parity(const Graph& graph, Items green, Items red,
+                                               const std::vector<std::uint8_t>& parity) {
+  ParityPlacement result{{std::move(green), std::move(red), {}}, 0};
   result.placement.at.resize(parity.size());
   std::int32_t x = -1;
   for (const Vertex v : result.placement.green.vertex) {
@@ -184,4 +188,4 @@ std::optional<CompactPlacement> place_compact(const Graph& graph, Items green, I
   return finish(graph, std::move(result));
 }
 
-}  // namespace ar3d::theorem1
+}  // namespace ar3d::diamond

@@ -8,7 +8,7 @@
 
 #include "ar3d/algorithms/diamond/placement.h"
 
-namespace ar3d::theorem1 {
+namespace ar3d::diamond {
 
 /// The parity classes p(v) = X(v) mod 2 = Y(v) mod 2 along the green order, by rank.
 enum class ParityPattern {
@@ -16,18 +16,18 @@ enum class ParityPattern {
   pairs,        ///< 0 0 1 1: no two vertices two apart have |dX| = 2; good with many triangles
 };
 
-struct CompactPlacement {
+struct ParityPlacement {
   Placement placement;
   std::int64_t hits = 0;  ///< lines skipped because an apex would have fallen on a turn
 };
 
 /// @return nothing if the Y range passes 16n/3, which would put the drawing's x- or y-extent beyond
 /// it. Cost: O(n).
-std::optional<CompactPlacement> place_compact(const Graph& graph, Items green, Items red,
-                                              ParityPattern pattern);
+std::optional<ParityPlacement> place_by_parity(const Graph& graph, Items green, Items red,
+                                               ParityPattern pattern);
 
 /// @param parity  p(v) by vertex, 0 or 1.
-std::optional<CompactPlacement> place_compact(const Graph& graph, Items green, Items red,
-                                              const std::vector<std::uint8_t>& parity);
+std::optional<ParityPlacement> place_by_parity(const Graph& graph, Items green, Items red,
+                                               const std::vector<std::uint8_t>& parity);
 
-}  // namespace ar3d::theorem1
+}  // namespace ar3d::diamond

@@ -1,0 +1,39 @@
+// One scale of effort for all algorithms.
+#include "ar3d/algorithms/effort.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "ar3d/algorithms/catalog.h"
+#include "ar3d/model/error.h"
+#include "support/graphs.h"
+
+namespace ar3d {
+namespace {
+
+TEST(Effort, IsTheOptionOfEveryAlgorithmWithOneDefault) {
+  for (const Algorithm& algorithm : algorithms()) {
+    ASSERT_EQ(algorithm.options.size(), 1u) << algorithm.name;
+    const SettingSpec& effort = algorithm.options[0];
+    EXPECT_EQ(effort.name, "effort") << algorithm.name;
+    EXPECT_EQ(effort.default_value, kDefaultEffort) << algorithm.name;
+    EXPECT_EQ(effort.low, 0) << algorithm.name;
+    EXPECT_THAT(effort.high, ::testing::AnyOf(1, 2)) << algorithm.name;
+  }
+}
+
+TEST(Effort, OutsideTheScaleIsRefusedByName) {
+  for (const Algorithm& algorithm : algorithms()) {
+    const Graph graph = testing::path(3);
+    for (const std::int64_t effort : {std::int64_t{-1}, algorithm.options[0].high + 1}) {
+      EXPECT_THROW(draw(algorithm, graph, {{"effort", effort}}), InputError) << algorithm.name;
+      EXPECT_THROW(algorithm.draw(graph, {{"effort", effort}}), InputError)
+          << algorithm.name << ": the library's function checks, too";
+    }
+  }
+  EXPECT_THROW(check_effort("x", 3, 2), InputError);
+  EXPECT_NO_THROW(check_effort("x", 2, 2));
+}
+
+}  // namespace
+}  // namespace ar3d
