@@ -14,8 +14,8 @@
 namespace ar3d {
 
 /// What the first line of an edge list is, where it has two numbers: the number of vertices and of
-/// edges, or an edge. `automatic`: a header where it cannot be an edge, an edge where it cannot be a
-/// header; where it can be both the file is refused.
+/// edges, or an edge. `automatic`: a header where it cannot be an edge, an edge where it cannot be
+/// a header; where it can be both the file is refused.
 enum class FirstLine { automatic, edge, header };
 
 struct ReadOptions {

@@ -173,12 +173,12 @@ TEST_F(Mpi, IsResumedByAnyNumberOfRanks) {
   const std::string results = path("r.h5");
   const std::string spec = scratch_.write(
       "slow.toml",
-      "study = \"slow\"\n[[sweep]]\nfamilies = \"random-cubic\"\nsizes = 2000\nalgorithms = "
+      "study = \"slow\"\n[[sweep]]\nfamilies = \"random-cubic\"\nsizes = 20000\nalgorithms = "
       "\"grid\"\ninstances = 60\n");
   EXPECT_EQ(run("{} study run -q " + spec + " -o " + path("whole.h5")).exit_code, 0);
   for (const std::string& again : {std::string("{} "), ranks(3)}) {
     run(ranks(2) + "study run -q " + spec + " -o " + results + " & until [ \"$(stat -c %s " +
-        results + ".rank-1.journal 2> /dev/null || echo 0)\" -gt 8000 ]; do sleep 0.01; done; " +
+        results + ".rank-1.journal 2> /dev/null || echo 0)\" -gt 16000 ]; do sleep 0.01; done; " +
         "kill -KILL $(pgrep -f ^[^[:space:]]*ar3d-mpi.*" + results + "); wait");
     ASSERT_TRUE(fs::exists(results + ".rank-1.journal"));
     EXPECT_EQ(run("{} study status " + results).exit_code, 5);
