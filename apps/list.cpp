@@ -28,7 +28,7 @@ std::string size_text(const SizeBound& bound) {
 void print_algorithm(const Algorithm& row) {
   const Guarantee& g = row.guarantee;
   fmt::print("{}: {}\n", row.name, row.summary);
-  fmt::print("    {}; degree <= {}, <= {} bends an edge, angles {} {:.2f} degrees\n", row.source,
+  fmt::print("    {}; degree <= {}, <= {} bends per edge, angles {} {:.2f} degrees\n", row.source,
              g.max_degree, g.max_bends, g.angle_rule == AngleRule::exactly ? "exactly" : "at least",
              degrees(g.cosine));
   fmt::print("    box <= {} ({})\n", size_text(g.bound), g.bound.source);

@@ -83,7 +83,9 @@ TEST_P(HardFamilies, ContainedCyclesAreContainedAndNeedTheMiddleTrack) {
   EXPECT_GE(cases.gaps.contained, shuffled ? triangles / 4 : triangles);
   // Where the red cycle begins, a distance may differ.
   EXPECT_GE(cases.midpoint_z, shuffled ? triangles / 4 : triangles - 2);
-  if (!shuffled) EXPECT_EQ(cases.gaps.rho, 1);
+  if (!shuffled) {
+    EXPECT_EQ(cases.gaps.rho, 1);
+  }
 }
 
 /// Contained cycles, and, where the labels are the family's own, a red cycle a component that must

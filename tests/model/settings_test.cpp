@@ -52,8 +52,8 @@ TEST(Settings, AreRefusedByNameAndValue) {
   };
   EXPECT_EQ(told({{"size", 1}}), "algorithm x has no option 'size'");
   EXPECT_EQ(refusal([] {
-              complete_settings("algorithm x", "option", std::vector<SettingSpec>{{"effort"}},
-                                {{"efort", 1}});
+              complete_settings("algorithm x", "option",
+                                std::vector<SettingSpec>{{"effort", 0, 2, 1, ""}}, {{"efort", 1}});
             }),
             "algorithm x has no option 'efort'; did you mean 'effort'?");
   EXPECT_EQ(told({{"k", 1}, {"k", 2}}), "algorithm x: option 'k' is given twice");
