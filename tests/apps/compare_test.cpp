@@ -60,10 +60,10 @@ TEST(CompareProgram, TheYoungestReferenceOfTheStudyIsTheBase) {
 }
 
 TEST(CompareProgram, TheCommittedReferenceIsWholeAndProved) {
-  const std::string reference = std::string(AR3D_SOURCE_DIR) + "/results/reference/0.1.0-volume.h5";
+  const std::string reference = std::string(AR3D_SOURCE_DIR) + "/results/reference/0.2.0-volume.h5";
   const Outcome check = run("{} check " + reference);
   EXPECT_EQ(check.exit_code, 0) << check.err;
-  EXPECT_THAT(check.out, HasSubstr("17200 rows, 17200 proved"));
+  EXPECT_THAT(check.out, HasSubstr("21528 rows, 21528 proved"));
   EXPECT_EQ(run("{} compare " + reference + " " + reference).exit_code, 0);
 }
 
