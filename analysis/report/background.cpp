@@ -47,7 +47,7 @@ std::string background(const Results& results) {
     }
     html += "</tbody></table></div>";
   }
-  html += "</section>\n<section id=spec><h2>Specification</h2><p class=muted>SHA-256 " +
+  html += "</section>\n<section id=spec><h2>Specification</h2><p class=muted>XXH3-128 " +
           escape(results.spec_hash) + "</p><pre tabindex=0>" + escape(results.spec) +
           "</pre></section>\n";
   return html + kMethods;

@@ -183,6 +183,11 @@ TEST(Report, OfNothingSaysSo) {
   EXPECT_THAT(html, Not(HasSubstr("nan")));
 }
 
+TEST(Report, SaysOfWhatKindTheHashOfTheSpecificationIs) {
+  const Results results = testing::good_results({"diamond"}, {"cubic"}, 3, 1);
+  EXPECT_THAT(render_report(results), HasSubstr("XXH3-128 " + content_hash(results.spec)));
+}
+
 TEST(Report, NamesViolationsAndTheirCommand) {
   Results results = testing::good_results({"diamond"}, {"cubic"}, 3, 2);
   results.runs[3].extents[2] = 999999;
