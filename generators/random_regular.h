@@ -18,7 +18,7 @@ Graph random_regular(Count n, std::uint32_t d, std::uint64_t seed);
 std::vector<Edge> random_regular_edges(Count n, std::uint32_t d, RandomStream& random);
 
 /// A random simple graph with maximum degree at most D and exactly m edges: every vertex has D
-/// slots, a uniformly random pairing of all slots is drawn, its first m pairs are the edges, and
+/// points, a uniformly random pairing of all points is drawn, its first m pairs are the edges, and
 /// all of it is repeated until the graph is simple. So P(G) is proportional to the product over v
 /// of 1 / (D - deg v)!: uniform over the graphs with the same degrees, uniform at all for D = 1 and
 /// for D-regular graphs.

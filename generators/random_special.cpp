@@ -15,14 +15,14 @@ namespace {
 
 enum Stream : std::uint64_t { kConnected = 30, kBipartite, kThinned, kTree, kBridges };
 
-/// Draws the right ends of the slots of 0, 1, ..., three each, one after the other; empty at the
+/// Draws the right ends of the points of 0, 1, ..., three each, one after the other; empty at the
 /// first parallel edge.
-std::vector<Edge> try_bipartite(std::vector<std::uint32_t>& slots, RandomStream& random) {
-  const auto side = static_cast<Vertex>(slots.size() / 3);
+std::vector<Edge> try_bipartite(std::vector<std::uint32_t>& points, RandomStream& random) {
+  const auto side = static_cast<Vertex>(points.size() / 3);
   std::vector<Edge> edges;
-  for (std::size_t i = 0; i < slots.size(); ++i) {
-    std::swap(slots[i], slots[i + random.below(static_cast<std::uint32_t>(slots.size() - i))]);
-    const Edge e = {static_cast<Vertex>(i / 3), side + slots[i] / 3};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::swap(points[i], points[i + random.below(static_cast<std::uint32_t>(points.size() - i))]);
+    const Edge e = {static_cast<Vertex>(i / 3), side + points[i] / 3};
     for (std::size_t j = i - i % 3; j < i; ++j) {
       if (edges[j] == e) return {};
     }
@@ -98,10 +98,10 @@ Graph random_bipartite_cubic(Count n, std::uint64_t seed) {
     throw InputError(fmt::format("there is no simple bipartite cubic graph on {} vertices", n));
   }
   RandomStream random(seed, kBipartite);
-  std::vector<std::uint32_t> slots(3 * n / 2);
-  std::iota(slots.begin(), slots.end(), 0u);
+  std::vector<std::uint32_t> points(3 * n / 2);
+  std::iota(points.begin(), points.end(), 0u);
   std::vector<Edge> edges;
-  while (edges.empty()) edges = try_bipartite(slots, random);
+  while (edges.empty()) edges = try_bipartite(points, random);
   return Graph(n, std::move(edges));
 }
 

@@ -9,9 +9,9 @@ namespace ar3d {
 /// random_regular, and for d < 3.
 Graph random_connected_regular(Count n, std::uint32_t d, std::uint64_t seed);
 
-/// Uniform over the simple cubic bipartite graphs with sides 0..s-1 and s..2s-1, s = n/2: the slots
-/// of one side are matched with a random permutation of those of the other, repeated until simple
-/// (probability tends to e^-2). n even, n >= 6.
+/// Uniform over the simple cubic bipartite graphs with sides 0..s-1 and s..2s-1, s = n/2: the
+/// points of one side are matched with a random permutation of those of the other, repeated until
+/// simple (probability tends to e^-2). n even, n >= 6.
 Graph random_bipartite_cubic(Count n, std::uint64_t seed);
 
 /// The graph with each edge kept with probability per_million / 10^6, independently.

@@ -8,9 +8,9 @@
 #include "ar3d/generators/random_matching.h"
 #include "ar3d/model/error.h"
 
-// Points are the nd slots; point p belongs to vertex p / d. A defect is a loop or a double edge.
-// C(l, k) is the set of pairings with l loops and k double edges, no triple edge, and every vertex
-// on at most one defect.
+// Points are the nd places for ends of edges; point p belongs to vertex p / d. A defect is a loop
+// or a double edge. C(l, k) is the set of pairings with l loops and k double edges, no triple edge,
+// and every vertex on at most one defect.
 //
 // A switching takes a pairing P of C(l, k) to one P' of C(l - 1, k), or of C(0, k) to C(0, k - 1):
 // it removes one chosen defect and changes no other. Forward options: every P has the same number

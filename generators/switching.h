@@ -25,7 +25,7 @@ inline constexpr Count kLeastSwitchingSize = 200;
 /// @param n  nd even and large enough for the limits (n >= kLeastSwitchingSize for the default
 /// ones).
 /// @throws InternalError if n is too small for the limits.
-/// Cost: O(n) expected time on all threads (threads_for); 4 nd bytes for the slots' order (freed
+/// Cost: O(n) expected time on all threads (threads_for); 4 nd bytes for the points' order (freed
 /// before the edges are made) and 4 nd for the partners. The edges do not depend on the number of
 /// threads.
 std::vector<Edge> random_regular_by_switching(Count n, std::uint32_t d, RandomStream& random,

@@ -216,36 +216,36 @@ std::vector<Column> metrics_with_member() {
   return c;
 }
 
-// A metric without a member: value `slot` of other_metrics.
-Column other_metric(const Metric& metric, std::size_t slot) {
+// A metric without a member: other_metrics[index].
+Column other_metric(const Metric& metric, std::size_t index) {
   const bool is_integer = metric.type == MetricType::int64;
   Column column = described({metric.name.c_str(), "", "", ColumnKind::metric},
                             is_integer ? FieldType::int64 : FieldType::float64, sizeof(double));
   const Field field = column;
-  column.store = [slot, field](const RunRecord& run, char* to) {
-    if (slot >= run.other_metrics.size()) return store_missing(field, to);
+  column.store = [index, field](const RunRecord& run, char* to) {
+    if (index >= run.other_metrics.size()) return store_missing(field, to);
     std::visit([to](auto value) { std::memcpy(to, &value, sizeof(value)); },
-               run.other_metrics[slot]);
+               run.other_metrics[index]);
   };
-  column.load = [slot, is_integer](const char* from, RunRecord& run) {
-    if (slot >= run.other_metrics.size()) run.other_metrics.resize(slot + 1);
+  column.load = [index, is_integer](const char* from, RunRecord& run) {
+    if (index >= run.other_metrics.size()) run.other_metrics.resize(index + 1);
     std::int64_t integer = 0;
     double number = 0;
     std::memcpy(&integer, from, sizeof(integer));
     std::memcpy(&number, from, sizeof(number));
-    run.other_metrics[slot] = is_integer ? MetricValue(integer) : MetricValue(number);
+    run.other_metrics[index] = is_integer ? MetricValue(integer) : MetricValue(number);
   };
   return column;
 }
 
 void add_metrics(std::vector<Column>& c) {
   std::vector<Column> with_member = metrics_with_member();
-  std::size_t slots = 0;
+  std::size_t others = 0;
   for (const Metric& metric : metrics()) {
     const auto at = std::find_if(with_member.begin(), with_member.end(),
                                  [&](const Column& m) { return m.name == metric.name; });
     const bool has_member = at != with_member.end();
-    Column column = has_member ? *at : other_metric(metric, slots++);
+    Column column = has_member ? *at : other_metric(metric, others++);
     if (has_member) with_member.erase(at);
     column.unit = metric.unit;
     column.meaning = metric.definition;

@@ -67,7 +67,7 @@ class ClosestPair {
     return cell;
   }
 
-  std::size_t slot(const Cell& cell) const {
+  std::size_t bucket(const Cell& cell) const {
     std::uint64_t hash = 0;
     for (const std::int64_t c : cell) {
       hash = (hash ^ static_cast<std::uint64_t>(c)) * 0x9e3779b97f4a7c15u;
@@ -82,8 +82,8 @@ class ClosestPair {
     bool improved = false;
     for (int k = 0; k < 27; ++k) {
       const Cell near{cell[0] + k % 3 - 1, cell[1] + k / 3 % 3 - 1, cell[2] + k / 9 - 1};
-      // Different cells may share a slot: that costs time only.
-      for (Vertex u = heads_[slot(near)]; u != kEnd; u = next_[u]) {
+      // Different cells may share a bucket: that costs time only.
+      for (Vertex u = heads_[bucket(near)]; u != kEnd; u = next_[u]) {
         const Integer d = distance(u, v);
         if (d >= smallest_) continue;
         smallest_ = d;
@@ -95,7 +95,7 @@ class ClosestPair {
   }
 
   void insert(Vertex v) {
-    Vertex& head = heads_[slot(cell_of(v))];
+    Vertex& head = heads_[bucket(cell_of(v))];
     next_[v] = head;
     head = v;
   }

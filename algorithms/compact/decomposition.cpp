@@ -9,8 +9,8 @@ namespace ar3d::compact {
 
 Decomposition decompose(const Graph& graph) {
   const diamond::TwoColouring colours = [&] {
-    const diamond::Slots slots = diamond::padded_slots(graph);
-    return diamond::two_colouring(graph, slots, diamond::balanced_orientation(slots));
+    const diamond::PaddedNeighbours neighbours = diamond::padded_neighbours(graph);
+    return diamond::two_colouring(graph, neighbours, diamond::balanced_orientation(neighbours));
   }();
   static_assert(diamond::kNone == kNobody);
   const HalfEdge nothing{kNobody, kNobody};

@@ -20,40 +20,40 @@ std::uint64_t line_key(LineKind kind, const Letters& through) {
 }
 
 Lines::Lines(std::size_t most) {
-  const std::size_t slots = std::bit_ceil(most + most / 3 + 2);
-  shift_ = static_cast<unsigned>(64 - std::bit_width(slots - 1));
-  slots_.resize(slots);
+  const std::size_t entries = std::bit_ceil(most + most / 3 + 2);
+  shift_ = static_cast<unsigned>(64 - std::bit_width(entries - 1));
+  entries_.resize(entries);
 }
 
 bool Lines::is_free(const Piece& piece) const {
-  for (std::size_t slot = home(piece.line); slots_[slot].line != 0; slot = next(slot)) {
-    if (slots_[slot].overlaps(piece)) return false;
+  for (std::size_t entry = home(piece.line); entries_[entry].line != 0; entry = next(entry)) {
+    if (entries_[entry].overlaps(piece)) return false;
   }
   return true;
 }
 
 void Lines::insert(const Piece& piece) {
-  std::size_t slot = home(piece.line);
-  while (slots_[slot].line != 0) slot = next(slot);
-  slots_[slot] = piece;
+  std::size_t entry = home(piece.line);
+  while (entries_[entry].line != 0) entry = next(entry);
+  entries_[entry] = piece;
 }
 
 void Lines::erase(const Piece& piece) {
   std::size_t gap = home(piece.line);
-  while (!(slots_[gap] == piece)) {
-    expect(slots_[gap].line != 0, "an erased piece was stored");
+  while (!(entries_[gap] == piece)) {
+    expect(entries_[gap].line != 0, "an erased piece was stored");
     gap = next(gap);
   }
   // Moves back what probing would no longer reach over the gap.
-  const std::size_t mask = slots_.size() - 1;
-  for (std::size_t slot = next(gap); slots_[slot].line != 0; slot = next(slot)) {
-    const std::size_t from_home = (slot - home(slots_[slot].line)) & mask;
-    const std::size_t from_gap = (slot - gap) & mask;
+  const std::size_t mask = entries_.size() - 1;
+  for (std::size_t entry = next(gap); entries_[entry].line != 0; entry = next(entry)) {
+    const std::size_t from_home = (entry - home(entries_[entry].line)) & mask;
+    const std::size_t from_gap = (entry - gap) & mask;
     if (from_home < from_gap) continue;
-    slots_[gap] = slots_[slot];
-    gap = slot;
+    entries_[gap] = entries_[entry];
+    gap = entry;
   }
-  slots_[gap] = {};
+  entries_[gap] = {};
 }
 
 }  // namespace ar3d::compact

@@ -33,8 +33,8 @@ inline Piece whole_line(std::uint64_t line) {
   return {line, std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max()};
 }
 
-/// The pieces in use: open addressing with linear probing; 16 bytes a slot, at most 3/4 of them in
-/// use.
+/// The pieces in use: open addressing with linear probing; 16 bytes an entry, at most 3/4 of them
+/// in use.
 class Lines {
  public:
   /// Room for `most` pieces.
@@ -50,10 +50,10 @@ class Lines {
   std::size_t home(std::uint64_t line) const {
     return static_cast<std::size_t>((line * 0x9e3779b97f4a7c15u) >> shift_);
   }
-  std::size_t next(std::size_t slot) const { return slot + 1 == slots_.size() ? 0 : slot + 1; }
+  std::size_t next(std::size_t entry) const { return entry + 1 == entries_.size() ? 0 : entry + 1; }
 
   unsigned shift_ = 0;
-  std::vector<Piece> slots_;  ///< line 0: empty
+  std::vector<Piece> entries_;  ///< line 0: empty
 };
 
 }  // namespace ar3d::compact

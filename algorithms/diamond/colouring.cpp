@@ -15,29 +15,29 @@ namespace {
 /// One end of an edge.
 struct Port {
   Vertex v = 0;
-  std::uint32_t slot = 0;
+  std::uint32_t entry = 0;
 };
 
-std::uint8_t bit(std::uint32_t slot) { return static_cast<std::uint8_t>(1u << slot); }
+std::uint8_t bit(std::uint32_t entry) { return static_cast<std::uint8_t>(1u << entry); }
 
-Port opposite(const Slots& slots, Port p) {
-  const Vertex w = slots[p.v][p.slot];
-  std::uint32_t slot = 0;
-  while (slots[w][slot] != p.v) ++slot;
-  return {w, slot};
+Port opposite(const PaddedNeighbours& neighbours, Port p) {
+  const Vertex w = neighbours[p.v][p.entry];
+  std::uint32_t entry = 0;
+  while (neighbours[w][entry] != p.v) ++entry;
+  return {w, entry};
 }
 
-/// Walks every chain of edges once, from an end if it has one. `partner(port)` is the slot linked
+/// Walks every chain of edges once, from an end if it has one. `partner(port)` is the entry linked
 /// with the port at its vertex, or kNone; `visit(from, to, i)` is called for the i-th edge of the
 /// chain.
 template <class Partner, class Visit>
-void walk_chains(const Slots& slots, Partner partner, Visit visit) {
-  std::vector<std::uint8_t> used(slots.size(), 0);
+void walk_chains(const PaddedNeighbours& neighbours, Partner partner, Visit visit) {
+  std::vector<std::uint8_t> used(neighbours.size(), 0);
   const auto walk = [&](Port from) {
     for (unsigned i = 0;; ++i) {
-      const Port to = opposite(slots, from);
-      used[from.v] |= bit(from.slot);
-      used[to.v] |= bit(to.slot);
+      const Port to = opposite(neighbours, from);
+      used[from.v] |= bit(from.entry);
+      used[to.v] |= bit(to.entry);
       visit(from, to, i);
       const std::uint32_t next = partner(to);
       if (next == kNone || (used[to.v] & bit(next))) return;
@@ -45,10 +45,10 @@ void walk_chains(const Slots& slots, Partner partner, Visit visit) {
     }
   };
   for (const bool only_ends : {true, false}) {
-    for (Vertex v = 0; v < slots.size(); ++v) {
-      for (std::uint32_t slot = 0; slot < 4 && slots[v][slot] != kNone; ++slot) {
-        if (used[v] & bit(slot)) continue;
-        if (!only_ends || partner(Port{v, slot}) == kNone) walk({v, slot});
+    for (Vertex v = 0; v < neighbours.size(); ++v) {
+      for (std::uint32_t entry = 0; entry < 4 && neighbours[v][entry] != kNone; ++entry) {
+        if (used[v] & bit(entry)) continue;
+        if (!only_ends || partner(Port{v, entry}) == kNone) walk({v, entry});
       }
     }
   }
@@ -56,53 +56,53 @@ void walk_chains(const Slots& slots, Partner partner, Visit visit) {
 
 }  // namespace
 
-Slots padded_slots(const Graph& graph) {
-  expect(graph.max_degree() <= 4, "slots are for maximum degree 4");
-  Slots slots(graph.num_vertices(), {kNone, kNone, kNone, kNone});
+PaddedNeighbours padded_neighbours(const Graph& graph) {
+  expect(graph.max_degree() <= 4, "four entries are for maximum degree 4");
+  PaddedNeighbours neighbours(graph.num_vertices(), {kNone, kNone, kNone, kNone});
   for (Vertex v = 0; v < graph.num_vertices(); ++v) {
     const auto row = graph.incident(v);
-    std::transform(row.begin(), row.end(), slots[v].begin(),
+    std::transform(row.begin(), row.end(), neighbours[v].begin(),
                    [](const HalfEdge& h) { return h.to; });
   }
-  return slots;
+  return neighbours;
 }
 
-BalancedOrientation balanced_orientation(const Slots& slots) {
+BalancedOrientation balanced_orientation(const PaddedNeighbours& neighbours) {
   BalancedOrientation result;
-  result.out.assign(slots.size(), 0);
-  result.in.assign(slots.size(), 0);
+  result.out.assign(neighbours.size(), 0);
+  result.in.assign(neighbours.size(), 0);
   const auto partner = [&](Port p) {
-    const std::uint32_t other = p.slot ^ 1u;
-    return slots[p.v][other] == kNone ? kNone : other;
+    const std::uint32_t other = p.entry ^ 1u;
+    return neighbours[p.v][other] == kNone ? kNone : other;
   };
-  walk_chains(slots, partner, [&](Port from, Port to, unsigned) {
-    result.out[from.v] |= bit(from.slot);
-    result.in[to.v] |= bit(to.slot);
+  walk_chains(neighbours, partner, [&](Port from, Port to, unsigned) {
+    result.out[from.v] |= bit(from.entry);
+    result.in[to.v] |= bit(to.entry);
   });
   return result;
 }
 
-TwoColouring two_colouring(const Graph& graph, const Slots& slots,
+TwoColouring two_colouring(const Graph& graph, const PaddedNeighbours& neighbours,
                            const BalancedOrientation& orientation) {
-  const auto partner = [&](Port p) {  // the other slot of the same direction
+  const auto partner = [&](Port p) {  // the other entry of the same direction
     const unsigned out = orientation.out[p.v];
-    const unsigned same = (out & bit(p.slot)) ? out : orientation.in[p.v];
-    const unsigned other = same & ~unsigned{bit(p.slot)};
+    const unsigned same = (out & bit(p.entry)) ? out : orientation.in[p.v];
+    const unsigned other = same & ~unsigned{bit(p.entry)};
     return other == 0 ? kNone : static_cast<std::uint32_t>(std::countr_zero(other));
   };
-  std::vector<std::uint8_t> red(slots.size(),
-                                0);  // bit i: the edge of slot i leaves the vertex and is red
-  walk_chains(slots, partner, [&](Port from, Port to, unsigned i) {
-    const Port tail = (orientation.out[from.v] & bit(from.slot)) ? from : to;
-    if (i % 2 == kRed) red[tail.v] |= bit(tail.slot);
+  std::vector<std::uint8_t> red(neighbours.size(),
+                                0);  // bit i: the edge to entry i leaves the vertex and is red
+  walk_chains(neighbours, partner, [&](Port from, Port to, unsigned i) {
+    const Port tail = (orientation.out[from.v] & bit(from.entry)) ? from : to;
+    if (i % 2 == kRed) red[tail.v] |= bit(tail.entry);
   });
   TwoColouring result;
-  for (auto& next : result.next) next.assign(slots.size(), {kNone, kNone});
-  for (Vertex v = 0; v < slots.size(); ++v) {
+  for (auto& next : result.next) next.assign(neighbours.size(), {kNone, kNone});
+  for (Vertex v = 0; v < neighbours.size(); ++v) {
     const auto row = graph.incident(v);
-    for (std::uint32_t slot = 0; slot < row.size(); ++slot) {
-      if (orientation.out[v] & bit(slot))
-        result.next[red[v] & bit(slot) ? kRed : kGreen][v] = row[slot];
+    for (std::uint32_t entry = 0; entry < row.size(); ++entry) {
+      if (orientation.out[v] & bit(entry))
+        result.next[red[v] & bit(entry) ? kRed : kGreen][v] = row[entry];
     }
   }
   return result;

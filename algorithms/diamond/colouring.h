@@ -15,21 +15,21 @@ namespace ar3d::diamond {
 inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 /// The neighbours of every vertex in the order of incident(v), padded with kNone: a step of a walk
-/// reads one record of 16 bytes. Slot i of v is its entry i.
-using Slots = std::vector<std::array<Vertex, 4>>;
-Slots padded_slots(const Graph& graph);
+/// reads one record of 16 bytes. Entry i of v is its i-th neighbour.
+using PaddedNeighbours = std::vector<std::array<Vertex, 4>>;
+PaddedNeighbours padded_neighbours(const Graph& graph);
 
 /// An orientation of the edges with in- and out-degree at most 2 everywhere, by vertex as bits: bit
-/// i of `out` or of `in` is set if the edge of slot i leaves or enters the vertex.
+/// i of `out` or of `in` is set if the edge to entry i leaves or enters the vertex.
 struct BalancedOrientation {
   std::vector<std::uint8_t> out;
   std::vector<std::uint8_t> in;
 };
 
-/// Pairs the slots (0, 1) and (2, 3) of every vertex; the pairs link the edges to trails, and every
-/// trail is oriented along itself. So a pair is one edge in and one out, and at most one edge of a
-/// vertex is unpaired. Cost: O(n).
-BalancedOrientation balanced_orientation(const Slots& slots);
+/// Pairs the entries (0, 1) and (2, 3) of every vertex; the pairs link the edges to trails, and
+/// every trail is oriented along itself. So a pair is one edge in and one out, and at most one edge
+/// of a vertex is unpaired. Cost: O(n).
+BalancedOrientation balanced_orientation(const PaddedNeighbours& neighbours);
 
 enum Colour : unsigned { kGreen = 0, kRed = 1 };
 
@@ -43,8 +43,8 @@ struct TwoColouring {
 /// Pairs the two outgoing and the two incoming edges of every vertex and colours the chains so
 /// linked alternately. A chain alternates between pairs out and pairs in, so closed ones are even:
 /// no parity case arises, unlike in an Euler tour. Cost: O(n + m).
-/// @param slots  padded_slots(graph), of maximum degree at most 4.
-TwoColouring two_colouring(const Graph& graph, const Slots& slots,
+/// @param neighbours  padded_neighbours(graph), of maximum degree at most 4.
+TwoColouring two_colouring(const Graph& graph, const PaddedNeighbours& neighbours,
                            const BalancedOrientation& orientation);
 
 }  // namespace ar3d::diamond

@@ -36,8 +36,8 @@ Candidate choose(const Graph& graph, Items green, Items red, int effort) {
 Drawing draw(const Graph& graph, const Options& options) {
   refuse_bad_input(graph, options);
   auto [green, red] = [&] {
-    const Slots slots = padded_slots(graph);
-    const TwoColouring colours = two_colouring(graph, slots, balanced_orientation(slots));
+    const PaddedNeighbours neighbours = padded_neighbours(graph);
+    const TwoColouring colours = two_colouring(graph, neighbours, balanced_orientation(neighbours));
     return std::pair{extract_items(colours.next[kGreen]), extract_items(colours.next[kRed])};
   }();
   Candidate chosen = choose(graph, std::move(green), std::move(red), options.effort);

@@ -31,16 +31,16 @@ class Ordering {
   Vertex start(Place p) const { return p.reversed ? items_.last(p.item) : items_.first(p.item); }
   Vertex end(Place p) const { return p.reversed ? items_.first(p.item) : items_.last(p.item); }
 
-  /// Can the item, in that direction, stand before place `slot`?
-  bool fits(Place p, std::size_t slot) const {
+  /// Can the item, in that direction, stand before place number `gap`?
+  bool fits(Place p, std::size_t gap) const {
     const auto& places = order_.places;
-    if (slot > 0 && adjacent(graph_, end(places[slot - 1]), start(p))) return false;
-    return slot == places.size() || !adjacent(graph_, end(p), start(places[slot]));
+    if (gap > 0 && adjacent(graph_, end(places[gap - 1]), start(p))) return false;
+    return gap == places.size() || !adjacent(graph_, end(p), start(places[gap]));
   }
 
-  std::optional<Place> fitting_direction(std::uint32_t item, std::size_t slot) const {
+  std::optional<Place> fitting_direction(std::uint32_t item, std::size_t gap) const {
     for (const bool reversed : {false, true}) {
-      if (fits({item, reversed}, slot)) return Place{item, reversed};
+      if (fits({item, reversed}, gap)) return Place{item, reversed};
     }
     return std::nullopt;
   }
@@ -61,9 +61,9 @@ class Ordering {
   void place_leftover(std::uint32_t item) {
     auto& places = order_.places;
     for (std::size_t i = 0; i <= places.size(); ++i) {
-      const std::size_t slot = i == 0 ? places.size() : i - 1;
-      if (const auto place = fitting_direction(item, slot)) {
-        places.insert(places.begin() + static_cast<std::ptrdiff_t>(slot), *place);
+      const std::size_t gap = i == 0 ? places.size() : i - 1;
+      if (const auto place = fitting_direction(item, gap)) {
+        places.insert(places.begin() + static_cast<std::ptrdiff_t>(gap), *place);
         return;
       }
     }

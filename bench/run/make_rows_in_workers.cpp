@@ -35,9 +35,9 @@ class AwakeClock {
 };
 
 // A place for a worker: it has a row in hand, or there is nothing left for it.
-class Slot {
+class WorkerPlace {
  public:
-  Slot(RowSource& source, const WorkerPool& pool, AwakeClock& clock, int number)
+  WorkerPlace(RowSource& source, const WorkerPool& pool, AwakeClock& clock, int number)
       : source_(source),
         pool_(pool),
         clock_(clock),
@@ -146,13 +146,13 @@ class Slot {
 };
 
 // Waits until a worker has news, a row may be late or it is time to ask for a stop.
-void wait_for_news(const std::vector<Slot>& slots) {
+void wait_for_news(const std::vector<WorkerPlace>& places) {
   std::vector<pollfd> sockets;
   double left_s = kPatience_s;
-  for (const Slot& slot : slots) {
-    if (!slot.busy()) continue;
-    sockets.push_back({slot.descriptor(), POLLIN, 0});
-    left_s = std::min(left_s, slot.left_s());
+  for (const WorkerPlace& place : places) {
+    if (!place.busy()) continue;
+    sockets.push_back({place.descriptor(), POLLIN, 0});
+    left_s = std::min(left_s, place.left_s());
   }
   poll(sockets.data(), sockets.size(), static_cast<int>(std::ceil(1000 * left_s)));
 }
@@ -162,22 +162,23 @@ void wait_for_news(const std::vector<Slot>& slots) {
 void make_rows_in_workers(RowSource& source, const WorkerPool& pool) {
   const auto stopped = [&] { return source.making().stopped(); };
   AwakeClock clock;
-  std::vector<Slot> slots;
-  slots.reserve(static_cast<std::size_t>(pool.workers));
+  std::vector<WorkerPlace> places;
+  places.reserve(static_cast<std::size_t>(pool.workers));
   for (int i = 0; i < pool.workers && !stopped(); ++i) {
-    slots.emplace_back(source, pool, clock, i).begin_next();
+    places.emplace_back(source, pool, clock, i).begin_next();
   }
-  while (std::any_of(slots.begin(), slots.end(), [](const Slot& slot) { return slot.busy(); })) {
-    wait_for_news(slots);
-    if (stopped()) return;  // the slots' destructors end what is in flight
-    for (Slot& slot : slots) {
-      if (!slot.busy()) continue;
-      bool done = slot.look();
-      if (!done && slot.left_s() <= 0) {
-        slot.time_out();
+  while (std::any_of(places.begin(), places.end(),
+                     [](const WorkerPlace& place) { return place.busy(); })) {
+    wait_for_news(places);
+    if (stopped()) return;  // the places' destructors end what is in flight
+    for (WorkerPlace& place : places) {
+      if (!place.busy()) continue;
+      bool done = place.look();
+      if (!done && place.left_s() <= 0) {
+        place.time_out();
         done = true;
       }
-      if (done && !stopped()) slot.begin_next();
+      if (done && !stopped()) place.begin_next();
     }
   }
 }

@@ -26,9 +26,9 @@ class MetricsSource final : public RowSource {
  public:
   explicit MetricsSource(Making& making) : RowSource(making), order_(making.plan()) {}
 
-  std::optional<RowJob> next(int slot) override {
+  std::optional<RowJob> next(int worker) override {
     const std::lock_guard<std::mutex> lock(mutex_);
-    Share& share = shares_[slot];
+    Share& share = shares_[worker];
     while (share.next == share.runs.size()) {
       const std::optional<std::size_t> place = next_place();
       if (!place) return std::nullopt;
@@ -43,7 +43,7 @@ class MetricsSource final : public RowSource {
   void done(const RowJob& job, RunRecord row) override { making().add(*job.run, row); }
 
  private:
-  // The instance that a slot has in hand and what is left to be done with it.
+  // The instance that a worker has in hand and what is left to be done with it.
   struct Share {
     std::size_t place = 0;
     std::shared_ptr<const PlannedInstance> instance;

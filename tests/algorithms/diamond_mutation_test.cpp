@@ -71,8 +71,8 @@ struct Drawn {
   Placement placement;
   Tracks tracks;
   Drawn() {
-    const Slots slots = padded_slots(graph);
-    const TwoColouring colours = two_colouring(graph, slots, balanced_orientation(slots));
+    const PaddedNeighbours neighbours = padded_neighbours(graph);
+    const TwoColouring colours = two_colouring(graph, neighbours, balanced_orientation(neighbours));
     placement = place_guaranteed(graph, extract_items(colours.next[kGreen]),
                                  extract_items(colours.next[kRed]))
                     .placement;

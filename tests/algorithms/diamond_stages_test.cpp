@@ -40,8 +40,8 @@ Graph random_graph(Vertex n, unsigned tries, std::uint64_t seed) {
 }
 
 std::pair<Items, Items> items_of(const Graph& graph) {
-  const Slots slots = padded_slots(graph);
-  const TwoColouring colours = two_colouring(graph, slots, balanced_orientation(slots));
+  const PaddedNeighbours neighbours = padded_neighbours(graph);
+  const TwoColouring colours = two_colouring(graph, neighbours, balanced_orientation(neighbours));
   return {extract_items(colours.next[kGreen]), extract_items(colours.next[kRed])};
 }
 
@@ -56,8 +56,8 @@ std::vector<Graph> sample() {
 
 TEST(Colouring, OrientationIsBalanced) {
   for (const Graph& graph : sample()) {
-    const Slots slots = padded_slots(graph);
-    const BalancedOrientation orientation = balanced_orientation(slots);
+    const PaddedNeighbours neighbours = padded_neighbours(graph);
+    const BalancedOrientation orientation = balanced_orientation(neighbours);
     for (Vertex v = 0; v < graph.num_vertices(); ++v) {
       const unsigned out = orientation.out[v];
       const unsigned in = orientation.in[v];

@@ -36,8 +36,8 @@ struct DiamondCases {
 
 DiamondCases diamond_cases(const Graph& graph) {
   using namespace diamond;
-  const Slots slots = padded_slots(graph);
-  const TwoColouring colours = two_colouring(graph, slots, balanced_orientation(slots));
+  const PaddedNeighbours neighbours = padded_neighbours(graph);
+  const TwoColouring colours = two_colouring(graph, neighbours, balanced_orientation(neighbours));
   const auto [placement, gaps] = place_guaranteed(graph, extract_items(colours.next[kGreen]),
                                                   extract_items(colours.next[kRed]));
   const Tracks tracks = choose_tracks(graph, placement);

@@ -1,6 +1,6 @@
 // Two segments that meet and are not parallel lie in a plane of their two directions. The segments
 // of two directions become records of 16 bytes, are partitioned by plane into buckets that fit the
-// second-level cache, there sorted by plane into slots of about two records, and compared. Planes
+// second-level cache, there sorted by plane into bins of about two records, and compared. Planes
 // with many segments go to CrowdedPlanes. Each record is written twice and read three times, always
 // in order or within the cache; see docs/verify.md, section "Counting".
 #include "ar3d/verify/counting/plane_counts.h"
@@ -142,41 +142,41 @@ void PlaneCounter::partition(const PlaneFamily& family, const PlacedSegments& ro
 void PlaneCounter::count_bucket(Records rows, Records columns) {
   constexpr unsigned kMostBits = 15;
   if (rows.size() + columns.size() < 2) return;
-  const std::size_t slots = (rows.size() + columns.size()) / 2;
-  slot_bits_ = std::min(kMostBits, static_cast<unsigned>(std::bit_width(slots)));
-  into_slots(rows, slot_rows_, row_ends_);
-  into_slots(columns, slot_columns_, column_ends_);
-  const Records all_rows(slot_rows_);
-  const Records all_columns(slot_columns_);
+  const std::size_t bins = (rows.size() + columns.size()) / 2;
+  bin_bits_ = std::min(kMostBits, static_cast<unsigned>(std::bit_width(bins)));
+  into_bins(rows, bin_rows_, row_ends_);
+  into_bins(columns, bin_columns_, column_ends_);
+  const Records all_rows(bin_rows_);
+  const Records all_columns(bin_columns_);
   std::size_t row = 0;
   std::size_t column = 0;
-  for (std::size_t slot = 0; slot < row_ends_.size(); ++slot) {
-    const std::size_t row_end = row_ends_[slot];
-    const std::size_t column_end = column_ends_[slot];
-    count_slot(all_rows.subspan(row, row_end - row),
-               all_columns.subspan(column, column_end - column));
+  for (std::size_t bin = 0; bin < row_ends_.size(); ++bin) {
+    const std::size_t row_end = row_ends_[bin];
+    const std::size_t column_end = column_ends_[bin];
+    count_bin(all_rows.subspan(row, row_end - row),
+              all_columns.subspan(column, column_end - column));
     row = row_end;
     column = column_end;
   }
 }
 
-/// Afterwards ends[s] is the end of slot s.
-void PlaneCounter::into_slots(Records from, std::vector<PlaneRecord>& to,
-                              std::vector<std::uint32_t>& ends) {
-  const auto slot = [this](const PlaneRecord& record) {
+/// Afterwards ends[s] is the end of bin s.
+void PlaneCounter::into_bins(Records from, std::vector<PlaneRecord>& to,
+                             std::vector<std::uint32_t>& ends) {
+  const auto bin = [this](const PlaneRecord& record) {
     const std::uint32_t below_bucket =
         static_cast<std::uint32_t>(std::uint64_t{record.plane} << bucket_bits_);
-    return static_cast<std::size_t>(std::uint64_t{below_bucket} >> (32 - slot_bits_));
+    return static_cast<std::size_t>(std::uint64_t{below_bucket} >> (32 - bin_bits_));
   };
-  ends.assign(std::size_t{1} << slot_bits_, 0);
-  for (const PlaneRecord& record : from) ++ends[slot(record)];
+  ends.assign(std::size_t{1} << bin_bits_, 0);
+  for (const PlaneRecord& record : from) ++ends[bin(record)];
   std::uint32_t begin = 0;
   for (std::uint32_t& place : ends) begin += std::exchange(place, begin);
   if (to.size() < from.size()) to.resize(from.size());
-  for (const PlaneRecord& record : from) to[ends[slot(record)]++] = record;
+  for (const PlaneRecord& record : from) to[ends[bin(record)]++] = record;
 }
 
-void PlaneCounter::count_slot(Records rows, Records columns) {
+void PlaneCounter::count_bin(Records rows, Records columns) {
   const std::size_t pairs = rows.size() * columns.size() +
                             (lines_.rows ? rows.size() * rows.size() : 0) +
                             (lines_.columns ? columns.size() * columns.size() : 0);

@@ -61,18 +61,18 @@ class PlaneCounter {
   void partition(const PlaneFamily& family, const PlacedSegments& rows,
                  const PlacedSegments& columns);
   void count_bucket(Records rows, Records columns);
-  void into_slots(Records from, std::vector<PlaneRecord>& to, std::vector<std::uint32_t>& ends);
-  void count_slot(Records rows, Records columns);
+  void into_bins(Records from, std::vector<PlaneRecord>& to, std::vector<std::uint32_t>& ends);
+  void count_bin(Records rows, Records columns);
 
   CountingSizes sizes_;
   LinesToCount lines_;
   MeetingCounts counts_;
   unsigned bucket_bits_ = 0;
-  unsigned slot_bits_ = 0;
+  unsigned bin_bits_ = 0;
   std::vector<PlaneRecord> records_;      ///< by bucket, in a bucket the rows first
   std::vector<std::size_t> bucket_ends_;  ///< of rows and columns in turns
-  std::vector<PlaneRecord> slot_rows_;    ///< of the bucket at hand, by slot
-  std::vector<PlaneRecord> slot_columns_;
+  std::vector<PlaneRecord> bin_rows_;     ///< of the bucket at hand, by bin
+  std::vector<PlaneRecord> bin_columns_;
   std::vector<std::uint32_t> row_ends_;
   std::vector<std::uint32_t> column_ends_;
   CrowdedPlanes crowded_;
