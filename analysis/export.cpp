@@ -11,6 +11,7 @@
 #include "ar3d/analysis/replay.h"
 #include "ar3d/analysis/scaling.h"
 #include "ar3d/analysis/text.h"
+#include "ar3d/records/run_columns.h"
 
 namespace ar3d {
 namespace {
@@ -146,9 +147,10 @@ std::string bounds_csv(const Results& results) {
 }
 
 std::string rows_csv(const Results& results) {
+  const std::vector<Column> metrics = columns_of_kind(ColumnKind::metric);
   std::string csv = "row,algorithm,options,family,parameters,n,m,seed,status";
-  for (const char* box :
-       {"extent", "instance_bound", "theorem_bound", "published_bound", "slack"}) {
+  for (const Column& metric : metrics) csv += "," + metric.name;
+  for (const char* box : {"instance_bound", "theorem_bound", "published_bound", "slack"}) {
     for (const char axis : {'x', 'y', 'z'}) csv += fmt::format(",{}_{}", box, axis);
   }
   csv += "\r\n";
@@ -159,7 +161,10 @@ std::string rows_csv(const Results& results) {
         std::to_string(row), field(run.algorithm),     field(run.options),
         field(run.family),   field(run.parameters),    integer(run.n),
         integer(run.m),      std::to_string(run.seed), to_string(run.status)};
-    for (const std::int64_t extent : run.extents) fields.push_back(integer(extent));
+    for (const Column& metric : metrics) {
+      const bool is_missing = std::isnan(column_number(metric, run));
+      fields.push_back(is_missing ? "" : column_text(metric, run));
+    }
     for (const std::int64_t bound : run.instance_bound) fields.push_back(integer(bound));
     for (const auto& values : {run.theorem_bound, run.published_bound, run.slack}) {
       for (const double value : values) fields.push_back(field(value));

@@ -10,8 +10,8 @@ namespace ar3d {
 /// header line. Missing numbers are empty fields; slack is 1 - extent / bound.
 std::string bounds_csv(const Results& results);
 
-/// The boxes of every row: measured, its own bound, the theorem's, the published one, and the slack
-/// against the theorem's.
+/// Every row: all metrics of verify/metrics.h, its own bound, the theorem's, the published one, and
+/// the slack against the theorem's.
 std::string rows_csv(const Results& results);
 
 /// The growth of every quantity of every cell, one line each: exponent with 95 % interval, log

@@ -4,8 +4,8 @@
 
 #include "ar3d/analysis/report/figures.h"
 #include "ar3d/analysis/report/html.h"
+#include "ar3d/analysis/report/page_files.h"
 #include "ar3d/analysis/report/sections.h"
-#include "ar3d/analysis/report/style.h"
 
 namespace ar3d {
 namespace {
@@ -22,7 +22,7 @@ std::string head(const Results& results) {
          "<meta http-equiv=Content-Security-Policy content=\"default-src 'none'; "
          "style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:\">"
          "<title>ar3d report: " +
-         report::escape(results.study_id) + "</title><style>" + report::kStyle +
+         report::escape(results.study_id) + "</title><style>" + report::page_style() +
          "</style></head>\n";
 }
 
@@ -43,16 +43,18 @@ std::string render_report(const Results& results) {
   const std::string effort = report::effort_section(analysis);
   const std::string batches = report::strong_weak_section(analysis);
   html += fmt::format(
-      "<nav>{}{}<a href='#methods'>Methods</a><a href='#environment'>Environment</a>"
+      "<nav>{}{}<a href='#metrics'>Metrics</a><a href='#methods'>Methods</a><a "
+      "href='#environment'>Environment</a>"
       "<a href='#spec'>Specification</a></nav>\n",
       effort.empty() ? "" : "<a href='#effort'>What a smaller box costs</a>",
       batches.empty() ? "" : "<a href='#strong-weak'>Strong and weak scaling</a>");
   for (std::size_t i = 0; i < sections.size(); ++i) {
     html += report::algorithm_section(analysis, sections[i], fmt::format("a{}", i));
   }
-  html += effort + batches + report::background(results) + kReplayPanel;
+  html += effort + batches + report::metrics_section(analysis, sections) +
+          report::background(results) + kReplayPanel;
   html += "<script type='application/json' id=rows>" + report::plotted_rows_json(analysis) +
-          "</script>\n<script>" + report::kScript + "</script>\n";
+          "</script>\n<script>" + report::page_script() + "</script>\n";
   return html + "</body></html>\n";
 }
 

@@ -73,8 +73,10 @@ void print_list(const std::string& what) {
   }
   if (wanted("metrics")) {
     title("metrics");
-    for (const Metric& row : metrics())
-      fmt::print("{} [{}]: {}\n", row.name, row.unit, row.definition);
+    for (const Metric& row : metrics()) {
+      fmt::print("{}: {} ({}, {})\n", row.name, row.definition, row.unit,
+                 row.type == MetricType::int64 ? "int64" : "float64");
+    }
   }
   if (wanted("studies")) {
     title("studies");

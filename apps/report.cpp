@@ -58,7 +58,7 @@ void add_report(CLI::App& app, int& exit_code) {
   verb->add_option("--growth", arguments->growth,
                    "also write the growth models as CSV to this file");
   verb->add_option("--rows", arguments->rows,
-                   "also write the boxes of every row as CSV to this file");
+                   "also write metrics and bounds of every row as CSV to this file");
   verb->add_option("--figures", arguments->figures,
                    "also write the figures as SVG and PDF into this directory");
   verb->add_option("--benchmark-json", arguments->benchmark_json,

@@ -34,6 +34,16 @@ std::string column_text(const Column& column, const RunRecord& run) {
   throw InternalError("internal error: unknown column type");
 }
 
+double column_number(const Column& column, const RunRecord& run) {
+  expect(column.type == FieldType::int64 || column.type == FieldType::float64,
+         "a column with a number");
+  std::string bytes(column.size, '\0');
+  column.store(run, bytes.data());
+  if (column.type == FieldType::float64) return loaded<double>(bytes);
+  const auto integer = loaded<std::int64_t>(bytes);
+  return integer < 0 ? kMissing : static_cast<double>(integer);
+}
+
 std::vector<std::string> differing_columns(const RunRecord& a, const RunRecord& b) {
   std::vector<std::string> names;
   for (const Column& column : run_columns()) {

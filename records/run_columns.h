@@ -55,6 +55,9 @@ void set_metrics(const DrawingSummary& summary, RunRecord& run);
 /// back to the same double; "nan" if missing.
 std::string column_text(const Column& column, const RunRecord& run);
 
+/// The value of a column of type int64 or float64; missing if it is -1 or NaN.
+double column_number(const Column& column, const RunRecord& run);
+
 /// Names of the columns that are not measured and differ in their bits. Empty: the same result.
 std::vector<std::string> differing_columns(const RunRecord& a, const RunRecord& b);
 

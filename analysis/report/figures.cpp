@@ -6,24 +6,11 @@
 #include <cmath>
 
 #include "ar3d/analysis/report/html.h"
+#include "ar3d/analysis/report/page_files.h"
 #include "ar3d/analysis/report/plot.h"
 
 namespace ar3d::report {
 namespace {
-
-/// The page's classes without its variables, which converters to PDF do not know.
-constexpr const char* kFigureStyle = R"css(
-text{font:11.5px "Helvetica Neue","DejaVu Sans",Arial,sans-serif;fill:#333}
-.grid path{stroke:#d6dbe1;stroke-width:.8;fill:none}.grid .minor{stroke:#eceff2}
-polyline{fill:none}.median{stroke-width:1.8;stroke-linejoin:round}
-.bound{stroke:#b3261e;stroke-width:1.6;stroke-dasharray:7 4}
-.points,.dots{fill:none;stroke-width:4.4;stroke-linecap:round}.big{stroke-width:7}
-.d1{stroke-dasharray:6 2}.d2{stroke-dasharray:2 2}.points.d1,.points.d2,.dots.d1,.dots.d2{stroke-dasharray:none}
-.legend text{font-size:9.5px}
-.s0{stroke:#0072b2}.s1{stroke:#d55e00}.s2{stroke:#009e73}.s3{stroke:#b6588c}
-.s4{stroke:#b37c00}.s5{stroke:#3a9bd1}.s6{stroke:#6b4c9a}.s7{stroke:#6b7000}
-rect{fill:#0072b2}
-)css";
 
 /// "diamond (effort=1)" -> "diamond-effort-1".
 std::string slug(const std::string& text) {
@@ -68,7 +55,7 @@ std::string standalone(const std::string& plot_svg, const std::string& title,
   return fmt::format(
       "<?xml version='1.0' encoding='UTF-8'?>\n<svg xmlns='http://www.w3.org/2000/svg' width='{0}' "
       "height='{1}' viewBox='0 0 {0} {1}'><title>{2}</title><style>{3}</style>{4}{5}</svg>\n",
-      width, height, escape(title), kFigureStyle, plot_svg.substr(begin, end - begin),
+      width, height, escape(title), figure_style(), plot_svg.substr(begin, end - begin),
       legend_svg(legend, plot_height));
 }
 

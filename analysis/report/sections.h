@@ -46,6 +46,8 @@ std::array<std::uint64_t, 8> bends_of(const Section& section);
 std::string effort_section(const Analysis& analysis);
 /// Batches of strong and weak scaling against the ideal; empty if there are none.
 std::string strong_weak_section(const Analysis& analysis);
+/// Every metric of verify/metrics.h: unit, definition, and its median and range by setting.
+std::string metrics_section(const Analysis& analysis, const std::vector<Section>& sections);
 /// Environment, spec and methods.
 std::string background(const Results& results);
 

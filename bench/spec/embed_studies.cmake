@@ -3,16 +3,16 @@
 file(GLOB study_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/studies/*.toml)
 set(study_rows "")
 foreach(study_file IN LISTS study_files)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${study_file})
   get_filename_component(study_name ${study_file} NAME_WE)
   file(READ ${study_file} study_text)
+  ar3d_text_literal(${study_file} study_literal)
   if(NOT study_text MATCHES "\nstudy = \"${study_name}\"\n" AND NOT study_text MATCHES "^study = \"${study_name}\"\n")
     message(FATAL_ERROR "${study_file}: its line `study = \"${study_name}\"` is missing")
   endif()
   string(REGEX MATCH "\ndescription = \"([^\"\n]*)\"" study_description "${study_text}")
   set(study_description "${CMAKE_MATCH_1}")
   string(APPEND study_rows
-    "    {\"${study_name}\", R\"text(${study_description})text\", R\"toml(${study_text})toml\"},\n")
+    "    {\"${study_name}\", R\"text(${study_description})text\", ${study_literal}},\n")
 endforeach()
 file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/ar3d_named_studies.h @ONLY CONTENT
 "// Made from studies/*.toml by bench/spec/embed_studies.cmake.

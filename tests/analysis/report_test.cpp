@@ -5,6 +5,7 @@
 
 #include <boost/property_tree/xml_parser.hpp>
 #include <cctype>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -14,6 +15,7 @@
 #include "ar3d/analysis/replay.h"
 #include "ar3d/analysis/report/axis.h"
 #include "ar3d/analysis/report/html.h"
+#include "ar3d/analysis/report/page_files.h"
 #include "ar3d/analysis/text.h"
 
 namespace ar3d {
@@ -78,6 +80,32 @@ TEST(Report, IsOnePageThatNeedsNothingFromOutside) {
   EXPECT_EQ(count(html, "<svg class='plot bars'"), 2u);
   EXPECT_EQ(count(html, "id=effort"), 0u) << "one setting has nothing to compare";
   EXPECT_LT(html.size(), 2'000'000u);
+}
+
+TEST(Report, ShowsEveryMetricOfTheTableWithUnitAndDefinition) {
+  const std::string html = render_report(testing::good_results({"diamond"}, {"cubic"}, 9, 4));
+  const std::size_t section = html.find("<section id=metrics>");
+  ASSERT_NE(section, std::string::npos);
+  for (const Metric& metric : metrics()) {
+    const std::size_t row = html.find("<tr><th scope=row>" + metric.name + "</th>", section);
+    ASSERT_NE(row, std::string::npos) << metric.name;
+    const std::string cells = html.substr(row, html.find("</tr>", row) - row);
+    EXPECT_THAT(cells, HasSubstr("<td>" + report::escape(metric.unit) + "</td>"));
+    EXPECT_THAT(cells, HasSubstr(">" + report::escape(metric.definition) + "</td>"));
+    EXPECT_THAT(cells, HasSubstr("class=num")) << metric.name;
+  }
+}
+
+// Style and script are files of the tree; cmake/embed.cmake puts them into the program.
+TEST(Report, StyleAndScriptAreTheFilesOfTheTree) {
+  const std::pair<const char*, std::string> kFiles[] = {{"page.css", report::page_style()},
+                                                        {"page.js", report::page_script()},
+                                                        {"figure.css", report::figure_style()}};
+  for (const auto& [name, embedded] : kFiles) {
+    std::ifstream file(AR3D_SOURCE_DIR + std::string("/analysis/report/") + name);
+    EXPECT_EQ(embedded, std::string(std::istreambuf_iterator<char>(file), {})) << name;
+    EXPECT_FALSE(embedded.empty()) << name;
+  }
 }
 
 TEST(Report, EscapesEveryStringOfTheFile) {
@@ -252,6 +280,7 @@ TEST(Export, CsvHasOneLineACellAndQuotes) {
   EXPECT_THAT(csv, Not(HasSubstr("nan")));
   const std::string boxes = rows_csv(results);
   EXPECT_EQ(count(boxes, "\r\n"), 1u + results.runs.size());
+  for (const Metric& metric : metrics()) EXPECT_THAT(boxes, HasSubstr("," + metric.name + ","));
   EXPECT_THAT(boxes, HasSubstr("\r\n0,diamond,,\"a,\"\"b\"\"\",,16,32,16000,ok,"));
   EXPECT_THAT(boxes, Not(HasSubstr("nan")));
   const std::string growth = scaling_csv(results);

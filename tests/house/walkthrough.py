@@ -66,7 +66,11 @@ def expect_everywhere(name, tree, listed):
         return  # a format is nothing that a study shows
     import h5py
     assert name in listed, f"list does not show {name}:\n{listed}"
-    runs = h5py.File(tree / "results.h5")["runs"][:]
+    table = h5py.File(tree / "results.h5")["runs"]
+    runs = table[:]
+    if name in runs.dtype.names:
+        assert table.attrs[name + ".unit"] and table.attrs[name + ".meaning"], "not described in the HDF5 file"
+        assert (runs[name] > 0).any(), "never measured"
     columns = [c for c in runs.dtype.names if runs.dtype[c].kind == "S"]
     assert name in runs.dtype.names or any(name.encode() in runs[c] for c in columns), "not in the HDF5 file"
     assert name in (tree / "report.html").read_text(), "not in the report"

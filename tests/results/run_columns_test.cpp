@@ -29,18 +29,32 @@ TEST(Columns, NamesAreUniqueAndDescribed) {
   EXPECT_TRUE(names.contains("extent_z"));
 }
 
-// The schema page lists every column with its unit's meaning, in the order of the record.
+// The schema page lists every column with its meaning, in the order of the record; of the metrics
+// it names the table.
 TEST(Columns, SchemaPageListsThemInOrder) {
   std::ifstream in(AR3D_SOURCE_DIR "/results/SCHEMA.md");
   const std::string page(std::istreambuf_iterator<char>(in), {});
   std::size_t at = page.find("## Columns of `/runs`");
   ASSERT_NE(at, std::string::npos);
   for (const Column& column : run_columns()) {
+    if (column.kind == ColumnKind::metric) continue;
     const bool instance = column.kind == ColumnKind::instance;
     at = page.find("| `" + column.name + (instance ? "` * | " : "` | "), at);
     ASSERT_NE(at, std::string::npos) << column.name;
     EXPECT_NE(page.find(column.meaning, at), std::string::npos) << column.name;
   }
+}
+
+TEST(Columns, NumbersOfMissingValuesAreMissing) {
+  ar3d::RunRecord run = sample_run(4);
+  run.bends[1] = 5;
+  run.bends[2] = -1;
+  run.log2_volume = 2.5;
+  run.longest_edge_length = kMissing;
+  EXPECT_EQ(column_number(run_column("bends_1"), run), 5);
+  EXPECT_EQ(column_number(run_column("log2_volume"), run), 2.5);
+  EXPECT_TRUE(std::isnan(column_number(run_column("bends_2"), run)));
+  EXPECT_TRUE(std::isnan(column_number(run_column("longest_edge_length"), run)));
 }
 
 TEST(Columns, DifferencesNameTheColumnAndLeaveTimesOut) {
