@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <bit>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <cstdlib>
+#include <initializer_list>
 #include <numeric>
 
 #include "ar3d/model/error.h"
@@ -53,19 +56,26 @@ std::strong_ordering compare(const Lattice& lattice, Vector u, Vector v, Cosine 
   return cosine_sign >= 0 ? squares : flip(squares);
 }
 
-/// Components below 2^20, Gram entries below 2^6, cosine terms below 2^5: an inner product is below
-/// 9 * 2^46 < 2^50, its square times a squared cosine term below 2^110, so __int128 cannot wrap.
-bool is_small(const Lattice& lattice, Vector u, Vector v, Cosine c) {
-  const auto small = [](std::int64_t value, int bits) {
-    return value > -(std::int64_t{1} << bits) && value < (std::int64_t{1} << bits);
-  };
-  for (const auto& row : lattice.gram) {
-    for (const std::int32_t g : row) {
-      if (!small(g, 6)) return false;
-    }
+/// Bits of the largest absolute value, which is below 2^bits.
+int bits(std::initializer_list<std::int64_t> values) {
+  std::uint64_t all = 0;
+  for (const std::int64_t v : values) {
+    all |= v < 0 ? std::uint64_t{0} - static_cast<std::uint64_t>(v) : static_cast<std::uint64_t>(v);
   }
-  return small(u.x, 20) && small(u.y, 20) && small(u.z, 20) && small(v.x, 20) && small(v.y, 20) &&
-         small(v.z, 20) && small(c.numerator, 5) && small(c.denominator, 5);
+  return std::bit_width(all);
+}
+
+/// Does __int128 hold every value of compare()? With components of u, v below 2^a, 2^b and Gram
+/// entries below 2^g, the nine terms of an inner product of these two are below 2^(a + b + g) each,
+/// so its square, and the product of both squared lengths, is below 81 * 2^(2 (a + b + g)); times a
+/// squared cosine term below 2^(2 c), and 81 < 2^7.
+bool fits_int128(const Lattice& lattice, Vector u, Vector v, Cosine cosine) {
+  int g = 0;
+  for (const auto& row : lattice.gram) g = std::max(g, bits({row[0], row[1], row[2]}));
+  const int c = bits({cosine.numerator, cosine.denominator});
+  const int a = bits({u.x, u.y, u.z});
+  const int b = bits({v.x, v.y, v.z});
+  return 2 * (a + b + g + c) + 7 <= 127 && 2 * std::max(a, b) + g + 4 <= 127;
 }
 
 }  // namespace
@@ -103,10 +113,11 @@ void Lattice::validate() const {
 }
 
 std::strong_ordering compare_cosine(const Lattice& lattice, Vector u, Vector v, Cosine c) {
+  if (fits_int128(lattice, u, v, c)) return compare<Int128>(lattice, u, v, c);
   const Vector p = primitive(u);
   const Vector q = primitive(v);
-  return is_small(lattice, p, q, c) ? compare<Int128>(lattice, p, q, c)
-                                    : compare<Wide>(lattice, p, q, c);
+  return fits_int128(lattice, p, q, c) ? compare<Int128>(lattice, p, q, c)
+                                       : compare<Wide>(lattice, p, q, c);
 }
 
 double approximate_length(const Lattice& lattice, Vector u) {

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <compare>
+#include <cstdlib>
+
 #include "ar3d/model/error.h"
 #include "ar3d/model/guarantee.h"
 #include "ar3d/model/random.h"
@@ -38,20 +43,54 @@ TEST(Lattice, OneUnitOffIsSeenAtTheLargestCoordinates) {
             std::strong_ordering::equal);
 }
 
+/// compare_cosine in 1024 bits only.
+std::strong_ordering compare_wide(const Lattice& lattice, Vector u, Vector v, Cosine c) {
+  using Wide = boost::multiprecision::checked_int1024_t;
+  const auto inner = [&](Vector a, Vector b) {
+    const std::array<std::int64_t, 3> p{a.x, a.y, a.z};
+    const std::array<std::int64_t, 3> q{b.x, b.y, b.z};
+    Wide sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) sum += Wide(p[i]) * lattice.gram[i][j] * q[j];
+    }
+    return sum;
+  };
+  const auto signed_square = [](const Wide& w) { return w < 0 ? Wide(-w * w) : Wide(w * w); };
+  // p / sqrt(uu vv) against num / den: both sides times den sqrt(uu vv), then squared with sign.
+  const Wide left = signed_square(inner(u, v) * c.denominator);
+  const Wide right = inner(u, u) * inner(v, v) * signed_square(Wide(c.numerator));
+  return left < right   ? std::strong_ordering::less
+         : left > right ? std::strong_ordering::greater
+                        : std::strong_ordering::equal;
+}
+
 TEST(Lattice, WideAndNarrowAgree) {
   RandomStream random(7);
-  const auto number = [&] { return static_cast<std::int64_t>(random.below(41)) - 20; };
-  for (int i = 0; i < 2000; ++i) {
-    const Vector u{number(), number(), 21};
-    const Vector v{number(), 21, number()};
-    const auto narrow = compare_cosine(kTallLattice, u, v, kHexagon);
-    // Scaling the lattice beyond the narrow path's Gram limit leaves angles alone.
-    Lattice scaled = kTallLattice;
-    for (auto& row : scaled.gram) {
-      for (auto& g : row) g *= 1 << 10;
+  const auto number = [&](unsigned bits) {
+    const auto drawn =
+        (std::uint64_t{random.below(1u << 31)} << 31 | random.below(1u << 31)) >> (62 - bits);
+    return random.chance(1, 2) ? static_cast<std::int64_t>(drawn)
+                               : -static_cast<std::int64_t>(drawn);
+  };
+  int equal = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const unsigned a = 1 + random.below(61);
+    const unsigned b = i % 2 == 0 ? a : 1 + random.below(61);
+    Vector u{number(a), number(a), number(a)};
+    Vector v{number(b), number(b), number(b)};
+    if (i % 4 == 0) {  // exactly 120 degrees in the tall lattice, or nearly
+      const std::int64_t k = std::abs(number(a)) + 1;
+      u = {0, 0, -k};
+      v = {k, 0, i % 8 == 0 ? k : k - 1};
     }
-    EXPECT_EQ(narrow, compare_cosine(scaled, u, v, kHexagon));
+    if (u == Vector{} || v == Vector{}) continue;
+    for (const Cosine c : {kHexagon, kDiamond, Cosine{1, 1}, Cosine{0, 1}, Cosine{-30, 31}}) {
+      ASSERT_EQ(compare_cosine(kTallLattice, u, v, c), compare_wide(kTallLattice, u, v, c))
+          << to_string(u) << to_string(v) << c.numerator;
+    }
+    equal += compare_cosine(kTallLattice, u, v, kHexagon) == 0;
   }
+  EXPECT_GT(equal, 2000);
 }
 
 TEST(Lattice, RefusesWhatIsNoMetric) {
