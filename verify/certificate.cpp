@@ -7,6 +7,7 @@
 #include "ar3d/model/error.h"
 #include "ar3d/verify/checks.h"
 #include "ar3d/verify/contacts.h"
+#include "ar3d/verify/counting/column_proof.h"
 #include "ar3d/verify/counting/counting_proof.h"
 #include "ar3d/verify/crossings.h"
 #include "ar3d/verify/examination.h"
@@ -147,21 +148,29 @@ Examination examine(const Graph& graph, const Drawing& drawing, const Guarantee&
   verify::SummaryPass summary(drawing, parts.metrics);
   std::optional<DrawingHash> hash;
   if (parts.hash) hash.emplace(drawing);
-  std::optional<verify::CountingProof> proof;
+  std::optional<verify::CountingProof> by_planes;
+  std::optional<verify::ColumnProof> by_columns;
   if (parts.certificate && options.crossing_test == CrossingTest::automatic) {
-    proof.emplace(graph, drawing, guarantee);
+    if (guarantee.directions.empty()) {
+      by_columns.emplace(graph, drawing, guarantee);
+    } else {
+      by_planes.emplace(graph, drawing, guarantee);
+    }
   }
   for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {
     summary.add(points);
     if (hash) hash->add(drawing.edge(e), points);
-    if (proof) proof->add(drawing.edge(e), points);
+    if (by_planes) by_planes->add(drawing.edge(e), points);
+    if (by_columns) by_columns->add(drawing.edge(e), points);
   });
   result.summary = summary.finish();
   if (hash) result.drawing_hash = hash->digest();
   if (!parts.certificate) return result;
-  const bool proved = proof && keeps_places(graph, drawing, guarantee, options, result.summary) &&
-                      proof->holds(result.summary);
-  proof.reset();  // its memory
+  const bool proved =
+      keeps_places(graph, drawing, guarantee, options, result.summary) &&
+      ((by_planes && by_planes->holds(result.summary)) || (by_columns && by_columns->holds()));
+  by_planes.reset();  // their memory
+  by_columns.reset();
   result.certificate = proved ? valid_certificate(result.summary)
                               : certify_in_full(graph, drawing, guarantee, options, result.summary);
   return result;

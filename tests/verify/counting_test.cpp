@@ -3,20 +3,23 @@
 
 #include <algorithm>
 #include <set>
-#include <utility>
 #include <vector>
 
 #include "ar3d/verify/counting/counting_proof.h"
 #include "ar3d/verify/exact.h"
 #include "ar3d/verify/examination.h"
 #include "ar3d/verify/segments.h"
+#include "verify/counted_pairs.h"
 #include "verify/random_drafts.h"
 
 namespace ar3d {
 namespace {
 
+using testing::count_all_pairs;
 using testing::Draft;
+using testing::has_isolated_vertex;
 using testing::RandomDrafts;
+using testing::simple;
 using verify::CountedMeetings;
 using verify::CountingProof;
 using verify::CountingSizes;
@@ -27,16 +30,6 @@ const std::vector<CountingSizes>& sizes() {
   static const std::vector<CountingSizes> list = {
       {}, {.bucket = 8, .crowded = 32}, {.bucket = 64, .crowded = 1}, {.bucket = 2, .crowded = 0}};
   return list;
-}
-
-/// Without edges drawn twice and loops: what is left draws a simple graph.
-Draft simple(Draft draft) {
-  std::set<std::pair<Vertex, Vertex>> seen;
-  std::erase_if(draft.edges, [&](const Draft::DraftEdge& edge) {
-    const auto [u, v] = edge.ends;
-    return u == v || !seen.emplace(std::min(u, v), std::max(u, v)).second;
-  });
-  return draft;
 }
 
 struct Outcome {
@@ -54,27 +47,6 @@ Outcome count(const Draft& draft, const CountingSizes& sizes) {
   });
   const bool proved = proof.holds(measure(drawing));
   return {proved, proof.counts()};
-}
-
-MeetingCounts count_all_pairs(const verify::Segments& segments) {
-  MeetingCounts counts;
-  for (verify::SegmentId s = 0; s < segments.size(); ++s) {
-    for (verify::SegmentId t = 0; t < s; ++t) {
-      const auto meeting =
-          verify::meet(segments.from(s), segments.to(s), segments.from(t), segments.to(t));
-      const bool is_parallel = verify::parallel(segments.direction(s), segments.direction(t));
-      if (meeting.kind == verify::Meeting::Kind::overlap) counts.overlap = true;
-      if (meeting.kind != verify::Meeting::Kind::point) continue;
-      ++(is_parallel ? counts.touching : counts.crossing);
-    }
-  }
-  return counts;
-}
-
-bool has_isolated_vertex(const Draft& draft) {
-  std::vector<bool> used(draft.vertices.size());
-  for (const auto& edge : draft.edges) used[edge.ends.u] = used[edge.ends.v] = true;
-  return std::find(used.begin(), used.end(), false) != used.end();
 }
 
 struct Tally {
@@ -105,18 +77,15 @@ void expect_agreement(const Draft& draft, Tally& tally) {
 }
 
 bool in_limits(const Draft& draft) {
-  std::vector<int> degrees(draft.vertices.size());
-  for (const auto& edge : draft.edges) ++degrees[edge.ends.u], ++degrees[edge.ends.v];
-  if (std::any_of(degrees.begin(), degrees.end(), [](int d) { return d > 4; })) return false;
+  if (!testing::has_low_degrees(draft)) return false;
   const Drawing drawing = draft.drawing();
-  const DrawingSummary summary = measure(drawing);
   std::set<Vector> directions;
   const verify::Segments segments(drawing);
   for (verify::SegmentId s = 0; s < segments.size(); ++s) {
     const Vector d = primitive(segments.direction(s));
     directions.insert(std::max(d, -d));
   }
-  return summary.repeated_points == 0 && directions.size() <= 16;
+  return directions.size() <= 16;
 }
 
 TEST(Counting, AgreesOnRandomAndDamagedDrawings) {

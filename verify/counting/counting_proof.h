@@ -7,22 +7,12 @@
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"
 #include "ar3d/model/guarantee.h"
+#include "ar3d/verify/counting/counted_meetings.h"
 #include "ar3d/verify/counting/plane_counts.h"
 #include "ar3d/verify/counting/signed_directions.h"
 #include "ar3d/verify/metrics.h"
 
 namespace ar3d::verify {
-
-/// What must be equal if nothing meets that must not (Lemma V.1).
-struct CountedMeetings {
-  std::uint64_t crossing_neighbours = 0;  ///< A: neighbours that are not parallel
-  std::uint64_t touching_neighbours = 0;  ///< B: neighbours that are parallel
-  MeetingCounts found;                    ///< M, T, and whether an overlap was seen
-  bool agree() const {
-    return !found.overlap && found.crossing == crossing_neighbours &&
-           found.touching == touching_neighbours;
-  }
-};
 
 /// Proves a drawing of few directions right by counting the meetings of its segments, in one pass
 /// over the polylines. It never says what is wrong: a drawing that it does not prove is wrong or

@@ -1,0 +1,82 @@
+// Step V.11 of docs/verify.md. Where long segments are vertical, few of the others are at one
+// height, and nearly all of these have boxes apart.
+#include "ar3d/verify/counting/slanted_pairs.h"
+
+#include <algorithm>
+
+#include "ar3d/verify/exact.h"
+#include "ar3d/verify/order.h"
+
+namespace ar3d::verify {
+namespace {
+
+Point from(const SlantedSegment& s) { return {s.x, s.y, s.z}; }
+Point to(const SlantedSegment& s) { return {s.x + s.dx, s.y + s.dy, s.z + s.dz}; }
+Vector along(const SlantedSegment& s) { return {s.dx, s.dy, s.dz}; }
+
+struct Active {
+  std::int32_t low_x;
+  std::int32_t high_x;
+  std::int32_t low_y;
+  std::int32_t high_y;
+  std::int64_t high;
+  std::uint32_t segment;
+};
+
+Active active(const SlantedSegment& s, std::uint32_t segment) {
+  return {std::min(s.x, s.x + s.dx),
+          std::max(s.x, s.x + s.dx),
+          std::min(s.y, s.y + s.dy),
+          std::max(s.y, s.y + s.dy),
+          s.z + s.dz,
+          segment};
+}
+
+bool overlap(const Active& a, const Active& b) {
+  return a.low_x <= b.high_x && b.low_x <= a.high_x && a.low_y <= b.high_y && b.low_y <= a.high_y;
+}
+
+MeetingCounts meeting_of(const SlantedSegment& s, const SlantedSegment& t) {
+  const Meeting meeting = meet(from(s), to(s), from(t), to(t));
+  if (meeting.kind == Meeting::Kind::nothing) return {};
+  if (meeting.kind == Meeting::Kind::overlap) return {.overlap = true};
+  return parallel(along(s), along(t)) ? MeetingCounts{.touching = 1} : MeetingCounts{.crossing = 1};
+}
+
+std::vector<Keyed> upwards(const std::vector<SlantedSegment>& segments) {
+  std::int64_t least = 0;
+  for (const SlantedSegment& s : segments) least = std::min(least, s.z);
+  std::vector<Keyed> order(segments.size());
+  std::vector<Keyed> buffer;
+  for (std::uint32_t i = 0; i < segments.size(); ++i) {
+    order[i] = {static_cast<std::uint64_t>(segments[i].z - least), i};
+  }
+  sort_by_key(order, buffer);
+  return order;
+}
+
+}  // namespace
+
+std::optional<MeetingCounts> meetings_of_slanted(const std::vector<SlantedSegment>& segments,
+                                                 std::size_t patience) {
+  MeetingCounts counts;
+  std::vector<Active> reached;
+  std::size_t compared = 0;
+  for (const Keyed& next : upwards(segments)) {
+    const SlantedSegment& s = segments[next.item];
+    const Active added = active(s, next.item);
+    compared += reached.size();
+    if (compared > patience * segments.size()) return std::nullopt;
+    std::size_t kept = 0;
+    for (const Active& old : reached) {
+      if (old.high < s.z) continue;
+      if (overlap(old, added)) counts += meeting_of(segments[old.segment], s);
+      reached[kept++] = old;
+    }
+    reached.resize(kept);
+    reached.push_back(added);
+  }
+  return counts;
+}
+
+}  // namespace ar3d::verify
