@@ -1,0 +1,94 @@
+#include "ar3d/algorithms/two_bend_paper/clearance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ar3d/algorithms/two_bend_paper/stacking.h"
+
+namespace ar3d::two_bend_paper {
+namespace {
+
+using Point3 = Vector3<double>;
+
+double distance_to_segment(const Point3& p, const Point3& a, const Point3& b) {
+  const Point3 d = b - a;
+  const double square = dot(d, d);
+  const double t = square > 0 ? std::clamp(dot(p - a, d) / square, 0.0, 1.0) : 0;
+  const Point3 apart = p - (a + t * d);
+  return std::sqrt(dot(apart, apart));
+}
+
+class Clearances {
+ public:
+  Clearances(const ContractedGraph& graph, const Points<double>& points)
+      : graph_(graph), points_(points) {}
+
+  /// Of a node from the edges of its component.
+  double of(Node node, const std::vector<EdgeId>& edges) const {
+    double least = 1;
+    for (const EdgeId edge : edges) {
+      const auto [from, to] = graph_.ends[edge];
+      Point3 a = points_.of_node[from];
+      const auto& bends = points_.bends[edge];
+      for (std::size_t i = 0; i <= bends.size(); ++i) {
+        const Point3 b = i < bends.size() ? bends[i] : points_.of_node[to];
+        const bool is_first = (i == 0 && from == node) || (i == bends.size() && to == node);
+        const Point3 d = b - a;
+        least = std::min(least, is_first ? std::sqrt(dot(d, d))
+                                         : distance_to_segment(points_.of_node[node], a, b));
+        a = b;
+      }
+    }
+    return least;
+  }
+
+ private:
+  const ContractedGraph& graph_;
+  const Points<double>& points_;
+};
+
+struct PlacedNode {
+  Node node;
+  bool is_straight;
+};
+
+std::vector<PlacedNode> nodes_of(const ContractedGraph& graph, const Component& component) {
+  std::vector<PlacedNode> nodes;
+  if (component.k4) {
+    for (const Node node : *component.k4) nodes.push_back({node, false});
+  }
+  for (const Step& step : component.steps) {
+    const bool is_pass = step.kind == StepKind::pass && graph.stars[step.node].degree == 2;
+    if (step.kind != StepKind::cycle) nodes.push_back({step.node, is_pass});
+    for (const CycleVertex& vertex : step.cycle) nodes.push_back({vertex.node, false});
+  }
+  return nodes;
+}
+
+}  // namespace
+
+std::vector<Room> top_rooms(const ContractedGraph& graph,
+                            const std::vector<PlacedComponent>& components, std::size_t num_edges) {
+  std::vector<Room> rooms(graph.contractions.size());
+  if (rooms.empty()) return rooms;
+  const Points<double> points = stack<double>(graph, components, num_edges);
+  const Clearances clearances(graph, points);
+  const auto inputs = graph.num_nodes() - static_cast<Node>(rooms.size());
+  for (const PlacedComponent& placed : components) {
+    const std::vector<PlacedNode> nodes = nodes_of(graph, placed.component);
+    std::vector<EdgeId> edges;
+    for (const auto& [node, is_straight] : nodes) {
+      for (const Incidence incidence : graph.stars[node]) {
+        if (graph.ends[incidence.edge][0] == node) edges.push_back(incidence.edge);
+      }
+    }
+    for (const auto& [node, is_straight] : nodes) {
+      if (node < inputs) continue;
+      const double third = clearances.of(node, edges) / 3;
+      rooms[node - inputs] = {std::exp2(std::floor(std::log2(third))), is_straight};
+    }
+  }
+  return rooms;
+}
+
+}  // namespace ar3d::two_bend_paper

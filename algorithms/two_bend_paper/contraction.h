@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "ar3d/model/graph.h"
+
+namespace ar3d::two_bend_paper {
+
+/// A vertex of the graph while it shrinks: those of the input, then one for every contraction.
+using Node = std::uint32_t;
+
+/// An edge as seen from one of its present ends.
+struct Incidence {
+  Node to = 0;
+  EdgeId edge = 0;
+};
+
+/// The edges at a node: at most three.
+struct Star {
+  std::array<Incidence, 3> at{};
+  std::uint32_t degree = 0;
+
+  void add(Incidence incidence) { at[degree++] = incidence; }
+  const Incidence* begin() const { return at.data(); }
+  const Incidence* end() const { return at.data() + degree; }
+};
+
+/// What is contracted, by its members' places in Contraction::members:
+///   triangle  0, 1, 2
+///   diamond   tips 0 and 1, mids 2 and 3, which have no edge to the outside
+///   fat_leaf  0, the common neighbour of the tips 1 and 2; mids 3 and 4
+enum class Figure : std::uint8_t { triangle, diamond, fat_leaf };
+
+/// An end of an edge that leaves the figure: its slot (0: the edge's u, 1: its v) and the member it
+/// belongs to.
+struct OuterEnd {
+  EdgeId edge = 0;
+  std::uint8_t slot = 0;
+  std::uint8_t member = 0;
+};
+
+/// An edge within the figure, from the member at its slot 0 to the one at its slot 1.
+struct InnerEdge {
+  EdgeId edge = 0;
+  std::uint8_t from = 0;
+  std::uint8_t to = 0;
+};
+
+/// One contraction. Members with edges to the outside come first among the corners of a triangle
+/// and among the tips of a diamond.
+struct Contraction {
+  Figure figure{};
+  Node result = 0;
+  std::uint8_t num_members = 0;
+  std::array<Node, 5> members{};
+  std::vector<InnerEdge> inner;
+  std::vector<OuterEnd> outer;  ///< in order of members
+};
+
+/// The graph after all contractions: simple, and its only triangles are those of components K4.
+struct ContractedGraph {
+  std::vector<Star> stars;                ///< of all nodes; those of dead ones mean nothing
+  std::vector<bool> alive;                ///< nodes that are left
+  std::vector<std::array<Node, 2>> ends;  ///< last ends of every edge by slot
+  std::vector<Contraction> contractions;  ///< in order of time
+  Node num_nodes() const { return static_cast<Node>(stars.size()); }
+};
+
+/// Contracts triangles until none is left outside components K4 (Step P.1).
+/// @param graph  of maximum degree 3. Cost: O(n + m).
+ContractedGraph contract(const Graph& graph);
+
+/// True if the node and its three neighbours are all adjacent to each other: a component K4.
+bool is_in_k4(const ContractedGraph& graph, Node node);
+
+}  // namespace ar3d::two_bend_paper

@@ -1,0 +1,237 @@
+#include "ar3d/algorithms/two_bend_paper/placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ar3d/algorithms/two_bend_paper/polygon.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d::two_bend_paper {
+namespace {
+
+constexpr double kGap = 2;             // between components
+constexpr double kWidthOfK4 = 10;      // of its table
+constexpr unsigned kFinestGrowth = 8;  // candidates grow 2^round-fold up to this round
+
+double cross(Foot a, Foot b) { return a.x * b.y - a.y * b.x; }
+double dot(Foot a, Foot b) { return a.x * b.x + a.y * b.y; }
+Foot minus(Foot a, Foot b) { return {a.x - b.x, a.y - b.y}; }
+double length(Foot a) { return std::sqrt(dot(a, a)); }
+
+double distance_to_segment(Foot p, Foot a, Foot b) {
+  const Foot d = minus(b, a);
+  const double t = std::clamp(dot(minus(p, a), d) / dot(d, d), 0.0, 1.0);
+  return length(minus(p, {a.x + t * d.x, a.y + t * d.y}));
+}
+
+/// t and u, the farthest two of three feet (the first pair of several), then w.
+std::array<std::uint8_t, 3> farthest_first(const std::array<Foot, 3>& feet) {
+  std::array<std::uint8_t, 3> best{0, 1, 2};
+  for (const std::array<std::uint8_t, 3> order :
+       {std::array<std::uint8_t, 3>{0, 2, 1}, std::array<std::uint8_t, 3>{1, 2, 0}}) {
+    const auto distance = [&](const std::array<std::uint8_t, 3>& o) {
+      return length(minus(feet[o[0]], feet[o[1]]));
+    };
+    if (distance(order) > distance(best)) best = order;
+  }
+  return best;
+}
+
+class Placer {
+ public:
+  explicit Placer(const ContractedGraph& graph) : feet_(graph.num_nodes()) {}
+
+  /// Places one component and moves it to the right of everything before it.
+  PlacedComponent place(Component component) {
+    PlacedComponent placed;
+    placed.component = std::move(component);
+    low_ = high_ = 0;
+    is_empty_ = true;
+    turns_ = 0;
+    for (const Step& step : placed.component.steps) placed.placings.push_back(place_step(step));
+    if (placed.component.k4) high_ = kWidthOfK4;
+    const double shift = next_left_ - std::floor(low_);
+    for (Placing& placing : placed.placings) {
+      placing.foot.x += shift;
+      for (Side& side : placing.sides) side.middle.x += shift;
+    }
+    placed.left = next_left_;
+    next_left_ = std::ceil(high_ + shift) + kGap;
+    return placed;
+  }
+
+ private:
+  std::vector<Foot> active_feet(unsigned turns) const {
+    std::vector<Foot> feet;
+    feet.reserve(active_.size());
+    for (const Node node : active_) feet.push_back(turned(feet_[node], turns));
+    return feet;
+  }
+
+  void widen(double low, double high) {
+    low_ = is_empty_ ? low : std::min(low_, low);
+    high_ = is_empty_ ? high : std::max(high_, high);
+    is_empty_ = false;
+  }
+
+  Placing place_step(const Step& step) {
+    switch (step.kind) {
+      case StepKind::line:
+        return place_line(step);
+      case StepKind::pass:
+        replace_ray(step, feet_[step.below[0].to]);
+        return {};
+      case StepKind::merge:
+        return place_merge(step);
+      case StepKind::triskelion:
+        return place_triskelion(step);
+      case StepKind::cycle:
+        return place_cycle(step);
+    }
+    throw InternalError("internal error: no such step");
+  }
+
+  /// The rays below end; that of the step's node begins, if it has one.
+  void replace_ray(const Step& step, Foot foot) {
+    for (const Incidence below : step.below) drop(below.to);
+    feet_[step.node] = foot;
+    if (step.has_ray) active_.push_back(step.node);
+  }
+
+  void drop(Node node) { active_.erase(std::find(active_.begin(), active_.end(), node)); }
+
+  Placing place_line(const Step& step) {
+    const unsigned turns = turns_++;
+    const std::vector<Foot> feet = active_feet(4 - turns % 4);
+    const Foot corner = right_of(feet);
+    for (unsigned round = 0; round < kRounds; ++round) {
+      const double unit = std::ldexp(1.0, -static_cast<int>(round));
+      const std::int64_t most = std::int64_t{64} << std::min(round, kFinestGrowth);
+      for (std::int64_t j = 0; j < most; ++j) {
+        const Foot at{corner.x, corner.y + static_cast<double>(alternating(j)) * unit};
+        if (step.has_ray && !is_good(at, feet, round)) continue;
+        Placing placing;
+        placing.foot = turned(at, turns);
+        widen(placing.foot.x, placing.foot.x);
+        replace_ray(step, placing.foot);
+        return placing;
+      }
+    }
+    throw InternalError("internal error: a vertex without neighbours finds its place");
+  }
+
+  /// 1/2, then 1/2 -+ odd multiples of 2^-(3 + round) between 0.2 and 0.8.
+  template <class Found>
+  static bool try_shares(unsigned round, const Found& found) {
+    if (found(0.5)) return true;
+    const double unit = std::ldexp(1.0, -3 - static_cast<int>(round));
+    for (double offset = unit; offset <= 0.3; offset += 2 * unit) {
+      if (found(0.5 - offset) || found(0.5 + offset)) return true;
+    }
+    return false;
+  }
+
+  Placing place_merge(const Step& step) {
+    const Foot p = feet_[step.below[0].to], q = feet_[step.below[1].to];
+    for (const Incidence below : step.below) drop(below.to);
+    const std::vector<Foot> others = active_feet(0);
+    Placing placing;
+    Foot foot;
+    const auto found = [&](double share, unsigned round) {
+      placing.share = share;
+      foot = {p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)};
+      return !step.has_ray || is_good(foot, others, round);
+    };
+    for (unsigned round = 0; round < std::min(kRounds, 16u); ++round) {
+      if (!try_shares(round, [&](double share) { return found(share, round); })) continue;
+      feet_[step.node] = foot;
+      if (step.has_ray) active_.push_back(step.node);
+      return placing;
+    }
+    throw InternalError("internal error: a vertex over two rays finds its place");
+  }
+
+  Placing place_triskelion(const Step& step) {
+    std::array<Foot, 3> below;
+    for (std::size_t i = 0; i < 3; ++i) below[i] = feet_[step.below[i].to];
+    for (const Incidence incidence : step.below) drop(incidence.to);
+    Placing placing;
+    Triskelion& found = placing.triskelion;
+    found.order = farthest_first(below);
+    const Foot t = below[found.order[0]], u = below[found.order[1]], w = below[found.order[2]];
+    const double base = length(minus(u, t));
+    const Foot e{(u.x - t.x) / base, (u.y - t.y) / base};
+    const double height = std::abs(cross(e, minus(w, t))), s = dot(e, minus(w, t));
+    found.w_is_left = cross(e, minus(w, t)) > 0;
+    const auto others = active_feet(0);
+    const auto n = static_cast<double>(others.size() + 3);
+    const auto clearance = [&](double at) {
+      const Foot middle{t.x + at * e.x, t.y + at * e.y};
+      double least = std::min({at, base - at, height});
+      for (const Foot foot : others) {
+        least = std::min(least, distance_to_segment(foot, middle, w));
+      }
+      return least;
+    };
+    for (unsigned round = 0; round < kRounds; ++round) {
+      const double unit = std::ldexp(1.0, -5 - static_cast<int>(std::min(round, kFinestGrowth)));
+      const auto most = static_cast<std::int64_t>(1.5 / unit) + 1;  // |slide| <= 3/4
+      for (std::int64_t j = 0; j < most; ++j) {
+        found.slide = static_cast<double>(alternating(j)) * unit;
+        const double at = s + found.slide * height;
+        if (at <= s / 2 || at >= (base + s) / 2) continue;
+        const double room = clearance(at);
+        if (room < height / (8 * n) * std::ldexp(1.0, -static_cast<int>(round))) continue;
+        if (room <= 0) continue;
+        found.radius = std::exp2(std::floor(std::log2(room / 4)));
+        return placing;
+      }
+    }
+    throw InternalError("internal error: a vertex over three rays finds its place");
+  }
+
+  Placing place_cycle(const Step& step) {
+    const unsigned turns = turns_++;
+    std::vector<bool> needs_position;
+    needs_position.reserve(step.cycle.size());
+    for (const CycleVertex& vertex : step.cycle) needs_position.push_back(vertex.third.has_value());
+    Placing placing;
+    placing.sides = cycle_polygon(active_feet(4 - turns % 4), needs_position);
+    for (std::size_t i = 0; i < step.cycle.size(); ++i) {
+      Side& side = placing.sides[i];
+      side.middle = turned(side.middle, turns);
+      side.along = turned(side.along, turns);
+      const double reach = std::abs(side.along.x) * side.half;
+      widen(side.middle.x - reach, side.middle.x + reach);
+      const CycleVertex& vertex = step.cycle[i];
+      if (vertex.is_below) drop(vertex.third->to);
+      feet_[vertex.node] = side.middle;
+    }
+    for (const CycleVertex& vertex : step.cycle) {
+      if (vertex.has_ray()) active_.push_back(vertex.node);
+    }
+    return placing;
+  }
+
+  std::vector<Foot> feet_;    // by node, before the component is moved
+  std::vector<Node> active_;  // nodes with a ray, in order of time
+  unsigned turns_ = 0;        // quarter turns of the next line or cycle
+  double low_ = 0;            // of the component's x
+  double high_ = 0;
+  bool is_empty_ = true;
+  double next_left_ = 0;
+};
+
+}  // namespace
+
+std::vector<PlacedComponent> place(const ContractedGraph& graph,
+                                   std::vector<Component> components) {
+  Placer placer(graph);
+  std::vector<PlacedComponent> placed;
+  placed.reserve(components.size());
+  for (Component& component : components) placed.push_back(placer.place(std::move(component)));
+  return placed;
+}
+
+}  // namespace ar3d::two_bend_paper

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ar3d {
+
+using BigInteger = boost::multiprecision::cpp_int;
+
+struct BigPoint {
+  BigInteger x;
+  BigInteger y;
+  BigInteger z;
+  friend bool operator==(const BigPoint&, const BigPoint&) = default;
+};
+
+/// The points of a drawing that was made in a real type. Every finite binary floating-point number
+/// is a dyadic rational, so nothing is rounded here: a coordinate is an integer times
+/// 2^unit_exponent. Cartesian: the squared length of (x, y, z) is x^2 + y^2 + z^2.
+struct RealPoints {
+  std::string type;  ///< that it was made in: "float", "double", ...
+  int unit_exponent = 0;
+  std::vector<BigPoint> vertices;
+  std::vector<std::size_t> offsets{0};  ///< bends of edge e: bends[offsets[e]] ... [offsets[e + 1]]
+  std::vector<BigPoint> bends;
+
+  std::span<const BigPoint> bends_of(std::size_t edge) const {
+    return std::span(bends).subspan(offsets[edge], offsets[edge + 1] - offsets[edge]);
+  }
+  friend bool operator==(const RealPoints&, const RealPoints&) = default;
+};
+
+/// value = integer * 2^exponent.
+struct DyadicNumber {
+  BigInteger integer;
+  int exponent = 0;
+};
+
+/// The sum of finite doubles. @throws InternalError if one is not finite.
+DyadicNumber dyadic_sum(std::span<const double> parts);
+
+/// Gives all points a common unit, the coarsest possible.
+class RealPointsBuilder {
+ public:
+  explicit RealPointsBuilder(std::string type) { points_.type = std::move(type); }
+
+  struct Point {
+    DyadicNumber x;
+    DyadicNumber y;
+    DyadicNumber z;
+  };
+  /// Vertices in order of their numbers, edges in order of theirs.
+  void add_vertex(Point point) { vertices_.push_back(std::move(point)); }
+  void add_edge(std::vector<Point> bends);
+  RealPoints finish() const;
+
+ private:
+  RealPoints points_;
+  std::vector<Point> vertices_;
+  std::vector<Point> bends_;
+};
+
+}  // namespace ar3d

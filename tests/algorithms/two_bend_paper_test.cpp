@@ -1,0 +1,258 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "algorithms/two_bend_paper_support.h"
+#include "ar3d/algorithms/two_bend_paper/arithmetic.h"
+#include "ar3d/algorithms/two_bend_paper/contraction.h"
+#include "ar3d/algorithms/two_bend_paper/cycles.h"
+#include "ar3d/algorithms/two_bend_paper/general_position.h"
+#include "ar3d/algorithms/two_bend_paper/growth.h"
+#include "ar3d/generators/catalog.h"
+#include "ar3d/model/error.h"
+#include "ar3d/verify/assessment/real_segments.h"
+
+namespace ar3d {
+namespace {
+
+using testing::Blown;
+using testing::expect_right_in_reference;
+using testing::heptagon_nest;
+using testing::hexagon_nest;
+using two_bend_paper::draw_real;
+using two_bend_paper::Figure;
+using two_bend_paper::RealType;
+
+Graph made(const char* family, std::uint64_t n, std::uint64_t seed = 1) {
+  const Family& row = find_family(family);
+  return generate(row, n, seed, complete_parameters(row, {}));
+}
+
+TEST(TwoBendPaper, AllSmallGraphs) {
+  for (int n = 1; n <= 7; ++n) {
+    for (const Graph& graph : testing::geng(fmt::format("-D3 {}", n))) {
+      expect_right_in_reference(graph);
+      if (HasFailure()) return;
+    }
+  }
+  expect_right_in_reference(Graph());
+}
+
+TEST(TwoBendPaper, SmallConnectedCubicGraphsAsGivenAndRelabelled) {
+  for (int n = 4; n <= 10; n += 2) {
+    std::uint64_t seed = 0;
+    for (const Graph& graph : testing::geng(fmt::format("-c -d3 -D3 {}", n))) {
+      expect_right_in_reference(graph);
+      expect_right_in_reference(testing::shuffled(graph, ++seed));
+    }
+  }
+}
+
+TEST(TwoBendPaper, EveryFamilyOfMaximumDegreeThree) {
+  for (const Family& family : families()) {
+    if (family.max_degree > 3) continue;
+    expect_right_in_reference(generate(family, 40, 7, complete_parameters(family, {})),
+                              family.name);
+  }
+}
+
+TEST(TwoBendPaper, NestsOfHexagonsAndHeptagons) {
+  for (const int levels : {1, 2, 3, 10, 40, 79}) {
+    expect_right_in_reference(hexagon_nest(testing::complete(4), levels), "hexagons in K4");
+  }
+  for (const int levels : {1, 2, 3, 10, 30}) {
+    expect_right_in_reference(heptagon_nest(testing::cycle(5), levels), "heptagons in C5");
+    expect_right_in_reference(heptagon_nest(testing::path(3), levels), "heptagons in a path");
+  }
+}
+
+TEST(TwoBendPaper, RandomMixturesOfFigures) {
+  RandomStream random(1);
+  for (int i = 0; i < 60; ++i) {
+    Blown blown(made("random-subcubic", 2 + random.below(8), static_cast<std::uint64_t>(i)));
+    const std::uint32_t figures = 1 + random.below(12);
+    for (std::uint32_t j = 0; j < figures; ++j) blown.any(random);
+    expect_right_in_reference(blown.graph(), fmt::format("mixture {}", i));
+  }
+}
+
+TEST(TwoBendPaper, Unions) {
+  std::vector<Graph> parts;
+  for (int i = 0; i < 40; ++i) {
+    parts.push_back(testing::complete(4));
+    parts.push_back(testing::cycle(5));
+    parts.push_back(testing::path(1));
+    parts.push_back(testing::petersen());
+    parts.push_back(testing::path(3));
+  }
+  expect_right_in_reference(testing::disjoint_union(parts));
+  expect_right_in_reference(testing::shuffled(testing::disjoint_union(parts), 5));
+}
+
+TEST(TwoBendPaper, RandomCubicGraphs) {
+  for (const std::uint64_t n : {10, 30, 100, 300}) {
+    expect_right_in_reference(made("random-cubic", n, n));
+  }
+}
+
+double coordinate(const BigInteger& value, int unit) { return verify::rounded(value, unit); }
+
+/// Largest difference of coordinates in relation to the largest coordinate.
+double difference_of(const RealPoints& a, const RealPoints& b) {
+  double largest = 1, difference = 0;
+  const auto look_at = [&](const BigInteger& x, const BigInteger& y) {
+    const double p = coordinate(x, a.unit_exponent), q = coordinate(y, b.unit_exponent);
+    largest = std::max({largest, std::abs(p), std::abs(q)});
+    difference = std::max(difference, std::abs(p - q));
+  };
+  const auto look_at_lists = [&](const std::vector<BigPoint>& p, const std::vector<BigPoint>& q) {
+    ASSERT_EQ(p.size(), q.size());
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      look_at(p[i].x, q[i].x);
+      look_at(p[i].y, q[i].y);
+      look_at(p[i].z, q[i].z);
+    }
+  };
+  look_at_lists(a.vertices, b.vertices);
+  look_at_lists(a.bends, b.bends);
+  return difference / largest;
+}
+
+/// Another decision moves points by far more than rounding: all types draw the same.
+TEST(TwoBendPaper, AllTypesTakeTheSameDecisions) {
+  std::vector<Graph> graphs = {made("random-cubic", 60), made("iterated-truncation", 100),
+                               made("cubic-tree", 60), hexagon_nest(testing::complete(4), 12),
+                               heptagon_nest(testing::cycle(5), 6)};
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    Blown blown(made("random-subcubic", 12, seed));
+    RandomStream random(seed);
+    for (int j = 0; j < 5; ++j) blown.any(random);
+    graphs.push_back(blown.graph());
+  }
+  const double bits[] = {24, 53, 64, 113};
+  for (const Graph& graph : graphs) {
+    const RealPoints reference = draw_real(graph, RealType::reference);
+    for (int type = 0; type + 1 < two_bend_paper::kRealTypes; ++type) {
+      const RealPoints points = draw_real(graph, static_cast<RealType>(type));
+      EXPECT_EQ(points.offsets, reference.offsets);
+      const double allowed = std::max(std::exp2(10 - bits[type]), 0x1p-50);
+      EXPECT_LT(difference_of(points, reference), allowed) << points.type;
+    }
+  }
+}
+
+TEST(TwoBendPaper, EveryTypeMissesByItsOwnRounding) {
+  const Graph graph = made("random-cubic", 50);
+  double previous = 1;
+  for (int type = 0; type < two_bend_paper::kRealTypes; ++type) {
+    const RealAssessment found = assess(graph, draw_real(graph, static_cast<RealType>(type)));
+    EXPECT_FALSE(found.is_broken());
+    EXPECT_GT(found.largest_miss, 0);
+    EXPECT_LT(found.largest_miss, previous / 100);
+    previous = found.largest_miss;
+  }
+}
+
+/// The build excludes contraction, fast-math and x87 arithmetic; this tells if it does not.
+TEST(TwoBendPaper, ArithmeticRoundsOncePerOperation) {
+  EXPECT_EQ(two_bend_paper::arithmetic_departures(), "");
+}
+
+TEST(TwoBendPaper, RefusesLargerDegrees) {
+  EXPECT_THROW(draw_real(testing::complete(5), RealType::reference), InputError);
+}
+
+TEST(TwoBendPaperContraction, LeavesNoTriangleOutsideK4) {
+  RandomStream random(9);
+  for (int i = 0; i < 200; ++i) {
+    Blown blown(made("random-subcubic", 2 + random.below(12), static_cast<std::uint64_t>(i)));
+    for (int j = 0; j < 6; ++j) blown.any(random);
+    const two_bend_paper::ContractedGraph graph = two_bend_paper::contract(blown.graph());
+    for (two_bend_paper::Node v = 0; v < graph.num_nodes(); ++v) {
+      if (!graph.alive[v] || is_in_k4(graph, v)) continue;
+      const two_bend_paper::Star& star = graph.stars[v];
+      for (const two_bend_paper::Incidence a : star) {
+        EXPECT_TRUE(graph.alive[a.to]);
+        for (const two_bend_paper::Incidence b : star) {
+          EXPECT_TRUE(a.edge == b.edge || a.to != b.to) << "a double edge";
+          for (const two_bend_paper::Incidence c : graph.stars[a.to]) {
+            EXPECT_TRUE(c.to != b.to || a.to == b.to) << "a triangle";
+          }
+        }
+      }
+    }
+  }
+}
+
+Figure only_figure(const Graph& graph) {
+  const two_bend_paper::ContractedGraph contracted = two_bend_paper::contract(graph);
+  EXPECT_EQ(contracted.contractions.size(), 1u);
+  return contracted.contractions.at(0).figure;
+}
+
+TEST(TwoBendPaperContraction, KnowsItsFigures) {
+  EXPECT_EQ(only_figure(testing::complete(3)), Figure::triangle);
+  EXPECT_EQ(only_figure(Graph(4, {{0, 1}, {0, 2}, {1, 2}, {1, 3}, {2, 3}})), Figure::diamond);
+  EXPECT_EQ(only_figure(Graph(5, {{0, 1}, {0, 2}, {1, 3}, {1, 4}, {2, 3}, {2, 4}, {3, 4}})),
+            Figure::fat_leaf);
+  EXPECT_TRUE(two_bend_paper::contract(testing::complete(4)).contractions.empty());
+}
+
+TEST(TwoBendPaperGrowth, AddsAShortestCycle) {
+  const two_bend_paper::ContractedGraph petersen = two_bend_paper::contract(testing::petersen());
+  two_bend_paper::ShortestCycle cycles(petersen);
+  std::vector<two_bend_paper::Node> all(10);
+  for (two_bend_paper::Node v = 0; v < 10; ++v) all[v] = v;
+  EXPECT_EQ(cycles.find(all, std::vector<bool>(10))->size(), 5u);
+  std::vector<bool> no_five = std::vector<bool>(10);
+  no_five[0] = no_five[1] = true;
+  EXPECT_GE(cycles.find(all, no_five)->size(), 5u);
+  EXPECT_FALSE(cycles.find(all, std::vector<bool>(10, true)));
+}
+
+TEST(TwoBendPaperGrowth, EveryNodeIsAddedOnceAndRaysAreThere) {
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const two_bend_paper::ContractedGraph graph =
+        two_bend_paper::contract(made("random-subcubic", 40, seed));
+    std::vector<int> times(graph.num_nodes());
+    std::vector<bool> ray(graph.num_nodes());
+    for (const two_bend_paper::Component& component : two_bend_paper::grow(graph)) {
+      for (const two_bend_paper::Step& step : component.steps) {
+        for (const two_bend_paper::Incidence below : step.below) EXPECT_TRUE(ray[below.to]);
+        for (const two_bend_paper::CycleVertex& vertex : step.cycle) {
+          ++times[vertex.node];
+          EXPECT_TRUE(!vertex.is_below || ray[vertex.third->to]);
+          ray[vertex.node] = vertex.has_ray();
+        }
+        if (step.kind == two_bend_paper::StepKind::cycle) continue;
+        ++times[step.node];
+        ray[step.node] = step.has_ray;
+      }
+      if (component.k4) {
+        for (const two_bend_paper::Node node : *component.k4) ++times[node];
+      }
+    }
+    for (two_bend_paper::Node v = 0; v < graph.num_nodes(); ++v) {
+      EXPECT_EQ(times[v], graph.alive[v] ? 1 : 0);
+    }
+  }
+}
+
+TEST(TwoBendPaperPosition, QualityIsZeroOnAndNearLines) {
+  using two_bend_paper::Foot;
+  using two_bend_paper::position_quality;
+  const std::vector<Foot> feet = {{0, 0}, {2, 2}, {5, 0}};
+  EXPECT_EQ(position_quality({1, 1}, feet), 0);
+  EXPECT_EQ(position_quality({2, 2}, feet), 0);
+  EXPECT_EQ(position_quality({7, 0}, feet), 0);
+  EXPECT_EQ(position_quality({3, 3 + 0x1p-45}, feet), 0);
+  EXPECT_GT(position_quality({2, 1}, feet), 1);
+  EXPECT_TRUE(std::isinf(position_quality({2, 1}, {{0, 0}})));
+}
+
+}  // namespace
+}  // namespace ar3d

@@ -1,0 +1,126 @@
+#include "ar3d/verify/assessment/real_assessment.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "ar3d/model/error.h"
+#include "ar3d/verify/assessment/real_segments.h"
+
+namespace ar3d {
+namespace {
+
+using verify::BigVector;
+using verify::RealSegment;
+
+void require_fitting(const Graph& graph, const RealPoints& points) {
+  if (points.vertices.size() != graph.num_vertices() ||
+      points.offsets.size() != std::size_t{graph.num_edges()} + 1) {
+    throw InputError(
+        fmt::format("a drawing of {} vertices and {} edges, but the graph has {} and {}",
+                    points.vertices.size(), points.offsets.size() - 1, graph.num_vertices(),
+                    graph.num_edges()));
+  }
+}
+
+/// A side of an angle: a segment, seen from one of its ends.
+struct Leg {
+  const RealSegment* segment = nullptr;
+  bool from_its_end = false;
+
+  BigVector direction() const {
+    const BigVector d = verify::difference(segment->to, segment->from);
+    return from_its_end ? verify::negated(d) : d;
+  }
+};
+
+class Assessor {
+ public:
+  Assessor(const Graph& graph, const RealPoints& points)
+      : graph_(graph), points_(points), segments_(verify::segments_of(graph, points)) {}
+
+  RealAssessment run() {
+    result_.collapsed = segments_.collapsed;
+    count_bends();
+    judge_bends();
+    judge_vertices();
+    if (result_.angles > 0) result_.mean_square_miss /= static_cast<double>(result_.angles);
+    result_.crossings = verify::count_crossings(graph_, segments_.list, points_.unit_exponent);
+    return result_;
+  }
+
+ private:
+  void count_bends() {
+    for (EdgeId e = 0; e < graph_.num_edges(); ++e) {
+      const std::size_t bends = points_.bends_of(e).size();
+      if (result_.bend_histogram.size() <= bends) result_.bend_histogram.resize(bends + 1);
+      ++result_.bend_histogram[bends];
+    }
+  }
+
+  void judge_bends() {
+    const auto& list = segments_.list;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (list[i].is_vertex) continue;
+      ++result_.segments;
+      if (!list[i].is_first) judge({&list[i - 1], true}, {&list[i], false}, false);
+    }
+  }
+
+  void judge_vertices() {
+    std::vector<std::vector<Leg>> legs(graph_.num_vertices());
+    for (const RealSegment& segment : segments_.list) {
+      if (segment.is_vertex) continue;
+      const Edge ends = graph_.edge(segment.edge);
+      if (segment.is_first) legs[ends.u].push_back({&segment, false});
+      if (segment.is_last) legs[ends.v].push_back({&segment, true});
+    }
+    for (Vertex v = 0; v < graph_.num_vertices(); ++v) {
+      for (std::size_t i = 0; i < legs[v].size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+          judge(legs[v][i], legs[v][j], graph_.degree(v) == 3);
+        }
+      }
+    }
+  }
+
+  void judge(Leg a, Leg b, bool exactly) {
+    const verify::Miss found = verify::miss_of_120(a.direction(), b.direction());
+    const double miss = exactly || found.is_less ? found.degrees : 0;
+    ++result_.angles;
+    result_.largest_miss = std::max(result_.largest_miss, miss);
+    result_.mean_square_miss += miss * miss;
+    for (std::size_t i = 0; i < RealAssessment::kLimits.size(); ++i) {
+      result_.within[i] += miss <= RealAssessment::kLimits[i] ? 1 : 0;
+    }
+    result_.condition = std::max(result_.condition, sensitivity(a) + sensitivity(b));
+  }
+
+  double sensitivity(Leg leg) const {
+    const int unit = points_.unit_exponent;
+    const verify::RoundedPoint from = verify::rounded(leg.segment->from, unit);
+    const verify::RoundedPoint to = verify::rounded(leg.segment->to, unit);
+    const verify::RoundedPoint d =
+        verify::rounded(verify::difference(leg.segment->to, leg.segment->from), unit);
+    const double largest = std::max({std::abs(from.x), std::abs(from.y), std::abs(from.z),
+                                     std::abs(to.x), std::abs(to.y), std::abs(to.z)});
+    return largest / std::hypot(d.x, d.y, d.z);
+  }
+
+  const Graph& graph_;
+  const RealPoints& points_;
+  const verify::RealSegments segments_;
+  RealAssessment result_;
+};
+
+}  // namespace
+
+RealAssessment assess(const Graph& graph, const RealPoints& points) {
+  require_fitting(graph, points);
+  return Assessor(graph, points).run();
+}
+
+}  // namespace ar3d

@@ -1,0 +1,168 @@
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+#include "ar3d/verify/assessment/real_segments.h"
+
+namespace ar3d::verify {
+namespace {
+
+bool between(const BigInteger& value, const BigInteger& a, const BigInteger& b) {
+  return (a <= value && value <= b) || (b <= value && value <= a);
+}
+
+bool on_segment(const BigPoint& p, const BigPoint& a, const BigPoint& b) {
+  return between(p.x, a.x, b.x) && between(p.y, a.y, b.y) && between(p.z, a.z, b.z) &&
+         is_zero(cross(difference(p, a), difference(b, a)));
+}
+
+/// 0 <= numerator / denominator <= 1, for denominator != 0.
+bool in_unit_interval(const BigInteger& numerator, const BigInteger& denominator) {
+  return denominator > 0 ? numerator >= 0 && numerator <= denominator
+                         : numerator <= 0 && numerator >= denominator;
+}
+
+bool meet(const RealSegment& s, const RealSegment& t) {
+  if (s.is_vertex) return t.is_vertex ? s.from == t.from : on_segment(s.from, t.from, t.to);
+  if (t.is_vertex) return on_segment(t.from, s.from, s.to);
+  const BigVector u = difference(s.to, s.from), v = difference(t.to, t.from);
+  const BigVector w = difference(t.from, s.from), normal = cross(u, v);
+  if (is_zero(normal)) {
+    return on_segment(t.from, s.from, s.to) || on_segment(t.to, s.from, s.to) ||
+           on_segment(s.from, t.from, t.to);
+  }
+  if (dot(w, normal) != 0) return false;
+  const BigVector along_s = cross(w, v), along_t = cross(w, u);
+  const BigInteger& n = normal.x != 0 ? normal.x : normal.y != 0 ? normal.y : normal.z;
+  const auto same = [&](const BigVector& a) -> const BigInteger& {
+    return normal.x != 0 ? a.x : normal.y != 0 ? a.y : a.z;
+  };
+  return in_unit_interval(same(along_s), n) && in_unit_interval(same(along_t), n);
+}
+
+/// The end that two segments may share: of consecutive ones their bend, of end segments their
+/// vertex. Which end of `s`, and of `t`: true for `to`.
+struct Joint {
+  bool to_of_s;
+  bool to_of_t;
+};
+
+std::optional<Joint> joint(const Graph& graph, const std::vector<RealSegment>& segments,
+                           std::size_t i, std::size_t j) {
+  const RealSegment &s = segments[i], &t = segments[j];
+  if (s.is_vertex || t.is_vertex) return std::nullopt;
+  if (s.edge == t.edge) {
+    if (i + 1 == j) return Joint{true, false};
+    if (j + 1 == i) return Joint{false, true};
+    return std::nullopt;
+  }
+  const Edge a = graph.edge(s.edge), b = graph.edge(t.edge);
+  if (s.is_first && t.is_first && a.u == b.u) return Joint{false, false};
+  if (s.is_first && t.is_last && a.u == b.v) return Joint{false, true};
+  if (s.is_last && t.is_first && a.v == b.u) return Joint{true, false};
+  if (s.is_last && t.is_last && a.v == b.v) return Joint{true, true};
+  return std::nullopt;
+}
+
+/// From a common end two segments of positive length share more exactly if they run the same way.
+bool overlap_from(Joint at, const RealSegment& s, const RealSegment& t) {
+  BigVector u = difference(s.to, s.from), v = difference(t.to, t.from);
+  if (at.to_of_s) u = negated(u);
+  if (at.to_of_t) v = negated(v);
+  return dot(u, v) > 0 && is_zero(cross(u, v));
+}
+
+bool crosses(const Graph& graph, const std::vector<RealSegment>& segments, std::size_t i,
+             std::size_t j) {
+  const std::optional<Joint> at = joint(graph, segments, i, j);
+  return at ? overlap_from(*at, segments[i], segments[j]) : meet(segments[i], segments[j]);
+}
+
+/// A segment in doubles, for the filter: its box is widened by the rounding.
+struct Rounded {
+  RoundedPoint from, to, low, high;
+};
+
+constexpr double kHalfUlp = 0x1p-53;
+
+Rounded boxed(const RealSegment& s, int unit_exponent) {
+  Rounded r;
+  r.from = verify::rounded(s.from, unit_exponent);
+  r.to = verify::rounded(s.to, unit_exponent);
+  const auto bounds = [](double a, double b, double& low, double& high) {
+    const double slack = 2 * kHalfUlp * std::max(std::abs(a), std::abs(b));
+    low = std::min(a, b) - slack;
+    high = std::max(a, b) + slack;
+  };
+  bounds(r.from.x, r.to.x, r.low.x, r.high.x);
+  bounds(r.from.y, r.to.y, r.low.y, r.high.y);
+  bounds(r.from.z, r.to.z, r.low.z, r.high.z);
+  return r;
+}
+
+bool boxes_meet(const Rounded& a, const Rounded& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
+         a.low.z <= b.high.z && b.low.z <= a.high.z;
+}
+
+/// True only if the four ends are surely not in one plane. Let m be the largest coordinate and D
+/// the largest difference. A difference of rounded points is off by at most E = 2^-51 m (two points
+/// by 2^-53 m, itself by 2^-53 * 2 m). For D >= 32 E a product of three of them is off by less than
+/// 3.2 D^2 E, six of them by 20 D^2 E, and their own roundings, thirty of at most 2^-53 D^3, add
+/// less than 30 * 2^-53 * 2 m D^2 = 15 D^2 E: less than 2^-44 m D^2 in all.
+bool surely_not_coplanar(const Rounded& s, const Rounded& t) {
+  double largest = 0, widest = 0;
+  for (const RoundedPoint* p : {&s.from, &s.to, &t.from, &t.to}) {
+    largest = std::max({largest, std::abs(p->x), std::abs(p->y), std::abs(p->z)});
+  }
+  const double u[3] = {s.to.x - s.from.x, s.to.y - s.from.y, s.to.z - s.from.z};
+  const double v[3] = {t.to.x - t.from.x, t.to.y - t.from.y, t.to.z - t.from.z};
+  const double w[3] = {t.from.x - s.from.x, t.from.y - s.from.y, t.from.z - s.from.z};
+  for (const auto& d : {u, v, w}) {
+    for (std::size_t i = 0; i < 3; ++i) widest = std::max(widest, std::abs(d[i]));
+  }
+  const double determinant = w[0] * (u[1] * v[2] - u[2] * v[1]) +
+                             w[1] * (u[2] * v[0] - u[0] * v[2]) +
+                             w[2] * (u[0] * v[1] - u[1] * v[0]);
+  return widest > 0x1p-46 * largest && std::abs(determinant) > 0x1p-44 * largest * widest * widest;
+}
+
+}  // namespace
+
+std::uint64_t count_crossings(const Graph& graph, const std::vector<RealSegment>& segments,
+                              int unit_exponent) {
+  std::vector<Rounded> boxes;
+  boxes.reserve(segments.size());
+  for (const RealSegment& s : segments) boxes.push_back(boxed(s, unit_exponent));
+  std::vector<std::size_t> order(segments.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return boxes[a].low.z < boxes[b].low.z; });
+  std::uint64_t count = 0;
+  std::vector<std::size_t> active;
+  for (const std::size_t i : order) {
+    std::erase_if(active, [&](std::size_t j) { return boxes[j].high.z < boxes[i].low.z; });
+    for (const std::size_t j : active) {
+      if (!boxes_meet(boxes[i], boxes[j])) continue;
+      if (surely_not_coplanar(boxes[i], boxes[j])) continue;
+      count += crosses(graph, segments, i, j) ? 1 : 0;
+    }
+    active.push_back(i);
+  }
+  return count;
+}
+
+std::uint64_t count_crossings_all_pairs(const Graph& graph,
+                                        const std::vector<RealSegment>& segments) {
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) count += crosses(graph, segments, i, j) ? 1 : 0;
+  }
+  return count;
+}
+
+}  // namespace ar3d::verify

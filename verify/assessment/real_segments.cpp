@@ -1,0 +1,102 @@
+#include "ar3d/verify/assessment/real_segments.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+
+namespace ar3d::verify {
+namespace {
+
+/// The leading bits of a positive integer and the power of two that they lost.
+struct Leading {
+  double significand = 0;  // below 2^63, rounded once
+  int exponent = 0;
+};
+
+Leading leading(const BigInteger& value) {
+  if (value == 0) return {};
+  const BigInteger size = abs(value);
+  const int bits = static_cast<int>(msb(size)) + 1;
+  // 62 bits and a sticky one below them: rounding to 53 bits then is rounding of the value.
+  const int shift = std::max(0, bits - 62);
+  const BigInteger top = size >> static_cast<unsigned>(shift);
+  auto kept = static_cast<std::int64_t>(top);
+  if (shift > 0 && lsb(size) < static_cast<unsigned>(shift)) kept |= 1;
+  return {static_cast<double>(value < 0 ? -kept : kept), shift};
+}
+
+}  // namespace
+
+BigVector difference(const BigPoint& to, const BigPoint& from) {
+  return {to.x - from.x, to.y - from.y, to.z - from.z};
+}
+
+BigVector negated(const BigVector& v) { return {-v.x, -v.y, -v.z}; }
+
+BigInteger dot(const BigVector& u, const BigVector& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
+
+BigVector cross(const BigVector& u, const BigVector& v) {
+  return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+}
+
+bool is_zero(const BigVector& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
+
+double rounded(const BigInteger& value, int shift) {
+  const Leading found = leading(value);
+  return std::ldexp(found.significand, found.exponent + shift);
+}
+
+RoundedPoint rounded(const BigPoint& p, int shift) {
+  return {rounded(p.x, shift), rounded(p.y, shift), rounded(p.z, shift)};
+}
+
+// With a = <u,v>, b = <u,u>, c = <v,v> and S = |u x v| = sqrt(bc - a^2), the angle phi has tan phi
+// = S / a, so tan(phi - 120) = (S + sqrt3 a) / (a - sqrt3 S) = (bc - 4 a^2) / ((S - sqrt3 a) (a -
+// sqrt3 S)), where for a < 0 nothing cancels but bc - 4 a^2, and that is an exact integer.
+Miss miss_of_120(const BigVector& u, const BigVector& v) {
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  const BigInteger a = dot(u, v);
+  const BigInteger product = dot(u, u) * dot(v, v);
+  const BigInteger square = a * a;
+  const BigInteger excess = product - 4 * square;  // negative: the angle is larger than 120 degrees
+  const BigInteger sine_square = product - square;
+  const int scale = -(static_cast<int>(msb(product)) / 2) * 2;  // product * 2^scale is below 4
+  const double cosine = rounded(a, scale / 2);
+  const double sine = std::sqrt(rounded(sine_square, scale));
+  if (a >= 0) return {std::abs(120 - std::atan2(sine, cosine) * kDegrees), true};
+  const double root = std::numbers::sqrt3;
+  const double numerator = rounded(excess, scale);
+  const double denominator = (sine - root * cosine) * (root * sine - cosine);
+  return {std::atan(std::abs(numerator) / denominator) * kDegrees, excess > 0};
+}
+
+RealSegments segments_of(const Graph& graph, const RealPoints& points) {
+  RealSegments result;
+  for (EdgeId e = 0; e < graph.num_edges(); ++e) {
+    const Edge ends = graph.edge(e);
+    const std::size_t begin = result.list.size();
+    BigPoint from = points.vertices[ends.u];
+    const auto bends = points.bends_of(e);
+    for (std::size_t i = 0; i <= bends.size(); ++i) {
+      const BigPoint& to = i < bends.size() ? bends[i] : points.vertices[ends.v];
+      if (from == to) {
+        ++result.collapsed;
+        continue;
+      }
+      result.list.push_back({from, to, e, false, false, false});
+      from = to;
+    }
+    if (result.list.size() == begin) continue;
+    result.list[begin].is_first = true;
+    result.list.back().is_last = true;
+  }
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+    if (graph.degree(v) > 0) continue;
+    result.list.push_back({points.vertices[v], points.vertices[v], 0, false, false, true});
+  }
+  return result;
+}
+
+}  // namespace ar3d::verify

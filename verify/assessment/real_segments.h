@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "ar3d/model/graph.h"
+#include "ar3d/model/real_points.h"
+
+namespace ar3d::verify {
+
+/// A difference of points, in units.
+using BigVector = BigPoint;
+
+BigVector difference(const BigPoint& to, const BigPoint& from);
+BigVector negated(const BigVector& v);
+BigInteger dot(const BigVector& u, const BigVector& v);
+BigVector cross(const BigVector& u, const BigVector& v);
+bool is_zero(const BigVector& v);
+
+/// A point rounded to doubles, each to within 2^-53 of its value.
+struct RoundedPoint {
+  double x = 0;
+  double y = 0;
+  double z = 0;
+};
+/// The point scaled by 2^shift, coordinate by coordinate.
+RoundedPoint rounded(const BigPoint& p, int shift);
+/// value * 2^shift, rounded.
+double rounded(const BigInteger& value, int shift);
+
+/// A segment of positive length, or a vertex without edges.
+struct RealSegment {
+  BigPoint from;
+  BigPoint to;
+  EdgeId edge = 0;
+  bool is_first = false;   ///< of its edge: `from` is the end u
+  bool is_last = false;    ///< of its edge: `to` is the end v
+  bool is_vertex = false;  ///< from == to, no edge
+};
+
+/// All segments of positive length, edge after edge, then the vertices without edges.
+struct RealSegments {
+  std::vector<RealSegment> list;
+  std::uint64_t collapsed = 0;
+};
+RealSegments segments_of(const Graph& graph, const RealPoints& points);
+
+/// Pairs of segments with a common point that they should not have; every pair decided exactly.
+/// By boxes and a filter in double, in order of height.
+std::uint64_t count_crossings(const Graph& graph, const std::vector<RealSegment>& segments,
+                              int unit_exponent);
+/// The oracle: every pair.
+std::uint64_t count_crossings_all_pairs(const Graph& graph,
+                                        const std::vector<RealSegment>& segments);
+
+/// |angle - 120 degrees| of the vectors u and v, in degrees: exact inner products, rounded once.
+/// Relative error below 1e-14. `is_less` tells whether the angle is smaller than 120 degrees.
+struct Miss {
+  double degrees = 0;
+  bool is_less = false;
+};
+Miss miss_of_120(const BigVector& u, const BigVector& v);
+
+}  // namespace ar3d::verify
