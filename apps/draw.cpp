@@ -80,21 +80,24 @@ bool draw_all(GraphReader& reader, const Algorithm& algorithm, const Settings& o
   return all_drawn;
 }
 
-/// The drawing of the only graph of the input, for formats that hold one drawing a file.
-Drawing draw_only(GraphReader& reader, const Algorithm& algorithm, const Settings& options,
-                  const std::string& format) {
-  const std::optional<Graph> graph = reader.next();
-  if (!graph) throw InputError("the input has no graph");
-  const std::string where = reader.where();
-  if (reader.next()) {
-    throw InputError(fmt::format("{}: a second graph, but format {} holds one drawing a file",
-                                 reader.where(), format));
-  }
-  try {
-    return draw(algorithm, *graph, options);
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", where, error.what()));
-  }
+/// The drawings of the input's graphs one after the other; `all_drawn` becomes false if one could
+/// not be drawn, which is also said on standard error if others may follow.
+NextDrawing drawings_of(GraphReader& reader, const Algorithm& algorithm, const Settings& options,
+                        bool others_follow, bool& all_drawn) {
+  return [&, others_follow]() -> std::optional<PlacedLine> {
+    const std::optional<Graph> graph = reader.next();
+    if (!graph) return std::nullopt;
+    try {
+      return PlacedLine{draw(algorithm, *graph, options), reader.where()};
+    } catch (const InputError& error) {
+      all_drawn = false;
+      if (others_follow) {
+        fmt::print(stderr, "ar3d: {}\n",
+                   printable(fmt::format("{}: {}", reader.where(), error.what())));
+      }
+      return PlacedLine{UndrawnGraph{graph->num_vertices(), error.what()}, reader.where()};
+    }
+  };
 }
 
 FirstLine first_line_of(const std::string& name) {
@@ -110,14 +113,15 @@ int draw_graphs(const DrawArguments& arguments) {
   GraphReader reader(arguments.input, {.format = arguments.from,
                                        .base = arguments.base,
                                        .first_line = first_line_of(arguments.first_line)});
-  if (!format.many_per_file) {
-    format.write(draw_only(reader, algorithm, options, format.name), arguments.output,
-                 arguments.view);
-    return kPass;
+  bool all_drawn = true;
+  if (format.name == "jsonl") {  // many at a time
+    OutputFile file(arguments.output);
+    all_drawn = draw_all(reader, algorithm, options, file);
+    file.commit();
+  } else {
+    format.write(drawings_of(reader, algorithm, options, format.many_per_file, all_drawn),
+                 arguments.output, arguments.view);
   }
-  OutputFile file(arguments.output);
-  const bool all_drawn = draw_all(reader, algorithm, options, file);
-  file.commit();
   return all_drawn ? kPass : kUsage;
 }
 
@@ -142,10 +146,8 @@ void add_draw(CLI::App& app, int& exit_code) {
                    "an option of the algorithm, name=integer; may be repeated")
       ->type_size(1)
       ->allow_extra_args(false);
-  verb->add_option(
-      "--format", arguments->format,
-      "jsonl (all graphs), hdf5 or svg (one graph); by the file's ending, jsonl without "
-      "one");
+  verb->add_option("--format", arguments->format,
+                   "one of those below; by the file's ending, jsonl without one");
   verb->add_option("--turn", arguments->view.turn_degrees, "svg: turn about the z axis, degrees")
       ->check(finite_number(false));
   verb->add_option("--tilt", arguments->view.tilt_degrees,
@@ -153,6 +155,7 @@ void add_draw(CLI::App& app, int& exit_code) {
       ->check(finite_number(false));
   verb->add_option("-o,--output", arguments->output, "file, or - for standard output");
   verb->footer(
+      drawing_formats_text() +
       "Example: nauty-geng -D4 7 | ar3d draw - --algorithm diamond --set effort=2 | ar3d verify -");
   verb->callback([arguments, &exit_code] { exit_code = draw_graphs(*arguments); });
 }

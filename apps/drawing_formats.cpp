@@ -3,19 +3,52 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <utility>
+
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/formats/text/output.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/nearest_name.h"
 #include "ar3d/results/hdf5/drawing_hdf5.h"
+#include "viewer_page.h"
 
 namespace ar3d {
 namespace {
 
-void write_jsonl(const Drawing& drawing, const std::string& path, const SvgView&) {
+using Writer = std::function<void(const NextDrawing&, const std::string&, const SvgView&)>;
+
+/// The only drawing. @throws InputError if there is none, or another one.
+Drawing only_drawing(const NextDrawing& next, std::string_view format) {
+  std::optional<PlacedLine> first = next();
+  if (!first) throw InputError("the input has no graph");
+  if (const auto* undrawn = std::get_if<UndrawnGraph>(&first->line)) {
+    throw InputError(fmt::format("{}: {}", first->where, undrawn->error));
+  }
+  if (const std::optional<PlacedLine> second = next()) {
+    throw InputError(fmt::format("{}: a second graph, but format {} holds one drawing a file",
+                                 second->where, format));
+  }
+  return std::get<Drawing>(std::move(first->line));
+}
+
+/// A writer of files that hold one drawing.
+template <class WriteOne>
+Writer one_drawing(std::string_view format, WriteOne write) {
+  return [format, write](const NextDrawing& next, const std::string& path, const SvgView& view) {
+    write(only_drawing(next, format), path, view);
+  };
+}
+
+void write_jsonl(const NextDrawing& next, const std::string& path, const SvgView&) {
   OutputFile file(path);
-  write_drawing_line(file, drawing);
+  while (const std::optional<PlacedLine> placed = next()) {
+    if (const auto* drawing = std::get_if<Drawing>(&placed->line)) {
+      write_drawing_line(file, *drawing);
+    } else {
+      append_error_line(file.pending(), std::get<UndrawnGraph>(placed->line));
+    }
+  }
   file.commit();
 }
 
@@ -55,18 +88,40 @@ const std::vector<DrawingFormat>& drawing_formats() {
        {".h5", ".hdf5"},
        "exact: positions, bends and metric as arrays, for h5py; one drawing per file",
        false,
-       [](const Drawing& drawing, const std::string& path, const SvgView&) {
-         write_drawing_hdf5(drawing, path);
-       },
+       one_drawing("hdf5", [](const Drawing& drawing, const std::string& path,
+                              const SvgView&) { write_drawing_hdf5(drawing, path); }),
        false},
       {"svg",
        {".svg"},
        "a picture of a small drawing, rounded; one drawing per file",
        false,
-       write_svg,
+       one_drawing("svg", write_svg),
+       true},
+      {"html",
+       {".html", ".htm"},
+       "a page that shows drawings in 3D, exact coordinates included; any number per file",
+       true,
+       [](const NextDrawing& next, const std::string& path, const SvgView&) {
+         write_viewer_page(next, path);
+       },
        true},
   };
   return rows;
+}
+
+std::string drawing_formats_text() {
+  std::string text = "Formats of drawings, by --format or by the file's ending:\n";
+  for (const DrawingFormat& format : drawing_formats()) {
+    text += fmt::format("  {:<8} {}: {}\n", format.name, fmt::join(format.extensions, " "),
+                        format.summary);
+  }
+  return text;
+}
+
+void write_drawing(const DrawingFormat& format, Drawing drawing, const std::string& where,
+                   const std::string& path, const SvgView& view) {
+  std::optional<PlacedLine> only = PlacedLine{std::move(drawing), where};
+  format.write([&] { return std::exchange(only, std::nullopt); }, path, view);
 }
 
 const DrawingFormat& drawing_format(std::string_view name, const std::string& path) {

@@ -44,7 +44,9 @@ void write_drawing(const RunRecord& row, const DrawingFormat& format, const std:
   const Graph graph =
       generate(*instance.choice.family, instance.n, instance.seed, instance.choice.parameters);
   const AlgorithmChoice& choice = instance.runs.front().choice;
-  format.write(draw(*choice.algorithm, graph, choice.options), path, {});
+  const std::string where =
+      fmt::format("{} {} n={} seed {}", row.family, row.parameters, row.n, row.seed);
+  write_drawing(format, draw(*choice.algorithm, graph, choice.options), where, path);
 }
 
 int replay_row(const ReplayArguments& arguments) {
@@ -76,7 +78,7 @@ void add_replay(CLI::App& app, int& exit_code) {
   verb->add_option("-o,--output", arguments->output,
                    "also write the drawing to this file; - is standard output");
   verb->add_option("--format", arguments->format,
-                   "jsonl, hdf5 or svg; by the file's ending, jsonl without one");
+                   "a format of `ar3d draw --help`; by the file's ending, jsonl without one");
   verb->footer(
       "Exit code 3 if the row is not reproduced, 4 if its drawing is violated.\nExample: ar3d "
       "replay smoke.h5 0");

@@ -1,0 +1,146 @@
+#include "ar3d/formats/drawings/drawing_html.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "ar3d/formats/drawings/edge_roles.h"
+#include "ar3d/formats/drawings/packed_geometry.h"
+#include "ar3d/model/error.h"
+#include "ar3d_viewer.h"
+
+namespace ar3d {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Exact in JSON whatever reads it: a text of digits.
+Json exact(Point p) { return {std::to_string(p.x), std::to_string(p.y), std::to_string(p.z)}; }
+
+Json roles_json(const EdgeRoles& roles) {
+  Json list = Json::array();
+  for (const EdgeRoles::Role& role : roles.roles) {
+    list.push_back({{"name", role.name}, {"colour", role.colour}});
+  }
+  return {{"title", roles.title}, {"list", list}};
+}
+
+Json bound_json(const Guarantee* guarantee, std::uint64_t n) {
+  if (guarantee == nullptr || n == 0) return nullptr;
+  const auto& axes = guarantee->bound.axes;
+  return {{"extents", {axes[0].value(n), axes[1].value(n), axes[2].value(n)}},
+          {"text", guarantee->bound.formula()}};
+}
+
+Json verdict_json(const PageVerdict& verdict) {
+  constexpr const char* kKinds[] = {"certified", "violated", "not judged"};
+  Json list = Json::array();
+  for (const PageViolation& violation : verdict.violations) {
+    Json points = Json::array();
+    for (const Point p : violation.points) points.push_back(exact(p));
+    list.push_back({{"kind", violation.kind},
+                    {"message", violation.message},
+                    {"vertices", violation.vertices},
+                    {"edges", violation.edges},
+                    {"points", points}});
+  }
+  return {{"kind", kKinds[static_cast<int>(verdict.kind)]},
+          {"text", verdict.text},
+          {"violations", list}};
+}
+
+std::uint64_t count_bends(const Drawing& drawing) {
+  std::uint64_t bends = 0;
+  for_each_polyline(drawing,
+                    [&](EdgeId, const std::vector<Point>& points) { bends += points.size() - 2; });
+  return bends;
+}
+
+/// A script element that only holds data; nothing in the text ends it early.
+void append_data(OutputFile& output, const std::string& id, const Json& value) {
+  std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
+  std::string safe;
+  for (const char c : text) {
+    if (c == '<') {
+      safe += "\\u003c";
+    } else {
+      safe += c;
+    }
+  }
+  output.append(fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", id, safe));
+}
+
+void append_parts(OutputFile& output, const auto& parts) {
+  for (const std::string_view part : parts) output.append(part);
+}
+
+}  // namespace
+
+ViewerPage::ViewerPage(OutputFile& output) : output_(output) {
+  output_.append("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
+  output_.append(kViewerMark);
+  output_.append(
+      "\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<title>ar3d: drawings in 3D</title>\n<style>\n");
+  append_parts(output_, kViewerStyle);
+  output_.append("</style>\n</head>\n<body>\n");
+  append_parts(output_, kViewerBody);
+}
+
+void ViewerPage::add(const std::string& title, const Drawing& drawing, const Guarantee* guarantee,
+                     const PageVerdict& verdict) {
+  const std::uint64_t n = drawing.num_vertices();
+  const std::uint64_t bends = count_bends(drawing);
+  points_ += n + bends;
+  if (points_ > kMaxPagePoints) {
+    throw InputError(
+        fmt::format("{}: {} vertices and bends on the page so far, html holds at most {}", title,
+                    points_, kMaxPagePoints));
+  }
+  const Box box = bounding_box(drawing);
+  const auto extents = box.extents();
+  const std::int64_t longest = *std::max_element(extents.begin(), extents.end());
+  if (longest > kMaxPageExtent) {
+    throw InputError(fmt::format("{}: an extent of {}, html holds at most {} (2^52)", title,
+                                 longest, kMaxPageExtent));
+  }
+  const EdgeRoles roles = edge_roles(drawing);
+  const GrowthOrder order = growth_order(drawing);
+  append_data(output_, fmt::format("about-{}", drawings_),
+              {{"title", title},
+               {"algorithm", drawing.algorithm()},
+               {"n", n},
+               {"m", drawing.num_edges()},
+               {"bends", bends},
+               {"low", exact(box.low)},
+               {"extents", extents},
+               {"gram", drawing.lattice().gram},
+               {"gram_denominator", drawing.lattice().gram_denominator},
+               {"roles", roles_json(roles)},
+               {"order", {{"title", order.title}, {"weights", order.weights}}},
+               {"bound", bound_json(guarantee, n)},
+               {"verdict", verdict_json(verdict)}});
+  output_.append(fmt::format("<script type=\"text/plain\" id=\"geometry-{}\">", drawings_));
+  write_packed_geometry(drawing, roles, box.low,
+                        [&](std::string_view text) { output_.append(text); });
+  output_.append("</script>\n");
+  ++drawings_;
+}
+
+void ViewerPage::add_undrawn(const std::string& title, std::uint64_t n, const std::string& error) {
+  append_data(output_, fmt::format("about-{}", drawings_),
+              {{"title", title}, {"n", n}, {"error", error}});
+  ++drawings_;
+}
+
+void ViewerPage::finish() {
+  output_.append("<script>\n");
+  append_parts(output_, kViewerThree);
+  output_.append("</script>\n<script>\n");
+  append_parts(output_, kViewerScript);
+  output_.append("</script>\n</body>\n</html>\n");
+}
+
+}  // namespace ar3d

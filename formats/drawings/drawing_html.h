@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ar3d/formats/text/output.h"
+#include "ar3d/model/drawing.h"
+#include "ar3d/model/guarantee.h"
+
+namespace ar3d {
+
+/// A broken promise as a page lists it.
+struct PageViolation {
+  std::string kind;
+  std::string message;
+  std::vector<Vertex> vertices;
+  std::vector<EdgeId> edges;
+  std::vector<Point> points;
+};
+
+/// What a page says of a drawing beside showing it.
+struct PageVerdict {
+  enum class Kind { certified, violated, not_judged };
+  Kind kind = Kind::not_judged;
+  std::string text;  ///< what was judged, or why nothing was
+  std::vector<PageViolation> violations;
+};
+
+/// Most points (vertices and bends) of all the drawings of one page together.
+inline constexpr std::uint64_t kMaxPagePoints = std::uint64_t{1} << 24;
+
+/// What every page has near its beginning.
+inline constexpr const char* kViewerMark = "<meta name=\"generator\" content=\"ar3d viewer\">";
+
+/// One HTML page that shows drawings in 3D, to be opened from disk without a network: geometry
+/// (packed_geometry.h), the viewer's scripts (viewer/) and three.js.
+class ViewerPage {
+ public:
+  /// Writes the page's beginning. The output must outlive the page.
+  explicit ViewerPage(OutputFile& output);
+
+  /// One more drawing. `guarantee` gives the theorem's box; it may be missing.
+  /// @throws InputError "TITLE: …" if the page would hold more than kMaxPagePoints points, or an
+  /// extent passes kMaxPageExtent.
+  void add(const std::string& title, const Drawing& drawing, const Guarantee* guarantee,
+           const PageVerdict& verdict);
+  /// A graph that could not be drawn: the page says why in its place.
+  void add_undrawn(const std::string& title, std::uint64_t n, const std::string& error);
+  /// The page's end, with the scripts.
+  void finish();
+
+ private:
+  OutputFile& output_;
+  std::size_t drawings_ = 0;
+  std::uint64_t points_ = 0;
+};
+
+}  // namespace ar3d

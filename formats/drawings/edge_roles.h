@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ar3d/model/drawing.h"
+
+namespace ar3d {
+
+/// Red, green and blue, 0 to 255 each.
+using Rgb = std::array<std::uint8_t, 3>;
+
+/// What the edges of a drawing are in its construction, read from the drawing itself; so a drawing
+/// that comes from a file has them, too.
+struct EdgeRoles {
+  struct Role {
+    std::string name;
+    Rgb colour;  ///< of the palette of Okabe and Ito, which colour-blind readers can tell apart
+  };
+  std::string title;                ///< what the roles are; empty if the construction is not known
+  std::vector<Role> roles;          ///< at least one; the last one: none of the others
+  std::vector<std::uint8_t> edges;  ///< for each edge its role
+};
+
+/// The roles of
+/// - `diamond` and `compact`: green edges run above the plane of the vertices, red ones below
+///   (docs/theorem1.md, Lemma 1.2; docs/compact.md, Lemma C.3);
+/// - `grid`: the label of a U-edge, or a defect (docs/theorem3.md, Coordinates, labels and planes);
+/// - `two-bend`: whether the ends are arms or vertical (docs/theorem2.md, Types of vertices).
+/// Of other drawings all edges have one role. O(n + m) time.
+EdgeRoles edge_roles(const Drawing& drawing);
+
+/// An order of the vertices in which a drawing grows: by weights . position, then by number.
+struct GrowthOrder {
+  std::string title;                      ///< what it is an order of
+  std::array<std::int64_t, 3> weights{};  ///< zeros: the vertices' numbers alone
+};
+
+/// The construction's own order: `diamond` the green order (X of Theorem 1), `compact` the columns
+/// of the strip, `two-bend` the time order (z), `grid` the number S that differs for all vertices
+/// of a component (I1); of other drawings the order of the vertices' numbers.
+GrowthOrder growth_order(const Drawing& drawing);
+
+}  // namespace ar3d
