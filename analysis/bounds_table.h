@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/analysis/cells.h"
+#include "ar3d/analysis/tally.h"
 
 namespace ar3d {
 
-/// One axis of one cell. Slack is 1 - extent / bound, computed here from the extents: 0 touches the
-/// bound, a negative one breaks it. Statistics are over instances (the first ok repetition of
-/// each).
+/// One axis of one curve. Slack is 1 - extent / bound, computed here from the extents: 0 touches
+/// the bound, a negative one breaks it. Statistics are over graphs (the first ok repetition of
+/// each); medians over those that the tally keeps.
 struct AxisBounds {
   std::size_t measured = 0;  ///< instances with an extent and a positive finite theorem's bound
   double worst_slack = kMissing;   ///< smallest slack against the theorem's bound
@@ -24,7 +24,8 @@ struct AxisBounds {
   double worst_published_slack =
       kMissing;  ///< the same against the published bound; missing if there is none
   double median_published_slack = kMissing;
-  std::optional<std::size_t> worst_row;  ///< index in Results::runs of the smallest slack
+  std::optional<std::size_t> worst_row;  ///< the row of the smallest slack
+  DrawnGraph worst;                      ///< its graph
 };
 
 /// Volumes (lattice points of the box) of the largest n that was measured; medians over its
@@ -37,9 +38,9 @@ struct VolumeBound {
   double share = kMissing;
 };
 
-/// The bounds table of one cell: what the theorem promises beside what was measured.
+/// The bounds table of one curve: what the theorem promises beside what was measured.
 struct BoundsEntry {
-  CellKey key;
+  CurveKey key;
   std::int64_t smallest_n = -1;
   std::int64_t largest_n = -1;
   std::size_t rows = 0;
@@ -58,7 +59,8 @@ struct BoundsEntry {
   }
 };
 
-/// One entry a cell, in the order of the file. Cost: O(r log r) for r rows.
+/// One entry a curve, in the order of the file. @param study  whose table of algorithms is used.
+std::vector<BoundsEntry> bounds_table(const StudyTally& tally, const StudyIdentity& study);
 std::vector<BoundsEntry> bounds_table(const Results& results);
 
 /// The entry's axis of smallest slack, or nullopt if nothing was measured.

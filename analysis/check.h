@@ -1,12 +1,11 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "ar3d/records/run_storage.h"
+#include "ar3d/analysis/rows.h"
 
 namespace ar3d {
 
@@ -28,11 +27,14 @@ bool is_violation(FindingKind kind);
 
 struct Finding {
   FindingKind kind{};
-  std::optional<std::size_t> row;  ///< index in Results::runs; none if it concerns the whole file
+  std::optional<std::size_t> row;  ///< none if it concerns the whole file
   std::string message;             ///< one line, without control characters
+  std::string subject = {};        ///< "diamond on cubic, n = 32"; empty without a row
+  std::string command = {};        ///< the line that draws the row again; empty without a row
 };
 
-/// The verdict on a results file. Refused rows (a graph outside the theorem's promise) are counted
+/// The verdict on the rows of a study: `study status`, `study resume`, `check` and `report` all say
+/// this and exit with its code. Refused rows (a graph outside the theorem's promise) are counted
 /// and do no harm, but a file in which nothing was drawn never passes.
 struct CheckVerdict {
   std::size_t rows = 0;
@@ -40,7 +42,9 @@ struct CheckVerdict {
   std::size_t refused = 0;
   std::size_t violated_rows = 0;
   std::size_t incomplete_rows = 0;
-  std::vector<Finding> findings;  ///< violations first, then in file order
+  std::size_t violations = 0;     ///< findings that prove something wrong
+  std::size_t all_findings = 0;   ///< the others, too
+  std::vector<Finding> findings;  ///< violations first, then in file order; at most 1000 of both
 
   /// 0 pass; 4 a bound or certificate is violated; 5 incomplete or nothing measured.
   int exit_code() const;
@@ -48,33 +52,31 @@ struct CheckVerdict {
   const char* word() const;
 };
 
-/// Rows that are looked at one at a time.
-struct RowView {
-  std::size_t count = 0;
-  std::int64_t planned = -1;                              ///< StudyIdentity::planned_rows
-  std::function<const RunRecord&(std::size_t row)> read;  ///< valid until the next call
+/// A verdict, and what the check has found out about the order of the rows.
+struct Examination {
+  CheckVerdict verdict;
+  /// Whether a row is the last one of its graph, algorithm and options.
+  std::vector<bool> is_last_repetition;
 };
-RowView view_of(const Results& results);
-/// Rows that stay in their file. The reader outlives the view. @throws InputError when reading.
-RowView view_of(RunReader& reader);
 
 /// Looks at every row, once and in file order, and again at those whose repetitions differ. Cost:
-/// O(r log r) time for r rows, 32 bytes a row and what the findings take.
+/// O(r log r) time for r rows, 33 bytes a row.
+Examination examine(const RowView& rows);
 CheckVerdict check(const RowView& rows);
 CheckVerdict check(const Results& results);
 
 /// Refuses rows that cannot be of one study: its graphs of one family, parameters, n and index have
-/// one seed. @throws InputError naming `path` and the two rows. Memory: 24 bytes a row.
+/// one seed. @throws InputError naming `path` and the two rows. Memory: 24 bytes a graph.
 void require_one_study(const RowView& rows, const std::string& path);
 
 /// True if the row alone shows a broken bound or certificate.
 bool breaks_promise(const RunRecord& run);
 
-/// A short text for a terminal: the verdict, the counts, and the first `max_findings` findings,
-/// each with the command that shows it again.
-std::string summary(const CheckVerdict& verdict, const RowView& rows,
-                    std::size_t max_findings = 20);
-std::string summary(const CheckVerdict& verdict, const Results& results,
-                    std::size_t max_findings = 20);
+/// "PASS: 60 rows, 60 proved, 0 violated, 0 incomplete, 0 refused".
+std::string verdict_line(const CheckVerdict& verdict);
+
+/// A short text for a terminal: the verdict's line and the first `max_findings` findings, each with
+/// the command that shows it again.
+std::string summary(const CheckVerdict& verdict, std::size_t max_findings = 20);
 
 }  // namespace ar3d

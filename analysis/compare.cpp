@@ -70,12 +70,12 @@ void add_pairs(const PairedCell& cell, double instruction_threshold, Evidence& i
 
 /// Curves of which some size has too few pairs become one cell of all sizes.
 std::vector<PairedCell> with_enough_pairs(std::vector<PairedCell> cells, std::size_t enough) {
-  std::map<CellKey, bool> pooled;
+  std::map<CurveKey, bool> pooled;
   for (const PairedCell& cell : cells) {
     const bool few = log_time_ratios(cell).size() < enough;
     pooled[cell.key] = pooled[cell.key] || few;
   }
-  std::map<CellKey, std::size_t> place_of;
+  std::map<CurveKey, std::size_t> place_of;
   std::vector<PairedCell> result;
   for (PairedCell& cell : cells) {
     if (!pooled[cell.key]) {
@@ -274,7 +274,7 @@ Comparison compare_rounds(const std::vector<Results>& base, const std::vector<Re
                           const CompareOptions& options) {
   expect(!base.empty() && base.size() == now.size(), "a comparison of unequally many rounds");
   Comparison comparison = first_look(base.front(), now.front(), options, false);
-  std::map<std::pair<CellKey, std::int64_t>, std::size_t> place_of;
+  std::map<std::pair<CurveKey, std::int64_t>, std::size_t> place_of;
   std::vector<Evidence> evidence;
   for (std::size_t round = 0; round < base.size(); ++round) {
     require_same_study(base[round], now[round]);

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/analysis/cells.h"
 #include "ar3d/analysis/compare/calibration.h"
 #include "ar3d/analysis/compare/environment_change.h"
 #include "ar3d/analysis/compare/time_change.h"
+#include "ar3d/analysis/curves.h"
 #include "ar3d/records/run_storage.h"
 
 namespace ar3d {
@@ -29,7 +29,7 @@ const char* to_string(Verdict verdict);
 /// The verdict on one cell: an algorithm with its options on a family at one size, or, where no
 /// size has enough pairs of its own, at all sizes.
 struct CellComparison {
-  CellKey key;
+  CurveKey key;
   std::int64_t n = -1;  ///< -1: all sizes
   std::size_t rows = 0;
   Verdict verdict = Verdict::pass;

@@ -6,10 +6,7 @@
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 
-#include "ar3d/analysis/bounds_table.h"
-#include "ar3d/analysis/check.h"
 #include "ar3d/analysis/replay.h"
-#include "ar3d/analysis/scaling.h"
 #include "ar3d/analysis/text.h"
 #include "ar3d/records/run_columns.h"
 
@@ -37,14 +34,14 @@ ordered_json number(double value) {
   return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
 }
 
-ordered_json key_json(const CellKey& key) {
+ordered_json key_json(const CurveKey& key) {
   return {{"algorithm", valid_utf8(key.algorithm)},
           {"options", valid_utf8(key.options)},
           {"family", valid_utf8(key.family)},
           {"parameters", valid_utf8(key.parameters)}};
 }
 
-ordered_json axis_json(const Results& results, const AxisBounds& axis) {
+ordered_json axis_json(const CurveKey& key, const AxisBounds& axis) {
   ordered_json json = {{"measured", axis.measured},
                        {"worst_slack", number(axis.worst_slack)},
                        {"median_slack", number(axis.median_slack)},
@@ -56,12 +53,12 @@ ordered_json axis_json(const Results& results, const AxisBounds& axis) {
                        {"worst_command", nullptr}};
   if (axis.worst_row) {
     json["worst_row"] = *axis.worst_row;
-    json["worst_command"] = valid_utf8(draw_command(results.runs[*axis.worst_row]));
+    json["worst_command"] = valid_utf8(draw_command(key, axis.worst));
   }
   return json;
 }
 
-ordered_json bounds_json(const Results& results, const BoundsEntry& entry) {
+ordered_json bounds_json(const BoundsEntry& entry) {
   ordered_json json = key_json(entry.key);
   json["smallest_n"] = entry.smallest_n;
   json["largest_n"] = entry.largest_n;
@@ -74,7 +71,7 @@ ordered_json bounds_json(const Results& results, const BoundsEntry& entry) {
   json["volume"] = {{"n", entry.volume.n},
                     {"log2_volume", number(entry.volume.log2_volume)},
                     {"share", number(entry.volume.share)}};
-  for (const AxisBounds& axis : entry.axes) json["axes"].push_back(axis_json(results, axis));
+  for (const AxisBounds& axis : entry.axes) json["axes"].push_back(axis_json(entry.key, axis));
   return json;
 }
 
@@ -104,11 +101,11 @@ ordered_json scaling_json(const ScalingEntry& entry) {
   return json;
 }
 
-std::vector<std::string> key_fields(const CellKey& key) {
+std::vector<std::string> key_fields(const CurveKey& key) {
   return {field(key.algorithm), field(key.options), field(key.family), field(key.parameters)};
 }
 
-std::string bounds_line(const Results& results, const BoundsEntry& entry) {
+std::string bounds_line(const BoundsEntry& entry) {
   std::vector<std::string> fields = key_fields(entry.key);
   for (const std::int64_t n : {entry.smallest_n, entry.largest_n})
     fields.push_back(std::to_string(n));
@@ -125,13 +122,13 @@ std::string bounds_line(const Results& results, const BoundsEntry& entry) {
   fields.push_back(field(entry.volume.log2_volume));
   fields.push_back(field(entry.volume.share));
   const auto axis = worst_axis(entry);
-  fields.push_back(axis ? field(draw_command(results.runs[*entry.axes[*axis].worst_row])) : "");
+  fields.push_back(axis ? field(draw_command(entry.key, entry.axes[*axis].worst)) : "");
   return line(fields);
 }
 
 }  // namespace
 
-std::string bounds_csv(const Results& results) {
+std::string bounds_csv(const StudyAnalysis& analysis) {
   std::string csv =
       "algorithm,options,family,parameters,smallest_n,largest_n,rows,instances,violations";
   for (const char axis : {'x', 'y', 'z'}) {
@@ -142,21 +139,21 @@ std::string bounds_csv(const Results& results) {
     }
   }
   csv += ",log2_volume,volume_share,worst_command\r\n";
-  for (const BoundsEntry& entry : bounds_table(results)) csv += bounds_line(results, entry);
+  for (const BoundsEntry& entry : analysis.bounds) csv += bounds_line(entry);
   return csv;
 }
 
-std::string rows_csv(const Results& results) {
+void rows_csv(const RowView& rows, const TextSink& write) {
   const std::vector<Column> metrics = columns_of_kind(ColumnKind::metric);
   std::string csv = "row,algorithm,options,family,parameters,n,m,seed,status";
   for (const Column& metric : metrics) csv += "," + metric.name;
   for (const char* box : {"instance_bound", "theorem_bound", "published_bound", "slack"}) {
     for (const char axis : {'x', 'y', 'z'}) csv += fmt::format(",{}_{}", box, axis);
   }
-  csv += "\r\n";
+  write(csv + "\r\n");
   const auto integer = [](std::int64_t value) { return value < 0 ? "" : std::to_string(value); };
-  for (std::size_t row = 0; row < results.runs.size(); ++row) {
-    const RunRecord& run = results.runs[row];
+  for (std::size_t row = 0; row < rows.count; ++row) {
+    const RunRecord& run = rows.read(row);
     std::vector<std::string> fields = {
         std::to_string(row), field(run.algorithm),     field(run.options),
         field(run.family),   field(run.parameters),    integer(run.n),
@@ -169,18 +166,17 @@ std::string rows_csv(const Results& results) {
     for (const auto& values : {run.theorem_bound, run.published_bound, run.slack}) {
       for (const double value : values) fields.push_back(field(value));
     }
-    csv += line(fields);
+    write(line(fields));
   }
-  return csv;
 }
 
-std::string scaling_csv(const Results& results) {
+std::string scaling_csv(const StudyAnalysis& analysis) {
   std::string csv =
       "algorithm,options,family,parameters,quantity,sizes,smallest_n,largest_n,exponent,"
       "exponent_low,exponent_high,log_exponent,log_exponent_low,log_exponent_high,log_weight,"
       "growth,"
       "reason,next\r\n";
-  for (const ScalingEntry& entry : scaling(results)) {
+  for (const ScalingEntry& entry : analysis.scaling) {
     const auto& used = entry.sizes.used;
     std::vector<std::string> fields = key_fields(entry.key);
     fields.push_back(name_of(entry.quantity));
@@ -202,10 +198,10 @@ std::string scaling_csv(const Results& results) {
   return csv;
 }
 
-std::string analysis_json(const Results& results) {
-  const CheckVerdict verdict = check(results);
+std::string analysis_json(const StudyAnalysis& analysis) {
+  const CheckVerdict& verdict = analysis.verdict;
   ordered_json json;
-  json["study_id"] = valid_utf8(results.study_id);
+  json["study_id"] = valid_utf8(analysis.rows.identity->study_id);
   json["verdict"] = {{"word", verdict.word()},
                      {"exit_code", verdict.exit_code()},
                      {"rows", verdict.rows},
@@ -214,11 +210,11 @@ std::string analysis_json(const Results& results) {
                      {"incomplete", verdict.incomplete_rows},
                      {"refused", verdict.refused}};
   json["bounds"] = ordered_json::array();
-  for (const BoundsEntry& entry : bounds_table(results)) {
-    json["bounds"].push_back(bounds_json(results, entry));
+  for (const BoundsEntry& entry : analysis.bounds) {
+    json["bounds"].push_back(bounds_json(entry));
   }
   json["scaling"] = ordered_json::array();
-  for (const ScalingEntry& entry : scaling(results)) json["scaling"].push_back(scaling_json(entry));
+  for (const ScalingEntry& entry : analysis.scaling) json["scaling"].push_back(scaling_json(entry));
   return json.dump(1) + "\n";
 }
 

@@ -1,24 +1,29 @@
 #pragma once
 
+#include <functional>
 #include <string>
+#include <string_view>
 
-#include "ar3d/records/run_storage.h"
+#include "ar3d/analysis/study_analysis.h"
 
 namespace ar3d {
 
-/// The bounds table, one line a cell (algorithm, options, family, parameters), RFC 4180 with a
+/// Takes a text piece by piece, so that what has a line a row need not fit into memory.
+using TextSink = std::function<void(std::string_view)>;
+
+/// The bounds table, one line a curve (algorithm, options, family, parameters), RFC 4180 with a
 /// header line. Missing numbers are empty fields; slack is 1 - extent / bound.
-std::string bounds_csv(const Results& results);
+std::string bounds_csv(const StudyAnalysis& analysis);
 
 /// Every row: all metrics of verify/metrics.h, its own bound, the theorem's, the published one, and
 /// the slack against the theorem's.
-std::string rows_csv(const Results& results);
+void rows_csv(const RowView& rows, const TextSink& write);
 
-/// The growth of every quantity of every cell, one line each: exponent with 95 % interval, log
+/// The growth of every quantity of every curve, one line each: exponent with 95 % interval, log
 /// exponent with its own, label, reason and the sizes that were fitted.
-std::string scaling_csv(const Results& results);
+std::string scaling_csv(const StudyAnalysis& analysis);
 
 /// Verdict, bounds table and growth as one JSON object; missing numbers are null.
-std::string analysis_json(const Results& results);
+std::string analysis_json(const StudyAnalysis& analysis);
 
 }  // namespace ar3d

@@ -51,12 +51,13 @@ ordered_json benchmark_row(const RunRecord& run, const std::string& name) {
   return row;
 }
 
-ordered_json context_of(const Results& results) {
-  ordered_json context = {{"date", valid_utf8(results.created)},
+ordered_json context_of(const RowView& rows) {
+  const StudyIdentity& study = *rows.identity;
+  ordered_json context = {{"date", valid_utf8(study.created)},
                           {"executable", "ar3d"},
-                          {"study", valid_utf8(results.study_id)},
-                          {"source_hash", valid_utf8(results.source_hash)}};
-  for (const EnvironmentEntry& entry : results.environment) {
+                          {"study", valid_utf8(study.study_id)},
+                          {"source_hash", valid_utf8(study.source_hash)}};
+  for (const EnvironmentEntry& entry : *rows.environment) {
     context[valid_utf8(entry.name)] = valid_utf8(entry.value);
   }
   return context;
@@ -123,20 +124,23 @@ Results results_of(const json& report) {
 
 }  // namespace
 
-std::string google_benchmark_json(const Results& results) {
+void google_benchmark_json(const RowView& rows, const TextSink& write) {
   std::set<std::string> timed;  // names with a timing phase
-  for (const RunRecord& run : results.runs) {
+  for (std::size_t row = 0; row < rows.count; ++row) {
+    const RunRecord& run = rows.read(row);
     if (run.phase == RunPhase::timing) timed.insert(benchmark_name(run));
   }
-  ordered_json report;
-  report["context"] = context_of(results);
-  report["benchmarks"] = ordered_json::array();
-  for (const RunRecord& run : results.runs) {
+  write("{\n\"context\": " + context_of(rows).dump(1) + ",\n\"benchmarks\": [\n");
+  bool is_first = true;
+  for (std::size_t row = 0; row < rows.count; ++row) {
+    const RunRecord& run = rows.read(row);
     const std::string name = benchmark_name(run);
     const RunPhase wanted = timed.contains(name) ? RunPhase::timing : RunPhase::metrics;
-    if (run.phase == wanted) report["benchmarks"].push_back(benchmark_row(run, name));
+    if (run.phase != wanted) continue;
+    write((is_first ? "" : ",\n") + benchmark_row(run, name).dump());
+    is_first = false;
   }
-  return report.dump(1) + "\n";
+  write("\n]\n}\n");
 }
 
 Results read_google_benchmark(const std::string& path) {

@@ -2,15 +2,15 @@
 
 #include <string>
 
-#include "ar3d/records/run_storage.h"
+#include "ar3d/analysis/export.h"
 
 namespace ar3d {
 
 /// The timed rows as a Google Benchmark report, so that its tools (compare.py) work on them: a row
 /// is an iteration named draw/ALGORITHM[/OPTIONS]/FAMILY[/PARAMETERS]/N/instance:I, its repetition
 /// is repetition_index. Rows that did not end ok carry error_occurred and their message. Where a
-/// study has a timing phase, its rows are the ones written.
-std::string google_benchmark_json(const Results& results);
+/// study has a timing phase, its rows are the ones written. Reads every row twice.
+void google_benchmark_json(const RowView& rows, const TextSink& write);
 
 /// Reads a Google Benchmark report: every iteration becomes an ok row whose algorithm is the
 /// benchmark's name and whose wall_s and cpu_s are its times an iteration; aggregates are left out.

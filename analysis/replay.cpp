@@ -39,21 +39,31 @@ std::string shell_word(std::string_view word) {
   return quoted + "'";
 }
 
-CommandParts draw_command_parts(const RunRecord& run) {
-  return {fmt::format("ar3d generate {} -n ", shell_word(run.family)),
-          fmt::format("{} | ar3d draw - --algorithm {}{}", settings(run.parameters, "--set"),
-                      shell_word(run.algorithm), settings(run.options, "--set"))};
+CommandParts draw_command_parts(const CurveKey& key) {
+  return {fmt::format("ar3d generate {} -n ", shell_word(key.family)),
+          fmt::format("{} | ar3d draw - --algorithm {}{}", settings(key.parameters, "--set"),
+                      shell_word(key.algorithm), settings(key.options, "--set"))};
 }
 
 std::string draw_command(const RunRecord& run) {
-  const CommandParts parts = draw_command_parts(run);
-  return fmt::format("{}{} --seed {}{}", parts.before_n, run.n >= 0 ? run.n : run.requested_n,
-                     run.seed, parts.behind_seed);
+  DrawnGraph graph;
+  graph.n = run.n >= 0 ? run.n : run.requested_n;
+  graph.seed = run.seed;
+  return draw_command(curve_of(run), graph);
+}
+
+std::string draw_command(const CurveKey& key, const DrawnGraph& graph) {
+  const CommandParts parts = draw_command_parts(key);
+  return fmt::format("{}{} --seed {}{}", parts.before_n, graph.n, graph.seed, parts.behind_seed);
 }
 
 std::string replay_command(const RunRecord& run, std::size_t row) {
-  return "ar3d replay RESULTS.h5 " +
-         (run.row_key.empty() ? std::to_string(row) : shell_word(run.row_key));
+  return run.row_key.empty() ? replay_command(row)
+                             : "ar3d replay RESULTS.h5 " + shell_word(run.row_key);
+}
+
+std::string replay_command(std::size_t row) {
+  return fmt::format("ar3d replay RESULTS.h5 {}", row);
 }
 
 }  // namespace ar3d

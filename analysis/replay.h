@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "ar3d/records/run_record.h"
+#include "ar3d/analysis/tally.h"
 
 namespace ar3d {
 
@@ -14,16 +14,18 @@ std::string shell_word(std::string_view word);
 /// options. Words that a shell would read in another way are quoted, whatever the results file
 /// holds.
 std::string draw_command(const RunRecord& run);
+std::string draw_command(const CurveKey& key, const DrawnGraph& graph);
 
 /// The same line is before_n, n, " --seed ", the seed, behind_seed.
 struct CommandParts {
   std::string before_n;
   std::string behind_seed;
 };
-CommandParts draw_command_parts(const RunRecord& run);
+CommandParts draw_command_parts(const CurveKey& key);
 
 /// "ar3d replay RESULTS.h5 ROW" with the row's key, or with `row` (its number in /runs) if it has
 /// none.
 std::string replay_command(const RunRecord& run, std::size_t row);
+std::string replay_command(std::size_t row);
 
 }  // namespace ar3d

@@ -16,30 +16,26 @@ constexpr const char* kReplayPanel =
     "<p></p><code></code><button type=button>Copy</button><button "
     "type=button>Close</button></div>\n";
 
-std::string head(const Results& results) {
+std::string head(const StudyIdentity& study) {
   return "<!doctype html>\n<html lang=en><head><meta charset=utf-8>"
          "<meta name=viewport content='width=device-width,initial-scale=1'>"
          "<meta http-equiv=Content-Security-Policy content=\"default-src 'none'; "
          "style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:\">"
          "<title>ar3d report: " +
-         report::escape(results.study_id) + "</title><style>" + report::page_style() +
+         report::escape(study.study_id) + "</title><style>" + report::page_style() +
          "</style></head>\n";
-}
-
-report::Analysis analyse(const Results& results) {
-  return {results, check(results), bounds_table(results), scaling(results)};
 }
 
 }  // namespace
 
-std::vector<Figure> report_figures(const Results& results) {
-  return report::standalone_figures(analyse(results));
+std::vector<Figure> report_figures(const StudyAnalysis& analysis) {
+  return report::standalone_figures(analysis);
 }
 
-std::string render_report(const Results& results) {
-  const report::Analysis analysis = analyse(results);
+std::string render_report(const StudyAnalysis& analysis) {
   const std::vector<report::Section> sections = report::sections(analysis);
-  std::string html = head(results) + "<body>\n" + report::overview(analysis, sections);
+  std::string html =
+      head(*analysis.rows.identity) + "<body>\n" + report::overview(analysis, sections);
   const std::string effort = report::effort_section(analysis);
   const std::string batches = report::strong_weak_section(analysis);
   html += fmt::format(
@@ -49,10 +45,10 @@ std::string render_report(const Results& results) {
       effort.empty() ? "" : "<a href='#effort'>What a smaller box costs</a>",
       batches.empty() ? "" : "<a href='#strong-weak'>Strong and weak scaling</a>");
   for (std::size_t i = 0; i < sections.size(); ++i) {
-    html += report::algorithm_section(analysis, sections[i], fmt::format("a{}", i));
+    html += report::algorithm_section(sections[i], fmt::format("a{}", i));
   }
   html += effort + batches + report::metrics_section(analysis, sections) +
-          report::background(results) + kReplayPanel;
+          report::background(analysis.rows) + kReplayPanel;
   html += "<script type='application/json' id=rows>" + report::plotted_rows_json(analysis) +
           "</script>\n<script>" + report::page_script() + "</script>\n";
   return html + "</body></html>\n";

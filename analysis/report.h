@@ -3,14 +3,14 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/records/run_storage.h"
+#include "ar3d/analysis/study_analysis.h"
 
 namespace ar3d {
 
-/// One HTML page about a results file: verdict, bounds table, growth, plots, bends, environment,
-/// spec and methods. It needs nothing from outside (no network, no other file); every string of the
-/// file is escaped. Cost: that of check, bounds table and scaling; about 1 kB a plotted size.
-std::string render_report(const Results& results);
+/// One HTML page about a study: verdict, bounds table, growth, plots, bends, environment, spec and
+/// methods. It needs nothing from outside (no network, no other file); every string of the file is
+/// escaped. About 1 kB a plotted size, however many rows there are.
+std::string render_report(const StudyAnalysis& analysis);
 
 /// A figure for a paper: an SVG document of its own, in dark colours on white.
 struct Figure {
@@ -20,6 +20,6 @@ struct Figure {
 
 /// The report's plots by algorithm (longest side, volume, drawing time, bends) and the effort
 /// dials.
-std::vector<Figure> report_figures(const Results& results);
+std::vector<Figure> report_figures(const StudyAnalysis& analysis);
 
 }  // namespace ar3d

@@ -193,24 +193,27 @@ ScalingEntry fit_scaling(std::vector<SizeSample> all, const FitOptions& options)
   return entry;
 }
 
-std::vector<ScalingEntry> scaling(const Results& results, const FitOptions& options) {
-  const std::vector<Cell> all_cells = cells(results);
-  const auto count = static_cast<std::ptrdiff_t>(all_cells.size() * quantities().size());
+std::vector<ScalingEntry> scaling(const StudyTally& tally, const FitOptions& options) {
+  const auto count = static_cast<std::ptrdiff_t>(tally.curves.size() * quantities().size());
   std::vector<ScalingEntry> entries(static_cast<std::size_t>(count));
 #pragma omp parallel for schedule(dynamic)
   for (std::ptrdiff_t i = 0; i < count; ++i) {
     const auto index = static_cast<std::size_t>(i);
-    const Cell& cell = all_cells[index / quantities().size()];
+    const CurveTally& curve = tally.curves[index / quantities().size()];
     const Quantity quantity = quantities()[index % quantities().size()];
     ScalingEntry& entry = entries[index];
-    entry = fit_scaling(samples(results, cell, quantity), options);
-    if (quantity == Quantity::wall_s && !has_timing_rows(results, cell)) refuse_untimed(entry);
-    entry.key = cell.key;
+    entry = fit_scaling(samples(curve, quantity), options);
+    if (quantity == Quantity::wall_s && !curve.has_timing_rows) refuse_untimed(entry);
+    entry.key = curve.key;
     entry.quantity = quantity;
-    entry.censored = censored_rows(results, cell);
+    entry.censored = curve.censored;
   }
   std::erase_if(entries, [](const ScalingEntry& entry) { return entry.all.empty(); });
   return entries;
+}
+
+std::vector<ScalingEntry> scaling(const Results& results, const FitOptions& options) {
+  return scaling(tally_of(results), options);
 }
 
 }  // namespace ar3d

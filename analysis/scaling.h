@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/analysis/cells.h"
+#include "ar3d/analysis/curves.h"
 #include "ar3d/analysis/scaling/power_law.h"
 #include "ar3d/analysis/scaling/samples.h"
 
@@ -25,9 +25,9 @@ struct NextStudy {
   std::size_t seeds = 0;            ///< graphs of every size, old and new; 0: as many as there are
 };
 
-/// How one quantity of one cell grows with n.
+/// How one quantity of one curve grows with n.
 struct ScalingEntry {
-  CellKey key;
+  CurveKey key;
   Quantity quantity{};
   std::vector<SizeSample> all;        ///< everything measured, for plots
   std::vector<CensoredRow> censored;  ///< rows that ended before they had a value
@@ -52,9 +52,10 @@ std::string growth_label(const ScalingEntry& entry);
 /// Fits one sample. Cost: O(s^2) for s sizes.
 ScalingEntry fit_scaling(std::vector<SizeSample> all, const FitOptions& options = {});
 
-/// Every quantity that was measured in every cell, in the order of the file. Drawing times are
-/// fitted where the cell has rows of the timing phase, and from these alone. Same numbers on any
+/// Every quantity that was measured in every curve, in the order of the file. Drawing times are
+/// fitted where the curve has rows of the timing phase, and from these alone. Same numbers on any
 /// thread count.
+std::vector<ScalingEntry> scaling(const StudyTally& tally, const FitOptions& options = {});
 std::vector<ScalingEntry> scaling(const Results& results, const FitOptions& options = {});
 
 }  // namespace ar3d

@@ -3,29 +3,30 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 
-#include "ar3d/analysis/check.h"
 #include "ar3d/analysis/export.h"
 #include "ar3d/analysis/google_benchmark.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/model/error.h"
-#include "ar3d/records/run_storage.h"
 #include "ar3d/results/atomic_file.h"
 #include "commands.h"
 #include "outputs.h"
+#include "study_rows.h"
 #include "svg_to_pdf.h"
 
 namespace ar3d {
 namespace {
 
 /// DIRECTORY/NAME.svg and .pdf for every figure. @throws InputError if one cannot be written.
-void write_figures(const Results& results, const std::string& directory) {
+void write_figures(const StudyAnalysis& analysis, const std::string& directory) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error) throw InputError(fmt::format("cannot create {}: {}", directory, error.message()));
-  for (const Figure& figure : report_figures(results)) {
+  for (const Figure& figure : report_figures(analysis)) {
     const std::string stem = directory + "/" + figure.name;
     write_file_atomically(stem + ".svg", figure.svg);
     convert_svg_to_pdf(stem + ".svg", stem + ".pdf");
@@ -33,23 +34,73 @@ void write_figures(const Results& results, const std::string& directory) {
   fmt::print("figures  {}\n", directory);
 }
 
+/// A file that is written piece by piece, whole or not at all. @throws InputError
+void write_in_pieces(const std::string& path, const std::function<void(const TextSink&)>& make) {
+  constexpr std::size_t kPiece = 1 << 20;
+  NewFile file = NewFile::to_replace(path);
+  std::string pending;
+  make([&](std::string_view text) {
+    pending += text;
+    if (pending.size() < kPiece) return;
+    file.write_all(pending);
+    pending.clear();
+  });
+  file.write_all(pending);
+  file.become_target();
+}
+
+struct Arguments {
+  std::string results;
+  std::string output;
+  std::string csv;
+  std::string json;
+  std::string rows;
+  std::string growth;
+  std::string figures;
+  std::string benchmark_json;
+};
+
+int write_report(const Arguments& arguments) {
+  const std::string results = results_path_of(arguments.results);
+  const std::string path = arguments.output.empty() ? report_path(results) : arguments.output;
+  refuse_unsafe_outputs({.inputs = {arguments.results, results},
+                         .outputs = {path, arguments.csv, arguments.json, arguments.rows,
+                                     arguments.growth, arguments.benchmark_json}});
+  if (arguments.output.empty()) refuse_foreign_page(path, results);
+  const StudyRows rows(arguments.results);
+  const RowView& view = rows.view();
+  const StudyAnalysis analysis = analyse(view, judge(view, arguments.results));
+  const auto write = [](const std::string& to, const auto& make) {
+    if (!to.empty()) write_file_atomically(to, make());
+  };
+  write(path, [&] { return render_report(analysis); });
+  write(arguments.csv, [&] { return bounds_csv(analysis); });
+  write(arguments.json, [&] { return analysis_json(analysis); });
+  write(arguments.growth, [&] { return scaling_csv(analysis); });
+  if (!arguments.rows.empty()) {
+    write_in_pieces(arguments.rows, [&](const TextSink& sink) { rows_csv(view, sink); });
+  }
+  if (!arguments.benchmark_json.empty()) {
+    write_in_pieces(arguments.benchmark_json,
+                    [&](const TextSink& sink) { google_benchmark_json(view, sink); });
+  }
+  if (!arguments.figures.empty()) write_figures(analysis, arguments.figures);
+  fmt::print("{}report   {}\n", verdict_line(analysis.verdict), path);
+  if (view.count == 0) {
+    fmt::print(stderr, "ar3d: {}: nothing measured: the file has no rows\n", arguments.results);
+  }
+  return analysis.verdict.exit_code();
+}
+
 }  // namespace
 
 void add_report(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand(
       "report", "Bounds table, scaling models and figures as one offline HTML file");
-  struct Arguments {
-    std::string results;
-    std::string output;
-    std::string csv;
-    std::string json;
-    std::string rows;
-    std::string growth;
-    std::string figures;
-    std::string benchmark_json;
-  };
   const auto arguments = std::make_shared<Arguments>();
-  verb->add_option("RESULTS", arguments->results, "results file (HDF5)")->required();
+  verb->add_option("RESULTS", arguments->results,
+                   "results file (HDF5), or the journal of an unfinished study")
+      ->required();
   verb->add_option("-o,--output", arguments->output,
                    "HTML file; the results file's name with .html if left out");
   verb->add_option("--csv", arguments->csv, "also write the bounds table as CSV to this file");
@@ -63,31 +114,10 @@ void add_report(CLI::App& app, int& exit_code) {
                    "also write the figures as SVG and PDF into this directory");
   verb->add_option("--benchmark-json", arguments->benchmark_json,
                    "also write the timed rows as a Google Benchmark report to this file");
-  verb->footer("Example: ar3d report smoke.h5 -o smoke.html --figures figures");
-  verb->callback([arguments, &exit_code] {
-    const std::string path =
-        arguments->output.empty() ? report_path(arguments->results) : arguments->output;
-    refuse_unsafe_outputs({.inputs = {arguments->results},
-                           .outputs = {path, arguments->csv, arguments->json, arguments->rows,
-                                       arguments->growth, arguments->benchmark_json}});
-    if (arguments->output.empty()) refuse_foreign_page(path, arguments->results);
-    const Results results = read_results(arguments->results);
-    require_one_study(view_of(results), arguments->results);
-    write_file_atomically(path, render_report(results));
-    if (!arguments->csv.empty()) write_file_atomically(arguments->csv, bounds_csv(results));
-    if (!arguments->json.empty()) write_file_atomically(arguments->json, analysis_json(results));
-    if (!arguments->rows.empty()) write_file_atomically(arguments->rows, rows_csv(results));
-    if (!arguments->growth.empty()) write_file_atomically(arguments->growth, scaling_csv(results));
-    if (!arguments->figures.empty()) write_figures(results, arguments->figures);
-    if (!arguments->benchmark_json.empty()) {
-      write_file_atomically(arguments->benchmark_json, google_benchmark_json(results));
-    }
-    fmt::print("report   {}\n", path);
-    if (results.runs.empty()) {
-      fmt::print(stderr, "ar3d: {}: nothing measured: the file has no rows\n", arguments->results);
-      exit_code = kIncomplete;
-    }
-  });
+  verb->footer(
+      "Exit code as of `ar3d check`.\nExample: ar3d report smoke.h5 -o smoke.html --figures "
+      "figures");
+  verb->callback([arguments, &exit_code] { exit_code = write_report(*arguments); });
 }
 
 }  // namespace ar3d

@@ -8,24 +8,22 @@
 #include <cstdio>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
+#include <utility>
 
-#include "ar3d/analysis/check.h"
 #include "ar3d/analysis/report.h"
 #include "ar3d/bench/keep/journaled_study.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/printable.h"
-#include "ar3d/records/run_storage.h"
 #include "ar3d/results/atomic_file.h"
-#include "ar3d/results/hdf5/results_reader.h"
 #include "ar3d/results/journal/journal_writer.h"
 #include "commands.h"
 #include "join_ranks.h"
 #include "making_options.h"
 #include "outputs.h"
+#include "study_rows.h"
 
 namespace ar3d {
 namespace {
@@ -50,31 +48,22 @@ void ask_to_stop(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
-// A report of more rows is made on demand only: it takes about 2 kB of memory a row.
-constexpr std::size_t kMostReportedRows = 100000;
-
 // The last lines of a study that is whole: the verdict and where everything is.
 int conclude(const JournaledStudy& study) {
-  RunReader reader(study.results);
-  std::optional<Results> reported;  // what a report is made of, read once for verdict and report
-  if (study.shard.count == 1 && reader.size() <= kMostReportedRows) {
-    reported = read_results(study.results);
-  }
-  const RowView rows = reported ? view_of(*reported) : view_of(reader);
-  const CheckVerdict verdict = check(rows);
-  fmt::print("{}", summary(verdict, rows));
+  const StudyRows rows(study.results);
+  Examination examination = judge(rows.view(), study.results);
+  const int exit_code = examination.verdict.exit_code();
+  fmt::print("{}", summary(examination.verdict));
   fmt::print("results  {}\n", study.results);
   if (study.shard.count > 1) {
     fmt::print("shard {} of {}: when all are there, `ar3d study merge SHARDS… -o RESULTS.h5`\n",
                study.shard.index, study.shard.count);
-  } else if (!reported) {
-    fmt::print("report   not made of {} rows; `ar3d report {}` makes it\n", rows.count,
-               study.results);
   } else {
-    write_file_atomically(report_path(study.results), render_report(*reported));
+    write_file_atomically(report_path(study.results),
+                          render_report(analyse(rows.view(), std::move(examination))));
     fmt::print("report   {}\n", report_path(study.results));
   }
-  return verdict.exit_code();
+  return exit_code;
 }
 
 int run_to_the_end(const JournaledStudy& study, const RunArguments& arguments,
@@ -103,7 +92,8 @@ int run_to_the_end(const JournaledStudy& study, const RunArguments& arguments,
              "ar3d: {}; {} rows are in {}, {} are missing; go on with `ar3d study resume {}`\n",
              g_stop ? "interrupted" : "not finished", outcome.rows, study.results, outcome.missing,
              study.results);
-  return g_stop ? kInterrupted : kIncomplete;
+  if (g_stop) return kInterrupted;
+  return judge(StudyRows(study.results).view(), study.results).verdict.exit_code();
 }
 
 // Begins and makes a study on all ranks; the first one speaks for all.

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -18,6 +17,7 @@
 #include "commands.h"
 #include "outputs.h"
 #include "study.h"
+#include "study_rows.h"
 
 namespace ar3d {
 namespace {
@@ -42,19 +42,6 @@ struct Standing {
   }
 };
 
-// Of a study that times drawings until a precision is reached nobody knows before how many rows it
-// will have: those that are there are looked at.
-void count_exactly(const std::string& file, Standing& standing) {
-  const JournaledStudy study = begun_study(file);
-  const bool is_open =
-      std::any_of(study.spec.sweeps.begin(), study.spec.sweeps.end(),
-                  [](const Sweep& sweep) { return sweep.timed.least < sweep.timed.most; });
-  if (!is_open) return;
-  const StudyOutcome outcome = outcome_so_far(study);
-  standing.rows = outcome.rows;
-  standing.identity.planned_rows = static_cast<std::int64_t>(outcome.rows + outcome.missing);
-}
-
 Standing standing_now(const std::string& file) {
   const std::string results = results_path_of(file);
   Standing standing;
@@ -71,7 +58,6 @@ Standing standing_now(const std::string& file) {
     standing.not_ok += status.not_ok;
     standing.writers += status.is_written ? 1 : 0;
   }
-  count_exactly(file, standing);
   return standing;
 }
 
@@ -145,9 +131,18 @@ int show(const StatusArguments& arguments) {
     fmt::print("{} rows are in {}\n", outcome.rows, arguments.snapshot);
     return outcome.complete() ? kPass : kIncomplete;
   }
-  const Standing standing = arguments.watch ? watch(arguments.file) : standing_of(arguments.file);
+  Standing standing = arguments.watch ? watch(arguments.file) : standing_of(arguments.file);
+  if (standing.writers > 0) {
+    print_details(standing, arguments.file);
+    return kIncomplete;
+  }
+  const StudyRows rows(arguments.file);
+  standing.rows = rows.view().count;
+  standing.identity.planned_rows = rows.view().planned;
   print_details(standing, arguments.file);
-  return standing.complete() ? kPass : kIncomplete;
+  const CheckVerdict verdict = judge(rows.view(), arguments.file).verdict;
+  fmt::print("{}", verdict_line(verdict));
+  return verdict.exit_code();
 }
 
 }  // namespace
@@ -162,7 +157,8 @@ void add_study_status(CLI::App& study, int& exit_code) {
                    "write the rows so far as a results file of their own");
   verb->add_flag("--force", arguments->force, "replace the results file of a finished study");
   verb->footer(
-      "Exit code 0 if all rows are there, else 5.\nExample: ar3d study status --watch "
+      "Exit code as of `ar3d check`; 5 while the study is running.\nExample: ar3d study status "
+      "--watch "
       "ar3d-quick.h5");
   verb->callback([arguments, &exit_code] { exit_code = show(*arguments); });
 }

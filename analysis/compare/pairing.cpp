@@ -13,7 +13,7 @@
 namespace ar3d {
 namespace {
 
-CellKey key_of(const RunRecord& run) {
+CurveKey key_of(const RunRecord& run) {
   return {run.algorithm, run.options, run.family, run.parameters};
 }
 
@@ -70,7 +70,7 @@ bool has_times(const PairedRow& row) {
 }  // namespace
 
 std::string row_label(const RunRecord& run) {
-  const CellKey key = key_of(run);
+  const CurveKey key = key_of(run);
   std::string label = algorithm_label(key);
   if (!run.family.empty()) label += fmt::format(" on {} n={}", family_label(key), run.requested_n);
   if (run.instance_index >= 0) label += fmt::format(", instance {}", run.instance_index);
@@ -82,7 +82,7 @@ Pairing pair_rows(const Results& base, const Results& now) {
   const RowIndex new_rows = index_of(now, "NEW");
   index_of(base, "BASE");
   Pairing pairing;
-  std::map<std::pair<CellKey, std::int64_t>, std::size_t> cell_of;
+  std::map<std::pair<CurveKey, std::int64_t>, std::size_t> cell_of;
   std::size_t matched = 0;
   for (const RunRecord& run : base.runs) {
     const auto partner = new_rows.find(identity(run));

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/analysis/cells.h"
+#include "ar3d/analysis/curves.h"
 #include "ar3d/records/run_storage.h"
 
 namespace ar3d {
@@ -16,7 +16,7 @@ struct PairedRow {
 
 /// The measurements of one algorithm on one family at one size.
 struct PairedCell {
-  CellKey key;
+  CurveKey key;
   std::int64_t n = -1;  ///< vertices; -1: all sizes
   std::vector<PairedRow> rows;
 };

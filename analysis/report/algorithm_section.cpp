@@ -79,7 +79,7 @@ std::string quantity_panels(const Section& section, const std::string& id, Quant
   return html + "</div></details>\n";
 }
 
-std::string closest_sentence(const Analysis& analysis, const Section& section) {
+std::string closest_sentence(const Section& section) {
   const BoundsEntry* closest = nullptr;
   std::size_t axis = 0;
   for (const BoundsEntry* entry : section.bounds) {
@@ -91,12 +91,12 @@ std::string closest_sentence(const Analysis& analysis, const Section& section) {
     }
   }
   if (closest == nullptr) return "";
-  const RunRecord& run = analysis.results.runs[*closest->axes[axis].worst_row];
+  const DrawnGraph& graph = closest->axes[axis].worst;
   return fmt::format(
       "<p>The closest to a bound: the {} extent on {} with n = {} is {} of {:.6g}, {} of what "
       "the theorem allows.</p>\n",
-      kAxisNames[axis], escape(family_label(closest->key)), grouped(run.n),
-      grouped(run.extents[axis]), run.theorem_bound[axis],
+      kAxisNames[axis], escape(family_label(closest->key)), grouped(graph.n),
+      grouped(graph.extents[axis]), graph.theorem_bound[axis],
       percent(1 - closest->axes[axis].worst_slack));
 }
 
@@ -127,12 +127,11 @@ std::vector<NamedPlot> section_plots(const Section& section) {
   return plots;
 }
 
-std::string algorithm_section(const Analysis& analysis, const Section& section,
-                              const std::string& id) {
+std::string algorithm_section(const Section& section, const std::string& id) {
   std::string html = fmt::format("<section id={}><h2>{}</h2>\n", id, escape(section.label));
-  html += closest_sentence(analysis, section) + bound_sentences(section);
+  html += closest_sentence(section) + bound_sentences(section);
   html += section.scaling.empty() ? "" : overview_plots(section);
-  html += bounds_table_html(analysis, section) + growth_table(section) + bend_histogram(section);
+  html += bounds_table_html(section) + growth_table(section) + bend_histogram(section);
   for (const Quantity quantity : {Quantity::longest_side, Quantity::volume, Quantity::wall_s}) {
     html += quantity_panels(section, id, quantity);
   }

@@ -35,20 +35,21 @@ mean and middle 80 % of every size; sizes that the fit left out are grey. The fa
 
 }  // namespace
 
-std::string background(const Results& results) {
+std::string background(const RowView& rows) {
+  const StudyIdentity& study = *rows.identity;
   std::string html = "<section id=environment><h2>Environment</h2>";
-  if (results.environment.empty()) {
+  if (rows.environment->empty()) {
     html += "<p>The file names none.</p>";
   } else {
     html += "<div class=scroll><table><tbody>";
-    for (const EnvironmentEntry& entry : results.environment) {
+    for (const EnvironmentEntry& entry : *rows.environment) {
       html +=
           "<tr><th scope=row>" + escape(entry.name) + "</th>" + note(escape(entry.value)) + "</tr>";
     }
     html += "</tbody></table></div>";
   }
   html += "</section>\n<section id=spec><h2>Specification</h2><p class=muted>XXH3-128 " +
-          escape(results.spec_hash) + "</p><pre tabindex=0>" + escape(results.spec) +
+          escape(study.spec_hash) + "</p><pre tabindex=0>" + escape(study.spec) +
           "</pre></section>\n";
   return html + kMethods;
 }

@@ -30,7 +30,7 @@ using SizesOf = std::map<std::int64_t, const SizeSample*>;
 using Measured = std::map<std::string, std::map<Quantity, SizesOf>>;
 
 std::map<std::string, std::map<std::string, Measured>> measured_by_algorithm(
-    const Analysis& analysis) {
+    const StudyAnalysis& analysis) {
   std::map<std::string, std::map<std::string, Measured>> all;
   for (const ScalingEntry& entry : analysis.scaling) {
     if (entry.quantity != Quantity::wall_s && entry.quantity != Quantity::volume) continue;
@@ -154,7 +154,7 @@ std::string dial_note(const std::vector<Dial>& dials) {
 
 }  // namespace
 
-std::vector<NamedPlot> effort_dials(const Analysis& analysis) {
+std::vector<NamedPlot> effort_dials(const StudyAnalysis& analysis) {
   std::vector<NamedPlot> plots;
   for (const auto& [algorithm, families] : measured_by_algorithm(analysis)) {
     const std::vector<Dial> dials = dials_of(families);

@@ -81,7 +81,7 @@ std::string figure_html(const NamedPlot& plot) {
                      escape(plot.title), escape(plot.note), plot.svg);
 }
 
-std::vector<Figure> standalone_figures(const Analysis& analysis) {
+std::vector<Figure> standalone_figures(const StudyAnalysis& analysis) {
   std::vector<Figure> figures;
   const auto add = [&](const std::string& name, const std::string& title, const std::string& svg,
                        const std::vector<LegendEntry>& legend) {

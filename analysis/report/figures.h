@@ -33,13 +33,13 @@ std::vector<NamedPlot> section_plots(const Section& section);
 
 /// Volume against drawing time over the settings of an algorithm: one plot for every algorithm that
 /// was measured with at least two. Medians of the largest n that all settings share.
-std::vector<NamedPlot> effort_dials(const Analysis& analysis);
+std::vector<NamedPlot> effort_dials(const StudyAnalysis& analysis);
 
 /// Drawings at a time against threads or ranks in batches: one plot for every algorithm, phase and
 /// kind, one line for every family and size.
-std::vector<NamedPlot> strong_weak_plots(const Analysis& analysis);
+std::vector<NamedPlot> strong_weak_plots(const StudyAnalysis& analysis);
 
 /// Every plot of the page that shows more than one family, as a document of its own.
-std::vector<Figure> standalone_figures(const Analysis& analysis);
+std::vector<Figure> standalone_figures(const StudyAnalysis& analysis);
 
 }  // namespace ar3d::report

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kShownFindings = 20;
 
-std::string verdict_sentence(const Analysis& analysis) {
+std::string verdict_sentence(const StudyAnalysis& analysis) {
   const CheckVerdict& verdict = analysis.verdict;
   std::string css = verdict.word();
   std::transform(css.begin(), css.end(), css.begin(),
@@ -31,7 +31,27 @@ std::string verdict_sentence(const Analysis& analysis) {
   return html;
 }
 
-std::string findings_list(const Analysis& analysis) {
+/// Says what of very many rows the page does not show; empty if it shows all.
+std::string sampling_note(const StudyTally& tally) {
+  std::string html;
+  if (tally.kept_graphs > 0) {
+    html += fmt::format(
+        "<p class=incomplete>There are sizes with more than {0} graphs: medians, bands and points "
+        "of "
+        "these are of {0} graphs drawn at random. Counts, verdict, extreme values and the means "
+        "that are fitted are of all.</p>\n",
+        grouped(static_cast<std::int64_t>(tally.kept_graphs)));
+  }
+  if (tally.left_out_rows > 0) {
+    html += fmt::format(
+        "<p class=incomplete>{} rows of further families and sizes are in the verdict, but in no "
+        "table or plot.</p>\n",
+        grouped(static_cast<std::int64_t>(tally.left_out_rows)));
+  }
+  return html;
+}
+
+std::string findings_list(const StudyAnalysis& analysis) {
   const auto& findings = analysis.verdict.findings;
   if (findings.empty()) return "";
   std::string html = "<h3>Findings</h3><ol>";
@@ -40,15 +60,13 @@ std::string findings_list(const Analysis& analysis) {
     html += fmt::format("<li><b class={}>{}</b>: {}",
                         is_violation(finding.kind) ? "violated" : "incomplete",
                         to_string(finding.kind), escape(finding.message));
-    if (finding.row) {
-      html += "<br><code>" + escape(draw_command(analysis.results.runs[*finding.row])) + "</code>";
-    }
+    if (finding.row) html += "<br><code>" + escape(finding.command) + "</code>";
     html += "</li>\n";
   }
   html += "</ol>";
-  if (findings.size() > kShownFindings) {
+  if (analysis.verdict.all_findings > kShownFindings) {
     html += fmt::format("<p>… and {} more; <code>ar3d check</code> counts them all.</p>",
-                        findings.size() - kShownFindings);
+                        analysis.verdict.all_findings - kShownFindings);
   }
   return html;
 }
@@ -90,7 +108,7 @@ std::string algorithm_row(const Section& section, std::size_t index) {
 
 }  // namespace
 
-std::vector<Section> sections(const Analysis& analysis) {
+std::vector<Section> sections(const StudyAnalysis& analysis) {
   std::vector<Section> sections;
   std::map<std::string, std::size_t> index_of;
   for (const BoundsEntry& entry : analysis.bounds) {
@@ -105,14 +123,13 @@ std::vector<Section> sections(const Analysis& analysis) {
   return sections;
 }
 
-std::string overview(const Analysis& analysis, const std::vector<Section>& sections) {
-  const Results& results = analysis.results;
+std::string overview(const StudyAnalysis& analysis, const std::vector<Section>& sections) {
+  const StudyIdentity& study = *analysis.rows.identity;
   std::string html = "<h1>3D drawings: bounds and scaling</h1>\n";
-  html +=
-      fmt::format("<p class=\"muted wrap\">Study {} · {} · program {}{}</p>\n",
-                  escape(results.study_id), escape(results.created), escape(results.source_hash),
-                  results.dirty ? " <b class=incomplete>with uncommitted changes</b>" : "");
-  html += verdict_sentence(analysis) + findings_list(analysis);
+  html += fmt::format("<p class=\"muted wrap\">Study {} · {} · program {}{}</p>\n",
+                      escape(study.study_id), escape(study.created), escape(study.source_hash),
+                      study.dirty ? " <b class=incomplete>with uncommitted changes</b>" : "");
+  html += verdict_sentence(analysis) + sampling_note(analysis.tally) + findings_list(analysis);
   if (sections.empty()) return html;
   html +=
       "<p class=muted>Fill is the largest measured share of a theorem's bound "

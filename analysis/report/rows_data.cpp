@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <map>
+#include <cmath>
 #include <set>
 
 #include "ar3d/analysis/replay.h"
@@ -25,10 +25,9 @@ std::string json_string(std::string_view text) {
   return json + "\"";
 }
 
-/// What the rows of a cell share: label, and the draw command before n and behind the seed.
-std::string cell_json(const RunRecord& run) {
-  const CommandParts parts = draw_command_parts(run);
-  const CellKey key{run.algorithm, run.options, run.family, run.parameters};
+/// What the rows of a curve share: label, and the draw command before n and behind the seed.
+std::string curve_json(const CurveKey& key) {
+  const CommandParts parts = draw_command_parts(key);
   return fmt::format("[{},{},{}]", json_string(family_label(key) + "\n" + algorithm_label(key)),
                      json_string(parts.before_n), json_string(parts.behind_seed));
 }
@@ -38,21 +37,25 @@ std::string numbers(const std::array<double, 3>& values) {
   return fmt::format("[{:.6g},{:.6g},{:.6g}]", values[0], values[1], values[2]);
 }
 
-/// [cell, n, m, "seed", status, extents, own bound, theorem's bound, published bound, seconds]; 0
+/// [curve, n, m, "seed", status, extents, own bound, theorem's bound, published bound, seconds]; 0
 /// for what is missing.
-std::string row_json(const RunRecord& run, std::size_t cell) {
+std::string row_json(const DrawnGraph& graph, double log_seconds, std::size_t curve) {
   std::array<double, 3> own{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    own[axis] = static_cast<double>(run.instance_bound[axis]);
+    own[axis] = static_cast<double>(graph.instance_bound[axis]);
   }
-  const std::string status = run.status == RunStatus::ok ? "0" : json_string(to_string(run.status));
-  return fmt::format("[{},{},{},\"{}\",{},[{},{},{}],{},{},{},{}]", cell, run.n, run.m, run.seed,
-                     status, run.extents[0], run.extents[1], run.extents[2], numbers(own),
-                     numbers(run.theorem_bound), numbers(run.published_bound),
-                     run.wall_s > 0 ? fmt::format("{:.3g}", run.wall_s) : "0");
+  return fmt::format("\"{}\":[{},{},{},\"{}\",0,[{},{},{}],{},{},{},{}]", graph.row, curve, graph.n,
+                     graph.m, graph.seed, graph.extents[0], graph.extents[1], graph.extents[2],
+                     numbers(own), numbers(graph.theorem_bound), numbers(graph.published_bound),
+                     std::isnan(log_seconds) ? "0" : fmt::format("{:.3g}", std::exp(log_seconds)));
 }
 
-std::set<std::size_t> plotted_rows(const Analysis& analysis) {
+std::string row_json(const CensoredRow& row, std::size_t curve) {
+  return fmt::format("\"{}\":[{},{},{},\"{}\",{},[-1,-1,-1],0,0,0,0]", row.row, curve, row.n, row.m,
+                     row.seed, json_string(to_string(row.status)));
+}
+
+std::set<std::size_t> plotted_rows(const StudyAnalysis& analysis) {
   std::set<std::size_t> rows;
   for (const ScalingEntry& entry : analysis.scaling) {
     for (const SizeSample& size : entry.all) {
@@ -65,18 +68,22 @@ std::set<std::size_t> plotted_rows(const Analysis& analysis) {
 
 }  // namespace
 
-std::string plotted_rows_json(const Analysis& analysis) {
-  std::map<CellKey, std::size_t> cell_of;
-  std::string cells, rows;
-  for (const std::size_t row : plotted_rows(analysis)) {
-    const RunRecord& run = analysis.results.runs[row];
-    const CellKey key{run.algorithm, run.options, run.family, run.parameters};
-    const auto [place, is_new] = cell_of.try_emplace(key, cell_of.size());
-    if (is_new) cells += (cells.empty() ? "" : ",\n") + cell_json(run);
-    rows +=
-        fmt::format("{}\"{}\":{}", rows.empty() ? "" : ",\n", row, row_json(run, place->second));
+std::string plotted_rows_json(const StudyAnalysis& analysis) {
+  const std::set<std::size_t> plotted = plotted_rows(analysis);
+  std::string curves, rows;
+  const auto add = [&](const std::string& row) { rows += (rows.empty() ? "" : ",\n") + row; };
+  for (std::size_t c = 0; c < analysis.tally.curves.size(); ++c) {
+    const CurveTally& curve = analysis.tally.curves[c];
+    curves += (curves.empty() ? "" : ",\n") + curve_json(curve.key);
+    for (const auto& [n, size] : curve.sizes) {
+      for (const DrawnGraph& graph : size.graphs) {
+        const double seconds = log_value(graph, Quantity::wall_s, curve.has_timing_rows);
+        if (plotted.contains(graph.row)) add(row_json(graph, seconds, c));
+      }
+    }
+    for (const CensoredRow& row : curve.censored) add(row_json(row, c));
   }
-  return "{\"cells\":[" + cells + "],\n\"rows\":{" + rows + "}}";
+  return "{\"cells\":[" + curves + "],\n\"rows\":{" + rows + "}}";
 }
 
 }  // namespace ar3d::report

@@ -6,19 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/analysis/bounds_table.h"
-#include "ar3d/analysis/check.h"
-#include "ar3d/analysis/scaling.h"
+#include "ar3d/analysis/study_analysis.h"
 
 namespace ar3d::report {
-
-/// Everything the sections show, computed once.
-struct Analysis {
-  const Results& results;
-  CheckVerdict verdict;
-  std::vector<BoundsEntry> bounds;
-  std::vector<ScalingEntry> scaling;
-};
 
 /// One algorithm with one set of options: the entries of the bounds table and curves of its
 /// families, in the order of the file.
@@ -27,32 +17,31 @@ struct Section {
   std::vector<const BoundsEntry*> bounds;
   std::vector<const ScalingEntry*> scaling;
 };
-std::vector<Section> sections(const Analysis& analysis);
+std::vector<Section> sections(const StudyAnalysis& analysis);
 
 /// The head of the page: title, verdict, counts, findings, table of the algorithms with links.
-std::string overview(const Analysis& analysis, const std::vector<Section>& sections);
+std::string overview(const StudyAnalysis& analysis, const std::vector<Section>& sections);
 /// One algorithm: sentence, plots, bounds table, growth table, bends, small multiples. `id` is its
 /// anchor.
-std::string algorithm_section(const Analysis& analysis, const Section& section,
-                              const std::string& id);
+std::string algorithm_section(const Section& section, const std::string& id);
 /// Parts of it.
 std::string bound_sentences(const Section& section);
-std::string bounds_table_html(const Analysis& analysis, const Section& section);
+std::string bounds_table_html(const Section& section);
 std::string growth_table(const Section& section);
 std::string bend_histogram(const Section& section);
 /// Edges with 0, 1, … bends over all families of the section.
 std::array<std::uint64_t, 8> bends_of(const Section& section);
 /// Volume against drawing time by setting; empty if no algorithm was measured with two settings.
-std::string effort_section(const Analysis& analysis);
+std::string effort_section(const StudyAnalysis& analysis);
 /// Batches of strong and weak scaling against the ideal; empty if there are none.
-std::string strong_weak_section(const Analysis& analysis);
+std::string strong_weak_section(const StudyAnalysis& analysis);
 /// Every metric of verify/metrics.h: unit, definition, and its median and range by setting.
-std::string metrics_section(const Analysis& analysis, const std::vector<Section>& sections);
+std::string metrics_section(const StudyAnalysis& analysis, const std::vector<Section>& sections);
 /// Environment, spec and methods.
-std::string background(const Results& results);
+std::string background(const RowView& rows);
 
 /// The rows that plots point at as JSON for a script element: {"cells": [[label, command before n,
 /// command behind the seed], …], "rows": {"row": [cell, n, m, seed, status, extents, …], …}}.
-std::string plotted_rows_json(const Analysis& analysis);
+std::string plotted_rows_json(const StudyAnalysis& analysis);
 
 }  // namespace ar3d::report

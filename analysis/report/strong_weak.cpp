@@ -14,16 +14,11 @@
 namespace ar3d::report {
 namespace {
 
-/// What was measured with so many sharers: medians over the rows.
-struct Scale {
-  std::vector<double> batch_s, ideal_s, efficiency;
-};
-
 /// One graph size of a family, drawn in batches.
 struct Curve {
   std::string family;
   std::int64_t n = 0;
-  std::map<std::int64_t, Scale> scales;  ///< by threads or ranks
+  std::map<std::int64_t, const BatchTally*> scales;  ///< by threads or ranks
 };
 
 struct Batches {
@@ -32,32 +27,24 @@ struct Batches {
   std::vector<Curve> curves;
 };
 
-std::vector<Batches> batches_of(const Results& results) {
-  using CurveKey = std::pair<std::string, std::int64_t>;
-  std::map<std::pair<RunPhase, std::string>, std::map<CurveKey, Curve>> found;
-  for (const RunRecord& run : results.runs) {
-    if (!is_batched(run.phase) || run.scale < 1 || !(run.efficiency > 0) || !(run.batch_s > 0))
-      continue;
-    const CellKey key{run.algorithm, run.options, run.family, run.parameters};
-    Curve& curve = found[{run.phase, algorithm_label(key)}][CurveKey(family_label(key), run.n)];
-    curve.family = family_label(key);
-    curve.n = run.n;
-    Scale& scale = curve.scales[run.scale];
-    scale.batch_s.push_back(run.batch_s);
-    scale.ideal_s.push_back(run.ideal_batch_s);
-    scale.efficiency.push_back(run.efficiency);
-  }
+std::vector<Batches> batches_of(const StudyTally& tally) {
   std::vector<Batches> all;
-  for (auto& [key, curves] : found) {
-    all.push_back({key.first, key.second, {}});
-    for (auto& [name, curve] : curves) all.back().curves.push_back(std::move(curve));
+  for (const auto& [key, batch] : tally.batches) {  // sorted by phase, algorithm, family, n
+    if (all.empty() || all.back().phase != key.phase || all.back().algorithm != key.algorithm) {
+      all.push_back({key.phase, key.algorithm, {}});
+    }
+    std::vector<Curve>& curves = all.back().curves;
+    if (curves.empty() || curves.back().family != key.family || curves.back().n != key.n) {
+      curves.push_back({key.family, key.n, {}});
+    }
+    curves.back().scales[key.sharers] = &batch;
   }
   return all;
 }
 
 /// How many share and their gain over one alone, as decimal logarithms.
 double log_sharers(std::int64_t sharers) { return std::log10(static_cast<double>(sharers)); }
-double log_gain(std::int64_t sharers, const Scale& scale) {
+double log_gain(std::int64_t sharers, const BatchTally& scale) {
   return log_sharers(sharers) + std::log10(median(scale.efficiency));
 }
 
@@ -76,7 +63,7 @@ Frame frame_of(const Batches& batches) {
     for (const auto& [sharers, scale] : curve.scales) {
       x.include(log_sharers(sharers));
       y.include(log_sharers(sharers));
-      y.include(log_gain(sharers, scale));
+      y.include(log_gain(sharers, *scale));
     }
   }
   return {LogAxis(x.low, x.high, kLeft, kRight),
@@ -102,7 +89,7 @@ std::string ideal_line(const Batches& batches, const Frame& frame) {
 std::string curve_svg(const Curve& curve, std::size_t colour, const Frame& frame) {
   std::string line, dots;
   for (const auto& [sharers, scale] : curve.scales) {
-    const double x = log_sharers(sharers), y = log_gain(sharers, scale);
+    const double x = log_sharers(sharers), y = log_gain(sharers, *scale);
     line += frame.point(x, y);
     dots += fmt::format("M{:.1f} {:.1f}h0", frame.x.pixel(x), frame.y.pixel(y));
   }
@@ -140,9 +127,9 @@ std::string table_rows(const Batches& batches) {
       html += "<tr>" + cell(escape(batches.algorithm)) + cell(kind_of(batches.phase)) +
               cell(escape(curve.family)) + cell(grouped(curve.n), true) +
               cell(counted(sharers, batches.phase), true) +
-              cell(duration(median(scale.batch_s)), true) +
-              cell(duration(median(scale.ideal_s)), true) +
-              cell(percent(median(scale.efficiency)), true) + "</tr>\n";
+              cell(duration(median(scale->batch_s)), true) +
+              cell(duration(median(scale->ideal_s)), true) +
+              cell(percent(median(scale->efficiency)), true) + "</tr>\n";
     }
   }
   return html;
@@ -150,13 +137,13 @@ std::string table_rows(const Batches& batches) {
 
 }  // namespace
 
-std::vector<NamedPlot> strong_weak_plots(const Analysis& analysis) {
+std::vector<NamedPlot> strong_weak_plots(const StudyAnalysis& analysis) {
   std::vector<NamedPlot> plots;
-  for (const Batches& batches : batches_of(analysis.results)) plots.push_back(plot_of(batches));
+  for (const Batches& batches : batches_of(analysis.tally)) plots.push_back(plot_of(batches));
   return plots;
 }
 
-std::string strong_weak_section(const Analysis& analysis) {
+std::string strong_weak_section(const StudyAnalysis& analysis) {
   const std::vector<NamedPlot> plots = strong_weak_plots(analysis);
   if (plots.empty()) return "";
   std::string html =
@@ -175,7 +162,7 @@ std::string strong_weak_section(const Analysis& analysis) {
       "<th class=num>n</th><th class=num>Shared by</th><th class=num>Batch</th><th "
       "class=num>Ideal</th><th class=num>Efficiency</th></tr></thead>"
       "<tbody>\n";
-  for (const Batches& batches : batches_of(analysis.results)) html += table_rows(batches);
+  for (const Batches& batches : batches_of(analysis.tally)) html += table_rows(batches);
   return html + "</tbody></table></div></section>\n";
 }
 

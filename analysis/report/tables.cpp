@@ -50,19 +50,19 @@ std::string box(const Values& values) {
 
 /// The boxes of the row that comes closest to the theorem's: measured, its own bound, the
 /// theorem's, the published one; and the lines that show it again.
-std::string worst_instance(const Analysis& analysis, const BoundsEntry& entry) {
+std::string worst_instance(const BoundsEntry& entry) {
   const auto axis = worst_axis(entry);
   if (!axis) return "–";
-  const std::size_t row = *entry.axes[*axis].worst_row;
-  const RunRecord& run = analysis.results.runs[row];
+  const DrawnGraph& graph = entry.axes[*axis].worst;
   return fmt::format(
       "<details><summary>n = {}, seed {}</summary>measured {}<br>own bound {}<br>theorem {}<br>"
       "published {}<br><code>{}</code><br><code>{}</code></details>",
-      grouped(run.n), run.seed, box(run.extents), box(run.instance_bound), box(run.theorem_bound),
-      box(run.published_bound), escape(draw_command(run)), escape(replay_command(run, row)));
+      grouped(graph.n), graph.seed, box(graph.extents), box(graph.instance_bound),
+      box(graph.theorem_bound), box(graph.published_bound), escape(draw_command(entry.key, graph)),
+      escape(replay_command(graph.row)));
 }
 
-std::string bounds_row(const Analysis& analysis, const BoundsEntry& entry) {
+std::string bounds_row(const BoundsEntry& entry) {
   std::string html = fmt::format("<tr><th scope=row>{}</th>", escape(family_label(entry.key)));
   html += cell(grouped(entry.smallest_n) + " – " + grouped(entry.largest_n), true);
   html += cell(statuses(entry));
@@ -74,7 +74,7 @@ std::string bounds_row(const Analysis& analysis, const BoundsEntry& entry) {
   }
   html += cell(percent(1 - worst_of(entry, &AxisBounds::worst_instance_slack)), true);
   html += cell(percent(1 - worst_of(entry, &AxisBounds::worst_published_slack)), true);
-  return html + cell(worst_instance(analysis, entry)) + "</tr>\n";
+  return html + cell(worst_instance(entry)) + "</tr>\n";
 }
 
 std::string exponent(const ScalingEntry* entry) {
@@ -85,7 +85,7 @@ std::string exponent(const ScalingEntry* entry) {
                      interval.high);
 }
 
-const ScalingEntry* find_entry(const Section& section, const CellKey& key, Quantity quantity) {
+const ScalingEntry* find_entry(const Section& section, const CurveKey& key, Quantity quantity) {
   for (const ScalingEntry* entry : section.scaling) {
     if (entry->key == key && entry->quantity == quantity) return entry;
   }
@@ -124,7 +124,7 @@ std::string bound_sentences(const Section& section) {
   return "";
 }
 
-std::string bounds_table_html(const Analysis& analysis, const Section& section) {
+std::string bounds_table_html(const Section& section) {
   std::string html =
       "<h3>Bounds table</h3><p class=muted>Share of the theorem's bound that "
       "the "
@@ -134,7 +134,7 @@ std::string bounds_table_html(const Analysis& analysis, const Section& section) 
       "class=num>n<th>Rows"
       "<th class=num>Violations<th class=num>x<th class=num>y<th class=num>z"
       "<th class=num>Own bound<th class=num>Published<th>Worst graph</tr></thead><tbody>\n";
-  for (const BoundsEntry* entry : section.bounds) html += bounds_row(analysis, *entry);
+  for (const BoundsEntry* entry : section.bounds) html += bounds_row(*entry);
   return html + "</tbody></table></div>\n";
 }
 
@@ -181,7 +181,7 @@ std::string bend_histogram(const Section& section) {
       svg);
 }
 
-std::string effort_section(const Analysis& analysis) {
+std::string effort_section(const StudyAnalysis& analysis) {
   const std::vector<NamedPlot> dials = effort_dials(analysis);
   if (dials.empty()) return "";
   std::string html =

@@ -17,7 +17,7 @@ std::vector<FitPoint> fit_points(std::span<const SizeSample> sizes,
                                  const std::vector<Regressor>& regressors) {
   std::vector<FitPoint> points;
   for (const SizeSample& size : sizes) {
-    FitPoint point{{1}, mean(size.log_values())};
+    FitPoint point{{1}, size.mean_log()};
     for (const Regressor& regressor : regressors) {
       point.regressors.push_back(regressor(std::log(static_cast<double>(size.n))));
     }

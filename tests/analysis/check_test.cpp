@@ -20,7 +20,7 @@ Results small_results() { return good_results({"diamond"}, {"cubic"}, 3, 2); }
 /// The single finding that the change of one row causes.
 Finding only_finding(const Results& results) {
   const CheckVerdict verdict = check(results);
-  EXPECT_EQ(verdict.findings.size(), 1u) << summary(verdict, results);
+  EXPECT_EQ(verdict.findings.size(), 1u) << summary(verdict);
   return verdict.findings.at(0);
 }
 
@@ -29,7 +29,7 @@ TEST(Check, PassesWhenEveryRowIsProved) {
   const CheckVerdict verdict = check(results);
   EXPECT_EQ(verdict.exit_code(), 0);
   EXPECT_EQ(verdict.proved, 6u);
-  EXPECT_THAT(summary(verdict, results), HasSubstr("PASS: 6 rows, 6 proved"));
+  EXPECT_THAT(summary(verdict), HasSubstr("PASS: 6 rows, 6 proved"));
 }
 
 TEST(Check, AnExtentThatTouchesTheBoundIsAllowedOneMoreIsNot) {
@@ -60,7 +60,7 @@ TEST(Check, AViolatedCertificateIsExit4AndNamesTheCommand) {
   results.runs[2].message = "crossing of edges 4 and 7";
   const CheckVerdict verdict = check(results);
   EXPECT_EQ(verdict.exit_code(), 4);
-  const std::string text = summary(verdict, results);
+  const std::string text = summary(verdict);
   EXPECT_THAT(text, HasSubstr("crossing of edges 4 and 7"));
   EXPECT_THAT(text, HasSubstr("ar3d generate cubic -n 32 --seed 32000 | ar3d draw"));
 }
@@ -74,8 +74,7 @@ TEST(Check, AnOkRowWithViolationsIsNotTrusted) {
 TEST(Check, ZeroRowsAreNeverAPass) {
   const Results results;
   EXPECT_EQ(check(results).exit_code(), 5);
-  EXPECT_THAT(summary(check(results), results),
-              HasSubstr("nothing measured: the file has no rows"));
+  EXPECT_THAT(summary(check(results)), HasSubstr("nothing measured: the file has no rows"));
 }
 
 TEST(Check, OnlyRefusedRowsAreNothingMeasuredSomeAreHarmless) {
@@ -154,7 +153,7 @@ TEST(Check, LongListsAreCutAndControlCharactersRemoved) {
     run.status = RunStatus::crashed;
     run.message = "\x1b[31mred\nline\xff";
   }
-  const std::string text = summary(check(results), results, 2);
+  const std::string text = summary(check(results), 2);
   EXPECT_THAT(text, HasSubstr("and 5 more findings"));
   EXPECT_THAT(text, Not(HasSubstr("\x1b")));
   EXPECT_THAT(text, HasSubstr("\uFFFD"));

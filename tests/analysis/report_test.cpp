@@ -66,7 +66,7 @@ bool has_word(const std::string& text, const std::string& word) {
 
 TEST(Report, IsOnePageThatNeedsNothingFromOutside) {
   const std::string html =
-      render_report(testing::good_results({"diamond", "grid"}, {"cubic"}, 9, 4));
+      testing::report_of(testing::good_results({"diamond", "grid"}, {"cubic"}, 9, 4));
   EXPECT_EQ(count(html, "<script"), 2u) << "the data and one script, each once";
   EXPECT_EQ(count(html, "<style"), 1u);
   for (const char* outside : {"src=http", "src='http", "src=\"http", "src=//", "href=http",
@@ -83,7 +83,7 @@ TEST(Report, IsOnePageThatNeedsNothingFromOutside) {
 }
 
 TEST(Report, ShowsEveryMetricOfTheTableWithUnitAndDefinition) {
-  const std::string html = render_report(testing::good_results({"diamond"}, {"cubic"}, 9, 4));
+  const std::string html = testing::report_of(testing::good_results({"diamond"}, {"cubic"}, 9, 4));
   const std::size_t section = html.find("<section id=metrics>");
   ASSERT_NE(section, std::string::npos);
   for (const Metric& metric : metrics()) {
@@ -109,7 +109,7 @@ TEST(Report, StyleAndScriptAreTheFilesOfTheTree) {
 }
 
 TEST(Report, EscapesEveryStringOfTheFile) {
-  const std::string html = render_report(hostile_results());
+  const std::string html = testing::report_of(hostile_results());
   EXPECT_EQ(count(html, "<script"), 2u);
   EXPECT_EQ(count(html, "</script"), 2u);
   EXPECT_THAT(html, Not(HasSubstr("<img")));
@@ -120,7 +120,7 @@ TEST(Report, EscapesEveryStringOfTheFile) {
 
 TEST(Report, EveryPlottedPointHasItsRowAndCommand) {
   const Results results = hostile_results();
-  const std::string html = render_report(results);
+  const std::string html = testing::report_of(results);
   const auto data = nlohmann::json::parse(rows_json(html));
   const std::string mark = "data-r='";
   std::size_t points = 0;
@@ -152,7 +152,7 @@ TEST(Report, ResidualsAndEffortsAreShownWhereThereAreSome) {
     results.runs.back().options = "effort=1";
     results.runs.back().wall_s *= 3;
   }
-  const std::string html = render_report(results);
+  const std::string html = testing::report_of(results);
   EXPECT_EQ(count(html, "aria-label='residuals of the"), 2u * 2);
   EXPECT_EQ(count(html, "<section id=effort>"), 1u);
   EXPECT_EQ(count(html, "aria-label='volume against drawing time of diamond by setting'"), 1u);
@@ -160,7 +160,7 @@ TEST(Report, ResidualsAndEffortsAreShownWhereThereAreSome) {
 
 TEST(Report, BatchesAreShownAgainstTheIdeal) {
   Results results = testing::good_results({"diamond"}, {"cubic"}, 3, 1);
-  EXPECT_EQ(count(render_report(results), "id=strong-weak"), 0u) << "there are no batches";
+  EXPECT_EQ(count(testing::report_of(results), "id=strong-weak"), 0u) << "there are no batches";
   const ar3d::RunRecord like = results.runs.back();
   for (const RunPhase phase : {RunPhase::strong, RunPhase::weak, RunPhase::weak_ranks}) {
     for (const std::int64_t threads : {1, 2, 4}) {
@@ -173,7 +173,7 @@ TEST(Report, BatchesAreShownAgainstTheIdeal) {
       results.runs.push_back(run);
     }
   }
-  const std::string html = render_report(results);
+  const std::string html = testing::report_of(results);
   EXPECT_EQ(count(html, "<section id=strong-weak>"), 1u);
   EXPECT_EQ(count(html, "strong scaling: drawings at a time against threads'"), 1u);
   EXPECT_EQ(count(html, "weak scaling: drawings at a time against threads'"), 1u);
@@ -184,11 +184,13 @@ TEST(Report, BatchesAreShownAgainstTheIdeal) {
                   "<td class=num>16 ms</td><td class=num>12 ms</td>"
                   "<td class=num>75.0 %</td>"),
             3u);
-  EXPECT_EQ(report_figures(results).size(), 4u + 3) << "three more than without batches";
+  EXPECT_EQ(report_figures(analyse(view_of(results))).size(), 4u + 3)
+      << "three more than without batches";
 }
 
 TEST(Report, FiguresAreDocumentsOfTheirOwn) {
-  const std::vector<Figure> figures = report_figures(hostile_results());
+  const Results results = hostile_results();
+  const std::vector<Figure> figures = report_figures(analyse(view_of(results)));
   ASSERT_EQ(figures.size(), 4u) << "side, volume, time and bends";
   std::set<std::string> names;
   for (const Figure& figure : figures) {
@@ -205,7 +207,7 @@ TEST(Report, FiguresAreDocumentsOfTheirOwn) {
 }
 
 TEST(Report, OfNothingSaysSo) {
-  const std::string html = render_report(Results{});
+  const std::string html = testing::report_of(Results{});
   EXPECT_THAT(html, HasSubstr(">INCOMPLETE<"));
   EXPECT_THAT(html, HasSubstr("Nothing was measured"));
   EXPECT_THAT(html, Not(HasSubstr("nan")));
@@ -213,13 +215,13 @@ TEST(Report, OfNothingSaysSo) {
 
 TEST(Report, SaysOfWhatKindTheHashOfTheSpecificationIs) {
   const Results results = testing::good_results({"diamond"}, {"cubic"}, 3, 1);
-  EXPECT_THAT(render_report(results), HasSubstr("XXH3-128 " + content_hash(results.spec)));
+  EXPECT_THAT(testing::report_of(results), HasSubstr("XXH3-128 " + content_hash(results.spec)));
 }
 
 TEST(Report, NamesViolationsAndTheirCommand) {
   Results results = testing::good_results({"diamond"}, {"cubic"}, 3, 2);
   results.runs[3].extents[2] = 999999;
-  const std::string html = render_report(results);
+  const std::string html = testing::report_of(results);
   EXPECT_THAT(html, HasSubstr(">VIOLATED<"));
   EXPECT_THAT(html, HasSubstr("extent 999999 along z passes the theorem"));
   EXPECT_THAT(html, HasSubstr("<code>ar3d generate cubic -n 32 --seed 32001 | ar3d draw"));
@@ -232,7 +234,7 @@ TEST(Report, MissingNumbersAreNeverPrintedAsNumbers) {
     run.theorem_bound = {kMissing, kMissing, kMissing};
     run.instance_bound = {-1, -1, -1};
   }
-  const std::string html = render_report(results);
+  const std::string html = testing::report_of(results);
   const std::string page = html.substr(0, html.find("<script"));
   EXPECT_FALSE(has_word(page, "nan"));
   EXPECT_FALSE(has_word(page, "inf"));
@@ -274,30 +276,33 @@ TEST(Html, Numbers) {
 TEST(Export, CsvHasOneLineACellAndQuotes) {
   Results results = testing::good_results({"diamond"}, {"a,\"b\"", "prism"}, 2, 2);
   results.runs[0].theorem_bound[0] = kMissing;
-  const std::string csv = bounds_csv(results);
+  const std::string csv = bounds_csv(analyse(view_of(results)));
   EXPECT_EQ(count(csv, "\r\n"), 3u);
   EXPECT_THAT(csv, HasSubstr("diamond,,\"a,\"\"b\"\"\",,16,32,4,4,0,"));
   EXPECT_THAT(csv, Not(HasSubstr("nan")));
-  const std::string boxes = rows_csv(results);
+  std::string boxes;
+  rows_csv(view_of(results), [&](std::string_view text) { boxes += text; });
   EXPECT_EQ(count(boxes, "\r\n"), 1u + results.runs.size());
   for (const Metric& metric : metrics()) EXPECT_THAT(boxes, HasSubstr("," + metric.name + ","));
   EXPECT_THAT(boxes, HasSubstr("\r\n0,diamond,,\"a,\"\"b\"\"\",,16,32,16000,ok,"));
   EXPECT_THAT(boxes, Not(HasSubstr("nan")));
-  const std::string growth = scaling_csv(results);
+  const std::string growth = scaling_csv(analyse(view_of(results)));
   EXPECT_EQ(count(growth, "\r\n"), 1u + 2 * 6);
   EXPECT_THAT(growth, HasSubstr("undecided"));
 }
 
 TEST(Export, JsonHoldsVerdictBoundsAndGrowth) {
-  const auto json =
-      nlohmann::json::parse(analysis_json(testing::good_results({"diamond"}, {"cubic"}, 9, 4)));
+  const Results results = testing::good_results({"diamond"}, {"cubic"}, 9, 4);
+  const auto json = nlohmann::json::parse(analysis_json(analyse(view_of(results))));
   EXPECT_EQ(json["verdict"]["exit_code"], 0);
   EXPECT_EQ(json["bounds"].size(), 1u);
   EXPECT_EQ(json["bounds"][0]["axes"].size(), 3u);
   EXPECT_EQ(json["scaling"].size(), 6u);
   EXPECT_NEAR(json["scaling"][0]["exponent"].get<double>(), 1, 0.05);
-  EXPECT_NO_THROW(nlohmann::json::parse(analysis_json(hostile_results())));
-  EXPECT_EQ(nlohmann::json::parse(analysis_json(Results{}))["verdict"]["exit_code"], 5);
+  const Results hostile = hostile_results(), nothing;
+  EXPECT_NO_THROW(nlohmann::json::parse(analysis_json(analyse(view_of(hostile)))));
+  EXPECT_EQ(nlohmann::json::parse(analysis_json(analyse(view_of(nothing))))["verdict"]["exit_code"],
+            5);
 }
 
 }  // namespace

@@ -98,11 +98,11 @@ TEST(Scaling, SmallSizesAreLeftOutOnlyWhileEnoughStay) {
 TEST(Scaling, SizesWithUnfinishedInstancesAreLeftOut) {
   Results results = testing::good_results({"diamond"}, {"cubic"}, 9, 4);
   results.runs[33].status = RunStatus::timeout;  // size 16 * 2^8
-  const ScalingEntry entry = fit_scaling(samples(results, cells(results)[0], Quantity::wall_s));
+  const ScalingEntry entry = fit_scaling(samples(tally_of(results).curves[0], Quantity::wall_s));
   EXPECT_EQ(entry.all.size(), 9u);
   EXPECT_EQ(entry.sizes.used.back().n, 16 << 7);
   EXPECT_THAT(entry.sizes.left_out.at(0), HasSubstr("1 with unfinished"));
-  const std::vector<CensoredRow> censored = censored_rows(results, cells(results)[0]);
+  const std::vector<CensoredRow> censored = tally_of(results).curves[0].censored;
   ASSERT_EQ(censored.size(), 1u);
   EXPECT_EQ(censored[0].row, 33u);
   EXPECT_EQ(censored[0].n, 16 << 8);
@@ -114,12 +114,17 @@ TEST(Scaling, MissingAndZeroValuesAreNoPoints) {
   run.extents = {0, 12, -1};
   run.wall_s = kMissing;
   run.log2_volume = kMissing;
-  EXPECT_TRUE(std::isnan(log_value(run, Quantity::extent_x)));
-  EXPECT_DOUBLE_EQ(log_value(run, Quantity::extent_y), std::log(12));
-  EXPECT_TRUE(std::isnan(log_value(run, Quantity::extent_z)));
-  EXPECT_DOUBLE_EQ(log_value(run, Quantity::longest_side), std::log(12));
-  EXPECT_TRUE(std::isnan(log_value(run, Quantity::wall_s)));
-  EXPECT_TRUE(std::isnan(log_value(run, Quantity::volume)));
+  Results results;
+  results.runs = {run};
+  const StudyTally tally = tally_of(results);
+  const DrawnGraph& graph = tally.curves.at(0).sizes.at(16).graphs.at(0);
+  const auto log_of = [&](Quantity quantity) { return log_value(graph, quantity, false); };
+  EXPECT_TRUE(std::isnan(log_of(Quantity::extent_x)));
+  EXPECT_DOUBLE_EQ(log_of(Quantity::extent_y), std::log(12));
+  EXPECT_TRUE(std::isnan(log_of(Quantity::extent_z)));
+  EXPECT_DOUBLE_EQ(log_of(Quantity::longest_side), std::log(12));
+  EXPECT_TRUE(std::isnan(log_of(Quantity::wall_s)));
+  EXPECT_TRUE(std::isnan(log_of(Quantity::volume)));
 }
 
 TEST(Scaling, RepetitionsOfAnInstanceGiveTheirMedian) {
@@ -129,7 +134,7 @@ TEST(Scaling, RepetitionsOfAnInstanceGiveTheirMedian) {
                                              static_cast<std::int64_t>(results.runs.size())));
     results.runs.back().wall_s = wall_s;
   }
-  const auto sizes = samples(results, cells(results)[0], Quantity::wall_s);
+  const auto sizes = samples(tally_of(results).curves[0], Quantity::wall_s);
   ASSERT_EQ(sizes.size(), 1u);
   ASSERT_EQ(sizes[0].instances.size(), 1u);
   EXPECT_DOUBLE_EQ(sizes[0].instances[0].log_value, std::log(2));
@@ -144,7 +149,7 @@ TEST(Scaling, RowsOfTheTimingPhaseAloneSpeakForTime) {
   results.runs[1].phase = RunPhase::strong;
   results.runs[2].phase = RunPhase::timing;
   results.runs[3].instance_index = 1;  // a graph that was never timed alone
-  const auto time = [&] { return samples(results, cells(results)[0], Quantity::wall_s)[0]; };
+  const auto time = [&] { return samples(tally_of(results).curves[0], Quantity::wall_s)[0]; };
   ASSERT_EQ(time().instances.size(), 1u) << "phases are not mixed within a cell";
   EXPECT_DOUBLE_EQ(time().instances[0].log_value, std::log(7));
   results.runs[2].status = RunStatus::timeout;

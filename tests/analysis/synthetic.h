@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ar3d/analysis/report.h"
 #include "ar3d/analysis/scaling/samples.h"
 #include "ar3d/model/random.h"
 #include "ar3d/records/run_storage.h"
@@ -68,6 +69,10 @@ inline Results good_results(const std::vector<std::string>& algorithms,
     }
   }
   return results;
+}
+
+inline std::string report_of(const Results& results) {
+  return render_report(analyse(view_of(results)));
 }
 
 /// Samples whose logarithms are truth(n) + noise(random, n), with `instances` a size.

@@ -1,0 +1,109 @@
+#include "ar3d/analysis/check/repetitions.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <tuple>
+
+namespace ar3d {
+namespace {
+
+/// Everything that must be equal in two drawings of the same graph with the same options.
+auto drawing_columns(const RunRecord& run) {
+  return std::tie(run.graph_hash, run.drawing_hash, run.n, run.m, run.extents, run.bends,
+                  run.instance_bound, run.counters, run.violations);
+}
+
+/// What the repetitions of one drawing tell, row after row.
+class Repetitions {
+ public:
+  void look_at(const RunRecord& run, std::size_t row, const FindingSink& found) {
+    if (!measured_.insert({run.phase, run.scale, run.repetition}).second) {
+      found({FindingKind::duplicate, row, "the same measurement stands twice"}, run);
+    }
+    if (run.status != RunStatus::ok) return;
+    if (!first_) first_ = run;
+    if (drawing_columns(run) != drawing_columns(*first_)) {
+      found({FindingKind::not_repeatable, row,
+             "another drawing than the first repetition's of the same graph"},
+            run);
+    }
+  }
+
+ private:
+  std::optional<RunRecord> first_;  // that is ok
+  std::set<std::tuple<RunPhase, std::int64_t, std::int64_t>> measured_;
+};
+
+}  // namespace
+
+std::string repetition_key(const RunRecord& run) {
+  return fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}", run.algorithm, run.options, run.family,
+                     run.parameters, run.requested_n, run.instance_index, run.seed);
+}
+
+Fingerprint fingerprint_of(const RunRecord& run, std::size_t row) {
+  const std::hash<std::string> hash;
+  Fingerprint print{hash(repetition_key(run)), row, 0, 0};
+  print.measurement =
+      hash(fmt::format("{} {} {}", static_cast<int>(run.phase), run.scale, run.repetition));
+  if (run.status == RunStatus::ok) {
+    print.drawing = hash(fmt::format("{}\n{}\n{} {} {}\n{}\n{}\n{}\n{}", run.graph_hash,
+                                     run.drawing_hash, run.n, run.m, run.violations,
+                                     fmt::join(run.extents, " "), fmt::join(run.bends, " "),
+                                     fmt::join(run.instance_bound, " "), run.counters)) |
+                    1;
+  }
+  return print;
+}
+
+namespace {
+
+/// Whether rows of one key may hold a measurement twice or different drawings.
+bool is_suspicious(std::span<const Fingerprint> prints) {
+  std::set<std::size_t> measurements, drawings;
+  for (const Fingerprint& print : prints) {
+    if (!measurements.insert(print.measurement).second) return true;
+    if (print.drawing != 0) drawings.insert(print.drawing);
+  }
+  return drawings.size() > 1;
+}
+
+/// The rows of one key, as neighbours among sorted fingerprints.
+using KeyRows = std::span<const Fingerprint>;
+
+std::vector<KeyRows> suspicious_keys(const std::vector<Fingerprint>& sorted) {
+  std::vector<KeyRows> keys;
+  for (auto begin = sorted.begin(); begin != sorted.end();) {
+    const auto end = std::find_if(
+        begin, sorted.end(), [&](const Fingerprint& print) { return print.key != begin->key; });
+    if (end - begin > 1 && is_suspicious({begin, end})) keys.emplace_back(begin, end);
+    begin = end;
+  }
+  return keys;
+}
+
+}  // namespace
+
+void find_in_repetitions(const RowView& rows, const std::vector<Fingerprint>& sorted,
+                         const FindingSink& found) {
+  std::vector<KeyRows> suspicious = suspicious_keys(sorted);
+  // In the order of the file, where reading is cheap.
+  std::sort(suspicious.begin(), suspicious.end(),
+            [](const KeyRows& a, const KeyRows& b) { return a.front().row < b.front().row; });
+  for (const KeyRows& key : suspicious) {
+    std::map<std::string, Repetitions> drawings;  // more than one if their hashes are equal
+    for (const Fingerprint& print : key) {
+      const RunRecord& run = rows.read(print.row);
+      drawings[repetition_key(run)].look_at(run, print.row, found);
+    }
+  }
+}
+
+}  // namespace ar3d

@@ -1,0 +1,22 @@
+#include "ar3d/analysis/curves.h"
+
+namespace ar3d {
+namespace {
+
+std::string with_brackets(const std::string& name, const std::string& details) {
+  return details.empty() ? name : name + " (" + details + ")";
+}
+
+}  // namespace
+
+CurveKey curve_of(const RunRecord& run) {
+  return {run.algorithm, run.options, run.family, run.parameters};
+}
+
+std::string algorithm_label(const CurveKey& key) {
+  return with_brackets(key.algorithm, key.options);
+}
+
+std::string family_label(const CurveKey& key) { return with_brackets(key.family, key.parameters); }
+
+}  // namespace ar3d

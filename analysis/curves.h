@@ -1,0 +1,26 @@
+#pragma once
+
+#include <compare>
+#include <string>
+
+#include "ar3d/records/run_record.h"
+
+namespace ar3d {
+
+/// What one curve of a study has in common: an algorithm with its options on a family with its
+/// parameters.
+struct CurveKey {
+  std::string algorithm;
+  std::string options;
+  std::string family;
+  std::string parameters;
+  friend auto operator<=>(const CurveKey&, const CurveKey&) = default;
+};
+CurveKey curve_of(const RunRecord& run);
+
+/// "diamond (effort=1)", "cubic (k=2)": names for people; empty options and parameters leave no
+/// brackets.
+std::string algorithm_label(const CurveKey& key);
+std::string family_label(const CurveKey& key);
+
+}  // namespace ar3d

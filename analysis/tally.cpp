@@ -1,0 +1,316 @@
+#include "ar3d/analysis/tally.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <unordered_map>
+
+#include "ar3d/analysis/check.h"
+#include "ar3d/analysis/check/repetitions.h"
+#include "ar3d/analysis/statistics.h"
+#include "ar3d/records/run_columns.h"
+
+namespace ar3d {
+namespace {
+
+constexpr std::size_t kMostGraphs = 200000;  // kept with all their numbers
+constexpr std::size_t kMostSizes = 200000;
+constexpr std::size_t kMostOfASize = 4096, kLeastOfASize = 8;
+constexpr std::size_t kMostCensored = 1000, kMostBatches = 10000;
+constexpr std::size_t kTimed = 6;  // place of the timing phase in log_sum
+
+double log_positive(double value) {
+  return value > 0 && std::isfinite(value) ? std::log(value) : kMissing;
+}
+
+bool is_censored(RunStatus status) {
+  return status == RunStatus::timeout || status == RunStatus::out_of_memory ||
+         status == RunStatus::crashed;
+}
+
+double slack_of(std::int64_t extent, double bound) {
+  if (extent < 0 || !std::isfinite(bound) || bound <= 0) return kMissing;
+  return 1 - static_cast<double>(extent) / bound;
+}
+
+// What decides whether a graph is in the sample: a fixed shuffle of the row numbers (SplitMix64).
+std::uint64_t priority(std::size_t row) {
+  std::uint64_t z = (static_cast<std::uint64_t>(row) + 1) * 0x9E3779B97F4A7C15;
+  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
+  z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
+  return z ^ (z >> 31);
+}
+
+void keep_sample(std::size_t most, std::vector<DrawnGraph>& graphs) {
+  if (graphs.size() <= most) return;
+  const auto end = graphs.begin() + static_cast<std::ptrdiff_t>(most);
+  std::nth_element(graphs.begin(), end, graphs.end(), [](const DrawnGraph& a, const DrawnGraph& b) {
+    return priority(a.row) < priority(b.row);
+  });
+  graphs.erase(end, graphs.end());
+}
+
+DrawnGraph drawn_graph(const RunRecord& run, std::size_t row, std::int64_t n) {
+  static const std::vector<Column> columns = columns_of_kind(ColumnKind::metric);
+  DrawnGraph graph;
+  graph.row = row;
+  graph.n = n;
+  graph.m = run.m;
+  graph.seed = run.seed;
+  graph.extents = run.extents;
+  graph.instance_bound = run.instance_bound;
+  graph.theorem_bound = run.theorem_bound;
+  graph.published_bound = run.published_bound;
+  graph.log2_volume = run.log2_volume;
+  graph.metrics.reserve(columns.size());
+  for (const Column& column : columns) graph.metrics.push_back(column_number(column, run));
+  return graph;
+}
+
+/// The rows of one graph and curve that were read so far.
+struct OpenGraph {
+  std::size_t curve = 0;
+  std::int64_t n = -1;
+  bool censored = false, drawn = false;
+  DrawnGraph graph;
+  std::array<std::uint64_t, 8> bends{};
+  std::vector<double> log_wall, log_timed;
+};
+
+/// Takes the rows one after the other.
+class Tallying {
+ public:
+  void add(const RunRecord& run, std::size_t row, bool is_last);
+  StudyTally finish();
+
+ private:
+  CurveTally* curve_for(const CurveKey& key, std::int64_t n, std::size_t& place);
+  void add_to_graph(const RunRecord& run, std::size_t row, OpenGraph& open);
+  void add_batch(const RunRecord& run, const CurveKey& key);
+  void conclude(OpenGraph open);
+  void thin_out();
+
+  StudyTally tally_;
+  std::map<CurveKey, std::size_t> place_of_;
+  std::unordered_map<std::string, OpenGraph> open_;
+  std::size_t sizes_ = 0, kept_ = 0, most_ = kMostOfASize;
+};
+
+// Null if there is no room for another curve or size.
+CurveTally* Tallying::curve_for(const CurveKey& key, std::int64_t n, std::size_t& place) {
+  const auto at = place_of_.find(key);
+  if (at == place_of_.end()) {
+    if (sizes_ >= kMostSizes) return nullptr;
+    place = tally_.curves.size();
+    place_of_.emplace(key, place);
+    tally_.curves.emplace_back().key = key;
+  } else {
+    place = at->second;
+  }
+  CurveTally& curve = tally_.curves[place];
+  if (!curve.sizes.contains(n)) {
+    if (sizes_ >= kMostSizes) return nullptr;
+    ++sizes_;
+    curve.sizes[n].n = n;
+  }
+  return &curve;
+}
+
+void Tallying::add(const RunRecord& run, std::size_t row, bool is_last) {
+  const std::string key = repetition_key(run);
+  auto at = open_.find(key);
+  if (at == open_.end()) {
+    OpenGraph open;
+    open.n = run.n >= 0 ? run.n : run.requested_n;
+    CurveTally* curve = curve_for(curve_of(run), open.n, open.curve);
+    if (curve == nullptr) {
+      ++tally_.left_out_rows;
+      return;
+    }
+    ++curve->instances;
+    curve->smallest_n = curve->rows == 0 ? open.n : std::min(curve->smallest_n, open.n);
+    curve->largest_n = std::max(curve->largest_n, open.n);
+    at = open_.emplace(key, std::move(open)).first;
+  }
+  add_to_graph(run, row, at->second);
+  if (!is_last) return;
+  OpenGraph whole = std::move(at->second);
+  open_.erase(at);
+  conclude(std::move(whole));
+}
+
+void Tallying::add_to_graph(const RunRecord& run, std::size_t row, OpenGraph& open) {
+  CurveTally& curve = tally_.curves[open.curve];
+  ++curve.rows;
+  ++curve.rows_of_status[static_cast<std::size_t>(run.status)];
+  curve.violations += breaks_promise(run);
+  if (is_batched(run.phase)) add_batch(run, curve.key);
+  if (is_censored(run.status)) {
+    open.censored = true;
+    if (open.n >= 1 && curve.censored.size() < kMostCensored) {
+      curve.censored.push_back({open.n, row, run.m, run.seed, run.status});
+    }
+  }
+  if (run.status != RunStatus::ok) return;
+  if (!open.drawn) {
+    open.drawn = true;
+    open.graph = drawn_graph(run, row, open.n);
+    for (std::size_t b = 0; b < open.bends.size(); ++b) {
+      open.bends[b] = static_cast<std::uint64_t>(std::max<std::int64_t>(0, run.bends[b]));
+    }
+  }
+  const double log_time = log_positive(run.wall_s);
+  curve.has_timing_rows |= run.phase == RunPhase::timing;
+  if (std::isnan(log_time)) return;
+  if (run.phase == RunPhase::timing) open.log_timed.push_back(log_time);
+  if (run.phase == RunPhase::metrics) open.log_wall.push_back(log_time);
+}
+
+void Tallying::add_batch(const RunRecord& run, const CurveKey& key) {
+  if (run.scale < 1 || !(run.efficiency > 0) || !(run.batch_s > 0)) return;
+  BatchTally& batch =
+      tally_.batches[{run.phase, algorithm_label(key), family_label(key), run.n, run.scale}];
+  if (batch.batch_s.size() == kMostBatches) return;
+  batch.batch_s.push_back(run.batch_s);
+  batch.ideal_s.push_back(run.ideal_batch_s);
+  batch.efficiency.push_back(run.efficiency);
+}
+
+void add_slacks(const DrawnGraph& graph, std::array<AxisTally, 3>& axes) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    AxisTally& tally = axes[axis];
+    const std::int64_t extent = graph.extents[axis];
+    const double slack = slack_of(extent, graph.theorem_bound[axis]);
+    if (!std::isnan(slack) && !(slack >= tally.worst_slack)) {
+      tally.worst_slack = slack;
+      tally.worst = graph;
+    }
+    tally.worst_instance_slack =
+        std::fmin(tally.worst_instance_slack,
+                  slack_of(extent, static_cast<double>(graph.instance_bound[axis])));
+    tally.worst_published_slack =
+        std::fmin(tally.worst_published_slack, slack_of(extent, graph.published_bound[axis]));
+  }
+}
+
+void add_logs(const DrawnGraph& graph, SizeTally& size) {
+  for (std::size_t place = 0; place <= kTimed; ++place) {
+    const bool timed = place == kTimed;
+    const double log = log_value(graph, timed ? Quantity::wall_s : quantities()[place], timed);
+    if (std::isnan(log)) continue;
+    size.log_sum[place] += log;
+    ++size.log_count[place];
+  }
+}
+
+void Tallying::conclude(OpenGraph open) {
+  CurveTally& curve = tally_.curves[open.curve];
+  SizeTally& size = curve.sizes[open.n];
+  size.censored |= open.censored;
+  if (!open.drawn) return;
+  DrawnGraph& graph = open.graph;
+  graph.log_wall_s = median(std::move(open.log_wall));
+  graph.log_timed_s = median(std::move(open.log_timed));
+  for (std::size_t b = 0; b < open.bends.size(); ++b) curve.bends[b] += open.bends[b];
+  add_slacks(graph, curve.axes);
+  add_logs(graph, size);
+  if (size.drawn == 0 || graph.share() > size.closest.share() ||
+      (std::isnan(size.closest.share()) && !std::isnan(graph.share()))) {
+    size.closest = graph;
+  }
+  ++size.drawn;
+  size.graphs.push_back(std::move(graph));
+  ++kept_;
+  if (size.graphs.size() >= 2 * most_) {
+    kept_ -= size.graphs.size() - most_;
+    keep_sample(most_, size.graphs);
+  }
+  if (kept_ > kMostGraphs && most_ > kLeastOfASize) thin_out();
+}
+
+void Tallying::thin_out() {
+  most_ /= 2;
+  kept_ = 0;
+  for (CurveTally& curve : tally_.curves) {
+    for (auto& [n, size] : curve.sizes) {
+      keep_sample(most_, size.graphs);
+      kept_ += size.graphs.size();
+    }
+  }
+}
+
+StudyTally Tallying::finish() {
+  for (auto& [key, open] : open_) conclude(std::move(open));
+  bool is_sampled = false;
+  for (CurveTally& curve : tally_.curves) {
+    std::stable_sort(curve.censored.begin(), curve.censored.end(),
+                     [](const CensoredRow& a, const CensoredRow& b) { return a.n < b.n; });
+    for (auto& [n, size] : curve.sizes) {
+      keep_sample(most_, size.graphs);
+      std::sort(size.graphs.begin(), size.graphs.end(),
+                [](const DrawnGraph& a, const DrawnGraph& b) { return a.row < b.row; });
+      is_sampled |= size.graphs.size() < size.drawn;
+    }
+  }
+  tally_.kept_graphs = is_sampled ? most_ : 0;
+  return std::move(tally_);
+}
+
+}  // namespace
+
+double DrawnGraph::share() const {
+  double share = kMissing;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    share = std::fmax(share, 1 - slack_of(extents[axis], theorem_bound[axis]));
+  }
+  return share;
+}
+
+const std::vector<Quantity>& quantities() {
+  static const std::vector<Quantity> all = {Quantity::longest_side, Quantity::extent_x,
+                                            Quantity::extent_y,     Quantity::extent_z,
+                                            Quantity::volume,       Quantity::wall_s};
+  return all;
+}
+
+double log_value(const DrawnGraph& graph, Quantity quantity, bool timed) {
+  switch (quantity) {
+    case Quantity::wall_s:
+      return timed ? graph.log_timed_s : graph.log_wall_s;
+    case Quantity::volume: {
+      const double log = graph.log2_volume * std::numbers::ln2;
+      return std::isfinite(log) ? log : kMissing;
+    }
+    case Quantity::longest_side:
+      return log_positive(
+          static_cast<double>(*std::max_element(graph.extents.begin(), graph.extents.end())));
+    case Quantity::extent_x:
+      return log_positive(static_cast<double>(graph.extents[0]));
+    case Quantity::extent_y:
+      return log_positive(static_cast<double>(graph.extents[1]));
+    case Quantity::extent_z:
+      return log_positive(static_cast<double>(graph.extents[2]));
+  }
+  return kMissing;
+}
+
+double SizeTally::mean_log(Quantity quantity, bool timed) const {
+  const std::size_t place =
+      quantity == Quantity::wall_s && timed ? kTimed : static_cast<std::size_t>(quantity);
+  return log_count[place] == 0 ? kMissing : log_sum[place] / static_cast<double>(log_count[place]);
+}
+
+StudyTally tally_of(const RowView& rows, const std::vector<bool>& is_last_repetition) {
+  Tallying tallying;
+  for (std::size_t row = 0; row < rows.count; ++row) {
+    tallying.add(rows.read(row), row, is_last_repetition[row]);
+  }
+  return tallying.finish();
+}
+
+StudyTally tally_of(const Results& results) {
+  const RowView rows = view_of(results);
+  return tally_of(rows, examine(rows).is_last_repetition);
+}
+
+}  // namespace ar3d

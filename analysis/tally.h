@@ -1,0 +1,118 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "ar3d/analysis/curves.h"
+#include "ar3d/analysis/rows.h"
+
+namespace ar3d {
+
+/// One graph drawn by one curve: its first ok row, and the medians of its drawing times.
+struct DrawnGraph {
+  std::size_t row = 0;
+  std::int64_t n = -1;
+  std::int64_t m = -1;
+  std::uint64_t seed = 0;
+  std::array<std::int64_t, 3> extents{-1, -1, -1};
+  std::array<std::int64_t, 3> instance_bound{-1, -1, -1};
+  std::array<double, 3> theorem_bound{kMissing, kMissing, kMissing};
+  std::array<double, 3> published_bound{kMissing, kMissing, kMissing};
+  double log2_volume = kMissing;
+  double log_wall_s = kMissing;   ///< natural logarithm, median over ok rows of the metrics phase
+  double log_timed_s = kMissing;  ///< the same of the timing phase
+  std::vector<double> metrics;    ///< values of verify/metrics.h in its order; NaN: missing
+
+  /// Largest extent / theorem's bound over the axes; missing if no axis has both.
+  double share() const;
+};
+
+/// The quantities whose growth with n is fitted.
+enum class Quantity { longest_side, extent_x, extent_y, extent_z, volume, wall_s };
+const std::vector<Quantity>& quantities();
+/// Natural logarithm of the graph's quantity; missing if there is none or it is not positive.
+/// Volume is the product of (extent + 1) over the axes. @param timed  whether drawing times are
+/// those of the timing phase.
+double log_value(const DrawnGraph& graph, Quantity quantity, bool timed);
+
+/// What all graphs of one n gave.
+struct SizeTally {
+  std::int64_t n = 0;
+  bool censored = false;           ///< some graph ended in timeout, out of memory or a crash
+  std::size_t drawn = 0;           ///< graphs with an ok row
+  std::vector<DrawnGraph> graphs;  ///< these, or StudyTally::kept_graphs of them, a uniform sample
+  DrawnGraph closest;              ///< of all drawn: the largest share(); row of none: no bound
+  /// Sum and number of log_value of all drawn graphs by quantity; the last is the timing phase.
+  std::array<double, 7> log_sum{};
+  std::array<std::size_t, 7> log_count{};
+
+  /// The mean of log_value over all drawn graphs; missing without any.
+  double mean_log(Quantity quantity, bool timed) const;
+};
+
+/// A row that ended in timeout, out of memory or a crash: its value is not known, for times only
+/// that it is larger than what the others needed.
+struct CensoredRow {
+  std::int64_t n = 0;
+  std::size_t row = 0;
+  std::int64_t m = -1;
+  std::uint64_t seed = 0;
+  RunStatus status = RunStatus::crashed;
+};
+
+/// The smallest slack of one axis over all graphs; slack is 1 - extent / bound.
+struct AxisTally {
+  double worst_slack = kMissing;            ///< against the theorem's bound
+  double worst_instance_slack = kMissing;   ///< against the proof's bound for the very instance
+  double worst_published_slack = kMissing;  ///< against the published bound
+  DrawnGraph worst;                         ///< the graph of worst_slack
+};
+
+/// What all rows of one curve gave.
+struct CurveTally {
+  CurveKey key;
+  std::size_t rows = 0;
+  std::size_t instances = 0;                    ///< graphs, drawn or not
+  std::size_t violations = 0;                   ///< rows that break a bound or a certificate
+  std::array<std::size_t, 6> rows_of_status{};  ///< indexed by RunStatus
+  std::int64_t smallest_n = -1;
+  std::int64_t largest_n = -1;
+  std::array<AxisTally, 3> axes;
+  std::array<std::uint64_t, 8> bends{};  ///< edges with b bends over all drawn graphs; 7 or more
+  bool has_timing_rows = false;          ///< some ok row is of the timing phase
+  std::map<std::int64_t, SizeTally> sizes;
+  std::vector<CensoredRow> censored;  ///< the first 1000 with n >= 1, by n
+};
+
+/// Batches of one size that so many threads or ranks shared: values of the first 10,000 rows.
+struct BatchKey {
+  RunPhase phase = RunPhase::strong;
+  std::string algorithm;  ///< algorithm_label
+  std::string family;     ///< family_label
+  std::int64_t n = 0;
+  std::int64_t sharers = 0;
+  friend auto operator<=>(const BatchKey&, const BatchKey&) = default;
+};
+struct BatchTally {
+  std::vector<double> batch_s, ideal_s, efficiency;
+};
+
+/// What one pass over a study's rows keeps. Memory does not grow with the rows of a size: at most
+/// 200,000 graphs with all their numbers, or eight for each of at most 200,000 sizes.
+struct StudyTally {
+  std::vector<CurveTally> curves;  ///< in the order of their first rows
+  std::map<BatchKey, BatchTally> batches;
+  std::size_t kept_graphs = 0;    ///< of each size at most so many; 0: all were kept
+  std::size_t left_out_rows = 0;  ///< of curves and sizes beyond the first 200,000 sizes
+};
+
+/// @param is_last_repetition  of examine(rows). Cost: O(r) expected for r rows in any order; the
+/// memory of graphs whose repetitions are not all read yet comes on top.
+StudyTally tally_of(const RowView& rows, const std::vector<bool>& is_last_repetition);
+StudyTally tally_of(const Results& results);
+
+}  // namespace ar3d

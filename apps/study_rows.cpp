@@ -1,0 +1,81 @@
+#include "study_rows.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "ar3d/bench/keep/journaled_study.h"
+#include "ar3d/bench/keep/study_files.h"
+#include "ar3d/model/error.h"
+#include "ar3d/records/run_columns.h"
+#include "ar3d/results/row_collection.h"
+
+namespace ar3d {
+namespace {
+
+// Rows that the study is complete with. Of one that times drawings until a precision is reached
+// nobody knows before how many it will have: those that are there are looked at.
+std::int64_t planned_rows(const std::string& file, const StudyIdentity& identity) {
+  const JournaledStudy study = begun_study(file);
+  const bool is_open =
+      std::any_of(study.spec.sweeps.begin(), study.spec.sweeps.end(),
+                  [](const Sweep& sweep) { return sweep.timed.least < sweep.timed.most; });
+  if (!is_open) return identity.planned_rows;
+  const StudyOutcome outcome = outcome_so_far(study);
+  return static_cast<std::int64_t>(outcome.rows + outcome.missing);
+}
+
+}  // namespace
+
+struct StudyRows::Journals {
+  RowCollection rows{run_format()};
+  std::vector<AlgorithmRecord> algorithms;
+  std::vector<char> record = std::vector<char>(run_record_size());
+  RunRecord run;
+};
+
+StudyRows::StudyRows(const std::string& file) {
+  const std::string results = results_path_of(file);
+  if (rows_are_in_results(results)) {
+    view_results(results);
+    return;
+  }
+  try {
+    view_journals(file, results);
+  } catch (const InputError&) {  // a study that ends takes its journals away
+    if (!rows_are_in_results(results)) throw;
+    view_results(results);
+  }
+}
+
+StudyRows::~StudyRows() = default;
+
+void StudyRows::view_results(const std::string& results) {
+  reader_ = std::make_unique<RunReader>(results);
+  view_ = view_of(*reader_);
+}
+
+void StudyRows::view_journals(const std::string& file, const std::string& results) {
+  journals_ = std::make_unique<Journals>();
+  for (const std::string& journal : existing_journals(results)) journals_->rows.add(journal);
+  journals_->rows.close();
+  const StudyIdentity& identity = journals_->rows.identity();
+  journals_->algorithms = algorithm_records(identity);
+  view_.identity = &identity;
+  view_.environment = &journals_->rows.environment();
+  view_.count = journals_->rows.size();
+  view_.planned = planned_rows(file, identity);
+  view_.read = [journals = journals_.get()](std::size_t row) -> const RunRecord& {
+    journals->rows.read(row, journals->record.data());
+    journals->run = load_record(journals->record.data());
+    set_bounds(find_algorithm_record(journals->algorithms, journals->run), journals->run);
+    return journals->run;
+  };
+}
+
+Examination judge(const RowView& rows, const std::string& file) {
+  require_one_study(rows, file);
+  return examine(rows);
+}
+
+}  // namespace ar3d

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "ar3d/analysis/check.h"
+#include "ar3d/analysis/rows.h"
+
+namespace ar3d {
+
+/// The rows of a study, wherever they are: in its results file or, while it is not finished, in its
+/// journals. `study run`, `resume` and `status`, `check` and `report` judge these rows and no
+/// others, with judge(), so that they agree.
+class StudyRows {
+ public:
+  /// @param file  the study's results file or a journal of it.
+  /// @throws InputError naming the file if neither is there, or if what is there cannot be read, is
+  /// damaged, or is no results file or journal.
+  explicit StudyRows(const std::string& file);
+  ~StudyRows();
+
+  /// Valid while this lives. Memory: a few hundred rows; of journals about 60 bytes a row.
+  const RowView& view() const { return view_; }
+
+ private:
+  void view_results(const std::string& results);
+  void view_journals(const std::string& file, const std::string& results);
+
+  struct Journals;
+  std::unique_ptr<RunReader> reader_;
+  std::unique_ptr<Journals> journals_;
+  RowView view_;
+};
+
+/// The one verdict on a study. @param file  for messages.
+/// @throws InputError if the rows cannot be of one study.
+Examination judge(const RowView& rows, const std::string& file);
+
+}  // namespace ar3d

@@ -1,0 +1,140 @@
+// What one pass over the rows keeps: the same whatever their order, and no more than stated.
+#include "ar3d/analysis/tally.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/synthetic.h"
+#include "ar3d/analysis/bounds_table.h"
+#include "ar3d/analysis/check.h"
+#include "ar3d/analysis/scaling.h"
+#include "ar3d/analysis/statistics.h"
+
+namespace ar3d {
+namespace {
+
+using testing::good_results;
+using testing::good_run;
+
+/// Three repetitions of every graph, with times of their own.
+Results repeated() {
+  Results results = good_results({"diamond", "grid"}, {"cubic", "prism"}, 4, 3);
+  const std::vector<ar3d::RunRecord> first = results.runs;
+  for (std::int64_t repetition = 1; repetition < 3; ++repetition) {
+    for (ar3d::RunRecord run : first) {
+      run.repetition = repetition;
+      run.wall_s *= static_cast<double>(1 + repetition);
+      results.runs.push_back(run);
+    }
+  }
+  return results;
+}
+
+TEST(Tally, RepetitionsAreOneGraphWhereverTheirRowsStand) {
+  const Results apart = repeated();
+  Results together = apart;
+  std::stable_sort(together.runs.begin(), together.runs.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.algorithm, a.family, a.n, a.instance_index) <
+           std::tie(b.algorithm, b.family, b.n, b.instance_index);
+  });
+  const StudyTally one = tally_of(apart), two = tally_of(together);
+  ASSERT_EQ(one.curves.size(), 4u);
+  ASSERT_EQ(two.curves.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(one.curves[i].key, two.curves[i].key);
+    EXPECT_EQ(one.curves[i].rows, 36u);
+    EXPECT_EQ(one.curves[i].instances, 12u);
+    for (const auto& [n, size] : one.curves[i].sizes) {
+      const SizeTally& other = two.curves[i].sizes.at(n);
+      ASSERT_EQ(size.graphs.size(), 3u);
+      for (std::size_t g = 0; g < 3; ++g) {
+        EXPECT_EQ(size.graphs[g].seed, other.graphs[g].seed);
+        EXPECT_EQ(size.graphs[g].log_wall_s, other.graphs[g].log_wall_s);
+      }
+    }
+  }
+  const ar3d::RunRecord& run = apart.runs[0];
+  EXPECT_DOUBLE_EQ(one.curves[0].sizes.at(16).graphs[0].log_wall_s, std::log(2 * run.wall_s))
+      << "the median of its times 1, 2 and 3";
+}
+
+/// Rows of one curve that are made when they are read.
+class MadeRows {
+ public:
+  explicit MadeRows(std::size_t count) {
+    view_.identity = &identity_;
+    view_.environment = &environment_;
+    view_.count = count;
+    view_.read = [this](std::size_t row) -> const ar3d::RunRecord& {
+      run_ = good_run("diamond", "cubic", 64, static_cast<std::int64_t>(row));
+      run_.extents[0] = 100 + static_cast<std::int64_t>(row * 7919 % 100);
+      if (row == 12345) run_.extents[0] = 300;  // of 341: the closest to the bound of all
+      return run_;
+    };
+  }
+  const RowView& view() const { return view_; }
+
+ private:
+  StudyIdentity identity_;
+  std::vector<EnvironmentEntry> environment_;
+  ar3d::RunRecord run_;
+  RowView view_;
+};
+
+TEST(Tally, KeepsASampleOfVeryManyGraphsAndCountsAll) {
+  const std::size_t count = 30000;
+  const MadeRows rows(count);
+  const Examination examination = examine(rows.view());
+  EXPECT_EQ(examination.verdict.exit_code(), 0);
+  const StudyTally tally = tally_of(rows.view(), examination.is_last_repetition);
+  EXPECT_EQ(tally.kept_graphs, 4096u);
+  const SizeTally& size = tally.curves.at(0).sizes.at(64);
+  EXPECT_EQ(size.drawn, count);
+  EXPECT_EQ(size.graphs.size(), 4096u);
+  EXPECT_EQ(tally.curves[0].axes[0].worst.row, 12345u);
+  EXPECT_EQ(size.closest.row, 12345u);
+  // The mean is of all graphs; the median is that of the sample, whose error is known.
+  double sum = 0;
+  std::vector<double> extents, kept;
+  for (std::size_t row = 0; row < count; ++row) {
+    extents.push_back(static_cast<double>(rows.view().read(row).extents[0]));
+    sum += std::log(extents.back());
+  }
+  for (const DrawnGraph& graph : size.graphs) {
+    kept.push_back(static_cast<double>(graph.extents[0]));
+  }
+  EXPECT_NEAR(size.mean_log(Quantity::extent_x, false), sum / static_cast<double>(count), 1e-12);
+  EXPECT_NEAR(median(kept), median(extents), 5) << "of values from 100 to 199";
+  EXPECT_TRUE(
+      std::is_sorted(size.graphs.begin(), size.graphs.end(),
+                     [](const DrawnGraph& a, const DrawnGraph& b) { return a.row < b.row; }));
+}
+
+TEST(Tally, SamplesHaveTheMeansOfAllInTheirFits) {
+  const MadeRows rows(10000);
+  const StudyTally tally = tally_of(rows.view(), examine(rows.view()).is_last_repetition);
+  const std::vector<SizeSample> sizes = samples(tally.curves[0], Quantity::extent_x);
+  ASSERT_EQ(sizes.size(), 1u);
+  EXPECT_EQ(sizes[0].instances.size(), 4096u);
+  EXPECT_DOUBLE_EQ(sizes[0].mean_log(),
+                   tally.curves[0].sizes.at(64).mean_log(Quantity::extent_x, false));
+}
+
+TEST(Check, KeepsTheFirstFindingsAndCountsAll) {
+  Results results = good_results({"diamond"}, {"cubic"}, 3, 1000);
+  for (ar3d::RunRecord& run : results.runs) run.status = RunStatus::timeout;
+  results.runs[2500].status = RunStatus::violated;
+  const CheckVerdict verdict = check(results);
+  EXPECT_EQ(verdict.exit_code(), 4);
+  EXPECT_EQ(verdict.violated_rows, 1u);
+  EXPECT_EQ(verdict.incomplete_rows, 2999u);
+  EXPECT_EQ(verdict.all_findings, 3000u);
+  EXPECT_EQ(verdict.findings.size(), 1001u);
+  EXPECT_EQ(verdict.findings.front().row, 2500u);
+  EXPECT_NE(summary(verdict, 2).find("… and 2998 more findings"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ar3d
