@@ -18,11 +18,17 @@ struct HuntArguments {
   SubjectArguments subject;
   std::string family = "all";
   std::vector<std::string> parameters;
+  std::string from;
   HuntOptions options;
 };
 
 std::vector<FamilyChoice> chosen_families(const HuntArguments& arguments,
                                           const Algorithm& algorithm) {
+  if (!arguments.from.empty()) {
+    const auto graphs = named_corpus(
+        arguments.from, std::make_shared<const Corpus>(arguments.from, CorpusOptions()));
+    return {{&graphs->family, {}, graphs}};
+  }
   if (arguments.family == "all" && arguments.parameters.empty()) {
     return fitting_families(algorithm, arguments.options.n);
   }
@@ -31,7 +37,7 @@ std::vector<FamilyChoice> chosen_families(const HuntArguments& arguments,
 }
 
 int hunt_and_show(HuntArguments arguments) {
-  refuse_unsafe_exhibit(arguments.subject, "");
+  refuse_unsafe_exhibit(arguments.subject, arguments.from);
   const Subject subject = subject_of(arguments.subject);
   arguments.options.families = chosen_families(arguments, *subject.choice.algorithm);
   const HuntResult result =
@@ -39,8 +45,10 @@ int hunt_and_show(HuntArguments arguments) {
         fmt::print(stderr, "{:>8} graphs: {:.4f} from {}\n", so_far.evaluations, so_far.best.ratio,
                    so_far.start.family->name);
       });
-  fmt::print("{} graphs drawn and certified, {} starts; the best one comes from {} with seed {}\n",
-             result.evaluations, result.starts, result.start.family->name, result.start_seed);
+  fmt::print("{} graphs drawn and certified, {} starts; the best one comes from {} {}\n",
+             result.evaluations, result.starts, result.start.family->name,
+             result.start.corpus ? fmt::format("graph {}", result.start_place)
+                                 : fmt::format("with seed {}", result.start_seed));
   fmt::print("{}", trial_text(result.best, arguments.subject));
   if (!arguments.subject.output.empty()) {
     write_exhibit(subject, result.best, arguments.subject);
@@ -64,6 +72,12 @@ void add_hunt(CLI::App& app, int& exit_code) {
       ->type_size(1)
       ->allow_extra_args(false);
   verb->add_option("-n", options.n, "requested number of vertices")->check(whole_number(1, 100000));
+  verb->add_option(
+          "--from", arguments->from,
+          "search from the graphs of this file instead, in any format, one after the other")
+      ->excludes(verb->get_option("--family"))
+      ->excludes(verb->get_option("--parameter"))
+      ->excludes(verb->get_option("-n"));
   verb->add_option("--seed", options.seed, "seed of the search")->check(whole_number(0));
   verb->add_option("--evaluations", options.evaluations, "how many graphs to draw and certify")
       ->check(whole_number(1, 1000000000));

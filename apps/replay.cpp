@@ -21,6 +21,7 @@ struct ReplayArguments {
   std::string row;
   std::string output;
   std::string format;
+  std::string graphs;
 };
 
 /// The row with that key, or with that number from 0.
@@ -39,10 +40,10 @@ const RunRecord& find_row(const Results& results, const ReplayArguments& argumen
   return results.runs[number];
 }
 
-void write_drawing(const RunRecord& row, const DrawingFormat& format, const std::string& path) {
-  const PlannedInstance instance = plan_of_row(row);
-  const Graph graph =
-      generate(*instance.choice.family, instance.n, instance.seed, instance.choice.parameters);
+void write_drawing(const RunRecord& row, const StudyOrigin& origin, const DrawingFormat& format,
+                   const std::string& path) {
+  const PlannedInstance instance = plan_of_row(row, origin);
+  const Graph graph = graph_of(instance);
   const AlgorithmChoice& choice = instance.runs.front().choice;
   const std::string where =
       fmt::format("{} {} n={} seed {}", row.family, row.parameters, row.n, row.seed);
@@ -50,12 +51,15 @@ void write_drawing(const RunRecord& row, const DrawingFormat& format, const std:
 }
 
 int replay_row(const ReplayArguments& arguments) {
-  refuse_unsafe_outputs({.inputs = {arguments.results}, .outputs = {arguments.output}});
+  refuse_unsafe_outputs(
+      {.inputs = {arguments.results, arguments.graphs}, .outputs = {arguments.output}});
   const DrawingFormat& format = drawing_format(arguments.format, arguments.output);
   const Results results = read_results(arguments.results);
   const RunRecord& then = find_row(results, arguments);
-  const RunRecord now = replayed(then, study_seed(results));
-  if (!arguments.output.empty()) write_drawing(then, format, arguments.output);
+  StudyOrigin origin = study_origin(results);
+  origin.moved_graphs = arguments.graphs;
+  const RunRecord now = replayed(then, origin);
+  if (!arguments.output.empty()) write_drawing(then, origin, format, arguments.output);
   const std::vector<std::string> differing = differing_columns(then, now);
   std::FILE* const log = arguments.output == "-" ? stderr : stdout;  // never amid the drawing
   fmt::print(log, "{} {} n={} seed {} with {} {}: {}\n", then.family, then.parameters, then.n,
@@ -79,6 +83,8 @@ void add_replay(CLI::App& app, int& exit_code) {
                    "also write the drawing to this file; - is standard output");
   verb->add_option("--format", arguments->format,
                    "a format of `ar3d draw --help`; by the file's ending, jsonl without one");
+  verb->add_option("--graphs", arguments->graphs,
+                   "the file that the row's graph is in, if it is not where the study found it");
   verb->footer(
       "Exit code 3 if the row is not reproduced, 4 if its drawing is violated.\nExample: ar3d "
       "replay smoke.h5 0");

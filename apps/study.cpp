@@ -14,6 +14,7 @@
 #include "ar3d/analysis/report.h"
 #include "ar3d/bench/keep/journaled_study.h"
 #include "ar3d/bench/keep/study_files.h"
+#include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/printable.h"
@@ -23,13 +24,15 @@
 #include "join_ranks.h"
 #include "making_options.h"
 #include "outputs.h"
+#include "study_choice.h"
 #include "study_rows.h"
 
 namespace ar3d {
 namespace {
 
 struct RunArguments {
-  std::string study;
+  StudyChoice chosen;  // of `run`
+  std::string study;   // of `resume`: its results file or journal
   std::string output;
   std::string shard;
   std::vector<std::string> again;
@@ -134,9 +137,11 @@ void add_common(CLI::App& verb, RunArguments& arguments) {
 }
 
 JournaledStudy begin_new(const RunArguments& arguments, const Shard& shard) {
-  JournaledStudy study = new_study(arguments.study, shard, arguments.output);
+  JournaledStudy study = new_study(chosen_study(arguments.chosen), shard, arguments.output);
   const std::string page = report_path(study.results);
-  refuse_unsafe_outputs({.inputs = {arguments.study},
+  std::vector<std::string> inputs = {arguments.chosen.study};
+  for (const StudyCorpus& corpus : corpora_of(study.spec)) inputs.push_back(corpus.record.path);
+  refuse_unsafe_outputs({.inputs = inputs,
                          .outputs = {study.results, page},
                          .force = arguments.force ? Force::given : Force::not_given});
   refuse_foreign_page(page, study.results);
@@ -146,8 +151,7 @@ JournaledStudy begin_new(const RunArguments& arguments, const Shard& shard) {
 void add_run(CLI::App& study, int& exit_code) {
   CLI::App* verb = study.add_subcommand("run", "Runs a study and writes its results and report");
   const auto arguments = std::make_shared<RunArguments>();
-  verb->add_option("STUDY", arguments->study, "a TOML file or a study of `ar3d list studies`")
-      ->required();
+  add_study_choice(*verb, arguments->chosen);
   verb->add_option("-o,--output", arguments->output, "results file; ar3d-NAME.h5 if left out");
   verb->add_option("--shard", arguments->shard,
                    "i/N: only the i-th of N parts of the study, to be merged later");
@@ -155,7 +159,9 @@ void add_run(CLI::App& study, int& exit_code) {
   add_common(*verb, *arguments);
   verb->footer(
       "Rows go to a journal beside the results file as they are made; whatever ends the study, "
-      "`ar3d study resume` goes on.\nExample: ar3d study run smoke --threads 2 -o smoke.h5");
+      "`ar3d study resume` goes on.\nExample: ar3d study run smoke --threads 2 -o "
+      "smoke.h5\nExample: ar3d study run "
+      "--graphs 'nets/*.s6' --algorithm diamond");
   verb->callback([arguments, &exit_code] {
     const Shard shard = arguments->shard.empty() ? Shard() : parse_shard(arguments->shard);
     exit_code = make_study(*arguments, [&] { return begin_new(*arguments, shard); });

@@ -34,12 +34,13 @@ int count_rows(const CountArguments& arguments) {
   }
   Results results = read_results(arguments.results);
   require_writable(path);
+  const StudyOrigin origin = study_origin(results);
   std::map<std::tuple<std::string, std::string, std::string>, std::int64_t> counts;
   for (RunRecord& run : results.runs) {
     if (!is_drawn(run) || run.n > arguments.max_n) continue;
     const auto key = std::tuple(run.graph_hash, run.algorithm, run.options);
     if (!counts.contains(key)) {
-      counts[key] = count_instructions(run);
+      counts[key] = count_instructions(run, origin);
       fmt::print("{}\t{}\t{}\t{}\t{}\t{}\n", run.family, run.n, run.seed, run.algorithm,
                  run.options, counts[key]);
       std::fflush(stdout);

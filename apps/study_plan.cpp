@@ -10,6 +10,7 @@
 #include "ar3d/bench/spec/study_spec.h"
 #include "commands.h"
 #include "study.h"
+#include "study_choice.h"
 
 namespace ar3d {
 namespace {
@@ -58,12 +59,11 @@ void add_study_plan(CLI::App& study, int&) {
   CLI::App* verb = study.add_subcommand(
       "plan", "Lists the cells of a study with estimated time and memory; refuses impossible ones");
   struct Arguments {
-    std::string study;
+    StudyChoice chosen;
     int workers = 0;
   };
   const auto arguments = std::make_shared<Arguments>();
-  verb->add_option("STUDY", arguments->study, "a TOML file or a study of `ar3d list studies`")
-      ->required();
+  add_study_choice(*verb, arguments->chosen);
   verb->add_option("--threads", arguments->workers,
                    "rows made at the same time; as many as cores if left out")
       ->check(CLI::Range(1, 1024));
@@ -73,7 +73,7 @@ void add_study_plan(CLI::App& study, int&) {
       "right within a factor of three.\nExit code 2 if a cell is impossible.\nExample: ar3d study "
       "plan quick");
   verb->callback([arguments] {
-    const StudyPlan plan = plan_study(load_study(arguments->study));
+    const StudyPlan plan = plan_study(chosen_study(arguments->chosen));
     const int workers = workers_for(arguments->workers);
     const StudyEstimate made = estimate(plan, workers);
     print_estimate(plan, made, workers);

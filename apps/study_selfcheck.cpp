@@ -39,7 +39,7 @@ int check_a_sample(const SelfcheckArguments& arguments) {
   }
   std::size_t done = 0;
   const bool terminal = isatty(fileno(stderr)) == 1;
-  const SelfCheck check = selfcheck(results.runs, places, study_seed(results), [&](std::size_t) {
+  const SelfCheck check = selfcheck(results.runs, places, study_origin(results), [&](std::size_t) {
     if (terminal) fmt::print(stderr, "\r{} of {} rows made again", ++done, places.size());
   });
   if (terminal) fmt::print(stderr, "\n");

@@ -6,6 +6,7 @@
 
 #include "ar3d/model/error.h"
 #include "ar3d/records/former_formula.h"
+#include "ar3d/records/graph_file_table.h"
 #include "ar3d/records/run_columns.h"
 
 namespace ar3d {
@@ -74,7 +75,7 @@ RowFormat make_run_format() {
   }
   format.extract.key = {place_of("family"), place_of("parameters"), place_of("requested_n"),
                         place_of("instance_index")};
-  format.tables = {algorithms_spec()};
+  format.tables = {algorithms_spec(), graph_files_spec()};
   format.former_fields = former_fields();
   format.keep_of_former = [former = format.former_fields](const char* record,
                                                           StudyIdentity& identity) {

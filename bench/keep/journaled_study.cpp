@@ -13,6 +13,7 @@
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/stopwatch.h"
+#include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/plan/work_order.h"
 #include "ar3d/bench/run/describe_study.h"
@@ -183,9 +184,8 @@ void together(Ranks& ranks, const std::function<void()>& step) {
 
 }  // namespace
 
-JournaledStudy new_study(const std::string& name_or_path, const Shard& shard,
-                         const std::string& results) {
-  JournaledStudy study{load_study(name_or_path), shard, results, now_with_zone()};
+JournaledStudy new_study(const StudySpec& spec, const Shard& shard, const std::string& results) {
+  JournaledStudy study{spec, shard, results, now_with_zone()};
   if (study.results.empty()) study.results = path_of_shard(default_results_path(study.spec), shard);
   require_results_name(study.results);
   study.results = in_resolved_folder(study.results);
@@ -206,7 +206,7 @@ JournaledStudy begun_study(const std::string& journal_or_results) {
   const StudyIdentity identity = in_results
                                      ? ResultsReader(results, run_format()).identity()
                                      : journal_status(journals.front(), run_format()).identity;
-  return {parse_study(identity.spec, in_results ? results : journals.front()),
+  return {recorded_study(identity, in_results ? results : journals.front()),
           identity.shard,
           results,
           identity.created,
@@ -225,7 +225,10 @@ JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()
   if (study) identity = identity_of(*study, StudyPlan());
   const std::string text = ranks.from_first(identity_text(identity, run_format()));
   identity = parse_identity({text.data(), text.size()}, run_format(), results);
-  return {parse_study(identity.spec, results),
+  StudySpec spec = recorded_study(identity, results);
+  if (study) spec.shelf = study->spec.shelf;
+  together(ranks, [&spec] { corpora_of(spec); });  // so that all ranks have read the same graphs
+  return {std::move(spec),
           identity.shard,
           results,
           identity.created,

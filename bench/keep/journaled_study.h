@@ -33,10 +33,9 @@ struct StudyOutcome {
   bool complete() const { return missing == 0; }
 };
 
-/// A study that begins. @throws InputError if there are journals of it already, the results file
-/// cannot be written, or the specification is bad.
-JournaledStudy new_study(const std::string& name_or_path, const Shard& shard,
-                         const std::string& results);
+/// A study that begins. @throws InputError if there are journals of it already or the results file
+/// cannot be written.
+JournaledStudy new_study(const StudySpec& spec, const Shard& shard, const std::string& results);
 
 /// A study that has begun, from its journal or its unfinished results file.
 /// @throws InputError naming the file if it cannot be read or does not say what study it is.

@@ -47,7 +47,7 @@ StudyOutcome merge_study(const std::vector<std::string>& parts, const std::strin
   for (const std::string& part : parts) rows.add(part);
   rows.close();
   require_one_division(rows.shards());
-  const StudyPlan plan = plan_study(parse_study(rows.identity().spec, parts.front()));
+  const StudyPlan plan = plan_study(recorded_study(rows.identity(), parts.front()));
   const GatheredRows gathered = gather_rows(plan, rows);
   StudyOutcome outcome{gathered.places.size(), gathered.missing, gathered.first_missing,
                        missing_shards(rows.shards())};

@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "ar3d/bench/plan/corpora.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/settings.h"
 
@@ -90,8 +91,14 @@ class Planner {
   }
 
   StudyPlan plan() {
+    const std::vector<StudyCorpus> corpora = corpora_of(spec_);
     for (const Sweep& sweep : spec_.sweeps) {
+      require_known_patterns(sweep, corpora);
       for (const FamilyChoice& family : sweep.families) add_cells(sweep, family);
+      for (const StudyCorpus& corpus : corpora) {
+        if (corpus.sweep != &sweep) continue;
+        for (const FamilyChoice& choice : corpus.choices()) add_corpus_cells(sweep, choice);
+      }
     }
     group_cells();
     for (const Cell& cell : cells_) add_instances(cell);
@@ -113,7 +120,43 @@ class Planner {
     std::uint32_t instances = 1;
     const Sweep* sweep = nullptr;
     std::vector<AlgorithmChoice> algorithms;
+    std::size_t first_in_corpus = 0;
   };
+
+  // Parsing could not tell the names of files.
+  static void require_known_patterns(const Sweep& sweep, const std::vector<StudyCorpus>& corpora) {
+    if (sweep.graphs.empty()) return;
+    for (const std::vector<CellPattern>* patterns : {&sweep.include, &sweep.exclude}) {
+      for (const CellPattern& pattern : *patterns) {
+        const bool is_file =
+            std::any_of(corpora.begin(), corpora.end(), [&](const StudyCorpus& corpus) {
+              return corpus.sweep == &sweep && corpus.record.name == pattern.family;
+            });
+        if (pattern.family.empty() || is_file) continue;
+        try {
+          find_family(pattern.family);
+        } catch (const InputError& error) {
+          throw InputError(fmt::format("{}{}, and no file of this sweep is called so",
+                                       pattern.place, error.what()));
+        }
+      }
+    }
+  }
+
+  // One for each number of vertices that graphs of the corpus have. Whether their degrees fit is
+  // for their rows to say.
+  void add_corpus_cells(const Sweep& sweep, const FamilyChoice& choice) {
+    const Corpus& graphs = *choice.corpus->graphs;
+    for (std::size_t first = 0, end = 0; first < graphs.size(); first = end) {
+      const std::uint64_t n = graphs.n(first);
+      while (end < graphs.size() && graphs.n(end) == n) ++end;
+      std::vector<AlgorithmChoice> fitting = fitting_algorithms(sweep, choice, 0, n);
+      if (fitting.empty()) continue;
+      const auto count = static_cast<std::uint32_t>(end - first);
+      cells_.push_back({choice, n, n, count, &sweep, std::move(fitting), first});
+      count_rows(cells_.back());
+    }
+  }
 
   void add_cells(const Sweep& sweep, const FamilyChoice& family) {
     const std::uint32_t degree = probed_degree(family, sweep.sizes);
@@ -123,7 +166,7 @@ class Planner {
       const std::uint32_t instances = many ? sweep.instances : 1;
       std::vector<AlgorithmChoice> fitting = fitting_algorithms(sweep, family, degree, n);
       if (fitting.empty()) continue;
-      cells_.push_back({family, wanted_n, n, instances, &sweep, std::move(fitting)});
+      cells_.push_back({family, wanted_n, n, instances, &sweep, std::move(fitting), 0});
       count_rows(cells_.back());
     }
   }
@@ -145,8 +188,10 @@ class Planner {
   };
 
   static std::string group_key(const Cell& cell) {
-    return fmt::format("{}\n{}\n{}", cell.family.family->name,
-                       settings_text(cell.family.parameters), cell.n);
+    const std::shared_ptr<const NamedCorpus>& corpus = cell.family.corpus;
+    return fmt::format("{}\n{}\n{}\n{}", cell.family.family->name,
+                       corpus ? corpus->graphs->hash() : "", settings_text(cell.family.parameters),
+                       cell.n);
   }
 
   void group_cells() {
@@ -175,6 +220,10 @@ class Planner {
     instance.wanted_n = cell.wanted_n;
     instance.n = cell.n;
     instance.index = group.planned;
+    if (const auto& corpus = cell.family.corpus) {
+      block.first_in_corpus = cell.first_in_corpus + group.planned;
+      instance.index = corpus->graphs->place(block.first_in_corpus);
+    }
     std::set<RunIdentity> known;
     for (const Cell* other : group.cells) {
       if (other->instances > group.planned) add_runs(instance, *other, known);

@@ -33,23 +33,34 @@ struct PlannedInstance {
   FamilyChoice choice;
   std::string parameters;  ///< "k=2;p=750000"
   std::uint64_t wanted_n = 0;
-  std::uint64_t n = 0;  ///< what the family makes of wanted_n
-  std::uint32_t index = 0;
+  std::uint64_t n = 0;      ///< what the family makes of wanted_n
+  std::uint32_t index = 0;  ///< of a corpus: the graph's place in the file
   std::uint64_t seed = 0;  ///< a function of the study's seed, family, parameters, n and index only
   std::vector<PlannedRun> runs;
 };
 
+/// The graph of an instance. Of a corpus with wanted_n below the graph's n: the piece of it that a
+/// breadth-first search finds first.
+/// @throws InputError if the family has no such graph.
+Graph graph_of(const PlannedInstance& instance);
+
+/// Gives the instance its seed and its runs their keys, functions of the study's seed and of what
+/// the instance and the runs say of themselves.
+void set_seed_and_keys(std::uint64_t study_seed, PlannedInstance& instance);
+
 /// Runs that a study is not complete without.
 std::size_t required_runs(const PlannedInstance& instance);
 
-/// Instances that differ in their index only, and hence in seed and keys.
+/// Instances that differ in their index only, and hence in seed and keys. Those of a corpus are
+/// graphs of the same n that follow each other in its order.
 struct PlannedBlock {
   PlannedInstance first;  ///< its runs have keys only if is_explicit
-  std::size_t step = 1;   ///< between the indices of two neighbours
+  std::size_t step = 1;   ///< between the indices of two neighbours, or their places in the corpus
   std::size_t count = 1;
-  std::size_t first_place = 0;  ///< of the first instance among all
-  std::size_t first_row = 0;    ///< of the first instance's first run
-  bool is_explicit = false;     ///< one instance whose seed and keys stand as they are
+  std::size_t first_in_corpus = 0;  ///< place of the first instance in the corpus's order
+  std::size_t first_place = 0;      ///< of the first instance among all
+  std::size_t first_row = 0;        ///< of the first instance's first run
+  bool is_explicit = false;         ///< one instance whose seed and keys stand as they are
 };
 
 /// The instances of a plan in order. They are kept as blocks and made when asked for, so that a
@@ -121,9 +132,10 @@ struct StudyPlan {
 AlgorithmRecord algorithm_record(const AlgorithmChoice& choice);
 
 /// Leaves out an algorithm where the family's graphs pass its maximum degree (found by generating
-/// one of at most 1000 vertices) or n passes spec.max_n.
-/// @throws InputError if nothing is left or there are more than 10^7 rows.
-/// Memory: that of the cells, whatever the number of instances.
+/// one of at most 1000 vertices) or n passes spec.max_n. Graphs of files that pass a maximum degree
+/// are planned: their rows say `refused`.
+/// @throws InputError if nothing is left or there are more than 10^7 rows; as corpora_of.
+/// Memory: that of the cells, whatever the number of instances; for graphs of files see Corpus.
 StudyPlan plan_study(const StudySpec& spec);
 
 }  // namespace ar3d

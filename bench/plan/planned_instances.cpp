@@ -5,6 +5,8 @@
 #include <concepts>
 #include <string_view>
 
+#include "ar3d/bench/corpus/subgraphs.h"
+#include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/random.h"
@@ -35,7 +37,11 @@ std::string hash128(const std::string& text) {
 std::string instance_identity(const PlannedInstance& instance) {
   std::string text;
   text.reserve(kUsualText);
-  append_line(text, "family", instance.choice.family->name);
+  if (const auto& corpus = instance.choice.corpus) {  // whatever the file is called
+    append_line(text, "graphs", corpus->graphs->hash());
+  } else {
+    append_line(text, "family", instance.choice.family->name);
+  }
   append_line(text, "parameters", instance.parameters);
   append_line(text, "n", instance.n);
   append_line(text, "index", instance.index);
@@ -61,6 +67,26 @@ std::string row_key(const std::string& prefix, const PlannedRun& run) {
 
 }  // namespace
 
+Graph graph_of(const PlannedInstance& instance) {
+  const FamilyChoice& choice = instance.choice;
+  if (!choice.corpus) {
+    return generate(*choice.family, instance.wanted_n, instance.seed, choice.parameters);
+  }
+  Graph graph = corpus_graph(choice, instance.index, instance.seed);
+  if (instance.wanted_n >= graph.num_vertices()) return graph;
+  return breadth_first_piece(graph, instance.wanted_n);
+}
+
+void set_seed_and_keys(std::uint64_t study_seed, PlannedInstance& instance) {
+  const std::string identity = instance_identity(instance);
+  instance.seed = instance_seed(study_seed, identity);
+  std::string prefix;
+  prefix.reserve(kUsualText);
+  append_line(prefix, "study_seed", study_seed);
+  prefix += identity;
+  for (PlannedRun& run : instance.runs) run.row_key = row_key(prefix, run);
+}
+
 std::size_t required_runs(const PlannedInstance& instance) {
   return static_cast<std::size_t>(
       std::count_if(instance.runs.begin(), instance.runs.end(),
@@ -74,14 +100,12 @@ PlannedInstance PlannedInstances::operator[](std::size_t place) const {
   std::size_t row = block.first_row + within * instance.runs.size();
   for (PlannedRun& run : instance.runs) run.row = row++;
   if (block.is_explicit) return instance;
-  instance.index += static_cast<std::uint32_t>(within * block.step);  // at most 10^7 instances
-  const std::string identity = instance_identity(instance);
-  instance.seed = instance_seed(study_seed_, identity);
-  std::string prefix;
-  prefix.reserve(kUsualText);
-  append_line(prefix, "study_seed", study_seed_);
-  prefix += identity;
-  for (PlannedRun& run : instance.runs) run.row_key = row_key(prefix, run);
+  if (const auto& corpus = instance.choice.corpus) {
+    instance.index = corpus->graphs->place(block.first_in_corpus + within * block.step);
+  } else {
+    instance.index += static_cast<std::uint32_t>(within * block.step);  // at most 10^7 instances
+  }
+  set_seed_and_keys(study_seed_, instance);
   return instance;
 }
 
@@ -117,6 +141,7 @@ PlannedInstances PlannedInstances::every_nth(std::size_t first, std::size_t n) c
     const std::size_t skipped = (first + n - block.first_place % n) % n;
     if (skipped >= block.count) continue;
     block.first.index += static_cast<std::uint32_t>(skipped * block.step);
+    block.first_in_corpus += skipped * block.step;
     block.count = (block.count - skipped - 1) / n + 1;
     block.step *= n;
     part.append(std::move(block));

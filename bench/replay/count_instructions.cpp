@@ -12,12 +12,15 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/replay/replay_row.h"
+#include "ar3d/formats/catalog.h"
 #include "ar3d/model/error.h"
+#include "ar3d/model/settings.h"
 
 // A name without mangling that no optimiser may remove: callgrind counts from its entry to its end.
 extern "C" __attribute__((noinline)) void ar3d_counted_drawing(
@@ -29,6 +32,7 @@ extern "C" __attribute__((noinline)) void ar3d_counted_drawing(
 namespace ar3d {
 namespace {
 
+constexpr std::string_view kFileFamily = "file:";
 constexpr const char* kInstall = "sudo apt-get install valgrind";
 
 // A file that is removed when it is no longer used.
@@ -112,18 +116,32 @@ std::int64_t total_of(const std::string& path) {
 }  // namespace
 
 void draw_for_counting(const RunRecord& row) {
+  if (row.family.starts_with(kFileFamily)) {
+    const Algorithm& algorithm = find_algorithm(row.algorithm);
+    const AlgorithmChoice choice{&algorithm,
+                                 complete_options(algorithm, parse_settings(row.options))};
+    const Graph graph = read_graph(row.family.substr(kFileFamily.size()));
+    return ar3d_counted_drawing(&graph, &choice);
+  }
   const PlannedInstance instance = plan_of_row(row);
-  const Graph graph = generate(*instance.choice.family, instance.wanted_n, instance.seed,
-                               instance.choice.parameters);
+  const Graph graph = graph_of(instance);
   ar3d_counted_drawing(&graph, &instance.runs.front().choice);
 }
 
-std::int64_t count_instructions(const RunRecord& row) {
+std::int64_t count_instructions(const RunRecord& row, const StudyOrigin& origin) {
   if (std::string_view(timing_mark()) == "sanitised") {
     throw InputError("a sanitised build cannot run under callgrind");
   }
   const ScratchFile output;
-  const int exit_code = run_quietly(command_line(row, output.path()));
+  const PlannedInstance instance = plan_of_row(row, origin);
+  std::optional<ScratchFile> graph;
+  RunRecord drawn = row;
+  if (instance.choice.corpus) {
+    graph.emplace();
+    write_graphs({graph_of(instance)}, find_graph_format("sparse6"), graph->path());
+    drawn.family = std::string(kFileFamily) + graph->path();
+  }
+  const int exit_code = run_quietly(command_line(drawn, output.path()));
   const std::int64_t count = exit_code == 0 ? total_of(output.path()) : 0;
   if (count <= 0) {
     throw InputError(

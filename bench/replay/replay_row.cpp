@@ -1,19 +1,50 @@
 #include "ar3d/bench/replay/replay_row.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/run/make_row.h"
 #include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/settings.h"
 
 namespace ar3d {
-PlannedInstance plan_of_row(const RunRecord& row) {
+namespace {
+
+bool is_of_a_file(const std::string& family, const StudyOrigin& origin) {
+  if (!origin.spec || !origin.spec->graph_files) return false;
+  const std::vector<GraphFileRecord>& files = *origin.spec->graph_files;
+  return std::any_of(files.begin(), files.end(),
+                     [&](const GraphFileRecord& file) { return file.name == family; });
+}
+
+FamilyChoice choice_from_file(const RunRecord& row, const StudyOrigin& origin) {
+  StudySpec spec = *origin.spec;
+  for (GraphFileRecord& file : *spec.graph_files) {
+    if (!origin.moved_graphs.empty() && file.name == row.family) file.path = origin.moved_graphs;
+  }
+  for (const StudyCorpus& corpus : corpora_of(spec, row.family)) {
+    for (FamilyChoice& choice : corpus.choices()) {
+      if (settings_text(choice.parameters) == row.parameters) return std::move(choice);
+    }
+  }
+  throw InputError(fmt::format("the study has no graphs {} with '{}'", row.family, row.parameters));
+}
+
+FamilyChoice choice_of(const RunRecord& row, const StudyOrigin& origin) {
+  if (is_of_a_file(row.family, origin)) return choice_from_file(row, origin);
+  const Family& family = find_family(row.family);
+  return {&family, complete_parameters(family, parse_settings(row.parameters))};
+}
+
+}  // namespace
+
+PlannedInstance plan_of_row(const RunRecord& row, const StudyOrigin& origin) {
   const Algorithm& algorithm = find_algorithm(row.algorithm);
   PlannedInstance instance;
-  instance.choice.family = &find_family(row.family);
-  instance.choice.parameters =
-      complete_parameters(*instance.choice.family, parse_settings(row.parameters));
+  instance.choice = choice_of(row, origin);
   instance.parameters = row.parameters;
   instance.wanted_n = static_cast<std::uint64_t>(row.requested_n);
   instance.n = static_cast<std::uint64_t>(row.n);
@@ -30,24 +61,21 @@ PlannedInstance plan_of_row(const RunRecord& row) {
   return instance;
 }
 
-std::optional<std::uint64_t> study_seed(const StudyIdentity& identity) {
+StudyOrigin study_origin(const StudyIdentity& identity) {
   try {
-    return parse_study(identity.spec, identity.study_id).seed;
+    StudySpec spec = recorded_study(identity, identity.study_id);
+    const std::uint64_t seed = spec.seed;
+    return {.seed = seed, .spec = std::move(spec)};
   } catch (const InputError&) {
-    return std::nullopt;
+    return {};
   }
 }
 
-RunRecord replayed(const RunRecord& row, const std::optional<std::uint64_t>& study_seed) {
-  PlannedInstance instance = plan_of_row(row);
-  if (study_seed) {
-    PlannedBlock block;
-    block.first = instance;
-    block.first.n =
-        instance.choice.family->nearest_n(instance.wanted_n, instance.choice.parameters);
-    PlannedInstances study(*study_seed);
-    study.append(std::move(block));
-    instance = study[0];
+RunRecord replayed(const RunRecord& row, const StudyOrigin& origin) {
+  PlannedInstance instance = plan_of_row(row, origin);
+  if (origin.seed) {
+    instance.n = instance.choice.family->nearest_n(instance.wanted_n, instance.choice.parameters);
+    set_seed_and_keys(*origin.seed, instance);
   }
   RowMaker maker({.concurrency = 1, .core = -1, .memory = MemoryScope::row});
   maker.prepare(instance);

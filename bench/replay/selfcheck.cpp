@@ -27,11 +27,10 @@ std::vector<std::size_t> sample_of_rows(const std::vector<RunRecord>& rows, std:
 }
 
 SelfCheck selfcheck(const std::vector<RunRecord>& rows, const std::vector<std::size_t>& places,
-                    const std::optional<std::uint64_t>& study_seed,
-                    const std::function<void(std::size_t)>& after_each) {
+                    const StudyOrigin& origin, const std::function<void(std::size_t)>& after_each) {
   SelfCheck check;
   for (const std::size_t place : places) {
-    const RunRecord now = replayed(rows[place], study_seed);
+    const RunRecord now = replayed(rows[place], origin);
     ++check.replayed;
     if (now.status == RunStatus::violated) ++check.violated;
     std::vector<std::string> columns = differing_columns(rows[place], now);

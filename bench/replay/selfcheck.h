@@ -3,10 +3,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/records/run_storage.h"
 
 namespace ar3d {
@@ -30,11 +30,10 @@ std::vector<std::size_t> sample_of_rows(const std::vector<RunRecord>& rows, std:
                                         std::uint64_t seed);
 
 /// Makes the rows at those places again and compares every column that is not measured, bit by bit.
-/// @param study_seed  as replayed().
 /// @param after_each  told the place of every row that has been made again; may be empty.
-/// @throws InputError if a row names an unknown family, algorithm or option.
+/// @throws InputError as replayed.
 SelfCheck selfcheck(const std::vector<RunRecord>& rows, const std::vector<std::size_t>& places,
-                    const std::optional<std::uint64_t>& study_seed = {},
+                    const StudyOrigin& origin = {},
                     const std::function<void(std::size_t)>& after_each = {});
 
 }  // namespace ar3d

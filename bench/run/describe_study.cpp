@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ar3d/bench/measure/environment.h"
+#include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/plan/plan.h"
 
 namespace ar3d {
@@ -48,6 +49,9 @@ Results describe_study(const StudySpec& spec, int workers) {
   results.dirty_hash = dirty_hash();
   results.created = now_with_zone();
   results.tables = {algorithm_table(algorithms_of(spec))};
+  std::vector<GraphFileRecord> files;
+  for (const StudyCorpus& corpus : corpora_of(spec)) files.push_back(corpus.record);
+  if (!files.empty()) results.tables.push_back(graph_file_table(files));
   results.environment = capture_environment(workers);
   return results;
 }

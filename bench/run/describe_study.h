@@ -11,7 +11,7 @@ namespace ar3d {
 std::string now_with_zone();
 
 /// Everything about a study's results but its rows: name, specification, source, environment, time.
-/// @param workers  of the process, for the environment.
+/// @param workers  of the process, for the environment. @throws InputError as corpora_of.
 Results describe_study(const StudySpec& spec, int workers);
 
 }  // namespace ar3d

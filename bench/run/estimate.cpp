@@ -105,6 +105,9 @@ Measured measured_at(const PlannedInstance& like, const PlannedRun& run, std::ui
                      const Budget& budget) {
   PlannedInstance instance = like;
   instance.wanted_n = wanted_n;
+  if (const auto& corpus = like.choice.corpus) {  // one of that size, or a piece of a larger one
+    instance.index = corpus->graphs->place(corpus->graphs->first_of_size(wanted_n));
+  }
   const std::uint64_t n = like.choice.family->nearest_n(wanted_n, like.choice.parameters);
   StepLimits limits{.cpu_s = {}, .memory_bytes = available_memory()};
   if (budget.row_time_s) limits.cpu_s = 2 * (*budget.row_time_s)(n) + 1;

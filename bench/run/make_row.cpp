@@ -101,9 +101,8 @@ void RowMaker::prepare(const PlannedInstance& instance) {
   graph_.reset();
   base_ = instance_row(instance);
   attempt(base_, [&] {
-    const FamilyChoice& choice = instance.choice;
     const Stopwatch time;
-    Graph graph = generate(*choice.family, instance.wanted_n, instance.seed, choice.parameters);
+    Graph graph = graph_of(instance);
     base_.generate_s = time.wall_s();
     base_.n = graph.num_vertices();
     base_.m = graph.num_edges();

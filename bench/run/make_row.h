@@ -33,8 +33,8 @@ class RowMaker {
  public:
   explicit RowMaker(const Circumstances& circumstances);
 
-  /// Generates the instance's graph. Where that fails, every row made until the next prepare() has
-  /// its status and message.
+  /// Generates or reads the instance's graph. Where that fails, every row made until the next
+  /// prepare() has its status and message.
   void prepare(const PlannedInstance& instance);
   /// Null if it could not be generated.
   const Graph* graph() const { return graph_ ? &*graph_ : nullptr; }

@@ -17,6 +17,8 @@
 #include <ctime>
 #include <fstream>
 #include <limits>
+#include <set>
+#include <vector>
 
 #include "ar3d/bench/measure/pinning.h"
 #include "ar3d/model/error.h"
@@ -96,17 +98,34 @@ class AddressSpaceLimit {
   rlimit before_{};
 };
 
-// The new process: own group, dies with its parent, keeps no descriptor but its socket and the
-// standard ones, leaves no core file.
-void become_worker(pid_t parent, int socket) {
+// Descriptors that a worker needs, ascending: its socket, and the graphs of files.
+std::vector<int> needed_descriptors(const StudyPlan& plan, int socket) {
+  std::set<int> needed = {socket};
+  for (const PlannedBlock& block : plan.instances.blocks()) {
+    if (const auto& corpus = block.first.choice.corpus) needed.insert(corpus->graphs->descriptor());
+  }
+  return {needed.begin(), needed.end()};
+}
+
+// All but the standard ones and those.
+void close_others(const std::vector<int>& needed) {
+  unsigned from = 3;
+  for (const int descriptor : needed) {
+    const auto kept = static_cast<unsigned>(descriptor);
+    if (kept > from) close_range(from, kept - 1, 0);
+    from = std::max(from, kept + 1);
+  }
+  close_range(from, ~0U, 0);
+}
+
+// The new process: own group, dies with its parent, leaves no core file.
+void become_worker(pid_t parent, const std::vector<int>& needed) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(0);  // it died before it could be asked to take us along
   signal(SIGINT, SIG_DFL);
   signal(SIGTERM, SIG_DFL);
-  const auto own = static_cast<unsigned>(socket);
-  if (own > 3) close_range(3, own - 1, 0);
-  close_range(own + 1, ~0U, 0);
+  close_others(needed);
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
 }
@@ -173,10 +192,11 @@ WorkerProcess::WorkerProcess(const StudyPlan& plan, const WorkerPool& pool, int 
     throw InputError(fmt::format("cannot make a socket for a worker: {}", std::strerror(errno)));
   }
   run_record_size();  // so that the columns are made once, by the parent
+  const std::vector<int> needed = needed_descriptors(plan, ends[1]);
   const pid_t parent = getpid();
   pid_ = fork();
   if (pid_ == 0) {
-    become_worker(parent, ends[1]);
+    become_worker(parent, needed);
     try {
       serve(ends[1], plan, pool, core);
     } catch (...) {

@@ -1,5 +1,7 @@
 #include "ar3d/bench/search/hunt.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <numeric>
@@ -59,8 +61,12 @@ class Hunter {
     start_ = options_.families[number % options_.families.size()];
     start_seed_ = mix_seed(options_.seed, number);
     RandomStream random(start_seed_, kStepStream);
-    Graph graph = generate(*start_.family, options_.n, start_seed_, start_.parameters);
-    if (number >= options_.families.size()) graph = shuffled_labels(graph, random);
+    const std::uint64_t round = number / options_.families.size();
+    const Corpus* const corpus = start_.corpus ? start_.corpus->graphs.get() : nullptr;
+    Graph graph = corpus != nullptr
+                      ? drawable_graph(*corpus, round)
+                      : generate(*start_.family, options_.n, start_seed_, start_.parameters);
+    if (round >= (corpus != nullptr ? corpus->size() : 1)) graph = shuffled_labels(graph, random);
     Trial current = evaluate(std::move(graph));
     for (std::uint64_t stale = 0; stale < options_.patience && !is_over(); ++stale) {
       Trial next = evaluate(neighbour(current.graph, random));
@@ -68,6 +74,18 @@ class Hunter {
       if (next.ratio > current.ratio) stale = 0;
       current = std::move(next);
     }
+  }
+
+  // That of the round, or the next one whose degrees the algorithm can draw.
+  Graph drawable_graph(const Corpus& corpus, std::uint64_t round) {
+    const std::uint32_t limit = subject_.choice.algorithm->guarantee.max_degree;
+    for (std::size_t i = 0; i < corpus.size(); ++i) {
+      start_place_ = corpus.place((round + i) % corpus.size());
+      Graph graph = corpus.graph(start_place_);
+      if (graph.max_degree() <= limit) return graph;
+    }
+    throw InputError(fmt::format("{}: no graph has maximum degree {} or less, as {} needs",
+                                 start_.family->name, limit, subject_.choice.algorithm->name));
   }
 
   Trial evaluate(Graph graph) {
@@ -78,6 +96,7 @@ class Hunter {
       result_.best = trial;
       result_.start = start_;
       result_.start_seed = start_seed_;
+      result_.start_place = start_place_;
       if (progress_) progress_(result_);
     }
     return trial;
@@ -90,6 +109,7 @@ class Hunter {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   FamilyChoice start_;
   std::uint64_t start_seed_ = 0;
+  std::uint32_t start_place_ = 0;
   HuntResult result_;
 };
 

@@ -10,8 +10,10 @@
 namespace ar3d {
 
 struct HuntOptions {
-  std::vector<FamilyChoice> families;  ///< where searches start, in turn; not empty
-  std::uint64_t n = 40;                ///< wanted number of vertices
+  /// Where searches start, in turn; not empty. A corpus gives its graphs one after the other, but
+  /// for those beyond the algorithm's maximum degree, and then again with permuted labels.
+  std::vector<FamilyChoice> families;
+  std::uint64_t n = 40;  ///< wanted number of vertices
   std::uint64_t seed = 1;
   std::uint64_t evaluations = 1000;  ///< graphs drawn
   double seconds = 0;                ///< stop after that time even so; 0: no limit
@@ -21,7 +23,8 @@ struct HuntOptions {
 struct HuntResult {
   Trial best;  ///< the first failure, else the largest ratio
   FamilyChoice start;
-  std::uint64_t start_seed = 0;
+  std::uint64_t start_seed = 0;   ///< of a family's graph
+  std::uint32_t start_place = 0;  ///< of a corpus's graph in its file
   std::uint64_t evaluations = 0;
   std::uint64_t starts = 0;
 };
@@ -31,7 +34,7 @@ struct HuntResult {
 /// all degrees stay. A failure ends the search at once. A pure function of its arguments unless
 /// `seconds` ends it.
 /// @param progress  called at every improvement of the best; may be empty.
-/// @throws InputError if no graph of a family can be drawn.
+/// @throws InputError if no graph of a family, or of a corpus, can be drawn.
 HuntResult hunt(const Subject& subject, const RatioRule& rule, const HuntOptions& options,
                 const std::function<void(const HuntResult&)>& progress = {});
 

@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "ar3d/bench/spec/named_studies.h"
+#include "ar3d/bench/spec/read_graphs.h"
 #include "ar3d/bench/spec/read_measures.h"
 #include "ar3d/bench/spec/toml_table.h"
 #include "ar3d/model/error.h"
@@ -109,8 +110,13 @@ class SpecReader {
   Sweep read_sweep(const toml::node& node) const {
     TomlTable table(file_, node, "sweep");
     Sweep sweep;
-    sweep.families = family_choices(table.get("families"));
-    sweep.sizes = sizes(table.get("sizes"));
+    if (const toml::node* graphs = table.find("graphs")) {
+      sweep.graphs = read_graphs(file_, *graphs);
+    }
+    if (sweep.graphs.empty() || table.has("families")) {
+      sweep.families = family_choices(table.get("families"));
+      sweep.sizes = sizes(table.get("sizes"));
+    }
     sweep.algorithms = algorithm_choices(table.get("algorithms"));
     sweep.instances = static_cast<std::uint32_t>(table.integer("instances", 1, kMaxCount, 1));
     sweep.repetitions = static_cast<std::uint32_t>(table.integer("repetitions", 1, kMaxCount, 1));
@@ -127,9 +133,11 @@ class SpecReader {
     read("weak_ranks", "ranks", sweep.weak_ranks);
     if (const toml::node* include = table.find("include")) {
       list(*include, "include");  // an empty one would match no cell, or all of them
-      sweep.include = patterns(*include);
+      sweep.include = patterns(*include, !sweep.graphs.empty());
     }
-    if (const toml::node* exclude = table.find("exclude")) sweep.exclude = patterns(*exclude);
+    if (const toml::node* exclude = table.find("exclude")) {
+      sweep.exclude = patterns(*exclude, !sweep.graphs.empty());
+    }
     table.refuse_other_keys();
     return sweep;
   }
@@ -226,7 +234,9 @@ class SpecReader {
     }
   }
 
-  std::vector<CellPattern> patterns(const toml::node& node) const {
+  // Where graphs come from files, a name that no family has may be one of theirs, which planning
+  // knows.
+  std::vector<CellPattern> patterns(const toml::node& node, bool has_graphs) const {
     std::vector<CellPattern> patterns;
     for (const toml::node* entry : one_or_many(node)) {
       TomlTable table(file_, *entry, "include or exclude");
@@ -236,8 +246,9 @@ class SpecReader {
       pattern.from = static_cast<std::uint64_t>(table.integer("from", 0, kMaxN, 0));
       pattern.to = static_cast<std::uint64_t>(table.integer("to", 0, kMaxN, kMaxN));
       table.refuse_other_keys();
+      pattern.place = fmt::format("{}:{}: ", file_, entry->source().begin.line);
       with_place(file_, *entry, [&] {
-        if (!pattern.family.empty()) find_family(pattern.family);
+        if (!pattern.family.empty() && !has_graphs) find_family(pattern.family);
         if (!pattern.algorithm.empty()) find_algorithm(pattern.algorithm);
       });
       patterns.push_back(std::move(pattern));
@@ -287,7 +298,15 @@ StudySpec load_study(const std::string& name_or_path) {
                                  printable(name_or_path),
                                  did_you_mean(name_or_path, names_of(named_studies())), known));
   }
-  return parse_study(read_text_file(name_or_path), name_or_path);
+  StudySpec spec = parse_study(read_text_file(name_or_path), name_or_path);
+  spec.folder = std::filesystem::path(name_or_path).parent_path().string();
+  return spec;
+}
+
+StudySpec recorded_study(const StudyIdentity& identity, const std::string& file) {
+  StudySpec spec = parse_study(identity.spec, file);
+  spec.graph_files = graph_file_records(identity);
+  return spec;
 }
 
 std::string default_results_path(const StudySpec& spec) { return "ar3d-" + spec.name + ".h5"; }

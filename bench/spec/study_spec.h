@@ -2,19 +2,25 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/bench/corpus/corpus.h"
 #include "ar3d/bench/spec/measures.h"
 #include "ar3d/generators/catalog.h"
+#include "ar3d/records/graph_file_table.h"
+#include "ar3d/results/study_identity.h"
 
 namespace ar3d {
 
-/// A family with complete parameters.
+/// A family with complete parameters, or the graphs of a file.
 struct FamilyChoice {
-  const Family* family = nullptr;
+  const Family* family = nullptr;  ///< of the catalogue, or the corpus's own
   Settings parameters;
+  std::shared_ptr<const NamedCorpus> corpus = {};  ///< null: a family of the catalogue
 };
 
 /// An algorithm with complete options.
@@ -23,8 +29,18 @@ struct AlgorithmChoice {
   Settings options;
 };
 
+/// Files whose graphs are instances.
+struct GraphsEntry {
+  std::string file;  ///< path or pattern (glob) of the specification
+  std::string name;  ///< empty: the file's own
+  CorpusOptions options;
+  std::vector<std::int64_t> shuffles = {0};  ///< numbers of the permutations of the labels; 0: none
+  std::string place;                         ///< "FILE:LINE: " of the specification, for messages
+};
+
 /// What an include or exclude entry says: an empty name matches all.
 struct CellPattern {
+  std::string place;  ///< "FILE:LINE: " of the specification, for messages
   std::string family;
   std::string algorithm;
   std::uint64_t from = 0;
@@ -36,6 +52,7 @@ struct CellPattern {
 /// families x sizes x instances x algorithms x repetitions, less what include and exclude drop.
 struct Sweep {
   std::vector<FamilyChoice> families;
+  std::vector<GraphsEntry> graphs;
   std::vector<std::uint64_t> sizes;  ///< increasing
   std::vector<AlgorithmChoice> algorithms;
   std::uint32_t instances = 1;       ///< where the graph depends on the seed; others have one
@@ -57,7 +74,12 @@ struct StudySpec {
   std::map<std::string, std::uint64_t> max_n;  ///< algorithm -> largest n it is given
   TimingRules timing;
   Budget budget;
-  std::string text;  ///< the verbatim TOML
+  std::string text;    ///< the verbatim TOML
+  std::string folder;  ///< that the files of `graphs` are looked for in; empty: the current one
+  /// Given: the files that the study began with, in order; the patterns of `graphs` say no more.
+  std::optional<std::vector<GraphFileRecord>> graph_files;
+  /// Files that were opened, for all copies of this specification.
+  std::shared_ptr<CorpusShelf> shelf = std::make_shared<CorpusShelf>();
 };
 
 /// Reads a specification; docs/study.md describes the keys.
@@ -70,6 +92,24 @@ StudySpec parse_study(const std::string& text, const std::string& file);
 /// A named study, or else the TOML file at that path.
 /// @throws InputError naming the file, or the known studies if there is no such file.
 StudySpec load_study(const std::string& name_or_path);
+
+/// The specification of a study that has begun, with the files that it began with.
+/// @param file  that the identity stands in, for messages. @throws InputError as parse_study.
+StudySpec recorded_study(const StudyIdentity& identity, const std::string& file);
+
+/// Graphs of files to be drawn, as the command line has it.
+struct GraphsStudy {
+  std::vector<std::string> files;       ///< paths or patterns, relative to the current folder
+  std::vector<std::string> algorithms;  ///< empty: all
+  std::uint64_t seed = 0;
+  std::uint64_t sample = 0;  ///< of each file; 0: all graphs
+  bool simple = false;       ///< loops and parallel edges are dropped
+  bool largest_component = false;
+  bool shuffle = false;
+};
+
+/// The specification that a GraphsStudy is short for; its name is "graphs".
+std::string graphs_study_text(const GraphsStudy& study);
 
 /// "ar3d-<name>.h5".
 std::string default_results_path(const StudySpec& spec);

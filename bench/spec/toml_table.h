@@ -28,6 +28,7 @@ class TomlTable {
   /// @throws InputError if the node is not a table; `what` names it for people.
   TomlTable(const std::string& file, const toml::node& node, const std::string& what);
 
+  bool has(const std::string& key) const { return table_->contains(key); }
   /// The node of a key, or null; the key counts as known from now on.
   const toml::node* find(const std::string& key);
   /// @throws InputError if the key is missing, naming one that looks like it.

@@ -18,7 +18,7 @@ class AdjacencyListParser final : public GraphParser {
   AdjacencyListParser(TextInput& input, const ReadOptions& options)
       : input_(input),
         ids_(input, options, options.base),
-        arcs_(input, options.base, ArcCollector::Rule::one_or_both),
+        arcs_(input, options, options.base, ArcCollector::Rule::one_or_both),
         base_(options.base) {}
 
   std::optional<Graph> next() override {
@@ -75,7 +75,9 @@ class AdjacencyListParser final : public GraphParser {
     }
     while (!row.done()) {
       const Vertex v = ids_.read_vertex(row);
-      if (u == v) row.fail(fmt::format("edge ({0}, {0}) is a loop", std::uint64_t{u} + base_));
+      if (u == v && !arcs_.simplifies()) {
+        row.fail(fmt::format("edge ({0}, {0}) is a loop", std::uint64_t{u} + base_));
+      }
       arcs_.add(u, v, input_.line());
     }
   }

@@ -20,6 +20,7 @@ std::uint64_t number_of(const Arc& arc) {
 }  // namespace
 
 void ArcCollector::begin(std::uint64_t announced) {
+  loops_ = 0;
   forward_.clear();
   backward_.clear();
   const std::uint64_t most = std::min(announced, input_->bytes_left() / 2);  // "1 " an arc
@@ -99,6 +100,11 @@ void ArcCollector::refuse_repeats(const Arcs& arcs) const {
   }
 }
 
+void ArcCollector::drop_repeats(Arcs& arcs) {
+  const auto same = [](const Arc& a, const Arc& b) { return number_of(a) == number_of(b); };
+  arcs.resize(static_cast<std::size_t>(std::unique(arcs.begin(), arcs.end(), same) - arcs.begin()));
+}
+
 /// The graph, if each arc has its counterpart and none stands twice. The rows of the graph of the
 /// sorted forward arcs are sorted, so the backward arcs, sorted by the end that names them, must
 /// read like the beginnings of the rows: nothing is looked up.
@@ -153,7 +159,11 @@ Graph ArcCollector::finish(std::uint64_t n) {
   }
   for (Arcs* const arcs : {&forward_, &backward_}) {
     sort_from_one_end(n, *arcs);
-    refuse_repeats(*arcs);
+    if (simplify_) {
+      drop_repeats(*arcs);
+    } else {
+      refuse_repeats(*arcs);
+    }
   }
   std::vector<Edge> edges = merged();
   begin();

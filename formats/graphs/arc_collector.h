@@ -20,28 +20,32 @@ class ArcCollector {
   };
 
   /// @param base  smallest vertex id of the format, for messages.
-  ArcCollector(const TextInput& input, unsigned base, Rule rule)
-      : input_(&input), base_(base), rule_(rule) {}
+  ArcCollector(const TextInput& input, const ReadOptions& options, unsigned base, Rule rule)
+      : input_(&input), simplify_(options.simplify), base_(base), rule_(rule) {}
 
   /// Starts a graph. @param announced  how many arcs the text claims to have.
   void begin(std::uint64_t announced = 0);
-  /// The vertex u names its neighbour v != u in a line.
+  /// True if loops and parallel edges are dropped, not refused.
+  bool simplifies() const { return simplify_; }
+  /// The vertex u names its neighbour v in a line. @pre u != v unless simplifies().
   void add(Vertex u, Vertex v, std::uint64_t line) {
     constexpr std::uint64_t kLastLine = std::numeric_limits<std::uint32_t>::max();
     const auto short_line = static_cast<std::uint32_t>(std::min(line, kLastLine));
-    if (u < v) {
+    if (u == v) {
+      ++loops_;
+    } else if (u < v) {
       forward_.push_back({u, v, short_line});
     } else {
       backward_.push_back({v, u, short_line});
     }
   }
-  std::uint64_t num_arcs() const { return forward_.size() + backward_.size(); }
+  std::uint64_t num_arcs() const { return forward_.size() + backward_.size() + loops_; }
 
   /// Ends the graph on n vertices (all ids are below n); its edges (u, v), u < v, are ordered by
   /// (u, v).
-  /// @throws InputError on a neighbour named twice from the same end, or against the rule.
-  /// Cost: O(n + m), and O(m log D) for the largest degree D if the rows are not sorted; arcs that
-  /// come from both ends, by the vertex that names them, are read in order only.
+  /// @throws InputError on a neighbour named twice from the same end unless simplifies(), or
+  /// against the rule. Cost: O(n + m), and O(m log D) for the largest degree D if the rows are not
+  /// sorted; arcs that come from both ends, by the vertex that names them, are read in order only.
   Graph finish(std::uint64_t n);
 
  private:
@@ -54,12 +58,15 @@ class ArcCollector {
   std::optional<Graph> matched(std::uint64_t n);
   static void sort_from_one_end(std::uint64_t n, Arcs& arcs);
   void refuse_repeats(const Arcs& arcs) const;
+  static void drop_repeats(Arcs& arcs);
   std::vector<Edge> merged();
   [[noreturn]] void fail(const Arc& arc, bool backward, const char* problem) const;
 
   const TextInput* input_;
+  bool simplify_;
   unsigned base_;
   Rule rule_;
+  std::uint64_t loops_ = 0;
   Arcs forward_;   // named by the smaller end
   Arcs backward_;  // named by the larger end
 };

@@ -16,7 +16,9 @@ namespace {
 class DimacsParser final : public GraphParser {
  public:
   DimacsParser(TextInput& input, const ReadOptions& options)
-      : input_(input), edges_(input, options, 1), arcs_(input, 1, ArcCollector::Rule::both_ends) {}
+      : input_(input),
+        edges_(input, options, 1),
+        arcs_(input, options, 1, ArcCollector::Rule::both_ends) {}
 
   std::optional<Graph> next() override {
     if (!read_problem()) return std::nullopt;

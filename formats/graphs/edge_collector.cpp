@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ar3d/formats/graphs/plain_pairs.h"
+#include "ar3d/formats/graphs/simplify.h"
 #include "ar3d/formats/graphs/vertex_limit.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/long_vector.h"
@@ -70,7 +71,8 @@ void EdgeCollector::first_was_header(std::uint64_t n, bool collected) {
 Edge EdgeCollector::read_ends(Tokens& tokens) {
   const Vertex u = read_vertex(tokens);
   const Vertex v = read_vertex(tokens);
-  if (u == v) tokens.fail(fmt::format("edge ({0}, {0}) is a loop", std::uint64_t{u} + base_));
+  if (u == v && !options_.simplify)
+    tokens.fail(fmt::format("edge ({0}, {0}) is a loop", std::uint64_t{u} + base_));
   return {u, v};
 }
 
@@ -134,6 +136,7 @@ std::uint64_t EdgeCollector::checked_n() const {
 Graph EdgeCollector::finish() {
   const std::uint64_t n = checked_n();
   std::vector<Edge> edges = std::exchange(edges_, {});
+  if (options_.simplify) simplify(edges);
   try {
     return Graph(n, std::move(edges));
   } catch (const EdgeError& error) {

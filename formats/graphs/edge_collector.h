@@ -23,7 +23,7 @@ class EdgeCollector {
   void begin(std::optional<std::uint64_t> n);
   /// Makes room for the edges announced, as far as the rest of the text can hold them.
   void expect_edges(std::uint64_t announced);
-  /// Reads the two ends of an edge. @throws InputError on a bad id or a loop.
+  /// Reads the two ends of an edge. @throws InputError on a bad id, or a loop if they are refused.
   void read_edge(Tokens& tokens);
   /// An id of the file as a vertex. @throws InputError if it is out of range.
   Vertex read_vertex(Tokens& tokens);
@@ -32,9 +32,10 @@ class EdgeCollector {
   /// `most`.
   /// @return their number.
   std::uint64_t read_plain_edges(TextInput& input, std::string_view before, std::uint64_t most);
-  /// True if u and v are ids in range and differ; notes the largest and its line.
+  /// True if u and v are ids in range and differ (or loops are dropped); notes the largest and its
+  /// line.
   bool accepts(std::uint64_t u, std::uint64_t v, std::uint64_t line) {
-    if (u - base_ >= limit_ || v - base_ >= limit_ || u == v) return false;
+    if (u - base_ >= limit_ || v - base_ >= limit_ || (u == v && !options_.simplify)) return false;
     const std::uint64_t end = std::max(u, v) - base_ + 1;
     if (end > largest_end_) {
       largest_end_ = end;

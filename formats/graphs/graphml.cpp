@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "ar3d/formats/graphs/simplify.h"
 #include "ar3d/formats/text/numbers_text.h"
 #include "ar3d/model/error.h"
 
@@ -49,7 +50,8 @@ std::optional<std::string> utf8_of_utf16(std::string_view text) {
 
 class GraphmlParser final : public GraphParser {
  public:
-  GraphmlParser(TextInput& input, const ReadOptions&) : input_(input) {}
+  GraphmlParser(TextInput& input, const ReadOptions& options)
+      : input_(input), simplify_(options.simplify) {}
 
   std::optional<Graph> next() override {
     if (!loaded_) load();
@@ -91,6 +93,7 @@ class GraphmlParser final : public GraphParser {
     for (const pugi::xml_node element : graph.children()) {
       if (local_name(element) == "edge") edges.push_back(read_edge(element, ids));
     }
+    if (simplify_) simplify(edges);
     try {
       return Graph(ids.size(), std::move(edges));
     } catch (const EdgeError& error) {
@@ -144,6 +147,7 @@ class GraphmlParser final : public GraphParser {
   }
 
   TextInput& input_;
+  bool simplify_;
   bool loaded_ = false;
   std::string text_;  // UTF-8, for places in messages
   pugi::xml_document document_;
@@ -187,21 +191,22 @@ class GraphmlWriter final : public GraphWriter {
 }  // namespace
 
 GraphFormat graphml_format() {
-  return {.name = "graphml",
-          .extensions = {".graphml", ".xml"},
-          .summary = "GraphML: nodes and edges as XML, attributes are read over",
-          .detect =
-              [](const InputHead& head) {
-                const std::size_t first = head.text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
-                if (is_utf16(head.text)) return true;
-                return first != std::string_view::npos && head.text[first] == '<';
-              },
-          .parser = [](TextInput& input, const ReadOptions&) -> std::unique_ptr<GraphParser> {
-            return std::make_unique<GraphmlParser>(input, ReadOptions{});
+  return {
+      .name = "graphml",
+      .extensions = {".graphml", ".xml"},
+      .summary = "GraphML: nodes and edges as XML, attributes are read over",
+      .detect =
+          [](const InputHead& head) {
+            const std::size_t first = head.text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+            if (is_utf16(head.text)) return true;
+            return first != std::string_view::npos && head.text[first] == '<';
           },
-          .writer = [](OutputFile& output, const WriteOptions&) -> std::unique_ptr<GraphWriter> {
-            return std::make_unique<GraphmlWriter>(output);
-          }};
+      .parser = [](TextInput& input, const ReadOptions& options) -> std::unique_ptr<GraphParser> {
+        return std::make_unique<GraphmlParser>(input, options);
+      },
+      .writer = [](OutputFile& output, const WriteOptions&) -> std::unique_ptr<GraphWriter> {
+        return std::make_unique<GraphmlWriter>(output);
+      }};
 }
 
 }  // namespace ar3d

@@ -32,7 +32,7 @@ class MatrixMarketParser final : public GraphParser {
   MatrixMarketParser(TextInput& input, const ReadOptions& options)
       : input_(input),
         entries_(input, options, 1),
-        arcs_(input, 1, ArcCollector::Rule::both_ends) {}
+        arcs_(input, options, 1, ArcCollector::Rule::both_ends) {}
 
   std::optional<Graph> next() override {
     const std::optional<bool> symmetric = read_banner();

@@ -17,14 +17,14 @@ constexpr std::uint64_t kMaxVertices = 0xfffffffe;
 
 class MetisParser final : public GraphParser {
  public:
-  MetisParser(TextInput& input, const ReadOptions&)
-      : input_(input), arcs_(input, 1, ArcCollector::Rule::both_ends) {}
+  MetisParser(TextInput& input, const ReadOptions& options)
+      : input_(input), arcs_(input, options, 1, ArcCollector::Rule::both_ends) {}
 
   std::optional<Graph> next() override {
     if (!read_header()) return std::nullopt;
     arcs_.begin(2 * std::min(m_, kMaxVertices));
     for (std::uint64_t v = read_plain(0); v < n_; v = read_plain(v + 1)) read_row(v);
-    if (arcs_.num_arcs() % 2 == 0 && arcs_.num_arcs() / 2 != m_) {
+    if (!arcs_.simplifies() && arcs_.num_arcs() % 2 == 0 && arcs_.num_arcs() / 2 != m_) {
       input_.fail_at(header_line_, 0,
                      fmt::format("{} edges announced, found {}", m_, arcs_.num_arcs() / 2));
     }
@@ -72,7 +72,7 @@ class MetisParser final : public GraphParser {
     const std::uint64_t first = v;
     return first + read_plain_rows(input_, false, n_ - v, [&](auto, const auto& ids, auto line) {
              for (const std::uint64_t id : ids) {
-               if (id - 1 >= n_ || id - 1 == v) return false;
+               if (id - 1 >= n_ || (id - 1 == v && !arcs_.simplifies())) return false;
              }
              for (const std::uint64_t id : ids) {
                arcs_.add(static_cast<Vertex>(v), static_cast<Vertex>(id - 1), line);
@@ -93,7 +93,9 @@ class MetisParser final : public GraphParser {
       if (id < 1 || id > n_) {
         tokens.fail(fmt::format("vertex id {} is out of range 1 to {}", id, n_));
       }
-      if (id == v + 1) tokens.fail(fmt::format("edge ({0}, {0}) is a loop", id));
+      if (id == v + 1 && !arcs_.simplifies()) {
+        tokens.fail(fmt::format("edge ({0}, {0}) is a loop", id));
+      }
       arcs_.add(static_cast<Vertex>(v), static_cast<Vertex>(id - 1), input_.line());
       if (edge_weights_) tokens.number("the weight of an edge");
     }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ar3d/formats/graphs/graph6.h"
+#include "ar3d/formats/graphs/simplify.h"
 #include "ar3d/formats/graphs/sparse6.h"
 #include "ar3d/formats/text/line_shapes.h"
 #include "ar3d/model/error.h"
@@ -38,6 +39,7 @@ class NautyParser final : public GraphParser {
 
   Graph decode(std::string_view line, std::size_t begin) {
     EdgesOnVertices read = decode_line(line, begin);
+    if (options_.simplify) simplify(read.edges);
     try {
       Graph graph(read.n, std::move(read.edges));
       previous_n_ = read.n;

@@ -59,7 +59,7 @@ class Pairs {
   unsigned count_ = 0;
 };
 
-std::vector<Edge> decode_pairs(const SixBits& bits, std::uint64_t n) {
+std::vector<Edge> decode_pairs(const SixBits& bits, std::uint64_t n, bool drop_loops) {
   const TextInput& input = bits.input();
   const unsigned width = vertex_bits(n);
   const std::uint64_t low = (std::uint64_t{1} << width) - 1;
@@ -77,7 +77,7 @@ std::vector<Edge> decode_pairs(const SixBits& bits, std::uint64_t n) {
     } else if (x > v) {
       v = x;
     } else if (x == v) {
-      input.fail(pairs.column() - 1, fmt::format("edge ({0}, {0}) is a loop", v));
+      if (!drop_loops) input.fail(pairs.column() - 1, fmt::format("edge ({0}, {0}) is a loop", v));
     } else {
       edges.push_back({static_cast<Vertex>(x), static_cast<Vertex>(v)});
     }
@@ -141,12 +141,12 @@ EdgesOnVertices decode_sparse6(SixBits bits, const ReadOptions& options) {
   const std::uint64_t n = bits.size();
   if (const auto problem = vertex_count_problem(n, bits.left(), options))
     bits.input().fail(1, *problem);
-  return {n, decode_pairs(bits, n)};
+  return {n, decode_pairs(bits, n, options.simplify)};
 }
 
 EdgesOnVertices decode_incremental_sparse6(SixBits bits, std::uint64_t n,
                                            const std::vector<Edge>& previous) {
-  const std::vector<std::uint64_t> changes = sorted_numbers(decode_pairs(bits, n));
+  const std::vector<std::uint64_t> changes = sorted_numbers(decode_pairs(bits, n, false));
   const auto twice = std::adjacent_find(changes.begin(), changes.end());
   if (twice != changes.end()) {
     bits.input().fail(

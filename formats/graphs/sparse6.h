@@ -11,8 +11,8 @@ namespace ar3d {
 /// the number of bits of n - 1; b moves the current vertex v on by one, then x > v moves it to x
 /// and x <= v is an edge. Edges come as (x, v) in the line's order (for most writers ordered by (v,
 /// x)).
-/// @throws InputError on a wrong character, a loop, or padding that is not the format's.
-/// Cost: O(line) time; memory for the edges only.
+/// @throws InputError on a wrong character, a loop unless options.simplify, or padding that is not
+/// the format's. Cost: O(line) time; memory for the edges only.
 EdgesOnVertices decode_sparse6(SixBits bits, const ReadOptions& options);
 
 /// Decodes the incremental sparse6 line at `bits` (behind its ';'): the pairs of the edges in which

@@ -56,7 +56,9 @@ class Onlooker final : public Ranks {
 
 class JournaledStudyFiles : public ::testing::Test {
  protected:
-  JournaledStudy begin() const { return new_study(scratch_.write("s.toml", kSpec), {}, results()); }
+  JournaledStudy begin() const {
+    return new_study(load_study(scratch_.write("s.toml", kSpec)), {}, results());
+  }
   std::string results() const { return scratch_.path("s.h5"); }
   StudyOutcome finish(const JournaledStudy& study) const {
     Ranks alone;

@@ -25,7 +25,7 @@ std::vector<ar3d::RunRecord> study_rows() {
 TEST(SelfCheck, EveryRowOfAStudyIsReproduced) {
   const std::vector<ar3d::RunRecord> rows = study_rows();
   std::size_t told = 0;
-  const SelfCheck check = selfcheck(rows, sample_of_rows(rows, rows.size(), 1), 0,
+  const SelfCheck check = selfcheck(rows, sample_of_rows(rows, rows.size(), 1), {.seed = 0},
                                     [&](std::size_t place) { EXPECT_EQ(place, told++); });
   EXPECT_EQ(check.replayed, rows.size());
   EXPECT_EQ(check.violated, 0u);
@@ -38,7 +38,7 @@ TEST(SelfCheck, FindsWhatWasChanged) {
   rows[5].drawing_hash[7] = rows[5].drawing_hash[7] == 'a' ? 'b' : 'a';
   rows[7].row_key[0] = rows[7].row_key[0] == 'a' ? 'b' : 'a';
   rows[9].instance_index += 1;
-  const SelfCheck check = selfcheck(rows, {1, 3, 5, 7, 9}, 0);
+  const SelfCheck check = selfcheck(rows, {1, 3, 5, 7, 9}, {.seed = 0});
   ASSERT_EQ(check.irreproducible.size(), 4u);
   EXPECT_THAT(check.irreproducible[2].columns, ElementsAre("row_key"));
   EXPECT_THAT(check.irreproducible[3].columns, Contains("row_key"));

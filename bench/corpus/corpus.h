@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ar3d/bench/corpus/spool.h"
+#include "ar3d/formats/graphs/graph_format.h"
+#include "ar3d/generators/catalog.h"
+#include "ar3d/model/graph.h"
+
+namespace ar3d {
+
+/// How the graphs of a file are taken into a study.
+struct CorpusOptions {
+  ReadOptions reading = {};             ///< whether loops and parallel edges are dropped, too
+  bool largest_component = false;  ///< of each graph only its largest connected component
+  std::uint64_t sample = 0;        ///< so many of the file's graphs; 0: all
+  std::uint64_t sample_seed = 0;
+
+  /// All of it, "format=…;…": equal texts mean equal options.
+  std::string text() const;
+};
+
+/// The graphs of one file, read once and kept in a temporary file without a name, so that any of
+/// them can be had again in any order by any thread, and by forked processes. Memory: 20 bytes a
+/// graph, and one graph at a time.
+class Corpus {
+ public:
+  /// Reads the whole file (graphs in any format, packed or not).
+  /// @throws InputError naming file and line if a graph of it cannot be read; if it holds more than
+  /// 10^7 graphs and no sample is taken; if the temporary file cannot be written.
+  Corpus(const std::string& path, const CorpusOptions& options);
+
+  /// XXH3-128 of the file's graphs in order (each one's n and edges), as 32 hexadecimal digits: the
+  /// same in every format, packed or not, and whatever options take of them.
+  const std::string& hash() const { return hash_; }
+  std::uint64_t graphs_in_file() const { return graphs_in_file_; }
+
+  /// The graphs taken, by number of vertices and, where that is equal, by place in the file.
+  std::size_t size() const { return order_.size(); }
+  /// Place in the file, from 0. @pre i < size().
+  std::uint32_t place(std::size_t i) const { return entries_[order_[i]].place; }
+  /// Number of vertices of that graph.
+  Vertex n(std::size_t i) const { return entries_[order_[i]].n; }
+  /// The first i with n(i) >= wanted, or the last one. @pre size() > 0.
+  std::size_t first_of_size(std::uint64_t wanted) const;
+
+  /// The graph taken from that place of the file. O(n + m).
+  /// @throws InputError if no graph was taken from there.
+  Graph graph(std::uint32_t place) const;
+
+  /// A process that uses the corpus must leave this file descriptor open.
+  int descriptor() const { return spool_.descriptor(); }
+
+ private:
+  struct Entry {
+    std::uint64_t offset = 0;  // in the spool
+    Vertex n = 0;
+    std::uint32_t place = 0;
+  };
+  class Scan;
+
+  std::string path_;
+  std::string hash_;
+  std::uint64_t graphs_in_file_ = 0;
+  std::vector<Entry> entries_;        // by place
+  std::vector<std::uint32_t> order_;  // places in entries_, by n and place
+  Spool spool_;
+};
+
+/// A corpus under the name by which a study and its results know it.
+struct NamedCorpus {
+  Family family;  ///< that name; every n is its own nearest; it generates nothing
+  std::shared_ptr<const Corpus> graphs;
+};
+
+std::shared_ptr<const NamedCorpus> named_corpus(const std::string& name,
+                                                std::shared_ptr<const Corpus> graphs);
+
+/// The corpora that a study has opened: a file is read once, however often it is asked for.
+class CorpusShelf {
+ public:
+  /// @throws InputError as Corpus.
+  std::shared_ptr<const Corpus> get(const std::string& path, const CorpusOptions& options);
+
+ private:
+  std::map<std::string, std::shared_ptr<const Corpus>> corpora_;
+};
+
+}  // namespace ar3d

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ar3d/bench/spec/study_spec.h"
+#include "ar3d/records/graph_file_table.h"
+
+namespace ar3d {
+
+/// A file of a study whose graphs are instances, opened.
+struct StudyCorpus {
+  const Sweep* sweep = nullptr;        ///< of the specification
+  const GraphsEntry* entry = nullptr;  ///< of that sweep
+  GraphFileRecord record;
+  std::shared_ptr<const NamedCorpus> corpus;
+
+  /// Family and parameters of its instances, for each of the entry's shuffles.
+  std::vector<FamilyChoice> choices() const;
+};
+
+/// Every file of the specification's `graphs`, in its order; those that a pattern matches by name.
+/// A study that has begun has the files that it began with. Each is read once for all copies of
+/// the specification.
+/// @param only  given: just the files called so.
+/// @throws InputError naming the entry: a file that is missing or cannot be read, a pattern without
+/// match, a name that a family of the catalogue or another file has, two files with the same
+/// graphs; naming the file: one that has changed since the study began.
+std::vector<StudyCorpus> corpora_of(const StudySpec& spec, const std::string& only = "");
+
+/// The graph of a choice with a corpus: that of the place `index`, its labels permuted by the seed
+/// where the parameters say so.
+Graph corpus_graph(const FamilyChoice& choice, std::uint32_t index, std::uint64_t seed);
+
+}  // namespace ar3d

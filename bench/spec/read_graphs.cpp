@@ -1,0 +1,127 @@
+#include "ar3d/bench/spec/read_graphs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "ar3d/bench/spec/toml_table.h"
+#include "ar3d/formats/catalog.h"
+#include "ar3d/model/error.h"
+#include "ar3d/model/printable.h"
+
+namespace ar3d {
+namespace {
+
+constexpr std::int64_t kMostSampled = 10000000;  // a study has no more rows
+constexpr std::int64_t kMostShuffles = 1000000;
+constexpr std::size_t kLongestName = 47;
+
+FirstLine first_line(const std::string& file, const toml::node& node) {
+  const std::string word = toml_text(file, node, "first_line");
+  if (word == "edge") return FirstLine::edge;
+  if (word == "header") return FirstLine::header;
+  refuse_toml(file, node,
+              fmt::format("first_line = '{}' is neither 'edge' nor 'header'", printable(word)));
+}
+
+std::vector<std::int64_t> shuffles(const std::string& file, const toml::node& node) {
+  std::vector<std::int64_t> numbers;
+  for (const toml::node* entry : one_or_many(node)) {
+    numbers.push_back(toml_integer(file, *entry, "shuffle", 0, kMostShuffles));
+  }
+  if (numbers.empty()) refuse_toml(file, node, "shuffle is empty");
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return numbers;
+}
+
+void read_table(const std::string& file, const toml::node& node, GraphsEntry& entry) {
+  TomlTable table(file, node, "graphs");
+  entry.file = table.text("file");
+  entry.name = table.text("name", "");
+  if (const toml::node* name = table.find("name"); name != nullptr && !is_graphs_name(entry.name)) {
+    refuse_toml(file, *name,
+                fmt::format("name '{}' is not 1 to {} letters, digits, '.', '-' or '_'",
+                            printable(entry.name), kLongestName));
+  }
+  ReadOptions& reading = entry.options.reading;
+  reading.format = table.text("format", "");
+  if (const toml::node* format = table.find("format")) {
+    with_place(file, *format, [&] { find_graph_format(reading.format); });
+  }
+  reading.base = static_cast<unsigned>(table.integer("base", 0, 1, 0));
+  if (const toml::node* line = table.find("first_line"))
+    reading.first_line = first_line(file, *line);
+  reading.simplify = table.boolean("simple", false);
+  entry.options.largest_component = table.boolean("largest_component", false);
+  entry.options.sample = static_cast<std::uint64_t>(table.integer("sample", 1, kMostSampled, 0));
+  if (const toml::node* shuffle = table.find("shuffle")) entry.shuffles = shuffles(file, *shuffle);
+  table.refuse_other_keys();
+}
+
+}  // namespace
+
+bool is_graphs_name(const std::string& name) {
+  const auto is_plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+           c == '_' || c == '.';
+  };
+  return !name.empty() && name.size() <= kLongestName && name[0] != '-' && name[0] != '.' &&
+         std::all_of(name.begin(), name.end(), is_plain);
+}
+
+std::vector<GraphsEntry> read_graphs(const std::string& file, const toml::node& node) {
+  std::vector<GraphsEntry> entries;
+  for (const toml::node* given : one_or_many(node)) {
+    GraphsEntry entry;
+    entry.place = fmt::format("{}:{}: ", file, given->source().begin.line);
+    if (given->is_string()) {
+      entry.file = toml_text(file, *given, "graphs");
+    } else {
+      read_table(file, *given, entry);
+    }
+    if (entry.file.empty() || entry.file == "-") {
+      refuse_toml(file, *given, fmt::format("graphs: '{}' is no file", entry.file));
+    }
+    entries.push_back(std::move(entry));
+  }
+  if (entries.empty()) refuse_toml(file, node, "graphs is empty");
+  return entries;
+}
+
+namespace {
+
+std::string toml_quoted(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') quoted += '\\';
+    if (byte < 32 || byte == 127) {
+      quoted += fmt::format("\\u{:04X}", byte);
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + '"';
+}
+
+}  // namespace
+
+std::string graphs_study_text(const GraphsStudy& study) {
+  std::string text =
+      fmt::format("study = \"graphs\"\nseed = {}\n\n[[sweep]]\ngraphs = [\n", study.seed);
+  for (const std::string& file : study.files) {
+    text += "  { file = " + toml_quoted(file);
+    if (study.sample > 0) text += fmt::format(", sample = {}", study.sample);
+    if (study.simple) text += ", simple = true";
+    if (study.largest_component) text += ", largest_component = true";
+    if (study.shuffle) text += ", shuffle = 1";
+    text += " },\n";
+  }
+  text += "]\nalgorithms = [";
+  for (const std::string& algorithm : study.algorithms) text += toml_quoted(algorithm) + ", ";
+  return text + (study.algorithms.empty() ? "\"all\"]\n" : "]\n");
+}
+
+}  // namespace ar3d

@@ -1,0 +1,212 @@
+// Studies of the graphs of files, as a user runs them.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "ar3d/bench/measure/environment.h"
+#include "support/program.h"
+#include "support/results.h"
+
+namespace ar3d {
+namespace {
+
+using testing::expect_same_rows;
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::run;
+using testing::ScratchDirectory;
+namespace fs = std::filesystem;
+
+class GraphFiles : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    for (const char* command : {"generate random-cubic -n 40 --count 150",
+                                "generate random-4-regular -n 30 --count 60"}) {
+      const bool cubic = std::string(command).find("cubic") != std::string::npos;
+      ASSERT_EQ(run(fmt::format("{{}} {} -o {}", command, path(cubic ? "cubic.s6" : "four.g6")))
+                    .exit_code,
+                0);
+    }
+  }
+  std::string path(const std::string& name) const { return scratch_.path(name); }
+  // A study of both files in a folder of its own choice.
+  std::string study(const std::string& rest) const {
+    return "cd " + scratch_.path("") + " && {} study " + rest;
+  }
+  std::string both(const std::string& rest) const {
+    return study("run -q --graphs cubic.s6 --graphs four.g6 --algorithm diamond --algorithm grid " +
+                 rest);
+  }
+  static std::map<std::string, int> counts(const std::string& results) {
+    std::map<std::string, int> counts;
+    for (const RunRecord& row : read_results(results).runs) {
+      ++counts[fmt::format("{} {} {}", row.family, row.algorithm, to_string(row.status))];
+    }
+    return counts;
+  }
+  // Waits until there are rows, then kills the study.
+  std::string begun_and_killed(const std::string& command, const std::string& results) const {
+    return fmt::format(
+        "({} & p=$!; for i in $(seq 500); do [ $(stat -c %s {}.journal 2>/dev/null || echo 0) -gt "
+        "60000 ] && break; sleep 0.01; done; pkill -9 -P $p; kill -9 $p; wait $p) 2>/dev/null",
+        command, results);
+  }
+
+  ScratchDirectory scratch_;
+};
+
+TEST_F(GraphFiles, EveryGraphOfEveryFormatIsAnInstance) {
+  ASSERT_EQ(run("gzip -k " + path("cubic.s6") + " && xz -k " + path("four.g6")).exit_code, 0);
+  const Outcome plain = run(both("-o plain.h5"));
+  EXPECT_EQ(plain.exit_code, 0) << plain.err;
+  EXPECT_THAT(plain.out, HasSubstr("420 rows, 360 proved, 0 violated, 0 incomplete, 60 refused"));
+  EXPECT_THAT(counts(path("plain.h5")),
+              ::testing::ElementsAre(
+                  std::pair("cubic.s6 diamond ok", 150), std::pair("cubic.s6 grid ok", 150),
+                  std::pair("four.g6 diamond ok", 60), std::pair("four.g6 grid refused", 60)));
+  for (const RunRecord& row : read_results(path("plain.h5")).runs) {
+    if (row.status == RunStatus::refused) {
+      EXPECT_THAT(row.message, HasSubstr("vertex 0 has degree 4"));
+    }
+  }
+  const Outcome packed =
+      run(study("run -q --graphs cubic.s6.gz --graphs four.g6.xz --algorithm diamond --algorithm "
+                "grid -o packed.h5"));
+  EXPECT_EQ(packed.exit_code, 0) << packed.err;
+  const Results a = read_results(path("plain.h5"));
+  const Results b = read_results(path("packed.h5"));
+  ASSERT_EQ(a.runs.size(), b.runs.size());
+  for (std::size_t i = 0; i < a.runs.size(); ++i) {
+    EXPECT_EQ(differing_columns(a.runs[i], b.runs[i]), std::vector<std::string>{"family"});
+  }
+}
+
+TEST_F(GraphFiles, ASpecificationFindsThemBesideItself) {
+  fs::create_directory(path("nets"));
+  fs::rename(path("cubic.s6"), path("nets/cubic.s6"));
+  scratch_.write("s.toml", R"(study = "mine"
+[[sweep]]
+graphs = ["nets/*.s6", { file = "four.g6", name = "four", sample = 10 }]
+families = "cycle"
+sizes = 10
+algorithms = "diamond"
+)");
+  const Outcome outcome = run("{} study run -q " + path("s.toml") + " -o " + path("s.h5"));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(counts(path("s.h5")), ::testing::ElementsAre(std::pair("cubic.s6 diamond ok", 150),
+                                                           std::pair("cycle diamond ok", 1),
+                                                           std::pair("four diamond ok", 10)));
+  for (const char* verb : {"report", "check"}) {
+    const Outcome seen = run(fmt::format("{{}} {} {}", verb, path("s.h5")));
+    EXPECT_EQ(seen.exit_code, 0) << verb << seen.err;
+  }
+  EXPECT_EQ(run("{} compare " + path("s.h5") + " " + path("s.h5")).exit_code, 7);
+  EXPECT_THAT(run("{} study plan " + path("s.toml")).out,
+              HasSubstr("3 cells, 161 instances, 161 rows"));
+}
+
+TEST_F(GraphFiles, ThreadsWorkersShardsAndRanksMakeTheSameRows) {
+  ASSERT_EQ(run(both("--threads 1 -o one.h5")).exit_code, 0);
+  ASSERT_EQ(run(both("--threads 2 --isolate -o isolated.h5")).exit_code, 0);
+  expect_same_rows(path("one.h5"), path("isolated.h5"));
+  for (const char* shard : {"1/3", "2/3", "3/3"}) {
+    ASSERT_EQ(run(both(std::string("--shard ") + shard)).exit_code, 0);
+  }
+  const Outcome merged = run(study("merge ar3d-graphs.shard-*.h5 -o merged.h5"));
+  EXPECT_EQ(merged.exit_code, 0) << merged.err;
+  expect_same_rows(path("one.h5"), path("merged.h5"));
+  const Outcome ranks = run(
+      "cd " + path("") + " && mpirun --allow-run-as-root --oversubscribe -n 2 " + AR3D_MPI_PROGRAM +
+      " study run -q --graphs cubic.s6 --graphs four.g6 --algorithm diamond "
+      "--algorithm grid -o ranks.h5");
+  EXPECT_EQ(ranks.exit_code, 0) << ranks.err;
+  expect_same_rows(path("one.h5"), path("ranks.h5"));
+}
+
+TEST_F(GraphFiles, AKilledStudyIsResumedFromAnywhereAndAChangedFileIsRefused) {
+  ASSERT_EQ(run("{} generate random-cubic -n 300 --count 900 -o " + path("many.s6")).exit_code, 0);
+  const std::string options = "run -q --graphs many.s6 --algorithm grid --threads 1 -o ";
+  ASSERT_EQ(run(study(options + path("whole.h5"))).exit_code, 0);
+  run("cd " + path("") + " && " +
+      begun_and_killed("{} study " + options + path("cut.h5"), path("cut.h5")));
+  ASSERT_TRUE(fs::exists(path("cut.h5.journal")));
+  fs::copy_file(path("many.s6"), path("kept"));
+  ASSERT_EQ(
+      run("{} generate random-cubic -n 300 --count 900 --seed 5 -o " + path("other.s6")).exit_code,
+      0);
+  fs::copy_file(path("other.s6"), path("many.s6"), fs::copy_options::overwrite_existing);
+  const Outcome changed = run("{} study resume -q " + path("cut.h5"));
+  EXPECT_EQ(changed.exit_code, 2);
+  EXPECT_THAT(changed.err, HasSubstr("its graphs are not those that the study began with"));
+  EXPECT_EQ(std::count(changed.err.begin(), changed.err.end(), '\n'), 1) << changed.err;
+  fs::remove(path("many.s6"));
+  EXPECT_EQ(run("{} study resume -q " + path("cut.h5")).exit_code, 2);
+  fs::copy_file(path("kept"), path("many.s6"));
+  const Outcome resumed = run("{} study resume -q " + path("cut.h5"));
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+  expect_same_rows(path("whole.h5"), path("cut.h5"));
+}
+
+TEST_F(GraphFiles, RowsAreMadeAgainFromTheFileWhereverItIsNow) {
+  ASSERT_EQ(run(study("run -q --graphs cubic.s6 --shuffle --algorithm compact -o a.h5")).exit_code,
+            0);
+  const std::string replay = "{} replay " + path("a.h5") + " 77";
+  EXPECT_THAT(run(replay).out, HasSubstr("every non-timing column is equal, bit for bit"));
+  EXPECT_EQ(run("{} study selfcheck " + path("a.h5")).exit_code, 0);
+  fs::rename(path("cubic.s6"), path("moved.s6"));
+  EXPECT_EQ(run(replay).exit_code, 2);
+  const Outcome moved = run(replay + " --graphs " + path("moved.s6") + " -o " + path("d.jsonl"));
+  EXPECT_EQ(moved.exit_code, 0) << moved.err;
+  EXPECT_TRUE(fs::exists(path("d.jsonl")));
+  const Outcome wrong = run(replay + " --graphs " + path("four.g6"));
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("its graphs are not those that the study began with"));
+}
+
+TEST_F(GraphFiles, AHuntStartsFromThem) {
+  const std::string hunt = "{} hunt --evaluations 60 --from ";
+  const Outcome outcome = run(hunt + path("cubic.s6") + " --algorithm diamond");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("the best one comes from " + path("cubic.s6") + " graph "));
+  const Outcome none = run(hunt + path("four.g6") + " --algorithm grid");
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_THAT(none.err, HasSubstr("no graph has maximum degree 3 or less, as grid needs"));
+  EXPECT_EQ(run(hunt + path("cubic.s6") + " --algorithm grid --family cycle").exit_code, 2);
+}
+
+TEST_F(GraphFiles, CallgrindCountsTheirDrawings) {
+  if (std::string(timing_mark()) == "sanitised") GTEST_SKIP() << "valgrind cannot run it";
+  ASSERT_EQ(run(study("run -q --graphs cubic.s6 --sample 2 --algorithm grid -o a.h5")).exit_code,
+            0);
+  const Outcome counted = run("{} study count " + path("a.h5") + " -o " + path("c.h5"));
+  EXPECT_EQ(counted.exit_code, 0) << counted.err;
+  for (const RunRecord& row : read_results(path("c.h5")).runs)
+    EXPECT_GT(row.counted_instructions, 1000);
+}
+
+TEST_F(GraphFiles, BadCommandsSayWhy) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"run", "either STUDY or --graphs"},
+      {"run smoke --graphs cubic.s6", "either STUDY or --graphs"},
+      {"run smoke --algorithm diamond", "--algorithm requires --graphs"},
+      {"run --graphs none.s6", "cannot read"},
+      {"run --graphs 'none*.s6'", "no file matches 'none*.s6'"},
+      {"run --graphs cubic.s6 --algorithm dimond", "unknown algorithm 'dimond'"},
+      {"run --graphs cubic.s6 --sample 0", "not a whole number"},
+      {"run --graphs cubic.s6 -o cubic.s6", "cubic.s6"},
+      {"plan --graphs 'a\"b'", "cannot read"},
+  };
+  for (const auto& [command, message] : cases) {
+    const Outcome outcome = run(study(command));
+    EXPECT_EQ(outcome.exit_code, 2) << command << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(message)) << command;
+  }
+}
+
+}  // namespace
+}  // namespace ar3d

@@ -1,0 +1,34 @@
+// A study of a file of a million graphs from beginning to end, in little memory.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "ar3d/records/run_storage.h"
+#include "ar3d/results/hdf5/results_reader.h"
+#include "support/program.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::run;
+
+TEST(MillionGraphs, RunAndResumeInBoundedMemory) {
+  const testing::ScratchDirectory scratch;
+  const std::string graphs = scratch.path("million.s6.gz");
+  ASSERT_EQ(
+      run("{} generate random-subcubic -n 12 --count 1000000 | gzip -1 > " + graphs).exit_code, 0);
+  const std::string results = scratch.path("m.h5");
+  const std::string bounded = "ulimit -v 800000; ";  // kB of address space, code included
+  const Outcome cut =
+      run(bounded + "timeout -s INT 25 {} study run -q --threads 2 --graphs " + graphs +
+          " --algorithm diamond -o " + results + "; {} study status " + results);
+  EXPECT_THAT(cut.out, HasSubstr(" of 1000000 rows")) << cut.err;
+  const Outcome outcome = run(bounded + "{} study resume -q --threads 2 " + results);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("PASS: 1000000 rows, 1000000 proved"));
+  EXPECT_EQ(ResultsReader(results, run_format()).size(), 1000000u);
+}
+
+}  // namespace
+}  // namespace ar3d
