@@ -32,7 +32,7 @@ struct DrawArguments {
   std::vector<std::string> options;
   std::string format;
   std::string output = "-";
-  SvgView view;
+  ExportOptions picture;
 };
 
 struct Task {
@@ -120,7 +120,7 @@ int draw_graphs(const DrawArguments& arguments) {
     file.commit();
   } else {
     format.write(drawings_of(reader, algorithm, options, format.many_per_file, all_drawn),
-                 arguments.output, arguments.view);
+                 arguments.output, arguments.picture);
   }
   return all_drawn ? kPass : kUsage;
 }
@@ -148,11 +148,18 @@ void add_draw(CLI::App& app, int& exit_code) {
       ->allow_extra_args(false);
   verb->add_option("--format", arguments->format,
                    "one of those below; by the file's ending, jsonl without one");
-  verb->add_option("--turn", arguments->view.turn_degrees, "svg: turn about the z axis, degrees")
+  PictureView& view = arguments->picture.view;
+  verb->add_option("--turn", view.turn_degrees, "svg, tikz: turn about the z axis, degrees")
       ->check(finite_number(false));
-  verb->add_option("--tilt", arguments->view.tilt_degrees,
-                   "svg: 0 is seen from above, 90 from the side")
+  verb->add_option("--tilt", view.tilt_degrees, "svg, tikz: 0 is seen from above, 90 from the side")
       ->check(finite_number(false));
+  verb->add_option("--perspective", view.perspective,
+                   "svg, tikz: distance of the eye from the middle, in diagonals of the box; "
+                   "orthographic if left out")
+      ->check(finite_number(true));
+  verb->add_option("--tube", arguments->picture.tube_radius,
+                   "stl: radius of the tubes in lattice units")
+      ->check(finite_number(true));
   verb->add_option("-o,--output", arguments->output, "file, or - for standard output");
   verb->footer(
       drawing_formats_text() +

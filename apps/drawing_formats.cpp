@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "ar3d/formats/catalog.h"
+#include "ar3d/formats/drawings/drawing_exports.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
+#include "ar3d/formats/drawings/drawing_svg.h"
 #include "ar3d/formats/text/output.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/nearest_name.h"
@@ -16,7 +18,7 @@
 namespace ar3d {
 namespace {
 
-using Writer = std::function<void(const NextDrawing&, const std::string&, const SvgView&)>;
+using Writer = std::function<void(const NextDrawing&, const std::string&, const ExportOptions&)>;
 
 /// The only drawing. @throws InputError if there is none, or another one.
 Drawing only_drawing(const NextDrawing& next, std::string_view format) {
@@ -35,12 +37,13 @@ Drawing only_drawing(const NextDrawing& next, std::string_view format) {
 /// A writer of files that hold one drawing.
 template <class WriteOne>
 Writer one_drawing(std::string_view format, WriteOne write) {
-  return [format, write](const NextDrawing& next, const std::string& path, const SvgView& view) {
-    write(only_drawing(next, format), path, view);
-  };
+  return
+      [format, write](const NextDrawing& next, const std::string& path, const ExportOptions& view) {
+        write(only_drawing(next, format), path, view);
+      };
 }
 
-void write_jsonl(const NextDrawing& next, const std::string& path, const SvgView&) {
+void write_jsonl(const NextDrawing& next, const std::string& path, const ExportOptions&) {
   OutputFile file(path);
   while (const std::optional<PlacedLine> placed = next()) {
     if (const auto* drawing = std::get_if<Drawing>(&placed->line)) {
@@ -52,10 +55,20 @@ void write_jsonl(const NextDrawing& next, const std::string& path, const SvgView
   file.commit();
 }
 
-void write_svg(const Drawing& drawing, const std::string& path, const SvgView& view) {
-  OutputFile file(path);
-  file.append(drawing_to_svg(drawing, view));
-  file.commit();
+/// A format that holds one drawing and is a text or bytes made at once.
+template <class Make>
+Writer one_text(std::string_view format, Make make) {
+  return one_drawing(format, [make](const Drawing& drawing, const std::string& path,
+                                    const ExportOptions& options) {
+    OutputFile file(path);
+    make(file, drawing, options);
+    file.commit();
+  });
+}
+
+template <void (*write)(OutputFile&, const Drawing&)>
+void without_options(OutputFile& file, const Drawing& drawing, const ExportOptions&) {
+  write(file, drawing);
 }
 
 const DrawingFormat& format_of_path(const std::string& path) {
@@ -89,21 +102,74 @@ const std::vector<DrawingFormat>& drawing_formats() {
        "exact: positions, bends and metric as arrays, for h5py; one drawing per file",
        false,
        one_drawing("hdf5", [](const Drawing& drawing, const std::string& path,
-                              const SvgView&) { write_drawing_hdf5(drawing, path); }),
+                              const ExportOptions&) { write_drawing_hdf5(drawing, path); }),
        false},
       {"svg",
        {".svg"},
-       "a picture of a small drawing, rounded; one drawing per file",
+       "a picture of a small drawing: roles as colours, gaps where edges pass behind others",
        false,
-       one_drawing("svg", write_svg),
+       one_text("svg",
+                [](OutputFile& file, const Drawing& drawing, const ExportOptions& options) {
+                  file.append(drawing_to_svg(drawing, options.view));
+                }),
+       true},
+      {"tikz",
+       {".tex", ".tikz"},
+       "the same picture for LaTeX: roles as named colours",
+       false,
+       one_text("tikz",
+                [](OutputFile& file, const Drawing& drawing, const ExportOptions& options) {
+                  file.append(drawing_to_tikz(drawing, options.view));
+                }),
        true},
       {"html",
        {".html", ".htm"},
        "a page that shows drawings in 3D, exact coordinates included; any number per file",
        true,
-       [](const NextDrawing& next, const std::string& path, const SvgView&) {
+       [](const NextDrawing& next, const std::string& path, const ExportOptions&) {
          write_viewer_page(next, path);
        },
+       true},
+      {"obj",
+       {".obj"},
+       "Wavefront: polylines as objects edge_u_v, roles as groups; no colours; lattice units",
+       false,
+       one_text("obj", without_options<write_obj>),
+       true},
+      {"ply",
+       {".ply"},
+       "text: numbers of vertices and edges, roles as colours; lattice units",
+       false,
+       one_text("ply", without_options<write_ply>),
+       true},
+      {"vtp",
+       {".vtp"},
+       "VTK, for ParaView: numbers, roles, colours, exact lattice coordinates; lattice units",
+       false,
+       one_text("vtp", without_options<write_vtp>),
+       true},
+      {"glb",
+       {".glb"},
+       "glTF 2.0: numbers as attributes, roles as materials; coordinates of 32 bits, lattice units "
+       "as metres",
+       false,
+       one_text("glb", without_options<write_glb>),
+       true},
+      {"stl",
+       {".stl"},
+       "closed tubes and balls for 3D printing; no numbers, no colours; lattice units as "
+       "millimetres; --tube",
+       false,
+       one_text("stl",
+                [](OutputFile& file, const Drawing& drawing, const ExportOptions& options) {
+                  write_stl(file, drawing, options.tube_radius);
+                }),
+       true},
+      {"graphml",
+       {".graphml"},
+       "the graph with exact lattice coordinates, bends and roles as attributes, and the metric",
+       false,
+       one_text("graphml", without_options<write_graphml>),
        true},
   };
   return rows;
@@ -119,7 +185,7 @@ std::string drawing_formats_text() {
 }
 
 void write_drawing(const DrawingFormat& format, Drawing drawing, const std::string& where,
-                   const std::string& path, const SvgView& view) {
+                   const std::string& path, const ExportOptions& view) {
   std::optional<PlacedLine> only = PlacedLine{std::move(drawing), where};
   format.write([&] { return std::exchange(only, std::nullopt); }, path, view);
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ar3d/formats/drawings/drawing_jsonl.h"
-#include "ar3d/formats/drawings/drawing_svg.h"
+#include "ar3d/formats/drawings/projection.h"
 #include "ar3d/model/drawing.h"
 
 namespace ar3d {
@@ -21,6 +21,12 @@ struct PlacedLine {
 /// The next drawing to be written; nothing at the end.
 using NextDrawing = std::function<std::optional<PlacedLine>()>;
 
+/// What some formats can be told.
+struct ExportOptions {
+  PictureView view;          ///< of pictures
+  double tube_radius = 0.2;  ///< of what is printed, in lattice units
+};
+
 /// One row of the catalogue of drawing formats.
 struct DrawingFormat {
   std::string name;
@@ -30,7 +36,7 @@ struct DrawingFormat {
   /// Writes the drawings to a file ("-": standard output, if `to_stream`).
   /// @throws InputError if it cannot be written, or if there is not exactly one drawing and the
   /// format holds one per file.
-  std::function<void(const NextDrawing&, const std::string& path, const SvgView&)> write;
+  std::function<void(const NextDrawing&, const std::string& path, const ExportOptions&)> write;
   bool to_stream = true;  ///< can go to standard output
 };
 
@@ -41,7 +47,7 @@ std::string drawing_formats_text();
 
 /// Writes one drawing; `where` names it in messages.
 void write_drawing(const DrawingFormat& format, Drawing drawing, const std::string& where,
-                   const std::string& path, const SvgView& view = {});
+                   const std::string& path, const ExportOptions& view = {});
 
 /// The format called `name`, or, if that is empty, the one whose ending the path has; JSON lines
 /// where the path has no ending and for standard output.

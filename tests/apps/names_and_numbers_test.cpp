@@ -68,15 +68,15 @@ TEST(Names, UnknownOnesAreAnsweredWithTheNearest) {
 
 TEST(Files, AnEndingThatIsNoFormatIsRefused) {
   const ScratchDirectory scratch;
-  expect_refused("{} generate k5 | {} draw - --algorithm diamond -o " + scratch.path("k5.obj"),
-                 "'.obj' is no drawing format's ending");
-  expect_refused("{} generate k5 -o " + scratch.path("k5.obj"),
-                 "'.obj' is no graph format's ending");
+  expect_refused("{} generate k5 | {} draw - --algorithm diamond -o " + scratch.path("k5.step"),
+                 "'.step' is no drawing format's ending");
+  expect_refused("{} generate k5 -o " + scratch.path("k5.step"),
+                 "'.step' is no graph format's ending");
   expect_refused("{} generate k5 -o " + scratch.path("k5.s6.gz"), "'.gz' is no graph format's");
   expect_refused("{} generate k5 | {} draw - --algorithm diamond --format hdf5",
                  "cannot go to standard output");
   EXPECT_TRUE(std::filesystem::is_empty(scratch.path("")));
-  EXPECT_EQ(run("{} generate k5 --format edgelist -o " + scratch.path("k5.obj")).exit_code, 0);
+  EXPECT_EQ(run("{} generate k5 --format edgelist -o " + scratch.path("k5.step")).exit_code, 0);
 }
 
 TEST(Files, AStreamIsNoPrefix) {

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+
+#include "ar3d/formats/text/output.h"
+#include "ar3d/model/drawing.h"
+
+// Drawings for other programs. Unless said otherwise points are in space (embedding.h): one unit is
+// the lattice's unit of length, z is up; vertices come first, in the order of their numbers, then
+// the bends in the order of the edges, each from u to v. Colours are those of the edges' roles
+// (edge_roles.h). Each takes O(n + bends) time and throws InputError "FORMAT holds at most …" for a
+// drawing that is too large.
+
+namespace ar3d {
+
+/// Most vertices and bends of an exported drawing.
+inline constexpr std::uint64_t kMaxExportPoints = std::uint64_t{1} << 24;
+/// Largest extent of a drawing for formats with coordinates of 32 bits: rounded by less than 1/128
+/// of a unit.
+inline constexpr std::int64_t kMaxPrintExtent = std::int64_t{1} << 16;
+
+/// Wavefront OBJ: a point element with all vertices, a line element a polyline; objects are named
+/// edge_u_v, groups after roles.
+void write_obj(OutputFile& output, const Drawing& drawing);
+
+/// PLY, as text: vertices with colour and number (-1: a bend), edges with colour and number of the
+/// drawing's edge.
+void write_ply(OutputFile& output, const Drawing& drawing);
+
+/// VTK PolyData as XML: points with the number of the vertex (-1: a bend) and exact lattice
+/// coordinates, cells with the number of the edge (-1: a vertex), role and colour.
+void write_vtp(OutputFile& output, const Drawing& drawing);
+
+/// glTF 2.0, binary: points for the vertices, lines for the edges of each role with its colour as
+/// unlit material; attributes _VERTEX and _EDGE hold numbers, -1 where there is none. Coordinates
+/// are rounded to 32 bits after the low corner has been taken off (extras.low); a rotation makes y
+/// the upward axis.
+/// @throws InputError also if an extent passes 2^24, where 32 bits end to tell units apart.
+void write_glb(OutputFile& output, const Drawing& drawing);
+
+/// STL, binary, for 3D printing: each edge a closed tube with mitred bends, each vertex a closed
+/// ball; a slicer unites them. The low corner of the box is the origin.
+/// @param radius  of the tubes in units; balls have 2.2 times that.
+/// @throws InputError also if an extent passes kMaxPrintExtent, an edge has a segment of length 0
+/// or turns back, or a segment is too short for the bends at its ends.
+void write_stl(OutputFile& output, const Drawing& drawing, double radius);
+
+/// GraphML: nodes n0, n1, … with exact lattice coordinates x, y, z, edges e0, e1, … with role and
+/// bends "x y z;x y z"; the Gram matrix and the algorithm at the graph.
+void write_graphml(OutputFile& output, const Drawing& drawing);
+
+}  // namespace ar3d

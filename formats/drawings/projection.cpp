@@ -1,0 +1,264 @@
+#include "ar3d/formats/drawings/projection.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "ar3d/formats/drawings/embedding.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d {
+namespace {
+
+using Place = Projection::Place;
+using Item = Projection::Item;
+
+constexpr std::size_t kMaxSegments = 20000;
+constexpr double kMargin = 24;
+constexpr double kBallToStroke = 1.7;
+
+/// A point on the picture. `near` is larger for nearer points and linear along projected segments.
+struct Spot {
+  Place at;
+  double near = 0;
+};
+
+/// Picture coordinates before scaling: x to the right, y down.
+class Camera {
+ public:
+  Camera(const Drawing& drawing, const PictureView& view)
+      : embed_(drawing.lattice()),
+        turn_(view.turn_degrees * std::numbers::pi / 180),
+        tilt_(view.tilt_degrees * std::numbers::pi / 180) {
+    const Box box = bounding_box(drawing);
+    const Real3 low = embed_(box.low);
+    const Real3 high = embed_(box.high);
+    middle_ = 0.5 * (low + high);
+    if (view.perspective > 0) eye_ = view.perspective * std::max(length(high - low), 1.0);
+  }
+  Spot operator()(Point p) const {
+    const Real3 q = embed_(p) - middle_;
+    const double right = q.x * std::cos(turn_) + q.y * std::sin(turn_);
+    const double away = -q.x * std::sin(turn_) + q.y * std::cos(turn_);
+    const double down = -(away * std::cos(tilt_) + q.z * std::sin(tilt_));
+    const double towards = q.z * std::cos(tilt_) - away * std::sin(tilt_);
+    if (!eye_) return {{right, down}, towards};
+    if (towards >= 0.98 * *eye_) {
+      throw InputError("the eye of the perspective is in the drawing; --perspective 2 is outside");
+    }
+    const double scale = *eye_ / (*eye_ - towards);
+    return {{right * scale, down * scale}, scale};
+  }
+  /// Size on the picture of what has size 1 at a spot.
+  double scale(const Spot& spot) const { return eye_ ? spot.near : 1; }
+
+ private:
+  Embedding embed_;
+  double turn_;
+  double tilt_;
+  Real3 middle_;
+  std::optional<double> eye_;
+};
+
+struct Segment {
+  Spot a;
+  Spot b;
+  EdgeId edge = 0;
+  Vertex from_vertex = kNoVertex;  // the vertex at a or b, if there is one
+  Vertex to_vertex = kNoVertex;
+  int role = 0;
+  std::vector<std::pair<double, double>> gaps;  // where it is hidden, as parts of its length
+  std::vector<double> splits;  // where it enters and leaves balls, so that depth orders the pieces
+
+  static constexpr Vertex kNoVertex = std::numeric_limits<Vertex>::max();
+
+  Spot at(double t) const {
+    return {{a.at.x + t * (b.at.x - a.at.x), a.at.y + t * (b.at.y - a.at.y)},
+            a.near + t * (b.near - a.near)};
+  }
+  double length() const { return std::hypot(b.at.x - a.at.x, b.at.y - a.at.y); }
+  bool joins(const Segment& other) const {
+    const auto shared = [](Vertex v, Vertex w) { return v != kNoVertex && v == w; };
+    return (edge == other.edge) || shared(from_vertex, other.from_vertex) ||
+           shared(from_vertex, other.to_vertex) || shared(to_vertex, other.from_vertex) ||
+           shared(to_vertex, other.to_vertex);
+  }
+};
+
+std::vector<Segment> collect(const Drawing& drawing, const Camera& camera,
+                             std::string_view format) {
+  const EdgeRoles roles = edge_roles(drawing);
+  std::vector<Segment> segments;
+  for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {
+    if (segments.size() + points.size() - 1 > kMaxSegments) {
+      throw InputError(
+          fmt::format("a picture of more than {} segments cannot be read, {} holds at most these; "
+                      "draw a smaller graph",
+                      kMaxSegments, format));
+    }
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      Segment segment{camera(points[i - 1]), camera(points[i]), e,  Segment::kNoVertex,
+                      Segment::kNoVertex,    roles.edges[e],    {}, {}};
+      if (i == 1) segment.from_vertex = drawing.edge(e).u;
+      if (i + 1 == points.size()) segment.to_vertex = drawing.edge(e).v;
+      segments.push_back(std::move(segment));
+    }
+  });
+  return segments;
+}
+
+/// Cuts the farther of two segments where they cross on the picture. `clear` is the distance that
+/// must stay free beside the nearer one.
+void cut_farther(Segment& s, Segment& t, double clear) {
+  const double sx = s.b.at.x - s.a.at.x, sy = s.b.at.y - s.a.at.y;
+  const double tx = t.b.at.x - t.a.at.x, ty = t.b.at.y - t.a.at.y;
+  const double across = sx * ty - sy * tx;
+  const double lengths = s.length() * t.length();
+  if (std::abs(across) <= 1e-9 * lengths || s.joins(t)) return;
+  const double dx = t.a.at.x - s.a.at.x, dy = t.a.at.y - s.a.at.y;
+  const double on_s = (dx * ty - dy * tx) / across;
+  const double on_t = (dx * sy - dy * sx) / across;
+  if (on_s <= 0 || on_s >= 1 || on_t <= 0 || on_t >= 1) return;
+  const bool s_is_farther = s.at(on_s).near < t.at(on_t).near;
+  Segment& farther = s_is_farther ? s : t;
+  const double half = std::min(clear * lengths / std::abs(across), 6 * clear) / farther.length();
+  const double middle = s_is_farther ? on_s : on_t;
+  farther.gaps.emplace_back(middle - half, middle + half);
+}
+
+void cut_crossings(std::vector<Segment>& segments, double clear) {
+  const auto left = [](const Segment& s) { return std::min(s.a.at.x, s.b.at.x); };
+  const auto right = [](const Segment& s) { return std::max(s.a.at.x, s.b.at.x); };
+  std::vector<std::size_t> order(segments.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    return left(segments[i]) < left(segments[j]);
+  });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    Segment& s = segments[order[i]];
+    for (std::size_t j = i + 1; j < order.size() && left(segments[order[j]]) < right(s); ++j) {
+      cut_farther(s, segments[order[j]], clear);
+    }
+  }
+}
+
+/// Splits segments where they pass balls.
+void split_at_balls(std::vector<Segment>& segments, const std::vector<Spot>& balls, double radius,
+                    const Camera& camera) {
+  for (Segment& s : segments) {
+    const double length = s.length();
+    if (length <= 0) continue;
+    const double ux = (s.b.at.x - s.a.at.x) / length, uy = (s.b.at.y - s.a.at.y) / length;
+    for (const Spot& ball : balls) {
+      const double dx = ball.at.x - s.a.at.x, dy = ball.at.y - s.a.at.y;
+      const double reach = radius * camera.scale(ball);
+      const double off = std::abs(dx * uy - dy * ux);
+      const double along = dx * ux + dy * uy;
+      if (off >= reach || along < -reach || along > length + reach) continue;
+      const double half = std::sqrt(reach * reach - off * off);
+      s.splits.push_back((along - half) / length);
+      s.splits.push_back((along + half) / length);
+    }
+  }
+}
+
+/// What is left of a segment, piece by piece.
+void append_pieces(const Segment& s, const Camera& camera, std::vector<Item>& items) {
+  std::vector<double> cuts = {0, 1};
+  for (const auto& [from, to] : s.gaps) {
+    cuts.push_back(from);
+    cuts.push_back(to);
+  }
+  cuts.insert(cuts.end(), s.splits.begin(), s.splits.end());
+  for (double& cut : cuts) cut = std::clamp(cut, 0.0, 1.0);
+  std::sort(cuts.begin(), cuts.end());
+  for (std::size_t i = 1; i < cuts.size(); ++i) {
+    const double middle = (cuts[i - 1] + cuts[i]) / 2;
+    const bool hidden = std::any_of(s.gaps.begin(), s.gaps.end(), [&](const auto& gap) {
+      return gap.first < middle && middle < gap.second;
+    });
+    if (hidden || (cuts[i] - cuts[i - 1]) * s.length() < 1e-9) continue;
+    const Spot spot = s.at(middle);
+    items.push_back(
+        {s.at(cuts[i - 1]).at, s.at(cuts[i]).at, s.role, spot.near, 0, camera.scale(spot)});
+  }
+}
+
+struct Frame {
+  double low_x = 0, low_y = 0, high_x = 0, high_y = 0, farthest = 0, nearest = 0;
+};
+
+Frame frame_of(const std::vector<Segment>& segments, const std::vector<Spot>& balls) {
+  std::vector<Spot> spots = balls;
+  for (const Segment& s : segments) {
+    spots.push_back(s.a);
+    spots.push_back(s.b);
+  }
+  if (spots.empty()) return {};
+  Frame f{spots[0].at.x, spots[0].at.y, spots[0].at.x, spots[0].at.y, spots[0].near, spots[0].near};
+  for (const Spot& spot : spots) {
+    f = {std::min(f.low_x, spot.at.x),    std::min(f.low_y, spot.at.y),
+         std::max(f.high_x, spot.at.x),   std::max(f.high_y, spot.at.y),
+         std::min(f.farthest, spot.near), std::max(f.nearest, spot.near)};
+  }
+  return f;
+}
+
+/// From the drawing's units to those of the picture.
+void place_on_paper(Projection& picture, const Frame& f, double scale) {
+  const auto placed = [&](Place p) {
+    return Place{kMargin + (p.x - f.low_x) * scale, kMargin + (p.y - f.low_y) * scale};
+  };
+  for (Item& item : picture.items) {
+    item.from = placed(item.from);
+    item.to = placed(item.to);
+    item.nearness = (item.depth - f.farthest) / std::max(f.nearest - f.farthest, 1e-9);
+    item.nearness = std::clamp(item.nearness, 0.0, 1.0);
+  }
+  std::stable_sort(picture.items.begin(), picture.items.end(),
+                   [](const Item& a, const Item& b) { return a.depth < b.depth; });
+}
+
+}  // namespace
+
+Projection project(const Drawing& drawing, const PictureView& view, std::string_view format) {
+  const Camera camera(drawing, view);
+  std::vector<Segment> segments = collect(drawing, camera, format);
+  std::vector<Spot> balls;
+  for (std::size_t v = 0; v < drawing.num_vertices(); ++v) {
+    balls.push_back(camera(drawing.vertex(static_cast<Vertex>(v))));
+  }
+  const Frame f = frame_of(segments, balls);
+  const double span = std::max({f.high_x - f.low_x, f.high_y - f.low_y, 1e-9});
+  const double scale = (view.longer_side - 2 * kMargin) / span;
+  Projection picture;
+  picture.width = (f.high_x - f.low_x) * scale + 2 * kMargin;
+  picture.height = (f.high_y - f.low_y) * scale + 2 * kMargin;
+  picture.stroke = std::clamp(scale * 0.34, 1.2, 7.0);
+  picture.ball = kBallToStroke * picture.stroke;
+  cut_crossings(segments, 1.35 * picture.stroke / scale);
+  split_at_balls(segments, balls, picture.ball / scale, camera);
+  for (const Segment& s : segments) append_pieces(s, camera, picture.items);
+  for (const Spot& ball : balls) {
+    // In front of the strokes that end at it.
+    const double front =
+        (f.nearest - f.farthest) * 1e-6 + picture.ball / scale * (view.perspective > 0 ? 0 : 1);
+    picture.items.push_back({ball.at, ball.at, -1, ball.near + front, 0, camera.scale(ball)});
+  }
+  place_on_paper(picture, f, scale);
+  return picture;
+}
+
+Rgb faded(Rgb colour, double nearness) {
+  const double keep = 0.55 + 0.45 * nearness;
+  for (std::uint8_t& channel : colour) {
+    channel = static_cast<std::uint8_t>(255 - keep * (255 - channel));
+  }
+  return colour;
+}
+
+}  // namespace ar3d

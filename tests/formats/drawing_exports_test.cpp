@@ -1,0 +1,237 @@
+// Exports are read back: positions, numbers, edges and roles are those of the drawing.
+#include "ar3d/formats/drawings/drawing_exports.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstring>
+#include <map>
+#include <sstream>
+
+#include "ar3d/algorithms/catalog.h"
+#include "ar3d/formats/catalog.h"
+#include "ar3d/formats/drawings/edge_roles.h"
+#include "ar3d/formats/drawings/embedding.h"
+#include "ar3d/generators/catalog.h"
+#include "ar3d/model/error.h"
+#include "support/program.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::HasSubstr;
+
+Drawing drawing_of(const char* algorithm, std::uint64_t n = 60) {
+  const char* family =
+      find_algorithm(algorithm).guarantee.max_degree == 4 ? "random-4-regular" : "random-cubic";
+  return draw(find_algorithm(algorithm), generate(find_family(family), n, 3));
+}
+
+const std::array<const char*, 4> kAll = {"diamond", "compact", "grid", "two-bend"};
+
+template <class Write>
+std::string written(Write write) {
+  const testing::ScratchDirectory scratch;
+  OutputFile file(scratch.path("x"));
+  write(file);
+  file.commit();
+  return testing::read_file(scratch.path("x"));
+}
+
+/// Every polyline of the drawing, embedded.
+std::vector<std::vector<Real3>> polylines(const Drawing& drawing) {
+  const Embedding embed(drawing.lattice());
+  std::vector<std::vector<Real3>> all(drawing.num_edges());
+  for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {
+    for (const Point p : points) all[e].push_back(embed(p));
+  });
+  return all;
+}
+
+void expect_near(Real3 a, Real3 b, double error) {
+  EXPECT_LE(length(a - b), error) << a.x << ' ' << a.y << ' ' << a.z;
+}
+
+TEST(Exports, ObjHasEveryPolyline) {
+  for (const char* algorithm : kAll) {
+    const Drawing drawing = drawing_of(algorithm);
+    const auto expected = polylines(drawing);
+    std::istringstream text(written([&](OutputFile& file) { write_obj(file, drawing); }));
+    std::vector<Real3> points;
+    std::size_t lines = 0;
+    std::string name;
+    for (std::string line; std::getline(text, line);) {
+      std::istringstream words(line);
+      std::string key;
+      words >> key;
+      if (key == "v") {
+        Real3 p;
+        words >> p.x >> p.y >> p.z;
+        points.push_back(p);
+      } else if (key == "o") {
+        words >> name;
+      } else if (key == "l") {
+        const Edge ends = drawing.edge(static_cast<EdgeId>(lines));
+        EXPECT_EQ(name, "edge_" + std::to_string(ends.u) + "_" + std::to_string(ends.v));
+        std::size_t i = 0;
+        for (std::size_t number = 0; words >> number; ++i) {
+          expect_near(points.at(number - 1), expected.at(lines).at(i), 1e-3);
+        }
+        EXPECT_EQ(i, expected[lines++].size());
+      }
+    }
+    EXPECT_EQ(lines, drawing.num_edges()) << algorithm;
+  }
+}
+
+TEST(Exports, PlyHasNumbersAndColours) {
+  for (const char* algorithm : kAll) {
+    const Drawing drawing = drawing_of(algorithm);
+    const auto expected = polylines(drawing);
+    const EdgeRoles roles = edge_roles(drawing);
+    const std::string file = written([&](OutputFile& out) { write_ply(out, drawing); });
+    std::istringstream text(file.substr(file.find("end_header\n") + 11));
+    const auto count = [&](const std::string& element) {
+      return std::stoul(file.substr(file.find("element " + element) + 9 + element.size()));
+    };
+    std::vector<Real3> points(count("vertex"));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      int red = 0, green = 0, blue = 0;
+      std::int64_t number = 0;
+      text >> points[i].x >> points[i].y >> points[i].z >> red >> green >> blue >> number;
+      EXPECT_EQ(number, i < drawing.num_vertices() ? static_cast<std::int64_t>(i) : -1);
+    }
+    const std::size_t segments = count("edge");
+    std::size_t of_edge = 0;
+    EdgeId last = 0;
+    for (std::size_t s = 0; s < segments; ++s) {
+      std::size_t a = 0, b = 0;
+      int red = 0, green = 0, blue = 0;
+      EdgeId e = 0;
+      ASSERT_TRUE(text >> a >> b >> red >> green >> blue >> e);
+      of_edge = s > 0 && e == last ? of_edge + 1 : 0;
+      last = e;
+      expect_near(points.at(a), expected.at(e).at(of_edge), 1e-3);
+      expect_near(points.at(b), expected.at(e).at(of_edge + 1), 1e-3);
+      const Rgb colour = roles.roles[roles.edges[e]].colour;
+      EXPECT_EQ((std::array{red, green, blue}),
+                (std::array{int{colour[0]}, int{colour[1]}, int{colour[2]}}));
+    }
+    EXPECT_EQ(last + 1, drawing.num_edges());
+  }
+}
+
+TEST(Exports, GraphmlIsTheGraph) {
+  const testing::ScratchDirectory scratch;
+  for (const char* algorithm : kAll) {
+    const Drawing drawing = drawing_of(algorithm);
+    const std::string path = scratch.write(
+        "x.graphml", written([&](OutputFile& file) { write_graphml(file, drawing); }));
+    const Graph graph = read_graph(path);
+    ASSERT_EQ(graph.num_vertices(), drawing.num_vertices());
+    ASSERT_EQ(graph.num_edges(), drawing.num_edges());
+    const std::string text = testing::read_file(path);
+    std::vector<Point> points;
+    drawing.polyline(7, points);
+    const auto coordinate = [](const char* key, std::int64_t value) {
+      return std::string("<data key=\"") + key + "\">" + std::to_string(value) + "</data>";
+    };
+    EXPECT_THAT(text, HasSubstr("<node id=\"n" + std::to_string(drawing.edge(7).u) + "\">" +
+                                coordinate("x", points[0].x) + coordinate("y", points[0].y) +
+                                coordinate("z", points[0].z)));
+    std::string bends;
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+      bends += (i > 1 ? ";" : "") + std::to_string(points[i].x) + " " +
+               std::to_string(points[i].y) + " " + std::to_string(points[i].z);
+    }
+    EXPECT_THAT(text, HasSubstr("<data key=\"bends\">" + bends + "</data>"));
+  }
+}
+
+using Corner = std::array<float, 3>;
+using Face = std::array<Corner, 3>;
+
+std::vector<Face> faces_of_stl(const std::string& file) {
+  std::uint32_t count = 0;
+  std::memcpy(&count, file.data() + 80, 4);
+  EXPECT_EQ(file.size(), 84 + 50 * std::size_t{count});
+  std::vector<Face> faces(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::memcpy(faces[i].data(), file.data() + 84 + 50 * i + 12, sizeof(Face));
+  }
+  return faces;
+}
+
+/// Six times the volume that the faces enclose: positive if their normals point outwards.
+double volume6(const std::vector<Face>& faces) {
+  double sum = 0;
+  for (const Face& f : faces) {
+    const auto real = [](const Corner& c) { return Real3{c[0], c[1], c[2]}; };
+    sum += dot(real(f[0]), cross(real(f[1]), real(f[2])));
+  }
+  return sum;
+}
+
+TEST(Exports, StlIsWatertight) {
+  for (const char* algorithm : kAll) {
+    const Drawing drawing = drawing_of(algorithm, 20);
+    const auto faces =
+        faces_of_stl(written([&](OutputFile& file) { write_stl(file, drawing, 0.2); }));
+    std::map<std::pair<Corner, Corner>, int> edges;
+    for (const Face& f : faces) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        ASSERT_NE(f[i], f[(i + 1) % 3]) << "no triangle is a line";
+        ++edges[{f[i], f[(i + 1) % 3]}];
+      }
+    }
+    for (const auto& [edge, count] : edges) {
+      ASSERT_EQ(count, 1) << algorithm;
+      ASSERT_EQ(edges.count({edge.second, edge.first}), 1u) << algorithm;
+    }
+    // A prism of 12 sides has 12 sin(30 degrees) / 2 = 3 r^2 of area; the balls add theirs.
+    double tubes = 0;
+    for (const auto& line : polylines(drawing)) {
+      for (std::size_t i = 1; i < line.size(); ++i) tubes += length(line[i] - line[i - 1]);
+    }
+    const double balls = 20 * 4.0 / 3 * 3.14159 * std::pow(0.44, 3);
+    EXPECT_NEAR(volume6(faces) / 6, tubes * 3 * 0.04 + balls, 0.02 * tubes * 0.12 + 0.2 * balls);
+  }
+}
+
+template <class Write>
+std::string refusal(Write write) {
+  try {
+    written(write);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "nothing is refused";
+}
+
+Drawing segment(Point a, Point b, std::vector<Point> bends = {}) {
+  Coordinates points(2, kMaxCoordinate);
+  points.set(0, a);
+  points.set(1, b);
+  auto stored = std::make_shared<StoredBends>();
+  stored->add_edge(bends);
+  return {"x", kCubeLattice, std::move(points),
+          std::make_shared<const std::vector<Edge>>(std::vector<Edge>{{0, 1}}), stored};
+}
+
+TEST(Exports, RefuseWhatTheFormatCannotHold) {
+  const auto stl = [](const Drawing& drawing, double radius = 0.2) {
+    return refusal([&, radius](OutputFile& file) { write_stl(file, drawing, radius); });
+  };
+  EXPECT_EQ(stl(segment({}, {0, 65537, 0})), "an extent of 65537, stl holds at most 65536");
+  EXPECT_THAT(stl(segment({}, {0, 0, 0})), HasSubstr("length 0"));
+  EXPECT_THAT(stl(segment({}, {1, 0, 0}, {{2, 0, 0}})), HasSubstr("turns back"));
+  EXPECT_THAT(stl(segment({}, {3, 1, 0}, {{3, 0, 0}}), 2), HasSubstr("too short for its bends"));
+  EXPECT_EQ(refusal([](OutputFile& file) {
+              write_glb(file, segment({}, {1 << 25, 0, 0}));
+            }),
+            "an extent of 33554432, glb holds at most 16777216");
+}
+
+}  // namespace
+}  // namespace ar3d
