@@ -62,7 +62,7 @@ int bits(std::initializer_list<std::int64_t> values) {
   for (const std::int64_t v : values) {
     all |= v < 0 ? std::uint64_t{0} - static_cast<std::uint64_t>(v) : static_cast<std::uint64_t>(v);
   }
-  return std::bit_width(all);
+  return static_cast<int>(std::bit_width(all));
 }
 
 /// Does __int128 hold every value of compare()? With components of u, v below 2^a, 2^b and Gram

@@ -6,8 +6,7 @@
 
 #include "ar3d/algorithms/degree_limit.h"
 #include "ar3d/algorithms/diamond/candidates.h"
-#include "ar3d/algorithms/diamond/colouring.h"
-#include "ar3d/algorithms/diamond/items.h"
+#include "ar3d/algorithms/diamond/interleaved.h"
 #include "ar3d/algorithms/diamond/routes.h"
 #include "ar3d/model/error.h"
 
@@ -25,6 +24,31 @@ void refuse_bad_input(const Graph& graph, const Options& options) {
   }
 }
 
+/// From so many vertices on the walks of Steps 1.1 and 1.2 wait for the memory, and many at a time
+/// are faster; those of Step 1.1 only if the chains are long, which a vertex of odd degree ends.
+constexpr Vertex kManyVertices = 1u << 15;
+bool has_long_chains(const Graph& graph) {
+  return 5 * std::uint64_t{graph.num_edges()} >= 8 * std::uint64_t{graph.num_vertices()};
+}
+
+TwoColouring colouring_of(const Graph& graph) {
+  if (graph.num_vertices() >= kManyVertices && has_long_chains(graph)) {
+    return interleaved_colouring(graph);
+  }
+  const PaddedNeighbours neighbours = padded_neighbours(graph);
+  return two_colouring(graph, neighbours, balanced_orientation(neighbours));
+}
+
+/// The green and the red items.
+std::pair<Items, Items> items_of(const Graph& graph) {
+  const TwoColouring colours = colouring_of(graph);
+  const bool many = graph.num_vertices() >= kManyVertices;
+  const auto items = [&](Colour c) {
+    return many ? interleaved_items(colours.next[c]) : extract_items(colours.next[c]);
+  };
+  return {items(kGreen), items(kRed)};
+}
+
 Candidate choose(const Graph& graph, Items green, Items red, int effort) {
   if (effort == 0) return guaranteed_candidate(graph, std::move(green), std::move(red));
   if (effort == 1) return alternating_or_guaranteed(graph, std::move(green), std::move(red));
@@ -35,11 +59,7 @@ Candidate choose(const Graph& graph, Items green, Items red, int effort) {
 
 Drawing draw(const Graph& graph, const Options& options) {
   refuse_bad_input(graph, options);
-  auto [green, red] = [&] {
-    const PaddedNeighbours neighbours = padded_neighbours(graph);
-    const TwoColouring colours = two_colouring(graph, neighbours, balanced_orientation(neighbours));
-    return std::pair{extract_items(colours.next[kGreen]), extract_items(colours.next[kRed])};
-  }();
+  auto [green, red] = items_of(graph);
   Candidate chosen = choose(graph, std::move(green), std::move(red), options.effort);
   expect(graph.num_vertices() == 0 || fits_theorem_box(chosen.tracks.extents, graph.num_vertices()),
          "the drawing keeps the theorem's box");

@@ -64,6 +64,9 @@ class ParityPlacer {
   std::int64_t hits() const { return hits_; }
 
  private:
+  /// The order is known, so points are asked for so many places before they are needed.
+  static constexpr std::uint32_t kAhead = 16;
+
   std::int32_t x_distance(Vertex u, Vertex v) const { return std::abs(at_[u].X - at_[v].X); }
 
   void add_rule(Vertex u, Vertex v, std::int32_t difference) {
@@ -117,6 +120,7 @@ class ParityPlacer {
     std::int32_t y = -1;
     for (std::uint32_t item = 0; item < red_.count(); ++item) {
       for (std::uint32_t i = red_.begin[item]; i < red_.begin[item + 1]; ++i) {
+        if (i + kAhead < at_.size()) __builtin_prefetch(&at_[red_.vertex[i + kAhead]], 1);
         PlanePoint& p = at_[red_.vertex[i]];
         y += (p.X - y) % 2 == 0 ? 2 : 1;
         while (clashes(i, i > red_.begin[item], y) || rules_.forbid(i, y, at_)) {

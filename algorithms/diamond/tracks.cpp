@@ -44,8 +44,7 @@ class Labels {
         measure(seen(items_.first(item)));
         continue;
       }
-      points_.clear();
-      for (const Vertex v : items_.of(item)) points_.push_back(seen(v));
+      read_points(item);
       edge_ = items_.edge.data() + items_.begin[item];
       if (items_.is_cycle(item)) {
         label_cycle();
@@ -60,6 +59,19 @@ class Labels {
   std::int64_t height() const { return height_; }
 
  private:
+  /// What stands so many places ahead in an order is asked for, since the order is known and the
+  /// places in memory are not in order.
+  static constexpr std::uint32_t kAhead = 16;
+
+  void read_points(std::uint32_t item) {
+    points_.clear();
+    const auto vertices = items_.of(item);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      if (i + kAhead < vertices.size()) __builtin_prefetch(&at_[vertices[i + kAhead]]);
+      points_.push_back(seen(vertices[i]));
+    }
+  }
+
   Seen seen(Vertex v) const {
     const PlanePoint p = at_[v];
     return colour_ == kGreen ? Seen{p.X, p.Y} : Seen{p.Y, p.X};
@@ -110,6 +122,7 @@ class Labels {
   Range label_path(int sign, std::uint32_t z) {
     Range used{points_[0].b, points_[0].b};
     for (std::uint32_t i = 0; i + 1 < points_.size(); ++i) {
+      if (i + kAhead + 1 < points_.size()) __builtin_prefetch(&code_[edge_[i + kAhead]], 1);
       const Seen p = points_[i];
       const Seen q = points_[i + 1];
       const std::int32_t track = i == z     ? p.b + sign * z_distance(q.a - p.a, q.b - p.b)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "catalogue_kernel.h"
+#include "draw_time_kernel.h"
 #include "grid_kernel.h"
 
 namespace {
@@ -34,7 +35,7 @@ int main(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
   ar3d::kernels::register_catalogues();
   ar3d::kernels::register_grid_sizes();
-  ar3d::kernels::register_grid_times();
+  ar3d::kernels::register_draw_times();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;
