@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ar3d/algorithms/compact/compact.h"
+#include "ar3d/algorithms/compact_120/compact_120.h"
 #include "ar3d/algorithms/degree_limit.h"
 #include "ar3d/algorithms/diamond/diamond.h"
 #include "ar3d/algorithms/grid/grid.h"
@@ -19,6 +20,7 @@ const std::vector<Algorithm>& algorithms() {
       two_bend::row(),
       grid::row(),
       compact::row(),
+      compact_120::row(),
   };
   return rows;
 }

@@ -16,7 +16,6 @@
 namespace ar3d::compact {
 namespace {
 
-constexpr std::uint64_t kStrips = 8;  ///< narrow strips tried, each wider than the one before
 constexpr std::uint64_t kZoneStream = 1000;
 
 constexpr int kHighestEffort = 2;
@@ -46,17 +45,18 @@ void refuse_bad_graph(const Graph& graph) {
 
 /// The first of some ever wider strips that can be filled, if it keeps the guarantee's box.
 std::optional<Strip> fill_some_narrow_strip(const Graph& graph, const Decomposition& links,
-                                            Tightness tightness, std::uint64_t seed,
-                                            Census& census) {
-  for (std::uint64_t i = 0; i < kStrips; ++i, tightness = widened(tightness)) {
-    const StripSize size = narrow_size(graph.num_vertices(), tightness);
-    if (!size_bound().holds(box_of(size), graph.num_vertices())) break;
-    std::optional<Strip> strip =
-        fill_narrow_strip(links, graph.num_edges(), tightness, RandomStream(seed, i), census);
-    if (strip) return strip;
-    ++census.widenings;
-  }
-  return std::nullopt;
+                                            Tightness first, std::uint64_t seed, Census& census) {
+  return strips::fill_ever_wider(
+      first,
+      [&](const Tightness& tightness) {
+        const StripSize size = narrow_size(graph.num_vertices(), tightness);
+        return size_bound().holds(box_of(size), graph.num_vertices());
+      },
+      [&](const Tightness& tightness, std::uint64_t i) {
+        return fill_narrow_strip(links, graph.num_edges(), tightness, RandomStream(seed, i),
+                                 census);
+      },
+      census);
 }
 
 }  // namespace

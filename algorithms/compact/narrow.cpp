@@ -1,13 +1,15 @@
 // What efforts 1 and 2 draw: a strip with about one cell per vertex, filled greedily at random; a
-// vertex that finds no cell among 120 ejects a placed neighbour, as cuckoo hashing does (Pagh and
-// Rodler 2001). Without a proof that it ends well, hence the bounded number of ejections and the
-// zones behind it. O(n + ejections) cells tried, each in O(1) expected.
+// vertex that finds no cell among 120 ejects a placed neighbour. Without a proof that it ends well,
+// hence the bounded number of ejections and the zones behind it. O(n + ejections) cells tried, each
+// in O(1) expected.
 #include "ar3d/algorithms/compact/narrow.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
+#include <vector>
 
-#include "ar3d/algorithms/compact/square_root.h"
+#include "ar3d/algorithms/strips/square_root.h"
 
 namespace ar3d::compact {
 namespace {
@@ -19,27 +21,36 @@ struct Columns {
   std::int32_t high = 0;
 };
 
-/// Fills one strip.
-class Filler {
+/// Puts vertices at random cells of one strip.
+class Placer {
  public:
-  Filler(Strip& strip, RandomStream& random, Census& census)
+  Placer(Strip& strip, RandomStream& random, Census& census)
       : strip_(strip), random_(random), census_(census) {}
 
-  /// @param ejections  how often a vertex may be taken away.
-  bool run(Vertex n, std::int64_t ejections) {
-    for (Vertex v = n; v > 0; --v) waiting_.push_back(v - 1);
-    while (!waiting_.empty()) {
-      const Vertex v = waiting_.back();
-      if (place(v)) {
-        waiting_.pop_back();
-      } else if (ejections-- == 0) {
-        return false;
-      } else {
-        eject_a_neighbour(v);
-      }
+  bool place(Vertex v) {
+    const Columns columns = columns_for(v);
+    for (int trial = 0; trial < kTrials; ++trial) {
+      ++census_.trials;
+      const auto row =
+          static_cast<std::int32_t>(random_.below(static_cast<std::uint32_t>(strip_.size().rows)));
+      const std::int32_t first = columns.low + ((columns.low ^ row) & 1);
+      if (first > columns.high) continue;
+      const auto choices = static_cast<std::uint32_t>((columns.high - first) / 2 + 1);
+      const std::int32_t column = first + 2 * static_cast<std::int32_t>(random_.below(choices));
+      if (strip_.try_place(v, {column, row, type_for(v, column)})) return true;
     }
-    return true;
+    return false;
   }
+
+  strips::FewVertices placed_neighbours(Vertex v) const {
+    strips::FewVertices placed;
+    for (const HalfEdge& edge : strip_.roles(v)) {
+      if (edge.to != kNobody && strip_.is_placed(edge.to)) placed.at[placed.count++] = edge.to;
+    }
+    return placed;
+  }
+
+  void remove(Vertex v) { strip_.remove(v); }
 
  private:
   /// The columns that reach and the types of placed tails leave to v.
@@ -72,56 +83,20 @@ class Filler {
     return 2 * column < strip_.size().columns ? 0 : 1;
   }
 
-  bool place(Vertex v) {
-    const Columns columns = columns_for(v);
-    for (int trial = 0; trial < kTrials; ++trial) {
-      ++census_.trials;
-      const auto row =
-          static_cast<std::int32_t>(random_.below(static_cast<std::uint32_t>(strip_.size().rows)));
-      const std::int32_t first = columns.low + ((columns.low ^ row) & 1);
-      if (first > columns.high) continue;
-      const auto choices = static_cast<std::uint32_t>((columns.high - first) / 2 + 1);
-      const std::int32_t column = first + 2 * static_cast<std::int32_t>(random_.below(choices));
-      if (strip_.try_place(v, {column, row, type_for(v, column)})) return true;
-    }
-    return false;
-  }
-
-  void eject_a_neighbour(Vertex v) {
-    std::array<Vertex, 4> placed{};
-    std::uint32_t count = 0;
-    for (const HalfEdge& edge : strip_.roles(v)) {
-      if (edge.to != kNobody && strip_.is_placed(edge.to)) placed[count++] = edge.to;
-    }
-    if (count == 0) return;
-    const Vertex away = placed[random_.below(count)];
-    strip_.remove(away);
-    waiting_.insert(waiting_.end() - 1, away);
-    ++census_.ejections;
-  }
-
   Strip& strip_;
   RandomStream& random_;
   Census& census_;
-  std::vector<Vertex> waiting_;  // a stack
 };
 
 }  // namespace
 
 StripSize narrow_size(std::int64_t n, const Tightness& tightness) {
-  const std::int64_t rows = square_root(tightness.rows * tightness.rows * n) / 100 + 2;
+  const std::int64_t rows = strips::square_root(tightness.rows * tightness.rows * n) / 100 + 2;
   const std::int64_t cells = tightness.cells * n / 100 + 1;
   const std::int64_t columns = 2 * cells / rows + tightness.extra_columns;
   const std::int64_t reach = tightness.reach * columns / 100 + tightness.extra_reach;
   return {static_cast<std::int32_t>(columns), static_cast<std::int32_t>(rows),
           static_cast<std::int32_t>(std::min(reach, columns))};
-}
-
-Tightness widened(Tightness tightness) {
-  tightness.cells += tightness.cells / 10;
-  ++tightness.extra_columns;
-  ++tightness.extra_reach;
-  return tightness;
 }
 
 std::optional<Strip> fill_narrow_strip(const Decomposition& links, std::size_t num_edges,
@@ -131,7 +106,12 @@ std::optional<Strip> fill_narrow_strip(const Decomposition& links, std::size_t n
   std::optional<Strip> strip(std::in_place, links, num_edges, narrow_size(n, tightness),
                              StripRules{});
   const std::int64_t ejections = tightness.ejections * n / 100 + 20;
-  if (!Filler(*strip, random, census).run(n, ejections)) strip.reset();
+  std::vector<Vertex> waiting(n);
+  std::iota(waiting.rbegin(), waiting.rend(), 0);
+  Placer placer(*strip, random, census);
+  if (!strips::place_with_ejections(placer, std::move(waiting), ejections, random, census)) {
+    strip.reset();
+  }
   return strip;
 }
 

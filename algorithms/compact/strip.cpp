@@ -73,7 +73,7 @@ bool Strip::plan_edge(Role role, Site own, Site other, EdgeId edge, Plan& plan) 
     if (*std::min_element(lengths.begin(), lengths.end()) < 1) continue;
     const Letters start = middle_start(word, from, lengths);
     Piece piece = middle_piece(word, shape.red, start, lengths[1]);
-    if (rules_.whole_lines) piece = whole_line(piece.line);
+    if (rules_.whole_lines) piece = strips::whole_line(piece.line);
     if (!is_free(piece, plan)) continue;
     if (caps_ && !caps_->is_open(shape, start)) continue;
     plan.edges[plan.count] = edge;

@@ -6,8 +6,8 @@
 
 #include "ar3d/algorithms/compact/caps.h"
 #include "ar3d/algorithms/compact/decomposition.h"
-#include "ar3d/algorithms/compact/lines.h"
 #include "ar3d/algorithms/compact/words.h"
+#include "ar3d/algorithms/strips/lines.h"
 
 namespace ar3d::compact {
 
@@ -75,7 +75,7 @@ class Strip {
   std::vector<Site> sites_;
   std::vector<std::uint8_t> variant_;
   std::vector<bool> taken_;  ///< two bits a cell, one for each type
-  Lines lines_;
+  strips::Lines lines_;
   std::optional<Caps> caps_;
 };
 

@@ -41,6 +41,13 @@ Word red_word(const Shape& shape) {
 
 }  // namespace
 
+std::uint64_t line_key(LineKind kind, const Letters& through) {
+  const std::int64_t first = std::int64_t{through[kA]} - through[kD];  // forms are below 2^24
+  const std::int64_t second = kind == LineKind::upper_b ? std::int64_t{through[kC]} - through[kD]
+                                                        : std::int64_t{through[kB]} - through[kD];
+  return strips::line_key(static_cast<unsigned>(kind), first, second);
+}
+
 Word word_of(const Shape& shape) { return shape.red ? red_word(shape) : green_word(shape); }
 
 std::array<std::int32_t, 3> long_lengths(const Word& word, const Letters& tail,
@@ -74,7 +81,7 @@ Piece middle_piece(const Word& word, bool red, const Letters& start, std::int32_
 Piece arrival_line(Site head) {
   Letters at = letters_of(head);
   at[head.type == 0 ? kD : kA] += 2;
-  return whole_line(line_key(head.type == 0 ? LineKind::upper_c : LineKind::upper_b, at));
+  return strips::whole_line(line_key(head.type == 0 ? LineKind::upper_c : LineKind::upper_b, at));
 }
 
 void append_bends_of(const Word& word, const Letters& tail,

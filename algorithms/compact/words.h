@@ -7,9 +7,17 @@
 #include <vector>
 
 #include "ar3d/algorithms/compact/letters.h"
-#include "ar3d/algorithms/compact/lines.h"
+#include "ar3d/algorithms/strips/lines.h"
 
 namespace ar3d::compact {
+
+using strips::Piece;
+
+/// The contested lines.
+enum class LineKind : std::uint8_t { upper_b = 1, upper_c = 2, lower_c = 3 };
+
+/// The number of the line of the kind's letter through the point.
+std::uint64_t line_key(LineKind kind, const Letters& through);
 
 /// What determines the word of an edge.
 struct Shape {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "ar3d/algorithms/compact/square_root.h"
+#include "ar3d/algorithms/strips/square_root.h"
 #include "ar3d/model/error.h"
 
 namespace ar3d::compact {
@@ -35,13 +35,13 @@ std::int64_t most_closed_cells(std::int64_t n_k, std::int64_t n, std::int64_t ro
 Zones lay_out_zones(const std::vector<std::int64_t>& sizes) {
   std::int64_t n = 0;
   for (const std::int64_t n_k : sizes) n += n_k;
-  const std::int64_t rows = square_root(27 * n / 100) + 1;
-  const std::int64_t cap = square_root(3 * n) + 1;
+  const std::int64_t rows = strips::square_root(27 * n / 100) + 1;
+  const std::int64_t cap = strips::square_root(3 * n) + 1;
   Zones zones;
   std::int64_t columns = 0;
   for (const std::int64_t n_k : sizes) {
     const std::int64_t closed = most_closed_cells(n_k, n, rows, cap);
-    const std::int64_t cells = closed + closed / 8 + 1;
+    const std::int64_t cells = strips::cells_with_reserve(closed);
     const std::int64_t width = 2 * ((cells + rows - 1) / rows);
     if (columns > 0) columns += rows + 3;
     zones.begin.push_back(static_cast<std::int32_t>(columns));
@@ -70,24 +70,6 @@ struct ZoneCells {
   }
 };
 
-bool place_in(const ZoneCells& cells, Vertex v, std::int32_t type, int random_trials, Strip& strip,
-              RandomStream& random, Census& census) {
-  const auto try_cell = [&](std::uint32_t cell) {
-    ++census.trials;
-    Site site = cells[cell];
-    site.type = type;
-    return strip.try_place(v, site);
-  };
-  for (int trial = 0; trial < random_trials; ++trial) {
-    if (try_cell(random.below(cells.count()))) return true;
-  }
-  ++census.scans;
-  for (std::uint32_t cell = 0; cell < cells.count(); ++cell) {
-    if (try_cell(cell)) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 Strip fill_zones(const Graph& graph, const Decomposition& links, RandomStream random,
@@ -101,12 +83,17 @@ Strip fill_zones(const Graph& graph, const Decomposition& links, RandomStream ra
   }
   const Zones zones = lay_out_zones(sizes);
   Strip strip(links, graph.num_edges(), zones.size, {.whole_lines = true, .cap = zones.cap});
-  const int trials = random_trials ? 6 * static_cast<int>(std::bit_width(n)) + 8 : 0;
+  const int trials = random_trials ? strips::random_trials(n) : 0;
   for (Vertex v = 0; v < n; ++v) {
     const Vertex head = links.at[v][kGreenOut].to;
     const std::int32_t type = head != kNobody && colours[head] < colours[v] ? 1 : 0;
     const ZoneCells cells{zones.begin[colours[v]], zones.width[colours[v]], zones.size.rows};
-    const bool placed = place_in(cells, v, type, trials, strip, random, census);
+    const auto accept = [&](std::uint32_t cell) {
+      Site site = cells[cell];
+      site.type = type;
+      return strip.try_place(v, site);
+    };
+    const bool placed = strips::place_in_turn(cells.count(), trials, accept, random, census);
     expect(placed, "a zone has a cell for each of its vertices");
   }
   return strip;

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "algorithms/compact_support.h"
-#include "ar3d/algorithms/compact/square_root.h"
+#include "ar3d/algorithms/strips/square_root.h"
 #include "ar3d/generators/catalog.h"
 #include "support/graphs.h"
 
@@ -21,8 +21,8 @@ Graph random_regular(std::uint64_t n, std::uint64_t seed = 1) {
 
 TEST(CompactSquareRoot, IsExact) {
   for (std::int64_t root : {0, 1, 2, 3, 10, 65535, 65536, 1000003}) {
-    EXPECT_EQ(square_root(root * root), root);
-    EXPECT_EQ(square_root(root * root + 2 * root), root);
+    EXPECT_EQ(strips::square_root(root * root), root);
+    EXPECT_EQ(strips::square_root(root * root + 2 * root), root);
   }
 }
 
@@ -116,7 +116,7 @@ TEST(CompactWords, JoinTheirEnds) {
 
 TEST(CompactLines, AgreeWithAPlainList) {
   RandomStream random(5);
-  Lines lines(300);
+  strips::Lines lines(300);
   std::vector<Piece> plain;
   for (int step = 0; step < 20000; ++step) {
     if (!plain.empty() && (plain.size() == 300 || random.chance(1, 2))) {

@@ -127,22 +127,21 @@ class Checker {
   }
 
   void collect_definitions(const std::string& path, const std::string& text) {
-    static const std::map<std::string, std::string> pages = {{"1", "docs/theorem1.md"},
-                                                             {"2", "docs/theorem2.md"},
-                                                             {"3", "docs/theorem3.md"},
-                                                             {"C", "docs/compact.md"},
-                                                             {"P", "docs/theorem2-paper.md"},
-                                                             {"V", "docs/verify.md"}};
-    each(text, "(?:^|[^`])\\*\\*(Lemma|Rule|Step) ([0-9CPV])\\.([0-9]+)", [&](const std::smatch& m) {
-      const std::string name = m[1].str() + " " + m[2].str() + "." + m[3].str();
-      if (!defined_.insert(name).second)
-        findings_.push_back(fmt::format("{}: {} is defined twice", path, name));
-      const auto page = pages.find(m[2].str());
-      if (page == pages.end() || page->second != path) {
-        findings_.push_back(fmt::format("{}: {} belongs into {}", path, name,
-                                        page == pages.end() ? "no page" : page->second));
-      }
-    });
+    static const std::map<std::string, std::string> pages = {
+        {"1", "docs/theorem1.md"}, {"2", "docs/theorem2.md"},    {"3", "docs/theorem3.md"},
+        {"C", "docs/compact.md"},  {"D", "docs/compact-120.md"}, {"P", "docs/theorem2-paper.md"},
+        {"V", "docs/verify.md"}};
+    each(text, "(?:^|[^`])\\*\\*(Lemma|Rule|Step) ([0-9CDPV])\\.([0-9]+)",
+         [&](const std::smatch& m) {
+           const std::string name = m[1].str() + " " + m[2].str() + "." + m[3].str();
+           if (!defined_.insert(name).second)
+             findings_.push_back(fmt::format("{}: {} is defined twice", path, name));
+           const auto page = pages.find(m[2].str());
+           if (page == pages.end() || page->second != path) {
+             findings_.push_back(fmt::format("{}: {} belongs into {}", path, name,
+                                             page == pages.end() ? "no page" : page->second));
+           }
+         });
   }
 
   void collect_tests(const std::string& code) {
@@ -153,13 +152,13 @@ class Checker {
   }
 
   void check_numbers() {
-    const std::string number = "([0-9CPV]\\.[0-9]+|[0-9]+)";
+    const std::string number = "([0-9CDPV]\\.[0-9]+|[0-9]+)";
     each(prose_,
          "\\b([Ll]emma|[Rr]ule|[Ss]tep|[Ss]tage)s?\\s+" + number +
              "((,|\\s+and|\\s+to|\\s+or|–)\\s*" + number + ")*(?![\\w])",
          [&](const std::smatch& m) {
            const std::string kind = m[1].str();
-           each(m.str(), "[0-9CPV]\\.[0-9]+|[0-9]+", [&](const std::smatch& one) {
+           each(m.str(), "[0-9CDPV]\\.[0-9]+|[0-9]+", [&](const std::smatch& one) {
              const std::string name = kind + " " + one.str();
              if (one.str().find('.') == std::string::npos || kind == "stage" || kind == "Stage") {
                report(m.position(), name + " has no page: write Lemma, Rule or Step and X.N");

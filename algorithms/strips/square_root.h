@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace ar3d::compact {
+namespace ar3d::strips {
 
 /// floor(sqrt(value)) for 0 <= value < 2^62, in integers: the same on every platform.
 inline std::int64_t square_root(std::int64_t value) {
@@ -13,4 +13,4 @@ inline std::int64_t square_root(std::int64_t value) {
   return root;
 }
 
-}  // namespace ar3d::compact
+}  // namespace ar3d::strips

@@ -1,24 +1,21 @@
 #pragma once
 
-// The contested lines: those on which more than one edge may run. Lines of different letters never
-// meet, and all other lines are private to a vertex, so that a drawing is right if no two pieces
-// here overlap.
+// The contested lines: those on which more than one edge may run. In both constructions (`compact`,
+// `compact_120`) lines of different letters never meet, and all other lines are private to a
+// vertex, so that a drawing is right if no two pieces here overlap.
 
 #include <cstdint>
 #include <limits>
 #include <vector>
 
-#include "ar3d/algorithms/compact/letters.h"
+namespace ar3d::strips {
 
-namespace ar3d::compact {
+/// A number for the line of a kind on which two forms have these values, |value| < 2^30; different
+/// for different lines, not 0. @param kind  0 to 3.
+std::uint64_t line_key(unsigned kind, std::int64_t first, std::int64_t second);
 
-enum class LineKind : std::uint8_t { upper_b = 1, upper_c = 2, lower_c = 3 };
-
-/// A number for the line of the kind's letter through the point; different for different lines, not
-/// 0.
-std::uint64_t line_key(LineKind kind, const Letters& through);
-
-/// A closed interval of heights on a line.
+/// A closed interval on a line, along a coordinate that grows by one from lattice point to lattice
+/// point.
 struct Piece {
   std::uint64_t line = 0;
   std::int32_t low = 0;
@@ -56,4 +53,4 @@ class Lines {
   std::vector<Piece> entries_;  ///< line 0: empty
 };
 
-}  // namespace ar3d::compact
+}  // namespace ar3d::strips

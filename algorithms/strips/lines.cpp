@@ -1,19 +1,16 @@
-// The hash table of contested lines, the only thing that vertices share (Lemma C.5 and its
-// consequence). Open addressing with linear probing, Knuth's multiplicative hash and deletion by
-// shifting back, so that no marks of deleted entries pile up. 16 bytes per piece, O(1) expected.
-#include "ar3d/algorithms/compact/lines.h"
+// The hash table of contested lines, the only thing that vertices share (Lemmas C.5 and D.6). Open
+// addressing with linear probing, Knuth's multiplicative hash and deletion by shifting back, so
+// that no marks of deleted entries pile up. 16 bytes per piece, O(1) expected.
+#include "ar3d/algorithms/strips/lines.h"
 
 #include <bit>
 
 #include "ar3d/model/error.h"
 
-namespace ar3d::compact {
+namespace ar3d::strips {
 
-std::uint64_t line_key(LineKind kind, const Letters& through) {
-  constexpr std::int64_t kOffset = std::int64_t{1} << 30;  // forms are below 2^24
-  const std::int64_t first = std::int64_t{through[kA]} - through[kD];
-  const std::int64_t second = kind == LineKind::upper_b ? std::int64_t{through[kC]} - through[kD]
-                                                        : std::int64_t{through[kB]} - through[kD];
+std::uint64_t line_key(unsigned kind, std::int64_t first, std::int64_t second) {
+  constexpr std::int64_t kOffset = std::int64_t{1} << 30;
   return (static_cast<std::uint64_t>(kind) << 62) |
          (static_cast<std::uint64_t>(first + kOffset) << 31) |
          static_cast<std::uint64_t>(second + kOffset);
@@ -56,4 +53,4 @@ void Lines::erase(const Piece& piece) {
   entries_[gap] = {};
 }
 
-}  // namespace ar3d::compact
+}  // namespace ar3d::strips

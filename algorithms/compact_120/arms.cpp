@@ -1,0 +1,89 @@
+// Step D.5: classes and arms. Own edges take the arms 01 and 20; of two arrivals one takes an own
+// arm of its side that is free, which exists because the vertex owns an edge if it has degree 3.
+#include "ar3d/algorithms/compact_120/arms.h"
+
+#include "ar3d/model/error.h"
+
+namespace ar3d::compact_120 {
+namespace {
+
+Class class_of(const Graph& graph, const Order& order, Vertex v) {
+  if (graph.degree(v) != 3) return Class::n;
+  int right = 0;
+  for (const HalfEdge& edge : graph.incident(v)) right += order.is_right(v, edge.to) ? 1 : 0;
+  return right == 3 ? Class::s : right == 0 ? Class::t : Class::n;
+}
+
+/// The arm other than 12 at which an edge from that side may arrive.
+Arm side_arm(Class of, bool from_right) {
+  if (of == Class::n) return from_right ? k01 : k20;
+  return of == Class::s ? k20 : k01;
+}
+
+/// Arrivals of one vertex: all on 12 but those for which 12 is taken.
+void assign_arrivals(Class of, const std::array<Link, 3>& arrivals, std::size_t count,
+                     std::array<Link, 3>& at) {
+  std::size_t on_12 = 0;  // the arrival that takes 12
+  const auto side = [&](std::size_t i) { return side_arm(of, arrivals[i].is_right); };
+  if (count == 2 && at[side(1)].is_set()) on_12 = 1;
+  for (std::size_t i = 0; i < count; ++i) {
+    Link& link = at[i == on_12 ? k12 : side(i)];
+    expect(!link.is_set(), "an arm has one edge");
+    link = arrivals[i];
+  }
+}
+
+/// Tells both ends of every edge where it arrives.
+void tell_arrivals(Links& links, std::size_t num_edges) {
+  std::vector<Arrival> arrival(num_edges);
+  for (std::size_t v = 0; v < links.at.size(); ++v) {
+    for (const Arm arm : kArms) {
+      const Link& link = links.at[v][arm];
+      if (link.is_set() && link.is_out == 0) arrival[link.edge] = arrival_on(arm, links.of[v]);
+    }
+  }
+  for (std::array<Link, 3>& at : links.at) {
+    for (Link& link : at) {
+      if (link.is_set()) link.at = static_cast<unsigned>(arrival[link.edge]) & 3u;
+    }
+  }
+}
+
+Link link_of(const HalfEdge& edge, bool out, bool right) {
+  Link link;
+  link.to = edge.to;
+  link.edge = edge.edge & 0xfffffffu;
+  link.is_out = out ? 1 : 0;
+  link.is_right = right ? 1 : 0;
+  return link;
+}
+
+}  // namespace
+
+Links assign_arms(const Graph& graph, const Order& order, const Owners& owners) {
+  expect(owners.crowded.empty(), "a vertex owns one edge a side");
+  Links links;
+  links.at.resize(graph.num_vertices());
+  links.of.resize(graph.num_vertices());
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+    links.of[v] = class_of(graph, order, v);
+    std::array<Link, 3> arrivals;
+    std::size_t count = 0;
+    for (const HalfEdge& edge : graph.incident(v)) {
+      const bool right = order.is_right(v, edge.to);
+      const Link link = link_of(edge, owners.tail[edge.edge] == v, right);
+      if (link.is_out == 0) {
+        arrivals[count++] = link;
+        continue;
+      }
+      Link& own = links.at[v][right ? k01 : k20];
+      expect(!own.is_set(), "a vertex owns one edge a side");
+      own = link;
+    }
+    assign_arrivals(links.of[v], arrivals, count, links.at[v]);
+  }
+  tell_arrivals(links, graph.num_edges());
+  return links;
+}
+
+}  // namespace ar3d::compact_120

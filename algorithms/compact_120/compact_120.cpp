@@ -1,0 +1,133 @@
+// Five bends at 120 degrees in volume O(n^1.5): order, owners, arms, a strip, routes. Up to eight
+// narrow strips, each a tenth wider than the one before, then the zones of the proof, which never
+// fail (Lemma D.9). A strip whose own box (Lemma D.10) passes the theorem's is not tried, so the
+// guarantee holds for every input.
+#include "ar3d/algorithms/compact_120/compact_120.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "ar3d/algorithms/compact_120/routes.h"
+#include "ar3d/algorithms/compact_120/zones.h"
+#include "ar3d/algorithms/degree_limit.h"
+#include "ar3d/model/error.h"
+
+namespace ar3d::compact_120 {
+namespace {
+
+constexpr std::uint64_t kZoneStream = 1000;
+constexpr std::uint64_t kOrderStream = 1001;
+
+constexpr int kHighestEffort = 2;
+
+const SizeBound& size_bound() {
+  static const SizeBound bound = {"proved here",
+                                  "docs/compact-120.md",
+                                  {sqrt_n(580) + 13000, sqrt_n(580) + 13000, sqrt_n(725) + 16200}};
+  return bound;
+}
+
+/// None: the zones at once.
+std::optional<Tightness> first_tightness(int effort) {
+  check_effort("compact-120", effort, kHighestEffort);
+  if (effort == 0) return std::nullopt;
+  if (effort == 1) return Tightness{.cells = 90, .rows = 110, .reach = 15, .ejections = 200};
+  return Tightness{.cells = 78, .rows = 112, .reach = 12, .extra_columns = 2, .ejections = 600};
+}
+
+void refuse_bad_graph(const Graph& graph) {
+  refuse_larger_degrees("compact-120", graph, 3);
+  if (graph.num_vertices() > kMaxVertices) {
+    throw InputError(fmt::format("compact-120 draws at most {} vertices, this graph has {}",
+                                 kMaxVertices, graph.num_vertices()));
+  }
+}
+
+Drawing finished(const Graph& graph, const Strip& strip, const Census& census) {
+  Drawing drawing = lift(graph, strip);
+  const StripSize& size = strip.size();
+  drawing.counters = {{"widenings", census.widenings}, {"ejections", census.ejections},
+                      {"trials", census.trials},       {"scans", census.scans},
+                      {"columns", size.columns},       {"rows", size.rows},
+                      {"beyond", size.beyond}};
+  if (graph.num_vertices() > 0) drawing.instance_bound = box_of(size);
+  return drawing;
+}
+
+/// In the first of some ever wider strips that can be filled, if it keeps the guarantee's box.
+std::optional<Drawing> draw_narrow(const Graph& graph, const Tightness& first, std::uint64_t seed,
+                                   Census& census) {
+  const NarrowOrder order = narrow_order(graph, RandomStream(seed, kOrderStream));
+  const std::optional<Strip> strip = strips::fill_ever_wider(
+      first,
+      [&](const Tightness& tightness) {
+        const StripSize size = narrow_size(order, tightness);
+        return size_bound().holds(box_of(size), graph.num_vertices());
+      },
+      [&](const Tightness& tightness, std::uint64_t i) {
+        return fill_narrow_strip(order, graph.num_edges(), tightness, RandomStream(seed, i),
+                                 census);
+      },
+      census);
+  if (!strip) return std::nullopt;
+  Drawing drawing = finished(graph, *strip, census);
+  drawing.counters.insert(drawing.counters.begin(), {{"zones", 0}});
+  drawing.counters.push_back({"moved_components", order.moved_components});
+  return drawing;
+}
+
+Drawing draw_in_zones(const Graph& graph, std::uint64_t seed, Census& census) {
+  const Order order = moved_order(graph);
+  const Links links = assign_arms(graph, order, choose_owners(graph, order));
+  const Strip strip = fill_zones(in_levels(graph, order), links, graph.num_edges(),
+                                 RandomStream(seed, kZoneStream), census);
+  Drawing drawing = finished(graph, strip, census);
+  drawing.counters.insert(drawing.counters.begin(), {{"zones", 1}});
+  drawing.counters.push_back({"moved_components", 0});
+  return drawing;
+}
+
+}  // namespace
+
+Drawing draw(const Graph& graph, const Options& options) {
+  return draw_from(graph, first_tightness(options.effort));
+}
+
+Drawing draw_from(const Graph& graph, const std::optional<Tightness>& first) {
+  refuse_bad_graph(graph);
+  const std::uint64_t seed = mix_seed(graph.num_vertices(), graph.num_edges());
+  Census census;
+  if (first) {
+    std::optional<Drawing> drawing = draw_narrow(graph, *first, seed, census);
+    if (drawing) return std::move(*drawing);
+  }
+  return draw_in_zones(graph, seed, census);
+}
+
+Algorithm row() {
+  Algorithm row;
+  row.name = "compact-120";
+  row.summary = "Degree at most 3, 5 bends per edge, all angles 120 degrees, volume O(n^1.5).";
+  row.source = "the paper's last open question";
+  row.guarantee = {
+      .max_degree = 3,
+      .max_bends = 5,
+      .angle_rule = AngleRule::exactly,
+      .cosine = {-1, 2},
+      .lattice = kCubeLattice,
+      .directions = {{1, 1, 0}, {1, -1, 0}, {1, 0, 1}, {1, 0, -1}, {0, 1, 1}, {0, 1, -1}},
+      .vertices_in_plane = false,
+      .bound = size_bound(),
+      .published = {},
+  };
+  row.options = {effort_option(
+      kHighestEffort,
+      "0: the zones of the proof; 1: a narrow strip; 2: a narrower one, several times slower")};
+  row.draw = [](const Graph& graph, const Settings& values) {
+    return draw(graph, {.effort = static_cast<int>(value_of(values, "effort"))});
+  };
+  return row;
+}
+
+}  // namespace ar3d::compact_120

@@ -1,0 +1,188 @@
+// What efforts 1 and 2 draw: a strip with about one cell per vertex, filled greedily at random near
+// the columns where the order wants the vertices. Without a proof that it ends well, hence the
+// bounded number of ejections and the zones behind it. O(n + ejections) cells tried, each in O(1)
+// expected.
+#include "ar3d/algorithms/compact_120/narrow.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "ar3d/algorithms/strips/square_root.h"
+
+namespace ar3d::compact_120 {
+namespace {
+
+constexpr int kTrials = 12;
+
+struct Range {
+  std::int32_t low = 0;
+  std::int32_t high = -1;
+  bool is_empty() const { return low > high; }
+};
+
+std::int32_t quotient_down(std::int32_t a, std::int32_t b) { return a / b - (a % b < 0 ? 1 : 0); }
+
+/// Puts vertices at random cells of one strip.
+class Placer {
+ public:
+  Placer(Strip& strip, const NarrowOrder& order, RandomStream& random, Census& census)
+      : strip_(strip), order_(order), random_(random), census_(census) {
+    for (std::size_t v = 0; v < order.position.size(); ++v) {
+      if (order.links.of[v] == Class::n) ++before_[order.position[v] + 1u];
+    }
+    std::partial_sum(before_.begin(), before_.end(), before_.begin());
+  }
+
+  bool place(Vertex v) {
+    const Range columns = columns_for(v);
+    if (columns.is_empty()) return false;
+    for (int trial = 0; trial < kTrials; ++trial) {
+      ++census_.trials;
+      Site site{pick(columns), 0, strip_.links().of[v]};
+      const Range rows = rows_for(v, site);
+      if (rows.is_empty()) continue;
+      site.row = pick(rows);
+      const std::int32_t start = site.row;
+      site.row = strip_.free().next_row(site, rows.high);
+      if (site.row > rows.high) {
+        site.row = rows.low;
+        site.row = strip_.free().next_row(site, start);
+        if (site.row > start) continue;
+      }
+      if (strip_.try_place(v, site)) return true;
+    }
+    return false;
+  }
+
+  strips::FewVertices placed_neighbours(Vertex v) const {
+    strips::FewVertices placed;
+    for (const Link& link : strip_.links().at[v]) {
+      if (link.is_set() && strip_.is_placed(link.to)) placed.at[placed.count++] = link.to;
+    }
+    return placed;
+  }
+
+  void remove(Vertex v) { strip_.remove(v); }
+
+ private:
+  std::int32_t pick(Range range) {
+    return range.low + static_cast<std::int32_t>(
+                           random_.below(static_cast<std::uint32_t>(range.high - range.low + 1)));
+  }
+
+  /// The columns where v belongs: of class N those that hold as many vertices of N as have its
+  /// position, and a margin; the ends of the strip for sources and sinks.
+  Range home(Vertex v) const {
+    const std::int32_t columns = strip_.size().columns;
+    const Class of = strip_.links().of[v];
+    const std::int32_t share = kSourceShare * columns / 100;
+    if (of == Class::s) return {0, share};
+    if (of == Class::t) return {columns - 1 - share, columns - 1};
+    const std::int32_t margin = kMargin * columns / 100;
+    const auto column = [&](std::int64_t before) {
+      return static_cast<std::int32_t>(columns * before / std::max<std::int64_t>(before_[101], 1));
+    };
+    const std::size_t position = order_.position[v];
+    return {std::max(column(before_[position]) - margin, 0),
+            std::min(column(before_[position + 1]) + margin, columns - 1)};
+  }
+
+  /// Those of them that the placed neighbours leave.
+  Range columns_for(Vertex v) const {
+    Range range = home(v);
+    for (const Link& link : strip_.links().at[v]) {
+      if (!link.is_set() || !strip_.is_placed(link.to)) continue;
+      const std::int32_t at = strip_.site(link.to).column;
+      if (link.is_right != 0) {
+        range.high = std::min(range.high, at);
+      } else {
+        range.low = std::max(range.low, at);
+      }
+    }
+    return range;
+  }
+
+  /// The rows of the column in which all lengths to placed neighbours are at least 1: with d the
+  /// slant of the head minus that of the tail, d <= 3/2 |Dt| - 2 and d >= 2 - 5/2 |Dt|.
+  Range rows_for(Vertex v, Site site) const {
+    const std::int32_t t = coordinates(site).t;
+    const std::int32_t base = slant(site);
+    std::int32_t low = base;
+    std::int32_t high = base + 4 * (strip_.size().rows - 1);
+    for (const Link& link : strip_.links().at[v]) {
+      if (!link.is_set() || !strip_.is_placed(link.to)) continue;
+      const Site& other = strip_.site(link.to);
+      const std::int32_t across = (coordinates(other).t - t) * (link.is_right != 0 ? 1 : -1);
+      if (across <= 0) return {};
+      const std::int32_t shallow = 3 * across / 2 - 2;
+      const std::int32_t deep = 5 * across / 2 - 2;
+      const std::int32_t at = slant(other);
+      low = std::max(low, at - (link.is_out != 0 ? shallow : deep));
+      high = std::min(high, at + (link.is_out != 0 ? deep : shallow));
+      const std::int32_t tail_t = link.is_out != 0 ? t : coordinates(other).t;
+      const std::int32_t least = strip_.least_slant(link, tail_t, across);
+      if ((link.is_out != 0) != link.is_steep()) {
+        low = std::max(low, least);
+      } else if (at < least) {
+        return {};
+      }
+    }
+    return {quotient_down(low - base + 3, 4), quotient_down(high - base, 4)};
+  }
+
+  static constexpr std::int32_t kMargin = 2;        ///< hundredths of the strip
+  static constexpr std::int32_t kSourceShare = 60;  ///< hundredths of the strip
+
+  /// By position, the vertices of N before it.
+  std::array<std::int64_t, 102> before_{};
+
+  Strip& strip_;
+  const NarrowOrder& order_;
+  RandomStream& random_;
+  Census& census_;
+};
+
+/// Sources and sinks last: they find room at the ends of the strip, whatever their neighbours do.
+std::vector<Vertex> stack_of_vertices(const Links& links) {
+  std::vector<Vertex> waiting;
+  waiting.reserve(links.of.size());
+  for (const bool extreme : {true, false}) {
+    for (auto v = static_cast<Vertex>(links.of.size()); v > 0; --v) {
+      if ((links.of[v - 1] != Class::n) == extreme) waiting.push_back(v - 1);
+    }
+  }
+  return waiting;
+}
+
+}  // namespace
+
+StripSize narrow_size(const NarrowOrder& order, const Tightness& tightness) {
+  const auto n = static_cast<std::int64_t>(order.position.size());
+  const std::int64_t in_n = std::count(order.links.of.begin(), order.links.of.end(), Class::n);
+  const std::int64_t rows = strips::square_root(tightness.rows * tightness.rows * n) / 100 + 2;
+  const std::int64_t cells = tightness.cells * std::max(n, 7 * in_n / 5) / 100 + 1;
+  const std::int64_t columns = cells / rows + tightness.extra_columns;
+  const std::int64_t beyond = 4 * tightness.reach * columns / 100 + 8 * tightness.extra_reach;
+  return {static_cast<std::int32_t>(columns), static_cast<std::int32_t>(rows),
+          static_cast<std::int32_t>(beyond)};
+}
+
+std::optional<Strip> fill_narrow_strip(const NarrowOrder& order, std::size_t num_edges,
+                                       const Tightness& tightness, RandomStream random,
+                                       Census& census) {
+  const auto n = static_cast<std::int64_t>(order.position.size());
+  std::optional<Strip> strip(std::in_place, order.links, num_edges, narrow_size(order, tightness),
+                             false);
+  const std::int64_t ejections = tightness.ejections * n / 100 + 20;
+  Placer placer(*strip, order, random, census);
+  if (!strips::place_with_ejections(placer, stack_of_vertices(order.links), ejections, random,
+                                    census)) {
+    strip.reset();
+  }
+  return strip;
+}
+
+}  // namespace ar3d::compact_120

@@ -1,0 +1,104 @@
+// Steps D.1 to D.3: who is left of whom. Colours give few ranks; a source or sink of degree 3
+// passes one neighbour where that makes it none and no other vertex one. One vertex after the
+// other, each judged by the moves so far: all at once, two sources could pass one neighbour and
+// make it a source.
+#include "ar3d/algorithms/compact_120/order.h"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+
+namespace ar3d::compact_120 {
+namespace {
+
+constexpr std::uint32_t kColourStep = 100;  ///< ranks between two colours
+constexpr std::uint32_t kSourceStep = 5;    ///< between sources of different colours that moved
+
+/// Moves sources or sinks.
+class Mover {
+ public:
+  Mover(const Graph& graph, Order& order) : graph_(graph), order_(order) {}
+
+  /// All neighbours on the far side: right of a source, left of a sink.
+  bool is_extreme(Vertex v, bool source) const {
+    return graph_.degree(v) == 3 && count(v, source) == 3;
+  }
+
+  /// The neighbour that v would pass: the nearest one.
+  Vertex nearest(Vertex v, bool source) const {
+    Vertex best = graph_.incident(v)[0].to;
+    for (const HalfEdge& edge : graph_.incident(v)) {
+      if (order_.is_right(edge.to, best) == source) best = edge.to;
+    }
+    return best;
+  }
+
+  /// Neighbours of v to the right (or left).
+  int count(Vertex v, bool right) const {
+    int found = 0;
+    for (const HalfEdge& edge : graph_.incident(v)) found += order_.is_right(v, edge.to) == right;
+    return found;
+  }
+
+  /// If v may pass its nearest neighbour: that one has another neighbour on v's side.
+  bool may_move(Vertex v, bool source) const {
+    return is_extreme(v, source) && count(nearest(v, source), !source) >= 2;
+  }
+
+ private:
+  const Graph& graph_;
+  const Order& order_;
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> distance_two_colours(const Graph& graph) {
+  constexpr std::uint8_t kNone = 255;
+  std::vector<std::uint8_t> colours(graph.num_vertices(), kNone);
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+    unsigned used = 0;
+    const auto use = [&](Vertex u) {
+      if (colours[u] != kNone) used |= 1u << colours[u];
+    };
+    for (const HalfEdge& edge : graph.incident(v)) {
+      use(edge.to);
+      for (const HalfEdge& next : graph.incident(edge.to)) use(next.to);
+    }
+    colours[v] = static_cast<std::uint8_t>(std::countr_one(used));
+  }
+  return colours;
+}
+
+Order moved_order(const Graph& graph) {
+  const std::vector<std::uint8_t> colours = distance_two_colours(graph);
+  Order order;
+  order.rank.reserve(colours.size());
+  for (const std::uint8_t colour : colours) order.rank.push_back(kColourStep * (colour + 1u));
+  const Mover mover(graph, order);
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+    if (!mover.may_move(v, true)) continue;
+    order.rank[v] = order.rank[mover.nearest(v, true)] + kSourceStep * (colours[v] + 1u);
+  }
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+    if (mover.may_move(v, false)) order.rank[v] = order.rank[mover.nearest(v, false)] - 1;
+  }
+  return order;
+}
+
+Order in_levels(const Graph& graph, const Order& order) {
+  std::vector<Vertex> by_rank(graph.num_vertices());
+  std::iota(by_rank.begin(), by_rank.end(), 0);
+  std::stable_sort(by_rank.begin(), by_rank.end(),
+                   [&](Vertex a, Vertex b) { return order.rank[a] < order.rank[b]; });
+  Order levels;
+  levels.rank.assign(graph.num_vertices(), 0);
+  for (const Vertex v : by_rank) {
+    for (const HalfEdge& edge : graph.incident(v)) {
+      if (!order.is_right(edge.to, v)) continue;
+      levels.rank[v] = std::max(levels.rank[v], levels.rank[edge.to] + 1);
+    }
+  }
+  return levels;
+}
+
+}  // namespace ar3d::compact_120

@@ -1,0 +1,91 @@
+// Places vertices and routes their edges while (a) to (e) hold, which by Lemma D.6 is all that a
+// right drawing needs. Cheap refusals (side) come before lines are looked up. O(1) expected
+// per cell tried: at most three pieces of contested lines, which never overlap each other (Lemma
+// D.7).
+#include "ar3d/algorithms/compact_120/strip.h"
+
+#include "ar3d/model/error.h"
+
+namespace ar3d::compact_120 {
+namespace {
+
+Route route_of(const Link& link, unsigned variant, const Quad& own, const Quad& other) {
+  const Shape shape{link.runs_right(), link.arrival(), variant};
+  return link.is_out != 0 ? Route(shape, own, other) : Route(shape, other, own);
+}
+
+}  // namespace
+
+Strip::Strip(const Links& links, std::size_t num_edges, StripSize size, bool whole_lines)
+    : links_(&links),
+      size_(size),
+      whole_lines_(whole_lines),
+      sites_(links.at.size()),
+      variant_(num_edges, 0),
+      free_(size.columns, size.rows),
+      lines_(num_edges),
+      top_right_(size.beyond),
+      top_left_(size.beyond + 6 * (size.columns - 1) + 3) {}
+
+bool Strip::plan_edge(const Link& link, const Quad& own, Plan& plan) const {
+  const Quad other = quad_of(sites_[link.to]);
+  const unsigned tried = whole_lines_ ? 1 : variants(link.arrival());
+  for (unsigned variant = 0; variant < tried; ++variant) {
+    const Route route = route_of(link, variant, own, other);
+    if (!route.fits() || route.top() > (link.runs_right() ? top_right_ : top_left_)) continue;
+    Piece piece = route.middle();
+    if (whole_lines_) piece = strips::whole_line(piece.line);
+    if (!lines_.is_free(piece)) continue;
+    plan.edges[plan.count] = link.edge;
+    plan.variants[plan.count] = static_cast<std::uint8_t>(variant);
+    plan.pieces[plan.count++] = piece;
+    return true;
+  }
+  return false;
+}
+
+bool Strip::make_plan(Vertex v, Site site, Plan& plan) const {
+  if (!free_.is_free(site)) return false;
+  const std::array<Link, 3>& links = links_->at[v];
+  const std::int32_t t = coordinates(site).t;
+  for (const Link& link : links) {
+    if (!link.is_set() || !is_placed(link.to)) continue;
+    const std::int32_t other_t = coordinates(sites_[link.to]).t;
+    if (link.is_right != 0 ? other_t <= t : other_t >= t) return false;
+  }
+  const Quad own = quad_of(site);
+  for (const Link& link : links) {
+    if (link.is_set() && is_placed(link.to) && !plan_edge(link, own, plan)) return false;
+  }
+  return true;
+}
+
+bool Strip::fits(Vertex v, Site site) const {
+  Plan plan;
+  return make_plan(v, site, plan);
+}
+
+bool Strip::try_place(Vertex v, Site site) {
+  Plan plan;
+  if (!make_plan(v, site, plan)) return false;
+  sites_[v] = site;
+  free_.flip(site);
+  for (std::size_t i = 0; i < plan.count; ++i) {
+    lines_.insert(plan.pieces[i]);
+    variant_[plan.edges[i]] = plan.variants[i];
+  }
+  return true;
+}
+
+void Strip::remove(Vertex v) {
+  expect(!whole_lines_, "vertices are removed only where edges take pieces");
+  const Quad own = quad_of(sites_[v]);
+  for (const Link& link : links_->at[v]) {
+    if (!link.is_set() || !is_placed(link.to)) continue;
+    lines_.erase(route_of(link, variant_[link.edge], own, quad_of(sites_[link.to])).middle());
+  }
+  free_.flip(sites_[v]);
+  sites_[v] = {};
+}
+
+}  // namespace ar3d::compact_120

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "ar3d/algorithms/compact_120/arms.h"
+#include "ar3d/algorithms/compact_120/free_places.h"
+#include "ar3d/algorithms/compact_120/words.h"
+#include "ar3d/algorithms/strips/lines.h"
+
+namespace ar3d::compact_120 {
+
+/// The cells (i, j), 0 <= i < columns, 0 <= j < rows.
+struct StripSize {
+  std::int32_t columns = 1;
+  std::int32_t rows = 1;
+  std::int32_t beyond = 16;  ///< how far edges may pass the box of the vertices (Lemma D.10)
+  friend bool operator==(const StripSize&, const StripSize&) = default;
+};
+
+/// The vertices placed so far and the pieces of contested lines that their edges use. Invariants:
+/// (a) every edge runs to the side that the order says; (b) all lengths are at least 1; (c) one
+/// edge at an arm; (d) one vertex a cell and class; (e) no two pieces overlap: by Lemma D.6 these
+/// are enough for a right drawing; (f) no edge leaves the box of Lemma D.10.
+class Strip {
+ public:
+  /// @param whole_lines  an edge takes all of its contested line, and only variant 0 is used.
+  Strip(const Links& links, std::size_t num_edges, StripSize size, bool whole_lines);
+
+  /// True if v can be placed there. O(1) expected.
+  bool fits(Vertex v, Site site) const;
+  /// Places v if that keeps the invariants; routes its edges to placed neighbours in the first
+  /// variants that fit. O(1) expected.
+  bool try_place(Vertex v, Site site);
+  /// Takes a placed vertex and its edges away; not with whole lines.
+  void remove(Vertex v);
+
+  bool is_placed(Vertex v) const { return sites_[v].is_set(); }
+  const Site& site(Vertex v) const { return sites_[v]; }
+  const StripSize& size() const { return size_; }
+  const Links& links() const { return *links_; }
+  const FreePlaces& free() const { return free_; }
+  /// The least slant of the tail (of a steep edge: of the head) at which an edge stays in the box,
+  /// in its best variant. @param tail_t  t of the tail; across: |Dt|.
+  std::int32_t least_slant(const Link& link, std::int32_t tail_t, std::int32_t across) const {
+    const std::int32_t start =
+        link.runs_right() ? -top_right_ - 3 * tail_t / 2 : -top_left_ + 3 * tail_t / 2;
+    return start + 1 + (link.is_steep() ? 5 * across / 2 : across);
+  }
+  /// By edge: the variant in which it is routed.
+  const std::vector<std::uint8_t>& variant() const { return variant_; }
+
+ private:
+  /// What placing one vertex would add: three edges at most.
+  struct Plan {
+    std::array<Piece, 3> pieces;
+    std::array<EdgeId, 3> edges{};
+    std::array<std::uint8_t, 3> variants{};
+    std::size_t count = 0;
+  };
+
+  bool make_plan(Vertex v, Site site, Plan& plan) const;
+  bool plan_edge(const Link& link, const Quad& own, Plan& plan) const;
+
+  const Links* links_;  ///< never null
+  StripSize size_;
+  bool whole_lines_;
+  std::vector<Site> sites_;
+  std::vector<std::uint8_t> variant_;
+  FreePlaces free_;
+  strips::Lines lines_;
+  std::int32_t top_right_;  ///< of Route::top, edges to the right
+  std::int32_t top_left_;   ///< the same for edges to the left
+};
+
+}  // namespace ar3d::compact_120

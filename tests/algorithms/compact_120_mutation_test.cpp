@@ -1,0 +1,233 @@
+// The rules of docs/compact-120.md are enough and all needed: random drawings that keep the rules
+// are right if and only if no two middle segments overlap or touch; with a rule broken the verifier
+// refuses some of them.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <set>
+
+#include "algorithms/compact_120_support.h"
+
+namespace ar3d::compact_120 {
+namespace {
+
+/// The rules as a drawing uses them; a mutation changes one.
+struct Rules {
+  std::int32_t shortest = 1;
+  bool one_vertex_a_place = true;
+  bool one_edge_an_arm = true;
+  bool no_overlap = true;  ///< edges that would overlap are left out
+};
+
+/// One random drawing, edge by edge; what does not keep the rules is left out.
+class RandomDrawing {
+ public:
+  RandomDrawing(const Rules& rules, std::uint64_t seed) : rules_(rules), random_(seed) {
+    const std::uint32_t n = 2 + random_.below(13);
+    for (std::uint32_t v = 0; v < n; ++v) add_vertex();
+    arms_.resize(sites_.size());
+    for (int attempt = 0; attempt < 150; ++attempt) add_edge();
+  }
+
+  bool overlaps() const { return overlaps_; }
+
+  bool is_right() const {
+    const Graph graph(sites_.size(), edges_);
+    Coordinates at(sites_.size(), 1000);
+    for (std::size_t v = 0; v < sites_.size(); ++v) at.set(v, to_point(quad_of(sites_[v])));
+    const Drawing drawing("compact-120", kCubeLattice, std::move(at),
+                          std::make_shared<const std::vector<Edge>>(edges_),
+                          std::make_shared<StoredBends>(bends_));
+    return certify(graph, drawing, row().guarantee,
+                   {.crossing_test = CrossingTest::all_pairs, .check_size = false})
+        .valid();
+  }
+
+ private:
+  std::int32_t below(std::uint32_t bound) {
+    return static_cast<std::int32_t>(random_.below(bound));
+  }
+
+  void add_vertex() {
+    const Site site{below(7), below(3), static_cast<Class>(below(3))};
+    const bool taken = std::find(sites_.begin(), sites_.end(), site) != sites_.end();
+    if (!taken || !rules_.one_vertex_a_place) sites_.push_back(site);
+  }
+
+  bool take(Vertex v, Arm arm) {
+    if (arms_[v][arm] && rules_.one_edge_an_arm) return false;
+    return true;
+  }
+
+  void add_edge() {
+    const auto n = static_cast<std::uint32_t>(sites_.size());
+    const Vertex u = random_.below(n);
+    const Vertex v = random_.below(n);
+    if (u == v || joined_.count(std::minmax(u, v)) > 0) return;
+    const Quad from = quad_of(sites_[u]);
+    const Quad to = quad_of(sites_[v]);
+    const bool right = to[0] > from[0];
+    if (to[0] == from[0] || sites_[u].of == (right ? Class::t : Class::s)) return;
+    if (sites_[v].of == (right ? Class::s : Class::t)) return;
+    const Arm own = right ? k01 : k20;
+    const Arm side = (sites_[v].of == Class::n) == right ? k20 : k01;
+    const Arm arm = random_.chance(1, 2) ? k12 : side;
+    const Arrival at = arrival_on(arm, sites_[v].of);
+    const Route route({right, at, random_.below(variants(at))}, from, to);
+    const auto& lengths = route.lengths();
+    if (*std::min_element(lengths.begin(), lengths.end()) < rules_.shortest) return;
+    if (!take(u, own) || !take(v, arm) || !add_piece(route.middle())) return;
+    std::vector<Point> bends;
+    route.append_bends(bends);
+    bends_.add_edge(bends);
+    edges_.push_back({u, v});
+    joined_.insert(std::minmax(u, v));
+    arms_[u][own] = arms_[v][arm] = true;
+  }
+
+  bool add_piece(const Piece& piece) {
+    const bool overlap = std::any_of(pieces_.begin(), pieces_.end(),
+                                     [&](const Piece& other) { return piece.overlaps(other); });
+    if (overlap && rules_.no_overlap) return false;
+    overlaps_ = overlaps_ || overlap;
+    pieces_.push_back(piece);
+    return true;
+  }
+
+  Rules rules_;
+  RandomStream random_;
+  std::vector<Site> sites_;
+  std::vector<std::array<bool, 3>> arms_;
+  std::set<std::pair<Vertex, Vertex>> joined_;
+  std::vector<Edge> edges_;
+  StoredBends bends_;
+  std::vector<Piece> pieces_;
+  bool overlaps_ = false;
+};
+
+constexpr std::uint64_t kDrawings = 4000;
+
+std::uint64_t wrong_drawings(const Rules& rules) {
+  std::uint64_t wrong = 0;
+  for (std::uint64_t seed = 0; seed < kDrawings; ++seed) {
+    wrong += RandomDrawing(rules, seed).is_right() ? 0 : 1;
+  }
+  return wrong;
+}
+
+TEST(Compact120Rules, MakeEveryDrawingRight) { EXPECT_EQ(wrong_drawings({}), 0u); }
+
+TEST(Compact120Rules, OverlapsAreTheOnlyFaultsLeft) {
+  Rules rules;
+  rules.no_overlap = false;
+  std::uint64_t wrong = 0;
+  for (std::uint64_t seed = 0; seed < kDrawings; ++seed) {
+    const RandomDrawing drawing(rules, seed);
+    ASSERT_EQ(drawing.is_right(), !drawing.overlaps()) << "seed " << seed;
+    wrong += drawing.overlaps() ? 1 : 0;
+  }
+  EXPECT_GT(wrong, 5u);
+}
+
+TEST(Compact120Mutation, OneVertexAPlaceIsNeeded) {
+  Rules rules;
+  rules.one_vertex_a_place = false;
+  EXPECT_GT(wrong_drawings(rules), 0u);
+}
+
+TEST(Compact120Mutation, OneEdgeAnArmIsNeeded) {
+  Rules rules;
+  rules.one_edge_an_arm = false;
+  EXPECT_GT(wrong_drawings(rules), 0u);
+}
+
+TEST(Compact120Mutation, LengthsOfAtLeastOneAreNeeded) {
+  for (const std::int32_t shortest : {0, -1}) {
+    Rules rules;
+    rules.shortest = shortest;
+    EXPECT_GT(wrong_drawings(rules), 0u) << shortest;
+  }
+}
+
+/// An edge alone, with the piece of its middle line.
+struct LoneEdge {
+  Site tail;
+  Site head;
+  Shape shape;
+  Piece piece;
+};
+
+/// All edges to the right on 12 and 01 between places of a few cells.
+std::vector<LoneEdge> some_edges() {
+  std::vector<Site> sites;
+  for (std::int32_t cell = 0; cell < 28; ++cell) {
+    for (const Class of : {Class::n, Class::s, Class::t}) sites.push_back({cell / 4, cell % 4, of});
+  }
+  std::vector<LoneEdge> edges;
+  for (const Site& tail : sites) {
+    for (const Site& head : sites) {
+      if (tail.of == Class::t || head.of == Class::s) continue;
+      if (quad_of(head)[0] <= quad_of(tail)[0]) continue;
+      for (const Arm arm : {k12, k01}) {
+        if (arm == k01 && head.of == Class::n) continue;
+        const Shape shape{true, arrival_on(arm, head.of),
+                          arm == k12 && head.of == Class::n ? 1u : 0u};
+        const Route route(shape, quad_of(tail), quad_of(head));
+        if (route.fits()) edges.push_back({tail, head, shape, route.middle()});
+      }
+    }
+  }
+  return edges;
+}
+
+bool is_right(const LoneEdge& one, const LoneEdge& two) {
+  const std::vector<Site> sites = {one.tail, one.head, two.tail, two.head};
+  Coordinates at(4, 1000);
+  for (std::size_t v = 0; v < 4; ++v) at.set(v, to_point(quad_of(sites[v])));
+  StoredBends stored;
+  for (const LoneEdge* edge : {&one, &two}) {
+    std::vector<Point> bends;
+    Route(edge->shape, quad_of(edge->tail), quad_of(edge->head)).append_bends(bends);
+    stored.add_edge(bends);
+  }
+  const Graph graph(4, {{0, 1}, {2, 3}});
+  const Drawing drawing("compact-120", kCubeLattice, std::move(at), graph.shared_edges(),
+                        std::make_shared<StoredBends>(stored));
+  return certify(graph, drawing, row().guarantee, {.check_size = false}).valid();
+}
+
+TEST(Compact120Mutation, PiecesThatTouchCount) {
+  const std::vector<LoneEdge> edges = some_edges();
+  int touching = 0;
+  for (const LoneEdge& one : edges) {
+    for (const LoneEdge& two : edges) {
+      if (one.piece.line != two.piece.line || one.piece.high != two.piece.low) continue;
+      const std::set<Point> ends = {to_point(quad_of(one.tail)), to_point(quad_of(one.head)),
+                                    to_point(quad_of(two.tail)), to_point(quad_of(two.head))};
+      if (ends.size() < 4) continue;
+      ++touching;
+      ASSERT_FALSE(is_right(one, two));
+    }
+  }
+  EXPECT_GT(touching, 0);
+}
+
+TEST(Compact120Mutation, WordsToNAndToSinksCompete) {
+  const std::vector<LoneEdge> edges = some_edges();
+  int competing = 0;
+  for (const LoneEdge& one : edges) {
+    for (const LoneEdge& two : edges) {
+      if (one.shape.at != Arrival::on_12 || two.shape.at != Arrival::on_01) continue;
+      if (one.tail == two.tail || !one.piece.overlaps(two.piece)) continue;
+      ++competing;
+      ASSERT_FALSE(is_right(one, two));
+    }
+  }
+  EXPECT_GT(competing, 0);
+}
+
+}  // namespace
+}  // namespace ar3d::compact_120
