@@ -26,32 +26,57 @@ std::string head(const StudyIdentity& study) {
          "</style></head>\n";
 }
 
+/// The sections in the order of the reader's questions.
+std::string body(report::Page& page) {
+  const std::vector<report::Section> sections = report::sections(page.analysis);
+  const std::string trade = report::trade_section(page, sections);
+  const std::string batches = report::strong_weak_section(page);
+  std::string html = report::verdict_section(page.analysis);
+  html += "<nav>";
+  const auto link = [&](const std::string& id, const std::string& text) {
+    html += "<a href='#" + id + "'>" + text + "</a>";
+  };
+  if (!sections.empty()) link("closeness", "How close to a bound?");
+  if (!trade.empty()) link("trade", "What is traded?");
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    link(fmt::format("a{}", i), report::escape(sections[i].label));
+  }
+  if (!batches.empty()) link("strong-weak", "Strong and weak scaling");
+  if (!sections.empty()) link("metrics", "All metrics");
+  link("environment", "Environment");
+  link("spec", "Specification");
+  link("methods", "Methods");
+  html += "</nav>\n" + report::closeness_section(page, sections) + trade;
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    html += report::algorithm_section(page, sections[i], fmt::format("a{}", i));
+  }
+  return html + batches + report::metrics_section(page.analysis, sections) +
+         report::background(page.analysis.rows);
+}
+
 }  // namespace
 
 std::vector<Figure> report_figures(const StudyAnalysis& analysis) {
-  return report::standalone_figures(analysis);
+  report::Page page(analysis);
+  body(page);
+  std::vector<Figure> figures;
+  for (const report::NamedPlot& plot : page.figures()) {
+    figures.push_back({plot.file, report::standalone_svg(plot), plot.csv,
+                       report::matplotlib_script(plot), report::pgfplots_document(plot)});
+  }
+  return figures;
 }
 
 std::string render_report(const StudyAnalysis& analysis) {
-  const std::vector<report::Section> sections = report::sections(analysis);
-  std::string html =
-      head(*analysis.rows.identity) + "<body>\n" + report::overview(analysis, sections);
-  const std::string effort = report::effort_section(analysis);
-  const std::string batches = report::strong_weak_section(analysis);
-  html += fmt::format(
-      "<nav>{}{}<a href='#metrics'>Metrics</a><a href='#methods'>Methods</a><a "
-      "href='#environment'>Environment</a>"
-      "<a href='#spec'>Specification</a></nav>\n",
-      effort.empty() ? "" : "<a href='#effort'>What a smaller box costs</a>",
-      batches.empty() ? "" : "<a href='#strong-weak'>Strong and weak scaling</a>");
-  for (std::size_t i = 0; i < sections.size(); ++i) {
-    html += report::algorithm_section(sections[i], fmt::format("a{}", i));
-  }
-  html += effort + batches + report::metrics_section(analysis, sections) +
-          report::background(analysis.rows) + kReplayPanel;
-  html += "<script type='application/json' id=rows>" + report::plotted_rows_json(analysis) +
-          "</script>\n<script>" + report::page_script() + "</script>\n";
-  return html + "</body></html>\n";
+  report::Page page(analysis);
+  std::string html = head(*analysis.rows.identity) + "<body>\n" + body(page) + kReplayPanel;
+  const auto data = [&](const char* id, const std::string& json) {
+    html += fmt::format("<script type='application/json' id={}>{}</script>\n", id, json);
+  };
+  data("rows", page.rows_json());
+  data("figures", page.figures_json());
+  data("figure-style", report::json_string(report::figure_style()));
+  return html + "<script>" + report::page_script() + "</script>\n</body></html>\n";
 }
 
 }  // namespace ar3d

@@ -12,14 +12,16 @@ namespace ar3d {
 /// escaped. About 1 kB a plotted size, however many rows there are.
 std::string render_report(const StudyAnalysis& analysis);
 
-/// A figure for a paper: an SVG document of its own, in dark colours on white.
+/// A figure for a paper, in dark colours on white.
 struct Figure {
-  std::string name;  ///< "diamond-effort-0-longest-side": lower case, digits and hyphens; unique
-  std::string svg;
+  std::string name;        ///< "diamond-effort-0-longest-side": lower case, digits, hyphens; unique
+  std::string svg;         ///< a document of its own
+  std::string csv;         ///< the numbers behind it
+  std::string matplotlib;  ///< a Python script that draws NAME.csv as NAME.pdf
+  std::string pgfplots;    ///< a LaTeX document that draws NAME.csv
 };
 
-/// The report's plots by algorithm (longest side, volume, drawing time, bends) and the effort
-/// dials.
+/// Every figure of the page.
 std::vector<Figure> report_figures(const StudyAnalysis& analysis);
 
 }  // namespace ar3d

@@ -84,7 +84,7 @@ class Tallying {
   StudyTally finish();
 
  private:
-  CurveTally* curve_for(const CurveKey& key, std::int64_t n, std::size_t& place);
+  CurveTally* curve_for(const RunRecord& run, std::int64_t n, std::size_t& place);
   void add_to_graph(const RunRecord& run, std::size_t row, OpenGraph& open);
   void add_batch(const RunRecord& run, const CurveKey& key);
   void conclude(OpenGraph open);
@@ -97,7 +97,8 @@ class Tallying {
 };
 
 // Null if there is no room for another curve or size.
-CurveTally* Tallying::curve_for(const CurveKey& key, std::int64_t n, std::size_t& place) {
+CurveTally* Tallying::curve_for(const RunRecord& run, std::int64_t n, std::size_t& place) {
+  const CurveKey key = curve_of(run);
   const auto at = place_of_.find(key);
   if (at == place_of_.end()) {
     if (sizes_ >= kMostSizes) return nullptr;
@@ -112,6 +113,7 @@ CurveTally* Tallying::curve_for(const CurveKey& key, std::int64_t n, std::size_t
     if (sizes_ >= kMostSizes) return nullptr;
     ++sizes_;
     curve.sizes[n].n = n;
+    curve.sizes[n].requested_n = run.requested_n;
   }
   return &curve;
 }
@@ -122,7 +124,7 @@ void Tallying::add(const RunRecord& run, std::size_t row, bool is_last) {
   if (at == open_.end()) {
     OpenGraph open;
     open.n = run.n >= 0 ? run.n : run.requested_n;
-    CurveTally* curve = curve_for(curve_of(run), open.n, open.curve);
+    CurveTally* curve = curve_for(run, open.n, open.curve);
     if (curve == nullptr) {
       ++tally_.left_out_rows;
       return;

@@ -42,6 +42,7 @@ double log_value(const DrawnGraph& graph, Quantity quantity, bool timed);
 /// What all graphs of one n gave.
 struct SizeTally {
   std::int64_t n = 0;
+  std::int64_t requested_n = 0;    ///< what the study asked for when this n came out
   bool censored = false;           ///< some graph ended in timeout, out of memory or a crash
   std::size_t drawn = 0;           ///< graphs with an ok row
   std::vector<DrawnGraph> graphs;  ///< these, or StudyTally::kept_graphs of them, a uniform sample

@@ -21,7 +21,8 @@
 namespace ar3d {
 namespace {
 
-/// DIRECTORY/NAME.svg and .pdf for every figure. @throws InputError if one cannot be written.
+/// DIRECTORY/NAME.svg, .pdf, .csv, .py and .tex for every figure. @throws InputError if one cannot
+/// be written.
 void write_figures(const StudyAnalysis& analysis, const std::string& directory) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
@@ -29,6 +30,9 @@ void write_figures(const StudyAnalysis& analysis, const std::string& directory) 
   for (const Figure& figure : report_figures(analysis)) {
     const std::string stem = directory + "/" + figure.name;
     write_file_atomically(stem + ".svg", figure.svg);
+    write_file_atomically(stem + ".csv", figure.csv);
+    write_file_atomically(stem + ".py", figure.matplotlib);
+    write_file_atomically(stem + ".tex", figure.pgfplots);
     convert_svg_to_pdf(stem + ".svg", stem + ".pdf");
   }
   fmt::print("figures  {}\n", directory);
@@ -111,7 +115,8 @@ void add_report(CLI::App& app, int& exit_code) {
   verb->add_option("--rows", arguments->rows,
                    "also write metrics and bounds of every row as CSV to this file");
   verb->add_option("--figures", arguments->figures,
-                   "also write the figures as SVG and PDF into this directory");
+                   "also write the figures as SVG, PDF and CSV, with matplotlib and pgfplots "
+                   "scripts, into this directory");
   verb->add_option("--benchmark-json", arguments->benchmark_json,
                    "also write the timed rows as a Google Benchmark report to this file");
   verb->footer(

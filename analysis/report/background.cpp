@@ -27,10 +27,15 @@ a step. Everything else is an “apparent exponent”: true of the sizes it was 
 <p><b>Times.</b> Wall time of the drawing alone, without generating, certifying or writing. Only times of the timing phase are
 fitted, where a drawing has a core of its own; other rows ran beside others.</p>
 <p><b>Unfinished rows.</b> A timeout, a crash or exhausted memory is a value that is only known to be large: such rows stand as
-red points at the upper edge of their plots, and their size is left out of the fit.</p>
-<p><b>Plots.</b> Line: median. Band: the middle 80 % of the graphs. Points: graphs, at most twelve a size, evenly over the
-sorted values. Dashed: the theorem's bound. Dotted: the fitted power law over the sizes it used. Below it the residuals as factors:
-mean and middle 80 % of every size; sizes that the fit left out are grey. The families of an algorithm share one frame.</p></section>
+red points at the upper edge of their figures, and their size is left out of the fit.</p>
+<p><b>Growth figures.</b> Every value is divided by the order of the theorem's bound (times by n), so that growth in that order is a
+horizontal line and anything else a slope. Band and thick line: least, median and largest of the families' medians at the n that was asked
+for. Thin lines: medians of a family at its own n; drawn are the two with the largest and the two with the least last values, and
+those that “Highlight families” picks. Points: graphs, evenly over the sorted values.</p>
+<p><b>Trade.</b> As many settings as have a family in common are compared, over the families that all of these drew at that n. A crossing is where the medians of two algorithms' settings,
+joined in logarithms, meet for the last time.</p>
+<p><b>Saving.</b> Every figure can be saved as SVG and CSV, with a matplotlib script or a LaTeX document (pgfplots) that draws the CSV, which lies beside
+it; <code>ar3d report --figures DIR</code> writes all of them, and PDF.</p></section>
 )html";
 
 }  // namespace

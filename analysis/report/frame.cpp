@@ -18,7 +18,7 @@ const char* grid_class(const Tick& tick) { return tick.label.empty() ? " class='
 }  // namespace
 
 double decimal(double natural_log) { return natural_log / std::numbers::ln10; }
-double log10_n(const SizeSample& size) { return std::log10(static_cast<double>(size.n)); }
+double log10_of(std::int64_t n) { return std::log10(static_cast<double>(n)); }
 
 void Range::include(double value) {
   if (std::isnan(value)) return;
@@ -30,20 +30,13 @@ std::string Frame::point(double log10_x, double log10_y) const {
   return fmt::format("{:.1f},{:.1f} ", x.pixel(log10_x), y.pixel(log10_y));
 }
 
-Frame frame_of(const std::vector<Series>& series, TickStyle y_ticks) {
-  Range x, y;
-  for (const Series& one : series) {
-    for (const SizeSample& size : one.entry->all) {
-      x.include(log10_n(size));
-      y.include(decimal(size.log_bound));
-      for (const InstanceValue& instance : size.instances) y.include(decimal(instance.log_value));
-    }
-    for (const CensoredRow& row : one.entry->censored) {
-      x.include(std::log10(static_cast<double>(row.n)));
-    }
-  }
-  return {LogAxis(x.low, x.high, kLeft, kRight), LogAxis(y.low, y.high, kBottom, kTop),
-          TickStyle::count, y_ticks};
+Frame frame_of(const Range& x, const Range& y, TickStyle y_ticks, const std::string& y_title) {
+  return {LogAxis(x.low, x.high, kLeft, kRight),
+          LogAxis(y.low, y.high, kBottom, kTop + (y_title.empty() ? 0 : 16)),
+          TickStyle::count,
+          y_ticks,
+          "vertices n",
+          y_title};
 }
 
 std::string axes_svg(const Frame& frame) {

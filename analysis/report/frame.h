@@ -2,22 +2,15 @@
 
 #include <limits>
 #include <string>
-#include <vector>
 
 #include "ar3d/analysis/report/axis.h"
 #include "ar3d/analysis/scaling.h"
 
 namespace ar3d::report {
 
-/// One curve of a plot.
-struct Series {
-  std::string label;  ///< plain text; escaped when written
-  const ScalingEntry* entry = nullptr;
-  std::size_t colour = 0;
-};
-
-/// Pixels of every plot: the viewBox and the rectangle of the data.
-inline constexpr double kWidth = 360, kHeight = 244;
+/// Pixels of every plot: the viewBox and the rectangle of the data. Right of a labelled plot stand
+/// the names of its lines.
+inline constexpr double kWidth = 360, kHeight = 244, kLabelledWidth = 482;
 inline constexpr double kLeft = 56, kRight = 350, kTop = 10, kBottom = 204;
 
 /// Smallest and largest of what was included; NaN is ignored.
@@ -25,6 +18,7 @@ struct Range {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
   void include(double value);
+  bool empty() const { return !(low <= high); }
 };
 
 /// Both logarithmic axes of a plot, with what their ticks count. Values are decimal logarithms.
@@ -38,13 +32,13 @@ struct Frame {
   std::string point(double log10_x, double log10_y) const;  ///< "x,y " in pixels
 };
 
-/// The frame that everything of these curves fits: sizes, instances and the theorem's bound.
-Frame frame_of(const std::vector<Series>& series, TickStyle y_ticks);
+/// A frame over these ranges, its title above the data.
+Frame frame_of(const Range& x, const Range& y, TickStyle y_ticks, const std::string& y_title);
 
 /// Grid lines, tick labels and titles as SVG.
 std::string axes_svg(const Frame& frame);
 
 double decimal(double natural_log);
-double log10_n(const SizeSample& size);
+double log10_of(std::int64_t n);
 
 }  // namespace ar3d::report

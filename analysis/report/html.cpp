@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "ar3d/analysis/text.h"
 
@@ -51,6 +52,25 @@ std::string grouped(std::int64_t value) {
     text += digits[i];
   }
   return text;
+}
+
+std::string json_string(std::string_view text) {
+  std::string json;
+  for (const char c : nlohmann::json(valid_utf8(text)).dump(-1, ' ', true)) {
+    const bool is_special = c == '<' || c == '>' || c == '&';
+    json += is_special ? fmt::format("\\u{:04x}", static_cast<int>(c)) : std::string(1, c);
+  }
+  return json;
+}
+
+std::string short_count(std::int64_t value) {
+  const auto rounded = [](double number) {
+    const std::string text = fmt::format("{:.{}f}", number, number < 9.95 ? 1 : 0);
+    return text.ends_with(".0") ? text.substr(0, text.size() - 2) : text;
+  };
+  const auto number = static_cast<double>(value);
+  if (value < 1000) return std::to_string(value);
+  return value < 1000000 ? rounded(number / 1e3) + "k" : rounded(number / 1e6) + "M";
 }
 
 std::string percent(double share) {

@@ -11,8 +11,13 @@ namespace ar3d::report {
 /// through here.
 std::string escape(std::string_view text);
 
+/// A JSON string that may stand in a script element: no byte of it can end the element. ASCII.
+std::string json_string(std::string_view text);
+
 /// "1,234,567"
 std::string grouped(std::int64_t value);
+/// "215", "4.6k", "46k": a number of vertices where there is little room.
+std::string short_count(std::int64_t value);
 /// "93.1 %"; "–" if missing.
 std::string percent(double share);
 /// Three significant digits; "–" if missing.

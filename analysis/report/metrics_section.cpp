@@ -55,7 +55,8 @@ std::string metrics_section(const StudyAnalysis& analysis, const std::vector<Sec
   std::string html =
       "<section id=metrics><h2>All metrics</h2><p>Median and (grey) least and largest value over "
       "the graphs of the largest n that was drawn; definitions are those of <code>ar3d list "
-      "metrics</code>.</p><div class=scroll><table><thead><tr><th>Metric<th>Unit<th>Definition";
+      "metrics</code>.</p><div class=scroll><table "
+      "class=sortable><thead><tr><th>Metric<th>Unit<th>Definition";
   for (const LargestGraphs& graphs : settings) {
     html += fmt::format("<th class=num>{}<br>n = {}", escape(graphs.label),
                         graphs.n < 0 ? "–" : grouped(graphs.n));

@@ -1,17 +1,18 @@
-// What the page does when somebody points, clicks or types: the embedded rows are the element #rows.
+// What the page does when somebody points, clicks, types or saves. The embedded rows are the element #rows, the files
+// of the figures #figures.
 "use strict";
 (() => {
-  const data = JSON.parse(document.getElementById("rows").textContent);
+  const json = id => JSON.parse(document.getElementById(id).textContent);
+  const data = json("rows"), figures = json("figures");
   const tip = document.getElementById("tip"), panel = document.getElementById("replay");
-  const mark = document.createElementNS("http://www.w3.org/2000/svg", "circle");
-  mark.setAttribute("class", "on");
-  mark.setAttribute("r", 4);
-  let current = null;
+  const all = (selector, within = document) => [...within.querySelectorAll(selector)];
+
+  // What a row is, and the lines that draw it again.
   const seconds = s => s < 1e-3 ? (s * 1e6).toPrecision(3) + " µs" : s < 1 ? (s * 1e3).toPrecision(3) + " ms"
     : s.toPrecision(3) + " s";
   const describe = id => {
-    const [cell, n, m, seed, status, box, own, theorem, published, time] = data.rows[id];
-    const lines = [data.cells[cell][0], `${n} vertices, ${m} edges, seed ${seed}`];
+    const [curve, n, m, seed, status, box, own, theorem, published, time] = data.rows[id];
+    const lines = [data.curves[curve][0], `${n} vertices, ${m} edges, seed ${seed}`];
     if (status) lines.push(status.replaceAll("_", " "));
     if (box[0] >= 0) lines.push("box " + box.join(" × "));
     if (own) lines.push("its own bound " + own.join(" × "));
@@ -21,20 +22,31 @@
     return lines;
   };
   const commands = id => {
-    const [cell, n, , seed] = data.rows[id];
-    return data.cells[cell][1] + n + " --seed " + seed + data.cells[cell][2] + "\nar3d replay RESULTS.h5 " + id;
+    const [curve, n, , seed] = data.rows[id];
+    return data.curves[curve][1] + n + " --seed " + seed + data.curves[curve][2] + "\nar3d replay RESULTS.h5 " + id;
   };
-  const known = new Map();
-  const points = svg => {
-    if (!known.has(svg)) {
-      known.set(svg, [...svg.querySelectorAll("path.points")].flatMap(path => {
-        const rows = path.dataset.r.split(" ");
-        return [...path.getAttribute("d").matchAll(/M([\d.-]+) ([\d.-]+)h0/g)]
-          .map((match, i) => ({svg, x: +match[1], y: +match[2], id: rows[i]}));
-      }).sort((a, b) => a.x - b.x || b.y - a.y));
-    }
-    return known.get(svg);
+  const replay = id => {
+    panel.hidden = false;
+    panel.querySelector("p").textContent = describe(id).join(" · ");
+    panel.querySelector("code").textContent = commands(id);
   };
+  const copy = panel.querySelector("button");
+  copy.addEventListener("click", () => {
+    getSelection().selectAllChildren(panel.querySelector("code"));
+    document.execCommand("copy");
+  });
+
+  // Points of plots.
+  const mark = document.createElementNS("http://www.w3.org/2000/svg", "circle");
+  mark.setAttribute("class", "on");
+  mark.setAttribute("r", 4);
+  let current = null;
+  const visible = path => !path.closest(".family") || getComputedStyle(path.closest(".family")).display !== "none";
+  const points = svg => all("path.points", svg).filter(visible).flatMap(path => {
+    const rows = path.dataset.r.split(" ");
+    return [...path.getAttribute("d").matchAll(/M([\d.-]+) ([\d.-]+)h0/g)]
+      .map((match, i) => ({svg, x: +match[1], y: +match[2], id: rows[i]}));
+  }).sort((a, b) => a.x - b.x || b.y - a.y);
   const show = point => {
     current = point;
     tip.hidden = !point;
@@ -60,33 +72,117 @@
     }
     return best;
   };
-  const replay = point => {
-    if (!point) return;
-    panel.hidden = false;
-    panel.querySelector("p").textContent = describe(point.id).join(" · ");
-    panel.querySelector("code").textContent = commands(point.id);
-  };
-  for (const svg of document.querySelectorAll("svg.plot")) {
+  for (const svg of all("svg.plot")) {
     svg.addEventListener("pointermove", event => show(nearest(svg, event)));
     svg.addEventListener("pointerleave", () => show(null));
     svg.addEventListener("blur", () => show(null));
-    svg.addEventListener("click", event => { const point = nearest(svg, event); show(point); replay(point); });
+    svg.addEventListener("click", event => {
+      const point = nearest(svg, event);
+      show(point);
+      if (point) replay(point.id);
+    });
     svg.addEventListener("keydown", event => {
-      const all = points(svg), step = {ArrowRight: 1, ArrowLeft: -1}[event.key];
-      if (event.key === "Enter") replay(current);
-      if (!step || !all.length) return;
+      const those = points(svg), step = {ArrowRight: 1, ArrowLeft: -1}[event.key];
+      if (event.key === "Enter" && current) replay(current.id);
+      if (!step || !those.length) return;
       event.preventDefault();
-      const place = current && current.svg === svg ? all.indexOf(current) : step > 0 ? -1 : 0;
-      show(all[(place + step + all.length) % all.length]);
+      const place = current && current.svg === svg ? those.findIndex(p => p.id === current.id && p.x === current.x)
+        : step > 0 ? -1 : 0;
+      show(those[(place + step + those.length) % those.length]);
     });
   }
-  const copy = panel.querySelector("button");
-  copy.addEventListener("click", () => {
-    getSelection().selectAllChildren(panel.querySelector("code"));
-    document.execCommand("copy");
-  });
+
+  // Buttons and cells that stand for a graph.
+  for (const place of all("button[data-r], td[data-r]")) {
+    place.addEventListener("click", () => replay(place.dataset.r));
+    place.addEventListener("keydown", event => { if (event.key === "Enter") replay(place.dataset.r); });
+  }
   const close = () => { panel.hidden = true; show(null); };
   panel.querySelector("button:last-of-type").addEventListener("click", close);
   document.addEventListener("keydown", event => { if (event.key === "Escape") close(); });
   addEventListener("scroll", () => show(null), {passive: true});
+
+  // The group of settings and the n of the trade; where the group has not that n, the nearest that it has.
+  const group = document.getElementById("trade-group"), size = document.getElementById("trade-n");
+  const choose = () => {
+    const compared = all("figure[data-group]"), own = compared.filter(figure => figure.dataset.group === group.value);
+    const distance = figure => Math.abs(Math.log(figure.dataset.n / size.value));
+    const trades = own.filter(figure => figure.dataset.n).sort((a, b) => distance(a) - distance(b));
+    for (const figure of compared) figure.hidden = !own.includes(figure) || (!!figure.dataset.n && figure !== trades[0]);
+  };
+  for (const select of [group, size]) select?.addEventListener("change", choose);
+
+  // Families that the plots and tables of a section show: those whose name holds one of the words.
+  for (const input of all("input.filter")) {
+    input.addEventListener("input", () => {
+      const section = input.closest("section"), words = input.value.toLowerCase().split(",").map(w => w.trim()).filter(w => w);
+      const names = all("datalist option", section).map(option => option.value.toLowerCase());
+      const chosen = new Set(names.flatMap((name, i) => words.some(word => name.includes(word)) ? [String(i)] : []));
+      for (const family of all("g.family", section)) family.classList.toggle("on", chosen.has(family.dataset.f));
+      for (const svg of all("svg.plot", section)) svg.classList.toggle("filtered", words.length > 0);
+      for (const row of all("tr[data-f]", section)) row.hidden = words.length > 0 && !chosen.has(row.dataset.f);
+    });
+  }
+
+  // Sorting: by the number in the cell, with its prefix, or by the text.
+  const units = {"ns": 1e-9, "µs": 1e-6, "ms": 1e-3, "s": 1};
+  const value = cell => {
+    const text = cell.textContent.trim(), found = text.replaceAll(",", "").match(/^-?\d+(\.\d+)?(e[+-]?\d+)?/);
+    if (!found) return text === "–" || text === "" ? -Infinity : text;
+    return +found[0] * (units[text.slice(found[0].length).trim().split(" ")[0]] ?? 1);
+  };
+  const compare = (a, b) => typeof a === typeof b ? (a < b ? -1 : a > b ? 1 : 0) : typeof a === "number" ? -1 : 1;
+  for (const head of all("table.sortable thead th")) {
+    head.tabIndex = 0;
+    const sort = () => {
+      const table = head.closest("table"), body = table.tBodies[0], column = head.cellIndex;
+      const falling = head.getAttribute("aria-sort") !== "descending";
+      for (const other of all("th", head.parentElement)) other.removeAttribute("aria-sort");
+      head.setAttribute("aria-sort", falling ? "descending" : "ascending");
+      const keyed = [...body.rows].map(row => [value(row.cells[column]), row]);
+      keyed.sort((a, b) => falling ? compare(b[0], a[0]) : compare(a[0], b[0]));
+      body.append(...keyed.map(([, row]) => row));
+    };
+    head.addEventListener("click", sort);
+    head.addEventListener("keydown", event => { if (event.key === "Enter") sort(); });
+  }
+
+  // Saving a figure.
+  const save = (name, type, text) => {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(new Blob([text], {type}));
+    link.download = name;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+  };
+  const standalone = svg => {
+    const copied = svg.cloneNode(true), [, , width, height] = svg.getAttribute("viewBox").split(" ");
+    for (const family of all("g.family:not(.extreme):not(.on)", copied)) family.remove();
+    const style = document.createElementNS("http://www.w3.org/2000/svg", "style");
+    style.textContent = json("figure-style");
+    copied.prepend(style);
+    copied.setAttribute("width", width);
+    copied.setAttribute("height", height);
+    return "<?xml version='1.0' encoding='UTF-8'?>\n" + new XMLSerializer().serializeToString(copied);
+  };
+  for (const figure of all("figure[data-fig]")) {
+    const name = figure.dataset.fig, [csv, matplotlib, pgfplots] = figures[name];
+    const row = document.createElement("span");
+    row.className = "save";
+    const files = {
+      SVG: () => save(name + ".svg", "image/svg+xml", standalone(figure.querySelector("svg.plot"))),
+      CSV: () => save(name + ".csv", "text/csv", csv),
+      matplotlib: () => save(name + ".py", "text/x-python", matplotlib),
+      pgfplots: () => save(name + ".tex", "text/x-tex", pgfplots),
+    };
+    for (const [label, click] of Object.entries(files)) {
+      const button = document.createElement("button");
+      button.type = "button";
+      button.textContent = label;
+      button.title = "Save as " + label;
+      button.addEventListener("click", click);
+      row.append(button);
+    }
+    figure.querySelector("figcaption").after(row);
+  }
 })();

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -8,27 +10,12 @@
 
 namespace ar3d::report {
 
-struct PlotOptions {
-  bool points =
-      false;  ///< points, band and fitted line (one family a plot) instead of medians alone
-  std::string axes = {};  ///< what stands for the axes, such as a <use>; empty: axes_svg(frame)
-};
-
-/// A log-log plot against n as SVG of kWidth x kHeight CSS pixels: medians per size; with `points`
-/// also the instances, the band of the middle 80 %, the fitted power law, and at the upper edge the
-/// rows that were cut off. The theorem's bound of the first series that has one is a dashed line.
-std::string scaling_svg(const std::vector<Series>& series, const std::string& title,
-                        const Frame& frame, const PlotOptions& options);
-
-/// The residuals of the series' power law, as factors by size: mean and middle 80 %; sizes that the
-/// fit left out are grey. Empty if nothing was fitted.
-std::string residual_svg(const Series& series, const std::string& title, const Frame& frame);
-
 /// Bend histogram: the share of edges with 0, 1, … bends. Empty string without edges.
 std::string bend_svg(const std::array<std::uint64_t, 8>& bends);
 
 /// <svg> of a plot as it stands in the page.
-std::string svg_element(const std::string& title, double height, const std::string& content);
+std::string svg_element(const std::string& title, double width, double height,
+                        const std::string& content);
 
 /// A path of dots that the page's script can point at: "x y" pixels and a row each.
 struct Dots {
@@ -38,12 +25,15 @@ struct Dots {
   std::string svg(const std::string& css) const;  ///< empty if there are none
 };
 
-/// Instances of one size that a plot shows: all of them, or this many spread evenly over the sorted
-/// values.
-inline constexpr std::size_t kPointsPerSize = 12;
-std::vector<InstanceValue> shown_points(const SizeSample& size);
+/// `most` graphs of one size, evenly over the sorted values, the least and the largest among them;
+/// all of them if they are no more.
+std::vector<InstanceValue> shown_points(const SizeSample& size, std::size_t most);
 
-/// "s3 d1": stroke and dash of a series colour.
+/// A point's mark at (x, y) by the largest number of bends per edge: 0 to 2, 3, 4, 5, more.
+std::string bend_mark(std::size_t bends, double x, double y, const std::string& css);
+
+/// "s3 d1": stroke and dash of a series colour; "f3": its fill.
 std::string stroke_class(std::size_t colour);
+std::string fill_class(std::size_t colour);
 
 }  // namespace ar3d::report

@@ -3,45 +3,61 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "ar3d/analysis/study_analysis.h"
+#include "ar3d/analysis/report/page.h"
+#include "ar3d/records/algorithm_table.h"
 
 namespace ar3d::report {
 
-/// One algorithm with one set of options: the entries of the bounds table and curves of its
-/// families, in the order of the file.
+/// One curve of a section.
+struct SectionCurve {
+  std::size_t place = 0;  ///< in StudyTally::curves and StudyAnalysis::bounds
+  std::string family;     ///< family_label
+  std::string name;       ///< of the family; with parameters only where two have one name
+  const CurveTally* tally = nullptr;
+  const BoundsEntry* bounds = nullptr;
+  std::vector<const ScalingEntry*> scaling;  ///< by quantity; null if it was not measured
+};
+
+/// One setting: an algorithm with its options, and its families in the order of the file.
 struct Section {
   std::string label;
-  std::vector<const BoundsEntry*> bounds;
-  std::vector<const ScalingEntry*> scaling;
+  std::string algorithm;
+  std::optional<SizeBound> theorem;
+  std::vector<SectionCurve> curves;  ///< at most kMostFamilies: those closest to the bound
+  std::size_t all_curves = 0;
 };
+inline constexpr std::size_t kMostFamilies = 300, kMostSections = 40;
+
+/// At most kMostSections of them.
 std::vector<Section> sections(const StudyAnalysis& analysis);
 
-/// The head of the page: title, verdict, counts, findings, table of the algorithms with links.
-std::string overview(const StudyAnalysis& analysis, const std::vector<Section>& sections);
-/// One algorithm: sentence, plots, bounds table, growth table, bends, small multiples. `id` is its
-/// anchor.
-std::string algorithm_section(const Section& section, const std::string& id);
+/// The head of the page: is everything certified?
+std::string verdict_section(const StudyAnalysis& analysis);
+/// How close does anything come to a bound, and which graph is it? One line a setting.
+std::string closeness_section(Page& page, const std::vector<Section>& sections);
+/// What does each algorithm trade: volume, bends, time?
+std::string trade_section(Page& page, const std::vector<Section>& sections);
+/// How does each quantity of one setting grow, and how sure is that? `id` is its anchor.
+std::string algorithm_section(Page& page, const Section& section, const std::string& id);
 /// Parts of it.
+std::string growth_figures(Page& page, const Section& section);
+std::string heat_map(Page& page, const Section& section);
 std::string bound_sentences(const Section& section);
-std::string bounds_table_html(const Section& section);
+std::string bounds_table_html(Page& page, const Section& section);
 std::string growth_table(const Section& section);
-std::string bend_histogram(const Section& section);
-/// Edges with 0, 1, … bends over all families of the section.
-std::array<std::uint64_t, 8> bends_of(const Section& section);
-/// Volume against drawing time by setting; empty if no algorithm was measured with two settings.
-std::string effort_section(const StudyAnalysis& analysis);
+std::string bend_figure(Page& page, const Section& section);
+/// A button that shows how the graph is drawn again. @param text  HTML.
+std::string graph_button(Page& page, std::size_t curve, const DrawnGraph& graph,
+                         const std::string& text);
 /// Batches of strong and weak scaling against the ideal; empty if there are none.
-std::string strong_weak_section(const StudyAnalysis& analysis);
+std::string strong_weak_section(Page& page);
 /// Every metric of verify/metrics.h: unit, definition, and its median and range by setting.
 std::string metrics_section(const StudyAnalysis& analysis, const std::vector<Section>& sections);
 /// Environment, spec and methods.
 std::string background(const RowView& rows);
-
-/// The rows that plots point at as JSON for a script element: {"cells": [[label, command before n,
-/// command behind the seed], …], "rows": {"row": [cell, n, m, seed, status, extents, …], …}}.
-std::string plotted_rows_json(const StudyAnalysis& analysis);
 
 }  // namespace ar3d::report

@@ -6,13 +6,16 @@
 #include <map>
 #include <utility>
 
-#include "ar3d/analysis/report/figures.h"
 #include "ar3d/analysis/report/html.h"
+#include "ar3d/analysis/report/labels.h"
 #include "ar3d/analysis/report/plot.h"
+#include "ar3d/analysis/report/sections.h"
 #include "ar3d/analysis/statistics.h"
 
 namespace ar3d::report {
 namespace {
+
+constexpr std::size_t kMostNamed = 8;  // at the ends of their lines
 
 /// One graph size of a family, drawn in batches.
 struct Curve {
@@ -101,22 +104,34 @@ std::string curve_svg(const Curve& curve, std::size_t colour, const Frame& frame
 NamedPlot plot_of(const Batches& batches) {
   const std::string kind = kind_of(batches.phase);
   const std::string sharers = sharers_of(batches.phase);
-  NamedPlot plot{to_string(batches.phase),
-                 fmt::format("{}: {} scaling{}", batches.algorithm, kind,
-                             is_over_ranks(batches.phase) ? " over ranks" : ""),
-                 is_strong(batches.phase)
-                     ? fmt::format("the same drawings shared by more {}", sharers)
-                     : fmt::format("as many drawings for each of the {}", sharers),
-                 "",
-                 {}};
+  NamedPlot plot;
+  plot.title = fmt::format("{}: {} scaling{}", batches.algorithm, kind,
+                           is_over_ranks(batches.phase) ? " over ranks" : "");
+  plot.file = plot.title;
+  plot.note = is_strong(batches.phase)
+                  ? fmt::format("the same drawings shared by more {}", sharers)
+                  : fmt::format("as many drawings for each of the {}", sharers);
+  plot.x = sharers;
+  plot.y = "drawings at a time";
   const Frame frame = frame_of(batches);
   std::string content = axes_svg(frame) + ideal_line(batches, frame);
+  std::vector<Label> labels;
   for (std::size_t i = 0; i < batches.curves.size(); ++i) {
     const Curve& curve = batches.curves[i];
     content += curve_svg(curve, i, frame);
-    plot.legend.push_back({fmt::format("{}, n = {}", curve.family, grouped(curve.n)), i});
+    const auto& [sharers_at_end, last] = *curve.scales.rbegin();
+    if (i < kMostNamed) {
+      labels.push_back({kRight + 5, frame.y.pixel(log_gain(sharers_at_end, *last)) + 4,
+                        fmt::format("{}, n = {}", curve.family, grouped(curve.n)), fill_class(i)});
+    }
+    for (const auto& [number, scale] : curve.scales) {
+      plot.csv += csv_line(fmt::format("{}, n = {}", curve.family, curve.n), "line",
+                           log_sharers(number), log_gain(number, *scale), kMissing, kMissing);
+    }
   }
-  plot.svg = svg_element(plot.title + ": drawings at a time against " + sharers, kHeight, content);
+  content += "<g class='ends'>" + labels_svg(std::move(labels), kTop + 8, kBottom) + "</g>";
+  plot.svg = svg_element(plot.title + ": drawings at a time against " + sharers, kLabelledWidth,
+                         kHeight, content);
   return plot;
 }
 
@@ -137,15 +152,9 @@ std::string table_rows(const Batches& batches) {
 
 }  // namespace
 
-std::vector<NamedPlot> strong_weak_plots(const StudyAnalysis& analysis) {
-  std::vector<NamedPlot> plots;
-  for (const Batches& batches : batches_of(analysis.tally)) plots.push_back(plot_of(batches));
-  return plots;
-}
-
-std::string strong_weak_section(const StudyAnalysis& analysis) {
-  const std::vector<NamedPlot> plots = strong_weak_plots(analysis);
-  if (plots.empty()) return "";
+std::string strong_weak_section(Page& page) {
+  const std::vector<Batches> all = batches_of(page.analysis.tally);
+  if (all.empty()) return "";
   std::string html =
       "<section id=strong-weak><h2>Strong and weak scaling</h2><p>Batches of equal drawings shared "
       "by threads or ranks, medians over batches. Drawings at a time: how many drawings they make "
@@ -153,16 +162,14 @@ std::string strong_weak_section(const StudyAnalysis& analysis) {
       "the time in which one alone makes one; ideal is their number. Efficiency is the ideal time "
       "of "
       "a batch divided by its time.</p><div class=figures>\n";
-  for (NamedPlot plot : plots) {
-    plot.svg += legend_html(plot.legend, false);
-    html += figure_html(plot);
-  }
+  for (const Batches& batches : all) html += page.figure(plot_of(batches));
   html +=
-      "</div><div class=scroll><table><thead><tr><th>Algorithm</th><th>Kind</th><th>Family</th>"
+      "</div><div class=scroll><table "
+      "class=sortable><thead><tr><th>Algorithm</th><th>Kind</th><th>Family</th>"
       "<th class=num>n</th><th class=num>Shared by</th><th class=num>Batch</th><th "
       "class=num>Ideal</th><th class=num>Efficiency</th></tr></thead>"
       "<tbody>\n";
-  for (const Batches& batches : batches_of(analysis.tally)) html += table_rows(batches);
+  for (const Batches& batches : all) html += table_rows(batches);
   return html + "</tbody></table></div></section>\n";
 }
 

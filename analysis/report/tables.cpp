@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "ar3d/analysis/replay.h"
-#include "ar3d/analysis/report/figures.h"
 #include "ar3d/analysis/report/html.h"
 #include "ar3d/analysis/report/plot.h"
 #include "ar3d/analysis/report/sections.h"
@@ -41,29 +39,10 @@ std::string statuses(const BoundsEntry& entry) {
   return text;
 }
 
-template <class Values>
-std::string box(const Values& values) {
-  if (!(values[0] >= 0)) return "–";
-  return fmt::format("{:.6g} × {:.6g} × {:.6g}", static_cast<double>(values[0]),
-                     static_cast<double>(values[1]), static_cast<double>(values[2]));
-}
-
-/// The boxes of the row that comes closest to the theorem's: measured, its own bound, the
-/// theorem's, the published one; and the lines that show it again.
-std::string worst_instance(const BoundsEntry& entry) {
-  const auto axis = worst_axis(entry);
-  if (!axis) return "–";
-  const DrawnGraph& graph = entry.axes[*axis].worst;
-  return fmt::format(
-      "<details><summary>n = {}, seed {}</summary>measured {}<br>own bound {}<br>theorem {}<br>"
-      "published {}<br><code>{}</code><br><code>{}</code></details>",
-      grouped(graph.n), graph.seed, box(graph.extents), box(graph.instance_bound),
-      box(graph.theorem_bound), box(graph.published_bound), escape(draw_command(entry.key, graph)),
-      escape(replay_command(graph.row)));
-}
-
-std::string bounds_row(const BoundsEntry& entry) {
-  std::string html = fmt::format("<tr><th scope=row>{}</th>", escape(family_label(entry.key)));
+std::string bounds_row(Page& page, const SectionCurve& curve, std::size_t index) {
+  const BoundsEntry& entry = *curve.bounds;
+  std::string html =
+      fmt::format("<tr data-f={}><th scope=row>{}</th>", index, escape(curve.family));
   html += cell(grouped(entry.smallest_n) + " – " + grouped(entry.largest_n), true);
   html += cell(statuses(entry));
   html += cell(entry.violations == 0 ? "<span class=pass>none</span>"
@@ -74,7 +53,12 @@ std::string bounds_row(const BoundsEntry& entry) {
   }
   html += cell(percent(1 - worst_of(entry, &AxisBounds::worst_instance_slack)), true);
   html += cell(percent(1 - worst_of(entry, &AxisBounds::worst_published_slack)), true);
-  return html + cell(worst_instance(entry)) + "</tr>\n";
+  const auto axis = worst_axis(entry);
+  return html +
+         cell(axis ? graph_button(page, curve.place, entry.axes[*axis].worst,
+                                  "n = " + grouped(entry.axes[*axis].worst.n))
+                   : "–") +
+         "</tr>\n";
 }
 
 std::string exponent(const ScalingEntry* entry) {
@@ -83,13 +67,6 @@ std::string exponent(const ScalingEntry* entry) {
   const Interval interval = entry->power.exponent_interval;
   return fmt::format("{:.3f} <small>[{:.3f}, {:.3f}]</small>", entry->power.exponent, interval.low,
                      interval.high);
-}
-
-const ScalingEntry* find_entry(const Section& section, const CurveKey& key, Quantity quantity) {
-  for (const ScalingEntry* entry : section.scaling) {
-    if (entry->key == key && entry->quantity == quantity) return entry;
-  }
-  return nullptr;
 }
 
 /// "8 of 10 sizes, n = 64 – 8,192"; why sizes were left out stands in the methods.
@@ -115,84 +92,83 @@ std::string time_label(const ScalingEntry* entry) {
 }  // namespace
 
 std::string bound_sentences(const Section& section) {
-  for (const BoundsEntry* entry : section.bounds) {
-    if (entry->theorem_formula.empty()) continue;
-    return fmt::format(
-        "<p>Theorem's box: {}.<br>Published box: {}.</p>\n", escape(entry->theorem_formula),
-        entry->published_formula.empty() ? "none" : escape(entry->published_formula));
+  for (const SectionCurve& curve : section.curves) {
+    const BoundsEntry& entry = *curve.bounds;
+    if (entry.theorem_formula.empty()) continue;
+    return fmt::format("<p>Theorem's box: {}.<br>Published box: {}.</p>\n",
+                       escape(entry.theorem_formula),
+                       entry.published_formula.empty() ? "none" : escape(entry.published_formula));
   }
   return "";
 }
 
-std::string bounds_table_html(const Section& section) {
+std::string graph_button(Page& page, std::size_t curve, const DrawnGraph& graph,
+                         const std::string& text) {
+  return fmt::format("<button type=button class=graph data-r={}>{}</button>",
+                     page.point_at(curve, graph), text);
+}
+
+std::string bounds_table_html(Page& page, const Section& section) {
   std::string html =
-      "<h3>Bounds table</h3><p class=muted>Share of the theorem's bound that "
+      "<details open><summary>Bounds table</summary><p class=muted>Share of the theorem's bound "
+      "that "
+      "the worst and (grey) the median graph use, by axis; then the worst share over the axes of "
       "the "
-      "worst and (grey) the median graph use, by axis; then the worst share over the axes of the "
       "proof's own bound for the very graph and of the published bound. 100 % touches the "
-      "bound.</p><div class=scroll><table><thead><tr><th>Family<th "
-      "class=num>n<th>Rows"
-      "<th class=num>Violations<th class=num>x<th class=num>y<th class=num>z"
+      "bound.</p><div class=scroll><table class=sortable><thead><tr><th>Family<th class=num>n"
+      "<th>Rows<th class=num>Violations<th class=num>x<th class=num>y<th class=num>z"
       "<th class=num>Own bound<th class=num>Published<th>Worst graph</tr></thead><tbody>\n";
-  for (const BoundsEntry* entry : section.bounds) html += bounds_row(*entry);
-  return html + "</tbody></table></div>\n";
+  for (std::size_t i = 0; i < section.curves.size(); ++i) {
+    html += bounds_row(page, section.curves[i], i);
+  }
+  return html + "</tbody></table></div></details>\n";
 }
 
 std::string growth_table(const Section& section) {
-  if (section.scaling.empty()) return "";
   std::string html =
-      "<h3>Growth</h3><p class=muted>Exponent a of n^a over the fitted sizes, with its 95 % "
-      "interval. Volume is the number of lattice points of the box, here also at the largest n "
-      "as its share of the theorem's own box.</p><div class=scroll><table><thead><tr><th>Family"
-      "<th class=num>Longest side<th class=num>Volume<th class=num>Share of the theorem's<th "
-      "class=num>Drawing time<th>Growth of the time<th>Fit of the "
-      "time</tr></thead><tbody>\n";
-  for (const BoundsEntry* entry : section.bounds) {
-    const auto find = [&](Quantity quantity) { return find_entry(section, entry->key, quantity); };
+      "<details open><summary>Growth, and how sure it is</summary><p class=muted>Exponent a of n^a "
+      "over the fitted sizes, with its 95 % interval. Volume is the number of lattice points of "
+      "the "
+      "box, here also at the largest n as its share of the theorem's own box.</p><div class=scroll>"
+      "<table class=sortable><thead><tr><th>Family<th class=num>Longest side<th class=num>Volume"
+      "<th class=num>Share of the theorem's<th class=num>Drawing time<th>Growth of the time"
+      "<th>Fit of the time</tr></thead><tbody>\n";
+  std::size_t rows = 0;
+  for (std::size_t i = 0; i < section.curves.size(); ++i) {
+    const SectionCurve& curve = section.curves[i];
+    const auto find = [&](Quantity quantity) {
+      return curve.scaling[static_cast<std::size_t>(quantity)];
+    };
     const ScalingEntry* time = find(Quantity::wall_s);
-    html += fmt::format("<tr><th scope=row>{}</th>", escape(family_label(entry->key))) +
+    if (find(Quantity::longest_side) == nullptr && time == nullptr) continue;
+    ++rows;
+    html += fmt::format("<tr data-f={}><th scope=row>{}</th>", i, escape(curve.family)) +
             cell(exponent(find(Quantity::longest_side)), true) +
-            cell(exponent(find(Quantity::volume)), true);
-    html += cell(percent(entry->volume.share), true) + cell(exponent(time), true) +
+            cell(exponent(find(Quantity::volume)), true) +
+            cell(percent(curve.bounds->volume.share), true) + cell(exponent(time), true) +
             note(time_label(time)) +
             note(time == nullptr ? "–" : "<small>" + escape(fit_notes(*time)) + "</small>") +
             "</tr>\n";
   }
-  return html + "</tbody></table></div>\n";
+  return rows == 0 ? "" : html + "</tbody></table></div></details>\n";
 }
 
-std::array<std::uint64_t, 8> bends_of(const Section& section) {
+std::string bend_figure(Page& page, const Section& section) {
   std::array<std::uint64_t, 8> bends{};
-  for (const BoundsEntry* entry : section.bounds) {
-    for (std::size_t b = 0; b < bends.size(); ++b) bends[b] += entry->bends[b];
+  for (const SectionCurve& curve : section.curves) {
+    for (std::size_t b = 0; b < bends.size(); ++b) bends[b] += curve.bounds->bends[b];
   }
-  return bends;
-}
-
-std::string bend_histogram(const Section& section) {
-  const std::array<std::uint64_t, 8> bends = bends_of(section);
-  const std::string svg = bend_svg(bends);
-  if (svg.empty()) return "";
-  return fmt::format(
-      "<h3>Bends</h3><figure><figcaption><span>Share of all {} edges</span></figcaption>"
-      "{}</figure>\n",
-      grouped(
-          static_cast<std::int64_t>(std::accumulate(bends.begin(), bends.end(), std::uint64_t{0}))),
-      svg);
-}
-
-std::string effort_section(const StudyAnalysis& analysis) {
-  const std::vector<NamedPlot> dials = effort_dials(analysis);
-  if (dials.empty()) return "";
-  std::string html =
-      "<section id=effort><h2>What a smaller box costs</h2><p>Volume against drawing time, medians "
-      "over graphs, one line a family; the numbers are the setting that varies.</p><div "
-      "class=figures>\n";
-  for (NamedPlot dial : dials) {
-    dial.svg += legend_html(dial.legend, false);
-    html += figure_html(dial);
+  const std::uint64_t edges = std::accumulate(bends.begin(), bends.end(), std::uint64_t{0});
+  NamedPlot plot{section.label + "-bends", section.label + ": edges by bends",
+                 fmt::format("share of all {} edges", grouped(static_cast<std::int64_t>(edges)))};
+  plot.svg = bend_svg(bends);
+  if (plot.svg.empty()) return "";
+  plot.x = "bends";
+  plot.y = "edges";
+  for (std::size_t b = 0; b < bends.size(); ++b) {
+    plot.csv += fmt::format("edges,bar,{},{},,\r\n", b, bends[b]);
   }
-  return html + "</div></section>\n";
+  return "<details><summary>Bends</summary>" + page.figure(std::move(plot)) + "</details>\n";
 }
 
 }  // namespace ar3d::report

@@ -78,6 +78,7 @@ std::vector<SizeSample> samples(const CurveTally& curve, Quantity quantity) {
     if (n < 1) continue;
     SizeSample size;
     size.n = n;
+    size.requested_n = tally.requested_n;
     size.censored = tally.censored;
     for (const DrawnGraph& graph : tally.graphs) {
       const double log = log_value(graph, quantity, curve.has_timing_rows);

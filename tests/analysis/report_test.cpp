@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <boost/property_tree/xml_parser.hpp>
 #include <cctype>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -13,7 +15,6 @@
 #include "analysis/synthetic.h"
 #include "ar3d/analysis/export.h"
 #include "ar3d/analysis/replay.h"
-#include "ar3d/analysis/report/axis.h"
 #include "ar3d/analysis/report/html.h"
 #include "ar3d/analysis/report/page_files.h"
 #include "ar3d/analysis/text.h"
@@ -67,7 +68,7 @@ bool has_word(const std::string& text, const std::string& word) {
 TEST(Report, IsOnePageThatNeedsNothingFromOutside) {
   const std::string html =
       testing::report_of(testing::good_results({"diamond", "grid"}, {"cubic"}, 9, 4));
-  EXPECT_EQ(count(html, "<script"), 2u) << "the data and one script, each once";
+  EXPECT_EQ(count(html, "<script"), 4u) << "rows, figures, a style for saving, and one script";
   EXPECT_EQ(count(html, "<style"), 1u);
   for (const char* outside : {"src=http", "src='http", "src=\"http", "src=//", "href=http",
                               "href='http", "href=\"http", "href=//", "@import", "url("}) {
@@ -75,10 +76,9 @@ TEST(Report, IsOnePageThatNeedsNothingFromOutside) {
   }
   EXPECT_THAT(html, HasSubstr("default-src 'none'"));
   EXPECT_THAT(html, HasSubstr(">PASS<"));
-  EXPECT_EQ(count(html, "<svg class='plot'"), 2u * (3 + 3 + 2))
-      << "three overviews, and by family three, those that have a fit with residuals";
-  EXPECT_EQ(count(html, "<svg class='plot bars'"), 2u);
-  EXPECT_EQ(count(html, "id=effort"), 0u) << "one setting has nothing to compare";
+  EXPECT_EQ(count(html, "<figure data-fig="), 9u + 1 + 2 * (3 + 1))
+      << "the trade at nine n, volume against n, and for each setting three growths and the bends";
+  EXPECT_EQ(count(html, "<table class='heat sortable'>"), 2u);
   EXPECT_LT(html.size(), 2'000'000u);
 }
 
@@ -110,8 +110,8 @@ TEST(Report, StyleAndScriptAreTheFilesOfTheTree) {
 
 TEST(Report, EscapesEveryStringOfTheFile) {
   const std::string html = testing::report_of(hostile_results());
-  EXPECT_EQ(count(html, "<script"), 2u);
-  EXPECT_EQ(count(html, "</script"), 2u);
+  EXPECT_EQ(count(html, "<script"), 4u);
+  EXPECT_EQ(count(html, "</script"), 4u);
   EXPECT_THAT(html, Not(HasSubstr("<img")));
   EXPECT_THAT(html, Not(HasSubstr("\xff")));
   EXPECT_THAT(html, Not(HasSubstr("\x01")));
@@ -122,28 +122,31 @@ TEST(Report, EveryPlottedPointHasItsRowAndCommand) {
   const Results results = hostile_results();
   const std::string html = testing::report_of(results);
   const auto data = nlohmann::json::parse(rows_json(html));
-  const std::string mark = "data-r='";
   std::size_t points = 0;
-  for (std::size_t at = html.find(mark); at != std::string::npos; at = html.find(mark, at)) {
-    at += mark.size();
-    std::istringstream rows(html.substr(at, html.find('\'', at) - at));
+  for (std::size_t at = html.find(" data-r="); at != std::string::npos;
+       at = html.find(" data-r=", at + 1)) {
+    const std::size_t begin = html.find('=', at) + 1;
+    const bool is_quoted = html[begin] == '\'';
+    std::istringstream rows(html.substr(
+        begin + is_quoted,
+        html.find_first_of(is_quoted ? "'" : " >", begin + is_quoted) - begin - is_quoted));
     for (std::string row; rows >> row;) {
       ++points;
       ASSERT_TRUE(data["rows"].contains(row)) << row;
       const auto& fields = data["rows"][row];
-      const auto& cell = data["cells"].at(fields[0].get<std::size_t>());
-      EXPECT_EQ(cell[1].get<std::string>() + fields[1].dump() + " --seed " +
-                    fields[3].get<std::string>() + cell[2].get<std::string>(),
+      const auto& curve = data["curves"].at(fields[0].get<std::size_t>());
+      EXPECT_EQ(curve[1].get<std::string>() + fields[1].dump() + " --seed " +
+                    fields[3].get<std::string>() + curve[2].get<std::string>(),
                 valid_utf8(draw_command(results.runs[std::stoul(row)])));
     }
   }
-  // Side, volume and time: 26 graphs that were drawn and the crashed one; side and volume: 9
-  // residuals.
-  EXPECT_EQ(points, 3u * (9 * 3 - 1 + 1) + 2u * 9);
+  // Side, volume and time: 26 graphs that were drawn and the crashed one; nine sizes in the heat
+  // map, the closest graph in two tables.
+  EXPECT_EQ(points, 3u * (9 * 3 - 1 + 1) + 9 + 2);
   EXPECT_FALSE(data["rows"]["0"][4].is_number()) << "row 0 crashed";
 }
 
-TEST(Report, ResidualsAndEffortsAreShownWhereThereAreSome) {
+TEST(Report, SettingsAreComparedAtEveryN) {
   Results results = testing::good_results({"diamond"}, {"cubic"}, 9, 4);
   const std::size_t count_of_rows = results.runs.size();
   for (std::size_t i = 0; i < count_of_rows; ++i) {
@@ -151,11 +154,92 @@ TEST(Report, ResidualsAndEffortsAreShownWhereThereAreSome) {
     results.runs.push_back(results.runs[i]);
     results.runs.back().options = "effort=1";
     results.runs.back().wall_s *= 3;
+    results.runs.back().log2_volume -= 1;
   }
   const std::string html = testing::report_of(results);
-  EXPECT_EQ(count(html, "aria-label='residuals of the"), 2u * 2);
-  EXPECT_EQ(count(html, "<section id=effort>"), 1u);
-  EXPECT_EQ(count(html, "aria-label='volume against drawing time of diamond by setting'"), 1u);
+  EXPECT_EQ(count(html, "<section id=trade>"), 1u);
+  EXPECT_EQ(count(html, "aria-label='Volume against drawing time, n = "), 9u);
+  EXPECT_EQ(count(html, "<polyline class='front'"), 9u);
+  EXPECT_EQ(count(html, "aria-label='Volume against n'"), 1u);
+  EXPECT_EQ(count(html, "class='crossing'"), 0u) << "one is below the other everywhere";
+  EXPECT_EQ(count(testing::report_of(testing::good_results({"diamond"}, {"cubic"}, 9, 4)),
+                  "<section id=trade>"),
+            0u)
+      << "one setting has nothing to compare";
+}
+
+// Who drew other families is compared apart.
+TEST(Report, SettingsWithoutACommonFamilyAreNotCompared) {
+  Results results = testing::good_results({"diamond", "grid", "compact"}, {"cubic", "prism"}, 9, 2);
+  std::erase_if(results.runs, [](const ar3d::RunRecord& run) {
+    return (run.algorithm == "grid" && run.family == "prism") ||
+           (run.algorithm == "compact" && run.family == "cubic");
+  });
+  const std::string html = testing::report_of(results);
+  EXPECT_THAT(html, HasSubstr("<option value=0 selected>cubic, which 2 settings drew</option>"));
+  EXPECT_THAT(html, HasSubstr("<option value=1>prism, which 2 settings drew</option>"));
+  EXPECT_EQ(count(html, "<figure data-fig='volume"), 2u);
+  EXPECT_EQ(count(html, " data-group=1 data-n="), 9u);
+}
+
+// Two algorithms whose volumes are n^3 and 2^6.5 n^2 lattice points cross at n = 2^6.5.
+TEST(Report, CrossingsOfVolumesAreMarkedAndTold) {
+  Results results = testing::good_results({"diamond", "grid"}, {"cubic"}, 9, 1);
+  for (ar3d::RunRecord& run : results.runs) {
+    const double log_n = std::log2(static_cast<double>(run.n));
+    run.log2_volume = run.algorithm == "grid" ? 3 * log_n : 6.5 + 2 * log_n;
+  }
+  const std::string html = testing::report_of(results);
+  EXPECT_EQ(count(html, "class='crossing'"), 1u);
+  EXPECT_THAT(html, HasSubstr("diamond needs less volume than grid from about n = 91 on"));
+}
+
+// A value in the order of the theorem's bound is a horizontal line.
+TEST(Report, GrowthIsDividedByTheOrderOfTheBound) {
+  Results results = testing::good_results({"diamond"}, {"cubic"}, 9, 1);
+  for (ar3d::RunRecord& run : results.runs) run.extents = {run.n, run.n, 5 * run.n};
+  const auto figures = report_figures(analyse(view_of(results)));
+  const auto side = std::find_if(figures.begin(), figures.end(), [](const Figure& figure) {
+    return figure.name == "diamond-longest-side";
+  });
+  ASSERT_NE(side, figures.end());
+  EXPECT_EQ(count(side->csv, ",cubic,line,"), 9u);
+  EXPECT_THAT(side->csv, HasSubstr(",cubic,line,16,5,5,5\r\n"));
+  EXPECT_THAT(side->csv, HasSubstr(",cubic,line,4096,5,5,5\r\n"));
+  EXPECT_THAT(side->csv, HasSubstr(",theorem's bound,dashed,4096,8,,\r\n"));
+  EXPECT_THAT(side->csv, HasSubstr(",all families,band,4096,5,5,5\r\n"));
+}
+
+TEST(Report, OfManyFamiliesTheExtremeOnesAreNamed) {
+  std::vector<std::string> families;
+  for (int i = 0; i < 30; ++i) families.push_back("family-" + std::to_string(i));
+  Results results = testing::good_results({"diamond"}, families, 5, 1);
+  for (ar3d::RunRecord& run : results.runs) {
+    const auto place = std::find(families.begin(), families.end(), run.family) - families.begin();
+    run.extents = {run.n, run.n, run.n * (100 + place) / 40};
+  }
+  const std::string html = testing::report_of(results);
+  const std::size_t begin = html.find("<figure data-fig='diamond-longest-side'");
+  const std::string figure = html.substr(begin, html.find("</figure>", begin) - begin);
+  EXPECT_EQ(count(figure, "<g class='family"), 30u);
+  EXPECT_EQ(count(figure, "<g class='family extreme'"), 4u);
+  for (const char* name : {">family-29<", ">family-28<", ">family-1<", ">family-0<"}) {
+    EXPECT_EQ(count(figure.substr(figure.find("class='ends'")), name), 2u) << "name and title";
+  }
+  // The family closest to its bound stands first in the heat map.
+  const std::string heat = html.substr(html.find("<table class='heat"));
+  EXPECT_LT(heat.find(">family-29<"), heat.find(">family-28<"));
+  EXPECT_LT(heat.find(">family-28<"), heat.find(">family-0<"));
+}
+
+TEST(Report, OfVeryManyFamiliesThePageShowsTheClosest) {
+  std::vector<std::string> families;
+  for (int i = 0; i < 400; ++i) families.push_back("family-" + std::to_string(i));
+  Results results = testing::good_results({"diamond"}, families, 2, 1);
+  results.runs.back().extents[2] = 8 * results.runs.back().n;  // touches the bound
+  const std::string html = testing::report_of(results);
+  EXPECT_THAT(html, HasSubstr("The 300 of 400 families that come closest to the bound"));
+  EXPECT_THAT(html, HasSubstr(">family-399<"));
 }
 
 TEST(Report, BatchesAreShownAgainstTheIdeal) {
@@ -203,6 +287,9 @@ TEST(Report, FiguresAreDocumentsOfTheirOwn) {
     boost::property_tree::ptree tree;
     std::istringstream in(figure.svg);
     EXPECT_NO_THROW(boost::property_tree::read_xml(in, tree)) << figure.name;
+    EXPECT_THAT(figure.csv, ::testing::StartsWith("id,series,kind,x,y,low,high\r\n0,"));
+    EXPECT_THAT(figure.matplotlib, HasSubstr("open(\"" + figure.name + ".csv\""));
+    EXPECT_THAT(figure.pgfplots, HasSubstr("{" + figure.name + ".csv}"));
   }
 }
 
@@ -238,39 +325,6 @@ TEST(Report, MissingNumbersAreNeverPrintedAsNumbers) {
   const std::string page = html.substr(0, html.find("<script"));
   EXPECT_FALSE(has_word(page, "nan"));
   EXPECT_FALSE(has_word(page, "inf"));
-}
-
-TEST(Axis, TicksAreDecadesOrOneTwoFive) {
-  const auto labels = [](const report::LogAxis& axis, report::TickStyle style) {
-    std::vector<std::string> labels;
-    for (const report::Tick& tick : axis.ticks(style, 6)) {
-      if (!tick.label.empty()) labels.push_back(tick.label);
-    }
-    return labels;
-  };
-  EXPECT_THAT(labels({1, 5, 0, 100}, report::TickStyle::count),
-              ::testing::ElementsAre("10", "100", "1k", "10k", "100k"));
-  EXPECT_THAT(labels({2, 3, 0, 100}, report::TickStyle::count),
-              ::testing::ElementsAre("100", "200", "500", "1k"));
-  EXPECT_THAT(labels({-6, -2, 0, 100}, report::TickStyle::seconds),
-              ::testing::ElementsAre("1 µs", "10 µs", "100 µs", "1 ms", "10 ms"));
-  EXPECT_THAT(labels({0, 20, 0, 100}, report::TickStyle::power),
-              ::testing::ElementsAre("1", "10⁴", "10⁸", "10¹²", "10¹⁶", "10²⁰"));
-  EXPECT_THAT(labels({10.3, 10.5, 0, 100}, report::TickStyle::power),
-              ::testing::ElementsAre("2·10¹⁰", "2.5·10¹⁰", "3·10¹⁰"));
-  EXPECT_THAT(labels({2.05, 2.2, 0, 100}, report::TickStyle::count),
-              ::testing::ElementsAre("120", "130", "140", "150", "160"));
-  EXPECT_THAT(labels({0, 0.3, 0, 100}, report::TickStyle::count),
-              ::testing::ElementsAre("1", "1.5", "2"));
-}
-
-TEST(Html, Numbers) {
-  EXPECT_EQ(report::grouped(1234567), "1,234,567");
-  EXPECT_EQ(report::grouped(-123), "-123");
-  EXPECT_EQ(report::grouped(-1234), "-1,234");
-  EXPECT_EQ(report::duration(0.00123), "1.23 ms");
-  EXPECT_EQ(report::duration(kMissing), "–");
-  EXPECT_EQ(report::percent(0.5), "50.0 %");
 }
 
 TEST(Export, CsvHasOneLineACellAndQuotes) {

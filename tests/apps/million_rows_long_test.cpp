@@ -34,7 +34,8 @@ TEST(MillionRows, RunResumeStatusAndPandas) {
   const Outcome outcome = run(bounded + "{} study resume -q --threads 2 " + results);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("PASS: 1000000 rows, 1000000 proved"));
-  EXPECT_THAT(outcome.out, HasSubstr("ar3d report " + results));
+  EXPECT_THAT(outcome.out, HasSubstr("report   "));
+  EXPECT_LT(std::filesystem::file_size(scratch.path("m.html")), 1'000'000u);
   EXPECT_FALSE(std::filesystem::exists(results + ".journal"));
   EXPECT_EQ(ResultsReader(results, run_format()).size(), 1000000u);
   const Outcome pandas =

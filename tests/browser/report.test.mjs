@@ -2,7 +2,7 @@
 // AR3D_PROGRAM names the program; screenshots go to AR3D_SCREENSHOTS if that is set.
 import assert from "node:assert/strict";
 import {execFileSync} from "node:child_process";
-import {mkdtempSync, mkdirSync, rmSync, statSync, writeFileSync} from "node:fs";
+import {mkdtempSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {dirname, join} from "node:path";
 import {after, before, test} from "node:test";
@@ -53,36 +53,110 @@ const placeOf = async (plot, place) => {
   await plot.scrollIntoViewIfNeeded();
   await page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));
   return plot.evaluate((svg, i) => {
-    const dots = [...svg.querySelector("path.points").getAttribute("d").matchAll(/M([\d.-]+) ([\d.-]+)h0/g)];
+    const dots = [...svg.querySelector("g.extreme path.points").getAttribute("d").matchAll(/M([\d.-]+) ([\d.-]+)h0/g)];
     const box = svg.getBoundingClientRect(), scale = box.width / svg.viewBox.baseVal.width;
     return {x: box.x + dots[i][1] * scale, y: box.y + dots[i][2] * scale};
   }, place);
 };
-const firstPlotWithPoints = () => page.locator("section#a0 details[open] svg.plot:has(path.points)").first();
+const firstPlotWithPoints = () => page.locator("section#a0 svg.plot:has(g.extreme path.points)").first();
 
 test("one small file that asks for nothing else", () => {
   assert.ok(statSync(join(folder, "study.html")).size < 2e6);
   assert.deepEqual(requests.filter(url => !url.startsWith("file://" + folder)), []);
 });
 
-test("the verdict and every kind of plot are there", async () => {
+test("the verdict and every kind of figure are there", async () => {
   assert.equal(await page.locator(".verdict").textContent(), "PASS");
-  assert.equal(await page.locator("section[id^=a]").count(), 5);
-  for (const css of ["polyline.median", "polyline.bound", "polyline.fit", "polygon.band", "path.points",
-    "path.whisker", "svg.bars rect", "#effort polyline.median"]) {
+  assert.equal(await page.locator("section.setting").count(), 5);
+  for (const css of ["polyline.median", "polyline.middle", "polyline.bound", "polygon.band", "path.points", "#trade polyline.front",
+    "#trade circle.crossing", "svg.bars rect", "table.heat td[data-r]", "#closeness button.graph"]) {
     assert.ok(await page.locator(css).count() > 0, css);
   }
-  const empty = await page.evaluate(() => [...document.querySelectorAll("details")].map(d => { d.open = true; return d; }) &&
-    [...document.querySelectorAll("svg.plot polyline.median")].filter(line => {
-      const box = line.getBoundingClientRect();
-      return box.width < 5;
-    }).length);
-  assert.equal(empty, 0, "every median line has a width");
+  const lines = await page.evaluate(() => [...document.querySelectorAll("g.extreme polyline.median")]
+    .map(line => line.getBoundingClientRect().width));
+  assert.ok(lines.every(width => width > 50), "every line has a width");
+  const legends = await page.evaluate(() => Math.max(...[...document.querySelectorAll(".legend, g.ends")]
+    .map(legend => legend.children.length)));
+  assert.ok(legends <= 8, `a legend of ${legends} entries`);
   await shot("top-1280");
-  await firstPlotWithPoints().scrollIntoViewIfNeeded();
-  await shot("families-1280");
-  await page.locator("#effort").scrollIntoViewIfNeeded();
-  await shot("effort-1280");
+  for (const id of ["closeness", "trade", "a0"]) {
+    await page.locator("#" + id).scrollIntoViewIfNeeded();
+    await page.evaluate(i => document.getElementById(i).scrollIntoView(), id);
+    await shot(id + "-1280");
+  }
+});
+
+test("another n shows another trade", async () => {
+  const shown = () => page.locator("#trade figure[data-n]:visible").getAttribute("data-n");
+  const options = await page.locator("#trade-n option").evaluateAll(all => all.map(option => option.value));
+  assert.ok(options.length > 3);
+  await page.locator("#trade-n").selectOption(options[0]);
+  assert.equal(await shown(), options[0]);
+  await page.locator("#trade-n").selectOption(options.at(-2));
+  assert.equal(await shown(), options.at(-2));
+});
+
+test("families are highlighted by part of their name", async () => {
+  const section = page.locator("section#a0");
+  await section.locator("input.filter").fill("prism");
+  assert.equal(await section.locator("g.family.on").count(), 3, "side, volume and time");
+  assert.deepEqual(await section.locator("table.heat tbody tr:visible th").allTextContents(), ["prism"]);
+  await section.locator("svg.plot").first().scrollIntoViewIfNeeded();
+  await shot("filter-1280");
+  await section.locator("input.filter").fill("no such family");
+  assert.equal(await section.locator("table.heat tbody tr:visible").count(), 0);
+  await section.locator("input.filter").fill("");
+  assert.equal(await section.locator("g.family.on").count(), 0);
+  assert.equal(await section.locator("table.heat tbody tr:visible").count(), 3);
+});
+
+test("tables sort by a click on a head, numbers as numbers", async () => {
+  const table = page.locator("#metrics table");
+  const column = () => table.locator("tbody tr td:nth-child(4)").allTextContents();
+  const head = table.locator("thead th").nth(3);
+  await head.click();
+  const falling = (await column()).map(text => parseFloat(text.replaceAll(",", ""))).filter(number => !isNaN(number));
+  assert.deepEqual(falling, [...falling].sort((a, b) => b - a));
+  assert.equal(await head.getAttribute("aria-sort"), "descending");
+  await head.click();
+  assert.equal(await head.getAttribute("aria-sort"), "ascending");
+  const first = page.locator("#closeness thead th").first();
+  await first.click();
+  const names = await page.locator("#closeness tbody th").allTextContents();
+  assert.deepEqual(names, [...names].sort().reverse());
+});
+
+test("a number of the heat map shows its graph", async () => {
+  const cell = page.locator("section#a0 table.heat td[data-r]").first();
+  await cell.scrollIntoViewIfNeeded();
+  await shot("heat-1280");
+  await cell.click();
+  assert.match(await page.locator("#replay code").textContent(), /^ar3d generate .* \| ar3d draw - --algorithm /);
+  await page.keyboard.press("Escape");
+  await page.locator("#closeness button.graph").first().click();
+  assert.ok(await page.locator("#replay").isVisible());
+  await page.locator("#replay button").first().click();
+  assert.equal(await page.evaluate(() => getSelection().toString()), await page.locator("#replay code").textContent());
+  await page.keyboard.press("Escape");
+});
+
+test("every figure is saved as SVG, CSV, matplotlib script and LaTeX", async () => {
+  const figure = page.locator("section#a0 figure").first();
+  const saved = async label => {
+    const [download] = await Promise.all([page.waitForEvent("download"), figure.getByRole("button", {name: label}).click()]);
+    const path = join(folder, download.suggestedFilename());
+    await download.saveAs(path);
+    return path;
+  };
+  const svg = await saved("SVG"), csv = await saved("CSV"), script = await saved("matplotlib"), latex = await saved("pgfplots");
+  assert.match(readFileSync(csv, "utf8"), /^id,series,kind,x,y,low,high\r\n0,all families,band,/);
+  assert.ok(readFileSync(svg, "utf8").startsWith("<?xml"));
+  execFileSync("rsvg-convert", [svg, "-o", join(folder, "saved.png")]);
+  assert.ok(statSync(join(folder, "saved.png")).size > 5000);
+  execFileSync("/usr/bin/python3", ["-m", "py_compile", script]);
+  assert.match(readFileSync(latex, "utf8"), /\\addplot\+\[.*only=0\] table\[x=x, y=y\] \{diamond-effort-0-longest-side\.csv\}/);
+  const buttons = await page.locator(".save").count();
+  assert.equal(buttons, await page.locator("figure").count());
 });
 
 test("pointing at a row shows it", async () => {
@@ -92,7 +166,7 @@ test("pointing at a row shows it", async () => {
   const tip = page.locator("#tip");
   await tip.waitFor({state: "visible", timeout: 5000});
   const text = await tip.textContent();
-  for (const part of ["random-cubic", "vertices", "seed", "box ", "the theorem's ", "the published "]) {
+  for (const part of ["vertices", "seed", "box ", "the theorem's ", "the published "]) {
     assert.ok(text.includes(part), `${part} in ${text}`);
   }
   await shot("hover-1280");
@@ -105,7 +179,7 @@ test("a click gives a command that draws the row again", async () => {
   await page.mouse.click(x, y);
   const code = await page.locator("#replay code").textContent();
   const [command, replay] = code.split("\n");
-  assert.match(command, /^ar3d generate random-cubic -n \d+ --seed \d+ \| ar3d draw - --algorithm diamond/);
+  assert.match(command, /^ar3d generate [a-z0-9-]+ -n \d+ --seed \d+ \| ar3d draw - --algorithm diamond/);
   await shot("click-1280");
   const path = {...process.env, PATH: dirname(program) + ":" + process.env.PATH};
   const verdict = execFileSync("bash", ["-c", command + " | ar3d verify -"], {env: path}).toString();
@@ -144,11 +218,21 @@ test("it reads at 1280 and 390 pixels, in the dark and on paper", async () => {
     const small = await page.evaluate(() => Math.min(...[...document.querySelectorAll("svg.plot")]
       .map(svg => svg.getBoundingClientRect().width).filter(w => w > 0)));
     assert.ok(small >= 300, `a plot of ${small} pixels at ${width}`);
+    // Whatever is wider than the page scrolls by itself: nothing is cut.
+    const cut = await page.evaluate(() => [...document.querySelectorAll("body *")].filter(e => {
+      const box = e.getBoundingClientRect();
+      return box.width > 0 && box.right > innerWidth + 1 && !e.closest(".scroll, pre, code");
+    }).map(e => e.outerHTML.slice(0, 80)));
+    assert.deepEqual(cut, [], `cut at ${width}`);
     await page.evaluate(() => scrollTo(0, 0));
     await shot("page-" + width);
+    for (const id of ["trade", "a0"]) {
+      await page.evaluate(i => document.getElementById(i).scrollIntoView(), id);
+      await shot(id + "-" + width);
+    }
+    await page.locator("section#a0 table.heat").scrollIntoViewIfNeeded();
+    await shot("heat-" + width);
   }
-  await firstPlotWithPoints().scrollIntoViewIfNeeded();
-  await shot("families-390");
   await page.setViewportSize({width: 1280, height: 900});
   const background = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
   const light = await background();

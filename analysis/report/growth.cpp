@@ -1,0 +1,281 @@
+// Growth as compensated plots: a quantity divided by the order of the theorem's bound, so that a
+// constant is a horizontal line and a wrong exponent is visible.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "ar3d/analysis/report/html.h"
+#include "ar3d/analysis/report/labels.h"
+#include "ar3d/analysis/report/plot.h"
+#include "ar3d/analysis/report/sections.h"
+#include "ar3d/analysis/statistics.h"
+
+namespace ar3d::report {
+namespace {
+
+constexpr std::size_t kEndsNamed = 2;   // families with the largest values, and with the least
+constexpr std::size_t kAllNamed = 6;    // so few families are all drawn and named
+constexpr double kFarBound = 1.5;       // decades: a bound further up is told, not drawn
+constexpr double kPointBudget = 60000;  // points of a page
+constexpr double kLineBudget = 200000;  // sizes of a page's lines
+
+/// One family: decimal logarithms, divided by the order.
+struct FamilyLine {
+  const SectionCurve* curve = nullptr;
+  const ScalingEntry* entry = nullptr;
+  std::size_t index = 0;  // in the section
+};
+
+struct Growth {
+  Quantity quantity;
+  double order = 1;
+  std::vector<FamilyLine> lines;
+  std::size_t points_of_a_size = 12, sizes_of_a_line = 200;
+
+  double value(const SizeSample& size, double log) const {
+    return decimal(log) - order * log10_of(size.n);
+  }
+  double middle(const SizeSample& size) const { return value(size, median(size.log_values())); }
+};
+
+double order_of(const Section& section, Quantity quantity) {
+  if (quantity == Quantity::wall_s) return 1;
+  if (!section.theorem) return quantity == Quantity::volume ? 3 : 1;
+  double longest = 0, product = 0;
+  for (const AxisBound& axis : section.theorem->axes) {
+    const double order = axis.numerator == 0 ? 0 : axis.half_power / 2.0;
+    longest = std::max(longest, order);
+    product += order;
+  }
+  return quantity == Quantity::volume ? product : longest;
+}
+
+std::string power_text(double order) {
+  return order == 1 ? "n" : order == 0.5 ? "√n" : fmt::format("n^{:.3g}", order);
+}
+
+/// At most `most` sizes, evenly, the first and the last among them.
+std::vector<const SizeSample*> thinned(const std::vector<SizeSample>& sizes, std::size_t most) {
+  std::vector<const SizeSample*> kept;
+  const std::size_t count = std::min(most, sizes.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    kept.push_back(&sizes[count < 2 ? 0 : i * (sizes.size() - 1) / (count - 1)]);
+  }
+  return kept;
+}
+
+/// Least, median and largest of the families' medians at one requested n.
+struct BandSize {
+  double x = 0;
+  std::vector<double> values;
+};
+
+std::map<std::int64_t, BandSize> band_of(const Growth& growth) {
+  std::map<std::int64_t, BandSize> band;
+  for (const FamilyLine& line : growth.lines) {
+    for (const SizeSample& size : line.entry->all) {
+      BandSize& at = band[size.requested_n];
+      at.x = log10_of(std::max<std::int64_t>(1, size.requested_n));
+      at.values.push_back(growth.middle(size));
+    }
+  }
+  return band;
+}
+
+/// The theorem's bound by n, divided by the order.
+std::map<std::int64_t, double> bound_of(const Growth& growth) {
+  std::map<std::int64_t, double> bound;
+  for (const FamilyLine& line : growth.lines) {
+    for (const SizeSample& size : line.entry->all) {
+      if (!std::isnan(size.log_bound)) bound[size.n] = growth.value(size, size.log_bound);
+    }
+  }
+  return bound;
+}
+
+Range data_range(const Growth& growth, Range& x) {
+  Range y;
+  for (const FamilyLine& line : growth.lines) {
+    for (const SizeSample& size : line.entry->all) {
+      x.include(log10_of(size.n));
+      for (const InstanceValue& one : size.instances) y.include(growth.value(size, one.log_value));
+    }
+    for (const CensoredRow& row : line.entry->censored) x.include(log10_of(row.n));
+  }
+  return y;
+}
+
+/// The families with the largest and the least values at the largest sizes; all if they are few.
+std::vector<std::size_t> extreme_lines(const Growth& growth) {
+  std::vector<std::size_t> order, to_the_end;  // of the sizes
+  std::int64_t largest = 0;
+  for (const FamilyLine& line : growth.lines) {
+    largest = std::max(largest, line.entry->all.back().requested_n);
+  }
+  for (std::size_t i = 0; i < growth.lines.size(); ++i) {
+    order.push_back(i);
+    if (growth.lines[i].entry->all.back().requested_n == largest) to_the_end.push_back(i);
+  }
+  if (order.size() <= kAllNamed) return order;
+  if (to_the_end.size() >= 2 * kEndsNamed) order = std::move(to_the_end);
+  const auto last = [&](std::size_t i) { return growth.middle(growth.lines[i].entry->all.back()); };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return last(a) > last(b); });
+  std::vector<std::size_t> extremes(order.begin(), order.begin() + kEndsNamed);
+  extremes.insert(extremes.end(), order.end() - kEndsNamed, order.end());
+  return extremes;
+}
+
+std::string band_svg(const Growth& growth, const Frame& frame, std::string& csv) {
+  std::string upper, lower, middle;
+  for (const auto& [n, at] : band_of(growth)) {
+    const auto [least, most] = std::minmax_element(at.values.begin(), at.values.end());
+    const double centre = median(at.values);
+    upper += frame.point(at.x, *most);
+    lower.insert(0, frame.point(at.x, *least));
+    middle += frame.point(at.x, centre);
+    csv += csv_line("all families", "band", at.x, centre, *least, *most);
+  }
+  return fmt::format(
+      "<polygon class='band f0' points='{}{}'/><polyline class='median middle' points='{}'/>",
+      upper, lower, middle);
+}
+
+/// The bound as a dashed line, unless it lies far above all data.
+std::string bound_svg(const std::map<std::int64_t, double>& bound, const Frame& frame, bool is_far,
+                      std::string& csv) {
+  std::string points;
+  const std::size_t step = std::max<std::size_t>(1, bound.size() / 60);
+  std::size_t i = 0;
+  for (const auto& [n, value] : bound) {
+    const bool is_end = i == 0 || i + 1 == bound.size();
+    if (i++ % step != 0 && !is_end) continue;
+    points += frame.point(log10_of(n), value);
+    csv += csv_line("theorem's bound", "dashed", log10_of(n), value, kMissing, kMissing);
+  }
+  return points.empty() || is_far ? "" : "<polyline class='bound' points='" + points + "'/>";
+}
+
+std::string line_svg(Page& page, const Growth& growth, const FamilyLine& line, const Frame& frame,
+                     bool is_extreme, std::size_t colour, std::string& csv) {
+  std::string points;
+  Dots dots, cut_off;
+  std::map<std::size_t, const DrawnGraph*> graph_of;
+  for (const auto& [n, size] : line.curve->tally->sizes) {
+    for (const DrawnGraph& graph : size.graphs) graph_of[graph.row] = &graph;
+  }
+  for (const SizeSample* size : thinned(line.entry->all, growth.sizes_of_a_line)) {
+    const std::vector<double> values = size->log_values();
+    const double x = log10_of(size->n), y = growth.middle(*size);
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    points += frame.point(x, y);
+    csv += csv_line(line.curve->family, "line", x, y, growth.value(*size, *least),
+                    growth.value(*size, *most));
+    for (const InstanceValue& one : shown_points(*size, growth.points_of_a_size)) {
+      dots.add(frame.x.pixel(x), frame.y.pixel(growth.value(*size, one.log_value)),
+               page.point_at(line.curve->place, *graph_of.at(one.row)));
+    }
+  }
+  for (const CensoredRow& row : line.entry->censored) {
+    cut_off.add(frame.x.pixel(log10_of(row.n)), kTop + 4, page.point_at(line.curve->place, row));
+  }
+  return fmt::format(
+      "<g class='family{}' data-f='{}'><polyline class='median {}' points='{}'><title>{}</title>"
+      "</polyline>{}{}</g>",
+      is_extreme ? " extreme" : "", line.index, stroke_class(colour), points,
+      escape(line.curve->family), dots.svg("points " + stroke_class(colour)),
+      cut_off.svg("points cut"));
+}
+
+Growth growth_of(Page& page, const Section& section, Quantity quantity) {
+  Growth growth{quantity, order_of(section, quantity), {}};
+  for (std::size_t i = 0; i < section.curves.size(); ++i) {
+    const SectionCurve& curve = section.curves[i];
+    const ScalingEntry* entry = curve.scaling[static_cast<std::size_t>(quantity)];
+    if (entry != nullptr) growth.lines.push_back({&curve, entry, i});
+  }
+  std::size_t sizes = 0;
+  for (const CurveTally& curve : page.analysis.tally.curves) sizes += curve.sizes.size();
+  const double count = 3 * static_cast<double>(std::max<std::size_t>(1, sizes));
+  growth.points_of_a_size = static_cast<std::size_t>(std::clamp(kPointBudget / count, 0.0, 12.0));
+  growth.sizes_of_a_line = static_cast<std::size_t>(std::clamp(
+      kLineBudget / 3 / static_cast<double>(page.analysis.tally.curves.size()), 12.0, 200.0));
+  return growth;
+}
+
+std::string unit_text(Quantity quantity) {
+  return quantity == Quantity::wall_s ? "s" : unit_of(quantity);
+}
+
+NamedPlot growth_plot(Page& page, const Section& section, const Growth& growth) {
+  std::string name = name_of(growth.quantity);
+  NamedPlot plot;
+  plot.title = section.label + ": " + name;
+  plot.file = section.label + "-" + name;
+  plot.x = "vertices n";
+  plot.y = name + " / " + power_text(growth.order);
+  Range x, y = data_range(growth, x);
+  const double top = y.high;
+  const std::map<std::int64_t, double> bound = bound_of(growth);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto& [n, value] : bound) nearest = std::min(nearest, value);
+  const bool is_far = !bound.empty() && nearest > top + kFarBound;
+  if (!is_far) {
+    for (const auto& [n, value] : bound) y.include(value);
+  }
+  const bool is_time = growth.quantity == Quantity::wall_s;
+  const bool is_wide = growth.quantity == Quantity::volume || y.low < -2;
+  const TickStyle ticks = is_time   ? TickStyle::seconds
+                          : is_wide ? TickStyle::power
+                                    : TickStyle::count;
+  const Frame frame = frame_of(x, y, ticks, plot.y + ", " + unit_text(growth.quantity));
+  std::string svg = axes_svg(frame);
+  svg += band_svg(growth, frame, plot.csv);
+  svg += bound_svg(bound, frame, is_far, plot.csv);
+  const std::vector<std::size_t> extremes = extreme_lines(growth);
+  std::vector<Label> labels;
+  for (std::size_t i = 0; i < growth.lines.size(); ++i) {
+    const auto at = std::find(extremes.begin(), extremes.end(), i);
+    const bool is_extreme = at != extremes.end();
+    const std::size_t colour = is_extreme ? static_cast<std::size_t>(at - extremes.begin()) + 1 : 7;
+    const FamilyLine& line = growth.lines[i];
+    svg += line_svg(page, growth, line, frame, is_extreme, colour, plot.csv);
+    if (!is_extreme) continue;
+    labels.push_back({kRight + 5, frame.y.pixel(growth.middle(line.entry->all.back())) + 4,
+                      line.curve->name, fill_class(colour)});
+  }
+  if (!bound.empty() && !is_far) {
+    labels.push_back(
+        {kRight + 5, frame.y.pixel(bound.rbegin()->second) + 4, "theorem's bound", "of-bound"});
+  }
+  svg += "<g class='ends'>" + labels_svg(std::move(labels), kTop + 8, kBottom) + "</g>";
+  plot.svg =
+      svg_element(plot.title + ", divided by " + power_text(growth.order) + ", against n by family",
+                  kLabelledWidth, kHeight, svg);
+  plot.note = fmt::format("{} families", growth.lines.size());
+  if (is_far) {
+    plot.note += fmt::format("; the theorem's bound lies at least {:.0f} times above",
+                             std::pow(10, nearest - top));
+  }
+  return plot;
+}
+
+}  // namespace
+
+std::string growth_figures(Page& page, const Section& section) {
+  std::string html;
+  for (const Quantity quantity : {Quantity::longest_side, Quantity::volume, Quantity::wall_s}) {
+    const Growth growth = growth_of(page, section, quantity);
+    if (!growth.lines.empty()) html += page.figure(growth_plot(page, section, growth));
+  }
+  if (html.empty()) return "";
+  return "<div class=figures>\n" + html +
+         "</div>\n<p class='muted legend-line'>Band and thick line: least, median and largest of "
+         "the "
+         "families' medians. Lines: families, named at their end. Dashed: the theorem's "
+         "bound.</p>\n";
+}
+
+}  // namespace ar3d::report

@@ -1,0 +1,76 @@
+#include "ar3d/analysis/report/sections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace ar3d::report {
+namespace {
+
+/// The smallest slack over the axes; +infinity if there is none, so that it comes last.
+double closeness(const SectionCurve& curve) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const AxisBounds& axis : curve.bounds->axes) least = std::fmin(least, axis.worst_slack);
+  return least;
+}
+
+/// The curves closest to their bound, in the order of the file.
+void keep_closest(std::vector<SectionCurve>& curves) {
+  if (curves.size() <= kMostFamilies) return;
+  std::stable_sort(curves.begin(), curves.end(), [](const SectionCurve& a, const SectionCurve& b) {
+    return closeness(a) < closeness(b);
+  });
+  curves.resize(kMostFamilies);
+  std::sort(curves.begin(), curves.end(),
+            [](const SectionCurve& a, const SectionCurve& b) { return a.place < b.place; });
+}
+
+void name_families(std::vector<SectionCurve>& curves) {
+  std::map<std::string, std::size_t> times;
+  for (const SectionCurve& curve : curves) ++times[curve.name];
+  for (SectionCurve& curve : curves) {
+    if (times.at(curve.bounds->key.family) > 1) curve.name = curve.family;
+  }
+}
+
+}  // namespace
+
+std::vector<Section> sections(const StudyAnalysis& analysis) {
+  std::map<CurveKey, std::vector<const ScalingEntry*>> scaling_of;
+  for (const ScalingEntry& entry : analysis.scaling) {
+    auto& entries = scaling_of[entry.key];
+    entries.resize(quantities().size());
+    entries[static_cast<std::size_t>(entry.quantity)] = &entry;
+  }
+  const std::vector<AlgorithmRecord> records = algorithm_records(*analysis.rows.identity);
+  std::vector<Section> sections;
+  std::map<std::string, std::size_t> index_of;
+  for (std::size_t place = 0; place < analysis.bounds.size(); ++place) {
+    const CurveKey& key = analysis.bounds[place].key;
+    const auto [at, is_new] = index_of.try_emplace(algorithm_label(key), sections.size());
+    if (at->second >= kMostSections) continue;
+    if (is_new) {
+      Section& section = sections.emplace_back();
+      section.label = at->first;
+      section.algorithm = key.algorithm;
+      for (const AlgorithmRecord& record : records) {
+        if (record.algorithm == key.algorithm && record.options == key.options) {
+          section.theorem = record.theorem;
+        }
+      }
+    }
+    auto scaling = scaling_of[key];
+    scaling.resize(quantities().size());
+    sections[at->second].curves.push_back({place, family_label(key), key.family,
+                                           &analysis.tally.curves[place], &analysis.bounds[place],
+                                           std::move(scaling)});
+  }
+  for (Section& section : sections) {
+    section.all_curves = section.curves.size();
+    name_families(section.curves);
+    keep_closest(section.curves);
+  }
+  return sections;
+}
+
+}  // namespace ar3d::report

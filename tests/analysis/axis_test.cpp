@@ -1,0 +1,55 @@
+// Ticks and numbers of the report's page.
+#include "ar3d/analysis/report/axis.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "ar3d/analysis/report/html.h"
+#include "ar3d/records/run_record.h"
+
+namespace ar3d {
+namespace {
+
+TEST(Axis, TicksAreDecadesOrOneTwoFive) {
+  const auto labels = [](const report::LogAxis& axis, report::TickStyle style) {
+    std::vector<std::string> labels;
+    for (const report::Tick& tick : axis.ticks(style, 6)) {
+      if (!tick.label.empty()) labels.push_back(tick.label);
+    }
+    return labels;
+  };
+  EXPECT_THAT(labels({1, 5, 0, 100}, report::TickStyle::count),
+              ::testing::ElementsAre("10", "100", "1k", "10k", "100k"));
+  EXPECT_THAT(labels({2, 3, 0, 100}, report::TickStyle::count),
+              ::testing::ElementsAre("100", "200", "500", "1k"));
+  EXPECT_THAT(labels({-6, -2, 0, 100}, report::TickStyle::seconds),
+              ::testing::ElementsAre("1 µs", "10 µs", "100 µs", "1 ms", "10 ms"));
+  EXPECT_THAT(labels({0, 20, 0, 100}, report::TickStyle::power),
+              ::testing::ElementsAre("1", "10⁴", "10⁸", "10¹²", "10¹⁶", "10²⁰"));
+  EXPECT_THAT(labels({10.3, 10.5, 0, 100}, report::TickStyle::power),
+              ::testing::ElementsAre("2·10¹⁰", "2.5·10¹⁰", "3·10¹⁰"));
+  EXPECT_THAT(labels({2.05, 2.2, 0, 100}, report::TickStyle::count),
+              ::testing::ElementsAre("120", "130", "140", "150", "160"));
+  EXPECT_THAT(labels({0, 0.3, 0, 100}, report::TickStyle::count),
+              ::testing::ElementsAre("1", "1.5", "2"));
+}
+
+TEST(Html, Numbers) {
+  EXPECT_EQ(report::grouped(1234567), "1,234,567");
+  EXPECT_EQ(report::grouped(-123), "-123");
+  EXPECT_EQ(report::grouped(-1234), "-1,234");
+  EXPECT_EQ(report::short_count(215), "215");
+  EXPECT_EQ(report::short_count(4642), "4.6k");
+  EXPECT_EQ(report::short_count(9990), "10k");
+  EXPECT_EQ(report::short_count(1000000), "1M");
+  EXPECT_EQ(report::json_string("a\"</script>\xff"), "\"a\\\"\\u003c/script\\u003e\\ufffd\"");
+  EXPECT_EQ(report::duration(0.00123), "1.23 ms");
+  EXPECT_EQ(report::duration(kMissing), "–");
+  EXPECT_EQ(report::percent(0.5), "50.0 %");
+}
+
+}  // namespace
+}  // namespace ar3d
