@@ -157,6 +157,8 @@ void add_draw(CLI::App& app, int& exit_code) {
                    "svg, tikz: distance of the eye from the middle, in diagonals of the box; "
                    "orthographic if left out")
       ->check(finite_number(true));
+  verb->add_flag("--stretch", view.stretch,
+                 "svg, tikz: scale the axes so that the box is a cube; angles are not true then");
   verb->add_option("--tube", arguments->picture.tube_radius,
                    "stl: radius of the tubes in lattice units")
       ->check(finite_number(true));

@@ -13,3 +13,13 @@ write_basic_package_version_file(${CMAKE_BINARY_DIR}/ar3dConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/ar3dConfig.cmake ${CMAKE_BINARY_DIR}/ar3dConfigVersion.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/ar3d)
+
+# The man page is made of what the installed program says of itself.
+install(CODE "
+  set(man_folder \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_MANDIR}/man1\")
+  file(MAKE_DIRECTORY \"\${man_folder}\")
+  message(STATUS \"Installing: \${man_folder}/ar3d.1\")
+  execute_process(COMMAND ${CMAKE_SOURCE_DIR}/tools/man-page \"$<TARGET_FILE:ar3d_program>\"
+                  OUTPUT_FILE \"\${man_folder}/ar3d.1\" COMMAND_ERROR_IS_FATAL ANY)")
+install(FILES ${CMAKE_SOURCE_DIR}/tools/ar3d-completion.bash
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ar3d)

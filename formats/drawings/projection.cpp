@@ -38,10 +38,18 @@ class Camera {
     const Real3 low = embed_(box.low);
     const Real3 high = embed_(box.high);
     middle_ = 0.5 * (low + high);
-    if (view.perspective > 0) eye_ = view.perspective * std::max(length(high - low), 1.0);
+    Real3 sides = high - low;
+    if (view.stretch) {
+      const double longest = std::max({sides.x, sides.y, sides.z});
+      const auto factor = [&](double side) { return side > 0 ? longest / side : 1; };
+      stretch_ = {factor(sides.x), factor(sides.y), factor(sides.z)};
+      sides = {longest, longest, longest};
+    }
+    if (view.perspective > 0) eye_ = view.perspective * std::max(length(sides), 1.0);
   }
   Spot operator()(Point p) const {
-    const Real3 q = embed_(p) - middle_;
+    Real3 q = embed_(p) - middle_;
+    q = {q.x * stretch_.x, q.y * stretch_.y, q.z * stretch_.z};
     const double right = q.x * std::cos(turn_) + q.y * std::sin(turn_);
     const double away = -q.x * std::sin(turn_) + q.y * std::cos(turn_);
     const double down = -(away * std::cos(tilt_) + q.z * std::sin(tilt_));
@@ -61,6 +69,7 @@ class Camera {
   double turn_;
   double tilt_;
   Real3 middle_;
+  Real3 stretch_ = {1, 1, 1};
   std::optional<double> eye_;
 };
 

@@ -14,6 +14,7 @@ struct PictureView {
   double tilt_degrees = 62;  ///< 0: from above, 90: from the side
   /// Distance of the eye from the middle of the box, in diagonals of the box; 0: orthographic.
   double perspective = 0;
+  bool stretch = false;   ///< axes scaled so that the box is a cube: angles are not true then
   int longer_side = 900;  ///< units of the picture; the other side follows from the drawing
 };
 

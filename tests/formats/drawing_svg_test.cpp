@@ -98,6 +98,14 @@ TEST(Projection, WhatIsNearerIsPaintedLater) {
   EXPECT_GT(picture.items.back().scale, picture.items.front().scale) << "nearer is larger";
 }
 
+TEST(Projection, StretchesTheBoxToACube) {
+  const PictureView side{.turn_degrees = 0, .tilt_degrees = 90};
+  PictureView stretched = side;
+  stretched.stretch = true;
+  EXPECT_LT(project(two_edges(), side, "svg").height, 480) << "9 of 20 high";
+  EXPECT_NEAR(project(two_edges(), stretched, "svg").height, 900, 1);
+}
+
 TEST(Projection, RefusesAnEyeInTheDrawing) {
   EXPECT_THROW(project(two_edges(), {.tilt_degrees = 0, .perspective = 0.01}, "svg"), InputError);
 }

@@ -1,0 +1,127 @@
+// What docs/tutorial.md and docs/library.md print runs as it is printed; what is installed beside
+// the program works.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "support/program.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::run;
+using testing::ScratchDirectory;
+namespace fs = std::filesystem;
+
+struct Block {
+  std::string language;
+  std::string text;
+};
+
+/// All code blocks of a page, in order.
+std::vector<Block> blocks(const std::string& page) {
+  const std::string text = testing::read_file(AR3D_SOURCE_DIR "/docs/" + page);
+  std::vector<Block> found;
+  const std::string fence = "\n```";
+  for (std::size_t at = text.find(fence); at != std::string::npos; at = text.find(fence, at + 4)) {
+    const std::size_t line = text.find('\n', at + 4);
+    const std::size_t end = text.find(fence, line - 1);
+    found.push_back(
+        {text.substr(at + 4, line - at - 4), text.substr(line + 1, end + 1 - line - 1)});
+    at = end;
+  }
+  return found;
+}
+
+/// A folder in which `ar3d` is the program that was built.
+std::string enter(const ScratchDirectory& folder) {
+  if (!fs::exists(folder.path("bin"))) {
+    fs::create_directory(folder.path("bin"));
+    fs::create_symlink(AR3D_PROGRAM, folder.path("bin/ar3d"));
+  }
+  return "cd " + folder.path("") + " && export PATH=" + folder.path("bin") +
+         ":$PATH && set -eo pipefail\n";
+}
+
+TEST(Tutorial, RunsAsPrinted) {
+  const ScratchDirectory folder;
+  std::string all;
+  std::size_t count = 0;
+  for (const Block& block : blocks("tutorial.md")) {
+    ++count;
+    if (block.language == "python") folder.write("printed.py", block.text);
+    const std::string command =
+        block.language == "python" ? "/usr/bin/python3 printed.py" : block.text;
+    const Outcome outcome = run(enter(folder) + command);
+    EXPECT_EQ(outcome.exit_code, 0) << block.text << outcome.err;
+    all += outcome.out;
+  }
+  EXPECT_EQ(count, 7u);
+  EXPECT_THAT(all, HasSubstr("1 certified, 0 violated, 0 not drawn"));
+  EXPECT_THAT(all, HasSubstr("0 certified, 1 violated, 0 not drawn"));
+  EXPECT_THAT(all, HasSubstr("50 certified, 0 violated, 0 not drawn"));
+  for (const char* made : {"k5.html", "k5.svg", "broken.html", "trade.html", "k5.tikz"}) {
+    EXPECT_TRUE(fs::exists(folder.path(made))) << made;
+  }
+}
+
+/// The name that the first line of a program gives: "// draw_file.cpp: …".
+std::string file_of(const std::string& text) {
+  std::smatch found;
+  std::regex_search(text, found, std::regex("^(?://|#) ([a-zA-Z_]+\\.(?:cpp|txt))"));
+  return found.empty() ? "" : found[1].str();
+}
+
+TEST(LibraryPage, ProgramsCompileAndRun) {
+  const ScratchDirectory folder;
+  std::string commands;
+  for (const Block& block : blocks("library.md")) {
+    if (block.language == "sh") {
+      commands += block.text;
+    } else {
+      folder.write(file_of(block.text), block.text);
+    }
+  }
+  const std::string build =
+      "cmake --install " AR3D_BINARY_DIR " --prefix " + folder.path("prefix") +
+      " >/dev/null && cmake -S . -B build -DCMAKE_PREFIX_PATH=" + folder.path("prefix") +
+      " >/dev/null && cmake --build build >/dev/null\n";
+  const Outcome outcome = run(enter(folder) + build + commands);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
+  EXPECT_THAT(outcome.out, HasSubstr("small.s6:3: certified, box "));
+  EXPECT_THAT(outcome.out, HasSubstr("the angle at 0 is exactly 120 degrees"));
+  EXPECT_THAT(outcome.out, HasSubstr("4 components\n12 edges drawn"));
+  EXPECT_TRUE(fs::exists(folder.path("drawing.svg")));
+
+  const std::string man = testing::read_file(folder.path("prefix/share/man/man1/ar3d.1"));
+  for (const char* verb : {"AR3D DRAW", "AR3D VIEW", "ar3d study run", "exact lattice coord"}) {
+    EXPECT_THAT(man, HasSubstr(verb));
+  }
+  const std::string complete =
+      enter(folder) + "source prefix/share/bash-completion/completions/ar3d\n" +
+      "say() { COMP_WORDS=(\"$@\"); COMP_CWORD=$(($# - 1)); _ar3d; echo \"<${COMPREPLY[*]}>\"; }\n";
+  const Outcome offered =
+      run(complete +
+          "say ar3d ve; say ar3d study sel; say ar3d draw x --algorithm dia; "
+          "say ar3d draw x --til; say ar3d draw x --format gr; say ar3d generate cycl");
+  EXPECT_EQ(offered.out, "<verify>\n<selfcheck>\n<diamond>\n<--tilt>\n<graphml>\n<cycle>\n")
+      << offered.err;
+}
+
+TEST(Gallery, IsWhatItsScriptMakes) {
+  const ScratchDirectory folder;
+  const Outcome outcome =
+      run(AR3D_SOURCE_DIR "/tools/gallery " AR3D_PROGRAM " " + folder.path("made") +
+          " && diff -rq " + folder.path("made") + " " AR3D_SOURCE_DIR "/docs/gallery");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err
+                                  << "run tools/gallery if drawings have changed on purpose";
+}
+
+}  // namespace
+}  // namespace ar3d
