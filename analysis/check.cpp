@@ -25,7 +25,8 @@ bool comes_first(const Finding& a, const Finding& b) {
 /// Counts what is found, row by row, and keeps the first findings.
 class FindingList {
  public:
-  explicit FindingList(std::size_t rows) : violated_(rows), touched_(rows) {}
+  explicit FindingList(const RowView& rows)
+      : show_(*rows.identity), violated_(rows.count), touched_(rows.count) {}
 
   /// @param run  the finding's row; null if it concerns the whole file.
   void add(Finding finding, const RunRecord* run) {
@@ -39,7 +40,7 @@ class FindingList {
     if (run != nullptr) {
       finding.subject =
           fmt::format("{} on {}, n = {}", one_line(run->algorithm), one_line(run->family), run->n);
-      finding.command = one_line(draw_command(*run));
+      finding.command = one_line(show_(*run, finding.row.value()));
     }
     kept_.push_back(std::move(finding));
   }
@@ -61,6 +62,7 @@ class FindingList {
   }
 
  private:
+  ShowCommand show_;
   std::vector<bool> violated_, touched_;
   std::size_t violations_ = 0, others_ = 0, kept_violations_ = 0, kept_others_ = 0;
   std::vector<Finding> kept_;
@@ -142,7 +144,7 @@ Examination examine(const RowView& rows) {
   CheckVerdict& verdict = examination.verdict;
   verdict.rows = rows.count;
   bool any_drawn = false;
-  FindingList findings(rows.count);
+  FindingList findings(rows);
   std::vector<bool> is_ok(rows.count);
   std::vector<Fingerprint> prints(rows.count);
   for (std::size_t row = 0; row < rows.count; ++row) {

@@ -41,7 +41,7 @@ ordered_json key_json(const CurveKey& key) {
           {"parameters", valid_utf8(key.parameters)}};
 }
 
-ordered_json axis_json(const CurveKey& key, const AxisBounds& axis) {
+ordered_json axis_json(const CurveKey& key, const AxisBounds& axis, const ShowCommand& show) {
   ordered_json json = {{"measured", axis.measured},
                        {"worst_slack", number(axis.worst_slack)},
                        {"median_slack", number(axis.median_slack)},
@@ -53,12 +53,12 @@ ordered_json axis_json(const CurveKey& key, const AxisBounds& axis) {
                        {"worst_command", nullptr}};
   if (axis.worst_row) {
     json["worst_row"] = *axis.worst_row;
-    json["worst_command"] = valid_utf8(draw_command(key, axis.worst));
+    json["worst_command"] = valid_utf8(show(key, axis.worst));
   }
   return json;
 }
 
-ordered_json bounds_json(const BoundsEntry& entry) {
+ordered_json bounds_json(const BoundsEntry& entry, const ShowCommand& show) {
   ordered_json json = key_json(entry.key);
   json["smallest_n"] = entry.smallest_n;
   json["largest_n"] = entry.largest_n;
@@ -71,7 +71,8 @@ ordered_json bounds_json(const BoundsEntry& entry) {
   json["volume"] = {{"n", entry.volume.n},
                     {"log2_volume", number(entry.volume.log2_volume)},
                     {"share", number(entry.volume.share)}};
-  for (const AxisBounds& axis : entry.axes) json["axes"].push_back(axis_json(entry.key, axis));
+  for (const AxisBounds& axis : entry.axes)
+    json["axes"].push_back(axis_json(entry.key, axis, show));
   return json;
 }
 
@@ -105,7 +106,7 @@ std::vector<std::string> key_fields(const CurveKey& key) {
   return {field(key.algorithm), field(key.options), field(key.family), field(key.parameters)};
 }
 
-std::string bounds_line(const BoundsEntry& entry) {
+std::string bounds_line(const BoundsEntry& entry, const ShowCommand& show) {
   std::vector<std::string> fields = key_fields(entry.key);
   for (const std::int64_t n : {entry.smallest_n, entry.largest_n})
     fields.push_back(std::to_string(n));
@@ -122,7 +123,7 @@ std::string bounds_line(const BoundsEntry& entry) {
   fields.push_back(field(entry.volume.log2_volume));
   fields.push_back(field(entry.volume.share));
   const auto axis = worst_axis(entry);
-  fields.push_back(axis ? field(draw_command(entry.key, entry.axes[*axis].worst)) : "");
+  fields.push_back(axis ? field(show(entry.key, entry.axes[*axis].worst)) : "");
   return line(fields);
 }
 
@@ -139,7 +140,8 @@ std::string bounds_csv(const StudyAnalysis& analysis) {
     }
   }
   csv += ",log2_volume,volume_share,worst_command\r\n";
-  for (const BoundsEntry& entry : analysis.bounds) csv += bounds_line(entry);
+  const ShowCommand show(*analysis.rows.identity);
+  for (const BoundsEntry& entry : analysis.bounds) csv += bounds_line(entry, show);
   return csv;
 }
 
@@ -210,8 +212,9 @@ std::string analysis_json(const StudyAnalysis& analysis) {
                      {"incomplete", verdict.incomplete_rows},
                      {"refused", verdict.refused}};
   json["bounds"] = ordered_json::array();
+  const ShowCommand show(*analysis.rows.identity);
   for (const BoundsEntry& entry : analysis.bounds) {
-    json["bounds"].push_back(bounds_json(entry));
+    json["bounds"].push_back(bounds_json(entry, show));
   }
   json["scaling"] = ordered_json::array();
   for (const ScalingEntry& entry : analysis.scaling) json["scaling"].push_back(scaling_json(entry));

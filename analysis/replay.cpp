@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "ar3d/records/graph_file_table.h"
+
 namespace ar3d {
 namespace {
 
@@ -55,6 +57,18 @@ std::string draw_command(const RunRecord& run) {
 std::string draw_command(const CurveKey& key, const DrawnGraph& graph) {
   const CommandParts parts = draw_command_parts(key);
   return fmt::format("{}{} --seed {}{}", parts.before_n, graph.n, graph.seed, parts.behind_seed);
+}
+
+ShowCommand::ShowCommand(const StudyIdentity& study) {
+  for (const GraphFileRecord& file : graph_file_records(study)) families_.insert(file.name);
+}
+
+std::string ShowCommand::operator()(const CurveKey& key, const DrawnGraph& graph) const {
+  return is_of_file(key.family) ? replay_command(graph.row) : draw_command(key, graph);
+}
+
+std::string ShowCommand::operator()(const RunRecord& run, std::size_t row) const {
+  return is_of_file(run.family) ? replay_command(run, row) : draw_command(run);
 }
 
 std::string replay_command(const RunRecord& run, std::size_t row) {

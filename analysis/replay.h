@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,19 @@ struct CommandParts {
   std::string behind_seed;
 };
 CommandParts draw_command_parts(const CurveKey& key);
+
+/// The line that shows a row of this study again: draw_command, or where the graph is one of a file
+/// (/graph_files), which no family makes, replay_command.
+class ShowCommand {
+ public:
+  explicit ShowCommand(const StudyIdentity& study);
+  bool is_of_file(const std::string& family) const { return families_.contains(family); }
+  std::string operator()(const CurveKey& key, const DrawnGraph& graph) const;
+  std::string operator()(const RunRecord& run, std::size_t row) const;
+
+ private:
+  std::set<std::string> families_;  // of files
+};
 
 /// "ar3d replay RESULTS.h5 ROW" with the row's key, or with `row` (its number in /runs) if it has
 /// none.

@@ -20,9 +20,10 @@ std::string numbers(const std::array<double, 3>& values) {
   return fmt::format("[{:.6g},{:.6g},{:.6g}]", values[0], values[1], values[2]);
 }
 
-/// What the rows of a curve share: label, and the draw command before n and behind the seed.
-std::string curve_json(const CurveKey& key) {
-  const CommandParts parts = draw_command_parts(key);
+/// What the rows of a curve share: label, and the draw command before n and behind the seed, both
+/// empty if the graphs are of a file.
+std::string curve_json(const CurveKey& key, const ShowCommand& show) {
+  const CommandParts parts = show.is_of_file(key.family) ? CommandParts() : draw_command_parts(key);
   return fmt::format("[{},{},{}]", json_string(family_label(key) + "\n" + algorithm_label(key)),
                      json_string(parts.before_n), json_string(parts.behind_seed));
 }
@@ -71,8 +72,9 @@ std::size_t Page::point_at(std::size_t curve, const CensoredRow& row) {
 
 std::string Page::rows_json() const {
   std::string curves, rows;
+  const ShowCommand show(*analysis.rows.identity);
   for (const CurveTally& curve : analysis.tally.curves) {
-    curves += (curves.empty() ? "" : ",\n") + curve_json(curve.key);
+    curves += (curves.empty() ? "" : ",\n") + curve_json(curve.key, show);
   }
   for (const auto& [row, json] : rows_) {
     rows += fmt::format("{}\"{}\":{}", rows.empty() ? "" : ",\n", row, json);

@@ -23,7 +23,8 @@
   };
   const commands = id => {
     const [curve, n, , seed] = data.rows[id];
-    return data.curves[curve][1] + n + " --seed " + seed + data.curves[curve][2] + "\nar3d replay RESULTS.h5 " + id;
+    const [, before, behind] = data.curves[curve], again = "ar3d replay RESULTS.h5 " + id;
+    return before ? before + n + " --seed " + seed + behind + "\n" + again : again;
   };
   const replay = id => {
     panel.hidden = false;

@@ -9,8 +9,10 @@
 #include "analysis/synthetic.h"
 #include "ar3d/analysis/bounds_table.h"
 #include "ar3d/analysis/check.h"
+#include "ar3d/analysis/export.h"
 #include "ar3d/analysis/scaling.h"
 #include "ar3d/analysis/statistics.h"
+#include "ar3d/records/graph_file_table.h"
 
 namespace ar3d {
 namespace {
@@ -120,6 +122,20 @@ TEST(Tally, SamplesHaveTheMeansOfAllInTheirFits) {
   EXPECT_EQ(sizes[0].instances.size(), 4096u);
   EXPECT_DOUBLE_EQ(sizes[0].mean_log(),
                    tally.curves[0].sizes.at(64).mean_log(Quantity::extent_x, false));
+}
+
+// No family makes the graphs of a file: such a row is shown by replay.
+TEST(Check, RowsOfGraphFilesAreShownByReplay) {
+  Results results = good_results({"diamond"}, {"cubic", "nets"}, 2, 1);
+  results.tables.push_back(graph_file_table({{"nets", 0, 2, std::string(32, 'a'), "/nets.s6"}}));
+  results.runs[1].status = results.runs[3].status = RunStatus::timeout;
+  const CheckVerdict verdict = check(results);
+  EXPECT_EQ(verdict.findings.at(0).command.substr(0, 20), "ar3d generate cubic ");
+  EXPECT_EQ(verdict.findings.at(1).command, "ar3d replay RESULTS.h5 3");
+  EXPECT_EQ(testing::report_of(results).find("ar3d generate nets"), std::string::npos);
+  const std::string csv = bounds_csv(analyse(view_of(results)));
+  EXPECT_NE(csv.find("ar3d replay RESULTS.h5 2"), std::string::npos);
+  EXPECT_EQ(csv.find("ar3d generate nets"), std::string::npos);
 }
 
 TEST(Check, KeepsTheFirstFindingsAndCountsAll) {
