@@ -287,14 +287,12 @@ void add_circumstances(std::vector<Column>& c) {
 
 void add_counters(std::vector<Column>& c) {
   const auto kind = ColumnKind::measured;
-  c.push_back(
-      number({"instructions", "1", "of drawing, user space, by the processor's counter", kind},
-             &RunRecord::instructions));
-  c.push_back(number({"cycles", "1", "of drawing, user space, by the processor's counter", kind},
+  c.push_back(number({"instructions", "1", "of drawing, user space, by a hardware counter", kind},
+                     &RunRecord::instructions));
+  c.push_back(number({"cycles", "1", "of drawing, user space, by a hardware counter", kind},
                      &RunRecord::cycles));
-  c.push_back(
-      number({"cache_misses", "1", "of drawing, user space, by the processor's counter", kind},
-             &RunRecord::cache_misses));
+  c.push_back(number({"cache_misses", "1", "of drawing, user space, by a hardware counter", kind},
+                     &RunRecord::cache_misses));
   c.push_back(number({"counted_instructions", "1", "of drawing, counted by callgrind", kind},
                      &RunRecord::counted_instructions));
 }

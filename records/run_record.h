@@ -90,7 +90,7 @@ struct RunRecord {
   std::int64_t core = -1;          ///< core that the row was pinned to
   std::int64_t warm_ups = -1;      ///< drawings of the same graph just before, thrown away
   std::string build_kind;          ///< why its times are worth little: "debug", "sanitised"
-  std::int64_t instructions = -1;  ///< drawing only, by the processor's counters, user space
+  std::int64_t instructions = -1;  ///< drawing only, by hardware counters, user space
   std::int64_t cycles = -1;
   std::int64_t cache_misses = -1;
   std::int64_t counted_instructions = -1;  ///< drawing only, counted by callgrind

@@ -1,5 +1,5 @@
 // The cap rule of Lemma C.7: it keeps any one plane from being crowded, so that few cells are
-// closed to a vertex. One counter for each family of lines and value of its third form: O(1) per
+// closed to a vertex. One number for each family of lines and value of its third form: O(1) per
 // question, O(sqrt n) memory. Used in the zones only.
 #include "ar3d/algorithms/compact/caps.h"
 

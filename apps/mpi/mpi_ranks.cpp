@@ -66,11 +66,11 @@ void wait_quietly(MPI_Request& request) {
   while (MPI_Test(&request, &done, MPI_STATUS_IGNORE), done == 0) patience.pause();
 }
 
-// Hands out tickets in portions that are a share of the work that is left: large at first, single
+// Deals tickets in portions that are a share of the work that is left: large at first, single
 // ones at the end.
-class Counter {
+class Dealer {
  public:
-  Counter(const std::vector<double>& work, int shares)
+  Dealer(const std::vector<double>& work, int shares)
       : work_(work), left_(std::accumulate(work.begin(), work.end(), 0.0)), shares_(shares) {}
 
   Portion take() {
@@ -146,19 +146,19 @@ class Portions {
   bool over_ = false;
 };
 
-// Of rank 0, which has the counter.
+// Of rank 0, which has the dealer.
 class OwnSupply final : public Supply {
  public:
-  explicit OwnSupply(Counter& counter) : counter_(counter) {}
+  explicit OwnSupply(Dealer& dealer) : dealer_(dealer) {}
   void ask() override {}
-  Portion receive() override { return counter_.take(); }
+  Portion receive() override { return dealer_.take(); }
 
  private:
-  Counter& counter_;
+  Dealer& dealer_;
 };
 
 // Rank 0: answers the other ranks until all of them are done.
-void serve(Counter& counter, int others) {
+void serve(Dealer& dealer, int others) {
   Patience patience;
   while (others > 0) {
     int waiting = 0;
@@ -176,7 +176,7 @@ void serve(Counter& counter, int others) {
       --others;
       continue;
     }
-    const Portion portion = counter.take();
+    const Portion portion = dealer.take();
     const std::array<std::uint64_t, 2> answer = {portion.begin, portion.end};
     MPI_Send(answer.data(), 2, MPI_UINT64_T, status.MPI_SOURCE, kAnswerTag, MPI_COMM_WORLD);
   }
@@ -290,11 +290,11 @@ class MpiRanks final : public Ranks {
                  const std::function<void(const Tickets&)>& use) override {
     if (size_ == 1) return Ranks::share_out(work, use);
     std::exception_ptr failure;
-    Counter counter(work, 4 * size_);
-    OwnSupply own(counter);
+    Dealer dealer(work, 4 * size_);
+    OwnSupply own(dealer);
     ServedSupply served;
     std::thread server;
-    if (is_first()) server = std::thread([&] { serve(counter, size_ - 1); });
+    if (is_first()) server = std::thread([&] { serve(dealer, size_ - 1); });
     try {
       Portions portions(is_first() ? static_cast<Supply&>(own) : served);
       use([&] { return portions.next(); });

@@ -13,7 +13,7 @@ struct CountedEvents {
   std::int64_t cache_misses = -1;
 };
 
-/// The processor's counters of one thread (Linux perf_event_open). Construct and use it in that
+/// The hardware counters of one thread (Linux perf_event_open). Construct and use it in that
 /// thread.
 class HardwareCounters {
  public:
@@ -23,10 +23,11 @@ class HardwareCounters {
   HardwareCounters& operator=(const HardwareCounters&) = delete;
 
   void start();
-  /// Events since start(). A counter that had to share the processor with others is not told.
+  /// Events since start(). A hardware counter that had to share the processor with others is not
+  /// told.
   CountedEvents stop();
 
-  /// "available", or "absent: <why>" naming the first counter that cannot be had.
+  /// "available", or "absent: <why>" naming the first hardware counter that cannot be had.
   const std::string& availability() const { return availability_; }
 
  private:

@@ -126,7 +126,7 @@ bool CountingProof::allowed_directions() const {
 
 /// Counts in all families. The lines of every direction are looked at in one of them.
 bool CountingProof::take_families(std::int64_t largest) {
-  PlaneCounter counter(sizes_);
+  PlaneMeetings meetings(sizes_);
   const std::size_t k = directions_.indices();
   for (std::size_t i = 0; i < k; ++i) {
     for (std::size_t j = i + 1; j < k; ++j) {
@@ -134,7 +134,7 @@ bool CountingProof::take_families(std::int64_t largest) {
       if (!family.fits(largest)) return false;
       const LinesToCount lines{i % 2 == 0 && (j == i + 1),
                                (i % 2 == 0 && j == i + 1) || (k % 2 != 0 && i == 0 && j == k - 1)};
-      counts_.found += counter.count(family, segments_[i], segments_[j], lines);
+      counts_.found += meetings.count(family, segments_[i], segments_[j], lines);
     }
   }
   return true;

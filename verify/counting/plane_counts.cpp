@@ -92,8 +92,8 @@ PlaneRecord PlaneFamily::record(const PlacedSegment& s, std::size_t side) const 
           static_cast<std::int32_t>(static_cast<std::uint32_t>(low) + run)};
 }
 
-MeetingCounts PlaneCounter::count(const PlaneFamily& family, const PlacedSegments& rows,
-                                  const PlacedSegments& columns, LinesToCount lines) {
+MeetingCounts PlaneMeetings::count(const PlaneFamily& family, const PlacedSegments& rows,
+                                   const PlacedSegments& columns, LinesToCount lines) {
   counts_ = {};
   lines_ = lines;
   const bool pairs = rows.size() > 0 && columns.size() > 0;
@@ -112,8 +112,8 @@ MeetingCounts PlaneCounter::count(const PlaneFamily& family, const PlacedSegment
   return counts_;
 }
 
-void PlaneCounter::partition(const PlaneFamily& family, const PlacedSegments& rows,
-                             const PlacedSegments& columns) {
+void PlaneMeetings::partition(const PlaneFamily& family, const PlacedSegments& rows,
+                              const PlacedSegments& columns) {
   constexpr unsigned kMostBits = 11;  // more streams at a time than the memory system follows
   const std::size_t total = rows.size() + columns.size();
   bucket_bits_ = std::min(kMostBits, static_cast<unsigned>(std::bit_width(total / sizes_.bucket)));
@@ -139,7 +139,7 @@ void PlaneCounter::partition(const PlaneFamily& family, const PlacedSegments& ro
   });
 }
 
-void PlaneCounter::count_bucket(Records rows, Records columns) {
+void PlaneMeetings::count_bucket(Records rows, Records columns) {
   constexpr unsigned kMostBits = 15;
   if (rows.size() + columns.size() < 2) return;
   const std::size_t bins = (rows.size() + columns.size()) / 2;
@@ -161,8 +161,8 @@ void PlaneCounter::count_bucket(Records rows, Records columns) {
 }
 
 /// Afterwards ends[s] is the end of bin s.
-void PlaneCounter::into_bins(Records from, std::vector<PlaneRecord>& to,
-                             std::vector<std::uint32_t>& ends) {
+void PlaneMeetings::into_bins(Records from, std::vector<PlaneRecord>& to,
+                              std::vector<std::uint32_t>& ends) {
   const auto bin = [this](const PlaneRecord& record) {
     const std::uint32_t below_bucket =
         static_cast<std::uint32_t>(std::uint64_t{record.plane} << bucket_bits_);
@@ -176,7 +176,7 @@ void PlaneCounter::into_bins(Records from, std::vector<PlaneRecord>& to,
   for (const PlaneRecord& record : from) to[ends[bin(record)]++] = record;
 }
 
-void PlaneCounter::count_bin(Records rows, Records columns) {
+void PlaneMeetings::count_bin(Records rows, Records columns) {
   const std::size_t pairs = rows.size() * columns.size() +
                             (lines_.rows ? rows.size() * rows.size() : 0) +
                             (lines_.columns ? columns.size() * columns.size() : 0);

@@ -48,9 +48,9 @@ class PlaneFamily {
 };
 
 /// Counts in one family after the other; keeps its memory.
-class PlaneCounter {
+class PlaneMeetings {
  public:
-  explicit PlaneCounter(const CountingSizes& sizes) : sizes_(sizes) {}
+  explicit PlaneMeetings(const CountingSizes& sizes) : sizes_(sizes) {}
   /// All meetings of rows with columns, and those on the lines that are wanted.
   MeetingCounts count(const PlaneFamily& family, const PlacedSegments& rows,
                       const PlacedSegments& columns, LinesToCount lines);
