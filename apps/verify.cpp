@@ -40,7 +40,7 @@ struct Verdict {
 
 CrossingTest crossing_test(const std::string& name) {
   if (name == "all-pairs") return CrossingTest::all_pairs;
-  if (name == "sweep") return CrossingTest::sweep;
+  if (name == "plane-sweep") return CrossingTest::plane_sweep;
   if (name == "slabs") return CrossingTest::slabs;
   return CrossingTest::automatic;
 }
@@ -121,8 +121,8 @@ void add_verify(CLI::App& app, int& exit_code) {
   verb->add_option("--algorithm", arguments->algorithm,
                    "whose guarantee to check; else the one the drawing names");
   verb->add_option("--crossing-test", arguments->test,
-                   "automatic, all-pairs (the slow oracle), sweep or slabs")
-      ->check(CLI::IsMember({"automatic", "all-pairs", "sweep", "slabs"}));
+                   "automatic, all-pairs (the slow oracle), plane-sweep or slabs")
+      ->check(CLI::IsMember({"automatic", "all-pairs", "plane-sweep", "slabs"}));
   verb->add_flag("-q,--quiet", arguments->quiet, "only the summary");
   verb->footer(
       "Exit code 4 if a drawing is violated, 5 if a graph was not drawn or nothing was verified.\n"

@@ -23,18 +23,18 @@ using verify::Findings;
 using verify::Segments;
 
 [[noreturn]] void refuse_many_directions() {
-  throw InputError(
-      fmt::format("the sweep takes drawings with at most {} directions of components below {}",
-                  verify::kMaxDirections, verify::kMaxDirectionComponent));
+  throw InputError(fmt::format(
+      "the plane sweep takes drawings with at most {} directions of components below {}",
+      verify::kMaxDirections, verify::kMaxDirectionComponent));
 }
 
 void check_crossings(const Segments& segments, CrossingTest test, Findings& findings) {
   Contacts contacts(segments, findings);
-  const bool may_sweep = test == CrossingTest::automatic || test == CrossingTest::sweep;
-  const auto classes = may_sweep ? few_directions(segments) : std::nullopt;
+  const bool may_plane_sweep = test == CrossingTest::automatic || test == CrossingTest::plane_sweep;
+  const auto classes = may_plane_sweep ? few_directions(segments) : std::nullopt;
   if (classes) {
-    test_by_sweep(segments, *classes, contacts);
-  } else if (test == CrossingTest::sweep) {
+    test_by_plane_sweep(segments, *classes, contacts);
+  } else if (test == CrossingTest::plane_sweep) {
     refuse_many_directions();
   } else if (test == CrossingTest::all_pairs) {
     test_all_pairs(segments, contacts);

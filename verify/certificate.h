@@ -40,9 +40,9 @@ struct Violation {
 
 /// All tests decide exactly and find the same violations.
 enum class CrossingTest {
-  automatic,  ///< the sweep if the drawing has few directions, else slabs
-  all_pairs,  ///< the oracle: every pair of segments, O(S^2)
-  sweep,      ///< lines and plane families, O(S log S); refuses drawings with many directions
+  automatic,    ///< the plane sweep if the drawing has few directions, else slabs
+  all_pairs,    ///< the oracle: every pair of segments, O(S^2)
+  plane_sweep,  ///< lines and plane families, O(S log S); refuses drawings with many directions
   slabs,  ///< near-linear if most segments are vertical and the others low, as on the tall lattice
 };
 

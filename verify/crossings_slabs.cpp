@@ -42,9 +42,9 @@ std::vector<Item> items_of(const Segments& segments) {
 
 /// Segments that are not vertical against each other and against vertices: upwards, each against
 /// those begun before it that reach its lower end.
-class SlantedSweep {
+class SlantedSegments {
  public:
-  SlantedSweep(const Segments& segments, Contacts& contacts)
+  SlantedSegments(const Segments& segments, Contacts& contacts)
       : segments_(segments), contacts_(contacts) {}
 
   void clear() { active_.clear(); }
@@ -122,7 +122,7 @@ class SlabTest {
   const Segments& segments_;
   Contacts& contacts_;
   SlabColumns columns_;
-  SlantedSweep slanted_;
+  SlantedSegments slanted_;
   std::vector<SegmentId> verticals_;
 };
 

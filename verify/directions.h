@@ -8,7 +8,8 @@
 
 namespace ar3d::verify {
 
-/// The sweep's limits: so many directions, and primitive components below this in absolute value.
+/// The plane sweep's limits: so many directions, and primitive components below this in absolute
+/// value.
 inline constexpr std::size_t kMaxDirections = 16;
 inline constexpr std::int64_t kMaxDirectionComponent = std::int64_t{1} << 20;
 
@@ -18,7 +19,8 @@ struct DirectionClasses {
   std::vector<std::uint8_t> of;    ///< one entry a segment
 };
 
-/// Nothing if the drawing passes the sweep's limits. O(S) time for a bounded number of directions.
+/// Nothing if the drawing passes the plane sweep's limits. O(S) time for a bounded number of
+/// directions.
 std::optional<DirectionClasses> few_directions(const Segments& segments);
 
 }  // namespace ar3d::verify

@@ -12,7 +12,7 @@
 namespace ar3d::diamond {
 namespace {
 
-constexpr unsigned kSweeps = 40;
+constexpr unsigned kPasses = 40;
 constexpr std::uint64_t kSeed =
     0x6469616d6f6e64;  // any fixed number: the same drawing for the same graph
 
@@ -47,7 +47,7 @@ class Annealing {
 
   /// Flips each vertex if that does not make more pairs equal, else with probability (chance /
   /// 65536)^increase.
-  void sweep(std::uint32_t chance) {
+  void pass(std::uint32_t chance) {
     for (std::size_t i = 0; i < parity_.size(); ++i) {
       const int increase = flip_increase(i);
       if (increase <= 0 || accept(chance, increase)) parity_[i] ^= 1;
@@ -101,9 +101,9 @@ std::vector<std::uint8_t> annealed_parity(const Items& green, const Items& red) 
     return parity;
   };
   const std::vector<std::uint8_t> start = by_vertex();
-  for (unsigned k = 0; k < kSweeps; ++k) {
-    const std::uint32_t left = kSweeps - 1 - k;  // from 0.46 down to 0
-    annealing.sweep(30000 * left / (kSweeps - 1));
+  for (unsigned k = 0; k < kPasses; ++k) {
+    const std::uint32_t left = kPasses - 1 - k;  // from 0.46 down to 0
+    annealing.pass(30000 * left / (kPasses - 1));
   }
   std::vector<std::uint8_t> end = by_vertex();
   return equal_neighbours(green, red, end) < equal_neighbours(green, red, start) ? end : start;

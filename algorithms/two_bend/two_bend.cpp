@@ -1,6 +1,6 @@
 // Theorem 2, component by component: Steps 2.1 to 2.11 of docs/theorem2.md in their order. Not the
 // paper's construction (contract triangles, seek chordless cycles), which has no grid and no volume
-// bound: a sweep along an st-order keeps all coordinates polynomial. The result of the ordinary
+// bound: slabs along an st-order keep all coordinates polynomial. The result of the ordinary
 // rounds is compared with a box and, where it breaks it, replaced by the layout whose box is
 // proved.
 #include "ar3d/algorithms/two_bend/two_bend.h"
@@ -16,7 +16,7 @@
 #include "ar3d/algorithms/two_bend/fixed_bodies.h"
 #include "ar3d/algorithms/two_bend/instance_bound.h"
 #include "ar3d/algorithms/two_bend/safe_layout.h"
-#include "ar3d/algorithms/two_bend/sweep.h"
+#include "ar3d/algorithms/two_bend/stack_slabs.h"
 #include "ar3d/algorithms/two_bend/view_list.h"
 #include "ar3d/model/error.h"
 
@@ -169,7 +169,7 @@ void draw_component(LocalGraph& graph, const Options& options, Output& output, C
                "sources and sinks of the time order have the neighbours they need");
   const Attempt found = find_attempt(build_flow(graph, blocks, order), options,
                                      {graph.size(), order.list.size(), bodies.size()});
-  sweep({graph, order, found.flow, found.layout, found.slabs, bodies}, output);
+  stack_slabs({graph, order, found.flow, found.layout, found.slabs, bodies}, output);
   census.add(found.flow, found.layout, order.list.size(), bodies.size());
 }
 

@@ -3,7 +3,7 @@
 //   which
 //                            time these in turns:
 //     ns       nanoseconds per segment
-//     plain    time of the plain tests alone (sweep or slabs) / that time
+//     plain    time of the plain tests alone (plane sweep or slabs) / that time
 //     examine  time of certificate, metrics and hash together / that time
 //     draw     time of drawing / that time
 //   closest/ALGORITHM/N  CPU time of the closest pair by strips; counters `ns`, nanoseconds per
@@ -73,7 +73,7 @@ void certify_kernel(benchmark::State& state, const Algorithm& algorithm) {
     if (!certificate.valid()) throw std::runtime_error("a drawing is not valid");
   };
   const CrossingTest plain =
-      guarantee.directions.empty() ? CrossingTest::slabs : CrossingTest::sweep;
+      guarantee.directions.empty() ? CrossingTest::slabs : CrossingTest::plane_sweep;
   time_in_turns(
       state, certify(graph, drawing, guarantee).segments,
       {{"certify", [&] { require_valid(certify(graph, drawing, guarantee)); }},

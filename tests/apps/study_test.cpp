@@ -52,7 +52,7 @@ TEST(StudyProgram, InterruptedKeepsTheRowsMadeSoFar) {
 }
 
 TEST(VerifyProgram, EveryCrossingTestGivesTheSameVerdict) {
-  for (const char* test : {"automatic", "all-pairs", "sweep", "slabs"}) {
+  for (const char* test : {"automatic", "all-pairs", "plane-sweep", "slabs"}) {
     const Outcome verdict =
         run(std::string("{} generate random-cubic -n 30 | {} draw - --algorithm grid | {} verify - "
                         "--crossing-test ") +

@@ -52,7 +52,7 @@ void compare(const Draft& draft, Tally& tally) {
   for (const std::string& line : expected) ++tally.violations[line.substr(0, line.find(':'))];
   if (verify::few_directions(verify::Segments(draft.drawing()))) {
     ++tally.swept;
-    ASSERT_EQ(findings(draft, CrossingTest::sweep), expected);
+    ASSERT_EQ(findings(draft, CrossingTest::plane_sweep), expected);
   }
   ASSERT_EQ(findings(draft, CrossingTest::slabs), expected);
   ASSERT_EQ(findings(draft, CrossingTest::automatic), expected);
@@ -112,7 +112,7 @@ TEST(CrossingTests, AgreeOnValidAndThenDamagedDrawings) {
   expect_every_kind(tally);
 }
 
-/// Long segments in few planes, so that single planes hold enough for the ordered sweep.
+/// Long segments in few planes, so that single planes hold enough for the plane sweep.
 TEST(CrossingTests, AgreeOnCrowdedPlanes) {
   Tally tally;
   RandomDrafts drafts(3, 0);
@@ -168,18 +168,18 @@ TEST(CrossingTests, AgreeOnTallDrawings) {
     ASSERT_NO_FATAL_FAILURE(compare(RandomDrafts::far_away(draft), tally)) << i;
   }
   EXPECT_GT(tally.valid, 200u);
-  EXPECT_LT(tally.swept, tally.drawings);  // many have too many directions for the sweep
+  EXPECT_LT(tally.swept, tally.drawings);  // many have too many directions for the plane sweep
   expect_every_kind(tally);
 }
 
-TEST(CrossingTests, TheSweepRefusesManyDirections) {
+TEST(CrossingTests, ThePlaneSweepRefusesManyDirections) {
   Draft draft;
   for (Vertex i = 0; i < 17; ++i) {
     draft.vertices.push_back({0, 0, i});
     draft.vertices.push_back({100, i, i});
     draft.edges.push_back({{2 * i, 2 * i + 1}, {}});
   }
-  EXPECT_THROW(findings(draft, CrossingTest::sweep), InputError);
+  EXPECT_THROW(findings(draft, CrossingTest::plane_sweep), InputError);
   EXPECT_TRUE(findings(draft, CrossingTest::automatic).empty());
 }
 

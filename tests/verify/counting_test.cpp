@@ -25,7 +25,7 @@ using verify::CountingProof;
 using verify::CountingSizes;
 using verify::MeetingCounts;
 
-/// Every branch runs on small drawings: buckets and bins of a few records, early sweeps.
+/// Every branch runs on small drawings: buckets and bins of a few records, early plane sweeps.
 const std::vector<CountingSizes>& sizes() {
   static const std::vector<CountingSizes> list = {
       {}, {.bucket = 8, .crowded = 32}, {.bucket = 64, .crowded = 1}, {.bucket = 2, .crowded = 0}};

@@ -17,7 +17,7 @@ namespace ar3d::verify {
 struct CountingSizes {
   std::size_t bucket =
       6000;                  ///< records that a bucket should have: they fit the second-level cache
-  std::size_t crowded = 32;  ///< comparisons per record from which a sweep is taken instead
+  std::size_t crowded = 32;  ///< comparisons per record from which a plane sweep is taken instead
 };
 
 /// The planes that contain the directions i and j of `directions`, and coordinates in them.

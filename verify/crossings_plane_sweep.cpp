@@ -2,8 +2,8 @@
 #include <cstdlib>
 
 #include "ar3d/verify/crossings.h"
-#include "ar3d/verify/sweep_lines.h"
-#include "ar3d/verify/sweep_planes.h"
+#include "ar3d/verify/crossings_in_planes.h"
+#include "ar3d/verify/crossings_on_lines.h"
 
 namespace ar3d::verify {
 namespace {
@@ -26,12 +26,13 @@ std::int64_t largest_coordinate(const Segments& segments) {
 
 }  // namespace
 
-void test_by_sweep(const Segments& segments, const DirectionClasses& classes, Contacts& contacts) {
+void test_by_plane_sweep(const Segments& segments, const DirectionClasses& classes,
+                         Contacts& contacts) {
   // Segments that meet are parallel, hence on one line, or not, hence in one plane of their
   // directions.
   const std::int64_t bound = largest_coordinate(segments);
-  sweep_lines(segments, classes, bound, contacts);
-  sweep_planes(segments, classes, bound, contacts);
+  crossings_on_lines(segments, classes, bound, contacts);
+  crossings_in_planes(segments, classes, bound, contacts);
 }
 
 }  // namespace ar3d::verify

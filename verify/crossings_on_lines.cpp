@@ -1,4 +1,4 @@
-#include "ar3d/verify/sweep_lines.h"
+#include "ar3d/verify/crossings_on_lines.h"
 
 #include <algorithm>
 #include <tuple>
@@ -74,7 +74,7 @@ void examine(const OnLine<Key>& a, const OnLine<Key>& b, Contacts& contacts) {
 }
 
 template <class Key>
-void sweep_direction(const LineFamily& lines, const Segments& segments,
+void crossings_along(const LineFamily& lines, const Segments& segments,
                      const DirectionClasses& classes, std::size_t direction, Contacts& contacts) {
   auto items = items_on<Key>(lines, segments, classes, direction);
   std::sort(items.begin(), items.end());
@@ -89,15 +89,15 @@ void sweep_direction(const LineFamily& lines, const Segments& segments,
 
 }  // namespace
 
-void sweep_lines(const Segments& segments, const DirectionClasses& classes, std::int64_t bound,
-                 Contacts& contacts) {
+void crossings_on_lines(const Segments& segments, const DirectionClasses& classes,
+                        std::int64_t bound, Contacts& contacts) {
   for (std::size_t i = 0; i < classes.directions.size() && !contacts.done(); ++i) {
     const LineFamily lines = lines_along(classes.directions[i]);
     if (fits_int64(lines.first, bound) && fits_int64(lines.second, bound)) {
-      sweep_direction<std::int64_t>(lines, segments, classes, i, contacts);
+      crossings_along<std::int64_t>(lines, segments, classes, i, contacts);
     } else {
       // Coefficients below 2^20, coordinates at most 2^61: values are below 2^83.
-      sweep_direction<Int128>(lines, segments, classes, i, contacts);
+      crossings_along<Int128>(lines, segments, classes, i, contacts);
     }
   }
 }

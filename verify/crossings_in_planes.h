@@ -11,7 +11,7 @@ namespace ar3d::verify {
 /// directions the segments are grouped by their plane, and within a plane the two directions serve
 /// as axes: there the test is that of horizontal against vertical segments. O(k S log S + meetings)
 /// time for k directions; 72 bytes for each segment of two directions, and a plane's segments.
-void sweep_planes(const Segments& segments, const DirectionClasses& classes, std::int64_t bound,
-                  Contacts& contacts);
+void crossings_in_planes(const Segments& segments, const DirectionClasses& classes,
+                         std::int64_t bound, Contacts& contacts);
 
 }  // namespace ar3d::verify

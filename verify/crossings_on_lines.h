@@ -11,7 +11,7 @@ namespace ar3d::verify {
 /// segments of this direction and all vertices are sorted by line and along it, and each is
 /// compared with those that begin before it ends. O((S + k n) log(S + n) + meetings) time for k
 /// directions; about 48 bytes for each segment of one direction and each vertex.
-void sweep_lines(const Segments& segments, const DirectionClasses& classes, std::int64_t bound,
-                 Contacts& contacts);
+void crossings_on_lines(const Segments& segments, const DirectionClasses& classes,
+                        std::int64_t bound, Contacts& contacts);
 
 }  // namespace ar3d::verify

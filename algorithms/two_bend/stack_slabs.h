@@ -21,6 +21,6 @@ struct Component {
 /// Step 2.11: gives every vertex its own slab in time order (z), x and y from rays and poles, and
 /// writes vertices and bends, translated so that the smallest x and y of the component are 0. Cost:
 /// O(n).
-void sweep(const Component& component, Output& output);
+void stack_slabs(const Component& component, Output& output);
 
 }  // namespace ar3d::two_bend

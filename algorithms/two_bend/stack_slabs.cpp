@@ -1,6 +1,6 @@
 // Step 2.11: slabs stacked in time order, then all points written. Vertices of degree 1 and 2 stand
 // on the bends of their edge where it has any: that saves the bend and a slab. Cost: O(n).
-#include "ar3d/algorithms/two_bend/sweep.h"
+#include "ar3d/algorithms/two_bend/stack_slabs.h"
 
 #include <algorithm>
 #include <array>
@@ -235,6 +235,6 @@ class Writer {
 
 }  // namespace
 
-void sweep(const Component& component, Output& output) { Writer(component, output).run(); }
+void stack_slabs(const Component& component, Output& output) { Writer(component, output).run(); }
 
 }  // namespace ar3d::two_bend

@@ -1,4 +1,4 @@
-#include "ar3d/verify/sweep_planes.h"
+#include "ar3d/verify/crossings_in_planes.h"
 
 #include <algorithm>
 #include <array>
@@ -120,9 +120,9 @@ struct InPlane {
 };
 
 template <class Key>
-class FamilySweep {
+class CrossingsInPlanes {
  public:
-  FamilySweep(const Segments& segments, const DirectionClasses& classes, Contacts& contacts)
+  CrossingsInPlanes(const Segments& segments, const DirectionClasses& classes, Contacts& contacts)
       : segments_(segments), classes_(classes), contacts_(contacts), plane_(contacts) {}
 
   void run(const PlaneFamily& family) {
@@ -131,7 +131,7 @@ class FamilySweep {
     for (std::size_t begin = 0; begin < order_.size() && !contacts_.done();) {
       std::size_t end = begin + 1;
       while (end < order_.size() && order_[end].key == order_[begin].key) ++end;
-      if (end - begin > 1) sweep_plane(begin, end);
+      if (end - begin > 1) cross_plane(begin, end);
       begin = end;
     }
   }
@@ -175,7 +175,7 @@ class FamilySweep {
     }
   }
 
-  void sweep_plane(std::size_t begin, std::size_t end) {
+  void cross_plane(std::size_t begin, std::size_t end) {
     plane_.rows.clear();
     plane_.columns.clear();
     for (std::size_t i = begin; i < end; ++i) {
@@ -197,11 +197,11 @@ class FamilySweep {
 
 }  // namespace
 
-void sweep_planes(const Segments& segments, const DirectionClasses& classes, std::int64_t bound,
-                  Contacts& contacts) {
-  FamilySweep<std::int64_t> narrow(segments, classes, contacts);
+void crossings_in_planes(const Segments& segments, const DirectionClasses& classes,
+                         std::int64_t bound, Contacts& contacts) {
+  CrossingsInPlanes<std::int64_t> narrow(segments, classes, contacts);
   // Coefficients below 2^41, coordinates at most 2^61: values are below 2^104.
-  FamilySweep<Int128> wide(segments, classes, contacts);
+  CrossingsInPlanes<Int128> wide(segments, classes, contacts);
   for (std::size_t i = 0; i < classes.directions.size(); ++i) {
     for (std::size_t j = i + 1; j < classes.directions.size() && !contacts.done(); ++j) {
       const PlaneFamily family = planes_along(classes, i, j);
