@@ -20,8 +20,8 @@ namespace {
 // 2^159.
 using Wide = boost::multiprecision::checked_int256_t;
 
-/// Points inserted one after the other into a grid whose cells are about as large as the smallest
-/// distance so far: a closer pair lies in neighbouring cells, and a cell holds a bounded number of
+/// Points inserted one after the other into a grid whose cubes are about as large as the smallest
+/// distance so far: a closer pair lies in neighbouring cubes, and a cube holds a bounded number of
 /// points.
 template <class Integer>
 class ClosestPair {
@@ -51,25 +51,25 @@ class ClosestPair {
  private:
   static constexpr std::uint64_t kStream = 0x636c6f73;
   static constexpr Vertex kEnd = std::numeric_limits<Vertex>::max();
-  using Cell = std::array<std::int64_t, 3>;
+  using Cube = std::array<std::int64_t, 3>;
 
   Integer distance(Vertex u, Vertex v) const {
     return squared_length<Integer>(drawing_.lattice(), drawing_.vertex(u) - drawing_.vertex(v));
   }
 
-  Cell cell_of(Vertex v) const {
+  Cube cube_of(Vertex v) const {
     const Point p = drawing_.vertex(v);
-    Cell cell{};
+    Cube cube{};
     for (std::size_t i = 0; i < 3; ++i) {
       const std::int64_t c = component(p, i);
-      cell[i] = c >= 0 ? c / side_[i] : -((-c - 1) / side_[i]) - 1;  // rounded down
+      cube[i] = c >= 0 ? c / side_[i] : -((-c - 1) / side_[i]) - 1;  // rounded down
     }
-    return cell;
+    return cube;
   }
 
-  std::size_t bucket(const Cell& cell) const {
+  std::size_t bucket(const Cube& cube) const {
     std::uint64_t hash = 0;
-    for (const std::int64_t c : cell) {
+    for (const std::int64_t c : cube) {
       hash = (hash ^ static_cast<std::uint64_t>(c)) * 0x9e3779b97f4a7c15u;
       hash ^= hash >> 29;
     }
@@ -78,11 +78,11 @@ class ClosestPair {
 
   /// Takes the pair of v and an inserted vertex as the best one if it is closer.
   bool improve(Vertex v) {
-    const Cell cell = cell_of(v);
+    const Cube cube = cube_of(v);
     bool improved = false;
     for (int k = 0; k < 27; ++k) {
-      const Cell near{cell[0] + k % 3 - 1, cell[1] + k / 3 % 3 - 1, cell[2] + k / 9 - 1};
-      // Different cells may share a bucket: that costs time only.
+      const Cube near{cube[0] + k % 3 - 1, cube[1] + k / 3 % 3 - 1, cube[2] + k / 9 - 1};
+      // Different cubes may share a bucket: that costs time only.
       for (Vertex u = heads_[bucket(near)]; u != kEnd; u = next_[u]) {
         const Integer d = distance(u, v);
         if (d >= smallest_) continue;
@@ -95,12 +95,12 @@ class ClosestPair {
   }
 
   void insert(Vertex v) {
-    Vertex& head = heads_[bucket(cell_of(v))];
+    Vertex& head = heads_[bucket(cube_of(v))];
     next_[v] = head;
     head = v;
   }
 
-  /// Cells for the smallest distance so far, with the first `count` vertices in them.
+  /// Cubes for the smallest distance so far, with the first `count` vertices in them.
   void rebuild(std::size_t count) {
     // Pairs at most so far apart are neighbours.
     for (std::size_t i = 0; i < 3; ++i) {

@@ -94,14 +94,14 @@ class Planner {
     const std::vector<StudyCorpus> corpora = corpora_of(spec_);
     for (const Sweep& sweep : spec_.sweeps) {
       require_known_patterns(sweep, corpora);
-      for (const FamilyChoice& family : sweep.families) add_cells(sweep, family);
+      for (const FamilyChoice& family : sweep.families) add_sizes(sweep, family);
       for (const StudyCorpus& corpus : corpora) {
         if (corpus.sweep != &sweep) continue;
-        for (const FamilyChoice& choice : corpus.choices()) add_corpus_cells(sweep, choice);
+        for (const FamilyChoice& choice : corpus.choices()) add_corpus_sizes(sweep, choice);
       }
     }
-    group_cells();
-    for (const Cell& cell : cells_) add_instances(cell);
+    group_sizes();
+    for (const SizedFamily& sized : sized_) add_instances(sized);
     plan_.timing = spec_.timing;
     plan_.budget = spec_.budget;
     if (plan_.rows() == 0) {
@@ -113,7 +113,7 @@ class Planner {
 
  private:
   // A family at one size, and what is done with each of its instances.
-  struct Cell {
+  struct SizedFamily {
     FamilyChoice family;
     std::uint64_t wanted_n = 0;
     std::uint64_t n = 0;
@@ -145,7 +145,7 @@ class Planner {
 
   // One for each number of vertices that graphs of the corpus have. Whether their degrees fit is
   // for their rows to say.
-  void add_corpus_cells(const Sweep& sweep, const FamilyChoice& choice) {
+  void add_corpus_sizes(const Sweep& sweep, const FamilyChoice& choice) {
     const Corpus& graphs = *choice.corpus->graphs;
     for (std::size_t first = 0, end = 0; first < graphs.size(); first = end) {
       const std::uint64_t n = graphs.n(first);
@@ -153,12 +153,12 @@ class Planner {
       std::vector<AlgorithmChoice> fitting = fitting_algorithms(sweep, choice, 0, n);
       if (fitting.empty()) continue;
       const auto count = static_cast<std::uint32_t>(end - first);
-      cells_.push_back({choice, n, n, count, &sweep, std::move(fitting), first});
-      count_rows(cells_.back());
+      sized_.push_back({choice, n, n, count, &sweep, std::move(fitting), first});
+      count_rows(sized_.back());
     }
   }
 
-  void add_cells(const Sweep& sweep, const FamilyChoice& family) {
+  void add_sizes(const Sweep& sweep, const FamilyChoice& family) {
     const std::uint32_t degree = probed_degree(family, sweep.sizes);
     for (const std::uint64_t wanted_n : sweep.sizes) {
       const std::uint64_t n = family.family->nearest_n(wanted_n, family.parameters);
@@ -166,66 +166,66 @@ class Planner {
       const std::uint32_t instances = many ? sweep.instances : 1;
       std::vector<AlgorithmChoice> fitting = fitting_algorithms(sweep, family, degree, n);
       if (fitting.empty()) continue;
-      cells_.push_back({family, wanted_n, n, instances, &sweep, std::move(fitting), 0});
-      count_rows(cells_.back());
+      sized_.push_back({family, wanted_n, n, instances, &sweep, std::move(fitting), 0});
+      count_rows(sized_.back());
     }
   }
 
   // Refuses too many before any of them costs time or memory; rows asked for twice count twice.
-  void count_rows(const Cell& cell) {
-    const std::size_t drawings = std::size_t{cell.instances} * cell.algorithms.size();
-    const std::size_t each = rows_of_a_drawing(*cell.sweep);
-    if (each > (kMaxRows - cell_rows_) / drawings) {
+  void count_rows(const SizedFamily& sized) {
+    const std::size_t drawings = std::size_t{sized.instances} * sized.algorithms.size();
+    const std::size_t each = rows_of_a_drawing(*sized.sweep);
+    if (each > (kMaxRows - planned_rows_) / drawings) {
       throw InputError(fmt::format("study {} has more than {} rows", spec_.name, kMaxRows));
     }
-    cell_rows_ += drawings * each;
+    planned_rows_ += drawings * each;
   }
 
-  // The cells of the same graphs.
+  // The families at one size that have the same graphs.
   struct Group {
-    std::vector<const Cell*> cells;
+    std::vector<const SizedFamily*> members;
     std::uint32_t planned = 0;  // instances so far: 0 .. planned - 1
   };
 
-  static std::string group_key(const Cell& cell) {
-    const std::shared_ptr<const NamedCorpus>& corpus = cell.family.corpus;
-    return fmt::format("{}\n{}\n{}\n{}", cell.family.family->name,
-                       corpus ? corpus->graphs->hash() : "", settings_text(cell.family.parameters),
-                       cell.n);
+  static std::string group_key(const SizedFamily& sized) {
+    const std::shared_ptr<const NamedCorpus>& corpus = sized.family.corpus;
+    return fmt::format("{}\n{}\n{}\n{}", sized.family.family->name,
+                       corpus ? corpus->graphs->hash() : "", settings_text(sized.family.parameters),
+                       sized.n);
   }
 
-  void group_cells() {
-    for (const Cell& cell : cells_) groups_[group_key(cell)].cells.push_back(&cell);
+  void group_sizes() {
+    for (const SizedFamily& sized : sized_) groups_[group_key(sized)].members.push_back(&sized);
   }
 
-  // The instances that no cell before has asked for, as blocks on which the same cells agree.
-  void add_instances(const Cell& cell) {
-    Group& group = groups_.at(group_key(cell));
-    while (group.planned < cell.instances) {
-      std::uint32_t end = cell.instances;
-      for (const Cell* other : group.cells) {
+  // The instances that none before has asked for, as blocks on which the same members agree.
+  void add_instances(const SizedFamily& sized) {
+    Group& group = groups_.at(group_key(sized));
+    while (group.planned < sized.instances) {
+      std::uint32_t end = sized.instances;
+      for (const SizedFamily* other : group.members) {
         if (other->instances > group.planned) end = std::min(end, other->instances);
       }
-      add_block(cell, group, end - group.planned);
+      add_block(sized, group, end - group.planned);
       group.planned = end;
     }
   }
 
-  void add_block(const Cell& cell, const Group& group, std::uint32_t count) {
+  void add_block(const SizedFamily& sized, const Group& group, std::uint32_t count) {
     PlannedBlock block;
     block.count = count;
     PlannedInstance& instance = block.first;
-    instance.choice = cell.family;
-    instance.parameters = settings_text(cell.family.parameters);
-    instance.wanted_n = cell.wanted_n;
-    instance.n = cell.n;
+    instance.choice = sized.family;
+    instance.parameters = settings_text(sized.family.parameters);
+    instance.wanted_n = sized.wanted_n;
+    instance.n = sized.n;
     instance.index = group.planned;
-    if (const auto& corpus = cell.family.corpus) {
-      block.first_in_corpus = cell.first_in_corpus + group.planned;
+    if (const auto& corpus = sized.family.corpus) {
+      block.first_in_corpus = sized.first_in_corpus + group.planned;
       instance.index = corpus->graphs->place(block.first_in_corpus);
     }
     std::set<RunIdentity> known;
-    for (const Cell* other : group.cells) {
+    for (const SizedFamily* other : group.members) {
       if (other->instances > group.planned) add_runs(instance, *other, known);
     }
     if (!instance.runs.empty()) plan_.instances.append(std::move(block));
@@ -252,19 +252,20 @@ class Planner {
   using RunIdentity =
       std::tuple<const Algorithm*, std::string, RunPhase, std::int64_t, std::uint32_t>;
 
-  static void add_runs(PlannedInstance& instance, const Cell& cell, std::set<RunIdentity>& known) {
-    for (const AlgorithmChoice& choice : cell.algorithms) {
+  static void add_runs(PlannedInstance& instance, const SizedFamily& sized,
+                       std::set<RunIdentity>& known) {
+    for (const AlgorithmChoice& choice : sized.algorithms) {
       PlannedRun run;
       run.choice = choice;
       run.options = settings_text(choice.options);
-      for_each_measurement(*cell.sweep, [&](const Measurement& measurement) {
+      for_each_measurement(*sized.sweep, [&](const Measurement& measurement) {
         run.phase = measurement.phase;
         run.scale = measurement.scale;
         run.repetition = measurement.repetition;
         run.batch = measurement.batch;
         run.optional = measurement.phase == RunPhase::timing &&
-                       measurement.repetition >= cell.sweep->timed.least;
-        run.precision = cell.sweep->timed.precision;
+                       measurement.repetition >= sized.sweep->timed.least;
+        run.precision = sized.sweep->timed.precision;
         const bool is_new =
             known.emplace(choice.algorithm, run.options, run.phase, run.scale, run.repetition)
                 .second;
@@ -274,8 +275,8 @@ class Planner {
   }
 
   const StudySpec& spec_;
-  std::vector<Cell> cells_;
-  std::size_t cell_rows_ = 0;  // of all of them
+  std::vector<SizedFamily> sized_;
+  std::size_t planned_rows_ = 0;  // of all of them
   StudyPlan plan_;
   std::map<std::string, Group> groups_;
 };

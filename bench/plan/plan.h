@@ -135,7 +135,8 @@ AlgorithmRecord algorithm_record(const AlgorithmChoice& choice);
 /// one of at most 1000 vertices) or n passes spec.max_n. Graphs of files that pass a maximum degree
 /// are planned: their rows say `refused`.
 /// @throws InputError if nothing is left or there are more than 10^7 rows; as corpora_of.
-/// Memory: that of the cells, whatever the number of instances; for graphs of files see Corpus.
+/// Memory: that of the families and sizes, whatever the number of instances; for graphs of files
+/// see Corpus.
 StudyPlan plan_study(const StudySpec& spec);
 
 }  // namespace ar3d
