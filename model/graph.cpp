@@ -7,9 +7,9 @@
 #include <set>
 #include <utility>
 
+#include "ar3d/model/adjacency_lists.h"
 #include "ar3d/model/canonical_edges.h"
 #include "ar3d/model/error.h"
-#include "ar3d/model/graph_rows.h"
 #include "ar3d/model/hash_stream.h"
 
 namespace ar3d {
@@ -53,10 +53,10 @@ Graph::Graph(std::uint64_t num_vertices, std::vector<Edge> edges) {
   const std::uint64_t repeating = make_canonical(num_vertices, edges);
   edges_ = std::make_shared<const std::vector<Edge>>(std::move(edges));
   if (repeating != num_vertices) refuse_parallel_edges(repeating);
-  Rows rows = rows_of(num_vertices, *edges_);
-  offsets_ = std::move(rows.offsets);
-  half_edges_ = std::move(rows.half_edges);
-  max_degree_ = rows.max_degree;
+  AdjacencyLists lists = adjacency_lists(num_vertices, *edges_);
+  offsets_ = std::move(lists.offsets);
+  half_edges_ = std::move(lists.half_edges);
+  max_degree_ = lists.max_degree;
 }
 
 void Graph::refuse_parallel_edges(std::uint64_t repeating) const {

@@ -26,13 +26,14 @@ enum class Walk : std::uint8_t { goes_on, ends, fails, meets_v };
 
 class Labeller {
  public:
-  Labeller(const ProcessingOrder& order, std::span<const Row> rows, std::uint64_t longest_chain)
+  Labeller(const ProcessingOrder& order, std::span<const NeighbourPlaces> neighbours,
+           std::uint64_t longest_chain)
       : order_(order),
-        rows_(rows),
+        neighbours_(neighbours),
         longest_chain_(longest_chain),
-        budget_(kStepsPerVertex * rows.size() + 1000),
-        received_(rows.size(), 0) {
-    result_.ports.resize(rows.size(), Ports{});
+        budget_(kStepsPerVertex * neighbours.size() + 1000),
+        received_(neighbours.size(), 0) {
+    result_.ports.resize(neighbours.size(), Ports{});
   }
 
   Colouring run() {
@@ -46,7 +47,7 @@ class Labeller {
         label_at(v);
       }
     }
-    result_.chain_steps = kStepsPerVertex * rows_.size() + 1000 - budget_;
+    result_.chain_steps = kStepsPerVertex * neighbours_.size() + 1000 - budget_;
     return std::move(result_);
   }
 
@@ -72,8 +73,8 @@ class Labeller {
 
   /// Memory of v's neighbours, which label_at(v) reads, on its way.
   [[gnu::always_inline]] void ask_for_ports(Place v) const {
-    if (v >= rows_.size()) return;
-    for (const Place to : rows_[v].to) __builtin_prefetch(&result_.ports[to], 1);
+    if (v >= neighbours_.size()) return;
+    for (const Place to : neighbours_[v].to) __builtin_prefetch(&result_.ports[to], 1);
   }
 
   Colour label_towards(Place from, Place to) const {
@@ -90,14 +91,14 @@ class Labeller {
 
   View look(Place v) const {
     View view;
-    const Row& row = rows_[v];
-    for (unsigned i = 0; i < row.degree; ++i) {
-      const Place to = row.to[i];
+    const NeighbourPlaces& own = neighbours_[v];
+    for (unsigned i = 0; i < own.degree; ++i) {
+      const Place to = own.to[i];
       if (to == f_) {
         view.next_to_f = true;
-        if (v == r_) view.back[view.backs++] = {f_, row.edge[i], first_of(~used_at(f_))};
+        if (v == r_) view.back[view.backs++] = {f_, own.edge[i], first_of(~used_at(f_))};
       } else if (to < v) {
-        view.back[view.backs++] = {to, row.edge[i], label_towards(to, v)};
+        view.back[view.backs++] = {to, own.edge[i], label_towards(to, v)};
       } else {
         view.forward[view.forwards++] = to;
       }
@@ -256,7 +257,7 @@ class Labeller {
   }
 
   const ProcessingOrder& order_;
-  const std::span<const Row> rows_;
+  const std::span<const NeighbourPlaces> neighbours_;
   const std::uint64_t longest_chain_;
   std::uint64_t budget_;
   std::vector<std::uint8_t> received_;  // labels that earlier vertices sent to this place
@@ -267,9 +268,10 @@ class Labeller {
 
 }  // namespace
 
-Colouring colour_half_edges(const ProcessingOrder& order, std::span<const Row> rows,
+Colouring colour_half_edges(const ProcessingOrder& order,
+                            std::span<const NeighbourPlaces> neighbours,
                             std::uint64_t longest_chain) {
-  return Labeller(order, rows, longest_chain).run();
+  return Labeller(order, neighbours, longest_chain).run();
 }
 
 }  // namespace ar3d::grid

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "ar3d/algorithms/grid/colours.h"
+#include "ar3d/algorithms/grid/neighbour_places.h"
 #include "ar3d/algorithms/grid/order.h"
-#include "ar3d/algorithms/grid/rows.h"
 
 namespace ar3d::grid {
 
@@ -41,7 +41,8 @@ struct Colouring {
 /// the same label.
 /// @param longest_chain  edges of the longest chain that is followed; 0: none.
 /// Cost: O(n) and at most kStepsPerVertex chain steps a vertex on average.
-Colouring colour_half_edges(const ProcessingOrder& order, std::span<const Row> rows,
+Colouring colour_half_edges(const ProcessingOrder& order,
+                            std::span<const NeighbourPlaces> neighbours,
                             std::uint64_t longest_chain);
 
 /// All chains together take at most this many steps a vertex, so the time is linear on every input.

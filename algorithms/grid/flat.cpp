@@ -32,11 +32,11 @@ bool obeys(const ColourDefect& defect, const HeightSlot& slot, std::span<const P
 
 }  // namespace
 
-Flat::Flat(std::span<const Row> rows, Colouring& colouring)
-    : rows_(rows),
+Flat::Flat(std::span<const NeighbourPlaces> neighbours, Colouring& colouring)
+    : neighbours_(neighbours),
       colouring_(colouring),
-      x_(rows.size(), {kUnsetNumber, kUnsetNumber, kUnsetNumber}),
-      path_of_(colouring.defects.empty() ? 0 : rows.size(), DefectPaths::kNoPath) {}
+      x_(neighbours.size(), {kUnsetNumber, kUnsetNumber, kUnsetNumber}),
+      path_of_(colouring.defects.empty() ? 0 : neighbours.size(), DefectPaths::kNoPath) {}
 
 bool Flat::number(PlaceRange part, std::span<const ColourDefect> defects) {
   constexpr int kAttempts = 10;
@@ -44,7 +44,7 @@ bool Flat::number(PlaceRange part, std::span<const ColourDefect> defects) {
   to_turn_.clear();
   if (defects_.empty()) return number_once(part);
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    Relabelling relabelling(rows_, colouring_.ports, defects_, part.size());
+    Relabelling relabelling(neighbours_, colouring_.ports, defects_, part.size());
     for (const std::size_t d : to_turn_) {
       if (relabelling.exhausted()) break;
       if (defects_[d].label_x == defects_[d].label_y) continue;  // healed by the one before

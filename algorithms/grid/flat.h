@@ -15,7 +15,7 @@ namespace ar3d::grid {
 /// like n^2. A heuristic: (I1)-(I3) hold by construction, (I4) and (I5) are tested at the end.
 class Flat {
  public:
-  Flat(std::span<const Row> rows, Colouring& colouring);
+  Flat(std::span<const NeighbourPlaces> neighbours, Colouring& colouring);
 
   /// Numbers one component. May change its labels, which leave the colouring's ports if they belong
   /// to a defect.
@@ -35,7 +35,7 @@ class Flat {
  private:
   bool number_once(PlaceRange part);
 
-  std::span<const Row> rows_;
+  std::span<const NeighbourPlaces> neighbours_;
   Colouring& colouring_;
   UnwrittenVector<PlaneNumbers> x_;
   std::vector<ColourDefect> defects_;

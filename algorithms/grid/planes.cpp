@@ -37,8 +37,9 @@ void number_by_core(const Graph& graph, const ProcessingOrder& order, const Orde
 }
 
 /// Copies one component's labels and numbers from places to vertices.
-void adopt_flat(const ProcessingOrder& order, std::span<const Row> rows, const Colouring& colouring,
-                const OrderPart& part, const Flat& flat, Planes& planes) {
+void adopt_flat(const ProcessingOrder& order, std::span<const NeighbourPlaces> neighbours,
+                const Colouring& colouring, const OrderPart& part, const Flat& flat,
+                Planes& planes) {
   const auto set_label = [&](EdgeId e, Place at, Place to, Colour label) {
     planes.labels.set(e, order.sequence[at], order.sequence[to], label);
   };
@@ -46,10 +47,10 @@ void adopt_flat(const ProcessingOrder& order, std::span<const Row> rows, const C
     if (i + kAhead < part.end) __builtin_prefetch(&planes.of[order.sequence[i + kAhead]], 1);
     planes.of[order.sequence[i]] = flat.numbers()[i];
     const auto& to = colouring.ports[i].to;
-    for (unsigned j = 0; j < rows[i].degree; ++j) {
-      const Place other = rows[i].to[j];
+    for (unsigned j = 0; j < neighbours[i].degree; ++j) {
+      const Place other = neighbours[i].to[j];
       const Colour label = to[0] == other ? 0 : to[1] == other ? 1 : 2;
-      set_label(rows[i].edge[j], i, other, label);
+      set_label(neighbours[i].edge[j], i, other, label);
     }
   }
   for (const ColourDefect& defect : flat.defects()) {
@@ -63,9 +64,9 @@ void adopt_flat(const ProcessingOrder& order, std::span<const Row> rows, const C
 /// Numbers what can be flat; returns the components that cannot.
 std::vector<OrderPart> number_flat(const Graph& graph, const ProcessingOrder& order,
                                    const PlaneOptions& options, Planes& planes) {
-  const UnwrittenVector<Row> rows = rows_in_order(graph, order);
-  Colouring colouring = colour_half_edges(order, rows, options.longest_chain);
-  Flat flat(rows, colouring);
+  const UnwrittenVector<NeighbourPlaces> neighbours = neighbours_in_order(graph, order);
+  Colouring colouring = colour_half_edges(order, neighbours, options.longest_chain);
+  Flat flat(neighbours, colouring);
   planes.steps.chain_steps += static_cast<std::int64_t>(colouring.chain_steps);
   std::vector<OrderPart> left;
   std::span<const ColourDefect> defects(colouring.defects);
@@ -80,7 +81,7 @@ std::vector<OrderPart> number_flat(const Graph& graph, const ProcessingOrder& or
     if (is_flat && std::ranges::all_of(numbers, [&](const PlaneNumbers& x) {
           return all_within(2 * range.size() + options.flat_allowance, x);
         })) {
-      adopt_flat(order, rows, colouring, part, flat, planes);
+      adopt_flat(order, neighbours, colouring, part, flat, planes);
     } else {
       left.push_back(part);
     }

@@ -15,9 +15,9 @@ bool has_labels_0_1(const ColourDefect& defect) {
 
 }  // namespace
 
-Relabelling::Relabelling(std::span<const Row> rows, std::span<Ports> ports,
+Relabelling::Relabelling(std::span<const NeighbourPlaces> neighbours, std::span<Ports> ports,
                          std::vector<ColourDefect>& defects, std::int64_t n)
-    : rows_(rows),
+    : neighbours_(neighbours),
       ports_(ports),
       defects_(defects),
       most_steps_(static_cast<std::int64_t>(kStepsPerVertex) * n + 1000) {
@@ -86,8 +86,8 @@ bool Relabelling::split(const End& end) {
 
 EdgeId Relabelling::edge_between(Place v, Place other) const {
   unsigned i = 0;
-  while (rows_[v].to[i] != other) ++i;
-  return rows_[v].edge[i];
+  while (neighbours_[v].to[i] != other) ++i;
+  return neighbours_[v].edge[i];
 }
 
 void Relabelling::turn(std::size_t d) {

@@ -17,8 +17,8 @@ class Relabelling {
  public:
   /// @param ports  loses the half-edges of the defects.
   /// @param n  vertices of the component; chains are followed for about kStepsPerVertex n steps.
-  Relabelling(std::span<const Row> rows, std::span<Ports> ports, std::vector<ColourDefect>& defects,
-              std::int64_t n);
+  Relabelling(std::span<const NeighbourPlaces> neighbours, std::span<Ports> ports,
+              std::vector<ColourDefect>& defects, std::int64_t n);
 
   /// Edges of chains followed, and defects met there.
   std::int64_t steps() const { return steps_; }
@@ -58,7 +58,7 @@ class Relabelling {
   void swap_chain(const End& end, Colour wanted);
   void settle(std::size_t defect);
 
-  std::span<const Row> rows_;
+  std::span<const NeighbourPlaces> neighbours_;
   std::span<Ports> ports_;
   std::vector<ColourDefect>& defects_;
   const std::int64_t most_steps_;

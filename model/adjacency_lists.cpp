@@ -1,4 +1,4 @@
-#include "ar3d/model/graph_rows.h"
+#include "ar3d/model/adjacency_lists.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include "ar3d/model/bins.h"
 
 // In canonical order the edges at a vertex come from its smaller neighbours first, ascending, then
-// go to its larger ones, ascending: filled in order of the edges, rows ascend. The edges to larger
+// go to its larger ones, ascending: filled in order of the edges, lists ascend. The edges to larger
 // neighbours stand side by side already; of many edges, only the half-edges at the larger ends are
 // dealt to bins (model/bins.h). A dealt half-edge holds its vertex within the bin and its edge
 // within the chunk in place of the edge; bin and chunk follow from its place.
@@ -18,19 +18,19 @@ namespace {
 constexpr EdgeId kInChunk = kChunkEdges - 1;
 constexpr Vertex kInBin = kBinVertices - 1;
 
-Rows unwritten_rows(std::uint64_t n, std::uint64_t m) {
-  Rows rows;
-  rows.offsets.resize(n + 1);
-  rows.offsets[n] = static_cast<std::uint32_t>(2 * m);
-  rows.half_edges.resize(2 * m);
-  return rows;
+AdjacencyLists unwritten_lists(std::uint64_t n, std::uint64_t m) {
+  AdjacencyLists lists;
+  lists.offsets.resize(n + 1);
+  lists.offsets[n] = static_cast<std::uint32_t>(2 * m);
+  lists.half_edges.resize(2 * m);
+  return lists;
 }
 
-/// The offsets count the ends at each vertex, then name the end of its row; filled from the last
-/// edge to the first, every row ends with its offset at its first half-edge.
-Rows counted_rows(std::uint64_t n, std::span<const Edge> edges) {
-  Rows rows = unwritten_rows(n, edges.size());
-  std::uint32_t* const offsets = rows.offsets.data();
+/// The offsets count the ends at each vertex, then name the end of its list; filled from the last
+/// edge to the first, every list ends with its offset at its first half-edge.
+AdjacencyLists counted_lists(std::uint64_t n, std::span<const Edge> edges) {
+  AdjacencyLists lists = unwritten_lists(n, edges.size());
+  std::uint32_t* const offsets = lists.offsets.data();
   std::fill(offsets, offsets + n, 0u);
   for (const auto [u, v] : edges) {
     ++offsets[u];
@@ -38,21 +38,21 @@ Rows counted_rows(std::uint64_t n, std::span<const Edge> edges) {
   }
   std::uint32_t place = 0;
   for (std::uint64_t v = 0; v < n; ++v) {
-    rows.max_degree = std::max(rows.max_degree, offsets[v]);
+    lists.max_degree = std::max(lists.max_degree, offsets[v]);
     place = offsets[v] += place;
   }
   for (std::size_t e = edges.size(); e-- > 0;) {
     const auto [u, v] = edges[e];
-    rows.half_edges[--offsets[u]] = {v, static_cast<EdgeId>(e)};
-    rows.half_edges[--offsets[v]] = {u, static_cast<EdgeId>(e)};
+    lists.half_edges[--offsets[u]] = {v, static_cast<EdgeId>(e)};
+    lists.half_edges[--offsets[v]] = {u, static_cast<EdgeId>(e)};
   }
-  return rows;
+  return lists;
 }
 
-class BinnedRows {
+class BinnedLists {
  public:
-  BinnedRows(std::uint64_t n, std::span<const Edge> edges)
-      : edges_(edges), bins_(n, edges), rows_(unwritten_rows(n, edges.size())) {
+  BinnedLists(std::uint64_t n, std::span<const Edge> edges)
+      : edges_(edges), bins_(n, edges), lists_(unwritten_lists(n, edges.size())) {
     for (std::uint64_t bin = 0; bin <= bins_.bins(); ++bin) {
       const auto first = std::partition_point(
           edges.begin(), edges.end(), [&](Edge edge) { return edge.u < bins_.first_vertex(bin); });
@@ -60,12 +60,12 @@ class BinnedRows {
     }
   }
 
-  Rows build() && {
+  AdjacencyLists build() && {
     const auto large_end = [](Edge edge) { return edge.v; };
     bins_.count(large_end);
     bins_.place([&](std::uint64_t bin) { return first_edge_[bin + 1] - first_edge_[bin]; });
     bins_.deal(large_end, [&](Edge edge, std::uint32_t number, std::uint32_t place) {
-      rows_.half_edges[place] = {edge.u, (edge.v & kInBin) << kChunkBits | number};
+      lists_.half_edges[place] = {edge.u, (edge.v & kInBin) << kChunkBits | number};
     });
     std::vector<std::uint32_t> max_degree(bins_.parts(), 0);
     bins_.for_each_part(bins_.bins(), [&](std::uint64_t part, auto begin, auto end) {
@@ -74,14 +74,14 @@ class BinnedRows {
         max_degree[part] = std::max(max_degree[part], sort_bin(bin, dealt));
       }
     });
-    rows_.max_degree = *std::max_element(max_degree.begin(), max_degree.end());
-    return std::move(rows_);
+    lists_.max_degree = *std::max_element(max_degree.begin(), max_degree.end());
+    return std::move(lists_);
   }
 
  private:
-  /// Writes the rows of the bin's vertices. @return their largest degree.
+  /// Writes the lists of the bin's vertices. @return their largest degree.
   std::uint32_t sort_bin(std::uint64_t bin, UnwrittenVector<HalfEdge>& dealt) {
-    HalfEdge* const half_edges = rows_.half_edges.data();
+    HalfEdge* const half_edges = lists_.half_edges.data();
     const std::uint32_t begin = bins_.begin(bin);
     dealt.assign(half_edges + begin, half_edges + bins_.end(bin));
     const auto first = static_cast<Vertex>(bins_.first_vertex(bin));
@@ -93,7 +93,7 @@ class BinnedRows {
     std::uint32_t place = begin;
     for (std::uint64_t v = first; v < bins_.end_vertex(bin); ++v) {
       place += std::exchange(next[v - first], place);
-      rows_.offsets[v] = next[v - first];
+      lists_.offsets[v] = next[v - first];
     }
     std::size_t i = 0;
     for (std::uint64_t chunk = 0; chunk < bins_.chunks(); ++chunk) {
@@ -111,14 +111,14 @@ class BinnedRows {
   std::span<const Edge> edges_;
   Bins bins_;
   std::vector<EdgeId> first_edge_;  // of the bin's smaller ends
-  Rows rows_;
+  AdjacencyLists lists_;
 };
 
 }  // namespace
 
-Rows rows_of(std::uint64_t n, std::span<const Edge> edges) {
-  if (!worth_binning(n, edges.size())) return counted_rows(n, edges);
-  return BinnedRows(n, edges).build();
+AdjacencyLists adjacency_lists(std::uint64_t n, std::span<const Edge> edges) {
+  if (!worth_binning(n, edges.size())) return counted_lists(n, edges);
+  return BinnedLists(n, edges).build();
 }
 
 }  // namespace ar3d

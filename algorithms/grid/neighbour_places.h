@@ -16,7 +16,7 @@ inline constexpr Place kAhead = 8;  ///< places between asking for memory and us
 inline constexpr Place kNoPlace = std::numeric_limits<Place>::max();
 
 /// The neighbours of one vertex as places, in the order of the graph's row.
-struct Row {
+struct NeighbourPlaces {
   std::array<Place, 3> to{};
   std::array<EdgeId, 3> edge{};
   std::uint32_t degree = 0;
@@ -24,6 +24,7 @@ struct Row {
 
 /// The graph renumbered in processing order, so that later stages read memory forwards and
 /// "earlier" is a comparison of places. Cost: O(n + m).
-UnwrittenVector<Row> rows_in_order(const Graph& graph, const ProcessingOrder& order);
+UnwrittenVector<NeighbourPlaces> neighbours_in_order(const Graph& graph,
+                                                     const ProcessingOrder& order);
 
 }  // namespace ar3d::grid
