@@ -46,7 +46,7 @@ AxisBound parse_axis(const std::string& text) {
 // What is before `mark`; the text goes on behind it.
 std::string taken(std::string& text, const std::string& mark) {
   const std::size_t at = text.find(mark);
-  const std::string before = text.substr(0, at);
+  std::string before = text.substr(0, at);
   text = at == std::string::npos ? "" : text.substr(at + mark.size());
   return before;
 }

@@ -221,7 +221,7 @@ Column other_metric(const Metric& metric, std::size_t index) {
   const bool is_integer = metric.type == MetricType::int64;
   Column column = described({metric.name.c_str(), "", "", ColumnKind::metric},
                             is_integer ? FieldType::int64 : FieldType::float64, sizeof(double));
-  const Field field = column;
+  const Field field = static_cast<const Field&>(column);
   column.store = [index, field](const RunRecord& run, char* to) {
     if (index >= run.other_metrics.size()) return store_missing(field, to);
     std::visit([to](auto value) { std::memcpy(to, &value, sizeof(value)); },

@@ -120,7 +120,7 @@ void seed_journal(const JournaledStudy& study, const StudyIdentity& identity) {
 }
 
 StudyIdentity identity_of(const JournaledStudy& study, const StudyPlan& plan) {
-  StudyIdentity identity = describe_study(study.spec, 1);
+  auto identity = static_cast<StudyIdentity&&>(describe_study(study.spec, 1));
   identity.created = study.created;
   identity.shard = study.shard;
   identity.planned_rows = required_rows(plan);
@@ -295,7 +295,7 @@ class Part {
   }
 
   StudyOutcome write_results() {
-    const StudyOutcome outcome = write_rows_so_far(study_, plan_, study_.results);
+    StudyOutcome outcome = write_rows_so_far(study_, plan_, study_.results);
     if (outcome.complete()) remove_journals(study_.results);
     return outcome;
   }

@@ -16,17 +16,18 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using News = WorkerProcess::News;
 
-constexpr double kPatience_s = 0.1;  // until stop is asked again
+constexpr double kPatienceSeconds = 0.1;  // until stop is asked again
 
-// Seconds in which this process was awake. It looks at the clock every kPatience_s; a much longer
-// step is one in which it was frozen, and the whole study with it (SIGSTOP, scontrol suspend).
+// Seconds in which this process was awake. It looks at the clock every kPatienceSeconds; a much
+// longer step is one in which it was frozen, and the whole study with it (SIGSTOP, scontrol
+// suspend).
 class AwakeClock {
  public:
   double now_s() {
     const Clock::time_point now = Clock::now();
     const std::chrono::duration<double> step = now - last_;
     last_ = now;
-    return awake_s_ += std::min(step.count(), kPatience_s + 1);
+    return awake_s_ += std::min(step.count(), kPatienceSeconds + 1);
   }
 
  private:
@@ -48,7 +49,7 @@ class WorkerPlace {
   int descriptor() const { return worker_->descriptor(); }
   // Seconds until the row can be late at the earliest; 0: it is late.
   double left_s() const {
-    if (!limit_s_) return kPatience_s;
+    if (!limit_s_) return kPatienceSeconds;
     const double computing = worker_->cpu_s() - cpu_before_s_;
     const double waiting = clock_.now_s() - began_s_;
     return std::max(0.0, std::min(*limit_s_ - computing, idle_limit_s(*limit_s_) - waiting));
@@ -148,7 +149,7 @@ class WorkerPlace {
 // Waits until a worker has news, a row may be late or it is time to ask for a stop.
 void wait_for_news(const std::vector<WorkerPlace>& places) {
   std::vector<pollfd> sockets;
-  double left_s = kPatience_s;
+  double left_s = kPatienceSeconds;
   for (const WorkerPlace& place : places) {
     if (!place.busy()) continue;
     sockets.push_back({place.descriptor(), POLLIN, 0});

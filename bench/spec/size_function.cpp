@@ -78,7 +78,7 @@ class SizeFunctionReader {
     while (length < rest_.size() && std::isalpha(static_cast<unsigned char>(rest_[length])) != 0) {
       ++length;
     }
-    const std::string word(rest_.substr(0, length));
+    std::string word(rest_.substr(0, length));
     rest_.remove_prefix(length);
     return word;
   }

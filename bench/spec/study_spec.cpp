@@ -78,7 +78,7 @@ class SpecReader {
  private:
   // The name becomes part of file names.
   std::string study_name(TomlTable& table) {
-    const std::string name = table.text("study");
+    std::string name = table.text("study");
     const bool plain = !name.empty() && name.size() <= 64 && name[0] != '-' &&
                        std::all_of(name.begin(), name.end(), [](char c) {
                          return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
@@ -92,7 +92,7 @@ class SpecReader {
   }
 
   std::vector<const toml::node*> list(const toml::node& node, const std::string& what) const {
-    const std::vector<const toml::node*> nodes = one_or_many(node);
+    std::vector<const toml::node*> nodes = one_or_many(node);
     if (nodes.empty()) refuse_toml(file_, node, fmt::format("{} is empty", what));
     return nodes;
   }
@@ -148,7 +148,7 @@ class SpecReader {
                                 std::vector<SettingChoices>& settings) const {
     if (node.is_string()) return toml_text(file_, node, key);
     TomlTable table(file_, node, key);
-    const std::string name = table.text(key);
+    std::string name = table.text(key);
     for (const std::string& setting : table.other_keys()) {
       settings.push_back({setting, {}});
       for (const toml::node* value : list(table.get(setting), setting)) {

@@ -34,6 +34,7 @@ bool is_utf16(std::string_view text) {
 /// UTF-16 with its mark as UTF-8; nothing if it is not that.
 std::optional<std::string> utf8_of_utf16(std::string_view text) {
   const iconv_t converter = iconv_open("UTF-8", "UTF-16");
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): how iconv_open tells an error
   expect(converter != reinterpret_cast<iconv_t>(-1), "iconv knows UTF-16");
   std::string result(text.size() / 2 * 3 + 4, '\0');  // at most 3 bytes for a unit of 2
   char* from = const_cast<char*>(text.data());

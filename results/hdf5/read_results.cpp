@@ -79,7 +79,7 @@ Shard parse_shard(const std::string& text) {
 
 std::string read_spec_hash(hid_t file, long long version, const std::string& spec) {
   if (version == kFormerVersion) return content_hash(spec);  // it has one of another kind
-  const std::string hash = read_text_attribute(file, "spec_hash");
+  std::string hash = read_text_attribute(file, "spec_hash");
   if (hash != content_hash(spec)) throw Hdf5Error("/spec is not what spec_hash says");
   return hash;
 }
