@@ -56,7 +56,7 @@ void tell_usage(const CLI::App& app, const CLI::ParseError& error) {
   }
   std::string page = verb.get_name();
   for (const CLI::App* above = verb.get_parent(); above != nullptr; above = above->get_parent()) {
-    page = above->get_name() + " " + page;
+    page.insert(0, above->get_name() + " ");
   }
   fmt::print(stderr, "ar3d: {} (see {} --help)\n", ar3d::printable(message), page);
 }
