@@ -12,6 +12,7 @@
 #include "ar3d/analysis/google_benchmark.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/model/error.h"
+#include "ar3d/model/new_file.h"
 #include "ar3d/results/atomic_file.h"
 #include "commands.h"
 #include "outputs.h"
@@ -41,7 +42,7 @@ void write_figures(const StudyAnalysis& analysis, const std::string& directory) 
 /// A file that is written piece by piece, whole or not at all. @throws InputError
 void write_in_pieces(const std::string& path, const std::function<void(const TextSink&)>& make) {
   constexpr std::size_t kPiece = 1 << 20;
-  NewFile file = NewFile::to_replace(path);
+  NewFile file(path);
   std::string pending;
   make([&](std::string_view text) {
     pending += text;

@@ -22,6 +22,8 @@ class Descriptor {
   Descriptor& operator=(const Descriptor&) = delete;
 
   int get() const { return number_; }
+  /// The descriptor, which is the caller's from now on.
+  int release() { return std::exchange(number_, -1); }
 
  private:
   int number_;

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "ar3d/model/descriptor.h"
 #include "ar3d/model/graph.h"
-#include "ar3d/results/descriptor.h"
 
 namespace ar3d {
 

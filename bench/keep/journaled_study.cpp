@@ -20,6 +20,7 @@
 #include "ar3d/bench/run/make_rows.h"
 #include "ar3d/bench/run/rank_batch.h"
 #include "ar3d/model/error.h"
+#include "ar3d/model/new_file.h"
 #include "ar3d/records/run_columns.h"
 #include "ar3d/records/run_storage.h"
 #include "ar3d/results/atomic_file.h"

@@ -1,21 +1,19 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "ar3d/model/new_file.h"
+
 namespace ar3d {
 
-/// A file being written. A regular file appears under its name only when commit() has succeeded:
-/// until then the bytes are in a file without a name (O_TMPFILE), of which an interrupted or killed
-/// program leaves nothing; where a file system has none, in a temporary file beside the target,
-/// which the destructor removes. "-" is standard output; devices and pipes are written directly.
+/// A file being written. A regular file appears under its name only when commit() has succeeded
+/// (model/new_file.h). "-" is standard output; devices and pipes are written directly.
 class OutputFile {
  public:
   /// @throws InputError if the file cannot be written (directory, no permission, no such folder).
   explicit OutputFile(std::string path);
-  OutputFile(const OutputFile&) = delete;
-  OutputFile& operator=(const OutputFile&) = delete;
-  ~OutputFile();
 
   void append(std::string_view text) {
     pending_.append(text);
@@ -37,15 +35,9 @@ class OutputFile {
  private:
   static constexpr std::size_t kBlock = std::size_t{1} << 16;
 
-  void open_temporary();
-  bool open_nameless();
-  void name_temporary();
-  [[noreturn]] void fail(int error) const;
-
-  std::string path_;       // as given, for messages
-  std::string target_;     // where links lead
-  std::string temporary_;  // empty: written directly, or without a name yet
-  bool nameless_ = false;
+  std::string path_;  // for messages
+  std::optional<NewFile> regular_;
+  Descriptor device_;
   std::string pending_;
   int file_ = -1;
 };

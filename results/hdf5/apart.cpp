@@ -15,8 +15,8 @@
 #include <exception>
 #include <utility>
 
+#include "ar3d/model/descriptor.h"
 #include "ar3d/model/error.h"
-#include "ar3d/results/descriptor.h"
 
 namespace ar3d {
 namespace {

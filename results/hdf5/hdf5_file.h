@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/results/descriptor.h"
+#include "ar3d/model/descriptor.h"
 #include "ar3d/results/hdf5/hdf5_handle.h"
 
 namespace ar3d {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/results/descriptor.h"
+#include "ar3d/model/descriptor.h"
 #include "ar3d/results/hdf5/hdf5_table.h"
 #include "ar3d/results/row_format.h"
 

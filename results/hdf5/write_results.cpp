@@ -5,7 +5,7 @@
 #include <unordered_set>
 
 #include "ar3d/model/error.h"
-#include "ar3d/results/atomic_file.h"
+#include "ar3d/model/new_file.h"
 #include "ar3d/results/hdf5/file_checksum.h"
 #include "ar3d/results/hdf5/hdf5_file.h"
 #include "ar3d/results/hdf5/results_format.h"
@@ -158,7 +158,7 @@ void write_results_into(int descriptor, const StudyIdentity& identity,
 
 void write_results(const StudyIdentity& identity, const std::vector<EnvironmentEntry>& environment,
                    const RowFormat& format, const RecordSource& rows, const std::string& path) {
-  NewFile file = NewFile::to_replace(path);
+  NewFile file(path);
   write_results_into(file.descriptor(), identity, environment, format, rows, path);
   file.become_target();
 }

@@ -10,8 +10,8 @@
 #include <thread>
 #include <vector>
 
+#include "ar3d/model/descriptor.h"
 #include "ar3d/model/error.h"
-#include "ar3d/results/descriptor.h"
 #include "ar3d/results/journal/journal_format.h"
 
 namespace ar3d {

@@ -7,7 +7,8 @@
 //   AR3D_FAULT=list:K     from the K-th time on, no folder can be listed
 //   AR3D_FAULT=read:K     from the K-th time on, no *.journal can be opened for reading
 //   AR3D_FAULT=nolock:1   locks are granted to everybody (NFS mounted with nolock)
-//   AR3D_FAULT=nolink:L   no hard links; L = 2: nor a rename that replaces nothing
+//   AR3D_FAULT=nolink:L   no hard links and no files without a name; L = 2: nor a rename that
+//   replaces nothing
 // AR3D_ACKNOWLEDGED names a file; into it goes, after every completed write to a *.journal, how
 // long that journal is: the witness of what was acknowledged.
 #include <dirent.h>
@@ -145,6 +146,11 @@ int link(const char* from, const char* to) noexcept {
   return ends(hit, static_cast<int>(syscall(SYS_linkat, AT_FDCWD, from, AT_FDCWD, to, 0)));
 }
 
+int linkat(int from_folder, const char* from, int to_folder, const char* to, int flags) noexcept {
+  const bool hit = begins();
+  return ends(hit, static_cast<int>(syscall(SYS_linkat, from_folder, from, to_folder, to, flags)));
+}
+
 int renameat2(int from_folder, const char* from, int to_folder, const char* to,
               unsigned flags) noexcept {
   if (fault().is("nolink") && fault().count >= 2 && flags != 0) {
@@ -168,8 +174,13 @@ DIR* opendir(const char* path) {
 int open(const char* path, int flags, ...) {
   va_list arguments;
   va_start(arguments, flags);
-  const int mode = (flags & O_CREAT) != 0 ? va_arg(arguments, int) : 0;
+  const bool is_nameless = (flags & O_TMPFILE) == O_TMPFILE;
+  const int mode = (flags & O_CREAT) != 0 || is_nameless ? va_arg(arguments, int) : 0;
   va_end(arguments);
+  if (fault().is("nolink") && is_nameless) {
+    errno = EOPNOTSUPP;
+    return -1;
+  }
   const std::size_t size = std::strlen(path);
   const bool is_journal = size >= 8 && std::memcmp(path + size - 8, ".journal", 8) == 0;
   if (fault().is("read") && is_journal && (flags & O_ACCMODE) == O_RDONLY &&

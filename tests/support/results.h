@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "ar3d/model/descriptor.h"
 #include "ar3d/records/run_columns.h"
 #include "ar3d/records/run_storage.h"
-#include "ar3d/results/descriptor.h"
 #include "ar3d/results/hdf5/file_checksum.h"
 
 namespace ar3d::testing {
