@@ -7,7 +7,7 @@ _ar3d() {
     [[ ${COMP_WORDS[i]} == study ]] || break
   done
   case $last in
-    --algorithm) offered=$("$program" list algorithms 2>/dev/null | sed -n 's/^\([a-z][a-z-]*\): .*/\1/p') ;;
+    --algorithm) offered=$("$program" list algorithms 2>/dev/null | sed -n 's/^\([a-z][a-z0-9-]*\): .*/\1/p') ;;
     --format) offered=$("$program" "${verbs[@]}" --help 2>/dev/null | sed -n 's/^  \([a-z0-9]*\)  *\.[a-z].*/\1/p') ;;
     generate) offered=$("$program" list families 2>/dev/null | sed -n 's/^\([a-z][a-z0-9-]*\): .*/\1/p') ;;
     run | plan) offered=$("$program" list studies 2>/dev/null | sed -n 's/^\([a-z][a-z0-9-]*\): .*/\1/p') ;;

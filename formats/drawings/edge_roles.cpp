@@ -26,10 +26,14 @@ EdgeRoles with_roles(EdgeRoles kinds, const Drawing& drawing, Role&& role) {
   return kinds;
 }
 
-EdgeRoles halves(const Drawing& drawing) {
-  const auto above_or_below = [](const Polyline& points) -> std::size_t {
-    const std::int64_t z = points[1].z - points[0].z;
-    return z > 0 ? 0 : z < 0 ? 1 : 2;
+/// Above or below the plane of the vertices, which has that normal: told by a bend in the middle.
+EdgeRoles halves(const Drawing& drawing, Vector normal) {
+  const auto above_or_below = [normal](const Polyline& points) -> std::size_t {
+    const Vector d = points[points.size() / 2] - points[0];
+    const double height = static_cast<double>(normal.x) * static_cast<double>(d.x) +
+                          static_cast<double>(normal.y) * static_cast<double>(d.y) +
+                          static_cast<double>(normal.z) * static_cast<double>(d.z);
+    return height > 0 ? 0 : height < 0 ? 1 : 2;
   };
   return with_roles({"half of the drawing",
                      {{"green: above the vertices' plane", kGreen},
@@ -83,7 +87,8 @@ EdgeRoles end_types(const Drawing& drawing) {
 
 EdgeRoles edge_roles(const Drawing& drawing) {
   const std::string& algorithm = drawing.algorithm();
-  if (algorithm == "diamond" || algorithm == "compact") return halves(drawing);
+  if (algorithm == "diamond" || algorithm == "compact") return halves(drawing, {0, 0, 1});
+  if (algorithm == "compact-120") return halves(drawing, {5, 5, -3});
   if (algorithm == "grid") return grid_labels(drawing);
   if (algorithm == "two-bend") return end_types(drawing);
   return {"", {{"edge", kSky}}, std::vector<std::uint8_t>(drawing.num_edges(), 0)};
@@ -93,6 +98,7 @@ GrowthOrder growth_order(const Drawing& drawing) {
   const std::string& algorithm = drawing.algorithm();
   if (algorithm == "diamond") return {"the green order, X = (x + y) / 2", {1, 1, 0}};
   if (algorithm == "compact") return {"columns of the strip, U = (x + y) / 2", {1, 1, 0}};
+  if (algorithm == "compact-120") return {"columns of the strip, t = (x + y - z) / 2", {1, 1, -1}};
   if (algorithm == "two-bend") return {"the time order, z", {0, 0, 1}};
   if (algorithm == "grid") return {"the sum S = (x + y + z) / 6 of the plane numbers", {1, 1, 1}};
   return {"the vertices' numbers", {0, 0, 0}};

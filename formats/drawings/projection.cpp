@@ -247,7 +247,8 @@ Projection project(const Drawing& drawing, const PictureView& view, std::string_
   Projection picture;
   picture.width = (f.high_x - f.low_x) * scale + 2 * kMargin;
   picture.height = (f.high_y - f.low_y) * scale + 2 * kMargin;
-  picture.stroke = std::clamp(scale * 0.34, 1.2, 7.0);
+  const double crowded = 42 / std::sqrt(static_cast<double>(segments.size() + 1));
+  picture.stroke = std::clamp(scale * 0.34, std::clamp(crowded, 1.2, 5.0), 7.0);
   picture.ball = kBallToStroke * picture.stroke;
   cut_crossings(segments, 1.35 * picture.stroke / scale);
   split_at_balls(segments, balls, picture.ball / scale, camera);

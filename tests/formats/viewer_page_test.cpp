@@ -179,6 +179,10 @@ TEST(EdgeRoles, EveryEdgeOfADrawingHasOne) {
     EXPECT_GT(count[1], 100u);
     EXPECT_EQ(count[2], 0u);
   }
+  const auto right_and_left = counts(edge_roles(drawing_of("compact-120", "random-cubic", 400)));
+  EXPECT_GT(right_and_left[0], 100u);
+  EXPECT_GT(right_and_left[1], 100u);
+  EXPECT_EQ(right_and_left[2], 0u);
   const auto grid = counts(edge_roles(drawing_of("grid", "random-cubic", 400)));
   for (const std::size_t label : {0, 1, 2}) EXPECT_GT(grid[label], 50u);
   EXPECT_EQ(grid[4], 0u);
