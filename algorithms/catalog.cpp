@@ -10,19 +10,25 @@
 #include "ar3d/algorithms/diamond/diamond.h"
 #include "ar3d/algorithms/grid/grid.h"
 #include "ar3d/algorithms/two_bend/two_bend.h"
+#include "ar3d/algorithms/two_bend_paper/two_bend_paper.h"
 #include "ar3d/model/error.h"
 
 namespace ar3d {
 
 const std::vector<Algorithm>& algorithms() {
   static const std::vector<Algorithm> rows = {
-      diamond::row(),
-      two_bend::row(),
-      grid::row(),
-      compact::row(),
-      compact_120::row(),
+      diamond::row(), two_bend::row(),    grid::row(),
+      compact::row(), compact_120::row(), two_bend_paper::row(),
   };
   return rows;
+}
+
+std::vector<const Algorithm*> proved_algorithms() {
+  std::vector<const Algorithm*> proved;
+  for (const Algorithm& row : algorithms()) {
+    if (row.guarantee.claim == Claim::proved) proved.push_back(&row);
+  }
+  return proved;
 }
 
 const Algorithm& find_algorithm(std::string_view name) {

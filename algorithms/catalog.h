@@ -27,6 +27,10 @@ struct Algorithm {
 /// All algorithms, in the order in which they are listed.
 const std::vector<Algorithm>& algorithms();
 
+/// Those whose every drawing keeps its guarantee: what "all" means in a study. The others
+/// (Claim::measured) are named where somebody wants them.
+std::vector<const Algorithm*> proved_algorithms();
+
 /// @throws InputError naming the unknown algorithm and the known ones.
 const Algorithm& find_algorithm(std::string_view name);
 

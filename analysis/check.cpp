@@ -126,7 +126,10 @@ bool is_violation(FindingKind kind) {
          kind == FindingKind::instance_bound || kind == FindingKind::not_repeatable;
 }
 
-int CheckVerdict::exit_code() const { return violations > 0 ? 4 : all_findings > 0 ? 5 : 0; }
+int CheckVerdict::exit_code() const {
+  if (violations > 0) return 4;
+  return all_findings > 0 || (unproved > 0 && !accepts_unproved) ? 5 : 0;
+}
 
 const char* CheckVerdict::word() const {
   const int code = exit_code();
@@ -139,8 +142,8 @@ bool breaks_promise(const RunRecord& run) {
                      [](const Finding& finding) { return is_violation(finding.kind); });
 }
 
-Examination examine(const RowView& rows) {
-  Examination examination;
+CheckedRows examine(const RowView& rows) {
+  CheckedRows examination;
   CheckVerdict& verdict = examination.verdict;
   verdict.rows = rows.count;
   bool any_drawn = false;
@@ -150,8 +153,9 @@ Examination examine(const RowView& rows) {
   for (std::size_t row = 0; row < rows.count; ++row) {
     const RunRecord& run = rows.read(row);
     for (Finding& finding : row_findings(run, row)) findings.add(std::move(finding), &run);
-    is_ok[row] = run.status == RunStatus::ok;
-    any_drawn = any_drawn || is_ok[row] || run.status == RunStatus::violated;
+    is_ok[row] = run.status == RunStatus::ok && !is_unproved(run);
+    verdict.unproved += is_unproved(run);
+    any_drawn = any_drawn || run.status == RunStatus::ok || run.status == RunStatus::violated;
     verdict.refused += run.status == RunStatus::refused;
     prints[row] = fingerprint_of(run, row);
   }
@@ -170,9 +174,13 @@ CheckVerdict check(const RowView& rows) { return examine(rows).verdict; }
 CheckVerdict check(const Results& results) { return check(view_of(results)); }
 
 std::string verdict_line(const CheckVerdict& verdict) {
-  return fmt::format("{}: {} rows, {} proved, {} violated, {} incomplete, {} refused\n",
+  const std::string unproved = verdict.unproved == 0
+                                   ? ""
+                                   : fmt::format(", {} not proved{}", verdict.unproved,
+                                                 verdict.accepts_unproved ? " (accepted)" : "");
+  return fmt::format("{}: {} rows, {} proved, {} violated, {} incomplete, {} refused{}\n",
                      verdict.word(), verdict.rows, verdict.proved, verdict.violated_rows,
-                     verdict.incomplete_rows, verdict.refused);
+                     verdict.incomplete_rows, verdict.refused, unproved);
 }
 
 std::string summary(const CheckVerdict& verdict, std::size_t max_findings) {

@@ -40,20 +40,23 @@ struct CheckVerdict {
   std::size_t rows = 0;
   std::size_t proved = 0;  ///< ok rows whose certificate and bounds hold
   std::size_t refused = 0;
+  std::size_t unproved = 0;       ///< not violated, but judged by another certificate than exact
+  bool accepts_unproved = false;  ///< somebody asked that these do no harm
   std::size_t violated_rows = 0;
   std::size_t incomplete_rows = 0;
   std::size_t violations = 0;     ///< findings that prove something wrong
   std::size_t all_findings = 0;   ///< the others, too
   std::vector<Finding> findings;  ///< violations first, then in file order; at most 1000 of both
 
-  /// 0 pass; 4 a bound or certificate is violated; 5 incomplete or nothing measured.
+  /// 0 pass; 4 a bound or certificate is violated; 5 incomplete, nothing measured, or rows that
+  /// nothing proves.
   int exit_code() const;
   /// "PASS", "VIOLATED" or "INCOMPLETE".
   const char* word() const;
 };
 
 /// A verdict, and what the check has found out about the order of the rows.
-struct Examination {
+struct CheckedRows {
   CheckVerdict verdict;
   /// Whether a row is the last one of its graph, algorithm and options.
   std::vector<bool> is_last_repetition;
@@ -61,7 +64,7 @@ struct Examination {
 
 /// Looks at every row, once and in file order, and again at those whose repetitions differ. Cost:
 /// O(r log r) time for r rows, 33 bytes a row.
-Examination examine(const RowView& rows);
+CheckedRows examine(const RowView& rows);
 CheckVerdict check(const RowView& rows);
 CheckVerdict check(const Results& results);
 

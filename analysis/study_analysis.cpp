@@ -4,7 +4,7 @@
 
 namespace ar3d {
 
-StudyAnalysis analyse(const RowView& rows, Examination examination) {
+StudyAnalysis analyse(const RowView& rows, CheckedRows examination) {
   StudyAnalysis analysis{rows, std::move(examination.verdict), {}, {}, {}};
   analysis.tally = tally_of(rows, examination.is_last_repetition);
   analysis.bounds = bounds_table(analysis.tally, *rows.identity);

@@ -20,7 +20,7 @@ struct StudyAnalysis {
 
 /// Reads every row again. @param examination  of these rows. Cost: that of tally_of, bounds_table
 /// and scaling.
-StudyAnalysis analyse(const RowView& rows, Examination examination);
+StudyAnalysis analyse(const RowView& rows, CheckedRows examination);
 /// With examine(rows).
 StudyAnalysis analyse(const RowView& rows);
 

@@ -101,8 +101,14 @@ const std::vector<DrawingFormat>& drawing_formats() {
        {".h5", ".hdf5"},
        "exact: positions, bends and metric as arrays, for h5py; one drawing per file",
        false,
-       one_drawing("hdf5", [](const Drawing& drawing, const std::string& path,
-                              const ExportOptions&) { write_drawing_hdf5(drawing, path); }),
+       one_drawing("hdf5",
+                   [](const Drawing& drawing, const std::string& path, const ExportOptions&) {
+                     if (drawing.real) {
+                       throw InputError(
+                           path + ": a drawing in a real type is written as jsonl (exact) or svg");
+                     }
+                     write_drawing_hdf5(drawing, path);
+                   }),
        false},
       {"svg",
        {".svg"},

@@ -31,7 +31,12 @@ void print_algorithm(const Algorithm& row) {
   fmt::print("    {}; degree <= {}, <= {} bends per edge, angles {} {:.2f} degrees\n", row.source,
              g.max_degree, g.max_bends, g.angle_rule == AngleRule::exactly ? "exactly" : "at least",
              degrees(g.cosine));
-  fmt::print("    box <= {} ({})\n", size_text(g.bound), g.bound.source);
+  if (g.claim == Claim::measured) {
+    fmt::print("    in real arithmetic: what rounding makes of it is measured; no box ({})\n",
+               g.bound.source);
+  } else {
+    fmt::print("    box <= {} ({})\n", size_text(g.bound), g.bound.source);
+  }
   for (const SettingSpec& option : row.options) {
     fmt::print("    option {} = {}..{} (default {}): {}\n", option.name, option.low, option.high,
                option.default_value, option.description);

@@ -54,7 +54,7 @@ void ask_to_stop(int signal) {
 // The last lines of a study that is whole: the verdict and where everything is.
 int conclude(const JournaledStudy& study) {
   const StudyRows rows(study.results);
-  Examination examination = judge(rows.view(), study.results);
+  CheckedRows examination = judge(rows.view(), study.results);
   const int exit_code = examination.verdict.exit_code();
   fmt::print("{}", summary(examination.verdict));
   fmt::print("results  {}\n", study.results);

@@ -73,9 +73,13 @@ void StudyRows::view_journals(const std::string& file, const std::string& result
   };
 }
 
-Examination judge(const RowView& rows, const std::string& file) {
+CheckedRows judge(const RowView& rows, const std::string& file) {
   require_one_study(rows, file);
-  return examine(rows);
+  CheckedRows examination = examine(rows);
+  examination.verdict.accepts_unproved = examination.verdict.unproved > 0 &&
+                                         rows.identity != nullptr &&
+                                         parse_study(rows.identity->spec, file).accept_unproved;
+  return examination;
 }
 
 }  // namespace ar3d

@@ -34,6 +34,6 @@ class StudyRows {
 
 /// The one verdict on a study. @param file  for messages.
 /// @throws InputError if the rows cannot be of one study.
-Examination judge(const RowView& rows, const std::string& file);
+CheckedRows judge(const RowView& rows, const std::string& file);
 
 }  // namespace ar3d

@@ -11,7 +11,8 @@
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/model/error.h"
-#include "ar3d/verify/certificate.h"
+#include "ar3d/model/real_points.h"
+#include "ar3d/verify/examination.h"
 #include "batches.h"
 #include "commands.h"
 
@@ -35,6 +36,7 @@ struct Task {
 struct Verdict {
   bool drawn = true;
   bool valid = true;
+  bool measured = false;  // in a real type, not violated: nothing is proved
   std::string text;
 };
 
@@ -55,19 +57,27 @@ Graph claimed_graph(const Drawing& drawing) {
 
 Verdict judge(const Task& task, const VerifyArguments& arguments) {
   if (const auto* undrawn = std::get_if<UndrawnGraph>(&task.line)) {
-    return {false, true, fmt::format("{}: not drawn: {}\n", task.where, undrawn->error)};
+    return {false, true, false, fmt::format("{}: not drawn: {}\n", task.where, undrawn->error)};
   }
   const Drawing& drawing = std::get<Drawing>(task.line);
   try {
     const Algorithm& algorithm =
         find_algorithm(arguments.algorithm.empty() ? drawing.algorithm() : arguments.algorithm);
     const Graph graph = task.graph ? *task.graph : claimed_graph(drawing);
-    const Certificate certificate = certify(graph, drawing, algorithm.guarantee,
+    const Examination examination = examine(graph, drawing, algorithm.guarantee,
+                                            {.certificate = true, .metrics = false, .hash = false},
                                             {.crossing_test = crossing_test(arguments.test)});
-    Verdict verdict{true, certificate.valid(), ""};
+    const Certificate& certificate = examination.certificate;
+    Verdict verdict{true, !certificate.violated(), certificate.measured, ""};
     for (const Violation& violation : certificate.violations) {
       verdict.text +=
           fmt::format("{}: {}: {}\n", task.where, to_string(violation.kind), violation.message);
+    }
+    if (examination.summary.real) {
+      const RealAssessment& found = *examination.summary.real;
+      verdict.text += fmt::format(
+          "{}: in {}: angles miss by at most {:.6g} degrees, {} crossings, {} collapsed segments\n",
+          task.where, drawing.real->type, found.largest_miss, found.crossings, found.collapsed);
     }
     if (!certificate.complete) verdict.text += fmt::format("{}: … and more\n", task.where);
     return verdict;
@@ -80,7 +90,7 @@ int verify_drawings(const VerifyArguments& arguments) {
   DrawingJsonlReader reader(arguments.input);
   std::optional<GraphReader> graphs;
   if (!arguments.graphs.empty()) graphs.emplace(arguments.graphs);
-  std::uint64_t number = 0, certified = 0, violated = 0, not_drawn = 0;
+  std::uint64_t number = 0, certified = 0, violated = 0, not_drawn = 0, measured = 0;
   in_batches<Task>(
       [&]() -> std::optional<Task> {
         std::optional<DrawingJsonlReader::Line> line = reader.next();
@@ -100,12 +110,16 @@ int verify_drawings(const VerifyArguments& arguments) {
       },
       [&](const Task& task) { return judge(task, arguments); },
       [&](const Verdict& verdict) {
-        ++(!verdict.drawn ? not_drawn : verdict.valid ? certified : violated);
+        ++(!verdict.drawn     ? not_drawn
+           : !verdict.valid   ? violated
+           : verdict.measured ? measured
+                              : certified);
         if (!arguments.quiet) fmt::print("{}", verdict.text);
       });
-  fmt::print("{} certified, {} violated, {} not drawn\n", certified, violated, not_drawn);
+  fmt::print("{} certified, {} violated, {} not drawn{}\n", certified, violated, not_drawn,
+             measured > 0 ? fmt::format(", {} measured", measured) : "");
   if (violated > 0) return kViolated;
-  return not_drawn > 0 || certified == 0 ? kIncomplete : kPass;
+  return not_drawn > 0 || measured > 0 || certified == 0 ? kIncomplete : kPass;
 }
 
 }  // namespace
@@ -125,7 +139,9 @@ void add_verify(CLI::App& app, int& exit_code) {
       ->check(CLI::IsMember({"automatic", "all-pairs", "plane-sweep", "slabs"}));
   verb->add_flag("-q,--quiet", arguments->quiet, "only the summary");
   verb->footer(
-      "Exit code 4 if a drawing is violated, 5 if a graph was not drawn or nothing was verified.\n"
+      "Exit code 4 if a drawing is violated, 5 if a graph was not drawn, a drawing is in a real "
+      "type (its "
+      "misses are measured, nothing is proved) or nothing was verified.\n"
       "Example: ar3d draw graphs.s6 --algorithm diamond | ar3d verify - --graphs graphs.s6");
   verb->callback([arguments, &exit_code] { exit_code = verify_drawings(*arguments); });
 }

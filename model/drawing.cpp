@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
 #include <limits>
 #include <utility>
 
 #include "ar3d/model/error.h"
+#include "ar3d/model/real_points.h"
 
 namespace ar3d {
 
@@ -99,6 +101,25 @@ DrawingHash::DrawingHash(const Drawing& drawing) {
   for (std::size_t v = 0; v < drawing.num_vertices(); ++v) {
     put(drawing.vertex(static_cast<Vertex>(v)));
   }
+  if (drawing.real) put(*drawing.real);
+}
+
+void DrawingHash::put(const RealPoints& points) {
+  hash_.put(std::int64_t{points.unit_exponent});
+  const auto put_number = [&](const BigInteger& number) {
+    std::vector<std::uint64_t> limbs;
+    export_bits(abs(number), std::back_inserter(limbs), 64);
+    hash_.put(std::int64_t{number < 0});
+    hash_.put(std::uint64_t{limbs.size()});
+    for (const std::uint64_t limb : limbs) hash_.put(limb);
+  };
+  for (const auto* list : {&points.vertices, &points.bends}) {
+    for (const BigPoint& p : *list) {
+      put_number(p.x);
+      put_number(p.y);
+      put_number(p.z);
+    }
+  }
 }
 
 void DrawingHash::put(Point p) {
@@ -139,6 +160,7 @@ Drawing with_stored_bends(const Drawing& drawing) {
                  std::move(bends));
   result.counters = drawing.counters;
   result.instance_bound = drawing.instance_bound;
+  result.real = drawing.real;
   return result;
 }
 

@@ -17,6 +17,8 @@
 
 namespace ar3d {
 
+struct RealPoints;  // model/real_points.h
+
 /// Vertex positions in the narrowest integer that the caller's bound proves wide enough: 12 or 24
 /// bytes per point.
 class Coordinates {
@@ -85,7 +87,7 @@ struct Counter {
   friend bool operator==(const Counter&, const Counter&) = default;
 };
 
-/// A polyline drawing on integer points with a rational Gram matrix. Immutable but for the two
+/// A polyline drawing on integer points with a rational Gram matrix. Immutable but for its
 /// annotations.
 class Drawing {
  public:
@@ -113,6 +115,8 @@ class Drawing {
   /// instance.
   std::vector<Counter> counters;
   std::optional<std::array<std::int64_t, 3>> instance_bound;  // extents
+  /// The exact points of a drawing made in a real type (see real_drawing()); else null.
+  std::shared_ptr<const RealPoints> real;
 
  private:
   void polyline_between(EdgeId e, Edge ends, Point at_u, Point at_v, std::vector<Point>& out) const;
@@ -189,6 +193,7 @@ class DrawingHash {
 
  private:
   void put(Point p);
+  void put(const RealPoints& points);
   HashStream hash_;
 };
 

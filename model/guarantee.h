@@ -62,9 +62,17 @@ enum class AngleRule {
              ///< = -1/2)
 };
 
+/// What a drawing is held to.
+enum class Claim {
+  proved,    ///< every drawing keeps the whole guarantee: one that does not is violated
+  measured,  ///< angles and crossings hold in exact arithmetic only: drawings are made in real
+             ///< types, which round, and what they miss is measured; no box is promised
+};
+
 /// What a theorem promises about every drawing; plain data that tests, study, verifier and report
 /// read.
 struct Guarantee {
+  Claim claim = Claim::proved;
   std::uint32_t max_degree = 0;  ///< inputs of larger degree are refused
   std::uint32_t max_bends = 0;   ///< per edge
   AngleRule angle_rule = AngleRule::exactly;
@@ -72,7 +80,7 @@ struct Guarantee {
   Lattice lattice;
   std::vector<Vector> directions;    ///< allowed segment directions up to sign; empty: any
   bool vertices_in_plane = false;    ///< all vertices have z = 0
-  SizeBound bound;                   ///< holds for every input
+  SizeBound bound;                   ///< holds for every input; all zero if none is promised
   std::vector<SizeBound> published;  ///< bounds of others, for comparison only
 };
 

@@ -8,7 +8,9 @@
 
 namespace ar3d {
 
-using BigInteger = boost::multiprecision::cpp_int;
+using BigInteger =
+    boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
+                                  boost::multiprecision::et_off>;
 
 struct BigPoint {
   BigInteger x;

@@ -194,6 +194,12 @@ void add_results(std::vector<Column>& c) {
       number({"violations", "1",
               "violations of the guarantee that the certificate lists; 0 is proved right", kind},
              &RunRecord::violations));
+  c.push_back(
+      text({"certificate", "",
+            "how the drawing was judged: empty for exact (nothing but that is a proof), measured "
+            "for a drawing in a real type",
+            kind},
+           &RunRecord::certificate, 16));
   add_array(c,
             {"instance_bound", "lattice units",
              "extent that the proof promises for this very instance", kind},

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "ar3d/model/error.h"
+#include "ar3d/verify/assessment/examine_real.h"
 #include "ar3d/verify/checks.h"
 #include "ar3d/verify/contacts.h"
 #include "ar3d/verify/counting/column_proof.h"
@@ -144,6 +145,7 @@ Certificate certify(const Graph& graph, const Drawing& drawing, const Guarantee&
 
 Examination examine(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
                     const ExaminationParts& parts, const CertifyOptions& options) {
+  if (drawing.real) return verify::examine_real(graph, drawing, guarantee, parts, options);
   Examination result;
   verify::SummaryPass summary(drawing, parts.metrics);
   std::optional<DrawingHash> hash;

@@ -54,13 +54,18 @@ struct CertifyOptions {
 
 /// The verdict on one drawing: proved right iff valid().
 struct Certificate {
+  /// The drawing was made in a real type and is not held to its angles, crossings and box: what it
+  /// misses is measured (RealAssessment). Never valid.
+  bool measured = false;
   std::vector<Violation> violations;
   bool complete = false;  ///< false until judged, when max_violations cut the list, or a coordinate
                           ///< is out of range
   Box box;                ///< of all vertices and bends; the origin if a coordinate is out of range
   std::vector<std::uint64_t> bend_histogram;  ///< entry b: number of edges with b bends
   std::uint64_t segments = 0;
-  bool valid() const { return complete && violations.empty(); }
+  bool valid() const { return complete && violations.empty() && !measured; }
+  /// Proved wrong, or not judged to the end.
+  bool violated() const { return !complete || !violations.empty(); }
 };
 
 /// Proves in exact integers that `drawing` is a drawing of `graph` that keeps `guarantee`, or says

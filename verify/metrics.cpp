@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "ar3d/verify/assessment/examine_real.h"
 #include "ar3d/verify/summary_pass.h"
 
 namespace ar3d {
@@ -45,34 +46,81 @@ MetricValue number(Summary summary) {
   return summary.*member;
 }
 
+/// Of drawings in real types only.
+template <double RealAssessment::*member>
+MetricValue real_number(Summary summary) {
+  return summary.real ? MetricValue((*summary.real).*member) : DrawingSummary::kNone;
+}
+
+template <std::uint64_t RealAssessment::*member>
+MetricValue real_count(Summary summary) {
+  return summary.real ? static_cast<std::int64_t>((*summary.real).*member) : std::int64_t{-1};
+}
+
+MetricValue root_mean_square_miss(Summary summary) {
+  if (!summary.real) return DrawingSummary::kNone;
+  return std::sqrt(summary.real->mean_square_miss);
+}
+
+template <std::size_t limit>
+MetricValue share_within(Summary summary) {
+  if (!summary.real || summary.real->angles == 0) return DrawingSummary::kNone;
+  return static_cast<double>(summary.real->within[limit]) /
+         static_cast<double>(summary.real->angles);
+}
+
 constexpr const char* kLengthUnit = "length in the lattice's metric";
 
 std::vector<Metric> make_metrics() {
   constexpr auto int64 = MetricType::int64;
   constexpr auto float64 = MetricType::float64;
-  return {{"extent_x", "lattice units", "largest minus smallest x of all vertices and bends", int64,
-           extent<0>},
-          {"extent_y", "lattice units", "largest minus smallest y of all vertices and bends", int64,
-           extent<1>},
-          {"extent_z", "lattice units", "largest minus smallest z of all vertices and bends", int64,
-           extent<2>},
-          {"log2_volume", "log2 of cubic lattice units",
-           "sum of log2(extent + 1) over the three axes", float64, log2_volume},
-          {"bends_0", "edges", "edges without bends", int64, edges_with<0>},
-          {"bends_1", "edges", "edges with one bend", int64, edges_with<1>},
-          {"bends_2", "edges", "edges with two bends", int64, edges_with<2>},
-          {"bends_3", "edges", "edges with three bends", int64, edges_with<3>},
-          {"bends_4", "edges", "edges with four bends", int64, edges_with<4>},
-          {"bends_5", "edges", "edges with five bends", int64, edges_with<5>},
-          {"bends_6", "edges", "edges with six bends", int64, edges_with<6>},
-          {"bends_7", "edges", "edges with seven or more bends", int64, edges_with_at_least<7>},
-          {"total_edge_length", kLengthUnit, "sum of the lengths of all edges", float64,
-           number<&DrawingSummary::total_edge_length>},
-          {"longest_edge_length", kLengthUnit, "length of the longest edge", float64,
-           number<&DrawingSummary::longest_edge_length>},
-          {"smallest_vertex_distance", kLengthUnit,
-           "distance of the closest pair of vertices; missing if n < 2", float64,
-           number<&DrawingSummary::smallest_vertex_distance>}};
+  return {
+      {"extent_x", "lattice units", "largest minus smallest x of all vertices and bends", int64,
+       extent<0>},
+      {"extent_y", "lattice units", "largest minus smallest y of all vertices and bends", int64,
+       extent<1>},
+      {"extent_z", "lattice units", "largest minus smallest z of all vertices and bends", int64,
+       extent<2>},
+      {"log2_volume", "log2 of cubic lattice units", "sum of log2(extent + 1) over the three axes",
+       float64, log2_volume},
+      {"bends_0", "edges", "edges without bends", int64, edges_with<0>},
+      {"bends_1", "edges", "edges with one bend", int64, edges_with<1>},
+      {"bends_2", "edges", "edges with two bends", int64, edges_with<2>},
+      {"bends_3", "edges", "edges with three bends", int64, edges_with<3>},
+      {"bends_4", "edges", "edges with four bends", int64, edges_with<4>},
+      {"bends_5", "edges", "edges with five bends", int64, edges_with<5>},
+      {"bends_6", "edges", "edges with six bends", int64, edges_with<6>},
+      {"bends_7", "edges", "edges with seven or more bends", int64, edges_with_at_least<7>},
+      {"total_edge_length", kLengthUnit, "sum of the lengths of all edges", float64,
+       number<&DrawingSummary::total_edge_length>},
+      {"longest_edge_length", kLengthUnit, "length of the longest edge", float64,
+       number<&DrawingSummary::longest_edge_length>},
+      {"smallest_vertex_distance", kLengthUnit,
+       "distance of the closest pair of vertices; missing if n < 2", float64,
+       number<&DrawingSummary::smallest_vertex_distance>},
+      {"angle_miss", "degrees",
+       "in a real type: largest miss of an angle (120 degrees at vertices of degree 3, at least "
+       "that elsewhere), exact inner products rounded once",
+       float64, real_number<&RealAssessment::largest_miss>},
+      {"angle_miss_rms", "degrees", "in a real type: root of the mean square of these misses",
+       float64, root_mean_square_miss},
+      {"within_1e_12", "1", "in a real type: share of angles that miss by at most 1e-12 degrees",
+       float64, share_within<0>},
+      {"within_1e_9", "1", "in a real type: share of angles that miss by at most 1e-9 degrees",
+       float64, share_within<1>},
+      {"within_1e_6", "1", "in a real type: share of angles that miss by at most 1e-6 degrees",
+       float64, share_within<2>},
+      {"within_1e_3", "1", "in a real type: share of angles that miss by at most 1e-3 degrees",
+       float64, share_within<3>},
+      {"collapsed_segments", "segments", "in a real type: segments of length zero", int64,
+       real_count<&RealAssessment::collapsed>},
+      {"crossings", "pairs of segments",
+       "in a real type: pairs of segments with a common point that they should not have", int64,
+       real_count<&RealAssessment::crossings>},
+      {"condition", "1",
+       "in a real type: largest sum over the two sides of an angle of largest coordinate / "
+       "length; its log2 is the number of bits that angles lose",
+       float64, real_number<&RealAssessment::condition>}};
 }
 
 }  // namespace
@@ -90,6 +138,7 @@ std::vector<MetricValue> metric_values(const DrawingSummary& summary) {
 }
 
 DrawingSummary measure(const Drawing& drawing) {
+  if (drawing.real) return verify::measure_real(drawing);
   verify::SummaryPass pass(drawing, true);
   for_each_polyline(drawing, [&](EdgeId, const std::vector<Point>& points) { pass.add(points); });
   return pass.finish();

@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "ar3d/model/drawing.h"
+#include "ar3d/verify/assessment/real_assessment.h"
 
 namespace ar3d {
 
@@ -23,6 +25,8 @@ struct DrawingSummary {
   double total_edge_length = kNone;           ///< in the lattice's metric, as all lengths here
   double longest_edge_length = kNone;
   double smallest_vertex_distance = kNone;
+  /// Of a drawing in a real type, found without tolerance; nothing for other drawings.
+  std::shared_ptr<const RealAssessment> real;
 };
 
 /// A metric's value. What does not exist (the distance of fewer than two vertices, the size of a

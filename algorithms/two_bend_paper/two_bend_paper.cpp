@@ -1,6 +1,9 @@
 // Theorem 2 as the paper's Section 3 builds it: Steps P.1 to P.12 of docs/theorem2-paper.md.
 #include "ar3d/algorithms/two_bend_paper/two_bend_paper.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -12,6 +15,7 @@
 #include "ar3d/algorithms/two_bend_paper/placement.h"
 #include "ar3d/algorithms/two_bend_paper/stacking.h"
 #include "ar3d/model/error.h"
+#include "ar3d/model/real_drawing.h"
 
 namespace ar3d::two_bend_paper {
 namespace {
@@ -55,8 +59,7 @@ Choices choose(const Graph& graph) {
 }
 
 template <class T>
-RealPoints draw_in(const Graph& graph, RealType type) {
-  const Choices choices = choose(graph);
+RealPoints draw_in(const Graph& graph, const Choices& choices, RealType type) {
   Points<T> points = stack<T>(choices.graph, choices.components, graph.num_edges());
   Expansion<T>(choices.graph, points).run(choices.rooms);
   RealPointsBuilder builder(to_string(type));
@@ -87,21 +90,97 @@ const char* to_string(RealType type) {
   throw InternalError("internal error: no such real type");
 }
 
-RealPoints draw_real(const Graph& graph, RealType type) {
-  refuse_larger_degrees("two-bend-paper", graph, 3);
+namespace {
+
+RealPoints draw_chosen(const Graph& graph, const Choices& choices, RealType type) {
   switch (type) {
     case RealType::single_precision:
-      return draw_in<float>(graph, type);
+      return draw_in<float>(graph, choices, type);
     case RealType::double_precision:
-      return draw_in<double>(graph, type);
+      return draw_in<double>(graph, choices, type);
     case RealType::extended_precision:
-      return draw_in<long double>(graph, type);
+      return draw_in<long double>(graph, choices, type);
     case RealType::binary128:
-      return draw_in<Binary128>(graph, type);
+      return draw_in<Binary128>(graph, choices, type);
     case RealType::reference:
-      return draw_in<Reference>(graph, type);
+      return draw_in<Reference>(graph, choices, type);
   }
   throw InternalError("internal error: no such real type");
+}
+
+/// How many figures are inside one another.
+std::int64_t deepest_nest(const ContractedGraph& graph) {
+  const Node inputs = graph.num_nodes() - static_cast<Node>(graph.contractions.size());
+  std::vector<std::int64_t> depth(graph.num_nodes());
+  std::int64_t deepest = 0;
+  for (const Contraction& step : graph.contractions) {
+    std::int64_t inner = 0;
+    for (std::size_t m = 0; m < step.num_members; ++m) {
+      if (step.members[m] >= inputs) inner = std::max(inner, depth[step.members[m]]);
+    }
+    depth[step.result] = inner + 1;
+    deepest = std::max(deepest, inner + 1);
+  }
+  return deepest;
+}
+
+std::vector<Counter> counters_of(const Choices& choices) {
+  std::int64_t cycles = 0, triskelions = 0, k4s = 0;
+  for (const PlacedComponent& placed : choices.components) {
+    k4s += placed.component.k4 ? 1 : 0;
+    for (const Step& step : placed.component.steps) {
+      cycles += step.kind == StepKind::cycle ? 1 : 0;
+      triskelions += step.kind == StepKind::triskelion ? 1 : 0;
+    }
+  }
+  return {{"components", static_cast<std::int64_t>(choices.components.size())},
+          {"k4s", k4s},
+          {"cycles", cycles},
+          {"triskelions", triskelions},
+          {"contractions", static_cast<std::int64_t>(choices.graph.contractions.size())},
+          {"levels", deepest_nest(choices.graph)}};
+}
+
+}  // namespace
+
+RealPoints draw_real(const Graph& graph, RealType type) {
+  refuse_larger_degrees("two-bend-paper", graph, 3);
+  return draw_chosen(graph, choose(graph), type);
+}
+
+Drawing draw(const Graph& graph, const Options& options) {
+  refuse_larger_degrees("two-bend-paper", graph, 3);
+  const Choices choices = choose(graph);
+  Drawing drawing = real_drawing("two-bend-paper", graph.shared_edges(),
+                                 draw_chosen(graph, choices, options.type));
+  drawing.counters = counters_of(choices);
+  return drawing;
+}
+
+Algorithm row() {
+  Guarantee guarantee;
+  guarantee.claim = Claim::measured;
+  guarantee.max_degree = 3;
+  guarantee.max_bends = 2;
+  guarantee.angle_rule = AngleRule::at_least;
+  guarantee.cosine = {-1, 2};
+  guarantee.lattice = kCubeLattice;
+  guarantee.bound = {"none", "docs/theorem2-paper.md", {linear(0), linear(0), linear(0)}};
+  return {
+      "two-bend-paper",
+      "Section 3 as the paper builds it, in real arithmetic: what rounding makes of it is measured",
+      "Theorem 2",
+      guarantee,
+      {{"type", 0, kRealTypes - 1, static_cast<std::int64_t>(RealType::double_precision),
+        "0: float; 1: double; 2: long double; 3: binary128; 4: reference, 237 bits"}},
+      [](const Graph& graph, const Settings& values) {
+        const std::int64_t type = value_of(values, "type");
+        if (type < 0 || type >= kRealTypes) {
+          throw InputError(fmt::format("two-bend-paper has no type {}, its types are 0 to {}", type,
+                                       kRealTypes - 1));
+        }
+        return draw(graph, {static_cast<RealType>(type)});
+      }};
 }
 
 }  // namespace ar3d::two_bend_paper

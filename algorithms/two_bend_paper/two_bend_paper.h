@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "ar3d/algorithms/catalog.h"
 #include "ar3d/model/graph.h"
 #include "ar3d/model/real_points.h"
 
@@ -32,5 +33,15 @@ const char* to_string(RealType type);
 /// Cost: O(n m) at worst for each cycle, O(N^2 log N) in all for N rays, O(k m) for k contracted
 /// vertices that are left. Differs from the paper: docs/theorem2-paper.md lists every repair.
 RealPoints draw_real(const Graph& graph, RealType type);
+
+struct Options {
+  RealType type = RealType::double_precision;
+};
+
+/// draw_real() as a drawing: exact points in Drawing::real, a picture of them in integers.
+Drawing draw(const Graph& graph, const Options& options = {});
+
+/// The catalogue row `two-bend-paper`, with the option `type`.
+Algorithm row();
 
 }  // namespace ar3d::two_bend_paper

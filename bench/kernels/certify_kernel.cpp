@@ -93,7 +93,8 @@ void closest_kernel(benchmark::State& state, const Algorithm& algorithm) {
 }
 
 const bool kRegistered = [] {
-  for (const Algorithm& algorithm : algorithms()) {
+  for (const Algorithm* row : proved_algorithms()) {
+    const Algorithm& algorithm = *row;
     const auto add = [&](const char* what, auto kernel) {
       benchmark::RegisterBenchmark(
           (what + algorithm.name).c_str(),

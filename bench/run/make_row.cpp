@@ -30,8 +30,9 @@ std::string counters_text(const std::vector<Counter>& counters) {
 
 void record_verdict(RunRecord& run, const Certificate& certificate) {
   run.violations = static_cast<std::int64_t>(certificate.violations.size());
-  run.status = certificate.valid() ? RunStatus::ok : RunStatus::violated;
-  if (!certificate.valid()) run.message = certificate.violations.front().message;
+  if (certificate.measured) run.certificate = "measured";
+  run.status = certificate.violated() ? RunStatus::violated : RunStatus::ok;
+  if (certificate.violated()) run.message = certificate.violations.front().message;
 }
 
 void record_bounds(RunRecord& run, const Guarantee& guarantee) {

@@ -15,6 +15,9 @@ std::array<double, 3> bound_of(const Subject& subject, const RatioRule& rule, co
   std::array<double, 3> bound{};
   if (graph.num_vertices() == 0) return bound;
   const Algorithm& algorithm = *subject.choice.algorithm;
+  if (algorithm.guarantee.claim == Claim::measured) {
+    throw InputError(fmt::format("{} promises no box to search against", algorithm.name));
+  }
   if (rule.against == Against::instance && !drawing.instance_bound) {
     throw InputError(fmt::format("{} states no bound for the instance", algorithm.name));
   }
@@ -63,7 +66,7 @@ Trial try_graph(const Subject& subject, const RatioRule& rule, Graph graph) {
     trial.ratio = ratio_of(trial, rule.measure);
     const Certificate certificate =
         certify(trial.graph, drawing, subject.choice.algorithm->guarantee);
-    if (!certificate.valid()) {
+    if (certificate.violated()) {
       const Violation& first = certificate.violations.front();
       trial.failure = to_string(first.kind);
       trial.message = first.message;

@@ -68,6 +68,7 @@ class SpecReader {
       spec.timing = read_timing_rules(file_, *rules);
     }
     if (const toml::node* budget = table.find("budget")) spec.budget = read_budget(file_, *budget);
+    spec.accept_unproved = table.boolean("accept_unproved", false);
     for (const toml::node* sweep : list(table.get("sweep"), "sweep")) {
       spec.sweeps.push_back(read_sweep(*sweep));
     }
@@ -187,8 +188,8 @@ class SpecReader {
       std::vector<SettingChoices> settings;
       const std::string name = name_and_settings(*entry, "algorithm", settings);
       if (name == "all" && settings.empty()) {
-        for (const Algorithm& algorithm : algorithms()) {
-          choices.push_back({&algorithm, complete_options(algorithm, {})});
+        for (const Algorithm* algorithm : proved_algorithms()) {
+          choices.push_back({algorithm, complete_options(*algorithm, {})});
         }
         continue;
       }

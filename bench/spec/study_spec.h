@@ -74,7 +74,8 @@ struct StudySpec {
   std::map<std::string, std::uint64_t> max_n;  ///< algorithm -> largest n it is given
   TimingRules timing;
   Budget budget;
-  std::string text;    ///< the verbatim TOML
+  bool accept_unproved = false;  ///< its verdict passes with rows that are not proved exactly
+  std::string text;              ///< the verbatim TOML
   std::string folder;  ///< that the files of `graphs` are looked for in; empty: the current one
   /// Given: the files that the study began with, in order; the patterns of `graphs` say no more.
   std::optional<std::vector<GraphFileRecord>> graph_files;

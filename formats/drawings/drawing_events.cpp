@@ -6,11 +6,16 @@
 #include <limits>
 #include <utility>
 
+#include "ar3d/model/real_drawing.h"
+
 namespace ar3d {
 namespace {
 
-constexpr const char* kKeyNames[] = {"",         "n",     "algorithm", "gram", "gram_denominator",
-                                     "vertices", "edges", "error"};
+constexpr const char* kKeyNames[] = {
+    "",         "n",     "algorithm", "gram",      "gram_denominator",
+    "vertices", "edges", "error",     "real_type", "unit_exponent"};
+constexpr std::size_t kLongestNumber = 1000;  // characters of a coordinate in a real type
+constexpr std::int64_t kLargestExponent = 4000;
 constexpr std::uint64_t kMaxVertices = std::numeric_limits<Vertex>::max() - 1;
 
 }  // namespace
@@ -47,8 +52,14 @@ bool DrawingEvents::number_integer(std::int64_t value) {
       fail(fmt::format("{} is not in 1..2^31-1", value));
     }
     lattice_.gram_denominator = static_cast<std::int32_t>(value);
+  } else if (key_ == Key::unit_exponent && depth == 0) {
+    if (value < -kLargestExponent || value > kLargestExponent) {
+      fail(fmt::format("{} is not in {}..{}", value, -kLargestExponent, kLargestExponent));
+    }
+    real_.unit_exponent = static_cast<int>(value);
   } else if (is_point(depth)) {
     if (items_.back() >= 3) fail(fmt::format("unexpected fourth number {}", value));
+    if (key_ != Key::gram) has_integers_ = true;
     if (value < -kMaxCoordinate || value > kMaxCoordinate) {
       fail(fmt::format("coordinate {} is out of range, the limit is {}", value, kMaxCoordinate));
     }
@@ -80,10 +91,29 @@ bool DrawingEvents::string(std::string& value) {
     algorithm_ = std::move(value);
   } else if (key_ == Key::error && items_.empty()) {
     error_ = std::move(value);
+  } else if (key_ == Key::real_type && items_.empty()) {
+    real_.type = std::move(value);
+  } else if (is_point(items_.size()) && key_ != Key::gram) {
+    take_real_number(value);
   } else {
     fail(fmt::format("unexpected text {}", shown(value)));
   }
   return true;
+}
+
+void DrawingEvents::take_real_number(const std::string& text) {
+  if (items_.back() >= 3) fail(fmt::format("unexpected fourth number {}", shown(text)));
+  const std::size_t digits = text.starts_with('-') ? 1 : 0;
+  if (text.size() == digits || text.find_first_not_of("0123456789", digits) != std::string::npos) {
+    fail(fmt::format("{} is no decimal integer", shown(text)));
+  }
+  if (text.size() > kLongestNumber) {
+    fail(fmt::format("{} has more than {} characters", shown(text), kLongestNumber));
+  }
+  has_texts_ = true;
+  BigInteger value = 0;  // read by hand: leading zeros would mean octal
+  for (std::size_t i = digits; i < text.size(); ++i) value = value * 10 + (text[i] - '0');
+  real_numbers_[items_.back()++] = digits == 0 ? value : BigInteger(-value);
 }
 
 bool DrawingEvents::null() { fail("unexpected null"); }
@@ -140,6 +170,11 @@ bool DrawingEvents::end_array() {
 void DrawingEvents::end_point() {
   if (items_.back() != 3) fail_list(fmt::format("{} numbers instead of 3", items_.back()));
   const Point p{numbers_[0], numbers_[1], numbers_[2]};
+  if (has_texts_ && key_ != Key::gram) {
+    auto& list = key_ == Key::edges ? real_.bends : real_.vertices;
+    list.push_back({real_numbers_[0], real_numbers_[1], real_numbers_[2]});
+    return;
+  }
   if (key_ == Key::edges) {
     edge_bends_.push_back(p);
   } else if (key_ == Key::vertices) {
@@ -161,6 +196,7 @@ void DrawingEvents::end_point() {
 void DrawingEvents::end_edge() {
   if (items_.back() != 3) fail_list("an edge is [u, v, [bends]]");
   edges_->push_back(ends_);
+  real_.offsets.push_back(real_.bends.size());
   bends_->add_edge(edge_bends_);
   edge_bends_.clear();
 }
@@ -175,12 +211,31 @@ bool DrawingEvents::parse_error(std::size_t at, const std::string&,
   throw SyntaxError(at, reason);
 }
 
-Drawing DrawingEvents::finish_drawing() {
-  for (const Key key :
-       {Key::algorithm, Key::gram, Key::gram_denominator, Key::vertices, Key::edges}) {
+void DrawingEvents::refuse_missing(std::initializer_list<Key> keys) const {
+  for (const Key key : keys) {
     const int index = static_cast<int>(key);
     if (!seen_[index]) throw InputError(fmt::format("key '{}' is missing", kKeyNames[index]));
   }
+}
+
+Drawing DrawingEvents::finish_real_drawing() {
+  refuse_missing({Key::algorithm, Key::real_type, Key::unit_exponent, Key::vertices, Key::edges});
+  if (seen_[static_cast<int>(Key::gram)] || seen_[static_cast<int>(Key::gram_denominator)]) {
+    throw InputError("a drawing in a real type has no 'gram' and no 'gram_denominator'");
+  }
+  if (has_integers_) throw InputError("coordinates in a real type are texts of decimal integers");
+  if (real_.vertices.size() != n_) {
+    throw InputError(fmt::format("n is {}, but there are {} vertices", n_, real_.vertices.size()));
+  }
+  return real_drawing(std::move(algorithm_), std::move(edges_), std::move(real_));
+}
+
+Drawing DrawingEvents::finish_drawing() {
+  if (seen_[static_cast<int>(Key::real_type)] || seen_[static_cast<int>(Key::unit_exponent)]) {
+    return finish_real_drawing();
+  }
+  refuse_missing({Key::algorithm, Key::gram, Key::gram_denominator, Key::vertices, Key::edges});
+  if (has_texts_) throw InputError("coordinates are integers, but for those in a real type");
   if (vertices_.size() != n_) {
     throw InputError(fmt::format("n is {}, but there are {} vertices", n_, vertices_.size()));
   }

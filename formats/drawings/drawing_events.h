@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/model/error.h"
+#include "ar3d/model/real_points.h"
 
 namespace ar3d {
 
@@ -44,8 +46,19 @@ class DrawingEvents {
                    const nlohmann::json::exception& error);
 
  private:
-  enum class Key { none, n, algorithm, gram, gram_denominator, vertices, edges, error };
-  static constexpr int kKeys = 8;
+  enum class Key {
+    none,
+    n,
+    algorithm,
+    gram,
+    gram_denominator,
+    vertices,
+    edges,
+    error,
+    real_type,
+    unit_exponent
+  };
+  static constexpr int kKeys = 10;
 
   std::string place() const;  // "vertices[5]" for messages
   [[noreturn]] void fail(const std::string& problem) const;
@@ -54,13 +67,20 @@ class DrawingEvents {
   bool is_point(std::size_t depth) const;  // true where [x, y, z] stands at this nesting
   void end_point();
   void end_edge();
+  void take_real_number(const std::string& text);
+  void refuse_missing(std::initializer_list<Key> keys) const;
   Drawing finish_drawing();
+  Drawing finish_real_drawing();
 
   Key key_ = Key::none;
   bool inside_object_ = false;
   bool seen_[kKeys] = {};
   std::vector<std::uint64_t> items_;  // per open array: values so far
   std::int64_t numbers_[3] = {};      // of the open point, or the ends of the open edge
+  BigInteger real_numbers_[3];        // of the open point, in a real type
+  RealPoints real_;                   // of a drawing in a real type
+  bool has_texts_ = false;            // as coordinates
+  bool has_integers_ = false;         // as coordinates
   std::uint64_t n_ = 0;
   std::string algorithm_;
   std::string error_;

@@ -23,7 +23,10 @@ struct UndrawnGraph {
 /// Appends the drawing as one line of JSON:
 ///   {"n":N,"algorithm":"…","gram":[[…],[…],[…]],"gram_denominator":D,
 ///    "vertices":[[x,y,z],…],"edges":[[u,v,[[x,y,z],…]],…]}
-/// with the bends of an edge in order from u to v. Exact: integers only.
+/// with the bends of an edge in order from u to v. Exact: integers only. A drawing in a real type
+/// has instead of gram and gram_denominator
+///   "real_type":"double","unit_exponent":E
+/// and its coordinates are texts of decimal integers of any length, in units of 2^E.
 void append_drawing_line(std::string& out, const Drawing& drawing);
 
 /// Appends {"n":N,"error":"…"} as one line.

@@ -1,8 +1,10 @@
 #include <nlohmann/json.hpp>
+#include <utility>
 #include <vector>
 
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/formats/text/numbers_text.h"
+#include "ar3d/model/real_points.h"
 
 namespace ar3d {
 namespace {
@@ -19,6 +21,44 @@ void append_point(std::string& out, Point p) {
   out += ',';
   append_number(out, p.z);
   out += ']';
+}
+
+void append_big_point(std::string& out, const BigPoint& p) {
+  out += "[\"" + p.x.str() + "\",\"" + p.y.str() + "\",\"" + p.z.str() + "\"]";
+}
+
+/// The line of a drawing in a real type.
+template <class Flush>
+void append_real_line(std::string& out, const Drawing& drawing, Flush flush) {
+  const RealPoints& points = *drawing.real;
+  out += "{\"n\":";
+  append_number(out, drawing.num_vertices());
+  out += ",\"algorithm\":" + json_string(drawing.algorithm());
+  out += ",\"real_type\":" + json_string(points.type) + ",\"unit_exponent\":";
+  append_number(out, points.unit_exponent);
+  out += ",\"vertices\":[";
+  for (std::size_t v = 0; v < points.vertices.size(); ++v) {
+    if (v > 0) out += ',';
+    append_big_point(out, points.vertices[v]);
+    flush();
+  }
+  out += "],\"edges\":[";
+  for (EdgeId e = 0; e < drawing.num_edges(); ++e) {
+    if (e > 0) out += ',';
+    out += '[';
+    append_number(out, drawing.edge(e).u);
+    out += ',';
+    append_number(out, drawing.edge(e).v);
+    out += ",[";
+    bool is_first = true;
+    for (const BigPoint& bend : points.bends_of(e)) {
+      if (!std::exchange(is_first, false)) out += ',';
+      append_big_point(out, bend);
+    }
+    out += "]]";
+    flush();
+  }
+  out += "]}\n";
 }
 
 void append_head(std::string& out, const Drawing& drawing) {
@@ -50,6 +90,7 @@ void append_edge(std::string& out, Edge ends, const std::vector<Point>& polyline
 /// Appends the line; `flush` is called after every vertex and edge and may empty the text.
 template <class Flush>
 void append_line(std::string& out, const Drawing& drawing, Flush flush) {
+  if (drawing.real) return append_real_line(out, drawing, flush);
   append_head(out, drawing);
   out += ",\"vertices\":[";
   for (std::size_t v = 0; v < drawing.num_vertices(); ++v) {

@@ -15,6 +15,7 @@
 #include "ar3d/generators/catalog.h"
 #include "ar3d/model/error.h"
 #include "ar3d/verify/assessment/real_segments.h"
+#include "ar3d/verify/examination.h"
 
 namespace ar3d {
 namespace {
@@ -164,6 +165,48 @@ TEST(TwoBendPaper, ArithmeticRoundsOncePerOperation) {
 
 TEST(TwoBendPaper, RefusesLargerDegrees) {
   EXPECT_THROW(draw_real(testing::complete(5), RealType::reference), InputError);
+}
+
+TEST(TwoBendPaper, TheCatalogueRowIsMeasuredAndNeverProved) {
+  const Algorithm& row = find_algorithm("two-bend-paper");
+  EXPECT_EQ(row.guarantee.claim, Claim::measured);
+  for (const Algorithm* proved : proved_algorithms()) EXPECT_NE(proved->name, row.name);
+  const Graph graph = made("random-cubic", 30);
+  const Drawing drawing = draw(row, graph);
+  ASSERT_NE(drawing.real, nullptr);
+  EXPECT_EQ(drawing.real->type, "double");
+  const Examination found = examine(graph, drawing, row.guarantee);
+  EXPECT_TRUE(found.certificate.measured);
+  EXPECT_FALSE(found.certificate.valid());
+  EXPECT_FALSE(found.certificate.violated());
+  ASSERT_NE(found.summary.real, nullptr);
+  EXPECT_EQ(found.summary.real->crossings, 0u);
+  EXPECT_LT(found.summary.real->largest_miss, 1e-9);
+  EXPECT_EQ(found.drawing_hash, drawing_hash(drawing));
+  EXPECT_NE(found.drawing_hash, drawing_hash(draw(row, graph, {{"type", 0}})));
+  EXPECT_EQ(measure(drawing).total_edge_length, found.summary.total_edge_length);
+  EXPECT_THROW(draw(row, graph, {{"type", 5}}), InputError);
+  EXPECT_THROW(row.draw(graph, {{"type", -1}}), InputError);
+  EXPECT_TRUE(examine(graph, drawing, find_algorithm("two-bend").guarantee).certificate.violated())
+      << "points of a real type do not keep the guarantee of a lattice";
+}
+
+TEST(TwoBendPaper, TheBoxIsRoundedOutwardsAndThePictureFollowsThePoints) {
+  const Graph graph = made("random-cubic", 30);
+  const Drawing drawing = draw(find_algorithm("two-bend-paper"), graph);
+  const Box box = measure(drawing).box;
+  const int unit = drawing.real->unit_exponent;
+  double low = 0, high = 0;
+  for (const BigPoint& p : drawing.real->vertices) {
+    low = std::min(low, coordinate(p.z, unit));
+    high = std::max(high, coordinate(p.z, unit));
+  }
+  EXPECT_LE(static_cast<double>(box.low.z), low);
+  EXPECT_GE(static_cast<double>(box.high.z), high);
+  EXPECT_EQ(drawing.num_vertices(), 30u);
+  const double scale =
+      static_cast<double>(drawing.vertex(7).z) / coordinate(drawing.real->vertices[7].z, unit);
+  EXPECT_NEAR(std::log2(scale), std::round(std::log2(scale)), 1e-6) << "a power of two";
 }
 
 TEST(TwoBendPaperContraction, LeavesNoTriangleOutsideK4) {

@@ -88,7 +88,7 @@ class MadeRows {
 TEST(Tally, KeepsASampleOfVeryManyGraphsAndCountsAll) {
   const std::size_t count = 30000;
   const MadeRows rows(count);
-  const Examination examination = examine(rows.view());
+  const CheckedRows examination = examine(rows.view());
   EXPECT_EQ(examination.verdict.exit_code(), 0);
   const StudyTally tally = tally_of(rows.view(), examination.is_last_repetition);
   EXPECT_EQ(tally.kept_graphs, 4096u);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "ar3d/model/error.h"
+#include "ar3d/model/real_points.h"
 #include "ar3d/verify/assessment/real_segments.h"
 
 namespace ar3d {

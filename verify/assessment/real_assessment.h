@@ -2,14 +2,13 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
-#include <span>
 #include <vector>
 
 #include "ar3d/model/graph.h"
-#include "ar3d/model/real_points.h"
 
 namespace ar3d {
+
+struct RealPoints;  // model/real_points.h
 
 /// What a drawing in a real type misses, found without tolerance: its points are dyadic rationals,
 /// every inner product and every decision is exact, and each miss is rounded once, at the end.

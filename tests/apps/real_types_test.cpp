@@ -1,0 +1,129 @@
+// two-bend-paper through the program: draw, verify, study, replay, check, report.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "support/program.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing::Outcome;
+using testing::run;
+using testing::ScratchDirectory;
+
+const std::string kProgram = AR3D_PROGRAM;
+
+TEST(RealTypes, DrawnExactlyAndJudgedWithoutTolerance) {
+  const ScratchDirectory scratch;
+  const std::string file = scratch.path("d.jsonl");
+  for (const int type : {0, 1, 2, 3, 4}) {
+    const Outcome drawn = run(
+        kProgram + " generate random-cubic -n 20 | " + kProgram +
+        " draw - --algorithm two-bend-paper --set type=" + std::to_string(type) + " -o " + file);
+    ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+    const Outcome judged = run(kProgram + " verify " + file);
+    EXPECT_EQ(judged.exit_code, 5) << "a measured drawing is not proved";
+    EXPECT_THAT(judged.out, HasSubstr("0 certified, 0 violated, 0 not drawn, 1 measured"));
+    EXPECT_THAT(judged.out, HasSubstr("0 crossings, 0 collapsed segments"));
+  }
+  EXPECT_THAT(run(kProgram + " verify " + file).out, HasSubstr("in reference: "));
+}
+
+TEST(RealTypes, ADamagedLineIsMeasuredOrViolated) {
+  const std::string line =
+      R"({"n":2,"algorithm":"two-bend-paper","real_type":"float","unit_exponent":-1,)"
+      R"("vertices":[["0","0","0"],["-6","0","0"]],"edges":[[0,1,[BENDS]]]})";
+  const auto judged = [&](const std::string& bends) {
+    std::string text = line;
+    text.replace(text.find("BENDS"), 5, bends);
+    return run("printf '%s\\n' '" + text + "' | " + kProgram + " verify -");
+  };
+  EXPECT_THAT(judged("").out, HasSubstr("in float: angles miss by at most 0 degrees"));
+  const Outcome right_angle = judged(R"(["0","3","0"])");
+  EXPECT_EQ(right_angle.exit_code, 5);
+  EXPECT_THAT(right_angle.out, HasSubstr("angles miss by at most 56.5651 degrees"));
+  EXPECT_THAT(judged(R"(["0","0","0"])").out, HasSubstr("1 collapsed segments"));
+  const Outcome three = judged(R"(["0","3","0"],["0","9","9"],["7","9","9"])");
+  EXPECT_EQ(three.exit_code, 4);
+  EXPECT_THAT(three.out, HasSubstr("bends: edge 0 has 3 bends, at most 2 are promised"));
+  const Outcome other =
+      run("printf '%s\\n' '" + std::string(line).replace(line.find("BENDS"), 5, "") + "' | " +
+          kProgram + " verify - --algorithm two-bend");
+  EXPECT_EQ(other.exit_code, 4)
+      << "the guarantee of a lattice is not kept by points of a real type";
+}
+
+TEST(RealTypes, HostileLinesAreRefusedByName) {
+  const auto refusal = [&](const std::string& text) {
+    const Outcome outcome = run("printf '%s\\n' '" + text + "' | " + kProgram + " verify -");
+    EXPECT_EQ(outcome.exit_code, 2) << text;
+    return outcome.err;
+  };
+  const std::string head = R"({"n":1,"algorithm":"two-bend-paper","real_type":"float",)";
+  const auto with = [&](const std::string& exponent, const std::string& point) {
+    return head + "\"unit_exponent\":" + exponent + ",\"vertices\":[[" + point + "]],\"edges\":[]}";
+  };
+  EXPECT_THAT(refusal(with("5000", R"("0","0","0")")), HasSubstr("5000 is not in -4000..4000"));
+  EXPECT_THAT(refusal(with("0", R"("0","0x1","0")")), HasSubstr("is no decimal integer"));
+  EXPECT_THAT(refusal(with("0", R"("0","nan","0")")), HasSubstr("is no decimal integer"));
+  EXPECT_THAT(refusal(with("0", R"("0","-","0")")), HasSubstr("is no decimal integer"));
+  EXPECT_THAT(refusal(with("0", "0,0,0")), HasSubstr("are texts of decimal integers"));
+  EXPECT_THAT(refusal(with("0", R"("0","0")")), HasSubstr("2 numbers instead of 3"));
+  EXPECT_THAT(refusal(with("0", "\"" + std::string(1001, '7') + "\",\"0\",\"0\"")),
+              HasSubstr("more than 1000 characters"));
+  EXPECT_THAT(refusal(head + R"("vertices":[["0","0","0"]],"edges":[]})"),
+              HasSubstr("key 'unit_exponent' is missing"));
+  EXPECT_THAT(refusal(R"({"n":1,"algorithm":"grid","gram":[[1,0,0],[0,1,0],[0,0,1]],)"
+                      R"("gram_denominator":1,"vertices":[["0","0","0"]],"edges":[]})"),
+              HasSubstr("coordinates are integers"));
+}
+
+TEST(RealTypes, RowsSayThatTheyAreMeasuredAndCheckDoesNotPassThemUnasked) {
+  const ScratchDirectory scratch;
+  scratch.write("s.toml",
+                "study = \"real\"\n[[sweep]]\nfamilies = [\"random-cubic\", \"union-k4\"]\n"
+                "sizes = [12, 40]\nalgorithms = [\"two-bend\", { algorithm = "
+                "\"two-bend-paper\", type = [0, 1, 4] }]\n");
+  const std::string results = scratch.path("r.h5");
+  const Outcome study =
+      run(kProgram + " study run " + scratch.path("s.toml") + " -q -o " + results);
+  ASSERT_EQ(study.exit_code, 0) << study.err;
+  const Outcome checked = run(kProgram + " check " + results);
+  EXPECT_EQ(checked.exit_code, 5);
+  EXPECT_THAT(checked.out, HasSubstr("12 not proved"));
+  EXPECT_THAT(checked.out,
+              HasSubstr("16 rows, 4 proved, 0 violated, 0 incomplete, 0 refused, 12 not proved"));
+  const Outcome accepted = run(kProgram + " check --accept-unproved " + results);
+  EXPECT_EQ(accepted.exit_code, 0) << accepted.out;
+  EXPECT_THAT(accepted.out, HasSubstr("12 not proved (accepted)"));
+  for (const char* row : {"0", "1", "2", "3"}) {
+    EXPECT_EQ(run(kProgram + " replay " + results + " " + row).exit_code, 0) << row;
+  }
+  EXPECT_EQ(run(kProgram + " study selfcheck " + results).exit_code, 0);
+  EXPECT_EQ(run(kProgram + " report " + results + " -o " + scratch.path("r.html")).exit_code, 0);
+}
+
+TEST(RealTypes, OutputsThatWouldRoundAreRefusedOrPictures) {
+  const ScratchDirectory scratch;
+  const std::string draw =
+      kProgram + " generate union-k4 -n 8 | " + kProgram + " draw - --algorithm two-bend-paper -o ";
+  const Outcome hdf5 = run(draw + scratch.path("d.h5"));
+  EXPECT_EQ(hdf5.exit_code, 2);
+  EXPECT_THAT(hdf5.err, HasSubstr("is written as jsonl (exact) or svg"));
+  EXPECT_EQ(run(draw + scratch.path("d.svg")).exit_code, 0);
+  EXPECT_EQ(run(kProgram + " hunt --algorithm two-bend-paper -n 20 --evaluations 1").exit_code, 2);
+}
+
+TEST(RealTypes, TheListSaysWhatIsPromised) {
+  const Outcome list = run(kProgram + " list algorithms");
+  EXPECT_THAT(list.out, HasSubstr("two-bend-paper: "));
+  EXPECT_THAT(list.out, HasSubstr("what rounding makes of it is measured; no box"));
+  EXPECT_THAT(list.out, HasSubstr("option type = 0..4 (default 1)"));
+}
+
+}  // namespace
+}  // namespace ar3d
