@@ -84,14 +84,14 @@ TEST(RealTypes, HostileLinesAreRefusedByName) {
 
 TEST(RealTypes, RowsSayThatTheyAreMeasuredAndCheckDoesNotPassThemUnasked) {
   const ScratchDirectory scratch;
-  scratch.write("s.toml",
-                "study = \"real\"\n[[sweep]]\nfamilies = [\"random-cubic\", \"union-k4\"]\n"
-                "sizes = [12, 40]\nalgorithms = [\"two-bend\", { algorithm = "
-                "\"two-bend-paper\", type = [0, 1, 4] }]\n");
+  const std::string spec =
+      "[[sweep]]\nfamilies = [\"random-cubic\", \"union-k4\"]\nsizes = [12, 40]\n"
+      "algorithms = [\"two-bend\", { algorithm = \"two-bend-paper\", type = [0, 1, 4] }]\n";
+  scratch.write("s.toml", "study = \"real\"\n" + spec);
   const std::string results = scratch.path("r.h5");
   const Outcome study =
       run(kProgram + " study run " + scratch.path("s.toml") + " -q -o " + results);
-  ASSERT_EQ(study.exit_code, 0) << study.err;
+  ASSERT_EQ(study.exit_code, 5) << "twelve rows are not proved" << study.err;
   const Outcome checked = run(kProgram + " check " + results);
   EXPECT_EQ(checked.exit_code, 5);
   EXPECT_THAT(checked.out, HasSubstr("12 not proved"));
@@ -100,6 +100,12 @@ TEST(RealTypes, RowsSayThatTheyAreMeasuredAndCheckDoesNotPassThemUnasked) {
   const Outcome accepted = run(kProgram + " check --accept-unproved " + results);
   EXPECT_EQ(accepted.exit_code, 0) << accepted.out;
   EXPECT_THAT(accepted.out, HasSubstr("12 not proved (accepted)"));
+  scratch.write("a.toml", "study = \"real\"\naccept_unproved = true\n" + spec);
+  const Outcome asked =
+      run(kProgram + " study run " + scratch.path("a.toml") + " -q -o " + scratch.path("a.h5"));
+  EXPECT_EQ(asked.exit_code, 0) << asked.err;
+  EXPECT_THAT(asked.out, HasSubstr("12 not proved (accepted)"));
+  EXPECT_EQ(run(kProgram + " check " + scratch.path("a.h5")).exit_code, 0);
   for (const char* row : {"0", "1", "2", "3"}) {
     EXPECT_EQ(run(kProgram + " replay " + results + " " + row).exit_code, 0) << row;
   }

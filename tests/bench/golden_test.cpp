@@ -1,4 +1,5 @@
 // The rows of a study, bit for bit, whatever compiler and machine have made them.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -59,6 +60,11 @@ const char* name_of(ColumnKind kind) {
   return "measured";
 }
 
+/// A column that says something of drawings in real types only; smoke has none.
+bool is_of_real_types(const Column& column) {
+  return column.name == "certificate" || column.meaning.starts_with("in a real type");
+}
+
 TEST(Golden, RowsOfSmoke) {
   std::map<std::string, Digests> bytes;
   std::string record(run_record_size(), '\0');
@@ -66,6 +72,10 @@ TEST(Golden, RowsOfSmoke) {
     store_record(run, record.data());
     for (const Column& column : run_columns()) {
       if (column.kind == ColumnKind::measured) continue;
+      if (is_of_real_types(column)) {
+        EXPECT_THAT(column_text(column, run), ::testing::AnyOf("", "-1", "nan")) << column.name;
+        continue;
+      }
       bytes[name_of(column.kind)][run.algorithm].append(record, column.offset, column.size);
     }
   }
