@@ -17,8 +17,15 @@ namespace ar3d {
 
 const std::vector<Algorithm>& algorithms() {
   static const std::vector<Algorithm> rows = {
-      diamond::row(), two_bend::row(),    grid::row(),
-      compact::row(), compact_120::row(), two_bend_paper::row(),
+      // A row a line, so that one more is one more line.
+      // clang-format off
+      diamond::row(),
+      two_bend::row(),
+      grid::row(),
+      compact::row(),
+      compact_120::row(),
+      two_bend_paper::row(),
+      // clang-format on
   };
   return rows;
 }

@@ -110,7 +110,9 @@ TEST(RealTypes, RowsSayThatTheyAreMeasuredAndCheckDoesNotPassThemUnasked) {
     EXPECT_EQ(run(kProgram + " replay " + results + " " + row).exit_code, 0) << row;
   }
   EXPECT_EQ(run(kProgram + " study selfcheck " + results).exit_code, 0);
-  EXPECT_EQ(run(kProgram + " report " + results + " -o " + scratch.path("r.html")).exit_code, 0);
+  EXPECT_EQ(
+      run(kProgram + " report " + scratch.path("a.h5") + " -o " + scratch.path("a.html")).exit_code,
+      0);
 }
 
 TEST(RealTypes, OutputsThatWouldRoundAreRefusedOrPictures) {
