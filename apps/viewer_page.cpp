@@ -52,6 +52,10 @@ PageVerdict judged(const Drawing& drawing, const Algorithm* algorithm) {
     verdict.violations.push_back({to_string(violation.kind), violation.message, violation.vertices,
                                   violation.edges, violation.points});
   }
+  if (certificate.measured && !certificate.violated()) {
+    verdict.text = "made in a real type, so nothing is proved; ar3d verify measures what it misses";
+    return verdict;
+  }
   verdict.kind = certificate.valid() ? PageVerdict::Kind::certified : PageVerdict::Kind::violated;
   verdict.text =
       fmt::format("judged in exact integers against the guarantee of {}, on the edges drawn{}",
