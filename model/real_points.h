@@ -8,9 +8,8 @@
 
 namespace ar3d {
 
-using BigInteger =
-    boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
-                                  boost::multiprecision::et_off>;
+using BigInteger = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
+                                                 boost::multiprecision::et_off>;
 
 struct BigPoint {
   BigInteger x;

@@ -195,10 +195,7 @@ void add_results(std::vector<Column>& c) {
               "violations of the guarantee that the certificate lists; 0 is proved right", kind},
              &RunRecord::violations));
   c.push_back(
-      text({"certificate", "",
-            "how the drawing was judged: empty for exact (nothing but that is a proof), measured "
-            "for a drawing in a real type",
-            kind},
+      text({"certificate", "", "how it was judged: empty for exact (a proof), or measured", kind},
            &RunRecord::certificate, 16));
   add_array(c,
             {"instance_bound", "lattice units",
