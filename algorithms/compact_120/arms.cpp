@@ -20,12 +20,17 @@ Arm side_arm(Class of, bool from_right) {
   return of == Class::s ? k20 : k01;
 }
 
-/// Arrivals of one vertex: all on 12 but those for which 12 is taken.
-void assign_arrivals(Class of, const std::array<Link, 3>& arrivals, std::size_t count,
-                     std::array<Link, 3>& at) {
-  std::size_t on_12 = 0;  // the arrival that takes 12
+/// Arrivals of one vertex: one on 12, which at N is the one whose other arm is taken, at S and T
+/// the one from farther away, since edges to their other arm pass far beyond their ends.
+void assign_arrivals(Class of, const Order& order, const std::array<Link, 3>& arrivals,
+                     std::size_t count, std::array<Link, 3>& at) {
+  std::size_t on_12 = 0;
   const auto side = [&](std::size_t i) { return side_arm(of, arrivals[i].is_right); };
-  if (count == 2 && at[side(1)].is_set()) on_12 = 1;
+  if (count == 2) {
+    const bool second_is_right = order.is_right(arrivals[0].to, arrivals[1].to);
+    const bool second = of == Class::n ? at[side(1)].is_set() : second_is_right == (of == Class::s);
+    on_12 = second ? 1 : 0;
+  }
   for (std::size_t i = 0; i < count; ++i) {
     Link& link = at[i == on_12 ? k12 : side(i)];
     expect(!link.is_set(), "an arm has one edge");
@@ -80,7 +85,7 @@ Links assign_arms(const Graph& graph, const Order& order, const Owners& owners) 
       expect(!own.is_set(), "a vertex owns one edge a side");
       own = link;
     }
-    assign_arrivals(links.of[v], arrivals, count, links.at[v]);
+    assign_arrivals(links.of[v], order, arrivals, count, links.at[v]);
   }
   tell_arrivals(links, graph.num_edges());
   return links;

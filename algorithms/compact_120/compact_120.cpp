@@ -55,13 +55,16 @@ Drawing finished(const Graph& graph, const Strip& strip, const Census& census) {
   return drawing;
 }
 
-/// In the first of some ever wider strips that can be filled, if it keeps the guarantee's box.
+/// In the first of some ever wider strips that can be filled, if it keeps the guarantee's box. Each
+/// has an order of its own: what cannot be placed in one order may be easy in the next.
 std::optional<Drawing> draw_narrow(const Graph& graph, const Tightness& first, std::uint64_t seed,
                                    Census& census) {
-  const NarrowOrder order = narrow_order(graph, RandomStream(seed, kOrderStream));
+  NarrowOrder order;
+  std::uint64_t orders = 0;
   const std::optional<Strip> strip = strips::fill_ever_wider(
       first,
       [&](const Tightness& tightness) {
+        order = narrow_order(graph, RandomStream(seed, kOrderStream + orders++));
         const StripSize size = narrow_size(order, tightness);
         return size_bound().holds(box_of(size), graph.num_vertices());
       },

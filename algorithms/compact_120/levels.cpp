@@ -11,8 +11,7 @@ namespace ar3d::compact_120 {
 namespace {
 
 constexpr unsigned kLevels = 4;
-constexpr int kSweeps = 5;    ///< before owners are tried
-constexpr int kRepairs = 30;  ///< of the crowded components
+constexpr int kSweeps = 5;  ///< before owners are tried
 constexpr int kSweepsOfRepair = 4;
 
 class Sweeper {
@@ -150,12 +149,12 @@ std::vector<Position> positions_by_paths(const Graph& graph, const Order& order)
 
 }  // namespace
 
-NarrowOrder narrow_order(const Graph& graph, RandomStream random) {
+NarrowOrder narrow_order(const Graph& graph, RandomStream random, int repairs) {
   Sweeper sweeper(graph, random);
   for (int i = 0; i < kSweeps; ++i) sweeper.sweep();
   Order order = sweeper.order();
   Owners owners = choose_owners(graph, order);
-  for (int i = 0; i < kRepairs && !owners.crowded.empty(); ++i) {
+  for (int i = 0; i < repairs && !owners.crowded.empty(); ++i) {
     sweeper.repair(owners.crowded);
     order = sweeper.order();
     owners = choose_owners(graph, order);

@@ -25,6 +25,7 @@ struct NarrowOrder {
 /// the level with which the fewest sources and sinks of degree 3 are near it, until no component of
 /// the slot graph has two cycles. Components of the graph where a bounded number of sweeps does not
 /// achieve that get the order of Steps D.1 to D.3. O(n).
-NarrowOrder narrow_order(const Graph& graph, RandomStream random);
+/// @param repairs  how often components with two cycles get a new start before they are given up.
+NarrowOrder narrow_order(const Graph& graph, RandomStream random, int repairs = 30);
 
 }  // namespace ar3d::compact_120

@@ -74,20 +74,23 @@ class Placer {
   }
 
   /// The columns where v belongs: of class N those that hold as many vertices of N as have its
-  /// position, and a margin; the ends of the strip for sources and sinks.
+  /// position, and a margin, so that rare positions have room; the ends of the strip for sources
+  /// and sinks.
   Range home(Vertex v) const {
     const std::int32_t columns = strip_.size().columns;
     const Class of = strip_.links().of[v];
     const std::int32_t share = kSourceShare * columns / 100;
     if (of == Class::s) return {0, share};
     if (of == Class::t) return {columns - 1 - share, columns - 1};
-    const std::int32_t margin = kMargin * columns / 100;
     const auto column = [&](std::int64_t before) {
       return static_cast<std::int32_t>(columns * before / std::max<std::int64_t>(before_[101], 1));
     };
     const std::size_t position = order_.position[v];
-    return {std::max(column(before_[position]) - margin, 0),
-            std::min(column(before_[position + 1]) + margin, columns - 1)};
+    const std::int32_t low = column(before_[position]);
+    const std::int32_t high = column(before_[position + 1]);
+    const std::int32_t margin =
+        std::max(kMargin * columns / 100, (kLeastShare * columns / 100 - (high - low)) / 2);
+    return {std::max(low - margin, 0), std::min(high + margin, columns - 1)};
   }
 
   /// Those of them that the placed neighbours leave.
@@ -134,6 +137,7 @@ class Placer {
   }
 
   static constexpr std::int32_t kMargin = 2;        ///< hundredths of the strip
+  static constexpr std::int32_t kLeastShare = 40;   ///< hundredths of the strip
   static constexpr std::int32_t kSourceShare = 60;  ///< hundredths of the strip
 
   /// By position, the vertices of N before it.

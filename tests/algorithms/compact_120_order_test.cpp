@@ -133,18 +133,31 @@ TEST(Compact120Levels, AreRightOnSmallGraphsAndFamilies) {
   }
 }
 
+void expect_positions_grow(const Graph& graph, const NarrowOrder& order) {
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+    for (const Link& link : order.links.at[v]) {
+      if (link.is_set() && link.is_right != 0)
+        EXPECT_LE(order.position[v], order.position[link.to]);
+    }
+  }
+}
+
 TEST(Compact120Levels, PositionsGrowAlongEdges) {
   for (const char* name : {"random-cubic", "union-k4", "random-cubic-tree"}) {
     const Graph graph = generate(find_family(name), 200, 3);
-    const NarrowOrder order = narrow_order(graph, RandomStream(1));
-    for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-      for (const Link& link : order.links.at[v]) {
-        if (link.is_set() && link.is_right != 0) {
-          EXPECT_LE(order.position[v], order.position[link.to]);
-        }
-      }
-    }
+    expect_positions_grow(graph, narrow_order(graph, RandomStream(1)));
   }
+}
+
+TEST(Compact120Levels, GiveWayToTheMovedOrderWhereTheyFail) {
+  const Graph graph = generate(find_family("union-k33"), 600, 3);
+  const NarrowOrder order = narrow_order(graph, RandomStream(1), 0);
+  EXPECT_GT(order.moved_components, 0);
+  EXPECT_LT(order.moved_components, 100);
+  EXPECT_EQ(fault_of_links(graph, order.links), "");
+  expect_positions_grow(graph, order);
+  Census census;
+  EXPECT_TRUE(fill_narrow_strip(order, graph.num_edges(), {}, RandomStream(1), census));
 }
 
 }  // namespace
