@@ -9,7 +9,7 @@ import {chromium} from "../tests/browser/node_modules/playwright-core/index.mjs"
 
 const program = resolve(process.argv[2]), folder = mkdtempSync(join(tmpdir(), "ar3d-views-"));
 const figures = join(dirname(fileURLToPath(import.meta.url)), "..", "docs", "figures");
-const views = [["k5", "diamond", 0, 0], ["petersen", "grid", 0, 0], ["octahedron", "compact", 0.5, 0.05]];
+const views = [["k5", "diamond", 0, 0], ["petersen", "grid", 1.25, 0.1], ["octahedron", "compact", 0.5, 0.05]];
 const browser = await chromium.launch({executablePath: "/usr/bin/chromium", args: ["--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]});
 const page = await browser.newPage({viewport: {width: 640, height: 560}});
 for (const [graph, algorithm, right, up] of views) {
