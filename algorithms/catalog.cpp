@@ -1,6 +1,7 @@
 #include "ar3d/algorithms/catalog.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -12,6 +13,7 @@
 #include "ar3d/algorithms/two_bend/two_bend.h"
 #include "ar3d/algorithms/two_bend_paper/two_bend_paper.h"
 #include "ar3d/model/error.h"
+#include "ar3d/model/nearest_name.h"
 
 namespace ar3d {
 
@@ -39,12 +41,12 @@ std::vector<const Algorithm*> proved_algorithms() {
 }
 
 const Algorithm& find_algorithm(std::string_view name) {
-  std::string known;
   for (const Algorithm& row : algorithms()) {
     if (row.name == name) return row;
-    known += (known.empty() ? "" : ", ") + row.name;
   }
-  throw InputError(fmt::format("unknown algorithm '{}' (known: {})", name, known));
+  const auto known = names_of(algorithms());
+  throw InputError(fmt::format("unknown algorithm '{}'{} (known: {}; see: ar3d list algorithms)",
+                               name, did_you_mean(name, known), fmt::join(known, ", ")));
 }
 
 Settings complete_options(const Algorithm& algorithm, const Settings& given) {

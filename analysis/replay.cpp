@@ -10,11 +10,6 @@
 namespace ar3d {
 namespace {
 
-bool is_plain(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-         std::string_view("_-.=+:/,").find(c) != std::string_view::npos;
-}
-
 /// "a=1;b=2" -> " FLAG a=1 FLAG b=2".
 std::string settings(std::string_view list, std::string_view flag) {
   std::string arguments;
@@ -27,19 +22,6 @@ std::string settings(std::string_view list, std::string_view flag) {
 }
 
 }  // namespace
-
-std::string shell_word(std::string_view word) {
-  if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return std::string(word);
-  std::string quoted = "'";
-  for (const char c : word) {
-    if (c == '\'') {
-      quoted += "'\\''";
-    } else {
-      quoted += c;
-    }
-  }
-  return quoted + "'";
-}
 
 CommandParts draw_command_parts(const CurveKey& key) {
   return {fmt::format("ar3d generate {} -n ", shell_word(key.family)),

@@ -5,11 +5,9 @@
 #include <string_view>
 
 #include "ar3d/analysis/tally.h"
+#include "ar3d/model/printable.h"  // shell_word
 
 namespace ar3d {
-
-/// The word as a POSIX shell reads it back: in quotes unless it is plain.
-std::string shell_word(std::string_view word);
 
 /// The shell line that generates the row's graph again and draws it with the same algorithm and
 /// options. Words that a shell would read in another way are quoted, whatever the results file

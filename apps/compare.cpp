@@ -20,6 +20,7 @@
 #include "ar3d/model/error.h"
 #include "ar3d/results/atomic_file.h"
 #include "commands.h"
+#include "numbers.h"
 #include "outputs.h"
 
 namespace ar3d {
@@ -37,6 +38,7 @@ struct CompareArguments {
   bool calibrate = false;
   double threshold_percent = 5;
   std::string json;
+  bool force = false;
   bool quiet = false;
   CompareOptions options;
 };
@@ -170,9 +172,9 @@ void add_options(CLI::App& verb, CompareArguments& a) {
   verb.add_option("--rounds", a.rounds,
                   "turns of each program; at least 15, and enough for the number of cells, if left "
                   "out")
-      ->check(CLI::Range(1, 1000));
+      ->check(whole_number(1, 1000));
   verb.add_option("--core", a.core, "core to run on; the last one if left out")
-      ->check(CLI::Range(0, 1023));
+      ->check(whole_number(0, 1023));
   verb.add_flag("--calibrate", a.calibrate,
                 "first run this program against itself: false-alarm rate, smallest visible effect");
   verb.add_option("--threshold", a.threshold_percent, "percent of time that matter")
@@ -189,6 +191,7 @@ void add_options(CLI::App& verb, CompareArguments& a) {
   verb.add_flag("--drawings-only", a.options.drawings_only,
                 "judge status, certificate, graph, volume, bends and instructions, and no times");
   verb.add_option("--json", a.json, "also write the verdict as JSON to this file");
+  add_force(verb, a.force);
   verb.add_flag("-q,--quiet", a.quiet, "no progress on standard error");
 }
 
@@ -206,7 +209,8 @@ void add_compare(CLI::App& app, int& exit_code) {
       "ar3d compare before.h5 after.h5\n         ar3d compare --base main "
       "--calibrate");
   verb->callback([arguments, &exit_code] {
-    refuse_unsafe_outputs({.inputs = arguments->files, .outputs = {arguments->json}});
+    refuse_unsafe_outputs(
+        {.inputs = arguments->files, .outputs = {arguments->json}, .force = arguments->force});
     arguments->options.time.threshold = arguments->threshold_percent / 100;
     const bool builds = !arguments->base.empty() || arguments->calibrate;
     exit_code = builds ? compare_builds(*arguments) : compare_files(*arguments);

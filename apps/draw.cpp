@@ -17,6 +17,7 @@
 #include "batches.h"
 #include "commands.h"
 #include "drawing_formats.h"
+#include "graph_input.h"
 #include "numbers.h"
 #include "outputs.h"
 
@@ -25,14 +26,13 @@ namespace {
 
 struct DrawArguments {
   std::string input = "-";
-  std::string from;
-  unsigned base = 0;
-  std::string first_line = "automatic";
+  GraphInput graphs;
   std::string algorithm;
   std::vector<std::string> options;
   std::string format;
   std::string output = "-";
   ExportOptions picture;
+  bool force = false;
 };
 
 struct Task {
@@ -100,19 +100,13 @@ NextDrawing drawings_of(GraphReader& reader, const Algorithm& algorithm, const S
   };
 }
 
-FirstLine first_line_of(const std::string& name) {
-  if (name == "edge") return FirstLine::edge;
-  return name == "header" ? FirstLine::header : FirstLine::automatic;
-}
-
 int draw_graphs(const DrawArguments& arguments) {
-  refuse_unsafe_outputs({.inputs = {arguments.input}, .outputs = {arguments.output}});
+  refuse_unsafe_outputs(
+      {.inputs = {arguments.input}, .outputs = {arguments.output}, .force = arguments.force});
   const Algorithm& algorithm = find_algorithm(arguments.algorithm);
   const Settings options = complete_options(algorithm, parse_settings(arguments.options));
   const DrawingFormat& format = drawing_format(arguments.format, arguments.output);
-  GraphReader reader(arguments.input, {.format = arguments.from,
-                                       .base = arguments.base,
-                                       .first_line = first_line_of(arguments.first_line)});
+  GraphReader reader(arguments.input, arguments.graphs.read_options());
   bool all_drawn = true;
   if (format.name == "jsonl") {  // many at a time
     OutputFile file(arguments.output);
@@ -132,14 +126,7 @@ void add_draw(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<DrawArguments>();
   verb->add_option("FILE", arguments->input,
                    "graphs in any input format, gzip and xz too; - is standard input");
-  verb->add_option("--from", arguments->from, "input format; detected by content if left out");
-  verb->add_option("--base", arguments->base,
-                   "smallest vertex id of edge and adjacency lists: 0 or 1")
-      ->check(whole_number(0, 1));
-  verb->add_option("--first-line", arguments->first_line,
-                   "what a first line 'a b' of an edge list is where that is open: edge, or header "
-                   "(numbers of vertices and edges)")
-      ->check(CLI::IsMember({"automatic", "edge", "header"}));
+  add_graph_input_options(*verb, arguments->graphs);
   verb->add_option("--algorithm", arguments->algorithm, "an algorithm of `ar3d list algorithms`")
       ->required();
   verb->add_option("--set", arguments->options,
@@ -163,6 +150,7 @@ void add_draw(CLI::App& app, int& exit_code) {
                    "stl: radius of the tubes in lattice units")
       ->check(finite_number(true));
   verb->add_option("-o,--output", arguments->output, "file, or - for standard output");
+  add_force(*verb, arguments->force);
   verb->footer(
       drawing_formats_text() +
       "Example: nauty-geng -D4 7 | ar3d draw - --algorithm diamond --set effort=2 | ar3d verify -");

@@ -32,6 +32,7 @@ struct GenerateArguments {
   std::vector<std::string> parameters;
   std::string format;
   std::string output = "-";
+  bool force = false;
 };
 
 /// Which graphs, after all names are looked up.
@@ -76,7 +77,7 @@ void refuse_wrapping_seeds(const GenerateArguments& arguments) {
 }
 
 void generate_graphs(const GenerateArguments& arguments) {
-  refuse_unsafe_outputs({.inputs = {}, .outputs = {arguments.output}});
+  refuse_unsafe_outputs({.inputs = {}, .outputs = {arguments.output}, .force = arguments.force});
   refuse_wrapping_seeds(arguments);
   const Request request = requested(arguments);
   const GraphFormat& format = graph_format_to_write(arguments.format, arguments.output);
@@ -119,6 +120,7 @@ void add_generate(CLI::App& app, int&) {
   verb->add_option("--format", arguments->format,
                    "graph format; by the file's ending, sparse6 without one");
   verb->add_option("-o,--output", arguments->output, "file, or - for standard output");
+  add_force(*verb, arguments->force);
   verb->footer(
       "Example: ar3d generate generalised-petersen -n 100 --set k=7 -o gp.s6\n"
       "or:      ar3d generate petersen");

@@ -12,6 +12,7 @@
 #include "ar3d/generators/named.h"
 #include "ar3d/verify/metrics.h"
 #include "commands.h"
+#include "words.h"
 
 namespace ar3d {
 namespace {
@@ -98,7 +99,7 @@ void add_list(CLI::App& app, int&) {
   verb->add_option(
           "WHAT", *what,
           "algorithms, families, named-graphs, formats, metrics or studies; everything if left out")
-      ->check(CLI::IsMember(
+      ->check(one_of(
           {"all", "algorithms", "families", "named-graphs", "formats", "metrics", "studies"}));
   verb->footer("Example: ar3d list families");
   verb->callback([what] { print_list(*what); });

@@ -10,13 +10,11 @@
 
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/model/error.h"
+#include "ar3d/model/printable.h"
 #include "ar3d/results/journal/journal_format.h"
 
 namespace ar3d {
 namespace {
-
-// What every report has near its beginning.
-constexpr const char* kReportMark = "<title>ar3d report: ";
 
 // The value of the attribute `format` of every results file (results/SCHEMA.md).
 constexpr const char* kResultsMark = "ar3d-results";
@@ -26,6 +24,12 @@ bool is_file_name(const std::string& path) { return !path.empty() && path != "-"
 bool is_regular(const std::string& path) {
   struct stat status {};
   return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+}
+
+// A file without a byte (of mktemp, or of a shell's >) holds nothing to lose.
+bool is_empty(const std::string& path) {
+  struct stat status {};
+  return stat(path.c_str(), &status) == 0 && status.st_size == 0;
 }
 
 // Whether both names lead to one file, be it there already or not. Devices may be named twice.
@@ -55,19 +59,19 @@ std::string beginning_of(const std::string& path) {
   return {bytes.data(), static_cast<std::size_t>(in.gcount())};
 }
 
-void refuse_needed(const std::string& path, Force force) {
+void refuse_needed(const std::string& path, const VerbFiles& files) {
   if (!is_regular(path)) return;
   const std::string beginning = beginning_of(path);
   if (beginning.starts_with(std::string_view(kJournalMagic).substr(0, 8))) {
     throw InputError(fmt::format("{} is a study's journal, which is not overwritten", path));
   }
+  const bool can_be_made_again =
+      path == files.page && beginning.find(files.page_is) != std::string::npos;
+  if (files.force || can_be_made_again || is_empty(path)) return;
   const bool is_results = beginning.starts_with("\x89HDF\r\n\x1a\n") &&
                           beginning.find(kResultsMark) != std::string::npos;
-  if (is_results && force != Force::given) {
-    throw InputError(
-        fmt::format("{} is a results file, which is not overwritten: choose another name, or {}",
-                    path, force == Force::not_given ? "say --force" : "remove it first"));
-  }
+  throw InputError(fmt::format("{} exists{}; --force replaces it", path,
+                               is_results ? " and is a results file" : ""));
 }
 
 // The journal of rank 0 is there as long as a study is not finished.
@@ -77,14 +81,20 @@ void refuse_unfinished(const std::string& path) {
   throw InputError(fmt::format(
       "{} is the results file of a study that is not finished: go on with `ar3d study resume {}`, "
       "or delete {}",
-      path, path, journal));
+      path, shell_word(path), shell_word(journal)));
 }
 
 }  // namespace
 
+void add_force(CLI::App& verb, bool& force) {
+  verb.add_flag("--force", force, "replace outputs that exist");
+}
+
 void refuse_unsafe_outputs(const VerbFiles& files) {
-  for (std::size_t i = 0; i < files.outputs.size(); ++i) {
-    const std::string& output = files.outputs[i];
+  std::vector<std::string> outputs = files.outputs;
+  outputs.push_back(files.page);
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const std::string& output = outputs[i];
     if (!is_file_name(output)) continue;
     for (const std::string& input : files.inputs) {
       if (is_file_name(input) && are_one_file(input, output)) {
@@ -92,17 +102,18 @@ void refuse_unsafe_outputs(const VerbFiles& files) {
       }
     }
     for (std::size_t other = 0; other < i; ++other) {
-      if (is_file_name(files.outputs[other]) && are_one_file(files.outputs[other], output)) {
+      if (is_file_name(outputs[other]) && are_one_file(outputs[other], output)) {
         throw InputError(fmt::format("{} is named for two outputs", output));
       }
     }
     refuse_unfinished(output);
-    refuse_needed(output, files.force);
+    refuse_needed(output, files);
   }
 }
 
 void refuse_foreign_page(const std::string& page, const std::string& results) {
-  if (!is_regular(page) || beginning_of(page).find(kReportMark) != std::string::npos) return;
+  if (!is_regular(page) || beginning_of(page).find(VerbFiles().page_is) != std::string::npos)
+    return;
   throw InputError(
       fmt::format("{} exists and is no report of ar3d: the report of {} would replace it; choose "
                   "another name",

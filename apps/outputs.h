@@ -1,31 +1,31 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 namespace ar3d {
 
-/// Whether finished results may be replaced.
-enum class Force {
-  not_offered,  ///< the verb has no such option
-  not_given,    ///< it has, and it was not given
-  given         ///< --force
-};
+/// The option --force of every verb that writes files.
+void add_force(CLI::App& verb, bool& force);
 
 /// The files of a verb, looked at before it does any work. An empty path stands for an option that
 /// was left out, "-" for a standard stream: both are no file.
 struct VerbFiles {
   std::vector<std::string> inputs;
-  std::vector<std::string> outputs;  ///< every one that will be written
-  Force force = Force::not_offered;
+  std::vector<std::string> outputs;              ///< every one that will be written, but a page
+  std::string page = {};                         ///< that can be made again at any time
+  const char* page_is = "<title>ar3d report: ";  ///< what every such page has near its beginning
+  bool force = false;                            ///< --force was given
 };
 
 /// Refuses to write what somebody still needs:
 /// - an output that is an input of the same verb, or another of its outputs, under whatever name
 ///   (links and `..` are followed);
 /// - a journal, or the results file of a study that is not finished;
-/// - unless --force is given, a results file that exists.
-/// Other files that exist may be replaced, as long as they are regular files.
+/// - unless --force is given, any file that exists and is not empty; but a page may be replaced by
+///   another page of its kind, since it can be made again.
+/// Devices and pipes are written to, not replaced.
 /// @throws InputError naming the file and what it is.
 void refuse_unsafe_outputs(const VerbFiles& files);
 

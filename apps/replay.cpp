@@ -22,6 +22,7 @@ struct ReplayArguments {
   std::string output;
   std::string format;
   std::string graphs;
+  bool force = false;
 };
 
 /// The row with that key, or with that number from 0.
@@ -51,8 +52,9 @@ void write_drawing(const RunRecord& row, const StudyOrigin& origin, const Drawin
 }
 
 int replay_row(const ReplayArguments& arguments) {
-  refuse_unsafe_outputs(
-      {.inputs = {arguments.results, arguments.graphs}, .outputs = {arguments.output}});
+  refuse_unsafe_outputs({.inputs = {arguments.results, arguments.graphs},
+                         .outputs = {arguments.output},
+                         .force = arguments.force});
   const DrawingFormat& format = drawing_format(arguments.format, arguments.output);
   const Results results = read_results(arguments.results);
   const RunRecord& then = find_row(results, arguments);
@@ -81,6 +83,7 @@ void add_replay(CLI::App& app, int& exit_code) {
   verb->add_option("ROW", arguments->row, "a row key, or a row number from 0")->required();
   verb->add_option("-o,--output", arguments->output,
                    "also write the drawing to this file; - is standard output");
+  add_force(*verb, arguments->force);
   verb->add_option("--format", arguments->format,
                    "a format of `ar3d draw --help`; by the file's ending, jsonl without one");
   verb->add_option("--graphs", arguments->graphs,

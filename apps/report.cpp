@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "ar3d/analysis/export.h"
 #include "ar3d/analysis/google_benchmark.h"
@@ -22,13 +23,29 @@
 namespace ar3d {
 namespace {
 
-/// DIRECTORY/NAME.svg, .pdf, .csv, .py and .tex for every figure. @throws InputError if one cannot
-/// be written.
-void write_figures(const StudyAnalysis& analysis, const std::string& directory) {
+/// The figures, after a look at where they go: DIRECTORY/NAME.svg, .pdf, .csv, .py and
+/// .tex.
+/// @throws InputError if one would replace a file unasked.
+std::vector<Figure> figures_for(const StudyAnalysis& analysis, const std::string& directory,
+                                bool force) {
+  if (directory.empty()) return {};
+  std::vector<Figure> figures = report_figures(analysis);
+  VerbFiles files{.inputs = {}, .outputs = {}, .force = force};
+  for (const Figure& figure : figures) {
+    for (const char* ending : {".svg", ".pdf", ".csv", ".py", ".tex"}) {
+      files.outputs.push_back(directory + "/" + figure.name + ending);
+    }
+  }
+  refuse_unsafe_outputs(files);
+  return figures;
+}
+
+/// @throws InputError if one cannot be written.
+void write_figures(const std::vector<Figure>& figures, const std::string& directory) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error) throw InputError(fmt::format("cannot create {}: {}", directory, error.message()));
-  for (const Figure& figure : report_figures(analysis)) {
+  for (const Figure& figure : figures) {
     const std::string stem = directory + "/" + figure.name;
     write_file_atomically(stem + ".svg", figure.svg);
     write_file_atomically(stem + ".csv", figure.csv);
@@ -63,18 +80,22 @@ struct Arguments {
   std::string growth;
   std::string figures;
   std::string benchmark_json;
+  bool force = false;
 };
 
 int write_report(const Arguments& arguments) {
   const std::string results = results_path_of(arguments.results);
   const std::string path = arguments.output.empty() ? report_path(results) : arguments.output;
-  refuse_unsafe_outputs({.inputs = {arguments.results, results},
-                         .outputs = {path, arguments.csv, arguments.json, arguments.rows,
-                                     arguments.growth, arguments.benchmark_json}});
   if (arguments.output.empty()) refuse_foreign_page(path, results);
+  refuse_unsafe_outputs({.inputs = {arguments.results, results},
+                         .outputs = {arguments.csv, arguments.json, arguments.rows,
+                                     arguments.growth, arguments.benchmark_json},
+                         .page = path,
+                         .force = arguments.force});
   const StudyRows rows(arguments.results);
   const RowView& view = rows.view();
   const StudyAnalysis analysis = analyse(view, judge(view, arguments.results));
+  const std::vector<Figure> figures = figures_for(analysis, arguments.figures, arguments.force);
   const auto write = [](const std::string& to, const auto& make) {
     if (!to.empty()) write_file_atomically(to, make());
   };
@@ -89,7 +110,7 @@ int write_report(const Arguments& arguments) {
     write_in_pieces(arguments.benchmark_json,
                     [&](const TextSink& sink) { google_benchmark_json(view, sink); });
   }
-  if (!arguments.figures.empty()) write_figures(analysis, arguments.figures);
+  if (!arguments.figures.empty()) write_figures(figures, arguments.figures);
   fmt::print("{}report   {}\n", verdict_line(analysis.verdict), path);
   if (view.count == 0) {
     fmt::print(stderr, "ar3d: {}: nothing measured: the file has no rows\n", arguments.results);
@@ -120,6 +141,7 @@ void add_report(CLI::App& app, int& exit_code) {
                    "scripts, into this directory");
   verb->add_option("--benchmark-json", arguments->benchmark_json,
                    "also write the timed rows as a Google Benchmark report to this file");
+  add_force(*verb, arguments->force);
   verb->footer(
       "Exit code as of `ar3d check`.\nExample: ar3d report smoke.h5 -o smoke.html --figures "
       "figures");

@@ -8,6 +8,7 @@
 #include "ar3d/formats/catalog.h"
 #include "ar3d/model/error.h"
 #include "commands.h"
+#include "graph_input.h"
 #include "numbers.h"
 #include "subject_arguments.h"
 
@@ -17,12 +18,13 @@ namespace {
 struct ShrinkArguments {
   SubjectArguments subject;
   std::string input;
+  GraphInput graph;
   std::optional<double> ratio;
   std::uint64_t evaluations = 100000;
 };
 
-Graph only_graph(const std::string& path) {
-  GraphReader reader(path, {});
+Graph only_graph(const std::string& path, const ReadOptions& options) {
+  GraphReader reader(path, options);
   const std::optional<Graph> graph = reader.next();
   if (!graph) throw InputError(fmt::format("{}: no graph", path));
   if (reader.next())
@@ -34,7 +36,7 @@ int shrink_and_show(const ShrinkArguments& arguments) {
   refuse_unsafe_exhibit(arguments.subject, arguments.input);
   const Subject subject = subject_of(arguments.subject);
   const RatioRule rule = rule_of(arguments.subject);
-  const Graph graph = only_graph(arguments.input);
+  const Graph graph = only_graph(arguments.input, arguments.graph.read_options());
   const Trial whole = try_graph(subject, rule, graph);
   const bool keeps_failure = !arguments.ratio;
   if (keeps_failure && whole.failure.empty()) {
@@ -69,6 +71,7 @@ void add_shrink(CLI::App& app, int& exit_code) {
       "shrink", "Reduces a graph whose drawing is violated or extreme while it stays so");
   const auto arguments = std::make_shared<ShrinkArguments>();
   verb->add_option("GRAPH", arguments->input, "one graph in any input format")->required();
+  add_graph_input_options(*verb, arguments->graph);
   add_subject_options(*verb, arguments->subject);
   verb->add_option("--ratio", arguments->ratio,
                    "keep the share of the bound at least this; else the violation stays")

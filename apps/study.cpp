@@ -23,6 +23,7 @@
 #include "commands.h"
 #include "join_ranks.h"
 #include "making_options.h"
+#include "numbers.h"
 #include "outputs.h"
 #include "study_choice.h"
 #include "study_rows.h"
@@ -51,6 +52,22 @@ void ask_to_stop(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
+// Beside a page that is no report the study goes without: it has been there for hours, or has come
+// meanwhile.
+void write_report(const std::string& results, const StudyAnalysis& analysis) {
+  const std::string page = report_path(results);
+  try {
+    refuse_foreign_page(page, results);
+  } catch (const InputError&) {
+    fmt::print(
+        "report   not made: {} is no report of ar3d; `ar3d report {} -o OTHER.html` makes it\n",
+        page, shell_word(results));
+    return;
+  }
+  write_file_atomically(page, render_report(analysis));
+  fmt::print("report   {}\n", page);
+}
+
 // The last lines of a study that is whole: the verdict and where everything is.
 int conclude(const JournaledStudy& study) {
   const StudyRows rows(study.results);
@@ -62,9 +79,7 @@ int conclude(const JournaledStudy& study) {
     fmt::print("shard {} of {}: when all are there, `ar3d study merge SHARDS… -o RESULTS.h5`\n",
                study.shard.index, study.shard.count);
   } else {
-    write_file_atomically(report_path(study.results),
-                          render_report(analyse(rows.view(), std::move(examination))));
-    fmt::print("report   {}\n", report_path(study.results));
+    write_report(study.results, analyse(rows.view(), std::move(examination)));
   }
   return exit_code;
 }
@@ -76,7 +91,7 @@ int run_to_the_end(const JournaledStudy& study, const RunArguments& arguments,
   std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error of the write, like a full disk
   if (ranks.size() > 1 && ranks.is_first() && !arguments.quiet) {
     fmt::print(stderr, "ar3d: {} ranks; `ar3d study status --watch {}` tells how far they are\n",
-               ranks.size(), study.results);
+               ranks.size(), shell_word(study.results));
   }
   StudyOutcome outcome;
   try {
@@ -85,7 +100,7 @@ int run_to_the_end(const JournaledStudy& study, const RunArguments& arguments,
     if (ranks.is_first()) {
       fmt::print(stderr,
                  "ar3d: {}\nar3d: the rows before are safe; go on with `ar3d study resume {}`\n",
-                 error.what(), study.results);
+                 error.what(), shell_word(study.results));
     }
     return kIncomplete;
   }
@@ -94,7 +109,7 @@ int run_to_the_end(const JournaledStudy& study, const RunArguments& arguments,
   fmt::print(stderr,
              "ar3d: {}; {} rows are in {}, {} are missing; go on with `ar3d study resume {}`\n",
              g_stop ? "interrupted" : "not finished", outcome.rows, study.results, outcome.missing,
-             study.results);
+             shell_word(study.results));
   if (g_stop) return kInterrupted;
   return judge(StudyRows(study.results).view(), study.results).verdict.exit_code();
 }
@@ -131,7 +146,7 @@ void add_common(CLI::App& verb, RunArguments& arguments) {
           "--threads", arguments.workers,
           "rows made at the same time; as many as cores if left out, one on each of several "
           "ranks")
-      ->check(CLI::Range(1, 1024));
+      ->check(whole_number(1, 1024));
   verb.add_flag("-q,--quiet", arguments.quiet, "no progress on standard error");
   add_making_options(verb, arguments.policy);
 }
@@ -141,10 +156,9 @@ JournaledStudy begin_new(const RunArguments& arguments, const Shard& shard) {
   const std::string page = report_path(study.results);
   std::vector<std::string> inputs = {arguments.chosen.study};
   for (const StudyCorpus& corpus : corpora_of(study.spec)) inputs.push_back(corpus.record.path);
-  refuse_unsafe_outputs({.inputs = inputs,
-                         .outputs = {study.results, page},
-                         .force = arguments.force ? Force::given : Force::not_given});
   refuse_foreign_page(page, study.results);
+  refuse_unsafe_outputs(
+      {.inputs = inputs, .outputs = {study.results}, .page = page, .force = arguments.force});
   return study;
 }
 
@@ -155,7 +169,7 @@ void add_run(CLI::App& study, int& exit_code) {
   verb->add_option("-o,--output", arguments->output, "results file; ar3d-NAME.h5 if left out");
   verb->add_option("--shard", arguments->shard,
                    "i/N: only the i-th of N parts of the study, to be merged later");
-  verb->add_flag("--force", arguments->force, "replace the results file of a finished study");
+  add_force(*verb, arguments->force);
   add_common(*verb, *arguments);
   verb->footer(
       "Rows go to a journal beside the results file as they are made; whatever ends the study, "

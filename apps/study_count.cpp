@@ -12,6 +12,7 @@
 #include "ar3d/records/run_storage.h"
 #include "ar3d/results/atomic_file.h"
 #include "commands.h"
+#include "numbers.h"
 #include "outputs.h"
 #include "study.h"
 
@@ -28,9 +29,8 @@ struct CountArguments {
 int count_rows(const CountArguments& arguments) {
   const std::string path = arguments.output.empty() ? arguments.results : arguments.output;
   if (!arguments.output.empty()) {
-    refuse_unsafe_outputs({.inputs = {arguments.results},
-                           .outputs = {path},
-                           .force = arguments.force ? Force::given : Force::not_given});
+    refuse_unsafe_outputs(
+        {.inputs = {arguments.results}, .outputs = {path}, .force = arguments.force});
   }
   Results results = read_results(arguments.results);
   require_writable(path);
@@ -90,9 +90,9 @@ void add_study_count(CLI::App& study, int& exit_code) {
   verb->add_option("RESULTS", arguments->results, "results file (HDF5)")->required();
   verb->add_option("-o,--output", arguments->output,
                    "results file with the counts; RESULTS itself if left out");
-  verb->add_flag("--force", arguments->force, "replace the results file of a finished study");
+  add_force(*verb, arguments->force);
   verb->add_option("--max-n", arguments->max_n, "largest n to count, default 10000")
-      ->check(CLI::Range(0, 100000000));
+      ->check(whole_number(0, 100000000));
   verb->footer(
       "Needs valgrind; drawing takes about 50 times as long under it. Fills the column\n"
       "counted_instructions.\nExample: ar3d study count smoke.h5 --max-n 20 -o counted.h5");

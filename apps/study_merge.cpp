@@ -20,9 +20,8 @@ struct MergeArguments {
 };
 
 int merge(const MergeArguments& arguments) {
-  refuse_unsafe_outputs({.inputs = arguments.parts,
-                         .outputs = {arguments.output},
-                         .force = arguments.force ? Force::given : Force::not_given});
+  refuse_unsafe_outputs(
+      {.inputs = arguments.parts, .outputs = {arguments.output}, .force = arguments.force});
   const StudyOutcome outcome = merge_study(arguments.parts, arguments.output);
   if (outcome.complete()) {
     fmt::print("{} rows of {} files are in {}\n", outcome.rows, arguments.parts.size(),
@@ -56,7 +55,7 @@ void add_study_merge(CLI::App& study, int& exit_code) {
   const auto arguments = std::make_shared<MergeArguments>();
   verb->add_option("PART", arguments->parts, "results files or journals, in any order")->required();
   verb->add_option("-o,--output", arguments->output, "results file")->required();
-  verb->add_flag("--force", arguments->force, "replace the results file of a finished study");
+  add_force(*verb, arguments->force);
   verb->footer(
       "Exit code 2 if the parts do not belong together, 5 if rows are missing; then nothing is "
       "written.\nExample: ar3d study merge ar3d-quick.shard-*.h5 -o quick.h5");

@@ -9,6 +9,7 @@
 #include "ar3d/bench/run/make_rows.h"
 #include "ar3d/bench/spec/study_spec.h"
 #include "commands.h"
+#include "numbers.h"
 #include "study.h"
 #include "study_choice.h"
 
@@ -66,7 +67,7 @@ void add_study_plan(CLI::App& study, int&) {
   add_study_choice(*verb, arguments->chosen);
   verb->add_option("--threads", arguments->workers,
                    "rows made at the same time; as many as cores if left out")
-      ->check(CLI::Range(1, 1024));
+      ->check(whole_number(1, 1024));
   verb->footer(
       "Estimates are extrapolated from short runs at small sizes on this machine; expect them to "
       "be "

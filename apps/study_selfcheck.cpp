@@ -10,6 +10,7 @@
 #include "ar3d/bench/replay/selfcheck.h"
 #include "ar3d/records/run_storage.h"
 #include "commands.h"
+#include "numbers.h"
 #include "study.h"
 
 namespace ar3d {
@@ -60,8 +61,8 @@ void add_study_selfcheck(CLI::App& study, int& exit_code) {
   const auto arguments = std::make_shared<SelfcheckArguments>();
   verb->add_option("RESULTS", arguments->results, "results file (HDF5)")->required();
   verb->add_option("--sample", arguments->sample, "number of rows, default 20")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{10000000}));
-  verb->add_option("--seed", arguments->seed, "of the sample, default 1");
+      ->check(whole_number(1, 10000000));
+  verb->add_option("--seed", arguments->seed, "of the sample, default 1")->check(whole_number(0));
   verb->footer(
       "Exit code 3 if a row is not reproduced, 4 if a drawing is violated, 5 if there is no row to "
       "make again.\nExample: ar3d study selfcheck smoke.h5 --sample 50 --seed 2");

@@ -89,7 +89,7 @@ void print_details(const Standing& standing, const std::string& file) {
   fmt::print("{}\nbegun    {}\nsource   {}{}\n", line(standing),
              printable(standing.identity.created), printable(standing.identity.source_hash),
              standing.identity.dirty ? " and changes" : "");
-  const std::string results = results_path_of(file);
+  const std::string results = shell_word(results_path_of(file));
   if (standing.writers > 0) {
     fmt::print("watch it with `ar3d study status --watch {}`\n", results);
   } else if (!standing.complete() || standing.journals > 0) {
@@ -126,7 +126,7 @@ int show(const StatusArguments& arguments) {
   if (!arguments.snapshot.empty()) {
     refuse_unsafe_outputs({.inputs = {arguments.file, results_path_of(arguments.file)},
                            .outputs = {arguments.snapshot},
-                           .force = arguments.force ? Force::given : Force::not_given});
+                           .force = arguments.force});
     const StudyOutcome outcome = write_snapshot(begun_study(arguments.file), arguments.snapshot);
     fmt::print("{} rows are in {}\n", outcome.rows, arguments.snapshot);
     return outcome.complete() ? kPass : kIncomplete;
@@ -155,7 +155,7 @@ void add_study_status(CLI::App& study, int& exit_code) {
   verb->add_flag("--watch", arguments->watch, "tell it every second until nobody writes any more");
   verb->add_option("--snapshot", arguments->snapshot,
                    "write the rows so far as a results file of their own");
-  verb->add_flag("--force", arguments->force, "replace the results file of a finished study");
+  add_force(*verb, arguments->force);
   verb->footer(
       "Exit code as of `ar3d check`; 5 while the study is running.\nExample: ar3d study status "
       "--watch "

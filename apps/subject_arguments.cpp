@@ -12,6 +12,7 @@
 #include "ar3d/model/settings.h"
 #include "ar3d/results/atomic_file.h"
 #include "outputs.h"
+#include "words.h"
 
 namespace ar3d {
 namespace {
@@ -34,13 +35,13 @@ std::string replay_lines(const Trial& trial, const SubjectArguments& arguments) 
   const std::string graph = shell_word(arguments.output + ".s6");
   std::string lines =
       fmt::format("ar3d verify {} --graphs {}\n", shell_word(arguments.output + ".jsonl"), graph);
-  if (arguments.plant.empty()) {
+  if (arguments.seeded_fault.empty()) {
     return lines + fmt::format("{} | ar3d verify - --graphs {}\n", draw_line(arguments), graph);
   }
   return lines +
-         fmt::format("{} is planted: {} draws the graph right\n", arguments.plant,
+         fmt::format("the fault {} is seeded: {} draws the graph right\n", arguments.seeded_fault,
                      draw_line(arguments)) +
-         (trial.failure.empty() ? "the planted fault does not show\n" : "");
+         (trial.failure.empty() ? "the seeded fault does not show\n" : "");
 }
 
 }  // namespace
@@ -54,19 +55,22 @@ void add_subject_options(CLI::App& verb, SubjectArguments& arguments) {
       ->allow_extra_args(false);
   verb.add_option("--measure", arguments.measure,
                   "whose share of the bound counts: x, y, z, side (the largest of them) or volume")
-      ->check(CLI::IsMember({"side", "x", "y", "z", "volume"}));
+      ->check(one_of({"side", "x", "y", "z", "volume"}));
   verb.add_option("--bound", arguments.against, "theorem, or instance: the proof's for this graph")
-      ->check(CLI::IsMember({"theorem", "instance"}));
-  verb.add_option("--plant", arguments.plant,
+      ->check(one_of({"theorem", "instance"}));
+  verb.add_option("--seeded-fault", arguments.seeded_fault,
                   "breaks the drawings on purpose, to see that it is found: wrong-bend or "
                   "passed-bound");
+  add_force(verb, arguments.force);
 }
 
 std::string shrink_line(const Trial& trial, const SubjectArguments& arguments) {
   std::string line =
       fmt::format("ar3d shrink {}{} --measure {} --bound {}", shell_word(arguments.output + ".s6"),
                   algorithm_words(arguments), arguments.measure, arguments.against);
-  if (!arguments.plant.empty()) line += " --plant " + shell_word(arguments.plant);
+  if (!arguments.seeded_fault.empty()) {
+    line += " --seeded-fault " + shell_word(arguments.seeded_fault);
+  }
   if (trial.failure.empty()) line += fmt::format(" --ratio {}", trial.ratio);
   return line + " -o " + shell_word(arguments.output + "-small");
 }
@@ -79,14 +83,17 @@ void refuse_unsafe_exhibit(const SubjectArguments& arguments, const std::string&
   if (prefix.empty()) return;
   refuse_unsafe_outputs(
       {.inputs = {input},
-       .outputs = {prefix + ".s6", prefix + ".jsonl", prefix + ".svg", prefix + ".txt"}});
+       .outputs = {prefix + ".s6", prefix + ".jsonl", prefix + ".svg", prefix + ".txt"},
+       .force = arguments.force});
 }
 
 Subject subject_of(const SubjectArguments& arguments) {
   const Algorithm& algorithm = find_algorithm(arguments.algorithm);
   Subject subject;
   subject.choice = {&algorithm, complete_options(algorithm, parse_settings(arguments.options))};
-  if (!arguments.plant.empty()) subject.fault = &find_seeded_fault(arguments.plant);
+  if (!arguments.seeded_fault.empty()) {
+    subject.fault = &find_seeded_fault(arguments.seeded_fault);
+  }
   return subject;
 }
 

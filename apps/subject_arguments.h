@@ -13,10 +13,11 @@ namespace ar3d {
 struct SubjectArguments {
   std::string algorithm;
   std::vector<std::string> options;
-  std::string plant;
+  std::string seeded_fault;
   std::string measure = "side";
   std::string against = "theorem";
   std::string output;
+  bool force = false;
 };
 
 void add_subject_options(CLI::App& verb, SubjectArguments& arguments);

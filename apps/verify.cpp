@@ -15,6 +15,8 @@
 #include "ar3d/verify/examination.h"
 #include "batches.h"
 #include "commands.h"
+#include "graph_input.h"
+#include "words.h"
 
 namespace ar3d {
 namespace {
@@ -22,6 +24,7 @@ namespace {
 struct VerifyArguments {
   std::string input = "-";
   std::string graphs;
+  GraphInput graphs_as;
   std::string algorithm;
   std::string test = "automatic";
   bool quiet = false;
@@ -89,7 +92,8 @@ Verdict judge(const Task& task, const VerifyArguments& arguments) {
 int verify_drawings(const VerifyArguments& arguments) {
   DrawingJsonlReader reader(arguments.input);
   std::optional<GraphReader> graphs;
-  if (!arguments.graphs.empty()) graphs.emplace(arguments.graphs);
+  if (!arguments.graphs.empty())
+    graphs.emplace(arguments.graphs, arguments.graphs_as.read_options());
   std::uint64_t number = 0, certified = 0, violated = 0, not_drawn = 0, measured = 0;
   in_batches<Task>(
       [&]() -> std::optional<Task> {
@@ -132,11 +136,12 @@ void add_verify(CLI::App& app, int& exit_code) {
   verb->add_option(
       "--graphs", arguments->graphs,
       "the graphs that were to be drawn, in the same order; else the drawings' own edges count");
+  add_graph_input_options(*verb, arguments->graphs_as);
   verb->add_option("--algorithm", arguments->algorithm,
                    "whose guarantee to check; else the one the drawing names");
   verb->add_option("--crossing-test", arguments->test,
                    "automatic, all-pairs (the slow oracle), plane-sweep or slabs")
-      ->check(CLI::IsMember({"automatic", "all-pairs", "plane-sweep", "slabs"}));
+      ->check(one_of({"automatic", "all-pairs", "plane-sweep", "slabs"}));
   verb->add_flag("-q,--quiet", arguments->quiet, "only the summary");
   verb->footer(
       "Exit code 4 if a drawing is violated, 5 if a graph was not drawn, a drawing is in a real "

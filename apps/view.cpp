@@ -22,6 +22,7 @@ struct ViewArguments {
   std::string input;
   std::string output;
   std::string algorithm;
+  bool force = false;
 };
 
 /// The input's name with the ending .html. @throws InputError for standard input.
@@ -43,8 +44,12 @@ void refuse_other_file(const std::string& page) {
 
 int view_drawings(const ViewArguments& arguments) {
   const std::string page = arguments.output.empty() ? page_of(arguments.input) : arguments.output;
-  refuse_unsafe_outputs({.inputs = {arguments.input}, .outputs = {page}});
   if (arguments.output.empty()) refuse_other_file(page);
+  refuse_unsafe_outputs({.inputs = {arguments.input},
+                         .outputs = {},
+                         .page = page,
+                         .page_is = kViewerMark,
+                         .force = arguments.force});
   if (!arguments.algorithm.empty()) find_algorithm(arguments.algorithm);
   DrawingJsonlReader reader(arguments.input);
   const NextDrawing next = [&]() -> std::optional<PlacedLine> {
@@ -69,6 +74,7 @@ void add_view(CLI::App& app, int& exit_code) {
                    "the page; the drawings' file with the ending .html if left out");
   verb->add_option("--algorithm", arguments->algorithm,
                    "whose guarantee to judge the drawings by; else the one that each names");
+  add_force(*verb, arguments->force);
   verb->footer(
       "The page works from disk, without a network. Violations are listed in it; `ar3d verify` "
       "gives a "

@@ -11,4 +11,7 @@ namespace ar3d {
 /// sequence reaches a terminal, and no text looks like another line. O(length) time.
 std::string printable(std::string_view text);
 
+/// The word as a POSIX shell reads it back: in quotes unless it is plain.
+std::string shell_word(std::string_view word);
+
 }  // namespace ar3d

@@ -1,6 +1,7 @@
 #include "ar3d/model/settings.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -20,6 +21,13 @@ Setting parse_setting(std::string_view word) {
     if (error == std::errc() && rest == end) return setting;
   }
   throw InputError(fmt::format("'{}' is not of the form name=integer", word));
+}
+
+/// What there is instead, and where it is explained.
+std::string known_names(std::span<const SettingSpec> specs, std::string_view kind) {
+  const char* const page = kind == "option" ? "algorithms" : "families";
+  if (specs.empty()) return fmt::format("it has none; see: ar3d list {}", page);
+  return fmt::format("known: {}; see: ar3d list {}", fmt::join(names_of(specs), ", "), page);
 }
 
 const Setting* find(const Settings& settings, std::string_view name) {
@@ -57,8 +65,9 @@ Settings complete_settings(std::string_view owner, std::string_view kind,
                            std::span<const SettingSpec> specs, const Settings& given) {
   for (const Setting& setting : given) {
     if (std::ranges::find(specs, setting.name, &SettingSpec::name) == specs.end())
-      throw InputError(fmt::format("{} has no {} '{}'{}", owner, kind, setting.name,
-                                   did_you_mean(setting.name, names_of(specs))));
+      throw InputError(fmt::format("{} has no {} '{}'{} ({})", owner, kind, setting.name,
+                                   did_you_mean(setting.name, names_of(specs)),
+                                   known_names(specs, kind)));
     if (std::ranges::count(given, setting.name, &Setting::name) > 1)
       throw InputError(fmt::format("{}: {} '{}' is given twice", owner, kind, setting.name));
   }

@@ -21,6 +21,7 @@
 #include "ar3d/bench/run/rank_batch.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/new_file.h"
+#include "ar3d/model/printable.h"
 #include "ar3d/records/run_columns.h"
 #include "ar3d/records/run_storage.h"
 #include "ar3d/results/atomic_file.h"
@@ -194,7 +195,7 @@ JournaledStudy new_study(const StudySpec& spec, const Shard& shard, const std::s
     throw InputError(fmt::format(
         "{} is the journal of a study that is not finished: go on with `ar3d study resume {}`, or "
         "delete it",
-        journals.front(), study.results));
+        journals.front(), shell_word(study.results)));
   }
   require_writable(study.results);
   return study;

@@ -1,6 +1,7 @@
 #include "ar3d/bench/search/seeded_fault.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -10,6 +11,7 @@
 #include <optional>
 
 #include "ar3d/model/error.h"
+#include "ar3d/model/nearest_name.h"
 
 namespace ar3d {
 namespace {
@@ -117,12 +119,12 @@ const std::vector<SeededFault>& seeded_faults() {
 }
 
 const SeededFault& find_seeded_fault(std::string_view name) {
-  std::string known;
   for (const SeededFault& row : seeded_faults()) {
     if (row.name == name) return row;
-    known += (known.empty() ? "" : ", ") + row.name;
   }
-  throw InputError(fmt::format("unknown planted fault '{}' (known: {})", name, known));
+  const auto known = names_of(seeded_faults());
+  throw InputError(fmt::format("unknown seeded fault '{}'{} (known: {})", name,
+                               did_you_mean(name, known), fmt::join(known, ", ")));
 }
 
 }  // namespace ar3d

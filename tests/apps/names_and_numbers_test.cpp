@@ -35,6 +35,12 @@ TEST(Numbers, NegativeAndOverlargeOnesAreRefused) {
   expect_refused("{} hunt --algorithm grid -n -5", "'-5' is not a whole number");
   expect_refused("{} hunt --algorithm grid --seconds nan", "'nan' is not a number");
   expect_refused("{} draw - --algorithm grid --turn inf", "'inf' is not a number");
+  expect_refused("{} study selfcheck r.h5 --seed -1", "'-1' is not a whole number");
+  expect_refused("{} study selfcheck r.h5 --sample -1", "'-1' is not a whole number");
+  expect_refused("{} study count r.h5 --max-n -1", "'-1' is not a whole number");
+  expect_refused("{} study run smoke --threads -1", "'-1' is not a whole number");
+  expect_refused("{} study plan smoke --threads 1e9", "'1e9' is not a whole number");
+  expect_refused("{} compare a.h5 b.h5 --rounds -1", "'-1' is not a whole number");
 }
 
 TEST(Numbers, SizesThatAFamilyLacksAreSaid) {
@@ -64,6 +70,25 @@ TEST(Names, UnknownOnesAreAnsweredWithTheNearest) {
   expect_refused("{} generate cycel -n 9", "did you mean 'cycle'?");
   expect_refused("{} generate cycle -n 9 --format grap6", "did you mean 'graph6'?");
   expect_refused("{} draw - --algorithm grid --format jsnl", "did you mean 'jsonl'?");
+  expect_refused("{} draw - --algorithm gird",
+                 "unknown algorithm 'gird'; did you mean 'grid'? (known: diamond, two-bend, grid, "
+                 "compact; see: ar3d list algorithms)");
+  expect_refused(
+      "{} draw - --algorithm grid --set efort=2",
+      "algorithm grid has no option 'efort'; did you mean 'effort'? (known: effort; see: "
+      "ar3d list algorithms)");
+  expect_refused("{} generate torus -n 9 --set row=3",
+                 "family torus has no parameter 'row'; did you mean 'rows'? (known: rows, shuffle; "
+                 "see: ar3d list families)");
+  expect_refused("{} hunt --algorithm grid --measure volum",
+                 "did you mean 'volume'? (see ar3d hunt --help)");
+  expect_refused("{} hunt --algorithm grid --bound theorm", "did you mean 'theorem'?");
+  expect_refused("{} hunt --algorithm grid --family cycel", "did you mean 'cycle'?");
+  expect_refused("{} hunt --algorithm grid --seeded-fault wrong-bent",
+                 "did you mean 'wrong-bend'?");
+  expect_refused("{} verify - --crossing-test slab", "did you mean 'slabs'?");
+  expect_refused("{} list familes", "did you mean 'families'? (see ar3d list --help)");
+  expect_refused("{} study run smok", "did you mean 'smoke'?");
 }
 
 TEST(Files, AnEndingThatIsNoFormatIsRefused) {
@@ -77,6 +102,28 @@ TEST(Files, AnEndingThatIsNoFormatIsRefused) {
                  "cannot go to standard output");
   EXPECT_TRUE(std::filesystem::is_empty(scratch.path("")));
   EXPECT_EQ(run("{} generate k5 --format edgelist -o " + scratch.path("k5.step")).exit_code, 0);
+}
+
+/// An edge list whose first line may be a header or an edge, wherever a graph file is read.
+TEST(Files, AFirstLineIsDecidedByEveryVerbThatReadsGraphs) {
+  const ScratchDirectory scratch;
+  const std::string graph = scratch.write("g.txt", "2 1\n0 1\n");  // a path of 3, or of 2, vertices
+  const std::string drawing = scratch.path("d.jsonl");
+  const std::string asks = "--first-line edge or --first-line header says which";
+  expect_refused("{} draw " + graph + " --algorithm grid", asks);
+  ASSERT_EQ(
+      run("{} draw " + graph + " --algorithm grid --first-line header -o " + drawing).exit_code, 0);
+  const Outcome open = run("{} verify " + drawing + " --graphs " + graph);
+  EXPECT_EQ(open.exit_code, 2);
+  EXPECT_THAT(open.err, HasSubstr(asks));
+  EXPECT_EQ(run("{} verify " + drawing + " --first-line header --graphs " + graph).exit_code, 0);
+  EXPECT_EQ(run("{} verify " + drawing + " --first-line edge --graphs " + graph).exit_code, 4);
+  const std::string shrink = "{} shrink " + graph + " --algorithm grid --ratio 1e-9 -o ";
+  expect_refused(shrink + scratch.path("a"), asks);
+  EXPECT_THAT(run(shrink + scratch.path("b") + " --first-line header --evaluations 1").out,
+              HasSubstr("of 2 vertices"));
+  EXPECT_THAT(run(shrink + scratch.path("c") + " --first-line edge --evaluations 1").out,
+              HasSubstr("of 3 vertices"));
 }
 
 TEST(Files, AStreamIsNoPrefix) {

@@ -75,7 +75,7 @@ TEST_F(Outputs, AreNotEachOther) {
 }
 
 TEST_F(Outputs, DoNotReplaceResultsUnasked) {
-  const std::string why = "other.h5 is a results file, which is not overwritten";
+  const std::string why = "other.h5 exists and is a results file; --force replaces it";
   for (const char* command :
        {"study run smoke -q -o other.h5", "study merge r.h5 -o other.h5", "report r.h5 -o other.h5",
         "study status r.h5 --snapshot other.h5", "study count r.h5 -o other.h5",
@@ -86,6 +86,74 @@ TEST_F(Outputs, DoNotReplaceResultsUnasked) {
   EXPECT_EQ(run("{} study run smoke -q --force -o " + other).exit_code, 0);
   EXPECT_NE(read_file(other), bytes_);
   EXPECT_EQ(run("{} study merge --force " + results_ + " -o " + other).exit_code, 0);
+}
+
+/// What every verb that writes files writes.
+struct Written {
+  const char* command;
+  const char* file;
+};
+
+TEST_F(Outputs, ThatExistAreReplacedWithForceOnly) {
+  ASSERT_EQ(run("{} generate k4 -o " + scratch_.path("k4.s6")).exit_code, 0);
+  ASSERT_EQ(
+      run("{} draw " + scratch_.path("k4.s6") + " --algorithm grid -o " + scratch_.path("d.jsonl"))
+          .exit_code,
+      0);
+  for (const Written& written :
+       std::vector<Written>{{"generate petersen -o out.s6", "out.s6"},
+                            {"draw k4.s6 --algorithm diamond -o out.jsonl", "out.jsonl"},
+                            {"draw k4.s6 --algorithm diamond -o out.svg", "out.svg"},
+                            {"draw k4.s6 --algorithm diamond -o out.h5", "out.h5"},
+                            {"replay r.h5 0 -o out.jsonl", "out.jsonl"},
+                            {"hunt --algorithm grid -n 8 --evaluations 2 -o out", "out.txt"},
+                            {"shrink k4.s6 --algorithm grid --ratio 1e-9 -o out", "out.svg"},
+                            {"view d.jsonl -o out.html", "out.html"},
+                            {"report r.h5 -o out.html", "out.html"},
+                            {"report r.h5 --csv out.csv", "out.csv"},
+                            {"report r.h5 --growth out.csv", "out.csv"},
+                            {"report r.h5 --rows out.csv", "out.csv"},
+                            {"report r.h5 --json out.json", "out.json"},
+                            {"report r.h5 --benchmark-json out.json", "out.json"},
+                            {"report r.h5 --figures .", "diamond-effort-1-volume.svg"},
+                            {"compare r.h5 other.h5 --drawings-only --json out.json", "out.json"},
+                            {"study run smoke -q -o out.h5", "out.h5"},
+                            {"study merge r.h5 -o out.h5", "out.h5"},
+                            {"study count r.h5 --max-n 4 -o out.h5", "out.h5"},
+                            {"study status r.h5 --snapshot out.h5", "out.h5"}}) {
+    const std::string file = scratch_.path(written.file);
+    std::ofstream(file) << "a year's work\n";
+    expect_refused(written.command, std::string(written.file) + " exists; --force replaces it");
+    EXPECT_EQ(read_file(file), "a year's work\n") << written.command;
+    if (std::string(written.command).starts_with("study count")) continue;  // takes valgrind
+    const Outcome forced =
+        run("cd " + scratch_.path("") + " && {} " + written.command + " --force");
+    EXPECT_LE(forced.exit_code, 0) << written.command << forced.err;
+    EXPECT_NE(read_file(file), "a year's work\n") << written.command;
+    fs::remove(file);
+    fs::remove(scratch_.path("out.s6"));
+    fs::remove(scratch_.path("out.jsonl"));
+    fs::remove(scratch_.path("out.txt"));
+    fs::remove(scratch_.path("out.svg"));
+  }
+}
+
+TEST_F(Outputs, AnEmptyFileAndADeviceHoldNothingToLose) {
+  const std::string k4 = "{} generate k4 --format graph6 ";
+  EXPECT_EQ(run("f=$(mktemp) && " + k4 + "-o $f && cat $f; rm $f").out, "C~\n");
+  EXPECT_EQ(run(k4 + "-o /dev/null").exit_code, 0);
+  EXPECT_EQ(run(k4 + "-o /dev/stdout | cat").out, "C~\n");
+}
+
+TEST_F(Outputs, APageThatIsNoReportIsNotReplacedByResume) {
+  const std::string spec =
+      scratch_.write("s.toml",
+                     "study = 's'\nbudget = { study = \"1 ns\" }\n[[sweep]]\nfamilies = 'cycle'\n"
+                     "sizes = 20\nalgorithms = 'grid'\ninstances = 3\n");
+  ASSERT_EQ(run("{} study run -q " + spec + " -o " + scratch_.path("index.h5")).exit_code, 5);
+  scratch_.write("index.html", "my pages");
+  run("{} study resume -q " + scratch_.path("index.h5"));
+  EXPECT_EQ(read_file(scratch_.path("index.html")), "my pages");
 }
 
 TEST_F(Outputs, DoNotReplaceAPageThatIsNoReport) {

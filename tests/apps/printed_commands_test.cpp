@@ -55,6 +55,35 @@ TEST(PrintedCommands, OfRowsDrawTheRowsDrawing) {
   EXPECT_GT(drawn, 20u);
 }
 
+/// What `check` prints of rows that are wrong or not done.
+TEST(PrintedCommands, OfCheckDrawTheRowsDrawing) {
+  const ScratchDirectory scratch;
+  const std::string made = scratch.path("made.h5"), file = scratch.path("r.h5");
+  const std::string spec = scratch.write(
+      "s.toml",
+      "study = 's'\n[[sweep]]\nfamilies = ['random-cubic', { family = 'torus', rows = 5 }]\n"
+      "sizes = [20, 61]\nalgorithms = [{ algorithm = 'diamond', effort = [0, 2] }, 'compact']\n");
+  ASSERT_EQ(run("{} study run -q " + spec + " -o " + made).exit_code, 0);
+  Results results = read_results(made);
+  std::vector<std::string> hashes;
+  for (RunRecord& run : results.runs) {
+    hashes.push_back(run.drawing_hash);
+    run.extents[1] = 1'000'000;  // passes the theorem's bound
+  }
+  write_results(results, file);
+  const Outcome check = run("{} check " + file);
+  ASSERT_EQ(check.exit_code, 4) << check.err;
+  std::size_t commands = 0;
+  std::istringstream lines(check.out);
+  for (std::string line, row; std::getline(lines, line);) {
+    if (line.starts_with("VIOLATED row ")) row = line.substr(13);
+    if (!line.starts_with("    ar3d ")) continue;
+    EXPECT_EQ(hash_of_drawing(line.substr(4), scratch), hashes.at(std::stoul(row))) << line;
+    ++commands;
+  }
+  EXPECT_GE(commands, results.runs.size());
+}
+
 std::vector<std::string> lines_with(const std::string& text, const std::string& beginning) {
   std::vector<std::string> found;
   std::istringstream lines(text);
@@ -62,6 +91,40 @@ std::vector<std::string> lines_with(const std::string& text, const std::string& 
     if (line.starts_with(beginning)) found.push_back(line);
   }
   return found;
+}
+
+/// What stands between backquotes.
+std::vector<std::string> quoted_commands(const std::string& text) {
+  std::vector<std::string> found;
+  for (std::size_t at = 0; (at = text.find("`ar3d ", at)) != std::string::npos;) {
+    const std::size_t end = text.find('`', at + 1);
+    found.push_back(text.substr(at + 1, end - at - 1));
+    at = end + 1;
+  }
+  return found;
+}
+
+/// What a study that ends early, `status` and a refused fresh run say of going on.
+TEST(PrintedCommands, OfAnUnfinishedStudyRunAsPrinted) {
+  const ScratchDirectory scratch;
+  const std::string file = scratch.path("it's r.h5");
+  const std::string spec =
+      scratch.write("s.toml",
+                    "study = 's'\nbudget = { study = '1 us' }\n[[sweep]]\nfamilies = 'cycle'\n"
+                    "sizes = 20\nalgorithms = 'grid'\ninstances = 3\n");
+  const std::string begin = "{} study run -q " + spec + " -o \"" + file + "\"";
+  const Outcome begun = run(begin), again = run(begin),
+                status = run("{} study status \"" + file + "\"");
+  EXPECT_EQ(begun.exit_code, 5) << begun.err;
+  EXPECT_EQ(again.exit_code, 2) << again.err;
+  EXPECT_EQ(status.exit_code, 5) << status.err;
+  for (const std::string& said : {begun.err, again.err, status.out}) {
+    const auto commands = quoted_commands(said);
+    ASSERT_EQ(commands.size(), 1u) << said;
+    const Outcome resumed = run(runnable(commands.front()) + " -q");
+    EXPECT_EQ(resumed.exit_code, 5)
+        << commands.front() << resumed.err << "the budget is what it was";
+  }
 }
 
 /// What `hunt -o` prints runs as printed; `shrink` finds the ratio that `hunt` has found.

@@ -155,7 +155,7 @@ class SeededFaultTest : public ::testing::TestWithParam<Planted> {};
 TEST_P(SeededFaultTest, IsHuntedShrunkAndShown) {
   const ScratchDirectory scratch;
   const std::string subject =
-      std::string(" --algorithm ") + GetParam().algorithm + " --plant " + GetParam().fault;
+      std::string(" --algorithm ") + GetParam().algorithm + " --seeded-fault " + GetParam().fault;
   const std::string big = scratch.path("big"), small = scratch.path("small");
   const Outcome hunt = run("{} hunt -n 60" + subject + " -o " + big);
   EXPECT_EQ(hunt.exit_code, 4) << hunt.err;
@@ -232,7 +232,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         BadCall{"hunt_unknown_algorithm", "{} hunt --algorithm nobody", "nobody"},
         BadCall{"hunt_unknown_family", "{} hunt --algorithm diamond --family nobody", "nobody"},
-        BadCall{"hunt_unknown_fault", "{} hunt --algorithm diamond --plant nothing", "nothing"},
+        BadCall{"hunt_unknown_fault", "{} hunt --algorithm diamond --seeded-fault nothing",
+                "nothing"},
         BadCall{"hunt_degree", "{} hunt --algorithm grid --family random-4-regular", "degree"},
         BadCall{"hunt_nan", "{} hunt --algorithm diamond --seconds nan", "--seconds"},
         BadCall{"hunt_no_instance_bound",

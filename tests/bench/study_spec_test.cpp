@@ -211,7 +211,7 @@ TEST(StudySpec, RefusesBadAxes) {
   EXPECT_THAT(sweep_error("\"cycle\"", "{ from = 10, to = 50, step = 1, per_decade = 1 }", good),
               HasSubstr("unknown key 'step'"));
   EXPECT_THAT(sweep_error("\"cycle\"", "10", "\"dimond\""),
-              HasSubstr("t.toml:5: unknown algorithm 'dimond' (known: diamond"));
+              HasSubstr("t.toml:5: unknown algorithm 'dimond'; did you mean 'diamond'?"));
   EXPECT_THAT(sweep_error("\"cycle\"", "10", "{ algorithm = \"diamond\", efort = 1 }"),
               HasSubstr("t.toml:5: algorithm diamond has no option 'efort'"));
   EXPECT_THAT(sweep_error("\"cycle\"", "10", "{ algorithm = \"diamond\", effort = 99 }"),

@@ -50,12 +50,14 @@ TEST(Settings, AreRefusedByNameAndValue) {
   const auto told = [](const Settings& given) {
     return refusal([&] { complete_settings("algorithm x", "option", kSpecs, given); });
   };
-  EXPECT_EQ(told({{"size", 1}}), "algorithm x has no option 'size'");
+  EXPECT_EQ(told({{"size", 1}}),
+            "algorithm x has no option 'size' (known: k, p; see: ar3d list algorithms)");
   EXPECT_EQ(refusal([] {
               complete_settings("algorithm x", "option",
                                 std::vector<SettingSpec>{{"effort", 0, 2, 1, ""}}, {{"efort", 1}});
             }),
-            "algorithm x has no option 'efort'; did you mean 'effort'?");
+            "algorithm x has no option 'efort'; did you mean 'effort'? (known: effort; see: ar3d "
+            "list algorithms)");
   EXPECT_EQ(told({{"k", 1}, {"k", 2}}), "algorithm x: option 'k' is given twice");
   EXPECT_EQ(told({{"k", 10}}), "algorithm x: option k = 10 is outside 1..9");
   EXPECT_EQ(told({{"p", -6}}), "algorithm x: option p = -6 is outside -5..5");

@@ -1,0 +1,27 @@
+#include "graph_input.h"
+
+#include "numbers.h"
+#include "words.h"
+
+namespace ar3d {
+
+ReadOptions GraphInput::read_options() const {
+  ReadOptions chosen = options;
+  if (first_line == "edge") chosen.first_line = FirstLine::edge;
+  if (first_line == "header") chosen.first_line = FirstLine::header;
+  return chosen;
+}
+
+void add_graph_input_options(CLI::App& verb, GraphInput& input) {
+  verb.add_option("--from", input.options.format,
+                  "format of the graphs that are read; detected by content if left out");
+  verb.add_option("--base", input.options.base,
+                  "smallest vertex id of edge and adjacency lists: 0 or 1")
+      ->check(whole_number(0, 1));
+  verb.add_option("--first-line", input.first_line,
+                  "what a first line 'a b' of an edge list is where that is open: edge, or header "
+                  "(numbers of vertices and edges)")
+      ->check(one_of({"automatic", "edge", "header"}));
+}
+
+}  // namespace ar3d

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "ar3d/formats/graphs/graph_format.h"
+
+namespace ar3d {
+
+/// How a graph file is to be read, as every verb that reads one is told.
+struct GraphInput {
+  ReadOptions options;
+  std::string first_line = "automatic";
+
+  ReadOptions read_options() const;
+};
+
+/// The options --from, --base and --first-line.
+void add_graph_input_options(CLI::App& verb, GraphInput& input);
+
+}  // namespace ar3d
