@@ -1,5 +1,7 @@
 #include "graph_input.h"
 
+#include <limits>
+
 #include "numbers.h"
 #include "words.h"
 
@@ -8,6 +10,7 @@ namespace ar3d {
 ReadOptions GraphInput::read_options() const {
   ReadOptions chosen = options;
   if (first_line == "edge") chosen.first_line = FirstLine::edge;
+  if (trust_sizes) chosen.free_vertices = std::numeric_limits<Vertex>::max();
   if (first_line == "header") chosen.first_line = FirstLine::header;
   return chosen;
 }
@@ -22,6 +25,8 @@ void add_graph_input_options(CLI::App& verb, GraphInput& input) {
                   "what a first line 'a b' of an edge list is where that is open: edge, or header "
                   "(numbers of vertices and edges)")
       ->check(one_of({"automatic", "edge", "header"}));
+  verb.add_flag("--trust-sizes", input.trust_sizes,
+                "believe a file's number of vertices, however few bytes stand behind it");
 }
 
 }  // namespace ar3d

@@ -11,11 +11,12 @@ namespace ar3d {
 struct GraphInput {
   ReadOptions options;
   std::string first_line = "automatic";
+  bool trust_sizes = false;
 
   ReadOptions read_options() const;
 };
 
-/// The options --from, --base and --first-line.
+/// The options --from, --base, --first-line and --trust-sizes.
 void add_graph_input_options(CLI::App& verb, GraphInput& input);
 
 }  // namespace ar3d

@@ -84,8 +84,8 @@ int conclude(const JournaledStudy& study) {
   return exit_code;
 }
 
-int run_to_the_end(const JournaledStudy& study, const RunArguments& arguments,
-                   const MakingPolicy& policy, Ranks& ranks) {
+int run_to_the_end(JournaledStudy study, const RunArguments& arguments, const MakingPolicy& policy,
+                   Ranks& ranks) {
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
   std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error of the write, like a full disk
@@ -105,6 +105,7 @@ int run_to_the_end(const JournaledStudy& study, const RunArguments& arguments,
     return kIncomplete;
   }
   if (!ranks.is_first()) return kPass;
+  study.results = outcome.results;
   if (outcome.complete()) return conclude(study);
   fmt::print(stderr,
              "ar3d: {}; {} rows are in {}, {} are missing; go on with `ar3d study resume {}`\n",

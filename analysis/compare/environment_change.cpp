@@ -12,7 +12,7 @@ constexpr const char* kAbsent = "absent";
 
 /// Differs from session to session on one machine, or is the change that is to be judged.
 bool is_passing(const std::string& name) {
-  return name == "started" || name == "source_hash" || name == "dirty_hash" ||
+  return name == "started" || name == "source_hash" || name == "dirty_hash" || name == "checksum" ||
          name.starts_with("load_");
 }
 
@@ -42,14 +42,20 @@ double leading_number(const std::string& text) {
   return number;
 }
 
-/// The load at a session's beginning that is more than half of the cores; empty if none is.
+/// The load at a session's beginning that is more than half of the cores, or at its end, if it is
+/// as much more than the rows that the session made at a time; empty if none is.
 std::string busy(const Results& results) {
-  double cores = 1;
+  double cores = 1, own = 1;
+  for (const RunRecord& run : results.runs) {
+    own = std::max(own, static_cast<double>(run.concurrency));
+  }
   for (const EnvironmentEntry& entry : results.environment) {
     if (entry.name == "cores") cores = std::max(cores, leading_number(entry.value));
   }
   for (const EnvironmentEntry& entry : results.environment) {
     if (entry.name == "load_before" && leading_number(entry.value) > cores / 2) return entry.value;
+    if (entry.name == "load_after" && leading_number(entry.value) > own + cores / 2)
+      return entry.value;
   }
   return "";
 }

@@ -254,7 +254,11 @@ class Dismissal {
 class Part {
  public:
   Part(const JournaledStudy& study, const MakingPolicy& policy, Ranks& ranks)
-      : study_(study), policy_(policy), ranks_(ranks), plan_(plan_of(study)) {
+      : study_(study),
+        policy_(policy),
+        ranks_(ranks),
+        plan_(plan_of(study)),
+        folder_(study.results) {
     const StudyIdentity identity = identity_of(study, plan_);
     const std::string path = journal_path(study.results, ranks.rank());
     together(ranks, [&] {
@@ -287,6 +291,7 @@ class Part {
       shared.next_instance = [] { return std::nullopt; };
       if (plan_.budget.study_s) *plan_.budget.study_s -= time.wall_s();  // what is left of it
       const Dismissal at_end(ranks_);
+      study_.results = folder_.results_path();
       make(shared, rows_so_far(study_));
     } else if (ranks_.size() > 1) {
       RankBatches batches(plan_, plan_.timing, ranks_.rank(),
@@ -297,8 +302,10 @@ class Part {
   }
 
   StudyOutcome write_results() {
+    study_.results = folder_.results_path();
     StudyOutcome outcome = write_rows_so_far(study_, plan_, study_.results);
     if (outcome.complete()) remove_journals(study_.results);
+    outcome.results = study_.results;
     return outcome;
   }
 
@@ -341,10 +348,11 @@ class Part {
     ar3d::make_rows(plan_, policy, sink);
   }
 
-  const JournaledStudy& study_;
+  JournaledStudy study_;
   const MakingPolicy& policy_;
   Ranks& ranks_;
   StudyPlan plan_;
+  StudyFolder folder_;
   std::optional<JournalWriter> journal_;  // until the end, so that nobody else takes the study up
 };
 

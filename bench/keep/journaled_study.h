@@ -30,6 +30,7 @@ struct StudyOutcome {
   std::size_t missing = 0;     ///< rows that it is not complete without
   std::string first_missing;   ///< key of one
   std::string missing_shards;  ///< "2, 5-8"; of a merged study
+  std::string results = {};    ///< path of the results file, whose folder may have been moved
   bool complete() const { return missing == 0; }
 };
 

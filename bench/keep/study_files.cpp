@@ -1,7 +1,9 @@
 #include "ar3d/bench/keep/study_files.h"
 
 #include <dirent.h>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -166,6 +168,27 @@ bool rows_are_in_results(const std::string& results) {
 
 void remove_journals(const std::string& results) {
   for (const std::string& path : existing_journals(results)) fs::remove(path);
+}
+
+StudyFolder::StudyFolder(const std::string& results)
+    : results_(results),
+      folder_(open(folder_of(results).c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC)) {
+  if (folder_.get() < 0) {
+    throw InputError(fmt::format("cannot open {}: {}", folder_of(results), std::strerror(errno)));
+  }
+}
+
+std::string StudyFolder::results_path() const {
+  struct stat held {};
+  struct stat named {};
+  const bool is_same = fstat(folder_.get(), &held) == 0 &&
+                       stat(folder_of(results_).c_str(), &named) == 0 &&
+                       held.st_dev == named.st_dev && held.st_ino == named.st_ino;
+  std::error_code error;
+  const fs::path now =
+      is_same ? fs::path()
+              : fs::read_symlink(fmt::format("/proc/self/fd/{}", folder_.get()), error);
+  return is_same || error ? results_ : (now / file_name(results_)).string();
 }
 
 }  // namespace ar3d

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "ar3d/model/descriptor.h"
 #include "ar3d/results/study_identity.h"
 
 namespace ar3d {
@@ -41,6 +42,20 @@ bool rows_are_in_results(const std::string& results);
 /// be called by the one that has the journal locked. @throws InputError if the folder cannot be
 /// listed.
 void remove_leftovers(const std::string& results);
+
+/// The folder of a study's files, held open: it stays the same one whatever its name becomes.
+class StudyFolder {
+ public:
+  /// @throws InputError if it cannot be opened.
+  explicit StudyFolder(const std::string& results);
+  /// The path of the results file in this folder: the one given as long as that leads here, else
+  /// the one under which the folder is found now.
+  std::string results_path() const;
+
+ private:
+  std::string results_;
+  Descriptor folder_;
+};
 
 /// After the results file is safe on the disk.
 void remove_journals(const std::string& results);

@@ -7,7 +7,7 @@
 namespace ar3d {
 namespace {
 constexpr std::uint64_t kMaxVertices = std::numeric_limits<Vertex>::max() - 1;
-constexpr std::uint64_t kVerticesPerByte = 64;
+constexpr std::uint64_t kVerticesPerByte = 16;
 }  // namespace
 
 std::optional<std::string> vertex_count_problem(std::uint64_t n, std::uint64_t bytes,
@@ -17,8 +17,10 @@ std::optional<std::string> vertex_count_problem(std::uint64_t n, std::uint64_t b
   }
   const std::uint64_t allowed = options.free_vertices + kVerticesPerByte * bytes;
   if (n <= allowed) return std::nullopt;
-  return fmt::format("{} vertices claimed by a graph of {} bytes, which accounts for at most {}", n,
-                     bytes, allowed);
+  return fmt::format(
+      "{} vertices claimed by a graph of {} bytes, which accounts for at most {}; "
+      "--trust-sizes believes it",
+      n, bytes, allowed);
 }
 
 }  // namespace ar3d

@@ -3,10 +3,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <set>
+#include <vector>
 
 #include "ar3d/model/error.h"
 #include "ar3d/results/hdf5/apart.h"
@@ -17,6 +20,20 @@ namespace {
 
 constexpr unsigned kLeastSeconds = 60;
 constexpr off_t kBytesPerSecond = 1 << 16;  // of the file; ten times slower than it is
+
+// What every session says from now on, in whatever file its rows are.
+void mark_unchecked(std::vector<EnvironmentEntry>& environment) {
+  std::set<std::int64_t> sessions;
+  for (const EnvironmentEntry& entry : environment) sessions.insert(entry.session);
+  if (sessions.empty()) sessions.insert(1);
+  for (const std::int64_t session : sessions) {
+    const auto end =
+        std::find_if(environment.rbegin(), environment.rend(),
+                     [&](const EnvironmentEntry& entry) { return entry.session == session; });
+    environment.insert(end.base(),
+                       {"checksum", "none: the rows are of a file of version 2", session});
+  }
+}
 
 void convert(int from, int to, const RowFormat& format, const std::string& path) {
   OpenResults former = open_results(from, kFormerVersion, format);
@@ -30,6 +47,7 @@ void convert(int from, int to, const RowFormat& format, const std::string& path)
   const auto read = [&](std::size_t i, char* record) {
     std::memcpy(record, reader.read(i), format.record_size());
   };
+  mark_unchecked(former.environment);
   write_results_into(to, former.identity, former.environment, format, {reader.size(), read}, path);
 }
 

@@ -4,10 +4,13 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <mutex>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "ar3d/model/error.h"
+#include "ar3d/model/printable.h"
 #include "ar3d/results/hdf5/file_checksum.h"
 #include "ar3d/results/hdf5/hdf5_file.h"
 #include "ar3d/results/hdf5/hdf5_records.h"
@@ -157,6 +160,22 @@ OpenResults open_results(int descriptor, long long version, const RowFormat& for
   return {std::move(file), bytes, std::move(identity), std::move(environment)};
 }
 
+namespace {
+
+// Once a process for every file.
+void say_unchecked(const std::string& path) {
+  static std::mutex mutex;
+  static std::set<std::string> said;
+  const std::lock_guard lock(mutex);
+  if (!said.insert(path).second) return;
+  fmt::print(stderr,
+             "ar3d: {}: a file of version 2 has no checksum: a value that was changed in it is not "
+             "noticed\n",
+             printable(path));
+}
+
+}  // namespace
+
 struct ResultsReader::File {
   std::string path;
   TableReader rows;  // keeps the HDF5 file open
@@ -168,6 +187,7 @@ ResultsReader::ResultsReader(const std::string& path, const RowFormat& format) {
     std::optional<TemporaryFile> converted;
     if (!has_checksum(file.get(), path)) {
       convert_former(file.get(), converted.emplace().descriptor(), format, path);
+      say_unchecked(path);
     }
     const int whole = converted ? converted->descriptor() : file.get();
     OpenResults opened = open_results(whole, kResultsFormatVersion, format);

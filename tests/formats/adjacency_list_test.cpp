@@ -34,7 +34,7 @@ TEST(AdjacencyList, RefusesWithPlaceAndValue) {
   EXPECT_EQ(refusal("1: 2 0\n", {.base = 1}), "f:1:6: vertex id 0 is below 1, the smallest here");
   EXPECT_EQ(refusal("0: 4000000000\n"),
             "f:1: 4000000001 vertices claimed by a graph of 0 bytes, which accounts for at most "
-            "16777216");
+            "1048576; --trust-sizes believes it");
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ TEST(Dimacs, RefusesWithPlaceAndValue) {
   EXPECT_EQ(refusal("p sp 3 1\na 1 2 0.5\n"), "f:2:7: expected a weight, found '0.5'");
   EXPECT_EQ(refusal("p edge 4000000000 0\n"),
             "f:1: 4000000000 vertices claimed by a graph of 0 bytes, which accounts for at most "
-            "16777216");
+            "1048576; --trust-sizes believes it");
 }
 
 }  // namespace

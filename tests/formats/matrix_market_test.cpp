@@ -61,7 +61,7 @@ TEST(MatrixMarket, RefusesWithPlaceAndValue) {
 TEST(MatrixMarket, RefusesAbsurdSizesWithoutAllocating) {
   EXPECT_EQ(refusal(kSymmetric + "4000000000 4000000000 0\n"),
             "f:2: 4000000000 vertices claimed by a graph of 0 bytes, which accounts for at most "
-            "16777216");
+            "1048576; --trust-sizes believes it");
   EXPECT_EQ(refusal(kSymmetric + "3 3 18446744073709551615\n2 1\n"),
             "f:3: the text ends after 1 of 18446744073709551615 announced entries");
 }

@@ -116,10 +116,10 @@ TEST(Graph6, RefusesAbsurdSizesWithoutAllocating) {
             "f:1:1: 68719476735 vertices are too many, the limit is 4294967294");
   EXPECT_EQ(refusal("~~?}????\n"),
             "f:1:1: 1040187392 vertices claimed by a graph of 0 bytes, which accounts for at most "
-            "16777216");
+            "1048576; --trust-sizes believes it");
   EXPECT_EQ(refusal(":~~?}????\n"),
             "f:1:1: 1040187392 vertices claimed by a graph of 0 bytes, which accounts for at most "
-            "16777216");
+            "1048576; --trust-sizes believes it");
   EXPECT_EQ(refusal("~~??B????\n"),
             "f:1:9: 786432 vertices take 51539542016 characters after the size, found 1");
 }

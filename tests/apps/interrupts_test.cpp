@@ -1,0 +1,110 @@
+// Ctrl-C once, twice and three times; a folder that is moved while a study writes into it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <sstream>
+#include <string>
+
+#include "ar3d/records/run_storage.h"
+#include "support/program.h"
+#include "support/results.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::read_file;
+using testing::run;
+using testing::ScratchDirectory;
+namespace fs = std::filesystem;
+
+/// 120 rows of some ten milliseconds.
+constexpr const char* kStudy =
+    "study = 's'\n[[sweep]]\nfamilies = 'random-cubic'\nsizes = 2000\nalgorithms = 'grid'\n"
+    "instances = 120\n";
+
+/// Begins the study in the background and waits until it has some rows.
+std::string begun(const std::string& spec, const std::string& file, const std::string& options) {
+  return "{} study run -q " + spec + " --threads 2 " + options + " -o " + file + " > " + file +
+         ".out 2>&1 & p=$!; until {} study status " + file +
+         " 2>/dev/null | grep -q ': [1-9]'; do sleep 0.05; done; ";
+}
+
+TEST(Interrupts, TwoAndThreeOfThemLoseNoAcknowledgedRow) {
+  const ScratchDirectory scratch;
+  const std::string spec = scratch.write("s.toml", kStudy), whole = scratch.path("whole.h5");
+  ASSERT_EQ(run("{} study run -q " + spec + " -o " + whole).exit_code, 0);
+  for (const std::string options : {"", "--isolate"}) {
+    for (const std::string signals : {"2", "3"}) {
+      const std::string file = scratch.path("r" + options + signals + ".h5");
+      const Outcome outcome = run(
+          begun(spec, file, options) + "{} study status " + file +
+          " | sed -n 's/.*: \\([0-9]*\\) of.*/\\1/p'; s=$(date +%s%N); for i in $(seq " + signals +
+          "); do kill -INT $p; sleep 0.01; done; wait $p; echo $?; "
+          "echo $((($(date +%s%N) - s) / 1000000)); {} study status " +
+          file + " | sed -n 's/.*: \\([0-9]*\\) of.*/\\1/p'");
+      std::istringstream said(outcome.out);
+      int acknowledged = -1, code = -1, milliseconds = -1, kept = -1;
+      said >> acknowledged >> code >> milliseconds >> kept;
+      EXPECT_EQ(code, 130) << outcome.out << outcome.err;
+      EXPECT_GT(acknowledged, 0) << outcome.out;
+      EXPECT_GE(kept, acknowledged) << outcome.out;
+      EXPECT_LT(milliseconds, 10000) << "it ends soon";
+      const Outcome resumed = run("{} study resume -q " + file);
+      EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+      testing::expect_same_rows(file, whole);
+    }
+  }
+}
+
+TEST(Interrupts, OfMergeReportAndHuntLeaveWholeFilesOrNone) {
+  const ScratchDirectory scratch;
+  const std::string cd = "cd " + scratch.path("") + " && ";
+  for (const std::string part : {"1", "2"}) {
+    ASSERT_LE(run(cd + "{} study run -q smoke --shard " + part + "/2 -o " + part + ".h5").exit_code,
+              0);
+  }
+  ASSERT_EQ(run(cd + "{} study merge 1.h5 2.h5 -o all.h5").exit_code, 0);
+  const std::string before = read_file(scratch.path("all.h5"));
+  for (const std::string seconds : {"0.01", "0.03", "0.06", "0.1", "0.2"}) {
+    const std::string interrupted = cd + "timeout --preserve-status -s INT " + seconds + " {} ";
+    const auto ended = [](const Outcome& outcome) {
+      return outcome.exit_code == 130 || outcome.exit_code == 0;
+    };
+    EXPECT_TRUE(ended(run(interrupted + "study merge 1.h5 2.h5 --force -o all.h5")));
+    EXPECT_EQ(read_file(scratch.path("all.h5")), before) << seconds << ": old or new, both whole";
+    EXPECT_TRUE(ended(run(interrupted + "report all.h5 -o page.html")));
+    if (fs::exists(scratch.path("page.html"))) {
+      EXPECT_THAT(read_file(scratch.path("page.html")), HasSubstr("</html>")) << seconds;
+    }
+    EXPECT_TRUE(ended(run(interrupted + "hunt --algorithm grid -n 40 --force -o tall")));
+    EXPECT_TRUE(
+        ended(run(interrupted + "generate random-cubic -n 1000 --count 20 -o g.s6 --force")));
+  }
+  for (const auto& entry : fs::directory_iterator(scratch.path(""))) {
+    EXPECT_EQ(entry.path().string().find(".part-"), std::string::npos) << entry.path();
+  }
+}
+
+TEST(MovedFolder, AStudyEndsInItAndLeavesTheOneThatHasItsNameAlone) {
+  const ScratchDirectory scratch;
+  const std::string spec = scratch.write("s.toml", kStudy), older = scratch.path("older.h5");
+  ASSERT_EQ(run("{} study run -q " + spec + " -o " + older).exit_code, 0);
+  fs::create_directory(scratch.path("sub"));
+  const std::string file = scratch.path("sub/r.h5");
+  const Outcome outcome =
+      run(begun(spec, file, "") + "cd " + scratch.path("") +
+          " && mv sub moved && mkdir sub && cp older.h5 sub/r.h5 && wait $p; echo $?");
+  EXPECT_EQ(outcome.out, "0\n") << outcome.err;
+  testing::expect_same_rows(scratch.path("moved/r.h5"), older);
+  EXPECT_NE(read_file(scratch.path("moved/r.h5")), read_file(older)) << "rows of its own";
+  EXPECT_EQ(read_file(file), read_file(older)) << "another study's";
+  EXPECT_THAT(read_file(scratch.path("moved/r.h5.out")), HasSubstr("moved/r.h5"));
+  EXPECT_FALSE(fs::exists(scratch.path("moved/r.h5.journal")));
+  EXPECT_FALSE(fs::exists(scratch.path("sub/r.h5.journal")));
+}
+
+}  // namespace
+}  // namespace ar3d

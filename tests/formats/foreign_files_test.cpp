@@ -1,0 +1,104 @@
+// Files that networkx and igraph have written (tests/formats/foreign/write_foreign_files.py): each
+// is the graph that they wrote, or is refused in one clear line.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "formats/format_helpers.h"
+
+namespace ar3d {
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path kForeign = fs::path(AR3D_SOURCE_DIR) / "tests/formats/foreign";
+
+std::string path_of(const std::string& name) { return (kForeign / name).string(); }
+
+const std::vector<Edge> kPetersen = {{0, 1}, {0, 4}, {0, 5}, {1, 2}, {1, 6}, {2, 3}, {2, 7}, {3, 4},
+                                     {3, 8}, {4, 9}, {5, 7}, {5, 8}, {6, 8}, {6, 9}, {7, 9}};
+
+struct Written {
+  std::vector<const char*> files;
+  std::uint64_t n;
+  std::vector<Edge> edges;
+};
+
+/// What is read as the graph that was written; a list of edges has no vertices alone.
+std::vector<Written> graphs() {
+  return {{{"networkx.g6", "networkx-no-header.g6", "networkx.s6", "networkx-attributes.edgelist",
+            "networkx-plain.edgelist", "networkx-rich.edgelist", "networkx.graphml",
+            "networkx-rich.graphml", "networkx-utf16.graphml", "networkx-latin1.graphml",
+            "networkx-prefixed.graphml", "igraph.edgelist", "igraph-plain.ncol", "igraph.graphml",
+            "igraph-rich.graphml"},
+           10,
+           kPetersen},
+          {{"networkx-lonely.s6", "networkx-lonely.graphml", "igraph-lonely.graphml"},
+           4,
+           {{0, 1}, {1, 2}}},
+          {{"networkx-lonely.edgelist", "igraph-lonely.edgelist"}, 3, {{0, 1}, {1, 2}}}};
+}
+
+/// What is refused, and with which words behind the file's name.
+const std::map<std::string, std::string> kRefused = {
+    {"networkx-directed.graphml",
+     ":9:3: edgedefault is 'directed': only undirected graphs are read"},
+    {"igraph-directed.graphml", ":7:3: edgedefault is 'directed': only undirected graphs are read"},
+    {"networkx-weighted.edgelist", ":1:5: unexpected '0.5' after the edge"},
+    {"networkx-commas.edgelist", ":1:1: expected a vertex id, found '0,1'"},
+    {"networkx.adjlist", ":4:5: unexpected '4' after the edge"},
+    {"networkx-multiline.adjlist", ":5:3: expected a vertex id, found '{}'"},
+    {"networkx.gexf", ":1: no <graph> element inside a <graphml> element"},
+    {"networkx.gml", ":1: this is no graph format known here: 'graph ['"},
+    {"igraph.gml", ":1: this is no graph format known here: 'Creator \"igraph\"'"},
+    {"networkx.net", ":1: this is no graph format known here: '*vertices 10'"},
+    {"igraph.net", ":1: this is no graph format known here: '*Vertices 10'"},
+    {"igraph.lgr", ":1: this is no graph format known here: 'LEDA.GRAPH'"},
+    {"igraph.dot", ":1: this is no graph format known here: '/* Created by igraph 0.10.2 */'"},
+    {"igraph.ncol", ":1: this is no graph format known here: 'v0 v1 0.5'"},
+    {"igraph.lgl", ":2:1: expected a vertex id, found 'v1'"},
+    {"igraph-matrix.adjacency", ":1:5: unexpected '0' after the edge"},
+    {"igraph.dimacs", ":2:3: only 'edge', 'col' and 'sp' are supported here, found 'max'"},
+};
+
+TEST(ForeignFiles, AreTheGraphsThatTheyHold) {
+  for (const auto& [files, n, edges] : graphs()) {
+    for (const char* file : files) {
+      const Graph graph = read_graph(path_of(file));
+      EXPECT_EQ(graph.num_vertices(), n) << file;
+      EXPECT_TRUE(std::ranges::equal(graph.edges(), edges)) << file;
+    }
+  }
+  // networkx's lists of neighbours have no colons: nothing tells them from other lists of numbers.
+  const Graph graph = read_graph(path_of("networkx.adjlist"), {.format = "adjlist"});
+  EXPECT_EQ(graph.num_vertices(), 10u);
+  EXPECT_TRUE(std::ranges::equal(graph.edges(), kPetersen));
+}
+
+TEST(ForeignFiles, AreRefusedInOneClearLine) {
+  for (const auto& [file, words] : kRefused) {
+    try {
+      read_graph(path_of(file));
+      ADD_FAILURE() << file << " is read";
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.what(), path_of(file) + words);
+    }
+  }
+}
+
+TEST(ForeignFiles, AreAllLookedAt) {
+  std::set<std::string> expected;
+  for (const Written& written : graphs())
+    expected.insert(written.files.begin(), written.files.end());
+  for (const auto& refused : kRefused) expected.insert(refused.first);
+  std::set<std::string> found;
+  for (const auto& entry : fs::directory_iterator(kForeign)) {
+    if (entry.path().extension() != ".py") found.insert(entry.path().filename().string());
+  }
+  EXPECT_EQ(found, expected);
+}
+
+}  // namespace
+}  // namespace ar3d
