@@ -40,11 +40,12 @@ std::string runnable(const std::string& block) {
 
 TEST(Readme, CommandsAndPythonRunAsPrinted) {
   const ScratchDirectory folder;
-  std::filesystem::create_directory(folder.path("docs"));  // for the picture
   const std::string enter = "cd " + folder.path("") + " && ";
   const Outcome shell = run(enter + "set -euo pipefail; " + runnable(block("## Use it", "sh")));
   ASSERT_EQ(shell.exit_code, 0) << shell.err;
-  EXPECT_TRUE(std::filesystem::exists(folder.path("smoke.html"))) << "the report";
+  for (const char* made : {"smoke.html", "k5.html", "drawing.html", "six.h5"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder.path(made))) << made;
+  }
   folder.write("printed.py", block("## Use it", "python"));
   const Outcome python = run(enter + "/usr/bin/python3 -W error::FutureWarning printed.py");
   EXPECT_EQ(python.exit_code, 0) << python.err;
