@@ -79,7 +79,7 @@ TEST(Export, VtpIsReadByPython) {
   const ScratchDirectory scratch;
   const std::string reader = scratch.write("read.py", kReadVtp);
   for (const std::string algorithm : {"diamond", "grid", "two-bend"}) {
-    const std::string draw = "{} generate random-cubic -n 40 | {} draw - --algorithm " + algorithm;
+    const std::string draw = "{} generate random-cubic -n 40 | {} draw - --force --algorithm " + algorithm;
     const Outcome outcome = run(draw + " -o " + scratch.path("d.vtp") + " && " + draw + " -o " +
                                 scratch.path("d.jsonl") + " && /usr/bin/python3 " + reader + " " +
                                 scratch.path("d.vtp") + " " + scratch.path("d.jsonl"));

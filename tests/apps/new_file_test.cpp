@@ -26,7 +26,7 @@ TEST(NewFile, IsWholeOrAbsentWhereverTheProgramIsKilled) {
   const std::string whole = run("{} generate cycle -n 5").out;
   for (int call = 1; call <= 6; ++call) {
     const ScratchDirectory scratch;
-    const std::string path = scratch.path("g.g6");
+    const std::string path = scratch.path("g.s6");
     const int exit_code = run(testing::with_fault("before:" + std::to_string(call)) +
                               " {} generate cycle -n 5 -o " + path)
                               .exit_code;
@@ -41,7 +41,7 @@ TEST(NewFile, IsWholeOrAbsentWhereverTheProgramIsKilled) {
 
 TEST(NewFile, IsWrittenWhereFilesHaveANameFromTheStart) {
   const ScratchDirectory scratch;
-  const std::string path = scratch.path("g.g6");
+  const std::string path = scratch.path("g.s6");
   EXPECT_EQ(run(testing::with_fault("nolink:2") + " {} generate cycle -n 5 -o " + path).exit_code,
             0);
   EXPECT_EQ(read_file(path), run("{} generate cycle -n 5").out);

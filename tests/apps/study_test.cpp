@@ -45,7 +45,7 @@ TEST(StudyProgram, InterruptedKeepsTheRowsMadeSoFar) {
   const ScratchDirectory scratch;
   const std::string results = scratch.path("quick.h5");
   const Outcome outcome =
-      run("timeout --preserve-status -s INT 1 {} study run quick --quiet -o " + results);
+      run("timeout --preserve-status -s INT 3 {} study run quick --quiet -o " + results);
   EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("interrupted"));
   EXPECT_NE(run("{} check " + results).exit_code, 2) << "the file is whole";
