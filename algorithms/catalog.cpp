@@ -10,6 +10,7 @@
 #include "ar3d/algorithms/degree_limit.h"
 #include "ar3d/algorithms/diamond/diamond.h"
 #include "ar3d/algorithms/grid/grid.h"
+#include "ar3d/algorithms/register.h"
 #include "ar3d/algorithms/two_bend/two_bend.h"
 #include "ar3d/algorithms/two_bend_paper/two_bend_paper.h"
 #include "ar3d/model/error.h"
@@ -17,8 +18,12 @@
 
 namespace ar3d {
 
-const std::vector<Algorithm>& algorithms() {
-  static const std::vector<Algorithm> rows = {
+namespace {
+
+constexpr std::size_t kMostRows = 1000;
+
+std::vector<Algorithm> catalogue() {
+  return {
       // A row a line, so that one more is one more line.
       // clang-format off
       diamond::row(),
@@ -29,7 +34,30 @@ const std::vector<Algorithm>& algorithms() {
       two_bend_paper::row(),
       // clang-format on
   };
+}
+
+std::vector<Algorithm>& all_rows() {
+  static std::vector<Algorithm> rows = [] {
+    std::vector<Algorithm> all = catalogue();
+    all.reserve(kMostRows);  // so that references stay valid
+    return all;
+  }();
   return rows;
+}
+
+}  // namespace
+
+const std::vector<Algorithm>& algorithms() { return all_rows(); }
+
+void register_algorithm(Algorithm row) {
+  std::vector<Algorithm>& rows = all_rows();
+  const bool is_taken = std::any_of(rows.begin(), rows.end(),
+                                    [&](const Algorithm& other) { return other.name == row.name; });
+  if (row.name.empty() || row.draw == nullptr || is_taken || rows.size() == kMostRows) {
+    throw InputError(fmt::format("algorithm '{}' cannot be added: {}", row.name,
+                                 is_taken ? "the name is taken" : "it has no name or no function"));
+  }
+  rows.push_back(std::move(row));
 }
 
 std::vector<const Algorithm*> proved_algorithms() {

@@ -68,9 +68,12 @@ class FindingList {
   std::vector<Finding> kept_;
 };
 
-void add_whole_file(const RowView& rows, bool any_drawn, FindingList& findings) {
-  if (!any_drawn) {
-    const std::string why = rows.count == 0 ? "the file has no rows" : "no row was drawn";
+void add_whole_file(const RowView& rows, bool any_judged, bool any_measured,
+                    FindingList& findings) {
+  if (!any_judged) {
+    const std::string why = rows.count == 0 ? "the file has no rows"
+                            : any_measured  ? "no row has a guarantee to be judged by"
+                                            : "no row was drawn";
     findings.add({FindingKind::nothing_measured, {}, "nothing measured: " + why}, nullptr);
   }
   if (const auto missing = rows.planned - static_cast<std::int64_t>(rows.count); missing > 0) {
@@ -157,6 +160,7 @@ CheckedRows examine(const RowView& rows) {
     verdict.unproved += is_unproved(run);
     any_drawn = any_drawn || run.status == RunStatus::ok || run.status == RunStatus::violated;
     verdict.refused += run.status == RunStatus::refused;
+    verdict.measured += run.status == RunStatus::measured;
     prints[row] = fingerprint_of(run, row);
   }
   std::sort(prints.begin(), prints.end());
@@ -164,7 +168,7 @@ CheckedRows examine(const RowView& rows) {
   find_in_repetitions(rows, prints, [&](Finding finding, const RunRecord& run) {
     findings.add(std::move(finding), &run);
   });
-  add_whole_file(rows, any_drawn, findings);
+  add_whole_file(rows, any_drawn, verdict.measured > 0, findings);
   findings.conclude(is_ok, verdict);
   examination.is_last_repetition = last_repetitions(prints);
   return examination;
@@ -178,9 +182,12 @@ std::string verdict_line(const CheckVerdict& verdict) {
                                    ? ""
                                    : fmt::format(", {} not proved{}", verdict.unproved,
                                                  verdict.accepts_unproved ? " (accepted)" : "");
-  return fmt::format("{}: {} rows, {} proved, {} violated, {} incomplete, {} refused{}\n",
+  const std::string measured =
+      verdict.measured > 0 ? fmt::format(", {} measured without a guarantee", verdict.measured)
+                           : "";
+  return fmt::format("{}: {} rows, {} proved, {} violated, {} incomplete, {} refused{}{}\n",
                      verdict.word(), verdict.rows, verdict.proved, verdict.violated_rows,
-                     verdict.incomplete_rows, verdict.refused, unproved);
+                     verdict.incomplete_rows, verdict.refused, unproved, measured);
 }
 
 std::string summary(const CheckVerdict& verdict, std::size_t max_findings) {

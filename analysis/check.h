@@ -38,7 +38,8 @@ struct Finding {
 /// and do no harm, but a file in which nothing was drawn never passes.
 struct CheckVerdict {
   std::size_t rows = 0;
-  std::size_t proved = 0;  ///< ok rows whose certificate and bounds hold
+  std::size_t proved = 0;    ///< ok rows whose certificate and bounds hold
+  std::size_t measured = 0;  ///< rows of programs without a guarantee: drawn, not judged
   std::size_t refused = 0;
   std::size_t unproved = 0;       ///< not violated, but judged by another certificate than exact
   bool accepts_unproved = false;  ///< somebody asked that these do no harm

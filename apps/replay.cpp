@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "ar3d/bench/external/external_drawer.h"
 #include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/model/error.h"
 #include "ar3d/records/run_columns.h"
@@ -48,7 +49,10 @@ void write_drawing(const RunRecord& row, const StudyOrigin& origin, const Drawin
   const AlgorithmChoice& choice = instance.runs.front().choice;
   const std::string where =
       fmt::format("{} {} n={} seed {}", row.family, row.parameters, row.n, row.seed);
-  write_drawing(format, draw(*choice.algorithm, graph, choice.options), where, path);
+  const Drawing drawing =
+      choice.program ? ExternalDrawer().draw(*choice.program, choice.options, graph).drawing
+                     : draw(*choice.algorithm, graph, choice.options);
+  write_drawing(format, drawing, where, path);
 }
 
 int replay_row(const ReplayArguments& arguments) {

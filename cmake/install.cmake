@@ -6,6 +6,7 @@ foreach(folder IN ITEMS model formats generators algorithms verify results recor
   install(DIRECTORY ${CMAKE_SOURCE_DIR}/${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ar3d
           FILES_MATCHING PATTERN "*.h")
 endforeach()
+install(FILES ${CMAKE_SOURCE_DIR}/apps/program.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ar3d/apps)
 install(EXPORT ar3dTargets NAMESPACE ar3d:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/ar3d)
 configure_package_config_file(cmake/ar3dConfig.cmake.in ${CMAKE_BINARY_DIR}/ar3dConfig.cmake
   INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/ar3d)

@@ -14,6 +14,7 @@
 #include "ar3d/generators/polyhedra.h"
 #include "ar3d/generators/random_regular.h"
 #include "ar3d/generators/random_special.h"
+#include "ar3d/generators/register.h"
 #include "ar3d/generators/rings.h"
 #include "ar3d/generators/shuffled_labels.h"
 #include "ar3d/generators/sizes.h"
@@ -209,9 +210,34 @@ constexpr std::uint64_t kShuffleStream = 0x73687566666c65;  // "shuffle"
 
 }  // namespace
 
-const std::vector<Family>& families() {
-  static const std::vector<Family> rows = catalogue();
+namespace {
+
+constexpr std::size_t kMostRows = 1000;
+
+std::vector<Family>& all_rows() {
+  static std::vector<Family> rows = [] {
+    std::vector<Family> all = catalogue();
+    all.reserve(kMostRows);  // so that references stay valid
+    return all;
+  }();
   return rows;
+}
+
+}  // namespace
+
+const std::vector<Family>& families() { return all_rows(); }
+
+void register_family(Family row) {
+  std::vector<Family>& rows = all_rows();
+  const bool is_taken = std::any_of(rows.begin(), rows.end(),
+                                    [&](const Family& other) { return other.name == row.name; });
+  if (row.name.empty() || row.nearest_n == nullptr || row.generate == nullptr || is_taken ||
+      rows.size() == kMostRows) {
+    throw InputError(
+        fmt::format("family '{}' cannot be added: {}", row.name,
+                    is_taken ? "the name is taken" : "it has no name or lacks a function"));
+  }
+  rows.push_back(std::move(row));
 }
 
 const Family& find_family(std::string_view name) {

@@ -183,9 +183,9 @@ void add_identity(std::vector<Column>& c) {
 
 void add_results(std::vector<Column>& c) {
   const auto kind = ColumnKind::result;
-  c.push_back(
-      choice({"status", "", "ok, timeout, out_of_memory, refused, violated or crashed", kind},
-             &RunRecord::status, parse_run_status, 16));
+  c.push_back(choice(
+      {"status", "", "ok, timeout, out_of_memory, refused, violated, crashed or measured", kind},
+      &RunRecord::status, parse_run_status, 16));
   c.push_back(message({"message", "", "first violation or error, cut to fit; empty if ok", kind},
                       &RunRecord::message, 240));
   c.push_back(text({"drawing_hash", "", "128-bit hash of positions, edges and bends", kind},

@@ -6,8 +6,8 @@
 
 namespace ar3d {
 namespace {
-constexpr std::array<const char*, 6> kNames = {"ok",      "timeout",  "out_of_memory",
-                                               "refused", "violated", "crashed"};
+constexpr std::array<const char*, 7> kNames = {"ok",       "timeout", "out_of_memory", "refused",
+                                               "violated", "crashed", "measured"};
 constexpr std::array<const char*, 6> kPhases = {"metrics", "timing",   "strong",
                                                 "weak",    "strong_r", "weak_r"};
 

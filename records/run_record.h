@@ -13,8 +13,16 @@ namespace ar3d {
 
 inline constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
-enum class RunStatus : std::uint8_t { ok, timeout, out_of_memory, refused, violated, crashed };
-/// "ok", "timeout", "out_of_memory", "refused", "violated", "crashed".
+enum class RunStatus : std::uint8_t {
+  ok,             ///< proved right
+  timeout,        ///< no answer in time
+  out_of_memory,  ///< an allocation failed, or passed a limit
+  refused,        ///< the generator or the algorithm refused its input
+  violated,       ///< proved wrong
+  crashed,        ///< an invariant broke, the process died, an answer was no drawing
+  measured        ///< drawn and measured; nothing was promised, so nothing was judged
+};
+/// "ok", "timeout", "out_of_memory", "refused", "violated", "crashed", "measured".
 const char* to_string(RunStatus status);
 /// @throws InputError naming the text if it is no status.
 RunStatus parse_run_status(std::string_view text);

@@ -1,10 +1,13 @@
 #include "ar3d/verify/metrics.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 
+#include "ar3d/model/error.h"
 #include "ar3d/verify/assessment/examine_real.h"
+#include "ar3d/verify/register.h"
 #include "ar3d/verify/summary_pass.h"
 
 namespace ar3d {
@@ -69,6 +72,17 @@ MetricValue share_within(Summary summary) {
          static_cast<double>(summary.real->angles);
 }
 
+template <std::int64_t DrawingSummary::*member>
+MetricValue integer(Summary summary) {
+  return summary.*member;
+}
+
+// In a real type pairs of segments, else what the certificate lists.
+MetricValue crossings(Summary summary) {
+  if (summary.real) return static_cast<std::int64_t>(summary.real->crossings);
+  return summary.crossings;
+}
+
 constexpr const char* kLengthUnit = "length in the lattice's metric";
 
 std::vector<Metric> make_metrics() {
@@ -114,20 +128,50 @@ std::vector<Metric> make_metrics() {
        float64, share_within<3>},
       {"collapsed_segments", "segments", "in a real type: segments of length zero", int64,
        real_count<&RealAssessment::collapsed>},
-      {"crossings", "pairs of segments",
-       "in a real type: pairs of segments with a common point that they should not have", int64,
-       real_count<&RealAssessment::crossings>},
       {"condition", "1",
        "in a real type: largest sum over the two sides of an angle of largest coordinate / "
        "length; its log2 is the number of bits that angles lose",
-       float64, real_number<&RealAssessment::condition>}};
+       float64, real_number<&RealAssessment::condition>},
+      {"log2_relative_volume", "log2",
+       "sum of log2(side / smallest vertex distance + 1) over the three sides of the box; missing "
+       "if n < 2 or vertices coincide",
+       float64, number<&DrawingSummary::log2_relative_volume>},
+      {"crossings", "1",
+       "pairs of segments with a common point that is no common end of theirs, vertices on edges "
+       "and coinciding vertices, counted exactly",
+       int64, crossings},
+      {"smallest_vertex_angle", "degrees", "smallest angle between two segments at a vertex",
+       float64, number<&DrawingSummary::smallest_vertex_angle>},
+      {"smallest_bend_angle", "degrees", "smallest angle between two segments at a bend", float64,
+       number<&DrawingSummary::smallest_bend_angle>},
+      {"optimal_edges", "edges",
+       "edges all of whose angles are at least the optimum (120 degrees up to maximum degree 3, "
+       "arccos(-1/3) for 4), decided exactly; missing beyond",
+       int64, integer<&DrawingSummary::optimal_edges>}};
 }
 
 }  // namespace
 
-const std::vector<Metric>& metrics() {
-  static const std::vector<Metric> table = make_metrics();
+namespace {
+
+std::vector<Metric>& all_rows() {
+  static std::vector<Metric> table = make_metrics();
   return table;
+}
+
+}  // namespace
+
+const std::vector<Metric>& metrics() { return all_rows(); }
+
+void register_metric(Metric row) {
+  std::vector<Metric>& rows = all_rows();
+  const bool is_taken = std::any_of(rows.begin(), rows.end(),
+                                    [&](const Metric& other) { return other.name == row.name; });
+  if (row.name.empty() || row.value == nullptr || is_taken) {
+    throw InputError("metric '" + row.name + "' cannot be added: " +
+                     (is_taken ? "the name is taken" : "it has no name or no function"));
+  }
+  rows.push_back(std::move(row));
 }
 
 std::vector<MetricValue> metric_values(const DrawingSummary& summary) {

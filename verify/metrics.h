@@ -27,6 +27,14 @@ struct DrawingSummary {
   double smallest_vertex_distance = kNone;
   /// Of a drawing in a real type, found without tolerance; nothing for other drawings.
   std::shared_ptr<const RealAssessment> real;
+  /// Sum of log2(side / smallest_vertex_distance + 1) over the box's sides in the lattice's metric.
+  double log2_relative_volume = kNone;
+
+  // What set_angles_and_crossings() fills in (verify/angles.h).
+  std::int64_t crossings = -1;
+  double smallest_vertex_angle = kNone;  ///< degrees
+  double smallest_bend_angle = kNone;    ///< degrees
+  std::int64_t optimal_edges = -1;
 };
 
 /// A metric's value. What does not exist (the distance of fewer than two vertices, the size of a

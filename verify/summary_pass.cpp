@@ -1,6 +1,8 @@
 #include "ar3d/verify/summary_pass.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "ar3d/verify/closest_pair.h"
 
@@ -49,8 +51,21 @@ DrawingSummary SummaryPass::finish() {
   if (pair) {
     summary_.smallest_vertex_distance =
         approximate_length(drawing_.lattice(), drawing_.vertex(pair->u) - drawing_.vertex(pair->v));
+    set_relative_volume();
   }
   return summary_;
+}
+
+void SummaryPass::set_relative_volume() {
+  if (!(summary_.smallest_vertex_distance > 0)) return;
+  const std::array<std::int64_t, 3> extents = summary_.box.extents();
+  const std::array<Vector, 3> sides{Vector{extents[0], 0, 0}, Vector{0, extents[1], 0},
+                                    Vector{0, 0, extents[2]}};
+  summary_.log2_relative_volume = 0;
+  for (const Vector side : sides) {
+    const double length = approximate_length(drawing_.lattice(), side);
+    summary_.log2_relative_volume += std::log2(length / summary_.smallest_vertex_distance + 1);
+  }
 }
 
 }  // namespace ar3d::verify

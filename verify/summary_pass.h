@@ -20,6 +20,7 @@ class SummaryPass {
 
  private:
   void add_lengths(const std::vector<Point>& points);
+  void set_relative_volume();
   bool in_range() const { return ar3d::in_range(box_.low()) && ar3d::in_range(box_.high()); }
 
   const Drawing& drawing_;

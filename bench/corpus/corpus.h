@@ -16,7 +16,7 @@ namespace ar3d {
 
 /// How the graphs of a file are taken into a study.
 struct CorpusOptions {
-  ReadOptions reading = {};             ///< whether loops and parallel edges are dropped, too
+  ReadOptions reading = {};        ///< whether loops and parallel edges are dropped, too
   bool largest_component = false;  ///< of each graph only its largest connected component
   std::uint64_t sample = 0;        ///< so many of the file's graphs; 0: all
   std::uint64_t sample_seed = 0;

@@ -1,5 +1,6 @@
 #include "ar3d/bench/corpus/spool.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -20,7 +21,7 @@ constexpr std::size_t kHeadBytes = sizeof(std::uint64_t);  // how many bytes fol
 
 int unnamed_file(std::string& name) {
   name = (std::filesystem::temp_directory_path() / "ar3d-graphs-XXXXXX").string();
-  const int file = mkstemp(name.data());
+  const int file = mkostemp(name.data(), O_CLOEXEC);
   if (file < 0) throw InputError(fmt::format("cannot create {}: {}", name, std::strerror(errno)));
   unlink(name.c_str());
   return file;

@@ -134,6 +134,10 @@ std::int64_t count_instructions(const RunRecord& row, const StudyOrigin& origin)
   }
   const ScratchFile output;
   const PlannedInstance instance = plan_of_row(row, origin);
+  if (instance.runs.front().choice.program) {
+    throw InputError(
+        fmt::format("{} is a program of its own: nobody counts its instructions", row.algorithm));
+  }
   std::optional<ScratchFile> graph;
   RunRecord drawn = row;
   if (instance.choice.corpus) {

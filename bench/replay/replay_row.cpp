@@ -42,7 +42,6 @@ FamilyChoice choice_of(const RunRecord& row, const StudyOrigin& origin) {
 }  // namespace
 
 PlannedInstance plan_of_row(const RunRecord& row, const StudyOrigin& origin) {
-  const Algorithm& algorithm = find_algorithm(row.algorithm);
   PlannedInstance instance;
   instance.choice = choice_of(row, origin);
   instance.parameters = row.parameters;
@@ -51,7 +50,8 @@ PlannedInstance plan_of_row(const RunRecord& row, const StudyOrigin& origin) {
   instance.index = static_cast<std::uint32_t>(row.instance_index);
   instance.seed = row.seed;
   PlannedRun run;
-  run.choice = {&algorithm, complete_options(algorithm, parse_settings(row.options))};
+  run.choice = algorithm_choice(origin.spec.value_or(StudySpec()), row.algorithm,
+                                parse_settings(row.options));
   run.options = row.options;
   run.repetition = static_cast<std::uint32_t>(row.repetition);
   run.row_key = row.row_key;

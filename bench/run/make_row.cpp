@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <new>
 
+#include "ar3d/algorithms/degree_limit.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/stopwatch.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
@@ -12,6 +13,7 @@
 #include "ar3d/model/error.h"
 #include "ar3d/records/algorithm_table.h"
 #include "ar3d/records/run_columns.h"
+#include "ar3d/verify/angles.h"
 #include "ar3d/verify/examination.h"
 
 namespace ar3d {
@@ -46,6 +48,15 @@ double timed_writing_s(const Drawing& drawing) {
   write_drawing_line(nowhere, drawing);
   nowhere.flush();
   return time.wall_s();
+}
+
+// A program's crossings are counted, however many there are, within reason.
+CertifyOptions certifying(const AlgorithmChoice& choice) {
+  CertifyOptions options;
+  if (!choice.program) return options;
+  options.max_violations = 1000000;
+  options.check_size = choice.program->has_guarantee;
+  return options;
 }
 
 RunRecord instance_row(const PlannedInstance& instance) {
@@ -88,6 +99,8 @@ bool attempt(RunRecord& run, const std::function<void()>& step) {
     return true;
   } catch (const InputError& error) {
     return failed(RunStatus::refused, error.what());
+  } catch (const ProgramFailure& failure) {
+    return failed(failure.status(), failure.what());
   } catch (const std::bad_alloc&) {
     return failed(RunStatus::out_of_memory, "out of memory");
   } catch (const std::exception& error) {
@@ -131,32 +144,58 @@ RunRecord RowMaker::make(const PlannedRun& planned, const RowRequest& request) {
   return run;
 }
 
-void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& request,
-                                RunRecord& run) {
+Drawing RowMaker::draw_timed(const PlannedRun& planned, const RowRequest& request, RunRecord& run) {
   const AlgorithmChoice& choice = planned.choice;
+  if (choice.program) {
+    refuse_larger_degrees(choice.algorithm->name, *graph_, choice.algorithm->guarantee.max_degree);
+    for (std::uint32_t i = 0; i < request.warm_ups; ++i) {
+      drawer_.draw(*choice.program, choice.options, *graph_);
+    }
+    run.warm_ups = request.warm_ups;
+    ExternalDrawing made = drawer_.draw(*choice.program, choice.options, *graph_);
+    run.wall_s = made.wall_s;
+    run.cpu_s = made.cpu_s;
+    return std::move(made.drawing);
+  }
   for (std::uint32_t i = 0; i < request.warm_ups; ++i) {
     draw(*choice.algorithm, *graph_, choice.options);
   }
   run.warm_ups = request.warm_ups;
   if (request.warm_ups > 0) memory_.restart();
-  const Drawing drawing = timed_drawing(*graph_, choice, counters_, run);
+  return timed_drawing(*graph_, choice, counters_, run);
+}
+
+void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& request,
+                                RunRecord& run) {
+  const AlgorithmChoice& choice = planned.choice;
+  const bool is_judged = !choice.program || choice.program->has_guarantee;
+  const Drawing drawing = draw_timed(planned, request, run);
   if (memory_.scope() != MemoryScope::process) run.draw_peak_bytes = memory_.peak_bytes();
   run.counters = counters_text(drawing.counters);
   if (drawing.instance_bound) run.instance_bound = *drawing.instance_bound;
   if (request.write) run.write_s = timed_writing_s(drawing);
   if (!request.certify) {
     run.drawing_hash = drawing_hash(drawing);
-    run.status = RunStatus::ok;
+    run.status = is_judged ? RunStatus::ok : RunStatus::measured;
     return;
   }
-  const Guarantee& guarantee = choice.algorithm->guarantee;
+  Guarantee guarantee = choice.algorithm->guarantee;
+  if (choice.program) guarantee.lattice = drawing.lattice();  // any is as good
   const Stopwatch certifying_time;
-  const Examination examination = examine(*graph_, drawing, guarantee);
+  Examination examination = examine(*graph_, drawing, guarantee, {}, certifying(choice));
+  if (!examination.summary.real) {
+    set_angles_and_crossings(*graph_, drawing, guarantee, examination.certificate,
+                             examination.summary);
+  }
   run.certify_s = certifying_time.wall_s();
   run.drawing_hash = examination.drawing_hash;
-  record_verdict(run, examination.certificate);
   set_metrics(examination.summary, run);
-  record_bounds(run, guarantee);
+  if (is_judged) {
+    record_verdict(run, examination.certificate);
+    record_bounds(run, guarantee);
+  } else {
+    run.status = RunStatus::measured;
+  }
 }
 
 Drawing timed_drawing(const Graph& graph, const AlgorithmChoice& choice, HardwareCounters& counters,
@@ -192,11 +231,12 @@ RunRecord failed_row(const PlannedInstance& instance, const PlannedRun& planned,
 }
 
 bool is_drawn(const RunRecord& run) {
-  return run.status == RunStatus::ok || run.status == RunStatus::violated;
+  return run.status == RunStatus::ok || run.status == RunStatus::violated ||
+         run.status == RunStatus::measured;
 }
 
 void take_over_certificate(const RunRecord& certified, RunRecord& run) {
-  if (run.status != RunStatus::ok) return;
+  if (run.status != RunStatus::ok && run.status != RunStatus::measured) return;
   if (run.drawing_hash != certified.drawing_hash) {
     run.status = RunStatus::crashed;
     run.message = "another drawing than the certified one of the same graph and options";

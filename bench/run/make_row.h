@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 
+#include "ar3d/bench/external/external_drawer.h"
 #include "ar3d/bench/measure/hardware_counters.h"
 #include "ar3d/bench/measure/row_memory.h"
 #include "ar3d/bench/plan/plan.h"
@@ -52,7 +53,9 @@ class RowMaker {
   RowMemory memory_;
   RunRecord base_;
   std::optional<Graph> graph_;
+  ExternalDrawer drawer_;
 
+  Drawing draw_timed(const PlannedRun& planned, const RowRequest& request, RunRecord& run);
   void draw_and_certify(const PlannedRun& planned, const RowRequest& request, RunRecord& run);
 };
 

@@ -15,6 +15,7 @@
 #include "ar3d/bench/spec/named_studies.h"
 #include "ar3d/bench/spec/read_graphs.h"
 #include "ar3d/bench/spec/read_measures.h"
+#include "ar3d/bench/spec/read_programs.h"
 #include "ar3d/bench/spec/toml_table.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/nearest_name.h"
@@ -63,12 +64,16 @@ class SpecReader {
     spec.description = table.text("description", "");
     spec.seed = static_cast<std::uint64_t>(
         table.integer("seed", 0, std::numeric_limits<std::int64_t>::max(), 0));
-    if (const toml::node* limits = table.find("max_n")) spec.max_n = size_limits(*limits);
     if (const toml::node* rules = table.find("timing")) {
       spec.timing = read_timing_rules(file_, *rules);
     }
     if (const toml::node* budget = table.find("budget")) spec.budget = read_budget(file_, *budget);
     spec.accept_unproved = table.boolean("accept_unproved", false);
+    if (const toml::node* programs = table.find("algorithm")) {
+      for (const toml::node* program : list(*programs, "algorithm")) add_program(*program);
+    }
+    for (const ProgramEntry& entry : programs_) spec.programs.push_back(entry.program);
+    if (const toml::node* limits = table.find("max_n")) spec.max_n = size_limits(*limits);
     for (const toml::node* sweep : list(table.get("sweep"), "sweep")) {
       spec.sweeps.push_back(read_sweep(*sweep));
     }
@@ -77,6 +82,23 @@ class SpecReader {
   }
 
  private:
+  void add_program(const toml::node& node) {
+    ProgramEntry entry = read_program(file_, node);
+    if (find_program(entry.program->row.name) != nullptr) {
+      refuse_toml(file_, node, fmt::format("a second algorithm '{}'", entry.program->row.name));
+    }
+    programs_.push_back(std::move(entry));
+  }
+  const ProgramEntry* find_program(const std::string& name) const {
+    for (const ProgramEntry& entry : programs_) {
+      if (entry.program->row.name == name) return &entry;
+    }
+    return nullptr;
+  }
+  void require_algorithm(const std::string& name) const {
+    if (find_program(name) == nullptr) find_algorithm(name);
+  }
+
   // The name becomes part of file names.
   std::string study_name(TomlTable& table) {
     std::string name = table.text("study");
@@ -102,7 +124,7 @@ class SpecReader {
     TomlTable table(file_, node, "max_n");
     std::map<std::string, std::uint64_t> limits;
     for (const std::string& name : table.other_keys()) {
-      with_place(file_, table.get(name), [&] { find_algorithm(name); });
+      with_place(file_, table.get(name), [&] { require_algorithm(name); });
       limits[name] = static_cast<std::uint64_t>(table.integer(name, 0, kMaxN));
     }
     return limits;
@@ -139,8 +161,19 @@ class SpecReader {
     if (const toml::node* exclude = table.find("exclude")) {
       sweep.exclude = patterns(*exclude, !sweep.graphs.empty());
     }
+    refuse_batches_of_programs(node, sweep);
     table.refuse_other_keys();
     return sweep;
+  }
+
+  void refuse_batches_of_programs(const toml::node& node, const Sweep& sweep) const {
+    const bool has_batches = !sweep.strong.scales.empty() || !sweep.weak.scales.empty() ||
+                             !sweep.strong_ranks.scales.empty() || !sweep.weak_ranks.scales.empty();
+    const bool has_program =
+        std::any_of(sweep.algorithms.begin(), sweep.algorithms.end(),
+                    [](const AlgorithmChoice& choice) { return choice.program != nullptr; });
+    if (!has_batches || !has_program) return;
+    refuse_toml(file_, node, "strong and weak batches are of the catalogue's algorithms only");
   }
 
   // "name", or { <key> = "name", setting = value or list, ... }: the name and the settings in order
@@ -193,6 +226,10 @@ class SpecReader {
         }
         continue;
       }
+      if (const ProgramEntry* const program = find_program(name)) {
+        with_place(file_, *entry, [&] { add_choices(*program, settings, choices); });
+        continue;
+      }
       with_place(file_, *entry, [&] {
         const Algorithm& algorithm = find_algorithm(name);
         for (const Settings& values : combinations(settings)) {
@@ -201,6 +238,21 @@ class SpecReader {
       });
     }
     return choices;
+  }
+
+  // Options that the entry does not name take the values of the program's own table.
+  static void add_choices(const ProgramEntry& entry, std::vector<SettingChoices> settings,
+                          std::vector<AlgorithmChoice>& choices) {
+    for (const auto& [name, values] : entry.options) {
+      const bool is_given =
+          std::any_of(settings.begin(), settings.end(),
+                      [&](const SettingChoices& setting) { return setting.name == name; });
+      if (!is_given) settings.push_back({name, values});
+    }
+    const Algorithm& row = entry.program->row;
+    for (const Settings& values : combinations(settings)) {
+      choices.push_back({&row, complete_options(row, values), entry.program});
+    }
   }
 
   std::vector<std::uint64_t> sizes(const toml::node& node) const {
@@ -250,7 +302,7 @@ class SpecReader {
       pattern.place = fmt::format("{}:{}: ", file_, entry->source().begin.line);
       with_place(file_, *entry, [&] {
         if (!pattern.family.empty() && !has_graphs) find_family(pattern.family);
-        if (!pattern.algorithm.empty()) find_algorithm(pattern.algorithm);
+        if (!pattern.algorithm.empty()) require_algorithm(pattern.algorithm);
       });
       patterns.push_back(std::move(pattern));
     }
@@ -258,6 +310,7 @@ class SpecReader {
   }
 
   std::string file_;
+  std::vector<ProgramEntry> programs_;
 };
 
 std::string read_text_file(const std::string& path) {
@@ -302,6 +355,17 @@ StudySpec load_study(const std::string& name_or_path) {
   StudySpec spec = parse_study(read_text_file(name_or_path), name_or_path);
   spec.folder = std::filesystem::path(name_or_path).parent_path().string();
   return spec;
+}
+
+AlgorithmChoice algorithm_choice(const StudySpec& spec, const std::string& name,
+                                 const Settings& options) {
+  for (const std::shared_ptr<const ExternalAlgorithm>& program : spec.programs) {
+    if (program->row.name == name) {
+      return {&program->row, complete_options(program->row, options), program};
+    }
+  }
+  const Algorithm& algorithm = find_algorithm(name);
+  return {&algorithm, complete_options(algorithm, options)};
 }
 
 StudySpec recorded_study(const StudyIdentity& identity, const std::string& file) {

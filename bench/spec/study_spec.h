@@ -9,6 +9,7 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/bench/corpus/corpus.h"
+#include "ar3d/bench/external/external_algorithm.h"
 #include "ar3d/bench/spec/measures.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/records/graph_file_table.h"
@@ -25,8 +26,9 @@ struct FamilyChoice {
 
 /// An algorithm with complete options.
 struct AlgorithmChoice {
-  const Algorithm* algorithm = nullptr;
+  const Algorithm* algorithm = nullptr;  ///< of the catalogue, or the program's row
   Settings options;
+  std::shared_ptr<const ExternalAlgorithm> program = {};  ///< null: one of the catalogue
 };
 
 /// Files whose graphs are instances.
@@ -70,6 +72,7 @@ struct StudySpec {
   std::string name;
   std::string description;
   std::uint64_t seed = 0;
+  std::vector<std::shared_ptr<const ExternalAlgorithm>> programs;  ///< of `[[algorithm]]`
   std::vector<Sweep> sweeps;
   std::map<std::string, std::uint64_t> max_n;  ///< algorithm -> largest n it is given
   TimingRules timing;
@@ -97,6 +100,11 @@ StudySpec load_study(const std::string& name_or_path);
 /// The specification of a study that has begun, with the files that it began with.
 /// @param file  that the identity stands in, for messages. @throws InputError as parse_study.
 StudySpec recorded_study(const StudyIdentity& identity, const std::string& file);
+
+/// The algorithm of that name, of the catalogue or a program of the study, with complete options.
+/// @throws InputError naming the unknown algorithm or option.
+AlgorithmChoice algorithm_choice(const StudySpec& spec, const std::string& name,
+                                 const Settings& options);
 
 /// Graphs of files to be drawn, as the command line has it.
 struct GraphsStudy {

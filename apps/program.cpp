@@ -1,0 +1,127 @@
+#include "ar3d/apps/program.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "ar3d/model/error.h"
+#include "ar3d/model/nearest_name.h"
+#include "ar3d/model/printable.h"
+#include "commands.h"
+
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  ar3d study run quick
+  ar3d generate random-cubic -n 1000 | ar3d draw - --algorithm grid | ar3d verify -
+  nauty-geng -D4 7 | ar3d draw - --algorithm diamond | ar3d verify -
+
+Exit codes: 0 pass, 1 internal error, 2 usage or bad input, 3 regression, 4 bound or certificate violated,
+5 incomplete, 6 inconclusive, 130 interrupted.)";
+
+/// The verb that the words lead to, sub-verbs of `study` included; the program without one.
+const CLI::App& verb_in(const CLI::App& app) {
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  return chosen.empty() ? app : verb_in(*chosen.front());
+}
+
+/// The nearest option or verb to a word that was not expected.
+std::string nearest_word(const CLI::App& verb, const std::string& word) {
+  std::vector<std::string> names;
+  if (word.starts_with("--")) {
+    for (const CLI::Option* option : verb.get_options()) {
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+  } else {
+    for (const CLI::App* sub : verb.get_subcommands([](const CLI::App*) { return true; })) {
+      names.push_back(sub->get_name());
+    }
+  }
+  return ar3d::did_you_mean(word.substr(0, word.find('=')), {names.begin(), names.end()});
+}
+
+void tell_usage(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App& verb = verb_in(app);
+  const std::vector<std::string> rest = app.remaining(true);
+  std::string message = error.what();
+  if (!rest.empty()) {
+    const bool is_verb = &verb == &app && !rest.front().starts_with("-");
+    message = fmt::format("{} '{}'{}", is_verb ? "unknown verb" : "not expected:", rest.front(),
+                          nearest_word(verb, rest.front()));
+  }
+  std::string page = verb.get_name();
+  for (const CLI::App* above = verb.get_parent(); above != nullptr; above = above->get_parent()) {
+    page.insert(0, above->get_name() + " ");
+  }
+  fmt::print(stderr, "ar3d: {} (see {} --help)\n", ar3d::printable(message), page);
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{
+      "Draws graphs of maximum degree 3 and 4 in 3D with optimal angles and proves every drawing."};
+  app.name("ar3d");
+  app.set_version_flag("--version", "ar3d " AR3D_VERSION);
+  app.require_subcommand(1);
+  app.footer(kExamples);
+  int exit_code = ar3d::kPass;
+  ar3d::add_list(app, exit_code);
+  ar3d::add_generate(app, exit_code);
+  ar3d::add_draw(app, exit_code);
+  ar3d::add_view(app, exit_code);
+  ar3d::add_verify(app, exit_code);
+  ar3d::add_study(app, exit_code);
+  ar3d::add_check(app, exit_code);
+  ar3d::add_report(app, exit_code);
+  ar3d::add_compare(app, exit_code);
+  ar3d::add_replay(app, exit_code);
+  ar3d::add_hunt(app, exit_code);
+  ar3d::add_shrink(app, exit_code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    tell_usage(app, error);
+    return ar3d::kUsage;
+  }
+  return exit_code;
+}
+
+// A verdict that nobody could read is none: standard output that could not take all of it (a full
+// disk) is an error of every verb.
+int with_output_flushed(int exit_code) {
+  errno = 0;
+  const bool flushed = std::fflush(stdout) == 0;
+  if (flushed && std::ferror(stdout) == 0) return exit_code;
+  fmt::print(stderr, "ar3d: cannot write to standard output: {}\n",
+             std::strerror(errno != 0 ? errno : EIO));
+  return ar3d::kUsage;
+}
+
+}  // namespace
+
+int ar3d::run_program(int argc, char** argv) {
+  try {
+    return with_output_flushed(run(argc, argv));
+  } catch (const ar3d::InputError& error) {
+    fmt::print(stderr, "ar3d: {}\n", ar3d::printable(error.what()));
+    return ar3d::kUsage;
+  } catch (const std::system_error& error) {
+    const bool is_output = std::ferror(stdout) != 0;
+    fmt::print(stderr, "ar3d: {}{}\n", is_output ? "cannot write to standard output: " : "",
+               is_output ? error.code().message() : error.what());
+    return is_output ? ar3d::kUsage : ar3d::kInternalError;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "ar3d: out of memory\n");
+    return ar3d::kInternalError;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "ar3d: {}\n", ar3d::printable(error.what()));
+    return ar3d::kInternalError;
+  }
+}

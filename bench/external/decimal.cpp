@@ -1,0 +1,64 @@
+#include "ar3d/bench/external/decimal.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+#include "ar3d/model/error.h"
+#include "ar3d/model/lattice.h"
+#include "ar3d/model/printable.h"
+
+namespace ar3d {
+namespace {
+
+constexpr int kMostDigits = 18;  // fit 63 bits
+constexpr int kMostExponent = 1000;
+
+}  // namespace
+
+Decimal parse_decimal(const std::string& text) {
+  const auto refuse = [&](const char* problem) {
+    throw InputError(fmt::format("number {} {}", printable(text.substr(0, 60)), problem));
+  };
+  std::string digits;
+  long exponent = 0;
+  bool behind_point = false;
+  std::size_t at = text.starts_with('-') ? 1 : 0;
+  for (; at < text.size() && text[at] != 'e' && text[at] != 'E'; ++at) {
+    if (text[at] == '.') {
+      behind_point = true;
+      continue;
+    }
+    digits += text[at];
+    exponent -= behind_point ? 1 : 0;
+  }
+  if (at < text.size()) {
+    const long given = std::strtol(text.c_str() + at + 1, nullptr, 10);
+    if (given > kMostExponent || given < -kMostExponent) refuse("has an exponent beyond 1000");
+    exponent += given;
+  }
+  const std::size_t last = digits.find_last_not_of('0');
+  if (last == std::string::npos) return {};
+  exponent += static_cast<long>(digits.size() - 1 - last);
+  digits.erase(last + 1);
+  digits.erase(0, digits.find_first_not_of('0'));
+  if (digits.size() > kMostDigits) refuse("has more than 18 significant digits");
+  const std::int64_t value = std::strtoll(digits.c_str(), nullptr, 10);
+  return {text.starts_with('-') ? -value : value, static_cast<int>(exponent)};
+}
+
+std::int64_t scaled(const Decimal& number, int unit) {
+  if (number.digits == 0) return 0;
+  std::int64_t value = number.digits;
+  for (int power = number.exponent; power > unit; --power) {
+    if (value > kMaxCoordinate / 10 || value < -kMaxCoordinate / 10) {
+      throw InputError(
+          fmt::format("{}e{} in units of 1e{} passes 2^61: fewer decimals, or smaller numbers, fit",
+                      number.digits, number.exponent, unit));
+    }
+    value *= 10;
+  }
+  return value;
+}
+
+}  // namespace ar3d

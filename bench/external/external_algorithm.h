@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ar3d/algorithms/catalog.h"
+#include "ar3d/model/graph.h"
+
+namespace ar3d {
+
+/// A program that draws graphs: a row of the catalogue whose drawings another process makes.
+struct ExternalAlgorithm {
+  /// Name, options and guarantee; without a guarantee no degree is refused and no verdict given.
+  Algorithm row;
+  bool has_guarantee = false;
+  std::vector<std::string> command;  ///< words; "{option}" stands for an option's value
+  std::string input = "edgelist";    ///< what the program reads: graph6, sparse6 or edgelist
+  bool one_graph_per_process = false;
+  double time_limit_s = 60;            ///< from request to answer
+  double time_limit_s_per_vertex = 0;  ///< more, for each vertex
+
+  double limit_s(std::uint64_t n) const {
+    return time_limit_s + time_limit_s_per_vertex * static_cast<double>(n);
+  }
+};
+
+/// The words of the command with the options' values. @throws InputError on a brace that encloses
+/// no option.
+std::vector<std::string> command_with(const ExternalAlgorithm& algorithm, const Settings& options);
+
+/// What such a program reads for one graph: a line of graph6 or sparse6, or, as `edgelist`, a line
+/// "n m" and m lines "u v" with ids from 0.
+std::string request_of(const ExternalAlgorithm& algorithm, const Graph& graph);
+
+}  // namespace ar3d

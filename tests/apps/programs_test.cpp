@@ -1,0 +1,109 @@
+// Studies with programs of others as algorithms: those of examples/peers, and hostile ones.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "support/program.h"
+#include "support/results.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::run;
+
+TEST(Peers, AreMeasuredBesideOurs) {
+  const testing::ScratchDirectory scratch;
+  const std::string folder = AR3D_SOURCE_DIR "/examples/peers/";
+  const std::string spec = scratch.write("p.toml", fmt::format(R"(study = "p"
+[[algorithm]]
+name = "neato"
+command = ["{0}graphviz.py", "neato"]
+[[algorithm]]
+name = "sfdp"
+command = ["{0}graphviz.py", "sfdp"]
+[[algorithm]]
+name = "fr"
+command = ["{0}igraph3d.py", "fr", "{{iterations}}"]
+iterations = [5, 50]
+[[algorithm]]
+name = "kk"
+command = ["{0}igraph3d.py", "kk", "{{iterations}}"]
+iterations = 50
+[[sweep]]
+families = ["random-cubic", "cycle"]
+sizes = 16
+algorithms = ["grid", "neato", "sfdp", "fr", "kk"]
+)",
+                                                               folder));
+  const std::string results = scratch.path("p.h5");
+  const Outcome made = run("{} study run -q --threads 1 " + spec + " -o " + results);
+  EXPECT_EQ(made.exit_code, 0) << made.err << made.out;
+  EXPECT_THAT(made.out, HasSubstr("PASS: 12 rows, 2 proved, 0 violated, 0 incomplete, 0 refused, "
+                                  "10 measured without a guarantee"));
+  for (const RunRecord& row : read_results(results).runs) {
+    const bool ours = row.algorithm == "grid";
+    EXPECT_EQ(to_string(row.status), std::string(ours ? "ok" : "measured")) << row.message;
+    EXPECT_GE(column_number(run_column("crossings"), row), 0);
+    EXPECT_GT(column_number(run_column("smallest_vertex_angle"), row), ours ? 119.99 : 0);
+    EXPECT_GT(column_number(run_column("log2_relative_volume"), row), 0);
+  }
+  const Outcome table = run(folder + "table.py " + results);
+  EXPECT_EQ(table.exit_code, 0) << table.err;
+  EXPECT_THAT(table.out, HasSubstr("| random-cubic | 16 | grid | 120.0 | 100 % | 0 |"));
+  EXPECT_EQ(run("{} report " + results + " -o " + scratch.path("p.html")).exit_code, 0);
+}
+
+// Time after time the same study of good and hostile programs, in threads, in workers and killed.
+TEST(HostilePrograms, NeverStopOrCorruptAStudy) {
+  const testing::ScratchDirectory scratch;
+  const auto program = [&](const std::string& name, const std::string& body) {
+    scratch.write(name + ".py", R"(import sys, os, time
+while True:
+    n, m = map(int, sys.stdin.readline().split())
+    for _ in range(m): sys.stdin.readline()
+    )" + body + "\n");
+    return fmt::format(
+        "[[algorithm]]\nname = \"{0}\"\ncommand = [\"/usr/bin/python3\", \"{1}\"]\n"
+        "time_limit_s = 1\n",
+        name, scratch.path(name + ".py"));
+  };
+  const std::string good =
+      "print('{\"vertices\":' + str([[i, i * i, i ** 3] for i in range(n)]) + '}', flush=True)";
+  const std::string spec = scratch.write(
+      "h.toml",
+      "study = \"h\"\n" + program("good", good) + program("silent", "time.sleep(1000)") +
+          program("flood",
+                  "os.write(1, b'x' * 10000000)\n    while True: os.write(1, b'x' * 10000000)") +
+          program("forker", "os.fork(); os.fork(); time.sleep(1000)") +
+          program("quitter", "sys.exit(3)") +
+          program("moody", "if n == 7: os.abort()\n    " + good) +
+          "[[sweep]]\nfamilies = \"cycle\"\nsizes = [6, 7]\nalgorithms = [\"grid\", \"good\", "
+          "\"silent\", \"flood\", \"forker\", \"quitter\", \"moody\"]\n");
+  for (const char* how : {"--threads 1", "--threads 2", "--threads 2 --isolate"}) {
+    const std::string results = scratch.path("h.h5");
+    const Outcome made =
+        run(fmt::format("{{}} study run -q --force {} {} -o {}", how, spec, results));
+    EXPECT_EQ(made.exit_code, 5) << made.err;
+    std::map<std::string, std::string> told;
+    for (const RunRecord& row : read_results(results).runs) {
+      told[fmt::format("{} {}", row.algorithm, row.n)] = to_string(row.status);
+    }
+    EXPECT_THAT(told, ::testing::ElementsAre(
+                          std::pair("flood 6", "crashed"), std::pair("flood 7", "crashed"),
+                          std::pair("forker 6", "timeout"), std::pair("forker 7", "timeout"),
+                          std::pair("good 6", "measured"), std::pair("good 7", "measured"),
+                          std::pair("grid 6", "ok"), std::pair("grid 7", "ok"),
+                          std::pair("moody 6", "measured"), std::pair("moody 7", "crashed"),
+                          std::pair("quitter 6", "crashed"), std::pair("quitter 7", "crashed"),
+                          std::pair("silent 6", "timeout"), std::pair("silent 7", "timeout")))
+        << how;
+  }
+  EXPECT_EQ(run("pgrep -f '^/usr/bin/python3 " + scratch.path("") + "'").out, "") << "nothing of them is left";
+}
+
+}  // namespace
+}  // namespace ar3d

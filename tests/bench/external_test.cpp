@@ -1,0 +1,379 @@
+// Programs that draw: what they are asked, what their answers mean, and what hostile ones do.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "ar3d/bench/external/decimal.h"
+#include "ar3d/bench/external/external_drawer.h"
+#include "ar3d/bench/run/make_row.h"
+#include "ar3d/bench/spec/study_spec.h"
+#include "ar3d/formats/drawings/drawing_jsonl.h"
+#include "ar3d/model/error.h"
+#include "ar3d/records/run_columns.h"
+#include "ar3d/verify/angles.h"
+#include "ar3d/verify/certificate.h"
+#include "ar3d/verify/examination.h"
+#include "bench/in_memory.h"
+#include "support/graphs.h"
+#include "support/program.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string problem(const std::function<void()>& step) {
+  try {
+    step();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Decimals, AreExact) {
+  const auto text = [](const std::string& number) {
+    const Decimal decimal = parse_decimal(number);
+    return fmt::format("{}e{}", decimal.digits, decimal.exponent);
+  };
+  EXPECT_EQ(text("0"), "0e0");
+  EXPECT_EQ(text("-0.000"), "0e0");
+  EXPECT_EQ(text("120"), "12e1");
+  EXPECT_EQ(text("-0.0125"), "-125e-4");
+  EXPECT_EQ(text("1.50e3"), "15e2");
+  EXPECT_EQ(text("1E-3"), "1e-3");
+  EXPECT_EQ(text("123456789012345678"), "123456789012345678e0");
+  EXPECT_THAT(problem([] { parse_decimal("1234567890123456789"); }), HasSubstr("18 significant"));
+  EXPECT_THAT(problem([] { parse_decimal("1e2000"); }), HasSubstr("exponent beyond 1000"));
+  EXPECT_EQ(scaled(parse_decimal("1.5"), -3), 1500);
+  EXPECT_EQ(scaled(parse_decimal("-2"), -1), -20);
+  EXPECT_THAT(problem([] { scaled(parse_decimal("1000"), -17); }), HasSubstr("passes 2^61"));
+}
+
+const Graph kPath(3, {{0, 1}, {1, 2}});
+
+TEST(Answers, PositionsAreScaledByOnePowerOfTen) {
+  const ProgramAnswer answer =
+      parse_answer("p", kPath, R"({"vertices":[[0,0,0],[1.5,0,-0.25],[2,1]],"seconds":0.5})");
+  ASSERT_TRUE(answer.drawing);
+  EXPECT_EQ(answer.own_s, 0.5);
+  EXPECT_EQ(answer.drawing->vertex(1), (Point{150, 0, -25}));
+  EXPECT_EQ(answer.drawing->vertex(2), (Point{200, 100, 0}));
+  EXPECT_EQ(answer.drawing->counters[0], (Counter{"decimals", 2}));
+}
+
+TEST(Answers, BendsFollowTheEdgeHoweverItIsListed) {
+  const ProgramAnswer answer = parse_answer(
+      "p", kPath,
+      R"({"vertices":[[0,0,0],[3,0,0],[5,0,0]],"edges":[[2,1,[[4,1,0],[4,2,0]]],[0,1]]})");
+  ASSERT_TRUE(answer.drawing);
+  std::vector<Point> points;
+  answer.drawing->polyline(1, points);
+  EXPECT_EQ(points, (std::vector<Point>{{3, 0, 0}, {4, 2, 0}, {4, 1, 0}, {5, 0, 0}}));
+  answer.drawing->polyline(0, points);
+  EXPECT_EQ(points.size(), 2u);
+}
+
+TEST(Answers, OurOwnLinesAreRead) {
+  const Graph graph = testing::petersen();
+  std::string line;
+  append_drawing_line(line, draw(find_algorithm("grid"), graph));
+  const ProgramAnswer answer = parse_answer("p", graph, line.substr(0, line.size() - 1));
+  ASSERT_TRUE(answer.drawing);
+  EXPECT_EQ(drawing_hash(*answer.drawing), drawing_hash(draw(find_algorithm("grid"), graph)));
+  EXPECT_THAT(problem([&] { parse_answer("p", kPath, line); }),
+              HasSubstr("10 vertices are drawn, the graph has 3"));
+  EXPECT_EQ(parse_answer("p", kPath, R"({"error":"no"})").refusal, "no");
+}
+
+TEST(Answers, NonsenseIsNamed) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"", "no JSON"},
+      {"hello", "no JSON"},
+      {R"({"vertices":[[0,0,NaN],[1,0,0],[2,0,0]]})", "no JSON"},
+      {R"({"vertices":[[0,0,0],[1,0,0]]})", "2 vertices are drawn, the graph has 3"},
+      {R"({"vertices":[[0,0,0],[1,0,0],[2,0,0],[3,0,0]]})", "4 vertices are drawn"},
+      {R"({"vertices":[[0,0,0],[1,0,0],[2,0,0,0]]})", "a fourth coordinate"},
+      {R"({"vertices":[[0,0,0],[1,0,0],[2]]})", "less than two numbers"},
+      {R"({"vertices":[[0,0,0],[1,0,0],[[2],0,0]]})", "a list where none"},
+      {R"({"vertices":[[0,0,0],[1,0,0],"x"]})", "a text where none"},
+      {R"({"vertices":[[0,0,0],[1,0,0],[2,0,1e999]]})", "no JSON"},
+      {R"({"vertices":[[0,0,0],[1,0,0],[2,0,0]],"edges":[[0,1]]})", "not those of the graph"},
+      {R"({"vertices":[[0,0,0],[1,0,0],[2,0,0]],"edges":[[0,1],[0,1]]})", "not those of the graph"},
+      {R"({"vertices":[[0,0,0],[1,0,0],[2,0,0]],"edges":[[0,1],[1,7]]})", "has the end 7"},
+      {R"({"vertices":[[0,0,0],[1,0,0],[2,0,0]],"edges":[[0,1],[1]]})", "without two ends"},
+      {R"({"vertices":[[0,0,0],[1,0,0],[2,0,0]],"edges":[[0,1],[1,-2]]})", "no end"},
+      {R"({"vertices":[[0,0,0],[1,0,0],[2,0,0]],"size":3})", "unknown key 'size'"},
+      {R"({"seconds":3})", "neither 'vertices' nor 'error'"},
+      {R"({"seconds":-3,"error":"x"})", "a time that is none"},
+      {R"([])", "a list where none"},
+      {R"(null)", "null where none"},
+      {R"({"vertices":[[0,0,0.0000000000000000001],[1,0,0],[1000000,0,0]]})", "passes 2^61"},
+  };
+  for (const auto& [line, message] : cases) {
+    EXPECT_THAT(problem([&] { parse_answer("p", kPath, line); }), HasSubstr(message)) << line;
+  }
+}
+
+TEST(Angles, AreMeasuredAndComparedExactly) {
+  // A right angle at vertex 1, and a bend of 45 degrees.
+  const ProgramAnswer answer = parse_answer(
+      "p", kPath,
+      R"({"vertices":[[0,0,0],[1,0,0],[1,1,0]],"edges":[[0,1],[1,2,[[1,2,0],[2,1,0]]]]})");
+  const DrawnAngles angles = angles_of(*answer.drawing);
+  EXPECT_NEAR(angles.smallest_at_vertices, 90, 1e-12);
+  EXPECT_NEAR(angles.smallest_at_bends, 45, 1e-12);
+  EXPECT_EQ(angles.optimal_edges, 0);
+  for (const char* name : {"diamond", "grid", "two-bend"}) {
+    const Graph graph = name == std::string("diamond") ? testing::complete(5) : testing::petersen();
+    const Drawing drawing = draw(find_algorithm(name), graph);
+    const DrawnAngles optimal = angles_of(drawing);
+    EXPECT_EQ(optimal.optimal_edges, graph.num_edges()) << name;
+    EXPECT_NEAR(optimal.smallest_at_vertices, name == std::string("diamond") ? 109.4712206 : 120,
+                1e-7);
+  }
+  for (const char* name : {"diamond", "grid", "two-bend"}) {  // what is proved is what is measured
+    for (const Graph& graph :
+         {testing::complete(4), testing::petersen(), Graph(2, {{0, 1}}), Graph(3, {})}) {
+      const Algorithm& algorithm = find_algorithm(name);
+      const Drawing drawing = draw(algorithm, graph);
+      Examination examination = examine(graph, drawing, algorithm.guarantee);
+      set_angles_and_crossings(graph, drawing, algorithm.guarantee, examination.certificate,
+                               examination.summary);
+      const DrawnAngles measured = angles_of(drawing);
+      EXPECT_EQ(examination.summary.crossings, 0);
+      EXPECT_EQ(examination.summary.optimal_edges, measured.optimal_edges) << name;
+      const auto same = [](double a, double b) {
+        return (std::isnan(a) && std::isnan(b)) || std::abs(a - b) < 1e-9;
+      };
+      EXPECT_TRUE(same(examination.summary.smallest_vertex_angle, measured.smallest_at_vertices));
+      EXPECT_TRUE(same(examination.summary.smallest_bend_angle, measured.smallest_at_bends));
+    }
+  }
+  const DrawnAngles none = angles_of(draw(find_algorithm("grid"), Graph(2, {})));
+  EXPECT_TRUE(std::isnan(none.smallest_at_vertices));
+  EXPECT_TRUE(std::isnan(none.smallest_at_bends));
+  EXPECT_EQ(none.optimal_edges, 0);
+  std::string star = R"({"vertices":[[0,0,0],[1,0,0],[-1,0,0],[0,1,0],[0,-1,0],[0,0,1]]})";
+  const Graph five(6, {{0, 1}, {0, 2}, {0, 3}, {0, 4}, {0, 5}});
+  EXPECT_EQ(angles_of(*parse_answer("p", five, star).drawing).optimal_edges, -1);
+}
+
+// Programs in Python, each a main loop over the graphs that it reads as edge lists.
+class Programs : public ::testing::Test {
+ protected:
+  std::string program(const std::string& name, const std::string& answer) const {
+    return scratch_.write(name, R"(import sys, os, json, time, signal
+def graphs():
+    for header in sys.stdin:
+        n, m = map(int, header.split())
+        yield n, [tuple(map(int, sys.stdin.readline().split())) for _ in range(m)]
+def say(text):
+    sys.stdout.write(text); sys.stdout.flush()
+served = 0
+for n, edges in graphs():
+    served += 1
+)" + answer);
+  }
+  StudySpec study(const std::string& path, const std::string& more = "",
+                  const std::string& sweep = "") const {
+    return parse_study(fmt::format(R"(study = "t"
+[[algorithm]]
+name = "mine"
+command = ["/usr/bin/python3", "{}"]
+time_limit_s = 2
+{}
+[[sweep]]
+families = "cycle"
+sizes = [5, 6, 7]
+algorithms = "mine"
+{}
+)",
+                                   path, more, sweep),
+                       "t.toml");
+  }
+  static std::vector<RunRecord> rows(const StudySpec& spec) {
+    return testing::run_study(spec, {.workers = 1}).runs;
+  }
+
+  testing::ScratchDirectory scratch_;
+};
+
+const char* const kRound = R"(
+    import math
+    p = [[round(math.cos(2*math.pi*i/n), 6), round(math.sin(2*math.pi*i/n), 6), 0] for i in range(n)]
+    say(json.dumps({"vertices": p, "seconds": 0.25}) + "\n"))";
+
+TEST_F(Programs, GoodOnesAreMeasured) {
+  const std::vector<RunRecord> runs = rows(study(program("round.py", kRound)));
+  ASSERT_EQ(runs.size(), 3u);
+  for (const RunRecord& run : runs) {
+    EXPECT_EQ(run.status, RunStatus::measured) << run.message;
+    EXPECT_EQ(run.algorithm, "mine");
+    EXPECT_EQ(run.violations, -1);
+    EXPECT_EQ(run.cpu_s, 0.25);
+    EXPECT_GT(run.wall_s, 0);
+    EXPECT_EQ(run.counters, "decimals=6");
+    EXPECT_EQ(column_text(run_column("crossings"), run), "0");
+    const double angle = 180 - 360.0 / static_cast<double>(run.n);
+    EXPECT_NEAR(column_number(run_column("smallest_vertex_angle"), run), angle, 1e-3);
+    EXPECT_GT(column_number(run_column("log2_relative_volume"), run), 1);
+    if (run.n == 6) continue;  // 120 degrees but for the seventh decimal: decided exactly
+    EXPECT_EQ(column_text(run_column("optimal_edges"), run), run.n == 5 ? "0" : "7");
+  }
+}
+
+TEST_F(Programs, AGuaranteeIsJudged) {
+  const std::string path = program("round.py", kRound);
+  const std::vector<RunRecord> kept =
+      rows(study(path, "guarantee = { max_degree = 2, max_bends = 0, cosine = [-3, 10] }"));
+  for (const RunRecord& run : kept) EXPECT_EQ(run.status, RunStatus::ok) << run.message;
+  const std::vector<RunRecord> broken =
+      rows(study(path, "guarantee = { max_degree = 2, max_bends = 0, cosine = [-1, 2] }"));
+  EXPECT_EQ(broken[0].status, RunStatus::violated);  // 108 degrees
+  EXPECT_EQ(broken[2].status, RunStatus::ok);
+  const std::vector<RunRecord> refused = rows(study(
+      path, "guarantee = { max_degree = 1, max_bends = 0, cosine = [0, 1] }",
+      "include = { to = 4 }\n[[sweep]]\nfamilies = \"path\"\nsizes = 2\nalgorithms = \"mine\"\n"));
+  EXPECT_EQ(refused.size(), 1u) << "cycles are left out, their degree is 2";
+}
+
+TEST_F(Programs, OptionsGoIntoTheCommand) {
+  const std::string path = program("options.py", R"(
+    say(json.dumps({"vertices": [[i * int(sys.argv[1]), i * i, 0] for i in range(n)]}) + "\n"))");
+  StudySpec spec = parse_study(fmt::format(R"(study = "t"
+[[algorithm]]
+name = "mine"
+command = ["/usr/bin/python3", "{}", "{{step}}"]
+step = [2, 30]
+[[sweep]]
+families = "path"
+sizes = 4
+algorithms = ["mine", {{ algorithm = "mine", step = 7 }}, "grid"]
+)",
+                                           path),
+                               "t.toml");
+  std::vector<std::string> told;
+  for (const RunRecord& run : rows(spec)) {
+    told.push_back(fmt::format("{} {} {}", run.algorithm, run.options, run.extents[0]));
+  }
+  EXPECT_THAT(told, ::testing::ElementsAre("mine step=2 6", "mine step=30 90", "mine step=7 21",
+                                           ::testing::StartsWith("grid effort=1")));
+}
+
+TEST_F(Programs, HostileOnesCostTheirRowsOnly) {
+  const struct {
+    const char* name;
+    const char* answer;
+    RunStatus status;
+    const char* message;
+  } cases[] = {
+      {"silent", "\n    time.sleep(1000)", RunStatus::timeout, "no answer within 2 s"},
+      {"deaf", "\n    signal.signal(signal.SIGTERM, signal.SIG_IGN)\n    while True: pass",
+       RunStatus::timeout, "no answer within 2 s"},
+      {"endless", "\n    while True: say('x' * 1000000)", RunStatus::crashed, "answered more than"},
+      {"lines", "\n    while True: say('{}\\n' * 1000)", RunStatus::crashed,
+       "answered more than one line"},
+      {"few", "\n    say('{\"vertices\":[[0,0,0]]}\\n')", RunStatus::crashed,
+       "1 vertices are drawn, the graph has"},
+      {"nan", "\n    say('{\"vertices\":[[NaN,0,0]]}\\n')", RunStatus::crashed,
+       "its answer is no drawing: column"},
+      {"exits", "\n    sys.stderr.write('out of ideas\\n'); sys.exit(7)", RunStatus::crashed,
+       "ended with code 7 before it answered: out of ideas"},
+      {"dies", "\n    os.kill(os.getpid(), signal.SIGSEGV)", RunStatus::crashed,
+       "was killed by signal 11"},
+      {"forks", "\n    os.fork(); os.fork(); time.sleep(1000)", RunStatus::timeout, "no answer"},
+      {"shy", "\n    say('{\"error\":\"too round\"}\\n')", RunStatus::refused, "mine: too round"},
+      {"noisy", "\n    sys.stderr.write('y' * 10000000)\n    say('{\"error\":\"noise\"}\\n')",
+       RunStatus::refused, "mine: noise"},
+  };
+  for (const auto& [name, answer, status, message] : cases) {
+    const std::vector<RunRecord> runs =
+        rows(study(program(std::string(name) + ".py", answer), "", "include = { to = 5 }"));
+    ASSERT_EQ(runs.size(), 1u);
+    EXPECT_EQ(to_string(runs[0].status), std::string(to_string(status))) << name << runs[0].message;
+    EXPECT_THAT(runs[0].message, HasSubstr(message)) << name;
+  }
+  EXPECT_THAT(rows(study("/none.py", "", "include = { to = 5 }"))[0].message,
+              HasSubstr("ended with code 2 before it answered"));
+}
+
+TEST_F(Programs, AfterAFailureTheNextGraphHasANewProcess) {
+  const std::string path =
+      program("moody.py", std::string("\n    if n == 6: sys.exit(1)") + kRound);
+  const std::vector<RunRecord> runs = rows(study(path));
+  ASSERT_EQ(runs.size(), 3u);
+  EXPECT_EQ(runs[0].status, RunStatus::measured);
+  EXPECT_EQ(runs[1].status, RunStatus::crashed);
+  EXPECT_EQ(runs[2].status, RunStatus::measured);
+}
+
+TEST_F(Programs, MayTakeOneGraphEach) {
+  const std::string path = program("one.py", std::string(kRound) + "\n    break\n");
+  for (const RunRecord& run : rows(study(path, "one_graph_per_process = true"))) {
+    EXPECT_EQ(run.status, RunStatus::measured) << run.message;
+  }
+  EXPECT_EQ(rows(study(path))[0].status, RunStatus::crashed) << "it ends behind the first edge";
+}
+
+TEST_F(Programs, InputIsWhatTheyAskFor) {
+  for (const auto& [input, first] : {std::pair("graph6", "\"D\""), std::pair("sparse6", "\":\"")}) {
+    const std::string path = scratch_.write(std::string(input) + ".py", fmt::format(R"(import sys
+for line in sys.stdin:
+    n = 2 if "A" in line[:2] else 5
+    if n == 5: assert line[0] == {}, line
+    print('{{"vertices":' + str([[i, i * i, 0] for i in range(n)]) + '}}', flush=True)
+)",
+                                                                                    first));
+    const std::vector<RunRecord> runs =
+        rows(study(path, fmt::format("input = \"{}\"", input), "include = { to = 5 }"));
+    EXPECT_EQ(runs[0].status, RunStatus::measured) << runs[0].message;
+  }
+}
+
+TEST_F(Programs, BadSpecificationsAreRefusedInOneLine) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"name = \"diamond\"\ncommand = \"x\"", "is an algorithm of the catalogue"},
+      {"name = \"a b\"\ncommand = \"x\"", "is no name"},
+      {"name = \"m\"", "lacks 'command'"},
+      {"command = \"x\"", "lacks 'name'"},
+      {"name = \"m\"\ncommand = []", "command is empty"},
+      {"name = \"m\"\ncommand = \"\"", "command is empty"},
+      {"name = \"m\"\ncommand = [1]", "command is not a string"},
+      {"name = \"m\"\ncommand = \"x {y}\"", "names no option of it"},
+      {"name = \"m\"\ncommand = \"x {y\"", "names no option of it"},
+      {"name = \"m\"\ncommand = \"x\"\ny = 1", "unknown key 'y'"},
+      {"name = \"m\"\ncommand = \"x {y}\"\ny = \"1\"", "y is not an integer"},
+      {"name = \"m\"\ncommand = \"x {y}\"\ny = []", "y is empty"},
+      {"name = \"m\"\ncommand = \"x\"\ninput = \"dot\"", "none of edgelist"},
+      {"name = \"m\"\ncommand = \"x\"\ntime_limit_s = 0", "outside"},
+      {"name = \"m\"\ncommand = \"x\"\ntime_limit_s_per_vertex = -1", "outside"},
+      {"name = \"m\"\ncommand = \"x\"\none_graph_per_process = 1", "neither true nor false"},
+      {"name = \"m\"\ncommand = \"x\"\nguarantee = 3", "guarantee is not a table"},
+      {"name = \"m\"\ncommand = \"x\"\nguarantee = { max_degree = 3, max_bends = 1 }",
+       "lacks 'cosine'"},
+      {"name = \"m\"\ncommand = \"x\"\nguarantee = { max_degree = 3, max_bends = 1, cosine = [2, "
+       "1] }",
+       "cosine is not"},
+      {"name = \"m\"\ncommand = \"x\"\n[[algorithm]]\nname = \"m\"\ncommand = \"x\"",
+       "a second algorithm 'm'"},
+  };
+  for (const auto& [program, message] : cases) {
+    const std::string told = problem([&] {
+      parse_study(fmt::format("study = \"t\"\n[[algorithm]]\n{}\n[[sweep]]\nfamilies = \"cycle\"\n"
+                              "sizes = 5\nalgorithms = \"m\"\n",
+                              program),
+                  "t.toml");
+    });
+    EXPECT_THAT(told, HasSubstr(message)) << program;
+    EXPECT_THAT(told, ::testing::StartsWith("t.toml:")) << program;
+  }
+  EXPECT_THAT(problem([&] { study("x", "", "strong = { threads = [1] }"); }),
+              HasSubstr("strong and weak batches are of the catalogue's algorithms only"));
+}
+
+}  // namespace
+}  // namespace ar3d
