@@ -102,7 +102,8 @@ while True:
                           std::pair("silent 6", "timeout"), std::pair("silent 7", "timeout")))
         << how;
   }
-  EXPECT_EQ(run("pgrep -f '^/usr/bin/python3 " + scratch.path("") + "'").out, "") << "nothing of them is left";
+  EXPECT_EQ(run("pgrep -f '^/usr/bin/python3 " + scratch.path("") + "'").out, "")
+      << "nothing of them is left";
 }
 
 }  // namespace

@@ -64,9 +64,10 @@ TEST(Kernels, WithoutFilterAFewOfEveryKindRun) {
 TEST(Kernels, ReportTimesAndRatesAndNoComplexity) {
   const ScratchDirectory scratch;
   const std::string file = scratch.path("out.json");
-  const Outcome outcome =
-      run(kKernels +
-          " --benchmark_filter='^(draw|certify|generate|parse)/.*/?cycle/1000/' --benchmark_min_time=0 --benchmark_out=" + file);
+  const Outcome outcome = run(kKernels +
+                              " --benchmark_filter='^(draw|certify|generate|parse)/.*/?cycle/1000/"
+                              "' --benchmark_min_time=0 --benchmark_out=" +
+                              file);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto report = nlohmann::json::parse(testing::read_file(file));
   std::set<std::string> kinds;
