@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "ar3d/analysis/report/figures.h"
 #include "ar3d/analysis/report/html.h"
 #include "ar3d/analysis/report/page_files.h"
@@ -11,27 +13,29 @@ namespace ar3d {
 namespace {
 
 constexpr const char* kReplayPanel =
-    "<div id=tip role=status hidden></div><div id=replay role=dialog aria-label='Draw it again' "
-    "hidden>"
-    "<p></p><code></code><button type=button>Copy</button><button "
-    "type=button>Close</button></div>\n";
+    "<div id=tip role=status hidden></div>"
+    "<div id=replay role=dialog aria-label='Draw it again' hidden><p></p><code></code>"
+    "<button type=button>Copy</button><button type=button id=open hidden>Show in 3D</button>"
+    "<button type=button>Close</button></div>\n"
+    "<dialog id=shown aria-label='The drawing in 3D'><div><p></p>"
+    "<button type=button>Draw it again</button><button type=button>Close</button></div></dialog>\n";
 
 std::string head(const StudyIdentity& study) {
   return "<!doctype html>\n<html lang=en><head><meta charset=utf-8>"
          "<meta name=viewport content='width=device-width,initial-scale=1'>"
          "<meta http-equiv=Content-Security-Policy content=\"default-src 'none'; "
-         "style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:\">"
+         "style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data: blob:\">"
          "<title>ar3d report: " +
          report::escape(study.study_id) + "</title><style>" + report::page_style() +
          "</style></head>\n";
 }
 
 /// The sections in the order of the reader's questions.
-std::string body(report::Page& page) {
+std::string body(report::Page& page, const SinceReference& since) {
   const std::vector<report::Section> sections = report::sections(page.analysis);
   const std::string trade = report::trade_section(page, sections);
   const std::string batches = report::strong_weak_section(page);
-  std::string html = report::verdict_section(page.analysis);
+  std::string html = report::verdict_section(page, sections, since);
   html += "<nav>";
   const auto link = [&](const std::string& id, const std::string& text) {
     html += "<a href='#" + id + "'>" + text + "</a>";
@@ -41,6 +45,7 @@ std::string body(report::Page& page) {
   for (std::size_t i = 0; i < sections.size(); ++i) {
     link(fmt::format("a{}", i), report::escape(sections[i].label));
   }
+  link("reference", "What changed?");
   if (!batches.empty()) link("strong-weak", "Strong and weak scaling");
   if (!sections.empty()) link("metrics", "All metrics");
   link("environment", "Environment");
@@ -50,15 +55,24 @@ std::string body(report::Page& page) {
   for (std::size_t i = 0; i < sections.size(); ++i) {
     html += report::algorithm_section(page, sections[i], fmt::format("a{}", i));
   }
-  return html + batches + report::metrics_section(page.analysis, sections) +
-         report::background(page.analysis.rows);
+  return html + report::reference_section(since) + batches +
+         report::metrics_section(page.analysis, sections) + report::background(page.analysis.rows);
+}
+
+/// {"row": which drawing of the viewer's page, …}
+std::string drawings_json(const ShownDrawings& drawings) {
+  std::string json;
+  for (const auto& [row, place] : drawings.page_of_row) {
+    json += fmt::format("{}\"{}\":{}", json.empty() ? "" : ",", row, place);
+  }
+  return "{" + json + "}";
 }
 
 }  // namespace
 
 std::vector<Figure> report_figures(const StudyAnalysis& analysis) {
   report::Page page(analysis);
-  body(page);
+  body(page, {});
   std::vector<Figure> figures;
   for (const report::NamedPlot& plot : page.figures()) {
     figures.push_back({plot.file, report::standalone_svg(plot), plot.csv,
@@ -67,14 +81,46 @@ std::vector<Figure> report_figures(const StudyAnalysis& analysis) {
   return figures;
 }
 
-std::string render_report(const StudyAnalysis& analysis) {
-  report::Page page(analysis);
-  std::string html = head(*analysis.rows.identity) + "<body>\n" + body(page) + kReplayPanel;
+std::vector<std::size_t> rows_to_show(const StudyAnalysis& analysis, std::size_t most,
+                                      std::int64_t most_edges) {
+  struct Candidate {
+    bool is_first;  // of its curve
+    double share;
+    std::size_t row;
+  };
+  std::vector<Candidate> candidates;
+  for (const CurveTally& curve : analysis.tally.curves) {
+    std::vector<Candidate> of_curve;
+    for (const auto& [n, graph] : report::worst_by_size(curve)) {
+      if (graph->m <= most_edges) of_curve.push_back({false, graph->share(), graph->row});
+    }
+    const auto first =
+        std::max_element(of_curve.begin(), of_curve.end(),
+                         [](const Candidate& a, const Candidate& b) { return a.share < b.share; });
+    if (first != of_curve.end()) first->is_first = true;
+    candidates.insert(candidates.end(), of_curve.begin(), of_curve.end());
+  }
+  std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
+    return a.is_first != b.is_first ? a.is_first : a.share > b.share;
+  });
+  std::vector<std::size_t> rows;
+  for (const Candidate& one : candidates) {
+    if (rows.size() < most) rows.push_back(one.row);
+  }
+  return rows;
+}
+
+std::string render_report(const StudyAnalysis& analysis, const ReportParts& parts) {
+  report::Page page(analysis, parts.drawings);
+  std::string html =
+      head(*analysis.rows.identity) + "<body>\n" + body(page, parts.since) + kReplayPanel;
   const auto data = [&](const char* id, const std::string& json) {
     html += fmt::format("<script type='application/json' id={}>{}</script>\n", id, json);
   };
   data("rows", page.rows_json());
   data("figures", page.figures_json());
+  data("drawings", drawings_json(parts.drawings));
+  html += "<script type='text/plain' id=viewer>" + parts.drawings.packed_page + "</script>\n";
   data("figure-style", report::json_string(report::figure_style()));
   return html + "<script>" + report::page_script() + "</script>\n</body></html>\n";
 }

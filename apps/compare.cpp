@@ -22,6 +22,7 @@
 #include "commands.h"
 #include "numbers.h"
 #include "outputs.h"
+#include "report_page.h"
 
 namespace ar3d {
 namespace {
@@ -45,20 +46,12 @@ struct CompareArguments {
 
 constexpr const char* kThisProgram = "/proc/self/exe";
 
-/// The youngest of the committed reference results of the study, by name.
+/// @throws InputError if there is none.
 std::string reference_for(const Results& results) {
-  const fs::path folder = fs::path(find_checkout()) / "results" / "reference";
-  std::string found;
-  if (fs::is_directory(folder)) {
-    for (const auto& entry : fs::directory_iterator(folder)) {
-      const std::string path = entry.path().string();
-      if (entry.path().extension() != ".h5" || path < found) continue;
-      if (read_results(path).study_id == results.study_id) found = path;
-    }
-  }
+  std::string found = committed_reference(results.study_id);
   if (found.empty()) {
-    throw InputError(
-        fmt::format("no results of study '{}' in {}", results.study_id, folder.string()));
+    throw InputError(fmt::format("no results of study '{}' in results/reference of the checkout",
+                                 results.study_id));
   }
   return found;
 }

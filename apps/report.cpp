@@ -17,6 +17,7 @@
 #include "ar3d/results/atomic_file.h"
 #include "commands.h"
 #include "outputs.h"
+#include "report_page.h"
 #include "study_rows.h"
 #include "svg_to_pdf.h"
 
@@ -80,6 +81,7 @@ struct Arguments {
   std::string growth;
   std::string figures;
   std::string benchmark_json;
+  std::string reference;
   bool force = false;
 };
 
@@ -87,7 +89,7 @@ int write_report(const Arguments& arguments) {
   const std::string results = results_path_of(arguments.results);
   const std::string path = arguments.output.empty() ? report_path(results) : arguments.output;
   if (arguments.output.empty()) refuse_foreign_page(path, results);
-  refuse_unsafe_outputs({.inputs = {arguments.results, results},
+  refuse_unsafe_outputs({.inputs = {arguments.results, results, arguments.reference},
                          .outputs = {arguments.csv, arguments.json, arguments.rows,
                                      arguments.growth, arguments.benchmark_json},
                          .page = path,
@@ -95,11 +97,12 @@ int write_report(const Arguments& arguments) {
   const StudyRows rows(arguments.results);
   const RowView& view = rows.view();
   const StudyAnalysis analysis = analyse(view, judge(view, arguments.results));
+  const ReportParts parts = report_parts(analysis, arguments.reference);
   const std::vector<Figure> figures = figures_for(analysis, arguments.figures, arguments.force);
   const auto write = [](const std::string& to, const auto& make) {
     if (!to.empty()) write_file_atomically(to, make());
   };
-  write(path, [&] { return render_report(analysis); });
+  write(path, [&] { return render_report(analysis, parts); });
   write(arguments.csv, [&] { return bounds_csv(analysis); });
   write(arguments.json, [&] { return analysis_json(analysis); });
   write(arguments.growth, [&] { return scaling_csv(analysis); });
@@ -141,9 +144,13 @@ void add_report(CLI::App& app, int& exit_code) {
                    "scripts, into this directory");
   verb->add_option("--benchmark-json", arguments->benchmark_json,
                    "also write the timed rows as a Google Benchmark report to this file");
+  verb->add_option("--reference", arguments->reference,
+                   "results file of the same study to say what changed since; the youngest of "
+                   "results/reference in a checkout if left out");
   add_force(*verb, arguments->force);
   verb->footer(
-      "Exit code as of `ar3d check`.\nExample: ar3d report smoke.h5 -o smoke.html --figures "
+      "The reference does not change the exit code: `ar3d compare` does.\nExit code as of `ar3d "
+      "check`.\nExample: ar3d report smoke.h5 -o smoke.html --figures "
       "figures");
   verb->callback([arguments, &exit_code] { exit_code = write_report(*arguments); });
 }

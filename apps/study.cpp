@@ -25,6 +25,7 @@
 #include "making_options.h"
 #include "numbers.h"
 #include "outputs.h"
+#include "report_page.h"
 #include "study_choice.h"
 #include "study_rows.h"
 
@@ -64,7 +65,8 @@ void write_report(const std::string& results, const StudyAnalysis& analysis) {
         page, shell_word(results));
     return;
   }
-  write_file_atomically(page, render_report(analysis));
+  write_file_atomically(
+      page, render_report(analysis, report_parts(analysis, {})));
   fmt::print("report   {}\n", page);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -36,7 +37,9 @@ std::optional<Graph> claimed_graph(const Drawing& drawing) {
   }
 }
 
-PageVerdict judged(const Drawing& drawing, const Algorithm* algorithm) {
+}  // namespace
+
+PageVerdict page_verdict(const Drawing& drawing, const Algorithm* algorithm) {
   PageVerdict verdict;
   if (algorithm == nullptr) {
     verdict.text = "no guarantee is known of this algorithm";
@@ -63,12 +66,10 @@ PageVerdict judged(const Drawing& drawing, const Algorithm* algorithm) {
   return verdict;
 }
 
-}  // namespace
-
 void write_viewer_page(const NextDrawing& next, const std::string& path,
                        const std::string& algorithm) {
   OutputFile file(path);
-  ViewerPage page(file);
+  ViewerPage page([&](std::string_view text) { file.append(text); });
   std::size_t number = 0;
   while (const std::optional<PlacedLine> placed = next()) {
     ++number;
@@ -76,7 +77,7 @@ void write_viewer_page(const NextDrawing& next, const std::string& path,
       const Algorithm* const known =
           algorithm.empty() ? known_algorithm(drawing->algorithm()) : &find_algorithm(algorithm);
       page.add(placed->where, *drawing, known == nullptr ? nullptr : &known->guarantee,
-               judged(*drawing, known));
+               page_verdict(*drawing, known));
     } else {
       const auto& undrawn = std::get<UndrawnGraph>(placed->line);
       page.add_undrawn(placed->where, undrawn.n, undrawn.error);

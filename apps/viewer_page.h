@@ -2,14 +2,21 @@
 
 #include <string>
 
+#include "ar3d/formats/drawings/drawing_html.h"
 #include "drawing_formats.h"
 
 namespace ar3d {
+
+struct Algorithm;
 
 /// Writes an HTML page that shows the drawings, each judged on the graph that it draws against the
 /// guarantee of `algorithm`, or, if that is empty, of the algorithm that the drawing names.
 /// @throws InputError if it cannot be written, or the drawings are too large for a page.
 void write_viewer_page(const NextDrawing& next, const std::string& path,
                        const std::string& algorithm = {});
+
+/// What a page says of a drawing, judged on the graph that it draws against the guarantee of
+/// `algorithm`; null: nothing is judged.
+PageVerdict page_verdict(const Drawing& drawing, const Algorithm* algorithm);
 
 }  // namespace ar3d

@@ -21,10 +21,12 @@ const distance = () => camera.position.distanceTo(controls.target);
 const kHalfAngle = 15 * Math.PI / 180;
 /// Height of what is seen at the target, in the scene.
 const heightSeen = () => camera === cameras.perspective ? 2 * distance() * Math.tan(kHalfAngle) : (camera.top - camera.bottom) / camera.zoom;
-/// Pixels that one unit of the scene takes at a depth.
-const pixelsPerUnit = depth => stage.clientHeight / (camera === cameras.perspective ? 2 * depth * Math.tan(kHalfAngle) : heightSeen());
+/// Pixels that one unit of the scene takes at a depth. The height is that of the last resize: asking the page for it
+/// costs microseconds each time.
+const pixelsPerUnit = depth => view.height / (camera === cameras.perspective ? 2 * depth * Math.tan(kHalfAngle) : heightSeen());
 
 function shapeCameras() {
+  view.height = stage.clientHeight;
   const width = innerWidth, height = innerHeight, wide = width > 700, open = !byId("panel").hidden;
   const aside = open && wide ? 140 : 0, below = open && !wide ? Math.min(0.23 * height, byId("panel").offsetHeight / 2) : 0;
   cameras.perspective.aspect = width / height;

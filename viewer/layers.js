@@ -92,6 +92,7 @@ function geometryOf(positions, tones) {
   geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
   geometry.setAttribute("birth", new THREE.BufferAttribute(new Float32Array(positions.length / 3), 1));
   geometry.setAttribute("tone", new THREE.BufferAttribute(tones, 1));
+  geometry.boundingSphere = {center: new THREE.Vector3(), radius: 1};  // known: nothing is computed over all points
   return geometry;
 }
 

@@ -81,7 +81,7 @@ function settle(d, level, shown) {
   const part = shown < d.segments ? ` an even sample of ${withCommas(shown)} of ${withCommas(d.segments)} segments;` : "";
   const words = {tubes: "", lines: `Edges are lines at this size;${part} zoom in for tubes.`, density: `Edges are a cloud of points at this size;${part} zoom in for lines and tubes.`};
   byId("detail").textContent = level === "lines" && meshes.tubes.count ? "Near edges are tubes, far ones lines." : words[level];
-  view.settled = true;
+  view.settled = view.settled || performance.now();
 }
 
 function meanLength(d) {
@@ -148,9 +148,9 @@ async function showDrawing(k) {
   redraw();
 }
 
-function start() {
+function start(context) {
   if (typeof DecompressionStream === "undefined") throw new Error("This browser is too old for the viewer: it lacks DecompressionStream (Chrome 80, Firefox 113, Safari 16.4 have it).");
-  renderer = new THREE.WebGLRenderer({canvas: stage, preserveDrawingBuffer: true});
+  renderer = new THREE.WebGLRenderer({canvas: stage, context, preserveDrawingBuffer: true});
   renderer.setSize(innerWidth, innerHeight, false);
   stage.addEventListener("webglcontextlost", () => tellProblem("The browser has lost the 3D picture (WebGL context lost): load the page again."));
   camera.position.copy(kViews[0]);
@@ -162,8 +162,9 @@ function start() {
   shapeCameras();
 }
 
-function hasWebGL() {
-  try { return Boolean(document.createElement("canvas").getContext("webgl2")); } catch { return false; }
+/// The one WebGL context of the page, which takes long to make in software, or null.
+function webGL() {
+  try { return stage.getContext("webgl2", {alpha: false, antialias: false, depth: true, stencil: false, preserveDrawingBuffer: true}); } catch { return null; }
 }
 
 async function run() {
@@ -171,13 +172,14 @@ async function run() {
   if (innerWidth <= 700) foldPanel(true);
   applyTheme();
   if (!pageCount) return tellProblem("There is no drawing in this page.");
-  if (!hasWebGL()) return tellProblem("This page draws with WebGL 2, which this browser does not offer or has turned off. Another browser, or its setting for hardware acceleration, may help.");
+  const context = webGL();
+  if (!context) return tellProblem("This page draws with WebGL 2, which this browser does not offer or has turned off. Another browser, or its setting for hardware acceleration, may help.");
   try {
-    start();
+    start(context);
     fillPages();
     listen();
-    await showDrawing(0);
-    view.ready = true;
+    await showDrawing(Math.min(pageCount - 1, Number(document.body.dataset.page) || 0));
+    view.ready = performance.now();
   } catch (error) {
     tellProblem(`The drawing cannot be shown: ${error.message}`);
   }
@@ -273,5 +275,10 @@ window.ar3d = {
   },
   frames: () => [...view.frames || []],
   camera: () => camera.position.toArray(),
+  /// What the last frame held.
+  cost: () => {
+    const {calls, lines, points, triangles} = renderer.info.render;
+    return {calls, lines, points, triangles, pixels: stage.width * stage.height};
+  },
 };
 run();

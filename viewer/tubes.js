@@ -56,6 +56,12 @@ function send(mesh, count) {
   mesh.instanceColor.needsUpdate = true;
 }
 
+/// The least depth of the drawing's box in the scene, or as little as a camera within it sees.
+function nearestDepth(d, matrix) {
+  const corners = Array.from({length: 8}, (_, k) => project(matrix, d.about.extents.map((extent, i) => k >> i & 1 ? extent : 0), [0, 0, 0]));
+  return Math.max(camera.near, corners.reduce((least, corner) => Math.min(least, corner[2]), Infinity));
+}
+
 /// Segments [e, i, distance] to be shown as tubes: all, or those that are at least a pixel wide, the nearest ones if
 /// they are too many.
 function segmentsForTubes(d) {
@@ -64,7 +70,9 @@ function segmentsForTubes(d) {
     for (let e = 0; e < d.m; ++e) if (isEdgeGrown(d, e)) for (let i = 0; i + 1 < pointsOf(d, e); ++i) found.push([e, i, 0]);
     return found;
   }
-  const matrix = projectionRows(), radius = tubeRadius(d), inside = new Float64Array(3);
+  const matrix = projectionRows(), radius = tubeRadius(d);
+  if (radius * pixelsPerUnit(nearestDepth(d, matrix)) < 0.8) return found;
+  const inside = new Float64Array(3);
   for (let e = 0; e < d.m; ++e) for (let i = 0; i + 1 < pointsOf(d, e); ++i) {
     pointOf(d, e, i, point);
     pointOf(d, e, i + 1, place);

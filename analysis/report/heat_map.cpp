@@ -15,18 +15,7 @@ namespace {
 
 constexpr std::size_t kMostColumns = 16;
 
-/// By requested n the graph with the largest share.
 using Shares = std::map<std::int64_t, const DrawnGraph*>;
-
-Shares shares_of(const CurveTally& curve) {
-  Shares shares;
-  for (const auto& [n, size] : curve.sizes) {
-    if (size.drawn == 0 || std::isnan(size.closest.share())) continue;
-    const DrawnGraph*& at = shares[size.requested_n];
-    if (at == nullptr || size.closest.share() > at->share()) at = &size.closest;
-  }
-  return shares;
-}
 
 double largest(const Shares& shares) {
   double share = 0;
@@ -52,15 +41,26 @@ std::vector<std::int64_t> columns_of(const std::vector<Shares>& rows) {
 std::string share_cell(Page& page, std::size_t curve, const DrawnGraph& graph) {
   const double share = graph.share();
   const int shade = std::clamp(static_cast<int>(std::floor(share * 10)), 0, 9);
-  return fmt::format("<td class='h{}{}' data-r={} tabindex=0>{:.0f}</td>", shade,
-                     share > 1 ? " violated" : "", page.point_at(curve, graph), 100 * share);
+  return fmt::format("<td class='h{}{}{}' data-r={} tabindex=0>{:.0f}</td>", shade,
+                     share > 1 ? " violated" : "", page.is_shown(graph.row) ? " shown" : "",
+                     page.point_at(curve, graph), 100 * share);
 }
 
 }  // namespace
 
+std::map<std::int64_t, const DrawnGraph*> worst_by_size(const CurveTally& curve) {
+  Shares shares;
+  for (const auto& [n, size] : curve.sizes) {
+    if (size.drawn == 0 || std::isnan(size.closest.share())) continue;
+    const DrawnGraph*& at = shares[size.requested_n];
+    if (at == nullptr || size.closest.share() > at->share()) at = &size.closest;
+  }
+  return shares;
+}
+
 std::string heat_map(Page& page, const Section& section) {
   std::vector<Shares> shares;
-  for (const SectionCurve& curve : section.curves) shares.push_back(shares_of(*curve.tally));
+  for (const SectionCurve& curve : section.curves) shares.push_back(worst_by_size(*curve.tally));
   const std::vector<std::int64_t> columns = columns_of(shares);
   if (columns.empty()) return "";
   std::vector<std::size_t> order(shares.size());
@@ -71,8 +71,8 @@ std::string heat_map(Page& page, const Section& section) {
   std::string html =
       "<details open><summary>Share of the theorem's bound by family and n</summary><p class=muted>"
       "Per cent, the worst graph and axis; the family that comes closest stands first. A click on "
-      "a "
-      "number shows its graph.</p><div class=scroll><table class='heat sortable'><thead><tr>"
+      "an underlined number opens its drawing in 3D; on another one it shows the lines that draw "
+      "it.</p><div class=scroll><table class='heat sortable'><thead><tr>"
       "<th>Family";
   for (const std::int64_t n : columns) {
     html += fmt::format("<th class=num title='n = {}'>{}", grouped(n), short_count(n));

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ar3d/analysis/report.h"
 #include "ar3d/analysis/study_analysis.h"
 
 namespace ar3d::report {
@@ -24,9 +25,13 @@ struct NamedPlot {
 /// What the sections of a page share: the rows that something in it points at, and its figures.
 class Page {
  public:
-  explicit Page(const StudyAnalysis& of) : analysis(of) {}
+  explicit Page(const StudyAnalysis& of, const ShownDrawings& shown = {})
+      : analysis(of), drawings_(shown.page_of_row) {}
 
   const StudyAnalysis& analysis;
+
+  /// Whether the page holds the drawing of this row.
+  bool is_shown(std::size_t row) const { return drawings_.contains(row); }
 
   /// Notes that something points at this row. @param curve  in analysis.tally.curves.
   /// @return the row.
@@ -43,6 +48,7 @@ class Page {
   std::string figures_json() const;
 
  private:
+  std::map<std::size_t, std::size_t> drawings_;
   std::map<std::size_t, std::string> rows_;
   std::vector<NamedPlot> figures_;
 };

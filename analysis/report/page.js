@@ -1,5 +1,5 @@
 // What the page does when somebody points, clicks, types or saves. The embedded rows are the element #rows, the files
-// of the figures #figures.
+// of the figures #figures, which rows have a drawing #drawings, and the viewer with these drawings #viewer.
 "use strict";
 (() => {
   const json = id => JSON.parse(document.getElementById(id).textContent);
@@ -24,13 +24,38 @@
   const commands = id => {
     const [curve, n, , seed] = data.rows[id];
     const [, before, behind] = data.curves[curve], again = "ar3d replay RESULTS.h5 " + id;
-    return before ? before + n + " --seed " + seed + behind + "\n" + again : again;
+    return before ? before + n + " --seed " + seed + behind + "\n" + again + " -o drawing.html" : again + " -o drawing.html";
   };
   const replay = id => {
     panel.hidden = false;
     panel.querySelector("p").textContent = describe(id).join(" · ");
     panel.querySelector("code").textContent = commands(id);
+    opener.hidden = !(id in drawn);
+    opener.onclick = () => showDrawing(id);
   };
+
+  // The viewer's page, unpacked when it is first asked for, in a frame of its own that is gone when it is closed.
+  const drawn = json("drawings"), dialog = document.getElementById("shown"), opener = document.getElementById("open");
+  let viewer = null;
+  const unpacked = () => {
+    const bytes = Uint8Array.from(atob(document.getElementById("viewer").textContent), c => c.charCodeAt(0));
+    return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).text();
+  };
+  const showDrawing = async id => {
+    panel.hidden = true;
+    viewer ??= unpacked();
+    const frame = document.createElement("iframe");
+    frame.title = "The drawing in 3D";
+    dialog.querySelector("p").textContent = describe(id).slice(0, 2).join(" · ");
+    dialog.querySelector("button").onclick = () => { dialog.close(); replay(id); };
+    dialog.append(frame);
+    dialog.showModal();
+    frame.srcdoc = (await viewer).replace("<body>", `<body data-page="${drawn[id]}">`);
+    frame.addEventListener("load", () => frame.focus());
+  };
+  dialog.querySelector("button:last-of-type").addEventListener("click", () => dialog.close());
+  dialog.addEventListener("close", () => dialog.querySelector("iframe").remove());
+  const open = id => id in drawn ? showDrawing(id) : replay(id);
   const copy = panel.querySelector("button");
   copy.addEventListener("click", () => {
     getSelection().selectAllChildren(panel.querySelector("code"));
@@ -95,8 +120,8 @@
 
   // Buttons and cells that stand for a graph.
   for (const place of all("button[data-r], td[data-r]")) {
-    place.addEventListener("click", () => replay(place.dataset.r));
-    place.addEventListener("keydown", event => { if (event.key === "Enter") replay(place.dataset.r); });
+    place.addEventListener("click", () => open(place.dataset.r));
+    if (place.tagName === "TD") place.addEventListener("keydown", event => { if (event.key === "Enter") open(place.dataset.r); });
   }
   const close = () => { panel.hidden = true; show(null); };
   panel.querySelector("button:last-of-type").addEventListener("click", close);
@@ -166,12 +191,26 @@
     copied.setAttribute("height", height);
     return "<?xml version='1.0' encoding='UTF-8'?>\n" + new XMLSerializer().serializeToString(copied);
   };
+  // A sheet of the figure's size for the browser's own printer, which saves it as PDF with texts and lines.
+  const print = (name, svg) => {
+    const [, , width, height] = svg.getAttribute("viewBox").split(" "), frame = document.createElement("iframe");
+    frame.className = "sheet";
+    const style = document.createElement("style");
+    style.textContent = `@page{size:${width}px ${height}px;margin:0}body{margin:0}svg{display:block}`;
+    frame.srcdoc = `<!doctype html><title>${name}</title>` + style.outerHTML + standalone(svg).replace(/^.*\n/, "");
+    frame.addEventListener("load", () => {
+      frame.contentWindow.addEventListener("afterprint", () => frame.remove());
+      frame.contentWindow.print();
+    });
+    document.body.append(frame);
+  };
   for (const figure of all("figure[data-fig]")) {
     const name = figure.dataset.fig, [csv, matplotlib, pgfplots] = figures[name];
     const row = document.createElement("span");
     row.className = "save";
     const files = {
       SVG: () => save(name + ".svg", "image/svg+xml", standalone(figure.querySelector("svg.plot"))),
+      PDF: () => print(name, figure.querySelector("svg.plot")),
       CSV: () => save(name + ".csv", "text/csv", csv),
       matplotlib: () => save(name + ".py", "text/x-python", matplotlib),
       pgfplots: () => save(name + ".tex", "text/x-tex", pgfplots),
@@ -180,7 +219,7 @@
       const button = document.createElement("button");
       button.type = "button";
       button.textContent = label;
-      button.title = "Save as " + label;
+      button.title = label === "PDF" ? "Print this figure alone, to be saved as PDF" : "Save as " + label;
       button.addEventListener("click", click);
       row.append(button);
     }

@@ -3,10 +3,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "ar3d/analysis/report.h"
 #include "ar3d/analysis/report/page.h"
 #include "ar3d/records/algorithm_table.h"
 
@@ -35,8 +37,12 @@ inline constexpr std::size_t kMostFamilies = 300, kMostSections = 40;
 /// At most kMostSections of them.
 std::vector<Section> sections(const StudyAnalysis& analysis);
 
-/// The head of the page: is everything certified?
-std::string verdict_section(const StudyAnalysis& analysis);
+/// The head of the page: is everything certified, how close does anything come to a bound, and has
+/// anything changed?
+std::string verdict_section(Page& page, const std::vector<Section>& sections,
+                            const SinceReference& since);
+/// What changed since the reference?
+std::string reference_section(const SinceReference& since);
 /// How close does anything come to a bound, and which graph is it? One line a setting.
 std::string closeness_section(Page& page, const std::vector<Section>& sections);
 /// What does each algorithm trade: volume, bends, time?
@@ -46,6 +52,8 @@ std::string algorithm_section(Page& page, const Section& section, const std::str
 /// Parts of it.
 std::string growth_figures(Page& page, const Section& section);
 std::string heat_map(Page& page, const Section& section);
+/// The numbers of the heat map: by requested n the graph with the largest share of the bound.
+std::map<std::int64_t, const DrawnGraph*> worst_by_size(const CurveTally& curve);
 std::string bound_sentences(const Section& section);
 std::string bounds_table_html(Page& page, const Section& section);
 std::string growth_table(const Section& section);

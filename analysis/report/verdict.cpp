@@ -133,7 +133,7 @@ std::string setting_row(Page& page, const Section& section, std::size_t index) {
          cell(exponent_range(section, Quantity::wall_s), true) + "</tr>\n";
 }
 
-std::string closest_sentence(const std::vector<Section>& sections) {
+std::string closest_sentence(Page& page, const std::vector<Section>& sections) {
   const Section* best = nullptr;
   Closest closest;
   for (const Section& section : sections) {
@@ -146,29 +146,41 @@ std::string closest_sentence(const std::vector<Section>& sections) {
   }
   if (best == nullptr) return "<p>No row has a bound to compare with.</p>\n";
   const DrawnGraph& graph = closest.bounds().worst;
+  const std::string text = fmt::format("{} on {}, n = {}", escape(best->label),
+                                       escape(closest.curve->family), grouped(graph.n));
   return fmt::format(
-      "<p>The closest to a bound is {} on {}, n = {}: its {} extent is {} of {:.6g}, <b>{}</b> of "
+      "<p id=closest>The closest to a bound is {}: its {} extent is {} of {:.6g}, <b>{}</b> of "
       "what the theorem allows.</p>\n",
-      escape(best->label), escape(closest.curve->family), grouped(graph.n),
-      kAxisNames[closest.axis], grouped(graph.extents[closest.axis]),
-      graph.theorem_bound[closest.axis], percent(1 - closest.bounds().worst_slack));
+      graph_button(page, closest.curve->place, graph, text), kAxisNames[closest.axis],
+      grouped(graph.extents[closest.axis]), graph.theorem_bound[closest.axis],
+      percent(1 - closest.bounds().worst_slack));
+}
+
+std::string since_sentence(const SinceReference& since) {
+  if (!since.comparison) return "";
+  const Comparison& comparison = *since.comparison;
+  return fmt::format(
+      "<p id=since>Since the reference <a href='#reference'>{}</a>: <b>{}</b>; judged: {}.</p>\n",
+      escape(since.file), comparison.word(), escape(comparison.judged()));
 }
 
 }  // namespace
 
-std::string verdict_section(const StudyAnalysis& analysis) {
+std::string verdict_section(Page& page, const std::vector<Section>& sections,
+                            const SinceReference& since) {
+  const StudyAnalysis& analysis = page.analysis;
   const StudyIdentity& study = *analysis.rows.identity;
   return fmt::format("<h1>3D drawings: {}</h1>\n<p class=\"muted wrap\">{} · program {}{}</p>\n",
                      escape(study.study_id), escape(study.created), escape(study.source_hash),
                      study.dirty ? " <b class=incomplete>with uncommitted changes</b>" : "") +
-         verdict_sentence(analysis) + sampling_note(analysis.tally) + findings_list(analysis);
+         verdict_sentence(analysis) + (sections.empty() ? "" : closest_sentence(page, sections)) +
+         since_sentence(since) + sampling_note(analysis.tally) + findings_list(analysis);
 }
 
 std::string closeness_section(Page& page, const std::vector<Section>& sections) {
   if (sections.empty()) return "";
   std::string html =
-      "<section id=closeness><h2>How close does anything come to a bound?</h2>" +
-      closest_sentence(sections) +
+      "<section id=closeness><h2>How close does anything come to a bound?</h2>"
       "<div class=scroll><table class=sortable><thead><tr><th>Setting<th class=num>Share"
       "<th>Closest graph<th class=num>Families<th class=num>Graphs<th class=num>Largest n"
       "<th class=num>Violations<th class=num>Side ~ n^a<th class=num>Volume ~ n^a"

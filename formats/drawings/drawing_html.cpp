@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <utility>
 
 #include "ar3d/formats/drawings/edge_roles.h"
 #include "ar3d/formats/drawings/packed_geometry.h"
@@ -15,6 +16,7 @@ namespace ar3d {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using Sink = std::function<void(std::string_view)>;
 
 /// Exact in JSON whatever reads it: a text of digits.
 Json exact(Point p) { return {std::to_string(p.x), std::to_string(p.y), std::to_string(p.z)}; }
@@ -59,7 +61,7 @@ std::uint64_t count_bends(const Drawing& drawing) {
 }
 
 /// A script element that only holds data; nothing in the text ends it early.
-void append_data(OutputFile& output, const std::string& id, const Json& value) {
+void append_data(const Sink& write, const std::string& id, const Json& value) {
   std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
   std::string safe;
   for (const char c : text) {
@@ -69,24 +71,24 @@ void append_data(OutputFile& output, const std::string& id, const Json& value) {
       safe += c;
     }
   }
-  output.append(fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", id, safe));
+  write(fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", id, safe));
 }
 
-void append_parts(OutputFile& output, const auto& parts) {
-  for (const std::string_view part : parts) output.append(part);
+void append_parts(const Sink& write, const auto& parts) {
+  for (const std::string_view part : parts) write(part);
 }
 
 }  // namespace
 
-ViewerPage::ViewerPage(OutputFile& output) : output_(output) {
-  output_.append("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
-  output_.append(kViewerMark);
-  output_.append(
+ViewerPage::ViewerPage(Sink write) : write_(std::move(write)) {
+  write_("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
+  write_(kViewerMark);
+  write_(
       "\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<title>ar3d: drawings in 3D</title>\n<style>\n");
-  append_parts(output_, kViewerStyle);
-  output_.append("</style>\n</head>\n<body>\n");
-  append_parts(output_, kViewerBody);
+  append_parts(write_, kViewerStyle);
+  write_("</style>\n</head>\n<body>\n");
+  append_parts(write_, kViewerBody);
 }
 
 void ViewerPage::add(const std::string& title, const Drawing& drawing, const Guarantee* guarantee,
@@ -108,7 +110,7 @@ void ViewerPage::add(const std::string& title, const Drawing& drawing, const Gua
   }
   const EdgeRoles roles = edge_roles(drawing);
   const GrowthOrder order = growth_order(drawing);
-  append_data(output_, fmt::format("about-{}", drawings_),
+  append_data(write_, fmt::format("about-{}", drawings_),
               {{"title", title},
                {"algorithm", drawing.algorithm()},
                {"n", n},
@@ -122,25 +124,24 @@ void ViewerPage::add(const std::string& title, const Drawing& drawing, const Gua
                {"order", {{"title", order.title}, {"weights", order.weights}}},
                {"bound", bound_json(guarantee, n)},
                {"verdict", verdict_json(verdict)}});
-  output_.append(fmt::format("<script type=\"text/plain\" id=\"geometry-{}\">", drawings_));
-  write_packed_geometry(drawing, roles, box.low,
-                        [&](std::string_view text) { output_.append(text); });
-  output_.append("</script>\n");
+  write_(fmt::format("<script type=\"text/plain\" id=\"geometry-{}\">", drawings_));
+  write_packed_geometry(drawing, roles, box.low, write_);
+  write_("</script>\n");
   ++drawings_;
 }
 
 void ViewerPage::add_undrawn(const std::string& title, std::uint64_t n, const std::string& error) {
-  append_data(output_, fmt::format("about-{}", drawings_),
+  append_data(write_, fmt::format("about-{}", drawings_),
               {{"title", title}, {"n", n}, {"error", error}});
   ++drawings_;
 }
 
 void ViewerPage::finish() {
-  output_.append("<script>\n");
-  append_parts(output_, kViewerThree);
-  output_.append("</script>\n<script>\n");
-  append_parts(output_, kViewerScript);
-  output_.append("</script>\n</body>\n</html>\n");
+  write_("<script>\n");
+  append_parts(write_, kViewerThree);
+  write_("</script>\n<script>\n");
+  append_parts(write_, kViewerScript);
+  write_("</script>\n</body>\n</html>\n");
 }
 
 }  // namespace ar3d

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "ar3d/formats/text/output.h"
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/guarantee.h"
 
@@ -34,11 +35,12 @@ inline constexpr std::uint64_t kMaxPagePoints = std::uint64_t{1} << 24;
 inline constexpr const char* kViewerMark = "<meta name=\"generator\" content=\"ar3d viewer\">";
 
 /// One HTML page that shows drawings in 3D, to be opened from disk without a network: geometry
-/// (packed_geometry.h), the viewer's scripts (viewer/) and three.js.
+/// (packed_geometry.h), the viewer's scripts (viewer/) and three.js. It begins with its first
+/// drawing, or with that of the attribute data-page of its body, from 0.
 class ViewerPage {
  public:
-  /// Writes the page's beginning. The output must outlive the page.
-  explicit ViewerPage(OutputFile& output);
+  /// Writes the page's beginning. @param write  takes the page piece by piece; outlives it.
+  explicit ViewerPage(std::function<void(std::string_view)> write);
 
   /// One more drawing. `guarantee` gives the theorem's box; it may be missing.
   /// @throws InputError "TITLE: …" if the page would hold more than kMaxPagePoints points, or an
@@ -51,7 +53,7 @@ class ViewerPage {
   void finish();
 
  private:
-  OutputFile& output_;
+  std::function<void(std::string_view)> write_;
   std::size_t drawings_ = 0;
   std::uint64_t points_ = 0;
 };

@@ -1,5 +1,6 @@
 #include "ar3d/formats/drawings/packed_geometry.h"
 
+#define ZLIB_CONST  // zlib does not change what it reads
 #include <zlib.h>
 
 #include <array>
@@ -54,20 +55,51 @@ class Base64 {
   std::string text_;
 };
 
+/// Bytes in, deflated base64 out.
+class Deflated {
+ public:
+  explicit Deflated(const Put& put) : base64_(put) {
+    expect(deflateInit(&zip_, Z_DEFAULT_COMPRESSION) == Z_OK, "zlib starts");
+  }
+  Deflated(const Deflated&) = delete;
+  Deflated& operator=(const Deflated&) = delete;
+  ~Deflated() { deflateEnd(&zip_); }
+
+  void add(std::string_view bytes) { deflate_all(bytes, Z_NO_FLUSH); }
+  void finish() {
+    deflate_all({}, Z_FINISH);
+    base64_.finish();
+  }
+
+ private:
+  static constexpr std::size_t kBlock = std::size_t{1} << 16;
+
+  /// @param bytes  fewer than 2^32.
+  void deflate_all(std::string_view bytes, int flush) {
+    std::array<unsigned char, kBlock> out{};
+    zip_.next_in = reinterpret_cast<const Bytef*>(bytes.data());
+    zip_.avail_in = static_cast<uInt>(bytes.size());
+    do {
+      zip_.next_out = out.data();
+      zip_.avail_out = static_cast<uInt>(out.size());
+      deflate(&zip_, flush);
+      base64_.add(out.data(), out.size() - zip_.avail_out);
+    } while (zip_.avail_out == 0);
+  }
+
+  Base64 base64_;
+  z_stream zip_{};
+};
+
 /// Whole numbers in, deflated base64 out.
 class PackedNumbers {
  public:
-  explicit PackedNumbers(const Put& put) : base64_(put) {
-    expect(deflateInit(&zip_, Z_DEFAULT_COMPRESSION) == Z_OK, "zlib starts");
-  }
-  PackedNumbers(const PackedNumbers&) = delete;
-  PackedNumbers& operator=(const PackedNumbers&) = delete;
-  ~PackedNumbers() { deflateEnd(&zip_); }
+  explicit PackedNumbers(const Put& put) : out_(put) {}
 
   void add(std::uint64_t value) {
-    for (; value >= 128; value >>= 7) bytes_.push_back(static_cast<unsigned char>(value | 128));
-    bytes_.push_back(static_cast<unsigned char>(value));
-    if (bytes_.size() >= kBlock) deflate_all(Z_NO_FLUSH);
+    for (; value >= 128; value >>= 7) bytes_.push_back(static_cast<char>(value | 128));
+    bytes_.push_back(static_cast<char>(value));
+    if (bytes_.size() >= kBlock) pass_on();
   }
   void add_signed(std::int64_t value) {
     add(static_cast<std::uint64_t>(value) << 1 ^ static_cast<std::uint64_t>(value >> 63));
@@ -78,29 +110,20 @@ class PackedNumbers {
     add_signed(d.z);
   }
   void finish() {
-    deflate_all(Z_FINISH);
-    base64_.finish();
+    pass_on();
+    out_.finish();
   }
 
  private:
   static constexpr std::size_t kBlock = std::size_t{1} << 16;
 
-  void deflate_all(int flush) {
-    std::array<unsigned char, kBlock> out{};
-    zip_.next_in = bytes_.data();
-    zip_.avail_in = static_cast<uInt>(bytes_.size());
-    do {
-      zip_.next_out = out.data();
-      zip_.avail_out = static_cast<uInt>(out.size());
-      deflate(&zip_, flush);
-      base64_.add(out.data(), out.size() - zip_.avail_out);
-    } while (zip_.avail_out == 0);
+  void pass_on() {
+    out_.add(bytes_);
     bytes_.clear();
   }
 
-  Base64 base64_;
-  z_stream zip_{};
-  std::vector<unsigned char> bytes_;
+  Deflated out_;
+  std::string bytes_;
 };
 
 std::int64_t number(Vertex v) { return static_cast<std::int64_t>(v); }
@@ -127,6 +150,17 @@ void write_packed_geometry(const Drawing& drawing, const EdgeRoles& roles, Point
     for (std::size_t i = 1; i + 1 < points.size(); ++i) out.add_vector(points[i] - points[i - 1]);
   });
   out.finish();
+}
+
+std::string packed_text(std::string_view text) {
+  constexpr std::size_t kPiece = std::size_t{1} << 30;
+  std::string packed;
+  const Put put = [&](std::string_view piece) { packed += piece; };
+  Deflated out(put);
+  for (; text.size() > kPiece; text.remove_prefix(kPiece)) out.add(text.substr(0, kPiece));
+  out.add(text);
+  out.finish();
+  return packed;
 }
 
 }  // namespace ar3d

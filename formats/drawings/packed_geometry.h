@@ -23,4 +23,7 @@ inline constexpr std::int64_t kMaxPageExtent = std::int64_t{1} << 52;
 void write_packed_geometry(const Drawing& drawing, const EdgeRoles& roles, Point low,
                            const std::function<void(std::string_view)>& put);
 
+/// A text in base64 of zlib's deflate format.
+std::string packed_text(std::string_view text);
+
 }  // namespace ar3d

@@ -2,7 +2,7 @@
 // AR3D_PROGRAM names the program; screenshots go to AR3D_SCREENSHOTS if that is set.
 import assert from "node:assert/strict";
 import {execFileSync} from "node:child_process";
-import {mkdtempSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync} from "node:fs";
+import {copyFileSync, mkdtempSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {dirname, join} from "node:path";
 import {after, before, test} from "node:test";
@@ -10,7 +10,7 @@ import {chromium} from "playwright-core";
 
 const program = process.env.AR3D_PROGRAM;
 const shots = process.env.AR3D_SCREENSHOTS;
-const flags = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+const flags = ["--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic", "--no-first-run",
   "--disable-background-networking", "--disable-component-update", "--disable-sync"];
 const spec = `study = "browser"
 seed = 1
@@ -40,6 +40,8 @@ before(async () => {
   page.on("console", message => { if (["error", "warning"].includes(message.type())) complaints.push(message.text()); });
   page.on("pageerror", error => complaints.push(String(error)));
   page.on("request", request => requests.push(request.url()));
+  copyFileSync(join(folder, "study.h5"), join(folder, "again.h5"));
+  execFileSync(program, ["report", join(folder, "study.h5"), "--reference", join(folder, "again.h5")]);
   await page.goto("file://" + join(folder, "study.html"));
 });
 
@@ -63,6 +65,17 @@ const firstPlotWithPoints = () => page.locator("section#a0 svg.plot:has(g.extrem
 test("one small file that asks for nothing else", () => {
   assert.ok(statSync(join(folder, "study.html")).size < 2e6);
   assert.deepEqual(requests.filter(url => !url.startsWith("file://" + folder)), []);
+});
+
+test("the first screen answers whether all is certified, what comes closest to a bound, and what changed", async () => {
+  for (const [id, answer] of [["p:has(.verdict) + p", /\d+ proved right .* 0 violated/], ["#closest", /closest to a bound is .* on .*, n = [\d,]+: its [xyz] extent is [\d,]+ of/],
+    ["#since", /Since the reference again.h5: PASS/]]) {
+    assert.match(await page.locator(id).textContent(), answer);
+    assert.ok((await page.locator(id).boundingBox()).y < 500, id);
+  }
+  const since = page.locator("#reference");
+  assert.match(await since.locator("p").first().textContent(), /The two hold the same measurements/);
+  assert.equal(await since.locator("tbody tr").count(), 5, "one line a setting");
 });
 
 test("the verdict and every kind of figure are there", async () => {
@@ -127,20 +140,48 @@ test("tables sort by a click on a head, numbers as numbers", async () => {
 });
 
 test("a number of the heat map shows its graph", async () => {
-  const cell = page.locator("section#a0 table.heat td[data-r]").first();
+  const cell = page.locator("section#a0 table.heat td[data-r]:not(.shown)").last();
   await cell.scrollIntoViewIfNeeded();
   await shot("heat-1280");
   await cell.click();
+  assert.ok(await page.locator("#open").isHidden(), "no drawing of this graph is in the page");
   assert.match(await page.locator("#replay code").textContent(), /^ar3d generate .* \| ar3d draw - --algorithm /);
   await page.keyboard.press("Escape");
-  await page.locator("#closeness button.graph").first().click();
+  await cell.focus();
+  await page.keyboard.press("Enter");
   assert.ok(await page.locator("#replay").isVisible());
   await page.locator("#replay button").first().click();
   assert.equal(await page.evaluate(() => getSelection().toString()), await page.locator("#replay code").textContent());
   await page.keyboard.press("Escape");
 });
 
-test("every figure is saved as SVG, CSV, matplotlib script and LaTeX", async () => {
+test("an underlined number of the heat map opens its drawing in 3D", async () => {
+  const cell = page.locator("section#a0 table.heat td.shown").first();
+  const n = (await page.locator("section#a0 table.heat thead th").nth(await cell.evaluate(td => td.cellIndex)).getAttribute("title")).slice(4);
+  await cell.click();
+  const viewer = page.frameLocator("#shown iframe");
+  await viewer.locator("#verdict").waitFor();
+  const frame = page.frames().find(one => one.parentFrame());
+  await frame.waitForFunction(() => globalThis.ar3d.view.ready && globalThis.ar3d.view.settled);
+  assert.equal(await viewer.locator("#verdict").textContent(), "certified");
+  const row = await page.evaluate(id => JSON.parse(document.getElementById("rows").textContent).rows[id], await cell.getAttribute("data-r"));
+  assert.match(await viewer.locator("#title").textContent(), new RegExp(`n = ${row[1]}, seed ${row[3]}$`));
+  assert.ok((await page.locator("#shown p").textContent()).includes(`${row[1]} vertices, ${row[2]} edges`));
+  assert.equal(await frame.evaluate(() => globalThis.ar3d.view.drawing.m), row[2]);
+  assert.equal(n, String(row[1]));
+  assert.equal((await viewer.locator("#facts").textContent()).split("box ")[1], row[5].map(c => c.toLocaleString("en")).join(" \u00d7 "));
+  await shot("shown-1280");
+  await page.locator("#shown").getByRole("button", {name: "Close"}).click();
+  assert.equal(await page.locator("iframe").count(), 0);
+  await cell.click();
+  await page.locator("#shown").getByRole("button", {name: "Draw it again"}).click();
+  assert.ok(await page.locator("#replay").isVisible());
+  await page.locator("#open").click();
+  await page.frameLocator("#shown iframe").locator("#verdict").waitFor();
+  await page.locator("#shown").getByRole("button", {name: "Close"}).click();
+});
+
+test("every figure is saved as SVG, PDF, CSV, matplotlib script and LaTeX", async () => {
   const figure = page.locator("section#a0 figure").first();
   const saved = async label => {
     const [download] = await Promise.all([page.waitForEvent("download"), figure.getByRole("button", {name: label}).click()]);
@@ -155,6 +196,22 @@ test("every figure is saved as SVG, CSV, matplotlib script and LaTeX", async () 
   assert.ok(statSync(join(folder, "saved.png")).size > 5000);
   execFileSync("/usr/bin/python3", ["-m", "py_compile", script]);
   assert.match(readFileSync(latex, "utf8"), /\\addplot\+\[.*only=0\] table\[x=x, y=y\] \{diamond-effort-0-longest-side\.csv\}/);
+  // The browser's printer gets a sheet of the figure's size with the figure alone.
+  await page.evaluate(() => {
+    const appended = document.body.append.bind(document.body);
+    document.body.append = node => {  // the print dialog of a headless browser would wait for ever
+      node.addEventListener("load", () => { node.contentWindow.print = () => { globalThis.printed = node.contentDocument.documentElement.outerHTML; }; }, {capture: true});
+      appended(node);
+    };
+  });
+  await figure.getByRole("button", {name: "PDF"}).click();
+  await page.waitForFunction(() => globalThis.printed);
+  const sheet = await context.newPage();
+  await sheet.setContent(await page.evaluate(() => globalThis.printed));
+  const pdf = (await sheet.pdf({preferCSSPageSize: true})).toString("latin1");
+  assert.match(pdf, /^%PDF-/);
+  assert.equal(pdf.match(/\/Type\s*\/Page\b/g).length, 1, "one sheet");
+  await sheet.close();
   const buttons = await page.locator(".save").count();
   assert.equal(buttons, await page.locator("figure").count());
 });
@@ -184,8 +241,9 @@ test("a click gives a command that draws the row again", async () => {
   const path = {...process.env, PATH: dirname(program) + ":" + process.env.PATH};
   const verdict = execFileSync("bash", ["-c", command + " | ar3d verify -"], {env: path}).toString();
   assert.match(verdict, /1 certified, 0 violated/);
-  const again = execFileSync("bash", ["-c", replay.replace("RESULTS.h5", join(folder, "study.h5"))], {env: path});
+  const again = execFileSync("bash", ["-c", replay.replace("RESULTS.h5", "study.h5")], {env: path, cwd: folder});
   assert.match(again.toString(), /equal, bit for bit/);
+  assert.match(readFileSync(join(folder, "drawing.html"), "utf8"), /ar3d viewer/);
   await page.locator("#replay button").last().click();
   assert.ok(await page.locator("#replay").isHidden());
 });
@@ -210,7 +268,7 @@ test("the keyboard does all of it", async () => {
   assert.notEqual(await page.evaluate(() => document.activeElement.tagName), "BODY");
 });
 
-test("it reads at 1280 and 390 pixels, in the dark and on paper", async () => {
+test("it reads at 1280 and 390 pixels, light and dark", async () => {
   for (const width of [1280, 390]) {
     await page.setViewportSize({width, height: 900});
     const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
@@ -239,9 +297,23 @@ test("it reads at 1280 and 390 pixels, in the dark and on paper", async () => {
   await page.emulateMedia({colorScheme: "dark"});
   assert.notEqual(await background(), light);
   await shot("dark-1280");
-  await page.emulateMedia({colorScheme: "light", media: "print"});
-  assert.ok(await page.locator("nav").first().isHidden());
+  await page.emulateMedia({colorScheme: "light"});
+});
+
+test("on paper nothing is cut", async () => {
+  await page.emulateMedia({media: "print"});
+  await page.setViewportSize({width: 718, height: 1000});  // A4 less margins of 1 cm
+  for (const css of ["nav", ".save", "#tip", "#replay", "#shown"]) assert.ok(await page.locator(css).first().isHidden(), css);
+  const cut = await page.evaluate(() => [...document.querySelectorAll("body *")].filter(e => {
+    const box = e.getBoundingClientRect();
+    return box.width > 0 && (box.right > innerWidth + 1 || (e.scrollWidth > e.clientWidth + 1 && getComputedStyle(e).overflowX !== "visible"));
+  }).map(e => e.outerHTML.slice(0, 90)));
+  assert.deepEqual(cut.slice(0, 8), []);
+  await shot("print-718");
+  const pdf = await page.pdf({format: "A4", margin: {top: "1cm", bottom: "1cm", left: "1cm", right: "1cm"}});
+  assert.equal(pdf.subarray(0, 5).toString(), "%PDF-");
   await page.emulateMedia({media: "screen"});
+  await page.setViewportSize({width: 1280, height: 900});
 });
 
 test("the console stays silent", () => assert.deepEqual(complaints, []));

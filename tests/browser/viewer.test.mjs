@@ -232,11 +232,29 @@ test("it reads at 1280 and 390 pixels, light and dark", async () => {
 });
 
 test("without WebGL the page says so", async () => {
-  const poor = await newPage();
-  await poor.addInitScript(() => { HTMLCanvasElement.prototype.getContext = () => null; });
-  await poor.goto("file://" + at("k5.html"));
-  assert.match(await poor.locator("#problem").textContent(), /WebGL 2, which this browser does not offer/);
-  await poor.close();
+  for (const none of [() => null, () => { throw new Error("no"); }]) {
+    const poor = await newPage();
+    await poor.addInitScript(`HTMLCanvasElement.prototype.getContext = ${none}`);
+    await poor.goto("file://" + at("k5.html"));
+    assert.match(await poor.locator("#problem").textContent(), /WebGL 2, which this browser does not offer/);
+    await poor.close();
+  }
+});
+
+test("the page makes one WebGL context", async () => {
+  const counted = await newPage();
+  await counted.addInitScript(() => {
+    const make = HTMLCanvasElement.prototype.getContext;
+    globalThis.contexts = 0;
+    HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+      if (kind.startsWith("webgl")) ++globalThis.contexts;
+      return make.call(this, kind, ...rest);
+    };
+  });
+  await counted.goto("file://" + at("k5.html"));
+  await counted.waitForFunction(() => globalThis.ar3d.view.settled);
+  assert.equal(await counted.evaluate(() => globalThis.contexts), 1);
+  await counted.close();
 });
 
 test("a drawing of 10^4 vertices is shown as lines, and as tubes from near", async () => {
@@ -246,6 +264,18 @@ test("a drawing of 10^4 vertices is shown as lines, and as tubes from near", asy
   assert.notEqual(await page.evaluate(() => globalThis.ar3d.view.level), "tubes");
   assert.match(await page.locator("#detail").textContent(), /sample of [\d,]+ of 120,000 segments/);
   await shot("viewer-10000");
+  // A frame of the turning drawing: few draw calls, no tubes, fewer lines than the picture at rest.
+  const cost = await page.evaluate(() => new Promise(done => {
+    let frames = 0;
+    const step = () => {
+      turn(0.02, 0);
+      if (++frames < 12) requestAnimationFrame(step);
+      else done(globalThis.ar3d.cost());
+    };
+    requestAnimationFrame(step);
+  }));
+  assert.ok(cost.calls <= 3 && cost.triangles === 0 && cost.lines <= 60000 && cost.lines >= 2000, JSON.stringify(cost));
+  await settled();
   const far = await picture();
   await page.keyboard.press(".");
   for (let i = 0; i < 24; ++i) await page.keyboard.press("+");

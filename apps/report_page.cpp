@@ -1,0 +1,133 @@
+#include "report_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "ar3d/algorithms/catalog.h"
+#include "ar3d/analysis/replay.h"
+#include "ar3d/bench/compare/reference_build.h"
+#include "ar3d/bench/replay/replay_row.h"
+#include "ar3d/formats/drawings/drawing_html.h"
+#include "ar3d/formats/drawings/packed_geometry.h"
+#include "ar3d/model/error.h"
+#include "viewer_page.h"
+
+namespace ar3d {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostDrawings = 200, kMostBytes = 300'000;
+constexpr std::int64_t kMostEdges = 1000, kMostVertices = 4000;
+/// Rows that a page compares; they are held in memory.
+constexpr std::size_t kMostCompared = 200'000;
+
+Results in_memory(const RowView& rows) {
+  Results results;
+  static_cast<StudyIdentity&>(results) = *rows.identity;
+  results.environment = *rows.environment;
+  results.runs.reserve(rows.count);
+  for (std::size_t row = 0; row < rows.count; ++row) results.runs.push_back(rows.read(row));
+  return results;
+}
+
+/// Compares with that file. @throws InputError as compare and read_results.
+SinceReference since(const RowView& rows, const std::string& reference) {
+  SinceReference found;
+  if (rows.count > kMostCompared || RunReader(reference).size() > kMostCompared) {
+    found.why_none =
+        fmt::format("a page compares at most {} rows; ar3d compare has no limit.", kMostCompared);
+    return found;
+  }
+  const Results base = read_results(reference);
+  found.comparison = compare(base, in_memory(rows));
+  found.file = fs::path(reference).filename().string();
+  found.created = base.created;
+  return found;
+}
+
+SinceReference since_committed(const RowView& rows) {
+  SinceReference none;
+  try {
+    const std::string reference = committed_reference(rows.identity->study_id);
+    if (!reference.empty()) return since(rows, reference);
+    none.why_none =
+        fmt::format("results/reference has no results of study '{}'.", rows.identity->study_id);
+  } catch (const InputError& error) {
+    none.why_none = std::string(error.what()) + ".";
+  }
+  return none;
+}
+
+/// The row's drawing, if it comes out as it was recorded.
+std::optional<Drawing> drawn_again(const RunRecord& row, const StudyOrigin& origin) {
+  if (row.n > kMostVertices) return {};  // whatever the file says of its edges
+  try {
+    const PlannedInstance instance = plan_of_row(row, origin);
+    const AlgorithmChoice& choice = instance.runs.front().choice;
+    if (choice.program) return {};  // a program of somebody else is not run for a page
+    Drawing drawing = draw(*choice.algorithm, graph_of(instance), choice.options);
+    if (drawing_hash(drawing) != row.drawing_hash) return {};
+    return drawing;
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+}  // namespace
+
+std::string committed_reference(const std::string& study_id) {
+  const fs::path folder = fs::path(find_checkout()) / "results" / "reference";
+  if (!fs::is_directory(folder)) return {};
+  std::vector<std::string> named;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().filename().string().ends_with("-" + study_id + ".h5")) {
+      named.push_back(entry.path().string());
+    }
+  }
+  std::sort(named.rbegin(), named.rend());
+  for (const std::string& path : named) {  // "0.1.0-compact-volume.h5" ends like a "volume"
+    if (RunReader(path).identity().study_id == study_id) return path;
+  }
+  return {};
+}
+
+ShownDrawings shown_drawings(const StudyAnalysis& analysis) {
+  ShownDrawings shown;
+  std::string text;
+  ViewerPage page([&](std::string_view piece) { text += piece; });
+  const std::size_t empty = text.size();
+  const StudyOrigin origin = study_origin(*analysis.rows.identity);
+  const ShowCommand commands(*analysis.rows.identity);
+  for (const std::size_t place : rows_to_show(analysis, kMostDrawings, kMostEdges)) {
+    if (text.size() - empty > kMostBytes) break;
+    const RunRecord row = analysis.rows.read(place);
+    if (commands.is_of_file(row.family)) continue;  // the file may be large, or gone
+    const std::optional<Drawing> drawing = drawn_again(row, origin);
+    if (!drawing) continue;
+    const Algorithm& algorithm = find_algorithm(row.algorithm);
+    page.add(fmt::format("{}{}{}, n = {}, seed {}", family_label(curve_of(row)),
+                         row.options.empty() ? "" : ", ", row.options, row.n, row.seed),
+             *drawing, &algorithm.guarantee, page_verdict(*drawing, &algorithm));
+    shown.page_of_row.emplace(place, shown.page_of_row.size());
+  }
+  if (shown.page_of_row.empty()) return shown;
+  page.finish();
+  shown.packed_page = packed_text(text);
+  return shown;
+}
+
+ReportParts report_parts(const StudyAnalysis& analysis, const std::string& reference) {
+  ReportParts parts;
+  parts.since =
+      reference.empty() ? since_committed(analysis.rows) : since(analysis.rows, reference);
+  parts.drawings = shown_drawings(analysis);
+  return parts;
+}
+
+}  // namespace ar3d
