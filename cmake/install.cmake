@@ -22,5 +22,16 @@ install(CODE "
   message(STATUS \"Installing: \${man_folder}/ar3d.1\")
   execute_process(COMMAND ${CMAKE_SOURCE_DIR}/tools/man-page \"$<TARGET_FILE:ar3d_program>\"
                   OUTPUT_FILE \"\${man_folder}/ar3d.1\" COMMAND_ERROR_IS_FATAL ANY)")
-install(FILES ${CMAKE_SOURCE_DIR}/tools/ar3d-completion.bash
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ar3d)
+
+# So is the completion of each shell.
+function(ar3d_install_completion shell folder name)
+  install(CODE "
+    set(folder \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/${folder}\")
+    file(MAKE_DIRECTORY \"\${folder}\")
+    message(STATUS \"Installing: \${folder}/${name}\")
+    execute_process(COMMAND ${CMAKE_SOURCE_DIR}/tools/completion \"$<TARGET_FILE:ar3d_program>\" ${shell}
+                    OUTPUT_FILE \"\${folder}/${name}\" COMMAND_ERROR_IS_FATAL ANY)")
+endfunction()
+ar3d_install_completion(bash bash-completion/completions ar3d)
+ar3d_install_completion(zsh zsh/site-functions _ar3d)
+ar3d_install_completion(fish fish/vendor_completions.d ar3d.fish)

@@ -79,28 +79,14 @@ TEST(Export, VtpIsReadByPython) {
   const ScratchDirectory scratch;
   const std::string reader = scratch.write("read.py", kReadVtp);
   for (const std::string algorithm : {"diamond", "grid", "two-bend"}) {
-    const std::string draw = "{} generate random-cubic -n 40 | {} draw - --force --algorithm " + algorithm;
+    const std::string draw =
+        "{} generate random-cubic -n 40 | {} draw - --force --algorithm " + algorithm;
     const Outcome outcome = run(draw + " -o " + scratch.path("d.vtp") + " && " + draw + " -o " +
                                 scratch.path("d.jsonl") + " && /usr/bin/python3 " + reader + " " +
                                 scratch.path("d.vtp") + " " + scratch.path("d.jsonl"));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("read "));
   }
-}
-
-TEST(Export, TikzIsTypeset) {
-  if (run("command -v pdflatex && kpsewhich tikz.sty").exit_code != 0) {
-    GTEST_SKIP() << "pdflatex with TikZ is not installed";
-  }
-  const ScratchDirectory scratch;
-  scratch.write("page.tex",
-                "\\documentclass{article}\\usepackage{tikz}\\begin{document}\\input{k5.tikz}"
-                "\\end{document}\n");
-  const Outcome outcome = run("cd " + scratch.path("") +
-                              " && printf 'D~{\\n' | {} draw - --algorithm diamond -o k5.tikz && "
-                              "pdflatex -interaction=batchmode -halt-on-error page.tex");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << testing::read_file(scratch.path("page.log"));
-  EXPECT_GT(std::filesystem::file_size(scratch.path("page.pdf")), 5000u);
 }
 
 }  // namespace

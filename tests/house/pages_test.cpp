@@ -78,6 +78,36 @@ std::string file_of(const std::string& text) {
   return found.empty() ? "" : found[1].str();
 }
 
+/// What the installed completion of a shell offers. @param prepare  defines `say WORD…`, which
+/// prints what is offered for the last word, a line each.
+void expect_completion(const ScratchDirectory& folder, const std::string& shell,
+                       const std::string& prepare) {
+  folder.write("ask." + shell,
+               prepare +
+                   "say ar3d ve\nsay ar3d study sel\nsay ar3d draw x --algorithm diam\n"
+                   "say ar3d draw x --til\nsay ar3d draw x --format gr\n"
+                   "say ar3d generate cycl\nsay ar3d study run smo\n"
+                   "say ar3d verify x --crossing-test sl\nsay ar3d list named-\n");
+  const Outcome offered = run(enter(folder) + shell + " ask." + shell);
+  EXPECT_EQ(offered.exit_code, 0) << shell << offered.err;
+  EXPECT_EQ(offered.out,
+            "verify\nselfcheck\ndiamond\n--tilt\ngraphml\ncycle\nsmoke\nslabs\nnamed-graphs\n")
+      << shell << offered.err;
+}
+
+/// The table behind it names every verb with its meaning, and whatever has words for values.
+TEST(Completion, TableHoldsEveryVerbAndItsWords) {
+  const Outcome table = run(AR3D_SOURCE_DIR "/tools/completion " AR3D_PROGRAM " table");
+  EXPECT_EQ(table.exit_code, 0) << table.err;
+  for (const char* line :
+       {"\n\tdraw\tDraws every graph of a file\t\n", "\nstudy\trun\tRuns a study and",
+        "\nstudy run\t\t\t=studies\n", "\nverify\t--crossing-test\t",
+        "\tautomatic all-pairs plane-sweep slabs\n", "\nreport\t--reference\tresults file of"}) {
+    EXPECT_THAT("\n" + table.out, HasSubstr(line));
+  }
+  EXPECT_EQ(run(AR3D_SOURCE_DIR "/tools/completion " AR3D_PROGRAM " csh").exit_code, 2);
+}
+
 TEST(LibraryPage, ProgramsCompileAndRun) {
   const ScratchDirectory folder;
   std::string commands;
@@ -103,15 +133,18 @@ TEST(LibraryPage, ProgramsCompileAndRun) {
   for (const char* verb : {"AR3D DRAW", "AR3D VIEW", "ar3d study run", "exact lattice coord"}) {
     EXPECT_THAT(man, HasSubstr(verb));
   }
-  const std::string complete =
-      enter(folder) + "source prefix/share/bash-completion/completions/ar3d\n" +
-      "say() { COMP_WORDS=(\"$@\"); COMP_CWORD=$(($# - 1)); _ar3d; echo \"<${COMPREPLY[*]}>\"; }\n";
-  const Outcome offered =
-      run(complete +
-          "say ar3d ve; say ar3d study sel; say ar3d draw x --algorithm dia; "
-          "say ar3d draw x --til; say ar3d draw x --format gr; say ar3d generate cycl");
-  EXPECT_EQ(offered.out, "<verify>\n<selfcheck>\n<diamond>\n<--tilt>\n<graphml>\n<cycle>\n")
-      << offered.err;
+  expect_completion(folder, "bash",
+                    "source prefix/share/bash-completion/completions/ar3d\n"
+                    "say() { COMP_WORDS=(\"$@\"); COMP_CWORD=$(($# - 1)); _ar3d; "
+                    "printf '%s\\n' \"${COMPREPLY[@]}\"; }\n");
+  // The functions of zsh's completion system that are called, as far as they are needed here.
+  expect_completion(folder, "zsh",
+                    "_describe() { print -rl -- ${${(P)2}%%:*} }; _files() { print files }\n"
+                    "fpath=($PWD/prefix/share/zsh/site-functions $fpath); autoload -U _ar3d\n"
+                    "say() { words=(\"$@\"); CURRENT=$#; _ar3d }\n");
+  expect_completion(folder, "fish",
+                    "source prefix/share/fish/vendor_completions.d/ar3d.fish\n"
+                    "function say; complete -C (string join ' ' -- $argv) | cut -f1; end\n");
 }
 
 TEST(Gallery, IsWhatItsScriptMakes) {
