@@ -95,6 +95,10 @@ struct RowCollection::State {
     std::uint32_t row = 0;
   };
 
+  static bool in_file_order(const Row& a, const Row& b) {
+    return std::pair(a.source, a.row) < std::pair(b.source, b.row);
+  }
+
   void read(const Row& row, char* record) const {
     const Source& source = sources[row.source];
     source.read(row.row, record);
@@ -187,12 +191,15 @@ void RowCollection::State::index_rows() {
   }
   std::stable_sort(rows.begin(), rows.end(),
                    [](const Row& a, const Row& b) { return a.key < b.key; });
-  const auto same = [this](const Row& a, const Row& b) {
-    if (a.key != b.key) return false;
-    require_equal(a, b);
-    return true;
+  std::vector<std::pair<Row, Row>> equal_keys;  // the row that is kept, one that is not
+  const auto same = [&equal_keys](const Row& a, const Row& b) {
+    if (a.key == b.key) equal_keys.emplace_back(a, b);
+    return a.key == b.key;
   };
   rows.erase(std::unique(rows.begin(), rows.end(), same), rows.end());
+  std::sort(equal_keys.begin(), equal_keys.end(),
+            [](const auto& a, const auto& b) { return in_file_order(a.second, b.second); });
+  for (const auto& [kept, other] : equal_keys) require_equal(kept, other);
 }
 
 void RowCollection::State::require_equal(const Row& a, const Row& b) const {
@@ -228,6 +235,16 @@ std::optional<std::size_t> RowCollection::find(const RowKey& key) const {
 
 void RowCollection::read(std::size_t place, char* record) const {
   state_->read(state_->rows.at(place), record);
+}
+
+void RowCollection::visit(const std::function<void(const char* record)>& visitor) const {
+  std::vector<State::Row> order = state_->rows;
+  std::sort(order.begin(), order.end(), State::in_file_order);
+  std::vector<char> record(state_->format.record_size());
+  for (const State::Row& row : order) {
+    state_->read(row, record.data());
+    visitor(record.data());
+  }
 }
 
 }  // namespace ar3d

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -40,8 +41,11 @@ class RowCollection {
   std::size_t size() const;
   const RowKey& key(std::size_t place) const;
   std::optional<std::size_t> find(const RowKey& key) const;
-  /// Writes a record; cheap if the places of one file's rows are read in order.
+  /// Writes a record. Of a journal it is cheap; of a results file it unpacks 512 records, but for
+  /// the next ones in the order of the file.
   void read(std::size_t place, char* record) const;
+  /// All records, in the order in which they stand in the files, so that each is unpacked once.
+  void visit(const std::function<void(const char* record)>& visitor) const;
 
  private:
   struct State;

@@ -27,7 +27,8 @@ struct InstanceValue {
 /// All graphs of one n, or a uniform sample of them; never empty.
 struct SizeSample {
   std::int64_t n = 0;
-  std::int64_t requested_n = 0;  ///< what the study asked for; families make the nearest n they have
+  std::int64_t requested_n =
+      0;  ///< what the study asked for; families make the nearest n they have
   std::vector<InstanceValue> instances;
   double mean_of_all = kMissing;  ///< of the logarithms, where `instances` is a sample
   double log_bound = kMissing;    ///< of the first instance

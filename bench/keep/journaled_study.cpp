@@ -69,11 +69,9 @@ void copy_rows(const RowCollection& rows, const std::function<bool(const char* r
     session.push_back(entry);
   }
   journal.begin_session(session);
-  std::vector<char> record(run_record_size());
-  for (std::size_t place = 0; place < rows.size(); ++place) {
-    rows.read(place, record.data());
-    if (is_kept(record.data())) journal.append_record(record.data());
-  }
+  rows.visit([&](const char* record) {
+    if (is_kept(record)) journal.append_record(record);
+  });
   journal.sync();
 }
 
@@ -96,6 +94,16 @@ void fold_journals(const JournaledStudy& study, const StudyIdentity& identity) {
   remove_journals(study.results);
 }
 
+// Rows of another program would stand in one file with this one's, under its source.
+void require_own_rows(const StudyIdentity& rows, const StudyIdentity& own,
+                      const std::string& path) {
+  if (rows.source() == own.source()) return;
+  throw InputError(fmt::format(
+      "{}: its rows were made by the program of source {}, this one is of source {}: go on with "
+      "that program, or run the study anew",
+      path, rows.source(), own.source()));
+}
+
 // A results file without journals becomes a journal, whole or not at all.
 void seed_journal(const JournaledStudy& study, const StudyIdentity& identity) {
   if (study.has_journals && existing_journals(study.results).empty()) {
@@ -109,6 +117,7 @@ void seed_journal(const JournaledStudy& study, const StudyIdentity& identity) {
     RowCollection rows(run_format());
     rows.add(study.results);
     rows.close();
+    require_own_rows(rows.identity(), identity, study.results);
     JournalWriter journal(seed, identity, run_format());
     copy_rows(
         rows, [&study](const char* record) { return !is_again(study, record); }, journal);

@@ -267,6 +267,23 @@ TEST_F(JournaledStudy, MergeRefusesWhatDoesNotBelongTogether) {
   EXPECT_THAT(changes.err, HasSubstr("differ in their program's source"));
 }
 
+// Rows of two programs would stand in one file as if one had made them.
+TEST_F(JournaledStudy, DoesNotGoOnWithRowsOfAnotherProgram) {
+  ASSERT_EQ(study("run smoke -q -o " + path("s.h5")).exit_code, 0);
+  Results foreign = read_results(path("s.h5"));
+  foreign.source_hash = std::string(40, '0');
+  write_results(foreign, path("foreign.h5"));
+  const std::string before = read_file(path("foreign.h5"));
+  for (const char* again : {"", " --again timeout"}) {
+    const Outcome resumed = study("resume -q " + path("foreign.h5") + again);
+    EXPECT_EQ(resumed.exit_code, 2) << again;
+    EXPECT_THAT(resumed.err,
+                HasSubstr("its rows were made by the program of source " + std::string(40, '0')));
+    EXPECT_EQ(read_file(path("foreign.h5")), before) << again;
+    EXPECT_FALSE(fs::exists(path("foreign.h5.journal"))) << again;
+  }
+}
+
 TEST_F(JournaledStudy, RefusesShardsThatAreNone) {
   for (const char* shard : {"0/3", "4/3", "1", "1/", "/2", "a/b", "1/2/3", "-1/2"}) {
     const Outcome refused = study(std::string("run smoke --shard=") + shard);

@@ -32,8 +32,7 @@ TEST(LargeResults, AreJudgedAndReportedInBoundedMemory) {
   EXPECT_THAT(check.out, HasSubstr("VIOLATED: " + std::to_string(like.rows) + " rows, " +
                                    std::to_string(like.rows - 1005) +
                                    " proved, 5 violated, 1000 incomplete, 0 refused"));
-  const Outcome report =
-      run(bounded + "{} report " + results + " -o " + scratch.path("page.html"));
+  const Outcome report = run(bounded + "{} report " + results + " -o " + scratch.path("page.html"));
   EXPECT_EQ(report.exit_code, 4) << report.err;
   const auto bytes = std::filesystem::file_size(scratch.path("page.html"));
   EXPECT_LT(bytes, 8'000'000u);

@@ -21,9 +21,10 @@ TEST(RealTypes, DrawnExactlyAndJudgedWithoutTolerance) {
   const ScratchDirectory scratch;
   const std::string file = scratch.path("d.jsonl");
   for (const int type : {0, 1, 2, 3, 4}) {
-    const Outcome drawn = run(
-        kProgram + " generate random-cubic -n 20 | " + kProgram +
-        " draw - --algorithm two-bend-paper --set type=" + std::to_string(type) + " --force -o " + file);
+    const Outcome drawn =
+        run(kProgram + " generate random-cubic -n 20 | " + kProgram +
+            " draw - --algorithm two-bend-paper --set type=" + std::to_string(type) +
+            " --force -o " + file);
     ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
     const Outcome judged = run(kProgram + " verify " + file);
     EXPECT_EQ(judged.exit_code, 5) << "a measured drawing is not proved";

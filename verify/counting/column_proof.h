@@ -21,8 +21,8 @@ namespace ar3d::verify {
 /// is wrong: a drawing that it does not prove is wrong or passes one of its limits (x and y below
 /// 2^30 in absolute value, degree at most 4, so many comparisons of slanted segments with each
 /// other).
-/// Memory: 24 bytes per vertical segment, 32 per slanted one, 4 per vertex; about 65 and 32 more per
-/// segment while they are counted.
+/// Memory: 24 bytes per vertical segment, 32 per slanted one, 4 per vertex; about 65 and 32 more
+/// per segment while they are counted.
 class ColumnProof {
  public:
   /// @param patience  comparisons of slanted segments that each of them may cost.
