@@ -15,12 +15,11 @@
 #include "ar3d/algorithms/two_bend_paper/two_bend_paper.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/nearest_name.h"
+#include "ar3d/model/open_table.h"
 
 namespace ar3d {
 
 namespace {
-
-constexpr std::size_t kMostRows = 1000;
 
 std::vector<Algorithm> catalogue() {
   return {
@@ -36,28 +35,18 @@ std::vector<Algorithm> catalogue() {
   };
 }
 
-std::vector<Algorithm>& all_rows() {
-  static std::vector<Algorithm> rows = [] {
-    std::vector<Algorithm> all = catalogue();
-    all.reserve(kMostRows);  // so that references stay valid
-    return all;
-  }();
+OpenTable<Algorithm>& table() {
+  static OpenTable<Algorithm> rows("algorithm", catalogue());
   return rows;
 }
 
 }  // namespace
 
-const std::vector<Algorithm>& algorithms() { return all_rows(); }
+const std::vector<Algorithm>& algorithms() { return table().rows(); }
 
 void register_algorithm(Algorithm row) {
-  std::vector<Algorithm>& rows = all_rows();
-  const bool is_taken = std::any_of(rows.begin(), rows.end(),
-                                    [&](const Algorithm& other) { return other.name == row.name; });
-  if (row.name.empty() || row.draw == nullptr || is_taken || rows.size() == kMostRows) {
-    throw InputError(fmt::format("algorithm '{}' cannot be added: {}", row.name,
-                                 is_taken ? "the name is taken" : "it has no name or no function"));
-  }
-  rows.push_back(std::move(row));
+  const bool is_whole = row.draw != nullptr;
+  table().add(std::move(row), is_whole);
 }
 
 std::vector<const Algorithm*> proved_algorithms() {

@@ -15,4 +15,10 @@ void refuse_larger_degrees(std::string_view algorithm, const Graph& graph, std::
       algorithm, limit, v, graph.degree(v)));
 }
 
+void refuse_more_vertices(std::string_view algorithm, const Graph& graph, std::uint32_t limit) {
+  if (graph.num_vertices() <= limit) return;
+  throw InputError(fmt::format("{} draws at most {} vertices, this graph has {}", algorithm, limit,
+                               graph.num_vertices()));
+}
+
 }  // namespace ar3d

@@ -11,4 +11,8 @@ namespace ar3d {
 /// there is none, else O(n).
 void refuse_larger_degrees(std::string_view algorithm, const Graph& graph, std::uint32_t limit);
 
+/// @throws InputError if the graph has more vertices than the algorithm's integer widths are proved
+/// for. O(1).
+void refuse_more_vertices(std::string_view algorithm, const Graph& graph, std::uint32_t limit);
+
 }  // namespace ar3d

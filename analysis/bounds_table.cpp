@@ -86,10 +86,8 @@ std::vector<BoundsEntry> bounds_table(const StudyTally& tally, const StudyIdenti
     entry.bends = curve.bends;
     for (std::size_t axis = 0; axis < 3; ++axis) entry.axes[axis] = axis_bounds(curve, axis);
     entry.volume = volume_bound(curve);
-    RunRecord like;
-    like.algorithm = curve.key.algorithm;
-    like.options = curve.key.options;
-    const AlgorithmRecord* algorithm = find_algorithm_record(algorithms, like);
+    const AlgorithmRecord* algorithm =
+        find_algorithm_record(algorithms, curve.key.algorithm, curve.key.options);
     if (algorithm != nullptr) {
       entry.theorem_formula = algorithm->theorem.formula();
       if (algorithm->published) entry.published_formula = algorithm->published->formula();

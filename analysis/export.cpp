@@ -87,6 +87,7 @@ ordered_json scaling_json(const ScalingEntry& entry) {
   json["decided"] = entry.decided;
   json["exponent"] = entry.power.fitted ? number(entry.power.exponent) : nullptr;
   json["exponent_interval"] = interval_json(entry.power.exponent_interval);
+  json["law_interval"] = interval_json(entry.law_interval);
   json["growth"] = to_string(entry.growth);
   json["log_exponent"] = entry.with_log.fitted ? number(entry.with_log.log_exponent) : nullptr;
   json["log_exponent_interval"] = interval_json(entry.with_log.log_exponent_interval);
@@ -175,9 +176,8 @@ void rows_csv(const RowView& rows, const TextSink& write) {
 std::string scaling_csv(const StudyAnalysis& analysis) {
   std::string csv =
       "algorithm,options,family,parameters,quantity,sizes,smallest_n,largest_n,exponent,"
-      "exponent_low,exponent_high,log_exponent,log_exponent_low,log_exponent_high,log_weight,"
-      "growth,"
-      "reason,next\r\n";
+      "exponent_low,exponent_high,law_low,law_high,log_exponent,log_exponent_low,"
+      "log_exponent_high,log_weight,growth,reason,next\r\n";
   for (const ScalingEntry& entry : analysis.scaling) {
     const auto& used = entry.sizes.used;
     std::vector<std::string> fields = key_fields(entry.key);
@@ -188,6 +188,8 @@ std::string scaling_csv(const StudyAnalysis& analysis) {
     fields.push_back(entry.power.fitted ? field(entry.power.exponent) : "");
     fields.push_back(field(entry.power.exponent_interval.low));
     fields.push_back(field(entry.power.exponent_interval.high));
+    fields.push_back(field(entry.law_interval.low));
+    fields.push_back(field(entry.law_interval.high));
     fields.push_back(entry.with_log.fitted ? field(entry.with_log.log_exponent) : "");
     fields.push_back(field(entry.with_log.log_exponent_interval.low));
     fields.push_back(field(entry.with_log.log_exponent_interval.high));

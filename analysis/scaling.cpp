@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -214,6 +215,40 @@ std::vector<ScalingEntry> scaling(const StudyTally& tally, const FitOptions& opt
 
 std::vector<ScalingEntry> scaling(const Results& results, const FitOptions& options) {
   return scaling(tally_of(results), options);
+}
+
+std::optional<double> theorem_order(const SizeBound& theorem, Quantity quantity) {
+  std::array<double, 3> orders{};
+  bool promises_box = false;
+  for (std::size_t axis = 0; axis < orders.size(); ++axis) {
+    const AxisBound& bound = theorem.axes[axis];
+    orders[axis] = bound.numerator == 0 ? 0 : bound.half_power / 2.0;
+    promises_box = promises_box || bound.numerator != 0 || bound.constant != 0;
+  }
+  if (!promises_box) return std::nullopt;
+  switch (quantity) {
+    case Quantity::longest_side:
+      return *std::max_element(orders.begin(), orders.end());
+    case Quantity::extent_x:
+      return orders[0];
+    case Quantity::extent_y:
+      return orders[1];
+    case Quantity::extent_z:
+      return orders[2];
+    case Quantity::volume:
+      return orders[0] + orders[1] + orders[2];
+    case Quantity::wall_s:
+      break;
+  }
+  return std::nullopt;
+}
+
+void refuse_law_above(double order, ScalingEntry& entry) {
+  if (entry.growth != Growth::power || entry.law_interval.low <= order) return;
+  entry.growth = Growth::apparent;
+  entry.reason +=
+      fmt::format("; above the order n^{:.3g} of the theorem's bound, it cannot last", order);
+  entry.law_interval = {kMissing, kMissing};
 }
 
 }  // namespace ar3d

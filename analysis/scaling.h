@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "ar3d/analysis/curves.h"
 #include "ar3d/analysis/scaling/power_law.h"
 #include "ar3d/analysis/scaling/samples.h"
+#include "ar3d/model/guarantee.h"
 
 namespace ar3d {
 
@@ -57,5 +59,13 @@ ScalingEntry fit_scaling(std::vector<SizeSample> all, const FitOptions& options 
 /// thread count.
 std::vector<ScalingEntry> scaling(const StudyTally& tally, const FitOptions& options = {});
 std::vector<ScalingEntry> scaling(const Results& results, const FitOptions& options = {});
+
+/// The power of n in a theorem's bound on a quantity of the box; nothing for a drawing time, and
+/// for one that promises no box.
+std::optional<double> theorem_order(const SizeBound& theorem, Quantity quantity);
+
+/// A quantity that a theorem bounds by c n^order grows no faster for ever: a power law whose whole
+/// law_interval lies above is an apparent exponent (docs/analysis.md, Growth, point 5).
+void refuse_law_above(double order, ScalingEntry& entry);
 
 }  // namespace ar3d

@@ -68,7 +68,8 @@ void StudyRows::view_journals(const std::string& file, const std::string& result
   view_.read = [journals = journals_.get()](std::size_t row) -> const RunRecord& {
     journals->rows.read(row, journals->record.data());
     journals->run = load_record(journals->record.data());
-    set_bounds(find_algorithm_record(journals->algorithms, journals->run), journals->run);
+    RunRecord& run = journals->run;
+    set_bounds(find_algorithm_record(journals->algorithms, run.algorithm, run.options), run);
     return journals->run;
   };
 }

@@ -23,6 +23,7 @@
 #include "ar3d/generators/unions.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/nearest_name.h"
+#include "ar3d/model/open_table.h"
 
 namespace ar3d {
 namespace {
@@ -208,36 +209,18 @@ constexpr Count kMostVertices = (Count{1} << 30) - 1;  // 2n edges keep Graph's 
 const SettingSpec kShuffle{"shuffle", 0, 1, 0, "1: labels permuted at random by the seed"};
 constexpr std::uint64_t kShuffleStream = 0x73687566666c65;  // "shuffle"
 
-}  // namespace
-
-namespace {
-
-constexpr std::size_t kMostRows = 1000;
-
-std::vector<Family>& all_rows() {
-  static std::vector<Family> rows = [] {
-    std::vector<Family> all = catalogue();
-    all.reserve(kMostRows);  // so that references stay valid
-    return all;
-  }();
+OpenTable<Family>& table() {
+  static OpenTable<Family> rows("family", catalogue());
   return rows;
 }
 
 }  // namespace
 
-const std::vector<Family>& families() { return all_rows(); }
+const std::vector<Family>& families() { return table().rows(); }
 
 void register_family(Family row) {
-  std::vector<Family>& rows = all_rows();
-  const bool is_taken = std::any_of(rows.begin(), rows.end(),
-                                    [&](const Family& other) { return other.name == row.name; });
-  if (row.name.empty() || row.nearest_n == nullptr || row.generate == nullptr || is_taken ||
-      rows.size() == kMostRows) {
-    throw InputError(
-        fmt::format("family '{}' cannot be added: {}", row.name,
-                    is_taken ? "the name is taken" : "it has no name or lacks a function"));
-  }
-  rows.push_back(std::move(row));
+  const bool is_whole = row.nearest_n != nullptr && row.generate != nullptr;
+  table().add(std::move(row), is_whole);
 }
 
 const Family& find_family(std::string_view name) {

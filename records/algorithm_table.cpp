@@ -182,9 +182,9 @@ std::vector<AlgorithmRecord> algorithm_records(const StudyIdentity& identity) {
 }
 
 const AlgorithmRecord* find_algorithm_record(const std::vector<AlgorithmRecord>& records,
-                                             const RunRecord& run) {
+                                             std::string_view algorithm, std::string_view options) {
   for (const AlgorithmRecord& record : records) {
-    if (record.algorithm == run.algorithm && record.options == run.options) return &record;
+    if (record.algorithm == algorithm && record.options == options) return &record;
   }
   return nullptr;
 }

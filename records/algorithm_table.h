@@ -34,7 +34,7 @@ std::vector<AlgorithmRecord> algorithm_records(const StudyIdentity& identity);
 
 /// The record of a run's algorithm and options; null if there is none.
 const AlgorithmRecord* find_algorithm_record(const std::vector<AlgorithmRecord>& records,
-                                             const RunRecord& run);
+                                             std::string_view algorithm, std::string_view options);
 
 /// Sets theorem_bound, slack and published_bound of a run from its n and its extents. Those of a
 /// run without n, and of one without record (null), are missing; so is the slack of a run that has

@@ -104,7 +104,7 @@ RunRecord RunReader::read(std::size_t i) {
   const char* record = reader_.read(i);
   try {
     RunRecord run = load_record(record);
-    set_bounds(find_algorithm_record(algorithms_, run), run);
+    set_bounds(find_algorithm_record(algorithms_, run.algorithm, run.options), run);
     return run;
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: row {}: {}", path_, i, error.what()));

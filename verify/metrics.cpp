@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "ar3d/model/error.h"
+#include "ar3d/model/open_table.h"
 #include "ar3d/verify/assessment/examine_real.h"
 #include "ar3d/verify/register.h"
 #include "ar3d/verify/summary_pass.h"
@@ -150,28 +151,18 @@ std::vector<Metric> make_metrics() {
        int64, integer<&DrawingSummary::optimal_edges>}};
 }
 
-}  // namespace
-
-namespace {
-
-std::vector<Metric>& all_rows() {
-  static std::vector<Metric> table = make_metrics();
-  return table;
+OpenTable<Metric>& table() {
+  static OpenTable<Metric> rows("metric", make_metrics());
+  return rows;
 }
 
 }  // namespace
 
-const std::vector<Metric>& metrics() { return all_rows(); }
+const std::vector<Metric>& metrics() { return table().rows(); }
 
 void register_metric(Metric row) {
-  std::vector<Metric>& rows = all_rows();
-  const bool is_taken = std::any_of(rows.begin(), rows.end(),
-                                    [&](const Metric& other) { return other.name == row.name; });
-  if (row.name.empty() || row.value == nullptr || is_taken) {
-    throw InputError("metric '" + row.name + "' cannot be added: " +
-                     (is_taken ? "the name is taken" : "it has no name or no function"));
-  }
-  rows.push_back(std::move(row));
+  const bool is_whole = row.value != nullptr;
+  table().add(std::move(row), is_whole);
 }
 
 std::vector<MetricValue> metric_values(const DrawingSummary& summary) {

@@ -4,14 +4,11 @@
 // every input.
 #include "ar3d/algorithms/compact/compact.h"
 
-#include <fmt/format.h>
-
 #include <optional>
 
 #include "ar3d/algorithms/compact/routes.h"
 #include "ar3d/algorithms/compact/zones.h"
 #include "ar3d/algorithms/degree_limit.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d::compact {
 namespace {
@@ -37,10 +34,7 @@ std::optional<Tightness> first_tightness(int effort) {
 
 void refuse_bad_graph(const Graph& graph) {
   refuse_larger_degrees("compact", graph, 4);
-  if (graph.num_vertices() > kMaxVertices) {
-    throw InputError(fmt::format("compact draws at most {} vertices, this graph has {}",
-                                 kMaxVertices, graph.num_vertices()));
-  }
+  refuse_more_vertices("compact", graph, kMaxVertices);
 }
 
 /// The first of some ever wider strips that can be filled, if it keeps the guarantee's box.

@@ -4,14 +4,11 @@
 // guarantee holds for every input.
 #include "ar3d/algorithms/compact_120/compact_120.h"
 
-#include <fmt/format.h>
-
 #include <optional>
 
 #include "ar3d/algorithms/compact_120/routes.h"
 #include "ar3d/algorithms/compact_120/zones.h"
 #include "ar3d/algorithms/degree_limit.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d::compact_120 {
 namespace {
@@ -38,10 +35,7 @@ std::optional<Tightness> first_tightness(int effort) {
 
 void refuse_bad_graph(const Graph& graph) {
   refuse_larger_degrees("compact-120", graph, 3);
-  if (graph.num_vertices() > kMaxVertices) {
-    throw InputError(fmt::format("compact-120 draws at most {} vertices, this graph has {}",
-                                 kMaxVertices, graph.num_vertices()));
-  }
+  refuse_more_vertices("compact-120", graph, kMaxVertices);
 }
 
 Drawing finished(const Graph& graph, const Strip& strip, const Census& census) {

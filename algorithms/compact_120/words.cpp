@@ -6,12 +6,13 @@
 namespace ar3d::compact_120 {
 namespace {
 
-constexpr Direction d01{0, 1}, d02{0, 2}, d10{1, 0}, d21{2, 1}, d30{3, 0}, d31{3, 1}, d32{3, 2};
+constexpr Direction kD01{0, 1}, kD02{0, 2}, kD10{1, 0}, kD21{2, 1}, kD30{3, 0}, kD31{3, 1},
+    kD32{3, 2};
 
-constexpr Word kAt12 = {d01, d31, d32, d30, d31, d21};
-constexpr Word kAt12Other = {d01, d02, d32, d30, d31, d21};
-constexpr Word kAt20 = {d01, d21, d31, d30, d32, d02};
-constexpr Word kAt01 = {d01, d02, d32, d31, d30, d10};
+constexpr Word kAt12 = {kD01, kD31, kD32, kD30, kD31, kD21};
+constexpr Word kAt12Other = {kD01, kD02, kD32, kD30, kD31, kD21};
+constexpr Word kAt20 = {kD01, kD21, kD31, kD30, kD32, kD02};
+constexpr Word kAt01 = {kD01, kD02, kD32, kD31, kD30, kD10};
 
 }  // namespace
 
@@ -39,17 +40,17 @@ Route::Route(const Shape& shape, const Quad& tail, const Quad& head)
   // p = 01, and q and r are two of 32, 31, 30: x2 is lost along 32 alone, and 0 + 1 along 31 or 30.
   const std::int32_t by_32 = -delta[2];
   const std::int32_t by_other = -(delta[0] + delta[1]);
-  const bool ends_along_30 = (*word_)[4] == d30;
+  const bool ends_along_30 = (*word_)[4] == kD30;
   lengths_[0] = ends_along_30 ? -delta[1] : delta[0];
-  lengths_[1] = (*word_)[2] == d32 ? by_32 : by_other;
-  lengths_[2] = (*word_)[2] == d32 ? by_other : by_32;
+  lengths_[1] = (*word_)[2] == kD32 ? by_32 : by_other;
+  lengths_[2] = (*word_)[2] == kD32 ? by_other : by_32;
 }
 
 Piece Route::middle() const {
   Quad at = tail_;
   step(at, (*word_)[0], lengths_[0]);
   step(at, (*word_)[1], 1);
-  const bool along_32 = (*word_)[2] == d32;
+  const bool along_32 = (*word_)[2] == kD32;
   const unsigned kind = (right_ ? 0u : 2u) + (along_32 ? 0u : 1u);
   return {strips::line_key(kind, at[0], along_32 ? at[1] : at[2]), at[3], at[3] + lengths_[1]};
 }

@@ -2,8 +2,6 @@
 // function, the theorem as data in the catalogue's row, and the refusals of the public entry.
 #include "ar3d/algorithms/diamond/diamond.h"
 
-#include <fmt/format.h>
-
 #include "ar3d/algorithms/degree_limit.h"
 #include "ar3d/algorithms/diamond/candidates.h"
 #include "ar3d/algorithms/diamond/interleaved.h"
@@ -18,10 +16,7 @@ constexpr int kHighestEffort = 2;
 void refuse_bad_input(const Graph& graph, const Options& options) {
   check_effort("diamond", options.effort, kHighestEffort);
   refuse_larger_degrees("diamond", graph, 4);
-  if (graph.num_vertices() > kMaxVertices) {
-    throw InputError(fmt::format("diamond draws at most {} vertices, this graph has {}",
-                                 kMaxVertices, graph.num_vertices()));
-  }
+  refuse_more_vertices("diamond", graph, kMaxVertices);
 }
 
 /// From so many vertices on the walks of Steps 1.1 and 1.2 wait for the memory, and many at a time

@@ -40,16 +40,11 @@ struct Growth {
   double middle(const SizeSample& size) const { return value(size, median(size.log_values())); }
 };
 
+// The power of n that a figure divides by: without a theorem that of the box of a line of vertices.
 double order_of(const Section& section, Quantity quantity) {
   if (quantity == Quantity::wall_s) return 1;
-  if (!section.theorem) return quantity == Quantity::volume ? 3 : 1;
-  double longest = 0, product = 0;
-  for (const AxisBound& axis : section.theorem->axes) {
-    const double order = axis.numerator == 0 ? 0 : axis.half_power / 2.0;
-    longest = std::max(longest, order);
-    product += order;
-  }
-  return quantity == Quantity::volume ? product : longest;
+  const double without = quantity == Quantity::volume ? 3 : 1;
+  return section.theorem ? theorem_order(*section.theorem, quantity).value_or(without) : without;
 }
 
 std::string power_text(double order) {

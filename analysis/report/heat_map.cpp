@@ -29,7 +29,7 @@ std::vector<std::int64_t> columns_of(const std::vector<Shares>& rows) {
   for (const Shares& shares : rows) {
     for (const auto& [n, graph] : shares) all.insert(n);
   }
-  const std::vector<std::int64_t> sizes(all.begin(), all.end());
+  std::vector<std::int64_t> sizes(all.begin(), all.end());
   if (sizes.size() <= kMostColumns) return sizes;
   std::vector<std::int64_t> columns;
   for (std::size_t i = 0; i < kMostColumns; ++i) {

@@ -53,10 +53,8 @@ std::vector<Section> sections(const StudyAnalysis& analysis) {
       Section& section = sections.emplace_back();
       section.label = at->first;
       section.algorithm = key.algorithm;
-      for (const AlgorithmRecord& record : records) {
-        if (record.algorithm == key.algorithm && record.options == key.options) {
-          section.theorem = record.theorem;
-        }
+      if (const auto* record = find_algorithm_record(records, key.algorithm, key.options)) {
+        section.theorem = record->theorem;
       }
     }
     auto scaling = scaling_of[key];

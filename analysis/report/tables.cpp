@@ -84,7 +84,11 @@ std::string fit_notes(const ScalingEntry& entry) {
 /// The label of the drawing time.
 std::string time_label(const ScalingEntry* entry) {
   if (entry == nullptr) return "–";
-  std::string html = fmt::format("{} <small>{}", growth_label(*entry), escape(entry->reason));
+  std::string html = growth_label(*entry);
+  if (const Interval a = entry->law_interval; entry->growth == Growth::power) {
+    html += fmt::format(", a in [{:.2f}, {:.2f}]", a.low, a.high);
+  }
+  html += " <small>" + escape(entry->reason);
   if (!entry->next.empty()) html += "; would decide: " + escape(entry->next);
   return html + "</small>";
 }

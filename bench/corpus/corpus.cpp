@@ -136,7 +136,7 @@ std::shared_ptr<const NamedCorpus> named_corpus(const std::string& name,
                 false,
                 {},
                 [](std::uint64_t n, const Settings&) { return n; }};
-  return std::make_shared<const NamedCorpus>(std::move(family), std::move(graphs));
+  return std::make_shared<const NamedCorpus>(NamedCorpus{std::move(family), std::move(graphs)});
 }
 
 std::shared_ptr<const Corpus> CorpusShelf::get(const std::string& path,

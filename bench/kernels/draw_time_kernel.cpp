@@ -57,9 +57,10 @@ void time_kernel(benchmark::State& state, const Algorithm& algorithm, const Fami
   for (auto _ : state) {
     searches.push_back(
         nanoseconds([&] { benchmark::DoNotOptimize(search_breadth_first(graph).data()); }) / n);
-    for (const auto& [name, settings] : efforts) {
-      draws[name].push_back(
-          nanoseconds([&] { benchmark::DoNotOptimize(draw(algorithm, graph, settings)); }) / n);
+    for (const auto& effort : efforts) {
+      draws[effort.first].push_back(
+          nanoseconds([&] { benchmark::DoNotOptimize(draw(algorithm, graph, effort.second)); }) /
+          n);
     }
     state.SetIterationTime(draws.rbegin()->second.back() * n / 1e9);
   }

@@ -208,6 +208,28 @@ TEST(Scaling, AStrongLogarithmIsFoundAndNoneIsRuledOut) {
   EXPECT_TRUE(without.law_interval.contains(2));
 }
 
+/// A theorem bounds this quantity by c n: a line that rises faster is true of its sizes only.
+TEST(Scaling, ALawAboveTheOrderOfATheoremIsApparent) {
+  RandomStream random(8);
+  const auto quiet = [](RandomStream& r, double) { return 0.001 * testing::normal(r); };
+  const auto n_12 = [](double n) { return 1.2 * std::log(n); };
+  const SizeBound theorem{"here", "a page", {linear(8), sqrt_n(3), quadratic(1)}};
+  const ScalingEntry law = fit_scaling(noisy_samples(doubling(64, 12), 20, random, n_12, quiet));
+  ASSERT_EQ(law.growth, Growth::power) << law.reason;
+  ScalingEntry below = law;
+  refuse_law_above(theorem_order(theorem, Quantity::extent_z).value(), below);
+  EXPECT_EQ(below.growth, Growth::power);
+  ScalingEntry above = law;
+  refuse_law_above(theorem_order(theorem, Quantity::extent_x).value(), above);
+  EXPECT_EQ(growth_label(above), "apparent exponent on [512, 131072]");
+  EXPECT_THAT(above.reason, ::testing::HasSubstr("above the order n^1 of the theorem's bound"));
+  EXPECT_EQ(theorem_order(theorem, Quantity::extent_y), 0.5);
+  EXPECT_EQ(theorem_order(theorem, Quantity::volume), 3.5);
+  EXPECT_EQ(theorem_order(theorem, Quantity::longest_side), 2);
+  EXPECT_FALSE(theorem_order(theorem, Quantity::wall_s));
+  EXPECT_FALSE(theorem_order(SizeBound(), Quantity::volume));
+}
+
 /// The local exponent rises at a cache boundary; logarithms of exponent -3 to -25 were seen in it.
 TEST(Scaling, ACacheBoundaryIsNoLogarithm) {
   RandomStream random(7);
