@@ -9,7 +9,7 @@
 #include <memory>
 #include <set>
 
-#include "algorithms/compact_120_support.h"
+#include "algorithms/strips_support.h"
 
 namespace ar3d::compact_120 {
 namespace {

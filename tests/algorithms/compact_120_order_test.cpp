@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "algorithms/compact_120_support.h"
+#include "algorithms/strips_support.h"
 #include "ar3d/algorithms/compact_120/levels.h"
 #include "ar3d/generators/catalog.h"
 #include "support/graphs.h"

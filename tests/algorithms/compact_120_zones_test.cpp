@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "algorithms/compact_120_support.h"
+#include "algorithms/strips_support.h"
 #include "ar3d/generators/catalog.h"
 #include "support/graphs.h"
 
@@ -182,7 +182,8 @@ TEST(Compact120Zones, HaveNoMoreClosedPlacesThanTheProofCounts) {
 
 TEST(Compact120Zones, AllCellsInTurnFindWhatRandomCellsMiss) {
   const Graph graph = generate(find_family("random-cubic"), 60, 2);
-  EXPECT_EQ(testing::compact_120_fault(graph, testing::draw_120_by_scans(graph)), "");
+  const testing::StripAlgorithm& algorithm = testing::compact_120_strips();
+  EXPECT_EQ(testing::strip_fault(algorithm, graph, algorithm.draw_by_scans(graph)), "");
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include <memory>
 #include <set>
 
-#include "algorithms/compact_support.h"
+#include "algorithms/strips_support.h"
 
 namespace ar3d::compact {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-#include "algorithms/compact_support.h"
+#include "algorithms/strips_support.h"
 #include "ar3d/generators/catalog.h"
 
 namespace ar3d {
@@ -123,8 +123,8 @@ TEST(CompactResidues, HoldOnEveryLongSegmentOfEveryFamily) {
     if (family.max_degree > 4) continue;
     for (const std::uint64_t n : {10u, 100u, 500u}) {
       const Graph graph = generate(family, n, 4);
-      for (const compact::Options& options : testing::compact_modes()) {
-        check_drawing(graph, compact::draw(graph, options));
+      for (const int effort : testing::kStripEfforts) {
+        check_drawing(graph, compact::draw(graph, {.effort = effort}));
       }
     }
   }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "algorithms/compact_support.h"
+#include "algorithms/strips_support.h"
 #include "ar3d/algorithms/strips/square_root.h"
 #include "ar3d/generators/catalog.h"
 #include "support/graphs.h"

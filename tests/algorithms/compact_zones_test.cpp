@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "algorithms/compact_support.h"
+#include "algorithms/strips_support.h"
 #include "ar3d/generators/catalog.h"
 #include "support/graphs.h"
 

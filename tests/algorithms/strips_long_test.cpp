@@ -1,0 +1,49 @@
+// `compact` on the 108,376 graphs of maximum degree 4 with ten vertices, `compact-120` on those of
+// maximum degree 3 with 11 and 12, both on graphs of a million and on many random ones.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "algorithms/strips_support.h"
+#include "ar3d/generators/catalog.h"
+
+namespace ar3d {
+namespace {
+
+using testing::strip_fault;
+
+TEST(CompactLong, TenVerticesAreCertifiedAtEveryEffort) {
+  const std::vector<Graph> graphs = testing::geng("-D4 10");
+  EXPECT_EQ(graphs.size(), 108376u);
+  for (const Graph& graph : graphs) ASSERT_EQ(strip_fault(testing::compact_strips(), graph), "");
+}
+
+TEST(Compact120Long, ElevenAndTwelveVerticesAreCertifiedAtEveryEffort) {
+  for (const int n : {11, 12}) {
+    for (const Graph& graph : testing::geng(fmt::format("-D3 {}", n))) {
+      ASSERT_EQ(strip_fault(testing::compact_120_strips(), graph), "");
+    }
+  }
+}
+
+class StripsLong : public testing::Strips {};
+
+TEST_P(StripsLong, OfAMillionVerticesAreCertified) {
+  for (const std::string& family : {algorithm().regular, algorithm().small_union}) {
+    const Graph graph = generate(find_family(family), 1000000, 1);
+    EXPECT_EQ(strip_fault(algorithm(), graph, algorithm().draw(graph, 1)), "") << family;
+  }
+}
+
+TEST_P(StripsLong, OfManyRandomGraphsAreCertified) {
+  const char* irregular = algorithm().max_degree() == 4 ? "random-max-degree" : "random-subcubic";
+  for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+    const std::string family = seed % 2 == 0 ? algorithm().regular : irregular;
+    const Graph graph = generate(find_family(family), 6 + 2 * (seed % 100), seed);
+    ASSERT_EQ(strip_fault(algorithm(), graph), "") << family << " seed " << seed;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, StripsLong, testing::kBothStripAlgorithms, testing::kStripSuite);
+
+}  // namespace
+}  // namespace ar3d
