@@ -148,7 +148,7 @@ std::string bounds_csv(const StudyAnalysis& analysis) {
 
 void rows_csv(const RowView& rows, const TextSink& write) {
   const std::vector<Column> metrics = columns_of_kind(ColumnKind::metric);
-  std::string csv = "row,algorithm,options,family,parameters,n,m,seed,status";
+  std::string csv = "row,algorithm,options,family,parameters,n,m,seed,status,certificate";
   for (const Column& metric : metrics) csv += "," + metric.name;
   for (const char* box : {"instance_bound", "theorem_bound", "published_bound", "slack"}) {
     for (const char axis : {'x', 'y', 'z'}) csv += fmt::format(",{}_{}", box, axis);
@@ -158,9 +158,9 @@ void rows_csv(const RowView& rows, const TextSink& write) {
   for (std::size_t row = 0; row < rows.count; ++row) {
     const RunRecord& run = rows.read(row);
     std::vector<std::string> fields = {
-        std::to_string(row), field(run.algorithm),     field(run.options),
-        field(run.family),   field(run.parameters),    integer(run.n),
-        integer(run.m),      std::to_string(run.seed), to_string(run.status)};
+        std::to_string(row),   field(run.algorithm),  field(run.options), field(run.family),
+        field(run.parameters), integer(run.n),        integer(run.m),     std::to_string(run.seed),
+        to_string(run.status), field(run.certificate)};
     for (const Column& metric : metrics) {
       const bool is_missing = std::isnan(column_number(metric, run));
       fields.push_back(is_missing ? "" : column_text(metric, run));

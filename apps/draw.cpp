@@ -14,6 +14,7 @@
 #include "ar3d/model/error.h"
 #include "ar3d/model/printable.h"
 #include "ar3d/model/settings.h"
+#include "ar3d/verify/certificate.h"
 #include "batches.h"
 #include "commands.h"
 #include "drawing_formats.h"
@@ -31,8 +32,16 @@ struct DrawArguments {
   std::vector<std::string> options;
   std::string format;
   std::string output = "-";
+  std::string certificate = "none";
   ExportOptions picture;
   bool force = false;
+};
+
+/// How the drawings are made and judged.
+struct Making {
+  const Algorithm& algorithm;
+  Settings options;
+  CertificateMode certificate;
 };
 
 struct Task {
@@ -40,17 +49,40 @@ struct Task {
   std::string where;  // "FILE:LINE"
 };
 
-/// A line of output, and why the graph could not be drawn if it could not.
+/// A line of output, why the graph could not be drawn if it could not, and what is wrong with the
+/// drawing.
 struct Line {
   std::string text;
   std::optional<std::string> error;
+  std::optional<std::string> violation = {};
 };
+
+/// What became of all drawings.
+struct Outcome {
+  bool all_drawn = true;
+  bool is_violated = false;
+};
+
+/// The first violation of the drawing that the certificate finds. InputError passes: a mode that
+/// does not take such a drawing.
+std::optional<std::string> violation_of(const Graph& graph, const Drawing& drawing,
+                                        const Making& making) {
+  if (making.certificate.kind == CertificateMode::Kind::none) return std::nullopt;
+  const Certificate certificate =
+      certify(graph, drawing, making.algorithm.guarantee, {.mode = making.certificate});
+  if (!certificate.violated()) return std::nullopt;
+  return certificate.violations.empty() ? "a coordinate is out of range"
+                                        : certificate.violations.front().message;
+}
+
+void report(const std::string& where, const std::string& what) {
+  fmt::print(stderr, "ar3d: {}\n", printable(fmt::format("{}: {}", where, what)));
+}
 
 /// Every graph of the input as one line; a graph outside the guarantee gives an error line and the
 /// others go on.
-bool draw_all(GraphReader& reader, const Algorithm& algorithm, const Settings& options,
-              OutputFile& file) {
-  bool all_drawn = true;
+Outcome draw_all(GraphReader& reader, const Making& making, OutputFile& file) {
+  Outcome outcome;
   in_batches<Task>(
       [&]() -> std::optional<Task> {
         std::optional<Graph> graph = reader.next();
@@ -63,7 +95,11 @@ bool draw_all(GraphReader& reader, const Algorithm& algorithm, const Settings& o
       [&](const Task& task) {
         Line line;
         try {
-          append_drawing_line(line.text, draw(algorithm, task.graph, options));
+          const Drawing drawing = draw(making.algorithm, task.graph, making.options);
+          if (const auto found = violation_of(task.graph, drawing, making)) {
+            line.violation = fmt::format("{}: violated: {}", task.where, *found);
+          }
+          append_drawing_line(line.text, drawing);
         } catch (const InputError& error) {
           line.error = fmt::format("{}: {}", task.where, error.what());
           append_error_line(line.text, {task.graph.num_vertices(), error.what()});
@@ -72,29 +108,32 @@ bool draw_all(GraphReader& reader, const Algorithm& algorithm, const Settings& o
       },
       [&](const Line& line) {
         file.append(line.text);
-        if (line.error) {
-          all_drawn = false;
-          fmt::print(stderr, "ar3d: {}\n", printable(*line.error));
+        if (line.error) outcome.all_drawn = false;
+        if (line.violation) outcome.is_violated = true;
+        for (const auto& text : {line.error, line.violation}) {
+          if (text) fmt::print(stderr, "ar3d: {}\n", printable(*text));
         }
       });
-  return all_drawn;
+  return outcome;
 }
 
-/// The drawings of the input's graphs one after the other; `all_drawn` becomes false if one could
-/// not be drawn, which is also said on standard error if others may follow.
-NextDrawing drawings_of(GraphReader& reader, const Algorithm& algorithm, const Settings& options,
-                        bool others_follow, bool& all_drawn) {
+/// The drawings of the input's graphs one after the other. What could not be drawn is also said on
+/// standard error if others may follow.
+NextDrawing drawings_of(GraphReader& reader, const Making& making, bool others_follow,
+                        Outcome& outcome) {
   return [&, others_follow]() -> std::optional<PlacedLine> {
     const std::optional<Graph> graph = reader.next();
     if (!graph) return std::nullopt;
     try {
-      return PlacedLine{draw(algorithm, *graph, options), reader.where()};
-    } catch (const InputError& error) {
-      all_drawn = false;
-      if (others_follow) {
-        fmt::print(stderr, "ar3d: {}\n",
-                   printable(fmt::format("{}: {}", reader.where(), error.what())));
+      Drawing drawing = draw(making.algorithm, *graph, making.options);
+      if (const auto found = violation_of(*graph, drawing, making)) {
+        outcome.is_violated = true;
+        report(reader.where(), "violated: " + *found);
       }
+      return PlacedLine{std::move(drawing), reader.where()};
+    } catch (const InputError& error) {
+      outcome.all_drawn = false;
+      if (others_follow) report(reader.where(), error.what());
       return PlacedLine{UndrawnGraph{graph->num_vertices(), error.what()}, reader.where()};
     }
   };
@@ -104,19 +143,21 @@ int draw_graphs(const DrawArguments& arguments) {
   refuse_unsafe_outputs(
       {.inputs = {arguments.input}, .outputs = {arguments.output}, .force = arguments.force});
   const Algorithm& algorithm = find_algorithm(arguments.algorithm);
-  const Settings options = complete_options(algorithm, parse_settings(arguments.options));
+  const Making making{algorithm, complete_options(algorithm, parse_settings(arguments.options)),
+                      parse_certificate_mode(arguments.certificate)};
   const DrawingFormat& format = drawing_format(arguments.format, arguments.output);
   GraphReader reader(arguments.input, arguments.graphs.read_options());
-  bool all_drawn = true;
+  Outcome outcome;
   if (format.name == "jsonl") {  // many at a time
     OutputFile file(arguments.output);
-    all_drawn = draw_all(reader, algorithm, options, file);
+    outcome = draw_all(reader, making, file);
     file.commit();
   } else {
-    format.write(drawings_of(reader, algorithm, options, format.many_per_file, all_drawn),
-                 arguments.output, arguments.picture);
+    format.write(drawings_of(reader, making, format.many_per_file, outcome), arguments.output,
+                 arguments.picture);
   }
-  return all_drawn ? kPass : kUsage;
+  if (outcome.is_violated) return kViolated;
+  return outcome.all_drawn ? kPass : kUsage;
 }
 
 }  // namespace
@@ -135,6 +176,9 @@ void add_draw(CLI::App& app, int& exit_code) {
       ->allow_extra_args(false);
   verb->add_option("--format", arguments->format,
                    "one of those below; by the file's ending, jsonl without one");
+  verb->add_option("--certificate", arguments->certificate,
+                   "judge every drawing: exact, filtered, double, sample=K, or none, which is the "
+                   "default; exit code 4 if one is violated");
   PictureView& view = arguments->picture.view;
   verb->add_option("--turn", view.turn_degrees, "svg, tikz: turn about the z axis, degrees")
       ->check(finite_number(false));

@@ -27,6 +27,7 @@ struct VerifyArguments {
   GraphInput graphs_as;
   std::string algorithm;
   std::string test = "automatic";
+  std::string certificate = "exact";
   bool quiet = false;
 };
 
@@ -40,6 +41,7 @@ struct Verdict {
   bool drawn = true;
   bool valid = true;
   bool measured = false;  // in a real type, not violated: nothing is proved
+  bool unproved = false;  // not violated, by another certificate than exact
   std::string text;
 };
 
@@ -60,18 +62,21 @@ Graph claimed_graph(const Drawing& drawing) {
 
 Verdict judge(const Task& task, const VerifyArguments& arguments) {
   if (const auto* undrawn = std::get_if<UndrawnGraph>(&task.line)) {
-    return {false, true, false, fmt::format("{}: not drawn: {}\n", task.where, undrawn->error)};
+    return {false, true, false, false,
+            fmt::format("{}: not drawn: {}\n", task.where, undrawn->error)};
   }
   const Drawing& drawing = std::get<Drawing>(task.line);
   try {
     const Algorithm& algorithm =
         find_algorithm(arguments.algorithm.empty() ? drawing.algorithm() : arguments.algorithm);
     const Graph graph = task.graph ? *task.graph : claimed_graph(drawing);
-    const Examination examination = examine(graph, drawing, algorithm.guarantee,
-                                            {.certificate = true, .metrics = false, .hash = false},
-                                            {.crossing_test = crossing_test(arguments.test)});
+    const Examination examination = examine(
+        graph, drawing, algorithm.guarantee, {.certificate = true, .metrics = false, .hash = false},
+        {.crossing_test = crossing_test(arguments.test),
+         .mode = parse_certificate_mode(arguments.certificate)});
     const Certificate& certificate = examination.certificate;
-    Verdict verdict{true, !certificate.violated(), certificate.measured, ""};
+    Verdict verdict{true, !certificate.violated(), certificate.measured,
+                    !certificate.mode.is_exact(), ""};
     for (const Violation& violation : certificate.violations) {
       verdict.text +=
           fmt::format("{}: {}: {}\n", task.where, to_string(violation.kind), violation.message);
@@ -82,6 +87,9 @@ Verdict judge(const Task& task, const VerifyArguments& arguments) {
           "{}: in {}: angles miss by at most {:.6g} degrees, {} crossings, {} collapsed segments\n",
           task.where, drawing.real->type, found.largest_miss, found.crossings, found.collapsed);
     }
+    if (certificate.mode.kind == CertificateMode::Kind::sample) {
+      verdict.text += fmt::format("{}: {}\n", task.where, describe_sample(certificate));
+    }
     if (!certificate.complete) verdict.text += fmt::format("{}: … and more\n", task.where);
     return verdict;
   } catch (const InputError& error) {
@@ -90,11 +98,12 @@ Verdict judge(const Task& task, const VerifyArguments& arguments) {
 }
 
 int verify_drawings(const VerifyArguments& arguments) {
+  parse_certificate_mode(arguments.certificate);  // before any work
   DrawingJsonlReader reader(arguments.input);
   std::optional<GraphReader> graphs;
   if (!arguments.graphs.empty())
     graphs.emplace(arguments.graphs, arguments.graphs_as.read_options());
-  std::uint64_t number = 0, certified = 0, violated = 0, not_drawn = 0, measured = 0;
+  std::uint64_t number = 0, certified = 0, violated = 0, not_drawn = 0, measured = 0, unproved = 0;
   in_batches<Task>(
       [&]() -> std::optional<Task> {
         std::optional<DrawingJsonlReader::Line> line = reader.next();
@@ -117,13 +126,17 @@ int verify_drawings(const VerifyArguments& arguments) {
         ++(!verdict.drawn     ? not_drawn
            : !verdict.valid   ? violated
            : verdict.measured ? measured
+           : verdict.unproved ? unproved
                               : certified);
         if (!arguments.quiet) fmt::print("{}", verdict.text);
       });
-  fmt::print("{} certified, {} violated, {} not drawn{}\n", certified, violated, not_drawn,
-             measured > 0 ? fmt::format(", {} measured", measured) : "");
+  fmt::print("{} certified, {} violated, {} not drawn{}{}\n", certified, violated, not_drawn,
+             measured > 0 ? fmt::format(", {} measured", measured) : "",
+             unproved > 0
+                 ? fmt::format(", {} not proved (certificate {})", unproved, arguments.certificate)
+                 : "");
   if (violated > 0) return kViolated;
-  return not_drawn > 0 || measured > 0 || certified == 0 ? kIncomplete : kPass;
+  return not_drawn > 0 || measured > 0 || unproved > 0 || certified == 0 ? kIncomplete : kPass;
 }
 
 }  // namespace
@@ -139,14 +152,19 @@ void add_verify(CLI::App& app, int& exit_code) {
   add_graph_input_options(*verb, arguments->graphs_as);
   verb->add_option("--algorithm", arguments->algorithm,
                    "whose guarantee to check; else the one the drawing names");
-  verb->add_option("--crossing-test", arguments->test,
-                   "automatic, all-pairs (the slow oracle), plane-sweep or slabs")
-      ->check(one_of({"automatic", "all-pairs", "plane-sweep", "slabs"}));
+  CLI::Option* test =
+      verb->add_option("--crossing-test", arguments->test,
+                       "automatic, all-pairs (the slow oracle), plane-sweep or slabs");
+  test->check(one_of({"automatic", "all-pairs", "plane-sweep", "slabs"}));
+  verb->add_option("--certificate", arguments->certificate,
+                   "exact, filtered, double, sample=K or none: only exact proves; what another "
+                   "does not accept is judged exactly")
+      ->excludes(test);
   verb->add_flag("-q,--quiet", arguments->quiet, "only the summary");
   verb->footer(
       "Exit code 4 if a drawing is violated, 5 if a graph was not drawn, a drawing is in a real "
-      "type (its "
-      "misses are measured, nothing is proved) or nothing was verified.\n"
+      "type (its misses are measured, nothing is proved), a certificate other than exact was asked "
+      "for, or nothing was verified.\n"
       "Example: ar3d draw graphs.s6 --algorithm diamond | ar3d verify - --graphs graphs.s6");
   verb->callback([arguments, &exit_code] { exit_code = verify_drawings(*arguments); });
 }

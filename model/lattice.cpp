@@ -10,6 +10,7 @@
 #include <initializer_list>
 #include <numeric>
 
+#include "ar3d/model/cosine_comparison.h"
 #include "ar3d/model/error.h"
 
 namespace ar3d {
@@ -17,44 +18,6 @@ namespace {
 
 using Wide = boost::multiprecision::checked_int1024_t;
 __extension__ using Int128 = __int128;
-
-template <class Integer>
-Integer inner(const Lattice& lattice, Vector u, Vector v) {
-  const std::int64_t a[3] = {u.x, u.y, u.z};
-  const std::int64_t b[3] = {v.x, v.y, v.z};
-  Integer sum = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      if (lattice.gram[i][j] != 0)
-        sum += Integer(a[i]) * Integer(lattice.gram[i][j]) * Integer(b[j]);
-    }
-  }
-  return sum;
-}
-
-template <class Integer>
-int sign(const Integer& value) {
-  return value > 0 ? 1 : value < 0 ? -1 : 0;
-}
-
-std::strong_ordering flip(std::strong_ordering order) { return 0 <=> order; }
-
-/// cos = p / sqrt(uu vv); compares it with num/den by comparing signs, then squares.
-template <class Integer>
-std::strong_ordering compare(const Lattice& lattice, Vector u, Vector v, Cosine c) {
-  const Integer p = inner<Integer>(lattice, u, v);
-  const Integer uu = inner<Integer>(lattice, u, u);
-  const Integer vv = inner<Integer>(lattice, v, v);
-  const int cosine_sign = sign(p);
-  const int wanted_sign = c.numerator > 0 ? 1 : c.numerator < 0 ? -1 : 0;
-  if (cosine_sign != wanted_sign) return cosine_sign <=> wanted_sign;
-  const Integer left = p * p * Integer(c.denominator) * Integer(c.denominator);
-  const Integer right = uu * vv * Integer(c.numerator) * Integer(c.numerator);
-  const auto squares = left < right   ? std::strong_ordering::less
-                       : left > right ? std::strong_ordering::greater
-                                      : std::strong_ordering::equal;
-  return cosine_sign >= 0 ? squares : flip(squares);
-}
 
 /// Bits of the largest absolute value, which is below 2^bits.
 int bits(std::initializer_list<std::int64_t> values) {
@@ -113,11 +76,17 @@ void Lattice::validate() const {
 }
 
 std::strong_ordering compare_cosine(const Lattice& lattice, Vector u, Vector v, Cosine c) {
-  if (fits_int128(lattice, u, v, c)) return compare<Int128>(lattice, u, v, c);
+  using cosine_comparison::compare;
+  using cosine_comparison::converted;
+  if (fits_int128(lattice, u, v, c)) {
+    return compare(lattice, converted<Int128>(u), converted<Int128>(v), c);
+  }
   const Vector p = primitive(u);
   const Vector q = primitive(v);
-  return fits_int128(lattice, p, q, c) ? compare<Int128>(lattice, p, q, c)
-                                       : compare<Wide>(lattice, p, q, c);
+  if (fits_int128(lattice, p, q, c)) {
+    return compare(lattice, converted<Int128>(p), converted<Int128>(q), c);
+  }
+  return compare(lattice, converted<Wide>(p), converted<Wide>(q), c);
 }
 
 double approximate_length(const Lattice& lattice, Vector u) {

@@ -186,17 +186,21 @@ void add_results(std::vector<Column>& c) {
   c.push_back(choice(
       {"status", "", "ok, timeout, out_of_memory, refused, violated, crashed or measured", kind},
       &RunRecord::status, parse_run_status, 16));
-  c.push_back(message({"message", "", "first violation or error, cut to fit; empty if ok", kind},
-                      &RunRecord::message, 240));
+  c.push_back(message(
+      {"message", "",
+       "first violation or error, or what a sample leaves open, cut to fit; else empty", kind},
+      &RunRecord::message, 240));
   c.push_back(text({"drawing_hash", "", "128-bit hash of positions, edges and bends", kind},
                    &RunRecord::drawing_hash, 32));
   c.push_back(
       number({"violations", "1",
               "violations of the guarantee that the certificate lists; 0 is proved right", kind},
              &RunRecord::violations));
-  c.push_back(
-      text({"certificate", "", "how it was judged: empty for exact (a proof), or measured", kind},
-           &RunRecord::certificate, 16));
+  c.push_back(text({"certificate", "",
+                    "how it was judged: empty for exact (a proof), else measured, filtered, "
+                    "double, sample=K or none: not proved",
+                    kind},
+                   &RunRecord::certificate, 16));
   add_array(c,
             {"instance_bound", "lattice units",
              "extent that the proof promises for this very instance", kind},

@@ -26,7 +26,7 @@ DrawnAngles angles_of(const Drawing& drawing);
 
 /// Fills in what a summary says of angles and crossings. A valid certificate that all angles are
 /// exactly the optimum says which there are, in O(1); else they are measured. Crossings are counted
-/// if the certificate's list is complete.
+/// if the certificate is exact and its list complete.
 /// @param guarantee  that the certificate is of.
 void set_angles_and_crossings(const Graph& graph, const Drawing& drawing,
                               const Guarantee& guarantee, const Certificate& certificate,

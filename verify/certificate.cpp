@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "ar3d/model/error.h"
@@ -13,6 +14,7 @@
 #include "ar3d/verify/crossings.h"
 #include "ar3d/verify/examination.h"
 #include "ar3d/verify/findings.h"
+#include "ar3d/verify/modes/mode_verdict.h"
 #include "ar3d/verify/segments.h"
 #include "ar3d/verify/summary_pass.h"
 
@@ -101,6 +103,28 @@ Certificate certify_in_full(const Graph& graph, const Drawing& drawing, const Gu
   return certificate;
 }
 
+/// The certificate of a mode other than exact, if that accepts the drawing.
+std::optional<Certificate> certificate_by_mode(const Graph& graph, const Drawing& drawing,
+                                               const Guarantee& guarantee,
+                                               const CertifyOptions& options,
+                                               const DrawingSummary& summary) {
+  Certificate certificate = valid_certificate(summary);
+  certificate.mode = options.mode;
+  if (options.mode.kind == CertificateMode::Kind::none) return certificate;
+  if (!keeps_places(graph, drawing, guarantee, options, summary)) return std::nullopt;
+  const verify::ModeVerdict verdict =
+      verify::judge_by_mode(graph, drawing, guarantee, options.mode, options.sample_seed);
+  if (!verdict.accepts) return std::nullopt;
+  certificate.candidate_pairs = verdict.candidate_pairs;
+  certificate.miss_probability = verdict.miss_probability;
+  return certificate;
+}
+
+CertifyOptions exactly(CertifyOptions options) {
+  options.mode = {};
+  return options;
+}
+
 }  // namespace
 
 const char* to_string(ViolationKind kind) {
@@ -137,6 +161,14 @@ const char* to_string(ViolationKind kind) {
   throw InternalError("internal error: no name for a kind of violation");
 }
 
+std::string describe_sample(const Certificate& certificate) {
+  return fmt::format(
+      "{} of {} pairs of segments looked at; a single forbidden meeting is missed with probability "
+      "at most {:.6g}",
+      std::min(certificate.mode.sample, certificate.candidate_pairs), certificate.candidate_pairs,
+      certificate.miss_probability);
+}
+
 Certificate certify(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
                     const CertifyOptions& options) {
   const ExaminationParts parts{.certificate = true, .metrics = false, .hash = false};
@@ -152,7 +184,8 @@ Examination examine(const Graph& graph, const Drawing& drawing, const Guarantee&
   if (parts.hash) hash.emplace(drawing);
   std::optional<verify::CountingProof> by_planes;
   std::optional<verify::ColumnProof> by_columns;
-  if (parts.certificate && options.crossing_test == CrossingTest::automatic) {
+  if (parts.certificate && options.crossing_test == CrossingTest::automatic &&
+      options.mode.is_exact()) {
     if (guarantee.directions.empty()) {
       by_columns.emplace(graph, drawing, guarantee);
     } else {
@@ -168,6 +201,12 @@ Examination examine(const Graph& graph, const Drawing& drawing, const Guarantee&
   result.summary = summary.finish();
   if (hash) result.drawing_hash = hash->digest();
   if (!parts.certificate) return result;
+  if (!options.mode.is_exact()) {
+    auto by_mode = certificate_by_mode(graph, drawing, guarantee, options, result.summary);
+    result.certificate =
+        by_mode ? std::move(*by_mode) : certify(graph, drawing, guarantee, exactly(options));
+    return result;
+  }
   const bool proved =
       keeps_places(graph, drawing, guarantee, options, result.summary) &&
       ((by_planes && by_planes->holds(result.summary)) || (by_columns && by_columns->holds()));

@@ -4,12 +4,37 @@
 
 #include <algorithm>
 
+#include "ar3d/verify/predicates/widths.h"
+
 namespace ar3d::verify {
+
+namespace {
+
+/// What decides every meeting of the drawing: by the extents of its box.
+IntegerWidth width_of(const Segments& segments) {
+  if (segments.size() == 0) return IntegerWidth::int64;
+  GrowingBox box;
+  for (SegmentId s = 0; s < segments.size(); ++s) {
+    box.add(segments.from(s));
+    box.add(segments.to(s));
+  }
+  Reach extents;
+  extents.add(box.high() - box.low());
+  return width_of_bits(predicate_bits(extents, extents, kCubeLattice, {}).meeting);
+}
+
+}  // namespace
+
+Contacts::Contacts(const Segments& segments, Findings& findings)
+    : segments_(segments),
+      findings_(findings),
+      limit_(findings.room()),
+      width_(width_of(segments)) {}
 
 void Contacts::examine(SegmentId a, SegmentId b) {
   if (a > b) std::swap(a, b);
   const Meeting meeting =
-      meet(segments_.from(a), segments_.to(a), segments_.from(b), segments_.to(b));
+      meet(segments_.from(a), segments_.to(a), segments_.from(b), segments_.to(b), width_);
   if (meeting.kind == Meeting::Kind::nothing || done()) return;
   if (is_forbidden(a, b, meeting)) crossings_.emplace(a, b);
 }
@@ -43,7 +68,7 @@ void Contacts::examine_vertex(Vertex v, SegmentId s) {
 
 Violation Contacts::crossing(SegmentId a, SegmentId b) const {
   const Meeting meeting =
-      meet(segments_.from(a), segments_.to(a), segments_.from(b), segments_.to(b));
+      meet(segments_.from(a), segments_.to(a), segments_.from(b), segments_.to(b), width_);
   Violation violation{ViolationKind::crossing, {}, {segments_.edge(a), segments_.edge(b)}, {}, {}};
   std::string what;
   if (meeting.kind == Meeting::Kind::overlap) {

@@ -18,8 +18,8 @@ namespace ar3d::verify {
 /// and coinciding vertices by the check of the vertices; everything else in common is a crossing.
 class Contacts {
  public:
-  Contacts(const Segments& segments, Findings& findings)
-      : segments_(segments), findings_(findings), limit_(findings.room()) {}
+  /// Looks for the narrowest integers that decide every meeting of the drawing. O(S).
+  Contacts(const Segments& segments, Findings& findings);
 
   /// Two different segments that may meet.
   void examine(SegmentId a, SegmentId b);
@@ -39,6 +39,7 @@ class Contacts {
   const Segments& segments_;
   Findings& findings_;
   std::size_t limit_;
+  IntegerWidth width_;
   std::set<std::pair<SegmentId, SegmentId>> crossings_;
   std::set<std::pair<Vertex, EdgeId>> on_edges_;
 };

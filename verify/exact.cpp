@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include "ar3d/verify/predicates/widths.h"
+
 namespace ar3d::verify {
 namespace {
 
@@ -15,28 +17,6 @@ std::array<std::int64_t, 3> components(Point p) { return {p.x, p.y, p.z}; }
 bool is_zero(const Normal& n) { return n[0] == 0 && n[1] == 0 && n[2] == 0; }
 
 Int128 magnitude(Int128 v) { return v < 0 ? -v : v; }
-
-bool below(Int128 v, int bits) { return magnitude(v) < Int128{1} << bits; }
-
-/// w . n == 0.
-bool orthogonal(Vector w, const Normal& n) {
-  const auto d = components(w);
-  const bool small = below(d[0], 40) && below(d[1], 40) && below(d[2], 40) && below(n[0], 84) &&
-                     below(n[1], 84) && below(n[2], 84);
-  if (small) return d[0] * n[0] + d[1] * n[1] + d[2] * n[2] == 0;  // below 3 * 2^124
-  Wide sum = 0;
-  for (std::size_t i = 0; i < 3; ++i) sum += Wide(d[i]) * Wide(n[i]);
-  return sum == 0;
-}
-
-/// 0 <= numerator / denominator <= 1, for denominator != 0.
-bool in_unit_interval(Int128 numerator, Int128 denominator) {
-  if (denominator < 0) {
-    numerator = -numerator;
-    denominator = -denominator;
-  }
-  return numerator >= 0 && numerator <= denominator;
-}
 
 Int128 greatest_common_divisor(Int128 a, Int128 b) {
   a = magnitude(a);
@@ -96,20 +76,28 @@ bool on_segment(Point p, Point a, Point b) {
   return parallel(p - a, b - a);
 }
 
-Meeting meet(Point a, Point b, Point c, Point d) {
+IntegerWidth width_of_bits(int bits) {
+  if (bits <= kInt64Bits) return IntegerWidth::int64;
+  return bits <= kInt128Bits ? IntegerWidth::int128 : IntegerWidth::int256;
+}
+
+MeetingKind meeting_kind_in(IntegerWidth width, Point a, Point b, Point c, Point d) {
+  if (width == IntegerWidth::int64) return meeting_kind<std::int64_t>(a, b, c, d);
+  if (width == IntegerWidth::int128) return meeting_kind<Int128>(a, b, c, d);
+  return meeting_kind<Wide>(a, b, c, d);
+}
+
+Meeting meet(Point a, Point b, Point c, Point d, IntegerWidth width) {
+  const MeetingKind kind = meeting_kind_in(width, a, b, c, d);
+  if (kind == MeetingKind::nothing) return {};
   const Vector u = b - a;
+  if (kind != MeetingKind::cross) return meet_on_line(a, b, c, d, u);
+  // a + s u = c + t v: crossing w = s u - t v with v gives s u x v = w x v.
   const Vector v = d - c;
-  const Vector w = c - a;
   const Normal n = cross(u, v);
-  if (is_zero(n)) return parallel(u, w) ? meet_on_line(a, b, c, d, u) : Meeting{};
-  if (!orthogonal(w, n)) return {};
-  // In their common plane a + s u = c + t v. Crossing w = s u - t v with v gives s n = w x v, with
-  // u t n = w x u.
-  const Normal s = cross(w, v);
-  const Normal t = cross(w, u);
+  const Normal s = cross(c - a, v);
   std::size_t axis = 0;
   while (n[axis] == 0) ++axis;
-  if (!in_unit_interval(s[axis], n[axis]) || !in_unit_interval(t[axis], n[axis])) return {};
   return {Meeting::Kind::point, lattice_point(a, u, s[axis], n[axis]), {}};
 }
 

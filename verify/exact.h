@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "ar3d/model/lattice.h"
+#include "ar3d/verify/predicates/meeting.h"
 
 namespace ar3d::verify {
 
@@ -25,10 +26,18 @@ struct Meeting {
   std::array<Point, 2> overlap{};  ///< the ends of the common part
 };
 
-/// Exact for segments of positive length whose ends are in range (coordinates at most 2^61 in
-/// absolute value). Widths: differences are below 2^62, their cross products and the segments'
-/// parameters in __int128; the triple product that decides coplanarity is below 3 * 2^62 * 2^125 <
-/// 2^189 and uses 256 bits.
-Meeting meet(Point a, Point b, Point c, Point d);
+/// Integers to decide in.
+enum class IntegerWidth { int64, int128, int256 };
+/// The narrowest that holds values below 2^bits in absolute value; int256 for all that are wider.
+IntegerWidth width_of_bits(int bits);
+
+/// meeting_kind() in integers of that width.
+/// @pre width_of_bits() of predicate_bits().meeting is not wider; int256 serves all segments of
+/// positive length whose ends are in range (coordinates at most 2^61 in absolute value): their
+/// triple product is below 6 * 2^186 < 2^189.
+MeetingKind meeting_kind_in(IntegerWidth width, Point a, Point b, Point c, Point d);
+
+/// meeting_kind_in() with the common points. Parameters of the point are in __int128.
+Meeting meet(Point a, Point b, Point c, Point d, IntegerWidth width = IntegerWidth::int256);
 
 }  // namespace ar3d::verify

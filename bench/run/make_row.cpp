@@ -31,10 +31,15 @@ std::string counters_text(const std::vector<Counter>& counters) {
 }
 
 void record_verdict(RunRecord& run, const Certificate& certificate) {
+  using Kind = CertificateMode::Kind;
+  const CertificateMode& mode = certificate.mode;
   run.violations = static_cast<std::int64_t>(certificate.violations.size());
+  if (mode.kind == Kind::none) run.violations = -1;
   if (certificate.measured) run.certificate = "measured";
+  if (!mode.is_exact()) run.certificate = to_string(mode);
   run.status = certificate.violated() ? RunStatus::violated : RunStatus::ok;
   if (certificate.violated()) run.message = certificate.violations.front().message;
+  if (mode.kind == Kind::sample) run.message = describe_sample(certificate);
 }
 
 void record_bounds(RunRecord& run, const Guarantee& guarantee) {
@@ -53,6 +58,7 @@ double timed_writing_s(const Drawing& drawing) {
 // A program's crossings are counted, however many there are, within reason.
 CertifyOptions certifying(const AlgorithmChoice& choice) {
   CertifyOptions options;
+  options.mode = choice.certificate;
   if (!choice.program) return options;
   options.max_violations = 1000000;
   options.check_size = choice.program->has_guarantee;

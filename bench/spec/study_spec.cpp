@@ -69,6 +69,11 @@ class SpecReader {
     }
     if (const toml::node* budget = table.find("budget")) spec.budget = read_budget(file_, *budget);
     spec.accept_unproved = table.boolean("accept_unproved", false);
+    if (const toml::node* mode = table.find("certificate")) {
+      with_place(file_, *mode, [&] {
+        spec.certificate = parse_certificate_mode(toml_text(file_, *mode, "certificate"));
+      });
+    }
     if (const toml::node* programs = table.find("algorithm")) {
       for (const toml::node* program : list(*programs, "algorithm")) add_program(*program);
     }
@@ -76,6 +81,9 @@ class SpecReader {
     if (const toml::node* limits = table.find("max_n")) spec.max_n = size_limits(*limits);
     for (const toml::node* sweep : list(table.get("sweep"), "sweep")) {
       spec.sweeps.push_back(read_sweep(*sweep));
+      for (AlgorithmChoice& choice : spec.sweeps.back().algorithms) {
+        choice.certificate = spec.certificate;
+      }
     }
     table.refuse_other_keys();
     return spec;
@@ -361,11 +369,11 @@ AlgorithmChoice algorithm_choice(const StudySpec& spec, const std::string& name,
                                  const Settings& options) {
   for (const std::shared_ptr<const ExternalAlgorithm>& program : spec.programs) {
     if (program->row.name == name) {
-      return {&program->row, complete_options(program->row, options), program};
+      return {&program->row, complete_options(program->row, options), program, spec.certificate};
     }
   }
   const Algorithm& algorithm = find_algorithm(name);
-  return {&algorithm, complete_options(algorithm, options)};
+  return {&algorithm, complete_options(algorithm, options), nullptr, spec.certificate};
 }
 
 StudySpec recorded_study(const StudyIdentity& identity, const std::string& file) {

@@ -14,6 +14,7 @@
 #include "ar3d/generators/catalog.h"
 #include "ar3d/records/graph_file_table.h"
 #include "ar3d/results/study_identity.h"
+#include "ar3d/verify/certificate_mode.h"
 
 namespace ar3d {
 
@@ -29,6 +30,7 @@ struct AlgorithmChoice {
   const Algorithm* algorithm = nullptr;  ///< of the catalogue, or the program's row
   Settings options;
   std::shared_ptr<const ExternalAlgorithm> program = {};  ///< null: one of the catalogue
+  CertificateMode certificate = {};                       ///< of the study: judges its drawings
 };
 
 /// Files whose graphs are instances.
@@ -77,6 +79,7 @@ struct StudySpec {
   std::map<std::string, std::uint64_t> max_n;  ///< algorithm -> largest n it is given
   TimingRules timing;
   Budget budget;
+  CertificateMode certificate;   ///< that every drawing is judged by
   bool accept_unproved = false;  ///< its verdict passes with rows that are not proved exactly
   std::string text;              ///< the verbatim TOML
   std::string folder;  ///< that the files of `graphs` are looked for in; empty: the current one

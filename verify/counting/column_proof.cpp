@@ -26,7 +26,11 @@ bool is_near(Point p) {
 
 ColumnProof::ColumnProof(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
                          std::size_t patience)
-    : graph_(graph), drawing_(drawing), guarantee_(guarantee), patience_(patience) {
+    : graph_(graph),
+      drawing_(drawing),
+      guarantee_(guarantee),
+      patience_(patience),
+      compare_cosine_(guarantee.lattice, guarantee.cosine) {
   possible_ = guarantee.directions.empty() && graph.num_vertices() == drawing.num_vertices() &&
               graph.num_edges() == drawing.num_edges();
   if (!possible_) return;
@@ -81,7 +85,7 @@ bool ColumnProof::leave(Vertex v, const Heading& heading) {
 }
 
 bool ColumnProof::right_angle(Vector a, Vector b) const {
-  const auto order = compare_cosine(guarantee_.lattice, a, b, guarantee_.cosine);
+  const auto order = compare_cosine_(a, b);
   return guarantee_.angle_rule == AngleRule::exactly ? order == 0 : order <= 0;
 }
 

@@ -13,6 +13,7 @@
 #include "ar3d/verify/counting/counted_meetings.h"
 #include "ar3d/verify/counting/small_directions.h"
 #include "ar3d/verify/metrics.h"
+#include "ar3d/verify/predicates/widths.h"
 
 namespace ar3d::verify {
 
@@ -64,6 +65,7 @@ class ColumnProof {
   const Drawing& drawing_;
   const Guarantee& guarantee_;
   const std::size_t patience_;
+  const AngleComparison compare_cosine_;
   bool possible_;
   std::vector<VerticalSegment> verticals_;
   std::vector<SlantedSegment> slanted_;

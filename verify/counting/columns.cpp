@@ -158,8 +158,16 @@ struct Columns::Projection {
     if (moved == 0) return {s.z, s.z};
     if (moved == run) return {s.z + s.dz, s.z + s.dz};
     // Between its ends: moved and run have the same sign, so the quotient is not negative.
-    const Int128 product = Int128{s.dz} * (moved < 0 ? -moved : moved);
-    const Int128 length = run < 0 ? -run : run;
+    const std::int64_t part = moved < 0 ? -moved : moved;
+    const std::int64_t length = run < 0 ? -run : run;
+    return s.dz < kLow ? rounded<std::int64_t>(part, length) : rounded<Int128>(part, length);
+  }
+
+  static constexpr std::int64_t kLow = std::int64_t{1} << 32;  // products below 2^63
+  /// s.z + s.dz * part / length, down and up.
+  template <class Integer>
+  Span rounded(Integer part, Integer length) const {
+    const Integer product = s.dz * part;
     const auto down = static_cast<std::int64_t>(product / length);
     return {s.z + down, s.z + down + (product % length != 0)};
   }

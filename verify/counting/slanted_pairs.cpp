@@ -6,13 +6,13 @@
 
 #include "ar3d/verify/exact.h"
 #include "ar3d/verify/order.h"
+#include "ar3d/verify/predicates/widths.h"
 
 namespace ar3d::verify {
 namespace {
 
 Point from(const SlantedSegment& s) { return {s.x, s.y, s.z}; }
 Point to(const SlantedSegment& s) { return {s.x + s.dx, s.y + s.dy, s.z + s.dz}; }
-Vector along(const SlantedSegment& s) { return {s.dx, s.dy, s.dz}; }
 
 struct Active {
   std::int32_t low_x;
@@ -36,11 +36,17 @@ bool overlap(const Active& a, const Active& b) {
   return a.low_x <= b.high_x && b.low_x <= a.high_x && a.low_y <= b.high_y && b.low_y <= a.high_y;
 }
 
-MeetingCounts meeting_of(const SlantedSegment& s, const SlantedSegment& t) {
-  const Meeting meeting = meet(from(s), to(s), from(t), to(t));
-  if (meeting.kind == Meeting::Kind::nothing) return {};
-  if (meeting.kind == Meeting::Kind::overlap) return {.overlap = true};
-  return parallel(along(s), along(t)) ? MeetingCounts{.touching = 1} : MeetingCounts{.crossing = 1};
+MeetingCounts counts_of(MeetingKind kind) {
+  return {.crossing = kind == MeetingKind::cross,
+          .touching = kind == MeetingKind::touch,
+          .overlap = kind == MeetingKind::overlap};
+}
+
+/// For segments whose boxes meet.
+IntegerWidth width_of(const std::vector<SlantedSegment>& segments) {
+  Reach reach;
+  for (const SlantedSegment& s : segments) reach.add({s.dx, s.dy, s.dz});
+  return width_of_bits(predicate_bits(reach, kCubeLattice, {}).meeting);
 }
 
 std::vector<Keyed> upwards(const std::vector<SlantedSegment>& segments) {
@@ -61,6 +67,7 @@ std::optional<MeetingCounts> meetings_of_slanted(const std::vector<SlantedSegmen
                                                  std::size_t patience) {
   MeetingCounts counts;
   std::vector<Active> reached;
+  const IntegerWidth width = width_of(segments);
   std::size_t compared = 0;
   for (const Keyed& next : upwards(segments)) {
     const SlantedSegment& s = segments[next.item];
@@ -70,7 +77,10 @@ std::optional<MeetingCounts> meetings_of_slanted(const std::vector<SlantedSegmen
     std::size_t kept = 0;
     for (const Active& old : reached) {
       if (old.high < s.z) continue;
-      if (overlap(old, added)) counts += meeting_of(segments[old.segment], s);
+      if (overlap(old, added)) {
+        const SlantedSegment& t = segments[old.segment];
+        counts += counts_of(meeting_kind_in(width, from(s), to(s), from(t), to(t)));
+      }
       reached[kept++] = old;
     }
     reached.resize(kept);

@@ -1,0 +1,138 @@
+// Wrong answers of predicates: as drawn, one unit beside, and where segments touch or nearly do.
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "ar3d/algorithms/catalog.h"
+#include "ar3d/generators/catalog.h"
+#include "ar3d/model/random.h"
+#include "ar3d/verify/exact.h"
+#include "ar3d/verify/predicates/choices.h"
+#include "decisions.h"
+#include "tables.h"
+
+namespace ar3d::precision {
+namespace {
+
+using verify::PredicateChoice;
+
+constexpr std::size_t kMost = 20000;
+constexpr std::array<const char*, 4> kChoices = {"float", "double", "long-double", "cosine"};
+
+std::int64_t& any_coordinate(Point& p, RandomStream& random) {
+  const std::uint32_t axis = random.below(3);
+  return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+}
+
+/// The angles, one coordinate of one end moved by one unit.
+std::vector<std::array<Point, 3>> one_off(std::vector<std::array<Point, 3>> angles) {
+  RandomStream random(1);
+  for (auto& angle : angles) {
+    any_coordinate(angle[0], random) += random.chance(1, 2) ? 1 : -1;
+  }
+  std::erase_if(angles, [](const auto& angle) { return angle[0] == angle[1]; });
+  return angles;
+}
+
+/// The pairs, the second segment moved so that an end of it falls on an end of the first, or one
+/// unit beside.
+std::vector<std::array<Point, 4>> touching(std::vector<std::array<Point, 4>> pairs) {
+  RandomStream random(2);
+  for (auto& [a, b, c, d] : pairs) {
+    const Vector move = (random.chance(1, 2) ? a : b) - (random.chance(1, 2) ? c : d);
+    c = c + move;
+    d = d + move;
+    if (random.chance(1, 2)) {
+      std::int64_t& coordinate = any_coordinate(c, random);
+      coordinate += random.chance(1, 2) ? 1 : -1;
+    }
+  }
+  std::erase_if(pairs, [](const auto& pair) { return pair[2] == pair[3]; });
+  return pairs;
+}
+
+/// Is the angle as promised: by P1 if all must be equal, else by P2?
+bool keeps(const Guarantee& guarantee, std::strong_ordering order) {
+  return guarantee.angle_rule == AngleRule::exactly ? order == 0 : order <= 0;
+}
+
+std::uint64_t wrong_angles(const PredicateChoice& choice, const Guarantee& guarantee,
+                           const std::vector<std::array<Point, 3>>& angles) {
+  std::uint64_t wrong = 0;
+  for (const auto& [from, at, to] : angles) {
+    const auto order = choice.angle(guarantee.lattice, from, at, to, guarantee.cosine);
+    const auto exact = compare_cosine(guarantee.lattice, from - at, to - at, guarantee.cosine);
+    wrong += keeps(guarantee, order) != keeps(guarantee, exact);
+  }
+  return wrong;
+}
+
+std::uint64_t wrong_meetings(const PredicateChoice& choice,
+                             const std::vector<std::array<Point, 4>>& pairs) {
+  std::uint64_t wrong = 0;
+  for (const auto& [a, b, c, d] : pairs) {
+    const auto exact = verify::meeting_kind_in(verify::IntegerWidth::int256, a, b, c, d);
+    wrong += (choice.meeting(a, b, c, d) == verify::MeetingKind::nothing) !=
+             (exact == verify::MeetingKind::nothing);
+  }
+  return wrong;
+}
+
+std::vector<std::string> row_of(const Algorithm& algorithm, std::uint64_t n, int bits,
+                                const char* what) {
+  return {fmt::format("`{}`", algorithm.name), fmt::format("{}", n), what, fmt::format("{}", bits)};
+}
+
+void add_rows(const Algorithm& algorithm, std::uint64_t n,
+              std::vector<std::vector<std::string>>& rows,
+              std::vector<std::vector<std::string>>& filters) {
+  const Guarantee& guarantee = algorithm.guarantee;
+  const char* family = guarantee.max_degree == 4 ? "random-4-regular" : "random-cubic";
+  const Decisions decisions =
+      decisions_of(draw(algorithm, generate(find_family(family), n, 1)), guarantee, kMost);
+  const auto near_angles = one_off(decisions.angles);
+  const auto near_pairs = touching(decisions.pairs);
+  auto drawn = row_of(algorithm, n, decisions.bits.angle, "angle as drawn");
+  auto off = row_of(algorithm, n, decisions.bits.angle, "angle, one unit off");
+  auto touch = row_of(algorithm, n, decisions.bits.meeting, "touching or one off");
+  for (const char* name : kChoices) {
+    const PredicateChoice& choice = verify::predicate_choice(name);
+    drawn.push_back(
+        rate(wrong_angles(choice, guarantee, decisions.angles), decisions.angles.size()));
+    off.push_back(rate(wrong_angles(choice, guarantee, near_angles), near_angles.size()));
+    touch.push_back(rate(wrong_meetings(choice, near_pairs), near_pairs.size()));
+  }
+  rows.insert(rows.end(), {drawn, off, touch});
+  std::uint64_t open_angles = 0, open_pairs = 0;
+  for (const auto& [from, at, to] : decisions.angles) {
+    open_angles += !verify::filtered_angle(guarantee.lattice, from, at, to, guarantee.cosine);
+  }
+  for (const auto& [a, b, c, d] : decisions.pairs) {
+    open_pairs += !verify::surely_apart(a, b, c, d);
+  }
+  filters.push_back({fmt::format("`{}`", algorithm.name), fmt::format("{}", n),
+                     rate(open_angles, decisions.angles.size()),
+                     rate(open_pairs, decisions.pairs.size())});
+}
+
+}  // namespace
+
+void predicate_tables() {
+  std::vector<std::vector<std::string>> rows, filters;
+  for (const char* name : {"diamond", "grid", "compact", "two-bend"}) {
+    const Algorithm& algorithm = find_algorithm(name);
+    for (const std::uint64_t n : {100u, 1000u, 10000u}) add_rows(algorithm, n, rows, filters);
+    if (algorithm.name != "two-bend") continue;
+    for (const std::uint64_t n : {30000u, 100000u}) add_rows(algorithm, n, rows, filters);
+  }
+  fmt::print("Wrong answers, percent with 95 % Wilson intervals:\n\n");
+  print_table(
+      {"algorithm", "n", "question", "bits", "float", "double", "long double", "cosine in double"},
+      rows);
+  fmt::print("What the filter leaves to exact integers:\n\n");
+  print_table({"algorithm", "n", "angles as drawn", "pairs with meeting boxes"}, filters);
+}
+
+}  // namespace ar3d::precision

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ar3d::precision {
+
+/// A share of trials with its 95 % Wilson interval: "12 of 300: 4.0 % (2.3-6.9)"; none of N is
+/// "0 of N: < 3.8/N", the interval's end.
+std::string rate(std::uint64_t successes, std::uint64_t trials);
+
+/// Prints a Markdown table. @pre every row has as many cells as the head.
+void print_table(const std::vector<std::string>& head,
+                 const std::vector<std::vector<std::string>>& rows);
+
+/// Which certificate modes catch damaged drawings, and what they cost. @param drawings  of each
+/// algorithm, scale and kind of damage.
+void damage_tables(std::uint64_t drawings);
+
+/// Bits that coordinates and predicates need, by the theorem's bound and by drawings.
+void width_tables();
+
+/// Wrong answers of the predicates in each arithmetic.
+void predicate_tables();
+
+}  // namespace ar3d::precision

@@ -1,0 +1,99 @@
+// Widths of coordinates and of predicates: what the theorems' bounds prove, and what drawings need.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "ar3d/algorithms/catalog.h"
+#include "ar3d/generators/catalog.h"
+#include "ar3d/verify/metrics.h"
+#include "decisions.h"
+#include "tables.h"
+
+namespace ar3d::precision {
+namespace {
+
+constexpr std::uint64_t kLargestN = 4294967294;
+
+double bound_of(const Algorithm& algorithm, std::uint64_t n) {
+  double largest = 0;
+  for (const AxisBound& axis : algorithm.guarantee.bound.axes) {
+    largest = std::max(largest, axis.value(n));
+  }
+  return largest;
+}
+
+/// The largest n for which fits(n), which must not become true again.
+template <class Fits>
+std::uint64_t largest_n(std::uint64_t most, Fits&& fits) {
+  std::uint64_t low = 0, high = most + 1;
+  while (high - low > 1) {
+    const std::uint64_t middle = low + (high - low) / 2;
+    (fits(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+Drawing random_drawing(const Algorithm& algorithm, std::uint64_t n) {
+  const char* family = algorithm.guarantee.max_degree == 4 ? "random-4-regular" : "random-cubic";
+  return draw(algorithm, generate(find_family(family), n, 1));
+}
+
+std::int64_t extent_of(const Drawing& drawing) {
+  const auto extents = measure(drawing).box.extents();
+  return *std::max_element(extents.begin(), extents.end());
+}
+
+/// Extrapolated from a drawing by the order of its largest bound.
+double actual_n(const Algorithm& algorithm, std::uint64_t n, double extent, double limit) {
+  unsigned half_power = 0;
+  for (const AxisBound& axis : algorithm.guarantee.bound.axes) {
+    half_power = std::max(half_power, axis.half_power);
+  }
+  return static_cast<double>(n) * std::pow(limit / extent, 2.0 / half_power);
+}
+
+}  // namespace
+
+void width_tables() {
+  std::vector<std::vector<std::string>> widths, bits;
+  for (const Algorithm* algorithm : proved_algorithms()) {
+    constexpr std::uint64_t kDrawn = 10000;
+    const Drawing drawing = random_drawing(*algorithm, kDrawn);
+    const auto extent = static_cast<double>(extent_of(drawing));
+    std::vector<std::string> row{fmt::format("`{}`", algorithm->name)};
+    for (const int width : {16, 32, 64}) {
+      const double limit = std::ldexp(1, width - 1) - 1;
+      const std::uint64_t proved =
+          largest_n(kLargestN, [&](std::uint64_t n) { return bound_of(*algorithm, n) <= limit; });
+      row.push_back(proved == kLargestN ? "all" : fmt::format("{}", proved));
+      const double actual = actual_n(*algorithm, kDrawn, extent, limit);
+      row.push_back(actual >= static_cast<double>(kLargestN) ? "all"
+                                                             : fmt::format("{:.2g}", actual));
+    }
+    widths.push_back(std::move(row));
+    for (const std::uint64_t n : {100u, 1000u, 10000u, 100000u}) {
+      if (n > kDrawn && algorithm->guarantee.directions.size() > 6) continue;
+      const Decisions decisions =
+          decisions_of(random_drawing(*algorithm, n), algorithm->guarantee, 1);
+      bits.push_back({fmt::format("`{}`", algorithm->name), fmt::format("{}", n),
+                      fmt::format("{}", decisions.bits.angle),
+                      fmt::format("{}", decisions.bits.meeting),
+                      fmt::format("{}", decisions.bits.height)});
+    }
+  }
+  fmt::print(
+      "Largest n whose extents fit, by the theorem's bound (proved) and extrapolated from a "
+      "random graph with 10^4 vertices (drawn):\n\n");
+  print_table(
+      {"algorithm", "int16 proved", "drawn", "int32 proved", "drawn", "int64 proved", "drawn"},
+      widths);
+  fmt::print(
+      "Bits that the predicates of a drawing need (random graphs; double holds 53, int64 63, "
+      "int128 127):\n\n");
+  print_table({"algorithm", "n", "angle", "meeting", "height"}, bits);
+}
+
+}  // namespace ar3d::precision

@@ -1,0 +1,114 @@
+// Certificates by other modes than exact through the program: draw, verify, study, check, replay.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "support/program.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::run;
+using testing::ScratchDirectory;
+
+const std::string kProgram = AR3D_PROGRAM;
+
+TEST(CertificateModes, VerifySaysWhatIsNotProved) {
+  const ScratchDirectory scratch;
+  const std::string file = scratch.path("d.jsonl");
+  ASSERT_EQ(run(kProgram + " generate random-cubic -n 20 | " + kProgram +
+                " draw - --algorithm two-bend -o " + file)
+                .exit_code,
+            0);
+  const auto verify = [&](const std::string& mode) {
+    return run(kProgram + " verify " + file + " --certificate " + mode);
+  };
+  EXPECT_EQ(verify("exact").exit_code, 0);
+  for (const std::string mode : {"filtered", "double", "sample=30", "none"}) {
+    const Outcome outcome = verify(mode);
+    EXPECT_EQ(outcome.exit_code, 5) << mode;
+    EXPECT_THAT(outcome.out, HasSubstr("0 certified, 0 violated, 0 not drawn, 1 not proved "
+                                       "(certificate " +
+                                       mode + ")"));
+  }
+  EXPECT_THAT(verify("sample=30").out,
+              HasSubstr("pairs of segments looked at; a single forbidden meeting is missed with "
+                        "probability at most 0.9"));
+  const Outcome unknown = verify("samples");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("certificate 'samples' is none of exact, filtered, double"));
+  EXPECT_EQ(
+      run(kProgram + " verify " + file + " --certificate double --crossing-test slabs").exit_code,
+      2);
+}
+
+TEST(CertificateModes, WhatAModeDoesNotAcceptIsViolatedOrProvedExactly) {
+  const ScratchDirectory scratch;
+  scratch.write("d.jsonl", R"({"n":4,"algorithm":"grid","gram":[[1,0,0],[0,1,0],[0,0,1]],)"
+                           R"("gram_denominator":1,"vertices":[[0,0,0],[8,8,0],[8,0,0],[0,8,0]],)"
+                           R"("edges":[[0,1,[]],[2,3,[]]]})"
+                           "\n");
+  for (const std::string mode : {"exact", "filtered", "double", "sample=1000"}) {
+    const Outcome outcome =
+        run(kProgram + " verify " + scratch.path("d.jsonl") + " --certificate " + mode);
+    EXPECT_EQ(outcome.exit_code, 4) << mode;
+    EXPECT_THAT(outcome.out, HasSubstr("crossing: ")) << mode;
+  }
+  EXPECT_EQ(run(kProgram + " verify " + scratch.path("d.jsonl") + " --certificate none").exit_code,
+            5);
+}
+
+TEST(CertificateModes, DrawJudgesIfAsked) {
+  for (const std::string mode : {"exact", "filtered", "double", "sample=10", "none"}) {
+    const Outcome outcome = run(kProgram + " generate petersen | " + kProgram +
+                                " draw - --algorithm two-bend --certificate " + mode);
+    EXPECT_EQ(outcome.exit_code, 0) << mode << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("\"algorithm\":\"two-bend\""));
+  }
+  EXPECT_EQ(run(kProgram + " generate petersen | " + kProgram +
+                " draw - --algorithm two-bend --certificate maybe")
+                .exit_code,
+            2);
+}
+
+TEST(CertificateModes, RowsOfAStudySayThemAndCheckDoesNotPassThemUnasked) {
+  const ScratchDirectory scratch;
+  const std::string sweep =
+      "[[sweep]]\nfamilies = [\"random-cubic\", \"cycle\"]\nsizes = [12, 40]\n"
+      "algorithms = [\"two-bend\", \"grid\"]\n";
+  for (const std::string mode : {"filtered", "double", "sample=20", "none"}) {
+    const std::string spec = "study = \"modes\"\ncertificate = \"" + mode + "\"\n";
+    scratch.write("s.toml", spec + sweep);
+    scratch.write("a.toml", spec + "accept_unproved = true\n" + sweep);
+    const std::string results = scratch.path("r.h5");
+    const Outcome study =
+        run(kProgram + " study run " + scratch.path("s.toml") + " -q --force -o " + results);
+    ASSERT_EQ(study.exit_code, 5) << mode << study.err;
+    const Outcome checked = run(kProgram + " check " + results);
+    EXPECT_EQ(checked.exit_code, 5);
+    EXPECT_THAT(checked.out,
+                HasSubstr("8 rows, 0 proved, 0 violated, 0 incomplete, 0 refused, 8 not proved"));
+    EXPECT_EQ(run(kProgram + " check --accept-unproved " + results).exit_code, 0) << mode;
+    ASSERT_EQ(
+        run(kProgram + " report --rows " + scratch.path("r.csv") + " --force " + results).exit_code,
+        5);
+    EXPECT_THAT(testing::read_file(scratch.path("r.csv")), HasSubstr("," + mode + ","));
+    EXPECT_EQ(run(kProgram + " replay " + results + " 1").exit_code, 0) << mode;
+    EXPECT_EQ(run(kProgram + " study selfcheck " + results).exit_code, 0) << mode;
+    EXPECT_EQ(run(kProgram + " study run " + scratch.path("a.toml") + " -q --force -o " +
+                  scratch.path("a.h5"))
+                  .exit_code,
+              0)
+        << mode;
+  }
+  scratch.write("s.toml", "study = \"modes\"\ncertificate = \"perhaps\"\n" + sweep);
+  const Outcome refused = run(kProgram + " study plan " + scratch.path("s.toml"));
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("s.toml:2: certificate 'perhaps' is none of exact"));
+}
+
+}  // namespace
+}  // namespace ar3d

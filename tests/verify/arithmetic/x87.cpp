@@ -1,0 +1,7 @@
+// Compiled with flags that the build excludes (tests/CMakeLists.txt): arithmetic_departures()
+// notices.
+#include <string>
+
+#include "ar3d/model/ieee_arithmetic.h"
+
+std::string departures_with_x87() { return ar3d::arithmetic_departures(); }
