@@ -12,6 +12,7 @@
 #include "ar3d/algorithms/grid/grid.h"
 #include "ar3d/algorithms/register.h"
 #include "ar3d/algorithms/two_bend/two_bend.h"
+#include "ar3d/algorithms/two_bend_109/two_bend_109.h"
 #include "ar3d/algorithms/two_bend_paper/two_bend_paper.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/nearest_name.h"
@@ -30,6 +31,7 @@ std::vector<Algorithm> catalogue() {
       grid::row(),
       compact::row(),
       compact_120::row(),
+      two_bend_109::row(),
       two_bend_paper::row(),
       // clang-format on
   };

@@ -45,7 +45,7 @@ TEST_F(StudyFiles, AreFoundByEveryPathToThem) {
     for (const char* other : {"sub/r.h5", "sub//r.h5.journal", "link/r.h5"}) {
       const Outcome status = in_folder(std::string("{} study status ") + other);
       EXPECT_EQ(status.exit_code, 5) << name << other;
-      EXPECT_THAT(status.out, HasSubstr(" of 851 rows, stopped")) << name << other;
+      EXPECT_THAT(status.out, HasSubstr(" of 1062 rows, stopped")) << name << other;
     }
     const Outcome again = in_folder("{} study run smoke -q --force -o " + name);
     EXPECT_EQ(again.exit_code, 2) << name;

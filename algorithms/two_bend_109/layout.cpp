@@ -1,0 +1,176 @@
+#include "ar3d/algorithms/two_bend_109/layout.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "ar3d/model/error.h"
+
+namespace ar3d::two_bend_109 {
+
+__extension__ using Wide = __int128;
+
+std::int64_t Scale::gap(SlotKind kind) const {
+  switch (kind) {
+    case SlotKind::single:
+      return 5 * jitter + 95;
+    case SlotKind::cycle:
+      return 16 * jitter + 760;
+    case SlotKind::triangle:
+      return 40 * jitter + 1850;
+  }
+  throw InternalError("internal error: no gap for a kind of slot");
+}
+
+namespace {
+
+constexpr std::int64_t kLargest = std::int64_t{1} << 60;
+
+std::int64_t checked(Wide value, Vertex v) {
+  if (value > kLargest || value < -kLargest) {
+    throw InputError(fmt::format(
+        "two-bend-109: a coordinate of vertex {} may pass 2^60, the graph is too large", v));
+  }
+  return static_cast<std::int64_t>(value);
+}
+
+class LayoutMaker {
+ public:
+  LayoutMaker(const Graph& graph, const std::vector<Part>& parts, const Arrangement& arrangement,
+              Scale scale)
+      : graph_(graph), parts_(parts), arrangement_(arrangement) {
+    made_.scale = scale;
+    made_.place.resize(graph.num_vertices());
+  }
+
+  Layout run() {
+    place_slots();
+    for (const Part& part : parts_) {
+      part.kind == PartKind::body ? raise_body(part) : raise(part);
+    }
+    return std::move(made_);
+  }
+
+ private:
+  void place_slots() {
+    const Scale& scale = made_.scale;
+    const auto& kinds = arrangement_.kind;
+    std::vector<Wide> x(kinds.size());
+    for (std::size_t i = 1; i < kinds.size(); ++i) {
+      x[i] = x[i - 1] + std::max(scale.gap(kinds[i - 1]), scale.gap(kinds[i]));
+    }
+    for (Vertex v = 0; v < graph_.num_vertices(); ++v) {
+      if (parts_[arrangement_.part[v]].kind == PartKind::body) continue;
+      const Vector offset = offset_of(arrangement_.spot[v]);
+      made_.place[v] = {checked(x[arrangement_.slot[v]], v) + offset.x, offset.y, 0};
+    }
+  }
+
+  Vector offset_of(Spot spot) const {
+    const std::int64_t h = made_.scale.half_pair();
+    const std::int64_t r = made_.scale.radius();
+    switch (spot) {
+      case Spot::middle:
+      case Spot::centre:
+        return {0, 0, 0};
+      case Spot::upper:
+        return {0, h, 0};
+      case Spot::lower:
+        return {0, -h, 0};
+      case Spot::right_corner:
+        return {2 * r, 0, 0};
+      case Spot::upper_corner:
+        return {-r, r, 0};
+      case Spot::lower_corner:
+        return {-r, -r, 0};
+      case Spot::left_inside:
+        return {-r / 2, 0, 0};
+    }
+    throw InternalError("internal error: no place for a spot");
+  }
+
+  /// How much higher than b an end at `at` must be that leans by at most one part in `slope`,
+  /// wherever both choose to stand. The length of (dx, dy) is at most 3/2 dx + 5/2 dy.
+  Wide lift(Vertex b, Point at, std::int64_t slope) const {
+    const Point p = made_.place[b];
+    const Wide dx = std::abs(at.x - p.x) + made_.scale.jitter + Wide{2} * kStubX;
+    const Wide dy = std::abs(at.y - p.y) + made_.scale.jitter + Wide{2} * kStubY;
+    const std::int64_t least = std::max(slope, arrangement_.stubs[b].up_slope);
+    return least * ((3 * dx + 5 * dy) / 2 + 1) + Wide{2} * kStubZ;
+  }
+
+  void raise(const Part& part) {
+    Wide base = Wide{top_} + kStep;
+    for (const Vertex v : part.vertices) {
+      for (const HalfEdge& half : graph_.incident(v)) {
+        if (arrangement_.part[half.to] >= arrangement_.part[v]) continue;
+        const Wide least = made_.place[half.to].z +
+                           lift(half.to, made_.place[v], arrangement_.stubs[v].down_slope);
+        base = std::max(base, least);
+      }
+    }
+    const std::int64_t step = part.vertices.size() > 3 ? kCycleStep : kStep;
+    for (const Vertex v : part.vertices) {
+      top_ = made_.place[v].z = checked(base, v);
+      made_.order.push_back(v);
+      base += step;
+    }
+  }
+
+  /// The leg's edge to an earlier part, if there is one.
+  const HalfEdge* edge_of(Vertex v) const {
+    for (const HalfEdge& half : graph_.incident(v)) {
+      if (arrangement_.part[half.to] < arrangement_.part[v]) return &half;
+    }
+    return nullptr;
+  }
+
+  /// Above everything, in the middle of its earlier neighbours.
+  void raise_body(const Part& part) {
+    const SmallBody& body = *part.body;
+    Wide low_x = kLargest, high_x = -kLargest;
+    for (const SmallBody::Leg& leg : body.legs) {
+      const HalfEdge* half = edge_of(part.vertices[leg.v]);
+      if (half == nullptr) continue;
+      low_x = std::min<Wide>(low_x, made_.place[half->to].x - leg.end.x);
+      high_x = std::max<Wide>(high_x, made_.place[half->to].x - leg.end.x);
+    }
+    const Wide x = low_x > high_x ? Wide{0} : (low_x + high_x) / 2;
+    const Vertex first = part.vertices[0];
+    Point base{checked(x, first), 0, 0};
+    Wide z = Wide{top_} + kStep;
+    std::int64_t height = 0;
+    for (const Point& p : body.vertices) height = std::max(height, p.z);
+    for (const SmallBody::Link& link : body.links) {
+      height = std::max({height, link.bend_at_u.z, link.bend_at_v.z});
+    }
+    for (const SmallBody::Leg& leg : body.legs) {
+      const HalfEdge* half = edge_of(part.vertices[leg.v]);
+      if (half == nullptr) continue;
+      const Point end{base.x + leg.end.x, leg.end.y, 0};
+      z = std::max(z, made_.place[half->to].z + lift(half->to, end, body.slope) - leg.end.z);
+    }
+    base.z = checked(z, first);
+    top_ = checked(z + height, first);
+    for (std::size_t i = 0; i < part.vertices.size(); ++i) {
+      const Point& p = body.vertices[i];
+      made_.place[part.vertices[i]] = {base.x + p.x, base.y + p.y, base.z + p.z};
+    }
+  }
+
+  const Graph& graph_;
+  const std::vector<Part>& parts_;
+  const Arrangement& arrangement_;
+  Layout made_;
+  std::int64_t top_ = 0;
+};
+
+}  // namespace
+
+Layout lay_out(const Graph& graph, const std::vector<Part>& parts, const Arrangement& arrangement,
+               Scale scale) {
+  return LayoutMaker(graph, parts, arrangement, scale).run();
+}
+
+}  // namespace ar3d::two_bend_109

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ar3d/algorithms/two_bend_109/partition.h"
+#include "ar3d/algorithms/two_bend_109/slots.h"
+#include "ar3d/model/graph.h"
+
+namespace ar3d::two_bend_109 {
+
+/// All lengths follow from the side of the square of points that each vertex may choose from
+/// (Lemma E.4).
+struct Scale {
+  std::int64_t jitter = 16;  ///< points along each side of the square, a power of 2
+
+  std::int64_t half_pair() const { return 3 * jitter + 125; }  ///< y of upper and lower vertices
+  std::int64_t radius() const { return 6 * jitter + 280; }     ///< of triangles
+  /// Least distance in x of a slot of this kind from any other.
+  std::int64_t gap(SlotKind kind) const;
+};
+
+/// Heights of consecutive vertices differ by this at least; along cycles of four and more by less.
+inline constexpr std::int64_t kStep = 2 * kStubZ + 2;
+inline constexpr std::int64_t kCycleStep = 2 * kCycleStubZ + 2;
+
+/// Places before the choice in the square: a vertex will stand at place + (a, b, 0) with
+/// 0 <= a, b < jitter.
+struct Layout {
+  Scale scale;
+  std::vector<Vertex> order;  ///< upwards; without the vertices of bodies
+  std::vector<Point> place;   ///< of each vertex; of those of bodies too, all move alike
+};
+
+/// Heights by slope: so high above its earlier neighbours that no edge leans too much, wherever
+/// both choose to stand (Step E.3).
+/// @throws InputError naming the first vertex whose coordinates may pass 2^60. O(n).
+Layout lay_out(const Graph& graph, const std::vector<Part>& parts, const Arrangement& arrangement,
+               Scale scale);
+
+}  // namespace ar3d::two_bend_109

@@ -1,0 +1,297 @@
+#include "ar3d/algorithms/two_bend_109/placement.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "ar3d/algorithms/two_bend_109/crossings.h"
+#include "ar3d/algorithms/two_bend_109/lattice.h"
+#include "ar3d/model/error.h"
+#include "ar3d/model/random.h"
+
+namespace ar3d::two_bend_109 {
+namespace {
+
+__extension__ using Int128 = __int128;
+
+std::array<Int128, 3> cross(Vector u, Vector v) {
+  return {Int128{u.y} * v.z - Int128{u.z} * v.y, Int128{u.z} * v.x - Int128{u.x} * v.z,
+          Int128{u.x} * v.y - Int128{u.y} * v.x};
+}
+
+bool are_parallel(Vector u, Vector v) { return cross(u, v) == std::array<Int128, 3>{}; }
+
+/// Whether an edge that leaves its vertex along `stub` may go on along `ahead`.
+bool may_turn(Vector stub, Vector ahead) {
+  const auto dot = [](Vector a, Vector b) {
+    return 2 * static_cast<double>(a.x) * static_cast<double>(b.x) +
+           6 * static_cast<double>(a.y) * static_cast<double>(b.y) +
+           static_cast<double>(a.z) * static_cast<double>(b.z);
+  };
+  const double cosine = dot(stub, ahead) / std::sqrt(dot(stub, stub) * dot(ahead, ahead));
+  constexpr double kDoubt = 1e-12;
+  if (std::abs(cosine - 1.0 / 3) > kDoubt) return cosine > 1.0 / 3;
+  return compare_cosine(kAxisLattice, -stub, ahead, {-1, 3}) <= 0;
+}
+
+/// An edge to be drawn from a placed vertex upwards.
+struct NewEdge {
+  Vertex below;
+  std::size_t stub_below;  ///< number of its stub there among the drawn segments
+  Vector stub;             ///< that stub
+  Point from;              ///< the bend at its end
+  std::uint8_t port;       ///< which stub of the new vertex it takes
+};
+
+/// The end of a body's leg, and the bend that will be joined to it.
+struct LegEnd {
+  Point end;
+  Point from;
+};
+
+class Placer {
+ public:
+  Placer(const Graph& graph, const std::vector<Part>& parts, const Arrangement& arrangement,
+         const Layout& layout, std::uint64_t seed)
+      : graph_(graph),
+        parts_(parts),
+        arrangement_(arrangement),
+        layout_(layout),
+        seed_(seed),
+        first_segment_(graph.num_vertices()),
+        is_placed_(graph.num_vertices()),
+        leg_ends_(parts.size()) {
+    made_.at.resize(graph.num_vertices());
+    made_.ends.resize(graph.num_vertices());
+  }
+
+  std::optional<Placement> run() {
+    for (const Vertex v : layout_.order) {
+      if (!place_vertex(v)) return std::nullopt;
+    }
+    for (const Part& part : parts_) {
+      if (part.kind == PartKind::body && !place_body(part)) return std::nullopt;
+    }
+    return std::move(made_);
+  }
+
+ private:
+  /// Calls fits(offset) for the points of the square until it is true.
+  template <class Fits>
+  bool choose(Vertex v, Fits&& fits) {
+    const auto side = static_cast<std::uint64_t>(layout_.scale.jitter);
+    expect(side < std::uint64_t{1} << 32, "the square's points are counted in 64 bits");
+    const std::uint64_t count = side * side;  // a power of 2: an odd step visits every point
+    RandomStream random(seed_, v);
+    const std::uint64_t start = random.next64();
+    const std::uint64_t step = random.next64() | 1;
+    for (std::uint64_t i = 0; i < count; ++i) {
+      const std::uint64_t chosen = (start + i * step) & (count - 1);
+      ++made_.tried;
+      if (fits(Vector{static_cast<std::int64_t>(chosen / side),
+                      static_cast<std::int64_t>(chosen % side), 0})) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  std::size_t index_of(Vertex v, Vertex to) const {
+    const auto incident = graph_.incident(v);
+    std::size_t i = 0;
+    while (incident[i].to != to) ++i;
+    return i;
+  }
+
+  Vector stub(Vertex v, std::size_t i) const {
+    return arrangement_.stubs[v].ends[arrangement_.port[v][i]];
+  }
+
+  std::vector<NewEdge> edges_down(Vertex v) const {
+    std::vector<NewEdge> edges;
+    const auto incident = graph_.incident(v);
+    for (std::size_t i = 0; i < incident.size(); ++i) {
+      const Vertex w = incident[i].to;
+      if (!is_placed_[w] || arrangement_.part[w] > arrangement_.part[v]) continue;
+      const std::size_t j = index_of(w, v);
+      edges.push_back({w, first_segment_[w] + arrangement_.port[w][j], stub(w, j), made_.ends[w][j],
+                       arrangement_.port[v][i]});
+    }
+    return edges;
+  }
+
+  bool place_vertex(Vertex v) {
+    const std::vector<NewEdge> edges = edges_down(v);
+    if (!choose(v, [&](Vector offset) { return fits(v, layout_.place[v] + offset, edges); })) {
+      return false;
+    }
+    commit(v, edges);
+    return true;
+  }
+
+  /// Sets the place of v and its ends, and says whether it may stay there.
+  bool fits(Vertex v, Point at, const std::vector<NewEdge>& edges) {
+    made_.at[v] = at;
+    for (std::size_t i = 0; i < graph_.degree(v); ++i) made_.ends[v][i] = at + stub(v, i);
+    const std::array<Vector, 4>& stubs = arrangement_.stubs[v].ends;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const NewEdge& edge = edges[i];
+      const Segment line{edge.from, at + stubs[edge.port]};
+      expect(may_turn(edge.stub, line.to - line.from) &&
+                 may_turn(stubs[edge.port], line.from - line.to),
+             "slots and heights keep all turns small");
+      for (std::uint8_t other = 0; other < 4; ++other) {
+        if (other != edge.port && meet(line, {at, at + stubs[other]})) return false;
+      }
+      for (std::size_t j = 0; j < i; ++j) {
+        if (meet(line, {edges[j].from, at + stubs[edges[j].port]})) return false;
+      }
+      if (meets_drawn(line, edge)) return false;
+    }
+    return keeps_legs_apart(v);
+  }
+
+  /// All that was drawn before the lower end of the edge lies lower.
+  bool meets_drawn(const Segment& line, const NewEdge& edge) const {
+    return drawn_.first_met(line, first_segment_[edge.below], edge.stub_below) != drawn_.size();
+  }
+
+  /// No two edges to one body are the diagonals of a trapezium wherever the body stands.
+  bool keeps_legs_apart(Vertex v) const {
+    const auto incident = graph_.incident(v);
+    for (std::size_t i = 0; i < incident.size(); ++i) {
+      const std::optional<Point> end = leg_end(incident[i].to);
+      if (!end) continue;
+      for (const LegEnd& other : leg_ends_[arrangement_.part[incident[i].to]]) {
+        if (are_parallel(made_.ends[v][i] - other.from, *end - other.end)) return false;
+      }
+    }
+    return true;
+  }
+
+  /// In the body's own coordinates, if w is in a body.
+  std::optional<Point> leg_end(Vertex w) const {
+    const Part& part = parts_[arrangement_.part[w]];
+    if (part.kind != PartKind::body) return std::nullopt;
+    for (const SmallBody::Leg& leg : part.body->legs) {
+      if (part.vertices[leg.v] == w) return leg.end;
+    }
+    throw InternalError("internal error: a vertex of a body with an edge down has a leg");
+  }
+
+  void commit(Vertex v, const std::vector<NewEdge>& edges) {
+    is_placed_[v] = true;
+    first_segment_[v] = drawn_.size();
+    const std::array<Vector, 4>& stubs = arrangement_.stubs[v].ends;
+    for (const Vector& end : stubs) drawn_.add({made_.at[v], made_.at[v] + end});
+    for (const NewEdge& edge : edges) drawn_.add({edge.from, made_.at[v] + stubs[edge.port]});
+    const auto incident = graph_.incident(v);
+    for (std::size_t i = 0; i < incident.size(); ++i) {
+      const std::optional<Point> end = leg_end(incident[i].to);
+      if (end) leg_ends_[arrangement_.part[incident[i].to]].push_back({*end, made_.ends[v][i]});
+    }
+  }
+
+  bool place_body(const Part& part) {
+    std::vector<NewEdge> edges;  // port: the leg
+    const std::vector<SmallBody::Leg>& legs = part.body->legs;
+    for (std::size_t leg = 0; leg < legs.size(); ++leg) {
+      for (NewEdge edge : edges_down(part.vertices[legs[leg].v])) {
+        edge.port = static_cast<std::uint8_t>(leg);
+        edges.push_back(edge);
+      }
+    }
+    const Point origin = layout_.place[part.vertices[0]] + -as_vector(part.body->vertices[0]);
+    Vector chosen;
+    if (!choose(part.vertices[0], [&](Vector offset) {
+          chosen = offset;
+          return body_fits(part, origin + offset, edges);
+        })) {
+      return false;
+    }
+    commit_body(part, origin + chosen, edges);
+    return true;
+  }
+
+  static Vector as_vector(Point p) { return {p.x, p.y, p.z}; }
+
+  static std::vector<Segment> segments_of(const SmallBody& body, Point origin,
+                                          const std::vector<NewEdge>& edges) {
+    const auto at = [&](Point p) { return origin + as_vector(p); };
+    std::vector<Segment> segments;
+    for (const NewEdge& edge : edges) {  // first, in the order of the edges
+      const SmallBody::Leg& leg = body.legs[edge.port];
+      segments.push_back({at(body.vertices[leg.v]), at(leg.end)});
+    }
+    for (const SmallBody::Link& link : body.links) {
+      segments.push_back({at(body.vertices[link.u]), at(link.bend_at_u)});
+      segments.push_back({at(link.bend_at_u), at(link.bend_at_v)});
+      segments.push_back({at(link.bend_at_v), at(body.vertices[link.v])});
+    }
+    return segments;
+  }
+
+  bool body_fits(const Part& part, Point origin, const std::vector<NewEdge>& edges) const {
+    const std::vector<Segment> own = segments_of(*part.body, origin, edges);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const Segment line{edges[i].from, own[i].to};
+      expect(may_turn(edges[i].stub, line.to - line.from) &&
+                 may_turn(own[i].to - own[i].from, line.from - line.to),
+             "the height of a body keeps all turns small");
+      for (std::size_t j = 0; j < own.size(); ++j) {
+        if (j != i && meet(line, own[j])) return false;
+      }
+      for (std::size_t j = 0; j < i; ++j) {
+        if (meet(line, {edges[j].from, own[j].to})) return false;
+      }
+      if (meets_drawn(line, edges[i])) return false;
+    }
+    return true;
+  }
+
+  void commit_body(const Part& part, Point origin, const std::vector<NewEdge>& edges) {
+    const SmallBody& body = *part.body;
+    const std::vector<Segment> own = segments_of(body, origin, edges);
+    for (const Segment& segment : own) drawn_.add(segment);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      drawn_.add({edges[i].from, own[i].to});
+      const Vertex v = part.vertices[body.legs[edges[i].port].v];
+      made_.ends[v][index_of(v, edges[i].below)] = own[i].to;
+    }
+    for (std::size_t i = 0; i < part.vertices.size(); ++i) {
+      made_.at[part.vertices[i]] = origin + as_vector(body.vertices[i]);
+    }
+    for (const SmallBody::Link& link : body.links) {
+      const Vertex u = part.vertices[link.u];
+      const Vertex v = part.vertices[link.v];
+      made_.ends[u][index_of(u, v)] = origin + as_vector(link.bend_at_u);
+      made_.ends[v][index_of(v, u)] = origin + as_vector(link.bend_at_v);
+    }
+  }
+
+  const Graph& graph_;
+  const std::vector<Part>& parts_;
+  const Arrangement& arrangement_;
+  const Layout& layout_;
+  std::uint64_t seed_;
+  Placement made_;
+  DrawnSegments drawn_;
+  std::vector<std::size_t> first_segment_;     ///< of each placed vertex: its four stubs come first
+  std::vector<bool> is_placed_;                ///< vertices that are not in bodies
+  std::vector<std::vector<LegEnd>> leg_ends_;  ///< of each body: those whose lower vertex is placed
+};
+
+}  // namespace
+
+std::optional<Placement> place(const Graph& graph, const std::vector<Part>& parts,
+                               const Arrangement& arrangement, const Layout& layout,
+                               std::uint64_t seed) {
+  return Placer(graph, parts, arrangement, layout, seed).run();
+}
+
+std::int64_t enough_jitter(std::uint64_t num_vertices) {
+  return static_cast<std::int64_t>(std::bit_ceil(36 * num_vertices + 64));
+}
+
+}  // namespace ar3d::two_bend_109

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "ar3d/algorithms/two_bend_109/layout.h"
+#include "ar3d/model/graph.h"
+
+namespace ar3d::two_bend_109 {
+
+/// Where everything stands: the drawing of a connected graph.
+struct Placement {
+  std::vector<Point> at;                   ///< of each vertex
+  std::vector<std::array<Point, 4>> ends;  ///< entry i of a vertex: the bend next to it on its i-th
+                                           ///< incident edge
+  std::int64_t tried = 0;                  ///< points tried in all
+};
+
+/// Each vertex in turn takes the first point of its square, in a fixed pseudo-random order, where
+/// nothing new meets anything; nothing if some vertex finds none. With at least
+/// enough_jitter(n) points along a side each finds one (Lemma E.5).
+/// Cost: O(n) a point tried.
+std::optional<Placement> place(const Graph& graph, const std::vector<Part>& parts,
+                               const Arrangement& arrangement, const Layout& layout,
+                               std::uint64_t seed);
+
+/// The least power of 2 that is always enough.
+std::int64_t enough_jitter(std::uint64_t num_vertices);
+
+}  // namespace ar3d::two_bend_109

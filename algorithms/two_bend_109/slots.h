@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "ar3d/algorithms/two_bend_109/partition.h"
+#include "ar3d/algorithms/two_bend_109/stubs.h"
+#include "ar3d/model/graph.h"
+
+namespace ar3d::two_bend_109 {
+
+/// A list in which any two members can be compared.
+class SlotList {
+ public:
+  std::uint32_t size() const { return static_cast<std::uint32_t>(label_.size()); }
+  std::uint32_t append() { return insert_after(last_); }
+  /// A new member right after slot `at`, or first if `at` is kNone. O(1) amortised over few
+  /// insertions at one place; O(n) after about 40 of them.
+  std::uint32_t insert_after(std::uint32_t at);
+  std::uint32_t last() const { return last_; }
+  std::uint32_t before(std::uint32_t at) const { return before_[at]; }
+  bool is_before(std::uint32_t a, std::uint32_t b) const { return label_[a] < label_[b]; }
+  std::vector<std::uint32_t> in_order() const;
+
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+ private:
+  void spread_labels();
+  std::vector<std::uint32_t> after_;
+  std::vector<std::uint32_t> before_;
+  std::vector<std::int64_t> label_;
+  std::uint32_t first_ = kNone;
+  std::uint32_t last_ = kNone;
+};
+
+enum class SlotKind : std::uint8_t { single, cycle, triangle };
+
+/// Where in its slot a vertex stands.
+enum class Spot : std::uint8_t {
+  middle,        ///< y = 0
+  upper,         ///< on a cycle of four or more: at larger y
+  lower,         ///< at smaller y
+  right_corner,  ///< of a triangle
+  upper_corner,
+  lower_corner,
+  centre,       ///< inside a triangle, joined to its three corners
+  left_inside,  ///< inside a triangle, joined to its left corners and to who is at the centre
+};
+
+/// The order of all vertices but those of bodies along the x-axis, and how each stands (Step E.2).
+struct Arrangement {
+  std::vector<std::uint32_t> slot;  ///< of each vertex, its place in the order
+  std::vector<Spot> spot;           ///< of each vertex
+  std::vector<SlotKind> kind;       ///< of each slot, by place in the order
+  std::vector<std::uint32_t> part;  ///< of each vertex: index into the parts
+  std::vector<Stubs> stubs;         ///< of each vertex
+  /// Entry i of a vertex: which stub its i-th incident edge takes.
+  std::vector<std::array<std::uint8_t, 4>> port;
+};
+
+/// @param parts  of the graph, bodies last. Cost: O(n) but for the list's.
+Arrangement arrange(const Graph& graph, const std::vector<Part>& parts);
+
+}  // namespace ar3d::two_bend_109

@@ -1,0 +1,67 @@
+// Tetrahedra turned by rational quaternions, the shortest ones with the slack that Lemma E.3 needs;
+// tests/algorithms/two_bend_109_stages_test.cpp computes every angle.
+#include "ar3d/algorithms/two_bend_109/stubs.h"
+
+#include "ar3d/model/error.h"
+
+namespace ar3d::two_bend_109 {
+namespace {
+
+Stubs upside_down(Stubs stubs) {
+  for (Vector& end : stubs.ends) end.z = -end.z;
+  return stubs;
+}
+
+Stubs both_up(Stance stance) {
+  switch (stance) {
+    case Stance::chain:
+      return {{{{1, 3, 5}, {1, -3, 5}, {4, 0, -7}, {-6, 0, -3}}}, 4, 4};
+    case Stance::corner:
+      return {{{{-5, -1, 5}, {4, 2, 5}, {3, -3, -3}, {-2, 2, -7}}}, 4, 4};
+    case Stance::triangle_right:
+      return {{{{-18, 0, 21}, {20, 0, 17}, {-1, 11, -19}, {-1, -11, -19}}}, 5, 5};
+    case Stance::triangle_upper:
+      return {{{{9, -9, 21}, {-10, 10, 17}, {17, 5, -19}, {-16, -6, -19}}}, 5, 5};
+    default:
+      throw InternalError("internal error: not a stance on a cycle");
+  }
+}
+
+Stubs up_and_down(Stance stance) {
+  switch (stance) {
+    case Stance::chain:
+      return {{{{-1, -3, 13}, {2, -4, -11}, {8, 4, 1}, {-9, 3, -3}}}, 2, 2};
+    case Stance::corner:
+      return {{{{-7, -1, 11}, {-4, -2, -13}, {9, -3, 3}, {2, 6, -1}}}, 2, 2};
+    case Stance::triangle_right:
+      return {{{{4, 2, 13}, {7, 1, -11}, {-9, 3, -3}, {-2, -6, 1}}}, 2, 2};
+    case Stance::triangle_upper:
+      return {{{{-5, 3, 11}, {-5, 1, -13}, {10, 2, -1}, {0, -6, 3}}}, 2, 2};
+    default:
+      throw InternalError("internal error: not a stance on a cycle");
+  }
+}
+
+}  // namespace
+
+Stubs stubs_of(Stance stance, unsigned downs) {
+  if (stance == Stance::middle) {
+    return {{{{-20, 0, 17}, {18, 0, 21}, {1, 11, -19}, {1, -11, -19}}}, 5, 5};
+  }
+  if (stance == Stance::three_down) {
+    return {{{{0, 0, 3}, {2, 0, -1}, {-1, 1, -1}, {-1, -1, -1}}}, 1, 3};
+  }
+  if (downs == 0) return both_up(stance);
+  if (downs == 1) return up_and_down(stance);
+  return upside_down(both_up(stance));
+}
+
+Stubs mirrored(Stubs stubs, bool in_x, bool in_y) {
+  for (Vector& end : stubs.ends) {
+    if (in_x) end.x = -end.x;
+    if (in_y) end.y = -end.y;
+  }
+  return stubs;
+}
+
+}  // namespace ar3d::two_bend_109

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "ar3d/model/lattice.h"
+
+namespace ar3d::two_bend_109 {
+
+/// How a vertex stands: which of its edges go where.
+enum class Stance : std::uint8_t {
+  middle,          ///< at most two edges up, at most two down
+  three_down,      ///< three edges down, one of them to the right, two to the left; at most one up
+  chain,           ///< on a cycle, beside its right and its left neighbour
+  corner,          ///< on a cycle, beside one neighbour to the right and one at larger y
+  triangle_right,  ///< the right corner of a triangle; the others at the angles 150 and 210 degrees
+  triangle_upper,  ///< its corner with the largest y; the others at -30 and -90 degrees
+};
+
+/// The four first segments of a vertex, of a regular tetrahedron in kAxisLattice.
+struct Stubs {
+  /// middle: up, up, down, down. three_down: up, right, left at larger y, left at smaller y. On a
+  /// cycle: two for the edges that leave it, the steeper one first if both go up or both down, then
+  /// one for each neighbour on it, in the order in which the stance names them.
+  std::array<Vector, 4> ends;
+  /// Edges up (and down) from here may lean by one part in so many.
+  std::int64_t up_slope = 0;
+  std::int64_t down_slope = 0;
+};
+
+/// The largest component of any stub along each axis; of those on cycles of four and more vertices.
+inline constexpr std::int64_t kStubX = 20;
+inline constexpr std::int64_t kStubY = 11;
+inline constexpr std::int64_t kStubZ = 21;
+inline constexpr std::int64_t kCycleStubZ = 13;
+
+/// @param downs  edges to earlier parts; on a cycle 0, 1 or 2, and with 1 the first stub goes up
+/// and the second one down.
+Stubs stubs_of(Stance stance, unsigned downs);
+
+/// The mirror image in x, in y.
+Stubs mirrored(Stubs stubs, bool in_x, bool in_y);
+
+}  // namespace ar3d::two_bend_109

@@ -1,0 +1,186 @@
+// Two bends at 109.47 degrees, component by component: partition, order along x, heights, places.
+// What is tried is exact, so a drawing is right whatever the scale; the scale of the proof, at
+// which no vertex can fail, is the last resort.
+#include "ar3d/algorithms/two_bend_109/two_bend_109.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <memory>
+#include <utility>
+
+#include "ar3d/algorithms/degree_limit.h"
+#include "ar3d/algorithms/effort.h"
+#include "ar3d/algorithms/two_bend_109/layout.h"
+#include "ar3d/algorithms/two_bend_109/partition.h"
+#include "ar3d/algorithms/two_bend_109/placement.h"
+#include "ar3d/algorithms/two_bend_109/slots.h"
+#include "ar3d/model/error.h"
+#include "ar3d/model/random.h"
+
+namespace ar3d::two_bend_109 {
+namespace {
+
+constexpr int kHighestEffort = 1;
+constexpr std::int64_t kMostJitter = std::int64_t{1} << 31;  // its square fits 64 bits
+
+/// A component as a graph of its own; both number vertices and edges in the same order.
+struct Component {
+  Graph graph;
+  std::vector<Vertex> vertices;
+  std::vector<EdgeId> edges;
+};
+
+std::vector<Component> components_of(const Graph& graph) {
+  const Components found = connected_components_of(graph);
+  std::vector<Component> components(found.count);
+  std::vector<Vertex> name(graph.num_vertices());
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+    auto& vertices = components[found.of[v]].vertices;
+    name[v] = static_cast<Vertex>(vertices.size());
+    vertices.push_back(v);
+  }
+  std::vector<std::vector<Edge>> edges(found.count);
+  for (EdgeId e = 0; e < graph.num_edges(); ++e) {
+    const Edge ends = graph.edge(e);
+    edges[found.of[ends.u]].push_back({name[ends.u], name[ends.v]});
+    components[found.of[ends.u]].edges.push_back(e);
+  }
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    components[i].graph = Graph(components[i].vertices.size(), std::move(edges[i]));
+  }
+  return components;
+}
+
+struct Census {
+  std::int64_t components = 0, singles = 0, cycles = 0, bodies = 0, slots = 0, jitter = 0,
+               tried = 0;
+
+  void add(const std::vector<Part>& parts) {
+    ++components;
+    for (const Part& part : parts) {
+      ++(part.kind == PartKind::single ? singles : part.kind == PartKind::cycle ? cycles : bodies);
+    }
+  }
+  std::vector<Counter> counters() const {
+    return {
+        {"components", components}, {"singles", singles}, {"cycles", cycles}, {"bodies", bodies},
+        {"slots", slots},           {"jitter", jitter},   {"tried", tried}};
+  }
+};
+
+Placement place_component(const Graph& graph, std::int64_t jitter, Census& census) {
+  const std::vector<Part> parts = find_partition(graph);
+  census.add(parts);
+  const Arrangement arrangement = arrange(graph, parts);
+  census.slots += static_cast<std::int64_t>(arrangement.kind.size());
+  const std::uint64_t seed = mix_seed(graph.num_vertices(), graph.num_edges());
+  for (;; jitter *= 2) {
+    const Layout layout = lay_out(graph, parts, arrangement, {jitter});
+    std::optional<Placement> placement = place(graph, parts, arrangement, layout,
+                                               mix_seed(seed, static_cast<std::uint64_t>(jitter)));
+    if (placement) {
+      census.jitter = std::max(census.jitter, jitter);
+      census.tried += placement->tried;
+      return *std::move(placement);
+    }
+    expect(jitter < enough_jitter(graph.num_vertices()), "there are more points than closed ones");
+  }
+}
+
+/// Collects the components side by side.
+class Output {
+ public:
+  explicit Output(const Graph& graph)
+      : graph_(graph), at_(graph.num_vertices()), bends_(graph.num_edges()) {}
+
+  void add(const Component& component, const Placement& placement) {
+    const Graph& part = component.graph;
+    GrowingBox box;
+    for (Vertex v = 0; v < part.num_vertices(); ++v) {
+      box.add(placement.at[v]);
+      for (std::size_t i = 0; i < part.degree(v); ++i) box.add(placement.ends[v][i]);
+    }
+    const Point low = box.low();
+    const Vector shift{next_x_ - low.x, -low.y, -low.z};
+    for (Vertex v = 0; v < part.num_vertices(); ++v) {
+      at_[component.vertices[v]] = placement.at[v] + shift;
+      const auto incident = part.incident(v);
+      for (std::size_t i = 0; i < incident.size(); ++i) {
+        const EdgeId e = incident[i].edge;
+        bends_[component.edges[e]][part.edge(e).u == v ? 0 : 1] = placement.ends[v][i] + shift;
+      }
+    }
+    next_x_ += box.high().x - low.x + 1;
+    expect(next_x_ <= kMaxCoordinate, "x fits");
+    largest_ = std::max({largest_, next_x_, box.high().y - low.y, box.high().z - low.z});
+  }
+
+  Drawing finish() const {
+    Coordinates vertices(at_.size(), largest_);
+    for (std::size_t v = 0; v < at_.size(); ++v) vertices.set(v, at_[v]);
+    auto bends = std::make_shared<StoredBends>();
+    for (const auto& [at_u, at_v] : bends_) bends->add_edge({at_u, at_v});
+    return {"two-bend-109", kAxisLattice, std::move(vertices), graph_.shared_edges(),
+            std::move(bends)};
+  }
+
+ private:
+  const Graph& graph_;
+  std::vector<Point> at_;
+  std::vector<std::array<Point, 2>> bends_;
+  std::int64_t next_x_ = 0;
+  std::int64_t largest_ = 1;
+};
+
+}  // namespace
+
+Drawing draw(const Graph& graph, const Options& options) {
+  check_effort("two-bend-109", options.effort, kHighestEffort);
+  refuse_larger_degrees("two-bend-109", graph, 4);
+  if (options.first_jitter < 1 || options.first_jitter > kMostJitter ||
+      !std::has_single_bit(static_cast<std::uint64_t>(options.first_jitter))) {
+    throw InputError(fmt::format("two-bend-109: a jitter is a power of 2 up to 2^31, not {}",
+                                 options.first_jitter));
+  }
+  Output output(graph);
+  Census census;
+  for (const Component& component : components_of(graph)) {
+    const std::int64_t jitter =
+        options.effort == 0 ? enough_jitter(component.graph.num_vertices()) : options.first_jitter;
+    output.add(component, place_component(component.graph, jitter, census));
+  }
+  Drawing drawing = output.finish();
+  drawing.counters = census.counters();
+  return drawing;
+}
+
+Algorithm row() {
+  Guarantee guarantee;
+  guarantee.max_degree = 4;
+  guarantee.max_bends = 2;
+  guarantee.angle_rule = AngleRule::at_least;
+  guarantee.cosine = {-1, 3};
+  guarantee.lattice = kAxisLattice;
+  guarantee.bound = {"proved here",
+                     "docs/two-bend-109.md",
+                     {quadratic(2500) + 200000, linear(940) + 39000, cubic(30000) + 220000000}};
+  Algorithm row;
+  row.name = "two-bend-109";
+  row.summary =
+      "at most two bends per edge, angles of at least 109.47 degrees, in volume O(n^2) x O(n) x "
+      "O(n^3)";
+  row.source = "the paper's second open question";
+  row.guarantee = guarantee;
+  row.options = {effort_option(
+      kHighestEffort,
+      "0: the scale of the size bound's proof; 1: the smallest of ever larger ones that does")};
+  row.draw = [](const Graph& graph, const Settings& values) {
+    return draw(graph, {.effort = static_cast<int>(value_of(values, "effort"))});
+  };
+  return row;
+}
+
+}  // namespace ar3d::two_bend_109

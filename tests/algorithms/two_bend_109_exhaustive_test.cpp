@@ -1,0 +1,45 @@
+// Every graph of maximum degree 4 with at most 9 vertices, and every connected 4-regular graph with
+// at most 12.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "algorithms/two_bend_109_support.h"
+#include "support/graphs.h"
+#include "support/names.h"
+
+namespace ar3d {
+namespace {
+
+using testing::two_bend_109_fault;
+
+class TwoBend109SmallGraphs : public ::testing::TestWithParam<int> {};
+
+TEST_P(TwoBend109SmallGraphs, AreCertifiedAtBothEfforts) {
+  for (const Graph& graph : testing::geng(fmt::format("-D4 {}", GetParam()))) {
+    for (const int effort : {0, 1}) {
+      ASSERT_EQ(two_bend_109_fault(graph, {.effort = effort}), "") << "effort " << effort;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(UpToNineVertices, TwoBend109SmallGraphs, ::testing::Range(1, 10),
+                         testing::named("n"));
+
+class TwoBend109Regular : public ::testing::TestWithParam<int> {};
+
+TEST_P(TwoBend109Regular, AreCertifiedUnderThreeLabellings) {
+  std::uint64_t seed = 0;
+  for (const Graph& graph : testing::geng(fmt::format("-c -d4 -D4 {}", GetParam()))) {
+    ASSERT_EQ(two_bend_109_fault(graph), "");
+    for (int relabelling = 0; relabelling < 2; ++relabelling) {
+      ASSERT_EQ(two_bend_109_fault(testing::shuffled(graph, ++seed)), "") << "seed " << seed;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(UpToTwelveVertices, TwoBend109Regular, ::testing::Range(5, 13),
+                         testing::named("n"));
+
+}  // namespace
+}  // namespace ar3d

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+
+#include "ar3d/algorithms/two_bend_109/two_bend_109.h"
+#include "ar3d/verify/certificate.h"
+
+namespace ar3d::testing {
+
+/// Empty if the drawing is proved right and has two bends on every edge; else what is wrong.
+inline std::string two_bend_109_fault(const Graph& graph, const Drawing& drawing) {
+  static const Algorithm row = two_bend_109::row();
+  const CrossingTest test =
+      graph.num_vertices() <= 100 ? CrossingTest::all_pairs : CrossingTest::automatic;
+  const Certificate certificate = certify(graph, drawing, row.guarantee, {.crossing_test = test});
+  if (!certificate.valid()) return certificate.violations[0].message;
+  std::vector<Point> points;
+  for (EdgeId e = 0; e < drawing.num_edges(); ++e) {
+    drawing.polyline(e, points);
+    if (points.size() != 4) return "not two bends";
+  }
+  return "";
+}
+
+inline std::string two_bend_109_fault(const Graph& graph,
+                                      const two_bend_109::Options& options = {}) {
+  return two_bend_109_fault(graph, two_bend_109::draw(graph, options));
+}
+
+inline std::int64_t count_109(const Drawing& drawing, const std::string& name) {
+  for (const Counter& c : drawing.counters) {
+    if (c.name == name) return c.value;
+  }
+  return -1;
+}
+
+}  // namespace ar3d::testing

@@ -1,0 +1,154 @@
+// The public function: corner cases, refusals, efforts, counters, the last resort.
+
+#include "ar3d/algorithms/two_bend_109/two_bend_109.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "algorithms/two_bend_109_support.h"
+#include "ar3d/algorithms/two_bend_109/placement.h"
+#include "ar3d/generators/catalog.h"
+#include "ar3d/model/error.h"
+#include "support/graphs.h"
+#include "support/names.h"
+
+namespace ar3d {
+namespace {
+
+using testing::complete;
+using testing::count_109;
+using testing::two_bend_109_fault;
+
+TEST(TwoBend109, DrawsCornerCasesAtBothEfforts) {
+  const Graph point(1, {});
+  const std::vector<Graph> graphs = {
+      Graph(),
+      point,
+      Graph(300, {}),
+      complete(2),
+      Graph(5, {{2, 0}, {2, 1}, {2, 3}, {4, 2}}),
+      testing::cycle(3),
+      testing::cycle(4),
+      testing::cycle(300),
+      testing::path(300),
+      complete(4),
+      complete(5),
+      testing::octahedron(),
+      testing::petersen(),
+      testing::disjoint_union({point, complete(5), point, complete(2), complete(5)}),
+      testing::disjoint_union(std::vector<Graph>(40, complete(4))),
+  };
+  for (const Graph& graph : graphs) {
+    for (const int effort : {0, 1}) {
+      EXPECT_EQ(two_bend_109_fault(graph, {.effort = effort}), "")
+          << graph.num_vertices() << " vertices, effort " << effort;
+    }
+  }
+}
+
+TEST(TwoBend109, DrawsK5AsOneBody) {
+  const Drawing drawing = two_bend_109::draw(complete(5));
+  EXPECT_EQ(count_109(drawing, "bodies"), 1);
+  EXPECT_EQ(count_109(drawing, "slots"), 0);
+  EXPECT_EQ(bounding_box(drawing).extents(), (std::array<std::int64_t, 3>{28590, 15755, 41668}));
+}
+
+TEST(TwoBend109, RefusesDegreeFiveAndUnknownEfforts) {
+  EXPECT_THROW(two_bend_109::draw(complete(6)), InputError);
+  EXPECT_THROW(two_bend_109::draw(testing::path(3), {.effort = 2}), InputError);
+  EXPECT_THROW(two_bend_109::draw(testing::path(3), {.effort = -1}), InputError);
+  for (const std::int64_t jitter : {std::int64_t{0}, std::int64_t{12}, std::int64_t{1} << 32}) {
+    EXPECT_THROW(two_bend_109::draw(testing::path(3), {.first_jitter = jitter}), InputError);
+  }
+}
+
+TEST(TwoBend109, CoordinatesThatMayPassTheRangeAreRefusedWithTheVertexNamed) {
+  const Graph graph = generate(find_family("random-4-regular"), 1000, 1);
+  const auto parts = two_bend_109::find_partition(graph);
+  const auto arrangement = two_bend_109::arrange(graph, parts);
+  for (const int bits : {44, 55, 56}) {
+    try {
+      two_bend_109::lay_out(graph, parts, arrangement, {std::int64_t{1} << bits});
+      FAIL() << "a square of 2^" << bits << " points a side is too large for 1000 vertices";
+    } catch (const InputError& e) {
+      EXPECT_THAT(e.what(), ::testing::MatchesRegex(
+                                "two-bend-109: a coordinate of vertex [0-9]+ may pass 2\\^60, the "
+                                "graph is too large"));
+    }
+  }
+}
+
+TEST(TwoBend109, SameGraphSameDrawing) {
+  const Graph graph = generate(find_family("random-4-regular"), 300, 2);
+  const Drawing one = two_bend_109::draw(graph);
+  const Drawing two = two_bend_109::draw(graph);
+  EXPECT_EQ(drawing_hash(one), drawing_hash(two));
+  EXPECT_EQ(one.counters, two.counters);
+}
+
+TEST(TwoBend109, TellsWhatItDid) {
+  const Graph graph = generate(find_family("random-4-regular"), 1000, 2);
+  const Drawing drawing = two_bend_109::draw(graph);
+  EXPECT_EQ(count_109(drawing, "components"), 1);
+  EXPECT_GT(count_109(drawing, "cycles"), 0);
+  EXPECT_GT(count_109(drawing, "singles"), 500);
+  EXPECT_EQ(count_109(drawing, "jitter"), 16);
+  EXPECT_GE(count_109(drawing, "tried"), 900);
+  const Drawing large = two_bend_109::draw(graph, {.effort = 0});
+  EXPECT_EQ(count_109(large, "jitter"), two_bend_109::enough_jitter(1000));
+}
+
+// One point for every vertex is not enough, and doubling the square helps.
+TEST(TwoBend109, WidensTheSquareWhenAVertexFindsNoPoint) {
+  std::size_t widened = 0;
+  for (const Graph& graph : testing::geng("-c -D4 7")) {
+    const Drawing drawing = two_bend_109::draw(graph, {.first_jitter = 1});
+    if (count_109(drawing, "jitter") > 1) ++widened;
+    ASSERT_EQ(two_bend_109_fault(graph, drawing), "");
+  }
+  EXPECT_GT(widened, 0u);
+}
+
+TEST(TwoBend109, KeepsItsBoxFarBelowTheTheorems) {
+  for (const std::uint64_t n : {100u, 1000u, 4000u}) {
+    const Graph graph = generate(find_family("random-4-regular"), n, 1);
+    const auto extents = bounding_box(two_bend_109::draw(graph)).extents();
+    const auto size = static_cast<std::int64_t>(n);
+    EXPECT_LE(extents[0], 100 * size * size);
+    EXPECT_LE(extents[1], 20 * size);
+    EXPECT_LE(extents[2], 50 * size * size * size);
+  }
+}
+
+class TwoBend109Families : public ::testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(TwoBend109Families, AreCertified) {
+  for (const Family& family : families()) {
+    for (const int shuffle : {0, 1}) {
+      const Graph graph = generate(family, GetParam(), 7, {{"shuffle", shuffle}});
+      EXPECT_EQ(two_bend_109_fault(graph), "") << family.name << " shuffle " << shuffle;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, TwoBend109Families, ::testing::Values(5, 12, 40, 150, 600),
+                         testing::named("n"));
+
+TEST(TwoBend109Families, AreCertifiedAtTheProofsScale) {
+  for (const Family& family : families()) {
+    const Graph graph = generate(family, 60, 5);
+    EXPECT_EQ(two_bend_109_fault(graph, {.effort = 0}), "") << family.name;
+  }
+}
+
+TEST(TwoBend109Random, RegularGraphsAreCertified) {
+  for (const std::uint64_t n : {20u, 50u, 200u, 1000u, 4000u}) {
+    for (std::uint64_t seed = 1; seed <= (n <= 200 ? 20 : 2); ++seed) {
+      const Graph graph = generate(find_family("random-4-regular"), n, seed);
+      EXPECT_EQ(two_bend_109_fault(graph), "") << "n " << n << " seed " << seed;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ar3d
