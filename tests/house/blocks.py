@@ -1,0 +1,170 @@
+"""Runs the code blocks of the pages as they are printed; every block of every page is run here or by a test that is named.
+
+blocks.py SOURCE PROGRAM. `sh` blocks are run line by line, `python` blocks as they are, `toml` blocks are planned as (parts of) a study;
+`text` is no code. What the pages take for granted (`smoke.h5`, `my-study.toml`, `nets/*.s6`, …) is made first, small. A study that
+takes minutes is replaced by a small one of the same name.
+"""
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+# Pages whose blocks another test runs, and the part of the tree that says so.
+ELSEWHERE = {
+    "README.md": "tests/house/readme_test.cpp",           # "As a library": tests/house/consumer.cmake
+    "CONTRIBUTING.md": "tests/house/walkthrough.py",
+    "docs/tutorial.md": "tests/house/pages_test.cpp",
+    "docs/library.md": "tests/house/pages_test.cpp",
+    "docs/cluster.md": "tests/apps/cluster_recipes.h",
+    "examples/own_algorithm/README.md": "tests/house/own_algorithm.cmake",
+}
+# Lines that are not run, and why.
+NOT_RUN = {
+    "ar3d compare --base v0.1 --calibrate": "builds another commit, which takes minutes: tests/apps/compare_test.cpp",
+    "cmake --preset fuzz && cmake --build build/fuzz --target fuzz_sparse6": "needs clang and minutes",
+    "mkdir -p /tmp/corpus && build/fuzz/formats/fuzz/fuzz_sparse6": "as the line before",
+    "sudo apt-get install graphviz python3-igraph python3-pandas python3-tables": "installs packages",
+}
+# Exit codes other than 0, and lines as they run on the small files that are made here.
+EXIT = {"ar3d hunt --algorithm grid -n 60 --seeded-fault wrong-bend": 4}
+IN_PLACE_OF = {
+    "study run quick": "study run quick.toml", " ROW": " 0", "study run peers": "study run peers.toml",
+    "./ar3d": "ar3d", "python3 -c": "/usr/bin/python3 -c",
+}
+
+TINY = """study = "{name}"
+seed = 1
+[[sweep]]
+families = ["cycle", "prism"]
+sizes = [8, 16]
+algorithms = ["diamond", "grid"]
+instances = 1
+"""
+
+
+def blocks(text):
+    """(line, language, text) of each code block."""
+    for match in re.finditer(r"^```(\w*)\n(.*?)^```", text, re.S | re.M):
+        yield text[:match.start()].count("\n") + 1, match[1], match[2]
+
+
+def commands(block):
+    """The lines of a block without comments, continued ones joined."""
+    joined = re.sub(r"\\\n\s*", "", block)
+    return [re.sub(r"\s+# .*", "", line).strip() for line in joined.splitlines() if line.strip() and not line.startswith("#")]
+
+
+class Folder:
+    """Where the blocks of one page run."""
+
+    def __init__(self, path, program):
+        self.path = path
+        (path / "bin").mkdir()
+        (path / "bin" / "ar3d").symlink_to(program)
+        self.environment = dict(os.environ, PATH=f"{path}/bin:" + os.environ["PATH"])
+
+    def run(self, command):
+        return subprocess.run(["bash", "-c", command], cwd=self.path, env=self.environment, capture_output=True, text=True, timeout=300)
+
+    def must(self, command, code=0):
+        done = self.run(command)
+        assert done.returncode == code, f"{command}\nended with {done.returncode}, not {code}\n{done.stdout[-2000:]}{done.stderr}"
+
+    def prepare(self):
+        for name, file in (("smoke", "smoke"), ("quick", "quick"), ("mine", "my-study")):
+            (self.path / f"{file}.toml").write_text(TINY.format(name=name))
+        peers = pathlib.Path(sys.argv[1]).resolve().joinpath("studies", "peers.toml").read_text()
+        (self.path / "peers.toml").write_text(peers.replace("[60, 240, 960]", "[60]").replace("instances = 3", "instances = 1"))
+        (self.path / "examples").symlink_to(pathlib.Path(sys.argv[1]).resolve().joinpath("examples"))
+        (self.path / "strong.toml").write_text(TINY.format(name="r") + "strong = { threads = [1, 2], drawings = 2, repetitions = 1 }\n")
+        self.must("ar3d study run smoke.toml -q -o smoke.h5 && cp smoke.h5 before.h5 && cp smoke.h5 after.h5")
+        self.must("ar3d study run strong.toml -q -o r.h5")
+        self.must("mkdir nets && ar3d generate prism -n 8 -o nets/a.s6 && ar3d generate cycle -n 9 -o nets/b.s6 && cat nets/*.s6 | gzip >census.s6.gz")
+        self.must("ar3d generate torus -n 16 --format matrixmarket -o roads.mtx")
+        self.must("printf '#!/bin/sh\\ncat\\n' >my-drawer && chmod +x my-drawer")
+        # A checkout with a reference of the study.
+        self.must("git init -q . && mkdir -p apps results/reference && touch apps/study.cpp && cp smoke.h5 results/reference/0.1.0-smoke.h5")
+
+    def run_sh(self, block):
+        for left in self.path.glob("ar3d-*"):  # by blocks before
+            left.unlink()
+        for line in commands(block):
+            if any(line.startswith(start) for start in NOT_RUN):
+                continue
+            code = next((c for start, c in EXIT.items() if line.startswith(start)), 0)
+            for printed, small in IN_PLACE_OF.items():
+                line = line.replace(printed, small)
+            every = [line.replace("1/3", f"{i}/3") for i in (1, 2, 3)] if "--shard 1/3" in line else [line]
+            for command in every:
+                self.must(command, code)
+
+    def run_python(self, block):
+        (self.path / "printed.py").write_text(("" if "import" in block else "import pandas\n") + block)
+        self.must("/usr/bin/python3 printed.py")
+
+    def plan_toml(self, block):
+        """A block is a whole study, or keys of its head, or of a sweep, or a table."""
+        if not block.startswith("study"):
+            head, sweep = TINY.format(name="part").split("[[sweep]]")
+            if "graphs =" in block:
+                block = head + block
+            elif block.startswith("[["):
+                block = head + block + "[[sweep]]" + sweep.replace('"diamond"', '"mine"')
+            elif block.startswith("budget"):
+                block = head + block + "[[sweep]]" + sweep
+            else:
+                block = head + "[[sweep]]" + sweep + block
+        (self.path / "printed.toml").write_text(block)
+        self.must("ar3d study plan printed.toml")
+
+
+def run_page(page, text, program):
+    with tempfile.TemporaryDirectory(prefix="ar3d-blocks-") as scratch:
+        folder = Folder(pathlib.Path(scratch), program)
+        folder.prepare()
+        for line, language, block in blocks(text):
+            run = {"sh": folder.run_sh, "python": folder.run_python, "toml": folder.plan_toml}
+            try:
+                if language != "text":
+                    run[language](block)
+            except (AssertionError, KeyError) as error:
+                raise SystemExit(f"{page}:{line}: {error!r}" if isinstance(error, KeyError) else f"{page}:{line}: {error}") from None
+
+
+def expect_covered(pages, tests):
+    """The tests of ELSEWHERE pick blocks by heading, mark or place: no block lies where none of them looks."""
+    for section in re.split(r"^##+ ", pages["CONTRIBUTING.md"].replace("\n#include", "\n"), flags=re.M)[1:]:
+        heading = section.split("\n")[0]
+        assert "\n```" not in section or f'"{heading}"' in tests, f"CONTRIBUTING.md: no walk-through of tests/CMakeLists.txt does: {heading}"
+    unmarked = re.findall(r"(?<!-->)\n```sh\n.*", pages["docs/cluster.md"])
+    assert not unmarked, f"docs/cluster.md: blocks without a recipe's name: {unmarked}"
+    for page, kinds in {"README.md": ["sh", "sh", "python", "cpp", "cmake", "sh"], "examples/own_algorithm/README.md": ["sh"]}.items():
+        found = [language for _, language, _ in blocks(pages[page])]
+        assert found == kinds, f"{page}: blocks are {found}: is each of them run by a test?"
+
+
+def main():
+    source, program = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
+    listed = subprocess.run(["git", "ls-files", "*.md"], cwd=source, capture_output=True, text=True, check=True).stdout.split()
+    pages = {name: (source / name).read_text() for name in listed if (source / name).exists()}
+    everything = "\n".join(pages.values())
+    for start in [*NOT_RUN, *EXIT]:
+        assert start in everything, f"no page says: {start}"
+    for page, by in ELSEWHERE.items():
+        assert page in pages and (source / by).exists(), f"{page}, {by}"
+    expect_covered(pages, (source / "tests" / "CMakeLists.txt").read_text())
+    count = 0
+    for page, text in pages.items():
+        found = list(blocks(text))
+        for line, language, block in found:
+            assert language, f"{page}:{line}: a code block without its language; `text` for what is no code"
+            assert language != "text" or not re.search(r"^(\./)?ar3d ", block, re.M), f"{page}:{line}: commands are `sh`"
+        if found and page not in ELSEWHERE and any(language != "text" for _, language, _ in found):
+            run_page(page, text, program)
+            count += len(found)
+    print(f"{count} blocks of pages are run here, those of {len(ELSEWHERE)} pages by other tests")
+
+
+main()
