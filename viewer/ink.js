@@ -41,7 +41,8 @@ function drawAngles(context, rows, d) {
   const equal = labels.length > 1 && labels.every(label => label === labels[0]);  // one label for all
   pairs.forEach(([a, b], k) => drawArc(context, d, here, a, b, equal ? "" : labels[k]));
   const at = toPixels(project(rows, here, [0, 0, 0]));
-  if (equal && at.depth > 0) writeAt(context, {x: at.x, y: at.y + 14 + 3 * tubeRadius(d) * pixelsPerUnit(at.depth)}, `${labels.length} \u00d7 ${labels[0]}`);
+  const label = `${labels.length} \u00d7 ${labels[0]}`, half = context.measureText(label).width / 2 + 4;  // never cut at the sides
+  if (equal && at.depth > 0) writeAt(context, {x: Math.max(half, Math.min(stage.clientWidth - half, at.x)), y: at.y + 14 + 3 * tubeRadius(d) * pixelsPerUnit(at.depth)}, label);
 }
 
 function drawInk() {

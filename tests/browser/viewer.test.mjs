@@ -231,6 +231,21 @@ test("it reads at 1280 and 390 pixels, light and dark", async () => {
   await page.setViewportSize({width: 1280, height: 900});
 });
 
+test("it prints the picture without the controls", async () => {
+  await open("k5.html");
+  await page.emulateMedia({media: "print"});
+  for (const id of ["panel", "pages", "unfold"]) assert.ok(await page.locator("#" + id).isHidden(), id);
+  assert.ok(await page.locator("#verdict").isVisible());
+  const pdf = await page.pdf({format: "A4", landscape: true, printBackground: true});
+  await page.emulateMedia({media: "screen"});
+  const hidden = await page.addStyleTag({content: "#stage { visibility: hidden; }"});
+  await page.emulateMedia({media: "print"});
+  const without = await page.pdf({format: "A4", landscape: true, printBackground: true});
+  assert.ok(pdf.length > without.length + 20000, `the picture takes ${pdf.length - without.length} bytes of the PDF`);
+  await page.emulateMedia({media: "screen"});
+  await hidden.evaluate(style => style.remove());
+});
+
 test("without WebGL the page says so", async () => {
   for (const none of [() => null, () => { throw new Error("no"); }]) {
     const poor = await newPage();
