@@ -10,11 +10,17 @@ std::string with_brackets(const std::string& name, const std::string& details) {
 }  // namespace
 
 CurveKey curve_of(const RunRecord& run) {
-  return {run.algorithm, run.options, run.family, run.parameters};
+  return {run.algorithm, run.options, run.family, run.parameters,
+          run.level == "extents" ? "" : run.level};
+}
+
+std::string options_and_level(const CurveKey& key) {
+  if (key.level.empty()) return key.options;
+  return key.options + (key.options.empty() ? "" : ";") + "level=" + key.level;
 }
 
 std::string algorithm_label(const CurveKey& key) {
-  return with_brackets(key.algorithm, key.options);
+  return with_brackets(key.algorithm, options_and_level(key));
 }
 
 std::string family_label(const CurveKey& key) { return with_brackets(key.family, key.parameters); }

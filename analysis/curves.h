@@ -8,18 +8,22 @@
 namespace ar3d {
 
 /// What one curve of a study has in common: an algorithm with its options on a family with its
-/// parameters.
+/// parameters, and the level of its rows.
 struct CurveKey {
   std::string algorithm;
   std::string options;
   std::string family;
   std::string parameters;
+  std::string level = {};  ///< empty: extents, or missing
   friend auto operator<=>(const CurveKey&, const CurveKey&) = default;
 };
 CurveKey curve_of(const RunRecord& run);
 
-/// "diamond (effort=1)", "cubic (k=2)": names for people; empty options and parameters leave no
-/// brackets.
+/// "effort=1", "effort=1;level=full": the options and, if it is not extents, the level.
+std::string options_and_level(const CurveKey& key);
+
+/// "diamond (effort=1;level=full)", "cubic (k=2)": names for people; empty options and parameters
+/// leave no brackets.
 std::string algorithm_label(const CurveKey& key);
 std::string family_label(const CurveKey& key);
 

@@ -36,7 +36,7 @@ ordered_json number(double value) {
 
 ordered_json key_json(const CurveKey& key) {
   return {{"algorithm", valid_utf8(key.algorithm)},
-          {"options", valid_utf8(key.options)},
+          {"options", valid_utf8(options_and_level(key))},
           {"family", valid_utf8(key.family)},
           {"parameters", valid_utf8(key.parameters)}};
 }
@@ -104,7 +104,8 @@ ordered_json scaling_json(const ScalingEntry& entry) {
 }
 
 std::vector<std::string> key_fields(const CurveKey& key) {
-  return {field(key.algorithm), field(key.options), field(key.family), field(key.parameters)};
+  return {field(key.algorithm), field(options_and_level(key)), field(key.family),
+          field(key.parameters)};
 }
 
 std::string bounds_line(const BoundsEntry& entry, const ShowCommand& show) {
@@ -158,9 +159,10 @@ void rows_csv(const RowView& rows, const TextSink& write) {
   for (std::size_t row = 0; row < rows.count; ++row) {
     const RunRecord& run = rows.read(row);
     std::vector<std::string> fields = {
-        std::to_string(row),   field(run.algorithm),  field(run.options), field(run.family),
-        field(run.parameters), integer(run.n),        integer(run.m),     std::to_string(run.seed),
-        to_string(run.status), field(run.certificate)};
+        std::to_string(row),   field(run.algorithm),     field(options_and_level(curve_of(run))),
+        field(run.family),     field(run.parameters),    integer(run.n),
+        integer(run.m),        std::to_string(run.seed), to_string(run.status),
+        field(run.certificate)};
     for (const Column& metric : metrics) {
       const bool is_missing = std::isnan(column_number(metric, run));
       fields.push_back(is_missing ? "" : column_text(metric, run));

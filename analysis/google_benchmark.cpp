@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "ar3d/analysis/curves.h"
 #include "ar3d/analysis/text.h"
 #include "ar3d/model/error.h"
 
@@ -22,7 +23,8 @@ constexpr const char* kStudy = "Google Benchmark";
 
 std::string benchmark_name(const RunRecord& run) {
   std::string name = "draw";
-  for (const std::string* part : {&run.algorithm, &run.options, &run.family, &run.parameters}) {
+  const std::string options = options_and_level(curve_of(run));
+  for (const std::string* part : {&run.algorithm, &options, &run.family, &run.parameters}) {
     if (!part->empty()) name += "/" + *part;
   }
   if (run.n >= 0) name += fmt::format("/{}", run.n);

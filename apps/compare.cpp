@@ -87,8 +87,9 @@ std::size_t cells_of(const StudySpec& spec) {
   std::set<std::string> cells;
   for (const PlannedInstance& instance : plan_study(spec).instances) {
     for (const PlannedRun& run : instance.runs) {
-      cells.insert(fmt::format("{} {} {} {} {}", instance.choice.family->name, instance.parameters,
-                               instance.n, run.choice.algorithm->name, run.options));
+      cells.insert(fmt::format("{} {} {} {} {} {}", instance.choice.family->name,
+                               instance.parameters, instance.n, run.choice.algorithm->name,
+                               run.options, to_string(run.choice.level)));
     }
   }
   return cells.size();

@@ -18,9 +18,11 @@
 #include "batches.h"
 #include "commands.h"
 #include "drawing_formats.h"
+#include "drawing_summary.h"
 #include "graph_input.h"
 #include "numbers.h"
 #include "outputs.h"
+#include "words.h"
 
 namespace ar3d {
 namespace {
@@ -32,7 +34,8 @@ struct DrawArguments {
   std::vector<std::string> options;
   std::string format;
   std::string output = "-";
-  std::string certificate = "none";
+  std::string certificate;
+  std::string level = "full";
   ExportOptions picture;
   bool force = false;
 };
@@ -42,6 +45,7 @@ struct Making {
   const Algorithm& algorithm;
   Settings options;
   CertificateMode certificate;
+  Level level = Level::full;
 };
 
 struct Task {
@@ -49,18 +53,33 @@ struct Task {
   std::string where;  // "FILE:LINE"
 };
 
-/// A line of output, why the graph could not be drawn if it could not, and what is wrong with the
-/// drawing.
-struct Line {
-  std::string text;
+/// What comes of a graph: a drawing of few points as its line already, a larger one as itself, so
+/// that no line of it is ever held as a whole; or why it could not be drawn, and what is wrong with
+/// the drawing.
+struct Drawn {
+  std::string line;
+  std::optional<Drawing> drawing;
+  Examination examination;  ///< unless the level is full
   std::optional<std::string> error;
   std::optional<std::string> violation = {};
 };
+
+constexpr std::uint64_t kLongLine = std::uint64_t{1} << 16;  // vertices and edges
+
+std::uint64_t weight_of(const Graph& graph) {
+  return std::uint64_t{graph.num_vertices()} + graph.num_edges();
+}
 
 /// What became of all drawings.
 struct Outcome {
   bool all_drawn = true;
   bool is_violated = false;
+  bool all_proved = true;  ///< of those that were to be judged
+  int exit_code() const {
+    if (is_violated) return kViolated;
+    if (!all_drawn) return kUsage;
+    return all_proved ? kPass : kIncomplete;
+  }
 };
 
 /// The first violation of the drawing that the certificate finds. InputError passes: a mode that
@@ -79,6 +98,45 @@ void report(const std::string& where, const std::string& what) {
   fmt::print(stderr, "ar3d: {}\n", printable(fmt::format("{}: {}", where, what)));
 }
 
+Drawn drawn(const Task& task, const Making& making) {
+  Drawn result;
+  try {
+    Drawing drawing = draw(making.algorithm, task.graph, making.options);
+    if (making.level != Level::full) {
+      result.examination =
+          examine_all(task.graph, drawing, making.algorithm.guarantee, making.certificate);
+    } else if (const auto found = violation_of(task.graph, drawing, making)) {
+      result.violation = fmt::format("{}: violated: {}", task.where, *found);
+    }
+    if (making.level == Level::full && weight_of(task.graph) < kLongLine) {
+      append_drawing_line(result.line, drawing);
+    } else {
+      result.drawing = std::move(drawing);
+    }
+  } catch (const InputError& error) {
+    result.error = fmt::format("{}: {}", task.where, error.what());
+    append_error_line(result.line, {task.graph.num_vertices(), error.what()});
+  }
+  return result;
+}
+
+void write(const Drawn& drawn, Level level, OutputFile& file, Outcome& outcome) {
+  file.append(drawn.line);
+  if (drawn.error) {
+    outcome.all_drawn = false;
+  } else if (level != Level::full) {
+    outcome.is_violated |= drawn.examination.certificate.violated();
+    outcome.all_proved &= drawn.examination.certificate.valid();
+    write_summary_line(file, *drawn.drawing, drawn.examination, level);
+  } else if (drawn.drawing) {
+    write_drawing_line(file, *drawn.drawing);
+  }
+  if (drawn.violation) outcome.is_violated = true;
+  for (const auto& text : {drawn.error, drawn.violation}) {
+    if (text) fmt::print(stderr, "ar3d: {}\n", printable(*text));
+  }
+}
+
 /// Every graph of the input as one line; a graph outside the guarantee gives an error line and the
 /// others go on.
 Outcome draw_all(GraphReader& reader, const Making& making, OutputFile& file) {
@@ -89,31 +147,9 @@ Outcome draw_all(GraphReader& reader, const Making& making, OutputFile& file) {
         if (!graph) return std::nullopt;
         return Task{std::move(*graph), reader.where()};
       },
-      [](const Task& task) {
-        return std::uint64_t{task.graph.num_vertices()} + task.graph.num_edges();
-      },
-      [&](const Task& task) {
-        Line line;
-        try {
-          const Drawing drawing = draw(making.algorithm, task.graph, making.options);
-          if (const auto found = violation_of(task.graph, drawing, making)) {
-            line.violation = fmt::format("{}: violated: {}", task.where, *found);
-          }
-          append_drawing_line(line.text, drawing);
-        } catch (const InputError& error) {
-          line.error = fmt::format("{}: {}", task.where, error.what());
-          append_error_line(line.text, {task.graph.num_vertices(), error.what()});
-        }
-        return line;
-      },
-      [&](const Line& line) {
-        file.append(line.text);
-        if (line.error) outcome.all_drawn = false;
-        if (line.violation) outcome.is_violated = true;
-        for (const auto& text : {line.error, line.violation}) {
-          if (text) fmt::print(stderr, "ar3d: {}\n", printable(*text));
-        }
-      });
+      [](const Task& task) { return weight_of(task.graph); },
+      [&](const Task& task) { return drawn(task, making); },
+      [&](const Drawn& result) { write(result, making.level, file, outcome); });
   return outcome;
 }
 
@@ -143,9 +179,16 @@ int draw_graphs(const DrawArguments& arguments) {
   refuse_unsafe_outputs(
       {.inputs = {arguments.input}, .outputs = {arguments.output}, .force = arguments.force});
   const Algorithm& algorithm = find_algorithm(arguments.algorithm);
+  const Level level = parse_level(arguments.level);
+  const char* usual_mode = level == Level::full ? "none" : "exact";
+  const std::string mode = arguments.certificate.empty() ? usual_mode : arguments.certificate;
   const Making making{algorithm, complete_options(algorithm, parse_settings(arguments.options)),
-                      parse_certificate_mode(arguments.certificate)};
+                      parse_certificate_mode(mode), level};
   const DrawingFormat& format = drawing_format(arguments.format, arguments.output);
+  if (level != Level::full && format.name != "jsonl") {
+    throw InputError(
+        fmt::format("--level {} is written as jsonl, not as {}", to_string(level), format.name));
+  }
   GraphReader reader(arguments.input, arguments.graphs.read_options());
   Outcome outcome;
   if (format.name == "jsonl") {  // many at a time
@@ -156,8 +199,7 @@ int draw_graphs(const DrawArguments& arguments) {
     format.write(drawings_of(reader, making, format.many_per_file, outcome), arguments.output,
                  arguments.picture);
   }
-  if (outcome.is_violated) return kViolated;
-  return outcome.all_drawn ? kPass : kUsage;
+  return outcome.exit_code();
 }
 
 }  // namespace
@@ -176,9 +218,15 @@ void add_draw(CLI::App& app, int& exit_code) {
       ->allow_extra_args(false);
   verb->add_option("--format", arguments->format,
                    "one of those below; by the file's ending, jsonl without one");
-  verb->add_option("--certificate", arguments->certificate,
-                   "judge every drawing: exact, filtered, double, sample=K, or none, which is the "
-                   "default; exit code 4 if one is violated");
+  verb->add_option(
+      "--certificate", arguments->certificate,
+      "judge every drawing: exact, filtered, double, sample=K or none; exit code 4 if one "
+      "is violated; left out, none, or exact at the levels extents and positions");
+  verb->add_option(
+          "--level", arguments->level,
+          "extents: one line a graph with box, bends, lengths, metrics and verdict instead "
+          "of the drawing; positions: the vertices' positions, too; full: the drawing")
+      ->check(one_of({"extents", "positions", "full"}));
   PictureView& view = arguments->picture.view;
   verb->add_option("--turn", view.turn_degrees, "svg, tikz: turn about the z axis, degrees")
       ->check(finite_number(false));

@@ -5,7 +5,6 @@
 #include <memory>
 #include <string>
 
-#include "ar3d/bench/external/external_drawer.h"
 #include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/model/error.h"
 #include "ar3d/records/run_columns.h"
@@ -44,15 +43,9 @@ const RunRecord& find_row(const Results& results, const ReplayArguments& argumen
 
 void write_drawing(const RunRecord& row, const StudyOrigin& origin, const DrawingFormat& format,
                    const std::string& path) {
-  const PlannedInstance instance = plan_of_row(row, origin);
-  const Graph graph = graph_of(instance);
-  const AlgorithmChoice& choice = instance.runs.front().choice;
   const std::string where =
       fmt::format("{} {} n={} seed {}", row.family, row.parameters, row.n, row.seed);
-  const Drawing drawing =
-      choice.program ? ExternalDrawer().draw(*choice.program, choice.options, graph).drawing
-                     : draw(*choice.algorithm, graph, choice.options);
-  write_drawing(format, drawing, where, path);
+  write_drawing(format, redrawn(row, origin), where, path);
 }
 
 int replay_row(const ReplayArguments& arguments) {

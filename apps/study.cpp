@@ -27,6 +27,7 @@
 #include "outputs.h"
 #include "report_page.h"
 #include "study_choice.h"
+#include "study_drawings.h"
 #include "study_rows.h"
 
 namespace ar3d {
@@ -71,10 +72,10 @@ void write_report(const std::string& results, const StudyAnalysis& analysis) {
 }
 
 // The last lines of a study that is whole: the verdict and where everything is.
-int conclude(const JournaledStudy& study) {
+int conclude(const JournaledStudy& study, bool force) {
   const StudyRows rows(study.results);
   CheckedRows examination = judge(rows.view(), study.results);
-  const int exit_code = examination.verdict.exit_code();
+  int exit_code = examination.verdict.exit_code();
   fmt::print("{}", summary(examination.verdict));
   fmt::print("results  {}\n", study.results);
   if (study.shard.count > 1) {
@@ -82,6 +83,10 @@ int conclude(const JournaledStudy& study) {
                study.shard.index, study.shard.count);
   } else {
     write_report(study.results, analyse(rows.view(), std::move(examination)));
+    if (study.spec.keep_drawings != KeptDrawings::none) {
+      const int kept = keep_drawings_beside(study.results, rows.view(), study.spec.keep_drawings, force);
+      if (exit_code == kPass) exit_code = kept;
+    }
   }
   return exit_code;
 }
@@ -108,7 +113,7 @@ int run_to_the_end(JournaledStudy study, const RunArguments& arguments, const Ma
   }
   if (!ranks.is_first()) return kPass;
   study.results = outcome.results;
-  if (outcome.complete()) return conclude(study);
+  if (outcome.complete()) return conclude(study, arguments.force);
   fmt::print(stderr,
              "ar3d: {}; {} rows are in {}, {} are missing; go on with `ar3d study resume {}`\n",
              g_stop ? "interrupted" : "not finished", outcome.rows, study.results, outcome.missing,
@@ -160,8 +165,12 @@ JournaledStudy begin_new(const RunArguments& arguments, const Shard& shard) {
   std::vector<std::string> inputs = {arguments.chosen.study};
   for (const StudyCorpus& corpus : corpora_of(study.spec)) inputs.push_back(corpus.record.path);
   refuse_foreign_page(page, study.results);
+  std::vector<std::string> outputs = {study.results};
+  if (study.spec.keep_drawings != KeptDrawings::none && shard.count == 1) {
+    outputs.push_back(drawings_path(study.results));
+  }
   refuse_unsafe_outputs(
-      {.inputs = inputs, .outputs = {study.results}, .page = page, .force = arguments.force});
+      {.inputs = inputs, .outputs = outputs, .page = page, .force = arguments.force});
   return study;
 }
 
@@ -235,6 +244,7 @@ void add_study(CLI::App& app, int& exit_code) {
   add_study_merge(*verb, exit_code);
   add_study_plan(*verb, exit_code);
   add_study_selfcheck(*verb, exit_code);
+  add_study_drawings(*verb, exit_code);
   add_study_count(*verb, exit_code);
 }
 

@@ -14,6 +14,7 @@ void add_study_status(CLI::App& study, int& exit_code);
 void add_study_merge(CLI::App& study, int& exit_code);
 void add_study_plan(CLI::App& study, int& exit_code);
 void add_study_selfcheck(CLI::App& study, int& exit_code);
+void add_study_drawings(CLI::App& study, int& exit_code);
 void add_study_count(CLI::App& study, int& exit_code);
 
 /// Before any work: @throws InputError if the study cannot be made with this policy (bad build, too

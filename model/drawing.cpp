@@ -38,6 +38,11 @@ void Coordinates::set(std::size_t i, Point p) {
   }
 }
 
+void StoredBends::reserve(std::size_t edges, std::size_t bends) {
+  offsets_.reserve(edges + 1);
+  points_.reserve(bends);
+}
+
 void StoredBends::add_edge(const std::vector<Point>& bends) {
   points_.insert(points_.end(), bends.begin(), bends.end());
   offsets_.push_back(points_.size());
@@ -143,25 +148,40 @@ std::string drawing_hash(const Drawing& drawing) {
   return hash.digest();
 }
 
-Drawing with_stored_bends(const Drawing& drawing) {
+namespace {
+
+/// The drawing's positions with other bends.
+Drawing stored(const Drawing& drawing, std::shared_ptr<const BendSource> bends) {
   Coordinates vertices(drawing.num_vertices(), kMaxCoordinate);
   for (std::size_t v = 0; v < drawing.num_vertices(); ++v) {
     vertices.set(v, drawing.vertex(static_cast<Vertex>(v)));
   }
-  auto edges = std::make_shared<std::vector<Edge>>();
-  auto bends = std::make_shared<StoredBends>();
-  std::vector<Point> points;
-  for (EdgeId e = 0; e < drawing.num_edges(); ++e) {
-    edges->push_back(drawing.edge(e));
-    drawing.polyline(e, points);
-    bends->add_edge({points.begin() + 1, points.end() - 1});
-  }
-  Drawing result(drawing.algorithm(), drawing.lattice(), std::move(vertices), std::move(edges),
-                 std::move(bends));
+  Drawing result(drawing.algorithm(), drawing.lattice(), std::move(vertices),
+                 drawing.shared_edges(), std::move(bends));
   result.counters = drawing.counters;
   result.instance_bound = drawing.instance_bound;
   result.real = drawing.real;
   return result;
+}
+
+}  // namespace
+
+Drawing with_stored_positions(const Drawing& drawing) {
+  return stored(drawing, drawing.shared_bends());
+}
+
+Drawing with_stored_bends(const Drawing& drawing) {
+  std::size_t count = 0;
+  for_each_polyline(drawing,
+                    [&](EdgeId, const std::vector<Point>& points) { count += points.size() - 2; });
+  auto bends = std::make_shared<StoredBends>();
+  bends->reserve(drawing.num_edges(), count);
+  std::vector<Point> between;
+  for_each_polyline(drawing, [&](EdgeId, const std::vector<Point>& points) {
+    between.assign(points.begin() + 1, points.end() - 1);
+    bends->add_edge(between);
+  });
+  return stored(drawing, std::move(bends));
 }
 
 }  // namespace ar3d

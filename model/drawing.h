@@ -59,7 +59,8 @@ class BendSource {
 /// Bends stored point by point: what a file holds, and what tests break.
 class StoredBends final : public BendSource {
  public:
-  void add_edge(const std::vector<Point>& bends);  ///< the next edge, in order of edge numbers
+  void reserve(std::size_t edges, std::size_t bends);  ///< room for so many, of all edges
+  void add_edge(const std::vector<Point>& bends);      ///< the next edge, in order of edge numbers
   void append_bends(EdgeId e, Edge, Point, Point, std::vector<Point>& out) const override;
 
  private:
@@ -104,6 +105,8 @@ class Drawing {
   EdgeId num_edges() const { return static_cast<EdgeId>(edges_->size()); }
   Point vertex(Vertex v) const { return vertices_[v]; }
   Edge edge(EdgeId e) const { return (*edges_)[e]; }
+  const std::shared_ptr<const std::vector<Edge>>& shared_edges() const { return edges_; }
+  const std::shared_ptr<const BendSource>& shared_bends() const { return bends_; }
 
   /// Replaces `out` by the points of edge e from end u to end v, both ends included.
   void polyline(EdgeId e, std::vector<Point>& out) const;
@@ -197,7 +200,11 @@ class DrawingHash {
   HashStream hash_;
 };
 
-/// The same drawing with every bend stored (tests, conversions); O(m) memory.
+/// The same drawing with its positions as 64-bit integers; 24 bytes per vertex.
+Drawing with_stored_positions(const Drawing& drawing);
+
+/// The same drawing with its positions as 64-bit integers and every bend stored; 24 bytes per
+/// vertex and bend, 8 per edge.
 Drawing with_stored_bends(const Drawing& drawing);
 
 }  // namespace ar3d

@@ -179,6 +179,9 @@ void add_identity(std::vector<Column>& c) {
              &RunRecord::scale));
   c.push_back(number({"repetition", "1", "0, 1, ...: which one within its phase and scale", run},
                      &RunRecord::repetition));
+  c.push_back(
+      text({"level", "", "what was stored of the drawing: extents (nothing), positions, full", run},
+           &RunRecord::level, 16));
 }
 
 void add_results(std::vector<Column>& c) {
@@ -271,6 +274,9 @@ void add_measurements(std::vector<Column>& c) {
       number({"wall_s", "s", "wall time of drawing, nothing else", kind}, &RunRecord::wall_s));
   c.push_back(number({"cpu_s", "s", "CPU time of the drawing thread, drawing only", kind},
                      &RunRecord::cpu_s));
+  c.push_back(number(
+      {"store_s", "s", "wall time of storing positions or bends; missing at level extents", kind},
+      &RunRecord::store_s));
   c.push_back(number(
       {"certify_s", "s", "wall time of certifying the drawing, with its metrics and hash", kind},
       &RunRecord::certify_s));

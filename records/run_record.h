@@ -62,6 +62,8 @@ struct RunRecord {
   RunPhase phase = RunPhase::metrics;
   std::int64_t scale = -1;       ///< threads or ranks that share the batch; missing outside of one
   std::int64_t repetition = -1;  ///< within (phase, scale)
+  std::string
+      level;  ///< "extents", "positions", "full": what was stored of the drawing; may be missing
 
   // Deterministic results.
   RunStatus status = RunStatus::crashed;
@@ -92,8 +94,9 @@ struct RunRecord {
 
   // Measured.
   double generate_s = kMissing;
-  double wall_s = kMissing;  ///< drawing only
-  double cpu_s = kMissing;   ///< drawing only, CPU time of the thread
+  double wall_s = kMissing;   ///< drawing only
+  double cpu_s = kMissing;    ///< drawing only, CPU time of the thread
+  double store_s = kMissing;  ///< storing positions or bends, as the level asks
   double certify_s = kMissing;
   double write_s = kMissing;       ///< formatting the drawing as JSON lines into nothing
   std::int64_t concurrency = -1;   ///< rows that this study makes at the same time

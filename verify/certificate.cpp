@@ -189,7 +189,9 @@ Examination examine(const Graph& graph, const Drawing& drawing, const Guarantee&
     if (guarantee.directions.empty()) {
       by_columns.emplace(graph, drawing, guarantee);
     } else {
-      by_planes.emplace(graph, drawing, guarantee);
+      verify::CountingSizes sizes;
+      sizes.memory = options.proof_bytes;
+      by_planes.emplace(graph, drawing, guarantee, sizes);
     }
   }
   for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {

@@ -54,6 +54,9 @@ struct CertifyOptions {
   /// Any other than exact proves nothing. What it does not accept is judged exactly.
   CertificateMode mode = {};
   std::uint64_t sample_seed = 0;  ///< of a sample's pairs
+  /// Most bytes of segments that the proof by counting stores at a time; 0: no limit. Less memory
+  /// takes more passes over the polylines; the verdict is the same.
+  std::uint64_t proof_bytes = 0;
 };
 
 /// The verdict on one drawing: proved right iff valid().

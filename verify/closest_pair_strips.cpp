@@ -1,13 +1,12 @@
-// The closest pair by two sorts instead of a hash table of cubes. The vertices are sorted along the
+// The closest pair by sorting instead of a hash table of cubes. The vertices are sorted along the
 // widest axis; the smallest distance of two that are consecutive there bounds the smallest of all.
 // So the two vertices searched for are in one strip of that width or in two consecutive ones, and
-// within each strip, sorted along the second widest axis, not far from each other. Memory is read
-// in order, but for one gathering of the vertices after each sort.
+// within each strip, sorted along the second widest axis, not far from each other. Only the order
+// is stored, and the vertices of two strips at a time.
 #include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 #include "ar3d/verify/closest_pair.h"
@@ -23,6 +22,7 @@ constexpr std::int64_t kLargest = std::int64_t{1} << 41;
 /// Squared lengths up to here are exact in a double too: every closest pair has the same length.
 constexpr std::int64_t kLongest = std::int64_t{1} << 40;
 constexpr std::uint64_t kPairsPerVertex = 60;
+constexpr std::int64_t kShort = std::numeric_limits<std::uint32_t>::max();
 
 struct Placed {
   Point at;
@@ -32,18 +32,16 @@ struct Placed {
 class Strips {
  public:
   explicit Strips(const Drawing& drawing)
-      : lattice_(drawing.lattice()), inverse_(inverse_diagonal(lattice_)) {
+      : drawing_(drawing),
+        lattice_(drawing.lattice()),
+        inverse_(inverse_diagonal(lattice_)),
+        left_(kPairsPerVertex * drawing.num_vertices()) {
     for (const auto& row : lattice_.gram) {
       for (const std::int32_t entry : row)
         largest_gram_ = std::max(largest_gram_, magnitude(entry));
     }
     GrowingBox box;
-    vertices_.reserve(drawing.num_vertices());
-    for (std::size_t i = 0; i < drawing.num_vertices(); ++i) {
-      const auto v = static_cast<Vertex>(i);
-      vertices_.push_back({drawing.vertex(v), v});
-      box.add(vertices_.back().at);
-    }
+    for (std::size_t v = 0; v < drawing.num_vertices(); ++v) box.add(at(v));
     box_ = box.box();
   }
 
@@ -56,8 +54,9 @@ class Strips {
     choose_axes();
     // Nine terms of squared differences up to 2^52 and entries up to 2^7 stay below 2^63.
     const std::int64_t widest = extent(first_);
-    return widest < (std::int64_t{1} << 26) && largest_gram_ < (1 << 7) ? search<std::int64_t>()
-                                                                        : search<Int128>();
+    const bool fits = widest < (std::int64_t{1} << 26) && largest_gram_ < (1 << 7);
+    if (fits) return search<std::int64_t, ShortKeyed>();
+    return widest <= kShort ? search<Int128, ShortKeyed>() : search<Int128, Keyed>();
   }
 
  private:
@@ -72,24 +71,23 @@ class Strips {
     second_ = axes[1];
   }
 
-  /// Sorts the vertices stably by a key.
-  template <class Key>
-  void sort_vertices(Key&& key) {
-    order_.clear();
-    for (std::uint32_t i = 0; i < vertices_.size(); ++i) order_.push_back({key(vertices_[i]), i});
-    sort_by_key(order_, buffer_);
-  }
-  void gather() {
-    std::vector<Placed> sorted;
-    sorted.reserve(vertices_.size());
-    for (const Keyed& item : order_) sorted.push_back(vertices_[item.item]);
-    vertices_.swap(sorted);
-  }
-  std::uint64_t along(const Placed& placed, std::size_t axis) const {
-    return static_cast<std::uint64_t>(component(placed.at, axis) - component(box_.low, axis));
+  Point at(std::size_t v) const { return drawing_.vertex(static_cast<Vertex>(v)); }
+
+  /// The vertices along the first axis; a key is a place on it.
+  template <class Item>
+  std::vector<Item> ordered() const {
+    std::vector<Item> order;
+    order.reserve(drawing_.num_vertices());
+    for (std::size_t v = 0; v < drawing_.num_vertices(); ++v) {
+      const std::int64_t along = component(at(v), first_) - component(box_.low, first_);
+      order.push_back({static_cast<decltype(Item::key)>(along), static_cast<std::uint32_t>(v)});
+    }
+    std::vector<Item> buffer;
+    sort_by_key(order, buffer);
+    return order;
   }
 
-  template <class Integer>
+  template <class Integer, class Item>
   std::optional<VertexPair> search() {
     Integer smallest = std::numeric_limits<std::int64_t>::max();
     const auto look = [&](const Placed& a, const Placed& b) {
@@ -98,76 +96,93 @@ class Strips {
       smallest = d;
       best_ = {a.v, b.v};
     };
-    sort_vertices([&](const Placed& p) { return along(p, first_); });
-    gather();
-    for (std::size_t i = 1; i < vertices_.size(); ++i) look(vertices_[i - 1], vertices_[i]);
+    const std::vector<Item> order = ordered<Item>();
+    Placed before = placed(order[0].item);
+    for (std::size_t i = 1; i < order.size(); ++i) {
+      const Placed next = placed(order[i].item);
+      look(before, next);
+      before = next;
+    }
     if (smallest > kLongest) return std::nullopt;
     if (smallest == 0) return best_;
-    into_strips(static_cast<std::uint64_t>(reach(static_cast<double>(smallest), inverse_[first_])));
-    const bool complete = search_strips(
-        [&](const Placed& a, const Placed& b) {
-          look(a, b);
-          return reach(static_cast<double>(smallest), inverse_[second_]);
-        },
-        reach(static_cast<double>(smallest), inverse_[second_]));
+    const auto near = [&](std::size_t axis) {
+      return reach(static_cast<double>(smallest), inverse_[axis]);
+    };
+    const bool complete = search_strips(order, static_cast<std::uint64_t>(near(first_)),
+                                        near(second_), [&](const Placed& a, const Placed& b) {
+                                          look(a, b);
+                                          return near(second_);
+                                        });
     return complete ? std::optional(best_) : std::nullopt;
-  }
-
-  /// Afterwards the vertices are sorted by strip, and within a strip along the second axis.
-  void into_strips(std::uint64_t width) {
-    sort_vertices([&](const Placed& p) { return along(p, second_); });
-    gather();
-    sort_vertices([&](const Placed& p) { return along(p, first_) / width; });
-    gather();
-    begins_.clear();
-    strips_.clear();
-    for (std::size_t i = 0; i < order_.size(); ++i) {
-      if (i > 0 && order_[i].key == order_[i - 1].key) continue;
-      begins_.push_back(i);
-      strips_.push_back(order_[i].key);
-    }
-    begins_.push_back(order_.size());
   }
 
   /// Looks at the pairs of a strip, and of it and the next, that are near along the second axis.
   /// @param look  returns how near that is from now on. @return false if they were too many.
-  template <class Look>
-  bool search_strips(Look&& look, std::int64_t near) {
-    std::uint64_t left = kPairsPerVertex * vertices_.size();
-    for (std::size_t s = 0; s + 1 < begins_.size(); ++s) {
-      const bool has_next = s + 2 < begins_.size() && strips_[s + 1] == strips_[s] + 1;
-      std::size_t other = begins_[s + 1];
-      for (std::size_t i = begins_[s]; i < begins_[s + 1]; ++i) {
-        const std::int64_t at = component(vertices_[i].at, second_);
-        const auto look_from = [&](std::size_t j, std::size_t end) {
-          for (; j < end && component(vertices_[j].at, second_) - at <= near; ++j) {
-            if (left-- == 0) return false;
-            near = look(vertices_[i], vertices_[j]);
-          }
-          return true;
-        };
-        if (!look_from(i + 1, begins_[s + 1])) return false;
+  template <class Item, class Look>
+  bool search_strips(const std::vector<Item>& order, std::uint64_t width, std::int64_t near,
+                     Look&& look) {
+    std::vector<Placed> strip;
+    std::vector<Placed> next;
+    std::uint64_t number = 0;
+    std::uint64_t next_number = 0;
+    std::size_t end = 0;  // of the next strip
+    take_strip(order, width, end, next, next_number);
+    while (!next.empty()) {
+      strip.swap(next);
+      number = next_number;
+      take_strip(order, width, end, next, next_number);
+      const bool has_next = !next.empty() && next_number == number + 1;
+      std::size_t other = 0;
+      for (std::size_t i = 0; i < strip.size(); ++i) {
+        const std::int64_t here = component(strip[i].at, second_);
+        if (!look_from(strip[i], strip, i + 1, near, look)) return false;
         if (!has_next) continue;
-        while (other < begins_[s + 2] && at - component(vertices_[other].at, second_) > near) {
-          ++other;
-        }
-        if (!look_from(other, begins_[s + 2])) return false;
+        while (other < next.size() && here - component(next[other].at, second_) > near) ++other;
+        if (!look_from(strip[i], next, other, near, look)) return false;
       }
     }
     return true;
   }
 
+  /// The strip that begins at `end`, along the second axis; empty if there is none.
+  template <class Item>
+  void take_strip(const std::vector<Item>& order, std::uint64_t width, std::size_t& end,
+                  std::vector<Placed>& strip, std::uint64_t& number) const {
+    strip.clear();
+    if (end == order.size()) return;
+    number = order[end].key / width;
+    for (; end < order.size() && order[end].key / width == number; ++end) {
+      strip.push_back(placed(order[end].item));
+    }
+    std::sort(strip.begin(), strip.end(), [this](const Placed& a, const Placed& b) {
+      const std::int64_t along_a = component(a.at, second_);
+      const std::int64_t along_b = component(b.at, second_);
+      return along_a != along_b ? along_a < along_b : a.v < b.v;
+    });
+  }
+
+  template <class Look>
+  bool look_from(const Placed& from, const std::vector<Placed>& others, std::size_t begin,
+                 std::int64_t& near, Look&& look) {
+    const std::int64_t here = component(from.at, second_);
+    for (std::size_t j = begin;
+         j < others.size() && component(others[j].at, second_) - here <= near; ++j) {
+      if (left_-- == 0) return false;
+      near = look(from, others[j]);
+    }
+    return true;
+  }
+
+  Placed placed(std::uint32_t v) const { return {at(v), v}; }
+
+  const Drawing& drawing_;
   const Lattice& lattice_;
   std::array<double, 3> inverse_;
   std::int64_t largest_gram_ = 0;
   Box box_;
   std::size_t first_ = 0;
   std::size_t second_ = 1;
-  std::vector<Placed> vertices_;
-  std::vector<Keyed> order_;
-  std::vector<Keyed> buffer_;
-  std::vector<std::size_t> begins_;    ///< of the strips that are not empty, and the end
-  std::vector<std::uint64_t> strips_;  ///< their numbers
+  std::uint64_t left_;  ///< pairs that may still be looked at
   VertexPair best_{};
 };
 

@@ -14,7 +14,8 @@
 namespace ar3d {
 namespace {
 
-/// Everything that must be equal in two drawings of the same graph with the same options.
+/// Everything that must be equal in two drawings of the same graph with the same options, at every
+/// level.
 auto drawing_columns(const RunRecord& run) {
   return std::tie(run.graph_hash, run.drawing_hash, run.n, run.m, run.extents, run.bends,
                   run.instance_bound, run.counters, run.violations);
@@ -24,7 +25,7 @@ auto drawing_columns(const RunRecord& run) {
 class Repetitions {
  public:
   void look_at(const RunRecord& run, std::size_t row, const FindingSink& found) {
-    if (!measured_.insert({run.phase, run.scale, run.repetition}).second) {
+    if (!measured_.insert({run.level, run.phase, run.scale, run.repetition}).second) {
       found({FindingKind::duplicate, row, "the same measurement stands twice"}, run);
     }
     if (run.status != RunStatus::ok) return;
@@ -38,7 +39,7 @@ class Repetitions {
 
  private:
   std::optional<RunRecord> first_;  // that is ok
-  std::set<std::tuple<RunPhase, std::int64_t, std::int64_t>> measured_;
+  std::set<std::tuple<std::string, RunPhase, std::int64_t, std::int64_t>> measured_;
 };
 
 }  // namespace
@@ -51,8 +52,8 @@ std::string repetition_key(const RunRecord& run) {
 Fingerprint fingerprint_of(const RunRecord& run, std::size_t row) {
   const std::hash<std::string> hash;
   Fingerprint print{hash(repetition_key(run)), row, 0, 0};
-  print.measurement =
-      hash(fmt::format("{} {} {}", static_cast<int>(run.phase), run.scale, run.repetition));
+  print.measurement = hash(fmt::format("{} {} {} {}", run.level, static_cast<int>(run.phase),
+                                       run.scale, run.repetition));
   if (run.status == RunStatus::ok) {
     print.drawing = hash(fmt::format("{}\n{}\n{} {} {}\n{}\n{}\n{}\n{}", run.graph_hash,
                                      run.drawing_hash, run.n, run.m, run.violations,

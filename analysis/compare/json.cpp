@@ -25,7 +25,7 @@ ordered_json time_json(const TimeVerdict& time) {
 
 ordered_json cell_json(const CellComparison& cell) {
   return {{"algorithm", valid_utf8(cell.key.algorithm)},
-          {"options", valid_utf8(cell.key.options)},
+          {"options", valid_utf8(options_and_level(cell.key))},
           {"family", valid_utf8(cell.key.family)},
           {"parameters", valid_utf8(cell.key.parameters)},
           {"n", cell.n >= 0 ? ordered_json(cell.n) : ordered_json(nullptr)},

@@ -13,16 +13,12 @@
 namespace ar3d {
 namespace {
 
-CurveKey key_of(const RunRecord& run) {
-  return {run.algorithm, run.options, run.family, run.parameters};
-}
-
 auto graph_of(const RunRecord& run) {
   return std::tuple(run.requested_n, run.instance_index, run.seed);
 }
 
 auto identity(const RunRecord& run) {
-  return std::tuple_cat(std::tuple(key_of(run)), graph_of(run),
+  return std::tuple_cat(std::tuple(curve_of(run)), graph_of(run),
                         std::tuple(run.phase, run.scale, run.repetition));
 }
 
@@ -70,7 +66,7 @@ bool has_times(const PairedRow& row) {
 }  // namespace
 
 std::string row_label(const RunRecord& run) {
-  const CurveKey key = key_of(run);
+  const CurveKey key = curve_of(run);
   std::string label = algorithm_label(key);
   if (!run.family.empty()) label += fmt::format(" on {} n={}", family_label(key), run.requested_n);
   if (run.instance_index >= 0) label += fmt::format(", instance {}", run.instance_index);
@@ -97,8 +93,8 @@ Pairing pair_rows(const Results& base, const Results& now) {
     }
     ++matched;
     const std::int64_t n = run.n >= 0 ? run.n : run.requested_n;
-    const auto [place, is_new] = cell_of.try_emplace({key_of(run), n}, pairing.cells.size());
-    if (is_new) pairing.cells.push_back({key_of(run), n, {}});
+    const auto [place, is_new] = cell_of.try_emplace({curve_of(run), n}, pairing.cells.size());
+    if (is_new) pairing.cells.push_back({curve_of(run), n, {}});
     pairing.cells[place->second].rows.push_back({&run, partner->second});
   }
   pairing.extra = now.runs.size() - matched;

@@ -145,11 +145,16 @@ std::string report_path(const std::string& results) {
   return fs::path(results).replace_extension(".html").string();
 }
 
+std::string drawings_path(const std::string& results) {
+  return fs::path(results).replace_extension(".drawings.jsonl").string();
+}
+
 void remove_leftovers(const std::string& results) {
   const std::string own = file_name(results) + ".";
   const std::string page = file_name(report_path(results)) + ".";
+  const std::string drawings = file_name(drawings_path(results)) + ".";
   for (const std::string& name : names_beside(results)) {
-    const bool ours = name.starts_with(own) || name.starts_with(page);
+    const bool ours = name.starts_with(own) || name.starts_with(page) || name.starts_with(drawings);
     std::error_code ignored;  // they do no harm
     if (ours && name.find(".partial-") != std::string::npos) {
       fs::remove(beside(results, name), ignored);

@@ -30,6 +30,10 @@ std::vector<std::string> existing_journals(const std::string& results);
 /// The page that a study's report is, beside its results file.
 std::string report_path(const std::string& results);
 
+/// The file of the drawings that a study keeps, beside its results file: "r.drawings.jsonl" for
+/// r.h5.
+std::string drawings_path(const std::string& results);
+
 /// The results file that a journal is made into; other paths are results files themselves.
 std::string results_path_of(const std::string& journal_or_results);
 
@@ -38,9 +42,9 @@ std::string results_path_of(const std::string& journal_or_results);
 /// folder if it cannot be listed.
 bool rows_are_in_results(const std::string& results);
 
-/// Unfinished new files that a killed process has left of the results file, journals or report. To
-/// be called by the one that has the journal locked. @throws InputError if the folder cannot be
-/// listed.
+/// Unfinished new files that a killed process has left of the results file, journals, report or
+/// drawings. To be called by the one that has the journal locked. @throws InputError if the folder
+/// cannot be listed.
 void remove_leftovers(const std::string& results);
 
 /// The folder of a study's files, held open: it stays the same one whatever its name becomes.

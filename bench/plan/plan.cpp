@@ -250,7 +250,7 @@ class Planner {
 
   // What tells the runs of one instance apart.
   using RunIdentity =
-      std::tuple<const Algorithm*, std::string, RunPhase, std::int64_t, std::uint32_t>;
+      std::tuple<const Algorithm*, std::string, Level, RunPhase, std::int64_t, std::uint32_t>;
 
   static void add_runs(PlannedInstance& instance, const SizedFamily& sized,
                        std::set<RunIdentity>& known) {
@@ -266,9 +266,10 @@ class Planner {
         run.optional = measurement.phase == RunPhase::timing &&
                        measurement.repetition >= sized.sweep->timed.least;
         run.precision = sized.sweep->timed.precision;
-        const bool is_new =
-            known.emplace(choice.algorithm, run.options, run.phase, run.scale, run.repetition)
-                .second;
+        const bool is_new = known
+                                .emplace(choice.algorithm, run.options, choice.level, run.phase,
+                                         run.scale, run.repetition)
+                                .second;
         if (is_new) instance.runs.push_back(run);
       });
     }
@@ -282,6 +283,17 @@ class Planner {
 };
 
 }  // namespace
+
+std::string options_and_level(const PlannedRun& run) {
+  if (run.choice.level == Level::extents) return run.options;
+  return fmt::format("{}{}level={}", run.options, run.options.empty() ? "" : ";",
+                     to_string(run.choice.level));
+}
+
+bool is_same_drawing(const PlannedRun& a, const PlannedRun& b) {
+  return a.choice.algorithm == b.choice.algorithm && a.options == b.options &&
+         a.choice.level == b.choice.level;
+}
 
 StudyPlan plan_study(const StudySpec& spec) { return Planner(spec).plan(); }
 

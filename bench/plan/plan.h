@@ -28,6 +28,12 @@ struct PlannedRun {
   double precision = 0;
 };
 
+/// "effort=1", "effort=1;level=full": the options and, if it is not extents, the level.
+std::string options_and_level(const PlannedRun& run);
+
+/// True if both runs make the same drawing of an instance at the same level.
+bool is_same_drawing(const PlannedRun& a, const PlannedRun& b);
+
 /// One graph to come and everything that is done with it.
 struct PlannedInstance {
   FamilyChoice choice;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ar3d/bench/external/external_drawer.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/run/make_row.h"
 #include "ar3d/bench/spec/study_spec.h"
@@ -52,6 +53,7 @@ PlannedInstance plan_of_row(const RunRecord& row, const StudyOrigin& origin) {
   PlannedRun run;
   run.choice = algorithm_choice(origin.spec.value_or(StudySpec()), row.algorithm,
                                 parse_settings(row.options));
+  if (!row.level.empty()) run.choice.level = parse_level(row.level);
   run.options = row.options;
   run.repetition = static_cast<std::uint32_t>(row.repetition);
   run.row_key = row.row_key;
@@ -69,6 +71,14 @@ StudyOrigin study_origin(const StudyIdentity& identity) {
   } catch (const InputError&) {
     return {};
   }
+}
+
+Drawing redrawn(const RunRecord& row, const StudyOrigin& origin) {
+  const PlannedInstance instance = plan_of_row(row, origin);
+  const Graph graph = graph_of(instance);
+  const AlgorithmChoice& choice = instance.runs.front().choice;
+  if (!choice.program) return draw(*choice.algorithm, graph, choice.options);
+  return ExternalDrawer().draw(*choice.program, choice.options, graph).drawing;
 }
 
 RunRecord replayed(const RunRecord& row, const StudyOrigin& origin) {

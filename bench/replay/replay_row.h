@@ -26,6 +26,9 @@ StudyOrigin study_origin(const StudyIdentity& identity);
 /// the graph is of a file.
 PlannedInstance plan_of_row(const RunRecord& row, const StudyOrigin& origin = {});
 
+/// The drawing of a recorded row, drawn again. @throws InputError as plan_of_row.
+Drawing redrawn(const RunRecord& row, const StudyOrigin& origin = {});
+
 /// Makes a recorded row again: generates, draws, certifies. differing_columns(row, replayed(row))
 /// is empty if nothing but measurements changed.
 /// @throws InputError as plan_of_row.

@@ -64,14 +64,18 @@ struct Measured {
 
 // The better of two goes, the first of which pays for cold caches, unless that is nothing beside
 // it. CPU time, since what else runs now says nothing about when the study runs.
-Measured measured_here(const PlannedInstance& instance, const PlannedRun& run) {
+Measured measured_here(const PlannedInstance& instance, const PlannedRun& run,
+                       const Budget& budget) {
   constexpr double kLong_s = 1;
   const OneThread one_thread;
   Measured best;
   best.row_s = std::numeric_limits<double>::infinity();
   for (int go = 0; go < 2 && (go == 0 || best.row_s < kLong_s); ++go) {
     malloc_trim(0);  // else what is freed hides what is used
-    RowMaker maker({.concurrency = 1, .core = -1, .memory = MemoryScope::row});
+    RowMaker maker({.concurrency = 1,
+                    .core = -1,
+                    .memory = MemoryScope::row,
+                    .certify_memory_bytes = budget.certify_memory_bytes});
     RowMemory memory(MemoryScope::row);
     const std::int64_t before = memory.begin_row();
     const CpuStopwatch time;
@@ -117,7 +121,7 @@ Measured measured_at(const PlannedInstance& like, const PlannedRun& run, std::ui
   Measured measured;
   static_assert(std::is_trivially_copyable_v<Measured>);
   const StepEnd end = run_within(limits, {reinterpret_cast<char*>(&measured), sizeof measured},
-                                 [&] { measured = measured_here(instance, run); });
+                                 [&] { measured = measured_here(instance, run, budget); });
   if (end == StepEnd::done) return measured;
   if (end == StepEnd::failed) return {};  // the row will say why
   throw InputError(fmt::format("{} {}n={} with {} {} is impossible: planning it passed {}",
@@ -146,7 +150,7 @@ using ModelKey = std::tuple<std::string, std::string, std::string, std::string>;
 
 ModelKey key_of(const PlannedInstance& instance, const PlannedRun& run) {
   return {instance.choice.family->name, instance.parameters, run.choice.algorithm->name,
-          run.options};
+          options_and_level(run)};
 }
 
 class Estimator {

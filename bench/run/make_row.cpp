@@ -56,9 +56,11 @@ double timed_writing_s(const Drawing& drawing) {
 }
 
 // A program's crossings are counted, however many there are, within reason.
-CertifyOptions certifying(const AlgorithmChoice& choice) {
+CertifyOptions certifying(const AlgorithmChoice& choice, const std::optional<SizeFunction>& memory,
+                          std::uint64_t n) {
   CertifyOptions options;
   options.mode = choice.certificate;
+  if (memory) options.proof_bytes = static_cast<std::uint64_t>(std::clamp((*memory)(n), 1.0, 1e18));
   if (!choice.program) return options;
   options.max_violations = 1000000;
   options.check_size = choice.program->has_guarantee;
@@ -79,6 +81,7 @@ void set_run(const PlannedRun& planned, RunRecord& run) {
   run.row_key = planned.row_key;
   run.algorithm = planned.choice.algorithm->name;
   run.options = planned.options;
+  run.level = to_string(planned.choice.level);
   run.phase = planned.phase;
   run.scale = planned.scale;
   run.repetition = planned.repetition;
@@ -175,8 +178,13 @@ void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& req
                                 RunRecord& run) {
   const AlgorithmChoice& choice = planned.choice;
   const bool is_judged = !choice.program || choice.program->has_guarantee;
-  const Drawing drawing = draw_timed(planned, request, run);
+  Drawing drawing = draw_timed(planned, request, run);
   if (memory_.scope() != MemoryScope::process) run.draw_peak_bytes = memory_.peak_bytes();
+  if (choice.level != Level::extents) {
+    const Stopwatch storing_time;
+    drawing = at_level(std::move(drawing), choice.level);
+    run.store_s = storing_time.wall_s();
+  }
   run.counters = counters_text(drawing.counters);
   if (drawing.instance_bound) run.instance_bound = *drawing.instance_bound;
   if (request.write) run.write_s = timed_writing_s(drawing);
@@ -188,7 +196,9 @@ void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& req
   Guarantee guarantee = choice.algorithm->guarantee;
   if (choice.program) guarantee.lattice = drawing.lattice();  // any is as good
   const Stopwatch certifying_time;
-  Examination examination = examine(*graph_, drawing, guarantee, {}, certifying(choice));
+  Examination examination =
+      examine(*graph_, drawing, guarantee, {},
+              certifying(choice, circumstances_.certify_memory_bytes, graph_->num_vertices()));
   if (!examination.summary.real) {
     set_angles_and_crossings(*graph_, drawing, guarantee, examination.certificate,
                              examination.summary);

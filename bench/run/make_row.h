@@ -18,6 +18,7 @@ struct Circumstances {
   std::int64_t concurrency = 1;  ///< rows made at the same time, with this one
   std::int64_t core = -1;        ///< core that the thread is pinned to, if any
   MemoryScope memory = MemoryScope::process;
+  std::optional<SizeFunction> certify_memory_bytes = {};  ///< as the budget has it
 };
 
 /// What is done for a row besides drawing.

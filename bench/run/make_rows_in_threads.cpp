@@ -18,7 +18,8 @@ void work(RowSource& source, const WorkerPool& pool, int worker, const std::atom
   const Pinning pinning(core);
   RowMaker maker({.concurrency = pool.workers + pool.elsewhere,
                   .core = core,
-                  .memory = pool.workers == 1 ? MemoryScope::row : MemoryScope::process});
+                  .memory = pool.workers == 1 ? MemoryScope::row : MemoryScope::process,
+                  .certify_memory_bytes = source.making().plan().budget.certify_memory_bytes});
   std::shared_ptr<const PlannedInstance> prepared;
   while (!failed && !source.making().stopped()) {
     const std::optional<RowJob> job = source.next(worker);

@@ -93,10 +93,7 @@ bool Making::stopped() const {
 
 std::optional<RunRecord> Making::failure(const PlannedInstance& instance, const PlannedRun& timed) {
   for (const PlannedRun& run : instance.runs) {
-    if (run.phase != RunPhase::metrics || run.options != timed.options ||
-        run.choice.algorithm != timed.choice.algorithm) {
-      continue;
-    }
+    if (run.phase != RunPhase::metrics || !is_same_drawing(run, timed)) continue;
     if (std::optional<RunRecord> row = failed_row_of(run)) return row;
   }
   return std::nullopt;

@@ -32,9 +32,8 @@ std::vector<BatchedDrawing> batched_drawings(const PlannedInstance& instance) {
   const PlannedRun* previous = nullptr;
   for (const PlannedRun& run : instance.runs) {
     if (run.scale < 0) continue;
-    const bool same = previous != nullptr && run.phase == previous->phase &&
-                      run.options == previous->options &&
-                      run.choice.algorithm == previous->choice.algorithm;
+    const bool same =
+        previous != nullptr && run.phase == previous->phase && is_same_drawing(run, *previous);
     if (!same) drawings.push_back({run.phase, {}});
     previous = &run;
     drawings.back().rounds[run.batch][run.scale].push_back(&run);

@@ -83,8 +83,7 @@ class TimingSource final : public RowSource {
     const PlannedRun* previous = nullptr;
     for (const PlannedRun& run : instance->runs) {
       if (run.phase != RunPhase::timing) continue;
-      const bool same = previous != nullptr && run.options == previous->options &&
-                        run.choice.algorithm == previous->choice.algorithm;
+      const bool same = previous != nullptr && is_same_drawing(run, *previous);
       if (!same) {
         drawings_.emplace_back().instance = instance;
         drawings_.back().place = place;

@@ -157,8 +157,10 @@ class Message {
 void serve(int socket, const StudyPlan& plan, const WorkerPool& pool, int core) {
   omp_set_num_threads(1);  // a forked process has none of its parent's other threads
   const Pinning pinning(core);
-  RowMaker maker(
-      {.concurrency = pool.workers + pool.elsewhere, .core = core, .memory = MemoryScope::worker});
+  RowMaker maker({.concurrency = pool.workers + pool.elsewhere,
+                  .core = core,
+                  .memory = MemoryScope::worker,
+                  .certify_memory_bytes = plan.budget.certify_memory_bytes});
   PlannedInstance instance;
   std::optional<std::size_t> prepared;
   Message message;

@@ -37,6 +37,9 @@ struct Budget {
   std::optional<SizeFunction> row_time_s;
   std::optional<SizeFunction> row_memory_bytes;
   std::optional<double> study_s;
+  /// What the proof by counting may store at a time (CertifyOptions::proof_bytes); no limit of
+  /// rows.
+  std::optional<SizeFunction> certify_memory_bytes;
   bool limits_rows() const { return row_time_s || row_memory_bytes; }
 };
 

@@ -80,6 +80,12 @@ Budget read_budget(const std::string& file, const toml::node& node) {
       budget.row_memory_bytes = SizeFunction::memory(toml_text(file, *memory, "row_memory"));
     });
   }
+  if (const toml::node* memory = table.find("certify_memory")) {
+    with_place(file, *memory, [&] {
+      budget.certify_memory_bytes =
+          SizeFunction::memory(toml_text(file, *memory, "certify_memory"));
+    });
+  }
   if (const toml::node* study = table.find("study")) {
     with_place(file, *study, [&] {
       const SizeFunction time = SizeFunction::time(toml_text(file, *study, "study"));

@@ -74,6 +74,11 @@ class SpecReader {
         spec.certificate = parse_certificate_mode(toml_text(file_, *mode, "certificate"));
       });
     }
+    if (const toml::node* kept = table.find("keep_drawings")) {
+      with_place(file_, *kept, [&] {
+        spec.keep_drawings = parse_kept_drawings(toml_text(file_, *kept, "keep_drawings"));
+      });
+    }
     if (const toml::node* programs = table.find("algorithm")) {
       for (const toml::node* program : list(*programs, "algorithm")) add_program(*program);
     }
@@ -149,6 +154,7 @@ class SpecReader {
       sweep.sizes = sizes(table.get("sizes"));
     }
     sweep.algorithms = algorithm_choices(table.get("algorithms"));
+    if (const toml::node* level = table.find("level")) add_levels(*level, sweep.algorithms);
     sweep.instances = static_cast<std::uint32_t>(table.integer("instances", 1, kMaxCount, 1));
     sweep.repetitions = static_cast<std::uint32_t>(table.integer("repetitions", 1, kMaxCount, 1));
     if (const toml::node* timed = table.find("timed_repetitions")) {
@@ -169,19 +175,43 @@ class SpecReader {
     if (const toml::node* exclude = table.find("exclude")) {
       sweep.exclude = patterns(*exclude, !sweep.graphs.empty());
     }
-    refuse_batches_of_programs(node, sweep);
+    refuse_bad_batches(node, sweep);
     table.refuse_other_keys();
     return sweep;
   }
 
-  void refuse_batches_of_programs(const toml::node& node, const Sweep& sweep) const {
+  // Every choice at every level.
+  void add_levels(const toml::node& node, std::vector<AlgorithmChoice>& choices) const {
+    std::vector<Level> levels;
+    for (const toml::node* entry : list(node, "level")) {
+      with_place(file_, *entry,
+                 [&] { levels.push_back(parse_level(toml_text(file_, *entry, "level"))); });
+    }
+    std::vector<AlgorithmChoice> at_levels;
+    for (AlgorithmChoice choice : choices) {
+      for (const Level level : levels) {
+        choice.level = level;
+        at_levels.push_back(choice);
+      }
+    }
+    choices = std::move(at_levels);
+  }
+
+  void refuse_bad_batches(const toml::node& node, const Sweep& sweep) const {
     const bool has_batches = !sweep.strong.scales.empty() || !sweep.weak.scales.empty() ||
                              !sweep.strong_ranks.scales.empty() || !sweep.weak_ranks.scales.empty();
     const bool has_program =
         std::any_of(sweep.algorithms.begin(), sweep.algorithms.end(),
                     [](const AlgorithmChoice& choice) { return choice.program != nullptr; });
-    if (!has_batches || !has_program) return;
-    refuse_toml(file_, node, "strong and weak batches are of the catalogue's algorithms only");
+    const bool has_level =
+        std::any_of(sweep.algorithms.begin(), sweep.algorithms.end(),
+                    [](const AlgorithmChoice& choice) { return choice.level != Level::extents; });
+    if (has_batches && has_program) {
+      refuse_toml(file_, node, "strong and weak batches are of the catalogue's algorithms only");
+    }
+    if (has_batches && has_level) {
+      refuse_toml(file_, node, "strong and weak batches are of level extents only");
+    }
   }
 
   // "name", or { <key> = "name", setting = value or list, ... }: the name and the settings in order

@@ -10,8 +10,10 @@
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/bench/corpus/corpus.h"
 #include "ar3d/bench/external/external_algorithm.h"
+#include "ar3d/bench/spec/kept_drawings.h"
 #include "ar3d/bench/spec/measures.h"
 #include "ar3d/generators/catalog.h"
+#include "ar3d/model/level.h"
 #include "ar3d/records/graph_file_table.h"
 #include "ar3d/results/study_identity.h"
 #include "ar3d/verify/certificate_mode.h"
@@ -25,12 +27,13 @@ struct FamilyChoice {
   std::shared_ptr<const NamedCorpus> corpus = {};  ///< null: a family of the catalogue
 };
 
-/// An algorithm with complete options.
+/// An algorithm with complete options, and how much of its drawings is stored.
 struct AlgorithmChoice {
   const Algorithm* algorithm = nullptr;  ///< of the catalogue, or the program's row
   Settings options;
   std::shared_ptr<const ExternalAlgorithm> program = {};  ///< null: one of the catalogue
   CertificateMode certificate = {};                       ///< of the study: judges its drawings
+  Level level = Level::extents;
 };
 
 /// Files whose graphs are instances.
@@ -57,8 +60,8 @@ struct CellPattern {
 struct Sweep {
   std::vector<FamilyChoice> families;
   std::vector<GraphsEntry> graphs;
-  std::vector<std::uint64_t> sizes;  ///< increasing
-  std::vector<AlgorithmChoice> algorithms;
+  std::vector<std::uint64_t> sizes;         ///< increasing
+  std::vector<AlgorithmChoice> algorithms;  ///< at every level that the sweep asks for
   std::uint32_t instances = 1;       ///< where the graph depends on the seed; others have one
   std::uint32_t repetitions = 1;     ///< of every drawing in the metrics phase
   TimedRepetitions timed;            ///< of every drawing in the timing phase; none by default
@@ -80,6 +83,7 @@ struct StudySpec {
   TimingRules timing;
   Budget budget;
   CertificateMode certificate;   ///< that every drawing is judged by
+  KeptDrawings keep_drawings = KeptDrawings::none;
   bool accept_unproved = false;  ///< its verdict passes with rows that are not proved exactly
   std::string text;              ///< the verbatim TOML
   std::string folder;  ///< that the files of `graphs` are looked for in; empty: the current one

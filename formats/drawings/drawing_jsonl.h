@@ -36,6 +36,10 @@ void append_error_line(std::string& out, const UndrawnGraph& undrawn);
 /// written.
 void write_drawing_line(OutputFile& output, const Drawing& drawing);
 
+/// Writes the positions alone, as they stand in the drawing's line: [[x,y,z],…]. @throws InputError
+/// if it cannot be written.
+void write_vertices(OutputFile& output, const Drawing& drawing);
+
 /// Reads drawings, and graphs that could not be drawn, line by line.
 class DrawingJsonlReader {
  public:

@@ -27,6 +27,23 @@ void append_big_point(std::string& out, const BigPoint& p) {
   out += "[\"" + p.x.str() + "\",\"" + p.y.str() + "\",\"" + p.z.str() + "\"]";
 }
 
+/// Appends [[x,y,z],…], the vertices' positions. Here and below `flush` is called after every
+/// vertex and edge and may empty the text.
+template <class Flush>
+void append_vertices(std::string& out, const Drawing& drawing, Flush flush) {
+  out += '[';
+  for (std::size_t v = 0; v < drawing.num_vertices(); ++v) {
+    if (v > 0) out += ',';
+    if (drawing.real) {
+      append_big_point(out, drawing.real->vertices[v]);
+    } else {
+      append_point(out, drawing.vertex(static_cast<Vertex>(v)));
+    }
+    flush();
+  }
+  out += ']';
+}
+
 /// The line of a drawing in a real type.
 template <class Flush>
 void append_real_line(std::string& out, const Drawing& drawing, Flush flush) {
@@ -36,13 +53,9 @@ void append_real_line(std::string& out, const Drawing& drawing, Flush flush) {
   out += ",\"algorithm\":" + json_string(drawing.algorithm());
   out += ",\"real_type\":" + json_string(points.type) + ",\"unit_exponent\":";
   append_number(out, points.unit_exponent);
-  out += ",\"vertices\":[";
-  for (std::size_t v = 0; v < points.vertices.size(); ++v) {
-    if (v > 0) out += ',';
-    append_big_point(out, points.vertices[v]);
-    flush();
-  }
-  out += "],\"edges\":[";
+  out += ",\"vertices\":";
+  append_vertices(out, drawing, flush);
+  out += ",\"edges\":[";
   for (EdgeId e = 0; e < drawing.num_edges(); ++e) {
     if (e > 0) out += ',';
     out += '[';
@@ -87,25 +100,19 @@ void append_edge(std::string& out, Edge ends, const std::vector<Point>& polyline
   out += "]]";
 }
 
-/// Appends the line; `flush` is called after every vertex and edge and may empty the text.
+/// Appends the line.
 template <class Flush>
 void append_line(std::string& out, const Drawing& drawing, Flush flush) {
   if (drawing.real) return append_real_line(out, drawing, flush);
   append_head(out, drawing);
-  out += ",\"vertices\":[";
-  for (std::size_t v = 0; v < drawing.num_vertices(); ++v) {
-    if (v > 0) out += ',';
-    append_point(out, drawing.vertex(static_cast<Vertex>(v)));
-    flush();
-  }
-  out += "],\"edges\":[";
-  std::vector<Point> polyline;
-  for (EdgeId e = 0; e < drawing.num_edges(); ++e) {
+  out += ",\"vertices\":";
+  append_vertices(out, drawing, flush);
+  out += ",\"edges\":[";
+  for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& polyline) {
     if (e > 0) out += ',';
-    drawing.polyline(e, polyline);
     append_edge(out, drawing.edge(e), polyline);
     flush();
-  }
+  });
   out += "]}\n";
 }
 
@@ -119,6 +126,11 @@ void append_error_line(std::string& out, const UndrawnGraph& undrawn) {
   out += "{\"n\":";
   append_number(out, undrawn.n);
   out += ",\"error\":" + json_string(undrawn.error) + "}\n";
+}
+
+void write_vertices(OutputFile& output, const Drawing& drawing) {
+  append_vertices(output.pending(), drawing, [&] { output.flush_if_full(); });
+  output.flush_if_full();
 }
 
 void write_drawing_line(OutputFile& output, const Drawing& drawing) {

@@ -27,8 +27,12 @@ using verify::MeetingCounts;
 
 /// Every branch runs on small drawings: buckets and bins of a few records, early plane sweeps.
 const std::vector<CountingSizes>& sizes() {
-  static const std::vector<CountingSizes> list = {
-      {}, {.bucket = 8, .crowded = 32}, {.bucket = 64, .crowded = 1}, {.bucket = 2, .crowded = 0}};
+  static const std::vector<CountingSizes> list = {{},
+                                                  {.bucket = 8, .crowded = 32},
+                                                  {.bucket = 64, .crowded = 1},
+                                                  {.bucket = 2, .crowded = 0},
+                                                  {.bucket = 8, .crowded = 32, .memory = 200},
+                                                  {.bucket = 2, .crowded = 1, .memory = 1}};
   return list;
 }
 

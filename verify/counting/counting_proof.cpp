@@ -13,6 +13,7 @@ namespace ar3d::verify {
 namespace {
 
 constexpr std::int64_t kFar = std::int64_t{1} << 30;
+constexpr std::uint64_t kMostWindows = 64;  // each costs a pass over all polylines
 
 bool is_near(Point p) {
   const auto shifted = [](std::int64_t c) { return static_cast<std::uint64_t>(c) + kFar; };
@@ -27,6 +28,13 @@ std::int64_t largest_coordinate(const Box& box) {
   return largest;
 }
 
+constexpr std::uint64_t kSegmentBytes = sizeof(PlacedSegment) + sizeof(PlaneRecord);
+
+/// A polyline has four segments or fewer where the limit matters.
+bool has_room_for_all(const Drawing& drawing, const CountingSizes& sizes) {
+  return sizes.memory == 0 || 4 * kSegmentBytes * drawing.num_edges() <= sizes.memory;
+}
+
 PlacedSegment placed(Point low, std::int32_t steps) {
   return {static_cast<std::int32_t>(low.x), static_cast<std::int32_t>(low.y),
           static_cast<std::int32_t>(low.z), steps};
@@ -36,7 +44,11 @@ PlacedSegment placed(Point low, std::int32_t steps) {
 
 CountingProof::CountingProof(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
                              const CountingSizes& sizes)
-    : graph_(graph), drawing_(drawing), guarantee_(guarantee), sizes_(sizes) {
+    : graph_(graph),
+      drawing_(drawing),
+      guarantee_(guarantee),
+      sizes_(sizes),
+      keeps_segments_(has_room_for_all(drawing, sizes)) {
   possible_ =
       graph.num_vertices() == drawing.num_vertices() && graph.num_edges() == drawing.num_edges();
   if (possible_) stars_.resize(drawing.num_vertices());
@@ -50,7 +62,10 @@ bool CountingProof::take_edge(Edge ends, const std::vector<Point>& points) {
     const auto found = directions_.find(points[i] - points[i - 1]);
     if (!found.known) return false;
     const bool reversed = found.id % 2 != 0;
-    segments_[found.id / 2].add(placed(points[reversed ? i : i - 1], found.steps));
+    ++numbers_[found.id / 2];
+    if (keeps_segments_) {
+      segments_[found.id / 2].add(placed(points[reversed ? i : i - 1], found.steps));
+    }
     if (i == 1) {
       if (!leave(ends.u, found.id)) return false;
     } else if (!take_neighbours(before ^ 1u, found.id)) {
@@ -104,7 +119,8 @@ bool CountingProof::take_vertices() {
     if (guarantee_.vertices_in_plane && p.z != 0) return false;
     if (stars_[i] == 0) {
       if (!is_near(p)) return false;
-      segments_[0].add(placed(p, 0));
+      ++numbers_[0];
+      if (keeps_segments_) segments_[0].add(placed(p, 0));
     } else if (!take_star(stars_[i])) {
       return false;
     }
@@ -124,6 +140,42 @@ bool CountingProof::allowed_directions() const {
   return true;
 }
 
+std::array<PlacedSegments, 2> CountingProof::window(const PlaneFamily& family, std::size_t i,
+                                                    std::size_t j, std::uint64_t number,
+                                                    std::uint64_t count) {
+  std::array<PlacedSegments, 2> chosen;
+  const auto take = [&](std::size_t direction, const PlacedSegment& segment) {
+    const std::uint64_t place = family.plane_of(segment) * count >> 32;
+    if (place == number) chosen[direction == i ? 0 : 1].add(segment);
+  };
+  for_each_polyline(drawing_, [&](EdgeId, const std::vector<Point>& points) {
+    for (std::size_t k = 1; k < points.size(); ++k) {
+      const auto found = directions_.find(points[k] - points[k - 1]);
+      const std::size_t direction = found.id / 2;
+      if (direction != i && direction != j) continue;
+      take(direction, placed(points[found.id % 2 != 0 ? k : k - 1], found.steps));
+    }
+  });
+  for (std::size_t v = 0; i == 0 && v < stars_.size(); ++v) {
+    if (stars_[v] == 0) take(0, placed(drawing_.vertex(static_cast<Vertex>(v)), 0));
+  }
+  return chosen;
+}
+
+void CountingProof::count_family(const PlaneFamily& family, std::size_t i, std::size_t j,
+                                 LinesToCount lines, PlaneMeetings& meetings) {
+  if (keeps_segments_) {
+    counts_.found += meetings.count(family, segments_[i], segments_[j], lines);
+    return;
+  }
+  const std::uint64_t bytes = kSegmentBytes * (numbers_[i] + numbers_[j]);
+  const std::uint64_t count = std::clamp<std::uint64_t>(bytes / sizes_.memory + 1, 1, kMostWindows);
+  for (std::uint64_t number = 0; number < count; ++number) {
+    const auto [rows, columns] = window(family, i, j, number, count);
+    counts_.found += meetings.count(family, rows, columns, lines);
+  }
+}
+
 /// Counts in all families. The lines of every direction are looked at in one of them.
 bool CountingProof::take_families(std::int64_t largest) {
   PlaneMeetings meetings(sizes_);
@@ -134,7 +186,7 @@ bool CountingProof::take_families(std::int64_t largest) {
       if (!family.fits(largest)) return false;
       const LinesToCount lines{i % 2 == 0 && (j == i + 1),
                                (i % 2 == 0 && j == i + 1) || (k % 2 != 0 && i == 0 && j == k - 1)};
-      counts_.found += meetings.count(family, segments_[i], segments_[j], lines);
+      count_family(family, i, j, lines, meetings);
     }
   }
   return true;

@@ -15,10 +15,12 @@
 namespace ar3d::verify {
 
 /// Proves a drawing of few directions right by counting the meetings of its segments, in one pass
-/// over the polylines. It never says what is wrong: a drawing that it does not prove is wrong or
-/// passes one of its limits (at most 16 directions of components below 2^20, coordinates below
-/// 2^30 and such that all functionals fit 32 bits, degree at most 4).
-/// Memory: 16 bytes per segment, 16 for each segment of two directions, 4 per vertex.
+/// over the polylines; if that takes more memory than sizes.memory, in one more pass for each
+/// window of planes of each pair of directions. It never says what is wrong: a drawing that it does
+/// not prove is wrong or passes one of its limits (at most 16 directions of components below 2^20,
+/// coordinates below 2^30 and such that all functionals fit 32 bits, degree at most 4). Memory: 4
+/// bytes per vertex, and 16 bytes per segment and 16 for each segment of two directions; with a
+/// limit 32 for each segment of a window, which the limit holds unless one plane passes it.
 class CountingProof {
  public:
   CountingProof(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
@@ -48,6 +50,11 @@ class CountingProof {
   bool take_star(std::uint32_t star);
   bool allowed_directions() const;
   bool take_families(std::int64_t largest);
+  void count_family(const PlaneFamily& family, std::size_t i, std::size_t j, LinesToCount lines,
+                    PlaneMeetings& meetings);
+  /// The segments of the directions i and j whose planes are in a window.
+  std::array<PlacedSegments, 2> window(const PlaneFamily& family, std::size_t i, std::size_t j,
+                                       std::uint64_t number, std::uint64_t count);
 
   const Graph& graph_;
   const Drawing& drawing_;
@@ -55,7 +62,9 @@ class CountingProof {
   CountingSizes sizes_;
   bool possible_;
   SignedDirections directions_;
+  const bool keeps_segments_;  ///< false: there are too many, they are computed for each window
   std::array<PlacedSegments, SignedDirections::kMaxIndices> segments_;
+  std::array<std::uint64_t, SignedDirections::kMaxIndices> numbers_{};  ///< of segments
   std::array<std::array<Angle, kIds>, kIds> angles_{};
   /// Of each vertex the directions in which edges leave it: up to four bytes, id + 1 each.
   std::vector<std::uint32_t> stars_;

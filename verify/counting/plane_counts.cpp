@@ -128,7 +128,11 @@ void PlaneMeetings::partition(const PlaneFamily& family, const PlacedSegments& r
       [&](const PlacedSegment& s) { ++bucket_ends_[2 * bucket(family.plane_of(s)) + 1]; });
   std::size_t begin = 0;
   for (std::size_t& place : bucket_ends_) begin += std::exchange(place, begin);
-  if (records_.size() < total) records_.resize(total);
+  if (records_.size() < total) {  // without the old ones beside the new, nor room for as many again
+    records_.clear();
+    records_.shrink_to_fit();
+    records_.resize(total + total / 16);
+  }
   rows.for_each([&](const PlacedSegment& s) {
     const PlaneRecord record = family.row(s);
     records_[bucket_ends_[2 * bucket(record.plane)]++] = record;

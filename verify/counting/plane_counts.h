@@ -18,6 +18,7 @@ struct CountingSizes {
   std::size_t bucket =
       6000;                  ///< records that a bucket should have: they fit the second-level cache
   std::size_t crowded = 32;  ///< comparisons per record from which a plane sweep is taken instead
+  std::uint64_t memory = 0;  ///< bytes of segments and records at a time; 0: no limit
 };
 
 /// The planes that contain the directions i and j of `directions`, and coordinates in them.
@@ -28,6 +29,7 @@ class PlaneFamily {
   bool fits(std::int64_t largest) const;
   PlaneRecord row(const PlacedSegment& s) const { return record(s, 0); }
   PlaneRecord column(const PlacedSegment& s) const { return record(s, 1); }
+  /// A number of the segment's plane that differs for all planes, spread over 32 bits.
   std::uint32_t plane_of(const PlacedSegment& s) const;
 
  private:

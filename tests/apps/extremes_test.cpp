@@ -1,0 +1,122 @@
+// Graphs of no or few vertices, coordinates at the ends of 64 bits, and what is no number, through
+// the program: certified, or refused in one line.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "ar3d/records/run_storage.h"
+#include "support/program.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::run;
+using testing::ScratchDirectory;
+
+const std::string kProgram = AR3D_PROGRAM;
+
+Outcome verified(const std::string& line) {
+  return run("printf '%s\\n' '" + line + "' | " + kProgram + " verify -");
+}
+
+/// A refusal is one line on standard error, and nothing else.
+void expect_refused(const std::string& line, const std::string& reason) {
+  const Outcome outcome = verified(line);
+  EXPECT_EQ(outcome.exit_code, 2) << line;
+  EXPECT_THAT(outcome.err, HasSubstr(reason));
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+TEST(Extremes, TheStudyIsAllRightAndHasNoNaNWhereANumberIsDue) {
+  const ScratchDirectory scratch;
+  const std::string results = scratch.path("extremes.h5");
+  const Outcome outcome = run(kProgram + " study run extremes -q --threads 1 -o " + results);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  std::size_t tiny = 0;
+  RunReader reader(results);
+  ASSERT_GT(reader.size(), 100u);
+  for (std::size_t i = 0; i < reader.size(); ++i) {
+    const RunRecord row = reader.read(i);
+    SCOPED_TRACE(row.family + " n=" + std::to_string(row.n) + " " + row.algorithm);
+    EXPECT_EQ(row.status, RunStatus::ok) << row.message;
+    tiny += row.n <= 3;
+    EXPECT_TRUE(std::isfinite(row.log2_volume));
+    EXPECT_TRUE(std::isfinite(row.total_edge_length));
+    EXPECT_TRUE(std::isfinite(row.longest_edge_length));
+    EXPECT_EQ(std::isfinite(row.smallest_vertex_distance), row.n >= 2);
+    for (const std::int64_t extent : row.extents) EXPECT_GE(extent, 0);
+    EXPECT_GT(row.peak_bytes, 0);
+    EXPECT_EQ(row.peak_scope, "worker");
+  }
+  EXPECT_GE(tiny, 20u);
+}
+
+TEST(Extremes, CoordinatesAtTheEndsOf64Bits) {
+  const auto line = [](const std::string& a, const std::string& b) {
+    return R"({"n":2,"algorithm":"diamond","gram":[[1,0,0],[0,1,0],[0,0,1]],"gram_denominator":1,)"
+           R"("vertices":[[)" +
+           a + "],[" + b + R"(]],"edges":[]})";
+  };
+  const Outcome last = verified(line("-2305843009213693952,0,0", "2305843009213693952,0,0"));
+  EXPECT_EQ(last.exit_code, 4) << "far apart, and nothing worse";
+  EXPECT_THAT(last.out,
+              HasSubstr("size: the extent in x is 4611686018427387904, more than 16/3 n"));
+  EXPECT_THAT(last.out, HasSubstr("0 certified, 1 violated"));
+  expect_refused(
+      line("0,0,0", "2305843009213693953,0,0"),
+      "coordinate 2305843009213693953 is out of range, the limit is 2305843009213693952");
+  expect_refused(line("0,0,0", "0,-2305843009213693953,0"), "is out of range");
+  expect_refused(line("0,0,0", "9223372036854775807,0,0"), "is out of range");
+  expect_refused(line("0,0,0", "9223372036854775808,0,0"), "does not fit 64 bits with sign");
+  expect_refused(line("0,0,0", "18446744073709551616,0,0"), "expected an integer of 64 bits");
+  for (const std::string no_number : {"NaN", "nan", "Infinity", "-Infinity", "1e400", "1.5"}) {
+    expect_refused(line("0,0,0", no_number + ",0,0"), "<stdin>:1");
+  }
+}
+
+/// The right drawing of one straight edge in a real type, in units of 2^exponent times a factor.
+std::string real_line(const std::string& exponent, const std::string& end) {
+  return R"({"n":2,"algorithm":"two-bend-paper","real_type":"double","unit_exponent":)" + exponent +
+         R"(,"vertices":[["0","0","0"],[")" + end + R"(","0","0"]],"edges":[[0,1,[[")" + end +
+         R"(","1","0"]]]]})";
+}
+
+TEST(Extremes, ScalesOfRealTypes) {
+  // 2^-1074 is the smallest denormal double, 2^1023 the scale of the largest ones.
+  const Outcome one = verified(real_line("0", "5"));
+  for (const std::string exponent : {"-1074", "-1022", "971", "1023", "-4000", "4000"}) {
+    const Outcome scaled = verified(real_line(exponent, "5"));
+    EXPECT_EQ(scaled.exit_code, 5);
+    EXPECT_EQ(scaled.out, one.out) << "angles do not depend on the scale";
+  }
+  const Outcome huge = verified(real_line("4000", std::string(1000, '9')));
+  EXPECT_EQ(huge.exit_code, 5);
+  EXPECT_THAT(huge.out, ::testing::Not(HasSubstr("nan")));
+  EXPECT_THAT(huge.out, ::testing::Not(HasSubstr("inf")));
+  expect_refused(real_line("4001", "5"), "unit_exponent: 4001 is not in -4000..4000");
+  expect_refused(real_line("0", "NaN"), "'NaN' is no decimal integer");
+  expect_refused(real_line("0", "Infinity"), "'Infinity' is no decimal integer");
+  expect_refused(real_line("0", "1e999"), "'1e999' is no decimal integer");
+  expect_refused(real_line("0", std::string(1001, '9')), "more than 1000 characters");
+}
+
+TEST(Extremes, SummariesOfGraphsWithoutPoints) {
+  for (const std::string algorithm :
+       {"diamond", "grid", "two-bend", "compact", "compact-120", "two-bend-paper"}) {
+    const Outcome none = run("printf '?\\n@\\nA_\\nBw\\n' | " + kProgram + " draw - --algorithm " +
+                             algorithm + " --level extents");
+    EXPECT_TRUE(none.exit_code == 0 || none.exit_code == 5) << none.err;
+    EXPECT_EQ(std::count(none.out.begin(), none.out.end(), '\n'), 4) << none.out;
+    EXPECT_THAT(none.out, ::testing::StartsWith("{\"n\":0,\"m\":0,"));
+    EXPECT_THAT(none.out, ::testing::Not(HasSubstr("NaN")));
+  }
+}
+
+}  // namespace
+}  // namespace ar3d

@@ -1,0 +1,133 @@
+// Drawings that a study keeps: which ones, and that nothing else is replaced.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "support/program.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::run;
+using testing::ScratchDirectory;
+
+const std::string kProgram = AR3D_PROGRAM;
+
+class KeptDrawings : public ::testing::Test {
+ protected:
+  // 2 algorithms, 2 families, 3 sizes, 2 instances of the random one: 18 drawings, 4 curves.
+  std::string study(const std::string& keep) {
+    const std::string path = scratch_.path("study.toml");
+    std::ofstream(path) << "study = \"k\"\nkeep_drawings = \"" << keep << "\"\n[[sweep]]\n"
+                        << "families = [\"cycle\", \"random-cubic\"]\nsizes = [6, 10, 30]\n"
+                        << "algorithms = [\"diamond\", \"two-bend\"]\ninstances = 2\n"
+                        << "repetitions = 2\nlevel = [\"extents\", \"full\"]\n";
+    return path;
+  }
+  Outcome make(const std::string& keep, const std::string& more = "") {
+    return run(kProgram + " study run " + study(keep) + " -q --threads 2 -o " + results_ + more);
+  }
+  std::string text() const {
+    std::ifstream in(drawings_);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  long lines() const {
+    const std::string all = text();
+    return std::count(all.begin(), all.end(), '\n');
+  }
+
+  ScratchDirectory scratch_;
+  std::string results_ = scratch_.path("k.h5");
+  std::string drawings_ = scratch_.path("k.drawings.jsonl");
+};
+
+TEST_F(KeptDrawings, NoneUnlessAskedFor) {
+  EXPECT_EQ(make("none").exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(drawings_));
+}
+
+TEST_F(KeptDrawings, AllAreThereOnceAndCertified) {
+  const Outcome outcome = make("all");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("drawings " + drawings_ + ": 18 kept (all)"));
+  const Outcome verified = run(kProgram + " verify " + drawings_);
+  EXPECT_EQ(verified.exit_code, 0) << verified.out;
+  EXPECT_THAT(verified.out, HasSubstr("18 certified, 0 violated"));
+  EXPECT_EQ(run(kProgram + " view " + drawings_ + " -o " + scratch_.path("k-view.html")).exit_code,
+            0);
+}
+
+TEST_F(KeptDrawings, TheWorstOfEachCurve) {
+  EXPECT_EQ(make("worst").exit_code, 0);
+  EXPECT_EQ(lines(), 4);
+  const std::string once = text();
+  const Outcome again = run(kProgram + " study drawings " + results_ + " -o -");
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(again.out, once);
+}
+
+TEST_F(KeptDrawings, OfRightStudiesNoneIsViolated) {
+  EXPECT_EQ(make("violated").exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(drawings_));
+  EXPECT_EQ(text(), "");
+}
+
+TEST_F(KeptDrawings, NothingIsReplacedUnasked) {
+  std::ofstream(drawings_) << "notes\n";
+  EXPECT_EQ(make("all").exit_code, 2);
+  EXPECT_EQ(text(), "notes\n");
+  EXPECT_FALSE(std::filesystem::exists(results_));
+  EXPECT_EQ(make("none").exit_code, 0);
+  const Outcome refused = run(kProgram + " study drawings " + results_);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("k.drawings.jsonl exists; --force replaces it"));
+  EXPECT_EQ(run(kProgram + " study drawings " + results_ + " --force").exit_code, 0);
+  EXPECT_EQ(lines(), 4);
+  std::ofstream(drawings_) << "notes\n";
+  EXPECT_EQ(make("all", " --force").exit_code, 0);
+  EXPECT_EQ(lines(), 18);
+  std::ofstream(drawings_) << "notes\n";
+  const Outcome resumed = run(kProgram + " study resume " + results_ + " -q");
+  EXPECT_EQ(resumed.exit_code, 3) << "what came meanwhile stays";
+  EXPECT_THAT(resumed.err, HasSubstr("is no file of drawings and stays as it is"));
+  EXPECT_EQ(text(), "notes\n");
+}
+
+TEST_F(KeptDrawings, AResumedStudyKeepsThemToo) {
+  EXPECT_EQ(make("all").exit_code, 0);
+  const std::string whole = text();
+  std::filesystem::remove(drawings_);
+  EXPECT_EQ(run(kProgram + " study resume " + results_ + " -q").exit_code, 0);
+  EXPECT_EQ(text(), whole);
+}
+
+TEST_F(KeptDrawings, OfShardsWhenTheyAreMerged) {
+  const std::string toml = study("all");
+  for (const std::string i : {"1", "2"}) {
+    const Outcome part = run(kProgram + " study run " + toml + " -q --shard " + i + "/2 -o " +
+                             scratch_.path("part" + i + ".h5"));
+    EXPECT_EQ(part.exit_code, 0);
+    EXPECT_THAT(part.out, ::testing::Not(HasSubstr("drawings")));
+  }
+  const Outcome merged = run(kProgram + " study merge " + scratch_.path("part1.h5") + " " +
+                             scratch_.path("part2.h5") + " -o " + results_);
+  EXPECT_EQ(merged.exit_code, 0) << merged.err;
+  EXPECT_EQ(run(kProgram + " study drawings " + results_ + " --keep all").exit_code, 0);
+  EXPECT_EQ(lines(), 18);
+}
+
+TEST_F(KeptDrawings, UnknownChoicesAreRefusedByLine) {
+  const Outcome outcome = make("best");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err,
+              HasSubstr("study.toml:2: 'best' is none of none, worst, violated and all"));
+}
+
+}  // namespace
+}  // namespace ar3d

@@ -1,0 +1,117 @@
+// Right drawings moved to the ends of every width stay right, and one step beyond the last one is
+// refused.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "ar3d/algorithms/catalog.h"
+#include "ar3d/generators/catalog.h"
+#include "ar3d/model/error.h"
+#include "ar3d/verify/certificate.h"
+#include "ar3d/verify/metrics.h"
+
+namespace ar3d {
+namespace {
+
+/// The drawing moved by d, all of its points stored.
+Drawing moved(const Drawing& drawing, Vector d) {
+  Coordinates vertices(drawing.num_vertices(), kMaxCoordinate);
+  for (Vertex v = 0; v < drawing.num_vertices(); ++v) vertices.set(v, drawing.vertex(v) + d);
+  auto bends = std::make_shared<StoredBends>();
+  for_each_polyline(drawing, [&](EdgeId, const std::vector<Point>& points) {
+    std::vector<Point> between;
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) between.push_back(points[i] + d);
+    bends->add_edge(between);
+  });
+  return {drawing.algorithm(), drawing.lattice(), std::move(vertices), drawing.shared_edges(),
+          std::move(bends)};
+}
+
+/// The largest coordinates of 16, 31, 32 and 62 bits, those below which the proofs change their
+/// integers, and their neighbours.
+std::vector<std::int64_t> ends_of_widths() {
+  std::vector<std::int64_t> ends;
+  for (const int bits : {15, 26, 30, 31, 41, 52, 53, 60}) {
+    for (const std::int64_t beside : {-1, 0, 1}) ends.push_back((std::int64_t{1} << bits) + beside);
+  }
+  ends.push_back(kMaxCoordinate - 1);
+  ends.push_back(kMaxCoordinate);
+  return ends;
+}
+
+TEST(Extremes, RightDrawingsAreRightAtTheEndsOfEveryWidth) {
+  const Graph graph = generate(find_family("random-cubic"), 30, 1);
+  for (const Algorithm* algorithm : proved_algorithms()) {
+    const Drawing drawing = draw(*algorithm, graph);
+    const DrawingSummary summary = measure(drawing);
+    for (const std::int64_t end : ends_of_widths()) {
+      const Drawing high = moved(drawing, {end - summary.box.high.x, end - summary.box.high.y, 0});
+      const Drawing low = moved(drawing, {-end - summary.box.low.x, -end - summary.box.low.y, 0});
+      for (const Drawing* far : {&high, &low}) {
+        const Certificate certificate = certify(graph, *far, algorithm->guarantee);
+        EXPECT_TRUE(certificate.valid())
+            << algorithm->name << ' ' << end << ": "
+            << (certificate.violations.empty() ? "" : certificate.violations[0].message);
+        const DrawingSummary moved_summary = measure(*far);
+        EXPECT_EQ(moved_summary.box.extents(), summary.box.extents());
+        EXPECT_EQ(moved_summary.total_edge_length, summary.total_edge_length);
+        EXPECT_EQ(moved_summary.smallest_vertex_distance, summary.smallest_vertex_distance);
+      }
+    }
+  }
+}
+
+TEST(Extremes, OneStepBeyondTheLastWidthIsNamed) {
+  const Graph graph = generate(find_family("cycle"), 8, 1);
+  const Algorithm& algorithm = find_algorithm("diamond");
+  const Drawing drawing = draw(algorithm, graph);
+  const Box box = measure(drawing).box;
+  auto bends = std::make_shared<StoredBends>();
+  const Vector d{kMaxCoordinate + 1 - box.high.x, 0, 0};
+  for_each_polyline(drawing, [&](EdgeId, const std::vector<Point>& points) {
+    std::vector<Point> between;
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) between.push_back(points[i] + d);
+    bends->add_edge(between);
+  });
+  Coordinates vertices(graph.num_vertices(), kMaxCoordinate);
+  bool vertex_beyond = false;
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+    const Point p = drawing.vertex(v) + d;
+    if (p.x > kMaxCoordinate) {
+      vertex_beyond = true;
+      EXPECT_THROW(vertices.set(v, p), InternalError);
+    } else {
+      vertices.set(v, p);
+    }
+  }
+  if (vertex_beyond) return;
+  const Drawing beyond("diamond", drawing.lattice(), std::move(vertices), graph.shared_edges(),
+                       std::move(bends));
+  const Certificate certificate = certify(graph, beyond, algorithm.guarantee);
+  EXPECT_FALSE(certificate.valid());
+  ASSERT_FALSE(certificate.violations.empty());
+  EXPECT_EQ(certificate.violations[0].kind, ViolationKind::coordinate_range);
+}
+
+TEST(Extremes, CoordinatesHoldTheirBoundAndNoMore) {
+  constexpr std::int64_t kNarrow = std::numeric_limits<std::int32_t>::max();
+  for (const std::int64_t bound : {std::int64_t{0}, std::int64_t{1} << 15, kNarrow - 1, kNarrow,
+                                   kNarrow + 1, kMaxCoordinate - 1, kMaxCoordinate}) {
+    Coordinates coordinates(2, bound);
+    coordinates.set(0, {bound, -bound, 0});
+    EXPECT_EQ(coordinates[0], (Point{bound, -bound, 0})) << bound;
+    for (const Point beyond :
+         {Point{bound + 1, 0, 0}, Point{0, -bound - 1, 0}, Point{0, 0, bound + 1}}) {
+      EXPECT_THROW(coordinates.set(1, beyond), InternalError) << bound;
+    }
+    EXPECT_EQ(coordinates[1], Point{});
+  }
+  EXPECT_THROW(Coordinates(1, kMaxCoordinate + 1), InputError);
+  EXPECT_THROW(Coordinates(1, -1), InputError);
+}
+
+}  // namespace
+}  // namespace ar3d
