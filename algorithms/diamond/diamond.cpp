@@ -2,6 +2,8 @@
 // function, the theorem as data in the catalogue's row, and the refusals of the public entry.
 #include "ar3d/algorithms/diamond/diamond.h"
 
+#include <utility>
+
 #include "ar3d/algorithms/degree_limit.h"
 #include "ar3d/algorithms/diamond/candidates.h"
 #include "ar3d/algorithms/diamond/interleaved.h"
@@ -36,12 +38,14 @@ TwoColouring colouring_of(const Graph& graph) {
 
 /// The green and the red items.
 std::pair<Items, Items> items_of(const Graph& graph) {
-  const TwoColouring colours = colouring_of(graph);
+  TwoColouring colours = colouring_of(graph);
   const bool many = graph.num_vertices() >= kManyVertices;
   const auto items = [&](Colour c) {
-    return many ? interleaved_items(colours.next[c]) : extract_items(colours.next[c]);
+    const std::vector<HalfEdge> next = std::move(colours.next[c]);  // not beyond this
+    return many ? interleaved_items(next) : extract_items(next);
   };
-  return {items(kGreen), items(kRed)};
+  Items green = items(kGreen);
+  return {std::move(green), items(kRed)};
 }
 
 Candidate choose(const Graph& graph, Items green, Items red, int effort) {
@@ -58,6 +62,7 @@ Drawing draw(const Graph& graph, const Options& options) {
   Candidate chosen = choose(graph, std::move(green), std::move(red), options.effort);
   expect(graph.num_vertices() == 0 || fits_theorem_box(chosen.tracks.extents, graph.num_vertices()),
          "the drawing keeps the theorem's box");
+  chosen.placement.green = chosen.placement.red = {};  // what follows needs the places alone
   Drawing drawing = lift(graph, chosen.placement, std::move(chosen.tracks));
   drawing.counters = std::move(chosen.counters);
   drawing.instance_bound = chosen.instance_bound;

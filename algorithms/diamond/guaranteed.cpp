@@ -106,19 +106,22 @@ GuaranteedPlacement place_guaranteed(const Graph& graph, Items green, Items red)
   gaps.m_green = count_cycles(green);
   gaps.m_red = count_cycles(red);
 
-  const Whereabouts natural = whereabouts(red);
+  Whereabouts natural = whereabouts(red);
   const std::vector<GreenClosing> closings = close_green_cycles(green, natural);
   placement.green = arranged(green, order_items(graph, green));
+  green = {};  // here and below: memory that is not needed any more
   gaps.green_gaps = assign_x(graph, placement.green, at);
   // Nothing below changes an x; nothing after settle_red_cycles changes distances inside a red
   // item.
   const RedCycles cycles = settle_red_cycles(red, closings, at, natural);
+  natural = {};
   gaps.contained = cycles.contained;
   gaps.rho = cycles.rho;
   gaps.bumps = cycles.lines;
   const Arrangement order = order_items(graph, red);
   placement.red = arranged(red, order);
-  for (std::uint32_t i = 0; i < red.count(); ++i) {
+  red = {};
+  for (std::uint32_t i = 0; i < placement.red.count(); ++i) {
     const auto [item, reversed] = order.places[i];
     const Bump bump = cycles.bumps[item];
     assign_relative_y(placement.red, i, reversed ? Bump{bump.last, bump.first} : bump, at);

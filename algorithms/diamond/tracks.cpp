@@ -52,6 +52,7 @@ class Labels {
         label_path(+1, kNone);
       }
     }
+    points_ = std::vector<Seen>();  // its memory, which the other colour takes
   }
 
   Range a_minus_b() const { return a_minus_b_; }
@@ -66,6 +67,7 @@ class Labels {
   void read_points(std::uint32_t item) {
     points_.clear();
     const auto vertices = items_.of(item);
+    points_.reserve(vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       if (i + kAhead < vertices.size()) __builtin_prefetch(&at_[vertices[i + kAhead]]);
       points_.push_back(seen(vertices[i]));

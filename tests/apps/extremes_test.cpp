@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <string>
 
@@ -55,6 +56,20 @@ TEST(Extremes, TheStudyIsAllRightAndHasNoNaNWhereANumberIsDue) {
     EXPECT_EQ(row.peak_scope, "worker");
   }
   EXPECT_GE(tiny, 20u);
+}
+
+// With 2.6 bytes of stack a vertex nothing can descend vertex by vertex.
+TEST(Extremes, NoRecursionProportionalToN) {
+  const ScratchDirectory scratch;
+  const std::string toml = scratch.path("deep.toml");
+  std::ofstream(toml) << "study = \"deep\"\nmax_n = { two-bend-109 = 1000 }\n[[sweep]]\nfamilies = "
+                         "[\"path\", \"cycle\", "
+                         "\"caterpillar\", \"binary-tree\", \"nested-triangles\", "
+                         "\"iterated-truncation\"]\nsizes = 100000\nalgorithms = \"all\"\n";
+  const Outcome outcome = run("ulimit -s 256 && OMP_STACKSIZE=256k " + kProgram + " study run " +
+                              toml + " -q --threads 1 -o " + scratch.path("deep.h5"));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("PASS: 27 rows, 27 proved"));
 }
 
 TEST(Extremes, CoordinatesAtTheEndsOf64Bits) {
