@@ -1,4 +1,5 @@
 // The page that shows drawings: its data are the drawing, exactly, whatever the drawing is.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -152,6 +153,18 @@ TEST(ViewerPage, RefusesWhatItCannotShowExactly) {
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
                  "f:3: an extent of 4503599627370497, html holds at most 4503599627370496 (2^52)");
+  }
+}
+
+TEST(ViewerPage, PackedTextUnpacksToItself) {
+  std::string text;
+  for (int i = 0; i < 30000; ++i) text += fmt::format("{} </script>\n", i * 7919 % 10007);
+  for (const std::string& one : {std::string(), std::string("a"), std::string("ab"), text}) {
+    const std::string packed = packed_text(one);
+    EXPECT_EQ(packed.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
+                                       "0123456789+/="),
+              std::string::npos);
+    EXPECT_EQ(inflated(from_base64(packed)), one);
   }
 }
 
