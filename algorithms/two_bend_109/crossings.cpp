@@ -66,52 +66,56 @@ bool meet(const Segment& a, const Segment& b) {
   return is_fraction(cross(w, v)[k], normal[k]) && is_fraction(cross(w, u)[k], normal[k]);
 }
 
+namespace {
+
+/// Moments, below 2^123, are scaled so that products with directions, below 2^62, fit a float.
+float scaled(Int128 moment) { return static_cast<float>(static_cast<double>(moment) * 0x1p-60); }
+
+/// Both factors are rounded by 2^-24 of their size at most, each product and each of the five
+/// additions, too (a little more in all): the error of the sum is below 2^-20 of `size`.
+constexpr float kDoubt = 0x1p-20F;
+
+}  // namespace
+
 void DrawnSegments::add(const Segment& segment) {
   segments_.push_back(segment);
   const Vector u = segment.to - segment.from;
   const Wide m = moment(segment.from, u);
-  of_[0].push_back(static_cast<double>(u.x));
-  of_[1].push_back(static_cast<double>(u.y));
-  of_[2].push_back(static_cast<double>(u.z));
-  for (std::size_t k = 0; k < 3; ++k) of_[3 + k].push_back(static_cast<double>(m[k]));
+  of_[0].push_back(static_cast<float>(u.x));
+  of_[1].push_back(static_cast<float>(u.y));
+  of_[2].push_back(static_cast<float>(u.z));
+  for (std::size_t k = 0; k < 3; ++k) of_[3 + k].push_back(scaled(m[k]));
 }
 
 std::size_t DrawnSegments::first_met(const Segment& segment, std::size_t begin,
                                      std::size_t but) const {
   const Vector u = segment.to - segment.from;
   const Wide m = moment(segment.from, u);
-  const std::array<double, 6> line = {static_cast<double>(m[0]), static_cast<double>(m[1]),
-                                      static_cast<double>(m[2]), static_cast<double>(u.x),
-                                      static_cast<double>(u.y),  static_cast<double>(u.z)};
-  // Each of the 12 factors is rounded once, each product once, the sum five times: the error is
-  // below 8 * 2^-53 times the sum of the products' absolute values.
-  constexpr double kDoubt = 0x1p-49;
-  constexpr std::size_t kBlock = 256;
+  const std::array<float, 6> line = {scaled(m[0]),
+                                     scaled(m[1]),
+                                     scaled(m[2]),
+                                     static_cast<float>(u.x),
+                                     static_cast<float>(u.y),
+                                     static_cast<float>(u.z)};
+  const auto is_in_doubt = [&](std::size_t i) {
+    float sum = 0;
+    float size = 0;
+    for (std::size_t k = 0; k < 6; ++k) {
+      const float product = line[k] * of_[k][i];
+      sum += product;
+      size += std::abs(product);
+    }
+    return std::abs(sum) <= kDoubt * size;
+  };
+  constexpr std::size_t kBlock = 256;  // counted without branches
   const std::size_t end = segments_.size();
   for (std::size_t first = begin; first < end; first += kBlock) {
     const std::size_t last = std::min(end, first + kBlock);
-    double least = 1;
+    int doubts = 0;
+    for (std::size_t i = first; i < last; ++i) doubts += is_in_doubt(i) ? 1 : 0;
+    if (doubts == 0) continue;
     for (std::size_t i = first; i < last; ++i) {
-      double sum = 0;
-      double size = 0;
-      for (std::size_t k = 0; k < 6; ++k) {
-        const double product = line[k] * of_[k][i];
-        sum += product;
-        size += std::abs(product);
-      }
-      least = std::min(least, std::abs(sum) - kDoubt * size);
-    }
-    if (least > 0) continue;
-    for (std::size_t i = first; i < last; ++i) {
-      double sum = 0;
-      double size = 0;
-      for (std::size_t k = 0; k < 6; ++k) {
-        const double product = line[k] * of_[k][i];
-        sum += product;
-        size += std::abs(product);
-      }
-      if (std::abs(sum) > kDoubt * size || i == but) continue;
-      if (meet(segment, segments_[i])) return i;
+      if (i != but && is_in_doubt(i) && meet(segment, segments_[i])) return i;
     }
   }
   return end;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -30,7 +31,7 @@ class DrawnSegments {
 
  private:
   std::vector<Segment> segments_;
-  std::vector<double> of_[6];  ///< direction and moment, by component
+  std::array<std::vector<float>, 6> of_;  ///< direction and moment, by component
 };
 
 }  // namespace ar3d::two_bend_109
