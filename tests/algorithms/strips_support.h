@@ -32,8 +32,17 @@ struct StripAlgorithm {
   std::uint32_t max_degree() const { return row.guarantee.max_degree; }
 };
 
+inline Drawing compact_zones_by_scans(const Graph& graph) {
+  const compact::Decomposition links = compact::decompose(graph);
+  compact::Census census;
+  const auto strip = compact::fill_zones(graph, links, RandomStream(1), census, false);
+  Drawing drawing = compact::lift(graph, links, strip);
+  drawing.instance_bound = compact::box_of(strip.size());
+  return drawing;
+}
+
 inline const StripAlgorithm& compact_strips() {
-  static const StripAlgorithm algorithm{
+  static const StripAlgorithm algorithm = {
       .name = "compact",
       .suite = "Compact",
       .row = compact::row(),
@@ -44,22 +53,26 @@ inline const StripAlgorithm& compact_strips() {
                  int effort) { return compact::draw(graph, {.effort = effort}); },
       .draw_from = [](const Graph& graph,
                       const strips::Tightness& first) { return compact::draw_from(graph, first); },
-      .draw_by_scans =
-          [](const Graph& graph) {
-            const compact::Decomposition links = compact::decompose(graph);
-            compact::Census census;
-            const auto strip = compact::fill_zones(graph, links, RandomStream(1), census, false);
-            Drawing drawing = compact::lift(graph, links, strip);
-            drawing.instance_bound = compact::box_of(strip.size());
-            return drawing;
-          },
+      .draw_by_scans = compact_zones_by_scans,
       .too_tight = {.cells = 25, .rows = 60},
       .volume_per_n_1_5 = 8000};
   return algorithm;
 }
 
+inline Drawing compact_120_zones_by_scans(const Graph& graph) {
+  const compact_120::Order order = compact_120::moved_order(graph);
+  const compact_120::Links links =
+      compact_120::assign_arms(graph, order, compact_120::choose_owners(graph, order));
+  compact_120::Census census;
+  const auto strip = compact_120::fill_zones(compact_120::in_levels(graph, order), links,
+                                             graph.num_edges(), RandomStream(1), census, false);
+  Drawing drawing = compact_120::lift(graph, strip);
+  drawing.instance_bound = compact_120::box_of(strip.size());
+  return drawing;
+}
+
 inline const StripAlgorithm& compact_120_strips() {
-  static const StripAlgorithm algorithm{
+  static const StripAlgorithm algorithm = {
       .name = "compact-120",
       .suite = "Compact120",
       .row = compact_120::row(),
@@ -72,19 +85,7 @@ inline const StripAlgorithm& compact_120_strips() {
           [](const Graph& graph, const strips::Tightness& first) {
             return compact_120::draw_from(graph, first);
           },
-      .draw_by_scans =
-          [](const Graph& graph) {
-            const compact_120::Order order = compact_120::moved_order(graph);
-            const compact_120::Links links =
-                compact_120::assign_arms(graph, order, compact_120::choose_owners(graph, order));
-            compact_120::Census census;
-            const auto strip =
-                compact_120::fill_zones(compact_120::in_levels(graph, order), links,
-                                        graph.num_edges(), RandomStream(1), census, false);
-            Drawing drawing = compact_120::lift(graph, strip);
-            drawing.instance_bound = compact_120::box_of(strip.size());
-            return drawing;
-          },
+      .draw_by_scans = compact_120_zones_by_scans,
       .too_tight = {.cells = 10, .rows = 60, .extra_columns = 0},
       .volume_per_n_1_5 = 3000};
   return algorithm;

@@ -1,0 +1,72 @@
+// `ar3d compare --base` on real builds whose drawings are slower by known shares, on this machine
+// as it is and under load: what is slower by 10 % or more never passes.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "support/program.h"
+
+namespace ar3d {
+namespace {
+
+using testing::Outcome;
+using testing::run;
+using testing::ScratchDirectory;
+
+/// A build that differs in one function, which waits after each drawing for so much of its time.
+std::string slower_program(const ScratchDirectory& scratch, int percent) {
+  const std::string program = scratch.path(fmt::format("slower-{}", percent));
+  const Outcome made = run(
+      fmt::format("/usr/bin/python3 {0}/tests/apps/slower_program.py {0} $(realpath {{}}) {1} {2}",
+                  AR3D_SOURCE_DIR, percent, program));
+  EXPECT_EQ(made.exit_code, 0) << made.out << made.err;
+  return program;
+}
+
+/// A checkout whose build gives the program under test.
+std::string checkout_of_the_program(const ScratchDirectory& scratch) {
+  const std::string checkout = scratch.path("checkout");
+  std::filesystem::create_directories(checkout + "/apps");
+  std::ofstream(checkout + "/CMakeLists.txt")
+      << "cmake_minimum_required(VERSION 3.20)\nproject(pretended NONE)\n"
+         "add_custom_target(ar3d_program COMMAND ${CMAKE_COMMAND} -E make_directory apps COMMAND "
+         "${CMAKE_COMMAND} -E copy $ENV{AR3D_PROGRAM} apps/ar3d)\n";
+  const Outcome made = run("cd " + checkout +
+                           " && touch apps/study.cpp && git init -q && git add -A && git -c "
+                           "user.name=t -c user.email=t@t commit -qm first");
+  EXPECT_EQ(made.exit_code, 0) << made.err;
+  return checkout;
+}
+
+TEST(SlowBuilds, OfTenPerCentOrMoreNeverPass) {
+  const ScratchDirectory scratch;
+  const std::string spec = scratch.write(
+      "slow.toml",
+      "study = 'slow'\n[[sweep]]\nfamilies = ['random-cubic', 'cycle']\nsizes = [1000, 2000]\n"
+      "algorithms = ['grid', 'two-bend']\ninstances = 4\nrepetitions = 3\n");
+  const std::string checkout = checkout_of_the_program(scratch);
+  const std::string load =
+      "for i in 1 2; do timeout 600 sh -c 'while :; do :; done' & done; trap 'kill %1 %2' EXIT; ";
+  for (const int percent : {3, 5, 10, 20, 50}) {
+    const std::string program = slower_program(scratch, percent);
+    for (const bool is_loaded : {false, true}) {
+      const std::string verdict = scratch.path("verdict.json");
+      const Outcome outcome =
+          run((is_loaded ? load : "") + "cd " + checkout + " && AR3D_PROGRAM=$(realpath {}) " +
+              program + " compare --base HEAD --study " + spec + " --force --json " + verdict);
+      const auto json = nlohmann::json::parse(testing::read_file(verdict));
+      fmt::print("{} % slower, {}: {} (exit {})\n", percent, is_loaded ? "loaded" : "as it is",
+                 json.at("verdict").dump(), outcome.exit_code);
+      if (percent >= 10) {
+        EXPECT_TRUE(outcome.exit_code == 3 || outcome.exit_code == 6)
+            << percent << " %: " << outcome.exit_code << outcome.out << outcome.err;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ar3d
