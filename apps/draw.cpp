@@ -15,6 +15,7 @@
 #include "ar3d/model/printable.h"
 #include "ar3d/model/settings.h"
 #include "ar3d/verify/certificate.h"
+#include "ar3d/verify/coordinate_width.h"
 #include "batches.h"
 #include "commands.h"
 #include "drawing_formats.h"
@@ -35,6 +36,7 @@ struct DrawArguments {
   std::string format;
   std::string output = "-";
   std::string certificate;
+  std::string coordinates = "auto";
   std::string level = "full";
   ExportOptions picture;
   bool force = false;
@@ -46,7 +48,15 @@ struct Making {
   Settings options;
   CertificateMode certificate;
   Level level = Level::full;
+  std::optional<CoordinateWidth> width = {};
 };
+
+/// @throws InputError if it does not fit the width that is asked for, too.
+Drawing fitting_drawing(const Graph& graph, const Making& making) {
+  Drawing drawing = draw(making.algorithm, graph, making.options);
+  if (making.width) require_width(*making.width, making.algorithm.guarantee.bound, drawing);
+  return drawing;
+}
 
 struct Task {
   Graph graph;
@@ -101,7 +111,7 @@ void report(const std::string& where, const std::string& what) {
 Drawn drawn(const Task& task, const Making& making) {
   Drawn result;
   try {
-    Drawing drawing = draw(making.algorithm, task.graph, making.options);
+    Drawing drawing = fitting_drawing(task.graph, making);
     if (making.level != Level::full) {
       result.examination =
           examine_all(task.graph, drawing, making.algorithm.guarantee, making.certificate);
@@ -161,7 +171,7 @@ NextDrawing drawings_of(GraphReader& reader, const Making& making, bool others_f
     const std::optional<Graph> graph = reader.next();
     if (!graph) return std::nullopt;
     try {
-      Drawing drawing = draw(making.algorithm, *graph, making.options);
+      Drawing drawing = fitting_drawing(*graph, making);
       if (const auto found = violation_of(*graph, drawing, making)) {
         outcome.is_violated = true;
         report(reader.where(), "violated: " + *found);
@@ -183,7 +193,10 @@ int draw_graphs(const DrawArguments& arguments) {
   const char* usual_mode = level == Level::full ? "none" : "exact";
   const std::string mode = arguments.certificate.empty() ? usual_mode : arguments.certificate;
   const Making making{algorithm, complete_options(algorithm, parse_settings(arguments.options)),
-                      parse_certificate_mode(mode), level};
+                      parse_certificate_mode(mode), level,
+                      arguments.coordinates == "auto"
+                          ? std::nullopt
+                          : std::optional(parse_coordinate_width(arguments.coordinates))};
   const DrawingFormat& format = drawing_format(arguments.format, arguments.output);
   if (level != Level::full && format.name != "jsonl") {
     throw InputError(
@@ -227,6 +240,10 @@ void add_draw(CLI::App& app, int& exit_code) {
           "extents: one line a graph with box, bends, lengths, metrics and verdict instead "
           "of the drawing; positions: the vertices' positions, too; full: the drawing")
       ->check(one_of({"extents", "positions", "full"}));
+  verb->add_option("--coordinates", arguments->coordinates,
+                   "auto, or a width that drawings have to fit, else their line is an error: "
+                   "proved=int16, int32, int64 by the theorem's bound, checked=int16, ... by their "
+                   "own box");
   PictureView& view = arguments->picture.view;
   verb->add_option("--turn", view.turn_degrees, "svg, tikz: turn about the z axis, degrees")
       ->check(finite_number(false));

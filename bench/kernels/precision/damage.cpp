@@ -230,8 +230,10 @@ void catch_table(std::uint64_t drawings) {
   print_table(head({"damage", "largest coordinate", "right"}), alarms);
 }
 
+}  // namespace
+
 /// Least CPU time of three rounds, in turns, in nanoseconds per segment.
-void time_table() {
+void mode_times() {
   std::vector<std::vector<std::string>> rows;
   for (const char* name : {"diamond", "grid", "compact", "two-bend"}) {
     const Algorithm& algorithm = find_algorithm(name);
@@ -258,11 +260,6 @@ void time_table() {
   print_table(head({"algorithm", "n"}), rows);
 }
 
-}  // namespace
-
-void damage_tables(std::uint64_t drawings) {
-  catch_table(drawings);
-  time_table();
-}
+void damage_tables(std::uint64_t drawings) { catch_table(drawings); }
 
 }  // namespace ar3d::precision

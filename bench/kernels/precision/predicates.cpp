@@ -1,12 +1,16 @@
 // Wrong answers of predicates: as drawn, one unit beside, and where segments touch or nearly do.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/generators/catalog.h"
+#include "ar3d/model/cosine_comparison.h"
 #include "ar3d/model/random.h"
 #include "ar3d/verify/exact.h"
 #include "ar3d/verify/predicates/choices.h"
@@ -117,6 +121,45 @@ void add_rows(const Algorithm& algorithm, std::uint64_t n,
                      rate(open_pairs, decisions.pairs.size())});
 }
 
+/// Bits that decide angles without any rounding that could differ between the two sides: of squared
+/// lengths if the cosine's denominator is a power of two, since then both sides are rounded once
+/// and equal numbers stay equal; else of the products that are compared.
+double bits_without_rounding(const Decisions& decisions) {
+  using cosine_comparison::converted;
+  using cosine_comparison::inner;
+  const bool is_power = std::has_single_bit(static_cast<unsigned>(decisions.cosine.denominator));
+  double largest = 1;
+  for (const auto& [from, at, to] : decisions.angles) {
+    const auto u = converted<double>(from - at), v = converted<double>(to - at);
+    const double uu = inner(decisions.lattice, u, u), vv = inner(decisions.lattice, v, v);
+    const double p = inner(decisions.lattice, u, v) * decisions.cosine.denominator;
+    largest = std::max({largest, uu, vv, is_power ? 1.0 : std::max(p * p, uu * vv)});
+  }
+  return std::log2(largest);
+}
+
+/// On a ladder of n by factors of sqrt(2): the first at which rounding can differ, and the first
+/// with a wrong answer.
+std::vector<std::string> onset_row(const Algorithm& algorithm, const char* type, double most) {
+  const PredicateChoice& choice = verify::predicate_choice(type);
+  const char* family = algorithm.guarantee.max_degree == 4 ? "random-4-regular" : "random-cubic";
+  std::string predicted = fmt::format("> {}", most), seen = predicted;
+  for (double n = 16; n <= most && (predicted[0] == '>' || seen[0] == '>'); n *= std::sqrt(2.0)) {
+    const Graph graph = generate(find_family(family), static_cast<std::uint64_t>(n), 1);
+    const Decisions decisions =
+        decisions_of(draw(algorithm, graph), algorithm.guarantee, 10 * kMost);
+    const std::string size = fmt::format("{}", graph.num_vertices());
+    if (predicted[0] == '>' && bits_without_rounding(decisions) > choice.exact_bits) {
+      predicted = size;
+    }
+    const bool is_wrong = wrong_angles(choice, algorithm.guarantee, decisions.angles) +
+                              wrong_angles(choice, algorithm.guarantee, one_off(decisions.angles)) >
+                          0;
+    if (seen[0] == '>' && is_wrong) seen = size;
+  }
+  return {fmt::format("`{}`", algorithm.name), type, predicted, seen};
+}
+
 }  // namespace
 
 void predicate_tables() {
@@ -133,6 +176,17 @@ void predicate_tables() {
       rows);
   fmt::print("What the filter leaves to exact integers:\n\n");
   print_table({"algorithm", "n", "angles as drawn", "pairs with meeting boxes"}, filters);
+}
+
+void onset_table(std::uint64_t most) {
+  std::vector<std::vector<std::string>> onsets;
+  for (const char* name : {"diamond", "grid", "compact", "two-bend"}) {
+    for (const char* type : {"float", "double"}) {
+      onsets.push_back(onset_row(find_algorithm(name), type, static_cast<double>(most)));
+    }
+  }
+  fmt::print("The first n at which an angle's rounding can matter, and with a wrong answer:\n\n");
+  print_table({"algorithm", "type", "predicted", "seen"}, onsets);
 }
 
 }  // namespace ar3d::precision

@@ -14,14 +14,23 @@ std::string rate(std::uint64_t successes, std::uint64_t trials);
 void print_table(const std::vector<std::string>& head,
                  const std::vector<std::vector<std::string>>& rows);
 
-/// Which certificate modes catch damaged drawings, and what they cost. @param drawings  of each
-/// algorithm, scale and kind of damage.
+/// Which certificate modes catch damaged drawings. @param drawings  of each algorithm, scale and
+/// kind of damage.
 void damage_tables(std::uint64_t drawings);
+
+/// What certificate modes cost.
+void mode_times();
+
+/// A drawing in real types, moved away from the origin.
+void shift_tables();
 
 /// Bits that coordinates and predicates need, by the theorem's bound and by drawings.
 void width_tables();
 
 /// Wrong answers of the predicates in each arithmetic.
 void predicate_tables();
+
+/// From which n on angles are wrong, predicted and seen. @param most  largest n that is tried.
+void onset_table(std::uint64_t most);
 
 }  // namespace ar3d::precision
