@@ -59,7 +59,8 @@ TEST(DrawLevels, PositionsAreThoseOfTheDrawing) {
     EXPECT_FALSE(line.contains("edges"));
     EXPECT_EQ(line.contains("unit_exponent"), full.contains("unit_exponent"));
     for (const auto& [key, value] : extents.items()) {
-      if (key != "level") EXPECT_EQ(line[key], value) << key;
+      if (key == "level") continue;
+      EXPECT_EQ(line[key], value) << key;
     }
   }
 }
@@ -94,16 +95,18 @@ TEST(DrawLevels, LongLinesAreNeverHeldAsAWhole) {
   ASSERT_EQ(run(kProgram + " generate random-4-regular -n 200000 -o " + graph).exit_code, 0);
   const auto peak_kib = [&](const std::string& output) {
     const Outcome outcome =
-        run("/usr/bin/env python3 -c 'import resource, subprocess, sys; "
+        run("OMP_NUM_THREADS=1 /usr/bin/python3 -c 'import resource, subprocess, sys; "
             "subprocess.run(sys.argv[1:], check=True); "
             "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)' " +
-            kProgram + " --threads 1 draw " + graph + " --algorithm diamond --force -o " + output);
+            kProgram + " draw " + graph + " --algorithm diamond --force -o " + output);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return std::stol(outcome.out);
   };
-  const long with_text = peak_kib(file);
+  const long peak = peak_kib(file);
   EXPECT_GT(std::stol(run("wc -c < " + file).out), 25L << 20);
-  EXPECT_LT(with_text, 70L << 10);
+#ifndef __SANITIZE_ADDRESS__  // which keeps what is freed
+  EXPECT_LT(peak, 70L << 10);
+#endif
 }
 
 }  // namespace
