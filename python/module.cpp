@@ -1,0 +1,244 @@
+// The compiled part of the Python package `ar3d`; python/ar3d/__init__.py is what users import.
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ar3d/algorithms/catalog.h"
+#include "ar3d/formats/drawings/embedding.h"
+#include "ar3d/generators/catalog.h"
+#include "ar3d/model/error.h"
+#include "ar3d/verify/certificate.h"
+
+namespace ar3d {
+namespace {
+
+namespace py = pybind11;
+
+using Values = std::map<std::string, std::int64_t>;
+
+Settings settings_of(const Values& values) {
+  Settings settings;
+  for (const auto& [name, value] : values) settings.push_back({name, value});
+  return settings;
+}
+
+/// An array over memory that `owner` keeps alive, not to be written to.
+template <class Number, class Owner>
+py::array_t<Number> view(std::vector<py::ssize_t> shape, const Number* data,
+                         const std::shared_ptr<Owner>& owner) {
+  const py::capsule keeper(new std::shared_ptr<Owner>(owner),
+                           [](void* kept) { delete static_cast<std::shared_ptr<Owner>*>(kept); });
+  py::array_t<Number> array(std::move(shape), data, keeper);
+  array.attr("setflags")(py::arg("write") = false);
+  return array;
+}
+
+/// The vector becomes the array's memory.
+template <class Number>
+py::array_t<Number> array_of(std::vector<Number> values, std::vector<py::ssize_t> shape) {
+  const auto kept = std::make_shared<const std::vector<Number>>(std::move(values));
+  return view(std::move(shape), kept->data(), kept);
+}
+
+py::array_t<std::uint32_t> edges_of(const std::shared_ptr<const std::vector<Edge>>& edges) {
+  static_assert(sizeof(Edge) == 2 * sizeof(Vertex));
+  return view<Vertex>({static_cast<py::ssize_t>(edges->size()), 2},
+                      edges->empty() ? nullptr : &edges->data()->u, edges);
+}
+
+/// @param pairs  shape (m, 2).
+Graph graph_of(std::uint64_t num_vertices, const py::array_t<std::int64_t>& pairs) {
+  if (pairs.ndim() != 2 || pairs.shape(1) != 2) {
+    throw InputError("edges are an array of shape (m, 2)");
+  }
+  const auto at = pairs.unchecked<2>();
+  std::vector<Edge> edges;
+  edges.reserve(static_cast<std::size_t>(at.shape(0)));
+  const auto end_of = [&](py::ssize_t e, py::ssize_t side) {
+    const std::int64_t id = at(e, side);
+    if (id >= 0 && static_cast<std::uint64_t>(id) < num_vertices && id < INT64_C(4294967295)) {
+      return static_cast<Vertex>(id);
+    }
+    throw InputError("edge " + std::to_string(e) + " has the vertex " + std::to_string(id) +
+                     ", but vertices are 0 to " + std::to_string(num_vertices) + " - 1");
+  };
+  for (py::ssize_t e = 0; e < at.shape(0); ++e) edges.push_back({end_of(e, 0), end_of(e, 1)});
+  const py::gil_scoped_release released;
+  return {num_vertices, std::move(edges)};
+}
+
+/// A drawing with its points as Python reads them.
+struct PythonDrawing {
+  Drawing drawing;
+  std::shared_ptr<const std::vector<Edge>> edges;
+  std::vector<std::int64_t> vertices;  ///< x, y, z of each
+  std::vector<std::int64_t> offsets;   ///< of the bends of every edge, in order of edge numbers
+  std::vector<std::int64_t> bends;     ///< x, y, z of each
+  Box box;
+};
+
+void append(Point p, std::vector<std::int64_t>& to) { to.insert(to.end(), {p.x, p.y, p.z}); }
+
+std::shared_ptr<PythonDrawing> draw_graph(const Graph& graph, const std::string& algorithm,
+                                          const Values& options) {
+  const py::gil_scoped_release released;
+  auto made = std::make_shared<PythonDrawing>(
+      PythonDrawing{draw(find_algorithm(algorithm), graph, settings_of(options)),
+                    graph.shared_edges(),
+                    {},
+                    {},
+                    {},
+                    {}});
+  if (made->drawing.real != nullptr) {
+    throw InputError("algorithm " + algorithm + " draws in a real type, which has no integers");
+  }
+  for (Vertex v = 0; v < made->drawing.num_vertices(); ++v) {
+    append(made->drawing.vertex(v), made->vertices);
+  }
+  made->offsets.push_back(0);
+  for_each_polyline(made->drawing, [&](EdgeId, const std::vector<Point>& points) {
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) append(points[i], made->bends);
+    made->offsets.push_back(static_cast<std::int64_t>(made->bends.size() / 3));
+  });
+  made->box = bounding_box(made->drawing);
+  return made;
+}
+
+/// One of the drawing's lists, shared with it.
+py::array_t<std::int64_t> list_of(const std::shared_ptr<PythonDrawing>& drawing,
+                                  const std::vector<std::int64_t>& list, bool is_of_points) {
+  const auto size = static_cast<py::ssize_t>(list.size());
+  const std::vector<py::ssize_t> shape =
+      is_of_points ? std::vector<py::ssize_t>{size / 3, 3} : std::vector<py::ssize_t>{size};
+  return view<std::int64_t>(shape, list.data(), drawing);
+}
+
+/// Lattice points as points of space, where angles are true.
+py::array_t<double> in_space(const PythonDrawing& drawing,
+                             const py::array_t<std::int64_t>& points) {
+  if (points.ndim() != 2 || points.shape(1) != 3) {
+    throw InputError("points are an array of shape (k, 3)");
+  }
+  const Embedding embed(drawing.drawing.lattice());
+  const auto at = points.unchecked<2>();
+  std::vector<double> placed;
+  for (py::ssize_t i = 0; i < at.shape(0); ++i) {
+    const Real3 p = embed(Point{at(i, 0), at(i, 1), at(i, 2)});
+    placed.insert(placed.end(), {p.x, p.y, p.z});
+  }
+  return array_of(std::move(placed), {at.shape(0), 3});
+}
+
+std::string text_of(const Graph& graph) {
+  return "<ar3d.Graph of " + std::to_string(graph.num_vertices()) + " vertices and " +
+         std::to_string(graph.num_edges()) + " edges>";
+}
+
+void add_graph(py::module_& module) {
+  py::class_<Graph> graph(module, "Graph", "A simple undirected graph with vertices 0 to n - 1.");
+  graph.def(py::init(&graph_of), py::arg("num_vertices"), py::arg("edges"));
+  graph.def_property_readonly("num_vertices", &Graph::num_vertices);
+  graph.def_property_readonly("num_edges", &Graph::num_edges);
+  graph.def_property_readonly("max_degree", &Graph::max_degree);
+  graph.def_property_readonly("edges", [](const Graph& g) { return edges_of(g.shared_edges()); });
+  graph.def("__repr__", &text_of);
+}
+
+py::array_t<std::int64_t> box_of(const PythonDrawing& drawing) {
+  const auto [low, high] = drawing.box;
+  return array_of<std::int64_t>({low.x, low.y, low.z, high.x, high.y, high.z}, {2, 3});
+}
+
+py::array_t<std::int64_t> gram_of(const PythonDrawing& drawing) {
+  std::vector<std::int64_t> gram;
+  for (const auto& row : drawing.drawing.lattice().gram) {
+    gram.insert(gram.end(), row.begin(), row.end());
+  }
+  return array_of(std::move(gram), {3, 3});
+}
+
+Values counters_of(const PythonDrawing& drawing) {
+  Values counters;
+  for (const Counter& counter : drawing.drawing.counters) counters[counter.name] = counter.value;
+  return counters;
+}
+
+void add_drawing(py::module_& module) {
+  using Shared = std::shared_ptr<PythonDrawing>;
+  py::class_<PythonDrawing, Shared> drawing(module, "Drawing", "A drawing on integer points.");
+  const auto property = [&](const char* name, auto get) {
+    drawing.def_property_readonly(name, get);
+  };
+  property("algorithm", [](const PythonDrawing& d) { return d.drawing.algorithm(); });
+  property("edges", [](const PythonDrawing& d) { return edges_of(d.edges); });
+  property("vertices", [](const Shared& d) { return list_of(d, d->vertices, true); });
+  property("bends", [](const Shared& d) { return list_of(d, d->bends, true); });
+  property("bend_offsets", [](const Shared& d) { return list_of(d, d->offsets, false); });
+  property("box", &box_of);
+  property("gram", &gram_of);
+  property("gram_denominator",
+           [](const PythonDrawing& d) { return d.drawing.lattice().gram_denominator; });
+  property("counters", &counters_of);
+  drawing.def("in_space", &in_space, py::arg("points"));
+}
+
+std::vector<std::string> messages_of(const Certificate& certificate) {
+  std::vector<std::string> messages;
+  for (const Violation& violation : certificate.violations) {
+    messages.push_back(std::string(to_string(violation.kind)) + ": " + violation.message);
+  }
+  return messages;
+}
+
+void add_certificate(py::module_& module) {
+  py::class_<Certificate> certificate(module, "Certificate",
+                                      "What a proof in exact integers found.");
+  certificate.def_property_readonly("valid", &Certificate::valid);
+  certificate.def_readonly("complete", &Certificate::complete);
+  certificate.def_property_readonly("violations", &messages_of);
+  certificate.def_readonly("bend_histogram", &Certificate::bend_histogram);
+  certificate.def_readonly("segments", &Certificate::segments);
+  certificate.def("__bool__", &Certificate::valid);
+}
+
+Certificate certify_drawing(const Graph& graph, const PythonDrawing& drawing,
+                            const std::string& algorithm) {
+  const py::gil_scoped_release released;
+  return certify(graph, drawing.drawing, find_algorithm(algorithm).guarantee);
+}
+
+Graph generate_graph(const std::string& family, std::uint64_t n, std::uint64_t seed,
+                     const Values& parameters) {
+  const py::gil_scoped_release released;
+  return generate(find_family(family), n, seed, settings_of(parameters));
+}
+
+template <class Rows>
+std::vector<std::string> names_in(const Rows& rows) {
+  std::vector<std::string> names;
+  for (const auto& row : rows) names.push_back(row.name);
+  return names;
+}
+
+PYBIND11_MODULE(_core, module) {
+  module.doc() = "The compiled part of ar3d.";
+  add_graph(module);
+  add_drawing(module);
+  add_certificate(module);
+  module.def("draw", &draw_graph, py::arg("graph"), py::arg("algorithm"), py::arg("options"));
+  module.def("certify", &certify_drawing, py::arg("graph"), py::arg("drawing"),
+             py::arg("algorithm"));
+  module.def("generate", &generate_graph, py::arg("family"), py::arg("n"), py::arg("seed"),
+             py::arg("parameters"));
+  module.def("algorithms", [] { return names_in(algorithms()); });
+  module.def("families", [] { return names_in(families()); });
+}
+
+}  // namespace
+}  // namespace ar3d

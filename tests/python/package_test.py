@@ -1,0 +1,151 @@
+"""The Python package, as its users import it. Run by ctest (python.package) with PYTHONPATH=build/…/python."""
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import networkx
+import numpy
+import scipy.sparse
+
+import ar3d
+
+
+class Draw(unittest.TestCase):
+    def test_every_kind_of_graph_gives_the_same_proved_drawing(self):
+        petersen = networkx.petersen_graph()
+        edges = numpy.array(petersen.edges)
+        dense = networkx.to_numpy_array(petersen)
+        graphs = [petersen, edges, edges[::-1, ::-1], edges.tolist(), edges.astype(numpy.uint32),
+                  scipy.sparse.csr_matrix(dense), scipy.sparse.coo_matrix(numpy.triu(dense)), ar3d.as_graph(petersen)]
+        for algorithm in ("diamond", "grid", "two-bend", "compact"):
+            first = ar3d.draw(petersen, algorithm)
+            for graph in graphs:
+                drawing = ar3d.draw(graph, algorithm)
+                self.assertTrue((drawing.vertices == first.vertices).all())
+                self.assertTrue((drawing.bends == first.bends).all())
+                certificate = ar3d.certify(graph, drawing)
+                self.assertTrue(certificate and certificate.valid and certificate.complete)
+                self.assertEqual(certificate.violations, [])
+
+    def test_arrays_have_the_stated_shapes_and_are_views(self):
+        graph = ar3d.generate("random-cubic", 50, 7)
+        drawing = ar3d.draw(graph, "grid", effort=0)
+        m = graph.num_edges
+        self.assertEqual(drawing.vertices.shape, (50, 3))
+        self.assertEqual(drawing.edges.shape, (m, 2))
+        self.assertEqual(drawing.bend_offsets.shape, (m + 1,))
+        self.assertEqual(drawing.bends.shape, (drawing.bend_offsets[-1], 3))
+        self.assertEqual(drawing.vertices.dtype, numpy.int64)
+        self.assertTrue((drawing.edges == graph.edges).all())
+        points = numpy.vstack([drawing.vertices, drawing.bends])
+        self.assertTrue((drawing.box == [points.min(axis=0), points.max(axis=0)]).all())
+        address = lambda array: array.__array_interface__["data"][0]
+        for name in ("vertices", "bends", "edges"):
+            a, b = getattr(drawing, name), getattr(drawing, name)
+            self.assertEqual(address(a), address(b), name)  # the drawing's own memory
+            self.assertFalse(a.flags.writeable)
+            self.assertFalse(a.flags.owndata)
+        self.assertEqual(address(drawing.edges), address(graph.edges))
+
+    def test_arrays_outlive_their_drawing(self):
+        vertices = ar3d.draw(networkx.cycle_graph(10)).vertices
+        copy = vertices.copy()
+        for i in range(100):
+            ar3d.draw(networkx.cycle_graph(10 + i))
+        self.assertTrue((vertices == copy).all())
+
+    def test_in_space_angles_are_the_guaranteed_ones(self):
+        for algorithm, cosine in (("two-bend", -1 / 2), ("diamond", -1 / 3)):
+            for line in ar3d.polylines(ar3d.draw(networkx.complete_graph(4), algorithm)):
+                steps = numpy.diff(line, axis=0)
+                for a, b in zip(steps[:-1], steps[1:]):
+                    seen = -(a @ b) / (numpy.linalg.norm(a) * numpy.linalg.norm(b))
+                    self.assertLess(seen, cosine + 1e-9)  # at least that angle
+
+    def test_the_program_draws_the_same(self):
+        program = sys.argv[1]
+        text = subprocess.run([program, "generate", "random-cubic", "-n", "30", "--seed", "3", "--format", "edgelist"],
+                              check=True, capture_output=True, text=True).stdout
+        lines = [line for line in text.splitlines() if line and not line.startswith("#")]
+        rows = [tuple(map(int, line.split())) for line in lines]
+        mine = ar3d.generate("random-cubic", 30, 3)
+        self.assertTrue({tuple(sorted(row)) for row in rows} >= {tuple(map(int, edge)) for edge in mine.edges})
+
+    def test_graphs_without_edges_or_vertices(self):
+        for graph in (networkx.empty_graph(3), networkx.Graph()):
+            drawing = ar3d.draw(graph)
+            self.assertEqual(drawing.vertices.shape, (len(graph), 3))
+            self.assertEqual(drawing.bends.shape, (0, 3))
+            self.assertEqual(drawing.edges.shape, (0, 2))
+            self.assertTrue(ar3d.certify(graph, drawing))
+        self.assertEqual(ar3d.as_graph([], 5).num_vertices, 5)
+
+    def test_another_graph_is_a_violation(self):
+        drawing = ar3d.draw(networkx.cycle_graph(6))
+        certificate = ar3d.certify(networkx.path_graph(6), drawing)
+        self.assertFalse(certificate)
+        self.assertIn("edge_set", certificate.violations[0])
+
+
+class BadInput(unittest.TestCase):
+    def test_is_a_value_error_that_names_the_value(self):
+        cases = [
+            (lambda: ar3d.draw(networkx.star_graph(5)), "degree"),
+            (lambda: ar3d.draw(networkx.DiGraph([(0, 1)])), "directed"),
+            (lambda: ar3d.draw([(0, 0)]), "0"),
+            (lambda: ar3d.draw([(0, 1), (1, 0)]), "0"),
+            (lambda: ar3d.draw([(0, -1)]), "-1"),
+            (lambda: ar3d.draw([(0, 5)], "diamondd"), "diamond"),
+            (lambda: ar3d.draw([(0, 1)], "diamond", speed=1), "speed"),
+            (lambda: ar3d.draw([(0, 1)], "diamond", effort=99), "99"),
+            (lambda: ar3d.draw([(0, 1)], "two-bend-paper"), "real type"),
+            (lambda: ar3d.draw([(0.5, 1)]), "integers"),
+            (lambda: ar3d.draw([1, 2, 3]), "shape"),
+            (lambda: ar3d.draw(numpy.array([[0, 2**63]], dtype=numpy.uint64)), "64 bits"),
+            (lambda: ar3d.as_graph([(0, 9)], 5), "9"),
+            (lambda: ar3d.as_graph([], -1), "-1"),
+            (lambda: ar3d.draw(scipy.sparse.csr_matrix((2, 3))), "square"),
+            (lambda: ar3d.draw(scipy.sparse.identity(3)), "0"),
+            (lambda: ar3d.generate("cyclee", 5), "cycle"),
+            (lambda: ar3d.generate("cycle", -1), "n is"),
+            (lambda: ar3d.draw([(0, 1)]).in_space(numpy.zeros((2, 2), dtype=int)), "shape"),
+        ]
+        for call, word in cases:
+            with self.assertRaises(ValueError) as caught:
+                call()
+            self.assertIn(word, str(caught.exception))
+            self.assertNotIn("\n", str(caught.exception))
+
+
+class Results(unittest.TestCase):
+    def test_a_results_file_is_a_frame_with_units(self):
+        with tempfile.TemporaryDirectory() as folder:
+            spec, path = folder + "/tiny.toml", folder + "/tiny.h5"
+            with open(spec, "w") as file:
+                file.write("study = 'tiny'\n[[sweep]]\nfamilies = 'cycle'\nsizes = [8, 9]\nalgorithms = 'grid'\n")
+            subprocess.run([sys.argv[1], "study", "run", spec, "--threads", "1", "--quiet", "-o", path], check=True,
+                           capture_output=True)
+            runs = ar3d.read_results(path)
+            self.assertEqual(list(runs.n), [8, 9])
+            self.assertEqual(runs.attrs["units"]["wall_s"], "s")
+            self.assertEqual(runs.attrs["units"]["peak_bytes"], "bytes")
+            self.assertIn("drawing", runs.attrs["meaning"]["wall_s"])
+            self.assertEqual(len(ar3d.read_results(path, "instances")), 2)
+            with self.assertRaises(KeyError):
+                ar3d.read_results(path, "no such table")
+        with self.assertRaises(OSError):
+            ar3d.read_results("no-such-file.h5")
+
+
+class Plot(unittest.TestCase):
+    def test_edges_and_vertices_are_on_the_axes(self):
+        import matplotlib
+        matplotlib.use("Agg")
+        axes = ar3d.plot(ar3d.draw(networkx.petersen_graph(), "grid"), linewidths=2)
+        self.assertEqual(len(axes.collections), 2)
+        axes.figure.canvas.draw()
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
