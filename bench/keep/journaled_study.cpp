@@ -282,6 +282,11 @@ class Part {
 
   void make_rows() {
     const Stopwatch time;
+    if (!study_.spec.programs.empty()) {
+      together(ranks_, [&] {
+        refuse_changed_programs(study_.spec, rows_so_far(study_).environment(), study_.results);
+      });
+    }
     together(ranks_, [&] { journal_->begin_session(session_of(study_, policy_, ranks_)); });
     MakingPolicy shared = policy_;
     shared.name = study_.spec.name;

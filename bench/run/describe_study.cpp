@@ -8,9 +8,12 @@
 #include <map>
 #include <utility>
 
+#include "ar3d/bench/external/program_files.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/plan/plan.h"
+#include "ar3d/model/error.h"
+#include "ar3d/model/printable.h"
 
 namespace ar3d {
 namespace {
@@ -40,6 +43,29 @@ std::string now_with_zone() {
                      duration_cast<microseconds>(now - seconds).count());
 }
 
+namespace {
+
+/// In /environments, so that every session has its own.
+EnvironmentEntry program_entry(const ExternalAlgorithm& program) {
+  return {"program_" + program.row.name, program_hash(program)};
+}
+
+}  // namespace
+
+void refuse_changed_programs(const StudySpec& spec, const std::vector<EnvironmentEntry>& before,
+                             const std::string& results) {
+  for (const std::shared_ptr<const ExternalAlgorithm>& program : spec.programs) {
+    const EnvironmentEntry now = program_entry(*program);
+    for (const EnvironmentEntry& entry : before) {
+      if (entry.name != now.name || entry.value == now.value) continue;
+      throw InputError(
+          fmt::format("program '{}' is not the one that rows of {} were made with (hash {}, was "
+                      "{}): put the former one back, or begin anew with `ar3d study run --force`",
+                      program->row.name, results, now.value, printable(entry.value)));
+    }
+  }
+}
+
 Results describe_study(const StudySpec& spec, int workers) {
   Results results;
   results.study_id = spec.name;
@@ -54,6 +80,9 @@ Results describe_study(const StudySpec& spec, int workers) {
   for (const StudyCorpus& corpus : corpora_of(spec)) files.push_back(corpus.record);
   if (!files.empty()) results.tables.push_back(graph_file_table(files));
   results.environment = capture_environment(workers);
+  for (const std::shared_ptr<const ExternalAlgorithm>& program : spec.programs) {
+    results.environment.push_back(program_entry(*program));
+  }
   return results;
 }
 

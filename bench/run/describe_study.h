@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/records/run_storage.h"
@@ -13,5 +14,10 @@ std::string now_with_zone();
 /// Everything about a study's results but its rows: name, specification, source, environment, time.
 /// @param workers  of the process, for the environment. @throws InputError as corpora_of.
 Results describe_study(const StudySpec& spec, int workers);
+
+/// Rows of one study are of one program each. @param before  of earlier sessions.
+/// @param results  for messages. @throws InputError naming a program whose hash is another one now.
+void refuse_changed_programs(const StudySpec& spec, const std::vector<EnvironmentEntry>& before,
+                             const std::string& results);
 
 }  // namespace ar3d

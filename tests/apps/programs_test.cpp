@@ -106,5 +106,33 @@ while True:
       << "nothing of them is left";
 }
 
+TEST(Programs, OneThatChangedSinceRowsWereMadeIsRefused) {
+  const testing::ScratchDirectory scratch;
+  const std::string body = R"(import sys
+while True:
+    n, m = map(int, sys.stdin.readline().split())
+    for _ in range(m): sys.stdin.readline()
+    print('{"vertices":' + str([[i, i * i, i ** 3] for i in range(n)]) + '}', flush=True)
+)";
+  const std::string script = scratch.write("mine.py", body);
+  const std::string spec = scratch.write(
+      "s.toml",
+      "study = \"s\"\n[[algorithm]]\nname = \"mine\"\ncommand = [\"/usr/bin/python3\", \"" +
+          script +
+          "\"]\n[[sweep]]\nfamilies = \"cycle\"\nsizes = [5, 6]\n"
+          "algorithms = \"mine\"\n");
+  const std::string results = scratch.path("s.h5");
+  ASSERT_EQ(run("{} study run -q --threads 1 " + spec + " -o " + results).exit_code, 5);
+  const std::string resume = "{} study resume -q " + results + " --again crashed";
+  EXPECT_EQ(run(resume).exit_code, 5) << "nothing but measured rows";
+  scratch.write("mine.py", body + "# another one\n");
+  const Outcome changed = run(resume);
+  EXPECT_EQ(changed.exit_code, 2) << changed.out;
+  EXPECT_THAT(changed.err, HasSubstr("program 'mine' is not the one that rows of"));
+  scratch.write("mine.py", body);  // the former one
+  EXPECT_EQ(run(resume).exit_code, 5);
+  EXPECT_EQ(read_results(results).runs.size(), 2u);
+}
+
 }  // namespace
 }  // namespace ar3d

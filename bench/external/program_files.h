@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "ar3d/bench/external/external_algorithm.h"
+
+namespace ar3d {
+
+/// XXH3-128 of what the program is made of, as far as its command shows: the contents of the
+/// executable (a path, or looked up in $PATH) and of every further word that names a regular file,
+/// such as a script. "absent" if the executable cannot be read. Cost: reading these files.
+std::string program_hash(const ExternalAlgorithm& program);
+
+}  // namespace ar3d
