@@ -84,6 +84,12 @@ std::string summary(const Comparison& comparison, const CompareOptions& options,
                     std::size_t most_cells = 20);
 std::string summary(const Calibration& calibration, const TimeRule& rule);
 
+/// The same as Markdown, for a comment on a change: the verdict as a heading, what was judged, a
+/// table of the cells that did not pass and of the largest changes. Every foreign text stands in a
+/// code span, out of which no text leads.
+std::string comparison_markdown(const Comparison& comparison, const CompareOptions& options,
+                                std::size_t most_cells = 20);
+
 /// Everything, for programs; missing numbers are null. @param calibration  null if there was none.
 std::string comparison_json(const Comparison& comparison, const CompareOptions& options,
                             const Calibration* calibration = nullptr);

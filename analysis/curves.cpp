@@ -1,5 +1,9 @@
 #include "ar3d/analysis/curves.h"
 
+#include <fmt/format.h>
+
+#include "ar3d/analysis/text.h"
+
 namespace ar3d {
 namespace {
 
@@ -24,5 +28,14 @@ std::string algorithm_label(const CurveKey& key) {
 }
 
 std::string family_label(const CurveKey& key) { return with_brackets(key.family, key.parameters); }
+
+std::string cell_label(const CurveKey& key, std::int64_t n) {
+  std::string label = algorithm_label(key);
+  if (!key.family.empty()) {
+    label += " on " + family_label(key);
+    label += n >= 0 ? fmt::format(" n={}", n) : std::string(" all n");
+  }
+  return one_line(label);
+}
 
 }  // namespace ar3d

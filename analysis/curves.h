@@ -1,6 +1,7 @@
 #pragma once
 
 #include <compare>
+#include <cstdint>
 #include <string>
 
 #include "ar3d/records/run_record.h"
@@ -26,5 +27,9 @@ std::string options_and_level(const CurveKey& key);
 /// leave no brackets.
 std::string algorithm_label(const CurveKey& key);
 std::string family_label(const CurveKey& key);
+
+/// "diamond (effort=1) on cubic (k=2) n=300", on one line: what a cell is called, and how it is
+/// chosen on a command line. @param n  -1: all sizes.
+std::string cell_label(const CurveKey& key, std::int64_t n);
 
 }  // namespace ar3d

@@ -27,6 +27,8 @@ void add_study(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_report(CLI::App& app, int& exit_code);
 void add_compare(CLI::App& app, int& exit_code);
+void add_bisect(CLI::App& app, int& exit_code);
+void add_history(CLI::App& app, int& exit_code);
 void add_replay(CLI::App& app, int& exit_code);
 void add_hunt(CLI::App& app, int& exit_code);
 void add_shrink(CLI::App& app, int& exit_code);

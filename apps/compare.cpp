@@ -39,6 +39,7 @@ struct CompareArguments {
   bool calibrate = false;
   double threshold_percent = 5;
   std::string json;
+  std::string markdown;
   bool force = false;
   bool quiet = false;
   CompareOptions options;
@@ -58,7 +59,13 @@ std::string reference_for(const Results& results) {
 
 int report_verdict(const CompareArguments& arguments, const Comparison& comparison,
                    const Calibration* calibration) {
-  fmt::print("{}", summary(comparison, arguments.options));
+  const bool is_on_stdout = arguments.markdown == "-";
+  if (!arguments.markdown.empty()) {
+    const std::string text = comparison_markdown(comparison, arguments.options);
+    if (is_on_stdout) fmt::print("{}", text);
+    if (!is_on_stdout) write_file_atomically(arguments.markdown, text);
+  }
+  if (!is_on_stdout) fmt::print("{}", summary(comparison, arguments.options));
   if (!arguments.json.empty()) {
     write_file_atomically(arguments.json,
                           comparison_json(comparison, arguments.options, calibration));
@@ -77,7 +84,8 @@ int compare_files(const CompareArguments& arguments) {
   const Results now = read_results_or_benchmarks(arguments.files.back());
   const std::string base_path = arguments.reference ? reference_for(now) : arguments.files.front();
   const Results base = read_results_or_benchmarks(base_path);
-  fmt::print("base {} ({})\nnew  {} ({})\n", base_path, base.created, arguments.files.back(),
+  std::FILE* const to = arguments.markdown == "-" ? stderr : stdout;
+  fmt::print(to, "base {} ({})\nnew  {} ({})\n", base_path, base.created, arguments.files.back(),
              now.created);
   return report_verdict(arguments, compare(base, now, arguments.options), nullptr);
 }
@@ -128,7 +136,9 @@ int compare_builds(const CompareArguments& arguments) {
   std::signal(SIGTERM, ask_to_stop);
   std::FILE* progress = arguments.quiet ? nullptr : stderr;
   const StudySpec spec = load_study(arguments.study);
-  if (!arguments.json.empty()) require_writable(arguments.json);
+  for (const std::string& output : {arguments.json, arguments.markdown}) {
+    if (!output.empty() && output != "-") require_writable(output);
+  }
   const std::string checkout = find_checkout();
   const std::string folder = (fs::path(checkout) / "build" / "compare").string();
   std::optional<std::string> base;
@@ -145,7 +155,8 @@ int compare_builds(const CompareArguments& arguments) {
     std::vector<std::vector<double>> ratios;
     for (const CellComparison& cell : comparison->cells) ratios.push_back(cell.log_ratios);
     calibration = calibrate(ratios, arguments.options.time);
-    fmt::print("{}", summary(calibration, arguments.options.time));
+    fmt::print(arguments.markdown == "-" ? stderr : stdout, "{}",
+               summary(calibration, arguments.options.time));
   }
   if (base) {
     comparison = take_turns(*base, spec, folder, options, arguments.options);
@@ -185,6 +196,9 @@ void add_options(CLI::App& verb, CompareArguments& a) {
   verb.add_flag("--drawings-only", a.options.drawings_only,
                 "judge status, certificate, graph, volume, bends and instructions, and no times");
   verb.add_option("--json", a.json, "also write the verdict as JSON to this file");
+  verb.add_option("--markdown", a.markdown,
+                  "also write the verdict as Markdown to this file; -: to standard output instead "
+                  "of the text");
   add_force(verb, a.force);
   verb.add_flag("-q,--quiet", a.quiet, "no progress on standard error");
 }
@@ -203,8 +217,9 @@ void add_compare(CLI::App& app, int& exit_code) {
       "ar3d compare before.h5 after.h5\n         ar3d compare --base main "
       "--calibrate");
   verb->callback([arguments, &exit_code] {
-    refuse_unsafe_outputs(
-        {.inputs = arguments->files, .outputs = {arguments->json}, .force = arguments->force});
+    refuse_unsafe_outputs({.inputs = arguments->files,
+                           .outputs = {arguments->json, arguments->markdown},
+                           .force = arguments->force});
     arguments->options.time.threshold = arguments->threshold_percent / 100;
     const bool builds = !arguments->base.empty() || arguments->calibrate;
     exit_code = builds ? compare_builds(*arguments) : compare_files(*arguments);

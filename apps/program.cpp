@@ -80,6 +80,8 @@ int run(int argc, char** argv) {
   ar3d::add_check(app, exit_code);
   ar3d::add_report(app, exit_code);
   ar3d::add_compare(app, exit_code);
+  ar3d::add_bisect(app, exit_code);
+  ar3d::add_history(app, exit_code);
   ar3d::add_replay(app, exit_code);
   ar3d::add_hunt(app, exit_code);
   ar3d::add_shrink(app, exit_code);

@@ -13,22 +13,8 @@ constexpr const char* kAbsent = "absent";
 /// Differs from session to session on one machine, or is the change that is to be judged.
 bool is_passing(const std::string& name) {
   return name == "started" || name == "source_hash" || name == "dirty_hash" || name == "checksum" ||
-         name.starts_with("load_");
-}
-
-/// All lasting settings; a value that several sessions share stands once.
-std::map<std::string, std::string> settings(const Results& results) {
-  std::map<std::string, std::set<std::string>> values;
-  for (const EnvironmentEntry& entry : results.environment) {
-    if (!is_passing(entry.name)) values[entry.name].insert(entry.value);
-  }
-  std::map<std::string, std::string> joined;
-  for (const auto& [name, of_name] : values) {
-    for (const std::string& value : of_name) {
-      joined[name] += (joined[name].empty() ? "" : " | ") + value;
-    }
-  }
-  return joined;
+         name.starts_with("load_") ||
+         name.starts_with("program_");
 }
 
 std::string value_of(const std::map<std::string, std::string>& settings, const std::string& name) {
@@ -42,28 +28,48 @@ double leading_number(const std::string& text) {
   return number;
 }
 
-/// The load at a session's beginning that is more than half of the cores, or at its end, if it is
-/// as much more than the rows that the session made at a time; empty if none is.
 std::string busy(const Results& results) {
-  double cores = 1, own = 1;
+  double own = 1;
   for (const RunRecord& run : results.runs) {
     own = std::max(own, static_cast<double>(run.concurrency));
   }
-  for (const EnvironmentEntry& entry : results.environment) {
-    if (entry.name == "cores") cores = std::max(cores, leading_number(entry.value));
-  }
-  for (const EnvironmentEntry& entry : results.environment) {
-    if (entry.name == "load_before" && leading_number(entry.value) > cores / 2) return entry.value;
-    if (entry.name == "load_after" && leading_number(entry.value) > own + cores / 2)
-      return entry.value;
-  }
-  return "";
+  return load_of_other_work(results.environment, own);
 }
 
 }  // namespace
 
+std::map<std::string, std::string> lasting_settings(
+    const std::vector<EnvironmentEntry>& environment) {
+  std::map<std::string, std::set<std::string>> values;
+  for (const EnvironmentEntry& entry : environment) {
+    if (!is_passing(entry.name)) values[entry.name].insert(entry.value);
+  }
+  std::map<std::string, std::string> joined;
+  for (const auto& [name, of_name] : values) {
+    for (const std::string& value : of_name) {
+      joined[name] += (joined[name].empty() ? "" : " | ") + value;
+    }
+  }
+  return joined;
+}
+
+std::string load_of_other_work(const std::vector<EnvironmentEntry>& environment,
+                               double rows_at_a_time) {
+  double cores = 1;
+  for (const EnvironmentEntry& entry : environment) {
+    if (entry.name == "cores") cores = std::max(cores, leading_number(entry.value));
+  }
+  for (const EnvironmentEntry& entry : environment) {
+    const double load = leading_number(entry.value);
+    if (entry.name == "load_before" && load > cores / 2) return entry.value;
+    if (entry.name == "load_after" && load > rows_at_a_time + cores / 2) return entry.value;
+  }
+  return "";
+}
+
 std::vector<EnvironmentChange> environment_changes(const Results& base, const Results& now) {
-  const auto before = settings(base), after = settings(now);
+  const auto before = lasting_settings(base.environment);
+  const auto after = lasting_settings(now.environment);
   std::set<std::string> names;
   for (const auto& entry : before) names.insert(entry.first);
   for (const auto& entry : after) names.insert(entry.first);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,17 @@ struct EnvironmentChange {
 
 /// The name of the change that says that the machine was busy.
 inline constexpr const char* kLoadOfOtherWork = "load of other work";
+
+/// All lasting settings of a machine and a build, by name (processor, cores, kernel, compiler,
+/// flags, libraries, threads, variables); values of several sessions, "a | b". Results with equal
+/// settings are of one environment.
+std::map<std::string, std::string> lasting_settings(
+    const std::vector<EnvironmentEntry>& environment);
+
+/// The one-minute load at a session's beginning that is more than half of the cores, or at its end,
+/// if it is as much more than the rows that it made at a time; empty if none is.
+std::string load_of_other_work(const std::vector<EnvironmentEntry>& environment,
+                               double rows_at_a_time);
 
 /// What makes times of the two incomparable: every recorded setting that differs (processor, cores,
 /// kernel, compiler, flags, libraries, threads, variables), and a machine busy with other work when

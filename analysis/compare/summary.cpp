@@ -12,15 +12,6 @@ namespace {
 
 constexpr std::size_t kLargestChanges = 10;
 
-std::string cell_label(const CellComparison& cell) {
-  std::string label = algorithm_label(cell.key);
-  if (!cell.key.family.empty()) label += " on " + family_label(cell.key);
-  if (!cell.key.family.empty()) {
-    label += cell.n >= 0 ? fmt::format(" n={}", cell.n) : std::string(" all n");
-  }
-  return one_line(label);
-}
-
 std::string percent(double ratio) { return fmt::format("{:+.1f} %", 100 * (ratio - 1)); }
 
 std::string time_text(const TimeVerdict& time) {
@@ -35,8 +26,9 @@ std::string time_text(const TimeVerdict& time) {
 }
 
 std::string cell_line(const CellComparison& cell) {
-  return fmt::format("{:<12} {:<56} time {}{}\n", to_string(cell.verdict), cell_label(cell),
-                     time_text(cell.time), cell.reason.empty() ? "" : "; " + cell.reason);
+  return fmt::format("{:<12} {:<56} time {}{}\n", to_string(cell.verdict),
+                     cell_label(cell.key, cell.n), time_text(cell.time),
+                     cell.reason.empty() ? "" : "; " + cell.reason);
 }
 
 std::string cell_table(const Comparison& comparison, std::size_t most_cells) {
@@ -80,12 +72,13 @@ std::string largest_changes(const Comparison& comparison, std::size_t most) {
       fmt::format("largest changes of time ({}){}\n", is_judged ? "judged" : "NOT JUDGED",
                   times.empty() ? ": none" : "");
   for (const CellComparison* cell : times) {
-    text += fmt::format("  {:<58} {}\n", cell_label(*cell), time_text(cell->time));
+    text += fmt::format("  {:<58} {}\n", cell_label(cell->key, cell->n), time_text(cell->time));
   }
   const auto volumes = largest(comparison, most, volume_of);
   text += fmt::format("largest changes of volume{}\n", volumes.empty() ? ": none" : "");
   for (const CellComparison* cell : volumes) {
-    text += fmt::format("  {:<58} {}\n", cell_label(*cell), percent(std::exp2(volume_of(*cell))));
+    text += fmt::format("  {:<58} {}\n", cell_label(cell->key, cell->n),
+                        percent(std::exp2(volume_of(*cell))));
   }
   return text;
 }
@@ -111,7 +104,74 @@ std::size_t other_drawings(const Comparison& comparison) {
   return count;
 }
 
+std::string rule_text(const CompareOptions& options) {
+  const TimeRule& rule = options.time;
+  return fmt::format(
+      "time changes by {:.3g} % or more, p <= {:.3g} a cell, false discovery rate {:.3g} %; "
+      "volume, bends, status, certificate: any change for the worse",
+      100 * rule.threshold, rule.significance, 100 * rule.false_discovery_rate);
+}
+
+std::string counts_text(const Comparison& comparison) {
+  return fmt::format(
+      "{} cells ({} measurements): {} pass, {} improved, {} unjudged, {} inconclusive, {} "
+      "regressed, {} violated",
+      comparison.cells.size(), comparison.rows, comparison.count(Verdict::pass),
+      comparison.count(Verdict::improved), comparison.count(Verdict::unjudged),
+      comparison.count(Verdict::inconclusive), comparison.count(Verdict::regressed),
+      comparison.count(Verdict::violated));
+}
+
+/// A code span in a table: no backtick ends it, no bar ends its field.
+std::string code_span(const std::string& text) {
+  std::string span = "`";
+  for (const char c : one_line(text)) {
+    span += c == '`' ? "'" : c == '|' ? "\\|" : std::string(1, c);
+  }
+  return span + "`";
+}
+
+std::string markdown_row(const CellComparison& cell) {
+  const double volume = cell.log2_volume_change;
+  return fmt::format("| {} | {} | {} | {} | {} |\n", to_string(cell.verdict),
+                     code_span(cell_label(cell.key, cell.n)), time_text(cell.time),
+                     std::abs(volume) > 0 ? percent(std::exp2(volume)) : "–",
+                     cell.reason.empty() ? "" : code_span(cell.reason));
+}
+
 }  // namespace
+
+std::string comparison_markdown(const Comparison& comparison, const CompareOptions& options,
+                                std::size_t most_cells) {
+  std::string text =
+      fmt::format("## ar3d compare: {}\n\n{}\n\nJudged: {}. Exit code {}.\n", comparison.word(),
+                  counts_text(comparison), comparison.judged(), comparison.exit_code());
+  std::string rows;
+  for (const Verdict verdict :
+       {Verdict::violated, Verdict::regressed, Verdict::inconclusive, Verdict::improved}) {
+    std::size_t shown = 0;
+    for (const CellComparison& cell : comparison.cells) {
+      if (cell.verdict == verdict && shown++ < most_cells) rows += markdown_row(cell);
+    }
+    if (shown > most_cells) {
+      rows += fmt::format("| {} | {} more | | | |\n", to_string(verdict), shown - most_cells);
+    }
+  }
+  if (!rows.empty()) {
+    text += "\n| verdict | cell | time | volume | reason |\n|---|---|---|---|---|\n" + rows;
+  }
+  for (const std::string& line : comparison.incomplete) {
+    text += "\n- incomplete: " + code_span(line);
+  }
+  for (const std::string& line : comparison.remarks) text += "\n- note: " + code_span(line);
+  for (const EnvironmentChange& change : comparison.environment) {
+    text += fmt::format("\n- unlike environments: {} was {}, is {}", code_span(change.name),
+                        code_span(change.base), code_span(change.now));
+  }
+  return text +
+         fmt::format("\n\n<details><summary>Everything</summary>\n\n~~~\n{}~~~\n\n</details>\n",
+                     summary(comparison, options, most_cells));
+}
 
 std::string summary(const Comparison& comparison, const CompareOptions& options,
                     std::size_t most_cells) {
@@ -122,20 +182,9 @@ std::string summary(const Comparison& comparison, const CompareOptions& options,
   if (const std::size_t others = other_drawings(comparison); others > 0) {
     text += fmt::format("note         {} cells passed with other drawings than before\n", others);
   }
-  text += fmt::format(
-      "{}  {} cells ({} measurements): {} pass, {} improved, {} unjudged, {} inconclusive, {} "
-      "regressed, {} violated\n",
-      comparison.word(), comparison.cells.size(), comparison.rows, comparison.count(Verdict::pass),
-      comparison.count(Verdict::improved), comparison.count(Verdict::unjudged),
-      comparison.count(Verdict::inconclusive), comparison.count(Verdict::regressed),
-      comparison.count(Verdict::violated));
-  const TimeRule& rule = options.time;
+  text += fmt::format("{}  {}\n", comparison.word(), counts_text(comparison));
   text += fmt::format("judged: {}\n", comparison.judged());
-  text += fmt::format(
-      "rule: time changes by {:.3g} % or more, p <= {:.3g} a cell, false discovery rate {:.3g} %; "
-      "volume, bends, status, certificate: any change for the worse; exit code {}\n",
-      100 * rule.threshold, rule.significance, 100 * rule.false_discovery_rate,
-      comparison.exit_code());
+  text += fmt::format("rule: {}; exit code {}\n", rule_text(options), comparison.exit_code());
   return text;
 }
 

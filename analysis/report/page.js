@@ -173,6 +173,13 @@
     head.addEventListener("keydown", event => { if (event.key === "Enter") sort(); });
   }
 
+  // The small pictures of a history.
+  for (const svg of all("svg.spark")) {
+    const turn = () => svg.classList.toggle("large");
+    svg.addEventListener("click", turn);
+    svg.addEventListener("keydown", event => { if (event.key === "Enter") turn(); });
+  }
+
   // Saving a figure.
   const save = (name, type, text) => {
     const link = document.createElement("a");

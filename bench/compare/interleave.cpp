@@ -52,18 +52,25 @@ class Arena {
   static constexpr const char* kNew = "next";  // as long as "base"
 
   /// Runs the study once. @return false if it was interrupted.
-  bool run(const char* side, std::size_t round, int core, const std::atomic<bool>* stop,
+  bool run(const char* side, std::size_t round, int core, const InterleaveOptions& options,
            std::vector<Results>& into) {
     const fs::path results = root_ / fmt::format("{}-{}.h5", side, round), log = root_ / "log";
-    const int code = run_child(
-        {(root_ / side / "ar3d").string(), "study", "run", (root_ / "study.toml").string(),
-         "--threads", "1", "--quiet", "-o", results.string()},
-        {.output = log.string(), .core = core, .stop = stop});
-    const bool is_stopped = stop != nullptr && *stop;
-    if (is_stopped || code == kInterruptedCode || code == 128 + SIGINT) return false;
-    if (code != 0 && code != 4 && code != 5) {  // verdicts on the rows, which are there
-      throw InputError(fmt::format("round {}: the {} program ended with code {}: {}", round, side,
-                                   code, last_line(log)));
+    const std::string program = (root_ / side / "ar3d").string();
+    std::vector<std::vector<std::string>> commands = {{program, "study", "run",
+                                                       (root_ / "study.toml").string(), "--threads",
+                                                       "1", "--quiet", "-o", results.string()}};
+    if (options.count_instructions) {
+      commands.push_back({program, "study", "count", results.string()});
+    }
+    for (const std::vector<std::string>& command : commands) {
+      const int code =
+          run_child(command, {.output = log.string(), .core = core, .stop = options.stop});
+      const bool is_stopped = options.stop != nullptr && *options.stop;
+      if (is_stopped || code == kInterruptedCode || code == 128 + SIGINT) return false;
+      if (code != 0 && code != 4 && code != 5) {  // verdicts on the rows, which are there
+        throw InputError(fmt::format("round {}: the {} program ended with code {}: {}", round, side,
+                                     code, last_line(log)));
+      }
     }
     into.push_back(read_results(results.string()));
     fs::remove(results);
@@ -84,10 +91,8 @@ InterleavedRounds run_interleaved(const std::string& base_program, const std::st
   const Stopwatch stopwatch;
   InterleavedRounds rounds;
   for (std::size_t round = 0; round < options.rounds; ++round) {
-    const auto base = [&] {
-      return arena.run(Arena::kBase, round, core, options.stop, rounds.base);
-    };
-    const auto now = [&] { return arena.run(Arena::kNew, round, core, options.stop, rounds.now); };
+    const auto base = [&] { return arena.run(Arena::kBase, round, core, options, rounds.base); };
+    const auto now = [&] { return arena.run(Arena::kNew, round, core, options, rounds.now); };
     rounds.interrupted = round % 2 == 0 ? !(base() && now()) : !(now() && base());
     if (rounds.interrupted) break;
     if (options.progress != nullptr) {

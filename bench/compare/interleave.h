@@ -15,6 +15,7 @@ struct InterleaveOptions {
   int core = -1;                  ///< that both programs are pinned to; -1: the last allowed one
   std::FILE* progress = nullptr;  ///< where to tell how far it is; null: nowhere
   const std::atomic<bool>* stop = nullptr;  ///< set by a signal handler: ends early
+  bool count_instructions = false;          ///< `study count` after each run
 };
 
 /// What two programs measured in turns; base[i] and now[i] belong to round i.

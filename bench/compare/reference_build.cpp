@@ -7,6 +7,7 @@
 #include <fstream>
 #include <vector>
 
+#include "ar3d/bench/compare/git.h"
 #include "ar3d/bench/measure/child_process.h"
 #include "ar3d/model/error.h"
 
@@ -14,22 +15,6 @@ namespace ar3d {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Said {
-  int exit_code = 0;
-  std::string first_line;
-};
-
-Said ask_git(std::vector<std::string> words) {
-  const fs::path log = fs::temp_directory_path() / fmt::format("ar3d-git-{}", getpid());
-  words.insert(words.begin(), "git");
-  Said said;
-  said.exit_code = run_child(words, {.output = log.string()});
-  std::ifstream file(log);
-  std::getline(file, said.first_line);
-  fs::remove(log);
-  return said;
-}
 
 /// Thrown where the caller asked to stop.
 struct Stopped {};
@@ -118,29 +103,28 @@ void build_program(const std::string& checkout, const std::string& commit, Build
 }  // namespace
 
 std::string find_checkout() {
-  const Said root = ask_git({"rev-parse", "--show-toplevel"});
-  if (root.exit_code != 0 || !fs::exists(fs::path(root.first_line) / "apps" / "study.cpp")) {
+  const GitAnswer root = ask_git({"rev-parse", "--show-toplevel"});
+  if (root.exit_code != 0 || root.lines.empty() ||
+      !fs::exists(fs::path(root.lines.front()) / "apps" / "study.cpp")) {
     throw InputError("the working directory is in no git checkout of ar3d");
   }
-  return root.first_line;
+  return root.lines.front();
 }
 
 std::optional<std::string> build_reference(const std::string& checkout, const std::string& ref,
                                            const BuildOptions& options) {
-  const Said commit = ask_git(
-      {"-C", checkout, "rev-parse", "--verify", "--quiet", "--end-of-options", ref + "^{commit}"});
-  if (commit.exit_code != 0) throw InputError(fmt::format("no commit '{}' in {}", ref, checkout));
+  const std::string commit = commit_of(checkout, ref);
   const fs::path folder = fs::path(checkout) / "build" / "compare";
-  const fs::path program = folder / commit.first_line / "ar3d";
+  const fs::path program = folder / commit / "ar3d";
   if (fs::exists(program)) return program.string();
   fs::create_directories(folder);
-  const fs::path log = folder / (commit.first_line + ".log");
+  const fs::path log = folder / (commit + ".log");
   if (options.progress != nullptr) {
     fmt::print(options.progress, "building {} as {}, which takes minutes\n", ref, program.string());
   }
   try {
     Build build(ref, log, options);
-    build_program(checkout, commit.first_line, build, program);
+    build_program(checkout, commit, build, program);
   } catch (const Stopped&) {
     fs::remove(log);
     return {};

@@ -86,6 +86,36 @@ TEST(CompareProgram, AFileAgainstItselfPassesAndAGrownBoxIsARegression) {
   EXPECT_EQ(run("{} compare " + base + " " + broken).exit_code, 4);
 }
 
+TEST(CompareProgram, TheVerdictIsWrittenAsMarkdown) {
+  const ScratchDirectory scratch;
+  const std::string base = tiny_results(scratch, "base.h5");
+  const std::string grown = changed(base, "grown.h5", [](Results& r) {
+    r.runs[4].extents[1] += 1;
+    for (RunRecord& run : r.runs) {
+      if (run.family == "cycle") run.family = "a|b`c # d";
+    }
+  });
+  const std::string named = changed(base, "named.h5", [](Results& r) {
+    for (RunRecord& run : r.runs) {
+      if (run.family == "cycle") run.family = "a|b`c # d";
+    }
+  });
+  const std::string file = scratch.path("verdict.md");
+  const std::string compare = "{} compare " + named + " " + grown + " --markdown ";
+  EXPECT_EQ(run(compare + file).exit_code, 3);
+  const Outcome piped = run(compare + "-");
+  EXPECT_EQ(piped.exit_code, 3);
+  EXPECT_EQ(piped.out, read_file(file));
+  EXPECT_THAT(piped.out, ::testing::StartsWith("## ar3d compare: REGRESSED\n"));
+  EXPECT_THAT(piped.out, HasSubstr("| verdict | cell | time | volume | reason |"));
+  EXPECT_THAT(piped.out, HasSubstr("`larger volume"));
+  EXPECT_THAT(piped.out, HasSubstr("on a\\|b'c # d all n` |"));  // one field of one line
+  const Outcome kept = run(compare + file);
+  EXPECT_EQ(kept.exit_code, 2);
+  EXPECT_THAT(kept.err, HasSubstr("--force replaces it"));
+  EXPECT_EQ(run(compare + scratch.path("nowhere/verdict.md")).exit_code, 2);
+}
+
 TEST(CompareProgram, BadInputIsOneClearLine) {
   const ScratchDirectory scratch;
   const std::string base = tiny_results(scratch, "base.h5");

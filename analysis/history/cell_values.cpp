@@ -1,0 +1,129 @@
+#include "ar3d/analysis/history/cell_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "ar3d/results/study_identity.h"
+
+namespace ar3d {
+namespace {
+
+/// What the rows of one graph in a cell say together.
+struct GraphValues {
+  std::string graph_hash;
+  bool is_unfinished = false;
+  double least_s = std::numeric_limits<double>::infinity();         // of the metrics phase
+  double least_timing_s = std::numeric_limits<double>::infinity();  // of the timing phase
+  std::int64_t instructions = -1;
+  std::array<std::int64_t, 3> extents{-1, -1, -1};
+  double log_volume = kMissing;
+  std::int64_t bends = -1;
+  std::int64_t m = -1;
+};
+
+using GraphKey = std::tuple<std::int64_t, std::int64_t, std::uint64_t>;  // requested n, index, seed
+using GraphTable = std::map<GraphKey, GraphValues>;
+
+std::int64_t bends_of(const RunRecord& run) {
+  std::int64_t bends = 0;
+  for (std::size_t b = 0; b < run.bends.size(); ++b) {
+    if (run.bends[b] < 0 || run.bends[b] > std::numeric_limits<std::int32_t>::max()) return -1;
+    bends += static_cast<std::int64_t>(b) * run.bends[b];
+  }
+  return bends;
+}
+
+void add_row(const RunRecord& run, GraphValues& graph) {
+  graph.graph_hash = std::max(graph.graph_hash, run.graph_hash);
+  if (run.status != RunStatus::ok && run.status != RunStatus::measured) {
+    graph.is_unfinished = true;
+    return;
+  }
+  double& least = run.phase == RunPhase::timing ? graph.least_timing_s : graph.least_s;
+  if (run.wall_s > 0) least = std::min(least, run.wall_s);
+  graph.instructions = std::max(graph.instructions, run.counted_instructions);
+  if (run.extents[0] < 0) return;
+  graph.extents = run.extents;
+  graph.log_volume = run.log2_volume * std::numbers::ln2;
+  graph.bends = bends_of(run);
+  graph.m = run.m;
+}
+
+/// exp of the mean of the logarithms that `of` gives; missing if one is.
+template <class Of>
+double geometric_mean(const GraphTable& graphs, Of of) {
+  double sum = 0;
+  for (const auto& [key, graph] : graphs) sum += of(graph);
+  const double mean = std::exp(sum / static_cast<double>(graphs.size()));
+  return std::isfinite(mean) && mean > 0 ? mean : kMissing;
+}
+
+double bends_per_edge(const GraphTable& graphs) {
+  double bends = 0, edges = 0;
+  for (const auto& [key, graph] : graphs) {
+    if (graph.bends < 0 || graph.m < 0) return kMissing;
+    bends += static_cast<double>(graph.bends);
+    edges += static_cast<double>(graph.m);
+  }
+  return edges > 0 ? bends / edges : kMissing;
+}
+
+CellValues values_of(const GraphTable& graphs) {
+  const bool is_unfinished = std::any_of(graphs.begin(), graphs.end(),
+                                         [](const auto& at) { return at.second.is_unfinished; });
+  if (is_unfinished) return {};
+  const bool is_timed = std::any_of(graphs.begin(), graphs.end(), [](const auto& at) {
+    return std::isfinite(at.second.least_timing_s);
+  });
+  std::string boxes, bends;
+  for (const auto& [key, graph] : graphs) {
+    boxes += fmt::format("{} ", fmt::join(graph.extents, " "));
+    bends += fmt::format("{} ", graph.bends);
+  }
+  CellValues values;
+  values[0].value = geometric_mean(graphs, [&](const GraphValues& graph) {
+    return std::log(is_timed ? graph.least_timing_s : graph.least_s);
+  });
+  values[1].value = geometric_mean(graphs, [](const GraphValues& graph) {
+    return graph.instructions > 0 ? std::log(static_cast<double>(graph.instructions)) : kMissing;
+  });
+  values[2] = {geometric_mean(graphs, [](const GraphValues& graph) { return graph.log_volume; }),
+               content_hash(boxes)};
+  values[3] = {bends_per_edge(graphs), content_hash(bends)};
+  return values;
+}
+
+}  // namespace
+
+const char* to_string(Measure measure) {
+  constexpr const char* kNames[] = {"time", "instructions", "volume", "bends"};
+  return kNames[static_cast<std::size_t>(measure)];
+}
+
+CellTable cell_values(const RowView& rows) {
+  CellTable table;
+  std::map<std::pair<CurveKey, std::int64_t>, GraphTable> cells;
+  for (std::size_t row = 0; row < rows.count; ++row) {
+    const RunRecord& run = rows.read(row);
+    if (is_batched(run.phase)) continue;
+    if (run.status != RunStatus::ok && run.status != RunStatus::measured) ++table.unfinished;
+    table.rows_at_a_time = std::max(table.rows_at_a_time, static_cast<double>(run.concurrency));
+    if (table.build_kind.empty()) table.build_kind = run.build_kind;
+    const std::int64_t n = run.n >= 0 ? run.n : run.requested_n;
+    add_row(run, cells[{curve_of(run), n}][{run.requested_n, run.instance_index, run.seed}]);
+  }
+  for (const auto& [key, graphs] : cells) {
+    std::string names;
+    for (const auto& [graph, values] : graphs) {
+      names += fmt::format("{} {} {} ", std::get<0>(graph), std::get<1>(graph), values.graph_hash);
+    }
+    table.cells[{key.first, key.second, content_hash(names)}] = values_of(graphs);
+  }
+  return table;
+}
+
+}  // namespace ar3d

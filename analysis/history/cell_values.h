@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "ar3d/analysis/curves.h"
+#include "ar3d/analysis/rows.h"
+
+namespace ar3d {
+
+/// What a history follows of every cell.
+enum class Measure : std::uint8_t { time, instructions, volume, bends };
+inline constexpr std::array kMeasures = {Measure::time, Measure::instructions, Measure::volume,
+                                         Measure::bends};
+/// "time", "instructions", "volume", "bends".
+const char* to_string(Measure measure);
+
+/// A curve at one size with the very graphs that were drawn: values of other graphs are another
+/// cell's.
+struct HistoryCell {
+  CurveKey curve;
+  std::int64_t n = -1;
+  std::string graphs;  ///< a hash of all of them
+  friend auto operator<=>(const HistoryCell&, const HistoryCell&) = default;
+};
+
+/// A measure of a cell in one results file; missing (NaN) where a row of the cell has none.
+struct CellValue {
+  /// time: seconds, the geometric mean over the graphs of the smallest among the repetitions, of
+  /// the timing phase if the cell has it. instructions: counted by callgrind, geometric mean.
+  /// volume: lattice points, geometric mean. bends: per edge.
+  double value = kMissing;
+  std::string exact = {};  ///< volume and bends: a hash of those of every single graph
+};
+using CellValues = std::array<CellValue, kMeasures.size()>;
+
+struct CellTable {
+  std::map<HistoryCell, CellValues> cells;
+  std::size_t unfinished = 0;  ///< rows neither ok nor measured: their cells have no values
+  double rows_at_a_time = 1;   ///< the largest concurrency
+  std::string build_kind;      ///< of a row that has one
+};
+
+/// One pass over the rows; those of batches (strong, weak) are left out. Memory: that of the
+/// graphs. Cost: O(r log r) for r rows.
+CellTable cell_values(const RowView& rows);
+
+}  // namespace ar3d

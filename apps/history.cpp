@@ -1,0 +1,169 @@
+// `ar3d history`: results of one commit after the other in a folder, and what changed between them.
+#include "ar3d/analysis/history/history.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+
+#include "ar3d/bench/compare/git.h"
+#include "ar3d/model/error.h"
+#include "ar3d/model/new_file.h"
+#include "ar3d/results/atomic_file.h"
+#include "commands.h"
+#include "numbers.h"
+#include "outputs.h"
+
+namespace ar3d {
+namespace {
+
+constexpr const char* kFolder = "ar3d-history";
+constexpr std::size_t kHashDigits = 12;  // of a commit's name
+
+struct AddArguments {
+  std::string results;
+  std::string folder = kFolder;
+  std::int64_t place = -1;
+  std::string name;
+  bool force = false;
+};
+
+bool is_commit(const std::string& hash) {
+  return hash.size() == 40 && hash.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+/// @throws InputError if these results stand for no commit as a whole.
+void require_whole(const AddArguments& arguments, const RunReader& reader) {
+  const StudyIdentity& study = reader.identity();
+  const auto rows = static_cast<std::int64_t>(reader.size());
+  if (rows == 0) throw InputError(fmt::format("{} has no rows", arguments.results));
+  if (study.planned_rows > rows) {
+    throw InputError(fmt::format("{} is of a study that is not finished: {} of {} rows",
+                                 arguments.results, rows, study.planned_rows));
+  }
+  if (study.dirty && arguments.name.empty()) {
+    throw InputError(
+        fmt::format("{} was measured by a program with changes to commit {}: give it a --name",
+                    arguments.results, study.source_hash.substr(0, kHashDigits)));
+  }
+}
+
+std::int64_t place_of(const AddArguments& arguments, const StudyIdentity& study) {
+  if (arguments.place >= 0) return arguments.place;
+  const std::int64_t place = is_commit(study.source_hash) ? commits_up_to(study.source_hash) : -1;
+  if (place >= 0) return place;
+  throw InputError(
+      fmt::format("git in the working directory does not know the commit '{}' of {}: say with "
+                  "--place where it stands in the order",
+                  study.source_hash.substr(0, 40), arguments.results));
+}
+
+void copy_file(const std::string& from, const std::string& to) {
+  std::ifstream in(from, std::ios::binary);
+  NewFile file(to);
+  std::string piece(1 << 20, '\0');
+  while (in.read(piece.data(), static_cast<std::streamsize>(piece.size())) || in.gcount() > 0) {
+    file.write_all(std::span(piece).first(static_cast<std::size_t>(in.gcount())));
+  }
+  if (in.bad() || !in.eof()) throw InputError(fmt::format("cannot read {}", from));
+  file.become_target();
+}
+
+int add_results(const AddArguments& arguments) {
+  const RunReader reader(arguments.results);
+  const StudyIdentity& study = reader.identity();
+  require_whole(arguments, reader);
+  const std::int64_t place = place_of(arguments, study);
+  const std::string name =
+      arguments.name.empty() ? study.source_hash.substr(0, kHashDigits) : arguments.name;
+  const std::string path =
+      arguments.folder + "/" + history_file_name(place, name, study, reader.environment());
+  refuse_unsafe_outputs(
+      {.inputs = {arguments.results}, .outputs = {path}, .force = arguments.force});
+  std::error_code error;
+  std::filesystem::create_directories(arguments.folder, error);
+  if (error) {
+    throw InputError(fmt::format("cannot create {}: {}", arguments.folder, error.message()));
+  }
+  copy_file(arguments.results, path);
+  fmt::print("added    {}\n", path);
+  return kPass;
+}
+
+struct ReportArguments {
+  std::string folder = kFolder;
+  std::string output;
+  std::string json;
+  double threshold_percent = 2;
+  bool force = false;
+};
+
+int report_history(const ReportArguments& arguments) {
+  const std::string page =
+      arguments.output.empty() ? arguments.folder + "/history.html" : arguments.output;
+  refuse_unsafe_outputs({.inputs = {},
+                         .outputs = {arguments.json},
+                         .page = page,
+                         .page_is = "<title>ar3d history: ",
+                         .force = arguments.force});
+  HistoryRule rule;
+  rule.time.threshold = arguments.threshold_percent / 100;
+  const History history = read_history(arguments.folder, rule);
+  write_file_atomically(page, render_history(history, arguments.folder));
+  if (!arguments.json.empty()) write_file_atomically(arguments.json, history_json(history));
+  fmt::print("{}page     {}\n", summary(history), page);
+  for (const HistoryLine& line : history.lines) {
+    if (line.is_judged) return kPass;
+  }
+  fmt::print(stderr, "ar3d: {}: nothing was judged: every line is too short\n", arguments.folder);
+  return kIncomplete;
+}
+
+void add_add(CLI::App& history, int& exit_code) {
+  CLI::App* verb = history.add_subcommand("add", "Copies a results file into the folder");
+  const auto arguments = std::make_shared<AddArguments>();
+  verb->add_option("RESULTS", arguments->results, "results file (HDF5) of a finished study")
+      ->required();
+  verb->add_option("--folder", arguments->folder, "where the history is; made if it is not there")
+      ->capture_default_str();
+  verb->add_option("--place", arguments->place,
+                   "where the results stand in the order; the number of commits up to the "
+                   "program's, by git, if left out")
+      ->check(whole_number(0, 999999999));
+  verb->add_option("--name", arguments->name,
+                   "of the release, say v1.2; the first digits of the commit if left out");
+  add_force(*verb, arguments->force);
+  verb->footer("Example: ar3d study run regression -o now.h5; ar3d history add now.h5");
+  verb->callback([arguments, &exit_code] { exit_code = add_results(*arguments); });
+}
+
+void add_history_report(CLI::App& history, int& exit_code) {
+  CLI::App* verb = history.add_subcommand(
+      "report", "Every cell over the commits, and what changed where, as one offline HTML file");
+  const auto arguments = std::make_shared<ReportArguments>();
+  verb->add_option("--folder", arguments->folder, "where the history is")->capture_default_str();
+  verb->add_option("-o,--output", arguments->output, "HTML file; FOLDER/history.html if left out");
+  verb->add_option("--json", arguments->json, "also write lines and changes as JSON to this file");
+  verb->add_option("--threshold", arguments->threshold_percent, "percent of time that matter")
+      ->check(CLI::Range(0.1, 1000.0))
+      ->capture_default_str();
+  add_force(*verb, arguments->force);
+  verb->footer(
+      "Exit code 0: lines were judged, whatever changed; 5: none was long enough.\nExample: ar3d "
+      "history report --folder ar3d-history -o history.html");
+  verb->callback([arguments, &exit_code] { exit_code = report_history(*arguments); });
+}
+
+}  // namespace
+
+void add_history(CLI::App& app, int& exit_code) {
+  CLI::App* verb = app.add_subcommand(
+      "history", "Results of many commits: every cell over time, and where it changed");
+  verb->require_subcommand(1);
+  add_add(*verb, exit_code);
+  add_history_report(*verb, exit_code);
+}
+
+}  // namespace ar3d

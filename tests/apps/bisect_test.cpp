@@ -1,0 +1,187 @@
+// `ar3d bisect` in a small repository whose commits are known.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "support/program.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing::Outcome;
+using testing::run;
+using testing::ScratchDirectory;
+
+constexpr const char* kCell = "'grid (effort=1) on cycle n=50'";
+
+/// A checkout of which every commit "builds" its file program.sh as the program.
+class PlantedRepository {
+ public:
+  PlantedRepository() {
+    std::filesystem::create_directories(checkout_ + "/apps");
+    scratch_.write("checkout/apps/study.cpp", "");
+    scratch_.write("checkout/CMakeLists.txt",
+                   "cmake_minimum_required(VERSION 3.20)\nproject(planted NONE)\n"
+                   "add_custom_target(ar3d_program COMMAND ${CMAKE_COMMAND} -E make_directory apps "
+                   "COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_SOURCE_DIR}/program.sh apps/ar3d)\n");
+    scratch_.write("tiny.toml",
+                   "study = 'tiny'\n[[sweep]]\nfamilies = ['cycle', 'random-cubic']\nsizes = 50\n"
+                   "algorithms = 'grid'\n");
+    EXPECT_EQ(run("git init -q " + checkout_).exit_code, 0);
+  }
+
+  /// A commit whose program runs `command` in front of the program of this test.
+  /// @param command  empty: it cannot be built.
+  void commit(const std::string& subject, const std::string& command) {
+    const std::string script = checkout_ + "/program.sh";
+    std::filesystem::remove(script);
+    if (!command.empty()) {
+      const Outcome program = run("realpath {}");
+      scratch_.write("checkout/program.sh", "#!/bin/bash\n# " + subject + "\n" + command + " " +
+                                                program.out.substr(0, program.out.size() - 1) +
+                                                " \"$@\"\n");
+      EXPECT_EQ(run("chmod +x " + script).exit_code, 0);
+    }
+    const Outcome made = run("cd " + checkout_ +
+                             " && git add -A && git -c user.name=t -c user.email=t@t commit "
+                             "--allow-empty -qm '" +
+                             subject + "' && git rev-parse HEAD");
+    EXPECT_EQ(made.exit_code, 0) << made.err;
+    hashes_.push_back(made.out.substr(0, 40));
+  }
+
+  const std::string& hash(std::size_t commit) const { return hashes_[commit]; }
+  std::string path(const std::string& name) const { return scratch_.path(name); }
+
+  Outcome bisect(const std::string& arguments, const std::string& before = "") const {
+    return run("cd " + checkout_ + " && " + before + " {} bisect --study " +
+               scratch_.path("tiny.toml") + " " + arguments);
+  }
+
+  void expect_nothing_left() const {
+    const Outcome trees = run("git -C " + checkout_ + " worktree list");
+    EXPECT_EQ(std::count(trees.out.begin(), trees.out.end(), '\n'), 1) << trees.out;
+    for (const auto& entry : std::filesystem::directory_iterator(checkout_ + "/build/compare")) {
+      EXPECT_THAT(entry.path().string(), Not(HasSubstr("sources")));
+      EXPECT_THAT(entry.path().string(), Not(HasSubstr("run-")));
+    }
+  }
+
+ private:
+  ScratchDirectory scratch_;
+  std::string checkout_ = scratch_.path("checkout");
+  std::vector<std::string> hashes_;
+};
+
+/// Draws with another effort than it is told to, so that the boxes are other ones.
+constexpr const char* kOtherDrawings =
+    "for word in \"$@\"; do [[ $word == *.toml ]] && sed -i 's/effort = 1/effort = 0/' \"$word\"; "
+    "done;";
+constexpr const char* kPlain = "exec";
+
+TEST(Bisect, TheCommitThatChangedTheDrawingsIsFoundAndNothingIsLeft) {
+  PlantedRepository repository;
+  for (const char* subject : {"zero", "one", "two", "three"}) repository.commit(subject, kPlain);
+  for (const char* subject : {"culprit", "five", "six"}) {
+    repository.commit(subject, kOtherDrawings);
+  }
+  const Outcome outcome = repository.bisect("--measure volume --good " + repository.hash(0) +
+                                            " --bad HEAD --cell " + kCell);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("FOUND    " + repository.hash(4) + " culprit"));
+  EXPECT_THAT(outcome.out, HasSubstr("6 to look among"));
+  repository.expect_nothing_left();
+
+  const Outcome same = repository.bisect("--measure bends --good " + repository.hash(0) +
+                                         " --bad " + repository.hash(3) + " --cell " + kCell);
+  EXPECT_EQ(same.exit_code, 6) << same.out << same.err;
+  EXPECT_THAT(same.out, HasSubstr("NO CHANGE"));
+}
+
+TEST(Bisect, CommitsThatDoNotBuildOrRunAreSkippedAndNamed) {
+  PlantedRepository repository;
+  repository.commit("zero", kPlain);
+  repository.commit("does not build", "");
+  repository.commit("does not run", "exit 1;");
+  repository.commit("last", kOtherDrawings);
+  const Outcome outcome =
+      repository.bisect("--measure volume --good HEAD~3 --cell " + std::string(kCell));
+  EXPECT_EQ(outcome.exit_code, 6) << outcome.out << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("SKIPPED  " + repository.hash(1).substr(0, 12)));
+  EXPECT_THAT(outcome.out, HasSubstr("SKIPPED  " + repository.hash(2).substr(0, 12)));
+  for (const std::size_t i : {1, 2, 3}) {
+    EXPECT_THAT(outcome.out, HasSubstr("PERHAPS  " + repository.hash(i)));
+  }
+  repository.expect_nothing_left();
+}
+
+/// A clock that runs twice as fast: drawing takes twice the time.
+std::string fast_clock(const PlantedRepository& repository) {
+  const std::string library = repository.path("clock.so");
+  const Outcome built =
+      run("printf '#define _GNU_SOURCE\\n#include <dlfcn.h>\\n#include <time.h>\\n"
+          "int clock_gettime(clockid_t id, struct timespec* t) {\\n"
+          "  int (*real)(clockid_t, struct timespec*) = dlsym(RTLD_NEXT, \"clock_gettime\");\\n"
+          "  int code = real(id, t);\\n"
+          "  if (id != CLOCK_MONOTONIC) return code;\\n"
+          "  long long ns = 2 * (t->tv_sec * 1000000000LL + t->tv_nsec);\\n"
+          "  t->tv_sec = ns / 1000000000; t->tv_nsec = ns %% 1000000000;\\n"
+          "  return code;\\n}\\n' | gcc -shared -fPIC -x c - -o " +
+          library + " -ldl");
+  EXPECT_EQ(built.exit_code, 0) << built.err;
+  return "LD_PRELOAD=" + library + " exec";
+}
+
+TEST(Bisect, TheCommitThatMadeItSlowerIsFound) {
+  PlantedRepository repository;
+  const std::string slow = fast_clock(repository);
+  for (const char* subject : {"zero", "one", "two"}) repository.commit(subject, kPlain);
+  for (const char* subject : {"slow", "four"}) repository.commit(subject, slow);
+  const Outcome outcome =
+      repository.bisect("--rounds 8 --good HEAD~4 --cell " + std::string(kCell));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("FOUND    " + repository.hash(3) + " slow"));
+  repository.expect_nothing_left();
+}
+
+TEST(Bisect, AnInterruptLeavesNoWorktree) {
+  PlantedRepository repository;
+  repository.commit("zero", kPlain);
+  repository.commit("endless", "exec sleep 600;");
+  const Outcome outcome =
+      repository.bisect("--measure volume --good HEAD~1 --cell " + std::string(kCell),
+                        "timeout --preserve-status -s INT 6");
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.out << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("ar3d: interrupted"));
+  repository.expect_nothing_left();
+}
+
+TEST(Bisect, BadInputIsOneClearLine) {
+  PlantedRepository repository;
+  repository.commit("zero", kPlain);
+  repository.commit("one", kPlain);
+  const std::string range = "--good HEAD~1 --cell ";
+  for (const auto& [arguments, message] : std::vector<std::pair<std::string, std::string>>{
+           {range + "'grid (effort=1) on cycle n=51'", "has no cell"},
+           {range + "'grid (effort=1) on cycle n=51'", "did you mean 'grid (effort=1) on cycle n="},
+           {"--good no-such-ref --cell " + std::string(kCell), "no commit 'no-such-ref'"},
+           {"--good HEAD --bad HEAD~1 --cell " + std::string(kCell), "is no earlier commit than"},
+           {"--good HEAD --bad HEAD --cell " + std::string(kCell), "is no earlier commit than"},
+           {"--good HEAD~1", "--cell"},
+           {range + kCell + std::string(" --measure speed"), "speed"},
+           {range + kCell + std::string(" --rounds 3"), "--rounds"}}) {
+    const Outcome outcome = repository.bisect(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments << outcome.out;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(message)) << arguments;
+  }
+}
+
+}  // namespace
+}  // namespace ar3d

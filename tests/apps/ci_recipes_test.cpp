@@ -1,0 +1,71 @@
+// The recipes of examples/ci as far as a shell can run them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "ar3d/records/run_storage.h"
+#include "support/program.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::read_file;
+using testing::run;
+using testing::ScratchDirectory;
+
+constexpr const char* kFolder = AR3D_SOURCE_DIR "/examples/ci/";
+
+/// The gate in a folder of its own, with a small study.
+Outcome gate(const ScratchDirectory& scratch, const std::string& arguments) {
+  const std::string spec = scratch.write(
+      "tiny.toml",
+      "study = 'tiny'\n[[sweep]]\nfamilies = 'cycle'\nsizes = 20\nalgorithms = 'all'\n");
+  return run("AR3D=$(realpath {}) && cd " + scratch.path("") + " && AR3D=$AR3D AR3D_STUDY=" + spec +
+             " " + kFolder + "regression-gate " + arguments);
+}
+
+TEST(CiRecipes, TheGateStoresJudgesAndFailsByItsExitCode) {
+  const ScratchDirectory scratch;
+  const Outcome nothing = gate(scratch, "judge references");
+  EXPECT_EQ(nothing.exit_code, 5) << nothing.err;
+  EXPECT_THAT(read_file(scratch.path("verdict.markdown")), HasSubstr("NOTHING TO COMPARE WITH"));
+  EXPECT_EQ(gate(scratch, "store references").exit_code, 0);
+  const Outcome pass = gate(scratch, "judge references");
+  EXPECT_EQ(pass.exit_code, 0) << pass.out << pass.err;
+  EXPECT_THAT(read_file(scratch.path("verdict.markdown")),
+              HasSubstr("## ar3d compare: DRAWINGS PASS"));
+
+  const std::string reference = scratch.path("references/reference.h5");
+  Results smaller = read_results(reference);
+  smaller.runs.front().extents[0] -= 1;
+  write_results(smaller, reference);
+  EXPECT_EQ(gate(scratch, "judge references").exit_code, 3);
+  EXPECT_THAT(read_file(scratch.path("verdict.markdown")), HasSubstr("## ar3d compare: REGRESSED"));
+}
+
+TEST(CiRecipes, UnknownWordsAreRefused) {
+  const ScratchDirectory scratch;
+  EXPECT_EQ(gate(scratch, "").exit_code, 2);
+  EXPECT_EQ(gate(scratch, "guess references").exit_code, 2);
+}
+
+TEST(CiRecipes, TheFilesAreYamlAndRunTheGate) {
+  for (const char* file : {"github-actions.yml", "gitlab-ci.yml"}) {
+    const Outcome outcome = run(
+        "/usr/bin/python3 -c 'import sys, yaml; tree = yaml.safe_load(open(sys.argv[1]));"
+        "texts = []; walk = lambda t: [walk(v) for v in (t.values() if isinstance(t, dict) else t "
+        "if isinstance(t, list) else [])] or texts.append(str(t)); walk(tree);"
+        "print(\"\\n\".join(t for t in texts if \"regression-gate\" in t))' " +
+        std::string(kFolder) + file);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out,
+              "examples/ci/regression-gate judge references\n"
+              "examples/ci/regression-gate store references\n");
+  }
+}
+
+}  // namespace
+}  // namespace ar3d

@@ -1,0 +1,128 @@
+// `ar3d history` as its users run it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "ar3d/records/run_storage.h"
+#include "support/program.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::read_file;
+using testing::run;
+using testing::ScratchDirectory;
+
+/// The results of a small study, as if a program of that commit had made them on an idle machine.
+std::string results_of(const ScratchDirectory& scratch, const std::string& commit) {
+  const std::string spec = scratch.write(
+      "tiny.toml",
+      "study = 'tiny'\n[[sweep]]\nfamilies = 'cycle'\nsizes = 20\nalgorithms = 'grid'\n");
+  const std::string path = scratch.path("now.h5");
+  const Outcome outcome = run("{} study run " + spec + " --threads 1 --quiet --force -o " + path);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  Results results = read_results(path);
+  results.source_hash = commit;
+  results.dirty = false;
+  for (EnvironmentEntry& entry : results.environment) {
+    if (entry.name.starts_with("load_")) entry.value = "0.00 0.00 0.00";
+  }
+  write_results(results, path);
+  return path;
+}
+
+/// A repository with two commits, and what git calls them.
+std::vector<std::string> two_commits(const std::string& folder) {
+  const Outcome made = run(
+      "git init -q " + folder + " && cd " + folder +
+      " && for i in 1 2; do git -c user.name=t -c user.email=t@t commit -q --allow-empty -m $i; "
+      "git rev-parse HEAD; done");
+  EXPECT_EQ(made.exit_code, 0) << made.err;
+  return {made.out.substr(0, 40), made.out.substr(41, 40)};
+}
+
+TEST(HistoryProgram, ResultsAreAddedInTheOrderOfTheirCommitsAndReported) {
+  const ScratchDirectory scratch;
+  const std::string checkout = scratch.path("checkout"), folder = scratch.path("history");
+  const std::vector<std::string> commits = two_commits(checkout);
+  for (const std::size_t i : {1, 0}) {  // the younger one first
+    const std::string results = results_of(scratch, commits[i]);
+    const Outcome added =
+        run("cd " + checkout + " && {} history add " + results + " --folder " + folder);
+    EXPECT_EQ(added.exit_code, 0) << added.err;
+    EXPECT_THAT(added.out, HasSubstr("00000" + std::to_string(i + 1) + "_" +
+                                     commits[i].substr(0, 12) + "_tiny_"));
+  }
+  const std::string json = scratch.path("history.json");
+  const Outcome report = run("{} history report --folder " + folder + " --json " + json);
+  EXPECT_EQ(report.exit_code, 0) << report.err;
+  EXPECT_THAT(report.out, HasSubstr("time: 0 of 1 lines judged"));
+  EXPECT_THAT(report.out, HasSubstr("volume: 1 of 1 lines judged"));
+  EXPECT_THAT(read_file(folder + "/history.html"), HasSubstr("<title>ar3d history: "));
+  const auto parsed = nlohmann::json::parse(read_file(json));
+  EXPECT_EQ(parsed.at("results").at(0).at("source_hash"), commits[0]);
+  EXPECT_EQ(run("{} history report --folder " + folder).exit_code, 0);  // the page is made again
+}
+
+TEST(HistoryProgram, AReleaseHasTheNameAndPlaceThatItIsGiven) {
+  const ScratchDirectory scratch;
+  const std::string results = results_of(scratch, "unknown"), folder = scratch.path("history");
+  const std::string add = "{} history add " + results + " --folder " + folder;
+  EXPECT_EQ(run(add + " --place 3 --name v1.0-rc1").exit_code, 0);
+  const Outcome again = run(add + " --place 3 --name v1.0-rc1");
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_THAT(again.err, HasSubstr("--force replaces it"));
+  EXPECT_EQ(run(add + " --place 3 --name v1.0-rc1 --force").exit_code, 0);
+  const Outcome alone = run("{} history report --folder " + folder);
+  EXPECT_EQ(alone.exit_code, 5) << "one result judges nothing: " << alone.out;
+  EXPECT_THAT(alone.err, HasSubstr("nothing was judged"));
+}
+
+TEST(HistoryProgram, BadInputIsOneClearLine) {
+  const ScratchDirectory scratch;
+  const std::string results = results_of(scratch, std::string(40, 'a'));
+  const auto changed = [&](const std::string& name, const auto& change) {
+    Results copy = read_results(results);
+    change(copy);
+    write_results(copy, scratch.path(name));
+    return scratch.path(name);
+  };
+  const std::string dirty = changed("dirty.h5", [](Results& r) { r.dirty = true; });
+  const std::string empty = changed("empty.h5", [](Results& r) { r.runs.clear(); });
+  const std::string half = changed("half.h5", [](Results& r) { r.planned_rows = 100; });
+  const std::string text = scratch.write("text.h5", "text");
+  std::filesystem::create_directories(scratch.path("none"));
+  std::filesystem::create_directories(scratch.path("wrong"));
+  std::filesystem::copy_file(results, scratch.path("wrong/x.h5"));
+  const std::string page = scratch.write("page.html", "a page of somebody");
+  const std::string to = " --folder " + scratch.path("history");
+  for (const auto& [arguments, message] : std::vector<std::pair<std::string, std::string>>{
+           {"add " + results + to, "say with --place where it stands in the order"},
+           {"add " + results + to + " --place 1 --name a_b", "no name of a commit or release"},
+           {"add " + results + to + " --place -1", "not a whole number"},
+           {"add " + dirty + to + " --place 1", "with changes to commit aaaaaaaaaaaa"},
+           {"add " + empty + to + " --place 1", "empty.h5 has no rows"},
+           {"add " + half + to + " --place 1", "not finished: 1 of 100 rows"},
+           {"add " + text + to + " --place 1", "text.h5"},
+           {"add " + scratch.path("no.h5") + to, "no.h5"},
+           {"report --folder " + scratch.path("nowhere"), "cannot read"},
+           {"report --folder " + scratch.path("none"), "no results files (*.h5)"},
+           {"report --folder " + scratch.path("wrong"), "x.h5: its name does not begin with"},
+           {"report --folder " + scratch.path("wrong") + " -o " + page, "--force replaces it"},
+           {"report --threshold 0", "--threshold"},
+           {"", "subcommand"}}) {
+    const Outcome outcome = run("cd " + scratch.path("none") + " && {} history " + arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments << outcome.out;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(message)) << arguments;
+  }
+  EXPECT_FALSE(std::filesystem::exists(scratch.path("history")));
+}
+
+}  // namespace
+}  // namespace ar3d

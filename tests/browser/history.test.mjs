@@ -1,0 +1,77 @@
+// The page of `ar3d history report` in headless Chromium.
+import assert from "node:assert/strict";
+import {execFileSync} from "node:child_process";
+import {mkdtempSync, rmSync, writeFileSync} from "node:fs";
+import {tmpdir} from "node:os";
+import {join} from "node:path";
+import {after, before, test} from "node:test";
+import {chromium} from "playwright-core";
+
+const program = process.env.AR3D_PROGRAM;
+const flags = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+  "--disable-background-networking", "--disable-component-update", "--disable-sync"];
+const spec = `study = "browser"
+[[sweep]]
+families = ["cycle", "random-cubic"]
+sizes = [20, 50]
+algorithms = ["grid", "two-bend"]
+`;
+
+let folder, context, page;
+const complaints = [], requests = [];
+
+before(async () => {
+  folder = mkdtempSync(join(tmpdir(), "ar3d-browser-"));
+  const results = join(folder, "study.h5"), history = join(folder, "history");
+  writeFileSync(join(folder, "study.toml"), spec);
+  execFileSync(program, ["study", "run", join(folder, "study.toml"), "-q", "-o", results]);
+  for (let place = 1; place <= 9; ++place) {
+    execFileSync(program, ["history", "add", results, "--folder", history, "--place", String(place), "--name", "v" + place]);
+  }
+  execFileSync(program, ["history", "report", "--folder", history]);
+  context = await chromium.launchPersistentContext(join(folder, "profile"),
+    {executablePath: "/usr/bin/chromium", args: flags, viewport: {width: 1280, height: 900}});
+  page = await context.newPage();
+  page.on("console", message => { if (["error", "warning"].includes(message.type())) complaints.push(message.text()); });
+  page.on("pageerror", error => complaints.push(String(error)));
+  page.on("request", request => requests.push(request.url()));
+  await page.goto("file://" + join(history, "history.html"));
+});
+
+after(async () => {
+  await context?.close();
+  if (folder) rmSync(folder, {recursive: true, force: true});
+});
+
+test("every cell is there, and nothing changed", async () => {
+  assert.equal(await page.locator("#cells tbody tr").count(), 8);
+  assert.ok(await page.locator("svg.spark").count() >= 16);  // volume and bends; times unless the machine is busy
+  assert.equal(await page.locator(".verdict").textContent(), "0 changes");
+});
+
+test("a picture grows by a click and by Enter", async () => {
+  const picture = page.locator("svg.spark").last();
+  const small = (await picture.boundingBox()).width;
+  await picture.click();
+  assert.ok((await picture.boundingBox()).width > 2 * small);
+  await picture.focus();
+  await page.keyboard.press("Enter");
+  assert.equal((await picture.boundingBox()).width, small);
+});
+
+test("tables sort", async () => {
+  const head = page.locator("#cells thead th", {hasText: /^n$/});
+  await head.click();
+  const sizes = (await page.locator("#cells tbody tr td:nth-child(3)").allTextContents()).map(Number);
+  assert.deepEqual(sizes, [...sizes].sort((a, b) => b - a));
+});
+
+test("it reads at 390 pixels", async () => {
+  await page.setViewportSize({width: 390, height: 800});
+  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= 390);
+});
+
+test("nothing was asked for and nothing complained", () => {
+  assert.deepEqual(complaints, []);
+  assert.deepEqual(requests.filter(url => !url.startsWith("file://" + folder)), []);
+});
