@@ -17,6 +17,7 @@
 #include "ar3d/bench/compare/reference_build.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/printable.h"
+#include "ar3d/records/run_storage.h"
 #include "cell_study.h"
 #include "commands.h"
 #include "numbers.h"
@@ -140,6 +141,12 @@ std::string text_of(const Difference& difference, const std::string& measure) {
   return text;
 }
 
+/// A TOML file, a named study, or that of a results file. @throws InputError
+StudySpec study_named(const std::string& name) {
+  if (!name.ends_with(".h5")) return load_study(name);
+  return recorded_study(ResultsReader(name, run_format()).identity(), name);
+}
+
 /// The whole search, with everything that it says.
 class Search {
  public:
@@ -150,7 +157,7 @@ class Search {
 
   /// @throws Stopped, InputError.
   int run() {
-    const StudySpec spec = study_of_cell(load_study(arguments_.study), arguments_.cell,
+    const StudySpec spec = study_of_cell(study_named(arguments_.study), arguments_.cell,
                                          arguments_.measure == "time" ? kTimedRepetitions : 0);
     const std::string good = commit_of(checkout_, arguments_.good);
     commits_ = commits_between(checkout_, good, commit_of(checkout_, arguments_.bad));
@@ -252,7 +259,8 @@ void add_bisect(CLI::App& app, int& exit_code) {
   verb->add_option("--cell", arguments->cell,
                    "what changed, as `compare` and `history report` name it")
       ->required();
-  verb->add_option("--study", arguments->study, "that has the cell: a TOML file or named study")
+  verb->add_option("--study", arguments->study,
+                   "that has the cell: a TOML file, a named study or a results file")
       ->capture_default_str();
   verb->add_option("--measure", arguments->measure, "time, instructions, volume or bends")
       ->check(CLI::IsMember({"time", "instructions", "volume", "bends"}))

@@ -48,15 +48,6 @@ std::string head(const std::string& folder) {
          escape(folder) + "</title><style>" + report::page_style() + "</style></head>\n";
 }
 
-/// What the report's script looks for: it sorts the tables and copies the commands.
-constexpr const char* kScriptElements =
-    "<div id=tip role=status hidden></div><div id=replay role=dialog aria-label='Command' hidden>"
-    "<p></p><code></code><button type=button>Copy</button><button "
-    "type=button>Close</button></div>\n"
-    "<script type='application/json' id=rows>{\"curves\":[],\"rows\":{}}</script>\n"
-    "<script type='application/json' id=figures>{}</script>\n"
-    "<script type='application/json' id=figure-style>\"\"</script>\n";
-
 std::string beginning(const History& history, const std::string& folder, std::size_t changes) {
   std::size_t judged = 0, lines = 0;
   for (const Measure measure : kMeasures) {
@@ -225,8 +216,8 @@ std::string render_history(const History& history, const std::string& folder) {
          "<a href='#results'>Results</a><a href='#environments'>Environments</a>"
          "<a href='#methods'>Methods</a></nav>\n" +
          changes_section(history, changes) + cells_section(history) + results_section(history) +
-         environments_section(history) + kMethods + kScriptElements + "<script>" +
-         report::page_script() + "</script>\n</body></html>\n";
+         environments_section(history) + kMethods + "<script>" + report::table_script() +
+         "</script>\n</body></html>\n";
 }
 
 }  // namespace ar3d

@@ -125,7 +125,7 @@ std::string bisect_command(const History& history, const HistoryLine& line,
   const std::string &good = at.before->source_hash, &bad = at.after->source_hash;
   if (!is_commit(good) || !is_commit(bad) || good == bad) return "";
   return fmt::format("ar3d bisect --good {} --bad {} --study {} --measure {} --cell {}",
-                     good.substr(0, 12), bad.substr(0, 12), shell_word(one_line(line.study)),
+                     good.substr(0, 12), bad.substr(0, 12), shell_word(at.after->file),
                      to_string(line.measure), shell_word(cell_label(line.cell.curve, line.cell.n)));
 }
 

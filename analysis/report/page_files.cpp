@@ -6,6 +6,7 @@ namespace ar3d::report {
 
 std::string page_style() { return std::string(kPageStyle); }
 std::string page_script() { return std::string(kPageScript); }
+std::string table_script() { return std::string(kTableScript); }
 std::string figure_style() { return std::string(kFigureStyle); }
 
 }  // namespace ar3d::report

@@ -8,6 +8,8 @@ namespace ar3d::report {
 /// and the style of a figure that is a document of its own.
 std::string page_style();
 std::string page_script();
+/// analysis/report/tables.js: sorting of tables and what a page of a history needs besides.
+std::string table_script();
 std::string figure_style();
 
 }  // namespace ar3d::report

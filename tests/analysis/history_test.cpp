@@ -78,7 +78,7 @@ TEST(History, APlantedStepIsFoundWithItsCommitsEffectAndCommand) {
   const std::string text = summary(history);
   EXPECT_THAT(text, HasSubstr("between 000000abc007 and 000000abc008"));
   EXPECT_THAT(text, HasSubstr("ar3d bisect --good 0000000000"));
-  EXPECT_THAT(text, HasSubstr("--study tiny --measure time --cell 'grid on b n=16'"));
+  EXPECT_THAT(text, HasSubstr(" --measure time --cell 'grid on b n=16'"));
   EXPECT_THAT(text, HasSubstr("time: 2 of 2 lines judged"));
 }
 

@@ -101,6 +101,7 @@ TEST(Report, ShowsEveryMetricOfTheTableWithUnitAndDefinition) {
 TEST(Report, StyleAndScriptAreTheFilesOfTheTree) {
   const std::pair<const char*, std::string> kFiles[] = {{"page.css", report::page_style()},
                                                         {"page.js", report::page_script()},
+                                                        {"tables.js", report::table_script()},
                                                         {"figure.css", report::figure_style()}};
   for (const auto& [name, embedded] : kFiles) {
     std::ifstream file(AR3D_SOURCE_DIR + std::string("/analysis/report/") + name);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ar3d/records/run_storage.h"
 #include "support/program.h"
 
 namespace ar3d {
@@ -148,6 +149,34 @@ TEST(Bisect, TheCommitThatMadeItSlowerIsFound) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("FOUND    " + repository.hash(3) + " slow"));
   repository.expect_nothing_left();
+}
+
+TEST(Bisect, TheCommandThatAHistoryPrintsFindsTheCommit) {
+  PlantedRepository repository;
+  for (const char* subject : {"zero", "one"}) repository.commit(subject, kPlain);
+  for (const char* subject : {"culprit", "three"}) repository.commit(subject, kOtherDrawings);
+  const std::string path = repository.path("now.h5"), folder = repository.path("history");
+  ASSERT_EQ(
+      run("{} study run -q --threads 1 " + repository.path("tiny.toml") + " -o " + path).exit_code,
+      0);
+  for (const std::size_t commit : {0, 3}) {
+    Results results = read_results(path);
+    results.source_hash = repository.hash(commit);
+    results.dirty = false;
+    if (commit == 3) results.runs.front().extents[0] += 1;
+    write_results(results, path);
+    const Outcome added = run("cd " + repository.path("checkout") + " && {} history add " + path +
+                              " --folder " + folder);
+    ASSERT_EQ(added.exit_code, 0) << added.err;
+  }
+  const Outcome report = run("{} history report --folder " + folder);
+  const std::size_t begin = report.out.find("ar3d bisect ");
+  ASSERT_NE(begin, std::string::npos) << report.out;
+  const std::string command =
+      report.out.substr(begin + 5, report.out.find('\n', begin) - begin - 5);
+  const Outcome found = run("cd " + repository.path("checkout") + " && {} " + command);
+  EXPECT_EQ(found.exit_code, 0) << command << found.out << found.err;
+  EXPECT_THAT(found.out, HasSubstr("FOUND    " + repository.hash(2) + " culprit"));
 }
 
 TEST(Bisect, AnInterruptLeavesNoWorktree) {
