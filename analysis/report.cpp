@@ -122,7 +122,7 @@ std::string render_report(const StudyAnalysis& analysis, const ReportParts& part
   data("drawings", drawings_json(parts.drawings));
   html += "<script type='text/plain' id=viewer>" + parts.drawings.packed_page + "</script>\n";
   data("figure-style", report::json_string(report::figure_style()));
-  return html + "<script>" + report::table_script() + "</script><script>" + report::page_script() +
+  return html + "<script>" + report::table_script() + report::page_script() +
          "</script>\n</body></html>\n";
 }
 

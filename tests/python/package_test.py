@@ -1,4 +1,7 @@
 """The Python package, as its users import it. Run by ctest (python.package) with PYTHONPATH=build/…/python."""
+import os
+import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -136,6 +139,20 @@ class Results(unittest.TestCase):
                 ar3d.read_results(path, "no such table")
         with self.assertRaises(OSError):
             ar3d.read_results("no-such-file.h5")
+
+
+class Page(unittest.TestCase):
+    def test_docs_python_md_runs_as_printed(self):
+        page = pathlib.Path(__file__).resolve().parents[2] / "docs" / "python.md"
+        blocks = re.findall(r"^```python\n(.*?)^```", page.read_text(), re.S | re.M)
+        self.assertEqual(len(blocks), 1)
+        with tempfile.TemporaryDirectory() as folder:
+            spec = folder + "/quick.toml"
+            pathlib.Path(spec).write_text("study = 'quick'\n[[sweep]]\nfamilies = 'cycle'\nsizes = 8\nalgorithms = 'grid'\n")
+            subprocess.run([pathlib.Path(sys.argv[1]).resolve(), "study", "run", spec, "--quiet"], check=True,
+                           capture_output=True, cwd=folder)
+            subprocess.run([sys.executable, "-c", blocks[0]], check=True, cwd=folder,
+                           env={**os.environ, "MPLBACKEND": "Agg"})
 
 
 class Plot(unittest.TestCase):
