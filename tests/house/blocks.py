@@ -18,11 +18,13 @@ ELSEWHERE = {
     "docs/tutorial.md": "tests/house/pages_test.cpp",
     "docs/library.md": "tests/house/pages_test.cpp",
     "docs/cluster.md": "tests/apps/cluster_recipes.h",
+    "docs/python.md": "tests/python/package_test.py",
     "examples/own_algorithm/README.md": "tests/house/own_algorithm.cmake",
 }
 # Lines that are not run, and why.
 NOT_RUN = {
     "ar3d compare --base v0.1 --calibrate": "builds another commit, which takes minutes: tests/apps/compare_test.cpp",
+    "ar3d bisect --good v0.1": "builds other commits, which takes minutes: tests/apps/bisect_test.cpp",
     "cmake --preset fuzz && cmake --build build/fuzz --target fuzz_sparse6": "needs clang and minutes",
     "mkdir -p /tmp/corpus && build/fuzz/formats/fuzz/fuzz_sparse6": "as the line before",
     "sudo apt-get install graphviz python3-igraph python3-pandas python3-tables": "installs packages",
@@ -31,6 +33,7 @@ NOT_RUN = {
 EXIT = {"ar3d hunt --algorithm grid -n 60 --seeded-fault wrong-bend": 4}
 IN_PLACE_OF = {
     "study run quick": "study run quick.toml", " ROW": " 0", "study run peers": "study run peers.toml",
+    "study run regression": "study run smoke.toml",
     "./ar3d": "ar3d", "python3 -c": "/usr/bin/python3 -c",
 }
 
