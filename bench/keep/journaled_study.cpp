@@ -33,9 +33,7 @@
 
 namespace ar3d {
 namespace {
-
 namespace fs = std::filesystem;
-
 RowCollection rows_so_far(const JournaledStudy& study) {
   RowCollection rows(run_format());
   const std::vector<std::string> journals = existing_journals(study.results);
@@ -248,7 +246,6 @@ JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()
 }
 
 namespace {
-
 // Lets the helpers of rank 0 go, whatever happens.
 class Dismissal {
  public:
@@ -282,12 +279,11 @@ class Part {
 
   void make_rows() {
     const Stopwatch time;
-    if (!study_.spec.programs.empty()) {
-      together(ranks_, [&] {
-        refuse_changed_programs(study_.spec, rows_so_far(study_).environment(), study_.results);
-      });
-    }
-    together(ranks_, [&] { journal_->begin_session(session_of(study_, policy_, ranks_)); });
+    together(ranks_, [&] {
+      if (const StudySpec& spec = study_.spec; !spec.programs.empty())
+        refuse_changed_programs(spec, rows_so_far(study_).environment(), study_.results);
+      journal_->begin_session(session_of(study_, policy_, ranks_));
+    });
     MakingPolicy shared = policy_;
     shared.name = study_.spec.name;
     shared.ranks = &ranks_;
