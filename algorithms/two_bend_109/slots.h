@@ -14,7 +14,6 @@ namespace ar3d::two_bend_109 {
 class SlotList {
  public:
   std::uint32_t size() const { return static_cast<std::uint32_t>(label_.size()); }
-  std::uint32_t append() { return insert_after(last_); }
   /// A new member right after slot `at`, or first if `at` is kNone. O(1) amortised over few
   /// insertions at one place; O(n) after about 40 of them.
   std::uint32_t insert_after(std::uint32_t at);
