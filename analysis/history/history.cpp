@@ -172,7 +172,7 @@ std::string history_file_name(std::int64_t place, const std::string& name,
   }
   std::string settings;
   for (const auto& [key, value] : lasting_settings(environment)) {
-    settings += key + "\n" + value + "\n";
+    settings.append(key).append("\n").append(value).append("\n");
   }
   std::string study_id = study.study_id.substr(0, 60);
   std::replace_if(

@@ -30,7 +30,7 @@ std::optional<std::string> hash_of_executable(const std::string& name) {
   const char* variable = std::getenv("PATH");
   std::istringstream folders(variable == nullptr ? "/bin:/usr/bin" : variable);
   for (std::string folder; std::getline(folders, folder, ':');) {
-    if (const auto hash = hash_of_file(fs::path(folder) / name)) return hash;
+    if (auto hash = hash_of_file(fs::path(folder) / name)) return hash;
   }
   return {};
 }
