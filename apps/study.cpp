@@ -66,8 +66,7 @@ void write_report(const std::string& results, const StudyAnalysis& analysis) {
         page, shell_word(results));
     return;
   }
-  write_file_atomically(
-      page, render_report(analysis, report_parts(analysis, {})));
+  write_file_atomically(page, render_report(analysis, report_parts(analysis, {})));
   fmt::print("report   {}\n", page);
 }
 
@@ -84,7 +83,8 @@ int conclude(const JournaledStudy& study, bool force) {
   } else {
     write_report(study.results, analyse(rows.view(), std::move(examination)));
     if (study.spec.keep_drawings != KeptDrawings::none) {
-      const int kept = keep_drawings_beside(study.results, rows.view(), study.spec.keep_drawings, force);
+      const int kept =
+          keep_drawings_beside(study.results, rows.view(), study.spec.keep_drawings, force);
       if (exit_code == kPass) exit_code = kept;
     }
   }

@@ -97,13 +97,36 @@ Verdict judge(const Task& task, const VerifyArguments& arguments) {
   }
 }
 
+struct Counts {
+  std::uint64_t certified = 0, violated = 0, not_drawn = 0, measured = 0, unproved = 0;
+
+  void add(const Verdict& verdict) {
+    ++(!verdict.drawn     ? not_drawn
+       : !verdict.valid   ? violated
+       : verdict.measured ? measured
+       : verdict.unproved ? unproved
+                          : certified);
+  }
+  std::string text(const std::string& certificate) const {
+    return fmt::format(
+        "{} certified, {} violated, {} not drawn{}{}\n", certified, violated, not_drawn,
+        measured > 0 ? fmt::format(", {} measured", measured) : "",
+        unproved > 0 ? fmt::format(", {} not proved (certificate {})", unproved, certificate) : "");
+  }
+  int exit_code() const {
+    if (violated > 0) return kViolated;
+    return not_drawn > 0 || measured > 0 || unproved > 0 || certified == 0 ? kIncomplete : kPass;
+  }
+};
+
 int verify_drawings(const VerifyArguments& arguments) {
   parse_certificate_mode(arguments.certificate);  // before any work
   DrawingJsonlReader reader(arguments.input);
   std::optional<GraphReader> graphs;
   if (!arguments.graphs.empty())
     graphs.emplace(arguments.graphs, arguments.graphs_as.read_options());
-  std::uint64_t number = 0, certified = 0, violated = 0, not_drawn = 0, measured = 0, unproved = 0;
+  std::uint64_t number = 0;
+  Counts counts;
   in_batches<Task>(
       [&]() -> std::optional<Task> {
         std::optional<DrawingJsonlReader::Line> line = reader.next();
@@ -123,20 +146,11 @@ int verify_drawings(const VerifyArguments& arguments) {
       },
       [&](const Task& task) { return judge(task, arguments); },
       [&](const Verdict& verdict) {
-        ++(!verdict.drawn     ? not_drawn
-           : !verdict.valid   ? violated
-           : verdict.measured ? measured
-           : verdict.unproved ? unproved
-                              : certified);
+        counts.add(verdict);
         if (!arguments.quiet) fmt::print("{}", verdict.text);
       });
-  fmt::print("{} certified, {} violated, {} not drawn{}{}\n", certified, violated, not_drawn,
-             measured > 0 ? fmt::format(", {} measured", measured) : "",
-             unproved > 0
-                 ? fmt::format(", {} not proved (certificate {})", unproved, arguments.certificate)
-                 : "");
-  if (violated > 0) return kViolated;
-  return not_drawn > 0 || measured > 0 || unproved > 0 || certified == 0 ? kIncomplete : kPass;
+  fmt::print("{}", counts.text(arguments.certificate));
+  return counts.exit_code();
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "ar3d/model/error.h"
+#include "ar3d/records/printable_ascii.h"
 
 namespace ar3d {
 namespace {
@@ -29,30 +30,6 @@ Column described(const Description& d, FieldType type, std::size_t size) {
   column.size = size;
   column.required = d.kind == ColumnKind::instance || d.kind == ColumnKind::run;
   return column;
-}
-
-bool is_printable(char c) { return c >= ' ' && c <= '~'; }
-
-// Eight characters at once, the last eight once more: the top bit of each says that it is none of
-// ASCII, is 127, or is below 32. No carry leaves its character but that of 255, which is none.
-bool all_printable(const std::string& text) {
-  constexpr std::uint64_t kOnes = 0x0101010101010101;
-  constexpr std::uint64_t kTops = kOnes * 128;
-  constexpr std::size_t kEight = sizeof(kOnes);
-  if (text.size() < kEight) return std::all_of(text.begin(), text.end(), is_printable);
-  std::uint64_t bad = 0;
-  const auto look_at = [&](std::size_t i) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, text.data() + i, kEight);
-    bad |= word | (word + kOnes) | ~((word | kTops) - kOnes * 32);
-  };
-  for (std::size_t i = 0; i + kEight < text.size(); i += kEight) look_at(i);
-  look_at(text.size() - kEight);
-  return (bad & kTops) == 0;
-}
-
-bool fits(const std::string& text, std::size_t size) {
-  return text.size() <= size && all_printable(text);
 }
 
 void require_fits(const std::string& text, const std::string& column, std::size_t size) {
@@ -182,6 +159,7 @@ void add_identity(std::vector<Column>& c) {
   c.push_back(
       text({"level", "", "what was stored of the drawing: extents (nothing), positions, full", run},
            &RunRecord::level, 16));
+  c.back().required = false;  // files of 0.2.0 have none: all their rows are of level extents
 }
 
 void add_results(std::vector<Column>& c) {

@@ -12,6 +12,7 @@
 #include <iterator>
 #include <limits>
 
+#include "ar3d/bench/spec/combinations.h"
 #include "ar3d/bench/spec/named_studies.h"
 #include "ar3d/bench/spec/read_graphs.h"
 #include "ar3d/bench/spec/read_measures.h"
@@ -26,30 +27,6 @@ namespace {
 
 constexpr std::int64_t kMaxN = 4294967294;  // a graph has n < 2^32 - 1 vertices
 constexpr std::int64_t kMaxCount = 1000000;
-constexpr std::size_t kMaxChoices = 100000;
-
-// One integer setting of a family or an algorithm and the values that it takes in turn.
-struct SettingChoices {
-  std::string name;
-  std::vector<std::int64_t> values;
-};
-
-// Every combination of the settings, the last one fastest.
-std::vector<Settings> combinations(const std::vector<SettingChoices>& settings) {
-  std::vector<Settings> all = {{}};
-  for (const SettingChoices& setting : settings) {
-    std::vector<Settings> longer;
-    for (const auto& prefix : all) {
-      for (const std::int64_t value : setting.values) {
-        longer.push_back(prefix);
-        longer.back().push_back({setting.name, value});
-      }
-    }
-    if (longer.size() > kMaxChoices) throw InputError("more than 100000 combinations of settings");
-    all = std::move(longer);
-  }
-  return all;
-}
 
 class SpecReader {
  public:

@@ -82,7 +82,7 @@ struct StudySpec {
   std::map<std::string, std::uint64_t> max_n;  ///< algorithm -> largest n it is given
   TimingRules timing;
   Budget budget;
-  CertificateMode certificate;   ///< that every drawing is judged by
+  CertificateMode certificate;  ///< that every drawing is judged by
   KeptDrawings keep_drawings = KeptDrawings::none;
   bool accept_unproved = false;  ///< its verdict passes with rows that are not proved exactly
   std::string text;              ///< the verbatim TOML

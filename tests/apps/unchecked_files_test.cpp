@@ -24,8 +24,7 @@ TEST(UncheckedFiles, AreSaidByEveryVerb) {
   for (const std::string& verb :
        {"check " + kFormer, "study status " + kFormer, "compare " + kFormer + " " + kFormer,
         "report " + kFormer + " -o " + page,
-        "study merge " + kFormer + " -o " + scratch.path("m.h5"),
-        "replay " + kFormer + " 0"}) {
+        "study merge " + kFormer + " -o " + scratch.path("m.h5"), "replay " + kFormer + " 0"}) {
     const Outcome outcome = run("{} " + verb);
     EXPECT_THAT(outcome.err, HasSubstr(kUnchecked)) << verb;
   }

@@ -123,7 +123,9 @@ TEST_P(VerdictsAgree, InWordsAndExitCodes) {
     const Outcome outcome = run(in_folder + "{} " + verb);
     expect_said(verb, outcome);
     if (problem.empty()) problem = outcome.err;
-    if (GetParam().exit_code == 2) EXPECT_EQ(outcome.err, problem) << verb;
+    if (GetParam().exit_code == 2) {
+      EXPECT_EQ(outcome.err, problem) << verb;
+    }
   }
   const bool has_page = fs::exists(scratch.path("page.html"));
   EXPECT_EQ(has_page, GetParam().exit_code != 2);
