@@ -24,7 +24,7 @@ constexpr const char* kExamples = R"(Examples:
   nauty-geng -D4 7 | ar3d draw - --algorithm diamond | ar3d verify -
 
 Exit codes: 0 pass, 1 internal error, 2 usage or bad input, 3 regression, 4 bound or certificate violated,
-5 incomplete, 6 inconclusive, 130 interrupted.)";
+5 incomplete, 6 inconclusive, 7 times not judged, 130 interrupted.)";
 
 /// The verb that the words lead to, sub-verbs of `study` included; the program without one.
 const CLI::App& verb_in(const CLI::App& app) {
