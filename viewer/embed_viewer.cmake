@@ -18,7 +18,7 @@ function(viewer_pieces name)
     string(APPEND pieces "    R\"piece(${piece})piece\",\n")
     math(EXPR at "${at} + 60000")
   endwhile()
-  set(viewer_text "${viewer_text}inline constexpr std::string_view ${name}[] = {\n${pieces}};\n" PARENT_SCOPE)
+  set(viewer_text "${viewer_text}inline const std::string_view ${name}[] = {\n${pieces}};\n" PARENT_SCOPE)
 endfunction()
 
 set(viewer_text "// Made from viewer/ by viewer/embed_viewer.cmake.\n#include <string_view>\nnamespace ar3d {\n")

@@ -258,11 +258,11 @@ class SpecReader {
   // Options that the entry does not name take the values of the program's own table.
   static void add_choices(const ProgramEntry& entry, std::vector<SettingChoices> settings,
                           std::vector<AlgorithmChoice>& choices) {
-    for (const auto& [name, values] : entry.options) {
+    for (const auto& option : entry.options) {
       const bool is_given =
           std::any_of(settings.begin(), settings.end(),
-                      [&](const SettingChoices& setting) { return setting.name == name; });
-      if (!is_given) settings.push_back({name, values});
+                      [&](const SettingChoices& setting) { return setting.name == option.first; });
+      if (!is_given) settings.push_back({option.first, option.second});
     }
     const Algorithm& row = entry.program->row;
     for (const Settings& values : combinations(settings)) {

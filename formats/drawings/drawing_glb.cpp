@@ -26,7 +26,7 @@ struct Buffer {
   Json accessors = Json::array();
 
   template <class Number>
-  int add(const std::vector<Number>& values, int components, int target, Json limits = {}) {
+  int add(const std::vector<Number>& values, int components, int target, const Json& limits = {}) {
     views.push_back({{"buffer", 0},
                      {"byteOffset", bytes.size()},
                      {"byteLength", values.size() * sizeof(Number)},

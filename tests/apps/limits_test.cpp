@@ -14,7 +14,6 @@ namespace ar3d {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::Not;
 using testing::Outcome;
 using testing::run;
 using testing::ScratchDirectory;

@@ -21,15 +21,15 @@ class Outputs : public ::testing::Test {
  protected:
   // One small study for all tests of this program.
   static void SetUpTestSuite() {
-    folder_ = new ScratchDirectory;
-    ASSERT_EQ(run("{} study run smoke -q -o " + folder_->path("made.h5")).exit_code, 0);
+    shared_folder = new ScratchDirectory;
+    ASSERT_EQ(run("{} study run smoke -q -o " + shared_folder->path("made.h5")).exit_code, 0);
   }
-  static void TearDownTestSuite() { delete folder_; }
+  static void TearDownTestSuite() { delete shared_folder; }
 
   void SetUp() override {
     results_ = scratch_.path("r.h5");
-    fs::copy_file(folder_->path("made.h5"), results_);
-    fs::copy_file(folder_->path("made.h5"), scratch_.path("other.h5"));
+    fs::copy_file(shared_folder->path("made.h5"), results_);
+    fs::copy_file(shared_folder->path("made.h5"), scratch_.path("other.h5"));
     bytes_ = read_file(results_);
   }
 
@@ -46,10 +46,10 @@ class Outputs : public ::testing::Test {
   std::string bytes_;
 
  private:
-  static ScratchDirectory* folder_;
+  static ScratchDirectory* shared_folder;
 };
 
-ScratchDirectory* Outputs::folder_ = nullptr;
+ScratchDirectory* Outputs::shared_folder = nullptr;
 
 TEST_F(Outputs, AreNotTheVerbsInput) {
   fs::create_directory(scratch_.path("sub"));

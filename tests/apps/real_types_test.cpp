@@ -10,7 +10,6 @@ namespace ar3d {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::Not;
 using testing::Outcome;
 using testing::run;
 using testing::ScratchDirectory;

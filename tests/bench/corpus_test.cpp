@@ -270,7 +270,8 @@ TEST_F(Files, WhatCannotBeIsRefusedInOneLine) {
       {"graphs = \"a\"\nsizes = 3", "unknown key 'sizes'"},
   };
   for (const auto& [sweep, message] : unread) {
-    EXPECT_THAT(problem([&] { study(std::string(sweep) + "\n"); }), HasSubstr(message)) << sweep;
+    const std::string text = std::string(sweep) + "\n";
+    EXPECT_THAT(problem([&] { study(text); }), HasSubstr(message)) << sweep;
   }
 }
 

@@ -113,7 +113,8 @@ TEST(Answers, NonsenseIsNamed) {
       {R"(null)", "null where none"},
       {R"({"vertices":[[0,0,0.0000000000000000001],[1,0,0],[1000000,0,0]]})", "passes 2^61"},
   };
-  for (const auto& [line, message] : cases) {
+  for (const auto& [answer, message] : cases) {
+    const char* line = answer;
     EXPECT_THAT(problem([&] { parse_answer("p", kPath, line); }), HasSubstr(message)) << line;
   }
 }
@@ -362,12 +363,11 @@ TEST_F(Programs, BadSpecificationsAreRefusedInOneLine) {
        "a second algorithm 'm'"},
   };
   for (const auto& [program, message] : cases) {
-    const std::string told = problem([&] {
-      parse_study(fmt::format("study = \"t\"\n[[algorithm]]\n{}\n[[sweep]]\nfamilies = \"cycle\"\n"
-                              "sizes = 5\nalgorithms = \"m\"\n",
-                              program),
-                  "t.toml");
-    });
+    const std::string text = fmt::format(
+        "study = \"t\"\n[[algorithm]]\n{}\n[[sweep]]\nfamilies = \"cycle\"\nsizes = 5\n"
+        "algorithms = \"m\"\n",
+        program);
+    const std::string told = problem([&] { parse_study(text, "t.toml"); });
     EXPECT_THAT(told, HasSubstr(message)) << program;
     EXPECT_THAT(told, ::testing::StartsWith("t.toml:")) << program;
   }

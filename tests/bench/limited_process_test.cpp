@@ -42,7 +42,7 @@ TEST(LimitedProcess, TellsHowAStepEnded) {
   const auto large = [](int& to) {
     std::vector<std::vector<char>> pieces;
     for (int i = 0; i < 64; ++i) pieces.emplace_back(std::size_t{16} << 20, 'x');
-    to = pieces.back().back();
+    to = static_cast<unsigned char>(pieces.back().back());
   };
   EXPECT_EQ(end_of({.cpu_s = {}, .memory_bytes = 1e8}, large, value), StepEnd::out_of_memory);
   EXPECT_EQ(end_of({.cpu_s = {}, .memory_bytes = 4e9}, large, value), StepEnd::done);

@@ -30,7 +30,6 @@ using ::testing::ElementsAre;
 using testing::FunctionSink;
 using ::testing::HasSubstr;
 using testing::plan_of;
-using ::testing::StartsWith;
 
 std::vector<ar3d::RunRecord> made_rows(const StudyPlan& plan, const MakingPolicy& policy = {}) {
   std::vector<ar3d::RunRecord> rows(plan.rows());

@@ -9,7 +9,6 @@ namespace ar3d {
 namespace {
 
 using testing::edge_set;
-using ::testing::HasSubstr;
 using testing::read_text;
 using testing::refusal;
 using ::testing::StartsWith;
