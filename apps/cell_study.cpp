@@ -26,8 +26,10 @@ PlannedCell find_cell(const StudySpec& spec, const std::string& cell) {
   std::set<std::string> labels;
   for (const PlannedInstance& instance : plan_study(spec).instances) {
     for (const PlannedRun& run : instance.runs) {
-      const CurveKey curve = {run.choice.algorithm->name, run.options, instance.choice.family->name,
-                              instance.parameters};
+      const CurveKey curve = {
+          run.choice.algorithm->name, run.options, instance.choice.family->name,
+          instance.parameters,
+          run.choice.level == Level::extents ? "" : to_string(run.choice.level)};
       const std::string label = cell_label(curve, static_cast<std::int64_t>(instance.n));
       labels.insert(label);
       if (label != cell) continue;
@@ -54,9 +56,11 @@ StudySpec study_of_cell(const StudySpec& spec, const std::string& cell, int time
   const PlannedCell found = find_cell(spec, cell);
   const std::string text = fmt::format(
       "study = \"{}\"\nseed = {}\n[[sweep]]\nfamilies = {{ family = \"{}\"{} }}\nsizes = {}\n"
-      "algorithms = {{ algorithm = \"{}\"{} }}\ninstances = {}\ntimed_repetitions = {}\n",
+      "algorithms = {{ algorithm = \"{}\"{} }}\nlevel = \"{}\"\ninstances = {}\n"
+      "timed_repetitions = {}\n",
       spec.name, spec.seed, found.curve.family, toml_settings(found.curve.parameters),
-      found.requested_n, found.curve.algorithm, toml_settings(found.curve.options), found.instances,
+      found.requested_n, found.curve.algorithm, toml_settings(found.curve.options),
+      found.curve.level.empty() ? "extents" : found.curve.level, found.instances,
       timed_repetitions);
   try {
     return parse_study(text, "the study of the cell");

@@ -217,6 +217,9 @@ void add_compare(CLI::App& app, int& exit_code) {
       "ar3d compare before.h5 after.h5\n         ar3d compare --base main "
       "--calibrate");
   verb->callback([arguments, &exit_code] {
+    if (arguments->json == "-") {
+      throw InputError("--json - : the verdict as JSON is written to a file");
+    }
     refuse_unsafe_outputs({.inputs = arguments->files,
                            .outputs = {arguments->json, arguments->markdown},
                            .force = arguments->force});

@@ -18,6 +18,7 @@ using nlohmann::ordered_json;
 const char* verdict_of(const Certificate& certificate) {
   if (certificate.violated()) return "violated";
   if (certificate.measured) return "measured";
+  if (certificate.mode.kind == CertificateMode::Kind::none) return "not judged";
   return certificate.valid() ? "proved" : "accepted";
 }
 
@@ -45,14 +46,16 @@ Examination examine_all(const Graph& graph, const Drawing& drawing, const Guaran
 
 void write_summary_line(OutputFile& output, const Drawing& drawing, const Examination& examination,
                         Level level) {
-  ordered_json line = {{"n", drawing.num_vertices()},
-                       {"m", drawing.num_edges()},
-                       {"algorithm", drawing.algorithm()},
-                       {"level", to_string(level)},
-                       {"certificate", to_string(examination.certificate.mode)},
-                       {"verdict", verdict_of(examination.certificate)},
-                       {"violations", examination.certificate.violations.size()},
-                       {"drawing_hash", examination.drawing_hash}};
+  ordered_json line = {
+      {"n", drawing.num_vertices()},
+      {"m", drawing.num_edges()},
+      {"algorithm", drawing.algorithm()},
+      {"level", to_string(level)},
+      {"certificate", examination.certificate.measured ? std::string("measured")
+                                                       : to_string(examination.certificate.mode)},
+      {"verdict", verdict_of(examination.certificate)},
+      {"violations", examination.certificate.violations.size()},
+      {"drawing_hash", examination.drawing_hash}};
   if (!drawing.real) {
     const Box& box = examination.summary.box;
     line["box"] = {point_json(box.low), point_json(box.high)};

@@ -80,8 +80,10 @@ int add_results(const AddArguments& arguments) {
       arguments.name.empty() ? study.source_hash.substr(0, kHashDigits) : arguments.name;
   const std::string path =
       arguments.folder + "/" + history_file_name(place, name, study, reader.environment());
-  refuse_unsafe_outputs(
-      {.inputs = {arguments.results}, .outputs = {path}, .force = arguments.force});
+  refuse_unsafe_outputs({.inputs = {arguments.results},
+                         .outputs = {path},
+                         .force = arguments.force,
+                         .streams = false});
   std::error_code error;
   std::filesystem::create_directories(arguments.folder, error);
   if (error) {
@@ -100,17 +102,32 @@ struct ReportArguments {
   bool force = false;
 };
 
+/// The files of the folder that a report may read; none if it cannot be listed.
+std::vector<std::string> results_files(const std::string& folder) {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end;
+       at.increment(error)) {
+    if (at->path().extension() == ".h5") files.push_back(at->path().string());
+  }
+  return files;
+}
+
 int report_history(const ReportArguments& arguments) {
   const std::string page =
       arguments.output.empty() ? arguments.folder + "/history.html" : arguments.output;
-  refuse_unsafe_outputs({.inputs = {},
+  refuse_unsafe_outputs({.inputs = results_files(arguments.folder),
                          .outputs = {arguments.json},
                          .page = page,
                          .page_is = "<title>ar3d history: ",
-                         .force = arguments.force});
+                         .force = arguments.force,
+                         .streams = false});
   HistoryRule rule;
   rule.time.threshold = arguments.threshold_percent / 100;
   const History history = read_history(arguments.folder, rule);
+  for (const std::string& output : {page, arguments.json}) {
+    if (!output.empty()) require_writable(output);
+  }
   write_file_atomically(page, render_history(history, arguments.folder));
   if (!arguments.json.empty()) write_file_atomically(arguments.json, history_json(history));
   fmt::print("{}page     {}\n", summary(history), page);

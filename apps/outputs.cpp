@@ -9,8 +9,10 @@
 #include <string_view>
 
 #include "ar3d/bench/keep/study_files.h"
+#include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/printable.h"
+#include "ar3d/records/graph_file_table.h"
 #include "ar3d/results/journal/journal_format.h"
 
 namespace ar3d {
@@ -95,6 +97,9 @@ void refuse_unsafe_outputs(const VerbFiles& files) {
   outputs.push_back(files.page);
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const std::string& output = outputs[i];
+    if (output == "-" && !files.streams) {
+      throw InputError("- is no name of a file, and this output is not written to standard output");
+    }
     if (!is_file_name(output)) continue;
     for (const std::string& input : files.inputs) {
       if (is_file_name(input) && are_one_file(input, output)) {
@@ -109,6 +114,18 @@ void refuse_unsafe_outputs(const VerbFiles& files) {
     refuse_unfinished(output);
     refuse_needed(output, files);
   }
+}
+
+std::vector<std::string> files_of_study(const StudyIdentity& identity, const std::string& results) {
+  const StudySpec spec = recorded_study(identity, results);
+  std::vector<std::string> files;
+  for (const GraphFileRecord& record : graph_file_records(identity)) files.push_back(record.path);
+  for (const auto& program : spec.programs) {
+    for (const std::string& word : program->command) {
+      if (is_regular(word)) files.push_back(word);
+    }
+  }
+  return files;
 }
 
 void refuse_foreign_page(const std::string& page, const std::string& results) {

@@ -4,19 +4,23 @@
 #include <string>
 #include <vector>
 
+#include "ar3d/results/study_identity.h"
+
 namespace ar3d {
 
 /// The option --force of every verb that writes files.
 void add_force(CLI::App& verb, bool& force);
 
 /// The files of a verb, looked at before it does any work. An empty path stands for an option that
-/// was left out, "-" for a standard stream: both are no file.
+/// was left out, "-" for a standard stream: both are no file. Where no output may be one, "-" is
+/// refused.
 struct VerbFiles {
   std::vector<std::string> inputs;
   std::vector<std::string> outputs;              ///< every one that will be written, but a page
   std::string page = {};                         ///< that can be made again at any time
   const char* page_is = "<title>ar3d report: ";  ///< what every such page has near its beginning
   bool force = false;                            ///< --force was given
+  bool streams = true;                           ///< "-" as an output is standard output
 };
 
 /// Refuses to write what somebody still needs:
@@ -28,6 +32,10 @@ struct VerbFiles {
 /// Devices and pipes are written to, not replaced.
 /// @throws InputError naming the file and what it is.
 void refuse_unsafe_outputs(const VerbFiles& files);
+
+/// What a row of a study is made from besides its results file: the files of its graphs, and those
+/// of its programs' commands that are files.
+std::vector<std::string> files_of_study(const StudyIdentity& identity, const std::string& results);
 
 /// For a report whose name the user has not given, since it follows from that of the results: what
 /// stands there may be replaced only if it is a report of ar3d. @throws InputError naming the file.

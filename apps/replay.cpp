@@ -55,6 +55,9 @@ int replay_row(const ReplayArguments& arguments) {
   const DrawingFormat& format = drawing_format(arguments.format, arguments.output);
   const Results results = read_results(arguments.results);
   const RunRecord& then = find_row(results, arguments);
+  refuse_unsafe_outputs({.inputs = files_of_study(results, arguments.results),
+                         .outputs = {arguments.output},
+                         .force = arguments.force});
   StudyOrigin origin = study_origin(results);
   origin.moved_graphs = arguments.graphs;
   const RunRecord now = replayed(then, origin);

@@ -93,7 +93,8 @@ int write_report(const Arguments& arguments) {
                          .outputs = {arguments.csv, arguments.json, arguments.rows,
                                      arguments.growth, arguments.benchmark_json},
                          .page = path,
-                         .force = arguments.force});
+                         .force = arguments.force,
+                         .streams = false});
   const StudyRows rows(arguments.results);
   const RowView& view = rows.view();
   const StudyAnalysis analysis = analyse(view, judge(view, arguments.results));

@@ -169,8 +169,12 @@ JournaledStudy begin_new(const RunArguments& arguments, const Shard& shard) {
   if (study.spec.keep_drawings != KeptDrawings::none && shard.count == 1) {
     outputs.push_back(drawings_path(study.results));
   }
-  refuse_unsafe_outputs(
-      {.inputs = inputs, .outputs = outputs, .page = page, .force = arguments.force});
+  refuse_unsafe_outputs({.inputs = inputs,
+                         .outputs = outputs,
+                         .page = page,
+                         .force = arguments.force,
+                         .streams = false});
+  for (const std::string& output : outputs) require_writable(output);
   return study;
 }
 

@@ -29,10 +29,18 @@ struct CountArguments {
 int count_rows(const CountArguments& arguments) {
   const std::string path = arguments.output.empty() ? arguments.results : arguments.output;
   if (!arguments.output.empty()) {
-    refuse_unsafe_outputs(
-        {.inputs = {arguments.results}, .outputs = {path}, .force = arguments.force});
+    refuse_unsafe_outputs({.inputs = {arguments.results},
+                           .outputs = {path},
+                           .force = arguments.force,
+                           .streams = false});
   }
   Results results = read_results(arguments.results);
+  if (!arguments.output.empty()) {
+    refuse_unsafe_outputs({.inputs = files_of_study(results, arguments.results),
+                           .outputs = {path},
+                           .force = arguments.force,
+                           .streams = false});
+  }
   require_writable(path);
   const StudyOrigin origin = study_origin(results);
   std::map<std::tuple<std::string, std::string, std::string>, std::int64_t> counts;

@@ -24,10 +24,14 @@ int write_drawings(const std::string& path, const RowView& rows, KeptDrawings ke
   OutputFile file(path);
   const ReadableRows readable{rows.count, [&rows](std::size_t row) { return rows.read(row); }};
   const KeptOutcome outcome = write_kept_drawings(readable, *rows.identity, kept, file);
-  file.commit();
   for (const std::string& problem : outcome.problems) {
     fmt::print(stderr, "ar3d: {}\n", printable(problem));
   }
+  if (!outcome.problems.empty() && outcome.kept == 0) {
+    fmt::print(stderr, "ar3d: no drawing could be made again; {} is not written\n", path);
+    return kRegression;
+  }
+  file.commit();
   fmt::print(path == "-" ? stderr : stdout, "drawings {}: {} kept ({})\n",
              path == "-" ? "standard output" : path, outcome.kept, to_string(kept));
   return outcome.problems.empty() ? kPass : kRegression;
@@ -54,6 +58,9 @@ int keep(const DrawingsArguments& arguments) {
   refuse_unsafe_outputs(
       {.inputs = {arguments.results}, .outputs = {path}, .force = arguments.force});
   const StudyRows rows(arguments.results);
+  refuse_unsafe_outputs({.inputs = files_of_study(*rows.view().identity, arguments.results),
+                         .outputs = {path},
+                         .force = arguments.force});
   return write_drawings(path, rows.view(), parse_kept_drawings(arguments.keep));
 }
 

@@ -20,8 +20,10 @@ struct MergeArguments {
 };
 
 int merge(const MergeArguments& arguments) {
-  refuse_unsafe_outputs(
-      {.inputs = arguments.parts, .outputs = {arguments.output}, .force = arguments.force});
+  refuse_unsafe_outputs({.inputs = arguments.parts,
+                         .outputs = {arguments.output},
+                         .force = arguments.force,
+                         .streams = false});
   const StudyOutcome outcome = merge_study(arguments.parts, arguments.output);
   if (outcome.complete()) {
     fmt::print("{} rows of {} files are in {}\n", outcome.rows, arguments.parts.size(),

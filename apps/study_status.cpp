@@ -126,7 +126,8 @@ int show(const StatusArguments& arguments) {
   if (!arguments.snapshot.empty()) {
     refuse_unsafe_outputs({.inputs = {arguments.file, results_path_of(arguments.file)},
                            .outputs = {arguments.snapshot},
-                           .force = arguments.force});
+                           .force = arguments.force,
+                           .streams = false});
     const StudyOutcome outcome = write_snapshot(begun_study(arguments.file), arguments.snapshot);
     fmt::print("{} rows are in {}\n", outcome.rows, arguments.snapshot);
     return outcome.complete() ? kPass : kIncomplete;

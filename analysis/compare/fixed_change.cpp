@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "ar3d/analysis/check/row_findings.h"
+
 namespace ar3d {
 namespace {
 
@@ -61,6 +63,12 @@ void compare_status(const RunRecord& base, const RunRecord& now,
                                            to_string(now.status))});
   } else if (base.violations >= 0 && now.violations < 0 && now.status == RunStatus::ok) {
     changes.push_back({Effect::worse, "no longer certified"});
+  } else if (is_unproved(base) != is_unproved(now)) {
+    changes.push_back(
+        is_unproved(now)
+            ? FixedChange{Effect::worse,
+                          fmt::format("no longer proved (certificate {})", now.certificate)}
+            : FixedChange{Effect::better, "proved now"});
   }
 }
 

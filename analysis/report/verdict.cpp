@@ -23,10 +23,19 @@ std::string verdict_sentence(const StudyAnalysis& analysis) {
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   std::string html = fmt::format(
       "<p><span class='verdict {}'>{}</span></p><p>{} rows: {} proved right and inside their "
-      "bounds, {} violated, {} incomplete, {} refused (the graph lies outside the theorem).</p>\n",
+      "bounds, {} violated, {} incomplete, {} refused (the graph lies outside the theorem)",
       css, verdict.word(), count_text(verdict.rows), count_text(verdict.proved),
       count_text(verdict.violated_rows), count_text(verdict.incomplete_rows),
       count_text(verdict.refused));
+  if (verdict.unproved > 0) {
+    html += fmt::format(", {} <b>not proved</b> (their certificate proves nothing{})",
+                        count_text(verdict.unproved),
+                        verdict.accepts_unproved ? "; the study accepts that" : "");
+  }
+  if (verdict.measured > 0) {
+    html += fmt::format(", {} measured without a guarantee", count_text(verdict.measured));
+  }
+  html += ".</p>\n";
   if (verdict.rows == 0) html += "<p>Nothing was measured, so nothing is shown.</p>\n";
   return html;
 }

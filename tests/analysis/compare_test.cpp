@@ -88,6 +88,7 @@ TEST(Compare, EveryNoiselessChangeHasItsVerdict) {
   EXPECT_EQ(verdict_with([](Row& r) { r.status = RunStatus::violated; }), Verdict::violated);
   EXPECT_EQ(verdict_with([](Row& r) { r.violations = 2; }), Verdict::violated);
   EXPECT_EQ(verdict_with([](Row& r) { r.violations = -1; }), Verdict::regressed);
+  EXPECT_EQ(verdict_with([](Row& r) { r.certificate = "sample=10"; }), Verdict::regressed);
   EXPECT_EQ(verdict_with([](Row& r) { r.graph_hash = "other"; }), Verdict::regressed);
   EXPECT_EQ(verdict_with([](Row& r) { r.extents[0] -= 1; }), Verdict::improved);
   EXPECT_EQ(verdict_with([](Row& r) { std::swap(r.extents[1], r.extents[2]); }), Verdict::pass);

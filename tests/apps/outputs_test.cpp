@@ -68,6 +68,40 @@ TEST_F(Outputs, AreNotTheVerbsInput) {
   }
 }
 
+TEST_F(Outputs, AreNotTheFilesThatAStudyReads) {
+  const std::string cd = "cd " + scratch_.path("") + " && ";
+  ASSERT_EQ(
+      run(cd +
+          "printf 'D~{\\n' > k5.g6 && {} study run --graphs k5.g6 --algorithm diamond -q -o g.h5")
+          .exit_code,
+      0);
+  const std::string graph = read_file(scratch_.path("k5.g6"));
+  for (const char* command :
+       {"replay g.h5 0 --format jsonl --force -o k5.g6", "study drawings g.h5 --force -o k5.g6",
+        "study count g.h5 --force -o k5.g6"}) {
+    expect_refused(command, "k5.g6 would be overwritten by what is made from it");
+    EXPECT_EQ(read_file(scratch_.path("k5.g6")), graph) << command;
+  }
+  ASSERT_EQ(run(cd + "{} history add r.h5 --name one --place 1 --folder past").exit_code, 0);
+  const std::string held = run(cd + "ls past/*.h5 | tr -d '\\n'").out;
+  for (const char* option : {"-o ", "--json "}) {
+    expect_refused("history report --folder past --force " + (option + held),
+                   "would be overwritten");
+    EXPECT_EQ(read_file(scratch_.path(held)), bytes_) << option;
+  }
+}
+
+TEST_F(Outputs, AreNoFileNamedLikeStandardOutput) {
+  for (const char* command :
+       {"report r.h5 -o -", "report r.h5 --rows -", "compare r.h5 other.h5 --json -",
+        "study run smoke -q -o -", "study merge r.h5 -o -", "study status r.h5 --snapshot -",
+        "history report --json -"}) {
+    const Outcome outcome = run("cd " + scratch_.path("") + " && {} " + command);
+    EXPECT_EQ(outcome.exit_code, 2) << command << outcome.out;
+    EXPECT_FALSE(fs::exists(scratch_.path("-"))) << command;
+  }
+}
+
 TEST_F(Outputs, AreNotEachOther) {
   expect_refused("report r.h5 --csv a.csv --json ./a.csv", "./a.csv is named for two outputs");
   expect_refused("study run smoke -q -o new.html", "new.html is named for two outputs");

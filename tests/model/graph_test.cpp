@@ -112,7 +112,7 @@ TEST(Graph, FindsAParallelEdgeAmongMany) {
     std::vector<Edge> more = edges;
     more.push_back({edges[place].v, edges[place].u});
     try {
-      Graph(200000, std::move(more));
+      const Graph accepted(200000, std::move(more));
       ADD_FAILURE() << "accepted";
     } catch (const EdgeError& error) {
       EXPECT_EQ(error.edge(), edges.size());

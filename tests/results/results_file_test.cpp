@@ -143,7 +143,7 @@ TEST_F(ResultsFile, RefusesWhatIsNoResultsFile) {
   EXPECT_THAT(read_error(folder_.string()), HasSubstr("Is a directory"));
   std::ofstream(in_folder("text.h5")) << "hello";
   EXPECT_THAT(read_error(in_folder("text.h5")), HasSubstr("is not an HDF5 file"));
-  std::ofstream(in_folder("empty.h5"));
+  std::ofstream(in_folder("empty.h5")) << "";
   EXPECT_THAT(read_error(in_folder("empty.h5")), HasSubstr("is not an HDF5 file"));
 }
 

@@ -15,7 +15,6 @@
 namespace ar3d {
 namespace {
 
-using ::testing::HasSubstr;
 using testing::sample_run;
 
 TEST(Columns, NamesAreUniqueAndDescribed) {

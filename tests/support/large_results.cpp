@@ -50,7 +50,8 @@ RunRecord large_run(const LargeResults& like, std::size_t row) {
   run.total_edge_length = 10 * static_cast<double>(n);
   run.longest_edge_length = static_cast<double>(n);
   run.smallest_vertex_distance = 1;
-  run.wall_s = run.cpu_s = 1e-7 * static_cast<double>(n + chance / 8);
+  run.wall_s = run.cpu_s =
+      1e-7 * (static_cast<double>(n) + std::floor(static_cast<double>(chance) / 8));
   if (is_one_of(row, like.violated, like.rows, 1)) {
     run.status = RunStatus::violated;
     run.violations = 1;

@@ -39,7 +39,7 @@ std::map<std::string, std::string> read_help() {
       std::istringstream words(line);
       std::string name;
       words >> name;
-      if (line[2] != ' ') ask(verb.empty() ? name : verb + " " + name);
+      if (line[2] != ' ') ask(verb.empty() ? name : std::string(verb).append(" ").append(name));
     }
   };
   ask("");

@@ -21,7 +21,7 @@ using verify::miss_of_120;
 
 BigPoint point(std::int64_t x, std::int64_t y, std::int64_t z) { return {x, y, z}; }
 
-RealPoints drawing(std::vector<BigPoint> vertices, std::vector<std::vector<BigPoint>> bends,
+RealPoints drawing(std::vector<BigPoint> vertices, const std::vector<std::vector<BigPoint>>& bends,
                    int unit_exponent = 0) {
   RealPoints points;
   points.unit_exponent = unit_exponent;
