@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -160,6 +161,19 @@ double ratio(double a, double b, double c, double d) {
   double largest = 0;
   for (double j = 1; j < 1e9; j *= 1.1) largest = std::max(largest, (a * j + b) / (c * j + d));
   return std::sqrt(3.0) * largest;
+}
+
+// The end of Lemma E.6 for few vertices: the largest sum over all ways to divide n into components.
+TEST(TwoBend109Scale, SumsOfComponentsFitTheBox) {
+  std::array<std::int64_t, 22> largest{};
+  for (std::int64_t n = 1; n < 22; ++n) {
+    std::int64_t& sum = largest[static_cast<std::size_t>(n)];
+    for (std::int64_t k = 1; k <= n; ++k) {
+      const std::int64_t one = 1440 * k * k + 8126 * k + 3294 + (k >= 4 ? 81650 : 0);
+      sum = std::max(sum, largest[static_cast<std::size_t>(n - k)] + one);
+    }
+    EXPECT_LE(sum, 2500 * n * n + 200000) << n;
+  }
 }
 
 TEST(TwoBend109Scale, KeepsEveryAngleOfLemmaE4) {
@@ -319,6 +333,7 @@ TEST(TwoBend109Bodies, TwoStubsUpNeverDifferAlongTwoLegs) {
     for (const SmallBody::Leg& a : body.legs) {
       for (const SmallBody::Leg& b : body.legs) {
         if (a.v == b.v) continue;
+        EXPECT_NE(a.end.z, b.end.z) << body.name;
         for (const Vector& d : differences) EXPECT_FALSE(parallel(d, a.end - b.end)) << body.name;
       }
     }
