@@ -2,27 +2,23 @@
 // and igraph's C library, each graph in a process of its own, so that CPU time and memory are
 // measured in the same way for all; then wall times of ours by number of threads. --help tells the
 // options.
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <igraph/igraph.h>
 #include <omp.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <functional>
-#include <limits>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "ar3d/generators/random_regular.h"
+#include "peer_generators.h"
 
 namespace {
+
+using namespace ar3d::kernels;
 
 struct Options {
   std::uint64_t n = 1000000;
@@ -30,69 +26,6 @@ struct Options {
   std::vector<std::uint32_t> degrees = {3, 4};
   std::vector<int> threads = {1, 2};
 };
-
-struct Cost {
-  double cpu_s = 0;  // user and system
-  double peak_bytes = 0;
-};
-
-double seconds(const timeval& t) {
-  return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-}
-
-/// What `work` costs in a child process that ends with it. Fails if the child does.
-Cost cost_of(const std::function<void()>& work) {
-  const pid_t child = fork();
-  if (child == 0) {
-    work();
-    _exit(0);
-  }
-  int status = 0;
-  rusage usage{};
-  if (child < 0 || wait4(child, &status, 0, &usage) != child || status != 0) {
-    throw std::runtime_error("a generator failed or is missing (Debian package nauty)");
-  }
-  return {seconds(usage.ru_utime) + seconds(usage.ru_stime),
-          1024.0 * static_cast<double>(usage.ru_maxrss)};
-}
-
-/// Edges and rows of the graph, as every user of the library pays for them.
-void generate_ours(std::uint64_t n, std::uint32_t d, std::uint32_t seed) {
-  omp_set_num_threads(1);
-  if (ar3d::random_regular(n, d, seed).num_vertices() != n) _exit(1);
-}
-
-/// Writes sparse6 to /dev/null.
-void generate_genrang(std::uint64_t n, std::uint32_t d, std::uint32_t seed) {
-  const std::string degree = fmt::format("-r{}", d);
-  const std::string seed_option = fmt::format("-S{}", seed);
-  const std::string size = std::to_string(n);
-  dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);
-  execlp("nauty-genrang", "nauty-genrang", "-q", degree.c_str(), seed_option.c_str(), size.c_str(),
-         "1", nullptr);
-  _exit(1);
-}
-
-/// igraph's own random regular graphs; their documentation promises no distribution.
-void generate_igraph(std::uint64_t n, std::uint32_t d, std::uint32_t seed) {
-  igraph_t graph;
-  igraph_rng_seed(igraph_rng_default(), seed);
-  const auto error = igraph_k_regular_game(&graph, static_cast<igraph_integer_t>(n),
-                                           static_cast<igraph_integer_t>(d), false, false);
-  if (error != IGRAPH_SUCCESS) _exit(1);
-}
-
-/// Uniform: the configuration model with full restart.
-void generate_igraph_uniform(std::uint64_t n, std::uint32_t d, std::uint32_t seed) {
-  igraph_t graph;
-  igraph_vector_int_t degrees;
-  igraph_rng_seed(igraph_rng_default(), seed);
-  igraph_vector_int_init(&degrees, static_cast<igraph_integer_t>(n));
-  igraph_vector_int_fill(&degrees, static_cast<igraph_integer_t>(d));
-  const auto error =
-      igraph_degree_sequence_game(&graph, &degrees, nullptr, IGRAPH_DEGSEQ_CONFIGURATION_SIMPLE);
-  if (error != IGRAPH_SUCCESS) _exit(1);
-}
 
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());

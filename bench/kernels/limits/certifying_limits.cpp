@@ -1,0 +1,81 @@
+// Certifying, measuring and hashing beside drawing: one thread, CPU time, random graphs with
+// vertices shuffled.
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "ar3d/algorithms/catalog.h"
+#include "ar3d/bench/measure/one_thread.h"
+#include "ar3d/generators/catalog.h"
+#include "ar3d/verify/examination.h"
+#include "limit.h"
+#include "turns.h"
+
+namespace ar3d::limits {
+namespace {
+
+constexpr std::uint64_t kSeed = 1;
+
+void require(bool valid) {
+  if (!valid) throw std::runtime_error("a drawing is not valid");
+}
+
+/// Certifying / drawing; the same, per segment; metrics and hash / drawing.
+void measure_examination(const std::string& name, const Scale& scale, std::vector<Limit>& limits) {
+  const OneThread one_thread;
+  const Algorithm& algorithm = find_algorithm(name);
+  const char* family = algorithm.guarantee.max_degree == 4 ? "random-4-regular" : "random-cubic";
+  const Graph graph = generate(find_family(family), scale.n, kSeed, {{"shuffle", 1}});
+  const Drawing drawing = draw(algorithm, graph);
+  std::uint64_t segments = 0;
+  Turns turns({timed(Clock::cpu, [&] { (void)draw(algorithm, graph); }),
+               timed(Clock::cpu,
+                     [&] {
+                       const Certificate certificate = certify(graph, drawing, algorithm.guarantee);
+                       require(certificate.valid());
+                       segments = certificate.segments;
+                     }),
+               timed(Clock::cpu, [&] {
+                 const ExaminationParts parts{.certificate = false, .metrics = true, .hash = true};
+                 (void)examine(graph, drawing, algorithm.guarantee, parts);
+               })});
+  turns.run(scale.repetitions);
+  const double drawing_s = turns.median_of(0);
+  const double certify_s = turns.median_of(1);
+  const double measure_s = turns.median_of(2);
+  limits[0].measured = certify_s / drawing_s;
+  limits[0].remark = fmt::format("{:.3g} s, drawing {:.3g} s", certify_s, drawing_s);
+  limits[1].measured = measure_s / drawing_s;
+  limits[1].remark = fmt::format("{:.3g} s without the certificate", measure_s);
+  if (limits.size() < 3) return;
+  limits[2].measured = 1e6 * certify_s / static_cast<double>(segments);
+  limits[2].remark = fmt::format("{} segments", segments);
+}
+
+Group examination_group(const std::string& name) {
+  constexpr std::uint64_t kN = 1'000'000;
+  Group group{"certify/" + name, kN, {}, {}};
+  group.limits = {
+      {fmt::format("certify `{}`", name), "its drawing", {Goal::Kind::at_most, 3}},
+      {fmt::format("metrics and hash of `{}`", name), "its drawing", {Goal::Kind::at_most, 1}}};
+  if (name == "diamond") {
+    group.limits.push_back(
+        {"certify `diamond`, per segment", "none", {Goal::Kind::at_most, 0.25, " µs"}});
+  }
+  group.measure = [name](const Scale& scale, std::vector<Limit>& limits) {
+    measure_examination(name, scale, limits);
+  };
+  return group;
+}
+
+}  // namespace
+
+std::vector<Group> certifying_groups() {
+  std::vector<Group> groups;
+  for (const char* name : {"diamond", "grid", "two-bend", "compact"}) {
+    groups.push_back(examination_group(name));
+  }
+  return groups;
+}
+
+}  // namespace ar3d::limits

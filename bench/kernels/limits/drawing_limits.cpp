@@ -1,0 +1,110 @@
+// Drawing beside a plain breadth-first search of the same graph: one thread, CPU time, vertices
+// shuffled, no bend read. And one drawing on two threads beside one: wall time.
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <cstddef>
+
+#include "../search.h"
+#include "ar3d/algorithms/catalog.h"
+#include "ar3d/bench/measure/one_thread.h"
+#include "ar3d/generators/catalog.h"
+#include "limit.h"
+#include "turns.h"
+
+namespace ar3d::limits {
+namespace {
+
+constexpr std::uint64_t kSeed = 1;
+
+Graph shuffled(const char* family, std::uint64_t n) {
+  return generate(find_family(family), n, kSeed, {{"shuffle", 1}});
+}
+
+struct Drawn {
+  const char* algorithm;
+  const char* family;
+  const char* family_words;
+  std::vector<int> efforts;
+  std::uint64_t n;
+  std::vector<double> goals;  ///< by effort
+};
+
+void measure_drawing(const Drawn& drawn, const Scale& scale, std::vector<Limit>& limits) {
+  const OneThread one_thread;
+  const Graph graph = shuffled(drawn.family, scale.n);
+  const Algorithm& algorithm = find_algorithm(drawn.algorithm);
+  std::vector<std::function<double()>> works = {
+      timed(Clock::cpu, [&] { (void)kernels::search_breadth_first(graph); })};
+  for (const int effort : drawn.efforts) {
+    const Settings options = effort < 0 ? Settings{} : Settings{{"effort", effort}};
+    works.push_back(timed(Clock::cpu, [&, options] { (void)draw(algorithm, graph, options); }));
+  }
+  Turns turns(std::move(works));
+  turns.run(scale.repetitions);
+  const double search = turns.median_of(0);
+  const double per_vertex = 1e9 / static_cast<double>(graph.num_vertices());
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const double drawing = turns.median_of(i + 1);
+    limits[i].measured = drawing / search;
+    limits[i].remark = fmt::format("{:.0f} ns per vertex, search {:.0f} ns", drawing * per_vertex,
+                                   search * per_vertex);
+  }
+}
+
+Group drawing_group(const Drawn& drawn) {
+  Group group{fmt::format("draw/{}/{}", drawn.algorithm, drawn.n), drawn.n, {}, {}};
+  for (std::size_t i = 0; i < drawn.efforts.size(); ++i) {
+    const std::string effort =
+        drawn.efforts[i] < 0 ? "" : fmt::format(" effort {}", drawn.efforts[i]);
+    group.limits.push_back(
+        {fmt::format("draw `{}`{}, {}", drawn.algorithm, effort, drawn.family_words),
+         "breadth-first search",
+         {Goal::Kind::at_most, drawn.goals[i]}});
+  }
+  group.measure = [drawn](const Scale& scale, std::vector<Limit>& limits) {
+    measure_drawing(drawn, scale, limits);
+  };
+  return group;
+}
+
+void measure_threads(const Scale& scale, std::vector<Limit>& limits) {
+  const OneThread restore_afterwards;
+  const Graph graph = shuffled("random-4-regular", scale.n);
+  const Algorithm& diamond = find_algorithm("diamond");
+  const auto on_threads = [&](int threads) {
+    return [&, threads] {
+      omp_set_num_threads(threads);
+      (void)draw(diamond, graph, {{"effort", 0}});
+    };
+  };
+  Turns turns({timed(Clock::wall, on_threads(1)), timed(Clock::wall, on_threads(2))});
+  turns.run(scale.repetitions);
+  limits[0].measured = turns.median_of(0) / turns.median_of(1);
+  limits[0].remark = fmt::format("{:.3g} s and {:.3g} s", turns.median_of(0), turns.median_of(1));
+}
+
+}  // namespace
+
+std::vector<Group> drawing_groups() {
+  constexpr const char* kFour = "random 4-regular";
+  constexpr const char* kCubic = "random cubic";
+  std::vector<Group> groups;
+  for (const Drawn& drawn :
+       std::vector<Drawn>{{"diamond", "random-4-regular", kFour, {0, 1}, 1'000'000, {2.0, 2.0}},
+                          {"diamond", "random-4-regular", kFour, {0, 1}, 10'000'000, {1.5, 1.5}},
+                          {"grid", "random-cubic", kCubic, {0, 1}, 1'000'000, {8, 8}},
+                          {"two-bend", "random-cubic", kCubic, {0, 1}, 1'000'000, {12, 12}},
+                          {"compact", "random-4-regular", kFour, {-1}, 1'000'000, {15}}}) {
+    groups.push_back(drawing_group(drawn));
+  }
+  groups.push_back({"draw/threads",
+                    10'000'000,
+                    {{"draw `diamond` effort 0, random 4-regular, 2 threads",
+                      "1 thread",
+                      {Goal::Kind::at_least, 1.6}}},
+                    measure_threads});
+  return groups;
+}
+
+}  // namespace ar3d::limits

@@ -1,0 +1,63 @@
+// Rows of a study per second of wall time, everything on (certificate, metrics, hashes), by number
+// of workers.
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "ar3d/bench/plan/plan.h"
+#include "ar3d/bench/run/make_rows.h"
+#include "limit.h"
+#include "turns.h"
+
+namespace ar3d::limits {
+namespace {
+
+constexpr int kRows = 400;
+
+class Valid final : public RowSink {
+ public:
+  void add(std::size_t, const RunRecord& run) override {
+    if (run.status != RunStatus::ok) throw std::runtime_error("a row failed: " + run.message);
+  }
+};
+
+void measure_rows(const Scale& scale, std::vector<Limit>& limits) {
+  const StudyPlan plan = plan_study(
+      parse_study(fmt::format("study = \"limits\"\n[[sweep]]\nfamilies = \"random-cubic\"\n"
+                              "sizes = {}\nalgorithms = \"grid\"\ninstances = {}\n",
+                              scale.n, kRows),
+                  "limits.toml"));
+  const auto with_workers = [&](int workers) {
+    return [&, workers] {
+      Valid sink;
+      MakingPolicy policy;
+      policy.workers = workers;
+      make_rows(plan, policy, sink);
+    };
+  };
+  Turns turns({timed(Clock::wall, with_workers(1)), timed(Clock::wall, with_workers(2))});
+  turns.run(scale.repetitions);
+  limits[0].measured = turns.median_of(0) / turns.median_of(1);
+  limits[0].remark = fmt::format("{:.0f} and {:.0f} rows per second", kRows / turns.median_of(0),
+                                 kRows / turns.median_of(1));
+}
+
+}  // namespace
+
+std::vector<Group> study_groups() {
+  return {{"study/rows",
+           1000,
+           {{"rows of `grid`, random cubic, 2 workers", "1 worker", {Goal::Kind::at_least, 1.95}}},
+           measure_rows}};
+}
+
+std::vector<Group> layout_groups() {
+  return {{"layouts",
+           100'000,
+           {{"layouts of other programs in three dimensions", "ours", {Goal::Kind::at_least, 1}}},
+           [](const Scale&, std::vector<Limit>& limits) {
+             limits[0].remark = "not measured here: `ar3d study run peers` and examples/peers";
+           }}};
+}
+
+}  // namespace ar3d::limits

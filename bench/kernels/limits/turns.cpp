@@ -1,0 +1,32 @@
+#include "turns.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace ar3d::limits {
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+void Turns::run(int rounds, double most_seconds, const std::function<void()>& before_round) {
+  std::vector<double> taken(works_.size(), 0);
+  for (int round = 0; round < rounds; ++round) {
+    if (round >= 3 && *std::max_element(taken.begin(), taken.end()) >= most_seconds) return;
+    if (before_round) before_round();
+    for (std::size_t i = 0; i < works_.size(); ++i) {
+      times_[i].push_back(works_[i]());
+      taken[i] += times_[i].back();
+    }
+  }
+}
+
+std::string Turns::rounds_remark(int asked) const {
+  const std::size_t rounds = times_[0].size();
+  return rounds == static_cast<std::size_t>(asked) ? "" : fmt::format(", {} rounds", rounds);
+}
+
+}  // namespace ar3d::limits

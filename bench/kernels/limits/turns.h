@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ar3d/bench/measure/stopwatch.h"
+
+namespace ar3d::limits {
+
+double median(std::vector<double> values);
+
+enum class Clock { cpu, wall };  ///< CPU time of the calling thread, or wall time
+
+/// The work as a function that tells how many seconds it took.
+template <class Work>
+std::function<double()> timed(Clock clock, Work work) {
+  return [clock, work] {
+    const Stopwatch wall;
+    const CpuStopwatch cpu;
+    work();
+    return clock == Clock::cpu ? cpu.cpu_s() : wall.wall_s();
+  };
+}
+
+/// Repeats of a slow work of another program end after so many seconds, three at least.
+inline constexpr double kPeerSeconds = 12;
+inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+/// Times works in rounds of one call each, so that whatever disturbs the machine for a while
+/// disturbs all alike.
+class Turns {
+ public:
+  explicit Turns(std::vector<std::function<double()>> works)
+      : works_(std::move(works)), times_(works_.size()) {}
+
+  /// @param most_seconds  rounds end once the slowest work has taken that long, after three.
+  void run(int rounds, double most_seconds = kNoLimit,
+           const std::function<void()>& before_round = {});
+
+  /// Median of the seconds of work i.
+  double median_of(std::size_t i) const { return median(times_[i]); }
+  /// "" or ", 3 rounds" if they were fewer than that.
+  std::string rounds_remark(int asked) const;
+
+ private:
+  std::vector<std::function<double()>> works_;
+  std::vector<std::vector<double>> times_;
+};
+
+}  // namespace ar3d::limits
