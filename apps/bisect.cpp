@@ -21,6 +21,7 @@
 #include "cell_study.h"
 #include "commands.h"
 #include "numbers.h"
+#include "words.h"
 
 namespace ar3d {
 namespace {
@@ -263,7 +264,7 @@ void add_bisect(CLI::App& app, int& exit_code) {
                    "that has the cell: a TOML file, a named study or a results file")
       ->capture_default_str();
   verb->add_option("--measure", arguments->measure, "time, instructions, volume or bends")
-      ->check(CLI::IsMember({"time", "instructions", "volume", "bends"}))
+      ->check(one_of({"time", "instructions", "volume", "bends"}))
       ->capture_default_str();
   verb->add_option("--rounds", arguments->rounds,
                    "turns of each program for one commit; up to four times as many if needed")
@@ -273,7 +274,7 @@ void add_bisect(CLI::App& app, int& exit_code) {
       ->check(whole_number(0, 1023));
   verb->add_option("--threshold", arguments->threshold_percent,
                    "percent of time that matter: less between GOOD and BAD is no change")
-      ->check(CLI::Range(0.1, 1000.0))
+      ->check(number_between(0.1, 1000))
       ->capture_default_str();
   verb->add_flag("-q,--quiet", arguments->quiet, "no progress on standard error");
   verb->footer(

@@ -183,14 +183,14 @@ void add_options(CLI::App& verb, CompareArguments& a) {
   verb.add_flag("--calibrate", a.calibrate,
                 "first run this program against itself: false-alarm rate, smallest visible effect");
   verb.add_option("--threshold", a.threshold_percent, "percent of time that matter")
-      ->check(CLI::Range(0.1, 1000.0))
+      ->check(number_between(0.1, 1000))
       ->capture_default_str();
   verb.add_option("--significance", a.options.time.significance, "largest p-value of one cell")
-      ->check(CLI::Range(1e-12, 0.5))
+      ->check(number_between(1e-12, 0.5))
       ->capture_default_str();
   verb.add_option("--fdr", a.options.time.false_discovery_rate,
                   "false discovery rate over all cells")
-      ->check(CLI::Range(1e-12, 0.5))
+      ->check(number_between(1e-12, 0.5))
       ->capture_default_str();
   verb.add_flag("--time-always", a.options.time_always, "judge times of unlike environments too");
   verb.add_flag("--drawings-only", a.options.drawings_only,

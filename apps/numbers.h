@@ -39,4 +39,14 @@ inline CLI::Validator finite_number(bool positive) {
           "NUMBER"};
 }
 
+/// Decimal numbers from low to high.
+inline CLI::Validator number_between(double low, double high) {
+  return {[low, high](std::string& text) -> std::string {
+            double value = 0;
+            if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return {};
+            return fmt::format("'{}' is not a number from {} to {}", text, low, high);
+          },
+          "NUMBER"};
+}
+
 }  // namespace ar3d

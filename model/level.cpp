@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ar3d/model/error.h"
+#include "ar3d/model/nearest_name.h"
 #include "ar3d/model/printable.h"
 
 namespace ar3d {
@@ -25,8 +26,9 @@ Level parse_level(std::string_view text) {
   for (const Level level : {Level::extents, Level::positions, Level::full}) {
     if (text == to_string(level)) return level;
   }
-  throw InputError(
-      fmt::format("'{}' is no level (known: extents, positions, full)", printable(text)));
+  throw InputError(fmt::format("'{}' is no level (known: extents, positions, full){}",
+                               printable(text),
+                               did_you_mean(text, {"extents", "positions", "full"})));
 }
 
 Drawing at_level(Drawing drawing, Level level) {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "ar3d/model/error.h"
+#include "ar3d/model/nearest_name.h"
 #include "ar3d/model/printable.h"
 #include "ar3d/verify/functional.h"
 
@@ -61,8 +62,10 @@ CoordinateWidth parse_coordinate_width(std::string_view text) {
   }
   throw InputError(
       fmt::format("coordinates '{}' are none of auto, checked=int16, checked=int32, checked=int64, "
-                  "proved=int16, proved=int32 and proved=int64",
-                  printable(std::string(text))));
+                  "proved=int16, proved=int32 and proved=int64{}",
+                  printable(std::string(text)),
+                  did_you_mean(text, {"auto", "checked=int16", "checked=int32", "checked=int64",
+                                      "proved=int16", "proved=int32", "proved=int64"})));
 }
 
 std::uint64_t proved_n(const SizeBound& bound, int bits) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "ar3d/model/error.h"
+#include "ar3d/model/nearest_name.h"
 #include "ar3d/model/printable.h"
 
 namespace ar3d {
@@ -26,7 +27,9 @@ KeptDrawings parse_kept_drawings(std::string_view text) {
        {KeptDrawings::none, KeptDrawings::worst, KeptDrawings::violated, KeptDrawings::all}) {
     if (text == to_string(kept)) return kept;
   }
-  throw InputError(fmt::format("'{}' is none of none, worst, violated and all", printable(text)));
+  throw InputError(fmt::format("keep_drawings '{}' is none of none, worst, violated and all{}",
+                               printable(text),
+                               did_you_mean(text, {"none", "worst", "violated", "all"})));
 }
 
 }  // namespace ar3d

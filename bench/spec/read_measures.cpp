@@ -72,25 +72,20 @@ Budget read_budget(const std::string& file, const toml::node& node) {
   TomlTable table(file, node, "budget");
   Budget budget;
   if (const toml::node* time = table.find("row_time")) {
-    with_place(file, *time,
-               [&] { budget.row_time_s = SizeFunction::time(toml_text(file, *time, "row_time")); });
+    budget.row_time_s = toml_parsed(file, *time, "row_time", SizeFunction::time);
   }
   if (const toml::node* memory = table.find("row_memory")) {
-    with_place(file, *memory, [&] {
-      budget.row_memory_bytes = SizeFunction::memory(toml_text(file, *memory, "row_memory"));
-    });
+    budget.row_memory_bytes = toml_parsed(file, *memory, "row_memory", SizeFunction::memory);
   }
   if (const toml::node* memory = table.find("certify_memory")) {
-    with_place(file, *memory, [&] {
-      budget.certify_memory_bytes =
-          SizeFunction::memory(toml_text(file, *memory, "certify_memory"));
-    });
+    budget.certify_memory_bytes =
+        toml_parsed(file, *memory, "certify_memory", SizeFunction::memory);
   }
   if (const toml::node* study = table.find("study")) {
-    with_place(file, *study, [&] {
-      const SizeFunction time = SizeFunction::time(toml_text(file, *study, "study"));
+    budget.study_s = toml_parsed(file, *study, "study", [](const std::string& text) {
+      const SizeFunction time = SizeFunction::time(text);
       if (!time.is_constant()) throw InputError("the whole study's budget cannot depend on n");
-      budget.study_s = time(0);
+      return time(0);
     });
   }
   table.refuse_other_keys();

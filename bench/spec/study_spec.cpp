@@ -47,14 +47,10 @@ class SpecReader {
     if (const toml::node* budget = table.find("budget")) spec.budget = read_budget(file_, *budget);
     spec.accept_unproved = table.boolean("accept_unproved", false);
     if (const toml::node* mode = table.find("certificate")) {
-      with_place(file_, *mode, [&] {
-        spec.certificate = parse_certificate_mode(toml_text(file_, *mode, "certificate"));
-      });
+      spec.certificate = toml_parsed(file_, *mode, "certificate", parse_certificate_mode);
     }
     if (const toml::node* kept = table.find("keep_drawings")) {
-      with_place(file_, *kept, [&] {
-        spec.keep_drawings = parse_kept_drawings(toml_text(file_, *kept, "keep_drawings"));
-      });
+      spec.keep_drawings = toml_parsed(file_, *kept, "keep_drawings", parse_kept_drawings);
     }
     if (const toml::node* programs = table.find("algorithm")) {
       for (const toml::node* program : list(*programs, "algorithm")) add_program(*program);
@@ -161,8 +157,7 @@ class SpecReader {
   void add_levels(const toml::node& node, std::vector<AlgorithmChoice>& choices) const {
     std::vector<Level> levels;
     for (const toml::node* entry : list(node, "level")) {
-      with_place(file_, *entry,
-                 [&] { levels.push_back(parse_level(toml_text(file_, *entry, "level"))); });
+      levels.push_back(toml_parsed(file_, *entry, "level", parse_level));
     }
     std::vector<AlgorithmChoice> at_levels;
     for (AlgorithmChoice choice : choices) {

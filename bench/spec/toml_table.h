@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -63,6 +64,17 @@ class TomlTable {
 std::vector<const toml::node*> one_or_many(const toml::node& node);
 
 std::string toml_text(const std::string& file, const toml::node& node, const std::string& what);
+/// What `parse` makes of the node's text. @throws InputError "file:line: message" if the node is no
+/// text or `parse` throws one.
+template <class Parse>
+auto toml_parsed(const std::string& file, const toml::node& node, const std::string& what,
+                 const Parse& parse) {
+  const std::string text = toml_text(file, node, what);
+  std::optional<decltype(parse(text))> value;
+  with_place(file, node, [&] { value = parse(text); });
+  return *value;
+}
+
 /// @throws InputError if it is no integer in [low, high].
 std::int64_t toml_integer(const std::string& file, const toml::node& node, const std::string& what,
                           std::int64_t low, std::int64_t high);

@@ -185,6 +185,14 @@ TEST(StudySpec, ErrorsNameFileLineAndValue) {
               HasSubstr("t.toml:6: unknown family 'cycel'"));
   EXPECT_THAT(error_of(study_with("exclude = [{ size = 3 }]")),
               HasSubstr("t.toml:6: unknown key 'size'"));
+  EXPECT_EQ(error_of("certificate = 3\n" + study_with("")),
+            "t.toml:1: certificate is not a string");
+  EXPECT_EQ(error_of("budget = { row_time = 3 }\n" + study_with("")),
+            "t.toml:1: row_time is not a string");
+  EXPECT_THAT(error_of("keep_drawings = \"wrost\"\n" + study_with("")),
+              HasSubstr("t.toml:1: keep_drawings 'wrost' is none of none, worst, violated and all; "
+                        "did you mean 'worst'?"));
+  EXPECT_THAT(error_of(study_with("level = \"extend\"")), HasSubstr("did you mean 'extents'?"));
   EXPECT_THAT(error_of("max_n = { no = 3 }\n" + study_with("")),
               HasSubstr("t.toml:1: unknown algorithm 'no'"));
 }

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "ar3d/model/error.h"
+#include "ar3d/model/nearest_name.h"
 #include "ar3d/model/printable.h"
 
 namespace ar3d {
@@ -45,8 +46,9 @@ CertificateMode parse_certificate_mode(std::string_view text) {
   }
   throw InputError(
       fmt::format("certificate '{}' is none of exact, filtered, double, none and sample=K with K "
-                  "from 1 to {}",
-                  printable(std::string(text)), CertificateMode::kLargestSample));
+                  "from 1 to {}{}",
+                  printable(std::string(text)), CertificateMode::kLargestSample,
+                  did_you_mean(text, {"exact", "filtered", "double", "none"})));
 }
 
 }  // namespace ar3d
