@@ -83,6 +83,7 @@ std::vector<BoundsEntry> bounds_table(const StudyTally& tally, const StudyIdenti
     entry.instances = curve.instances;
     entry.rows_of_status = curve.rows_of_status;
     entry.violations = curve.violations;
+    entry.unproved = curve.unproved;
     entry.bends = curve.bends;
     for (std::size_t axis = 0; axis < 3; ++axis) entry.axes[axis] = axis_bounds(curve, axis);
     entry.volume = volume_bound(curve);

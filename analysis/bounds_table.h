@@ -47,6 +47,7 @@ struct BoundsEntry {
   std::size_t instances = 0;
   std::array<std::size_t, 6> rows_of_status{};  ///< indexed by RunStatus
   std::size_t violations = 0;  ///< rows that break a bound or a certificate, as `check` counts them
+  std::size_t unproved = 0;    ///< ok rows that no exact certificate judged
   std::array<AxisBounds, 3> axes;
   VolumeBound volume;
   std::string theorem_formula;    ///< "16/3 n, 16/3 n, 8 n (proved here, docs/theorem1.md)"

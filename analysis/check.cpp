@@ -26,7 +26,7 @@ bool comes_first(const Finding& a, const Finding& b) {
 class FindingList {
  public:
   explicit FindingList(const RowView& rows)
-      : show_(*rows.identity), violated_(rows.count), touched_(rows.count) {}
+      : show_(rows), violated_(rows.count), touched_(rows.count) {}
 
   /// @param run  the finding's row; null if it concerns the whole file.
   void add(Finding finding, const RunRecord* run) {

@@ -65,6 +65,7 @@ ordered_json bounds_json(const BoundsEntry& entry, const ShowCommand& show) {
   json["rows"] = entry.rows;
   json["instances"] = entry.instances;
   json["violations"] = entry.violations;
+  json["unproved"] = entry.unproved;
   json["edges_with_bends"] = entry.bends;
   json["theorem_bound"] = valid_utf8(entry.theorem_formula);
   json["published_bound"] = valid_utf8(entry.published_formula);
@@ -112,7 +113,7 @@ std::string bounds_line(const BoundsEntry& entry, const ShowCommand& show) {
   std::vector<std::string> fields = key_fields(entry.key);
   for (const std::int64_t n : {entry.smallest_n, entry.largest_n})
     fields.push_back(std::to_string(n));
-  for (const std::size_t count : {entry.rows, entry.instances, entry.violations}) {
+  for (const std::size_t count : {entry.rows, entry.instances, entry.violations, entry.unproved}) {
     fields.push_back(std::to_string(count));
   }
   for (const AxisBounds& axis : entry.axes) {
@@ -133,7 +134,8 @@ std::string bounds_line(const BoundsEntry& entry, const ShowCommand& show) {
 
 std::string bounds_csv(const StudyAnalysis& analysis) {
   std::string csv =
-      "algorithm,options,family,parameters,smallest_n,largest_n,rows,instances,violations";
+      "algorithm,options,family,parameters,smallest_n,largest_n,rows,instances,violations,"
+      "unproved";
   for (const char axis : {'x', 'y', 'z'}) {
     for (const char* column :
          {"worst_slack", "median_slack", "worst_instance_slack", "median_instance_slack",
@@ -142,7 +144,7 @@ std::string bounds_csv(const StudyAnalysis& analysis) {
     }
   }
   csv += ",log2_volume,volume_share,worst_command\r\n";
-  const ShowCommand show(*analysis.rows.identity);
+  const ShowCommand show(analysis.rows);
   for (const BoundsEntry& entry : analysis.bounds) csv += bounds_line(entry, show);
   return csv;
 }
@@ -216,7 +218,7 @@ std::string analysis_json(const StudyAnalysis& analysis) {
                      {"incomplete", verdict.incomplete_rows},
                      {"refused", verdict.refused}};
   json["bounds"] = ordered_json::array();
-  const ShowCommand show(*analysis.rows.identity);
+  const ShowCommand show(analysis.rows);
   for (const BoundsEntry& entry : analysis.bounds) {
     json["bounds"].push_back(bounds_json(entry, show));
   }

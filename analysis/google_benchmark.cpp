@@ -151,8 +151,11 @@ Results read_google_benchmark(const std::string& path) {
   try {
     return results_of(json::parse(file));
   } catch (const json::exception& error) {
+    const std::string_view what = error.what();  // "[json.exception.NAME.NUMBER] what"
+    const std::size_t end = what.find("] ");
     throw InputError(
-        fmt::format("{} is not a Google Benchmark report: {}", path, one_line(error.what())));
+        fmt::format("{} is not a Google Benchmark report: {}", path,
+                    one_line(what.substr(end == std::string_view::npos ? 0 : end + 2))));
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", path, error.what()));
   }

@@ -41,16 +41,22 @@ std::string draw_command(const CurveKey& key, const DrawnGraph& graph) {
   return fmt::format("{}{} --seed {}{}", parts.before_n, graph.n, graph.seed, parts.behind_seed);
 }
 
-ShowCommand::ShowCommand(const StudyIdentity& study) {
-  for (const GraphFileRecord& file : graph_file_records(study)) families_.insert(file.name);
+ShowCommand::ShowCommand(const RowView& rows) {
+  for (const GraphFileRecord& file : graph_file_records(*rows.identity)) {
+    families_.insert(file.name);
+  }
+  constexpr std::string_view kProgram = "program_";
+  for (const EnvironmentEntry& entry : *rows.environment) {
+    if (entry.name.starts_with(kProgram)) programs_.insert(entry.name.substr(kProgram.size()));
+  }
 }
 
 std::string ShowCommand::operator()(const CurveKey& key, const DrawnGraph& graph) const {
-  return is_of_file(key.family) ? replay_command(graph.row) : draw_command(key, graph);
+  return needs_results(key) ? replay_command(graph.row) : draw_command(key, graph);
 }
 
 std::string ShowCommand::operator()(const RunRecord& run, std::size_t row) const {
-  return is_of_file(run.family) ? replay_command(run, row) : draw_command(run);
+  return needs_results(curve_of(run)) ? replay_command(run, row) : draw_command(run);
 }
 
 std::string replay_command(const RunRecord& run, std::size_t row) {

@@ -22,17 +22,22 @@ struct CommandParts {
 };
 CommandParts draw_command_parts(const CurveKey& key);
 
-/// The line that shows a row of this study again: draw_command, or where the graph is one of a file
-/// (/graph_files), which no family makes, replay_command.
+/// The line that shows a row of this study again: draw_command, or replay_command where that needs
+/// the results: the graph is one of a file (/graph_files), which no family makes, or a program of
+/// the study's own ("program_NAME" in /environments) draws it.
 class ShowCommand {
  public:
-  explicit ShowCommand(const StudyIdentity& study);
+  explicit ShowCommand(const RowView& rows);
   bool is_of_file(const std::string& family) const { return families_.contains(family); }
+  bool needs_results(const CurveKey& key) const {
+    return is_of_file(key.family) || programs_.contains(key.algorithm);
+  }
   std::string operator()(const CurveKey& key, const DrawnGraph& graph) const;
   std::string operator()(const RunRecord& run, std::size_t row) const;
 
  private:
   std::set<std::string> families_;  // of files
+  std::set<std::string> programs_;
 };
 
 /// "ar3d replay RESULTS.h5 ROW" with the row's key, or with `row` (its number in /runs) if it has

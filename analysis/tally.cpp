@@ -146,6 +146,8 @@ void Tallying::add_to_graph(const RunRecord& run, std::size_t row, OpenGraph& op
   ++curve.rows;
   ++curve.rows_of_status[static_cast<std::size_t>(run.status)];
   curve.violations += breaks_promise(run);
+  curve.unproved += run.status == RunStatus::ok && run.violations <= 0 &&
+                    (run.violations < 0 || !run.certificate.empty());
   if (is_batched(run.phase)) add_batch(run, curve.key);
   if (is_censored(run.status)) {
     open.censored = true;

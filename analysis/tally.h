@@ -79,6 +79,7 @@ struct CurveTally {
   std::size_t rows = 0;
   std::size_t instances = 0;                    ///< graphs, drawn or not
   std::size_t violations = 0;                   ///< rows that break a bound or a certificate
+  std::size_t unproved = 0;                     ///< ok rows that no exact certificate judged
   std::array<std::size_t, 6> rows_of_status{};  ///< indexed by RunStatus
   std::int64_t smallest_n = -1;
   std::int64_t largest_n = -1;

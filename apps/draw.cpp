@@ -104,6 +104,12 @@ std::optional<std::string> violation_of(const Graph& graph, const Drawing& drawi
                                         : certificate.violations.front().message;
 }
 
+/// Whether no drawing of level full is left unproved that somebody asked to judge.
+bool proves(const Making& making) {
+  return making.certificate.kind == CertificateMode::Kind::none ||
+         (making.certificate.is_exact() && making.algorithm.guarantee.claim == Claim::proved);
+}
+
 void report(const std::string& where, const std::string& what) {
   fmt::print(stderr, "ar3d: {}\n", printable(fmt::format("{}: {}", where, what)));
 }
@@ -212,6 +218,7 @@ int draw_graphs(const DrawArguments& arguments) {
     format.write(drawings_of(reader, making, format.many_per_file, outcome), arguments.output,
                  arguments.picture);
   }
+  outcome.all_proved &= level != Level::full || proves(making);
   return outcome.exit_code();
 }
 
@@ -234,7 +241,8 @@ void add_draw(CLI::App& app, int& exit_code) {
   verb->add_option(
       "--certificate", arguments->certificate,
       "judge every drawing: exact, filtered, double, sample=K or none; exit code 4 if one "
-      "is violated; left out, none, or exact at the levels extents and positions");
+      "is violated, 5 if one is judged but not proved; left out, none, or exact at the levels "
+      "extents and positions");
   verb->add_option(
           "--level", arguments->level,
           "extents: one line a graph with box, bends, lengths, metrics and verdict instead "

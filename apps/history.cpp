@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <string>
 
@@ -32,6 +33,17 @@ struct AddArguments {
 
 bool is_commit(const std::string& hash) {
   return hash.size() == 40 && hash.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+/// The results files in the folder; none if it cannot be listed.
+std::vector<std::string> results_files(const std::string& folder) {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end;
+       at.increment(error)) {
+    if (at->path().extension() == ".h5") files.push_back(at->path().string());
+  }
+  return files;
 }
 
 /// @throws InputError if these results stand for no commit as a whole.
@@ -71,6 +83,25 @@ void copy_file(const std::string& from, const std::string& to) {
   file.become_target();
 }
 
+std::string read_whole(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// One result is one measurement, whatever it is called.
+/// @param target  may be a copy: it is replaced. @throws InputError
+void refuse_copies(const std::string& results, const std::string& folder,
+                   const std::string& target) {
+  const auto size = std::filesystem::file_size(results);
+  std::error_code error;
+  for (const std::string& file : results_files(folder)) {
+    if (file == target || std::filesystem::file_size(file, error) != size || error) continue;
+    if (read_whole(file) == read_whole(results)) {
+      throw InputError(fmt::format("{} is in the history already, as {}", results, file));
+    }
+  }
+}
+
 int add_results(const AddArguments& arguments) {
   const RunReader reader(arguments.results);
   const StudyIdentity& study = reader.identity();
@@ -84,6 +115,7 @@ int add_results(const AddArguments& arguments) {
                          .outputs = {path},
                          .force = arguments.force,
                          .streams = false});
+  refuse_copies(arguments.results, arguments.folder, path);
   std::error_code error;
   std::filesystem::create_directories(arguments.folder, error);
   if (error) {
@@ -101,17 +133,6 @@ struct ReportArguments {
   double threshold_percent = 2;
   bool force = false;
 };
-
-/// The files of the folder that a report may read; none if it cannot be listed.
-std::vector<std::string> results_files(const std::string& folder) {
-  std::vector<std::string> files;
-  std::error_code error;
-  for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end;
-       at.increment(error)) {
-    if (at->path().extension() == ".h5") files.push_back(at->path().string());
-  }
-  return files;
-}
 
 int report_history(const ReportArguments& arguments) {
   const std::string page =
@@ -150,7 +171,8 @@ void add_add(CLI::App& history, int& exit_code) {
                    "program's, by git, if left out")
       ->check(whole_number(0, 999999999));
   verb->add_option("--name", arguments->name,
-                   "of the release, say v1.2; the first digits of the commit if left out");
+                   "of the release, say v1.2; the first digits of the commit if left out")
+      ->check([](const std::string& name) { return std::string(name.empty() ? "is empty" : ""); });
   add_force(*verb, arguments->force);
   verb->footer("Example: ar3d study run regression -o now.h5; ar3d history add now.h5");
   verb->callback([arguments, &exit_code] { exit_code = add_results(*arguments); });
@@ -164,7 +186,7 @@ void add_history_report(CLI::App& history, int& exit_code) {
   verb->add_option("-o,--output", arguments->output, "HTML file; FOLDER/history.html if left out");
   verb->add_option("--json", arguments->json, "also write lines and changes as JSON to this file");
   verb->add_option("--threshold", arguments->threshold_percent, "percent of time that matter")
-      ->check(CLI::Range(0.1, 1000.0))
+      ->check(number_between(0.1, 1000))
       ->capture_default_str();
   add_force(*verb, arguments->force);
   verb->footer(

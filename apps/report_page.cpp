@@ -103,11 +103,11 @@ ShownDrawings shown_drawings(const StudyAnalysis& analysis) {
   ViewerPage page([&](std::string_view piece) { text += piece; });
   const std::size_t empty = text.size();
   const StudyOrigin origin = study_origin(*analysis.rows.identity);
-  const ShowCommand commands(*analysis.rows.identity);
+  const ShowCommand commands(analysis.rows);
   for (const std::size_t place : rows_to_show(analysis, kMostDrawings, kMostEdges)) {
     if (text.size() - empty > kMostBytes) break;
     const RunRecord row = analysis.rows.read(place);
-    if (commands.is_of_file(row.family)) continue;  // the file may be large, or gone
+    if (commands.needs_results(curve_of(row))) continue;  // a large file, or a program
     const std::optional<Drawing> drawing = drawn_again(row, origin);
     if (!drawing) continue;
     const Algorithm& algorithm = find_algorithm(row.algorithm);

@@ -71,7 +71,8 @@ void write_report(const std::string& results, const StudyAnalysis& analysis) {
 }
 
 // The last lines of a study that is whole: the verdict and where everything is.
-int conclude(const JournaledStudy& study, bool force) {
+// @param unchanged  no row was made: the study had been whole before.
+int conclude(const JournaledStudy& study, bool force, bool unchanged) {
   const StudyRows rows(study.results);
   CheckedRows examination = judge(rows.view(), study.results);
   int exit_code = examination.verdict.exit_code();
@@ -83,8 +84,8 @@ int conclude(const JournaledStudy& study, bool force) {
   } else {
     write_report(study.results, analyse(rows.view(), std::move(examination)));
     if (study.spec.keep_drawings != KeptDrawings::none) {
-      const int kept =
-          keep_drawings_beside(study.results, rows.view(), study.spec.keep_drawings, force);
+      const int kept = keep_drawings_beside(study.results, rows.view(), study.spec.keep_drawings,
+                                            force, unchanged);
       if (exit_code == kPass) exit_code = kept;
     }
   }
@@ -100,6 +101,9 @@ int run_to_the_end(JournaledStudy study, const RunArguments& arguments, const Ma
     fmt::print(stderr, "ar3d: {} ranks; `ar3d study status --watch {}` tells how far they are\n",
                ranks.size(), shell_word(study.results));
   }
+  const bool was_whole = ranks.is_first() && study.seed_from_results && study.again.empty() &&
+                         study.spec.keep_drawings != KeptDrawings::none &&
+                         outcome_so_far(study).complete();
   StudyOutcome outcome;
   try {
     outcome = run_journaled(study, policy, ranks);
@@ -113,7 +117,7 @@ int run_to_the_end(JournaledStudy study, const RunArguments& arguments, const Ma
   }
   if (!ranks.is_first()) return kPass;
   study.results = outcome.results;
-  if (outcome.complete()) return conclude(study, arguments.force);
+  if (outcome.complete()) return conclude(study, arguments.force, was_whole);
   fmt::print(stderr,
              "ar3d: {}; {} rows are in {}, {} are missing; go on with `ar3d study resume {}`\n",
              g_stop ? "interrupted" : "not finished", outcome.rows, study.results, outcome.missing,

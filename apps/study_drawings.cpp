@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 
@@ -12,6 +13,7 @@
 #include "ar3d/model/error.h"
 #include "ar3d/model/printable.h"
 #include "commands.h"
+#include "drawing_formats.h"
 #include "outputs.h"
 #include "study.h"
 #include "study_rows.h"
@@ -55,6 +57,11 @@ struct DrawingsArguments {
 int keep(const DrawingsArguments& arguments) {
   const std::string path =
       arguments.output.empty() ? drawings_path(arguments.results) : arguments.output;
+  if (const std::string format = drawing_format("", path).name; format != "jsonl") {
+    throw InputError(fmt::format(
+        "-o {}: JSON lines are written, not {}; `ar3d draw` and `replay` write other formats", path,
+        format));
+  }
   refuse_unsafe_outputs(
       {.inputs = {arguments.results}, .outputs = {path}, .force = arguments.force});
   const StudyRows rows(arguments.results);
@@ -67,8 +74,12 @@ int keep(const DrawingsArguments& arguments) {
 }  // namespace
 
 int keep_drawings_beside(const std::string& results, const RowView& rows, KeptDrawings kept,
-                         bool force) {
+                         bool force, bool unchanged) {
   const std::string path = drawings_path(results);
+  if (unchanged && std::filesystem::exists(path) && may_be_replaced(path)) {
+    fmt::print("drawings {}: as it was, no row is new\n", path);
+    return kPass;
+  }
   if (!force && !may_be_replaced(path)) {
     fmt::print(stderr,
                "ar3d: {} is no file of drawings and stays as it is; `ar3d study drawings {} --keep "

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -11,6 +12,8 @@
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/model/error.h"
+#include "ar3d/model/nearest_name.h"
+#include "ar3d/model/printable.h"
 #include "ar3d/model/real_points.h"
 #include "ar3d/verify/examination.h"
 #include "batches.h"
@@ -42,6 +45,7 @@ struct Verdict {
   bool valid = true;
   bool measured = false;  // in a real type, not violated: nothing is proved
   bool unproved = false;  // not violated, by another certificate than exact
+  bool unknown = false;   // of an algorithm whose promises nobody knows here
   std::string text;
 };
 
@@ -60,12 +64,23 @@ Graph claimed_graph(const Drawing& drawing) {
   return Graph(drawing.num_vertices(), std::move(edges));
 }
 
+bool is_known(const std::string& algorithm) {
+  return std::ranges::any_of(algorithms(),
+                             [&](const Algorithm& row) { return row.name == algorithm; });
+}
+
 Verdict judge(const Task& task, const VerifyArguments& arguments) {
   if (const auto* undrawn = std::get_if<UndrawnGraph>(&task.line)) {
-    return {false, true, false, false,
-            fmt::format("{}: not drawn: {}\n", task.where, undrawn->error)};
+    return {.drawn = false, .text = fmt::format("{}: not drawn: {}\n", task.where, undrawn->error)};
   }
   const Drawing& drawing = std::get<Drawing>(task.line);
+  if (arguments.algorithm.empty() && !is_known(drawing.algorithm())) {
+    return {.unknown = true,
+            .text = fmt::format("{}: not judged: no algorithm here is called '{}'{} "
+                                "(--algorithm judges it by another one's guarantee)\n",
+                                task.where, printable(drawing.algorithm()),
+                                did_you_mean(drawing.algorithm(), names_of(algorithms())))};
+  }
   try {
     const Algorithm& algorithm =
         find_algorithm(arguments.algorithm.empty() ? drawing.algorithm() : arguments.algorithm);
@@ -75,8 +90,10 @@ Verdict judge(const Task& task, const VerifyArguments& arguments) {
         {.crossing_test = crossing_test(arguments.test),
          .mode = parse_certificate_mode(arguments.certificate)});
     const Certificate& certificate = examination.certificate;
-    Verdict verdict{true, !certificate.violated(), certificate.measured,
-                    !certificate.mode.is_exact(), ""};
+    Verdict verdict{.valid = !certificate.violated(),
+                    .measured = certificate.measured,
+                    .unproved = !certificate.mode.is_exact(),
+                    .text = {}};
     for (const Violation& violation : certificate.violations) {
       verdict.text +=
           fmt::format("{}: {}: {}\n", task.where, to_string(violation.kind), violation.message);
@@ -98,10 +115,11 @@ Verdict judge(const Task& task, const VerifyArguments& arguments) {
 }
 
 struct Counts {
-  std::uint64_t certified = 0, violated = 0, not_drawn = 0, measured = 0, unproved = 0;
+  std::uint64_t certified = 0, violated = 0, not_drawn = 0, measured = 0, unproved = 0, unknown = 0;
 
   void add(const Verdict& verdict) {
     ++(!verdict.drawn     ? not_drawn
+       : verdict.unknown  ? unknown
        : !verdict.valid   ? violated
        : verdict.measured ? measured
        : verdict.unproved ? unproved
@@ -109,18 +127,22 @@ struct Counts {
   }
   std::string text(const std::string& certificate) const {
     return fmt::format(
-        "{} certified, {} violated, {} not drawn{}{}\n", certified, violated, not_drawn,
+        "{} certified, {} violated, {} not drawn{}{}{}\n", certified, violated, not_drawn,
+        unknown > 0 ? fmt::format(", {} not judged", unknown) : "",
         measured > 0 ? fmt::format(", {} measured", measured) : "",
         unproved > 0 ? fmt::format(", {} not proved (certificate {})", unproved, certificate) : "");
   }
   int exit_code() const {
     if (violated > 0) return kViolated;
-    return not_drawn > 0 || measured > 0 || unproved > 0 || certified == 0 ? kIncomplete : kPass;
+    const bool is_all = not_drawn + measured + unproved + unknown == 0;
+    return is_all && certified > 0 ? kPass : kIncomplete;
   }
 };
 
 int verify_drawings(const VerifyArguments& arguments) {
-  parse_certificate_mode(arguments.certificate);  // before any work
+  // Before any work.
+  parse_certificate_mode(arguments.certificate);
+  if (!arguments.algorithm.empty()) find_algorithm(arguments.algorithm);
   DrawingJsonlReader reader(arguments.input);
   std::optional<GraphReader> graphs;
   if (!arguments.graphs.empty())
@@ -133,8 +155,10 @@ int verify_drawings(const VerifyArguments& arguments) {
         std::optional<Graph> graph;
         if (graphs) graph = graphs->next();
         if (graphs && line.has_value() != graph.has_value()) {
-          throw InputError(fmt::format("{} has {} graphs, but {} has {} drawings", arguments.graphs,
-                                       graph ? "more" : "fewer", arguments.input, number));
+          throw InputError(graph ? fmt::format("{} has more graphs than {} has drawings: {}",
+                                               arguments.graphs, arguments.input, number)
+                                 : fmt::format("{} has {} graphs, but {} has more drawings",
+                                               arguments.graphs, number, arguments.input));
         }
         if (!line) return std::nullopt;
         ++number;
@@ -176,7 +200,9 @@ void add_verify(CLI::App& app, int& exit_code) {
       ->excludes(test);
   verb->add_flag("-q,--quiet", arguments->quiet, "only the summary");
   verb->footer(
-      "Exit code 4 if a drawing is violated, 5 if a graph was not drawn, a drawing is in a real "
+      "Exit code 4 if a drawing is violated, 5 if a graph was not drawn, a drawing is of an "
+      "algorithm "
+      "that is not known here or in a real "
       "type (its misses are measured, nothing is proved), a certificate other than exact was asked "
       "for, or nothing was verified.\n"
       "Example: ar3d draw graphs.s6 --algorithm diamond | ar3d verify - --graphs graphs.s6");

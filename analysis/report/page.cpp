@@ -21,9 +21,9 @@ std::string numbers(const std::array<double, 3>& values) {
 }
 
 /// What the rows of a curve share: label, and the draw command before n and behind the seed, both
-/// empty if the graphs are of a file.
+/// empty if that needs the results file.
 std::string curve_json(const CurveKey& key, const ShowCommand& show) {
-  const CommandParts parts = show.is_of_file(key.family) ? CommandParts() : draw_command_parts(key);
+  const CommandParts parts = show.needs_results(key) ? CommandParts() : draw_command_parts(key);
   return fmt::format("[{},{},{}]", json_string(family_label(key) + "\n" + algorithm_label(key)),
                      json_string(parts.before_n), json_string(parts.behind_seed));
 }
@@ -72,7 +72,7 @@ std::size_t Page::point_at(std::size_t curve, const CensoredRow& row) {
 
 std::string Page::rows_json() const {
   std::string curves, rows;
-  const ShowCommand show(*analysis.rows.identity);
+  const ShowCommand show(analysis.rows);
   for (const CurveTally& curve : analysis.tally.curves) {
     curves += (curves.empty() ? "" : ",\n") + curve_json(curve.key, show);
   }

@@ -68,4 +68,8 @@ std::string metrics_section(const StudyAnalysis& analysis, const std::vector<Sec
 /// Environment, spec and methods.
 std::string background(const RowView& rows);
 
+/// The cell of violations: their number, or that there are none, and how many of the ok rows no
+/// exact certificate judged.
+std::string violations_text(std::size_t violations, std::size_t unproved, std::size_t ok_rows);
+
 }  // namespace ar3d::report

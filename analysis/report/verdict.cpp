@@ -116,11 +116,13 @@ Closest closest_of(const Section& section) {
 }
 
 std::string setting_row(Page& page, const Section& section, std::size_t index) {
-  std::size_t instances = 0, violations = 0;
+  std::size_t instances = 0, violations = 0, unproved = 0, ok_rows = 0;
   std::int64_t largest = 0;
   for (const SectionCurve& curve : section.curves) {
     instances += curve.bounds->instances;
     violations += curve.bounds->violations;
+    unproved += curve.bounds->unproved;
+    ok_rows += curve.bounds->count(RunStatus::ok);
     largest = std::max(largest, curve.bounds->largest_n);
   }
   const Closest closest = closest_of(section);
@@ -133,10 +135,7 @@ std::string setting_row(Page& page, const Section& section, std::size_t index) {
                                       escape(closest.curve->name) +
                                           ", n = " + grouped(closest.bounds().worst.n)));
   return html + cell(count_text(section.all_curves), true) + cell(count_text(instances), true) +
-         cell(grouped(largest), true) +
-         cell(violations == 0 ? "<span class=pass>none</span>"
-                              : fmt::format("<b class=violated>{}</b>", violations),
-              true) +
+         cell(grouped(largest), true) + cell(violations_text(violations, unproved, ok_rows), true) +
          cell(exponent_range(section, Quantity::longest_side), true) +
          cell(exponent_range(section, Quantity::volume), true) +
          cell(exponent_range(section, Quantity::wall_s), true) + "</tr>\n";

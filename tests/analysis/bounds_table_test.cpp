@@ -46,6 +46,15 @@ TEST(BoundsTable, GivesWorstAndMedianSlackPerAxisAndTheWorstRow) {
   EXPECT_EQ(worst_axis(entries[0]), 0u);
 }
 
+TEST(BoundsTable, CountsRowsThatNobodyProved) {
+  Results results = three_instances();
+  EXPECT_EQ(bounds_table(results).at(0).unproved, 0u);
+  results.runs[0].certificate = "sample=10";
+  results.runs[1].violations = -1;
+  EXPECT_EQ(bounds_table(results).at(0).unproved, 2u);
+  EXPECT_EQ(bounds_table(results).at(0).violations, 0u);
+}
+
 TEST(BoundsTable, ComparesWithThePublishedBound) {
   const BoundsEntry entry = bounds_table(three_instances()).at(0);
   EXPECT_DOUBLE_EQ(entry.axes[0].worst_published_slack, 1 - 30.0 / 60);

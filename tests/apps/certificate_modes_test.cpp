@@ -40,6 +40,7 @@ TEST(CertificateModes, VerifySaysWhatIsNotProved) {
   const Outcome unknown = verify("samples");
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_THAT(unknown.err, HasSubstr("certificate 'samples' is none of exact, filtered, double"));
+  EXPECT_THAT(verify("exakt").err, HasSubstr("did you mean 'exact'?"));
   EXPECT_EQ(
       run(kProgram + " verify " + file + " --certificate double --crossing-test slabs").exit_code,
       2);
@@ -61,13 +62,51 @@ TEST(CertificateModes, WhatAModeDoesNotAcceptIsViolatedOrProvedExactly) {
             5);
 }
 
+/// Drawings of programs are kept by studies, too.
+TEST(CertificateModes, DrawingsOfUnknownAlgorithmsAreNotJudgedAndTheOthersAre) {
+  const ScratchDirectory scratch;
+  const std::string file = scratch.path("d.jsonl");
+  ASSERT_EQ(run(kProgram + " generate petersen | " + kProgram + " draw - --algorithm grid > " +
+                file + " && sed 's/\"grid\"/\"gird\"/' " + file + " >> " + file + "2; cat " + file +
+                " >> " + file + "2")
+                .exit_code,
+            0);
+  const Outcome outcome = run(kProgram + " verify " + file + "2");
+  EXPECT_EQ(outcome.exit_code, 5);
+  EXPECT_THAT(outcome.out, HasSubstr("d.jsonl2:1: not judged: no algorithm here is called 'gird'; "
+                                     "did you mean 'grid'? (--algorithm judges it"));
+  EXPECT_THAT(outcome.out, HasSubstr("1 certified, 0 violated, 0 not drawn, 1 not judged\n"));
+  EXPECT_EQ(run(kProgram + " verify " + file + "2 --algorithm grid").exit_code, 0);
+  const Outcome unknown = run(kProgram + " verify " + file + " --algorithm gird");
+  EXPECT_EQ(unknown.exit_code, 2);
+}
+
+TEST(CertificateModes, VerifyCountsGraphsAndDrawings) {
+  const ScratchDirectory scratch;
+  const std::string graphs = scratch.path("g.s6"), drawings = scratch.path("d.jsonl");
+  ASSERT_EQ(run(kProgram + " generate random-cubic -n 8 --count 3 -o " + graphs + " && " +
+                kProgram + " draw " + graphs + " --algorithm grid -o " + drawings + " && head -2 " +
+                graphs + " > " + graphs + "2 && head -1 " + drawings + " > " + drawings + "1")
+                .exit_code,
+            0);
+  EXPECT_THAT(run(kProgram + " verify " + drawings + " --graphs " + graphs + "2").err,
+              HasSubstr("g.s62 has 2 graphs, but " + drawings + " has more drawings"));
+  EXPECT_THAT(run(kProgram + " verify " + drawings + "1 --graphs " + graphs).err,
+              HasSubstr("g.s6 has more graphs than " + drawings + "1 has drawings: 1"));
+}
+
 TEST(CertificateModes, DrawJudgesIfAsked) {
   for (const std::string mode : {"exact", "filtered", "double", "sample=10", "none"}) {
     const Outcome outcome = run(kProgram + " generate petersen | " + kProgram +
                                 " draw - --algorithm two-bend --certificate " + mode);
-    EXPECT_EQ(outcome.exit_code, 0) << mode << outcome.err;
+    EXPECT_EQ(outcome.exit_code, mode == "exact" || mode == "none" ? 0 : 5) << mode << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("\"algorithm\":\"two-bend\""));
   }
+  EXPECT_EQ(run(kProgram + " generate petersen | " + kProgram +
+                " draw - --algorithm two-bend-paper --certificate exact")
+                .exit_code,
+            5)
+      << "nothing proves a real type";
   EXPECT_EQ(run(kProgram + " generate petersen | " + kProgram +
                 " draw - --algorithm two-bend --certificate maybe")
                 .exit_code,

@@ -78,6 +78,9 @@ TEST(HistoryProgram, AReleaseHasTheNameAndPlaceThatItIsGiven) {
   EXPECT_EQ(again.exit_code, 2);
   EXPECT_THAT(again.err, HasSubstr("--force replaces it"));
   EXPECT_EQ(run(add + " --place 3 --name v1.0-rc1 --force").exit_code, 0);
+  const Outcome copy = run(add + " --place 4 --name v1.0-rc2");
+  EXPECT_EQ(copy.exit_code, 2) << "one measurement is no two";
+  EXPECT_THAT(copy.err, HasSubstr("is in the history already, as " + folder + "/000003_v1.0-rc1_"));
   const Outcome alone = run("{} history report --folder " + folder);
   EXPECT_EQ(alone.exit_code, 5) << "one result judges nothing: " << alone.out;
   EXPECT_THAT(alone.err, HasSubstr("nothing was judged"));
@@ -114,7 +117,9 @@ TEST(HistoryProgram, BadInputIsOneClearLine) {
            {"report --folder " + scratch.path("none"), "no results files (*.h5)"},
            {"report --folder " + scratch.path("wrong"), "x.h5: its name does not begin with"},
            {"report --folder " + scratch.path("wrong") + " -o " + page, "--force replaces it"},
-           {"report --threshold 0", "--threshold"},
+           {"add " + results + to + " --place 1 --name ''", "--name: is empty"},
+           {"report --threshold 0", "--threshold: '0' is not a number from 0.1 to 1000"},
+           {"report --threshold abc", "'abc' is not a number from 0.1 to 1000"},
            {"", "subcommand"}}) {
     const Outcome outcome = run("cd " + scratch.path("none") + " && {} history " + arguments);
     EXPECT_EQ(outcome.exit_code, 2) << arguments << outcome.out;

@@ -107,6 +107,24 @@ TEST_F(KeptDrawings, AResumedStudyKeepsThemToo) {
   EXPECT_EQ(text(), whole);
 }
 
+TEST_F(KeptDrawings, AStudyThatWasWholeLeavesThemAsTheyAre) {
+  EXPECT_EQ(make("worst").exit_code, 0);
+  EXPECT_EQ(run(kProgram + " study drawings " + results_ + " --keep all --force").exit_code, 0);
+  const Outcome resumed = run(kProgram + " study resume " + results_ + " -q");
+  EXPECT_EQ(resumed.exit_code, 0);
+  EXPECT_THAT(resumed.out, HasSubstr("k.drawings.jsonl: as it was, no row is new"));
+  EXPECT_EQ(lines(), 18) << "somebody asked for these";
+}
+
+TEST_F(KeptDrawings, AreJsonLines) {
+  EXPECT_EQ(make("none").exit_code, 0);
+  const std::string page = scratch_.path("page.html");
+  const Outcome refused = run(kProgram + " study drawings " + results_ + " -o " + page);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("page.html: JSON lines are written, not html"));
+  EXPECT_FALSE(std::filesystem::exists(page));
+}
+
 TEST_F(KeptDrawings, OfShardsWhenTheyAreMerged) {
   const std::string toml = study("all");
   for (const std::string i : {"1", "2"}) {
@@ -125,8 +143,9 @@ TEST_F(KeptDrawings, OfShardsWhenTheyAreMerged) {
 TEST_F(KeptDrawings, UnknownChoicesAreRefusedByLine) {
   const Outcome outcome = make("best");
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.err,
-              HasSubstr("study.toml:2: 'best' is none of none, worst, violated and all"));
+  EXPECT_THAT(
+      outcome.err,
+      HasSubstr("study.toml:2: keep_drawings 'best' is none of none, worst, violated and all"));
 }
 
 }  // namespace

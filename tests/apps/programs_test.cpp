@@ -106,6 +106,31 @@ while True:
       << "nothing of them is left";
 }
 
+TEST(Programs, CommandsOfTheirRowsNeedTheResults) {
+  const testing::ScratchDirectory scratch;
+  const std::string script = scratch.write("flat.py", R"(import sys
+while True:
+    n, m = map(int, sys.stdin.readline().split())
+    for _ in range(m): sys.stdin.readline()
+    print('{"vertices":' + str([[i, 0, 0] for i in range(n)]) + '}', flush=True)
+)");
+  const std::string spec = scratch.write(
+      "s.toml",
+      "study = \"s\"\n[[algorithm]]\nname = \"flat\"\ncommand = [\"/usr/bin/python3\", \"" +
+          script +
+          "\"]\nguarantee = { max_degree = 4, max_bends = 0, cosine = [-1, 3] }\n"
+          "[[sweep]]\nfamilies = \"cycle\"\nsizes = 5\nalgorithms = \"flat\"\n");
+  const std::string results = scratch.path("RESULTS.h5");
+  ASSERT_EQ(run("{} study run -q --threads 1 " + spec + " -o " + results).exit_code, 4);
+  const Outcome check = run("{} check " + results);
+  const std::size_t at = check.out.find("    ar3d replay RESULTS.h5 ");
+  ASSERT_NE(at, std::string::npos) << check.out;
+  const std::string command = check.out.substr(at + 9, check.out.find('\n', at) - at - 9);
+  const Outcome shown = run("cd " + scratch.path("") + " && {} " + command + " -o d.jsonl");
+  EXPECT_EQ(shown.exit_code, 4) << command << shown.err;
+  EXPECT_THAT(testing::read_file(scratch.path("d.jsonl")), HasSubstr("[[0,0,0],[1,0,0],"));
+}
+
 TEST(Programs, OneThatChangedSinceRowsWereMadeIsRefused) {
   const testing::ScratchDirectory scratch;
   const std::string body = R"(import sys
