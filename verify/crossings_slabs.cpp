@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ar3d/verify/crossings.h"
+#include "ar3d/verify/near_pairs.h"
 #include "ar3d/verify/slab_columns.h"
 
 namespace ar3d::verify {
@@ -41,27 +42,15 @@ std::vector<Item> items_of(const Segments& segments) {
 }
 
 /// Segments that are not vertical against each other and against vertices: upwards, each against
-/// those begun before it that reach its lower end.
+/// those begun before it that reach its lower end; if there are many, by halving space.
 class SlantedSegments {
  public:
   SlantedSegments(const Segments& segments, Contacts& contacts)
       : segments_(segments), contacts_(contacts) {}
 
-  void clear() { active_.clear(); }
-
-  void add(const Item& item) {
-    std::erase_if(active_, [&](const Active& old) { return old.high < item.low; });
-    const Active added = item.is_vertex
-                             ? spanned(item, segments_.drawing().vertex(item.id),
-                                       segments_.drawing().vertex(item.id))
-                             : spanned(item, segments_.from(item.id), segments_.to(item.id));
-    for (const Active& old : active_) {
-      if (contacts_.done()) return;
-      if (!overlap(old, added)) continue;
-      item.is_vertex ? contacts_.examine_vertex(item.id, old.segment)
-                     : contacts_.examine(item.id, old.segment);
-    }
-    if (!item.is_vertex) active_.push_back(added);
+  /// The items of a slab, upwards.
+  void examine(std::span<const Item> items) {
+    if (!examine_upwards(items)) examine_by_halving(items);
   }
 
  private:
@@ -81,6 +70,55 @@ class SlantedSegments {
   static bool overlap(const Active& a, const Active& b) {
     return a.low_x <= b.high_x && b.low_x <= a.high_x && a.low_y <= b.high_y && b.low_y <= a.high_y;
   }
+
+  /// False if that takes too many comparisons.
+  bool examine_upwards(std::span<const Item> items) {
+    std::uint64_t left = kPatience * items.size();
+    active_.clear();
+    for (const Item& item : items) {
+      if (contacts_.done()) return true;
+      if (active_.size() > left) return false;
+      left -= active_.size();
+      add(item);
+    }
+    return true;
+  }
+
+  void add(const Item& item) {
+    std::erase_if(active_, [&](const Active& old) { return old.high < item.low; });
+    const Active added = item.is_vertex
+                             ? spanned(item, segments_.drawing().vertex(item.id),
+                                       segments_.drawing().vertex(item.id))
+                             : spanned(item, segments_.from(item.id), segments_.to(item.id));
+    for (const Active& old : active_) {
+      if (contacts_.done()) return;
+      if (!overlap(old, added)) continue;
+      item.is_vertex ? contacts_.examine_vertex(item.id, old.segment)
+                     : contacts_.examine(item.id, old.segment);
+    }
+    if (!item.is_vertex) active_.push_back(added);
+  }
+
+  void examine_by_halving(std::span<const Item> items) {
+    const auto at = [&](std::uint32_t i) {
+      const Item& item = items[i];
+      if (item.is_vertex) return SegmentInSpace{segments_.drawing().vertex(item.id), {}};
+      return SegmentInSpace{segments_.from(item.id), segments_.direction(item.id)};
+    };
+    for_each_near_pair(static_cast<std::uint32_t>(items.size()), at,
+                       [&](std::uint32_t i, std::uint32_t j) {
+                         if (!contacts_.done()) examine_pair(items[i], items[j]);
+                       });
+  }
+
+  void examine_pair(const Item& a, const Item& b) {
+    if (a.is_vertex && b.is_vertex) return;
+    if (a.is_vertex) return contacts_.examine_vertex(a.id, b.id);
+    if (b.is_vertex) return contacts_.examine_vertex(b.id, a.id);
+    contacts_.examine(a.id, b.id);
+  }
+
+  static constexpr std::uint64_t kPatience = 200;  ///< comparisons per item
 
   const Segments& segments_;
   Contacts& contacts_;
@@ -103,13 +141,14 @@ class SlabTest {
     }
     columns_.build(verticals_);
     columns_.examine_verticals();
-    slanted_.clear();
+    others_.clear();
     for (const Item& item : slab) {
       if (contacts_.done()) return;
       if (is_vertical(item)) continue;
       item.is_vertex ? columns_.examine_vertex(item.id) : columns_.examine_slanted(item.id);
-      slanted_.add(item);
+      others_.push_back(item);
     }
+    slanted_.examine(others_);
   }
 
  private:
@@ -124,6 +163,7 @@ class SlabTest {
   SlabColumns columns_;
   SlantedSegments slanted_;
   std::vector<SegmentId> verticals_;
+  std::vector<Item> others_;
 };
 
 }  // namespace

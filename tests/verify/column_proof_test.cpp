@@ -81,6 +81,7 @@ void expect_agreement(const Draft& draft, Tally& tally) {
   ASSERT_EQ(outcome.proved, valid);
   tally.proved += valid;
   tally.invalid += !valid;
+  ASSERT_EQ(count(draft, testing::no_promise(), 0).proved, valid) << "by halving space";
   const MeetingCounts all = testing::count_all_pairs(verify::Segments(draft.drawing()));
   if (all.overlap) return;                          // seen, but then nothing more is counted
   if (testing::has_isolated_vertex(draft)) return;  // counted, too
@@ -218,15 +219,22 @@ TEST(ColumnProof, WidthsAreKeptOrRefused) {
   EXPECT_EQ(count(steep).counts.found.crossing, 0u) << "at 9 1/2";
 }
 
-TEST(ColumnProof, GivesUpOnManyAtOneHeight) {
+TEST(ColumnProof, ManyAtOneHeight) {
   Draft draft;
   for (std::int64_t i = 0; i < 100; ++i) {
     draft.vertices.insert(draft.vertices.end(), {{3 * i, 0, 0}, {3 * i + 1, 1, 0}});
     draft.edges.push_back({{static_cast<Vertex>(2 * i), static_cast<Vertex>(2 * i + 1)}, {}});
   }
-  EXPECT_TRUE(count(draft, testing::no_promise(), 50).proved);
-  EXPECT_FALSE(count(draft, testing::no_promise(), 49).proved);
+  for (const std::size_t patience : {50u, 49u, 0u}) {  // upwards, then by halving space
+    EXPECT_TRUE(count(draft, testing::no_promise(), patience).proved);
+  }
   EXPECT_TRUE(is_valid(draft));
+  draft.vertices[151] = draft.vertices[13];
+  draft.vertices[151].x += 2;
+  ASSERT_FALSE(is_valid(draft));
+  for (const std::size_t patience : {50u, 49u, 0u}) {
+    EXPECT_FALSE(count(draft, testing::no_promise(), patience).proved);
+  }
 }
 
 /// The drawings themselves, and with a coordinate of one bend or vertex changed by one.

@@ -18,17 +18,17 @@
 namespace ar3d::verify {
 
 /// Proves a drawing of any directions right by counting the meetings of its segments, as
-/// CountingProof does for few of them: quickly where long segments are vertical. It never says what
-/// is wrong: a drawing that it does not prove is wrong or passes one of its limits (x and y below
-/// 2^30 in absolute value, degree at most 4, so many comparisons of slanted segments with each
-/// other).
+/// CountingProof does for few of them: quickest where long segments are vertical. It never says
+/// what is wrong: a drawing that it does not prove is wrong or passes one of its limits (x and y
+/// below 2^30 in absolute value, degree at most 4).
 /// Memory: 24 bytes per vertical segment, 32 per slanted one, 4 per vertex; about 65 and 32 more
 /// per segment while they are counted.
 class ColumnProof {
  public:
-  /// @param patience  comparisons of slanted segments that each of them may cost.
+  /// @param patience  comparisons of slanted segments that each of them may cost before space is
+  ///   halved instead.
   ColumnProof(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
-              std::size_t patience = 200);
+              std::size_t patience = 16);
 
   /// An edge of the drawing and its polyline: every edge once.
   void add(Edge ends, const std::vector<Point>& points) {

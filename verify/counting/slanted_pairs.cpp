@@ -1,10 +1,12 @@
-// Step V.11 of docs/verify.md. Where long segments are vertical, few of the others are at one
-// height, and nearly all of these have boxes apart.
+// Steps V.11 to V.14 of docs/verify.md. Where long segments are vertical, few of the others are at
+// one height, and nearly all of these have boxes apart. Where they are not, space is halved.
 #include "ar3d/verify/counting/slanted_pairs.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "ar3d/verify/exact.h"
+#include "ar3d/verify/near_pairs.h"
 #include "ar3d/verify/order.h"
 #include "ar3d/verify/predicates/widths.h"
 
@@ -61,13 +63,11 @@ std::vector<Keyed> upwards(const std::vector<SlantedSegment>& segments) {
   return order;
 }
 
-}  // namespace
-
-std::optional<MeetingCounts> meetings_of_slanted(const std::vector<SlantedSegment>& segments,
-                                                 std::size_t patience) {
+/// Step V.11; nothing if it runs out of patience.
+std::optional<MeetingCounts> meetings_upwards(const std::vector<SlantedSegment>& segments,
+                                              IntegerWidth width, std::size_t patience) {
   MeetingCounts counts;
   std::vector<Active> reached;
-  const IntegerWidth width = width_of(segments);
   std::size_t compared = 0;
   for (const Keyed& next : upwards(segments)) {
     const SlantedSegment& s = segments[next.item];
@@ -87,6 +87,77 @@ std::optional<MeetingCounts> meetings_of_slanted(const std::vector<SlantedSegmen
     reached.push_back(added);
   }
   return counts;
+}
+
+/// Pairs that meet, which are found again in every cell that they share.
+class MeetingPairs {
+ public:
+  explicit MeetingPairs(std::size_t segments) : most_(kMostPerSegment * segments + 1000) {}
+
+  void add(std::uint32_t i, std::uint32_t j, MeetingKind kind) {
+    if (too_many_) return;
+    pairs_.push_back({std::min(i, j), std::max(i, j), kind});
+    if (pairs_.size() < 2 * most_) return;
+    drop_repeated();
+    too_many_ = pairs_.size() >= most_;
+  }
+  /// Nothing if there are more than a right drawing can have: neighbours in at most 3 bends and
+  /// vertices at either end.
+  std::optional<MeetingCounts> counts() {
+    if (too_many_) return std::nullopt;
+    drop_repeated();
+    MeetingCounts counts;
+    for (const Pair& pair : pairs_) counts += counts_of(pair.kind);
+    return counts;
+  }
+
+ private:
+  static constexpr std::size_t kMostPerSegment = 8;
+  struct Pair {
+    std::uint32_t low;
+    std::uint32_t high;
+    MeetingKind kind;
+    bool operator==(const Pair&) const = default;
+  };
+
+  void drop_repeated() {
+    std::sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) {
+      return std::tie(a.low, a.high) < std::tie(b.low, b.high);
+    });
+    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+  }
+
+  std::size_t most_;
+  std::vector<Pair> pairs_;
+  bool too_many_ = false;
+};
+
+/// Steps V.12 to V.14.
+std::optional<MeetingCounts> meetings_by_halving(const std::vector<SlantedSegment>& segments,
+                                                 IntegerWidth width) {
+  MeetingPairs pairs(segments.size());
+  const auto at = [&](std::uint32_t i) {
+    const SlantedSegment& s = segments[i];
+    return SegmentInSpace{from(s), {s.dx, s.dy, s.dz}};
+  };
+  const auto visit = [&](std::uint32_t i, std::uint32_t j) {
+    const SlantedSegment& s = segments[i];
+    const SlantedSegment& t = segments[j];
+    if (s.z > t.z + t.dz || t.z > s.z + s.dz || !overlap(active(s, i), active(t, j))) return;
+    const MeetingKind kind = meeting_kind_in(width, from(s), to(s), from(t), to(t));
+    if (kind != MeetingKind::nothing) pairs.add(i, j, kind);
+  };
+  for_each_near_pair(static_cast<std::uint32_t>(segments.size()), at, visit);
+  return pairs.counts();
+}
+
+}  // namespace
+
+std::optional<MeetingCounts> meetings_of_slanted(const std::vector<SlantedSegment>& segments,
+                                                 std::size_t patience) {
+  const IntegerWidth width = width_of(segments);
+  const auto counts = meetings_upwards(segments, width, patience);
+  return counts ? counts : meetings_by_halving(segments, width);
 }
 
 }  // namespace ar3d::verify
