@@ -44,8 +44,6 @@ bool is_fraction(Int128 part, Int128 whole) {
   return 0 <= part && part <= whole;
 }
 
-Wide moment(Point p, Vector u) { return cross({p.x, p.y, p.z}, u); }
-
 }  // namespace
 
 bool meet(const Segment& a, const Segment& b) {
@@ -64,61 +62,6 @@ bool meet(const Segment& a, const Segment& b) {
   // a.from + s u = b.from + t v with s = (w x v) / (u x v), t = (w x u) / (u x v).
   const std::size_t k = normal[0] != 0 ? 0 : normal[1] != 0 ? 1 : 2;
   return is_fraction(cross(w, v)[k], normal[k]) && is_fraction(cross(w, u)[k], normal[k]);
-}
-
-namespace {
-
-/// Moments, below 2^123, are scaled so that products with directions, below 2^62, fit a float.
-float scaled(Int128 moment) { return static_cast<float>(static_cast<double>(moment) * 0x1p-60); }
-
-/// Both factors are rounded by 2^-24 of their size at most, each product and each of the five
-/// additions, too (a little more in all): the error of the sum is below 2^-20 of `size`.
-constexpr float kDoubt = 0x1p-20F;
-
-}  // namespace
-
-void DrawnSegments::add(const Segment& segment) {
-  segments_.push_back(segment);
-  const Vector u = segment.to - segment.from;
-  const Wide m = moment(segment.from, u);
-  of_[0].push_back(static_cast<float>(u.x));
-  of_[1].push_back(static_cast<float>(u.y));
-  of_[2].push_back(static_cast<float>(u.z));
-  for (std::size_t k = 0; k < 3; ++k) of_[3 + k].push_back(scaled(m[k]));
-}
-
-std::size_t DrawnSegments::first_met(const Segment& segment, std::size_t begin,
-                                     std::size_t but) const {
-  const Vector u = segment.to - segment.from;
-  const Wide m = moment(segment.from, u);
-  const std::array<float, 6> line = {scaled(m[0]),
-                                     scaled(m[1]),
-                                     scaled(m[2]),
-                                     static_cast<float>(u.x),
-                                     static_cast<float>(u.y),
-                                     static_cast<float>(u.z)};
-  const auto is_in_doubt = [&](std::size_t i) {
-    float sum = 0;
-    float size = 0;
-    for (std::size_t k = 0; k < 6; ++k) {
-      const float product = line[k] * of_[k][i];
-      sum += product;
-      size += std::abs(product);
-    }
-    return std::abs(sum) <= kDoubt * size;
-  };
-  constexpr std::size_t kBlock = 256;  // counted without branches
-  const std::size_t end = segments_.size();
-  for (std::size_t first = begin; first < end; first += kBlock) {
-    const std::size_t last = std::min(end, first + kBlock);
-    int doubts = 0;
-    for (std::size_t i = first; i < last; ++i) doubts += is_in_doubt(i) ? 1 : 0;
-    if (doubts == 0) continue;
-    for (std::size_t i = first; i < last; ++i) {
-      if (i != but && is_in_doubt(i) && meet(segment, segments_[i])) return i;
-    }
-  }
-  return end;
 }
 
 }  // namespace ar3d::two_bend_109

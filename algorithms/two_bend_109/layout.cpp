@@ -23,6 +23,16 @@ std::int64_t Scale::gap(SlotKind kind) const {
   throw InternalError("internal error: no gap for a kind of slot");
 }
 
+Scale Scale::always_enough(std::uint64_t num_vertices) {
+  const auto n = static_cast<std::int64_t>(num_vertices);
+  return {18 * n + 24, 36 * n + 64};
+}
+
+Scale Scale::next(std::uint64_t num_vertices) const {
+  const Scale enough = always_enough(num_vertices);
+  return 2 * jitter < enough.jitter ? Scale{2 * jitter, 2 * body_jitter} : enough;
+}
+
 namespace {
 
 constexpr std::int64_t kLargest = std::int64_t{1} << 60;
@@ -91,11 +101,12 @@ class LayoutMaker {
   }
 
   /// How much higher than b an end at `at` must be that leans by at most one part in `slope`,
-  /// wherever both choose to stand. The length of (dx, dy) is at most 3/2 dx + 5/2 dy.
-  Wide lift(Vertex b, Point at, std::int64_t slope) const {
+  /// wherever both choose to stand, in squares of at most `jitter` points a side. The length of
+  /// (dx, dy) is at most 3/2 dx + 5/2 dy.
+  Wide lift(Vertex b, Point at, std::int64_t slope, std::int64_t jitter) const {
     const Point p = made_.place[b];
-    const Wide dx = std::abs(at.x - p.x) + made_.scale.jitter + Wide{2} * kStubX;
-    const Wide dy = std::abs(at.y - p.y) + made_.scale.jitter + Wide{2} * kStubY;
+    const Wide dx = std::abs(at.x - p.x) + jitter + Wide{2} * kStubX;
+    const Wide dy = std::abs(at.y - p.y) + jitter + Wide{2} * kStubY;
     const std::int64_t least = std::max(slope, arrangement_.stubs[b].up_slope);
     return least * ((3 * dx + 5 * dy) / 2 + 1) + Wide{2} * kStubZ;
   }
@@ -105,8 +116,9 @@ class LayoutMaker {
     for (const Vertex v : part.vertices) {
       for (const HalfEdge& half : graph_.incident(v)) {
         if (arrangement_.part[half.to] >= arrangement_.part[v]) continue;
-        const Wide least = made_.place[half.to].z +
-                           lift(half.to, made_.place[v], arrangement_.stubs[v].down_slope);
+        const Wide least =
+            made_.place[half.to].z +
+            lift(half.to, made_.place[v], arrangement_.stubs[v].down_slope, made_.scale.jitter);
         base = std::max(base, least);
       }
     }
@@ -149,7 +161,8 @@ class LayoutMaker {
       const HalfEdge* half = edge_of(part.vertices[leg.v]);
       if (half == nullptr) continue;
       const Point end{base.x + leg.end.x, leg.end.y, 0};
-      z = std::max(z, made_.place[half->to].z + lift(half->to, end, body.slope) - leg.end.z);
+      z = std::max(z, made_.place[half->to].z +
+                          lift(half->to, end, body.slope, made_.scale.body_jitter) - leg.end.z);
     }
     base.z = checked(z, first);
     top_ = checked(z + height, first);

@@ -9,15 +9,22 @@
 
 namespace ar3d::two_bend_109 {
 
-/// All lengths follow from the side of the square of points that each vertex may choose from
-/// (Lemma E.4).
+/// All lengths follow from the side of the square of points that each vertex off the bodies may
+/// choose from (Lemma E.4).
 struct Scale {
-  std::int64_t jitter = 16;  ///< points along each side of the square, a power of 2
+  std::int64_t jitter = 16;           ///< points along each side of the square
+  std::int64_t body_jitter = jitter;  ///< of a body's square; between jitter and 2 jitter + 16
 
   std::int64_t half_pair() const { return 3 * jitter + 125; }  ///< y of upper and lower vertices
   std::int64_t radius() const { return 6 * jitter + 280; }     ///< of triangles
   /// Least distance in x of a slot of this kind from any other.
   std::int64_t gap(SlotKind kind) const;
+
+  /// At which every vertex of a component of n vertices and every body finds a point (Lemma E.5).
+  static Scale always_enough(std::uint64_t num_vertices);
+  /// Twice as large, but at most that one.
+  Scale next(std::uint64_t num_vertices) const;
+  bool operator==(const Scale&) const = default;
 };
 
 /// Heights of consecutive vertices differ by this at least; along cycles of four and more by less.

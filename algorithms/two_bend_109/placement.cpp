@@ -1,11 +1,12 @@
 #include "ar3d/algorithms/two_bend_109/placement.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "ar3d/algorithms/two_bend_109/crossings.h"
+#include "ar3d/algorithms/two_bend_109/drawn_segments.h"
 #include "ar3d/algorithms/two_bend_109/lattice.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/random.h"
@@ -38,10 +39,10 @@ bool may_turn(Vector stub, Vector ahead) {
 /// An edge to be drawn from a placed vertex upwards.
 struct NewEdge {
   Vertex below;
-  std::size_t stub_below;  ///< number of its stub there among the drawn segments
-  Vector stub;             ///< that stub
-  Point from;              ///< the bend at its end
-  std::uint8_t port;       ///< which stub of the new vertex it takes
+  std::uint8_t port_below;  ///< which of its stubs it takes there
+  Vector stub;              ///< that stub
+  Point from;               ///< the bend at its end
+  std::uint8_t port;        ///< which stub of the new vertex it takes
 };
 
 /// The end of a body's leg, and the bend that will be joined to it.
@@ -50,6 +51,8 @@ struct LegEnd {
   Point from;
 };
 
+/// @tparam Segments  DrawnSegments or PlainSegments
+template <class Segments>
 class Placer {
  public:
   Placer(const Graph& graph, const std::vector<Part>& parts, const Arrangement& arrangement,
@@ -59,7 +62,7 @@ class Placer {
         arrangement_(arrangement),
         layout_(layout),
         seed_(seed),
-        first_segment_(graph.num_vertices()),
+        drawn_at_(graph.num_vertices()),
         is_placed_(graph.num_vertices()),
         leg_ends_(parts.size()) {
     made_.at.resize(graph.num_vertices());
@@ -77,17 +80,17 @@ class Placer {
   }
 
  private:
-  /// Calls fits(offset) for the points of the square until it is true.
+  /// Calls fits(offset) for the points of a square until it is true.
   template <class Fits>
-  bool choose(Vertex v, Fits&& fits) {
-    const auto side = static_cast<std::uint64_t>(layout_.scale.jitter);
-    expect(side < std::uint64_t{1} << 32, "the square's points are counted in 64 bits");
-    const std::uint64_t count = side * side;  // a power of 2: an odd step visits every point
+  bool choose(Vertex v, std::int64_t points_a_side, Fits&& fits) {
+    const auto side = static_cast<std::uint64_t>(points_a_side);
+    expect(side < std::uint64_t{1} << 31, "the square's points are counted in 64 bits");
+    const std::uint64_t count = side * side;
     RandomStream random(seed_, v);
-    const std::uint64_t start = random.next64();
-    const std::uint64_t step = random.next64() | 1;
-    for (std::uint64_t i = 0; i < count; ++i) {
-      const std::uint64_t chosen = (start + i * step) & (count - 1);
+    std::uint64_t chosen = random.next64() % count;
+    std::uint64_t step = (random.next64() | 1) % count;
+    while (std::gcd(step, side) != 1) ++step;  // so that every point is visited
+    for (std::uint64_t i = 0; i < count; ++i, chosen = (chosen + step) % count) {
       ++made_.tried;
       if (fits(Vector{static_cast<std::int64_t>(chosen / side),
                       static_cast<std::int64_t>(chosen % side), 0})) {
@@ -115,15 +118,16 @@ class Placer {
       const Vertex w = incident[i].to;
       if (!is_placed_[w] || arrangement_.part[w] > arrangement_.part[v]) continue;
       const std::size_t j = index_of(w, v);
-      edges.push_back({w, first_segment_[w] + arrangement_.port[w][j], stub(w, j), made_.ends[w][j],
-                       arrangement_.port[v][i]});
+      edges.push_back(
+          {w, arrangement_.port[w][j], stub(w, j), made_.ends[w][j], arrangement_.port[v][i]});
     }
     return edges;
   }
 
   bool place_vertex(Vertex v) {
     const std::vector<NewEdge> edges = edges_down(v);
-    if (!choose(v, [&](Vector offset) { return fits(v, layout_.place[v] + offset, edges); })) {
+    if (!choose(v, layout_.scale.jitter,
+                [&](Vector offset) { return fits(v, layout_.place[v] + offset, edges); })) {
       return false;
     }
     commit(v, edges);
@@ -154,7 +158,7 @@ class Placer {
 
   /// All that was drawn before the lower end of the edge lies lower.
   bool meets_drawn(const Segment& line, const NewEdge& edge) const {
-    return drawn_.first_met(line, first_segment_[edge.below], edge.stub_below) != drawn_.size();
+    return drawn_.meets_any({line, drawn_at_[edge.below], edge.port_below});
   }
 
   /// No two edges to one body are the diagonals of a trapezium wherever the body stands.
@@ -182,10 +186,10 @@ class Placer {
 
   void commit(Vertex v, const std::vector<NewEdge>& edges) {
     is_placed_[v] = true;
-    first_segment_[v] = drawn_.size();
+    drawn_at_[v] = drawn_.size();
     const std::array<Vector, 4>& stubs = arrangement_.stubs[v].ends;
-    for (const Vector& end : stubs) drawn_.add({made_.at[v], made_.at[v] + end});
-    for (const NewEdge& edge : edges) drawn_.add({edge.from, made_.at[v] + stubs[edge.port]});
+    drawn_.add_star({made_.at[v], stubs});
+    for (const NewEdge& edge : edges) drawn_.add_line({edge.from, made_.at[v] + stubs[edge.port]});
     const auto incident = graph_.incident(v);
     for (std::size_t i = 0; i < incident.size(); ++i) {
       const std::optional<Point> end = leg_end(incident[i].to);
@@ -204,7 +208,7 @@ class Placer {
     }
     const Point origin = layout_.place[part.vertices[0]] + -as_vector(part.body->vertices[0]);
     Vector chosen;
-    if (!choose(part.vertices[0], [&](Vector offset) {
+    if (!choose(part.vertices[0], layout_.scale.body_jitter, [&](Vector offset) {
           chosen = offset;
           return body_fits(part, origin + offset, edges);
         })) {
@@ -253,9 +257,9 @@ class Placer {
   void commit_body(const Part& part, Point origin, const std::vector<NewEdge>& edges) {
     const SmallBody& body = *part.body;
     const std::vector<Segment> own = segments_of(body, origin, edges);
-    for (const Segment& segment : own) drawn_.add(segment);
+    for (const Segment& segment : own) drawn_.add_line(segment);
     for (std::size_t i = 0; i < edges.size(); ++i) {
-      drawn_.add({edges[i].from, own[i].to});
+      drawn_.add_line({edges[i].from, own[i].to});
       const Vertex v = part.vertices[body.legs[edges[i].port].v];
       made_.ends[v][index_of(v, edges[i].below)] = own[i].to;
     }
@@ -276,8 +280,8 @@ class Placer {
   const Layout& layout_;
   std::uint64_t seed_;
   Placement made_;
-  DrawnSegments drawn_;
-  std::vector<std::size_t> first_segment_;     ///< of each placed vertex: its four stubs come first
+  Segments drawn_;
+  std::vector<Drawn> drawn_at_;                ///< of each placed vertex: what was drawn before it
   std::vector<bool> is_placed_;                ///< vertices that are not in bodies
   std::vector<std::vector<LegEnd>> leg_ends_;  ///< of each body: those whose lower vertex is placed
 };
@@ -286,12 +290,11 @@ class Placer {
 
 std::optional<Placement> place(const Graph& graph, const std::vector<Part>& parts,
                                const Arrangement& arrangement, const Layout& layout,
-                               std::uint64_t seed) {
-  return Placer(graph, parts, arrangement, layout, seed).run();
-}
-
-std::int64_t enough_jitter(std::uint64_t num_vertices) {
-  return static_cast<std::int64_t>(std::bit_ceil(36 * num_vertices + 64));
+                               std::uint64_t seed, Comparison comparison) {
+  if (comparison == Comparison::plain) {
+    return Placer<PlainSegments>(graph, parts, arrangement, layout, seed).run();
+  }
+  return Placer<DrawnSegments>(graph, parts, arrangement, layout, seed).run();
 }
 
 }  // namespace ar3d::two_bend_109

@@ -18,15 +18,18 @@ struct Placement {
   std::int64_t tried = 0;                  ///< points tried in all
 };
 
+/// How a new segment is compared with the older ones; the placement is the same.
+enum class Comparison : std::uint8_t {
+  filtered,  ///< most in floating point (DrawnSegments)
+  plain,     ///< all in exact integers: the oracle
+};
+
 /// Each vertex in turn takes the first point of its square, in a fixed pseudo-random order, where
-/// nothing new meets anything; nothing if some vertex finds none. With at least
-/// enough_jitter(n) points along a side each finds one (Lemma E.5).
+/// nothing new meets anything; nothing if some vertex finds none. At
+/// the scale Scale::always_enough(n) each finds one (Lemma E.5).
 /// Cost: O(n) a point tried.
 std::optional<Placement> place(const Graph& graph, const std::vector<Part>& parts,
                                const Arrangement& arrangement, const Layout& layout,
-                               std::uint64_t seed);
-
-/// The least power of 2 that is always enough.
-std::int64_t enough_jitter(std::uint64_t num_vertices);
+                               std::uint64_t seed, Comparison comparison = Comparison::filtered);
 
 }  // namespace ar3d::two_bend_109

@@ -24,7 +24,7 @@ namespace ar3d::two_bend_109 {
 namespace {
 
 constexpr int kHighestEffort = 1;
-constexpr std::int64_t kMostJitter = std::int64_t{1} << 31;  // its square fits 64 bits
+constexpr std::int64_t kMostJitter = std::int64_t{1} << 30;  // its square fits 64 bits
 
 /// A component as a graph of its own; both number vertices and edges in the same order.
 struct Component {
@@ -71,22 +71,24 @@ struct Census {
   }
 };
 
-Placement place_component(const Graph& graph, std::int64_t jitter, Census& census) {
+Placement place_component(const Graph& graph, Scale scale, Census& census) {
   const std::vector<Part> parts = find_partition(graph);
   census.add(parts);
   const Arrangement arrangement = arrange(graph, parts);
   census.slots += static_cast<std::int64_t>(arrangement.kind.size());
   const std::uint64_t seed = mix_seed(graph.num_vertices(), graph.num_edges());
-  for (;; jitter *= 2) {
-    const Layout layout = lay_out(graph, parts, arrangement, {jitter});
-    std::optional<Placement> placement = place(graph, parts, arrangement, layout,
-                                               mix_seed(seed, static_cast<std::uint64_t>(jitter)));
+  for (;; scale = scale.next(graph.num_vertices())) {
+    const Layout layout = lay_out(graph, parts, arrangement, scale);
+    std::optional<Placement> placement =
+        place(graph, parts, arrangement, layout,
+              mix_seed(seed, static_cast<std::uint64_t>(scale.jitter)));
     if (placement) {
-      census.jitter = std::max(census.jitter, jitter);
+      census.jitter = std::max(census.jitter, scale.jitter);
       census.tried += placement->tried;
       return *std::move(placement);
     }
-    expect(jitter < enough_jitter(graph.num_vertices()), "there are more points than closed ones");
+    expect(scale.jitter < Scale::always_enough(graph.num_vertices()).jitter,
+           "there are more points than closed ones");
   }
 }
 
@@ -142,15 +144,15 @@ Drawing draw(const Graph& graph, const Options& options) {
   refuse_larger_degrees("two-bend-109", graph, 4);
   if (options.first_jitter < 1 || options.first_jitter > kMostJitter ||
       !std::has_single_bit(static_cast<std::uint64_t>(options.first_jitter))) {
-    throw InputError(fmt::format("two-bend-109: a jitter is a power of 2 up to 2^31, not {}",
+    throw InputError(fmt::format("two-bend-109: a jitter is a power of 2 up to 2^30, not {}",
                                  options.first_jitter));
   }
   Output output(graph);
   Census census;
   for (const Component& component : components_of(graph)) {
-    const std::int64_t jitter =
-        options.effort == 0 ? enough_jitter(component.graph.num_vertices()) : options.first_jitter;
-    output.add(component, place_component(component.graph, jitter, census));
+    const Scale scale = options.effort == 0 ? Scale::always_enough(component.graph.num_vertices())
+                                            : Scale{options.first_jitter};
+    output.add(component, place_component(component.graph, scale, census));
   }
   Drawing drawing = output.finish();
   drawing.counters = census.counters();
@@ -166,7 +168,7 @@ Algorithm row() {
   guarantee.lattice = kAxisLattice;
   guarantee.bound = {"proved here",
                      "docs/two-bend-109.md",
-                     {quadratic(2500) + 200000, linear(940) + 39000, cubic(30000) + 220000000}};
+                     {quadratic(640) + 220000, linear(240) + 38000, cubic(5000) + 220000000}};
   Algorithm row;
   row.name = "two-bend-109";
   row.summary =

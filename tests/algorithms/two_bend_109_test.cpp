@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/two_bend_109_support.h"
-#include "ar3d/algorithms/two_bend_109/placement.h"
+#include "ar3d/algorithms/two_bend_109/layout.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/model/error.h"
 #include "support/graphs.h"
@@ -57,7 +57,7 @@ TEST(TwoBend109, RefusesDegreeFiveAndUnknownEfforts) {
   EXPECT_THROW(two_bend_109::draw(complete(6)), InputError);
   EXPECT_THROW(two_bend_109::draw(testing::path(3), {.effort = 2}), InputError);
   EXPECT_THROW(two_bend_109::draw(testing::path(3), {.effort = -1}), InputError);
-  for (const std::int64_t jitter : {std::int64_t{0}, std::int64_t{12}, std::int64_t{1} << 32}) {
+  for (const std::int64_t jitter : {std::int64_t{0}, std::int64_t{12}, std::int64_t{1} << 31}) {
     EXPECT_THROW(two_bend_109::draw(testing::path(3), {.first_jitter = jitter}), InputError);
   }
 }
@@ -95,7 +95,7 @@ TEST(TwoBend109, TellsWhatItDid) {
   EXPECT_EQ(count_109(drawing, "jitter"), 16);
   EXPECT_GE(count_109(drawing, "tried"), 900);
   const Drawing large = two_bend_109::draw(graph, {.effort = 0});
-  EXPECT_EQ(count_109(large, "jitter"), two_bend_109::enough_jitter(1000));
+  EXPECT_EQ(count_109(large, "jitter"), two_bend_109::Scale::always_enough(1000).jitter);
 }
 
 // One point for every vertex is not enough, and doubling the square helps.

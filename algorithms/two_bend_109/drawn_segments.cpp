@@ -1,0 +1,191 @@
+#include "ar3d/algorithms/two_bend_109/drawn_segments.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ar3d/algorithms/two_bend_109/stubs.h"
+
+namespace ar3d::two_bend_109 {
+namespace {
+
+/// The stubs of query.since.stars but the one at whose end the segment begins.
+bool meets_own_star(const Query& query, const Star& star) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (i != query.stub && meet(query.segment, star.segment(i))) return true;
+  }
+  return false;
+}
+
+bool meets_stub(const Segment& segment, const Star& star) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (meet(segment, star.segment(i))) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool PlainSegments::meets_any(const Query& query) const {
+  if (meets_own_star(query, stars_[query.since.stars])) return true;
+  for (std::size_t i = query.since.stars + 1; i < stars_.size(); ++i) {
+    if (meets_stub(query.segment, stars_[i])) return true;
+  }
+  for (std::size_t i = query.since.lines; i < lines_.size(); ++i) {
+    if (meet(query.segment, lines_[i])) return true;
+  }
+  return false;
+}
+
+namespace {
+
+__extension__ using Int128 = __int128;
+
+/// The line through a segment: direction u and moment p x u, rounded.
+struct RoundedLine {
+  std::array<float, 3> direction;
+  std::array<float, 3> moment;
+};
+
+RoundedLine rounded_line(const Segment& segment) {
+  const Point p = segment.from;
+  const Vector u = segment.to - p;
+  // Moments, below 2^123, are scaled so that products with directions, below 2^62, fit a float.
+  const auto moment = [](std::int64_t a, std::int64_t v, std::int64_t b, std::int64_t w) {
+    return static_cast<float>(static_cast<double>(Int128{a} * v - Int128{b} * w) * 0x1p-60);
+  };
+  return {{static_cast<float>(u.x), static_cast<float>(u.y), static_cast<float>(u.z)},
+          {moment(p.y, u.z, p.z, u.y), moment(p.z, u.x, p.x, u.z), moment(p.x, u.y, p.y, u.x)}};
+}
+
+/// Two lines meet only if u1 m2 + u2 m1 = 0 for their directions u and moments m. Of the others
+/// component k is others[k].
+struct MayBeCoplanar {
+  std::array<float, 6> factor;
+  std::array<const float*, 6> others;
+
+  bool operator()(std::size_t i) const {
+    float sum = 0;
+    float size = 0;
+    for (std::size_t k = 0; k < 6; ++k) {
+      const float product = factor[k] * others[k][i];
+      sum += product;
+      size += std::abs(product);
+    }
+    // Both factors are rounded by 2^-24 of their size at most, each product and each of the five
+    // additions, too (a little more in all): the error of the sum is below 2^-20 of `size`.
+    constexpr float kDoubt = 0x1p-20F;
+    return std::abs(sum) <= kDoubt * size;
+  }
+};
+
+/// Where a segment from (x, z) that runs `per_rise` in x for each unit of z passes within `reach`.
+struct MayPass {
+  float x;
+  float z;
+  float per_rise;
+  float reach;
+  const float* star_x;
+  const float* star_z;
+
+  bool operator()(std::size_t i) const {
+    return std::abs((x - star_x[i]) + (star_z[i] - z) * per_rise) <= reach;
+  }
+};
+
+/// How many of begin ... end - 1 pass the filter; without branches, so that the compiler tests
+/// several at a time.
+template <class Filter>
+inline int count_doubts(const Filter& filter, std::size_t begin, std::size_t end) {
+  int doubts = 0;
+  for (std::size_t i = begin; i < end; ++i) doubts += filter(i) ? 1 : 0;
+  return doubts;
+}
+
+#if defined(__x86_64__) && defined(__GNUC__)
+template <class Filter>
+__attribute__((target("avx2"))) int count_doubts_avx2(const Filter& filter, std::size_t begin,
+                                                      std::size_t end) {
+  int doubts = 0;
+  for (std::size_t i = begin; i < end; ++i) doubts += filter(i) ? 1 : 0;
+  return doubts;
+}
+const bool kHasAvx2 = __builtin_cpu_supports("avx2") != 0;
+#endif
+
+template <class Filter>
+int doubts_in(const Filter& filter, std::size_t begin, std::size_t end) {
+#if defined(__x86_64__) && defined(__GNUC__)
+  if (kHasAvx2) return count_doubts_avx2(filter, begin, end);
+#endif
+  return count_doubts(filter, begin, end);
+}
+
+/// Whether is_met(i) for some i in begin ... end - 1 that passes the filter.
+template <class Filter, class IsMet>
+bool any_in_doubt(const Filter& filter, std::size_t begin, std::size_t end, IsMet&& is_met) {
+  constexpr std::size_t kBlock = 256;
+  for (std::size_t first = begin; first < end; first += kBlock) {
+    const std::size_t last = std::min(end, first + kBlock);
+    if (doubts_in(filter, first, last) == 0) continue;
+    for (std::size_t i = first; i < last; ++i) {
+      if (filter(i) && is_met(i)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+void DrawnSegments::add_star(const Star& star) {
+  stars_.push_back(star);
+  star_x_.push_back(static_cast<float>(star.at.x));
+  star_z_.push_back(static_cast<float>(star.at.z));
+  largest_x_ = std::max(largest_x_, std::abs(star_x_.back()));
+  largest_z_ = std::max(largest_z_, std::abs(star_z_.back()));
+}
+
+void DrawnSegments::add_line(const Segment& segment) {
+  lines_.push_back(segment);
+  const RoundedLine line = rounded_line(segment);
+  for (std::size_t k = 0; k < 3; ++k) {
+    of_line_[k].push_back(line.direction[k]);
+    of_line_[3 + k].push_back(line.moment[k]);
+  }
+}
+
+bool DrawnSegments::meets_any(const Query& query) const {
+  return meets_own_star(query, stars_[query.since.stars]) || meets_star(query) || meets_line(query);
+}
+
+bool DrawnSegments::meets_star(const Query& query) const {
+  const Point p = query.segment.from;
+  const Vector u = query.segment.to - p;
+  MayPass filter{
+      static_cast<float>(p.x), static_cast<float>(p.z), 0, std::numeric_limits<float>::infinity(),
+      star_x_.data(),          star_z_.data()};
+  if (u.z > 0) {
+    filter.per_rise = static_cast<float>(static_cast<double>(u.x) / static_cast<double>(u.z));
+    const float run = std::abs(filter.per_rise);
+    // Each number is rounded by 2^-24 of its size at most, and there are five operations.
+    filter.reach =
+        kStubX + kStubZ * run + 1 +
+        0x1p-20F * (std::abs(filter.x) + largest_x_ + run * (std::abs(filter.z) + largest_z_));
+  }
+  return any_in_doubt(filter, query.since.stars + 1, stars_.size(),
+                      [&](std::size_t i) { return meets_stub(query.segment, stars_[i]); });
+}
+
+bool DrawnSegments::meets_line(const Query& query) const {
+  const RoundedLine line = rounded_line(query.segment);
+  MayBeCoplanar filter{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    filter.factor[k] = line.moment[k];
+    filter.factor[3 + k] = line.direction[k];
+  }
+  for (std::size_t k = 0; k < 6; ++k) filter.others[k] = of_line_[k].data();
+  return any_in_doubt(filter, query.since.lines, lines_.size(),
+                      [&](std::size_t i) { return meet(query.segment, lines_[i]); });
+}
+
+}  // namespace ar3d::two_bend_109
