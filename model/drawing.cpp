@@ -16,7 +16,9 @@ Coordinates::Coordinates(std::size_t count, std::int64_t bound) : bound_(bound) 
     throw InputError(
         fmt::format("coordinates up to {} do not fit, the limit is {}", bound, kMaxCoordinate));
   }
-  if (bound <= std::numeric_limits<std::int32_t>::max()) {
+  if (bound <= std::numeric_limits<std::int16_t>::max()) {
+    points_.emplace<Narrowest>(count);
+  } else if (bound <= std::numeric_limits<std::int32_t>::max()) {
     points_.emplace<Narrow>(count);
   } else {
     points_.emplace<Wide>(count);
@@ -27,14 +29,22 @@ std::size_t Coordinates::size() const {
   return std::visit([](const auto& points) { return points.size(); }, points_);
 }
 
+std::size_t Coordinates::bytes_per_point() const {
+  return std::visit([](const auto& points) { return sizeof(points[0]); }, points_);
+}
+
 void Coordinates::set(std::size_t i, Point p) {
   const auto fits = [&](std::int64_t c) { return c >= -bound_ && c <= bound_; };
   expect(fits(p.x) && fits(p.y) && fits(p.z), "a coordinate passes its proved bound");
   if (auto* narrow = std::get_if<Narrow>(&points_)) {
     (*narrow)[i] = {static_cast<std::int32_t>(p.x), static_cast<std::int32_t>(p.y),
                     static_cast<std::int32_t>(p.z)};
+  } else if (auto* wide = std::get_if<Wide>(&points_)) {
+    (*wide)[i] = p;
   } else {
-    std::get<Wide>(points_)[i] = p;
+    std::get<Narrowest>(points_)[i] = {static_cast<std::int16_t>(p.x),
+                                       static_cast<std::int16_t>(p.y),
+                                       static_cast<std::int16_t>(p.z)};
   }
 }
 

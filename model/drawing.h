@@ -19,8 +19,8 @@ namespace ar3d {
 
 struct RealPoints;  // model/real_points.h
 
-/// Vertex positions in the narrowest integer that the caller's bound proves wide enough: 12 or 24
-/// bytes per point.
+/// Vertex positions in the narrowest integer that the caller's bound proves wide enough: 16, 32 or
+/// 64 bits, so 6, 12 or 24 bytes per point.
 class Coordinates {
  public:
   Coordinates() = default;
@@ -30,20 +30,24 @@ class Coordinates {
   Coordinates(std::size_t count, std::int64_t bound);
 
   std::size_t size() const;
+  std::size_t bytes_per_point() const;
   Point operator[](std::size_t i) const {
     if (const auto* narrow = std::get_if<Narrow>(&points_)) {
       const auto& p = (*narrow)[i];
       return {p[0], p[1], p[2]};
     }
-    return std::get<Wide>(points_)[i];
+    if (const auto* wide = std::get_if<Wide>(&points_)) return (*wide)[i];
+    const auto& p = std::get<Narrowest>(points_)[i];
+    return {p[0], p[1], p[2]};
   }
   /// @throws InternalError if a coordinate passes the bound given at construction.
   void set(std::size_t i, Point p);
 
  private:
+  using Narrowest = std::vector<std::array<std::int16_t, 3>>;
   using Narrow = std::vector<std::array<std::int32_t, 3>>;
   using Wide = std::vector<Point>;
-  std::variant<Narrow, Wide> points_;
+  std::variant<Narrow, Wide, Narrowest> points_;
   std::int64_t bound_ = 0;
 };
 

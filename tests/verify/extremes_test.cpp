@@ -98,9 +98,14 @@ TEST(Extremes, OneStepBeyondTheLastWidthIsNamed) {
 
 TEST(Extremes, CoordinatesHoldTheirBoundAndNoMore) {
   constexpr std::int64_t kNarrow = std::numeric_limits<std::int32_t>::max();
-  for (const std::int64_t bound : {std::int64_t{0}, std::int64_t{1} << 15, kNarrow - 1, kNarrow,
-                                   kNarrow + 1, kMaxCoordinate - 1, kMaxCoordinate}) {
+  constexpr std::int64_t kNarrowest = std::numeric_limits<std::int16_t>::max();
+  for (const std::int64_t bound :
+       {std::int64_t{0}, kNarrowest - 1, kNarrowest, kNarrowest + 1, kNarrow - 1, kNarrow,
+        kNarrow + 1, kMaxCoordinate - 1, kMaxCoordinate}) {
     Coordinates coordinates(2, bound);
+    EXPECT_EQ(coordinates.bytes_per_point(), bound <= kNarrowest ? 6u
+                                             : bound <= kNarrow  ? 12u
+                                                                 : 24u);
     coordinates.set(0, {bound, -bound, 0});
     EXPECT_EQ(coordinates[0], (Point{bound, -bound, 0})) << bound;
     for (const Point beyond :
