@@ -34,6 +34,7 @@ std::string head(const StudyIdentity& study) {
 std::string body(report::Page& page, const SinceReference& since) {
   const std::vector<report::Section> sections = report::sections(page.analysis);
   const std::string trade = report::trade_section(page, sections);
+  const std::string precision = report::precision_section(page, sections);
   const std::string batches = report::strong_weak_section(page);
   std::string html = report::verdict_section(page, sections, since);
   html += "<nav>";
@@ -42,6 +43,7 @@ std::string body(report::Page& page, const SinceReference& since) {
   };
   if (!sections.empty()) link("closeness", "How close to a bound?");
   if (!trade.empty()) link("trade", "What is traded?");
+  if (!precision.empty()) link("precision", "What does accuracy cost?");
   for (std::size_t i = 0; i < sections.size(); ++i) {
     link(fmt::format("a{}", i), report::escape(sections[i].label));
   }
@@ -51,7 +53,7 @@ std::string body(report::Page& page, const SinceReference& since) {
   link("environment", "Environment");
   link("spec", "Specification");
   link("methods", "Methods");
-  html += "</nav>\n" + report::closeness_section(page, sections) + trade;
+  html += "</nav>\n" + report::closeness_section(page, sections) + trade + precision;
   for (std::size_t i = 0; i < sections.size(); ++i) {
     html += report::algorithm_section(page, sections[i], fmt::format("a{}", i));
   }

@@ -85,13 +85,15 @@ std::vector<Tick> LogAxis::ticks(TickStyle style, int most) const {
   }
   const int first = static_cast<int>(std::floor(low_));
   const int last = static_cast<int>(std::ceil(high_));
-  const int step = std::max(1, static_cast<int>(std::ceil(decades / most)));
+  int step = std::max(1, static_cast<int>(std::ceil(decades / most)));
+  if (step > 5) step = step <= 10 ? 10 : (step + 19) / 20 * 20;
   std::vector<Tick> ticks;
   for (int exponent = first; exponent <= last; ++exponent) {
     for (const int digit : {1, 2, 5}) {
       const double place = exponent + std::log10(digit);
       if (place < low_ || place > high_ || (digit != 1 && decades > 4)) continue;
       const bool is_labelled = digit == 1 ? exponent % step == 0 : 3 * decades <= most;
+      if (!is_labelled && step > 5) continue;
       ticks.push_back({place, is_labelled ? label(digit, exponent, style) : ""});
     }
   }

@@ -47,6 +47,9 @@ std::string reference_section(const SinceReference& since);
 std::string closeness_section(Page& page, const std::vector<Section>& sections);
 /// What does each algorithm trade: volume, bends, time?
 std::string trade_section(Page& page, const std::vector<Section>& sections);
+/// What does accuracy cost: real types, certificate modes, levels, efforts? Empty where all rows
+/// are proved exactly and of one level. One more pass over the rows.
+std::string precision_section(Page& page, const std::vector<Section>& sections);
 /// How does each quantity of one setting grow, and how sure is that? `id` is its anchor.
 std::string algorithm_section(Page& page, const Section& section, const std::string& id);
 /// Parts of it.

@@ -29,6 +29,8 @@ TEST(Axis, TicksAreDecadesOrOneTwoFive) {
               ::testing::ElementsAre("1 µs", "10 µs", "100 µs", "1 ms", "10 ms"));
   EXPECT_THAT(labels({0, 20, 0, 100}, report::TickStyle::power),
               ::testing::ElementsAre("1", "10⁴", "10⁸", "10¹²", "10¹⁶", "10²⁰"));
+  EXPECT_THAT(labels({-68, 1, 0, 100}, report::TickStyle::power),
+              ::testing::ElementsAre("10⁻⁶⁰", "10⁻⁴⁰", "10⁻²⁰", "1"));
   EXPECT_THAT(labels({10.3, 10.5, 0, 100}, report::TickStyle::power),
               ::testing::ElementsAre("2·10¹⁰", "2.5·10¹⁰", "3·10¹⁰"));
   EXPECT_THAT(labels({2.05, 2.2, 0, 100}, report::TickStyle::count),
