@@ -1,7 +1,7 @@
-// Five bends in volume O(n^1.5): decomposition, a strip, routes. Up to eight narrow strips, each a
-// tenth wider than the one before, then the zones of the proof, which never fail (Lemma C.7). A
-// strip whose own box (Lemma C.6) passes the theorem's is not tried, so the guarantee holds for
-// every input.
+// Five bends per edge in volume O(n^1.5): decomposition, a strip, routes. Up to eight narrow
+// strips, each a tenth wider than the one before, then the zones of the proof, which never fail
+// (Lemma C.7). A strip whose own box (Lemma C.6) passes the theorem's is not tried, so the
+// guarantee holds for every input. Cost: O(n + m) cells tried, each in O(1) expected.
 #include "ar3d/algorithms/compact/compact.h"
 
 #include <optional>

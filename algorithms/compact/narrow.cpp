@@ -1,7 +1,8 @@
-// What efforts 1 and 2 draw: a strip with about one cell per vertex, filled greedily at random; a
-// vertex that finds no cell among 120 ejects a placed neighbour. Without a proof that it ends well,
-// hence the bounded number of ejections and the zones behind it. O(n + ejections) cells tried, each
-// in O(1) expected.
+// What efforts 1 and 2 draw: a strip with about one cell per vertex, filled greedily at random. The
+// rules (a) to (e) are all that a right drawing needs (Lemmas C.3 to C.5), so neither zones nor
+// caps are kept. A vertex that finds no cell among 120 ejects a placed neighbour, as in cuckoo
+// hashing. Nothing proves that this ends well, hence the bounded number of ejections and the zones
+// behind it. Cost: O(n + ejections) cells tried, each in O(1) expected.
 #include "ar3d/algorithms/compact/narrow.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // Step D.5: classes and arms. Own edges take the arms 01 and 20; of two arrivals one takes an own
-// arm of its side that is free, which exists because the vertex owns an edge if it has degree 3.
+// arm of its side that is free, which exists because the vertex owns an edge if it has degree 3
+// (Lemma D.8). Cost: O(n).
 #include "ar3d/algorithms/compact_120/arms.h"
 
 #include "ar3d/model/error.h"

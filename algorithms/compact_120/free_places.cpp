@@ -1,5 +1,6 @@
-// The occupied cells of a strip (rule (d)). A random row is often taken; the next free one costs a
-// look at a word or two, where another random one would cost all that comes before it.
+// The occupied cells of a strip: rule (d) of Lemma D.6. A random row is often taken; the next free
+// one costs a look at a word or two, where another random one would cost all that comes before it.
+// Cost: O(1 + rows / 64) per question.
 #include "ar3d/algorithms/compact_120/free_places.h"
 
 #include <bit>

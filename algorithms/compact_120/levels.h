@@ -21,10 +21,10 @@ struct NarrowOrder {
   std::int64_t moved_components = 0;  ///< components of the graph that needed moved_order
 };
 
-/// Step D.6: a random proper colouring with five levels, then sweeps in which every vertex goes to
+/// Step D.6: a random proper colouring with four levels, then sweeps in which every vertex goes to
 /// the level with which the fewest sources and sinks of degree 3 are near it, until no component of
 /// the slot graph has two cycles. Components of the graph where a bounded number of sweeps does not
-/// achieve that get the order of Steps D.1 to D.3. O(n).
+/// achieve that get the order of Steps D.1 to D.3. O(n), then O(n log n).
 /// @param repairs  how often components with two cycles get a new start before they are given up.
 NarrowOrder narrow_order(const Graph& graph, RandomStream random, int repairs = 30);
 

@@ -1,7 +1,8 @@
 // What efforts 1 and 2 draw: a strip with about one cell per vertex, filled greedily at random near
-// the columns where the order wants the vertices. Without a proof that it ends well, hence the
-// bounded number of ejections and the zones behind it. O(n + ejections) cells tried, each in O(1)
-// expected.
+// the columns where the order wants the vertices. The rules (a) to (e) of Lemma D.6 are all that a
+// right drawing needs, so no zones are kept; Lemma D.3 names the rows in which all lengths are
+// positive. Nothing proves that this ends well, hence the bounded number of ejections and the zones
+// behind it. Cost: O(n + ejections) cells tried, each in O(1) expected.
 #include "ar3d/algorithms/compact_120/narrow.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // Theorem 1: colouring, items, placement, tracks, routes. The outline of docs/theorem1.md as a
-// function, the theorem as data in the catalogue's row, and the refusals of the public entry.
+// function, the theorem as data in the catalogue's row, and the refusals of the public entry. Cost:
+// O(n + m).
 #include "ar3d/algorithms/diamond/diamond.h"
 
 #include <utility>

@@ -1,8 +1,9 @@
 // Step 1.1 for large graphs. A chain of edges is a chain of dependent cache misses, so the chains
 // are cut at every so many-th vertex, and the stretches between cuts are walked in turns, without
 // writing anything but the way; linked in order, they say in which direction and from where the
-// plain walk takes each chain. Then the directions, or colours, are written along the ways: their
-// places are known beforehand, and the memory fetches many at a time.
+// plain walk takes each chain. Then the directions, or colours, are written along the ways, whose
+// places are known beforehand, so the memory fetches many at a time. Cost: O(n + m), and 40 bytes
+// per vertex.
 #include "ar3d/algorithms/diamond/interleaved.h"
 #include "ar3d/algorithms/diamond/trails.h"
 #include "ar3d/model/error.h"

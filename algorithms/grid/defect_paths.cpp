@@ -1,7 +1,7 @@
 // Step 3.11. Paths of colours 0 and 1 that end at the x of a defect, which must come to lie above
 // its y. Each is numbered from its middle outwards, in the order in which they wait for one
-// another; those that wait in a circle grow side by side. Failing visits follow at most 1000 ends,
-// once per path.
+// another; those that wait in a circle grow side by side. Cost: O(log n) per height tried; a
+// failing visit follows at most 1000 ends, once per path.
 #include "ar3d/algorithms/grid/defect_paths.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // Steps 3.10 to 3.13 for one component: heights, paths that end at defects, the third colour;
-// labels are changed and the numbering is repeated where the defects' rules contradict one
-// another, ten times at most. A heuristic in size, not in truth: its rules are tested at the end.
+// labels are changed and the numbering is repeated where the defects' rules contradict one another,
+// ten times at most. A heuristic in size, not in truth: its rules are tested at the end. Cost: O(n
+// log n) expected.
 #include "ar3d/algorithms/grid/flat.h"
 
 #include <algorithm>

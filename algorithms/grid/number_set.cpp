@@ -1,6 +1,7 @@
-// A set of integers with "next number not in it", as a tree of bit words with 64 children per node
-// (van Emde Boas's idea with a fixed fan-out). Numbers are dense near 0, so a bit vector is
-// smaller and faster than a hash table or a balanced tree. At most five words read per question.
+// A set of integers with "next number not in it", which Lemma 3.4 says is near, as a tree of bit
+// words with 64 children per node (van Emde Boas's idea with a fixed fan-out). Numbers are dense
+// near 0, so a bit vector is smaller and faster than a hash table or a balanced tree. Cost: one
+// word per level, up and down again: O(log n) to the base 64.
 #include "ar3d/algorithms/grid/number_set.h"
 
 #include <algorithm>

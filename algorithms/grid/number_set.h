@@ -7,9 +7,9 @@
 namespace ar3d::grid {
 
 /// A set of integers of either sign that only grows, with "next number not in the set" in both
-/// directions: a tree of bit words with 64 children a node, so every question reads at most five
-/// words a direction. Memory: about 1.02 bits a number of the covered range, which doubles when an
-/// insertion leaves it.
+/// directions: a tree of bit words with 64 children per node, so a question reads at most one word
+/// per level on the way up and one on the way down. Memory: about 1.02 bits per number of the
+/// covered range, which doubles when an insertion leaves it.
 class NumberSet {
  public:
   /// Covers about [-radius, radius] from the start.

@@ -1,7 +1,7 @@
 // Step 3.4, Rules 3.1 and 3.2: two earlier neighbours w and w' chose the same label lambda for a
 // vertex, so one of the two edges becomes a defect. Neither rule alone keeps numbers small: the
-// first lets H feed on earlier differences, the second L on earlier L. Together they do
-// (Lemma 3.5). One or two searches per clash.
+// first lets H feed on earlier differences, the second L on earlier L. Together they do (Lemma
+// 3.5). Cost: one or two searches per clash, O(log n) expected each.
 
 #include <algorithm>
 

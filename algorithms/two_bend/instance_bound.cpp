@@ -1,6 +1,6 @@
 // The bound that the proof of Lemma 2.18 gives for one drawing, from its own numbers of parts
 // instead of worst cases. It is computed from flow and layout, never from the points it is compared
-// with.
+// with. Cost: O(n).
 #include "ar3d/algorithms/two_bend/instance_bound.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
-// The input read component by component, renamed in preorder of a depth-first search: the tree is
-// then known to all later stages, and neighbours lie close together. Cost: O(n + m), the largest
-// single part of the drawing time, since every step waits for memory.
+// The input read component by component, renamed in preorder of a depth-first search: the tree that
+// Step 2.1 needs for its lowpoints is then known to all later stages, and neighbours lie close
+// together. Cost: O(n + m), the largest single part of the drawing time, since every step waits for
+// memory.
 #include "ar3d/algorithms/two_bend/local_graph.h"
 
 #include <algorithm>

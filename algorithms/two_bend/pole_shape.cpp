@@ -1,5 +1,6 @@
 // Lemma 2.12: how a SINK, and by reflection a SOURCE, is reached by its two leans. All angles are
-// compared in 128-bit integers. The ordinary rounds try every b; the safe layout knows it.
+// compared in 128-bit integers. The ordinary rounds try every b; the safe layout knows it. Cost: a
+// greatest common divisor per b tried, of which there are fewer than half of the gap of the hold.
 #include "ar3d/algorithms/two_bend/pole_shape.h"
 
 #include <algorithm>

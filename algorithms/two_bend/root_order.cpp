@@ -1,5 +1,6 @@
-// An order of tree roots with insertion and comparison, for effort 2 only (Bender, Cole, Demaine,
-// Farach-Colton and Zito 2002): labels, spread again where they run out. Cost: amortised O(log n).
+// The order of the trees of Rule 2.2 while effort 2 moves them: a list with insertion and
+// comparison (Bender, Cole, Demaine, Farach-Colton and Zito 2002), whose labels are spread again
+// where they run out. Cost: amortised O(log n) per insertion, O(1) per comparison.
 #include "ar3d/algorithms/two_bend/root_order.h"
 
 #include "ar3d/model/error.h"

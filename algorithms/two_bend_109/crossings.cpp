@@ -1,3 +1,5 @@
+// Whether two segments meet, for Step E.4: exactly, in 128-bit integers, and in 256 bits where
+// those might not do. Boxes that do not overlap settle most pairs that come here. Cost: O(1).
 #include "ar3d/algorithms/two_bend_109/crossings.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// Step E.4: all that is drawn, and whether a new segment meets it. A few operations in float with a
+// bound of their rounding error rule out nearly every pair, several pairs at a time; only those in
+// doubt are compared exactly, so the answer is that of PlainSegments. Cost: O(1) for every segment
+// drawn since the lower end of the edge, as all older ones lie lower.
 #include "ar3d/algorithms/two_bend_109/drawn_segments.h"
 
 #include <algorithm>

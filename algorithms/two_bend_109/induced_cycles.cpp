@@ -1,3 +1,7 @@
+// Step E.1, the searches for cycles in what is left of a component K: cases (b) to (d) of the proof
+// of Lemma E.2. A breadth-first search finds an induced cycle, which costs what it visits, O(|K|)
+// at worst. Trying all induced cycles, in case (d), is exponential in |K|, but Step E.1 shows that
+// |K| is at most 60 there.
 #include "ar3d/algorithms/two_bend_109/induced_cycles.h"
 
 #include <algorithm>

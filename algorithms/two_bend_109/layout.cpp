@@ -1,3 +1,7 @@
+// Step E.3: slots get their x, spots their y, and vertices their heights in the order of the parts.
+// A part begins so high that each edge down leans at most as much as its two stubs allow, as Lemma
+// E.4 needs. Heights are computed in 128 bits and compared with 2^60, so they never wrap. Cost:
+// O(n).
 #include "ar3d/algorithms/two_bend_109/layout.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,7 @@
-// The proof of Lemma E.2, case by case. A component of what is left is alive if it has a cycle or a
-// vertex of degree below 4 in the graph; all stay alive.
+// Step E.1, which is the proof of Lemma E.2 case by case: singles from queues of vertices of low
+// degree, else an induced cycle, else a body. A component of what is left is alive if it has a
+// cycle or a vertex of degree below 4 in the graph; all stay alive. Cost: O(n) and what the
+// searches for cycles go through.
 #include "ar3d/algorithms/two_bend_109/partition.h"
 
 #include <algorithm>

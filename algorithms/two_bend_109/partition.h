@@ -23,7 +23,7 @@ struct Part {
 /// The ordered partition of Lemma E.2; bodies come last.
 /// @param graph  connected, of maximum degree at most 4.
 /// Cost: O(n) and, for every cycle, what searches go through before they find one more cycle; near
-/// O(n) in practice, O(n^2) at worst.
+/// O(n) in practice, polynomial in n at worst.
 std::vector<Part> find_partition(const Graph& graph);
 
 }  // namespace ar3d::two_bend_109

@@ -1,3 +1,7 @@
+// Step E.4: each vertex takes the first point of its square where nothing new meets anything,
+// tested exactly. Lemma E.5 counts how few points are closed, so at the scale
+// Scale::always_enough() a point is always free, and a smaller square fails by an answer, never by
+// a wrong drawing. Cost: O(n) for a point tried.
 #include "ar3d/algorithms/two_bend_109/placement.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// Step E.2: the order along x, and which tetrahedron of Lemma E.3 stands at each vertex. New slots
+// open beside the highest earlier neighbour, so that a vertex with three of them stands between
+// two. The list compares by labels, which are spread again where they run out. Cost: O(n), and O(n)
+// more each time labels are spread.
 #include "ar3d/algorithms/two_bend_109/slots.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-// Tetrahedra turned by rational quaternions, the shortest ones with the slack that Lemma E.3 needs;
-// tests/algorithms/two_bend_109_stages_test.cpp computes every angle.
+// The tetrahedra of Lemma E.3: turned by rational quaternions, the shortest ones with the slack
+// that the lemma needs; tests/algorithms/two_bend_109_stages_test.cpp computes every angle. Mirror
+// images give the other corners. Cost: O(1).
 #include "ar3d/algorithms/two_bend_109/stubs.h"
 
 #include "ar3d/model/error.h"

@@ -1,3 +1,7 @@
+// Step P.9, the radius of each contracted vertex before anything is expanded: a third of the least
+// of 1, the lengths of its own first pieces and its distance from every other segment of the
+// component, rounded down to a power of two so that scaling by it is exact in every type. Measured
+// on the drawing in double, segment by segment. Cost: O(m) for each contracted vertex.
 #include "ar3d/algorithms/two_bend_paper/clearance.h"
 
 #include <algorithm>

@@ -1,6 +1,8 @@
-// Triangles, and what hangs together of them, become single vertices; the plain lemma of the paper
-// leaves open what docs/theorem2-paper.md names: two triangles with a common outer neighbour, and
-// K4 as one of several components or with contracted vertices in it.
+// Step P.1, Lemma P.1: triangles, and what hangs together of them, become single vertices. The
+// plain lemma of the paper leaves open what docs/theorem2-paper.md names: two triangles with a
+// common outer neighbour, and K4 as one of several components or with contracted vertices in it. A
+// queue, since a contraction can make a triangle only at the new vertex and its neighbours. Cost:
+// O(n + m).
 #include "ar3d/algorithms/two_bend_paper/contraction.h"
 
 #include <algorithm>

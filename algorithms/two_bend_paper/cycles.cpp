@@ -1,3 +1,7 @@
+// Step P.4, a shortest cycle of what is not drawn yet: it has no chord, as the paper's proof of
+// Theorem 2 demands, because a chord would make a shorter one. Breadth-first from every vertex,
+// none deeper than half of the best length; a cycle of length 4 ends the search, since no triangle
+// is left. Cost: O(nodes * edges) at worst.
 #include "ar3d/algorithms/two_bend_paper/cycles.h"
 
 #include <algorithm>

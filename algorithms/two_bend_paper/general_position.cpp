@@ -1,3 +1,7 @@
+// Step P.3: how far a foot is from being on a line with two others. The paper's condition that no
+// three rays are coplanar cannot be tested in real arithmetic; a quality that doubles compute, with
+// a demand that is halved from round to round, takes its place. Directions are sorted, so that only
+// neighbours are compared. Cost: O(N log N) for N feet.
 #include "ar3d/algorithms/two_bend_paper/general_position.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// Step P.4, the induction of the paper's proof of Theorem 2: a vertex with at most one neighbour
+// not drawn is added, and a shortest cycle only where there is none. So a drawn vertex has at most
+// one neighbour that is not drawn, which is the invariant that all later steps rest on. Cost: O(n
+// log n + m) and one search per cycle.
 #include "ar3d/algorithms/two_bend_paper/growth.h"
 
 #include <algorithm>

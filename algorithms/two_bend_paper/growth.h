@@ -39,7 +39,7 @@ struct Component {
 };
 
 /// Components in the order of their least nodes (Steps P.2 and P.4).
-/// Cost: O(n + m) and a ShortestCycle a cycle.
+/// Cost: O(n log n + m) and a ShortestCycle per cycle.
 std::vector<Component> grow(const ContractedGraph& graph);
 
 }  // namespace ar3d::two_bend_paper

@@ -1,3 +1,7 @@
+// The free choices of Steps P.2 to P.8 in double, before a real type comes into play (Repair P.1):
+// feet, shares, slides and sides are dyadic numbers, tried in a fixed order until one has the
+// quality or clearance that the step demands. Only feet that have a ray are kept, since nothing
+// else can be in the way. Cost: O(N log N) per candidate for N rays.
 #include "ar3d/algorithms/two_bend_paper/placement.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// Step P.5, Lemma P.2: the polygon that a cycle projects to, side by side. The paper translates a
+// whole cycle until it is in general position; here each side is lengthened by itself until its own
+// vertex is, and the last two sides close the polygon. From 16 such vertices on the diagonals of
+// the staircase grow, so that it is convex. Cost: O(N log N) per candidate for N feet.
 #include "ar3d/algorithms/two_bend_paper/polygon.h"
 
 #include <algorithm>

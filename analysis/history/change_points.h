@@ -30,7 +30,7 @@ struct ChangePoint {
   bool gradual = false;
 };
 
-/// Changes of the level of a noisy series: the steps H.2 to H.6 of docs/history.md. If the values
+/// Changes of the level of a noisy series: Steps H.2 to H.6 of docs/history.md. If the values
 /// are exchangeable (no change, and noise that does not depend on the commits before), a change is
 /// found with probability at most 1 / (permutations + 1), whatever the distribution of the noise.
 /// @param log_values  finite, in the order of the commits.
