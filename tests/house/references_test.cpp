@@ -17,6 +17,7 @@ Tree small_tree() {
   tree.files["docs/theorem3.md"] =
       "# A page\n**Lemma 3.1 (sums).** All differ. **Step 3.2.** `place_all` in `core.cpp`.\n"
       "By Lemma 3.1 and Steps 3.2, see [the code](../algorithms/core.cpp).\n\n"
+      "[above](#a-page), [here](theorem3.md#a-page), takes --algorithm.\n\n"
       "| step | function | tests |\n|---|---|---|\n| order | `core.cpp`: `order` | `Core.*` |\n"
       "`ar3d draw - --algorithm grid`, `Core.Places`, `Core::run()`, `std::vector`\n"
       "```\nar3d study run quick | ar3d draw - --algorithm grid\n```\n";
@@ -58,6 +59,34 @@ TEST(References, SeeNumbersWithoutADefinition) {
               ElementsAre("algorithms/x.h:2: Lemma 3.9 is not defined in bold in any page"));
 }
 
+TEST(References, KnowTheStepsOfHistoryAndTheRepairs) {
+  Tree tree = small_tree();
+  tree.files["docs/history.md"] = "**Step H.1 (values).** Logarithms.\n";
+  tree.files["docs/theorem2-paper.md"] = "**Repair P.1 (choices).** Apart.\n";
+  tree.files["algorithms/core.cpp"] += "// Step H.1, Repair P.1\n";
+  EXPECT_THAT(dangling_references(tree), IsEmpty());
+  EXPECT_FALSE(after_adding("// Step H.1\n", "algorithms/core.cpp").empty());
+  EXPECT_FALSE(after_adding("// Repair P.2\n", "algorithms/core.cpp").empty());
+}
+
+TEST(References, SeeCommentsOfScriptsAndPages) {
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"tools/count.py", "n = 1  # as in Lemma 3.9\n"},
+      {"tools/count.py", "\"\"\"By Step 3.9.\"\"\"\n"},
+      {"tools/count.sh", "# `no_such()`\n"},
+      {"tools/count", "#!/bin/sh\n# see docs/gone.md\n"},
+      {"cmake/count.cmake", "# --no-such-option\n"},
+      {"tests/CMakeLists.txt", "# tools/gone.py\n"},
+      {"viewer/draw.js", "const a = '// '; // Rule 3.9\n"},
+      {"viewer/page.css", "a { } /* viewer/gone.mjs */\n"}};
+  for (const auto& [path, text] : cases) {
+    EXPECT_FALSE(after_adding(text, path).empty()) << path << ": " << text;
+  }
+  EXPECT_THAT(after_adding("print('# Lemma 3.9')  # Lemma 3.1\n", "tools/count.py"), IsEmpty());
+  EXPECT_THAT(after_adding("const a = `// Lemma 3.9`;  // Lemma 3.1\n", "viewer/draw.js"),
+              IsEmpty());
+}
+
 TEST(References, SeeNumbersDefinedTwiceOrInTheWrongPage) {
   EXPECT_THAT(after_adding("**Lemma 3.1.** Again.\n", "docs/theorem3.md"),
               ElementsAre(HasSubstr("Lemma 3.1 is defined twice")));
@@ -69,7 +98,9 @@ TEST(References, SeeFalseNamesFilesTestsAndLinks) {
   for (const std::string text :
        {"`place_none`", "`no_such()`", "`Core::walk`", "`NoSuchType`", "`gone.cpp`",
         "`docs/gone.md`", "docs/gone.md", "`algorithms/gone/`", "`Core.Gone`", "`Gone.*`",
-        "[page](gone.md)", "\n| function | test |\n|---|---|\n| `walk` | |"}) {
+        "[page](gone.md)", "[part](#gone)", "[part](theorem3.md#gone)", "studies/gone.toml",
+        "tools/gone.py", "takes --no-such-option",
+        "\n| function | test |\n|---|---|\n| `walk` | |"}) {
     EXPECT_FALSE(after_adding("\n" + text + "\n", "docs/theorem3.md").empty()) << text;
   }
 }
@@ -89,6 +120,8 @@ TEST(References, AreNotLookedForInCodeOrStrings) {
               IsEmpty());
   // A name that only comments mention does not exist.
   EXPECT_FALSE(after_adding("// only_here\n// `only_here`\n", "algorithms/core.cpp").empty());
+  EXPECT_FALSE(after_adding("// --only-here\n", "algorithms/core.cpp").empty());
+  EXPECT_FALSE(after_adding("# only_here\n# `only_here`\n", "tools/count.py").empty());
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <set>
 #include <sstream>
 
+#include "support/comments.h"
 #include "support/program.h"
 
 namespace ar3d::testing {
@@ -23,6 +24,23 @@ namespace fs = std::filesystem;
 bool is_page(const std::string& path) { return path.ends_with(".md"); }
 bool is_cpp(const std::string& path) { return path.ends_with(".h") || path.ends_with(".cpp"); }
 
+/// What others wrote.
+bool is_foreign(const std::string& path) { return path.starts_with("viewer/three/"); }
+
+/// The anchor of a heading or of a link, as GitHub makes it; what is not ASCII is left out.
+std::string anchor_of(const std::string& heading) {
+  std::string anchor;
+  for (const char c : heading) {
+    const auto u = static_cast<unsigned char>(c);
+    if (u < 128 && (std::isalnum(u) != 0 || c == '-' || c == '_')) {
+      anchor += static_cast<char>(std::tolower(u));
+    } else if (c == ' ') {
+      anchor += '-';
+    }
+  }
+  return anchor;
+}
+
 /// Pages of the past, which may name what is gone.
 bool is_history(const std::string& path) { return path == "CHANGELOG.md"; }
 
@@ -30,63 +48,18 @@ bool is_history(const std::string& path) { return path == "CHANGELOG.md"; }
 bool is_known_outside(const std::string& name) {
   static const std::set<std::string> names = {"OMP_NUM_THREADS", "FIELD_i_NAME",    "member_",
                                               "kConstant",       "perf_event_open", "hdf5.h",
-                                              "--sshlogin",      "--return"};
-  static const std::regex built("fuzz_.*|ar3d_.*_tests|.*_(bound|slack)_[xyz]|slack_[xyz]|std::.*");
+                                              "--sshlogin",      "--return",        "--array"};
+  static const std::regex built(
+      "fuzz_.*|ar3d_.*_tests|--(gtest|benchmark)_.*|.*_(bound|slack)_[xyz]|slack_[xyz]|std::.*");
   return names.contains(name) || std::regex_match(name, built);
-}
-
-/// Splits a C++ text into comments and code; each has the other's characters blanked, so that
-/// offsets and lines stay.
-struct CppText {
-  std::string comments;
-  std::string code;
-};
-
-/// The end of the string or character literal that begins at `at`.
-std::size_t end_of_literal(const std::string& text, std::size_t at) {
-  if (text[at] == '"' && at > 0 && text[at - 1] == 'R') {
-    const std::size_t open = text.find('(', at);
-    const std::string close = ")" + text.substr(at + 1, open - at - 1) + "\"";
-    return std::min(text.size(), text.find(close, open) + close.size());
-  }
-  std::size_t end = at + 1;
-  while (end < text.size() && text[end] != text[at]) end += text[end] == '\\' ? 2 : 1;
-  return std::min(text.size(), end + 1);
-}
-
-std::size_t end_of_comment(const std::string& text, std::size_t at) {
-  const bool block = text[at + 1] == '*';
-  const std::size_t end = text.find(block ? "*/" : "\n", at + 2);
-  return end == std::string::npos ? text.size() : end + (block ? 2 : 0);
-}
-
-CppText split(const std::string& text) {
-  CppText result{text, text};
-  const auto blank = [](std::string& in, std::size_t from, std::size_t to) {
-    for (std::size_t i = from; i < to; ++i) in[i] = in[i] == '\n' ? '\n' : ' ';
-  };
-  for (std::size_t at = 0; at < text.size();) {
-    const char next = at + 1 < text.size() ? text[at + 1] : '\0';
-    const bool digits = at > 0 && std::isalnum(static_cast<unsigned char>(text[at - 1])) != 0;
-    std::size_t end = at + 1;
-    if (text[at] == '/' && (next == '/' || next == '*')) {
-      end = end_of_comment(text, at);
-      blank(result.code, at, end);
-      for (std::size_t i = at; i < end && text[i] == '/'; ++i) result.comments[i] = ' ';
-    } else {
-      if (text[at] == '"' || (text[at] == '\'' && !digits)) end = end_of_literal(text, at);
-      blank(result.comments, at, end);
-    }
-    at = end;
-  }
-  return result;
 }
 
 class Checker {
  public:
   explicit Checker(const Tree& tree) : tree_(tree) {
     for (const auto& [path, text] : tree.files) {
-      const std::string code = is_page(path) ? "" : is_cpp(path) ? split(text).code : text;
+      if (is_foreign(path)) continue;
+      const std::string& code = parts_.emplace(path, parts_of(path, text)).first->second.code;
       each(code, "[A-Za-z_][A-Za-z0-9_]*", [&](const std::smatch& m) { words_.insert(m.str()); });
       if (is_page(path)) collect_definitions(path, text);
       if (path.starts_with("tests/") && is_cpp(path)) collect_tests(code);
@@ -98,16 +71,17 @@ class Checker {
   }
 
   std::vector<std::string> run() {
-    for (const auto& [path, text] : tree_.files) {
-      if (is_history(path) || (!is_page(path) && !is_cpp(path))) continue;
+    for (const auto& [path, parts] : parts_) {
+      if (is_history(path)) continue;
       path_ = path;
-      prose_ = is_page(path) ? text : split(text).comments;
+      prose_ = parts.comments;
       check_numbers();
       check_private_numbers();
       check_links();
       check_paths();
       check_fences();
       check_spans();
+      check_options();
       check_function_tables();
     }
     return std::move(findings_);
@@ -128,11 +102,10 @@ class Checker {
 
   void collect_definitions(const std::string& path, const std::string& text) {
     static const std::map<std::string, std::string> pages = {
-        {"1", "docs/theorem1.md"},       {"2", "docs/theorem2.md"},
-        {"3", "docs/theorem3.md"},       {"C", "docs/compact.md"},
-        {"D", "docs/compact-120.md"},    {"E", "docs/two-bend-109.md"},
-        {"P", "docs/theorem2-paper.md"}, {"V", "docs/verify.md"}};
-    each(text, "(?:^|[^`])\\*\\*(Lemma|Rule|Step) ([0-9CDEPV])\\.([0-9]+)",
+        {"1", "docs/theorem1.md"}, {"2", "docs/theorem2.md"},       {"3", "docs/theorem3.md"},
+        {"C", "docs/compact.md"},  {"D", "docs/compact-120.md"},    {"E", "docs/two-bend-109.md"},
+        {"H", "docs/history.md"},  {"P", "docs/theorem2-paper.md"}, {"V", "docs/verify.md"}};
+    each(text, "(?:^|[^`])\\*\\*(Lemma|Rule|Step|Repair) ([0-9CDEHPV])\\.([0-9]+)",
          [&](const std::smatch& m) {
            const std::string name = m[1].str() + " " + m[2].str() + "." + m[3].str();
            if (!defined_.insert(name).second)
@@ -153,13 +126,13 @@ class Checker {
   }
 
   void check_numbers() {
-    const std::string number = "([0-9CDEPV]\\.[0-9]+|[0-9]+)";
+    const std::string number = "([0-9CDEHPV]\\.[0-9]+|[0-9]+)";
     each(prose_,
-         "\\b([Ll]emma|[Rr]ule|[Ss]tep|[Ss]tage)s?\\s+" + number +
+         "\\b([Ll]emma|[Rr]ule|[Ss]tep|[Ss]tage|[Rr]epair)s?\\s+" + number +
              "((,|\\s+and|\\s+to|\\s+or|–)\\s*" + number + ")*(?![\\w])",
          [&](const std::smatch& m) {
            const std::string kind = m[1].str();
-           each(m.str(), "[0-9CDEPV]\\.[0-9]+|[0-9]+", [&](const std::smatch& one) {
+           each(m.str(), "[0-9CDEHPV]\\.[0-9]+|[0-9]+", [&](const std::smatch& one) {
              const std::string name = kind + " " + one.str();
              if (one.str().find('.') == std::string::npos || kind == "stage" || kind == "Stage") {
                report(m.position(), name + " has no page: write Lemma, Rule or Step and X.N");
@@ -181,28 +154,43 @@ class Checker {
 
   void check_links() {
     if (!is_page(path_)) return;
-    each(prose_, "\\]\\(([^)#\\s]+)[^)\\s]*\\)", [&](const std::smatch& m) {
+    each(prose_, "\\]\\(([^)#\\s]*)(?:#([^)\\s]*))?\\)", [&](const std::smatch& m) {
       const std::string target = m[1].str();
       if (target.find("://") != std::string::npos) return;
-      const std::string path = (fs::path(path_).parent_path() / target).lexically_normal();
-      if (!exists(path)) report(m.position(), "the link to " + target + " leads nowhere");
+      const std::string path =
+          target.empty() ? path_
+                         : (fs::path(path_).parent_path() / target).lexically_normal().string();
+      if (!exists(path)) {
+        report(m.position(), "the link to " + target + " leads nowhere");
+      } else if (m[2].length() > 0 && is_page(path) && !has_heading(path, m[2].str())) {
+        report(m.position(), fmt::format("{} has no heading #{}", path, m[2].str()));
+      }
     });
+  }
+
+  bool has_heading(const std::string& page, const std::string& anchor) const {
+    bool found = false;
+    each(tree_.files.at(page), "(?:^|\\n)#+ +([^\\n]*)", [&](const std::smatch& m) {
+      found = found || anchor_of(m[1].str()) == anchor_of(anchor);
+    });
+    return found;
   }
 
   /// Paths from the root, in backticks or not.
   void check_paths() {
-    each(
-        prose_,
-        "(^|[\\s(`\"])((algorithms|analysis|apps|bench|docs|formats|generators|model|results|tests|"
-        "tools|verify)/[\\w./-]*\\w\\.(h|cpp|md|toml|txt|cmake|svg|csv|h5))(?![\\w*<{])",
-        [&](const std::smatch& m) {
-          static const std::regex placeholder(".*[A-Z]{3}.*\\.(csv|h5)");
-          const std::string path = m[2].str();
-          if (prose_.substr(0, static_cast<std::size_t>(m.position(2))).ends_with("```cpp\n// "))
-            return;  // the file that a page shows how to write
-          if (!std::regex_match(path, placeholder) && !exists(path))
-            report(m.position(), path + " does not exist");
-        });
+    each(prose_,
+         "(^|[\\s(`\"])((algorithms|analysis|apps|bench|cmake|docs|examples|formats|generators|"
+         "model|"
+         "python|records|results|studies|tests|tools|verify|viewer)/[\\w./-]*\\w\\."
+         "(h|cpp|md|toml|txt|cmake|svg|csv|h5|py|mjs|js|css|sh))(?![\\w*<{])",
+         [&](const std::smatch& m) {
+           static const std::regex placeholder(".*[A-Z]{3}.*\\.(csv|h5)");
+           const std::string path = m[2].str();
+           if (prose_.substr(0, static_cast<std::size_t>(m.position(2))).ends_with("```cpp\n// "))
+             return;  // the file that a page shows how to write
+           if (!std::regex_match(path, placeholder) && !exists(path))
+             report(m.position(), path + " does not exist");
+         });
   }
 
   bool exists(const std::string& path) const {
@@ -278,10 +266,21 @@ class Checker {
   }
 
   bool has_option(const std::string& option) const {
-    const auto has = [&](const auto& file) {
-      return !is_page(file.first) && file.second.find(option) != std::string::npos;
-    };
-    return std::ranges::any_of(tree_.help, has) || std::ranges::any_of(tree_.files, has);
+    const std::regex whole(option + "(?![\\w-])");
+    return std::ranges::any_of(
+               tree_.help,
+               [&](const auto& verb) { return std::regex_search(verb.second, whole); }) ||
+           std::ranges::any_of(parts_, [&](const auto& file) {
+             return std::regex_search(file.second.code, whole);
+           });
+  }
+
+  /// Options in the prose, without backticks. What fences and commands hold is looked at there.
+  void check_options() {
+    each(prose_, "(?:^|[\\s(\"])(--[a-z][a-z_-]*[a-z])", [&](const std::smatch& m) {
+      if (!is_known_outside(m[1].str()) && !has_option(m[1].str()))
+        report(m.position(1), "no program has an option " + m[1].str());
+    });
   }
 
   /// What stands in a column headed "function" of a table.
@@ -359,6 +358,7 @@ class Checker {
   }
 
   const Tree& tree_;
+  std::map<std::string, TextParts> parts_;
   std::set<std::string> words_;    // of all code
   std::set<std::string> folders_;  // with a '/' at the end
   std::set<std::string> tests_;    // Suite.Name and Suite.*

@@ -18,12 +18,15 @@ Tree read_tree(const std::string& root);
 /// Asks the program for its help, verb by verb.
 std::map<std::string, std::string> read_help();
 
-/// References in comments and pages that lead nowhere, as "file:line: what". What is looked at:
-///  - Lemma, Rule and Step with a number, which a page defines in bold (CONTRIBUTING.md, "How to
+/// References in comments (of C++, JavaScript, style sheets, Python, CMake and shell) and pages
+/// that lead nowhere, as "file:line: what". What is looked at:
+///  - Lemma, Rule, Step and Repair with a number, which a page defines in bold (CONTRIBUTING.md,
+///  "How to
 ///    cite"); bare numbers, and numbers of notes that are not in the tree;
 ///  - in backticks: functions, types and columns (a word of the code), files, tests
 ///    (Suite.Name), commands of the program with their options;
-///  - links between pages, and paths that begin with a folder of the tree.
+///  - options, in backticks or not;
+///  - links between pages and to headings, and paths that begin with a folder of the tree.
 std::vector<std::string> dangling_references(const Tree& tree);
 
 }  // namespace ar3d::testing
