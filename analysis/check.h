@@ -64,7 +64,7 @@ struct CheckedRows {
 };
 
 /// Looks at every row, once and in file order, and again at those whose repetitions differ. Cost:
-/// O(r log r) time for r rows, 33 bytes a row.
+/// O(r log r) time for r rows, 33 bytes per row.
 CheckedRows examine(const RowView& rows);
 CheckVerdict check(const RowView& rows);
 CheckVerdict check(const Results& results);

@@ -7,7 +7,7 @@
 
 namespace ar3d {
 
-/// Reads items one after the other, works on many of them at once (OpenMP, the program's --threads)
+/// Reads items one after the other, works on many of them at once (as many as OpenMP has threads)
 /// and hands the results on in input order. A batch ends when its weight (vertices plus edges)
 /// passes kBatchWeight, so memory stays bounded whatever the input. `next()` gives
 /// std::optional<Item>; `weight(item)`; `work(item)` gives a Result and may run on any thread;

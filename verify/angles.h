@@ -21,7 +21,7 @@ struct DrawnAngles {
 };
 
 /// @pre every coordinate is in range.
-/// Cost: O(m + sum of squared degrees + bends) time, 32 bytes an edge.
+/// Cost: O(m + sum of squared degrees + bends) time, 32 bytes per edge.
 DrawnAngles angles_of(const Drawing& drawing);
 
 /// Fills in what a summary says of angles and crossings. A valid certificate that all angles are

@@ -85,7 +85,7 @@ Drawing draw_from(const Graph& graph, const std::optional<Tightness>& first) {
 Algorithm row() {
   Algorithm row;
   row.name = "compact";
-  row.summary = "Degree at most 4, 5 bends per edge, all angles 109.47 degrees, volume O(n^1.5).";
+  row.summary = "degree at most 4, 5 bends per edge, all angles 109.47 degrees, volume O(n^1.5)";
   row.source = "the paper's last open question";
   row.guarantee = {
       .max_degree = 4,

@@ -67,7 +67,7 @@ Link link_of(const HalfEdge& edge, bool out, bool right) {
 }  // namespace
 
 Links assign_arms(const Graph& graph, const Order& order, const Owners& owners) {
-  expect(owners.crowded.empty(), "a vertex owns one edge a side");
+  expect(owners.crowded.empty(), "a vertex owns one edge per side");
   Links links;
   links.at.resize(graph.num_vertices());
   links.of.resize(graph.num_vertices());
@@ -83,7 +83,7 @@ Links assign_arms(const Graph& graph, const Order& order, const Owners& owners) 
         continue;
       }
       Link& own = links.at[v][right ? k01 : k20];
-      expect(!own.is_set(), "a vertex owns one edge a side");
+      expect(!own.is_set(), "a vertex owns one edge per side");
       own = link;
     }
     assign_arrivals(links.of[v], order, arrivals, count, links.at[v]);

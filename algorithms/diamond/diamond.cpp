@@ -74,7 +74,7 @@ Algorithm row() {
   Algorithm row;
   row.name = "diamond";
   row.summary =
-      "Degree at most 4, at most 3 bends per edge, all angles 109.47 degrees, diamond lattice.";
+      "degree at most 4, at most 3 bends per edge, all angles 109.47 degrees, diamond lattice";
   row.source = "Theorem 1";
   row.guarantee = {
       .max_degree = 4,

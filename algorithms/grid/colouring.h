@@ -40,12 +40,13 @@ struct Colouring {
 /// Labels greedily in processing order and swaps Kempe chains where two earlier neighbours offer
 /// the same label.
 /// @param longest_chain  edges of the longest chain that is followed; 0: none.
-/// Cost: O(n) and at most kStepsPerVertex chain steps a vertex on average.
+/// Cost: O(n) and at most kStepsPerVertex chain steps per vertex on average.
 Colouring colour_half_edges(const ProcessingOrder& order,
                             std::span<const NeighbourPlaces> neighbours,
                             std::uint64_t longest_chain);
 
-/// All chains together take at most this many steps a vertex, so the time is linear on every input.
+/// All chains together take at most this many steps per vertex, so the time is linear on every
+/// input.
 inline constexpr std::uint64_t kStepsPerVertex = 100;
 
 }  // namespace ar3d::grid

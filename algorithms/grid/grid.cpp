@@ -69,7 +69,7 @@ SizeBound proved_bound() {
   return {"proved here", "docs/theorem3.md", {axis, axis, axis}};
 }
 
-/// The paper states O(n^3) a side without a constant; 1 stands for it.
+/// The paper states O(n^3) per side without a constant; 1 stands for it.
 SizeBound paper_bound() {
   const AxisBound axis = cubic(1);
   return {"paper; order only, constant 1 assumed", "Theorem 3", {axis, axis, axis}};
@@ -103,7 +103,7 @@ Algorithm row() {
   guarantee.published = {paper_bound()};
   return {
       "grid",
-      "face diagonals of the cube grid, 3 bends, exactly 120 degrees, O(n) a side",
+      "degree at most 3, at most 3 bends per edge, all angles 120 degrees, O(n) per side",
       "Theorem 3",
       std::move(guarantee),
       {effort_option(kHighestEffort, "0: the proved core; 1: flat numbers where that is possible")},

@@ -21,7 +21,7 @@ struct Options {
 /// Lemma 3.6 with the largest plane number that occurs.
 /// @throws InputError if graph.max_degree() > 3 or there is no such effort.
 /// Cost: O(n log n) expected time, O(n) memory, on every input (Lemma 3.7). Source: Theorem 3 of
-/// the paper, which has O(n^3) a side; docs/theorem3.md has the construction and its proof.
+/// the paper, which has O(n^3) per side; docs/theorem3.md has the construction and its proof.
 Drawing draw(const Graph& graph, const Options& options = {});
 
 /// The catalogue row `grid`.

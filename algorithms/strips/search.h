@@ -30,7 +30,7 @@ struct Tightness {
   std::int64_t reach = 60;         ///< reach over columns
   std::int64_t extra_columns = 3;  ///< what small graphs need besides
   std::int64_t extra_reach = 1;
-  std::int64_t ejections = 50;  ///< ejections a vertex before the strip counts as too narrow
+  std::int64_t ejections = 50;  ///< ejections per vertex before the strip counts as too narrow
 };
 
 /// The next wider strip: a tenth more cells, and a column.

@@ -173,8 +173,8 @@ Algorithm row() {
   Algorithm row;
   row.name = "two-bend-109";
   row.summary =
-      "at most two bends per edge, angles of at least 109.47 degrees, in volume O(n^2) x O(n) x "
-      "O(n^3)";
+      "degree at most 4, at most 2 bends per edge, angles of at least 109.47 degrees, in a box of "
+      "O(n^2) x O(n) x O(n^3)";
   row.source = "the paper's second open question";
   row.guarantee = guarantee;
   row.options = {effort_option(
