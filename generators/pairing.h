@@ -16,7 +16,7 @@ namespace ar3d {
 /// @param d  1..4.  @param pairs  <= num_vertices d / 2 such that a simple graph exists.
 /// Cost: an attempt stops at its first loop or parallel edge. Expected attempts for large n: e^2
 /// = 7.4 for cubic, e^(15/4) = 42.5 for 4-regular graphs, each broken off after about a third of
-/// its pairs. 36 bytes a vertex for d = 3.
+/// its pairs. 36 bytes per vertex for d = 3.
 std::vector<Edge> random_simple_pairs(Count num_vertices, std::uint32_t d, Count pairs,
                                       RandomStream& random);
 

@@ -74,7 +74,7 @@ class Strip {
   StripRules rules_;
   std::vector<Site> sites_;
   std::vector<std::uint8_t> variant_;
-  std::vector<bool> taken_;  ///< two bits a cell, one for each type
+  std::vector<bool> taken_;  ///< two bits per cell, one for each type
   strips::Lines lines_;
   std::optional<Caps> caps_;
 };

@@ -30,7 +30,7 @@ inline Piece whole_line(std::uint64_t line) {
   return {line, std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max()};
 }
 
-/// The pieces in use: open addressing with linear probing; 16 bytes an entry, at most 3/4 of them
+/// The pieces in use: open addressing with linear probing; 16 bytes per entry, at most 3/4 of them
 /// in use.
 class Lines {
  public:

@@ -22,7 +22,7 @@ struct Block {
 
 /// The blocks of a component and the bridges between them.
 struct Blocks {
-  std::vector<BlockId> of;  ///< one entry a vertex
+  std::vector<BlockId> of;  ///< one entry per vertex
   std::vector<Block> blocks;
 
   /// For adjacent u, v.

@@ -105,7 +105,7 @@ class LayoutMaker {
   }
 
   /// How much higher than b an end at `at` must be that leans by at most one part in `slope`,
-  /// wherever both choose to stand, in squares of at most `jitter` points a side. The length of
+  /// wherever both choose to stand, in squares of at most `jitter` points per side. The length of
   /// (dx, dy) is at most 3/2 dx + 5/2 dy.
   Wide lift(Vertex b, Point at, std::int64_t slope, std::int64_t jitter) const {
     const Point p = made_.place[b];

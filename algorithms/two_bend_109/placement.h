@@ -27,7 +27,7 @@ enum class Comparison : std::uint8_t {
 /// Each vertex in turn takes the first point of its square, in a fixed pseudo-random order, where
 /// nothing new meets anything; nothing if some vertex finds none. At
 /// the scale Scale::always_enough(n) each finds one (Lemma E.5).
-/// Cost: O(n) a point tried.
+/// Cost: O(n) per point tried.
 std::optional<Placement> place(const Graph& graph, const std::vector<Part>& parts,
                                const Arrangement& arrangement, const Layout& layout,
                                std::uint64_t seed, Comparison comparison = Comparison::filtered);

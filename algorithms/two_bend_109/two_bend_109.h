@@ -24,7 +24,7 @@ struct Options {
 /// @return points of kAxisLattice; smallest x, y and z are 0. Counters: components, singles,
 /// cycles, bodies, slots, jitter (the largest one needed), tried (points, of all vertices).
 /// @throws InputError if graph.max_degree() > 4, or naming a vertex whose coordinates may pass
-/// 2^60. Cost: O(n) a point tried, of which there is one per vertex in practice; O(n) memory.
+/// 2^60. Cost: O(n) per point tried, of which there is one per vertex in practice; O(n) memory.
 Drawing draw(const Graph& graph, const Options& options = {});
 
 /// The catalogue row `two-bend-109`.

@@ -23,7 +23,7 @@ struct ReadableRows {
 /// worst: of each algorithm with options on a family with parameters the row with the largest share
 /// of the theorem's bound on an axis; where there is no bound, with the largest miss of an angle,
 /// and where there is none, with the largest volume. Of equal rows the first one.
-/// Memory: 64 bytes a row kept, and the curves.
+/// Memory: 64 bytes per row kept, and the curves.
 std::vector<std::size_t> rows_to_keep(const ReadableRows& rows, KeptDrawings kept);
 
 /// How it went.

@@ -146,7 +146,7 @@ bool looks_like_increment(const InputHead& head) { return head.text.starts_with(
 GraphFormat graph6_format() {
   return {.name = "graph6",
           .extensions = {".g6"},
-          .summary = "nauty's format for small or dense graphs, one graph a line",
+          .summary = "nauty's format for small or dense graphs, one graph per line",
           .detect = looks_like_graph6,
           .parser = nauty_parser,
           .writer = writer_of<Graph6Writer>};
@@ -155,7 +155,7 @@ GraphFormat graph6_format() {
 GraphFormat sparse6_format() {
   return {.name = "sparse6",
           .extensions = {".s6"},
-          .summary = "nauty's format for sparse graphs, one graph a line",
+          .summary = "nauty's format for sparse graphs, one graph per line",
           .detect = looks_like_sparse6,
           .parser = nauty_parser,
           .writer = writer_of<Sparse6Writer>};

@@ -69,7 +69,7 @@ TEST(TwoBend109, CoordinatesThatMayPassTheRangeAreRefusedWithTheVertexNamed) {
   for (const int bits : {44, 55, 56}) {
     try {
       two_bend_109::lay_out(graph, parts, arrangement, {std::int64_t{1} << bits});
-      FAIL() << "a square of 2^" << bits << " points a side is too large for 1000 vertices";
+      FAIL() << "a square of 2^" << bits << " points per side is too large for 1000 vertices";
     } catch (const InputError& e) {
       EXPECT_THAT(e.what(), ::testing::MatchesRegex(
                                 "two-bend-109: a coordinate of vertex [0-9]+ may pass 2\\^60, the "

@@ -25,7 +25,7 @@ TEST(LargeResults, AreJudgedAndReportedInBoundedMemory) {
   const testing::ScratchDirectory scratch;
   const std::string results = scratch.path("large.h5");
   testing::write_large_results(like, results);
-  // kB of address space, code included: 300 MB and 100 bytes a row.
+  // kB of address space, code included: 300 MB and 100 bytes per row.
   const std::string bounded = "ulimit -v " + std::to_string(300000 + like.rows / 10) + "; ";
   const Outcome check = run(bounded + "{} check " + results);
   EXPECT_EQ(check.exit_code, 4);

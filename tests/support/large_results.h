@@ -17,7 +17,7 @@ struct LargeResults {
 };
 
 /// Writes such a file with the program's own writer, row by row: all rows but those are proved and
-/// inside their bounds. Memory: 10 bytes a row.
+/// inside their bounds. Memory: 10 bytes per row.
 void write_large_results(const LargeResults& like, const std::string& path);
 
 }  // namespace ar3d::testing
