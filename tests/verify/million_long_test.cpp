@@ -1,4 +1,5 @@
-// Generated, drawn and certified in one process: the table of docs/verify.md is this test's output.
+// Generated, drawn and certified in one process: memory and times of all stages are printed
+// (docs/verify.md, "Costs").
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <time.h>
