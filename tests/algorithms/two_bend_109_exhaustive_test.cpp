@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <vector>
+
 #include "algorithms/two_bend_109_support.h"
 #include "support/graphs.h"
 #include "support/names.h"
@@ -13,10 +16,15 @@ namespace {
 
 using testing::two_bend_109_fault;
 
+/// How many there are of each size: 18,745 in all.
+constexpr std::array<std::size_t, 10> kGraphs = {0, 1, 2, 4, 11, 34, 122, 510, 2590, 15471};
+
 class TwoBend109SmallGraphs : public ::testing::TestWithParam<int> {};
 
 TEST_P(TwoBend109SmallGraphs, AreCertifiedAtBothEfforts) {
-  for (const Graph& graph : testing::geng(fmt::format("-D4 {}", GetParam()))) {
+  const std::vector<Graph> graphs = testing::geng(fmt::format("-D4 {}", GetParam()));
+  ASSERT_EQ(graphs.size(), kGraphs[static_cast<std::size_t>(GetParam())]);
+  for (const Graph& graph : graphs) {
     for (const int effort : {0, 1}) {
       ASSERT_EQ(two_bend_109_fault(graph, {.effort = effort}), "") << "effort " << effort;
     }
@@ -31,9 +39,12 @@ class TwoBend109Regular : public ::testing::TestWithParam<int> {};
 TEST_P(TwoBend109Regular, AreCertifiedUnderThreeLabellings) {
   std::uint64_t seed = 0;
   for (const Graph& graph : testing::geng(fmt::format("-c -d4 -D4 {}", GetParam()))) {
-    ASSERT_EQ(two_bend_109_fault(graph), "");
-    for (int relabelling = 0; relabelling < 2; ++relabelling) {
-      ASSERT_EQ(two_bend_109_fault(testing::shuffled(graph, ++seed)), "") << "seed " << seed;
+    for (const int effort : {0, 1}) {
+      ASSERT_EQ(two_bend_109_fault(graph, {.effort = effort}), "") << "effort " << effort;
+      for (int relabelling = 0; relabelling < 2; ++relabelling) {
+        const Graph relabelled = testing::shuffled(graph, ++seed);
+        ASSERT_EQ(two_bend_109_fault(relabelled, {.effort = effort}), "") << "seed " << seed;
+      }
     }
   }
 }
