@@ -1,7 +1,7 @@
-// Pictures of three drawings as their pages show them, for README: docs/figures/view-*.png.
+// Pictures of drawings as their pages show them, for README and docs/open-questions.md: docs/figures/view-*.png.
 //   tests/browser/run --install && node tools/gallery-views.mjs PROGRAM
 import {execFileSync} from "node:child_process";
-import {mkdtempSync, rmSync} from "node:fs";
+import {mkdtempSync, readFileSync, rmSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {dirname, join, resolve} from "node:path";
 import {fileURLToPath} from "node:url";
@@ -9,12 +9,16 @@ import {chromium} from "../tests/browser/node_modules/playwright-core/index.mjs"
 
 const program = resolve(process.argv[2]), folder = mkdtempSync(join(tmpdir(), "ar3d-views-"));
 const figures = join(dirname(fileURLToPath(import.meta.url)), "..", "docs", "figures");
-const views = [["k5", "diamond", 0, 0], ["petersen", "grid", 1.25, 0.1], ["octahedron", "compact", 0.5, 0.05]];
+const views = [["k5", "diamond", 0, 0], ["petersen", "grid", 1.25, 0.1], ["octahedron", "compact", 0.5, 0.05],
+  ["k5", "two-bends", 0.4, 0.1]];
+const root = join(figures, "..", "..");  // k5-two-bends: the first of the finished drawings
+const finished = readFileSync(join(root, "examples", "open_questions", "small_drawings.jsonl"), "utf8").split("\n")[0];
 const browser = await chromium.launch({executablePath: "/usr/bin/chromium", args: ["--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]});
 const page = await browser.newPage({viewport: {width: 640, height: 560}});
 for (const [graph, algorithm, right, up] of views) {
   const file = join(folder, graph + ".html");
-  execFileSync(program, ["draw", "-", "--algorithm", algorithm, "-o", file], {input: execFileSync(program, ["generate", graph])});
+  if (algorithm === "two-bends") execFileSync(program, ["view", "-", "-o", file], {input: finished});
+  else execFileSync(program, ["draw", "-", "--algorithm", algorithm, "-o", file], {input: execFileSync(program, ["generate", graph])});
   await page.goto("file://" + file);
   await page.waitForFunction(() => globalThis.ar3d.view.ready && globalThis.ar3d.view.settled);
   await page.evaluate(([right, up]) => {

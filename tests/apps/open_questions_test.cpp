@@ -3,14 +3,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "support/program.h"
 
 namespace ar3d {
 namespace {
 
+using ::testing::ElementsAre;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using testing::run;
 
@@ -62,6 +68,80 @@ TEST(OpenQuestions, K4HasADrawingWithOneBend) {
   for (const auto& edge : drawing["edges"]) EXPECT_EQ(edge[2].size(), 1u) << "one bend";
   const auto verified = run("{} verify " + file + " --algorithm two-bend-109");
   EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
+}
+
+/// The search of examples/open_questions, compiled once a process.
+class SmallDrawingsSearch : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    scratch_ = new testing::ScratchDirectory;
+    const auto built = run("c++ -O2 -std=c++20 -ffp-contract=off " + kFolder +
+                           "small_drawings.cpp -o " + scratch_->path("search"));
+    ASSERT_EQ(built.exit_code, 0) << built.err;
+  }
+  static void TearDownTestSuite() {
+    delete scratch_;
+    scratch_ = nullptr;
+  }
+  static testing::Outcome search(const std::string& arguments) {
+    return run(scratch_->path("search") + " " + arguments);
+  }
+
+ private:
+  static testing::ScratchDirectory* scratch_;
+};
+testing::ScratchDirectory* SmallDrawingsSearch::scratch_ = nullptr;
+
+TEST(OpenQuestions, SmallDrawingsAreCertified) {
+  const auto verified = run("{} verify " + kFolder + "small_drawings.jsonl");
+  EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
+  EXPECT_THAT(verified.out, HasSubstr("3 certified, 0 violated"));
+}
+
+// docs/open-questions.md names the boxes on the cube grid: p = (x, y, z) there is
+// (x + y - 2z, x - y, 2(x + y + z)) in the file.
+TEST(OpenQuestions, SmallDrawingsHaveTheBoxesStated) {
+  std::ifstream file(kFolder + "small_drawings.jsonl");
+  std::vector<std::string> boxes;
+  for (std::string line; std::getline(file, line);) {
+    const auto drawing = nlohmann::json::parse(line);
+    std::array<std::array<std::int64_t, 2>, 3> range;
+    range.fill({std::int64_t{1} << 60, -(std::int64_t{1} << 60)});
+    const auto add = [&](const nlohmann::json& point) {
+      const auto [x, y, z] = point.get<std::array<std::int64_t, 3>>();
+      const std::array<std::int64_t, 3> p = {(x + 3 * y + z) / 6, (x - 3 * y + z) / 6,
+                                             (z - 2 * x) / 6};
+      for (std::size_t k = 0; k < 3; ++k) {
+        range[k] = {std::min(range[k][0], p[k]), std::max(range[k][1], p[k])};
+      }
+    };
+    for (const auto& point : drawing["vertices"]) add(point);
+    for (const auto& edge : drawing["edges"]) {
+      for (const auto& bend : edge[2]) add(bend);
+    }
+    boxes.push_back(fmt::format("{} x {} x {}", range[0][1] - range[0][0],
+                                range[1][1] - range[1][0], range[2][1] - range[2][0]));
+  }
+  EXPECT_THAT(boxes, ElementsAre("29 x 41 x 38", "14 x 14 x 14", "12 x 12 x 14"));
+  const std::string page = testing::read_file(AR3D_SOURCE_DIR "/docs/open-questions.md");
+  for (const std::string& box : boxes) EXPECT_THAT(page, HasSubstr(box));
+}
+
+TEST_F(SmallDrawingsSearch, FindsTheCommittedDrawingOfTheComplementOfC7Again) {
+  const auto made = search("FUzro 60 9 12 2000000 0.15");
+  EXPECT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_THAT(made.err, HasSubstr("box 12 x 12 x 14"));
+  EXPECT_THAT(testing::read_file(kFolder + "small_drawings.jsonl"), EndsWith("\n" + made.out));
+}
+
+TEST_F(SmallDrawingsSearch, RefusesBadArgumentsAndSaysWhenItFindsNothing) {
+  EXPECT_EQ(search("'D~{' 2 1 1 1000 0.1").exit_code, 1);
+  for (const char* bad : {"'D~{' 2 1 1 1000", "'D~' 9 9 1 1000 0.1", "'E~~w' 9 9 1 1000 0.1",
+                          "'D~{' 0 9 1 1000 0.1", "'D~{' 9 200 1 1000 0.1"}) {
+    const auto made = search(bad);
+    EXPECT_EQ(made.exit_code, 2) << bad;
+    EXPECT_THAT(made.err, HasSubstr("usage: small_drawings"));
+  }
 }
 
 }  // namespace
