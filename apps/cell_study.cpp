@@ -34,7 +34,7 @@ PlannedCell find_cell(const StudySpec& spec, const std::string& cell) {
       labels.insert(label);
       if (label != cell) continue;
       found.curve = curve;
-      found.requested_n = instance.wanted_n;
+      found.requested_n = instance.requested_n;
       found.instances = std::max(found.instances, instance.index + 1);
     }
   }

@@ -9,6 +9,7 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/formats/catalog.h"
+#include "ar3d/formats/drawings/catalog.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/formats/text/output.h"
 #include "ar3d/model/error.h"
@@ -18,7 +19,6 @@
 #include "ar3d/verify/coordinate_width.h"
 #include "batches.h"
 #include "commands.h"
-#include "drawing_formats.h"
 #include "drawing_summary.h"
 #include "graph_input.h"
 #include "numbers.h"

@@ -15,6 +15,7 @@
 #include "ar3d/model/nearest_name.h"
 #include "ar3d/model/printable.h"
 #include "commands.h"
+#include "program_formats.h"
 
 namespace {
 
@@ -71,6 +72,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(kExamples);
   int exit_code = ar3d::kPass;
+  ar3d::register_program_formats();
   ar3d::add_list(app, exit_code);
   ar3d::add_generate(app, exit_code);
   ar3d::add_draw(app, exit_code);

@@ -6,11 +6,11 @@
 #include <string>
 
 #include "ar3d/bench/replay/replay_row.h"
+#include "ar3d/formats/drawings/catalog.h"
 #include "ar3d/model/error.h"
 #include "ar3d/records/run_columns.h"
 #include "ar3d/records/run_storage.h"
 #include "commands.h"
-#include "drawing_formats.h"
 #include "outputs.h"
 
 namespace ar3d {

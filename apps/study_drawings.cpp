@@ -9,11 +9,11 @@
 
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/bench/replay/keep_drawings.h"
+#include "ar3d/formats/drawings/catalog.h"
 #include "ar3d/formats/text/output.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/printable.h"
 #include "commands.h"
-#include "drawing_formats.h"
 #include "outputs.h"
 #include "study.h"
 #include "study_rows.h"
@@ -57,17 +57,17 @@ struct DrawingsArguments {
 int keep(const DrawingsArguments& arguments) {
   const std::string path =
       arguments.output.empty() ? drawings_path(arguments.results) : arguments.output;
-  if (const std::string format = drawing_format("", path).name; format != "jsonl") {
-    throw InputError(fmt::format(
-        "-o {}: JSON lines are written, not {}; `ar3d draw` and `replay` write other formats", path,
-        format));
-  }
   refuse_unsafe_outputs(
       {.inputs = {arguments.results}, .outputs = {path}, .force = arguments.force});
   const StudyRows rows(arguments.results);
   refuse_unsafe_outputs({.inputs = files_of_study(*rows.view().identity, arguments.results),
                          .outputs = {path},
                          .force = arguments.force});
+  if (const std::string format = drawing_format("", path).name; format != "jsonl") {
+    throw InputError(fmt::format(
+        "-o {}: JSON lines are written, not {}; `ar3d draw` and `replay` write other formats", path,
+        format));
+  }
   return write_drawings(path, rows.view(), parse_kept_drawings(arguments.keep));
 }
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "ar3d/formats/drawings/catalog.h"
 #include "ar3d/formats/drawings/drawing_html.h"
-#include "drawing_formats.h"
 
 namespace ar3d {
 

@@ -22,10 +22,11 @@ const complaints = [], requests = [];
 
 before(async () => {
   folder = mkdtempSync(join(tmpdir(), "ar3d-browser-"));
-  const results = join(folder, "study.h5"), history = join(folder, "history");
+  const history = join(folder, "history");
   writeFileSync(join(folder, "study.toml"), spec);
-  execFileSync(program, ["study", "run", join(folder, "study.toml"), "-q", "-o", results]);
   for (let place = 1; place <= 9; ++place) {
+    const results = join(folder, "study" + place + ".h5");
+    execFileSync(program, ["study", "run", join(folder, "study.toml"), "-q", "-o", results]);
     execFileSync(program, ["history", "add", results, "--folder", history, "--place", String(place), "--name", "v" + place]);
   }
   execFileSync(program, ["history", "report", "--folder", history]);

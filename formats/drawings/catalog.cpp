@@ -1,4 +1,4 @@
-#include "drawing_formats.h"
+#include "ar3d/formats/drawings/catalog.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,13 +12,10 @@
 #include "ar3d/formats/text/output.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/nearest_name.h"
-#include "ar3d/results/hdf5/drawing_hdf5.h"
-#include "viewer_page.h"
+#include "ar3d/model/open_table.h"
 
 namespace ar3d {
 namespace {
-
-using Writer = std::function<void(const NextDrawing&, const std::string&, const ExportOptions&)>;
 
 /// The only drawing. @throws InputError if there is none, or another one.
 Drawing only_drawing(const NextDrawing& next, std::string_view format) {
@@ -32,15 +29,6 @@ Drawing only_drawing(const NextDrawing& next, std::string_view format) {
                                  second->where, format));
   }
   return std::get<Drawing>(std::move(first->line));
-}
-
-/// A writer of files that hold one drawing.
-template <class WriteOne>
-Writer one_drawing(std::string_view format, WriteOne write) {
-  return
-      [format, write](const NextDrawing& next, const std::string& path, const ExportOptions& view) {
-        write(only_drawing(next, format), path, view);
-      };
 }
 
 void write_jsonl(const NextDrawing& next, const std::string& path, const ExportOptions&) {
@@ -57,9 +45,9 @@ void write_jsonl(const NextDrawing& next, const std::string& path, const ExportO
 
 /// A format that holds one drawing and is a text or bytes made at once.
 template <class Make>
-Writer one_text(std::string_view format, Make make) {
-  return one_drawing(format, [make](const Drawing& drawing, const std::string& path,
-                                    const ExportOptions& options) {
+DrawingWriter one_text(std::string_view format, Make make) {
+  return one_drawing_per_file(format, [make](const Drawing& drawing, const std::string& path,
+                                             const ExportOptions& options) {
     OutputFile file(path);
     make(file, drawing, options);
     file.commit();
@@ -87,29 +75,14 @@ const DrawingFormat& format_of_path(const std::string& path) {
                   path, ending, fmt::join(known, " ")));
 }
 
-}  // namespace
-
-const std::vector<DrawingFormat>& drawing_formats() {
-  static const std::vector<DrawingFormat> rows = {
+std::vector<DrawingFormat> catalogue() {
+  return {
       {"jsonl",
        {".jsonl", ".json", ".ndjson"},
        "exact: positions, bends and metric, one JSON line per drawing; read by verify",
        true,
        write_jsonl,
        true},
-      {"hdf5",
-       {".h5", ".hdf5"},
-       "exact: positions, bends and metric as arrays, for h5py; one drawing per file",
-       false,
-       one_drawing("hdf5",
-                   [](const Drawing& drawing, const std::string& path, const ExportOptions&) {
-                     if (drawing.real) {
-                       throw InputError(
-                           path + ": a drawing in a real type is written as jsonl (exact) or svg");
-                     }
-                     write_drawing_hdf5(drawing, path);
-                   }),
-       false},
       {"svg",
        {".svg"},
        "a picture of a small drawing: roles as colours, gaps where edges pass behind others",
@@ -127,14 +100,6 @@ const std::vector<DrawingFormat>& drawing_formats() {
                 [](OutputFile& file, const Drawing& drawing, const ExportOptions& options) {
                   file.append(drawing_to_tikz(drawing, options.view));
                 }),
-       true},
-      {"html",
-       {".html", ".htm"},
-       "a page that shows drawings in 3D, exact coordinates included; any number per file",
-       true,
-       [](const NextDrawing& next, const std::string& path, const ExportOptions&) {
-         write_viewer_page(next, path);
-       },
        true},
       {"obj",
        {".obj"},
@@ -178,7 +143,29 @@ const std::vector<DrawingFormat>& drawing_formats() {
        one_text("graphml", without_options<write_graphml>),
        true},
   };
+}
+
+OpenTable<DrawingFormat>& table() {
+  static OpenTable<DrawingFormat> rows("drawing format", catalogue());
   return rows;
+}
+
+}  // namespace
+
+const std::vector<DrawingFormat>& drawing_formats() { return table().rows(); }
+
+void register_drawing_format(DrawingFormat row) {
+  const bool is_whole = row.write != nullptr;
+  table().add(std::move(row), is_whole);
+}
+
+DrawingWriter one_drawing_per_file(
+    std::string_view format,
+    std::function<void(const Drawing&, const std::string&, const ExportOptions&)> write) {
+  return [name = std::string(format), write = std::move(write)](
+             const NextDrawing& next, const std::string& path, const ExportOptions& options) {
+    write(only_drawing(next, name), path, options);
+  };
 }
 
 std::string drawing_formats_text() {

@@ -40,7 +40,21 @@ struct DrawingFormat {
   bool to_stream = true;  ///< can go to standard output
 };
 
+/// All formats of drawings.
 const std::vector<DrawingFormat>& drawing_formats();
+
+/// Adds a row to the catalogue: before anything else uses it, by one thread. References to other
+/// rows stay valid. @throws InputError if the name is taken or empty, or there is no writer.
+void register_drawing_format(DrawingFormat row);
+
+using DrawingWriter =
+    std::function<void(const NextDrawing&, const std::string& path, const ExportOptions&)>;
+
+/// The writer of a format that holds one drawing per file. It throws InputError if there is none,
+/// or another one.
+DrawingWriter one_drawing_per_file(
+    std::string_view format,
+    std::function<void(const Drawing&, const std::string& path, const ExportOptions&)> write);
 
 /// A line for each format: its name, its endings, what it keeps.
 std::string drawing_formats_text();

@@ -1,0 +1,9 @@
+#pragma once
+
+namespace ar3d {
+
+/// Adds the drawing formats that need more than formats/ may include: HDF5 files, and the viewer's
+/// page, which judges what it shows. To be called once, before the verbs are.
+void register_program_formats();
+
+}  // namespace ar3d
