@@ -7,7 +7,7 @@
 namespace ar3d {
 
 /// How much a drawing may cost, on one scale for all algorithms:
-///   0  what the proof of the size bound constructs, and nothing else
+///   0  the construction of the proof, without any step that only makes drawings smaller
 ///   1  the default: a drawing that is small in practice, in about the same time
 ///   2  a smaller one, for several times the time; left out where it would gain nothing
 inline constexpr int kDefaultEffort = 1;

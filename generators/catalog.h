@@ -18,9 +18,9 @@ struct Family {
   std::uint32_t max_degree;             ///< of every graph of the family (with default parameters)
   bool is_random = false;               ///< false: the seed has no influence
   std::vector<SettingSpec> parameters;  ///< besides n and seed; probabilities in parts per million
-  /// The family's own number of vertices for a wanted n: the nearest valid one not above n, else
+  /// The family's own number of vertices for a requested n: the nearest valid one not above n, else
   /// the smallest.
-  std::uint64_t (*nearest_n)(std::uint64_t wanted_n, const Settings&) = nullptr;
+  std::uint64_t (*nearest_n)(std::uint64_t requested_n, const Settings&) = nullptr;
   /// Called with nearest_n(n) == n and complete parameters.
   Graph (*generate)(std::uint64_t n, std::uint64_t seed, const Settings&) = nullptr;
   /// For pieces of lattices: the same graph in its own drawing without bends (the optimum); else

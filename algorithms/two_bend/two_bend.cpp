@@ -80,7 +80,7 @@ Attempt draw_layout(Flow flow, Layout layout) {
   return {std::move(flow), std::move(layout), std::move(slabs)};
 }
 
-std::optional<Attempt> lay_out(Flow flow, unsigned effort, bool straighten) {
+std::optional<Attempt> lay_out(Flow flow, int effort, bool straighten) {
   const Lists lists =
       build_lists(flow, {.share = effort > 0, .straighten = straighten, .weights = {}});
   std::optional<Layout> layout = find_layout(flow, lists, effort == 0 ? 0u : 2u);
@@ -176,7 +176,7 @@ void draw_component(LocalGraph& graph, const Options& options, Output& output, C
 }  // namespace
 
 Drawing draw(const Graph& graph, const Options& options) {
-  check_effort("two-bend", static_cast<int>(options.effort), kHighestEffort);
+  check_effort("two-bend", options.effort, kHighestEffort);
   refuse_larger_degrees("two-bend", graph, 3);
   Output output(graph);
   Census census;
@@ -213,7 +213,7 @@ Algorithm two_bend::row() {
                      "0: plain; 1: edges share rows and columns; 2: also seeks straight edges and "
                      "keeps the smaller drawing")},
       [](const Graph& graph, const Settings& values) {
-        return two_bend::draw(graph, {.effort = static_cast<unsigned>(value_of(values, "effort"))});
+        return two_bend::draw(graph, {.effort = static_cast<int>(value_of(values, "effort"))});
       }};
 }
 

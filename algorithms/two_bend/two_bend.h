@@ -3,6 +3,7 @@
 #include <array>
 
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/algorithms/effort.h"
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"
 #include "ar3d/model/guarantee.h"
@@ -12,7 +13,7 @@ namespace ar3d::two_bend {
 struct Options {
   /// 0: plain. 1: vertices share rows and columns (share_rows), arms are balanced (relax_merges).
   /// 2: as 1, and once more with rows ordered for straight edges; the smaller volume is kept.
-  unsigned effort = 1;
+  int effort = kDefaultEffort;
   bool force_safe_layout = false;  ///< lay every component out by find_safe_layout (tests)
 };
 

@@ -41,7 +41,9 @@ std::map<std::string, std::string> lasting_settings(
     const std::vector<EnvironmentEntry>& environment) {
   std::map<std::string, std::set<std::string>> values;
   for (const EnvironmentEntry& entry : environment) {
-    if (!is_passing(entry.name)) values[entry.name].insert(entry.value);
+    if (is_passing(entry.name)) continue;
+    const bool is_former = entry.name == "timing_mark";  // its name up to version 0.2.0
+    values[is_former ? "build_kind" : entry.name].insert(entry.value);
   }
   std::map<std::string, std::string> joined;
   for (const auto& [name, of_name] : values) {

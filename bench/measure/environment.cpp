@@ -145,7 +145,7 @@ std::string load_average() {
   return line.substr(0, end);
 }
 
-const char* timing_mark() {
+const char* build_kind() {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   return "sanitised";
 #elif defined(__has_feature)
@@ -177,7 +177,7 @@ std::vector<EnvironmentEntry> capture_environment(int threads) {
       {"build_type", AR3D_BUILD_TYPE},
       {"flags", AR3D_FLAGS},
       {"invariant_checks", kHeavyChecks ? "heavy" : "light"},
-      {"timing_mark", *timing_mark() == '\0' ? "none" : timing_mark()},
+      {"build_kind", *build_kind() == '\0' ? "none" : build_kind()},
       {"source_hash", AR3D_SOURCE_HASH},
       {"dirty_hash", source_is_dirty() ? dirty_hash() : "none"},
       {"openmp", fmt::format("{}", _OPENMP)},

@@ -17,7 +17,7 @@ std::string dirty_hash();
 
 /// Why times of this build are worth little: "debug" (no -DNDEBUG), "sanitised", or "" for a good
 /// build.
-const char* timing_mark();
+const char* build_kind();
 
 /// Machine, operating system, compiler, libraries, settings that influence speed; "absent" for what
 /// the system does not tell.

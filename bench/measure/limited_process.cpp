@@ -41,7 +41,7 @@ double address_space_bytes() {
 
 void set_limits(const StepLimits& limits) {
   if (limits.cpu_s && *limits.cpu_s < kNoLimit) limit(RLIMIT_CPU, std::ceil(*limits.cpu_s));
-  const bool sanitised = std::string_view(timing_mark()) == "sanitised";
+  const bool sanitised = std::string_view(build_kind()) == "sanitised";
   if (limits.memory_bytes && *limits.memory_bytes < kNoLimit && !sanitised) {
     limit(RLIMIT_AS, address_space_bytes() + *limits.memory_bytes);
   }

@@ -115,7 +115,7 @@ class Planner {
   // A family at one size, and what is done with each of its instances.
   struct SizedFamily {
     FamilyChoice family;
-    std::uint64_t wanted_n = 0;
+    std::uint64_t requested_n = 0;
     std::uint64_t n = 0;
     std::uint32_t instances = 1;
     const Sweep* sweep = nullptr;
@@ -160,13 +160,13 @@ class Planner {
 
   void add_sizes(const Sweep& sweep, const FamilyChoice& family) {
     const std::uint32_t degree = probed_degree(family, sweep.sizes);
-    for (const std::uint64_t wanted_n : sweep.sizes) {
-      const std::uint64_t n = family.family->nearest_n(wanted_n, family.parameters);
+    for (const std::uint64_t requested_n : sweep.sizes) {
+      const std::uint64_t n = family.family->nearest_n(requested_n, family.parameters);
       const bool many = depends_on_seed(*family.family, family.parameters);
       const std::uint32_t instances = many ? sweep.instances : 1;
       std::vector<AlgorithmChoice> fitting = fitting_algorithms(sweep, family, degree, n);
       if (fitting.empty()) continue;
-      sized_.push_back({family, wanted_n, n, instances, &sweep, std::move(fitting), 0});
+      sized_.push_back({family, requested_n, n, instances, &sweep, std::move(fitting), 0});
       count_rows(sized_.back());
     }
   }
@@ -217,7 +217,7 @@ class Planner {
     PlannedInstance& instance = block.first;
     instance.choice = sized.family;
     instance.parameters = settings_text(sized.family.parameters);
-    instance.wanted_n = sized.wanted_n;
+    instance.requested_n = sized.requested_n;
     instance.n = sized.n;
     instance.index = group.planned;
     if (const auto& corpus = sized.family.corpus) {

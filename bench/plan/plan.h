@@ -38,15 +38,15 @@ bool is_same_drawing(const PlannedRun& a, const PlannedRun& b);
 struct PlannedInstance {
   FamilyChoice choice;
   std::string parameters;  ///< "k=2;p=750000"
-  std::uint64_t wanted_n = 0;
-  std::uint64_t n = 0;      ///< what the family makes of wanted_n
+  std::uint64_t requested_n = 0;
+  std::uint64_t n = 0;      ///< what the family makes of requested_n
   std::uint32_t index = 0;  ///< of a corpus: the graph's place in the file
   std::uint64_t seed = 0;  ///< a function of the study's seed, family, parameters, n and index only
   std::vector<PlannedRun> runs;
 };
 
-/// The graph of an instance. Of a corpus with wanted_n below the graph's n: the piece of it that a
-/// breadth-first search finds first.
+/// The graph of an instance. Of a corpus with requested_n below the graph's n: the piece of it that
+/// a breadth-first search finds first.
 /// @throws InputError if the family has no such graph.
 Graph graph_of(const PlannedInstance& instance);
 

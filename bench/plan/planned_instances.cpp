@@ -71,11 +71,11 @@ std::string row_key(const std::string& prefix, const PlannedRun& run) {
 Graph graph_of(const PlannedInstance& instance) {
   const FamilyChoice& choice = instance.choice;
   if (!choice.corpus) {
-    return generate(*choice.family, instance.wanted_n, instance.seed, choice.parameters);
+    return generate(*choice.family, instance.requested_n, instance.seed, choice.parameters);
   }
   Graph graph = corpus_graph(choice, instance.index, instance.seed);
-  if (instance.wanted_n >= graph.num_vertices()) return graph;
-  return breadth_first_piece(graph, instance.wanted_n);
+  if (instance.requested_n >= graph.num_vertices()) return graph;
+  return breadth_first_piece(graph, instance.requested_n);
 }
 
 void set_seed_and_keys(std::uint64_t study_seed, PlannedInstance& instance) {

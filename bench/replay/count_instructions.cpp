@@ -129,7 +129,7 @@ void draw_for_counting(const RunRecord& row) {
 }
 
 std::int64_t count_instructions(const RunRecord& row, const StudyOrigin& origin) {
-  if (std::string_view(timing_mark()) == "sanitised") {
+  if (std::string_view(build_kind()) == "sanitised") {
     throw InputError("a sanitised build cannot run under callgrind");
   }
   const ScratchFile output;

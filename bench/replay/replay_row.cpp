@@ -46,7 +46,7 @@ PlannedInstance plan_of_row(const RunRecord& row, const StudyOrigin& origin) {
   PlannedInstance instance;
   instance.choice = choice_of(row, origin);
   instance.parameters = row.parameters;
-  instance.wanted_n = static_cast<std::uint64_t>(row.requested_n);
+  instance.requested_n = static_cast<std::uint64_t>(row.requested_n);
   instance.n = static_cast<std::uint64_t>(row.n);
   instance.index = static_cast<std::uint32_t>(row.instance_index);
   instance.seed = row.seed;
@@ -84,7 +84,8 @@ Drawing redrawn(const RunRecord& row, const StudyOrigin& origin) {
 RunRecord replayed(const RunRecord& row, const StudyOrigin& origin) {
   PlannedInstance instance = plan_of_row(row, origin);
   if (origin.seed) {
-    instance.n = instance.choice.family->nearest_n(instance.wanted_n, instance.choice.parameters);
+    instance.n =
+        instance.choice.family->nearest_n(instance.requested_n, instance.choice.parameters);
     set_seed_and_keys(*origin.seed, instance);
   }
   RowMaker maker({.concurrency = 1, .core = -1, .memory = MemoryScope::row});

@@ -105,14 +105,14 @@ std::string passed(StepEnd end, const Budget& budget, std::uint64_t n) {
 // In a process of its own, which may use twice what the study gives such a row: where that does not
 // do, the row is impossible. Smaller rows of the same kind may be possible; the plan has larger
 // ones.
-Measured measured_at(const PlannedInstance& like, const PlannedRun& run, std::uint64_t wanted_n,
+Measured measured_at(const PlannedInstance& like, const PlannedRun& run, std::uint64_t requested_n,
                      const Budget& budget) {
   PlannedInstance instance = like;
-  instance.wanted_n = wanted_n;
+  instance.requested_n = requested_n;
   if (const auto& corpus = like.choice.corpus) {  // one of that size, or a piece of a larger one
-    instance.index = corpus->graphs->place(corpus->graphs->first_of_size(wanted_n));
+    instance.index = corpus->graphs->place(corpus->graphs->first_of_size(requested_n));
   }
-  const std::uint64_t n = like.choice.family->nearest_n(wanted_n, like.choice.parameters);
+  const std::uint64_t n = like.choice.family->nearest_n(requested_n, like.choice.parameters);
   StepLimits limits{.cpu_s = {}, .memory_bytes = available_memory()};
   if (budget.row_time_s) limits.cpu_s = 2 * (*budget.row_time_s)(n) + 1;
   if (budget.row_memory_bytes) {
@@ -159,7 +159,7 @@ class Estimator {
     for (const PlannedBlock& block : plan.instances.blocks()) {
       for (const PlannedRun& run : block.first.runs) {
         std::uint64_t& largest = largest_[key_of(block.first, run)];
-        largest = std::max(largest, block.first.wanted_n);
+        largest = std::max(largest, block.first.requested_n);
       }
     }
   }

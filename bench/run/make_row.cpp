@@ -71,7 +71,7 @@ RunRecord instance_row(const PlannedInstance& instance) {
   RunRecord run;
   run.family = instance.choice.family->name;
   run.parameters = instance.parameters;
-  run.requested_n = static_cast<std::int64_t>(instance.wanted_n);
+  run.requested_n = static_cast<std::int64_t>(instance.requested_n);
   run.instance_index = instance.index;
   run.seed = instance.seed;
   return run;
@@ -139,7 +139,7 @@ RunRecord RowMaker::begun(const PlannedRun& planned) const {
   set_run(planned, run);
   run.concurrency = circumstances_.concurrency;
   run.core = circumstances_.core;
-  run.build_kind = timing_mark();
+  run.build_kind = build_kind();
   return run;
 }
 

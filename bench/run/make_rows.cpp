@@ -45,7 +45,7 @@ std::vector<int> cores_for(std::uint32_t count) {
 }  // namespace
 
 void require_makeable(const StudyPlan& plan, const MakingPolicy& policy) {
-  const std::string_view mark = timing_mark();
+  const std::string_view mark = build_kind();
   if (mark == "sanitised" && plan.budget.row_memory_bytes) {
     throw InputError("budget.row_memory cannot be kept in a sanitised build");
   }

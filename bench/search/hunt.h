@@ -13,7 +13,7 @@ struct HuntOptions {
   /// Where searches start, in turn; not empty. A corpus gives its graphs one after the other, but
   /// for those beyond the algorithm's maximum degree, and then again with permuted labels.
   std::vector<FamilyChoice> families;
-  std::uint64_t n = 40;  ///< wanted number of vertices
+  std::uint64_t n = 40;  ///< requested number of vertices
   std::uint64_t seed = 1;
   std::uint64_t evaluations = 1000;  ///< graphs drawn
   double seconds = 0;                ///< stop after that time even so; 0: no limit

@@ -71,7 +71,7 @@ Drawing changed(const Drawing& drawing, const std::function<Point(Point)>& verte
 }
 
 /// An edge of a triangle bends on the triangle's third vertex instead.
-Drawing plant_wrong_bend(const Graph& graph, const Drawing& drawing, const Guarantee&) {
+Drawing seed_wrong_bend(const Graph& graph, const Drawing& drawing, const Guarantee&) {
   const auto triangle = first_triangle(graph);
   if (!triangle) return drawing;
   const Point wrong = drawing.vertex(triangle->corner);
@@ -86,10 +86,10 @@ Drawing plant_wrong_bend(const Graph& graph, const Drawing& drawing, const Guara
 
 /// Stretched until it leaves the theorem's box: angles, directions and crossings stay right. The
 /// points stay within a few times the bound, so below 2^60 for n <= 10^6.
-Drawing plant_passed_bound(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee) {
+Drawing seed_passed_bound(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee) {
   if (!has_four_cycle(graph)) return drawing;
   if (graph.num_vertices() > 1000000) {
-    throw InputError("this fault is planted in graphs of at most 1000000 vertices only");
+    throw InputError("this fault is seeded in graphs of at most 1000000 vertices only");
   }
   const std::array<std::int64_t, 3> extents = bounding_box(drawing).extents();
   std::int64_t factor = kMaxCoordinate;
@@ -111,10 +111,9 @@ Drawing plant_passed_bound(const Graph& graph, const Drawing& drawing, const Gua
 
 const std::vector<SeededFault>& seeded_faults() {
   static const std::vector<SeededFault> rows = {
-      {"wrong-bend", "an edge of a triangle bends on the triangle's third vertex",
-       plant_wrong_bend},
+      {"wrong-bend", "an edge of a triangle bends on the triangle's third vertex", seed_wrong_bend},
       {"passed-bound", "graphs with a cycle of length 4 are drawn larger than the theorem allows",
-       plant_passed_bound}};
+       seed_passed_bound}};
   return rows;
 }
 

@@ -11,7 +11,7 @@
 namespace ar3d {
 
 /// What is tried on one graph after the other: an algorithm with complete options, and a fault if
-/// one is planted.
+/// one is seeded.
 struct Subject {
   AlgorithmChoice choice;
   const SeededFault* fault = nullptr;

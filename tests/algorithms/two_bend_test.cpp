@@ -90,11 +90,11 @@ TEST(TwoBend, EffortSavesBendsAndVolume) {
   std::array<double, 3> volume{};
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const Graph graph = generate(find_family("random-cubic"), 400, seed);
-    for (const unsigned effort : {0u, 1u, 2u}) {
+    for (const int effort : {0, 1, 2}) {
       expect_certified(graph, {.effort = effort});
       const Price price(two_bend::draw(graph, {.effort = effort}));
-      bends[effort] += price.bends();
-      volume[effort] += price.volume;
+      bends[static_cast<std::size_t>(effort)] += price.bends();
+      volume[static_cast<std::size_t>(effort)] += price.volume;
     }
   }
   EXPECT_LT(bends[1], bends[0] * 9 / 10);

@@ -128,7 +128,7 @@ TEST(Program, FullDiskIsAnErrorNotAShortFile) {
 
 // 27 million cells of a million rows each: refused at the first few, not when all are in memory.
 TEST(Program, AStudyOfTooManyRowsIsRefusedInLittleMemory) {
-  if (std::string(timing_mark()) == "sanitised") GTEST_SKIP() << "needs all address space";
+  if (std::string(build_kind()) == "sanitised") GTEST_SKIP() << "needs all address space";
   std::string jumps = "1";
   for (int k = 2; k <= 3000; ++k) jumps += ", " + std::to_string(k);
   const ScratchDirectory scratch;

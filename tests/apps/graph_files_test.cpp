@@ -181,7 +181,7 @@ TEST_F(GraphFiles, AHuntStartsFromThem) {
 }
 
 TEST_F(GraphFiles, CallgrindCountsTheirDrawings) {
-  if (std::string(timing_mark()) == "sanitised") GTEST_SKIP() << "valgrind cannot run it";
+  if (std::string(build_kind()) == "sanitised") GTEST_SKIP() << "valgrind cannot run it";
   ASSERT_EQ(run(study("run -q --graphs cubic.s6 --sample 2 --algorithm grid -o a.h5")).exit_code,
             0);
   const Outcome counted = run("{} study count " + path("a.h5") + " -o " + path("c.h5"));

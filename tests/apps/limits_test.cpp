@@ -26,7 +26,7 @@ class Limits : public ::testing::Test {
 
 // All processes of the study are stopped for longer than a row may take, and go on.
 TEST_F(Limits, AFrozenStudyHasNoTimeouts) {
-  if (std::string(timing_mark()) == "sanitised") GTEST_SKIP() << "rows are slower";
+  if (std::string(build_kind()) == "sanitised") GTEST_SKIP() << "rows are slower";
   const std::string spec = scratch_.write(
       "t.toml",
       "study = \"t\"\nbudget = { row_time = \"2 s\" }\n[[sweep]]\nfamilies = \"random-cubic\"\n"
@@ -85,7 +85,7 @@ TEST_F(Limits, RowsOfAnUnfinishedStudyAreMadeAgain) {
 }
 
 TEST_F(Limits, HoldForPlanningToo) {
-  if (std::string(timing_mark()) == "sanitised") GTEST_SKIP() << "memory is not limited";
+  if (std::string(build_kind()) == "sanitised") GTEST_SKIP() << "memory is not limited";
   const std::string spec = scratch_.write(
       "huge.toml",
       "study = \"huge\"\nbudget = { row_time = \"3 s\", row_memory = \"64 MB\" }\n[[sweep]]\n"

@@ -88,7 +88,7 @@ TEST(MeasuredStudy, CountedInstructionsHaveNoNoise) {
   ASSERT_EQ(run("{} study run " + scratch.path("s.toml") + " -q -o " + results).exit_code, 0);
   EXPECT_EQ(read_results(results).runs[0].counted_instructions, -1);
   const Outcome first = run("{} study count --max-n 50 " + results);
-  if (std::string(timing_mark()) == "sanitised") {
+  if (std::string(build_kind()) == "sanitised") {
     EXPECT_EQ(first.exit_code, 2);
     EXPECT_THAT(first.err, HasSubstr("sanitised"));
     return;
@@ -105,7 +105,7 @@ TEST(MeasuredStudy, CountedInstructionsHaveNoNoise) {
 
 // As where a batch system allows few processes: an error, not the end by std::terminate.
 TEST(MeasuredStudy, ThreadsThatTheSystemDoesNotStartAreAnError) {
-  if (std::string(timing_mark()) == "sanitised") GTEST_SKIP() << "needs all address space";
+  if (std::string(build_kind()) == "sanitised") GTEST_SKIP() << "needs all address space";
   const ScratchDirectory scratch;
   const std::string spec = scratch.write("s.toml", R"(study = "s"
 [[sweep]]

@@ -143,14 +143,16 @@ INSTANTIATE_TEST_SUITE_P(
                                  "rows 0 and 1 are of different studies"}),
     [](const auto& info) { return std::string(info.param.name); });
 
-struct Planted {
+struct SeededRow {
   const char* name;
   const char* fault;
   const char* algorithm;
 };
-std::ostream& operator<<(std::ostream& out, const Planted& planted) { return out << planted.name; }
+std::ostream& operator<<(std::ostream& out, const SeededRow& planted) {
+  return out << planted.name;
+}
 
-class SeededFaultTest : public ::testing::TestWithParam<Planted> {};
+class SeededFaultTest : public ::testing::TestWithParam<SeededRow> {};
 
 TEST_P(SeededFaultTest, IsHuntedShrunkAndShown) {
   const ScratchDirectory scratch;
@@ -181,12 +183,12 @@ TEST_P(SeededFaultTest, IsHuntedShrunkAndShown) {
 
 INSTANTIATE_TEST_SUITE_P(
     Program, SeededFaultTest,
-    ::testing::Values(Planted{"wrong_drawing_by_diamond", "wrong-bend", "diamond"},
-                      Planted{"wrong_drawing_by_grid", "wrong-bend", "grid"},
-                      Planted{"wrong_drawing_by_two_bend", "wrong-bend", "two-bend"},
-                      Planted{"passed_bound_by_diamond", "passed-bound", "diamond"},
-                      Planted{"passed_bound_by_grid", "passed-bound", "grid"},
-                      Planted{"passed_bound_by_two_bend", "passed-bound", "two-bend"}),
+    ::testing::Values(SeededRow{"wrong_drawing_by_diamond", "wrong-bend", "diamond"},
+                      SeededRow{"wrong_drawing_by_grid", "wrong-bend", "grid"},
+                      SeededRow{"wrong_drawing_by_two_bend", "wrong-bend", "two-bend"},
+                      SeededRow{"passed_bound_by_diamond", "passed-bound", "diamond"},
+                      SeededRow{"passed_bound_by_grid", "passed-bound", "grid"},
+                      SeededRow{"passed_bound_by_two_bend", "passed-bound", "two-bend"}),
     [](const auto& info) { return std::string(info.param.name); });
 
 TEST(HuntProgram, FindsAnExtremeGraphAndShrinkKeepsItSo) {

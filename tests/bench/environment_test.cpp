@@ -30,7 +30,7 @@ TEST(Environment, DescribesMachineBuildAndSource) {
                            "turbo",       "huge_pages",   "virtualised",
                            "memory",      "kernel",       "compiler",
                            "build_type",  "flags",        "invariant_checks",
-                           "timing_mark", "source_hash",  "dirty_hash",
+                           "build_kind",  "source_hash",  "dirty_hash",
                            "openmp",      "threads",      "hardware_counters",
                            "load_before", "library_libc", "library_hdf5"}) {
     EXPECT_TRUE(values.contains(name)) << name;
@@ -39,7 +39,7 @@ TEST(Environment, DescribesMachineBuildAndSource) {
   EXPECT_THAT(values.at("flags"), HasSubstr("-std=c++20"));
   EXPECT_THAT(values.at("library_libc"), MatchesRegex("[0-9]+\\.[0-9]+"));
   EXPECT_EQ(values.at("dirty_hash").size(), source_is_dirty() ? 64u : 4u) << "SHA-256 or none";
-  EXPECT_EQ(values.at("timing_mark"), *timing_mark() == '\0' ? std::string("none") : timing_mark());
+  EXPECT_EQ(values.at("build_kind"), *build_kind() == '\0' ? std::string("none") : build_kind());
 }
 
 TEST(Environment, RecordsOnlyTheVariablesOfTheList) {

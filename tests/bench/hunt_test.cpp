@@ -99,10 +99,10 @@ TEST(Hunt, SwitchingKeepsDegreesAndSimplicity) {
       << "nothing to switch";
 }
 
-class Planted : public ::testing::TestWithParam<std::tuple<const char*, const char*, const char*>> {
-};
+class SeededFaults
+    : public ::testing::TestWithParam<std::tuple<const char*, const char*, const char*>> {};
 
-TEST_P(Planted, IsFoundAndShrunk) {
+TEST_P(SeededFaults, IsFoundAndShrunk) {
   const auto& [algorithm, fault, kind] = GetParam();
   const Subject subject = subject_of(algorithm, fault);
   HuntOptions options = small_hunt(subject, 2000);
@@ -123,19 +123,19 @@ TEST_P(Planted, IsFoundAndShrunk) {
       << "without the fault the drawing is right";
 }
 
-std::string algorithm_of(const ::testing::TestParamInfo<Planted::ParamType>& info) {
+std::string algorithm_of(const ::testing::TestParamInfo<SeededFaults::ParamType>& info) {
   std::string name = std::get<0>(info.param);
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryAlgorithm, Planted,
+INSTANTIATE_TEST_SUITE_P(EveryAlgorithm, SeededFaults,
                          ::testing::Combine(::testing::Values("diamond", "grid", "two-bend",
                                                               "compact"),
                                             ::testing::Values("wrong-bend"), ::testing::Values("")),
                          algorithm_of);
 INSTANTIATE_TEST_SUITE_P(
-    EveryBound, Planted,
+    EveryBound, SeededFaults,
     ::testing::Combine(::testing::Values("diamond", "grid", "two-bend", "compact"),
                        ::testing::Values("passed-bound"), ::testing::Values("size")),
     algorithm_of);

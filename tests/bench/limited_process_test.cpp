@@ -38,7 +38,7 @@ TEST(LimitedProcess, TellsHowAStepEnded) {
   EXPECT_EQ(end_of({}, crashes, value), StepEnd::failed);
   const auto throws = [](int&) { throw std::runtime_error("no"); };
   EXPECT_EQ(end_of({}, throws, value), StepEnd::failed);
-  if (std::string_view(timing_mark()) == "sanitised") return;
+  if (std::string_view(build_kind()) == "sanitised") return;
   const auto large = [](int& to) {
     std::vector<std::vector<char>> pieces;
     for (int i = 0; i < 64; ++i) pieces.emplace_back(std::size_t{16} << 20, 'x');

@@ -10,7 +10,7 @@
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/model/error.h"
 #include "ar3d/records/run_columns.h"
-#include "bench/planted.h"
+#include "bench/seeded.h"
 
 namespace ar3d {
 namespace {
@@ -171,7 +171,7 @@ TEST(MakeRow, PeakMemoryIsTheRowsOwn) {
   EXPECT_EQ(first.peak_scope, "row");
   EXPECT_GE(first.draw_peak_bytes, first.base_bytes + (60 << 20));
   EXPECT_GE(first.peak_bytes, first.draw_peak_bytes);
-  if (std::string(timing_mark()) != "sanitised") {  // AddressSanitizer keeps what is freed
+  if (std::string(build_kind()) != "sanitised") {  // AddressSanitizer keeps what is freed
     EXPECT_LT(second.peak_bytes, second.base_bytes + (16 << 20));
   }
   RowMaker among_others({});

@@ -14,7 +14,7 @@
 #include "ar3d/model/error.h"
 #include "ar3d/records/run_columns.h"
 #include "bench/in_memory.h"
-#include "bench/planted.h"
+#include "bench/seeded.h"
 
 namespace ar3d {
 namespace {
@@ -88,7 +88,7 @@ TEST(TimingPhase, GoesRoundAllDrawingsPinnedAndAlone) {
     EXPECT_EQ(run.concurrency, 1);
     EXPECT_EQ(run.core, allowed_cores().back());
     EXPECT_EQ(run.warm_ups, 1);
-    EXPECT_EQ(run.build_kind, timing_mark());
+    EXPECT_EQ(run.build_kind, build_kind());
     EXPECT_EQ(run.peak_scope, "row");
     EXPECT_EQ(std::isnan(run.certify_s), run.repetition > 0) << "the first one is certified";
     EXPECT_EQ(run.violations, 0);
@@ -189,7 +189,7 @@ TEST(TimingPhase, ABadBuildIsRefusedUnlessForced) {
   const StudyPlan plain = study("sizes = 10\nalgorithms = \"diamond\"\n");
   MakingPolicy policy;
   EXPECT_NO_THROW(require_makeable(plain, policy));
-  if (std::string(timing_mark()).empty()) {
+  if (std::string(build_kind()).empty()) {
     EXPECT_NO_THROW(require_makeable(timed, policy));
   } else {
     EXPECT_THROW(require_makeable(timed, policy), InputError);

@@ -155,7 +155,7 @@ TEST(Plan, LeavesOutFamiliesOfTooLargeDegree) {
   for (const PlannedInstance& instance : plan.instances) {
     const FamilyChoice& choice = instance.choice;
     const Graph graph =
-        generate(*choice.family, instance.wanted_n, instance.seed, choice.parameters);
+        generate(*choice.family, instance.requested_n, instance.seed, choice.parameters);
     for (const PlannedRun& run : instance.runs) {
       EXPECT_LE(graph.max_degree(), run.choice.algorithm->guarantee.max_degree)
           << choice.family->name;

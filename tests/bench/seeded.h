@@ -13,7 +13,7 @@ inline PlannedInstance cycle_of(std::uint64_t n, const std::vector<const Algorit
                                 std::uint32_t repetitions = 1, RunPhase phase = RunPhase::metrics) {
   PlannedInstance instance;
   instance.choice = {&find_family("cycle"), {}};
-  instance.wanted_n = instance.n = n;
+  instance.requested_n = instance.n = n;
   for (const Algorithm* algorithm : algorithms) {
     for (std::uint32_t r = 0; r < repetitions; ++r) {
       PlannedRun run;

@@ -1,4 +1,4 @@
-// One bad row costs one row: planted loops, crashes and allocations in worker processes.
+// One bad row costs one row: seeded loops, crashes and allocations in worker processes.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@
 #include "ar3d/model/error.h"
 #include "ar3d/records/run_columns.h"
 #include "bench/in_memory.h"
-#include "bench/planted.h"
+#include "bench/seeded.h"
 
 namespace ar3d {
 namespace {
@@ -147,7 +147,7 @@ const Algorithm kGreedy = diamond_drawn_by([](const Graph& graph, const Settings
 TEST(Workers, TooMuchMemoryIsOutOfMemory) {
   StudyPlan plan = plan_of(cycle_of(8, {&kGreedy, &kGood}));
   plan.budget.row_memory_bytes = SizeFunction::memory("128 MiB + 1 kB * n");
-  if (std::string(timing_mark()) == "sanitised") {
+  if (std::string(build_kind()) == "sanitised") {
     EXPECT_THROW(require_makeable(plan, {}), InputError);
     return;
   }

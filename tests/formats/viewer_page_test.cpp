@@ -18,7 +18,6 @@
 namespace ar3d {
 namespace {
 
-
 Drawing drawing_of(const char* algorithm, const char* family, std::uint64_t n) {
   return draw(find_algorithm(algorithm), generate(find_family(family), n, 7));
 }

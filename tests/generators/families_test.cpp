@@ -22,7 +22,7 @@ using Degrees = std::map<std::uint32_t, std::uint64_t>;
 /// What is known of one graph of a family. -1: says nothing.
 struct Expectation {
   std::string family;
-  std::uint64_t wanted_n;
+  std::uint64_t requested_n;
   std::uint64_t n;
   std::int64_t m;
   std::int64_t bridges;
@@ -34,8 +34,8 @@ struct Expectation {
 
 constexpr std::int64_t kAny = -1;
 
-// family, wanted n, n, m, bridges, components, vertex connectivity (up to 4), degree -> vertices,
-// parameters
+// family, requested n, n, m, bridges, components, vertex connectivity (up to 4), degree ->
+// vertices, parameters
 // clang-format off
 const std::vector<Expectation> kExpectations = {
     {"edgeless", 1, 1, 0, 0, 1, 0, {{0, 1}}},
@@ -144,7 +144,7 @@ TEST_P(FamilyProperties, HoldForSeveralSeeds) {
   const Expectation& expected = GetParam();
   const Family& family = find_family(expected.family);
   for (std::uint64_t seed = 0; seed < (family.is_random ? 5u : 1u); ++seed) {
-    const Graph graph = generate(family, expected.wanted_n, seed, expected.parameters);
+    const Graph graph = generate(family, expected.requested_n, seed, expected.parameters);
     EXPECT_EQ(graph.num_vertices(), expected.n);
     if (expected.m != kAny) {
       EXPECT_EQ(graph.num_edges(), expected.m);

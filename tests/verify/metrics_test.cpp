@@ -6,12 +6,15 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "ar3d/algorithms/catalog.h"
+#include "ar3d/generators/catalog.h"
 #include "ar3d/verify/closest_pair.h"
 #include "ar3d/verify/examination.h"
 #include "verify/random_drafts.h"
@@ -123,6 +126,39 @@ TEST(Examination, IsItsParts) {
     EXPECT_EQ(all.certificate.box, bounding_box(drawing));
     EXPECT_EQ(all.drawing_hash, drawing_hash(drawing));
     EXPECT_EQ(texts(metric_values(all.summary)), texts(metric_values(measure(drawing))));
+  }
+}
+
+/// Counts how often an edge's bends are read.
+class CountingBends final : public BendSource {
+ public:
+  explicit CountingBends(std::shared_ptr<const BendSource> source) : source_(std::move(source)) {}
+  void append_bends(EdgeId e, Edge ends, Point at_u, Point at_v,
+                    std::vector<Point>& out) const override {
+    ++reads;
+    source_->append_bends(e, ends, at_u, at_v, out);
+  }
+  mutable std::size_t reads = 0;
+
+ private:
+  std::shared_ptr<const BendSource> source_;
+};
+
+/// Certificate, metrics and hash of a right drawing take one pass over its polylines.
+TEST(Examination, ReadsEveryPolylineOnce) {
+  for (const char* name : {"diamond", "grid", "two-bend", "compact", "compact-120"}) {
+    const Algorithm& algorithm = find_algorithm(name);
+    const Graph graph = generate(find_family("random-cubic"), 200, 1);
+    const Drawing drawn = draw(algorithm, graph);
+    const auto bends = std::make_shared<CountingBends>(drawn.shared_bends());
+    Coordinates vertices(drawn.num_vertices(), kMaxCoordinate);
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+      vertices.set(v, drawn.vertex(static_cast<Vertex>(v)));
+    }
+    const Drawing drawing(drawn.algorithm(), drawn.lattice(), std::move(vertices),
+                          drawn.shared_edges(), bends);
+    EXPECT_TRUE(examine(graph, drawing, algorithm.guarantee).certificate.valid()) << name;
+    EXPECT_EQ(bends->reads, drawing.num_edges()) << name;
   }
 }
 
