@@ -9,6 +9,7 @@
 #include <limits>
 #include <string>
 
+#include "ar3d/records/run_columns.h"
 #include "ar3d/records/run_storage.h"
 #include "support/program.h"
 
@@ -119,6 +120,36 @@ TEST(Extremes, ScalesOfRealTypes) {
   expect_refused(real_line("0", "Infinity"), "'Infinity' is no decimal integer");
   expect_refused(real_line("0", "1e999"), "'1e999' is no decimal integer");
   expect_refused(real_line("0", std::string(1001, '9')), "more than 1000 characters");
+}
+
+/// Column of a row as a number; missing if it is not there.
+double number(const RunRecord& row, const char* column) {
+  return column_number(run_column(column), row);
+}
+
+TEST(Extremes, RealTypesOfGraphsOfNoAndFewVertices) {
+  const ScratchDirectory scratch;
+  const std::string toml =
+      scratch.write("few.toml",
+                    "study = \"few\"\naccept_unproved = true\n[[sweep]]\nfamilies = \"all\"\nsizes "
+                    "= [0, 1, 2, 3]\n"
+                    "algorithms = { algorithm = \"two-bend-paper\", type = [0, 1, 2, 3, 4] }\n");
+  const std::string results = scratch.path("few.h5");
+  const Outcome outcome = run(kProgram + " study run " + toml + " -q -o " + results);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  RunReader reader(results);
+  ASSERT_GT(reader.size(), 50u);
+  for (std::size_t i = 0; i < reader.size(); ++i) {
+    const RunRecord row = reader.read(i);
+    SCOPED_TRACE(row.family + " n=" + std::to_string(row.n) + " " + row.options);
+    EXPECT_EQ(row.status, RunStatus::ok) << row.message;
+    EXPECT_EQ(row.certificate, "measured");
+    EXPECT_LT(number(row, "angle_miss"), 2e-3);  // the least Goldberg snark, in float
+    EXPECT_EQ(number(row, "crossings"), 0);
+    EXPECT_EQ(number(row, "collapsed_segments"), 0);
+    EXPECT_TRUE(std::isfinite(row.log2_volume));
+    EXPECT_TRUE(std::isfinite(row.total_edge_length));
+  }
 }
 
 TEST(Extremes, SummariesOfGraphsWithoutPoints) {

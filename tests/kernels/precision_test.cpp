@@ -61,5 +61,45 @@ TEST(PrecisionTables, FarFromTheOriginMissesGrowAsPredicted) {
   EXPECT_THAT(outcome.out, HasSubstr("| double | 1e-06 | 2^26 to 2^27 | 2^27 |"));
 }
 
+// What the filter leaves open over all families: every angle that is exactly as promised.
+TEST(PrecisionTables, CoverEveryFamily) {
+  const Outcome outcome = precision("families -n 60");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* row : {"| `diamond` | `random-4-regular` | 60 |", "| `grid` | `prism` | 60 |",
+                          "| `two-bend` | `nested-triangles`", "| `compact` | `union-k5` |"}) {
+    const bool is_degree_4 = std::string(row).find("nested") != std::string::npos;
+    EXPECT_EQ(outcome.out.find(row) != std::string::npos, !is_degree_4) << row;
+  }
+  EXPECT_THAT(outcome.out, ContainsRegex("`diamond` \\| [0-9]+ \\| 100 %, every family"));
+  EXPECT_EQ(precision("families -n 60").out, outcome.out) << "a function of the command";
+}
+
+// Seen onsets lie in the predicted band, or a level or two beside it.
+TEST(PrecisionTables, NestsMissFromTheDepthThatTheConditionPredicts) {
+  const Outcome outcome = precision("nests --depth 12");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("| hexagons in K4 | float | 0.01 |"));
+  EXPECT_THAT(outcome.out, HasSubstr("| heptagons in C5 | double | broken |  | > 12 |"));
+}
+
+TEST(PrecisionTables, MapsOfWrongSigns) {
+  const testing::ScratchDirectory scratch;
+  const std::string picture = scratch.path("signs.svg");
+  const Outcome outcome = precision("signs --picture " + picture);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("| double | as drawn, steps of 1 | 0 (< "));
+  EXPECT_THAT(outcome.out, ContainsRegex("\\| float \\| as drawn, steps of 1 \\| [0-9.e-]+ % "));
+  EXPECT_THAT(testing::read_file(picture), HasSubstr("fill='#000'"));
+  EXPECT_EQ(precision("signs --picture " + picture).exit_code, 2) << "it exists";
+}
+
+TEST(PrecisionTables, PositionsTakeTheBytesOfTheirWidth) {
+  const Outcome outcome = precision("positions --most 1800");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("| 1800 | int16 | 6 | "));
+  EXPECT_THAT(outcome.out, HasSubstr("| 1800 | int32 | 12 | "));
+  EXPECT_THAT(outcome.out, HasSubstr("| 1800 | int64 | 24 | "));
+}
+
 }  // namespace
 }  // namespace ar3d

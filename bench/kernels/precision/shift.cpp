@@ -12,6 +12,7 @@
 #include "ar3d/generators/catalog.h"
 #include "ar3d/model/real_points.h"
 #include "ar3d/verify/assessment/real_assessment.h"
+#include "real_types.h"
 #include "tables.h"
 
 namespace ar3d::precision {
@@ -20,17 +21,7 @@ namespace {
 using boost::multiprecision::abs;
 using boost::multiprecision::msb;
 
-struct Type {
-  const char* name;
-  int bits;
-};
-constexpr std::array<Type, 3> kTypes = {{{"float", 24}, {"double", 53}, {"long double", 64}}};
 constexpr int kLargestShift = 60;
-
-/// Over the study `precision` a miss is kappa 2^-p C radians: half of all kappas are above the
-/// first, nine in ten below the second (docs/precision.md).
-constexpr double kMedianKappa = 0.15, kHighKappa = 0.53;
-constexpr double kDegrees = 57.29577951308232;
 
 /// To so many significant bits, to the nearest, halves away from 0.
 BigInteger rounded(const BigInteger& value, int bits) {
@@ -67,12 +58,8 @@ RealPoints in_bits(const RealPoints& points, int bits) {
 
 struct Seen {
   double condition = 0;
-  std::array<RealAssessment, kTypes.size()> found;
+  std::array<RealAssessment, kMeasuredTypes.size()> found;
 };
-
-double predicted_miss(const Seen& seen, const Type& type, double kappa) {
-  return kappa * kDegrees * std::ldexp(seen.condition, -type.bits);
-}
 
 /// The least shift at which value(seen) passes the limit.
 template <class Value>
@@ -93,8 +80,8 @@ void shift_tables() {
     const RealPoints moved = shifted(drawing, j);
     Seen seen;
     seen.condition = assess(graph, moved).condition;
-    for (std::size_t t = 0; t < kTypes.size(); ++t) {
-      seen.found[t] = assess(graph, in_bits(moved, kTypes[t].bits));
+    for (std::size_t t = 0; t < kMeasuredTypes.size(); ++t) {
+      seen.found[t] = assess(graph, in_bits(moved, kMeasuredTypes[t].bits));
     }
     all.push_back(std::move(seen));
   }
@@ -102,25 +89,26 @@ void shift_tables() {
   for (std::size_t j = 0; j < all.size(); j += 5) {
     std::vector<std::string> row{fmt::format("2^{}", j),
                                  fmt::format("{:.1f}", std::log2(all[j].condition))};
-    for (std::size_t t = 0; t < kTypes.size(); ++t) {
+    for (std::size_t t = 0; t < kMeasuredTypes.size(); ++t) {
       const RealAssessment& found = all[j].found[t];
       row.push_back(
           fmt::format("{:.2g}{}", found.largest_miss, found.is_broken() ? " broken" : ""));
     }
     misses.push_back(std::move(row));
   }
-  for (std::size_t t = 0; t < kTypes.size(); ++t) {
+  for (std::size_t t = 0; t < kMeasuredTypes.size(); ++t) {
     for (const double limit : {1e-9, 1e-6, 1e-2, 1.0}) {
       const auto predicted = [&](double kappa) {
-        return first_beyond(all, limit,
-                            [&](const Seen& s) { return predicted_miss(s, kTypes[t], kappa); });
+        return first_beyond(all, limit, [&](const Seen& s) {
+          return predicted_miss(s.condition, kMeasuredTypes[t].bits, kappa);
+        });
       };
       onsets.push_back(
-          {kTypes[t].name, fmt::format("{:g}", limit),
+          {kMeasuredTypes[t].name, fmt::format("{:g}", limit),
            fmt::format("{} to {}", predicted(kHighKappa), predicted(kMedianKappa)),
            first_beyond(all, limit, [&](const Seen& s) { return s.found[t].largest_miss; })});
     }
-    onsets.push_back({kTypes[t].name, "broken", "",
+    onsets.push_back({kMeasuredTypes[t].name, "broken", "",
                       first_beyond(all, 0, [&](const Seen& s) { return s.found[t].is_broken(); })});
   }
   fmt::print(

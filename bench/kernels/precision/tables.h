@@ -27,6 +27,22 @@ void shift_tables();
 /// Bits that coordinates and predicates need, by the theorem's bound and by drawings.
 void width_tables();
 
+/// Positions in each width: bytes, and times of reading and certifying. @param most  vertices.
+void position_table(std::uint64_t most);
+
+/// Filter failures and wrong answers over every family of about n vertices.
+void family_tables(std::uint64_t n);
+
+/// Time against wrong answers of the predicates in each arithmetic.
+void front_table();
+
+/// From which depth on nests of two-bend-paper miss, predicted and seen. @param most  depth.
+void nest_table(int most);
+
+/// Where rounding gives the wrong sign. @param picture  a new SVG file; empty: none.
+/// @throws InputError if it exists or cannot be written.
+void sign_tables(const std::string& picture);
+
 /// Wrong answers of the predicates in each arithmetic.
 void predicate_tables();
 
