@@ -1,8 +1,8 @@
 // Theorem 2, component by component: Steps 2.1 to 2.11 of docs/theorem2.md in their order. Not the
 // paper's construction (contract triangles, seek chordless cycles), which has no grid and no volume
-// bound: slabs along an st-order keep all coordinates polynomial. The result of the ordinary
-// rounds is compared with a box and, where it breaks it, replaced by the layout whose box is
-// proved.
+// bound: slabs along an st-order keep all coordinates polynomial. The result of the ordinary rounds
+// is compared with a box and, where it breaks it, replaced by the layout whose box is proved. Cost:
+// O(n) but for greatest common divisors.
 #include "ar3d/algorithms/two_bend/two_bend.h"
 
 #include <algorithm>
@@ -206,7 +206,8 @@ Algorithm two_bend::row() {
   guarantee.bound = {"proved here", "docs/theorem2.md", two_bend::kBox};
   return {
       "two-bend",
-      "at most two bends per edge, angles of at least 120 degrees, in volume O(n) x O(n) x O(n^2)",
+      "degree at most 3, at most 2 bends per edge, angles of at least 120 degrees, in a box of "
+      "O(n) x O(n) x O(n^2)",
       "Theorem 2",
       guarantee,
       {effort_option(two_bend::kHighestEffort,

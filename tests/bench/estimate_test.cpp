@@ -64,7 +64,7 @@ TEST(Estimate, GrowsWithNFromSmallRuns) {
   EXPECT_GE(made.cells[1].row_s, 999 * made.cells[0].row_s);
   EXPECT_LE(made.cells[1].row_s, 1e8 * made.cells[0].row_s);
   if (std::string(build_kind()) != "sanitised") {
-    EXPECT_GT(made.cells[1].row_bytes, 5e7) << "at least 50 bytes a vertex";
+    EXPECT_GT(made.cells[1].row_bytes, 5e7) << "at least 50 bytes per vertex";
     EXPECT_LT(made.cells[1].row_bytes, 2e10);
   }
   EXPECT_DOUBLE_EQ(made.largest_row_bytes, made.cells[1].row_bytes);

@@ -57,7 +57,7 @@ TEST(MakeRow, FillsARow) {
 TEST(MakeRow, TellsTheTheoremsAndThePublishedBound) {
   const ar3d::RunRecord grid = rows_of(cycle_of(12, {&find_algorithm("grid")}))[0];
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    EXPECT_EQ(grid.published_bound[axis], 12 * 12 * 12) << "the paper: O(n^3) a side";
+    EXPECT_EQ(grid.published_bound[axis], 12 * 12 * 12) << "the paper: O(n^3) per side";
     EXPECT_EQ(grid.theorem_bound[axis], 5600 * 12 + 3700);
   }
   const ar3d::RunRecord two_bend = rows_of(cycle_of(12, {&find_algorithm("two-bend")}))[0];

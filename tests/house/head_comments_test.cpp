@@ -1,0 +1,50 @@
+// Each stage of an algorithm opens with two to six lines: which step of which proof, and what it
+// costs (CONTRIBUTING.md, "Rules of the house").
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <sstream>
+
+#include "support/references.h"
+
+namespace ar3d::testing {
+namespace {
+
+/// What the lines that a source begins with lack; "" if nothing.
+std::string lacks_in_head(const std::string& source) {
+  static const std::regex step("\\b(Step|Lemma|Rule|Theorem)s?\\s+[0-9A-Z]");
+  static const std::regex cost("\\bO\\(|\\bCost:");
+  std::istringstream lines(source);
+  std::string head;
+  int count = 0;
+  for (std::string line; std::getline(lines, line) && line.starts_with("//"); ++count) {
+    head += line.substr(2);
+  }
+  if (count < 2 || count > 6) return "two to six lines of comment";
+  if (!std::regex_search(head, step)) return "a step, lemma, rule or theorem";
+  return std::regex_search(head, cost) ? "" : "its cost";
+}
+
+TEST(HeadComments, OfEveryStageNameItsStepAndItsCost) {
+  static const std::regex stage("algorithms/\\w+/\\w+\\.cpp");
+  int stages = 0;
+  for (const auto& [path, text] : read_tree(AR3D_SOURCE_DIR).files) {
+    if (!std::regex_match(path, stage)) continue;
+    ++stages;
+    EXPECT_EQ(lacks_in_head(text), "") << path;
+  }
+  EXPECT_GT(stages, 60);
+}
+
+TEST(HeadComments, LackWhatIsNotThere) {
+  EXPECT_EQ(lacks_in_head("// Step 3.1: orders.\n// Cost: O(n).\nint n;\n"), "");
+  EXPECT_EQ(lacks_in_head("// Steps 3.1 and\n// 3.2. O(n).\nint n;\n"), "");
+  EXPECT_EQ(lacks_in_head("int n;\n"), "two to six lines of comment");
+  EXPECT_EQ(lacks_in_head("// Step 3.1. O(n).\nint n;\n"), "two to six lines of comment");
+  EXPECT_EQ(lacks_in_head("// Orders.\n// O(n).\nint n;  // Step 3.1\n"),
+            "a step, lemma, rule or theorem");
+  EXPECT_EQ(lacks_in_head("// Step 3.1:\n// orders.\nint n;  // O(n)\n"), "its cost");
+}
+
+}  // namespace
+}  // namespace ar3d::testing
