@@ -7,10 +7,10 @@
 #include <limits>
 #include <pugixml.hpp>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "ar3d/formats/graphs/node_ids.h"
 #include "ar3d/formats/graphs/simplify.h"
 #include "ar3d/formats/text/numbers_text.h"
 #include "ar3d/model/error.h"
@@ -88,7 +88,7 @@ class GraphmlParser final : public GraphParser {
     if (kind != "undirected") {
       fail(graph, fmt::format("edgedefault is {}: only undirected graphs are read", shown(kind)));
     }
-    Ids ids;
+    NodeIds ids;
     for (const pugi::xml_node element : graph.children()) read_node(element, ids);
     std::vector<Edge> edges;
     for (const pugi::xml_node element : graph.children()) {
@@ -106,9 +106,7 @@ class GraphmlParser final : public GraphParser {
     }
   }
 
-  using Ids = std::unordered_map<std::string_view, Vertex>;  // the texts lie in the document
-
-  void read_node(pugi::xml_node element, Ids& ids) const {
+  void read_node(pugi::xml_node element, NodeIds& ids) const {
     const std::string_view name = local_name(element);
     if (name == "hyperedge") fail(element, "hyperedges are not read");
     if (name != "node" && name != "edge") return;
@@ -118,24 +116,24 @@ class GraphmlParser final : public GraphParser {
     if (name == "edge") return;
     const pugi::xml_attribute id = element.attribute("id");
     if (!id) fail(element, "a node without an id");
-    if (!ids.emplace(id.value(), static_cast<Vertex>(ids.size())).second) {
+    if (!ids.add(id.value())) {  // its text lies in the document
       fail(element, fmt::format("node {} stands twice", shown(id.value())));
     }
   }
 
-  Edge read_edge(pugi::xml_node element, const Ids& ids) const {
+  Edge read_edge(pugi::xml_node element, const NodeIds& ids) const {
     const std::string_view directed = element.attribute("directed").value();
     if (directed == "true" || directed == "1") fail(element, "directed edges are not read");
     return {end_of(element, "source", ids), end_of(element, "target", ids)};
   }
-  Vertex end_of(pugi::xml_node element, const char* which, const Ids& ids) const {
+  Vertex end_of(pugi::xml_node element, const char* which, const NodeIds& ids) const {
     const pugi::xml_attribute end = element.attribute(which);
     if (!end) fail(element, fmt::format("an edge without a {}", which));
-    const auto found = ids.find(end.value());
-    if (found == ids.end()) {
+    const std::optional<Vertex> found = ids.find(end.value());
+    if (!found) {
       fail(element, fmt::format("{} {} is no node of this graph", which, shown(end.value())));
     }
-    return found->second;
+    return *found;
   }
 
   [[noreturn]] void fail(pugi::xml_node element, const std::string& problem) const {

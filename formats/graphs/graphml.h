@@ -4,7 +4,7 @@
 
 namespace ar3d {
 
-/// GraphML through Boost.Graph: vertices are numbered in the order of their <node> elements; a file
+/// GraphML, parsed by pugixml: vertices are numbered in the order of their <node> elements; a file
 /// may hold several <graph> elements. Attributes are read over. The whole file is held in memory
 /// while it is read.
 GraphFormat graphml_format();
