@@ -7,12 +7,12 @@
 
 namespace ar3d {
 
-/// Reads items one after the other, works on many of them at once (as many as OpenMP has threads)
-/// and hands the results on in input order. A batch ends when its weight (vertices plus edges)
-/// passes kBatchWeight, so memory stays bounded whatever the input. `next()` gives
-/// std::optional<Item>; `weight(item)`; `work(item)` gives a Result and may run on any thread;
-/// `emit(result)` runs on the calling thread. The first exception of work is thrown again in input
-/// order.
+/// Reads items one after the other, works on many of them at once (OpenMP; --threads of the verb),
+/// or on a single large one with all threads, and hands the results on in input order. A batch ends
+/// when its weight (vertices plus edges) passes kBatchWeight, so memory stays bounded whatever the
+/// input. `next()` gives std::optional<Item>; `weight(item)`; `work(item)` gives a Result and may
+/// run on any thread; `emit(result)` runs on the calling thread. The first exception of work is
+/// thrown again in input order.
 inline constexpr std::uint64_t kBatchWeight = std::uint64_t{1} << 20;
 
 template <class Item, class Next, class Weight, class Work, class Emit>
@@ -39,7 +39,7 @@ void in_batches(Next&& next, Weight&& weight, Work&& work, Emit&& emit) {
     }
     std::vector<std::optional<Result>> results(items.size());
     std::vector<std::exception_ptr> errors(items.size());
-#pragma omp parallel for schedule(dynamic, 1)
+#pragma omp parallel for schedule(dynamic, 1) if (items.size() > 1)
     for (std::size_t i = 0; i < items.size(); ++i) {
       try {
         results[i] = work(items[i]);

@@ -23,6 +23,7 @@
 #include "graph_input.h"
 #include "numbers.h"
 #include "outputs.h"
+#include "threads_option.h"
 #include "words.h"
 
 namespace ar3d {
@@ -252,6 +253,7 @@ void add_draw(CLI::App& app, int& exit_code) {
                    "auto, or a width that drawings have to fit, else their line is an error: "
                    "proved=int16, int32, int64 by the theorem's bound, checked=int16, ... by their "
                    "own box");
+  add_threads_option(*verb);
   PictureView& view = arguments->picture.view;
   verb->add_option("--turn", view.turn_degrees, "svg, tikz: turn about the z axis, degrees")
       ->check(finite_number(false));

@@ -19,6 +19,7 @@
 #include "batches.h"
 #include "commands.h"
 #include "graph_input.h"
+#include "threads_option.h"
 #include "words.h"
 
 namespace ar3d {
@@ -198,6 +199,7 @@ void add_verify(CLI::App& app, int& exit_code) {
                    "exact, filtered, double, sample=K or none: only exact proves; what another "
                    "does not accept is judged exactly")
       ->excludes(test);
+  add_threads_option(*verb);
   verb->add_flag("-q,--quiet", arguments->quiet, "only the summary");
   verb->footer(
       "Exit code 4 if a drawing is violated, 5 if a graph was not drawn, a drawing is of an "

@@ -40,6 +40,10 @@ class Coordinates {
     const auto& p = std::get<Narrowest>(points_)[i];
     return {p[0], p[1], p[2]};
   }
+  /// Asks for point i to be read into the cache.
+  void prefetch(std::size_t i) const {
+    std::visit([i](const auto& points) { __builtin_prefetch(points.data() + i); }, points_);
+  }
   /// @throws InternalError if a coordinate passes the bound given at construction.
   void set(std::size_t i, Point p);
 
@@ -116,7 +120,7 @@ class Drawing {
   void polyline(EdgeId e, std::vector<Point>& out) const;
 
   template <class Visit>
-  friend void for_each_polyline(const Drawing& drawing, Visit&& visit);
+  friend void for_each_polyline(const Drawing& drawing, EdgeId begin, EdgeId end, Visit&& visit);
 
   /// The run's own numbers, and the box that the construction's proof promises for this very
   /// instance.
@@ -135,13 +139,14 @@ class Drawing {
   std::shared_ptr<const BendSource> bends_;
 };
 
-/// Calls visit(e, points) for the polyline of every edge in order of edge numbers; `points` is a
-/// const std::vector<Point>&, valid during the call. Vertices have no order in memory, so reading
-/// the ends of an edge waits for two cache misses: the ends of a block of edges are read together
-/// before its polylines are made, and the misses overlap. O(m + bends) time, O(1) memory.
+/// Calls visit(e, points) for the polylines of the edges begin, ..., end - 1 in this order;
+/// `points` is a const std::vector<Point>&, valid during the call. Vertices have no order in
+/// memory, so reading the ends of an edge waits for two cache misses: those of the next block of
+/// edges are asked for before the polylines of this one are made. O(edges + bends) time, O(1)
+/// memory.
 template <class Visit>
-void for_each_polyline(const Drawing& drawing, Visit&& visit) {
-  constexpr EdgeId kBlock = 32;  // 8, 32 and 128 take the same time
+void for_each_polyline(const Drawing& drawing, EdgeId begin, EdgeId end, Visit&& visit) {
+  static constexpr EdgeId kBlock = 32;  // 8, 32 and 128 take the same time
   struct Placed {
     Edge ends;
     Point at_u;
@@ -149,18 +154,34 @@ void for_each_polyline(const Drawing& drawing, Visit&& visit) {
   };
   std::array<Placed, kBlock> block;
   std::vector<Point> points;
-  for (EdgeId first = 0, count = 0; first < drawing.num_edges(); first += count) {
-    count = std::min(kBlock, drawing.num_edges() - first);
+  const auto count_from = [end](EdgeId first) { return std::min<EdgeId>(kBlock, end - first); };
+  const auto prefetch = [&](EdgeId first) {
+    for (EdgeId i = 0; i < count_from(first); ++i) {
+      const Edge ends = drawing.edge(first + i);
+      drawing.vertices_.prefetch(ends.u);
+      drawing.vertices_.prefetch(ends.v);
+    }
+  };
+  if (begin < end) prefetch(begin);
+  for (EdgeId first = begin, count = 0; first < end; first += count) {
+    count = count_from(first);
     for (EdgeId i = 0; i < count; ++i) {
       const Edge ends = drawing.edge(first + i);
       block[i] = {ends, drawing.vertex(ends.u), drawing.vertex(ends.v)};
     }
+    prefetch(first + count);
     for (EdgeId i = 0; i < count; ++i) {
       const Placed& placed = block[i];
       drawing.polyline_between(first + i, placed.ends, placed.at_u, placed.at_v, points);
       visit(first + i, std::as_const(points));
     }
   }
+}
+
+/// The polylines of all edges in order of edge numbers.
+template <class Visit>
+void for_each_polyline(const Drawing& drawing, Visit&& visit) {
+  for_each_polyline(drawing, 0, drawing.num_edges(), visit);
 }
 
 /// A box that grows: of the points added so far.

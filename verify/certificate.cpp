@@ -9,14 +9,12 @@
 #include "ar3d/verify/assessment/examine_real.h"
 #include "ar3d/verify/checks.h"
 #include "ar3d/verify/contacts.h"
-#include "ar3d/verify/counting/column_proof.h"
-#include "ar3d/verify/counting/counting_proof.h"
 #include "ar3d/verify/crossings.h"
 #include "ar3d/verify/examination.h"
+#include "ar3d/verify/examination_pass.h"
 #include "ar3d/verify/findings.h"
 #include "ar3d/verify/modes/mode_verdict.h"
 #include "ar3d/verify/segments.h"
-#include "ar3d/verify/summary_pass.h"
 
 namespace ar3d {
 namespace {
@@ -179,29 +177,10 @@ Examination examine(const Graph& graph, const Drawing& drawing, const Guarantee&
                     const ExaminationParts& parts, const CertifyOptions& options) {
   if (drawing.real) return verify::examine_real(graph, drawing, guarantee, parts, options);
   Examination result;
-  verify::SummaryPass summary(drawing, parts.metrics);
-  std::optional<DrawingHash> hash;
-  if (parts.hash) hash.emplace(drawing);
-  std::optional<verify::CountingProof> by_planes;
-  std::optional<verify::ColumnProof> by_columns;
-  if (parts.certificate && options.crossing_test == CrossingTest::automatic &&
-      options.mode.is_exact()) {
-    if (guarantee.directions.empty()) {
-      by_columns.emplace(graph, drawing, guarantee);
-    } else {
-      verify::CountingSizes sizes;
-      sizes.memory = options.proof_bytes;
-      by_planes.emplace(graph, drawing, guarantee, sizes);
-    }
-  }
-  for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {
-    summary.add(points);
-    if (hash) hash->add(drawing.edge(e), points);
-    if (by_planes) by_planes->add(drawing.edge(e), points);
-    if (by_columns) by_columns->add(drawing.edge(e), points);
-  });
-  result.summary = summary.finish();
-  if (hash) result.drawing_hash = hash->digest();
+  verify::ExaminationPass pass(graph, drawing, guarantee, parts, options);
+  pass.run();
+  result.summary = pass.summary();
+  result.drawing_hash = pass.take_hash();
   if (!parts.certificate) return result;
   if (!options.mode.is_exact()) {
     auto by_mode = certificate_by_mode(graph, drawing, guarantee, options, result.summary);
@@ -210,10 +189,8 @@ Examination examine(const Graph& graph, const Drawing& drawing, const Guarantee&
     return result;
   }
   const bool proved =
-      keeps_places(graph, drawing, guarantee, options, result.summary) &&
-      ((by_planes && by_planes->holds(result.summary)) || (by_columns && by_columns->holds()));
-  by_planes.reset();  // their memory
-  by_columns.reset();
+      keeps_places(graph, drawing, guarantee, options, result.summary) && pass.proof_holds();
+  pass.drop_proof();
   result.certificate = proved ? valid_certificate(result.summary)
                               : certify_in_full(graph, drawing, guarantee, options, result.summary);
   return result;

@@ -28,6 +28,18 @@ void SummaryPass::add(const std::vector<Point>& points) {
   if (lengths_ && in_range()) add_lengths(points);  // else differences might not fit
 }
 
+void SummaryPass::absorb(const SummaryPass& other) {
+  const auto& theirs = other.summary_.bend_histogram;
+  auto& ours = summary_.bend_histogram;
+  if (ours.size() < theirs.size()) ours.resize(theirs.size());
+  for (std::size_t bends = 0; bends < theirs.size(); ++bends) ours[bends] += theirs[bends];
+  summary_.segments += other.summary_.segments;
+  summary_.repeated_points += other.summary_.repeated_points;
+  if (drawing_.num_vertices() == 0) return;
+  box_.add(other.box_.low());
+  box_.add(other.box_.high());
+}
+
 void SummaryPass::add_lengths(const std::vector<Point>& points) {
   double length = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {

@@ -14,6 +14,8 @@ class SummaryPass {
   SummaryPass(const Drawing& drawing, bool lengths);
   /// Takes the polyline of the next edge, in order of edge numbers: sums of doubles depend on it.
   void add(const std::vector<Point>& points);
+  /// Takes what another pass over the same drawing has of other edges. @pre lengths are not wanted.
+  void absorb(const SummaryPass& other);
   /// After the last edge. Finds the closest vertices, if lengths are wanted.
   /// @throws InputError if they are and the drawing's Gram matrix is not positive definite.
   DrawingSummary finish();

@@ -4,16 +4,19 @@
 #include "ar3d/verify/counting/counting_proof.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdlib>
+#include <span>
 
 #include "ar3d/verify/checks.h"
 #include "ar3d/verify/exact.h"
+#include "ar3d/verify/share_among_threads.h"
 
 namespace ar3d::verify {
 namespace {
 
 constexpr std::int64_t kFar = std::int64_t{1} << 30;
-constexpr std::uint64_t kMostWindows = 64;  // each costs a pass over all polylines
+constexpr std::uint64_t kMostWindows = 64;
 
 bool is_near(Point p) {
   const auto shifted = [](std::int64_t c) { return static_cast<std::uint64_t>(c) + kFar; };
@@ -28,11 +31,10 @@ std::int64_t largest_coordinate(const Box& box) {
   return largest;
 }
 
-constexpr std::uint64_t kSegmentBytes = sizeof(PlacedSegment) + sizeof(PlaneRecord);
-
-/// A polyline has four segments or fewer where the limit matters.
+/// 20 bytes for each of six segments of a polyline and more.
 bool has_room_for_all(const Drawing& drawing, const CountingSizes& sizes) {
-  return sizes.memory == 0 || 4 * kSegmentBytes * drawing.num_edges() <= sizes.memory;
+  constexpr std::uint64_t kEdgeBytes = 128;
+  return sizes.memory == 0 || kEdgeBytes * drawing.num_edges() <= sizes.memory;
 }
 
 PlacedSegment placed(Point low, std::int32_t steps) {
@@ -48,46 +50,81 @@ CountingProof::CountingProof(const Graph& graph, const Drawing& drawing, const G
       drawing_(drawing),
       guarantee_(guarantee),
       sizes_(sizes),
-      keeps_segments_(has_room_for_all(drawing, sizes)) {
+      keeps_segments_(has_room_for_all(drawing, sizes)),
+      shares_(static_cast<std::size_t>(std::max(sizes.threads, 1))) {
   possible_ =
       graph.num_vertices() == drawing.num_vertices() && graph.num_edges() == drawing.num_edges();
+  for (Share& share : shares_) {
+    share.possible = possible_;
+    for (const Vector d : guarantee.directions) share.directions.find(d);
+  }
   if (possible_) stars_.resize(drawing.num_vertices());
 }
 
-bool CountingProof::take_edge(Edge ends, const std::vector<Point>& points) {
+/// A direction that is not allowed is not known. If all are, they are numbered as they come, else
+/// all threads number them alike.
+SignedDirections::Found CountingProof::find(Share& share, Vector d) const {
+  return guarantee_.directions.empty() ? share.directions.find(d) : share.directions.known(d);
+}
+
+bool CountingProof::take_edge(Share& share, Edge ends, const std::vector<Point>& points) {
   if (!is_near(points[0])) return false;
   std::uint8_t before = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {
     if (!is_near(points[i]) || points[i] == points[i - 1]) return false;
-    const auto found = directions_.find(points[i] - points[i - 1]);
+    const auto found = find(share, points[i] - points[i - 1]);
     if (!found.known) return false;
     const bool reversed = found.id % 2 != 0;
-    ++numbers_[found.id / 2];
+    ++share.numbers[found.id / 2];
     if (keeps_segments_) {
-      segments_[found.id / 2].add(placed(points[reversed ? i : i - 1], found.steps));
+      share.segments[found.id / 2].add(placed(points[reversed ? i : i - 1], found.steps));
     }
     if (i == 1) {
-      if (!leave(ends.u, found.id)) return false;
-    } else if (!take_neighbours(before ^ 1u, found.id)) {
+      if (!leave(share, ends.u, found.id)) return false;
+    } else if (!take_neighbours(share, before ^ 1u, found.id)) {
       return false;
     }
     before = found.id;
   }
-  return leave(ends.v, before ^ 1u);
+  return leave(share, ends.v, before ^ 1u);
+}
+
+/// The vertices have no order in memory: what is written to them waits until it is in the cache.
+bool CountingProof::leave(Share& share, Vertex v, std::uint8_t id) {
+  __builtin_prefetch(&stars_[v], 1);
+  share.leaving[share.left++] = {v, id};
+  return share.left < share.leaving.size() || leave_all(share);
+}
+
+bool CountingProof::leave_all(Share& share) {
+  bool possible = true;
+  for (std::size_t i = 0; i < share.left; ++i) {
+    possible &= take_leaving(share.leaving[i].v, share.leaving[i].id);
+  }
+  share.left = 0;
+  return possible;
 }
 
 /// False if it is the fifth.
-bool CountingProof::leave(Vertex v, std::uint8_t id) {
-  if (stars_[v] >> 24 != 0) return false;
-  stars_[v] = stars_[v] << 8 | (id + 1u);
+bool CountingProof::take_leaving(Vertex v, std::uint8_t id) {
+  if (shares_.size() == 1) {
+    if (stars_[v] >> 24 != 0) return false;
+    stars_[v] = stars_[v] << 8 | (id + 1u);
+    return true;
+  }
+  const std::atomic_ref<std::uint32_t> star(stars_[v]);
+  std::uint32_t old = star.load(std::memory_order_relaxed);
+  do {
+    if (old >> 24 != 0) return false;
+  } while (!star.compare_exchange_weak(old, old << 8 | (id + 1u), std::memory_order_relaxed));
   return true;
 }
 
-bool CountingProof::right_angle(std::size_t id, std::size_t other) {
-  Angle& angle = angles_[id][other];
+bool CountingProof::right_angle(Share& share, std::size_t id, std::size_t other) const {
+  Angle& angle = share.angles[id][other];
   if (angle == Angle::unknown) {
-    const auto order = compare_cosine(guarantee_.lattice, directions_.of_id(id),
-                                      directions_.of_id(other), guarantee_.cosine);
+    const auto order = compare_cosine(guarantee_.lattice, share.directions.of_id(id),
+                                      share.directions.of_id(other), guarantee_.cosine);
     const bool right = guarantee_.angle_rule == AngleRule::exactly ? order == 0 : order <= 0;
     angle = right ? Angle::right : Angle::wrong;
   }
@@ -95,17 +132,17 @@ bool CountingProof::right_angle(std::size_t id, std::size_t other) {
 }
 
 /// Two segments that leave their common end in these directions.
-bool CountingProof::take_neighbours(std::size_t id, std::size_t other) {
+bool CountingProof::take_neighbours(Share& share, std::size_t id, std::size_t other) const {
   const bool is_parallel = id / 2 == other / 2;
-  counts_.touching_neighbours += is_parallel;
-  counts_.crossing_neighbours += !is_parallel;
-  return right_angle(id, other);
+  share.touching_neighbours += is_parallel;
+  share.crossing_neighbours += !is_parallel;
+  return right_angle(share, id, other);
 }
 
 bool CountingProof::take_star(std::uint32_t star) {
   for (; star != 0; star >>= 8) {
     for (std::uint32_t rest = star >> 8; rest != 0; rest >>= 8) {
-      if (!take_neighbours((star & 255) - 1, (rest & 255) - 1)) return false;
+      if (!take_neighbours(shares_[0], (star & 255) - 1, (rest & 255) - 1)) return false;
     }
   }
   return true;
@@ -114,13 +151,14 @@ bool CountingProof::take_star(std::uint32_t star) {
 /// Angles and neighbours at the vertices. A vertex without edges becomes a segment of length zero:
 /// it is counted as a meeting wherever it touches anything, and is nobody's neighbour.
 bool CountingProof::take_vertices() {
+  Share& share = shares_[0];
   for (std::size_t i = 0; i < stars_.size(); ++i) {
     const Point p = drawing_.vertex(static_cast<Vertex>(i));
     if (guarantee_.vertices_in_plane && p.z != 0) return false;
     if (stars_[i] == 0) {
       if (!is_near(p)) return false;
-      ++numbers_[0];
-      if (keeps_segments_) segments_[0].add(placed(p, 0));
+      ++share.numbers[0];
+      if (keeps_segments_) share.segments[0].add(placed(p, 0));
     } else if (!take_star(stars_[i])) {
       return false;
     }
@@ -128,80 +166,153 @@ bool CountingProof::take_vertices() {
   return true;
 }
 
-bool CountingProof::allowed_directions() const {
-  const auto& allowed = guarantee_.directions;
-  if (allowed.empty()) return true;
-  for (std::size_t i = 0; i < directions_.indices(); ++i) {
-    const Vector d = directions_[i];
-    if (std::none_of(allowed.begin(), allowed.end(), [&](Vector a) { return parallel(d, a); })) {
-      return false;
+/// Could all edges be taken? Then their neighbours are counted.
+bool CountingProof::collect_shares() {
+  for (const Share& share : shares_) {
+    counts_.crossing_neighbours += share.crossing_neighbours;
+    counts_.touching_neighbours += share.touching_neighbours;
+  }
+  return std::all_of(shares_.begin(), shares_.end(), [](const Share& s) { return s.possible; });
+}
+
+std::uint64_t CountingProof::number(std::size_t direction) const {
+  std::uint64_t sum = 0;
+  for (const Share& share : shares_) sum += share.numbers[direction];
+  return sum;
+}
+
+/// Those that segments have, and so many others that they are two.
+std::vector<std::size_t> CountingProof::directions_to_count() const {
+  std::vector<std::size_t> used;
+  std::vector<std::size_t> others;
+  for (std::size_t i = 0; i < shares_[0].directions.indices(); ++i) {
+    (number(i) > 0 ? used : others).push_back(i);
+  }
+  for (std::size_t i = 0; used.size() < 2; ++i) used.push_back(others[i]);
+  return used;
+}
+
+/// How many windows a family of so many records is counted in, so that the threads' records at a
+/// time hold the limit; without one, a fourth of the memory of the segments.
+std::uint32_t CountingProof::windows(std::uint64_t records) const {
+  constexpr std::uint64_t kFew = std::uint64_t{1} << 18;
+  std::uint64_t room = sizes_.memory / sizeof(PlaneRecord);
+  if (keeps_segments_) {
+    std::uint64_t segments = 0;
+    for (std::size_t i = 0; i < SignedDirections::kMaxIndices; ++i) segments += number(i);
+    room = std::max(kFew, segments / 4);
+  }
+  const std::uint64_t room_of_thread = std::max<std::uint64_t>(room / shares_.size(), 1);
+  return static_cast<std::uint32_t>(
+      std::clamp<std::uint64_t>((records + room_of_thread - 1) / room_of_thread, 1, kMostWindows));
+}
+
+/// The lines of every direction are looked at in one of its families.
+bool CountingProof::plan_tasks(std::int64_t largest, std::vector<Task>& tasks) const {
+  const std::vector<std::size_t> directions = directions_to_count();
+  const std::size_t k = directions.size();
+  for (std::size_t i = 0; i < k; ++i) {
+    for (std::size_t j = i + 1; j < k; ++j) {
+      const PlaneFamily family(shares_[0].directions, directions[i], directions[j]);
+      if (!family.fits(largest)) return false;
+      const std::uint64_t rows = number(directions[i]);
+      const std::uint64_t columns = number(directions[j]);
+      const bool is_pair = i % 2 == 0 && j == i + 1;
+      const LinesToCount lines{is_pair && rows > 0,
+                               (is_pair || (k % 2 != 0 && i == 0 && j == k - 1)) && columns > 0};
+      if ((rows == 0 || columns == 0) && !lines.rows && !lines.columns) continue;
+      const std::uint32_t count = windows(rows + columns);
+      for (std::uint32_t w = 0; w < count; ++w) {
+        tasks.push_back({family, {directions[i], directions[j]}, lines, {w, count}});
+      }
     }
   }
   return true;
 }
 
-std::array<PlacedSegments, 2> CountingProof::window(const PlaneFamily& family, std::size_t i,
-                                                    std::size_t j, std::uint64_t number,
-                                                    std::uint64_t count) {
-  std::array<PlacedSegments, 2> chosen;
-  const auto take = [&](std::size_t direction, const PlacedSegment& segment) {
-    const std::uint64_t place = family.plane_of(segment) * count >> 32;
-    if (place == number) chosen[direction == i ? 0 : 1].add(segment);
-  };
+void CountingProof::add_stored(const Task& task, const PlaneMeetings::Intake& intake) const {
+  const PlaneMeetings::Intake local = intake;
+  for (const Share& share : shares_) {
+    for (std::size_t side = 0; side < 2; ++side) {
+      share.segments[task.directions[side]].for_each_part(
+          [&](std::span<const PlacedSegment> part) { local.add(part, side); });
+    }
+  }
+}
+
+/// A few segments of one direction on their way to an intake.
+struct CountingProof::Handful {
+  const PlaneMeetings::Intake& intake;
+  std::size_t side;
+  std::array<PlacedSegment, 64> segments;
+  std::size_t count = 0;
+
+  void add(PlacedSegment s) {
+    segments[count++] = s;
+    if (count == segments.size()) pass_on();
+  }
+  void pass_on() {
+    intake.add(std::span(segments).first(count), side);
+    count = 0;
+  }
+};
+
+void CountingProof::add_computed(const Task& task, const PlaneMeetings::Intake& intake) const {
+  const SignedDirections& directions = shares_[0].directions;
+  const std::size_t first = task.directions[0];
+  const std::size_t second = task.directions[1];
+  std::array<Handful, 2> sides{Handful{intake, 0, {}}, Handful{intake, 1, {}}};
   for_each_polyline(drawing_, [&](EdgeId, const std::vector<Point>& points) {
     for (std::size_t k = 1; k < points.size(); ++k) {
-      const auto found = directions_.find(points[k] - points[k - 1]);
+      const auto found = directions.known(points[k] - points[k - 1]);
       const std::size_t direction = found.id / 2;
-      if (direction != i && direction != j) continue;
-      take(direction, placed(points[found.id % 2 != 0 ? k : k - 1], found.steps));
+      if (direction != first && direction != second) continue;
+      sides[direction == second].add(placed(points[found.id % 2 != 0 ? k : k - 1], found.steps));
     }
   });
-  for (std::size_t v = 0; i == 0 && v < stars_.size(); ++v) {
-    if (stars_[v] == 0) take(0, placed(drawing_.vertex(static_cast<Vertex>(v)), 0));
+  for (std::size_t v = 0; first == 0 && v < stars_.size(); ++v) {
+    if (stars_[v] == 0) sides[0].add(placed(drawing_.vertex(static_cast<Vertex>(v)), 0));
   }
-  return chosen;
+  for (Handful& side : sides) side.pass_on();
 }
 
-void CountingProof::count_family(const PlaneFamily& family, std::size_t i, std::size_t j,
-                                 LinesToCount lines, PlaneMeetings& meetings) {
-  if (keeps_segments_) {
-    counts_.found += meetings.count(family, segments_[i], segments_[j], lines);
-    return;
-  }
-  const std::uint64_t bytes = kSegmentBytes * (numbers_[i] + numbers_[j]);
-  const std::uint64_t count = std::clamp<std::uint64_t>(bytes / sizes_.memory + 1, 1, kMostWindows);
-  for (std::uint64_t number = 0; number < count; ++number) {
-    const auto [rows, columns] = window(family, i, j, number, count);
-    counts_.found += meetings.count(family, rows, columns, lines);
-  }
+MeetingCounts CountingProof::count(const Task& task, PlaneMeetings& meetings) const {
+  const std::uint64_t records = number(task.directions[0]) + number(task.directions[1]);
+  const auto intake =
+      meetings.begin(task.family, task.window, records / task.window.count, task.lines);
+  keeps_segments_ ? add_stored(task, intake) : add_computed(task, intake);
+  return meetings.finish();
 }
 
-/// Counts in all families. The lines of every direction are looked at in one of them.
 bool CountingProof::take_families(std::int64_t largest) {
-  PlaneMeetings meetings(sizes_);
-  const std::size_t k = directions_.indices();
-  for (std::size_t i = 0; i < k; ++i) {
-    for (std::size_t j = i + 1; j < k; ++j) {
-      const PlaneFamily family(directions_, i, j);
-      if (!family.fits(largest)) return false;
-      const LinesToCount lines{i % 2 == 0 && (j == i + 1),
-                               (i % 2 == 0 && j == i + 1) || (k % 2 != 0 && i == 0 && j == k - 1)};
-      count_family(family, i, j, lines, meetings);
-    }
-  }
+  std::vector<Task> tasks;
+  if (!plan_tasks(largest, tasks)) return false;
+  const std::size_t threads = shares_.size();
+  std::vector<PlaneMeetings> meetings;
+  for (std::size_t t = 0; t < threads; ++t) meetings.emplace_back(sizes_);
+  std::vector<MeetingCounts> found(threads);
+  share_among_threads(static_cast<int>(threads), tasks.size(), [&](int thread, std::uint64_t i) {
+    const auto t = static_cast<std::size_t>(thread);
+    found[t] += count(tasks[i], meetings[t]);
+  });
+  for (const MeetingCounts& part : found) counts_.found += part;
   return true;
 }
 
 bool CountingProof::holds(const DrawingSummary& summary) {
-  if (!possible_ || !allowed_directions()) return false;
+  if (!possible_) return false;
   Findings findings(0);
   check_graph(graph_, drawing_, findings);
   if (!findings.empty()) return false;
   // Two directions at least, so that there is a family that looks at the lines of each.
+  SignedDirections& directions = shares_[0].directions;
   for (const Vector d : {Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}}) {
-    if (directions_.indices() < 2) directions_.find(d);
+    if (directions.indices() < 2) directions.find(d);
   }
-  return take_vertices() && take_families(largest_coordinate(summary.box)) && counts_.agree();
+  for (Share& share : shares_) share.possible = leave_all(share) && share.possible;
+  const bool taken = take_vertices();
+  return collect_shares() && taken && take_families(largest_coordinate(summary.box)) &&
+         counts_.agree();
 }
 
 }  // namespace ar3d::verify

@@ -18,17 +18,25 @@ namespace ar3d::verify {
 /// over the polylines; if that takes more memory than sizes.memory, in one more pass for each
 /// window of planes of each pair of directions. It never says what is wrong: a drawing that it does
 /// not prove is wrong or passes one of its limits (at most 16 directions of components below 2^20,
-/// coordinates below 2^30 and such that all functionals fit 32 bits, degree at most 4). Memory: 4
-/// bytes per vertex, and 16 bytes per segment and 16 for each segment of two directions; with a
-/// limit 32 for each segment of a window, which the limit holds unless one plane passes it.
+/// coordinates below 2^30 and such that all functionals fit 32 bits, degree at most 4).
+///
+/// Several threads may pass over the edges, and count in several windows at a time. The verdict and
+/// all counts are the same for any number of them.
+///
+/// Memory: 4 bytes per vertex; 16 bytes per segment and 4 more for the records of windows at a
+/// time; with a limit 16 for each record of these windows, which the limit holds unless one plane
+/// passes it.
 class CountingProof {
  public:
+  /// @param sizes  of which threads is at most 1 unless the guarantee names its directions.
   CountingProof(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
                 const CountingSizes& sizes = {});
 
-  /// An edge of the drawing and its polyline: every edge once.
-  void add(Edge ends, const std::vector<Point>& points) {
-    if (possible_) possible_ = take_edge(ends, points);
+  /// An edge of the drawing and its polyline: every edge once. @param thread  of sizes.threads that
+  /// may call this at the same time, each with another number.
+  void add(Edge ends, const std::vector<Point>& points, int thread = 0) {
+    Share& share = shares_[static_cast<std::size_t>(thread)];
+    if (share.possible) share.possible = take_edge(share, ends, points);
   }
   /// After the last edge: true if the graph is drawn, all angles, directions and the plane of the
   /// vertices are as promised, and nothing meets that must not. Bends, lattice and box are judged
@@ -41,31 +49,58 @@ class CountingProof {
   enum class Angle : std::uint8_t { unknown, right, wrong };
   static constexpr std::size_t kIds = 2 * SignedDirections::kMaxIndices;
 
-  bool take_edge(Edge ends, const std::vector<Point>& points);
-  bool store(Point from, Point to, SignedDirections::Found found);
-  bool leave(Vertex v, std::uint8_t id);
-  bool right_angle(std::size_t id, std::size_t other);
-  bool take_neighbours(std::size_t id, std::size_t other);
+  /// What a thread has of the edges that it took.
+  struct Share {
+    bool possible = true;
+    SignedDirections directions;
+    std::array<PlacedSegments, SignedDirections::kMaxIndices> segments;
+    std::array<std::uint64_t, SignedDirections::kMaxIndices> numbers{};  ///< of segments
+    std::array<std::array<Angle, kIds>, kIds> angles{};
+    std::uint64_t crossing_neighbours = 0;
+    std::uint64_t touching_neighbours = 0;
+    struct Leaving {
+      Vertex v;
+      std::uint8_t id;
+    };
+    std::array<Leaving, 64> leaving;  ///< the first `left` of them are not in stars_ yet
+    std::size_t left = 0;
+  };
+  /// Two directions, what to count, and in which planes.
+  struct Task {
+    PlaneFamily family;
+    std::array<std::size_t, 2> directions;
+    LinesToCount lines;
+    PlaneWindow window;
+  };
+
+  struct Handful;
+
+  bool take_edge(Share& share, Edge ends, const std::vector<Point>& points);
+  SignedDirections::Found find(Share& share, Vector d) const;
+  bool leave(Share& share, Vertex v, std::uint8_t id);
+  bool leave_all(Share& share);
+  bool take_leaving(Vertex v, std::uint8_t id);
+  bool right_angle(Share& share, std::size_t id, std::size_t other) const;
+  bool take_neighbours(Share& share, std::size_t id, std::size_t other) const;
   bool take_vertices();
   bool take_star(std::uint32_t star);
-  bool allowed_directions() const;
+  bool collect_shares();
+  std::vector<std::size_t> directions_to_count() const;
+  std::uint64_t number(std::size_t direction) const;
+  std::uint32_t windows(std::uint64_t records) const;
+  bool plan_tasks(std::int64_t largest, std::vector<Task>& tasks) const;
   bool take_families(std::int64_t largest);
-  void count_family(const PlaneFamily& family, std::size_t i, std::size_t j, LinesToCount lines,
-                    PlaneMeetings& meetings);
-  /// The segments of the directions i and j whose planes are in a window.
-  std::array<PlacedSegments, 2> window(const PlaneFamily& family, std::size_t i, std::size_t j,
-                                       std::uint64_t number, std::uint64_t count);
+  MeetingCounts count(const Task& task, PlaneMeetings& meetings) const;
+  void add_stored(const Task& task, const PlaneMeetings::Intake& intake) const;
+  void add_computed(const Task& task, const PlaneMeetings::Intake& intake) const;
 
   const Graph& graph_;
   const Drawing& drawing_;
   const Guarantee& guarantee_;
   CountingSizes sizes_;
   bool possible_;
-  SignedDirections directions_;
   const bool keeps_segments_;  ///< false: there are too many, they are computed for each window
-  std::array<PlacedSegments, SignedDirections::kMaxIndices> segments_;
-  std::array<std::uint64_t, SignedDirections::kMaxIndices> numbers_{};  ///< of segments
-  std::array<std::array<Angle, kIds>, kIds> angles_{};
+  std::vector<Share> shares_;  ///< of the threads; the first has the vertices, too
   /// Of each vertex the directions in which edges leave it: up to four bytes, id + 1 each.
   std::vector<std::uint32_t> stars_;
   CountedMeetings counts_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace ar3d::verify {
@@ -25,12 +26,12 @@ class PlacedSegments {
   }
   std::size_t size() const { return size_; }
 
+  /// Calls visit(part) for std::span<const PlacedSegment>s that make up all of them.
   template <class Visit>
-  void for_each(Visit&& visit) const {
+  void for_each_part(Visit&& visit) const {
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
       const std::size_t count = b + 1 == blocks_.size() ? used_ : room_of(b);
-      const PlacedSegment* block = blocks_[b].get();
-      for (std::size_t i = 0; i < count; ++i) visit(block[i]);
+      visit(std::span<const PlacedSegment>(blocks_[b].get(), count));
     }
   }
 

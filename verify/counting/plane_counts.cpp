@@ -2,7 +2,7 @@
 // of two directions become records of 16 bytes, are partitioned by plane into buckets that fit the
 // second-level cache, there sorted by plane into bins of about two records, and compared. Planes
 // with many segments go to CrowdedPlanes. Each record is written twice and read three times, always
-// in order or within the cache; see docs/verify.md, section "Counting".
+// in order or within the cache (Steps V.4 to V.8 of docs/verify.md).
 #include "ar3d/verify/counting/plane_counts.h"
 
 #include <algorithm>
@@ -14,9 +14,6 @@
 
 namespace ar3d::verify {
 namespace {
-
-/// Odd, so that multiplying by it modulo 2^32 is one to one; spreads neighbouring planes.
-constexpr std::uint32_t kSpread = 0x9E3779B1;
 
 std::int64_t product(Vector f, Vector d) { return f.x * d.x + f.y * d.y + f.z * d.z; }
 
@@ -80,76 +77,31 @@ bool PlaneFamily::fits(std::int64_t largest) const {
   return narrow(normal_) && narrow(across_[0]) && narrow(across_[1]);
 }
 
-std::uint32_t PlaneFamily::plane_of(const PlacedSegment& s) const {
-  return static_cast<std::uint32_t>(plane_(s)) * kSpread;
-}
-
-PlaneRecord PlaneFamily::record(const PlacedSegment& s, std::size_t side) const {
-  const std::int32_t low = at_[1 - side](s);
-  // The value at the other end fits, the difference need not: modulo 2^32.
-  const std::uint32_t run = static_cast<std::uint32_t>(s.steps) * speed_[side];
-  return {plane_of(s), at_[side](s), low,
-          static_cast<std::int32_t>(static_cast<std::uint32_t>(low) + run)};
-}
-
-MeetingCounts PlaneMeetings::count(const PlaneFamily& family, const PlacedSegments& rows,
-                                   const PlacedSegments& columns, LinesToCount lines) {
-  counts_ = {};
+PlaneMeetings::Intake PlaneMeetings::begin(const PlaneFamily& family, PlaneWindow window,
+                                           std::uint64_t expected, LinesToCount lines) {
+  constexpr unsigned kMostBits = 11;  // more streams at a time than the memory system follows
+  window_ = window;
   lines_ = lines;
-  const bool pairs = rows.size() > 0 && columns.size() > 0;
-  if (!pairs && !(lines.rows && rows.size() > 0) && !(lines.columns && columns.size() > 0)) {
-    return counts_;
-  }
-  partition(family, rows, columns);
-  std::size_t begin = 0;
-  for (std::size_t b = 0; b < bucket_ends_.size(); b += 2) {
-    const std::size_t middle = bucket_ends_[b];
-    const std::size_t end = bucket_ends_[b + 1];
-    const Records all(records_);
-    count_bucket(all.subspan(begin, middle - begin), all.subspan(middle, end - middle));
-    begin = end;
-  }
+  counts_ = {};
+  bucket_bits_ =
+      std::min(kMostBits, static_cast<unsigned>(std::bit_width(expected / sizes_.bucket)));
+  buckets_.reset(std::size_t{2} << bucket_bits_);
+  return {family, window, 32 - bucket_bits_, buckets_};
+}
+
+MeetingCounts PlaneMeetings::finish() {
+  for (std::size_t b = 0; b < buckets_.size(); b += 2) count_bucket(b);
   return counts_;
 }
 
-void PlaneMeetings::partition(const PlaneFamily& family, const PlacedSegments& rows,
-                              const PlacedSegments& columns) {
-  constexpr unsigned kMostBits = 11;  // more streams at a time than the memory system follows
-  const std::size_t total = rows.size() + columns.size();
-  bucket_bits_ = std::min(kMostBits, static_cast<unsigned>(std::bit_width(total / sizes_.bucket)));
-  const unsigned shift = 32 - bucket_bits_;
-  const auto bucket = [shift](std::uint32_t plane) {
-    return static_cast<std::size_t>(std::uint64_t{plane} >> shift);
-  };
-  // Places of rows and columns in turns: first counted, then summed, then moved while writing.
-  bucket_ends_.assign(std::size_t{2} << bucket_bits_, 0);
-  rows.for_each([&](const PlacedSegment& s) { ++bucket_ends_[2 * bucket(family.plane_of(s))]; });
-  columns.for_each(
-      [&](const PlacedSegment& s) { ++bucket_ends_[2 * bucket(family.plane_of(s)) + 1]; });
-  std::size_t begin = 0;
-  for (std::size_t& place : bucket_ends_) begin += std::exchange(place, begin);
-  if (records_.size() < total) {  // without the old ones beside the new, nor room for as many again
-    records_.clear();
-    records_.shrink_to_fit();
-    records_.resize(total + total / 16);
-  }
-  rows.for_each([&](const PlacedSegment& s) {
-    const PlaneRecord record = family.row(s);
-    records_[bucket_ends_[2 * bucket(record.plane)]++] = record;
-  });
-  columns.for_each([&](const PlacedSegment& s) {
-    const PlaneRecord record = family.column(s);
-    records_[bucket_ends_[2 * bucket(record.plane) + 1]++] = record;
-  });
-}
-
-void PlaneMeetings::count_bucket(Records rows, Records columns) {
+/// Rows are in this bucket, columns in the next one.
+void PlaneMeetings::count_bucket(std::size_t bucket) {
   constexpr unsigned kMostBits = 15;
-  if (rows.size() + columns.size() < 2) return;
-  const std::size_t bins = (rows.size() + columns.size()) / 2;
-  bin_bits_ = std::min(kMostBits, static_cast<unsigned>(std::bit_width(bins)));
-  into_bins(rows, bin_rows_, row_ends_);
-  into_bins(columns, bin_columns_, column_ends_);
+  const std::size_t records = buckets_.size_of(bucket) + buckets_.size_of(bucket + 1);
+  if (records < 2) return;
+  bin_bits_ = std::min(kMostBits, static_cast<unsigned>(std::bit_width(records / 2)));
+  into_bins(bucket, bin_rows_, row_ends_);
+  into_bins(bucket + 1, bin_columns_, column_ends_);
   const Records all_rows(bin_rows_);
   const Records all_columns(bin_columns_);
   std::size_t row = 0;
@@ -164,20 +116,22 @@ void PlaneMeetings::count_bucket(Records rows, Records columns) {
   }
 }
 
-/// Afterwards ends[s] is the end of bin s.
-void PlaneMeetings::into_bins(Records from, std::vector<PlaneRecord>& to,
+/// By the bits of the plane's place in the window below those of its bucket. Afterwards ends[s] is
+/// the end of bin s.
+void PlaneMeetings::into_bins(std::size_t bucket, std::vector<PlaneRecord>& to,
                               std::vector<std::uint32_t>& ends) {
-  const auto bin = [this](const PlaneRecord& record) {
-    const std::uint32_t below_bucket =
-        static_cast<std::uint32_t>(std::uint64_t{record.plane} << bucket_bits_);
-    return static_cast<std::size_t>(std::uint64_t{below_bucket} >> (32 - bin_bits_));
+  const std::uint32_t scale = window_.count << bucket_bits_;  // modulo 2^32, as the place is
+  const unsigned shift = 32 - bin_bits_;
+  const auto bin = [=](const PlaneRecord& record) {
+    const std::uint32_t place = record.plane * scale;
+    return static_cast<std::size_t>(std::uint64_t{place} >> shift);
   };
   ends.assign(std::size_t{1} << bin_bits_, 0);
-  for (const PlaneRecord& record : from) ++ends[bin(record)];
+  buckets_.for_each(bucket, [&](const PlaneRecord& record) { ++ends[bin(record)]; });
   std::uint32_t begin = 0;
   for (std::uint32_t& place : ends) begin += std::exchange(place, begin);
-  if (to.size() < from.size()) to.resize(from.size());
-  for (const PlaneRecord& record : from) to[ends[bin(record)]++] = record;
+  if (to.size() < begin) to.resize(begin);
+  buckets_.for_each(bucket, [&](const PlaneRecord& record) { to[ends[bin(record)]++] = record; });
 }
 
 void PlaneMeetings::count_bin(Records rows, Records columns) {

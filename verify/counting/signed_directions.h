@@ -24,6 +24,11 @@ class SignedDirections {
   /// The direction of d, which is added if it is new.
   /// @pre d is not zero and its components are below 2^31 in absolute value.
   Found find(Vector d) {
+    const Found found = known(d);
+    return found.known ? found : add(d);
+  }
+  /// The same, but a new direction is not added and so not known.
+  Found known(Vector d) const {
     for (const Known& known : classes_[sense(d)]) {
       // Products are below 2^31 * 2^20. Parallel with equal signs: of the same sense.
       const Vector k = known.direction;
@@ -31,7 +36,7 @@ class SignedDirections {
         return {true, known.id, known.steps(d)};
       }
     }
-    return add(d);
+    return {};
   }
 
   std::size_t indices() const { return directions_.size(); }
