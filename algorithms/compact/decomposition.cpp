@@ -2,24 +2,26 @@
 // every edge letters of its own at both ends (Lemma C.1). O(n + m).
 #include "ar3d/algorithms/compact/decomposition.h"
 
-#include "ar3d/algorithms/diamond/colouring.h"
+#include "ar3d/algorithms/diamond/interleaved.h"
 #include "ar3d/model/error.h"
 
 namespace ar3d::compact {
 
 Decomposition decompose(const Graph& graph) {
-  const diamond::TwoColouring colours = [&] {
-    const diamond::PaddedNeighbours neighbours = diamond::padded_neighbours(graph);
-    return diamond::two_colouring(graph, neighbours, diamond::balanced_orientation(neighbours));
-  }();
+  constexpr Vertex kAhead = 16;  // heads are asked for so many edges before they are written
+  const diamond::TwoColouring colours = diamond::colouring_of(graph);
   static_assert(diamond::kNone == kNobody);
   const HalfEdge nothing{kNobody, kNobody};
   Decomposition result;
   result.at.assign(graph.num_vertices(), {nothing, nothing, nothing, nothing});
   for (const auto colour : {diamond::kGreen, diamond::kRed}) {
     const Role out = colour == diamond::kGreen ? kGreenOut : kRedOut;
+    const auto& next = colours.next[colour];
     for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-      const HalfEdge edge = colours.next[colour][v];
+      if (v + kAhead < next.size() && next[v + kAhead].to != kNobody) {
+        __builtin_prefetch(&result.at[next[v + kAhead].to], 1);
+      }
+      const HalfEdge edge = next[v];
       if (edge.to == kNobody) continue;
       HalfEdge& in = result.at[edge.to][opposite(out)];
       expect(in.to == kNobody, "a vertex has one edge of each role");

@@ -18,7 +18,7 @@ using Roles = std::array<HalfEdge, 4>;
 /// Every edge is directed and green or red, such that every vertex has at most one edge of each
 /// role.
 struct Decomposition {
-  std::vector<Roles> at;  ///< by vertex
+  UnwrittenVector<Roles> at;  ///< by vertex
   std::size_t num_green = 0;
 };
 

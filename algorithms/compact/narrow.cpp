@@ -28,17 +28,26 @@ class Placer {
   Placer(Strip& strip, RandomStream& random, Census& census)
       : strip_(strip), random_(random), census_(census) {}
 
+  /// Cells are drawn in batches, so that what the memory holds of one is on its way while others
+  /// are looked at; which one is taken, and where the random stream goes on, is as if they were
+  /// drawn one by one.
   bool place(Vertex v) {
-    const Columns columns = columns_for(v);
-    for (int trial = 0; trial < kTrials; ++trial) {
-      ++census_.trials;
-      const auto row =
-          static_cast<std::int32_t>(random_.below(static_cast<std::uint32_t>(strip_.size().rows)));
-      const std::int32_t first = columns.low + ((columns.low ^ row) & 1);
-      if (first > columns.high) continue;
-      const auto choices = static_cast<std::uint32_t>((columns.high - first) / 2 + 1);
-      const std::int32_t column = first + 2 * static_cast<std::int32_t>(random_.below(choices));
-      if (strip_.try_place(v, {column, row, type_for(v, column)})) return true;
+    if (v + kAhead < strip_.num_vertices()) strip_.ask_for_neighbours(v + kAhead);
+    const Joined joined = strip_.joined(v);
+    const Columns columns = columns_for(joined);
+    int tried = 0;
+    for (int size = kFirstBatch; tried < kTrials; size = std::min(2 * size, kBatch)) {
+      size = std::min(size, kTrials - tried);
+      draw_batch(v, joined, columns, size);
+      for (int i = 0; i < size; ++i) {
+        const auto& [site, after, may_hold] = batch_[static_cast<std::size_t>(i)];
+        ++census_.trials;
+        if (!may_hold || !strip_.try_place(v, site)) continue;
+        random_ = after;
+        return true;
+      }
+      random_ = batch_[static_cast<std::size_t>(size - 1)].after;
+      tried += size;
     }
     return false;
   }
@@ -54,24 +63,52 @@ class Placer {
   void remove(Vertex v) { strip_.remove(v); }
 
  private:
+  static constexpr Vertex kAhead = 8;
+  static constexpr int kFirstBatch = 4;
+  static constexpr int kBatch = 16;
+  struct Drawn {
+    Site site;           ///< unset: no column is left in the row drawn
+    RandomStream after;  ///< the stream behind it
+    bool may_hold = false;
+  };
+
+  void draw_batch(Vertex v, const Joined& joined, const Columns& columns, int size) {
+    RandomStream random = random_;
+    for (int i = 0; i < size; ++i) {
+      Drawn& drawn = batch_[static_cast<std::size_t>(i)];
+      drawn.site = draw_site(v, columns, random);
+      drawn.after = random;
+      if (drawn.site.is_set()) strip_.ask_for_cell(drawn.site);
+    }
+    for (int i = 0; i < size; ++i) {
+      Drawn& drawn = batch_[static_cast<std::size_t>(i)];
+      drawn.may_hold = drawn.site.is_set() && strip_.may_hold(drawn.site, joined);
+      if (drawn.may_hold) strip_.ask_for_lines(v, drawn.site, joined);
+    }
+  }
+
+  Site draw_site(Vertex v, const Columns& columns, RandomStream& random) const {
+    const auto row =
+        static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(strip_.size().rows)));
+    const std::int32_t first = columns.low + ((columns.low ^ row) & 1);
+    if (first > columns.high) return {};
+    const auto choices = static_cast<std::uint32_t>((columns.high - first) / 2 + 1);
+    const std::int32_t column = first + 2 * static_cast<std::int32_t>(random.below(choices));
+    return {column, row, type_for(v, column)};
+  }
+
   /// The columns that reach and the types of placed tails leave to v.
-  Columns columns_for(Vertex v) const {
+  Columns columns_for(const Joined& joined) const {
     const StripSize& size = strip_.size();
     Columns columns{0, size.columns - 1};
-    const Roles& roles = strip_.roles(v);
-    for (const HalfEdge& edge : roles) {
-      if (edge.to == kNobody || !strip_.is_placed(edge.to)) continue;
-      const std::int32_t at = strip_.site(edge.to).column;
-      columns.low = std::max(columns.low, at - size.reach);
-      columns.high = std::min(columns.high, at + size.reach);
-    }
-    const Vertex tail = roles[kGreenIn].to;
-    if (tail != kNobody && strip_.is_placed(tail)) {
-      const Site& site = strip_.site(tail);
-      if (site.type == 0) {
-        columns.low = std::max(columns.low, site.column + 1);
+    for (const auto& [role, edge, other] : joined) {
+      columns.low = std::max(columns.low, other.column - size.reach);
+      columns.high = std::min(columns.high, other.column + size.reach);
+      if (role != kGreenIn) continue;
+      if (other.type == 0) {
+        columns.low = std::max(columns.low, other.column + 1);
       } else {
-        columns.high = std::min(columns.high, site.column - 1);
+        columns.high = std::min(columns.high, other.column - 1);
       }
     }
     return columns;
@@ -87,6 +124,7 @@ class Placer {
   Strip& strip_;
   RandomStream& random_;
   Census& census_;
+  std::vector<Drawn> batch_ = std::vector<Drawn>(kBatch, Drawn{{}, RandomStream(0), false});
 };
 
 }  // namespace

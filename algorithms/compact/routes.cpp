@@ -44,7 +44,7 @@ std::vector<std::uint8_t> codes(const Graph& graph, const Decomposition& links,
     for (const Role role : {kGreenOut, kRedOut}) {
       const HalfEdge edge = links.at[v][role];
       if (edge.to == kNobody) continue;
-      const unsigned backward = graph.edge(edge.edge).u == v ? 0 : kBackwardBit;
+      const unsigned backward = v < edge.to ? 0 : kBackwardBit;  // edges ascend
       const unsigned variant = strip.variant()[edge.edge];
       code[edge.edge] = static_cast<std::uint8_t>((is_red(role) ? kRedBit : 0) | backward |
                                                   (variant << kVariantShift));

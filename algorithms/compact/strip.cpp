@@ -13,18 +13,13 @@ namespace ar3d::compact {
 Strip::Strip(const Decomposition& links, std::size_t num_edges, StripSize size, StripRules rules)
     : links_(&links),
       size_(size),
+      half_rows_(static_cast<std::size_t>(size.rows / 2 + 1)),
       rules_(rules),
-      sites_(links.at.size()),
+      sites_(links.at.size(), Site{}),
       variant_(num_edges, 0),
-      taken_(2 * static_cast<std::size_t>(size.columns) * static_cast<std::size_t>(size.rows)),
+      taken_(2 * static_cast<std::size_t>(size.columns) * half_rows_ / 64 + 1),
       lines_(num_edges + links.num_green) {
   if (rules.cap > 0) caps_.emplace(rules.cap, 8 * size.columns + 4 * size.rows + 16);
-}
-
-std::size_t Strip::cell_bit(Site site) const {
-  return 2 * (static_cast<std::size_t>(site.column) * static_cast<std::size_t>(size_.rows) +
-              static_cast<std::size_t>(site.row)) +
-         static_cast<std::size_t>(site.type);
 }
 
 bool Strip::is_free(const Piece& piece, const Plan& plan) const {
@@ -94,7 +89,7 @@ Piece Strip::piece_of(const Shape& shape, Site tail, Site head) const {
 
 void Strip::commit(Vertex v, Site site, const Plan& plan) {
   sites_[v] = site;
-  taken_[cell_bit(site)] = true;
+  taken_[cell_bit(site) / 64] |= std::uint64_t{1} << cell_bit(site) % 64;
   for (std::size_t i = 0; i < plan.count; ++i) {
     lines_.insert(plan.pieces[i]);
     if (plan.edges[i] == kNobody) continue;
@@ -103,29 +98,67 @@ void Strip::commit(Vertex v, Site site, const Plan& plan) {
   }
 }
 
-bool Strip::make_plan(Vertex v, Site site, Plan& plan) const {
-  if (taken_[cell_bit(site)]) return false;
+Joined Strip::joined(Vertex v) const {
+  Joined joined;
   for (const Role role : {kGreenOut, kGreenIn, kRedOut, kRedIn}) {
     const HalfEdge edge = links_->at[v][role];
     if (edge.to == kNobody || !is_placed(edge.to)) continue;
-    if (!may_join(role, site, sites_[edge.to])) return false;
+    joined.edges[joined.count++] = {role, edge.edge, sites_[edge.to]};
   }
-  for (const Role role : {kGreenOut, kGreenIn, kRedOut, kRedIn}) {
-    const HalfEdge edge = links_->at[v][role];
-    if (edge.to == kNobody || !is_placed(edge.to)) continue;
-    if (!plan_edge(role, site, sites_[edge.to], edge.edge, plan)) return false;
+  return joined;
+}
+
+bool Strip::may_join_all(Site site, const Joined& joined) const {
+  return std::all_of(joined.begin(), joined.end(), [&](const Joined::Edge& edge) {
+    return may_join(edge.role, site, edge.other);
+  });
+}
+
+bool Strip::make_plan(Vertex v, Site site, const Joined& joined, Plan& plan) const {
+  for (const auto& [role, edge, other] : joined) {
+    if (!plan_edge(role, site, other, edge, plan)) return false;
   }
   return plan_arrival(v, site, plan);
 }
 
+void Strip::ask_for_neighbours(Vertex v) const {
+  for (const HalfEdge& edge : links_->at[v]) {
+    if (edge.to != kNobody) __builtin_prefetch(&sites_[edge.to]);
+  }
+}
+
+/// The middle piece of the first variant that has room, which is mostly the one that is taken.
+std::optional<Piece> Strip::piece_ahead(Role role, Site own, Site other) const {
+  const Site tail = is_out(role) ? own : other;
+  const Site head = is_out(role) ? other : own;
+  Shape shape{is_red(role), tail.type, head.type, head.column > tail.column, 0};
+  for (; shape.variant < variants(shape.red); ++shape.variant) {
+    const Word word = word_of(shape);
+    const auto lengths = long_lengths(word, letters_of(tail), letters_of(head));
+    if (*std::min_element(lengths.begin(), lengths.end()) < 1) continue;
+    return middle_piece(word, shape.red, middle_start(word, letters_of(tail), lengths), lengths[1]);
+  }
+  return std::nullopt;
+}
+
+void Strip::ask_for_lines(Vertex v, Site site, const Joined& joined) const {
+  for (const auto& [role, edge, other] : joined) {
+    if (const auto piece = piece_ahead(role, site, other)) lines_.ask_for(piece->line);
+  }
+  if (has_arrival(v)) lines_.ask_for(arrival_line(site).line);
+}
+
 bool Strip::fits(Vertex v, Site site) const {
   Plan plan;
-  return make_plan(v, site, plan);
+  const Joined joined = this->joined(v);
+  return may_hold(site, joined) && make_plan(v, site, joined, plan);
 }
 
 bool Strip::try_place(Vertex v, Site site) {
+  const Joined joined = this->joined(v);
+  if (!may_hold(site, joined)) return false;
   Plan plan;
-  if (!make_plan(v, site, plan)) return false;
+  if (!make_plan(v, site, joined, plan)) return false;
   commit(v, site, plan);
   return true;
 }
@@ -134,16 +167,14 @@ void Strip::remove(Vertex v) {
   expect(!rules_.whole_lines && !caps_, "vertices are removed only where edges take pieces");
   const Site site = sites_[v];
   if (has_arrival(v)) lines_.erase(arrival_line(site));
-  for (const Role role : {kGreenOut, kGreenIn, kRedOut, kRedIn}) {
-    const HalfEdge edge = links_->at[v][role];
-    if (edge.to == kNobody || !is_placed(edge.to)) continue;
-    const Site tail = is_out(role) ? site : sites_[edge.to];
-    const Site head = is_out(role) ? sites_[edge.to] : site;
-    lines_.erase(piece_of(
-        {is_red(role), tail.type, head.type, head.column > tail.column, variant_[edge.edge]}, tail,
-        head));
+  for (const auto& [role, edge, other] : joined(v)) {
+    const Site tail = is_out(role) ? site : other;
+    const Site head = is_out(role) ? other : site;
+    lines_.erase(
+        piece_of({is_red(role), tail.type, head.type, head.column > tail.column, variant_[edge]},
+                 tail, head));
   }
-  taken_[cell_bit(site)] = false;
+  taken_[cell_bit(site) / 64] &= ~(std::uint64_t{1} << cell_bit(site) % 64);
   sites_[v] = {};
 }
 

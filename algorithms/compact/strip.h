@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -19,6 +20,19 @@ struct StripSize {
   friend bool operator==(const StripSize&, const StripSize&) = default;
 };
 
+/// Neighbours that are placed: what v is to the edge, the edge, and where its other end stands.
+struct Joined {
+  struct Edge {
+    Role role = kGreenOut;
+    EdgeId edge = 0;
+    Site other;
+  };
+  std::array<Edge, 4> edges;
+  std::uint32_t count = 0;
+  const Edge* begin() const { return edges.data(); }
+  const Edge* end() const { return edges.data() + count; }
+};
+
 /// How vertices share the lines.
 struct StripRules {
   bool whole_lines =
@@ -34,16 +48,31 @@ class Strip {
  public:
   Strip(const Decomposition& links, std::size_t num_edges, StripSize size, StripRules rules);
 
+  /// The placed neighbours of v. O(1).
+  Joined joined(Vertex v) const;
+  /// False if the cell is taken or some edge to those neighbours can have no word there: cheap, so
+  /// that few lines are looked up in vain. O(1).
+  bool may_hold(Site site, const Joined& joined) const {
+    return !is_taken(site) && may_join_all(site, joined);
+  }
   /// True if v can be placed there. O(1) expected.
   bool fits(Vertex v, Site site) const;
   /// Places v if that keeps the invariants; routes its edges to placed neighbours in the first
   /// variants that fit. O(1) expected.
   bool try_place(Vertex v, Site site);
+
+  // Ask the memory for what is going to be read, without waiting: the places of the neighbours of
+  // v; whether a cell is taken; the lines of the edges to those neighbours.
+  void ask_for_neighbours(Vertex v) const;
+  void ask_for_cell(Site site) const { __builtin_prefetch(&taken_[cell_bit(site) / 64]); }
+  void ask_for_lines(Vertex v, Site site, const Joined& joined) const;
+
   /// Takes a placed vertex and its edges away.
   void remove(Vertex v);
 
   bool is_placed(Vertex v) const { return sites_[v].is_set(); }
   const Site& site(Vertex v) const { return sites_[v]; }
+  Vertex num_vertices() const { return static_cast<Vertex>(sites_.size()); }
   const StripSize& size() const { return size_; }
   const Roles& roles(Vertex v) const { return links_->at[v]; }
   /// By edge: the variant in which it is routed.
@@ -54,16 +83,26 @@ class Strip {
   struct Plan {
     std::array<Piece, 5> pieces;
     std::array<Shape, 5> shapes;
-    std::array<Letters, 5> starts{};
-    std::array<EdgeId, 5> edges{};
+    std::array<Letters, 5> starts;
+    std::array<EdgeId, 5> edges;
     std::size_t count = 0;
   };
 
-  std::size_t cell_bit(Site site) const;
+  std::size_t cell_bit(Site site) const {
+    return 2 * (static_cast<std::size_t>(site.column) * half_rows_ +
+                static_cast<std::size_t>(site.row / 2)) +
+           static_cast<std::size_t>(site.type);
+  }
+  bool is_taken(Site site) const {
+    const std::size_t bit = cell_bit(site);
+    return (taken_[bit / 64] >> bit % 64 & 1) != 0;
+  }
+  bool may_join_all(Site site, const Joined& joined) const;
+  std::optional<Piece> piece_ahead(Role role, Site own, Site other) const;
   bool has_arrival(Vertex v) const { return links_->at[v][kGreenIn].to != kNobody; }
   bool is_free(const Piece& piece, const Plan& plan) const;
   bool may_join(Role role, Site own, Site other) const;
-  bool make_plan(Vertex v, Site site, Plan& plan) const;
+  bool make_plan(Vertex v, Site site, const Joined& joined, Plan& plan) const;
   bool plan_arrival(Vertex v, Site site, Plan& plan) const;
   bool plan_edge(Role role, Site own, Site other, EdgeId edge, Plan& plan) const;
   Piece piece_of(const Shape& shape, Site tail, Site head) const;
@@ -71,10 +110,11 @@ class Strip {
 
   const Decomposition* links_;  ///< never null
   StripSize size_;
+  std::size_t half_rows_;  ///< cells of a column: every other row has one
   StripRules rules_;
-  std::vector<Site> sites_;
+  UnwrittenVector<Site> sites_;
   std::vector<std::uint8_t> variant_;
-  std::vector<bool> taken_;  ///< two bits per cell, one for each type
+  std::vector<std::uint64_t> taken_;  ///< two bits per cell, one for each type
   strips::Lines lines_;
   std::optional<Caps> caps_;
 };

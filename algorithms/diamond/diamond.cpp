@@ -22,21 +22,6 @@ void refuse_bad_input(const Graph& graph, const Options& options) {
   refuse_more_vertices("diamond", graph, kMaxVertices);
 }
 
-/// From so many vertices on the walks of Steps 1.1 and 1.2 wait for the memory, and many at a time
-/// are faster; those of Step 1.1 only if the chains are long, which a vertex of odd degree ends.
-constexpr Vertex kManyVertices = 1u << 15;
-bool has_long_chains(const Graph& graph) {
-  return 5 * std::uint64_t{graph.num_edges()} >= 8 * std::uint64_t{graph.num_vertices()};
-}
-
-TwoColouring colouring_of(const Graph& graph) {
-  if (graph.num_vertices() >= kManyVertices && has_long_chains(graph)) {
-    return interleaved_colouring(graph);
-  }
-  const PaddedNeighbours neighbours = padded_neighbours(graph);
-  return two_colouring(graph, neighbours, balanced_orientation(neighbours));
-}
-
 /// The green and the red items.
 std::pair<Items, Items> items_of(const Graph& graph) {
   TwoColouring colours = colouring_of(graph);

@@ -119,7 +119,19 @@ void colour(Records& records, bool all_linked, const WalkSizes& sizes) {
   });
 }
 
+bool has_long_chains(const Graph& graph) {
+  return 5 * std::uint64_t{graph.num_edges()} >= 8 * std::uint64_t{graph.num_vertices()};
+}
+
 }  // namespace
+
+TwoColouring colouring_of(const Graph& graph) {
+  if (graph.num_vertices() >= kManyVertices && has_long_chains(graph)) {
+    return interleaved_colouring(graph);
+  }
+  const PaddedNeighbours neighbours = padded_neighbours(graph);
+  return two_colouring(graph, neighbours, balanced_orientation(neighbours));
+}
 
 TwoColouring interleaved_colouring(const Graph& graph, const WalkSizes& sizes) {
   auto [records, all_linked] = neighbourhoods_of(graph);

@@ -19,7 +19,7 @@ std::uint64_t line_key(unsigned kind, std::int64_t first, std::int64_t second) {
 Lines::Lines(std::size_t most) {
   const std::size_t entries = std::bit_ceil(most + most / 3 + 2);
   shift_ = static_cast<unsigned>(64 - std::bit_width(entries - 1));
-  entries_.resize(entries);
+  entries_.assign(entries, Piece{});
 }
 
 bool Lines::is_free(const Piece& piece) const {

@@ -6,7 +6,8 @@
 
 #include <cstdint>
 #include <limits>
-#include <vector>
+
+#include "ar3d/model/threads.h"
 
 namespace ar3d::strips {
 
@@ -39,6 +40,8 @@ class Lines {
 
   /// True if no stored piece overlaps this one (touching is overlapping). O(1) expected.
   bool is_free(const Piece& piece) const;
+  /// Asks the memory for what is_free() of a piece on that line will read, without waiting.
+  void ask_for(std::uint64_t line) const { __builtin_prefetch(&entries_[home(line)]); }
   void insert(const Piece& piece);
   /// Removes a piece that is_stored. @throws InternalError if it is not.
   void erase(const Piece& piece);
@@ -50,7 +53,7 @@ class Lines {
   std::size_t next(std::size_t entry) const { return entry + 1 == entries_.size() ? 0 : entry + 1; }
 
   unsigned shift_ = 0;
-  std::vector<Piece> entries_;  ///< line 0: empty
+  UnwrittenVector<Piece> entries_;  ///< line 0: empty
 };
 
 }  // namespace ar3d::strips

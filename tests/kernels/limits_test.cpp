@@ -71,8 +71,12 @@ TEST(Limits, AGoalIsJudgedAtItsSize) {
   ASSERT_EQ(lines.size(), 1u);
   const double measured = std::stod(lines[0][4]);  // rounded
   EXPECT_THAT(lines[0][6], AnyOf(" yes ", " no "));
-  if (measured < 1.94) EXPECT_EQ(lines[0][6], " no ");
-  if (measured > 1.96) EXPECT_EQ(lines[0][6], " yes ");
+  if (measured < 1.94) {
+    EXPECT_EQ(lines[0][6], " no ");
+  }
+  if (measured > 1.96) {
+    EXPECT_EQ(lines[0][6], " yes ");
+  }
 }
 
 TEST(Limits, BadArgumentsAreErrors) {
