@@ -8,6 +8,7 @@
 
 #include "ar3d/algorithms/degree_limit.h"
 #include "ar3d/algorithms/grid/invariant.h"
+#include "ar3d/algorithms/grid/neighbour_places.h"
 #include "ar3d/algorithms/grid/order.h"
 #include "ar3d/algorithms/grid/pack.h"
 #include "ar3d/algorithms/grid/planes.h"
@@ -37,6 +38,7 @@ std::int64_t own_side(const ProcessingOrder& order, const Planes& planes) {
   for (const OrderPart& part : order.parts) {
     std::int64_t largest = 0;  // P
     for (std::size_t i = part.begin; i < part.end; ++i) {
+      if (i + kAhead < part.end) __builtin_prefetch(&planes.of[order.sequence[i + kAhead]]);
       for (const std::int64_t x : planes.of[order.sequence[i]]) {
         largest = std::max(largest, std::abs(x));
       }

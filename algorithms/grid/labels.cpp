@@ -27,6 +27,7 @@ class Labeller {
       const std::size_t begin = part.cubic ? part.begin + 1 : part.begin;
       const std::size_t end = part.cubic ? part.end - 1 : part.end;
       for (std::size_t i = begin; i < end; ++i) {
+        ask_ahead(i);
         label_at(order_.sequence[i]);
       }
       if (part.cubic) label_last(order_.sequence[part.end - 1]);
@@ -44,6 +45,20 @@ class Labeller {
     unsigned forwards = 0;
     const HalfEdge* to_f = nullptr;  // the edge to f, which is labelled lazily
   };
+
+  /// The order is known, and what stands at its vertices is nowhere near in memory.
+  void ask_ahead(std::size_t i) const {
+    constexpr std::size_t kAhead = 16;
+    const std::vector<Vertex>& sequence = order_.sequence;
+    if (i + 2 * kAhead < sequence.size()) {
+      __builtin_prefetch(graph_.incident(sequence[i + 2 * kAhead]).data());
+    }
+    if (i + kAhead >= sequence.size()) return;
+    for (const HalfEdge& half : graph_.incident(sequence[i + kAhead])) {
+      labels_.of.ask_for(half.edge);
+      __builtin_prefetch(&received_[half.to], 1);
+    }
+  }
 
   View look(Vertex v) const {
     View view;

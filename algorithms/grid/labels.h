@@ -20,6 +20,8 @@ class EdgeLabels {
     const unsigned s = shift(v, to);
     both_[e] = static_cast<std::uint8_t>((both_[e] & ~(3u << s)) | (label << s));
   }
+  /// Asks for the memory of e's labels before they are needed.
+  void ask_for(EdgeId e) const { __builtin_prefetch(&both_[e], 1); }
   std::size_t size() const { return both_.size(); }
   /// Takes both labels of v's edges from `other`.
   void copy_around(const Graph& graph, Vertex v, const EdgeLabels& other) {

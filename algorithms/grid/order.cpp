@@ -36,11 +36,25 @@ class Search {
     seen_[root] = 1;
     queue.push_back(root);
     while (head < queue.size()) {
+      ask_ahead(head);
       for (const HalfEdge& half : graph_.incident(queue[head++])) {
         if (seen_[half.to]) continue;
         seen_[half.to] = 1;
         queue.push_back(half.to);
       }
+    }
+  }
+
+  /// What the search is going to read is known as far as the queue goes.
+  void ask_ahead(std::size_t head) const {
+    constexpr std::size_t kAhead = 16;
+    const std::vector<Vertex>& queue = order_.sequence;
+    if (head + 2 * kAhead < queue.size()) {
+      __builtin_prefetch(graph_.incident(queue[head + 2 * kAhead]).data());
+    }
+    if (head + kAhead >= queue.size()) return;
+    for (const HalfEdge& half : graph_.incident(queue[head + kAhead])) {
+      __builtin_prefetch(&seen_[half.to], 1);
     }
   }
 

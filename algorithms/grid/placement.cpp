@@ -59,7 +59,9 @@ bool Placement::place_vertices() {
     place_f();
   }
   const std::size_t ends = in_cubic_ ? 1 : 0;
-  for (const Vertex v : vertices_.subspan(ends, vertices_.size() - 2 * ends)) {
+  for (std::size_t i = ends; i < vertices_.size() - ends; ++i) {
+    ask_ahead(i);
+    const Vertex v = vertices_[i];
     const Site site = look(v);
     const bool is_x_m = site.next_to_f && aside_.is_defect() && site.label_to_f == aside_.m;
     const bool placed = site.opens != 0 ? place_clash(site)
@@ -68,6 +70,21 @@ bool Placement::place_vertices() {
     if (!placed) return false;
   }
   return !in_cubic_ || place_last();
+}
+
+/// Asks for what vertices_[i + 16] and the vertices behind it need: the order is known, and what
+/// stands at its vertices is nowhere near in memory.
+void Placement::ask_ahead(std::size_t i) const {
+  constexpr std::size_t kAhead = 16;
+  if (i + 2 * kAhead < vertices_.size()) {
+    __builtin_prefetch(graph_.incident(vertices_[i + 2 * kAhead]).data());
+    __builtin_prefetch(&planes_.of[vertices_[i + 2 * kAhead]], 1);
+  }
+  if (i + kAhead >= vertices_.size()) return;
+  for (const HalfEdge& half : graph_.incident(vertices_[i + kAhead])) {
+    planes_.labels.ask_for(half.edge);
+    __builtin_prefetch(&planes_.of[half.to], 1);
+  }
 }
 
 bool Placement::is_placed(Vertex v) const { return missing_colours(v) == 0; }

@@ -87,6 +87,7 @@ class Placement {
   /// Ordinary numbers of this component must stay inside the zone, since f will stand outside it.
   bool zoned() const { return in_cubic_ && aside_.is_defect(); }
   bool place_vertices();
+  void ask_ahead(std::size_t i) const;
   void undo();
   Site look(Vertex v) const;
   bool is_placed(Vertex v) const;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "ar3d/algorithms/grid/flat.h"
 #include "ar3d/algorithms/grid/placement.h"
@@ -30,8 +31,9 @@ void number_by_core(const Graph& graph, const ProcessingOrder& order, const Orde
     zone = std::min(2 * zone, proof.largest_zone());
     ++planes.counts.restarts;
   }
-  for (const Vertex v : vertices) {
-    expect(all_within(proved_plane_bound(proof.n), planes.of[v]),
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (i + kAhead < vertices.size()) __builtin_prefetch(&planes.of[vertices[i + kAhead]]);
+    expect(all_within(proved_plane_bound(proof.n), planes.of[vertices[i]]),
            "plane numbers keep the size proof's bound");
   }
 }
@@ -103,13 +105,17 @@ Planes assign_planes(const Graph& graph, const ProcessingOrder& order,
   const std::vector<OrderPart> left =
       options.flat ? number_flat(graph, order, options, planes) : order.parts;
   if (!left.empty()) {
-    const Labels labels = label_half_edges(graph, order);
-    for (const OrderPart& part : left) {
-      for (std::size_t i = part.begin; i < part.end; ++i) {
-        planes.labels.copy_around(graph, order.sequence[i], labels.of);
+    Labels labels = label_half_edges(graph, order);
+    if (left.size() == order.parts.size()) {
+      planes.labels = std::move(labels.of);
+    } else {
+      for (const OrderPart& part : left) {
+        for (std::size_t i = part.begin; i < part.end; ++i) {
+          planes.labels.copy_around(graph, order.sequence[i], labels.of);
+        }
       }
-      number_by_core(graph, order, part, planes);
     }
+    for (const OrderPart& part : left) number_by_core(graph, order, part, planes);
   }
   std::ranges::sort(planes.slots, {}, &Slot::edge);
   return planes;
