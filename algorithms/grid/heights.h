@@ -18,13 +18,6 @@ inline std::int64_t height_limit(std::int64_t n) {
   return std::min(64 * n + 10'000, std::int64_t{1} << 30);
 }
 
-/// A stretch [begin, end) of places: one component.
-struct PlaceRange {
-  Place begin = 0;
-  Place end = 0;
-  std::int64_t size() const { return std::int64_t{end} - begin; }
-};
-
 /// Colours 0 and 1 of one component's numbers as heights: X_0 = h_0 and X_1 = -h_1, so a vertex
 /// whose two heights are close together has a small X_0 + X_1. Invariant: every height of a colour
 /// is taken once; the sums h_0 - h_1 of two vertices joined by an edge of colour 2 differ by at

@@ -11,11 +11,9 @@
 namespace ar3d::grid {
 namespace {
 
-constexpr Vertex kNoVertex = static_cast<Vertex>(-1);
-
 class Labeller {
  public:
-  Labeller(const Graph& graph, const ProcessingOrder& order)
+  Labeller(const PlacedGraph& graph, const ProcessingOrder& order)
       : graph_(graph),
         order_(order),
         labels_{EdgeLabels(graph.num_edges()), 0},
@@ -23,14 +21,14 @@ class Labeller {
 
   Labels run() {
     for (const OrderPart& part : order_.parts) {
-      f_ = part.cubic ? order_.sequence[part.begin] : kNoVertex;
-      const std::size_t begin = part.cubic ? part.begin + 1 : part.begin;
-      const std::size_t end = part.cubic ? part.end - 1 : part.end;
-      for (std::size_t i = begin; i < end; ++i) {
-        ask_ahead(i);
-        label_at(order_.sequence[i]);
+      const auto begin = static_cast<Place>(part.begin);
+      const auto end = static_cast<Place>(part.end);
+      f_ = part.cubic ? begin : kNoPlace;
+      for (Place v = part.cubic ? begin + 1 : begin; v < (part.cubic ? end - 1 : end); ++v) {
+        ask_ahead(v);
+        label_at(v);
       }
-      if (part.cubic) label_last(order_.sequence[part.end - 1]);
+      if (part.cubic) label_last(end - 1);
     }
     return std::move(labels_);
   }
@@ -46,21 +44,16 @@ class Labeller {
     const HalfEdge* to_f = nullptr;  // the edge to f, which is labelled lazily
   };
 
-  /// The order is known, and what stands at its vertices is nowhere near in memory.
-  void ask_ahead(std::size_t i) const {
-    constexpr std::size_t kAhead = 16;
-    const std::vector<Vertex>& sequence = order_.sequence;
-    if (i + 2 * kAhead < sequence.size()) {
-      __builtin_prefetch(graph_.incident(sequence[i + 2 * kAhead]).data());
-    }
-    if (i + kAhead >= sequence.size()) return;
-    for (const HalfEdge& half : graph_.incident(sequence[i + kAhead])) {
+  /// The far ends of the edges that close cycles are nowhere near in memory.
+  void ask_ahead(Place v) const {
+    if (v + kAhead >= graph_.num_vertices()) return;
+    for (const HalfEdge& half : graph_.incident(v + kAhead)) {
       labels_.of.ask_for(half.edge);
       __builtin_prefetch(&received_[half.to], 1);
     }
   }
 
-  View look(Vertex v) const {
+  View look(Place v) const {
     View view;
     for (const HalfEdge& half : graph_.incident(v)) {
       const Colour there = labels_.of.at(half.edge, half.to, v);
@@ -76,7 +69,7 @@ class Labeller {
     return view;
   }
 
-  void label_at(Vertex v) {
+  void label_at(Place v) {
     const View view = look(v);
     expect(view.backs <= 2, "every vertex but the last has a later neighbour");
     if (is_clash(view)) return label_clash(v, view);
@@ -91,14 +84,14 @@ class Labeller {
   }
 
   /// Makes the edge a U-edge of the colour that its earlier end has chosen.
-  ColourSet join(Vertex v, const HalfEdge& half, Colour label) {
+  ColourSet join(Place v, const HalfEdge& half, Colour label) {
     labels_.of.set(half.edge, v, half.to, label);
     return only(label);
   }
 
   /// Two earlier neighbours chose lambda: which of them gets the U-edge is decided with the
   /// positions.
-  void label_clash(Vertex v, const View& view) {
+  void label_clash(Place v, const View& view) {
     ++labels_.clashes;
     if (view.forwards == 0) return;
     const Colour label = next(view.back_label[0]);
@@ -107,7 +100,7 @@ class Labeller {
   }
 
   /// A label of f that v and f can both use; so no neighbour of f is a clash vertex.
-  ColourSet label_f_edge(Vertex v, const HalfEdge& to_f, ColourSet used_at_v) {
+  ColourSet label_f_edge(Place v, const HalfEdge& to_f, ColourSet used_at_v) {
     const ColourSet allowed = kAllColours & ~used_at_v & ~labels_at_f();
     expect(allowed != 0, "f and its neighbour share a free label");
     const Colour label = first_of(allowed);
@@ -127,7 +120,7 @@ class Labeller {
 
   /// Distinct free labels for the forward half-edges, preferring labels that the other end has not
   /// received.
-  void label_forward(Vertex v, const View& view, ColourSet free) {
+  void label_forward(Place v, const View& view, ColourSet free) {
     for (unsigned i = 0; i < view.forwards; ++i) {
       const HalfEdge& half = view.forward[i];
       ColourSet wanted = free & ~static_cast<ColourSet>(received_[half.to]);
@@ -147,7 +140,7 @@ class Labeller {
 
   /// r: an ordinary or clash vertex with back edges to its two neighbours other than f; then the
   /// edge fr gets the remaining labels phi at f and psi at r.
-  void label_last(Vertex r) {
+  void label_last(Place r) {
     const View view = look(r);
     expect(view.backs == 2 && view.to_f != nullptr, "r comes last and is a neighbour of f");
     ColourSet used = 0;
@@ -163,16 +156,16 @@ class Labeller {
     labels_.of.set(aside, f_, r, first_of(kAllColours & ~labels_at_f()));
   }
 
-  const Graph& graph_;
+  const PlacedGraph& graph_;
   const ProcessingOrder& order_;
   Labels labels_;
   std::vector<std::uint8_t> received_;  // labels of the half-edges that earlier vertices sent here
-  Vertex f_ = kNoVertex;                // of the current component, if cubic
+  Place f_ = kNoPlace;                  // of the current component, if cubic
 };
 
 }  // namespace
 
-Labels label_half_edges(const Graph& graph, const ProcessingOrder& order) {
+Labels label_half_edges(const PlacedGraph& graph, const ProcessingOrder& order) {
   return Labeller(graph, order).run();
 }
 

@@ -5,6 +5,7 @@
 
 #include "ar3d/algorithms/grid/colours.h"
 #include "ar3d/algorithms/grid/order.h"
+#include "ar3d/algorithms/grid/placed_graph.h"
 #include "ar3d/model/graph.h"
 
 namespace ar3d::grid {
@@ -23,10 +24,6 @@ class EdgeLabels {
   /// Asks for the memory of e's labels before they are needed.
   void ask_for(EdgeId e) const { __builtin_prefetch(&both_[e], 1); }
   std::size_t size() const { return both_.size(); }
-  /// Takes both labels of v's edges from `other`.
-  void copy_around(const Graph& graph, Vertex v, const EdgeLabels& other) {
-    for (const HalfEdge& half : graph.incident(v)) both_[half.edge] = other.both_[half.edge];
-  }
 
  private:
   static unsigned shift(Vertex v, Vertex to) { return v < to ? 0 : 4; }
@@ -43,8 +40,8 @@ struct Labels {
   std::uint64_t clashes = 0;  ///< clash vertices
 };
 
-/// Step 3.2: labels in processing order, lazily for f. What the core needs.
+/// Step 3.2: labels in processing order, lazily for f. What the core needs; vertices are places.
 /// Cost: O(n + m).
-Labels label_half_edges(const Graph& graph, const ProcessingOrder& order);
+Labels label_half_edges(const PlacedGraph& graph, const ProcessingOrder& order);
 
 }  // namespace ar3d::grid

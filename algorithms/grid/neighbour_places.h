@@ -15,6 +15,13 @@ using Place = std::uint32_t;
 inline constexpr Place kAhead = 8;  ///< places between asking for memory and using it
 inline constexpr Place kNoPlace = std::numeric_limits<Place>::max();
 
+/// A stretch [begin, end) of places: one component.
+struct PlaceRange {
+  Place begin = 0;
+  Place end = 0;
+  std::int64_t size() const { return std::int64_t{end} - begin; }
+};
+
 /// The neighbours of one vertex as places, in the order of the graph's row.
 struct NeighbourPlaces {
   std::array<Place, 3> to{};

@@ -18,12 +18,12 @@ constexpr std::uint64_t kSeed =
 
 }  // namespace
 
-Placement::Placement(const Graph& graph, std::span<const Vertex> vertices, bool cubic,
-                     Planes& planes, std::int64_t window, std::int64_t zone)
+Placement::Placement(const PlacedGraph& graph, PlaceRange part, bool cubic, Planes& planes,
+                     std::int64_t window, std::int64_t zone)
     : graph_(graph),
-      vertices_(vertices),
+      part_(part),
       in_cubic_(cubic),
-      proof_{static_cast<std::int64_t>(vertices.size())},
+      proof_{part.size()},
       window_(window),
       zone_(zone),
       planes_(planes),
@@ -47,7 +47,7 @@ bool Placement::place_all() {
 void Placement::undo() {
   planes_.counts = counts_before_;
   planes_.slots.resize(slots_before_);
-  for (const Vertex v : vertices_) {
+  for (Place v = part_.begin; v < part_.end; ++v) {
     planes_.of[v] = {kUnsetNumber, kUnsetNumber, kUnsetNumber};
   }
   for (const auto& [v, half] : clash_edges_) planes_.labels.set(half.edge, v, half.to, kNoColour);
@@ -58,10 +58,9 @@ bool Placement::place_vertices() {
     set_aside();
     place_f();
   }
-  const std::size_t ends = in_cubic_ ? 1 : 0;
-  for (std::size_t i = ends; i < vertices_.size() - ends; ++i) {
-    ask_ahead(i);
-    const Vertex v = vertices_[i];
+  const Place ends = in_cubic_ ? 1 : 0;
+  for (Place v = part_.begin + ends; v < part_.end - ends; ++v) {
+    ask_ahead(v);
     const Site site = look(v);
     const bool is_x_m = site.next_to_f && aside_.is_defect() && site.label_to_f == aside_.m;
     const bool placed = site.opens != 0 ? place_clash(site)
@@ -72,16 +71,10 @@ bool Placement::place_vertices() {
   return !in_cubic_ || place_last();
 }
 
-/// Asks for what vertices_[i + 16] and the vertices behind it need: the order is known, and what
-/// stands at its vertices is nowhere near in memory.
-void Placement::ask_ahead(std::size_t i) const {
-  constexpr std::size_t kAhead = 16;
-  if (i + 2 * kAhead < vertices_.size()) {
-    __builtin_prefetch(graph_.incident(vertices_[i + 2 * kAhead]).data());
-    __builtin_prefetch(&planes_.of[vertices_[i + 2 * kAhead]], 1);
-  }
-  if (i + kAhead >= vertices_.size()) return;
-  for (const HalfEdge& half : graph_.incident(vertices_[i + kAhead])) {
+/// The far ends of the edges that close cycles are nowhere near in memory.
+void Placement::ask_ahead(Place v) const {
+  if (v + kAhead >= part_.end) return;
+  for (const HalfEdge& half : graph_.incident(v + kAhead)) {
     planes_.labels.ask_for(half.edge);
     __builtin_prefetch(&planes_.of[half.to], 1);
   }

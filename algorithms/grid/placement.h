@@ -8,6 +8,7 @@
 
 #include "ar3d/algorithms/grid/number_search.h"
 #include "ar3d/algorithms/grid/number_set.h"
+#include "ar3d/algorithms/grid/placed_graph.h"
 #include "ar3d/algorithms/grid/planes.h"
 #include "ar3d/model/random.h"
 
@@ -33,9 +34,9 @@ struct ZoneProof {
 /// One attempt to place one component with a given zone (-zone, zone) for ordinary numbers.
 class Placement {
  public:
-  /// @param vertices  the component in processing order.
+  /// @param part  the component; vertices and edges are those of the placed graph throughout.
   /// @param planes  has the component's labels; receives its numbers, slots and counts.
-  Placement(const Graph& graph, std::span<const Vertex> vertices, bool cubic, Planes& planes,
+  Placement(const PlacedGraph& graph, PlaceRange part, bool cubic, Planes& planes,
             std::int64_t window, std::int64_t zone);
 
   /// False if an ordinary number did not fit into the zone; then `planes` is as before.
@@ -87,7 +88,7 @@ class Placement {
   /// Ordinary numbers of this component must stay inside the zone, since f will stand outside it.
   bool zoned() const { return in_cubic_ && aside_.is_defect(); }
   bool place_vertices();
-  void ask_ahead(std::size_t i) const;
+  void ask_ahead(Place v) const;
   void undo();
   Site look(Vertex v) const;
   bool is_placed(Vertex v) const;
@@ -121,8 +122,8 @@ class Placement {
   void take(Colour c, std::int64_t number);
   void finish(const Site& site);
 
-  const Graph& graph_;
-  const std::span<const Vertex> vertices_;
+  const PlacedGraph& graph_;
+  const PlaceRange part_;
   const bool in_cubic_;
   const ZoneProof proof_;
   const std::int64_t window_;

@@ -11,8 +11,8 @@
 namespace ar3d::grid {
 
 void Placement::set_aside() {
-  aside_.f = vertices_.front();
-  aside_.r = vertices_.back();
+  aside_.f = part_.begin;
+  aside_.r = part_.end - 1;
   for (const HalfEdge& half : graph_.incident(aside_.f)) {
     if (half.to == aside_.r) aside_.edge = half.edge;
   }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ar3d/algorithms/grid/flat.h"
+#include "ar3d/algorithms/grid/placed_graph.h"
 #include "ar3d/algorithms/grid/placement.h"
 #include "ar3d/model/error.h"
 
@@ -19,23 +20,66 @@ bool all_within(std::int64_t bound, const PlaneNumbers& numbers) {
   return std::ranges::all_of(numbers, [&](std::int64_t x) { return -bound <= x && x <= bound; });
 }
 
-void number_by_core(const Graph& graph, const ProcessingOrder& order, const OrderPart& part,
-                    Planes& planes) {
-  const std::span<const Vertex> vertices(&order.sequence[part.begin], part.end - part.begin);
-  const ZoneProof proof{static_cast<std::int64_t>(vertices.size())};
+/// Numbers and labels that nobody has chosen yet.
+Planes unset_planes(std::size_t vertices, EdgeId edges) {
+  return {std::vector<PlaneNumbers>(vertices, {kUnsetNumber, kUnsetNumber, kUnsetNumber}),
+          EdgeLabels(edges),
+          {},
+          {},
+          {}};
+}
+
+/// @param planes  of the placed graph.
+void number_by_core(const PlacedGraph& graph, const OrderPart& part, Planes& planes) {
+  const PlaceRange range{static_cast<Place>(part.begin), static_cast<Place>(part.end)};
+  const ZoneProof proof{range.size()};
   const std::int64_t window = proof.window();
   std::int64_t zone = window + 2;
   ++planes.counts.core_parts;
-  while (!Placement(graph, vertices, part.cubic, planes, window, zone).place_all()) {
+  while (!Placement(graph, range, part.cubic, planes, window, zone).place_all()) {
     expect(zone < proof.largest_zone(), "the size proof's zone holds every number");
     zone = std::min(2 * zone, proof.largest_zone());
     ++planes.counts.restarts;
   }
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    if (i + kAhead < vertices.size()) __builtin_prefetch(&planes.of[vertices[i + kAhead]]);
-    expect(all_within(proved_plane_bound(proof.n), planes.of[vertices[i]]),
+  for (Place v = range.begin; v < range.end; ++v) {
+    expect(all_within(proved_plane_bound(proof.n), planes.of[v]),
            "plane numbers keep the size proof's bound");
   }
+}
+
+/// Copies one component's numbers and labels from places to vertices.
+void adopt_core(const ProcessingOrder& order, const PlacedGraph& graph, const OrderPart& part,
+                const Planes& core, Planes& planes) {
+  for (auto i = static_cast<Place>(part.begin); i < part.end; ++i) {
+    if (i + kAhead < part.end) {
+      __builtin_prefetch(&planes.of[order.sequence[i + kAhead]], 1);
+      for (const HalfEdge& half : graph.incident(i + kAhead)) {
+        planes.labels.ask_for(graph.edge_of(half.edge));
+      }
+    }
+    planes.of[order.sequence[i]] = core.of[i];
+    for (const HalfEdge& half : graph.incident(i)) {
+      planes.labels.set(graph.edge_of(half.edge), order.sequence[i], order.sequence[half.to],
+                        core.labels.at(half.edge, i, half.to));
+    }
+  }
+}
+
+/// Numbers the components in the graph renamed by places.
+void number_by_core(const Graph& graph, const ProcessingOrder& order,
+                    std::span<const OrderPart> parts, Planes& planes) {
+  const PlacedGraph placed(neighbours_in_order(graph, order));
+  Planes core = unset_planes(placed.num_vertices(), placed.num_edges());
+  core.labels = label_half_edges(placed, order).of;
+  core.counts = planes.counts;
+  core.steps = planes.steps;
+  for (const OrderPart& part : parts) {
+    number_by_core(placed, part, core);
+    adopt_core(order, placed, part, core, planes);
+  }
+  planes.counts = core.counts;
+  planes.steps = core.steps;
+  for (const Slot& slot : core.slots) planes.slots.push_back({placed.edge_of(slot.edge), slot.k});
 }
 
 /// Copies one component's labels and numbers from places to vertices.
@@ -96,27 +140,10 @@ std::vector<OrderPart> number_flat(const Graph& graph, const ProcessingOrder& or
 
 Planes assign_planes(const Graph& graph, const ProcessingOrder& order,
                      const PlaneOptions& options) {
-  Planes planes{
-      std::vector<PlaneNumbers>(graph.num_vertices(), {kUnsetNumber, kUnsetNumber, kUnsetNumber}),
-      EdgeLabels(graph.num_edges()),
-      {},
-      {},
-      {}};
+  Planes planes = unset_planes(graph.num_vertices(), graph.num_edges());
   const std::vector<OrderPart> left =
       options.flat ? number_flat(graph, order, options, planes) : order.parts;
-  if (!left.empty()) {
-    Labels labels = label_half_edges(graph, order);
-    if (left.size() == order.parts.size()) {
-      planes.labels = std::move(labels.of);
-    } else {
-      for (const OrderPart& part : left) {
-        for (std::size_t i = part.begin; i < part.end; ++i) {
-          planes.labels.copy_around(graph, order.sequence[i], labels.of);
-        }
-      }
-    }
-    for (const OrderPart& part : left) number_by_core(graph, order, part, planes);
-  }
+  if (!left.empty()) number_by_core(graph, order, left, planes);
   std::ranges::sort(planes.slots, {}, &Slot::edge);
   return planes;
 }
