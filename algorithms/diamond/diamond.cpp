@@ -7,6 +7,7 @@
 
 #include "ar3d/algorithms/degree_limit.h"
 #include "ar3d/algorithms/diamond/candidates.h"
+#include "ar3d/algorithms/diamond/in_threads.h"
 #include "ar3d/algorithms/diamond/interleaved.h"
 #include "ar3d/algorithms/diamond/routes.h"
 #include "ar3d/model/error.h"
@@ -26,12 +27,15 @@ void refuse_bad_input(const Graph& graph, const Options& options) {
 std::pair<Items, Items> items_of(const Graph& graph) {
   TwoColouring colours = colouring_of(graph);
   const bool many = graph.num_vertices() >= kManyVertices;
-  const auto items = [&](Colour c) {
+  std::pair<Items, Items> items;
+  const auto extract = [&](Colour c) {
     const std::vector<HalfEdge> next = std::move(colours.next[c]);  // not beyond this
-    return many ? interleaved_items(next) : extract_items(next);
+    (c == kGreen ? items.first : items.second) =
+        many ? interleaved_items(next) : extract_items(next);
   };
-  Items green = items(kGreen);
-  return {std::move(green), items(kRed)};
+  in_two_threads(
+      graph.num_vertices(), [&] { extract(kGreen); }, [&] { extract(kRed); });
+  return items;
 }
 
 Candidate choose(const Graph& graph, Items green, Items red, int effort) {

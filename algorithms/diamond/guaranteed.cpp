@@ -10,6 +10,7 @@
 #include "ar3d/algorithms/diamond/cycles.h"
 #include "ar3d/algorithms/diamond/ordering.h"
 #include "ar3d/model/error.h"
+#include "ar3d/model/long_vector.h"
 
 namespace ar3d::diamond {
 namespace {
@@ -102,6 +103,7 @@ GuaranteedPlacement place_guaranteed(const Graph& graph, Items green, Items red)
   Placement& placement = result.placement;
   GapCount& gaps = result.gaps;
   auto& at = placement.at;
+  reserve_long(at, graph.num_vertices());
   at.resize(graph.num_vertices());
   gaps.m_green = count_cycles(green);
   gaps.m_red = count_cycles(red);

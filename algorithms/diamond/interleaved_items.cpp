@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ar3d/algorithms/diamond/interleaved.h"
+#include "ar3d/model/long_vector.h"
 
 namespace ar3d::diamond {
 namespace {
@@ -22,8 +23,8 @@ class ItemWalks {
       if (half.to != kNone) begins_path_[half.to] = 0;
     }
     for (Lane& lane : lanes_) lane.passed.reserve(next.size() / sizes.lanes + 1024);
-    items_.vertex.reserve(next.size());
-    items_.edge.reserve(next.size());
+    reserve_long(items_.vertex, next.size());
+    reserve_long(items_.edge, next.size());
   }
 
   Items run() {

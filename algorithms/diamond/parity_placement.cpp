@@ -8,6 +8,7 @@
 
 #include "ar3d/algorithms/diamond/ordering.h"
 #include "ar3d/model/error.h"
+#include "ar3d/model/long_vector.h"
 
 namespace ar3d::diamond {
 namespace {
@@ -53,6 +54,7 @@ class ParityPlacer {
     for (std::uint32_t item = 0; item < red_.count(); ++item) {
       if (red_.is_cycle(item)) rule_red_cycle(item);
     }
+    reserve_long(place_, at_.size());
     place_.resize(at_.size());
     for (std::uint32_t i = 0; i < place_.size(); ++i) place_[red_.vertex[i]] = i;
     for (std::uint32_t item = 0; item < green_.count(); ++item) {
@@ -171,6 +173,7 @@ std::optional<ParityPlacement> place_by_parity(const Graph& graph, Items green, 
                                                ParityPattern pattern) {
   ParityPlacement result{{std::move(green), std::move(red), {}}, 0};
   const auto& order = result.placement.green.vertex;
+  reserve_long(result.placement.at, order.size());
   result.placement.at.resize(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     const auto rank = static_cast<std::int32_t>(i);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "ar3d/algorithms/diamond/in_threads.h"
 #include "ar3d/model/error.h"
 
 namespace ar3d::diamond {
@@ -64,10 +65,13 @@ Drawing lift(const Graph& graph, const Placement& placement, Tracks tracks) {
   std::int32_t bound = 0;  // X and Y are not negative, so X + Y bounds both |X - Y| and X + Y
   for (const PlanePoint p : placement.at) bound = std::max(bound, p.X + p.Y);
   Coordinates vertices(n, bound);
-  for (std::size_t v = 0; v < n; ++v) {
-    const auto [X, Y] = placement.at[v];
-    vertices.set(v, {X - Y, X + Y, 0});
-  }
+  const auto threads = static_cast<std::uint32_t>(threads_for(n));
+  for_ranges_in_threads(threads, n, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      const auto [X, Y] = placement.at[v];
+      vertices.set(v, {X - Y, X + Y, 0});
+    }
+  });
   return Drawing("diamond", kCubeLattice, std::move(vertices), graph.shared_edges(),
                  std::make_shared<DiamondRoutes>(std::move(tracks.code)));
 }

@@ -4,8 +4,10 @@
 // way, so that candidates can be compared without any bend in memory. O(n + m).
 #include <algorithm>
 
+#include "ar3d/algorithms/diamond/in_threads.h"
 #include "ar3d/algorithms/diamond/routes.h"
 #include "ar3d/model/error.h"
+#include "ar3d/model/long_vector.h"
 
 namespace ar3d::diamond {
 namespace {
@@ -67,7 +69,7 @@ class Labels {
   void read_points(std::uint32_t item) {
     points_.clear();
     const auto vertices = items_.of(item);
-    points_.reserve(vertices.size());
+    reserve_long(points_, vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       if (i + kAhead < vertices.size()) __builtin_prefetch(&at_[vertices[i + kAhead]]);
       points_.push_back(seen(vertices[i]));
@@ -169,11 +171,12 @@ class Labels {
 
 Tracks choose_tracks(const Graph& graph, const Placement& placement) {
   Tracks tracks;
+  reserve_long(tracks.code, graph.num_edges());
   tracks.code.resize(graph.num_edges());
   Labels green(placement.green, placement.at, kGreen, tracks);
   Labels red(placement.red, placement.at, kRed, tracks);
-  green.run();
-  red.run();
+  in_two_threads(
+      graph.num_vertices(), [&] { green.run(); }, [&] { red.run(); });
   Range x = green.a_minus_b();  // x = X - Y: green sees a - b, red sees b - a
   x.include(-red.a_minus_b().low);
   x.include(-red.a_minus_b().high);

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
+#include "ar3d/algorithms/diamond/in_threads.h"
 #include "ar3d/algorithms/diamond/walk_lanes.h"
 #include "ar3d/model/graph.h"
 #include "ar3d/model/threads.h"
@@ -83,16 +85,19 @@ class Trails {
  public:
   /// @param all_linked  every entry of every vertex has a linked one.
   Trails(const Records& records, bool all_linked, const WalkSizes& sizes)
-      : records_(records), all_linked_(all_linked), sizes_(sizes), lanes_(sizes.lanes) {
+      : records_(records),
+        all_linked_(all_linked),
+        sizes_(sizes),
+        lanes_(std::size_t{sizes.lanes} * sizes.threads) {
     const std::size_t ends = all_linked ? records.size() / sizes.stride + 1 : records.size();
     stretch_at_.assign(4 * ends, kNone);
-    for (Lane& lane : lanes_) lane.arrivals.reserve(2 * records.size() / sizes.lanes + 1024);
+    for (Lane& lane : lanes_) lane.arrivals.reserve(2 * records.size() / lanes_.size() + 1024);
   }
 
   /// Calls visit(trail), once for each.
   template <class Visit>
   void for_each(Visit visit) {
-    walk_in_lanes(*this, sizes_.lanes);
+    walk_all();
     visit_open(visit);
     visit_closed(visit);
   }
@@ -102,18 +107,30 @@ class Trails {
     return lanes_[stretch.lane].arrivals.data() + stretch.begin;
   }
 
-  // For walk_in_lanes.
-  bool start(std::uint32_t lane);
-  bool advance(std::uint32_t lane);
-
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+  static constexpr std::uint32_t kWalked = kNone - 1;  ///< by a stretch without a number yet
   struct Lane {
     Stretch stretch;
     Vertex from = 0;
     Vertex to = 0;
     std::vector<Port> arrivals;
   };
+  /// One thread's part: the stretches that begin in a range of vertices.
+  struct Walker {
+    bool start(std::uint32_t number) { return trails->start(*this, trails->lanes_[lane + number]); }
+    bool advance(std::uint32_t number) {
+      return trails->advance(*this, trails->lanes_[lane + number]);
+    }
+    Trails* trails = nullptr;
+    std::uint32_t lane = 0;  ///< the first one
+    Port next = 0;           ///< where to look for the next start
+    Vertex end = 0;
+    std::vector<Stretch> stretches = {};
+  };
+  void walk_all();
+  bool start(Walker& walker, Lane& lane);
+  bool advance(Walker& walker, Lane& lane);
 
   bool cuts(Vertex v) const { return v % sizes_.stride == 0; }
   /// The stretch that begins or ends at a port where one may: kNone as long as none is known.
@@ -121,8 +138,12 @@ class Trails {
     return stretch_at_[all_linked_ ? port(vertex_of(p) / sizes_.stride, entry_of(p)) : p];
   }
   std::uint32_t linked(Port p) const { return link_(records_[vertex_of(p)], entry_of(p)); }
-  bool next_start(Port& p);
-  void finish(Lane& lane);
+  /// The same while threads walk; no other thread's walk depends on when it sees it.
+  std::atomic_ref<std::uint32_t> shared_stretch_at(Port p) {
+    return std::atomic_ref<std::uint32_t>(stretch_at(p));
+  }
+  bool next_start(Walker& walker, Port& p);
+  void finish(Walker& walker, Lane& lane);
 
   template <class Visit>
   void visit_open(Visit& visit);
@@ -140,35 +161,33 @@ class Trails {
   std::vector<Lane> lanes_;
   std::vector<Stretch> stretches_;
   std::vector<std::uint32_t> stretch_at_;
-  Trail trail_;    ///< the one at hand
-  Port next_ = 0;  ///< where to look for the next start
+  Trail trail_;  ///< the one at hand
 };
 
 /// The next port at which a stretch begins and none has ended.
 template <class Link>
-bool Trails<Link>::next_start(Port& p) {
-  const auto size = static_cast<Vertex>(records_.size());
-  while (vertex_of(next_) < size) {
-    p = next_++;
+bool Trails<Link>::next_start(Walker& walker, Port& p) {
+  while (vertex_of(walker.next) < walker.end) {
+    p = walker.next++;
     const Vertex v = vertex_of(p);
     if (all_linked_ && !cuts(v)) {  // nothing begins before the next cut
-      next_ = port((v / sizes_.stride + 1) * sizes_.stride, 0);
+      walker.next = port((v / sizes_.stride + 1) * sizes_.stride, 0);
       continue;
     }
     if (neighbour(records_[v], entry_of(p)) == kNoNeighbour) continue;
-    if ((cuts(v) || linked(p) == kNoEntry) && stretch_at(p) == kNone) return true;
+    if (!cuts(v) && linked(p) != kNoEntry) continue;
+    if (shared_stretch_at(p).load(std::memory_order_relaxed) == kNone) return true;
   }
   return false;
 }
 
 template <class Link>
-bool Trails<Link>::start(std::uint32_t number) {
-  Lane& lane = lanes_[number];
+bool Trails<Link>::start(Walker& walker, Lane& lane) {
   Port p = 0;
-  if (!next_start(p)) return false;
+  if (!next_start(walker, p)) return false;
   lane.stretch = Stretch{};
   lane.stretch.start = p;
-  lane.stretch.lane = number;
+  lane.stretch.lane = static_cast<std::uint32_t>(&lane - lanes_.data());
   lane.stretch.begin = lane.arrivals.size();
   lane.from = vertex_of(p);
   lane.to = neighbour(records_[lane.from], entry_of(p));
@@ -177,8 +196,7 @@ bool Trails<Link>::start(std::uint32_t number) {
 }
 
 template <class Link>
-bool Trails<Link>::advance(std::uint32_t number) {
-  Lane& lane = lanes_[number];
+bool Trails<Link>::advance(Walker& walker, Lane& lane) {
   const Record& record = records_[lane.to];
   std::uint32_t entry = 0;
   while (neighbour(record, entry) != lane.from) ++entry;
@@ -187,7 +205,7 @@ bool Trails<Link>::advance(std::uint32_t number) {
   ++lane.stretch.size;
   const std::uint32_t next = link_(record, entry);
   if (next == kNoEntry || cuts(lane.to)) {
-    finish(lane);
+    finish(walker, lane);
     return false;
   }
   const Port leaving = port(lane.to, next);
@@ -202,15 +220,36 @@ bool Trails<Link>::advance(std::uint32_t number) {
   return true;
 }
 
-/// A stretch may have been walked from both of its ends at the same time: both ports know one that
-/// joins them, which is all that is asked of them.
 template <class Link>
-void Trails<Link>::finish(Lane& lane) {
+void Trails<Link>::finish(Walker& walker, Lane& lane) {
   lane.stretch.end = lane.arrivals.back();
-  const auto number = static_cast<std::uint32_t>(stretches_.size());
-  stretches_.push_back(lane.stretch);
+  walker.stretches.push_back(lane.stretch);
   for (const Port p : {lane.stretch.start, lane.stretch.end}) {
-    if (stretch_at(p) == kNone) stretch_at(p) = number;
+    shared_stretch_at(p).store(kWalked, std::memory_order_relaxed);
+  }
+}
+
+/// A stretch may have been walked from both of its ends at the same time: then both ports get the
+/// number of the same one of the two, which is all that is asked of them.
+template <class Link>
+void Trails<Link>::walk_all() {
+  const auto n = static_cast<Vertex>(records_.size());
+  std::vector<Walker> walkers(sizes_.threads);
+  for (std::uint32_t t = 0; t < sizes_.threads; ++t) {
+    const auto bound = [&](std::uint32_t i) {
+      return static_cast<Vertex>(std::uint64_t{n} * i / sizes_.threads);
+    };
+    walkers[t].trails = this;
+    walkers[t].lane = t * sizes_.lanes;
+    walkers[t].next = port(bound(t), 0);
+    walkers[t].end = bound(t + 1);
+  }
+  in_threads(sizes_.threads, [&](std::uint32_t t) { walk_in_lanes(walkers[t], sizes_.lanes); });
+  for (const Walker& walker : walkers) {
+    stretches_.insert(stretches_.end(), walker.stretches.begin(), walker.stretches.end());
+  }
+  for (std::uint32_t number = 0; number < stretches_.size(); ++number) {
+    stretch_at(stretches_[number].start) = stretch_at(stretches_[number].end) = number;
   }
 }
 

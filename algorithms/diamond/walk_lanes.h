@@ -9,8 +9,9 @@ namespace ar3d::diamond {
 struct WalkSizes {
   /// Every so many-th vertex cuts the chains through it into stretches.
   std::uint32_t stride = 512;
-  /// Stretches that are walked at the same time.
+  /// Stretches that a thread walks at the same time.
   std::uint32_t lanes = 32;
+  std::uint32_t threads = 1;
 };
 
 /// Walks many stretches of chains in turns. A step of a walk reads a place in memory that only the

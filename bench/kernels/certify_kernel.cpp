@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/bench/measure/one_thread.h"
 #include "ar3d/bench/measure/stopwatch.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/closest_pair.h"
@@ -47,6 +48,7 @@ double median(std::vector<double> values) {
 void time_in_turns(benchmark::State& state, std::uint64_t items,
                    const std::vector<std::pair<std::string, Function>>& functions) {
   std::vector<std::vector<double>> times(functions.size());
+  const OneThread one_thread;
   for (auto _ : state) {
     for (std::size_t i = 0; i < functions.size(); ++i) {
       times[i].push_back(seconds_of(functions[i].second));

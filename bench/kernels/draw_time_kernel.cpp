@@ -17,6 +17,7 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/algorithms/effort.h"
+#include "ar3d/bench/measure/one_thread.h"
 #include "ar3d/bench/measure/stopwatch.h"
 #include "ar3d/generators/catalog.h"
 #include "inputs.h"
@@ -54,6 +55,7 @@ void time_kernel(benchmark::State& state, const Algorithm& algorithm, const Fami
   const auto efforts = timed_efforts(algorithm);
   std::map<std::string, std::vector<double>> draws;
   std::vector<double> searches;
+  const OneThread one_thread;
   for (auto _ : state) {
     searches.push_back(
         nanoseconds([&] { benchmark::DoNotOptimize(search_breadth_first(graph).data()); }) / n);

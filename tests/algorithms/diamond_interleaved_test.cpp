@@ -13,9 +13,16 @@ namespace {
 using namespace diamond;
 
 std::vector<WalkSizes> sizes() {
-  return {{.stride = 1, .lanes = 1},  {.stride = 2, .lanes = 3},   {.stride = 3, .lanes = 40},
-          {.stride = 7, .lanes = 2},  {.stride = 31, .lanes = 8},  {.stride = 97, .lanes = 1},
-          {.stride = 64, .lanes = 5}, {.stride = 5000, .lanes = 4}};
+  return {{.stride = 1, .lanes = 1},
+          {.stride = 2, .lanes = 3},
+          {.stride = 3, .lanes = 40},
+          {.stride = 7, .lanes = 2},
+          {.stride = 31, .lanes = 8},
+          {.stride = 97, .lanes = 1},
+          {.stride = 64, .lanes = 5},
+          {.stride = 5000, .lanes = 4},
+          {.stride = 1, .lanes = 2, .threads = 2},
+          {.stride = 5, .lanes = 3, .threads = 3}};
 }
 
 void expect_equal(const Items& a, const Items& b) {
