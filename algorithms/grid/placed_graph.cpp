@@ -1,5 +1,5 @@
-// The graph as the core reads it. In a breadth-first order the two ends of a tree edge are read in
-// two streams, so only the other edges still miss the cache. O(n + m).
+// The graph renamed by places, before Steps 3.2 to 3.5. In a breadth-first order the two ends of a
+// tree edge are read in two streams, so only the edges that close cycles miss the cache. O(n + m).
 #include "ar3d/algorithms/grid/placed_graph.h"
 
 namespace ar3d::grid {
