@@ -64,7 +64,7 @@ void add_pairs(const PairedCell& cell, double instruction_threshold, Evidence& i
   for (const PairedRow& row : cell.rows) {
     const double change = log2_volume_change(row);
     if (std::abs(change) > std::abs(into.log2_volume_change)) into.log2_volume_change = change;
-    into.is_drawn |= row.base->status == RunStatus::ok && row.now->status == RunStatus::ok;
+    into.is_drawn |= both_drawn(row);
   }
 }
 
@@ -208,8 +208,9 @@ void note_pairing(const Pairing& pairing, Comparison& comparison) {
                                                 pairing.missing, one_line(pairing.first_missing)));
   }
   if (untimed > 0) {
-    add_once(comparison.incomplete,
-             fmt::format("{} ok measurements have no time above 0 (NaN, 0 or infinite)", untimed));
+    add_once(
+        comparison.incomplete,
+        fmt::format("{} drawn measurements have no time above 0 (NaN, 0 or infinite)", untimed));
   }
   if (pairing.fewer > 0) {
     add_once(comparison.remarks,

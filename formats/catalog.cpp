@@ -11,6 +11,7 @@
 #include "ar3d/formats/graphs/graphml.h"
 #include "ar3d/formats/graphs/matrix_market.h"
 #include "ar3d/formats/graphs/metis.h"
+#include "ar3d/formats/graphs/metis_detection.h"
 #include "ar3d/formats/graphs/nauty_lines.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/nearest_name.h"
@@ -19,6 +20,14 @@ namespace ar3d {
 namespace {
 
 constexpr std::size_t kDetectionBytes = std::size_t{1} << 16;
+
+/// The ending says "edge list", which lines of numbers alone do not tell from METIS. ".txt" says
+/// nothing.
+bool is_named_edge_list(const std::string& name) {
+  const GraphFormat* const named = graph_format_of_path(name);
+  const bool is_text = name.find(".txt") != std::string::npos;
+  return named != nullptr && named->name == "edgelist" && !is_text;
+}
 
 /// The format of the text to come. Looks beyond the first line only where numbers leave several
 /// choices, so that a pipe's first graph can be read before its second is written.
@@ -30,7 +39,9 @@ const GraphFormat& detect_format(TextInput& input) {
       std::string_view("#%0123456789").find(text[first]) != std::string_view::npos) {
     text = input.look_ahead(kDetectionBytes);
   }
+  const bool no_metis = is_named_edge_list(input.name()) && !text.starts_with(kMetisMark);
   for (const GraphFormat& format : graph_formats()) {
+    if (no_metis && format.name == "metis") continue;
     if (format.detect({text, input.sees_end()})) return format;
   }
   const std::string_view line = text.substr(0, text.find('\n'));

@@ -50,15 +50,19 @@ std::size_t most_bends(const RunRecord& run) {
 
 Effect direction(bool worse) { return worse ? Effect::worse : Effect::better; }
 
+/// Judged right is more than drawn, and drawn more than not.
+int rank_of(RunStatus status) {
+  return status == RunStatus::ok ? 2 : status == RunStatus::measured ? 1 : 0;
+}
+
 void compare_status(const RunRecord& base, const RunRecord& now,
                     std::vector<FixedChange>& changes) {
   const bool violated = now.status == RunStatus::violated || now.violations > 0;
   if (violated) {
     changes.push_back({Effect::violated, fmt::format("violated: {}", now.message)});
   } else if (base.status != now.status) {
-    const Effect effect = now.status == RunStatus::ok    ? Effect::better
-                          : base.status == RunStatus::ok ? Effect::worse
-                                                         : Effect::other;
+    const int before = rank_of(base.status), after = rank_of(now.status);
+    const Effect effect = before == after ? Effect::other : direction(after < before);
     changes.push_back({effect, fmt::format("status {} became {}", to_string(base.status),
                                            to_string(now.status))});
   } else if (base.violations >= 0 && now.violations < 0 && now.status == RunStatus::ok) {

@@ -35,11 +35,27 @@ RowIndex index_of(const Results& results, const char* side) {
   return index;
 }
 
-bool is_time(double seconds) { return std::isfinite(seconds) && seconds > 0; }
+using KeyIndex = std::map<std::string, const RunRecord*>;
 
-bool both_ok(const PairedRow& row) {
-  return row.base->status == RunStatus::ok && row.now->status == RunStatus::ok;
+KeyIndex keys_of(const Results& results) {
+  KeyIndex index;
+  for (const RunRecord& run : results.runs) {
+    if (!run.row_key.empty()) index.try_emplace(run.row_key, &run);
+  }
+  return index;
 }
+
+/// The row of the same measurement; of a file of graphs under another name the row key tells it,
+/// which is made from the graphs' hash. Null if there is none.
+const RunRecord* partner_of(const RunRecord& run, const RowIndex& rows, const KeyIndex& keys) {
+  if (const auto at = rows.find(identity(run)); at != rows.end()) return at->second;
+  const auto at = keys.find(run.row_key);
+  const bool is_same = at != keys.end() && at->second->algorithm == run.algorithm &&
+                       at->second->graph_hash == run.graph_hash;
+  return is_same ? at->second : nullptr;
+}
+
+bool is_time(double seconds) { return std::isfinite(seconds) && seconds > 0; }
 
 /// The phase whose times count in the cell.
 RunPhase timed_phase(const PairedCell& cell) {
@@ -49,12 +65,12 @@ RunPhase timed_phase(const PairedCell& cell) {
   return timing ? RunPhase::timing : RunPhase::metrics;
 }
 
-/// The ok pairs of the phase that counts.
+/// The drawn pairs of the phase that counts.
 std::vector<PairedRow> candidates(const PairedCell& cell) {
   const RunPhase phase = timed_phase(cell);
   std::vector<PairedRow> rows;
   for (const PairedRow& row : cell.rows) {
-    if (row.base->phase == phase && both_ok(row)) rows.push_back(row);
+    if (row.base->phase == phase && both_drawn(row)) rows.push_back(row);
   }
   return rows;
 }
@@ -64,6 +80,13 @@ bool has_times(const PairedRow& row) {
 }
 
 }  // namespace
+
+bool both_drawn(const PairedRow& row) {
+  const auto is_drawn = [](const RunRecord& run) {
+    return run.status == RunStatus::ok || run.status == RunStatus::measured;
+  };
+  return is_drawn(*row.base) && is_drawn(*row.now);
+}
 
 std::string row_label(const RunRecord& run) {
   const CurveKey key = curve_of(run);
@@ -76,13 +99,14 @@ std::string row_label(const RunRecord& run) {
 
 Pairing pair_rows(const Results& base, const Results& now) {
   const RowIndex new_rows = index_of(now, "NEW");
+  const KeyIndex new_keys = keys_of(now);
   index_of(base, "BASE");
   Pairing pairing;
   std::map<std::pair<CurveKey, std::int64_t>, std::size_t> cell_of;
   std::size_t matched = 0;
   for (const RunRecord& run : base.runs) {
-    const auto partner = new_rows.find(identity(run));
-    if (partner == new_rows.end()) {
+    const RunRecord* const partner = partner_of(run, new_rows, new_keys);
+    if (partner == nullptr) {
       const bool may_lack = run.phase == RunPhase::timing && run.repetition > 0;
       if (may_lack) {
         ++pairing.fewer;
@@ -95,7 +119,7 @@ Pairing pair_rows(const Results& base, const Results& now) {
     const std::int64_t n = run.n >= 0 ? run.n : run.requested_n;
     const auto [place, is_new] = cell_of.try_emplace({curve_of(run), n}, pairing.cells.size());
     if (is_new) pairing.cells.push_back({curve_of(run), n, {}});
-    pairing.cells[place->second].rows.push_back({&run, partner->second});
+    pairing.cells[place->second].rows.push_back({&run, partner});
   }
   pairing.extra = now.runs.size() - matched;
   return pairing;

@@ -34,6 +34,9 @@ struct Pairing {
 /// @throws InputError if one side holds the same measurement twice. Cost: O(r log r) for r rows.
 Pairing pair_rows(const Results& base, const Results& now);
 
+/// True if both sides drew it, judged right (ok) or without a guarantee to be judged by (measured).
+bool both_drawn(const PairedRow& row);
+
 /// "random-cubic n=100 instance 0, diamond (effort=1), repetition 2": which measurement a row is.
 std::string row_label(const RunRecord& run);
 
@@ -45,7 +48,7 @@ std::vector<double> log_time_ratios(const PairedCell& cell);
 /// times among the repetitions of each; NaN if there is none.
 double round_log_time_ratio(const PairedCell& cell);
 
-/// Ok rows of both sides whose time is not a finite positive number although it should be one.
+/// Rows drawn on both sides whose time is not a finite positive number although it should be one.
 std::size_t rows_without_time(const PairedCell& cell);
 
 }  // namespace ar3d

@@ -7,11 +7,13 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <string_view>
 #include <tuple>
 
 #include "ar3d/analysis/compare/environment_change.h"
 #include "ar3d/analysis/text.h"
 #include "ar3d/model/error.h"
+#include "ar3d/records/graph_file_table.h"
 
 namespace ar3d {
 namespace {
@@ -58,6 +60,8 @@ std::vector<fs::path> results_files(const std::string& folder) {
   return files;
 }
 
+constexpr std::string_view kProgramEntry = "program_";  // in /environments, the name behind it
+
 struct ReadResults {
   CommitResults commit;
   std::map<std::string, std::string> environment;
@@ -72,6 +76,14 @@ ReadResults read_one(const fs::path& path) {
   read.commit.source_hash = reader.identity().source_hash;
   read.commit.study = reader.identity().study_id;
   read.commit.created = reader.identity().created;
+  for (const GraphFileRecord& file : graph_file_records(reader.identity())) {
+    read.commit.not_of_the_catalogue.insert(file.name);
+  }
+  for (const EnvironmentEntry& entry : reader.environment()) {
+    if (entry.name.starts_with(kProgramEntry)) {
+      read.commit.not_of_the_catalogue.insert(entry.name.substr(kProgramEntry.size()));
+    }
+  }
   read.environment = lasting_settings(reader.environment());
   read.table = cell_values(view_of(reader));
   read.commit.unfinished = read.table.unfinished;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct CommitResults {
   std::size_t environment = 0;  ///< in History::environments
   std::string untimed;          ///< why its times are not judged; empty: they are
   std::size_t unfinished = 0;   ///< rows
+  /// Files of graphs and programs of the study's own, by name: `bisect` cannot have them.
+  std::set<std::string> not_of_the_catalogue;
 };
 
 /// One measure of one cell over the commits, in one environment.

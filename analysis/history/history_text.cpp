@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "ar3d/analysis/history/changes_in_order.h"
@@ -23,6 +24,10 @@ double level(const HistoryLine& line, std::size_t begin, std::size_t end) {
   std::vector<double> values(line.values.begin() + static_cast<std::ptrdiff_t>(begin),
                              line.values.begin() + static_cast<std::ptrdiff_t>(end));
   return median(std::move(values));
+}
+
+std::string absolute(const std::string& path) {
+  return std::filesystem::absolute(path).lexically_normal().string();
 }
 
 std::string change_lines(const History& history, const PlacedChange& placed) {
@@ -122,10 +127,16 @@ std::string effect_text(const HistoryLine& line, const ChangePoint& change) {
 std::string bisect_command(const History& history, const HistoryLine& line,
                            const ChangePoint& change) {
   const Neighbours at = around(history, {&line, &change}, true);
+  const CurveKey& curve = line.cell.curve;
+  if (at.after->not_of_the_catalogue.contains(curve.family) ||
+      at.after->not_of_the_catalogue.contains(curve.algorithm)) {
+    return fmt::format("ar3d compare {} {}", shell_word(absolute(at.before->file)),
+                       shell_word(absolute(at.after->file)));
+  }
   const std::string &good = at.before->source_hash, &bad = at.after->source_hash;
   if (!is_commit(good) || !is_commit(bad) || good == bad) return "";
   return fmt::format("ar3d bisect --good {} --bad {} --study {} --measure {} --cell {}",
-                     good.substr(0, 12), bad.substr(0, 12), shell_word(at.after->file),
+                     good.substr(0, 12), bad.substr(0, 12), shell_word(absolute(at.after->file)),
                      to_string(line.measure), shell_word(cell_label(line.cell.curve, line.cell.n)));
 }
 

@@ -18,6 +18,10 @@ std::size_t most_bytes(const Graph& graph) {
   return kAlways + kEach * (std::size_t{graph.num_vertices()} + graph.num_edges());
 }
 
+// A line that comes late would be taken for the answer to the next graph; a program that writes
+// such lines does so from the beginning.
+constexpr double kListening_s = 0.02;
+
 ProgramAnswer parsed(const std::string& name, const Graph& graph, const std::string& line) {
   try {
     return parse_answer(name, graph, line);
@@ -34,15 +38,18 @@ ExternalDrawing ExternalDrawer::draw(const ExternalAlgorithm& algorithm, const S
   const std::vector<std::string> command = command_with(algorithm, options);
   const std::string key = fmt::format("{}", fmt::join(command, "\n"));
   std::unique_ptr<ExternalProcess> process = std::move(processes_[key]);
-  if (!process) {
+  const bool is_new = !process;
+  if (is_new) {
     process = std::make_unique<ExternalProcess>(command);
     if (!algorithm.one_graph_per_process) {
       const Graph edge(2, {{0, 1}});
       process->ask(request_of(algorithm, edge), algorithm.limit_s(2), most_bytes(edge));
+      process->refuse_second_lines(kListening_s);
     }
   }
   const ExternalProcess::Answer answer = process->ask(
       request_of(algorithm, graph), algorithm.limit_s(graph.num_vertices()), most_bytes(graph));
+  if (is_new && !algorithm.one_graph_per_process) process->refuse_second_lines(kListening_s);
   ProgramAnswer read = parsed(algorithm.row.name, graph, answer.line);
   if (!algorithm.one_graph_per_process) processes_[key] = std::move(process);
   if (!read.drawing) throw InputError(fmt::format("{}: {}", algorithm.row.name, read.refusal));

@@ -19,7 +19,8 @@ struct ExternalDrawing {
 
 /// Keeps a process for each external program with its options and has it draw graph after graph. A
 /// new process first draws a single edge, so that starting it is timed with no graph (unless it
-/// takes one graph only). To be used by one thread.
+/// takes one graph only), and is listened to for 20 ms behind that answer and the next, lest it
+/// write second lines. To be used by one thread.
 class ExternalDrawer {
  public:
   /// @throws ProgramFailure as ExternalProcess, and `crashed` if the answer is no drawing of the

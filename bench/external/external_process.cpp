@@ -204,12 +204,21 @@ void ExternalProcess::write_request(const std::string& request, std::size_t& wri
   }
 }
 
+void ExternalProcess::refuse_second_lines(double wait_s) {
+  pollfd event{output_.get(), POLLIN, 0};
+  poll(&event, 1, static_cast<int>(std::ceil(1000 * wait_s)));
+  std::array<char, 4096> bytes;
+  const ssize_t got = read(output_.get(), bytes.data(), bytes.size());
+  if (got > 0 || !received_.empty()) {
+    throw ProgramFailure(RunStatus::crashed,
+                         "answered more than one line to a graph, one of them after its answer");
+  }
+}
+
 ExternalProcess::Answer ExternalProcess::ask(const std::string& request, double limit_s,
                                              std::size_t most_bytes) {
   const NoBrokenPipes no_broken_pipes;
-  if (!received_.empty()) {
-    throw ProgramFailure(RunStatus::crashed, "answered more than one line to a graph");
-  }
+  refuse_second_lines(0);
   const double cpu_before = cpu_s();
   const Stopwatch time;
   std::size_t written = 0;

@@ -219,6 +219,9 @@ ProgramAnswer parse_own_format(const Graph& graph, std::string_view line) {
 
 ProgramAnswer parse_answer(const std::string& algorithm, const Graph& graph,
                            std::string_view line) {
+  if (const auto zero = line.find('\0'); zero != std::string_view::npos) {
+    throw InputError(fmt::format("column {}: a byte 0", zero + 1));
+  }
   if (line.find("\"gram\"") != std::string_view::npos) return parse_own_format(graph, line);
   AnswerEvents events;
   Json::sax_parse(line.begin(), line.end(), &events);

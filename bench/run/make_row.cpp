@@ -55,6 +55,8 @@ double timed_writing_s(const Drawing& drawing) {
   return time.wall_s();
 }
 
+constexpr std::size_t kMostCrossings = 1000000;
+
 // A program's crossings are counted, however many there are, within reason.
 CertifyOptions certifying(const AlgorithmChoice& choice, const std::optional<SizeFunction>& memory,
                           std::uint64_t n) {
@@ -62,9 +64,17 @@ CertifyOptions certifying(const AlgorithmChoice& choice, const std::optional<Siz
   options.mode = choice.certificate;
   if (memory) options.proof_bytes = static_cast<std::uint64_t>(std::clamp((*memory)(n), 1.0, 1e18));
   if (!choice.program) return options;
-  options.max_violations = 1000000;
+  options.max_violations = kMostCrossings;
   options.check_size = choice.program->has_guarantee;
   return options;
+}
+
+// Why the crossings of a drawing were not counted.
+std::string uncounted_crossings(const Certificate& certificate) {
+  if (!certificate.mode.is_exact()) {
+    return fmt::format("crossings not counted: certificate = \"{}\"", to_string(certificate.mode));
+  }
+  return fmt::format("crossings not counted: there are more than {}", kMostCrossings);
 }
 
 RunRecord instance_row(const PlannedInstance& instance) {
@@ -211,6 +221,9 @@ void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& req
     record_bounds(run, guarantee);
   } else {
     run.status = RunStatus::measured;
+    if (examination.summary.crossings < 0) {
+      run.message = uncounted_crossings(examination.certificate);
+    }
   }
 }
 

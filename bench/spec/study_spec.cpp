@@ -1,6 +1,7 @@
 #include "ar3d/bench/spec/study_spec.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -82,7 +83,17 @@ class SpecReader {
     return nullptr;
   }
   void require_algorithm(const std::string& name) const {
-    if (find_program(name) == nullptr) find_algorithm(name);
+    if (find_program(name) == nullptr) catalogue_algorithm(name);
+  }
+  const Algorithm& catalogue_algorithm(const std::string& name) const {
+    std::vector<std::string_view> known;
+    for (const ProgramEntry& entry : programs_) known.push_back(entry.program->row.name);
+    for (const Algorithm& algorithm : algorithms()) {
+      if (algorithm.name == name || programs_.empty()) return find_algorithm(name);
+      known.push_back(algorithm.name);
+    }
+    throw InputError(fmt::format("unknown algorithm '{}'{} (known: {})", printable(name),
+                                 did_you_mean(name, known), fmt::join(known, ", ")));
   }
 
   // The name becomes part of file names.
@@ -241,7 +252,7 @@ class SpecReader {
         continue;
       }
       with_place(file_, *entry, [&] {
-        const Algorithm& algorithm = find_algorithm(name);
+        const Algorithm& algorithm = catalogue_algorithm(name);
         for (const Settings& values : combinations(settings)) {
           choices.push_back({&algorithm, complete_options(algorithm, values)});
         }

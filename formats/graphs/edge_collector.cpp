@@ -55,6 +55,14 @@ void EdgeCollector::note_end(std::uint64_t end, std::uint64_t line) {
   largest_line_ = line;
 }
 
+Vertex EdgeCollector::smallest_vertex(std::size_t first_edge) const {
+  Vertex smallest = std::numeric_limits<Vertex>::max();
+  for (std::size_t e = first_edge; e < edges_.size(); ++e) {
+    smallest = std::min({smallest, edges_[e].u, edges_[e].v});
+  }
+  return smallest;
+}
+
 void EdgeCollector::first_was_header(std::uint64_t n, bool collected) {
   if (n > kMaxVertices) input_->fail_at(header_line_, 0, *vertex_count_problem(n, 0, options_));
   known_n_ = n;

@@ -54,6 +54,9 @@ class EdgeCollector {
   /// Largest vertex + 1 so far, and the same counted anew from here on.
   std::uint64_t largest_end() const { return largest_end_; }
   void forget_largest_end() { largest_end_ = 0; }
+  /// The smallest vertex of the edges from the given one on; the largest number if there is none.
+  /// O(m) time.
+  Vertex smallest_vertex(std::size_t first_edge) const;
   /// Notes a largest vertex + 1 that stands in a line.
   void note_end(std::uint64_t end, std::uint64_t line);
   /// The first line read was no edge but said that there are n vertices. @throws InputError as

@@ -14,6 +14,8 @@
 namespace ar3d {
 namespace {
 
+constexpr const char* kInAStudy = "in a study the keys base and first_line";
+
 class EdgeListParser final : public GraphParser {
  public:
   EdgeListParser(TextInput& input, const ReadOptions& options)
@@ -99,6 +101,10 @@ class EdgeListParser final : public GraphParser {
     const std::uint64_t others = edges_.num_edges() - (is_edge ? 1 : 0);
     const bool fits = others == first_->b && edges_.largest_end() <= first_->a;
     const bool wanted = options_.first_line == FirstLine::header;
+    if (!fits && others == first_->b && edges_.largest_end() == first_->a + 1 &&
+        edges_.smallest_vertex(is_edge ? 1 : 0) > 0) {
+      refuse_ids_from_one();
+    }
     if (wanted && !fits) {
       input_.fail_at(first_->line, 0,
                      fmt::format("{} vertices and {} edges announced, found {} edges and ids up to "
@@ -109,12 +115,21 @@ class EdgeListParser final : public GraphParser {
       input_.fail_at(first_->line, 0,
                      fmt::format("'{0} {1}' may be an edge, or the header of a graph with {0} "
                                  "vertices and {1} edges: --first-line edge or --first-line header "
-                                 "says which",
-                                 first_->a, first_->b));
+                                 "says which ({2})",
+                                 first_->a, first_->b, kInAStudy));
     }
     if (fits) return edges_.first_was_header(first_->a, is_edge);
     if (!is_edge) throw InputError(first_->problem);
     edges_.note_end(first_->end, first_->line);
+  }
+
+  /// The header of ids from 1 to n would be lost, were it read as an edge of ids from 0.
+  [[noreturn]] void refuse_ids_from_one() const {
+    input_.fail_at(first_->line, 0,
+                   fmt::format("'{0} {1}' may be the header of a graph with {0} vertices, ids 1 to "
+                               "{0}, and {1} edges: --base 1 --first-line header reads it so, "
+                               "--first-line edge as an edge ({2})",
+                               first_->a, first_->b, kInAStudy));
   }
 
   TextInput& input_;

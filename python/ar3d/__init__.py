@@ -11,6 +11,7 @@ ValueError. Arrays that come out are over memory that C++ made: nothing is copie
 """
 from __future__ import annotations
 
+import operator
 from typing import Any, Union
 
 import numpy
@@ -33,6 +34,10 @@ def as_graph(graph: GraphLike, num_vertices: int | None = None) -> Graph:
     num_vertices: of an array of edges; left out, the largest vertex and one more.
     Raises ValueError for loops, parallel edges, directed graphs, and vertices that there are not. Cost: O(n + m).
     """
+    if num_vertices is not None:
+        num_vertices = _integer(num_vertices, "num_vertices")
+        if isinstance(graph, Graph) or hasattr(graph, "adj") or hasattr(graph, "tocoo"):
+            raise ValueError("num_vertices is of an array of edges; this graph has its own")
     if isinstance(graph, Graph):
         return graph
     if hasattr(graph, "adj") and hasattr(graph, "nodes"):
@@ -51,6 +56,27 @@ def as_graph(graph: GraphLike, num_vertices: int | None = None) -> Graph:
     if not 0 <= num_vertices < 2**32 - 1:
         raise ValueError(f"{num_vertices} vertices: there can be 0 to 2^32 - 2")
     return Graph(num_vertices, edges.astype(numpy.int64, copy=False))
+
+
+def _integer(value: Any, name: str) -> int:
+    try:
+        return operator.index(value)
+    except TypeError:
+        raise ValueError(f"{name} is an integer, not {value!r}") from None
+
+
+def _settings(values: dict[str, Any]) -> dict[str, int]:
+    settings = {name: _integer(value, name) for name, value in values.items()}
+    for name, value in settings.items():
+        if not -2**63 <= value < 2**63:
+            raise ValueError(f"{name} = {value} is beyond 64 bits")
+    return settings
+
+
+def _name(value: Any, what: str) -> str:
+    if not isinstance(value, str):
+        raise ValueError(f"{what} is a name, not {value!r}")
+    return value
 
 
 def _from_networkx(graph: Any) -> Graph:
@@ -81,7 +107,7 @@ def draw(graph: GraphLike, algorithm: str = "diamond", **options: int) -> Drawin
     gram_denominator; `in_space` turns integer points into points where angles are true.
     Raises ValueError for an unknown name and for a vertex whose degree the algorithm does not draw.
     """
-    return _core.draw(as_graph(graph), algorithm, options)
+    return _core.draw(as_graph(graph), _name(algorithm, "algorithm"), _settings(options))
 
 
 def certify(graph: GraphLike, drawing: Drawing, algorithm: str | None = None) -> Certificate:
@@ -90,7 +116,9 @@ def certify(graph: GraphLike, drawing: Drawing, algorithm: str | None = None) ->
     algorithm: whose guarantee; left out, the one that drew it. The certificate is true where it is valid, and lists
     all `violations` where it is not.
     """
-    return _core.certify(as_graph(graph), drawing, algorithm or drawing.algorithm)
+    if not isinstance(drawing, Drawing):
+        raise ValueError(f"drawing is an ar3d.Drawing, not {drawing!r}")
+    return _core.certify(as_graph(graph), drawing, _name(algorithm or drawing.algorithm, "algorithm"))
 
 
 def generate(family: str, n: int, seed: int = 0, **parameters: int) -> Graph:
@@ -98,9 +126,10 @@ def generate(family: str, n: int, seed: int = 0, **parameters: int) -> Graph:
 
     parameters: those that `ar3d list families` names. Raises ValueError for unknown names and values out of range.
     """
+    n, seed = _integer(n, "n"), _integer(seed, "seed")
     if not (0 <= n < 2**32 - 1 and 0 <= seed < 2**64):
         raise ValueError("n is from 0 to 2^32 - 2, the seed from 0 to 2^64 - 1")
-    return _core.generate(family, n, seed, parameters)
+    return _core.generate(_name(family, "family"), n, seed, _settings(parameters))
 
 
 def polylines(drawing: Drawing) -> list[numpy.ndarray]:

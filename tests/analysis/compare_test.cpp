@@ -61,6 +61,49 @@ TEST(Compare, APlantedVolumeRegressionIsFoundWhereverItIs) {
   }
 }
 
+/// All rows those of programs without a guarantee.
+Results measured(Results results) {
+  for (Row& run : results.runs) {
+    run.status = RunStatus::measured;
+    run.violations = -1;
+  }
+  return results;
+}
+
+TEST(Compare, TimesOfMeasuredRowsAreJudged) {
+  const Results base = measured(results_of(15, 1));
+  Results now = measured(results_of(15, 2));
+  EXPECT_EQ(compare(base, now).word(), "PASS");
+  for (Row& run : now.runs) {
+    if (run.algorithm == "grid" && run.family == "family4" && run.n == 1024) run.wall_s *= 1.1;
+  }
+  const Comparison comparison = compare(base, now);
+  EXPECT_EQ(comparison.exit_code(), 3);
+  EXPECT_EQ(comparison.count(Verdict::regressed), 1u);
+  EXPECT_EQ(comparison.count(Verdict::pass), 199u);
+}
+
+TEST(Compare, AMeasuredRowThatIsNoLongerDrawnIsARegression) {
+  const Results base = measured(results_of(1, 1));
+  Results now = base;
+  now.runs[7].status = RunStatus::crashed;
+  EXPECT_EQ(compare(base, now).count(Verdict::regressed), 1u);
+  EXPECT_EQ(compare(now, base).count(Verdict::improved), 1u);
+}
+
+TEST(Compare, AFileUnderAnotherNameHasTheSameRows) {
+  Results base = results_of(1, 1), now = results_of(1, 2);
+  for (std::size_t row = 0; row < base.runs.size(); ++row) {
+    base.runs[row].row_key = now.runs[row].row_key = "key" + std::to_string(row);
+    if (now.runs[row].family == "family3") now.runs[row].family = "renamed.s6";
+  }
+  const Comparison comparison = compare(base, now);
+  EXPECT_TRUE(comparison.incomplete.empty()) << comparison.incomplete.front();
+  EXPECT_EQ(comparison.rows, base.runs.size());
+  now.runs[35].graph_hash = "other";  // of family3, under the same key
+  EXPECT_EQ(compare(base, now).exit_code(), 5);
+}
+
 TEST(Compare, VolumesAreComparedExactlyBeyondSixtyFourBits) {
   Results base = results_of(1, 1), now = results_of(1, 1);
   base.runs[0].extents =
@@ -289,7 +332,7 @@ TEST(Compare, ATimeThatIsNoNumberIsToldAndLeftOut) {
     now.runs[3].wall_s = bad;
     const Comparison comparison = compare(results_of(15, 1), now);
     EXPECT_EQ(comparison.exit_code(), 5) << bad;
-    EXPECT_THAT(comparison.incomplete.at(0), HasSubstr("1 ok measurements have no time"));
+    EXPECT_THAT(comparison.incomplete.at(0), HasSubstr("1 drawn measurements have no time"));
     EXPECT_EQ(comparison.cells.front().time.test.pairs, 14u);
   }
 }

@@ -11,6 +11,7 @@
 
 #include "analysis/synthetic.h"
 #include "ar3d/model/error.h"
+#include "ar3d/records/graph_file_table.h"
 #include "support/program.h"
 
 namespace ar3d {
@@ -80,6 +81,19 @@ TEST(History, APlantedStepIsFoundWithItsCommitsEffectAndCommand) {
   EXPECT_THAT(text, HasSubstr("ar3d bisect --good 0000000000"));
   EXPECT_THAT(text, HasSubstr(" --measure time --cell 'grid on b n=16'"));
   EXPECT_THAT(text, HasSubstr("time: 2 of 2 lines judged"));
+}
+
+TEST(History, CellsOfFilesAndProgramsAreComparedNotBisected) {
+  const ScratchDirectory scratch;
+  write_history(scratch, [](std::size_t, Results& results) {
+    results.environment.push_back({"program_other", "abc", 1});
+    results.tables.push_back(graph_file_table({{"b", 0, 3, std::string(32, '0'), "/b.s6"}}));
+  });
+  const History history = read(scratch);
+  EXPECT_EQ(history.num_changes(), 1U);
+  const std::string text = summary(history);
+  EXPECT_THAT(text, Not(HasSubstr("ar3d bisect")));
+  EXPECT_THAT(text, HasSubstr("ar3d compare " + scratch.path("000")));
 }
 
 TEST(History, UnlikeEnvironmentsAreNeverJoined) {

@@ -46,6 +46,55 @@ TEST(CiRecipes, TheGateStoresJudgesAndFailsByItsExitCode) {
   EXPECT_THAT(read_file(scratch.path("verdict.markdown")), HasSubstr("## ar3d compare: REGRESSED"));
 }
 
+TEST(CiRecipes, AStudyThatIsViolatedOrIncompleteHasAVerdict) {
+  const ScratchDirectory scratch;
+  const std::string program = R"(import sys
+while True:
+    n, m = map(int, sys.stdin.readline().split())
+    for _ in range(m): sys.stdin.readline()
+    print('{"vertices":' + str([[i, WHAT, 0] for i in range(n)]) + '}', flush=True)
+)";
+  const auto write_program = [&](const std::string& what) {
+    std::string text = program;
+    scratch.write("mine.py", text.replace(text.find("WHAT"), 4, what));
+  };
+  const std::string spec = scratch.write(
+      "own.toml", "study = 'own'\n[[algorithm]]\nname = 'mine'\ncommand = ['/usr/bin/python3', '" +
+                      scratch.path("mine.py") +
+                      "']\nguarantee = { max_degree = 2, max_bends = 0, cosine = [1, 1] }\n"
+                      "[[sweep]]\nfamilies = 'cycle'\nsizes = [5, 6]\nalgorithms = 'mine'\n");
+  const auto own_gate = [&](const std::string& arguments, const std::string& settings) {
+    return run("AR3D=$(realpath {}) && cd " + scratch.path("") + " && AR3D=$AR3D AR3D_STUDY=" +
+               spec + " " + settings + " " + kFolder + "regression-gate " + arguments);
+  };
+  write_program("i * i");
+  const Outcome stored = own_gate("store references", "");
+  ASSERT_EQ(stored.exit_code, 0) << stored.out << stored.err;
+  for (const char* settings : {"", "AR3D_COMPARE=\"\""}) {
+    scratch.write("verdict.markdown", "old");
+    write_program("0");  // all on one line: edges on vertices
+    const Outcome violated = own_gate("judge references", settings);
+    EXPECT_EQ(violated.exit_code, 4) << violated.out << violated.err;
+    EXPECT_THAT(read_file(scratch.path("verdict.markdown")),
+                HasSubstr("## ar3d compare: VIOLATED"));
+    write_program("i * i if n == 5 else sys.exit(3)");
+    const Outcome incomplete = own_gate("judge references", settings);
+    EXPECT_EQ(incomplete.exit_code, 3) << incomplete.out << incomplete.err;
+    EXPECT_THAT(read_file(scratch.path("verdict.markdown")), HasSubstr("REGRESSED"));
+  }
+  ASSERT_EQ(
+      run("cp " + scratch.path("now.h5") + " " + scratch.path("references/reference.h5")).exit_code,
+      0);
+  const Outcome as_before = own_gate("judge references", "");
+  EXPECT_EQ(as_before.exit_code, 5) << "no worse, and not whole" << as_before.out;
+  EXPECT_THAT(read_file(scratch.path("verdict.markdown")),
+              HasSubstr("`study run` ended with exit code 5"));
+  std::filesystem::remove(spec);
+  const Outcome nothing = own_gate("judge references", "");
+  EXPECT_EQ(nothing.exit_code, 2);
+  EXPECT_THAT(read_file(scratch.path("verdict.markdown")), HasSubstr("NOTHING MEASURED"));
+}
+
 TEST(CiRecipes, UnknownWordsAreRefused) {
   const ScratchDirectory scratch;
   EXPECT_EQ(gate(scratch, "").exit_code, 2);

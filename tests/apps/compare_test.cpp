@@ -174,7 +174,7 @@ TEST(CompareProgram, NothingMeasuredAndNaNAreIncomplete) {
   const std::string nan = changed(base, "nan.h5", [](Results& r) { r.runs[0].wall_s = kMissing; });
   const Outcome missing = run("{} compare " + base + " " + nan);
   EXPECT_EQ(missing.exit_code, 5);
-  EXPECT_THAT(missing.out, HasSubstr("1 ok measurements have no time"));
+  EXPECT_THAT(missing.out, HasSubstr("1 drawn measurements have no time"));
 }
 
 TEST(CompareProgram, GoogleBenchmarkReportsAreReadAndItsOwnToolReadsOurs) {

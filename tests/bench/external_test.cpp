@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <functional>
+#include <thread>
 
 #include "ar3d/bench/external/decimal.h"
 #include "ar3d/bench/external/external_drawer.h"
@@ -87,6 +89,11 @@ TEST(Answers, OurOwnLinesAreRead) {
   EXPECT_THAT(problem([&] { parse_answer("p", kPath, line); }),
               HasSubstr("10 vertices are drawn, the graph has 3"));
   EXPECT_EQ(parse_answer("p", kPath, R"({"error":"no"})").refusal, "no");
+}
+
+TEST(Answers, NothingBehindAByteZeroIsRead) {
+  const std::string line = std::string("{\"error\":\"no\"}") + '\0' + "junk";
+  EXPECT_THAT(problem([&] { parse_answer("p", kPath, line); }), HasSubstr("column 15: a byte 0"));
 }
 
 TEST(Answers, NonsenseIsNamed) {
@@ -302,6 +309,59 @@ TEST_F(Programs, HostileOnesCostTheirRowsOnly) {
               HasSubstr("ended with code 2 before it answered"));
 }
 
+TEST_F(Programs, ALateSecondLineIsNoAnswerToTheNextGraph) {
+  const std::string path = scratch_.write("late.py", R"(import sys, time
+for line in sys.stdin:
+    print("answer to " + line.strip(), flush=True)
+    time.sleep(0.02)
+    print("late line", flush=True)
+)");
+  ExternalProcess process({"/usr/bin/python3", path});
+  EXPECT_EQ(process.ask("1\n", 10, 1000).line, "answer to 1");
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  try {
+    ADD_FAILURE() << process.ask("2\n", 10, 1000).line;
+  } catch (const ProgramFailure& failure) {
+    EXPECT_EQ(failure.status(), RunStatus::crashed);
+    EXPECT_THAT(failure.what(), HasSubstr("answered more than one line to a graph"));
+  }
+}
+
+TEST_F(Programs, LateSecondLinesCostRowsOfTheSameSizeToo) {
+  const std::string path = program("late.py", std::string(kRound) + R"(
+    time.sleep(0.02)
+    say(json.dumps({"vertices": [[0, 0, 0]] * n}) + "\n")
+)");
+  const StudySpec spec = parse_study(fmt::format(R"(study = "t"
+[[algorithm]]
+name = "mine"
+command = ["/usr/bin/python3", "{}"]
+[[sweep]]
+families = "cycle"
+sizes = 5
+algorithms = ["mine", "grid"]
+repetitions = 3
+)",
+                                                 path),
+                                     "t.toml");
+  for (const RunRecord& run : rows(spec)) {
+    EXPECT_EQ(to_string(run.status), std::string(run.algorithm == "grid" ? "ok" : "crashed"));
+  }
+}
+
+TEST_F(Programs, CrossingsThatWereNotCountedHaveAReason) {
+  const std::string path = program("round.py", kRound);
+  const StudySpec exact = study(path);
+  const std::vector<RunRecord> runs =
+      rows(parse_study("certificate = \"none\"\n" + exact.text, "t.toml"));
+  ASSERT_EQ(runs.size(), 3u);
+  for (const RunRecord& run : runs) {
+    EXPECT_EQ(run.status, RunStatus::measured);
+    EXPECT_EQ(column_text(run_column("crossings"), run), "-1");
+    EXPECT_EQ(run.message, "crossings not counted: certificate = \"none\"");
+  }
+}
+
 TEST_F(Programs, AfterAFailureTheNextGraphHasANewProcess) {
   const std::string path =
       program("moody.py", std::string("\n    if n == 6: sys.exit(1)") + kRound);
@@ -371,6 +431,13 @@ TEST_F(Programs, BadSpecificationsAreRefusedInOneLine) {
     EXPECT_THAT(told, HasSubstr(message)) << program;
     EXPECT_THAT(told, ::testing::StartsWith("t.toml:")) << program;
   }
+  EXPECT_THAT(problem([&] {
+                parse_study(
+                    "study = \"t\"\n[[algorithm]]\nname = \"mine\"\ncommand = \"x\"\n"
+                    "[[sweep]]\nfamilies = \"cycle\"\nsizes = 5\nalgorithms = \"mien\"\n",
+                    "t.toml");
+              }),
+              HasSubstr("unknown algorithm 'mien'; did you mean 'mine'? (known: mine, "));
   EXPECT_THAT(problem([&] { study("x", "", "strong = { threads = [1] }"); }),
               HasSubstr("strong and weak batches are of the catalogue's algorithms only"));
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "formats/format_helpers.h"
 #include "support/graphs.h"
 
@@ -104,6 +106,40 @@ TEST(EdgeList, AFirstLineThatCanBeBothIsAskedAbout) {
   EXPECT_EQ(read_text("9 2\n0 1\n1 2\n", {.first_line = FirstLine::edge}).at(0).num_edges(), 3u);
   EXPECT_EQ(read_text("0 1\n1 2\n").at(0).num_edges(), 2u) << "no header: ids are not below 0";
   EXPECT_NE(refusal("9 3\n0 1\n", header).find("announced"), std::string::npos);
+}
+
+TEST(EdgeList, AHeaderOfIdsFromOneIsNeverReadAsAnEdge) {
+  for (const char* text : {"5 3\n1 2\n2 3\n4 5\n", "4 4\n1 2\n2 3\n3 4\n4 1\n"}) {
+    const std::string told = refusal(text, {.format = "edgelist"});
+    EXPECT_NE(told.find("--base 1 --first-line header"), std::string::npos) << text << told;
+    EXPECT_NE(told.find("base and first_line"), std::string::npos) << told;
+    EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 0);
+  }
+  const ReadOptions from_one{.format = "edgelist", .base = 1, .first_line = FirstLine::header};
+  EXPECT_EQ(edge_set(read_text("5 3\n1 2\n2 3\n4 5\n", from_one).at(0)),
+            edge_set(Graph(5, {{0, 1}, {1, 2}, {3, 4}})));
+  EXPECT_EQ(read_text("4 4\n1 2\n2 3\n3 4\n4 1\n", from_one).at(0).num_edges(), 4u);
+  const ReadOptions edge{.first_line = FirstLine::edge};
+  EXPECT_EQ(read_text("5 3\n1 2\n2 3\n4 5\n", edge).at(0).num_edges(), 4u);
+  EXPECT_EQ(read_text("5 3\n1 2\n2 3\n4 0\n", edge).at(0).num_edges(), 4u);
+  EXPECT_EQ(read_text("5 2\n1 2\n2 3\n4 5\n").at(0).num_edges(), 4u) << "3 edges, not 2";
+}
+
+TEST(EdgeList, TheEndingTellsItFromMetis) {
+  const std::string text = "4 4\n1 2\n2 3\n3 4\n4 1\n";
+  const auto problem = [&](const char* name) {
+    try {
+      GraphReader(TextInput(name, bytes_of(text)), {}).next();
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  for (const char* name : {"a.edges", "a.el", "a.edgelist.gz"}) {
+    EXPECT_NE(problem(name).find("--base 1 --first-line header"), std::string::npos)
+        << name << problem(name);
+  }
+  EXPECT_EQ(problem("a.graph").find("--base"), std::string::npos);
 }
 
 }  // namespace

@@ -113,6 +113,14 @@ class BadInput(unittest.TestCase):
             (lambda: ar3d.generate("cyclee", 5), "cycle"),
             (lambda: ar3d.generate("cycle", -1), "n is"),
             (lambda: ar3d.draw([(0, 1)]).in_space(numpy.zeros((2, 2), dtype=int)), "shape"),
+            (lambda: ar3d.draw([(0, 1)], effort=1.5), "effort is an integer, not 1.5"),
+            (lambda: ar3d.draw([(0, 1)], effort="x"), "effort is an integer, not 'x'"),
+            (lambda: ar3d.draw([(0, 1)], effort=2**70), "beyond 64 bits"),
+            (lambda: ar3d.draw([(0, 1)], 3), "algorithm is a name, not 3"),
+            (lambda: ar3d.generate("cycle", 5.5), "n is an integer, not 5.5"),
+            (lambda: ar3d.generate(3, 5), "family is a name, not 3"),
+            (lambda: ar3d.as_graph(ar3d.generate("cycle", 5), 7), "its own"),
+            (lambda: ar3d.as_graph([(0, 1)], 2.5), "num_vertices is an integer, not 2.5"),
         ]
         for call, word in cases:
             with self.assertRaises(ValueError) as caught:
