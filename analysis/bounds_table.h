@@ -45,7 +45,7 @@ struct BoundsEntry {
   std::int64_t largest_n = -1;
   std::size_t rows = 0;
   std::size_t instances = 0;
-  std::array<std::size_t, 6> rows_of_status{};  ///< indexed by RunStatus
+  std::array<std::size_t, kNumRunStatuses> rows_of_status{};  ///< indexed by RunStatus
   std::size_t violations = 0;  ///< rows that break a bound or a certificate, as `check` counts them
   std::size_t unproved = 0;    ///< ok rows that no exact certificate judged
   std::array<AxisBounds, 3> axes;

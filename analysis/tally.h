@@ -73,14 +73,17 @@ struct AxisTally {
   DrawnGraph worst;                         ///< the graph of worst_slack
 };
 
+/// How many a RunStatus can be.
+inline constexpr std::size_t kNumRunStatuses = static_cast<std::size_t>(RunStatus::measured) + 1;
+
 /// What all rows of one curve gave.
 struct CurveTally {
   CurveKey key;
   std::size_t rows = 0;
-  std::size_t instances = 0;                    ///< graphs, drawn or not
-  std::size_t violations = 0;                   ///< rows that break a bound or a certificate
-  std::size_t unproved = 0;                     ///< ok rows that no exact certificate judged
-  std::array<std::size_t, 6> rows_of_status{};  ///< indexed by RunStatus
+  std::size_t instances = 0;   ///< graphs, drawn or not
+  std::size_t violations = 0;  ///< rows that break a bound or a certificate
+  std::size_t unproved = 0;    ///< ok rows that no exact certificate judged
+  std::array<std::size_t, kNumRunStatuses> rows_of_status{};  ///< indexed by RunStatus
   std::int64_t smallest_n = -1;
   std::int64_t largest_n = -1;
   std::array<AxisTally, 3> axes;

@@ -62,6 +62,20 @@ TEST(Tally, RepetitionsAreOneGraphWhereverTheirRowsStand) {
       << "the median of its times 1, 2 and 3";
 }
 
+TEST(Tally, MeasuredRowsAreCountedAndNothingElseOfTheirCurveChanges) {
+  Results results = good_results({"grid", "peer"}, {"cubic"}, 4, 3);
+  for (ar3d::RunRecord& run : results.runs) {
+    if (run.algorithm == "peer") run.status = RunStatus::measured;
+  }
+  const std::vector<BoundsEntry> entries = bounds_table(results);
+  ASSERT_EQ(entries.size(), 2u);
+  EXPECT_EQ(entries[1].count(RunStatus::measured), 12u);
+  for (const BoundsEntry& entry : entries) {
+    EXPECT_EQ(entry.smallest_n, 16);
+    EXPECT_EQ(entry.largest_n, 128);
+  }
+}
+
 /// Rows of one curve that are made when they are read.
 class MadeRows {
  public:
