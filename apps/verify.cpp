@@ -140,6 +140,23 @@ struct Counts {
   }
 };
 
+/// The next drawing, with its graph if --graphs was given. @throws InputError if one of the two is
+/// missing. @param number  of drawings so far.
+std::optional<Task> next_task(const VerifyArguments& arguments, DrawingJsonlReader& drawings,
+                              GraphReader* graphs, std::uint64_t number) {
+  std::optional<DrawingJsonlReader::Line> line = drawings.next();
+  std::optional<Graph> graph;
+  if (graphs != nullptr) graph = graphs->next();
+  if (graphs != nullptr && line.has_value() != graph.has_value()) {
+    throw InputError(graph ? fmt::format("{} has more graphs than {} has drawings: {}",
+                                         arguments.graphs, arguments.input, number)
+                           : fmt::format("{} has {} graphs, but {} has more drawings",
+                                         arguments.graphs, number, arguments.input));
+  }
+  if (!line) return std::nullopt;
+  return Task{std::move(*line), drawings.where(), std::move(graph)};
+}
+
 int verify_drawings(const VerifyArguments& arguments) {
   // Before any work.
   parse_certificate_mode(arguments.certificate);
@@ -151,19 +168,10 @@ int verify_drawings(const VerifyArguments& arguments) {
   std::uint64_t number = 0;
   Counts counts;
   in_batches<Task>(
-      [&]() -> std::optional<Task> {
-        std::optional<DrawingJsonlReader::Line> line = reader.next();
-        std::optional<Graph> graph;
-        if (graphs) graph = graphs->next();
-        if (graphs && line.has_value() != graph.has_value()) {
-          throw InputError(graph ? fmt::format("{} has more graphs than {} has drawings: {}",
-                                               arguments.graphs, arguments.input, number)
-                                 : fmt::format("{} has {} graphs, but {} has more drawings",
-                                               arguments.graphs, number, arguments.input));
-        }
-        if (!line) return std::nullopt;
-        ++number;
-        return Task{std::move(*line), reader.where(), std::move(graph)};
+      [&] {
+        auto task = next_task(arguments, reader, graphs ? &*graphs : nullptr, number);
+        number += task.has_value();
+        return task;
       },
       [](const Task& task) {
         const auto* drawing = std::get_if<Drawing>(&task.line);

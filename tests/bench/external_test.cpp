@@ -1,4 +1,4 @@
-// Programs that draw: what they are asked, what their answers mean, and what hostile ones do.
+// Programs that draw: what they are asked, and what hostile ones do.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,6 @@
 #include <functional>
 #include <thread>
 
-#include "ar3d/bench/external/decimal.h"
 #include "ar3d/bench/external/external_drawer.h"
 #include "ar3d/bench/run/make_row.h"
 #include "ar3d/bench/spec/study_spec.h"
@@ -34,140 +33,6 @@ std::string problem(const std::function<void()>& step) {
     return error.what();
   }
   return "";
-}
-
-TEST(Decimals, AreExact) {
-  const auto text = [](const std::string& number) {
-    const Decimal decimal = parse_decimal(number);
-    return fmt::format("{}e{}", decimal.digits, decimal.exponent);
-  };
-  EXPECT_EQ(text("0"), "0e0");
-  EXPECT_EQ(text("-0.000"), "0e0");
-  EXPECT_EQ(text("120"), "12e1");
-  EXPECT_EQ(text("-0.0125"), "-125e-4");
-  EXPECT_EQ(text("1.50e3"), "15e2");
-  EXPECT_EQ(text("1E-3"), "1e-3");
-  EXPECT_EQ(text("123456789012345678"), "123456789012345678e0");
-  EXPECT_THAT(problem([] { parse_decimal("1234567890123456789"); }), HasSubstr("18 significant"));
-  EXPECT_THAT(problem([] { parse_decimal("1e2000"); }), HasSubstr("exponent beyond 1000"));
-  EXPECT_EQ(scaled(parse_decimal("1.5"), -3), 1500);
-  EXPECT_EQ(scaled(parse_decimal("-2"), -1), -20);
-  EXPECT_THAT(problem([] { scaled(parse_decimal("1000"), -17); }), HasSubstr("passes 2^61"));
-}
-
-const Graph kPath(3, {{0, 1}, {1, 2}});
-
-TEST(Answers, PositionsAreScaledByOnePowerOfTen) {
-  const ProgramAnswer answer =
-      parse_answer("p", kPath, R"({"vertices":[[0,0,0],[1.5,0,-0.25],[2,1]],"seconds":0.5})");
-  ASSERT_TRUE(answer.drawing);
-  EXPECT_EQ(answer.own_s, 0.5);
-  EXPECT_EQ(answer.drawing->vertex(1), (Point{150, 0, -25}));
-  EXPECT_EQ(answer.drawing->vertex(2), (Point{200, 100, 0}));
-  EXPECT_EQ(answer.drawing->counters[0], (Counter{"decimals", 2}));
-}
-
-TEST(Answers, BendsFollowTheEdgeHoweverItIsListed) {
-  const ProgramAnswer answer = parse_answer(
-      "p", kPath,
-      R"({"vertices":[[0,0,0],[3,0,0],[5,0,0]],"edges":[[2,1,[[4,1,0],[4,2,0]]],[0,1]]})");
-  ASSERT_TRUE(answer.drawing);
-  std::vector<Point> points;
-  answer.drawing->polyline(1, points);
-  EXPECT_EQ(points, (std::vector<Point>{{3, 0, 0}, {4, 2, 0}, {4, 1, 0}, {5, 0, 0}}));
-  answer.drawing->polyline(0, points);
-  EXPECT_EQ(points.size(), 2u);
-}
-
-TEST(Answers, OurOwnLinesAreRead) {
-  const Graph graph = testing::petersen();
-  std::string line;
-  append_drawing_line(line, draw(find_algorithm("grid"), graph));
-  const ProgramAnswer answer = parse_answer("p", graph, line.substr(0, line.size() - 1));
-  ASSERT_TRUE(answer.drawing);
-  EXPECT_EQ(drawing_hash(*answer.drawing), drawing_hash(draw(find_algorithm("grid"), graph)));
-  EXPECT_THAT(problem([&] { parse_answer("p", kPath, line); }),
-              HasSubstr("10 vertices are drawn, the graph has 3"));
-  EXPECT_EQ(parse_answer("p", kPath, R"({"error":"no"})").refusal, "no");
-}
-
-TEST(Answers, NothingBehindAByteZeroIsRead) {
-  const std::string line = std::string("{\"error\":\"no\"}") + '\0' + "junk";
-  EXPECT_THAT(problem([&] { parse_answer("p", kPath, line); }), HasSubstr("column 15: a byte 0"));
-}
-
-TEST(Answers, NonsenseIsNamed) {
-  const std::pair<const char*, const char*> cases[] = {
-      {"", "no JSON"},
-      {"hello", "no JSON"},
-      {R"({"vertices":[[0,0,NaN],[1,0,0],[2,0,0]]})", "no JSON"},
-      {R"({"vertices":[[0,0,0],[1,0,0]]})", "2 vertices are drawn, the graph has 3"},
-      {R"({"vertices":[[0,0,0],[1,0,0],[2,0,0],[3,0,0]]})", "4 vertices are drawn"},
-      {R"({"vertices":[[0,0,0],[1,0,0],[2,0,0,0]]})", "a fourth coordinate"},
-      {R"({"vertices":[[0,0,0],[1,0,0],[2]]})", "less than two numbers"},
-      {R"({"vertices":[[0,0,0],[1,0,0],[[2],0,0]]})", "a list where none"},
-      {R"({"vertices":[[0,0,0],[1,0,0],"x"]})", "a text where none"},
-      {R"({"vertices":[[0,0,0],[1,0,0],[2,0,1e999]]})", "no JSON"},
-      {R"({"vertices":[[0,0,0],[1,0,0],[2,0,0]],"edges":[[0,1]]})", "not those of the graph"},
-      {R"({"vertices":[[0,0,0],[1,0,0],[2,0,0]],"edges":[[0,1],[0,1]]})", "not those of the graph"},
-      {R"({"vertices":[[0,0,0],[1,0,0],[2,0,0]],"edges":[[0,1],[1,7]]})", "has the end 7"},
-      {R"({"vertices":[[0,0,0],[1,0,0],[2,0,0]],"edges":[[0,1],[1]]})", "without two ends"},
-      {R"({"vertices":[[0,0,0],[1,0,0],[2,0,0]],"edges":[[0,1],[1,-2]]})", "no end"},
-      {R"({"vertices":[[0,0,0],[1,0,0],[2,0,0]],"size":3})", "unknown key 'size'"},
-      {R"({"seconds":3})", "neither 'vertices' nor 'error'"},
-      {R"({"seconds":-3,"error":"x"})", "a time that is none"},
-      {R"([])", "a list where none"},
-      {R"(null)", "null where none"},
-      {R"({"vertices":[[0,0,0.0000000000000000001],[1,0,0],[1000000,0,0]]})", "passes 2^61"},
-  };
-  for (const auto& [answer, message] : cases) {
-    const char* line = answer;
-    EXPECT_THAT(problem([&] { parse_answer("p", kPath, line); }), HasSubstr(message)) << line;
-  }
-}
-
-TEST(Angles, AreMeasuredAndComparedExactly) {
-  // A right angle at vertex 1, and a bend of 45 degrees.
-  const ProgramAnswer answer = parse_answer(
-      "p", kPath,
-      R"({"vertices":[[0,0,0],[1,0,0],[1,1,0]],"edges":[[0,1],[1,2,[[1,2,0],[2,1,0]]]]})");
-  const DrawnAngles angles = angles_of(*answer.drawing);
-  EXPECT_NEAR(angles.smallest_at_vertices, 90, 1e-12);
-  EXPECT_NEAR(angles.smallest_at_bends, 45, 1e-12);
-  EXPECT_EQ(angles.optimal_edges, 0);
-  for (const char* name : {"diamond", "grid", "two-bend"}) {
-    const Graph graph = name == std::string("diamond") ? testing::complete(5) : testing::petersen();
-    const Drawing drawing = draw(find_algorithm(name), graph);
-    const DrawnAngles optimal = angles_of(drawing);
-    EXPECT_EQ(optimal.optimal_edges, graph.num_edges()) << name;
-    EXPECT_NEAR(optimal.smallest_at_vertices, name == std::string("diamond") ? 109.4712206 : 120,
-                1e-7);
-  }
-  for (const char* name : {"diamond", "grid", "two-bend"}) {  // what is proved is what is measured
-    for (const Graph& graph :
-         {testing::complete(4), testing::petersen(), Graph(2, {{0, 1}}), Graph(3, {})}) {
-      const Algorithm& algorithm = find_algorithm(name);
-      const Drawing drawing = draw(algorithm, graph);
-      Examination examination = examine(graph, drawing, algorithm.guarantee);
-      set_angles_and_crossings(graph, drawing, algorithm.guarantee, examination.certificate,
-                               examination.summary);
-      const DrawnAngles measured = angles_of(drawing);
-      EXPECT_EQ(examination.summary.crossings, 0);
-      EXPECT_EQ(examination.summary.optimal_edges, measured.optimal_edges) << name;
-      const auto same = [](double a, double b) {
-        return (std::isnan(a) && std::isnan(b)) || std::abs(a - b) < 1e-9;
-      };
-      EXPECT_TRUE(same(examination.summary.smallest_vertex_angle, measured.smallest_at_vertices));
-      EXPECT_TRUE(same(examination.summary.smallest_bend_angle, measured.smallest_at_bends));
-    }
-  }
-  const DrawnAngles none = angles_of(draw(find_algorithm("grid"), Graph(2, {})));
-  EXPECT_TRUE(std::isnan(none.smallest_at_vertices));
-  EXPECT_TRUE(std::isnan(none.smallest_at_bends));
-  EXPECT_EQ(none.optimal_edges, 0);
-  std::string star = R"({"vertices":[[0,0,0],[1,0,0],[-1,0,0],[0,1,0],[0,-1,0],[0,0,1]]})";
-  const Graph five(6, {{0, 1}, {0, 2}, {0, 3}, {0, 4}, {0, 5}});
-  EXPECT_EQ(angles_of(*parse_answer("p", five, star).drawing).optimal_edges, -1);
 }
 
 // Programs in Python, each a main loop over the graphs that it reads as edge lists.

@@ -28,6 +28,7 @@ NOT_RUN = {
     "cmake --preset fuzz && cmake --build build/fuzz --target fuzz_sparse6": "needs clang and minutes",
     "mkdir -p /tmp/corpus && build/fuzz/formats/fuzz/fuzz_sparse6": "as the line before",
     "build/release/bench/kernels/ar3d_limits": "takes minutes: tests/kernels/limits_test.cpp",
+    "build/release/bench/kernels/ar3d_precision": "takes more than a minute: tests/kernels/precision_test.cpp",
     "sudo apt-get install graphviz python3-igraph python3-pandas python3-tables": "installs packages",
 }
 # Exit codes other than 0, and lines as they run on the small files that are made here.
