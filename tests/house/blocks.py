@@ -29,12 +29,15 @@ NOT_RUN = {
     "mkdir -p /tmp/corpus && build/fuzz/formats/fuzz/fuzz_sparse6": "as the line before",
     "build/release/bench/kernels/ar3d_limits": "takes minutes: tests/kernels/limits_test.cpp",
     "build/release/bench/kernels/ar3d_precision": "takes more than a minute: tests/kernels/precision_test.cpp",
+    "./ar3d study run extremes-large": "takes ten minutes: tests/apps/extremes_test.cpp",
+    "./ar3d study run extremes-huge": "takes 17 minutes and 19 GB: tests/apps/extremes_test.cpp",
     "sudo apt-get install graphviz python3-igraph python3-pandas python3-tables": "installs packages",
 }
 # Exit codes other than 0, and lines as they run on the small files that are made here.
 EXIT = {"ar3d hunt --algorithm grid -n 60 --seeded-fault wrong-bend": 4}
 IN_PLACE_OF = {
     "study run quick": "study run quick.toml", " ROW": " 0", "study run peers": "study run peers.toml",
+    "study run precision": "study run precision.toml",
     "study run regression": "study run smoke.toml",
     "./ar3d": "ar3d", "python3 -c": "/usr/bin/python3 -c",
 }
@@ -81,6 +84,8 @@ class Folder:
         for name, file in (("smoke", "smoke"), ("quick", "quick"), ("mine", "my-study")):
             (self.path / f"{file}.toml").write_text(TINY.format(name=name))
         peers = pathlib.Path(sys.argv[1]).resolve().joinpath("studies", "peers.toml").read_text()
+        (self.path / "precision.toml").write_text('study = "precision"\naccept_unproved = true\n[[sweep]]\nfamilies = "prism"\nsizes = [8, 16]\n'
+                                                  'algorithms = { algorithm = "two-bend-paper", type = [0, 1] }\n')
         (self.path / "peers.toml").write_text(peers.replace("[60, 240, 960]", "[60]").replace("instances = 3", "instances = 1"))
         (self.path / "examples").symlink_to(pathlib.Path(sys.argv[1]).resolve().joinpath("examples"))
         (self.path / "strong.toml").write_text(TINY.format(name="r") + "strong = { threads = [1, 2], drawings = 2, repetitions = 1 }\n")
