@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "catalogue_kernel.h"
-#include "draw_time_kernel.h"
 #include "grid_kernel.h"
 
 namespace {
@@ -35,7 +34,6 @@ int main(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
   ar3d::kernels::register_catalogues();
   ar3d::kernels::register_grid_sizes();
-  ar3d::kernels::register_draw_times();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;

@@ -1,6 +1,7 @@
 // Certifying, measuring and hashing beside drawing: one thread, CPU time, random graphs with
-// vertices shuffled.
+// vertices shuffled. And certifying on two threads beside one: wall time.
 #include <fmt/format.h>
+#include <omp.h>
 
 #include <stdexcept>
 
@@ -20,12 +21,16 @@ void require(bool valid) {
   if (!valid) throw std::runtime_error("a drawing is not valid");
 }
 
+Graph graph_for(const Algorithm& algorithm, std::uint64_t n) {
+  const char* family = algorithm.guarantee.max_degree == 4 ? "random-4-regular" : "random-cubic";
+  return generate(find_family(family), n, kSeed, {{"shuffle", 1}});
+}
+
 /// Certifying / drawing; the same, per segment; metrics and hash / drawing.
 void measure_examination(const std::string& name, const Scale& scale, std::vector<Limit>& limits) {
   const OneThread one_thread;
   const Algorithm& algorithm = find_algorithm(name);
-  const char* family = algorithm.guarantee.max_degree == 4 ? "random-4-regular" : "random-cubic";
-  const Graph graph = generate(find_family(family), scale.n, kSeed, {{"shuffle", 1}});
+  const Graph graph = graph_for(algorithm, scale.n);
   const Drawing drawing = draw(algorithm, graph);
   std::uint64_t segments = 0;
   Turns turns({timed(Clock::cpu, [&] { (void)draw(algorithm, graph); }),
@@ -39,12 +44,13 @@ void measure_examination(const std::string& name, const Scale& scale, std::vecto
                  const ExaminationParts parts{.certificate = false, .metrics = true, .hash = true};
                  (void)examine(graph, drawing, algorithm.guarantee, parts);
                })});
-  turns.run(scale.repetitions);
+  turns.run(scale.repetitions, kSlowSeconds);
   const double drawing_s = turns.median_of(0);
   const double certify_s = turns.median_of(1);
   const double measure_s = turns.median_of(2);
   limits[0].measured = certify_s / drawing_s;
-  limits[0].remark = fmt::format("{:.3g} s, drawing {:.3g} s", certify_s, drawing_s);
+  limits[0].remark = fmt::format("{:.3g} s, drawing {:.3g} s{}", certify_s, drawing_s,
+                                 turns.rounds_remark(scale.repetitions));
   limits[1].measured = measure_s / drawing_s;
   limits[1].remark = fmt::format("{:.3g} s without the certificate", measure_s);
   if (limits.size() < 3) return;
@@ -52,12 +58,16 @@ void measure_examination(const std::string& name, const Scale& scale, std::vecto
   limits[2].remark = fmt::format("{} segments", segments);
 }
 
-Group examination_group(const std::string& name) {
-  constexpr std::uint64_t kN = 1'000'000;
-  Group group{"certify/" + name, kN, {}, {}};
-  group.limits = {
-      {fmt::format("certify `{}`", name), "its drawing", {Goal::Kind::at_most, 3}},
-      {fmt::format("metrics and hash of `{}`", name), "its drawing", {Goal::Kind::at_most, 1}}};
+Group examination_group(const std::string& name, std::uint64_t n) {
+  Group group{fmt::format("certify/{}/{}", name, n), n, {}, {}};
+  group.limits = {{fmt::format("certify `{}`", name),
+                   "its drawing",
+                   {Goal::Kind::at_most, 3},
+                   "the drawing is fast, and every segment is computed, stored and compared"},
+                  {fmt::format("metrics and hash of `{}`", name),
+                   "its drawing",
+                   {Goal::Kind::at_most, 1},
+                   "the drawing is fast, and every length takes an inner product and a root"}};
   if (name == "diamond") {
     group.limits.push_back(
         {"certify `diamond`, per segment", "none", {Goal::Kind::at_most, 0.25, " µs"}});
@@ -68,13 +78,37 @@ Group examination_group(const std::string& name) {
   return group;
 }
 
+void measure_threads(const Scale& scale, std::vector<Limit>& limits) {
+  const OneThread restore_afterwards;
+  const Algorithm& diamond = find_algorithm("diamond");
+  const Graph graph = graph_for(diamond, scale.n);
+  const Drawing drawing = draw(diamond, graph);
+  const auto on_threads = [&](int threads) {
+    return [&, threads] {
+      omp_set_num_threads(threads);
+      require(certify(graph, drawing, diamond.guarantee).valid());
+    };
+  };
+  Turns turns({timed(Clock::wall, on_threads(1)), timed(Clock::wall, on_threads(2))});
+  turns.run(scale.repetitions);
+  limits[0].measured = turns.median_of(0) / turns.median_of(1);
+  limits[0].remark = fmt::format("{:.3g} s and {:.3g} s", turns.median_of(0), turns.median_of(1));
+}
+
 }  // namespace
 
 std::vector<Group> certifying_groups() {
   std::vector<Group> groups;
-  for (const char* name : {"diamond", "grid", "two-bend", "compact"}) {
-    groups.push_back(examination_group(name));
+  for (const std::uint64_t n : {1'000'000, 10'000'000}) {
+    for (const char* name : {"diamond", "grid", "two-bend", "compact"}) {
+      groups.push_back(examination_group(name, n));
+    }
   }
+  groups.push_back(
+      {"certify/threads",
+       1'000'000,
+       {{"certify `diamond`, 2 threads", "1 thread", {Goal::Kind::at_least, 1.8, "× faster"}}},
+       measure_threads});
   return groups;
 }
 

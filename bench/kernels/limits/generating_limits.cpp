@@ -18,12 +18,17 @@ using Generator = void (*)(std::uint64_t, std::uint32_t, std::uint32_t);
 void measure_peer(std::uint32_t degree, Generator peer, const Scale& scale, Limit& limit) {
   std::uint32_t seed = 0;
   const auto cost = [&](Generator generator) {
-    return [&, generator] {
-      return kernels::cost_of([&] { generator(scale.n, degree, seed); }).cpu_s;
-    };
+    return kernels::cost_of([&] { generator(scale.n, degree, seed); }).cpu_s;
   };
-  Turns turns({cost(kernels::generate_ours), cost(peer)});
-  turns.run(scale.repetitions, kPeerSeconds, [&] { ++seed; });
+  const auto cost_of_peer = [&] {
+    try {
+      return cost(peer);
+    } catch (const std::runtime_error& error) {
+      throw NotMeasured(error.what());
+    }
+  };
+  Turns turns({[&] { return cost(kernels::generate_ours); }, cost_of_peer});
+  turns.run(scale.repetitions, kSlowSeconds, [&] { ++seed; });
   limit.measured = turns.median_of(1) / turns.median_of(0);
   limit.remark = fmt::format("{:.3g} s, ours {:.3g} s{}", turns.median_of(1), turns.median_of(0),
                              turns.rounds_remark(scale.repetitions));

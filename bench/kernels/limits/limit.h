@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,15 @@ struct Limit {
   std::string stage;
   std::string yardstick;
   Goal goal;
+  std::string why_missed = {};  ///< what stands between the stage and its goal, where that is known
   std::optional<double> measured = {};
   std::string remark = {};  ///< times in absolute terms, or why nothing was measured
+};
+
+/// What is missing here for a measurement: a peer, or a right that the kernel refuses. The line
+/// says so and the run goes on, whereas any other exception means that a row is broken.
+struct NotMeasured : std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
 
 /// What a run is asked for.
@@ -36,7 +44,8 @@ struct Group {
   std::string name;
   std::uint64_t n = 0;  ///< vertices of the graph for which the goals are stated
   std::vector<Limit> limits;
-  /// Fills in `measured` and `remark` of the limits. What it throws becomes the remark.
+  /// Fills in `measured` and `remark` of the limits. What it throws becomes the remark; a limit
+  /// that is left without a value is printed as such.
   std::function<void(const Scale&, std::vector<Limit>&)> measure;
 };
 
@@ -44,6 +53,8 @@ struct Group {
 std::vector<Group> drawing_groups();
 std::vector<Group> certifying_groups();
 std::vector<Group> crossing_groups();
+std::vector<Group> memory_groups();
+std::vector<Group> reading_groups();
 std::vector<Group> generating_groups();
 std::vector<Group> study_groups();
 std::vector<Group> layout_groups();

@@ -1,5 +1,6 @@
 // The program ar3d_limits: every stage beside its yardstick, as a table in Markdown. Goals are
-// stated for certain sizes; where a run is bounded to smaller ones they are not judged.
+// stated for certain sizes; where a run is bounded to smaller ones they are not judged. With
+// --families, drawing beside its yardstick for every family and size instead.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -13,6 +14,7 @@
 
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/stopwatch.h"
+#include "families.h"
 #include "limit.h"
 #include "machine.h"
 
@@ -24,12 +26,15 @@ struct Options {
   int repetitions = 9;
   std::string only = ".";
   std::uint64_t memory_mib = 256;
+  bool quick = false;
+  bool families = false;
 };
 
 std::vector<Group> all_groups() {
   std::vector<Group> all;
-  for (const auto& groups : {drawing_groups(), certifying_groups(), crossing_groups(),
-                             generating_groups(), study_groups(), layout_groups()}) {
+  for (const auto& groups :
+       {drawing_groups(), certifying_groups(), crossing_groups(), memory_groups(), reading_groups(),
+        generating_groups(), study_groups(), layout_groups()}) {
     all.insert(all.end(), groups.begin(), groups.end());
   }
   return all;
@@ -40,12 +45,22 @@ std::string goal_text(const Goal& goal) {
                      goal.unit);
 }
 
+bool is_reached(const Limit& limit) {
+  return limit.goal.kind == Goal::Kind::at_most ? *limit.measured <= limit.goal.value
+                                                : *limit.measured >= limit.goal.value;
+}
+
 const char* met(const Limit& limit, bool at_goals_size) {
   if (!limit.measured) return "–";
   if (!at_goals_size) return "not judged at this n";
-  const bool reached = limit.goal.kind == Goal::Kind::at_most ? *limit.measured <= limit.goal.value
-                                                              : *limit.measured >= limit.goal.value;
-  return reached ? "yes" : "no";
+  return is_reached(limit) ? "yes" : "no";
+}
+
+/// The last cell: what was measured, and of a goal that is missed the reason.
+std::string remark(const Limit& limit, bool at_goals_size) {
+  if (!limit.measured || !at_goals_size || is_reached(limit)) return limit.remark;
+  const char* known = limit.why_missed.empty() ? "reason not known" : limit.why_missed.c_str();
+  return fmt::format("{}{}missed: {}", limit.remark, limit.remark.empty() ? "" : "; ", known);
 }
 
 /// Three significant digits.
@@ -54,15 +69,23 @@ std::string value_text(double value) {
   return fmt::format("{:.{}f}", value, value >= 10 ? 1 : value >= 0.1 ? 2 : 3);
 }
 
-void measure(Group& group, const Scale& scale) {
-  try {
-    group.measure(scale, group.limits);
-  } catch (const std::exception& error) {
+/// What a group throws is told in its lines; false if that was a fault.
+bool measure(Group& group, const Scale& scale) {
+  const auto tell = [&](const char* what, const char* message) {
     for (Limit& limit : group.limits) {
       limit.measured.reset();
-      limit.remark = fmt::format("not measured: {}", error.what());
+      limit.remark = fmt::format("{}: {}", what, message);
     }
+  };
+  try {
+    group.measure(scale, group.limits);
+  } catch (const NotMeasured& missing) {
+    tell("not measured", missing.what());
+  } catch (const std::exception& error) {
+    tell("failed", error.what());
+    return false;
   }
+  return true;
 }
 
 void print_group(const Group& group, std::uint64_t n) {
@@ -70,7 +93,7 @@ void print_group(const Group& group, std::uint64_t n) {
     fmt::print("| `{}` | {} | {} | {} | {} | {} | {} | {} |\n", group.name, limit.stage,
                limit.yardstick, n,
                limit.measured ? value_text(*limit.measured) + limit.goal.unit : "–",
-               goal_text(limit.goal), met(limit, n == group.n), limit.remark);
+               goal_text(limit.goal), met(limit, n == group.n), remark(limit, n == group.n));
   }
   std::fflush(stdout);
 }
@@ -86,24 +109,39 @@ void print_memory(const Options& options) {
       speed.overlapped_ns);
 }
 
-void run(const Options& options) {
-  const Stopwatch time;
+/// False if a row failed.
+bool print_limits(const Options& options) {
   const std::regex only(options.only);
-  fmt::print("Commit {}{}, medians of {} repetitions in turns, load average before {}.\n\n",
-             source_hash(), source_is_dirty() ? " and uncommitted changes" : "",
-             options.repetitions, load_average());
   print_memory(options);
   fmt::print(
       "| row | stage | yardstick | n | measured | goal | met | "
       "|\n|---|---|---|---|---|---|---|---|\n");
+  const Stopwatch time;
+  bool all_well = true;
   for (Group& group : all_groups()) {
     if (!std::regex_search(group.name, only)) continue;
     const std::uint64_t n = std::min(group.n, options.max_n);
     fmt::print(stderr, "{:.0f} s: {}\n", time.wall_s(), group.name);
-    measure(group, {n, options.repetitions});
+    all_well = measure(group, {n, options.repetitions}) && all_well;
     print_group(group, n);
   }
+  return all_well;
+}
+
+/// False if a row failed.
+bool run(const Options& options) {
+  const Stopwatch time;
+  fmt::print("Commit {}{}, medians of {} repetitions in turns, load average before {}.\n\n",
+             source_hash(), source_is_dirty() ? " and uncommitted changes" : "",
+             options.repetitions, load_average());
+  bool all_well = true;
+  if (options.families) {
+    print_families({options.max_n, options.repetitions, options.only});
+  } else {
+    all_well = print_limits(options);
+  }
   fmt::print("\n{:.0f} s in all, load average after {}.\n", time.wall_s(), load_average());
+  return all_well;
 }
 
 }  // namespace
@@ -122,6 +160,11 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--only", options.only, "rows whose name this regular expression finds")
       ->capture_default_str();
+  app.add_flag("--families", options.families,
+               "drawing beside a search for every algorithm, family and power of ten from 10^3 on, "
+               "in rows named ALGORITHM/FAMILY");
+  app.add_flag("--quick", options.quick,
+               "graphs of 1000 vertices at most, once: only to see that every row is measured");
   app.add_option("--memory", options.memory_mib, "MiB of the arrays that tell the memory's speed")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 20))
       ->capture_default_str();
@@ -130,11 +173,15 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
+  if (options.quick) {
+    options.max_n = std::min(options.max_n, std::uint64_t{1000});
+    options.repetitions = 1;
+    options.memory_mib = 1;
+  }
   try {
-    ar3d::limits::run(options);
+    return ar3d::limits::run(options) ? 0 : 1;
   } catch (const std::exception& error) {
     fmt::print(stderr, "ar3d_limits: {}\n", error.what());
     return 2;
   }
-  return 0;
 }

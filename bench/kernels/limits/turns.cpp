@@ -12,10 +12,11 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
-void Turns::run(int rounds, double most_seconds, const std::function<void()>& before_round) {
+void Turns::run(int rounds, double most_seconds, const std::function<void()>& before_round,
+                int least) {
   std::vector<double> taken(works_.size(), 0);
   for (int round = 0; round < rounds; ++round) {
-    if (round >= 3 && *std::max_element(taken.begin(), taken.end()) >= most_seconds) return;
+    if (round >= least && *std::max_element(taken.begin(), taken.end()) >= most_seconds) return;
     if (before_round) before_round();
     for (std::size_t i = 0; i < works_.size(); ++i) {
       times_[i].push_back(works_[i]());

@@ -26,8 +26,8 @@ std::function<double()> timed(Clock clock, Work work) {
   };
 }
 
-/// Repeats of a slow work of another program end after so many seconds, three at least.
-inline constexpr double kPeerSeconds = 12;
+/// Repeats of slow works end after so many seconds, three at least.
+inline constexpr double kSlowSeconds = 12;
 inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 /// Times works in rounds of one call each, so that whatever disturbs the machine for a while
@@ -37,9 +37,9 @@ class Turns {
   explicit Turns(std::vector<std::function<double()>> works)
       : works_(std::move(works)), times_(works_.size()) {}
 
-  /// @param most_seconds  rounds end once the slowest work has taken that long, after three.
+  /// @param most_seconds  rounds end once the slowest work has taken that long, after `least`.
   void run(int rounds, double most_seconds = kNoLimit,
-           const std::function<void()>& before_round = {});
+           const std::function<void()>& before_round = {}, int least = 3);
 
   /// Median of the seconds of work i.
   double median_of(std::size_t i) const { return median(times_[i]); }
