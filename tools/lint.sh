@@ -24,11 +24,16 @@ all_sources() {
 tidy_all() {
   local folder=$1 scratch=$2 total
   total=$(wc -l <"$scratch/units")
-  xargs -P "$(nproc)" -I{} sh -c 'clang-tidy -p "$0" --quiet "$1" >"$2/$$.found" 2>"$2/$$.err" || echo failed; echo' \
-    "$folder" {} "$scratch" <"$scratch/units" |
-    awk -v total="$total" '/failed/ {failed++} /^$/ {done++; if (done % 50 == 0) {
-      printf "ar3d: clang-tidy, %d of %d files\n", done, total > "/dev/stderr"; fflush("/dev/stderr") }}
-      END {exit failed > 0}'
+  xargs -P "$(nproc)" -I{} sh -c 'clang-tidy -p "$0" --quiet "$1" >"$2/$$.found" 2>"$2/$$.err" && echo passed || echo failed' \
+    "$folder" {} "$scratch" <"$scratch/units" | {
+    local done=0 failed=0 verdict
+    while read -r verdict; do  # awk may keep back what it reads
+      [ "$verdict" = passed ] || failed=$((failed + 1))
+      done=$((done + 1))
+      [ $((done % 50)) != 0 ] || echo "ar3d: clang-tidy, $done of $total files" >&2
+    done
+    [ $failed = 0 ]
+  }
   local result=$?
   # A finding in a header is seen by every file that includes it.
   cat "$scratch"/*.found | awk '/^[^ ].*: (error|warning|note): / {shown = ($0 in seen); seen[$0]} !shown'

@@ -20,7 +20,7 @@ std::size_t most_bytes(const Graph& graph) {
 
 // A line that comes late would be taken for the answer to the next graph; a program that writes
 // such lines does so from the beginning.
-constexpr double kListening_s = 0.02;
+constexpr double kListeningSeconds = 0.02;
 
 ProgramAnswer parsed(const std::string& name, const Graph& graph, const std::string& line) {
   try {
@@ -44,12 +44,12 @@ ExternalDrawing ExternalDrawer::draw(const ExternalAlgorithm& algorithm, const S
     if (!algorithm.one_graph_per_process) {
       const Graph edge(2, {{0, 1}});
       process->ask(request_of(algorithm, edge), algorithm.limit_s(2), most_bytes(edge));
-      process->refuse_second_lines(kListening_s);
+      process->refuse_second_lines(kListeningSeconds);
     }
   }
   const ExternalProcess::Answer answer = process->ask(
       request_of(algorithm, graph), algorithm.limit_s(graph.num_vertices()), most_bytes(graph));
-  if (is_new && !algorithm.one_graph_per_process) process->refuse_second_lines(kListening_s);
+  if (is_new && !algorithm.one_graph_per_process) process->refuse_second_lines(kListeningSeconds);
   ProgramAnswer read = parsed(algorithm.row.name, graph, answer.line);
   if (!algorithm.one_graph_per_process) processes_[key] = std::move(process);
   if (!read.drawing) throw InputError(fmt::format("{}: {}", algorithm.row.name, read.refusal));

@@ -16,7 +16,6 @@ namespace ar3d {
 namespace {
 
 using report::judge_onset;
-using report::Onset;
 using report::OnsetVerdict;
 using ::testing::HasSubstr;
 using ::testing::Not;

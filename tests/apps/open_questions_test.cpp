@@ -74,23 +74,23 @@ TEST(OpenQuestions, K4HasADrawingWithOneBend) {
 class SmallDrawingsSearch : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    scratch_ = new testing::ScratchDirectory;
+    scratch = new testing::ScratchDirectory;
     const auto built = run("c++ -O2 -std=c++20 -ffp-contract=off " + kFolder +
-                           "small_drawings.cpp -o " + scratch_->path("search"));
+                           "small_drawings.cpp -o " + scratch->path("search"));
     ASSERT_EQ(built.exit_code, 0) << built.err;
   }
   static void TearDownTestSuite() {
-    delete scratch_;
-    scratch_ = nullptr;
+    delete scratch;
+    scratch = nullptr;
   }
   static testing::Outcome search(const std::string& arguments) {
-    return run(scratch_->path("search") + " " + arguments);
+    return run(scratch->path("search") + " " + arguments);
   }
 
  private:
-  static testing::ScratchDirectory* scratch_;
+  static testing::ScratchDirectory* scratch;
 };
-testing::ScratchDirectory* SmallDrawingsSearch::scratch_ = nullptr;
+testing::ScratchDirectory* SmallDrawingsSearch::scratch = nullptr;
 
 TEST(OpenQuestions, SmallDrawingsAreCertified) {
   const auto verified = run("{} verify " + kFolder + "small_drawings.jsonl");

@@ -209,7 +209,7 @@ std::string refusal(Write write) {
   return "nothing is refused";
 }
 
-Drawing segment(Point a, Point b, std::vector<Point> bends = {}) {
+Drawing segment(Point a, Point b, const std::vector<Point>& bends = {}) {
   Coordinates points(2, kMaxCoordinate);
   points.set(0, a);
   points.set(1, b);

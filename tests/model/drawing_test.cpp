@@ -7,7 +7,7 @@
 namespace ar3d {
 namespace {
 
-Drawing one_edge(Point a, std::vector<Point> bends, Point b) {
+Drawing one_edge(Point a, const std::vector<Point>& bends, Point b) {
   Coordinates vertices(2, kMaxCoordinate);
   vertices.set(0, a);
   vertices.set(1, b);

@@ -88,7 +88,7 @@ void add_rows(const std::string& name, const Depths& depths,
           first(count, [&](std::size_t d) { return seen[d].largest_miss > limit; });
       if (at == late && (at == "0" || at[0] == '>')) continue;
       rows.push_back({name, kMeasuredTypes[t].name, fmt::format("{:g}", limit),
-                      early == late ? late : early + " to " + late, at});
+                      early == late ? late : fmt::format("{} to {}", early, late), at});
     }
     rows.push_back({name, kMeasuredTypes[t].name, "broken", "",
                     first(count, [&](std::size_t d) { return seen[d].is_broken(); })});

@@ -138,7 +138,7 @@ std::string map_svg(const SignMap& map, double left) {
   for (int row = 0; row < kWindow; ++row) {
     for (int column = 0, end = 0; column < kWindow; column = end) {
       const auto at = [&](int i) {
-        const auto place = static_cast<std::size_t>(row * kWindow + i);
+        const auto place = static_cast<std::size_t>(row) * kWindow + static_cast<std::size_t>(i);
         return colour(map.exact[place], map.seen[place]);
       };
       for (end = column + 1; end < kWindow && at(end) == at(column);) ++end;
@@ -215,7 +215,7 @@ void direction_table() {
     for (const Angle& angle : decisions.angles) {
       std::string u = direction(angle[0] - angle[1]), v = direction(angle[2] - angle[1]);
       if (v < u) std::swap(u, v);
-      by_directions[u + " and " + v].push_back(angle);
+      by_directions[fmt::format("{} and {}", u, v)].push_back(angle);
     }
     std::vector<std::pair<std::uint64_t, std::string>> order;
     std::uint64_t without = 0;
