@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <utility>
+#include <vector>
+
 #include "algorithms/strips_support.h"
 #include "ar3d/generators/catalog.h"
 
@@ -18,9 +21,14 @@ TEST(CompactLong, TenVerticesAreCertifiedAtEveryEffort) {
 }
 
 TEST(Compact120Long, ElevenAndTwelveVerticesAreCertifiedAtEveryEffort) {
-  for (const int n : {11, 12}) {
-    for (const Graph& graph : testing::geng(fmt::format("-D3 {}", n))) {
+  for (const auto& [n, count] : {std::pair{11, 10946u}, std::pair{12, 36327u}}) {
+    const std::vector<Graph> graphs = testing::geng(fmt::format("-D3 {}", n));
+    EXPECT_EQ(graphs.size(), count);
+    std::uint64_t seed = 0;
+    for (const Graph& graph : graphs) {
       ASSERT_EQ(strip_fault(testing::compact_120_strips(), graph), "");
+      const Graph relabelled = testing::shuffled(graph, ++seed);
+      ASSERT_EQ(strip_fault(testing::compact_120_strips(), relabelled), "") << "seed " << seed;
     }
   }
 }

@@ -74,7 +74,7 @@ Graph shuffled(const Graph& graph, std::uint64_t seed) {
 
 std::vector<Graph> geng(const std::string& arguments) {
   const std::string command = "nauty-geng -q " + arguments;
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
   if (!pipe) throw std::runtime_error("cannot run " + command);
   std::vector<Graph> graphs;
   char line[4096];
@@ -91,7 +91,10 @@ std::vector<Graph> geng(const std::string& arguments) {
     }
     graphs.emplace_back(static_cast<std::uint64_t>(n), std::move(edges));
   }
-  if (graphs.empty()) throw std::runtime_error(command + " printed nothing; is nauty installed?");
+  if (pclose(pipe.release()) != 0) {
+    throw std::runtime_error(command + " failed, so its list may be cut; is nauty installed?");
+  }
+  if (graphs.empty()) throw std::runtime_error(command + " printed nothing");
   return graphs;
 }
 

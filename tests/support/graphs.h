@@ -19,6 +19,7 @@ Graph disjoint_union(const std::vector<Graph>& parts);
 Graph shuffled(const Graph& graph, std::uint64_t seed);
 /// All graphs that `nauty-geng ARGS` prints (graph6 decoded here, independently of formats/), in
 /// its order.
+/// @throws std::runtime_error if it fails or prints nothing, so that no list is cut unnoticed.
 std::vector<Graph> geng(const std::string& arguments);
 
 }  // namespace ar3d::testing
