@@ -46,12 +46,17 @@ CycleSearch::CycleSearch(const Graph& graph, const Rest& rest)
 
 void CycleSearch::new_marks() { ++stamp_; }
 
+std::span<const HalfEdge> CycleSearch::look_at(Vertex v) {
+  looked_at_ += graph_.degree(v);
+  return graph_.incident(v);
+}
+
 std::vector<Vertex> CycleSearch::cycle_component(Vertex v) {
   std::vector<Vertex> walk = {v};
   Vertex before = v;
   for (Vertex at = v; rest_.degree(at) == 2;) {
     Vertex next = at;
-    for (const HalfEdge& half : graph_.incident(at)) {
+    for (const HalfEdge& half : look_at(at)) {
       if (rest_.has(half.to) && half.to != before) next = half.to;
     }
     if (next == v) return walk;
@@ -67,7 +72,7 @@ std::vector<Vertex> CycleSearch::component(Vertex v) {
   mark_[v] = stamp_;
   std::vector<Vertex> found = {v};
   for (std::size_t i = 0; i < found.size(); ++i) {
-    for (const HalfEdge& half : graph_.incident(found[i])) {
+    for (const HalfEdge& half : look_at(found[i])) {
       if (!rest_.has(half.to) || marked(half.to)) continue;
       mark_[half.to] = stamp_;
       found.push_back(half.to);
@@ -106,7 +111,7 @@ std::vector<Vertex> CycleSearch::first_cycle_in(Vertex root, Allowed&& allowed) 
   std::vector<Vertex> queue = {root};
   for (std::size_t i = 0; i < queue.size(); ++i) {
     const Vertex at = queue[i];
-    for (const HalfEdge& half : graph_.incident(at)) {
+    for (const HalfEdge& half : look_at(at)) {
       if (!allowed(half.to) || half.to == parent_[at]) continue;
       if (marked(half.to)) return joined(at, half.to);
       mark_[half.to] = stamp_;
@@ -130,7 +135,7 @@ bool CycleSearch::leaves_all_alive(const std::vector<Vertex>& cycle) {
   const std::uint64_t first_round = stamp_ + 1;
   std::vector<Vertex> queue;
   for (const Vertex on : cycle) {
-    for (const HalfEdge& half : graph_.incident(on)) {
+    for (const HalfEdge& half : look_at(on)) {
       if (!rest_.has(half.to) || mark_[half.to] >= off) continue;
       new_marks();
       mark_[half.to] = stamp_;
@@ -140,7 +145,7 @@ bool CycleSearch::leaves_all_alive(const std::vector<Vertex>& cycle) {
       for (std::size_t i = 0; i < queue.size() && !is_alive; ++i) {
         const Vertex at = queue[i];
         is_alive = graph_.degree(at) < 4;
-        for (const HalfEdge& next : graph_.incident(at)) {
+        for (const HalfEdge& next : look_at(at)) {
           if (!rest_.has(next.to) || mark_[next.to] == off || next.to == parent_[at]) continue;
           // A mark of this round closes a cycle; one of a round before leads to a living vertex.
           if (mark_[next.to] >= first_round) {
@@ -170,7 +175,7 @@ Pieces CycleSearch::pieces(const std::vector<Vertex>& core, const std::vector<Ve
     bool is_full = true;
     for (std::size_t i = 0; i < piece.size(); ++i) {
       is_full = is_full && graph_.degree(piece[i]) == 4;
-      for (const HalfEdge& half : graph_.incident(piece[i])) {
+      for (const HalfEdge& half : look_at(piece[i])) {
         if (!rest_.has(half.to) || std::find(cycle.begin(), cycle.end(), half.to) != cycle.end()) {
           continue;
         }
@@ -192,7 +197,7 @@ std::vector<Vertex> CycleSearch::cycle_off(const std::vector<Vertex>& cycle,
   new_marks();
   for (const Vertex v : alive) mark_[v] = stamp_;
   const auto beside = std::find_if(cycle.begin(), cycle.end(), [&](Vertex v) {
-    const auto incident = graph_.incident(v);
+    const auto incident = look_at(v);
     return std::any_of(incident.begin(), incident.end(),
                        [&](const HalfEdge& half) { return marked(half.to); });
   });
@@ -212,12 +217,12 @@ std::vector<Vertex> CycleSearch::cycle_off(const std::vector<Vertex>& cycle,
 /// Extends an induced path in all ways whose vertices are larger than the first one; true as soon
 /// as it is a cycle that leaves a living piece.
 bool CycleSearch::extend_path(std::vector<Vertex>& path, const std::vector<Vertex>& core) {
-  for (const HalfEdge& half : graph_.incident(path.back())) {
+  for (const HalfEdge& half : look_at(path.back())) {
     const Vertex next = half.to;
     if (!rest_.has(next) || next <= path.front()) continue;
     std::size_t neighbours = 0;  // on the path
     bool closes = false;
-    for (const HalfEdge& back : graph_.incident(next)) {
+    for (const HalfEdge& back : look_at(next)) {
       neighbours += static_cast<std::size_t>(std::count(path.begin(), path.end(), back.to));
       closes = closes || back.to == path.front();
     }

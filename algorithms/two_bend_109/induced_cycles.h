@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "ar3d/model/graph.h"
@@ -36,6 +37,8 @@ class CycleSearch {
  public:
   CycleSearch(const Graph& graph, const Rest& rest);
 
+  /// Half-edges that all searches have looked at, which is what they cost.
+  std::uint64_t looked_at() const { return looked_at_; }
   /// The component of v, in cyclic order, if it is a cycle; else nothing. Walks over vertices of
   /// degree 2 only. @pre v has degree 2.
   std::vector<Vertex> cycle_component(Vertex v);
@@ -56,6 +59,8 @@ class CycleSearch {
 
  private:
   void new_marks();
+  /// The half-edges of v, counted.
+  std::span<const HalfEdge> look_at(Vertex v);
   bool marked(Vertex v) const { return mark_[v] == stamp_; }
   template <class Allowed>
   std::vector<Vertex> first_cycle_in(Vertex root, Allowed&& allowed);
@@ -64,6 +69,7 @@ class CycleSearch {
 
   const Graph& graph_;
   const Rest& rest_;
+  std::uint64_t looked_at_ = 0;
   std::uint64_t stamp_ = 0;
   std::vector<std::uint64_t> mark_;
   std::vector<Vertex> parent_;  ///< in the breadth-first tree, of marked vertices

@@ -41,19 +41,11 @@ namespace {
 
 constexpr std::int64_t kLargest = std::int64_t{1} << 60;
 
-std::int64_t checked(Wide value, Vertex v) {
-  if (value > kLargest || value < -kLargest) {
-    throw InputError(fmt::format(
-        "two-bend-109: a coordinate of vertex {} may pass 2^60, the graph is too large", v));
-  }
-  return static_cast<std::int64_t>(value);
-}
-
 class LayoutMaker {
  public:
   LayoutMaker(const Graph& graph, const std::vector<Part>& parts, const Arrangement& arrangement,
-              Scale scale)
-      : graph_(graph), parts_(parts), arrangement_(arrangement) {
+              Scale scale, std::span<const Vertex> names)
+      : graph_(graph), parts_(parts), arrangement_(arrangement), names_(names) {
     made_.scale = scale;
     made_.place.resize(graph.num_vertices());
   }
@@ -67,6 +59,15 @@ class LayoutMaker {
   }
 
  private:
+  std::int64_t checked(Wide value, Vertex v) const {
+    if (value > kLargest || value < -kLargest) {
+      throw InputError(fmt::format(
+          "two-bend-109: a coordinate of vertex {} may pass 2^60, the graph is too large",
+          names_.empty() ? v : names_[v]));
+    }
+    return static_cast<std::int64_t>(value);
+  }
+
   void place_slots() {
     const Scale& scale = made_.scale;
     const auto& kinds = arrangement_.kind;
@@ -179,6 +180,7 @@ class LayoutMaker {
   const Graph& graph_;
   const std::vector<Part>& parts_;
   const Arrangement& arrangement_;
+  std::span<const Vertex> names_;
   Layout made_;
   std::int64_t top_ = 0;
 };
@@ -186,8 +188,8 @@ class LayoutMaker {
 }  // namespace
 
 Layout lay_out(const Graph& graph, const std::vector<Part>& parts, const Arrangement& arrangement,
-               Scale scale) {
-  return LayoutMaker(graph, parts, arrangement, scale).run();
+               Scale scale, std::span<const Vertex> names) {
+  return LayoutMaker(graph, parts, arrangement, scale, names).run();
 }
 
 }  // namespace ar3d::two_bend_109

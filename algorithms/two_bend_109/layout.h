@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "ar3d/algorithms/two_bend_109/partition.h"
@@ -41,8 +42,9 @@ struct Layout {
 
 /// Heights by slope: so high above its earlier neighbours that no edge leans too much, wherever
 /// both choose to stand (Step E.3).
+/// @param names  what the vertices are called in messages; by their numbers if empty.
 /// @throws InputError naming the first vertex whose coordinates may pass 2^60. O(n).
 Layout lay_out(const Graph& graph, const std::vector<Part>& parts, const Arrangement& arrangement,
-               Scale scale);
+               Scale scale, std::span<const Vertex> names = {});
 
 }  // namespace ar3d::two_bend_109

@@ -29,6 +29,8 @@ class Partitioner {
     return std::move(parts_);
   }
 
+  std::uint64_t looked_at() const { return search_.looked_at(); }
+
  private:
   bool take_next() {
     if (std::optional<Vertex> v = next_of(full_leaves_, 1)) return take_single(*v);
@@ -123,6 +125,11 @@ class Partitioner {
 
 }  // namespace
 
-std::vector<Part> find_partition(const Graph& graph) { return Partitioner(graph).run(); }
+std::vector<Part> find_partition(const Graph& graph, std::uint64_t* looked_at) {
+  Partitioner partitioner(graph);
+  std::vector<Part> parts = partitioner.run();
+  if (looked_at != nullptr) *looked_at = partitioner.looked_at();
+  return parts;
+}
 
 }  // namespace ar3d::two_bend_109

@@ -22,8 +22,8 @@ struct Part {
 
 /// The ordered partition of Lemma E.2; bodies come last.
 /// @param graph  connected, of maximum degree at most 4.
-/// Cost: O(n) and, for every cycle, what searches go through before they find one more cycle; near
-/// O(n) in practice, polynomial in n at worst.
-std::vector<Part> find_partition(const Graph& graph);
+/// @param looked_at  gets the number of half-edges that the searches for cycles looked at, if not
+/// null. Cost: O(n) and that number: a small multiple of n in practice, polynomial in n at worst.
+std::vector<Part> find_partition(const Graph& graph, std::uint64_t* looked_at = nullptr);
 
 }  // namespace ar3d::two_bend_109

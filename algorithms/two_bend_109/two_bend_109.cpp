@@ -72,21 +72,51 @@ struct Census {
   }
 };
 
-Placement place_component(const Graph& graph, Scale scale, Census& census) {
+/// A component's drawing, and the box of all that its scale allows.
+struct Placed {
+  Placement placement;
+  std::array<std::int64_t, 3> bound{};  ///< extents
+};
+
+/// Extents of the union of what is drawn over all choices of all vertices in their squares
+/// (instance_bound): a bend moves with its vertex. O(n).
+std::array<std::int64_t, 3> extents_of_choices(const Graph& graph, const std::vector<Part>& parts,
+                                               const Arrangement& arrangement, const Layout& layout,
+                                               const Placement& placement) {
+  GrowingBox box;
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+    const bool in_body = parts[arrangement.part[v]].kind == PartKind::body;
+    const std::int64_t most = (in_body ? layout.scale.body_jitter : layout.scale.jitter) - 1;
+    const auto add = [&](Point p) {
+      box.add(p);
+      box.add(p + Vector{most, most, 0});
+    };
+    add(layout.place[v]);
+    for (std::size_t i = 0; i < graph.degree(v); ++i) {
+      add(layout.place[v] + (placement.ends[v][i] - placement.at[v]));
+    }
+  }
+  const Point low = box.low(), high = box.high();
+  return {high.x - low.x, high.y - low.y, high.z - low.z};
+}
+
+Placed place_component(const Component& component, Scale scale, Census& census) {
+  const Graph& graph = component.graph;
   const std::vector<Part> parts = find_partition(graph);
   census.add(parts);
   const Arrangement arrangement = arrange(graph, parts);
   census.slots += static_cast<std::int64_t>(arrangement.kind.size());
   const std::uint64_t seed = mix_seed(graph.num_vertices(), graph.num_edges());
   for (;; scale = scale.next(graph.num_vertices())) {
-    const Layout layout = lay_out(graph, parts, arrangement, scale);
+    const Layout layout = lay_out(graph, parts, arrangement, scale, component.vertices);
     std::optional<Placement> placement =
         place(graph, parts, arrangement, layout,
               mix_seed(seed, static_cast<std::uint64_t>(scale.jitter)));
     if (placement) {
       census.jitter = std::max(census.jitter, scale.jitter);
       census.tried += placement->tried;
-      return *std::move(placement);
+      const auto bound = extents_of_choices(graph, parts, arrangement, layout, *placement);
+      return {*std::move(placement), bound};
     }
     expect(scale.jitter < Scale::always_enough(graph.num_vertices()).jitter,
            "there are more points than closed ones");
@@ -99,8 +129,13 @@ class Output {
   explicit Output(const Graph& graph)
       : graph_(graph), at_(graph.num_vertices()), bends_(graph.num_edges()) {}
 
-  void add(const Component& component, const Placement& placement) {
+  void add(const Component& component, const Placed& placed) {
     const Graph& part = component.graph;
+    const Placement& placement = placed.placement;
+    bound_[0] += placed.bound[0] + 1;
+    for (const std::size_t axis : {1u, 2u}) {
+      bound_[axis] = std::max(bound_[axis], placed.bound[axis]);
+    }
     GrowingBox box;
     for (Vertex v = 0; v < part.num_vertices(); ++v) {
       box.add(placement.at[v]);
@@ -126,8 +161,10 @@ class Output {
     for (std::size_t v = 0; v < at_.size(); ++v) vertices.set(v, at_[v]);
     auto bends = std::make_shared<StoredBends>();
     for (const auto& [at_u, at_v] : bends_) bends->add_edge({at_u, at_v});
-    return {"two-bend-109", kAxisLattice, std::move(vertices), graph_.shared_edges(),
-            std::move(bends)};
+    Drawing drawing{"two-bend-109", kAxisLattice, std::move(vertices), graph_.shared_edges(),
+                    std::move(bends)};
+    if (!at_.empty()) drawing.instance_bound = {bound_[0] - 1, bound_[1], bound_[2]};
+    return drawing;
   }
 
  private:
@@ -136,6 +173,7 @@ class Output {
   std::vector<std::array<Point, 2>> bends_;
   std::int64_t next_x_ = 0;
   std::int64_t largest_ = 1;
+  std::array<std::int64_t, 3> bound_{};
 };
 
 }  // namespace
@@ -153,7 +191,7 @@ Drawing draw(const Graph& graph, const Options& options) {
   for (const Component& component : components_of(graph)) {
     const Scale scale = options.effort == 0 ? Scale::always_enough(component.graph.num_vertices())
                                             : Scale{options.first_jitter};
-    output.add(component, place_component(component.graph, scale, census));
+    output.add(component, place_component(component, scale, census));
   }
   Drawing drawing = output.finish();
   drawing.counters = census.counters();

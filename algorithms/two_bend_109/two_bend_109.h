@@ -23,6 +23,7 @@ struct Options {
 /// @param graph  n vertices, m edges; may be disconnected.
 /// @return points of kAxisLattice; smallest x, y and z are 0. Counters: components, singles,
 /// cycles, bodies, slots, jitter (the largest one needed), tried (points, of all vertices).
+/// instance_bound is the box of all that the squares of that scale allow.
 /// @throws InputError if graph.max_degree() > 4, or naming a vertex whose coordinates may pass
 /// 2^60. Cost: O(n) per point tried, of which there is one per vertex in practice; O(n) memory.
 Drawing draw(const Graph& graph, const Options& options = {});

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <set>
@@ -133,6 +134,30 @@ TEST(TwoBend109Partition, PartsAreAsTheLemmaSaysForAllFamilies) {
     if (components.count != 1) continue;
     EXPECT_EQ(fault(graph, find_partition(graph)), "") << family.name;
   }
+}
+
+/// Half-edges that the searches for cycles look at, per vertex.
+double looked_at_per_vertex(const Graph& graph) {
+  std::uint64_t looked_at = 0;
+  find_partition(graph, &looked_at);
+  return static_cast<double>(looked_at) / static_cast<double>(graph.num_vertices());
+}
+
+// What Step E.1 says of its cost; nothing better than O(n) per vertex is proved. Random 4-regular
+// graphs have few short cycles, so that a search goes through about sqrt(n) vertices.
+TEST(TwoBend109Partition, SearchesLookAtFewHalfEdgesPerVertex) {
+  double largest_random = 0;
+  for (const Family& family : families()) {
+    const bool is_random = family.name.ends_with("4-regular");
+    for (const std::uint64_t n : {1000u, 10000u}) {
+      const Graph graph = generate(family, n, 3, {{"shuffle", 1}});
+      if (connected_components_of(graph).count != 1) continue;
+      const double seen = looked_at_per_vertex(graph);
+      EXPECT_LE(seen, is_random ? 0.6 * std::sqrt(n) : 12) << family.name << " n " << n;
+      if (is_random) largest_random = std::max(largest_random, seen);
+    }
+  }
+  EXPECT_GT(largest_random, 12) << "else the page's exception is none";
 }
 
 /// The ring of k copies of a graph from which one edge uv was taken away: u of each joined to v of

@@ -54,7 +54,18 @@ TEST(TwoBend109Scale, HeightAndDepthFitTheBox) {
     if (n <= 75000) {
       EXPECT_LT(others + bodies + 42, 0x1p60);
     }
+    if (n <= 1e7) {  // the widths of a small square
+      const double small = n * (150 * n * 16 + 6938 * n + 305 * 16 + 13966);
+      EXPECT_LT(small + 8400 * n * 16 + 388500 * n + 5600 * 16 + 4.3e7 + 81744 * n / 4 + 42,
+                0x1p60);
+    }
   }
+}
+
+TEST(TwoBend109Scale, TheTheoremsBoxFits32BitsUpTo72Vertices) {
+  const AxisBound height = row().guarantee.bound.axes[2];
+  EXPECT_LT(height.value(72), 0x1p31);
+  EXPECT_GT(height.value(73), 0x1p31);
 }
 
 TEST(TwoBend109Scale, DoublesUpToTheProofs) {
@@ -98,6 +109,16 @@ TEST(TwoBend109Scale, KeepsEveryAngleOfLemmaE4) {
     EXPECT_LE(std::atan(across) / kDegree, 6.7);
     const auto r = static_cast<double>(scale.radius());
     EXPECT_LE(std::atan((2.83 * j + 154) / (4.89 * r - 2.83 * j - 66)) / kDegree, 6.8);
+    // Inside a triangle: from place to place, and how far jitter and two stubs shift that. A stub
+    // is at most 39 long seen from above, those of three down 2.83.
+    const auto off = [&](double dx, double dy, double stubs) {
+      const double length = std::sqrt(2 * dx * dx + 6 * dy * dy);
+      return std::asin((std::sqrt(8.0) * (j - 1) + stubs) / length) / kDegree;
+    };
+    const double left = std::atan2(std::sqrt(6.0), -std::sqrt(2.0) / 2) / kDegree;
+    EXPECT_LE(off(2 * r, 0, 39 + 2.83), 10) << "from the centre to a corner";
+    EXPECT_LE(120 - left + off(r / 2, r, 39 + 2.83), 25) << "from the offset one to a left corner";
+    EXPECT_LE(off(r / 2, 0, 2.83), 42) << "from the offset one to the centre";
   }
 }
 

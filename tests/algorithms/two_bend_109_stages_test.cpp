@@ -1,4 +1,4 @@
-// Lemma E.3, Step E.2, the finished bodies, the comparison of two segments.
+// Lemma E.3, Step E.2, the comparison of two segments.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,9 +7,8 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <memory>
-#include <numbers>
 
+#include "algorithms/two_bend_109_angles.h"
 #include "algorithms/two_bend_109_support.h"
 #include "ar3d/algorithms/two_bend_109/crossings.h"
 #include "ar3d/algorithms/two_bend_109/slots.h"
@@ -20,45 +19,6 @@
 
 namespace ar3d::two_bend_109 {
 namespace {
-
-using Real3 = std::array<double, 3>;
-
-double dot(Real3 a, Real3 b) { return 2 * a[0] * b[0] + 6 * a[1] * b[1] + a[2] * b[2]; }
-Real3 real(Vector d) {
-  return {static_cast<double>(d.x), static_cast<double>(d.y), static_cast<double>(d.z)};
-}
-Vector minus(Vector a, Vector b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-constexpr double kDegree = std::numbers::pi / 180;
-double angle(Real3 a, Real3 b) {
-  return std::acos(dot(a, b) / std::sqrt(dot(a, a) * dot(b, b))) / kDegree;
-}
-/// The horizontal direction at this angle from the x-axis.
-Real3 at(double degrees) {
-  return {std::cos(degrees * kDegree) / std::sqrt(2.0),
-          std::sin(degrees * kDegree) / std::sqrt(6.0), 0};
-}
-constexpr Real3 kUp = {0, 0, 1};
-constexpr Real3 kDown = {0, 0, -1};
-const double kMostTurn = std::acos(1.0 / 3) / kDegree;
-
-struct Sides {
-  Stance stance;
-  Real3 first;
-  Real3 second;
-  double slack;  ///< what Lemma E.4 needs, in degrees
-};
-const std::vector<Sides> kCycleStances = {{Stance::chain, at(0), at(180), 6.7},
-                                          {Stance::corner, at(0), at(90), 6.7},
-                                          {Stance::triangle_right, at(150), at(210), 6.8},
-                                          {Stance::triangle_upper, at(-30), at(-90), 6.8}};
-
-std::vector<Stubs> all_stubs() {
-  std::vector<Stubs> all = {stubs_of(Stance::middle, 0), stubs_of(Stance::three_down, 3)};
-  for (const Sides& sides : kCycleStances) {
-    for (const unsigned downs : {0u, 1u, 2u}) all.push_back(stubs_of(sides.stance, downs));
-  }
-  return all;
-}
 
 TEST(TwoBend109Stubs, AreRegularTetrahedraOfTheStatedSize) {
   for (const Stubs& stubs : all_stubs()) {
@@ -83,7 +43,6 @@ TEST(TwoBend109Stubs, AreRegularTetrahedraOfTheStatedSize) {
 void expect_slack(Vector stub, Real3 direction, double needed) {
   EXPECT_LE(angle(real(stub), direction) + needed, kMostTurn) << to_string(stub);
 }
-double lean(std::int64_t slope) { return std::atan(1.0 / static_cast<double>(slope)) / kDegree; }
 
 TEST(TwoBend109Stubs, LeaveTheSlackThatLemmaE4Needs) {
   const Stubs middle = stubs_of(Stance::middle, 0);
@@ -103,6 +62,55 @@ TEST(TwoBend109Stubs, LeaveTheSlackThatLemmaE4Needs) {
       expect_slack(stubs.ends[3], sides.second, sides.slack);
     }
   }
+}
+
+/// A row of the table of Lemma E.3, in tenths of a degree, rounded up; on a cycle, how far off its
+/// two sides the stubs are, of which the table names the larger.
+struct TableRow {
+  Stance stance;
+  unsigned downs;
+  std::int64_t off_vertical;
+  std::int64_t off_first;
+  std::int64_t off_second;
+  std::int64_t up_slope;
+  std::int64_t down_slope;
+};
+
+std::int64_t tenths(double degrees) { return static_cast<std::int64_t>(std::ceil(10 * degrees)); }
+
+TEST(TwoBend109Stubs, HaveTheAnglesOfTheTable) {
+  const std::vector<TableRow> table = {
+      {Stance::middle, 0, 590, 0, 0, 5, 5},
+      {Stance::chain, 0, 563, 511, 195, 4, 4},
+      {Stance::chain, 1, 429, 411, 320, 2, 2},
+      {Stance::corner, 0, 563, 619, 571, 4, 4},
+      {Stance::corner, 1, 429, 320, 116, 2, 2},
+      {Stance::triangle_right, 0, 590, 636, 636, 5, 5},
+      {Stance::triangle_right, 1, 429, 116, 493, 2, 2},
+      {Stance::triangle_upper, 0, 590, 636, 636, 5, 5},
+      {Stance::triangle_upper, 1, 429, 493, 116, 2, 2},
+  };
+  for (const TableRow& row : table) {
+    SCOPED_TRACE(static_cast<int>(row.stance) * 10 + static_cast<int>(row.downs));
+    const Stubs stubs = stubs_of(row.stance, row.downs);
+    EXPECT_EQ(tenths(std::max(angle(real(stubs.ends[0]), kUp),
+                              angle(real(stubs.ends[1]), row.downs == 1 ? kDown : kUp))),
+              row.off_vertical);
+    EXPECT_EQ(stubs.up_slope, row.up_slope);
+    EXPECT_EQ(stubs.down_slope, row.down_slope);
+    if (row.stance == Stance::middle) continue;
+    const auto sides = std::find_if(kCycleStances.begin(), kCycleStances.end(),
+                                    [&](const Sides& known) { return known.stance == row.stance; });
+    EXPECT_EQ(tenths(angle(real(stubs.ends[2]), sides->first)), row.off_first);
+    EXPECT_EQ(tenths(angle(real(stubs.ends[3]), sides->second)), row.off_second);
+  }
+  const Stubs three = stubs_of(Stance::three_down, 3);
+  EXPECT_EQ(three.ends[0], (Vector{0, 0, 3}));
+  for (const std::size_t i : {1u, 2u, 3u}) {
+    EXPECT_NEAR(angle(real(three.ends[i]), kDown), kMostTurn, 1e-12);
+  }
+  EXPECT_EQ(three.up_slope, 1);
+  EXPECT_EQ(three.down_slope, 3);
 }
 
 // The condition of docs/two-bend-109.md on the lower stubs of three down, against the angle itself.
@@ -181,113 +189,6 @@ TEST(TwoBend109Slots, SomeSinglesStandInsideTriangles) {
   }
   EXPECT_GT(seen[Spot::centre], 0);
   EXPECT_GT(seen[Spot::left_inside], 0);
-}
-
-/// The body as a drawing, with a vertex at the end of a ray from each leg far below.
-Drawing with_rays(const SmallBody& body, Graph& graph) {
-  std::vector<Edge> edges;
-  std::vector<Point> at = body.vertices;
-  std::vector<std::vector<Point>> bends;
-  std::int64_t largest = 1;
-  for (const SmallBody::Link& link : body.links) {
-    edges.push_back({link.u, link.v});
-    bends.push_back({link.bend_at_u, link.bend_at_v});
-  }
-  for (const SmallBody::Leg& leg : body.legs) {
-    edges.push_back({leg.v, static_cast<Vertex>(at.size())});
-    at.push_back({leg.end.x, leg.end.y, -1000000});
-    bends.push_back({leg.end});
-  }
-  for (const Point& p : at)
-    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  Coordinates vertices(at.size(), largest);
-  for (std::size_t i = 0; i < at.size(); ++i) vertices.set(i, at[i]);
-  auto stored = std::make_shared<StoredBends>();
-  for (const auto& points : bends) stored->add_edge(points);
-  graph = Graph(at.size(), edges);
-  return {"two-bend-109", kAxisLattice, std::move(vertices),
-          std::make_shared<const std::vector<Edge>>(std::move(edges)), std::move(stored)};
-}
-
-// The rays end below the body, which reaches no further down: endless ones meet no more.
-TEST(TwoBend109Bodies, AreCertifiedWithTheirRays) {
-  Guarantee guarantee = row().guarantee;
-  for (const SmallBody& body : small_bodies()) {
-    Graph graph;
-    const Drawing drawing = with_rays(body, graph);
-    const Certificate certificate = certify(
-        graph, drawing, guarantee, {.crossing_test = CrossingTest::all_pairs, .check_size = false});
-    ASSERT_TRUE(certificate.valid()) << body.name << ": " << certificate.violations[0].message;
-    for (std::size_t v = 0; v < body.vertices.size(); ++v) {
-      EXPECT_GE(graph.degree(static_cast<Vertex>(v)), body.name == "K5" ? 4u : 3u);
-    }
-  }
-}
-
-/// How little a ray from `apex` may lean to meet the segment from a to b at the earliest: the
-/// largest s such that the cone of rays that lean by one part in s reaches it.
-double reached_by(Point apex, Point a, Point b) {
-  const Real3 p = real(a - apex);
-  const Real3 d = real(b - a);
-  double largest = 0;
-  // The lean along the segment has at most one extremum below the apex: sampled finely, with the
-  // ends.
-  constexpr int kSamples = 20000;
-  for (int i = 0; i <= kSamples; ++i) {
-    const double t = static_cast<double>(i) / kSamples;
-    const Real3 q = {p[0] + t * d[0], p[1] + t * d[1], p[2] + t * d[2]};
-    if (q[2] < 0) largest = std::max(largest, -q[2] / std::sqrt(2 * q[0] * q[0] + 6 * q[1] * q[1]));
-  }
-  return largest;
-}
-
-TEST(TwoBend109Bodies, RaysMayLeanAsTheirSlopeSays) {
-  for (const SmallBody& body : small_bodies()) {
-    for (const SmallBody::Leg& leg : body.legs) {
-      const Vector stub = leg.end - body.vertices[leg.v];
-      EXPECT_LE(angle(real(stub), kDown) + lean(5), kMostTurn - 0.2) << body.name;
-      EXPECT_GE(body.slope, 5) << body.name;
-      double needed = 0;
-      for (const SmallBody::Link& link : body.links) {
-        const std::array<Point, 4> line = {body.vertices[link.u], link.bend_at_u, link.bend_at_v,
-                                           body.vertices[link.v]};
-        for (std::size_t i = 0; i < 3; ++i) {
-          needed = std::max(needed, reached_by(leg.end, line[i], line[i + 1]));
-        }
-      }
-      for (const SmallBody::Leg& other : body.legs) {
-        if (other.v != leg.v) {
-          needed = std::max(needed, reached_by(leg.end, body.vertices[other.v], other.end));
-        }
-      }
-      EXPECT_LE(needed * 1.005, static_cast<double>(body.slope)) << body.name;
-    }
-  }
-}
-
-bool parallel(Vector u, Vector v) {
-  return u.y * v.z == u.z * v.y && u.z * v.x == u.x * v.z && u.x * v.y == u.y * v.x;
-}
-
-TEST(TwoBend109Bodies, TwoStubsUpNeverDifferAlongTwoLegs) {
-  std::vector<Vector> differences;
-  for (const Stubs& stubs : all_stubs()) {
-    for (const bool in_x : {false, true}) {
-      for (const bool in_y : {false, true}) {
-        const Stubs seen = mirrored(stubs, in_x, in_y);
-        differences.push_back(minus(seen.ends[0], seen.ends[1]));
-      }
-    }
-  }
-  for (const SmallBody& body : small_bodies()) {
-    for (const SmallBody::Leg& a : body.legs) {
-      for (const SmallBody::Leg& b : body.legs) {
-        if (a.v == b.v) continue;
-        EXPECT_NE(a.end.z, b.end.z) << body.name;
-        for (const Vector& d : differences) EXPECT_FALSE(parallel(d, a.end - b.end)) << body.name;
-      }
-    }
-  }
 }
 
 TEST(TwoBend109Crossings, TwoSegmentsMeetIffTheVerifierSaysSo) {

@@ -14,6 +14,15 @@ inline std::string two_bend_109_fault(const Graph& graph, const Drawing& drawing
       graph.num_vertices() <= 100 ? CrossingTest::all_pairs : CrossingTest::automatic;
   const Certificate certificate = certify(graph, drawing, row.guarantee, {.crossing_test = test});
   if (!certificate.valid()) return certificate.violations[0].message;
+  const auto extents = bounding_box(drawing).extents();
+  for (std::size_t axis = 0; axis < 3 && graph.num_vertices() > 0; ++axis) {
+    if (!drawing.instance_bound) return "no bound of its own";
+    if (extents[axis] > (*drawing.instance_bound)[axis]) return "wider than its own bound";
+  }
+  if (graph.num_vertices() > 0 &&
+      !row.guarantee.bound.holds(*drawing.instance_bound, graph.num_vertices())) {
+    return "its own bound is wider than the theorem's";
+  }
   std::vector<Point> points;
   for (EdgeId e = 0; e < drawing.num_edges(); ++e) {
     drawing.polyline(e, points);

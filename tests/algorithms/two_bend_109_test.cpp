@@ -78,6 +78,20 @@ TEST(TwoBend109, CoordinatesThatMayPassTheRangeAreRefusedWithTheVertexNamed) {
   }
 }
 
+// Behind 70,000 single vertices, so that the names are not those of the component.
+TEST(TwoBend109, DrawRefusesWithTheVertexOfTheWholeGraphNamed) {
+  const Graph long_one = generate(find_family("ladder"), 60000, 1);
+  const Graph graph = testing::disjoint_union({Graph(70000, {}), long_one});
+  try {
+    two_bend_109::draw(graph, {.first_jitter = std::int64_t{1} << 30});
+    FAIL() << "its heights pass 2^60";
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), ::testing::MatchesRegex(
+                              "two-bend-109: a coordinate of vertex ([7-9]|1[0-3])[0-9]{4} may "
+                              "pass 2\\^60, the graph is too large"));
+  }
+}
+
 TEST(TwoBend109, SameGraphSameDrawing) {
   const Graph graph = generate(find_family("random-4-regular"), 300, 2);
   const Drawing one = two_bend_109::draw(graph);
@@ -94,6 +108,10 @@ TEST(TwoBend109, TellsWhatItDid) {
   EXPECT_GT(count_109(drawing, "singles"), 500);
   EXPECT_EQ(count_109(drawing, "jitter"), 16);
   EXPECT_GE(count_109(drawing, "tried"), 900);
+  const auto extents = bounding_box(drawing).extents();
+  for (std::size_t axis = 0; axis < 3; ++axis) {  // two ends may be up to 15 away from the squares'
+    EXPECT_LE(drawing.instance_bound.value()[axis] - extents[axis], axis == 2 ? 0 : 30);
+  }
   const Drawing large = two_bend_109::draw(graph, {.effort = 0});
   EXPECT_EQ(count_109(large, "jitter"), two_bend_109::Scale::always_enough(1000).jitter);
 }

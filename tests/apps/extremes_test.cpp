@@ -153,8 +153,8 @@ TEST(Extremes, RealTypesOfGraphsOfNoAndFewVertices) {
 }
 
 TEST(Extremes, SummariesOfGraphsWithoutPoints) {
-  for (const std::string algorithm :
-       {"diamond", "grid", "two-bend", "compact", "compact-120", "two-bend-paper"}) {
+  for (const std::string algorithm : {"diamond", "grid", "two-bend", "compact", "compact-120",
+                                      "two-bend-109", "two-bend-paper"}) {
     const Outcome none = run("printf '?\\n@\\nA_\\nBw\\n' | " + kProgram + " draw - --algorithm " +
                              algorithm + " --level extents");
     EXPECT_TRUE(none.exit_code == 0 || none.exit_code == 5) << none.err;

@@ -38,7 +38,7 @@ const std::map<std::string, Digests> kSmoke = {
       {"diamond", "f71205ee46c9dfa60422df6540236af7"},
       {"grid", "d2e5ec834366e288bba142728715bc6c"},
       {"two-bend", "c9211c73c82ead848d8d0e6129634f8b"},
-      {"two-bend-109", "83c1dff7c384f7807edf8256979f7638"}}},
+      {"two-bend-109", "65e5bfc6cdd0d0dff2f75cada81d50f2"}}},
     {"run",
      {{"compact", "fc6eec179e7a064e88acaaeaa3f282d9"},
       {"compact-120", "5fbda53eb559aee05799e103a6131d05"},
