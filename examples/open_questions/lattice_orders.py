@@ -2,11 +2,11 @@
 """Has a 4-regular graph a drawing with segments along (+-1, +-1, +-1) only, angles of at least
 arccos(-1/3), and at most two bends (or one bend) per edge? Crossings are allowed.
 
-    lattice_model.py GRAPH6 [--bends 1|2] [--formula orders|lengths] > formula.smt2
+    lattice_orders.py GRAPH6 [--bends 1|2] > formula.smt2
     z3 formula.smt2          # or: cvc5 formula.smt2
 
 prints a formula of linear real arithmetic (SMT-LIB 2) that is satisfiable if and only if there is
-one. The two formulas say the same and share no code but the reading of the graph.
+one. lattice_lengths.py writes another formula that says the same.
 
 The four vectors a, b, c, d = (1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1) have sum 0. A vertex
 of degree 4 sends its edges along all four (it is up) or along their negatives (down). A bend turns
@@ -99,65 +99,12 @@ def orders(n, edges, bends):
     return lines
 
 
-def lengths(n, edges, bends):
-    """Positions in space, a letter as a number, an edge as its word and the lengths of its
-    segments."""
-    vectors = ((1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1))
-    text = ["(set-logic ALL)"]
-    for v in range(n):
-        text.append(f"(declare-const sign{v} Bool)")  # true: along the vectors, false: against
-        for axis in "xyz":
-            text.append(f"(declare-const {axis}{v} Real)")
-    incident = [[i for i, edge in enumerate(edges) if v in edge] for v in range(n)]
-    for v in range(n):
-        for i in incident[v]:
-            text.append(f"(declare-const d{v}e{i} Int)")
-            text.append(f"(assert (and (<= 0 d{v}e{i}) (<= d{v}e{i} 3)))")
-        text.append(f"(assert (distinct {' '.join(f'd{v}e{i}' for i in incident[v])}))")
-    text.append("(assert sign0)")
-    text += [f"(assert (= d0e{i} {k}))" for k, i in enumerate(incident[0])]
-
-    def runs(u, v, i, word):
-        """v = u + the vectors of the word times positive lengths s, t, r."""
-        sums = []
-        for k, axis in enumerate("xyz"):
-            terms = [f"(* {sign * vectors[d][k]}.0 {name}{i})".replace("-1.0", "(- 1.0)")
-                     for (sign, d), name in zip(word, "str")]
-            sums.append(f"(= {axis}{v} (+ {axis}{u} {' '.join(terms)}))")
-        used = "str"[:len(word)]
-        return "(and " + " ".join(sums + [f"(>= {name}{i} 1.0)" for name in used]) + ")"
-
-    for i, (u, v) in enumerate(edges):
-        text += [f"(declare-const {name}{i} Real)" for name in "str"]
-        choices = []
-        for sign in (1, -1):
-            at_u = f"sign{u}" if sign > 0 else f"(not sign{u})"
-            at_v = {1: f"sign{v}", -1: f"(not sign{v})"}
-            for first in range(4):
-                for last in range(4):
-                    head = f"(= d{u}e{i} {first}) (= d{v}e{i} {last}) {at_u}"
-                    if first != last:
-                        word = ((sign, first), (-sign, last))
-                        choices.append(f"(and {head} {at_v[sign]} {runs(u, v, i, word)})")
-                    else:
-                        word = ((sign, first),)
-                        choices.append(f"(and {head} {at_v[-sign]} {runs(u, v, i, word)})")
-                    for middle in set(range(4)) - {first, last} if bends == 2 else ():
-                        word = ((sign, first), (-sign, middle), (sign, last))
-                        choices.append(f"(and {head} {at_v[-sign]} {runs(u, v, i, word)})")
-        text.append("(assert (or " + "\n  ".join(choices) + "))")
-    return text
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("graph6")
     parser.add_argument("--bends", type=int, choices=(1, 2), default=2)
-    parser.add_argument("--formula", choices=("orders", "lengths"), default="orders")
     options = parser.parse_args()
-    n, edges = read_graph6(options.graph6)
-    formula = orders if options.formula == "orders" else lengths
-    print("\n".join(formula(n, edges, options.bends)))
+    print("\n".join(orders(*read_graph6(options.graph6), options.bends)))
     print("(check-sat)")
 
 
