@@ -152,6 +152,30 @@ TEST(Compact120Mutation, LengthsOfAtLeastOneAreNeeded) {
   }
 }
 
+// Rule (a) follows from the lengths.
+TEST(Compact120Mutation, AnEdgeToTheWrongSideHasALengthBelowOne) {
+  int seen = 0;
+  for (std::int32_t cell = 0; cell < 40; ++cell) {
+    for (const Class of : {Class::n, Class::s, Class::t}) {
+      const Site tail{5, 2, Class::n};
+      const Site head{cell / 4, cell % 4, of};
+      const std::int32_t across = quad_of(head)[0] - quad_of(tail)[0];
+      for (const bool right : {true, false}) {
+        if ((right ? across : -across) > 0) continue;
+        for (const Arm arm : {k12, (of == Class::n) == right ? k20 : k01}) {
+          if (of == (right ? Class::s : Class::t)) continue;
+          const Arrival at = arrival_on(arm, of);
+          for (unsigned i = 0; i < variants(at); ++i) {
+            EXPECT_FALSE(Route({right, at, i}, quad_of(tail), quad_of(head)).fits());
+            ++seen;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(seen, 100);
+}
+
 /// An edge alone, with the piece of its middle line.
 struct LoneEdge {
   Site tail;
