@@ -1,17 +1,25 @@
 // What README prints runs as it is printed. (Its library section: tests/house/consumer.cmake.)
+// Shares of the proved box are those of the committed bounds table.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 #include <regex>
 #include <sstream>
 #include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "support/program.h"
 
 namespace ar3d {
 namespace {
 
+using ::testing::HasSubstr;
 using testing::Outcome;
 using testing::run;
 using testing::ScratchDirectory;
@@ -50,6 +58,104 @@ TEST(Readme, CommandsAndPythonRunAsPrinted) {
   const Outcome python = run(enter + "/usr/bin/python3 -W error::FutureWarning printed.py");
   EXPECT_EQ(python.exit_code, 0) << python.err;
   EXPECT_THAT(python.out, ::testing::HasSubstr("diamond"));
+}
+
+std::vector<std::string> split(const std::string& line, char separator) {
+  std::vector<std::string> cells;
+  std::istringstream text(line);
+  for (std::string cell; std::getline(text, cell, separator);) cells.push_back(cell);
+  return cells;
+}
+
+/// The rows of a committed table with these options, by the names of their columns.
+std::vector<std::map<std::string, std::string>> committed(const std::string& file,
+                                                          const std::string& options) {
+  std::istringstream table(testing::read_file(AR3D_SOURCE_DIR "/results/reference/" + file));
+  std::string line;
+  std::getline(table, line);
+  const std::vector<std::string> names = split(line, ',');
+  std::vector<std::map<std::string, std::string>> rows;
+  while (std::getline(table, line)) {
+    const std::vector<std::string> cells = split(line, ',');
+    std::map<std::string, std::string> row;
+    for (std::size_t i = 0; i < std::min(names.size(), cells.size()); ++i) {
+      row[names[i]] = cells[i];
+    }
+    if (row["options"] == options && file.find(row["algorithm"]) != std::string::npos) {
+      rows.push_back(row);
+    }
+  }
+  return rows;
+}
+
+/// "95 % (y": the largest share of the theorem's box, and on which axis.
+std::string largest_share(const std::string& file, const std::string& options) {
+  double share = 0;
+  std::string of;
+  for (const auto& row : committed(file, options)) {
+    for (const std::string axis : {"x", "y", "z"}) {
+      const double seen = 1 - std::stod(row.at("worst_slack_" + axis));
+      if (seen > share) std::tie(share, of) = std::tie(seen, axis);
+    }
+  }
+  return fmt::format("{:.2g} % ({}", 100 * share, of);
+}
+
+/// "0.495 [0.488, 0.502]" on random cubic graphs.
+std::string exponent(const std::string& file, const std::string& quantity) {
+  for (const auto& row : committed(file, "effort=1")) {
+    if (row.at("family") != "random-cubic" || row.at("parameters") != "") continue;
+    if (row.at("quantity") != quantity) continue;
+    return fmt::format("{:.3f} [{:.3f}, {:.3f}]{}", std::stod(row.at("exponent")),
+                       std::stod(row.at("exponent_low")), std::stod(row.at("exponent_high")),
+                       row.at("growth") == "apparent exponent" ? ", apparent" : "");
+  }
+  return "no such row";
+}
+
+/// Cell `column` (0: the label) of the first table's row whose label begins so.
+std::string cell(const std::string& label, std::size_t column) {
+  const std::string page = testing::read_file(AR3D_SOURCE_DIR "/README.md");
+  const std::size_t begin = page.find("\n| " + label);
+  if (begin == std::string::npos) return "no such row";
+  return split(page.substr(begin + 1, page.find('\n', begin + 1) - begin - 1), '|').at(column + 1);
+}
+
+TEST(Readme, SharesAndExponentsAreThoseOfTheCommittedTables) {
+  const std::string share = "largest share of the proved box";
+  for (const auto& [name, column] : {std::pair{"compact-120", 5u}, std::pair{"two-bend-109", 6u}}) {
+    EXPECT_THAT(cell("| ", column), HasSubstr("`" + std::string(name) + "`"));
+    const std::string bounds = fmt::format("0.2.0-{}-bounds.csv", name);
+    EXPECT_THAT(cell(share, column), HasSubstr(largest_share(bounds, "effort=1")));
+    EXPECT_THAT(cell(share, column), HasSubstr(largest_share(bounds, "effort=0") + ", effort 0)"));
+  }
+  const std::string growth = "0.2.0-compact-120-growth.csv";
+  EXPECT_THAT(cell("exponent of the longest side", 5), HasSubstr(exponent(growth, "longest side")));
+  EXPECT_THAT(cell("exponent of the volume", 5), HasSubstr(exponent(growth, "volume")));
+}
+
+// results/reference/compact-120.md says so of every drawing that it counts.
+TEST(Readme, CompactOf120NeededNoZonesInTheCommittedFile) {
+  const ScratchDirectory folder;
+  const std::string script =
+      folder.write("counters.py",
+                   "import h5py, re\n"
+                   "runs = h5py.File('" AR3D_SOURCE_DIR
+                   "/results/reference/0.2.0-compact-120.h5')['runs'][:]\n"
+                   "runs = runs[runs['algorithm'] == b'compact-120']\n"
+                   "assert not runs['violations'].any()\n"
+                   "wider = 0\n"
+                   "for options, n, text in zip(runs['options'], runs['n'], runs['counters']):\n"
+                   "    c = dict(re.findall(r'(\\w+)=(\\d+)', text.decode()))\n"
+                   "    if options == b'effort=0':\n"
+                   "        continue\n"
+                   "    assert c['zones'] == c['moved_components'] == '0', c\n"
+                   "    if c['widenings'] != '0':\n"
+                   "        assert options == b'effort=2' and n <= 700 and c['widenings'] == '1'\n"
+                   "        wider += 1\n"
+                   "print(len(runs), wider)\n");
+  const Outcome counted = run("/usr/bin/python3 " + script);
+  EXPECT_EQ(counted.out, "559 22\n") << counted.err;
 }
 
 }  // namespace
