@@ -201,7 +201,7 @@ TEST(EdgeRoles, EveryEdgeOfADrawingHasOne) {
 }
 
 TEST(GrowthOrder, TellsTheVerticesApart) {
-  for (const char* algorithm : {"diamond", "grid", "two-bend"}) {
+  for (const char* algorithm : {"diamond", "grid", "two-bend", "two-bend-109"}) {
     const Drawing drawing = drawing_of(algorithm, "random-cubic", 300);
     const auto weights = growth_order(drawing).weights;
     std::vector<std::int64_t> keys;

@@ -104,7 +104,7 @@ std::string largest_share(const std::string& file, const std::string& options) {
 /// "0.495 [0.488, 0.502]" on random cubic graphs.
 std::string exponent(const std::string& file, const std::string& quantity) {
   for (const auto& row : committed(file, "effort=1")) {
-    if (row.at("family") != "random-cubic" || row.at("parameters") != "") continue;
+    if (row.at("family") != "random-cubic" || !row.at("parameters").empty()) continue;
     if (row.at("quantity") != quantity) continue;
     return fmt::format("{:.3f} [{:.3f}, {:.3f}]{}", std::stod(row.at("exponent")),
                        std::stod(row.at("exponent_low")), std::stod(row.at("exponent_high")),
