@@ -1,7 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <utility>
 #include <vector>
+
+#include "ar3d/model/threads.h"
 
 namespace ar3d {
 
@@ -23,5 +27,36 @@ void reserve_long(std::vector<T>& vector, std::size_t count) {
   longer.insert(longer.end(), vector.begin(), vector.end());
   vector.swap(longer);
 }
+
+/// As UnwrittenAllocator, but elements are initialised as any vector's are.
+template <class T>
+struct LongAllocator : UnwrittenAllocator<T> {
+  template <class U>
+  struct rebind {
+    using other = LongAllocator<U>;
+  };
+  template <class U, class... Arguments>
+  void construct(U* place, Arguments&&... arguments) {
+    std::construct_at(place, std::forward<Arguments>(arguments)...);
+  }
+};
+/// A vector with pages of 2 MiB once it is long, whose memory can be used again (LongArrayReuse).
+template <class T>
+using LongVector = std::vector<T, LongAllocator<T>>;
+
+/// While one lives, long arrays that its thread frees are kept for its later ones: these then need
+/// no fresh memory, which the system would have to clear. An array is at most twice as long as it
+/// was asked for. What nothing uses at the end is given back; arrays may outlive it, and other
+/// threads may free them. Inside another one it does nothing.
+class LongArrayReuse {
+ public:
+  LongArrayReuse();
+  ~LongArrayReuse();
+  LongArrayReuse(const LongArrayReuse&) = delete;
+  LongArrayReuse& operator=(const LongArrayReuse&) = delete;
+
+ private:
+  bool is_outermost_;
+};
 
 }  // namespace ar3d

@@ -1,11 +1,14 @@
 #include "ar3d/model/threads.h"
 
+#include <malloc.h>
 #include <omp.h>
 #include <sys/mman.h>
 
 #include <cstdint>
 #include <cstdlib>
+#include <memory>
 #include <new>
+#include <vector>
 
 #include "ar3d/model/long_vector.h"
 
@@ -28,13 +31,60 @@ void advise_long_array(void* array, std::size_t bytes) {
   if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
 }
 
+namespace {
+
+/// A long array that nothing uses.
+struct Spare {
+  void* array = nullptr;
+  std::size_t bytes = 0;
+};
+thread_local std::vector<Spare>* spares = nullptr;  // null: no LongArrayReuse lives
+
+/// The smallest spare array of at least so many bytes and at most twice as many; null if none is.
+void* take_spare(std::size_t bytes) {
+  auto best = spares->end();
+  for (auto spare = spares->begin(); spare != spares->end(); ++spare) {
+    if (spare->bytes < bytes || spare->bytes / 2 > bytes) continue;
+    if (best == spares->end() || spare->bytes < best->bytes) best = spare;
+  }
+  if (best == spares->end()) return nullptr;
+  void* const array = best->array;
+  *best = spares->back();
+  spares->pop_back();
+  return array;
+}
+
+}  // namespace
+
 void* allocate_long_array(std::size_t bytes) {
+  if (spares != nullptr) {
+    if (void* const array = take_spare(bytes)) return array;
+  }
   void* const array = std::aligned_alloc(kPage, (bytes + kPage - 1) / kPage * kPage);
   if (array == nullptr) throw std::bad_alloc();
   advise_long_array(array, bytes);  // not for the last page, which costs no more than it holds
   return array;
 }
 
-void free_long_array(void* array) noexcept { std::free(array); }
+void free_long_array(void* array) noexcept {
+  // Within the room that was reserved, so nothing is thrown.
+  if (spares == nullptr || spares->size() == spares->capacity()) return std::free(array);
+  spares->push_back({array, malloc_usable_size(array)});
+}
+
+LongArrayReuse::LongArrayReuse() : is_outermost_(spares == nullptr) {
+  constexpr std::size_t kMost = 64;
+  if (!is_outermost_) return;
+  auto room = std::make_unique<std::vector<Spare>>();
+  room->reserve(kMost);
+  spares = room.release();
+}
+
+LongArrayReuse::~LongArrayReuse() {
+  if (!is_outermost_) return;
+  for (const Spare& spare : *spares) std::free(spare.array);
+  delete spares;
+  spares = nullptr;
+}
 
 }  // namespace ar3d

@@ -11,8 +11,8 @@ namespace ar3d::two_bend {
 namespace {
 
 /// low[v]: least vertex reached from v's subtree by at most one back edge.
-std::vector<Vertex> lowpoints(const LocalGraph& graph) {
-  std::vector<Vertex> low(graph.size());
+LongVector<Vertex> lowpoints(const LocalGraph& graph) {
+  LongVector<Vertex> low(graph.size());
   for (Vertex v = graph.size(); v-- > 0;) {
     Vertex least = v;
     const NeighbourList& near = graph.neighbours[v];
@@ -45,7 +45,7 @@ void register_vertex(const LocalGraph& graph, Blocks& blocks, Vertex v) {
 }  // namespace
 
 Blocks find_blocks(const LocalGraph& graph) {
-  const std::vector<Vertex> low = lowpoints(graph);
+  const LongVector<Vertex> low = lowpoints(graph);
   Blocks result;
   result.of.resize(graph.size());
   for (Vertex v = 0; v < graph.size(); ++v) {
@@ -80,8 +80,8 @@ QBody read_q_body(const LocalGraph& graph, const Blocks& blocks, Vertex joint) {
   return body;
 }
 
-std::vector<QBody> cut_q_bodies(LocalGraph& graph, Blocks& blocks) {
-  std::vector<QBody> bodies;
+LongVector<QBody> cut_q_bodies(LocalGraph& graph, Blocks& blocks) {
+  LongVector<QBody> bodies;
   for (Block& block : blocks.blocks) {
     if (!is_q_block(block) || block.bridges == 0) continue;
     const QBody body = read_q_body(graph, blocks, block.free[0]);

@@ -22,8 +22,8 @@ struct Block {
 
 /// The blocks of a component and the bridges between them.
 struct Blocks {
-  std::vector<BlockId> of;  ///< one entry per vertex
-  std::vector<Block> blocks;
+  LongVector<BlockId> of;  ///< one entry per vertex
+  LongVector<Block> blocks;
 
   /// For adjacent u, v.
   bool is_bridge(Vertex u, Vertex v) const { return blocks.size() > 1 && of[u] != of[v]; }
@@ -53,6 +53,6 @@ bool is_q_block(const Block& block);
 /// four off (they keep their lists but nobody points to them) and makes the joint a block of its
 /// own (Step 2.1).
 /// @return the cut bodies; the cut vertices are the other four of each.
-std::vector<QBody> cut_q_bodies(LocalGraph& graph, Blocks& blocks);
+LongVector<QBody> cut_q_bodies(LocalGraph& graph, Blocks& blocks);
 
 }  // namespace ar3d::two_bend

@@ -14,7 +14,7 @@ namespace ar3d::two_bend {
 namespace {
 
 /// Neighbours of v on one side of it in `place`.
-unsigned count_side(const LocalGraph& graph, const std::vector<std::uint32_t>& place, Vertex v,
+unsigned count_side(const LocalGraph& graph, const LongVector<std::uint32_t>& place, Vertex v,
                     bool later) {
   const NeighbourList& near = graph.neighbours[v];
   unsigned count = 0;
@@ -25,7 +25,7 @@ unsigned count_side(const LocalGraph& graph, const std::vector<std::uint32_t>& p
 }
 
 /// Of a vertex whose neighbours are all on the side `!later`: how many have no other on this side.
-unsigned count_closing(const LocalGraph& graph, const std::vector<std::uint32_t>& place, Vertex v,
+unsigned count_closing(const LocalGraph& graph, const LongVector<std::uint32_t>& place, Vertex v,
                        bool later) {
   unsigned count = 0;
   for (const Vertex u : graph.neighbours[v].to) {
@@ -37,7 +37,7 @@ unsigned count_closing(const LocalGraph& graph, const std::vector<std::uint32_t>
 }  // namespace
 
 bool is_time_order(const LocalGraph& graph, const TimeOrder& order) {
-  std::vector<std::uint32_t> place(graph.size(), kNone);
+  LongVector<std::uint32_t> place(graph.size(), kNone);
   for (std::uint32_t i = 0; i < order.list.size(); ++i) place[order.list[i]] = i;
   for (const Vertex v : order.list) {
     const bool is_first = v == order.list.front();
@@ -58,7 +58,7 @@ bool arms_are_not_parallel(const Flow& flow) {
   });
 }
 
-bool merges_are_between(const View& view, const std::vector<NodeId>& list) {
+bool merges_are_between(const View& view, const LongVector<NodeId>& list) {
   const Values place = list_places(view, list);
   for (NodeId m = 0; m < view.size(); ++m) {
     if (!view.is_listed_merge(m)) continue;
@@ -91,7 +91,7 @@ bool merges_keep_distances(const View& view, const Values& values) {
 
 bool rays_differ(const Flow& flow, const Layout& layout) {
   using Span = std::tuple<std::int64_t, std::int64_t, NodeId, NodeId>;  // x, y, from, to
-  std::vector<Span> spans;
+  LongVector<Span> spans;
   for (const LongEdge& edge : flow.edges) {
     const Ray ray = ray_of(flow, layout, edge);
     spans.emplace_back(ray.x, ray.y, edge.lower, edge.upper);
@@ -104,7 +104,7 @@ bool rays_differ(const Flow& flow, const Layout& layout) {
 }
 
 bool vv_leans_are_primitive(const Flow& flow, const Layout& layout) {
-  const std::vector<LongId> edges = find_vv_edges(flow);
+  const LongVector<LongId> edges = find_vv_edges(flow);
   return std::all_of(edges.begin(), edges.end(), [&](LongId e) {
     const NodeId m = flow.edges[e].lower;
     const NodeId s = flow.edges[e].upper;

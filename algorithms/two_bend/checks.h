@@ -16,7 +16,7 @@ bool is_time_order(const LocalGraph& graph, const TimeOrder& order);
 bool arms_are_not_parallel(const Flow& flow);
 
 /// Every listed MERGE stands strictly between its in-neighbours' rows in the list of the view.
-bool merges_are_between(const View& view, const std::vector<NodeId>& list);
+bool merges_are_between(const View& view, const LongVector<NodeId>& list);
 
 /// Owners even, all MERGEs of the view but straight ones odd and between their in-neighbours, at
 /// the distances that Values promises.

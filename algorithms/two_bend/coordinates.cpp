@@ -35,7 +35,7 @@ void copy_to_sharers(const View& view, Values& values) {
 
 }  // namespace
 
-Values list_places(const View& view, const std::vector<NodeId>& list) {
+Values list_places(const View& view, const LongVector<NodeId>& list) {
   Values places(view.size(), 0);
   std::int32_t count = 0;
   for (const NodeId v : list) places[v] = count++;
@@ -43,7 +43,7 @@ Values list_places(const View& view, const std::vector<NodeId>& list) {
   return places;
 }
 
-Values number_list(const View& view, const std::vector<NodeId>& list, const Spacing& spacing) {
+Values number_list(const View& view, const LongVector<NodeId>& list, const Spacing& spacing) {
   Values values(view.size(), 0);
   std::int64_t value = -2;  // the first entry gets 0 or 1
   NodeType last = NodeType::split;
@@ -132,8 +132,8 @@ void choose_middle_values(const View& view, Values& values) {
   }
 }
 
-std::vector<LongId> find_vv_edges(const Flow& flow) {
-  std::vector<LongId> result;
+LongVector<LongId> find_vv_edges(const Flow& flow) {
+  LongVector<LongId> result;
   for (LongId e = 0; e < flow.edges.size(); ++e) {
     if (flow.is_vv_edge(e)) result.push_back(e);
   }

@@ -34,14 +34,14 @@ class Spacing {
 /// The numbers of one view: rows (y) or columns (x), per node; meaningful for owners and MERGEs of
 /// the view. Owners are even, MERGEs odd; a MERGE is strictly between its in-neighbours, at
 /// distance at least 1 from an owner, 2 from a MERGE and 3 from a STATION.
-using Values = std::vector<std::int32_t>;
+using Values = LongVector<std::int32_t>;
 
 /// The place of every node's row in the list, 0 for nodes that have none.
-Values list_places(const View& view, const std::vector<NodeId>& list);
+Values list_places(const View& view, const LongVector<NodeId>& list);
 
 /// Rule 2.5: numbers along the list; free MERGEs keep the number of their entry, if any.
 /// @throws InternalError if a number passes kMaxHorizontal.
-Values number_list(const View& view, const std::vector<NodeId>& list, const Spacing& spacing);
+Values number_list(const View& view, const LongVector<NodeId>& list, const Spacing& spacing);
 
 /// What number_list's largest value keeps within, from the numbers of entries: 2 an entry, 2 more a
 /// STATION, what widens, and both gaps of every special row.
@@ -70,7 +70,7 @@ void choose_middle_values(const View& view, Values& values);
 
 /// The VV edges (from a MERGE up to a SPLIT; their leans must be primitive), in time order of their
 /// lower ends.
-std::vector<LongId> find_vv_edges(const Flow& flow);
+LongVector<LongId> find_vv_edges(const Flow& flow);
 
 /// For one VV edge: puts the MERGE into the row of the SPLIT and the SPLIT into the column of the
 /// MERGE, so that the edge is straight, if both are inside the intervals; else an odd row of the

@@ -12,7 +12,7 @@ constexpr std::size_t kWalkers = 16;
 
 }  // namespace
 
-EntryList::EntryList(std::size_t num_nodes, const std::vector<NodeId>& owners) : links_(num_nodes) {
+EntryList::EntryList(std::size_t num_nodes, const LongVector<NodeId>& owners) : links_(num_nodes) {
   NodeId last = kNone;
   std::uint32_t rank = 0;
   for (const NodeId v : owners) {
@@ -27,13 +27,13 @@ EntryList::EntryList(std::size_t num_nodes, const std::vector<NodeId>& owners) :
   }
 }
 
-std::vector<NodeId> EntryList::in_order() const {
-  std::vector<NodeId> begins{first_};
+LongVector<NodeId> EntryList::in_order() const {
+  LongVector<NodeId> begins{first_};
   for (const NodeId v : starts_) {
     if (v != first_) begins.push_back(v);
   }
-  std::vector<std::vector<NodeId>> parts(begins.size());
-  std::vector<NodeId> at = begins;
+  LongVector<LongVector<NodeId>> parts(begins.size());
+  LongVector<NodeId> at = begins;
   begins.push_back(kNone);
   for (bool going = first_ != kNone; going;) {
     going = false;
@@ -45,7 +45,7 @@ std::vector<NodeId> EntryList::in_order() const {
       going = true;
     }
   }
-  std::vector<NodeId> result;
+  LongVector<NodeId> result;
   result.reserve(links_.size());
   for (const auto& part : parts) result.insert(result.end(), part.begin(), part.end());
   return result;

@@ -13,11 +13,11 @@ namespace ar3d::two_bend {
 class EntryList {
  public:
   /// The owners in their order, each a cluster of its own; room for entries below num_nodes.
-  EntryList(std::size_t num_nodes, const std::vector<NodeId>& owners);
+  EntryList(std::size_t num_nodes, const LongVector<NodeId>& owners);
 
   NodeId first() const { return first_; }
   /// All entries. Walks from several places at once, so that reads of memory overlap.
-  std::vector<NodeId> in_order() const;
+  LongVector<NodeId> in_order() const;
   bool contains(NodeId v) const { return links_[v].cluster != kNone; }
 
   bool before(NodeId u, NodeId v) const;
@@ -35,8 +35,8 @@ class EntryList {
   void link(NodeId left, NodeId v, NodeId right, NodeId cluster);
   bool walk_before(NodeId u, NodeId v) const;
 
-  std::vector<Link> links_;
-  std::vector<NodeId> starts_;  // a few entries in the order of the list, none that was moved
+  LongVector<Link> links_;
+  LongVector<NodeId> starts_;  // a few entries in the order of the list, none that was moved
   NodeId first_ = kNone;
 };
 

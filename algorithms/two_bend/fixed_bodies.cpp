@@ -70,9 +70,9 @@ void draw_table(const LocalGraph& graph, std::span<const Vertex> vertices,
 }
 
 /// The vertices with the neighbours of vertex 0 last, if the component is K3,3.
-std::optional<std::vector<Vertex>> sides_of_k33(const LocalGraph& graph) {
+std::optional<LongVector<Vertex>> sides_of_k33(const LocalGraph& graph) {
   if (graph.size() != 6) return std::nullopt;
-  std::vector<Vertex> result;
+  LongVector<Vertex> result;
   for (Vertex v = 0; v < 6; ++v) {
     if (graph.neighbours[v].degree() != 3) return std::nullopt;
     if (!graph.adjacent(0, v)) result.push_back(v);

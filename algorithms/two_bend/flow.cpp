@@ -202,7 +202,7 @@ class FlowBuilder {
   }
 
   const LocalGraph& graph_;
-  const std::vector<Vertex>& order_;
+  const LongVector<Vertex>& order_;
   std::vector<bool> pass_;  // per place
   NodeId count_;            // of nodes
   Flow flow_;
@@ -240,8 +240,8 @@ std::uint8_t role_of_merge(const View& view, NodeId m) {
   return kFreeMerge | (needs_room ? kListedMerge : 0);
 }
 
-std::vector<std::uint8_t> find_roles(const View& view) {
-  std::vector<std::uint8_t> roles(view.size(), 0);
+LongVector<std::uint8_t> find_roles(const View& view) {
+  LongVector<std::uint8_t> roles(view.size(), 0);
   for (NodeId v = 0; v < view.size(); ++v) {
     if (view.type(v) == NodeType::merge) roles[v] = role_of_merge(view, v);
     if (owns_row(view, v)) roles[v] |= kOwner;
@@ -258,14 +258,14 @@ std::vector<std::uint8_t> find_roles(const View& view) {
 Flow build_flow(const LocalGraph& graph, const Blocks& blocks, const TimeOrder& order) {
   Flow flow = FlowBuilder(graph, order).build(blocks);
   expect_heavy([&] { return arms_are_not_parallel(flow); }, "no two AA edges are parallel");
-  for (std::vector<NodeType>& types : flow.types) types.reserve(flow.nodes.size());
+  for (LongVector<NodeType>& types : flow.types) types.reserve(flow.nodes.size());
   for (const Node& node : flow.nodes) {
     flow.types[0].push_back(node.type);
     flow.types[1].push_back(dual(node.type));
   }
   flow.roles[0] = find_roles(View(flow, false));
   flow.roles[1] = find_roles(View(flow, true));
-  for (std::vector<NodeId>& owner : flow.row_owner) {
+  for (LongVector<NodeId>& owner : flow.row_owner) {
     owner.resize(flow.nodes.size());
     std::iota(owner.begin(), owner.end(), 0u);
   }

@@ -70,21 +70,21 @@ enum Role : std::uint8_t {
 
 /// The oriented component with PASS vertices suppressed; nodes are numbered in time order.
 struct Flow {
-  std::vector<Node> nodes;
-  std::vector<LongEdge> edges;
-  std::vector<Pole> poles;
-  std::array<std::vector<NodeType>, 2> types;  ///< per node, in the row and in the column view
-  std::array<std::vector<std::uint8_t>, 2>
+  LongVector<Node> nodes;
+  LongVector<LongEdge> edges;
+  LongVector<Pole> poles;
+  std::array<LongVector<NodeType>, 2> types;  ///< per node, in the row and in the column view
+  std::array<LongVector<std::uint8_t>, 2>
       roles;  ///< per node: bits of Role in the row and in the column view
-  std::array<std::vector<NodeId>, 2>
+  std::array<LongVector<NodeId>, 2>
       row_owner;  ///< per node, in the row and in the column view: whose row it stands in
-  std::vector<std::uint32_t> pole_of;  ///< per node, kNone if it is no pole
-  std::vector<std::uint32_t> place;    ///< per vertex, in the time order
-  std::vector<std::uint32_t>
-      element;                 ///< per place in the time order: node, or long edge if is_pass
-  std::vector<bool> is_pass;   ///< per place in the time order
-  std::vector<BlockId> block;  ///< per node
-  std::vector<NodeId>
+  LongVector<std::uint32_t> pole_of;  ///< per node, kNone if it is no pole
+  LongVector<std::uint32_t> place;    ///< per vertex, in the time order
+  LongVector<std::uint32_t>
+      element;                ///< per place in the time order: node, or long edge if is_pass
+  std::vector<bool> is_pass;  ///< per place in the time order
+  LongVector<BlockId> block;  ///< per node
+  LongVector<NodeId>
       block_entry;  ///< per block of a pole: its only node at a bridge, kNone if none
   bool joint = false;
 
@@ -118,7 +118,7 @@ class View {
   /// Asks memory for an array's entries of the neighbours of the i-th node, if there is one; i may
   /// have wrapped below 0.
   template <class T>
-  [[gnu::always_inline]] void ask(NodeId i, const std::vector<T>& array) const {
+  [[gnu::always_inline]] void ask(NodeId i, const LongVector<T>& array) const {
     if (i >= size()) return;
     for (const NodeId u : flow_->nodes[at(i)].neighbour) ask_for(array, u);
   }

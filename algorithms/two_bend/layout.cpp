@@ -21,13 +21,13 @@ Lists build_lists(Flow& flow, const ListOptions& options) {
       });
   if (options.share)
     share_rows(flow, columns_first, guess_rows(flow, !columns_first, options.straighten));
-  std::vector<NodeId> first = build_view_list(flow, columns_first, options.straighten,
-                                              options.weights[columns_first ? 1 : 0]);
+  LongVector<NodeId> first = build_view_list(flow, columns_first, options.straighten,
+                                             options.weights[columns_first ? 1 : 0]);
   choose_outer_specials(flow, !columns_first, first);
   if (options.share)
     share_rows(flow, !columns_first, list_places(View(flow, columns_first), first));
-  std::vector<NodeId> second = build_view_list(flow, !columns_first, options.straighten,
-                                               options.weights[columns_first ? 0 : 1]);
+  LongVector<NodeId> second = build_view_list(flow, !columns_first, options.straighten,
+                                              options.weights[columns_first ? 0 : 1]);
   if (options.share) {
     separate_rows(flow, columns_first, list_places(View(flow, !columns_first), second), first);
   }
@@ -107,7 +107,7 @@ class LayoutSearch {
   bool choose_free_values() {
     choose_middle_values(row_view_, layout_.rows);
     choose_middle_values(column_view_, layout_.columns);
-    std::vector<LongId> failed;
+    LongVector<LongId> failed;
     for (const LongId e : vv_) {
       if (!choose_vv_values(flow_, flow_.edges[e], layout_.rows, layout_.columns))
         failed.push_back(e);
@@ -125,7 +125,7 @@ class LayoutSearch {
   }
 
   /// The intervals of these VV edges get room for kVvCount odd numbers.
-  void widen_vv(const std::vector<LongId>& edges) {
+  void widen_vv(const LongVector<LongId>& edges) {
     const auto widen_to_count = [&](const View& view, NodeId merge) {
       const std::int64_t missing = kVvCount - interval_of(view, values_of(view).own, merge).count();
       if (missing > 0) widen(view, merge, 2 * missing);
@@ -158,7 +158,7 @@ class LayoutSearch {
   const unsigned relax_passes_;
   const View row_view_;
   const View column_view_;
-  const std::vector<LongId> vv_;
+  const LongVector<LongId> vv_;
   Spacing row_spacing_;
   Spacing column_spacing_;
   unsigned vv_failures_ = 0;

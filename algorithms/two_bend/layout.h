@@ -11,15 +11,15 @@ namespace ar3d::two_bend {
 
 /// The lists of rows and of columns of a component.
 struct Lists {
-  std::vector<NodeId> rows;
-  std::vector<NodeId> columns;
+  LongVector<NodeId> rows;
+  LongVector<NodeId> columns;
 };
 
 struct ListOptions {
   bool share = true;        ///< lets vertices share rows and columns (share_rows)
   bool straighten = false;  ///< orders rows for straight VV edges (order_owners)
   /// Per node, what it weighs in the trees of rows and of columns; empty: 1 each.
-  std::array<std::vector<std::uint32_t>, 2> weights;
+  std::array<LongVector<std::uint32_t>, 2> weights;
 };
 
 /// Builds both lists, columns first if the component is joint and its SOURCE is A-type, else rows
@@ -32,7 +32,7 @@ Lists build_lists(Flow& flow, const ListOptions& options);
 struct Layout {
   Values rows;     ///< y of a node's row
   Values columns;  ///< x of a node's column
-  std::vector<PoleShape>
+  LongVector<PoleShape>
       poles;            ///< one entry per flow.poles, in the view in which the pole is a SINK
   unsigned rounds = 1;  ///< numberings tried, the successful one included
   bool safe = false;    ///< it is a safe layout (safe_layout.h)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ar3d/model/graph.h"
+#include "ar3d/model/long_vector.h"
 
 namespace ar3d::two_bend {
 
@@ -18,7 +19,7 @@ inline constexpr std::uint32_t kAhead = 16;
 /// Asks memory for an entry of an array; any index is allowed. It and all that only call it are
 /// always inlined: g++ 12 drops calls of functions that do nothing else.
 template <class T>
-[[gnu::always_inline]] inline void ask_for(const std::vector<T>& array, std::size_t i) {
+[[gnu::always_inline]] inline void ask_for(const LongVector<T>& array, std::size_t i) {
   __builtin_prefetch(array.data() + i);
 }
 
@@ -33,10 +34,10 @@ struct NeighbourList {
 /// One component, its vertices renamed in preorder of a depth-first search, so that the search tree
 /// is known (parent[v] < v) and neighbours tend to lie close together in memory.
 struct LocalGraph {
-  std::vector<Vertex> name;  ///< of the input graph
-  std::vector<NeighbourList> neighbours;
-  std::vector<std::array<EdgeId, 3>> edges;  ///< of the input graph, in the order of the neighbours
-  std::vector<Vertex> parent;                ///< parent[0] = 0
+  LongVector<Vertex> name;  ///< of the input graph
+  LongVector<NeighbourList> neighbours;
+  LongVector<std::array<EdgeId, 3>> edges;  ///< of the input graph, in the order of the neighbours
+  LongVector<Vertex> parent;                ///< parent[0] = 0
 
   Vertex size() const { return static_cast<Vertex>(neighbours.size()); }
   bool adjacent(Vertex u, Vertex v) const;
@@ -62,9 +63,9 @@ class ComponentReader {
 
   const Graph& graph_;
   const HalfEdge* cubic_half_edges_ = nullptr;  // of all vertices, if all have degree 3
-  std::vector<Vertex> local_;                   // kNoVertex until named
+  LongVector<Vertex> local_;                    // kNoVertex until named
   std::vector<bool> is_read_;                   // as local_, but small enough to stay in the cache
-  std::vector<Turn> turns_;                     // not taken yet, the next one last
+  LongVector<Turn> turns_;                      // not taken yet, the next one last
   Vertex first_ = 0;
 };
 

@@ -32,7 +32,7 @@ class PackedBends final : public BendSource {
     std::array<std::int32_t, 4> xy{};
     std::array<std::int64_t, 2> z{kNoBend, kNoBend};
   };
-  std::vector<Places> places_;
+  LongVector<Places> places_;
 };
 
 /// The order by z, then y, then x.
@@ -62,7 +62,7 @@ class Output {
 
  private:
   const Graph& graph_;
-  std::vector<Point> points_;
+  LongVector<Point> points_;
   std::shared_ptr<PackedBends> bends_;
   std::int64_t base_z_ = 0;
   std::int64_t largest_ = 0;  // coordinate of a vertex

@@ -55,7 +55,7 @@ namespace {
 /// The forest of Rule 2.2: SPLIT and STATION below a SPLIT; weights; trees hung elsewhere.
 class Forest {
  public:
-  Forest(const View& view, const Attachment& attachment, const std::vector<std::uint32_t>& weights)
+  Forest(const View& view, const Attachment& attachment, const LongVector<std::uint32_t>& weights)
       : view_(view),
         attachment_(attachment),
         trees_(view.size()),
@@ -71,7 +71,7 @@ class Forest {
 
   /// Every tree fills consecutive places of the order: first the roots' places are found, then from
   /// the roots upwards those of their parts.
-  std::vector<NodeId> emit(bool straighten) {
+  LongVector<NodeId> emit(bool straighten) {
     for (const Pole& pole : view_.flow().poles) {
       if (view_.type(pole.node) != NodeType::source) continue;
       const Unit unit = unit_of(view_, pole);
@@ -110,8 +110,8 @@ class Forest {
     return view_.type(v) == NodeType::source || (is_initial_owner(v) && tree_above(v) == kNone);
   }
 
-  std::vector<NodeId> roots_in_time_order() const {
-    std::vector<NodeId> roots;
+  LongVector<NodeId> roots_in_time_order() const {
+    LongVector<NodeId> roots;
     for (NodeId i = 0; i < view_.size(); ++i) {
       if (is_root(view_.at(i))) roots.push_back(view_.at(i));
     }
@@ -120,9 +120,9 @@ class Forest {
 
   /// Roots in time order, but a SPLIT above a MERGE between the trees of the MERGE's in-neighbours
   /// if these differ: then the MERGE can have the SPLIT's row (see choose_vv_values).
-  std::vector<NodeId> straightening_roots() const {
+  LongVector<NodeId> straightening_roots() const {
     RootOrder roots(view_.size());
-    std::vector<NodeId> root(view_.size(), kNone);
+    LongVector<NodeId> root(view_.size(), kNone);
     for (NodeId i = 0; i < view_.size(); ++i) {
       const NodeId v = view_.at(i);
       if (is_root(v)) {
@@ -133,12 +133,12 @@ class Forest {
         if (to != kNone) root[v] = root[to];
       }
     }
-    std::vector<NodeId> result;
+    LongVector<NodeId> result;
     for (NodeId v = roots.first(); v != kNone; v = roots.next(v)) result.push_back(v);
     return result;
   }
 
-  bool place_above_merge(RootOrder& roots, const std::vector<NodeId>& root, NodeId v) const {
+  bool place_above_merge(RootOrder& roots, const LongVector<NodeId>& root, NodeId v) const {
     if (view_.type(v) != NodeType::split || view_.ins(v).empty()) return false;
     const NodeId m = view_.ins(v)[0];
     if (view_.type(m) != NodeType::merge) return false;
@@ -194,7 +194,7 @@ class Forest {
     }
   }
 
-  void weigh(const std::vector<std::uint32_t>& weights) {
+  void weigh(const LongVector<std::uint32_t>& weights) {
     for (NodeId i = view_.size();
          i-- > 0;) {  // attachments go back in time, so clusters add up to their owners
       const NodeId v = view_.at(i);
@@ -294,18 +294,18 @@ class Forest {
 
   const View& view_;
   const Attachment& attachment_;
-  std::vector<Tree> trees_;
-  std::vector<NodeId> hang_block_;  // per block: the entry its other roots hang on
-  std::vector<Hanging> hanging_;    // per node; empty if no tree hangs
-  std::vector<bool> grows_right_;   // per root of a tree
-  std::vector<NodeId> order_;
+  LongVector<Tree> trees_;
+  LongVector<NodeId> hang_block_;  // per block: the entry its other roots hang on
+  LongVector<Hanging> hanging_;    // per node; empty if no tree hangs
+  std::vector<bool> grows_right_;  // per root of a tree
+  LongVector<NodeId> order_;
   std::uint32_t end_ = 0;  // of the places taken
 };
 
 }  // namespace
 
-std::vector<NodeId> order_owners(const View& view, const Attachment& attachment, bool straighten,
-                                 const std::vector<std::uint32_t>& weights) {
+LongVector<NodeId> order_owners(const View& view, const Attachment& attachment, bool straighten,
+                                const LongVector<std::uint32_t>& weights) {
   return Forest(view, attachment, weights).emit(straighten);
 }
 

@@ -8,7 +8,7 @@ namespace ar3d::two_bend {
 
 /// Per listed MERGE the in-neighbour (its row's owner) next to which it stands (kNone for all other
 /// nodes), fixed in time order before anything is laid out (Rule 2.1).
-using Attachment = std::vector<NodeId>;
+using Attachment = LongVector<NodeId>;
 Attachment attach_merges(const View& view);
 
 /// The owners that a SOURCE of the view keeps side by side (Rule 2.2).
@@ -25,7 +25,7 @@ Unit unit_of(const View& view, const Pole& pole);
 /// lighter subtrees.
 /// @param straighten  moves trees so that more VV edges can be straight (choose_vv_values).
 /// @param weights  per node, what it counts in a tree; empty: 1 each.
-std::vector<NodeId> order_owners(const View& view, const Attachment& attachment, bool straighten,
-                                 const std::vector<std::uint32_t>& weights = {});
+LongVector<NodeId> order_owners(const View& view, const Attachment& attachment, bool straighten,
+                                const LongVector<std::uint32_t>& weights = {});
 
 }  // namespace ar3d::two_bend

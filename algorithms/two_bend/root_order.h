@@ -32,7 +32,7 @@ class RootOrder {
   std::int64_t room_after(NodeId u) const;
   void spread(NodeId u);
 
-  std::vector<Link> links_;
+  LongVector<Link> links_;
   NodeId first_ = kNone;
   NodeId last_ = kNone;
 };

@@ -38,10 +38,10 @@ NodeId free_merge_of(const View& view, const LongEdge& edge) {
 }
 
 /// Half the length that each node takes of the list.
-std::vector<std::uint32_t> lengths_of(const View& view) {
+LongVector<std::uint32_t> lengths_of(const View& view) {
   const Flow& flow = view.flow();
   const VvRoom room = vv_room(flow.nodes.size());
-  std::vector<std::uint32_t> weights(view.size(), 1);
+  LongVector<std::uint32_t> weights(view.size(), 1);
   for (NodeId v = 0; v < view.size(); ++v) {
     if (view.type(v) == NodeType::station) weights[v] = 2;
     if (view.type(v) == NodeType::sink && !flow.joint) weights[view.ins(v)[0]] += kSinkWeight;
@@ -64,7 +64,7 @@ class SafeLayout {
 
   Layout run() {
     number();
-    const std::vector<LongId> vv = find_vv_edges(flow_);
+    const LongVector<LongId> vv = find_vv_edges(flow_);
     const VvRoom room = vv_room(flow_.nodes.size());
     for (const LongId e : vv) {
       widen(views_[0], flow_.edges[e].lower, room.rows);
@@ -174,7 +174,7 @@ class SafeLayout {
   const Lists& lists_;
   const std::array<View, 2> views_;  // rows, columns
   std::array<Spacing, 2> spacings_;
-  std::vector<std::int64_t> gaps_;  // per pole, on the far side of its special row
+  LongVector<std::int64_t> gaps_;  // per pole, on the far side of its special row
   Layout layout_;
 };
 

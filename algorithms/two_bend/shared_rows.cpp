@@ -42,7 +42,7 @@ class Sharing {
   /// From the top down the view's time, undoes what two arms of a SPLIT cannot both have.
   /// @param shares  per node: asks to stand in the row of the SPLIT below it.
   /// @return true if something was undone.
-  bool undo_conflicts(std::vector<std::uint8_t>& shares, const Limits& limits) {
+  bool undo_conflicts(LongVector<std::uint8_t>& shares, const Limits& limits) {
     bool changed = false;
     for (NodeId i = view_.size(); i-- > 0;) {
       const NodeId v = view_.at(i);
@@ -65,7 +65,7 @@ class Sharing {
   }
 
  private:
-  Reach part(const std::vector<std::uint8_t>& shares, NodeId v) const {
+  Reach part(const LongVector<std::uint8_t>& shares, NodeId v) const {
     if (shares[v]) return reach_[v];
     return {cross_[v], cross_[v], 0, trees_[v], trees_[v]};
   }
@@ -73,7 +73,7 @@ class Sharing {
     return {std::min(a.low, b.low), std::max(a.high, b.high), a.sharers + b.sharers + 1,
             a.weight + b.weight, std::max(a.heaviest, b.heaviest)};
   }
-  bool fits(const std::vector<std::uint8_t>& shares, NodeId a, NodeId b,
+  bool fits(const LongVector<std::uint8_t>& shares, NodeId a, NodeId b,
             const Limits& limits) const {
     const Reach pa = part(shares, a);
     const Reach pb = part(shares, b);
@@ -101,16 +101,16 @@ class Sharing {
 
   const View& view_;
   const Values& cross_;
-  std::vector<Reach> reach_;
-  std::vector<std::uint32_t> trees_;
+  LongVector<Reach> reach_;
+  LongVector<std::uint32_t> trees_;
 };
 
-std::vector<NodeId>& owners_of(Flow& flow, bool columns) { return flow.row_owner[columns ? 1 : 0]; }
+LongVector<NodeId>& owners_of(Flow& flow, bool columns) { return flow.row_owner[columns ? 1 : 0]; }
 
 /// NeighbourList owners from who shares; the lowest of a row owns it.
-void set_owners(Flow& flow, const View& view, const std::vector<std::uint8_t>& shares) {
-  std::vector<NodeId>& owner = owners_of(flow, view.columns());
-  std::vector<std::uint8_t>& roles = flow.roles[view.columns() ? 1 : 0];
+void set_owners(Flow& flow, const View& view, const LongVector<std::uint8_t>& shares) {
+  LongVector<NodeId>& owner = owners_of(flow, view.columns());
+  LongVector<std::uint8_t>& roles = flow.roles[view.columns() ? 1 : 0];
   for (NodeId i = 0; i < view.size(); ++i) {
     const NodeId v = view.at(i);
     view.ask(i + kAhead, owner);
@@ -123,7 +123,7 @@ void set_owners(Flow& flow, const View& view, const std::vector<std::uint8_t>& s
 }
 
 /// No MERGE may have both in-neighbours in one row: the later of the two leaves it.
-bool part_neighbours_of_merges(const View& view, std::vector<std::uint8_t>& shares) {
+bool part_neighbours_of_merges(const View& view, LongVector<std::uint8_t>& shares) {
   bool changed = false;
   for (NodeId i = 0; i < view.size(); ++i) {
     const NodeId m = view.at(i);
@@ -139,13 +139,13 @@ bool part_neighbours_of_merges(const View& view, std::vector<std::uint8_t>& shar
 }
 
 /// Which SPLITs may stand in the row of the one below them at all.
-std::vector<std::uint8_t> find_askers(const View& view) {
+LongVector<std::uint8_t> find_askers(const View& view) {
   const Flow& flow = view.flow();
-  std::vector<std::uint8_t> left_alone(view.size(), 0);
+  LongVector<std::uint8_t> left_alone(view.size(), 0);
   for (const Pole& pole : flow.poles) {
     for (const NodeId v : flow.nodes[pole.node].neighbour) left_alone[v] = 1;
   }
-  std::vector<std::uint8_t> asks(view.size(), 0);
+  LongVector<std::uint8_t> asks(view.size(), 0);
   for (NodeId v = 0; v < view.size(); ++v) {
     if (view.type(v) != NodeType::split || view.ins(v).empty()) continue;
     const NodeId u = view.ins(v)[0];
@@ -156,8 +156,8 @@ std::vector<std::uint8_t> find_askers(const View& view) {
   return asks;
 }
 
-std::vector<std::uint8_t> sharers(const View& view) {
-  std::vector<std::uint8_t> shares(view.size(), 0);
+LongVector<std::uint8_t> sharers(const View& view) {
+  LongVector<std::uint8_t> shares(view.size(), 0);
   for (NodeId v = 0; v < view.size(); ++v) shares[v] = view.row_of(v) != v;
   return shares;
 }
@@ -166,23 +166,23 @@ std::vector<std::uint8_t> sharers(const View& view) {
 
 void share_rows(Flow& flow, bool columns, const Values& cross) {
   const View view(flow, columns);
-  std::vector<std::uint8_t> shares = find_askers(view);
+  LongVector<std::uint8_t> shares = find_askers(view);
   Sharing(view, cross).undo_conflicts(shares, kLimits);
   set_owners(flow, view, shares);
   if (part_neighbours_of_merges(view, shares)) set_owners(flow, view, shares);
 }
 
-void separate_rows(Flow& flow, bool columns, const Values& cross, std::vector<NodeId>& list) {
+void separate_rows(Flow& flow, bool columns, const Values& cross, LongVector<NodeId>& list) {
   const View view(flow, columns);
-  std::vector<std::uint8_t> shares = sharers(view);
+  LongVector<std::uint8_t> shares = sharers(view);
   if (!Sharing(view, cross).undo_conflicts(shares, kNoLimits)) return;
-  const std::vector<NodeId> before = owners_of(flow, columns);
+  const LongVector<NodeId> before = owners_of(flow, columns);
   set_owners(flow, view, shares);
-  std::vector<NodeId> added(view.size(), kNone);  // a linked list behind every entry
+  LongVector<NodeId> added(view.size(), kNone);  // a linked list behind every entry
   for (NodeId v = 0; v < view.size(); ++v) {
     if (!shares[v] && before[v] != v) added[v] = std::exchange(added[before[v]], v);
   }
-  std::vector<NodeId> result;
+  LongVector<NodeId> result;
   result.reserve(list.size());
   for (NodeId v : list) {
     for (; v != kNone; v = added[v]) result.push_back(v);
@@ -207,7 +207,7 @@ Values guess_rows(const Flow& flow, bool columns, bool straighten) {
 }
 
 bool shared_rows_are_plane(const View& view, const Values& cross) {
-  std::vector<std::uint8_t> shares = sharers(view);
+  LongVector<std::uint8_t> shares = sharers(view);
   return !Sharing(view, cross).undo_conflicts(shares, kNoLimits);
 }
 

@@ -19,7 +19,7 @@ void share_rows(Flow& flow, bool columns, const Values& cross);
 
 /// Gives SPLITs a row of their own again, next to the one they shared, until the condition of
 /// share_rows holds for the columns `cross`. The order of all other entries stays as it is.
-void separate_rows(Flow& flow, bool columns, const Values& cross, std::vector<NodeId>& list);
+void separate_rows(Flow& flow, bool columns, const Values& cross, LongVector<NodeId>& list);
 
 /// A guess of the order of the view's rows before its list is built: the owners' places, and next
 /// to them the MERGEs.

@@ -139,7 +139,7 @@ class ViewSlabs {
   }
 
   const View view_;
-  const std::vector<PoleShape>& poles_;
+  const LongVector<PoleShape>& poles_;
   const Values& own_;
   const Values& cross_;
   Slabs& slabs_;

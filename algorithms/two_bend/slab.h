@@ -38,8 +38,8 @@ struct Slab {
 
 /// Slabs of all nodes and bends of all long edges (Step 2.11).
 struct Slabs {
-  std::vector<Slab> of_node;
-  std::vector<LongBends> of_edge;
+  LongVector<Slab> of_node;
+  LongVector<LongBends> of_edge;
   std::int64_t left = kMaxHorizontal;   ///< least x of a bend, if it is less
   std::int64_t front = kMaxHorizontal;  ///< least y of a bend, if it is less
 };

@@ -16,7 +16,7 @@ StOrder::StOrder(const LocalGraph& graph, const Blocks& blocks)
   numbered_.reserve(graph.size());
 }
 
-const std::vector<Vertex>& StOrder::order(Vertex s, Vertex t) {
+const LongVector<Vertex>& StOrder::order(Vertex s, Vertex t) {
   expect(s != t && !blocks_.is_bridge(s, t), "an st-order runs between two vertices of one block");
   search(s, t);
   find_lows();
@@ -116,7 +116,7 @@ bool repair_around(const LocalGraph& graph, Vertex* last, Vertex p5, Vertex y,
 
 }  // namespace
 
-bool repair_true_sink(const LocalGraph& graph, std::vector<Vertex>& list) {
+bool repair_true_sink(const LocalGraph& graph, LongVector<Vertex>& list) {
   if (list.size() < 6) return false;
   Vertex* last = list.data() + list.size() - 4;
   const Vertex y = last[0];
@@ -150,7 +150,7 @@ bool repair_true_sink(const LocalGraph& graph, std::vector<Vertex>& list) {
                        {triangle[(miss + 1) % 3], triangle[(miss + 2) % 3]}, triangle[miss]);
 }
 
-unsigned count_closing_neighbours(const LocalGraph& graph, const std::vector<Vertex>& list) {
+unsigned count_closing_neighbours(const LocalGraph& graph, const LongVector<Vertex>& list) {
   const Vertex t = list.back();
   const NeighbourList& near = graph.neighbours[t];
   unsigned count = 0;

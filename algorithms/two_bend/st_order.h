@@ -15,7 +15,7 @@ class StOrder {
   /// The block of s from s to t: every other vertex has an earlier and a later neighbour inside the
   /// block. s and t are different vertices of one block with at least 3 vertices. Cost: O(size of
   /// the block).
-  const std::vector<Vertex>& order(Vertex s, Vertex t);
+  const LongVector<Vertex>& order(Vertex s, Vertex t);
 
  private:
   struct Turn {
@@ -39,12 +39,12 @@ class StOrder {
 
   const LocalGraph& graph_;
   const Blocks& blocks_;
-  std::vector<Vertex> number_;      // per vertex, in preorder; kUnseen outside the block
-  std::vector<Vertex> visited_;     // per number: the vertex
-  std::vector<Numbered> numbered_;  // per number
-  std::vector<bool> plus_;          // per number: which side of it the next one takes
-  std::vector<Turn> turns_;         // not taken yet, the next one last
-  std::vector<Vertex> list_;
+  LongVector<Vertex> number_;      // per vertex, in preorder; kUnseen outside the block
+  LongVector<Vertex> visited_;     // per number: the vertex
+  LongVector<Numbered> numbered_;  // per number
+  std::vector<bool> plus_;         // per number: which side of it the next one takes
+  LongVector<Turn> turns_;         // not taken yet, the next one last
+  LongVector<Vertex> list_;
 };
 
 /// Repairs the end of an st-order ... p5 y w c t whose last vertex has three earlier neighbours
@@ -52,10 +52,10 @@ class StOrder {
 /// have it as their only later neighbour.
 /// @return false (list unchanged) if no case applies: possible only for 6 and 8 vertices and for K4
 /// and Q blocks.
-bool repair_true_sink(const LocalGraph& graph, std::vector<Vertex>& list);
+bool repair_true_sink(const LocalGraph& graph, LongVector<Vertex>& list);
 
 /// Number of neighbours u of the list's last vertex that come before it and have no other later
 /// neighbour in the list.
-unsigned count_closing_neighbours(const LocalGraph& graph, const std::vector<Vertex>& list);
+unsigned count_closing_neighbours(const LocalGraph& graph, const LongVector<Vertex>& list);
 
 }  // namespace ar3d::two_bend

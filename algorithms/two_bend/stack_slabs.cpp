@@ -122,7 +122,7 @@ class Writer {
   /// Stacks the slabs in time order (Step 2.11). A vertex that is not alone in its slab and would
   /// have an empty one stands on a bend instead.
   void place_heights() {
-    std::vector<std::uint32_t> passed(passes_.size(), 0);  // per long edge
+    LongVector<std::uint32_t> passed(passes_.size(), 0);  // per long edge
     std::int64_t next = output_.base_z();
     for (std::uint32_t i = 0; i < z_.size(); ++i) {
       Slab slab;
@@ -224,11 +224,11 @@ class Writer {
 
   const Component& in_;
   Output& output_;
-  std::vector<Flat> xy_;               // per place
-  std::vector<std::int64_t> z_;        // per place
-  std::vector<bool> has_body_;         // per place
-  std::vector<std::uint32_t> passes_;  // per long edge; empty if there is none
-  std::vector<bool> on_bend_;          // per node
+  LongVector<Flat> xy_;               // per place
+  LongVector<std::int64_t> z_;        // per place
+  std::vector<bool> has_body_;        // per place
+  LongVector<std::uint32_t> passes_;  // per long edge; empty if there is none
+  std::vector<bool> on_bend_;         // per node
   Flat corner_;
   std::int64_t top_ = 0;
 };

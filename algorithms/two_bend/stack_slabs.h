@@ -15,7 +15,7 @@ struct Component {
   const Flow& flow;
   const Layout& layout;
   const Slabs& slabs;
-  const std::vector<QBody>& bodies;
+  const LongVector<QBody>& bodies;
 };
 
 /// Step 2.11: gives every vertex its own slab in time order (z), x and y from rays and poles, and

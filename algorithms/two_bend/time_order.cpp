@@ -21,13 +21,13 @@ class BlockLists {
   /// The block of s from s on, so that its last vertex has degree 2 inside the block if any but s
   /// has, and is a repaired true sink otherwise (Step 2.4: the block then has at least 7 vertices
   /// and a bridge at most at s).
-  std::vector<Vertex> from(Vertex s) {
+  LongVector<Vertex> from(Vertex s) {
     const Block& block = blocks_.block_of(s);
     if (block.size == 1) return {s};
     for (std::size_t k = 0; k < std::min<std::size_t>(block.free_count, 2); ++k) {
       if (block.free[k] != s) return st_.order(s, block.free[k]);
     }
-    std::vector<Vertex> list = st_.order(s, block.members[block.members[0] == s ? 1 : 0]);
+    LongVector<Vertex> list = st_.order(s, block.members[block.members[0] == s ? 1 : 0]);
     expect(list.size() >= 7 && repair_true_sink(graph_, list),
            "a true sink of a leaf block can be repaired");
     return list;
@@ -35,8 +35,8 @@ class BlockLists {
 
   /// The st-order of a cubic block with both ends repaired (Step 2.5); nothing if a repair does not
   /// apply.
-  std::optional<std::vector<Vertex>> with_both_ends(Vertex s, Vertex t) {
-    std::vector<Vertex> list = st_.order(s, t);
+  std::optional<LongVector<Vertex>> with_both_ends(Vertex s, Vertex t) {
+    LongVector<Vertex> list = st_.order(s, t);
     const bool top = repair_true_sink(graph_, list);
     std::reverse(list.begin(), list.end());
     const bool bottom = repair_true_sink(graph_, list);
@@ -52,9 +52,9 @@ class BlockLists {
 };
 
 /// Vertices in breadth-first order from `start`.
-std::vector<Vertex> breadth_first(const LocalGraph& graph, Vertex start) {
+LongVector<Vertex> breadth_first(const LocalGraph& graph, Vertex start) {
   std::vector<bool> seen(graph.size(), false);
-  std::vector<Vertex> queue{start};
+  LongVector<Vertex> queue{start};
   seen[start] = true;
   for (std::size_t i = 0; i < queue.size(); ++i) {
     if (i + kAhead < queue.size()) ask_for(graph.neighbours, queue[i + kAhead]);
@@ -69,7 +69,7 @@ std::vector<Vertex> breadth_first(const LocalGraph& graph, Vertex start) {
   return queue;
 }
 
-bool both_ends_closed(const LocalGraph& graph, std::vector<Vertex> list) {
+bool both_ends_closed(const LocalGraph& graph, LongVector<Vertex> list) {
   if (count_closing_neighbours(graph, list) < 2) return false;
   std::reverse(list.begin(), list.end());
   return count_closing_neighbours(graph, list) >= 2;
@@ -77,7 +77,7 @@ bool both_ends_closed(const LocalGraph& graph, std::vector<Vertex> list) {
 
 /// Step 2.5: a cubic bridgeless component. From 10 vertices on any pair works; the six smaller
 /// graphs are searched.
-std::vector<Vertex> order_of_cubic_block(const LocalGraph& graph, BlockLists& lists) {
+LongVector<Vertex> order_of_cubic_block(const LocalGraph& graph, BlockLists& lists) {
   if (graph.size() >= 10) {
     auto list = lists.with_both_ends(0, breadth_first(graph, 0).back());
     expect(list.has_value(),
@@ -85,7 +85,7 @@ std::vector<Vertex> order_of_cubic_block(const LocalGraph& graph, BlockLists& li
     return *std::move(list);
   }
   for (Vertex s = 0; s < graph.size(); ++s) {
-    const std::vector<Vertex> far = breadth_first(graph, s);
+    const LongVector<Vertex> far = breadth_first(graph, s);
     for (std::size_t i = far.size(); i-- > 1;) {
       auto list = lists.with_both_ends(s, far[i]);
       if (list && both_ends_closed(graph, *list)) return *std::move(list);
@@ -102,7 +102,7 @@ class BlockTreeWalk {
   BlockTreeWalk(const LocalGraph& graph, const Blocks& blocks, BlockLists& lists)
       : graph_(graph), blocks_(blocks), lists_(lists), emitted_(graph.size(), false) {}
 
-  std::vector<Vertex> from(const std::vector<Vertex>& first_block) {
+  LongVector<Vertex> from(const LongVector<Vertex>& first_block) {
     push(first_block);
     while (!frames_.empty()) step();
     return std::move(order_);
@@ -115,7 +115,7 @@ class BlockTreeWalk {
     std::uint8_t looked_at;  // half-edges of the last emitted vertex looked at so far
   };
 
-  void push(const std::vector<Vertex>& list) {
+  void push(const LongVector<Vertex>& list) {
     frames_.push_back({pending_.size(), pending_.size(), 0});
     pending_.insert(pending_.end(), list.begin(), list.end());
     ends_.push_back(pending_.size());
@@ -153,10 +153,10 @@ class BlockTreeWalk {
   const Blocks& blocks_;
   BlockLists& lists_;
   std::vector<bool> emitted_;
-  std::vector<Vertex> order_;
-  std::vector<Vertex> pending_;
-  std::vector<Frame> frames_;
-  std::vector<std::size_t> ends_;
+  LongVector<Vertex> order_;
+  LongVector<Vertex> pending_;
+  LongVector<Frame> frames_;
+  LongVector<std::size_t> ends_;
 };
 
 /// A vertex of degree 1, else of degree 2, that is still there.
@@ -183,7 +183,7 @@ TimeOrder find_time_order(const LocalGraph& graph, const Blocks& blocks) {
       std::find_if(blocks.blocks.begin(), blocks.blocks.end(),
                    [](const Block& block) { return block.size > 1 && block.bridges == 1; });
   if (leaf == blocks.blocks.end()) return {order_of_cubic_block(graph, lists), true};
-  std::vector<Vertex> first =
+  LongVector<Vertex> first =
       lists.from(leaf->bridge_vertex);  // upside down: it begins with a SOURCE
   std::reverse(first.begin(), first.end());
   return {BlockTreeWalk(graph, blocks, lists).from(first), false};

@@ -11,7 +11,7 @@ namespace ar3d::two_bend {
 /// earlier and one later neighbour, and the first vertex, if it has degree 3, has two neighbours
 /// with one earlier and two later neighbours.
 struct TimeOrder {
-  std::vector<Vertex> list;
+  LongVector<Vertex> list;
   bool joint =
       false;  ///< cubic and bridgeless: both ends of the list are such vertices, in one block
 };

@@ -133,18 +133,29 @@ double volume_of(const Attempt& attempt) {
          static_cast<double>(height_of(attempt.slabs));
 }
 
-Attempt find_attempt(const Flow& flow, const Options& options, const ComponentSize& size) {
-  if (options.force_safe_layout) return lay_out_safely(flow);
+/// The smaller of two drawings; the second seeks straight edges.
+Attempt find_smaller(const Flow& flow, const Options& options, const ComponentSize& size) {
   std::optional<Attempt> plain = lay_out(flow, options.effort, false);
   if (plain && !keeps_box(*plain, size)) plain.reset();
-  if (options.effort < 2 || find_vv_edges(flow).empty())
-    return plain ? *std::move(plain) : lay_out_safely(flow);
+  if (find_vv_edges(flow).empty()) return plain ? *std::move(plain) : lay_out_safely(flow);
   std::optional<Attempt> straight = lay_out(flow, options.effort, true);
   if (straight && !keeps_box(*straight, size)) straight.reset();
   if (!plain && !straight) return lay_out_safely(flow);
   if (!plain) return *std::move(straight);
   if (!straight) return *std::move(plain);
   return volume_of(*straight) <= volume_of(*plain) ? *std::move(straight) : *std::move(plain);
+}
+
+/// @param make_flow  gives the flow anew: an attempt changes it, and a copy for the case that the
+/// first one fails would take 72 bytes per vertex of every drawing.
+template <class MakeFlow>
+Attempt find_attempt(MakeFlow make_flow, const Options& options, const ComponentSize& size) {
+  if (options.force_safe_layout) return lay_out_safely(make_flow());
+  if (options.effort == kHighestEffort) return find_smaller(make_flow(), options, size);
+  std::optional<Attempt> plain = lay_out(make_flow(), options.effort, false);
+  if (plain && keeps_box(*plain, size)) return *std::move(plain);
+  plain.reset();
+  return lay_out_safely(make_flow());
 }
 
 void draw_component(LocalGraph& graph, const Options& options, Output& output, Census& census) {
@@ -163,11 +174,11 @@ void draw_component(LocalGraph& graph, const Options& options, Output& output, C
     ++census.q_bodies;
     return census.bound.add(kFixedBodyBound);
   }
-  const std::vector<QBody> bodies = cut_q_bodies(graph, blocks);
+  const LongVector<QBody> bodies = cut_q_bodies(graph, blocks);
   const TimeOrder order = find_time_order(graph, blocks);
   expect_heavy([&] { return is_time_order(graph, order); },
                "sources and sinks of the time order have the neighbours they need");
-  const Attempt found = find_attempt(build_flow(graph, blocks, order), options,
+  const Attempt found = find_attempt([&] { return build_flow(graph, blocks, order); }, options,
                                      {graph.size(), order.list.size(), bodies.size()});
   stack_slabs({graph, order, found.flow, found.layout, found.slabs, bodies}, output);
   census.add(found.flow, found.layout, order.list.size(), bodies.size());
@@ -178,6 +189,7 @@ void draw_component(LocalGraph& graph, const Options& options, Output& output, C
 Drawing draw(const Graph& graph, const Options& options) {
   check_effort("two-bend", options.effort, kHighestEffort);
   refuse_larger_degrees("two-bend", graph, 3);
+  const LongArrayReuse reuse;
   Output output(graph);
   Census census;
   ComponentReader reader(graph);

@@ -21,20 +21,20 @@ using Pair = std::array<NodeId, 2>;
 struct WaitingSink {
   NodeId c = kNone;
   NodeId w = kNone;
-  std::vector<NodeId> chain;  ///< MERGEs above the special SPLIT, upwards
-  bool reaches_c = false;     ///< the chain runs into c
+  LongVector<NodeId> chain;  ///< MERGEs above the special SPLIT, upwards
+  bool reaches_c = false;    ///< the chain runs into c
 };
 
 class ListBuilder {
  public:
-  ListBuilder(Flow& flow, bool columns, bool straighten, const std::vector<std::uint32_t>& weights)
+  ListBuilder(Flow& flow, bool columns, bool straighten, const LongVector<std::uint32_t>& weights)
       : view_(flow, columns),
         poles_(flow.poles),
         attachment_(attach_merges(view_)),
         list_(view_.size(), order_owners(view_, attachment_, straighten, weights)),
         postponed_(view_.size(), false) {}
 
-  std::vector<NodeId> build() {
+  LongVector<NodeId> build() {
     for (const Pole& pole : poles_) {
       if (view_.type(pole.node) == NodeType::sink && pole.special != kNone)
         postpone(waiting_for(pole));
@@ -47,7 +47,7 @@ class ListBuilder {
         insert_attached(v);
       }
     }
-    std::vector<NodeId> result = list_.in_order();
+    LongVector<NodeId> result = list_.in_order();
     expect_heavy([&] { return merges_are_between(view_, result); },
                  "every listed MERGE is between its in-neighbours");
     return result;
@@ -94,7 +94,7 @@ class ListBuilder {
     }
   }
 
-  void insert_chain(const std::vector<NodeId>& chain) {
+  void insert_chain(const LongVector<NodeId>& chain) {
     for (const NodeId b : chain) {
       if (view_.is_listed_merge(b)) insert_attached(b);
     }
@@ -209,7 +209,7 @@ class ListBuilder {
   }
 
   View view_;
-  std::vector<Pole>& poles_;
+  LongVector<Pole>& poles_;
   Attachment attachment_;
   EntryList list_;
   std::vector<bool> postponed_;
@@ -217,15 +217,15 @@ class ListBuilder {
 
 }  // namespace
 
-std::vector<NodeId> build_view_list(Flow& flow, bool columns, bool straighten,
-                                    const std::vector<std::uint32_t>& weights) {
+LongVector<NodeId> build_view_list(Flow& flow, bool columns, bool straighten,
+                                   const LongVector<std::uint32_t>& weights) {
   return ListBuilder(flow, columns, straighten, weights).build();
 }
 
 void choose_outer_specials(Flow& flow, bool columns_are_second,
-                           const std::vector<NodeId>& first_list) {
+                           const LongVector<NodeId>& first_list) {
   const View second(flow, columns_are_second);
-  std::vector<Pole>& poles = flow.poles;
+  LongVector<Pole>& poles = flow.poles;
   const bool any = std::any_of(poles.begin(), poles.end(), [&](const Pole& pole) {
     return second.type(pole.node) == NodeType::sink && pole.special == kNone;
   });

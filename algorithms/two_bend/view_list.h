@@ -14,12 +14,12 @@ namespace ar3d::two_bend {
 /// three. Cost: O(n).
 /// @param straighten  see order_owners.
 /// @param weights  see order_owners.
-std::vector<NodeId> build_view_list(Flow& flow, bool columns, bool straighten,
-                                    const std::vector<std::uint32_t>& weights = {});
+LongVector<NodeId> build_view_list(Flow& flow, bool columns, bool straighten,
+                                   const LongVector<std::uint32_t>& weights = {});
 
 /// For the view built second: makes the special neighbour of every V-type SINK an outer one of its
 /// three in the list of the other view, the one farther from the middle one.
 void choose_outer_specials(Flow& flow, bool columns_are_second,
-                           const std::vector<NodeId>& first_list);
+                           const LongVector<NodeId>& first_list);
 
 }  // namespace ar3d::two_bend

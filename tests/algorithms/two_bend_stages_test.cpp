@@ -102,7 +102,7 @@ TEST(TwoBendOrder, StOrderHasNoInnerSourceOrSink) {
       const Vertex s = random.below(graph.size());
       const Vertex t = (s + 1 + random.below(graph.size() - 1)) % graph.size();
       if (blocks.is_bridge(s, t)) continue;
-      const std::vector<Vertex> list = st.order(s, t);
+      const LongVector<Vertex> list = st.order(s, t);
       std::vector<std::size_t> place(graph.size());
       for (std::size_t i = 0; i < list.size(); ++i) place[list[i]] = i;
       EXPECT_EQ(list.front(), s);
@@ -125,7 +125,7 @@ TEST(TwoBendOrder, TimeOrderKeepsItsInvariant) {
          components_of(testing::shuffled(testing::random_graph_of_any_kind(24, seed), seed))) {
       if (graph.size() <= 6) continue;
       Blocks blocks = find_blocks(graph);
-      const std::vector<QBody> bodies = cut_q_bodies(graph, blocks);
+      const LongVector<QBody> bodies = cut_q_bodies(graph, blocks);
       const TimeOrder order = find_time_order(graph, blocks);
       EXPECT_EQ(order.list.size() + 4 * bodies.size(), graph.size());
       const Flow flow =
@@ -147,7 +147,7 @@ TEST(TwoBendOrder, RepairGivesAnyEndOfACubicBlockTwoClosingNeighbours) {
       for (Vertex s = 0; s < graph.size(); ++s) {
         for (Vertex t = 0; t < graph.size(); ++t) {
           if (s == t) continue;
-          std::vector<Vertex> list = st.order(s, t);
+          LongVector<Vertex> list = st.order(s, t);
           EXPECT_TRUE(repair_true_sink(graph, list));
           std::reverse(list.begin(), list.end());
           EXPECT_TRUE(repair_true_sink(graph, list));
@@ -162,7 +162,7 @@ TEST(TwoBendOrder, RepairGivesAnyEndOfACubicBlockTwoClosingNeighbours) {
 
 TEST(TwoBendList, EntryListAgreesWithAVector) {
   RandomStream random(3);
-  std::vector<NodeId> oracle(8);
+  LongVector<NodeId> oracle(8);
   std::iota(oracle.begin(), oracle.end(), 0u);
   EntryList list(300, oracle);
   for (NodeId v = 8; v < 300; ++v) {
@@ -192,7 +192,7 @@ TEST(TwoBendList, BothListsPutEveryMergeBetweenItsNeighbours) {
       const Lists lists = build_lists(flow, ListOptions());
       for (const bool columns : {false, true}) {
         const View view(flow, columns);
-        const std::vector<NodeId>& list = columns ? lists.columns : lists.rows;
+        const LongVector<NodeId>& list = columns ? lists.columns : lists.rows;
         const Values place = list_places(view, list);
         for (NodeId m = 0; m < view.size(); ++m) {
           EXPECT_EQ(std::count(list.begin(), list.end(), m),
@@ -231,13 +231,13 @@ TEST(TwoBendChecks, SeeWhatIsSpoilt) {
                                   [](const Node& v) { return v.type == NodeType::split; });
   split->neighbour.fill(split->neighbour[split->ins]);
   EXPECT_FALSE(arms_are_not_parallel(parallel));
-  std::vector<NodeId> list = lists.rows;
+  LongVector<NodeId> list = lists.rows;
   const auto merge =
       std::find_if(list.begin(), list.end(), [&](NodeId v) { return rows.is_listed_merge(v); });
   ASSERT_NE(merge, list.end());
   std::rotate(merge, merge + 1, list.end());  // behind all others
   EXPECT_FALSE(merges_are_between(rows, list));
-  const std::vector<LongId> vv = find_vv_edges(flow);
+  const LongVector<LongId> vv = find_vv_edges(flow);
   ASSERT_FALSE(vv.empty());
   const NodeId m = flow.edges[vv[0]].lower;
   const NodeId s = flow.edges[vv[0]].upper;
@@ -272,7 +272,7 @@ TEST(TwoBendChecks, SeeASpoiltArmOrLean) {
 TEST(TwoBendList, RootOrderAgreesWithAVector) {
   RandomStream random(4);
   RootOrder order(3000);
-  std::vector<NodeId> oracle;
+  LongVector<NodeId> oracle;
   NodeId hot = 0;  // many insertions behind one entry run out of labels
   for (NodeId v = 0; v < 3000; ++v) {
     if (v < 4 || random.chance(1, 10)) {
