@@ -48,7 +48,12 @@ Values number_list(const View& view, const LongVector<NodeId>& list, const Spaci
   std::int64_t value = -2;  // the first entry gets 0 or 1
   NodeType last = NodeType::split;
   Spacing::Widening before;
-  for (const NodeId v : list) {
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const NodeId v = list[i];
+    if (i + kAhead < list.size()) {
+      view.ask_type_of(list[i + kAhead]);
+      ask_for(values, list[i + kAhead]);
+    }
     const NodeType type = view.type(v);
     const Spacing::Widening widening = spacing[v];
     const bool is_first = value < 0;

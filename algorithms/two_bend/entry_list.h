@@ -19,6 +19,8 @@ class EntryList {
   /// All entries. Walks from several places at once, so that reads of memory overlap.
   LongVector<NodeId> in_order() const;
   bool contains(NodeId v) const { return links_[v].cluster != kNone; }
+  /// Asks memory for an entry.
+  [[gnu::always_inline]] void ask_for_entry(NodeId v) const { ask_for(links_, v); }
 
   bool before(NodeId u, NodeId v) const;
   void insert_after(NodeId place, NodeId v);

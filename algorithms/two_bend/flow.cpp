@@ -89,15 +89,24 @@ class FlowBuilder {
     return count;
   }
 
-  /// Asks memory, in three steps, for what the places soon after i need.
+  /// Asks memory, in four steps, for what the places soon after i need. Without a PASS every place
+  /// has the number of its node.
   [[gnu::always_inline]] void ask_for_node(std::uint32_t i) const {
-    if (i + 3 * kAhead >= order_.size()) return;
-    const Vertex far = order_[i + 3 * kAhead];
+    if (i + 4 * kAhead >= order_.size()) return;
+    const bool has_passes = count_ != order_.size();
+    const Vertex far = order_[i + 4 * kAhead];
     ask_for(graph_.neighbours, far);
     ask_for(graph_.edges, far);
-    for (const Vertex u : graph_.neighbours[order_[i + 2 * kAhead]].to) ask_for(flow_.place, u);
+    for (const Vertex u : graph_.neighbours[order_[i + 3 * kAhead]].to) ask_for(flow_.place, u);
+    if (has_passes) {
+      for (const Vertex u : graph_.neighbours[order_[i + 2 * kAhead]].to) {
+        if (u != kNoVertex) ask_for(flow_.element, flow_.place[u]);
+      }
+    }
     for (const Vertex u : graph_.neighbours[order_[i + kAhead]].to) {
-      if (u != kNoVertex) ask_for(flow_.nodes, flow_.element[flow_.place[u]]);
+      if (u == kNoVertex) continue;
+      const std::uint32_t place = flow_.place[u];
+      ask_for(flow_.nodes, has_passes ? flow_.element[place] : place);
     }
   }
 

@@ -136,6 +136,10 @@ class View {
   [[gnu::always_inline]] void ask_rows(NodeId i) const {
     ask(i, flow_->row_owner[columns_ ? 1 : 0]);
   }
+  [[gnu::always_inline]] void ask_types(NodeId i) const { ask(i, flow_->types[columns_ ? 1 : 0]); }
+  [[gnu::always_inline]] void ask_type_of(NodeId v) const {
+    ask_for(flow_->types[columns_ ? 1 : 0], v);
+  }
   /// Has an even row of its own.
   bool is_owner(NodeId v) const { return has_role(v, kOwner); }
   /// A MERGE with an odd entry in the list.

@@ -108,13 +108,25 @@ class LayoutSearch {
     choose_middle_values(row_view_, layout_.rows);
     choose_middle_values(column_view_, layout_.columns);
     LongVector<LongId> failed;
-    for (const LongId e : vv_) {
+    for (std::size_t i = 0; i < vv_.size(); ++i) {
+      const LongId e = vv_[i];
+      ask_for_vv_edge(i + kAhead);
       if (!choose_vv_values(flow_, flow_.edges[e], layout_.rows, layout_.columns))
         failed.push_back(e);
     }
     if (failed.empty()) return true;
     widen_vv(++vv_failures_ < kVvFailures ? failed : vv_);
     return false;
+  }
+
+  /// Asks memory for what the values of a VV edge soon to be chosen depend on.
+  [[gnu::always_inline]] void ask_for_vv_edge(std::size_t i) const {
+    if (i >= vv_.size()) return;
+    const LongEdge& edge = flow_.edges[vv_[i]];
+    ask_for(layout_.columns, edge.lower);
+    ask_for(layout_.rows, edge.upper);
+    for (const NodeId u : row_view_.ins(edge.lower)) ask_for(layout_.rows, u);
+    for (const NodeId u : column_view_.ins(edge.upper)) ask_for(layout_.columns, u);
   }
 
   void widen(const View& view, NodeId merge, std::int64_t by) {

@@ -86,6 +86,7 @@ class Forest {
     }
     for (NodeId i = 0; i < view_.size(); ++i) {
       view_.ask(i + kAhead, trees_);
+      view_.ask_types(i + kAhead);
       if (trees_[view_.at(i)].begin != kNone) place_parts(view_.at(i));
     }
     order_.resize(end_);
@@ -219,7 +220,8 @@ class Forest {
   }
 
   struct Children {
-    std::array<NodeId, kMostSharers + 1> of{};
+    Children() {}  // clearing more than 100 bytes takes longer than to fill in two or three
+    std::array<NodeId, kMostSharers + 1> of;
     std::size_t count = 0;
   };
   /// The children in the forest of all that stand in the row of a SPLIT or STATION, the heaviest

@@ -173,6 +173,8 @@ Slabs draw_slabs(const Flow& flow, const Layout& layout) {
       ask_for(layout.rows, ahead);
       ask_for(layout.columns, ahead);
       ask_for(slabs.of_node, ahead);
+      ask_for(flow.types[0], ahead);
+      ask_for(flow.types[1], ahead);
     }
     columns.draw_end(e, lower, upper);
     rows.draw_end(e, upper, lower);

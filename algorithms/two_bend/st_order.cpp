@@ -11,7 +11,7 @@
 namespace ar3d::two_bend {
 
 StOrder::StOrder(const LocalGraph& graph, const Blocks& blocks)
-    : graph_(graph), blocks_(blocks), number_(graph.size(), kUnseen) {
+    : graph_(graph), blocks_(blocks), seen_(graph.size(), false), number_(graph.size()) {
   visited_.reserve(graph.size());
   numbered_.reserve(graph.size());
 }
@@ -21,7 +21,7 @@ const LongVector<Vertex>& StOrder::order(Vertex s, Vertex t) {
   search(s, t);
   find_lows();
   place_in_preorder();
-  for (const Vertex v : visited_) number_[v] = kUnseen;
+  for (const Vertex v : visited_) seen_[v] = false;
   return list_;
 }
 
@@ -29,20 +29,22 @@ const LongVector<Vertex>& StOrder::order(Vertex s, Vertex t) {
 void StOrder::search(Vertex s, Vertex t) {
   visited_.assign(1, s);
   numbered_.assign(1, {});
+  seen_[s] = true;
   number_[s] = 0;
-  turns_.assign(1, {t, 0});
+  turns_.assign(1, {t, s, 0});
   while (!turns_.empty()) {
     const Turn turn = turns_.back();
     turns_.pop_back();
-    if (number_[turn.to] == kUnseen) visit(turn);
+    if (!seen_[turn.to]) visit(turn);
   }
 }
 
 /// Neighbours seen before lie on the way back to s; low is the least of their numbers but the
-/// parent's.
+/// parent's. Nothing waits for a number: the search goes on while they come.
 void StOrder::visit(Turn turn) {
   const Vertex v = turn.to;
   const auto number = static_cast<Vertex>(visited_.size());
+  seen_[v] = true;
   number_[v] = number;
   visited_.push_back(v);
   Numbered& here = numbered_.emplace_back();
@@ -52,10 +54,10 @@ void StOrder::visit(Turn turn) {
   for (std::size_t k = near.degree(); k-- > 0;) {
     const Vertex u = near.to[k];
     if (blocks_.is_bridge(v, u)) continue;
-    if (number_[u] == kUnseen) {
+    if (!seen_[u]) {
       ask_for(graph_.neighbours, u);
-      turns_.push_back({u, number});
-    } else if (number_[u] != turn.parent) {
+      turns_.push_back({u, v, number});
+    } else if (u != turn.from) {
       here.low = std::min(here.low, number_[u]);
     }
   }

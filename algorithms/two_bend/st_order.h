@@ -20,7 +20,8 @@ class StOrder {
  private:
   struct Turn {
     Vertex to;      // a vertex that was unseen when its neighbour was visited
-    Vertex parent;  // that neighbour's number
+    Vertex from;    // that neighbour
+    Vertex parent;  // its number
   };
   /// What is known of the vertex with a number; all names in it are numbers.
   struct Numbered {
@@ -30,8 +31,6 @@ class StOrder {
     std::uint32_t begin = 0;  // of its places that no child has taken
     std::uint32_t end = 0;
   };
-  static constexpr Vertex kUnseen = kNoVertex;
-
   void search(Vertex s, Vertex t);
   void visit(Turn turn);
   void find_lows();
@@ -39,7 +38,8 @@ class StOrder {
 
   const LocalGraph& graph_;
   const Blocks& blocks_;
-  LongVector<Vertex> number_;      // per vertex, in preorder; kUnseen outside the block
+  std::vector<bool> seen_;         // per vertex; small enough to stay in the cache
+  LongVector<Vertex> number_;      // per vertex seen, in preorder
   LongVector<Vertex> visited_;     // per number: the vertex
   LongVector<Numbered> numbered_;  // per number
   std::vector<bool> plus_;         // per number: which side of it the next one takes

@@ -32,8 +32,10 @@ class Writer {
       write_edge(e);
     }
     for (std::uint32_t i = 0; i < z_.size(); ++i) {
-      if (i + kAhead < z_.size())
+      if (i + 2 * kAhead < z_.size()) {
+        ask_for(in_.graph.name, in_.order.list[i + 2 * kAhead]);
         output_.ask_for_vertex(in_.graph.name[in_.order.list[i + kAhead]]);
+      }
       output_.set_vertex(in_.graph.name[in_.order.list[i]], point_at(i));
     }
     for (const QBody& body : in_.bodies) {
