@@ -121,6 +121,7 @@ void relax_merges(const View& view, unsigned passes, Values& values) {
     for (NodeId i = 0; i < view.size(); ++i) {
       const NodeId at = backwards ? view.size() - 1 - i : i;
       view.ask(backwards ? at - kAhead : at + kAhead, values);
+      view.ask_types(backwards ? at - kAhead : at + kAhead);
       relax_merge(view, values, view.at(at));
     }
   }
@@ -130,6 +131,7 @@ void choose_middle_values(const View& view, Values& values) {
   for (NodeId i = 0; i < view.size(); ++i) {
     const NodeId m = view.at(i);
     view.ask(i + kAhead, values);
+    view.ask_types(i + kAhead);
     if (!view.is_free_merge(m)) continue;
     const auto above = view.outs(m);
     if (!above.empty() && view.type(above[0]) == NodeType::split) continue;

@@ -42,6 +42,7 @@ LongVector<NodeId> EntryList::in_order() const {
       parts[k].push_back(at[k]);
       at[k] = links_[at[k]].next;
       if (at[k] == begins[k + 1]) at[k] = kNone;
+      ask_for(links_, at[k]);
       going = true;
     }
   }

@@ -40,6 +40,7 @@ Attachment attach_merges(const View& view) {
   for (NodeId i = 0; i < view.size(); ++i) {
     const NodeId m = view.at(i);
     view.ask_rows(i + kAhead);
+    view.ask_types(i + kAhead);
     if (!view.is_listed_merge(m)) continue;
     const auto below = view.ins(m);
     const NodeId chosen = reluctance(below[0]) <= reluctance(below[1]) ? below[0] : below[1];

@@ -47,9 +47,7 @@ void StOrder::visit(Turn turn) {
   seen_[v] = true;
   number_[v] = number;
   visited_.push_back(v);
-  Numbered& here = numbered_.emplace_back();
-  here.parent = turn.parent;
-  here.low = number;
+  Vertex low = number;
   const NeighbourList& near = graph_.neighbours[v];
   for (std::size_t k = near.degree(); k-- > 0;) {
     const Vertex u = near.to[k];
@@ -58,9 +56,10 @@ void StOrder::visit(Turn turn) {
       ask_for(graph_.neighbours, u);
       turns_.push_back({u, v, number});
     } else if (u != turn.from) {
-      here.low = std::min(here.low, number_[u]);
+      low = std::min(low, number_[u]);
     }
   }
+  numbered_.push_back({.parent = turn.parent, .low = low});
 }
 
 void StOrder::find_lows() {
