@@ -96,6 +96,16 @@ TEST(Extremes, CoordinatesAtTheEndsOf64Bits) {
   }
 }
 
+// A long chain of heights at the scale of the size bound's proof: refused before anything is
+// placed.
+TEST(Extremes, HeightsBeyond60BitsAreRefusedWithTheVertexNamed) {
+  const Outcome refused = run(kProgram + " generate ladder -n 300000 | " + kProgram +
+                              " draw - --algorithm two-bend-109 --set effort=0 --level extents");
+  EXPECT_EQ(refused.exit_code, 2) << refused.out;
+  EXPECT_THAT(refused.err, HasSubstr("two-bend-109: a coordinate of vertex 277710 may pass 2^60, "
+                                     "the graph is too large"));
+}
+
 /// The right drawing of one straight edge in a real type, in units of 2^exponent times a factor.
 std::string real_line(const std::string& exponent, const std::string& end) {
   return R"({"n":2,"algorithm":"two-bend-paper","real_type":"double","unit_exponent":)" + exponent +
