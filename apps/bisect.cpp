@@ -1,9 +1,7 @@
 // `ar3d bisect`: which commit changed a cell? Builds and compares until it is found.
 #include <fmt/format.h>
 
-#include <atomic>
 #include <cmath>
-#include <csignal>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -15,6 +13,7 @@
 #include "ar3d/bench/compare/git.h"
 #include "ar3d/bench/compare/interleave.h"
 #include "ar3d/bench/compare/reference_build.h"
+#include "ar3d/bench/measure/interruption.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/printable.h"
 #include "ar3d/records/run_storage.h"
@@ -45,11 +44,6 @@ struct BisectArguments {
   bool quiet = false;
 };
 
-std::atomic<bool> g_stop{false};
-static_assert(std::atomic<bool>::is_always_lock_free);  // so that a signal handler may set it
-
-void ask_to_stop(int) { g_stop = true; }
-
 /// Thrown where a signal asked to stop.
 struct Stopped {};
 
@@ -77,7 +71,7 @@ class Judge {
 
  private:
   InterleavedRounds run(const std::string& program, std::size_t rounds) const {
-    InterleaveOptions options{rounds, arguments_.core, nullptr, &g_stop};
+    InterleaveOptions options{rounds, arguments_.core, nullptr};
     options.count_instructions = arguments_.measure == "instructions";
     InterleavedRounds run = run_interleaved(good_, program, spec_, folder_, options);
     if (run.interrupted) throw Stopped();
@@ -178,7 +172,7 @@ class Search {
  private:
   std::string build(const std::string& commit) const {
     std::FILE* progress = arguments_.quiet ? nullptr : stderr;
-    const auto program = build_reference(checkout_, commit, {progress, &g_stop});
+    const auto program = build_reference(checkout_, commit, progress);
     if (!program) throw Stopped();
     return *program;
   }
@@ -239,8 +233,7 @@ class Search {
 };
 
 int bisect(const BisectArguments& arguments) {
-  std::signal(SIGINT, ask_to_stop);
-  std::signal(SIGTERM, ask_to_stop);
+  const Interruptible interruptible(SecondSignal::is_ignored);  // to clean up in peace
   try {
     return Search(arguments).run();
   } catch (const Stopped&) {

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <csignal>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -15,6 +13,7 @@
 #include "ar3d/analysis/google_benchmark.h"
 #include "ar3d/bench/compare/interleave.h"
 #include "ar3d/bench/compare/reference_build.h"
+#include "ar3d/bench/measure/interruption.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/model/error.h"
@@ -109,11 +108,6 @@ std::size_t rounds_of(const CompareArguments& arguments, const StudySpec& spec) 
   return std::max<std::size_t>(15, fewest_pairs(arguments.options.time, cells_of(spec)) + 1);
 }
 
-std::atomic<bool> g_stop{false};
-static_assert(std::atomic<bool>::is_always_lock_free);  // so that a signal handler may set it
-
-void ask_to_stop(int) { g_stop = true; }
-
 int say_interrupted(const std::string& where) {
   fmt::print(stderr, "ar3d: interrupted {}; nothing was left behind\n", where);
   return kInterrupted;
@@ -132,8 +126,7 @@ std::optional<Comparison> take_turns(const std::string& base, const StudySpec& s
 
 int compare_builds(const CompareArguments& arguments) {
   if (!arguments.files.empty()) throw InputError("--base and --calibrate take no results files");
-  std::signal(SIGINT, ask_to_stop);
-  std::signal(SIGTERM, ask_to_stop);
+  const Interruptible interruptible(SecondSignal::is_ignored);  // to clean up in peace
   std::FILE* progress = arguments.quiet ? nullptr : stderr;
   const StudySpec spec = load_study(arguments.study);
   for (const std::string& output : {arguments.json, arguments.markdown}) {
@@ -143,10 +136,10 @@ int compare_builds(const CompareArguments& arguments) {
   const std::string folder = (fs::path(checkout) / "build" / "compare").string();
   std::optional<std::string> base;
   if (!arguments.base.empty()) {
-    base = build_reference(checkout, arguments.base, {progress, &g_stop});
+    base = build_reference(checkout, arguments.base, progress);
     if (!base) return say_interrupted("while building " + arguments.base);
   }
-  const InterleaveOptions options{rounds_of(arguments, spec), arguments.core, progress, &g_stop};
+  const InterleaveOptions options{rounds_of(arguments, spec), arguments.core, progress};
   Calibration calibration;
   std::optional<Comparison> comparison;
   if (arguments.calibrate) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <functional>
@@ -14,6 +13,7 @@
 #include "ar3d/analysis/report.h"
 #include "ar3d/bench/keep/journaled_study.h"
 #include "ar3d/bench/keep/study_files.h"
+#include "ar3d/bench/measure/interruption.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/model/error.h"
@@ -44,15 +44,6 @@ struct RunArguments {
   bool force = false;
   MakingPolicy policy;  // what the command line says of it
 };
-
-std::atomic<bool> g_stop{false};
-static_assert(std::atomic<bool>::is_always_lock_free);  // so that a signal handler may set it
-
-// The second time it ends the program at once: what is acknowledged is in the journal.
-void ask_to_stop(int signal) {
-  g_stop = true;
-  std::signal(signal, SIG_DFL);
-}
 
 // Beside a page that is no report the study goes without: it has been there for hours, or has come
 // meanwhile.
@@ -94,8 +85,8 @@ int conclude(const JournaledStudy& study, bool force, bool unchanged) {
 
 int run_to_the_end(JournaledStudy study, const RunArguments& arguments, const MakingPolicy& policy,
                    Ranks& ranks) {
-  std::signal(SIGINT, ask_to_stop);
-  std::signal(SIGTERM, ask_to_stop);
+  // A second signal ends the program at once: what is acknowledged is in the journal.
+  const Interruptible interruptible(SecondSignal::ends_program);
   std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error of the write, like a full disk
   if (ranks.size() > 1 && ranks.is_first() && !arguments.quiet) {
     fmt::print(stderr, "ar3d: {} ranks; `ar3d study status --watch {}` tells how far they are\n",
@@ -120,9 +111,9 @@ int run_to_the_end(JournaledStudy study, const RunArguments& arguments, const Ma
   if (outcome.complete()) return conclude(study, arguments.force, was_whole);
   fmt::print(stderr,
              "ar3d: {}; {} rows are in {}, {} are missing; go on with `ar3d study resume {}`\n",
-             g_stop ? "interrupted" : "not finished", outcome.rows, study.results, outcome.missing,
-             shell_word(study.results));
-  if (g_stop) return kInterrupted;
+             is_interrupted() ? "interrupted" : "not finished", outcome.rows, study.results,
+             outcome.missing, shell_word(study.results));
+  if (is_interrupted()) return kInterrupted;
   return judge(StudyRows(study.results).view(), study.results).verdict.exit_code();
 }
 
@@ -132,7 +123,6 @@ int make_study(const RunArguments& arguments, const std::function<JournaledStudy
   MakingPolicy policy = arguments.policy;
   policy.workers = workers_for(arguments.workers, ranks->size());
   policy.ranks = ranks.get();
-  policy.stop = &g_stop;
   if (!arguments.quiet && ranks->size() == 1) policy.progress = stderr;
   const auto begin_possible = [&] {
     JournaledStudy begun = begin();

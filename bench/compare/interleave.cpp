@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "ar3d/bench/measure/child_process.h"
+#include "ar3d/bench/measure/interruption.h"
 #include "ar3d/bench/measure/pinning.h"
 #include "ar3d/bench/measure/stopwatch.h"
 #include "ar3d/model/error.h"
@@ -64,9 +65,8 @@ class Arena {
     }
     for (const std::vector<std::string>& command : commands) {
       const int code =
-          run_child(command, {.output = log.string(), .core = core, .stop = options.stop});
-      const bool is_stopped = options.stop != nullptr && *options.stop;
-      if (is_stopped || code == kInterruptedCode || code == 128 + SIGINT) return false;
+          run_child(command, {.output = log.string(), .core = core, .ends_when_interrupted = true});
+      if (is_interrupted() || code == kInterruptedCode || code == 128 + SIGINT) return false;
       if (code != 0 && code != 4 && code != 5) {  // verdicts on the rows, which are there
         throw InputError(fmt::format("round {}: the {} program ended with code {}: {}", round, side,
                                      code, last_line(log)));

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -12,17 +11,16 @@ namespace ar3d {
 
 struct InterleaveOptions {
   std::size_t rounds = 15;
-  int core = -1;                  ///< that both programs are pinned to; -1: the last allowed one
-  std::FILE* progress = nullptr;  ///< where to tell how far it is; null: nowhere
-  const std::atomic<bool>* stop = nullptr;  ///< set by a signal handler: ends early
-  bool count_instructions = false;          ///< `study count` after each run
+  int core = -1;                    ///< that both programs are pinned to; -1: the last allowed one
+  std::FILE* progress = nullptr;    ///< where to tell how far it is; null: nowhere
+  bool count_instructions = false;  ///< `study count` after each run
 };
 
 /// What two programs measured in turns; base[i] and now[i] belong to round i.
 struct InterleavedRounds {
   std::vector<Results> base;
   std::vector<Results> now;
-  bool interrupted = false;  ///< the rounds are not all there
+  bool interrupted = false;  ///< (is_interrupted) the rounds are not all there
 };
 
 /// Runs the study with both programs in turns, base first in even rounds and last in odd ones, so

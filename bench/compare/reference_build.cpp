@@ -1,22 +1,27 @@
 #include "ar3d/bench/compare/reference_build.h"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <vector>
 
 #include "ar3d/bench/compare/git.h"
 #include "ar3d/bench/measure/child_process.h"
+#include "ar3d/bench/measure/interruption.h"
 #include "ar3d/model/error.h"
+#include "ar3d/model/new_file.h"
 
 namespace ar3d {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Thrown where the caller asked to stop.
+/// Thrown where a signal asked to stop.
 struct Stopped {};
 
 /// "[57/140] Building …" of ninja's last line, as "57 of 140"; empty if there is none.
@@ -34,23 +39,23 @@ std::string steps_done(const fs::path& log) {
 /// Runs the steps of one build, all with one log.
 class Build {
  public:
-  Build(std::string ref, fs::path log, const BuildOptions& options)
-      : ref_(std::move(ref)), log_(std::move(log)), options_(options) {}
+  Build(std::string ref, fs::path log, std::FILE* progress)
+      : ref_(std::move(ref)), log_(std::move(log)), progress_(progress) {}
 
   /// @throws Stopped, and InputError naming the log if it fails.
   void run(const std::vector<std::string>& words) {
     std::string last;
     int seconds = 0;
     const auto tell = [&] {
-      if (options_.progress == nullptr || ++seconds % kSecondsBetweenLines != 0) return;
+      if (progress_ == nullptr || ++seconds % kSecondsBetweenLines != 0) return;
       const std::string steps = steps_done(log_);
       if (steps.empty() || steps == last) return;
-      fmt::print(options_.progress, "building {}: step {}\n", ref_, steps);
+      fmt::print(progress_, "building {}: step {}\n", ref_, steps);
       last = steps;
     };
-    const int code =
-        run_child(words, {.output = log_.string(), .stop = options_.stop, .every_second = tell});
-    if (options_.stop != nullptr && *options_.stop) throw Stopped();
+    const int code = run_child(
+        words, {.output = log_.string(), .ends_when_interrupted = true, .every_second = tell});
+    if (is_interrupted()) throw Stopped();
     if (code == 0) return;
     throw InputError(fmt::format("cannot build {}: {} ended with code {}, see {}", ref_, words[0],
                                  code, log_.string()));
@@ -61,7 +66,7 @@ class Build {
 
   std::string ref_;
   fs::path log_;
-  BuildOptions options_;
+  std::FILE* progress_;
 };
 
 /// A git worktree of the commit that goes with this object.
@@ -84,6 +89,18 @@ class Worktree {
   fs::path folder_;
 };
 
+/// Copies a program: the copy is on the disk whole under its name, or not at all.
+void copy_program(const fs::path& from, const fs::path& to) {
+  std::ifstream file(from, std::ios::binary);
+  const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
+  if (!file || bytes.empty()) throw InputError(fmt::format("cannot read {}", from.string()));
+  NewFile copy(to.string());
+  copy.write_all(bytes);
+  const auto mode = static_cast<mode_t>(fs::status(from).permissions());
+  if (fchmod(copy.descriptor(), mode) != 0) refuse_writing(to.string(), errno);
+  copy.become_target();
+}
+
 /// Builds the commit and puts its program in place, whole or not at all.
 void build_program(const std::string& checkout, const std::string& commit, Build& build,
                    const fs::path& program) {
@@ -95,9 +112,7 @@ void build_program(const std::string& checkout, const std::string& commit, Build
              "-DAR3D_TESTS=OFF", "-DAR3D_BENCHMARKS=OFF"});
   build.run({"ninja", "-C", tree, "ar3d_program"});
   fs::create_directories(folder);
-  const fs::path part = folder / fmt::format("ar3d.part-{}", getpid());
-  fs::copy_file(fs::path(tree) / "apps" / "ar3d", part);
-  fs::rename(part, program);
+  copy_program(fs::path(tree) / "apps" / "ar3d", program);
 }
 
 }  // namespace
@@ -112,18 +127,18 @@ std::string find_checkout() {
 }
 
 std::optional<std::string> build_reference(const std::string& checkout, const std::string& ref,
-                                           const BuildOptions& options) {
+                                           std::FILE* progress) {
   const std::string commit = commit_of(checkout, ref);
   const fs::path folder = fs::path(checkout) / "build" / "compare";
   const fs::path program = folder / commit / "ar3d";
   if (fs::exists(program)) return program.string();
   fs::create_directories(folder);
   const fs::path log = folder / (commit + ".log");
-  if (options.progress != nullptr) {
-    fmt::print(options.progress, "building {} as {}, which takes minutes\n", ref, program.string());
+  if (progress != nullptr) {
+    fmt::print(progress, "building {} as {}, which takes minutes\n", ref, program.string());
   }
   try {
-    Build build(ref, log, options);
+    Build build(ref, log, progress);
     build_program(checkout, commit, build, program);
   } catch (const Stopped&) {
     fs::remove(log);

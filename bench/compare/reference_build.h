@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -11,18 +10,14 @@ namespace ar3d {
 /// @throws InputError if there is none.
 std::string find_checkout();
 
-struct BuildOptions {
-  std::FILE* progress = nullptr;            ///< where to tell how far it is; null: nowhere
-  const std::atomic<bool>* stop = nullptr;  ///< set by a signal handler: ends early
-};
-
 /// The program of another commit, Release, as CHECKOUT/build/compare/COMMIT/ar3d. What is there is
 /// taken as it is; else it is built in a git worktree beside it, which is removed afterwards,
 /// however the build ends.
 /// @param ref  whatever git takes for a commit: a tag, a branch, HEAD~3.
-/// @return nothing if it was stopped.
+/// @param progress  where to tell how far it is; null: nowhere.
+/// @return nothing if it was interrupted (is_interrupted).
 /// @throws InputError naming the ref if there is no such commit, or the log if it does not build.
 std::optional<std::string> build_reference(const std::string& checkout, const std::string& ref,
-                                           const BuildOptions& options);
+                                           std::FILE* progress);
 
 }  // namespace ar3d

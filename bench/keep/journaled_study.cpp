@@ -12,6 +12,7 @@
 #include "ar3d/bench/keep/gather_rows.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/bench/measure/environment.h"
+#include "ar3d/bench/measure/interruption.h"
 #include "ar3d/bench/measure/stopwatch.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/plan/plan.h"
@@ -304,8 +305,7 @@ class Part {
       study_.results = folder_.results_path();
       make(shared, rows_so_far(study_));
     } else if (ranks_.size() > 1) {
-      RankBatches batches(plan_, plan_.timing, ranks_.rank(),
-                          [this] { return policy_.stop != nullptr && policy_.stop->load(); });
+      RankBatches batches(plan_, plan_.timing, ranks_.rank(), is_interrupted);
       ranks_.help([&](const std::string& job) { return batches.make_ready(job); });
     }
     journal_->end_session({{"load_after", load_average()}});

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <thread>
 
+#include "ar3d/bench/measure/interruption.h"
 #include "ar3d/model/error.h"
 
 namespace ar3d {
@@ -46,7 +47,7 @@ pid_t watch(pid_t child, int& status, const ChildOptions& options) {
     const pid_t ended = waitpid(child, &status, WNOHANG);
     if (ended != 0 && !(ended < 0 && errno == EINTR)) return ended;
     const auto now = Clock::now();
-    if (options.stop != nullptr && *options.stop) {
+    if (options.ends_when_interrupted && is_interrupted()) {
       if (patience == Clock::time_point{}) {
         patience = now + std::chrono::seconds(10);
         kill(child, SIGINT);
@@ -68,8 +69,8 @@ int run_child(const std::vector<std::string>& words, const ChildOptions& options
   std::vector<char*> pointers;
   for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
   pointers.push_back(nullptr);
-  const bool is_watched = options.stop != nullptr || options.every_second;
-  const auto interrupt = options.stop == nullptr ? std::signal(SIGINT, SIG_IGN) : SIG_DFL;
+  const bool is_watched = options.ends_when_interrupted || options.every_second;
+  const auto interrupt = options.ends_when_interrupted ? SIG_DFL : std::signal(SIGINT, SIG_IGN);
   const pid_t child = fork();
   if (child == 0) become(pointers.data(), options);
   int status = 0;
@@ -81,7 +82,7 @@ int run_child(const std::vector<std::string>& words, const ChildOptions& options
     while (ended < 0 && errno == EINTR);
   }
   const int reason = errno;
-  if (options.stop == nullptr) std::signal(SIGINT, interrupt);
+  if (!options.ends_when_interrupted) std::signal(SIGINT, interrupt);
   if (ended < 0)
     throw InputError(fmt::format("cannot run {}: {}", words[0], std::strerror(reason)));
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

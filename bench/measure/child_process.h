@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <functional>
 #include <string>
 #include <vector>
@@ -11,9 +10,9 @@ struct ChildOptions {
   std::string folder = {};  ///< working directory; empty: this process's
   std::string output = {};  ///< file that takes its standard output and error
   int core = -1;            ///< the only core it may use; -1: as this process
-  /// Set by a signal handler of the caller: the child is then asked to end (SIGINT), and after ten
-  /// seconds made to. Null: an interrupt from the keyboard ends the child and not this process.
-  const std::atomic<bool>* stop = nullptr;
+  /// Once is_interrupted(), the child is asked to end (SIGINT), and after ten seconds made to.
+  /// False: an interrupt from the keyboard ends the child and not this process.
+  bool ends_when_interrupted = false;
   std::function<void()> every_second = {};  ///< called about once a second while it runs
 };
 

@@ -2,6 +2,7 @@
 
 #include <omp.h>
 
+#include "ar3d/bench/measure/interruption.h"
 #include "ar3d/bench/plan/work_order.h"
 #include "ar3d/bench/run/make_row.h"
 #include "ar3d/model/error.h"
@@ -87,9 +88,7 @@ bool Making::is_budget_spent() const {
   return plan_.budget.study_s && time_.wall_s() >= *plan_.budget.study_s;
 }
 
-bool Making::stopped() const {
-  return sink_failed_ || (policy_.stop != nullptr && policy_.stop->load()) || is_budget_spent();
-}
+bool Making::stopped() const { return sink_failed_ || is_interrupted() || is_budget_spent(); }
 
 std::optional<RunRecord> Making::failure(const PlannedInstance& instance, const PlannedRun& timed) {
   for (const PlannedRun& run : instance.runs) {
@@ -114,7 +113,7 @@ std::optional<RunRecord> Making::failed_row_of(const PlannedRun& run) {
 MakingEnd Making::end() {
   progress_.finish();
   if (sink_failure_) std::rethrow_exception(sink_failure_);
-  if (policy_.stop != nullptr && policy_.stop->load()) return MakingEnd::stopped;
+  if (is_interrupted()) return MakingEnd::stopped;
   return is_budget_spent() ? MakingEnd::budget_spent : MakingEnd::complete;
 }
 

@@ -27,8 +27,6 @@ struct MakingPolicy {
   bool force_timing = false;  ///< time even in a build whose times are worth little
   bool timed_phases = true;   ///< false: only the metrics phase (another process does the others)
   Ranks* ranks = nullptr;     ///< that batches are shared by; null: this process is alone
-  /// Once true, no further row begins. May be null.
-  const std::atomic<bool>* stop = nullptr;
   std::FILE* progress = nullptr;  ///< where to tell how far it is; null: nowhere
   std::string name = {};          ///< of the study, for the progress
   /// Place in the plan of the next instance for the metrics phase; empty: all, the largest first.
@@ -76,8 +74,9 @@ class Making {
   /// Hands a row on. Once that has failed, rows are lost: the making stops.
   void add(const PlannedRun& run, const RunRecord& row);
 
-  /// True once no further row is to begin: somebody asked for it, the study's budget is spent, or a
-  /// row could not be handed on. Asked before every row and every drawing of a batch.
+  /// True once no further row is to begin: a signal asked for it (is_interrupted), the study's
+  /// budget is spent, or a row could not be handed on. Asked before every row and every drawing of
+  /// a batch.
   bool stopped() const;
 
   /// How a drawing failed in the metrics phase, now or before; nothing if it can be drawn. Its rows

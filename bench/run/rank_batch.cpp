@@ -107,7 +107,7 @@ Work RankBatches::make_ready(const std::string& text) {
 }
 
 void RankBatches::draw(Share& share) {
-  for (std::size_t i = 0; i < share.rows.size() && !(stop_ && stop_()); ++i) {
+  for (std::size_t i = 0; i < share.rows.size() && !stop_(); ++i) {
     RunRecord& row = share.rows[i];
     attempt(row, [&] {
       share.drawings[i] = timed_drawing(*maker_.graph(), *share.choices[i], counters_, row);

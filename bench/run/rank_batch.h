@@ -24,7 +24,7 @@ class RankBatches {
  public:
   /// @param plan  the same on every rank; outlives this.
   /// @param stop  asked before every drawing of this rank; once it is true, a batch has rows that
-  /// were not drawn. May be empty.
+  /// were not drawn.
   RankBatches(const StudyPlan& plan, const TimingRules& rules, int rank,
               std::function<bool()> stop);
 

@@ -4,10 +4,12 @@
 
 #include <atomic>
 #include <cmath>
+#include <csignal>
 #include <map>
 #include <set>
 
 #include "ar3d/bench/measure/environment.h"
+#include "ar3d/bench/measure/interruption.h"
 #include "ar3d/bench/measure/pinning.h"
 #include "ar3d/bench/run/make_rows.h"
 #include "ar3d/bench/run/precision.h"
@@ -60,10 +62,8 @@ StudyPlan study(const std::string& sweep) {
 TEST(MetricsPhase, MakesOnlyWhatIsWantedAndStops) {
   const StudyPlan plan = plan_of(cycle_of(5, {&find_algorithm("diamond")}, 4));
   EXPECT_THAT(make(plan, forced(), {{"key1", {}}}).order, ElementsAre(0, 2, 3));
-  std::atomic<bool> stop = false;
-  MakingPolicy policy = forced();
-  policy.stop = &stop;
-  EXPECT_THAT(make(plan, policy, {}, [&] { stop = true; }).order, ElementsAre(0));
+  const Interruptible interruptible;
+  EXPECT_THAT(make(plan, forced(), {}, [] { std::raise(SIGINT); }).order, ElementsAre(0));
 }
 
 TEST(TimingPhase, GoesRoundAllDrawingsPinnedAndAlone) {
@@ -293,18 +293,15 @@ TEST(ScalingPhase, ThreadsDrawAtTheSameTime) {
 // A stop ends a batch with the drawings that have begun; none of its rows is handed on.
 TEST(ScalingPhase, AStopEndsABatch) {
   static std::atomic<int> drawn = 0;
-  static std::atomic<bool> stop = false;
   const Algorithm stopping = diamond_drawn_by([](const Graph& graph, const Settings& options) {
-    if (++drawn == 4) stop = true;
+    if (++drawn == 4) std::raise(SIGTERM);
     return find_algorithm("diamond").draw(graph, options);
   });
   PlannedInstance instance = cycle_of(8, {&stopping}, 500, RunPhase::strong);
   for (PlannedRun& run : instance.runs) run.scale = 2;
   drawn = 0;
-  stop = false;
-  MakingPolicy policy = forced();
-  policy.stop = &stop;
-  EXPECT_TRUE(make(plan_of(instance), policy).rows.empty());
+  const Interruptible interruptible;
+  EXPECT_TRUE(make(plan_of(instance)).rows.empty());
   EXPECT_LE(drawn, 6);
 }
 

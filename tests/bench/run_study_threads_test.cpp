@@ -1,10 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
+#include <csignal>
 #include <set>
 #include <stdexcept>
 
+#include "ar3d/bench/measure/interruption.h"
 #include "ar3d/bench/run/describe_study.h"
 #include "ar3d/records/run_columns.h"
 #include "bench/in_memory.h"
@@ -75,10 +76,10 @@ TEST(RunStudy, TakesOverFinishedRowsAndTellsOnlyTheNewOnes) {
 
 TEST(RunStudy, StopsWhenAskedTo) {
   const StudyPlan plan = plan_study(parse_study(kStudy, "t.toml"));
-  std::atomic<bool> stop = false;
+  const Interruptible interruptible;
   std::size_t made = 0;
-  const auto rows = run_plan(plan, {.workers = 2, .stop = &stop}, {}, [&](const ar3d::RunRecord&) {
-    if (++made == 5) stop = true;
+  const auto rows = run_plan(plan, {.workers = 2}, {}, [&](const ar3d::RunRecord&) {
+    if (++made == 5) std::raise(SIGINT);
   });
   EXPECT_EQ(rows.size(), made);
   EXPECT_GE(rows.size(), 5u);

@@ -9,12 +9,14 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <map>
 #include <thread>
 
 #include "ar3d/bench/measure/environment.h"
+#include "ar3d/bench/measure/interruption.h"
 #include "ar3d/bench/run/make_rows.h"
 #include "ar3d/model/error.h"
 #include "ar3d/records/run_columns.h"
@@ -189,14 +191,12 @@ TEST(Workers, GenerateLargeGraphsAfterThreadsWereUsed) {
 TEST(Workers, AStopGivesUpTheRowsInFlight) {
   const StudyPlan plan = plan_of(cycle_of(8, {&kGood, &kLoops, &kGood}));
   std::vector<std::size_t> told;
-  std::atomic<bool> stop = false;
+  const Interruptible interruptible;
   FunctionSink sink([&](std::size_t row, const ar3d::RunRecord&) {
     told.push_back(row);
-    stop = true;
+    std::raise(SIGINT);
   });
-  MakingPolicy policy = isolated();
-  policy.stop = &stop;
-  EXPECT_EQ(make_rows(plan, policy, sink), MakingEnd::stopped);
+  EXPECT_EQ(make_rows(plan, isolated(), sink), MakingEnd::stopped);
   EXPECT_THAT(told, ElementsAre(0));
   expect_no_children();
 }
