@@ -8,7 +8,10 @@
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/pinning.h"
 #include "ar3d/bench/plan/work_order.h"
-#include "ar3d/bench/run/phases.h"
+#include "ar3d/bench/run/metrics_phase.h"
+#include "ar3d/bench/run/row_source.h"
+#include "ar3d/bench/run/scaling_phase.h"
+#include "ar3d/bench/run/timing_phase.h"
 #include "ar3d/model/error.h"
 
 namespace ar3d {

@@ -1,3 +1,5 @@
+#include "ar3d/bench/run/metrics_phase.h"
+
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -5,7 +7,6 @@
 #include <vector>
 
 #include "ar3d/bench/plan/work_order.h"
-#include "ar3d/bench/run/phases.h"
 
 namespace ar3d {
 namespace {

@@ -1,3 +1,5 @@
+#include "ar3d/bench/run/scaling_phase.h"
+
 #include <algorithm>
 #include <atomic>
 #include <barrier>
@@ -10,7 +12,6 @@
 
 #include "ar3d/bench/measure/pinning.h"
 #include "ar3d/bench/plan/work_order.h"
-#include "ar3d/bench/run/phases.h"
 #include "ar3d/bench/run/rank_batch.h"
 
 namespace ar3d {

@@ -1,10 +1,11 @@
+#include "ar3d/bench/run/timing_phase.h"
+
 #include <deque>
 #include <memory>
 #include <mutex>
 #include <unordered_map>
 
 #include "ar3d/bench/plan/work_order.h"
-#include "ar3d/bench/run/phases.h"
 #include "ar3d/bench/run/precision.h"
 #include "ar3d/model/error.h"
 
