@@ -9,13 +9,12 @@
 #include "ar3d/algorithms/compact/routes.h"
 #include "ar3d/algorithms/compact/zones.h"
 #include "ar3d/algorithms/degree_limit.h"
+#include "ar3d/algorithms/strips/efforts.h"
 
 namespace ar3d::compact {
 namespace {
 
 constexpr std::uint64_t kZoneStream = 1000;
-
-constexpr int kHighestEffort = 2;
 
 const SizeBound& size_bound() {
   static const SizeBound bound = {"proved here",
@@ -24,13 +23,8 @@ const SizeBound& size_bound() {
   return bound;
 }
 
-/// None: the zones at once.
-std::optional<Tightness> first_tightness(int effort) {
-  check_effort("compact", effort, kHighestEffort);
-  if (effort == 0) return std::nullopt;
-  if (effort == 1) return Tightness{};
-  return Tightness{.cells = 95, .rows = 107, .reach = 57, .extra_columns = 2, .ejections = 200};
-}
+constexpr std::array<Tightness, 2> kNarrow = {
+    {{}, {.cells = 95, .rows = 107, .reach = 57, .extra_columns = 2, .ejections = 200}}};
 
 void refuse_bad_graph(const Graph& graph) {
   refuse_larger_degrees("compact", graph, 4);
@@ -56,7 +50,7 @@ std::optional<Strip> fill_some_narrow_strip(const Graph& graph, const Decomposit
 }  // namespace
 
 Drawing draw(const Graph& graph, const Options& options) {
-  return draw_from(graph, first_tightness(options.effort));
+  return draw_from(graph, strips::first_tightness("compact", options.effort, kNarrow));
 }
 
 Drawing draw_from(const Graph& graph, const std::optional<Tightness>& first) {
@@ -98,12 +92,7 @@ Algorithm row() {
       .bound = size_bound(),
       .published = {},
   };
-  row.options = {effort_option(
-      kHighestEffort,
-      "0: the zones of the proof; 1: a narrow strip; 2: a narrower one, several times slower")};
-  row.draw = [](const Graph& graph, const Settings& values) {
-    return draw(graph, {.effort = static_cast<int>(value_of(values, "effort"))});
-  };
+  strips::offer_efforts<draw>(row);
   return row;
 }
 

@@ -6,36 +6,21 @@
 #include <memory>
 #include <utility>
 
-#include "ar3d/model/error.h"
+#include "ar3d/algorithms/strips/routes.h"
 
 namespace ar3d::compact {
 namespace {
 
-constexpr unsigned kRedBit = 1;
-constexpr unsigned kBackwardBit = 2;  ///< the tail is the edge's second end
-constexpr unsigned kVariantShift = 2;
-
-class CompactRoutes final : public BendSource {
- public:
-  explicit CompactRoutes(std::vector<std::uint8_t> code) : code_(std::move(code)) {}
-
-  void append_bends(EdgeId e, Edge, Point at_u, Point at_v,
-                    std::vector<Point>& out) const override {
-    const unsigned code = code_[e];
-    const bool backward = (code & kBackwardBit) != 0;
-    const Site tail = site_of(backward ? at_v : at_u);
-    const Site head = site_of(backward ? at_u : at_v);
-    const Word word = word_of({(code & kRedBit) != 0, tail.type, head.type,
-                               head.column > tail.column, code >> kVariantShift});
-    const Letters from = letters_of(tail);
-    const auto before = static_cast<std::ptrdiff_t>(out.size());
-    append_bends_of(word, from, long_lengths(word, from, letters_of(head)), out);
-    if (backward) std::reverse(out.begin() + before, out.end());
-  }
-
- private:
-  std::vector<std::uint8_t> code_;
-};
+/// @param code  whether the edge is red, and from bit 1 on its variant.
+void append_bends(unsigned code, const Point& at_tail, const Point& at_head,
+                  std::vector<Point>& out) {
+  const Site tail = site_of(at_tail);
+  const Site head = site_of(at_head);
+  const Word word =
+      word_of({(code & 1) != 0, tail.type, head.type, head.column > tail.column, code >> 1});
+  const Letters from = letters_of(tail);
+  append_bends_of(word, from, long_lengths(word, from, letters_of(head)), out);
+}
 
 std::vector<std::uint8_t> codes(const Graph& graph, const Decomposition& links,
                                 const Strip& strip) {
@@ -44,10 +29,9 @@ std::vector<std::uint8_t> codes(const Graph& graph, const Decomposition& links,
     for (const Role role : {kGreenOut, kRedOut}) {
       const HalfEdge edge = links.at[v][role];
       if (edge.to == kNobody) continue;
-      const unsigned backward = v < edge.to ? 0 : kBackwardBit;  // edges ascend
       const unsigned variant = strip.variant()[edge.edge];
-      code[edge.edge] = static_cast<std::uint8_t>((is_red(role) ? kRedBit : 0) | backward |
-                                                  (variant << kVariantShift));
+      code[edge.edge] =  // first ends have smaller numbers
+          strips::code_of(v > edge.to, variant << 1 | (is_red(role) ? 1u : 0u));
     }
   }
   return code;
@@ -68,7 +52,7 @@ Drawing lift(const Graph& graph, const Decomposition& links, const Strip& strip)
   Coordinates vertices(n, 4 * (std::int64_t{strip.size().columns} + strip.size().rows) + 4);
   for (Vertex v = 0; v < n; ++v) vertices.set(v, to_point(letters_of(strip.site(v))));
   return Drawing("compact", kCubeLattice, std::move(vertices), graph.shared_edges(),
-                 std::make_shared<CompactRoutes>(codes(graph, links, strip)));
+                 std::make_shared<strips::CodedBends<append_bends>>(codes(graph, links, strip)));
 }
 
 }  // namespace ar3d::compact

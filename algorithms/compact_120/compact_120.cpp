@@ -9,14 +9,13 @@
 #include "ar3d/algorithms/compact_120/routes.h"
 #include "ar3d/algorithms/compact_120/zones.h"
 #include "ar3d/algorithms/degree_limit.h"
+#include "ar3d/algorithms/strips/efforts.h"
 
 namespace ar3d::compact_120 {
 namespace {
 
 constexpr std::uint64_t kZoneStream = 1000;
 constexpr std::uint64_t kOrderStream = 1001;
-
-constexpr int kHighestEffort = 2;
 
 const SizeBound& size_bound() {
   static const SizeBound bound = {"proved here",
@@ -25,26 +24,29 @@ const SizeBound& size_bound() {
   return bound;
 }
 
-/// None: the zones at once.
-std::optional<Tightness> first_tightness(int effort) {
-  check_effort("compact-120", effort, kHighestEffort);
-  if (effort == 0) return std::nullopt;
-  if (effort == 1) return Tightness{.cells = 90, .rows = 110, .reach = 15, .ejections = 200};
-  return Tightness{.cells = 78, .rows = 112, .reach = 12, .extra_columns = 2, .ejections = 600};
-}
+constexpr std::array<Tightness, 2> kNarrow = {
+    {{.cells = 90, .rows = 110, .reach = 15, .ejections = 200},
+     {.cells = 78, .rows = 112, .reach = 12, .extra_columns = 2, .ejections = 600}}};
 
 void refuse_bad_graph(const Graph& graph) {
   refuse_larger_degrees("compact-120", graph, 3);
   refuse_more_vertices("compact-120", graph, kMaxVertices);
 }
 
-Drawing finished(const Graph& graph, const Strip& strip, const Census& census) {
+/// @param order  of a narrow strip; null: the strip is in zones.
+Drawing finished(const Graph& graph, const Strip& strip, const NarrowOrder* order,
+                 const Census& census) {
   Drawing drawing = lift(graph, strip);
   const StripSize& size = strip.size();
-  drawing.counters = {{"widenings", census.widenings}, {"ejections", census.ejections},
-                      {"trials", census.trials},       {"scans", census.scans},
-                      {"columns", size.columns},       {"rows", size.rows},
-                      {"beyond", size.beyond}};
+  drawing.counters = {{"zones", order == nullptr ? 1 : 0},
+                      {"widenings", census.widenings},
+                      {"ejections", census.ejections},
+                      {"trials", census.trials},
+                      {"scans", census.scans},
+                      {"columns", size.columns},
+                      {"rows", size.rows},
+                      {"beyond", size.beyond},
+                      {"moved_components", order == nullptr ? 0 : order->moved_components}};
   if (graph.num_vertices() > 0) drawing.instance_bound = box_of(size);
   return drawing;
 }
@@ -68,10 +70,7 @@ std::optional<Drawing> draw_narrow(const Graph& graph, const Tightness& first, s
       },
       census);
   if (!strip) return std::nullopt;
-  Drawing drawing = finished(graph, *strip, census);
-  drawing.counters.insert(drawing.counters.begin(), {{"zones", 0}});
-  drawing.counters.push_back({"moved_components", order.moved_components});
-  return drawing;
+  return finished(graph, *strip, &order, census);
 }
 
 Drawing draw_in_zones(const Graph& graph, std::uint64_t seed, Census& census) {
@@ -79,16 +78,13 @@ Drawing draw_in_zones(const Graph& graph, std::uint64_t seed, Census& census) {
   const Links links = assign_arms(graph, order, choose_owners(graph, order));
   const Strip strip = fill_zones(in_levels(graph, order), links, graph.num_edges(),
                                  RandomStream(seed, kZoneStream), census);
-  Drawing drawing = finished(graph, strip, census);
-  drawing.counters.insert(drawing.counters.begin(), {{"zones", 1}});
-  drawing.counters.push_back({"moved_components", 0});
-  return drawing;
+  return finished(graph, strip, nullptr, census);
 }
 
 }  // namespace
 
 Drawing draw(const Graph& graph, const Options& options) {
-  return draw_from(graph, first_tightness(options.effort));
+  return draw_from(graph, strips::first_tightness("compact-120", options.effort, kNarrow));
 }
 
 Drawing draw_from(const Graph& graph, const std::optional<Tightness>& first) {
@@ -118,12 +114,7 @@ Algorithm row() {
       .bound = size_bound(),
       .published = {},
   };
-  row.options = {effort_option(
-      kHighestEffort,
-      "0: the zones of the proof; 1: a narrow strip; 2: a narrower one, several times slower")};
-  row.draw = [](const Graph& graph, const Settings& values) {
-    return draw(graph, {.effort = static_cast<int>(value_of(values, "effort"))});
-  };
+  strips::offer_efforts<draw>(row);
   return row;
 }
 
