@@ -12,7 +12,6 @@
 #include "ar3d/generators/snarks.h"
 #include "ar3d/generators/unions.h"
 #include "ar3d/model/error.h"
-#include "ar3d/model/nearest_name.h"
 
 namespace ar3d {
 namespace {
@@ -205,14 +204,6 @@ Graph lcf_graph(const std::vector<int>& shifts, Count repeats) {
 const std::vector<NamedGraph>& named_graphs() {
   static const std::vector<NamedGraph> graphs = table();
   return graphs;
-}
-
-const NamedGraph& find_named_graph(std::string_view name) {
-  for (const NamedGraph& graph : named_graphs()) {
-    if (graph.name == name) return graph;
-  }
-  throw InputError(fmt::format("unknown named graph '{}'{} (see: ar3d list named-graphs)", name,
-                               did_you_mean(name, names_of(named_graphs()))));
 }
 
 }  // namespace ar3d

@@ -27,7 +27,4 @@ struct NamedGraph {
 /// All of them, in order of size.
 const std::vector<NamedGraph>& named_graphs();
 
-/// @throws InputError naming the unknown graph.
-const NamedGraph& find_named_graph(std::string_view name);
-
 }  // namespace ar3d

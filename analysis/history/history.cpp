@@ -221,10 +221,4 @@ std::size_t History::count(Measure measure, bool judged_only) const {
       }));
 }
 
-std::size_t History::num_changes() const {
-  std::size_t changes = 0;
-  for (const HistoryLine& line : lines) changes += line.changes.size();
-  return changes;
-}
-
 }  // namespace ar3d

@@ -50,7 +50,6 @@ struct History {
   HistoryRule rule;
 
   std::size_t count(Measure measure, bool judged_only) const;
-  std::size_t num_changes() const;
 };
 
 /// The name that a results file has in a history: PLACE_NAME_STUDY_ENVIRONMENT.h5, where

@@ -45,9 +45,6 @@ class RowMaker {
   /// The row of a run of the prepared instance.
   RunRecord make(const PlannedRun& planned, const RowRequest& request = {});
 
-  /// Why counters are missing, for the environment.
-  const std::string& counter_availability() const { return counters_.availability(); }
-
  private:
   Circumstances circumstances_;
   HardwareCounters counters_;

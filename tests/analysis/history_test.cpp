@@ -65,13 +65,19 @@ const HistoryLine& line_of(const History& history, const std::string& family, Me
   throw InputError("no such line");
 }
 
-TEST(History, APlantedStepIsFoundWithItsCommitsEffectAndCommand) {
+std::size_t num_changes(const History& history) {
+  std::size_t changes = 0;
+  for (const HistoryLine& line : history.lines) changes += line.changes.size();
+  return changes;
+}
+
+TEST(History, ASeededStepIsFoundWithItsCommitsEffectAndCommand) {
   const ScratchDirectory scratch;
   write_history(scratch, [](std::size_t, Results&) {});
   const History history = read(scratch);
   EXPECT_THAT(history.results, SizeIs(kCommits));
   EXPECT_THAT(history.lines, SizeIs(2 * 4));
-  EXPECT_EQ(history.num_changes(), 1U);
+  EXPECT_EQ(num_changes(history), 1U);
   const HistoryLine& line = line_of(history, "b", Measure::time);
   ASSERT_THAT(line.changes, SizeIs(1));
   EXPECT_EQ(line.changes[0].at, 8U);
@@ -90,7 +96,7 @@ TEST(History, CellsOfFilesAndProgramsAreComparedNotBisected) {
     results.tables.push_back(graph_file_table({{"b", 0, 3, std::string(32, '0'), "/b.s6"}}));
   });
   const History history = read(scratch);
-  EXPECT_EQ(history.num_changes(), 1U);
+  EXPECT_EQ(num_changes(history), 1U);
   const std::string text = summary(history);
   EXPECT_THAT(text, Not(HasSubstr("ar3d bisect")));
   EXPECT_THAT(text, HasSubstr("ar3d compare " + scratch.path("000")));
@@ -104,7 +110,7 @@ TEST(History, UnlikeEnvironmentsAreNeverJoined) {
   const History history = read(scratch);
   EXPECT_THAT(history.environments, SizeIs(2));
   EXPECT_THAT(history.lines, SizeIs(2 * 2 * 4));
-  EXPECT_EQ(history.num_changes(), 0U);  // the machines differ, not the program
+  EXPECT_EQ(num_changes(history), 0U);  // the machines differ, not the program
   for (const HistoryLine& line : history.lines) EXPECT_THAT(line.values, SizeIs(8));
 }
 
