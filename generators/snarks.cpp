@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -66,7 +67,7 @@ void multiply(std::vector<Edge>& edges, Count n, const std::array<Edge, 2>& cuts
 
 /// Five copies of a piece of ten vertices (nine on a path or cycle and a centre, number 9), piece
 /// by piece.
-GraphBuilder five_pieces(const std::vector<Edge>& piece) {
+GraphBuilder five_pieces(std::span<const Edge> piece) {
   GraphBuilder builder(50, 75);
   for (Count i = 0; i < 5; ++i) {
     for (const Edge e : piece) builder.edge(10 * i + e.u, 10 * i + e.v);
@@ -129,19 +130,9 @@ Graph double_star_snark() {
 }
 
 Graph szekeres_snark() {
-  GraphBuilder builder = five_pieces({{0, 1},
-                                      {1, 2},
-                                      {2, 3},
-                                      {3, 4},
-                                      {4, 5},
-                                      {5, 6},
-                                      {6, 7},
-                                      {7, 8},
-                                      {1, 9},
-                                      {4, 9},
-                                      {7, 9},
-                                      {0, 5},
-                                      {8, 3}});
+  constexpr Edge kPiece[] = {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 6}, {6, 7},
+                             {7, 8}, {1, 9}, {4, 9}, {7, 9}, {0, 5}, {8, 3}};
+  GraphBuilder builder = five_pieces(kPiece);
   for (Count i = 0; i < 5; ++i) {
     builder.edge(10 * i, 10 * ((i + 1) % 5) + 8);
     builder.edge(10 * i + 6, 10 * ((i + 2) % 5) + 2);
@@ -150,19 +141,9 @@ Graph szekeres_snark() {
 }
 
 Graph watkins_snark() {
-  GraphBuilder builder = five_pieces({{0, 1},
-                                      {1, 2},
-                                      {2, 3},
-                                      {3, 4},
-                                      {4, 5},
-                                      {5, 6},
-                                      {6, 7},
-                                      {7, 8},
-                                      {8, 0},
-                                      {1, 9},
-                                      {4, 9},
-                                      {7, 9},
-                                      {6, 2}});
+  constexpr Edge kPiece[] = {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 6}, {6, 7},
+                             {7, 8}, {8, 0}, {1, 9}, {4, 9}, {7, 9}, {6, 2}};
+  GraphBuilder builder = five_pieces(kPiece);
   for (Count i = 0; i < 5; ++i) {
     builder.edge(10 * i + 5, 10 * ((i + 1) % 5));
     builder.edge(10 * i + 8, 10 * ((i + 2) % 5) + 3);
