@@ -24,7 +24,7 @@ namespace {
 
 std::vector<Algorithm> catalogue() {
   return {
-      // A row a line, so that one more is one more line.
+      // One row per line, so that one more is one more line.
       // clang-format off
       diamond::row(),
       two_bend::row(),

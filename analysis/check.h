@@ -70,7 +70,7 @@ CheckVerdict check(const RowView& rows);
 CheckVerdict check(const Results& results);
 
 /// Refuses rows that cannot be of one study: its graphs of one family, parameters, n and index have
-/// one seed. @throws InputError naming `path` and the two rows. Memory: 24 bytes a graph.
+/// one seed. @throws InputError naming `path` and the two rows. Memory: 24 bytes per graph.
 void require_one_study(const RowView& rows, const std::string& path);
 
 /// True if the row alone shows a broken bound or certificate.

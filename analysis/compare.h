@@ -35,7 +35,7 @@ struct CellComparison {
   Verdict verdict = Verdict::pass;
   std::string reason;              ///< one line, empty for a plain pass
   TimeVerdict time;                ///< of log(new / base)
-  std::vector<double> log_ratios;  ///< one a pair
+  std::vector<double> log_ratios;  ///< one per pair
   /// log2(new / base) of the volume, of the pair of drawings in which it changed most.
   double log2_volume_change = 0;
 };

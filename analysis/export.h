@@ -8,10 +8,10 @@
 
 namespace ar3d {
 
-/// Takes a text piece by piece, so that what has a line a row need not fit into memory.
+/// Takes a text piece by piece, so that what has a line per row need not fit into memory.
 using TextSink = std::function<void(std::string_view)>;
 
-/// The bounds table, one line a curve (algorithm, options, family, parameters), RFC 4180 with a
+/// The bounds table, one line per curve (algorithm, options, family, parameters), RFC 4180 with a
 /// header line. Missing numbers are empty fields; slack is 1 - extent / bound.
 std::string bounds_csv(const StudyAnalysis& analysis);
 

@@ -13,8 +13,9 @@ namespace ar3d {
 void google_benchmark_json(const RowView& rows, const TextSink& write);
 
 /// Reads a Google Benchmark report: every iteration becomes an ok row whose algorithm is the
-/// benchmark's name and whose wall_s and cpu_s are its times an iteration; aggregates are left out.
-/// Counters named INSTRUCTIONS become counted_instructions. The study is called "Google Benchmark".
+/// benchmark's name and whose wall_s and cpu_s are its times per iteration; aggregates are left
+/// out. Counters named INSTRUCTIONS become counted_instructions. The study is called "Google
+/// Benchmark".
 /// @throws InputError naming the file and what is wrong with it.
 Results read_google_benchmark(const std::string& path);
 

@@ -33,7 +33,7 @@ struct ReportParts {
 
 /// One HTML page about a study: verdict, what changed since the reference, bounds table, growth,
 /// plots, bends, environment, spec and methods. It needs nothing from outside (no network, no other
-/// file); every string of the file is escaped. About 1 kB a plotted size, however many rows there
+/// file); every string of the file is escaped. About 1 kB per plotted size, however many rows there
 /// are; the drawings come on top.
 std::string render_report(const StudyAnalysis& analysis, const ReportParts& parts = {});
 

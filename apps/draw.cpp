@@ -246,7 +246,7 @@ void add_draw(CLI::App& app, int& exit_code) {
       "extents and positions");
   verb->add_option(
           "--level", arguments->level,
-          "extents: one line a graph with box, bends, lengths, metrics and verdict instead "
+          "extents: one line per graph with box, bends, lengths, metrics and verdict instead "
           "of the drawing; positions: the vertices' positions, too; full: the drawing")
       ->check(one_of({"extents", "positions", "full"}));
   verb->add_option("--coordinates", arguments->coordinates,

@@ -28,9 +28,10 @@ std::string about(double seconds) {
 
 void print_estimate(const StudyPlan& plan, const StudyEstimate& estimate, int workers) {
   for (const CellEstimate& cell : estimate.cells) {
-    fmt::print("{} {} n={} {} {}: {} instances, {} rows, about {} and {:.2g} MB a row, {} in all\n",
-               cell.family, cell.parameters, cell.n, cell.algorithm, cell.options, cell.instances,
-               cell.rows, about(cell.row_s), cell.row_bytes / 1e6, about(cell.total_s));
+    fmt::print(
+        "{} {} n={} {} {}: {} instances, {} rows, about {} and {:.2g} MB per row, {} in all\n",
+        cell.family, cell.parameters, cell.n, cell.algorithm, cell.options, cell.instances,
+        cell.rows, about(cell.row_s), cell.row_bytes / 1e6, about(cell.total_s));
   }
   fmt::print("{} cells, {} instances, {} rows", estimate.cells.size(), plan.instances.size(),
              estimate.rows);

@@ -19,7 +19,7 @@ class StudyRows {
   explicit StudyRows(const std::string& file);
   ~StudyRows();
 
-  /// Valid while this lives. Memory: a few hundred rows; of journals about 60 bytes a row.
+  /// Valid while this lives. Memory: a few hundred rows; of journals about 60 bytes per row.
   const RowView& view() const { return view_; }
 
  private:

@@ -97,7 +97,7 @@ void print_details(const Standing& standing, const std::string& file) {
   }
 }
 
-// One line a second until nobody writes any more.
+// One line per second until nobody writes any more.
 Standing watch(const std::string& file) {
   const bool terminal = isatty(STDOUT_FILENO) == 1;
   const auto start = std::chrono::steady_clock::now();
@@ -110,7 +110,7 @@ Standing watch(const std::string& file) {
     const double left =
         static_cast<double>(now.identity.planned_rows) - static_cast<double>(now.rows);
     if (made > 0 && left > 0) {
-      text += fmt::format(", {:.0f} rows a second, about {:.0f} s left", made / elapsed.count(),
+      text += fmt::format(", {:.0f} rows per second, about {:.0f} s left", made / elapsed.count(),
                           left * elapsed.count() / made);
     }
     fmt::print("{}{}{}", terminal ? "\r" : "", text, terminal ? "\033[K" : "\n");

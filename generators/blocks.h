@@ -24,7 +24,7 @@ Graph random_cactus(Count cycles, Count length, std::uint64_t seed);
 Graph contained_cycles(Count k);
 
 /// Copies of triangle, K4, two leaf blocks joined by a bridge, prism, Petersen graph and triangle
-/// in turn (36 vertices a round): small dense components of many kinds, each of which forces the
+/// in turn (36 vertices per round): small dense components of many kinds, each of which forces the
 /// drawers' special cases. The bridged one and the Petersen graph have no 3-edge-colouring, so they
 /// give `grid` at least 4 defects a round. n = 36 k.
 Graph mixed_union(Count k);

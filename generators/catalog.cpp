@@ -36,7 +36,7 @@ const SettingSpec kJump = {"k", 1, 1000000, 2, "step of the inner edges"};
 const SettingSpec kDegree = {"degree", 1, 4, 3, "degree of every vertex"};
 const SettingSpec kMaxDegree = {"degree", 1, 4, 4, "largest degree allowed"};
 const SettingSpec kEdgesPerVertex = {"edges-per-vertex", 0, 2000000, 1400000,
-                                     "edges a vertex, in parts per million"};
+                                     "edges per vertex, in parts per million"};
 const SettingSpec kLeafSize = {"leaf", 5, 7, 5, "vertices of a leaf block, 5 or 7"};
 const SettingSpec kTreeShape = {"shape", 0, 1, 0, "0 balanced, 1 a caterpillar"};
 const SettingSpec kLeaves = {"leaves", 1, 4, 3, "leaves of a star"};

@@ -10,7 +10,7 @@ namespace ar3d {
 /// A piece of a lattice graph together with its own drawing without bends.
 struct LatticePiece {
   Graph graph;
-  std::vector<Point> positions;  ///< one a vertex, on the unit cube grid
+  std::vector<Point> positions;  ///< one per vertex, on the unit cube grid
 };
 
 /// The first n vertices of the diamond lattice in breadth-first order from the origin: connected,

@@ -7,7 +7,7 @@
 namespace ar3d {
 namespace {
 
-/// A pairing in the making: the pairs drawn so far as adjacency, `d` places a vertex.
+/// A pairing in the making: the pairs drawn so far as adjacency, `d` places per vertex.
 class PartialPairing {
  public:
   PartialPairing(Count num_vertices, std::uint32_t d)

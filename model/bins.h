@@ -49,7 +49,7 @@ class Bins {
     return edges_.subspan(first, std::min(kChunkEdges, edges_.size() - first));
   }
 
-  /// Calls work(part, begin, end) for ranges that make up 0..items, one a thread.
+  /// Calls work(part, begin, end) for ranges that make up 0..items, one per thread.
   template <class Work>
   void for_each_part(std::uint64_t items, Work work) const {
     const int threads = static_cast<int>(parts_);

@@ -17,8 +17,8 @@ struct AlgorithmRecord {
   SizeBound theorem;
   std::optional<SizeBound> published;  ///< of others, for comparison only
 
-  /// The exponent of n in the product of the theorem's three bounds: 3/2 for sqrt(n) a side, 3 for
-  /// n a side.
+  /// The exponent of n in the product of the theorem's three bounds: 3/2 for sqrt(n) per side, 3
+  /// for n a side.
   double volume_order() const;
 };
 

@@ -69,7 +69,7 @@ RowFormat make_run_format() {
   format.key = place_of("row_key");
   format.status = place_of("status");
   format.session = place_of("session");
-  format.extract = {"instances", "one record a graph", {}, {}};
+  format.extract = {"instances", "one record per graph", {}, {}};
   for (const Column& column : columns_of_kind(ColumnKind::instance)) {
     format.extract.fields.push_back(place_of(column.name));
   }

@@ -13,7 +13,7 @@ namespace ar3d {
 
 /// The rows of one study, wherever they are: in journals and results files of its shards, ranks and
 /// sessions. Whatever the order in which the files are added, the same rows stand in it.
-/// Memory: about 60 bytes a row and 1 MB a file.
+/// Memory: about 60 bytes per row and 1 MB per file.
 class RowCollection {
  public:
   /// @param format  outlives the collection.

@@ -8,7 +8,7 @@ namespace ar3d::verify {
 
 // Each test names every pair of segments that meets, and every vertex on a segment, to `contacts`.
 
-/// The oracle: every pair. O(S (S + n)) time, a box a segment.
+/// The oracle: every pair. O(S (S + n)) time, a box per segment.
 void test_all_pairs(const Segments& segments, Contacts& contacts);
 
 /// Lines and plane families, for few directions: O(k (S + n) log S + meetings) time for k

@@ -16,7 +16,7 @@ inline constexpr std::int64_t kMaxDirectionComponent = std::int64_t{1} << 20;
 /// The directions that a drawing really has, up to sign, and which of them each segment has.
 struct DirectionClasses {
   std::vector<Vector> directions;  ///< primitive, pairwise not parallel
-  std::vector<std::uint8_t> of;    ///< one entry a segment
+  std::vector<std::uint8_t> of;    ///< one entry per segment
 };
 
 /// Nothing if the drawing passes the plane sweep's limits. O(S) time for a bounded number of

@@ -13,7 +13,7 @@ namespace ar3d::verify {
 using SegmentId = std::uint32_t;
 
 /// All segments of a drawing, edge after edge in the order of the polylines, without those of
-/// length zero. 24 bytes a point and 4 a segment.
+/// length zero. 24 bytes per point and 4 per segment.
 class Segments {
  public:
   /// @pre every coordinate is in range.

@@ -42,7 +42,7 @@ struct StripRules {
 
 /// The vertices placed so far and the pieces of contested lines that their edges use. Invariants:
 /// (a) a green edge leaves a tail of type 0 to the right and one of type 1 to the left; (b) all
-/// lengths are at least 1; (c) one edge of each role at a vertex; (d) one vertex a cell and type;
+/// lengths are at least 1; (c) one edge of each role at a vertex; (d) one vertex per cell and type;
 /// (e) no two pieces overlap. By docs/compact.md these are enough for a right drawing.
 class Strip {
  public:

@@ -7,7 +7,7 @@
 
 namespace ar3d::compact_120 {
 
-/// Which places of a strip are free: one bit a cell and class, rows of one column and class in
+/// Which places of a strip are free: one bit per cell and class, rows of one column and class in
 /// line.
 class FreePlaces {
  public:

@@ -21,7 +21,7 @@ struct StripSize {
 
 /// The vertices placed so far and the pieces of contested lines that their edges use. Invariants:
 /// (a) every edge runs to the side that the order says; (b) all lengths are at least 1; (c) one
-/// edge at an arm; (d) one vertex a cell and class; (e) no two pieces overlap: by Lemma D.6 these
+/// edge at an arm; (d) one vertex per cell and class; (e) no two pieces overlap: by Lemma D.6 these
 /// are enough for a right drawing; (f) no edge leaves the box of Lemma D.10.
 class Strip {
  public:

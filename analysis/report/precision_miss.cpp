@@ -127,7 +127,7 @@ NamedPlot miss_plot(Page& page, const GraphsByRow& graphs, const RealRows& real,
                                  "{}: miss in radians · 2^p, p bits; shaded: κC from the "
                                  "drawings in {} alone",
                                  family, real.settings[model.setting].name)
-                           : family + ": medians, and a point a drawing";
+                           : family + ": medians, and one point per drawing";
   plot.x = "vertices n";
   plot.y = in_roundings ? "miss in roundings of the type" : "largest miss in degrees";
   const std::vector<MissLine> lines = lines_of(real, family, in_roundings);

@@ -75,7 +75,7 @@ std::string diagonal_svg(const Frame& frame, double low, double high, NamedPlot&
 
 NamedPlot onset_plot(const RealRows& real, const std::vector<Onset>& all) {
   NamedPlot plot{"onsets", "Where misses pass a limit: predicted and seen",
-                 "a point a family, type and limit; dashed: equal, twice and half"};
+                 "one point per family, type and limit; dashed: equal, twice and half"};
   plot.x = "predicted n";
   plot.y = "seen n";
   Range range;

@@ -11,7 +11,7 @@
 namespace ar3d {
 namespace {
 
-// An answer has about 100 bytes a vertex and a bend; this is room for drawings with many bends.
+// An answer has about 100 bytes per vertex and bend; this is room for drawings with many bends.
 std::size_t most_bytes(const Graph& graph) {
   constexpr std::size_t kAlways = std::size_t{1} << 24;
   constexpr std::size_t kEach = std::size_t{1} << 10;

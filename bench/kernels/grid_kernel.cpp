@@ -1,4 +1,5 @@
-// Theorem 3's drawing against a plain breadth-first search of the same graph, nanoseconds a vertex:
+// Theorem 3's drawing against a plain breadth-first search of the same graph, nanoseconds per
+// vertex:
 //   grid/draw/E  algorithm `grid` at effort E, without reading any bend
 //   grid/search  breadth-first search of all components
 // Random cubic graphs with n vertices (parameter). And for every family of maximum degree 3:

@@ -1,10 +1,10 @@
-// What keeping a row costs, nanoseconds a row, without fsync on either side:
+// What keeping a row costs, nanoseconds per row, without fsync on either side:
 //   journal/append          a row into a journal: one write(2), acknowledged
 //   journal/sqlite_wal      the same row into SQLite (WAL, synchronous = OFF), one transaction
 //   each:
 //                           the same promise
-//   journal/sqlite_wal_1000 a thousand rows a transaction: up to a thousand rows may be lost
-//   study/bare_loop/N       random cubic graphs of N vertices, 500 an iteration: generated, hashed,
+//   journal/sqlite_wal_1000 a thousand rows per transaction: up to a thousand rows may be lost
+//   study/bare_loop/N       random cubic graphs of N vertices, 500 per iteration: generated, hashed,
 //                           drawn with grid, hashed, certified and measured in a plain loop on one
 //                           thread
 //   study/bare_loop_unhashed/N  the same without the two hashes
@@ -191,7 +191,7 @@ void keep_heap() {
   mallopt(M_TOP_PAD, 16 << 20);
 }
 
-// The kernel's counter `besides`, seconds a row.
+// The kernel's counter `besides`, seconds per row.
 class Besides {
  public:
   void add(double part_s) { parts_s_ += part_s; }

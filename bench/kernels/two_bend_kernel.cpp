@@ -1,4 +1,5 @@
-// Theorem 2's drawing against a plain breadth-first search of the same graph, nanoseconds a vertex:
+// Theorem 2's drawing against a plain breadth-first search of the same graph, nanoseconds per
+// vertex:
 //   two-bend/draw/E  algorithm `two-bend` at effort E, without reading any bend; counter
 //   `searches`:
 //                    its time in breadth-first searches of the same graph, timed in turn with it

@@ -77,7 +77,7 @@ class PlannedInstances {
 
   std::size_t size() const { return size_; }
   std::size_t rows() const { return rows_; }
-  /// Made afresh by every call: about 1 us a row. @pre place < size().
+  /// Made afresh by every call: about 1 us per row. @pre place < size().
   PlannedInstance operator[](std::size_t place) const;
   const std::vector<PlannedBlock>& blocks() const { return blocks_; }
   const PlannedBlock& block_of_place(std::size_t place) const;

@@ -18,7 +18,7 @@ struct ReadableRows {
   std::function<RunRecord(std::size_t)> read;
 };
 
-/// The rows whose drawings are kept, ascending: of the metrics phase, one a drawing (graph,
+/// The rows whose drawings are kept, ascending: of the metrics phase, one per drawing (graph,
 /// algorithm, options).
 /// worst: of each algorithm with options on a family with parameters the row with the largest share
 /// of the theorem's bound on an axis; where there is no bound, with the largest miss of an angle,

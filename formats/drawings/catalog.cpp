@@ -25,7 +25,7 @@ Drawing only_drawing(const NextDrawing& next, std::string_view format) {
     throw InputError(fmt::format("{}: {}", first->where, undrawn->error));
   }
   if (const std::optional<PlacedLine> second = next()) {
-    throw InputError(fmt::format("{}: a second graph, but format {} holds one drawing a file",
+    throw InputError(fmt::format("{}: a second graph, but format {} holds one drawing per file",
                                  second->where, format));
   }
   return std::get<Drawing>(std::move(first->line));

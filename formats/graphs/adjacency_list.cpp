@@ -134,7 +134,7 @@ GraphFormat adjacency_list_format() {
   return {
       .name = "adjlist",
       .extensions = {".adj", ".adjlist"},
-      .summary = "a vertex a line with its neighbours, \"u: v w …\"",
+      .summary = "one vertex per line with its neighbours, \"u: v w …\"",
       .detect = looks_like_adjacency_list,
       .parser = [](TextInput& input, const ReadOptions& options) -> std::unique_ptr<GraphParser> {
         return std::make_unique<AdjacencyListParser>(input, options);

@@ -11,7 +11,7 @@
 
 namespace ar3d {
 
-/// Collects the edges of a format that gives one edge a line, and remembers where each of them
+/// Collects the edges of a format that gives one edge per line, and remembers where each of them
 /// stands.
 class EdgeCollector {
  public:

@@ -176,7 +176,7 @@ GraphFormat edge_list_format() {
   return {
       .name = "edgelist",
       .extensions = {".edges", ".edgelist", ".el", ".txt"},
-      .summary = "one edge \"u v\" a line, comments with # or %, \"# vertices N\" begins a graph",
+      .summary = "one edge \"u v\" per line, comments with # or %, \"# vertices N\" begins a graph",
       .detect = looks_like_edge_list,
       .parser = [](TextInput& input, const ReadOptions& options) -> std::unique_ptr<GraphParser> {
         return std::make_unique<EdgeListParser>(input, options);

@@ -41,7 +41,7 @@ class ResultsReader {
 
 /// Writes FILE.h5 atomically: a new file beside it, fsync, rename. @throws InputError if it cannot
 /// (a disk that gets full leaves nothing behind).
-/// Memory: a few hundred rows, and 40 bytes a record of the extract.
+/// Memory: a few hundred rows, and 40 bytes per record of the extract.
 void write_results(const StudyIdentity& identity, const std::vector<EnvironmentEntry>& environment,
                    const RowFormat& format, const RecordSource& rows, const std::string& path);
 

@@ -23,7 +23,7 @@ struct JournalStatus {
 JournalStatus journal_status(const std::string& path, const RowFormat& format);
 
 /// A journal's rows in the order in which they were made; may be written meanwhile: what is whole
-/// when it is opened counts. Memory: 32 bytes a row.
+/// when it is opened counts. Memory: 32 bytes per row.
 class JournalReader {
  public:
   /// @param format  outlives the reader.

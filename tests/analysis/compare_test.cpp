@@ -50,7 +50,7 @@ TEST(Compare, AResultAgainstAnotherRunOfTheSameProgramPasses) {
   EXPECT_EQ(comparison.exit_code(), 0);
 }
 
-TEST(Compare, APlantedVolumeRegressionIsFoundWhereverItIs) {
+TEST(Compare, ASeededVolumeRegressionIsFoundWhereverItIs) {
   const Results base = results_of(1, 1);
   for (std::size_t row = 0; row < base.runs.size(); ++row) {
     Results now = results_of(1, 2);

@@ -17,7 +17,7 @@ namespace {
 
 using testing::normal;
 
-/// How a value comes about: log value = truth(n) + one error for the whole size + one a graph.
+/// How a value comes about: log value = truth(n) + one error for the whole size + one per graph.
 struct Scenario {
   const char* name;
   double exponent;                      ///< the limit of the local exponent

@@ -49,7 +49,7 @@ struct StepCase {
   double least_found;  ///< 0: not promised
 };
 
-TEST(HistoryCalibration, PlantedStepsAreFound) {
+TEST(HistoryCalibration, SeededStepsAreFound) {
   constexpr int kTrials = 400;
   for (const StepCase& each : std::vector<StepCase>{{0.03, 0.005, 8, 0.95},
                                                     {0.03, 0.01, 8, 0},

@@ -22,13 +22,13 @@ using testing::ScratchDirectory;
 constexpr const char* kCell = "'grid (effort=1) on cycle n=50'";
 
 /// A checkout of which every commit "builds" its file program.sh as the program.
-class PlantedRepository {
+class SeededRepository {
  public:
-  PlantedRepository() {
+  SeededRepository() {
     std::filesystem::create_directories(checkout_ + "/apps");
     scratch_.write("checkout/apps/study.cpp", "");
     scratch_.write("checkout/CMakeLists.txt",
-                   "cmake_minimum_required(VERSION 3.20)\nproject(planted NONE)\n"
+                   "cmake_minimum_required(VERSION 3.20)\nproject(seeded NONE)\n"
                    "add_custom_target(ar3d_program COMMAND ${CMAKE_COMMAND} -E make_directory apps "
                    "COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_SOURCE_DIR}/program.sh apps/ar3d)\n");
     scratch_.write("tiny.toml",
@@ -87,7 +87,7 @@ constexpr const char* kOtherDrawings =
 constexpr const char* kPlain = "exec";
 
 TEST(Bisect, TheCommitThatChangedTheDrawingsIsFoundAndNothingIsLeft) {
-  PlantedRepository repository;
+  SeededRepository repository;
   for (const char* subject : {"zero", "one", "two", "three"}) repository.commit(subject, kPlain);
   for (const char* subject : {"culprit", "five", "six"}) {
     repository.commit(subject, kOtherDrawings);
@@ -106,7 +106,7 @@ TEST(Bisect, TheCommitThatChangedTheDrawingsIsFoundAndNothingIsLeft) {
 }
 
 TEST(Bisect, CommitsThatDoNotBuildOrRunAreSkippedAndNamed) {
-  PlantedRepository repository;
+  SeededRepository repository;
   repository.commit("zero", kPlain);
   repository.commit("does not build", "");
   repository.commit("does not run", "exit 1;");
@@ -123,7 +123,7 @@ TEST(Bisect, CommitsThatDoNotBuildOrRunAreSkippedAndNamed) {
 }
 
 /// A clock that runs twice as fast: drawing takes twice the time.
-std::string fast_clock(const PlantedRepository& repository) {
+std::string fast_clock(const SeededRepository& repository) {
   const std::string library = repository.path("clock.so");
   const Outcome built =
       run("printf '#define _GNU_SOURCE\\n#include <dlfcn.h>\\n#include <time.h>\\n"
@@ -140,7 +140,7 @@ std::string fast_clock(const PlantedRepository& repository) {
 }
 
 TEST(Bisect, TheCommitThatMadeItSlowerIsFound) {
-  PlantedRepository repository;
+  SeededRepository repository;
   const std::string slow = fast_clock(repository);
   for (const char* subject : {"zero", "one", "two"}) repository.commit(subject, kPlain);
   for (const char* subject : {"slow", "four"}) repository.commit(subject, slow);
@@ -152,7 +152,7 @@ TEST(Bisect, TheCommitThatMadeItSlowerIsFound) {
 }
 
 TEST(Bisect, TheCommandThatAHistoryPrintsFindsTheCommit) {
-  PlantedRepository repository;
+  SeededRepository repository;
   for (const char* subject : {"zero", "one"}) repository.commit(subject, kPlain);
   for (const char* subject : {"culprit", "three"}) repository.commit(subject, kOtherDrawings);
   const std::string path = repository.path("now.h5"), folder = repository.path("history");
@@ -180,7 +180,7 @@ TEST(Bisect, TheCommandThatAHistoryPrintsFindsTheCommit) {
 }
 
 TEST(Bisect, AnInterruptLeavesNoWorktree) {
-  PlantedRepository repository;
+  SeededRepository repository;
   repository.commit("zero", kPlain);
   repository.commit("endless", "exec sleep 600;");
   const Outcome outcome =
@@ -192,7 +192,7 @@ TEST(Bisect, AnInterruptLeavesNoWorktree) {
 }
 
 TEST(Bisect, BadInputIsOneClearLine) {
-  PlantedRepository repository;
+  SeededRepository repository;
   repository.commit("zero", kPlain);
   repository.commit("one", kPlain);
   const std::string range = "--good HEAD~1 --cell ";

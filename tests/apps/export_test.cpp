@@ -36,7 +36,7 @@ TEST(Export, BadInputIsOneLineAndWritesNothing) {
   for (const std::string name : kExports) {
     const std::string to = " --format " + name + " -o " + scratch.path("x");
     expect_error("printf 'C~\\nC~\\n' | {} draw - --algorithm grid" + to,
-                 "<stdin>:2: a second graph, but format " + name + " holds one drawing a file");
+                 "<stdin>:2: a second graph, but format " + name + " holds one drawing per file");
     expect_error("printf 'D~{\\n' | {} draw - --algorithm grid" + to, "maximum degree 3");
     expect_error("printf 'C~\\n' | {} draw - --algorithm grid --format " + name + " -o " +
                      scratch.path("no/x"),

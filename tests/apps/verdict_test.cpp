@@ -148,9 +148,7 @@ struct SeededRow {
   const char* fault;
   const char* algorithm;
 };
-std::ostream& operator<<(std::ostream& out, const SeededRow& planted) {
-  return out << planted.name;
-}
+std::ostream& operator<<(std::ostream& out, const SeededRow& row) { return out << row.name; }
 
 class SeededFaultTest : public ::testing::TestWithParam<SeededRow> {};
 

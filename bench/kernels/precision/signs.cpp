@@ -27,7 +27,7 @@ namespace {
 
 using Exact = boost::multiprecision::int256_t;
 
-constexpr int kWindow = 64;                         // positions a side
+constexpr int kWindow = 64;                         // positions per side
 constexpr std::size_t kPairs = 200, kMost = 20000;  // looked at
 constexpr double kCell = 4;                         // pixels
 
