@@ -6,13 +6,15 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "ar3d/model/error.h"
 
 namespace ar3d::grid {
 namespace {
 
-constexpr int kDeepest = 1000;  // of ends that wait for one another
+constexpr std::size_t kInTurns = 16;  // paths
+constexpr int kDeepest = 1000;        // of ends that wait for one another
 constexpr std::int64_t kLowest = std::numeric_limits<std::int32_t>::min();
 
 }  // namespace
@@ -27,8 +29,8 @@ DefectPaths::DefectPaths(HeightPool& pool, std::span<const ColourDefect> defects
       slots_(defects.size()) {
   std::iota(by_x_.begin(), by_x_.end(), 0);
   std::ranges::sort(by_x_, {}, [&](std::size_t d) { return defects_[d].x; });
-  for (const ColourDefect& defect : defects_) {
-    if (!contains(defect.x)) collect(defect.x);
+  for (std::size_t d = 0; d < defects_.size(); d += kInTurns) {
+    collect(defects_.subspan(d, std::min(kInTurns, defects_.size() - d)));
   }
 }
 
@@ -44,15 +46,35 @@ std::span<const std::size_t> DefectPaths::defects_at(Place x) const {
           std::ranges::upper_bound(by_x_, x, {}, x_of)};
 }
 
-void DefectPaths::collect(Place x) {
-  Path path;
-  Colour c = pool_.neighbour(x, 0) != kNoPlace ? 0 : 1;
-  path.first_colour = 1 - c;
-  for (Place v = x; v != kNoPlace; c = 1 - c) {
-    path.vertices.push_back(v);
-    path_of_[v] = static_cast<std::uint32_t>(paths_.size());
-    v = pool_.neighbour(v, c);
+/// Every step of a path waits for the memory, so some paths are followed in turns; what one of them
+/// has already is left out when they are added, in order.
+void DefectPaths::collect(std::span<const ColourDefect> defects) {
+  std::array<Path, kInTurns> paths;
+  std::array<Place, kInTurns> at{};
+  std::size_t count = 0;
+  for (const ColourDefect& defect : defects) {
+    if (contains(defect.x)) continue;
+    paths[count].first_colour = pool_.neighbour(defect.x, 0) != kNoPlace ? 1 : 0;
+    at[count++] = defect.x;
   }
+  for (bool going = count > 0; going;) {
+    going = false;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (at[i] == kNoPlace) continue;
+      auto& vertices = paths[i].vertices;
+      vertices.push_back(at[i]);
+      at[i] = pool_.neighbour(at[i], paths[i].colour_of(vertices.size()));
+      if (at[i] != kNoPlace) pool_.ask_for_neighbours(at[i]);
+      going = true;
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!contains(paths[i].vertices.front())) add(std::move(paths[i]));
+  }
+}
+
+void DefectPaths::add(Path path) {
+  for (const Place v : path.vertices) path_of_[v] = static_cast<std::uint32_t>(paths_.size());
   const std::size_t size = path.vertices.size();
   path.both_ends = size > 1 && is_x(path.vertices.back());
   path.first = 2;

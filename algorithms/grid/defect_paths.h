@@ -69,7 +69,8 @@ class DefectPaths {
   bool is_x(Place v) const { return !defects_at(v).empty(); }
   std::span<const std::size_t> defects_at(Place x) const;
   std::vector<std::size_t> blocked();
-  void collect(Place x);
+  void collect(std::span<const ColourDefect> defects);
+  void add(Path path);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> find_waiting();
   void begin(Path& path);
   void grow(Path& path, unsigned side);

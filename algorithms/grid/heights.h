@@ -60,6 +60,7 @@ class HeightPool {
     __builtin_prefetch(&ports_[v]);
     __builtin_prefetch(&x_[v], 1);
   }
+  [[gnu::always_inline]] void ask_for_neighbours(Place v) const { __builtin_prefetch(&ports_[v]); }
   [[gnu::always_inline]] void ask_for_partner(Place v) const {
     if (neighbour(v, 2) != kNoPlace) __builtin_prefetch(&x_[neighbour(v, 2)]);
   }
