@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include "ar3d/verify/predicates/widest_integers.h"
 #include "ar3d/verify/predicates/widths.h"
 
 namespace ar3d::verify {
@@ -77,6 +78,7 @@ bool on_segment(Point p, Point a, Point b) {
 }
 
 IntegerWidth width_of_bits(int bits) {
+  if (WidestIntegers::wanted()) return IntegerWidth::int256;
   if (bits <= kInt64Bits) return IntegerWidth::int64;
   return bits <= kInt128Bits ? IntegerWidth::int128 : IntegerWidth::int256;
 }

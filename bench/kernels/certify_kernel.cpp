@@ -3,6 +3,7 @@
 //   which
 //                            time these in turns:
 //     ns       nanoseconds per segment
+//     widest   time with predicates in the widest integers, without the range check / that time
 //     plain    time of the plain tests alone (plane sweep or slabs) / that time
 //     examine  time of certificate, metrics and hash together / that time
 //     draw     time of drawing / that time
@@ -25,6 +26,7 @@
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/closest_pair.h"
 #include "ar3d/verify/examination.h"
+#include "ar3d/verify/predicates/widest_integers.h"
 #include "inputs.h"
 
 namespace ar3d {
@@ -79,6 +81,11 @@ void certify_kernel(benchmark::State& state, const Algorithm& algorithm) {
   time_in_turns(
       state, certify(graph, drawing, guarantee).segments,
       {{"certify", [&] { require_valid(certify(graph, drawing, guarantee)); }},
+       {"widest",
+        [&] {
+          const verify::WidestIntegers widest;
+          require_valid(certify(graph, drawing, guarantee));
+        }},
        {"plain",
         [&] { require_valid(certify(graph, drawing, guarantee, {.crossing_test = plain})); }},
        {"examine", [&] { require_valid(examine(graph, drawing, guarantee).certificate); }},
