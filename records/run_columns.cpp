@@ -167,10 +167,11 @@ void add_results(std::vector<Column>& c) {
   c.push_back(choice(
       {"status", "", "ok, timeout, out_of_memory, refused, violated, crashed or measured", kind},
       &RunRecord::status, parse_run_status, 16));
-  c.push_back(message(
-      {"message", "",
-       "first violation or error, or what a sample leaves open, cut to fit; else empty", kind},
-      &RunRecord::message, 240));
+  c.push_back(message({"message", "",
+                       "first violation or error, what a sample leaves open, or which certificate "
+                       "did not accept the drawing, cut to fit; else empty",
+                       kind},
+                      &RunRecord::message, 240));
   c.push_back(text({"drawing_hash", "", "128-bit hash of positions, edges and bends", kind},
                    &RunRecord::drawing_hash, 32));
   c.push_back(

@@ -11,21 +11,24 @@
 #include <span>
 #include <tuple>
 
+#include "ar3d/records/asked_certificate.h"
+
 namespace ar3d {
 namespace {
 
 /// Everything that must be equal in two drawings of the same graph with the same options, at every
-/// level.
+/// level and by every certificate.
 auto drawing_columns(const RunRecord& run) {
   return std::tie(run.graph_hash, run.drawing_hash, run.n, run.m, run.extents, run.bends,
-                  run.instance_bound, run.counters, run.violations);
+                  run.instance_bound, run.counters);
 }
 
 /// What the repetitions of one drawing tell, row after row.
 class Repetitions {
  public:
   void look_at(const RunRecord& run, std::size_t row, const FindingSink& found) {
-    if (!measured_.insert({run.level, run.phase, run.scale, run.repetition}).second) {
+    if (!measured_.insert({run.level, asked_certificate(run), run.phase, run.scale, run.repetition})
+             .second) {
       found({FindingKind::duplicate, row, "the same measurement stands twice"}, run);
     }
     if (run.status != RunStatus::ok) return;
@@ -39,7 +42,7 @@ class Repetitions {
 
  private:
   std::optional<RunRecord> first_;  // that is ok
-  std::set<std::tuple<std::string, RunPhase, std::int64_t, std::int64_t>> measured_;
+  std::set<std::tuple<std::string, std::string, RunPhase, std::int64_t, std::int64_t>> measured_;
 };
 
 }  // namespace
@@ -52,14 +55,14 @@ std::string repetition_key(const RunRecord& run) {
 Fingerprint fingerprint_of(const RunRecord& run, std::size_t row) {
   const std::hash<std::string> hash;
   Fingerprint print{hash(repetition_key(run)), row, 0, 0};
-  print.measurement = hash(fmt::format("{} {} {} {}", run.level, static_cast<int>(run.phase),
-                                       run.scale, run.repetition));
+  print.measurement = hash(fmt::format("{} {} {} {} {}", run.level, asked_certificate(run),
+                                       static_cast<int>(run.phase), run.scale, run.repetition));
   if (run.status == RunStatus::ok) {
-    print.drawing = hash(fmt::format("{}\n{}\n{} {} {}\n{}\n{}\n{}\n{}", run.graph_hash,
-                                     run.drawing_hash, run.n, run.m, run.violations,
-                                     fmt::join(run.extents, " "), fmt::join(run.bends, " "),
-                                     fmt::join(run.instance_bound, " "), run.counters)) |
-                    1;
+    print.drawing =
+        hash(fmt::format("{}\n{}\n{} {}\n{}\n{}\n{}\n{}", run.graph_hash, run.drawing_hash, run.n,
+                         run.m, fmt::join(run.extents, " "), fmt::join(run.bends, " "),
+                         fmt::join(run.instance_bound, " "), run.counters)) |
+        1;
   }
   return print;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ar3d/analysis/report/precision.h"
+#include "ar3d/records/asked_certificate.h"
 #include "ar3d/records/run_columns.h"
 
 namespace ar3d::report {
@@ -57,8 +58,7 @@ class Gathering {
  private:
   void add_judgement(const RunRecord& run) {
     const CurveKey curve{run.algorithm, run.options, {}, {}, {}};
-    const JudgementKey key{algorithm_label(curve), run.requested_n,
-                           run.certificate.empty() ? "exact" : run.certificate,
+    const JudgementKey key{algorithm_label(curve), run.requested_n, asked_certificate(run),
                            run.level.empty() ? "extents" : run.level};
     if (!rows_.judgements.contains(key) && rows_.judgements.size() == kMostJudgements) return;
     Judgements& judged = rows_.judgements[key];

@@ -249,14 +249,16 @@ class Planner {
   }
 
   // What tells the runs of one instance apart.
-  using RunIdentity =
-      std::tuple<const Algorithm*, std::string, Level, RunPhase, std::int64_t, std::uint32_t>;
+  using RunIdentity = std::tuple<const Algorithm*, std::string, Level, std::string, RunPhase,
+                                 std::int64_t, std::uint32_t>;
 
   static void add_runs(PlannedInstance& instance, const SizedFamily& sized,
                        std::set<RunIdentity>& known) {
     for (const AlgorithmChoice& choice : sized.algorithms) {
       PlannedRun run;
       run.choice = choice;
+      const bool is_measured = choice.algorithm->guarantee.claim == Claim::measured;
+      if (is_measured) run.choice.certificate = {};  // whichever was asked for
       run.options = settings_text(choice.options);
       for_each_measurement(*sized.sweep, [&](const Measurement& measurement) {
         run.phase = measurement.phase;
@@ -266,10 +268,11 @@ class Planner {
         run.optional = measurement.phase == RunPhase::timing &&
                        measurement.repetition >= sized.sweep->timed.least;
         run.precision = sized.sweep->timed.precision;
-        const bool is_new = known
-                                .emplace(choice.algorithm, run.options, choice.level, run.phase,
-                                         run.scale, run.repetition)
-                                .second;
+        const bool is_new =
+            known
+                .emplace(choice.algorithm, run.options, choice.level,
+                         to_string(run.choice.certificate), run.phase, run.scale, run.repetition)
+                .second;
         if (is_new) instance.runs.push_back(run);
       });
     }
@@ -285,14 +288,19 @@ class Planner {
 }  // namespace
 
 std::string options_and_level(const PlannedRun& run) {
-  if (run.choice.level == Level::extents) return run.options;
-  return fmt::format("{}{}level={}", run.options, run.options.empty() ? "" : ";",
-                     to_string(run.choice.level));
+  std::string text = run.options;
+  const auto add = [&](const char* name, const std::string& value) {
+    text += fmt::format("{}{}={}", text.empty() ? "" : ";", name, value);
+  };
+  const AlgorithmChoice& choice = run.choice;
+  if (choice.level != Level::extents) add("level", to_string(choice.level));
+  if (!choice.certificate.is_exact()) add("certificate", to_string(choice.certificate));
+  return text;
 }
 
 bool is_same_drawing(const PlannedRun& a, const PlannedRun& b) {
   return a.choice.algorithm == b.choice.algorithm && a.options == b.options &&
-         a.choice.level == b.choice.level;
+         a.choice.level == b.choice.level && a.choice.certificate == b.choice.certificate;
 }
 
 StudyPlan plan_study(const StudySpec& spec) { return Planner(spec).plan(); }

@@ -28,10 +28,11 @@ struct PlannedRun {
   double precision = 0;
 };
 
-/// "effort=1", "effort=1;level=full": the options and, if it is not extents, the level.
+/// "effort=1", "effort=1;level=full;certificate=double": the options and, if they are not extents
+/// and exact, level and certificate.
 std::string options_and_level(const PlannedRun& run);
 
-/// True if both runs make the same drawing of an instance at the same level.
+/// True if both runs make the same drawing of an instance at the same level, judged alike.
 bool is_same_drawing(const PlannedRun& a, const PlannedRun& b);
 
 /// One graph to come and everything that is done with it.

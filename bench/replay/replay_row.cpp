@@ -10,6 +10,7 @@
 #include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/model/error.h"
 #include "ar3d/model/settings.h"
+#include "ar3d/records/asked_certificate.h"
 
 namespace ar3d {
 namespace {
@@ -34,6 +35,12 @@ FamilyChoice choice_from_file(const RunRecord& row, const StudyOrigin& origin) {
   throw InputError(fmt::format("the study has no graphs {} with '{}'", row.family, row.parameters));
 }
 
+/// That the row was to be judged by.
+CertificateMode certificate_of(const RunRecord& row) {
+  const std::string asked = asked_certificate(row);
+  return asked == "measured" ? CertificateMode{} : parse_certificate_mode(asked);
+}
+
 FamilyChoice choice_of(const RunRecord& row, const StudyOrigin& origin) {
   if (is_of_a_file(row.family, origin)) return choice_from_file(row, origin);
   const Family& family = find_family(row.family);
@@ -54,6 +61,7 @@ PlannedInstance plan_of_row(const RunRecord& row, const StudyOrigin& origin) {
   run.choice = algorithm_choice(origin.spec.value_or(StudySpec()), row.algorithm,
                                 parse_settings(row.options));
   if (!row.level.empty()) run.choice.level = parse_level(row.level);
+  run.choice.certificate = certificate_of(row);
   run.options = row.options;
   run.repetition = static_cast<std::uint32_t>(row.repetition);
   run.row_key = row.row_key;

@@ -12,6 +12,7 @@
 #include "ar3d/formats/text/output.h"
 #include "ar3d/model/error.h"
 #include "ar3d/records/algorithm_table.h"
+#include "ar3d/records/asked_certificate.h"
 #include "ar3d/records/run_columns.h"
 #include "ar3d/verify/angles.h"
 #include "ar3d/verify/examination.h"
@@ -30,16 +31,18 @@ std::string counters_text(const std::vector<Counter>& counters) {
   return text;
 }
 
-void record_verdict(RunRecord& run, const Certificate& certificate) {
+void record_verdict(RunRecord& run, const Certificate& certificate, const CertificateMode& asked) {
   using Kind = CertificateMode::Kind;
   const CertificateMode& mode = certificate.mode;
   run.violations = static_cast<std::int64_t>(certificate.violations.size());
   if (mode.kind == Kind::none) run.violations = -1;
-  if (certificate.measured) run.certificate = "measured";
+  run.certificate = certificate.measured ? "measured" : "";
   if (!mode.is_exact()) run.certificate = to_string(mode);
   run.status = certificate.violated() ? RunStatus::violated : RunStatus::ok;
   if (certificate.violated()) run.message = certificate.violations.front().message;
   if (mode.kind == Kind::sample) run.message = describe_sample(certificate);
+  if (mode == asked) return;
+  run.message = not_accepted(asked) + (certificate.violated() ? run.message : "judged exactly");
 }
 
 void record_bounds(RunRecord& run, const Guarantee& guarantee) {
@@ -92,6 +95,8 @@ void set_run(const PlannedRun& planned, RunRecord& run) {
   run.algorithm = planned.choice.algorithm->name;
   run.options = planned.options;
   run.level = to_string(planned.choice.level);
+  const CertificateMode& asked = planned.choice.certificate;
+  if (!asked.is_exact()) run.certificate = to_string(asked);  // until the verdict says more
   run.phase = planned.phase;
   run.scale = planned.scale;
   run.repetition = planned.repetition;
@@ -217,7 +222,7 @@ void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& req
   run.drawing_hash = examination.drawing_hash;
   set_metrics(examination.summary, run);
   if (is_judged) {
-    record_verdict(run, examination.certificate);
+    record_verdict(run, examination.certificate, choice.certificate);
     record_bounds(run, guarantee);
   } else {
     run.status = RunStatus::measured;

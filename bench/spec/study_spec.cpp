@@ -13,6 +13,7 @@
 #include <iterator>
 #include <limits>
 
+#include "ar3d/bench/spec/batch_rules.h"
 #include "ar3d/bench/spec/combinations.h"
 #include "ar3d/bench/spec/named_studies.h"
 #include "ar3d/bench/spec/read_graphs.h"
@@ -59,10 +60,7 @@ class SpecReader {
     for (const ProgramEntry& entry : programs_) spec.programs.push_back(entry.program);
     if (const toml::node* limits = table.find("max_n")) spec.max_n = size_limits(*limits);
     for (const toml::node* sweep : list(table.get("sweep"), "sweep")) {
-      spec.sweeps.push_back(read_sweep(*sweep));
-      for (AlgorithmChoice& choice : spec.sweeps.back().algorithms) {
-        choice.certificate = spec.certificate;
-      }
+      spec.sweeps.push_back(read_sweep(*sweep, spec.certificate));
     }
     table.refuse_other_keys();
     return spec;
@@ -127,7 +125,7 @@ class SpecReader {
     return limits;
   }
 
-  Sweep read_sweep(const toml::node& node) const {
+  Sweep read_sweep(const toml::node& node, const CertificateMode& usual) const {
     TomlTable table(file_, node, "sweep");
     Sweep sweep;
     if (const toml::node* graphs = table.find("graphs")) {
@@ -139,6 +137,9 @@ class SpecReader {
     }
     sweep.algorithms = algorithm_choices(table.get("algorithms"));
     if (const toml::node* level = table.find("level")) add_levels(*level, sweep.algorithms);
+    for (AlgorithmChoice& choice : sweep.algorithms) choice.certificate = usual;
+    const toml::node* modes = table.find("certificate");
+    if (modes != nullptr) add_certificates(*modes, sweep.algorithms);
     sweep.instances = static_cast<std::uint32_t>(table.integer("instances", 1, kMaxCount, 1));
     sweep.repetitions = static_cast<std::uint32_t>(table.integer("repetitions", 1, kMaxCount, 1));
     if (const toml::node* timed = table.find("timed_repetitions")) {
@@ -159,42 +160,33 @@ class SpecReader {
     if (const toml::node* exclude = table.find("exclude")) {
       sweep.exclude = patterns(*exclude, !sweep.graphs.empty());
     }
-    refuse_bad_batches(node, sweep);
+    refuse_bad_batches(file_, node, sweep);
     table.refuse_other_keys();
     return sweep;
   }
 
-  // Every choice at every level.
-  void add_levels(const toml::node& node, std::vector<AlgorithmChoice>& choices) const {
-    std::vector<Level> levels;
-    for (const toml::node* entry : list(node, "level")) {
-      levels.push_back(toml_parsed(file_, *entry, "level", parse_level));
+  // Every choice with every value that the key lists.
+  template <class Value, class Parse>
+  void add_values(const toml::node& node, const char* key, Parse parse,
+                  Value AlgorithmChoice::*member, std::vector<AlgorithmChoice>& choices) const {
+    std::vector<Value> values;
+    for (const toml::node* entry : list(node, key)) {
+      values.push_back(toml_parsed(file_, *entry, key, parse));
     }
-    std::vector<AlgorithmChoice> at_levels;
+    std::vector<AlgorithmChoice> with_values;
     for (AlgorithmChoice choice : choices) {
-      for (const Level level : levels) {
-        choice.level = level;
-        at_levels.push_back(choice);
+      for (const Value& value : values) {
+        choice.*member = value;
+        with_values.push_back(choice);
       }
     }
-    choices = std::move(at_levels);
+    choices = std::move(with_values);
   }
-
-  void refuse_bad_batches(const toml::node& node, const Sweep& sweep) const {
-    const bool has_batches = !sweep.strong.scales.empty() || !sweep.weak.scales.empty() ||
-                             !sweep.strong_ranks.scales.empty() || !sweep.weak_ranks.scales.empty();
-    const bool has_program =
-        std::any_of(sweep.algorithms.begin(), sweep.algorithms.end(),
-                    [](const AlgorithmChoice& choice) { return choice.program != nullptr; });
-    const bool has_level =
-        std::any_of(sweep.algorithms.begin(), sweep.algorithms.end(),
-                    [](const AlgorithmChoice& choice) { return choice.level != Level::extents; });
-    if (has_batches && has_program) {
-      refuse_toml(file_, node, "strong and weak batches are of the catalogue's algorithms only");
-    }
-    if (has_batches && has_level) {
-      refuse_toml(file_, node, "strong and weak batches are of level extents only");
-    }
+  void add_levels(const toml::node& node, std::vector<AlgorithmChoice>& choices) const {
+    add_values(node, "level", parse_level, &AlgorithmChoice::level, choices);
+  }
+  void add_certificates(const toml::node& node, std::vector<AlgorithmChoice>& choices) const {
+    add_values(node, "certificate", parse_certificate_mode, &AlgorithmChoice::certificate, choices);
   }
 
   // "name", or { <key> = "name", setting = value or list, ... }: the name and the settings in order

@@ -32,7 +32,7 @@ struct AlgorithmChoice {
   const Algorithm* algorithm = nullptr;  ///< of the catalogue, or the program's row
   Settings options;
   std::shared_ptr<const ExternalAlgorithm> program = {};  ///< null: one of the catalogue
-  CertificateMode certificate = {};                       ///< of the study: judges its drawings
+  CertificateMode certificate = {};                       ///< that judges its drawings
   Level level = Level::extents;
 };
 
@@ -61,7 +61,7 @@ struct Sweep {
   std::vector<FamilyChoice> families;
   std::vector<GraphsEntry> graphs;
   std::vector<std::uint64_t> sizes;         ///< increasing
-  std::vector<AlgorithmChoice> algorithms;  ///< at every level that the sweep asks for
+  std::vector<AlgorithmChoice> algorithms;  ///< at every level, by every certificate
   std::uint32_t instances = 1;       ///< where the graph depends on the seed; others have one
   std::uint32_t repetitions = 1;     ///< of every drawing in the metrics phase
   TimedRepetitions timed;            ///< of every drawing in the timing phase; none by default
@@ -82,7 +82,7 @@ struct StudySpec {
   std::map<std::string, std::uint64_t> max_n;  ///< algorithm -> largest n it is given
   TimingRules timing;
   Budget budget;
-  CertificateMode certificate;  ///< that every drawing is judged by
+  CertificateMode certificate;  ///< of the sweeps that name none
   KeptDrawings keep_drawings = KeptDrawings::none;
   bool accept_unproved = false;  ///< its verdict passes with rows that are not proved exactly
   std::string text;              ///< the verbatim TOML

@@ -149,5 +149,67 @@ TEST(CertificateModes, RowsOfAStudySayThemAndCheckDoesNotPassThemUnasked) {
   EXPECT_THAT(refused.err, HasSubstr("s.toml:2: certificate 'perhaps' is none of exact"));
 }
 
+// One drawing, several certificates: each is a row of its own, which says which, and can be
+// replayed.
+TEST(CertificateModes, OneSweepMayAskForSeveral) {
+  const ScratchDirectory scratch;
+  const std::string results = scratch.path("r.h5");
+  scratch.write("s.toml",
+                "study = \"modes\"\n"
+                "[[sweep]]\nfamilies = \"random-cubic\"\nsizes = 40\n"
+                "algorithms = [\"two-bend\", \"two-bend-paper\"]\n"
+                "certificate = [\"exact\", \"filtered\", \"double\", \"sample=20\", \"none\"]\n");
+  const Outcome study =
+      run(kProgram + " study run " + scratch.path("s.toml") + " -q -o " + results);
+  ASSERT_EQ(study.exit_code, 5) << study.err;
+  const Outcome checked = run(kProgram + " check " + results);
+  EXPECT_EQ(checked.exit_code, 5) << "four rows and the measured one are not proved";
+  EXPECT_THAT(checked.out,
+              HasSubstr("6 rows, 1 proved, 0 violated, 0 incomplete, 0 refused, 5 not proved"));
+  EXPECT_EQ(run(kProgram + " check --accept-unproved " + results).exit_code, 0);
+  const std::string csv = scratch.path("r.csv"), page = scratch.path("r.html");
+  ASSERT_EQ(run(kProgram + " report --rows " + csv + " --force " + results).exit_code, 5);
+  for (const char* mode : {"filtered", "double", "sample=20", "none"}) {
+    EXPECT_THAT(testing::read_file(csv), HasSubstr(std::string(",") + mode + ","));
+    EXPECT_THAT(testing::read_file(page), HasSubstr(std::string("<td>") + mode + "</td>"));
+  }
+  EXPECT_EQ(run(kProgram + " study selfcheck " + results).exit_code, 0);
+  for (int row = 0; row < 6; ++row) {
+    const Outcome again = run(kProgram + " replay " + results + " " + std::to_string(row));
+    EXPECT_EQ(again.exit_code, 0) << row << again.out << again.err;
+  }
+}
+
+// A drawing that doubles reject is judged exactly, and its row says so.
+TEST(CertificateModes, ARowSaysWhichCertificateDidNotAcceptIt) {
+  const ScratchDirectory scratch;
+  const std::string results = scratch.path("r.h5");
+  scratch.write("s.toml",
+                "study = \"modes\"\n[[sweep]]\nfamilies = \"random-4-regular\"\nsizes = 30000\n"
+                "algorithms = \"diamond\"\ncertificate = [\"exact\", \"double\"]\n");
+  const Outcome study =
+      run(kProgram + " study run " + scratch.path("s.toml") + " -q -o " + results);
+  ASSERT_EQ(study.exit_code, 0) << study.err;
+  EXPECT_THAT(testing::read_file(scratch.path("r.html")), HasSubstr("<td>double</td>"));
+  EXPECT_EQ(run(kProgram + " replay " + results + " 1").exit_code, 0);
+  EXPECT_EQ(run(kProgram + " check " + results).exit_code, 0) << "both are proved";
+}
+
+TEST(CertificateModes, ASweepNamesThemOrIsRefused) {
+  const ScratchDirectory scratch;
+  const auto error_of = [&](const std::string& lines) {
+    scratch.write("s.toml",
+                  "study = \"modes\"\n[[sweep]]\nfamilies = \"cycle\"\nsizes = 12\n"
+                  "algorithms = \"grid\"\n" +
+                      lines);
+    return run(kProgram + " study plan " + scratch.path("s.toml")).err;
+  };
+  EXPECT_THAT(error_of("certificate = [\"exact\", \"perhaps\"]\n"),
+              HasSubstr("s.toml:6: certificate 'perhaps' is none of exact"));
+  EXPECT_THAT(error_of("certificate = []\n"), HasSubstr("s.toml:6: certificate is empty"));
+  EXPECT_THAT(error_of("certificate = [\"exact\", \"none\"]\nstrong = { threads = 1 }\n"),
+              HasSubstr("strong and weak batches are judged by one certificate"));
+}
+
 }  // namespace
 }  // namespace ar3d
