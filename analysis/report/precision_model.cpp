@@ -47,6 +47,25 @@ std::map<std::int64_t, double> predicted_misses(const MissModel& model, const st
   return misses;
 }
 
+/// Of misses by n, for every limit that one of the two passes inside of the sizes.
+std::vector<Onset> onsets_between(const std::map<std::int64_t, double>& predicted,
+                                  const std::map<std::int64_t, double>& seen) {
+  std::vector<Onset> all;
+  if (seen.size() < 2) return all;
+  for (const double limit : kLogLimits) {
+    Onset onset;
+    onset.log_limit = limit;
+    onset.log_predicted = first_beyond(predicted, limit);
+    onset.log_seen = first_beyond(seen, limit);
+    onset.log_first = log10_of(seen.begin()->first);
+    onset.log_last = log10_of(seen.rbegin()->first);
+    if (onset.log_predicted == onset.log_seen && std::isinf(onset.log_seen)) continue;
+    onset.verdict = judge_onset(onset);
+    all.push_back(std::move(onset));
+  }
+  return all;
+}
+
 /// Where the type's own misses pass the limit, or at the last n: what its kappa is there.
 double kappa_seen(const Onset& onset, const std::map<std::int64_t, double>& seen,
                   const std::map<std::int64_t, double>& predicted) {
@@ -124,19 +143,30 @@ std::vector<Onset> onsets(const RealRows& real, const MissModel& model) {
       if (setting == model.setting || bits == 0) continue;
       const auto seen = median_misses(real, setting, family);
       const auto predicted = predicted_misses(model, family, bits);
-      if (seen.size() < 2) continue;
-      for (const double limit : kLogLimits) {
-        Onset onset{family,
-                    setting,
-                    limit,
-                    first_beyond(predicted, limit),
-                    first_beyond(seen, limit),
-                    log10_of(seen.begin()->first),
-                    log10_of(seen.rbegin()->first)};
-        if (onset.log_predicted == onset.log_seen && std::isinf(onset.log_seen)) continue;
-        onset.verdict = judge_onset(onset);
+      for (Onset& onset : onsets_between(predicted, seen)) {
+        onset.family = family;
+        onset.setting = setting;
         onset.log_kappa = log_kappa;
         onset.log_kappa_seen = kappa_seen(onset, seen, predicted);
+        all.push_back(std::move(onset));
+      }
+    }
+  }
+  return all;
+}
+
+std::vector<Onset> onsets_as_in(const RealRows& real, const RealRows& predicting,
+                                std::size_t left_out) {
+  std::vector<Onset> all;
+  std::set<std::string> families;
+  for (const RealRow& row : real.rows) families.insert(row.family);
+  for (const std::string& family : families) {
+    for (std::size_t setting = 0; setting < real.settings.size(); ++setting) {
+      if (setting == left_out) continue;
+      const auto seen = median_misses(real, setting, family);
+      for (Onset& onset : onsets_between(median_misses(predicting, setting, family), seen)) {
+        onset.family = family;
+        onset.setting = setting;
         all.push_back(std::move(onset));
       }
     }

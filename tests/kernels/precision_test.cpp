@@ -53,12 +53,29 @@ TEST(PrecisionTables, WrongAnglesBeginWhereRoundingCanMatter) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("| `two-bend` | float | 128 | 180 |"));
   EXPECT_THAT(outcome.out, HasSubstr("| `two-bend` | double | > 300 | > 300 |"));
+  // In no family is an angle wrong before rounding can matter.
+  for (const char* algorithm : {"diamond", "grid", "compact", "two-bend"}) {
+    EXPECT_THAT(outcome.out, HasSubstr("| `" + std::string(algorithm) + "` | 0 | "));
+  }
+}
+
+// Storing a drawing in a type misses as much as computing it there, but for a factor of 2 or so.
+TEST(PrecisionTables, RoundingTheResultMissesAsMuchAsComputing) {
+  const Outcome outcome = precision("rounding --most 32");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, ContainsRegex("\\| double \\| [0-9]+ \\| "));
+  EXPECT_THAT(outcome.out, HasSubstr("| rounding the drawing in 237 bits | "));
+  EXPECT_EQ(precision("rounding --most 32").out, outcome.out) << "a function of the command";
+  EXPECT_EQ(precision("rounding --most 8").exit_code, 2);
 }
 
 TEST(PrecisionTables, FarFromTheOriginMissesGrowAsPredicted) {
   const Outcome outcome = precision("shift");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("| double | 1e-06 | 2^26 to 2^27 | 2^27 |"));
+  for (const char* family : {"| `prism` | ", "| `iterated-truncation` | ", "| `random-tree` | "}) {
+    EXPECT_THAT(outcome.out, HasSubstr(family));
+  }
 }
 
 // What the filter leaves open over all families: every angle that is exactly as promised.
@@ -80,6 +97,8 @@ TEST(PrecisionTables, NestsMissFromTheDepthThatTheConditionPredicts) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("| hexagons in K4 | float | 0.01 |"));
   EXPECT_THAT(outcome.out, HasSubstr("| heptagons in C5 | double | broken |  | > 12 |"));
+  EXPECT_THAT(outcome.out, HasSubstr("| hexagons in the cube | float | 0.01 |"));
+  EXPECT_THAT(outcome.out, HasSubstr("| heptagons, then as many hexagons, in C5 | float | 0.01 |"));
 }
 
 TEST(PrecisionTables, MapsOfWrongSigns) {

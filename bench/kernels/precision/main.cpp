@@ -1,6 +1,7 @@
 // Tables of docs/precision.md that no row of a study holds: ar3d_precision damage, families, front,
-// modes, nests, onset, positions, predicates, shift, signs or widths prints them as Markdown,
-// ar3d_precision all prints all of them. Everything but times is a function of the command.
+// modes, nests, onset, positions, predicates, rounding, shift, signs or widths prints them as
+// Markdown, ar3d_precision all prints all of them. Everything but times is a function of the
+// command.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -36,6 +37,10 @@ int main(int argc, char** argv) {
   std::uint64_t largest = 1000000;
   CLI::App* positions = app.add_subcommand("positions", "what positions of each width cost");
   positions->add_option("--most", largest, "largest n")->check(CLI::Range(1800, 1000000));
+  std::uint64_t rounded = 1024;
+  CLI::App* rounding =
+      app.add_subcommand("rounding", "what computing misses, and storing the result alone");
+  rounding->add_option("--most", rounded, "largest n")->check(CLI::Range(16, 2048));
   std::string picture;
   CLI::App* signs = app.add_subcommand("signs", "where rounding gives the wrong sign");
   signs->add_option("--picture", picture, "new SVG file of the worst windows");
@@ -51,6 +56,7 @@ int main(int argc, char** argv) {
     if (wanted(positions)) ar3d::precision::position_table(largest);
     if (wanted(shift)) ar3d::precision::shift_tables();
     if (wanted(nests)) ar3d::precision::nest_table(depth);
+    if (wanted(rounding)) ar3d::precision::rounding_tables(rounded);
     if (wanted(predicates)) ar3d::precision::predicate_tables();
     if (wanted(families)) ar3d::precision::family_tables(n);
     if (wanted(signs)) ar3d::precision::sign_tables(picture);

@@ -23,7 +23,12 @@ namespace {
 using verify::PredicateChoice;
 
 constexpr std::size_t kMost = 20000;
+constexpr double kMostOfFamilies = 4096;
 constexpr std::array<const char*, 4> kChoices = {"float", "double", "long-double", "cosine"};
+
+const Family& random_family(const Algorithm& algorithm) {
+  return find_family(algorithm.guarantee.max_degree == 4 ? "random-4-regular" : "random-cubic");
+}
 
 std::vector<std::string> row_of(const Algorithm& algorithm, std::uint64_t n, int bits,
                                 const char* what) {
@@ -34,9 +39,8 @@ void add_rows(const Algorithm& algorithm, std::uint64_t n,
               std::vector<std::vector<std::string>>& rows,
               std::vector<std::vector<std::string>>& filters) {
   const Guarantee& guarantee = algorithm.guarantee;
-  const char* family = guarantee.max_degree == 4 ? "random-4-regular" : "random-cubic";
   const Decisions decisions =
-      decisions_of(draw(algorithm, generate(find_family(family), n, 1)), guarantee, kMost);
+      decisions_of(draw(algorithm, generate(random_family(algorithm), n, 1)), guarantee, kMost);
   const auto near_angles = one_off(decisions.angles);
   const auto near_pairs = touching(decisions.pairs);
   auto drawn = row_of(algorithm, n, decisions.bits.angle, "angle as drawn");
@@ -80,25 +84,75 @@ double bits_without_rounding(const Decisions& decisions) {
 }
 
 /// On a ladder of n by factors of sqrt(2): the first at which rounding can differ, and the first
-/// with a wrong answer.
-std::vector<std::string> onset_row(const Algorithm& algorithm, const char* type, double most) {
+/// with a wrong answer; 0 if there is none.
+struct AngleOnset {
+  std::size_t predicted = 0, seen = 0;
+};
+
+AngleOnset onset_of(const Algorithm& algorithm, const Family& family, const char* type,
+                    double most) {
   const PredicateChoice& choice = verify::predicate_choice(type);
-  const char* family = algorithm.guarantee.max_degree == 4 ? "random-4-regular" : "random-cubic";
-  std::string predicted = fmt::format("> {}", most), seen = predicted;
-  for (double n = 16; n <= most && (predicted[0] == '>' || seen[0] == '>'); n *= std::sqrt(2.0)) {
-    const Graph graph = generate(find_family(family), static_cast<std::uint64_t>(n), 1);
+  AngleOnset onset;
+  for (double n = 16; n <= most && (onset.predicted == 0 || onset.seen == 0); n *= std::sqrt(2.0)) {
+    const Graph graph = generate(family, static_cast<std::uint64_t>(n), 1);
+    if (graph.num_edges() == 0) return onset;
     const Decisions decisions =
         decisions_of(draw(algorithm, graph), algorithm.guarantee, 10 * kMost);
-    const std::string size = fmt::format("{}", graph.num_vertices());
-    if (predicted[0] == '>' && bits_without_rounding(decisions) > choice.exact_bits) {
-      predicted = size;
-    }
+    const bool can_differ = bits_without_rounding(decisions) > choice.exact_bits;
     const bool is_wrong = wrong_angles(choice, algorithm.guarantee, decisions.angles) +
                               wrong_angles(choice, algorithm.guarantee, one_off(decisions.angles)) >
                           0;
-    if (seen[0] == '>' && is_wrong) seen = size;
+    if (onset.predicted == 0 && can_differ) onset.predicted = graph.num_vertices();
+    if (onset.seen == 0 && is_wrong) onset.seen = graph.num_vertices();
   }
-  return {fmt::format("`{}`", algorithm.name), type, predicted, seen};
+  return onset;
+}
+
+std::string place(std::size_t n, double most) {
+  return n == 0 ? fmt::format("> {}", most) : fmt::format("{}", n);
+}
+
+/// How seen onsets lie to predicted ones.
+struct OnsetTally {
+  int early = 0;   ///< seen before rounding can differ: would refute the prediction's proof
+  int within = 0;  ///< seen from there to twice the n
+  int later = 0;   ///< seen later, or not up to twice the n
+  int none = 0;    ///< neither, up to the largest n, or that is too near to tell
+  void add(AngleOnset onset, double most) {
+    const auto n = [](std::size_t size) { return static_cast<double>(size); };
+    if (onset.seen > 0 && (onset.predicted == 0 || onset.seen < onset.predicted)) {
+      ++early;
+    } else if (onset.seen > 0) {
+      ++(n(onset.seen) <= 2.05 * n(onset.predicted) ? within : later);
+    } else {
+      ++(onset.predicted > 0 && 2.05 * n(onset.predicted) < most ? later : none);
+    }
+  }
+};
+
+void family_onsets(double most) {
+  std::vector<std::vector<std::string>> tallies, all;
+  for (const char* name : {"diamond", "grid", "compact", "two-bend"}) {
+    const Algorithm& algorithm = find_algorithm(name);
+    OnsetTally tally;
+    for (const Family& family : families()) {
+      if (family.max_degree > algorithm.guarantee.max_degree) continue;
+      const AngleOnset onset = onset_of(algorithm, family, "float", most);
+      tally.add(onset, most);
+      if (onset.predicted == 0 && onset.seen == 0) continue;
+      all.push_back({fmt::format("`{}`", name), fmt::format("`{}`", family.name),
+                     place(onset.predicted, most), place(onset.seen, most)});
+    }
+    tallies.push_back({fmt::format("`{}`", name), fmt::format("{}", tally.early),
+                       fmt::format("{}", tally.within), fmt::format("{}", tally.later),
+                       fmt::format("{}", tally.none)});
+  }
+  fmt::print(
+      "Every family, float, n up to {}: families whose first wrong angle is seen before rounding "
+      "can matter, from there to twice the n, later, and that have neither:\n\n",
+      most);
+  print_table({"algorithm", "before", "up to twice", "later", "neither"}, tallies);
+  print_table({"algorithm", "family", "predicted", "seen"}, all);
 }
 
 }  // namespace
@@ -120,14 +174,19 @@ void predicate_tables() {
 }
 
 void onset_table(std::uint64_t most) {
+  const auto largest = static_cast<double>(most);
   std::vector<std::vector<std::string>> onsets;
   for (const char* name : {"diamond", "grid", "compact", "two-bend"}) {
+    const Algorithm& algorithm = find_algorithm(name);
     for (const char* type : {"float", "double"}) {
-      onsets.push_back(onset_row(find_algorithm(name), type, static_cast<double>(most)));
+      const AngleOnset onset = onset_of(algorithm, random_family(algorithm), type, largest);
+      onsets.push_back({fmt::format("`{}`", name), type, place(onset.predicted, largest),
+                        place(onset.seen, largest)});
     }
   }
   fmt::print("The first n at which an angle's rounding can matter, and with a wrong answer:\n\n");
   print_table({"algorithm", "type", "predicted", "seen"}, onsets);
+  family_onsets(std::min(largest, kMostOfFamilies));
 }
 
 }  // namespace ar3d::precision

@@ -39,6 +39,10 @@ void front_table();
 /// From which depth on nests of two-bend-paper miss, predicted and seen. @param most  depth.
 void nest_table(int most);
 
+/// What rounding coordinates alone makes of the graphs of the study `precision` with at most so
+/// many vertices, beside what computing in a type does.
+void rounding_tables(std::uint64_t most);
+
 /// Where rounding gives the wrong sign. @param picture  a new SVG file; empty: none.
 /// @throws InputError if it exists or cannot be written.
 void sign_tables(const std::string& picture);
