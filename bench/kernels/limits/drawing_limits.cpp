@@ -36,8 +36,9 @@ struct Drawn {
 constexpr const char* kDiamondPasses =
     "two walks over all edges, two over all vertices, three gathers, fresh memory between them";
 constexpr const char* kGridPasses =
-    "labels, random places in bit sets, copies between vertices and places";
-constexpr const char* kTwoBendPasses = "some twenty passes, each of a few percent";
+    "Kempe chains, whose steps wait for one another, then the breadth-first order and its copies";
+constexpr const char* kTwoBendPasses =
+    "two depth-first searches, whose steps wait for one another, and some twenty passes";
 constexpr const char* kCompactTries = "some 14,000 instructions per vertex, most for refused cells";
 
 void measure_drawing(const Drawn& drawn, const Scale& scale, std::vector<Limit>& limits) {

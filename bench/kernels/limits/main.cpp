@@ -30,10 +30,11 @@ struct Options {
   bool families = false;
 };
 
+/// Memory comes first: the more a process has freed, the longer arrays malloc keeps in its heap.
 std::vector<Group> all_groups() {
   std::vector<Group> all;
   for (const auto& groups :
-       {drawing_groups(), certifying_groups(), crossing_groups(), memory_groups(), reading_groups(),
+       {memory_groups(), drawing_groups(), certifying_groups(), crossing_groups(), reading_groups(),
         generating_groups(), study_groups(), layout_groups()}) {
     all.insert(all.end(), groups.begin(), groups.end());
   }
