@@ -69,6 +69,13 @@ VolumeBound volume_bound(const CurveTally& curve) {
   return volume;
 }
 
+// A bound that does not depend on n is no theorem's box: none is promised, or (by a program of the
+// study's own) only what integers of this width can hold.
+bool promises_box(const SizeBound& bound) {
+  return std::any_of(bound.axes.begin(), bound.axes.end(),
+                     [](const AxisBound& axis) { return axis.numerator != 0; });
+}
+
 }  // namespace
 
 std::vector<BoundsEntry> bounds_table(const StudyTally& tally, const StudyIdentity& study) {
@@ -89,7 +96,7 @@ std::vector<BoundsEntry> bounds_table(const StudyTally& tally, const StudyIdenti
     entry.volume = volume_bound(curve);
     const AlgorithmRecord* algorithm =
         find_algorithm_record(algorithms, curve.key.algorithm, curve.key.options);
-    if (algorithm != nullptr) {
+    if (algorithm != nullptr && promises_box(algorithm->theorem)) {
       entry.theorem_formula = algorithm->theorem.formula();
       if (algorithm->published) entry.published_formula = algorithm->published->formula();
     }

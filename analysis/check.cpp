@@ -71,10 +71,11 @@ class FindingList {
 void add_whole_file(const RowView& rows, bool any_judged, bool any_measured,
                     FindingList& findings) {
   if (!any_judged) {
-    const std::string why = rows.count == 0 ? "the file has no rows"
-                            : any_measured  ? "no row has a guarantee to be judged by"
-                                            : "no row was drawn";
-    findings.add({FindingKind::nothing_measured, {}, "nothing measured: " + why}, nullptr);
+    const std::string what = rows.count == 0 ? "nothing measured: the file has no rows"
+                             : any_measured
+                                 ? "nothing judged: no row has a guarantee to be judged by"
+                                 : "nothing measured: no row was drawn";
+    findings.add({FindingKind::nothing_measured, {}, what}, nullptr);
   }
   if (const auto missing = rows.planned - static_cast<std::int64_t>(rows.count); missing > 0) {
     findings.add(

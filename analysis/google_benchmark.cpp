@@ -38,7 +38,8 @@ ordered_json benchmark_row(const RunRecord& run, const std::string& name) {
                       {"run_type", "iteration"},
                       {"repetition_index", run.repetition},
                       {"threads", 1}};
-  if (run.status != RunStatus::ok || !std::isfinite(run.wall_s)) {
+  const bool is_drawn = run.status == RunStatus::ok || run.status == RunStatus::measured;
+  if (!is_drawn || !std::isfinite(run.wall_s)) {
     row["error_occurred"] = true;
     row["error_message"] = fmt::format("{} {}", to_string(run.status), one_line(run.message));
     return row;

@@ -50,6 +50,14 @@ void keep_sample(std::size_t most, std::vector<DrawnGraph>& graphs) {
   graphs.erase(end, graphs.end());
 }
 
+// Coordinates of a program without a guarantee are decimals, counted in units of the last one: its
+// extents say nothing, and its volume is the one over the smallest distance of vertices.
+void take_measured_size(const RunRecord& run, DrawnGraph& graph) {
+  static const Column relative = run_column("log2_relative_volume");
+  graph.extents = {-1, -1, -1};
+  graph.log2_volume = column_number(relative, run);
+}
+
 DrawnGraph drawn_graph(const RunRecord& run, std::size_t row, std::int64_t n) {
   static const std::vector<Column> columns = columns_of_kind(ColumnKind::metric);
   DrawnGraph graph;
@@ -62,6 +70,7 @@ DrawnGraph drawn_graph(const RunRecord& run, std::size_t row, std::int64_t n) {
   graph.theorem_bound = run.theorem_bound;
   graph.published_bound = run.published_bound;
   graph.log2_volume = run.log2_volume;
+  if (run.status == RunStatus::measured) take_measured_size(run, graph);
   graph.metrics.reserve(columns.size());
   for (const Column& column : columns) graph.metrics.push_back(column_number(column, run));
   return graph;
@@ -155,7 +164,7 @@ void Tallying::add_to_graph(const RunRecord& run, std::size_t row, OpenGraph& op
       curve.censored.push_back({open.n, row, run.m, run.seed, run.status});
     }
   }
-  if (run.status != RunStatus::ok) return;
+  if (run.status != RunStatus::ok && run.status != RunStatus::measured) return;
   if (!open.drawn) {
     open.drawn = true;
     open.graph = drawn_graph(run, row, open.n);

@@ -73,6 +73,7 @@ std::string background(const RowView& rows);
 
 /// The cell of violations: their number, or that there are none, and how many of the ok rows no
 /// exact certificate judged.
-std::string violations_text(std::size_t violations, std::size_t unproved, std::size_t ok_rows);
+std::string violations_text(std::size_t violations, std::size_t unproved, std::size_t ok_rows,
+                            std::size_t measured_rows);
 
 }  // namespace ar3d::report

@@ -45,7 +45,9 @@ std::string bounds_row(Page& page, const SectionCurve& curve, std::size_t index)
       fmt::format("<tr data-f={}><th scope=row>{}</th>", index, escape(curve.family));
   html += cell(grouped(entry.smallest_n) + " – " + grouped(entry.largest_n), true);
   html += cell(statuses(entry));
-  html += cell(violations_text(entry.violations, entry.unproved, entry.count(RunStatus::ok)), true);
+  html += cell(violations_text(entry.violations, entry.unproved, entry.count(RunStatus::ok),
+                               entry.count(RunStatus::measured)),
+               true);
   for (const AxisBounds& axis : entry.axes) {
     html += cell(fill(axis.worst_slack, axis.median_slack), true);
   }
@@ -93,13 +95,14 @@ std::string time_label(const ScalingEntry* entry) {
 
 }  // namespace
 
-std::string violations_text(std::size_t violations, std::size_t unproved, std::size_t ok_rows) {
+std::string violations_text(std::size_t violations, std::size_t unproved, std::size_t ok_rows,
+                            std::size_t measured_rows) {
   const std::string rest =
       unproved == 0 ? "" : fmt::format("{} of {} not proved", unproved, ok_rows);
   if (violations > 0) {
     return fmt::format("<b class=violated>{}</b>{}{}", violations, rest.empty() ? "" : "; ", rest);
   }
-  if (ok_rows == 0) return "–";
+  if (ok_rows == 0) return measured_rows > 0 ? "measured, not judged" : "–";
   return rest.empty() ? "<span class=pass>none</span>" : "none found, " + rest;
 }
 

@@ -140,6 +140,19 @@ double least_order(const std::vector<Section>& sections) {
   return least;
 }
 
+/// Said where drawings in decimals stand beside drawings on a lattice.
+std::string unit_note(const std::vector<Section>& sections) {
+  const auto is_measured = [](const SectionCurve& curve) {
+    return curve.bounds->count(RunStatus::measured) > 0;
+  };
+  const bool is_mixed = std::any_of(sections.begin(), sections.end(), [&](const Section& section) {
+    return std::any_of(section.curves.begin(), section.curves.end(), is_measured);
+  });
+  if (!is_mixed) return "";
+  return " Volumes of programs without a guarantee are in units of the smallest vertex distance, "
+         "the others in lattice points: log2_relative_volume, under All metrics, compares them.";
+}
+
 }  // namespace
 
 std::string trade_section(Page& page, const std::vector<Section>& sections) {
@@ -170,9 +183,9 @@ std::string trade_section(Page& page, const std::vector<Section>& sections) {
   choices += options_html("trade-n", "at n =", n_options, std::to_string(shown_n));
   return "<section id=trade><h2>What does each algorithm trade?</h2><p>Less volume costs time or "
          "bends. Medians over graphs, then over families; sizes with unfinished graphs are left "
-         "out.</p><p>" +
-         choices + "</p><div class=figures>\n<div>" + trades + "</div><div>" + volumes +
-         "</div></div></section>\n";
+         "out." +
+         unit_note(sections) + "</p><p>" + choices + "</p><div class=figures>\n<div>" + trades +
+         "</div><div>" + volumes + "</div></div></section>\n";
 }
 
 }  // namespace ar3d::report

@@ -116,13 +116,14 @@ Closest closest_of(const Section& section) {
 }
 
 std::string setting_row(Page& page, const Section& section, std::size_t index) {
-  std::size_t instances = 0, violations = 0, unproved = 0, ok_rows = 0;
+  std::size_t instances = 0, violations = 0, unproved = 0, ok_rows = 0, measured_rows = 0;
   std::int64_t largest = 0;
   for (const SectionCurve& curve : section.curves) {
     instances += curve.bounds->instances;
     violations += curve.bounds->violations;
     unproved += curve.bounds->unproved;
     ok_rows += curve.bounds->count(RunStatus::ok);
+    measured_rows += curve.bounds->count(RunStatus::measured);
     largest = std::max(largest, curve.bounds->largest_n);
   }
   const Closest closest = closest_of(section);
@@ -135,7 +136,8 @@ std::string setting_row(Page& page, const Section& section, std::size_t index) {
                                       escape(closest.curve->name) +
                                           ", n = " + grouped(closest.bounds().worst.n)));
   return html + cell(count_text(section.all_curves), true) + cell(count_text(instances), true) +
-         cell(grouped(largest), true) + cell(violations_text(violations, unproved, ok_rows), true) +
+         cell(grouped(largest), true) +
+         cell(violations_text(violations, unproved, ok_rows, measured_rows), true) +
          cell(exponent_range(section, Quantity::longest_side), true) +
          cell(exponent_range(section, Quantity::volume), true) +
          cell(exponent_range(section, Quantity::wall_s), true) + "</tr>\n";

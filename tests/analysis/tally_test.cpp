@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "analysis/synthetic.h"
 #include "ar3d/analysis/bounds_table.h"
@@ -74,6 +75,31 @@ TEST(Tally, MeasuredRowsAreCountedAndNothingElseOfTheirCurveChanges) {
     EXPECT_EQ(entry.smallest_n, 16);
     EXPECT_EQ(entry.largest_n, 128);
   }
+}
+
+TEST(Tally, MeasuredRowsAreDrawnRowsWithoutABound) {
+  Results results = good_results({"grid", "peer"}, {"cubic"}, 4, 3);
+  const double kNoBound = std::numeric_limits<double>::quiet_NaN();
+  for (ar3d::RunRecord& run : results.runs) {
+    if (run.algorithm != "peer") continue;
+    run.status = RunStatus::measured;
+    run.violations = -1;
+    run.theorem_bound = run.published_bound = {kNoBound, kNoBound, kNoBound};
+    run.instance_bound = {-1, -1, -1};
+  }
+  const StudyTally tally = tally_of(results);
+  ASSERT_EQ(tally.curves.size(), 2u);
+  const CurveTally& peer = tally.curves[1];
+  EXPECT_EQ(peer.key.algorithm, "peer");
+  EXPECT_EQ(peer.sizes.at(16).drawn, 3u);
+  EXPECT_TRUE(std::isfinite(peer.sizes.at(16).mean_log(Quantity::wall_s, false)));
+  EXPECT_FALSE(std::isfinite(peer.sizes.at(16).mean_log(Quantity::longest_side, false)))
+      << "decimals have no unit";
+  EXPECT_EQ(peer.violations, 0u);
+  EXPECT_EQ(peer.unproved, 0u);
+  EXPECT_TRUE(std::isnan(peer.axes[0].worst_slack));
+  const std::string page = testing::report_of(results);
+  EXPECT_NE(page.find("measured, not judged"), std::string::npos);
 }
 
 /// Rows of one curve that are made when they are read.
