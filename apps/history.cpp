@@ -143,6 +143,14 @@ int report_history(const ReportArguments& arguments) {
                          .page_is = "<title>ar3d history: ",
                          .force = arguments.force,
                          .streams = false});
+  for (const std::string& output : {page, arguments.json}) {
+    if (std::filesystem::path(output).extension() == ".h5") {
+      throw InputError(
+          fmt::format("{}: .h5 is the ending of results files; the next report would "
+                      "read it as one",
+                      output));
+    }
+  }
   HistoryRule rule;
   rule.time.threshold = arguments.threshold_percent / 100;
   const History history = read_history(arguments.folder, rule);

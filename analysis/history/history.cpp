@@ -66,6 +66,7 @@ struct ReadResults {
   CommitResults commit;
   std::map<std::string, std::string> environment;
   CellTable table;
+  std::vector<GraphFileRecord> files;
 };
 
 ReadResults read_one(const fs::path& path) {
@@ -76,7 +77,8 @@ ReadResults read_one(const fs::path& path) {
   read.commit.source_hash = reader.identity().source_hash;
   read.commit.study = reader.identity().study_id;
   read.commit.created = reader.identity().created;
-  for (const GraphFileRecord& file : graph_file_records(reader.identity())) {
+  read.files = graph_file_records(reader.identity());
+  for (const GraphFileRecord& file : read.files) {
     read.commit.not_of_the_catalogue.insert(file.name);
   }
   for (const EnvironmentEntry& entry : reader.environment()) {
@@ -172,6 +174,30 @@ std::size_t place_of(const std::map<std::string, std::string>& environment,
   return among.size() - 1;
 }
 
+/// A file of graphs has one name in all results, the one of the last: its graphs' hash tells it.
+/// @param read  in the order of the history.
+void name_files_alike(std::vector<ReadResults>& read) {
+  std::map<std::string, std::string> last_name;  // by the hash of the graphs
+  for (const ReadResults& one : read) {
+    for (const GraphFileRecord& file : one.files) last_name[file.hash] = file.name;
+  }
+  for (ReadResults& one : read) {
+    std::map<std::string, std::string> renamed;
+    for (const GraphFileRecord& file : one.files) {
+      renamed[file.name] = last_name[file.hash];
+      one.commit.not_of_the_catalogue.insert(last_name[file.hash]);
+    }
+    std::map<HistoryCell, CellValues> cells;
+    for (auto& [cell, values] : one.table.cells) {
+      HistoryCell named = cell;
+      const auto at = renamed.find(cell.curve.family);
+      if (at != renamed.end()) named.curve.family = at->second;
+      cells.emplace(std::move(named), std::move(values));
+    }
+    one.table.cells = std::move(cells);
+  }
+}
+
 }  // namespace
 
 std::string history_file_name(std::int64_t place, const std::string& name,
@@ -201,6 +227,7 @@ History read_history(const std::string& folder, const HistoryRule& rule) {
     return std::tie(a.commit.place, a.commit.name, a.commit.file) <
            std::tie(b.commit.place, b.commit.name, b.commit.file);
   });
+  name_files_alike(read);
   History history;
   history.rule = rule;
   LineTable lines;

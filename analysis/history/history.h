@@ -60,7 +60,8 @@ std::string history_file_name(std::int64_t place, const std::string& name,
                               const std::vector<EnvironmentEntry>& environment);
 
 /// Reads every *.h5 of a folder and looks for changes. Lines hold results of one environment and
-/// one study and of the same graphs; times of a busy machine, or of a debug or sanitised build, are
+/// one study and of the same graphs, also where their file has been renamed (it is then called as
+/// in the last results); times of a busy machine, or of a debug or sanitised build, are
 /// left out. Memory: that of the cells. Cost: reading the files once, and find_changes per line.
 /// @throws InputError naming the folder if it has none, or the file that is no results file or
 /// whose name does not begin with a place and a name.

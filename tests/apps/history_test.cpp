@@ -1,4 +1,5 @@
 // `ar3d history` as its users run it.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -84,6 +85,44 @@ TEST(HistoryProgram, AReleaseHasTheNameAndPlaceThatItIsGiven) {
   const Outcome alone = run("{} history report --folder " + folder);
   EXPECT_EQ(alone.exit_code, 5) << "one result judges nothing: " << alone.out;
   EXPECT_THAT(alone.err, HasSubstr("nothing was judged"));
+}
+
+TEST(HistoryProgram, GraphsOfARenamedFileAreOneLine) {
+  const ScratchDirectory scratch;
+  const std::string folder = scratch.path("history"), json = scratch.path("history.json");
+  const auto add = [&](const std::string& file, int place) {
+    ASSERT_EQ(run(fmt::format("cd {} && {{}} study run -q --threads 1 --graphs {} --algorithm grid "
+                              "-o {}.h5",
+                              scratch.path(""), file, place))
+                  .exit_code,
+              0);
+    const Outcome added =
+        run(fmt::format("{{}} history add {}/{}.h5 --folder {} --place {} --name r{}",
+                        scratch.path(""), place, folder, place, place));
+    EXPECT_EQ(added.exit_code, 0) << added.err;
+  };
+  ASSERT_EQ(run("{} generate random-cubic -n 20 --count 3 -o " + scratch.path("a.s6")).exit_code,
+            0);
+  ASSERT_EQ(
+      run("{} generate random-cubic -n 20 --count 3 --seed 9 -o " + scratch.path("c.s6")).exit_code,
+      0);
+  add("a.s6", 1);
+  std::filesystem::rename(scratch.path("a.s6"), scratch.path("b.s6"));
+  add("b.s6", 2);
+  std::filesystem::rename(scratch.path("c.s6"), scratch.path("a.s6"));
+  add("a.s6", 3);  // the first name again, but of other graphs
+  const Outcome report = run("{} history report --folder " + folder + " --json " + json);
+  EXPECT_EQ(report.exit_code, 0) << report.err;
+  std::vector<std::string> volumes;
+  const auto parsed = nlohmann::json::parse(read_file(json));
+  for (const auto& line : parsed.at("lines")) {
+    if (line.at("measure") != "volume") continue;
+    volumes.push_back(
+        fmt::format("{} {}", line.at("cell").get<std::string>(), line.at("values").size()));
+  }
+  EXPECT_THAT(volumes, ::testing::UnorderedElementsAre(
+                           ::testing::AllOf(HasSubstr(" on b.s6"), ::testing::EndsWith(" 2")),
+                           ::testing::AllOf(HasSubstr(" on a.s6"), ::testing::EndsWith(" 1"))));
 }
 
 TEST(HistoryProgram, BadInputIsOneClearLine) {
