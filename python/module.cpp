@@ -120,10 +120,14 @@ py::array_t<std::int64_t> list_of(const std::shared_ptr<PythonDrawing>& drawing,
 }
 
 /// Lattice points as points of space, where angles are true.
-py::array_t<double> in_space(const PythonDrawing& drawing,
-                             const py::array_t<std::int64_t>& points) {
+py::array_t<double> in_space(const PythonDrawing& drawing, const py::array& given) {
+  const char kind = given.dtype().kind();
+  if ((kind != 'i' && kind != 'u') && given.size() > 0) {
+    throw InputError("points are integers, an array of shape (k, 3)");
+  }
+  const auto points = py::array_t<std::int64_t>::ensure(given);
   if (points.ndim() != 2 || points.shape(1) != 3) {
-    throw InputError("points are an array of shape (k, 3)");
+    throw InputError("points are integers, an array of shape (k, 3)");
   }
   const Embedding embed(drawing.drawing.lattice());
   const auto at = points.unchecked<2>();

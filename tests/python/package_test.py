@@ -113,6 +113,7 @@ class BadInput(unittest.TestCase):
             (lambda: ar3d.generate("cyclee", 5), "cycle"),
             (lambda: ar3d.generate("cycle", -1), "n is"),
             (lambda: ar3d.draw([(0, 1)]).in_space(numpy.zeros((2, 2), dtype=int)), "shape"),
+            (lambda: ar3d.draw([(0, 1)]).in_space([[0.5, 1, 2]]), "integers"),
             (lambda: ar3d.draw([(0, 1)], effort=1.5), "effort is an integer, not 1.5"),
             (lambda: ar3d.draw([(0, 1)], effort="x"), "effort is an integer, not 'x'"),
             (lambda: ar3d.draw([(0, 1)], effort=2**70), "beyond 64 bits"),
@@ -161,6 +162,33 @@ class Page(unittest.TestCase):
                            capture_output=True, cwd=folder)
             subprocess.run([sys.executable, "-c", blocks[0]], check=True, cwd=folder,
                            env={**os.environ, "MPLBACKEND": "Agg"})
+
+
+    def test_its_shell_commands_build_and_install_the_package(self):
+        root = pathlib.Path(__file__).resolve().parents[2]
+        build = pathlib.Path(sys.argv[1]).resolve().parents[1]
+        blocks = re.findall(r"^```sh\n(.*?)^```", (root / "docs" / "python.md").read_text(), re.S | re.M)
+        lines = [re.sub(r"\s+#.*", "", line) for line in "".join(blocks).splitlines()]
+        make, use, install = lines
+        environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+        with tempfile.TemporaryDirectory() as folder:
+            def shell(line):
+                for printed, here in (("build/release", str(build)), ("DIR", folder)):
+                    line = line.replace(printed, here)
+                line = re.sub(r"(?<= )python3(?= )", sys.executable, line)
+                return subprocess.run(["bash", "-c", line], check=True, capture_output=True, text=True, cwd=root,
+                                      env=environment).stdout
+            configure, ninja = make.split(" && ")
+            self.assertEqual(configure, "cmake --preset release -DAR3D_PYTHON=ON")
+            self.assertIn("AR3D_PYTHON:BOOL=ON", (build / "CMakeCache.txt").read_text())
+            self.assertIn('"release"', shell("cmake --list-presets"))
+            self.assertIn("ninja", shell(ninja.replace("ninja", "ninja -n")))  # would build it, or has nothing to do
+            self.assertEqual(shell(use + " -c 'import ar3d; print(ar3d.__file__)'").strip(),
+                             str(build / "python" / "ar3d" / "__init__.py"))
+            shell(install)
+            packages = folder + "/lib/python3/dist-packages"
+            self.assertEqual(shell(f"PYTHONPATH={packages} python3 -c 'import ar3d; print(ar3d.draw([(0, 1)]).vertices.shape)'").strip(),
+                             "(2, 3)")
 
 
 class Plot(unittest.TestCase):
