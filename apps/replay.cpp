@@ -6,8 +6,10 @@
 #include <string>
 
 #include "ar3d/bench/replay/replay_row.h"
+#include "ar3d/bench/run/describe_study.h"
 #include "ar3d/formats/drawings/catalog.h"
 #include "ar3d/model/error.h"
+#include "ar3d/model/printable.h"
 #include "ar3d/records/run_columns.h"
 #include "ar3d/records/run_storage.h"
 #include "commands.h"
@@ -48,6 +50,16 @@ void write_drawing(const RunRecord& row, const StudyOrigin& origin, const Drawin
   write_drawing(format, redrawn(row, origin), where, path);
 }
 
+/// @throws InputError if the row was drawn by a program of the study's own that is another one now.
+void refuse_changed_program(StudySpec spec, const RunRecord& row, const Results& results,
+                            const std::string& path) {
+  std::erase_if(spec.programs,
+                [&](const auto& program) { return program->row.name != row.algorithm; });
+  std::vector<EnvironmentEntry> then = results.environment;
+  std::erase_if(then, [&](const EnvironmentEntry& entry) { return entry.session != row.session; });
+  refuse_changed_programs(spec, then, path);
+}
+
 int replay_row(const ReplayArguments& arguments) {
   refuse_unsafe_outputs({.inputs = {arguments.results, arguments.graphs},
                          .outputs = {arguments.output},
@@ -60,12 +72,16 @@ int replay_row(const ReplayArguments& arguments) {
                          .force = arguments.force});
   StudyOrigin origin = study_origin(results);
   origin.moved_graphs = arguments.graphs;
+  if (origin.spec) refuse_changed_program(*origin.spec, then, results, arguments.results);
   const RunRecord now = replayed(then, origin);
   if (!arguments.output.empty()) write_drawing(then, origin, format, arguments.output);
   const std::vector<std::string> differing = differing_columns(then, now);
   std::FILE* const log = arguments.output == "-" ? stderr : stdout;  // never amid the drawing
   fmt::print(log, "{} {} n={} seed {} with {} {}: {}\n", then.family, then.parameters, then.n,
              then.seed, then.algorithm, then.options, to_string(now.status));
+  if (!now.message.empty() && now.message != then.message) {
+    fmt::print(log, "{}\n", printable(now.message));
+  }
   for (const std::string& column : differing)
     fmt::print(log, "column {} differs from the recorded row\n", column);
   if (differing.empty()) fmt::print(log, "every non-timing column is equal, bit for bit\n");

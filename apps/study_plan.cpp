@@ -26,19 +26,32 @@ std::string about(double seconds) {
   return fmt::format("{:.3g} h", seconds / 3600);
 }
 
+std::string cost_of(const CellEstimate& cell) {
+  if (!cell.is_known) return "time and memory not known";
+  return fmt::format("about {} and {:.2g} MB per row, {} in all", about(cell.row_s),
+                     cell.row_bytes / 1e6, about(cell.total_s));
+}
+
+std::string cost_of(const StudyEstimate& estimate, int workers) {
+  if (estimate.unknown_rows == estimate.rows) return "its time and memory are not known";
+  std::string text = fmt::format(
+      "estimated from runs up to n = {}: {} on {} threads, {:.2g} MB for the largest row",
+      estimate.calibration_n, about(estimate.wall_s), workers, estimate.largest_row_bytes / 1e6);
+  if (estimate.unknown_rows > 0) {
+    text += fmt::format("; of {} rows time and memory are not known", estimate.unknown_rows);
+  }
+  return text;
+}
+
 void print_estimate(const StudyPlan& plan, const StudyEstimate& estimate, int workers) {
   for (const CellEstimate& cell : estimate.cells) {
-    fmt::print(
-        "{} {} n={} {} {}: {} instances, {} rows, about {} and {:.2g} MB per row, {} in all\n",
-        cell.family, cell.parameters, cell.n, cell.algorithm, cell.options, cell.instances,
-        cell.rows, about(cell.row_s), cell.row_bytes / 1e6, about(cell.total_s));
+    fmt::print("{} {} n={} {} {}: {} instances, {} rows, {}\n", cell.family, cell.parameters,
+               cell.n, cell.algorithm, cell.options, cell.instances, cell.rows, cost_of(cell));
   }
   fmt::print("{} cells, {} instances, {} rows", estimate.cells.size(), plan.instances.size(),
              estimate.rows);
   if (estimate.optional_rows > 0) fmt::print(" and at most {} more", estimate.optional_rows);
-  fmt::print(
-      "\nestimated from runs up to n = {}: {} on {} threads, {:.2g} MB for the largest row\n",
-      estimate.calibration_n, about(estimate.wall_s), workers, estimate.largest_row_bytes / 1e6);
+  fmt::print("\n{}\n", cost_of(estimate, workers));
   if (plan.budget.study_s && estimate.wall_s > *plan.budget.study_s) {
     fmt::print("the budget of {} will probably end it earlier\n", about(*plan.budget.study_s));
   }

@@ -39,7 +39,7 @@ std::optional<std::string> hash_of_executable(const std::string& name) {
 
 std::string program_hash(const ExternalAlgorithm& program) {
   const std::optional<std::string> executable = hash_of_executable(program.command.front());
-  if (!executable) return "absent";
+  if (!executable) return kAbsentProgram;
   std::string all = *executable;
   for (std::size_t i = 1; i < program.command.size(); ++i) {
     if (const auto hash = hash_of_file(program.command[i])) all += " " + *hash;

@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <map>
+#include <string_view>
+
 #include "ar3d/bench/keep/gather_rows.h"
 #include "ar3d/model/error.h"
+#include "ar3d/model/printable.h"
 #include "ar3d/records/run_storage.h"
 #include "ar3d/results/atomic_file.h"
 #include "ar3d/results/row_collection.h"
@@ -18,6 +22,21 @@ void require_one_division(const std::vector<Shard>& shards) {
                                    shards.front().index, shards.front().count, shard.index,
                                    shard.count));
     }
+  }
+}
+
+// Sessions tell the hash of every program of the study's own in an entry program_NAME.
+void require_one_program_each(const std::vector<EnvironmentEntry>& environment) {
+  constexpr std::string_view kEntry = "program_";
+  std::map<std::string, std::string> hashes;
+  for (const EnvironmentEntry& entry : environment) {
+    if (!entry.name.starts_with(kEntry)) continue;
+    const std::string& first = hashes.try_emplace(entry.name, entry.value).first->second;
+    if (first == entry.value) continue;
+    throw InputError(fmt::format(
+        "the shards were made with different programs '{}' (hashes {} and {}): one of "
+        "them has to be made again",
+        printable(entry.name.substr(kEntry.size())), printable(first), printable(entry.value)));
   }
 }
 
@@ -47,6 +66,7 @@ StudyOutcome merge_study(const std::vector<std::string>& parts, const std::strin
   for (const std::string& part : parts) rows.add(part);
   rows.close();
   require_one_division(rows.shards());
+  require_one_program_each(rows.environment());
   const StudyPlan plan = plan_study(recorded_study(rows.identity(), parts.front()));
   const GatheredRows gathered = gather_rows(plan, rows);
   StudyOutcome outcome{gathered.places.size(), gathered.missing, gathered.first_missing,

@@ -82,6 +82,11 @@ Results describe_study(const StudySpec& spec, int workers) {
   results.environment = capture_environment(workers);
   for (const std::shared_ptr<const ExternalAlgorithm>& program : spec.programs) {
     results.environment.push_back(program_entry(*program));
+    if (results.environment.back().value != kAbsentProgram) continue;
+    throw InputError(fmt::format(
+        "program '{}' cannot be run: {} is no file that can be read{}", program->row.name,
+        printable(program->command.front()),
+        program->command.front().find('/') == std::string::npos ? " in any folder of $PATH" : ""));
   }
   return results;
 }

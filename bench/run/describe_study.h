@@ -12,7 +12,8 @@ namespace ar3d {
 std::string now_with_zone();
 
 /// Everything about a study's results but its rows: name, specification, source, environment, time.
-/// @param workers  of the process, for the environment. @throws InputError as corpora_of.
+/// @param workers  of the process, for the environment. @throws InputError as corpora_of, and if
+/// the executable of a program cannot be read.
 Results describe_study(const StudySpec& spec, int workers);
 
 /// Rows of one study are of one program each. @param before  of earlier sessions.

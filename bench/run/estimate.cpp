@@ -50,6 +50,7 @@ PowerLaw law_through(double n1, double value1, double n2, double value2) {
 }
 
 struct CostModel {
+  bool is_known = false;
   PowerLaw row_s;
   PowerLaw draw_s;
   double bytes_per_vertex = 0;
@@ -141,7 +142,7 @@ CostModel calibrated(const PlannedInstance& instance, const PlannedRun& run, std
   };
   const Measured large =
       n_of(size) == n_of(smaller) ? small : measured_at(instance, run, size, budget);
-  return {law_through(small.n, small.row_s, large.n, large.row_s),
+  return {large.row_s > 0, law_through(small.n, small.row_s, large.n, large.row_s),
           law_through(small.n, small.draw_s, large.n, large.draw_s),
           large.n > 0 ? std::max(0.0, large.bytes) / large.n : 0};
 }
@@ -188,6 +189,7 @@ class Estimator {
     result_.rows += count;
     CellEstimate& cell = cell_of(instance, run);
     cell.rows += count;
+    if (!cell.is_known) result_.unknown_rows += count;
     if (counted_.emplace(&cell - result_.cells.data(), block).second) cell.instances += count;
     const double seconds = cost_of(cell, run) * static_cast<double>(count);
     cell.total_s += seconds;
@@ -211,6 +213,7 @@ class Estimator {
       CellEstimate cell;
       std::tie(cell.family, cell.parameters, cell.algorithm, cell.options) = key;
       cell.n = instance.n;
+      cell.is_known = costs.is_known;
       cell.row_s = costs.row_s(cell.n);
       cell.draw_s = costs.draw_s(cell.n);
       cell.row_bytes = costs.bytes_per_vertex * static_cast<double>(cell.n);
@@ -238,7 +241,9 @@ class Estimator {
     const CostModel& model =
         models_.emplace(key, calibrated(instance, run, largest_.at(key), plan_.budget))
             .first->second;
-    result_.calibration_n = std::max(result_.calibration_n, calibration_size(largest_.at(key)));
+    if (model.is_known) {
+      result_.calibration_n = std::max(result_.calibration_n, calibration_size(largest_.at(key)));
+    }
     alike.push_back(&model);
     return model;
   }

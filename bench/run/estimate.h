@@ -17,11 +17,12 @@ struct CellEstimate {
   std::string options;
   std::uint64_t n = 0;
   std::size_t instances = 0;
-  std::size_t rows = 0;  ///< without the optional ones
-  double row_s = 0;      ///< estimated: generating, drawing and certifying one graph
-  double draw_s = 0;     ///< estimated: drawing alone
-  double total_s = 0;    ///< estimated: all rows, on one core
-  double row_bytes = 0;  ///< estimated: peak of a row above the program's own memory
+  std::size_t rows = 0;   ///< without the optional ones
+  bool is_known = false;  ///< false: a program draws it, or no drawing came of a trial
+  double row_s = 0;       ///< estimated: generating, drawing and certifying one graph
+  double draw_s = 0;      ///< estimated: drawing alone
+  double total_s = 0;     ///< estimated: all rows, on one core
+  double row_bytes = 0;   ///< estimated: peak of a row above the program's own memory
 };
 
 /// What a study will cost, extrapolated from runs at small sizes on this machine: for each family
@@ -32,8 +33,9 @@ struct StudyEstimate {
   std::vector<CellEstimate> cells;  ///< in the plan's order
   std::size_t rows = 0;             ///< without the optional ones
   std::size_t optional_rows = 0;
-  int threads = 1;    ///< rows at a time in the metrics phase
-  double wall_s = 0;  ///< of the whole study on so many threads
+  std::size_t unknown_rows = 0;  ///< of `rows`, those of cells that nothing is known of
+  int threads = 1;               ///< rows at a time in the metrics phase
+  double wall_s = 0;  ///< of the whole study on so many threads, without the unknown rows
   double largest_row_bytes = 0;
   std::uint64_t calibration_n = 0;  ///< the largest size that was drawn for it
 };

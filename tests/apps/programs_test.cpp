@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "support/program.h"
@@ -54,7 +55,20 @@ algorithms = ["grid", "neato", "sfdp", "fr", "kk"]
   const Outcome table = run(folder + "table.py " + results);
   EXPECT_EQ(table.exit_code, 0) << table.err;
   EXPECT_THAT(table.out, HasSubstr("| random-cubic | 16 | grid | 120.0 | 100 % | 0 |"));
+  EXPECT_THAT(table.out, HasSubstr("| fr (iterations=50) |"));
+  for (const char* bad : {" many", "none"}) {
+    const Outcome refused = run(folder + "table.py " + results + bad);
+    EXPECT_EQ(refused.exit_code, 1);
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+  }
   EXPECT_EQ(run("{} report " + results + " -o " + scratch.path("p.html")).exit_code, 0);
+  const std::string page = testing::read_file(scratch.path("p.html"));
+  EXPECT_THAT(page, HasSubstr("measured, not judged"));
+  EXPECT_THAT(page, HasSubstr(" settings drew")) << "side by side: volume and time";
+  EXPECT_THAT(page, HasSubstr("programs without a guarantee are in units of the smallest"));
+  const std::string benchmarks = scratch.path("p.json");
+  EXPECT_EQ(run("{} report " + results + " --benchmark-json " + benchmarks).exit_code, 0);
+  EXPECT_THAT(testing::read_file(benchmarks), ::testing::Not(HasSubstr("error_occurred")));
 }
 
 // Time after time the same study of good and hostile programs, in threads, in workers and killed.
@@ -129,6 +143,108 @@ while True:
   const Outcome shown = run("cd " + scratch.path("") + " && {} " + command + " -o d.jsonl");
   EXPECT_EQ(shown.exit_code, 4) << command << shown.err;
   EXPECT_THAT(testing::read_file(scratch.path("d.jsonl")), HasSubstr("[[0,0,0],[1,0,0],"));
+}
+
+/// A program that draws, in a study of four rows.
+class OwnProgram : public ::testing::Test {
+ protected:
+  static constexpr const char* kBody = R"(import sys
+while True:
+    n, m = map(int, sys.stdin.readline().split())
+    for _ in range(m): sys.stdin.readline()
+    print('{"vertices":' + str([[i, i * i, i ** 3] for i in range(n)]) + '}', flush=True)
+)";
+  std::string spec(const std::string& command = "") const {
+    return scratch_.write(
+        "s.toml",
+        "study = \"s\"\n[[algorithm]]\nname = \"mine\"\ncommand = [" +
+            (command.empty() ? "\"/usr/bin/python3\", \"" + path("mine.py") + "\"" : command) +
+            "]\n[[sweep]]\nfamilies = \"cycle\"\nsizes = [5, 6, 7, 8]\n"
+            "algorithms = \"mine\"\n");
+  }
+  std::string path(const std::string& name) const { return scratch_.path(name); }
+
+  testing::ScratchDirectory scratch_;
+};
+
+TEST_F(OwnProgram, ShardsOfDifferentVersionsAreNotMerged) {
+  for (const char* shard : {"1", "2"}) {
+    scratch_.write("mine.py", std::string(kBody) + "# version " + shard + "\n");
+    const std::string part = path(std::string(shard) + ".h5");
+    ASSERT_EQ(run("{} study run -q --threads 1 " + spec() + " --shard " + shard + "/2 -o " + part)
+                  .exit_code,
+              5);
+  }
+  const std::string merge = "{} study merge " + path("1.h5") + " " + path("2.h5") + " -o ";
+  const Outcome mixed = run(merge + path("m.h5"));
+  EXPECT_EQ(mixed.exit_code, 2) << mixed.out;
+  EXPECT_THAT(mixed.err, HasSubstr("the shards were made with different programs 'mine'"));
+  EXPECT_EQ(std::count(mixed.err.begin(), mixed.err.end(), '\n'), 1) << mixed.err;
+  ASSERT_EQ(run("{} study run -q --force --threads 1 " + spec() + " --shard 1/2 -o " + path("1.h5"))
+                .exit_code,
+            5);
+  const Outcome merged = run(merge + path("m.h5"));
+  EXPECT_EQ(merged.exit_code, 0) << merged.err;
+  EXPECT_EQ(read_results(path("m.h5")).runs.size(), 4u);
+}
+
+TEST_F(OwnProgram, ReplayRefusesAnotherProgram) {
+  scratch_.write("mine.py", kBody);
+  ASSERT_EQ(run("{} study run -q --threads 1 " + spec() + " -o " + path("s.h5")).exit_code, 5);
+  const std::string replay = "{} replay " + path("s.h5") + " 1";
+  EXPECT_EQ(run(replay).exit_code, 0);
+  scratch_.write("mine.py", std::string(kBody) + "# another\n");
+  const Outcome changed = run(replay);
+  EXPECT_EQ(changed.exit_code, 2) << changed.out;
+  EXPECT_THAT(changed.err, HasSubstr("program 'mine' is not the one that rows of"));
+  EXPECT_EQ(std::count(changed.err.begin(), changed.err.end(), '\n'), 1) << changed.err;
+}
+
+TEST_F(OwnProgram, WithoutAGuaranteeNothingWasJudgedThoughMeasured) {
+  scratch_.write("mine.py", kBody);
+  const Outcome made = run("{} study run -q --threads 1 " + spec() + " -o " + path("s.h5"));
+  EXPECT_THAT(made.out, HasSubstr("nothing judged: no row has a guarantee"));
+}
+
+TEST_F(OwnProgram, NobodyKnowsBeforeWhatItCosts) {
+  scratch_.write("mine.py", kBody);
+  const Outcome plan = run("{} study plan " + spec());
+  EXPECT_EQ(plan.exit_code, 0) << plan.err;
+  EXPECT_THAT(plan.out, HasSubstr("cycle  n=5 mine : 1 instances, 1 rows, time and memory not "
+                                  "known\n"));
+  EXPECT_THAT(plan.out, HasSubstr("4 rows\nits time and memory are not known\n"));
+  const std::string text = testing::read_file(spec());
+  const std::string both = scratch_.write(
+      "both.toml", text.substr(0, text.rfind("algorithms")) + "algorithms = [\"mine\", \"grid\"]");
+  EXPECT_THAT(run("{} study plan " + both).out,
+              HasSubstr("for the largest row; of 4 rows time and memory are not known\n"));
+}
+
+TEST_F(OwnProgram, AGuaranteePromisesNoBox) {
+  scratch_.write("mine.py", kBody);
+  const std::string text = testing::read_file(spec());
+  const std::string sweep = "[[sweep]]";
+  const std::string study = scratch_.write(
+      "g.toml", text.substr(0, text.find(sweep)) +
+                    "guarantee = { max_degree = 4, max_bends = 0, cosine = [1, 1] }\n" +
+                    text.substr(text.find(sweep)));
+  const Outcome made = run("{} study run -q --threads 1 " + study + " -o " + path("s.h5"));
+  EXPECT_EQ(made.exit_code, 0) << made.out << made.err;
+  for (const RunRecord& row : read_results(path("s.h5")).runs) {
+    EXPECT_EQ(row.status, RunStatus::ok) << row.message;
+  }
+  ASSERT_EQ(run("{} report " + path("s.h5") + " -o " + path("s.html")).exit_code, 0);
+  EXPECT_THAT(testing::read_file(path("s.html")), ::testing::Not(HasSubstr("Theorem's box")));
+}
+
+TEST_F(OwnProgram, AnExecutableThatIsNotThereIsRefusedAtTheStart) {
+  for (const char* command : {"\"/nonexistent/x\"", "\"no-such-drawer-anywhere\""}) {
+    const Outcome refused = run("{} study run -q " + spec(command) + " -o " + path("s.h5"));
+    EXPECT_EQ(refused.exit_code, 2) << refused.out;
+    EXPECT_THAT(refused.err, HasSubstr("program 'mine' cannot be run: "));
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+    EXPECT_EQ(run("ls " + path("s.h5") + "*").out, "");
+  }
 }
 
 TEST(Programs, OneThatChangedSinceRowsWereMadeIsRefused) {
