@@ -16,7 +16,10 @@ struct GraphInput {
   ReadOptions read_options() const;
 };
 
-/// The options --from, --base, --first-line and --trust-sizes.
+/// The options --base and --first-line.
+void add_edge_list_options(CLI::App& verb, GraphInput& input);
+
+/// These and --from and --trust-sizes.
 void add_graph_input_options(CLI::App& verb, GraphInput& input);
 
 }  // namespace ar3d

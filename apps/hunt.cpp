@@ -8,6 +8,7 @@
 #include "ar3d/model/error.h"
 #include "ar3d/model/settings.h"
 #include "commands.h"
+#include "graph_input.h"
 #include "numbers.h"
 #include "subject_arguments.h"
 
@@ -19,14 +20,17 @@ struct HuntArguments {
   std::string family = "all";
   std::vector<std::string> parameters;
   std::string from;
+  GraphInput reading;
   HuntOptions options;
 };
 
 std::vector<FamilyChoice> chosen_families(const HuntArguments& arguments,
                                           const Algorithm& algorithm) {
   if (!arguments.from.empty()) {
-    const auto graphs = named_corpus(
-        arguments.from, std::make_shared<const Corpus>(arguments.from, CorpusOptions()));
+    CorpusOptions options;
+    options.reading = arguments.reading.read_options();
+    const auto graphs =
+        named_corpus(arguments.from, std::make_shared<const Corpus>(arguments.from, options));
     return {{&graphs->family, {}, graphs}};
   }
   if (arguments.family == "all" && arguments.parameters.empty()) {
@@ -78,6 +82,10 @@ void add_hunt(CLI::App& app, int& exit_code) {
       ->excludes(verb->get_option("--family"))
       ->excludes(verb->get_option("--parameter"))
       ->excludes(verb->get_option("-n"));
+  add_edge_list_options(*verb, arguments->reading);
+  for (const char* name : {"--base", "--first-line"}) {
+    verb->get_option(name)->needs(verb->get_option("--from"));
+  }
   verb->add_option("--seed", options.seed, "seed of the search")->check(whole_number(0));
   verb->add_option("--evaluations", options.evaluations, "how many graphs to draw and certify")
       ->check(whole_number(1, 1000000000));

@@ -1,9 +1,28 @@
 #include "study_choice.h"
 
+#include "ar3d/bench/spec/graphs_reading.h"
 #include "ar3d/model/error.h"
 #include "numbers.h"
 
 namespace ar3d {
+namespace {
+
+// The text that the options are short for has lines that nobody saw: messages are to name none.
+StudySpec parse_options(const GraphsStudy& graphs, const ReadOptions& reading) {
+  const std::string place = "--graphs:";
+  try {
+    return parse_study(graphs_study_text(graphs, reading), "--graphs");
+  } catch (const InputError& error) {
+    std::string message = error.what();
+    const std::size_t end = message.find_first_not_of("0123456789", place.size());
+    if (message.starts_with(place) && end != std::string::npos && message[end] == ':') {
+      message.erase(place.size() - 1, end - place.size() + 1);
+    }
+    throw InputError(message);
+  }
+}
+
+}  // namespace
 
 void add_study_choice(CLI::App& verb, StudyChoice& choice) {
   verb.add_option("STUDY", choice.study, "a TOML file or a study of `ar3d list studies`");
@@ -20,6 +39,11 @@ void add_study_choice(CLI::App& verb, StudyChoice& choice) {
       ->type_size(1)
       ->allow_extra_args(false)
       ->needs(files);
+  verb.add_option("--from", choice.reading.options.format,
+                  "with --graphs: their format; detected by content if left out")
+      ->needs(files);
+  add_edge_list_options(verb, choice.reading);
+  for (const char* name : {"--base", "--first-line"}) verb.get_option(name)->needs(files);
   verb.add_option("--sample", graphs.sample, "with --graphs: so many graphs of each file")
       ->check(whole_number(1, 10000000))
       ->needs(files);
@@ -41,7 +65,11 @@ StudySpec chosen_study(const StudyChoice& choice) {
     throw InputError("either STUDY or --graphs says what to run; --help shows both");
   }
   if (!choice.study.empty()) return load_study(choice.study);
-  return parse_study(graphs_study_text(choice.graphs), "--graphs");
+  StudySpec spec = parse_options(choice.graphs, choice.reading.read_options());
+  for (Sweep& sweep : spec.sweeps) {
+    for (GraphsEntry& entry : sweep.graphs) entry.place = "--graphs: ";
+  }
+  return spec;
 }
 
 }  // namespace ar3d

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "ar3d/bench/spec/study_spec.h"
+#include "graph_input.h"
 
 namespace ar3d {
 
@@ -11,6 +12,7 @@ namespace ar3d {
 struct StudyChoice {
   std::string study;
   GraphsStudy graphs;
+  GraphInput reading;  ///< of the graphs
 };
 
 void add_study_choice(CLI::App& verb, StudyChoice& choice);

@@ -11,6 +11,7 @@
 #include "ar3d/bench/measure/interruption.h"
 #include "ar3d/bench/measure/pinning.h"
 #include "ar3d/bench/measure/stopwatch.h"
+#include "ar3d/bench/spec/movable_text.h"
 #include "ar3d/model/error.h"
 
 namespace ar3d {
@@ -40,7 +41,7 @@ class Arena {
       fs::create_directories(root_ / side);
       fs::copy_file(*program, root_ / side / "ar3d", fs::copy_options::overwrite_existing);
     }
-    std::ofstream(root_ / "study.toml", std::ios::binary) << spec.text;
+    std::ofstream(root_ / "study.toml", std::ios::binary) << movable_text(spec);
   }
   Arena(const Arena&) = delete;
   Arena& operator=(const Arena&) = delete;

@@ -45,25 +45,30 @@ std::vector<std::string> matching_files(const std::string& path, const GraphsEnt
   return files;
 }
 
-// The file's name; what no name may have becomes '_'.
+bool is_family(const std::string& name) {
+  return std::any_of(families().begin(), families().end(),
+                     [&](const Family& family) { return family.name == name; });
+}
+
+// The file's name, cut where it is too long; what no name may have becomes '_', and '_' stands
+// before what no name begins with and before the name of a family of the catalogue.
 std::string own_name(const std::string& path) {
   std::string name = fs::path(path).filename().string();
   for (char& c : name) {
     if (!is_graphs_name(std::string("a") + c)) c = '_';
   }
-  return name;
+  std::string own = !is_graphs_name(name.substr(0, 1)) || is_family(name) ? "_" : "";
+  own += name;
+  return own.substr(0, kLongestGraphsName);
 }
 
 void require_name(const GraphFileRecord& record, const GraphsEntry& entry) {
-  const bool is_family =
-      std::any_of(families().begin(), families().end(),
-                  [&](const Family& family) { return family.name == record.name; });
-  if (!is_family && is_graphs_name(record.name)) return;
-  throw InputError(
-      fmt::format("{}'{}' {}: {{ file = …, name = … }} gives {} another one", entry.place,
-                  printable(record.name),
-                  is_family ? "is the name of a family of the catalogue" : "is no name for graphs",
-                  printable(record.path)));
+  if (!is_family(record.name) && is_graphs_name(record.name)) return;
+  throw InputError(fmt::format(
+      "{}'{}' {}: {{ file = …, name = … }} gives {} another one", entry.place,
+      printable(record.name),
+      is_family(record.name) ? "is the name of a family of the catalogue" : "is no name for graphs",
+      printable(record.path)));
 }
 
 class CorpusReader {
@@ -95,6 +100,11 @@ class CorpusReader {
                                    printable(entry.file)));
     }
     for (const std::string& path : matching_files(absolute_path(spec_.folder, entry.file), entry)) {
+      std::error_code ignored;
+      if (fs::is_directory(path, ignored)) {
+        throw InputError(
+            fmt::format("{}cannot read {}: it is a directory", entry.place, printable(path)));
+      }
       records.push_back({entry.name.empty() ? own_name(path) : entry.name, number, -1, {}, path});
     }
     if (!entry.name.empty() && records.size() > 1) {

@@ -11,6 +11,7 @@
 #include <set>
 #include <tuple>
 
+#include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/bench/run/make_row.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
@@ -87,6 +88,7 @@ KeptOutcome write_kept_drawings(const ReadableRows& rows, const StudyIdentity& s
                                 KeptDrawings kept, OutputFile& file) {
   KeptOutcome outcome;
   const StudyOrigin origin = study_origin(study);
+  if (origin.spec && origin.spec->graph_files) corpora_of(*origin.spec);
   for (const std::size_t row : rows_to_keep(rows, kept)) {
     std::string problem;
     if (const auto drawing = drawn_again(rows.read(row), origin, problem)) {

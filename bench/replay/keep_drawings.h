@@ -34,7 +34,8 @@ struct KeptOutcome {
 
 /// Draws those rows again, one at a time, and writes each drawing as a line of JSON, in the order
 /// of the rows. A drawing is kept only if its hash is its row's.
-/// @throws InputError if the file cannot be written.
+/// @throws InputError if the file cannot be written; as corpora_of, before anything is drawn, if a
+/// file of graphs is no longer what the study began with.
 KeptOutcome write_kept_drawings(const ReadableRows& rows, const StudyIdentity& study,
                                 KeptDrawings kept, OutputFile& file);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "ar3d/bench/spec/graphs_reading.h"
 #include "ar3d/bench/spec/toml_table.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/model/error.h"
@@ -15,7 +16,6 @@ namespace {
 
 constexpr std::int64_t kMostSampled = 10000000;  // a study has no more rows
 constexpr std::int64_t kMostShuffles = 1000000;
-constexpr std::size_t kLongestName = 47;
 
 FirstLine first_line(const std::string& file, const toml::node& node) {
   const std::string word = toml_text(file, node, "first_line");
@@ -43,7 +43,7 @@ void read_table(const std::string& file, const toml::node& node, GraphsEntry& en
   if (const toml::node* name = table.find("name"); name != nullptr && !is_graphs_name(entry.name)) {
     refuse_toml(file, *name,
                 fmt::format("name '{}' is not 1 to {} letters, digits, '.', '-' or '_'",
-                            printable(entry.name), kLongestName));
+                            printable(entry.name), kLongestGraphsName));
   }
   ReadOptions& reading = entry.options.reading;
   reading.format = table.text("format", "");
@@ -67,7 +67,7 @@ bool is_graphs_name(const std::string& name) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
            c == '_' || c == '.';
   };
-  return !name.empty() && name.size() <= kLongestName && name[0] != '-' && name[0] != '.' &&
+  return !name.empty() && name.size() <= kLongestGraphsName && name[0] != '-' && name[0] != '.' &&
          std::all_of(name.begin(), name.end(), is_plain);
 }
 
@@ -108,12 +108,18 @@ std::string toml_quoted(const std::string& text) {
 
 }  // namespace
 
-std::string graphs_study_text(const GraphsStudy& study) {
+std::string graphs_study_text(const GraphsStudy& study) { return graphs_study_text(study, {}); }
+
+std::string graphs_study_text(const GraphsStudy& study, const ReadOptions& reading) {
   std::string text =
       fmt::format("study = \"graphs\"\nseed = {}\n\n[[sweep]]\ngraphs = [\n", study.seed);
   for (const std::string& file : study.files) {
     text += "  { file = " + toml_quoted(file);
     if (study.sample > 0) text += fmt::format(", sample = {}", study.sample);
+    if (!reading.format.empty()) text += ", format = " + toml_quoted(reading.format);
+    if (reading.base != 0) text += fmt::format(", base = {}", reading.base);
+    if (reading.first_line == FirstLine::edge) text += ", first_line = \"edge\"";
+    if (reading.first_line == FirstLine::header) text += ", first_line = \"header\"";
     if (study.simple) text += ", simple = true";
     if (study.largest_component) text += ", largest_component = true";
     if (study.shuffle) text += ", shuffle = 1";

@@ -357,13 +357,10 @@ StudySpec load_study(const std::string& name_or_path) {
     throw InputError(fmt::format("cannot read {}: {}", name_or_path, std::strerror(EISDIR)));
   }
   if (!std::filesystem::exists(status)) {
-    std::string known;
-    for (const NamedStudy& study : named_studies()) {
-      known += fmt::format("{}{}", known.empty() ? "" : ", ", study.name);
-    }
+    const auto known = names_of(named_studies());
     throw InputError(fmt::format("'{}' is neither a file nor a named study{} (named: {})",
-                                 printable(name_or_path),
-                                 did_you_mean(name_or_path, names_of(named_studies())), known));
+                                 printable(name_or_path), did_you_mean(name_or_path, known),
+                                 fmt::join(known, ", ")));
   }
   StudySpec spec = parse_study(read_text_file(name_or_path), name_or_path);
   spec.folder = std::filesystem::path(name_or_path).parent_path().string();
@@ -382,7 +379,10 @@ AlgorithmChoice algorithm_choice(const StudySpec& spec, const std::string& name,
 }
 
 StudySpec recorded_study(const StudyIdentity& identity, const std::string& file) {
-  StudySpec spec = parse_study(identity.spec, file);
+  StudySpec spec = parse_study(identity.spec, file + " (its specification)");
+  for (Sweep& sweep : spec.sweeps) {  // what has become of them since is not a line's fault
+    for (GraphsEntry& entry : sweep.graphs) entry.place = file + ": ";
+  }
   spec.graph_files = graph_file_records(identity);
   return spec;
 }

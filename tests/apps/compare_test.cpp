@@ -245,6 +245,22 @@ TEST(CompareProgram, ACommitIsBuiltOnceAndItsWorktreeGoes) {
   expect_no_worktree(checkout);
 }
 
+TEST(CompareProgram, GraphsAreFoundBesideTheSpecification) {
+  const ScratchDirectory scratch;
+  std::filesystem::create_directories(scratch.path("nets"));
+  ASSERT_EQ(
+      run("{} generate random-cubic -n 20 --count 3 -o " + scratch.path("nets/a.s6")).exit_code, 0);
+  const std::string spec = scratch.write(
+      "mine.toml",
+      "study = 'mine'\n[[sweep]]\ngraphs = ['nets/*.s6']\nalgorithms = 'grid'\n[[sweep]]\n"
+      "graphs = { file = 'nets/a.s6', name = 'a.s6', shuffle = 1 }\nalgorithms = 'diamond'\n");
+  const std::string checkout = pretended_checkout(scratch, "true");
+  const Outcome outcome =
+      run("cd " + checkout + " && {} compare --calibrate --rounds 1 --study " + spec);
+  EXPECT_EQ(outcome.exit_code, 6) << outcome.out << outcome.err;  // one round decides nothing
+  EXPECT_THAT(outcome.out, HasSubstr("on a.s6"));
+}
+
 TEST(CompareProgram, AnInterruptSaysSoAndLeavesNothingBehind) {
   const ScratchDirectory scratch;
   const std::string spec = scratch.write("tiny.toml", kStudy);

@@ -169,6 +169,72 @@ TEST_F(GraphFiles, RowsAreMadeAgainFromTheFileWhereverItIsNow) {
   EXPECT_THAT(wrong.err, HasSubstr("its graphs are not those that the study began with"));
 }
 
+TEST_F(GraphFiles, AChangedFileIsRefusedOnceByStudyDrawings) {
+  ASSERT_EQ(run(study("run -q --graphs cubic.s6 --algorithm compact -o a.h5")).exit_code, 0);
+  fs::copy_file(path("four.g6"), path("cubic.s6"), fs::copy_options::overwrite_existing);
+  const Outcome changed = run("{} study drawings --keep all " + path("a.h5"));
+  EXPECT_EQ(changed.exit_code, 2) << changed.out;
+  EXPECT_THAT(changed.err, HasSubstr("its graphs are not those that the study began with"));
+  EXPECT_EQ(std::count(changed.err.begin(), changed.err.end(), '\n'), 1) << changed.err;
+  EXPECT_FALSE(fs::exists(path("a.drawings.jsonl")));
+  fs::remove(path("cubic.s6"));
+  const Outcome gone = run("{} study drawings --keep all " + path("a.h5"));
+  EXPECT_EQ(gone.exit_code, 2) << gone.out;
+  EXPECT_THAT(gone.err, HasSubstr("cannot read " + path("cubic.s6")));
+  EXPECT_THAT(gone.err, ::testing::Not(::testing::ContainsRegex("[.]h5:[0-9]")))
+      << "a line of a text that nobody saw";
+}
+
+TEST_F(GraphFiles, AFileUnderAnotherNameIsComparedRowByRow) {
+  ASSERT_EQ(run(study("run -q --graphs cubic.s6 --algorithm grid -o a.h5")).exit_code, 0);
+  fs::rename(path("cubic.s6"), path("renamed.s6"));
+  ASSERT_EQ(run(study("run -q --graphs renamed.s6 --algorithm grid -o b.h5")).exit_code, 0);
+  const Outcome outcome = run("{} compare --drawings-only " + path("a.h5") + " " + path("b.h5"));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+}
+
+TEST_F(GraphFiles, AnyNameOfAFileWillDo) {
+  const std::string many(48, 'x');
+  for (const std::string& name :
+       {std::string(".hid.s6"), std::string("-dash.g6"), std::string("cycle"), many}) {
+    const std::string from = name == "-dash.g6" ? "four.g6" : "cubic.s6";
+    fs::copy_file(path(from), path(name));
+    const Outcome outcome =
+        run(study("run -q --force --sample 2 --graphs=" + name + " --algorithm diamond -o a.h5"));
+    EXPECT_EQ(outcome.exit_code, 0) << name << outcome.err;
+    const std::string family = read_results(path("a.h5")).runs.at(0).family;
+    EXPECT_EQ(family, name == many ? name.substr(0, 47) : "_" + name);
+  }
+  const Outcome folder = run(study("run -q --graphs " + path("") + " --algorithm diamond"));
+  EXPECT_EQ(folder.exit_code, 2);
+  EXPECT_THAT(folder.err, HasSubstr("it is a directory"));
+}
+
+TEST_F(GraphFiles, TheCommandLineSaysHowAnEdgeListIsRead) {
+  scratch_.write("h43.edges", "4 3\n0 1\n1 2\n2 3\n");
+  scratch_.write("one.edges", "4 3\n1 2\n2 3\n2 4\n");
+  const std::string rest = " --algorithm grid -o a.h5 --force --graphs ";
+  const Outcome asked = run(study("run -q" + rest + "h43.edges"));
+  EXPECT_EQ(asked.exit_code, 2);
+  EXPECT_THAT(asked.err, HasSubstr("--first-line edge or --first-line header says which (in a "
+                                   "study the keys base and first_line)"));
+  const Outcome from_one = run(study("run -q" + rest + "one.edges"));
+  EXPECT_THAT(from_one.err, HasSubstr("--base 1 --first-line header"));
+  for (const char* how : {"h43.edges --first-line header", "one.edges --base 1 --first-line header",
+                          "one.edges --from edgelist --first-line edge"}) {
+    const Outcome read = run(study("run -q" + rest + how));
+    EXPECT_EQ(read.exit_code, 0) << how << read.err;
+    const bool is_header = std::string(how).find("header") != std::string::npos;
+    EXPECT_EQ(read_results(path("a.h5")).runs.at(0).n, is_header ? 4 : 5) << how;
+    EXPECT_EQ(run("{} replay " + path("a.h5") + " 0").exit_code, 0) << how;
+  }
+  EXPECT_EQ(run(study("run smoke --base 1")).exit_code, 2);
+  const std::string hunt = "{} hunt --algorithm grid --evaluations 3 --from " + path("one.edges");
+  EXPECT_EQ(run(hunt).exit_code, 2);
+  const Outcome found = run(hunt + " --base 1 --first-line header");
+  EXPECT_EQ(found.exit_code, 0) << found.err;
+}
+
 TEST_F(GraphFiles, AHuntStartsFromThem) {
   const std::string hunt = "{} hunt --evaluations 60 --from ";
   const Outcome outcome = run(hunt + path("cubic.s6") + " --algorithm diamond");
@@ -197,7 +263,10 @@ TEST_F(GraphFiles, BadCommandsSayWhy) {
       {"run smoke --algorithm diamond", "--algorithm requires --graphs"},
       {"run --graphs none.s6", "cannot read"},
       {"run --graphs 'none*.s6'", "no file matches 'none*.s6'"},
-      {"run --graphs cubic.s6 --algorithm dimond", "unknown algorithm 'dimond'"},
+      {"run --graphs cubic.s6 --algorithm dimond", "--graphs: unknown algorithm 'dimond'"},
+      {"run --graphs cubic.s6 --from s7", "--graphs: unknown graph format 's7'"},
+      {"run --graphs cubic.s6 --base 2", "--base: '2' is not a whole number from 0 to 1"},
+      {"run --graphs cubic.s6 --first-line x", "--first-line: 'x' is"},
       {"run --graphs cubic.s6 --sample 0", "not a whole number"},
       {"run --graphs cubic.s6 -o cubic.s6", "cubic.s6"},
       {"plan --graphs 'a\"b'", "cannot read"},
@@ -206,6 +275,7 @@ TEST_F(GraphFiles, BadCommandsSayWhy) {
     const Outcome outcome = run(study(command));
     EXPECT_EQ(outcome.exit_code, 2) << command << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr(message)) << command;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   }
 }
 
