@@ -120,9 +120,10 @@ py::array_t<std::int64_t> list_of(const std::shared_ptr<PythonDrawing>& drawing,
 }
 
 /// Lattice points as points of space, where angles are true.
-py::array_t<double> in_space(const PythonDrawing& drawing, const py::array& given) {
-  const char kind = given.dtype().kind();
-  if ((kind != 'i' && kind != 'u') && given.size() > 0) {
+py::array_t<double> in_space(const PythonDrawing& drawing, const py::object& list) {
+  const auto given = py::array::ensure(list);
+  const char kind = given ? given.dtype().kind() : '?';
+  if (kind != 'i' && kind != 'u' && !(given && given.size() == 0)) {
     throw InputError("points are integers, an array of shape (k, 3)");
   }
   const auto points = py::array_t<std::int64_t>::ensure(given);
