@@ -4,7 +4,8 @@
 //   each:
 //                           the same promise
 //   journal/sqlite_wal_1000 a thousand rows per transaction: up to a thousand rows may be lost
-//   study/bare_loop/N       random cubic graphs of N vertices, 500 per iteration: generated, hashed,
+//   study/bare_loop/N       random cubic graphs of N vertices, 500 per iteration: generated,
+//   hashed,
 //                           drawn with grid, hashed, certified and measured in a plain loop on one
 //                           thread
 //   study/bare_loop_unhashed/N  the same without the two hashes
