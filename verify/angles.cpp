@@ -105,7 +105,12 @@ class AngleMeasurer {
   }
 
   void add_vertices() {
+    constexpr std::uint32_t kCrowd = 64;
     for (std::size_t v = 0; v + 1 < offsets_.size(); ++v) {
+      if (offsets_[v + 1] - offsets_[v] > kCrowd) {
+        add_crowded_vertex(static_cast<Vertex>(v));
+        continue;
+      }
       for (std::uint32_t i = offsets_[v]; i < offsets_[v + 1]; ++i) {
         for (std::uint32_t j = i + 1; j < offsets_[v + 1]; ++j) {
           const Vector a = leaving(edges_[i], static_cast<Vertex>(v));
@@ -114,6 +119,38 @@ class AngleMeasurer {
           judge(a, b, edges_[i], edges_[j], largest_cosine_at_vertices_);
         }
       }
+    }
+  }
+  // Only the smallest angle is asked for, since more than four segments have no optimum. Unit
+  // vectors are no closer in space than along a line, by which they are sorted.
+  void add_crowded_vertex(Vertex v) {
+    struct Direction {
+      double place;
+      Vector step;
+    };
+    constexpr Vector kLine{129898, 782331, -377193};  // hardly at right angles to all of them
+    std::vector<Direction> directions;
+    for (std::uint32_t i = offsets_[v]; i < offsets_[v + 1]; ++i) {
+      const Vector step = leaving(edges_[i], v);
+      if (step != kNone) directions.push_back({cosine_of(lattice_, step, kLine), step});
+    }
+    std::sort(directions.begin(), directions.end(),
+              [](const Direction& a, const Direction& b) { return a.place < b.place; });
+    double largest = -1;
+    const auto compare_following = [&](std::size_t most) {
+      constexpr double kEqual = 1 - 1e-15;
+      for (std::size_t i = 0; i < directions.size() && largest < kEqual; ++i) {
+        const std::size_t end = i + std::min(most, directions.size() - 1 - i);
+        for (std::size_t j = i + 1; j <= end && largest < kEqual; ++j) {
+          if (directions[j].place - directions[i].place > std::sqrt(2 - 2 * largest) + 1e-7) break;
+          largest = std::max(largest, cosine_of(lattice_, directions[i].step, directions[j].step));
+        }
+      }
+    };
+    compare_following(8);
+    compare_following(directions.size());
+    if (directions.size() > 1) {
+      largest_cosine_at_vertices_ = std::max(largest_cosine_at_vertices_, largest);
     }
   }
   Vector leaving(EdgeId e, Vertex v) const {

@@ -29,8 +29,10 @@ using verify::Segments;
       verify::kMaxDirections, verify::kMaxDirectionComponent));
 }
 
-void check_crossings(const Segments& segments, CrossingTest test, Findings& findings) {
-  Contacts contacts(segments, findings);
+/// False if it gave up.
+bool check_crossings(const Segments& segments, const CertifyOptions& options, Findings& findings) {
+  const CrossingTest test = options.crossing_test;
+  Contacts contacts(segments, findings, options.most_comparisons);
   const bool may_plane_sweep = test == CrossingTest::automatic || test == CrossingTest::plane_sweep;
   const auto classes = may_plane_sweep ? few_directions(segments) : std::nullopt;
   if (classes) {
@@ -43,6 +45,7 @@ void check_crossings(const Segments& segments, CrossingTest test, Findings& find
     test_by_slabs(segments, contacts);
   }
   contacts.report();
+  return !contacts.gave_up();
 }
 
 /// Do all edges have segments of positive length and no more bends than promised?
@@ -51,15 +54,16 @@ bool keeps_bends(const DrawingSummary& summary, const Guarantee& guarantee) {
          summary.bend_histogram.size() <= std::size_t{guarantee.max_bends} + 1;
 }
 
-/// Everything that needs differences of coordinates, hence coordinates in range.
-void check_geometry(const Drawing& drawing, const Guarantee& guarantee,
+/// Everything that needs differences of coordinates, hence coordinates in range. False if it gave
+/// up.
+bool check_geometry(const Drawing& drawing, const Guarantee& guarantee,
                     const CertifyOptions& options, Findings& findings) {
   const Segments segments(drawing);
   check_directions(segments, guarantee, findings);
   check_bend_angles(segments, guarantee, findings);
   check_vertex_angles(segments, guarantee, findings);
   check_distinct_vertices(drawing, findings);
-  if (!findings.done()) check_crossings(segments, options.crossing_test, findings);
+  return findings.done() || check_crossings(segments, options, findings);
 }
 
 /// Lattice, bends, range and box, without names for what is wrong.
@@ -88,14 +92,16 @@ Certificate certify_in_full(const Graph& graph, const Drawing& drawing, const Gu
   check_lattice(drawing, guarantee, findings);
   check_plane(drawing, guarantee, findings);
   if (!keeps_bends(summary, guarantee)) check_bends(drawing, guarantee, findings);
+  bool given_up = false;
   if (summary.in_range) {
     if (options.check_size) check_size(graph, summary.box, guarantee, findings);
-    check_geometry(drawing, guarantee, options, findings);
+    given_up = !check_geometry(drawing, guarantee, options, findings);
   } else {
     check_coordinates(drawing, findings);
   }
   Certificate certificate = valid_certificate(summary);
-  certificate.complete = summary.in_range && !findings.done();
+  certificate.given_up = given_up;
+  certificate.complete = summary.in_range && !findings.done() && !given_up;
   certificate.violations = findings.take();
   if (!summary.in_range) certificate.segments = 0;
   return certificate;

@@ -57,6 +57,9 @@ struct CertifyOptions {
   /// Most bytes of segments that the proof by counting stores at a time; 0: no limit. Less memory
   /// takes more passes over the polylines; the verdict is the same.
   std::uint64_t proof_bytes = 0;
+  /// How many pairs of segments and vertices the crossing test may compare before it gives up; 0:
+  /// as many as it takes. With a limit there is no proof by counting.
+  std::uint64_t most_comparisons = 0;
 };
 
 /// The verdict on one drawing: proved right iff valid().
@@ -73,6 +76,7 @@ struct Certificate {
   std::vector<Violation> violations;
   bool complete = false;  ///< false until judged, when max_violations cut the list, or a coordinate
                           ///< is out of range
+  bool given_up = false;  ///< most_comparisons were too few: crossings were not all looked for
   Box box;                ///< of all vertices and bends; the origin if a coordinate is out of range
   std::vector<std::uint64_t> bend_histogram;  ///< entry b: number of edges with b bends
   std::uint64_t segments = 0;

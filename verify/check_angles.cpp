@@ -14,6 +14,12 @@ bool keeps_angle(const Guarantee& guarantee, Vector u, Vector v) {
   return order <= 0;  // the cosine falls as the angle grows
 }
 
+/// At least arccos(1): any angle will do.
+bool promises_angles(const Guarantee& guarantee) {
+  return guarantee.angle_rule == AngleRule::exactly ||
+         guarantee.cosine.numerator < guarantee.cosine.denominator;
+}
+
 std::string describe_rule(const Guarantee& guarantee) {
   const Cosine c = guarantee.cosine;
   return fmt::format("{} arccos({}/{}) is promised",
@@ -82,6 +88,7 @@ void check_star(const Segments& segments, const Guarantee& guarantee, const Star
 }  // namespace
 
 void check_bend_angles(const Segments& segments, const Guarantee& guarantee, Findings& findings) {
+  if (!promises_angles(guarantee)) return;
   for (SegmentId s = 1; s < segments.size() && !findings.done(); ++s) {
     if (segments.is_first(s)) continue;
     const Vector back = -segments.direction(s - 1);
@@ -100,6 +107,7 @@ void check_bend_angles(const Segments& segments, const Guarantee& guarantee, Fin
 }
 
 void check_vertex_angles(const Segments& segments, const Guarantee& guarantee, Findings& findings) {
+  if (!promises_angles(guarantee)) return;
   const Stars stars = stars_of(segments);
   for (std::size_t v = 0; v < segments.drawing().num_vertices() && !findings.done(); ++v) {
     check_star(segments, guarantee, stars, static_cast<Vertex>(v), findings);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "ar3d/verify/predicates/widths.h"
 
@@ -25,17 +26,20 @@ IntegerWidth width_of(const Segments& segments) {
 
 }  // namespace
 
-Contacts::Contacts(const Segments& segments, Findings& findings)
+Contacts::Contacts(const Segments& segments, Findings& findings, std::uint64_t most_comparisons)
     : segments_(segments),
       findings_(findings),
       limit_(findings.room()),
+      left_(most_comparisons == 0 ? std::numeric_limits<std::uint64_t>::max() : most_comparisons),
       width_(width_of(segments)) {}
 
 void Contacts::examine(SegmentId a, SegmentId b) {
+  spend(1);
+  if (done()) return;
   if (a > b) std::swap(a, b);
   const Meeting meeting =
       meet(segments_.from(a), segments_.to(a), segments_.from(b), segments_.to(b), width_);
-  if (meeting.kind == Meeting::Kind::nothing || done()) return;
+  if (meeting.kind == Meeting::Kind::nothing) return;
   if (is_forbidden(a, b, meeting)) crossings_.emplace(a, b);
 }
 
@@ -58,10 +62,11 @@ bool Contacts::is_forbidden(SegmentId a, SegmentId b, const Meeting& meeting) co
 }
 
 void Contacts::examine_vertex(Vertex v, SegmentId s) {
+  spend(1);
   const Edge ends = segments_.drawing().edge(segments_.edge(s));
   if (v == ends.u || v == ends.v) return;
   const Point p = segments_.drawing().vertex(v);
-  if (!on_segment(p, segments_.from(s), segments_.to(s)) || done()) return;
+  if (done() || !on_segment(p, segments_.from(s), segments_.to(s))) return;
   if (segments_.vertex_at(s, p)) return;  // coinciding vertices, reported as such
   on_edges_.emplace(v, segments_.edge(s));
 }

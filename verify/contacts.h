@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <set>
 #include <utility>
 
@@ -19,15 +21,21 @@ namespace ar3d::verify {
 class Contacts {
  public:
   /// Looks for the narrowest integers that decide every meeting of the drawing. O(S).
-  Contacts(const Segments& segments, Findings& findings);
+  /// @param most_comparisons  to be made; 0: no limit.
+  Contacts(const Segments& segments, Findings& findings, std::uint64_t most_comparisons = 0);
 
   /// Two different segments that may meet.
   void examine(SegmentId a, SegmentId b);
   /// A vertex that may lie on a segment.
   void examine_vertex(Vertex v, SegmentId s);
 
-  /// True once enough is found: the test may stop.
-  bool done() const { return crossings_.size() + on_edges_.size() > limit_; }
+  /// Comparisons that the test has made itself, beside those above, which count as one each.
+  void spend(std::uint64_t comparisons) { left_ -= std::min(left_, comparisons); }
+  std::uint64_t comparisons_left() const { return left_; }
+  /// True once there were too many comparisons: not everything was looked for.
+  bool gave_up() const { return left_ == 0; }
+  /// True once enough is found, or too much was compared: the test may stop.
+  bool done() const { return left_ == 0 || crossings_.size() + on_edges_.size() > limit_; }
   /// Hands everything to the findings: vertices on edges, then crossings, in order of their
   /// numbers.
   void report();
@@ -39,6 +47,7 @@ class Contacts {
   const Segments& segments_;
   Findings& findings_;
   std::size_t limit_;
+  std::uint64_t left_;  ///< comparisons
   IntegerWidth width_;
   std::set<std::pair<SegmentId, SegmentId>> crossings_;
   std::set<std::pair<Vertex, EdgeId>> on_edges_;

@@ -105,10 +105,12 @@ class SlantedSegments {
       if (item.is_vertex) return SegmentInSpace{segments_.drawing().vertex(item.id), {}};
       return SegmentInSpace{segments_.from(item.id), segments_.direction(item.id)};
     };
-    for_each_near_pair(static_cast<std::uint32_t>(items.size()), at,
-                       [&](std::uint32_t i, std::uint32_t j) {
-                         if (!contacts_.done()) examine_pair(items[i], items[j]);
-                       });
+    const auto visit = [&](std::uint32_t i, std::uint32_t j) {
+      examine_pair(items[i], items[j]);
+      return !contacts_.done();
+    };
+    contacts_.spend(for_each_near_pair(static_cast<std::uint32_t>(items.size()), at, visit, kFew,
+                                       contacts_.comparisons_left()));
   }
 
   void examine_pair(const Item& a, const Item& b) {
@@ -119,6 +121,7 @@ class SlantedSegments {
   }
 
   static constexpr std::uint64_t kPatience = 200;  ///< comparisons per item
+  static constexpr std::size_t kFew = 48;          ///< items in a cell
 
   const Segments& segments_;
   Contacts& contacts_;

@@ -14,7 +14,7 @@ ExaminationPass::ExaminationPass(const Graph& graph, const Drawing& drawing,
                                  const CertifyOptions& options)
     : drawing_(drawing), parts_(parts), threads_(threads_for(drawing.num_edges())) {
   if (parts.certificate && options.crossing_test == CrossingTest::automatic &&
-      options.mode.is_exact()) {
+      options.mode.is_exact() && options.most_comparisons == 0) {
     prepare_proof(graph, guarantee, options);
   }
 }

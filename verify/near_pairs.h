@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -87,13 +88,15 @@ inline Parts cut_piece(const Piece& piece, std::int64_t from, std::int64_t step,
 template <class SegmentAt, class Visit>
 class Search {
  public:
-  Search(const Shifts& shifts, const SegmentAt& at, Visit& visit, std::size_t few)
-      : shifts_(shifts), at_(at), visit_(visit), few_(few) {}
+  Search(const Shifts& shifts, const SegmentAt& at, Visit& visit, std::size_t few,
+         std::uint64_t most)
+      : shifts_(shifts), at_(at), visit_(visit), few_(few), most_(most) {}
 
   /// @return the number of pairs that were compared.
   std::uint64_t run(std::vector<Piece> pieces) {
     pieces_ = std::move(pieces);
     compared_ = 0;
+    is_stopped_ = false;
     search(0, 0, 1);
     return compared_;
   }
@@ -108,6 +111,7 @@ class Search {
   void search(std::size_t begin, int depth, double growth) {
     const std::size_t end = pieces_.size();
     const std::size_t size = end - begin;
+    if (is_stopped_) return pieces_.resize(begin);
     if (size <= few_ || depth == kDeepest) return compare(begin);
     const std::size_t middle = split(begin, chosen_cut(begin));
     const auto square = [](std::size_t count) {
@@ -162,11 +166,12 @@ class Search {
   void compare(std::size_t begin) {
     cell_.clear();
     for (std::size_t i = begin; i < pieces_.size(); ++i) cell_.push_back(at_(pieces_[i].segment));
-    for (std::size_t i = 1; i < cell_.size(); ++i) {
+    for (std::size_t i = 1; i < cell_.size() && !is_stopped_; ++i) {
       compared_ += i;
-      for (std::size_t j = 0; j < i; ++j) {
+      is_stopped_ = compared_ > most_;
+      for (std::size_t j = 0; j < i && !is_stopped_; ++j) {
         if (surely_skew(cell_[i], cell_[j])) continue;
-        visit_(pieces_[begin + i].segment, pieces_[begin + j].segment);
+        is_stopped_ = !visit_(pieces_[begin + i].segment, pieces_[begin + j].segment);
       }
     }
     pieces_.resize(begin);
@@ -176,7 +181,9 @@ class Search {
   const SegmentAt& at_;
   Visit& visit_;
   std::size_t few_;
+  std::uint64_t most_;
   std::uint64_t compared_ = 0;
+  bool is_stopped_ = false;
   std::vector<Piece> pieces_;  ///< of the cell at hand, and of those that wait on the way to it
   std::vector<Piece> above_;
   std::array<std::vector<Reached>, 3> sample_;
@@ -186,14 +193,17 @@ class Search {
 }  // namespace near_pairs
 
 /// Calls visit(i, j) for pairs i != j of the segments at(0), ..., at(size - 1), among them every
-/// pair that meets; some of them more than once. O(size log size) time where segments are short,
-/// about O(size^1.5) where long ones are spread evenly, never more than O(size^2). Memory: 12 bytes
-/// for each segment of the cells on one path, about 40 bytes per segment.
+/// pair that meets; some of them more than once; until it returns false. O(size log size) time
+/// where segments are short, about O(size^1.5) where long ones are spread evenly, never more than
+/// O(size^2). Memory: 12 bytes for each segment of the cells on one path, about 40 bytes per
+/// segment.
 /// @param few  pieces in a cell that are compared with each other; tests set it small.
+/// @param most  comparisons; the search ends behind the first cell that passes it.
 /// @return the number of pairs that were compared. @pre coordinates are in range.
 template <class SegmentAt, class Visit>
 std::uint64_t for_each_near_pair(std::uint32_t size, const SegmentAt& at, Visit&& visit,
-                                 std::size_t few = 48) {
+                                 std::size_t few = 48,
+                                 std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) {
   GrowingBox box;
   std::vector<near_pairs::Piece> all;
   all.reserve(size);
@@ -203,7 +213,7 @@ std::uint64_t for_each_near_pair(std::uint32_t size, const SegmentAt& at, Visit&
     box.add(s.from + s.step);
     all.push_back({i, 0, 1});
   }
-  near_pairs::Search search(near_pairs::shifts_for(box.box()), at, visit, few);
+  near_pairs::Search search(near_pairs::shifts_for(box.box()), at, visit, few, most);
   return search.run(std::move(all));
 }
 

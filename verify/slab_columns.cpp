@@ -159,6 +159,9 @@ void SlabColumns::examine_slanted(SegmentId s) {
   const Places by_y = within_y(projection);
   const Places fewer = by_x.second - by_x.first < by_y.second - by_y.first ? by_x : by_y;
   const std::int64_t steps = projection.steps();
+  const auto columns = std::min<std::int64_t>(fewer.second - fewer.first, steps);
+  contacts_.spend(static_cast<std::uint64_t>(columns));
+  if (contacts_.done()) return;
   if (fewer.second - fewer.first <= steps) {
     for (const Column* column = fewer.first; column != fewer.second; ++column) {
       if (projection.passes_over(column->x, column->y)) examine_at(projection, *column);

@@ -60,24 +60,49 @@ double timed_writing_s(const Drawing& drawing) {
 
 constexpr std::size_t kMostCrossings = 1000000;
 
+// What a program answers may have any number of segments any two of which are near each other; it
+// is judged no longer than a drawing of that graph can be worth.
+std::uint64_t most_comparisons(const Graph& graph) {
+  constexpr std::uint64_t kAlways = 100000000;
+  constexpr std::uint64_t kEach = 10000;
+  return kAlways + kEach * (std::uint64_t{graph.num_vertices()} + graph.num_edges());
+}
+
 // A program's crossings are counted, however many there are, within reason.
 CertifyOptions certifying(const AlgorithmChoice& choice, const std::optional<SizeFunction>& memory,
-                          std::uint64_t n) {
+                          const Graph& graph) {
   CertifyOptions options;
   options.mode = choice.certificate;
-  if (memory) options.proof_bytes = static_cast<std::uint64_t>(std::clamp((*memory)(n), 1.0, 1e18));
+  if (memory) {
+    options.proof_bytes =
+        static_cast<std::uint64_t>(std::clamp((*memory)(graph.num_vertices()), 1.0, 1e18));
+  }
   if (!choice.program) return options;
   options.max_violations = kMostCrossings;
+  options.most_comparisons = most_comparisons(graph);
   options.check_size = choice.program->has_guarantee;
   return options;
 }
 
 // Why the crossings of a drawing were not counted.
-std::string uncounted_crossings(const Certificate& certificate) {
+std::string uncounted_crossings(const Certificate& certificate, const Graph& graph) {
   if (!certificate.mode.is_exact()) {
     return fmt::format("crossings not counted: certificate = \"{}\"", to_string(certificate.mode));
   }
+  if (certificate.given_up) {
+    return fmt::format("crossings not counted: it takes more than {} comparisons of segments",
+                       most_comparisons(graph));
+  }
   return fmt::format("crossings not counted: there are more than {}", kMostCrossings);
+}
+
+// A drawing that was neither proved wrong nor judged to the end.
+void refuse_given_up(const Certificate& certificate, const Graph& graph) {
+  if (!certificate.given_up || !certificate.violations.empty()) return;
+  throw ProgramFailure(
+      RunStatus::timeout,
+      fmt::format("drawn, but not judged: it takes more than {} comparisons of segments",
+                  most_comparisons(graph)));
 }
 
 RunRecord instance_row(const PlannedInstance& instance) {
@@ -213,7 +238,7 @@ void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& req
   const Stopwatch certifying_time;
   Examination examination =
       examine(*graph_, drawing, guarantee, {},
-              certifying(choice, circumstances_.certify_memory_bytes, graph_->num_vertices()));
+              certifying(choice, circumstances_.certify_memory_bytes, *graph_));
   if (!examination.summary.real) {
     set_angles_and_crossings(*graph_, drawing, guarantee, examination.certificate,
                              examination.summary);
@@ -222,12 +247,13 @@ void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& req
   run.drawing_hash = examination.drawing_hash;
   set_metrics(examination.summary, run);
   if (is_judged) {
+    refuse_given_up(examination.certificate, *graph_);
     record_verdict(run, examination.certificate, choice.certificate);
     record_bounds(run, guarantee);
   } else {
     run.status = RunStatus::measured;
     if (examination.summary.crossings < 0) {
-      run.message = uncounted_crossings(examination.certificate);
+      run.message = uncounted_crossings(examination.certificate, *graph_);
     }
   }
 }

@@ -227,6 +227,23 @@ TEST_F(Programs, CrossingsThatWereNotCountedHaveAReason) {
   }
 }
 
+TEST_F(Programs, JudgingTheirDrawingsEndsToo) {
+  const std::string path = program("zigzag.py", R"(
+    side = lambda i: i % 2 * (10**6 + 3 * i)
+    bends = [[side(i) + i, side(i) - i, 0] for i in range(20000 if n > 2 else 0)]
+    drawn = [[u, v, bends if e == 0 else []] for e, (u, v) in enumerate(edges)]
+    say(json.dumps({"vertices": [[-i, i * i, 7] for i in range(n)], "edges": drawn}) + "\n"))");
+  const std::vector<RunRecord> measured = rows(study(path, "", "include = { to = 5 }"));
+  EXPECT_EQ(to_string(measured[0].status), std::string("measured")) << measured[0].message;
+  EXPECT_EQ(column_text(run_column("crossings"), measured[0]), "-1");
+  EXPECT_THAT(measured[0].message, HasSubstr("crossings not counted: it takes more than "));
+  const std::vector<RunRecord> promised =
+      rows(study(path, "guarantee = { max_degree = 2, max_bends = 100000, cosine = [1, 1] }",
+                 "include = { to = 5 }"));
+  EXPECT_EQ(to_string(promised[0].status), std::string("timeout")) << promised[0].message;
+  EXPECT_THAT(promised[0].message, HasSubstr("drawn, but not judged: it takes more than "));
+}
+
 TEST_F(Programs, AfterAFailureTheNextGraphHasANewProcess) {
   const std::string path =
       program("moody.py", std::string("\n    if n == 6: sys.exit(1)") + kRound);

@@ -101,6 +101,7 @@ class MeetingPairs {
     drop_repeated();
     too_many_ = pairs_.size() >= most_;
   }
+  bool too_many() const { return too_many_; }
   /// Nothing if there are more than a right drawing can have: neighbours in at most 3 bends and
   /// vertices at either end.
   std::optional<MeetingCounts> counts() {
@@ -143,9 +144,10 @@ std::optional<MeetingCounts> meetings_by_halving(const std::vector<SlantedSegmen
   const auto visit = [&](std::uint32_t i, std::uint32_t j) {
     const SlantedSegment& s = segments[i];
     const SlantedSegment& t = segments[j];
-    if (s.z > t.z + t.dz || t.z > s.z + s.dz || !overlap(active(s, i), active(t, j))) return;
+    if (s.z > t.z + t.dz || t.z > s.z + s.dz || !overlap(active(s, i), active(t, j))) return true;
     const MeetingKind kind = meeting_kind_in(width, from(s), to(s), from(t), to(t));
     if (kind != MeetingKind::nothing) pairs.add(i, j, kind);
+    return !pairs.too_many();
   };
   for_each_near_pair(static_cast<std::uint32_t>(segments.size()), at, visit);
   return pairs.counts();
