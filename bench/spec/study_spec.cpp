@@ -174,11 +174,8 @@ class SpecReader {
       values.push_back(toml_parsed(file_, *entry, key, parse));
     }
     std::vector<AlgorithmChoice> with_values;
-    for (AlgorithmChoice choice : choices) {
-      for (const Value& value : values) {
-        choice.*member = value;
-        with_values.push_back(choice);
-      }
+    for (const AlgorithmChoice& choice : choices) {
+      for (const Value& value : values) with_values.emplace_back(choice).*member = value;
     }
     choices = std::move(with_values);
   }
