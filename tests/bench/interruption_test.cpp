@@ -12,6 +12,7 @@ int g_seen = 0;
 void see(int) { ++g_seen; }
 
 TEST(Interruption, IsNotedWhileSomebodyAsksAndForgottenAfterwards) {
+  g_seen = 0;
   std::signal(SIGINT, see);
   for (const int signal : {SIGINT, SIGTERM}) {
     const Interruptible interruptible;

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <map>
 #include <set>
+#include <thread>
 
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/interruption.h"
@@ -293,13 +294,21 @@ TEST(ScalingPhase, ThreadsDrawAtTheSameTime) {
 // A stop ends a batch with the drawings that have begun; none of its rows is handed on.
 TEST(ScalingPhase, AStopEndsABatch) {
   static std::atomic<int> drawn = 0;
+  static std::atomic<bool> stopped = false;
+  // Whoever draws after the fourth waits for the stop, however slow its thread is.
   const Algorithm stopping = diamond_drawn_by([](const Graph& graph, const Settings& options) {
-    if (++drawn == 4) std::raise(SIGTERM);
+    const int turn = ++drawn;
+    if (turn == 4) {
+      std::raise(SIGTERM);
+      stopped = true;
+    }
+    while (turn > 4 && !stopped) std::this_thread::yield();
     return find_algorithm("diamond").draw(graph, options);
   });
   PlannedInstance instance = cycle_of(8, {&stopping}, 500, RunPhase::strong);
   for (PlannedRun& run : instance.runs) run.scale = 2;
   drawn = 0;
+  stopped = false;
   const Interruptible interruptible;
   EXPECT_TRUE(make(plan_of(instance)).rows.empty());
   EXPECT_LE(drawn, 6);
