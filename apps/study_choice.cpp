@@ -1,6 +1,5 @@
 #include "study_choice.h"
 
-#include "ar3d/bench/spec/graphs_reading.h"
 #include "ar3d/model/error.h"
 #include "numbers.h"
 
@@ -8,10 +7,10 @@ namespace ar3d {
 namespace {
 
 // The text that the options are short for has lines that nobody saw: messages are to name none.
-StudySpec parse_options(const GraphsStudy& graphs, const ReadOptions& reading) {
+StudySpec parse_options(const GraphsStudy& graphs) {
   const std::string place = "--graphs:";
   try {
-    return parse_study(graphs_study_text(graphs, reading), "--graphs");
+    return parse_study(graphs_study_text(graphs), "--graphs");
   } catch (const InputError& error) {
     std::string message = error.what();
     const std::size_t end = message.find_first_not_of("0123456789", place.size());
@@ -65,7 +64,9 @@ StudySpec chosen_study(const StudyChoice& choice) {
     throw InputError("either STUDY or --graphs says what to run; --help shows both");
   }
   if (!choice.study.empty()) return load_study(choice.study);
-  StudySpec spec = parse_options(choice.graphs, choice.reading.read_options());
+  GraphsStudy graphs = choice.graphs;
+  graphs.reading = choice.reading.read_options();
+  StudySpec spec = parse_options(graphs);
   for (Sweep& sweep : spec.sweeps) {
     for (GraphsEntry& entry : sweep.graphs) entry.place = "--graphs: ";
   }

@@ -65,8 +65,8 @@ void time_in_turns(benchmark::State& state, std::uint64_t items,
 }
 
 const Graph& input(const Algorithm& algorithm, benchmark::State& state) {
-  const char* family = algorithm.guarantee.max_degree == 4 ? "random-4-regular" : "random-cubic";
-  return kernels::graph_of(find_family(family), static_cast<std::uint64_t>(state.range(0)));
+  return kernels::graph_of(kernels::random_family(algorithm),
+                           static_cast<std::uint64_t>(state.range(0)));
 }
 
 void certify_kernel(benchmark::State& state, const Algorithm& algorithm) {

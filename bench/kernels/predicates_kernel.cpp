@@ -84,8 +84,8 @@ void time_in_turns(benchmark::State& state, const Decisions& decisions, std::siz
 }
 
 Decisions decisions_for(const Algorithm& algorithm, std::int64_t n) {
-  const char* family = algorithm.guarantee.max_degree == 4 ? "random-4-regular" : "random-cubic";
-  const Graph& graph = kernels::graph_of(find_family(family), static_cast<std::uint64_t>(n));
+  const Graph& graph =
+      kernels::graph_of(kernels::random_family(algorithm), static_cast<std::uint64_t>(n));
   return precision::decisions_of(draw(algorithm, graph), algorithm.guarantee, kMostDecisions);
 }
 

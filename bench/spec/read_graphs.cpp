@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "ar3d/bench/spec/graphs_reading.h"
 #include "ar3d/bench/spec/toml_table.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/model/error.h"
@@ -108,9 +107,8 @@ std::string toml_quoted(const std::string& text) {
 
 }  // namespace
 
-std::string graphs_study_text(const GraphsStudy& study) { return graphs_study_text(study, {}); }
-
-std::string graphs_study_text(const GraphsStudy& study, const ReadOptions& reading) {
+std::string graphs_study_text(const GraphsStudy& study) {
+  const ReadOptions& reading = study.reading;
   std::string text =
       fmt::format("study = \"graphs\"\nseed = {}\n\n[[sweep]]\ngraphs = [\n", study.seed);
   for (const std::string& file : study.files) {

@@ -122,6 +122,7 @@ struct GraphsStudy {
   bool simple = false;       ///< loops and parallel edges are dropped
   bool largest_component = false;
   bool shuffle = false;
+  ReadOptions reading = {};  ///< of every file: format, base and first line
 };
 
 /// The specification that a GraphsStudy is short for; its name is "graphs".

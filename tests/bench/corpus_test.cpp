@@ -14,6 +14,7 @@
 #include "ar3d/formats/catalog.h"
 #include "ar3d/model/error.h"
 #include "support/graphs.h"
+#include "support/problem.h"
 #include "support/program.h"
 
 namespace ar3d {
@@ -21,6 +22,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using testing::problem;
 
 class Files : public ::testing::Test {
  protected:
@@ -35,14 +37,6 @@ class Files : public ::testing::Test {
       graphs.push_back(generate(find_family("random-cubic"), 10 + 2 * (i * 7 % 5), i));
     }
     return graphs;
-  }
-  static std::string problem(const std::function<void()>& step) {
-    try {
-      step();
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
   }
   StudySpec study(const std::string& sweep) const {
     StudySpec spec =

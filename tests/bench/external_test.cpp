@@ -5,7 +5,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <functional>
 #include <thread>
 
 #include "ar3d/bench/external/external_drawer.h"
@@ -19,21 +18,14 @@
 #include "ar3d/verify/examination.h"
 #include "bench/in_memory.h"
 #include "support/graphs.h"
+#include "support/problem.h"
 #include "support/program.h"
 
 namespace ar3d {
 namespace {
 
 using ::testing::HasSubstr;
-
-std::string problem(const std::function<void()>& step) {
-  try {
-    step();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
+using testing::problem;
 
 // Programs in Python, each a main loop over the graphs that it reads as edge lists.
 class Programs : public ::testing::Test {

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 
 #include "ar3d/bench/external/decimal.h"
 #include "ar3d/bench/external/external_drawer.h"
@@ -14,20 +13,13 @@
 #include "ar3d/verify/certificate.h"
 #include "ar3d/verify/examination.h"
 #include "support/graphs.h"
+#include "support/problem.h"
 
 namespace ar3d {
 namespace {
 
 using ::testing::HasSubstr;
-
-std::string problem(const std::function<void()>& step) {
-  try {
-    step();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
+using testing::problem;
 
 TEST(Decimals, AreExact) {
   const auto text = [](const std::string& number) {

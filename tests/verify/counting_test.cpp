@@ -99,10 +99,7 @@ TEST(Counting, AgreesOnRandomAndDamagedDrawings) {
     const auto& set = testing::direction_sets()[i % testing::direction_sets().size()];
     const std::vector<Vector> directions(set.begin(), set.begin() + 1 + i / 4 % set.size());
     Draft draft = simple(drafts.walks(directions, 1 + i % 9, 4 + i % 23));
-    for (std::uint32_t damages = i % 3; damages > 0 && !draft.edges.empty(); --damages) {
-      drafts.damage(draft);
-      draft = simple(std::move(draft));
-    }
+    draft = drafts.damaged(std::move(draft), i % 3);
     if (!in_limits(draft)) continue;
     ASSERT_NO_FATAL_FAILURE(expect_agreement(draft, tally)) << "drawing " << i;
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ar3d/model/random.h"
+#include "verify/counted_pairs.h"
 #include "verify/draft.h"
 
 namespace ar3d::testing {
@@ -48,6 +49,15 @@ class RandomDrafts {
     draft.edges.push_back(
         {{start, static_cast<Vertex>(draft.vertices.size() - 1)}, std::move(bends)});
     if (random_.chance(1, 2)) reverse(draft.edges.back());
+    return draft;
+  }
+
+  /// Damaged so many times, each time left a simple graph's, as long as it has edges.
+  Draft damaged(Draft draft, std::uint32_t times) {
+    for (; times > 0 && !draft.edges.empty(); --times) {
+      damage(draft);
+      draft = simple(std::move(draft));
+    }
     return draft;
   }
 

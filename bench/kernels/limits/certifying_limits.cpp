@@ -5,9 +5,9 @@
 
 #include <stdexcept>
 
+#include "../inputs.h"
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/bench/measure/one_thread.h"
-#include "ar3d/generators/catalog.h"
 #include "ar3d/verify/examination.h"
 #include "limit.h"
 #include "turns.h"
@@ -15,22 +15,18 @@
 namespace ar3d::limits {
 namespace {
 
-constexpr std::uint64_t kSeed = 1;
+using kernels::random_family;
+using kernels::shuffled;
 
 void require(bool valid) {
   if (!valid) throw std::runtime_error("a drawing is not valid");
-}
-
-Graph graph_for(const Algorithm& algorithm, std::uint64_t n) {
-  const char* family = algorithm.guarantee.max_degree == 4 ? "random-4-regular" : "random-cubic";
-  return generate(find_family(family), n, kSeed, {{"shuffle", 1}});
 }
 
 /// Certifying / drawing; the same, per segment; metrics and hash / drawing.
 void measure_examination(const std::string& name, const Scale& scale, std::vector<Limit>& limits) {
   const OneThread one_thread;
   const Algorithm& algorithm = find_algorithm(name);
-  const Graph graph = graph_for(algorithm, scale.n);
+  const Graph graph = shuffled(random_family(algorithm), scale.n);
   const Drawing drawing = draw(algorithm, graph);
   std::uint64_t segments = 0;
   Turns turns({timed(Clock::cpu, [&] { (void)draw(algorithm, graph); }),
@@ -81,7 +77,7 @@ Group examination_group(const std::string& name, std::uint64_t n) {
 void measure_threads(const Scale& scale, std::vector<Limit>& limits) {
   const OneThread restore_afterwards;
   const Algorithm& diamond = find_algorithm("diamond");
-  const Graph graph = graph_for(diamond, scale.n);
+  const Graph graph = shuffled(random_family(diamond), scale.n);
   const Drawing drawing = draw(diamond, graph);
   const auto on_threads = [&](int threads) {
     return [&, threads] {

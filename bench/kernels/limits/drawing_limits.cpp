@@ -6,21 +6,17 @@
 #include <array>
 #include <cstddef>
 
+#include "../inputs.h"
 #include "../search.h"
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/bench/measure/one_thread.h"
-#include "ar3d/generators/catalog.h"
 #include "limit.h"
 #include "turns.h"
 
 namespace ar3d::limits {
 namespace {
 
-constexpr std::uint64_t kSeed = 1;
-
-Graph shuffled(const char* family, std::uint64_t n) {
-  return generate(find_family(family), n, kSeed, {{"shuffle", 1}});
-}
+using kernels::shuffled;
 
 struct Drawn {
   const char* algorithm;
@@ -43,7 +39,7 @@ constexpr const char* kCompactTries = "some 14,000 instructions per vertex, most
 
 void measure_drawing(const Drawn& drawn, const Scale& scale, std::vector<Limit>& limits) {
   const OneThread one_thread;
-  const Graph graph = shuffled(drawn.family, scale.n);
+  const Graph graph = shuffled(find_family(drawn.family), scale.n);
   const Algorithm& algorithm = find_algorithm(drawn.algorithm);
   std::vector<std::function<double()>> works = {
       timed(Clock::cpu, [&] { (void)kernels::search_breadth_first(graph); })};
@@ -82,7 +78,7 @@ Group drawing_group(const Drawn& drawn) {
 
 void measure_threads(const Scale& scale, std::vector<Limit>& limits) {
   const OneThread restore_afterwards;
-  const Graph graph = shuffled("random-4-regular", scale.n);
+  const Graph graph = shuffled(find_family("random-4-regular"), scale.n);
   const Algorithm& diamond = find_algorithm("diamond");
   std::array<std::vector<double>, 3> of_main;  // its CPU time, by number of threads
   const auto on_threads = [&](int threads) {

@@ -13,18 +13,17 @@
 #include <utility>
 #include <vector>
 
+#include "../inputs.h"
 #include "../search.h"
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/bench/measure/one_thread.h"
 #include "ar3d/bench/measure/stopwatch.h"
-#include "ar3d/generators/catalog.h"
 #include "ar3d/model/error.h"
 #include "turns.h"
 
 namespace ar3d::limits {
 namespace {
 
-constexpr std::uint64_t kSeed = 1;
 /// Below this many vertices everything is in the caches, and times say little about growth.
 constexpr double kGrowthFrom = 5'000;
 /// Repeats end after so many seconds of the slowest algorithm, if need be after the first.
@@ -126,7 +125,7 @@ void print_row(const Row& row, std::size_t num_sizes) {
 void time_family(const Family& family, const FamiliesScale& scale, std::vector<Row>& rows) {
   std::uint64_t before = 0;
   for (const std::uint64_t n : sizes_up_to(scale.max_n)) {
-    const Graph graph = generate(family, n, kSeed, {{"shuffle", 1}});
+    const Graph graph = kernels::shuffled(family, n);
     if (graph.num_vertices() <= before) return;
     before = graph.num_vertices();
     time_rows(graph, scale.repetitions, rows);

@@ -6,17 +6,19 @@
 
 #include <functional>
 
+#include "../inputs.h"
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/bench/measure/one_thread.h"
 #include "ar3d/bench/measure/row_memory.h"
-#include "ar3d/generators/catalog.h"
 #include "ar3d/verify/examination.h"
 #include "limit.h"
 
 namespace ar3d::limits {
 namespace {
 
-constexpr std::uint64_t kSeed = 1;
+using kernels::random_family;
+using kernels::shuffled;
+
 constexpr double kGiB = 1024.0 * 1024 * 1024;
 
 /// Bytes that `work` takes at its highest beyond those that are there before.
@@ -33,15 +35,10 @@ double bytes_of(const std::function<void()>& work) {
   return beyond;
 }
 
-Graph random_graph(const Algorithm& algorithm, std::uint64_t n) {
-  const char* family = algorithm.guarantee.max_degree == 4 ? "random-4-regular" : "random-cubic";
-  return generate(find_family(family), n, kSeed, {{"shuffle", 1}});
-}
-
 void measure_extents(const Scale& scale, std::vector<Limit>& limits) {
   const OneThread one_thread;
   const Algorithm& diamond = find_algorithm("diamond");
-  const Graph graph = random_graph(diamond, scale.n);
+  const Graph graph = shuffled(random_family(diamond), scale.n);
   const auto n = static_cast<double>(graph.num_vertices());
   limits[0].measured = bytes_of([&] { (void)draw(diamond, graph); }) / n;
   limits[1].measured = bytes_of([&] {
@@ -57,7 +54,7 @@ void measure_whole(const Scale& scale, std::vector<Limit>& limits) {
   const OneThread one_thread;
   const Algorithm& diamond = find_algorithm("diamond");
   const double bytes = bytes_of([&] {
-    const Graph graph = random_graph(diamond, scale.n);
+    const Graph graph = shuffled(random_family(diamond), scale.n);
     const Drawing drawing = draw(diamond, graph);
     (void)examine(graph, drawing, diamond.guarantee, {.certificate = false});
   });
@@ -68,7 +65,7 @@ void measure_whole(const Scale& scale, std::vector<Limit>& limits) {
 void measure_certificate(const std::string& name, const Scale& scale, std::vector<Limit>& limits) {
   const OneThread one_thread;
   const Algorithm& algorithm = find_algorithm(name);
-  const Graph graph = random_graph(algorithm, scale.n);
+  const Graph graph = shuffled(random_family(algorithm), scale.n);
   const Drawing drawing = draw(algorithm, graph);
   std::uint64_t segments = 0;
   const double bytes =

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "../inputs.h"
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/bench/measure/stopwatch.h"
 #include "ar3d/generators/catalog.h"
@@ -53,8 +54,7 @@ struct Points {
 
 /// Two copies of a random graph's drawing side by side, numbers of the second from n on.
 Points two_copies(const Algorithm& algorithm, std::uint64_t n, std::uint64_t seed, Graph& graph) {
-  const char* family = algorithm.guarantee.max_degree == 4 ? "random-4-regular" : "random-cubic";
-  const Graph one = generate(find_family(family), n, seed);
+  const Graph one = generate(kernels::random_family(algorithm), n, seed);
   const Drawing drawing = draw(algorithm, one);
   const auto size = static_cast<Vertex>(one.num_vertices());
   const std::int64_t aside = measure(drawing).box.extents()[0] + 2;
@@ -237,9 +237,8 @@ void mode_times() {
   std::vector<std::vector<std::string>> rows;
   for (const char* name : {"diamond", "grid", "compact", "two-bend"}) {
     const Algorithm& algorithm = find_algorithm(name);
-    const char* family = algorithm.guarantee.max_degree == 4 ? "random-4-regular" : "random-cubic";
     for (const std::uint64_t n : {1000u, 10000u}) {
-      const Graph graph = generate(find_family(family), n, 1);
+      const Graph graph = generate(kernels::random_family(algorithm), n, 1);
       const Drawing drawing = draw(algorithm, graph);
       std::vector<double> least(modes().size(), std::numeric_limits<double>::infinity());
       double segments = 0;

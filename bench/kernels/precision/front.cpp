@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "../inputs.h"
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/bench/measure/stopwatch.h"
 #include "ar3d/generators/catalog.h"
@@ -99,9 +100,9 @@ void front_table() {
   for (const auto& [name, n] : {std::pair("diamond", 10000u), std::pair("grid", 10000u),
                                 std::pair("compact", 10000u), std::pair("two-bend", 100000u)}) {
     const Algorithm& algorithm = find_algorithm(name);
-    const char* family = algorithm.guarantee.max_degree == 4 ? "random-4-regular" : "random-cubic";
-    const Decisions decisions = decisions_of(draw(algorithm, generate(find_family(family), n, 1)),
-                                             algorithm.guarantee, kMost);
+    const Decisions decisions =
+        decisions_of(draw(algorithm, generate(kernels::random_family(algorithm), n, 1)),
+                     algorithm.guarantee, kMost);
     add_angles(algorithm, n, decisions, rows);
     add_meetings(algorithm, n, decisions, rows);
   }

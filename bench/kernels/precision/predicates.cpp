@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "../inputs.h"
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/model/cosine_comparison.h"
@@ -20,15 +21,12 @@
 namespace ar3d::precision {
 namespace {
 
+using kernels::random_family;
 using verify::PredicateChoice;
 
 constexpr std::size_t kMost = 20000;
 constexpr double kMostOfFamilies = 4096;
 constexpr std::array<const char*, 4> kChoices = {"float", "double", "long-double", "cosine"};
-
-const Family& random_family(const Algorithm& algorithm) {
-  return find_family(algorithm.guarantee.max_degree == 4 ? "random-4-regular" : "random-cubic");
-}
 
 std::vector<std::string> row_of(const Algorithm& algorithm, std::uint64_t n, int bits,
                                 const char* what) {

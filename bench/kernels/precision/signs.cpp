@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "../inputs.h"
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/model/error.h"
@@ -208,9 +209,9 @@ void direction_table() {
   std::vector<std::vector<std::string>> rows;
   for (const char* name : {"diamond", "grid", "compact", "two-bend"}) {
     const Algorithm& algorithm = find_algorithm(name);
-    const char* family = algorithm.guarantee.max_degree == 4 ? "random-4-regular" : "random-cubic";
-    const Decisions decisions = decisions_of(
-        draw(algorithm, generate(find_family(family), 1000, 1)), algorithm.guarantee, kMost);
+    const Decisions decisions =
+        decisions_of(draw(algorithm, generate(kernels::random_family(algorithm), 1000, 1)),
+                     algorithm.guarantee, kMost);
     std::map<std::string, std::vector<Angle>> by_directions;
     for (const Angle& angle : decisions.angles) {
       std::string u = direction(angle[0] - angle[1]), v = direction(angle[2] - angle[1]);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "../inputs.h"
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/coordinate_width.h"
@@ -19,8 +20,7 @@ namespace {
 constexpr std::uint64_t kLargestN = 4294967295;
 
 Drawing random_drawing(const Algorithm& algorithm, std::uint64_t n) {
-  const char* family = algorithm.guarantee.max_degree == 4 ? "random-4-regular" : "random-cubic";
-  return draw(algorithm, generate(find_family(family), n, 1));
+  return draw(algorithm, generate(kernels::random_family(algorithm), n, 1));
 }
 
 std::int64_t extent_of(const Drawing& drawing) {
