@@ -2,14 +2,29 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <limits>
 #include <utility>
 
 #include "ar3d/model/error.h"
+#include "ar3d/model/long_vector.h"
 #include "ar3d/model/real_points.h"
 
 namespace ar3d {
+
+namespace {
+
+/// `count` points at the origin, in pages of 2 MiB if they are many.
+template <class Points>
+Points origins(std::size_t count) {
+  Points points;
+  reserve_long(points, count);
+  points.resize(count);
+  return points;
+}
+
+}  // namespace
 
 Coordinates::Coordinates(std::size_t count, std::int64_t bound) : bound_(bound) {
   if (bound < 0 || bound > kMaxCoordinate) {
@@ -17,11 +32,11 @@ Coordinates::Coordinates(std::size_t count, std::int64_t bound) : bound_(bound) 
         fmt::format("coordinates up to {} do not fit, the limit is {}", bound, kMaxCoordinate));
   }
   if (bound <= std::numeric_limits<std::int16_t>::max()) {
-    points_.emplace<Narrowest>(count);
+    points_ = origins<Narrowest>(count);
   } else if (bound <= std::numeric_limits<std::int32_t>::max()) {
-    points_.emplace<Narrow>(count);
+    points_ = origins<Narrow>(count);
   } else {
-    points_.emplace<Wide>(count);
+    points_ = origins<Wide>(count);
   }
 }
 
@@ -33,19 +48,13 @@ std::size_t Coordinates::bytes_per_point() const {
   return std::visit([](const auto& points) { return sizeof(points[0]); }, points_);
 }
 
+void Coordinates::check_bound(std::int64_t low, std::int64_t high) const {
+  expect(low >= -bound_ && high <= bound_, "a coordinate passes its proved bound");
+}
+
 void Coordinates::set(std::size_t i, Point p) {
-  const auto fits = [&](std::int64_t c) { return c >= -bound_ && c <= bound_; };
-  expect(fits(p.x) && fits(p.y) && fits(p.z), "a coordinate passes its proved bound");
-  if (auto* narrow = std::get_if<Narrow>(&points_)) {
-    (*narrow)[i] = {static_cast<std::int32_t>(p.x), static_cast<std::int32_t>(p.y),
-                    static_cast<std::int32_t>(p.z)};
-  } else if (auto* wide = std::get_if<Wide>(&points_)) {
-    (*wide)[i] = p;
-  } else {
-    std::get<Narrowest>(points_)[i] = {static_cast<std::int16_t>(p.x),
-                                       static_cast<std::int16_t>(p.y),
-                                       static_cast<std::int16_t>(p.z)};
-  }
+  check_bound(std::min({p.x, p.y, p.z}), std::max({p.x, p.y, p.z}));
+  std::visit([&](auto& points) { put(points[i], p); }, points_);
 }
 
 void StoredBends::reserve(std::size_t edges, std::size_t bends) {
@@ -73,14 +82,15 @@ Drawing::Drawing(std::string algorithm, Lattice lattice, Coordinates vertices,
       bends_(std::move(bends)) {
   expect(edges_ != nullptr, "a drawing has an edge list");
   expect(bends_ != nullptr || edges_->empty(), "a drawing with edges has a bend source");
-  for (std::size_t e = 0; e < edges_->size(); ++e) {
-    const auto [u, v] = (*edges_)[e];
-    if (u >= vertices_.size() || v >= vertices_.size()) {
-      throw InputError(
-          fmt::format("edge {} ({}, {}) of the drawing: vertex out of range, it has {} vertices", e,
-                      u, v, vertices_.size()));
-    }
-  }
+  Vertex largest = 0;
+  for (const auto [u, v] : *edges_) largest = std::max({largest, u, v});
+  const std::size_t n = vertices_.size();
+  if (edges_->empty() || largest < n) return;
+  const auto bad = std::find_if(edges_->begin(), edges_->end(),
+                                [n](Edge edge) { return edge.u >= n || edge.v >= n; });
+  throw InputError(
+      fmt::format("edge {} ({}, {}) of the drawing: vertex out of range, it has {} vertices",
+                  bad - edges_->begin(), bad->u, bad->v, n));
 }
 
 void Drawing::polyline(EdgeId e, std::vector<Point>& out) const {

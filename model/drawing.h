@@ -46,11 +46,37 @@ class Coordinates {
   }
   /// @throws InternalError if a coordinate passes the bound given at construction.
   void set(std::size_t i, Point p);
+  /// set(i, point_of(i)) for i = begin, ..., end - 1, with one check for all; threads may fill
+  /// ranges of their own.
+  template <class PointOf>
+  void fill(std::size_t begin, std::size_t end, PointOf point_of) {
+    std::int64_t low = 0;
+    std::int64_t high = 0;
+    std::visit(
+        [&](auto& points) {
+          for (std::size_t i = begin; i < end; ++i) {
+            const Point p = point_of(i);
+            low = std::min({low, p.x, p.y, p.z});
+            high = std::max({high, p.x, p.y, p.z});
+            put(points[i], p);
+          }
+        },
+        points_);
+    check_bound(low, high);
+  }
 
  private:
   using Narrowest = std::vector<std::array<std::int16_t, 3>>;
   using Narrow = std::vector<std::array<std::int32_t, 3>>;
   using Wide = std::vector<Point>;
+  template <class T>
+  static void put(std::array<T, 3>& place, Point p) {
+    place = {static_cast<T>(p.x), static_cast<T>(p.y), static_cast<T>(p.z)};
+  }
+  static void put(Point& place, Point p) { place = p; }
+  /// @throws InternalError if [low, high] is not within the bound.
+  void check_bound(std::int64_t low, std::int64_t high) const;
+
   std::variant<Narrow, Wide, Narrowest> points_;
   std::int64_t bound_ = 0;
 };

@@ -37,8 +37,7 @@ std::optional<Candidate> parity_candidate(const Graph& graph, Mode mode,
   return result;
 }
 
-std::optional<Candidate> alternating_candidate(const Graph& graph, Items green, Items red,
-                                               Mode mode) {
+std::optional<Candidate> alternating(const Graph& graph, Items green, Items red, Mode mode) {
   return parity_candidate(
       graph, mode,
       place_by_parity(graph, std::move(green), std::move(red), ParityPattern::alternating));
@@ -90,16 +89,13 @@ Candidate guaranteed_candidate(const Graph& graph, Items green, Items red) {
   return result;
 }
 
-Candidate alternating_or_guaranteed(const Graph& graph, Items green, Items red) {
-  if (auto compact = alternating_candidate(graph, green, red, Mode::alternating)) {
-    return std::move(*compact);
-  }
-  return guaranteed_candidate(graph, std::move(green), std::move(red));
+std::optional<Candidate> alternating_candidate(const Graph& graph, Items green, Items red) {
+  return alternating(graph, std::move(green), std::move(red), Mode::alternating);
 }
 
 Candidate smallest(const Graph& graph, const Items& green, const Items& red) {
   Candidate best = guaranteed_candidate(graph, green, red);
-  keep_smaller(best, alternating_candidate(graph, green, red, Mode::alternating));
+  keep_smaller(best, alternating(graph, green, red, Mode::alternating));
   keep_smaller(best, parity_candidate(graph, Mode::pairs,
                                       place_by_parity(graph, green, red, ParityPattern::pairs)));
   const auto anneal = [&](const Items& g, const Items& r) {
@@ -110,7 +106,7 @@ Candidate smallest(const Graph& graph, const Items& green, const Items& red) {
   Items rotated_green = green;
   Items rotated_red = red;
   if (rotate_jointly(rotated_green, rotated_red)) {
-    keep_smaller(best, alternating_candidate(graph, rotated_green, rotated_red, Mode::joint));
+    keep_smaller(best, alternating(graph, rotated_green, rotated_red, Mode::joint));
     anneal(rotated_green, rotated_red);
   }
   return best;

@@ -25,8 +25,8 @@ bool fits_theorem_box(const std::array<std::int64_t, 3>& extents, std::uint64_t 
 /// Always fits the theorem's box (n >= 1).
 Candidate guaranteed_candidate(const Graph& graph, Items green, Items red);
 
-/// Alternating parity, or the guaranteed mode if that passes the theorem's box.
-Candidate alternating_or_guaranteed(const Graph& graph, Items green, Items red);
+/// Alternating parity; nothing if it passes the theorem's box.
+std::optional<Candidate> alternating_candidate(const Graph& graph, Items green, Items red);
 
 /// The candidate of least volume among the guaranteed mode, alternating parity, pairs, joint
 /// rotation, and annealed parity with and without it.

@@ -3,6 +3,7 @@
 // O(n + m).
 #include "ar3d/algorithms/diamond/diamond.h"
 
+#include <tuple>
 #include <utility>
 
 #include "ar3d/algorithms/degree_limit.h"
@@ -38,18 +39,22 @@ std::pair<Items, Items> items_of(const Graph& graph) {
   return items;
 }
 
-Candidate choose(const Graph& graph, Items green, Items red, int effort) {
-  if (effort == 0) return guaranteed_candidate(graph, std::move(green), std::move(red));
-  if (effort == 1) return alternating_or_guaranteed(graph, std::move(green), std::move(red));
-  return smallest(graph, green, red);
+Candidate choose(const Graph& graph, int effort) {
+  auto [green, red] = items_of(graph);
+  if (effort == 2) return smallest(graph, green, red);
+  if (effort == 1) {
+    auto compact = alternating_candidate(graph, std::move(green), std::move(red));
+    if (compact) return std::move(*compact);
+    std::tie(green, red) = items_of(graph);  // found again rather than kept: no input needed them
+  }
+  return guaranteed_candidate(graph, std::move(green), std::move(red));
 }
 
 }  // namespace
 
 Drawing draw(const Graph& graph, const Options& options) {
   refuse_bad_input(graph, options);
-  auto [green, red] = items_of(graph);
-  Candidate chosen = choose(graph, std::move(green), std::move(red), options.effort);
+  Candidate chosen = choose(graph, options.effort);
   expect(graph.num_vertices() == 0 || fits_theorem_box(chosen.tracks.extents, graph.num_vertices()),
          "the drawing keeps the theorem's box");
   chosen.placement.green = chosen.placement.red = {};  // what follows needs the places alone

@@ -86,7 +86,7 @@ class ItemWalks {
   /// A cycle that is cut: its smallest vertex, and the stretch with it.
   using CutCycle = std::pair<Vertex, std::uint32_t>;
 
-  bool cuts(Vertex v) const { return v % sizes_.stride == 0; }
+  bool cuts(Vertex v) const { return (v & (sizes_.stride - 1)) == 0; }
   std::uint32_t after(std::uint32_t stretch) const {
     return at_cut_[stretches_[stretch].then / sizes_.stride];
   }

@@ -67,10 +67,10 @@ Drawing lift(const Graph& graph, const Placement& placement, Tracks tracks) {
   Coordinates vertices(n, bound);
   const auto threads = static_cast<std::uint32_t>(threads_for(n));
   for_ranges_in_threads(threads, n, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
+    vertices.fill(begin, end, [&](std::size_t v) {
       const auto [X, Y] = placement.at[v];
-      vertices.set(v, {X - Y, X + Y, 0});
-    }
+      return Point{X - Y, X + Y, 0};
+    });
   });
   return Drawing("diamond", kCubeLattice, std::move(vertices), graph.shared_edges(),
                  std::make_shared<DiamondRoutes>(std::move(tracks.code)));

@@ -3,6 +3,9 @@
 // can put the apex on a turn; distance 2 then works (Lemma 1.1). The extents are measured on the
 // way, so that candidates can be compared without any bend in memory. O(n + m).
 #include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <limits>
 
 #include "ar3d/algorithms/diamond/in_threads.h"
 #include "ar3d/algorithms/diamond/routes.h"
@@ -19,33 +22,44 @@ struct Seen {
   std::int32_t b = 0;
 };
 
+/// Coordinates and tracks are below 2^30 in absolute value (placement.h), so a sum or a difference
+/// of two of them fits 32 bits, and the length of a plane path, three distances, 32 bits without a
+/// sign.
 struct Range {
-  std::int64_t low = 0;
-  std::int64_t high = 0;
-  void include(std::int64_t value) {
+  std::int32_t low = std::numeric_limits<std::int32_t>::max();
+  std::int32_t high = std::numeric_limits<std::int32_t>::min();
+  void include(std::int32_t value) {
     low = std::min(low, value);
     high = std::max(high, value);
   }
+  void include(Range other) {
+    low = std::min(low, other.low);
+    high = std::max(high, other.high);
+  }
 };
+
+/// The vertices and the tracks of one colour so far.
+struct Reach {
+  Range a_minus_b;
+  Range a_plus_b;
+  std::uint32_t length = 0;  ///< of the longest plane path; the height is half of it
+};
+
+std::uint32_t distance(std::int32_t p, std::int32_t q) {
+  return static_cast<std::uint32_t>(std::abs(p - q));
+}
 
 /// Chooses the tracks of one colour, item by item, and measures them.
 class Labels {
  public:
   Labels(const Items& items, const std::vector<PlanePoint>& at, Colour colour, Tracks& tracks)
-      : items_(items), at_(at), colour_(colour), code_(tracks.code) {
-    if (!at.empty()) {
-      const Seen s = seen(items.vertex[0]);
-      a_minus_b_ = {s.a - s.b, s.a - s.b};
-      a_plus_b_ = {s.a + s.b, s.a + s.b};
-    }
-  }
+      : items_(items), at_(at), colour_(colour), code_(tracks.code.data()) {}
 
-  void run() {
+  /// Widens what the vertices reach.
+  Reach run(Reach of_vertices) {
+    reach_ = of_vertices;
     for (std::uint32_t item = 0; item < items_.count(); ++item) {
-      if (items_.size(item) == 1) {
-        measure(seen(items_.first(item)));
-        continue;
-      }
+      if (items_.size(item) == 1) continue;
       read_points(item);
       edge_ = items_.edge.data() + items_.begin[item];
       if (items_.is_cycle(item)) {
@@ -55,11 +69,8 @@ class Labels {
       }
     }
     points_ = std::vector<Seen>();  // its memory, which the other colour takes
+    return reach_;
   }
-
-  Range a_minus_b() const { return a_minus_b_; }
-  Range a_plus_b() const { return a_plus_b_; }
-  std::int64_t height() const { return height_; }
 
  private:
   /// What stands so many places ahead in an order is asked for, since the order is known and the
@@ -67,13 +78,21 @@ class Labels {
   static constexpr std::uint32_t kAhead = 16;
 
   void read_points(std::uint32_t item) {
-    points_.clear();
     const auto vertices = items_.of(item);
-    reserve_long(points_, vertices.size());
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-      if (i + kAhead < vertices.size()) __builtin_prefetch(&at_[vertices[i + kAhead]]);
+    const std::size_t size = vertices.size();
+    points_.clear();
+    reserve_long(points_, size);
+    used_ = {};
+    const auto read = [&](std::size_t i) {
       points_.push_back(seen(vertices[i]));
+      used_.include(points_[i].b);
+    };
+    std::size_t i = 0;
+    for (; i + kAhead < size; ++i) {
+      __builtin_prefetch(&at_[vertices[i + kAhead]]);
+      read(i);
     }
+    for (; i < size; ++i) read(i);
   }
 
   Seen seen(Vertex v) const {
@@ -83,12 +102,10 @@ class Labels {
 
   static int direction(Seen from, Seen to) { return to.b > from.b ? 1 : -1; }
 
-  /// The side on which the closing edge runs shorter.
+  /// The side on which the closing edge runs shorter. Nothing but the ends is used so far.
   int shorter_side() const {
-    const auto [low, high] = std::minmax_element(points_.begin(), points_.end(),
-                                                 [](Seen p, Seen q) { return p.b < q.b; });
-    const std::int32_t sum = points_.front().b + points_.back().b;
-    return 2 * high->b - sum <= sum - 2 * low->b ? 1 : -1;
+    const std::int64_t sum = std::int64_t{points_.front().b} + points_.back().b;
+    return 2 * std::int64_t{used_.high} - sum <= sum - 2 * std::int64_t{used_.low} ? 1 : -1;
   }
 
   /// The path edge i to draw as Z so that the closing edge is on side `side`; 0: either side.
@@ -116,55 +133,92 @@ class Labels {
       expect(z != kNone, "an odd cycle has an edge that can be drawn as Z");
       side = -first_sign(z);
     }
-    const Range used = label_path(-side, z);
-    const auto beyond = static_cast<std::int32_t>(side > 0 ? used.high + 1 : used.low - 1);
-    route(points_.back(), points_.front(), beyond, edge_[points_.size() - 1]);
+    label_path(-side, z);
+    route(points_.back(), points_.front(), side > 0 ? used_.high + 1 : used_.low - 1,
+          edge_[points_.size() - 1]);
   }
 
-  /// Routes the path edges, the first one starting on side `sign`, edge z as Z; the lines they use,
-  /// ends included.
-  Range label_path(int sign, std::uint32_t z) {
-    Range used{points_[0].b, points_[0].b};
-    for (std::uint32_t i = 0; i + 1 < points_.size(); ++i) {
-      if (i + kAhead + 1 < points_.size()) __builtin_prefetch(&code_[edge_[i + kAhead]], 1);
+  /// Routes the path edges, the first one starting on side `sign`, edge z as Z.
+  void label_path(int sign, std::uint32_t z) {
+    const auto edges = static_cast<std::uint32_t>(points_.size() - 1);
+    if (z == kNone) return label_us(0, edges, sign);
+    label_us(0, z, sign);
+    if (z % 2 == 1) sign = -sign;
+    const Seen p = points_[z];
+    const Seen q = points_[z + 1];
+    route(p, q, p.b + sign * z_distance(q.a - p.a, q.b - p.b), edge_[z]);
+    label_us(z + 1, edges, sign);
+  }
+
+  /// Routes the path edges begin, ..., end - 1 as U's, alternately on either side. A path edge runs
+  /// upwards in `a`, so of the four points of a U two can be outermost.
+  void label_us(std::uint32_t begin, std::uint32_t end, int sign) {
+    Reach reach = reach_;
+    Range used = used_;
+    const auto up = [&](std::uint32_t i) {
       const Seen p = points_[i];
       const Seen q = points_[i + 1];
-      const std::int32_t track = i == z     ? p.b + sign * z_distance(q.a - p.a, q.b - p.b)
-                                 : sign > 0 ? std::max(p.b, q.b) + 1
-                                            : std::min(p.b, q.b) - 1;
-      if (i != z) sign = -sign;
-      route(p, q, track, edge_[i]);
-      used.include(q.b);
-      used.include(track);
+      const std::int32_t track = std::max(p.b, q.b) + 1;
+      used.high = std::max(used.high, track);
+      reach.a_minus_b.low = std::min(reach.a_minus_b.low, p.a - track);
+      reach.a_plus_b.high = std::max(reach.a_plus_b.high, q.a + track);
+      set(i, track,
+          static_cast<std::uint32_t>((track - p.b) + (q.a - p.a)) +
+              static_cast<std::uint32_t>(track - q.b),
+          reach);
+    };
+    const auto down = [&](std::uint32_t i) {
+      const Seen p = points_[i];
+      const Seen q = points_[i + 1];
+      const std::int32_t track = std::min(p.b, q.b) - 1;
+      used.low = std::min(used.low, track);
+      reach.a_minus_b.high = std::max(reach.a_minus_b.high, q.a - track);
+      reach.a_plus_b.low = std::min(reach.a_plus_b.low, p.a + track);
+      set(i, track,
+          static_cast<std::uint32_t>((p.b - track) + (q.a - p.a)) +
+              static_cast<std::uint32_t>(q.b - track),
+          reach);
+    };
+    std::uint32_t i = begin;
+    if (sign < 0 && i < end) down(i++);
+    for (; i + 1 < end; i += 2) {
+      if (i + kAhead + 1 < end) {
+        __builtin_prefetch(&code_[edge_[i + kAhead]], 1);
+        __builtin_prefetch(&code_[edge_[i + kAhead + 1]], 1);
+      }
+      up(i);
+      down(i + 1);
     }
-    return used;
+    if (i < end) up(i);
+    reach_ = reach;
+    used_ = used;
   }
 
+  void set(std::uint32_t i, std::int32_t track, std::uint32_t length, Reach& reach) {
+    code_[edge_[i]] = 2 * track + static_cast<std::int32_t>(colour_);
+    reach.length = std::max(reach.length, length);
+  }
+
+  /// Any edge of the item.
   void route(Seen p, Seen q, std::int32_t track, EdgeId edge) {
     code_[edge] = 2 * track + static_cast<std::int32_t>(colour_);
-    measure(p);
-    measure({p.a, track});
-    measure({q.a, track});
-    measure(q);
-    const std::int64_t length =
-        std::int64_t{std::abs(p.a - q.a)} + std::abs(track - p.b) + std::abs(track - q.b);
-    height_ = std::max(height_, length / 2);
-  }
-
-  void measure(Seen p) {
-    a_minus_b_.include(p.a - p.b);
-    a_plus_b_.include(p.a + p.b);
+    used_.include(track);
+    for (const std::int32_t a : {p.a, q.a}) {
+      reach_.a_minus_b.include(a - track);
+      reach_.a_plus_b.include(a + track);
+    }
+    reach_.length =
+        std::max(reach_.length, distance(p.a, q.a) + distance(track, p.b) + distance(track, q.b));
   }
 
   const Items& items_;
   const std::vector<PlanePoint>& at_;
   const Colour colour_;
-  std::vector<std::int32_t>& code_;
+  std::int32_t* code_;
   std::vector<Seen> points_;      // of the item at hand
+  Range used_;                    // its places and tracks in `b` so far
   const EdgeId* edge_ = nullptr;  // its edges
-  Range a_minus_b_;
-  Range a_plus_b_;
-  std::int64_t height_ = 0;
+  Reach reach_;
 };
 
 }  // namespace
@@ -173,17 +227,28 @@ Tracks choose_tracks(const Graph& graph, const Placement& placement) {
   Tracks tracks;
   reserve_long(tracks.code, graph.num_edges());
   tracks.code.resize(graph.num_edges());
-  Labels green(placement.green, placement.at, kGreen, tracks);
-  Labels red(placement.red, placement.at, kRed, tracks);
+  if (placement.at.empty()) return tracks;
+  Range x;
+  Range y;
+  for (const PlanePoint p : placement.at) {
+    x.include(p.X - p.Y);
+    y.include(p.X + p.Y);
+  }
+  // x = X - Y: green sees a - b, red sees b - a.
+  const auto turned = [](Range range) { return Range{-range.high, -range.low}; };
+  std::array<Reach, 2> reach{Reach{x, y}, Reach{turned(x), y}};
+  const auto label = [&](Colour colour) {
+    const Items& items = colour == kGreen ? placement.green : placement.red;
+    reach[colour] = Labels(items, placement.at, colour, tracks).run(reach[colour]);
+  };
   in_two_threads(
-      graph.num_vertices(), [&] { green.run(); }, [&] { red.run(); });
-  Range x = green.a_minus_b();  // x = X - Y: green sees a - b, red sees b - a
-  x.include(-red.a_minus_b().low);
-  x.include(-red.a_minus_b().high);
-  Range y = green.a_plus_b();
-  y.include(red.a_plus_b().low);
-  y.include(red.a_plus_b().high);
-  tracks.extents = {x.high - x.low, y.high - y.low, green.height() + red.height()};
+      graph.num_vertices(), [&] { label(kGreen); }, [&] { label(kRed); });
+  x = reach[kGreen].a_minus_b;
+  x.include(turned(reach[kRed].a_minus_b));
+  y = reach[kGreen].a_plus_b;
+  y.include(reach[kRed].a_plus_b);
+  tracks.extents = {std::int64_t{x.high} - x.low, std::int64_t{y.high} - y.low,
+                    std::int64_t{reach[kGreen].length / 2} + reach[kRed].length / 2};
   return tracks;
 }
 

@@ -5,30 +5,32 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <bit>
 #include <cstdint>
+#include <limits>
+#include <list>
 #include <utility>
 #include <vector>
 
 #include "ar3d/algorithms/diamond/in_threads.h"
+#include "ar3d/algorithms/diamond/two_bit_marks.h"
 #include "ar3d/algorithms/diamond/walk_lanes.h"
+#include "ar3d/model/error.h"
 #include "ar3d/model/graph.h"
 #include "ar3d/model/threads.h"
 
 namespace ar3d::diamond {
 
-/// The neighbours of a vertex in the order of incident(v), padded with kNoNeighbour, in the low 28
-/// bits; above them what is known of the edge. A step of a walk reads one record of 16 bytes.
-using Record = std::array<std::uint32_t, 4>;
+/// The neighbours of a vertex in the order of incident(v), padded with kNoVertex: a step of a walk
+/// reads one record of 16 bytes.
+using Record = std::array<Vertex, 4>;
 using Records = UnwrittenVector<Record>;
-inline constexpr std::uint32_t kNeighbourMask = (1u << 28) - 1;
-inline constexpr std::uint32_t kNoNeighbour = kNeighbourMask;
-inline constexpr std::uint32_t kOut = 1u << 28;  ///< the edge leaves this vertex
-inline constexpr std::uint32_t kIn = 1u << 29;   ///< it enters this vertex
-inline constexpr std::uint32_t kIsRed = 1u << 30;
-inline constexpr std::uint32_t kColoured = 1u << 31;
+inline constexpr Vertex kNoVertex = std::numeric_limits<Vertex>::max();
 
-inline std::uint32_t neighbour(const Record& record, std::uint32_t entry) {
-  return record[entry] & kNeighbourMask;
+/// The entry of neighbour v, which is in the record; without a branch, since no processor foresees
+/// which entry it is.
+inline std::uint32_t entry_to(const Record& record, Vertex v) {
+  return static_cast<std::uint32_t>(record[1] == v) + 2 * (record[2] == v) + 3 * (record[3] == v);
 }
 
 /// An end of an edge: 4 * vertex + entry. n <= 2^27, so it fits 29 bits.
@@ -37,290 +39,452 @@ inline constexpr Port port(Vertex v, std::uint32_t entry) { return v << 2 | entr
 inline constexpr Vertex vertex_of(Port p) { return p >> 2; }
 inline constexpr std::uint32_t entry_of(Port p) { return p & 3; }
 
-inline constexpr std::uint32_t kNoEntry = 4;
+/// By which entry a chain goes on from an arrival, if the record has it; and whether the arrival is
+/// kept in the stretch.
+struct Onward {
+  std::uint32_t entry = 0;
+  std::uint32_t kept = 1;
+};
 
 /// Links the entries (0, 1) and (2, 3) of every vertex.
 struct LinkPairs {
-  std::uint32_t operator()(const Record& record, std::uint32_t entry) const {
-    return neighbour(record, entry ^ 1u) == kNoNeighbour ? kNoEntry : entry ^ 1u;
-  }
+  Onward operator()(Port arrival) const { return {entry_of(arrival) ^ 1u, 1}; }
+  void prefetch(Vertex) const {}
+  /// Of a kept arrival: tells it from those of other chains at the vertex.
+  static std::uint32_t key(Port arrival) { return arrival >> 1; }
+  /// Of the end of a chain: tells it from the vertex's other one.
+  std::uint32_t end_key(Port end) const { return end >> 1; }
 };
 
-/// Links the two edges out of a vertex, and the two into it.
+/// The directions of all edges: the mark of pair i of vertex v, number 2v + i, says by which of its
+/// entries an edge enters the vertex. A pair of two edges is one in and one out.
+inline std::uint32_t enters(const TwoBitMarks& directions, Port p) {
+  return directions.bit(p >> 1) ^ (p & 1);
+}
+
+/// Links the two edges out of a vertex, and the two into it: one of each pair. Keeps the arrivals
+/// against an edge's direction, which are all vertices that an edge leaves.
 struct LinkSameDirection {
-  std::uint32_t operator()(const Record& record, std::uint32_t entry) const {
-    const std::uint32_t direction = record[entry] & (kOut | kIn);
-    for (std::uint32_t other = 0; other < 4; ++other) {
-      if (other != entry && (record[other] & direction) != 0) return other;
-    }
-    return kNoEntry;
+  Onward operator()(Port arrival) const {
+    const std::uint32_t in = enters(*directions, arrival);
+    const std::uint32_t other_pair = arrival >> 1 ^ 1u;
+    return {(other_pair & 1) * 2 + (in ^ directions->bit(other_pair)), in ^ 1u};
   }
+  void prefetch(Vertex v) const { directions->prefetch(2 * v); }
+  static std::uint32_t key(Port arrival) { return arrival >> 2; }
+  std::uint32_t end_key(Port end) const { return vertex_of(end) * 2 + enters(*directions, end); }
+  const TwoBitMarks* directions = nullptr;
 };
 
-/// A part of a chain: the ports at which its edges arrive, from the edge that leaves `start` on.
+/// A part of a chain, from the edge that leaves `start` on.
 struct Stretch {
   Port start = 0;
-  Port end = 0;  ///< the last arrival
-  std::uint32_t lane = 0;
-  std::size_t begin = 0;  ///< of its arrivals among those of the lane
-  std::uint32_t size = 0;
+  Port end = 0;                ///< the last arrival
+  const Port* kept = nullptr;  ///< the kept arrivals
+  std::uint32_t num_kept = 0;
+  std::uint32_t size = 0;  ///< in edges
+  bool starts_at_cut = false;
+  bool ends_at_cut = false;
   /// The smallest port that the chain has inside the stretch, its ends not counted; which edge of
-  /// the stretch is there, from 1 on; whether the stretch leaves by it or arrives.
+  /// the stretch is there, from 0 on; whether the stretch leaves by it or arrives.
+  bool low_leaves = false;
   Port low = ~Port{0};
   std::uint32_t low_edge = 0;
-  bool low_leaves = false;
 };
 
-/// A chain as stretches in order, each walked forwards or backwards, in the direction that the
-/// plain walk takes: from the smaller of its two ends or, if it is closed, out of its smallest
-/// port.
-struct Trail {
-  std::vector<std::pair<const Stretch*, bool>> pieces;  ///< true: backwards
-  std::uint64_t first = 0;  ///< number of the edge at which the plain walk begins, counted from 0
+/// A stretch in its chain. The plain walk takes a chain from the smaller of its two ends or, if it
+/// is closed, out of its smallest port; an edge's number is its place in that walk.
+struct Piece {
+  const Stretch* stretch = nullptr;
+  bool backwards = false;  ///< as the plain walk takes it
+  std::uint32_t odd = 0;   ///< the number of the stretch's edge i is odd iff odd + i is
 };
 
-/// Finds the chains that have an end or pass a vertex whose number is a multiple of the stride.
+/// Walks chains of linked edges: first those that have an end or pass a vertex whose number is a
+/// multiple of the stride, which cuts them into stretches (walk_cut); then the others (walk_uncut).
 template <class Link>
 class Trails {
  public:
+  static constexpr Port kNoPort = ~Port{0};
+
   /// @param all_linked  every entry of every vertex has a linked one.
-  Trails(const Records& records, bool all_linked, const WalkSizes& sizes)
+  Trails(const Records& records, Link link, bool all_linked, const WalkSizes& sizes)
       : records_(records),
         all_linked_(all_linked),
         sizes_(sizes),
-        lanes_(std::size_t{sizes.lanes} * sizes.threads) {
-    const std::size_t ends = all_linked ? records.size() / sizes.stride + 1 : records.size();
-    stretch_at_.assign(4 * ends, kNone);
-    for (Lane& lane : lanes_) lane.arrivals.reserve(2 * records.size() / lanes_.size() + 1024);
+        link_(link),
+        lanes_(std::size_t{sizes.lanes} * sizes.threads),
+        ended_(all_linked ? 0 : 2 * records.size(), sizes.threads > 1),
+        stretch_at_(4 * (records.size() / sizes.stride + 1), kNone) {
+    expect(std::has_single_bit(sizes.stride), "the stride is a power of two");
   }
 
-  /// Calls visit(trail), once for each.
-  template <class Visit>
-  void for_each(Visit visit) {
-    walk_all();
-    visit_open(visit);
-    visit_closed(visit);
-  }
+  /// Calls write(piece), in threads, for pieces that cover the chains with an end or a cut; a chain
+  /// may be written twice, then in the same way.
+  template <class Write>
+  void walk_cut(const Write& write);
 
-  /// The arrivals of a stretch.
-  const Port* arrivals(const Stretch& stretch) const {
-    return lanes_[stretch.lane].arrivals.data() + stretch.begin;
-  }
+  /// Calls write(piece), in threads, for the other chains, each of them one piece. They must be all
+  /// that is not written.
+  /// @param next_unwritten  (i, end): a port in an unwritten chain, by which a walk begins. It has
+  /// the least key >= i and below `end` of all their ports that are kept where they are arrivals;
+  /// kNoPort if there is none.
+  template <class NextUnwritten, class Write>
+  void walk_uncut(const NextUnwritten& next_unwritten, const Write& write);
 
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   static constexpr std::uint32_t kWalked = kNone - 1;  ///< by a stretch without a number yet
+  static constexpr std::size_t kBlock = std::size_t{1} << 14;
+  static constexpr std::size_t kPiecesAtATime = 16;
+
   struct Lane {
-    Stretch stretch;
     Vertex from = 0;
     Vertex to = 0;
-    std::vector<Port> arrivals;
+    Port* next = nullptr;  ///< where the next kept arrival goes
+    Port* room_end = nullptr;
+    Port* kept = nullptr;  ///< where those of the stretch begin
+    Stretch stretch;
+    std::list<UnwrittenVector<Port>> blocks;
   };
-  /// One thread's part: the stretches that begin in a range of vertices.
-  struct Walker {
-    bool start(std::uint32_t number) { return trails->start(*this, trails->lanes_[lane + number]); }
-    bool advance(std::uint32_t number) {
-      return trails->advance(*this, trails->lanes_[lane + number]);
-    }
-    Trails* trails = nullptr;
-    std::uint32_t lane = 0;  ///< the first one
-    Port next = 0;           ///< where to look for the next start
-    Vertex end = 0;
-    std::vector<Stretch> stretches = {};
+  struct Arrival {
+    Port at;
+    std::uint32_t kept;
+    Port leaving;
+    Vertex onward;  ///< kNoVertex: the chain ends
   };
-  void walk_all();
-  bool start(Walker& walker, Lane& lane);
-  bool advance(Walker& walker, Lane& lane);
+  template <class Write>
+  struct CutWalker;
+  template <class NextUnwritten, class Write>
+  struct UncutWalker;
 
-  bool cuts(Vertex v) const { return v % sizes_.stride == 0; }
-  /// The stretch that begins or ends at a port where one may: kNone as long as none is known.
+  bool cuts(Vertex v) const { return (v & (sizes_.stride - 1)) == 0; }
+  /// The stretch that begins or ends at a port of a cut: kNone as long as none is known.
   std::uint32_t& stretch_at(Port p) {
-    return stretch_at_[all_linked_ ? port(vertex_of(p) / sizes_.stride, entry_of(p)) : p];
+    return stretch_at_[port(vertex_of(p) / sizes_.stride, entry_of(p))];
   }
-  std::uint32_t linked(Port p) const { return link_(records_[vertex_of(p)], entry_of(p)); }
   /// The same while threads walk; no other thread's walk depends on when it sees it.
   std::atomic_ref<std::uint32_t> shared_stretch_at(Port p) {
     return std::atomic_ref<std::uint32_t>(stretch_at(p));
   }
-  bool next_start(Walker& walker, Port& p);
-  void finish(Walker& walker, Lane& lane);
+  /// The port linked with one, or kNoPort.
+  Port linked(Port p) const {
+    const std::uint32_t entry = link_(p).entry;
+    return records_[vertex_of(p)][entry] == kNoVertex ? kNoPort : port(vertex_of(p), entry);
+  }
+  Lane* lanes_of(std::uint32_t thread) {
+    return lanes_.data() + std::size_t{thread} * sizes_.lanes;
+  }
+  Vertex bound(std::uint32_t thread) const {
+    return static_cast<Vertex>(std::uint64_t{records_.size()} * thread / sizes_.threads);
+  }
 
-  template <class Visit>
-  void visit_open(Visit& visit);
-  template <class Visit>
-  void visit_closed(Visit& visit);
-  /// Follows stretches from a port until the chain ends or is back. Forgets them on the way.
-  /// True if it leaves its smallest port, false if it arrives there.
-  bool follow(Port from);
-  void reverse();
+  void begin_at(Lane& lane, Port p) const;
+  Arrival arrive(Lane& lane) const;
+  void go_on(Lane& lane, Arrival arrival) const;
+  static void make_room(Lane& lane);
+  /// The stretch, complete but for its ends.
+  static Stretch& take(Lane& lane);
+
+  std::vector<Piece> pieces_in_chains();
+  /// Follows stretches from the end of one until the chain ends or is back, and forgets them on the
+  /// way.
+  void follow(std::uint32_t number, bool backwards, std::vector<Piece>& pieces);
 
   const Records& records_;
   const bool all_linked_;
   const WalkSizes sizes_;
-  const Link link_{};
+  const Link link_;
   std::vector<Lane> lanes_;
+  TwoBitMarks ended_;  ///< ends from which no walk is needed, by end_key()
   std::vector<Stretch> stretches_;
   std::vector<std::uint32_t> stretch_at_;
-  Trail trail_;  ///< the one at hand
 };
 
-/// The next port at which a stretch begins and none has ended.
 template <class Link>
-bool Trails<Link>::next_start(Walker& walker, Port& p) {
-  while (vertex_of(walker.next) < walker.end) {
-    p = walker.next++;
-    const Vertex v = vertex_of(p);
-    if (all_linked_ && !cuts(v)) {  // nothing begins before the next cut
-      walker.next = port((v / sizes_.stride + 1) * sizes_.stride, 0);
-      continue;
-    }
-    if (neighbour(records_[v], entry_of(p)) == kNoNeighbour) continue;
-    if (!cuts(v) && linked(p) != kNoEntry) continue;
-    if (shared_stretch_at(p).load(std::memory_order_relaxed) == kNone) return true;
-  }
-  return false;
-}
-
-template <class Link>
-bool Trails<Link>::start(Walker& walker, Lane& lane) {
-  Port p = 0;
-  if (!next_start(walker, p)) return false;
+void Trails<Link>::begin_at(Lane& lane, Port p) const {
   lane.stretch = Stretch{};
   lane.stretch.start = p;
-  lane.stretch.lane = static_cast<std::uint32_t>(&lane - lanes_.data());
-  lane.stretch.begin = lane.arrivals.size();
-  lane.from = vertex_of(p);
-  lane.to = neighbour(records_[lane.from], entry_of(p));
-  __builtin_prefetch(&records_[lane.to]);
-  return true;
+  lane.kept = lane.next;
+  lane.to = vertex_of(p);
+  go_on(lane, {0, 0, p, records_[lane.to][entry_of(p)]});
 }
 
 template <class Link>
-bool Trails<Link>::advance(Walker& walker, Lane& lane) {
-  const Record& record = records_[lane.to];
-  std::uint32_t entry = 0;
-  while (neighbour(record, entry) != lane.from) ++entry;
-  const Port arrival = port(lane.to, entry);
-  lane.arrivals.push_back(arrival);
-  ++lane.stretch.size;
-  const std::uint32_t next = link_(record, entry);
-  if (next == kNoEntry || cuts(lane.to)) {
-    finish(walker, lane);
-    return false;
-  }
-  const Port leaving = port(lane.to, next);
-  if (std::min(arrival, leaving) < lane.stretch.low) {
-    lane.stretch.low = std::min(arrival, leaving);
-    lane.stretch.low_leaves = leaving < arrival;
-    lane.stretch.low_edge = lane.stretch.size + (leaving < arrival ? 1 : 0);
-  }
+void Trails<Link>::go_on(Lane& lane, Arrival arrival) const {
   lane.from = lane.to;
-  lane.to = neighbour(record, next);
+  lane.to = arrival.onward;
   __builtin_prefetch(&records_[lane.to]);
-  return true;
+  link_.prefetch(lane.to);
 }
 
 template <class Link>
-void Trails<Link>::finish(Walker& walker, Lane& lane) {
-  lane.stretch.end = lane.arrivals.back();
-  walker.stretches.push_back(lane.stretch);
-  for (const Port p : {lane.stretch.start, lane.stretch.end}) {
-    shared_stretch_at(p).store(kWalked, std::memory_order_relaxed);
+typename Trails<Link>::Arrival Trails<Link>::arrive(Lane& lane) const {
+  const Record& record = records_[lane.to];
+  const Port at = port(lane.to, entry_to(record, lane.from));
+  const auto [entry, kept] = link_(at);
+  if (lane.next == lane.room_end) make_room(lane);
+  *lane.next = at;
+  lane.next += kept;
+  ++lane.stretch.size;
+  return {at, kept, port(lane.to, entry), record[entry]};
+}
+
+/// A stretch stands in one block: what it has so far moves to a new one.
+template <class Link>
+void Trails<Link>::make_room(Lane& lane) {
+  const auto kept = static_cast<std::size_t>(lane.next - lane.kept);
+  UnwrittenVector<Port> block(std::max(kBlock, 2 * kept));
+  std::copy(lane.kept, lane.next, block.data());
+  lane.kept = block.data();
+  lane.next = block.data() + kept;
+  lane.room_end = block.data() + block.size();
+  lane.blocks.push_back(std::move(block));
+}
+
+template <class Link>
+Stretch& Trails<Link>::take(Lane& lane) {
+  lane.stretch.kept = lane.kept;
+  lane.stretch.num_kept = static_cast<std::uint32_t>(lane.next - lane.kept);
+  return lane.stretch;
+}
+
+/// An arrival and the port by which the chain goes on, the latter number `leaving_edge`.
+inline void take_low(Stretch& stretch, Port arrival, Port leaving, std::uint32_t leaving_edge) {
+  if (std::min(arrival, leaving) >= stretch.low) return;
+  stretch.low = std::min(arrival, leaving);
+  stretch.low_leaves = leaving < arrival;
+  stretch.low_edge = stretch.low_leaves ? leaving_edge : stretch.size - 1;
+}
+
+/// One thread's part: what begins in a range of vertices.
+template <class Link>
+template <class Write>
+struct Trails<Link>::CutWalker {
+  /// Ends of chains first, so that a short chain is one stretch. Then the ports of cuts at which no
+  /// stretch has ended.
+  bool start(std::uint32_t number) {
+    Lane& lane = lanes[number];
+    Port p = next_end();
+    const bool at_cut = p == kNoPort;
+    if (at_cut) p = next_cut();
+    if (p == kNoPort) return false;
+    trails.begin_at(lane, p);
+    lane.stretch.starts_at_cut = at_cut;
+    return true;
   }
-}
 
-/// A stretch may have been walked from both of its ends at the same time: then both ports get the
-/// number of the same one of the two, which is all that is asked of them.
-template <class Link>
-void Trails<Link>::walk_all() {
-  const auto n = static_cast<Vertex>(records_.size());
-  std::vector<Walker> walkers(sizes_.threads);
-  for (std::uint32_t t = 0; t < sizes_.threads; ++t) {
-    const auto bound = [&](std::uint32_t i) {
-      return static_cast<Vertex>(std::uint64_t{n} * i / sizes_.threads);
+  Port next_end() {
+    while (at_end < end) {
+      const Port p = at_end++;
+      const Record& record = trails.records_[vertex_of(p)];
+      if (record[3] != kNoVertex) {  // all four are linked
+        at_end |= 3;
+        ++at_end;
+      } else if (record[entry_of(p)] != kNoVertex && trails.linked(p) == kNoPort &&
+                 !trails.ended_.has(trails.link_.end_key(p))) {
+        return p;
+      }
+    }
+    return kNoPort;
+  }
+
+  Port next_cut() {
+    while (at_cut < end) {
+      const Port p = at_cut++;
+      if (!trails.cuts(vertex_of(p))) {
+        at_cut = port((vertex_of(p) / trails.sizes_.stride + 1) * trails.sizes_.stride, 0);
+      } else if (trails.records_[vertex_of(p)][entry_of(p)] != kNoVertex &&
+                 trails.linked(p) != kNoPort &&
+                 trails.shared_stretch_at(p).load(std::memory_order_relaxed) == kNone) {
+        return p;
+      }
+    }
+    return kNoPort;
+  }
+
+  bool advance(std::uint32_t number) {
+    Lane& lane = lanes[number];
+    const Arrival arrival = trails.arrive(lane);
+    if (arrival.onward == kNoVertex || trails.cuts(lane.to)) {
+      finish(lane, arrival);
+      return false;
+    }
+    take_low(lane.stretch, arrival.at, arrival.leaving, lane.stretch.size);
+    trails.go_on(lane, arrival);
+    return true;
+  }
+
+  void finish(Lane& lane, Arrival arrival) {
+    Stretch& stretch = take(lane);
+    stretch.end = arrival.at;
+    stretch.ends_at_cut = arrival.onward != kNoVertex;
+    if (!stretch.ends_at_cut) trails.ended_.set(trails.link_.end_key(stretch.end), 0);
+    if (!stretch.starts_at_cut && !stretch.ends_at_cut) {
+      const bool backwards = stretch.end < stretch.start;
+      write({&stretch, backwards, backwards ? (stretch.size - 1) & 1 : 0});
+      lane.next = lane.kept;
+      return;
+    }
+    stretches.push_back(stretch);
+    const auto mark = [&](Port p) {
+      trails.shared_stretch_at(p).store(kWalked, std::memory_order_relaxed);
     };
-    walkers[t].trails = this;
-    walkers[t].lane = t * sizes_.lanes;
-    walkers[t].next = port(bound(t), 0);
-    walkers[t].end = bound(t + 1);
+    if (stretch.starts_at_cut) mark(stretch.start);
+    if (stretch.ends_at_cut) mark(stretch.end);
+  }
+
+  Trails& trails;
+  const Write& write;
+  Lane* lanes;
+  Port at_end;  ///< where to look for the next end of a chain
+  Port at_cut;  ///< and for the next cut
+  Port end;
+  std::vector<Stretch> stretches = {};
+};
+
+/// A stretch may have been walked from both of its ends at the same time: then its ports at cuts
+/// get the number of the same one of the two, and the other one is not written.
+template <class Link>
+template <class Write>
+void Trails<Link>::walk_cut(const Write& write) {
+  std::vector<CutWalker<Write>> walkers;
+  for (std::uint32_t t = 0; t < sizes_.threads; ++t) {
+    const Port begin = port(bound(t), 0);
+    const Port end = port(bound(t + 1), 0);
+    walkers.push_back({*this, write, lanes_of(t), all_linked_ ? end : begin, begin, end});
   }
   in_threads(sizes_.threads, [&](std::uint32_t t) { walk_in_lanes(walkers[t], sizes_.lanes); });
-  for (const Walker& walker : walkers) {
+  for (const auto& walker : walkers) {
     stretches_.insert(stretches_.end(), walker.stretches.begin(), walker.stretches.end());
   }
   for (std::uint32_t number = 0; number < stretches_.size(); ++number) {
-    stretch_at(stretches_[number].start) = stretch_at(stretches_[number].end) = number;
+    const Stretch& stretch = stretches_[number];
+    if (stretch.starts_at_cut) stretch_at(stretch.start) = number;
+    if (stretch.ends_at_cut) stretch_at(stretch.end) = number;
   }
+  const std::vector<Piece> pieces = pieces_in_chains();
+  for_each_in_threads(sizes_.threads, pieces.size(), kPiecesAtATime,
+                      [&](std::size_t p) { write(pieces[p]); });
 }
 
 template <class Link>
-bool Trails<Link>::follow(Port from) {
-  trail_.pieces.clear();
-  std::uint64_t edges = 0;  // before the piece at hand
-  Port lowest = ~Port{0};
-  bool low_leaves = false;
-  const auto take_low = [&](Port low, bool leaves, std::uint64_t edge) {
-    if (low >= lowest) return;
-    lowest = low;
-    low_leaves = leaves;
-    trail_.first = edge;
-  };
-  for (Port p = from;;) {
-    const Stretch& stretch = stretches_[stretch_at(p)];
-    const bool backwards = stretch.start != p;
-    const Port end = backwards ? stretch.start : stretch.end;
-    trail_.pieces.emplace_back(&stretch, backwards);
-    stretch_at(p) = stretch_at(end) = kNone;
-    if (stretch.size > 1) {
-      take_low(stretch.low, stretch.low_leaves != backwards,
-               edges + (backwards ? stretch.size - stretch.low_edge : stretch.low_edge - 1));
-    }
-    edges += stretch.size;
-    const std::uint32_t next = linked(end);
-    if (next == kNoEntry) return low_leaves;
-    const Port leaving = port(vertex_of(end), next);
-    // The edge after the last one of a closed chain is its first one.
-    const std::uint64_t edge_after = leaving == from ? 0 : edges;
-    take_low(std::min(end, leaving), leaving < end, leaving < end ? edge_after : edges - 1);
-    if (leaving == from) return low_leaves;
-    p = leaving;
+std::vector<Piece> Trails<Link>::pieces_in_chains() {
+  std::vector<Piece> pieces;
+  pieces.reserve(stretches_.size());
+  for (std::uint32_t number = 0; number < stretches_.size(); ++number) {
+    const Stretch& stretch = stretches_[number];
+    if (stretch.starts_at_cut && stretch.ends_at_cut) continue;
+    if (stretch_at(stretch.starts_at_cut ? stretch.start : stretch.end) != number) continue;
+    follow(number, stretch.starts_at_cut, pieces);
   }
-}
-
-template <class Link>
-void Trails<Link>::reverse() {
-  std::uint64_t edges = 0;
-  for (auto& [stretch, backwards] : trail_.pieces) {
-    backwards = !backwards;
-    edges += stretch->size;
-  }
-  std::reverse(trail_.pieces.begin(), trail_.pieces.end());
-  trail_.first = edges - 1 - trail_.first;
-}
-
-template <class Link>
-template <class Visit>
-void Trails<Link>::visit_open(Visit& visit) {
-  if (all_linked_) return;
-  for (Port p = 0; vertex_of(p) < records_.size(); ++p) {
-    if (stretch_at(p) == kNone || linked(p) != kNoEntry) continue;
-    follow(p);
-    trail_.first = 0;
-    visit(trail_);
-  }
-}
-
-template <class Link>
-template <class Visit>
-void Trails<Link>::visit_closed(Visit& visit) {
-  for (std::size_t v = 0; v < records_.size(); v += sizes_.stride) {
-    for (std::uint32_t entry = 0; entry < 4; ++entry) {
-      const Port p = port(static_cast<Vertex>(v), entry);
-      if (stretch_at(p) == kNone) continue;
-      if (!follow(p)) reverse();
-      visit(trail_);
+  for (const Stretch& stretch : stretches_) {
+    for (const Port p : {stretch.start, stretch.end}) {
+      const bool known = p == stretch.start ? stretch.starts_at_cut : stretch.ends_at_cut;
+      if (!known || stretch_at(p) == kNone) continue;
+      const std::uint32_t number = stretch_at(p);
+      follow(number, stretches_[number].start != p, pieces);
     }
   }
+  return pieces;
+}
+
+template <class Link>
+void Trails<Link>::follow(std::uint32_t number, bool backwards, std::vector<Piece>& pieces) {
+  const std::size_t begin = pieces.size();
+  const Port from = backwards ? stretches_[number].end : stretches_[number].start;
+  Stretch chain;  // its size so far, and its smallest port
+  bool reversed = false;
+  for (;;) {
+    const Stretch& stretch = stretches_[number];
+    const Port last = backwards ? stretch.start : stretch.end;
+    if (stretch.starts_at_cut) stretch_at(stretch.start) = kNone;
+    if (stretch.ends_at_cut) stretch_at(stretch.end) = kNone;
+    const std::uint32_t before = chain.size;
+    pieces.push_back({&stretch, backwards, before + (backwards ? stretch.size - 1 : 0)});
+    if (stretch.low < chain.low) {
+      chain.low = stretch.low;
+      chain.low_leaves = stretch.low_leaves != backwards;
+      chain.low_edge =
+          before + (backwards ? stretch.size - 1 - stretch.low_edge : stretch.low_edge);
+    }
+    chain.size += stretch.size;
+    if (!(backwards ? stretch.starts_at_cut : stretch.ends_at_cut)) {  // from end to end
+      reversed = last < from;
+      chain.low_edge = reversed ? chain.size - 1 : 0;
+      break;
+    }
+    const Port leaving = linked(last);
+    take_low(chain, last, leaving, leaving == from ? 0 : chain.size);
+    if (leaving == from) {  // around
+      reversed = !chain.low_leaves;
+      break;
+    }
+    number = stretch_at(leaving);
+    backwards = stretches_[number].start != leaving;
+  }
+  for (std::size_t p = begin; p < pieces.size(); ++p) {
+    pieces[p].backwards = pieces[p].backwards != reversed;
+    pieces[p].odd = (pieces[p].odd + chain.low_edge) & 1;  // the chain's edge low_edge is number 0
+  }
+}
+
+/// One thread's part: the chains whose least key is in a range. A walk that comes to a smaller key
+/// than its first stops: another one begins there, or has begun.
+template <class Link>
+template <class NextUnwritten, class Write>
+struct Trails<Link>::UncutWalker {
+  bool start(std::uint32_t number) {
+    const Port p = next_unwritten(next, end);
+    if (p == kNoPort) {
+      next = end;
+      return false;
+    }
+    next = Link::key(p) + 1;
+    trails.begin_at(lanes[number], p);
+    return true;
+  }
+
+  bool advance(std::uint32_t number) {
+    Lane& lane = lanes[number];
+    const Arrival arrival = trails.arrive(lane);
+    Stretch& stretch = lane.stretch;
+    const bool back = arrival.leaving == stretch.start;
+    if (!back && arrival.kept && Link::key(arrival.at) < Link::key(stretch.start)) {
+      lane.next = lane.kept;
+      return false;
+    }
+    take_low(stretch, arrival.at, arrival.leaving, back ? 0 : stretch.size);
+    if (back) {
+      stretch.end = arrival.at;
+      write({&take(lane), !stretch.low_leaves, stretch.low_edge & 1});
+      lane.next = lane.kept;
+      return false;
+    }
+    trails.go_on(lane, arrival);
+    return true;
+  }
+
+  Trails& trails;
+  const NextUnwritten& next_unwritten;
+  const Write& write;
+  Lane* lanes;
+  std::uint32_t next;  ///< key
+  std::uint32_t end;
+};
+
+template <class Link>
+template <class NextUnwritten, class Write>
+void Trails<Link>::walk_uncut(const NextUnwritten& next_unwritten, const Write& write) {
+  in_threads(sizes_.threads, [&](std::uint32_t t) {
+    UncutWalker<NextUnwritten, Write> walker{*this,
+                                             next_unwritten,
+                                             write,
+                                             lanes_of(t),
+                                             Link::key(port(bound(t), 0)),
+                                             Link::key(port(bound(t + 1), 0))};
+    walk_in_lanes(walker, sizes_.lanes);
+  });
 }
 
 }  // namespace ar3d::diamond

@@ -7,7 +7,7 @@ namespace ar3d::diamond {
 
 /// Sizes that decide how chains are walked, never what comes out; tests set them small.
 struct WalkSizes {
-  /// Every so many-th vertex cuts the chains through it into stretches.
+  /// Every so many-th vertex cuts the chains through it into stretches; a power of two.
   std::uint32_t stride = 512;
   /// Stretches that a thread walks at the same time.
   std::uint32_t lanes = 32;

@@ -15,14 +15,15 @@ using namespace diamond;
 std::vector<WalkSizes> sizes() {
   return {{.stride = 1, .lanes = 1},
           {.stride = 2, .lanes = 3},
-          {.stride = 3, .lanes = 40},
-          {.stride = 7, .lanes = 2},
-          {.stride = 31, .lanes = 8},
-          {.stride = 97, .lanes = 1},
+          {.stride = 4, .lanes = 40},
+          {.stride = 8, .lanes = 2},
+          {.stride = 32, .lanes = 8},
+          {.stride = 128, .lanes = 1},
           {.stride = 64, .lanes = 5},
-          {.stride = 5000, .lanes = 4},
+          {.stride = 8192, .lanes = 4},
           {.stride = 1, .lanes = 2, .threads = 2},
-          {.stride = 5, .lanes = 3, .threads = 3}};
+          {.stride = 4, .lanes = 3, .threads = 3},
+          {.stride = 8192, .lanes = 3, .threads = 3}};
 }
 
 void expect_equal(const Items& a, const Items& b) {

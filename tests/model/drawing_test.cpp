@@ -71,6 +71,14 @@ TEST(Drawing, RefusesForeignVertices) {
   EXPECT_THROW(
       Drawing("test", kCubeLattice, Coordinates(2, 0), edges, std::make_shared<StoredBends>()),
       InputError);
+  *edges = {{0, 1}, {1, 3}, {2, 3}};
+  try {
+    Drawing("test", kCubeLattice, Coordinates(3, 0), edges, std::make_shared<StoredBends>());
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "edge 1 (1, 3) of the drawing: vertex out of range, it has 3 vertices");
+  }
 }
 
 TEST(Coordinates, WidthFollowsTheBound) {
@@ -82,6 +90,27 @@ TEST(Coordinates, WidthFollowsTheBound) {
   wide.set(0, {std::int64_t{1} << 40, 0, -1});
   EXPECT_EQ(wide[0], (Point{std::int64_t{1} << 40, 0, -1}));
   EXPECT_THROW(Coordinates(1, kMaxCoordinate + 1), InputError);
+}
+
+TEST(Coordinates, FillSetsARangeAndKeepsTheBound) {
+  for (const std::int64_t bound :
+       {std::int64_t{100}, std::int64_t{70'000}, std::int64_t{1} << 40}) {
+    Coordinates points(5, bound);
+    points.fill(1, 4, [&](std::size_t i) {
+      return Point{bound, -bound, static_cast<std::int64_t>(i)};
+    });
+    for (std::size_t i = 0; i < 5; ++i) {
+      const bool filled = i >= 1 && i < 4;
+      EXPECT_EQ(points[i], filled ? (Point{bound, -bound, static_cast<std::int64_t>(i)}) : Point{});
+    }
+    for (const std::int64_t beyond : {bound + 1, -bound - 1}) {
+      EXPECT_THROW(points.fill(0, 1,
+                               [&](std::size_t) {
+                                 return Point{0, beyond, 0};
+                               }),
+                   InternalError);
+    }
+  }
 }
 
 }  // namespace
