@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ar3d::limits {
@@ -14,7 +15,7 @@ struct Goal {
   enum class Kind { at_most, at_least };
   Kind kind = Kind::at_most;
   double value = 0;
-  std::string unit = "×";  ///< of the value and of what is measured
+  std::string_view unit = "×";  ///< a literal; of the value and of what is measured
 };
 
 /// One line of the table.

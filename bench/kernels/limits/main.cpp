@@ -91,10 +91,10 @@ bool measure(Group& group, const Scale& scale) {
 
 void print_group(const Group& group, std::uint64_t n) {
   for (const Limit& limit : group.limits) {
-    fmt::print("| `{}` | {} | {} | {} | {} | {} | {} | {} |\n", group.name, limit.stage,
-               limit.yardstick, n,
-               limit.measured ? value_text(*limit.measured) + limit.goal.unit : "–",
-               goal_text(limit.goal), met(limit, n == group.n), remark(limit, n == group.n));
+    fmt::print(
+        "| `{}` | {} | {} | {} | {} | {} | {} | {} |\n", group.name, limit.stage, limit.yardstick,
+        n, limit.measured ? fmt::format("{}{}", value_text(*limit.measured), limit.goal.unit) : "–",
+        goal_text(limit.goal), met(limit, n == group.n), remark(limit, n == group.n));
   }
   std::fflush(stdout);
 }

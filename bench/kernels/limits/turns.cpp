@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace ar3d::limits {
 
@@ -25,9 +27,21 @@ void Turns::run(int rounds, double most_seconds, const std::function<void()>& be
   }
 }
 
+double Turns::mean_of(std::size_t i) const {
+  const std::vector<double>& times = times_[i];
+  return std::accumulate(times.begin(), times.end(), 0.0) / static_cast<double>(times.size());
+}
+
+double Turns::standard_error_of(std::size_t i) const {
+  const double mean = mean_of(i);
+  double squares = 0;
+  for (const double time : times_[i]) squares += (time - mean) * (time - mean);
+  const auto count = static_cast<double>(rounds());
+  return count < 2 ? std::nan("") : std::sqrt(squares / (count * (count - 1)));
+}
+
 std::string Turns::rounds_remark(int asked) const {
-  const std::size_t rounds = times_[0].size();
-  return rounds == static_cast<std::size_t>(asked) ? "" : fmt::format(", {} rounds", rounds);
+  return rounds() == static_cast<std::size_t>(asked) ? "" : fmt::format(", {} rounds", rounds());
 }
 
 }  // namespace ar3d::limits

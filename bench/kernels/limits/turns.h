@@ -43,6 +43,11 @@ class Turns {
 
   /// Median of the seconds of work i.
   double median_of(std::size_t i) const { return median(times_[i]); }
+  /// Mean of the seconds of work i, and the standard error of that mean (NaN for one round): for
+  /// works whose time is chance, where a median leaves out what is rare and long.
+  double mean_of(std::size_t i) const;
+  double standard_error_of(std::size_t i) const;
+  std::size_t rounds() const { return times_[0].size(); }
   /// "" or ", 3 rounds" if they were fewer than that.
   std::string rounds_remark(int asked) const;
 
