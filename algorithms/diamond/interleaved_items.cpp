@@ -1,132 +1,225 @@
-// Step 1.2 for large graphs. As in interleaved_colouring.cpp the paths and cycles are cut at every
-// so many-th vertex and the stretches walked in turns; then they are copied in the order in which
-// the plain walk finds them. O(n).
+// Step 1.2 for large graphs. As in trails.h the paths and cycles are cut at every so many-th vertex
+// and the stretches walked in turns; cycles without a cut are walked from each of their vertices
+// until a smaller one is met. Then they are copied in the order in which the plain walk finds them.
+// O(n).
 #include <algorithm>
+#include <bit>
+#include <optional>
 #include <utility>
 
 #include "ar3d/algorithms/diamond/interleaved.h"
+#include "ar3d/algorithms/diamond/lane_buffer.h"
+#include "ar3d/algorithms/diamond/two_bit_marks.h"
+#include "ar3d/model/error.h"
 #include "ar3d/model/long_vector.h"
 
 namespace ar3d::diamond {
 namespace {
 
+/// Vertices in the order of the colour, each with the edge by which it is left.
+struct Stretch {
+  Vertex start = 0;
+  const Vertex* vertex = nullptr;
+  const EdgeId* edge = nullptr;
+  std::uint32_t size = 0;       ///< 0: a cycle that is not walked from its smallest vertex
+  std::uint32_t low_place = 0;  ///< of the lowest vertex in it
+  Vertex then = kNone;          ///< where the next one starts
+};
+
+struct Lane {
+  Vertex at = 0;
+  Vertex lowest = 0;
+  std::uint32_t low_place = 0;
+  std::uint32_t stretch = 0;
+  LaneBuffer<Vertex> vertex;
+  LaneBuffer<EdgeId> edge;
+
+  void begin(Vertex v, std::size_t number) {
+    at = lowest = v;
+    low_place = 0;
+    stretch = static_cast<std::uint32_t>(number);
+    vertex.begin();
+    edge.begin();
+  }
+  void pass(EdgeId left_by) {
+    vertex.put(at);
+    edge.put(left_by);
+  }
+  void drop() {
+    vertex.drop();
+    edge.drop();
+  }
+  void end(Stretch& result, Vertex then) const {
+    result.vertex = vertex.data();
+    result.edge = edge.data();
+    result.size = static_cast<std::uint32_t>(vertex.size());
+    result.low_place = low_place;
+    result.then = then;
+  }
+};
+
 class ItemWalks {
  public:
   ItemWalks(const std::vector<HalfEdge>& next, const WalkSizes& sizes)
-      : next_(next),
-        sizes_(sizes),
-        begins_path_(next.size(), 1),
-        placed_(next.size(), 0),
-        lanes_(sizes.lanes),
-        at_cut_(next.size() / sizes.stride + 1, kNone) {
-    for (const HalfEdge& half : next) {
-      if (half.to != kNone) begins_path_[half.to] = 0;
+      : next_(next), sizes_(sizes), lanes_(sizes.lanes), at_cut_(next.size() / sizes.stride + 1) {
+    expect(std::has_single_bit(sizes.stride), "the stride is a power of two");
+    std::size_t ends = 0;
+    for (const HalfEdge& half : next) ends += half.to == kNone;
+    if (ends > 0) {
+      follows_.emplace(next.size(), false);
+      for (const HalfEdge& half : next) {
+        if (half.to != kNone) follows_->set(half.to, 0);
+      }
     }
-    for (Lane& lane : lanes_) lane.passed.reserve(next.size() / sizes.lanes + 1024);
+    stretches_.reserve(ends + at_cut_.size());
     reserve_long(items_.vertex, next.size());
     reserve_long(items_.edge, next.size());
+    items_.begin.reserve(ends + 1);
   }
 
   Items run() {
-    walk_in_lanes(*this, sizes_.lanes);
+    CutWalker walker{*this};
+    walk_in_lanes(walker, sizes_.lanes);
     place_paths();
     place_cycles();
     return std::move(items_);
   }
 
-  // For walk_in_lanes.
-  bool start(std::uint32_t number) {
-    while (next_start_ < next_.size() && !begins_path_[next_start_] && !cuts(next_start_)) {
-      ++next_start_;
-    }
-    if (next_start_ == next_.size()) return false;
-    const Vertex v = next_start_++;
-    Lane& lane = lanes_[number];
-    lane.at = v;
-    lane.stretch = static_cast<std::uint32_t>(stretches_.size());
-    if (cuts(v)) at_cut_[v / sizes_.stride] = lane.stretch;
-    stretches_.push_back({v, v, number, lane.passed.size(), 0, 0, kNone});
-    return true;
-  }
-
-  bool advance(std::uint32_t number) {
-    Lane& lane = lanes_[number];
-    Stretch& stretch = stretches_[lane.stretch];
-    const HalfEdge half = next_[lane.at];
-    if (lane.at < stretch.lowest) {
-      stretch.lowest = lane.at;
-      stretch.low_place = stretch.size;
-    }
-    lane.passed.push_back({lane.at, half.edge});
-    ++stretch.size;
-    if (half.to == kNone || cuts(half.to)) {
-      stretch.then = half.to;
-      return false;
-    }
-    lane.at = half.to;
-    __builtin_prefetch(&next_[lane.at]);
-    return true;
-  }
-
  private:
-  struct Stretch {
-    Vertex start;
-    Vertex lowest;  ///< vertex
-    std::uint32_t lane;
-    std::size_t begin;  ///< among what the lane has passed
-    std::uint32_t size;
-    std::uint32_t low_place;  ///< of the lowest vertex in it
-    Vertex then;              ///< where the next one starts, or kNone
+  /// What begins a path or a cut.
+  struct CutWalker {
+    bool start(std::uint32_t number) {
+      if (!walks.follows_) {  // no paths
+        v = (v + walks.sizes_.stride - 1) / walks.sizes_.stride * walks.sizes_.stride;
+      } else {
+        while (v < walks.next_.size() && !walks.cuts(v) && !walks.begins_long_path(v)) ++v;
+      }
+      if (v >= walks.next_.size()) return false;
+      walks.begin_stretch(number, v++);
+      return true;
+    }
+    bool advance(std::uint32_t number) {
+      Lane& lane = walks.lanes_[number];
+      const HalfEdge half = walks.next_[lane.at];
+      if (lane.at < lane.lowest) {
+        lane.lowest = lane.at;
+        lane.low_place = static_cast<std::uint32_t>(lane.vertex.size());
+      }
+      lane.pass(half.edge);
+      if (half.to == kNone || walks.cuts(half.to)) {
+        lane.end(walks.stretches_[lane.stretch], half.to);
+        return false;
+      }
+      lane.at = half.to;
+      __builtin_prefetch(&walks.next_[lane.at]);
+      return true;
+    }
+    ItemWalks& walks;
+    std::size_t v = 0;
   };
-  struct Lane {
-    Vertex at = 0;
-    std::uint32_t stretch = 0;
-    std::vector<HalfEdge> passed;  ///< a vertex and the edge by which it is left
+
+  /// Cycles without a cut, once the others are placed. A walk that comes to a smaller vertex than
+  /// its first stops: another one begins there, or has begun.
+  struct UncutWalker {
+    bool start(std::uint32_t number) {
+      v = walks.placed_->first_unmarked(v, end);
+      if (v == end) return false;
+      walks.begin_stretch(number, v++);
+      return true;
+    }
+    bool advance(std::uint32_t number) {
+      Lane& lane = walks.lanes_[number];
+      const HalfEdge half = walks.next_[lane.at];
+      lane.pass(half.edge);
+      Stretch& stretch = walks.stretches_[lane.stretch];
+      if (half.to <= stretch.start) {
+        if (half.to == stretch.start) {
+          lane.end(stretch, kNone);
+          walks.mark_placed(stretch);
+        } else {
+          lane.drop();
+        }
+        return false;
+      }
+      lane.at = half.to;
+      __builtin_prefetch(&walks.next_[lane.at]);
+      return true;
+    }
+    ItemWalks& walks;
+    std::uint32_t end;
+    std::uint32_t v = 0;
   };
+
   /// A cycle that is cut: its smallest vertex, and the stretch with it.
   using CutCycle = std::pair<Vertex, std::uint32_t>;
 
-  bool cuts(Vertex v) const { return (v & (sizes_.stride - 1)) == 0; }
+  bool cuts(std::size_t v) const { return (v & (sizes_.stride - 1)) == 0; }
+  bool begins_path(Vertex v) const { return follows_ && !follows_->has(v); }
+  bool begins_long_path(std::size_t v) const {
+    return !follows_->has(static_cast<Vertex>(v)) && next_[v].to != kNone;
+  }
   std::uint32_t after(std::uint32_t stretch) const {
     return at_cut_[stretches_[stretch].then / sizes_.stride];
   }
 
+  void begin_stretch(std::uint32_t number, std::size_t at) {
+    const auto v = static_cast<Vertex>(at);
+    if (cuts(v)) at_cut_[v / sizes_.stride] = static_cast<std::uint32_t>(stretches_.size());
+    lanes_[number].begin(v, stretches_.size());
+    stretches_.emplace_back().start = v;
+  }
+
   void place(const Stretch& stretch, std::uint32_t from, std::uint32_t to) {
-    const HalfEdge* passed = lanes_[stretch.lane].passed.data() + stretch.begin;
-    for (std::uint32_t i = from; i < to; ++i) place(passed[i]);
+    items_.vertex.insert(items_.vertex.end(), stretch.vertex + from, stretch.vertex + to);
+    items_.edge.insert(items_.edge.end(), stretch.edge + from, stretch.edge + to);
   }
-  void place(HalfEdge passed) {
-    placed_[passed.to] = 1;
-    items_.vertex.push_back(passed.to);
-    items_.edge.push_back(passed.edge);
-  }
+  void place(const Stretch& stretch) { place(stretch, 0, stretch.size); }
   void end_item() { items_.begin.push_back(static_cast<std::uint32_t>(items_.vertex.size())); }
 
-  /// Stretches are numbered by their starts, so the paths come by their first vertices.
+  void mark_placed(const Stretch& stretch) {
+    for (std::uint32_t i = 0; i < stretch.size; ++i) placed_->set(stretch.vertex[i], 0);
+  }
+
+  /// By their first vertices, as are the stretches. A vertex alone has none, but at a cut.
   void place_paths() {
-    for (std::uint32_t i = 0; i < stretches_.size(); ++i) {
-      if (!begins_path_[stretches_[i].start]) continue;
-      std::uint32_t stretch = i;
-      place(stretches_[stretch], 0, stretches_[stretch].size);
-      while (stretches_[stretch].then != kNone) {
-        stretch = after(stretch);
-        place(stretches_[stretch], 0, stretches_[stretch].size);
+    if (!follows_) return;
+    std::uint32_t i = 0;
+    for (Vertex v = follows_->first_unmarked(0, num_vertices()); v < num_vertices();
+         v = follows_->first_unmarked(v + 1, num_vertices())) {
+      if (next_[v].to == kNone) {
+        items_.vertex.push_back(v);
+        items_.edge.push_back(kNone);
+      } else {
+        while (stretches_[i].start != v) ++i;
+        std::uint32_t stretch = i;
+        place(stretches_[stretch]);
+        while (stretches_[stretch].then != kNone) place(stretches_[stretch = after(stretch)]);
       }
       end_item();
     }
   }
 
+  std::uint32_t num_vertices() const { return static_cast<std::uint32_t>(next_.size()); }
+
+  /// Those that no path has, from their smallest vertices around.
   std::vector<CutCycle> cut_cycles() const {
     std::vector<CutCycle> cycles;
-    std::vector<std::uint8_t> seen(stretches_.size(), 0);
-    for (std::uint32_t i = 0; i < stretches_.size(); ++i) {
-      if (seen[i] || placed_[stretches_[i].start]) continue;
+    std::vector<bool> seen(stretches_.size(), false);
+    const auto number = static_cast<std::uint32_t>(stretches_.size());
+    for (std::uint32_t i = 0; i < number; ++i) {
+      if (!begins_path(stretches_[i].start)) continue;
+      for (std::uint32_t s = i; !seen[s]; s = after(s)) {
+        seen[s] = true;
+        if (stretches_[s].then == kNone) break;
+      }
+    }
+    for (std::uint32_t i = 0; i < number; ++i) {
       CutCycle cycle{kNone, 0};
       for (std::uint32_t s = i; !seen[s]; s = after(s)) {
-        seen[s] = 1;
-        cycle = std::min(cycle, CutCycle{stretches_[s].lowest, s});
+        seen[s] = true;
+        cycle = std::min(cycle, CutCycle{stretches_[s].vertex[stretches_[s].low_place], s});
       }
-      cycles.push_back(cycle);
+      if (cycle.first != kNone) cycles.push_back(cycle);
     }
     std::sort(cycles.begin(), cycles.end());
     return cycles;
@@ -136,39 +229,56 @@ class ItemWalks {
   void place_cut_cycle(std::uint32_t first) {
     const Stretch& begun = stretches_[first];
     place(begun, begun.low_place, begun.size);
-    for (std::uint32_t s = after(first); s != first; s = after(s)) {
-      place(stretches_[s], 0, stretches_[s].size);
-    }
+    for (std::uint32_t s = after(first); s != first; s = after(s)) place(stretches_[s]);
     place(begun, 0, begun.low_place);
     end_item();
   }
 
+  /// Walks them. They follow the other stretches, in ascending order of their smallest vertices.
+  void walk_uncut_cycles() {
+    placed_.emplace(next_.size(), false);
+    for (const Stretch& stretch : stretches_) mark_placed(stretch);
+    for (Vertex v = 0; follows_ && v < num_vertices(); ++v) {
+      if (next_[v].to == kNone) placed_->set(v, 0);
+    }
+    UncutWalker walker{*this, num_vertices()};
+    walk_in_lanes(walker, sizes_.lanes);
+  }
+
   void place_cycles() {
-    const auto cycles = cut_cycles();
-    auto cut = cycles.begin();
-    for (Vertex v = 0; v < next_.size(); ++v) {
-      if (placed_[v]) continue;
-      if (cut != cycles.end() && cut->first == v) {
-        place_cut_cycle((cut++)->second);
-        continue;
-      }
-      Vertex at = v;  // a cycle without a cut
-      do {
-        place({at, next_[at].edge});
-        at = next_[at].to;
-      } while (at != v);
+    const std::vector<CutCycle> cut = cut_cycles();
+    std::size_t left = next_.size() - items_.vertex.size();
+    for (const CutCycle& cycle : cut) left -= size_around(cycle.second);
+    auto uncut = static_cast<std::uint32_t>(stretches_.size());
+    if (left > 0) walk_uncut_cycles();
+    for (const auto& [smallest, stretch] : cut) {
+      place_uncut_below(smallest, uncut);
+      place_cut_cycle(stretch);
+    }
+    place_uncut_below(kNone, uncut);
+  }
+
+  std::size_t size_around(std::uint32_t first) const {
+    std::size_t size = stretches_[first].size;
+    for (std::uint32_t s = after(first); s != first; s = after(s)) size += stretches_[s].size;
+    return size;
+  }
+
+  void place_uncut_below(Vertex bound, std::uint32_t& uncut) {
+    for (; uncut < stretches_.size() && stretches_[uncut].start < bound; ++uncut) {
+      if (stretches_[uncut].size == 0) continue;
+      place(stretches_[uncut]);
       end_item();
     }
   }
 
   const std::vector<HalfEdge>& next_;
   const WalkSizes sizes_;
-  std::vector<std::uint8_t> begins_path_;
-  std::vector<std::uint8_t> placed_;
+  std::optional<TwoBitMarks> follows_;  ///< vertices with a predecessor; nothing: all
+  std::optional<TwoBitMarks> placed_;
   std::vector<Lane> lanes_;
   std::vector<std::uint32_t> at_cut_;  ///< the stretch that starts there
   std::vector<Stretch> stretches_;     ///< in ascending order of their starts
-  Vertex next_start_ = 0;
   Items items_;
 };
 

@@ -8,11 +8,11 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
-#include <list>
 #include <utility>
 #include <vector>
 
 #include "ar3d/algorithms/diamond/in_threads.h"
+#include "ar3d/algorithms/diamond/lane_buffer.h"
 #include "ar3d/algorithms/diamond/two_bit_marks.h"
 #include "ar3d/algorithms/diamond/walk_lanes.h"
 #include "ar3d/model/error.h"
@@ -40,7 +40,7 @@ inline constexpr Vertex vertex_of(Port p) { return p >> 2; }
 inline constexpr std::uint32_t entry_of(Port p) { return p & 3; }
 
 /// By which entry a chain goes on from an arrival, if the record has it; and whether the arrival is
-/// kept in the stretch.
+/// kept in the stretch (1 or 0).
 struct Onward {
   std::uint32_t entry = 0;
   std::uint32_t kept = 1;
@@ -48,7 +48,7 @@ struct Onward {
 
 /// Links the entries (0, 1) and (2, 3) of every vertex.
 struct LinkPairs {
-  Onward operator()(Port arrival) const { return {entry_of(arrival) ^ 1u, 1}; }
+  Onward operator()(Vertex, std::uint32_t entry) const { return {entry ^ 1u, 1}; }
   void prefetch(Vertex) const {}
   /// Of a kept arrival: tells it from those of other chains at the vertex.
   static std::uint32_t key(Port arrival) { return arrival >> 1; }
@@ -65,10 +65,11 @@ inline std::uint32_t enters(const TwoBitMarks& directions, Port p) {
 /// Links the two edges out of a vertex, and the two into it: one of each pair. Keeps the arrivals
 /// against an edge's direction, which are all vertices that an edge leaves.
 struct LinkSameDirection {
-  Onward operator()(Port arrival) const {
-    const std::uint32_t in = enters(*directions, arrival);
-    const std::uint32_t other_pair = arrival >> 1 ^ 1u;
-    return {(other_pair & 1) * 2 + (in ^ directions->bit(other_pair)), in ^ 1u};
+  Onward operator()(Vertex v, std::uint32_t entry) const {
+    const std::uint32_t bits = directions->two_bits(2 * v);
+    const std::uint32_t differ = (bits ^ bits >> 1) & 1;  // of the two pairs
+    const std::uint32_t enters = bits >> (entry >> 1) ^ entry;
+    return {entry ^ (2 | differ), ~enters & 1};
   }
   void prefetch(Vertex v) const { directions->prefetch(2 * v); }
   static std::uint32_t key(Port arrival) { return arrival >> 2; }
@@ -135,17 +136,13 @@ class Trails {
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   static constexpr std::uint32_t kWalked = kNone - 1;  ///< by a stretch without a number yet
-  static constexpr std::size_t kBlock = std::size_t{1} << 14;
   static constexpr std::size_t kPiecesAtATime = 16;
 
   struct Lane {
     Vertex from = 0;
     Vertex to = 0;
-    Port* next = nullptr;  ///< where the next kept arrival goes
-    Port* room_end = nullptr;
-    Port* kept = nullptr;  ///< where those of the stretch begin
     Stretch stretch;
-    std::list<UnwrittenVector<Port>> blocks;
+    LaneBuffer<Port> kept;
   };
   struct Arrival {
     Port at;
@@ -169,7 +166,7 @@ class Trails {
   }
   /// The port linked with one, or kNoPort.
   Port linked(Port p) const {
-    const std::uint32_t entry = link_(p).entry;
+    const std::uint32_t entry = link_(vertex_of(p), entry_of(p)).entry;
     return records_[vertex_of(p)][entry] == kNoVertex ? kNoPort : port(vertex_of(p), entry);
   }
   Lane* lanes_of(std::uint32_t thread) {
@@ -180,9 +177,8 @@ class Trails {
   }
 
   void begin_at(Lane& lane, Port p) const;
-  Arrival arrive(Lane& lane) const;
-  void go_on(Lane& lane, Arrival arrival) const;
-  static void make_room(Lane& lane);
+  [[gnu::always_inline]] Arrival arrive(Lane& lane) const;
+  [[gnu::always_inline]] void go_on(Lane& lane, Arrival arrival) const;
   /// The stretch, complete but for its ends.
   static Stretch& take(Lane& lane);
 
@@ -205,13 +201,13 @@ template <class Link>
 void Trails<Link>::begin_at(Lane& lane, Port p) const {
   lane.stretch = Stretch{};
   lane.stretch.start = p;
-  lane.kept = lane.next;
+  lane.kept.begin();
   lane.to = vertex_of(p);
   go_on(lane, {0, 0, p, records_[lane.to][entry_of(p)]});
 }
 
 template <class Link>
-void Trails<Link>::go_on(Lane& lane, Arrival arrival) const {
+inline void Trails<Link>::go_on(Lane& lane, Arrival arrival) const {
   lane.from = lane.to;
   lane.to = arrival.onward;
   __builtin_prefetch(&records_[lane.to]);
@@ -219,33 +215,20 @@ void Trails<Link>::go_on(Lane& lane, Arrival arrival) const {
 }
 
 template <class Link>
-typename Trails<Link>::Arrival Trails<Link>::arrive(Lane& lane) const {
+inline typename Trails<Link>::Arrival Trails<Link>::arrive(Lane& lane) const {
   const Record& record = records_[lane.to];
-  const Port at = port(lane.to, entry_to(record, lane.from));
-  const auto [entry, kept] = link_(at);
-  if (lane.next == lane.room_end) make_room(lane);
-  *lane.next = at;
-  lane.next += kept;
+  const std::uint32_t arriving = entry_to(record, lane.from);
+  const auto [entry, kept] = link_(lane.to, arriving);
+  const Port at = port(lane.to, arriving);
+  lane.kept.put(at, kept);
   ++lane.stretch.size;
   return {at, kept, port(lane.to, entry), record[entry]};
 }
 
-/// A stretch stands in one block: what it has so far moves to a new one.
-template <class Link>
-void Trails<Link>::make_room(Lane& lane) {
-  const auto kept = static_cast<std::size_t>(lane.next - lane.kept);
-  UnwrittenVector<Port> block(std::max(kBlock, 2 * kept));
-  std::copy(lane.kept, lane.next, block.data());
-  lane.kept = block.data();
-  lane.next = block.data() + kept;
-  lane.room_end = block.data() + block.size();
-  lane.blocks.push_back(std::move(block));
-}
-
 template <class Link>
 Stretch& Trails<Link>::take(Lane& lane) {
-  lane.stretch.kept = lane.kept;
-  lane.stretch.num_kept = static_cast<std::uint32_t>(lane.next - lane.kept);
+  lane.stretch.kept = lane.kept.data();
+  lane.stretch.num_kept = static_cast<std::uint32_t>(lane.kept.size());
   return lane.stretch;
 }
 
@@ -323,7 +306,7 @@ struct Trails<Link>::CutWalker {
     if (!stretch.starts_at_cut && !stretch.ends_at_cut) {
       const bool backwards = stretch.end < stretch.start;
       write({&stretch, backwards, backwards ? (stretch.size - 1) & 1 : 0});
-      lane.next = lane.kept;
+      lane.kept.drop();
       return;
     }
     stretches.push_back(stretch);
@@ -451,14 +434,14 @@ struct Trails<Link>::UncutWalker {
     Stretch& stretch = lane.stretch;
     const bool back = arrival.leaving == stretch.start;
     if (!back && arrival.kept && Link::key(arrival.at) < Link::key(stretch.start)) {
-      lane.next = lane.kept;
+      lane.kept.drop();
       return false;
     }
     take_low(stretch, arrival.at, arrival.leaving, back ? 0 : stretch.size);
     if (back) {
       stretch.end = arrival.at;
       write({&take(lane), !stretch.low_leaves, stretch.low_edge & 1});
-      lane.next = lane.kept;
+      lane.kept.drop();
       return false;
     }
     trails.go_on(lane, arrival);

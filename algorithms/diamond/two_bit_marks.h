@@ -26,6 +26,11 @@ class TwoBitMarks {
   }
   /// Its bit; 0 if it is not marked.
   std::uint32_t bit(std::uint32_t i) const { return words_[i >> 4] >> (i & 15) * 2 & 1; }
+  /// The bits of i, which is even, and of i + 1, in this order from the lowest bit on.
+  std::uint32_t two_bits(std::uint32_t i) const {
+    const std::uint32_t marks = words_[i >> 4] >> (i & 15) * 2;
+    return (marks & 1) | (marks >> 1 & 2);
+  }
   bool has(std::uint32_t i) const { return (load(i >> 4) >> (i & 15) * 2 & 2) != 0; }
   /// The first number from `i` on that is not marked, at most `end`; also while others set marks.
   std::uint32_t first_unmarked(std::uint32_t i, std::uint32_t end) const {

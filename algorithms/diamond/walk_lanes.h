@@ -10,7 +10,7 @@ struct WalkSizes {
   /// Every so many-th vertex cuts the chains through it into stretches; a power of two.
   std::uint32_t stride = 512;
   /// Stretches that a thread walks at the same time.
-  std::uint32_t lanes = 32;
+  std::uint32_t lanes = 48;
   std::uint32_t threads = 1;
 };
 
