@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#include "ar3d/algorithms/compact/narrow_fast.h"
 #include "ar3d/algorithms/compact/routes.h"
 #include "ar3d/algorithms/compact/zones.h"
 #include "ar3d/algorithms/degree_limit.h"
@@ -32,8 +33,9 @@ void refuse_bad_graph(const Graph& graph) {
 }
 
 /// The first of some ever wider strips that can be filled, if it keeps the guarantee's box.
-std::optional<Strip> fill_some_narrow_strip(const Graph& graph, const Decomposition& links,
-                                            Tightness first, std::uint64_t seed, Census& census) {
+std::optional<Placement> fill_some_narrow_strip(const Graph& graph, const Decomposition& links,
+                                                Tightness first, std::uint64_t seed,
+                                                Census& census) {
   return strips::fill_ever_wider(
       first,
       [&](const Tightness& tightness) {
@@ -41,8 +43,7 @@ std::optional<Strip> fill_some_narrow_strip(const Graph& graph, const Decomposit
         return size_bound().holds(box_of(size), graph.num_vertices());
       },
       [&](const Tightness& tightness, std::uint64_t i) {
-        return fill_narrow_strip(links, graph.num_edges(), tightness, RandomStream(seed, i),
-                                 census);
+        return fill_narrow_strip_fast(links, graph.num_edges(), tightness, seed, i, census);
       },
       census);
 }
@@ -58,12 +59,12 @@ Drawing draw_from(const Graph& graph, const std::optional<Tightness>& first) {
   const Decomposition links = decompose(graph);
   const std::uint64_t seed = mix_seed(graph.num_vertices(), graph.num_edges());
   Census census;
-  std::optional<Strip> strip;
+  std::optional<Placement> strip;
   if (first) strip = fill_some_narrow_strip(graph, links, *first, seed, census);
   const bool zones = !strip;
-  if (zones) strip = fill_zones(graph, links, RandomStream(seed, kZoneStream), census);
+  if (zones) strip = fill_zones(graph, links, RandomStream(seed, kZoneStream), census).placement();
   Drawing drawing = lift(graph, links, *strip);
-  const StripSize& size = strip->size();
+  const StripSize& size = strip->size;
   drawing.counters = {{"zones", zones ? 1 : 0},
                       {"widenings", census.widenings},
                       {"ejections", census.ejections},

@@ -31,6 +31,20 @@ struct Site {
   friend bool operator==(const Site&, const Site&) = default;
 };
 
+/// The same place by the two forms of a vertex, U = AD and V = BC: U = 4i + 2t, V = 4j - 2t.
+struct Place {
+  std::int32_t U = -1;
+  std::int32_t V = 0;
+  bool is_set() const { return U >= 0; }
+};
+inline Place place_of(Site s) {
+  return s.is_set() ? Place{4 * s.column + 2 * s.type, 4 * s.row - 2 * s.type} : Place{};
+}
+inline Site site_of(Place p) {
+  const std::int32_t type = p.U % 4 / 2;
+  return {p.U / 4, (p.V + 2 * type) / 4, type};
+}
+
 /// The vertex at a site: g = 2(i + j), h = 2(i - j) + 2t, so that g = 0 and h = 2t modulo 4.
 inline Letters letters_of(Site s) {
   const std::int32_t g = 2 * (s.column + s.row);
@@ -47,12 +61,13 @@ inline Point to_point(const Letters& p) {
   return {U + V, U - V, height(p)};
 }
 
-/// The site of a vertex at a point of z = 0 that to_point(letters_of(site)) gave.
+/// The point of z = 0 of a vertex at a place: to_point(letters_of(site_of(place))).
+inline Point to_point(Place p) { return {std::int64_t{p.U} + p.V, std::int64_t{p.U} - p.V, 0}; }
+
+/// The site of a vertex at a point of z = 0 that to_point gave.
 inline Site site_of(Point p) {
-  const auto U = static_cast<std::int32_t>((p.x + p.y) / 2);  // 4i + 2t >= 0
-  const auto V = static_cast<std::int32_t>((p.x - p.y) / 2);  // 4j - 2t >= -2
-  const std::int32_t type = (U % 4) / 2;
-  return {U / 4, (V + 2 * type) / 4, type};
+  return site_of(Place{static_cast<std::int32_t>((p.x + p.y) / 2),    // 4i + 2t >= 0
+                       static_cast<std::int32_t>((p.x - p.y) / 2)});  // 4j - 2t >= -2
 }
 
 }  // namespace ar3d::compact

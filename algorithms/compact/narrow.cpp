@@ -15,8 +15,6 @@
 namespace ar3d::compact {
 namespace {
 
-constexpr int kTrials = 120;
-
 struct Columns {
   std::int32_t low = 0;
   std::int32_t high = 0;
@@ -28,26 +26,12 @@ class Placer {
   Placer(Strip& strip, RandomStream& random, Census& census)
       : strip_(strip), random_(random), census_(census) {}
 
-  /// Cells are drawn in batches, so that what the memory holds of one is on its way while others
-  /// are looked at; which one is taken, and where the random stream goes on, is as if they were
-  /// drawn one by one.
   bool place(Vertex v) {
-    if (v + kAhead < strip_.num_vertices()) strip_.ask_for_neighbours(v + kAhead);
-    const Joined joined = strip_.joined(v);
-    const Columns columns = columns_for(joined);
-    int tried = 0;
-    for (int size = kFirstBatch; tried < kTrials; size = std::min(2 * size, kBatch)) {
-      size = std::min(size, kTrials - tried);
-      draw_batch(v, joined, columns, size);
-      for (int i = 0; i < size; ++i) {
-        const auto& [site, after, may_hold] = batch_[static_cast<std::size_t>(i)];
-        ++census_.trials;
-        if (!may_hold || !strip_.try_place(v, site)) continue;
-        random_ = after;
-        return true;
-      }
-      random_ = batch_[static_cast<std::size_t>(size - 1)].after;
-      tried += size;
+    const Columns columns = columns_for(strip_.joined(v));
+    for (int trial = 0; trial < kNarrowTrials; ++trial) {
+      ++census_.trials;
+      const Site site = draw_site(v, columns);
+      if (site.is_set() && strip_.try_place(v, site)) return true;
     }
     return false;
   }
@@ -63,37 +47,14 @@ class Placer {
   void remove(Vertex v) { strip_.remove(v); }
 
  private:
-  static constexpr Vertex kAhead = 8;
-  static constexpr int kFirstBatch = 4;
-  static constexpr int kBatch = 16;
-  struct Drawn {
-    Site site;           ///< unset: no column is left in the row drawn
-    RandomStream after;  ///< the stream behind it
-    bool may_hold = false;
-  };
-
-  void draw_batch(Vertex v, const Joined& joined, const Columns& columns, int size) {
-    RandomStream random = random_;
-    for (int i = 0; i < size; ++i) {
-      Drawn& drawn = batch_[static_cast<std::size_t>(i)];
-      drawn.site = draw_site(v, columns, random);
-      drawn.after = random;
-      if (drawn.site.is_set()) strip_.ask_for_cell(drawn.site);
-    }
-    for (int i = 0; i < size; ++i) {
-      Drawn& drawn = batch_[static_cast<std::size_t>(i)];
-      drawn.may_hold = drawn.site.is_set() && strip_.may_hold(drawn.site, joined);
-      if (drawn.may_hold) strip_.ask_for_lines(v, drawn.site, joined);
-    }
-  }
-
-  Site draw_site(Vertex v, const Columns& columns, RandomStream& random) const {
+  /// Unset if no column is left in the row drawn.
+  Site draw_site(Vertex v, const Columns& columns) {
     const auto row =
-        static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(strip_.size().rows)));
+        static_cast<std::int32_t>(random_.below(static_cast<std::uint32_t>(strip_.size().rows)));
     const std::int32_t first = columns.low + ((columns.low ^ row) & 1);
     if (first > columns.high) return {};
     const auto choices = static_cast<std::uint32_t>((columns.high - first) / 2 + 1);
-    const std::int32_t column = first + 2 * static_cast<std::int32_t>(random.below(choices));
+    const std::int32_t column = first + 2 * static_cast<std::int32_t>(random_.below(choices));
     return {column, row, type_for(v, column)};
   }
 
@@ -124,7 +85,6 @@ class Placer {
   Strip& strip_;
   RandomStream& random_;
   Census& census_;
-  std::vector<Drawn> batch_ = std::vector<Drawn>(kBatch, Drawn{{}, RandomStream(0), false});
 };
 
 }  // namespace
@@ -138,17 +98,25 @@ StripSize narrow_size(std::int64_t n, const Tightness& tightness) {
           static_cast<std::int32_t>(std::min(reach, columns))};
 }
 
+std::int64_t most_ejections(std::int64_t n, const Tightness& tightness) {
+  return tightness.ejections * n / 100 + 20;
+}
+
+std::vector<Vertex> stack_of_vertices(Vertex n) {
+  std::vector<Vertex> waiting(n);
+  std::iota(waiting.rbegin(), waiting.rend(), 0);
+  return waiting;
+}
+
 std::optional<Strip> fill_narrow_strip(const Decomposition& links, std::size_t num_edges,
                                        const Tightness& tightness, RandomStream random,
                                        Census& census) {
   const auto n = static_cast<Vertex>(links.at.size());
   std::optional<Strip> strip(std::in_place, links, num_edges, narrow_size(n, tightness),
                              StripRules{});
-  const std::int64_t ejections = tightness.ejections * n / 100 + 20;
-  std::vector<Vertex> waiting(n);
-  std::iota(waiting.rbegin(), waiting.rend(), 0);
   Placer placer(*strip, random, census);
-  if (!strips::place_with_ejections(placer, std::move(waiting), ejections, random, census)) {
+  if (!strips::place_with_ejections(placer, stack_of_vertices(n), most_ejections(n, tightness),
+                                    random, census)) {
     strip.reset();
   }
   return strip;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "ar3d/algorithms/compact/strip.h"
 #include "ar3d/algorithms/strips/search.h"
@@ -15,6 +16,12 @@ using strips::widened;
 
 /// The strip for n vertices, n <= kMaxVertices: O(sqrt n) rows and columns.
 StripSize narrow_size(std::int64_t n, const Tightness& tightness);
+
+/// After so many cells that do not fit a vertex, a neighbour is ejected.
+inline constexpr int kNarrowTrials = 120;
+std::int64_t most_ejections(std::int64_t n, const Tightness& tightness);
+/// All vertices, the first one last.
+std::vector<Vertex> stack_of_vertices(Vertex n);
 
 /// Greedy search with ejections: vertices take random cells; after 120 cells that do not fit a
 /// vertex, one of its placed neighbours makes room and is placed again later.

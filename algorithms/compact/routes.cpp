@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "ar3d/algorithms/compact/words.h"
 #include "ar3d/algorithms/strips/routes.h"
 
 namespace ar3d::compact {
@@ -23,13 +24,13 @@ void append_bends(unsigned code, const Point& at_tail, const Point& at_head,
 }
 
 std::vector<std::uint8_t> codes(const Graph& graph, const Decomposition& links,
-                                const Strip& strip) {
+                                const Placement& placement) {
   std::vector<std::uint8_t> code(graph.num_edges());
   for (Vertex v = 0; v < graph.num_vertices(); ++v) {
     for (const Role role : {kGreenOut, kRedOut}) {
       const HalfEdge edge = links.at[v][role];
       if (edge.to == kNobody) continue;
-      const unsigned variant = strip.variant()[edge.edge];
+      const unsigned variant = placement.variant[edge.edge];
       code[edge.edge] =  // first ends have smaller numbers
           strips::code_of(v > edge.to, variant << 1 | (is_red(role) ? 1u : 0u));
     }
@@ -47,12 +48,13 @@ std::array<std::int64_t, 3> box_of(const StripSize& size) {
   return {side, side, 2 * span + 10};
 }
 
-Drawing lift(const Graph& graph, const Decomposition& links, const Strip& strip) {
+Drawing lift(const Graph& graph, const Decomposition& links, const Placement& placement) {
   const Vertex n = graph.num_vertices();
-  Coordinates vertices(n, 4 * (std::int64_t{strip.size().columns} + strip.size().rows) + 4);
-  for (Vertex v = 0; v < n; ++v) vertices.set(v, to_point(letters_of(strip.site(v))));
-  return Drawing("compact", kCubeLattice, std::move(vertices), graph.shared_edges(),
-                 std::make_shared<strips::CodedBends<append_bends>>(codes(graph, links, strip)));
+  Coordinates vertices(n, 4 * (std::int64_t{placement.size.columns} + placement.size.rows) + 4);
+  for (Vertex v = 0; v < n; ++v) vertices.set(v, to_point(placement.places[v]));
+  return Drawing(
+      "compact", kCubeLattice, std::move(vertices), graph.shared_edges(),
+      std::make_shared<strips::CodedBends<append_bends>>(codes(graph, links, placement)));
 }
 
 }  // namespace ar3d::compact

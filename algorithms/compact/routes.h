@@ -1,6 +1,7 @@
 #pragma once
 
-#include "ar3d/algorithms/compact/strip.h"
+#include "ar3d/algorithms/compact/decomposition.h"
+#include "ar3d/algorithms/compact/placement.h"
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"
 
@@ -10,6 +11,6 @@ namespace ar3d::compact {
 std::array<std::int64_t, 3> box_of(const StripSize& size);
 
 /// The drawing in space; one byte per edge besides the graph's own edge list.
-Drawing lift(const Graph& graph, const Decomposition& links, const Strip& strip);
+Drawing lift(const Graph& graph, const Decomposition& links, const Placement& placement);
 
 }  // namespace ar3d::compact

@@ -108,10 +108,11 @@ Joined Strip::joined(Vertex v) const {
   return joined;
 }
 
-bool Strip::may_join_all(Site site, const Joined& joined) const {
-  return std::all_of(joined.begin(), joined.end(), [&](const Joined::Edge& edge) {
-    return may_join(edge.role, site, edge.other);
-  });
+bool Strip::may_hold(Site site, const Joined& joined) const {
+  return !is_taken(site) &&
+         std::all_of(joined.begin(), joined.end(), [&](const Joined::Edge& edge) {
+           return may_join(edge.role, site, edge.other);
+         });
 }
 
 bool Strip::make_plan(Vertex v, Site site, const Joined& joined, Plan& plan) const {
@@ -119,33 +120,6 @@ bool Strip::make_plan(Vertex v, Site site, const Joined& joined, Plan& plan) con
     if (!plan_edge(role, site, other, edge, plan)) return false;
   }
   return plan_arrival(v, site, plan);
-}
-
-void Strip::ask_for_neighbours(Vertex v) const {
-  for (const HalfEdge& edge : links_->at[v]) {
-    if (edge.to != kNobody) __builtin_prefetch(&sites_[edge.to]);
-  }
-}
-
-/// The middle piece of the first variant that has room, which is mostly the one that is taken.
-std::optional<Piece> Strip::piece_ahead(Role role, Site own, Site other) const {
-  const Site tail = is_out(role) ? own : other;
-  const Site head = is_out(role) ? other : own;
-  Shape shape{is_red(role), tail.type, head.type, head.column > tail.column, 0};
-  for (; shape.variant < variants(shape.red); ++shape.variant) {
-    const Word word = word_of(shape);
-    const auto lengths = long_lengths(word, letters_of(tail), letters_of(head));
-    if (*std::min_element(lengths.begin(), lengths.end()) < 1) continue;
-    return middle_piece(word, shape.red, middle_start(word, letters_of(tail), lengths), lengths[1]);
-  }
-  return std::nullopt;
-}
-
-void Strip::ask_for_lines(Vertex v, Site site, const Joined& joined) const {
-  for (const auto& [role, edge, other] : joined) {
-    if (const auto piece = piece_ahead(role, site, other)) lines_.ask_for(piece->line);
-  }
-  if (has_arrival(v)) lines_.ask_for(arrival_line(site).line);
 }
 
 bool Strip::fits(Vertex v, Site site) const {
@@ -176,6 +150,13 @@ void Strip::remove(Vertex v) {
   }
   taken_[cell_bit(site) / 64] &= ~(std::uint64_t{1} << cell_bit(site) % 64);
   sites_[v] = {};
+}
+
+Placement Strip::placement() const {
+  Placement placement{size_, {}, variant_};
+  placement.places.reserve(sites_.size());
+  for (const Site& site : sites_) placement.places.push_back(place_of(site));
+  return placement;
 }
 
 }  // namespace ar3d::compact

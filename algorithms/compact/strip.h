@@ -7,18 +7,11 @@
 
 #include "ar3d/algorithms/compact/caps.h"
 #include "ar3d/algorithms/compact/decomposition.h"
+#include "ar3d/algorithms/compact/placement.h"
 #include "ar3d/algorithms/compact/words.h"
 #include "ar3d/algorithms/strips/lines.h"
 
 namespace ar3d::compact {
-
-/// The cells (i, j), 0 <= i < columns, 0 <= j < rows, i = j mod 2.
-struct StripSize {
-  std::int32_t columns = 1;
-  std::int32_t rows = 1;
-  std::int32_t reach = 1;  ///< an edge spans at most this many columns
-  friend bool operator==(const StripSize&, const StripSize&) = default;
-};
 
 /// Neighbours that are placed: what v is to the edge, the edge, and where its other end stands.
 struct Joined {
@@ -50,22 +43,11 @@ class Strip {
 
   /// The placed neighbours of v. O(1).
   Joined joined(Vertex v) const;
-  /// False if the cell is taken or some edge to those neighbours can have no word there: cheap, so
-  /// that few lines are looked up in vain. O(1).
-  bool may_hold(Site site, const Joined& joined) const {
-    return !is_taken(site) && may_join_all(site, joined);
-  }
   /// True if v can be placed there. O(1) expected.
   bool fits(Vertex v, Site site) const;
   /// Places v if that keeps the invariants; routes its edges to placed neighbours in the first
   /// variants that fit. O(1) expected.
   bool try_place(Vertex v, Site site);
-
-  // Ask the memory for what is going to be read, without waiting: the places of the neighbours of
-  // v; whether a cell is taken; the lines of the edges to those neighbours.
-  void ask_for_neighbours(Vertex v) const;
-  void ask_for_cell(Site site) const { __builtin_prefetch(&taken_[cell_bit(site) / 64]); }
-  void ask_for_lines(Vertex v, Site site, const Joined& joined) const;
 
   /// Takes a placed vertex and its edges away.
   void remove(Vertex v);
@@ -75,8 +57,8 @@ class Strip {
   Vertex num_vertices() const { return static_cast<Vertex>(sites_.size()); }
   const StripSize& size() const { return size_; }
   const Roles& roles(Vertex v) const { return links_->at[v]; }
-  /// By edge: the variant in which it is routed.
-  const std::vector<std::uint8_t>& variant() const { return variant_; }
+  /// Where all vertices stand, all of them placed.
+  Placement placement() const;
 
  private:
   /// What placing one vertex would add: its arrival line and four edges at most.
@@ -97,8 +79,8 @@ class Strip {
     const std::size_t bit = cell_bit(site);
     return (taken_[bit / 64] >> bit % 64 & 1) != 0;
   }
-  bool may_join_all(Site site, const Joined& joined) const;
-  std::optional<Piece> piece_ahead(Role role, Site own, Site other) const;
+  /// False if the cell is taken or some edge to those neighbours can have no word there.
+  bool may_hold(Site site, const Joined& joined) const;
   bool has_arrival(Vertex v) const { return links_->at[v][kGreenIn].to != kNobody; }
   bool is_free(const Piece& piece, const Plan& plan) const;
   bool may_join(Role role, Site own, Site other) const;

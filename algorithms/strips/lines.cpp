@@ -35,15 +35,18 @@ void Lines::insert(const Piece& piece) {
   entries_[entry] = piece;
 }
 
-void Lines::erase(const Piece& piece) {
+bool Lines::erase(const Piece& piece) {
   std::size_t gap = home(piece.line);
+  bool others = false;
   while (!(entries_[gap] == piece)) {
     expect(entries_[gap].line != 0, "an erased piece was stored");
+    others = others || entries_[gap].line == piece.line;
     gap = next(gap);
   }
   // Moves back what probing would no longer reach over the gap.
   const std::size_t mask = entries_.size() - 1;
   for (std::size_t entry = next(gap); entries_[entry].line != 0; entry = next(entry)) {
+    others = others || entries_[entry].line == piece.line;
     const std::size_t from_home = (entry - home(entries_[entry].line)) & mask;
     const std::size_t from_gap = (entry - gap) & mask;
     if (from_home < from_gap) continue;
@@ -51,6 +54,7 @@ void Lines::erase(const Piece& piece) {
     gap = entry;
   }
   entries_[gap] = {};
+  return others;
 }
 
 }  // namespace ar3d::strips

@@ -22,7 +22,7 @@ struct Piece {
   std::int32_t low = 0;
   std::int32_t high = 0;
   bool overlaps(const Piece& other) const {
-    return line == other.line && low <= other.high && other.low <= high;
+    return (line == other.line) & (low <= other.high) & (other.low <= high);  // as good as random
   }
   friend bool operator==(const Piece&, const Piece&) = default;
 };
@@ -43,8 +43,9 @@ class Lines {
   /// Asks the memory for what is_free() of a piece on that line will read, without waiting.
   void ask_for(std::uint64_t line) const { __builtin_prefetch(&entries_[home(line)]); }
   void insert(const Piece& piece);
-  /// Removes a piece that is_stored. @throws InternalError if it is not.
-  void erase(const Piece& piece);
+  /// Removes a stored piece; true if its line has others. @throws InternalError if it is not
+  /// stored.
+  bool erase(const Piece& piece);
 
  private:
   std::size_t home(std::uint64_t line) const {

@@ -52,10 +52,11 @@ struct FewVertices {
 /// @param placer  place(v): true if v found a place; placed_neighbours(v); remove(v).
 /// @param waiting  a stack of vertices, the first one last.
 /// @param ejections  how often a vertex may be taken away.
+/// @param random  a RandomStream or NumbersAhead.
 /// @return false if that did not suffice. Calls place at most |waiting| + 2 ejections + 1 times.
-template <class Placer>
+template <class Placer, class Random>
 bool place_with_ejections(Placer& placer, std::vector<Vertex> waiting, std::int64_t ejections,
-                          RandomStream& random, Census& census) {
+                          Random& random, Census& census) {
   while (!waiting.empty()) {
     const Vertex v = waiting.back();
     if (placer.place(v)) {

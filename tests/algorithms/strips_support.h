@@ -36,7 +36,7 @@ inline Drawing compact_zones_by_scans(const Graph& graph) {
   const compact::Decomposition links = compact::decompose(graph);
   compact::Census census;
   const auto strip = compact::fill_zones(graph, links, RandomStream(1), census, false);
-  Drawing drawing = compact::lift(graph, links, strip);
+  Drawing drawing = compact::lift(graph, links, strip.placement());
   drawing.instance_bound = compact::box_of(strip.size());
   return drawing;
 }

@@ -1,0 +1,323 @@
+// fill_narrow_strip at the speed of the memory: the same cells in the same order, refused by the
+// cheapest test that refuses them. Cells are drawn and compared with the placed neighbours eight at
+// a time (cells.h), then one bit tells whether a cell is taken, then two bits of a line whether
+// anything is on it (narrow_lines.h), and only then pieces are compared. Lengths and lines are sums
+// of the ends' coordinates and constants of the words (middle_line.h). Cost: as fill_narrow_strip.
+#include "ar3d/algorithms/compact/narrow_fast.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "ar3d/algorithms/compact/cells.h"
+#include "ar3d/algorithms/compact/middle_line.h"
+#include "ar3d/algorithms/compact/narrow_lines.h"
+#include "ar3d/algorithms/strips/numbers_ahead.h"
+
+namespace ar3d::compact {
+namespace {
+
+/// Puts vertices at random cells of one strip.
+class FastPlacer {
+ public:
+  FastPlacer(const Decomposition& links, std::size_t num_edges, StripSize size,
+             strips::NumbersAhead& random, Census& census)
+      : links_(links),
+        size_(size),
+        places_(links.at.size(), Place{}),
+        variant_(num_edges, 0),
+        taken_(size),
+        lines_(size, num_edges),
+        words_(strip_words()),
+        random_(random),
+        census_(census) {}
+
+  bool place(Vertex v) {
+    ask_for_neighbours(v + kAhead);
+    const Joined joined = joined_of(v);
+    for (int tried = 0; tried < kNarrowTrials; tried += static_cast<int>(kCellsAtOnce)) {
+      if (place_in_some_cell(v, joined)) return true;
+      if (tried == kHalfway) ask_for_ejection(v, false);
+      if (tried == kNearTheEnd) ask_for_ejection(v, true);
+    }
+    return false;
+  }
+
+  strips::FewVertices placed_neighbours(Vertex v) const {
+    strips::FewVertices placed;
+    for (const HalfEdge& edge : links_.at[v]) {
+      if (edge.to != kNobody && places_[edge.to].is_set()) placed.at[placed.count++] = edge.to;
+    }
+    return placed;
+  }
+
+  void remove(Vertex v) {
+    const Place own = places_[v];
+    const End end = end_at(own);
+    const Joined joined = joined_of(v);
+    if (joined.has_arrival) lines_.flip_arrival(arrival_line(end));
+    std::array<Piece, 4> pieces;
+    for (std::size_t i = 0; i < joined.count; ++i) {
+      const Route route = route_of(joined.edges[i], end);
+      pieces[i] = piece_of(route, route.words[variant_[joined.edges[i].edge]]);
+      lines_.ask_for(pieces[i].line);
+      lines_.ask_for_pieces(pieces[i].line);
+    }
+    for (std::size_t i = 0; i < joined.count; ++i) lines_.erase(pieces[i]);
+    taken_.flip(own);
+    places_[v] = {};
+  }
+
+  Placement placement() && { return {size_, std::move(places_), std::move(variant_)}; }
+
+ private:
+  static constexpr Vertex kAhead = 8;
+  // After so many cells, of kNarrowTrials, one neighbour or other is likely to be ejected.
+  static constexpr int kHalfway = 48;
+  static constexpr int kNearTheEnd = 80;
+
+  /// An edge to a placed neighbour.
+  struct Edge {
+    End other;
+    EdgeId edge = 0;
+    bool red = false;
+    bool out = false;
+  };
+  /// A vertex and its placed neighbours.
+  struct Joined {
+    std::array<Edge, 4> edges;
+    std::size_t count = 0;
+    bool has_arrival = false;
+    CellChoice choice;
+  };
+  /// WordConstants, but how far the line's number is from that of variant 0.
+  struct StripWord {
+    std::array<std::int32_t, 3> length{};
+    std::int32_t top = 0;
+    std::uint64_t step = 0;
+  };
+  /// An edge to a placed neighbour if the vertex stood at a certain place.
+  struct Route {
+    std::array<std::int32_t, 3> length;  ///< this and top without the word's constants
+    std::int32_t top;
+    std::uint64_t line;      ///< of variant 0
+    const StripWord* words;  ///< of all variants
+    unsigned variants;
+  };
+  /// What placing one vertex would add.
+  struct Plan {
+    std::array<Piece, 4> pieces{};  ///< line 0 beyond `count`
+    std::array<std::uint8_t, 4> variants{};
+    std::size_t count = 0;
+    bool overlaps(const Piece& piece) const {
+      return any([&](const Piece& other) { return other.overlaps(piece); });
+    }
+    bool is_on(std::uint64_t line) const {
+      return any([&](const Piece& other) { return other.line == line; });
+    }
+
+   private:
+    template <class Test>
+    bool any(Test test) const {  // without branches on what is random
+      return test(pieces[0]) | test(pieces[1]) | test(pieces[2]) | test(pieces[3]);
+    }
+  };
+
+  std::vector<StripWord> strip_words() const {
+    const WordTable table;
+    std::vector<StripWord> words;
+    for (std::size_t i = 0; i < table.constants().size(); ++i) {
+      const WordConstants& word = table.constants()[i];
+      const WordConstants& first = table.constants()[i / 4 * 4];
+      words.push_back(
+          {word.length, word.top,
+           lines_.step(kind_of(i), word.first - first.first, word.second - first.second)});
+    }
+    return words;
+  }
+
+  void ask_for_neighbours(Vertex v) const {
+    if (v >= links_.at.size()) return;
+    for (const HalfEdge& edge : links_.at[v]) {
+      if (edge.to != kNobody) __builtin_prefetch(&places_[edge.to]);
+    }
+  }
+
+  /// Asks for the edges of v's neighbours, or for what removing one of them reads of these.
+  void ask_for_ejection(Vertex v, bool edges_are_there) const {
+    for (const HalfEdge& edge : links_.at[v]) {
+      if (edge.to == kNobody) continue;
+      if (!edges_are_there) {
+        __builtin_prefetch(&links_.at[edge.to]);
+        continue;
+      }
+      for (const HalfEdge& next : links_.at[edge.to]) {
+        if (next.to == kNobody) continue;
+        __builtin_prefetch(&places_[next.to]);
+        __builtin_prefetch(&variant_[next.edge]);
+      }
+    }
+  }
+
+  /// The columns are those that reach and the types of placed tails leave. The vertex's type is
+  /// told by the side of its green head; if that is to come, by the side that has more room.
+  Joined joined_of(Vertex v) const {
+    Joined joined;
+    const Roles& roles = links_.at[v];
+    joined.has_arrival = roles[kGreenIn].to != kNobody;
+    CellChoice& choice = joined.choice;
+    choice = {size_.rows, 0, size_.columns - 1, (size_.columns - 1) / 2, {}, 0};
+    for (const Role role : {kGreenOut, kGreenIn, kRedOut, kRedIn}) {
+      const HalfEdge edge = roles[role];
+      if (edge.to == kNobody) continue;
+      const Place other = places_[edge.to];
+      if (!other.is_set()) continue;
+      const std::int32_t column = other.U / 4;
+      choice.neighbours[joined.count] = other;
+      choice.low = std::max(choice.low, column - size_.reach);
+      choice.high = std::min(choice.high, column + size_.reach);
+      joined.edges[joined.count] = {end_at(other), edge.edge, is_red(role), is_out(role)};
+      if (role == kGreenOut) choice.last_of_type_0 = column;
+      if (role == kGreenIn && joined.edges[joined.count].other.type == 0) {
+        choice.low = std::max(choice.low, column + 1);
+      } else if (role == kGreenIn) {
+        choice.high = std::min(choice.high, column - 1);
+      }
+      choice.num_neighbours = ++joined.count;
+    }
+    return joined;
+  }
+
+  /// Tries the next cells of the stream, kCellsAtOnce of them.
+  bool place_in_some_cell(Vertex v, const Joined& joined) {
+    const CellChoice& choice = joined.choice;
+    if (!choice.has_cells_in_every_row()) return place_one_by_one(v, joined);
+    draw_cells(choice, taken_, random_.ahead(2 * kCellsAtOnce), batch_);
+    if (!batch_.is_exact) return place_one_by_one(v, joined);
+    for (std::uint32_t open = batch_.open; open != 0; open &= open - 1) {
+      const auto k = static_cast<std::size_t>(std::countr_zero(open));
+      if (!try_place(v, {batch_.U[k], batch_.V[k]}, joined)) continue;
+      census_.trials += static_cast<std::int64_t>(k) + 1;
+      random_.skip(2 * (k + 1));
+      return true;
+    }
+    census_.trials += static_cast<std::int64_t>(kCellsAtOnce);
+    random_.skip(2 * kCellsAtOnce);
+    return false;
+  }
+
+  bool place_one_by_one(Vertex v, const Joined& joined) {
+    const CellChoice& choice = joined.choice;
+    for (std::size_t i = 0; i < kCellsAtOnce; ++i) {
+      ++census_.trials;
+      const auto row =
+          static_cast<std::int32_t>(random_.below(static_cast<std::uint32_t>(choice.rows)));
+      const std::int32_t first = choice.low + ((choice.low ^ row) & 1);
+      if (first > choice.high) continue;
+      const auto choices = static_cast<std::uint32_t>((choice.high - first) / 2 + 1);
+      const std::int32_t column = first + 2 * static_cast<std::int32_t>(random_.below(choices));
+      const Place place = place_of({column, row, column > choice.last_of_type_0 ? 1 : 0});
+      if (is_open(choice, taken_, place) && try_place(v, place, joined)) return true;
+    }
+    return false;
+  }
+
+  static LineKind kind_of(std::size_t word) {
+    return word >= WordTable::index(true, 0, 0, false) ? LineKind::lower_c
+           : (word / 8) % 2 == 0                       ? LineKind::upper_b
+                                                       : LineKind::upper_c;
+  }
+  Route route_of(const Edge& edge, const End& own) const {
+    const MiddleLine line =
+        middle_line(edge.red, edge.out ? own : edge.other, edge.out ? edge.other : own);
+    const WordConstants& word = table_.constants()[line.word];
+    return {line.length, line.top,
+            lines_.number(kind_of(line.word), line.first + word.first, line.second + word.second),
+            &words_[line.word], variants(edge.red)};
+  }
+  static Piece piece_of(const Route& route, const StripWord& word) {
+    const std::int32_t top = route.top + word.top;
+    return {route.line + word.step, top - route.length[1] - word.length[1], top};
+  }
+  /// The whole line on which a green edge arrives (words.h, arrival_line).
+  std::uint64_t arrival_line(const End& head) const {
+    return head.type == 0 ? lines_.number(LineKind::upper_c, head.U - 2, head.form[0] - 2)
+                          : lines_.number(LineKind::upper_b, head.U + 2, head.form[1]);
+  }
+
+  bool plan_edge(const Route& route, Plan& plan) const {
+    for (unsigned variant = 0; variant < route.variants; ++variant) {
+      const StripWord& word = route.words[variant];
+      if (route.length[0] + word.length[0] < 1 || route.length[1] + word.length[1] < 1 ||
+          route.length[2] + word.length[2] < 1) {
+        continue;
+      }
+      const Piece piece = piece_of(route, word);
+      if (plan.overlaps(piece) || !lines_.is_free(piece)) continue;
+      plan.variants[plan.count] = static_cast<std::uint8_t>(variant);
+      plan.pieces[plan.count++] = piece;
+      return true;
+    }
+    return false;
+  }
+
+  /// Places v at an open place if its arrival and all its edges to placed neighbours have room.
+  bool try_place(Vertex v, Place own, const Joined& joined) {
+    const End end = end_at(own);
+    std::array<Route, 4> routes;
+    for (std::size_t i = 0; i < joined.count; ++i) {
+      routes[i] = route_of(joined.edges[i], end);
+      lines_.ask_for(routes[i].line);
+    }
+    const std::uint64_t arrival = joined.has_arrival ? arrival_line(end) : 0;
+    if (joined.has_arrival) lines_.ask_for(arrival);
+    for (std::size_t i = 0; i < joined.count; ++i) lines_.ask_for_pieces(routes[i].line);
+    Plan plan;
+    for (std::size_t i = 0; i < joined.count; ++i) {
+      if (!plan_edge(routes[i], plan)) return false;
+    }
+    if (joined.has_arrival) {
+      if (plan.is_on(arrival) || !lines_.is_empty(arrival)) return false;
+      lines_.flip_arrival(arrival);
+    }
+    places_[v] = own;
+    taken_.flip(own);
+    for (std::size_t i = 0; i < joined.count; ++i) {
+      lines_.insert(plan.pieces[i]);
+      variant_[joined.edges[i].edge] = plan.variants[i];
+    }
+    return true;
+  }
+
+  const Decomposition& links_;
+  StripSize size_;
+  UnwrittenVector<Place> places_;
+  std::vector<std::uint8_t> variant_;
+  TakenPlaces taken_;
+  NarrowLines lines_;
+  WordTable table_;
+  std::vector<StripWord> words_;  ///< by place in the table
+  CellBatch batch_;
+  strips::NumbersAhead& random_;
+  Census& census_;
+};
+
+}  // namespace
+
+std::optional<Placement> fill_narrow_strip_fast(const Decomposition& links, std::size_t num_edges,
+                                                const Tightness& tightness, std::uint64_t seed,
+                                                std::uint64_t stream, Census& census) {
+  const auto n = static_cast<Vertex>(links.at.size());
+  strips::NumbersAhead random(seed, stream);
+  FastPlacer placer(links, num_edges, narrow_size(n, tightness), random, census);
+  if (!strips::place_with_ejections(placer, stack_of_vertices(n), most_ejections(n, tightness),
+                                    random, census)) {
+    return std::nullopt;
+  }
+  return std::move(placer).placement();
+}
+
+}  // namespace ar3d::compact

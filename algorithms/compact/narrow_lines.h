@@ -1,0 +1,98 @@
+#pragma once
+
+// The contested lines of a narrow strip. They can be numbered without many gaps, so two bits tell
+// of each what is on it; pieces are looked up only on lines that have some.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "ar3d/algorithms/compact/placement.h"
+#include "ar3d/algorithms/compact/words.h"
+#include "ar3d/algorithms/strips/lines.h"
+#include "ar3d/model/long_vector.h"
+
+namespace ar3d::compact {
+
+/// Middle pieces of edges, and lines on which edges arrive; the latter belong to one edge as a
+/// whole.
+class NarrowLines {
+ public:
+  /// Room for a middle piece of each edge.
+  NarrowLines(const StripSize& size, std::size_t num_edges);
+
+  /// The number of the line of a kind with these values of its forms (words.h, line_key), not 0.
+  /// They are those of edges between cells of the strip that span at most its reach and run to the
+  /// side of their type.
+  std::uint64_t number(LineKind kind, std::int32_t first, std::int32_t second) const {
+    const Numbering& by = numbering_[static_cast<std::size_t>(kind) - 1];
+    return by.begin +
+           static_cast<std::uint64_t>((first - by.least_first) >> by.first_shift) * by.width +
+           static_cast<std::uint64_t>((second - by.least_second) >> 2);
+  }
+
+  /// number(kind, first + by_first, second + by_second) - number(kind, first, second) where both
+  /// are lines of the kind.
+  std::uint64_t step(LineKind kind, std::int32_t by_first, std::int32_t by_second) const {
+    const Numbering& by = numbering_[static_cast<std::size_t>(kind) - 1];
+    return static_cast<std::uint64_t>(by_first >> by.first_shift) * by.width +
+           static_cast<std::uint64_t>(by_second >> 2);  // modulo 2^64
+  }
+
+  /// True if no stored piece overlaps this one and no edge arrives on its line. O(1) expected.
+  bool is_free(const Piece& piece) const {
+    const std::uint64_t on_line = bits_of(piece.line);
+    if (on_line == 0) return true;
+    return (on_line & kArrival) == 0 && !overlaps_late(piece) && pieces_.is_free(piece);
+  }
+  /// True if nothing is on the line.
+  bool is_empty(std::uint64_t line) const { return bits_of(line) == 0; }
+
+  /// The hash table gets the piece kLate insertions later, when the memory has sent its entry.
+  void insert(const Piece& piece) {
+    bits_[piece.line / 32] |= kPiece << shift_of(piece.line);
+    pieces_.ask_for(piece.line);
+    Piece& late = late_[next_late_++ % kLate];
+    if (late.line != 0) pieces_.insert(late);
+    late = piece;
+  }
+  void erase(const Piece& piece);
+  /// Begins or ends an arrival on the line.
+  void flip_arrival(std::uint64_t line) { bits_[line / 32] ^= kArrival << shift_of(line); }
+
+  // Ask the memory for what is_free() will read, without waiting: always, and of lines with pieces.
+  void ask_for(std::uint64_t line) const { __builtin_prefetch(&bits_[line / 32]); }
+  void ask_for_pieces(std::uint64_t line) const {
+    pieces_.ask_for(bits_of(line) == kPiece ? line : 0);  // some entry: no branch on what is random
+  }
+
+ private:
+  static constexpr std::uint64_t kPiece = 1;
+  static constexpr std::uint64_t kArrival = 2;
+  /// How lines of a kind are numbered: by AD, which is 0 modulo 4 above and odd below (Lemma C.4),
+  /// then by the other form, which is 2 modulo 4.
+  struct Numbering {
+    std::uint64_t begin = 1;
+    std::uint64_t width = 0;
+    std::int32_t least_first = 0;
+    std::int32_t least_second = 0;
+    int first_shift = 2;
+  };
+  static unsigned shift_of(std::uint64_t line) { return static_cast<unsigned>(line % 32 * 2); }
+  std::uint64_t bits_of(std::uint64_t line) const { return bits_[line / 32] >> shift_of(line) & 3; }
+
+  static constexpr std::size_t kLate = 8;
+  bool overlaps_late(const Piece& piece) const {
+    bool overlaps = false;
+    for (const Piece& late : late_) overlaps = overlaps || late.overlaps(piece);
+    return overlaps;
+  }
+
+  std::array<Numbering, 3> numbering_;
+  LongVector<std::uint64_t> bits_;  ///< two for each line
+  strips::Lines pieces_;
+  std::array<Piece, kLate> late_{};  ///< not yet among `pieces_`; line 0: none
+  std::size_t next_late_ = 0;
+};
+
+}  // namespace ar3d::compact
