@@ -49,24 +49,28 @@ void ExaminationPass::run_in_order(bool with_proof) {
 }
 
 void ExaminationPass::run_on_threads() {
-  constexpr EdgeId kEdges = 1 << 14;
   const bool is_ordered = parts_.metrics || parts_.hash;
   std::vector<SummaryPass> summaries;  // of the threads
-  for (int t = 0; t < threads_ && !is_ordered; ++t) summaries.emplace_back(drawing_, false);
-  const EdgeId edges = drawing_.num_edges();
-  const std::uint64_t blocks = (std::uint64_t{edges} + kEdges - 1) / kEdges;
-  share_among_threads(threads_, blocks + 1, [&](int thread, std::uint64_t i) {
-    if (i == 0) {
-      if (is_ordered) run_in_order(false);
-      return;
-    }
-    const auto begin = static_cast<EdgeId>((i - 1) * kEdges);
-    for_each_polyline(drawing_, begin, begin + std::min(kEdges, edges - begin),
-                      [&](EdgeId e, const std::vector<Point>& points) {
-                        by_planes_->add(drawing_.edge(e), points, thread);
-                        if (!is_ordered) summaries[static_cast<std::size_t>(thread)].add(points);
-                      });
-  });
+  for (int t = 0; t < threads_ && !is_ordered; ++t) summaries.emplace_back(drawing_);
+  const Blocks edges(drawing_.num_edges());
+  const Blocks vertices(is_ordered ? 0 : drawing_.num_vertices());
+  share_among_threads(
+      threads_, 1 + edges.count() + vertices.count(), [&](int thread, std::uint64_t i) {
+        if (i == 0) {
+          if (is_ordered) run_in_order(false);
+          return;
+        }
+        const auto t = static_cast<std::size_t>(thread);
+        if (i > edges.count()) {
+          const auto [begin, end] = vertices[i - 1 - edges.count()];
+          return summaries[t].add_vertices(begin, end);
+        }
+        const auto [begin, end] = edges[i - 1];
+        for_each_polyline(drawing_, begin, end, [&](EdgeId e, const std::vector<Point>& points) {
+          by_planes_->add(drawing_.edge(e), points, thread);
+          if (!is_ordered) summaries[t].add(points);
+        });
+      });
   if (is_ordered) return;
   for (std::size_t t = 1; t < summaries.size(); ++t) summaries[0].absorb(summaries[t]);
   summary_ = summaries[0].finish();

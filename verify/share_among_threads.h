@@ -2,10 +2,28 @@
 
 #include <omp.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <exception>
+#include <utility>
 
 namespace ar3d::verify {
+
+/// The numbers below a size in blocks that threads take one at a time.
+class Blocks {
+ public:
+  explicit Blocks(std::uint64_t size) : size_(size) {}
+  std::uint64_t count() const { return (size_ + kBlock - 1) / kBlock; }
+  /// Begin and end of block i.
+  std::pair<std::uint32_t, std::uint32_t> operator[](std::uint64_t i) const {
+    return {static_cast<std::uint32_t>(i * kBlock),
+            static_cast<std::uint32_t>(std::min(size_, (i + 1) * kBlock))};
+  }
+
+ private:
+  static constexpr std::uint64_t kBlock = 1 << 14;
+  std::uint64_t size_;
+};
 
 /// Calls work(thread, i) for every i below `count`, thread from 0 to threads - 1: threads that are
 /// free take the next number. The first exception is thrown again at the end.

@@ -10,10 +10,12 @@ namespace ar3d::verify {
 
 SummaryPass::SummaryPass(const Drawing& drawing, bool lengths)
     : drawing_(drawing), lengths_(lengths) {
-  for (std::size_t v = 0; v < drawing.num_vertices(); ++v) {
-    box_.add(drawing.vertex(static_cast<Vertex>(v)));
-  }
+  add_vertices(0, static_cast<Vertex>(drawing.num_vertices()));
   if (lengths_) summary_.total_edge_length = summary_.longest_edge_length = 0;
+}
+
+void SummaryPass::add_vertices(Vertex begin, Vertex end) {
+  for (Vertex v = begin; v < end; ++v) box_.add(drawing_.vertex(v));
 }
 
 void SummaryPass::add(const std::vector<Point>& points) {
@@ -35,7 +37,7 @@ void SummaryPass::absorb(const SummaryPass& other) {
   for (std::size_t bends = 0; bends < theirs.size(); ++bends) ours[bends] += theirs[bends];
   summary_.segments += other.summary_.segments;
   summary_.repeated_points += other.summary_.repeated_points;
-  if (drawing_.num_vertices() == 0) return;
+  if (other.box_.low().x > other.box_.high().x) return;  // it took nothing
   box_.add(other.box_.low());
   box_.add(other.box_.high());
 }

@@ -12,9 +12,14 @@ class SummaryPass {
  public:
   /// Takes the vertices of the drawing. @param lengths  are lengths and distances wanted?
   SummaryPass(const Drawing& drawing, bool lengths);
+  /// Of a part of the drawing, to be absorbed by another pass: nothing is taken yet.
+  explicit SummaryPass(const Drawing& drawing) : drawing_(drawing), lengths_(false) {}
+  /// Takes the vertices begin, ..., end - 1.
+  void add_vertices(Vertex begin, Vertex end);
   /// Takes the polyline of the next edge, in order of edge numbers: sums of doubles depend on it.
   void add(const std::vector<Point>& points);
-  /// Takes what another pass over the same drawing has of other edges. @pre lengths are not wanted.
+  /// Takes what another pass over the same drawing has of other edges and vertices.
+  /// @pre lengths are not wanted.
   void absorb(const SummaryPass& other);
   /// After the last edge. Finds the closest vertices, if lengths are wanted.
   /// @throws InputError if they are and the drawing's Gram matrix is not positive definite.

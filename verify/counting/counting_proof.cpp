@@ -139,34 +139,44 @@ bool CountingProof::take_neighbours(Share& share, std::size_t id, std::size_t ot
   return right_angle(share, id, other);
 }
 
-bool CountingProof::take_star(std::uint32_t star) {
+bool CountingProof::take_star(Share& share, std::uint32_t star) const {
   for (; star != 0; star >>= 8) {
     for (std::uint32_t rest = star >> 8; rest != 0; rest >>= 8) {
-      if (!take_neighbours(shares_[0], (star & 255) - 1, (rest & 255) - 1)) return false;
+      if (!take_neighbours(share, (star & 255) - 1, (rest & 255) - 1)) return false;
     }
   }
   return true;
 }
 
-/// Angles and neighbours at the vertices. A vertex without edges becomes a segment of length zero:
-/// it is counted as a meeting wherever it touches anything, and is nobody's neighbour.
-bool CountingProof::take_vertices() {
-  Share& share = shares_[0];
-  for (std::size_t i = 0; i < stars_.size(); ++i) {
-    const Point p = drawing_.vertex(static_cast<Vertex>(i));
+/// Angles and neighbours at the vertices begin, ..., end - 1. A vertex without edges becomes a
+/// segment of length zero: it is counted as a meeting wherever it touches anything, and is nobody's
+/// neighbour.
+bool CountingProof::take_vertices(Share& share, Vertex begin, Vertex end) {
+  for (Vertex v = begin; v < end; ++v) {
+    const Point p = drawing_.vertex(v);
     if (guarantee_.vertices_in_plane && p.z != 0) return false;
-    if (stars_[i] == 0) {
+    if (stars_[v] == 0) {
       if (!is_near(p)) return false;
       ++share.numbers[0];
       if (keeps_segments_) share.segments[0].add(placed(p, 0));
-    } else if (!take_star(stars_[i])) {
+    } else if (!take_star(share, stars_[v])) {
       return false;
     }
   }
   return true;
 }
 
-/// Could all edges be taken? Then their neighbours are counted.
+void CountingProof::take_all_vertices() {
+  const Blocks vertices(stars_.size());
+  share_among_threads(static_cast<int>(shares_.size()), vertices.count(),
+                      [&](int thread, std::uint64_t i) {
+                        Share& share = shares_[static_cast<std::size_t>(thread)];
+                        const auto [begin, end] = vertices[i];
+                        if (share.possible) share.possible = take_vertices(share, begin, end);
+                      });
+}
+
+/// Could all edges and vertices be taken? Then their neighbours are counted.
 bool CountingProof::collect_shares() {
   for (const Share& share : shares_) {
     counts_.crossing_neighbours += share.crossing_neighbours;
@@ -310,9 +320,8 @@ bool CountingProof::holds(const DrawingSummary& summary) {
     if (directions.indices() < 2) directions.find(d);
   }
   for (Share& share : shares_) share.possible = leave_all(share) && share.possible;
-  const bool taken = take_vertices();
-  return collect_shares() && taken && take_families(largest_coordinate(summary.box)) &&
-         counts_.agree();
+  take_all_vertices();
+  return collect_shares() && take_families(largest_coordinate(summary.box)) && counts_.agree();
 }
 
 }  // namespace ar3d::verify

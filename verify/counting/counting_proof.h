@@ -49,7 +49,7 @@ class CountingProof {
   enum class Angle : std::uint8_t { unknown, right, wrong };
   static constexpr std::size_t kIds = 2 * SignedDirections::kMaxIndices;
 
-  /// What a thread has of the edges that it took.
+  /// What a thread has of the edges and vertices that it took.
   struct Share {
     bool possible = true;
     SignedDirections directions;
@@ -82,8 +82,9 @@ class CountingProof {
   bool take_leaving(Vertex v, std::uint8_t id);
   bool right_angle(Share& share, std::size_t id, std::size_t other) const;
   bool take_neighbours(Share& share, std::size_t id, std::size_t other) const;
-  bool take_vertices();
-  bool take_star(std::uint32_t star);
+  bool take_vertices(Share& share, Vertex begin, Vertex end);
+  void take_all_vertices();
+  bool take_star(Share& share, std::uint32_t star) const;
   bool collect_shares();
   std::vector<std::size_t> directions_to_count() const;
   std::uint64_t number(std::size_t direction) const;
@@ -100,7 +101,7 @@ class CountingProof {
   CountingSizes sizes_;
   bool possible_;
   const bool keeps_segments_;  ///< false: there are too many, they are computed for each window
-  std::vector<Share> shares_;  ///< of the threads; the first has the vertices, too
+  std::vector<Share> shares_;  ///< of the threads
   /// Of each vertex the directions in which edges leave it: up to four bytes, id + 1 each.
   std::vector<std::uint32_t> stars_;
   CountedMeetings counts_;
