@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -28,9 +29,27 @@ void reserve_long(std::vector<T>& vector, std::size_t count) {
   vector.swap(longer);
 }
 
-/// As UnwrittenAllocator, but elements are initialised as any vector's are.
+/// Memory for arrays from this size on can be used again (LongArrayReuse).
+inline constexpr std::size_t kReusableBytes = std::size_t{1} << 19;
+/// Memory for `bytes` bytes, at least kReusableBytes, to be freed by free_long_array.
+/// @throws std::bad_alloc.
+void* allocate_reusable_array(std::size_t bytes);
+
+/// As UnwrittenAllocator, but elements are initialised as any vector's are, and shorter arrays can
+/// be used again, too.
 template <class T>
 struct LongAllocator : UnwrittenAllocator<T> {
+  T* allocate(std::size_t count) {
+    if (count > std::numeric_limits<std::size_t>::max() / sizeof(T) ||
+        count * sizeof(T) < kReusableBytes) {
+      return std::allocator<T>::allocate(count);
+    }
+    return static_cast<T*>(allocate_reusable_array(count * sizeof(T)));
+  }
+  void deallocate(T* array, std::size_t count) noexcept {
+    if (count * sizeof(T) < kReusableBytes) return std::allocator<T>::deallocate(array, count);
+    free_long_array(array);
+  }
   template <class U>
   struct rebind {
     using other = LongAllocator<U>;
@@ -44,10 +63,10 @@ struct LongAllocator : UnwrittenAllocator<T> {
 template <class T>
 using LongVector = std::vector<T, LongAllocator<T>>;
 
-/// While one lives, long arrays that its thread frees are kept for its later ones: these then need
-/// no fresh memory, which the system would have to clear. An array is at most twice as long as it
-/// was asked for. What nothing uses at the end is given back; arrays may outlive it, and other
-/// threads may free them. Inside another one it does nothing.
+/// While one lives, arrays from kReusableBytes on that its thread frees are kept for its later
+/// ones: these then need no fresh memory, which the system would have to clear. An array is at most
+/// twice as long as it was asked for. What nothing uses at the end is given back; arrays may
+/// outlive it, and other threads may free them. Inside another one it does nothing.
 class LongArrayReuse {
  public:
   LongArrayReuse();

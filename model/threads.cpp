@@ -33,7 +33,7 @@ void advise_long_array(void* array, std::size_t bytes) {
 
 namespace {
 
-/// A long array that nothing uses.
+/// An array that nothing uses.
 struct Spare {
   void* array = nullptr;
   std::size_t bytes = 0;
@@ -56,13 +56,18 @@ void* take_spare(std::size_t bytes) {
 
 }  // namespace
 
-void* allocate_long_array(std::size_t bytes) {
+void* allocate_long_array(std::size_t bytes) { return allocate_reusable_array(bytes); }
+
+void* allocate_reusable_array(std::size_t bytes) {
   if (spares != nullptr) {
     if (void* const array = take_spare(bytes)) return array;
   }
-  void* const array = std::aligned_alloc(kPage, (bytes + kPage - 1) / kPage * kPage);
+  const bool fills_pages = bytes >= kPage / 2;
+  void* const array = fills_pages ? std::aligned_alloc(kPage, (bytes + kPage - 1) / kPage * kPage)
+                                  : std::malloc(bytes);
   if (array == nullptr) throw std::bad_alloc();
-  advise_long_array(array, bytes);  // not for the last page, which costs no more than it holds
+  // The last page costs what it holds, or is at least half full.
+  if (fills_pages) madvise(array, (bytes + kPage / 2) / kPage * kPage, MADV_HUGEPAGE);
   return array;
 }
 

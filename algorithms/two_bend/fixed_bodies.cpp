@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "ar3d/algorithms/two_bend/instance_bound.h"
 #include "ar3d/model/error.h"
 
 namespace ar3d::two_bend {
@@ -54,6 +55,7 @@ constexpr std::array<TableEdge, 9> kK33Edges{{{0, 3, {{{13, 5, 9}, {5, 9, 14}}}}
 /// Draws the table with its vertex i as local vertex vertices[i].
 void draw_table(const LocalGraph& graph, std::span<const Vertex> vertices,
                 std::span<const Point> points, std::span<const TableEdge> edges, Output& output) {
+  output.make_room(vertices.size(), output.base_z() + kFixedBodyBound[2]);
   const Vector up{0, 0, output.base_z()};
   std::int64_t top = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -281,6 +281,12 @@ Flow build_flow(const LocalGraph& graph, const Blocks& blocks, const TimeOrder& 
   return flow;
 }
 
+void Flow::forget_lists() {
+  for (LongVector<std::uint8_t>& all : roles) release(all);
+  for (LongVector<NodeId>& all : row_owner) release(all);
+  release(block);
+}
+
 std::array<NodeId, 2> View::ordinary_of(const Pole& pole) const {
   std::array<NodeId, 2> result{};
   std::size_t count = 0;

@@ -88,6 +88,8 @@ struct Flow {
       block_entry;  ///< per block of a pole: its only node at a bridge, kNone if none
   bool joint = false;
 
+  /// Frees what only the lists and their numbers need: roles, owners and blocks.
+  void forget_lists();
   /// The node's block has a pole and bridges.
   bool in_pole_block(NodeId v) const { return !joint && block_entry[block[v]] != kNone; }
   /// From a MERGE up to a SPLIT.

@@ -15,51 +15,44 @@ bool LocalGraph::adjacent(Vertex u, Vertex v) const {
 
 ComponentReader::ComponentReader(const Graph& graph)
     : graph_(graph),
-      local_(graph.num_vertices(), kNoVertex),
+      near_(graph.num_vertices()),
+      local_(graph.num_vertices()),
       is_read_(graph.num_vertices(), false) {
   const bool is_cubic = std::uint64_t{2} * graph.num_edges() == std::uint64_t{3} * local_.size();
   if (is_cubic && !local_.empty()) cubic_half_edges_ = graph.incident(0).data();
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+    std::size_t k = 0;
+    for (const HalfEdge& half : graph.incident(v)) near_[v].to[k++] = half.to;
+  }
 }
 
 bool ComponentReader::next(LocalGraph& out) {
   while (first_ < graph_.num_vertices() && is_read_[first_]) ++first_;
   if (first_ == graph_.num_vertices()) return false;
   search_from(first_, out);
-  for (NeighbourList& near : out.neighbours) {
-    for (std::size_t k = 0, degree = near.degree(); k < degree; ++k)
-      near.to[k] = local_[near.to[k]];
+  if (count_ == graph_.num_vertices()) {
+    release(near_);
+    release(turns_);
   }
+  copy_rows(out);
+  if (count_ == graph_.num_vertices()) release(local_);
   return true;
 }
 
-/// Every vertex's half-edges are read once from the input; lists hold input names until the search
-/// has ended.
+/// Room is reserved for all vertices at once: memory that is not written costs nothing, growing
+/// arrays are copied.
 void ComponentReader::search_from(Vertex root, LocalGraph& out) {
   out.name.clear();
   out.parent.clear();
-  out.neighbours.clear();
-  out.edges.clear();
-  reserve(out);
+  out.name.reserve(local_.size());
+  out.parent.reserve(local_.size());
   turns_.assign(1, {root, 0});
   while (!turns_.empty()) {
     const Turn turn = turns_.back();
     turns_.pop_back();
     if (!is_read_[turn.to]) read(turn, out);
   }
-}
-
-/// For all vertices at once: memory that is not written costs nothing, growing arrays are copied.
-void ComponentReader::reserve(LocalGraph& out) const {
-  out.name.reserve(local_.size());
-  out.parent.reserve(local_.size());
-  out.neighbours.reserve(local_.size());
-  out.edges.reserve(local_.size());
-}
-
-/// Without a look at where lists begin if all are equally long: one wait for memory less.
-std::span<const HalfEdge> ComponentReader::incident(Vertex v) const {
-  if (cubic_half_edges_ == nullptr) return graph_.incident(v);
-  return {cubic_half_edges_ + std::size_t{3} * v, 3};
+  count_ += static_cast<Vertex>(out.name.size());
 }
 
 /// Unread neighbours are asked for at once: the search comes to one of them in the next turn.
@@ -69,15 +62,44 @@ void ComponentReader::read(Turn turn, LocalGraph& out) {
   is_read_[turn.to] = true;
   out.name.push_back(turn.to);
   out.parent.push_back(turn.parent);
-  NeighbourList& near = out.neighbours.emplace_back();
-  std::array<EdgeId, 3>& edges = out.edges.emplace_back();
-  const std::span<const HalfEdge> halves = incident(turn.to);
-  for (std::size_t k = halves.size(); k-- > 0;) {
-    near.to[k] = halves[k].to;
-    edges[k] = halves[k].edge;
-    if (is_read_[near.to[k]]) continue;
-    __builtin_prefetch(incident(near.to[k]).data());
-    turns_.push_back({near.to[k], name});
+  const NeighbourList& near = near_[turn.to];
+  for (std::size_t k = near.to.size(); k-- > 0;) {
+    const Vertex u = near.to[k];
+    if (u == kNoVertex || is_read_[u]) continue;
+    ask_for(near_, u);
+    turns_.push_back({u, name});
+  }
+}
+
+/// Asks memory, in two steps, for what the i-th vertex's row needs.
+[[gnu::always_inline]] inline void ComponentReader::ask_for_row(const LongVector<Vertex>& name,
+                                                                std::size_t i) const {
+  constexpr std::size_t kFar = std::size_t{2} * kAhead;
+  if (i + kFar >= name.size()) return;
+  __builtin_prefetch(incident(name[i + kFar]).data());
+  for (const HalfEdge& half : incident(name[i + kAhead])) ask_for(local_, half.to);
+}
+
+/// Without a look at where lists begin if all are equally long: one wait for memory less.
+std::span<const HalfEdge> ComponentReader::incident(Vertex v) const {
+  if (cubic_half_edges_ == nullptr) return graph_.incident(v);
+  return {cubic_half_edges_ + std::size_t{3} * v, 3};
+}
+
+void ComponentReader::copy_rows(LocalGraph& out) const {
+  out.neighbours.clear();
+  out.edges.clear();
+  out.neighbours.reserve(out.name.size());
+  out.edges.reserve(out.name.size());
+  for (std::size_t i = 0; i < out.name.size(); ++i) {
+    ask_for_row(out.name, i);
+    NeighbourList& near = out.neighbours.emplace_back();
+    std::array<EdgeId, 3>& edges = out.edges.emplace_back();
+    std::size_t k = 0;
+    for (const HalfEdge& half : incident(out.name[i])) {
+      near.to[k] = local_[half.to];
+      edges[k++] = half.edge;
+    }
   }
 }
 

@@ -31,13 +31,19 @@ struct NeighbourList {
   }
 };
 
+/// Frees a long array that is needed no more; a short one keeps its memory for the next component.
+template <class T>
+void release(LongVector<T>& array) {
+  if (array.capacity() * sizeof(T) >= kLongArrayBytes) array = LongVector<T>();
+}
+
 /// One component, its vertices renamed in preorder of a depth-first search, so that the search tree
 /// is known (parent[v] < v) and neighbours tend to lie close together in memory.
 struct LocalGraph {
   LongVector<Vertex> name;  ///< of the input graph
   LongVector<NeighbourList> neighbours;
   LongVector<std::array<EdgeId, 3>> edges;  ///< of the input graph, in the order of the neighbours
-  LongVector<Vertex> parent;                ///< parent[0] = 0
+  LongVector<Vertex> parent;  ///< parent[0] = 0; empty once the blocks are known, if it is long
 
   Vertex size() const { return static_cast<Vertex>(neighbours.size()); }
   bool adjacent(Vertex u, Vertex v) const;
@@ -57,16 +63,19 @@ class ComponentReader {
     Vertex parent;  // that neighbour's new name
   };
   void search_from(Vertex root, LocalGraph& out);
-  void reserve(LocalGraph& out) const;
   void read(Turn turn, LocalGraph& out);
+  void copy_rows(LocalGraph& out) const;
+  void ask_for_row(const LongVector<Vertex>& name, std::size_t i) const;
   std::span<const HalfEdge> incident(Vertex v) const;
 
   const Graph& graph_;
   const HalfEdge* cubic_half_edges_ = nullptr;  // of all vertices, if all have degree 3
-  LongVector<Vertex> local_;                    // kNoVertex until named
-  std::vector<bool> is_read_;                   // as local_, but small enough to stay in the cache
-  LongVector<Turn> turns_;                      // not taken yet, the next one last
+  LongVector<NeighbourList> near_;  // per input vertex: half as long as the rows of the graph
+  LongVector<Vertex> local_;        // per input vertex: its new name
+  std::vector<bool> is_read_;       // per input vertex; small enough to stay in the cache
+  LongVector<Turn> turns_;          // not taken yet, the next one last
   Vertex first_ = 0;
+  Vertex count_ = 0;  // of the vertices read
 };
 
 }  // namespace ar3d::two_bend

@@ -3,7 +3,6 @@
 // input's ends does not matter. Cost: O(1) per vertex and edge.
 #include "ar3d/algorithms/two_bend/output.h"
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -23,7 +22,7 @@ std::int32_t narrow(std::int64_t value) {
 
 void PackedBends::set(EdgeId e, std::span<const Point> bends) {
   expect(bends.size() <= 2, "an edge has at most two bends");
-  Places places;
+  Places places{{}, {kNoBend, kNoBend}};
   for (std::size_t i = 0; i < bends.size(); ++i) {
     places.xy[2 * i] = narrow(bends[i].x);
     places.xy[2 * i + 1] = narrow(bends[i].y);
@@ -47,25 +46,28 @@ void PackedBends::append_bends(EdgeId e, Edge, Point at_u, Point at_v,
   }
 }
 
-Output::Output(const Graph& graph)
-    : graph_(graph),
-      points_(graph.num_vertices()),
-      bends_(std::make_shared<PackedBends>(graph.num_edges())) {}
+void Output::make_room(std::size_t vertices, std::int64_t top) {
+  if (bends_ != nullptr) return;
+  bends_ = std::make_shared<PackedBends>(graph_.num_edges());
+  if (vertices == graph_.num_vertices() && top > std::numeric_limits<std::int32_t>::max()) {
+    vertices_.emplace(vertices, kMaxCoordinate);
+  } else {
+    points_.resize(graph_.num_vertices());
+  }
+}
 
 void Output::end_component(std::int64_t top) {
   expect(top >= base_z_ && top < kMaxCoordinate, "heights fit the largest coordinate");
   base_z_ = top + 1;
 }
 
-void Output::set_vertex(Vertex v, Point p) {
-  points_[v] = p;
-  largest_ = std::max({largest_, p.x, p.y, p.z});
-}
-
 Drawing Output::finish() {
-  Coordinates vertices(points_.size(), largest_);
-  for (std::size_t v = 0; v < points_.size(); ++v) vertices.set(v, points_[v]);
-  return Drawing("two-bend", kTallLattice, std::move(vertices), graph_.shared_edges(),
+  make_room(0, 0);  // for a graph without vertices
+  if (!vertices_) {
+    vertices_.emplace(points_.size(), largest_);
+    for (std::size_t v = 0; v < points_.size(); ++v) vertices_->set(v, points_[v]);
+  }
+  return Drawing("two-bend", kTallLattice, *std::move(vertices_), graph_.shared_edges(),
                  std::move(bends_));
 }
 

@@ -12,14 +12,26 @@
 
 namespace ar3d::two_bend {
 
+void LongBends::set(std::size_t i, RelativeBend bend) {
+  static constexpr std::int64_t kMost = std::int64_t{1} << 60;
+  expect(-kMost < bend.dz && bend.dz < kMost, "a bend's height fits 61 bits");
+  xy_[2 * i] = bend.x;
+  xy_[2 * i + 1] = bend.y;
+  coded_[i] = bend.dz * 4 + (coded_[i] & 3);
+}
+
 void LongBends::add_lower(RelativeBend bend) {
-  expect(lower_count < 2 && upper_count == 0, "an edge has at most two bends, lower ones first");
-  bends[lower_count++] = bend;
+  expect(lower_count() < 2 && upper_count() == 0,
+         "an edge has at most two bends, lower ones first");
+  if (lower_count() == 1) set(1, (*this)[0]);
+  set(0, bend);
+  ++coded_[0];
 }
 
 void LongBends::add_upper(RelativeBend bend) {
-  expect(lower_count + upper_count < 2, "an edge has at most two bends");
-  bends[lower_count + upper_count++] = bend;
+  expect(count() < 2, "an edge has at most two bends");
+  set(count(), bend);
+  ++coded_[1];
 }
 
 Ray ray_of(const Flow& flow, const Layout& layout, const LongEdge& edge) {
@@ -91,7 +103,6 @@ class ViewSlabs {
     LongBends& bends = slabs_.of_edge[edge];
     if (view_.columns()) {
       bends.add_lower(bend_at(bend.own, bend.cross, -z));
-      if (bends.lower_count == 2) std::swap(bends.bends[0], bends.bends[1]);
       slab.above = std::max(slab.above, -z);
       slab.below = std::max(slab.below, z);
     } else {

@@ -18,15 +18,24 @@ struct RelativeBend {
 
 /// The bends of a long edge, at most two in all. Upwards, first those drawn in the slab of the
 /// lower end, then the vertical piece with the PASS vertices, then those drawn in the slab of the
-/// upper end.
-struct LongBends {
-  std::uint8_t lower_count = 0;
-  std::uint8_t upper_count = 0;
-  std::array<RelativeBend, 2> bends{};
-
-  std::size_t count() const { return std::size_t{lower_count} + upper_count; }
-  void add_lower(RelativeBend bend);  ///< before any upper one
+/// upper end. 32 bytes: the numbers of bends are kept in the last two bits of their heights.
+class alignas(32) LongBends {
+ public:
+  std::size_t lower_count() const { return static_cast<std::size_t>(coded_[0] & 3); }
+  std::size_t upper_count() const { return static_cast<std::size_t>(coded_[1] & 3); }
+  std::size_t count() const { return lower_count() + upper_count(); }
+  RelativeBend operator[](std::size_t i) const {
+    return {xy_[2 * i], xy_[2 * i + 1], coded_[i] >> 2};
+  }
+  void add_lower(RelativeBend bend);  ///< before any upper one, below any lower one
   void add_upper(RelativeBend bend);  ///< in upward order
+
+ private:
+  void set(std::size_t i, RelativeBend bend);
+
+  std::array<std::int32_t, 4> xy_{};
+  std::array<std::int64_t, 2>
+      coded_{};  // 4 dz + number of lower bends, 4 dz + number of upper ones
 };
 
 /// What one vertex takes of the height: everything slanted that belongs to it lies between z -

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <limits>
 
 #include "ar3d/algorithms/two_bend/fixed_bodies.h"
 #include "ar3d/model/error.h"
@@ -27,6 +29,7 @@ class Writer {
     place_ends();
     place_heights();
     find_corner();
+    output_.make_room(in_.graph.size(), top_);
     for (LongId e = 0; e < in_.flow.edges.size(); ++e) {
       ask_for_edge(e);
       write_edge(e);
@@ -47,16 +50,20 @@ class Writer {
 
  private:
   struct Flat {
-    std::int64_t x = 0;
-    std::int64_t y = 0;
+    std::int32_t x = 0;
+    std::int32_t y = 0;
   };
+  /// Rows and columns are below kMaxHorizontal, and so is what is found from them.
+  static Flat flat(std::int64_t x, std::int64_t y) {
+    constexpr std::int64_t kMost = std::numeric_limits<std::int32_t>::max();
+    expect(std::max(std::abs(x), std::abs(y)) <= kMost, "rows and columns fit 32 bits");
+    return {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
+  }
 
   NodeId node_at(std::uint32_t place) const { return in_.flow.element[place]; }
   std::uint32_t place_of(NodeId v) const { return in_.flow.nodes[v].place; }
   NodeType type(NodeId v) const { return in_.flow.types[0][v]; }
-  Point point_at(std::uint32_t i) const {
-    return {xy_[i].x - corner_.x, xy_[i].y - corner_.y, z_[i]};
-  }
+  Point point_at(std::uint32_t i) const { return {xy_[i].x - left_, xy_[i].y - front_, z_[i]}; }
 
   /// A joint of a Q body has degree 1: below an END hangs its bridge, so its body stands above.
   bool is_end(std::uint32_t joint) const { return type(node_at(joint)) == NodeType::end; }
@@ -79,9 +86,7 @@ class Writer {
       p = {in_.layout.columns[v], in_.layout.rows[v]};
       if (in_.flow.pole_of[v] == kNone) continue;
       const PoleShape& shape = in_.layout.poles[in_.flow.pole_of[v]];
-      const bool is_sink = type(v) == NodeType::sink;
-      p.x = is_sink ? shape.cross : shape.own;
-      p.y = is_sink ? shape.own : shape.cross;
+      p = type(v) == NodeType::sink ? flat(shape.cross, shape.own) : flat(shape.own, shape.cross);
     }
   }
 
@@ -94,8 +99,8 @@ class Writer {
       const bool ends = type(edge.upper) == NodeType::end;
       if (!starts && !ends) continue;
       const Ray ray = ray_of(in_.flow, in_.layout, edge);
-      if (starts) xy_[place_of(edge.lower)] = {ray.x, ray.y};
-      if (ends) xy_[place_of(edge.upper)] = {ray.x, ray.y};
+      if (starts) xy_[place_of(edge.lower)] = flat(ray.x, ray.y);
+      if (ends) xy_[place_of(edge.upper)] = flat(ray.x, ray.y);
       if (stands_free(edge.lower)) on_bend_[edge.lower] = bend_under(e, 0);
       if (stands_free(edge.upper)) on_bend_[edge.upper] = bend_under(e, standing(e) - 1);
     }
@@ -118,7 +123,7 @@ class Writer {
   bool bend_under(LongId e, std::size_t k) const {
     const LongBends& bends = in_.slabs.of_edge[e];
     const std::size_t all = standing(e);
-    return all <= bends.count() || k < bends.lower_count || all - k <= bends.upper_count;
+    return all <= bends.count() || k < bends.lower_count() || all - k <= bends.upper_count();
   }
 
   /// Stacks the slabs in time order (Step 2.11). A vertex that is not alone in its slab and would
@@ -145,10 +150,11 @@ class Writer {
 
   /// The least x and y of nodes, bends and Q bodies: what is drawn is moved by them.
   void find_corner() {
-    corner_ = {in_.slabs.left, in_.slabs.front};
+    left_ = in_.slabs.left;
+    front_ = in_.slabs.front;
     const auto include = [&](std::int64_t x, std::int64_t y) {
-      corner_.x = std::min(corner_.x, x);
-      corner_.y = std::min(corner_.y, y);
+      left_ = std::min(left_, x);
+      front_ = std::min(front_, y);
     };
     for (std::uint32_t i = 0; i < z_.size(); ++i) {
       if (!in_.flow.is_pass[i]) include(xy_[i].x, xy_[i].y);
@@ -165,9 +171,9 @@ class Writer {
     const LongBends& bends = in_.slabs.of_edge[e];
     std::array<Point, 2> points;
     for (std::size_t i = 0; i < bends.count(); ++i) {
-      const RelativeBend& bend = bends.bends[i];
-      const std::int64_t z = z_[place_of(i < bends.lower_count ? edge.lower : edge.upper)];
-      points[i] = {bend.x - corner_.x, bend.y - corner_.y, z + bend.dz};
+      const RelativeBend bend = bends[i];
+      const std::int64_t z = z_[place_of(i < bends.lower_count() ? edge.lower : edge.upper)];
+      points[i] = {bend.x - left_, bend.y - front_, z + bend.dz};
     }
     return points;
   }
@@ -207,7 +213,7 @@ class Writer {
     std::uint32_t i = edge.first;
     EdgeId id = edge.first_edge;
     for (const std::uint32_t top = place_of(edge.upper); i != top;) {
-      if (!stand_on_bend(i)) xy_[i] = {ray.x, ray.y};
+      if (!stand_on_bend(i)) xy_[i] = flat(ray.x, ray.y);
       output_.set_bends(id, {});
       const Vertex v = in_.order.list[i];
       const std::size_t other = in_.graph.edges[v][0] == id ? 1 : 0;
@@ -220,7 +226,7 @@ class Writer {
   }
 
   void stand_on(std::uint32_t i, const Point& bend) {
-    xy_[i] = {bend.x + corner_.x, bend.y + corner_.y};
+    xy_[i] = flat(bend.x + left_, bend.y + front_);
     z_[i] = bend.z;
   }
 
@@ -231,7 +237,8 @@ class Writer {
   std::vector<bool> has_body_;        // per place
   LongVector<std::uint32_t> passes_;  // per long edge; empty if there is none
   std::vector<bool> on_bend_;         // per node
-  Flat corner_;
+  std::int64_t left_ = 0;             // least x and y: the origin of what is written
+  std::int64_t front_ = 0;
   std::int64_t top_ = 0;
 };
 

@@ -76,21 +76,21 @@ Attempt draw_layout(Flow flow, Layout layout) {
                "SPLITs keep their distances in the columns");
   expect_heavy([&] { return rays_differ(flow, layout); }, "active rays stand at different places");
   expect_heavy([&] { return vv_leans_are_primitive(flow, layout); }, "VV leans are primitive");
+  flow.forget_lists();
   Slabs slabs = draw_slabs(flow, layout);
   return {std::move(flow), std::move(layout), std::move(slabs)};
 }
 
 std::optional<Attempt> lay_out(Flow flow, int effort, bool straighten) {
-  const Lists lists =
-      build_lists(flow, {.share = effort > 0, .straighten = straighten, .weights = {}});
-  std::optional<Layout> layout = find_layout(flow, lists, effort == 0 ? 0u : 2u);
+  std::optional<Layout> layout = find_layout(
+      flow, build_lists(flow, {.share = effort > 0, .straighten = straighten, .weights = {}}),
+      effort == 0 ? 0u : 2u);
   if (!layout) return std::nullopt;
   return draw_layout(std::move(flow), *std::move(layout));
 }
 
 Attempt lay_out_safely(Flow flow) {
-  const Lists lists = build_safe_lists(flow);
-  Layout layout = find_safe_layout(flow, lists);
+  Layout layout = find_safe_layout(flow, build_safe_lists(flow));
   return draw_layout(std::move(flow), std::move(layout));
 }
 
@@ -160,6 +160,7 @@ Attempt find_attempt(MakeFlow make_flow, const Options& options, const Component
 
 void draw_component(LocalGraph& graph, const Options& options, Output& output, Census& census) {
   if (graph.size() == 1) {
+    output.make_room(1, output.base_z());
     output.set_vertex(graph.name[0], {0, 0, output.base_z()});
     output.end_component(output.base_z());
     census.bound.add({1, 1, 1});
@@ -167,7 +168,9 @@ void draw_component(LocalGraph& graph, const Options& options, Output& output, C
   }
   if (draw_small_cubic(graph, output)) return census.bound.add(kFixedBodyBound);
   Blocks blocks = find_blocks(graph);
+  release(graph.parent);
   if (graph.size() == 5 && is_q_block(blocks.block_of(0))) {
+    output.make_room(graph.size(), output.base_z() + kQHeight);
     draw_q_body(graph, read_q_body(graph, blocks, blocks.block_of(0).free[0]),
                 {0, kQHalfWidth, output.base_z()}, true, output);
     output.end_component(output.base_z() + kQHeight);

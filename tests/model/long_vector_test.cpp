@@ -29,6 +29,23 @@ TEST(LongArrayReuse, GivesWhatIsFreedToTheNextArrayThatFits) {
   EXPECT_TRUE(is_all(shorter, 1));
 }
 
+TEST(LongArrayReuse, GivesArraysBelowFourMebibytesAgainToo) {
+  const LongArrayReuse reuse;
+  std::optional<Bytes> dirty(std::in_place, kReusableBytes, 7);
+  const std::uint8_t* const place = dirty->data();
+  dirty.reset();
+  const Bytes clean(kReusableBytes);
+  EXPECT_EQ(clean.data(), place);
+  EXPECT_TRUE(is_all(clean, 0));
+}
+
+TEST(LongVector, GrowsThroughEveryKindOfMemory) {
+  LongVector<std::uint32_t> numbers;
+  constexpr std::uint32_t kCount = 3'000'000;
+  for (std::uint32_t i = 0; i < kCount; ++i) numbers.push_back(i);
+  for (std::uint32_t i = 0; i < kCount; ++i) ASSERT_EQ(numbers[i], i);
+}
+
 TEST(LongArrayReuse, InitialisesElementsInUsedMemory) {
   const LongArrayReuse reuse;
   std::optional<Bytes> dirty(std::in_place, kLong, 7);
