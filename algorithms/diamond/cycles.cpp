@@ -26,18 +26,19 @@ GreenClosing close_green_cycle(Items& green, std::uint32_t cycle, const Whereabo
   for (std::uint32_t i = 0; i < k && external == kNone; ++i) {
     const Vertex a = v[i];
     const Vertex b = v[i + 1 == k ? 0 : i + 1];
-    if (red.item[a] != red.item[b]) external = i;
-    if (distance(red.position[a], red.position[b]) != k - 1) inner = i;
+    if (red[a].item != red[b].item) external = i;
+    if (distance(red[a].position, red[b].position) != k - 1) inner = i;
   }
   expect(external != kNone || inner != kNone, "a contained green cycle has an edge to close at");
   green.close_at(cycle, external != kNone ? external : inner);
   return {green.first(cycle), green.last(cycle),
-          external != kNone ? kNone : red.item[green.first(cycle)]};
+          external != kNone ? kNone : red[green.first(cycle)].item};
 }
 
 /// Step 1.5 for red cycles without a contained green cycle: closes at an edge with |dx| != k - 1.
 /// One exists, since a closed walk of k steps of length k - 1 does not visit k distinct integers.
-void close_red_cycle(Items& red, std::uint32_t cycle, const std::vector<PlanePoint>& at) {
+/// By how many places its first vertex moves on.
+std::uint32_t close_red_cycle(Items& red, std::uint32_t cycle, const PlanePoints& at) {
   const auto v = red.of(cycle);
   const std::size_t k = v.size();
   std::size_t i = k - 1;  // the natural closing edge first
@@ -46,6 +47,7 @@ void close_red_cycle(Items& red, std::uint32_t cycle, const std::vector<PlanePoi
     expect(i != k - 1, "a red cycle has an edge to close at");
   }
   red.close_at(cycle, static_cast<std::uint32_t>(i));
+  return static_cast<std::uint32_t>((i + 1) % k);
 }
 
 /// Step 1.5 for a red cycle R that contains a green cycle. Its rotation stays, since the green
@@ -53,7 +55,7 @@ void close_red_cycle(Items& red, std::uint32_t cycle, const std::vector<PlanePoi
 /// != |dy|.
 class BumpSearch {
  public:
-  BumpSearch(const Items& red, std::uint32_t cycle, const std::vector<PlanePoint>& at)
+  BumpSearch(const Items& red, std::uint32_t cycle, const PlanePoints& at)
       : v_(red.of(cycle)), base_(red.begin[cycle]), at_(at) {}
 
   /// A closing edge inside R; only those at R's ends matter.
@@ -79,7 +81,7 @@ class BumpSearch {
   bool works(Bump bump, const Whereabouts& natural) const {
     const std::size_t k = v_.size();
     const auto y = [&](Vertex v) {
-      const auto p = static_cast<std::int32_t>(natural.position[v] - base_);
+      const auto p = static_cast<std::int32_t>(natural[v].position - base_);
       return v == v_.front() ? p - bump.first : v == v_.back() ? p + bump.last : p;
     };
     const auto apart = [&](Vertex u, Vertex w) {
@@ -92,7 +94,7 @@ class BumpSearch {
 
   std::span<const Vertex> v_;
   std::uint32_t base_;
-  const std::vector<PlanePoint>& at_;
+  const PlanePoints& at_;
   std::vector<GreenClosing> inner_;
 };
 
@@ -107,9 +109,10 @@ std::vector<GreenClosing> close_green_cycles(Items& green, const Whereabouts& na
 }
 
 RedCycles settle_red_cycles(Items& red, const std::vector<GreenClosing>& closings,
-                            const std::vector<PlanePoint>& at, const Whereabouts& natural_red) {
+                            const PlanePoints& at, const Whereabouts& natural_red) {
   RedCycles result;
   result.bumps.resize(red.count());
+  result.turned.resize(red.count());
   Buckets inner(red.count(), closings.size());
   std::vector<bool> contains(red.count(), false);
   for (std::uint32_t i = 0; i < closings.size(); ++i) {
@@ -121,7 +124,7 @@ RedCycles settle_red_cycles(Items& red, const std::vector<GreenClosing>& closing
   for (std::uint32_t item = 0; item < red.count(); ++item) {
     if (!red.is_cycle(item)) continue;
     if (!contains[item]) {
-      close_red_cycle(red, item, at);
+      result.turned[item] = close_red_cycle(red, item, at);
       continue;
     }
     BumpSearch search(red, item, at);

@@ -27,18 +27,19 @@ struct Bump {
 };
 
 struct RedCycles {
-  std::vector<Bump> bumps;     ///< by natural red item
-  std::int64_t contained = 0;  ///< green cycles inside one red item
-  std::int64_t rho = 0;        ///< red cycles that contain a green cycle
-  std::int64_t lines = 0;      ///< sum of all bumps
+  std::vector<Bump> bumps;            ///< by natural red item
+  std::vector<std::uint32_t> turned;  ///< likewise: by how many places its first vertex moved on
+  std::int64_t contained = 0;         ///< green cycles inside one red item
+  std::int64_t rho = 0;               ///< red cycles that contain a green cycle
+  std::int64_t lines = 0;             ///< sum of all bumps
 };
 
 /// Step 1.5. Rotates or bumps every red cycle, so that inside every red item all edges but the
 /// green closings to other items have |dx| != |dy|. All x are final. Cost: O(n).
 RedCycles settle_red_cycles(Items& red, const std::vector<GreenClosing>& closings,
-                            const std::vector<PlanePoint>& at, const Whereabouts& natural_red);
+                            const PlanePoints& at, const Whereabouts& natural_red);
 
-inline std::int32_t x_distance(const std::vector<PlanePoint>& at, Vertex u, Vertex v) {
+inline std::int32_t x_distance(const PlanePoints& at, Vertex u, Vertex v) {
   return std::abs(at[u].X - at[v].X);
 }
 

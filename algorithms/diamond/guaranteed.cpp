@@ -5,78 +5,132 @@
 #include "ar3d/algorithms/diamond/guaranteed.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "ar3d/algorithms/diamond/ahead.h"
 #include "ar3d/algorithms/diamond/buckets.h"
 #include "ar3d/algorithms/diamond/cycles.h"
+#include "ar3d/algorithms/diamond/in_threads.h"
 #include "ar3d/algorithms/diamond/ordering.h"
 #include "ar3d/model/error.h"
-#include "ar3d/model/long_vector.h"
 
 namespace ar3d::diamond {
 namespace {
 
 // Coordinates here are x = X/2 and y = Y/2 until the last step.
 
-/// Step 1.4. Neighbouring lines, but for a free one at each bad boundary of the green order.
-std::int64_t assign_x(const Graph& graph, const Items& green, std::vector<PlanePoint>& at) {
-  const std::vector<bool> bad = bad_boundaries(graph, green);
-  std::int32_t x = 0;
-  for (std::uint32_t item = 0; item < green.count(); ++item) {
-    x += bad[item];
-    for (const Vertex v : green.of(item)) at[v].X = x++;
-  }
-  return std::count(bad.begin(), bad.end(), true);
+std::uint32_t threads_of(const Items& items) {
+  return static_cast<std::uint32_t>(threads_for(items.vertex.size()));
 }
 
-/// y of the item's vertices relative to its first one.
-void assign_relative_y(const Items& red, std::uint32_t item, Bump bump,
-                       std::vector<PlanePoint>& at) {
-  const auto v = red.of(item);
-  std::int32_t y = 0;
-  for (std::size_t i = 0; i < v.size(); ++i, ++y) {
-    if (i == 1) y += bump.first;
-    if (i > 0 && i + 1 == v.size()) y += bump.last;
-    at[v[i]].Y = y;
-  }
+/// Calls set(at[v], position, item) for every vertex, in threads.
+template <class Set>
+void set_points(const Items& items, PlanePoints& at, const Set& set) {
+  const std::vector<Vertex>& order = items.vertex;
+  for_ranges_in_threads(threads_of(items), order.size(), [&](std::size_t begin, std::size_t end) {
+    for_each_position(items, begin, end, [&](std::uint32_t p, std::uint32_t item) {
+      if (p + kAhead < order.size()) __builtin_prefetch(&at[order[p + kAhead]], 1);
+      set(at[order[p]], p, item);
+    });
+  });
+}
+
+/// Step 1.4. Neighbouring lines, but for a free one at each bad boundary of the green order.
+std::int64_t assign_x(const Graph& graph, const Items& green, PlanePoints& at) {
+  const std::vector<bool> bad = bad_boundaries(graph, green);
+  std::vector<std::int32_t> gaps(green.count());  // before the item
+  std::int32_t gap = 0;
+  for (std::uint32_t item = 0; item < green.count(); ++item) gaps[item] = gap += bad[item];
+  set_points(green, at, [&](PlanePoint& point, std::uint32_t p, std::uint32_t item) {
+    point = {static_cast<std::int32_t>(p) + gaps[item], 0};
+  });
+  return gap;
 }
 
 /// Step 1.6. Each red item stands rigidly on the least line above the earlier ones on which no
 /// green closing edge to an earlier item has |dx| = |dy|, and not right above a bad boundary.
 class RedStack {
  public:
-  RedStack(const Items& red, const std::vector<GreenClosing>& closings,
-           const std::vector<bool>& bad, std::vector<PlanePoint>& at)
-      : red_(red), closings_(closings), bad_(bad), at_(at), late_(red.count(), closings.size()) {
-    const Whereabouts where = whereabouts(red);
-    for (std::uint32_t i = 0; i < closings.size(); ++i) {
-      if (closings[i].contained_in != kNone) continue;
-      auto [u, w, unused] = closings[i];
-      if (where.position[u] < where.position[w]) std::swap(u, w);
-      closings_[i] = {u, w, kNone};  // u is in the later item
-      late_.add(where.item[u], i);
-    }
+  /// @param red      in the order of the stack.
+  /// @param begin    of the natural items.
+  RedStack(const Items& red, const Arrangement& order, const std::vector<std::uint32_t>& begin,
+           const RedCycles& cycles, const Whereabouts& natural)
+      : red_(red),
+        order_(order),
+        begin_(begin),
+        cycles_(cycles),
+        natural_(natural),
+        number_(red.count()),
+        base_(red.count()) {
+    for (std::uint32_t i = 0; i < red.count(); ++i) number_[order.places[i].item] = i;
   }
 
-  std::int64_t run() {
+  /// The sum of the offsets.
+  std::int64_t stack(const std::vector<GreenClosing>& closings, const std::vector<bool>& bad,
+                     const PlanePoints& at) {
+    file(closings, at);
     std::int64_t offsets = 0;
-    std::int32_t base = 0;
+    std::int32_t top = 0;
     for (std::uint32_t item = 0; item < red_.count(); ++item) {
-      const std::int32_t g = offset(item, base);
+      const std::int32_t g = offset(item, bad[item], top);
       offsets += g;
-      for (const Vertex v : red_.of(item)) at_[v].Y += base + g;
-      base = at_[red_.last(item)].Y + 1;
+      base_[item] = top + g;
+      top = y(item, red_.size(item) - 1) + 1;
     }
     return offsets;
   }
 
+  /// y of a place of an item in the stack.
+  std::int32_t y(std::uint32_t item, std::uint32_t place) const {
+    const auto [natural, reversed] = order_.places[item];
+    const Bump bump = cycles_.bumps[natural];
+    std::int32_t y = base_[item] + static_cast<std::int32_t>(place);
+    if (place == 0) return y;
+    y += reversed ? bump.last : bump.first;
+    return place + 1 == red_.size(item) ? y + (reversed ? bump.first : bump.last) : y;
+  }
+
  private:
-  std::int32_t offset(std::uint32_t item, std::int32_t base) {
+  /// A green closing edge from a place of an item to an earlier item.
+  struct Closing {
+    std::uint32_t place;
+    std::uint32_t other_item;
+    std::uint32_t other_place;
+    std::int32_t x_distance;
+  };
+
+  /// Item in the stack, and place there.
+  std::pair<std::uint32_t, std::uint32_t> where(Vertex v) const {
+    const auto [position, natural] = natural_[v];
+    const std::uint32_t item = number_[natural];
+    const std::uint32_t size = red_.size(item);
+    const std::uint32_t turned = cycles_.turned[natural];
+    const std::uint32_t place = (position - begin_[natural] + size - turned) % size;
+    return {item, order_.places[item].reversed ? size - 1 - place : place};
+  }
+
+  void file(const std::vector<GreenClosing>& closings, const PlanePoints& at) {
+    late_ = Buckets(red_.count(), closings.size());
+    for (const auto& [u, w, contained_in] : closings) {
+      if (contained_in != kNone) continue;
+      auto late = where(u);
+      auto early = where(w);
+      if (late < early) std::swap(late, early);
+      late_.add(late.first, static_cast<std::uint32_t>(closings_.size()));
+      closings_.push_back({late.second, early.first, early.second, x_distance(at, u, w)});
+    }
+  }
+
+  std::int32_t offset(std::uint32_t item, bool bad, std::int32_t top) {
     forbidden_.clear();
-    if (bad_[item]) forbidden_.push_back(0);
+    if (bad) forbidden_.push_back(0);
     late_.for_each(item, [&](std::uint32_t i) {
-      const auto [u, w, unused] = closings_[i];
-      forbidden_.push_back(at_[w].Y + x_distance(at_, u, w) - base - at_[u].Y);
+      const Closing& closing = closings_[i];
+      const std::int32_t without = y(item, closing.place);  // base_ is 0 so far
+      forbidden_.push_back(y(closing.other_item, closing.other_place) + closing.x_distance - top -
+                           without);
     });
+    if (forbidden_.empty()) return 0;
     std::vector<bool> is_forbidden(forbidden_.size() + 1,
                                    false);  // some value up to the size is free
     for (const std::int32_t g : forbidden_) {
@@ -89,10 +143,14 @@ class RedStack {
   }
 
   const Items& red_;
-  std::vector<GreenClosing> closings_;
-  const std::vector<bool>& bad_;
-  std::vector<PlanePoint>& at_;
-  Buckets late_;
+  const Arrangement& order_;
+  const std::vector<std::uint32_t>& begin_;
+  const RedCycles& cycles_;
+  const Whereabouts& natural_;
+  std::vector<std::uint32_t> number_;  ///< in the stack, by natural item
+  std::vector<std::int32_t> base_;     ///< y of the items' first vertices
+  std::vector<Closing> closings_;
+  Buckets late_{0, 0};
   std::vector<std::int32_t> forbidden_;
 };
 
@@ -103,12 +161,11 @@ GuaranteedPlacement place_guaranteed(const Graph& graph, Items green, Items red)
   Placement& placement = result.placement;
   GapCount& gaps = result.gaps;
   auto& at = placement.at;
-  reserve_long(at, graph.num_vertices());
   at.resize(graph.num_vertices());
   gaps.m_green = count_cycles(green);
   gaps.m_red = count_cycles(red);
 
-  Whereabouts natural = whereabouts(red);
+  const Whereabouts natural = whereabouts(red);
   const std::vector<GreenClosing> closings = close_green_cycles(green, natural);
   placement.green = arranged(green, order_items(graph, green));
   green = {};  // here and below: memory that is not needed any more
@@ -116,22 +173,20 @@ GuaranteedPlacement place_guaranteed(const Graph& graph, Items green, Items red)
   // Nothing below changes an x; nothing after settle_red_cycles changes distances inside a red
   // item.
   const RedCycles cycles = settle_red_cycles(red, closings, at, natural);
-  natural = {};
   gaps.contained = cycles.contained;
   gaps.rho = cycles.rho;
   gaps.bumps = cycles.lines;
   const Arrangement order = order_items(graph, red);
   placement.red = arranged(red, order);
+  const std::vector<std::uint32_t> natural_begin = std::move(red.begin);
   red = {};
-  for (std::uint32_t i = 0; i < placement.red.count(); ++i) {
-    const auto [item, reversed] = order.places[i];
-    const Bump bump = cycles.bumps[item];
-    assign_relative_y(placement.red, i, reversed ? Bump{bump.last, bump.first} : bump, at);
-  }
   const std::vector<bool> bad = bad_boundaries(graph, placement.red);
   gaps.red_gaps = std::count(bad.begin(), bad.end(), true);
-  gaps.offsets = RedStack(placement.red, closings, bad, at).run();
-  for (PlanePoint& p : at) p = {2 * p.X, 2 * p.Y};
+  RedStack stack(placement.red, order, natural_begin, cycles, natural);
+  gaps.offsets = stack.stack(closings, bad, at);
+  set_points(placement.red, at, [&](PlanePoint& point, std::uint32_t p, std::uint32_t item) {
+    point = {2 * point.X, 2 * stack.y(item, p - placement.red.begin[item])};
+  });
   expect_heavy([&] { return keeps_invariants(graph, placement); },
                "the guaranteed placement is right");
   return result;

@@ -13,12 +13,11 @@ namespace ar3d::diamond {
 /// are faster.
 inline constexpr Vertex kManyVertices = 1u << 15;
 
-/// two_colouring() of the graph, by many walks or by one, whichever is faster: chains are short
-/// where many vertices have odd degree, which ends them. Cost: O(n + m).
+/// two_colouring() of the graph, by many walks or by one, whichever is faster. Cost: O(n + m).
 /// @param graph  of maximum degree at most 4, n <= 2^27.
 TwoColouring colouring_of(const Graph& graph);
 
-/// two_colouring() of the graph. Cost: O(n + m), and 40 bytes per vertex while it runs.
+/// two_colouring() of the graph. Cost: O(n + m), and 25 bytes per vertex while it runs.
 /// @param graph  of maximum degree at most 4, n <= 2^27.
 TwoColouring interleaved_colouring(const Graph& graph, const WalkSizes& sizes = {});
 

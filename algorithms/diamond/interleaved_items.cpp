@@ -27,6 +27,8 @@ struct Stretch {
 };
 
 struct Lane {
+  Lane(LaneBlocks<Vertex>& vertices, LaneBlocks<EdgeId>& edges) : vertex(vertices), edge(edges) {}
+
   Vertex at = 0;
   Vertex lowest = 0;
   std::uint32_t low_place = 0;
@@ -61,7 +63,12 @@ struct Lane {
 class ItemWalks {
  public:
   ItemWalks(const std::vector<HalfEdge>& next, const WalkSizes& sizes)
-      : next_(next), sizes_(sizes), lanes_(sizes.lanes), at_cut_(next.size() / sizes.stride + 1) {
+      : next_(next),
+        sizes_(sizes),
+        vertices_(next.size(), sizes.lanes),
+        edges_(next.size(), sizes.lanes),
+        lanes_(sizes.lanes, Lane(vertices_, edges_)),
+        at_cut_(next.size() / sizes.stride + 1) {
     expect(std::has_single_bit(sizes.stride), "the stride is a power of two");
     std::size_t ends = 0;
     for (const HalfEdge& half : next) ends += half.to == kNone;
@@ -276,6 +283,8 @@ class ItemWalks {
   const WalkSizes sizes_;
   std::optional<TwoBitMarks> follows_;  ///< vertices with a predecessor; nothing: all
   std::optional<TwoBitMarks> placed_;
+  LaneBlocks<Vertex> vertices_;
+  LaneBlocks<EdgeId> edges_;
   std::vector<Lane> lanes_;
   std::vector<std::uint32_t> at_cut_;  ///< the stretch that starts there
   std::vector<Stretch> stretches_;     ///< in ascending order of their starts

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 
+#include "ar3d/algorithms/diamond/ahead.h"
+#include "ar3d/algorithms/diamond/in_threads.h"
+
 namespace ar3d::diamond {
 
 void Items::close_at(std::uint32_t item, std::uint32_t p) {
@@ -51,14 +54,15 @@ std::uint32_t count_cycles(const Items& items) {
 }
 
 Whereabouts whereabouts(const Items& items) {
-  Whereabouts result{std::vector<std::uint32_t>(items.vertex.size()),
-                     std::vector<std::uint32_t>(items.vertex.size())};
-  for (std::uint32_t item = 0; item < items.count(); ++item) {
-    for (std::uint32_t p = items.begin[item]; p < items.begin[item + 1]; ++p) {
-      result.position[items.vertex[p]] = p;
-      result.item[items.vertex[p]] = item;
-    }
-  }
+  const std::size_t n = items.vertex.size();
+  Whereabouts result(n);
+  const auto threads = static_cast<std::uint32_t>(threads_for(n));
+  for_ranges_in_threads(threads, n, [&](std::size_t begin, std::size_t end) {
+    for_each_position(items, begin, end, [&](std::uint32_t p, std::uint32_t item) {
+      if (p + kAhead < n) __builtin_prefetch(&result[items.vertex[p + kAhead]], 1);
+      result[items.vertex[p]] = {p, item};
+    });
+  });
   return result;
 }
 

@@ -2,11 +2,14 @@
 
 // Step 1.2: the green and the red items (paths, cycles and single vertices of one colour).
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "ar3d/algorithms/diamond/colouring.h"
+#include "ar3d/model/threads.h"
 
 namespace ar3d::diamond {
 
@@ -33,6 +36,18 @@ struct Items {
   void close_at(std::uint32_t item, std::uint32_t p);
 };
 
+/// Calls visit(position, item) for the positions begin, ..., end - 1 of Items::vertex, in order.
+template <class Visit>
+void for_each_position(const Items& items, std::size_t begin, std::size_t end, const Visit& visit) {
+  if (begin == end) return;
+  const auto after = std::upper_bound(items.begin.begin(), items.begin.end(), begin);
+  auto item = static_cast<std::uint32_t>(after - items.begin.begin()) - 1;
+  for (auto p = static_cast<std::uint32_t>(begin); p < end; ++p) {
+    while (p >= items.begin[item + 1]) ++item;
+    visit(p, item);
+  }
+}
+
 /// Items of one colour: paths by their first vertex, then cycles by their smallest vertex. Cost:
 /// O(n).
 Items extract_items(const std::vector<HalfEdge>& next);
@@ -41,10 +56,11 @@ Items extract_items(const std::vector<HalfEdge>& next);
 std::uint32_t count_cycles(const Items& items);
 
 /// Where each vertex stands: its position in Items::vertex, and its item.
-struct Whereabouts {
-  std::vector<std::uint32_t> position;
-  std::vector<std::uint32_t> item;
+struct Place {
+  std::uint32_t position = 0;
+  std::uint32_t item = 0;
 };
+using Whereabouts = UnwrittenVector<Place>;
 Whereabouts whereabouts(const Items& items);
 
 /// A list of the items with a direction for each: what remains when a colour's items are put in

@@ -6,37 +6,50 @@
 
 #include <algorithm>
 
+#include "ar3d/algorithms/diamond/ahead.h"
+#include "ar3d/algorithms/diamond/in_threads.h"
 #include "ar3d/algorithms/diamond/ordering.h"
 #include "ar3d/model/error.h"
-#include "ar3d/model/long_vector.h"
 
 namespace ar3d::diamond {
 namespace {
 
-/// Pairs of vertices at which a difference of Y is forbidden, filed under the later one's place in
-/// the red order. They are what the two vertices before it in the red order do not show: closing
-/// edges (C1) and one edge of some odd cycles (C2).
+/// Y of a vertex without rules that has no Y yet; with rules it is less by one more than the number
+/// of its last rule.
+constexpr std::int32_t kNotYet = -1;
+
+/// Pairs of vertices at which a difference of Y is forbidden: the later one of them in the red
+/// order must not take it. They are what the two vertices before it in that order do not show:
+/// closing edges (C1) and one edge of some odd cycles (C2). The lists of rules begin in the
+/// vertices' Y.
 class ForbiddenDifferences {
  public:
-  explicit ForbiddenDifferences(std::size_t n) : head_(n, kNone) {}
-  void add(std::uint32_t later_place, Vertex earlier, std::int32_t difference) {
-    rules_.push_back({earlier, difference, head_[later_place]});
-    head_[later_place] = static_cast<std::uint32_t>(rules_.size() - 1);
+  explicit ForbiddenDifferences(PlanePoints& at) : at_(at) {}
+  void add(Vertex u, Vertex v, std::int32_t difference) {
+    for (const auto& [vertex, other] : {std::pair{u, v}, std::pair{v, u}}) {
+      rules_.push_back({other, difference, at_[vertex].Y});
+      at_[vertex].Y = kNotYet - static_cast<std::int32_t>(rules_.size());
+    }
   }
-  bool forbid(std::uint32_t place, std::int32_t y, const std::vector<PlanePoint>& at) const {
-    for (std::uint32_t i = head_[place]; i != kNone; i = rules_[i].next) {
-      if (y - at[rules_[i].earlier].Y == rules_[i].difference) return true;
+  /// @param list  Y of the vertex before it got one.
+  bool forbid(std::int32_t list, std::int32_t y) const {
+    for (; list != kNotYet; list = rule(list).next) {
+      const std::int32_t other = at_[rule(list).other].Y;
+      if (other >= 0 && y - other == rule(list).difference) return true;
     }
     return false;
   }
 
  private:
   struct Rule {
-    Vertex earlier;
+    Vertex other;
     std::int32_t difference;
-    std::uint32_t next;
+    std::int32_t next;
   };
-  std::vector<std::uint32_t> head_;  // by place in the red order
+  const Rule& rule(std::int32_t list) const {
+    return rules_[static_cast<std::size_t>(kNotYet - list) - 1];
+  }
+  PlanePoints& at_;
   std::vector<Rule> rules_;
 };
 
@@ -47,33 +60,31 @@ class ParityPlacer {
         green_(placement.green),
         red_(placement.red),
         at_(placement.at),
-        rules_(at_.size()) {}
+        rules_(at_) {}
 
-  /// X is set. False if Y passes 16n/3.
+  /// X is set, Y is kNotYet. False if Y passes 16n/3.
   bool place_y() {
-    for (std::uint32_t item = 0; item < red_.count(); ++item) {
-      if (red_.is_cycle(item)) rule_red_cycle(item);
-    }
-    reserve_long(place_, at_.size());
-    place_.resize(at_.size());
-    for (std::uint32_t i = 0; i < place_.size(); ++i) place_[red_.vertex[i]] = i;
-    for (std::uint32_t item = 0; item < green_.count(); ++item) {
-      if (green_.is_cycle(item)) rule_green_cycle(item);
-    }
+    for_each_cycle(red_, [&](std::uint32_t item) { rule_red_cycle(item); });
+    for_each_cycle(green_, [&](std::uint32_t item) { rule_green_cycle(item); });
     return assign_y();
   }
 
   std::int64_t hits() const { return hits_; }
 
  private:
-  /// The order is known, so points are asked for so many places before they are needed.
-  static constexpr std::uint32_t kAhead = 16;
-
   std::int32_t x_distance(Vertex u, Vertex v) const { return std::abs(at_[u].X - at_[v].X); }
 
-  void add_rule(Vertex u, Vertex v, std::int32_t difference) {
-    if (place_[u] < place_[v]) std::swap(u, v);
-    rules_.add(place_[u], v, difference);
+  /// Asks for the ends of items ahead, since there may be many short ones.
+  template <class Rule>
+  void for_each_cycle(const Items& items, const Rule& rule) const {
+    constexpr std::uint32_t kFew = kAhead / 2;
+    for (std::uint32_t item = 0; item < items.count(); ++item) {
+      if (item + kFew < items.count()) {
+        __builtin_prefetch(&at_[items.first(item + kFew)], 1);
+        __builtin_prefetch(&at_[items.last(item + kFew)], 1);
+      }
+      if (items.is_cycle(item)) rule(item);
+    }
   }
 
   /// (C1) for the closing edge. (C2): an odd cycle has a path edge with |dX| >= 2, and then (C1)
@@ -83,8 +94,8 @@ class ParityPlacer {
     const auto v = green_.of(item);
     const auto k = static_cast<std::int32_t>(v.size());
     const std::int32_t width = x_distance(v.front(), v.back());
-    add_rule(v.front(), v.back(), width);
-    if (k % 2 == 1 && width == k - 1) add_rule(v[0], v[1], 3);
+    rules_.add(v.front(), v.back(), width);
+    if (k % 2 == 1 && width == k - 1) rules_.add(v[0], v[1], 3);
   }
 
   /// (C1) for the closing edge. (C2): of an odd cycle some path edge needs |dX| >= 2, and |dY| != 1
@@ -97,10 +108,9 @@ class ParityPlacer {
       const std::uint32_t i = far_path_edge(item);
       expect(i != kNone, "an odd red cycle has a path edge of |dX| >= 2");
       const auto v = red_.of(item);
-      if (x_distance(v[i], v[i + 1]) == 3) rules_.add(red_.begin[item] + i + 1, v[i], 1);
+      if (x_distance(v[i], v[i + 1]) == 3) rules_.add(v[i + 1], v[i], 1);
     }
-    rules_.add(red_.begin[item + 1] - 1, red_.first(item),
-               x_distance(red_.first(item), red_.last(item)));
+    rules_.add(red_.last(item), red_.first(item), x_distance(red_.first(item), red_.last(item)));
   }
 
   /// A path edge with |dX| >= 2, rather not 3.
@@ -125,7 +135,7 @@ class ParityPlacer {
         if (i + kAhead < at_.size()) __builtin_prefetch(&at_[red_.vertex[i + kAhead]], 1);
         PlanePoint& p = at_[red_.vertex[i]];
         y += (p.X - y) % 2 == 0 ? 2 : 1;
-        while (clashes(i, i > red_.begin[item], y) || rules_.forbid(i, y, at_)) {
+        while (clashes(i, i > red_.begin[item], y) || rules_.forbid(p.Y, y)) {
           y += 2;
           ++hits_;
         }
@@ -152,8 +162,7 @@ class ParityPlacer {
   const Graph& graph_;
   const Items& green_;
   Items& red_;
-  std::vector<PlanePoint>& at_;
-  std::vector<std::uint32_t> place_;  // in the red order, by vertex
+  PlanePoints& at_;
   ForbiddenDifferences rules_;
   std::int64_t hits_ = 0;
 };
@@ -173,13 +182,15 @@ std::optional<ParityPlacement> place_by_parity(const Graph& graph, Items green, 
                                                ParityPattern pattern) {
   ParityPlacement result{{std::move(green), std::move(red), {}}, 0};
   const auto& order = result.placement.green.vertex;
-  reserve_long(result.placement.at, order.size());
-  result.placement.at.resize(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const auto rank = static_cast<std::int32_t>(i);
-    result.placement.at[order[i]].X =
-        pattern == ParityPattern::alternating ? rank : rank / 2 * 3 + rank % 2 * 2;
-  }
+  PlanePoints& at = result.placement.at;
+  at.resize(order.size());
+  const auto threads = static_cast<std::uint32_t>(threads_for(order.size()));
+  for_ranges_in_threads(threads, order.size(), [&](std::size_t begin, std::size_t end) {
+    for_each_ahead(order, at, begin, end, [&](std::size_t i, PlanePoint& point) {
+      const auto rank = static_cast<std::int32_t>(i);
+      point = {pattern == ParityPattern::alternating ? rank : rank / 2 * 3 + rank % 2 * 2, kNotYet};
+    });
+  });
   return finish(graph, std::move(result));
 }
 
@@ -190,7 +201,7 @@ std::optional<ParityPlacement> place_by_parity(const Graph& graph, Items green, 
   std::int32_t x = -1;
   for (const Vertex v : result.placement.green.vertex) {
     x += (parity[v] - x) % 2 == 0 ? 2 : 1;
-    result.placement.at[v].X = x;
+    result.placement.at[v] = {x, kNotYet};
   }
   return finish(graph, std::move(result));
 }

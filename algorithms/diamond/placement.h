@@ -21,6 +21,9 @@ struct PlanePoint {
   std::int32_t Y = 0;
 };
 
+/// By vertex; new elements are not set.
+using PlanePoints = UnwrittenVector<PlanePoint>;
+
 /// Plane coordinates with everything that the routes need. Invariants:
 ///  - all X distinct and all Y distinct, X(v) + Y(v) even: then every path length is even, and
 ///  apexes are integer points;
@@ -31,7 +34,7 @@ struct PlanePoint {
 struct Placement {
   Items green;
   Items red;
-  std::vector<PlanePoint> at;  ///< by vertex
+  PlanePoints at;
 };
 
 /// Distance of a Z's track from the edge's first end, or 0 if no track works: with a and b =

@@ -15,7 +15,7 @@ namespace {
 
 class DiamondRoutes final : public BendSource {
  public:
-  explicit DiamondRoutes(std::vector<std::int32_t> code) : code_(std::move(code)) {}
+  explicit DiamondRoutes(UnwrittenVector<std::int32_t> code) : code_(std::move(code)) {}
 
   /// The two turns and the apex, in order. The apex is halfway along the plane path; the placement
   /// makes the path's length even and keeps the apex off the turns.
@@ -55,7 +55,7 @@ class DiamondRoutes final : public BendSource {
     return red ? std::pair{Y, X} : std::pair{X, Y};
   }
 
-  std::vector<std::int32_t> code_;
+  UnwrittenVector<std::int32_t> code_;
 };
 
 }  // namespace

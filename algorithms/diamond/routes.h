@@ -14,7 +14,7 @@ namespace ar3d::diamond {
 /// (track beyond both ends) or as Z (between). Invariants: the two green ends at a vertex leave to
 /// opposite sides, and the two red ones; no apex is on a turn.
 struct Tracks {
-  std::vector<std::int32_t> code;         ///< by edge: 2 * track + colour
+  UnwrittenVector<std::int32_t> code;     ///< by edge: 2 * track + colour
   std::array<std::int64_t, 3> extents{};  ///< of the drawing in space, bends included
 };
 

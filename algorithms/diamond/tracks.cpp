@@ -7,10 +7,10 @@
 #include <cstdlib>
 #include <limits>
 
+#include "ar3d/algorithms/diamond/ahead.h"
 #include "ar3d/algorithms/diamond/in_threads.h"
 #include "ar3d/algorithms/diamond/routes.h"
 #include "ar3d/model/error.h"
-#include "ar3d/model/long_vector.h"
 
 namespace ar3d::diamond {
 namespace {
@@ -45,15 +45,24 @@ struct Reach {
   std::uint32_t length = 0;  ///< of the longest plane path; the height is half of it
 };
 
-std::uint32_t distance(std::int32_t p, std::int32_t q) {
-  return static_cast<std::uint32_t>(std::abs(p - q));
+/// Of the plane path from p to q along a track.
+std::uint32_t length(Seen p, Seen q, std::int32_t track) {
+  const auto distance = [](std::int32_t s, std::int32_t t) {
+    return static_cast<std::uint32_t>(std::abs(s - t));
+  };
+  return distance(p.a, q.a) + distance(track, p.b) + distance(track, q.b);
 }
 
 /// Chooses the tracks of one colour, item by item, and measures them.
 class Labels {
  public:
-  Labels(const Items& items, const std::vector<PlanePoint>& at, Colour colour, Tracks& tracks)
-      : items_(items), at_(at), colour_(colour), code_(tracks.code.data()) {}
+  Labels(const Items& items, const PlanePoints& at, Colour colour, Tracks& tracks)
+      : items_(items),
+        at_(at),
+        colour_(colour),
+        code_(tracks.code.data()),
+        edges_end_(items.edge.data() + items.edge.size()),
+        last_edge_(static_cast<EdgeId>(tracks.code.size()) - 1) {}
 
   /// Widens what the vertices reach.
   Reach run(Reach of_vertices) {
@@ -68,37 +77,25 @@ class Labels {
         label_path(+1, kNone);
       }
     }
-    points_ = std::vector<Seen>();  // its memory, which the other colour takes
+    points_ = UnwrittenVector<Seen>();  // its memory, which the other colour takes
     return reach_;
   }
 
  private:
-  /// What stands so many places ahead in an order is asked for, since the order is known and the
-  /// places in memory are not in order.
-  static constexpr std::uint32_t kAhead = 16;
-
   void read_points(std::uint32_t item) {
-    const auto vertices = items_.of(item);
-    const std::size_t size = vertices.size();
-    points_.clear();
-    reserve_long(points_, size);
-    used_ = {};
-    const auto read = [&](std::size_t i) {
-      points_.push_back(seen(vertices[i]));
-      used_.include(points_[i].b);
-    };
-    std::size_t i = 0;
-    for (; i + kAhead < size; ++i) {
-      __builtin_prefetch(&at_[vertices[i + kAhead]]);
-      read(i);
-    }
-    for (; i < size; ++i) read(i);
+    points_.resize(items_.size(item));
+    Range used;
+    Seen* next = points_.data();
+    for_each_ahead(items_.vertex, at_, items_.begin[item], items_.begin[item + 1],
+                   [&](std::size_t, PlanePoint p) {
+                     const Seen s = seen(p);
+                     *next++ = s;
+                     used.include(s.b);
+                   });
+    used_ = used;
   }
 
-  Seen seen(Vertex v) const {
-    const PlanePoint p = at_[v];
-    return colour_ == kGreen ? Seen{p.X, p.Y} : Seen{p.Y, p.X};
-  }
+  Seen seen(PlanePoint p) const { return colour_ == kGreen ? Seen{p.X, p.Y} : Seen{p.Y, p.X}; }
 
   static int direction(Seen from, Seen to) { return to.b > from.b ? 1 : -1; }
 
@@ -153,38 +150,41 @@ class Labels {
   /// Routes the path edges begin, ..., end - 1 as U's, alternately on either side. A path edge runs
   /// upwards in `a`, so of the four points of a U two can be outermost.
   void label_us(std::uint32_t begin, std::uint32_t end, int sign) {
+    const Seen* const points = points_.data();
+    const EdgeId* const edges = edge_;
+    std::int32_t* const code = code_;
+    const auto red = static_cast<std::int32_t>(colour_);
     Reach reach = reach_;
     Range used = used_;
     const auto up = [&](std::uint32_t i) {
-      const Seen p = points_[i];
-      const Seen q = points_[i + 1];
+      const Seen p = points[i];
+      const Seen q = points[i + 1];
       const std::int32_t track = std::max(p.b, q.b) + 1;
+      code[edges[i]] = 2 * track + red;
       used.high = std::max(used.high, track);
       reach.a_minus_b.low = std::min(reach.a_minus_b.low, p.a - track);
       reach.a_plus_b.high = std::max(reach.a_plus_b.high, q.a + track);
-      set(i, track,
-          static_cast<std::uint32_t>((track - p.b) + (q.a - p.a)) +
-              static_cast<std::uint32_t>(track - q.b),
-          reach);
+      reach.length = std::max(reach.length, length(p, q, track));
     };
     const auto down = [&](std::uint32_t i) {
-      const Seen p = points_[i];
-      const Seen q = points_[i + 1];
+      const Seen p = points[i];
+      const Seen q = points[i + 1];
       const std::int32_t track = std::min(p.b, q.b) - 1;
+      code[edges[i]] = 2 * track + red;
       used.low = std::min(used.low, track);
       reach.a_minus_b.high = std::max(reach.a_minus_b.high, q.a - track);
       reach.a_plus_b.low = std::min(reach.a_plus_b.low, p.a + track);
-      set(i, track,
-          static_cast<std::uint32_t>((p.b - track) + (q.a - p.a)) +
-              static_cast<std::uint32_t>(q.b - track),
-          reach);
+      reach.length = std::max(reach.length, length(p, q, track));
     };
+    // Edges of the next items are asked for too; the last edge stands for none.
+    const auto ahead = static_cast<std::size_t>(edges_end_ - edges);
+    const auto ask = [&](EdgeId e) { __builtin_prefetch(&code[std::min(e, last_edge_)], 1); };
     std::uint32_t i = begin;
     if (sign < 0 && i < end) down(i++);
     for (; i + 1 < end; i += 2) {
-      if (i + kAhead + 1 < end) {
-        __builtin_prefetch(&code_[edge_[i + kAhead]], 1);
-        __builtin_prefetch(&code_[edge_[i + kAhead + 1]], 1);
+      if (i + kAhead + 1 < ahead) {
+        ask(edges[i + kAhead]);
+        ask(edges[i + kAhead + 1]);
       }
       up(i);
       down(i + 1);
@@ -192,11 +192,6 @@ class Labels {
     if (i < end) up(i);
     reach_ = reach;
     used_ = used;
-  }
-
-  void set(std::uint32_t i, std::int32_t track, std::uint32_t length, Reach& reach) {
-    code_[edge_[i]] = 2 * track + static_cast<std::int32_t>(colour_);
-    reach.length = std::max(reach.length, length);
   }
 
   /// Any edge of the item.
@@ -207,17 +202,18 @@ class Labels {
       reach_.a_minus_b.include(a - track);
       reach_.a_plus_b.include(a + track);
     }
-    reach_.length =
-        std::max(reach_.length, distance(p.a, q.a) + distance(track, p.b) + distance(track, q.b));
+    reach_.length = std::max(reach_.length, length(p, q, track));
   }
 
   const Items& items_;
-  const std::vector<PlanePoint>& at_;
+  const PlanePoints& at_;
   const Colour colour_;
   std::int32_t* code_;
-  std::vector<Seen> points_;      // of the item at hand
+  UnwrittenVector<Seen> points_;  // of the item at hand
   Range used_;                    // its places and tracks in `b` so far
   const EdgeId* edge_ = nullptr;  // its edges
+  const EdgeId* edges_end_;       // of all items
+  EdgeId last_edge_;              // the largest number
   Reach reach_;
 };
 
@@ -225,7 +221,6 @@ class Labels {
 
 Tracks choose_tracks(const Graph& graph, const Placement& placement) {
   Tracks tracks;
-  reserve_long(tracks.code, graph.num_edges());
   tracks.code.resize(graph.num_edges());
   if (placement.at.empty()) return tracks;
   Range x;

@@ -2,6 +2,10 @@
 
 // Step 1.1 for large graphs: the chains of linked edges, walked in many stretches at the same time.
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -27,10 +31,19 @@ using Record = std::array<Vertex, 4>;
 using Records = UnwrittenVector<Record>;
 inline constexpr Vertex kNoVertex = std::numeric_limits<Vertex>::max();
 
-/// The entry of neighbour v, which is in the record; without a branch, since no processor foresees
-/// which entry it is.
+/// The entry of neighbour v, which is in the record once; without a branch, since no processor
+/// foresees which entry it is.
 inline std::uint32_t entry_to(const Record& record, Vertex v) {
-  return static_cast<std::uint32_t>(record[1] == v) + 2 * (record[2] == v) + 3 * (record[3] == v);
+#ifdef __SSE2__
+  const __m128i entries = _mm_loadu_si128(reinterpret_cast<const __m128i*>(record.data()));
+  const __m128i equal = _mm_cmpeq_epi32(entries, _mm_set1_epi32(static_cast<int>(v)));
+  const int mask = _mm_movemask_ps(_mm_castsi128_ps(equal));
+  return static_cast<std::uint32_t>(std::countr_zero(static_cast<unsigned>(mask)));
+#else
+  const unsigned odd = (record[1] == v) | (record[3] == v);
+  const unsigned upper = (record[2] == v) | (record[3] == v);
+  return odd | upper << 1;
+#endif
 }
 
 /// An end of an edge: 4 * vertex + entry. n <= 2^27, so it fits 29 bits.
@@ -49,7 +62,6 @@ struct Onward {
 /// Links the entries (0, 1) and (2, 3) of every vertex.
 struct LinkPairs {
   Onward operator()(Vertex, std::uint32_t entry) const { return {entry ^ 1u, 1}; }
-  void prefetch(Vertex) const {}
   /// Of a kept arrival: tells it from those of other chains at the vertex.
   static std::uint32_t key(Port arrival) { return arrival >> 1; }
   /// Of the end of a chain: tells it from the vertex's other one.
@@ -71,7 +83,6 @@ struct LinkSameDirection {
     const std::uint32_t enters = bits >> (entry >> 1) ^ entry;
     return {entry ^ (2 | differ), ~enters & 1};
   }
-  void prefetch(Vertex v) const { directions->prefetch(2 * v); }
   static std::uint32_t key(Port arrival) { return arrival >> 2; }
   std::uint32_t end_key(Port end) const { return vertex_of(end) * 2 + enters(*directions, end); }
   const TwoBitMarks* directions = nullptr;
@@ -114,7 +125,8 @@ class Trails {
         all_linked_(all_linked),
         sizes_(sizes),
         link_(link),
-        lanes_(std::size_t{sizes.lanes} * sizes.threads),
+        blocks_(2 * records.size(), std::size_t{sizes.lanes} * sizes.threads),
+        lanes_(std::size_t{sizes.lanes} * sizes.threads, Lane(blocks_)),
         ended_(all_linked ? 0 : 2 * records.size(), sizes.threads > 1),
         stretch_at_(4 * (records.size() / sizes.stride + 1), kNone) {
     expect(std::has_single_bit(sizes.stride), "the stride is a power of two");
@@ -139,6 +151,7 @@ class Trails {
   static constexpr std::size_t kPiecesAtATime = 16;
 
   struct Lane {
+    explicit Lane(LaneBlocks<Port>& blocks) : kept(blocks) {}
     Vertex from = 0;
     Vertex to = 0;
     Stretch stretch;
@@ -191,6 +204,7 @@ class Trails {
   const bool all_linked_;
   const WalkSizes sizes_;
   const Link link_;
+  LaneBlocks<Port> blocks_;
   std::vector<Lane> lanes_;
   TwoBitMarks ended_;  ///< ends from which no walk is needed, by end_key()
   std::vector<Stretch> stretches_;
@@ -211,7 +225,6 @@ inline void Trails<Link>::go_on(Lane& lane, Arrival arrival) const {
   lane.from = lane.to;
   lane.to = arrival.onward;
   __builtin_prefetch(&records_[lane.to]);
-  link_.prefetch(lane.to);
 }
 
 template <class Link>

@@ -46,7 +46,6 @@ class TwoBitMarks {
     }
     return end;
   }
-  void prefetch(std::uint32_t i) const { __builtin_prefetch(&words_[i >> 4]); }
 
  private:
   std::uint32_t load(std::uint32_t word) const {
