@@ -41,7 +41,7 @@ void assign_arrivals(Class of, const Order& order, const std::array<Link, 3>& ar
 
 /// Tells both ends of every edge where it arrives.
 void tell_arrivals(Links& links, std::size_t num_edges) {
-  std::vector<Arrival> arrival(num_edges);
+  LongVector<Arrival> arrival(num_edges);
   for (std::size_t v = 0; v < links.at.size(); ++v) {
     for (const Arm arm : kArms) {
       const Link& link = links.at[v][arm];

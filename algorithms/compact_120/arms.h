@@ -32,8 +32,8 @@ struct Link {
 ///   at N from the left on 12 or 20, from the right on 12 or 01;
 ///   at S from the right on 12 or 20; at T from the left on 12 or 01.
 struct Links {
-  std::vector<std::array<Link, 3>> at;  ///< by vertex and Arm
-  std::vector<Class> of;                ///< by vertex
+  LongVector<std::array<Link, 3>> at;  ///< by vertex and Arm
+  LongVector<Class> of;                ///< by vertex
 };
 
 /// Step D.5. @param owners  none of them crowded. O(n).

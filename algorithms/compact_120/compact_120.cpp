@@ -60,7 +60,7 @@ std::optional<Drawing> draw_narrow(const Graph& graph, const Tightness& first, s
   const std::optional<Strip> strip = strips::fill_ever_wider(
       first,
       [&](const Tightness& tightness) {
-        order = narrow_order(graph, RandomStream(seed, kOrderStream + orders++));
+        order = narrow_order(graph, strips::NumbersAhead(seed, kOrderStream + orders++));
         const StripSize size = narrow_size(order, tightness);
         return size_bound().holds(box_of(size), graph.num_vertices());
       },

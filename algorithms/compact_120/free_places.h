@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ar3d/algorithms/compact_120/letters.h"
+#include "ar3d/model/long_vector.h"
 
 namespace ar3d::compact_120 {
 
@@ -35,7 +36,7 @@ class FreePlaces {
 
   std::size_t columns_;
   std::size_t rows_;
-  std::vector<std::uint64_t> words_;  ///< 1: free
+  LongVector<std::uint64_t> words_;  ///< 1: free
 };
 
 }  // namespace ar3d::compact_120

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 namespace ar3d::compact_120 {
 namespace {
@@ -16,112 +15,202 @@ constexpr unsigned kLevels = 4;
 constexpr int kSweeps = 5;  ///< before owners are tried
 constexpr int kSweepsOfRepair = 4;
 
+// What is known of a vertex, in a byte: its level, how many neighbours are to the left, whether it
+// has degree 3; and whether it is among those that a repair touched.
+constexpr unsigned kOneLeft = 4;
+constexpr unsigned kDegree3 = 16;
+constexpr unsigned kStates = 32;
+constexpr unsigned kTouched = 32;
+constexpr unsigned level_of(unsigned state) { return state & 3; }
+constexpr unsigned left_of(unsigned state) { return state / kOneLeft & 3; }
+
+/// Four small numbers, one for each level, in four bits each.
+using PerLevel = std::uint16_t;
+constexpr PerLevel kOneEach = 0x1111;
+
+/// For every level, whether it is beyond the index.
+constexpr std::array<PerLevel, kLevels> kBeyond = {0x1110, 0x1100, 0x1000, 0x0000};
+
+/// 1 for each level where the number is 0 or 3.
+constexpr unsigned is_0_or_3(unsigned per_level) {
+  return ~(per_level ^ per_level >> 1) & kOneEach;
+}
+
+/// By rank of v and state of a neighbour: for each new level of v, whether the neighbour would be a
+/// source or sink of degree 3.
+constexpr std::array<std::array<PerLevel, kStates>, kLevels> extremes_of_neighbours() {
+  std::array<std::array<PerLevel, kStates>, kLevels> extremes{};
+  for (unsigned own = 0; own < kLevels; ++own) {
+    for (unsigned state = kDegree3; state < kStates; ++state) {
+      const unsigned rank = level_of(state);
+      for (unsigned level = 0; level < kLevels; ++level) {
+        const unsigned left = left_of(state) + (level < rank ? 1 : 0) - (own < rank ? 1 : 0);
+        if (left != 0 && left != 3) continue;
+        extremes[own][state] = static_cast<PerLevel>(extremes[own][state] | 1u << 4 * level);
+      }
+    }
+  }
+  return extremes;
+}
+constexpr std::array<std::array<PerLevel, kStates>, kLevels> kExtremes = extremes_of_neighbours();
+
+/// Levels of all vertices. One byte per vertex tells all that a sweep asks of neighbours, so that
+/// it stays in the cache where graphs do not; and what levels do to a neighbour is looked up for
+/// all four levels at once.
 class Sweeper {
  public:
-  Sweeper(const Graph& graph, RandomStream random)
-      : graph_(graph), random_(random), left_(graph.num_vertices(), 0) {
-    order_.rank.assign(graph.num_vertices(), 0);
+  Sweeper(const Graph& graph, const strips::NumbersAhead& random)
+      : graph_(graph), random_(random), state_(graph.num_vertices(), 0) {
     for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-      const auto used = levels_of_neighbours(v);
-      do {
-        order_.rank[v] = random_.below(kLevels);
-      } while (used[order_.rank[v]]);
+      ask_ahead(v);
+      const unsigned used = levels_of_neighbours(v);
+      unsigned level = random_level();
+      while ((used >> level & 1) != 0) level = random_level();
+      state_[v] = static_cast<std::uint8_t>(level);
     }
-    for (const Edge& edge : graph.edges()) {
-      ++left_[order_.is_right(edge.u, edge.v) ? edge.v : edge.u];
+    for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+      ask_ahead(v);
+      unsigned left = 0;
+      for (const HalfEdge& edge : graph.incident(v)) {
+        left += level_of(state_[edge.to]) < level_of(state_[v]) ? 1 : 0;
+      }
+      state_[v] = static_cast<std::uint8_t>(state_[v] | left * kOneLeft |
+                                            (graph.degree(v) == 3 ? kDegree3 : 0));
     }
   }
 
   void sweep() {
-    for (Vertex v = 0; v < graph_.num_vertices(); ++v) improve(v);
+    for (Vertex v = 0; v < graph_.num_vertices(); ++v) {
+      ask_ahead(v);
+      improve(v);
+    }
   }
 
   /// Some vertices and their neighbours, from a new random start: there the sweeps are stuck.
-  void repair(const std::vector<Vertex>& vertices) {
-    for (const Vertex v : vertices) {
-      const auto used = levels_of_neighbours(v);
-      const std::uint32_t level = random_.below(kLevels);
-      if (!used[level]) move(v, level);
+  /// @return the vertices whose rank in order() may have changed, with this rank.
+  std::vector<RankChange> repair(const std::vector<Vertex>& vertices) {
+    is_repairing_ = true;
+    for (const Vertex v : touched_) state_[v] = static_cast<std::uint8_t>(state_[v] & ~kTouched);
+    touched_.clear();
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      ask_ahead(vertices, i);
+      const Vertex v = vertices[i];
+      const unsigned used = levels_of_neighbours(v);
+      const unsigned level = random_level();
+      if ((used >> level & 1) == 0) move(v, level);
     }
-    for (int i = 0; i < kSweepsOfRepair; ++i) sweep(vertices);
+    for (int sweep = 0; sweep < kSweepsOfRepair; ++sweep) {
+      for (std::size_t i = 0; i < vertices.size(); ++i) {
+        ask_ahead(vertices, i);
+        improve(vertices[i]);
+        for (const HalfEdge& edge : graph_.incident(vertices[i])) improve(edge.to);
+      }
+    }
+    std::vector<RankChange> changes;
+    changes.reserve(touched_.size());
+    for (const Vertex v : touched_) changes.push_back({v, rank_in_order(v)});
+    return changes;
   }
 
   /// The order, sources of degree 3 at the lowest level, sinks at the highest one.
   Order order() const {
-    Order result = order_;
-    for (Vertex v = 0; v < graph_.num_vertices(); ++v) {
-      if (graph_.degree(v) < 3) continue;
-      if (left_[v] == 0) result.rank[v] = 0;
-      if (left_[v] == 3) result.rank[v] = kLevels - 1;
-    }
+    Order result;
+    result.rank.reserve(state_.size());
+    for (Vertex v = 0; v < graph_.num_vertices(); ++v) result.rank.push_back(rank_in_order(v));
     return result;
   }
 
  private:
-  void sweep(const std::vector<Vertex>& vertices) {
-    for (const Vertex v : vertices) {
-      improve(v);
-      for (const HalfEdge& edge : graph_.incident(v)) improve(edge.to);
+  void ask_ahead(Vertex v) const {
+    constexpr Vertex kAhead = 16;
+    if (v + kAhead >= graph_.num_vertices()) return;
+    for (const HalfEdge& edge : graph_.incident(v + kAhead)) __builtin_prefetch(&state_[edge.to]);
+  }
+
+  void ask_ahead(const std::vector<Vertex>& vertices, std::size_t i) const {
+    constexpr std::size_t kNear = 6, kFar = 12;
+    if (i + kFar < vertices.size()) {
+      __builtin_prefetch(graph_.incident(vertices[i + kFar]).data());
+    }
+    if (i + kNear >= vertices.size()) return;
+    for (const HalfEdge& edge : graph_.incident(vertices[i + kNear])) {
+      __builtin_prefetch(&state_[edge.to]);
+      __builtin_prefetch(graph_.incident(edge.to).data());
     }
   }
 
-  std::array<bool, kLevels> levels_of_neighbours(Vertex v) const {
-    std::array<bool, kLevels> used{};
-    for (const HalfEdge& edge : graph_.incident(v)) used[order_.rank[edge.to]] = true;
+  unsigned random_level() { return random_.below(kLevels); }
+
+  std::uint32_t rank_in_order(Vertex v) const {
+    const unsigned state = state_[v];
+    if ((state & kDegree3) != 0 && left_of(state) == 0) return 0;
+    if ((state & kDegree3) != 0 && left_of(state) == 3) return kLevels - 1;
+    return level_of(state);
+  }
+
+  /// A bit for each.
+  unsigned levels_of_neighbours(Vertex v) const {
+    unsigned used = 0;
+    for (const HalfEdge& edge : graph_.incident(v)) used |= 1u << level_of(state_[edge.to]);
     return used;
   }
 
-  bool is_extreme(Vertex v, int left) const {
-    return graph_.degree(v) == 3 && (left == 0 || left == 3);
-  }
-
-  /// Sources and sinks among v and its neighbours if v had this level.
-  int extremes_at(Vertex v, std::uint32_t level) const {
-    int left = 0;
-    int found = 0;
-    for (const HalfEdge& edge : graph_.incident(v)) {
-      const std::uint32_t other = order_.rank[edge.to];
-      left += other < level ? 1 : 0;
-      const int moved = (level < other ? 1 : 0) - (order_.rank[v] < other ? 1 : 0);
-      found += is_extreme(edge.to, left_[edge.to] + moved) ? 1 : 0;
-    }
-    return found + (is_extreme(v, left) ? 1 : 0);
-  }
-
-  /// Moves v to the best level, a random one of equals: standing still would end in a poor order.
+  /// Moves v to the level with the fewest sources and sinks among it and its neighbours, a random
+  /// one of equals: standing still would end in a poor order.
   void improve(Vertex v) {
-    const auto used = levels_of_neighbours(v);
-    std::uint32_t best = order_.rank[v];
-    int fewest = extremes_at(v, best);
-    const std::uint32_t first = random_.below(kLevels);
-    for (std::uint32_t i = 0; i < kLevels; ++i) {
-      const std::uint32_t level = (first + i) % kLevels;
-      if (used[level] || level == order_.rank[v]) continue;
-      const int found = extremes_at(v, level);
-      if (found <= fewest) {
-        fewest = found;
-        best = level;
-      }
+    const unsigned own = level_of(state_[v]);
+    unsigned used = 1u << own;
+    unsigned extremes = 0;
+    unsigned left = 0;  // of v
+    for (const HalfEdge& edge : graph_.incident(v)) {
+      const unsigned state = state_[edge.to];
+      used |= 1u << level_of(state);
+      extremes += kExtremes[own][state % kStates];
+      left += kBeyond[level_of(state)];
+    }
+    if ((state_[v] & kDegree3) != 0) extremes += is_0_or_3(left);
+    unsigned best = own;
+    unsigned fewest = extremes >> 4 * own & 15;
+    const unsigned first = random_level();
+    for (unsigned i = 0; i < kLevels; ++i) {
+      const unsigned level = (first + i) % kLevels;
+      const unsigned found = extremes >> 4 * level & 15;
+      const bool better = (used >> level & 1) == 0 && found <= fewest;
+      best = better ? level : best;
+      fewest = better ? found : fewest;
     }
     move(v, best);
   }
 
-  void move(Vertex v, std::uint32_t level) {
-    if (level == order_.rank[v]) return;
-    left_[v] = 0;
+  void move(Vertex v, unsigned level) {
+    const unsigned own = level_of(state_[v]);
+    if (level == own) return;
+    unsigned left = 0;
     for (const HalfEdge& edge : graph_.incident(v)) {
-      const std::uint32_t other = order_.rank[edge.to];
-      left_[edge.to] = static_cast<std::uint8_t>(left_[edge.to] + (level < other ? 1 : 0) -
-                                                 (order_.rank[v] < other ? 1 : 0));
-      left_[v] = static_cast<std::uint8_t>(left_[v] + (other < level ? 1 : 0));
+      const unsigned state = state_[edge.to];
+      const unsigned other = level_of(state);
+      const unsigned more = (level < other ? 1u : 0u) - (own < other ? 1u : 0u);
+      state_[edge.to] = static_cast<std::uint8_t>(state + more * kOneLeft);
+      left += other < level ? 1 : 0;
     }
-    order_.rank[v] = level;
+    state_[v] =
+        static_cast<std::uint8_t>((state_[v] & (kDegree3 | kTouched)) | level | left * kOneLeft);
+    if (!is_repairing_) return;
+    touch(v);
+    for (const HalfEdge& edge : graph_.incident(v)) touch(edge.to);
+  }
+
+  void touch(Vertex v) {
+    if ((state_[v] & kTouched) != 0) return;
+    state_[v] = static_cast<std::uint8_t>(state_[v] | kTouched);
+    touched_.push_back(v);
   }
 
   const Graph& graph_;
-  RandomStream random_;
-  Order order_;
-  std::vector<std::uint8_t> left_;  ///< by vertex: neighbours to the left
+  strips::NumbersAhead random_;
+  LongVector<std::uint8_t> state_;  ///< by vertex
+  bool is_repairing_ = false;
+  std::vector<Vertex> touched_;
 };
 
 std::vector<Position> positions_by_level(const Order& order) {
@@ -151,33 +240,33 @@ std::vector<Position> positions_by_paths(const Graph& graph, const Order& order)
 
 }  // namespace
 
-NarrowOrder narrow_order(const Graph& graph, RandomStream random, int repairs) {
+NarrowOrder narrow_order(const Graph& graph, const strips::NumbersAhead& random, int repairs) {
   Sweeper sweeper(graph, random);
   for (int i = 0; i < kSweeps; ++i) sweeper.sweep();
-  Order order = sweeper.order();
-  Owners owners = choose_owners(graph, order);
-  for (int i = 0; i < repairs && !owners.crowded.empty(); ++i) {
-    sweeper.repair(owners.crowded);
-    order = sweeper.order();
-    owners = choose_owners(graph, order);
+  ChangingOwners changing(graph, sweeper.order());
+  const std::vector<Vertex>& crowded = changing.owners().crowded;
+  for (int i = 0; i < repairs && !crowded.empty(); ++i) {
+    changing.change(sweeper.repair(crowded));
   }
   NarrowOrder result;
-  result.position = positions_by_level(order);
-  if (!owners.crowded.empty()) {
-    const Components components = connected_components_of(graph);
-    std::vector<bool> is_crowded(components.count, false);
-    for (const Vertex v : owners.crowded) is_crowded[components.of[v]] = true;
-    result.moved_components = std::count(is_crowded.begin(), is_crowded.end(), true);
-    const Order moved = moved_order(graph);
-    const std::vector<Position> by_paths = positions_by_paths(graph, moved);
-    for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-      if (!is_crowded[components.of[v]]) continue;
-      order.rank[v] = moved.rank[v];
-      result.position[v] = by_paths[v];
-    }
-    owners = choose_owners(graph, order);
+  result.position = positions_by_level(changing.order());
+  if (crowded.empty()) {
+    result.links = assign_arms(graph, changing.order(), changing.owners());
+    return result;
   }
-  result.links = assign_arms(graph, order, owners);
+  Order order = changing.order();
+  const Components components = connected_components_of(graph);
+  std::vector<bool> is_crowded(components.count, false);
+  for (const Vertex v : crowded) is_crowded[components.of[v]] = true;
+  result.moved_components = std::count(is_crowded.begin(), is_crowded.end(), true);
+  const Order moved = moved_order(graph);
+  const std::vector<Position> by_paths = positions_by_paths(graph, moved);
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+    if (!is_crowded[components.of[v]]) continue;
+    order.rank[v] = moved.rank[v];
+    result.position[v] = by_paths[v];
+  }
+  result.links = assign_arms(graph, order, choose_owners(graph, order));
   return result;
 }
 

@@ -5,8 +5,8 @@
 
 #include "ar3d/algorithms/compact_120/arms.h"
 #include "ar3d/algorithms/compact_120/order.h"
+#include "ar3d/algorithms/strips/numbers_ahead.h"
 #include "ar3d/model/graph.h"
-#include "ar3d/model/random.h"
 
 namespace ar3d::compact_120 {
 
@@ -26,6 +26,6 @@ struct NarrowOrder {
 /// the slot graph has two cycles. Components of the graph where a bounded number of sweeps does not
 /// achieve that get the order of Steps D.1 to D.3. O(n), then O(n log n).
 /// @param repairs  how often components with two cycles get a new start before they are given up.
-NarrowOrder narrow_order(const Graph& graph, RandomStream random, int repairs = 30);
+NarrowOrder narrow_order(const Graph& graph, const strips::NumbersAhead& random, int repairs = 30);
 
 }  // namespace ar3d::compact_120

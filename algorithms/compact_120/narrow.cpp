@@ -38,9 +38,15 @@ class Placer {
   }
 
   bool place(Vertex v) {
+    strip_.ask_for_neighbours(v + kAhead);
     const Range columns = columns_for(v);
-    if (columns.is_empty()) return false;
+    if (columns.is_empty()) {
+      strip_.ask_for_edges_of_neighbours(v);
+      return false;
+    }
     for (int trial = 0; trial < kTrials; ++trial) {
+      if (trial == kTrials / 3) strip_.ask_for_edges_of_neighbours(v);
+      if (trial == 2 * kTrials / 3) strip_.ask_for_removal_of_neighbours(v);
       ++census_.trials;
       Site site{pick(columns), 0, strip_.links().of[v]};
       const Range rows = rows_for(v, site);
@@ -137,6 +143,7 @@ class Placer {
     return {quotient_down(low - base + 3, 4), quotient_down(high - base, 4)};
   }
 
+  static constexpr Vertex kAhead = 8;
   static constexpr std::int32_t kMargin = 2;        ///< hundredths of the strip
   static constexpr std::int32_t kLeastShare = 40;   ///< hundredths of the strip
   static constexpr std::int32_t kSourceShare = 60;  ///< hundredths of the strip

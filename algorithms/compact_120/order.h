@@ -4,12 +4,13 @@
 #include <vector>
 
 #include "ar3d/model/graph.h"
+#include "ar3d/model/long_vector.h"
 
 namespace ar3d::compact_120 {
 
 /// Which end of an edge is to the left: the one of smaller rank. Adjacent ranks differ.
 struct Order {
-  std::vector<std::uint32_t> rank;  ///< by vertex
+  LongVector<std::uint32_t> rank;  ///< by vertex
   bool is_right(Vertex from, Vertex to) const { return rank[to] > rank[from]; }
 };
 

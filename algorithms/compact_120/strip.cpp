@@ -44,6 +44,11 @@ bool Strip::plan_edge(const Link& link, const Quad& own, Plan& plan) const {
   return false;
 }
 
+/// Asks for the line of variant 0, which is mostly the one that is taken.
+void Strip::ask_for_line(const Link& link, const Quad& own) const {
+  lines_.ask_for(route_of(link, 0, own, quad_of(sites_[link.to])).middle().line);
+}
+
 bool Strip::make_plan(Vertex v, Site site, Plan& plan) const {
   if (!free_.is_free(site)) return false;
   const std::array<Link, 3>& links = links_->at[v];
@@ -54,6 +59,9 @@ bool Strip::make_plan(Vertex v, Site site, Plan& plan) const {
     if (link.is_right != 0 ? other_t <= t : other_t >= t) return false;
   }
   const Quad own = quad_of(site);
+  for (const Link& link : links) {
+    if (link.is_set() && is_placed(link.to)) ask_for_line(link, own);
+  }
   for (const Link& link : links) {
     if (link.is_set() && is_placed(link.to) && !plan_edge(link, own, plan)) return false;
   }
@@ -80,12 +88,40 @@ bool Strip::try_place(Vertex v, Site site) {
 void Strip::remove(Vertex v) {
   expect(!whole_lines_, "vertices are removed only where edges take pieces");
   const Quad own = quad_of(sites_[v]);
+  std::array<Piece, 3> pieces;
+  std::size_t count = 0;
   for (const Link& link : links_->at[v]) {
     if (!link.is_set() || !is_placed(link.to)) continue;
-    lines_.erase(route_of(link, variant_[link.edge], own, quad_of(sites_[link.to])).middle());
+    pieces[count] = route_of(link, variant_[link.edge], own, quad_of(sites_[link.to])).middle();
+    lines_.ask_for(pieces[count++].line);
   }
+  for (std::size_t i = 0; i < count; ++i) lines_.erase(pieces[i]);
   free_.flip(sites_[v]);
   sites_[v] = {};
+}
+
+void Strip::ask_for_neighbours(Vertex v) const {
+  if (v >= sites_.size()) return;
+  for (const Link& link : links_->at[v]) {
+    if (link.is_set()) __builtin_prefetch(&sites_[link.to]);
+  }
+}
+
+void Strip::ask_for_edges_of_neighbours(Vertex v) const {
+  for (const Link& link : links_->at[v]) {
+    if (link.is_set()) __builtin_prefetch(&links_->at[link.to]);
+  }
+}
+
+void Strip::ask_for_removal_of_neighbours(Vertex v) const {
+  for (const Link& link : links_->at[v]) {
+    if (!link.is_set()) continue;
+    for (const Link& next : links_->at[link.to]) {
+      if (!next.is_set()) continue;
+      __builtin_prefetch(&sites_[next.to]);
+      __builtin_prefetch(&variant_[next.edge]);
+    }
+  }
 }
 
 }  // namespace ar3d::compact_120

@@ -36,6 +36,12 @@ class Strip {
   /// Takes a placed vertex and its edges away; not with whole lines.
   void remove(Vertex v);
 
+  // Ask the memory for what is going to be read, without waiting: the places of the neighbours of
+  // v; the edges of its neighbours; what remove() of a neighbour reads of these.
+  void ask_for_neighbours(Vertex v) const;
+  void ask_for_edges_of_neighbours(Vertex v) const;
+  void ask_for_removal_of_neighbours(Vertex v) const;
+
   bool is_placed(Vertex v) const { return sites_[v].is_set(); }
   const Site& site(Vertex v) const { return sites_[v]; }
   const StripSize& size() const { return size_; }
@@ -62,11 +68,12 @@ class Strip {
 
   bool make_plan(Vertex v, Site site, Plan& plan) const;
   bool plan_edge(const Link& link, const Quad& own, Plan& plan) const;
+  void ask_for_line(const Link& link, const Quad& own) const;
 
   const Links* links_;  ///< never null
   StripSize size_;
   bool whole_lines_;
-  std::vector<Site> sites_;
+  LongVector<Site> sites_;
   std::vector<std::uint8_t> variant_;
   FreePlaces free_;
   strips::Lines lines_;

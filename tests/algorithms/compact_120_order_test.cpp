@@ -114,7 +114,7 @@ TEST(Compact120Mutation, TheMovesAreNeeded) {
 
 TEST(Compact120Levels, AreFewAndLeaveFewExtremeVertices) {
   const Graph graph = generate(find_family("random-cubic"), 10000, 3);
-  const NarrowOrder order = narrow_order(graph, RandomStream(1));
+  const NarrowOrder order = narrow_order(graph, strips::NumbersAhead(1));
   EXPECT_EQ(order.moved_components, 0);
   EXPECT_EQ(fault_of_links(graph, order.links), "");
   EXPECT_EQ(std::set<int>(order.position.begin(), order.position.end()).size(), 4u);
@@ -123,13 +123,14 @@ TEST(Compact120Levels, AreFewAndLeaveFewExtremeVertices) {
 TEST(Compact120Levels, AreRightOnSmallGraphsAndFamilies) {
   for (int n = 1; n <= 8; ++n) {
     for (const Graph& graph : testing::geng(fmt::format("-D3 {}", n))) {
-      ASSERT_EQ(fault_of_links(graph, narrow_order(graph, RandomStream(1)).links), "");
+      ASSERT_EQ(fault_of_links(graph, narrow_order(graph, strips::NumbersAhead(1)).links), "");
     }
   }
   for (const Family& family : families()) {
     if (family.max_degree > 3) continue;
     const Graph graph = generate(family, 1000, 3);
-    EXPECT_EQ(fault_of_links(graph, narrow_order(graph, RandomStream(1)).links), "") << family.name;
+    EXPECT_EQ(fault_of_links(graph, narrow_order(graph, strips::NumbersAhead(1)).links), "")
+        << family.name;
   }
 }
 
@@ -145,13 +146,13 @@ void expect_positions_grow(const Graph& graph, const NarrowOrder& order) {
 TEST(Compact120Levels, PositionsGrowAlongEdges) {
   for (const char* name : {"random-cubic", "union-k4", "random-cubic-tree"}) {
     const Graph graph = generate(find_family(name), 200, 3);
-    expect_positions_grow(graph, narrow_order(graph, RandomStream(1)));
+    expect_positions_grow(graph, narrow_order(graph, strips::NumbersAhead(1)));
   }
 }
 
 TEST(Compact120Levels, GiveWayToTheMovedOrderWhereTheyFail) {
   const Graph graph = generate(find_family("union-k33"), 600, 3);
-  const NarrowOrder order = narrow_order(graph, RandomStream(1), 0);
+  const NarrowOrder order = narrow_order(graph, strips::NumbersAhead(1), 0);
   EXPECT_GT(order.moved_components, 0);
   EXPECT_LT(order.moved_components, 100);
   EXPECT_EQ(fault_of_links(graph, order.links), "");

@@ -91,7 +91,7 @@ TEST(Compact120Words, JoinTheirEndsWithTheLengthsOfTheTable) {
 
 TEST(Compact120Strip, GivesBackWhatAVertexUsed) {
   const Graph graph = generate(find_family("random-cubic"), 60, 1);
-  const NarrowOrder order = narrow_order(graph, RandomStream(1));
+  const NarrowOrder order = narrow_order(graph, strips::NumbersAhead(1));
   Census census;
   std::optional<Strip> strip =
       fill_narrow_strip(order, graph.num_edges(), {}, RandomStream(1), census);
@@ -107,7 +107,7 @@ TEST(Compact120Strip, GivesBackWhatAVertexUsed) {
 
 TEST(Compact120Strip, IsGivenUpAfterItsEjections) {
   const Graph graph = generate(find_family("random-cubic"), 200, 1);
-  const NarrowOrder order = narrow_order(graph, RandomStream(1));
+  const NarrowOrder order = narrow_order(graph, strips::NumbersAhead(1));
   Census census;
   const Tightness tight{.cells = 15, .ejections = 50};
   EXPECT_FALSE(fill_narrow_strip(order, graph.num_edges(), tight, RandomStream(1), census));

@@ -1,0 +1,98 @@
+// Levels and owners beside the plain ones (compact_120_plain_order.h).
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "algorithms/compact_120_plain_order.h"
+#include "ar3d/algorithms/compact_120/levels.h"
+#include "ar3d/generators/catalog.h"
+
+namespace ar3d::compact_120 {
+namespace {
+
+void expect_same_owners(const Graph& graph, const Owners& owners, const Owners& plain) {
+  ASSERT_EQ(owners.crowded, plain.crowded);
+  if (!plain.crowded.empty()) return;  // then owners mean nothing
+  for (EdgeId e = 0; e < graph.num_edges(); ++e) ASSERT_EQ(owners.tail[e], plain.tail[e]) << e;
+}
+
+TEST(Compact120Owners, FollowRanksThatChange) {
+  RandomStream random(3);
+  int crowded = 0;
+  int uncrowded = 0;
+  for (const std::uint64_t n : {4u, 10u, 40u, 400u}) {
+    const Graph graph = generate(find_family("random-cubic"), n, n);
+    Order order;
+    for (Vertex v = 0; v < graph.num_vertices(); ++v) order.rank.push_back(10 * v);
+    ChangingOwners changing(graph, order);
+    for (int step = 0; step < 300; ++step) {
+      std::vector<RankChange> changes;
+      for (std::uint32_t i = random.below(6); i > 0; --i) {
+        const Vertex v = random.below(graph.num_vertices());
+        const std::uint32_t rank = random.below(10 * graph.num_vertices());
+        changes.push_back({v, rank - rank % 10 + 1 + v % 9});
+      }
+      if (step % 10 == 9) {  // two change sides, and have one rank in between
+        const Edge edge = graph.edge(random.below(static_cast<std::uint32_t>(graph.num_edges())));
+        changes = {{edge.u, order.rank[edge.v]}, {edge.v, order.rank[edge.u]}};
+      }
+      Order next = order;
+      for (const RankChange& change : changes) next.rank[change.vertex] = change.rank;
+      bool proper = true;
+      for (const Edge& edge : graph.edges()) {
+        proper = proper && next.rank[edge.u] != next.rank[edge.v];
+      }
+      if (!proper) continue;
+      changing.change(changes);
+      order = std::move(next);
+      const Owners plain = plain::choose_owners(graph, order);
+      expect_same_owners(graph, changing.owners(), plain);
+      expect_same_owners(graph, choose_owners(graph, order), plain);
+      (plain.crowded.empty() ? uncrowded : crowded) += 1;
+    }
+  }
+  EXPECT_GT(crowded, 100);
+  EXPECT_GT(uncrowded, 20);
+}
+
+/// @return 1 if the first sweeps left crowded components.
+int expect_plain_order(const Graph& graph, std::uint64_t seed) {
+  for (const int repairs : {0, 1, 30}) {
+    const auto [order, owners] = plain::swept_order(graph, RandomStream(seed), repairs);
+    const NarrowOrder fast = narrow_order(graph, strips::NumbersAhead(seed), repairs);
+    EXPECT_EQ(fast.moved_components > 0, !owners.crowded.empty());
+    if (!owners.crowded.empty()) continue;
+    const Links links = assign_arms(graph, order, owners);
+    EXPECT_EQ(fast.links.of, links.of);
+    for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+      EXPECT_EQ(fast.position[v], 100 * order.rank[v] / 3);
+      for (const Arm arm : kArms) {
+        const Link& a = fast.links.at[v][arm];
+        const Link& b = links.at[v][arm];
+        if (a.to == b.to && a.edge == b.edge && a.is_out == b.is_out && a.at == b.at) continue;
+        ADD_FAILURE() << "vertex " << v << " arm " << arm;
+        return 0;
+      }
+    }
+  }
+  return plain::swept_order(graph, RandomStream(seed), 0).second.crowded.empty() ? 0 : 1;
+}
+
+TEST(Compact120Levels, AreThePlainOnesOnEveryFamily) {
+  int repaired = 0;
+  for (const Family& family : families()) {
+    if (family.max_degree > 3) continue;
+    for (const std::uint64_t n : {12u, 100u, 1500u}) {
+      SCOPED_TRACE(family.name + " " + std::to_string(n));
+      repaired += expect_plain_order(generate(family, n, 4, {{"shuffle", 1}}), n);
+    }
+  }
+  EXPECT_GT(repaired, 10);
+}
+
+TEST(Compact120Levels, AreThePlainOnesOnALargeGraph) {
+  EXPECT_EQ(expect_plain_order(generate(find_family("laves-graph"), 60000, 1), 1), 1);
+}
+
+}  // namespace
+}  // namespace ar3d::compact_120
