@@ -104,7 +104,7 @@ bool rays_differ(const Flow& flow, const Layout& layout) {
 }
 
 bool vv_leans_are_primitive(const Flow& flow, const Layout& layout) {
-  const LongVector<LongId> edges = find_vv_edges(flow);
+  const LongVector<LongId>& edges = flow.vv_edges;
   return std::all_of(edges.begin(), edges.end(), [&](LongId e) {
     const NodeId m = flow.edges[e].lower;
     const NodeId s = flow.edges[e].upper;

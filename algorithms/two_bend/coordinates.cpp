@@ -139,14 +139,6 @@ void choose_middle_values(const View& view, Values& values) {
   }
 }
 
-LongVector<LongId> find_vv_edges(const Flow& flow) {
-  LongVector<LongId> result;
-  for (LongId e = 0; e < flow.edges.size(); ++e) {
-    if (flow.is_vv_edge(e)) result.push_back(e);
-  }
-  return result;
-}
-
 bool choose_vv_values(const Flow& flow, const LongEdge& edge, Values& rows, Values& columns) {
   const OddInterval row = interval_of(View(flow, false), rows, edge.lower);
   const OddInterval column = interval_of(View(flow, true), columns, edge.upper);

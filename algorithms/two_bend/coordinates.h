@@ -68,10 +68,6 @@ void relax_merges(const View& view, unsigned passes, Values& values);
 /// Gives every free MERGE of the view that is no end of a VV edge the middle of its interval.
 void choose_middle_values(const View& view, Values& values);
 
-/// The VV edges (from a MERGE up to a SPLIT; their leans must be primitive), in time order of their
-/// lower ends.
-LongVector<LongId> find_vv_edges(const Flow& flow);
-
 /// For one VV edge: puts the MERGE into the row of the SPLIT and the SPLIT into the column of the
 /// MERGE, so that the edge is straight, if both are inside the intervals; else an odd row of the
 /// MERGE and an odd column of the SPLIT, as near to the middles of both

@@ -278,6 +278,9 @@ Flow build_flow(const LocalGraph& graph, const Blocks& blocks, const TimeOrder& 
     owner.resize(flow.nodes.size());
     std::iota(owner.begin(), owner.end(), 0u);
   }
+  for (LongId e = 0; e < flow.edges.size(); ++e) {
+    if (flow.is_vv_edge(e)) flow.vv_edges.push_back(e);
+  }
   return flow;
 }
 

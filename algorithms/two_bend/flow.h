@@ -86,6 +86,9 @@ struct Flow {
   LongVector<BlockId> block;  ///< per node
   LongVector<NodeId>
       block_entry;  ///< per block of a pole: its only node at a bridge, kNone if none
+  /// Edges from a MERGE up to a SPLIT, whose leans must be primitive; in time order of their lower
+  /// ends.
+  LongVector<LongId> vv_edges;
   bool joint = false;
 
   /// Frees what only the lists and their numbers need: roles, owners and blocks.

@@ -56,7 +56,7 @@ std::array<std::int64_t, 3> bound_component(const Flow& flow, const Layout& layo
     if (node.type == NodeType::merge) z += y;
     if (node.type == NodeType::source || node.type == NodeType::sink) z += x + y + margin;
   }
-  z += static_cast<std::int64_t>(find_vv_edges(flow).size()) * (x + y + 2);
+  z += static_cast<std::int64_t>(flow.vv_edges.size()) * (x + y + 2);
   return {x, y, z};
 }
 

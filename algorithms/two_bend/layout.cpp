@@ -58,7 +58,7 @@ class LayoutSearch {
         relax_passes_(relax_passes),
         row_view_(flow, false),
         column_view_(flow, true),
-        vv_(find_vv_edges(flow)),
+        vv_(flow.vv_edges),
         row_spacing_(flow.nodes.size()),
         column_spacing_(flow.nodes.size()) {
     for (const Pole& pole : flow.poles) set_gap(pole, kFirstGap);
@@ -170,7 +170,7 @@ class LayoutSearch {
   const unsigned relax_passes_;
   const View row_view_;
   const View column_view_;
-  const LongVector<LongId> vv_;
+  const LongVector<LongId>& vv_;
   Spacing row_spacing_;
   Spacing column_spacing_;
   unsigned vv_failures_ = 0;

@@ -46,7 +46,7 @@ LongVector<std::uint32_t> lengths_of(const View& view) {
     if (view.type(v) == NodeType::station) weights[v] = 2;
     if (view.type(v) == NodeType::sink && !flow.joint) weights[view.ins(v)[0]] += kSinkWeight;
   }
-  for (const LongId e : find_vv_edges(flow)) {
+  for (const LongId e : flow.vv_edges) {
     weights[view.ins(free_merge_of(view, flow.edges[e]))[0]] +=
         static_cast<std::uint32_t>((view.columns() ? room.columns : room.rows) - 1);
   }
@@ -64,7 +64,7 @@ class SafeLayout {
 
   Layout run() {
     number();
-    const LongVector<LongId> vv = find_vv_edges(flow_);
+    const LongVector<LongId>& vv = flow_.vv_edges;
     const VvRoom room = vv_room(flow_.nodes.size());
     for (const LongId e : vv) {
       widen(views_[0], flow_.edges[e].lower, room.rows);

@@ -42,7 +42,7 @@ struct Census {
   void add(const Flow& flow, const Layout& layout, std::size_t places, std::size_t bodies) {
     bound.add(bound_component(flow, layout, places, bodies));
     q_bodies += static_cast<std::int64_t>(bodies);
-    vv_leans += static_cast<std::int64_t>(find_vv_edges(flow).size());
+    vv_leans += static_cast<std::int64_t>(flow.vv_edges.size());
     for (const Node& node : flow.nodes) stations += node.type == NodeType::station ? 1 : 0;
     for (const Pole& pole : flow.poles) {
       const bool is_sink = flow.nodes[pole.node].type == NodeType::sink;
@@ -137,7 +137,7 @@ double volume_of(const Attempt& attempt) {
 Attempt find_smaller(const Flow& flow, const Options& options, const ComponentSize& size) {
   std::optional<Attempt> plain = lay_out(flow, options.effort, false);
   if (plain && !keeps_box(*plain, size)) plain.reset();
-  if (find_vv_edges(flow).empty()) return plain ? *std::move(plain) : lay_out_safely(flow);
+  if (flow.vv_edges.empty()) return plain ? *std::move(plain) : lay_out_safely(flow);
   std::optional<Attempt> straight = lay_out(flow, options.effort, true);
   if (straight && !keeps_box(*straight, size)) straight.reset();
   if (!plain && !straight) return lay_out_safely(flow);

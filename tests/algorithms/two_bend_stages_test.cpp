@@ -237,7 +237,7 @@ TEST(TwoBendChecks, SeeWhatIsSpoilt) {
   ASSERT_NE(merge, list.end());
   std::rotate(merge, merge + 1, list.end());  // behind all others
   EXPECT_FALSE(merges_are_between(rows, list));
-  const LongVector<LongId> vv = find_vv_edges(flow);
+  const LongVector<LongId>& vv = flow.vv_edges;
   ASSERT_FALSE(vv.empty());
   const NodeId m = flow.edges[vv[0]].lower;
   const NodeId s = flow.edges[vv[0]].upper;
