@@ -11,6 +11,7 @@
 #include "ar3d/algorithms/compact/zones.h"
 #include "ar3d/algorithms/degree_limit.h"
 #include "ar3d/algorithms/strips/efforts.h"
+#include "ar3d/algorithms/strips/routes.h"
 
 namespace ar3d::compact {
 namespace {
@@ -65,14 +66,8 @@ Drawing draw_from(const Graph& graph, const std::optional<Tightness>& first) {
   if (zones) strip = fill_zones(graph, links, RandomStream(seed, kZoneStream), census).placement();
   Drawing drawing = lift(graph, links, *strip);
   const StripSize& size = strip->size;
-  drawing.counters = {{"zones", zones ? 1 : 0},
-                      {"widenings", census.widenings},
-                      {"ejections", census.ejections},
-                      {"trials", census.trials},
-                      {"scans", census.scans},
-                      {"columns", size.columns},
-                      {"rows", size.rows},
-                      {"reach", size.reach}};
+  drawing.counters = strips::counters_of(census, zones, size.columns, size.rows);
+  drawing.counters.push_back({"reach", size.reach});
   if (graph.num_vertices() > 0) drawing.instance_bound = box_of(size);
   return drawing;
 }

@@ -10,6 +10,7 @@
 #include "ar3d/algorithms/compact_120/zones.h"
 #include "ar3d/algorithms/degree_limit.h"
 #include "ar3d/algorithms/strips/efforts.h"
+#include "ar3d/algorithms/strips/routes.h"
 
 namespace ar3d::compact_120 {
 namespace {
@@ -38,15 +39,9 @@ Drawing finished(const Graph& graph, const Strip& strip, const NarrowOrder* orde
                  const Census& census) {
   Drawing drawing = lift(graph, strip);
   const StripSize& size = strip.size();
-  drawing.counters = {{"zones", order == nullptr ? 1 : 0},
-                      {"widenings", census.widenings},
-                      {"ejections", census.ejections},
-                      {"trials", census.trials},
-                      {"scans", census.scans},
-                      {"columns", size.columns},
-                      {"rows", size.rows},
-                      {"beyond", size.beyond},
-                      {"moved_components", order == nullptr ? 0 : order->moved_components}};
+  drawing.counters = strips::counters_of(census, order == nullptr, size.columns, size.rows);
+  drawing.counters.push_back({"beyond", size.beyond});
+  drawing.counters.push_back({"moved_components", order == nullptr ? 0 : order->moved_components});
   if (graph.num_vertices() > 0) drawing.instance_bound = box_of(size);
   return drawing;
 }

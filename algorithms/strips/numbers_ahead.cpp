@@ -1,6 +1,6 @@
 // Random numbers in advance (Philox 4x32-10, model/random.h). A block is a pure function of its
 // number, so eight of them are made side by side: in 64-bit lanes the two products of a round are
-// one instruction for four blocks. Cost: 6 instructions per number with AVX2, 25 without.
+// one instruction for four blocks. Cost: 8 instructions per number with AVX2.
 #include "ar3d/algorithms/strips/numbers_ahead.h"
 
 #if defined(__x86_64__) && defined(__GNUC__)

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "ar3d/algorithms/strips/search.h"
 #include "ar3d/model/drawing.h"
 
 namespace ar3d::strips {
@@ -14,6 +15,18 @@ namespace ar3d::strips {
 /// One byte per edge: whether its tail is its second end, and seven bits that tell its word.
 constexpr std::uint8_t code_of(bool backward, unsigned word) {
   return static_cast<std::uint8_t>(word << 1 | (backward ? 1u : 0u));
+}
+
+/// The counters that all strips have; an algorithm adds its own.
+inline std::vector<Counter> counters_of(const Census& census, bool in_zones, std::int64_t columns,
+                                        std::int64_t rows) {
+  return {{"zones", in_zones ? 1 : 0},
+          {"widenings", census.widenings},
+          {"ejections", census.ejections},
+          {"trials", census.trials},
+          {"scans", census.scans},
+          {"columns", columns},
+          {"rows", rows}};
 }
 
 /// Bends that follow from the places of the two ends and the edge's byte, computed when somebody
