@@ -27,12 +27,12 @@ void refuse_bad_input(const Graph& graph, const Options& options) {
 /// The green and the red items.
 std::pair<Items, Items> items_of(const Graph& graph) {
   TwoColouring colours = colouring_of(graph);
-  const bool many = graph.num_vertices() >= kManyVertices;
+  const bool many = graph.num_vertices() >= kManyInItems;
   std::pair<Items, Items> items;
   const auto extract = [&](Colour c) {
     const std::vector<HalfEdge> next = std::move(colours.next[c]);  // not beyond this
     (c == kGreen ? items.first : items.second) =
-        many ? interleaved_items(next) : extract_items(next);
+        many ? interleaved_items(next, walk_sizes(next.size())) : extract_items(next);
   };
   in_two_threads(
       graph.num_vertices(), [&] { extract(kGreen); }, [&] { extract(kRed); });

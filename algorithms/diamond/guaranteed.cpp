@@ -167,8 +167,8 @@ GuaranteedPlacement place_guaranteed(const Graph& graph, Items green, Items red)
 
   const Whereabouts natural = whereabouts(red);
   const std::vector<GreenClosing> closings = close_green_cycles(green, natural);
-  placement.green = arranged(green, order_items(graph, green));
-  green = {};  // here and below: memory that is not needed any more
+  const Arrangement green_order = order_items(graph, green);
+  placement.green = arranged(std::move(green), green_order);
   gaps.green_gaps = assign_x(graph, placement.green, at);
   // Nothing below changes an x; nothing after settle_red_cycles changes distances inside a red
   // item.
@@ -177,9 +177,8 @@ GuaranteedPlacement place_guaranteed(const Graph& graph, Items green, Items red)
   gaps.rho = cycles.rho;
   gaps.bumps = cycles.lines;
   const Arrangement order = order_items(graph, red);
-  placement.red = arranged(red, order);
-  const std::vector<std::uint32_t> natural_begin = std::move(red.begin);
-  red = {};
+  const std::vector<std::uint32_t> natural_begin = red.begin;
+  placement.red = arranged(std::move(red), order);
   const std::vector<bool> bad = bad_boundaries(graph, placement.red);
   gaps.red_gaps = std::count(bad.begin(), bad.end(), true);
   RedStack stack(placement.red, order, natural_begin, cycles, natural);

@@ -9,9 +9,9 @@
 
 namespace ar3d::diamond {
 
-/// From so many vertices on the walks of Steps 1.1 and 1.2 wait for the memory, and many at a time
-/// are faster.
-inline constexpr Vertex kManyVertices = 1u << 15;
+/// From so many vertices on many walks at a time are faster in Step 1.1, and in Step 1.2.
+inline constexpr Vertex kManyToColour = 1u << 12;
+inline constexpr Vertex kManyInItems = 1u << 15;
 
 /// two_colouring() of the graph, by many walks or by one, whichever is faster. Cost: O(n + m).
 /// @param graph  of maximum degree at most 4, n <= 2^27.

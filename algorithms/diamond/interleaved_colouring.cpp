@@ -137,9 +137,9 @@ TwoColouring edges_out(const Graph& graph, const TwoBitMarks& directions, const 
 }  // namespace
 
 TwoColouring colouring_of(const Graph& graph) {
-  if (graph.num_vertices() >= kManyVertices) {
+  if (graph.num_vertices() >= kManyToColour) {
     const auto threads = static_cast<std::uint32_t>(threads_for(graph.num_vertices()));
-    return interleaved_colouring(graph, {.threads = threads});
+    return interleaved_colouring(graph, walk_sizes(graph.num_vertices(), threads));
   }
   const PaddedNeighbours neighbours = padded_neighbours(graph);
   return two_colouring(graph, neighbours, balanced_orientation(neighbours));

@@ -66,7 +66,12 @@ Whereabouts whereabouts(const Items& items) {
   return result;
 }
 
-Items arranged(const Items& items, const Arrangement& arrangement) {
+Items arranged(Items items, const Arrangement& arrangement) {
+  std::uint32_t number = 0;
+  const auto stands = [&](Arrangement::Place place) {
+    return place.item == number++ && !place.reversed;
+  };
+  if (std::all_of(arrangement.places.begin(), arrangement.places.end(), stands)) return items;
   Items result;
   result.vertex.reserve(items.vertex.size());
   result.edge.reserve(items.edge.size());

@@ -74,7 +74,7 @@ struct Arrangement {
 };
 
 /// The items in the arrangement's order and directions; reversing keeps the closing edge of a
-/// cycle. Cost: O(n).
-Items arranged(const Items& items, const Arrangement& arrangement);
+/// cycle. Cost: O(n), and O(items) if they are in this order already.
+Items arranged(Items items, const Arrangement& arrangement);
 
 }  // namespace ar3d::diamond

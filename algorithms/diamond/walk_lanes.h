@@ -14,6 +14,14 @@ struct WalkSizes {
   std::uint32_t threads = 1;
 };
 
+/// The fastest sizes for n vertices: within the caches, few lanes are enough, and their last
+/// stretches, which nobody accompanies, shall be short.
+inline WalkSizes walk_sizes(std::uint64_t n, std::uint32_t threads = 1) {
+  constexpr std::uint64_t kInCaches = std::uint64_t{1} << 19;
+  return n < kInCaches ? WalkSizes{.stride = 256, .lanes = 16, .threads = threads}
+                       : WalkSizes{.threads = threads};
+}
+
 /// Walks many stretches of chains in turns. A step of a walk reads a place in memory that only the
 /// step before it knows, so one walk alone waits for the memory at every step; of many, each asks
 /// for its next place and waits while the others step.
