@@ -1,8 +1,8 @@
-// fill_narrow_strip at the speed of the memory: the same cells in the same order, refused by the
-// cheapest test that refuses them. Cells are drawn and compared with the placed neighbours eight at
-// a time (cells.h), then one bit tells whether a cell is taken, then two bits of a line whether
-// anything is on it (narrow_lines.h), and only then pieces are compared. Lengths and lines are sums
-// of the ends' coordinates and constants of the words (middle_line.h). Cost: as fill_narrow_strip.
+// fill_narrow_strip at the speed of the memory: the same cells in the same order, held to the same
+// rules (a) to (e) of Lemmas C.3 to C.5, refused by the cheapest test that refuses them: eight
+// cells at a time by their neighbours' places (cells.h), a bit of a taken cell, two bits of a line
+// on which nothing is (narrow_lines.h), and only then its pieces. Lengths and lines are sums of the
+// ends' coordinates and constants of words (middle_line.h). Cost: O(1) expected per cell tried.
 #include "ar3d/algorithms/compact/narrow_fast.h"
 
 #include <algorithm>

@@ -1,8 +1,12 @@
-// A line is fixed by two forms of its edges' ends, of which there are O(sqrt n) values each, so a
-// narrow strip has O(n) lines: 20 for each of its vertices, most of them empty at any time. Two
-// bits for each, 5 bytes per vertex in all, stay in the cache where the hash table of pieces does
-// not.
-//
+// Which lines of a narrow strip are empty (Lemma C.2: a line is fixed by two forms of its edges'
+// ends). There are O(sqrt n) values of each, so a strip has O(n) lines: 20 for each vertex, most of
+// them empty at any time. Two bits for each, 5 bytes per vertex in all, stay in the cache where the
+// hash table of pieces does not. Cost: O(1) for each line that is asked for.
+#include "ar3d/algorithms/compact/narrow_lines.h"
+
+namespace ar3d::compact {
+namespace {
+
 // Ranges, with I columns, J rows and reach R of the strip: a tail is at column i and row j, a head
 // at most R columns away, to the left of a tail of type 1. U is in 0 ... 4I - 2. Constants of words
 // are at most 8 (CompactMiddleLines.*). Upper lines: AD is U of the head; the other form is g or h
@@ -10,11 +14,6 @@
 // 4 (column of the head) - 2i is in -2R ... 2I and the rest in -2J - 2 ... 2J + 2. Lower lines: AD
 // is U of the tail; BD is g of the head, or U of a tail less h of a head to its left, in 0 ... 2I +
 // 2R + 2J + 2.
-#include "ar3d/algorithms/compact/narrow_lines.h"
-
-namespace ar3d::compact {
-namespace {
-
 constexpr std::int32_t kMargin = 16;
 
 }  // namespace

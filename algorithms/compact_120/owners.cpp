@@ -1,10 +1,8 @@
 // Step D.4: owners. A search from any node of a component directs every edge it uses to its parent:
 // each node but the root owns the edge to its parent. The root is then moved to a leaf or, if there
 // is a cycle, to an end of the edge that the search did not use, which the root owns. Cost: O(n).
-//
-// Repairs of an order change few components, so only these are searched again: those with an end of
-// an edge whose ends changed sides, each from its first node as in a search of all, which so ends
-// with the same owners.
+// Repairs of an order change few components, so only those with an end of an edge whose ends
+// changed sides are searched again, each from its first node, which so ends with the same owners.
 #include "ar3d/algorithms/compact_120/owners.h"
 
 #include <algorithm>

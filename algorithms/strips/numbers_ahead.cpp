@@ -1,6 +1,7 @@
-// Random numbers in advance (Philox 4x32-10, model/random.h). A block is a pure function of its
-// number, so eight of them are made side by side: in 64-bit lanes the two products of a round are
-// one instruction for four blocks. Cost: 8 instructions per number with AVX2.
+// Random numbers in advance (Philox 4x32-10, model/random.h), for the cells that narrow strips try
+// under Lemmas C.3 to C.5. A block is a pure function of its number, so eight of them are made side
+// by side: in 64-bit lanes the two products of a round are one instruction for four blocks. Cost: 8
+// instructions per number with AVX2.
 #include "ar3d/algorithms/strips/numbers_ahead.h"
 
 #if defined(__x86_64__) && defined(__GNUC__)
