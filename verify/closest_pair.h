@@ -24,8 +24,9 @@ std::optional<VertexPair> closest_pair_by_grid(const Drawing& drawing);
 
 /// A radix sort along the widest axis, strips as wide as a distance that was seen, each sorted
 /// along the second widest. O(n log n) time besides the pairs that are looked at, 16 bytes per
-/// vertex (32 if an extent passes 2^32); nothing if the pairs are more than 60 per vertex, or
-/// coordinates or distances pass 2^41 or 2^20.
+/// vertex (32 if an extent passes 2^32); nothing if the pairs are more than 60 per vertex, if the
+/// smallest squared distance passes 2^40, in units of the Gram matrix, or if the coordinates are
+/// not in_range().
 /// @pre two vertices at least, and a positive definite Gram matrix.
 std::optional<VertexPair> closest_pair_by_strips(const Drawing& drawing);
 

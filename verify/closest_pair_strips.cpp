@@ -1,8 +1,9 @@
 // The closest pair by sorting instead of a hash table of cubes. The vertices are sorted along the
 // widest axis; the smallest distance of two that are consecutive there bounds the smallest of all.
 // So the two vertices searched for are in one strip of that width or in two consecutive ones, and
-// within each strip, sorted along the second widest axis, not far from each other. Only the order
-// is stored, and the vertices of two strips at a time.
+// within each strip, sorted along the second widest axis, not far from each other. Pairs that are
+// too far apart along one axis to be as close as kLongest are not multiplied out, so coordinates
+// may have any size. Only the order is stored, and the vertices of two strips at a time.
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -17,8 +18,8 @@
 namespace ar3d::verify {
 namespace {
 
-/// Nine terms of differences below 2^42 and Gram entries below 2^31 stay below 2^119.
-constexpr std::int64_t kLargest = std::int64_t{1} << 41;
+/// Nine terms of differences up to 2^42 and Gram entries below 2^31 stay below 2^119.
+constexpr std::int64_t kFarthest = std::int64_t{1} << 42;
 /// Squared lengths up to here are exact in a double too: every closest pair has the same length.
 constexpr std::int64_t kLongest = std::int64_t{1} << 40;
 constexpr std::uint64_t kPairsPerVertex = 60;
@@ -46,17 +47,20 @@ class Strips {
   }
 
   std::optional<VertexPair> run() {
-    for (const Point corner : {box_.low, box_.high}) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        if (std::abs(component(corner, i)) >= kLargest) return std::nullopt;
-      }
+    std::int64_t farthest = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      farthest_[i] = reach(static_cast<double>(kLongest), inverse_[i]);
+      farthest = std::max(farthest, farthest_[i]);
     }
+    if (farthest > kFarthest || !in_range(box_.low) || !in_range(box_.high)) return std::nullopt;
     choose_axes();
     // Nine terms of squared differences up to 2^52 and entries up to 2^7 stay below 2^63.
-    const std::int64_t widest = extent(first_);
-    const bool fits = widest < (std::int64_t{1} << 26) && largest_gram_ < (1 << 7);
-    if (fits) return search<std::int64_t, ShortKeyed>();
-    return widest <= kShort ? search<Int128, ShortKeyed>() : search<Int128, Keyed>();
+    const bool fits = farthest <= (std::int64_t{1} << 26) && largest_gram_ < (1 << 7);
+    const bool is_short = extent(first_) <= kShort;
+    if (fits) {
+      return is_short ? search<std::int64_t, ShortKeyed>() : search<std::int64_t, Keyed>();
+    }
+    return is_short ? search<Int128, ShortKeyed>() : search<Int128, Keyed>();
   }
 
  private:
@@ -69,6 +73,12 @@ class Strips {
                      [&](std::size_t a, std::size_t b) { return extent(a) > extent(b); });
     first_ = axes[0];
     second_ = axes[1];
+  }
+
+  /// No pair with a squared length up to kLongest is farther apart.
+  bool is_near(Vector apart) const {
+    return std::abs(apart.x) <= farthest_[0] && std::abs(apart.y) <= farthest_[1] &&
+           std::abs(apart.z) <= farthest_[2];
   }
 
   Point at(std::size_t v) const { return drawing_.vertex(static_cast<Vertex>(v)); }
@@ -91,7 +101,9 @@ class Strips {
   std::optional<VertexPair> search() {
     Integer smallest = std::numeric_limits<std::int64_t>::max();
     const auto look = [&](const Placed& a, const Placed& b) {
-      const Integer d = squared_length<Integer>(lattice_, a.at - b.at);
+      const Vector apart = a.at - b.at;
+      if (!is_near(apart)) return;
+      const Integer d = squared_length<Integer>(lattice_, apart);
       if (d >= smallest) return;
       smallest = d;
       best_ = {a.v, b.v};
@@ -178,6 +190,7 @@ class Strips {
   const Drawing& drawing_;
   const Lattice& lattice_;
   std::array<double, 3> inverse_;
+  std::array<std::int64_t, 3> farthest_{};  ///< two vertices as close as kLongest, along each axis
   std::int64_t largest_gram_ = 0;
   Box box_;
   std::size_t first_ = 0;

@@ -230,6 +230,41 @@ TEST(ClosestPair, StripsGiveUpOnWhatTheyAreNotMadeFor) {
   EXPECT_TRUE(verify::closest_pair(far.drawing()).has_value());
 }
 
+/// Coordinates of any size, up to the largest: only how far apart the closest are matters.
+TEST(ClosestPair, StripsTakeLargeCoordinates) {
+  RandomStream random(9);
+  const Lattice skew{{{{5, 2, -1}, {2, 4, 1}, {-1, 1, 3}}}, 2};
+  const Lattice large{{{{1 << 29, 2, -1}, {2, 1 << 30, 1}, {-1, 1, 1 << 20}}}, 2};
+  for (const Lattice& lattice : {kCubeLattice, kTallLattice, skew, large}) {
+    for (int i = 0; i < 100; ++i) {
+      Draft draft;
+      draft.lattice = lattice;
+      const std::int64_t far = kMaxCoordinate >> random.below(40);
+      for (int v = 0; v < 60; ++v) {
+        // Few places far from each other, and near each of them some vertices.
+        const auto end = [&] { return random.below(2) == 0 ? far : -far; };
+        const auto inwards = [&](std::int64_t c) {
+          const std::int64_t step = random.below(400);
+          return c > 0 ? c - step : c + step;
+        };
+        const Point p{inwards(end()), inwards(end()), inwards(end())};
+        if (std::find(draft.vertices.begin(), draft.vertices.end(), p) == draft.vertices.end()) {
+          draft.vertices.push_back(p);
+        }
+      }
+      const Drawing drawing = draft.drawing();
+      const auto strips = verify::closest_pair_by_strips(drawing);
+      const auto grid = verify::closest_pair_by_grid(drawing);
+      ASSERT_TRUE(grid.has_value());
+      if (lattice.gram == large.gram && !strips) continue;  // no two may be near enough there
+      ASSERT_TRUE(strips.has_value()) << i;
+      ASSERT_EQ(squared_distance(drawing, strips->u, strips->v),
+                squared_distance(drawing, grid->u, grid->v))
+          << i;
+    }
+  }
+}
+
 TEST(ClosestPair, ComparesExactlyWhereDoublesCannot) {
   const std::int64_t far = kMaxCoordinate;
   Draft draft;  // the pairs' distances differ by 1 in 2^61
