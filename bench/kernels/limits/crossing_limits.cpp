@@ -88,7 +88,8 @@ std::vector<Group> crossing_groups() {
            10'000,
            {{"crossings of `diamond`, 80,000 segments",
              "CGAL `box_self_intersection_d` and the exact test",
-             {Goal::Kind::at_least, 700, "× faster"}}},
+             {Goal::Kind::at_least, 700, "× faster"},
+             "ours is the whole certificate, two thirds of whose instructions count the meetings"}},
            measure_crossings}};
 }
 

@@ -12,7 +12,7 @@
 namespace ar3d::limits {
 namespace {
 
-constexpr int kRows = 400;
+constexpr int kRows = 2000;
 
 class Valid final : public RowSink {
  public:

@@ -1,9 +1,11 @@
 #include "turns.h"
 
 #include <fmt/format.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <numeric>
 
 namespace ar3d::limits {
@@ -12,6 +14,19 @@ double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const std::size_t half = values.size() / 2;
   return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+std::function<double()> side_by_side(std::function<void()> work) {
+  const auto both = [work = std::move(work)] {
+    const auto one = [&work] {
+      omp_set_num_threads(1);  // of the calling thread's regions
+      work();
+    };
+    std::future<void> other = std::async(std::launch::async, one);
+    one();
+    other.get();
+  };
+  return [seconds = timed(Clock::wall, both)] { return seconds() / 2; };
 }
 
 void Turns::run(int rounds, double most_seconds, const std::function<void()>& before_round,

@@ -26,6 +26,11 @@ std::function<double()> timed(Clock clock, Work work) {
   };
 }
 
+/// Half the wall time of two calls of the work at the same time, each on a thread of its own: what
+/// a second thread can give at most where the two share nothing but the machine. @pre the work uses
+/// one thread.
+std::function<double()> side_by_side(std::function<void()> work);
+
 /// Repeats of slow works end after so many seconds, three at least.
 inline constexpr double kSlowSeconds = 12;
 inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
