@@ -36,7 +36,7 @@ struct DrawArguments {
   std::vector<std::string> options;
   std::string format;
   std::string output = "-";
-  std::string certificate;
+  std::optional<std::string> certificate;
   std::string coordinates = "auto";
   std::string level = "full";
   ExportOptions picture;
@@ -73,6 +73,7 @@ struct Drawn {
   Examination examination;  ///< unless the level is full
   std::optional<std::string> error;
   std::optional<std::string> violation = {};
+  std::optional<std::string> sample = {};
 };
 
 constexpr std::uint64_t kLongLine = std::uint64_t{1} << 16;  // vertices and edges
@@ -93,16 +94,28 @@ struct Outcome {
   }
 };
 
-/// The first violation of the drawing that the certificate finds. InputError passes: a mode that
-/// does not take such a drawing.
-std::optional<std::string> violation_of(const Graph& graph, const Drawing& drawing,
-                                        const Making& making) {
-  if (making.certificate.kind == CertificateMode::Kind::none) return std::nullopt;
+/// What standard error says of a certificate: the first violation, and of a sample what it may
+/// miss.
+struct Judgement {
+  std::optional<std::string> violation;
+  std::optional<std::string> sample;
+};
+
+std::optional<std::string> sample_of(const Certificate& certificate) {
+  if (certificate.mode.kind != CertificateMode::Kind::sample) return std::nullopt;
+  return describe_sample(certificate);
+}
+
+/// Nothing for a drawing that is not to be judged. InputError passes: a mode that does not take
+/// such a drawing.
+Judgement judge(const Graph& graph, const Drawing& drawing, const Making& making) {
+  if (making.certificate.kind == CertificateMode::Kind::none) return {};
   const Certificate certificate =
       certify(graph, drawing, making.algorithm.guarantee, {.mode = making.certificate});
-  if (!certificate.violated()) return std::nullopt;
-  return certificate.violations.empty() ? "a coordinate is out of range"
-                                        : certificate.violations.front().message;
+  if (!certificate.violated()) return {std::nullopt, sample_of(certificate)};
+  return {certificate.violations.empty() ? "a coordinate is out of range"
+                                         : certificate.violations.front().message,
+          std::nullopt};
 }
 
 /// Whether no drawing of level full is left unproved that somebody asked to judge.
@@ -122,8 +135,13 @@ Drawn drawn(const Task& task, const Making& making) {
     if (making.level != Level::full) {
       result.examination =
           examine_all(task.graph, drawing, making.algorithm.guarantee, making.certificate);
-    } else if (const auto found = violation_of(task.graph, drawing, making)) {
-      result.violation = fmt::format("{}: violated: {}", task.where, *found);
+      if (const auto found = sample_of(result.examination.certificate)) {
+        result.sample = fmt::format("{}: {}", task.where, *found);
+      }
+    } else {
+      const auto [violation, sample] = judge(task.graph, drawing, making);
+      if (violation) result.violation = fmt::format("{}: violated: {}", task.where, *violation);
+      if (sample) result.sample = fmt::format("{}: {}", task.where, *sample);
     }
     if (making.level == Level::full && weight_of(task.graph) < kLongLine) {
       append_drawing_line(result.line, drawing);
@@ -149,7 +167,7 @@ void write(const Drawn& drawn, Level level, OutputFile& file, Outcome& outcome) 
     write_drawing_line(file, *drawn.drawing);
   }
   if (drawn.violation) outcome.is_violated = true;
-  for (const auto& text : {drawn.error, drawn.violation}) {
+  for (const auto& text : {drawn.error, drawn.violation, drawn.sample}) {
     if (text) fmt::print(stderr, "ar3d: {}\n", printable(*text));
   }
 }
@@ -179,10 +197,12 @@ NextDrawing drawings_of(GraphReader& reader, const Making& making, bool others_f
     if (!graph) return std::nullopt;
     try {
       Drawing drawing = fitting_drawing(*graph, making);
-      if (const auto found = violation_of(*graph, drawing, making)) {
+      const auto [violation, sample] = judge(*graph, drawing, making);
+      if (violation) {
         outcome.is_violated = true;
-        report(reader.where(), "violated: " + *found);
+        report(reader.where(), "violated: " + *violation);
       }
+      if (sample) report(reader.where(), *sample);
       return PlacedLine{std::move(drawing), reader.where()};
     } catch (const InputError& error) {
       outcome.all_drawn = false;
@@ -198,7 +218,7 @@ int draw_graphs(const DrawArguments& arguments) {
   const Algorithm& algorithm = find_algorithm(arguments.algorithm);
   const Level level = parse_level(arguments.level);
   const char* usual_mode = level == Level::full ? "none" : "exact";
-  const std::string mode = arguments.certificate.empty() ? usual_mode : arguments.certificate;
+  const std::string mode = arguments.certificate.value_or(usual_mode);
   const Making making{algorithm, complete_options(algorithm, parse_settings(arguments.options)),
                       parse_certificate_mode(mode), level,
                       arguments.coordinates == "auto"

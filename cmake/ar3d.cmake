@@ -13,6 +13,12 @@ target_compile_options(ar3d_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversio
                        $<$<AND:$<BOOL:${AR3D_WERROR}>,$<CXX_COMPILER_ID:GNU>>:-Wno-error=maybe-uninitialized>)
 target_compile_definitions(ar3d_flags INTERFACE $<$<BOOL:${AR3D_CHECKS}>:AR3D_CHECKS=1>)
 
+# Floating-point arithmetic rounds every operation once, in its own type: no -ffast-math, no fused multiply-add, no x87.
+set(AR3D_ROUNDED_ONCE -ffp-contract=off -fno-fast-math)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  list(APPEND AR3D_ROUNDED_ONCE -msse2 -mfpmath=sse)
+endif()
+
 # ar3d_library(<folder> [PUBLIC targets...] [PRIVATE targets...]): one static library a folder, made of
 # every .cpp below it; exported as ar3d::<folder>.
 function(ar3d_library folder)

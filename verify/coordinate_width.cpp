@@ -69,7 +69,9 @@ CoordinateWidth parse_coordinate_width(std::string_view text) {
 }
 
 std::uint64_t proved_n(const SizeBound& bound, int bits) {
-  if (bound.name.empty()) return 0;
+  const bool is_bound = std::any_of(bound.axes.begin(), bound.axes.end(),
+                                    [](const AxisBound& axis) { return axis.value(1'000) > 0; });
+  if (!is_bound) return 0;
   std::uint64_t low = 0, high = kMostVertices + 1;  // bounds do not fall as n grows
   while (high - low > 1) {
     const std::uint64_t middle = low + (high - low) / 2;
@@ -79,6 +81,7 @@ std::uint64_t proved_n(const SizeBound& bound, int bits) {
 }
 
 void require_width(const CoordinateWidth& width, const SizeBound& bound, const Drawing& drawing) {
+  if (drawing.real) throw InputError("coordinates in a real type fit no width of integers");
   if (width.proved) {
     const std::uint64_t most = proved_n(bound, width.bits);
     if (drawing.num_vertices() > most) {
@@ -87,7 +90,6 @@ void require_width(const CoordinateWidth& width, const SizeBound& bound, const D
     }
     return;
   }
-  if (drawing.real) throw InputError("coordinates in a real type fit no width of integers");
   const Box box = box_of(drawing).box();
   const auto extents = box.extents();
   if (*std::max_element(extents.begin(), extents.end()) <= largest(width.bits)) return;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ar3d/model/real_drawing.h"
+#include "real_types.h"
 
 namespace ar3d {
 namespace {
@@ -227,6 +228,7 @@ Drawing DrawingEvents::finish_real_drawing() {
   if (real_.vertices.size() != n_) {
     throw InputError(fmt::format("n is {}, but there are {} vertices", n_, real_.vertices.size()));
   }
+  require_values_of_type(real_);
   return real_drawing(std::move(algorithm_), std::move(edges_), std::move(real_));
 }
 

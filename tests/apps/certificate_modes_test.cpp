@@ -102,6 +102,17 @@ TEST(CertificateModes, DrawJudgesIfAsked) {
     EXPECT_EQ(outcome.exit_code, mode == "exact" || mode == "none" ? 0 : 5) << mode << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("\"algorithm\":\"two-bend\""));
   }
+  for (const char* output : {"", " --level extents", " --format obj"}) {
+    const Outcome sampled = run(kProgram + " generate petersen | " + kProgram +
+                                " draw - --algorithm two-bend --certificate sample=10" + output);
+    EXPECT_THAT(sampled.err, HasSubstr("a single forbidden meeting is missed with probability"))
+        << output;
+  }
+  EXPECT_EQ(run(kProgram + " generate petersen | " + kProgram +
+                " draw - --algorithm two-bend --certificate ''")
+                .exit_code,
+            2)
+      << "verify refuses an empty mode, too";
   EXPECT_EQ(run(kProgram + " generate petersen | " + kProgram +
                 " draw - --algorithm two-bend-paper --certificate exact")
                 .exit_code,

@@ -71,6 +71,14 @@ TEST(RealTypes, HostileLinesAreRefusedByName) {
   EXPECT_THAT(refusal(with("0", R"("0","0x1","0")")), HasSubstr("is no decimal integer"));
   EXPECT_THAT(refusal(with("0", R"("0","nan","0")")), HasSubstr("is no decimal integer"));
   EXPECT_THAT(refusal(with("0", R"("0","-","0")")), HasSubstr("is no decimal integer"));
+  EXPECT_THAT(refusal(with("0", R"("0","16777217","0")")),
+              HasSubstr("vertex 0 has a coordinate of 25 significant bits, float holds 24"));
+  for (const char* type : {"", "NaN", "half", "Double"}) {
+    const std::string other = std::string(R"({"n":1,"algorithm":"two-bend-paper","real_type":")") +
+                              type +
+                              R"(","unit_exponent":0,"vertices":[["0","0","0"]],"edges":[]})";
+    EXPECT_THAT(refusal(other), HasSubstr("is none of float, double, long double")) << type;
+  }
   EXPECT_THAT(refusal(with("0", "0,0,0")), HasSubstr("are texts of decimal integers"));
   EXPECT_THAT(refusal(with("0", R"("0","0")")), HasSubstr("2 numbers instead of 3"));
   EXPECT_THAT(refusal(with("0", "\"" + std::string(1001, '7') + "\",\"0\",\"0\"")),

@@ -84,7 +84,12 @@ TEST(CoordinateWidths, AreCheckedAtTheLargestCoordinateAndOneBeyond) {
 TEST(CoordinateWidths, OfRealDrawingsAreRefused) {
   const Algorithm& paper = find_algorithm("two-bend-paper");
   const Drawing drawing = draw(paper, generate(find_family("cycle"), 5, 0));
-  EXPECT_THAT(refusal({64, false}, paper.guarantee.bound, drawing), HasSubstr("real type"));
+  for (const bool proved : {false, true}) {
+    for (const int bits : {16, 32, 64}) {
+      EXPECT_THAT(refusal({bits, proved}, paper.guarantee.bound, drawing), HasSubstr("real type"));
+      EXPECT_EQ(proved_n(paper.guarantee.bound, bits), 0u) << "it promises no box";
+    }
+  }
 }
 
 }  // namespace

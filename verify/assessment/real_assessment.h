@@ -38,7 +38,8 @@ struct RealAssessment {
 
 /// Judges a drawing. @param edges  in order of their numbers; the bends of each run from u to v.
 /// @throws InputError if the numbers of vertices or edges do not fit.
-/// Cost: O(S log S) and an exact test for every pair of segments that boxes and a filter in double
+/// Cost: O(S log S), a comparison for every pair of segments whose boxes overlap along the axis
+/// where the fewest are expected to, and an exact test for those that boxes and a filter in double
 /// leave open; a product of big integers takes about a microsecond.
 RealAssessment assess(const Graph& graph, const RealPoints& points);
 

@@ -131,6 +131,32 @@ bool surely_not_coplanar(const Rounded& s, const Rounded& t) {
   return widest > 0x1p-46 * largest && std::abs(determinant) > 0x1p-44 * largest * widest * widest;
 }
 
+double along(const RoundedPoint& p, std::size_t axis) {
+  return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+}
+
+/// The axis along which the fewest boxes are expected at one place: their lengths there, added up,
+/// over the length of all. Components stand side by side in x, cycles one above the other in z.
+std::size_t sweep_axis(const std::vector<Rounded>& boxes) {
+  std::size_t best = 0;
+  double fewest = std::numeric_limits<double>::infinity();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double sum = 0, low = along(boxes[0].low, axis), high = along(boxes[0].high, axis);
+    for (const Rounded& box : boxes) {
+      sum += along(box.high, axis) - along(box.low, axis);
+      low = std::min(low, along(box.low, axis));
+      high = std::max(high, along(box.high, axis));
+    }
+    // All in one plane across the axis: all at one place.
+    const double expected = high > low ? sum / (high - low) : static_cast<double>(boxes.size());
+    if (expected < fewest) {
+      fewest = expected;
+      best = axis;
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 std::uint64_t count_crossings(const Graph& graph, const std::vector<RealSegment>& segments,
@@ -138,14 +164,17 @@ std::uint64_t count_crossings(const Graph& graph, const std::vector<RealSegment>
   std::vector<Rounded> boxes;
   boxes.reserve(segments.size());
   for (const RealSegment& s : segments) boxes.push_back(boxed(s, unit_exponent));
+  if (boxes.empty()) return 0;
+  const std::size_t axis = sweep_axis(boxes);
+  const auto low = [&](std::size_t i) { return along(boxes[i].low, axis); };
   std::vector<std::size_t> order(segments.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return boxes[a].low.z < boxes[b].low.z; });
+            [&](std::size_t a, std::size_t b) { return low(a) < low(b); });
   std::uint64_t count = 0;
   std::vector<std::size_t> active;
   for (const std::size_t i : order) {
-    std::erase_if(active, [&](std::size_t j) { return boxes[j].high.z < boxes[i].low.z; });
+    std::erase_if(active, [&](std::size_t j) { return along(boxes[j].high, axis) < low(i); });
     for (const std::size_t j : active) {
       if (!boxes_meet(boxes[i], boxes[j])) continue;
       if (surely_not_coplanar(boxes[i], boxes[j])) continue;
