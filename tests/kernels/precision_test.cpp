@@ -30,6 +30,29 @@ TEST(PrecisionTables, SayWhatEachModeCatches) {
   EXPECT_EQ(precision("damage --drawings 0").exit_code, 2);
 }
 
+/// The commands of docs/precision.md; the tables of `all` take minutes and are not made here.
+TEST(PrecisionTables, AllTakesAPictureAndTheWholeReportIsOneCommand) {
+  EXPECT_THAT(precision("all --help").out, HasSubstr("--picture"));
+  const testing::ScratchDirectory scratch;
+  const std::string study =
+      scratch.write("s.toml",
+                    "study = \"few\"\n[[sweep]]\nfamilies = \"cycle\"\nsizes = 5\n"
+                    "algorithms = \"grid\"\n");
+  const std::string tables = scratch.write("tables", "#!/bin/sh\necho \"$@\"\ntouch \"$3\"\n");
+  const std::string command = "chmod +x " + tables + " && AR3D=" + AR3D_PROGRAM +
+                              " AR3D_PRECISION=" + tables + " " + AR3D_SOURCE_DIR +
+                              "/tools/precision-report " + scratch.path("report") + " " + study;
+  const Outcome outcome = run(command);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_THAT(outcome.out, ContainsRegex("tables.md and signs.svg in .*report: [0-9]+ s"));
+  EXPECT_EQ(run("cat " + scratch.path("report/tables.md")).out,
+            "all --picture " + scratch.path("report/signs.svg") + "\n");
+  for (const char* file : {"precision.h5", "precision.html", "signs.svg"}) {
+    EXPECT_EQ(run("test -e " + scratch.path(std::string("report/") + file)).exit_code, 0) << file;
+  }
+  EXPECT_EQ(run(command).exit_code, 2) << "the folder exists";
+}
+
 TEST(PrecisionTables, WidthsFollowFromTheBounds) {
   const Outcome outcome = precision("widths");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

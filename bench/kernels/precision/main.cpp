@@ -45,6 +45,7 @@ int main(int argc, char** argv) {
   CLI::App* signs = app.add_subcommand("signs", "where rounding gives the wrong sign");
   signs->add_option("--picture", picture, "new SVG file of the worst windows");
   CLI::App* all = app.add_subcommand("all", "all of these tables");
+  all->add_option("--picture", picture, "new SVG file of the worst windows");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
