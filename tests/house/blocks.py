@@ -29,6 +29,7 @@ NOT_RUN = {
     "mkdir -p /tmp/corpus && build/fuzz/formats/fuzz/fuzz_sparse6": "as the line before",
     "build/release/bench/kernels/ar3d_limits": "takes minutes: tests/kernels/limits_test.cpp",
     "build/release/bench/kernels/ar3d_precision": "takes more than a minute: tests/kernels/precision_test.cpp",
+    "tools/precision-report": "takes three minutes: tests/kernels/precision_test.cpp",
     "./ar3d study run extremes-large": "takes ten minutes: tests/apps/extremes_test.cpp",
     "./ar3d study run extremes-huge": "takes 17 minutes and 19 GB: tests/apps/extremes_test.cpp",
     "sudo apt-get install graphviz python3-igraph python3-pandas python3-tables": "installs packages",
