@@ -73,7 +73,8 @@ TEST(Drawing, RefusesForeignVertices) {
       InputError);
   *edges = {{0, 1}, {1, 3}, {2, 3}};
   try {
-    Drawing("test", kCubeLattice, Coordinates(3, 0), edges, std::make_shared<StoredBends>());
+    const Drawing refused("test", kCubeLattice, Coordinates(3, 0), edges,
+                          std::make_shared<StoredBends>());
     FAIL();
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
