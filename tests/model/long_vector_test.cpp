@@ -29,16 +29,6 @@ TEST(LongArrayReuse, GivesWhatIsFreedToTheNextArrayThatFits) {
   EXPECT_TRUE(is_all(shorter, 1));
 }
 
-TEST(LongArrayReuse, GivesArraysBelowFourMebibytesAgainToo) {
-  const LongArrayReuse reuse;
-  std::optional<Bytes> dirty(std::in_place, kReusableBytes, 7);
-  const std::uint8_t* const place = dirty->data();
-  dirty.reset();
-  const Bytes clean(kReusableBytes);
-  EXPECT_EQ(clean.data(), place);
-  EXPECT_TRUE(is_all(clean, 0));
-}
-
 TEST(LongVector, GrowsThroughEveryKindOfMemory) {
   LongVector<std::uint32_t> numbers;
   constexpr std::uint32_t kCount = 3'000'000;
@@ -46,14 +36,17 @@ TEST(LongVector, GrowsThroughEveryKindOfMemory) {
   for (std::uint32_t i = 0; i < kCount; ++i) ASSERT_EQ(numbers[i], i);
 }
 
+/// From the shortest arrays that are given again on, below 4 MiB too.
 TEST(LongArrayReuse, InitialisesElementsInUsedMemory) {
-  const LongArrayReuse reuse;
-  std::optional<Bytes> dirty(std::in_place, kLong, 7);
-  const std::uint8_t* const place = dirty->data();
-  dirty.reset();
-  const Bytes clean(kLong);
-  EXPECT_EQ(clean.data(), place);
-  EXPECT_TRUE(is_all(clean, 0));
+  for (const std::size_t size : {kReusableBytes, kLong}) {
+    const LongArrayReuse reuse;
+    std::optional<Bytes> dirty(std::in_place, size, 7);
+    const std::uint8_t* const place = dirty->data();
+    dirty.reset();
+    const Bytes clean(size);
+    EXPECT_EQ(clean.data(), place) << size;
+    EXPECT_TRUE(is_all(clean, 0)) << size;
+  }
 }
 
 TEST(LongArrayReuse, LeavesMuchLongerArraysForOthers) {
