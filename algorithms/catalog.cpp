@@ -14,9 +14,9 @@
 #include "ar3d/algorithms/two_bend/two_bend.h"
 #include "ar3d/algorithms/two_bend_109/two_bend_109.h"
 #include "ar3d/algorithms/two_bend_paper/two_bend_paper.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/nearest_name.h"
-#include "ar3d/model/open_table.h"
+#include "ar3d/base/error.h"
+#include "ar3d/base/nearest_name.h"
+#include "ar3d/base/open_table.h"
 
 namespace ar3d {
 

@@ -5,7 +5,7 @@
 
 #include "ar3d/analysis/scaling/samples.h"
 #include "ar3d/analysis/statistics.h"
-#include "ar3d/records/algorithm_table.h"
+#include "ar3d/store/columns/algorithm_table.h"
 
 namespace ar3d {
 namespace {

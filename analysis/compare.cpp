@@ -10,7 +10,7 @@
 #include "ar3d/analysis/compare/fixed_change.h"
 #include "ar3d/analysis/compare/pairing.h"
 #include "ar3d/analysis/text.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d {
 namespace {

@@ -8,7 +8,7 @@
 #include "ar3d/analysis/compare/environment_change.h"
 #include "ar3d/analysis/compare/time_change.h"
 #include "ar3d/analysis/curves.h"
-#include "ar3d/records/run_storage.h"
+#include "ar3d/store/run_storage.h"
 
 namespace ar3d {
 

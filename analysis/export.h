@@ -15,8 +15,8 @@ using TextSink = std::function<void(std::string_view)>;
 /// header line. Missing numbers are empty fields; slack is 1 - extent / bound.
 std::string bounds_csv(const StudyAnalysis& analysis);
 
-/// Every row: all metrics of verify/metrics.h, its own bound, the theorem's, the published one, and
-/// the slack against the theorem's.
+/// Every row: all metrics of verify/metrics/metrics.h, its own bound, the theorem's, the published
+/// one, and the slack against the theorem's.
 void rows_csv(const RowView& rows, const TextSink& write);
 
 /// The growth of every quantity of every curve, one line each: exponent with 95 % interval, log

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "ar3d/analysis/tally.h"
-#include "ar3d/model/printable.h"  // shell_word
+#include "ar3d/base/printable.h"  // shell_word
 
 namespace ar3d {
 

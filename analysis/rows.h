@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "ar3d/records/run_storage.h"
+#include "ar3d/store/run_storage.h"
 
 namespace ar3d {
 

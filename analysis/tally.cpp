@@ -8,7 +8,7 @@
 #include "ar3d/analysis/check.h"
 #include "ar3d/analysis/check/repetitions.h"
 #include "ar3d/analysis/statistics.h"
-#include "ar3d/records/run_columns.h"
+#include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d {
 namespace {

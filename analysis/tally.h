@@ -25,7 +25,7 @@ struct DrawnGraph {
   double log2_volume = kMissing;
   double log_wall_s = kMissing;   ///< natural logarithm, median over ok rows of the metrics phase
   double log_timed_s = kMissing;  ///< the same of the timing phase
-  std::vector<double> metrics;    ///< values of verify/metrics.h in its order; NaN: missing
+  std::vector<double> metrics;    ///< values of verify/metrics/metrics.h in its order; NaN: missing
 
   /// Largest extent / theorem's bound over the axes; missing if no axis has both.
   double share() const;

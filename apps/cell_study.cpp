@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "ar3d/analysis/curves.h"
+#include "ar3d/base/error.h"
+#include "ar3d/base/nearest_name.h"
 #include "ar3d/bench/plan/plan.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/nearest_name.h"
 
 namespace ar3d {
 namespace {

@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/base/error.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/catalog.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/formats/text/output.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/printable.h"
 #include "ar3d/model/settings.h"
 #include "ar3d/verify/certificate.h"
 #include "ar3d/verify/coordinate_width.h"

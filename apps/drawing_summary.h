@@ -5,7 +5,7 @@
 #include "ar3d/model/graph.h"
 #include "ar3d/model/guarantee.h"
 #include "ar3d/model/level.h"
-#include "ar3d/verify/examination.h"
+#include "ar3d/verify/checks/examination.h"
 
 namespace ar3d {
 

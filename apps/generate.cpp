@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "ar3d/base/error.h"
+#include "ar3d/base/nearest_name.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/text/output.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/generators/named.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/nearest_name.h"
 #include "ar3d/model/settings.h"
 #include "commands.h"
 #include "numbers.h"

@@ -9,10 +9,10 @@
 #include <memory>
 #include <string>
 
+#include "ar3d/base/error.h"
+#include "ar3d/base/new_file.h"
 #include "ar3d/bench/compare/git.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/new_file.h"
-#include "ar3d/results/atomic_file.h"
+#include "ar3d/store/atomic_file.h"
 #include "commands.h"
 #include "numbers.h"
 #include "outputs.h"

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 #include "ar3d/model/settings.h"
 #include "commands.h"
 #include "graph_input.h"

@@ -10,7 +10,7 @@
 #include "ar3d/formats/catalog.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/generators/named.h"
-#include "ar3d/verify/metrics.h"
+#include "ar3d/verify/metrics/metrics.h"
 #include "commands.h"
 #include "words.h"
 

@@ -8,12 +8,12 @@
 #include <fstream>
 #include <string_view>
 
+#include "ar3d/base/error.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/bench/spec/study_spec.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/printable.h"
-#include "ar3d/records/graph_file_table.h"
-#include "ar3d/results/journal/journal_format.h"
+#include "ar3d/store/columns/graph_file_table.h"
+#include "ar3d/store/journal/journal_format.h"
 
 namespace ar3d {
 namespace {

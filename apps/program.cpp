@@ -11,9 +11,9 @@
 #include <system_error>
 #include <vector>
 
-#include "ar3d/model/error.h"
-#include "ar3d/model/nearest_name.h"
-#include "ar3d/model/printable.h"
+#include "ar3d/base/error.h"
+#include "ar3d/base/nearest_name.h"
+#include "ar3d/base/printable.h"
 #include "commands.h"
 #include "program_formats.h"
 

@@ -1,8 +1,8 @@
 #include "program_formats.h"
 
+#include "ar3d/base/error.h"
 #include "ar3d/formats/drawings/catalog.h"
-#include "ar3d/model/error.h"
-#include "ar3d/results/hdf5/drawing_hdf5.h"
+#include "ar3d/store/hdf5/drawing_hdf5.h"
 #include "viewer_page.h"
 
 namespace ar3d {

@@ -5,13 +5,13 @@
 #include <memory>
 #include <string>
 
+#include "ar3d/base/error.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/bench/run/describe_study.h"
 #include "ar3d/formats/drawings/catalog.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/printable.h"
-#include "ar3d/records/run_columns.h"
-#include "ar3d/records/run_storage.h"
+#include "ar3d/store/columns/run_columns.h"
+#include "ar3d/store/run_storage.h"
 #include "commands.h"
 #include "outputs.h"
 

@@ -11,10 +11,10 @@
 
 #include "ar3d/analysis/export.h"
 #include "ar3d/analysis/google_benchmark.h"
+#include "ar3d/base/error.h"
+#include "ar3d/base/new_file.h"
 #include "ar3d/bench/keep/study_files.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/new_file.h"
-#include "ar3d/results/atomic_file.h"
+#include "ar3d/store/atomic_file.h"
 #include "commands.h"
 #include "outputs.h"
 #include "report_page.h"

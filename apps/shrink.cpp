@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 
+#include "ar3d/base/error.h"
 #include "ar3d/formats/catalog.h"
-#include "ar3d/model/error.h"
 #include "commands.h"
 #include "graph_input.h"
 #include "numbers.h"

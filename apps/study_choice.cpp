@@ -1,6 +1,6 @@
 #include "study_choice.h"
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 #include "numbers.h"
 
 namespace ar3d {

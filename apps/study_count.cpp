@@ -6,11 +6,11 @@
 #include <string>
 #include <tuple>
 
+#include "ar3d/base/error.h"
 #include "ar3d/bench/replay/count_instructions.h"
 #include "ar3d/bench/run/make_row.h"
-#include "ar3d/model/error.h"
-#include "ar3d/records/run_storage.h"
-#include "ar3d/results/atomic_file.h"
+#include "ar3d/store/atomic_file.h"
+#include "ar3d/store/run_storage.h"
 #include "commands.h"
 #include "numbers.h"
 #include "outputs.h"

@@ -7,12 +7,12 @@
 #include <fstream>
 #include <memory>
 
+#include "ar3d/base/error.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/bench/replay/keep_drawings.h"
 #include "ar3d/formats/drawings/catalog.h"
 #include "ar3d/formats/text/output.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/printable.h"
 #include "commands.h"
 #include "outputs.h"
 #include "study.h"

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <memory>
 
+#include "ar3d/base/error.h"
 #include "ar3d/bench/keep/merge_study.h"
-#include "ar3d/model/error.h"
 #include "commands.h"
 #include "outputs.h"
 #include "study.h"

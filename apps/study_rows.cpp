@@ -4,11 +4,11 @@
 #include <utility>
 #include <vector>
 
+#include "ar3d/base/error.h"
 #include "ar3d/bench/keep/journaled_study.h"
 #include "ar3d/bench/keep/study_files.h"
-#include "ar3d/model/error.h"
-#include "ar3d/records/run_columns.h"
-#include "ar3d/results/row_collection.h"
+#include "ar3d/store/columns/run_columns.h"
+#include "ar3d/store/row_collection.h"
 
 namespace ar3d {
 namespace {

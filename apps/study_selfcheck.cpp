@@ -8,7 +8,7 @@
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/bench/replay/selfcheck.h"
-#include "ar3d/records/run_storage.h"
+#include "ar3d/store/run_storage.h"
 #include "commands.h"
 #include "numbers.h"
 #include "study.h"

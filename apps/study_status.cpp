@@ -7,13 +7,13 @@
 #include <memory>
 #include <thread>
 
+#include "ar3d/base/error.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/bench/keep/journaled_study.h"
 #include "ar3d/bench/keep/study_files.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/printable.h"
-#include "ar3d/records/run_storage.h"
-#include "ar3d/results/hdf5/results_reader.h"
-#include "ar3d/results/journal/journal_reader.h"
+#include "ar3d/store/run_storage.h"
+#include "ar3d/store/hdf5/results_reader.h"
+#include "ar3d/store/journal/journal_reader.h"
 #include "commands.h"
 #include "outputs.h"
 #include "study.h"

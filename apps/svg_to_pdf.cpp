@@ -9,7 +9,7 @@
 #include <array>
 #include <cstring>
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d {
 

@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/base/error.h"
+#include "ar3d/base/nearest_name.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/nearest_name.h"
-#include "ar3d/model/printable.h"
 #include "ar3d/model/real_points.h"
-#include "ar3d/verify/examination.h"
+#include "ar3d/verify/checks/examination.h"
 #include "batches.h"
 #include "commands.h"
 #include "graph_input.h"

@@ -7,10 +7,10 @@
 #include <string>
 
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/base/error.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/drawing_html.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
-#include "ar3d/model/error.h"
 #include "commands.h"
 #include "outputs.h"
 #include "viewer_page.h"

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/base/error.h"
 #include "ar3d/formats/drawings/drawing_html.h"
 #include "ar3d/formats/text/output.h"
-#include "ar3d/model/error.h"
 #include "ar3d/verify/certificate.h"
 
 namespace ar3d {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/model/nearest_name.h"
+#include "ar3d/base/nearest_name.h"
 
 namespace ar3d {
 

@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include "ar3d/base/error.h"
+#include "ar3d/base/nearest_name.h"
 #include "ar3d/formats/graphs/adjacency_list.h"
 #include "ar3d/formats/graphs/dimacs.h"
 #include "ar3d/formats/graphs/edge_list.h"
@@ -13,8 +15,6 @@
 #include "ar3d/formats/graphs/metis.h"
 #include "ar3d/formats/graphs/metis_detection.h"
 #include "ar3d/formats/graphs/nauty_lines.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/nearest_name.h"
 
 namespace ar3d {
 namespace {

@@ -1,10 +1,10 @@
 #include "ar3d/generators/blocks.h"
 
+#include "ar3d/base/random.h"
 #include "ar3d/generators/leaf_blocks.h"
 #include "ar3d/generators/petersen_like.h"
 #include "ar3d/generators/rings.h"
 #include "ar3d/generators/unions.h"
-#include "ar3d/model/random.h"
 
 namespace ar3d {
 namespace {

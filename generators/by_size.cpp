@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "ar3d/base/error.h"
 #include "ar3d/generators/blocks.h"
 #include "ar3d/generators/kneser.h"
 #include "ar3d/generators/leaf_blocks.h"
@@ -14,7 +15,6 @@
 #include "ar3d/generators/random_regular.h"
 #include "ar3d/generators/sizes.h"
 #include "ar3d/generators/trees.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 

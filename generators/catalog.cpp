@@ -4,6 +4,9 @@
 
 #include <algorithm>
 
+#include "ar3d/base/error.h"
+#include "ar3d/base/nearest_name.h"
+#include "ar3d/base/open_table.h"
 #include "ar3d/generators/blocks.h"
 #include "ar3d/generators/by_size.h"
 #include "ar3d/generators/kneser.h"
@@ -21,9 +24,6 @@
 #include "ar3d/generators/snarks.h"
 #include "ar3d/generators/trees.h"
 #include "ar3d/generators/unions.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/nearest_name.h"
-#include "ar3d/model/open_table.h"
 
 namespace ar3d {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d {
 

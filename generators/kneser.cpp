@@ -4,7 +4,7 @@
 
 #include <bit>
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d {
 

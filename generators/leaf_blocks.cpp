@@ -5,8 +5,8 @@
 #include <numeric>
 #include <span>
 
-#include "ar3d/model/error.h"
-#include "ar3d/model/random.h"
+#include "ar3d/base/error.h"
+#include "ar3d/base/random.h"
 
 namespace ar3d {
 namespace {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ar3d/base/error.h"
 #include "ar3d/generators/kneser.h"
 #include "ar3d/generators/patches.h"
 #include "ar3d/generators/petersen_like.h"
@@ -11,7 +12,6 @@
 #include "ar3d/generators/rings.h"
 #include "ar3d/generators/snarks.h"
 #include "ar3d/generators/unions.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {

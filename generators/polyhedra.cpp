@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "ar3d/base/error.h"
 #include "ar3d/generators/unions.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "ar3d/base/error.h"
 #include "ar3d/generators/pairing.h"
 #include "ar3d/generators/switching.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {

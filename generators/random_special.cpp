@@ -6,9 +6,9 @@
 #include <numeric>
 #include <span>
 
+#include "ar3d/base/error.h"
+#include "ar3d/base/random.h"
 #include "ar3d/generators/random_regular.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/random.h"
 
 namespace ar3d {
 namespace {

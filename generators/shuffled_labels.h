@@ -1,7 +1,7 @@
 #pragma once
 
+#include "ar3d/base/random.h"
 #include "ar3d/model/graph.h"
-#include "ar3d/model/random.h"
 
 namespace ar3d {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "ar3d/base/error.h"
 #include "ar3d/generators/named.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 

@@ -5,8 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "ar3d/base/error.h"
 #include "ar3d/generators/random_matching.h"
-#include "ar3d/model/error.h"
 
 // Points are the nd places for ends of edges; point p belongs to vertex p / d. A defect is a loop
 // or a double edge. C(l, k) is the set of pairings with l loops and k double edges, no triple edge,

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "ar3d/base/random.h"
 #include "ar3d/generators/graph_builder.h"
-#include "ar3d/model/random.h"
 
 namespace ar3d {
 

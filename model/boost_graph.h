@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 #include "ar3d/model/graph.h"
 
 namespace ar3d {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <utility>
 
-#include "ar3d/model/error.h"
-#include "ar3d/model/long_vector.h"
+#include "ar3d/base/error.h"
+#include "ar3d/base/long_vector.h"
 #include "ar3d/model/real_points.h"
 
 namespace ar3d {

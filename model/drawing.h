@@ -11,8 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include "ar3d/base/hash_stream.h"
 #include "ar3d/model/graph.h"
-#include "ar3d/model/hash_stream.h"
 #include "ar3d/model/lattice.h"
 
 namespace ar3d {

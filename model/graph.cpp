@@ -7,10 +7,10 @@
 #include <set>
 #include <utility>
 
+#include "ar3d/base/error.h"
+#include "ar3d/base/hash_stream.h"
 #include "ar3d/model/adjacency_lists.h"
 #include "ar3d/model/canonical_edges.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/hash_stream.h"
 
 namespace ar3d {
 namespace {

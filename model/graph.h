@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/model/threads.h"
+#include "ar3d/base/threads.h"
 
 namespace ar3d {
 

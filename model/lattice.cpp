@@ -10,8 +10,8 @@
 #include <initializer_list>
 #include <numeric>
 
+#include "ar3d/base/error.h"
 #include "ar3d/model/cosine_comparison.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <charconv>
 
-#include "ar3d/model/error.h"
-#include "ar3d/model/nearest_name.h"
+#include "ar3d/base/error.h"
+#include "ar3d/base/nearest_name.h"
 
 namespace ar3d {
 namespace {

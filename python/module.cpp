@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/base/error.h"
 #include "ar3d/formats/drawings/embedding.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/model/error.h"
 #include "ar3d/verify/certificate.h"
 
 namespace ar3d {

@@ -5,16 +5,16 @@
 #include <algorithm>
 #include <optional>
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 #include "ar3d/verify/assessment/examine_real.h"
-#include "ar3d/verify/checks.h"
-#include "ar3d/verify/contacts.h"
-#include "ar3d/verify/crossings.h"
-#include "ar3d/verify/examination.h"
-#include "ar3d/verify/examination_pass.h"
-#include "ar3d/verify/findings.h"
+#include "ar3d/verify/checks/checks.h"
+#include "ar3d/verify/checks/contacts.h"
+#include "ar3d/verify/checks/examination.h"
+#include "ar3d/verify/checks/examination_pass.h"
+#include "ar3d/verify/checks/findings.h"
+#include "ar3d/verify/crossings/crossings.h"
+#include "ar3d/verify/crossings/segments.h"
 #include "ar3d/verify/modes/mode_verdict.h"
-#include "ar3d/verify/segments.h"
 
 namespace ar3d {
 namespace {

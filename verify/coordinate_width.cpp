@@ -6,10 +6,10 @@
 #include <array>
 #include <limits>
 
-#include "ar3d/model/error.h"
-#include "ar3d/model/nearest_name.h"
-#include "ar3d/model/printable.h"
-#include "ar3d/verify/functional.h"
+#include "ar3d/base/error.h"
+#include "ar3d/base/nearest_name.h"
+#include "ar3d/base/printable.h"
+#include "ar3d/verify/metrics/functional.h"
 
 namespace ar3d {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ar3d/verify/metrics.h"
+#include "ar3d/verify/metrics/metrics.h"
 
 namespace ar3d {
 

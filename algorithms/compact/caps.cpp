@@ -3,7 +3,7 @@
 // question, O(sqrt n) memory. Used in the zones only.
 #include "ar3d/algorithms/compact/caps.h"
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::compact {
 

@@ -6,7 +6,7 @@
 
 #include <cstdlib>
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 #if defined(__x86_64__) && defined(__GNUC__)
 #include <immintrin.h>

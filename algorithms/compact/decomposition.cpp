@@ -3,7 +3,7 @@
 #include "ar3d/algorithms/compact/decomposition.h"
 
 #include "ar3d/algorithms/diamond/interleaved.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::compact {
 

@@ -6,7 +6,7 @@
 
 #include "ar3d/algorithms/compact/strip.h"
 #include "ar3d/algorithms/strips/search.h"
-#include "ar3d/model/random.h"
+#include "ar3d/base/random.h"
 
 namespace ar3d::compact {
 

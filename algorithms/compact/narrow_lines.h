@@ -10,7 +10,7 @@
 #include "ar3d/algorithms/compact/placement.h"
 #include "ar3d/algorithms/compact/words.h"
 #include "ar3d/algorithms/strips/lines.h"
-#include "ar3d/model/long_vector.h"
+#include "ar3d/base/long_vector.h"
 
 namespace ar3d::compact {
 

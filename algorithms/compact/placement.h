@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ar3d/algorithms/compact/letters.h"
-#include "ar3d/model/threads.h"
+#include "ar3d/base/threads.h"
 
 namespace ar3d::compact {
 

@@ -8,7 +8,7 @@
 #include <bit>
 
 #include "ar3d/algorithms/strips/square_root.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::compact {
 

@@ -3,7 +3,7 @@
 // (Lemma D.8). Cost: O(n).
 #include "ar3d/algorithms/compact_120/arms.h"
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::compact_120 {
 namespace {

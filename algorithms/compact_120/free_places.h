@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ar3d/algorithms/compact_120/letters.h"
-#include "ar3d/model/long_vector.h"
+#include "ar3d/base/long_vector.h"
 
 namespace ar3d::compact_120 {
 

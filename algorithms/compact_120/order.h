@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "ar3d/base/long_vector.h"
 #include "ar3d/model/graph.h"
-#include "ar3d/model/long_vector.h"
 
 namespace ar3d::compact_120 {
 

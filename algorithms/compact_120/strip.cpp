@@ -4,7 +4,7 @@
 // D.7).
 #include "ar3d/algorithms/compact_120/strip.h"
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::compact_120 {
 namespace {

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "ar3d/algorithms/diamond/buckets.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::diamond {
 namespace {

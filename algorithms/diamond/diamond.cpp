@@ -11,7 +11,7 @@
 #include "ar3d/algorithms/diamond/in_threads.h"
 #include "ar3d/algorithms/diamond/interleaved.h"
 #include "ar3d/algorithms/diamond/routes.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::diamond {
 namespace {

@@ -8,7 +8,7 @@
 #include <system_error>
 #include <vector>
 
-#include "ar3d/model/threads.h"
+#include "ar3d/base/threads.h"
 
 namespace ar3d::diamond {
 

@@ -7,8 +7,8 @@
 #include "ar3d/algorithms/diamond/in_threads.h"
 #include "ar3d/algorithms/diamond/interleaved.h"
 #include "ar3d/algorithms/diamond/trails.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/long_vector.h"
+#include "ar3d/base/error.h"
+#include "ar3d/base/long_vector.h"
 
 namespace ar3d::diamond {
 namespace {

@@ -10,8 +10,8 @@
 #include "ar3d/algorithms/diamond/interleaved.h"
 #include "ar3d/algorithms/diamond/lane_buffer.h"
 #include "ar3d/algorithms/diamond/two_bit_marks.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/long_vector.h"
+#include "ar3d/base/error.h"
+#include "ar3d/base/long_vector.h"
 
 namespace ar3d::diamond {
 namespace {

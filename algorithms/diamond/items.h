@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ar3d/algorithms/diamond/colouring.h"
-#include "ar3d/model/threads.h"
+#include "ar3d/base/threads.h"
 
 namespace ar3d::diamond {
 

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "ar3d/model/random.h"
+#include "ar3d/base/random.h"
 
 namespace ar3d::diamond {
 namespace {

@@ -6,7 +6,7 @@
 #include <mutex>
 #include <span>
 
-#include "ar3d/model/threads.h"
+#include "ar3d/base/threads.h"
 
 namespace ar3d::diamond {
 

@@ -14,8 +14,8 @@
 #include <limits>
 
 #include "ar3d/algorithms/diamond/two_bit_marks.h"
+#include "ar3d/base/threads.h"
 #include "ar3d/model/graph.h"
-#include "ar3d/model/threads.h"
 
 namespace ar3d::diamond {
 

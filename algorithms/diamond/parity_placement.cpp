@@ -9,7 +9,7 @@
 #include "ar3d/algorithms/diamond/ahead.h"
 #include "ar3d/algorithms/diamond/in_threads.h"
 #include "ar3d/algorithms/diamond/ordering.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::diamond {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "ar3d/algorithms/diamond/in_threads.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::diamond {
 namespace {

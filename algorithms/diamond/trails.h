@@ -14,9 +14,9 @@
 #include "ar3d/algorithms/diamond/linked_records.h"
 #include "ar3d/algorithms/diamond/two_bit_marks.h"
 #include "ar3d/algorithms/diamond/walk_lanes.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
+#include "ar3d/base/threads.h"
 #include "ar3d/model/graph.h"
-#include "ar3d/model/threads.h"
 
 namespace ar3d::diamond {
 

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::grid {
 namespace {

@@ -13,7 +13,7 @@
 #include "ar3d/algorithms/grid/pack.h"
 #include "ar3d/algorithms/grid/planes.h"
 #include "ar3d/algorithms/grid/routes.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::grid {
 namespace {

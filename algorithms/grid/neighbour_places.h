@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "ar3d/algorithms/grid/order.h"
+#include "ar3d/base/threads.h"
 #include "ar3d/model/graph.h"
-#include "ar3d/model/threads.h"
 
 namespace ar3d::grid {
 

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "ar3d/algorithms/grid/number_set.h"
-#include "ar3d/model/random.h"
+#include "ar3d/base/random.h"
 
 namespace ar3d::grid {
 

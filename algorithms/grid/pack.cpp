@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "ar3d/algorithms/grid/routes.h"
+#include "ar3d/base/error.h"
 #include "ar3d/model/drawing.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d::grid {
 namespace {

@@ -10,7 +10,7 @@
 #include "ar3d/algorithms/grid/number_set.h"
 #include "ar3d/algorithms/grid/placed_graph.h"
 #include "ar3d/algorithms/grid/planes.h"
-#include "ar3d/model/random.h"
+#include "ar3d/base/random.h"
 
 namespace ar3d::grid {
 

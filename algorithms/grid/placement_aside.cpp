@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "ar3d/algorithms/grid/placement.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::grid {
 

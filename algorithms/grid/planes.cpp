@@ -11,7 +11,7 @@
 #include "ar3d/algorithms/grid/flat.h"
 #include "ar3d/algorithms/grid/placed_graph.h"
 #include "ar3d/algorithms/grid/placement.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::grid {
 namespace {

@@ -8,7 +8,7 @@
 #include "ar3d/algorithms/grid/colours.h"
 #include "ar3d/algorithms/grid/labels.h"
 #include "ar3d/algorithms/grid/order.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 #include "ar3d/model/graph.h"
 
 namespace ar3d::grid {

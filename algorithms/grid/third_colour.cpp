@@ -7,8 +7,8 @@
 #include <array>
 
 #include "ar3d/algorithms/grid/number_search.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/random.h"
+#include "ar3d/base/error.h"
+#include "ar3d/base/random.h"
 
 namespace ar3d::grid {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "ar3d/model/threads.h"
+#include "ar3d/base/threads.h"
 
 namespace ar3d::strips {
 

@@ -1,4 +1,4 @@
-// Random numbers in advance (Philox 4x32-10, model/random.h), for the cells that narrow strips try
+// Random numbers in advance (Philox 4x32-10, base/random.h), for the cells that narrow strips try
 // under Lemmas C.3 to C.5. A block is a pure function of its number, so eight of them are made side
 // by side: in 64-bit lanes the two products of a round are one instruction for four blocks. Cost: 8
 // instructions per number with AVX2.

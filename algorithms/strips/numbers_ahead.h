@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "ar3d/model/random.h"
+#include "ar3d/base/random.h"
 
 namespace ar3d::strips {
 

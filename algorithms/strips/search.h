@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "ar3d/base/random.h"
 #include "ar3d/model/graph.h"
-#include "ar3d/model/random.h"
 
 namespace ar3d::strips {
 

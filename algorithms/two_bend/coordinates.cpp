@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "ar3d/algorithms/two_bend/numeric.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {
 namespace {

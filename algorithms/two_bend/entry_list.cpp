@@ -3,7 +3,7 @@
 // O(1) per insertion, amortised.
 #include "ar3d/algorithms/two_bend/entry_list.h"
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {
 namespace {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "ar3d/algorithms/two_bend/instance_bound.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {
 namespace {

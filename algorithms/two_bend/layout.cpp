@@ -10,7 +10,7 @@
 
 #include "ar3d/algorithms/two_bend/shared_rows.h"
 #include "ar3d/algorithms/two_bend/view_list.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {
 

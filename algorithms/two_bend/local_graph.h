@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "ar3d/base/long_vector.h"
 #include "ar3d/model/graph.h"
-#include "ar3d/model/long_vector.h"
 
 namespace ar3d::two_bend {
 

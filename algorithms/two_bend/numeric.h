@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <numeric>
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {
 

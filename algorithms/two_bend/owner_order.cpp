@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "ar3d/algorithms/two_bend/root_order.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {
 

@@ -3,7 +3,7 @@
 // where they run out. Cost: amortised O(log n) per insertion, O(1) per comparison.
 #include "ar3d/algorithms/two_bend/root_order.h"
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {
 

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "ar3d/algorithms/two_bend/st_order.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {
 namespace {

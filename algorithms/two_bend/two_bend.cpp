@@ -18,7 +18,7 @@
 #include "ar3d/algorithms/two_bend/safe_layout.h"
 #include "ar3d/algorithms/two_bend/stack_slabs.h"
 #include "ar3d/algorithms/two_bend/view_list.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {
 namespace {

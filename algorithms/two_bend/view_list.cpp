@@ -10,7 +10,7 @@
 #include "ar3d/algorithms/two_bend/checks.h"
 #include "ar3d/algorithms/two_bend/coordinates.h"
 #include "ar3d/algorithms/two_bend/owner_order.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {
 namespace {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "ar3d/algorithms/two_bend_109/induced_cycles.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::two_bend_109 {
 namespace {

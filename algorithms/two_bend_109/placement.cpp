@@ -12,8 +12,8 @@
 #include "ar3d/algorithms/two_bend_109/crossings.h"
 #include "ar3d/algorithms/two_bend_109/drawn_segments.h"
 #include "ar3d/algorithms/two_bend_109/lattice.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/random.h"
+#include "ar3d/base/error.h"
+#include "ar3d/base/random.h"
 
 namespace ar3d::two_bend_109 {
 namespace {

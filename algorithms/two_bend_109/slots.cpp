@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::two_bend_109 {
 

@@ -3,7 +3,7 @@
 // images give the other corners. Cost: O(1).
 #include "ar3d/algorithms/two_bend_109/stubs.h"
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::two_bend_109 {
 namespace {

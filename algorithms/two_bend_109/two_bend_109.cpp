@@ -18,8 +18,8 @@
 #include "ar3d/algorithms/two_bend_109/partition.h"
 #include "ar3d/algorithms/two_bend_109/placement.h"
 #include "ar3d/algorithms/two_bend_109/slots.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/random.h"
+#include "ar3d/base/error.h"
+#include "ar3d/base/random.h"
 
 namespace ar3d::two_bend_109 {
 namespace {

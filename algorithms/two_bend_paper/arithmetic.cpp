@@ -3,7 +3,7 @@
 // drawings. Cost: O(1).
 #include "ar3d/algorithms/two_bend_paper/arithmetic.h"
 
-#include "ar3d/model/ieee_arithmetic.h"
+#include "ar3d/base/ieee_arithmetic.h"
 
 namespace ar3d::two_bend_paper {
 

@@ -10,7 +10,7 @@
 #include "ar3d/algorithms/two_bend_paper/clearance.h"
 #include "ar3d/algorithms/two_bend_paper/contraction.h"
 #include "ar3d/algorithms/two_bend_paper/stacking.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::two_bend_paper {
 

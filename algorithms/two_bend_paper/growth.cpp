@@ -8,7 +8,7 @@
 #include <deque>
 
 #include "ar3d/algorithms/two_bend_paper/cycles.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d::two_bend_paper {
 namespace {

@@ -17,7 +17,7 @@
 #include "ar3d/algorithms/two_bend_paper/expansion.h"
 #include "ar3d/algorithms/two_bend_paper/placement.h"
 #include "ar3d/algorithms/two_bend_paper/stacking.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 #include "ar3d/model/real_drawing.h"
 
 namespace ar3d::two_bend_paper {

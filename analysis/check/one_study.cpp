@@ -5,7 +5,7 @@
 
 #include "ar3d/analysis/check.h"
 #include "ar3d/analysis/text.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d {
 

@@ -11,7 +11,7 @@
 #include <span>
 #include <tuple>
 
-#include "ar3d/records/asked_certificate.h"
+#include "ar3d/store/columns/asked_certificate.h"
 
 namespace ar3d {
 namespace {

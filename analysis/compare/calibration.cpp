@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ar3d/model/random.h"
+#include "ar3d/base/random.h"
 
 namespace ar3d {
 namespace {

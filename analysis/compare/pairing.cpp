@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "ar3d/analysis/statistics.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ar3d/analysis/curves.h"
-#include "ar3d/records/run_storage.h"
+#include "ar3d/store/run_storage.h"
 
 namespace ar3d {
 

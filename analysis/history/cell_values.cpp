@@ -7,7 +7,7 @@
 #include <limits>
 #include <tuple>
 
-#include "ar3d/results/study_identity.h"
+#include "ar3d/store/study_identity.h"
 
 namespace ar3d {
 namespace {

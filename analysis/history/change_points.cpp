@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "ar3d/analysis/history/split.h"
-#include "ar3d/model/random.h"
+#include "ar3d/base/random.h"
 
 namespace ar3d {
 namespace {

@@ -12,8 +12,8 @@
 
 #include "ar3d/analysis/compare/environment_change.h"
 #include "ar3d/analysis/text.h"
-#include "ar3d/model/error.h"
-#include "ar3d/records/graph_file_table.h"
+#include "ar3d/base/error.h"
+#include "ar3d/store/columns/graph_file_table.h"
 
 namespace ar3d {
 namespace {

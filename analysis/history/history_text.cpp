@@ -8,7 +8,7 @@
 #include "ar3d/analysis/history/changes_in_order.h"
 #include "ar3d/analysis/report/html.h"
 #include "ar3d/analysis/text.h"
-#include "ar3d/model/printable.h"
+#include "ar3d/base/printable.h"
 
 namespace ar3d {
 namespace {

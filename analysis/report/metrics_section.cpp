@@ -1,4 +1,4 @@
-// Every metric of verify/metrics.h in one table, whatever metrics there are.
+// Every metric of verify/metrics/metrics.h in one table, whatever metrics there are.
 #include <fmt/format.h>
 
 #include <algorithm>

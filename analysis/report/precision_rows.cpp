@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "ar3d/analysis/report/precision.h"
-#include "ar3d/records/asked_certificate.h"
-#include "ar3d/records/run_columns.h"
+#include "ar3d/store/columns/asked_certificate.h"
+#include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d::report {
 namespace {

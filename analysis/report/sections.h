@@ -10,7 +10,7 @@
 
 #include "ar3d/analysis/report.h"
 #include "ar3d/analysis/report/page.h"
-#include "ar3d/records/algorithm_table.h"
+#include "ar3d/store/columns/algorithm_table.h"
 
 namespace ar3d::report {
 
@@ -66,7 +66,7 @@ std::string graph_button(Page& page, std::size_t curve, const DrawnGraph& graph,
                          const std::string& text);
 /// Batches of strong and weak scaling against the ideal; empty if there are none.
 std::string strong_weak_section(Page& page);
-/// Every metric of verify/metrics.h: unit, definition, and its median and range by setting.
+/// Every metric of verify/metrics/metrics.h: unit, definition, and its median and range by setting.
 std::string metrics_section(const StudyAnalysis& analysis, const std::vector<Section>& sections);
 /// Environment, spec and methods.
 std::string background(const RowView& rows);

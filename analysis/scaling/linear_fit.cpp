@@ -5,8 +5,8 @@
 #include <limits>
 #include <utility>
 
-#include "ar3d/model/error.h"
-#include "ar3d/records/run_record.h"
+#include "ar3d/base/error.h"
+#include "ar3d/store/columns/run_record.h"
 
 namespace ar3d {
 namespace {

@@ -16,7 +16,7 @@
 #include <thread>
 
 #include "../join_ranks.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 #ifdef __SANITIZE_ADDRESS__
 // OpenMPI's plugins never free their tables and are unloaded before leaks are looked for, so no

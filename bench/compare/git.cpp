@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "ar3d/base/error.h"
 #include "ar3d/bench/measure/child_process.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 

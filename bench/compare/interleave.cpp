@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <fstream>
 
+#include "ar3d/base/error.h"
 #include "ar3d/bench/measure/child_process.h"
 #include "ar3d/bench/measure/interruption.h"
 #include "ar3d/bench/measure/pinning.h"
 #include "ar3d/bench/measure/stopwatch.h"
 #include "ar3d/bench/spec/movable_text.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {

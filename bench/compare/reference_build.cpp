@@ -10,11 +10,11 @@
 #include <iterator>
 #include <vector>
 
+#include "ar3d/base/error.h"
+#include "ar3d/base/new_file.h"
 #include "ar3d/bench/compare/git.h"
 #include "ar3d/bench/measure/child_process.h"
 #include "ar3d/bench/measure/interruption.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/new_file.h"
 
 namespace ar3d {
 namespace {

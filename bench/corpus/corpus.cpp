@@ -7,11 +7,11 @@
 #include <queue>
 #include <utility>
 
+#include "ar3d/base/error.h"
+#include "ar3d/base/hash_stream.h"
+#include "ar3d/base/random.h"
 #include "ar3d/bench/corpus/subgraphs.h"
 #include "ar3d/formats/catalog.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/hash_stream.h"
-#include "ar3d/model/random.h"
 
 namespace ar3d {
 namespace {

@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <span>
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d {
 namespace {

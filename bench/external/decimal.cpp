@@ -4,9 +4,9 @@
 
 #include <cstdlib>
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/model/lattice.h"
-#include "ar3d/model/printable.h"
 
 namespace ar3d {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "ar3d/base/error.h"
 #include "ar3d/formats/graphs/graph6.h"
 #include "ar3d/formats/graphs/sparse6.h"
 #include "ar3d/formats/text/numbers_text.h"
-#include "ar3d/model/error.h"
 #include "ar3d/model/settings.h"
 
 namespace ar3d {

@@ -19,8 +19,8 @@
 #include <ctime>
 #include <limits>
 
+#include "ar3d/base/printable.h"
 #include "ar3d/bench/measure/stopwatch.h"
-#include "ar3d/model/printable.h"
 
 namespace ar3d {
 namespace {

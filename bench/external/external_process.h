@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/model/descriptor.h"
-#include "ar3d/records/run_record.h"
+#include "ar3d/base/descriptor.h"
+#include "ar3d/store/columns/run_record.h"
 
 namespace ar3d {
 

@@ -12,11 +12,11 @@
 #include <utility>
 #include <vector>
 
+#include "ar3d/base/error.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/bench/external/decimal.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/formats/text/byte_source.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/printable.h"
 
 namespace ar3d {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <sstream>
 
-#include "ar3d/results/study_identity.h"
+#include "ar3d/store/study_identity.h"
 
 namespace ar3d {
 namespace {

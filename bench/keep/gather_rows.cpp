@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "ar3d/model/error.h"
-#include "ar3d/records/run_storage.h"
+#include "ar3d/base/error.h"
+#include "ar3d/store/run_storage.h"
 
 namespace ar3d {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "ar3d/bench/plan/plan.h"
-#include "ar3d/records/run_storage.h"
-#include "ar3d/results/row_collection.h"
+#include "ar3d/store/run_storage.h"
+#include "ar3d/store/row_collection.h"
 
 namespace ar3d {
 

@@ -9,6 +9,9 @@
 #include <memory>
 #include <optional>
 
+#include "ar3d/base/error.h"
+#include "ar3d/base/new_file.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/bench/keep/gather_rows.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/bench/measure/environment.h"
@@ -20,17 +23,14 @@
 #include "ar3d/bench/run/describe_study.h"
 #include "ar3d/bench/run/make_rows.h"
 #include "ar3d/bench/run/rank_batch.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/new_file.h"
-#include "ar3d/model/printable.h"
-#include "ar3d/records/run_columns.h"
-#include "ar3d/records/run_storage.h"
-#include "ar3d/results/atomic_file.h"
-#include "ar3d/results/hdf5/results_reader.h"
-#include "ar3d/results/journal/journal_format.h"
-#include "ar3d/results/journal/journal_reader.h"
-#include "ar3d/results/journal/journal_writer.h"
-#include "ar3d/results/row_collection.h"
+#include "ar3d/store/atomic_file.h"
+#include "ar3d/store/columns/run_columns.h"
+#include "ar3d/store/run_storage.h"
+#include "ar3d/store/hdf5/results_reader.h"
+#include "ar3d/store/journal/journal_format.h"
+#include "ar3d/store/journal/journal_reader.h"
+#include "ar3d/store/journal/journal_writer.h"
+#include "ar3d/store/row_collection.h"
 
 namespace ar3d {
 namespace {

@@ -7,7 +7,7 @@
 #include "ar3d/bench/run/making.h"
 #include "ar3d/bench/run/ranks.h"
 #include "ar3d/bench/spec/study_spec.h"
-#include "ar3d/records/run_record.h"
+#include "ar3d/store/columns/run_record.h"
 
 namespace ar3d {
 

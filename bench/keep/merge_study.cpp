@@ -5,12 +5,12 @@
 #include <map>
 #include <string_view>
 
+#include "ar3d/base/error.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/bench/keep/gather_rows.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/printable.h"
-#include "ar3d/records/run_storage.h"
-#include "ar3d/results/atomic_file.h"
-#include "ar3d/results/row_collection.h"
+#include "ar3d/store/atomic_file.h"
+#include "ar3d/store/run_storage.h"
+#include "ar3d/store/row_collection.h"
 
 namespace ar3d {
 namespace {

@@ -14,10 +14,10 @@
 #include <optional>
 #include <string_view>
 
-#include "ar3d/model/error.h"
-#include "ar3d/records/run_storage.h"
-#include "ar3d/results/hdf5/results_reader.h"
-#include "ar3d/results/journal/journal_reader.h"
+#include "ar3d/base/error.h"
+#include "ar3d/store/run_storage.h"
+#include "ar3d/store/hdf5/results_reader.h"
+#include "ar3d/store/journal/journal_reader.h"
 
 namespace ar3d {
 namespace {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/model/descriptor.h"
-#include "ar3d/results/study_identity.h"
+#include "ar3d/base/descriptor.h"
+#include "ar3d/store/study_identity.h"
 
 namespace ar3d {
 

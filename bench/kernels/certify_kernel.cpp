@@ -24,8 +24,8 @@
 #include "ar3d/bench/measure/one_thread.h"
 #include "ar3d/bench/measure/stopwatch.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/verify/closest_pair.h"
-#include "ar3d/verify/examination.h"
+#include "ar3d/verify/checks/examination.h"
+#include "ar3d/verify/metrics/closest_pair.h"
 #include "ar3d/verify/predicates/widest_integers.h"
 #include "inputs.h"
 

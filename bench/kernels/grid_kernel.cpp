@@ -22,8 +22,8 @@
 #include <vector>
 
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/base/random.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/model/random.h"
 #include "search.h"
 
 namespace ar3d {

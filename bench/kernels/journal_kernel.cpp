@@ -33,12 +33,12 @@
 #include "ar3d/bench/measure/stopwatch.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/run/make_rows.h"
-#include "ar3d/records/run_columns.h"
-#include "ar3d/records/run_storage.h"
-#include "ar3d/results/journal/journal_reader.h"
-#include "ar3d/results/journal/journal_writer.h"
+#include "ar3d/store/columns/run_columns.h"
+#include "ar3d/store/run_storage.h"
+#include "ar3d/store/journal/journal_reader.h"
+#include "ar3d/store/journal/journal_writer.h"
 #include "ar3d/verify/certificate.h"
-#include "ar3d/verify/metrics.h"
+#include "ar3d/verify/metrics/metrics.h"
 
 namespace ar3d {
 namespace {

@@ -12,8 +12,8 @@
 #include <cstring>
 #include <thread>
 
+#include "ar3d/base/error.h"
 #include "ar3d/bench/measure/interruption.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {

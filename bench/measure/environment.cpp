@@ -16,10 +16,10 @@
 #include <string_view>
 #include <thread>
 
+#include "ar3d/base/error.h"
 #include "ar3d/bench/measure/hardware_counters.h"
 #include "ar3d/bench/measure/pinning.h"
-#include "ar3d/model/error.h"
-#include "ar3d/results/hdf5/results_reader.h"
+#include "ar3d/store/hdf5/results_reader.h"
 #include "ar3d_build_info.h"
 
 namespace ar3d {

@@ -15,9 +15,9 @@
 #include <new>
 #include <string_view>
 
+#include "ar3d/base/error.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/one_thread.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {

@@ -9,10 +9,10 @@
 #include <map>
 #include <utility>
 
+#include "ar3d/base/error.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/bench/spec/read_graphs.h"
 #include "ar3d/generators/shuffled_labels.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/printable.h"
 
 namespace ar3d {
 namespace {

@@ -7,8 +7,8 @@
 #include <set>
 #include <tuple>
 
+#include "ar3d/base/error.h"
 #include "ar3d/bench/plan/corpora.h"
-#include "ar3d/model/error.h"
 #include "ar3d/model/settings.h"
 
 namespace ar3d {

@@ -5,12 +5,12 @@
 #include <concepts>
 #include <string_view>
 
+#include "ar3d/base/error.h"
+#include "ar3d/base/random.h"
 #include "ar3d/bench/corpus/subgraphs.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/plan/plan.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/random.h"
-#include "ar3d/results/row_key.h"
+#include "ar3d/store/columns/row_key.h"
 
 namespace ar3d {
 namespace {

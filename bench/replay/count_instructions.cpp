@@ -16,10 +16,10 @@
 #include <string_view>
 #include <vector>
 
+#include "ar3d/base/error.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/formats/catalog.h"
-#include "ar3d/model/error.h"
 #include "ar3d/model/settings.h"
 
 // A name without mangling that no optimiser may remove: callgrind counts from its entry to its end.

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "ar3d/bench/replay/replay_row.h"
-#include "ar3d/records/run_record.h"
+#include "ar3d/store/columns/run_record.h"
 
 namespace ar3d {
 

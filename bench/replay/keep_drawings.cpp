@@ -15,7 +15,7 @@
 #include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/bench/run/make_row.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
-#include "ar3d/records/run_columns.h"
+#include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d {
 namespace {

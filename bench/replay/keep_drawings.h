@@ -7,8 +7,8 @@
 
 #include "ar3d/bench/spec/kept_drawings.h"
 #include "ar3d/formats/text/output.h"
-#include "ar3d/records/run_record.h"
-#include "ar3d/results/study_identity.h"
+#include "ar3d/store/columns/run_record.h"
+#include "ar3d/store/study_identity.h"
 
 namespace ar3d {
 

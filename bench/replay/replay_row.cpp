@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
+#include "ar3d/base/error.h"
 #include "ar3d/bench/external/external_drawer.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/run/make_row.h"
 #include "ar3d/bench/spec/study_spec.h"
-#include "ar3d/model/error.h"
 #include "ar3d/model/settings.h"
-#include "ar3d/records/asked_certificate.h"
+#include "ar3d/store/columns/asked_certificate.h"
 
 namespace ar3d {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "ar3d/bench/plan/plan.h"
-#include "ar3d/records/run_record.h"
+#include "ar3d/store/columns/run_record.h"
 
 namespace ar3d {
 

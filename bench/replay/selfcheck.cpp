@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "ar3d/base/random.h"
 #include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/bench/run/make_row.h"
-#include "ar3d/model/random.h"
-#include "ar3d/records/run_columns.h"
+#include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d {
 

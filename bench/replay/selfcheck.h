@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ar3d/bench/replay/replay_row.h"
-#include "ar3d/records/run_storage.h"
+#include "ar3d/store/run_storage.h"
 
 namespace ar3d {
 

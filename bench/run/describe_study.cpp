@@ -8,12 +8,12 @@
 #include <map>
 #include <utility>
 
+#include "ar3d/base/error.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/bench/external/program_files.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/plan/plan.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/printable.h"
 
 namespace ar3d {
 namespace {

@@ -13,11 +13,11 @@
 #include <tuple>
 #include <type_traits>
 
+#include "ar3d/base/error.h"
 #include "ar3d/bench/measure/limited_process.h"
 #include "ar3d/bench/measure/one_thread.h"
 #include "ar3d/bench/measure/stopwatch.h"
 #include "ar3d/bench/run/make_row.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {

@@ -6,16 +6,16 @@
 #include <new>
 
 #include "ar3d/algorithms/degree_limit.h"
+#include "ar3d/base/error.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/stopwatch.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/formats/text/output.h"
-#include "ar3d/model/error.h"
-#include "ar3d/records/algorithm_table.h"
-#include "ar3d/records/asked_certificate.h"
-#include "ar3d/records/run_columns.h"
-#include "ar3d/verify/angles.h"
-#include "ar3d/verify/examination.h"
+#include "ar3d/store/columns/algorithm_table.h"
+#include "ar3d/store/columns/asked_certificate.h"
+#include "ar3d/store/columns/run_columns.h"
+#include "ar3d/verify/checks/angles.h"
+#include "ar3d/verify/checks/examination.h"
 
 namespace ar3d {
 namespace {

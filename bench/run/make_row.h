@@ -9,7 +9,7 @@
 #include "ar3d/bench/measure/row_memory.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/model/graph.h"
-#include "ar3d/records/run_record.h"
+#include "ar3d/store/columns/run_record.h"
 
 namespace ar3d {
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "ar3d/base/error.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/pinning.h"
 #include "ar3d/bench/plan/work_order.h"
@@ -12,7 +13,6 @@
 #include "ar3d/bench/run/row_source.h"
 #include "ar3d/bench/run/scaling_phase.h"
 #include "ar3d/bench/run/timing_phase.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {

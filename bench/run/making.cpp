@@ -2,10 +2,10 @@
 
 #include <omp.h>
 
+#include "ar3d/base/error.h"
 #include "ar3d/bench/measure/interruption.h"
 #include "ar3d/bench/plan/work_order.h"
 #include "ar3d/bench/run/make_row.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {

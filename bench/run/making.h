@@ -14,7 +14,7 @@
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/run/progress.h"
 #include "ar3d/bench/run/ranks.h"
-#include "ar3d/records/run_record.h"
+#include "ar3d/store/columns/run_record.h"
 
 namespace ar3d {
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <sstream>
 
-#include "ar3d/model/error.h"
-#include "ar3d/records/run_columns.h"
+#include "ar3d/base/error.h"
+#include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d {
 namespace {

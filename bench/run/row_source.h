@@ -7,7 +7,7 @@
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/run/make_row.h"
 #include "ar3d/bench/run/making.h"
-#include "ar3d/records/run_record.h"
+#include "ar3d/store/columns/run_record.h"
 
 namespace ar3d {
 

@@ -5,9 +5,9 @@
 #include <mutex>
 #include <unordered_map>
 
+#include "ar3d/base/error.h"
 #include "ar3d/bench/plan/work_order.h"
 #include "ar3d/bench/run/precision.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {

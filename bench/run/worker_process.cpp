@@ -20,9 +20,9 @@
 #include <set>
 #include <vector>
 
+#include "ar3d/base/error.h"
 #include "ar3d/bench/measure/pinning.h"
-#include "ar3d/model/error.h"
-#include "ar3d/records/run_columns.h"
+#include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d {
 namespace {

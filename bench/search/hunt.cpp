@@ -7,8 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "ar3d/base/error.h"
 #include "ar3d/generators/shuffled_labels.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {

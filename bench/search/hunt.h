@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
+#include "ar3d/base/random.h"
 #include "ar3d/bench/search/trial.h"
-#include "ar3d/model/random.h"
 
 namespace ar3d {
 

@@ -10,8 +10,8 @@
 #include <memory>
 #include <optional>
 
-#include "ar3d/model/error.h"
-#include "ar3d/model/nearest_name.h"
+#include "ar3d/base/error.h"
+#include "ar3d/base/nearest_name.h"
 
 namespace ar3d {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 #include "ar3d/verify/certificate.h"
 
 namespace ar3d {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d {
 namespace {

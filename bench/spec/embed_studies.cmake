@@ -1,6 +1,6 @@
-# Writes ar3d_named_studies.h: every studies/*.toml as a row of the catalogue of named studies, its text byte for byte.
+# Writes ar3d_named_studies.h: every bench/studies/*.toml as a row of the catalogue of named studies, its text byte for byte.
 # Included by bench/CMakeLists.txt; a changed or new file configures again.
-file(GLOB study_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/studies/*.toml)
+file(GLOB study_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/bench/studies/*.toml)
 set(study_rows "")
 foreach(study_file IN LISTS study_files)
   get_filename_component(study_name ${study_file} NAME_WE)
@@ -15,7 +15,7 @@ foreach(study_file IN LISTS study_files)
     "    {\"${study_name}\", R\"text(${study_description})text\", ${study_literal}},\n")
 endforeach()
 file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/ar3d_named_studies.h @ONLY CONTENT
-"// Made from studies/*.toml by bench/spec/embed_studies.cmake.
+"// Made from bench/studies/*.toml by bench/spec/embed_studies.cmake.
 namespace ar3d {
 inline constexpr NamedStudy kNamedStudies[] = {
 @study_rows@};

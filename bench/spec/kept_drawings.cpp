@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "ar3d/model/error.h"
-#include "ar3d/model/nearest_name.h"
-#include "ar3d/model/printable.h"
+#include "ar3d/base/error.h"
+#include "ar3d/base/nearest_name.h"
+#include "ar3d/base/printable.h"
 
 namespace ar3d {
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "ar3d/base/error.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/bench/spec/toml_table.h"
 #include "ar3d/formats/catalog.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/printable.h"
 
 namespace ar3d {
 namespace {

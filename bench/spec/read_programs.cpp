@@ -6,10 +6,10 @@
 #include <limits>
 #include <numeric>
 
+#include "ar3d/base/error.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/bench/spec/read_graphs.h"
 #include "ar3d/bench/spec/toml_table.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/printable.h"
 
 namespace ar3d {
 namespace {

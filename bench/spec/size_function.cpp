@@ -8,7 +8,7 @@
 #include <span>
 #include <string_view>
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d {
 namespace {

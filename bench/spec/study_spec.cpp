@@ -13,6 +13,9 @@
 #include <iterator>
 #include <limits>
 
+#include "ar3d/base/error.h"
+#include "ar3d/base/nearest_name.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/bench/spec/batch_rules.h"
 #include "ar3d/bench/spec/combinations.h"
 #include "ar3d/bench/spec/named_studies.h"
@@ -20,9 +23,6 @@
 #include "ar3d/bench/spec/read_measures.h"
 #include "ar3d/bench/spec/read_programs.h"
 #include "ar3d/bench/spec/toml_table.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/nearest_name.h"
-#include "ar3d/model/printable.h"
 
 namespace ar3d {
 namespace {

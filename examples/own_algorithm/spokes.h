@@ -2,7 +2,7 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/verify/metrics.h"
+#include "ar3d/verify/metrics/metrics.h"
 
 namespace spokes {
 

@@ -5,14 +5,14 @@
 
 #include <utility>
 
+#include "ar3d/base/error.h"
+#include "ar3d/base/nearest_name.h"
+#include "ar3d/base/open_table.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/drawing_exports.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/formats/drawings/drawing_svg.h"
 #include "ar3d/formats/text/output.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/nearest_name.h"
-#include "ar3d/model/open_table.h"
 
 namespace ar3d {
 namespace {

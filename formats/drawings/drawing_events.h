@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "ar3d/base/error.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
-#include "ar3d/model/error.h"
 #include "ar3d/model/real_points.h"
 
 namespace ar3d {

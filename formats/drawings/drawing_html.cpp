@@ -7,9 +7,9 @@
 #include <string_view>
 #include <utility>
 
+#include "ar3d/base/error.h"
 #include "ar3d/formats/drawings/edge_roles.h"
 #include "ar3d/formats/drawings/packed_geometry.h"
-#include "ar3d/model/error.h"
 #include "ar3d_viewer.h"
 
 namespace ar3d {

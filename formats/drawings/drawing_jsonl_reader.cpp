@@ -3,10 +3,10 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "ar3d/base/error.h"
 #include "ar3d/formats/drawings/drawing_events.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/formats/text/line_shapes.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 

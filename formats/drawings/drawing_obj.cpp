@@ -1,5 +1,5 @@
+#include "ar3d/base/printable.h"
 #include "ar3d/formats/drawings/export_parts.h"
-#include "ar3d/model/printable.h"
 
 namespace ar3d {
 namespace {

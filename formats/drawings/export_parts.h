@@ -5,10 +5,10 @@
 #include <string_view>
 #include <vector>
 
+#include "ar3d/base/error.h"
 #include "ar3d/formats/drawings/drawing_exports.h"
 #include "ar3d/formats/drawings/edge_roles.h"
 #include "ar3d/formats/drawings/embedding.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <optional>
 
+#include "ar3d/base/error.h"
 #include "ar3d/formats/drawings/embedding.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "ar3d/base/error.h"
 #include "ar3d/formats/text/text_input.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <variant>
 
+#include "ar3d/base/error.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d::fuzz {
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "ar3d/base/error.h"
 #include "ar3d/formats/catalog.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d::fuzz {
 

@@ -6,11 +6,11 @@
 #include <limits>
 #include <utility>
 
+#include "ar3d/base/error.h"
+#include "ar3d/base/long_vector.h"
 #include "ar3d/formats/graphs/plain_pairs.h"
 #include "ar3d/formats/graphs/simplify.h"
 #include "ar3d/formats/graphs/vertex_limit.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/long_vector.h"
 
 namespace ar3d {
 namespace {

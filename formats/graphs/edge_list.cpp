@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 
+#include "ar3d/base/error.h"
 #include "ar3d/formats/graphs/edge_collector.h"
 #include "ar3d/formats/text/line_shapes.h"
 #include "ar3d/formats/text/numbers_text.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "ar3d/base/error.h"
 #include "ar3d/formats/graphs/vertex_limit.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {

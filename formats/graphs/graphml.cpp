@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "ar3d/base/error.h"
 #include "ar3d/formats/graphs/node_ids.h"
 #include "ar3d/formats/graphs/simplify.h"
 #include "ar3d/formats/text/numbers_text.h"
-#include "ar3d/model/error.h"
 
 // The whole document is read into pugixml's tree, which expands no entity that a document defines
 // itself and parses without recursion: neither bombs of entities nor deep nesting cost more than

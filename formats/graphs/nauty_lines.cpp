@@ -4,11 +4,11 @@
 
 #include <utility>
 
+#include "ar3d/base/error.h"
 #include "ar3d/formats/graphs/graph6.h"
 #include "ar3d/formats/graphs/simplify.h"
 #include "ar3d/formats/graphs/sparse6.h"
 #include "ar3d/formats/text/line_shapes.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {

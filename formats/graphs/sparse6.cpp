@@ -7,8 +7,8 @@
 #include <iterator>
 #include <span>
 
+#include "ar3d/base/error.h"
 #include "ar3d/formats/graphs/vertex_limit.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {

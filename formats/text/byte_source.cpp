@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d {
 namespace {

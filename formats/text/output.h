@@ -4,12 +4,12 @@
 #include <string>
 #include <string_view>
 
-#include "ar3d/model/new_file.h"
+#include "ar3d/base/new_file.h"
 
 namespace ar3d {
 
 /// A file being written. A regular file appears under its name only when commit() has succeeded
-/// (model/new_file.h). "-" is standard output; devices and pipes are written directly.
+/// (base/new_file.h). "-" is standard output; devices and pipes are written directly.
 class OutputFile {
  public:
   /// @throws InputError if the file cannot be written (directory, no permission, no such folder).

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <utility>
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 namespace ar3d {
 namespace {

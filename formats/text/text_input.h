@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "ar3d/base/threads.h"
 #include "ar3d/formats/text/byte_source.h"
-#include "ar3d/model/threads.h"
 
 namespace ar3d {
 

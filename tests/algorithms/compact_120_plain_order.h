@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ar3d/algorithms/compact_120/owners.h"
-#include "ar3d/model/random.h"
+#include "ar3d/base/random.h"
 
 namespace ar3d::compact_120::plain {
 

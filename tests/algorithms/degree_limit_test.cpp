@@ -7,7 +7,7 @@
 #include "ar3d/algorithms/diamond/diamond.h"
 #include "ar3d/algorithms/grid/grid.h"
 #include "ar3d/algorithms/two_bend/two_bend.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 
 // A graph of too large a degree is refused by the first such vertex and its degree, by every way
 // in.

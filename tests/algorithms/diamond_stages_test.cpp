@@ -13,7 +13,7 @@
 #include "ar3d/algorithms/diamond/ordering.h"
 #include "ar3d/algorithms/diamond/parity_placement.h"
 #include "ar3d/algorithms/diamond/routes.h"
-#include "ar3d/model/random.h"
+#include "ar3d/base/random.h"
 #include "support/graphs.h"
 
 namespace ar3d {

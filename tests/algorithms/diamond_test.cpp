@@ -6,7 +6,7 @@
 
 #include "algorithms/diamond_support.h"
 #include "ar3d/algorithms/catalog.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 #include "support/graphs.h"
 
 namespace ar3d {

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "algorithms/diamond_support.h"
-#include "ar3d/model/random.h"
+#include "ar3d/base/random.h"
 #include "support/graphs.h"
 
 namespace ar3d {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "ar3d/algorithms/catalog.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 #include "support/graphs.h"
 
 namespace ar3d {

@@ -10,9 +10,9 @@
 #include "ar3d/algorithms/grid/invariant.h"
 #include "ar3d/algorithms/grid/number_set.h"
 #include "ar3d/algorithms/grid/planes.h"
+#include "ar3d/base/error.h"
+#include "ar3d/base/random.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/random.h"
 #include "support/graphs.h"
 
 namespace ar3d {

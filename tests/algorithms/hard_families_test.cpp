@@ -15,8 +15,8 @@
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/algorithms/diamond/guaranteed.h"
 #include "ar3d/algorithms/diamond/routes.h"
+#include "ar3d/base/error.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "algorithms/strips_support.h"
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/base/error.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {

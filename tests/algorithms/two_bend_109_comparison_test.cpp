@@ -11,8 +11,8 @@
 #include "ar3d/algorithms/two_bend_109/drawn_segments.h"
 #include "ar3d/algorithms/two_bend_109/layout.h"
 #include "ar3d/algorithms/two_bend_109/placement.h"
+#include "ar3d/base/random.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/model/random.h"
 #include "support/graphs.h"
 
 namespace ar3d::two_bend_109 {

@@ -9,8 +9,8 @@
 #include "algorithms/two_bend_109_support.h"
 #include "ar3d/algorithms/two_bend_109/layout.h"
 #include "ar3d/algorithms/two_bend_109/placement.h"
+#include "ar3d/base/error.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/model/error.h"
 #include "support/graphs.h"
 
 namespace ar3d::two_bend_109 {

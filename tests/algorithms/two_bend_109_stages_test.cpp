@@ -12,9 +12,9 @@
 #include "algorithms/two_bend_109_support.h"
 #include "ar3d/algorithms/two_bend_109/crossings.h"
 #include "ar3d/algorithms/two_bend_109/slots.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/random.h"
-#include "ar3d/verify/exact.h"
+#include "ar3d/base/error.h"
+#include "ar3d/base/random.h"
+#include "ar3d/verify/checks/exact.h"
 #include "support/graphs.h"
 
 namespace ar3d::two_bend_109 {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "ar3d/algorithms/two_bend_paper/two_bend_paper.h"
+#include "ar3d/base/random.h"
 #include "ar3d/model/graph.h"
-#include "ar3d/model/random.h"
 #include "ar3d/verify/assessment/real_assessment.h"
 #include "support/graphs.h"
 

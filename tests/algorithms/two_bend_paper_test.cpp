@@ -12,10 +12,10 @@
 #include "ar3d/algorithms/two_bend_paper/cycles.h"
 #include "ar3d/algorithms/two_bend_paper/general_position.h"
 #include "ar3d/algorithms/two_bend_paper/growth.h"
+#include "ar3d/base/error.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/model/error.h"
 #include "ar3d/verify/assessment/real_segments.h"
-#include "ar3d/verify/examination.h"
+#include "ar3d/verify/checks/examination.h"
 
 namespace ar3d {
 namespace {

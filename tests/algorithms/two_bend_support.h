@@ -7,7 +7,7 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/algorithms/two_bend/two_bend.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 #include "ar3d/verify/certificate.h"
 #include "support/graphs.h"
 

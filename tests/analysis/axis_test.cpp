@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ar3d/analysis/report/html.h"
-#include "ar3d/records/run_record.h"
+#include "ar3d/store/columns/run_record.h"
 
 namespace ar3d {
 namespace {

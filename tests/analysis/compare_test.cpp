@@ -7,7 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 #include "synthetic.h"
 
 namespace ar3d {

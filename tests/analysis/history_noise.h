@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ar3d/model/random.h"
+#include "ar3d/base/random.h"
 #include "synthetic.h"
 
 namespace ar3d::testing {

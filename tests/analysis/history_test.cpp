@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/synthetic.h"
-#include "ar3d/model/error.h"
-#include "ar3d/records/graph_file_table.h"
+#include "ar3d/base/error.h"
+#include "ar3d/store/columns/graph_file_table.h"
 #include "support/program.h"
 
 namespace ar3d {

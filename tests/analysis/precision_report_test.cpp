@@ -10,7 +10,7 @@
 #include "analysis/synthetic.h"
 #include "ar3d/analysis/report.h"
 #include "ar3d/analysis/report/precision.h"
-#include "ar3d/records/run_columns.h"
+#include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d {
 namespace {

@@ -97,7 +97,7 @@ TEST(Report, ShowsEveryMetricOfTheTableWithUnitAndDefinition) {
   }
 }
 
-// Style and script are files of the tree; cmake/embed.cmake puts them into the program.
+// Style and script are files of the tree; tools/cmake/embed.cmake puts them into the program.
 TEST(Report, StyleAndScriptAreTheFilesOfTheTree) {
   const std::pair<const char*, std::string> kFiles[] = {{"page.css", report::page_style()},
                                                         {"page.js", report::page_script()},

@@ -9,8 +9,8 @@
 
 #include "ar3d/analysis/report.h"
 #include "ar3d/analysis/scaling/samples.h"
-#include "ar3d/model/random.h"
-#include "ar3d/records/run_storage.h"
+#include "ar3d/base/random.h"
+#include "ar3d/store/run_storage.h"
 
 namespace ar3d::testing {
 

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "ar3d/records/run_storage.h"
+#include "ar3d/store/run_storage.h"
 #include "support/program.h"
 #include "support/results.h"
 

@@ -10,8 +10,8 @@
 #include <string>
 
 #include "ar3d/model/real_points.h"
-#include "ar3d/records/run_columns.h"
-#include "ar3d/records/run_storage.h"
+#include "ar3d/store/columns/run_columns.h"
+#include "ar3d/store/run_storage.h"
 #include "support/program.h"
 
 namespace ar3d {

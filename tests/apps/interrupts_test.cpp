@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "ar3d/records/run_storage.h"
+#include "ar3d/store/run_storage.h"
 #include "support/program.h"
 #include "support/results.h"
 

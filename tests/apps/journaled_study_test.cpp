@@ -7,8 +7,8 @@
 #include <map>
 
 #include "ar3d/bench/run/describe_study.h"
-#include "ar3d/records/run_storage.h"
-#include "ar3d/results/journal/journal_writer.h"
+#include "ar3d/store/run_storage.h"
+#include "ar3d/store/journal/journal_writer.h"
 #include "support/program.h"
 #include "support/results.h"
 

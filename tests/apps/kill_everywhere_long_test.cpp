@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "ar3d/records/run_storage.h"
-#include "ar3d/results/journal/journal_reader.h"
+#include "ar3d/store/run_storage.h"
+#include "ar3d/store/journal/journal_reader.h"
 #include "support/program.h"
 #include "support/results.h"
 

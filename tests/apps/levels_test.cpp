@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "ar3d/verify/metrics.h"
+#include "ar3d/verify/metrics/metrics.h"
 #include "support/program.h"
 
 namespace ar3d {

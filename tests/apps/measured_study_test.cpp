@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "ar3d/bench/measure/environment.h"
-#include "ar3d/records/run_storage.h"
+#include "ar3d/store/run_storage.h"
 #include "support/program.h"
 
 namespace ar3d {

@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "ar3d/records/run_storage.h"
-#include "ar3d/results/hdf5/results_reader.h"
+#include "ar3d/store/run_storage.h"
+#include "ar3d/store/hdf5/results_reader.h"
 #include "support/program.h"
 
 namespace ar3d {

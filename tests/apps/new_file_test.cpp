@@ -1,4 +1,4 @@
-// Files appear whole and durably, whatever kills the program (model/new_file.h), be it with a file
+// Files appear whole and durably, whatever kills the program (base/new_file.h), be it with a file
 // system that has files without a name or without.
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/synthetic.h"
-#include "ar3d/records/run_storage.h"
+#include "ar3d/store/run_storage.h"
 #include "support/program.h"
 
 namespace ar3d {

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <functional>
 
-#include "ar3d/records/run_storage.h"
+#include "ar3d/store/run_storage.h"
 #include "support/program.h"
 
 namespace ar3d {

@@ -8,11 +8,11 @@
 #include <filesystem>
 #include <set>
 
+#include "ar3d/base/error.h"
 #include "ar3d/bench/corpus/subgraphs.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/formats/catalog.h"
-#include "ar3d/model/error.h"
 #include "support/graphs.h"
 #include "support/problem.h"
 #include "support/program.h"

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "ar3d/base/error.h"
 #include "ar3d/bench/measure/environment.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {

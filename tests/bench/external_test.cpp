@@ -7,15 +7,15 @@
 #include <cmath>
 #include <thread>
 
+#include "ar3d/base/error.h"
 #include "ar3d/bench/external/external_drawer.h"
 #include "ar3d/bench/run/make_row.h"
 #include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
-#include "ar3d/model/error.h"
-#include "ar3d/records/run_columns.h"
-#include "ar3d/verify/angles.h"
+#include "ar3d/store/columns/run_columns.h"
 #include "ar3d/verify/certificate.h"
-#include "ar3d/verify/examination.h"
+#include "ar3d/verify/checks/angles.h"
+#include "ar3d/verify/checks/examination.h"
 #include "bench/in_memory.h"
 #include "support/graphs.h"
 #include "support/problem.h"

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "ar3d/records/run_columns.h"
+#include "ar3d/store/columns/run_columns.h"
 #include "bench/in_memory.h"
 
 namespace ar3d {

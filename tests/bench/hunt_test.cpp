@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "ar3d/base/error.h"
 #include "ar3d/bench/search/shrink.h"
-#include "ar3d/model/error.h"
 #include "ar3d/verify/certificate.h"
 #include "support/graphs.h"
 

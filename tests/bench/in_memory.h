@@ -11,7 +11,7 @@
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/run/describe_study.h"
 #include "ar3d/bench/run/make_rows.h"
-#include "ar3d/records/run_record.h"
+#include "ar3d/store/columns/run_record.h"
 
 namespace ar3d::testing {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "ar3d/analysis/check.h"
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 #include "ar3d/model/level.h"
-#include "ar3d/records/run_columns.h"
+#include "ar3d/store/columns/run_columns.h"
 #include "bench/in_memory.h"
 
 namespace ar3d {

@@ -7,10 +7,10 @@
 #include <new>
 #include <vector>
 
+#include "ar3d/base/error.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/hardware_counters.h"
-#include "ar3d/model/error.h"
-#include "ar3d/records/run_columns.h"
+#include "ar3d/store/columns/run_columns.h"
 #include "bench/seeded.h"
 
 namespace ar3d {

@@ -9,13 +9,13 @@
 #include <set>
 #include <thread>
 
+#include "ar3d/base/error.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/interruption.h"
 #include "ar3d/bench/measure/pinning.h"
 #include "ar3d/bench/run/make_rows.h"
 #include "ar3d/bench/run/precision.h"
-#include "ar3d/model/error.h"
-#include "ar3d/records/run_columns.h"
+#include "ar3d/store/columns/run_columns.h"
 #include "bench/in_memory.h"
 #include "bench/seeded.h"
 

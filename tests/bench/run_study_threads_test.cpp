@@ -7,7 +7,7 @@
 
 #include "ar3d/bench/measure/interruption.h"
 #include "ar3d/bench/run/describe_study.h"
-#include "ar3d/records/run_columns.h"
+#include "ar3d/store/columns/run_columns.h"
 #include "bench/in_memory.h"
 
 namespace ar3d {

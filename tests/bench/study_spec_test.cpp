@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "ar3d/base/error.h"
 #include "ar3d/bench/spec/named_studies.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {

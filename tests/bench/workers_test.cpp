@@ -15,11 +15,11 @@
 #include <map>
 #include <thread>
 
+#include "ar3d/base/error.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/interruption.h"
 #include "ar3d/bench/run/make_rows.h"
-#include "ar3d/model/error.h"
-#include "ar3d/records/run_columns.h"
+#include "ar3d/store/columns/run_columns.h"
 #include "bench/in_memory.h"
 #include "bench/seeded.h"
 

@@ -10,11 +10,11 @@
 #include <sstream>
 
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/base/error.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/edge_roles.h"
 #include "ar3d/formats/drawings/embedding.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/model/error.h"
 #include "support/program.h"
 
 namespace ar3d {

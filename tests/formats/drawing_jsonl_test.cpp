@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ar3d/model/random.h"
+#include "ar3d/base/random.h"
 #include "formats/format_helpers.h"
 
 namespace ar3d {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/model/random.h"
+#include "ar3d/base/random.h"
 
 namespace ar3d {
 namespace {

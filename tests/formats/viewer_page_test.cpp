@@ -8,11 +8,11 @@
 #include <nlohmann/json.hpp>
 
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/base/error.h"
 #include "ar3d/formats/drawings/drawing_html.h"
 #include "ar3d/formats/drawings/edge_roles.h"
 #include "ar3d/formats/drawings/packed_geometry.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/model/error.h"
 #include "support/program.h"
 
 namespace ar3d {

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "ar3d/base/error.h"
 #include "ar3d/generators/polyhedra.h"
 #include "ar3d/model/boost_graph.h"
-#include "ar3d/model/error.h"
 #include "support/graph_facts.h"
 #include "support/names.h"
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <set>
 
+#include "ar3d/base/error.h"
 #include "ar3d/generators/petersen_like.h"
 #include "ar3d/generators/polyhedra.h"
 #include "ar3d/generators/snarks.h"
-#include "ar3d/model/error.h"
 #include "support/graph_facts.h"
 
 namespace ar3d {

@@ -7,8 +7,8 @@
 #include <map>
 #include <vector>
 
+#include "ar3d/base/error.h"
 #include "ar3d/generators/rings.h"
-#include "ar3d/model/error.h"
 
 namespace ar3d {
 namespace {

@@ -124,10 +124,10 @@ TEST(IncludeDirection, HasARuleForEveryFolderWithSources) {
       continue;
     EXPECT_TRUE(table.count(folder)) << folder;
   }
-  for (const char* folder : {"bench", "formats", "results", "algorithms"}) {
+  for (const char* folder : {"bench", "formats", "store", "algorithms"}) {
     for (const auto& entry : fs::directory_iterator(root / folder)) {
       const std::string name = entry.path().filename();
-      if (!entry.is_directory() || name == "kernels" || name == "fuzz" || name == "reference")
+      if (!entry.is_directory() || name == "kernels" || name == "fuzz" || name == "viewer")
         continue;
       EXPECT_TRUE(table.count(folder + ("/" + name))) << folder << "/" << name;
     }
@@ -143,9 +143,9 @@ TEST(IncludeDirection, SeesForbiddenIncludes) {
   EXPECT_THAT(forbidden_includes(AR3D_SOURCE_DIR, inner), ::testing::Not(::testing::IsEmpty()));
 }
 
-TEST(IncludeDirection, OnlyResultsIncludesHdf5) {
+TEST(IncludeDirection, OnlyStoreIncludesHdf5) {
   for (const auto& [folder, unused] : allowed()) {
-    if (folder.rfind("results", 0) == 0) continue;
+    if (folder.rfind("store", 0) == 0) continue;
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(AR3D_SOURCE_DIR) / folder)) {
       if (!is_source(entry.path())) continue;
       EXPECT_EQ(testing::read_file(entry.path()).find("#include <hdf5"), std::string::npos)

@@ -78,7 +78,7 @@ TEST(References, SeeCommentsOfScriptsAndPages) {
       {"cmake/count.cmake", "# --no-such-option\n"},
       {"tests/CMakeLists.txt", "# tools/gone.py\n"},
       {"viewer/draw.js", "const a = '// '; // Rule 3.9\n"},
-      {"viewer/page.css", "a { } /* viewer/gone.mjs */\n"}};
+      {"formats/drawings/viewer/page.css", "a { } /* viewer/gone.mjs */\n"}};
   for (const auto& [path, text] : cases) {
     EXPECT_FALSE(after_adding(text, path).empty()) << path << ": " << text;
   }

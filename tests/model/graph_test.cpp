@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "ar3d/model/error.h"
-#include "ar3d/model/random.h"
+#include "ar3d/base/error.h"
+#include "ar3d/base/random.h"
 #include "support/graphs.h"
 
 namespace ar3d {

@@ -7,9 +7,9 @@
 #include <compare>
 #include <cstdlib>
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
+#include "ar3d/base/random.h"
 #include "ar3d/model/guarantee.h"
-#include "ar3d/model/random.h"
 
 namespace ar3d {
 namespace {

@@ -1,5 +1,5 @@
 // Memory of long arrays: used again inside a LongArrayReuse, and never seen through by a vector.
-#include "ar3d/model/long_vector.h"
+#include "ar3d/base/long_vector.h"
 
 #include <gtest/gtest.h>
 

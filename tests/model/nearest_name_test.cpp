@@ -1,4 +1,4 @@
-#include "ar3d/model/nearest_name.h"
+#include "ar3d/base/nearest_name.h"
 
 #include <gtest/gtest.h>
 

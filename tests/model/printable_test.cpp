@@ -1,4 +1,4 @@
-#include "ar3d/model/printable.h"
+#include "ar3d/base/printable.h"
 
 #include <gtest/gtest.h>
 

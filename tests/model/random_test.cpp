@@ -1,4 +1,4 @@
-#include "ar3d/model/random.h"
+#include "ar3d/base/random.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "ar3d/model/random.h"
+#include "ar3d/base/random.h"
 
 namespace ar3d::testing {
 

@@ -8,10 +8,10 @@
 #include <map>
 #include <string>
 
-#include "ar3d/model/random.h"
-#include "ar3d/records/run_columns.h"
-#include "ar3d/records/run_storage.h"
-#include "ar3d/results/journal/journal_reader.h"
+#include "ar3d/base/random.h"
+#include "ar3d/store/columns/run_columns.h"
+#include "ar3d/store/run_storage.h"
+#include "ar3d/store/journal/journal_reader.h"
 #include "support/program.h"
 #include "support/results.h"
 

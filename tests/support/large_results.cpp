@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "ar3d/records/run_columns.h"
-#include "ar3d/records/run_storage.h"
-#include "ar3d/results/row_format.h"
+#include "ar3d/store/columns/row_format.h"
+#include "ar3d/store/columns/run_columns.h"
+#include "ar3d/store/run_storage.h"
 
 namespace ar3d::testing {
 namespace {

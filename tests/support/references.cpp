@@ -25,7 +25,9 @@ bool is_page(const std::string& path) { return path.ends_with(".md"); }
 bool is_cpp(const std::string& path) { return path.ends_with(".h") || path.ends_with(".cpp"); }
 
 /// What others wrote.
-bool is_foreign(const std::string& path) { return path.starts_with("viewer/three/"); }
+bool is_foreign(const std::string& path) {
+  return path.starts_with("formats/drawings/viewer/three/");
+}
 
 /// The anchor of a heading or of a link, as GitHub makes it; what is not ASCII is left out.
 std::string anchor_of(const std::string& heading) {
@@ -178,19 +180,20 @@ class Checker {
 
   /// Paths from the root, in backticks or not.
   void check_paths() {
-    each(prose_,
-         "(^|[\\s(`\"])((algorithms|analysis|apps|bench|cmake|docs|examples|formats|generators|"
-         "model|"
-         "python|records|results|studies|tests|tools|verify|viewer)/[\\w./-]*\\w\\."
-         "(h|cpp|md|toml|txt|cmake|svg|csv|h5|py|mjs|js|css|sh))(?![\\w*<{])",
-         [&](const std::smatch& m) {
-           static const std::regex placeholder(".*[A-Z]{3}.*\\.(csv|h5)");
-           const std::string path = m[2].str();
-           if (prose_.substr(0, static_cast<std::size_t>(m.position(2))).ends_with("```cpp\n// "))
-             return;  // the file that a page shows how to write
-           if (!std::regex_match(path, placeholder) && !exists(path))
-             report(m.position(), path + " does not exist");
-         });
+    each(
+        prose_,
+        "(^|[\\s(`\"])((algorithms|analysis|apps|base|bench|cmake|docs|examples|formats|generators|"
+        "model|"
+        "python|records|results|store|studies|tests|tools|verify|viewer)/[\\w./-]*\\w\\."
+        "(h|cpp|md|toml|txt|cmake|svg|csv|h5|py|mjs|js|css|sh))(?![\\w*<{])",
+        [&](const std::smatch& m) {
+          static const std::regex placeholder(".*[A-Z]{3}.*\\.(csv|h5)");
+          const std::string path = m[2].str();
+          if (prose_.substr(0, static_cast<std::size_t>(m.position(2))).ends_with("```cpp\n// "))
+            return;  // the file that a page shows how to write
+          if (!std::regex_match(path, placeholder) && !exists(path))
+            report(m.position(), path + " does not exist");
+        });
   }
 
   bool exists(const std::string& path) const {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 #include "ar3d/verify/certificate.h"
-#include "ar3d/verify/directions.h"
+#include "ar3d/verify/checks/directions.h"
 #include "verify/random_drafts.h"
 
 namespace ar3d {

@@ -9,8 +9,8 @@
 #include <string>
 
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/base/error.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/model/error.h"
 #include "verify/draft.h"
 
 namespace ar3d {

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "ar3d/verify/checks/exact.h"
 #include "ar3d/verify/counting/plane_records.h"
-#include "ar3d/verify/exact.h"
-#include "ar3d/verify/metrics.h"
-#include "ar3d/verify/segments.h"
+#include "ar3d/verify/crossings/segments.h"
+#include "ar3d/verify/metrics/metrics.h"
 #include "verify/draft.h"
 
 // What the tests of both proofs by counting share.

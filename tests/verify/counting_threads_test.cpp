@@ -9,8 +9,8 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/generators/catalog.h"
+#include "ar3d/verify/checks/examination.h"
 #include "ar3d/verify/counting/counting_proof.h"
-#include "ar3d/verify/examination.h"
 #include "ar3d/verify/share_among_threads.h"
 #include "verify/draft.h"
 

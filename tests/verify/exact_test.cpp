@@ -1,4 +1,4 @@
-#include "ar3d/verify/exact.h"
+#include "ar3d/verify/checks/exact.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "ar3d/model/random.h"
+#include "ar3d/base/random.h"
 
 namespace ar3d::verify {
 namespace {

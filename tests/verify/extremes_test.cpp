@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/base/error.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/model/error.h"
 #include "ar3d/verify/certificate.h"
-#include "ar3d/verify/metrics.h"
+#include "ar3d/verify/metrics/metrics.h"
 
 namespace ar3d {
 namespace {

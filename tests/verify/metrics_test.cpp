@@ -1,4 +1,4 @@
-#include "ar3d/verify/metrics.h"
+#include "ar3d/verify/metrics/metrics.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -15,8 +15,8 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/verify/closest_pair.h"
-#include "ar3d/verify/examination.h"
+#include "ar3d/verify/checks/examination.h"
+#include "ar3d/verify/metrics/closest_pair.h"
 #include "verify/random_drafts.h"
 
 namespace ar3d {

@@ -8,8 +8,8 @@
 #include <set>
 
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/base/error.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/model/error.h"
 #include "ar3d/verify/certificate.h"
 #include "ar3d/verify/modes/candidate_pairs.h"
 #include "ar3d/verify/modes/mode_verdict.h"

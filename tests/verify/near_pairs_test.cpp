@@ -1,5 +1,5 @@
 // The search for pairs that may meet against all pairs, and what it costs.
-#include "ar3d/verify/near_pairs.h"
+#include "ar3d/verify/crossings/near_pairs.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "ar3d/model/random.h"
+#include "ar3d/base/random.h"
+#include "ar3d/verify/checks/exact.h"
 #include "ar3d/verify/counting/slanted_pairs.h"
-#include "ar3d/verify/exact.h"
 
 namespace ar3d {
 namespace {

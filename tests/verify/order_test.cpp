@@ -1,11 +1,11 @@
-#include "ar3d/verify/order.h"
+#include "ar3d/verify/crossings/order.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "ar3d/model/random.h"
+#include "ar3d/base/random.h"
 
 namespace ar3d::verify {
 namespace {

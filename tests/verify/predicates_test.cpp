@@ -9,8 +9,8 @@
 #include <type_traits>
 
 #include "ar3d/algorithms/two_bend_paper/arithmetic.h"
-#include "ar3d/model/random.h"
-#include "ar3d/verify/exact.h"
+#include "ar3d/base/random.h"
+#include "ar3d/verify/checks/exact.h"
 #include "ar3d/verify/predicates/choices.h"
 #include "ar3d/verify/predicates/widths.h"
 

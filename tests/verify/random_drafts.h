@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "ar3d/model/random.h"
+#include "ar3d/base/random.h"
 #include "verify/counted_pairs.h"
 #include "verify/draft.h"
 

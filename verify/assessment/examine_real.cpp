@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "ar3d/verify/assessment/real_segments.h"
-#include "ar3d/verify/checks.h"
-#include "ar3d/verify/findings.h"
+#include "ar3d/verify/checks/checks.h"
+#include "ar3d/verify/checks/findings.h"
 
 namespace ar3d::verify {
 namespace {

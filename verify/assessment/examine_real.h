@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ar3d/verify/examination.h"
+#include "ar3d/verify/checks/examination.h"
 
 namespace ar3d::verify {
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 #include "ar3d/model/real_points.h"
 #include "ar3d/verify/assessment/real_segments.h"
 

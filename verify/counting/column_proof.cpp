@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "ar3d/verify/checks.h"
+#include "ar3d/verify/checks/checks.h"
+#include "ar3d/verify/checks/exact.h"
 #include "ar3d/verify/counting/slanted_pairs.h"
-#include "ar3d/verify/exact.h"
 
 namespace ar3d::verify {
 namespace {

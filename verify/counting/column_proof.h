@@ -12,7 +12,7 @@
 #include "ar3d/verify/counting/columns.h"
 #include "ar3d/verify/counting/counted_meetings.h"
 #include "ar3d/verify/counting/small_directions.h"
-#include "ar3d/verify/metrics.h"
+#include "ar3d/verify/metrics/metrics.h"
 #include "ar3d/verify/predicates/widths.h"
 
 namespace ar3d::verify {

@@ -9,8 +9,8 @@
 #include <numeric>
 #include <tuple>
 
-#include "ar3d/verify/exact.h"
-#include "ar3d/verify/order.h"
+#include "ar3d/verify/checks/exact.h"
+#include "ar3d/verify/crossings/order.h"
 
 namespace ar3d::verify {
 namespace {

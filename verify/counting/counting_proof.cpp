@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <span>
 
-#include "ar3d/verify/checks.h"
-#include "ar3d/verify/exact.h"
+#include "ar3d/verify/checks/checks.h"
+#include "ar3d/verify/checks/exact.h"
 #include "ar3d/verify/share_among_threads.h"
 
 namespace ar3d::verify {

@@ -10,7 +10,7 @@
 #include "ar3d/verify/counting/counted_meetings.h"
 #include "ar3d/verify/counting/plane_counts.h"
 #include "ar3d/verify/counting/signed_directions.h"
-#include "ar3d/verify/metrics.h"
+#include "ar3d/verify/metrics/metrics.h"
 
 namespace ar3d::verify {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ar3d/verify/counting/plane_records.h"
-#include "ar3d/verify/order.h"
+#include "ar3d/verify/crossings/order.h"
 
 namespace ar3d::verify {
 

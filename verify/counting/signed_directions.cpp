@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "ar3d/verify/functional.h"
+#include "ar3d/verify/metrics/functional.h"
 
 namespace ar3d::verify {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <tuple>
 
-#include "ar3d/verify/exact.h"
-#include "ar3d/verify/near_pairs.h"
-#include "ar3d/verify/order.h"
+#include "ar3d/verify/checks/exact.h"
+#include "ar3d/verify/crossings/near_pairs.h"
+#include "ar3d/verify/crossings/order.h"
 #include "ar3d/verify/predicates/widths.h"
 
 namespace ar3d::verify {

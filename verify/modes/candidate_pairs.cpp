@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ar3d/base/error.h"
 #include "ar3d/model/drawing.h"
-#include "ar3d/model/error.h"
-#include "ar3d/verify/functional.h"
+#include "ar3d/verify/metrics/functional.h"
 
 namespace ar3d::verify {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ar3d/model/lattice.h"
-#include "ar3d/verify/exact.h"
+#include "ar3d/verify/checks/exact.h"
 
 namespace ar3d::verify {
 

@@ -4,12 +4,12 @@
 #include <unordered_set>
 #include <vector>
 
-#include "ar3d/model/random.h"
-#include "ar3d/verify/checks.h"
-#include "ar3d/verify/exact.h"
+#include "ar3d/base/random.h"
+#include "ar3d/verify/checks/checks.h"
+#include "ar3d/verify/checks/exact.h"
+#include "ar3d/verify/crossings/segments.h"
 #include "ar3d/verify/modes/candidate_pairs.h"
 #include "ar3d/verify/predicates/choices.h"
-#include "ar3d/verify/segments.h"
 
 namespace ar3d::verify {
 namespace {

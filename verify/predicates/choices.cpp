@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "ar3d/base/error.h"
+#include "ar3d/base/ieee_arithmetic.h"
 #include "ar3d/model/cosine_comparison.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/ieee_arithmetic.h"
-#include "ar3d/verify/exact.h"
+#include "ar3d/verify/checks/exact.h"
 #include "ar3d/verify/predicates/widths.h"
 
 namespace ar3d::verify {

@@ -8,7 +8,7 @@
 #include "../inputs.h"
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/bench/measure/one_thread.h"
-#include "ar3d/verify/examination.h"
+#include "ar3d/verify/checks/examination.h"
 #include "limit.h"
 #include "turns.h"
 

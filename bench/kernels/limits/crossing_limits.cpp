@@ -15,7 +15,7 @@
 #include "ar3d/bench/measure/one_thread.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/certificate.h"
-#include "ar3d/verify/contacts.h"
+#include "ar3d/verify/checks/contacts.h"
 #include "turns.h"
 #endif
 

@@ -16,9 +16,9 @@
 #include "../inputs.h"
 #include "../search.h"
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/base/error.h"
 #include "ar3d/bench/measure/one_thread.h"
 #include "ar3d/bench/measure/stopwatch.h"
-#include "ar3d/model/error.h"
 #include "turns.h"
 
 namespace ar3d::limits {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "ar3d/model/threads.h"
+#include "ar3d/base/threads.h"
 #include "turns.h"
 
 namespace ar3d::limits {

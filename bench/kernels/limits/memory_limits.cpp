@@ -10,7 +10,7 @@
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/bench/measure/one_thread.h"
 #include "ar3d/bench/measure/row_memory.h"
-#include "ar3d/verify/examination.h"
+#include "ar3d/verify/checks/examination.h"
 #include "limit.h"
 
 namespace ar3d::limits {

@@ -15,10 +15,10 @@
 
 #include "../inputs.h"
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/base/random.h"
 #include "ar3d/bench/measure/stopwatch.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/model/random.h"
-#include "ar3d/verify/examination.h"
+#include "ar3d/verify/checks/examination.h"
 #include "ar3d/verify/modes/mode_verdict.h"
 #include "tables.h"
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/base/error.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/model/error.h"
 #include "decisions.h"
 #include "questions.h"
 #include "tables.h"

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string>
 
-#include "ar3d/model/error.h"
+#include "ar3d/base/error.h"
 #include "tables.h"
 
 int main(int argc, char** argv) {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/base/error.h"
 #include "ar3d/bench/measure/stopwatch.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/model/error.h"
 #include "ar3d/verify/certificate.h"
 #include "tables.h"
 

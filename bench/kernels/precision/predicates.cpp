@@ -12,7 +12,7 @@
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/model/cosine_comparison.h"
-#include "ar3d/verify/exact.h"
+#include "ar3d/verify/checks/exact.h"
 #include "ar3d/verify/predicates/choices.h"
 #include "decisions.h"
 #include "questions.h"

@@ -2,9 +2,9 @@
 
 #include <compare>
 
+#include "ar3d/base/random.h"
 #include "ar3d/model/cosine_comparison.h"
-#include "ar3d/model/random.h"
-#include "ar3d/verify/exact.h"
+#include "ar3d/verify/checks/exact.h"
 
 namespace ar3d::precision {
 namespace {

@@ -15,9 +15,9 @@
 
 #include "../inputs.h"
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/base/error.h"
+#include "ar3d/base/new_file.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/model/error.h"
-#include "ar3d/model/new_file.h"
 #include "ar3d/verify/predicates/meeting.h"
 #include "decisions.h"
 #include "questions.h"

@@ -10,7 +10,7 @@
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/coordinate_width.h"
-#include "ar3d/verify/metrics.h"
+#include "ar3d/verify/metrics/metrics.h"
 #include "decisions.h"
 #include "tables.h"
 

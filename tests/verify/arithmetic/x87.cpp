@@ -2,6 +2,6 @@
 // notices.
 #include <string>
 
-#include "ar3d/model/ieee_arithmetic.h"
+#include "ar3d/base/ieee_arithmetic.h"
 
 std::string departures_with_x87() { return ar3d::arithmetic_departures(); }

@@ -1,0 +1,28 @@
+#include "ar3d/base/hash_stream.h"
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <new>
+
+namespace ar3d {
+
+HashStream::HashStream() : state_(XXH3_createState()) {
+  if (state_ == nullptr) throw std::bad_alloc();
+  XXH3_128bits_reset(state_);
+}
+
+HashStream::~HashStream() { XXH3_freeState(state_); }
+
+void HashStream::flush() {
+  XXH3_128bits_update(state_, buffer_.data(), used_);
+  used_ = 0;
+}
+
+std::string HashStream::digest() {
+  flush();
+  const XXH128_hash_t hash = XXH3_128bits_digest(state_);
+  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+}
+
+}  // namespace ar3d

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "ar3d/base/threads.h"
+
+namespace ar3d {
+
+/// Asks for pages of 2 MiB for memory that is about to be written, if it is long enough
+/// (kLongArrayBytes). Advice: may be refused.
+void advise_long_array(void* array, std::size_t bytes);
+
+/// vector.reserve(count) with pages as for an UnwrittenVector.
+template <class T>
+void reserve_long(std::vector<T>& vector, std::size_t count) {
+  if (count <= vector.capacity()) return;
+  if (vector.empty()) {  // nothing to copy: the pages are asked for before they are touched
+    vector.reserve(count);
+    advise_long_array(vector.data(), vector.capacity() * sizeof(T));
+    return;
+  }
+  std::vector<T> longer;
+  reserve_long(longer, count);
+  longer.insert(longer.end(), vector.begin(), vector.end());
+  vector.swap(longer);
+}
+
+/// Memory for arrays from this size on can be used again (LongArrayReuse).
+inline constexpr std::size_t kReusableBytes = std::size_t{1} << 19;
+/// Memory for `bytes` bytes, at least kReusableBytes, to be freed by free_long_array.
+/// @throws std::bad_alloc.
+void* allocate_reusable_array(std::size_t bytes);
+
+/// As UnwrittenAllocator, but elements are initialised as any vector's are, and shorter arrays can
+/// be used again, too.
+template <class T>
+struct LongAllocator : UnwrittenAllocator<T> {
+  T* allocate(std::size_t count) {
+    if (count > std::numeric_limits<std::size_t>::max() / sizeof(T) ||
+        count * sizeof(T) < kReusableBytes) {
+      return std::allocator<T>::allocate(count);
+    }
+    return static_cast<T*>(allocate_reusable_array(count * sizeof(T)));
+  }
+  void deallocate(T* array, std::size_t count) noexcept {
+    if (count * sizeof(T) < kReusableBytes) return std::allocator<T>::deallocate(array, count);
+    free_long_array(array);
+  }
+  template <class U>
+  struct rebind {
+    using other = LongAllocator<U>;
+  };
+  template <class U, class... Arguments>
+  void construct(U* place, Arguments&&... arguments) {
+    std::construct_at(place, std::forward<Arguments>(arguments)...);
+  }
+};
+/// A vector with pages of 2 MiB once it is long, whose memory can be used again (LongArrayReuse).
+template <class T>
+using LongVector = std::vector<T, LongAllocator<T>>;
+
+/// While one lives, arrays from kReusableBytes on that its thread frees are kept for its later
+/// ones: these then need no fresh memory, which the system would have to clear. An array is at most
+/// twice as long as it was asked for. What nothing uses at the end is given back; arrays may
+/// outlive it, and other threads may free them. Inside another one it does nothing.
+class LongArrayReuse {
+ public:
+  LongArrayReuse();
+  ~LongArrayReuse();
+  LongArrayReuse(const LongArrayReuse&) = delete;
+  LongArrayReuse& operator=(const LongArrayReuse&) = delete;
+
+ private:
+  bool is_outermost_;
+};
+
+}  // namespace ar3d

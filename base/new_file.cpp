@@ -1,0 +1,147 @@
+#include "ar3d/base/new_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/random.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+#include "ar3d/base/error.h"
+
+namespace ar3d {
+namespace {
+
+constexpr mode_t kMode = 0666;  // the umask takes away from it
+
+std::string folder_of(const std::string& target) {
+  const std::string folder = std::filesystem::path(target).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+// Makes a new name durable. Some file systems cannot sync a directory; the file itself is safe
+// then.
+void sync_directory(const std::string& target) {
+  const Descriptor directory(open(folder_of(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (directory.get() >= 0) fsync(directory.get());
+}
+
+}  // namespace
+
+void refuse_writing(const std::string& path, int reason) {
+  throw InputError(
+      fmt::format("cannot write {}: {}", path.empty() ? "''" : path, std::strerror(reason)));
+}
+
+void write_all(int descriptor, std::span<const char> bytes, const std::string& path) {
+  while (!bytes.empty()) {
+    const ssize_t written = write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) refuse_writing(path, errno);
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+}
+
+NewFile::NewFile(const std::string& path) : path_(path), target_(path) {
+  if (path.empty()) refuse_writing(path, ENOENT);
+  struct stat status {};
+  const bool exists = stat(path.c_str(), &status) == 0;
+  if (exists && S_ISDIR(status.st_mode)) refuse_writing(path, EISDIR);
+  if (exists && !S_ISREG(status.st_mode)) {
+    throw InputError(fmt::format("cannot write {}: it is not a regular file", path));
+  }
+  if (exists && access(path.c_str(), W_OK) != 0) refuse_writing(path, errno);
+  std::error_code error;  // a link to nowhere, or a path that opening will refuse
+  const std::filesystem::path real = std::filesystem::weakly_canonical(path, error);
+  if (!error) target_ = real.string();
+  if (!open_nameless()) {
+    name_ = name_of_new_file(target_);
+    descriptor_ = Descriptor(open(name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, kMode));
+    if (descriptor_.get() < 0) refuse_writing(path_, errno);
+  }
+  if (exists) (void)fchmod(descriptor_.get(), status.st_mode & 07777);
+}
+
+NewFile::~NewFile() {
+  if (!name_.empty()) unlink(name_.c_str());
+}
+
+/// A file without a name in the target's folder; false if there is no such thing.
+bool NewFile::open_nameless() {
+  if (access("/proc/self/fd", X_OK) != 0) return false;  // take_name needs it
+  descriptor_ = Descriptor(open(folder_of(target_).c_str(), O_RDWR | O_TMPFILE | O_CLOEXEC, kMode));
+  return descriptor_.get() >= 0;
+}
+
+/// Gives the file without a name one beside the target.
+void NewFile::take_name() {
+  const std::string self = fmt::format("/proc/self/fd/{}", descriptor_.get());
+  const std::string name = name_of_new_file(target_);
+  if (linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) != 0) {
+    refuse_writing(path_, errno);
+  }
+  name_ = name;
+}
+
+void NewFile::write_all(std::span<const char> bytes) {
+  ar3d::write_all(descriptor_.get(), bytes, path_);
+}
+
+/// Some file systems tell of a full disk on closing only.
+void NewFile::close_checked() {
+  if (close(descriptor_.release()) != 0) refuse_writing(path_, errno);
+}
+
+void NewFile::become_target() {
+  if (fsync(descriptor_.get()) != 0) refuse_writing(path_, errno);
+  if (name_.empty()) take_name();
+  close_checked();
+  if (std::rename(name_.c_str(), target_.c_str()) != 0) refuse_writing(path_, errno);
+  name_.clear();
+  sync_directory(target_);
+}
+
+bool NewFile::become_new_target() {
+  if (fsync(descriptor_.get()) != 0) refuse_writing(path_, errno);
+  if (name_.empty()) take_name();
+  close_checked();
+  return give_name_if_free(std::exchange(name_, {}), target_);
+}
+
+std::string name_of_new_file(const std::string& target) {
+  std::uint64_t number = 0;  // process ids alone are the same in every container
+  if (getrandom(&number, sizeof(number), 0) != sizeof(number)) refuse_writing(target, errno);
+  return fmt::format("{}.partial-{}-{:016x}", target, getpid(), number);
+}
+
+bool give_name_if_free(const std::string& name, const std::string& target) {
+  const auto failed = [&] {
+    const int reason = errno;
+    unlink(name.c_str());
+    if (reason != EEXIST) refuse_writing(target, reason);
+    return false;
+  };
+  if (link(name.c_str(), target.c_str()) == 0) {
+    unlink(name.c_str());
+  } else if (errno == EEXIST) {
+    return failed();
+  } else if (renameat2(AT_FDCWD, name.c_str(), AT_FDCWD, target.c_str(), RENAME_NOREPLACE) != 0) {
+    if (errno == EEXIST) return failed();
+    // Neither hard links nor that rename: what is left has a gap between looking and renaming.
+    if (access(target.c_str(), F_OK) == 0) {
+      errno = EEXIST;
+      return failed();
+    }
+    if (std::rename(name.c_str(), target.c_str()) != 0) return failed();
+  }
+  sync_directory(target);
+  return true;
+}
+
+}  // namespace ar3d

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "ar3d/base/descriptor.h"
+
+namespace ar3d {
+
+/// A file that appears under its name whole, or not at all. Until then its bytes are in a file
+/// without a name (O_TMPFILE), of which an interrupted or killed program leaves nothing; where a
+/// file system has none, in one beside the target, which the destructor removes.
+class NewFile {
+ public:
+  /// To stand at `path`; a symbolic link is followed. What exists keeps its mode. @throws
+  /// InputError naming the path and the system's reason: no such directory, no permission, a
+  /// directory, no regular file.
+  explicit NewFile(const std::string& path);
+  ~NewFile();
+  NewFile(const NewFile&) = delete;
+  NewFile& operator=(const NewFile&) = delete;
+
+  int descriptor() const { return descriptor_.get(); }
+  /// @throws InputError naming the path and the system's reason (no space left, …).
+  void write_all(std::span<const char> bytes);
+  /// Replaces what exists: fsync, rename, fsync of the directory. @throws InputError as write_all.
+  void become_target();
+  /// As become_target, but what exists is left alone. @return false if it exists.
+  bool become_new_target();
+
+ private:
+  bool open_nameless();
+  void take_name();
+  void close_checked();
+
+  std::string path_;    // as given, for messages
+  std::string target_;  // where links lead
+  std::string name_;    // of the file beside the target; empty: it has none
+  Descriptor descriptor_;
+};
+
+/// Writes all bytes to an open file. @throws InputError naming the path and the system's reason.
+void write_all(int descriptor, std::span<const char> bytes, const std::string& path);
+
+/// @throws InputError that the path cannot be written, for the reason errno.
+[[noreturn]] void refuse_writing(const std::string& path, int reason);
+
+/// A name beside `target` that no other process uses, be it in another container or on another
+/// machine. @throws InputError if the system has no random number.
+std::string name_of_new_file(const std::string& target);
+
+/// Gives the file `name` the name `target`, whole and at once, unless something has that name
+/// already; `name` is gone afterwards in either case. By a hard link; on file systems without them
+/// by a rename that replaces nothing; where that is unknown, too, by looking and then renaming.
+/// @return false if something has the name. @throws InputError naming the target.
+bool give_name_if_free(const std::string& name, const std::string& target);
+
+}  // namespace ar3d

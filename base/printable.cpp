@@ -1,0 +1,80 @@
+#include "ar3d/base/printable.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+namespace ar3d {
+namespace {
+
+std::uint32_t byte_at(std::string_view text, std::size_t i) {
+  return static_cast<unsigned char>(text[i]);
+}
+
+/// Bytes that a UTF-8 character with this first byte has; 0 if none begins so.
+std::size_t length_of(std::uint32_t first) {
+  if (first < 0x80) return 1;
+  if (first >= 0xc2 && first < 0xe0) return 2;
+  if (first >= 0xe0 && first < 0xf0) return 3;
+  return first >= 0xf0 && first < 0xf5 ? 4 : 0;
+}
+
+bool is_printable(std::uint32_t c) {
+  if (c < 0x20 || (c >= 0x7f && c < 0xa0)) return false;       // C0, DEL, C1
+  if (c == 0x61c || c == 0x200e || c == 0x200f) return false;  // direction marks
+  if (c >= 0x2028 && c <= 0x202e) return false;                // ends of lines, overrides
+  if (c >= 0x2066 && c <= 0x2069) return false;                // isolates
+  return !(c >= 0xd800 && c < 0xe000) && c <= 0x10ffff;        // surrogates are no characters
+}
+
+/// The length of the printable character at text[i]; 0 if there is none.
+std::size_t printable_length(std::string_view text, std::size_t i) {
+  constexpr std::uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};  // shorter forms are no UTF-8
+  constexpr std::uint32_t kFirstBits[] = {0, 0x7f, 0x1f, 0x0f, 0x07};
+  const std::size_t length = length_of(byte_at(text, i));
+  if (length == 0 || length > text.size() - i) return 0;
+  std::uint32_t c = byte_at(text, i) & kFirstBits[length];
+  for (std::size_t k = 1; k < length; ++k) {
+    if ((byte_at(text, i + k) & 0xc0) != 0x80) return 0;
+    c = c << 6 | (byte_at(text, i + k) & 0x3f);
+  }
+  return c >= kLeast[length] && is_printable(c) ? length : 0;
+}
+
+bool is_plain(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+         std::string_view("_-.=+:/,").find(c) != std::string_view::npos;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+  std::string result;
+  result.reserve(text.size());
+  for (std::size_t i = 0; i < text.size();) {
+    if (const std::size_t length = printable_length(text, i); length > 0) {
+      result += text.substr(i, length);
+      i += length;
+    } else {
+      result += fmt::format("\\x{:02x}", byte_at(text, i++));
+    }
+  }
+  return result;
+}
+
+std::string shell_word(std::string_view word) {
+  if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return std::string(word);
+  std::string quoted = "'";
+  for (const char c : word) {
+    if (c == '\'') {
+      quoted += "'\\''";
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + "'";
+}
+
+}  // namespace ar3d

@@ -1,0 +1,95 @@
+#include "ar3d/base/threads.h"
+
+#include <malloc.h>
+#include <omp.h>
+#include <sys/mman.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <vector>
+
+#include "ar3d/base/long_vector.h"
+
+namespace ar3d {
+namespace {
+constexpr std::size_t kPage = std::size_t{1} << 21;
+}
+
+int threads_for(std::uint64_t items) {
+  constexpr std::uint64_t kFew = std::uint64_t{1} << 17;
+  return items < kFew || omp_in_parallel() ? 1 : omp_get_max_threads();
+}
+
+void advise_long_array(void* array, std::size_t bytes) {
+  if (bytes < kLongArrayBytes) return;
+  // Whole pages inside the array only; the advice takes addresses that are multiples of 4 KiB.
+  const auto begin = (reinterpret_cast<std::uintptr_t>(array) + kPage - 1) / kPage * kPage;
+  const auto end = (reinterpret_cast<std::uintptr_t>(array) + bytes) / kPage * kPage;
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): rounded up to a page
+  if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+}
+
+namespace {
+
+/// An array that nothing uses.
+struct Spare {
+  void* array = nullptr;
+  std::size_t bytes = 0;
+};
+thread_local std::vector<Spare>* spares = nullptr;  // null: no LongArrayReuse lives
+
+/// The smallest spare array of at least so many bytes and at most twice as many; null if none is.
+void* take_spare(std::size_t bytes) {
+  auto best = spares->end();
+  for (auto spare = spares->begin(); spare != spares->end(); ++spare) {
+    if (spare->bytes < bytes || spare->bytes / 2 > bytes) continue;
+    if (best == spares->end() || spare->bytes < best->bytes) best = spare;
+  }
+  if (best == spares->end()) return nullptr;
+  void* const array = best->array;
+  *best = spares->back();
+  spares->pop_back();
+  return array;
+}
+
+}  // namespace
+
+void* allocate_long_array(std::size_t bytes) { return allocate_reusable_array(bytes); }
+
+void* allocate_reusable_array(std::size_t bytes) {
+  if (spares != nullptr) {
+    if (void* const array = take_spare(bytes)) return array;
+  }
+  const bool fills_pages = bytes >= kPage / 2;
+  void* const array = fills_pages ? std::aligned_alloc(kPage, (bytes + kPage - 1) / kPage * kPage)
+                                  : std::malloc(bytes);
+  if (array == nullptr) throw std::bad_alloc();
+  // The last page costs what it holds, or is at least half full.
+  if (fills_pages) madvise(array, (bytes + kPage / 2) / kPage * kPage, MADV_HUGEPAGE);
+  return array;
+}
+
+void free_long_array(void* array) noexcept {
+  // Within the room that was reserved, so nothing is thrown.
+  if (spares == nullptr || spares->size() == spares->capacity()) return std::free(array);
+  spares->push_back({array, malloc_usable_size(array)});
+}
+
+LongArrayReuse::LongArrayReuse() : is_outermost_(spares == nullptr) {
+  constexpr std::size_t kMost = 64;
+  if (!is_outermost_) return;
+  auto room = std::make_unique<std::vector<Spare>>();
+  room->reserve(kMost);
+  spares = room.release();
+}
+
+LongArrayReuse::~LongArrayReuse() {
+  if (!is_outermost_) return;
+  for (const Spare& spare : *spares) std::free(spare.array);
+  delete spares;
+  spares = nullptr;
+}
+
+}  // namespace ar3d

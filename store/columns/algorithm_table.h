@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ar3d/model/guarantee.h"
+#include "ar3d/store/columns/run_record.h"
+#include "ar3d/store/study_identity.h"
+
+namespace ar3d {
+
+/// A record of /algorithms: what follows from algorithm and options for every input.
+struct AlgorithmRecord {
+  std::string algorithm;
+  std::string options;  ///< "effort=1", complete and in catalogue order
+  SizeBound theorem;
+  std::optional<SizeBound> published;  ///< of others, for comparison only
+
+  /// The exponent of n in the product of the theorem's three bounds: 3/2 for sqrt(n) per side, 3
+  /// for n a side.
+  double volume_order() const;
+};
+
+/// The name and the fields of /algorithms.
+const TableSpec& algorithms_spec();
+
+/// The table of these records. @throws InternalError if a text does not fit its column.
+StoredTable algorithm_table(const std::vector<AlgorithmRecord>& records);
+
+/// The records of /algorithms of a study; none if it has no such table.
+/// @throws InputError naming the column if a bound is none.
+std::vector<AlgorithmRecord> algorithm_records(const StudyIdentity& identity);
+
+/// The record of a run's algorithm and options; null if there is none.
+const AlgorithmRecord* find_algorithm_record(const std::vector<AlgorithmRecord>& records,
+                                             std::string_view algorithm, std::string_view options);
+
+/// Sets theorem_bound, slack and published_bound of a run from its n and its extents. Those of a
+/// run without n, and of one without record (null), are missing; so is the slack of a run that has
+/// no extents or a bound of 0.
+void set_bounds(const AlgorithmRecord* record, RunRecord& run);
+/// The same with the bounds themselves; each may be null.
+void set_bounds(const SizeBound* theorem, const SizeBound* published, RunRecord& run);
+
+}  // namespace ar3d

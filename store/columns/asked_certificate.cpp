@@ -1,0 +1,24 @@
+#include "ar3d/store/columns/asked_certificate.h"
+
+#include <string_view>
+
+namespace ar3d {
+namespace {
+
+constexpr std::string_view kBefore = "certificate ";
+constexpr std::string_view kBehind = " did not accept it; ";
+
+}  // namespace
+
+std::string not_accepted(const CertificateMode& mode) {
+  return std::string(kBefore) + to_string(mode) + std::string(kBehind);
+}
+
+std::string asked_certificate(const RunRecord& run) {
+  if (!run.certificate.empty()) return run.certificate;
+  const std::size_t behind = run.message.find(kBehind);
+  if (!run.message.starts_with(kBefore) || behind == std::string::npos) return "exact";
+  return run.message.substr(kBefore.size(), behind - kBefore.size());
+}
+
+}  // namespace ar3d

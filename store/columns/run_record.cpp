@@ -1,0 +1,38 @@
+#include "ar3d/store/columns/run_record.h"
+
+#include <fmt/format.h>
+
+#include "ar3d/base/error.h"
+
+namespace ar3d {
+namespace {
+constexpr std::array<const char*, 7> kNames = {"ok",       "timeout", "out_of_memory", "refused",
+                                               "violated", "crashed", "measured"};
+constexpr std::array<const char*, 6> kPhases = {"metrics", "timing",   "strong",
+                                                "weak",    "strong_r", "weak_r"};
+
+// The place of a text in a table of names.
+template <std::size_t N>
+std::size_t place_of(std::string_view text, const std::array<const char*, N>& names,
+                     const char* what) {
+  for (std::size_t i = 0; i < N; ++i) {
+    if (text == names[i]) return i;
+  }
+  throw InputError(fmt::format("unknown {} '{}'", what, text));
+}
+
+}  // namespace
+
+const char* to_string(RunStatus status) { return kNames.at(static_cast<std::size_t>(status)); }
+
+RunStatus parse_run_status(std::string_view text) {
+  return static_cast<RunStatus>(place_of(text, kNames, "status"));
+}
+
+const char* to_string(RunPhase phase) { return kPhases.at(static_cast<std::size_t>(phase)); }
+
+RunPhase parse_run_phase(std::string_view text) {
+  return static_cast<RunPhase>(place_of(text, kPhases, "phase"));
+}
+
+}  // namespace ar3d

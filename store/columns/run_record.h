@@ -1,0 +1,120 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ar3d/verify/metrics/metrics.h"
+
+namespace ar3d {
+
+inline constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+
+enum class RunStatus : std::uint8_t {
+  ok,             ///< proved right
+  timeout,        ///< no answer in time
+  out_of_memory,  ///< an allocation failed, or passed a limit
+  refused,        ///< the generator or the algorithm refused its input
+  violated,       ///< proved wrong
+  crashed,        ///< an invariant broke, the process died, an answer was no drawing
+  measured        ///< drawn and measured; nothing was promised, so nothing was judged
+};
+/// "ok", "timeout", "out_of_memory", "refused", "violated", "crashed", "measured".
+const char* to_string(RunStatus status);
+/// @throws InputError naming the text if it is no status.
+RunStatus parse_run_status(std::string_view text);
+
+/// What a row was made for. metrics: certified, on all cores, its times disturbed by the other
+/// workers; timing: alone on a core of its own; strong, weak: one of a batch of equal drawings
+/// that several threads share; strong_ranks, weak_ranks: that several ranks share.
+enum class RunPhase : std::uint8_t { metrics, timing, strong, weak, strong_ranks, weak_ranks };
+/// "metrics", "timing", "strong", "weak", "strong_r", "weak_r".
+const char* to_string(RunPhase phase);
+/// Whether its rows are drawn in batches; whether these are of one size, however many share them;
+/// whether ranks share them, not threads.
+constexpr bool is_batched(RunPhase phase) { return phase >= RunPhase::strong; }
+constexpr bool is_strong(RunPhase phase) {
+  return phase == RunPhase::strong || phase == RunPhase::strong_ranks;
+}
+constexpr bool is_over_ranks(RunPhase phase) { return phase >= RunPhase::strong_ranks; }
+/// @throws InputError naming the text if it is no phase.
+RunPhase parse_run_phase(std::string_view text);
+
+/// One row of /runs: instance x algorithm x options x repetition. Times in seconds, memory in
+/// bytes, lengths and extents in lattice units. Missing integers are -1, missing floats NaN; never
+/// 0.
+struct RunRecord {
+  std::string row_key;  ///< 32 hexadecimal digits: identity of (study, instance, algorithm,
+                        ///< options, repetition)
+  std::string family;
+  std::string parameters;  ///< "k=2;p=750000", complete and in catalogue order
+  std::int64_t requested_n = -1;
+  std::int64_t n = -1;
+  std::int64_t m = -1;
+  std::int64_t instance_index = -1;  ///< 0, 1, … : which instance of (family, parameters, n)
+  std::uint64_t seed = 0;            ///< the generator's seed of this instance
+  std::string graph_hash;            ///< 32 hexadecimal digits
+  std::string algorithm;
+  std::string options;  ///< "effort=1", complete and in catalogue order
+  RunPhase phase = RunPhase::metrics;
+  std::int64_t scale = -1;       ///< threads or ranks that share the batch; missing outside of one
+  std::int64_t repetition = -1;  ///< within (phase, scale)
+  std::string
+      level;  ///< "extents", "positions", "full": what was stored of the drawing; may be missing
+
+  // Deterministic results.
+  RunStatus status = RunStatus::crashed;
+  std::string message;       ///< first violation or error, cut to fit
+  std::string drawing_hash;  ///< 32 hexadecimal digits
+  std::int64_t violations = -1;
+  std::string certificate;  ///< how the drawing was judged: empty for exact, "measured", or
+                            ///< the name of another CertificateMode
+  std::array<std::int64_t, 3> instance_bound{-1, -1, -1};  ///< from the proof, for this instance
+  std::string counters;                                    ///< "H=3;mode=1"
+
+  // Metrics: those of verify/metrics/metrics.h that code reasons with have a member here, and every
+  // other one its value in `other_metrics`, in the order of that table.
+  std::array<std::int64_t, 3> extents{-1, -1, -1};
+  double log2_volume = kMissing;  ///< sum of log2(extent + 1) over the axes
+  std::array<std::int64_t, 8> bends{-1, -1, -1, -1, -1, -1, -1, -1};  ///< edges with b bends;
+                                                                      ///< last: 7 or more
+  double total_edge_length = kMissing;
+  double longest_edge_length = kMissing;
+  double smallest_vertex_distance = kMissing;  ///< missing if n < 2
+  std::vector<MetricValue> other_metrics;      ///< empty: all missing
+
+  // What follows from algorithm, options and n; see set_bounds(). No columns of /runs.
+  std::array<double, 3> theorem_bound{kMissing, kMissing, kMissing};
+  std::array<double, 3> slack{kMissing, kMissing, kMissing};  ///< 1 - extent / theorem_bound
+  /// The bound of somebody else, for comparison only; missing if there is none.
+  std::array<double, 3> published_bound{kMissing, kMissing, kMissing};
+
+  // Measured.
+  double generate_s = kMissing;
+  double wall_s = kMissing;   ///< drawing only
+  double cpu_s = kMissing;    ///< drawing only, CPU time of the thread
+  double store_s = kMissing;  ///< storing positions or bends, as the level asks
+  double certify_s = kMissing;
+  double write_s = kMissing;       ///< formatting the drawing as JSON lines into nothing
+  std::int64_t concurrency = -1;   ///< rows that this study makes at the same time
+  std::int64_t core = -1;          ///< core that the row was pinned to
+  std::int64_t warm_ups = -1;      ///< drawings of the same graph just before, thrown away
+  std::string build_kind;          ///< why its times are worth little: "debug", "sanitised"
+  std::int64_t instructions = -1;  ///< drawing only, by hardware counters, user space
+  std::int64_t cycles = -1;
+  std::int64_t cache_misses = -1;
+  std::int64_t counted_instructions = -1;  ///< drawing only, counted by callgrind
+  std::int64_t base_bytes = -1;            ///< resident memory when the row began
+  std::int64_t draw_peak_bytes = -1;       ///< peak resident memory while drawing
+  std::int64_t peak_bytes = -1;     ///< peak resident memory from the row's beginning to its end
+  std::string peak_scope;           ///< "row", "worker", "process"; empty if missing
+  double batch_s = kMissing;        ///< wall time of the whole batch, if in one
+  double ideal_batch_s = kMissing;  ///< what it would be with perfect scaling
+  double efficiency = kMissing;     ///< ideal_batch_s / batch_s
+  std::int64_t session = -1;        ///< which of the /environments it was made in
+};
+
+}  // namespace ar3d

@@ -1,0 +1,109 @@
+#include "ar3d/store/hdf5/file_checksum.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cerrno>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include "ar3d/base/error.h"
+
+namespace ar3d {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the length is little endian");
+
+constexpr char kMagic[] = "ar3d-checksum 1\n";
+constexpr std::size_t kMagicSize = sizeof(kMagic) - 1;
+constexpr std::size_t kHashedEnd = kMagicSize + sizeof(std::uint64_t);
+constexpr std::size_t kReadAtOnce = std::size_t{1} << 20;
+using Ending = std::array<char, kChecksumSize>;
+static_assert(kHashedEnd + sizeof(XXH128_canonical_t) == kChecksumSize);
+
+struct FreeState {
+  void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
+};
+
+// Fewer than `count` bytes only at the end of the file. @return -1 and errno if it cannot be read.
+ssize_t read_at(int file, char* to, std::size_t count, std::uint64_t offset) {
+  std::size_t have = 0;
+  while (have < count) {
+    const ssize_t got = pread(file, to + have, count - have, static_cast<off_t>(offset + have));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return -1;
+    if (got == 0) break;
+    have += static_cast<std::size_t>(got);
+  }
+  return static_cast<ssize_t>(have);
+}
+
+// The last bytes of a file of `size` bytes before, all but the hash.
+Ending ending_of(std::uint64_t size) {
+  Ending ending{};
+  std::memcpy(ending.data(), kMagic, kMagicSize);
+  std::memcpy(ending.data() + kMagicSize, &size, sizeof(size));
+  return ending;
+}
+
+// Puts the hash of the first `size` bytes and of the ending before it into the ending. False, with
+// errno, if the bytes cannot be read.
+bool put_hash(int file, std::uint64_t size, Ending& ending) {
+  const std::unique_ptr<XXH3_state_t, FreeState> state(XXH3_createState());
+  XXH3_128bits_reset(state.get());
+  std::vector<char> block(kReadAtOnce);
+  for (std::uint64_t at = 0; at < size;) {
+    const std::size_t count = std::min<std::uint64_t>(block.size(), size - at);
+    errno = EIO;  // what a file that has shrunk is
+    if (read_at(file, block.data(), count, at) != static_cast<ssize_t>(count)) return false;
+    XXH3_128bits_update(state.get(), block.data(), count);
+    at += count;
+  }
+  XXH3_128bits_update(state.get(), ending.data(), kHashedEnd);
+  XXH128_canonical_t hash;
+  XXH128_canonicalFromHash(&hash, XXH3_128bits_digest(state.get()));
+  std::memcpy(ending.data() + kHashedEnd, &hash, sizeof(hash));
+  return true;
+}
+
+}  // namespace
+
+int append_checksum(int descriptor) {
+  struct stat status {};
+  if (fstat(descriptor, &status) != 0) return errno;
+  const auto size = static_cast<std::uint64_t>(status.st_size);
+  Ending ending = ending_of(size);
+  if (!put_hash(descriptor, size, ending)) return errno;
+  for (std::size_t done = 0; done < ending.size();) {
+    const ssize_t put = pwrite(descriptor, ending.data() + done, ending.size() - done,
+                               static_cast<off_t>(size + done));
+    if (put < 0 && errno == EINTR) continue;
+    if (put <= 0) return put < 0 ? errno : EIO;
+    done += static_cast<std::size_t>(put);
+  }
+  return 0;
+}
+
+ChecksumVerdict verify_checksum(int descriptor, const std::string& path) {
+  const auto fail = [&] {
+    throw InputError(fmt::format("cannot read {}: {}", path, std::strerror(errno)));
+  };
+  struct stat status {};
+  if (fstat(descriptor, &status) != 0) fail();
+  if (status.st_size < static_cast<off_t>(kChecksumSize)) return ChecksumVerdict::none;
+  const std::uint64_t size = static_cast<std::uint64_t>(status.st_size) - kChecksumSize;
+  Ending found{};
+  if (read_at(descriptor, found.data(), found.size(), size) < 0) fail();
+  if (std::memcmp(found.data(), kMagic, kMagicSize) != 0) return ChecksumVerdict::none;
+  Ending computed = ending_of(size);
+  if (!put_hash(descriptor, size, computed)) fail();
+  return found == computed ? ChecksumVerdict::right : ChecksumVerdict::wrong;
+}
+
+}  // namespace ar3d

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ar3d/store/columns/table.h"
+#include "ar3d/store/hdf5/hdf5_handle.h"
+
+namespace ar3d {
+
+// A TableSpec in an HDF5 file is a one-dimensional dataset of a compound type, chunked and
+// compressed, with the attributes by which PyTables (hence pandas.read_hdf) knows its tables, and
+// `<field>.unit` and `<field>.meaning` for every field.
+
+/// A new table that grows record by record. Memory: a few hundred records.
+class TableWriter {
+ public:
+  /// @throws Hdf5Error
+  TableWriter(hid_t file, const TableSpec& table);
+  /// Copies a packed record. @throws Hdf5Error
+  void append(const char* record);
+  /// Writes what is buffered and the number of records. Once, at the end. @throws Hdf5Error
+  void finish();
+
+ private:
+  void flush();
+
+  Hdf5Handle type_;
+  Hdf5Handle dataset_;
+  std::size_t record_size_;
+  std::size_t written_ = 0;
+  std::vector<char> buffer_;
+};
+
+/// Creates the table and fills it; `store` writes record i (zeroed before) to the given bytes.
+/// @throws Hdf5Error
+void write_table(hid_t file, const TableSpec& table, std::size_t count,
+                 const std::function<void(std::size_t i, char* record)>& store);
+
+/// How fields are named in a file.
+enum class FieldNames { present, former };
+
+/// A table of an open file, read by record number. Memory: a chunk of records.
+class TableReader {
+ public:
+  /// Fields are found by name; fields of the file that are not asked for are ignored, those that
+  /// are not in the file are missing in every record.
+  /// @throws Hdf5Error if the table or a required field is missing, a field is not exactly of its
+  /// type, or the table is not stored as this program stores tables: chunked, deflated or plain, in
+  /// the file itself, and with no more records than `file_bytes` can hold.
+  TableReader(hid_t file, const TableSpec& table, std::uint64_t file_bytes,
+              FieldNames names = FieldNames::present);
+  std::size_t size() const { return size_; }
+  /// Record i, laid out as table.fields; valid until the next call. Cheap if i is near the one
+  /// before. @throws Hdf5Error
+  const char* read(std::size_t i);
+
+ private:
+  Hdf5Handle dataset_;
+  std::vector<Field> wanted_;  // those that the file has, at their places in a record
+  std::vector<Field> found_;   // the same, packed
+  std::vector<char> missing_;  // a record without any value
+  Hdf5Handle type_;            // of found_
+  bool as_it_is_;              // the file has all fields that are asked for
+  std::size_t size_ = 0;
+  std::size_t first_ = 0;
+  std::size_t count_ = 0;
+  std::vector<char> buffer_;
+  std::vector<char> record_;
+};
+
+/// Calls `load` with every record in order. @throws Hdf5Error as TableReader.
+void read_table(hid_t file, const TableSpec& table, std::uint64_t file_bytes,
+                const std::function<void(const char* record)>& load);
+
+/// Is there a table of that name? @throws Hdf5Error if the name leads out of the file.
+bool has_table(hid_t file, const std::string& name);
+
+/// Size in bytes of a text field of a table in the file.
+std::size_t stored_text_size(hid_t file, const std::string& table, const std::string& field);
+
+}  // namespace ar3d

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ar3d/base/descriptor.h"
+#include "ar3d/store/journal/journal_format.h"
+
+namespace ar3d {
+
+/// What a look at a journal's two ends tells.
+struct JournalStatus {
+  StudyIdentity identity;
+  std::uint64_t rows = 0;
+  std::uint64_t not_ok = 0;
+  bool is_written = false;  ///< a process writes it now
+};
+
+/// Reads the identity and the last record: the same time for any number of rows, also while the
+/// journal is written. @throws InputError if it cannot be read or is no journal.
+JournalStatus journal_status(const std::string& path, const RowFormat& format);
+
+/// A journal's rows in the order in which they were made; may be written meanwhile: what is whole
+/// when it is opened counts. Memory: 32 bytes per row.
+class JournalReader {
+ public:
+  /// @param format  outlives the reader.
+  /// @throws InputError if it cannot be read, is no journal, has other columns, or is damaged
+  /// (naming the offset).
+  JournalReader(std::string path, const RowFormat& format);
+
+  const StudyIdentity& identity() const { return identity_; }
+  /// Entry `session` is its position.
+  const std::vector<std::vector<EnvironmentEntry>>& sessions() const { return sessions_; }
+  std::size_t size() const { return rows_.size(); }
+  /// Where the last whole record ends.
+  std::uint64_t whole_bytes() const { return whole_bytes_; }
+  RowKey key(std::size_t i) const { return rows_[i].key; }
+  /// Writes a record. @throws InputError
+  void read(std::size_t i, char* record) const;
+
+ private:
+  struct Row {
+    RowKey key;
+    std::uint64_t offset = 0;  // of the payload
+    std::uint32_t size = 0;
+  };
+
+  void note(const JournalRecord& record);
+
+  std::string path_;
+  const RowFormat& format_;
+  Descriptor file_;
+  std::uint64_t whole_bytes_ = 0;
+  StudyIdentity identity_;
+  std::vector<std::vector<EnvironmentEntry>> sessions_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace ar3d

@@ -1,0 +1,239 @@
+#include "ar3d/store/journal/journal_writer.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+
+#include "ar3d/store/atomic_file.h"
+
+namespace ar3d {
+namespace {
+
+[[noreturn]] void refuse(const std::string& path, int reason) {
+  throw InputError(fmt::format("cannot write {}: {}", path, std::strerror(reason)));
+}
+
+std::span<const char> as_bytes(const std::string& text) { return {text.data(), text.size()}; }
+
+void require_same(const StudyIdentity& journal, const StudyIdentity& study,
+                  const std::string& path) {
+  const auto compare = [&](const char* what, const std::string& theirs, const std::string& ours) {
+    if (theirs != ours) {
+      throw InputError(fmt::format("{}: its {} is {}, not {}", path, what, theirs, ours));
+    }
+  };
+  const auto shard = [](const Shard& s) { return fmt::format("{}/{}", s.index, s.count); };
+  compare("specification", journal.spec_hash, study.spec_hash);
+  compare("program's source", journal.source(), study.source());
+  compare("shard", shard(journal.shard), shard(study.shard));
+}
+
+// True if the bytes are the beginning of one record or zeros, which a loss of power may leave.
+bool is_one_record_cut_short(std::span<const char> bytes) {
+  if (std::all_of(bytes.begin(), bytes.end(), [](char byte) { return byte == 0; })) return true;
+  if (bytes.size() < sizeof(JournalHead)) return true;
+  JournalHead head;
+  std::memcpy(&head, bytes.data(), sizeof(head));
+  const bool is_head = head.kind >= JournalKind::identity &&
+                       head.kind <= JournalKind::session_end &&
+                       head.payload_size <= kLargestPayload;
+  return is_head && bytes.size() < sizeof(head) + head.payload_size;
+}
+
+// False if the file was removed, or another one has its name, since it was opened.
+bool has_its_name(int file, const std::string& path) {
+  struct stat opened {};
+  struct stat named {};
+  return fstat(file, &opened) == 0 && stat(path.c_str(), &named) == 0 &&
+         opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
+}
+
+}  // namespace
+
+JournalWriter::JournalWriter(const std::string& path, const StudyIdentity& identity,
+                             const RowFormat& format,
+                             const std::function<void(const JournalRecord&)>& existing)
+    : path_(path), format_(format), record_(format.record_size()) {
+  create_if_missing(identity);
+  lock();
+  read_existing(identity, existing);
+  syncer_ = std::thread([this] { sync_every_second(); });
+}
+
+JournalWriter::~JournalWriter() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ends_ = true;
+  }
+  wake_.notify_one();
+  syncer_.join();
+  fdatasync(file_.get());
+}
+
+// The identity is in the file before it gets its name, so that no crash leaves half a beginning.
+void JournalWriter::create_if_missing(const StudyIdentity& identity) {
+  if (access(path_.c_str(), F_OK) != 0) {
+    std::vector<char> bytes;
+    const std::string text = identity_text(identity, format_);
+    frame_record({.kind = JournalKind::identity}, as_bytes(text), sizeof(kJournalMagic), bytes);
+    bytes.insert(bytes.begin(), kJournalMagic, kJournalMagic + sizeof(kJournalMagic));
+    create_file_atomically(path_, bytes);
+  }
+  file_ = Descriptor(open(path_.c_str(), O_RDWR | O_APPEND | O_CLOEXEC));
+  if (file_.get() < 0) refuse(path_, errno);
+}
+
+// The lock belongs to the open file: it lasts until the last process that has it is gone, which may
+// be a worker that dies with its parent a moment later.
+void JournalWriter::lock() {
+  struct flock range {};
+  range.l_type = F_WRLCK;
+  range.l_whence = SEEK_SET;
+  for (int tries = 0; tries < 20; ++tries) {
+    if (fcntl(file_.get(), F_OFD_SETLK, &range) == 0) {
+      if (has_its_name(file_.get(), path_)) return;
+      throw InputError(fmt::format("{} is gone: another process has finished it", path_));
+    }
+    if (errno != EACCES && errno != EAGAIN) refuse(path_, errno);
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  throw InputError(fmt::format("{} is being written by another process", path_));
+}
+
+void JournalWriter::read_existing(const StudyIdentity& identity,
+                                  const std::function<void(const JournalRecord&)>& existing) {
+  end_ = scan_journal(file_.get(), path_, [&](const JournalRecord& record) {
+    head_ = record.head;
+    if (record.head.kind == JournalKind::identity) {
+      require_same(parse_identity(record.payload, format_, path_), identity, path_);
+    }
+    if (record.head.kind == JournalKind::session) ++session_;
+    if (record.head.kind == JournalKind::row && existing) existing(record);
+    return true;
+  });
+  const off_t size = lseek(file_.get(), 0, SEEK_END);
+  if (size < 0) refuse(path_, errno);
+  bytes_cut_ = static_cast<std::uint64_t>(size) - end_;
+  if (bytes_cut_ > 0) {
+    keep_what_is_cut();
+    if (ftruncate(file_.get(), static_cast<off_t>(end_)) != 0) refuse(path_, errno);
+  }
+  if (fsync(file_.get()) != 0) refuse(path_, errno);
+}
+
+// One record cut short is what every crash leaves behind. Anything else, a whole record that stands
+// where it does not belong for one, may be rows that another process has acknowledged.
+void JournalWriter::keep_what_is_cut() {
+  std::vector<char> bytes(bytes_cut_);
+  std::size_t have = 0;
+  while (have < bytes.size()) {
+    const ssize_t got = pread(file_.get(), bytes.data() + have, bytes.size() - have,
+                              static_cast<off_t>(end_ + have));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) refuse(path_, got < 0 ? errno : EIO);
+    have += static_cast<std::size_t>(got);
+  }
+  if (is_one_record_cut_short(bytes)) return;
+  for (int number = 1; cut_file_.empty(); ++number) {
+    const std::string path = fmt::format("{}.cut-{}", path_, number);
+    if (create_file_atomically(path, bytes)) cut_file_ = path;
+  }
+}
+
+void JournalWriter::begin_session(const std::vector<EnvironmentEntry>& environment) {
+  write_record(JournalKind::session, head_, as_bytes(session_text(environment)));
+  ++session_;
+}
+
+void JournalWriter::end_session(const std::vector<EnvironmentEntry>& environment) {
+  write_record(JournalKind::session_end, head_, as_bytes(session_text(environment)));
+  sync();
+}
+
+void JournalWriter::append(const std::function<void(char* record)>& store) {
+  expect(session_ >= 0, "a journal's rows belong to a session");
+  store(record_.data());
+  std::memcpy(record_.data() + format_.rows.fields[format_.session].offset, &session_,
+              sizeof(session_));
+  append_record(record_.data());
+}
+
+void JournalWriter::append_record(const char* record) {
+  const std::span<const char> packed = pack_row(format_, record, packed_);
+  const Field& status = format_.rows.fields[format_.status];
+  const char ok[] = "ok";  // with the null that ends it
+  JournalHead head = head_;
+  ++head.rows;
+  if (std::memcmp(record + status.offset, ok, sizeof(ok)) != 0) ++head.not_ok;
+  write_record(JournalKind::row, head, packed);
+}
+
+void JournalWriter::write_record(JournalKind kind, JournalHead head,
+                                 std::span<const char> payload) {
+  if (const int reason = sync_error_) fail(reason);
+  head.kind = kind;
+  frame_record(head, payload, end_, framed_);
+  write_whole(framed_);
+  // The file is opened for appending: a write that ends elsewhere began behind bytes of another
+  // process, and this record does not count there.
+  const off_t written_to = lseek(file_.get(), 0, SEEK_CUR);
+  if (written_to != static_cast<off_t>(end_ + framed_.size())) fail_because_of_another();
+  head_ = head;
+  end_ += framed_.size();
+  unsynced_ = true;
+}
+
+void JournalWriter::write_whole(std::span<const char> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = write(file_.get(), bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) {
+      const int reason = errno;
+      cut_half_record(bytes.size());
+      fail(reason);
+    }
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+}
+
+// After a write that failed with `unwritten` bytes left. Nothing is cut off where another process
+// has written meanwhile. Should this fail as well, the next writer cuts the half record off.
+void JournalWriter::cut_half_record(std::size_t unwritten) {
+  const off_t size = lseek(file_.get(), 0, SEEK_END);
+  const auto ours = static_cast<off_t>(end_ + framed_.size() - unwritten);
+  if (size > ours || size < 0) return;
+  if (ftruncate(file_.get(), static_cast<off_t>(end_)) != 0) return;
+}
+
+void JournalWriter::fail_because_of_another() const {
+  throw JournalFull(
+      fmt::format("{} is being written by another process, too: its file system keeps no locks; "
+                  "this process ends, so that one is left",
+                  path_));
+}
+
+void JournalWriter::sync() {
+  unsynced_ = false;
+  if (fdatasync(file_.get()) != 0) sync_error_ = errno;
+  if (const int reason = sync_error_) fail(reason);
+}
+
+void JournalWriter::sync_every_second() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (!ends_) {
+    wake_.wait_for(lock, std::chrono::seconds(1));
+    if (unsynced_.exchange(false) && fdatasync(file_.get()) != 0) sync_error_ = errno;
+  }
+}
+
+void JournalWriter::fail(int reason) const {
+  throw JournalFull(fmt::format("cannot write {}: {}", path_, std::strerror(reason)));
+}
+
+}  // namespace ar3d

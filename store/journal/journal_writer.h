@@ -1,0 +1,99 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <span>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "ar3d/base/descriptor.h"
+#include "ar3d/base/error.h"
+#include "ar3d/store/journal/journal_format.h"
+
+namespace ar3d {
+
+/// The journal cannot take another row (the disk is full, say, or another process appends to it
+/// where the file system keeps no locks). It is whole; the study can go on later.
+class JournalFull : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+/// Appends rows to a study's journal. One writer a journal: the file is locked while it lives.
+///
+/// A row is acknowledged when append() returns: one write(2) has put it into the file, and neither
+/// the death of the process nor of any other can take it away. A second later at most it is on the
+/// disk (fdatasync by a thread of the writer's own) and survives a loss of power.
+class JournalWriter {
+ public:
+  /// Creates the journal, or continues it: cuts off a record that a crash cut short, then tells the
+  /// rows that it holds.
+  /// @throws InputError if another process writes it, it is damaged, it is of another study, shard
+  /// or source, or it cannot be written.
+  /// @param format  outlives the writer.
+  JournalWriter(const std::string& path, const StudyIdentity& identity, const RowFormat& format,
+                const std::function<void(const JournalRecord& row)>& existing = {});
+  ~JournalWriter();
+  JournalWriter(const JournalWriter&) = delete;
+  JournalWriter& operator=(const JournalWriter&) = delete;
+
+  /// Says where the rows to come are made. Before the first row.
+  void begin_session(const std::vector<EnvironmentEntry>& environment);
+  /// What is known only at the end of the session, such as the load.
+  void end_session(const std::vector<EnvironmentEntry>& environment);
+
+  /// A row of this session; `store` writes its record. One call at a time.
+  /// @throws JournalFull: the row is not in the journal, all before it are.
+  void append(const std::function<void(char* record)>& store);
+
+  /// A record as it is; its session counts this journal's, from 0.
+  void append_record(const char* record);
+
+  /// Everything appended is on the disk. @throws JournalFull
+  void sync();
+
+  std::uint64_t rows() const { return head_.rows; }
+  /// Bytes of an unfinished record that opening the journal cut off.
+  std::uint64_t bytes_cut() const { return bytes_cut_; }
+  /// The file beside the journal that they are kept in; empty if they were the beginning of one
+  /// record, which a crash leaves behind and nobody has acknowledged.
+  const std::string& cut_file() const { return cut_file_; }
+
+ private:
+  void create_if_missing(const StudyIdentity& identity);
+  void lock();
+  void read_existing(const StudyIdentity& identity,
+                     const std::function<void(const JournalRecord&)>& existing);
+  void keep_what_is_cut();
+  void cut_half_record(std::size_t unwritten);
+  [[noreturn]] void fail_because_of_another() const;
+  void write_record(JournalKind kind, JournalHead head, std::span<const char> payload);
+  void write_whole(std::span<const char> bytes);
+  void sync_every_second();
+  [[noreturn]] void fail(int reason) const;
+
+  std::string path_;
+  const RowFormat& format_;
+  Descriptor file_;
+  std::uint64_t end_ = 0;
+  std::uint64_t bytes_cut_ = 0;
+  std::string cut_file_;
+  std::int64_t session_ = -1;
+  JournalHead head_;
+  std::vector<char> record_;
+  std::vector<char> packed_;
+  std::vector<char> framed_;
+
+  std::atomic<bool> unsynced_ = false;
+  std::atomic<int> sync_error_ = 0;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  bool ends_ = false;
+  std::thread syncer_;
+};
+
+}  // namespace ar3d

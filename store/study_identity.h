@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ar3d/store/columns/table.h"
+
+namespace ar3d {
+
+struct EnvironmentEntry {
+  std::string name;
+  std::string value;
+  std::int64_t session = 0;  ///< a session is one process that made rows of the study
+};
+
+/// Which part of a study's instances a process makes: shard `index` of `count`, from 1.
+struct Shard {
+  std::uint32_t index = 1;
+  std::uint32_t count = 1;
+  bool operator==(const Shard&) const = default;
+};
+
+/// 1 <= index <= count <= 1,000,000.
+bool is_shard(const Shard& shard);
+
+/// What makes rows belong together.
+struct StudyIdentity {
+  std::string study_id;
+  std::string spec;                 ///< the verbatim TOML
+  std::string spec_hash;            ///< content_hash(spec)
+  std::string source_hash;          ///< git commit of the program
+  bool dirty = false;               ///< the program had changes to it
+  std::string dirty_hash;           ///< SHA-256 of the changes; empty: none, or not known
+  std::string created;              ///< ISO 8601 with zone
+  Shard shard;                      ///< what of the study
+  std::int64_t planned_rows = -1;   ///< of this shard; -1: unknown
+  std::vector<StoredTable> tables;  ///< small tables that describe all rows
+
+  /// Commit and changes, "8a1f… with changes 17c0…".
+  std::string source() const;
+};
+
+/// The table of that name; null if there is none.
+const StoredTable* find_table(const StudyIdentity& identity, std::string_view name);
+
+/// XXH3-128 of the bytes, 32 hexadecimal digits.
+std::string content_hash(std::string_view bytes);
+
+}  // namespace ar3d

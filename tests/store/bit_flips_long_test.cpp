@@ -1,0 +1,127 @@
+// Every single bit of a journal, and of every 17th byte of a results file, flipped: nothing is
+// accepted with another value, nothing crashes and nothing hangs. The counts are in docs/study.md.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ar3d/base/error.h"
+#include "ar3d/store/columns/run_columns.h"
+#include "ar3d/store/run_storage.h"
+#include "ar3d/store/journal/journal_reader.h"
+#include "ar3d/store/journal/journal_writer.h"
+#include "store/sample_runs.h"
+#include "support/program.h"
+#include "support/results.h"
+
+namespace ar3d {
+namespace {
+
+using testing::all_bytes;
+using testing::ScratchDirectory;
+
+constexpr std::int64_t kRows = 3;
+
+std::string bytes_of(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void write_bytes(const std::string& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
+}
+
+StudyIdentity identity() {
+  StudyIdentity identity;
+  identity.study_id = "sample";
+  identity.spec = "study = 'sample'\n";
+  identity.spec_hash = content_hash(identity.spec);
+  identity.source_hash = "unknown";
+  identity.created = "2026-01-02T03:04:05+00:00";
+  identity.planned_rows = kRows;
+  return identity;
+}
+
+struct Counts {
+  std::size_t refused = 0;
+  std::size_t cut = 0;  // fewer rows, as after a crash
+};
+
+// Flips every bit of every `step`-th byte in turn. `rows` gives the rows' bytes, or nothing if the
+// file is refused.
+template <class Rows>
+Counts flip_every_bit(const std::string& path, std::size_t step,
+                      const std::vector<std::string>& right, const Rows& rows) {
+  const std::string whole = bytes_of(path);
+  Counts counts;
+  for (std::size_t bit = 0; bit < 8 * whole.size(); bit += bit % 8 == 7 ? 8 * step - 7 : 1) {
+    std::string flipped = whole;
+    flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ (1 << (bit % 8)));
+    write_bytes(path, flipped);
+    const std::optional<std::vector<std::string>> read = rows();
+    if (!read) {
+      ++counts.refused;
+      continue;
+    }
+    EXPECT_LT(read->size(), right.size()) << "bit " << bit << " is accepted";
+    for (std::size_t i = 0; i < read->size(); ++i) EXPECT_EQ((*read)[i], right[i]) << bit;
+    ++counts.cut;
+  }
+  fmt::print("{} flips, {} refused, {} with fewer rows\n", counts.refused + counts.cut,
+             counts.refused, counts.cut);
+  return counts;
+}
+
+TEST(BitFlips, OfAResultsFileAreRefused) {
+  const ScratchDirectory scratch;
+  const std::string path = scratch.path("r.h5");
+  Results results;
+  static_cast<StudyIdentity&>(results) = identity();
+  for (std::int64_t i = 0; i < kRows; ++i) results.runs.push_back(testing::sample_run(i));
+  write_results(results, path);
+  std::vector<std::string> right;
+  for (const RunRecord& run : read_results(path).runs) right.push_back(all_bytes(run));
+  const Counts counts =
+      flip_every_bit(path, 17, right, [&]() -> std::optional<std::vector<std::string>> {
+        try {
+          std::vector<std::string> rows;
+          for (const RunRecord& run : read_results(path).runs) rows.push_back(all_bytes(run));
+          return rows;
+        } catch (const InputError&) {
+          return std::nullopt;
+        }
+      });
+  EXPECT_EQ(counts.cut, 0u);
+}
+
+TEST(BitFlips, OfAJournalAreRefusedOrCutTheLastRow) {
+  const ScratchDirectory scratch;
+  const std::string path = scratch.path("r.h5.journal");
+  {
+    JournalWriter journal(path, identity(), run_format());
+    journal.begin_session({{"cpu", "abacus"}});
+    for (std::int64_t i = 0; i < kRows; ++i) append_run(journal, testing::sample_run(i));
+  }
+  const auto rows = [&]() -> std::optional<std::vector<std::string>> {
+    try {
+      const JournalReader reader(path, run_format());
+      std::vector<std::string> read;
+      std::string record(run_record_size(), '\0');
+      for (std::size_t i = 0; i < reader.size(); ++i) {
+        reader.read(i, record.data());
+        read.push_back(record);
+      }
+      return read;
+    } catch (const InputError&) {
+      return std::nullopt;
+    }
+  };
+  flip_every_bit(path, 1, rows().value(), rows);
+}
+
+}  // namespace
+}  // namespace ar3d

@@ -1,0 +1,319 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <thread>
+
+#include "ar3d/base/error.h"
+#include "ar3d/store/columns/run_columns.h"
+#include "ar3d/store/run_storage.h"
+#include "ar3d/store/journal/journal_reader.h"
+#include "ar3d/store/journal/journal_writer.h"
+#include "store/sample_runs.h"
+#include "support/program.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::read_file;
+using testing::sample_run;
+using testing::ScratchDirectory;
+namespace fs = std::filesystem;
+
+StudyIdentity sample_identity() {
+  StudyIdentity identity;
+  identity.study_id = "sample";
+  identity.spec = "# h\xc3\xb6her\nstudy = \"sample\"\n";
+  identity.spec_hash = std::string(32, 'a');
+  identity.source_hash = std::string(40, 'b');
+  identity.dirty = true;
+  identity.dirty_hash = std::string(64, 'd');
+  identity.created = "2026-01-02T03:04:05+00:00";
+  identity.planned_rows = 100;
+  return identity;
+}
+
+class Journal : public ::testing::Test {
+ protected:
+  void write_rows(std::int64_t from, std::int64_t to) const {
+    JournalWriter writer(path_, sample_identity(), run_format());
+    writer.begin_session({{"cpu", "abacus"}, {"odd", "\xff"}});
+    for (std::int64_t i = from; i < to; ++i) append_run(writer, sample_run(i));
+  }
+  void overwrite(std::uint64_t offset, const std::string& bytes) const {
+    std::fstream file(path_, std::ios::binary | std::ios::in | std::ios::out);
+    file.seekp(static_cast<std::streamoff>(offset));
+    file << bytes;
+  }
+  std::string open_error() const {
+    try {
+      JournalWriter writer(path_, sample_identity(), run_format());
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+  std::string read_error() const {
+    try {
+      JournalReader reader(path_, run_format());
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  ScratchDirectory scratch_;
+  std::string path_ = scratch_.path("s.journal");
+};
+
+void expect_rows(const std::string& path, std::int64_t count) {
+  const JournalReader reader(path, run_format());
+  ASSERT_EQ(reader.size(), static_cast<std::size_t>(count));
+  std::vector<char> record(run_record_size());
+  for (std::int64_t i = 0; i < count; ++i) {
+    reader.read(static_cast<std::size_t>(i), record.data());
+    const ar3d::RunRecord run = load_record(record.data());
+    EXPECT_TRUE(differing_columns(run, sample_run(i)).empty()) << i;
+    EXPECT_EQ(run.wall_s, sample_run(i).wall_s);
+    EXPECT_EQ(to_string(reader.key(static_cast<std::size_t>(i))), sample_run(i).row_key);
+  }
+}
+
+TEST_F(Journal, HoldsWhatWasAppended) {
+  write_rows(0, 30);
+  write_rows(30, 50);
+  expect_rows(path_, 50);
+  const JournalReader reader(path_, run_format());
+  EXPECT_EQ(reader.identity().spec, sample_identity().spec);
+  EXPECT_EQ(reader.identity().planned_rows, 100);
+  ASSERT_EQ(reader.sessions().size(), 2u);
+  EXPECT_EQ(reader.sessions()[1][0].value, "abacus");
+  std::vector<char> record(run_record_size());
+  for (std::size_t i = 0; i < 50; ++i) {
+    reader.read(i, record.data());
+    EXPECT_EQ(load_record(record.data()).session, i < 30 ? 0 : 1);
+  }
+}
+
+TEST_F(Journal, TellsTheRowsItHasWhenContinued) {
+  write_rows(0, 7);
+  std::vector<std::string> keys;
+  const JournalWriter writer(
+      path_, sample_identity(), run_format(), [&](const JournalRecord& record) {
+        keys.push_back(to_string(packed_row_key(run_format(), record.payload)));
+      });
+  ASSERT_EQ(keys.size(), 7u);
+  EXPECT_EQ(keys[6], sample_run(6).row_key);
+  EXPECT_EQ(writer.rows(), 7u);
+  EXPECT_EQ(writer.bytes_cut(), 0u);
+}
+
+// Whatever prefix of its last write a crash leaves, all rows before it are there and it goes on.
+TEST_F(Journal, CutsOffARecordThatACrashCutShort) {
+  write_rows(0, 5);
+  const std::string five = read_file(path_);
+  write_rows(5, 6);
+  const std::string six = read_file(path_);
+  for (std::size_t size = five.size(); size < six.size(); size += 7) {
+    std::ofstream(path_, std::ios::binary) << six.substr(0, size);
+    const std::size_t lost_session =
+        JournalReader(path_, run_format()).sessions().size() == 1 ? 1 : 0;
+    EXPECT_EQ(JournalReader(path_, run_format()).size(), 5u) << size;
+    {
+      JournalWriter writer(path_, sample_identity(), run_format());
+      EXPECT_LE(writer.bytes_cut(), size - five.size());
+      EXPECT_EQ(writer.rows(), 5u);
+      if (lost_session == 1) {
+        EXPECT_EQ(writer.bytes_cut(), size - five.size());
+      }
+    }
+    write_rows(5, 9);
+    expect_rows(path_, 9);
+  }
+}
+
+// A power cut may leave a file longer than what reached the disk: zeros or old bytes at its end.
+TEST_F(Journal, CutsOffGarbageAtTheEnd) {
+  write_rows(0, 5);
+  const std::string five = read_file(path_);
+  for (const std::string& tail : {std::string(1, '\0'), std::string(5000, '\0'),
+                                  std::string(700, '\xff'), five.substr(five.size() - 400)}) {
+    std::ofstream(path_, std::ios::binary) << five << tail;
+    EXPECT_EQ(journal_status(path_, run_format()).rows, 5u);
+    EXPECT_EQ(JournalWriter(path_, sample_identity(), run_format()).bytes_cut(), tail.size());
+    EXPECT_EQ(read_file(path_), five);
+  }
+}
+
+TEST_F(Journal, AFlippedByteInTheMiddleIsAnErrorThatNamesTheOffset) {
+  write_rows(0, 12);
+  const std::string whole = read_file(path_);
+  std::vector<std::uint64_t> offsets;
+  {
+    JournalWriter writer(path_, sample_identity(), run_format(),
+                         [&](const JournalRecord& record) { offsets.push_back(record.offset); });
+  }
+  for (std::uint64_t at = sizeof(kJournalMagic); at < offsets[11]; at += 3) {
+    overwrite(at, std::string(1, static_cast<char>(whole[at] ^ 0x10)));
+    const auto next = std::upper_bound(offsets.begin(), offsets.end(), at);
+    const std::string error = read_error();
+    EXPECT_EQ(open_error(), error);
+    EXPECT_THAT(error, HasSubstr("damaged at byte"));
+    if (next != offsets.begin()) {
+      EXPECT_THAT(error, HasSubstr("damaged at byte " + std::to_string(*(next - 1)) + ":"));
+    }
+    EXPECT_EQ(read_file(path_).size(), whole.size()) << "nothing may be cut off";
+    overwrite(at, whole.substr(at, 1));
+  }
+  expect_rows(path_, 12);
+}
+
+TEST_F(Journal, HasOneWriterAtATime) {
+  {
+    JournalWriter writer(path_, sample_identity(), run_format());
+    EXPECT_THAT(open_error(), HasSubstr("is being written by another process"));
+    EXPECT_TRUE(journal_status(path_, run_format()).is_written);
+    JournalReader reader(path_, run_format());
+  }  // a reader's end does not give up the lock before its time
+  EXPECT_FALSE(journal_status(path_, run_format()).is_written);
+  EXPECT_EQ(open_error(), "no error");
+}
+
+// A worker process has the open file too.
+TEST_F(Journal, IsNotContinuedWhenItsWriterHasRemovedIt) {
+  auto writer = std::make_unique<JournalWriter>(path_, sample_identity(), run_format());
+  std::string error;
+  std::thread waiting([&] { error = open_error(); });
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));  // it waits for the lock by then
+  fs::remove(path_);
+  writer.reset();
+  waiting.join();
+  EXPECT_THAT(error, HasSubstr("s.journal is gone: another process has finished it"));
+}
+
+TEST_F(Journal, IsLockedUntilTheLastWorkerIsGone) {
+  pid_t child = -1;
+  {
+    JournalWriter writer(path_, sample_identity(), run_format());
+    child = fork();
+    if (child == 0) {
+      pause();
+      _exit(0);
+    }
+  }
+  EXPECT_TRUE(journal_status(path_, run_format()).is_written);
+  kill(child, SIGKILL);
+  EXPECT_EQ(open_error(), "no error") << "a worker that dies a moment later is waited for";
+  waitpid(child, nullptr, 0);
+}
+
+TEST_F(Journal, RefusesAnotherStudySourceOrShard) {
+  write_rows(0, 1);
+  const auto error_with = [&](const std::function<void(StudyIdentity&)>& change) {
+    StudyIdentity other = sample_identity();
+    change(other);
+    try {
+      JournalWriter writer(path_, other, run_format());
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_THAT(error_with([](StudyIdentity& i) { i.spec_hash[0] = 'c'; }),
+              HasSubstr("its specification is a"));
+  EXPECT_THAT(error_with([](StudyIdentity& i) { i.source_hash[0] = 'c'; }),
+              HasSubstr("its program's source is b"));
+  EXPECT_THAT(error_with([](StudyIdentity& i) { i.dirty_hash[0] = 'e'; }),
+              HasSubstr("b with changes d"));
+  EXPECT_THAT(error_with([](StudyIdentity& i) {
+                i.shard = {2, 3};
+              }),
+              HasSubstr("its shard is 1/1, not 2/3"));
+}
+
+TEST_F(Journal, RefusesWhatIsNoJournal) {
+  EXPECT_THAT(read_error(), HasSubstr("No such file or directory"));
+  for (const char* text : {"", "hello", "ar3d-journal 0\n and more than sixteen bytes"}) {
+    std::ofstream(path_) << text;
+    EXPECT_THAT(read_error(), HasSubstr("is not a journal of this version"));
+    EXPECT_THAT(open_error(), HasSubstr("is not a journal of this version"));
+  }
+  std::ofstream(path_, std::ios::binary) << std::string(kJournalMagic, sizeof(kJournalMagic));
+  EXPECT_THAT(read_error(), HasSubstr("without a beginning"));
+}
+
+TEST_F(Journal, RefusesUnwritablePlaces) {
+  for (const char* path : {"/proc/s.journal", "/sys/s.journal", "/no/such/place/s.journal"}) {
+    try {
+      JournalWriter writer(path, sample_identity(), run_format());
+      ADD_FAILURE() << path;
+    } catch (const JournalFull&) {
+      ADD_FAILURE() << "nothing was written yet";
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(std::string("cannot write ") + path));
+    }
+  }
+}
+
+// The kernel refuses to let files grow past a limit, as it refuses to on a full disk.
+TEST_F(Journal, IsWholeWhenTheDiskIsFull) {
+  write_rows(0, 10);
+  const std::uint64_t ten = fs::file_size(path_);
+  rlimit old_limit{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &old_limit), 0);
+  const auto old_handler = signal(SIGXFSZ, SIG_IGN);
+  rlimit small_limit = old_limit;
+  small_limit.rlim_cur = ten + 1000;
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small_limit), 0);
+  EXPECT_THROW(write_rows(10, 100), JournalFull);
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &old_limit), 0);
+  signal(SIGXFSZ, old_handler);
+  std::uint64_t rows = 0;
+  {
+    JournalWriter writer(path_, sample_identity(), run_format());
+    EXPECT_EQ(writer.bytes_cut(), 0u) << "the half record is cut off at once";
+    rows = writer.rows();
+  }
+  EXPECT_GT(rows, 10u);
+  write_rows(static_cast<std::int64_t>(rows), 100);
+  expect_rows(path_, 100);
+}
+
+TEST_F(Journal, StatusCountsRowsThatAreNotOk) {
+  {
+    JournalWriter writer(path_, sample_identity(), run_format());
+    writer.begin_session({});
+    for (std::int64_t i = 0; i < 2000; ++i) {
+      ar3d::RunRecord run = sample_run(i);
+      if (i % 10 == 0) run.status = RunStatus::timeout;
+      append_run(writer, run);
+    }
+    writer.end_session({{"load_after", "1.00"}});
+  }
+  const JournalStatus status = journal_status(path_, run_format());
+  EXPECT_EQ(status.rows, 2000u);
+  EXPECT_EQ(status.not_ok, 200u);
+  EXPECT_EQ(status.identity.study_id, "sample");
+  EXPECT_FALSE(status.is_written);
+  EXPECT_EQ(JournalReader(path_, run_format()).sessions()[0].back().name, "load_after");
+}
+
+TEST(RowKey, ReadsBackAndRefusesOtherTexts) {
+  const std::string text = "0123456789abcdeffedcba9876543210";
+  EXPECT_EQ(to_string(parse_row_key(text)), text);
+  for (const char* bad : {"", "0123", "0123456789ABCDEFfedcba9876543210",
+                          "-123456789abcdeffedcba9876543210", "0123456789abcdefXedcba9876543210"}) {
+    EXPECT_THROW(parse_row_key(bad), InputError) << bad;
+  }
+}
+
+}  // namespace
+}  // namespace ar3d

@@ -1,0 +1,352 @@
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "ar3d/base/error.h"
+#include "ar3d/store/atomic_file.h"
+#include "ar3d/store/columns/run_columns.h"
+#include "ar3d/store/run_storage.h"
+#include "ar3d/store/hdf5/file_checksum.h"
+#include "store/sample_runs.h"
+
+namespace ar3d {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::sample_run;
+namespace fs = std::filesystem;
+
+Results sample_results(std::int64_t count) {
+  Results results;
+  results.study_id = "sample";
+  results.spec = "# h\xc3\xb6her\n[study]\n";
+  results.spec_hash = content_hash(results.spec);
+  results.source_hash = "unknown";
+  results.dirty = true;
+  results.dirty_hash = std::string(64, 'd');
+  results.created = "2026-01-02T03:04:05+00:00";
+  results.shard = {2, 3};
+  results.planned_rows = 7;
+  results.environment = {{"cpu", "abacus"}, {"flags", "-O3 -DNDEBUG", 1}};
+  for (std::int64_t i = 0; i < count; ++i) results.runs.push_back(sample_run(i));
+  return results;
+}
+
+class ResultsFile : public ::testing::Test {
+ protected:
+  ResultsFile() { fs::create_directories(folder_); }
+  ~ResultsFile() override { fs::remove_all(folder_); }
+  std::string in_folder(const std::string& name) const { return (folder_ / name).string(); }
+  std::size_t files_in_folder() const {
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+  }
+
+  fs::path folder_ = fs::path(::testing::TempDir()) / ("ar3d_results_" + std::to_string(getpid()));
+};
+
+std::string read_error(const std::string& path) {
+  try {
+    read_results(path);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string write_error(const Results& results, const std::string& path) {
+  try {
+    write_results(results, path);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST_F(ResultsFile, ReadsBackWhatWasWritten) {
+  for (const std::int64_t count : {0, 1, 511, 512, 513, 1500}) {
+    const Results written = sample_results(count);
+    write_results(written, in_folder("r.h5"));
+    const Results read = read_results(in_folder("r.h5"));
+    EXPECT_EQ(read.study_id, written.study_id);
+    EXPECT_EQ(read.spec, written.spec);
+    EXPECT_EQ(read.spec_hash, written.spec_hash);
+    EXPECT_EQ(read.source_hash, written.source_hash);
+    EXPECT_TRUE(read.dirty);
+    EXPECT_EQ(read.dirty_hash, written.dirty_hash);
+    EXPECT_EQ(read.created, written.created);
+    EXPECT_EQ(read.shard, written.shard);
+    EXPECT_EQ(read.planned_rows, written.planned_rows);
+    ASSERT_EQ(read.environment.size(), 2u);
+    EXPECT_EQ(read.environment[0].session, 0);
+    EXPECT_EQ(read.environment[1].session, 1);
+    EXPECT_EQ(read.environment[1].name, "flags");
+    EXPECT_EQ(read.environment[1].value, "-O3 -DNDEBUG");
+    ASSERT_EQ(read.runs.size(), written.runs.size());
+    for (std::size_t i = 0; i < read.runs.size(); ++i) {
+      for (const Column& column : run_columns()) {
+        EXPECT_EQ(column_text(column, read.runs[i]), column_text(column, written.runs[i]));
+      }
+    }
+  }
+  EXPECT_EQ(files_in_folder(), 1u) << "no partial file may stay";
+}
+
+TEST_F(ResultsFile, KeepsMissingValuesMissing) {
+  Results results = sample_results(1);
+  results.runs[0] = ar3d::RunRecord();
+  results.runs[0].status = RunStatus::timeout;
+  write_results(results, in_folder("r.h5"));
+  const ar3d::RunRecord run = read_results(in_folder("r.h5")).runs.at(0);
+  EXPECT_EQ(run.status, RunStatus::timeout);
+  EXPECT_EQ(run.n, -1);
+  EXPECT_EQ(run.bends[7], -1);
+  EXPECT_EQ(run.peak_bytes, -1);
+  EXPECT_TRUE(std::isnan(run.wall_s));
+  EXPECT_TRUE(std::isnan(run.slack[2]));
+}
+
+TEST_F(ResultsFile, EqualResultsGiveEqualBytes) {
+  const auto bytes = [](const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  write_results(sample_results(700), in_folder("a.h5"));
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // time stamps count seconds
+  write_results(sample_results(700), in_folder("b.h5"));
+  EXPECT_EQ(bytes(in_folder("a.h5")), bytes(in_folder("b.h5")));
+}
+
+TEST_F(ResultsFile, CutsMessagesAndRefusesLongNames) {
+  Results results = sample_results(1);
+  results.runs[0].message = "line\n\xc3\xb6" + std::string(1000, 'x');
+  write_results(results, in_folder("r.h5"));
+  const std::string message = read_results(in_folder("r.h5")).runs[0].message;
+  EXPECT_EQ(message, "line???" + std::string(233, 'x'));
+  results.runs[0].family = std::string(100, 'f');
+  EXPECT_THAT(write_error(results, in_folder("s.h5")), HasSubstr("family 'ffff"));
+  EXPECT_FALSE(fs::exists(in_folder("s.h5")));
+}
+
+TEST_F(ResultsFile, RefusesWhatIsNoResultsFile) {
+  EXPECT_THAT(read_error(in_folder("missing.h5")), HasSubstr("No such file or directory"));
+  EXPECT_THAT(read_error(folder_.string()), HasSubstr("Is a directory"));
+  std::ofstream(in_folder("text.h5")) << "hello";
+  EXPECT_THAT(read_error(in_folder("text.h5")), HasSubstr("is not an HDF5 file"));
+  std::ofstream(in_folder("empty.h5")) << "";
+  EXPECT_THAT(read_error(in_folder("empty.h5")), HasSubstr("is not an HDF5 file"));
+}
+
+TEST_F(ResultsFile, RefusesAFileCutShort) {
+  write_results(sample_results(2000), in_folder("r.h5"));
+  fs::resize_file(in_folder("r.h5"), fs::file_size(in_folder("r.h5")) / 2);
+  EXPECT_THAT(read_error(in_folder("r.h5")),
+              HasSubstr("is not a readable results file: cannot open it"));
+}
+
+void change_with_h5py(const std::string& path, const std::string& change) {
+  const std::string script = "import h5py, numpy; f = h5py.File('" + path + "', 'a'); " + change;
+  EXPECT_EQ(std::system(("/usr/bin/python3 -c \"" + script + "\"").c_str()), 0);
+}
+
+// Changes a written file with h5py, makes its checksum right again and gives the error of reading.
+std::string error_after(const std::string& path, const std::string& change) {
+  write_results(sample_results(3), path);
+  change_with_h5py(path, change);
+  const Descriptor file(open(path.c_str(), O_RDWR));
+  EXPECT_EQ(append_checksum(file.get()), 0);
+  return read_error(path);
+}
+
+TEST_F(ResultsFile, RefusesAnotherFormatOrVersion) {
+  const std::string path = in_folder("r.h5");
+  EXPECT_THAT(error_after(path, "f.attrs['format_version'] = 4"), HasSubstr("format version 4"));
+  EXPECT_THAT(error_after(path, "del f.attrs['format']"),
+              HasSubstr("attribute 'format' is missing"));
+  EXPECT_THAT(error_after(path, "del f['runs']"), HasSubstr("/runs is missing"));
+  EXPECT_THAT(error_after(path, "del f['spec']"), HasSubstr("/spec is missing"));
+  EXPECT_THAT(error_after(path,
+                          "d = f['runs'][:]; del f['runs']; "
+                          "f['runs'] = d[[n for n in d.dtype.names if n != 'seed']]"),
+              HasSubstr("/runs has no field 'seed'"));
+  EXPECT_THAT(error_after(path, "del f['runs']; f['runs'] = [1, 2]"),
+              HasSubstr("/runs is not a table of records"));
+  EXPECT_THAT(error_after(path, "f['spec'][()] = b'another'"), HasSubstr("/spec"));
+  EXPECT_THAT(error_after(path, "f.attrs['planned_rows'] = 1.5"), HasSubstr("planned_rows"));
+}
+
+TEST_F(ResultsFile, FillsColumnsThatAreMissing) {
+  const std::string path = in_folder("r.h5");
+  EXPECT_EQ(error_after(path,
+                        "from numpy.lib.recfunctions import repack_fields; d = f['runs'][:]; "
+                        "del f['runs']; f['runs'] = repack_fields(d[[n for n in d.dtype.names "
+                        "if n not in ('log2_volume', 'violations', 'counters')]])"),
+            "no error");
+  const Results results = read_results(path);
+  EXPECT_TRUE(std::isnan(results.runs.at(2).log2_volume));
+  EXPECT_EQ(results.runs[2].violations, -1);
+  EXPECT_EQ(results.runs[2].counters, "");
+  EXPECT_EQ(results.runs[2].extents, sample_run(2).extents);
+}
+
+// What the bytes of a file lead out of it, or claim that cannot be.
+TEST_F(ResultsFile, RefusesFilesThatReachForOthers) {
+  const std::string path = in_folder("r.h5");
+  std::ofstream(in_folder("secret.txt")) << std::string(5000, 's');
+  const std::string secret = in_folder("secret.txt");
+  write_results(sample_results(1), in_folder("other.h5"));
+  EXPECT_THAT(error_after(path,
+                          "del f['spec']; f.create_dataset('spec', shape=(1,), dtype='S9', "
+                          "external=[('" +
+                              secret + "', 0, 9)])"),
+              HasSubstr("/spec has its bytes in another file"));
+  EXPECT_THAT(error_after(path, "del f['runs']; f['runs'] = h5py.ExternalLink('" +
+                                    in_folder("other.h5") + "', 'runs')"),
+              HasSubstr("/runs is a link elsewhere"));
+  EXPECT_THAT(error_after(path,
+                          "d = f['runs'].dtype; del f['runs']; l = h5py.VirtualLayout((1,), d); "
+                          "l[:] = h5py.VirtualSource('" +
+                              in_folder("other.h5") +
+                              "', 'runs', (1,)); f.create_virtual_dataset('runs', l)"),
+              HasSubstr("/runs is a view of other datasets"));
+  EXPECT_THAT(error_after(path,
+                          "d = f['runs'].dtype; del f['runs']; "
+                          "f.create_dataset('runs', (10**12,), d, chunks=(512,))"),
+              HasSubstr("more than the file can hold"));
+  EXPECT_THAT(error_after(path,
+                          "d = f['runs'].dtype; del f['runs']; "
+                          "f.create_dataset('runs', (10**6,), d, chunks=(10**6,))"),
+              HasSubstr("/runs has chunks of more than"));
+}
+
+TEST_F(ResultsFile, RefusesFilesThatAnotherProgramHasChanged) {
+  const std::string path = in_folder("r.h5");
+  write_results(sample_results(3), path);
+  change_with_h5py(path, "f.attrs['study_id'] = 'mine'");
+  EXPECT_THAT(read_error(path),
+              ::testing::AnyOf(HasSubstr("has no checksum at its end"), HasSubstr("is damaged")));
+}
+
+// A sample of the flips; tests/store/bit_flips_long_test.cpp makes them all.
+TEST_F(ResultsFile, NoFlippedBitIsAccepted) {
+  const std::string path = in_folder("r.h5");
+  write_results(sample_results(40), path);
+  std::ifstream in(path, std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(in), {});
+  const std::size_t bits = 8 * bytes.size();
+  for (std::size_t bit = 0; bit < bits; bit += bits / 300) {
+    std::string flipped = bytes;
+    flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ (1 << bit % 8));
+    std::ofstream(path, std::ios::binary) << flipped;
+    EXPECT_NE(read_error(path), "no error") << bit;
+  }
+  for (std::size_t bit = bits - 8 * kChecksumSize; bit < bits; bit += 7) {
+    std::string flipped = bytes;
+    flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ (1 << bit % 8));
+    std::ofstream(path, std::ios::binary) << flipped;
+    EXPECT_NE(read_error(path), "no error") << bit;
+  }
+}
+
+TEST_F(ResultsFile, RefusesUnwritablePlaces) {
+  const Results results = sample_results(1);
+  EXPECT_THAT(write_error(results, in_folder("no/such/r.h5")),
+              HasSubstr("No such file or directory"));
+  EXPECT_THAT(write_error(results, folder_.string()), HasSubstr("Is a directory"));
+  EXPECT_THAT(write_error(results, "/dev/null"), HasSubstr("it is not a regular file"));
+  EXPECT_THAT(write_error(results, "/proc/r.h5"), HasSubstr("cannot write /proc/r.h5: "));
+  EXPECT_THROW(require_writable("/proc/r.h5"), InputError);
+  EXPECT_NO_THROW(require_writable(in_folder("r.h5")));
+  EXPECT_EQ(files_in_folder(), 0u);
+}
+
+// The kernel refuses to let files grow past a limit, as it refuses to on a full disk.
+TEST_F(ResultsFile, LeavesTheOldFileWhenTheDiskIsFull) {
+  write_results(sample_results(1), in_folder("r.h5"));
+  rlimit old_limit{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &old_limit), 0);
+  const auto old_handler = signal(SIGXFSZ, SIG_IGN);
+  rlimit small_limit = old_limit;
+  small_limit.rlim_cur = 10000;
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small_limit), 0);
+  const std::string error = write_error(sample_results(5000), in_folder("r.h5"));
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &old_limit), 0);
+  signal(SIGXFSZ, old_handler);
+  EXPECT_THAT(error, HasSubstr("r.h5: File too large"));
+  EXPECT_EQ(read_results(in_folder("r.h5")).runs.size(), 1u);
+  EXPECT_EQ(files_in_folder(), 1u);
+}
+
+TEST_F(ResultsFile, FollowsASymbolicLink) {
+  fs::create_directory(in_folder("real"));
+  std::ofstream(in_folder("real/r.h5")) << "old";
+  fs::create_symlink(in_folder("real/r.h5"), in_folder("link.h5"));
+  write_results(sample_results(1), in_folder("link.h5"));
+  EXPECT_TRUE(fs::is_symlink(in_folder("link.h5")));
+  EXPECT_EQ(read_results(in_folder("real/r.h5")).runs.size(), 1u);
+}
+
+// What the documentation promises to Python users, each in one line, with warnings as errors.
+TEST_F(ResultsFile, PandasAndH5pyReadItInOneLine) {
+  write_results(sample_results(600), in_folder("r.h5"));
+  std::ofstream(in_folder("check.py")) << R"(
+import warnings
+import numpy, pandas, h5py, tables
+warnings.simplefilter("error")
+f = ")" << in_folder("r.h5") << R"("
+a = pandas.read_hdf(f, "runs")
+b = pandas.DataFrame(h5py.File(f)["runs"][:])
+for t in (a, b):
+    assert len(t) == 600, len(t)
+    assert t.requested_n[7] == 13 and t.extent_z[0] == 2**61 and t.bends_7[599] == 8
+    assert t.seed[0] == 2**64 - 1 and t.seed.dtype == numpy.uint64
+    assert numpy.isnan(t.certify_s).all() and (t.peak_bytes == -1).all()
+    assert abs(t.log2_volume[3] - 0.3) < 1e-15
+assert a.algorithm[1] == "grid" and b.algorithm[1] == b"grid", (a.algorithm[1], b.algorithm[1])
+assert list(a.columns) == list(b.columns)
+i = pandas.read_hdf(f, "instances")
+assert len(i) == 300 and list(i.requested_n) == list(range(10, 310))
+e = pandas.read_hdf(f, "environments")
+assert e.value[0] == "abacus"
+h = h5py.File(f)
+assert h["spec"][()].decode() == "# h\u00f6her\n[study]\n"
+assert h.attrs["format"].decode() == "ar3d-results" and h.attrs["format_version"] == 3
+assert h["runs"].attrs["wall_s.unit"].decode() == "s"
+tables.open_file(f).root.runs.attrs._f_list("all")
+)";
+  EXPECT_EQ(std::system(("/usr/bin/python3 " + in_folder("check.py")).c_str()), 0);
+}
+
+TEST_F(ResultsFile, TheReaderForPandasGivesTextsAndMasksWhatIsMissing) {
+  Results results = sample_results(4);
+  results.runs[1].violations = -1;
+  write_results(results, in_folder("r.h5"));
+  std::ofstream(in_folder("check.py")) << R"(
+import sys
+sys.path.insert(0, ")" << AR3D_SOURCE_DIR "/tools"
+                                       << R"(")
+import ar3d_results
+runs = ar3d_results.read(")" << in_folder("r.h5")
+                                       << R"(")
+assert runs.algorithm[1] == "grid" and isinstance(runs.algorithm[1], str)
+assert runs.violations.mean() == 0 and runs.violations.count() == 3
+assert runs.peak_bytes.isna().all() and runs.wall_s.isna().sum() == 0
+assert runs.seed[0] == 2**64 - 1
+assert len(ar3d_results.read(")" << in_folder("r.h5")
+                                       << R"(", "instances")) == 2
+)";
+  EXPECT_EQ(std::system(("/usr/bin/python3 " + in_folder("check.py")).c_str()), 0);
+}
+
+}  // namespace
+}  // namespace ar3d

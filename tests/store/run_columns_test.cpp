@@ -1,0 +1,99 @@
+// The columns of /runs and the page that lists them.
+#include "ar3d/store/columns/run_columns.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <set>
+
+#include "ar3d/base/error.h"
+#include "ar3d/store/run_storage.h"
+#include "store/sample_runs.h"
+
+namespace ar3d {
+namespace {
+
+using testing::sample_run;
+
+TEST(Columns, NamesAreUniqueAndDescribed) {
+  std::set<std::string> names;
+  for (const Column& column : run_columns()) {
+    EXPECT_TRUE(names.insert(column.name).second) << column.name;
+    EXPECT_FALSE(column.meaning.empty()) << column.name;
+    EXPECT_EQ(column.unit.empty(), column.type == FieldType::text || column.name == "seed")
+        << column.name;
+  }
+  EXPECT_TRUE(names.contains("extent_z"));
+}
+
+// The schema page lists every column with its meaning, in the order of the record; of the metrics
+// it names the table.
+TEST(Columns, SchemaPageListsThemInOrder) {
+  std::ifstream in(AR3D_SOURCE_DIR "/results/SCHEMA.md");
+  const std::string page(std::istreambuf_iterator<char>(in), {});
+  std::size_t at = page.find("## Columns of `/runs`");
+  ASSERT_NE(at, std::string::npos);
+  for (const Column& column : run_columns()) {
+    if (column.kind == ColumnKind::metric) continue;
+    const bool instance = column.kind == ColumnKind::instance;
+    at = page.find("| `" + column.name + (instance ? "` * | " : "` | "), at);
+    ASSERT_NE(at, std::string::npos) << column.name;
+    EXPECT_NE(page.find(column.meaning, at), std::string::npos) << column.name;
+  }
+}
+
+TEST(Columns, NumbersOfMissingValuesAreMissing) {
+  ar3d::RunRecord run = sample_run(4);
+  run.bends[1] = 5;
+  run.bends[2] = -1;
+  run.log2_volume = 2.5;
+  run.longest_edge_length = kMissing;
+  EXPECT_EQ(column_number(run_column("bends_1"), run), 5);
+  EXPECT_EQ(column_number(run_column("log2_volume"), run), 2.5);
+  EXPECT_TRUE(std::isnan(column_number(run_column("bends_2"), run)));
+  EXPECT_TRUE(std::isnan(column_number(run_column("longest_edge_length"), run)));
+}
+
+TEST(Columns, DifferencesNameTheColumnAndLeaveTimesOut) {
+  ar3d::RunRecord a = sample_run(4);
+  ar3d::RunRecord b = a;
+  b.wall_s = 7;
+  b.peak_bytes = 5;
+  EXPECT_TRUE(differing_columns(a, b).empty());
+  b.extents[1] += 1;
+  b.counters = "H=4";
+  EXPECT_THAT(differing_columns(a, b), ::testing::ElementsAre("counters", "extent_y"));
+}
+
+TEST(Columns, IdentifyingTextsArePrintableAtEveryPlace) {
+  for (int c = 0; c < 256; ++c) {
+    for (std::size_t place = 0; place < 19; ++place) {
+      ar3d::RunRecord run = sample_run(4);
+      run.options = std::string(19, place % 2 == 0 ? ' ' : '~');
+      run.options[place] = static_cast<char>(c);
+      if (c >= ' ' && c <= '~') {
+        EXPECT_NO_THROW(require_storable(run)) << c << " at " << place;
+      } else {
+        EXPECT_THROW(require_storable(run), InputError) << c << " at " << place;
+      }
+    }
+  }
+}
+
+TEST(RunStatus, TextsGoBothWays) {
+  for (int i = 0; i < 6; ++i) {
+    const auto status = static_cast<RunStatus>(i);
+    EXPECT_EQ(parse_run_status(to_string(status)), status);
+  }
+  EXPECT_THROW(parse_run_status("fine"), InputError);
+  for (const RunPhase phase : {RunPhase::metrics, RunPhase::timing, RunPhase::strong,
+                               RunPhase::weak, RunPhase::strong_ranks, RunPhase::weak_ranks}) {
+    EXPECT_EQ(parse_run_phase(to_string(phase)), phase);
+  }
+  EXPECT_THROW(parse_run_phase("fast"), InputError);
+}
+
+}  // namespace
+}  // namespace ar3d

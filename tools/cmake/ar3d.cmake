@@ -1,0 +1,36 @@
+# Headers are included as "ar3d/<folder>/<header>.h", in the tree (by the committed link include/ar3d to its top, which
+# editors and other tools find, too) as after installation, where nothing else may be called "model/graph.h".
+set(AR3D_INCLUDE_ROOT ${CMAKE_SOURCE_DIR}/include)
+
+# Flags of every target of ours, not of the consumers of the installed package.
+add_library(ar3d_flags INTERFACE)
+target_compile_options(ar3d_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion
+                       $<$<BOOL:${AR3D_WERROR}>:-Werror>
+                       # "a" + std::string() is taken for an overlapping copy by g++ 12 at -O3 (GCC bug 105651).
+                       $<$<AND:$<BOOL:${AR3D_WERROR}>,$<CXX_COMPILER_ID:GNU>>:-Wno-error=restrict>
+                       # <regex> is taken for using what was never set with -fsanitize=address (GCC bug 105562).
+                       $<$<AND:$<BOOL:${AR3D_WERROR}>,$<CXX_COMPILER_ID:GNU>>:-Wno-error=maybe-uninitialized>)
+target_compile_definitions(ar3d_flags INTERFACE $<$<BOOL:${AR3D_CHECKS}>:AR3D_CHECKS=1>)
+
+# Floating-point arithmetic rounds every operation once, in its own type: no -ffast-math, no fused multiply-add, no x87.
+set(AR3D_ROUNDED_ONCE -ffp-contract=off -fno-fast-math)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  list(APPEND AR3D_ROUNDED_ONCE -msse2 -mfpmath=sse)
+endif()
+
+# ar3d_library(<folder> [PUBLIC targets...] [PRIVATE targets...]): one static library a folder, made of
+# every .cpp below it; exported as ar3d::<folder>.
+function(ar3d_library folder)
+  cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "/kernels/|/fuzz/")
+  add_library(ar3d_${folder} STATIC ${sources})
+  add_library(ar3d::${folder} ALIAS ar3d_${folder})
+  set_target_properties(ar3d_${folder} PROPERTIES EXPORT_NAME ${folder} POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(ar3d_${folder} PUBLIC
+    $<BUILD_INTERFACE:${AR3D_INCLUDE_ROOT}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_compile_features(ar3d_${folder} PUBLIC cxx_std_20)
+  target_link_libraries(ar3d_${folder} PUBLIC ${ARG_PUBLIC}
+                        PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:ar3d_flags>)
+  set_property(GLOBAL APPEND PROPERTY AR3D_LIBRARIES ar3d_${folder})
+endfunction()

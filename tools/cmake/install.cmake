@@ -1,0 +1,37 @@
+include(CMakePackageConfigHelpers)
+get_property(libraries GLOBAL PROPERTY AR3D_LIBRARIES)
+install(TARGETS ${libraries} EXPORT ar3dTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS ar3d_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+foreach(folder IN ITEMS base model formats generators algorithms verify store bench analysis)
+  install(DIRECTORY ${CMAKE_SOURCE_DIR}/${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ar3d
+          FILES_MATCHING PATTERN "*.h")
+endforeach()
+install(FILES ${CMAKE_SOURCE_DIR}/apps/program.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ar3d/apps)
+install(EXPORT ar3dTargets NAMESPACE ar3d:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/ar3d)
+configure_package_config_file(tools/cmake/ar3dConfig.cmake.in ${CMAKE_BINARY_DIR}/ar3dConfig.cmake
+  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/ar3d)
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/ar3dConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/ar3dConfig.cmake ${CMAKE_BINARY_DIR}/ar3dConfigVersion.cmake
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/ar3d)
+
+# The man page is made of what the installed program says of itself.
+install(CODE "
+  set(man_folder \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_MANDIR}/man1\")
+  file(MAKE_DIRECTORY \"\${man_folder}\")
+  message(STATUS \"Installing: \${man_folder}/ar3d.1\")
+  execute_process(COMMAND ${CMAKE_SOURCE_DIR}/tools/man-page \"$<TARGET_FILE:ar3d_program>\"
+                  OUTPUT_FILE \"\${man_folder}/ar3d.1\" COMMAND_ERROR_IS_FATAL ANY)")
+
+# So is the completion of each shell.
+function(ar3d_install_completion shell folder name)
+  install(CODE "
+    set(folder \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/${folder}\")
+    file(MAKE_DIRECTORY \"\${folder}\")
+    message(STATUS \"Installing: \${folder}/${name}\")
+    execute_process(COMMAND ${CMAKE_SOURCE_DIR}/tools/completion \"$<TARGET_FILE:ar3d_program>\" ${shell}
+                    OUTPUT_FILE \"\${folder}/${name}\" COMMAND_ERROR_IS_FATAL ANY)")
+endfunction()
+ar3d_install_completion(bash bash-completion/completions ar3d)
+ar3d_install_completion(zsh zsh/site-functions _ar3d)
+ar3d_install_completion(fish fish/vendor_completions.d ar3d.fish)

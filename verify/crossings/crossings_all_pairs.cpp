@@ -1,0 +1,68 @@
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "ar3d/model/drawing.h"
+#include "ar3d/verify/crossings/crossings.h"
+
+namespace ar3d::verify {
+namespace {
+
+bool apart(std::int64_t low_a, std::int64_t high_a, std::int64_t low_b, std::int64_t high_b) {
+  return high_a < low_b || high_b < low_a;
+}
+
+bool apart(const Box& a, const Box& b) {
+  return apart(a.low.x, a.high.x, b.low.x, b.high.x) ||
+         apart(a.low.y, a.high.y, b.low.y, b.high.y) || apart(a.low.z, a.high.z, b.low.z, b.high.z);
+}
+
+Box box_of(Point p, Point q) {
+  return {{std::min(p.x, q.x), std::min(p.y, q.y), std::min(p.z, q.z)},
+          {std::max(p.x, q.x), std::max(p.y, q.y), std::max(p.z, q.z)}};
+}
+
+/// A segment or a vertex.
+struct Item {
+  Box box;
+  std::uint32_t number;
+  bool is_vertex;
+};
+
+void examine(const Item& a, const Item& b, Contacts& contacts) {
+  if (a.is_vertex && b.is_vertex) return;  // the check of the vertices sees them
+  if (a.is_vertex) {
+    contacts.examine_vertex(a.number, b.number);
+  } else if (b.is_vertex) {
+    contacts.examine_vertex(b.number, a.number);
+  } else {
+    contacts.examine(std::min(a.number, b.number), std::max(a.number, b.number));
+  }
+}
+
+}  // namespace
+
+/// Every pair whose boxes meet: the boxes are taken by least x, and all others that begin before
+/// one ends are looked at. A vertex is a box, too. Quadratic, but most segments of a tall drawing
+/// are narrow.
+void test_all_pairs(const Segments& segments, Contacts& contacts) {
+  const Drawing& drawing = segments.drawing();
+  std::vector<Item> items;
+  items.reserve(segments.size() + drawing.num_vertices());
+  for (SegmentId s = 0; s < segments.size(); ++s) {
+    items.push_back({box_of(segments.from(s), segments.to(s)), s, false});
+  }
+  for (Vertex v = 0; v < drawing.num_vertices(); ++v) {
+    items.push_back({box_of(drawing.vertex(v), drawing.vertex(v)), v, true});
+  }
+  std::sort(items.begin(), items.end(),
+            [](const Item& a, const Item& b) { return a.box.low.x < b.box.low.x; });
+  for (std::size_t i = 0; i < items.size() && !contacts.done(); ++i) {
+    for (std::size_t j = i + 1; j < items.size(); ++j) {
+      if (items[j].box.low.x > items[i].box.high.x) break;
+      if (!apart(items[i].box, items[j].box)) examine(items[i], items[j], contacts);
+    }
+  }
+}
+
+}  // namespace ar3d::verify

@@ -1,0 +1,69 @@
+#include "ar3d/verify/crossings/near_pairs.h"
+
+#include <bit>
+#include <cmath>
+
+namespace ar3d::verify {
+namespace {
+
+std::array<double, 3> rounded(Vector v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
+}  // namespace
+
+// Lemma V.9 bounds the errors.
+bool surely_skew(const SegmentInSpace& a, const SegmentInSpace& b) {
+  const auto u = rounded(a.step);
+  const auto v = rounded(b.step);
+  const auto w = rounded(b.from - a.from);
+  double triple = 0;
+  double sizes = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    const double one = u[j] * v[k];
+    const double other = u[k] * v[j];
+    triple += w[i] * (one - other);
+    sizes += std::abs(w[i]) * (std::abs(one) + std::abs(other));
+  }
+  return std::abs(triple) > 0x1p-46 * sizes;
+}
+
+namespace near_pairs {
+
+Shifts shifts_for(const Box& box) {
+  constexpr int kFinest = 20;
+  constexpr int kBits = 61;  // of every coordinate in these units
+  Shifts shifts{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto size = [axis](Point p) {
+      return static_cast<std::uint64_t>(std::abs(component(p, axis)));
+    };
+    const int bits = static_cast<int>(std::bit_width(std::max(size(box.low), size(box.high))));
+    shifts[axis] = static_cast<unsigned>(std::clamp(kBits - bits, 0, kFinest));
+  }
+  return shifts;
+}
+
+Cut best_cut(std::array<std::vector<Reached>, 3>& sample) {
+  Cut best;
+  std::ptrdiff_t fewest = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    auto& list = sample[axis];
+    const auto median = list.begin() + static_cast<std::ptrdiff_t>(list.size() / 2);
+    std::nth_element(list.begin(), median, list.end(),
+                     [](const Reached& a, const Reached& b) { return a.middle < b.middle; });
+    const double place = std::floor(median->middle);
+    const auto cuts = std::count_if(list.begin(), list.end(), [place](const Reached& piece) {
+      return piece.low <= place && place <= piece.high;
+    });
+    if (axis > 0 && cuts >= fewest) continue;
+    fewest = cuts;
+    best = {axis, static_cast<std::int64_t>(place)};
+  }
+  return best;
+}
+
+}  // namespace near_pairs
+}  // namespace ar3d::verify
