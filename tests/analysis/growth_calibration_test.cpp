@@ -1,4 +1,4 @@
-// Growth labels on simulated truth. The table of docs/analysis.md is what this test prints:
+// Growth labels on simulated truth. docs/analysis.md quotes the table that this test prints:
 //   build/release/tests/ar3d_analysis_tests --gtest_filter='GrowthCalibration.*'
 #include <gtest/gtest.h>
 
