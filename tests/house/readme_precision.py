@@ -54,7 +54,7 @@ sentences = [
     f"and {2 ** log2_volume('grid', 0):.0f} times the volume.",
     f"- **`two-bend`**: {time('two-bend'):.2g} µs, proved in {proof('two-bend'):.2g} µs. The same theorem in real arithmetic (`two-bend-paper`) takes "
     f"{paper(1, 'cpu_s'):.2g} µs in double and {paper(4, 'cpu_s'):.2g} in 237 bits, and is off by {paper(1, 'angle_miss') * 1e10:.1f}·10⁻¹⁰ degrees in double: "
-    f"exactness is the faster choice. Effort 2 saves {saved('two-bend'):.0f} % of the volume in {longer('two-bend', 2):.2g} times the time.",
+    f"exactness is the faster choice.",
     f"- **`compact`**: {time('compact'):.2g} µs, proved in {proof('compact'):.2g} µs. Effort 2 takes {longer('compact', 2):.2g} times as long for "
     f"{saved('compact'):.0f} % less volume; effort 0 takes {longer('compact', 0):.2g} of the time and 2^{log2_volume('compact', 0):.0f} times the volume.",
     f"- **`compact-120`**: {time('compact-120'):.2g} µs, proved in {proof('compact-120'):.2g} µs. Effort 2 takes {longer('compact-120', 2):.2g} times as long for "
