@@ -6,6 +6,7 @@
 #include <string>
 
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/base/error.h"
 #include "ar3d/bench/spec/named_studies.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/generators/catalog.h"
@@ -90,6 +91,43 @@ void print_list(const std::string& what) {
   }
 }
 
+/// "8n", "16/3n", "12n^2", "726n^1/2+1800": an extent as a word that proof/promise.ml reads.
+std::string size_word(const AxisBound& bound) {
+  const unsigned half = bound.half_power;
+  return fmt::format("{}{}n{}{}", bound.numerator,
+                     bound.denominator == 1 ? "" : fmt::format("/{}", bound.denominator),
+                     half == 2       ? ""
+                     : half % 2 == 0 ? fmt::format("^{}", half / 2)
+                                     : fmt::format("^{}/2", half),
+                     bound.constant == 0 ? "" : fmt::format("{:+}", bound.constant));
+}
+
+std::string gram_word(const Lattice& lattice) {
+  const auto& g = lattice.gram;
+  std::string word = fmt::format("{},{},{}", g[0][0], g[1][1], g[2][2]);
+  if (g[0][1] != 0 || g[0][2] != 0 || g[1][2] != 0)
+    word += fmt::format(",{},{},{}", g[0][1], g[0][2], g[1][2]);
+  return lattice.gram_denominator == 1 ? word
+                                       : fmt::format("{}:{}", word, lattice.gram_denominator);
+}
+
+/// What the guarantee promises, as the options of ar3d_proved.
+void print_promise(const Algorithm& row) {
+  const Guarantee& g = row.guarantee;
+  if (g.claim == Claim::measured)
+    throw InputError(row.name + ": its drawings are measured, no promise is kept exactly");
+  fmt::print("--bends {} --cosine {}/{} {} --gram {}", g.max_bends, g.cosine.numerator,
+             g.cosine.denominator, g.angle_rule == AngleRule::exactly ? "--exactly" : "--at-least",
+             gram_word(g.lattice));
+  for (std::size_t i = 0; i < g.directions.size(); ++i) {
+    const Vector& d = g.directions[i];
+    fmt::print("{}{},{},{}", i == 0 ? " --directions " : ":", d.x, d.y, d.z);
+  }
+  if (g.vertices_in_plane) fmt::print(" --plane z=0");
+  fmt::print(" --box {},{},{}\n", size_word(g.bound.axes[0]), size_word(g.bound.axes[1]),
+             size_word(g.bound.axes[2]));
+}
+
 }  // namespace
 
 void add_list(CLI::App& app, int&) {
@@ -101,8 +139,18 @@ void add_list(CLI::App& app, int&) {
           "algorithms, families, named-graphs, formats, metrics or studies; everything if left out")
       ->check(one_of(
           {"all", "algorithms", "families", "named-graphs", "formats", "metrics", "studies"}));
+  const auto promise = std::make_shared<std::string>();
+  verb->add_option("--promise", *promise,
+                   "Only what this algorithm promises, as the options of ar3d_proved")
+      ->excludes("WHAT");
   verb->footer("Example: ar3d list families");
-  verb->callback([what] { print_list(*what); });
+  verb->callback([what, promise] {
+    if (promise->empty()) {
+      print_list(*what);
+    } else {
+      print_promise(find_algorithm(*promise));
+    }
+  });
 }
 
 }  // namespace ar3d

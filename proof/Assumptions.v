@@ -1,0 +1,5 @@
+(** What the theorems rest on: Coq's real numbers, and nothing else. A test reads what this prints. *)
+From Drawing Require Import Edges Complete Wrong.
+Print Assumptions check_iff.
+Print Assumptions edges_meet_in_vertices.
+Print Assumptions segments_differ.
