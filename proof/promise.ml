@@ -108,5 +108,6 @@ let of_options value =
       | Some given -> bad (Printf.sprintf "%s '%s' is written '%s'" name given written)
       | None -> bad (name ^ " was not given"))
     (words k);
+  if Integer.sign lengths_over <= 0 then bad "the denominator of --gram is positive";
   if not (sane k) then bad "no promise: cosines from -1 to 0, a positive definite matrix, sizes that grow";
   k

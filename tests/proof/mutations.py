@@ -1,0 +1,81 @@
+"""mutations.py PROOF: the checker or the specification is changed in one place at a time, and the proofs have to fail each time."""
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+FILES = ["Spec", "Checker", "Geometry", "Edges", "Sound", "Complete", "Wrong"]
+CHECKER = [
+    ("<= for <", "(a <? d) && (b <? c)", "(a <=? d) && (b <=? c)"),
+    ("a comparison left out", "(a <? d) && (b <? c) && (b <? d)", "(a <? d) && (b <? c)"),
+    ("a separating vector left out", "|| separates u a b c d || separates v a b c d\n", "|| separates v a b c d\n"),
+    ("the sign of the angle not asked", "(g <=? 0) && (if", "(if"),
+    ("the angle turned", "else r <=? l", "else l <=? r"),
+    ("the angle only without equality", "else r <=? l", "else r <? l"),
+    ("the last minor left out", "(0 <? xx G) && (0 <? m) && (0 <? m * l - o * o)", "(0 <? xx G) && (0 <? m)"),
+    ("names: number of the edge not compared", "N.eqb e f && N.eqb i j", "N.eqb i j"),
+    ("a common corner of four left out", "&& (negb bd || fine G k b a c)", ""),
+    ("cut: points on the plane to one side only", "(c <=? x) || (c <=? y)", "(c <? x) || (c <? y)"),
+    ("part: across left out", "pairs_ok f p l1 && across_ok f q l1 l2 && pairs_ok f o l2", "pairs_ok f p l1 && pairs_ok f o l2"),
+    ("the last segment of an edge left out", "| [] => (a, z) :: acc", "| [] => acc"),
+    ("vertices not compared", "p (dots 0 (vertices d) l)", "p l"),
+    ("zero length not asked", "negb (same_point (snd (fst s)) (snd (snd s))) && direction_ok k s", "direction_ok k s"),
+    ("directions not asked", " && direction_ok k s", ""),
+    ("any direction along nought", "negb (same_point a zero) && same_point (cross", "same_point (cross"),
+    ("repeated edges not asked", "      | Some _ => None\n", "      | Some _ => once f r t\n"),
+    ("as many edges not asked", "  && N.eqb (count 0 (edges d)) (count 0 (pairs g))\n", ""),
+    ("loops not refused", " && negb (N.eqb (fst e) (snd e))", ""),
+    ("one number for two pairs", "(n * fst e + snd e)", "(fst e + snd e)"),
+    ("bends not counted", "forallb (fun f => N.leb (count 0 (bends f)) (most_bends k)) (edges d)", "true"),
+    ("the size of bends not asked", "fold_left (fun a e => fold_left f (bends e) a) (edges d) (fold_left f (vertices d) a)", "fold_left f (vertices d) a"),
+    ("the size along z not asked", "\n      && at_most_ok (in_z b) (order g) (spread pz d p)", ""),
+    ("the square of the numerator", "num b * num b * Z.of_N", "num b * Z.of_N"),
+    ("the plane not asked", "  && plane_ok k d && box_ok k d g", "  && box_ok k d g"),
+    ("the metric not compared", "sane k && same_metric_ok d k", "sane k"),
+    ("an entry of the metric not compared", "[xx; yy; zz; xy; xz; yz].", "[xx; yy; zz; xy; xz]."),
+    ("q = 0 allowed", "(0 <? q k) && (0 <=? minus_p k)", "(0 <=? minus_p k)"),
+]
+SPEC = [
+    ("a promise of q = 0", "(0 < q k /\\ 0 <= minus_p k <= q k)%Z", "(0 <= minus_p k <= q k)%Z"),
+    ("any matrix", "0 < inner G u u.", "0 <= inner G u u."),
+    ("any number of vertices", "N.of_nat (length (vertices d)) = order g;", "(N.of_nat (length (vertices d)) <= order g)%N;"),
+    ("doubled edges", "edges_once : NoDup (map turned (pairs g));", "edges_once : NoDup (map snd (pairs g)) -> NoDup (map turned (pairs g));"),
+    ("angles of two edges only", "s <> t ->\n    joins s a b", "s <> t -> a <> b -> fst a <> Vertex 0 ->\n    joins s a b"),
+    ("vertices on edges", "  vertices_off_edges : forall v s,", "  vertices_off_edges : forall v s, v <> 0%N ->"),
+    ("a box of x only", "at_most (in_y b) (order g) (py p - py p') /\\", "True /\\"),
+    ("a plane for bends only", "In p (vertices d) -> pz p = 0%Z", "In p (flat_map bends (edges d)) -> pz p = 0%Z"),
+    ("one entry of the metric", "In place [xx; yy; zz; xy; xz; yz]", "In place [xx]"),
+    ("crossings of three", "s <> t ->\n    on s x -> on t x -> exists", "s <> t ->\n    on s x -> on t x -> x <> Vec 1 0 0 -> exists"),
+]
+
+source = pathlib.Path(sys.argv[1])
+with tempfile.TemporaryDirectory() as name:
+    folder = pathlib.Path(name)
+
+    def prove(files):
+        """Where a proof fails, or nothing."""
+        for file in files:
+            done = subprocess.run(["coqc", "-Q", ".", "Drawing", file + ".v"], cwd=folder, capture_output=True, text=True, timeout=300)
+            if done.returncode:
+                return f"{file}.v, line {done.stderr.split(', line ')[1].split(',')[0]}"
+        return None
+
+    for file in FILES:
+        shutil.copy(source / f"{file}.v", folder)
+    if found := prove(FILES):
+        raise SystemExit(f"the proof fails without a mutation: {found}")
+    survived = 0
+    for file, changes in (("Checker", CHECKER), ("Spec", SPEC)):
+        text = (source / f"{file}.v").read_text()
+        if file == "Spec":
+            shutil.copy(source / "Checker.v", folder)
+        for what, old, new in changes:
+            if text.count(old) < 1:
+                raise SystemExit(f"{what}: {file}.v has no {old}")
+            (folder / f"{file}.v").write_text(text.replace(old, new, 1))
+            where = prove(FILES[FILES.index(file):])
+            survived += where is None
+            print(f"{file}: {what}: {'fails in ' + where if where else 'THE PROOF STILL PASSES'}", flush=True)
+    print(f"{len(CHECKER) + len(SPEC)} mutations, {survived} survived")
+raise SystemExit(1 if survived else 0)
