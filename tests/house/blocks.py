@@ -72,6 +72,7 @@ class Folder:
         self.path = path
         (path / "bin").mkdir()
         (path / "bin" / "ar3d").symlink_to(program)
+        (path / "bin" / "ar3d_proved").symlink_to(program.parents[1] / "proof" / "ar3d_proved")
         self.environment = dict(os.environ, PATH=f"{path}/bin:" + os.environ["PATH"])
 
     def run(self, command):
