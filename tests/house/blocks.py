@@ -85,11 +85,12 @@ class Folder:
     def prepare(self):
         for name, file in (("smoke", "smoke"), ("quick", "quick"), ("mine", "my-study")):
             (self.path / f"{file}.toml").write_text(TINY.format(name=name))
-        peers = pathlib.Path(sys.argv[1]).resolve().joinpath("studies", "peers.toml").read_text()
+        peers = pathlib.Path(sys.argv[1]).resolve().joinpath("bench", "studies", "peers.toml").read_text()
         (self.path / "precision.toml").write_text('study = "precision"\naccept_unproved = true\n[[sweep]]\nfamilies = "prism"\nsizes = [8, 16]\n'
                                                   'algorithms = { algorithm = "two-bend-paper", type = [0, 1] }\n')
         (self.path / "peers.toml").write_text(peers.replace("[60, 240, 960]", "[60]").replace("instances = 3", "instances = 1"))
-        (self.path / "examples").symlink_to(pathlib.Path(sys.argv[1]).resolve().joinpath("examples"))
+        for folder in ("docs", "examples"):
+            (self.path / folder).symlink_to(pathlib.Path(sys.argv[1]).resolve().joinpath(folder))
         (self.path / "strong.toml").write_text(TINY.format(name="r") + "strong = { threads = [1, 2], drawings = 2, repetitions = 1 }\n")
         self.must("ar3d study run smoke.toml -q -o smoke.h5 && cp smoke.h5 before.h5 && cp smoke.h5 after.h5")
         self.must("ar3d study run strong.toml -q -o r.h5")
