@@ -12,7 +12,7 @@ const figures = join(dirname(fileURLToPath(import.meta.url)), "..", "docs", "fig
 const views = [["k5", "diamond", 0, 0], ["petersen", "grid", 1.25, 0.1], ["octahedron", "compact", 0.5, 0.05],
   ["k5", "two-bends", 0.4, 0.1]];
 const root = join(figures, "..", "..");  // k5-two-bends: the first of the finished drawings
-const finished = readFileSync(join(root, "examples", "open_questions", "small_drawings.jsonl"), "utf8").split("\n")[0];
+const finished = readFileSync(join(root, "docs", "open-questions", "small_drawings.jsonl"), "utf8").split("\n")[0];
 const browser = await chromium.launch({executablePath: "/usr/bin/chromium", args: ["--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]});
 const page = await browser.newPage({viewport: {width: 640, height: 560}});
 for (const [graph, algorithm, right, up] of views) {
@@ -22,8 +22,8 @@ for (const [graph, algorithm, right, up] of views) {
   await page.goto("file://" + file);
   await page.waitForFunction(() => globalThis.ar3d.view.ready && globalThis.ar3d.view.settled);
   await page.evaluate(([right, up]) => {
-    turn(right, up);
-    lookFrom(camera.position.clone().sub(controls.target));
+    globalThis.ar3d.turn(right, up);
+    globalThis.ar3d.fit();
     document.querySelectorAll("header, nav, #unfold, #panel, #keys").forEach(part => { part.style.display = "none"; });
   }, [right, up]);
   await page.waitForTimeout(2500);

@@ -1,12 +1,13 @@
 # Sourced by ./run-tests after tools/setup.sh.
 
-# lint [FILE...]: clang-format, then clang-tidy, over the sources named or over all; prints every finding once.
+# lint [FILE...]: eslint, clang-format, then clang-tidy, over the sources named or over all; prints every finding once.
 # Builds the generated headers only. Needs the folder build/release configured.
 lint() (
   cd "$AR3D_ROOT" || exit 2
   local folder=build/release scratch
   scratch=$(mktemp -d) && trap 'rm -rf "$scratch"' EXIT
   all_sources "$@" >"$scratch/sources"
+  lint_scripts "$@" || exit 1
   clang-format --dry-run -Werror $(cat "$scratch/sources") || { echo "ar3d: not formatted; clang-format -i mends it" >&2; exit 1; }
   ninja -C "$folder" ar3d_generated >"$scratch/log" 2>&1 || { cat "$scratch/log" >&2; exit 1; }
   # What the build compiles, of the sources asked for.
@@ -14,6 +15,14 @@ lint() (
     grep -Fx -f "$scratch/sources" | grep -v '/arithmetic/x87.cpp$' >"$scratch/units"  # clang has no -mfpmath=387
   tidy_all "$folder" "$scratch"
 )
+
+# eslint over the viewer's modules and the .mjs files of the tree, or over those named.
+lint_scripts() {
+  local scripts
+  scripts=$(git ls-files -- "${@:-.}" | grep -E '^formats/drawings/viewer/[a-z]+\.js$|\.mjs$') || return 0
+  tests/browser/run --install || { echo "ar3d: the scripts are not looked at: no eslint" >&2; return 1; }
+  tests/browser/node_modules/.bin/eslint -c tests/browser/eslint.config.mjs --max-warnings 0 $scripts
+}
 
 # The .cpp and .h files of the tree, or of the files and folders named.
 all_sources() {

@@ -69,7 +69,7 @@ async function measure(file) {
     const {page, times} = await opened(file);
     ready.push(times[0]);
     settled.push(times[1]);
-    await page.evaluate(() => { globalThis.step = () => turn(0.02, 0); });
+    await page.evaluate(() => { globalThis.step = () => globalThis.ar3d.turn(0.02, 0); });
     await turning(page, 2);  // the number of lines finds its level
     const [f, p] = await turning(page, 5);
     frames.push(f);

@@ -283,7 +283,7 @@ test("a drawing of 10^4 vertices is shown as lines, and as tubes from near", asy
   const cost = await page.evaluate(() => new Promise(done => {
     let frames = 0;
     const step = () => {
-      turn(0.02, 0);
+      globalThis.ar3d.turn(0.02, 0);
       if (++frames < 12) requestAnimationFrame(step);
       else done(globalThis.ar3d.cost());
     };

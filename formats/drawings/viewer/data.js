@@ -1,13 +1,15 @@
 // From the page's texts to arrays. Coordinates count from the low corner of the drawing's box, so that they are exact.
+import {byId, view} from "./state.js";
 
-const about = k => JSON.parse(byId("about-" + k).textContent);
+export const factsOfPage = page => JSON.parse(byId("about-" + page).textContent);
 
 function bytesOfBase64(text) {
   if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
-  const kPiece = 1 << 22, padding = text.endsWith("==") ? 2 : text.endsWith("=") ? 1 : 0;
+  const kPiece = 1 << 22;
+  const padding = text.endsWith("==") ? 2 : text.endsWith("=") ? 1 : 0;
   const bytes = new Uint8Array(text.length / 4 * 3 - padding);
-  for (let at = 0, to = 0; at < text.length; at += kPiece) {
-    const binary = atob(text.slice(at, at + kPiece));
+  for (let begin = 0, to = 0; begin < text.length; begin += kPiece) {
+    const binary = atob(text.slice(begin, begin + kPiece));
     for (let i = 0; i < binary.length; ++i) bytes[to++] = binary.charCodeAt(i);
   }
   return bytes;
@@ -18,86 +20,143 @@ async function inflated(bytes) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-/// A drawing: `about` (see drawing_html.cpp), x, y, z of the vertices, u, v and role of the edges, and the bends: those
-/// of edge e from u to v are firstBend[e] to firstBend[e + 1] in bendX, bendY, bendZ.
-function decoded(facts, bytes) {
-  let at = 0;
-  const natural = () => {
-    let byte = bytes[at++];
+/// Reads the numbers of packed_geometry.cpp one after the other.
+class NumberReader {
+  constructor(bytes) {
+    this.bytes = bytes;
+    this.next = 0;
+  }
+  natural() {
+    let byte = this.bytes[this.next++];
     if (byte < 128) return byte;
     let value = byte & 127, factor = 128;
-    do { byte = bytes[at++]; value += (byte & 127) * factor; factor *= 128; } while (byte > 127);
+    do {
+      byte = this.bytes[this.next++];
+      value += (byte & 127) * factor;
+      factor *= 128;
+    } while (byte > 127);
     return value;
-  };
-  const signed = () => { const value = natural(); return value % 2 ? -(value + 1) / 2 : value / 2; };
-  const Numbers = Math.max(...facts.extents) < 2 ** 31 ? Int32Array : Float64Array;
+  }
+  signed() {
+    const value = this.natural();
+    return value % 2 ? -(value + 1) / 2 : value / 2;
+  }
+}
+
+/// A drawing without its geometry. Vertices are at x, y, z; edges have ends u, v and a role; the bends of an edge from
+/// u to v are firstBend[edge] to firstBend[edge + 1] in bendX, bendY, bendZ. The rest is made when first asked for.
+function emptyDrawing(facts) {
   const {n, m, bends} = facts;
-  const d = {about: facts, n, m, x: new Numbers(n), y: new Numbers(n), z: new Numbers(n), u: new Uint32Array(m), v: new Uint32Array(m),
-    role: new Uint8Array(m), firstBend: new Uint32Array(m + 1), bendX: new Numbers(bends), bendY: new Numbers(bends), bendZ: new Numbers(bends)};
+  const Numbers = Math.max(...facts.extents) < 2 ** 31 ? Int32Array : Float64Array;
+  return {
+    about: facts, n, m, segments: bends + m,
+    x: new Numbers(n), y: new Numbers(n), z: new Numbers(n),
+    u: new Uint32Array(m), v: new Uint32Array(m), role: new Uint8Array(m),
+    firstBend: new Uint32Array(m + 1), bendX: new Numbers(bends), bendY: new Numbers(bends), bendZ: new Numbers(bends),
+    ranks: null,  // see growthRanks
+    incidence: null,  // see edgesAt
+    directions: null,  // see directionClasses in layers.js
+  };
+}
+
+function decoded(facts, bytes) {
+  const drawing = emptyDrawing(facts), numbers = new NumberReader(bytes);
   let x = 0, y = 0, z = 0;
-  for (let i = 0; i < n; ++i) {
-    d.x[i] = x += signed(); d.y[i] = y += signed(); d.z[i] = z += signed();
+  for (let v = 0; v < drawing.n; ++v) {
+    drawing.x[v] = x += numbers.signed();
+    drawing.y[v] = y += numbers.signed();
+    drawing.z[v] = z += numbers.signed();
   }
   let u = 0, bend = 0;
-  for (let e = 0; e < m; ++e) {
-    d.u[e] = u += signed(); d.v[e] = u + signed();
-    const count = natural();
-    d.role[e] = natural();
-    x = d.x[u]; y = d.y[u]; z = d.z[u];
+  for (let edge = 0; edge < drawing.m; ++edge) {
+    drawing.u[edge] = u += numbers.signed();
+    drawing.v[edge] = u + numbers.signed();
+    const count = numbers.natural();
+    drawing.role[edge] = numbers.natural();
+    x = drawing.x[u];
+    y = drawing.y[u];
+    z = drawing.z[u];
     for (let i = 0; i < count; ++i, ++bend) {
-      d.bendX[bend] = x += signed(); d.bendY[bend] = y += signed(); d.bendZ[bend] = z += signed();
+      drawing.bendX[bend] = x += numbers.signed();
+      drawing.bendY[bend] = y += numbers.signed();
+      drawing.bendZ[bend] = z += numbers.signed();
     }
-    d.firstBend[e + 1] = bend;
+    drawing.firstBend[edge + 1] = bend;
   }
-  d.segments = bends + m;
-  return d;
+  return drawing;
 }
 
-/// The texts of one drawing as arrays, or {about} alone if the graph was not drawn.
-async function loadDrawing(k) {
-  const facts = about(k);
-  if (facts.error !== undefined) return {about: facts};
-  return decoded(facts, await inflated(bytesOfBase64(byId("geometry-" + k).textContent)));
+/// The texts of one drawing as arrays; without vertices, edges and segments if the graph was not drawn.
+export async function loadDrawing(page) {
+  const facts = factsOfPage(page);
+  if (facts.error !== undefined) return {about: facts, n: 0, m: 0, segments: 0};
+  return decoded(facts, await inflated(bytesOfBase64(byId("geometry-" + page).textContent)));
 }
 
-const pointsOf = (d, e) => d.firstBend[e + 1] - d.firstBend[e] + 2;
+export const pointsOf = (drawing, edge) => drawing.firstBend[edge + 1] - drawing.firstBend[edge] + 2;
+export const positionOf = (drawing, v) => [drawing.x[v], drawing.y[v], drawing.z[v]];
 
-/// Point i of edge e on its way from u to v, in out[0..2].
-function pointOf(d, e, i, out) {
-  const bends = d.firstBend[e + 1] - d.firstBend[e];
+/// Point i of an edge on its way from u to v, in out[0..2].
+export function pointOf(drawing, edge, i, out) {
+  const bends = drawing.firstBend[edge + 1] - drawing.firstBend[edge];
   if (i === 0 || i > bends) {
-    const w = i === 0 ? d.u[e] : d.v[e];
-    out[0] = d.x[w]; out[1] = d.y[w]; out[2] = d.z[w];
+    const end = i === 0 ? drawing.u[edge] : drawing.v[edge];
+    out[0] = drawing.x[end];
+    out[1] = drawing.y[end];
+    out[2] = drawing.z[end];
   } else {
-    const b = d.firstBend[e] + i - 1;
-    out[0] = d.bendX[b]; out[1] = d.bendY[b]; out[2] = d.bendZ[b];
+    const bend = drawing.firstBend[edge] + i - 1;
+    out[0] = drawing.bendX[bend];
+    out[1] = drawing.bendY[bend];
+    out[2] = drawing.bendZ[bend];
   }
   return out;
 }
+export const pointAt = (drawing, edge, i) => pointOf(drawing, edge, i, [0, 0, 0]);
 
-/// For each vertex its place in the order of growth, from 1; made when first asked for.
-function growthRanks(d) {
-  if (d.ranks) return d.ranks;
-  const [a, b, c] = d.about.order.weights;
-  const order = Uint32Array.from({length: d.n}, (_, v) => v);
+/// For each vertex its place in the order of growth, from 1.
+export function growthRanks(drawing) {
+  if (drawing.ranks) return drawing.ranks;
+  const [a, b, c] = drawing.about.order.weights;
+  const order = Uint32Array.from({length: drawing.n}, (_, v) => v);
   if (a || b || c) {
-    const key = Float64Array.from(order, v => a * d.x[v] + b * d.y[v] + c * d.z[v]);
+    const key = Float64Array.from(order, v => a * drawing.x[v] + b * drawing.y[v] + c * drawing.z[v]);
     order.sort((v, w) => key[v] - key[w] || v - w);
   }
-  d.ranks = new Uint32Array(d.n);
-  order.forEach((v, place) => { d.ranks[v] = place + 1; });
-  return d.ranks;
+  drawing.ranks = new Uint32Array(drawing.n);
+  order.forEach((v, place) => { drawing.ranks[v] = place + 1; });
+  return drawing.ranks;
 }
-const isGrown = (d, v) => view.grown >= d.n || growthRanks(d)[v] <= view.grown;
-const isEdgeGrown = (d, e) => isGrown(d, d.u[e]) && isGrown(d, d.v[e]);
+export const isGrown = (drawing, v) => view.grown >= drawing.n || growthRanks(drawing)[v] <= view.grown;
+export const isEdgeGrown = (drawing, edge) => isGrown(drawing, drawing.u[edge]) && isGrown(drawing, drawing.v[edge]);
 
-/// The edges at each vertex: those of v are edges[first[v]] to edges[first[v + 1]]; made when first asked for.
-function incidence(d) {
-  if (d.incident) return d.incident;
-  const first = new Uint32Array(d.n + 2), edges = new Uint32Array(2 * d.m);
-  for (let e = 0; e < d.m; ++e) { ++first[d.u[e] + 2]; ++first[d.v[e] + 2]; }
-  for (let v = 2; v < d.n + 2; ++v) first[v] += first[v - 1];
-  for (let e = 0; e < d.m; ++e) { edges[first[d.u[e] + 1]++] = e; edges[first[d.v[e] + 1]++] = e; }
-  return d.incident = {first, edges};
+/// The edges at each vertex: those of v are edges[first[v]] to edges[first[v + 1]].
+function incidenceOf(drawing) {
+  if (drawing.incidence) return drawing.incidence;
+  const first = new Uint32Array(drawing.n + 2), edges = new Uint32Array(2 * drawing.m);
+  for (let edge = 0; edge < drawing.m; ++edge) {
+    ++first[drawing.u[edge] + 2];
+    ++first[drawing.v[edge] + 2];
+  }
+  for (let v = 2; v < drawing.n + 2; ++v) first[v] += first[v - 1];
+  for (let edge = 0; edge < drawing.m; ++edge) {
+    edges[first[drawing.u[edge] + 1]++] = edge;
+    edges[first[drawing.v[edge] + 1]++] = edge;
+  }
+  drawing.incidence = {first, edges};
+  return drawing.incidence;
 }
-const edgesAt = (d, v) => { const {first, edges} = incidence(d); return edges.subarray(first[v], first[v + 1]); };
+export function edgesAt(drawing, v) {
+  const {first, edges} = incidenceOf(drawing);
+  return edges.subarray(first[v], first[v + 1]);
+}
+
+/// Visits 0 ... count - 1, until `visit` says false, in an order every beginning of which is spread evenly.
+export function spreadOver(count, visit) {
+  const divisor = (a, b) => b ? divisor(b, a % b) : a;
+  let step = Math.max(1, Math.floor(count * 0.618));
+  while (divisor(step, count) > 1) ++step;
+  for (let visited = 0, at = 0; visited < count; ++visited, at = (at + step) % count) {
+    if (visit(at) === false) return;
+  }
+}

@@ -1,46 +1,58 @@
 // Where points are in the scene, and the layers that show a drawing of any size: one-pixel lines for all segments or a
 // sample of them, dots for the vertices. Tubes are in tubes.js. z is up; the drawing's box is about the origin and its
 // longest side has length 1.
+import {growthRanks, pointOf, pointsOf, spreadOver} from "./data.js";
+import {withMinus} from "./exact.js";
+import {view} from "./state.js";
 
-const kMostLines = 1500000;  // segments held as lines; of larger drawings a sample, spread evenly over the edges
-const kPalette = [[0, 114, 178], [230, 159, 0], [0, 158, 115], [204, 121, 167], [86, 180, 233], [213, 94, 0], [240, 228, 66], [120, 120, 120]];
+export const kMostLines = 1500000;  // segments held as lines; of larger drawings a sample, spread evenly over the edges
+export const kPalette = [
+  [0, 114, 178], [230, 159, 0], [0, 158, 115], [204, 121, 167],
+  [86, 180, 233], [213, 94, 0], [240, 228, 66], [120, 120, 120],
+];
+export const kOtherDirections = kPalette.length - 1;
+
+/// The rows of the transpose of F, where gram / denominator = F F^T (Cholesky).
+function metricRows({gram, gram_denominator: denominator}) {
+  const factor = [[0, 0, 0], [0, 0, 0], [0, 0, 0]];
+  for (let i = 0; i < 3; ++i) {
+    for (let j = 0; j <= i; ++j) {
+      let sum = gram[i][j] / denominator;
+      for (let k = 0; k < j; ++k) sum -= factor[i][k] * factor[j][k];
+      factor[i][j] = i === j ? Math.sqrt(sum) : sum / factor[j][j];
+    }
+  }
+  return [0, 1, 2].map(i => [0, 1, 2].map(j => factor[j][i]));
+}
+/// How long a lattice box is along each axis of the scene.
+export const sidesOf = (rows, extents) =>
+  rows.map(row => row.reduce((sum, entry, j) => sum + Math.abs(entry) * extents[j], 0));
 
 /// The map from lattice coordinates to the scene: rows of `matrix`, applied to the difference from `centre`.
-function spaceOf(d, stretch) {
-  const {gram, gram_denominator, extents} = d.about;
-  const factor = [[0, 0, 0], [0, 0, 0], [0, 0, 0]];  // Cholesky: gram / denominator = factor factor^T
-  for (let i = 0; i < 3; ++i) for (let j = 0; j <= i; ++j) {
-    let sum = gram[i][j] / gram_denominator;
-    for (let k = 0; k < j; ++k) sum -= factor[i][k] * factor[j][k];
-    factor[i][j] = i === j ? Math.sqrt(sum) : sum / factor[j][j];
-  }
-  const rows = [0, 1, 2].map(i => [0, 1, 2].map(j => factor[j][i]));  // its transpose
-  const sides = rows.map(row => row.reduce((sum, c, j) => sum + Math.abs(c) * extents[j], 0));
+export function spaceOf(drawing, stretch) {
+  const {extents} = drawing.about;
+  const rows = metricRows(drawing.about), sides = sidesOf(rows, extents);
   const longest = Math.max(...sides) || 1;
   const scale = sides.map(side => 1 / (stretch && side > 0 ? side : longest));
-  const matrix = rows.map((row, i) => row.map(c => c * scale[i]));
-  const centre = extents.map(extent => extent / 2);
   const size = sides.map((side, i) => side * scale[i]);
-  return {matrix, centre, size, unit: stretch ? Math.min(...scale) : 1 / longest, radius: Math.hypot(...size) / 2 || 0.5,
-    flatness: longest / Math.min(longest, ...sides.filter(side => side > 0))};
+  return {
+    matrix: rows.map((row, i) => row.map(entry => entry * scale[i])),
+    centre: extents.map(extent => extent / 2),
+    size,
+    unit: stretch ? Math.min(...scale) : 1 / longest,
+    radius: Math.hypot(...size) / 2 || 0.5,
+    flatness: longest / Math.min(longest, ...sides.filter(side => side > 0)),
+  };
 }
 
-function toScene(space, p, out, at) {
-  const x = p[0] - space.centre[0], y = p[1] - space.centre[1], z = p[2] - space.centre[2], m = space.matrix;
-  out[at] = m[0][0] * x + m[0][1] * y + m[0][2] * z;
-  out[at + 1] = m[1][0] * x + m[1][1] * y + m[1][2] * z;
-  out[at + 2] = m[2][0] * x + m[2][1] * y + m[2][2] * z;
+/// The point's place in the scene, in out[at..at + 2].
+export function toScene(point, out, at = 0) {
+  const {matrix, centre} = view.space;
+  const x = point[0] - centre[0], y = point[1] - centre[1], z = point[2] - centre[2];
+  for (let i = 0; i < 3; ++i) out[at + i] = matrix[i][0] * x + matrix[i][1] * y + matrix[i][2] * z;
   return out;
 }
-const vectorInScene = p => new THREE.Vector3(...toScene(view.space, p, [0, 0, 0], 0));
-
-/// Visits 0 ... count - 1 in an order every beginning of which is spread evenly.
-function spreadOver(count, visit) {
-  let step = Math.max(1, Math.floor(count * 0.618));
-  const common = (a, b) => b ? common(b, a % b) : a;
-  while (common(step, count) > 1) ++step;
-  for (let i = 0, at = 0; i < count; ++i, at = (at + step) % count) if (visit(at) === false) return;
-}
+export const vectorInScene = point => new THREE.Vector3(...toScene(point, [0, 0, 0]));
 
 const kVertexShader = `
   attribute float birth; attribute float tone;
@@ -68,24 +80,35 @@ const kFragmentShader = `
     gl_FragColor = vec4(mix(min(colour * shade, 1.0), paper, faded), opacity);
   }`;
 
-/// One material's uniforms stand beside those that all layers share.
-const shared = {grown: {value: 0}, paper: {value: [1, 1, 1]}, near: {value: 0}, far: {value: 1},
-  palette: {value: new Array(24).fill(0)}};
+/// The uniforms that all layers share; each has its own beside them.
+export const sharedUniforms = {
+  grown: {value: 0}, paper: {value: [1, 1, 1]}, near: {value: 0}, far: {value: 1},
+  palette: {value: new Array(24).fill(0)},
+};
 function layerMaterial(own) {
-  const uniforms = {...shared};
+  const uniforms = {...sharedUniforms};
   for (const name in own) uniforms[name] = {value: own[name]};
   return new THREE.ShaderMaterial({uniforms, vertexShader: kVertexShader, fragmentShader: kFragmentShader});
 }
 
-const scene = new THREE.Scene();
-const layers = {lines: null, density: null, dots: null, held: 0};
-const lineMaterial = layerMaterial({opacity: 1, round: 0, dotSize: 1});
+export const scene = new THREE.Scene();
+scene.fog = new THREE.Fog(0, 0, 1);
+export const lineMaterial = layerMaterial({opacity: 1, round: 0, dotSize: 1});
 lineMaterial.transparent = true;  // where lines lie many times over each other
 const densityMaterial = layerMaterial({opacity: 0.4, round: 0, dotSize: 1.5});
 densityMaterial.transparent = true;
 densityMaterial.depthWrite = false;
-const dotMaterial = layerMaterial({opacity: 1, round: 1, dotSize: 4});
-dotMaterial.uniforms.palette = {value: new Array(24).fill(0)};
+export const dotMaterial = layerMaterial({opacity: 1, round: 1, dotSize: 4, palette: new Array(24).fill(0)});
+
+/// The layers of the drawing shown.
+export const layers = {
+  lines: null,
+  density: null,
+  dots: null,
+  held: 0,  // how many lines
+  dotOrder: null,  // the vertices in the order of the dots
+  hasBirths: false,  // the layers know when each point is grown
+};
 
 function geometryOf(positions, tones) {
   const geometry = new THREE.BufferGeometry();
@@ -96,72 +119,109 @@ function geometryOf(positions, tones) {
   return geometry;
 }
 
-/// Calls visit(e, i) for the segments that the lines hold, in their order.
-function forEachLine(d, visit) {
+/// Calls visit(edge, i, number) for the segments that the lines hold, in their order. @return how many there are.
+function forEachLine(drawing, visit) {
   let held = 0;
-  spreadOver(d.m, e => {
-    const count = pointsOf(d, e) - 1;
+  spreadOver(drawing.m, edge => {
+    const count = pointsOf(drawing, edge) - 1;
     if (held + count > kMostLines) return false;
-    for (let i = 0; i < count; ++i) visit(e, i, held++);
+    for (let i = 0; i < count; ++i) visit(edge, i, held++);
+    return true;
   });
   return held;
 }
 
-function buildLayers(d) {
-  for (const layer of [layers.lines, layers.density, layers.dots]) {
-    if (layer) { scene.remove(layer); layer.geometry.dispose(); }
-  }
-  const room = Math.min(d.segments, kMostLines), positions = new Float32Array(6 * room), point = [0, 0, 0];
-  layers.held = forEachLine(d, (e, i, at) => {
-    toScene(view.space, pointOf(d, e, i, point), positions, 6 * at);
-    toScene(view.space, pointOf(d, e, i + 1, point), positions, 6 * at + 3);
+function lineGeometry(drawing) {
+  const room = Math.min(drawing.segments, kMostLines), positions = new Float32Array(6 * room), point = [0, 0, 0];
+  layers.held = forEachLine(drawing, (edge, i, number) => {
+    toScene(pointOf(drawing, edge, i, point), positions, 6 * number);
+    toScene(pointOf(drawing, edge, i + 1, point), positions, 6 * number + 3);
   });
-  const lines = geometryOf(positions, new Uint8Array(2 * room));
+  return geometryOf(positions, new Uint8Array(2 * room));
+}
+function dotGeometry(drawing) {
+  const positions = new Float32Array(3 * drawing.n);
+  let dots = 0;
+  layers.dotOrder = new Uint32Array(drawing.n);
+  spreadOver(drawing.n, v => {
+    layers.dotOrder[dots] = v;
+    toScene([drawing.x[v], drawing.y[v], drawing.z[v]], positions, 3 * dots++);
+  });
+  return geometryOf(positions, new Uint8Array(drawing.n));
+}
+
+const layerObjects = () => [layers.lines, layers.density, layers.dots];
+export function buildLayers(drawing) {
+  for (const layer of layerObjects()) {
+    if (!layer) continue;
+    scene.remove(layer);
+    layer.geometry.dispose();
+  }
+  const lines = lineGeometry(drawing);
   layers.lines = new THREE.LineSegments(lines, lineMaterial);
   layers.density = new THREE.Points(lines, densityMaterial);
-  const dots = new Float32Array(3 * d.n);
-  let dot = 0;
-  layers.dotOrder = new Uint32Array(d.n);
-  spreadOver(d.n, v => {
-    layers.dotOrder[dot] = v;
-    toScene(view.space, [d.x[v], d.y[v], d.z[v]], dots, 3 * dot++);
-  });
-  layers.dots = new THREE.Points(geometryOf(dots, new Uint8Array(d.n)), dotMaterial);
-  for (const layer of [layers.lines, layers.density, layers.dots]) {
+  layers.dots = new THREE.Points(dotGeometry(drawing), dotMaterial);
+  for (const layer of layerObjects()) {
     layer.frustumCulled = false;
     scene.add(layer);
   }
-  layers.births = false;
+  layers.hasBirths = false;
 }
 
-/// The classes of directions up to sign, at most 7 by name; all others are class 7.
-function directionClasses(d) {
-  if (d.directions) return d.directions;
-  const names = new Map(), classes = new Uint8Array(d.segments), from = [0, 0, 0], to = [0, 0, 0];
-  const common = (a, b) => { a = Math.abs(a); b = Math.abs(b); while (b) [a, b] = [b, a % b]; return a; };
-  for (let e = 0; e < d.m; ++e) for (let i = 0, s = d.firstBend[e] + e; i + 1 < pointsOf(d, e); ++i, ++s) {
-    pointOf(d, e, i, from); pointOf(d, e, i + 1, to);
-    let [a, b, c] = [to[0] - from[0], to[1] - from[1], to[2] - from[2]];
-    const by = (common(common(a, b), c) || 1) * ((a || b || c) < 0 ? -1 : 1);
-    const name = minus(`\u00b1(${a / by}, ${b / by}, ${c / by})`);
-    if (!names.has(name) && names.size < 7) names.set(name, names.size);
-    classes[s] = names.has(name) ? names.get(name) : 7;
+/// The direction of a segment in lowest terms, up to sign.
+function directionName(from, to) {
+  const divisor = (a, b) => b ? divisor(b, a % b) : a;
+  const parts = from.map((c, i) => to[i] - c);
+  const sign = parts.find(part => part !== 0) < 0 ? -1 : 1;
+  const by = (parts.map(Math.abs).reduce(divisor) || 1) * sign;
+  return withMinus(`\u00b1(${parts.map(part => part / by).join(", ")})`);
+}
+
+/// The class of each segment's direction: at most 7 have names, all others are kOtherDirections.
+export function directionClasses(drawing) {
+  if (drawing.directions) return drawing.directions;
+  const numbers = new Map(), classes = new Uint8Array(drawing.segments), from = [0, 0, 0], to = [0, 0, 0];
+  let segment = 0;
+  for (let edge = 0; edge < drawing.m; ++edge) {
+    for (let i = 0; i + 1 < pointsOf(drawing, edge); ++i, ++segment) {
+      const name = directionName(pointOf(drawing, edge, i, from), pointOf(drawing, edge, i + 1, to));
+      if (!numbers.has(name) && numbers.size < kOtherDirections) numbers.set(name, numbers.size);
+      classes[segment] = numbers.get(name) ?? kOtherDirections;
+    }
   }
-  return d.directions = {names: [...names.keys()], classes};
+  drawing.directions = {names: [...numbers.keys()], classes};
+  return drawing.directions;
 }
-const toneOf = (d, e, i) => view.colours === "direction" ? directionClasses(d).classes[d.firstBend[e] + e + i] : Math.min(7, d.role[e]);
+/// The number of the colour of segment i of an edge.
+export function toneOf(drawing, edge, i) {
+  if (view.colours !== "direction") return Math.min(kPalette.length - 1, drawing.role[edge]);
+  return directionClasses(drawing).classes[drawing.firstBend[edge] + edge + i];
+}
 
-/// Fills what depends on colours and on growth into the layers.
-function paintLayers(d) {
+/// Writes the colours of palettes, made of numbers from 0 to 1, into the layers.
+export function setLayerColours(palette, ball, paper) {
+  sharedUniforms.palette.value = palette.flat();
+  dotMaterial.uniforms.palette.value = kPalette.flatMap(() => ball);
+  sharedUniforms.paper.value = paper;
+}
+
+export function paintLayers(drawing) {
   const {tone} = layers.lines.geometry.attributes;
-  forEachLine(d, (e, i, at) => { tone.array[2 * at] = tone.array[2 * at + 1] = toneOf(d, e, i); });
+  forEachLine(drawing, (edge, i, number) => {
+    tone.array[2 * number] = tone.array[2 * number + 1] = toneOf(drawing, edge, i);
+  });
   tone.needsUpdate = true;
 }
-function growLayers(d) {
-  shared.grown.value = view.grown >= d.n ? 1e9 : view.grown;
-  if (layers.births || view.grown >= d.n) return;
-  const ranks = growthRanks(d), lines = layers.lines.geometry.attributes.birth, dots = layers.dots.geometry.attributes.birth;
-  forEachLine(d, (e, i, at) => { lines.array[2 * at] = lines.array[2 * at + 1] = Math.max(ranks[d.u[e]], ranks[d.v[e]]); });
-  for (let i = 0; i < d.n; ++i) dots.array[i] = ranks[layers.dotOrder[i]];
-  lines.needsUpdate = dots.needsUpdate = layers.births = true;
+
+export function growLayers(drawing) {
+  sharedUniforms.grown.value = view.grown >= drawing.n ? 1e9 : view.grown;
+  if (layers.hasBirths || view.grown >= drawing.n) return;
+  const ranks = growthRanks(drawing);
+  const lines = layers.lines.geometry.attributes.birth, dots = layers.dots.geometry.attributes.birth;
+  forEachLine(drawing, (edge, _, number) => {
+    const birth = Math.max(ranks[drawing.u[edge]], ranks[drawing.v[edge]]);
+    lines.array[2 * number] = lines.array[2 * number + 1] = birth;
+  });
+  layers.dotOrder.forEach((v, i) => { dots.array[i] = ranks[v]; });
+  lines.needsUpdate = dots.needsUpdate = layers.hasBirths = true;
 }

@@ -1,116 +1,148 @@
 // Colours, boxes, and what the controls say.
+import {fromTarget, lookFrom} from "./cameras.js";
+import {factsOfPage} from "./data.js";
+import {withCommas} from "./exact.js";
+import {ink, kMostNames} from "./ink.js";
+import {directionClasses, kOtherDirections, kPalette, scene, setLayerColours, sidesOf} from "./layers.js";
+import {showViolation} from "./select.js";
+import {byId, pageCount, redraw, stage, view} from "./state.js";
+import {meshes} from "./tubes.js";
 
-let solidPalette = [];
+const kLight = {paper: [251, 250, 247], mark: [176, 0, 109], ball: [44, 49, 57], box: [110, 118, 128]};
+const kDark = {paper: [20, 23, 28], mark: [255, 111, 193], ball: [226, 230, 236], box: [150, 160, 175]};
 
-/// Colours for eyes: lighter in the dark; the scene's own are linear.
-function applyTheme() {
-  const dark = view.dark, d = view.drawing, root = document.documentElement;
-  root.classList.toggle("dark", dark);
-  byId("theme").textContent = dark ? "light" : "dark";
-  const paper = dark ? [20, 23, 28] : [251, 250, 247], chosen = dark ? [255, 111, 193] : [176, 0, 109], ball = dark ? [226, 230, 236] : [44, 49, 57];
-  const set = c => new THREE.Color().setRGB(c[0] / 255, c[1] / 255, c[2] / 255, "srgb");
-  const lighter = c => dark ? c.map(x => x + 0.28 * (255 - x)) : c;
-  const byRole = d && d.n && view.colours === "role" ? d.about.roles.list.map(role => role.colour) : [];
-  view.palette = kPalette.map((colour, i) => lighter(byRole[i] || colour));
-  solidPalette = view.palette.map(set);
-  shared.palette.value = view.palette.flatMap(c => c.map(x => x / 255));
-  for (const material of [lineMaterial, densityMaterial]) material.uniforms.palette.value = shared.palette.value;
-  dotMaterial.uniforms.palette.value = kPalette.flatMap(() => ball.map(x => x / 255));
-  for (const material of [lineMaterial, densityMaterial, dotMaterial]) material.uniforms.paper.value = paper.map(x => x / 255);
-  view.mark = set(chosen);
-  view.ballColour = set(ball);
-  scene.fog = scene.fog || new THREE.Fog(0, 0, 1);
-  scene.fog.color.copy(set(paper));
-  meshes.halo.material.color.copy(set(paper));
-  if (renderer) renderer.setClearColor(set(paper));
-  for (const mesh of [meshes.chosenTubes, meshes.chosenBalls]) mesh.material.emissive.copy(view.mark);
-  for (const box of Object.values(boxes)) if (box) box.material.color.copy(set(dark ? [150, 160, 175] : [110, 118, 128]));
+const shares = colour => colour.map(part => part / 255);
+const solidColour = colour => new THREE.Color().setRGB(...shares(colour), "srgb");
+
+/// The roles' own colours or those of the directions, lighter in the dark.
+function paletteNow() {
+  const {drawing, dark} = view, isByRole = drawing && drawing.n && view.colours === "role";
+  const roles = isByRole ? drawing.about.roles.list.map(role => role.colour) : [];
+  return kPalette.map((colour, i) => (roles[i] || colour).map(part => dark ? part + 0.28 * (255 - part) : part));
 }
 
+export function applyTheme() {
+  const theme = view.dark ? kDark : kLight, paper = solidColour(theme.paper);
+  document.documentElement.classList.toggle("dark", view.dark);
+  byId("theme").textContent = view.dark ? "light" : "dark";
+  view.palette = paletteNow();
+  view.solidPalette = view.palette.map(solidColour);
+  view.markColour = solidColour(theme.mark);
+  view.ballColour = solidColour(theme.ball);
+  setLayerColours(view.palette.map(shares), shares(theme.ball), shares(theme.paper));
+  scene.fog.color.copy(paper);
+  meshes.halo.material.color.copy(paper);
+  if (view.renderer) view.renderer.setClearColor(paper);
+  for (const mesh of [meshes.chosenTubes, meshes.chosenBalls]) mesh.material.emissive.copy(view.markColour);
+  for (const lines of Object.values(boxes)) if (lines) lines.material.color.copy(solidColour(theme.box));
+}
+
+/// The drawing's box and the theorem's, each named as its control.
 const boxes = {box: null, bound: null};
-function boxLines(size, middle) {
-  const corner = k => [0, 1, 2].map(i => middle[i] + (k >> i & 1 ? 0.5 : -0.5) * size[i]), points = [];
-  for (let k = 0; k < 8; ++k) for (let i = 0; i < 3; ++i) if (!(k >> i & 1)) points.push(...corner(k), ...corner(k | 1 << i));
+
+/// The twelve edges of a box about the origin.
+function boxLines(size) {
+  const corner = k => size.map((side, i) => (k >> i & 1 ? 0.5 : -0.5) * side), ends = [];
+  for (let k = 0; k < 8; ++k) {
+    for (let i = 0; i < 3; ++i) if (!(k >> i & 1)) ends.push(...corner(k), ...corner(k | 1 << i));
+  }
   const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(points), 3));
+  geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(ends), 3));
   const lines = new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({fog: false}));
   lines.frustumCulled = false;
   return lines;
 }
-function buildBoxes(d) {
-  for (const name in boxes) if (boxes[name]) { scene.remove(boxes[name]); boxes[name] = null; }
-  const {size, matrix} = view.space, bound = d.about.bound;
-  boxes.box = boxLines(size, [0, 0, 0]);
-  if (bound) {
-    const sides = matrix.map(row => row.reduce((sum, c, j) => sum + Math.abs(c) * bound.extents[j], 0));
-    view.boundSize = sides.map((side, i) => Math.max(side, size[i]));
-    view.boundRadius = Math.hypot(...sides) / 2;
-    boxes.bound = boxLines(sides, [0, 0, 0]);
+export function buildBoxes(drawing) {
+  const {bound} = drawing.about, {size, matrix} = view.space;
+  const sides = bound ? sidesOf(matrix, bound.extents) : [0, 0, 0];
+  view.boundSize = sides.map((side, i) => Math.max(side, size[i]));
+  view.boundRadius = Math.hypot(...sides) / 2;
+  const made = {box: boxLines(size), bound: bound ? boxLines(sides) : null};
+  for (const name in boxes) {
+    if (boxes[name]) scene.remove(boxes[name]);
+    boxes[name] = made[name];
+    if (!made[name]) continue;
+    made[name].visible = byId(name).checked;
+    scene.add(made[name]);
   }
-  for (const name in boxes) if (boxes[name]) { boxes[name].visible = byId(name).checked; scene.add(boxes[name]); }
 }
-function showBox(name, shown) {
+export function showBox(name, isShown) {
   if (!boxes[name]) return;
-  byId(name).checked = boxes[name].visible = shown;
+  byId(name).checked = boxes[name].visible = isShown;
   byId("bound-text").hidden = !byId("bound").checked;
-  if (name === "bound") lookFrom(camera.position.clone().sub(controls.target), shown ? view.boundSize : undefined);
+  if (name === "bound") lookFrom(fromTarget(), isShown ? view.boundSize : undefined);
   redraw();
 }
 
-const kWords = {certified: ["certified", "certified"], violated: ["violated", "violated"], "not judged": ["unknown", "not judged"]};
-const withCommas = x => String(x).replace(/\B(?=(\d{3})+$)/g, ",");
+/// Style and word of a verdict that counts no violations.
+const kVerdicts = {certified: ["certified", "certified"], "not judged": ["unknown", "not judged"]};
 
-function fillHeader(d) {
-  const facts = d.about;
-  byId("title").textContent = facts.algorithm ? `${facts.algorithm} \u00b7 ${facts.title}` : facts.title;
-  document.title = `${facts.title} \u2013 ar3d`;
-  byId("verdict").hidden = byId("facts").hidden = !facts.verdict;
-  if (!facts.verdict) return;
-  const [style, word] = kWords[facts.verdict.kind], count = facts.verdict.violations.length;
-  byId("verdict").className = style;
-  byId("verdict").textContent = style === "violated" ? `${count} violation${count === 1 ? "" : "s"}` : word;
-  byId("verdict").title = facts.verdict.text;
-  byId("facts").textContent = `${withCommas(d.n)} vertices, ${withCommas(d.m)} edges, ${withCommas(facts.bends)} bends, box ` +
-    facts.extents.map(withCommas).join(" \u00d7 ");
+export function fillHeader(drawing) {
+  const {algorithm, title, verdict, bends, extents} = drawing.about;
+  byId("title").textContent = algorithm ? `${algorithm} \u00b7 ${title}` : title;
+  document.title = `${title} \u2013 ar3d`;
+  byId("verdict").hidden = byId("facts").hidden = !verdict;
+  if (!verdict) return;
+  const count = verdict.violations.length;
+  const [style, word] = kVerdicts[verdict.kind] || ["violated", `${count} violation${count === 1 ? "" : "s"}`];
+  Object.assign(byId("verdict"), {className: style, textContent: word, title: verdict.text});
+  byId("facts").textContent = `${withCommas(drawing.n)} vertices, ${withCommas(drawing.m)} edges, ` +
+    `${withCommas(bends)} bends, box ${extents.map(withCommas).join(" \u00d7 ")}`;
 }
 
-function fillLegend(d) {
-  const roles = d.about.roles, direction = view.colours === "direction", list = byId("legend");
-  const names = direction ? [...directionClasses(d).names, "other directions"] : roles.list.map(role => role.name);
-  const used = new Set(direction ? directionClasses(d).classes : d.role);
-  list.replaceChildren(...names.map((name, i) => {
-    if (!used.has(direction && i === names.length - 1 ? 7 : i)) return "";
+/// The colours that the drawing has: [number of the colour, name].
+function legendOf(drawing) {
+  const {names, classes} = view.colours === "direction" ? directionClasses(drawing)
+    : {names: drawing.about.roles.list.map(role => role.name), classes: drawing.role};
+  const used = new Set(classes), entries = [...names.entries()];
+  if (view.colours === "direction") entries.push([kOtherDirections, "other directions"]);
+  return entries.filter(([number]) => used.has(number));
+}
+export function fillLegend(drawing) {
+  byId("legend").replaceChildren(...legendOf(drawing).map(([number, name]) => {
     const item = document.createElement("li"), swatch = document.createElement("i");
-    swatch.style.background = `rgb(${view.palette[direction && i === names.length - 1 ? 7 : i].map(Math.round)})`;
+    swatch.style.background = `rgb(${view.palette[number].map(Math.round)})`;
     item.append(swatch, name);
     return item;
   }));
 }
 
-function fillViolations(d) {
-  const list = d.about.verdict ? d.about.verdict.violations : [];
-  byId("violations").hidden = !list.length;
-  byId("violation-list").replaceChildren(...list.map((violation, k) => {
-    const item = document.createElement("li"), button = document.createElement("button"), kind = document.createElement("b");
+function fillViolations({violations}) {
+  byId("violations").hidden = !violations.length;
+  byId("violation-list").replaceChildren(...violations.map((violation, number) => {
+    const item = document.createElement("li"), button = document.createElement("button");
+    const kind = document.createElement("b");
     kind.textContent = violation.kind.replace(/_/g, " ") + ": ";
     button.append(kind, violation.message);
-    button.onclick = () => showViolation(k);
+    button.onclick = () => showViolation(number);
     item.append(button);
     return item;
   }));
 }
 
-function fillPanel(d) {
-  fillViolations(d);
-  byId("bound-label").hidden = !d.about.bound;
-  byId("bound-text").textContent = d.about.bound ? "at most " + d.about.bound.text : "";
-  byId("colours").options[0].disabled = !d.about.roles.title;
-  byId("colours").options[0].textContent = d.about.roles.title || "role: not known of this algorithm";
-  byId("grow").max = d.n;
-  byId("names").disabled = d.n > 400;
+export function fillPanel(drawing) {
+  const {bound, roles, verdict} = drawing.about, [byRole] = byId("colours").options;
+  fillViolations(verdict);
+  byId("bound-label").hidden = !bound;
+  byId("bound-text").textContent = bound ? "at most " + bound.text : "";
+  byRole.disabled = !roles.title;
+  byRole.textContent = roles.title || "role: not known of this algorithm";
+  byId("grow").max = drawing.n;
+  byId("names").disabled = drawing.n > kMostNames;
 }
 
-function savePicture() {
+export function fillPages() {
+  byId("pages").hidden = pageCount < 2;
+  for (let page = 0; page < pageCount; ++page) {
+    const {title, verdict, error} = factsOfPage(page), option = document.createElement("option");
+    const remark = error !== undefined ? " (not drawn)" : verdict.kind === "violated" ? " (violated)" : "";
+    option.value = page;
+    option.textContent = `${page + 1} of ${pageCount}: ${title}${remark}`;
+    byId("which").append(option);
+  }
+}
+
+export function savePicture() {
   const picture = document.createElement("canvas");
   picture.width = stage.width;
   picture.height = stage.height;

@@ -1,83 +1,134 @@
 // What is under the pointer: vertices before bends before segments, the nearest to the reader of those within reach.
+import {isPerspective, pixelsPerUnit} from "./cameras.js";
+import {isEdgeGrown, isGrown, pointAt, pointOf, pointsOf, positionOf} from "./data.js";
+import {describe} from "./exact.js";
+import {byId, stage, view} from "./state.js";
+import {tubeRadius} from "./tubes.js";
 
-/// Rows x, y, w of the matrix from lattice coordinates (from the low corner) to the picture.
-function projectionRows() {
+/// From lattice coordinates (from the low corner) to the picture: rows for x, y and depth, each to be applied to a
+/// point and 1.
+export function projectionRows() {
+  const {camera, space: {matrix, centre}} = view;
   camera.updateMatrixWorld();
-  const e = new THREE.Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse).elements;
-  const back = camera.matrixWorldInverse.elements, {matrix, centre} = view.space;
-  const compose = row => {
-    const out = [0, 1, 2].map(j => row[0] * matrix[0][j] + row[1] * matrix[1][j] + row[2] * matrix[2][j]);
-    out.push(row[3] - out[0] * centre[0] - out[1] * centre[1] - out[2] * centre[2]);
-    return out;
+  const toPicture = new THREE.Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse).elements;
+  const toCamera = camera.matrixWorldInverse.elements;
+  const compose = (elements, row, sign) => {
+    const [a, b, c, d] = [0, 4, 8, 12].map(column => sign * elements[column + row]);
+    const out = [0, 1, 2].map(j => a * matrix[0][j] + b * matrix[1][j] + c * matrix[2][j]);
+    return [...out, d - out[0] * centre[0] - out[1] * centre[1] - out[2] * centre[2]];
   };
-  return {x: compose([e[0], e[4], e[8], e[12]]), y: compose([e[1], e[5], e[9], e[13]]),
-    depth: compose([-back[2], -back[6], -back[10], -back[14]]), flat: camera === cameras.orthographic};
+  return {
+    x: compose(toPicture, 0, 1), y: compose(toPicture, 1, 1), depth: compose(toCamera, 2, -1), isFlat: !isPerspective(),
+  };
 }
 
-/// Lattice point p in the picture: x and y from -1 to 1, and the depth in the scene (at most 0: behind the reader).
-function project(rows, p, out) {
-  const of = row => row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + row[3];
-  const depth = of(rows.depth), by = rows.flat ? 1 : depth;
-  out[0] = of(rows.x) / by;
-  out[1] = of(rows.y) / by;
-  out[2] = rows.flat ? Math.max(depth, 1e-9) : depth;
+const applied = (row, point) => row[0] * point[0] + row[1] * point[1] + row[2] * point[2] + row[3];
+
+/// A lattice point in the picture: x and y from -1 to 1, and the depth in the scene (at most 0: behind the reader).
+export function project(rows, point, out) {
+  const depth = applied(rows.depth, point), by = rows.isFlat ? 1 : depth;
+  out[0] = applied(rows.x, point) / by;
+  out[1] = applied(rows.y, point) / by;
+  out[2] = rows.isFlat ? Math.max(depth, 1e-9) : depth;
   return out;
 }
-function toPixels(ndc) {
-  return {x: (ndc[0] + 1) / 2 * stage.clientWidth, y: (1 - ndc[1]) / 2 * stage.clientHeight, depth: ndc[2]};
+export function toPixels([x, y, depth]) {
+  return {x: (x + 1) / 2 * stage.clientWidth, y: (1 - y) / 2 * stage.clientHeight, depth};
 }
+export const pixelsOf = (rows, point) => toPixels(project(rows, point, [0, 0, 0]));
 
-function pick(x, y) {
-  const d = view.drawing;
-  if (!d || !d.n) return null;
-  const rows = projectionRows(), width = stage.clientWidth, height = stage.clientHeight, a = new Float64Array(3), b = new Float64Array(3);
-  const at = [2 * x / width - 1, 1 - 2 * y / height], point = [0, 0, 0], radius = tubeRadius(d);
-  const reach = (depth, factor) => Math.max(7, factor * radius * pixelsPerUnit(depth));
-  let best = null, bestCost = Infinity;
-  const offer = (cost, make) => { if (cost < bestCost) { bestCost = cost; best = make(); } };
-  const away = p => Math.hypot((p[0] - at[0]) * width, (p[1] - at[1]) * height) / 2;
-  for (let v = 0; v < d.n; ++v) {
-    point[0] = d.x[v]; point[1] = d.y[v]; point[2] = d.z[v];
-    project(rows, point, a);
-    if (a[2] > 0 && away(a) < reach(a[2], 2.5) && isGrown(d, v)) offer(a[2], () => ({kind: "vertex", vertex: v}));
+/// The search for what is nearest to a place of the page.
+class Search {
+  constructor(drawing, pageX, pageY) {
+    this.drawing = drawing;
+    this.width = stage.clientWidth;
+    this.height = stage.clientHeight;
+    this.x = 2 * pageX / this.width - 1;
+    this.y = 1 - 2 * pageY / this.height;
+    this.radius = tubeRadius(drawing);
+    this.rows = projectionRows();
+    this.best = null;
+    this.bestDepth = Infinity;
   }
-  if (best) return best;
-  for (let e = 0; e < d.m; ++e) {
-    const count = pointsOf(d, e);
-    project(rows, pointOf(d, e, 0, point), a);
-    for (let i = 0; i + 1 < count; ++i) {
-      project(rows, pointOf(d, e, i + 1, point), b);
-      if (a[2] > 0 && b[2] > 0) {
-        const dx = (b[0] - a[0]) * width, dy = (b[1] - a[1]) * height, px = (at[0] - a[0]) * width, py = (at[1] - a[1]) * height;
-        const t = Math.min(1, Math.max(0, (px * dx + py * dy) / (dx * dx + dy * dy || 1)));
-        const off = Math.hypot(px - t * dx, py - t * dy) / 2, depth = a[2] + t * (b[2] - a[2]);
-        if (off < reach(depth, 1.3) && isEdgeGrown(d, e)) {
-          const isBend = i + 2 < count && away(b) < reach(b[2], 1.6);
-          offer(isBend ? depth - 3 * radius : depth, () => isBend ? {kind: "bend", edge: e, bend: i + 1} : {kind: "edge", edge: e, segment: i});
-        }
+  /// Pixels within which something counts whose radius is `factor` times that of a tube.
+  reach(depth, factor) {
+    return Math.max(7, factor * this.radius * pixelsPerUnit(depth));
+  }
+  pixelsTo([x, y]) {
+    return Math.hypot((x - this.x) * this.width, (y - this.y) * this.height) / 2;
+  }
+  offer(depth, what) {
+    if (depth >= this.bestDepth) return;
+    this.bestDepth = depth;
+    this.best = what;
+  }
+  offerVertices() {
+    const point = [0, 0, 0], seen = new Float64Array(3), {drawing} = this;
+    for (let v = 0; v < drawing.n; ++v) {
+      point[0] = drawing.x[v];
+      point[1] = drawing.y[v];
+      point[2] = drawing.z[v];
+      project(this.rows, point, seen);
+      const depth = seen[2];
+      if (depth > 0 && this.pixelsTo(seen) < this.reach(depth, 2.5) && isGrown(drawing, v)) {
+        this.offer(depth, {kind: "vertex", vertex: v});
       }
-      a.set(b);
     }
   }
-  return best;
+  offerEdges() {
+    const point = [0, 0, 0], from = new Float64Array(3), to = new Float64Array(3), {drawing} = this;
+    for (let edge = 0; edge < drawing.m; ++edge) {
+      project(this.rows, pointOf(drawing, edge, 0, point), from);
+      for (let segment = 0; segment + 1 < pointsOf(drawing, edge); ++segment) {
+        project(this.rows, pointOf(drawing, edge, segment + 1, point), to);
+        if (from[2] > 0 && to[2] > 0) this.offerSegment(edge, segment, from, to);
+        from.set(to);
+      }
+    }
+  }
+  offerSegment(edge, segment, from, to) {
+    const alongX = (to[0] - from[0]) * this.width, alongY = (to[1] - from[1]) * this.height;
+    const awayX = (this.x - from[0]) * this.width, awayY = (this.y - from[1]) * this.height;
+    const square = alongX * alongX + alongY * alongY || 1;
+    const share = Math.min(1, Math.max(0, (awayX * alongX + awayY * alongY) / square));
+    const pixels = Math.hypot(awayX - share * alongX, awayY - share * alongY) / 2;
+    const depth = from[2] + share * (to[2] - from[2]);
+    if (pixels >= this.reach(depth, 1.3) || !isEdgeGrown(this.drawing, edge)) return;
+    const hasBend = segment + 2 < pointsOf(this.drawing, edge);
+    if (hasBend && this.pixelsTo(to) < this.reach(to[2], 1.6)) {
+      this.offer(depth - 3 * this.radius, {kind: "bend", edge, bend: segment + 1});
+    } else {
+      this.offer(depth, {kind: "edge", edge, segment});
+    }
+  }
+}
+
+/// What is there: {kind: "vertex", vertex}, {kind: "bend", edge, bend}, {kind: "edge", edge, segment} or null.
+export function pick(pageX, pageY) {
+  const {drawing} = view;
+  if (!drawing || !drawing.n) return null;
+  const search = new Search(drawing, pageX, pageY);
+  search.offerVertices();
+  if (!search.best) search.offerEdges();
+  return search.best;
 }
 
 /// The lattice point (from the low corner) that stands for what is picked.
-function placeOf(d, what) {
-  if (what.kind === "vertex") return positionOf(d, what.vertex);
-  if (what.kind === "bend") return pointOf(d, what.edge, what.bend, [0, 0, 0]);
-  const a = pointOf(d, what.edge, what.segment, [0, 0, 0]), b = pointOf(d, what.edge, what.segment + 1, [0, 0, 0]);
-  return a.map((c, i) => (c + b[i]) / 2);
+export function placeOf(drawing, what) {
+  if (what.kind === "vertex") return positionOf(drawing, what.vertex);
+  if (what.kind === "bend") return pointAt(drawing, what.edge, what.bend);
+  const from = pointAt(drawing, what.edge, what.segment), to = pointAt(drawing, what.edge, what.segment + 1);
+  return from.map((c, i) => (c + to[i]) / 2);
 }
 
-let pointed = null;
-function hover(x, y) {
-  const tip = byId("tip"), what = x === undefined ? null : pick(x, y);
-  pointed = what;
+/// Says what is there, or hides what was said if no place is given.
+export function hover(pageX, pageY) {
+  const tip = byId("tip"), what = pageX === undefined ? null : pick(pageX, pageY);
   tip.hidden = !what;
   if (!what) return;
   tip.textContent = describe(view.drawing, what);
-  const box = tip.getBoundingClientRect();
-  tip.style.left = Math.max(4, Math.min(x + 14, innerWidth - box.width - 8)) + "px";
-  tip.style.top = (y + 18 + box.height > innerHeight ? Math.max(4, y - box.height - 12) : y + 18) + "px";
+  const {width, height} = tip.getBoundingClientRect();
+  const isLow = pageY + 18 + height > innerHeight;
+  tip.style.left = Math.max(4, Math.min(pageX + 14, innerWidth - width - 8)) + "px";
+  tip.style.top = (isLow ? Math.max(4, pageY - height - 12) : pageY + 18) + "px";
 }
