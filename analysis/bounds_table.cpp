@@ -5,7 +5,7 @@
 
 #include "ar3d/analysis/scaling/samples.h"
 #include "ar3d/analysis/statistics.h"
-#include "ar3d/store/columns/algorithm_table.h"
+#include "ar3d/store/columns/side_tables.h"
 
 namespace ar3d {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "ar3d/store/columns/graph_file_table.h"
+#include "ar3d/store/columns/side_tables.h"
 
 namespace ar3d {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "ar3d/store/columns/algorithm_table.h"
+#include "ar3d/store/columns/side_tables.h"
 
 namespace ar3d {
 namespace {

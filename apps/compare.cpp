@@ -12,12 +12,12 @@
 
 #include "ar3d/analysis/google_benchmark.h"
 #include "ar3d/base/error.h"
+#include "ar3d/base/new_file.h"
 #include "ar3d/bench/compare/interleave.h"
 #include "ar3d/bench/compare/reference_build.h"
 #include "ar3d/bench/measure/interruption.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/spec/study_spec.h"
-#include "ar3d/store/atomic_file.h"
 #include "commands.h"
 #include "numbers.h"
 #include "outputs.h"

@@ -12,7 +12,6 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
 #include "ar3d/bench/compare/git.h"
-#include "ar3d/store/atomic_file.h"
 #include "commands.h"
 #include "numbers.h"
 #include "outputs.h"

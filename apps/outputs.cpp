@@ -12,7 +12,7 @@
 #include "ar3d/base/printable.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/bench/spec/study_spec.h"
-#include "ar3d/store/columns/graph_file_table.h"
+#include "ar3d/store/columns/side_tables.h"
 #include "ar3d/store/journal/journal_format.h"
 
 namespace ar3d {

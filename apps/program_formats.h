@@ -2,8 +2,8 @@
 
 namespace ar3d {
 
-/// Adds the drawing formats that need more than formats/ may include: HDF5 files, and the viewer's
-/// page, which judges what it shows. To be called once, before the verbs are.
+/// Adds the drawing format that needs more than formats/ may include: the viewer's page, which
+/// judges what it shows. To be called once, before the verbs are.
 void register_program_formats();
 
 }  // namespace ar3d

@@ -14,7 +14,6 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
 #include "ar3d/bench/keep/study_files.h"
-#include "ar3d/store/atomic_file.h"
 #include "commands.h"
 #include "outputs.h"
 #include "report_page.h"

@@ -7,9 +7,9 @@
 #include <tuple>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/new_file.h"
 #include "ar3d/bench/replay/count_instructions.h"
 #include "ar3d/bench/run/make_row.h"
-#include "ar3d/store/atomic_file.h"
 #include "ar3d/store/run_storage.h"
 #include "commands.h"
 #include "numbers.h"

@@ -6,11 +6,11 @@
 
 #include "ar3d/analysis/replay.h"
 #include "ar3d/base/error.h"
+#include "ar3d/base/new_file.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/formats/drawings/drawing_svg.h"
 #include "ar3d/formats/graphs/sparse6.h"
 #include "ar3d/model/settings.h"
-#include "ar3d/store/atomic_file.h"
 #include "outputs.h"
 #include "words.h"
 

@@ -144,4 +144,18 @@ bool give_name_if_free(const std::string& name, const std::string& target) {
   return true;
 }
 
+void write_file_atomically(const std::string& path, std::span<const char> bytes) {
+  NewFile file(path);
+  file.write_all(bytes);
+  file.become_target();
+}
+
+bool create_file_atomically(const std::string& path, std::span<const char> bytes) {
+  NewFile file(path);
+  file.write_all(bytes);
+  return file.become_new_target();
+}
+
+void require_writable(const std::string& path) { const NewFile probe(path); }
+
 }  // namespace ar3d

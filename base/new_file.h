@@ -39,6 +39,18 @@ class NewFile {
   Descriptor descriptor_;
 };
 
+/// Replaces the file at `path` by `bytes`, or leaves everything as it was.
+/// @throws InputError as NewFile.
+void write_file_atomically(const std::string& path, std::span<const char> bytes);
+
+/// Creates the file at `path` whole, or not at all: as above, but what exists is left alone.
+/// @return false if it exists.  @throws InputError as NewFile.
+bool create_file_atomically(const std::string& path, std::span<const char> bytes);
+
+/// Fails now instead of after hours: tries to create (and removes) a file beside `path`.
+/// @throws InputError as NewFile.
+void require_writable(const std::string& path);
+
 /// Writes all bytes to an open file. @throws InputError naming the path and the system's reason.
 void write_all(int descriptor, std::span<const char> bytes, const std::string& path);
 

@@ -8,7 +8,7 @@
 #include <functional>
 
 #include "ar3d/base/error.h"
-#include "ar3d/store/hdf5/results_reader.h"
+#include "ar3d/store/hdf5/results_file.h"
 #include "ar3d/store/journal/journal_reader.h"
 
 namespace ar3d {

@@ -5,60 +5,14 @@
 #include <cstring>
 
 #include "ar3d/base/error.h"
-#include "ar3d/store/columns/former_formula.h"
-#include "ar3d/store/columns/graph_file_table.h"
 #include "ar3d/store/columns/run_columns.h"
+#include "ar3d/store/columns/side_tables.h"
 
 namespace ar3d {
 namespace {
 
-std::size_t place_of(std::string_view name) {
+std::size_t position_of(std::string_view name) {
   return static_cast<std::size_t>(&run_column(name) - run_columns().data());
-}
-
-std::string text_at(const Field& field, const char* record) {
-  const char* from = record + field.offset;
-  return std::string(from, strnlen(from, field.size));
-}
-
-// Is there a record of the row's algorithm and options? They are the first two fields.
-bool is_kept(const char* record, const StudyIdentity& identity) {
-  static const Column& algorithm = run_column("algorithm");
-  static const Column& options = run_column("options");
-  const StoredTable* table = find_table(identity, algorithms_spec().name);
-  for (std::size_t i = 0; table != nullptr && i < table->size(); ++i) {
-    const char* kept = table->record(i);
-    if (std::memcmp(kept, record + algorithm.offset, algorithm.size) == 0 &&
-        std::memcmp(kept + algorithm.size, record + options.offset, options.size) == 0) {
-      return true;
-    }
-  }
-  return false;
-}
-
-// Files of version 2 have the bounds of algorithm and options in every row: they become a record of
-// /algorithms. Rows without a drawing have none.
-void keep_bounds(const std::vector<Field>& former, const char* record, StudyIdentity& identity) {
-  if (is_kept(record, identity)) return;
-  RunRecord run;
-  run.algorithm = text_at(run_column("algorithm"), record);
-  run.options = text_at(run_column("options"), record);
-  const std::string theorem = text_at(former[0], record);
-  const std::string published = text_at(former[1], record);
-  if (theorem.empty()) return;
-  std::vector<AlgorithmRecord> records = algorithm_records(identity);
-  records.push_back({run.algorithm, run.options, parse_formula(theorem), std::nullopt});
-  if (!published.empty()) records.back().published = parse_formula(published);
-  identity.tables = {algorithm_table(records)};
-}
-
-std::vector<Field> former_fields() {
-  std::vector<Field> fields = {
-      {"theorem_bound_formula", "", "the theorem's bound by axis", FieldType::text, 128},
-      {"published_bound_formula", "", "the published bound by axis", FieldType::text, 128}};
-  pack_fields(fields);
-  for (Field& field : fields) field.offset += run_record_size();
-  return fields;
 }
 
 RowFormat make_run_format() {
@@ -66,21 +20,18 @@ RowFormat make_run_format() {
   format.rows = {"runs",
                  "instance x algorithm x options x repetition",
                  {run_columns().begin(), run_columns().end()}};
-  format.key = place_of("row_key");
-  format.status = place_of("status");
-  format.session = place_of("session");
-  format.extract = {"instances", "one record per graph", {}, {}};
+  format.key = position_of("row_key");
+  format.status = position_of("status");
+  format.session = position_of("session");
+  format.extract = {"instances", "one record per graph", {}};
   for (const Column& column : columns_of_kind(ColumnKind::instance)) {
-    format.extract.fields.push_back(place_of(column.name));
+    format.extract.fields.push_back(column);
+    format.extract_fields.push_back(position_of(column.name));
   }
-  format.extract.key = {place_of("family"), place_of("parameters"), place_of("requested_n"),
-                        place_of("instance_index")};
+  pack_fields(format.extract.fields);
+  format.extract_key = {position_of("family"), position_of("parameters"),
+                        position_of("requested_n"), position_of("instance_index")};
   format.tables = {algorithms_spec(), graph_files_spec()};
-  format.former_fields = former_fields();
-  format.keep_of_former = [former = format.former_fields](const char* record,
-                                                          StudyIdentity& identity) {
-    keep_bounds(former, record, identity);
-  };
   return format;
 }
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/store/columns/algorithm_table.h"
 #include "ar3d/store/columns/row_format.h"
 #include "ar3d/store/columns/run_record.h"
-#include "ar3d/store/hdf5/results_reader.h"
+#include "ar3d/store/columns/side_tables.h"
+#include "ar3d/store/hdf5/results_file.h"
 #include "ar3d/store/journal/journal_writer.h"
 #include "ar3d/store/study_identity.h"
 
@@ -26,7 +26,7 @@ struct Results : StudyIdentity {
   std::vector<RunRecord> runs;
 };
 
-/// A results file of version 2 or 3, row by row. Memory: a few hundred rows.
+/// A results file, row by row. Memory: a few hundred rows.
 class RunReader {
  public:
   /// @throws InputError as ResultsReader.

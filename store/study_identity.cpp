@@ -2,7 +2,7 @@
 
 #include <xxhash.h>
 
-#include "ar3d/store/columns/row_key.h"
+#include "ar3d/store/columns/row_format.h"
 
 namespace ar3d {
 

@@ -12,7 +12,7 @@ constexpr const char* kAbsent = "absent";
 
 /// Differs from session to session on one machine, or is the change that is to be judged.
 bool is_passing(const std::string& name) {
-  return name == "started" || name == "source_hash" || name == "dirty_hash" || name == "checksum" ||
+  return name == "started" || name == "source_hash" || name == "dirty_hash" ||
          name.starts_with("load_") || name.starts_with("program_");
 }
 
@@ -42,8 +42,7 @@ std::map<std::string, std::string> lasting_settings(
   std::map<std::string, std::set<std::string>> values;
   for (const EnvironmentEntry& entry : environment) {
     if (is_passing(entry.name)) continue;
-    const bool is_former = entry.name == "timing_mark";  // its name up to version 0.2.0
-    values[is_former ? "build_kind" : entry.name].insert(entry.value);
+    values[entry.name].insert(entry.value);
   }
   std::map<std::string, std::string> joined;
   for (const auto& [name, of_name] : values) {

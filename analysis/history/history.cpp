@@ -13,7 +13,7 @@
 #include "ar3d/analysis/compare/environment_change.h"
 #include "ar3d/analysis/text.h"
 #include "ar3d/base/error.h"
-#include "ar3d/store/columns/graph_file_table.h"
+#include "ar3d/store/columns/side_tables.h"
 
 namespace ar3d {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "ar3d/analysis/report.h"
 #include "ar3d/analysis/report/page.h"
-#include "ar3d/store/columns/algorithm_table.h"
+#include "ar3d/store/columns/side_tables.h"
 
 namespace ar3d::report {
 

@@ -23,14 +23,13 @@
 #include "ar3d/bench/run/describe_study.h"
 #include "ar3d/bench/run/make_rows.h"
 #include "ar3d/bench/run/rank_batch.h"
-#include "ar3d/store/atomic_file.h"
 #include "ar3d/store/columns/run_columns.h"
-#include "ar3d/store/run_storage.h"
-#include "ar3d/store/hdf5/results_reader.h"
+#include "ar3d/store/hdf5/results_file.h"
 #include "ar3d/store/journal/journal_format.h"
 #include "ar3d/store/journal/journal_reader.h"
 #include "ar3d/store/journal/journal_writer.h"
 #include "ar3d/store/row_collection.h"
+#include "ar3d/store/run_storage.h"
 
 namespace ar3d {
 namespace {

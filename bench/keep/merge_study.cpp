@@ -6,11 +6,11 @@
 #include <string_view>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/new_file.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/bench/keep/gather_rows.h"
-#include "ar3d/store/atomic_file.h"
-#include "ar3d/store/run_storage.h"
 #include "ar3d/store/row_collection.h"
+#include "ar3d/store/run_storage.h"
 
 namespace ar3d {
 namespace {

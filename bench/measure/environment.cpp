@@ -19,7 +19,7 @@
 #include "ar3d/base/error.h"
 #include "ar3d/bench/measure/hardware_counters.h"
 #include "ar3d/bench/measure/pinning.h"
-#include "ar3d/store/hdf5/results_reader.h"
+#include "ar3d/store/hdf5/results_file.h"
 #include "ar3d_build_info.h"
 
 namespace ar3d {

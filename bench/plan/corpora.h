@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ar3d/bench/spec/study_spec.h"
-#include "ar3d/store/columns/graph_file_table.h"
+#include "ar3d/store/columns/side_tables.h"
 
 namespace ar3d {
 

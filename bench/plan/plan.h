@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "ar3d/bench/spec/study_spec.h"
-#include "ar3d/store/columns/algorithm_table.h"
 #include "ar3d/store/columns/run_record.h"
+#include "ar3d/store/columns/side_tables.h"
 
 namespace ar3d {
 

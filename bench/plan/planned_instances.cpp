@@ -10,7 +10,7 @@
 #include "ar3d/bench/corpus/subgraphs.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/plan/plan.h"
-#include "ar3d/store/columns/row_key.h"
+#include "ar3d/store/columns/row_format.h"
 
 namespace ar3d {
 namespace {

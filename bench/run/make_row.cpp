@@ -11,9 +11,9 @@
 #include "ar3d/bench/measure/stopwatch.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/formats/text/output.h"
-#include "ar3d/store/columns/algorithm_table.h"
 #include "ar3d/store/columns/asked_certificate.h"
 #include "ar3d/store/columns/run_columns.h"
+#include "ar3d/store/columns/side_tables.h"
 #include "ar3d/verify/checks/angles.h"
 #include "ar3d/verify/checks/examination.h"
 

@@ -14,7 +14,7 @@
 #include "ar3d/bench/spec/measures.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/model/level.h"
-#include "ar3d/store/columns/graph_file_table.h"
+#include "ar3d/store/columns/side_tables.h"
 #include "ar3d/store/study_identity.h"
 #include "ar3d/verify/certificate_mode.h"
 

@@ -1,39 +1,40 @@
 #pragma once
 
+#include <compare>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "ar3d/store/columns/row_key.h"
 #include "ar3d/store/columns/table.h"
-#include "ar3d/store/study_identity.h"
 
 namespace ar3d {
 
-/// A table that follows from the rows: for every value of the `key` fields one record, made of
-/// `fields` of the first row that has it. Both are places in the rows' fields.
-struct ExtractSpec {
-  std::string name;
-  std::string title;
-  std::vector<std::size_t> fields;
-  std::vector<std::size_t> key;
+/// The 128-bit identity of a row: its 32 hexadecimal digits as two numbers.
+struct RowKey {
+  std::uint64_t high = 0;
+  std::uint64_t low = 0;
+  auto operator<=>(const RowKey&) const = default;
 };
 
+/// @throws InputError if the text is not 32 lower-case hexadecimal digits.
+RowKey parse_row_key(std::string_view text);
+std::string to_string(const RowKey& key);
+
 /// What the rows of a study are made of. Journals and results files store any list of fields and
-/// know none by name; those whose meaning they need are told here, by their places.
+/// know none by name; those whose meaning they need are told here, by their positions.
 struct RowFormat {
   TableSpec rows;
   std::size_t key = 0;      ///< 32 hexadecimal digits that tell rows apart; the first field
   std::size_t status = 0;   ///< a text; rows with another one than "ok" are counted
   std::size_t session = 0;  ///< int64: which session made the row
-  ExtractSpec extract;
+  /// A table that follows from the rows: for every value of the fields `extract_key` of a row one
+  /// record, made of the fields `extract_fields` of the first row that has it.
+  TableSpec extract;
+  std::vector<std::size_t> extract_fields, extract_key;
   std::vector<TableSpec> tables;  ///< small tables that stand beside the rows
-
-  /// Results files of version 2: fields that only they have, behind `rows.fields` in a record of
-  /// theirs, and what is to be kept of every such record.
-  std::vector<Field> former_fields;
-  std::function<void(const char* record, StudyIdentity& identity)> keep_of_former;
 
   std::size_t record_size() const { return ar3d::record_size(rows.fields); }
 };
@@ -48,3 +49,9 @@ struct RecordSource {
 };
 
 }  // namespace ar3d
+
+/// A key is a hash already.
+template <>
+struct std::hash<ar3d::RowKey> {
+  std::size_t operator()(const ar3d::RowKey& key) const noexcept { return key.low; }
+};

@@ -1,3 +1,4 @@
+// The columns of /runs, one line each, and what is made of a row by them.
 #include "ar3d/store/columns/run_columns.h"
 
 #include <fmt/format.h>
@@ -8,28 +9,34 @@
 #include <variant>
 
 #include "ar3d/base/error.h"
-#include "ar3d/store/columns/printable_ascii.h"
 
 namespace ar3d {
 namespace {
 
-struct Description {
-  const char* name;
-  const char* unit;
-  const char* meaning;
-  ColumnKind kind;
-};
+bool is_printable(char c) { return c >= ' ' && c <= '~'; }
 
-Column described(const Description& d, FieldType type, std::size_t size) {
-  Column column;
-  column.name = d.name;
-  column.unit = d.unit;
-  column.meaning = d.meaning;
-  column.kind = d.kind;
-  column.type = type;
-  column.size = size;
-  column.required = d.kind == ColumnKind::instance || d.kind == ColumnKind::run;
-  return column;
+// True if all are printable ASCII, as columns of text hold them.
+// Eight characters at once, the last eight once more: the top bit of each says that it is none of
+// ASCII, is 127, or is below 32. No carry leaves its character but that of 255, which is none.
+bool all_printable(const std::string& text) {
+  constexpr std::uint64_t kOnes = 0x0101010101010101;
+  constexpr std::uint64_t kTops = kOnes * 128;
+  constexpr std::size_t kEight = sizeof(kOnes);
+  if (text.size() < kEight) return std::all_of(text.begin(), text.end(), is_printable);
+  std::uint64_t bad = 0;
+  const auto look_at = [&](std::size_t i) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, text.data() + i, kEight);
+    bad |= word | (word + kOnes) | ~((word | kTops) - kOnes * 32);
+  };
+  for (std::size_t i = 0; i + kEight < text.size(); i += kEight) look_at(i);
+  look_at(text.size() - kEight);
+  return (bad & kTops) == 0;
+}
+
+// True if a column of so many bytes holds the text as it is.
+bool fits(const std::string& text, std::size_t size) {
+  return text.size() <= size && all_printable(text);
 }
 
 void require_fits(const std::string& text, const std::string& column, std::size_t size) {
@@ -46,170 +53,163 @@ void store_text(const std::string& text, char* to, std::size_t size) {
   std::memset(to + text.size(), 0, size - text.size());
 }
 
-// Text that identifies something: refused, never cut, if it does not fit.
-Column text(const Description& d, std::string RunRecord::*member, std::size_t size) {
-  Column column = described(d, FieldType::text, size);
-  column.store = [member, size, name = column.name](const RunRecord& run, char* to) {
-    require_fits(run.*member, name, size);
-    store_text(run.*member, to, size);
-  };
-  column.exact_text = member;
-  column.load = [member, size](const char* from, RunRecord& run) {
-    run.*member = loaded_text(from, size);
-  };
-  return column;
-}
-
-// Text for people, cut to fit.
-Column message(const Description& d, std::string RunRecord::*member, std::size_t size) {
-  Column column = text(d, member, size);
-  column.exact_text = nullptr;
-  column.store = [member, size](const RunRecord& run, char* to) {
-    const std::string& value = run.*member;
-    store_text(fits(value, size) ? value : fitted_text(value, size), to, size);
-  };
-  return column;
-}
-
-// One of a few names.
-template <class Enum>
-Column choice(const Description& d, Enum RunRecord::*member, Enum (*parse)(std::string_view),
-              std::size_t size) {
-  Column column = described(d, FieldType::text, size);
-  column.store = [member, size](const RunRecord& run, char* to) {
-    store_text(to_string(run.*member), to, size);
-  };
-  column.load = [member, parse, size](const char* from, RunRecord& run) {
-    run.*member = parse(loaded_text(from, size));
-  };
-  return column;
-}
-
 template <class T>
 constexpr FieldType kTypeOf = std::is_same_v<T, double>         ? FieldType::float64
                               : std::is_same_v<T, std::int64_t> ? FieldType::int64
                                                                 : FieldType::uint64;
 
-template <class T>
-Column number(const Description& d, T RunRecord::*member) {
-  Column column = described(d, kTypeOf<T>, sizeof(T));
-  column.store = [member](const RunRecord& run, char* to) {
-    std::memcpy(to, &(run.*member), sizeof(T));
-  };
-  column.load = [member](const char* from, RunRecord& run) {
-    std::memcpy(&(run.*member), from, sizeof(T));
-  };
-  return column;
-}
+// Columns that are added one after the other, all of `kind`.
+struct ColumnList {
+  ColumnKind kind = ColumnKind::run;
+  std::vector<Column> columns;
 
-// One column for each entry of an array, named by `suffixes`.
-template <class T, std::size_t N>
-void add_array(std::vector<Column>& columns, const Description& d,
-               std::array<T, N> RunRecord::*member, const std::array<const char*, N>& suffixes) {
-  for (std::size_t i = 0; i < N; ++i) {
-    Column column = described(d, kTypeOf<T>, sizeof(T));
-    column.name += suffixes[i];
-    column.store = [member, i](const RunRecord& run, char* to) {
-      std::memcpy(to, &(run.*member)[i], sizeof(T));
-    };
-    column.load = [member, i](const char* from, RunRecord& run) {
-      std::memcpy(&(run.*member)[i], from, sizeof(T));
-    };
-    columns.push_back(std::move(column));
+  // What is returned stays where it is until the next column is added.
+  Column& add(const std::string& name, const char* unit, const char* meaning, FieldType type,
+              std::size_t size) {
+    Column& column = columns.emplace_back();
+    column.name = name;
+    column.unit = unit;
+    column.meaning = meaning;
+    column.kind = kind;
+    column.type = type;
+    column.size = size;
+    column.required = kind == ColumnKind::instance || kind == ColumnKind::run;
+    return column;
   }
-}
+
+  // Text that identifies something: refused, never cut, if it does not fit.
+  Column& text(const char* name, std::size_t size, std::string RunRecord::*member,
+               const char* meaning) {
+    Column& column = add(name, "", meaning, FieldType::text, size);
+    column.store = [member, size, name = column.name](const RunRecord& run, char* to) {
+      require_fits(run.*member, name, size);
+      store_text(run.*member, to, size);
+    };
+    column.exact_text = member;
+    column.load = [member, size](const char* from, RunRecord& run) {
+      run.*member = loaded_text(from, size);
+    };
+    return column;
+  }
+
+  // Text for people, cut to fit.
+  void message(const char* name, std::size_t size, std::string RunRecord::*member,
+               const char* meaning) {
+    Column& column = text(name, size, member, meaning);
+    column.exact_text = nullptr;
+    column.store = [member, size](const RunRecord& run, char* to) {
+      const std::string& value = run.*member;
+      store_text(fits(value, size) ? value : fitted_text(value, size), to, size);
+    };
+  }
+
+  // One of a few names.
+  template <class Enum>
+  void choice(const char* name, std::size_t size, Enum RunRecord::*member,
+              Enum (*parse)(std::string_view), const char* meaning) {
+    Column& column = add(name, "", meaning, FieldType::text, size);
+    column.store = [member, size](const RunRecord& run, char* to) {
+      store_text(to_string(run.*member), to, size);
+    };
+    column.load = [member, parse, size](const char* from, RunRecord& run) {
+      run.*member = parse(loaded_text(from, size));
+    };
+  }
+
+  // A number where `at` says, of a row that is written or read.
+  template <class T, class At>
+  void number_at(const std::string& name, const char* unit, const char* meaning, const At& at) {
+    Column& column = add(name, unit, meaning, kTypeOf<T>, sizeof(T));
+    column.store = [at](const RunRecord& run, char* to) { std::memcpy(to, &at(run), sizeof(T)); };
+    column.load = [at](const char* from, RunRecord& run) {
+      std::memcpy(&at(run), from, sizeof(T));
+    };
+  }
+  template <class T>
+  void number(const char* name, const char* unit, T RunRecord::*member, const char* meaning) {
+    number_at<T>(
+        name, unit, meaning, [member](auto& run) -> auto& { return run.*member; });
+  }
+  // One column for each entry of an array, named by `suffixes`.
+  template <class T, std::size_t N>
+  void array(const char* name, const char* unit, std::array<T, N> RunRecord::*member,
+             const std::array<const char*, N>& suffixes, const char* meaning) {
+    for (std::size_t i = 0; i < N; ++i) {
+      number_at<T>(
+          std::string(name) + suffixes[i], unit, meaning,
+          [ member, i ](auto& run) -> auto& { return (run.*member)[i]; });
+    }
+  }
+};
 
 constexpr std::array<const char*, 3> kAxes = {"_x", "_y", "_z"};
 constexpr std::array<const char*, 8> kBends = {"_0", "_1", "_2", "_3", "_4", "_5", "_6", "_7"};
 
-void add_identity(std::vector<Column>& c) {
-  const auto instance = ColumnKind::instance;
-  const auto run = ColumnKind::run;
-  c.push_back(
-      text({"row_key", "", "hash of study seed, instance, algorithm, options and repetition", run},
-           &RunRecord::row_key, 32));
-  c.push_back(text({"family", "", "family of graphs", instance}, &RunRecord::family, 48));
-  c.push_back(
-      text({"parameters", "", "the family's parameters, complete, in catalogue order", instance},
-           &RunRecord::parameters, 128));
-  c.push_back(number({"requested_n", "1", "number of vertices that the study asked for", instance},
-                     &RunRecord::requested_n));
-  c.back().former_name = "wanted_n";
-  c.push_back(number({"n", "1", "number of vertices", instance}, &RunRecord::n));
-  c.push_back(number({"m", "1", "number of edges", instance}, &RunRecord::m));
-  c.push_back(number({"instance_index", "1",
-                      "0, 1, ...: which instance of (family, parameters, requested_n)", instance},
-                     &RunRecord::instance_index));
-  c.push_back(
-      number({"seed", "", "the generator's seed of this instance", instance}, &RunRecord::seed));
-  c.push_back(
-      text({"graph_hash", "", "128-bit hash of the graph", instance}, &RunRecord::graph_hash, 32));
-  c.push_back(text({"algorithm", "", "drawing algorithm", run}, &RunRecord::algorithm, 48));
-  c.push_back(text({"options", "", "the algorithm's options, complete, in catalogue order", run},
-                   &RunRecord::options, 96));
-  c.push_back(
-      choice({"phase", "",
-              "what the row was made for: metrics, timing, strong, weak, strong_r, weak_r", run},
-             &RunRecord::phase, parse_run_phase, 8));
-  c.push_back(
-      number({"scale", "1", "threads (strong, weak) or ranks (_r) that share the batch", run},
-             &RunRecord::scale));
-  c.push_back(number({"repetition", "1", "0, 1, ...: which one within its phase and scale", run},
-                     &RunRecord::repetition));
-  c.push_back(
-      text({"level", "", "what was stored of the drawing: extents (nothing), positions, full", run},
-           &RunRecord::level, 16));
-  c.back().required = false;  // files of 0.2.0 have none: all their rows are of level extents
+void add_identity(ColumnList& c) {
+  using R = RunRecord;
+  c.kind = ColumnKind::run;
+  c.text("row_key", 32, &R::row_key,
+         "hash of study seed, instance, algorithm, options and repetition");
+  c.kind = ColumnKind::instance;
+  c.text("family", 48, &R::family, "family of graphs");
+  c.text("parameters", 128, &R::parameters,
+         "the family's parameters, complete, in catalogue order");
+  c.number("requested_n", "1", &R::requested_n, "number of vertices that the study asked for");
+  c.number("n", "1", &R::n, "number of vertices");
+  c.number("m", "1", &R::m, "number of edges");
+  c.number("instance_index", "1", &R::instance_index,
+           "0, 1, ...: which instance of (family, parameters, requested_n)");
+  c.number("seed", "", &R::seed, "the generator's seed of this instance");
+  c.text("graph_hash", 32, &R::graph_hash, "128-bit hash of the graph");
+  c.kind = ColumnKind::run;
+  c.text("algorithm", 48, &R::algorithm, "drawing algorithm");
+  c.text("options", 96, &R::options, "the algorithm's options, complete, in catalogue order");
+  c.choice("phase", 8, &R::phase, parse_run_phase,
+           "what the row was made for: metrics, timing, strong, weak, strong_r, weak_r");
+  c.number("scale", "1", &R::scale, "threads (strong, weak) or ranks (_r) that share the batch");
+  c.number("repetition", "1", &R::repetition, "0, 1, ...: which one within its phase and scale");
+  c.text("level", 16, &R::level,
+         "what was stored of the drawing: extents (nothing), positions, full");
 }
 
-void add_results(std::vector<Column>& c) {
-  const auto kind = ColumnKind::result;
-  c.push_back(choice(
-      {"status", "", "ok, timeout, out_of_memory, refused, violated, crashed or measured", kind},
-      &RunRecord::status, parse_run_status, 16));
-  c.push_back(message({"message", "",
-                       "first violation or error, what a sample leaves open, or which certificate "
-                       "did not accept the drawing, cut to fit; else empty",
-                       kind},
-                      &RunRecord::message, 240));
-  c.push_back(text({"drawing_hash", "", "128-bit hash of positions, edges and bends", kind},
-                   &RunRecord::drawing_hash, 32));
-  c.push_back(
-      number({"violations", "1",
-              "violations of the guarantee that the certificate lists; 0 is proved right", kind},
-             &RunRecord::violations));
-  c.push_back(text({"certificate", "",
-                    "how it was judged: empty for exact (a proof), else measured, filtered, "
-                    "double, sample=K or none: not proved",
-                    kind},
-                   &RunRecord::certificate, 16));
-  add_array(c,
-            {"instance_bound", "lattice units",
-             "extent that the proof promises for this very instance", kind},
-            &RunRecord::instance_bound, kAxes);
-  c.push_back(text({"counters", "", "what the algorithm tells about its run, name=value;...", kind},
-                   &RunRecord::counters, 512));
+void add_results(ColumnList& c) {
+  using R = RunRecord;
+  c.kind = ColumnKind::result;
+  c.choice("status", 16, &R::status, parse_run_status,
+           "ok, timeout, out_of_memory, refused, violated, crashed or measured");
+  c.message("message", 240, &R::message,
+            "first violation or error, what a sample leaves open, or which certificate did not "
+            "accept the drawing, cut to fit; else empty");
+  c.text("drawing_hash", 32, &R::drawing_hash, "128-bit hash of positions, edges and bends");
+  c.number("violations", "1", &R::violations,
+           "violations of the guarantee that the certificate lists; 0 is proved right");
+  c.text("certificate", 16, &R::certificate,
+         "how it was judged: empty for exact (a proof), else measured, filtered, double, sample=K "
+         "or none: not proved");
+  c.array("instance_bound", "lattice units", &R::instance_bound, kAxes,
+          "extent that the proof promises for this very instance");
+  c.text("counters", 512, &R::counters, "what the algorithm tells about its run, name=value;...");
 }
 
 // The metrics that have a member; unit and meaning come from their table.
 std::vector<Column> metrics_with_member() {
-  const auto kind = ColumnKind::metric;
-  std::vector<Column> c;
-  add_array(c, {"extent", "", "", kind}, &RunRecord::extents, kAxes);
-  c.push_back(number({"log2_volume", "", "", kind}, &RunRecord::log2_volume));
-  add_array(c, {"bends", "", "", kind}, &RunRecord::bends, kBends);
-  c.push_back(number({"total_edge_length", "", "", kind}, &RunRecord::total_edge_length));
-  c.push_back(number({"longest_edge_length", "", "", kind}, &RunRecord::longest_edge_length));
-  c.push_back(
-      number({"smallest_vertex_distance", "", "", kind}, &RunRecord::smallest_vertex_distance));
-  return c;
+  using R = RunRecord;
+  ColumnList c{ColumnKind::metric, {}};
+  c.array("extent", "", &R::extents, kAxes, "");
+  c.number("log2_volume", "", &R::log2_volume, "");
+  c.array("bends", "", &R::bends, kBends, "");
+  c.number("total_edge_length", "", &R::total_edge_length, "");
+  c.number("longest_edge_length", "", &R::longest_edge_length, "");
+  c.number("smallest_vertex_distance", "", &R::smallest_vertex_distance, "");
+  return std::move(c.columns);
 }
 
 // A metric without a member: other_metrics[index].
 Column other_metric(const Metric& metric, std::size_t index) {
   const bool is_integer = metric.type == MetricType::int64;
-  Column column = described({metric.name.c_str(), "", "", ColumnKind::metric},
-                            is_integer ? FieldType::int64 : FieldType::float64, sizeof(double));
+  ColumnList list{ColumnKind::metric, {}};
+  Column& column = list.add(metric.name, "", "", is_integer ? FieldType::int64 : FieldType::float64,
+                            sizeof(double));
   const Field field = static_cast<const Field&>(column);
   column.store = [index, field](const RunRecord& run, char* to) {
     if (index >= run.other_metrics.size()) return store_missing(field, to);
@@ -224,10 +224,10 @@ Column other_metric(const Metric& metric, std::size_t index) {
     std::memcpy(&number, from, sizeof(number));
     run.other_metrics[index] = is_integer ? MetricValue(integer) : MetricValue(number);
   };
-  return column;
+  return std::move(column);
 }
 
-void add_metrics(std::vector<Column>& c) {
+void add_metrics(ColumnList& list) {
   std::vector<Column> with_member = metrics_with_member();
   std::size_t others = 0;
   for (const Metric& metric : metrics()) {
@@ -240,94 +240,66 @@ void add_metrics(std::vector<Column>& c) {
     column.meaning = metric.definition;
     expect((column.type == FieldType::int64) == (metric.type == MetricType::int64),
            "a metric has its member's type");
-    c.push_back(std::move(column));
+    list.columns.push_back(std::move(column));
   }
   expect(with_member.empty(), "every metric with a member is in the table of metrics");
 }
 
-void add_measurements(std::vector<Column>& c) {
-  const auto kind = ColumnKind::measured;
-  c.push_back(number({"generate_s", "s", "wall time of generating the graph", kind},
-                     &RunRecord::generate_s));
-  c.push_back(
-      number({"wall_s", "s", "wall time of drawing, nothing else", kind}, &RunRecord::wall_s));
-  c.push_back(number({"cpu_s", "s", "CPU time of the drawing thread, drawing only", kind},
-                     &RunRecord::cpu_s));
-  c.push_back(number(
-      {"store_s", "s", "wall time of storing positions or bends; missing at level extents", kind},
-      &RunRecord::store_s));
-  c.push_back(number(
-      {"certify_s", "s", "wall time of certifying the drawing, with its metrics and hash", kind},
-      &RunRecord::certify_s));
-  c.push_back(number({"write_s", "s", "wall time of formatting the drawing as JSON lines", kind},
-                     &RunRecord::write_s));
+void add_times(ColumnList& c) {
+  using R = RunRecord;
+  c.kind = ColumnKind::measured;
+  c.number("generate_s", "s", &R::generate_s, "wall time of generating the graph");
+  c.number("wall_s", "s", &R::wall_s, "wall time of drawing, nothing else");
+  c.number("cpu_s", "s", &R::cpu_s, "CPU time of the drawing thread, drawing only");
+  c.number("store_s", "s", &R::store_s,
+           "wall time of storing positions or bends; missing at level extents");
+  c.number("certify_s", "s", &R::certify_s,
+           "wall time of certifying the drawing, with its metrics and hash");
+  c.number("write_s", "s", &R::write_s, "wall time of formatting the drawing as JSON lines");
+  c.number("concurrency", "1", &R::concurrency, "rows that this study makes at the same time");
+  c.number("core", "1", &R::core, "core that the row was pinned to; missing if none");
+  c.number("warm_ups", "1", &R::warm_ups, "drawings of the graph just before, thrown away");
+  c.text("build_kind", 16, &R::build_kind,
+         "why times are worth little: debug or sanitised; else empty");
 }
 
-void add_circumstances(std::vector<Column>& c) {
-  const auto kind = ColumnKind::measured;
-  c.push_back(number({"concurrency", "1", "rows that this study makes at the same time", kind},
-                     &RunRecord::concurrency));
-  c.push_back(number({"core", "1", "core that the row was pinned to; missing if none", kind},
-                     &RunRecord::core));
-  c.push_back(number({"warm_ups", "1", "drawings of the graph just before, thrown away", kind},
-                     &RunRecord::warm_ups));
-  c.push_back(
-      text({"build_kind", "", "why times are worth little: debug or sanitised; else empty", kind},
-           &RunRecord::build_kind, 16));
-  c.back().former_name = "timing_mark";
-}
-
-void add_counters(std::vector<Column>& c) {
-  const auto kind = ColumnKind::measured;
-  c.push_back(number({"instructions", "1", "of drawing, user space, by a hardware counter", kind},
-                     &RunRecord::instructions));
-  c.push_back(number({"cycles", "1", "of drawing, user space, by a hardware counter", kind},
-                     &RunRecord::cycles));
-  c.push_back(number({"cache_misses", "1", "of drawing, user space, by a hardware counter", kind},
-                     &RunRecord::cache_misses));
-  c.push_back(number({"counted_instructions", "1", "of drawing, counted by callgrind", kind},
-                     &RunRecord::counted_instructions));
-}
-
-void add_memory(std::vector<Column>& c) {
-  const auto kind = ColumnKind::measured;
-  c.push_back(number({"base_bytes", "bytes", "resident memory when the row began", kind},
-                     &RunRecord::base_bytes));
-  c.push_back(number({"draw_peak_bytes", "bytes", "peak resident memory while drawing", kind},
-                     &RunRecord::draw_peak_bytes));
-  c.push_back(number({"peak_bytes", "bytes", "peak resident memory, as peak_scope says", kind},
-                     &RunRecord::peak_bytes));
-  c.push_back(text(
-      {"peak_scope", "",
-       "of this row alone (row, worker: in a process of its own) or of the process so far", kind},
-      &RunRecord::peak_scope, 8));
-}
-
-void add_scaling(std::vector<Column>& c) {
-  const auto kind = ColumnKind::measured;
-  c.push_back(
-      number({"batch_s", "s", "wall time of the whole batch; only in phases with batches", kind},
-             &RunRecord::batch_s));
-  c.push_back(
-      number({"ideal_batch_s", "s", "batch_s of one thread or rank if scaling were perfect", kind},
-             &RunRecord::ideal_batch_s));
-  c.push_back(number({"efficiency", "1", "ideal_batch_s / batch_s", kind}, &RunRecord::efficiency));
-  c.push_back(number({"session", "1", "the session of /environments that made the row", kind},
-                     &RunRecord::session));
+void add_counts(ColumnList& c) {
+  using R = RunRecord;
+  constexpr const char* kCounted = "of drawing, user space, by a hardware counter";
+  c.number("instructions", "1", &R::instructions, kCounted);
+  c.number("cycles", "1", &R::cycles, kCounted);
+  c.number("cache_misses", "1", &R::cache_misses, kCounted);
+  c.number("counted_instructions", "1", &R::counted_instructions,
+           "of drawing, counted by callgrind");
+  c.number("base_bytes", "bytes", &R::base_bytes, "resident memory when the row began");
+  c.number("draw_peak_bytes", "bytes", &R::draw_peak_bytes, "peak resident memory while drawing");
+  c.number("peak_bytes", "bytes", &R::peak_bytes, "peak resident memory, as peak_scope says");
+  c.text("peak_scope", 8, &R::peak_scope,
+         "of this row alone (row, worker: in a process of its own) or of the process so far");
+  c.number("batch_s", "s", &R::batch_s,
+           "wall time of the whole batch; only in phases with batches");
+  c.number("ideal_batch_s", "s", &R::ideal_batch_s,
+           "batch_s of one thread or rank if scaling were perfect");
+  c.number("efficiency", "1", &R::efficiency, "ideal_batch_s / batch_s");
+  c.number("session", "1", &R::session, "the session of /environments that made the row");
 }
 
 std::vector<Column> make_run_columns() {
-  std::vector<Column> columns;
-  add_identity(columns);
-  add_results(columns);
-  add_metrics(columns);
-  add_measurements(columns);
-  add_circumstances(columns);
-  add_counters(columns);
-  add_memory(columns);
-  add_scaling(columns);
-  pack_fields(columns);
-  return columns;
+  ColumnList list;
+  add_identity(list);
+  add_results(list);
+  add_metrics(list);
+  add_times(list);
+  add_counts(list);
+  pack_fields(list.columns);
+  return std::move(list.columns);
+}
+
+template <class T>
+T loaded(const std::string& bytes) {
+  T value{};
+  std::memcpy(&value, bytes.data(), sizeof(T));
+  return value;
 }
 
 }  // namespace
@@ -382,6 +354,44 @@ void set_metrics(const DrawingSummary& summary, RunRecord& run) {
                metrics()[i].value(summary));
     columns[i].load(bytes, run);
   }
+}
+
+std::string column_text(const Column& column, const RunRecord& run) {
+  std::string bytes(column.size, '\0');
+  column.store(run, bytes.data());
+  switch (column.type) {
+    case FieldType::text:
+      return bytes.substr(0, bytes.find('\0'));
+    case FieldType::int64:
+      return fmt::format("{}", loaded<std::int64_t>(bytes));
+    case FieldType::uint64:
+      return fmt::format("{}", loaded<std::uint64_t>(bytes));
+    case FieldType::float64:
+      return fmt::format("{}", loaded<double>(bytes));
+  }
+  throw InternalError("internal error: unknown column type");
+}
+
+double column_number(const Column& column, const RunRecord& run) {
+  expect(column.type == FieldType::int64 || column.type == FieldType::float64,
+         "a column with a number");
+  std::string bytes(column.size, '\0');
+  column.store(run, bytes.data());
+  if (column.type == FieldType::float64) return loaded<double>(bytes);
+  const auto integer = loaded<std::int64_t>(bytes);
+  return integer < 0 ? kMissing : static_cast<double>(integer);
+}
+
+std::vector<std::string> differing_columns(const RunRecord& a, const RunRecord& b) {
+  std::vector<std::string> names;
+  for (const Column& column : run_columns()) {
+    if (column.kind == ColumnKind::measured) continue;
+    std::string left(column.size, '\0'), right(column.size, '\0');
+    column.store(a, left.data());
+    column.store(b, right.data());
+    if (left != right) names.push_back(column.name);
+  }
+  return names;
 }
 
 }  // namespace ar3d

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "ar3d/store/columns/field.h"
 #include "ar3d/store/columns/run_record.h"
+#include "ar3d/store/columns/table.h"
 
 namespace ar3d {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "ar3d/store/hdf5/results_reader.h"
+#include "ar3d/store/hdf5/results_file.h"
 
 namespace ar3d {
 namespace {

@@ -5,9 +5,13 @@
 
 #include <hdf5.h>
 
+#include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
+
+#include "ar3d/base/descriptor.h"
 
 namespace ar3d {
 
@@ -72,5 +76,27 @@ long long read_integer_attribute(hid_t object, const std::string& name);
 
 /// A fixed-size, null-padded string type of `size` >= 1 bytes.
 Hdf5Handle text_type(std::size_t size, H5T_cset_t charset);
+
+/// An HDF5 file that goes into an open, empty, readable and writable file. HDF5 never sees a write
+/// fail: it would not give the file up. The first failure is kept here instead, what comes after it
+/// is dropped.
+class Hdf5Output {
+ public:
+  /// @param descriptor  is duplicated.
+  explicit Hdf5Output(int descriptor);
+  hid_t get() const { return file_->get(); }
+  /// Ends the file. @return 0, or the errno of the first write that failed.
+  int close();
+
+  /// Where the bytes go.
+  struct Sink {
+    Descriptor descriptor;
+    int error = 0;
+  };
+
+ private:
+  std::shared_ptr<Sink> sink_;
+  std::optional<Hdf5Handle> file_;
+};
 
 }  // namespace ar3d

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <new>
 
-#include "ar3d/store/hdf5/hdf5_file.h"
+#include "ar3d/store/hdf5/hdf5_handle.h"
 
 namespace ar3d {
 namespace {

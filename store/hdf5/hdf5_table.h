@@ -15,6 +15,11 @@ namespace ar3d {
 // compressed, with the attributes by which PyTables (hence pandas.read_hdf) knows its tables, and
 // `<field>.unit` and `<field>.meaning` for every field.
 
+/// Opens a dataset whose bytes are all in this very file and that only needs deflate to be read.
+/// @throws Hdf5Error if it is missing, lies behind a soft or external link, has external or virtual
+/// storage, other filters, or chunks of more than 64 MiB.
+Hdf5Handle open_own_dataset(hid_t file, const std::string& name);
+
 /// A new table that grows record by record. Memory: a few hundred records.
 class TableWriter {
  public:
@@ -40,9 +45,6 @@ class TableWriter {
 void write_table(hid_t file, const TableSpec& table, std::size_t count,
                  const std::function<void(std::size_t i, char* record)>& store);
 
-/// How fields are named in a file.
-enum class FieldNames { present, former };
-
 /// A table of an open file, read by record number. Memory: a chunk of records.
 class TableReader {
  public:
@@ -51,8 +53,7 @@ class TableReader {
   /// @throws Hdf5Error if the table or a required field is missing, a field is not exactly of its
   /// type, or the table is not stored as this program stores tables: chunked, deflated or plain, in
   /// the file itself, and with no more records than `file_bytes` can hold.
-  TableReader(hid_t file, const TableSpec& table, std::uint64_t file_bytes,
-              FieldNames names = FieldNames::present);
+  TableReader(hid_t file, const TableSpec& table, std::uint64_t file_bytes);
   std::size_t size() const { return size_; }
   /// Record i, laid out as table.fields; valid until the next call. Cheap if i is near the one
   /// before. @throws Hdf5Error

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ar3d/store/columns/row_format.h"
+#include "ar3d/store/study_identity.h"
 
 namespace ar3d {
 

@@ -42,7 +42,7 @@ class JournalReader {
   void read(std::size_t i, char* record) const;
 
  private:
-  struct Row {
+  struct PackedRow {
     RowKey key;
     std::uint64_t offset = 0;  // of the payload
     std::uint32_t size = 0;
@@ -56,7 +56,7 @@ class JournalReader {
   std::uint64_t whole_bytes_ = 0;
   StudyIdentity identity_;
   std::vector<std::vector<EnvironmentEntry>> sessions_;
-  std::vector<Row> rows_;
+  std::vector<PackedRow> rows_;
 };
 
 }  // namespace ar3d

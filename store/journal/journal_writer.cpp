@@ -10,7 +10,7 @@
 #include <chrono>
 #include <cstring>
 
-#include "ar3d/store/atomic_file.h"
+#include "ar3d/base/new_file.h"
 
 namespace ar3d {
 namespace {

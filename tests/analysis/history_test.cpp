@@ -11,7 +11,7 @@
 
 #include "analysis/synthetic.h"
 #include "ar3d/base/error.h"
-#include "ar3d/store/columns/graph_file_table.h"
+#include "ar3d/store/columns/side_tables.h"
 #include "support/program.h"
 
 namespace ar3d {

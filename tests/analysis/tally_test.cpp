@@ -13,7 +13,7 @@
 #include "ar3d/analysis/export.h"
 #include "ar3d/analysis/scaling.h"
 #include "ar3d/analysis/statistics.h"
-#include "ar3d/store/columns/graph_file_table.h"
+#include "ar3d/store/columns/side_tables.h"
 
 namespace ar3d {
 namespace {

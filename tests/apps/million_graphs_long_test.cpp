@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "ar3d/store/hdf5/results_file.h"
 #include "ar3d/store/run_storage.h"
-#include "ar3d/store/hdf5/results_reader.h"
 #include "support/program.h"
 
 namespace ar3d {

@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
+#include "ar3d/store/hdf5/results_file.h"
 #include "ar3d/store/run_storage.h"
-#include "ar3d/store/hdf5/results_reader.h"
 #include "support/program.h"
 
 namespace ar3d {

@@ -127,9 +127,6 @@ TEST(RealTypes, OutputsThatWouldRoundAreRefusedOrPictures) {
   const ScratchDirectory scratch;
   const std::string draw =
       kProgram + " generate union-k4 -n 8 | " + kProgram + " draw - --algorithm two-bend-paper -o ";
-  const Outcome hdf5 = run(draw + scratch.path("d.h5"));
-  EXPECT_EQ(hdf5.exit_code, 2);
-  EXPECT_THAT(hdf5.err, HasSubstr("is written as jsonl (exact) or svg"));
   EXPECT_EQ(run(draw + scratch.path("d.svg")).exit_code, 0);
   EXPECT_EQ(run(kProgram + " hunt --algorithm two-bend-paper -n 20 --evaluations 1").exit_code, 2);
 }

@@ -12,10 +12,10 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/bench/keep/study_files.h"
-#include "ar3d/store/run_storage.h"
-#include "ar3d/store/hdf5/results_reader.h"
+#include "ar3d/store/hdf5/results_file.h"
 #include "ar3d/store/journal/journal_reader.h"
 #include "ar3d/store/journal/journal_writer.h"
+#include "ar3d/store/run_storage.h"
 #include "support/program.h"
 #include "support/results.h"
 

@@ -13,10 +13,10 @@
 #include <thread>
 
 #include "ar3d/base/error.h"
-#include "ar3d/store/atomic_file.h"
+#include "ar3d/base/new_file.h"
 #include "ar3d/store/columns/run_columns.h"
-#include "ar3d/store/run_storage.h"
 #include "ar3d/store/hdf5/file_checksum.h"
+#include "ar3d/store/run_storage.h"
 #include "store/sample_runs.h"
 
 namespace ar3d {
@@ -151,7 +151,7 @@ TEST_F(ResultsFile, RefusesAFileCutShort) {
   write_results(sample_results(2000), in_folder("r.h5"));
   fs::resize_file(in_folder("r.h5"), fs::file_size(in_folder("r.h5")) / 2);
   EXPECT_THAT(read_error(in_folder("r.h5")),
-              HasSubstr("is not a readable results file: cannot open it"));
+              HasSubstr("is not a readable results file: it has no checksum at its end"));
 }
 
 void change_with_h5py(const std::string& path, const std::string& change) {

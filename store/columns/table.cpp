@@ -1,4 +1,6 @@
-#include "ar3d/store/columns/field.h"
+// Fields and tables as bytes: journals and results files move records around without knowing what
+// their fields mean.
+#include "ar3d/store/columns/table.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -13,6 +15,11 @@ void store_missing(const Field& field, char* to) {
   std::memset(to, 0, field.size);
   if (field.type == FieldType::int64) std::memcpy(to, &no_integer, sizeof(no_integer));
   if (field.type == FieldType::float64) std::memcpy(to, &no_number, sizeof(no_number));
+}
+
+std::string text_of(const Field& field, const char* record) {
+  const char* from = record + field.offset;
+  return std::string(from, strnlen(from, field.size));
 }
 
 std::string fitted_text(const std::string& text, std::size_t size) {

@@ -11,9 +11,8 @@ namespace ar3d {
 
 /// A results file, read row by row. Memory: a few hundred rows, however many there are.
 ///
-/// The file's checksum is verified before HDF5 sees the file. A file of version 2 has none: a
-/// process of its own reads it and writes it anew as a temporary file of version 3, so that nothing
-/// in it can crash or hang this one.
+/// The file's checksum is verified before HDF5 sees the file, so that nothing that another program
+/// has written can crash or hang this one. The page results/SCHEMA.md describes the file.
 class ResultsReader {
  public:
   /// @param format  outlives the reader.

@@ -1,8 +1,11 @@
-#include "ar3d/store/columns/algorithm_table.h"
+// The small tables that stand beside the rows: what holds for all rows of an algorithm, and the
+// files whose graphs were drawn.
+#include "ar3d/store/columns/side_tables.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -13,6 +16,7 @@ namespace {
 
 constexpr std::array<const char*, 3> kAxes = {"_x", "_y", "_z"};
 constexpr unsigned kLargestHalfPower = 18;  // of AxisBound
+constexpr std::size_t kFieldsOfBound = 3 + 3 * 4;
 
 constexpr auto kInt = FieldType::int64;
 constexpr auto kFloat = FieldType::float64;
@@ -39,7 +43,7 @@ void add_bound(std::vector<Field>& fields, const std::string& whose) {
   }
 }
 
-TableSpec make_spec() {
+TableSpec make_algorithms_spec() {
   TableSpec spec{"algorithms", "what follows from algorithm and options", {}};
   spec.fields = {text_field("algorithm", "drawing algorithm", 48),
                  text_field("options", "its options, complete, in catalogue order", 96),
@@ -52,14 +56,30 @@ TableSpec make_spec() {
   return spec;
 }
 
-// A record of the table, whose fields are written or read one after the other.
+TableSpec make_graph_files_spec() {
+  TableSpec spec{"graph_files", "files whose graphs are instances", {}};
+  spec.fields = {
+      {"name", "", "family of its rows", FieldType::text, 48},
+      {"entry", "1", "which entry of the specification's graphs, from 0", FieldType::int64, 8},
+      {"graphs", "1", "graphs in the file", FieldType::int64, 8},
+      {"hash", "", "XXH3-128 of its graphs in order", FieldType::text, 32},
+      {"path", "", "absolute path; %XX for bytes that are no printable ASCII", FieldType::text,
+       1024}};
+  pack_fields(spec.fields);
+  return spec;
+}
+
+// A record of a table, whose fields are written or read one after the other.
 class FieldCursor {
  public:
-  explicit FieldCursor(char* record) : record_(record) {}
+  FieldCursor(const TableSpec& spec, char* record) : spec_(spec), record_(record) {}
 
   void put(const std::string& text) {
     const Field& field = next();
-    expect(text == fitted_text(text, field.size), "a text of /algorithms fits its column");
+    if (text != fitted_text(text, field.size)) {
+      throw InputError(fmt::format("/{}: a {} is no ASCII text of at most {} bytes: {}", spec_.name,
+                                   field.name, field.size, text));
+    }
     text.copy(record_ + field.offset, text.size());
   }
   template <class Number>
@@ -71,11 +91,7 @@ class FieldCursor {
     store_missing(field, record_ + field.offset);
   }
 
-  std::string text() {
-    const Field& field = next();
-    const char* from = record_ + field.offset;
-    return std::string(from, strnlen(from, field.size));
-  }
+  std::string text() { return text_of(next(), record_); }
   template <class Number>
   Number number() {
     Number value{};
@@ -84,13 +100,36 @@ class FieldCursor {
   }
 
  private:
-  const Field& next() { return algorithms_spec().fields[place_++]; }
+  const Field& next() { return spec_.fields[next_++]; }
 
+  const TableSpec& spec_;
   char* record_;
-  std::size_t place_ = 0;
+  std::size_t next_ = 0;
 };
 
-constexpr std::size_t kFieldsOfBound = 3 + 3 * 4;
+// A table of what `put` writes of every record.
+template <class Record, class Put>
+StoredTable table_of(const TableSpec& spec, const std::vector<Record>& records, const Put& put) {
+  const std::size_t size = record_size(spec.fields);
+  StoredTable table{spec, std::vector<char>(records.size() * size, '\0')};
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    FieldCursor to(spec, table.records.data() + i * size);
+    put(to, records[i]);
+  }
+  return table;
+}
+
+// Calls `take` for every record of a study's table, if it has that table.
+template <class Take>
+void for_each_record(const StudyIdentity& identity, const TableSpec& spec, const Take& take) {
+  const StoredTable* table = find_table(identity, spec.name);
+  if (table == nullptr) return;
+  std::vector<char> bytes = table->records;
+  for (std::size_t i = 0; i < table->size(); ++i) {
+    FieldCursor from(spec, bytes.data() + i * record_size(spec.fields));
+    take(from);
+  }
+}
 
 void put_bound(FieldCursor& to, const std::optional<SizeBound>& bound) {
   if (!bound) {
@@ -133,6 +172,35 @@ std::optional<SizeBound> take_bound(FieldCursor& from) {
   return bound;
 }
 
+std::string encoded(const std::string& path) {
+  std::string text;
+  for (const char c : path) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte > 32 && byte < 127 && c != '%') {
+      text += c;
+    } else {
+      text += fmt::format("%{:02X}", byte);
+    }
+  }
+  return text;
+}
+
+// What is no code stays as it is.
+std::string decoded(const std::string& text) {
+  const auto digit = [](char c) {
+    const std::size_t at = std::string("0123456789ABCDEF").find(c);
+    return at == std::string::npos ? 256 : static_cast<int>(at);
+  };
+  std::string path;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const int code =
+        text[i] == '%' && i + 2 < text.size() ? 16 * digit(text[i + 1]) + digit(text[i + 2]) : 256;
+    path += code < 256 ? static_cast<char>(code) : text[i];
+    if (code < 256) i += 2;
+  }
+  return path;
+}
+
 }  // namespace
 
 double AlgorithmRecord::volume_order() const {
@@ -142,42 +210,33 @@ double AlgorithmRecord::volume_order() const {
 }
 
 const TableSpec& algorithms_spec() {
-  static const TableSpec spec = make_spec();
+  static const TableSpec spec = make_algorithms_spec();
   return spec;
 }
 
 StoredTable algorithm_table(const std::vector<AlgorithmRecord>& records) {
-  StoredTable table{algorithms_spec(), {}};
-  for (const AlgorithmRecord& record : records) {
-    std::vector<char> bytes(record_size(table.spec.fields), '\0');
-    FieldCursor to(bytes.data());
+  return table_of(algorithms_spec(), records, [](FieldCursor& to, const AlgorithmRecord& record) {
     to.put(record.algorithm);
     to.put(record.options);
     to.put(record.volume_order());
     put_bound(to, record.theorem);
     put_bound(to, record.published);
-    table.records.insert(table.records.end(), bytes.begin(), bytes.end());
-  }
-  return table;
+  });
 }
 
 std::vector<AlgorithmRecord> algorithm_records(const StudyIdentity& identity) {
   std::vector<AlgorithmRecord> records;
-  const StoredTable* table = find_table(identity, algorithms_spec().name);
-  if (table == nullptr) return records;
-  std::vector<char> bytes = table->records;
-  for (std::size_t i = 0; i < table->size(); ++i) {
-    FieldCursor from(bytes.data() + i * record_size(table->spec.fields));
+  for_each_record(identity, algorithms_spec(), [&](FieldCursor& from) {
     AlgorithmRecord record;
     record.algorithm = from.text();
     record.options = from.text();
     from.number<double>();  // follows from the bound
     const std::optional<SizeBound> theorem = take_bound(from);
     record.published = take_bound(from);
-    if (!theorem) continue;
+    if (!theorem) return;
     record.theorem = *theorem;
     records.push_back(std::move(record));
-  }
+  });
   return records;
 }
 
@@ -206,6 +265,34 @@ void set_bounds(const SizeBound* theorem, const SizeBound* published, RunRecord&
     const bool has_slack = proved > 0 && run.extents[axis] >= 0;
     run.slack[axis] = has_slack ? 1 - static_cast<double>(run.extents[axis]) / proved : kMissing;
   }
+}
+
+const TableSpec& graph_files_spec() {
+  static const TableSpec spec = make_graph_files_spec();
+  return spec;
+}
+
+StoredTable graph_file_table(const std::vector<GraphFileRecord>& records) {
+  return table_of(graph_files_spec(), records, [](FieldCursor& to, const GraphFileRecord& record) {
+    to.put(record.name);
+    to.put(record.entry);
+    to.put(record.graphs);
+    to.put(record.hash);
+    to.put(encoded(record.path));
+  });
+}
+
+std::vector<GraphFileRecord> graph_file_records(const StudyIdentity& identity) {
+  std::vector<GraphFileRecord> records;
+  for_each_record(identity, graph_files_spec(), [&](FieldCursor& from) {
+    GraphFileRecord& record = records.emplace_back();
+    record.name = from.text();
+    record.entry = from.number<std::int64_t>();
+    record.graphs = from.number<std::int64_t>();
+    record.hash = from.text();
+    record.path = decoded(from.text());
+  });
+  return records;
 }
 
 }  // namespace ar3d
