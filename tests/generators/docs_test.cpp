@@ -28,9 +28,8 @@ TEST(Docs, FamiliesPageTellsEveryFamilyOfTheCatalogueInItsOrder) {
   std::string line;
   for (const Family& family : families()) {
     ASSERT_TRUE(std::getline(list, line)) << family.name;
-    const std::string known = fmt::format("- `{}`: {}; sizes: ", family.name, family.summary);
+    const std::string known = fmt::format("- `{}`: {}", family.name, family.summary);
     EXPECT_TRUE(line.starts_with(known)) << line;
-    EXPECT_GT(line.size(), known.size()) << line;
   }
   EXPECT_FALSE(std::getline(list, line)) << line;
 }
