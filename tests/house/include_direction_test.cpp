@@ -32,7 +32,7 @@ std::set<std::string> words_of(const std::string& cell) {
 /// The rows "| `bench/` | … | model, formats |" of a page: a name in backquotes that ends in "/",
 /// and the last cell. Rows that say "everything" or nothing are no rules.
 Allowed tables_of(const std::string& page) {
-  static const std::regex kRow(R"(\| `([a-z_/0-9]+)/` \|.*\| ([a-z_, –]+) \|)");
+  static const std::regex kRow(R"(\| `([a-z_/0-9]+)/` \|(?:.*\|)? ([a-z_, –]+) \|)");
   Allowed table;
   std::istringstream lines(page);
   std::smatch row;
@@ -45,7 +45,7 @@ Allowed tables_of(const std::string& page) {
 
 /// Sub-folders whose row says "everything": the rule of their folder is not theirs.
 std::set<std::string> free_sub_folders(const std::string& page) {
-  static const std::regex kRow(R"(\| `([a-z_]+/[a-z_0-9]+)/` \|.*\| everything \|)");
+  static const std::regex kRow(R"(\| `([a-z_]+/[a-z_0-9]+)/` \|(?:.*\|)? everything \|)");
   std::set<std::string> folders;
   std::istringstream lines(page);
   std::smatch row;
