@@ -18,6 +18,42 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   list(APPEND AR3D_ROUNDED_ONCE -msse2 -mfpmath=sse)
 endif()
 
+# ar3d_together(<target> <most> <sources...>): the sources of one folder are compiled together, up to <most> at a time, since most
+# of a compiler's time goes into the same headers and templates again and again. So names in anonymous namespaces are unique
+# within a folder and its namespace. A source with options of its own, or in AR3D_ALONE, is compiled alone.
+set(AR3D_ALONE verify/predicates/widths.cpp verify/crossings/crossings_slabs.cpp store/journal/journal_writer.cpp
+    store/columns/run_columns.cpp store/columns/graph_file_table.cpp generators/switching.cpp generators/random_special.cpp
+    generators/named.cpp formats/graphs/metis.cpp algorithms/two_bend_109/placement.cpp algorithms/two_bend_109/layout.cpp algorithms/two_bend/shared_rows.cpp
+    algorithms/grid/labels.cpp algorithms/grid/third_colour.cpp algorithms/diamond/joint_rotation.cpp
+    algorithms/diamond/interleaved_colouring.cpp algorithms/diamond/interleaved_items.cpp)
+option(AR3D_TOGETHER "Compile the sources of a folder together" ON)
+function(ar3d_together target most)
+  set(group 0)
+  if(NOT AR3D_TOGETHER)
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  set(former "")
+  foreach(source IN LISTS ARGN)
+    get_filename_component(folder ${source} DIRECTORY)
+    if(NOT folder STREQUAL former)
+      set(former ${folder})
+      set(count 0)
+      math(EXPR group "${group} + 1")
+    elseif(count EQUAL most)
+      set(count 0)
+      math(EXPR group "${group} + 1")
+    endif()
+    math(EXPR count "${count} + 1")
+    cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${CMAKE_SOURCE_DIR} OUTPUT_VARIABLE name)
+    if(name IN_LIST AR3D_ALONE)
+      set_property(SOURCE ${source} PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
+    else()
+      set_property(SOURCE ${source} PROPERTY UNITY_GROUP g${group})
+    endif()
+  endforeach()
+endfunction()
+
 # ar3d_library(<folder> [PUBLIC targets...] [PRIVATE targets...]): one static library a folder, made of
 # every .cpp below it; exported as ar3d::<folder>.
 function(ar3d_library folder)
@@ -25,6 +61,7 @@ function(ar3d_library folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "/kernels/|/fuzz/")
   add_library(ar3d_${folder} STATIC ${sources})
+  ar3d_together(ar3d_${folder} 10 ${sources})
   add_library(ar3d::${folder} ALIAS ar3d_${folder})
   set_target_properties(ar3d_${folder} PROPERTIES EXPORT_NAME ${folder} POSITION_INDEPENDENT_CODE ON)
   target_include_directories(ar3d_${folder} PUBLIC
