@@ -25,7 +25,7 @@ set(AR3D_ALONE verify/predicates/widths.cpp verify/crossings/crossings_slabs.cpp
     store/columns/run_columns.cpp store/columns/graph_file_table.cpp generators/switching.cpp generators/random_special.cpp
     generators/named.cpp formats/graphs/metis.cpp algorithms/two_bend_109/placement.cpp algorithms/two_bend_109/layout.cpp algorithms/two_bend/shared_rows.cpp
     algorithms/grid/labels.cpp algorithms/grid/third_colour.cpp algorithms/diamond/joint_rotation.cpp
-    algorithms/diamond/interleaved_colouring.cpp algorithms/diamond/interleaved_items.cpp)
+    algorithms/diamond/interleaved_colouring.cpp algorithms/diamond/interleaved_items.cpp apps/viewer_page.cpp apps/hunt.cpp apps/shrink.cpp apps/subject_arguments.cpp)
 option(AR3D_TOGETHER "Compile the sources of a folder together" ON)
 function(ar3d_together target most)
   set(group 0)
