@@ -11,6 +11,7 @@ import sys
 # Folders that need no link, with all below them, and why.
 EXEMPT = {
     ".ci": "one script, which CI calls by its path",
+    "formats/drawings/viewer/three": "three.js, somebody else's, beside the page that loads it",
     "include": "a link, so that #include names a path of the checkout",
     "tests/formats/corpus": "inputs, a folder for each format",
     "tests/formats/foreign": "files that other programs wrote, for one test",
