@@ -10,7 +10,6 @@
 #include "ar3d/algorithms/degree_limit.h"
 #include "ar3d/algorithms/diamond/diamond.h"
 #include "ar3d/algorithms/grid/grid.h"
-#include "ar3d/algorithms/register.h"
 #include "ar3d/algorithms/two_bend/two_bend.h"
 #include "ar3d/algorithms/two_bend_109/two_bend_109.h"
 #include "ar3d/algorithms/two_bend_paper/two_bend_paper.h"

@@ -1,12 +1,67 @@
 #include "ar3d/generators/blocks.h"
 
+#include <fmt/format.h>
+
+#include <bit>
+
+#include "ar3d/base/error.h"
 #include "ar3d/base/random.h"
-#include "ar3d/generators/leaf_blocks.h"
-#include "ar3d/generators/petersen_like.h"
 #include "ar3d/generators/rings.h"
-#include "ar3d/generators/unions.h"
+#include "ar3d/generators/trees.h"
 
 namespace ar3d {
+
+Graph copies_of(const Graph& part, Count copies) {
+  GraphBuilder builder(0, copies * part.num_edges());
+  for (Count i = 0; i < copies; ++i) builder.append(part);
+  return builder.finish();
+}
+
+Graph complete_graph(Count n) {
+  GraphBuilder builder(n);
+  for (Count v = 1; v < n; ++v) {
+    for (Count u = 0; u < v; ++u) builder.edge(u, v);
+  }
+  return builder.finish();
+}
+
+Graph complete_bipartite(Count a, Count b) {
+  GraphBuilder builder(a + b);
+  for (Count u = 0; u < a; ++u) {
+    for (Count v = 0; v < b; ++v) builder.edge(u, a + v);
+  }
+  return builder.finish();
+}
+
+Graph octahedron_graph() {
+  GraphBuilder builder(6);
+  for (Count v = 1; v < 6; ++v) {
+    for (Count u = 0; u < v; ++u) {
+      if (u + v != 5) builder.edge(u, v);
+    }
+  }
+  return builder.finish();
+}
+
+Graph kneser_graph(unsigned n, unsigned k) {
+  if (k < 1 || 2 * k > n || n > 20) {
+    throw InputError(fmt::format("Kneser graph K({}, {}): need 1 <= k and 2k <= n <= 20", n, k));
+  }
+  std::vector<std::uint32_t> sets;
+  for (std::uint32_t set = 0; set < (1u << n); ++set) {
+    if (static_cast<unsigned>(std::popcount(set)) == k) sets.push_back(set);
+  }
+  GraphBuilder builder(sets.size());
+  for (Count v = 1; v < sets.size(); ++v) {
+    for (Count u = 0; u < v; ++u) {
+      if ((sets[u] & sets[v]) == 0) builder.edge(u, v);
+    }
+  }
+  return builder.finish();
+}
+
+Graph odd_graph(unsigned k) { return kneser_graph(2 * k - 1, k - 1); }
+
 namespace {
 
 /// K4 without the edge between its vertices 0 and 3; returns the number of vertex 0.

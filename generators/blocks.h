@@ -4,6 +4,27 @@
 
 namespace ar3d {
 
+/// `copies` disjoint copies of `part`, vertices numbered one copy after the other.
+Graph copies_of(const Graph& part, Count copies);
+
+/// The complete graph on n <= 5 vertices.
+Graph complete_graph(Count n);
+
+/// The complete bipartite graph with sides 0..a-1 and a..a+b-1.
+Graph complete_bipartite(Count a, Count b);
+
+/// The octahedron K_{2,2,2}: 4-regular on 6 vertices; opposite corners sum to 5.
+Graph octahedron_graph();
+
+/// The Kneser graph K(n, k): the k-subsets of n things in order of their bit masks, joined if
+/// disjoint. Of degree (n - k choose k). K(5, 2) is the Petersen graph. @throws InputError unless 1
+/// <= k and 2k <= n <= 20.
+Graph kneser_graph(unsigned n, unsigned k);
+
+/// The odd graph O_k = K(2k - 1, k - 1), k-regular: O_2 a triangle, O_3 the Petersen graph, O_4
+/// 4-regular on 35 vertices. k in 2..4.
+Graph odd_graph(unsigned k);
+
 /// A chain of `links` diamonds (K4 without an edge) between two 5-vertex leaf blocks, joined by
 /// bridges. n = 4 links + 10, m = 3n/2, cubic, connected, links + 1 bridges.
 Graph block_chain(Count links);

@@ -8,22 +8,14 @@
 #include "ar3d/base/nearest_name.h"
 #include "ar3d/base/open_table.h"
 #include "ar3d/generators/blocks.h"
-#include "ar3d/generators/by_size.h"
-#include "ar3d/generators/kneser.h"
 #include "ar3d/generators/lattices.h"
 #include "ar3d/generators/named.h"
-#include "ar3d/generators/patches.h"
-#include "ar3d/generators/petersen_like.h"
 #include "ar3d/generators/polyhedra.h"
-#include "ar3d/generators/random_regular.h"
-#include "ar3d/generators/random_special.h"
-#include "ar3d/generators/register.h"
+#include "ar3d/generators/random_graphs.h"
 #include "ar3d/generators/rings.h"
-#include "ar3d/generators/shuffled_labels.h"
 #include "ar3d/generators/sizes.h"
 #include "ar3d/generators/snarks.h"
 #include "ar3d/generators/trees.h"
-#include "ar3d/generators/unions.h"
 
 namespace ar3d {
 namespace {

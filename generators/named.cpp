@@ -5,13 +5,11 @@
 #include <algorithm>
 
 #include "ar3d/base/error.h"
-#include "ar3d/generators/kneser.h"
-#include "ar3d/generators/patches.h"
-#include "ar3d/generators/petersen_like.h"
+#include "ar3d/generators/blocks.h"
+#include "ar3d/generators/lattices.h"
 #include "ar3d/generators/polyhedra.h"
 #include "ar3d/generators/rings.h"
 #include "ar3d/generators/snarks.h"
-#include "ar3d/generators/unions.h"
 
 namespace ar3d {
 namespace {

@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "ar3d/base/error.h"
-#include "ar3d/generators/unions.h"
+#include "ar3d/generators/blocks.h"
 
 namespace ar3d {
 namespace {
@@ -143,19 +143,20 @@ class GeodesicSphere {
 };
 
 /// One side of a triangle, for matching with the same side of its neighbour.
-struct Side {
+struct TriangleSide {
   Corner low;
   Corner high;
   Count triangle = 0;
   Count number = 0;  // the side opposite corner `number`
-  friend bool operator<(const Side& s, const Side& t) {
+  friend bool operator<(const TriangleSide& s, const TriangleSide& t) {
     return std::tie(s.low, s.high, s.triangle) < std::tie(t.low, t.high, t.triangle);
   }
 };
 
 /// The pairs of equal sides of neighbouring triangles.
-std::vector<std::pair<Side, Side>> matched_sides(const std::vector<Triangle>& triangles) {
-  std::vector<Side> sides;
+std::vector<std::pair<TriangleSide, TriangleSide>> matched_sides(
+    const std::vector<Triangle>& triangles) {
+  std::vector<TriangleSide> sides;
   for (Count t = 0; t < triangles.size(); ++t) {
     for (std::size_t i = 0; i < 3; ++i) {
       const auto [low, high] = std::minmax(triangles[t][(i + 1) % 3], triangles[t][(i + 2) % 3]);
@@ -163,7 +164,7 @@ std::vector<std::pair<Side, Side>> matched_sides(const std::vector<Triangle>& tr
     }
   }
   std::sort(sides.begin(), sides.end());
-  std::vector<std::pair<Side, Side>> pairs;
+  std::vector<std::pair<TriangleSide, TriangleSide>> pairs;
   for (std::size_t i = 0; i < sides.size(); i += 2) {
     expect(sides[i].low == sides[i + 1].low && sides[i].high == sides[i + 1].high,
            "every side of a closed triangulation lies in two triangles");

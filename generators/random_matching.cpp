@@ -40,9 +40,9 @@ class RandomBits {
 };
 
 /// Deals 0..count-1 to the buckets, in chunks with a stream each.
-class Dealer {
+class NumberDealer {
  public:
-  Dealer(std::uint64_t count, std::uint64_t seed)
+  NumberDealer(std::uint64_t count, std::uint64_t seed)
       : count_(count),
         seed_(seed),
         bits_(std::min<unsigned>(kMostBucketBits, static_cast<unsigned>(std::bit_width(
@@ -113,7 +113,7 @@ class Dealer {
 }  // namespace
 
 UnwrittenVector<std::uint32_t> random_permutation(std::uint64_t count, RandomStream& random) {
-  if (count > kMostInOneBucket) return Dealer(count, random.next64()).permutation();
+  if (count > kMostInOneBucket) return NumberDealer(count, random.next64()).permutation();
   UnwrittenVector<Number> numbers(count);
   std::iota(numbers.begin(), numbers.end(), 0u);
   random.shuffle(std::span<Number>(numbers));

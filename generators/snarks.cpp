@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "ar3d/base/error.h"
-#include "ar3d/generators/petersen_like.h"
+#include "ar3d/generators/rings.h"
 
 namespace ar3d {
 namespace {

@@ -29,7 +29,7 @@ namespace ar3d {
 namespace {
 
 using Point32 = std::uint32_t;
-struct Pair {
+struct PointPair {
   Point32 p;
   Point32 q;
 };
@@ -38,14 +38,14 @@ struct Pair {
 constexpr Count kChunk = Count{1} << 15;
 
 struct Defects {
-  std::vector<Pair> loops;                     // the two points of each
-  std::vector<std::pair<Pair, Pair>> doubles;  // p of both pairs at the same vertex
-  bool crowded = false;                        // some vertex is on several
+  std::vector<PointPair> loops;                          // the two points of each
+  std::vector<std::pair<PointPair, PointPair>> doubles;  // p of both pairs at the same vertex
+  bool crowded = false;                                  // some vertex is on several
 };
 
-class Pairing {
+class SwitchedPairing {
  public:
-  Pairing(Count n, std::uint32_t d, RandomStream& random)
+  SwitchedPairing(Count n, std::uint32_t d, RandomStream& random)
       : n_(n), d_(d), reciprocal_(((std::uint64_t{1} << 33) + d - 1) / d), random_(random) {}
 
   /// Draws a uniform pairing and removes its defects; false: start again.
@@ -85,7 +85,7 @@ class Pairing {
     }
     return true;
   }
-  void join(Pair pair) {
+  void join(PointPair pair) {
     partner_[pair.p] = pair.q;
     partner_[pair.q] = pair.p;
   }
@@ -100,10 +100,10 @@ class Pairing {
   }
   /// Pairs the points anew; true iff the last `must_be_clean` new ones are clean.
   template <std::size_t k>
-  bool rejoin(const std::array<Pair, k>& new_pairs, std::size_t must_be_clean) {
-    for (const Pair& pair : new_pairs) join(pair);
+  bool rejoin(const std::array<PointPair, k>& new_pairs, std::size_t must_be_clean) {
+    for (const PointPair& pair : new_pairs) join(pair);
     return std::all_of(new_pairs.end() - static_cast<std::ptrdiff_t>(must_be_clean),
-                       new_pairs.end(), [&](const Pair& pair) { return clean(pair.p); });
+                       new_pairs.end(), [&](const PointPair& pair) { return clean(pair.p); });
   }
 
   bool find_defects(SwitchingLimits limits);
@@ -127,12 +127,12 @@ class Pairing {
   std::uint64_t reciprocal_;
   RandomStream& random_;
   UnwrittenVector<Point32> partner_;
-  std::vector<Pair> loops_;
-  std::vector<std::pair<Pair, Pair>> doubles_;
+  std::vector<PointPair> loops_;
+  std::vector<std::pair<PointPair, PointPair>> doubles_;
 };
 
 /// Adds the defects of the vertices begin..end-1.
-void Pairing::add_defects(Vertex begin, Vertex end, Defects& defects) const {
+void SwitchedPairing::add_defects(Vertex begin, Vertex end, Defects& defects) const {
   for (Vertex v = begin; v < end; ++v) {
     int here = 0;
     for (Point32 p = v * d_; p < (v + 1) * d_; ++p) {
@@ -151,7 +151,7 @@ void Pairing::add_defects(Vertex begin, Vertex end, Defects& defects) const {
   }
 }
 
-bool Pairing::find_defects(SwitchingLimits limits) {
+bool SwitchedPairing::find_defects(SwitchingLimits limits) {
   const Count chunks = (n_ + kChunk - 1) / kChunk;
   std::vector<Defects> found(chunks);
   const int threads = threads_for(n_);
@@ -171,7 +171,7 @@ bool Pairing::find_defects(SwitchingLimits limits) {
   return !crowded && loops_.size() <= limits.loops && doubles_.size() <= limits.doubles;
 }
 
-std::vector<Edge> Pairing::edges() const {
+std::vector<Edge> SwitchedPairing::edges() const {
   const Count chunks = (n_ + kChunk - 1) / kChunk;
   const Count chunk_points = kChunk * d_;
   std::vector<Count> place(chunks + 1, 0);  // of each chunk's first edge
@@ -201,7 +201,7 @@ std::vector<Edge> Pairing::edges() const {
   return edges;
 }
 
-std::pair<Point32, Point32> Pairing::random_centre() {
+std::pair<Point32, Point32> SwitchedPairing::random_centre() {
   Vertex v = 0;
   do {
     v = random_.below(static_cast<std::uint32_t>(n_));
@@ -211,7 +211,7 @@ std::pair<Point32, Point32> Pairing::random_centre() {
   return {v * d_ + i, v * d_ + (j < i ? j : j + 1)};
 }
 
-void Pairing::collect_near(Vertex v, int radius, std::vector<Point32>& points) const {
+void SwitchedPairing::collect_near(Vertex v, int radius, std::vector<Point32>& points) const {
   for (Point32 p = v * d_; p < (v + 1) * d_; ++p) {
     points.push_back(p);
     if (radius > 0) collect_near(vertex(partner_[p]), radius - 1, points);
@@ -219,7 +219,7 @@ void Pairing::collect_near(Vertex v, int radius, std::vector<Point32>& points) c
 }
 
 /// The loop p2 p3 and two pairs p1 p5, p4 p6 become p1 p2, p3 p4, p5 p6. Options: 2 l (nd)^2.
-bool Pairing::switch_loop() {
+bool SwitchedPairing::switch_loop() {
   const auto i = random_.below(static_cast<std::uint32_t>(loops_.size()));
   auto [p2, p3] = loops_[i];
   if (random_.chance(1, 2)) std::swap(p2, p3);
@@ -236,7 +236,7 @@ bool Pairing::switch_loop() {
 /// partner p6: s = nd. Bad p5: on a loop or double edge, 2 l + 4 k; one of the points p1..p4, 4; p1
 /// p5 a loop or parallel to another pair, its vertex then is within distance 1 of p1's: d + d^2;
 /// likewise p6 and p4: d + d^2; p1 p5 and p4 p6 parallel: d.
-bool Pairing::keep_after_loop() {
+bool SwitchedPairing::keep_after_loop() {
   const auto s = static_cast<std::uint32_t>(partner_.size());
   const auto c = static_cast<std::uint32_t>(2 * loops_.size() + 4 * doubles_.size()) + 4 +
                  2 * (d_ + d_ * d_) + d_;
@@ -250,10 +250,10 @@ bool Pairing::keep_after_loop() {
   return true;
 }
 
-std::uint32_t Pairing::bad_loop_options(Vertex v, Point32 p2, Point32 p3) {
+std::uint32_t SwitchedPairing::bad_loop_options(Vertex v, Point32 p2, Point32 p3) {
   std::vector<Point32> candidates;
   collect_near(v, 3, candidates);  // every p5 with p5 or p6 near p1 or p4, and p1..p4 themselves
-  for (const Pair& loop : loops_) candidates.insert(candidates.end(), {loop.p, loop.q});
+  for (const PointPair& loop : loops_) candidates.insert(candidates.end(), {loop.p, loop.q});
   for (const auto& [one, two] : doubles_) {
     candidates.insert(candidates.end(), {one.p, one.q, two.p, two.q});
   }
@@ -264,7 +264,7 @@ std::uint32_t Pairing::bad_loop_options(Vertex v, Point32 p2, Point32 p3) {
                     [&](Point32 p5) { return !is_inverse_loop(p2, p3, p5); }));
 }
 
-bool Pairing::is_inverse_loop(Point32 p2, Point32 p3, Point32 p5) {
+bool SwitchedPairing::is_inverse_loop(Point32 p2, Point32 p3, Point32 p5) {
   const Point32 p1 = partner_[p2];
   const Point32 p4 = partner_[p3];
   const Point32 p6 = partner_[p5];
@@ -276,7 +276,7 @@ bool Pairing::is_inverse_loop(Point32 p2, Point32 p3, Point32 p5) {
 
 /// The double edge a1 b1, a2 b2 and two pairs x1 y1, x2 y2 become a1 x1, b1 y1, a2 x2, b2 y2.
 /// Options: 4 k (nd)^2.
-bool Pairing::switch_double() {
+bool SwitchedPairing::switch_double() {
   const auto i = random_.below(static_cast<std::uint32_t>(doubles_.size()));
   auto [first, second] = doubles_[i];
   if (random_.chance(1, 2)) std::swap(first, second);
@@ -301,7 +301,7 @@ bool Pairing::switch_double() {
 /// another pair, y1 then is one of the d + d^2 points within distance 1 of x1's vertex, and b2 any
 /// of d - 1: (d + d^2)(d - 1); the same for x2 y2; x1 y1 parallel to x2 y2, y1 then is at x2's
 /// vertex: d (d - 1).
-bool Pairing::keep_after_double() {
+bool SwitchedPairing::keep_after_double() {
   const auto clean_vertices = static_cast<std::uint32_t>(n_ - 2 * doubles_.size());
   const std::uint32_t s = (clean_vertices - 1) * d_ * (d_ - 1);
   const std::uint32_t c = (d_ * d_ + 2 * (d_ + d_ * d_) + d_) * (d_ - 1);
@@ -315,7 +315,7 @@ bool Pairing::keep_after_double() {
   return true;
 }
 
-std::uint32_t Pairing::bad_double_options(Point32 a1, Point32 a2) {
+std::uint32_t SwitchedPairing::bad_double_options(Point32 a1, Point32 a2) {
   const Vertex u = vertex(a1);
   std::vector<Point32> near;
   collect_near(u, 3, near);  // b1 or b2 is a partner of a point within distance 2 of u
@@ -335,7 +335,7 @@ std::uint32_t Pairing::bad_double_options(Point32 a1, Point32 a2) {
   return bad;
 }
 
-bool Pairing::is_inverse_double(Point32 a1, Point32 a2, Point32 b1, Point32 b2) {
+bool SwitchedPairing::is_inverse_double(Point32 a1, Point32 a2, Point32 b1, Point32 b2) {
   const Point32 x1 = partner_[a1];
   const Point32 x2 = partner_[a2];
   const Point32 y1 = partner_[b1];
@@ -351,7 +351,7 @@ bool Pairing::is_inverse_double(Point32 a1, Point32 a2, Point32 b1, Point32 b2) 
 
 std::vector<Edge> random_regular_by_switching(Count n, std::uint32_t d, RandomStream& random,
                                               SwitchingLimits limits) {
-  Pairing pairing(n, d, random);
+  SwitchedPairing pairing(n, d, random);
   while (!pairing.attempt(limits)) {
   }
   return pairing.edges();

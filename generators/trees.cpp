@@ -1,5 +1,13 @@
 #include "ar3d/generators/trees.h"
 
+#include <fmt/format.h>
+
+#include <numeric>
+#include <span>
+
+#include "ar3d/base/error.h"
+#include "ar3d/base/random.h"
+
 namespace ar3d {
 namespace {
 
@@ -40,6 +48,89 @@ Graph spine_with_pendant_trees(Count k) {
   GraphBuilder builder(3 * k, 20 * k);
   builder.path(0, 3 * k);
   for (Count i = 0; i < 3 * k; ++i) builder.edge(i, add_heap(builder, kTreeSizes[i % 3]));
+  return builder.finish();
+}
+
+namespace {
+
+/// The vertices at which a bridge still has to leave; taken in the order that gives the shape.
+class OpenEnds {
+ public:
+  OpenEnds(TreeShape shape, std::uint64_t seed) : shape_(shape), random_(seed, /*stream=*/1) {}
+
+  void put(Count vertex) { ends_.push_back(vertex); }
+  Count take() {
+    if (shape_ == TreeShape::kBalanced) return ends_[first_++];
+    if (shape_ == TreeShape::kRandom) {
+      std::swap(ends_[random_.below(static_cast<std::uint32_t>(ends_.size()))], ends_.back());
+    }
+    const Count last = ends_.back();
+    ends_.pop_back();
+    return last;
+  }
+
+ private:
+  TreeShape shape_;
+  RandomStream random_;
+  std::vector<Count> ends_;
+  std::size_t first_ = 0;
+};
+
+/// Which of the leaves get the large block.
+std::vector<bool> large_leaves(Count leaves, Count large, TreeShape shape, std::uint64_t seed) {
+  std::vector<bool> is_large(leaves, false);
+  std::vector<Count> order(leaves);
+  std::iota(order.begin(), order.end(), Count{0});
+  if (shape == TreeShape::kRandom)
+    RandomStream(seed, /*stream=*/2).shuffle(std::span<Count>(order));
+  for (Count i = 0; i < large; ++i) is_large[order[i]] = true;
+  return is_large;
+}
+
+}  // namespace
+
+Graph leaf_block(Count size) {
+  GraphBuilder builder(size);
+  if (size == 5) {  // K4 on 1..4, edge 12 subdivided by 0
+    for (const Edge e : {Edge{0, 1}, {0, 2}, {1, 3}, {1, 4}, {2, 3}, {2, 4}, {3, 4}}) {
+      builder.edge(e.u, e.v);
+    }
+  } else if (size == 7) {  // K3,3 with sides 1, 3, 5 and 2, 4, 6, edge 12 subdivided by 0
+    for (const Edge e :
+         {Edge{0, 1}, {0, 2}, {1, 4}, {1, 6}, {3, 2}, {3, 4}, {3, 6}, {5, 2}, {5, 4}, {5, 6}}) {
+      builder.edge(e.u, e.v);
+    }
+  } else {
+    throw InputError(fmt::format("there is no leaf block of {} vertices (only 5 and 7)", size));
+  }
+  return builder.finish();
+}
+
+Graph cubic_tree(Count inner, Count large_blocks, TreeShape shape, std::uint64_t seed) {
+  const Count leaves = inner + 2;
+  if (large_blocks > leaves) {
+    throw InputError(
+        fmt::format("{} large blocks on a cubic tree of {} leaves", large_blocks, leaves));
+  }
+  GraphBuilder builder(inner, 9 * inner + 15 + 3 * large_blocks);
+  OpenEnds ends(shape, seed);
+  const std::vector<bool> is_large = large_leaves(leaves, large_blocks, shape, seed);
+  const Graph small = leaf_block(5);
+  const Graph large = leaf_block(7);
+  Count first_leaf = 0;
+  if (inner == 0) {  // the first block takes the place of the root
+    ends.put(builder.append(is_large[first_leaf++] ? large : small));
+  } else {
+    for (int i = 0; i < 3; ++i) ends.put(0);
+  }
+  for (Count v = 1; v < inner; ++v) {
+    builder.edge(ends.take(), v);
+    ends.put(v);
+    ends.put(v);
+  }
+  for (Count leaf = first_leaf; leaf < leaves; ++leaf) {
+    builder.edge(ends.take(), builder.append(is_large[leaf] ? large : small));
+  }
   return builder.finish();
 }
 

@@ -21,4 +21,23 @@ Graph binary_tree(Count n);
 /// another piles up Theta(n) steps. k >= 1.
 Graph spine_with_pendant_trees(Count k);
 
+/// A smallest cubic "leaf block": a cubic graph with one edge subdivided, whose vertex of degree 2
+/// (number 0) takes the bridge. 5 vertices: K4 subdivided; 7 vertices: K3,3 subdivided.
+/// @throws InputError for another size.
+Graph leaf_block(Count size);
+
+enum class TreeShape {
+  kBalanced,  ///< breadth first
+  kPath,      ///< a caterpillar
+  kRandom     ///< every new inner vertex at a uniformly random open end
+};
+
+/// A cubic graph whose bridges form a tree: `inner` vertices that lie on three bridges, `inner` + 2
+/// leaf blocks, of which the first `large_blocks` have 7 vertices and the others 5 (in random
+/// places for kRandom). n = 6 inner + 10 + 2 large_blocks, m = 3n/2, connected, 2 inner + 1
+/// bridges. With inner = 0 two blocks share a bridge. Cubic graphs with many bridges have no
+/// perfect matching once three odd blocks meet (Sylvester 1883).
+/// @throws InputError if large_blocks > inner + 2.
+Graph cubic_tree(Count inner, Count large_blocks, TreeShape shape, std::uint64_t seed = 0);
+
 }  // namespace ar3d

@@ -29,7 +29,7 @@ LongVector<Vertex> lowpoints(const LocalGraph& graph) {
   return low;
 }
 
-void register_vertex(const LocalGraph& graph, Blocks& blocks, Vertex v) {
+void register_vertex(const LocalGraph& graph, BlockTree& blocks, Vertex v) {
   Block& block = blocks.blocks[blocks.of[v]];
   const NeighbourList& near = graph.neighbours[v];
   unsigned inside = 0;
@@ -44,9 +44,9 @@ void register_vertex(const LocalGraph& graph, Blocks& blocks, Vertex v) {
 
 }  // namespace
 
-Blocks find_blocks(const LocalGraph& graph) {
+BlockTree find_blocks(const LocalGraph& graph) {
   const LongVector<Vertex> low = lowpoints(graph);
-  Blocks result;
+  BlockTree result;
   result.of.resize(graph.size());
   for (Vertex v = 0; v < graph.size(); ++v) {
     if (v == 0 || low[v] == v) {  // the edge to the parent is a bridge
@@ -62,7 +62,7 @@ Blocks find_blocks(const LocalGraph& graph) {
 
 bool is_q_block(const Block& block) { return block.size == 5 && block.free_count == 1; }
 
-QBody read_q_body(const LocalGraph& graph, const Blocks& blocks, Vertex joint) {
+QBody read_q_body(const LocalGraph& graph, const BlockTree& blocks, Vertex joint) {
   QBody body{joint, {}, {}};
   std::size_t sides = 0;
   const NeighbourList& near = graph.neighbours[joint];
@@ -80,7 +80,7 @@ QBody read_q_body(const LocalGraph& graph, const Blocks& blocks, Vertex joint) {
   return body;
 }
 
-LongVector<QBody> cut_q_bodies(LocalGraph& graph, Blocks& blocks) {
+LongVector<QBody> cut_q_bodies(LocalGraph& graph, BlockTree& blocks) {
   LongVector<QBody> bodies;
   for (Block& block : blocks.blocks) {
     if (!is_q_block(block) || block.bridges == 0) continue;

@@ -21,7 +21,7 @@ struct Block {
 };
 
 /// The blocks of a component and the bridges between them.
-struct Blocks {
+struct BlockTree {
   LongVector<BlockId> of;  ///< one entry per vertex
   LongVector<Block> blocks;
 
@@ -31,7 +31,7 @@ struct Blocks {
 };
 
 /// Bridges by lowpoints over the search tree that the component's numbering already is; O(n).
-Blocks find_blocks(const LocalGraph& graph);
+BlockTree find_blocks(const LocalGraph& graph);
 
 /// K4 with one edge subdivided: the smallest leaf block of a cubic graph ("Q"). joint is the
 /// subdividing vertex, side its two neighbours, core the two that remain (core[0] core[1] is an
@@ -43,7 +43,7 @@ struct QBody {
 };
 
 /// The Q that hangs with vertex `joint` in its block, which must be one (see is_q_block).
-QBody read_q_body(const LocalGraph& graph, const Blocks& blocks, Vertex joint);
+QBody read_q_body(const LocalGraph& graph, const BlockTree& blocks, Vertex joint);
 
 /// True if the block has five vertices, one of them with two edges inside and the others with three
 /// (Step 2.1).
@@ -53,6 +53,6 @@ bool is_q_block(const Block& block);
 /// four off (they keep their lists but nobody points to them) and makes the joint a block of its
 /// own (Step 2.1).
 /// @return the cut bodies; the cut vertices are the other four of each.
-LongVector<QBody> cut_q_bodies(LocalGraph& graph, Blocks& blocks);
+LongVector<QBody> cut_q_bodies(LocalGraph& graph, BlockTree& blocks);
 
 }  // namespace ar3d::two_bend

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <numeric>
 
-#include "ar3d/algorithms/two_bend/numeric.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {

@@ -5,10 +5,12 @@
 #include <unordered_map>
 #include <vector>
 
-#include "ar3d/algorithms/two_bend/entry_list.h"
 #include "ar3d/algorithms/two_bend/flow.h"
 
 namespace ar3d::two_bend {
+
+/// Largest horizontal coordinate of a component: differences d, q then give d^2 + q^2 <= 2^61.
+inline constexpr std::int64_t kMaxHorizontal = std::int64_t{1} << 30;
 
 /// What widens a list beyond its base gaps; the only state that persists from round to round
 /// (Step 2.9). Few entries have any.
@@ -43,8 +45,8 @@ Values list_places(const View& view, const LongVector<NodeId>& list);
 /// @throws InternalError if a number passes kMaxHorizontal.
 Values number_list(const View& view, const LongVector<NodeId>& list, const Spacing& spacing);
 
-/// What number_list's largest value keeps within, from the numbers of entries: 2 an entry, 2 more a
-/// STATION, what widens, and both gaps of every special row.
+/// An upper bound of number_list's largest value, added up over the entries: each counts 2 and a
+/// STATION 2 more, then come what widens the list and both gaps of every special row.
 std::int64_t bound_of_list(const View& view, const Spacing& spacing);
 
 /// The odd numbers from low to high that a free MERGE may take (Rule 2.6); never empty.

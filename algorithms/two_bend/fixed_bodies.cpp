@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "ar3d/algorithms/two_bend/instance_bound.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {
@@ -89,10 +88,7 @@ std::optional<LongVector<Vertex>> sides_of_k33(const LocalGraph& graph) {
 }
 
 /// A point of the Q's plane: abscissa, distance from the joint.
-struct Flat {
-  std::int64_t a;
-  std::int64_t h;
-};
+using PlanePoint = std::pair<std::int64_t, std::int64_t>;
 
 }  // namespace
 
@@ -111,12 +107,14 @@ bool draw_small_cubic(const LocalGraph& graph, Output& output) {
 
 void draw_q_body(const LocalGraph& graph, const QBody& body, Point at, bool upwards,
                  Output& output) {
-  const auto point = [&](Flat p) {
-    return upwards ? Point{at.x, at.y + p.a, at.z + p.h} : Point{at.x + p.a, at.y, at.z - p.h};
+  const auto point = [&](PlanePoint p) {
+    const auto [a, h] = p;
+    return upwards ? Point{at.x, at.y + a, at.z + h} : Point{at.x + a, at.y, at.z - h};
   };
-  const auto join = [&](Vertex u, Vertex v, std::initializer_list<Flat> bends) {  // from the joint
+  const auto join = [&](Vertex u, Vertex v,
+                        std::initializer_list<PlanePoint> bends) {  // from the joint
     std::vector<Point> points;
-    for (const Flat& bend : bends) points.push_back(point(bend));
+    for (const PlanePoint& bend : bends) points.push_back(point(bend));
     if (!upwards) std::reverse(points.begin(), points.end());
     output.set_bends(edge_between(graph, u, v), points);
   };

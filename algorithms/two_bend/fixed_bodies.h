@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "ar3d/algorithms/two_bend/blocks.h"
@@ -10,6 +11,9 @@ namespace ar3d::two_bend {
 /// How far a Q body reaches from its joint: to both sides in its plane, and away from it.
 inline constexpr std::int64_t kQHalfWidth = 3;
 inline constexpr std::int64_t kQHeight = 9;
+
+/// What every fixed body (K4, K3,3, a Q on its own) and a single vertex keep within.
+inline constexpr std::array<std::int64_t, 3> kFixedBodyBound{14, 10, 21};
 
 /// Draws the five vertices of a Q, its joint at `at`: two regular hexagons in a vertical plane.
 /// Upwards in the plane x = const (above an END), or downwards in the plane y = const (below a

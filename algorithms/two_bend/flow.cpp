@@ -41,7 +41,7 @@ NodeType type_of(unsigned ins, unsigned outs) {
 }
 
 /// A step upwards: the place of a later neighbour and the edge to it.
-struct Step {
+struct StepUp {
   std::uint32_t to = 0;
   EdgeId edge = 0;
 };
@@ -59,7 +59,7 @@ class FlowBuilder {
     flow_.joint = order.joint;
   }
 
-  Flow build(const Blocks& blocks) {
+  Flow build(const BlockTree& blocks) {
     const auto may_pass = [](const NeighbourList& near) { return near.degree() == 2; };
     if (std::any_of(graph_.neighbours.begin(), graph_.neighbours.end(), may_pass)) find_passes();
     number_nodes();
@@ -78,7 +78,7 @@ class FlowBuilder {
 
  private:
   /// The later neighbours of the vertex at a place, at most three.
-  unsigned steps_up(std::uint32_t i, std::array<Step, 3>& steps) const {
+  unsigned steps_up(std::uint32_t i, std::array<StepUp, 3>& steps) const {
     const Vertex v = order_[i];
     const NeighbourList& near = graph_.neighbours[v];
     unsigned count = 0;
@@ -113,7 +113,7 @@ class FlowBuilder {
   std::size_t degree_at(std::uint32_t i) const { return graph_.neighbours[order_[i]].degree(); }
 
   void find_passes() {
-    std::array<Step, 3> steps;
+    std::array<StepUp, 3> steps;
     for (std::uint32_t i = 0; i < order_.size(); ++i) {
       pass_[i] = degree_at(i) == 2 && steps_up(i, steps) == 1;
     }
@@ -127,7 +127,7 @@ class FlowBuilder {
   /// above it.
   template <class Visit>
   std::uint32_t climb(std::uint32_t i, Visit visit) const {
-    std::array<Step, 3> steps;
+    std::array<StepUp, 3> steps;
     while (pass_[i]) {
       visit(i);
       steps_up(i, steps);
@@ -139,7 +139,7 @@ class FlowBuilder {
   /// If two chains join a node to the same node, a PASS on one of them becomes a STATION
   /// (Step 2.6).
   void make_station(std::uint32_t i) {
-    std::array<Step, 3> steps;
+    std::array<StepUp, 3> steps;
     if (steps_up(i, steps) != 2) return;
     const auto ignore = [](std::uint32_t) {};
     if (climb(steps[0].to, ignore) != climb(steps[1].to, ignore)) return;
@@ -161,7 +161,7 @@ class FlowBuilder {
 
   /// The outs of the node at place i; its ins are complete, because all earlier nodes are.
   void finish_node(std::uint32_t i) {
-    std::array<Step, 3> steps;
+    std::array<StepUp, 3> steps;
     const unsigned outs = steps_up(i, steps);
     const NodeId u = flow_.element[i];
     Node& node = flow_.nodes[u];
@@ -180,7 +180,7 @@ class FlowBuilder {
     }
   }
 
-  void find_poles(const Blocks& blocks) {
+  void find_poles(const BlockTree& blocks) {
     flow_.pole_of.assign(flow_.nodes.size(), kNone);
     for (NodeId v = 0; v < flow_.nodes.size(); ++v) {
       const NodeType type = flow_.nodes[v].type;
@@ -264,7 +264,7 @@ LongVector<std::uint8_t> find_roles(const View& view) {
 
 }  // namespace
 
-Flow build_flow(const LocalGraph& graph, const Blocks& blocks, const TimeOrder& order) {
+Flow build_flow(const LocalGraph& graph, const BlockTree& blocks, const TimeOrder& order) {
   Flow flow = FlowBuilder(graph, order).build(blocks);
   expect_heavy([&] { return arms_are_not_parallel(flow); }, "no two AA edges are parallel");
   for (LongVector<NodeType>& types : flow.types) types.reserve(flow.nodes.size());

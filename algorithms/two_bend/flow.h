@@ -60,7 +60,7 @@ struct Pole {
 inline constexpr std::uint32_t kMostSharers = 32;
 
 /// What a node is in the lists of a view; see View.
-enum Role : std::uint8_t {
+enum NodeRole : std::uint8_t {
   kOwner = 1,
   kListedMerge = 2,
   kFreeMerge = 4,
@@ -75,7 +75,7 @@ struct Flow {
   LongVector<Pole> poles;
   std::array<LongVector<NodeType>, 2> types;  ///< per node, in the row and in the column view
   std::array<LongVector<std::uint8_t>, 2>
-      roles;  ///< per node: bits of Role in the row and in the column view
+      roles;  ///< per node: bits of NodeRole in the row and in the column view
   std::array<LongVector<NodeId>, 2>
       row_owner;  ///< per node, in the row and in the column view: whose row it stands in
   LongVector<std::uint32_t> pole_of;  ///< per node, kNone if it is no pole
@@ -106,7 +106,7 @@ struct Flow {
 };
 
 /// Types, long edges and stations of an ordered component; O(n).
-Flow build_flow(const LocalGraph& graph, const Blocks& blocks, const TimeOrder& order);
+Flow build_flow(const LocalGraph& graph, const BlockTree& blocks, const TimeOrder& order);
 
 /// One of the two lists of the construction as seen by the code: the rows of the component, or the
 /// columns, which are the rows of the time-reversed component. Everything below says "row" and
@@ -161,7 +161,7 @@ class View {
   std::array<NodeId, 2> ordinary_of(const Pole& pole) const;
 
  private:
-  bool has_role(NodeId v, Role role) const {
+  bool has_role(NodeId v, NodeRole role) const {
     return (flow_->roles[columns_ ? 1 : 0][v] & role) != 0;
   }
   std::span<const std::uint32_t> half(const std::array<std::uint32_t, 3>& all, NodeId v,

@@ -1,118 +1,117 @@
-// Steps 2.7 to 2.9: both lists, then rounds that number, choose and fit, and widen only what
-// failed. Most drawings succeed at once and stay small, which reserving room beforehand would
-// prevent. That a round succeeds is not proved; safe_layout.cpp stands behind them. Cost: O(n) per
-// round, at most ten.
+// Steps 2.7 to 2.10: rounds that number, choose and fit, and widen only what failed; most drawings
+// succeed at once and stay small, which reserving room beforehand would prevent. That a round
+// succeeds is not proved, so behind the rounds stands the layout that cannot fail: it reserves the
+// room that the lemmas ask for, and no more, so that the box of the drawing can be proved. Cost:
+// O(n) for each numbering, of which there are at most ten, and a few for the safe layout.
 #include "ar3d/algorithms/two_bend/layout.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstdlib>
 #include <utility>
 
-#include "ar3d/algorithms/two_bend/shared_rows.h"
-#include "ar3d/algorithms/two_bend/view_list.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {
 
-Lists build_lists(Flow& flow, const ListOptions& options) {
-  const bool columns_first =
-      flow.joint && std::any_of(flow.poles.begin(), flow.poles.end(), [&](const Pole& p) {
-        return flow.nodes[p.node].type == NodeType::source && p.a_type;
-      });
-  if (options.share)
-    share_rows(flow, columns_first, guess_rows(flow, !columns_first, options.straighten));
-  LongVector<NodeId> first = build_view_list(flow, columns_first, options.straighten,
-                                             options.weights[columns_first ? 1 : 0]);
-  choose_outer_specials(flow, !columns_first, first);
-  if (options.share)
-    share_rows(flow, !columns_first, list_places(View(flow, columns_first), first));
-  LongVector<NodeId> second = build_view_list(flow, !columns_first, options.straighten,
-                                              options.weights[columns_first ? 0 : 1]);
-  if (options.share) {
-    separate_rows(flow, columns_first, list_places(View(flow, !columns_first), second), first);
-  }
-  if (columns_first) std::swap(first, second);
-  expect_heavy(
-      [&] {
-        const View rows(flow, false);
-        const View columns(flow, true);
-        return shared_rows_are_plane(rows, list_places(columns, second)) &&
-               shared_rows_are_plane(columns, list_places(rows, first));
-      },
-      "arms in a shared row or column do not meet");
-  return {std::move(first), std::move(second)};
+VvRoom vv_room(std::size_t num_nodes) { return num_nodes <= 400 ? VvRoom{4, 2} : VvRoom{7, 3}; }
+
+std::int64_t far_b(std::int64_t k, bool alone) {
+  if (alone) return 1;
+  return k - static_cast<std::int64_t>(std::bit_floor(static_cast<std::uint64_t>(k - 1)));
+}
+
+std::int64_t far_gap(std::int64_t k, bool alone) {
+  const std::int64_t b = far_b(k, alone);
+  return 2 * b + (7 * (k - b) + 15) / 16 + 1;
 }
 
 namespace {
 
-constexpr std::int64_t kFirstGap = 8;
-constexpr unsigned kVvFailures = 5;  // then every VV interval is widened
-constexpr std::int64_t kVvCount =
-    8;  // odd numbers in an interval that make a primitive VV lean certain
-
-class LayoutSearch {
- public:
-  LayoutSearch(const Flow& flow, const Lists& lists, unsigned relax_passes)
+/// What every layout is made of: both views, what widens their lists, and the numbers so far.
+class NumberedLists {
+ protected:
+  NumberedLists(const Flow& flow, const Lists& lists)
       : flow_(flow),
         lists_(lists),
-        relax_passes_(relax_passes),
-        row_view_(flow, false),
-        column_view_(flow, true),
-        vv_(flow.vv_edges),
-        row_spacing_(flow.nodes.size()),
-        column_spacing_(flow.nodes.size()) {
-    for (const Pole& pole : flow.poles) set_gap(pole, kFirstGap);
+        views_{View(flow, false), View(flow, true)},
+        spacings_{Spacing(flow.nodes.size()), Spacing(flow.nodes.size())} {}
+
+  const View& view_of(const Pole& pole) const {  // the view in which the pole is a SINK
+    return views_[flow_.nodes[pole.node].type == NodeType::sink ? 0 : 1];
+  }
+  Spacing& spacing_of(const View& view) { return spacings_[view.columns() ? 1 : 0]; }
+  Spacing::Widening& hold_spacing(const Pole& pole) {
+    const View& view = view_of(pole);
+    return spacing_of(view).at(view.hold_of(pole));
+  }
+  ViewValues values_of(const View& view) const {
+    return view.columns() ? ViewValues{layout_.columns, layout_.rows}
+                          : ViewValues{layout_.rows, layout_.columns};
+  }
+
+  void number() {
+    layout_.rows = number_list(views_[0], lists_.rows, spacings_[0]);
+    layout_.columns = number_list(views_[1], lists_.columns, spacings_[1]);
+  }
+  void choose_middles() {
+    choose_middle_values(views_[0], layout_.rows);
+    choose_middle_values(views_[1], layout_.columns);
+  }
+  /// False if the VV edge finds no primitive lean.
+  bool choose_lean(LongId e) {
+    return choose_vv_values(flow_, flow_.edges[e], layout_.rows, layout_.columns);
+  }
+  Layout finish(std::int64_t largest_gap) {
+    for (std::size_t i : {0u, 1u}) layout_.width_bound[i] = bound_of_list(views_[i], spacings_[i]);
+    layout_.largest_gap = largest_gap;
+    return std::move(layout_);
+  }
+
+  const Flow& flow_;
+  const Lists& lists_;
+  const std::array<View, 2> views_;  // rows, columns
+  std::array<Spacing, 2> spacings_;
+  Layout layout_;
+};
+
+constexpr std::int64_t kFirstGap = 8;
+constexpr unsigned kVvFailures = 5;  // then every VV interval is widened
+// So many odd numbers in an interval make a primitive VV lean certain.
+constexpr std::int64_t kVvCount = 8;
+
+class LayoutSearch : private NumberedLists {
+ public:
+  LayoutSearch(const Flow& flow, const Lists& lists, unsigned relax_passes)
+      : NumberedLists(flow, lists), relax_passes_(relax_passes), vv_(flow.vv_edges) {
+    for (const Pole& pole : flow.poles) gap_of(pole) = kFirstGap;
   }
 
   std::optional<Layout> run() {
     for (unsigned round = 1; round <= kOrdinaryRounds; ++round) {
       layout_.rounds = round;
       number();
-      if (choose_free_values() && fit_poles()) return finish();
+      relax_merges(views_[0], relax_passes_, layout_.rows);
+      relax_merges(views_[1], relax_passes_, layout_.columns);
+      if (!choose_free_values() || !fit_poles()) continue;
+      std::int64_t largest_gap = 0;
+      for (const Pole& pole : flow_.poles) largest_gap = std::max(largest_gap, gap_of(pole));
+      return finish(largest_gap);
     }
     return std::nullopt;
   }
 
  private:
-  Layout finish() {
-    layout_.width_bound = {bound_of_list(row_view_, row_spacing_),
-                           bound_of_list(column_view_, column_spacing_)};
-    for (const Pole& pole : flow_.poles)
-      layout_.largest_gap = std::max(layout_.largest_gap, gap_of(pole));
-    return std::move(layout_);
-  }
-
-  const View& view_of(const Pole& pole) const {  // the view in which the pole is a SINK
-    return flow_.nodes[pole.node].type == NodeType::sink ? row_view_ : column_view_;
-  }
-  Spacing& spacing_of(const View& view) { return view.columns() ? column_spacing_ : row_spacing_; }
-  ViewValues values_of(const View& view) const {
-    return view.columns() ? ViewValues{layout_.columns, layout_.rows}
-                          : ViewValues{layout_.rows, layout_.columns};
-  }
-  std::int64_t& gap_of(const Pole& pole) {
-    const View& view = view_of(pole);
-    return spacing_of(view).at(view.hold_of(pole)).hold_gap;
-  }
-  void set_gap(const Pole& pole, std::int64_t gap) { gap_of(pole) = gap; }
-
-  void number() {
-    layout_.rows = number_list(row_view_, lists_.rows, row_spacing_);
-    layout_.columns = number_list(column_view_, lists_.columns, column_spacing_);
-    relax_merges(row_view_, relax_passes_, layout_.rows);
-    relax_merges(column_view_, relax_passes_, layout_.columns);
-  }
+  std::int64_t& gap_of(const Pole& pole) { return hold_spacing(pole).hold_gap; }
 
   /// False if a VV edge found no primitive lean; then the intervals are wider for the next round.
   bool choose_free_values() {
-    choose_middle_values(row_view_, layout_.rows);
-    choose_middle_values(column_view_, layout_.columns);
+    choose_middles();
     LongVector<LongId> failed;
     for (std::size_t i = 0; i < vv_.size(); ++i) {
-      const LongId e = vv_[i];
       ask_for_vv_edge(i + kAhead);
-      if (!choose_vv_values(flow_, flow_.edges[e], layout_.rows, layout_.columns))
-        failed.push_back(e);
+      if (!choose_lean(vv_[i])) failed.push_back(vv_[i]);
     }
     if (failed.empty()) return true;
     widen_vv(++vv_failures_ < kVvFailures ? failed : vv_);
@@ -125,8 +124,8 @@ class LayoutSearch {
     const LongEdge& edge = flow_.edges[vv_[i]];
     ask_for(layout_.columns, edge.lower);
     ask_for(layout_.rows, edge.upper);
-    for (const NodeId u : row_view_.ins(edge.lower)) ask_for(layout_.rows, u);
-    for (const NodeId u : column_view_.ins(edge.upper)) ask_for(layout_.columns, u);
+    for (const NodeId u : views_[0].ins(edge.lower)) ask_for(layout_.rows, u);
+    for (const NodeId u : views_[1].ins(edge.upper)) ask_for(layout_.columns, u);
   }
 
   void widen(const View& view, NodeId merge, std::int64_t by) {
@@ -143,8 +142,8 @@ class LayoutSearch {
       if (missing > 0) widen(view, merge, 2 * missing);
     };
     for (const LongId e : edges) {
-      widen_to_count(row_view_, flow_.edges[e].lower);
-      widen_to_count(column_view_, flow_.edges[e].upper);
+      widen_to_count(views_[0], flow_.edges[e].lower);
+      widen_to_count(views_[1], flow_.edges[e].upper);
     }
   }
 
@@ -165,22 +164,136 @@ class LayoutSearch {
     return all_fit;
   }
 
-  const Flow& flow_;
-  const Lists& lists_;
   const unsigned relax_passes_;
-  const View row_view_;
-  const View column_view_;
   const LongVector<LongId>& vv_;
-  Spacing row_spacing_;
-  Spacing column_spacing_;
   unsigned vv_failures_ = 0;
-  Layout layout_;
+};
+
+constexpr std::int64_t kNearGap = 8;       // the near lean fits by Lemma 2.13
+constexpr std::uint32_t kSinkWeight = 30;  // half of what a SINK's gaps take of its block's rows
+
+/// The end of a VV edge that is a MERGE of the view.
+NodeId free_merge_of(const View& view, const LongEdge& edge) {
+  return view.columns() ? edge.upper : edge.lower;
+}
+
+/// Half the length that each node takes of the list.
+LongVector<std::uint32_t> lengths_of(const View& view) {
+  const Flow& flow = view.flow();
+  const VvRoom room = vv_room(flow.nodes.size());
+  LongVector<std::uint32_t> weights(view.size(), 1);
+  for (NodeId v = 0; v < view.size(); ++v) {
+    if (view.type(v) == NodeType::station) weights[v] = 2;
+    if (view.type(v) == NodeType::sink && !flow.joint) weights[view.ins(v)[0]] += kSinkWeight;
+  }
+  for (const LongId e : flow.vv_edges) {
+    weights[view.ins(free_merge_of(view, flow.edges[e]))[0]] +=
+        static_cast<std::uint32_t>((view.columns() ? room.columns : room.rows) - 1);
+  }
+  return weights;
+}
+
+class SafeLayout : private NumberedLists {
+ public:
+  SafeLayout(const Flow& flow, const Lists& lists)
+      : NumberedLists(flow, lists), gaps_(flow.poles.size(), kNearGap) {}
+
+  Layout run() {
+    layout_.safe = true;
+    number();
+    const VvRoom room = vv_room(flow_.nodes.size());
+    for (const LongId e : flow_.vv_edges) {
+      widen(views_[0], flow_.edges[e].lower, room.rows);
+      widen(views_[1], flow_.edges[e].upper, room.columns);
+    }
+    for (const Pole& pole : flow_.poles) hold_spacing(pole).hold_gap = kNearGap;
+    number();
+    for (; widen_poles(); ++layout_.rounds) number();
+    choose_middles();
+    for (const LongId e : flow_.vv_edges) {
+      expect(choose_lean(e), "the reserved room always holds a primitive VV lean");
+    }
+    fit_poles();
+    return finish(gaps_.empty() ? 0 : *std::max_element(gaps_.begin(), gaps_.end()));
+  }
+
+ private:
+  /// The pole is the first or the last vertex of its component: no other ray passes its slab.
+  bool is_alone(const Pole& pole) const {
+    return flow_.joint || flow_.nodes[pole.node].type == NodeType::source;
+  }
+
+  /// Room for `count` odd numbers beside an in-neighbour of the MERGE, towards the other one.
+  void widen(const View& view, NodeId merge, std::int64_t count) {
+    const Values& own = values_of(view).own;
+    const auto below = view.ins(merge);
+    Spacing::Widening& widening = spacing_of(view).at(below[0]);
+    (own[below[0]] < own[below[1]] ? widening.extra_after : widening.extra_before) +=
+        2 * (count - 1);
+  }
+
+  std::int64_t spread(const Pole& pole) const {
+    const View& view = view_of(pole);
+    const auto [c, w] = view.ordinary_of(pole);
+    const Values& cross = values_of(view).cross;
+    return std::abs(cross[c] - cross[w]);
+  }
+
+  /// The ordinary neighbour that is farther from the special edge.
+  NodeId far_neighbour(const Pole& pole) const {
+    const View& view = view_of(pole);
+    const auto [c, w] = view.ordinary_of(pole);
+    const Values& cross = values_of(view).cross;
+    const NodeId beside = pole.a_type ? pole.node : pole.special;
+    return std::abs(cross[c] - cross[beside]) > std::abs(cross[w] - cross[beside]) ? c : w;
+  }
+
+  /// True if a gap was too narrow for the distances across; then it is wide enough for them. The
+  /// distances grow with the gaps of the other pole of a joint component, but less: Lemma 2.15.
+  bool widen_poles() {
+    bool changed = false;
+    for (std::size_t i = 0; i < flow_.poles.size(); ++i) {
+      const Pole& pole = flow_.poles[i];
+      const std::int64_t missing = far_gap(spread(pole), is_alone(pole)) - gaps_[i];
+      if (missing <= 0) continue;
+      const View& view = view_of(pole);
+      const Values& own = values_of(view).own;
+      Spacing::Widening& widening = hold_spacing(pole);
+      const bool above = own[far_neighbour(pole)] > own[view.hold_of(pole)];
+      const std::int64_t by = missing + missing % 2;
+      (above ? widening.extra_after : widening.extra_before) += by;
+      gaps_[i] += by;
+      changed = true;
+    }
+    return changed;
+  }
+
+  void fit_poles() {
+    for (const Pole& pole : flow_.poles) {
+      const View& view = view_of(pole);
+      const bool alone = is_alone(pole);
+      layout_.poles.push_back(
+          safe_pole(view, values_of(view), pole, far_b(spread(pole), alone), alone));
+    }
+  }
+
+  LongVector<std::int64_t> gaps_;  // per pole, on the far side of its special row
 };
 
 }  // namespace
 
 std::optional<Layout> find_layout(const Flow& flow, const Lists& lists, unsigned relax_passes) {
   return LayoutSearch(flow, lists, relax_passes).run();
+}
+
+Lists build_safe_lists(Flow& flow) {
+  return build_lists(
+      flow,
+      {.share = false, .weights = {lengths_of(View(flow, false)), lengths_of(View(flow, true))}});
+}
+
+Layout find_safe_layout(const Flow& flow, const Lists& lists) {
+  return SafeLayout(flow, lists).run();
 }
 
 }  // namespace ar3d::two_bend

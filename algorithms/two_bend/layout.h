@@ -5,26 +5,10 @@
 #include <vector>
 
 #include "ar3d/algorithms/two_bend/coordinates.h"
-#include "ar3d/algorithms/two_bend/pole_shape.h"
+#include "ar3d/algorithms/two_bend/leans.h"
+#include "ar3d/algorithms/two_bend/lists.h"
 
 namespace ar3d::two_bend {
-
-/// The lists of rows and of columns of a component.
-struct Lists {
-  LongVector<NodeId> rows;
-  LongVector<NodeId> columns;
-};
-
-struct ListOptions {
-  bool share = true;        ///< lets vertices share rows and columns (share_rows)
-  bool straighten = false;  ///< orders rows for straight VV edges (order_owners)
-  /// Per node, what it weighs in the trees of rows and of columns; empty: 1 each.
-  std::array<LongVector<std::uint32_t>, 2> weights;
-};
-
-/// Builds both lists, columns first if the component is joint and its SOURCE is A-type, else rows
-/// first; chooses the special neighbours of V-type poles in flow.poles.
-Lists build_lists(Flow& flow, const ListOptions& options);
 
 /// Everything horizontal about a component's drawing. Invariants: rays that are active at one time
 /// stand at different (x, y); every VV lean is primitive; every pole's leans are primitive and turn
@@ -35,7 +19,7 @@ struct Layout {
   LongVector<PoleShape>
       poles;            ///< one entry per flow.poles, in the view in which the pole is a SINK
   unsigned rounds = 1;  ///< numberings tried, the successful one included
-  bool safe = false;    ///< it is a safe layout (safe_layout.h)
+  bool safe = false;    ///< it is a safe layout (find_safe_layout)
   std::array<std::int64_t, 2> width_bound{};  ///< of rows, of columns: see bound_of_list
   std::int64_t largest_gap = 0;               ///< of the gaps around special rows and columns
 };
@@ -46,5 +30,27 @@ struct Layout {
 std::optional<Layout> find_layout(const Flow& flow, const Lists& lists, unsigned relax_passes);
 
 inline constexpr unsigned kOrdinaryRounds = 10;
+
+/// The lists of a safe layout: plain ones, whose trees are weighed by the room that they get
+/// (Step 2.10). Sets the special neighbours in flow.poles.
+/// @param flow  as build_flow left it: nothing shares a row.
+Lists build_safe_lists(Flow& flow);
+
+/// A layout that exists for every component and keeps the proved box (Lemma 2.18). Not the smallest
+/// one: it serves where the ordinary rounds find nothing, or nothing small enough.
+/// Cost: O(n log n).
+Layout find_safe_layout(const Flow& flow, const Lists& lists);
+
+/// How many odd numbers the interval of a free MERGE gets in a safe layout (Lemma 2.9).
+struct VvRoom {
+  std::int64_t rows = 0;
+  std::int64_t columns = 0;
+};
+VvRoom vv_room(std::size_t num_nodes);
+
+/// b of the far lean (Lemma 2.14) for ordinary neighbours k >= 2 apart, k even.
+std::int64_t far_b(std::int64_t k, bool alone);
+/// The gap on the far side of the special row that lets the far lean fit.
+std::int64_t far_gap(std::int64_t k, bool alone);
 
 }  // namespace ar3d::two_bend

@@ -48,7 +48,7 @@ void ComponentReader::search_from(Vertex root, LocalGraph& out) {
   out.parent.reserve(local_.size());
   turns_.assign(1, {root, 0});
   while (!turns_.empty()) {
-    const Turn turn = turns_.back();
+    const SearchTurn turn = turns_.back();
     turns_.pop_back();
     if (!is_read_[turn.to]) read(turn, out);
   }
@@ -56,7 +56,7 @@ void ComponentReader::search_from(Vertex root, LocalGraph& out) {
 }
 
 /// Unread neighbours are asked for at once: the search comes to one of them in the next turn.
-void ComponentReader::read(Turn turn, LocalGraph& out) {
+void ComponentReader::read(SearchTurn turn, LocalGraph& out) {
   const auto name = static_cast<Vertex>(out.name.size());
   local_[turn.to] = name;
   is_read_[turn.to] = true;

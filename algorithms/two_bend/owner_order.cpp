@@ -7,7 +7,6 @@
 #include <array>
 #include <utility>
 
-#include "ar3d/algorithms/two_bend/root_order.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {
@@ -72,13 +71,13 @@ class Forest {
 
   /// Every tree fills consecutive places of the order: first the roots' places are found, then from
   /// the roots upwards those of their parts.
-  LongVector<NodeId> emit(bool straighten) {
+  LongVector<NodeId> emit() {
     for (const Pole& pole : view_.flow().poles) {
       if (view_.type(pole.node) != NodeType::source) continue;
       const Unit unit = unit_of(view_, pole);
       if (unit.third_first) place_node(pole.node);
     }
-    for (const NodeId v : straighten ? straightening_roots() : roots_in_time_order()) {
+    for (const NodeId v : roots_in_time_order()) {
       if (view_.type(v) == NodeType::source) {
         place_unit(unit_of(view_, view_.pole(v)));
       } else {
@@ -118,40 +117,6 @@ class Forest {
       if (is_root(view_.at(i))) roots.push_back(view_.at(i));
     }
     return roots;
-  }
-
-  /// Roots in time order, but a SPLIT above a MERGE between the trees of the MERGE's in-neighbours
-  /// if these differ: then the MERGE can have the SPLIT's row (see choose_vv_values).
-  LongVector<NodeId> straightening_roots() const {
-    RootOrder roots(view_.size());
-    LongVector<NodeId> root(view_.size(), kNone);
-    for (NodeId i = 0; i < view_.size(); ++i) {
-      const NodeId v = view_.at(i);
-      if (is_root(v)) {
-        root[v] = v;
-        if (!place_above_merge(roots, root, v)) roots.append(v);
-      } else {
-        const NodeId to = below_in_tree(v);
-        if (to != kNone) root[v] = root[to];
-      }
-    }
-    LongVector<NodeId> result;
-    for (NodeId v = roots.first(); v != kNone; v = roots.next(v)) result.push_back(v);
-    return result;
-  }
-
-  bool place_above_merge(RootOrder& roots, const LongVector<NodeId>& root, NodeId v) const {
-    if (view_.type(v) != NodeType::split || view_.ins(v).empty()) return false;
-    const NodeId m = view_.ins(v)[0];
-    if (view_.type(m) != NodeType::merge) return false;
-    const NodeId a = root[view_.row_of(view_.ins(m)[0])];
-    const NodeId b = root[view_.row_of(view_.ins(m)[1])];
-    if (a == b) return false;
-    const NodeId lower = roots.before(a, b) ? a : b;
-    // A pole's block keeps its rows together.
-    if (view_.flow().in_pole_block(v) || view_.flow().in_pole_block(lower)) return false;
-    roots.insert_after(lower, v);
-    return true;
   }
 
   /// SINK rows are put into the list later, the SOURCE's is its unit's business.
@@ -307,9 +272,9 @@ class Forest {
 
 }  // namespace
 
-LongVector<NodeId> order_owners(const View& view, const Attachment& attachment, bool straighten,
+LongVector<NodeId> order_owners(const View& view, const Attachment& attachment,
                                 const LongVector<std::uint32_t>& weights) {
-  return Forest(view, attachment, weights).emit(straighten);
+  return Forest(view, attachment, weights).emit();
 }
 
 }  // namespace ar3d::two_bend

@@ -23,9 +23,8 @@ Unit unit_of(const View& view, const Pole& pole);
 /// The owners of the view in the order of their rows, before anything moves (Rule 2.2).
 /// Along every edge from SPLIT to SPLIT the distance is at most the weights of both ends and of the
 /// lighter subtrees.
-/// @param straighten  moves trees so that more VV edges can be straight (choose_vv_values).
 /// @param weights  per node, what it counts in a tree; empty: 1 each.
-LongVector<NodeId> order_owners(const View& view, const Attachment& attachment, bool straighten,
+LongVector<NodeId> order_owners(const View& view, const Attachment& attachment,
                                 const LongVector<std::uint32_t>& weights = {});
 
 }  // namespace ar3d::two_bend

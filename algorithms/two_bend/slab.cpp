@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "ar3d/algorithms/two_bend/numeric.h"
+#include "ar3d/algorithms/two_bend/leans.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {
@@ -99,7 +99,7 @@ class ViewSlabs {
   /// In upward order of the view. The slab of the vertex grows with the bend.
   void add(NodeId v, LongId edge, Drop bend) {
     const std::int64_t z = -bend.drop;
-    Slab& slab = slabs_.of_node[v];
+    SlabHeights& slab = slabs_.of_node[v];
     LongBends& bends = slabs_.of_edge[edge];
     if (view_.columns()) {
       bends.add_lower(bend_at(bend.own, bend.cross, -z));

@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "ar3d/algorithms/two_bend/blocks.h"
 #include "ar3d/algorithms/two_bend/layout.h"
-#include "ar3d/algorithms/two_bend/numeric.h"
+#include "ar3d/algorithms/two_bend/leans.h"
+#include "ar3d/algorithms/two_bend/output.h"
 
 namespace ar3d::two_bend {
 
@@ -40,14 +42,14 @@ class alignas(32) LongBends {
 
 /// What one vertex takes of the height: everything slanted that belongs to it lies between z -
 /// below and z + above.
-struct Slab {
+struct SlabHeights {
   std::int64_t below = 0;
   std::int64_t above = 0;
 };
 
 /// Slabs of all nodes and bends of all long edges (Step 2.11).
 struct Slabs {
-  LongVector<Slab> of_node;
+  LongVector<SlabHeights> of_node;
   LongVector<LongBends> of_edge;
   std::int64_t left = kMaxHorizontal;   ///< least x of a bend, if it is less
   std::int64_t front = kMaxHorizontal;  ///< least y of a bend, if it is less
@@ -61,5 +63,20 @@ struct Ray {
   std::int64_t y = 0;
 };
 Ray ray_of(const Flow& flow, const Layout& layout, const LongEdge& edge);
+
+/// Everything found out about one component, ready to be drawn.
+struct Component {
+  const LocalGraph& graph;
+  const TimeOrder& order;
+  const Flow& flow;
+  const Layout& layout;
+  const Slabs& slabs;
+  const LongVector<QBody>& bodies;
+};
+
+/// Step 2.11: gives every vertex its own slab in time order (z), x and y from rays and poles, and
+/// writes vertices and bends, translated so that the smallest x and y of the component are 0. Cost:
+/// O(n).
+void stack_slabs(const Component& component, Output& output);
 
 }  // namespace ar3d::two_bend

@@ -1,13 +1,12 @@
 // Step 2.11: slabs stacked in time order, then all points written. Vertices of degree 1 and 2 stand
 // on the bends of their edge where it has any: that saves the bend and a slab. Cost: O(n).
-#include "ar3d/algorithms/two_bend/stack_slabs.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <limits>
 
 #include "ar3d/algorithms/two_bend/fixed_bodies.h"
+#include "ar3d/algorithms/two_bend/slab.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {
@@ -49,12 +48,12 @@ class Writer {
   }
 
  private:
-  struct Flat {
+  struct FlatPoint {
     std::int32_t x = 0;
     std::int32_t y = 0;
   };
   /// Rows and columns are below kMaxHorizontal, and so is what is found from them.
-  static Flat flat(std::int64_t x, std::int64_t y) {
+  static FlatPoint flat(std::int64_t x, std::int64_t y) {
     constexpr std::int64_t kMost = std::numeric_limits<std::int32_t>::max();
     expect(std::max(std::abs(x), std::abs(y)) <= kMost, "rows and columns fit 32 bits");
     return {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
@@ -82,7 +81,7 @@ class Writer {
 
   void place_nodes() {
     for (NodeId v = 0; v < in_.flow.nodes.size(); ++v) {
-      Flat& p = xy_[place_of(v)];
+      FlatPoint& p = xy_[place_of(v)];
       p = {in_.layout.columns[v], in_.layout.rows[v]};
       if (in_.flow.pole_of[v] == kNone) continue;
       const PoleShape& shape = in_.layout.poles[in_.flow.pole_of[v]];
@@ -132,7 +131,7 @@ class Writer {
     LongVector<std::uint32_t> passed(passes_.size(), 0);  // per long edge
     std::int64_t next = output_.base_z();
     for (std::uint32_t i = 0; i < z_.size(); ++i) {
-      Slab slab;
+      SlabHeights slab;
       if (in_.flow.is_pass[i]) {
         const LongId e = in_.flow.element[i];
         if (bend_under(e, passed[e]++ + stands_free(in_.flow.edges[e].lower))) continue;
@@ -232,7 +231,7 @@ class Writer {
 
   const Component& in_;
   Output& output_;
-  LongVector<Flat> xy_;               // per place
+  LongVector<FlatPoint> xy_;          // per place
   LongVector<std::int64_t> z_;        // per place
   std::vector<bool> has_body_;        // per place
   LongVector<std::uint32_t> passes_;  // per long edge; empty if there is none

@@ -14,16 +14,15 @@
 #include "ar3d/algorithms/effort.h"
 #include "ar3d/algorithms/two_bend/checks.h"
 #include "ar3d/algorithms/two_bend/fixed_bodies.h"
-#include "ar3d/algorithms/two_bend/instance_bound.h"
-#include "ar3d/algorithms/two_bend/safe_layout.h"
-#include "ar3d/algorithms/two_bend/stack_slabs.h"
-#include "ar3d/algorithms/two_bend/view_list.h"
+#include "ar3d/algorithms/two_bend/layout.h"
+#include "ar3d/algorithms/two_bend/slab.h"
+#include "ar3d/algorithms/two_bend/time_order.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {
 namespace {
 
-constexpr int kHighestEffort = 2;
+constexpr int kHighestEffort = 1;
 
 // Up to this many vertices no check of integer widths can fail: the promised box fits, and so does
 // whatever ten ordinary rounds can widen a list to (Lemma 2.18).
@@ -32,15 +31,62 @@ static_assert(88 * kMostVertices + 200 <= kMaxHorizontal);
 static_assert(40 * kMostVertices + 80 <= kMaxHorizontal);
 static_assert(1000 * kMostVertices * kMostVertices + 1000 < kMaxCoordinate);
 
+/// Extents in x, y and z.
+using Extents = std::array<std::int64_t, 3>;
+
+/// What a lean over q rows adds to the length of its arm and its run at most: that of run 1.
+std::int64_t lean_excess(std::int64_t q) { return std::max(q + 1, (q * q + 1) / 2); }
+
+/// Excess of the leans into the MERGEs of a view, and of the special edges of its V-type SINKs.
+std::int64_t lean_excesses(const View& view, const Values& cross, const Values& own) {
+  std::int64_t sum = 0;
+  for (NodeId i = 0; i < view.size(); ++i) {
+    const NodeId m = view.at(i);
+    view.ask(i + kAhead, cross);
+    if (view.type(m) == NodeType::sink && !view.pole(m).a_type) {
+      const Pole& pole = view.pole(m);
+      sum += lean_excess(std::abs(own[pole.special] - own[pole.node]));
+    }
+    if (view.type(m) != NodeType::merge) continue;
+    for (const NodeId u : view.ins(m)) {
+      const NodeType below = view.type(u);
+      if (below == NodeType::merge || below == NodeType::station)
+        sum += lean_excess(std::abs(cross[u] - cross[m]));
+    }
+  }
+  return sum;
+}
+
+/// Extents that the proof of Lemma 2.18 promises for this very component, from the numbers of its
+/// parts and the distances in its lists, never from the points they are compared with.
+/// @param places  vertices in the time order; @param bodies  Q bodies.
+Extents bound_component(const Flow& flow, const Layout& layout, std::size_t places,
+                        std::size_t bodies) {
+  const std::int64_t margin = 2 * (layout.largest_gap + kQHalfWidth) + 1;
+  const std::int64_t x = layout.width_bound[1] + margin;
+  const std::int64_t y = layout.width_bound[0] + margin;
+  std::int64_t z = static_cast<std::int64_t>(places) +
+                   static_cast<std::int64_t>(bodies) * kQHeight +
+                   lean_excesses(View(flow, false), layout.columns, layout.rows) +
+                   lean_excesses(View(flow, true), layout.rows, layout.columns);
+  for (const Node& node : flow.nodes) {
+    if (node.type == NodeType::split) z += x;
+    if (node.type == NodeType::merge) z += y;
+    if (node.type == NodeType::source || node.type == NodeType::sink) z += x + y + margin;
+  }
+  z += static_cast<std::int64_t>(flow.vv_edges.size()) * (x + y + 2);
+  return {x, y, z};
+}
+
 /// What the construction met in one run.
-struct Census {
+struct TwoBendCensus {
   std::int64_t components = 0, q_bodies = 0, stations = 0, vv_leans = 0;
   std::int64_t sinks_a = 0, sinks_v = 0, sources_a = 0, sources_v = 0, adjacent_poles = 0;
   std::int64_t rounds = 0, safe_rounds = 0;
-  InstanceBound bound;
+  Extents bound{};  // components are stacked in z
 
   void add(const Flow& flow, const Layout& layout, std::size_t places, std::size_t bodies) {
-    bound.add(bound_component(flow, layout, places, bodies));
+    add_bound(bound_component(flow, layout, places, bodies));
     q_bodies += static_cast<std::int64_t>(bodies);
     vv_leans += static_cast<std::int64_t>(flow.vv_edges.size());
     for (const Node& node : flow.nodes) stations += node.type == NodeType::station ? 1 : 0;
@@ -51,6 +97,12 @@ struct Census {
     }
     rounds = std::max<std::int64_t>(rounds, layout.rounds);
     safe_rounds += layout.safe ? 1 : 0;
+  }
+
+  void add_bound(const Extents& component) {
+    bound[0] = std::max(bound[0], component[0]);
+    bound[1] = std::max(bound[1], component[1]);
+    bound[2] += component[2];
   }
 
   std::vector<Counter> counters() const {
@@ -81,10 +133,9 @@ Attempt draw_layout(Flow flow, Layout layout) {
   return {std::move(flow), std::move(layout), std::move(slabs)};
 }
 
-std::optional<Attempt> lay_out(Flow flow, int effort, bool straighten) {
+std::optional<Attempt> lay_out(Flow flow, int effort) {
   std::optional<Layout> layout = find_layout(
-      flow, build_lists(flow, {.share = effort > 0, .straighten = straighten, .weights = {}}),
-      effort == 0 ? 0u : 2u);
+      flow, build_lists(flow, {.share = effort > 0, .weights = {}}), effort == 0 ? 0u : 2u);
   if (!layout) return std::nullopt;
   return draw_layout(std::move(flow), *std::move(layout));
 }
@@ -101,7 +152,7 @@ std::int64_t width_of(const Values& values) {
 /// Stops where the drawing would be too high anyway: a slab is lower than kMaxCoordinate.
 std::int64_t height_of(const Slabs& slabs) {
   std::int64_t height = 1;
-  for (const Slab& slab : slabs.of_node) {
+  for (const SlabHeights& slab : slabs.of_node) {
     height += slab.below + slab.above + 1;
     if (height >= kMaxCoordinate) break;
   }
@@ -115,8 +166,8 @@ struct ComponentSize {
   std::size_t bodies = 0;
 };
 
-/// Whether ordinary rounds kept the smaller box, which they are held to (Lemma 2.18). Counts what
-/// may stick out at the edges.
+/// True if the ordinary rounds kept the smaller box that they are held to (Lemma 2.18). Bends and Q
+/// bodies may reach beyond the outermost rows and columns; this allows for as much as they can.
 bool keeps_box(const Attempt& attempt, const ComponentSize& size) {
   const std::int64_t edge = 2 * (attempt.layout.largest_gap + kQHalfWidth) + 1;
   const auto passes_and_bodies =
@@ -126,48 +177,28 @@ bool keeps_box(const Attempt& attempt, const ComponentSize& size) {
          kOrdinaryBox[2].holds(height_of(attempt.slabs) + passes_and_bodies, size.vertices);
 }
 
-/// Up to what sticks out at the edges.
-double volume_of(const Attempt& attempt) {
-  return static_cast<double>(width_of(attempt.layout.columns)) *
-         static_cast<double>(width_of(attempt.layout.rows)) *
-         static_cast<double>(height_of(attempt.slabs));
-}
-
-/// The smaller of two drawings; the second seeks straight edges.
-Attempt find_smaller(const Flow& flow, const Options& options, const ComponentSize& size) {
-  std::optional<Attempt> plain = lay_out(flow, options.effort, false);
-  if (plain && !keeps_box(*plain, size)) plain.reset();
-  if (flow.vv_edges.empty()) return plain ? *std::move(plain) : lay_out_safely(flow);
-  std::optional<Attempt> straight = lay_out(flow, options.effort, true);
-  if (straight && !keeps_box(*straight, size)) straight.reset();
-  if (!plain && !straight) return lay_out_safely(flow);
-  if (!plain) return *std::move(straight);
-  if (!straight) return *std::move(plain);
-  return volume_of(*straight) <= volume_of(*plain) ? *std::move(straight) : *std::move(plain);
-}
-
 /// @param make_flow  gives the flow anew: an attempt changes it, and a copy for the case that the
 /// first one fails would take 72 bytes per vertex of every drawing.
 template <class MakeFlow>
 Attempt find_attempt(MakeFlow make_flow, const Options& options, const ComponentSize& size) {
   if (options.force_safe_layout) return lay_out_safely(make_flow());
-  if (options.effort == kHighestEffort) return find_smaller(make_flow(), options, size);
-  std::optional<Attempt> plain = lay_out(make_flow(), options.effort, false);
-  if (plain && keeps_box(*plain, size)) return *std::move(plain);
-  plain.reset();
+  std::optional<Attempt> ordinary = lay_out(make_flow(), options.effort);
+  if (ordinary && keeps_box(*ordinary, size)) return *std::move(ordinary);
+  ordinary.reset();
   return lay_out_safely(make_flow());
 }
 
-void draw_component(LocalGraph& graph, const Options& options, Output& output, Census& census) {
+void draw_component(LocalGraph& graph, const Options& options, Output& output,
+                    TwoBendCensus& census) {
   if (graph.size() == 1) {
     output.make_room(1, output.base_z());
     output.set_vertex(graph.name[0], {0, 0, output.base_z()});
     output.end_component(output.base_z());
-    census.bound.add({1, 1, 1});
+    census.add_bound({1, 1, 1});
     return;
   }
-  if (draw_small_cubic(graph, output)) return census.bound.add(kFixedBodyBound);
-  Blocks blocks = find_blocks(graph);
+  if (draw_small_cubic(graph, output)) return census.add_bound(kFixedBodyBound);
+  BlockTree blocks = find_blocks(graph);
   release(graph.parent);
   if (graph.size() == 5 && is_q_block(blocks.block_of(0))) {
     output.make_room(graph.size(), output.base_z() + kQHeight);
@@ -175,7 +206,7 @@ void draw_component(LocalGraph& graph, const Options& options, Output& output, C
                 {0, kQHalfWidth, output.base_z()}, true, output);
     output.end_component(output.base_z() + kQHeight);
     ++census.q_bodies;
-    return census.bound.add(kFixedBodyBound);
+    return census.add_bound(kFixedBodyBound);
   }
   const LongVector<QBody> bodies = cut_q_bodies(graph, blocks);
   const TimeOrder order = find_time_order(graph, blocks);
@@ -194,7 +225,7 @@ Drawing draw(const Graph& graph, const Options& options) {
   refuse_larger_degrees("two-bend", graph, 3);
   const LongArrayReuse reuse;
   Output output(graph);
-  Census census;
+  TwoBendCensus census;
   ComponentReader reader(graph);
   LocalGraph component;
   while (reader.next(component)) {
@@ -203,7 +234,7 @@ Drawing draw(const Graph& graph, const Options& options) {
   }
   Drawing drawing = output.finish();
   drawing.counters = census.counters();
-  if (graph.num_vertices() > 0) drawing.instance_bound = census.bound.extents;
+  if (graph.num_vertices() > 0) drawing.instance_bound = census.bound;
   return drawing;
 }
 
@@ -219,18 +250,15 @@ Algorithm two_bend::row() {
   guarantee.cosine = {-1, 2};
   guarantee.lattice = kTallLattice;
   guarantee.bound = {"proved here", "docs/theorem2.md", two_bend::kBox};
-  return {
-      "two-bend",
-      "degree at most 3, at most 2 bends per edge, angles of at least 120 degrees, in a box of "
-      "O(n) x O(n) x O(n^2)",
-      "Theorem 2",
-      guarantee,
-      {effort_option(two_bend::kHighestEffort,
-                     "0: plain; 1: edges share rows and columns; 2: also seeks straight edges and "
-                     "keeps the smaller drawing")},
-      [](const Graph& graph, const Settings& values) {
-        return two_bend::draw(graph, {.effort = static_cast<int>(value_of(values, "effort"))});
-      }};
+  return {"two-bend",
+          "degree at most 3, at most 2 bends per edge, angles of at least 120 degrees, in a box of "
+          "O(n) x O(n) x O(n^2)",
+          "Theorem 2",
+          guarantee,
+          {effort_option(two_bend::kHighestEffort, "0: plain; 1: edges share rows and columns")},
+          [](const Graph& graph, const Settings& values) {
+            return two_bend::draw(graph, {.effort = static_cast<int>(value_of(values, "effort"))});
+          }};
 }
 
 }  // namespace ar3d

@@ -12,7 +12,6 @@ namespace ar3d::two_bend {
 
 struct Options {
   /// 0: plain. 1: vertices share rows and columns (share_rows), arms are balanced (relax_merges).
-  /// 2: as 1, and once more with rows ordered for straight edges; the smaller volume is kept.
   int effort = kDefaultEffort;
   bool force_safe_layout = false;  ///< lay every component out by find_safe_layout (tests)
 };

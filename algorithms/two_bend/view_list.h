@@ -1,20 +1,54 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
-#include "ar3d/algorithms/two_bend/entry_list.h"
 #include "ar3d/algorithms/two_bend/flow.h"
 
 namespace ar3d::two_bend {
+
+/// A linked list of entries with order tests. Each entry belongs to the cluster of the owner it was
+/// put next to; clusters are contiguous, so two entries of different clusters compare by rank,
+/// others by a walk inside the cluster (needed O(1) times a cluster: Rule 2.3).
+class EntryList {
+ public:
+  /// The owners in their order, each a cluster of its own; room for entries below num_nodes.
+  EntryList(std::size_t num_nodes, const LongVector<NodeId>& owners);
+
+  NodeId first() const { return first_; }
+  /// All entries. Walks from several places at once, so that reads of memory overlap.
+  LongVector<NodeId> in_order() const;
+  bool contains(NodeId v) const { return links_[v].cluster != kNone; }
+  /// Asks memory for an entry.
+  [[gnu::always_inline]] void ask_for_entry(NodeId v) const { ask_for(links_, v); }
+
+  bool before(NodeId u, NodeId v) const;
+  void insert_after(NodeId place, NodeId v);
+  void insert_before(NodeId place, NodeId v);  ///< never before the first entry
+  void remove(NodeId v);                       ///< v is the only entry of its cluster
+
+ private:
+  struct ListedEntry {
+    NodeId previous = kNone;
+    NodeId next = kNone;
+    NodeId cluster = kNone;  // its owner; kNone: not in the list
+    std::uint32_t rank = 0;  // of the cluster, kept at its owner
+  };
+  void link(NodeId left, NodeId v, NodeId right, NodeId cluster);
+  bool walk_before(NodeId u, NodeId v) const;
+
+  LongVector<ListedEntry> links_;
+  LongVector<NodeId> starts_;  // a few entries in the order of the list, none that was moved
+  NodeId first_ = kNone;
+};
 
 /// Builds the list of a view (Rules 2.1 to 2.4): owners, listed MERGEs and the rows that SINKs ask
 /// for. Invariants: every listed MERGE stands strictly between its two in-neighbours; the row of a
 /// SINK's special edge (hold) stands strictly between its two ordinary in-neighbours c and w.
 /// Chooses the special neighbour of every V-type SINK of the view that has none: the median of the
 /// three. Cost: O(n).
-/// @param straighten  see order_owners.
 /// @param weights  see order_owners.
-LongVector<NodeId> build_view_list(Flow& flow, bool columns, bool straighten,
+LongVector<NodeId> build_view_list(Flow& flow, bool columns,
                                    const LongVector<std::uint32_t>& weights = {});
 
 /// For the view built second: makes the special neighbour of every V-type SINK an outer one of its

@@ -1,10 +1,13 @@
 // Step E.4: all that is drawn, and whether a new segment meets it. A few operations in float with a
 // bound of their rounding error rule out nearly every pair, several pairs at a time; only those in
-// doubt are compared exactly, so the answer is that of PlainSegments. Cost: O(1) for every segment
-// drawn since the lower end of the edge, as all older ones lie lower.
+// doubt are compared exactly, in 128-bit integers and in 256 bits where those might not do, so the
+// answer is that of PlainSegments. Cost: O(1) for every segment drawn since the lower end of the
+// edge, as all older ones lie lower.
 #include "ar3d/algorithms/two_bend_109/drawn_segments.h"
 
 #include <algorithm>
+#include <array>
+#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <limits>
 
@@ -13,15 +16,73 @@
 namespace ar3d::two_bend_109 {
 namespace {
 
+__extension__ using Int128 = __int128;
+using Int256 = boost::multiprecision::int256_t;
+
+using Wide = std::array<Int128, 3>;
+
+/// Components below 2^62: each product is below 2^124.
+Wide cross(Vector u, Vector v) {
+  const auto product = [](std::int64_t a, std::int64_t b) { return Int128{a} * b; };
+  return {product(u.y, v.z) - product(u.z, v.y), product(u.z, v.x) - product(u.x, v.z),
+          product(u.x, v.y) - product(u.y, v.x)};
+}
+
+bool is_zero(const Wide& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
+
+bool is_orthogonal(const Wide& n, Vector w) {
+  const double largest =
+      std::max({std::abs(static_cast<double>(n[0])), std::abs(static_cast<double>(n[1])),
+                std::abs(static_cast<double>(n[2]))}) *
+      static_cast<double>(std::max({std::abs(w.x), std::abs(w.y), std::abs(w.z)}));
+  if (largest < 0x1p124) return n[0] * w.x + n[1] * w.y + n[2] * w.z == 0;
+  return Int256(n[0]) * w.x + Int256(n[1]) * w.y + Int256(n[2]) * w.z == 0;
+}
+
+bool overlap(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) {
+  return std::max(std::min(a, b), std::min(c, d)) <= std::min(std::max(a, b), std::max(c, d));
+}
+
+/// 0 <= part / whole <= 1.
+bool is_fraction(Int128 part, Int128 whole) {
+  if (whole < 0) {
+    part = -part;
+    whole = -whole;
+  }
+  return 0 <= part && part <= whole;
+}
+
+}  // namespace
+
+bool meet(const LatticeSegment& a, const LatticeSegment& b) {
+  if (!overlap(a.from.x, a.to.x, b.from.x, b.to.x) ||
+      !overlap(a.from.y, a.to.y, b.from.y, b.to.y) ||
+      !overlap(a.from.z, a.to.z, b.from.z, b.to.z)) {
+    return false;
+  }
+  const Vector u = a.to - a.from;
+  const Vector v = b.to - b.from;
+  const Vector w = b.from - a.from;
+  const Wide normal = cross(u, v);
+  // On one line, boxes that overlap are segments that overlap.
+  if (is_zero(normal)) return is_zero(cross(u, w));
+  if (!is_orthogonal(normal, w)) return false;
+  // a.from + s u = b.from + t v with s = (w x v) / (u x v), t = (w x u) / (u x v).
+  const std::size_t k = normal[0] != 0 ? 0 : normal[1] != 0 ? 1 : 2;
+  return is_fraction(cross(w, v)[k], normal[k]) && is_fraction(cross(w, u)[k], normal[k]);
+}
+
+namespace {
+
 /// The stubs of query.since.stars but the one at whose end the segment begins.
-bool meets_own_star(const Query& query, const Star& star) {
+bool meets_own_star(const Query& query, const VertexStubs& star) {
   for (std::size_t i = 0; i < 4; ++i) {
     if (i != query.stub && meet(query.segment, star.segment(i))) return true;
   }
   return false;
 }
 
-bool meets_stub(const Segment& segment, const Star& star) {
+bool meets_stub(const LatticeSegment& segment, const VertexStubs& star) {
   for (std::size_t i = 0; i < 4; ++i) {
     if (meet(segment, star.segment(i))) return true;
   }
@@ -43,15 +104,13 @@ bool PlainSegments::meets_any(const Query& query) const {
 
 namespace {
 
-__extension__ using Int128 = __int128;
-
 /// The line through a segment: direction u and moment p x u, rounded.
 struct RoundedLine {
   std::array<float, 3> direction;
   std::array<float, 3> moment;
 };
 
-RoundedLine rounded_line(const Segment& segment) {
+RoundedLine rounded_line(const LatticeSegment& segment) {
   const Point p = segment.from;
   const Vector u = segment.to - p;
   // Moments, below 2^123, are scaled so that products with directions, below 2^62, fit a float.
@@ -141,7 +200,7 @@ bool any_in_doubt(const Filter& filter, std::size_t begin, std::size_t end, IsMe
 
 }  // namespace
 
-void DrawnSegments::add_star(const Star& star) {
+void DrawnSegments::add_star(const VertexStubs& star) {
   stars_.push_back(star);
   star_x_.push_back(static_cast<float>(star.at.x));
   star_z_.push_back(static_cast<float>(star.at.z));
@@ -149,7 +208,7 @@ void DrawnSegments::add_star(const Star& star) {
   largest_z_ = std::max(largest_z_, std::abs(star_z_.back()));
 }
 
-void DrawnSegments::add_line(const Segment& segment) {
+void DrawnSegments::add_line(const LatticeSegment& segment) {
   lines_.push_back(segment);
   const RoundedLine line = rounded_line(segment);
   for (std::size_t k = 0; k < 3; ++k) {

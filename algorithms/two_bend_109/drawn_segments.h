@@ -5,53 +5,61 @@
 #include <cstdint>
 #include <vector>
 
-#include "ar3d/algorithms/two_bend_109/crossings.h"
 #include "ar3d/model/lattice.h"
 
 namespace ar3d::two_bend_109 {
 
+struct LatticeSegment {
+  Point from;
+  Point to;
+};
+
+/// Whether two closed segments of positive length have a point in common. Exact for coordinates up
+/// to 2^61 in absolute value.
+bool meet(const LatticeSegment& a, const LatticeSegment& b);
+
 /// A vertex with its four stubs.
-struct Star {
+struct VertexStubs {
   Point at;
   std::array<Vector, 4> stubs;  ///< components of at most kStubX, kStubY and kStubZ
 
-  Segment segment(std::size_t stub) const { return {at, at + stubs[stub]}; }
+  LatticeSegment segment(std::size_t stub) const { return {at, at + stubs[stub]}; }
 };
 
 /// How many stars and lines have been drawn.
-struct Drawn {
+struct DrawnCount {
   std::size_t stars = 0;
   std::size_t lines = 0;
 };
 
 /// A new segment, and what it need not be compared with.
 struct Query {
-  Segment segment;
-  Drawn since;       ///< what was drawn before lies lower
+  LatticeSegment segment;
+  DrawnCount since;  ///< what was drawn before lies lower
   std::size_t stub;  ///< of the star since.stars: the segment begins at its end
 };
 
 /// All that is drawn, compared one by one: the oracle of DrawnSegments.
 class PlainSegments {
  public:
-  void add_star(const Star& star) { stars_.push_back(star); }
-  void add_line(const Segment& segment) { lines_.push_back(segment); }
-  Drawn size() const { return {stars_.size(), lines_.size()}; }
+  void add_star(const VertexStubs& star) { stars_.push_back(star); }
+  void add_line(const LatticeSegment& segment) { lines_.push_back(segment); }
+  DrawnCount size() const { return {stars_.size(), lines_.size()}; }
   /// O(size() - query.since).
   bool meets_any(const Query& query) const;
 
  private:
-  std::vector<Star> stars_;
-  std::vector<Segment> lines_;
+  std::vector<VertexStubs> stars_;
+  std::vector<LatticeSegment> lines_;
 };
 
 /// The same, but most pairs are ruled out by a few operations in floating point, several pairs at a
 /// time; those in doubt are compared exactly.
 class DrawnSegments {
  public:
-  void add_star(const Star& star);
-  void add_line(const Segment& segment);
-  Drawn size() const { return {stars_.size(), lines_.size()}; }
+  void add_star(const VertexStubs& star);
+  void add_line(const LatticeSegment& segment);
+  DrawnCount size() const { return {stars_.size(), lines_.size()}; }
   /// What PlainSegments says. O(size() - query.since).
   bool meets_any(const Query& query) const;
 
@@ -59,10 +67,10 @@ class DrawnSegments {
   bool meets_star(const Query& query) const;
   bool meets_line(const Query& query) const;
 
-  std::vector<Star> stars_;
+  std::vector<VertexStubs> stars_;
   std::vector<float> star_x_;
   std::vector<float> star_z_;
-  std::vector<Segment> lines_;
+  std::vector<LatticeSegment> lines_;
   std::array<std::vector<float>, 6> of_line_;  ///< direction and moment, by component
   float largest_x_ = 0;                        ///< of all stars, in absolute value
   float largest_z_ = 0;

@@ -15,7 +15,7 @@ namespace ar3d::two_bend_109 {
 
 __extension__ using Wide = __int128;
 
-std::int64_t Scale::gap(SlotKind kind) const {
+std::int64_t LayoutScale::gap(SlotKind kind) const {
   switch (kind) {
     case SlotKind::single:
       return 5 * jitter + 95;
@@ -27,14 +27,14 @@ std::int64_t Scale::gap(SlotKind kind) const {
   throw InternalError("internal error: no gap for a kind of slot");
 }
 
-Scale Scale::always_enough(std::uint64_t num_vertices) {
+LayoutScale LayoutScale::always_enough(std::uint64_t num_vertices) {
   const auto n = static_cast<std::int64_t>(num_vertices);
   return {18 * n + 24, 36 * n + 64};
 }
 
-Scale Scale::next(std::uint64_t num_vertices) const {
-  const Scale enough = always_enough(num_vertices);
-  return 2 * jitter < enough.jitter ? Scale{2 * jitter, 2 * body_jitter} : enough;
+LayoutScale LayoutScale::next(std::uint64_t num_vertices) const {
+  const LayoutScale enough = always_enough(num_vertices);
+  return 2 * jitter < enough.jitter ? LayoutScale{2 * jitter, 2 * body_jitter} : enough;
 }
 
 namespace {
@@ -43,8 +43,8 @@ constexpr std::int64_t kLargest = std::int64_t{1} << 60;
 
 class LayoutMaker {
  public:
-  LayoutMaker(const Graph& graph, const std::vector<Part>& parts, const Arrangement& arrangement,
-              Scale scale, std::span<const Vertex> names)
+  LayoutMaker(const Graph& graph, const std::vector<VertexPart>& parts,
+              const SlotArrangement& arrangement, LayoutScale scale, std::span<const Vertex> names)
       : graph_(graph), parts_(parts), arrangement_(arrangement), names_(names) {
     made_.scale = scale;
     made_.place.resize(graph.num_vertices());
@@ -52,7 +52,7 @@ class LayoutMaker {
 
   Layout run() {
     place_slots();
-    for (const Part& part : parts_) {
+    for (const VertexPart& part : parts_) {
       part.kind == PartKind::body ? raise_body(part) : raise(part);
     }
     return std::move(made_);
@@ -69,7 +69,7 @@ class LayoutMaker {
   }
 
   void place_slots() {
-    const Scale& scale = made_.scale;
+    const LayoutScale& scale = made_.scale;
     const auto& kinds = arrangement_.kind;
     std::vector<Wide> x(kinds.size());
     for (std::size_t i = 1; i < kinds.size(); ++i) {
@@ -82,24 +82,24 @@ class LayoutMaker {
     }
   }
 
-  Vector offset_of(Spot spot) const {
+  Vector offset_of(SlotSpot spot) const {
     const std::int64_t h = made_.scale.half_pair();
     const std::int64_t r = made_.scale.radius();
     switch (spot) {
-      case Spot::middle:
-      case Spot::centre:
+      case SlotSpot::middle:
+      case SlotSpot::centre:
         return {0, 0, 0};
-      case Spot::upper:
+      case SlotSpot::upper:
         return {0, h, 0};
-      case Spot::lower:
+      case SlotSpot::lower:
         return {0, -h, 0};
-      case Spot::right_corner:
+      case SlotSpot::right_corner:
         return {2 * r, 0, 0};
-      case Spot::upper_corner:
+      case SlotSpot::upper_corner:
         return {-r, r, 0};
-      case Spot::lower_corner:
+      case SlotSpot::lower_corner:
         return {-r, -r, 0};
-      case Spot::left_inside:
+      case SlotSpot::left_inside:
         return {-r / 2, 0, 0};
     }
     throw InternalError("internal error: no place for a spot");
@@ -116,7 +116,7 @@ class LayoutMaker {
     return least * ((3 * dx + 5 * dy) / 2 + 1) + Wide{2} * kStubZ;
   }
 
-  void raise(const Part& part) {
+  void raise(const VertexPart& part) {
     Wide base = Wide{top_} + kStep;
     for (const Vertex v : part.vertices) {
       for (const HalfEdge& half : graph_.incident(v)) {
@@ -144,10 +144,10 @@ class LayoutMaker {
   }
 
   /// Above everything, in the middle of its earlier neighbours.
-  void raise_body(const Part& part) {
+  void raise_body(const VertexPart& part) {
     const SmallBody& body = *part.body;
     Wide low_x = kLargest, high_x = -kLargest;
-    for (const SmallBody::Leg& leg : body.legs) {
+    for (const SmallBody::BodyLeg& leg : body.legs) {
       const HalfEdge* half = edge_of(part.vertices[leg.v]);
       if (half == nullptr) continue;
       low_x = std::min<Wide>(low_x, made_.place[half->to].x - leg.end.x);
@@ -159,10 +159,10 @@ class LayoutMaker {
     Wide z = Wide{top_} + kStep;
     std::int64_t height = 0;
     for (const Point& p : body.vertices) height = std::max(height, p.z);
-    for (const SmallBody::Link& link : body.links) {
+    for (const SmallBody::BodyLink& link : body.links) {
       height = std::max({height, link.bend_at_u.z, link.bend_at_v.z});
     }
-    for (const SmallBody::Leg& leg : body.legs) {
+    for (const SmallBody::BodyLeg& leg : body.legs) {
       const HalfEdge* half = edge_of(part.vertices[leg.v]);
       if (half == nullptr) continue;
       const Point end{base.x + leg.end.x, leg.end.y, 0};
@@ -178,8 +178,8 @@ class LayoutMaker {
   }
 
   const Graph& graph_;
-  const std::vector<Part>& parts_;
-  const Arrangement& arrangement_;
+  const std::vector<VertexPart>& parts_;
+  const SlotArrangement& arrangement_;
   std::span<const Vertex> names_;
   Layout made_;
   std::int64_t top_ = 0;
@@ -187,8 +187,9 @@ class LayoutMaker {
 
 }  // namespace
 
-Layout lay_out(const Graph& graph, const std::vector<Part>& parts, const Arrangement& arrangement,
-               Scale scale, std::span<const Vertex> names) {
+Layout lay_out(const Graph& graph, const std::vector<VertexPart>& parts,
+               const SlotArrangement& arrangement, LayoutScale scale,
+               std::span<const Vertex> names) {
   return LayoutMaker(graph, parts, arrangement, scale, names).run();
 }
 

@@ -12,7 +12,7 @@ namespace ar3d::two_bend_109 {
 
 /// All lengths follow from the side of the square of points that each vertex off the bodies may
 /// choose from (Lemma E.4).
-struct Scale {
+struct LayoutScale {
   std::int64_t jitter = 16;           ///< points along each side of the square
   std::int64_t body_jitter = jitter;  ///< of a body's square; between jitter and 2 jitter + 16
 
@@ -22,10 +22,10 @@ struct Scale {
   std::int64_t gap(SlotKind kind) const;
 
   /// At which every vertex of a component of n vertices and every body finds a point (Lemma E.5).
-  static Scale always_enough(std::uint64_t num_vertices);
+  static LayoutScale always_enough(std::uint64_t num_vertices);
   /// Twice as large, but at most that one.
-  Scale next(std::uint64_t num_vertices) const;
-  bool operator==(const Scale&) const = default;
+  LayoutScale next(std::uint64_t num_vertices) const;
+  bool operator==(const LayoutScale&) const = default;
 };
 
 /// Heights of consecutive vertices differ by this at least; along cycles of four and more by less.
@@ -35,7 +35,7 @@ inline constexpr std::int64_t kCycleStep = 2 * kCycleStubZ + 2;
 /// Places before the choice in the square: a vertex will stand at place + (a, b, 0) with
 /// 0 <= a, b < jitter.
 struct Layout {
-  Scale scale;
+  LayoutScale scale;
   std::vector<Vertex> order;  ///< upwards; without the vertices of bodies
   std::vector<Point> place;   ///< of each vertex; of those of bodies too, all move alike
 };
@@ -44,7 +44,8 @@ struct Layout {
 /// both choose to stand (Step E.3).
 /// @param names  what the vertices are called in messages; by their numbers if empty.
 /// @throws InputError naming the first vertex whose coordinates may pass 2^60. O(n).
-Layout lay_out(const Graph& graph, const std::vector<Part>& parts, const Arrangement& arrangement,
-               Scale scale, std::span<const Vertex> names = {});
+Layout lay_out(const Graph& graph, const std::vector<VertexPart>& parts,
+               const SlotArrangement& arrangement, LayoutScale scale,
+               std::span<const Vertex> names = {});
 
 }  // namespace ar3d::two_bend_109

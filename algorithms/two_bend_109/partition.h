@@ -14,7 +14,7 @@ enum class PartKind : std::uint8_t {
   body,    ///< induces one of small_bodies(); no vertex has a neighbour in a later part
 };
 
-struct Part {
+struct VertexPart {
   PartKind kind = PartKind::single;
   std::vector<Vertex> vertices;  ///< of a cycle in their order around it, of a body in the body's
   const SmallBody* body = nullptr;  ///< of a body
@@ -24,6 +24,6 @@ struct Part {
 /// @param graph  connected, of maximum degree at most 4.
 /// @param looked_at  gets the number of half-edges that the searches for cycles looked at, if not
 /// null. Cost: O(n) and that number: a small multiple of n in practice, polynomial in n at worst.
-std::vector<Part> find_partition(const Graph& graph, std::uint64_t* looked_at = nullptr);
+std::vector<VertexPart> find_partition(const Graph& graph, std::uint64_t* looked_at = nullptr);
 
 }  // namespace ar3d::two_bend_109

@@ -1,7 +1,7 @@
 // Step E.4: each vertex takes the first point of its square where nothing new meets anything,
 // tested exactly. Lemma E.5 counts how few points are closed, so at the scale
-// Scale::always_enough() a point is always free, and a smaller square fails by an answer, never by
-// a wrong drawing. Cost: O(n) for a point tried.
+// LayoutScale::always_enough() a point is always free, and a smaller square fails by an answer,
+// never by a wrong drawing. Cost: O(n) for a point tried.
 #include "ar3d/algorithms/two_bend_109/placement.h"
 
 #include <algorithm>
@@ -9,9 +9,8 @@
 #include <numeric>
 #include <utility>
 
-#include "ar3d/algorithms/two_bend_109/crossings.h"
 #include "ar3d/algorithms/two_bend_109/drawn_segments.h"
-#include "ar3d/algorithms/two_bend_109/lattice.h"
+#include "ar3d/algorithms/two_bend_109/stubs.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/random.h"
 
@@ -55,12 +54,12 @@ struct LegEnd {
   Point from;
 };
 
-/// @tparam Segments  DrawnSegments or PlainSegments
-template <class Segments>
-class Placer {
+/// @tparam DrawnSet  DrawnSegments or PlainSegments
+template <class DrawnSet>
+class VertexPlacer {
  public:
-  Placer(const Graph& graph, const std::vector<Part>& parts, const Arrangement& arrangement,
-         const Layout& layout, std::uint64_t seed)
+  VertexPlacer(const Graph& graph, const std::vector<VertexPart>& parts,
+               const SlotArrangement& arrangement, const Layout& layout, std::uint64_t seed)
       : graph_(graph),
         parts_(parts),
         arrangement_(arrangement),
@@ -77,7 +76,7 @@ class Placer {
     for (const Vertex v : layout_.order) {
       if (!place_vertex(v)) return std::nullopt;
     }
-    for (const Part& part : parts_) {
+    for (const VertexPart& part : parts_) {
       if (part.kind == PartKind::body && !place_body(part)) return std::nullopt;
     }
     return std::move(made_);
@@ -145,7 +144,7 @@ class Placer {
     const std::array<Vector, 4>& stubs = arrangement_.stubs[v].ends;
     for (std::size_t i = 0; i < edges.size(); ++i) {
       const NewEdge& edge = edges[i];
-      const Segment line{edge.from, at + stubs[edge.port]};
+      const LatticeSegment line{edge.from, at + stubs[edge.port]};
       expect(may_turn(edge.stub, line.to - line.from) &&
                  may_turn(stubs[edge.port], line.from - line.to),
              "slots and heights keep all turns small");
@@ -161,7 +160,7 @@ class Placer {
   }
 
   /// All that was drawn before the lower end of the edge lies lower.
-  bool meets_drawn(const Segment& line, const NewEdge& edge) const {
+  bool meets_drawn(const LatticeSegment& line, const NewEdge& edge) const {
     return drawn_.meets_any({line, drawn_at_[edge.below], edge.port_below});
   }
 
@@ -180,9 +179,9 @@ class Placer {
 
   /// In the body's own coordinates, if w is in a body.
   std::optional<Point> leg_end(Vertex w) const {
-    const Part& part = parts_[arrangement_.part[w]];
+    const VertexPart& part = parts_[arrangement_.part[w]];
     if (part.kind != PartKind::body) return std::nullopt;
-    for (const SmallBody::Leg& leg : part.body->legs) {
+    for (const SmallBody::BodyLeg& leg : part.body->legs) {
       if (part.vertices[leg.v] == w) return leg.end;
     }
     throw InternalError("internal error: a vertex of a body with an edge down has a leg");
@@ -201,9 +200,9 @@ class Placer {
     }
   }
 
-  bool place_body(const Part& part) {
+  bool place_body(const VertexPart& part) {
     std::vector<NewEdge> edges;  // port: the leg
-    const std::vector<SmallBody::Leg>& legs = part.body->legs;
+    const std::vector<SmallBody::BodyLeg>& legs = part.body->legs;
     for (std::size_t leg = 0; leg < legs.size(); ++leg) {
       for (NewEdge edge : edges_down(part.vertices[legs[leg].v])) {
         edge.port = static_cast<std::uint8_t>(leg);
@@ -224,15 +223,15 @@ class Placer {
 
   static Vector as_vector(Point p) { return {p.x, p.y, p.z}; }
 
-  static std::vector<Segment> segments_of(const SmallBody& body, Point origin,
-                                          const std::vector<NewEdge>& edges) {
+  static std::vector<LatticeSegment> segments_of(const SmallBody& body, Point origin,
+                                                 const std::vector<NewEdge>& edges) {
     const auto at = [&](Point p) { return origin + as_vector(p); };
-    std::vector<Segment> segments;
+    std::vector<LatticeSegment> segments;
     for (const NewEdge& edge : edges) {  // first, in the order of the edges
-      const SmallBody::Leg& leg = body.legs[edge.port];
+      const SmallBody::BodyLeg& leg = body.legs[edge.port];
       segments.push_back({at(body.vertices[leg.v]), at(leg.end)});
     }
-    for (const SmallBody::Link& link : body.links) {
+    for (const SmallBody::BodyLink& link : body.links) {
       segments.push_back({at(body.vertices[link.u]), at(link.bend_at_u)});
       segments.push_back({at(link.bend_at_u), at(link.bend_at_v)});
       segments.push_back({at(link.bend_at_v), at(body.vertices[link.v])});
@@ -240,10 +239,10 @@ class Placer {
     return segments;
   }
 
-  bool body_fits(const Part& part, Point origin, const std::vector<NewEdge>& edges) const {
-    const std::vector<Segment> own = segments_of(*part.body, origin, edges);
+  bool body_fits(const VertexPart& part, Point origin, const std::vector<NewEdge>& edges) const {
+    const std::vector<LatticeSegment> own = segments_of(*part.body, origin, edges);
     for (std::size_t i = 0; i < edges.size(); ++i) {
-      const Segment line{edges[i].from, own[i].to};
+      const LatticeSegment line{edges[i].from, own[i].to};
       expect(may_turn(edges[i].stub, line.to - line.from) &&
                  may_turn(own[i].to - own[i].from, line.from - line.to),
              "the height of a body keeps all turns small");
@@ -258,10 +257,10 @@ class Placer {
     return true;
   }
 
-  void commit_body(const Part& part, Point origin, const std::vector<NewEdge>& edges) {
+  void commit_body(const VertexPart& part, Point origin, const std::vector<NewEdge>& edges) {
     const SmallBody& body = *part.body;
-    const std::vector<Segment> own = segments_of(body, origin, edges);
-    for (const Segment& segment : own) drawn_.add_line(segment);
+    const std::vector<LatticeSegment> own = segments_of(body, origin, edges);
+    for (const LatticeSegment& segment : own) drawn_.add_line(segment);
     for (std::size_t i = 0; i < edges.size(); ++i) {
       drawn_.add_line({edges[i].from, own[i].to});
       const Vertex v = part.vertices[body.legs[edges[i].port].v];
@@ -270,7 +269,7 @@ class Placer {
     for (std::size_t i = 0; i < part.vertices.size(); ++i) {
       made_.at[part.vertices[i]] = origin + as_vector(body.vertices[i]);
     }
-    for (const SmallBody::Link& link : body.links) {
+    for (const SmallBody::BodyLink& link : body.links) {
       const Vertex u = part.vertices[link.u];
       const Vertex v = part.vertices[link.v];
       made_.ends[u][index_of(u, v)] = origin + as_vector(link.bend_at_u);
@@ -279,26 +278,26 @@ class Placer {
   }
 
   const Graph& graph_;
-  const std::vector<Part>& parts_;
-  const Arrangement& arrangement_;
+  const std::vector<VertexPart>& parts_;
+  const SlotArrangement& arrangement_;
   const Layout& layout_;
   std::uint64_t seed_;
   Placement made_;
-  Segments drawn_;
-  std::vector<Drawn> drawn_at_;                ///< of each placed vertex: what was drawn before it
+  DrawnSet drawn_;
+  std::vector<DrawnCount> drawn_at_;           ///< of each placed vertex: what was drawn before it
   std::vector<bool> is_placed_;                ///< vertices that are not in bodies
   std::vector<std::vector<LegEnd>> leg_ends_;  ///< of each body: those whose lower vertex is placed
 };
 
 }  // namespace
 
-std::optional<Placement> place(const Graph& graph, const std::vector<Part>& parts,
-                               const Arrangement& arrangement, const Layout& layout,
-                               std::uint64_t seed, Comparison comparison) {
-  if (comparison == Comparison::plain) {
-    return Placer<PlainSegments>(graph, parts, arrangement, layout, seed).run();
+std::optional<Placement> place(const Graph& graph, const std::vector<VertexPart>& parts,
+                               const SlotArrangement& arrangement, const Layout& layout,
+                               std::uint64_t seed, SegmentComparison comparison) {
+  if (comparison == SegmentComparison::plain) {
+    return VertexPlacer<PlainSegments>(graph, parts, arrangement, layout, seed).run();
   }
-  return Placer<DrawnSegments>(graph, parts, arrangement, layout, seed).run();
+  return VertexPlacer<DrawnSegments>(graph, parts, arrangement, layout, seed).run();
 }
 
 }  // namespace ar3d::two_bend_109

@@ -19,17 +19,18 @@ struct Placement {
 };
 
 /// How a new segment is compared with the older ones; the placement is the same.
-enum class Comparison : std::uint8_t {
+enum class SegmentComparison : std::uint8_t {
   filtered,  ///< most in floating point (DrawnSegments)
   plain,     ///< all in exact integers: the oracle
 };
 
 /// Each vertex in turn takes the first point of its square, in a fixed pseudo-random order, where
 /// nothing new meets anything; nothing if some vertex finds none. At
-/// the scale Scale::always_enough(n) each finds one (Lemma E.5).
+/// the scale LayoutScale::always_enough(n) each finds one (Lemma E.5).
 /// Cost: O(n) per point tried.
-std::optional<Placement> place(const Graph& graph, const std::vector<Part>& parts,
-                               const Arrangement& arrangement, const Layout& layout,
-                               std::uint64_t seed, Comparison comparison = Comparison::filtered);
+std::optional<Placement> place(const Graph& graph, const std::vector<VertexPart>& parts,
+                               const SlotArrangement& arrangement, const Layout& layout,
+                               std::uint64_t seed,
+                               SegmentComparison comparison = SegmentComparison::filtered);
 
 }  // namespace ar3d::two_bend_109

@@ -57,7 +57,8 @@ namespace {
 /// Lays the parts out one after the other.
 class Arranger {
  public:
-  Arranger(const Graph& graph, const std::vector<Part>& parts) : graph_(graph), parts_(parts) {
+  Arranger(const Graph& graph, const std::vector<VertexPart>& parts)
+      : graph_(graph), parts_(parts) {
     const std::size_t n = graph.num_vertices();
     made_.slot.assign(n, SlotList::kNone);
     made_.spot.resize(n);
@@ -74,13 +75,13 @@ class Arranger {
     }
   }
 
-  Arrangement run() {
-    for (const Part& part : parts_) {
+  SlotArrangement run() {
+    for (const VertexPart& part : parts_) {
       if (part.kind == PartKind::single) open_single(part.vertices[0]);
       if (part.kind == PartKind::cycle) open_cycle(part.vertices);
     }
     number_slots();
-    for (const Part& part : parts_) {
+    for (const VertexPart& part : parts_) {
       if (part.kind == PartKind::single) stand_single(part.vertices[0]);
       if (part.kind == PartKind::cycle && part.vertices.size() > 3) stand_cycle(part.vertices);
     }
@@ -108,7 +109,7 @@ class Arranger {
   }
 
   void open_single(Vertex v) {
-    made_.spot[v] = Spot::middle;
+    made_.spot[v] = SlotSpot::middle;
     const std::vector<Vertex> below = downs(v);
     if (below.size() == 3) return open_three_down(v, below);
     const std::uint32_t at = below.empty() ? list_.last() : made_.slot[below.back()];
@@ -133,7 +134,7 @@ class Arranger {
     const auto other = std::find_if(corners.begin(), corners.end(), [&](Vertex corner) {
       return std::find(below.begin(), below.end(), corner) == below.end();
     });
-    made_.spot[v] = other == corners.end() ? Spot::centre : Spot::left_inside;
+    made_.spot[v] = other == corners.end() ? SlotSpot::centre : SlotSpot::left_inside;
     if (other != corners.end()) std::swap(corners[0], *other);
   }
 
@@ -159,11 +160,11 @@ class Arranger {
     for (std::size_t i = 1; i + 1 < k; ++i) {
       at = new_slot_after(at, SlotKind::cycle);
       made_.slot[cycle[i]] = at;
-      made_.spot[cycle[i]] = Spot::upper;
+      made_.spot[cycle[i]] = SlotSpot::upper;
     }
     made_.slot[cycle[0]] = made_.slot[cycle[1]];
     made_.slot[cycle[k - 1]] = made_.slot[cycle[k - 2]];
-    made_.spot[cycle[0]] = made_.spot[cycle[k - 1]] = Spot::lower;
+    made_.spot[cycle[0]] = made_.spot[cycle[k - 1]] = SlotSpot::lower;
   }
 
   /// Slots get their places in the order as numbers.
@@ -206,7 +207,7 @@ class Arranger {
     }
     expect(up <= 1, "a vertex with 3 earlier neighbours has at most one later one");
     made_.stubs[v] = stubs_of(Stance::three_down, 3);
-    if (made_.spot[v] != Spot::middle) return stand_inside(v, below);
+    if (made_.spot[v] != SlotSpot::middle) return stand_inside(v, below);
     const auto is_right = [&](Vertex w) { return made_.slot[w] > made_.slot[v]; };
     const auto rights = std::count_if(below.begin(), below.end(), is_right);
     expect(rights == 1 || rights == 2, "it stands between two of them");
@@ -258,17 +259,17 @@ class Arranger {
   }
 
   void stand_triangle(const std::array<Vertex, 3>& c) {
-    made_.spot[c[0]] = Spot::right_corner;
-    made_.spot[c[1]] = Spot::upper_corner;
-    made_.spot[c[2]] = Spot::lower_corner;
+    made_.spot[c[0]] = SlotSpot::right_corner;
+    made_.spot[c[1]] = SlotSpot::upper_corner;
+    made_.spot[c[2]] = SlotSpot::lower_corner;
     stand(c[0], Stance::triangle_right, false, false, c[1], c[2]);
     stand(c[1], Stance::triangle_upper, false, false, c[0], c[2]);
     stand(c[2], Stance::triangle_upper, false, true, c[0], c[1]);
   }
 
   const Graph& graph_;
-  const std::vector<Part>& parts_;
-  Arrangement made_;
+  const std::vector<VertexPart>& parts_;
+  SlotArrangement made_;
   std::vector<std::uint32_t> rank_;  ///< of each vertex in the parts' order, which is upwards
   SlotList list_;
   std::vector<std::uint32_t> list_of_;            ///< slots of the list in their order
@@ -278,7 +279,7 @@ class Arranger {
 
 }  // namespace
 
-Arrangement arrange(const Graph& graph, const std::vector<Part>& parts) {
+SlotArrangement arrange(const Graph& graph, const std::vector<VertexPart>& parts) {
   return Arranger(graph, parts).run();
 }
 

@@ -36,7 +36,7 @@ class SlotList {
 enum class SlotKind : std::uint8_t { single, cycle, triangle };
 
 /// Where in its slot a vertex stands.
-enum class Spot : std::uint8_t {
+enum class SlotSpot : std::uint8_t {
   middle,        ///< y = 0
   upper,         ///< on a cycle of four or more: at larger y
   lower,         ///< at smaller y
@@ -48,9 +48,9 @@ enum class Spot : std::uint8_t {
 };
 
 /// The order of all vertices but those of bodies along the x-axis, and how each stands (Step E.2).
-struct Arrangement {
+struct SlotArrangement {
   std::vector<std::uint32_t> slot;  ///< of each vertex, its place in the order
-  std::vector<Spot> spot;           ///< of each vertex
+  std::vector<SlotSpot> spot;       ///< of each vertex
   std::vector<SlotKind> kind;       ///< of each slot, by place in the order
   std::vector<std::uint32_t> part;  ///< of each vertex: index into the parts
   std::vector<Stubs> stubs;         ///< of each vertex
@@ -59,6 +59,6 @@ struct Arrangement {
 };
 
 /// @param parts  of the graph, bodies last. Cost: O(n) but for the list's.
-Arrangement arrange(const Graph& graph, const std::vector<Part>& parts);
+SlotArrangement arrange(const Graph& graph, const std::vector<VertexPart>& parts);
 
 }  // namespace ar3d::two_bend_109

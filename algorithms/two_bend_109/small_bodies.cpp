@@ -183,7 +183,7 @@ std::optional<FoundBody> find_body(const Graph& graph) {
   for (const SmallBody& body : small_bodies()) {
     if (body.vertices.size() != n || body.links.size() != graph.num_edges()) continue;
     auto linked = empty_matrix(n);
-    for (const SmallBody::Link& link : body.links) {
+    for (const SmallBody::BodyLink& link : body.links) {
       linked[link.u][link.v] = linked[link.v][link.u] = true;
     }
     FoundBody found{&body, {}};

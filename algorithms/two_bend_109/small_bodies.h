@@ -15,14 +15,14 @@ namespace ar3d::two_bend_109 {
 /// It is crossing-free with two bends per edge, together with an endless ray straight down from
 /// every leg; all angles, also of legs and rays, are at least arccos(-1/3).
 struct SmallBody {
-  struct Link {
+  struct BodyLink {
     Vertex u;
     Vertex v;
     Point bend_at_u;
     Point bend_at_v;
   };
   /// Where an edge to an earlier part leaves vertex v: the segment from v to `end` is its last one.
-  struct Leg {
+  struct BodyLeg {
     Vertex v;
     Point end;
   };
@@ -30,8 +30,8 @@ struct SmallBody {
   std::int64_t
       slope;  ///< a ray may lean by one part in `slope` and still meets nothing of the body
   std::vector<Point> vertices;
-  std::vector<Link> links;
-  std::vector<Leg> legs;  ///< one for every vertex of degree 3
+  std::vector<BodyLink> links;
+  std::vector<BodyLeg> legs;  ///< one for every vertex of degree 3
 };
 
 /// K4, W4, K5 - e, K3,3, K3,3 + e, K3,4 and K5: all graphs with degrees 3 and 4 without two

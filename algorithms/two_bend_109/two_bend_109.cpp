@@ -55,13 +55,13 @@ std::vector<Component> components_of(const Graph& graph) {
   return components;
 }
 
-struct Census {
+struct PartCensus {
   std::int64_t components = 0, singles = 0, cycles = 0, bodies = 0, slots = 0, jitter = 0,
                tried = 0;
 
-  void add(const std::vector<Part>& parts) {
+  void add(const std::vector<VertexPart>& parts) {
     ++components;
-    for (const Part& part : parts) {
+    for (const VertexPart& part : parts) {
       ++(part.kind == PartKind::single ? singles : part.kind == PartKind::cycle ? cycles : bodies);
     }
   }
@@ -72,17 +72,12 @@ struct Census {
   }
 };
 
-/// A component's drawing, and the box of all that its scale allows.
-struct Placed {
-  Placement placement;
-  std::array<std::int64_t, 3> bound{};  ///< extents
-};
-
 /// Extents of the union of what is drawn over all choices of all vertices in their squares
 /// (instance_bound): a bend moves with its vertex. O(n).
-std::array<std::int64_t, 3> extents_of_choices(const Graph& graph, const std::vector<Part>& parts,
-                                               const Arrangement& arrangement, const Layout& layout,
-                                               const Placement& placement) {
+std::array<std::int64_t, 3> extents_of_choices(const Graph& graph,
+                                               const std::vector<VertexPart>& parts,
+                                               const SlotArrangement& arrangement,
+                                               const Layout& layout, const Placement& placement) {
   GrowingBox box;
   for (Vertex v = 0; v < graph.num_vertices(); ++v) {
     const bool in_body = parts[arrangement.part[v]].kind == PartKind::body;
@@ -100,11 +95,14 @@ std::array<std::int64_t, 3> extents_of_choices(const Graph& graph, const std::ve
   return {high.x - low.x, high.y - low.y, high.z - low.z};
 }
 
-Placed place_component(const Component& component, Scale scale, Census& census) {
+/// A component's drawing, and the extents of all that its scale allows.
+std::pair<Placement, std::array<std::int64_t, 3>> place_component(const Component& component,
+                                                                  LayoutScale scale,
+                                                                  PartCensus& census) {
   const Graph& graph = component.graph;
-  const std::vector<Part> parts = find_partition(graph);
+  const std::vector<VertexPart> parts = find_partition(graph);
   census.add(parts);
-  const Arrangement arrangement = arrange(graph, parts);
+  const SlotArrangement arrangement = arrange(graph, parts);
   census.slots += static_cast<std::int64_t>(arrangement.kind.size());
   const std::uint64_t seed = mix_seed(graph.num_vertices(), graph.num_edges());
   for (;; scale = scale.next(graph.num_vertices())) {
@@ -118,23 +116,23 @@ Placed place_component(const Component& component, Scale scale, Census& census) 
       const auto bound = extents_of_choices(graph, parts, arrangement, layout, *placement);
       return {*std::move(placement), bound};
     }
-    expect(scale.jitter < Scale::always_enough(graph.num_vertices()).jitter,
+    expect(scale.jitter < LayoutScale::always_enough(graph.num_vertices()).jitter,
            "there are more points than closed ones");
   }
 }
 
 /// Collects the components side by side.
-class Output {
+class SideBySide {
  public:
-  explicit Output(const Graph& graph)
+  explicit SideBySide(const Graph& graph)
       : graph_(graph), at_(graph.num_vertices()), bends_(graph.num_edges()) {}
 
-  void add(const Component& component, const Placed& placed) {
+  void add(const Component& component, const Placement& placement,
+           const std::array<std::int64_t, 3>& bound) {
     const Graph& part = component.graph;
-    const Placement& placement = placed.placement;
-    bound_[0] += placed.bound[0] + 1;
+    bound_[0] += bound[0] + 1;
     for (const std::size_t axis : {1u, 2u}) {
-      bound_[axis] = std::max(bound_[axis], placed.bound[axis]);
+      bound_[axis] = std::max(bound_[axis], bound[axis]);
     }
     GrowingBox box;
     for (Vertex v = 0; v < part.num_vertices(); ++v) {
@@ -186,12 +184,14 @@ Drawing draw(const Graph& graph, const Options& options) {
     throw InputError(fmt::format("two-bend-109: a jitter is a power of 2 up to 2^30, not {}",
                                  options.first_jitter));
   }
-  Output output(graph);
-  Census census;
+  SideBySide output(graph);
+  PartCensus census;
   for (const Component& component : components_of(graph)) {
-    const Scale scale = options.effort == 0 ? Scale::always_enough(component.graph.num_vertices())
-                                            : Scale{options.first_jitter};
-    output.add(component, place_component(component, scale, census));
+    const LayoutScale scale = options.effort == 0
+                                  ? LayoutScale::always_enough(component.graph.num_vertices())
+                                  : LayoutScale{options.first_jitter};
+    const auto [placement, bound] = place_component(component, scale, census);
+    output.add(component, placement, bound);
   }
   Drawing drawing = output.finish();
   drawing.counters = census.counters();

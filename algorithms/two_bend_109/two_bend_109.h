@@ -4,7 +4,7 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/algorithms/effort.h"
-#include "ar3d/algorithms/two_bend_109/lattice.h"
+#include "ar3d/algorithms/two_bend_109/stubs.h"
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"
 

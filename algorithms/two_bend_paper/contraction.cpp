@@ -72,7 +72,7 @@ class Contractor {
     Triangle corners = *found;
     std::stable_partition(corners.begin(), corners.end(),
                           [&](Node c) { return result_.stars[c].degree == 3; });
-    contract(Figure::triangle, {corners.begin(), corners.end()});
+    contract(FigureKind::triangle, {corners.begin(), corners.end()});
   }
 
   /// The common neighbour of both mids that is not the first tip.
@@ -94,14 +94,14 @@ class Contractor {
     const auto outer = outer_neighbour(tip, mid, other_mid);
     const auto other_outer = outer_neighbour(second, mid, other_mid);
     if (outer && outer == other_outer) {
-      contract(Figure::fat_leaf, {*outer, tip, second, mid, other_mid});
+      contract(FigureKind::fat_leaf, {*outer, tip, second, mid, other_mid});
     } else {
       if (!outer) std::swap(tip, second);
-      contract(Figure::diamond, {tip, second, mid, other_mid});
+      contract(FigureKind::diamond, {tip, second, mid, other_mid});
     }
   }
 
-  void contract(Figure figure, const std::vector<Node>& members) {
+  void contract(FigureKind figure, const std::vector<Node>& members) {
     Contraction step;
     step.figure = figure;
     step.result = result_.num_nodes();

@@ -31,7 +31,7 @@ struct Star {
 ///   triangle  0, 1, 2
 ///   diamond   tips 0 and 1, mids 2 and 3, which have no edge to the outside
 ///   fat_leaf  0, the common neighbour of the tips 1 and 2; mids 3 and 4
-enum class Figure : std::uint8_t { triangle, diamond, fat_leaf };
+enum class FigureKind : std::uint8_t { triangle, diamond, fat_leaf };
 
 /// An end of an edge that leaves the figure: its slot (0: the edge's u, 1: its v) and the member it
 /// belongs to.
@@ -51,7 +51,7 @@ struct InnerEdge {
 /// One contraction. Members with edges to the outside come first among the corners of a triangle
 /// and among the tips of a diamond.
 struct Contraction {
-  Figure figure{};
+  FigureKind figure{};
   Node result = 0;
   std::uint8_t num_members = 0;
   std::array<Node, 5> members{};

@@ -7,12 +7,25 @@
 #include <utility>
 #include <vector>
 
-#include "ar3d/algorithms/two_bend_paper/clearance.h"
 #include "ar3d/algorithms/two_bend_paper/contraction.h"
+#include "ar3d/algorithms/two_bend_paper/placement.h"
 #include "ar3d/algorithms/two_bend_paper/stacking.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::two_bend_paper {
+
+/// What a figure of members has when it replaces a node.
+struct Room {
+  double radius = 0;         ///< a power of two; the figure stays within it
+  bool is_straight = false;  ///< the node's two edges leave it at 180 degrees
+};
+
+/// The rooms of all contractions whose result is left in the contracted graph, by contraction
+/// (Step P.9): the radius is at most a third of 1, of the lengths of the first pieces at the place,
+/// and of its distance from every other segment of the component. Others get radius 0. Found in
+/// double, on the drawing in double. Cost: O(m) for each of them.
+std::vector<Room> top_rooms(const ContractedGraph& graph,
+                            const std::vector<PlacedComponent>& components, std::size_t num_edges);
 
 /// Undoes the contractions in a drawing of the contracted graph, the last one first (Steps P.9 to
 /// P.12): each node becomes a small planar figure of its members. A figure of radius r lies in the
@@ -21,7 +34,7 @@ namespace ar3d::two_bend_paper {
 template <class T>
 class Expansion {
  public:
-  Expansion(const ContractedGraph& graph, Points<T>& points) : graph_(graph), points_(points) {
+  Expansion(const ContractedGraph& graph, NodePoints<T>& points) : graph_(graph), points_(points) {
     directions_.resize(points.bends.size());
   }
 
@@ -62,11 +75,11 @@ class Expansion {
   void expand(const Contraction& step) {
     at_ = points_.of_node[step.result];
     switch (step.figure) {
-      case Figure::triangle:
+      case FigureKind::triangle:
         return step.outer.size() == 2 ? heptagon(step) : hexagon(step);
-      case Figure::diamond:
+      case FigureKind::diamond:
         return diamond(step);
-      case Figure::fat_leaf:
+      case FigureKind::fat_leaf:
         return fat_leaf(step);
     }
   }
@@ -129,7 +142,7 @@ class Expansion {
   }
 
   /// The plane of two directions d1 and d2 at an angle of 120 to 180 degrees and their bisector.
-  struct Frame {
+  struct BisectorFrame {
     V d1;
     V f;  ///< along d1 - d2
     V e;  ///< along d1 + d2
@@ -141,8 +154,8 @@ class Expansion {
     V on_axis(const T& part) const { return part * e; }
   };
 
-  static Frame frame_of(const V& d1, const V& d2, bool is_straight) {
-    Frame frame;
+  static BisectorFrame frame_of(const V& d1, const V& d2, bool is_straight) {
+    BisectorFrame frame;
     frame.f = unit(d1 - d2);
     const V sum = d1 + d2;
     if (is_straight) {
@@ -156,21 +169,21 @@ class Expansion {
     return frame;
   }
 
-  Frame frame_of(const Contraction& step) const {
+  BisectorFrame frame_of(const Contraction& step) const {
     const V d1 = step.outer.empty() ? V{T(1), T(0), T(0)} : outer_direction(step, 0);
     if (step.outer.size() == 2) return frame_of(d1, outer_direction(step, 1), room_.is_straight);
     return frame_of(d1, turn(d1, perpendicular(d1), 1), false);
   }
 
   /// From `from` on against d1 until only `share` of its part along f is left.
-  static V along(const Frame& frame, const V& from, const T& share) {
+  static V along(const BisectorFrame& frame, const V& from, const T& share) {
     const T t = T(dot(from, frame.f) * (T(1) - share) / dot(frame.d1, frame.f));
     return from - t * frame.d1;
   }
 
   /// Two outer edges at corners 0 and 1.
   void heptagon(const Contraction& step) {
-    const Frame frame = frame_of(step);
+    const BisectorFrame frame = frame_of(step);
     const V u = frame.d1;
     const V b1 = u + T(T(1) / 2) * turn(u, frame.n, -1);
     const V b4 = u + T(T(1) / 2) * turn(u, frame.n, 1);
@@ -184,7 +197,7 @@ class Expansion {
   }
 
   void diamond(const Contraction& step) {
-    const Frame frame = frame_of(step);
+    const BisectorFrame frame = frame_of(step);
     const V u = frame.d1;
     const V b1 = u + T(T(1) / 2) * turn(u, frame.n, -1);
     const V b4 = u + T(T(1) / 2) * turn(u, frame.n, 1);
@@ -224,7 +237,7 @@ class Expansion {
   }
 
   const ContractedGraph& graph_;
-  Points<T>& points_;
+  NodePoints<T>& points_;
   std::vector<std::array<V, 2>> directions_;  // unit, of an edge at its slots, into the edge
   V at_{};                                    // of the node at hand
   Room room_;

@@ -5,11 +5,14 @@
 
 namespace ar3d::two_bend_paper {
 
-/// A place in the plane: where a ray stands.
-struct Foot {
-  double x = 0;
-  double y = 0;
+template <class T>
+struct Place {
+  T x{};
+  T y{};
 };
+
+/// Where a ray stands in the plane.
+using Foot = Place<double>;
 
 /// k quarter turns to the left; exact.
 Foot turned(Foot foot, unsigned quarter_turns);
@@ -29,5 +32,26 @@ bool is_good(Foot place, const std::vector<Foot>& feet, unsigned round);
 
 /// 0, 1, -1, 2, -2, ... for 0, 1, 2, ...
 inline std::int64_t alternating(std::int64_t i) { return i % 2 == 0 ? -(i / 2) : (i + 1) / 2; }
+
+/// A side of the polygon that a cycle projects to: its vertex in the middle, the axis-parallel unit
+/// vector along which the cycle runs, and half of its length.
+struct Side {
+  Foot middle;
+  Foot along;
+  double half = 0;
+};
+
+/// The polygon of a cycle (Step P.5): one vertex on each of its L axis-parallel sides, which
+/// alternate with diagonals: a staircase of L - 3 sides towards the east, then one side towards the
+/// north, the west and the south. It lies right of all feet.
+/// @param feet  all active ones, in the frame in which it lies to their right.
+/// @param needs_position  for every vertex whether it must keep general position.
+/// @throws InternalError if no place is found.
+std::vector<Side> cycle_polygon(const std::vector<Foot>& feet,
+                                const std::vector<bool>& needs_position);
+
+/// Right of all feet, by 1 to 2, and at their middle height, both integers. The origin without
+/// feet.
+Foot right_of(const std::vector<Foot>& feet);
 
 }  // namespace ar3d::two_bend_paper

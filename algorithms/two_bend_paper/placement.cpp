@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ar3d/algorithms/two_bend_paper/polygon.h"
+#include "ar3d/algorithms/two_bend_paper/general_position.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::two_bend_paper {
@@ -42,9 +42,9 @@ std::array<std::uint8_t, 3> farthest_first(const std::array<Foot, 3>& feet) {
   return best;
 }
 
-class Placer {
+class StepPlacer {
  public:
-  explicit Placer(const ContractedGraph& graph) : feet_(graph.num_nodes()) {}
+  explicit StepPlacer(const ContractedGraph& graph) : feet_(graph.num_nodes()) {}
 
   /// Places one component and moves it to the right of everything before it.
   PlacedComponent place(Component component) {
@@ -231,7 +231,7 @@ class Placer {
 
 std::vector<PlacedComponent> place(const ContractedGraph& graph,
                                    std::vector<Component> components) {
-  Placer placer(graph);
+  StepPlacer placer(graph);
   std::vector<PlacedComponent> placed;
   placed.reserve(components.size());
   for (Component& component : components) placed.push_back(placer.place(std::move(component)));

@@ -9,14 +9,6 @@
 
 namespace ar3d::two_bend_paper {
 
-/// A side of the polygon that a cycle projects to: its vertex in the middle, the axis-parallel unit
-/// vector along which the cycle runs, and half of its length.
-struct Side {
-  Foot middle;
-  Foot along;
-  double half = 0;
-};
-
 /// Where a triskelion stands: `order` are the places among Step::below of the two farthest feet t
 /// and u and of the third, w. Its middle is over the line from t to u, `slide` times the height of
 /// w over that line away from the foot of this height, towards u; it has arms of length `radius`.

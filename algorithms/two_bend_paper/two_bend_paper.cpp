@@ -2,6 +2,9 @@
 // decisions are made once, in double (Repair P.1); then one template computes the points in the
 // type that is asked for, so every difference between the drawings of two types is rounding. Cost:
 // O(n m) at worst for each cycle, O(N^2 log N) for N rays, O(k m) for k contracted vertices.
+// Whether the drawings' arithmetic rounds as IEEE 754 says, on which Repair P.1 and Steps P.1 to
+// P.12 rest: the test runs in this file, so that it is compiled with the same flags as the
+// drawings. Cost: O(1).
 #include "ar3d/algorithms/two_bend_paper/two_bend_paper.h"
 
 #include <fmt/format.h>
@@ -13,11 +16,11 @@
 #include <vector>
 
 #include "ar3d/algorithms/degree_limit.h"
-#include "ar3d/algorithms/two_bend_paper/clearance.h"
 #include "ar3d/algorithms/two_bend_paper/expansion.h"
 #include "ar3d/algorithms/two_bend_paper/placement.h"
 #include "ar3d/algorithms/two_bend_paper/stacking.h"
 #include "ar3d/base/error.h"
+#include "ar3d/base/ieee_arithmetic.h"
 #include "ar3d/model/real_drawing.h"
 
 namespace ar3d::two_bend_paper {
@@ -63,7 +66,7 @@ Choices choose(const Graph& graph) {
 
 template <class T>
 RealPoints draw_in(const Graph& graph, const Choices& choices, RealType type) {
-  Points<T> points = stack<T>(choices.graph, choices.components, graph.num_edges());
+  NodePoints<T> points = stack<T>(choices.graph, choices.components, graph.num_edges());
   Expansion<T>(choices.graph, points).run(choices.rooms);
   RealPointsBuilder builder(to_string(type));
   for (Vertex v = 0; v < graph.num_vertices(); ++v) builder.add_vertex(exact(points.of_node[v]));
@@ -185,5 +188,7 @@ Algorithm row() {
         return draw(graph, {static_cast<RealType>(type)});
       }};
 }
+
+std::string arithmetic_departures() { return ar3d::arithmetic_departures(); }
 
 }  // namespace ar3d::two_bend_paper

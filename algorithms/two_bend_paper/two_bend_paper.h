@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/model/graph.h"
@@ -43,5 +44,9 @@ Drawing draw(const Graph& graph, const Options& options = {});
 
 /// The catalogue row `two-bend-paper`, with the option `type`.
 Algorithm row();
+
+/// How the arithmetic in which this library's drawings are made departs from IEEE 754, as
+/// ar3d::arithmetic_departures() (base/ieee_arithmetic.h) tells.
+std::string arithmetic_departures();
 
 }  // namespace ar3d::two_bend_paper

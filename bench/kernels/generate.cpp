@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/generators/random_regular.h"
+#include "ar3d/generators/random_graphs.h"
 #include "peer_generators.h"
 
 namespace {

@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "ar3d/generators/random_regular.h"
+#include "ar3d/generators/random_graphs.h"
 
 namespace ar3d::kernels {
 namespace {

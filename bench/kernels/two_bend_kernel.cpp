@@ -41,7 +41,7 @@ void draw_two_bend_kernel(benchmark::State& state, std::int64_t effort) {
 }
 
 const bool kRegistered = [] {
-  for (std::int64_t effort = 0; effort <= 2; ++effort) {
+  for (std::int64_t effort = 0; effort <= 1; ++effort) {
     benchmark::RegisterBenchmark(("two-bend/draw/" + std::to_string(effort)).c_str(),
                                  [effort](benchmark::State& s) { draw_two_bend_kernel(s, effort); })
         ->RangeMultiplier(10)

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "ar3d/base/error.h"
-#include "ar3d/generators/shuffled_labels.h"
+#include "ar3d/generators/random_graphs.h"
 
 namespace ar3d {
 namespace {

@@ -1,6 +1,6 @@
-#include "ar3d/algorithms/register.h"
+#include "ar3d/algorithms/catalog.h"
 #include "ar3d/apps/program.h"
-#include "ar3d/generators/register.h"
+#include "ar3d/generators/catalog.h"
 #include "ar3d/verify/register.h"
 #include "spokes.h"
 

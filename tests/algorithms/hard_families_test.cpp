@@ -144,7 +144,7 @@ TEST_P(HardFamilies, TrueSinksEndsEveryComponentInASink) {
   const Graph graph = member("true-sinks");
   const std::int64_t components = graph.num_vertices() / 7;
   const Graph single = member("random-connected-cubic");
-  for (const int effort : {0, 1, 2}) {
+  for (const int effort : {0, 1}) {
     const auto sinks = [&](const Graph& g) {
       return counter("two-bend", g, effort, "sinks_a") + counter("two-bend", g, effort, "sinks_v");
     };

@@ -23,11 +23,11 @@ Drawing with_rays(const SmallBody& body, Graph& graph) {
   std::vector<Point> at = body.vertices;
   std::vector<std::vector<Point>> bends;
   std::int64_t largest = 1;
-  for (const SmallBody::Link& link : body.links) {
+  for (const SmallBody::BodyLink& link : body.links) {
     edges.push_back({link.u, link.v});
     bends.push_back({link.bend_at_u, link.bend_at_v});
   }
-  for (const SmallBody::Leg& leg : body.legs) {
+  for (const SmallBody::BodyLeg& leg : body.legs) {
     edges.push_back({leg.v, static_cast<Vertex>(at.size())});
     at.push_back({leg.end.x, leg.end.y, -1000000});
     bends.push_back({leg.end});
@@ -82,15 +82,15 @@ bool some_ray_meets(Point apex, Point a, Point b, std::int64_t slope) {
 
 /// Whether some such ray from a leg's end meets the body; not its own leg, which it leaves at an
 /// angle.
-bool some_ray_meets(const SmallBody& body, const SmallBody::Leg& leg, std::int64_t slope) {
-  for (const SmallBody::Link& link : body.links) {
+bool some_ray_meets(const SmallBody& body, const SmallBody::BodyLeg& leg, std::int64_t slope) {
+  for (const SmallBody::BodyLink& link : body.links) {
     const std::array<Point, 4> line = {body.vertices[link.u], link.bend_at_u, link.bend_at_v,
                                        body.vertices[link.v]};
     for (std::size_t i = 0; i < 3; ++i) {
       if (some_ray_meets(leg.end, line[i], line[i + 1], slope)) return true;
     }
   }
-  return std::any_of(body.legs.begin(), body.legs.end(), [&](const SmallBody::Leg& other) {
+  return std::any_of(body.legs.begin(), body.legs.end(), [&](const SmallBody::BodyLeg& other) {
     return other.v != leg.v && some_ray_meets(leg.end, body.vertices[other.v], other.end, slope);
   });
 }
@@ -100,7 +100,7 @@ bool some_ray_meets(const SmallBody& body, const SmallBody::Leg& leg, std::int64
 TEST(TwoBend109Bodies, RaysMayLeanAsTheirSlopeSays) {
   std::set<std::string> need_more_than_5;
   for (const SmallBody& body : small_bodies()) {
-    for (const SmallBody::Leg& leg : body.legs) {
+    for (const SmallBody::BodyLeg& leg : body.legs) {
       const Vector stub = leg.end - body.vertices[leg.v];
       EXPECT_LE(angle(real(stub), kDown), 58.8) << body.name;
       EXPECT_GE(body.slope, 5) << body.name;
@@ -140,11 +140,11 @@ TEST(TwoBend109Bodies, ReachNoFurtherThanLemmaE6Says) {
       high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
     };
     for (const Point& p : body.vertices) add(p);
-    for (const SmallBody::Link& link : body.links) {
+    for (const SmallBody::BodyLink& link : body.links) {
       add(link.bend_at_u);
       add(link.bend_at_v);
     }
-    for (const SmallBody::Leg& leg : body.legs) add(leg.end);
+    for (const SmallBody::BodyLeg& leg : body.legs) add(leg.end);
     slope = std::max(slope, body.slope);
     EXPECT_LE(body.legs.size(), 6u) << "edges, and 15 pairs of them (Lemma E.5)";
   }
@@ -179,8 +179,8 @@ TEST(TwoBend109Bodies, TwoStubsUpNeverDifferAlongTwoLegs) {
     }
   }
   for (const SmallBody& body : small_bodies()) {
-    for (const SmallBody::Leg& a : body.legs) {
-      for (const SmallBody::Leg& b : body.legs) {
+    for (const SmallBody::BodyLeg& a : body.legs) {
+      for (const SmallBody::BodyLeg& b : body.legs) {
         if (a.v == b.v) continue;
         EXPECT_NE(a.end.z, b.end.z) << body.name;
         for (const Vector& d : differences) EXPECT_FALSE(parallel(d, a.end - b.end)) << body.name;

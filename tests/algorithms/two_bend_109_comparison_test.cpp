@@ -19,12 +19,12 @@ namespace ar3d::two_bend_109 {
 namespace {
 
 /// How many points were tried, or -1 if some vertex found none; equal both ways.
-std::int64_t tried_both_ways(const Graph& graph, Scale scale) {
+std::int64_t tried_both_ways(const Graph& graph, LayoutScale scale) {
   const auto parts = find_partition(graph);
-  const Arrangement arrangement = arrange(graph, parts);
+  const SlotArrangement arrangement = arrange(graph, parts);
   const Layout layout = lay_out(graph, parts, arrangement, scale);
-  const auto fast = place(graph, parts, arrangement, layout, 1, Comparison::filtered);
-  const auto plain = place(graph, parts, arrangement, layout, 1, Comparison::plain);
+  const auto fast = place(graph, parts, arrangement, layout, 1, SegmentComparison::filtered);
+  const auto plain = place(graph, parts, arrangement, layout, 1, SegmentComparison::plain);
   EXPECT_EQ(fast.has_value(), plain.has_value());
   if (!fast || !plain) return -1;
   EXPECT_EQ(fast->at, plain->at);
@@ -36,7 +36,8 @@ std::int64_t tried_both_ways(const Graph& graph, Scale scale) {
 TEST(TwoBend109Comparison, SmallGraphsArePlacedAlikeBothWays) {
   int failed = 0, retried = 0;
   for (const Graph& graph : testing::geng("-c -D4 7")) {
-    for (const Scale scale : {Scale{1}, Scale{2}, Scale{16}, Scale::always_enough(7)}) {
+    for (const LayoutScale scale :
+         {LayoutScale{1}, LayoutScale{2}, LayoutScale{16}, LayoutScale::always_enough(7)}) {
       const std::int64_t tried = tried_both_ways(graph, scale);
       failed += tried < 0 ? 1 : 0;
       retried += tried > 7 ? 1 : 0;
@@ -50,11 +51,11 @@ TEST(TwoBend109Comparison, LargeGraphsArePlacedAlikeBothWays) {
   for (const int n : {100, 700, 2000}) {
     const Graph graph = generate(find_family("random-4-regular"), static_cast<std::uint64_t>(n), 4);
     EXPECT_GE(tried_both_ways(graph, {16}), n >= 700 ? n + 1 : 1) << "some are tried twice";
-    tried_both_ways(graph, Scale::always_enough(static_cast<std::uint64_t>(n)));
+    tried_both_ways(graph, LayoutScale::always_enough(static_cast<std::uint64_t>(n)));
   }
 }
 
-Star star_at(Point at) { return {at, stubs_of(Stance::middle, 0).ends}; }
+VertexStubs star_at(Point at) { return {at, stubs_of(Stance::middle, 0).ends}; }
 
 /// Both kinds of comparison, on the same things.
 struct Both {
@@ -63,15 +64,15 @@ struct Both {
 
   /// The first star is nobody's neighbour.
   explicit Both(Point first) { add(star_at(first)); }
-  void add(const Star& star) {
+  void add(const VertexStubs& star) {
     plain.add_star(star);
     fast.add_star(star);
   }
-  void add(const Segment& line) {
+  void add(const LatticeSegment& line) {
     plain.add_line(line);
     fast.add_line(line);
   }
-  bool meets(const Segment& segment) const {
+  bool meets(const LatticeSegment& segment) const {
     const Query query{segment, {}, 0};
     EXPECT_EQ(fast.meets_any(query), plain.meets_any(query));
     return plain.meets_any(query);
@@ -86,8 +87,8 @@ TEST(TwoBend109Comparison, SaysOfRandomSegmentsWhatThePlainOneSays) {
     const auto point = [&] {
       return Point{random.below(size), random.below(size), random.below(size)};
     };
-    const Segment segment{point(), point()};
-    const Segment line{point(), point()};
+    const LatticeSegment segment{point(), point()};
+    const LatticeSegment line{point(), point()};
     if (segment.from == segment.to || line.from == line.to) continue;
     Both with_star({1000, 1000, -1000});
     with_star.add(star_at(point()));
@@ -101,7 +102,7 @@ TEST(TwoBend109Comparison, SaysOfRandomSegmentsWhatThePlainOneSays) {
 }
 
 /// A segment through the point, of 2^bits along each axis.
-Segment through(Point p, RandomStream& random, int bits, bool upwards) {
+LatticeSegment through(Point p, RandomStream& random, int bits, bool upwards) {
   const auto part = [&] {
     return static_cast<std::int64_t>(random.next64() >> (65 - bits)) *
            (random.below(2) == 0 ? 1 : -1);
@@ -124,12 +125,12 @@ TEST(TwoBend109Comparison, FindsEveryMeetingOfLargeSegments) {
       // Many that do not meet it, so that blocks of several are seen.
       for (int k = 0; k < i; ++k) {
         both.add(star_at({coordinate(), coordinate() + 100, coordinate()}));
-        both.add(Segment{{coordinate(), 0, 0}, {coordinate(), -7, 1}});
+        both.add(LatticeSegment{{coordinate(), 0, 0}, {coordinate(), -7, 1}});
       }
       Both other = both;
       both.add(through(p, random, bits, false));
       EXPECT_TRUE(both.meets(through(p, random, bits, true))) << bits;
-      const Star star = star_at(p);
+      const VertexStubs star = star_at(p);
       other.add(star);
       const Point end = p + star.stubs[random.below(4)];
       EXPECT_TRUE(other.meets(through(end, random, bits, i % 2 == 0))) << bits;
@@ -139,10 +140,10 @@ TEST(TwoBend109Comparison, FindsEveryMeetingOfLargeSegments) {
 
 TEST(TwoBend109Comparison, LeavesOutTheStubAtWhoseEndTheSegmentBegins) {
   Both both({0, 0, 0});
-  const Star star = star_at({0, 0, 0});
+  const VertexStubs star = star_at({0, 0, 0});
   for (std::size_t i = 0; i < 4; ++i) {
     const Point end = star.segment(i).to;
-    const Segment away{end, end + star.stubs[i]};
+    const LatticeSegment away{end, end + star.stubs[i]};
     for (std::size_t stub = 0; stub < 4; ++stub) {
       const Query query{away, {}, stub};
       EXPECT_EQ(both.plain.meets_any(query), stub != i);
@@ -158,7 +159,7 @@ class ConditionCount {
   explicit ConditionCount(const Graph& graph) : graph_(graph), before_(graph.num_vertices()) {}
 
   /// Of the vertices of one part that is no body, each; of a body as a whole.
-  std::vector<std::int64_t> of(const Part& part) {
+  std::vector<std::int64_t> of(const VertexPart& part) {
     std::vector<std::int64_t> conditions;
     if (part.kind == PartKind::body) {
       std::int64_t sum = 0, edges = 0;
@@ -198,7 +199,7 @@ int expect_few_conditions(const Graph& graph, const std::string& name) {
   ConditionCount count(graph);
   const auto n = static_cast<std::int64_t>(graph.num_vertices());
   int bodies = 0;
-  for (const Part& part : find_partition(graph)) {
+  for (const VertexPart& part : find_partition(graph)) {
     const bool is_body = part.kind == PartKind::body;
     bodies += is_body && n > static_cast<std::int64_t>(part.vertices.size()) ? 1 : 0;
     for (const std::int64_t conditions : count.of(part)) {

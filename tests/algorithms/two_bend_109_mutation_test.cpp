@@ -18,8 +18,8 @@ namespace {
 
 struct Stages {
   Graph graph;
-  std::vector<Part> parts;
-  Arrangement arrangement;
+  std::vector<VertexPart> parts;
+  SlotArrangement arrangement;
   Layout layout;
 };
 
@@ -75,7 +75,8 @@ TEST(TwoBend109Mutation, ThreeDownNeedsItsLoneStubOnTheSideOfOne) {
 TEST(TwoBend109Mutation, CornersOfACycleNeedTheirOwnStance) {
   Stages s = stages_of(testing::cycle(8));
   for (Vertex v = 0; v < 8; ++v) {
-    if (s.arrangement.spot[v] == Spot::lower) s.arrangement.stubs[v] = stubs_of(Stance::chain, 0);
+    if (s.arrangement.spot[v] == SlotSpot::lower)
+      s.arrangement.stubs[v] = stubs_of(Stance::chain, 0);
   }
   EXPECT_THROW(placed(s), InternalError);
 }

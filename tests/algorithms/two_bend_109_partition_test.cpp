@@ -74,7 +74,7 @@ bool is_induced_cycle(const Graph& graph, const std::vector<Vertex>& cycle) {
 }
 
 /// Empty if the parts are as Lemma E.2 says.
-std::string fault(const Graph& graph, const std::vector<Part>& parts) {
+std::string fault(const Graph& graph, const std::vector<VertexPart>& parts) {
   std::vector<int> part_of(graph.num_vertices(), -1);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     for (const Vertex v : parts[i].vertices) {
@@ -84,7 +84,7 @@ std::string fault(const Graph& graph, const std::vector<Part>& parts) {
   }
   if (std::count(part_of.begin(), part_of.end(), -1) > 0) return "a vertex is in no part";
   bool seen_body = false;
-  for (const Part& part : parts) {
+  for (const VertexPart& part : parts) {
     if (seen_body && part.kind != PartKind::body) return "a body is not at the end";
     seen_body = part.kind == PartKind::body;
     for (const Vertex v : part.vertices) {
@@ -99,7 +99,7 @@ std::string fault(const Graph& graph, const std::vector<Part>& parts) {
     if (part.kind == PartKind::cycle && !is_induced_cycle(graph, part.vertices)) return "a cycle";
     if (part.kind == PartKind::body) {
       std::size_t inside = 0;
-      for (const SmallBody::Link& link : part.body->links) {
+      for (const SmallBody::BodyLink& link : part.body->links) {
         for (const HalfEdge& half : graph.incident(part.vertices[link.u])) {
           if (half.to == part.vertices[link.v]) ++inside;
         }
@@ -116,9 +116,9 @@ TEST(TwoBend109Partition, PartsAreAsTheLemmaSaysForAllSmallGraphs) {
   for (int n = 1; n <= 8; ++n) {
     for (const Graph& graph : testing::geng(fmt::format("-c -D4 {}", n))) {
       for (const Graph& labelled : {graph, testing::shuffled(graph, ++seed)}) {
-        const std::vector<Part> parts = find_partition(labelled);
+        const std::vector<VertexPart> parts = find_partition(labelled);
         ASSERT_EQ(fault(labelled, parts), "") << "seed " << seed;
-        for (const Part& part : parts) {
+        for (const VertexPart& part : parts) {
           if (part.kind == PartKind::body) ++bodies[part.body->name];
         }
       }

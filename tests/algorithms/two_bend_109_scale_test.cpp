@@ -32,7 +32,7 @@ TEST(TwoBend109Scale, SumsOfComponentsFitTheBox) {
   for (std::int64_t n = 1; n < 67; ++n) {
     std::int64_t& sum = largest[static_cast<std::size_t>(n)];
     for (std::int64_t k = 1; k <= n; ++k) {
-      const std::int64_t jitter = Scale::always_enough(static_cast<std::uint64_t>(k)).jitter;
+      const std::int64_t jitter = LayoutScale::always_enough(static_cast<std::uint64_t>(k)).jitter;
       const std::int64_t one = k * (20 * jitter + 925) + 1 + (k >= 4 ? 81650 : 0);
       EXPECT_LE(one, 360 * k * k + 1406 * k + (k >= 4 ? 81650 : 0));
       sum = std::max(sum, largest[static_cast<std::size_t>(n - k)] + one);
@@ -46,7 +46,7 @@ TEST(TwoBend109Scale, HeightAndDepthFitTheBox) {
   const std::array<AxisBound, 3> axes = row().guarantee.bound.axes;
   for (double n = 1; n < 1e9; n = std::floor(1 + n * 1.001)) {
     const auto jitter =
-        static_cast<double>(Scale::always_enough(static_cast<std::uint64_t>(n)).jitter);
+        static_cast<double>(LayoutScale::always_enough(static_cast<std::uint64_t>(n)).jitter);
     EXPECT_LE(13 * jitter + 582 + 36628, axes[1].value(static_cast<std::uint64_t>(n))) << n;
     const double others = n * (150 * n * jitter + 6938 * n + 305 * jitter + 13966);
     const double bodies = 8400 * n * jitter + 388500 * n + 5600 * jitter + 4.3e7 + 81744 * n / 4;
@@ -69,15 +69,15 @@ TEST(TwoBend109Scale, TheTheoremsBoxFits32BitsUpTo72Vertices) {
 }
 
 TEST(TwoBend109Scale, DoublesUpToTheProofs) {
-  Scale scale{16};
+  LayoutScale scale{16};
   std::vector<std::int64_t> jitters;
-  for (; scale != Scale::always_enough(10); scale = scale.next(10)) {
+  for (; scale != LayoutScale::always_enough(10); scale = scale.next(10)) {
     EXPECT_LE(scale.jitter, scale.body_jitter);
     jitters.push_back(scale.jitter);
   }
   EXPECT_THAT(jitters, ::testing::ElementsAre(16, 32, 64, 128));
   for (std::uint64_t n = 0; n < 100; ++n) {
-    const Scale most = Scale::always_enough(n);
+    const LayoutScale most = LayoutScale::always_enough(n);
     EXPECT_LE(most.jitter, most.body_jitter);
     EXPECT_LE(most.body_jitter, 2 * most.jitter + 16);
     EXPECT_EQ(most.next(n), most);
@@ -90,7 +90,7 @@ TEST(TwoBend109Scale, KeepsEveryAngleOfLemmaE4) {
   EXPECT_LE(ratio(7, 291, 27, 1269), 0.47);
   EXPECT_LT(std::atan(0.47) / kDegree, 26.7);
   for (std::int64_t jitter = 1; jitter < 1'000'000'000; jitter += 1 + jitter / 7) {
-    const Scale scale{jitter};
+    const LayoutScale scale{jitter};
     const auto j = static_cast<double>(jitter);
     // What the lemma says of ports follows from the lengths of the scale.
     EXPECT_GE(scale.gap(SlotKind::single) - (jitter - 1) - kStubX - 2, 4 * jitter + 74);

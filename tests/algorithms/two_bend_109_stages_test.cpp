@@ -10,7 +10,7 @@
 
 #include "algorithms/two_bend_109_angles.h"
 #include "algorithms/two_bend_109_support.h"
-#include "ar3d/algorithms/two_bend_109/crossings.h"
+#include "ar3d/algorithms/two_bend_109/drawn_segments.h"
 #include "ar3d/algorithms/two_bend_109/slots.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/random.h"
@@ -183,12 +183,12 @@ TEST(TwoBend109Slots, ListKeepsItsOrder) {
 }
 
 TEST(TwoBend109Slots, SomeSinglesStandInsideTriangles) {
-  std::map<Spot, int> seen;
+  std::map<SlotSpot, int> seen;
   for (const Graph& graph : testing::geng("-c -D4 7")) {
-    for (const Spot spot : arrange(graph, find_partition(graph)).spot) ++seen[spot];
+    for (const SlotSpot spot : arrange(graph, find_partition(graph)).spot) ++seen[spot];
   }
-  EXPECT_GT(seen[Spot::centre], 0);
-  EXPECT_GT(seen[Spot::left_inside], 0);
+  EXPECT_GT(seen[SlotSpot::centre], 0);
+  EXPECT_GT(seen[SlotSpot::left_inside], 0);
 }
 
 TEST(TwoBend109Crossings, TwoSegmentsMeetIffTheVerifierSaysSo) {
@@ -199,8 +199,8 @@ TEST(TwoBend109Crossings, TwoSegmentsMeetIffTheVerifierSaysSo) {
   int met = 0;
   for (int i = 0; i < 40000; ++i) {
     const std::uint32_t size = 2 + static_cast<std::uint32_t>(i % 5);
-    const Segment a{point(size), point(size)};
-    const Segment b{point(size), point(size)};
+    const LatticeSegment a{point(size), point(size)};
+    const LatticeSegment b{point(size), point(size)};
     if (a.from == a.to || b.from == b.to) continue;
     const bool said = meet(a, b);
     const verify::Meeting meeting = verify::meet(a.from, a.to, b.from, b.to);
@@ -215,8 +215,8 @@ TEST(TwoBend109Crossings, TwoSegmentsMeetIffTheVerifierSaysSo) {
 TEST(TwoBend109Crossings, LargeCoordinatesAreExact) {
   const std::int64_t far = std::int64_t{1} << 60;
   // Two lines that cross in one lattice point, and the same with one end moved by one.
-  const Segment a{{-far, 0, -far}, {far, 2, far}};
-  const Segment b{{far, 0, -far}, {-far, 2, far}};
+  const LatticeSegment a{{-far, 0, -far}, {far, 2, far}};
+  const LatticeSegment b{{far, 0, -far}, {-far, 2, far}};
   EXPECT_TRUE(meet(a, b));
   EXPECT_FALSE(meet(a, {{far, 0, -far}, {-far, 3, far}}));
   EXPECT_FALSE(meet({{-far, 0, -far}, {far, 2, far - 1}}, {{far, 0, -far}, {-far, 2, far - 2}}));

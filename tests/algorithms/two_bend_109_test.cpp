@@ -113,7 +113,7 @@ TEST(TwoBend109, TellsWhatItDid) {
     EXPECT_LE(drawing.instance_bound.value()[axis] - extents[axis], axis == 2 ? 0 : 30);
   }
   const Drawing large = two_bend_109::draw(graph, {.effort = 0});
-  EXPECT_EQ(count_109(large, "jitter"), two_bend_109::Scale::always_enough(1000).jitter);
+  EXPECT_EQ(count_109(large, "jitter"), two_bend_109::LayoutScale::always_enough(1000).jitter);
 }
 
 // One point for every vertex is not enough, and doubling the square helps.

@@ -1,3 +1,5 @@
+#include "ar3d/algorithms/two_bend_paper/two_bend_paper.h"
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,9 +9,7 @@
 #include <cstddef>
 
 #include "algorithms/two_bend_paper_support.h"
-#include "ar3d/algorithms/two_bend_paper/arithmetic.h"
 #include "ar3d/algorithms/two_bend_paper/contraction.h"
-#include "ar3d/algorithms/two_bend_paper/cycles.h"
 #include "ar3d/algorithms/two_bend_paper/general_position.h"
 #include "ar3d/algorithms/two_bend_paper/growth.h"
 #include "ar3d/base/error.h"
@@ -25,7 +25,7 @@ using testing::expect_right_in_reference;
 using testing::heptagon_nest;
 using testing::hexagon_nest;
 using two_bend_paper::draw_real;
-using two_bend_paper::Figure;
+using two_bend_paper::FigureKind;
 using two_bend_paper::RealType;
 
 Graph made(const char* family, std::uint64_t n, std::uint64_t seed = 1) {
@@ -231,17 +231,17 @@ TEST(TwoBendPaperContraction, LeavesNoTriangleOutsideK4) {
   }
 }
 
-Figure only_figure(const Graph& graph) {
+FigureKind only_figure(const Graph& graph) {
   const two_bend_paper::ContractedGraph contracted = two_bend_paper::contract(graph);
   EXPECT_EQ(contracted.contractions.size(), 1u);
   return contracted.contractions.at(0).figure;
 }
 
 TEST(TwoBendPaperContraction, KnowsItsFigures) {
-  EXPECT_EQ(only_figure(testing::complete(3)), Figure::triangle);
-  EXPECT_EQ(only_figure(Graph(4, {{0, 1}, {0, 2}, {1, 2}, {1, 3}, {2, 3}})), Figure::diamond);
+  EXPECT_EQ(only_figure(testing::complete(3)), FigureKind::triangle);
+  EXPECT_EQ(only_figure(Graph(4, {{0, 1}, {0, 2}, {1, 2}, {1, 3}, {2, 3}})), FigureKind::diamond);
   EXPECT_EQ(only_figure(Graph(5, {{0, 1}, {0, 2}, {1, 3}, {1, 4}, {2, 3}, {2, 4}, {3, 4}})),
-            Figure::fat_leaf);
+            FigureKind::fat_leaf);
   EXPECT_TRUE(two_bend_paper::contract(testing::complete(4)).contractions.empty());
 }
 

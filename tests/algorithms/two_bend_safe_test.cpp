@@ -8,8 +8,8 @@
 
 #include "algorithms/two_bend_graphs.h"
 #include "algorithms/two_bend_support.h"
-#include "ar3d/algorithms/two_bend/pole_shape.h"
-#include "ar3d/algorithms/two_bend/safe_layout.h"
+#include "ar3d/algorithms/two_bend/layout.h"
+#include "ar3d/algorithms/two_bend/leans.h"
 #include "ar3d/generators/catalog.h"
 
 namespace ar3d {

@@ -8,12 +8,9 @@
 #include "algorithms/two_bend_graphs.h"
 #include "ar3d/algorithms/two_bend/checks.h"
 #include "ar3d/algorithms/two_bend/layout.h"
-#include "ar3d/algorithms/two_bend/numeric.h"
-#include "ar3d/algorithms/two_bend/pole_shape.h"
-#include "ar3d/algorithms/two_bend/root_order.h"
-#include "ar3d/algorithms/two_bend/shared_rows.h"
-#include "ar3d/algorithms/two_bend/st_order.h"
+#include "ar3d/algorithms/two_bend/leans.h"
 #include "ar3d/algorithms/two_bend/time_order.h"
+#include "ar3d/algorithms/two_bend/view_list.h"
 #include "support/graphs.h"
 
 namespace ar3d::two_bend {
@@ -81,7 +78,7 @@ TEST(TwoBendNumeric, ArmAndLeanIsTheLowest) {
 TEST(TwoBendBlocks, BridgesAreThoseWhoseRemovalDisconnects) {
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {
     for (const LocalGraph& graph : components_of(testing::random_graph_of_any_kind(20, seed))) {
-      const Blocks blocks = find_blocks(graph);
+      const BlockTree blocks = find_blocks(graph);
       for (Vertex v = 0; v < graph.size(); ++v) {
         for (std::size_t k = 0; k < graph.neighbours[v].degree(); ++k) {
           const Vertex u = graph.neighbours[v].to[k];
@@ -97,7 +94,7 @@ TEST(TwoBendOrder, StOrderHasNoInnerSourceOrSink) {
     RandomStream random(seed);
     const Graph input = testing::random_necklace(2 + random.below(4), random).graph();
     for (const LocalGraph& graph : components_of(input)) {
-      const Blocks blocks = find_blocks(graph);
+      const BlockTree blocks = find_blocks(graph);
       StOrder st(graph, blocks);
       const Vertex s = random.below(graph.size());
       const Vertex t = (s + 1 + random.below(graph.size() - 1)) % graph.size();
@@ -124,7 +121,7 @@ TEST(TwoBendOrder, TimeOrderKeepsItsInvariant) {
     for (LocalGraph graph :
          components_of(testing::shuffled(testing::random_graph_of_any_kind(24, seed), seed))) {
       if (graph.size() <= 6) continue;
-      Blocks blocks = find_blocks(graph);
+      BlockTree blocks = find_blocks(graph);
       const LongVector<QBody> bodies = cut_q_bodies(graph, blocks);
       const TimeOrder order = find_time_order(graph, blocks);
       EXPECT_EQ(order.list.size() + 4 * bodies.size(), graph.size());
@@ -141,7 +138,7 @@ TEST(TwoBendOrder, RepairGivesAnyEndOfACubicBlockTwoClosingNeighbours) {
   for (const int n : {10, 12}) {
     for (const Graph& input : testing::geng(fmt::format("-c -d3 -D3 {}", n))) {
       const LocalGraph graph = components_of(input)[0];
-      const Blocks blocks = find_blocks(graph);
+      const BlockTree blocks = find_blocks(graph);
       if (blocks.blocks.size() > 1) continue;
       StOrder st(graph, blocks);
       for (Vertex s = 0; s < graph.size(); ++s) {
@@ -186,7 +183,7 @@ TEST(TwoBendList, BothListsPutEveryMergeBetweenItsNeighbours) {
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
     for (LocalGraph graph : components_of(testing::random_graph_of_any_kind(30, seed))) {
       if (graph.size() <= 6) continue;
-      Blocks blocks = find_blocks(graph);
+      BlockTree blocks = find_blocks(graph);
       cut_q_bodies(graph, blocks);
       Flow flow = build_flow(graph, blocks, find_time_order(graph, blocks));
       const Lists lists = build_lists(flow, ListOptions());
@@ -209,7 +206,7 @@ TEST(TwoBendList, BothListsPutEveryMergeBetweenItsNeighbours) {
 TEST(TwoBendChecks, SeeWhatIsSpoilt) {
   RandomStream random(7);
   LocalGraph graph = components_of(testing::random_cubic_sketch(60, random).graph())[0];
-  const Blocks blocks = find_blocks(graph);
+  const BlockTree blocks = find_blocks(graph);
   const TimeOrder order = find_time_order(graph, blocks);
   Flow flow = build_flow(graph, blocks, order);
   const Lists lists = build_lists(flow, ListOptions());
@@ -267,33 +264,6 @@ TEST(TwoBendChecks, SeeASpoiltArmOrLean) {
       }
     }
   }
-}
-
-TEST(TwoBendList, RootOrderAgreesWithAVector) {
-  RandomStream random(4);
-  RootOrder order(3000);
-  LongVector<NodeId> oracle;
-  NodeId hot = 0;  // many insertions behind one entry run out of labels
-  for (NodeId v = 0; v < 3000; ++v) {
-    if (v < 4 || random.chance(1, 10)) {
-      order.append(v);
-      oracle.push_back(v);
-      continue;
-    }
-    const NodeId place = random.chance(1, 2) ? hot : random.below(v);
-    if (random.chance(1, 20)) hot = random.below(v);
-    order.insert_after(place, v);
-    oracle.insert(std::find(oracle.begin(), oracle.end(), place) + 1, v);
-  }
-  NodeId at = order.first();
-  for (std::size_t i = 0; i < oracle.size(); ++i) {
-    ASSERT_EQ(at, oracle[i]);
-    if (i > 0) {
-      EXPECT_TRUE(order.before(oracle[i - 1], at) && !order.before(at, oracle[i - 1]));
-    }
-    at = order.next(at);
-  }
-  EXPECT_EQ(at, kNone);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "ar3d/base/error.h"
-#include "ar3d/generators/petersen_like.h"
+#include "ar3d/generators/rings.h"
 #include "ar3d/generators/polyhedra.h"
 #include "ar3d/generators/snarks.h"
 #include "support/graph_facts.h"

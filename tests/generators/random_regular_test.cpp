@@ -1,4 +1,4 @@
-#include "ar3d/generators/random_regular.h"
+#include "ar3d/generators/random_graphs.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <map>
 #include <vector>
 
-#include "ar3d/generators/pairing.h"
+#include "ar3d/generators/random_graphs.h"
 #include "support/graph_facts.h"
 
 namespace ar3d {

@@ -12,8 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "ar3d/generators/pairing.h"
-#include "ar3d/generators/random_regular.h"
+#include "ar3d/generators/random_graphs.h"
 #include "ar3d/generators/switching.h"
 
 namespace ar3d {

@@ -8,7 +8,7 @@
 #include <string>
 #include <type_traits>
 
-#include "ar3d/algorithms/two_bend_paper/arithmetic.h"
+#include "ar3d/algorithms/two_bend_paper/two_bend_paper.h"
 #include "ar3d/base/random.h"
 #include "ar3d/verify/checks/exact.h"
 #include "ar3d/verify/predicates/choices.h"

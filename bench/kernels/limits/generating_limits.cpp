@@ -6,7 +6,7 @@
 
 #include "../peer_generators.h"
 #include "ar3d/bench/measure/one_thread.h"
-#include "ar3d/generators/random_regular.h"
+#include "ar3d/generators/random_graphs.h"
 #include "limit.h"
 #include "turns.h"
 

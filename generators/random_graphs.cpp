@@ -1,19 +1,137 @@
-#include "ar3d/generators/random_special.h"
+#include "ar3d/generators/random_graphs.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <numeric>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/random.h"
-#include "ar3d/generators/random_regular.h"
+#include "ar3d/generators/switching.h"
 
 namespace ar3d {
 namespace {
 
-enum Stream : std::uint64_t { kConnected = 30, kBipartite, kThinned, kTree, kBridges };
+enum Stream : std::uint64_t {
+  kRegular = 10,
+  kMaxDegree = 11,
+  kConnected = 30,
+  kBipartite,
+  kThinned,
+  kTree,
+  kBridges
+};
+
+/// A pairing in the making: the pairs drawn so far as adjacency, `d` places per vertex.
+class PartialPairing {
+ public:
+  PartialPairing(Count num_vertices, std::uint32_t d)
+      : d_(d), point_(num_vertices * d), neighbour_(num_vertices * d), degree_(num_vertices) {
+    std::iota(point_.begin(), point_.end(), 0u);
+  }
+
+  /// Draws the pairs one after the other; false at the first loop or parallel edge. The points are
+  /// never put back in order: a Fisher-Yates shuffle gives a uniform sequence from any start.
+  bool attempt(Count pairs, RandomStream& random) {
+    for (std::size_t i = 0; i < 2 * pairs; i += 2) {
+      const Vertex u = draw(i, random);
+      const Vertex v = draw(i + 1, random);
+      if (u == v || adjacent(u, v)) {
+        forget(i);
+        return false;
+      }
+      neighbour_[u * d_ + degree_[u]++] = v;
+      neighbour_[v * d_ + degree_[v]++] = u;
+    }
+    return true;
+  }
+
+  std::vector<Edge> edges(Count pairs) && {
+    point_ = {};
+    std::vector<Edge> edges;
+    edges.reserve(pairs);
+    for (Vertex u = 0; u < degree_.size(); ++u) {
+      for (std::uint32_t i = 0; i < degree_[u]; ++i) {
+        const Vertex v = neighbour_[u * d_ + i];
+        if (u < v) edges.push_back({u, v});
+      }
+    }
+    return edges;
+  }
+
+ private:
+  Vertex draw(std::size_t i, RandomStream& random) {
+    const auto left = static_cast<std::uint32_t>(point_.size() - i);
+    std::swap(point_[i], point_[i + random.below(left)]);
+    return static_cast<Vertex>(point_[i] / d_);
+  }
+  bool adjacent(Vertex u, Vertex v) const {
+    const Vertex* const row = neighbour_.data() + u * d_;
+    return std::find(row, row + degree_[u], v) != row + degree_[u];
+  }
+  /// Undoes an attempt that has drawn its first `drawn` points (and two more, which were not
+  /// entered).
+  void forget(std::size_t drawn) {
+    for (std::size_t i = 0; i < drawn; ++i) degree_[point_[i] / d_] = 0;
+  }
+
+  std::size_t d_;
+  std::vector<std::uint32_t> point_;  // the sequence of points; point p belongs to vertex p / d_
+  std::vector<Vertex> neighbour_;
+  std::vector<std::uint8_t> degree_;
+};
+
+}  // namespace
+
+std::vector<Edge> random_simple_pairs(Count num_vertices, std::uint32_t d, Count pairs,
+                                      RandomStream& random) {
+  PartialPairing pairing(num_vertices, d);
+  while (!pairing.attempt(pairs, random)) {
+  }
+  return std::move(pairing).edges(pairs);
+}
+
+namespace {
+
+void refuse_bad_degree(std::uint32_t d) {
+  if (d < 1 || d > 4) throw InputError(fmt::format("degree {} is outside 1..4", d));
+}
+
+}  // namespace
+
+std::vector<Edge> random_regular_edges(Count n, std::uint32_t d, RandomStream& random) {
+  return n >= kLeastSwitchingSize && d >= 2 ? random_regular_by_switching(n, d, random)
+                                            : random_simple_pairs(n, d, n * d / 2, random);
+}
+
+Graph random_regular(Count n, std::uint32_t d, std::uint64_t seed) {
+  refuse_bad_degree(d);
+  if (n <= d || n * d % 2 != 0) {
+    throw InputError(fmt::format("there is no {}-regular graph on {} vertices", d, n));
+  }
+  RandomStream random(seed, kRegular);
+  return Graph(n, random_regular_edges(n, d, random));
+}
+
+Count most_edges(Count n, std::uint32_t D) {
+  return n > D ? n * D / 2 : (n == 0 ? 0 : n * (n - 1) / 2);
+}
+
+Graph random_max_degree(Count n, std::uint32_t D, Count m, std::uint64_t seed) {
+  refuse_bad_degree(D);
+  if (m > most_edges(n, D)) {
+    throw InputError(
+        fmt::format("{} edges on {} vertices of degree at most {}: at most {} are possible", m, n,
+                    D, most_edges(n, D)));
+  }
+  RandomStream random(seed, kMaxDegree);
+  return Graph(n, random_simple_pairs(n, D, m, random));
+}
+
+namespace {
 
 /// Draws the right ends of the points of 0, 1, ..., three each, one after the other; empty at the
 /// first parallel edge.
@@ -161,6 +279,13 @@ Graph random_cubic_with_bridges(Count n, Count bridges, std::uint64_t seed) {
   }
   for (const auto& part : piece) edges.insert(edges.end(), part.begin(), part.end());
   return Graph(n, std::move(edges));
+}
+
+Graph shuffled_labels(const Graph& graph, RandomStream& random) {
+  std::vector<Vertex> names(graph.num_vertices());
+  std::iota(names.begin(), names.end(), Vertex{0});
+  random.shuffle(std::span<Vertex>(names));
+  return relabelled(graph, names);
 }
 
 }  // namespace ar3d

@@ -1,26 +1,27 @@
 // Rule 2.8: SPLITs in the row of the SPLIT below them, which saves a bend and a row each. Whether
 // two arms of a row can meet depends on the columns, whose order depends on the rows; so the first
 // list shares by a guess and gives back what does not fit. Cost: O(n).
-#include "ar3d/algorithms/two_bend/shared_rows.h"
+#include "ar3d/algorithms/two_bend/lists.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "ar3d/algorithms/two_bend/owner_order.h"
+#include "ar3d/algorithms/two_bend/view_list.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {
 namespace {
 
 /// The columns that a SPLIT and those above it in its row reach.
-struct Reach {
+struct RowReach {
   std::int32_t low = 0;
   std::int32_t high = 0;
   std::uint32_t sharers = 0;   ///< SPLITs
   std::uint32_t weight = 0;    ///< SPLITs in the trees above the row's SPLITs
   std::uint32_t heaviest = 0;  ///< the largest of these trees
 
-  bool meets(const Reach& other) const { return low <= other.high && other.low <= high; }
+  bool meets(const RowReach& other) const { return low <= other.high && other.low <= high; }
 };
 
 /// How much may come together in a row.
@@ -65,19 +66,19 @@ class Sharing {
   }
 
  private:
-  Reach part(const LongVector<std::uint8_t>& shares, NodeId v) const {
+  RowReach part(const LongVector<std::uint8_t>& shares, NodeId v) const {
     if (shares[v]) return reach_[v];
     return {cross_[v], cross_[v], 0, trees_[v], trees_[v]};
   }
-  static Reach united(const Reach& a, const Reach& b) {
+  static RowReach united(const RowReach& a, const RowReach& b) {
     return {std::min(a.low, b.low), std::max(a.high, b.high), a.sharers + b.sharers + 1,
             a.weight + b.weight, std::max(a.heaviest, b.heaviest)};
   }
   bool fits(const LongVector<std::uint8_t>& shares, NodeId a, NodeId b,
             const Limits& limits) const {
-    const Reach pa = part(shares, a);
-    const Reach pb = part(shares, b);
-    const Reach both = united(pa, pb);
+    const RowReach pa = part(shares, a);
+    const RowReach pb = part(shares, b);
+    const RowReach both = united(pa, pb);
     return !pa.meets(pb) && both.sharers <= limits.sharers &&
            both.weight - both.heaviest <= limits.light_weight;
   }
@@ -101,13 +102,13 @@ class Sharing {
 
   const View& view_;
   const Values& cross_;
-  LongVector<Reach> reach_;
+  LongVector<RowReach> reach_;
   LongVector<std::uint32_t> trees_;
 };
 
 LongVector<NodeId>& owners_of(Flow& flow, bool columns) { return flow.row_owner[columns ? 1 : 0]; }
 
-/// NeighbourList owners from who shares; the lowest of a row owns it.
+/// Sets the owners of rows from who shares; the lowest SPLIT of a row owns it.
 void set_owners(Flow& flow, const View& view, const LongVector<std::uint8_t>& shares) {
   LongVector<NodeId>& owner = owners_of(flow, view.columns());
   LongVector<std::uint8_t>& roles = flow.roles[view.columns() ? 1 : 0];
@@ -162,8 +163,14 @@ LongVector<std::uint8_t> sharers(const View& view) {
   return shares;
 }
 
-}  // namespace
-
+/// Puts SPLITs into the row of the SPLIT below them where that costs nothing: the edge between them
+/// then has one bend instead of two, and the view one row fewer. A row's SPLITs form a subtree of
+/// the forest of SPLITs; it is drawn without crossings in the plane of the row if at each of its
+/// SPLITs the columns reached through one arm lie beyond all those reached through the other.
+/// Left alone: neighbours of a pole, and edges into or out of a pole's block.
+/// @param cross  columns of the view, or any guess of their order (then see separate_rows).
+/// @post  flow.row_owner and the roles of the view; no MERGE has both in-neighbours in one row.
+/// Cost: O(n).
 void share_rows(Flow& flow, bool columns, const Values& cross) {
   const View view(flow, columns);
   LongVector<std::uint8_t> shares = find_askers(view);
@@ -172,6 +179,8 @@ void share_rows(Flow& flow, bool columns, const Values& cross) {
   if (part_neighbours_of_merges(view, shares)) set_owners(flow, view, shares);
 }
 
+/// Gives SPLITs a row of their own again, next to the one they shared, until the condition of
+/// share_rows holds for the columns `cross`. The order of all other entries stays as it is.
 void separate_rows(Flow& flow, bool columns, const Values& cross, LongVector<NodeId>& list) {
   const View view(flow, columns);
   LongVector<std::uint8_t> shares = sharers(view);
@@ -190,12 +199,14 @@ void separate_rows(Flow& flow, bool columns, const Values& cross, LongVector<Nod
   list = std::move(result);
 }
 
-Values guess_rows(const Flow& flow, bool columns, bool straighten) {
+/// A guess of the order of the view's rows before its list is built: the owners' places, and next
+/// to them the MERGEs.
+Values guess_rows(const Flow& flow, bool columns) {
   const View view(flow, columns);
   const Attachment attachment = attach_merges(view);
   Values guess(view.size(), 0);
   std::int32_t place = 0;
-  for (const NodeId owner : order_owners(view, attachment, straighten)) guess[owner] = place += 4;
+  for (const NodeId owner : order_owners(view, attachment)) guess[owner] = place += 4;
   for (NodeId i = 0; i < view.size(); ++i) {
     const NodeId m = view.at(i);
     view.ask(i + kAhead, guess);
@@ -206,9 +217,39 @@ Values guess_rows(const Flow& flow, bool columns, bool straighten) {
   return guess;
 }
 
+}  // namespace
+
 bool shared_rows_are_plane(const View& view, const Values& cross) {
   LongVector<std::uint8_t> shares = sharers(view);
   return !Sharing(view, cross).undo_conflicts(shares, kNoLimits);
+}
+
+Lists build_lists(Flow& flow, const ListOptions& options) {
+  const bool columns_first =
+      flow.joint && std::any_of(flow.poles.begin(), flow.poles.end(), [&](const Pole& p) {
+        return flow.nodes[p.node].type == NodeType::source && p.a_type;
+      });
+  if (options.share) share_rows(flow, columns_first, guess_rows(flow, !columns_first));
+  LongVector<NodeId> first =
+      build_view_list(flow, columns_first, options.weights[columns_first ? 1 : 0]);
+  choose_outer_specials(flow, !columns_first, first);
+  if (options.share)
+    share_rows(flow, !columns_first, list_places(View(flow, columns_first), first));
+  LongVector<NodeId> second =
+      build_view_list(flow, !columns_first, options.weights[columns_first ? 0 : 1]);
+  if (options.share) {
+    separate_rows(flow, columns_first, list_places(View(flow, !columns_first), second), first);
+  }
+  if (columns_first) std::swap(first, second);
+  expect_heavy(
+      [&] {
+        const View rows(flow, false);
+        const View columns(flow, true);
+        return shared_rows_are_plane(rows, list_places(columns, second)) &&
+               shared_rows_are_plane(columns, list_places(rows, first));
+      },
+      "arms in a shared row or column do not meet");
+  return {std::move(first), std::move(second)};
 }
 
 }  // namespace ar3d::two_bend

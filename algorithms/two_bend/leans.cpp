@@ -1,13 +1,13 @@
 // Lemma 2.12: how a SINK, and by reflection a SOURCE, is reached by its two leans. All angles are
 // compared in 128-bit integers. The ordinary rounds try every b; the safe layout knows it. Cost: a
 // greatest common divisor per b tried, of which there are fewer than half of the gap of the hold.
-#include "ar3d/algorithms/two_bend/pole_shape.h"
+#include "ar3d/algorithms/two_bend/leans.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <numeric>
+#include <utility>
 
-#include "ar3d/algorithms/two_bend/numeric.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {
@@ -16,12 +16,8 @@ namespace {
 __extension__ using Int128 = __int128;
 
 /// The lean's run towards the special edge's side and its run towards the special row.
-struct Reach {
-  std::int64_t e = 0;
-  std::int64_t y = 0;
-};
-
-Reach reach_of(const PoleShape& shape, const ViewValues& values, NodeId from, std::int64_t b) {
+std::pair<std::int64_t, std::int64_t> reach_of(const PoleShape& shape, const ViewValues& values,
+                                               NodeId from, std::int64_t b) {
   return {std::abs(shape.cross - values.cross[from]) - b,
           std::abs(values.own[from] - shape.own) - 2 * b};
 }
@@ -46,9 +42,9 @@ PoleShape frame_of(const View& view, const ViewValues& values, const Pole& sink)
 }
 
 void set_lean(PoleShape& shape, PoleLean& lean, const ViewValues& values, std::int64_t b) {
-  const Reach reach = reach_of(shape, values, lean.from, b);
+  const auto [e, y] = reach_of(shape, values, lean.from, b);
   lean.b = b;
-  lean.height = lean_height(std::abs(reach.e), reach.y);
+  lean.height = lean_height(std::abs(e), y);
 }
 
 }  // namespace
@@ -73,8 +69,8 @@ std::optional<PoleShape> fit_pole(const View& view, const ViewValues& values, co
   PoleShape shape = frame_of(view, values, sink);
   for (PoleLean* lean : {&shape.up, &shape.down}) {
     for (std::int64_t b = 1; 2 * b <= gap - 1 && lean->b == 0; ++b) {
-      const Reach reach = reach_of(shape, values, lean->from, b);
-      if (lean_fits(reach.e, reach.y)) set_lean(shape, *lean, values, b);
+      const auto [e, y] = reach_of(shape, values, lean->from, b);
+      if (lean_fits(e, y)) set_lean(shape, *lean, values, b);
     }
     if (lean->b == 0) return std::nullopt;
   }

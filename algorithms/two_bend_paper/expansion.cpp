@@ -2,7 +2,7 @@
 // of 1, the lengths of its own first pieces and its distance from every other segment of the
 // component, rounded down to a power of two so that scaling by it is exact in every type. Measured
 // on the drawing in double, segment by segment. Cost: O(m) for each contracted vertex.
-#include "ar3d/algorithms/two_bend_paper/clearance.h"
+#include "ar3d/algorithms/two_bend_paper/expansion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ double distance_to_segment(const Point3& p, const Point3& a, const Point3& b) {
 
 class Clearances {
  public:
-  Clearances(const ContractedGraph& graph, const Points<double>& points)
+  Clearances(const ContractedGraph& graph, const NodePoints<double>& points)
       : graph_(graph), points_(points) {}
 
   /// Of a node from the edges of its component.
@@ -48,7 +48,7 @@ class Clearances {
 
  private:
   const ContractedGraph& graph_;
-  const Points<double>& points_;
+  const NodePoints<double>& points_;
 };
 
 struct PlacedNode {
@@ -75,7 +75,7 @@ std::vector<Room> top_rooms(const ContractedGraph& graph,
                             const std::vector<PlacedComponent>& components, std::size_t num_edges) {
   std::vector<Room> rooms(graph.contractions.size());
   if (rooms.empty()) return rooms;
-  const Points<double> points = stack<double>(graph, components, num_edges);
+  const NodePoints<double> points = stack<double>(graph, components, num_edges);
   const Clearances clearances(graph, points);
   const auto inputs = graph.num_nodes() - static_cast<Node>(rooms.size());
   for (const PlacedComponent& placed : components) {
