@@ -37,7 +37,8 @@ std::vector<Algorithm> catalogue() {
 }
 
 OpenTable<Algorithm>& table() {
-  static OpenTable<Algorithm> rows("algorithm", catalogue());
+  static OpenTable<Algorithm> rows("algorithm", catalogue(),
+                                   [](const Algorithm& row) { return row.draw != nullptr; });
   return rows;
 }
 
@@ -45,10 +46,7 @@ OpenTable<Algorithm>& table() {
 
 const std::vector<Algorithm>& algorithms() { return table().rows(); }
 
-void register_algorithm(Algorithm row) {
-  const bool is_whole = row.draw != nullptr;
-  table().add(std::move(row), is_whole);
-}
+void register_algorithm(Algorithm row) { table().add(std::move(row)); }
 
 std::vector<const Algorithm*> proved_algorithms() {
   std::vector<const Algorithm*> proved;
@@ -59,9 +57,7 @@ std::vector<const Algorithm*> proved_algorithms() {
 }
 
 const Algorithm& find_algorithm(std::string_view name) {
-  for (const Algorithm& row : algorithms()) {
-    if (row.name == name) return row;
-  }
+  if (const Algorithm* row = table().find(name)) return *row;
   const auto known = names_of(algorithms());
   throw InputError(fmt::format("unknown algorithm '{}'{} (known: {}; see: ar3d list algorithms)",
                                name, did_you_mean(name, known), fmt::join(known, ", ")));

@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "ar3d/model/drawing.h"
+#include "ar3d/model/graph.h"
 #include "ar3d/model/settings.h"
 
 namespace ar3d {
@@ -14,6 +16,13 @@ inline constexpr int kDefaultEffort = 1;
 
 /// The option `effort` with 0 ... highest and the default above.
 SettingSpec effort_option(int highest, std::string_view description);
+
+/// An algorithm's `draw(graph, options)` as a catalogue row calls it, its only option being
+/// `effort`.
+template <auto draw>
+Drawing draw_with_effort(const Graph& graph, const Settings& values) {
+  return draw(graph, {.effort = static_cast<int>(value_of(values, "effort"))});
+}
 
 /// @throws InputError naming the algorithm unless 0 <= effort <= highest.
 void check_effort(std::string_view algorithm, int effort, int highest);

@@ -17,19 +17,27 @@ namespace ar3d {
 template <typename Row>
 class OpenTable {
  public:
-  OpenTable(std::string_view kind, std::vector<Row> rows) : kind_(kind), rows_(std::move(rows)) {
+  /// @param is_whole  false of a row that lacks one of its functions.
+  OpenTable(std::string_view kind, std::vector<Row> rows, bool (*is_whole)(const Row&))
+      : kind_(kind), rows_(std::move(rows)), is_whole_(is_whole) {
     rows_.reserve(kMostRows);
   }
 
   const std::vector<Row>& rows() const { return rows_; }
 
-  /// @param is_whole  false if the row lacks one of its functions.
-  /// @throws InputError if it does, or its name is empty or taken, or the table is full.
-  void add(Row row, bool is_whole) {
-    const bool is_taken = std::any_of(rows_.begin(), rows_.end(),
-                                      [&](const Row& other) { return other.name == row.name; });
+  /// The row of that name; null if there is none.
+  const Row* find(std::string_view name) const {
+    const auto at =
+        std::find_if(rows_.begin(), rows_.end(), [&](const Row& row) { return row.name == name; });
+    return at == rows_.end() ? nullptr : &*at;
+  }
+
+  /// @throws InputError if the row lacks one of its functions, or its name is empty or taken, or
+  /// the table is full.
+  void add(Row row) {
+    const bool is_taken = find(row.name) != nullptr;
     const bool is_full = rows_.size() == kMostRows;
-    if (is_taken || is_full || row.name.empty() || !is_whole) {
+    if (is_taken || is_full || row.name.empty() || !is_whole_(row)) {
       throw InputError(fmt::format("{} '{}' cannot be added: {}", kind_, row.name,
                                    is_taken  ? "the name is taken"
                                    : is_full ? "the table is full"
@@ -42,6 +50,7 @@ class OpenTable {
   static constexpr std::size_t kMostRows = 1000;
   std::string_view kind_;
   std::vector<Row> rows_;
+  bool (*is_whole_)(const Row&);
 };
 
 }  // namespace ar3d

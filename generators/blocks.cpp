@@ -1,3 +1,5 @@
+// Small dense graphs, what is glued together from them, and their disjoint unions: each forces a
+// special case of some drawer, as its comment in the header says.
 #include "ar3d/generators/blocks.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,6 @@
+// The table of families: one row says all that studies, programs and tests know of a family, and
+// every row's generator is a pure function. A table and no self-registering objects, which a static
+// library would drop.
 #include "ar3d/generators/catalog.h"
 
 #include <fmt/format.h>
@@ -202,7 +205,9 @@ const SettingSpec kShuffle{"shuffle", 0, 1, 0, "1: labels permuted at random by 
 constexpr std::uint64_t kShuffleStream = 0x73687566666c65;  // "shuffle"
 
 OpenTable<Family>& table() {
-  static OpenTable<Family> rows("family", catalogue());
+  static OpenTable<Family> rows("family", catalogue(), [](const Family& row) {
+    return row.nearest_n != nullptr && row.generate != nullptr;
+  });
   return rows;
 }
 
@@ -210,15 +215,10 @@ OpenTable<Family>& table() {
 
 const std::vector<Family>& families() { return table().rows(); }
 
-void register_family(Family row) {
-  const bool is_whole = row.nearest_n != nullptr && row.generate != nullptr;
-  table().add(std::move(row), is_whole);
-}
+void register_family(Family row) { table().add(std::move(row)); }
 
 const Family& find_family(std::string_view name) {
-  for (const Family& family : families()) {
-    if (family.name == name) return family;
-  }
+  if (const Family* family = table().find(name)) return *family;
   throw InputError(fmt::format("unknown family '{}'{} (see: ar3d list families)", name,
                                did_you_mean(name, names_of(families()))));
 }

@@ -1,3 +1,4 @@
+// Edges of a graph under construction; that the graph is simple is checked once, by Graph.
 #include "ar3d/generators/graph_builder.h"
 
 #include <utility>

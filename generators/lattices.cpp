@@ -1,3 +1,5 @@
+// Pieces of lattices. The diamond lattice and the Laves graph are grown breadth-first from the
+// origin, with a hash table of points: their own straight drawing is the optimum to compare with.
 #include "ar3d/generators/lattices.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Graphs with names of their own, most in LCF notation (Lederberg, Coxeter and Frucht), whose
+// chords lcf_graph() checks from both ends: a wrong number of a table is found when the graph is
+// made.
 #include "ar3d/generators/named.h"
 
 #include <fmt/format.h>
@@ -57,25 +60,10 @@ Graph chvatal_graph() {
 Graph robertson_graph() {
   GraphBuilder builder(19, 38);
   builder.cycle(0, 19);
-  for (const Edge e : {Edge{0, 4},
-                       {4, 9},
-                       {9, 13},
-                       {13, 17},
-                       {17, 2},
-                       {2, 6},
-                       {6, 10},
-                       {10, 15},
-                       {15, 0},
-                       {1, 8},
-                       {8, 16},
-                       {16, 5},
-                       {5, 12},
-                       {12, 1},
-                       {7, 18},
-                       {18, 11},
-                       {11, 3},
-                       {3, 14},
-                       {14, 7}}) {
+  const std::vector<Edge> chords = {
+      {0, 4},  {4, 9},  {9, 13}, {13, 17}, {17, 2}, {2, 6},   {6, 10}, {10, 15}, {15, 0}, {1, 8},
+      {8, 16}, {16, 5}, {5, 12}, {12, 1},  {7, 18}, {18, 11}, {11, 3}, {3, 14},  {14, 7}};
+  for (const Edge e : chords) {
     builder.edge(e.u, e.v);
   }
   return builder.finish();

@@ -1,3 +1,6 @@
+// Planar cubic graphs. The fullerenes are the duals of triangulated icosahedra (Goldberg 1937,
+// Coxeter 1971): every triangle gets one name for each of its corners in exact integers, and equal
+// sides are matched by sorting, so no table of the faces' seams is needed.
 #include "ar3d/generators/polyhedra.h"
 
 #include <fmt/format.h>
@@ -142,33 +145,23 @@ class GeodesicSphere {
   std::vector<std::array<Count, 3>> across_;  // the face across the edge opposite each corner
 };
 
-/// One side of a triangle, for matching with the same side of its neighbour.
-struct TriangleSide {
-  Corner low;
-  Corner high;
-  Count triangle = 0;
-  Count number = 0;  // the side opposite corner `number`
-  friend bool operator<(const TriangleSide& s, const TriangleSide& t) {
-    return std::tie(s.low, s.high, s.triangle) < std::tie(t.low, t.high, t.triangle);
-  }
-};
-
-/// The pairs of equal sides of neighbouring triangles.
-std::vector<std::pair<TriangleSide, TriangleSide>> matched_sides(
-    const std::vector<Triangle>& triangles) {
-  std::vector<TriangleSide> sides;
+/// The pairs of triangles that have a side in common.
+std::vector<std::pair<Count, Count>> neighbours(const std::vector<Triangle>& triangles) {
+  std::vector<std::tuple<Corner, Corner, Count>> sides;  // low end, high end, triangle
   for (Count t = 0; t < triangles.size(); ++t) {
     for (std::size_t i = 0; i < 3; ++i) {
       const auto [low, high] = std::minmax(triangles[t][(i + 1) % 3], triangles[t][(i + 2) % 3]);
-      sides.push_back({low, high, t, i});
+      sides.emplace_back(low, high, t);
     }
   }
   std::sort(sides.begin(), sides.end());
-  std::vector<std::pair<TriangleSide, TriangleSide>> pairs;
+  std::vector<std::pair<Count, Count>> pairs;
   for (std::size_t i = 0; i < sides.size(); i += 2) {
-    expect(sides[i].low == sides[i + 1].low && sides[i].high == sides[i + 1].high,
+    const auto& [low, high, triangle] = sides[i];
+    const auto& [same_low, same_high, other] = sides[i + 1];
+    expect(low == same_low && high == same_high,
            "every side of a closed triangulation lies in two triangles");
-    pairs.emplace_back(sides[i], sides[i + 1]);
+    pairs.emplace_back(triangle, other);
   }
   return pairs;
 }
@@ -232,8 +225,7 @@ Graph goldberg_coxeter(Count a, Count b) {
   }
   const std::vector<Triangle> triangles = GeodesicSphere(a, b).triangles();
   GraphBuilder builder(triangles.size(), 3 * triangles.size() / 2);
-  for (const auto& [side, same] : matched_sides(triangles))
-    builder.edge(side.triangle, same.triangle);
+  for (const auto& [triangle, other] : neighbours(triangles)) builder.edge(triangle, other);
   return builder.finish();
 }
 

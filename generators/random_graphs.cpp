@@ -1,3 +1,7 @@
+// Random graphs by the pairing model with full restart (Bollobas 1980), which is exactly uniform
+// for small n; from n = 200 on switchings take over (switching.h), since restarts cost
+// e^((d^2-1)/4). Every family draws from a stream of its own, so none changes when another one
+// does.
 #include "ar3d/generators/random_graphs.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Paths, cycles, and cycles joined by rungs, chords, spokes or claws.
 #include "ar3d/generators/rings.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// From a wanted number of vertices to the sizes that a family has, and from such a size to the
+// arguments of the family's own function; the catalogue's rows name these.
 #include "ar3d/generators/sizes.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// Cubic graphs without bridges and without a 3-edge-colouring: Isaacs' dot product (1975) makes
+// chains of them, the others are given by a piece and how its copies are joined.
 #include "ar3d/generators/snarks.h"
 
 #include <fmt/format.h>

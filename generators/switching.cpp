@@ -1,3 +1,4 @@
+// Uniform regular graphs by switchings (McKay and Wormald 1990); the proof stands below.
 #include "ar3d/generators/switching.h"
 
 #include <algorithm>

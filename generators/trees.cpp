@@ -1,3 +1,5 @@
+// Trees, and cubic graphs whose bridges form a tree that ends in leaf blocks: by Sylvester (1883)
+// these have no perfect matching once three odd blocks meet.
 #include "ar3d/generators/trees.h"
 
 #include <fmt/format.h>

@@ -40,12 +40,6 @@ NodeType type_of(unsigned ins, unsigned outs) {
   return outs == 2 ? NodeType::split : NodeType::merge;
 }
 
-/// A step upwards: the place of a later neighbour and the edge to it.
-struct StepUp {
-  std::uint32_t to = 0;
-  EdgeId edge = 0;
-};
-
 /// Works on places in the time order, so that memory is read in this order where the graph allows.
 class FlowBuilder {
  public:
@@ -77,8 +71,9 @@ class FlowBuilder {
   }
 
  private:
-  /// The later neighbours of the vertex at a place, at most three.
-  unsigned steps_up(std::uint32_t i, std::array<StepUp, 3>& steps) const {
+  /// The steps upwards from the vertex at a place, at most three: a later neighbour's place and the
+  /// edge to it.
+  unsigned steps_up(std::uint32_t i, std::array<HalfEdge, 3>& steps) const {
     const Vertex v = order_[i];
     const NeighbourList& near = graph_.neighbours[v];
     unsigned count = 0;
@@ -113,7 +108,7 @@ class FlowBuilder {
   std::size_t degree_at(std::uint32_t i) const { return graph_.neighbours[order_[i]].degree(); }
 
   void find_passes() {
-    std::array<StepUp, 3> steps;
+    std::array<HalfEdge, 3> steps;
     for (std::uint32_t i = 0; i < order_.size(); ++i) {
       pass_[i] = degree_at(i) == 2 && steps_up(i, steps) == 1;
     }
@@ -127,7 +122,7 @@ class FlowBuilder {
   /// above it.
   template <class Visit>
   std::uint32_t climb(std::uint32_t i, Visit visit) const {
-    std::array<StepUp, 3> steps;
+    std::array<HalfEdge, 3> steps;
     while (pass_[i]) {
       visit(i);
       steps_up(i, steps);
@@ -139,7 +134,7 @@ class FlowBuilder {
   /// If two chains join a node to the same node, a PASS on one of them becomes a STATION
   /// (Step 2.6).
   void make_station(std::uint32_t i) {
-    std::array<StepUp, 3> steps;
+    std::array<HalfEdge, 3> steps;
     if (steps_up(i, steps) != 2) return;
     const auto ignore = [](std::uint32_t) {};
     if (climb(steps[0].to, ignore) != climb(steps[1].to, ignore)) return;
@@ -161,7 +156,7 @@ class FlowBuilder {
 
   /// The outs of the node at place i; its ins are complete, because all earlier nodes are.
   void finish_node(std::uint32_t i) {
-    std::array<StepUp, 3> steps;
+    std::array<HalfEdge, 3> steps;
     const unsigned outs = steps_up(i, steps);
     const NodeId u = flow_.element[i];
     Node& node = flow_.nodes[u];

@@ -24,13 +24,8 @@ struct RowReach {
   bool meets(const RowReach& other) const { return low <= other.high && other.low <= high; }
 };
 
-/// How much may come together in a row.
-struct Limits {
-  std::uint32_t sharers;
-  std::uint32_t light_weight;  ///< all trees above the row's SPLITs but the heaviest
-};
-constexpr Limits kLimits{kMostSharers, 64};
-constexpr Limits kNoLimits{kNone, kNone};
+/// All trees above a row's SPLITs but the heaviest may have so many SPLITs.
+constexpr std::uint32_t kMostLightWeight = 64;
 
 /// Who shares the row of the SPLIT below it.
 class Sharing {
@@ -42,8 +37,9 @@ class Sharing {
 
   /// From the top down the view's time, undoes what two arms of a SPLIT cannot both have.
   /// @param shares  per node: asks to stand in the row of the SPLIT below it.
+  /// @param is_limited  also what exceeds kMostSharers or kMostLightWeight.
   /// @return true if something was undone.
-  bool undo_conflicts(LongVector<std::uint8_t>& shares, const Limits& limits) {
+  bool undo_conflicts(LongVector<std::uint8_t>& shares, bool is_limited) {
     bool changed = false;
     for (NodeId i = view_.size(); i-- > 0;) {
       const NodeId v = view_.at(i);
@@ -56,7 +52,7 @@ class Sharing {
       if (shares[a] < shares[b]) std::swap(a, b);  // a single asker is a
       if (shares[a] && shares[b] && reach_[a].sharers < reach_[b].sharers) std::swap(a, b);
       for (const NodeId asker : {b, a}) {  // the smaller part goes first
-        if (!shares[asker] || fits(shares, a, b, limits)) continue;
+        if (!shares[asker] || fits(shares, a, b, is_limited)) continue;
         shares[asker] = 0;
         changed = true;
       }
@@ -74,13 +70,12 @@ class Sharing {
     return {std::min(a.low, b.low), std::max(a.high, b.high), a.sharers + b.sharers + 1,
             a.weight + b.weight, std::max(a.heaviest, b.heaviest)};
   }
-  bool fits(const LongVector<std::uint8_t>& shares, NodeId a, NodeId b,
-            const Limits& limits) const {
+  bool fits(const LongVector<std::uint8_t>& shares, NodeId a, NodeId b, bool is_limited) const {
     const RowReach pa = part(shares, a);
     const RowReach pb = part(shares, b);
     const RowReach both = united(pa, pb);
-    return !pa.meets(pb) && both.sharers <= limits.sharers &&
-           both.weight - both.heaviest <= limits.light_weight;
+    return !pa.meets(pb) && (!is_limited || (both.sharers <= kMostSharers &&
+                                             both.weight - both.heaviest <= kMostLightWeight));
   }
 
   /// SPLITs in the tree of every SPLIT that stands above a SPLIT, 0 for all others.
@@ -174,7 +169,7 @@ LongVector<std::uint8_t> sharers(const View& view) {
 void share_rows(Flow& flow, bool columns, const Values& cross) {
   const View view(flow, columns);
   LongVector<std::uint8_t> shares = find_askers(view);
-  Sharing(view, cross).undo_conflicts(shares, kLimits);
+  Sharing(view, cross).undo_conflicts(shares, true);
   set_owners(flow, view, shares);
   if (part_neighbours_of_merges(view, shares)) set_owners(flow, view, shares);
 }
@@ -184,7 +179,7 @@ void share_rows(Flow& flow, bool columns, const Values& cross) {
 void separate_rows(Flow& flow, bool columns, const Values& cross, LongVector<NodeId>& list) {
   const View view(flow, columns);
   LongVector<std::uint8_t> shares = sharers(view);
-  if (!Sharing(view, cross).undo_conflicts(shares, kNoLimits)) return;
+  if (!Sharing(view, cross).undo_conflicts(shares, false)) return;
   const LongVector<NodeId> before = owners_of(flow, columns);
   set_owners(flow, view, shares);
   LongVector<NodeId> added(view.size(), kNone);  // a linked list behind every entry
@@ -221,7 +216,7 @@ Values guess_rows(const Flow& flow, bool columns) {
 
 bool shared_rows_are_plane(const View& view, const Values& cross) {
   LongVector<std::uint8_t> shares = sharers(view);
-  return !Sharing(view, cross).undo_conflicts(shares, kNoLimits);
+  return !Sharing(view, cross).undo_conflicts(shares, false);
 }
 
 Lists build_lists(Flow& flow, const ListOptions& options) {

@@ -34,11 +34,11 @@ void LongBends::add_upper(RelativeBend bend) {
   ++coded_[1];
 }
 
-Ray ray_of(const Flow& flow, const Layout& layout, const LongEdge& edge) {
+FlatPoint ray_of(const Flow& flow, const Layout& layout, const LongEdge& edge) {
   const NodeType lower = flow.types[0][edge.lower];
   const NodeType upper = flow.types[0][edge.upper];
   const auto at = [&](NodeId column, NodeId row) {
-    return Ray{layout.columns[column], layout.rows[row]};
+    return FlatPoint{layout.columns[column], layout.rows[row]};
   };
   if (lower == NodeType::merge || lower == NodeType::station) return at(edge.lower, edge.lower);
   if (upper == NodeType::split || upper == NodeType::station) return at(edge.upper, edge.upper);

@@ -57,12 +57,14 @@ struct Slabs {
 
 Slabs draw_slabs(const Flow& flow, const Layout& layout);
 
-/// Where a long edge is vertical: (x, y) of the piece between its lower and its upper bends.
-struct Ray {
-  std::int64_t x = 0;
-  std::int64_t y = 0;
+/// A point as seen from above; rows and columns are below kMaxHorizontal.
+struct FlatPoint {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
 };
-Ray ray_of(const Flow& flow, const Layout& layout, const LongEdge& edge);
+
+/// Where a long edge is vertical, between its lower and its upper bends.
+FlatPoint ray_of(const Flow& flow, const Layout& layout, const LongEdge& edge);
 
 /// Everything found out about one component, ready to be drawn.
 struct Component {

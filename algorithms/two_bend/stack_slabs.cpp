@@ -48,10 +48,6 @@ class Writer {
   }
 
  private:
-  struct FlatPoint {
-    std::int32_t x = 0;
-    std::int32_t y = 0;
-  };
   /// Rows and columns are below kMaxHorizontal, and so is what is found from them.
   static FlatPoint flat(std::int64_t x, std::int64_t y) {
     constexpr std::int64_t kMost = std::numeric_limits<std::int32_t>::max();
@@ -97,9 +93,9 @@ class Writer {
       const bool starts = type(edge.lower) == NodeType::start;
       const bool ends = type(edge.upper) == NodeType::end;
       if (!starts && !ends) continue;
-      const Ray ray = ray_of(in_.flow, in_.layout, edge);
-      if (starts) xy_[place_of(edge.lower)] = flat(ray.x, ray.y);
-      if (ends) xy_[place_of(edge.upper)] = flat(ray.x, ray.y);
+      const FlatPoint ray = ray_of(in_.flow, in_.layout, edge);
+      if (starts) xy_[place_of(edge.lower)] = ray;
+      if (ends) xy_[place_of(edge.upper)] = ray;
       if (stands_free(edge.lower)) on_bend_[edge.lower] = bend_under(e, 0);
       if (stands_free(edge.upper)) on_bend_[edge.upper] = bend_under(e, standing(e) - 1);
     }
@@ -200,7 +196,7 @@ class Writer {
   /// chain's last input edge. All other PASS vertices stand on the ray between.
   void write_chain(LongId e, const std::array<Point, 2>& points) {
     const LongEdge& edge = in_.flow.edges[e];
-    const Ray ray = ray_of(in_.flow, in_.layout, edge);
+    const FlatPoint ray = ray_of(in_.flow, in_.layout, edge);
     std::size_t k = 0;
     std::size_t used = 0;
     const auto stand_on_bend = [&](std::uint32_t i) {
@@ -212,7 +208,7 @@ class Writer {
     std::uint32_t i = edge.first;
     EdgeId id = edge.first_edge;
     for (const std::uint32_t top = place_of(edge.upper); i != top;) {
-      if (!stand_on_bend(i)) xy_[i] = flat(ray.x, ray.y);
+      if (!stand_on_bend(i)) xy_[i] = ray;
       output_.set_bends(id, {});
       const Vertex v = in_.order.list[i];
       const std::size_t other = in_.graph.edges[v][0] == id ? 1 : 0;

@@ -159,31 +159,26 @@ std::int64_t height_of(const Slabs& slabs) {
   return height;
 }
 
-/// What a component has: vertices in all, in the time order, and Q bodies.
-struct ComponentSize {
-  std::size_t vertices = 0;
-  std::size_t places = 0;
-  std::size_t bodies = 0;
-};
-
 /// True if the ordinary rounds kept the smaller box that they are held to (Lemma 2.18). Bends and Q
 /// bodies may reach beyond the outermost rows and columns; this allows for as much as they can.
-bool keeps_box(const Attempt& attempt, const ComponentSize& size) {
+/// @param n  vertices. @param places  vertices in the time order. @param bodies  Q bodies.
+bool keeps_box(const Attempt& attempt, std::size_t n, std::size_t places, std::size_t bodies) {
   const std::int64_t edge = 2 * (attempt.layout.largest_gap + kQHalfWidth) + 1;
   const auto passes_and_bodies =
-      static_cast<std::int64_t>(size.places) + kQHeight * static_cast<std::int64_t>(size.bodies);
-  return kOrdinaryBox[0].holds(width_of(attempt.layout.columns) + edge, size.vertices) &&
-         kOrdinaryBox[1].holds(width_of(attempt.layout.rows) + edge, size.vertices) &&
-         kOrdinaryBox[2].holds(height_of(attempt.slabs) + passes_and_bodies, size.vertices);
+      static_cast<std::int64_t>(places) + kQHeight * static_cast<std::int64_t>(bodies);
+  return kOrdinaryBox[0].holds(width_of(attempt.layout.columns) + edge, n) &&
+         kOrdinaryBox[1].holds(width_of(attempt.layout.rows) + edge, n) &&
+         kOrdinaryBox[2].holds(height_of(attempt.slabs) + passes_and_bodies, n);
 }
 
 /// @param make_flow  gives the flow anew: an attempt changes it, and a copy for the case that the
 /// first one fails would take 72 bytes per vertex of every drawing.
-template <class MakeFlow>
-Attempt find_attempt(MakeFlow make_flow, const Options& options, const ComponentSize& size) {
+/// @param is_small  whether an attempt keeps the smaller box.
+template <class MakeFlow, class IsSmall>
+Attempt find_attempt(MakeFlow make_flow, const Options& options, IsSmall is_small) {
   if (options.force_safe_layout) return lay_out_safely(make_flow());
   std::optional<Attempt> ordinary = lay_out(make_flow(), options.effort);
-  if (ordinary && keeps_box(*ordinary, size)) return *std::move(ordinary);
+  if (ordinary && is_small(*ordinary)) return *std::move(ordinary);
   ordinary.reset();
   return lay_out_safely(make_flow());
 }
@@ -212,8 +207,11 @@ void draw_component(LocalGraph& graph, const Options& options, Output& output,
   const TimeOrder order = find_time_order(graph, blocks);
   expect_heavy([&] { return is_time_order(graph, order); },
                "sources and sinks of the time order have the neighbours they need");
-  const Attempt found = find_attempt([&] { return build_flow(graph, blocks, order); }, options,
-                                     {graph.size(), order.list.size(), bodies.size()});
+  const Attempt found =
+      find_attempt([&] { return build_flow(graph, blocks, order); }, options,
+                   [&](const Attempt& attempt) {
+                     return keeps_box(attempt, graph.size(), order.list.size(), bodies.size());
+                   });
   stack_slabs({graph, order, found.flow, found.layout, found.slabs, bodies}, output);
   census.add(found.flow, found.layout, order.list.size(), bodies.size());
 }
@@ -238,27 +236,23 @@ Drawing draw(const Graph& graph, const Options& options) {
   return drawing;
 }
 
-}  // namespace ar3d::two_bend
-
-namespace ar3d {
-
-Algorithm two_bend::row() {
-  Guarantee guarantee;
-  guarantee.max_degree = 3;
-  guarantee.max_bends = 2;
-  guarantee.angle_rule = AngleRule::at_least;
-  guarantee.cosine = {-1, 2};
-  guarantee.lattice = kTallLattice;
-  guarantee.bound = {"proved here", "docs/theorem2.md", two_bend::kBox};
-  return {"two-bend",
+Algorithm row() {
+  return {
+      .name = "two-bend",
+      .summary =
           "degree at most 3, at most 2 bends per edge, angles of at least 120 degrees, in a box of "
           "O(n) x O(n) x O(n^2)",
-          "Theorem 2",
-          guarantee,
-          {effort_option(two_bend::kHighestEffort, "0: plain; 1: edges share rows and columns")},
-          [](const Graph& graph, const Settings& values) {
-            return two_bend::draw(graph, {.effort = static_cast<int>(value_of(values, "effort"))});
-          }};
+      .source = "Theorem 2",
+      .guarantee = {.max_degree = 3,
+                    .max_bends = 2,
+                    .angle_rule = AngleRule::at_least,
+                    .cosine = {-1, 2},
+                    .lattice = kTallLattice,
+                    .directions = {},
+                    .bound = {"proved here", "docs/theorem2.md", kBox},
+                    .published = {}},
+      .options = {effort_option(kHighestEffort, "0: plain; 1: edges share rows and columns")},
+      .draw = draw_with_effort<draw>};
 }
 
-}  // namespace ar3d
+}  // namespace ar3d::two_bend

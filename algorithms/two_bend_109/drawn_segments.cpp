@@ -54,6 +54,8 @@ bool is_fraction(Int128 part, Int128 whole) {
 
 }  // namespace
 
+bool are_parallel(Vector u, Vector v) { return is_zero(cross(u, v)); }
+
 bool meet(const LatticeSegment& a, const LatticeSegment& b) {
   if (!overlap(a.from.x, a.to.x, b.from.x, b.to.x) ||
       !overlap(a.from.y, a.to.y, b.from.y, b.to.y) ||
@@ -104,21 +106,16 @@ bool PlainSegments::meets_any(const Query& query) const {
 
 namespace {
 
-/// The line through a segment: direction u and moment p x u, rounded.
-struct RoundedLine {
-  std::array<float, 3> direction;
-  std::array<float, 3> moment;
-};
-
-RoundedLine rounded_line(const LatticeSegment& segment) {
+/// The line through a segment, rounded: direction u and moment p x u.
+std::array<float, 6> rounded_line(const LatticeSegment& segment) {
   const Point p = segment.from;
   const Vector u = segment.to - p;
   // Moments, below 2^123, are scaled so that products with directions, below 2^62, fit a float.
   const auto moment = [](std::int64_t a, std::int64_t v, std::int64_t b, std::int64_t w) {
     return static_cast<float>(static_cast<double>(Int128{a} * v - Int128{b} * w) * 0x1p-60);
   };
-  return {{static_cast<float>(u.x), static_cast<float>(u.y), static_cast<float>(u.z)},
-          {moment(p.y, u.z, p.z, u.y), moment(p.z, u.x, p.x, u.z), moment(p.x, u.y, p.y, u.x)}};
+  return {static_cast<float>(u.x),    static_cast<float>(u.y),    static_cast<float>(u.z),
+          moment(p.y, u.z, p.z, u.y), moment(p.z, u.x, p.x, u.z), moment(p.x, u.y, p.y, u.x)};
 }
 
 /// Two lines meet only if u1 m2 + u2 m1 = 0 for their directions u and moments m. Of the others
@@ -210,11 +207,8 @@ void DrawnSegments::add_star(const VertexStubs& star) {
 
 void DrawnSegments::add_line(const LatticeSegment& segment) {
   lines_.push_back(segment);
-  const RoundedLine line = rounded_line(segment);
-  for (std::size_t k = 0; k < 3; ++k) {
-    of_line_[k].push_back(line.direction[k]);
-    of_line_[3 + k].push_back(line.moment[k]);
-  }
+  const std::array<float, 6> line = rounded_line(segment);
+  for (std::size_t k = 0; k < 6; ++k) of_line_[k].push_back(line[k]);
 }
 
 bool DrawnSegments::meets_any(const Query& query) const {
@@ -240,13 +234,12 @@ bool DrawnSegments::meets_star(const Query& query) const {
 }
 
 bool DrawnSegments::meets_line(const Query& query) const {
-  const RoundedLine line = rounded_line(query.segment);
+  const std::array<float, 6> line = rounded_line(query.segment);
   MayBeCoplanar filter{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    filter.factor[k] = line.moment[k];
-    filter.factor[3 + k] = line.direction[k];
+  for (std::size_t k = 0; k < 6; ++k) {
+    filter.factor[k] = line[(k + 3) % 6];  // moments meet directions
+    filter.others[k] = of_line_[k].data();
   }
-  for (std::size_t k = 0; k < 6; ++k) filter.others[k] = of_line_[k].data();
   return any_in_doubt(filter, query.since.lines, lines_.size(),
                       [&](std::size_t i) { return meet(query.segment, lines_[i]); });
 }

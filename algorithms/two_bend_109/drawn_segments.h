@@ -18,6 +18,9 @@ struct LatticeSegment {
 /// to 2^61 in absolute value.
 bool meet(const LatticeSegment& a, const LatticeSegment& b);
 
+/// Components below 2^62 in absolute value.
+bool are_parallel(Vector u, Vector v);
+
 /// A vertex with its four stubs.
 struct VertexStubs {
   Point at;

@@ -17,15 +17,6 @@
 namespace ar3d::two_bend_109 {
 namespace {
 
-__extension__ using Int128 = __int128;
-
-std::array<Int128, 3> cross(Vector u, Vector v) {
-  return {Int128{u.y} * v.z - Int128{u.z} * v.y, Int128{u.z} * v.x - Int128{u.x} * v.z,
-          Int128{u.x} * v.y - Int128{u.y} * v.x};
-}
-
-bool are_parallel(Vector u, Vector v) { return cross(u, v) == std::array<Int128, 3>{}; }
-
 /// Whether an edge that leaves its vertex along `stub` may go on along `ahead`.
 bool may_turn(Vector stub, Vector ahead) {
   const auto dot = [](Vector a, Vector b) {
@@ -48,12 +39,6 @@ struct NewEdge {
   std::uint8_t port;        ///< which stub of the new vertex it takes
 };
 
-/// The end of a body's leg, and the bend that will be joined to it.
-struct LegEnd {
-  Point end;
-  Point from;
-};
-
 /// @tparam DrawnSet  DrawnSegments or PlainSegments
 template <class DrawnSet>
 class VertexPlacer {
@@ -67,7 +52,7 @@ class VertexPlacer {
         seed_(seed),
         drawn_at_(graph.num_vertices()),
         is_placed_(graph.num_vertices()),
-        leg_ends_(parts.size()) {
+        legs_(parts.size()) {
     made_.at.resize(graph.num_vertices());
     made_.ends.resize(graph.num_vertices());
   }
@@ -170,8 +155,8 @@ class VertexPlacer {
     for (std::size_t i = 0; i < incident.size(); ++i) {
       const std::optional<Point> end = leg_end(incident[i].to);
       if (!end) continue;
-      for (const LegEnd& other : leg_ends_[arrangement_.part[incident[i].to]]) {
-        if (are_parallel(made_.ends[v][i] - other.from, *end - other.end)) return false;
+      for (const LatticeSegment& other : legs_[arrangement_.part[incident[i].to]]) {
+        if (are_parallel(made_.ends[v][i] - other.from, *end - other.to)) return false;
       }
     }
     return true;
@@ -196,7 +181,7 @@ class VertexPlacer {
     const auto incident = graph_.incident(v);
     for (std::size_t i = 0; i < incident.size(); ++i) {
       const std::optional<Point> end = leg_end(incident[i].to);
-      if (end) leg_ends_[arrangement_.part[incident[i].to]].push_back({*end, made_.ends[v][i]});
+      if (end) legs_[arrangement_.part[incident[i].to]].push_back({made_.ends[v][i], *end});
     }
   }
 
@@ -284,9 +269,11 @@ class VertexPlacer {
   std::uint64_t seed_;
   Placement made_;
   DrawnSet drawn_;
-  std::vector<DrawnCount> drawn_at_;           ///< of each placed vertex: what was drawn before it
-  std::vector<bool> is_placed_;                ///< vertices that are not in bodies
-  std::vector<std::vector<LegEnd>> leg_ends_;  ///< of each body: those whose lower vertex is placed
+  std::vector<DrawnCount> drawn_at_;  ///< of each placed vertex: what was drawn before it
+  std::vector<bool> is_placed_;       ///< vertices that are not in bodies
+  /// Of each body: the bend that will be joined to it and the end of its leg, in the body's
+  /// coordinates, for those whose lower vertex is placed.
+  std::vector<std::vector<LatticeSegment>> legs_;
 };
 
 }  // namespace

@@ -199,29 +199,27 @@ Drawing draw(const Graph& graph, const Options& options) {
 }
 
 Algorithm row() {
-  Guarantee guarantee;
-  guarantee.max_degree = 4;
-  guarantee.max_bends = 2;
-  guarantee.angle_rule = AngleRule::at_least;
-  guarantee.cosine = {-1, 3};
-  guarantee.lattice = kAxisLattice;
-  guarantee.bound = {"proved here",
-                     "docs/two-bend-109.md",
-                     {quadratic(640) + 220000, linear(240) + 38000, cubic(5000) + 220000000}};
-  Algorithm row;
-  row.name = "two-bend-109";
-  row.summary =
-      "degree at most 4, at most 2 bends per edge, angles of at least 109.47 degrees, in a box of "
-      "O(n^2) x O(n) x O(n^3)";
-  row.source = "the paper's second open question";
-  row.guarantee = guarantee;
-  row.options = {effort_option(
-      kHighestEffort,
-      "0: the scale of the size bound's proof; 1: the smallest of ever larger ones that does")};
-  row.draw = [](const Graph& graph, const Settings& values) {
-    return draw(graph, {.effort = static_cast<int>(value_of(values, "effort"))});
-  };
-  return row;
+  return {
+      .name = "two-bend-109",
+      .summary =
+          "degree at most 4, at most 2 bends per edge, angles of at least 109.47 degrees, in a box "
+          "of O(n^2) x O(n) x O(n^3)",
+      .source = "the paper's second open question",
+      .guarantee = {.max_degree = 4,
+                    .max_bends = 2,
+                    .angle_rule = AngleRule::at_least,
+                    .cosine = {-1, 3},
+                    .lattice = kAxisLattice,
+                    .directions = {},
+                    .bound = {"proved here",
+                              "docs/two-bend-109.md",
+                              {quadratic(640) + 220000, linear(240) + 38000,
+                               cubic(5000) + 220000000}},
+                    .published = {}},
+      .options = {effort_option(
+          kHighestEffort,
+          "0: the scale of the size bound's proof; 1: the smallest of ever larger ones that does")},
+      .draw = draw_with_effort<draw>};
 }
 
 }  // namespace ar3d::two_bend_109

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ar3d/algorithms/two_bend_paper/stacking.h"
 
@@ -22,49 +23,38 @@ double distance_to_segment(const Point3& p, const Point3& a, const Point3& b) {
   return std::sqrt(dot(apart, apart));
 }
 
-class Clearances {
- public:
-  Clearances(const ContractedGraph& graph, const NodePoints<double>& points)
-      : graph_(graph), points_(points) {}
-
-  /// Of a node from the edges of its component.
-  double of(Node node, const std::vector<EdgeId>& edges) const {
-    double least = 1;
-    for (const EdgeId edge : edges) {
-      const auto [from, to] = graph_.ends[edge];
-      Point3 a = points_.of_node[from];
-      const auto& bends = points_.bends[edge];
-      for (std::size_t i = 0; i <= bends.size(); ++i) {
-        const Point3 b = i < bends.size() ? bends[i] : points_.of_node[to];
-        const bool is_first = (i == 0 && from == node) || (i == bends.size() && to == node);
-        const Point3 d = b - a;
-        least = std::min(least, is_first ? std::sqrt(dot(d, d))
-                                         : distance_to_segment(points_.of_node[node], a, b));
-        a = b;
-      }
+/// The least of 1, the lengths of the node's own first pieces and its distance from every other
+/// segment of its component.
+double clearance_of(Node node, const std::vector<EdgeId>& edges, const ContractedGraph& graph,
+                    const NodePoints<double>& points) {
+  double least = 1;
+  for (const EdgeId edge : edges) {
+    const auto [from, to] = graph.ends[edge];
+    Point3 a = points.of_node[from];
+    const auto& bends = points.bends[edge];
+    for (std::size_t i = 0; i <= bends.size(); ++i) {
+      const Point3 b = i < bends.size() ? bends[i] : points.of_node[to];
+      const bool is_first = (i == 0 && from == node) || (i == bends.size() && to == node);
+      const Point3 d = b - a;
+      least = std::min(
+          least, is_first ? std::sqrt(dot(d, d)) : distance_to_segment(points.of_node[node], a, b));
+      a = b;
     }
-    return least;
   }
+  return least;
+}
 
- private:
-  const ContractedGraph& graph_;
-  const NodePoints<double>& points_;
-};
-
-struct PlacedNode {
-  Node node;
-  bool is_straight;
-};
-
-std::vector<PlacedNode> nodes_of(const ContractedGraph& graph, const Component& component) {
-  std::vector<PlacedNode> nodes;
+/// The nodes of a component, and whether the two edges of each leave it at 180 degrees.
+std::vector<std::pair<Node, bool>> nodes_of(const ContractedGraph& graph,
+                                            const Component& component) {
+  std::vector<std::pair<Node, bool>> nodes;
   if (component.k4) {
-    for (const Node node : *component.k4) nodes.push_back({node, false});
+    for (const Node node : *component.k4) nodes.emplace_back(node, false);
   }
   for (const Step& step : component.steps) {
     const bool is_pass = step.kind == StepKind::pass && graph.stars[step.node].degree == 2;
-    if (step.kind != StepKind::cycle) nodes.push_back({step.node, is_pass});
-    for (const CycleVertex& vertex : step.cycle) nodes.push_back({vertex.node, false});
+    if (step.kind != StepKind::cycle) nodes.emplace_back(step.node, is_pass);
+    for (const CycleVertex& vertex : step.cycle) nodes.emplace_back(vertex.node, false);
   }
   return nodes;
 }
@@ -76,10 +66,9 @@ std::vector<Room> top_rooms(const ContractedGraph& graph,
   std::vector<Room> rooms(graph.contractions.size());
   if (rooms.empty()) return rooms;
   const NodePoints<double> points = stack<double>(graph, components, num_edges);
-  const Clearances clearances(graph, points);
   const auto inputs = graph.num_nodes() - static_cast<Node>(rooms.size());
   for (const PlacedComponent& placed : components) {
-    const std::vector<PlacedNode> nodes = nodes_of(graph, placed.component);
+    const std::vector<std::pair<Node, bool>> nodes = nodes_of(graph, placed.component);
     std::vector<EdgeId> edges;
     for (const auto& [node, is_straight] : nodes) {
       for (const Incidence incidence : graph.stars[node]) {
@@ -88,7 +77,7 @@ std::vector<Room> top_rooms(const ContractedGraph& graph,
     }
     for (const auto& [node, is_straight] : nodes) {
       if (node < inputs) continue;
-      const double third = clearances.of(node, edges) / 3;
+      const double third = clearance_of(node, edges, graph, points) / 3;
       rooms[node - inputs] = {std::exp2(std::floor(std::log2(third))), is_straight};
     }
   }

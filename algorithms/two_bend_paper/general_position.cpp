@@ -68,7 +68,6 @@ namespace {
 
 constexpr std::size_t kLongCycle = 16;  // from here on the staircase bends by itself
 constexpr double kSlowestBend = 64;
-constexpr unsigned kFinestGrowth = 8;  // candidates grow 2^round-fold up to this round
 
 class PolygonBuilder {
  public:

@@ -26,6 +26,8 @@ double position_quality(Foot place, const std::vector<Foot>& feet);
 
 /// Candidates are tried in rounds; in round r the demanded quality is 2^-r.
 inline constexpr unsigned kRounds = 24;
+/// Up to this round twice as many candidates are tried as in the round before.
+inline constexpr unsigned kFinestGrowth = 8;
 
 /// Whether a place has the quality demanded in a round.
 bool is_good(Foot place, const std::vector<Foot>& feet, unsigned round);

@@ -14,9 +14,8 @@
 namespace ar3d::two_bend_paper {
 namespace {
 
-constexpr double kGap = 2;             // between components
-constexpr double kWidthOfK4 = 10;      // of its table
-constexpr unsigned kFinestGrowth = 8;  // candidates grow 2^round-fold up to this round
+constexpr double kGap = 2;         // between components
+constexpr double kWidthOfK4 = 10;  // of its table
 
 double cross(Foot a, Foot b) { return a.x * b.y - a.y * b.x; }
 double dot(Foot a, Foot b) { return a.x * b.x + a.y * b.y; }

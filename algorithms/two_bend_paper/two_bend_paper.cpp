@@ -164,22 +164,24 @@ Drawing draw(const Graph& graph, const Options& options) {
 }
 
 Algorithm row() {
-  Guarantee guarantee;
-  guarantee.claim = Claim::measured;
-  guarantee.max_degree = 3;
-  guarantee.max_bends = 2;
-  guarantee.angle_rule = AngleRule::at_least;
-  guarantee.cosine = {-1, 2};
-  guarantee.lattice = kCubeLattice;
-  guarantee.bound = {"none", "docs/theorem2-paper.md", {linear(0), linear(0), linear(0)}};
   return {
-      "two-bend-paper",
-      "Section 3 as the paper builds it, in real arithmetic: what rounding makes of it is measured",
-      "Theorem 2",
-      guarantee,
-      {{"type", 0, kRealTypes - 1, static_cast<std::int64_t>(RealType::double_precision),
-        "0: float; 1: double; 2: long double; 3: binary128; 4: reference, 237 bits"}},
-      [](const Graph& graph, const Settings& values) {
+      .name = "two-bend-paper",
+      .summary =
+          "Section 3 as the paper builds it, in real arithmetic: what rounding makes of it is "
+          "measured",
+      .source = "Theorem 2",
+      .guarantee = {.claim = Claim::measured,
+                    .max_degree = 3,
+                    .max_bends = 2,
+                    .angle_rule = AngleRule::at_least,
+                    .cosine = {-1, 2},
+                    .lattice = kCubeLattice,
+                    .directions = {},
+                    .bound = {"none", "docs/theorem2-paper.md", {linear(0), linear(0), linear(0)}},
+                    .published = {}},
+      .options = {{"type", 0, kRealTypes - 1, static_cast<std::int64_t>(RealType::double_precision),
+                   "0: float; 1: double; 2: long double; 3: binary128; 4: reference, 237 bits"}},
+      .draw = [](const Graph& graph, const Settings& values) {
         const std::int64_t type = value_of(values, "type");
         if (type < 0 || type >= kRealTypes) {
           throw InputError(fmt::format("two-bend-paper has no type {}, its types are 0 to {}", type,

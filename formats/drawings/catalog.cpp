@@ -146,7 +146,8 @@ std::vector<DrawingFormat> catalogue() {
 }
 
 OpenTable<DrawingFormat>& table() {
-  static OpenTable<DrawingFormat> rows("drawing format", catalogue());
+  static OpenTable<DrawingFormat> rows(
+      "drawing format", catalogue(), [](const DrawingFormat& row) { return row.write != nullptr; });
   return rows;
 }
 
@@ -154,10 +155,7 @@ OpenTable<DrawingFormat>& table() {
 
 const std::vector<DrawingFormat>& drawing_formats() { return table().rows(); }
 
-void register_drawing_format(DrawingFormat row) {
-  const bool is_whole = row.write != nullptr;
-  table().add(std::move(row), is_whole);
-}
+void register_drawing_format(DrawingFormat row) { table().add(std::move(row)); }
 
 DrawingWriter one_drawing_per_file(
     std::string_view format,

@@ -12,7 +12,7 @@
 // A graph of too large a degree is refused by the first such vertex and its degree, by every way
 // in.
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
@@ -47,4 +47,4 @@ TEST(DegreeLimit, NamesTheFirstVertexAndItsDegree) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

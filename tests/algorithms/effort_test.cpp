@@ -8,7 +8,7 @@
 #include "ar3d/base/error.h"
 #include "support/graphs.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 TEST(Effort, IsTheOptionOfEveryProvedAlgorithmWithOneDefault) {
@@ -26,7 +26,7 @@ TEST(Effort, IsTheOptionOfEveryProvedAlgorithmWithOneDefault) {
 TEST(Effort, OutsideTheScaleIsRefusedByName) {
   for (const Algorithm* row : proved_algorithms()) {
     const Algorithm& algorithm = *row;
-    const Graph graph = testing::path(3);
+    const Graph graph = path(3);
     for (const std::int64_t effort : {std::int64_t{-1}, algorithm.options[0].high + 1}) {
       EXPECT_THROW(draw(algorithm, graph, {{"effort", effort}}), InputError) << algorithm.name;
       EXPECT_THROW(algorithm.draw(graph, {{"effort", effort}}), InputError)
@@ -38,4 +38,4 @@ TEST(Effort, OutsideTheScaleIsRefusedByName) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

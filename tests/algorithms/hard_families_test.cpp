@@ -18,7 +18,7 @@
 #include "ar3d/base/error.h"
 #include "ar3d/generators/catalog.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 Graph member(const std::string& family, std::uint64_t n, bool shuffled) {
@@ -69,7 +69,7 @@ class HardFamilies : public ::testing::TestWithParam<std::pair<std::uint64_t, bo
  protected:
   Graph member(const std::string& family) const {
     const auto [n, shuffled] = GetParam();
-    return ar3d::member(family, n, shuffled);
+    return testing::member(family, n, shuffled);
   }
 };
 
@@ -165,4 +165,4 @@ INSTANTIATE_TEST_SUITE_P(Sizes, HardFamilies,
                          });
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -12,10 +12,8 @@
 #include "support/graphs.h"
 #include "support/names.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::two_bend_109_fault;
 
 /// How many there are of each size: 18,745 in all.
 constexpr std::array<std::size_t, 10> kGraphs = {0, 1, 2, 4, 11, 34, 122, 510, 2590, 15471};
@@ -23,7 +21,7 @@ constexpr std::array<std::size_t, 10> kGraphs = {0, 1, 2, 4, 11, 34, 122, 510, 2
 class TwoBend109SmallGraphs : public ::testing::TestWithParam<int> {};
 
 TEST_P(TwoBend109SmallGraphs, AreCertifiedAtBothEfforts) {
-  const std::vector<Graph> graphs = testing::geng(fmt::format("-D4 {}", GetParam()));
+  const std::vector<Graph> graphs = geng(fmt::format("-D4 {}", GetParam()));
   ASSERT_EQ(graphs.size(), kGraphs[static_cast<std::size_t>(GetParam())]);
   for (const Graph& graph : graphs) {
     for (const int effort : {0, 1}) {
@@ -33,21 +31,21 @@ TEST_P(TwoBend109SmallGraphs, AreCertifiedAtBothEfforts) {
 }
 
 INSTANTIATE_TEST_SUITE_P(UpToNineVertices, TwoBend109SmallGraphs, ::testing::Range(1, 10),
-                         testing::named("n"));
+                         named("n"));
 
 class TwoBend109Regular : public ::testing::TestWithParam<int> {};
 
 TEST_P(TwoBend109Regular, AreCertifiedUnderThreeLabellings) {
   const std::map<int, std::size_t> counts = {{5, 1},  {6, 1},   {7, 2},    {8, 6},
                                              {9, 16}, {10, 59}, {11, 265}, {12, 1544}};
-  const std::vector<Graph> graphs = testing::geng(fmt::format("-c -d4 -D4 {}", GetParam()));
+  const std::vector<Graph> graphs = geng(fmt::format("-c -d4 -D4 {}", GetParam()));
   ASSERT_EQ(graphs.size(), counts.at(GetParam()));
   std::uint64_t seed = 0;
   for (const Graph& graph : graphs) {
     for (const int effort : {0, 1}) {
       ASSERT_EQ(two_bend_109_fault(graph, {.effort = effort}), "") << "effort " << effort;
       for (int relabelling = 0; relabelling < 2; ++relabelling) {
-        const Graph relabelled = testing::shuffled(graph, ++seed);
+        const Graph relabelled = shuffled(graph, ++seed);
         ASSERT_EQ(two_bend_109_fault(relabelled, {.effort = effort}), "") << "seed " << seed;
       }
     }
@@ -55,7 +53,7 @@ TEST_P(TwoBend109Regular, AreCertifiedUnderThreeLabellings) {
 }
 
 INSTANTIATE_TEST_SUITE_P(UpToTwelveVertices, TwoBend109Regular, ::testing::Range(5, 13),
-                         testing::named("n"));
+                         named("n"));
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -5,10 +5,8 @@
 #include "algorithms/two_bend_109_support.h"
 #include "ar3d/generators/catalog.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::two_bend_109_fault;
 
 TEST(TwoBend109Long, RandomRegularGraphsOfAHundredThousandVertices) {
   for (std::uint64_t seed = 1; seed <= 2; ++seed) {
@@ -29,4 +27,4 @@ TEST(TwoBend109Long, EveryFamilyWithTenThousandVertices) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -12,12 +12,8 @@
 #include "support/graphs.h"
 #include "support/names.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::complete;
-using testing::count_109;
-using testing::two_bend_109_fault;
 
 TEST(TwoBend109, DrawsCornerCasesAtBothEfforts) {
   const Graph point(1, {});
@@ -27,16 +23,16 @@ TEST(TwoBend109, DrawsCornerCasesAtBothEfforts) {
       Graph(300, {}),
       complete(2),
       Graph(5, {{2, 0}, {2, 1}, {2, 3}, {4, 2}}),
-      testing::cycle(3),
-      testing::cycle(4),
-      testing::cycle(300),
-      testing::path(300),
+      cycle(3),
+      cycle(4),
+      cycle(300),
+      path(300),
       complete(4),
       complete(5),
-      testing::octahedron(),
-      testing::petersen(),
-      testing::disjoint_union({point, complete(5), point, complete(2), complete(5)}),
-      testing::disjoint_union(std::vector<Graph>(40, complete(4))),
+      octahedron(),
+      petersen(),
+      disjoint_union({point, complete(5), point, complete(2), complete(5)}),
+      disjoint_union(std::vector<Graph>(40, complete(4))),
   };
   for (const Graph& graph : graphs) {
     for (const int effort : {0, 1}) {
@@ -55,10 +51,10 @@ TEST(TwoBend109, DrawsK5AsOneBody) {
 
 TEST(TwoBend109, RefusesDegreeFiveAndUnknownEfforts) {
   EXPECT_THROW(two_bend_109::draw(complete(6)), InputError);
-  EXPECT_THROW(two_bend_109::draw(testing::path(3), {.effort = 2}), InputError);
-  EXPECT_THROW(two_bend_109::draw(testing::path(3), {.effort = -1}), InputError);
+  EXPECT_THROW(two_bend_109::draw(path(3), {.effort = 2}), InputError);
+  EXPECT_THROW(two_bend_109::draw(path(3), {.effort = -1}), InputError);
   for (const std::int64_t jitter : {std::int64_t{0}, std::int64_t{12}, std::int64_t{1} << 31}) {
-    EXPECT_THROW(two_bend_109::draw(testing::path(3), {.first_jitter = jitter}), InputError);
+    EXPECT_THROW(two_bend_109::draw(path(3), {.first_jitter = jitter}), InputError);
   }
 }
 
@@ -81,7 +77,7 @@ TEST(TwoBend109, CoordinatesThatMayPassTheRangeAreRefusedWithTheVertexNamed) {
 // Behind 70,000 single vertices, so that the names are not those of the component.
 TEST(TwoBend109, DrawRefusesWithTheVertexOfTheWholeGraphNamed) {
   const Graph long_one = generate(find_family("ladder"), 60000, 1);
-  const Graph graph = testing::disjoint_union({Graph(70000, {}), long_one});
+  const Graph graph = disjoint_union({Graph(70000, {}), long_one});
   try {
     two_bend_109::draw(graph, {.first_jitter = std::int64_t{1} << 30});
     FAIL() << "its heights pass 2^60";
@@ -119,7 +115,7 @@ TEST(TwoBend109, TellsWhatItDid) {
 // One point for every vertex is not enough, and doubling the square helps.
 TEST(TwoBend109, WidensTheSquareWhenAVertexFindsNoPoint) {
   std::size_t widened = 0;
-  for (const Graph& graph : testing::geng("-c -D4 7")) {
+  for (const Graph& graph : geng("-c -D4 7")) {
     const Drawing drawing = two_bend_109::draw(graph, {.first_jitter = 1});
     if (count_109(drawing, "jitter") > 1) ++widened;
     ASSERT_EQ(two_bend_109_fault(graph, drawing), "");
@@ -153,7 +149,7 @@ TEST_P(TwoBend109Families, AreCertifiedAtBothEfforts) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, TwoBend109Families, ::testing::Values(5, 12, 40, 150, 600),
-                         testing::named("n"));
+                         named("n"));
 
 TEST(TwoBend109Random, RegularGraphsAreCertifiedAtBothEfforts) {
   for (const std::uint64_t n : {20u, 50u, 200u, 1000u, 4000u, 10000u}) {
@@ -168,4 +164,4 @@ TEST(TwoBend109Random, RegularGraphsAreCertifiedAtBothEfforts) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -4,10 +4,8 @@
 #include "algorithms/two_bend_support.h"
 #include "support/names.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::expect_certified;
 
 class TwoBendExhaustive : public ::testing::TestWithParam<int> {};
 
@@ -15,16 +13,16 @@ class TwoBendExhaustive : public ::testing::TestWithParam<int> {};
 TEST_P(TwoBendExhaustive, CertifiesEveryGraphOfMaximumDegree3) {
   const int n = GetParam();
   std::uint64_t seed = 0;
-  for (const Graph& graph : testing::geng(fmt::format("-D3 {}", n))) {
+  for (const Graph& graph : geng(fmt::format("-D3 {}", n))) {
     expect_certified(graph);
     expect_certified(graph, {.force_safe_layout = true});
-    for (int i = 0; i < 5; ++i) expect_certified(testing::shuffled(graph, ++seed));
+    for (int i = 0; i < 5; ++i) expect_certified(shuffled(graph, ++seed));
     expect_certified(graph, {.effort = 0});
     if (HasFailure()) break;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sizes, TwoBendExhaustive, ::testing::Range(1, 12), testing::named("n"));
+INSTANTIATE_TEST_SUITE_P(Sizes, TwoBendExhaustive, ::testing::Range(1, 12), named("n"));
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -11,17 +11,15 @@
 #include "algorithms/two_bend_support.h"
 #include "ar3d/generators/catalog.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::expect_certified;
 
 TEST(TwoBendLong, EveryGraphOfMaximumDegree3With12And13Vertices) {
   std::uint64_t seed = 0;
   for (const char* arguments : {"-D3 12", "-D3 13"}) {
-    for (const Graph& graph : testing::geng(arguments)) {
+    for (const Graph& graph : geng(arguments)) {
       expect_certified(graph);
-      expect_certified(testing::shuffled(graph, ++seed));
+      expect_certified(shuffled(graph, ++seed));
       if (HasFailure()) return;
     }
   }
@@ -31,10 +29,10 @@ TEST(TwoBendLong, EveryGraphOfMaximumDegree3With12And13Vertices) {
 TEST(TwoBendLong, EveryConnectedCubicGraphUpTo18Vertices) {
   std::uint64_t seed = 0;
   for (int n = 4; n <= 18; n += 2) {
-    for (const Graph& graph : testing::geng(fmt::format("-c -d3 -D3 {}", n))) {
+    for (const Graph& graph : geng(fmt::format("-c -d3 -D3 {}", n))) {
       const int relabellings = n <= 14 ? 40 : n == 16 ? 10 : 2;
       for (int i = 0; i < relabellings; ++i) {
-        const Graph other = testing::shuffled(graph, ++seed);
+        const Graph other = shuffled(graph, ++seed);
         expect_certified(other);
         if (n <= 16) expect_certified(other, {.force_safe_layout = true});
       }
@@ -46,7 +44,7 @@ TEST(TwoBendLong, EveryConnectedCubicGraphUpTo18Vertices) {
 TEST(TwoBendLong, RandomGraphsOfAllKinds) {
   for (std::uint64_t seed = 1; seed <= 60000; ++seed) {
     const Vertex n = seed % 100 == 0 ? 200 : seed % 10 == 0 ? 60 : 20;
-    const Graph graph = testing::shuffled(testing::random_graph_of_any_kind(n, seed), seed);
+    const Graph graph = shuffled(random_graph_of_any_kind(n, seed), seed);
     expect_certified(graph);
     if (seed % 4 == 0) expect_certified(graph, {.force_safe_layout = true});
     if (HasFailure()) return;
@@ -75,7 +73,7 @@ TEST(TwoBendLong, EveryFamilyWith10000VerticesAgreesWithTheOracle) {
   inputs.emplace_back("nested triangles", nested_triangles(5000));
   for (const Family& family : families()) {
     if (family.max_degree > 3) continue;
-    inputs.emplace_back(family.name, testing::shuffled(generate(family, 10000, 3), 4));
+    inputs.emplace_back(family.name, shuffled(generate(family, 10000, 3), 4));
   }
   const auto check = [&](std::size_t begin) {
     for (std::size_t i = begin; i < inputs.size(); i += 2) {
@@ -103,13 +101,13 @@ TEST(TwoBendLong, LargeGraphsAreCertifiedBySlabs) {
     SCOPED_TRACE(family.name);
     const Graph graph = generate(family, 100000, 1);
     if (graph.num_vertices() > 110000) continue;
-    expect_certified(testing::shuffled(graph, 2));
+    expect_certified(shuffled(graph, 2));
   }
   expect_certified(nested_triangles(100000));
   for (const char* name : {"random-cubic", "random-cubic-tree", "random-tree", "prism", "path",
                            "flower-snark", "true-sinks"}) {
     SCOPED_TRACE(name);
-    expect_certified(testing::shuffled(generate(find_family(name), 1000000, 1), 2));
+    expect_certified(shuffled(generate(find_family(name), 1000000, 1), 2));
   }
 }
 
@@ -120,10 +118,10 @@ TEST(TwoBendLong, EveryFamilyWithShuffledLabels) {
       SCOPED_TRACE(family.name);
       const Graph graph = generate(family, n, n);
       expect_certified(graph);
-      expect_certified(testing::shuffled(graph, n));
+      expect_certified(shuffled(graph, n));
     }
   }
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

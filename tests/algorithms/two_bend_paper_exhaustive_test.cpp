@@ -5,28 +5,24 @@
 #include "ar3d/generators/catalog.h"
 #include "support/names.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::Blown;
-using testing::expect_right_in_reference;
 
 class TwoBendPaperExhaustive : public ::testing::TestWithParam<int> {};
 
 TEST_P(TwoBendPaperExhaustive, EveryGraphOfMaximumDegree3) {
   std::uint64_t seed = 0;
-  for (const Graph& graph : testing::geng(fmt::format("-D3 {}", GetParam()))) {
+  for (const Graph& graph : geng(fmt::format("-D3 {}", GetParam()))) {
     expect_right_in_reference(graph);
-    expect_right_in_reference(testing::shuffled(graph, ++seed));
+    expect_right_in_reference(shuffled(graph, ++seed));
     if (HasFailure()) break;
   }
 }
-INSTANTIATE_TEST_SUITE_P(Sizes, TwoBendPaperExhaustive, ::testing::Range(1, 10),
-                         testing::named("n"));
+INSTANTIATE_TEST_SUITE_P(Sizes, TwoBendPaperExhaustive, ::testing::Range(1, 10), named("n"));
 
 TEST(TwoBendPaperExhaustive, ConnectedCubicGraphsUpTo14) {
   for (int n = 4; n <= 14; n += 2) {
-    for (const Graph& graph : testing::geng(fmt::format("-c -d3 -D3 {}", n))) {
+    for (const Graph& graph : geng(fmt::format("-c -d3 -D3 {}", n))) {
       expect_right_in_reference(graph);
       if (HasFailure()) return;
     }
@@ -62,4 +58,4 @@ TEST(TwoBendPaperExhaustive, LongCyclesPrismsAndManyComponents) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

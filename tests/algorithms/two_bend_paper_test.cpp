@@ -17,13 +17,9 @@
 #include "ar3d/verify/assessment/real_segments.h"
 #include "ar3d/verify/checks/examination.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
-using testing::Blown;
-using testing::expect_right_in_reference;
-using testing::heptagon_nest;
-using testing::hexagon_nest;
 using two_bend_paper::draw_real;
 using two_bend_paper::FigureKind;
 using two_bend_paper::RealType;
@@ -35,7 +31,7 @@ Graph made(const char* family, std::uint64_t n, std::uint64_t seed = 1) {
 
 TEST(TwoBendPaper, AllSmallGraphs) {
   for (int n = 1; n <= 7; ++n) {
-    for (const Graph& graph : testing::geng(fmt::format("-D3 {}", n))) {
+    for (const Graph& graph : geng(fmt::format("-D3 {}", n))) {
       expect_right_in_reference(graph);
       if (HasFailure()) return;
     }
@@ -46,9 +42,9 @@ TEST(TwoBendPaper, AllSmallGraphs) {
 TEST(TwoBendPaper, SmallConnectedCubicGraphsAsGivenAndRelabelled) {
   for (int n = 4; n <= 10; n += 2) {
     std::uint64_t seed = 0;
-    for (const Graph& graph : testing::geng(fmt::format("-c -d3 -D3 {}", n))) {
+    for (const Graph& graph : geng(fmt::format("-c -d3 -D3 {}", n))) {
       expect_right_in_reference(graph);
-      expect_right_in_reference(testing::shuffled(graph, ++seed));
+      expect_right_in_reference(shuffled(graph, ++seed));
     }
   }
 }
@@ -63,11 +59,11 @@ TEST(TwoBendPaper, EveryFamilyOfMaximumDegreeThree) {
 
 TEST(TwoBendPaper, NestsOfHexagonsAndHeptagons) {
   for (const int levels : {1, 2, 3, 10, 40, 79}) {
-    expect_right_in_reference(hexagon_nest(testing::complete(4), levels), "hexagons in K4");
+    expect_right_in_reference(hexagon_nest(complete(4), levels), "hexagons in K4");
   }
   for (const int levels : {1, 2, 3, 10, 30}) {
-    expect_right_in_reference(heptagon_nest(testing::cycle(5), levels), "heptagons in C5");
-    expect_right_in_reference(heptagon_nest(testing::path(3), levels), "heptagons in a path");
+    expect_right_in_reference(heptagon_nest(cycle(5), levels), "heptagons in C5");
+    expect_right_in_reference(heptagon_nest(path(3), levels), "heptagons in a path");
   }
 }
 
@@ -84,14 +80,14 @@ TEST(TwoBendPaper, RandomMixturesOfFigures) {
 TEST(TwoBendPaper, Unions) {
   std::vector<Graph> parts;
   for (int i = 0; i < 40; ++i) {
-    parts.push_back(testing::complete(4));
-    parts.push_back(testing::cycle(5));
-    parts.push_back(testing::path(1));
-    parts.push_back(testing::petersen());
-    parts.push_back(testing::path(3));
+    parts.push_back(complete(4));
+    parts.push_back(cycle(5));
+    parts.push_back(path(1));
+    parts.push_back(petersen());
+    parts.push_back(path(3));
   }
-  expect_right_in_reference(testing::disjoint_union(parts));
-  expect_right_in_reference(testing::shuffled(testing::disjoint_union(parts), 5));
+  expect_right_in_reference(disjoint_union(parts));
+  expect_right_in_reference(shuffled(disjoint_union(parts), 5));
 }
 
 TEST(TwoBendPaper, RandomCubicGraphs) {
@@ -126,8 +122,8 @@ double difference_of(const RealPoints& a, const RealPoints& b) {
 /// Another decision moves points by far more than rounding: all types draw the same.
 TEST(TwoBendPaper, AllTypesTakeTheSameDecisions) {
   std::vector<Graph> graphs = {made("random-cubic", 60), made("iterated-truncation", 100),
-                               made("cubic-tree", 60), hexagon_nest(testing::complete(4), 12),
-                               heptagon_nest(testing::cycle(5), 6)};
+                               made("cubic-tree", 60), hexagon_nest(complete(4), 12),
+                               heptagon_nest(cycle(5), 6)};
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     Blown blown(made("random-subcubic", 12, seed));
     RandomStream random(seed);
@@ -164,7 +160,7 @@ TEST(TwoBendPaper, ArithmeticRoundsOncePerOperation) {
 }
 
 TEST(TwoBendPaper, RefusesLargerDegrees) {
-  EXPECT_THROW(draw_real(testing::complete(5), RealType::reference), InputError);
+  EXPECT_THROW(draw_real(complete(5), RealType::reference), InputError);
 }
 
 TEST(TwoBendPaper, TheCatalogueRowIsMeasuredAndNeverProved) {
@@ -238,16 +234,16 @@ FigureKind only_figure(const Graph& graph) {
 }
 
 TEST(TwoBendPaperContraction, KnowsItsFigures) {
-  EXPECT_EQ(only_figure(testing::complete(3)), FigureKind::triangle);
+  EXPECT_EQ(only_figure(complete(3)), FigureKind::triangle);
   EXPECT_EQ(only_figure(Graph(4, {{0, 1}, {0, 2}, {1, 2}, {1, 3}, {2, 3}})), FigureKind::diamond);
   EXPECT_EQ(only_figure(Graph(5, {{0, 1}, {0, 2}, {1, 3}, {1, 4}, {2, 3}, {2, 4}, {3, 4}})),
             FigureKind::fat_leaf);
-  EXPECT_TRUE(two_bend_paper::contract(testing::complete(4)).contractions.empty());
+  EXPECT_TRUE(two_bend_paper::contract(complete(4)).contractions.empty());
 }
 
 TEST(TwoBendPaperGrowth, AddsAShortestCycle) {
-  const two_bend_paper::ContractedGraph petersen = two_bend_paper::contract(testing::petersen());
-  two_bend_paper::ShortestCycle cycles(petersen);
+  const two_bend_paper::ContractedGraph contracted = two_bend_paper::contract(petersen());
+  two_bend_paper::ShortestCycle cycles(contracted);
   std::vector<two_bend_paper::Node> all(10);
   for (two_bend_paper::Node v = 0; v < 10; ++v) all[v] = v;
   EXPECT_EQ(cycles.find(all, std::vector<bool>(10))->size(), 5u);
@@ -298,4 +294,4 @@ TEST(TwoBendPaperPosition, QualityIsZeroOnAndNearLines) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

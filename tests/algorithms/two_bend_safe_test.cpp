@@ -12,10 +12,9 @@
 #include "ar3d/algorithms/two_bend/leans.h"
 #include "ar3d/generators/catalog.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
-using testing::expect_certified;
 using two_bend::far_b;
 using two_bend::far_gap;
 using two_bend::lean_fits;
@@ -199,7 +198,7 @@ class Largest {
 
 TEST(TwoBendSafe, SafeLayoutKeepsTheBoxOfEverySmallGraph) {
   for (int n = 1; n <= 8; ++n) {
-    for (const Graph& graph : testing::geng(fmt::format("-D3 {}", n)))
+    for (const Graph& graph : geng(fmt::format("-D3 {}", n)))
       expect_certified(graph, {.force_safe_layout = true});
   }
 }
@@ -209,8 +208,8 @@ TEST(TwoBendSafe, SafeLayoutKeepsTheBoxOfCubicGraphs) {
   Largest largest;
   std::uint64_t seed = 0;
   for (const int n : {6, 8, 10, 12}) {
-    for (const Graph& graph : testing::geng(fmt::format("-c -d3 -D3 {}", n))) {
-      for (int i = 0; i < 4; ++i) largest.draw(testing::shuffled(graph, ++seed));
+    for (const Graph& graph : geng(fmt::format("-c -d3 -D3 {}", n))) {
+      for (int i = 0; i < 4; ++i) largest.draw(shuffled(graph, ++seed));
     }
   }
   EXPECT_GT(largest.safe(), 300);
@@ -223,7 +222,7 @@ TEST(TwoBendSafe, SafeLayoutKeepsTheBoxOfCubicGraphs) {
 TEST(TwoBendSafe, SafeLayoutKeepsTheBoxOfRandomGraphsAndFamilies) {
   Largest largest;
   for (std::uint64_t seed = 1; seed <= 300; ++seed)
-    largest.draw(testing::shuffled(testing::random_graph_of_any_kind(20, seed), seed));
+    largest.draw(shuffled(random_graph_of_any_kind(20, seed), seed));
   for (const Family& family : families()) {
     if (family.max_degree > 3) continue;
     SCOPED_TRACE(family.name);
@@ -233,4 +232,4 @@ TEST(TwoBendSafe, SafeLayoutKeepsTheBoxOfRandomGraphsAndFamilies) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -9,10 +9,8 @@
 #include "algorithms/two_bend_support.h"
 #include "ar3d/generators/catalog.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::expect_certified;
 
 /// Sums of the counters of many runs.
 class Totals {
@@ -28,25 +26,23 @@ class Totals {
 
 TEST(TwoBend, DrawsFamiliesOfEverySmallKind) {
   for (Vertex n = 0; n < 5; ++n) expect_certified(Graph(n, {}));
-  for (Vertex n = 2; n < 9; ++n) expect_certified(testing::path(n));
-  for (Vertex n = 3; n < 12; ++n) expect_certified(testing::cycle(n));
-  expect_certified(testing::complete(4));
-  expect_certified(testing::petersen());
-  expect_certified(
-      testing::disjoint_union({testing::complete(4), testing::path(1), testing::petersen(),
-                               testing::cycle(5), testing::path(2)}));
+  for (Vertex n = 2; n < 9; ++n) expect_certified(path(n));
+  for (Vertex n = 3; n < 12; ++n) expect_certified(cycle(n));
+  expect_certified(complete(4));
+  expect_certified(petersen());
+  expect_certified(disjoint_union({complete(4), path(1), petersen(), cycle(5), path(2)}));
 }
 
 /// The whole variety of vertex types, specials and fixed bodies is met and certified.
 TEST(TwoBend, MeetsEveryPartOfTheConstruction) {
   Totals totals;
   for (std::uint64_t seed = 1; seed <= 600; ++seed) {
-    const Graph graph = testing::shuffled(testing::random_graph_of_any_kind(24, seed), seed);
+    const Graph graph = shuffled(random_graph_of_any_kind(24, seed), seed);
     totals.add(expect_certified(graph));
   }
-  for (const Graph& graph : testing::geng("-c -d3 -D3 10")) {
+  for (const Graph& graph : geng("-c -d3 -D3 10")) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed)
-      totals.add(expect_certified(testing::shuffled(graph, seed)));
+      totals.add(expect_certified(shuffled(graph, seed)));
   }
   for (const char* part : {"q_bodies", "stations", "vv_leans", "sinks_a", "sinks_v", "sources_a",
                            "sources_v", "adjacent_poles"}) {
@@ -62,7 +58,7 @@ TEST(TwoBend, DrawsEveryFamilyOfTheCatalogue) {
       const Graph graph = generate(family, n, 1);
       SCOPED_TRACE(family.name);
       expect_certified(graph);
-      expect_certified(testing::shuffled(graph, n));
+      expect_certified(shuffled(graph, n));
     }
   }
 }
@@ -116,8 +112,8 @@ TEST(TwoBend, KeepsTheVolumeOfRandomCubicGraphsBelowAThirdOfN4) {
 
 /// Vertices of degree 1 and 2 take the bends of their edge.
 TEST(TwoBend, LowDegreesCostHardlyABend) {
-  const Price cycle(two_bend::draw(testing::cycle(30)));
-  EXPECT_LE(cycle.bends(), 4);  // at the STATION
+  const Price ring(two_bend::draw(cycle(30)));
+  EXPECT_LE(ring.bends(), 4);  // at the STATION
   const Graph tree = generate(find_family("binary-tree"), 1000, 1);
   const Price price(two_bend::draw(tree));
   EXPECT_GE(price.edges[0], 500);  // the leaves' edges
@@ -125,7 +121,7 @@ TEST(TwoBend, LowDegreesCostHardlyABend) {
 }
 
 TEST(TwoBend, IsDeterministic) {
-  const Graph graph = testing::random_graph_of_any_kind(60, 5);
+  const Graph graph = random_graph_of_any_kind(60, 5);
   const Drawing a = two_bend::draw(graph);
   const Drawing b = two_bend::draw(graph);
   std::vector<Point> p;
@@ -138,10 +134,10 @@ TEST(TwoBend, IsDeterministic) {
 }
 
 TEST(TwoBend, RefusesDegree4AndUnknownEfforts) {
-  EXPECT_THROW(two_bend::draw(testing::octahedron()), InputError);
-  EXPECT_THROW(draw(find_algorithm("two-bend"), testing::complete(5)), InputError);
-  EXPECT_THROW(two_bend::draw(testing::path(3), {.effort = 2}), InputError);
-  EXPECT_THROW(two_bend::draw(testing::path(3), {.effort = -1}), InputError);
+  EXPECT_THROW(two_bend::draw(octahedron()), InputError);
+  EXPECT_THROW(draw(find_algorithm("two-bend"), complete(5)), InputError);
+  EXPECT_THROW(two_bend::draw(path(3), {.effort = 2}), InputError);
+  EXPECT_THROW(two_bend::draw(path(3), {.effort = -1}), InputError);
 }
 
 /// The drawing with the lower end of the lean of one edge a step higher; nothing if it has no lean.
@@ -188,4 +184,4 @@ TEST(TwoBend, VerifierSeesEveryLeanThatIsTooLow) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -10,7 +10,7 @@
 
 #include "ar3d/base/error.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
@@ -132,4 +132,4 @@ TEST(Catalogue, BadParametersAreRefusedWithTheirValue) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

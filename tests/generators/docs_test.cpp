@@ -7,7 +7,7 @@
 
 #include "ar3d/generators/catalog.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 TEST(Docs, FamiliesPageNamesEveryFamilyInTheOrderOfTheCatalogue) {
@@ -21,4 +21,4 @@ TEST(Docs, FamiliesPageNamesEveryFamilyInTheOrderOfTheCatalogue) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -9,13 +9,8 @@
 #include "ar3d/generators/catalog.h"
 #include "support/graph_facts.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::bridges;
-using testing::components;
-using testing::connectivity;
-using testing::degree_counts;
 
 using Degrees = std::map<std::uint32_t, std::uint64_t>;
 
@@ -181,4 +176,4 @@ TEST(Families, EveryOneIsInTheTable) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -12,13 +12,8 @@
 #include "support/graph_facts.h"
 #include "support/names.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::connectivity;
-using testing::diameter;
-using testing::girth;
-using testing::planar;
 
 /// The neighbours of each vertex in their order around it; a 3-connected planar graph has one such
 /// order and its mirror image.
@@ -127,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(Small, GoldbergCoxeter,
                                            std::pair{3, 1}, std::pair{3, 2}, std::pair{4, 1},
                                            std::pair{5, 2}, std::pair{3, 3}, std::pair{5, 3},
                                            std::pair{4, 0}, std::pair{6, 5}, std::pair{7, 1}),
-                         testing::named("a_b"));
+                         named("a_b"));
 
 TEST(Fullerenes, RefuseOtherPairs) {
   EXPECT_THROW(goldberg_coxeter(0, 0), InputError);
@@ -147,4 +142,4 @@ TEST(Fullerenes, TubesArePlanarWithoutShortCycles) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -9,7 +9,7 @@
 
 #include "ar3d/generators/catalog.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 // The bytes of every family are part of the contract: whoever changes them changes
@@ -66,4 +66,4 @@ TEST(Golden, RandomGraphsAreTheSameOnAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -6,7 +6,7 @@
 #include "ar3d/verify/certificate.h"
 #include "support/graph_facts.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 Guarantee straight(std::uint32_t max_degree, Cosine vertex_angle) {
@@ -33,10 +33,10 @@ TEST(Lattices, PiecesAreCertifiedWithoutBends) {
 }
 
 TEST(Lattices, PiecesHaveTheGirthOfTheirLattice) {
-  EXPECT_EQ(testing::girth(diamond_lattice_piece(200).graph), 6u);
-  EXPECT_EQ(testing::girth(laves_piece(400).graph), 10u);
-  EXPECT_TRUE(testing::bipartite(diamond_lattice_piece(200).graph));
-  EXPECT_EQ(testing::degree_counts(laves_piece(400).graph).rbegin()->first, 3u);
+  EXPECT_EQ(girth(diamond_lattice_piece(200).graph), 6u);
+  EXPECT_EQ(girth(laves_piece(400).graph), 10u);
+  EXPECT_TRUE(bipartite(diamond_lattice_piece(200).graph));
+  EXPECT_EQ(degree_counts(laves_piece(400).graph).rbegin()->first, 3u);
 }
 
 TEST(Lattices, OwnDrawingIsThatOfTheGeneratedGraph) {
@@ -51,4 +51,4 @@ TEST(Lattices, OwnDrawingIsThatOfTheGeneratedGraph) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

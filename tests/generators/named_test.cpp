@@ -6,20 +6,13 @@
 #include <set>
 
 #include "ar3d/base/error.h"
-#include "ar3d/generators/rings.h"
 #include "ar3d/generators/polyhedra.h"
+#include "ar3d/generators/rings.h"
 #include "ar3d/generators/snarks.h"
 #include "support/graph_facts.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::bipartite;
-using testing::bridges;
-using testing::diameter;
-using testing::girth;
-using testing::planar;
-using testing::three_edge_colourable;
 
 const NamedGraph& find_named_graph(const std::string& name) {
   const auto at = std::ranges::find(named_graphs(), name, &NamedGraph::name);
@@ -101,7 +94,7 @@ TEST(NamedGraphs, HaveTheirPublishedInvariants) {
     EXPECT_EQ(graph.num_vertices(), named.num_vertices);
     EXPECT_EQ(2 * graph.num_edges(), facts.degree * graph.num_vertices());
     EXPECT_EQ(graph.max_degree(), facts.degree);
-    EXPECT_EQ(testing::components(graph), 1u);
+    EXPECT_EQ(components(graph), 1u);
     EXPECT_EQ(bridges(graph), 0u);
     EXPECT_EQ(girth(graph), facts.girth);
     EXPECT_EQ(diameter(graph), facts.diameter);
@@ -150,4 +143,4 @@ TEST(Snarks, BadIndicesAreRefused) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 constexpr std::uint32_t kInBuckets = 70000;  // more than one bucket holds
@@ -54,4 +54,4 @@ TEST(RandomMatching, IsAnInvolutionWithoutFixedPoints) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -1,5 +1,3 @@
-#include "ar3d/generators/random_graphs.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,9 +6,10 @@
 #include <vector>
 
 #include "ar3d/base/error.h"
+#include "ar3d/generators/random_graphs.h"
 #include "ar3d/generators/rings.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 std::vector<std::pair<Vertex, Vertex>> labelled(const Graph& graph) {
@@ -67,4 +66,4 @@ TEST(RandomRegular, RefusesImpossibleSizes) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

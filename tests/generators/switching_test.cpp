@@ -11,7 +11,7 @@
 #include "ar3d/generators/random_graphs.h"
 #include "support/graph_facts.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 /// Lengths of the cycles of a 2-regular graph, sorted.
@@ -109,10 +109,10 @@ TEST(Switching, GivesSimpleRegularGraphs) {
   for (const std::uint32_t d : {2u, 3u, 4u}) {
     const Graph graph(3000,
                       random_regular_by_switching(3000, d, random));  // refuses loops, parallels
-    EXPECT_EQ(testing::degree_counts(graph).size(), 1u);
+    EXPECT_EQ(degree_counts(graph).size(), 1u);
     EXPECT_EQ(graph.max_degree(), d);
   }
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -15,7 +15,7 @@
 #include "ar3d/generators/random_graphs.h"
 #include "ar3d/generators/switching.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 /// The adjacency matrix's upper triangle as bits: names a labelled graph on at most 11 vertices.
@@ -139,4 +139,4 @@ TEST(Uniformity, SwitchingsGiveFourRegularGraphsAsFullRestartDoes) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

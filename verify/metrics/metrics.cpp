@@ -152,7 +152,8 @@ std::vector<Metric> make_metrics() {
 }
 
 OpenTable<Metric>& table() {
-  static OpenTable<Metric> rows("metric", make_metrics());
+  static OpenTable<Metric> rows("metric", make_metrics(),
+                                [](const Metric& row) { return row.value != nullptr; });
   return rows;
 }
 
@@ -160,10 +161,7 @@ OpenTable<Metric>& table() {
 
 const std::vector<Metric>& metrics() { return table().rows(); }
 
-void register_metric(Metric row) {
-  const bool is_whole = row.value != nullptr;
-  table().add(std::move(row), is_whole);
-}
+void register_metric(Metric row) { table().add(std::move(row)); }
 
 std::vector<MetricValue> metric_values(const DrawingSummary& summary) {
   std::vector<MetricValue> values;
