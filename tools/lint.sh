@@ -10,9 +10,7 @@ lint() (
   lint_scripts "$@" || exit 1
   clang-format --dry-run -Werror $(cat "$scratch/sources") || { echo "ar3d: not formatted; clang-format -i mends it" >&2; exit 1; }
   ninja -C "$folder" ar3d_generated >"$scratch/log" 2>&1 || { cat "$scratch/log" >&2; exit 1; }
-  # What the build compiles, of the sources asked for.
-  sed -n 's/^ *"file": "\(.*\)",\{0,1\}$/\1/p' "$folder/compile_commands.json" | sed "s|^$PWD/||" | sort -u |
-    grep -Fx -f "$scratch/sources" | grep -v '/arithmetic/x87.cpp$' >"$scratch/units"  # clang has no -mfpmath=387
+  units_of "$folder" "$scratch/sources" >"$scratch/units"
   tidy_all "$folder" "$scratch"
 )
 
@@ -22,6 +20,18 @@ lint_scripts() {
   scripts=$(git ls-files -- "${@:-.}" | grep -E '^formats/drawings/viewer/[a-z]+\.js$|\.mjs$') || return 0
   tests/browser/run --install || { echo "ar3d: the scripts are not looked at: no eslint" >&2; return 1; }
   tests/browser/node_modules/.bin/eslint -c tests/browser/eslint.config.mjs --max-warnings 0 $scripts
+}
+
+# units_of FOLDER SOURCES: what the build compiles of the sources: each alone, or the unit that CMake made of it and its neighbours.
+units_of() {
+  local unit
+  sed -n 's/^ *"file": "\(.*\)",\{0,1\}$/\1/p' "$1/compile_commands.json" | sed "s|^$PWD/||" | sort -u | while read -r unit; do
+    case "$unit" in
+      */arithmetic/x87.cpp) ;;  # clang has no -mfpmath=387
+      */Unity/*) sed -n "s|^#include \"$PWD/\(.*\)\"|\1|p" "$unit" | grep -qFx -f "$2" && echo "$unit" ;;
+      *) grep -qFx -e "$unit" "$2" && echo "$unit" ;;
+    esac
+  done
 }
 
 # The .cpp and .h files of the tree, or of the files and folders named.
