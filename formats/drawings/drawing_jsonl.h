@@ -1,12 +1,16 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
+#include "ar3d/formats/drawings/decimal.h"
 #include "ar3d/formats/text/output.h"
 #include "ar3d/formats/text/text_input.h"
 #include "ar3d/model/drawing.h"
@@ -62,5 +66,22 @@ class DrawingJsonlReader {
  private:
   std::unique_ptr<TextInput> input_;
 };
+
+using DecimalPoint = std::array<Decimal, 3>;
+
+/// What a program answers to a graph, in the numbers that it wrote.
+struct DecimalDrawing {
+  std::string error;  ///< why it draws nothing; empty: it draws
+  double seconds = std::numeric_limits<double>::quiet_NaN();  ///< its own time, if it says so
+  std::vector<DecimalPoint> vertices;
+  std::optional<std::vector<Edge>> edges;
+  std::vector<std::size_t> offsets{0};  ///< bends of edge e: bends[offsets[e]] ... [offsets[e + 1]]
+  std::vector<DecimalPoint> bends;
+};
+
+/// Reads {"vertices":[[x,y,z],…],"edges":[[u,v,[[x,y,z],…]],…],"seconds":s}, or {"error":"…"}:
+/// `edges`, `seconds`, the bends of an edge and z may be left out.
+/// @throws InputError if it is not that, or as parse_decimal.
+DecimalDrawing read_decimal_drawing(std::string_view line);
 
 }  // namespace ar3d

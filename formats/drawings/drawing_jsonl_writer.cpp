@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
+#include <span>
 #include <utility>
-#include <vector>
 
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/formats/text/numbers_text.h"
@@ -44,40 +44,15 @@ void append_vertices(std::string& out, const Drawing& drawing, Flush flush) {
   out += ']';
 }
 
-/// The line of a drawing in a real type.
-template <class Flush>
-void append_real_line(std::string& out, const Drawing& drawing, Flush flush) {
-  const RealPoints& points = *drawing.real;
-  out += "{\"n\":";
-  append_number(out, drawing.num_vertices());
-  out += ",\"algorithm\":" + json_string(drawing.algorithm());
-  out += ",\"real_type\":" + json_string(points.type) + ",\"unit_exponent\":";
-  append_number(out, points.unit_exponent);
-  out += ",\"vertices\":";
-  append_vertices(out, drawing, flush);
-  out += ",\"edges\":[";
-  for (EdgeId e = 0; e < drawing.num_edges(); ++e) {
-    if (e > 0) out += ',';
-    out += '[';
-    append_number(out, drawing.edge(e).u);
-    out += ',';
-    append_number(out, drawing.edge(e).v);
-    out += ",[";
-    bool is_first = true;
-    for (const BigPoint& bend : points.bends_of(e)) {
-      if (!std::exchange(is_first, false)) out += ',';
-      append_big_point(out, bend);
-    }
-    out += "]]";
-    flush();
-  }
-  out += "]}\n";
-}
-
 void append_head(std::string& out, const Drawing& drawing) {
   out += "{\"n\":";
   append_number(out, drawing.num_vertices());
-  out += ",\"algorithm\":" + json_string(drawing.algorithm()) + ",\"gram\":[";
+  out += ",\"algorithm\":" + json_string(drawing.algorithm());
+  if (drawing.real) {
+    out += ",\"real_type\":" + json_string(drawing.real->type) + ",\"unit_exponent\":";
+    return append_number(out, drawing.real->unit_exponent);
+  }
+  out += ",\"gram\":[";
   for (std::size_t row = 0; row < 3; ++row) {
     const auto& entries = drawing.lattice().gram[row];
     if (row > 0) out += ',';
@@ -87,15 +62,17 @@ void append_head(std::string& out, const Drawing& drawing) {
   append_number(out, drawing.lattice().gram_denominator);
 }
 
-void append_edge(std::string& out, Edge ends, const std::vector<Point>& polyline) {
+template <class AppendPoint, class Points>
+void append_edge(std::string& out, Edge ends, const Points& bends, AppendPoint append) {
   out += '[';
   append_number(out, ends.u);
   out += ',';
   append_number(out, ends.v);
   out += ",[";
-  for (std::size_t i = 1; i + 1 < polyline.size(); ++i) {
-    if (i > 1) out += ',';
-    append_point(out, polyline[i]);
+  const char* separator = "";
+  for (const auto& bend : bends) {
+    out += std::exchange(separator, ",");
+    append(out, bend);
   }
   out += "]]";
 }
@@ -103,16 +80,26 @@ void append_edge(std::string& out, Edge ends, const std::vector<Point>& polyline
 /// Appends the line.
 template <class Flush>
 void append_line(std::string& out, const Drawing& drawing, Flush flush) {
-  if (drawing.real) return append_real_line(out, drawing, flush);
   append_head(out, drawing);
   out += ",\"vertices\":";
   append_vertices(out, drawing, flush);
   out += ",\"edges\":[";
-  for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& polyline) {
-    if (e > 0) out += ',';
-    append_edge(out, drawing.edge(e), polyline);
+  const auto begin_edge = [&](EdgeId e) {
+    if (e == 0) return;
     flush();
-  });
+    out += ',';
+  };
+  if (drawing.real) {
+    for (EdgeId e = 0; e < drawing.num_edges(); ++e) {
+      begin_edge(e);
+      append_edge(out, drawing.edge(e), drawing.real->bends_of(e), append_big_point);
+    }
+  } else {
+    for_each_polyline(drawing, [&](EdgeId e, std::span<const Point> polyline) {
+      begin_edge(e);
+      append_edge(out, drawing.edge(e), polyline.subspan(1, polyline.size() - 2), append_point);
+    });
+  }
   out += "]}\n";
 }
 

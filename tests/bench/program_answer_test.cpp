@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "ar3d/base/error.h"
-#include "ar3d/bench/external/decimal.h"
 #include "ar3d/bench/external/external_drawer.h"
+#include "ar3d/formats/drawings/decimal.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/verify/certificate.h"
 #include "ar3d/verify/checks/angles.h"
@@ -88,21 +88,22 @@ TEST(Answers, NonsenseIsNamed) {
       {R"({"vertices":[[0,0,NaN],[1,0,0],[2,0,0]]})", "no JSON"},
       {R"({"vertices":[[0,0,0],[1,0,0]]})", "2 vertices are drawn, the graph has 3"},
       {R"({"vertices":[[0,0,0],[1,0,0],[2,0,0],[3,0,0]]})", "4 vertices are drawn"},
-      {R"({"vertices":[[0,0,0],[1,0,0],[2,0,0,0]]})", "a fourth coordinate"},
-      {R"({"vertices":[[0,0,0],[1,0,0],[2]]})", "less than two numbers"},
-      {R"({"vertices":[[0,0,0],[1,0,0],[[2],0,0]]})", "a list where none"},
-      {R"({"vertices":[[0,0,0],[1,0,0],"x"]})", "a text where none"},
+      {R"({"vertices":[[0,0,0],[1,0,0],[2,0,0,0]]})", "vertices[2][3]: unexpected fourth number"},
+      {R"({"vertices":[[0,0,0],[1,0,0],[2]]})", "vertices[2]: 1 numbers instead of 2 or 3"},
+      {R"({"vertices":[[0,0,0],[1,0,0],[[2],0,0]]})", "unexpected array"},
+      {R"({"vertices":[[0,0,0],[1,0,0],"x"]})", "unexpected text"},
       {R"({"vertices":[[0,0,0],[1,0,0],[2,0,1e999]]})", "no JSON"},
       {R"({"vertices":[[0,0,0],[1,0,0],[2,0,0]],"edges":[[0,1]]})", "not those of the graph"},
       {R"({"vertices":[[0,0,0],[1,0,0],[2,0,0]],"edges":[[0,1],[0,1]]})", "not those of the graph"},
       {R"({"vertices":[[0,0,0],[1,0,0],[2,0,0]],"edges":[[0,1],[1,7]]})", "has the end 7"},
-      {R"({"vertices":[[0,0,0],[1,0,0],[2,0,0]],"edges":[[0,1],[1]]})", "without two ends"},
-      {R"({"vertices":[[0,0,0],[1,0,0],[2,0,0]],"edges":[[0,1],[1,-2]]})", "no end"},
+      {R"({"vertices":[[0,0,0],[1,0,0],[2,0,0]],"edges":[[0,1],[1]]})",
+       "an edge is [u, v, [bends]]"},
+      {R"({"vertices":[[0,0,0],[1,0,0],[2,0,0]],"edges":[[0,1],[1,-2]]})", "-2 is no vertex id"},
       {R"({"vertices":[[0,0,0],[1,0,0],[2,0,0]],"size":3})", "unknown key 'size'"},
       {R"({"seconds":3})", "neither 'vertices' nor 'error'"},
-      {R"({"seconds":-3,"error":"x"})", "a time that is none"},
-      {R"([])", "a list where none"},
-      {R"(null)", "null where none"},
+      {R"({"seconds":-3,"error":"x"})", "-3 is no time"},
+      {R"([])", "expected an object, found an array"},
+      {R"(null)", "unexpected null"},
       {R"({"vertices":[[0,0,0.0000000000000000001],[1,0,0],[1000000,0,0]]})", "passes 2^61"},
   };
   for (const auto& [answer, message] : cases) {

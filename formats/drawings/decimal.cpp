@@ -1,4 +1,4 @@
-#include "ar3d/bench/external/decimal.h"
+#include "ar3d/formats/drawings/decimal.h"
 
 #include <fmt/format.h>
 
