@@ -7,22 +7,25 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
-#include "ar3d/formats/graphs/adjacency_list.h"
-#include "ar3d/formats/graphs/dimacs.h"
-#include "ar3d/formats/graphs/edge_list.h"
-#include "ar3d/formats/graphs/graphml.h"
-#include "ar3d/formats/graphs/matrix_market.h"
-#include "ar3d/formats/graphs/metis.h"
-#include "ar3d/formats/graphs/metis_detection.h"
-#include "ar3d/formats/graphs/nauty_lines.h"
 
 namespace ar3d {
+
+// The rows of the catalogue, each defined in graphs/, in the file of its format.
+GraphFormat adjacency_list_format();
+GraphFormat dimacs_format();
+GraphFormat edge_list_format();
+GraphFormat graph6_format();
+GraphFormat graphml_format();
+GraphFormat incremental_sparse6_format();
+GraphFormat matrix_market_format();
+GraphFormat metis_format();
+GraphFormat sparse6_format();
+
 namespace {
 
 constexpr std::size_t kDetectionBytes = std::size_t{1} << 16;
 
-/// The ending says "edge list", which lines of numbers alone do not tell from METIS. ".txt" says
-/// nothing.
+/// Does the ending say "edge list"? ".txt" says nothing.
 bool is_named_edge_list(const std::string& name) {
   const GraphFormat* const named = graph_format_of_path(name);
   const bool is_text = name.find(".txt") != std::string::npos;
@@ -39,10 +42,9 @@ const GraphFormat& detect_format(TextInput& input) {
       std::string_view("#%0123456789").find(text[first]) != std::string_view::npos) {
     text = input.look_ahead(kDetectionBytes);
   }
-  const bool no_metis = is_named_edge_list(input.name()) && !text.starts_with(kMetisMark);
+  const InputHead head{text, input.sees_end(), is_named_edge_list(input.name())};
   for (const GraphFormat& format : graph_formats()) {
-    if (no_metis && format.name == "metis") continue;
-    if (format.detect({text, input.sees_end()})) return format;
+    if (format.detect(head)) return format;
   }
   const std::string_view line = text.substr(0, text.find('\n'));
   throw InputError(

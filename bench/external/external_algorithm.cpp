@@ -4,8 +4,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/formats/graphs/graph6.h"
-#include "ar3d/formats/graphs/sparse6.h"
-#include "ar3d/formats/text/numbers_text.h"
+#include "ar3d/formats/text/output.h"
 #include "ar3d/model/settings.h"
 
 namespace ar3d {
@@ -37,10 +36,7 @@ std::string edge_list(const Graph& graph) {
   std::string text;
   text.reserve(16 * (std::size_t{1} + graph.num_edges()));
   const auto append_line = [&text](std::uint64_t a, std::uint64_t b) {
-    append_number(text, a);
-    text += ' ';
-    append_number(text, b);
-    text += '\n';
+    append_all(text, a, ' ', b, '\n');
   };
   append_line(graph.num_vertices(), graph.num_edges());
   for (const auto [u, v] : graph.edges()) append_line(u, v);

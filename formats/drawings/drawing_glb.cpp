@@ -1,3 +1,4 @@
+// glTF 2.0, binary: the JSON of the scene and one buffer with everything that it describes.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -6,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ar3d/base/printable.h"
-#include "ar3d/formats/drawings/export_parts.h"
+#include "ar3d/formats/drawings/drawing_exports.h"
 
 namespace ar3d {
 namespace {

@@ -1,5 +1,6 @@
+// GraphML of a drawing: exact coordinates and bends as attributes, so that graph tools keep them.
 #include "ar3d/base/printable.h"
-#include "ar3d/formats/drawings/export_parts.h"
+#include "ar3d/formats/drawings/drawing_exports.h"
 
 namespace ar3d {
 namespace {

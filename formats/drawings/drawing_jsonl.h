@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "ar3d/formats/drawings/decimal.h"
+#include "ar3d/formats/drawings/drawing_numbers.h"
 #include "ar3d/formats/text/output.h"
 #include "ar3d/formats/text/text_input.h"
 #include "ar3d/model/drawing.h"

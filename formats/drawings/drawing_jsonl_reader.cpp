@@ -13,9 +13,8 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
-#include "ar3d/formats/text/line_shapes.h"
+#include "ar3d/formats/text/tokens.h"
 #include "ar3d/model/real_drawing.h"
-#include "real_types.h"
 
 namespace ar3d {
 namespace {
@@ -44,25 +43,141 @@ class DrawingEvents {
   explicit DrawingEvents(bool of_answer) : of_answer_(of_answer) {}
   /// What the line says, once it is parsed. @throws InputError if a key is missing or the parts do
   /// not fit.
-  DrawingJsonlReader::Line finish();
+  DrawingJsonlReader::Line finish() {
+    if (!inside_object_) throw InputError("expected an object");
+    refuse_missing({Key::n});
+    if (!seen(Key::error)) return finish_drawing();
+    if (std::count(std::begin(seen_), std::end(seen_), true) != 2) {
+      throw InputError("a line with 'error' has no other key than 'n'");
+    }
+    return UndrawnGraph{n_, std::move(error_)};
+  }
   /// The same for the line of a program.
-  DecimalDrawing finish_answer();
+  DecimalDrawing finish_answer() {
+    if (!inside_object_) throw InputError("expected an object");
+    if (seen(Key::error)) {
+      answer_.error = error_.empty() ? "no reason given" : error_;
+    } else if (!seen(Key::vertices)) {
+      throw InputError("neither 'vertices' nor 'error' is in it");
+    }
+    if (seen(Key::edges)) answer_.edges = std::move(*edges_);
+    return std::move(answer_);
+  }
 
   // The parser's events, by the names that nlohmann-json gives them.
-  bool null();
-  bool boolean(bool value);
-  bool number_integer(std::int64_t value);
-  bool number_unsigned(std::uint64_t value);
-  bool number_float(double value, const std::string& text);
-  bool string(std::string& value);
-  bool binary(nlohmann::json::binary_t& value);
-  bool start_object(std::size_t size);
-  bool key(std::string& name);
-  bool end_object();
-  bool start_array(std::size_t size);
-  bool end_array();
-  bool parse_error(std::size_t at, const std::string& token,
-                   const nlohmann::json::exception& error);
+  bool null() { fail("unexpected null"); }
+  bool boolean(bool value) { fail(fmt::format("unexpected {}", value)); }
+  bool number_integer(std::int64_t value) {
+    if (of_answer_) return take_decimal(std::to_string(value));
+    const std::size_t depth = items_.size();
+    if (key_ == Key::n && depth == 0) {
+      if (value < 0 || static_cast<std::uint64_t>(value) > kMaxVertices) {
+        fail(fmt::format("{} is no number of vertices", value));
+      }
+      n_ = static_cast<std::uint64_t>(value);
+    } else if (key_ == Key::gram_denominator && depth == 0) {
+      if (value < 1 || value > std::numeric_limits<std::int32_t>::max()) {
+        fail(fmt::format("{} is not in 1..2^31-1", value));
+      }
+      lattice_.gram_denominator = static_cast<std::int32_t>(value);
+    } else if (key_ == Key::unit_exponent && depth == 0) {
+      if (value < -kLargestExponent || value > kLargestExponent) {
+        fail(fmt::format("{} is not in {}..{}", value, -kLargestExponent, kLargestExponent));
+      }
+      real_.unit_exponent = static_cast<int>(value);
+    } else if (is_point(depth)) {
+      if (items_.back() >= 3) fail(fmt::format("unexpected fourth number {}", value));
+      if (key_ != Key::gram) has_integers_ = true;
+      if (value < -kMaxCoordinate || value > kMaxCoordinate) {
+        fail(fmt::format("coordinate {} is out of range, the limit is {}", value, kMaxCoordinate));
+      }
+      numbers_[items_.back()++] = value;
+    } else if (key_ == Key::edges && depth == 2 && items_.back() < 2) {
+      (items_.back()++ == 0 ? ends_.u : ends_.v) = checked_vertex(value);
+    } else {
+      fail(fmt::format("unexpected number {}", value));
+    }
+    return true;
+  }
+  bool number_unsigned(std::uint64_t value) {
+    if (of_answer_) return take_decimal(std::to_string(value));
+    if (value > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())) {
+      fail(fmt::format("{} does not fit 64 bits with sign", value));
+    }
+    return number_integer(static_cast<std::int64_t>(value));
+  }
+  bool number_float(double, const std::string& text) {
+    if (of_answer_) return take_decimal(text);
+    fail(fmt::format("expected an integer of 64 bits, found {}", shown(text)));
+  }
+  bool string(std::string& value) {
+    if (key_ == Key::algorithm && items_.empty()) {
+      algorithm_ = std::move(value);
+    } else if (key_ == Key::error && items_.empty()) {
+      error_ = std::move(value);
+    } else if (key_ == Key::real_type && items_.empty()) {
+      real_.type = std::move(value);
+    } else if (is_point(items_.size()) && key_ != Key::gram && !of_answer_) {
+      take_real_number(value);
+    } else {
+      fail(fmt::format("unexpected text {}", shown(value)));
+    }
+    return true;
+  }
+  bool binary(nlohmann::json::binary_t&) { fail("unexpected binary value"); }
+  bool start_object(std::size_t) {
+    if (inside_object_) fail("unexpected object");
+    inside_object_ = true;
+    return true;
+  }
+  bool key(std::string& name) {
+    const auto found = std::find(std::begin(kKeyNames) + 1, std::end(kKeyNames), name);
+    const bool in_answers = std::ranges::find(kKeysOfAnswers, name) != std::end(kKeysOfAnswers);
+    if (found == std::end(kKeyNames) || (of_answer_ ? !in_answers : name == "seconds")) {
+      throw InputError(fmt::format("unknown key {}", shown(name)));
+    }
+    const auto index = found - std::begin(kKeyNames);
+    key_ = static_cast<Key>(index);
+    if (std::exchange(seen_[index], true))
+      throw InputError(fmt::format("key '{}' stands twice", name));
+    return true;
+  }
+  bool end_object() {
+    key_ = Key::none;
+    return true;
+  }
+  bool start_array(std::size_t) {
+    const std::size_t depth = items_.size();
+    const bool list = key_ == Key::gram || key_ == Key::vertices || key_ == Key::edges;
+    const bool fits = depth == 0   ? list
+                      : depth == 1 ? true
+                      : depth == 2 ? key_ == Key::edges && items_.back() == 2
+                                   : depth == 3 && key_ == Key::edges;
+    if (!fits)
+      fail(depth == 0 && key_ == Key::none ? "expected an object, found an array"
+                                           : "unexpected array");
+    items_.push_back(0);
+    return true;
+  }
+  bool end_array() {
+    const std::size_t depth = items_.size();
+    if (is_point(depth)) end_point();
+    if (key_ == Key::edges && depth == 2) end_edge();
+    if (key_ == Key::gram && depth == 1 && items_.back() != 3) {
+      fail_list(fmt::format("{} rows instead of 3", items_.back()));
+    }
+    items_.pop_back();
+    if (!items_.empty()) ++items_.back();
+    return true;
+  }
+  bool parse_error(std::size_t at, const std::string&, const nlohmann::json::exception& error) {
+    std::string reason =
+        error.what();  // "[json.exception.…] parse error at line 1, column 5: syntax error …"
+    const std::size_t place_end = reason.find(": ");
+    if (place_end != std::string::npos) reason.erase(0, place_end + 2);
+    std::replace(reason.begin(), reason.end(), '\n', ' ');
+    throw SyntaxError(at, reason);
+  }
 
  private:
   enum class Key {
@@ -79,20 +194,139 @@ class DrawingEvents {
     seconds
   };
 
-  std::string place() const;  // "vertices[5]" for messages
-  [[noreturn]] void fail(const std::string& problem) const;
-  [[noreturn]] void fail_list(
-      const std::string& problem);         // about the innermost open array as a whole
-  bool is_point(std::size_t depth) const;  // true where [x, y, z] stands at this nesting
-  void end_point();
-  void end_edge();
-  void take_real_number(const std::string& text);
-  bool take_decimal(const std::string& text);
-  Vertex checked_vertex(std::int64_t id) const;
+  /// "vertices[5]" for messages.
+  std::string place() const {
+    std::string text = kKeyNames[static_cast<int>(key_)];
+    for (const std::uint64_t item : items_) text += fmt::format("[{}]", item);
+    return text;
+  }
+  [[noreturn]] void fail(const std::string& problem) const {
+    throw InputError(key_ == Key::none ? problem : fmt::format("{}: {}", place(), problem));
+  }
+  /// About the innermost open array as a whole.
+  [[noreturn]] void fail_list(const std::string& problem) {
+    items_.pop_back();
+    fail(problem);
+  }
+  /// True where [x, y, z] stands at this nesting.
+  bool is_point(std::size_t depth) const {
+    return ((key_ == Key::vertices || key_ == Key::gram) && depth == 2) ||
+           (key_ == Key::edges && depth == 4);
+  }
+  void end_point() {
+    if (of_answer_) {
+      if (items_.back() < 2) fail_list(fmt::format("{} numbers instead of 2 or 3", items_.back()));
+      if (items_.back() == 2) decimals_[2] = {};
+      (key_ == Key::edges ? answer_.bends : answer_.vertices).push_back(decimals_);
+      return;
+    }
+    if (items_.back() != 3) fail_list(fmt::format("{} numbers instead of 3", items_.back()));
+    const Point p{numbers_[0], numbers_[1], numbers_[2]};
+    if (has_texts_ && key_ != Key::gram) {
+      auto& list = key_ == Key::edges ? real_.bends : real_.vertices;
+      list.push_back({real_numbers_[0], real_numbers_[1], real_numbers_[2]});
+      return;
+    }
+    if (key_ == Key::edges) {
+      edge_bends_.push_back(p);
+    } else if (key_ == Key::vertices) {
+      vertices_.push_back(p);
+      largest_ = std::max({largest_, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    } else {
+      const std::uint64_t row = items_.front();
+      if (row >= 3) fail_list("unexpected fourth row");
+      for (std::size_t column = 0; column < 3; ++column) {
+        const std::int64_t entry = numbers_[column];
+        if (std::abs(entry) > std::numeric_limits<std::int32_t>::max()) {
+          fail(fmt::format("entry {} does not fit 32 bits", entry));
+        }
+        lattice_.gram[row][column] = static_cast<std::int32_t>(entry);
+      }
+    }
+  }
+  void end_edge() {
+    const std::uint64_t fewest = of_answer_ ? 2 : 3;
+    if (items_.back() < fewest) fail_list("an edge is [u, v, [bends]]");
+    edges_->push_back(ends_);
+    answer_.offsets.push_back(answer_.bends.size());
+    real_.offsets.push_back(real_.bends.size());
+    bends_->add_edge(edge_bends_);
+    edge_bends_.clear();
+  }
+  void take_real_number(const std::string& text) {
+    if (items_.back() >= 3) fail(fmt::format("unexpected fourth number {}", shown(text)));
+    const std::size_t digits = text.starts_with('-') ? 1 : 0;
+    if (text.size() == digits ||
+        text.find_first_not_of("0123456789", digits) != std::string::npos) {
+      fail(fmt::format("{} is no decimal integer", shown(text)));
+    }
+    if (text.size() > kLongestNumber) {
+      fail(fmt::format("{} has more than {} characters", shown(text), kLongestNumber));
+    }
+    has_texts_ = true;
+    BigInteger value = 0;  // read by hand: leading zeros would mean octal
+    for (std::size_t i = digits; i < text.size(); ++i) value = value * 10 + (text[i] - '0');
+    real_numbers_[items_.back()++] = digits == 0 ? value : BigInteger(-value);
+  }
+  /// Takes the numbers as they are written: a double would round them.
+  bool take_decimal(const std::string& text) {
+    const std::size_t depth = items_.size();
+    if (is_point(depth)) {
+      if (items_.back() >= 3) fail(fmt::format("unexpected fourth number {}", text));
+      decimals_[items_.back()++] = parse_decimal(text);
+    } else if (key_ == Key::edges && depth == 2 && items_.back() < 2) {
+      const Decimal id = parse_decimal(text);
+      if (id.exponent < 0) fail(fmt::format("{} is no vertex id", text));
+      (items_.back()++ == 0 ? ends_.u : ends_.v) = checked_vertex(scaled(id, 0));
+    } else if (key_ == Key::seconds && depth == 0) {
+      answer_.seconds = std::strtod(text.c_str(), nullptr);
+      if (!std::isfinite(answer_.seconds) || answer_.seconds < 0) fail(text + " is no time");
+    } else if (key_ != Key::n || depth != 0) {
+      fail(fmt::format("unexpected number {}", text));
+    }
+    return true;
+  }
+  Vertex checked_vertex(std::int64_t id) const {
+    if (id < 0 || static_cast<std::uint64_t>(id) > kMaxVertices) {
+      fail(fmt::format("{} is no vertex id", id));
+    }
+    return static_cast<Vertex>(id);
+  }
   bool seen(Key key) const { return seen_[static_cast<int>(key)]; }
-  void refuse_missing(std::initializer_list<Key> keys) const;
-  Drawing finish_drawing();
-  Drawing finish_real_drawing();
+  void refuse_missing(std::initializer_list<Key> keys) const {
+    for (const Key key : keys) {
+      if (seen(key)) continue;
+      throw InputError(fmt::format("key '{}' is missing", kKeyNames[static_cast<int>(key)]));
+    }
+  }
+  Drawing finish_drawing() {
+    if (seen(Key::real_type) || seen(Key::unit_exponent)) {
+      return finish_real_drawing();
+    }
+    refuse_missing({Key::algorithm, Key::gram, Key::gram_denominator, Key::vertices, Key::edges});
+    if (has_texts_) throw InputError("coordinates are integers, but for those in a real type");
+    if (vertices_.size() != n_) {
+      throw InputError(fmt::format("n is {}, but there are {} vertices", n_, vertices_.size()));
+    }
+    lattice_.validate();
+    Coordinates coordinates(vertices_.size(), largest_);
+    for (std::size_t v = 0; v < vertices_.size(); ++v) coordinates.set(v, vertices_[v]);
+    return Drawing(std::move(algorithm_), lattice_, std::move(coordinates), std::move(edges_),
+                   std::move(bends_));
+  }
+  Drawing finish_real_drawing() {
+    refuse_missing({Key::algorithm, Key::real_type, Key::unit_exponent, Key::vertices, Key::edges});
+    if (seen(Key::gram) || seen(Key::gram_denominator)) {
+      throw InputError("a drawing in a real type has no 'gram' and no 'gram_denominator'");
+    }
+    if (has_integers_) throw InputError("coordinates in a real type are texts of decimal integers");
+    if (real_.vertices.size() != n_) {
+      throw InputError(
+          fmt::format("n is {}, but there are {} vertices", n_, real_.vertices.size()));
+    }
+    require_values_of_type(real_);
+    return real_drawing(std::move(algorithm_), std::move(edges_), std::move(real_));
+  }
 
   bool of_answer_;
   Key key_ = Key::none;
@@ -117,291 +351,6 @@ class DrawingEvents {
   std::vector<Point> edge_bends_;
   std::shared_ptr<StoredBends> bends_ = std::make_shared<StoredBends>();
 };
-
-std::string DrawingEvents::place() const {
-  std::string text = kKeyNames[static_cast<int>(key_)];
-  for (const std::uint64_t item : items_) text += fmt::format("[{}]", item);
-  return text;
-}
-
-void DrawingEvents::fail(const std::string& problem) const {
-  throw InputError(key_ == Key::none ? problem : fmt::format("{}: {}", place(), problem));
-}
-
-void DrawingEvents::fail_list(const std::string& problem) {
-  items_.pop_back();
-  fail(problem);
-}
-
-bool DrawingEvents::is_point(std::size_t depth) const {
-  return ((key_ == Key::vertices || key_ == Key::gram) && depth == 2) ||
-         (key_ == Key::edges && depth == 4);
-}
-
-Vertex DrawingEvents::checked_vertex(std::int64_t id) const {
-  if (id < 0 || static_cast<std::uint64_t>(id) > kMaxVertices) {
-    fail(fmt::format("{} is no vertex id", id));
-  }
-  return static_cast<Vertex>(id);
-}
-
-bool DrawingEvents::number_integer(std::int64_t value) {
-  if (of_answer_) return take_decimal(std::to_string(value));
-  const std::size_t depth = items_.size();
-  if (key_ == Key::n && depth == 0) {
-    if (value < 0 || static_cast<std::uint64_t>(value) > kMaxVertices) {
-      fail(fmt::format("{} is no number of vertices", value));
-    }
-    n_ = static_cast<std::uint64_t>(value);
-  } else if (key_ == Key::gram_denominator && depth == 0) {
-    if (value < 1 || value > std::numeric_limits<std::int32_t>::max()) {
-      fail(fmt::format("{} is not in 1..2^31-1", value));
-    }
-    lattice_.gram_denominator = static_cast<std::int32_t>(value);
-  } else if (key_ == Key::unit_exponent && depth == 0) {
-    if (value < -kLargestExponent || value > kLargestExponent) {
-      fail(fmt::format("{} is not in {}..{}", value, -kLargestExponent, kLargestExponent));
-    }
-    real_.unit_exponent = static_cast<int>(value);
-  } else if (is_point(depth)) {
-    if (items_.back() >= 3) fail(fmt::format("unexpected fourth number {}", value));
-    if (key_ != Key::gram) has_integers_ = true;
-    if (value < -kMaxCoordinate || value > kMaxCoordinate) {
-      fail(fmt::format("coordinate {} is out of range, the limit is {}", value, kMaxCoordinate));
-    }
-    numbers_[items_.back()++] = value;
-  } else if (key_ == Key::edges && depth == 2 && items_.back() < 2) {
-    (items_.back()++ == 0 ? ends_.u : ends_.v) = checked_vertex(value);
-  } else {
-    fail(fmt::format("unexpected number {}", value));
-  }
-  return true;
-}
-
-bool DrawingEvents::number_unsigned(std::uint64_t value) {
-  if (of_answer_) return take_decimal(std::to_string(value));
-  if (value > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())) {
-    fail(fmt::format("{} does not fit 64 bits with sign", value));
-  }
-  return number_integer(static_cast<std::int64_t>(value));
-}
-
-bool DrawingEvents::number_float(double, const std::string& text) {
-  if (of_answer_) return take_decimal(text);
-  fail(fmt::format("expected an integer of 64 bits, found {}", shown(text)));
-}
-
-/// Takes the numbers as they are written: a double would round them.
-bool DrawingEvents::take_decimal(const std::string& text) {
-  const std::size_t depth = items_.size();
-  if (is_point(depth)) {
-    if (items_.back() >= 3) fail(fmt::format("unexpected fourth number {}", text));
-    decimals_[items_.back()++] = parse_decimal(text);
-  } else if (key_ == Key::edges && depth == 2 && items_.back() < 2) {
-    const Decimal id = parse_decimal(text);
-    if (id.exponent < 0) fail(fmt::format("{} is no vertex id", text));
-    (items_.back()++ == 0 ? ends_.u : ends_.v) = checked_vertex(scaled(id, 0));
-  } else if (key_ == Key::seconds && depth == 0) {
-    answer_.seconds = std::strtod(text.c_str(), nullptr);
-    if (!std::isfinite(answer_.seconds) || answer_.seconds < 0) fail(text + " is no time");
-  } else if (key_ != Key::n || depth != 0) {
-    fail(fmt::format("unexpected number {}", text));
-  }
-  return true;
-}
-
-bool DrawingEvents::string(std::string& value) {
-  if (key_ == Key::algorithm && items_.empty()) {
-    algorithm_ = std::move(value);
-  } else if (key_ == Key::error && items_.empty()) {
-    error_ = std::move(value);
-  } else if (key_ == Key::real_type && items_.empty()) {
-    real_.type = std::move(value);
-  } else if (is_point(items_.size()) && key_ != Key::gram && !of_answer_) {
-    take_real_number(value);
-  } else {
-    fail(fmt::format("unexpected text {}", shown(value)));
-  }
-  return true;
-}
-
-void DrawingEvents::take_real_number(const std::string& text) {
-  if (items_.back() >= 3) fail(fmt::format("unexpected fourth number {}", shown(text)));
-  const std::size_t digits = text.starts_with('-') ? 1 : 0;
-  if (text.size() == digits || text.find_first_not_of("0123456789", digits) != std::string::npos) {
-    fail(fmt::format("{} is no decimal integer", shown(text)));
-  }
-  if (text.size() > kLongestNumber) {
-    fail(fmt::format("{} has more than {} characters", shown(text), kLongestNumber));
-  }
-  has_texts_ = true;
-  BigInteger value = 0;  // read by hand: leading zeros would mean octal
-  for (std::size_t i = digits; i < text.size(); ++i) value = value * 10 + (text[i] - '0');
-  real_numbers_[items_.back()++] = digits == 0 ? value : BigInteger(-value);
-}
-
-bool DrawingEvents::null() { fail("unexpected null"); }
-bool DrawingEvents::boolean(bool value) { fail(fmt::format("unexpected {}", value)); }
-bool DrawingEvents::binary(nlohmann::json::binary_t&) { fail("unexpected binary value"); }
-
-bool DrawingEvents::start_object(std::size_t) {
-  if (inside_object_) fail("unexpected object");
-  inside_object_ = true;
-  return true;
-}
-
-bool DrawingEvents::key(std::string& name) {
-  const auto found = std::find(std::begin(kKeyNames) + 1, std::end(kKeyNames), name);
-  const bool in_answers = std::ranges::find(kKeysOfAnswers, name) != std::end(kKeysOfAnswers);
-  if (found == std::end(kKeyNames) || (of_answer_ ? !in_answers : name == "seconds")) {
-    throw InputError(fmt::format("unknown key {}", shown(name)));
-  }
-  const auto index = found - std::begin(kKeyNames);
-  key_ = static_cast<Key>(index);
-  if (std::exchange(seen_[index], true))
-    throw InputError(fmt::format("key '{}' stands twice", name));
-  return true;
-}
-
-bool DrawingEvents::end_object() {
-  key_ = Key::none;
-  return true;
-}
-
-bool DrawingEvents::start_array(std::size_t) {
-  const std::size_t depth = items_.size();
-  const bool list = key_ == Key::gram || key_ == Key::vertices || key_ == Key::edges;
-  const bool fits = depth == 0   ? list
-                    : depth == 1 ? true
-                    : depth == 2 ? key_ == Key::edges && items_.back() == 2
-                                 : depth == 3 && key_ == Key::edges;
-  if (!fits)
-    fail(depth == 0 && key_ == Key::none ? "expected an object, found an array"
-                                         : "unexpected array");
-  items_.push_back(0);
-  return true;
-}
-
-bool DrawingEvents::end_array() {
-  const std::size_t depth = items_.size();
-  if (is_point(depth)) end_point();
-  if (key_ == Key::edges && depth == 2) end_edge();
-  if (key_ == Key::gram && depth == 1 && items_.back() != 3) {
-    fail_list(fmt::format("{} rows instead of 3", items_.back()));
-  }
-  items_.pop_back();
-  if (!items_.empty()) ++items_.back();
-  return true;
-}
-
-void DrawingEvents::end_point() {
-  if (of_answer_) {
-    if (items_.back() < 2) fail_list(fmt::format("{} numbers instead of 2 or 3", items_.back()));
-    if (items_.back() == 2) decimals_[2] = {};
-    (key_ == Key::edges ? answer_.bends : answer_.vertices).push_back(decimals_);
-    return;
-  }
-  if (items_.back() != 3) fail_list(fmt::format("{} numbers instead of 3", items_.back()));
-  const Point p{numbers_[0], numbers_[1], numbers_[2]};
-  if (has_texts_ && key_ != Key::gram) {
-    auto& list = key_ == Key::edges ? real_.bends : real_.vertices;
-    list.push_back({real_numbers_[0], real_numbers_[1], real_numbers_[2]});
-    return;
-  }
-  if (key_ == Key::edges) {
-    edge_bends_.push_back(p);
-  } else if (key_ == Key::vertices) {
-    vertices_.push_back(p);
-    largest_ = std::max({largest_, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  } else {
-    const std::uint64_t row = items_.front();
-    if (row >= 3) fail_list("unexpected fourth row");
-    for (std::size_t column = 0; column < 3; ++column) {
-      const std::int64_t entry = numbers_[column];
-      if (std::abs(entry) > std::numeric_limits<std::int32_t>::max()) {
-        fail(fmt::format("entry {} does not fit 32 bits", entry));
-      }
-      lattice_.gram[row][column] = static_cast<std::int32_t>(entry);
-    }
-  }
-}
-
-void DrawingEvents::end_edge() {
-  const std::uint64_t fewest = of_answer_ ? 2 : 3;
-  if (items_.back() < fewest) fail_list("an edge is [u, v, [bends]]");
-  edges_->push_back(ends_);
-  answer_.offsets.push_back(answer_.bends.size());
-  real_.offsets.push_back(real_.bends.size());
-  bends_->add_edge(edge_bends_);
-  edge_bends_.clear();
-}
-
-bool DrawingEvents::parse_error(std::size_t at, const std::string&,
-                                const nlohmann::json::exception& error) {
-  std::string reason =
-      error.what();  // "[json.exception.…] parse error at line 1, column 5: syntax error …"
-  const std::size_t place_end = reason.find(": ");
-  if (place_end != std::string::npos) reason.erase(0, place_end + 2);
-  std::replace(reason.begin(), reason.end(), '\n', ' ');
-  throw SyntaxError(at, reason);
-}
-
-void DrawingEvents::refuse_missing(std::initializer_list<Key> keys) const {
-  for (const Key key : keys) {
-    if (seen(key)) continue;
-    throw InputError(fmt::format("key '{}' is missing", kKeyNames[static_cast<int>(key)]));
-  }
-}
-
-Drawing DrawingEvents::finish_real_drawing() {
-  refuse_missing({Key::algorithm, Key::real_type, Key::unit_exponent, Key::vertices, Key::edges});
-  if (seen(Key::gram) || seen(Key::gram_denominator)) {
-    throw InputError("a drawing in a real type has no 'gram' and no 'gram_denominator'");
-  }
-  if (has_integers_) throw InputError("coordinates in a real type are texts of decimal integers");
-  if (real_.vertices.size() != n_) {
-    throw InputError(fmt::format("n is {}, but there are {} vertices", n_, real_.vertices.size()));
-  }
-  require_values_of_type(real_);
-  return real_drawing(std::move(algorithm_), std::move(edges_), std::move(real_));
-}
-
-Drawing DrawingEvents::finish_drawing() {
-  if (seen(Key::real_type) || seen(Key::unit_exponent)) {
-    return finish_real_drawing();
-  }
-  refuse_missing({Key::algorithm, Key::gram, Key::gram_denominator, Key::vertices, Key::edges});
-  if (has_texts_) throw InputError("coordinates are integers, but for those in a real type");
-  if (vertices_.size() != n_) {
-    throw InputError(fmt::format("n is {}, but there are {} vertices", n_, vertices_.size()));
-  }
-  lattice_.validate();
-  Coordinates coordinates(vertices_.size(), largest_);
-  for (std::size_t v = 0; v < vertices_.size(); ++v) coordinates.set(v, vertices_[v]);
-  return Drawing(std::move(algorithm_), lattice_, std::move(coordinates), std::move(edges_),
-                 std::move(bends_));
-}
-
-DrawingJsonlReader::Line DrawingEvents::finish() {
-  if (!inside_object_) throw InputError("expected an object");
-  refuse_missing({Key::n});
-  if (!seen(Key::error)) return finish_drawing();
-  if (std::count(std::begin(seen_), std::end(seen_), true) != 2) {
-    throw InputError("a line with 'error' has no other key than 'n'");
-  }
-  return UndrawnGraph{n_, std::move(error_)};
-}
-
-DecimalDrawing DrawingEvents::finish_answer() {
-  if (!inside_object_) throw InputError("expected an object");
-  if (seen(Key::error)) {
-    answer_.error = error_.empty() ? "no reason given" : error_;
-  } else if (!seen(Key::vertices)) {
-    throw InputError("neither 'vertices' nor 'error' is in it");
-  }
-  if (seen(Key::edges)) answer_.edges = std::move(*edges_);
-  return std::move(answer_);
-}
 
 }  // namespace
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "ar3d/formats/drawings/drawing_jsonl.h"
-#include "ar3d/formats/text/numbers_text.h"
+#include "ar3d/formats/text/output.h"
 #include "ar3d/model/real_points.h"
 
 namespace ar3d {
@@ -13,15 +13,7 @@ std::string json_string(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-void append_point(std::string& out, Point p) {
-  out += '[';
-  append_number(out, p.x);
-  out += ',';
-  append_number(out, p.y);
-  out += ',';
-  append_number(out, p.z);
-  out += ']';
-}
+void append_point(std::string& out, Point p) { append_all(out, '[', p.x, ',', p.y, ',', p.z, ']'); }
 
 void append_big_point(std::string& out, const BigPoint& p) {
   out += "[\"" + p.x.str() + "\",\"" + p.y.str() + "\",\"" + p.z.str() + "\"]";
@@ -45,30 +37,24 @@ void append_vertices(std::string& out, const Drawing& drawing, Flush flush) {
 }
 
 void append_head(std::string& out, const Drawing& drawing) {
-  out += "{\"n\":";
-  append_number(out, drawing.num_vertices());
-  out += ",\"algorithm\":" + json_string(drawing.algorithm());
+  append_all(out, "{\"n\":", drawing.num_vertices(),
+             ",\"algorithm\":", json_string(drawing.algorithm()));
   if (drawing.real) {
-    out += ",\"real_type\":" + json_string(drawing.real->type) + ",\"unit_exponent\":";
-    return append_number(out, drawing.real->unit_exponent);
+    append_all(out, ",\"real_type\":", json_string(drawing.real->type),
+               ",\"unit_exponent\":", drawing.real->unit_exponent);
+    return;
   }
-  out += ",\"gram\":[";
-  for (std::size_t row = 0; row < 3; ++row) {
-    const auto& entries = drawing.lattice().gram[row];
-    if (row > 0) out += ',';
-    append_point(out, {entries[0], entries[1], entries[2]});
+  const char* separator = ",\"gram\":[";
+  for (const auto& row : drawing.lattice().gram) {
+    out += std::exchange(separator, ",");
+    append_point(out, {row[0], row[1], row[2]});
   }
-  out += "],\"gram_denominator\":";
-  append_number(out, drawing.lattice().gram_denominator);
+  append_all(out, "],\"gram_denominator\":", drawing.lattice().gram_denominator);
 }
 
 template <class AppendPoint, class Points>
 void append_edge(std::string& out, Edge ends, const Points& bends, AppendPoint append) {
-  out += '[';
-  append_number(out, ends.u);
-  out += ',';
-  append_number(out, ends.v);
-  out += ",[";
+  append_all(out, '[', ends.u, ',', ends.v, ",[");
   const char* separator = "";
   for (const auto& bend : bends) {
     out += std::exchange(separator, ",");
@@ -110,9 +96,7 @@ void append_drawing_line(std::string& out, const Drawing& drawing) {
 }
 
 void append_error_line(std::string& out, const UndrawnGraph& undrawn) {
-  out += "{\"n\":";
-  append_number(out, undrawn.n);
-  out += ",\"error\":" + json_string(undrawn.error) + "}\n";
+  append_all(out, "{\"n\":", undrawn.n, ",\"error\":", json_string(undrawn.error), "}\n");
 }
 
 void write_vertices(OutputFile& output, const Drawing& drawing) {

@@ -1,5 +1,6 @@
+// Wavefront OBJ and PLY, as text.
 #include "ar3d/base/printable.h"
-#include "ar3d/formats/drawings/export_parts.h"
+#include "ar3d/formats/drawings/drawing_exports.h"
 
 namespace ar3d {
 namespace {

@@ -1,3 +1,5 @@
+// Binary STL for printing. Tubes are carried along their edge, ring by ring, and cut at mitres, so
+// that they close.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -5,7 +7,7 @@
 #include <map>
 #include <numbers>
 
-#include "ar3d/formats/drawings/export_parts.h"
+#include "ar3d/formats/drawings/drawing_exports.h"
 
 namespace ar3d {
 namespace {

@@ -1,4 +1,6 @@
-#include "ar3d/formats/drawings/export_parts.h"
+// VTK PolyData as XML text: what ParaView opens; text, since its arrays are then readable by any
+// tool.
+#include "ar3d/formats/drawings/drawing_exports.h"
 
 namespace ar3d {
 namespace {

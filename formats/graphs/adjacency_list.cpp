@@ -1,14 +1,14 @@
-#include "ar3d/formats/graphs/adjacency_list.h"
-
+// A vertex a line, "u: v w …" (the colon may be missing); an edge may stand at one of its ends or
+// at both. Comments and "# vertices N" as in edge lists.
 #include <fmt/format.h>
 
 #include <limits>
 
 #include "ar3d/formats/graphs/arc_collector.h"
 #include "ar3d/formats/graphs/edge_collector.h"
-#include "ar3d/formats/graphs/plain_rows.h"
-#include "ar3d/formats/text/line_shapes.h"
-#include "ar3d/formats/text/numbers_text.h"
+#include "ar3d/formats/graphs/plain_lines.h"
+#include "ar3d/formats/text/output.h"
+#include "ar3d/formats/text/tokens.h"
 
 namespace ar3d {
 namespace {
@@ -96,11 +96,9 @@ class AdjacencyListWriter final : public GraphWriter {
     std::string& out = output_.pending();
     out += fmt::format("# vertices {}\n", graph.num_vertices());
     for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-      append_number(out, std::uint64_t{v} + base_);
-      out += ':';
+      append_all(out, std::uint64_t{v} + base_, ':');
       for (const HalfEdge& half : graph.incident(v)) {
-        out += ' ';
-        append_number(out, std::uint64_t{half.to} + base_);
+        append_all(out, ' ', std::uint64_t{half.to} + base_);
       }
       out += '\n';
       output_.flush_if_full();
@@ -131,18 +129,12 @@ bool looks_like_adjacency_list(const InputHead& head) {
 }  // namespace
 
 GraphFormat adjacency_list_format() {
-  return {
-      .name = "adjlist",
-      .extensions = {".adj", ".adjlist"},
-      .summary = "one vertex per line with its neighbours, \"u: v w …\"",
-      .detect = looks_like_adjacency_list,
-      .parser = [](TextInput& input, const ReadOptions& options) -> std::unique_ptr<GraphParser> {
-        return std::make_unique<AdjacencyListParser>(input, options);
-      },
-      .writer = [](OutputFile& output,
-                   const WriteOptions& options) -> std::unique_ptr<GraphWriter> {
-        return std::make_unique<AdjacencyListWriter>(output, options);
-      }};
+  return {.name = "adjlist",
+          .extensions = {".adj", ".adjlist"},
+          .summary = "one vertex per line with its neighbours, \"u: v w …\"",
+          .detect = looks_like_adjacency_list,
+          .parser = make_parser<AdjacencyListParser>,
+          .writer = make_writer<AdjacencyListWriter>};
 }
 
 }  // namespace ar3d

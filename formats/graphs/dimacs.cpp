@@ -1,5 +1,5 @@
-#include "ar3d/formats/graphs/dimacs.h"
-
+// DIMACS: "p edge N M" or "p col N M" with lines "e u v"; "p sp N M" with arcs "a u v [weight]"
+// both ways.
 #include <fmt/format.h>
 
 #include <limits>
@@ -7,8 +7,8 @@
 
 #include "ar3d/formats/graphs/arc_collector.h"
 #include "ar3d/formats/graphs/edge_collector.h"
-#include "ar3d/formats/text/line_shapes.h"
-#include "ar3d/formats/text/numbers_text.h"
+#include "ar3d/formats/text/output.h"
+#include "ar3d/formats/text/tokens.h"
 
 namespace ar3d {
 namespace {
@@ -104,11 +104,7 @@ class DimacsWriter final : public GraphWriter {
     std::string& out = output_.pending();
     out += fmt::format("p edge {} {}\n", graph.num_vertices(), graph.num_edges());
     for (const auto [u, v] : graph.edges()) {
-      out += "e ";
-      append_number(out, std::uint64_t{u} + 1);
-      out += ' ';
-      append_number(out, std::uint64_t{v} + 1);
-      out += '\n';
+      append_all(out, "e ", std::uint64_t{u} + 1, ' ', std::uint64_t{v} + 1, '\n');
       output_.flush_if_full();
     }
   }
@@ -128,17 +124,12 @@ bool looks_like_dimacs(const InputHead& head) {
 }  // namespace
 
 GraphFormat dimacs_format() {
-  return {
-      .name = "dimacs",
-      .extensions = {".dimacs", ".col", ".gr"},
-      .summary = "DIMACS: \"p edge N M\" and lines \"e u v\", 1-based",
-      .detect = looks_like_dimacs,
-      .parser = [](TextInput& input, const ReadOptions& options) -> std::unique_ptr<GraphParser> {
-        return std::make_unique<DimacsParser>(input, options);
-      },
-      .writer = [](OutputFile& output, const WriteOptions&) -> std::unique_ptr<GraphWriter> {
-        return std::make_unique<DimacsWriter>(output);
-      }};
+  return {.name = "dimacs",
+          .extensions = {".dimacs", ".col", ".gr"},
+          .summary = "DIMACS: \"p edge N M\" and lines \"e u v\", 1-based",
+          .detect = looks_like_dimacs,
+          .parser = make_parser<DimacsParser>,
+          .writer = make_writer<DimacsWriter>};
 }
 
 }  // namespace ar3d

@@ -8,9 +8,8 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/long_vector.h"
-#include "ar3d/formats/graphs/plain_pairs.h"
-#include "ar3d/formats/graphs/simplify.h"
-#include "ar3d/formats/graphs/vertex_limit.h"
+#include "ar3d/formats/graphs/graph_format.h"
+#include "ar3d/formats/graphs/plain_lines.h"
 
 namespace ar3d {
 namespace {

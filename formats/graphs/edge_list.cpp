@@ -1,5 +1,5 @@
-#include "ar3d/formats/graphs/edge_list.h"
-
+// One edge "u v" per line; comments begin with # or %. A line "# vertices N", "% vertices N" or "n
+// N" begins a graph with N vertices; edges without such a line make a graph up to the largest id.
 #include <fmt/format.h>
 
 #include <limits>
@@ -8,8 +8,8 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/formats/graphs/edge_collector.h"
-#include "ar3d/formats/text/line_shapes.h"
-#include "ar3d/formats/text/numbers_text.h"
+#include "ar3d/formats/text/output.h"
+#include "ar3d/formats/text/tokens.h"
 
 namespace ar3d {
 namespace {
@@ -145,14 +145,9 @@ class EdgeListWriter final : public GraphWriter {
 
   void write(const Graph& graph) override {
     std::string& out = output_.pending();
-    out += "# vertices ";
-    append_number(out, graph.num_vertices());
-    out += '\n';
+    append_all(out, "# vertices ", graph.num_vertices(), '\n');
     for (const auto [u, v] : graph.edges()) {
-      append_number(out, std::uint64_t{u} + base_);
-      out += ' ';
-      append_number(out, std::uint64_t{v} + base_);
-      out += '\n';
+      append_all(out, std::uint64_t{u} + base_, ' ', std::uint64_t{v} + base_, '\n');
       output_.flush_if_full();
     }
   }
@@ -178,13 +173,8 @@ GraphFormat edge_list_format() {
       .extensions = {".edges", ".edgelist", ".el", ".txt"},
       .summary = "one edge \"u v\" per line, comments with # or %, \"# vertices N\" begins a graph",
       .detect = looks_like_edge_list,
-      .parser = [](TextInput& input, const ReadOptions& options) -> std::unique_ptr<GraphParser> {
-        return std::make_unique<EdgeListParser>(input, options);
-      },
-      .writer = [](OutputFile& output,
-                   const WriteOptions& options) -> std::unique_ptr<GraphWriter> {
-        return std::make_unique<EdgeListWriter>(output, options);
-      }};
+      .parser = make_parser<EdgeListParser>,
+      .writer = make_writer<EdgeListWriter>};
 }
 
 }  // namespace ar3d

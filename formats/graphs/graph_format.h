@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "ar3d/formats/text/output.h"
@@ -59,6 +60,8 @@ class GraphWriter {
 struct InputHead {
   std::string_view text;
   bool whole = false;  ///< the text is all there is
+  /// The file's ending says "edge list", which lines of numbers alone do not tell from METIS.
+  bool is_named_edge_list = false;
 };
 
 /// One row of the catalogue of graph formats. Every format holds many graphs a file.
@@ -71,5 +74,29 @@ struct GraphFormat {
   std::unique_ptr<GraphParser> (*parser)(TextInput& input, const ReadOptions& options) = nullptr;
   std::unique_ptr<GraphWriter> (*writer)(OutputFile& output, const WriteOptions& options) = nullptr;
 };
+
+/// How rows make their parsers and writers.
+template <class Parser>
+std::unique_ptr<GraphParser> make_parser(TextInput& input, const ReadOptions& options) {
+  return std::make_unique<Parser>(input, options);
+}
+template <class Writer>
+std::unique_ptr<GraphWriter> make_writer(OutputFile& output,
+                                         [[maybe_unused]] const WriteOptions& options) {
+  if constexpr (std::is_constructible_v<Writer, OutputFile&, const WriteOptions&>) {
+    return std::make_unique<Writer>(output, options);
+  } else {
+    return std::make_unique<Writer>(output);
+  }
+}
+
+/// Drops loops, and of parallel edges all but one; what stays is ordered by (u, v), u < v.
+/// O(m log m).
+void simplify(std::vector<Edge>& edges);
+
+/// Why a graph of n vertices written in `bytes` bytes is refused: more vertices than 32-bit ids, or
+/// far more than its text can account for. Nothing if it is accepted.
+std::optional<std::string> vertex_count_problem(std::uint64_t n, std::uint64_t bytes,
+                                                const ReadOptions& options);
 
 }  // namespace ar3d

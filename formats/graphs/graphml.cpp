@@ -1,5 +1,6 @@
-#include "ar3d/formats/graphs/graphml.h"
-
+// GraphML, parsed by pugixml: vertices are numbered in the order of their <node> elements; a file
+// may hold several <graph> elements. Attributes are read over. The whole file is held in memory
+// while it is read.
 #include <fmt/format.h>
 #include <iconv.h>
 
@@ -11,9 +12,9 @@
 #include <vector>
 
 #include "ar3d/base/error.h"
+#include "ar3d/formats/graphs/graph_format.h"
 #include "ar3d/formats/graphs/node_ids.h"
-#include "ar3d/formats/graphs/simplify.h"
-#include "ar3d/formats/text/numbers_text.h"
+#include "ar3d/formats/text/output.h"
 
 // The whole document is read into pugixml's tree, which expands no entity that a document defines
 // itself and parses without recursion: neither bombs of entities nor deep nesting cost more than
@@ -165,17 +166,11 @@ class GraphmlWriter final : public GraphWriter {
     std::string& out = output_.pending();
     out += fmt::format("<graph id=\"g{}\" edgedefault=\"undirected\">\n", graphs_++);
     for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-      out += "<node id=\"n";
-      append_number(out, v);
-      out += "\"/>\n";
+      append_all(out, "<node id=\"n", v, "\"/>\n");
       output_.flush_if_full();
     }
     for (const auto [u, v] : graph.edges()) {
-      out += "<edge source=\"n";
-      append_number(out, u);
-      out += "\" target=\"n";
-      append_number(out, v);
-      out += "\"/>\n";
+      append_all(out, "<edge source=\"n", u, "\" target=\"n", v, "\"/>\n");
       output_.flush_if_full();
     }
     out += "</graph>\n";
@@ -190,22 +185,17 @@ class GraphmlWriter final : public GraphWriter {
 }  // namespace
 
 GraphFormat graphml_format() {
-  return {
-      .name = "graphml",
-      .extensions = {".graphml", ".xml"},
-      .summary = "GraphML: nodes and edges as XML, attributes are read over",
-      .detect =
-          [](const InputHead& head) {
-            const std::size_t first = head.text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
-            if (is_utf16(head.text)) return true;
-            return first != std::string_view::npos && head.text[first] == '<';
-          },
-      .parser = [](TextInput& input, const ReadOptions& options) -> std::unique_ptr<GraphParser> {
-        return std::make_unique<GraphmlParser>(input, options);
-      },
-      .writer = [](OutputFile& output, const WriteOptions&) -> std::unique_ptr<GraphWriter> {
-        return std::make_unique<GraphmlWriter>(output);
-      }};
+  return {.name = "graphml",
+          .extensions = {".graphml", ".xml"},
+          .summary = "GraphML: nodes and edges as XML, attributes are read over",
+          .detect =
+              [](const InputHead& head) {
+                const std::size_t first = head.text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+                if (is_utf16(head.text)) return true;
+                return first != std::string_view::npos && head.text[first] == '<';
+              },
+          .parser = make_parser<GraphmlParser>,
+          .writer = make_writer<GraphmlWriter>};
 }
 
 }  // namespace ar3d

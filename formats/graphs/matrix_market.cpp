@@ -1,5 +1,5 @@
-#include "ar3d/formats/graphs/matrix_market.h"
-
+// Matrix Market, "matrix coordinate pattern": the adjacency matrix, symmetric, or general if it is
+// symmetric.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,9 +8,9 @@
 
 #include "ar3d/formats/graphs/arc_collector.h"
 #include "ar3d/formats/graphs/edge_collector.h"
-#include "ar3d/formats/graphs/plain_pairs.h"
-#include "ar3d/formats/text/line_shapes.h"
-#include "ar3d/formats/text/numbers_text.h"
+#include "ar3d/formats/graphs/plain_lines.h"
+#include "ar3d/formats/text/output.h"
+#include "ar3d/formats/text/tokens.h"
 
 namespace ar3d {
 namespace {
@@ -134,10 +134,8 @@ class MatrixMarketWriter final : public GraphWriter {
     out += fmt::format("{} matrix coordinate pattern symmetric\n{} {} {}\n", kBanner,
                        graph.num_vertices(), graph.num_vertices(), graph.num_edges());
     for (const auto [u, v] : graph.edges()) {  // the lower triangle
-      append_number(out, std::uint64_t{std::max(u, v)} + 1);
-      out += ' ';
-      append_number(out, std::uint64_t{std::min(u, v)} + 1);
-      out += '\n';
+      const auto [low, high] = std::minmax(u, v);
+      append_all(out, std::uint64_t{high} + 1, ' ', std::uint64_t{low} + 1, '\n');
       output_.flush_if_full();
     }
   }
@@ -149,17 +147,12 @@ class MatrixMarketWriter final : public GraphWriter {
 }  // namespace
 
 GraphFormat matrix_market_format() {
-  return {
-      .name = "matrixmarket",
-      .extensions = {".mtx"},
-      .summary = "Matrix Market: the adjacency matrix as coordinate pattern symmetric",
-      .detect = [](const InputHead& head) { return is_banner(head.text); },
-      .parser = [](TextInput& input, const ReadOptions& options) -> std::unique_ptr<GraphParser> {
-        return std::make_unique<MatrixMarketParser>(input, options);
-      },
-      .writer = [](OutputFile& output, const WriteOptions&) -> std::unique_ptr<GraphWriter> {
-        return std::make_unique<MatrixMarketWriter>(output);
-      }};
+  return {.name = "matrixmarket",
+          .extensions = {".mtx"},
+          .summary = "Matrix Market: the adjacency matrix as coordinate pattern symmetric",
+          .detect = [](const InputHead& head) { return is_banner(head.text); },
+          .parser = make_parser<MatrixMarketParser>,
+          .writer = make_writer<MatrixMarketWriter>};
 }
 
 }  // namespace ar3d

@@ -1,19 +1,24 @@
-#include "ar3d/formats/graphs/metis.h"
-
+// METIS: a line "n m [fmt [ncon]]", then n lines with the neighbours of a vertex each, 1-based;
+// comments begin with %. Weights and sizes are read over.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "ar3d/formats/graphs/arc_collector.h"
-#include "ar3d/formats/graphs/metis_detection.h"
-#include "ar3d/formats/graphs/plain_rows.h"
-#include "ar3d/formats/text/line_shapes.h"
-#include "ar3d/formats/text/numbers_text.h"
+#include "ar3d/formats/graphs/plain_lines.h"
+#include "ar3d/formats/text/output.h"
+#include "ar3d/formats/text/tokens.h"
 
 namespace ar3d {
 namespace {
 
 constexpr std::uint64_t kMaxVertices = 0xfffffffe;
+/// The comment that our writer puts before every graph.
+constexpr std::string_view kMetisMark = "% METIS graph, 1-based";
 
 class MetisParser final : public GraphParser {
  public:
@@ -119,9 +124,7 @@ class MetisWriter final : public GraphWriter {
     for (Vertex v = 0; v < graph.num_vertices(); ++v) {
       const char* separator = "";
       for (const HalfEdge& half : graph.incident(v)) {
-        out += separator;
-        append_number(out, std::uint64_t{half.to} + 1);
-        separator = " ";
+        append_all(out, std::exchange(separator, " "), std::uint64_t{half.to} + 1);
       }
       out += '\n';
       output_.flush_if_full();
@@ -132,20 +135,79 @@ class MetisWriter final : public GraphWriter {
   OutputFile& output_;
 };
 
+/// The numbers of a line; nothing if there is another word or a number of more than 64 bits.
+std::optional<std::vector<std::uint64_t>> numbers_of(std::string_view line) {
+  constexpr std::string_view kSpace = " \t\r\v\f";
+  std::vector<std::uint64_t> numbers;
+  for (;;) {
+    const std::size_t first = line.find_first_not_of(kSpace);
+    if (first == std::string_view::npos) return numbers;
+    line.remove_prefix(first);
+    std::uint64_t value = 0;
+    const auto [stop, error] = std::from_chars(line.data(), line.data() + line.size(), value);
+    if (error != std::errc()) return std::nullopt;
+    line.remove_prefix(static_cast<std::size_t>(stop - line.data()));
+    if (!line.empty() && kSpace.find(line[0]) == std::string_view::npos) return std::nullopt;
+    numbers.push_back(value);
+  }
+}
+
+/// Takes the next whole line that is no comment from the text.
+std::optional<std::string_view> take_line(std::string_view& text, bool whole) {
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    if (end == std::string_view::npos && !whole) return std::nullopt;
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    if (!is_comment(line)) return line;
+  }
+  return std::nullopt;
+}
+
+/// Tells METIS files from edge lists, both being lines of numbers. METIS if the text begins with
+/// our mark, or if it can be METIS (a header with n >= 1 and ids 1 to n in the lines after it, as
+/// far as they are seen) and cannot be an edge list: a line has not two numbers, or the first edge
+/// would be the loop (n, n). A text that can be neither passes for an edge list.
+bool looks_like_metis(const InputHead& head) {
+  if (head.text.starts_with(kMetisMark)) return true;
+  if (head.is_named_edge_list) return false;
+  std::string_view text = head.text;
+  std::optional<std::string_view> line = take_line(text, head.whole);
+  while (line && is_blank(*line)) line = take_line(text, head.whole);
+  if (!line) return false;
+  const auto header = numbers_of(*line);
+  if (!header || header->size() < 2 || header->size() > 4) return false;
+  const std::uint64_t n = header->front();
+  const std::uint64_t m = header->at(1);
+  const bool plain = header->size() == 2;
+  if (n == 0) return m == 0;
+  if (m == 0 && plain) return false;  // the edge (n, 0), or a header: the edge list's to ask
+  bool edge_list = plain && n != m;   // it can be one, too
+  std::uint64_t rows = 0;
+  for (line = take_line(text, head.whole); line && rows < n; line = take_line(text, head.whole)) {
+    const auto row = numbers_of(*line);
+    if (!row) return false;
+    ++rows;
+    if (plain &&
+        !std::all_of(row->begin(), row->end(), [&](auto id) { return id >= 1 && id <= n; })) {
+      return false;
+    }
+    if (!row->empty() && row->size() != 2) edge_list = false;
+  }
+  if (m == 0)
+    return rows == n || !head.whole;  // nothing but blank lines: all of them, or an edge (n, 0)
+  return !edge_list;
+}
+
 }  // namespace
 
 GraphFormat metis_format() {
-  return {
-      .name = "metis",
-      .extensions = {".metis", ".graph"},
-      .summary = "METIS: a line \"n m\", then the neighbours of each vertex, 1-based",
-      .detect = looks_like_metis,
-      .parser = [](TextInput& input, const ReadOptions& options) -> std::unique_ptr<GraphParser> {
-        return std::make_unique<MetisParser>(input, options);
-      },
-      .writer = [](OutputFile& output, const WriteOptions&) -> std::unique_ptr<GraphWriter> {
-        return std::make_unique<MetisWriter>(output);
-      }};
+  return {.name = "metis",
+          .extensions = {".metis", ".graph"},
+          .summary = "METIS: a line \"n m\", then the neighbours of each vertex, 1-based",
+          .detect = looks_like_metis,
+          .parser = make_parser<MetisParser>,
+          .writer = make_writer<MetisWriter>};
 }
 
 }  // namespace ar3d

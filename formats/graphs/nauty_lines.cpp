@@ -1,14 +1,14 @@
-#include "ar3d/formats/graphs/nauty_lines.h"
-
+// The formats of nauty and its relatives (https://users.cecs.anu.edu.au/~bdm/data/formats.txt):
+// one graph per line of printable characters. A file may mix the kinds of lines: whichever of the
+// formats is chosen, ':' begins sparse6, ';' incremental sparse6, everything else graph6.
 #include <fmt/format.h>
 
 #include <utility>
 
 #include "ar3d/base/error.h"
 #include "ar3d/formats/graphs/graph6.h"
-#include "ar3d/formats/graphs/simplify.h"
-#include "ar3d/formats/graphs/sparse6.h"
-#include "ar3d/formats/text/line_shapes.h"
+#include "ar3d/formats/graphs/graph_format.h"
+#include "ar3d/formats/text/tokens.h"
 
 namespace ar3d {
 namespace {
@@ -97,11 +97,6 @@ class Sparse6Writer final : public GraphWriter {
   OutputFile& output_;
 };
 
-template <class Writer>
-std::unique_ptr<GraphWriter> writer_of(OutputFile& output, const WriteOptions&) {
-  return std::make_unique<Writer>(output);
-}
-
 /// The first graph of each size in sparse6, the others as changes.
 class IncrementalWriter final : public GraphWriter {
  public:
@@ -120,10 +115,6 @@ class IncrementalWriter final : public GraphWriter {
   OutputFile& output_;
   std::optional<Graph> previous_;
 };
-
-std::unique_ptr<GraphParser> nauty_parser(TextInput& input, const ReadOptions& options) {
-  return std::make_unique<NautyParser>(input, options);
-}
 
 /// The first line is one word that begins with a character of graph6 (so it is not made of
 /// numbers).
@@ -148,8 +139,8 @@ GraphFormat graph6_format() {
           .extensions = {".g6"},
           .summary = "nauty's format for small or dense graphs, one graph per line",
           .detect = looks_like_graph6,
-          .parser = nauty_parser,
-          .writer = writer_of<Graph6Writer>};
+          .parser = make_parser<NautyParser>,
+          .writer = make_writer<Graph6Writer>};
 }
 
 GraphFormat sparse6_format() {
@@ -157,8 +148,8 @@ GraphFormat sparse6_format() {
           .extensions = {".s6"},
           .summary = "nauty's format for sparse graphs, one graph per line",
           .detect = looks_like_sparse6,
-          .parser = nauty_parser,
-          .writer = writer_of<Sparse6Writer>};
+          .parser = make_parser<NautyParser>,
+          .writer = make_writer<Sparse6Writer>};
 }
 
 GraphFormat incremental_sparse6_format() {
@@ -166,8 +157,8 @@ GraphFormat incremental_sparse6_format() {
           .extensions = {".is6"},
           .summary = "incremental sparse6: each graph as its difference from the one before",
           .detect = looks_like_increment,
-          .parser = nauty_parser,
-          .writer = writer_of<IncrementalWriter>};
+          .parser = make_parser<NautyParser>,
+          .writer = make_writer<IncrementalWriter>};
 }
 
 }  // namespace ar3d

@@ -1,5 +1,3 @@
-#include "ar3d/formats/graphs/sparse6.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +6,8 @@
 #include <span>
 
 #include "ar3d/base/error.h"
-#include "ar3d/formats/graphs/vertex_limit.h"
+#include "ar3d/formats/graphs/graph6.h"
+#include "ar3d/formats/graphs/graph_format.h"
 
 namespace ar3d {
 namespace {

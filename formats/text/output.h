@@ -1,8 +1,11 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "ar3d/base/new_file.h"
 
@@ -41,5 +44,21 @@ class OutputFile {
   std::string pending_;
   int file_ = -1;
 };
+
+/// Appends texts and characters as they are and integers in decimal; faster than a format string
+/// where millions are written.
+template <class... Parts>
+void append_all(std::string& out, const Parts&... parts) {
+  const auto append = [&out](const auto& part) {
+    using Part = std::decay_t<decltype(part)>;
+    if constexpr (std::is_integral_v<Part> && !std::is_same_v<Part, char>) {
+      const fmt::format_int text(part);
+      out.append(text.data(), text.size());
+    } else {
+      out += part;
+    }
+  };
+  (append(parts), ...);
+}
 
 }  // namespace ar3d

@@ -1,14 +1,44 @@
 #pragma once
 
+#include <bit>
 #include <cstdint>
-#include <limits>
+#include <cstring>
+#include <optional>
 #include <string>
 #include <string_view>
 
-#include "ar3d/formats/text/leading_digits.h"
 #include "ar3d/formats/text/text_input.h"
 
 namespace ar3d {
+
+/// How many digits stand at `at`, 8 if there are more, and their number in `value`. All eight bytes
+/// are read and converted at once (D. Lemire 2018, "Quickly parsing eight digits").
+/// @param at  8 readable bytes.
+inline unsigned leading_digits(const char* at, std::uint64_t& value) {
+  std::uint64_t bytes = 0;
+  std::memcpy(&bytes, at, sizeof bytes);
+  if constexpr (std::endian::native == std::endian::big) bytes = __builtin_bswap64(bytes);
+  const std::uint64_t digits = bytes ^ 0x3030303030303030;  // '0'..'9' become 0..9
+  // The high bit of every byte that is no digit; the first such byte may spoil those behind it
+  // only.
+  const std::uint64_t others = ((digits + 0x7676767676767676) | digits) & 0x8080808080808080;
+  const unsigned count = others == 0 ? 8 : static_cast<unsigned>(std::countr_zero(others)) / 8;
+  if (count == 0) return 0;
+  std::uint64_t v = digits << (64 - 8 * count);  // zeros in front
+  v = (v * 10 + (v >> 8)) & 0x00ff00ff00ff00ff;
+  v = (v * 100 + (v >> 16)) & 0x0000ffff0000ffff;
+  value = (v * 10000 + (v >> 32)) & 0xffffffff;
+  return count;
+}
+
+inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+inline bool is_blank(std::string_view line) {
+  return line.find_first_not_of(" \t\r\v\f") == std::string_view::npos;
+}
+/// True if the text begins with # or %.
+inline bool is_comment(std::string_view text) {
+  return !text.empty() && (text[0] == '#' || text[0] == '%');
+}
 
 /// The words of the line that a TextInput has just given, separated by blanks, tabs and other white
 /// space.
@@ -51,7 +81,6 @@ class Tokens {
   [[noreturn]] void fail(const std::string& message) const { input_->fail(column(), message); }
 
  private:
-  static bool is_digit(char c) { return c >= '0' && c <= '9'; }
   static bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
   void skip_space() {
     while (at_ != end_ && is_space(*at_)) ++at_;
@@ -64,5 +93,9 @@ class Tokens {
   const char* end_;
   const char* word_ = line_;
 };
+
+/// The words of a line "# vertices N", "% vertices N" or "n N" behind its keyword; nothing for
+/// other lines.
+std::optional<Tokens> size_header(const TextInput& input, std::string_view line);
 
 }  // namespace ar3d

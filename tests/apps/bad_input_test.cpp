@@ -9,13 +9,10 @@
 #include "ar3d/bench/measure/environment.h"
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run;
-using testing::ScratchDirectory;
 
 struct BadInput {
   const char* name;
@@ -158,4 +155,4 @@ TEST(Program, TheGraphWithoutVerticesIsDrawn) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -9,12 +9,10 @@
 
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run;
 
 void expect_one_line(const Outcome& outcome, const std::string& told, const std::string& what) {
   EXPECT_EQ(outcome.exit_code, 2) << what << outcome.out;
@@ -103,4 +101,4 @@ TEST(BadKeys, FilesOfEveryFormatAreRefusedByTheirLine) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

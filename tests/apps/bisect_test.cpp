@@ -10,14 +10,11 @@
 #include "ar3d/store/run_storage.h"
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
-using testing::Outcome;
-using testing::run;
-using testing::ScratchDirectory;
 
 constexpr const char* kCell = "'grid (effort=1) on cycle n=50'";
 
@@ -213,4 +210,4 @@ TEST(Bisect, BadInputIsOneClearLine) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

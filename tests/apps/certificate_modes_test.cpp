@@ -6,13 +6,10 @@
 
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run;
-using testing::ScratchDirectory;
 
 const std::string kProgram = AR3D_PROGRAM;
 
@@ -223,4 +220,4 @@ TEST(CertificateModes, ASweepNamesThemOrIsRefused) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

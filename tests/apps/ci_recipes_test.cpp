@@ -7,14 +7,10 @@
 #include "ar3d/store/run_storage.h"
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::read_file;
-using testing::run;
-using testing::ScratchDirectory;
 
 constexpr const char* kFolder = AR3D_SOURCE_DIR "/examples/ci/";
 
@@ -117,4 +113,4 @@ TEST(CiRecipes, TheFilesAreYamlAndRunTheGate) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

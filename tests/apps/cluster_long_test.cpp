@@ -5,14 +5,8 @@
 #include "apps/cluster_recipes.h"
 #include "support/results.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::expect_same_rows;
-using testing::Outcome;
-using testing::recipe;
-using testing::run;
-using testing::ScratchDirectory;
 
 void run_on_slurm(const std::string& job_file, const std::string& name) {
   const ScratchDirectory folder;
@@ -34,4 +28,4 @@ TEST(ClusterRecipe, SlurmArray) { run_on_slurm("array.sh", "slurm array"); }
 TEST(ClusterRecipe, SlurmMpi) { run_on_slurm("ranks.sh", "slurm mpi"); }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

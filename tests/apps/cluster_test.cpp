@@ -4,14 +4,8 @@
 #include "apps/cluster_recipes.h"
 #include "support/results.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::expect_same_rows;
-using testing::Outcome;
-using testing::run;
-using testing::run_recipe;
-using testing::ScratchDirectory;
 
 TEST(ClusterRecipe, Mpi) {
   const ScratchDirectory folder;
@@ -32,4 +26,4 @@ TEST(ClusterRecipe, GnuParallel) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

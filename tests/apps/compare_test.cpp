@@ -11,15 +11,11 @@
 #include "support/program.h"
 #include "support/results.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
-using testing::Outcome;
-using testing::read_file;
-using testing::run;
-using testing::ScratchDirectory;
 
 constexpr const char* kStudy =
     "study = 'tiny'\n[[sweep]]\nfamilies = ['cycle', 'random-cubic']\nsizes = [20, 50]\n"
@@ -307,4 +303,4 @@ TEST(CompareProgram, BuildsTakeTurnsAndTheMachineIsCalibrated) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

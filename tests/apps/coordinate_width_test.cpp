@@ -6,12 +6,10 @@
 
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run;
 
 const std::string kProgram = AR3D_PROGRAM;
 
@@ -35,4 +33,4 @@ TEST(Coordinates, ThatTheBoundDoesNotCoverOrThatDoNotFitAreRefused) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

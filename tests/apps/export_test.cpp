@@ -7,13 +7,10 @@
 
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run;
-using testing::ScratchDirectory;
 
 const char* const kExports[] = {"svg", "tikz", "obj", "ply", "vtp", "glb", "stl", "graphml"};
 
@@ -90,4 +87,4 @@ TEST(Export, VtpIsReadByPython) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -14,13 +14,10 @@
 #include "ar3d/store/run_storage.h"
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run;
-using testing::ScratchDirectory;
 
 const std::string kProgram = AR3D_PROGRAM;
 
@@ -177,4 +174,4 @@ TEST(Extremes, SummariesOfGraphsWithoutPoints) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -6,13 +6,10 @@
 
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::read_file;
-using testing::run;
 namespace fs = std::filesystem;
 
 TEST(Figures, AreDrawnAgainByTheirScripts) {
@@ -41,4 +38,4 @@ TEST(Figures, AreDrawnAgainByTheirScripts) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -12,14 +12,10 @@
 #include "support/program.h"
 #include "support/results.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
-using testing::expect_same_rows;
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run;
-using testing::ScratchDirectory;
 namespace fs = std::filesystem;
 
 class GraphFiles : public ::testing::Test {
@@ -280,4 +276,4 @@ TEST_F(GraphFiles, BadCommandsSayWhy) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -10,14 +10,10 @@
 #include "ar3d/store/run_storage.h"
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::read_file;
-using testing::run;
-using testing::ScratchDirectory;
 
 /// The results of a small study, as if a program of that commit had made them on an idle machine.
 std::string results_of(const ScratchDirectory& scratch, const std::string& commit) {
@@ -169,4 +165,4 @@ TEST(HistoryProgram, BadInputIsOneClearLine) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

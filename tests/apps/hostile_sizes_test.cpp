@@ -8,13 +8,10 @@
 
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run;
-using testing::ScratchDirectory;
 
 constexpr const char* kInOneGigabyte = "ulimit -v 1000000; export OMP_NUM_THREADS=1; timeout 100 ";
 
@@ -115,4 +112,4 @@ TEST(HostileSizes, APackedFileDoesNotUnpackWithoutEnd) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -10,14 +10,10 @@
 #include "support/program.h"
 #include "support/results.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::read_file;
-using testing::run;
-using testing::ScratchDirectory;
 namespace fs = std::filesystem;
 
 /// 120 rows of some ten milliseconds.
@@ -125,4 +121,4 @@ TEST(MovedFolder, AStudyEndsInItAndLeavesTheOneThatHasItsNameAlone) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -7,20 +7,15 @@
 #include <map>
 
 #include "ar3d/bench/run/describe_study.h"
-#include "ar3d/store/run_storage.h"
 #include "ar3d/store/journal/journal_writer.h"
+#include "ar3d/store/run_storage.h"
 #include "support/program.h"
 #include "support/results.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
-using testing::expect_same_rows;
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::read_file;
-using testing::run;
-using testing::ScratchDirectory;
 namespace fs = std::filesystem;
 
 // A study that can be met while it runs.
@@ -293,4 +288,4 @@ TEST_F(JournaledStudy, RefusesShardsThatAreNone) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

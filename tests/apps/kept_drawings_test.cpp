@@ -9,13 +9,10 @@
 
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run;
-using testing::ScratchDirectory;
 
 const std::string kProgram = AR3D_PROGRAM;
 
@@ -149,4 +146,4 @@ TEST_F(KeptDrawings, UnknownChoicesAreRefusedByLine) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

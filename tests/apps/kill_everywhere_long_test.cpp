@@ -7,17 +7,14 @@
 #include <filesystem>
 #include <fstream>
 
-#include "ar3d/store/run_storage.h"
 #include "ar3d/store/journal/journal_reader.h"
+#include "ar3d/store/run_storage.h"
 #include "support/program.h"
 #include "support/results.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
-using testing::Outcome;
-using testing::run;
-using testing::ScratchDirectory;
 namespace fs = std::filesystem;
 
 const char* const kPhases = R"(study = "phases"
@@ -98,4 +95,4 @@ TEST_F(KilledEverywhere, OverMpi) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

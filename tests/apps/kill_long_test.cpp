@@ -2,10 +2,10 @@
 
 #include "support/killed_studies.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 TEST(KilledStudies, LoseNothingInFiveHundredKills) { testing::kill_and_resume(500, 2); }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -7,13 +7,10 @@
 #include "support/program.h"
 #include "support/results.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run;
-using testing::ScratchDirectory;
 
 TEST(KilledStudies, LoseNothing) { testing::kill_and_resume(25, 1); }
 
@@ -37,4 +34,4 @@ TEST(FullDisk, IsResumedWhereverItStrikes) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -9,12 +9,10 @@
 #include "support/large_results.h"
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run;
 
 TEST(LargeResults, AreJudgedAndReportedInBoundedMemory) {
   const char* const wanted = std::getenv("AR3D_LARGE_ROWS");
@@ -40,4 +38,4 @@ TEST(LargeResults, AreJudgedAndReportedInBoundedMemory) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -8,13 +8,10 @@
 #include "ar3d/verify/metrics/metrics.h"
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run;
-using testing::ScratchDirectory;
 
 const std::string kProgram = AR3D_PROGRAM;
 
@@ -111,4 +108,4 @@ TEST(DrawLevels, LongLinesAreNeverHeldAsAWhole) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -10,13 +10,10 @@
 #include "support/program.h"
 #include "support/results.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run;
-using testing::ScratchDirectory;
 
 class Limits : public ::testing::Test {
  protected:
@@ -144,4 +141,4 @@ TEST_F(Limits, MisspeltNamesAreTold) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -9,13 +9,10 @@
 #include "ar3d/store/run_storage.h"
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run;
-using testing::ScratchDirectory;
 
 std::int64_t rows_of_phase(const Results& results, RunPhase phase) {
   return std::count_if(results.runs.begin(), results.runs.end(),
@@ -137,4 +134,4 @@ TEST(MeasuredStudy, AFailingSpecificationIsRefusedBeforeAnyWork) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

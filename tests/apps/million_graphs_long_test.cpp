@@ -6,12 +6,10 @@
 #include "ar3d/store/run_storage.h"
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run;
 
 TEST(MillionGraphs, RunAndResumeInBoundedMemory) {
   const testing::ScratchDirectory scratch;
@@ -35,4 +33,4 @@ TEST(MillionGraphs, RunAndResumeInBoundedMemory) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

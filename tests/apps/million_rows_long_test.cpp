@@ -8,12 +8,10 @@
 #include "ar3d/store/run_storage.h"
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run;
 
 const char* const kMillion = R"(study = "million-rows"
 [[sweep]]
@@ -46,4 +44,4 @@ TEST(MillionRows, RunResumeStatusAndPandas) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -11,15 +11,10 @@
 #include "support/program.h"
 #include "support/results.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
-using testing::expect_same_rows;
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run;
-using testing::ScratchDirectory;
-using testing::with_fault;
 namespace fs = std::filesystem;
 
 const char* const kPhases = R"(study = "phases"
@@ -233,4 +228,4 @@ TEST_F(Mpi, AnErrorOfAllRanksIsOneLine) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -7,13 +7,10 @@
 
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run;
-using testing::ScratchDirectory;
 
 /// One line on stderr that holds `part`, exit code 2, nothing on stdout.
 void expect_refused(const std::string& command, const std::string& part) {
@@ -148,4 +145,4 @@ TEST(Files, EscapeSequencesDoNotReachTheTerminal) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

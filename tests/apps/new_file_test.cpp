@@ -6,12 +6,9 @@
 
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
-using testing::read_file;
-using testing::run;
-using testing::ScratchDirectory;
 namespace fs = std::filesystem;
 
 constexpr int kKilled = 128 + 9;
@@ -49,4 +46,4 @@ TEST(NewFile, IsWrittenWhereFilesHaveANameFromTheStart) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -6,10 +6,8 @@
 
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::run;
 
 const std::string kFolder = AR3D_SOURCE_DIR "/examples/open_questions/";
 
@@ -58,4 +56,4 @@ TEST(OpenQuestions, TheSearchFindsTheCommittedDrawingsAgain) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

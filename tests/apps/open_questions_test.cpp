@@ -12,14 +12,13 @@
 
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using nlohmann::json;
 using ::testing::ElementsAre;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
-using testing::run;
 
 const std::string kFolder = AR3D_SOURCE_DIR "/examples/open_questions/";
 
@@ -192,4 +191,4 @@ TEST_F(SmallDrawingsSearch, RefusesBadArgumentsAndSaysWhenItFindsNothing) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -7,14 +7,10 @@
 
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::read_file;
-using testing::run;
-using testing::ScratchDirectory;
 namespace fs = std::filesystem;
 
 class Outputs : public ::testing::Test {
@@ -211,4 +207,4 @@ TEST_F(Outputs, DoNotReplaceWhatBelongsToAnUnfinishedStudy) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -6,7 +6,7 @@
 
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 constexpr const char* kRender = R"(
@@ -38,4 +38,4 @@ TEST(ParaView, RendersADrawing) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

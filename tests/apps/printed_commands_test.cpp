@@ -12,12 +12,8 @@
 #include "support/program.h"
 #include "support/results.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::Outcome;
-using testing::run;
-using testing::ScratchDirectory;
 
 /// The command with the program that was built with the tests.
 std::string runnable(std::string command) {
@@ -150,4 +146,4 @@ TEST(PrintedCommands, OfHuntAndShrinkRunAsPrinted) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -9,12 +9,10 @@
 #include "support/program.h"
 #include "support/results.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run;
 
 TEST(Peers, AreMeasuredBesideOurs) {
   const testing::ScratchDirectory scratch;
@@ -276,4 +274,4 @@ while True:
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -6,13 +6,10 @@
 
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run;
-using testing::ScratchDirectory;
 
 const std::string kProgram = AR3D_PROGRAM;
 
@@ -139,4 +136,4 @@ TEST(RealTypes, TheListSaysWhatIsPromised) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -7,15 +7,11 @@
 #include "ar3d/store/run_storage.h"
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
-using testing::Outcome;
-using testing::read_file;
-using testing::run;
-using testing::ScratchDirectory;
 namespace fs = std::filesystem;
 
 const std::string kReferences = AR3D_SOURCE_DIR "/results/reference/";
@@ -94,4 +90,4 @@ TEST(ReportPage, StoresDrawingsThatComeOutAsRecordedAndNoLargeOnes) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

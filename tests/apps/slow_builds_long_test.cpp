@@ -9,12 +9,8 @@
 
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::Outcome;
-using testing::run;
-using testing::ScratchDirectory;
 
 /// A build that differs in one function, which waits after each drawing for so much of its time.
 std::string slower_program(const ScratchDirectory& scratch, int percent) {
@@ -69,4 +65,4 @@ TEST(SlowBuilds, OfTenPerCentOrMoreNeverPass) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -9,13 +9,10 @@
 #include "ar3d/store/run_storage.h"
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run;
-using testing::ScratchDirectory;
 
 /// How the machine was while one of two files was measured.
 struct Machine {
@@ -92,4 +89,4 @@ INSTANTIATE_TEST_SUITE_P(InFiles, Slowdown, ::testing::Values(3, 5, 10, 20, 50),
                          });
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -6,20 +6,15 @@
 #include <filesystem>
 #include <map>
 
-#include "ar3d/store/run_storage.h"
 #include "ar3d/store/journal/journal_reader.h"
+#include "ar3d/store/run_storage.h"
 #include "support/program.h"
 #include "support/results.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
-using testing::expect_same_rows;
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run;
-using testing::ScratchDirectory;
-using testing::with_fault;
 namespace fs = std::filesystem;
 
 class StudyFiles : public ::testing::Test {
@@ -115,4 +110,4 @@ TEST_F(StudyFiles, WhereLocksDoNothingNoAcknowledgedRowIsLost) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

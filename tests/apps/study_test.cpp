@@ -6,14 +6,10 @@
 
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::read_file;
-using testing::run;
-using testing::ScratchDirectory;
 
 TEST(StudyProgram, SmokeRunsChecksReportsAndReplays) {
   const ScratchDirectory scratch;
@@ -83,4 +79,4 @@ TEST(Program, HelpOfEveryVerbHasAnExample) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

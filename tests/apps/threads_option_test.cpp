@@ -6,12 +6,8 @@
 
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::Outcome;
-using testing::run;
-using testing::ScratchDirectory;
 
 const std::string kProgram = AR3D_PROGRAM;
 
@@ -52,4 +48,4 @@ TEST(Threads, VerifyAndUsage) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -5,12 +5,8 @@
 
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::Outcome;
-using testing::run;
-using testing::ScratchDirectory;
 
 TEST(Export, TikzIsTypeset) {
   const ScratchDirectory scratch;
@@ -25,4 +21,4 @@ TEST(Export, TikzIsTypeset) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -11,15 +11,10 @@
 #include "support/program.h"
 #include "support/results.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
-using testing::good_results;
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::read_file;
-using testing::run;
-using testing::ScratchDirectory;
 
 /// Writes the results, after a change, where the test can use them.
 std::string results_file(const ScratchDirectory& scratch,
@@ -247,4 +242,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

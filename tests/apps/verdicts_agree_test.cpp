@@ -11,14 +11,10 @@
 #include "ar3d/store/run_storage.h"
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::read_file;
-using testing::run;
-using testing::ScratchDirectory;
 namespace fs = std::filesystem;
 
 const char* const kStudy = R"(study = "judged"
@@ -207,4 +203,4 @@ TEST_F(UnfinishedStudy, WithAnOlderResultsFileBesideItsJournal) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -6,14 +6,10 @@
 
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::read_file;
-using testing::run;
-using testing::ScratchDirectory;
 namespace fs = std::filesystem;
 
 TEST(View, WritesTheSamePageAsDraw) {
@@ -72,4 +68,4 @@ TEST(View, ShowsWhatWasNotDrawn) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -1,15 +1,9 @@
-#include "ar3d/formats/graphs/adjacency_list.h"
-
 #include <gtest/gtest.h>
 
 #include "formats/format_helpers.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::edge_set;
-using testing::read_text;
-using testing::refusal;
 
 TEST(AdjacencyList, ReadsEdgesFromOneOrBothEnds) {
   const std::vector<Graph> graphs = read_text("# comment\n0: 1 2\n1 : 0\n2:\n5:0 \n");
@@ -38,4 +32,4 @@ TEST(AdjacencyList, RefusesWithPlaceAndValue) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

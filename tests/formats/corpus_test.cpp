@@ -9,7 +9,7 @@
 // The seeds of the fuzz targets, and every input that once went wrong, replayed without a fuzzer:
 // each is refused with one line or read; the graphs read come back from every format's writer.
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 namespace fs = std::filesystem;
@@ -61,4 +61,4 @@ TEST(Corpus, EveryDrawingFileIsReadOrRefusedWithOneLine) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

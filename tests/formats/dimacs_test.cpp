@@ -1,15 +1,9 @@
-#include "ar3d/formats/graphs/dimacs.h"
-
 #include <gtest/gtest.h>
 
 #include "formats/format_helpers.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::edge_set;
-using testing::read_text;
-using testing::refusal;
 
 TEST(Dimacs, ReadsEdgesColoursAndArcs) {
   const Graph expected(4, {{1, 0}, {2, 1}});
@@ -42,4 +36,4 @@ TEST(Dimacs, RefusesWithPlaceAndValue) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

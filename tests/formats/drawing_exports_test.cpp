@@ -17,7 +17,7 @@
 #include "ar3d/generators/catalog.h"
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
@@ -234,4 +234,4 @@ TEST(Exports, RefuseWhatTheFormatCannotHold) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -5,7 +5,7 @@
 #include "ar3d/base/random.h"
 #include "formats/format_helpers.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 Drawing drawing_of(std::vector<Point> points, std::vector<Edge> edges,
@@ -184,4 +184,4 @@ TEST(DrawingJsonl, RefusesWhatIsNotJson) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

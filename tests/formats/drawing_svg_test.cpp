@@ -8,7 +8,7 @@
 
 #include "ar3d/base/error.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
@@ -118,4 +118,4 @@ TEST(DrawingTikz, IsOnePicture) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

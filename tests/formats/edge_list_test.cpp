@@ -1,5 +1,3 @@
-#include "ar3d/formats/graphs/edge_list.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,12 +5,8 @@
 #include "formats/format_helpers.h"
 #include "support/graphs.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::edge_set;
-using testing::read_text;
-using testing::refusal;
 
 TEST(EdgeList, ReadsCommentsBlanksAndCountsVertices) {
   const std::vector<Graph> graphs = read_text("# SNAP style\n% another\n0 1\n\n  2\t1\r\n 4 0 \n");
@@ -143,4 +137,4 @@ TEST(EdgeList, TheEndingTellsItFromMetis) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

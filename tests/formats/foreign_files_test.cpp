@@ -9,7 +9,7 @@
 
 #include "formats/format_helpers.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 namespace fs = std::filesystem;
@@ -101,4 +101,4 @@ TEST(ForeignFiles, AreAllLookedAt) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -1,16 +1,11 @@
-#include "ar3d/formats/graphs/graphml.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "formats/format_helpers.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
-using testing::edge_set;
-using testing::read_text;
-using testing::refusal;
 using ::testing::StartsWith;
 
 /// A document as networkx writes it, with attributes; one graph's content.
@@ -112,4 +107,4 @@ TEST(Graphml, EntitiesOfTheDocumentAreNotExpanded) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

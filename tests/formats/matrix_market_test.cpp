@@ -1,15 +1,9 @@
-#include "ar3d/formats/graphs/matrix_market.h"
-
 #include <gtest/gtest.h>
 
 #include "formats/format_helpers.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::edge_set;
-using testing::read_text;
-using testing::refusal;
 
 const std::string kSymmetric = "%%MatrixMarket matrix coordinate pattern symmetric\n";
 const std::string kGeneral = "%%MatrixMarket matrix coordinate pattern general\n";
@@ -67,4 +61,4 @@ TEST(MatrixMarket, RefusesAbsurdSizesWithoutAllocating) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

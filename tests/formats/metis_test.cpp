@@ -1,17 +1,10 @@
-#include "ar3d/formats/graphs/metis.h"
-
 #include <gtest/gtest.h>
 
-#include "ar3d/formats/graphs/metis_detection.h"
 #include "formats/format_helpers.h"
 #include "support/graphs.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::edge_set;
-using testing::read_text;
-using testing::refusal;
 
 TEST(Metis, ReadsTheManualsGraphInItsFourForms) {
   const Graph expected(
@@ -56,7 +49,9 @@ TEST(Metis, RefusesWithPlaceAndValue) {
 }
 
 TEST(Metis, IsToldFromEdgeLists) {
-  const auto detected = [](const std::string& text) { return looks_like_metis({text, true}); };
+  const auto detected = [](const std::string& text) {
+    return find_graph_format("metis").detect({text, true});
+  };
   EXPECT_TRUE(detected("3 2\n2\n1 3\n2\n"));           // rows of other lengths than two
   EXPECT_TRUE(detected("4 4\n2 4\n1 3\n2 4\n1 3\n"));  // all two, but (4, 4) would be a loop
   EXPECT_FALSE(detected("2 0\n\n\n"));
@@ -69,8 +64,9 @@ TEST(Metis, IsToldFromEdgeLists) {
   EXPECT_FALSE(detected("3 2\n2\n1 7\n2\n"));  // 7 is no vertex
   EXPECT_FALSE(detected("3 2\n2\n1 x\n"));
   EXPECT_FALSE(detected(""));
-  EXPECT_TRUE(looks_like_metis({"30000 45000\n2 3 4\n1 7", false}));  // the cut line is left out
+  EXPECT_TRUE(find_graph_format("metis").detect(
+      {"30000 45000\n2 3 4\n1 7", false}));  // the cut line is left out
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -18,7 +18,7 @@
 // The checks of the fuzz targets without a fuzzer: the corpus, and mutations of it that are the
 // same in every run. Needs no clang; what libFuzzer adds is the search guided by coverage.
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 constexpr int kExecutions = 200000;
@@ -129,4 +129,4 @@ INSTANTIATE_TEST_SUITE_P(Targets, Mutations,
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

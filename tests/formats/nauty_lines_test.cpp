@@ -1,5 +1,3 @@
-#include "ar3d/formats/graphs/nauty_lines.h"
-
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -7,12 +5,8 @@
 #include "formats/format_helpers.h"
 #include "support/graphs.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::edge_set;
-using testing::read_text;
-using testing::refusal;
 
 /// What a shell command prints.
 std::string output_of(const std::string& command) {
@@ -140,4 +134,4 @@ TEST(Graph6, RefusesToWriteGigabytes) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

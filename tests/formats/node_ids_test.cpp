@@ -9,7 +9,7 @@
 
 #include "ar3d/base/random.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 void expect_as_map(const std::vector<std::string>& texts) {
@@ -46,4 +46,4 @@ TEST(NodeIds, ShuffledAndSparseNumbers) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

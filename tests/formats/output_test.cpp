@@ -8,12 +8,8 @@
 
 #include "formats/format_helpers.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::read_file;
-using testing::TemporaryFolder;
-using testing::write_file;
 
 std::string refusal(const std::string& path, const std::string& text) {
   try {
@@ -82,4 +78,4 @@ TEST(OutputFile, FullDiskLeavesNothingBehind) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

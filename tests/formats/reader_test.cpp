@@ -6,15 +6,8 @@
 
 // Files, packing and detection: what GraphReader does before any format.
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::edge_set;
-using testing::gzip;
-using testing::read_text;
-using testing::refusal;
-using testing::TemporaryFolder;
-using testing::xz;
 
 std::string file_refusal(const std::string& path) {
   try {
@@ -116,4 +109,4 @@ TEST(GraphFormats, AreFoundByNameAndPath) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

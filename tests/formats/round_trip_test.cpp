@@ -7,7 +7,7 @@
 // Every format of the catalogue gives back every graph it wrote: one alone and many in one file,
 // detected by content and forced, 0- and 1-based.
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 std::vector<Graph> samples() {
@@ -127,4 +127,4 @@ INSTANTIATE_TEST_SUITE_P(Formats, RoundTrip, ::testing::ValuesIn(names()),
                          [](const auto& info) { return info.param; });
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

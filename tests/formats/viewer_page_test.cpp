@@ -15,7 +15,7 @@
 #include "ar3d/generators/catalog.h"
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 Drawing drawing_of(const char* algorithm, const char* family, std::uint64_t n) {
@@ -215,4 +215,4 @@ TEST(GrowthOrder, TellsTheVerticesApart) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -1,14 +1,28 @@
-#include "ar3d/formats/graphs/vertex_limit.h"
+// What the readers of several formats do with the edges and the size that a text claims.
+#include "ar3d/formats/graphs/graph_format.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 namespace ar3d {
 namespace {
 constexpr std::uint64_t kMaxVertices = std::numeric_limits<Vertex>::max() - 1;
 constexpr std::uint64_t kVerticesPerByte = 16;
 }  // namespace
+
+void simplify(std::vector<Edge>& edges) {
+  std::erase_if(edges, [](const Edge& edge) { return edge.u == edge.v; });
+  for (Edge& edge : edges) {
+    if (edge.u > edge.v) std::swap(edge.u, edge.v);
+  }
+  std::sort(edges.begin(), edges.end(),
+            [](const Edge& a, const Edge& b) { return std::tie(a.u, a.v) < std::tie(b.u, b.v); });
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+}
 
 std::optional<std::string> vertex_count_problem(std::uint64_t n, std::uint64_t bytes,
                                                 const ReadOptions& options) {
