@@ -19,7 +19,7 @@
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/spec/study_spec.h"
 #include "commands.h"
-#include "numbers.h"
+#include "options.h"
 #include "outputs.h"
 #include "report_page.h"
 

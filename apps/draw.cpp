@@ -20,11 +20,8 @@
 #include "batches.h"
 #include "commands.h"
 #include "drawing_summary.h"
-#include "graph_input.h"
-#include "numbers.h"
+#include "options.h"
 #include "outputs.h"
-#include "threads_option.h"
-#include "words.h"
 
 namespace ar3d {
 namespace {

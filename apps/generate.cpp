@@ -18,7 +18,7 @@
 #include "ar3d/generators/named.h"
 #include "ar3d/model/settings.h"
 #include "commands.h"
-#include "numbers.h"
+#include "options.h"
 #include "outputs.h"
 
 namespace ar3d {

@@ -13,7 +13,7 @@
 #include "ar3d/base/new_file.h"
 #include "ar3d/bench/compare/git.h"
 #include "commands.h"
-#include "numbers.h"
+#include "options.h"
 #include "outputs.h"
 
 namespace ar3d {

@@ -1,19 +1,168 @@
+// `ar3d hunt` and `ar3d shrink`: graphs whose drawings come close to a bound, or break it.
 #include "ar3d/bench/search/hunt.h"
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
+#include "ar3d/analysis/replay.h"
 #include "ar3d/base/error.h"
+#include "ar3d/base/new_file.h"
+#include "ar3d/bench/search/shrink.h"
+#include "ar3d/bench/search/trial.h"
+#include "ar3d/formats/catalog.h"
+#include "ar3d/formats/drawings/drawing_jsonl.h"
+#include "ar3d/formats/drawings/drawing_svg.h"
+#include "ar3d/formats/graphs/graph6.h"
 #include "ar3d/model/settings.h"
 #include "commands.h"
-#include "graph_input.h"
-#include "numbers.h"
-#include "subject_arguments.h"
+#include "options.h"
+#include "outputs.h"
 
 namespace ar3d {
 namespace {
+
+/// What `hunt` and `shrink` share: which drawings, which share of which bound, and where the
+/// exhibit goes.
+struct SubjectArguments {
+  std::string algorithm;
+  std::vector<std::string> options;
+  std::string seeded_fault;
+  std::string measure = "side";
+  std::string against = "theorem";
+  std::string output;
+  bool force = false;
+};
+
+constexpr EdgeId kMostEdgesInPicture = 2000;
+
+std::string algorithm_words(const SubjectArguments& arguments) {
+  std::string words = " --algorithm " + shell_word(arguments.algorithm);
+  for (const std::string& option : arguments.options) words += " --set " + shell_word(option);
+  return words;
+}
+
+std::string draw_line(const SubjectArguments& arguments) {
+  return fmt::format("ar3d draw {}{}", shell_word(arguments.output + ".s6"),
+                     algorithm_words(arguments));
+}
+
+/// The lines with which anybody sees the same again.
+std::string replay_lines(const Trial& trial, const SubjectArguments& arguments) {
+  const std::string graph = shell_word(arguments.output + ".s6");
+  std::string lines =
+      fmt::format("ar3d verify {} --graphs {}\n", shell_word(arguments.output + ".jsonl"), graph);
+  if (arguments.seeded_fault.empty()) {
+    return lines + fmt::format("{} | ar3d verify - --graphs {}\n", draw_line(arguments), graph);
+  }
+  return lines +
+         fmt::format("the fault {} is seeded: {} draws the graph right\n", arguments.seeded_fault,
+                     draw_line(arguments)) +
+         (trial.failure.empty() ? "the seeded fault does not show\n" : "");
+}
+
+void add_subject_options(CLI::App& verb, SubjectArguments& arguments) {
+  verb.add_option("--algorithm", arguments.algorithm, "an algorithm of `ar3d list algorithms`")
+      ->required();
+  verb.add_option("--set", arguments.options,
+                  "an option of the algorithm, name=integer; may be repeated")
+      ->type_size(1)
+      ->allow_extra_args(false);
+  verb.add_option("--measure", arguments.measure,
+                  "whose share of the bound counts: x, y, z, side (the largest of them) or volume")
+      ->check(one_of({"side", "x", "y", "z", "volume"}));
+  verb.add_option("--bound", arguments.against, "theorem, or instance: the proof's for this graph")
+      ->check(one_of({"theorem", "instance"}));
+  verb.add_option("--seeded-fault", arguments.seeded_fault,
+                  "breaks the drawings on purpose, to see that it is found: wrong-bend or "
+                  "passed-bound");
+  add_force(verb, arguments.force);
+}
+
+/// The line that shrinks the graph of PREFIX.s6 and keeps what the trial shows: its violation, or
+/// its ratio to the last digit.
+std::string shrink_line(const Trial& trial, const SubjectArguments& arguments) {
+  std::string line =
+      fmt::format("ar3d shrink {}{} --measure {} --bound {}", shell_word(arguments.output + ".s6"),
+                  algorithm_words(arguments), arguments.measure, arguments.against);
+  if (!arguments.seeded_fault.empty()) {
+    line += " --seeded-fault " + shell_word(arguments.seeded_fault);
+  }
+  if (trial.failure.empty()) line += fmt::format(" --ratio {}", trial.ratio);
+  return line + " -o " + shell_word(arguments.output + "-small");
+}
+
+/// @throws InputError if the exhibit would go to a stream, over `input` or over somebody's results.
+void refuse_unsafe_exhibit(const SubjectArguments& arguments, const std::string& input) {
+  const std::string& prefix = arguments.output;
+  if (prefix == "-") {
+    throw InputError("-o is the beginning of several files' names here, not a stream");
+  }
+  if (prefix.empty()) return;
+  refuse_unsafe_outputs(
+      {.inputs = {input},
+       .outputs = {prefix + ".s6", prefix + ".jsonl", prefix + ".svg", prefix + ".txt"},
+       .force = arguments.force});
+}
+
+/// @throws InputError naming what is unknown.
+Subject subject_of(const SubjectArguments& arguments) {
+  const Algorithm& algorithm = find_algorithm(arguments.algorithm);
+  Subject subject;
+  subject.choice = {&algorithm, complete_options(algorithm, parse_settings(arguments.options))};
+  if (!arguments.seeded_fault.empty()) {
+    subject.fault = &find_seeded_fault(arguments.seeded_fault);
+  }
+  return subject;
+}
+
+RatioRule rule_of(const SubjectArguments& arguments) {
+  RatioRule rule;
+  for (const auto& [name, measure] :
+       {std::pair("x", Measure::x), std::pair("y", Measure::y), std::pair("z", Measure::z),
+        std::pair("volume", Measure::volume)}) {
+    if (arguments.measure == name) rule.measure = measure;
+  }
+  if (arguments.against == "instance") rule.against = Against::instance;
+  return rule;
+}
+
+/// "extent x 12 of 16 (75.0 %), …; ratio 0.75", and the failure if there is one.
+std::string trial_text(const Trial& trial, const SubjectArguments& arguments) {
+  std::string text = fmt::format(
+      "{} vertices, {} edges: box {} x {} x {} of {:.6g} x {:.6g} x {:.6g}; "
+      "{} is {:.4f} of the {}'s bound\n",
+      trial.graph.num_vertices(), trial.graph.num_edges(), trial.extents[0], trial.extents[1],
+      trial.extents[2], trial.bound[0], trial.bound[1], trial.bound[2], arguments.measure,
+      std::floor(trial.ratio * 1e4) / 1e4, arguments.against);
+  if (trial.failure.empty()) return text;
+  return text + fmt::format("VIOLATED: {}: {}\n", trial.failure, trial.message);
+}
+
+/// Writes PREFIX.s6 (the graph), PREFIX.jsonl (its drawing), PREFIX.svg (a picture, if it is small
+/// enough for one) and PREFIX.txt (what it shows and the lines that show it again), and prints
+/// their names. @throws InputError if one cannot be written.
+void write_exhibit(const Subject& subject, const Trial& trial, const SubjectArguments& arguments) {
+  const std::string& prefix = arguments.output;
+  std::string graph;
+  append_sparse6(graph, trial.graph);
+  write_file_atomically(prefix + ".s6", graph);
+  if (trial.failure != "internal_error") {
+    const Drawing drawing = draw_subject(subject, trial.graph);
+    std::string line;
+    append_drawing_line(line, drawing);
+    write_file_atomically(prefix + ".jsonl", line);
+    if (trial.graph.num_edges() <= kMostEdgesInPicture) {
+      write_file_atomically(prefix + ".svg", drawing_to_svg(drawing));
+    }
+  }
+  const std::string lines = replay_lines(trial, arguments);
+  write_file_atomically(prefix + ".txt", trial_text(trial, arguments) + lines);
+  fmt::print("wrote {}.txt and what it names\n{}", prefix, lines);
+}
 
 struct HuntArguments {
   SubjectArguments subject;
@@ -98,6 +247,80 @@ void add_hunt(CLI::App& app, int& exit_code) {
       "Exit code 4 if a drawing is violated.\n"
       "Example: ar3d hunt --algorithm diamond -n 40 --evaluations 5000 --measure z -o tall");
   verb->callback([arguments, &exit_code] { exit_code = hunt_and_show(*arguments); });
+}
+
+namespace {
+
+struct ShrinkArguments {
+  SubjectArguments subject;
+  std::string input;
+  GraphInput graph;
+  std::optional<double> ratio;
+  std::uint64_t evaluations = 100000;
+};
+
+Graph only_graph(const std::string& path, const ReadOptions& options) {
+  GraphReader reader(path, options);
+  const std::optional<Graph> graph = reader.next();
+  if (!graph) throw InputError(fmt::format("{}: no graph", path));
+  if (reader.next())
+    throw InputError(fmt::format("{}: a second graph; one is wanted", reader.where()));
+  return *graph;
+}
+
+int shrink_and_show(const ShrinkArguments& arguments) {
+  refuse_unsafe_exhibit(arguments.subject, arguments.input);
+  const Subject subject = subject_of(arguments.subject);
+  const RatioRule rule = rule_of(arguments.subject);
+  const Graph graph = only_graph(arguments.input, arguments.graph.read_options());
+  const Trial whole = try_graph(subject, rule, graph);
+  const bool keeps_failure = !arguments.ratio;
+  if (keeps_failure && whole.failure.empty()) {
+    throw InputError(
+        fmt::format("{}: its drawing is proved right; give --ratio to shrink it", arguments.input));
+  }
+  if (!keeps_failure && !(whole.ratio >= *arguments.ratio)) {
+    throw InputError(fmt::format("{}: its ratio is {}, less than {}", arguments.input, whole.ratio,
+                                 *arguments.ratio));
+  }
+  const ShrinkResult result = shrink(
+      graph,
+      [&](const Graph& candidate) {
+        const Trial trial = try_graph(subject, rule, candidate);
+        return keeps_failure ? trial.failure == whole.failure : trial.ratio >= *arguments.ratio;
+      },
+      arguments.evaluations);
+  const Trial least = try_graph(subject, rule, result.graph);
+  fmt::print("{} of {} vertices and {} of {} edges are left after {} drawings{}\n",
+             result.graph.num_vertices(), graph.num_vertices(), result.graph.num_edges(),
+             graph.num_edges(), result.evaluations,
+             result.minimal ? "; none can go" : "; the evaluations ran out");
+  fmt::print("{}", trial_text(least, arguments.subject));
+  write_exhibit(subject, least, arguments.subject);
+  return least.failure.empty() ? kPass : kViolated;
+}
+
+}  // namespace
+
+void add_shrink(CLI::App& app, int& exit_code) {
+  CLI::App* verb = app.add_subcommand(
+      "shrink", "Reduces a graph whose drawing is violated or extreme while it stays so");
+  const auto arguments = std::make_shared<ShrinkArguments>();
+  verb->add_option("GRAPH", arguments->input, "one graph in any input format")->required();
+  add_graph_input_options(*verb, arguments->graph);
+  add_subject_options(*verb, arguments->subject);
+  verb->add_option("--ratio", arguments->ratio,
+                   "keep the share of the bound at least this; else the violation stays")
+      ->check(finite_number(true));
+  verb->add_option("--evaluations", arguments->evaluations, "at most so many drawings")
+      ->check(whole_number(1, 1000000000));
+  verb->add_option("-o,--output", arguments->subject.output,
+                   "prefix of the files that show what is left: .s6, .jsonl, .svg, .txt")
+      ->required();
+  verb->footer(
+      "Exit code 4 if the drawing is violated.\n"
+      "Example: ar3d shrink tall.s6 --algorithm diamond --measure z --ratio 0.8 -o small");
+  verb->callback([arguments, &exit_code] { exit_code = shrink_and_show(*arguments); });
 }
 
 }  // namespace ar3d

@@ -13,7 +13,7 @@
 #include "ar3d/generators/named.h"
 #include "ar3d/verify/metrics/metrics.h"
 #include "commands.h"
-#include "words.h"
+#include "options.h"
 
 namespace ar3d {
 namespace {

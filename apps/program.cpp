@@ -15,7 +15,7 @@
 #include "ar3d/base/nearest_name.h"
 #include "ar3d/base/printable.h"
 #include "commands.h"
-#include "program_formats.h"
+#include "view.h"
 
 namespace {
 

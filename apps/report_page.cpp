@@ -15,7 +15,7 @@
 #include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/formats/drawings/drawing_html.h"
 #include "ar3d/formats/drawings/packed_geometry.h"
-#include "viewer_page.h"
+#include "view.h"
 
 namespace ar3d {
 namespace {

@@ -1,8 +1,10 @@
+// `ar3d study run`, `resume` and `merge`.
 #include "study.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <functional>
@@ -15,6 +17,7 @@
 #include "ar3d/base/new_file.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/bench/keep/journaled_study.h"
+#include "ar3d/bench/keep/merge_study.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/bench/measure/interruption.h"
 #include "ar3d/bench/plan/corpora.h"
@@ -22,12 +25,8 @@
 #include "ar3d/store/journal/journal_writer.h"
 #include "commands.h"
 #include "join_ranks.h"
-#include "making_options.h"
-#include "numbers.h"
 #include "outputs.h"
 #include "report_page.h"
-#include "study_choice.h"
-#include "study_drawings.h"
 #include "study_rows.h"
 
 namespace ar3d {
@@ -153,6 +152,19 @@ void add_common(CLI::App& verb, RunArguments& arguments) {
   add_making_options(verb, arguments.policy);
 }
 
+// "2/8": the second of eight. @throws InputError naming the text.
+Shard parse_shard(const std::string& text) {
+  Shard shard;
+  const char* end = text.data() + text.size();
+  const auto index = std::from_chars(text.data(), end, shard.index);
+  const bool slash = index.ec == std::errc() && index.ptr != end && *index.ptr == '/';
+  const auto count = std::from_chars(slash ? index.ptr + 1 : end, end, shard.count);
+  if (!slash || count.ec != std::errc() || count.ptr != end || !is_shard(shard)) {
+    throw InputError(fmt::format("'{}' is no shard: i/N with 1 <= i <= N <= 1000000", text));
+  }
+  return shard;
+}
+
 JournaledStudy begin_new(const RunArguments& arguments, const Shard& shard) {
   JournaledStudy study = new_study(chosen_study(arguments.chosen), shard, arguments.output);
   const std::string page = report_path(study.results);
@@ -230,6 +242,43 @@ void add_resume(CLI::App& study, int& exit_code) {
   });
 }
 
+struct MergeArguments {
+  std::vector<std::string> parts;
+  std::string output;
+  bool force = false;
+};
+
+int merge(const MergeArguments& arguments) {
+  refuse_unsafe_outputs({.inputs = arguments.parts,
+                         .outputs = {arguments.output},
+                         .force = arguments.force,
+                         .streams = false});
+  const StudyOutcome outcome = merge_study(arguments.parts, arguments.output);
+  if (outcome.complete()) {
+    fmt::print("{} rows of {} files are in {}\n", outcome.rows, arguments.parts.size(),
+               arguments.output);
+    return kPass;
+  }
+  fmt::print(stderr, "ar3d: {} rows are missing, row {} for one{}; nothing was written\n",
+             outcome.missing, outcome.first_missing,
+             outcome.missing_shards.empty()
+                 ? ""
+                 : fmt::format(" (no file of shard {})", outcome.missing_shards));
+  return kIncomplete;
+}
+
+void add_merge(CLI::App& study, int& exit_code) {
+  CLI::App* verb = study.add_subcommand("merge", "Makes one results file of a study's shards");
+  const auto arguments = std::make_shared<MergeArguments>();
+  verb->add_option("PART", arguments->parts, "results files or journals, in any order")->required();
+  verb->add_option("-o,--output", arguments->output, "results file")->required();
+  add_force(*verb, arguments->force);
+  verb->footer(
+      "Exit code 2 if the parts do not belong together, 5 if rows are missing; then nothing is "
+      "written.\nExample: ar3d study merge ar3d-quick.shard-*.h5 -o quick.h5");
+  verb->callback([arguments, &exit_code] { exit_code = merge(*arguments); });
+}
+
 }  // namespace
 
 void add_study(CLI::App& app, int& exit_code) {
@@ -239,7 +288,7 @@ void add_study(CLI::App& app, int& exit_code) {
   add_run(*verb, exit_code);
   add_resume(*verb, exit_code);
   add_study_status(*verb, exit_code);
-  add_study_merge(*verb, exit_code);
+  add_merge(*verb, exit_code);
   add_study_plan(*verb, exit_code);
   add_study_selfcheck(*verb, exit_code);
   add_study_drawings(*verb, exit_code);

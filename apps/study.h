@@ -3,26 +3,42 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "ar3d/analysis/rows.h"
 #include "ar3d/bench/run/make_rows.h"
 #include "ar3d/bench/spec/study_spec.h"
-#include "ar3d/store/columns/run_record.h"
+#include "options.h"
 
 namespace ar3d {
 
 /// Verbs of `ar3d study` that have files of their own.
 void add_study_status(CLI::App& study, int& exit_code);
-void add_study_merge(CLI::App& study, int& exit_code);
 void add_study_plan(CLI::App& study, int& exit_code);
 void add_study_selfcheck(CLI::App& study, int& exit_code);
 void add_study_drawings(CLI::App& study, int& exit_code);
 void add_study_count(CLI::App& study, int& exit_code);
+
+/// Which study a verb is about: one of a name or a file, or graphs of files.
+struct StudyChoice {
+  std::string study;
+  GraphsStudy graphs;
+  GraphInput reading;  ///< of the graphs
+};
+
+void add_study_choice(CLI::App& verb, StudyChoice& choice);
+
+/// @throws InputError as load_study; unless exactly one of STUDY and --graphs is given.
+StudySpec chosen_study(const StudyChoice& choice);
 
 /// Before any work: @throws InputError if the study cannot be made with this policy (bad build, too
 /// few cores) or, for large sizes and for rows with limits, if a cell is estimated to be
 /// impossible.
 void refuse_impossible_study(const StudySpec& spec, const MakingPolicy& policy);
 
-/// "2/8": the second of eight. @throws InputError naming the text.
-Shard parse_shard(const std::string& text);
+/// Writes the drawings that a study keeps beside its results file, and tells where they are. What
+/// stands there is replaced if it is a file of drawings or `force` is given; else nothing is
+/// written. Where no row was made since (`unchanged`), a file of drawings stays as it is, too.
+/// @return kPass, or kRegression if a drawing could not be kept, which is said on standard error.
+int keep_drawings_beside(const std::string& results, const RowView& rows, KeptDrawings kept,
+                         bool force, bool unchanged);
 
 }  // namespace ar3d

@@ -1,14 +1,31 @@
+// The rows of a study, wherever they are; `ar3d study status` and `ar3d check`, which judge them.
 #include "study_rows.h"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/bench/keep/journaled_study.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/store/columns/run_columns.h"
+#include "ar3d/store/hdf5/results_file.h"
+#include "ar3d/store/journal/journal_reader.h"
 #include "ar3d/store/row_collection.h"
+#include "ar3d/store/run_storage.h"
+#include "commands.h"
+#include "outputs.h"
+#include "study.h"
 
 namespace ar3d {
 namespace {
@@ -94,6 +111,172 @@ CheckedRows judge(const RowView& rows, const std::string& file) {
     examination.verdict.accepts_unproved = accepts_unproved(*rows.identity, file);
   }
   return examination;
+}
+
+namespace {
+
+struct StatusArguments {
+  std::string file;
+  std::string snapshot;
+  bool force = false;
+  bool watch = false;
+};
+
+// How far a study is, from its journals or its results file.
+struct Standing {
+  StudyIdentity identity;
+  std::uint64_t rows = 0;
+  std::uint64_t not_ok = 0;
+  int writers = 0;
+  std::size_t journals = 0;
+
+  bool complete() const {
+    return identity.planned_rows >= 0 && rows >= static_cast<std::uint64_t>(identity.planned_rows);
+  }
+};
+
+Standing standing_now(const std::string& file) {
+  const std::string results = results_path_of(file);
+  Standing standing;
+  if (rows_are_in_results(results)) {
+    const ResultsReader reader(results, run_format());
+    standing.identity = reader.identity();
+    standing.rows = reader.size();
+    return standing;
+  }
+  for (const std::string& path : existing_journals(results)) {
+    const JournalStatus status = journal_status(path, run_format());
+    if (standing.journals++ == 0) standing.identity = status.identity;
+    standing.rows += status.rows;
+    standing.not_ok += status.not_ok;
+    standing.writers += status.is_written ? 1 : 0;
+  }
+  return standing;
+}
+
+// Once more if a file went while it was read: a study that ends takes its journals away.
+Standing standing_of(const std::string& file) {
+  try {
+    return standing_now(file);
+  } catch (const InputError&) {
+    return standing_now(file);
+  }
+}
+
+std::string line(const Standing& standing) {
+  std::string text = fmt::format("study {}", printable(standing.identity.study_id));
+  const Shard& shard = standing.identity.shard;
+  if (shard.count > 1) text += fmt::format(" shard {}/{}", shard.index, shard.count);
+  text += fmt::format(": {} of {} rows", standing.rows, standing.identity.planned_rows);
+  if (standing.not_ok > 0) text += fmt::format(" ({} not ok)", standing.not_ok);
+  if (standing.writers > 0) {
+    text +=
+        fmt::format(", {} process{} at work", standing.writers, standing.writers == 1 ? "" : "es");
+  } else {
+    text += standing.complete() ? ", complete" : ", stopped";
+  }
+  return text;
+}
+
+void print_details(const Standing& standing, const std::string& file) {
+  fmt::print("{}\nbegun    {}\nsource   {}{}\n", line(standing),
+             printable(standing.identity.created), printable(standing.identity.source_hash),
+             standing.identity.dirty ? " and changes" : "");
+  const std::string results = shell_word(results_path_of(file));
+  if (standing.writers > 0) {
+    fmt::print("watch it with `ar3d study status --watch {}`\n", results);
+  } else if (!standing.complete() || standing.journals > 0) {
+    fmt::print("go on with `ar3d study resume {}`\n", results);
+  }
+}
+
+// One line per second until nobody writes any more.
+Standing watch(const std::string& file) {
+  const bool terminal = isatty(STDOUT_FILENO) == 1;
+  const auto start = std::chrono::steady_clock::now();
+  const Standing first = standing_of(file);
+  Standing now = first;
+  while (now.writers > 0) {
+    std::string text = line(now);
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    const double made = static_cast<double>(now.rows - first.rows);
+    const double left =
+        static_cast<double>(now.identity.planned_rows) - static_cast<double>(now.rows);
+    if (made > 0 && left > 0) {
+      text += fmt::format(", {:.0f} rows per second, about {:.0f} s left", made / elapsed.count(),
+                          left * elapsed.count() / made);
+    }
+    fmt::print("{}{}{}", terminal ? "\r" : "", text, terminal ? "\033[K" : "\n");
+    std::fflush(stdout);
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    now = standing_of(file);
+  }
+  if (terminal) fmt::print("\n");
+  return now;
+}
+
+int show(const StatusArguments& arguments) {
+  if (!arguments.snapshot.empty()) {
+    refuse_unsafe_outputs({.inputs = {arguments.file, results_path_of(arguments.file)},
+                           .outputs = {arguments.snapshot},
+                           .force = arguments.force,
+                           .streams = false});
+    const StudyOutcome outcome = write_snapshot(begun_study(arguments.file), arguments.snapshot);
+    fmt::print("{} rows are in {}\n", outcome.rows, arguments.snapshot);
+    return outcome.complete() ? kPass : kIncomplete;
+  }
+  Standing standing = arguments.watch ? watch(arguments.file) : standing_of(arguments.file);
+  if (standing.writers > 0) {
+    print_details(standing, arguments.file);
+    return kIncomplete;
+  }
+  const StudyRows rows(arguments.file);
+  standing.rows = rows.view().count;
+  standing.identity.planned_rows = rows.view().planned;
+  print_details(standing, arguments.file);
+  const CheckVerdict verdict = judge(rows.view(), arguments.file).verdict;
+  fmt::print("{}", verdict_line(verdict));
+  return verdict.exit_code();
+}
+
+}  // namespace
+
+void add_study_status(CLI::App& study, int& exit_code) {
+  CLI::App* verb =
+      study.add_subcommand("status", "Tells how far a study is, also while it is running");
+  const auto arguments = std::make_shared<StatusArguments>();
+  verb->add_option("FILE", arguments->file, "its results file or its journal")->required();
+  verb->add_flag("--watch", arguments->watch, "tell it every second until nobody writes any more");
+  verb->add_option("--snapshot", arguments->snapshot,
+                   "write the rows so far as a results file of their own");
+  add_force(*verb, arguments->force);
+  verb->footer(
+      "Exit code as of `ar3d check`; 5 while the study is running.\nExample: ar3d study status "
+      "--watch "
+      "ar3d-quick.h5");
+  verb->callback([arguments, &exit_code] { exit_code = show(*arguments); });
+}
+
+void add_check(CLI::App& app, int& exit_code) {
+  CLI::App* verb = app.add_subcommand(
+      "check", "Bounds and certificates of every row; the exit code is the verdict");
+  const auto path = std::make_shared<std::string>();
+  verb->add_option("RESULTS", *path, "results file (HDF5), or the journal of an unfinished study")
+      ->required();
+  const auto accepts_unproved = std::make_shared<bool>(false);
+  verb->add_flag("--accept-unproved", *accepts_unproved,
+                 "pass although rows were judged by another certificate than exact");
+  verb->footer(
+      "Exit code 0 pass, 4 violated, 5 incomplete, nothing measured, or rows that nothing "
+      "proves.\nExample: ar3d check "
+      "smoke.h5");
+  verb->callback([path, accepts_unproved, &exit_code] {
+    const StudyRows rows(*path);
+    CheckVerdict verdict = judge(rows.view(), *path).verdict;
+    verdict.accepts_unproved = verdict.accepts_unproved || *accepts_unproved;
+    fmt::print("{}", summary(verdict));
+    exit_code = verdict.exit_code();
+  });
 }
 
 }  // namespace ar3d

@@ -18,9 +18,7 @@
 #include "ar3d/verify/checks/examination.h"
 #include "batches.h"
 #include "commands.h"
-#include "graph_input.h"
-#include "threads_option.h"
-#include "words.h"
+#include "options.h"
 
 namespace ar3d {
 namespace {

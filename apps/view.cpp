@@ -1,21 +1,115 @@
+// Pages that show drawings in 3D: `ar3d view`, and the format of drawings that the program adds.
+#include "view.h"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
 #include "ar3d/formats/catalog.h"
+#include "ar3d/formats/drawings/catalog.h"
 #include "ar3d/formats/drawings/drawing_html.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
+#include "ar3d/formats/text/output.h"
+#include "ar3d/verify/certificate.h"
 #include "commands.h"
 #include "outputs.h"
-#include "viewer_page.h"
 
 namespace ar3d {
+namespace {
+
+/// The algorithm of that name, or null: a page shows drawings of others, too.
+const Algorithm* known_algorithm(const std::string& name) {
+  const auto& rows = algorithms();
+  const auto found = std::find_if(rows.begin(), rows.end(),
+                                  [&](const Algorithm& row) { return row.name == name; });
+  return found == rows.end() ? nullptr : &*found;
+}
+
+/// The graph that the drawing claims to show; nothing if its edges are no simple graph's.
+std::optional<Graph> claimed_graph(const Drawing& drawing) {
+  std::vector<Edge> edges;
+  edges.reserve(drawing.num_edges());
+  for (EdgeId e = 0; e < drawing.num_edges(); ++e) edges.push_back(drawing.edge(e));
+  try {
+    return Graph(drawing.num_vertices(), std::move(edges));
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+PageVerdict page_verdict(const Drawing& drawing, const Algorithm* algorithm) {
+  PageVerdict verdict;
+  if (algorithm == nullptr) {
+    verdict.text = "no guarantee is known of this algorithm";
+    return verdict;
+  }
+  const std::optional<Graph> graph = claimed_graph(drawing);
+  if (!graph) {
+    verdict.text = "the edges are not those of a simple graph";
+    return verdict;
+  }
+  const Certificate certificate = certify(*graph, drawing, algorithm->guarantee);
+  for (const Violation& violation : certificate.violations) {
+    verdict.violations.push_back({to_string(violation.kind), violation.message, violation.vertices,
+                                  violation.edges, violation.points});
+  }
+  if (certificate.measured && !certificate.violated()) {
+    verdict.text = "made in a real type, so nothing is proved; ar3d verify measures what it misses";
+    return verdict;
+  }
+  verdict.kind = certificate.valid() ? PageVerdict::Kind::certified : PageVerdict::Kind::violated;
+  verdict.text =
+      fmt::format("judged in exact integers against the guarantee of {}, on the edges drawn{}",
+                  algorithm->name, certificate.complete ? "" : "; not all violations are listed");
+  return verdict;
+}
+
+void write_viewer_page(const NextDrawing& next, const std::string& path,
+                       const std::string& algorithm) {
+  OutputFile file(path);
+  ViewerPage page([&](std::string_view text) { file.append(text); });
+  std::size_t number = 0;
+  while (const std::optional<PlacedLine> placed = next()) {
+    ++number;
+    if (const auto* drawing = std::get_if<Drawing>(&placed->line)) {
+      const Algorithm* const known =
+          algorithm.empty() ? known_algorithm(drawing->algorithm()) : &find_algorithm(algorithm);
+      page.add(placed->where, *drawing, known == nullptr ? nullptr : &known->guarantee,
+               page_verdict(*drawing, known));
+    } else {
+      const auto& undrawn = std::get<UndrawnGraph>(placed->line);
+      page.add_undrawn(placed->where, undrawn.n, undrawn.error);
+    }
+  }
+  if (number == 0) throw InputError("the input has no graph");
+  page.finish();
+  file.commit();
+}
+
+void register_program_formats() {
+  register_drawing_format(
+      {"html",
+       {".html", ".htm"},
+       "a page that shows drawings in 3D, exact coordinates included; any number per file",
+       true,
+       [](const NextDrawing& next, const std::string& path, const ExportOptions&) {
+         write_viewer_page(next, path);
+       },
+       true});
+}
+
 namespace {
 
 struct ViewArguments {

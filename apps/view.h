@@ -19,4 +19,8 @@ void write_viewer_page(const NextDrawing& next, const std::string& path,
 /// `algorithm`; null: nothing is judged.
 PageVerdict page_verdict(const Drawing& drawing, const Algorithm* algorithm);
 
+/// Adds the drawing format that needs more than formats/ may include: the viewer's page, which
+/// judges what it shows. To be called once, before the verbs are.
+void register_program_formats();
+
 }  // namespace ar3d

@@ -1,0 +1,100 @@
+#include "options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "ar3d/base/nearest_name.h"
+
+namespace ar3d {
+
+CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {
+  return {[low, high](std::string& text) -> std::string {
+            std::uint64_t value = 0;
+            const char* const end = text.data() + text.size();
+            const auto parsed = std::from_chars(text.data(), end, value);
+            if (!text.empty() && parsed.ptr == end && parsed.ec == std::errc() && value >= low &&
+                value <= high) {
+              return {};
+            }
+            return fmt::format("'{}' is not a whole number from {} to {}", text, low, high);
+          },
+          "NUMBER"};
+}
+
+CLI::Validator finite_number(bool positive) {
+  return {[positive](std::string& text) -> std::string {
+            double value = 0;
+            const bool is_number = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+            if (is_number && (value > 0 || !positive)) return {};
+            return fmt::format("'{}' is not a number{}", text, positive ? " above 0" : "");
+          },
+          "NUMBER"};
+}
+
+CLI::Validator number_between(double low, double high) {
+  return {[low, high](std::string& text) -> std::string {
+            double value = 0;
+            if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return {};
+            return fmt::format("'{}' is not a number from {} to {}", text, low, high);
+          },
+          "NUMBER"};
+}
+
+CLI::Validator one_of(std::vector<std::string> known) {
+  std::string shown = fmt::format("{{{}}}", fmt::join(known, ","));
+  return {[known = std::move(known)](std::string& word) -> std::string {
+            if (std::ranges::find(known, word) != known.end()) return {};
+            return fmt::format("'{}' is none of {}{}", word, fmt::join(known, ", "),
+                               did_you_mean(word, {known.begin(), known.end()}));
+          },
+          std::move(shown)};
+}
+
+void add_threads_option(CLI::App& verb) {
+  verb.add_option_function<int>(
+          "--threads", [](int threads) { omp_set_num_threads(threads); },
+          "drawings worked on at the same time, or threads for a single large one; as many as "
+          "cores if left out; what comes out is the same")
+      ->check(whole_number(1, 1024));
+}
+
+void add_making_options(CLI::App& verb, MakingPolicy& policy) {
+  verb.add_flag("--isolate", policy.isolate,
+                "make rows in processes of their own: a crash is one row's status");
+  verb.add_flag("--force-timing", policy.force_timing,
+                "time even in a debug or sanitised build (its rows are marked)");
+}
+
+ReadOptions GraphInput::read_options() const {
+  ReadOptions chosen = options;
+  if (first_line == "edge") chosen.first_line = FirstLine::edge;
+  if (trust_sizes) chosen.free_vertices = std::numeric_limits<Vertex>::max();
+  if (first_line == "header") chosen.first_line = FirstLine::header;
+  return chosen;
+}
+
+void add_edge_list_options(CLI::App& verb, GraphInput& input) {
+  verb.add_option("--base", input.options.base,
+                  "smallest vertex id of edge and adjacency lists: 0 or 1")
+      ->check(whole_number(0, 1));
+  verb.add_option("--first-line", input.first_line,
+                  "what a first line 'a b' of an edge list is where that is open: edge, or header "
+                  "(numbers of vertices and edges)")
+      ->check(one_of({"automatic", "edge", "header"}));
+}
+
+void add_graph_input_options(CLI::App& verb, GraphInput& input) {
+  verb.add_option("--from", input.options.format,
+                  "format of the graphs that are read; detected by content if left out");
+  add_edge_list_options(verb, input);
+  verb.add_flag("--trust-sizes", input.trust_sizes,
+                "believe a file's number of vertices, however few bytes stand behind it");
+}
+
+}  // namespace ar3d

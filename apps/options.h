@@ -1,0 +1,47 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "ar3d/bench/run/make_rows.h"
+#include "ar3d/formats/graphs/graph_format.h"
+
+// Options that several verbs have, and what their values may be.
+namespace ar3d {
+
+/// Whole numbers from low to high, written with digits alone: CLI11 reads "-5" as 2^64 - 5, and
+/// "1e9" or "0x10" in ways of its own.
+CLI::Validator whole_number(std::uint64_t low,
+                            std::uint64_t high = std::numeric_limits<std::uint64_t>::max());
+/// Decimal numbers that are finite, and above 0 if `positive`.
+CLI::Validator finite_number(bool positive);
+/// Decimal numbers from low to high.
+CLI::Validator number_between(double low, double high);
+/// One of the known words; any other is answered with all of them and the nearest one.
+CLI::Validator one_of(std::vector<std::string> known);
+
+/// --threads of verbs that work on many drawings at the same time, or on a large one with several
+/// threads.
+void add_threads_option(CLI::App& verb);
+/// Options of every verb that makes rows of a study.
+void add_making_options(CLI::App& verb, MakingPolicy& policy);
+
+/// How a graph file is to be read, as every verb that reads one is told.
+struct GraphInput {
+  ReadOptions options;
+  std::string first_line = "automatic";
+  bool trust_sizes = false;
+
+  ReadOptions read_options() const;
+};
+
+/// The options --base and --first-line.
+void add_edge_list_options(CLI::App& verb, GraphInput& input);
+
+/// These and --from and --trust-sizes.
+void add_graph_input_options(CLI::App& verb, GraphInput& input);
+
+}  // namespace ar3d
