@@ -49,7 +49,7 @@ struct BisectArguments {
 };
 
 /// Thrown where a signal asked to stop.
-struct Stopped {};
+struct BisectStopped {};
 
 /// What a program does otherwise than GOOD: log(its value / GOOD's), with an interval; for volume
 /// and bends 1 if some drawing's are other ones, else 0.
@@ -59,16 +59,16 @@ struct Difference {
 };
 
 /// Runs the cell with GOOD and another program.
-class Judge {
+class CellJudge {
  public:
-  Judge(std::string good, StudySpec spec, std::string folder, const BisectArguments& arguments)
+  CellJudge(std::string good, StudySpec spec, std::string folder, const BisectArguments& arguments)
       : good_(std::move(good)),
         spec_(std::move(spec)),
         folder_(std::move(folder)),
         arguments_(arguments) {}
 
   /// @param boundary  more rounds are made until the interval is without it; none: once.
-  /// @throws Stopped; InputError if a program does not run, or the cell has no value.
+  /// @throws BisectStopped; InputError if a program does not run, or the cell has no value.
   Difference difference(const std::string& program, std::optional<double> boundary) const {
     return arguments_.measure == "time" ? of_time(program, boundary) : of_drawings(program);
   }
@@ -78,7 +78,7 @@ class Judge {
     InterleaveOptions options{rounds, arguments_.core, nullptr};
     options.count_instructions = arguments_.measure == "instructions";
     InterleavedRounds run = run_interleaved(good_, program, spec_, folder_, options);
-    if (run.interrupted) throw Stopped();
+    if (run.interrupted) throw BisectStopped();
     return run;
   }
 
@@ -208,14 +208,14 @@ StudySpec study_named(const std::string& name) {
 }
 
 /// The whole search, with everything that it says.
-class Search {
+class CommitSearch {
  public:
-  explicit Search(const BisectArguments& arguments)
+  explicit CommitSearch(const BisectArguments& arguments)
       : arguments_(arguments),
         checkout_(find_checkout()),
         folder_((fs::path(checkout_) / "build" / "compare").string()) {}
 
-  /// @throws Stopped, InputError.
+  /// @throws BisectStopped, InputError.
   int run() {
     const StudySpec spec = study_of_cell(study_named(arguments_.study), arguments_.cell,
                                          arguments_.measure == "time" ? kTimedRepetitions : 0);
@@ -238,7 +238,7 @@ class Search {
   std::string build(const std::string& commit) const {
     std::FILE* progress = arguments_.quiet ? nullptr : stderr;
     const auto program = build_reference(checkout_, commit, progress);
-    if (!program) throw Stopped();
+    if (!program) throw BisectStopped();
     return *program;
   }
 
@@ -292,7 +292,7 @@ class Search {
   std::string checkout_;
   std::string folder_;
   std::vector<Commit> commits_;
-  std::optional<Judge> judge_;
+  std::optional<CellJudge> judge_;
   std::size_t first_ = 0;
   std::size_t last_ = 0;
 };
@@ -300,8 +300,8 @@ class Search {
 int bisect(const BisectArguments& arguments) {
   const Interruptible interruptible(SecondSignal::is_ignored);  // to clean up in peace
   try {
-    return Search(arguments).run();
-  } catch (const Stopped&) {
+    return CommitSearch(arguments).run();
+  } catch (const BisectStopped&) {
     fmt::print(stderr, "ar3d: interrupted; the programs built so far are kept, nothing else is\n");
     return kInterrupted;
   }

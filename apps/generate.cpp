@@ -36,7 +36,7 @@ struct GenerateArguments {
 };
 
 /// Which graphs, after all names are looked up.
-struct Request {
+struct RequestedGraphs {
   const Family* family = nullptr;
   Settings parameters;
   std::uint64_t n = 0;
@@ -52,7 +52,7 @@ struct Request {
 }
 
 /// A family with its parameters and n, or one of the named graphs by its name.
-Request requested(const GenerateArguments& arguments) {
+RequestedGraphs requested(const GenerateArguments& arguments) {
   auto given = parse_settings(arguments.parameters);
   const auto is_it = [&](const auto& row) { return row.name == arguments.family; };
   const auto family = std::ranges::find_if(families(), is_it);
@@ -79,7 +79,7 @@ void refuse_wrapping_seeds(const GenerateArguments& arguments) {
 void generate_graphs(const GenerateArguments& arguments) {
   refuse_unsafe_outputs({.inputs = {}, .outputs = {arguments.output}, .force = arguments.force});
   refuse_wrapping_seeds(arguments);
-  const Request request = requested(arguments);
+  const RequestedGraphs request = requested(arguments);
   const GraphFormat& format = graph_format_to_write(arguments.format, arguments.output);
   OutputFile file(arguments.output);
   const std::unique_ptr<GraphWriter> writer = format.writer(file, {});

@@ -125,7 +125,7 @@ int add_results(const AddArguments& arguments) {
   return kPass;
 }
 
-struct ReportArguments {
+struct HistoryArguments {
   std::string folder = kFolder;
   std::string output;
   std::string json;
@@ -133,7 +133,7 @@ struct ReportArguments {
   bool force = false;
 };
 
-int report_history(const ReportArguments& arguments) {
+int report_history(const HistoryArguments& arguments) {
   const std::string page =
       arguments.output.empty() ? arguments.folder + "/history.html" : arguments.output;
   refuse_unsafe_outputs({.inputs = results_files(arguments.folder),
@@ -188,7 +188,7 @@ void add_add(CLI::App& history, int& exit_code) {
 void add_history_report(CLI::App& history, int& exit_code) {
   CLI::App* verb = history.add_subcommand(
       "report", "Every cell over the commits, and what changed where, as one offline HTML file");
-  const auto arguments = std::make_shared<ReportArguments>();
+  const auto arguments = std::make_shared<HistoryArguments>();
   verb->add_option("--folder", arguments->folder, "where the history is")->capture_default_str();
   verb->add_option("-o,--output", arguments->output, "HTML file; FOLDER/history.html if left out");
   verb->add_option("--json", arguments->json, "also write lines and changes as JSON to this file");

@@ -97,7 +97,7 @@ void write_in_pieces(const std::string& path, const std::function<void(const Tex
   file.become_target();
 }
 
-struct Arguments {
+struct ReportArguments {
   std::string results;
   std::string output;
   std::string csv;
@@ -110,7 +110,7 @@ struct Arguments {
   bool force = false;
 };
 
-int write_report(const Arguments& arguments) {
+int write_report(const ReportArguments& arguments) {
   const std::string results = results_path_of(arguments.results);
   const std::string path = arguments.output.empty() ? report_path(results) : arguments.output;
   if (arguments.output.empty()) refuse_foreign_page(path, results);
@@ -152,7 +152,7 @@ int write_report(const Arguments& arguments) {
 void add_report(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand(
       "report", "Bounds table, scaling models and figures as one offline HTML file");
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ReportArguments>();
   verb->add_option("RESULTS", arguments->results,
                    "results file (HDF5), or the journal of an unfinished study")
       ->required();

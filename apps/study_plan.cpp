@@ -143,11 +143,11 @@ void refuse_impossible_study(const StudySpec& spec, const MakingPolicy& policy) 
 void add_study_plan(CLI::App& study, int&) {
   CLI::App* verb = study.add_subcommand(
       "plan", "Lists the cells of a study with estimated time and memory; refuses impossible ones");
-  struct Arguments {
+  struct PlanArguments {
     StudyChoice chosen;
     int workers = 0;
   };
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<PlanArguments>();
   add_study_choice(*verb, arguments->chosen);
   verb->add_option("--threads", arguments->workers,
                    "rows made at the same time; as many as cores if left out")

@@ -69,7 +69,8 @@ PageVerdict page_verdict(const Drawing& drawing, const Algorithm* algorithm) {
     verdict.text = "made in a real type, so nothing is proved; ar3d verify measures what it misses";
     return verdict;
   }
-  verdict.kind = certificate.valid() ? PageVerdict::Kind::certified : PageVerdict::Kind::violated;
+  verdict.kind =
+      certificate.valid() ? PageVerdict::Finding::certified : PageVerdict::Finding::violated;
   verdict.text =
       fmt::format("judged in exact integers against the guarantee of {}, on the edges drawn{}",
                   algorithm->name, certificate.complete ? "" : "; not all violations are listed");

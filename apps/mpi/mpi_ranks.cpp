@@ -10,7 +10,9 @@
 #include <atomic>
 #include <chrono>
 #include <exception>
+#include <functional>
 #include <limits>
+#include <memory>
 #include <mutex>
 #include <numeric>
 #include <thread>
@@ -35,14 +37,15 @@ constexpr int kGoTag = 5;     // rank 0: all are
 constexpr int kDoneTag = 6;   // another rank: it has done it
 constexpr int kToldTag = 7;   // another rank: what came out, after one character
 
+// What a rank tells rank 0 with kRequestTag: that it wants a portion, or that it wants no more.
+constexpr int kMore = 0;
+constexpr int kDone = 1;
+
 // Tickets [begin, end); empty: there are no more.
 struct Portion {
   std::uint64_t begin = 0;
   std::uint64_t end = 0;
 };
-
-// What a rank tells rank 0: that it wants a portion, or that it wants no more.
-enum Request : int { kMore = 0, kDone = 1 };
 
 // The time between two looks for something that may come soon or late: the longer nothing has come,
 // the longer, so that looking takes next to nothing from whoever computes on this core.
@@ -68,9 +71,9 @@ void wait_quietly(MPI_Request& request) {
 
 // Deals tickets in portions that are a share of the work that is left: large at first, single
 // ones at the end.
-class Dealer {
+class PortionDealer {
  public:
-  Dealer(const std::vector<double>& work, int shares)
+  PortionDealer(const std::vector<double>& work, int shares)
       : work_(work), left_(std::accumulate(work.begin(), work.end(), 0.0)), shares_(shares) {}
 
   Portion take() {
@@ -96,11 +99,9 @@ class Dealer {
 };
 
 // Where a rank's portions come from.
-class Supply {
- public:
-  virtual ~Supply() = default;
-  virtual void ask() = 0;
-  virtual Portion receive() = 0;  // what was asked for
+struct Supply {
+  std::function<void()> ask;
+  std::function<Portion()> receive;  // what was asked for
 };
 
 // A rank's tickets: one after the other from portions. The next portion is asked for in the middle
@@ -108,7 +109,7 @@ class Supply {
 // end, and a ticket that waits here might be made by a rank that has nothing left.
 class Portions {
  public:
-  explicit Portions(Supply& supply) : supply_(supply) {}
+  explicit Portions(Supply supply) : supply_(std::move(supply)) {}
   ~Portions() {
     if (asked_) supply_.receive();
   }
@@ -138,7 +139,7 @@ class Portions {
     ask_at_ = size < kShort ? portion_.end : portion_.begin + size / 2;
   }
 
-  Supply& supply_;
+  Supply supply_;
   std::mutex mutex_;
   Portion portion_;
   std::uint64_t ask_at_ = 0;  // the ticket with which to ask; the portion's end: none
@@ -146,19 +147,8 @@ class Portions {
   bool over_ = false;
 };
 
-// Of rank 0, which has the dealer.
-class OwnSupply final : public Supply {
- public:
-  explicit OwnSupply(Dealer& dealer) : dealer_(dealer) {}
-  void ask() override {}
-  Portion receive() override { return dealer_.take(); }
-
- private:
-  Dealer& dealer_;
-};
-
 // Rank 0: answers the other ranks until all of them are done.
-void serve(Dealer& dealer, int others) {
+void serve(PortionDealer& dealer, int others) {
   Patience patience;
   while (others > 0) {
     int waiting = 0;
@@ -183,22 +173,22 @@ void serve(Dealer& dealer, int others) {
 }
 
 // Of the others, which rank 0 serves.
-class ServedSupply final : public Supply {
- public:
-  void ask() override {
-    const int request = kMore;
-    MPI_Irecv(answer_.data(), 2, MPI_UINT64_T, 0, kAnswerTag, MPI_COMM_WORLD, &pending_);
-    MPI_Send(&request, 1, MPI_INT, 0, kRequestTag, MPI_COMM_WORLD);
-  }
-  Portion receive() override {
-    wait_quietly(pending_);
-    return {answer_[0], answer_[1]};
-  }
-
- private:
-  std::array<std::uint64_t, 2> answer_{};
-  MPI_Request pending_ = MPI_REQUEST_NULL;
-};
+Supply supply_from_first() {
+  struct Pending {
+    std::array<std::uint64_t, 2> answer{};
+    MPI_Request request = MPI_REQUEST_NULL;
+  };
+  const auto pending = std::make_shared<Pending>();
+  return {[pending] {
+            MPI_Irecv(pending->answer.data(), 2, MPI_UINT64_T, 0, kAnswerTag, MPI_COMM_WORLD,
+                      &pending->request);
+            MPI_Send(&kMore, 1, MPI_INT, 0, kRequestTag, MPI_COMM_WORLD);
+          },
+          [pending] {
+            wait_quietly(pending->request);
+            return Portion{pending->answer[0], pending->answer[1]};
+          }};
+}
 
 void send_text(const std::string& text, int to, int tag) {
   MPI_Send(text.data(), static_cast<int>(text.size()), MPI_CHAR, to, tag, MPI_COMM_WORLD);
@@ -290,13 +280,12 @@ class MpiRanks final : public Ranks {
                  const std::function<void(const Tickets&)>& use) override {
     if (size_ == 1) return Ranks::share_out(work, use);
     std::exception_ptr failure;
-    Dealer dealer(work, 4 * size_);
-    OwnSupply own(dealer);
-    ServedSupply served;
+    PortionDealer dealer(work, 4 * size_);
     std::thread server;
     if (is_first()) server = std::thread([&] { serve(dealer, size_ - 1); });
     try {
-      Portions portions(is_first() ? static_cast<Supply&>(own) : served);
+      Portions portions(is_first() ? Supply{[] {}, [&] { return dealer.take(); }}
+                                   : supply_from_first());
       use([&] { return portions.next(); });
     } catch (...) {
       failure = std::current_exception();
@@ -304,8 +293,7 @@ class MpiRanks final : public Ranks {
     if (is_first()) {
       server.join();
     } else {
-      const int request = kDone;
-      MPI_Send(&request, 1, MPI_INT, 0, kRequestTag, MPI_COMM_WORLD);
+      MPI_Send(&kDone, 1, MPI_INT, 0, kRequestTag, MPI_COMM_WORLD);
     }
     if (failure) std::rethrow_exception(failure);
   }

@@ -15,7 +15,7 @@ std::string drawing_to_svg(const Drawing& drawing, const PictureView& view) {
       "stop-color=\"#111\"/></radialGradient></defs>\n"
       "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n<g stroke-linecap=\"round\">\n",
       picture.width, picture.height);
-  for (const Projection::Item& item : picture.items) {
+  for (const Projection::PaintedItem& item : picture.items) {
     if (item.role < 0) {
       out += fmt::format(
           "<circle class=\"vertex\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" "
@@ -44,7 +44,7 @@ std::string drawing_to_tikz(const Drawing& drawing, const PictureView& view) {
     const Rgb c = roles.roles[role].colour;
     out += fmt::format("\\definecolor{{ar3drole{}}}{{RGB}}{{{},{},{}}}\n", role, c[0], c[1], c[2]);
   }
-  for (const Projection::Item& item : picture.items) {
+  for (const Projection::PaintedItem& item : picture.items) {
     if (item.role < 0) {
       out += fmt::format("\\shade[ball color=black!75] ({:.2f},{:.2f}) circle[radius={:.2f}pt];\n",
                          kPoints * item.from.x, kPoints * item.from.y,

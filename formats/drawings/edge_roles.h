@@ -15,12 +15,12 @@ using Rgb = std::array<std::uint8_t, 3>;
 /// What the edges of a drawing are in its construction, read from the drawing itself; so a drawing
 /// that comes from a file has them, too.
 struct EdgeRoles {
-  struct Role {
+  struct EdgeRole {
     std::string name;
     Rgb colour;  ///< of the palette of Okabe and Ito, which colour-blind readers can tell apart
   };
   std::string title;                ///< what the roles are; empty if the construction is not known
-  std::vector<Role> roles;          ///< at least one; the last one: none of the others
+  std::vector<EdgeRole> roles;      ///< at least one; the last one: none of the others
   std::vector<std::uint8_t> edges;  ///< for each edge its role
 };
 

@@ -15,14 +15,14 @@ namespace ar3d {
 namespace {
 
 using Place = Projection::Place;
-using Item = Projection::Item;
+using PaintedItem = Projection::PaintedItem;
 
 constexpr std::size_t kMaxSegments = 20000;
 constexpr double kMargin = 24;
 constexpr double kBallToStroke = 1.7;
 
 /// A point on the picture. `near` is larger for nearer points and linear along projected segments.
-struct Spot {
+struct PicturePoint {
   Place at;
   double near = 0;
 };
@@ -47,7 +47,7 @@ class Camera {
     }
     if (view.perspective > 0) eye_ = view.perspective * std::max(length(sides), 1.0);
   }
-  Spot operator()(Point p) const {
+  PicturePoint operator()(Point p) const {
     Real3 q = embed_(p) - middle_;
     q = {q.x * stretch_.x, q.y * stretch_.y, q.z * stretch_.z};
     const double right = q.x * std::cos(turn_) + q.y * std::sin(turn_);
@@ -62,7 +62,7 @@ class Camera {
     return {{right * scale, down * scale}, scale};
   }
   /// Size on the picture of what has size 1 at a spot.
-  double scale(const Spot& spot) const { return eye_ ? spot.near : 1; }
+  double scale(const PicturePoint& spot) const { return eye_ ? spot.near : 1; }
 
  private:
   Embedding embed_;
@@ -73,9 +73,9 @@ class Camera {
   std::optional<double> eye_;
 };
 
-struct Segment {
-  Spot a;
-  Spot b;
+struct PictureSegment {
+  PicturePoint a;
+  PicturePoint b;
   EdgeId edge = 0;
   Vertex from_vertex = kNoVertex;  // the vertex at a or b, if there is one
   Vertex to_vertex = kNoVertex;
@@ -85,12 +85,12 @@ struct Segment {
 
   static constexpr Vertex kNoVertex = std::numeric_limits<Vertex>::max();
 
-  Spot at(double t) const {
+  PicturePoint at(double t) const {
     return {{a.at.x + t * (b.at.x - a.at.x), a.at.y + t * (b.at.y - a.at.y)},
             a.near + t * (b.near - a.near)};
   }
   double length() const { return std::hypot(b.at.x - a.at.x, b.at.y - a.at.y); }
-  bool joins(const Segment& other) const {
+  bool joins(const PictureSegment& other) const {
     const auto shared = [](Vertex v, Vertex w) { return v != kNoVertex && v == w; };
     return (edge == other.edge) || shared(from_vertex, other.from_vertex) ||
            shared(from_vertex, other.to_vertex) || shared(to_vertex, other.from_vertex) ||
@@ -98,10 +98,10 @@ struct Segment {
   }
 };
 
-std::vector<Segment> collect(const Drawing& drawing, const Camera& camera,
-                             std::string_view format) {
+std::vector<PictureSegment> collect(const Drawing& drawing, const Camera& camera,
+                                    std::string_view format) {
   const EdgeRoles roles = edge_roles(drawing);
-  std::vector<Segment> segments;
+  std::vector<PictureSegment> segments;
   for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {
     if (segments.size() + points.size() - 1 > kMaxSegments) {
       throw InputError(
@@ -110,8 +110,9 @@ std::vector<Segment> collect(const Drawing& drawing, const Camera& camera,
                       kMaxSegments, format));
     }
     for (std::size_t i = 1; i < points.size(); ++i) {
-      Segment segment{camera(points[i - 1]), camera(points[i]), e,  Segment::kNoVertex,
-                      Segment::kNoVertex,    roles.edges[e],    {}, {}};
+      PictureSegment segment{
+          camera(points[i - 1]),     camera(points[i]), e,  PictureSegment::kNoVertex,
+          PictureSegment::kNoVertex, roles.edges[e],    {}, {}};
       if (i == 1) segment.from_vertex = drawing.edge(e).u;
       if (i + 1 == points.size()) segment.to_vertex = drawing.edge(e).v;
       segments.push_back(std::move(segment));
@@ -122,7 +123,7 @@ std::vector<Segment> collect(const Drawing& drawing, const Camera& camera,
 
 /// Cuts the farther of two segments where they cross on the picture. `clear` is the distance that
 /// must stay free beside the nearer one.
-void cut_farther(Segment& s, Segment& t, double clear) {
+void cut_farther(PictureSegment& s, PictureSegment& t, double clear) {
   const double sx = s.b.at.x - s.a.at.x, sy = s.b.at.y - s.a.at.y;
   const double tx = t.b.at.x - t.a.at.x, ty = t.b.at.y - t.a.at.y;
   const double across = sx * ty - sy * tx;
@@ -133,22 +134,22 @@ void cut_farther(Segment& s, Segment& t, double clear) {
   const double on_t = (dx * sy - dy * sx) / across;
   if (on_s <= 0 || on_s >= 1 || on_t <= 0 || on_t >= 1) return;
   const bool s_is_farther = s.at(on_s).near < t.at(on_t).near;
-  Segment& farther = s_is_farther ? s : t;
+  PictureSegment& farther = s_is_farther ? s : t;
   const double half = std::min(clear * lengths / std::abs(across), 6 * clear) / farther.length();
   const double middle = s_is_farther ? on_s : on_t;
   farther.gaps.emplace_back(middle - half, middle + half);
 }
 
-void cut_crossings(std::vector<Segment>& segments, double clear) {
-  const auto left = [](const Segment& s) { return std::min(s.a.at.x, s.b.at.x); };
-  const auto right = [](const Segment& s) { return std::max(s.a.at.x, s.b.at.x); };
+void cut_crossings(std::vector<PictureSegment>& segments, double clear) {
+  const auto left = [](const PictureSegment& s) { return std::min(s.a.at.x, s.b.at.x); };
+  const auto right = [](const PictureSegment& s) { return std::max(s.a.at.x, s.b.at.x); };
   std::vector<std::size_t> order(segments.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
     return left(segments[i]) < left(segments[j]);
   });
   for (std::size_t i = 0; i < order.size(); ++i) {
-    Segment& s = segments[order[i]];
+    PictureSegment& s = segments[order[i]];
     for (std::size_t j = i + 1; j < order.size() && left(segments[order[j]]) < right(s); ++j) {
       cut_farther(s, segments[order[j]], clear);
     }
@@ -156,13 +157,13 @@ void cut_crossings(std::vector<Segment>& segments, double clear) {
 }
 
 /// Splits segments where they pass balls.
-void split_at_balls(std::vector<Segment>& segments, const std::vector<Spot>& balls, double radius,
-                    const Camera& camera) {
-  for (Segment& s : segments) {
+void split_at_balls(std::vector<PictureSegment>& segments, const std::vector<PicturePoint>& balls,
+                    double radius, const Camera& camera) {
+  for (PictureSegment& s : segments) {
     const double length = s.length();
     if (length <= 0) continue;
     const double ux = (s.b.at.x - s.a.at.x) / length, uy = (s.b.at.y - s.a.at.y) / length;
-    for (const Spot& ball : balls) {
+    for (const PicturePoint& ball : balls) {
       const double dx = ball.at.x - s.a.at.x, dy = ball.at.y - s.a.at.y;
       const double reach = radius * camera.scale(ball);
       const double off = std::abs(dx * uy - dy * ux);
@@ -176,7 +177,7 @@ void split_at_balls(std::vector<Segment>& segments, const std::vector<Spot>& bal
 }
 
 /// What is left of a segment, piece by piece.
-void append_pieces(const Segment& s, const Camera& camera, std::vector<Item>& items) {
+void append_pieces(const PictureSegment& s, const Camera& camera, std::vector<PaintedItem>& items) {
   std::vector<double> cuts = {0, 1};
   for (const auto& [from, to] : s.gaps) {
     cuts.push_back(from);
@@ -191,25 +192,27 @@ void append_pieces(const Segment& s, const Camera& camera, std::vector<Item>& it
       return gap.first < middle && middle < gap.second;
     });
     if (hidden || (cuts[i] - cuts[i - 1]) * s.length() < 1e-9) continue;
-    const Spot spot = s.at(middle);
+    const PicturePoint spot = s.at(middle);
     items.push_back(
         {s.at(cuts[i - 1]).at, s.at(cuts[i]).at, s.role, spot.near, 0, camera.scale(spot)});
   }
 }
 
-struct Frame {
+struct PictureFrame {
   double low_x = 0, low_y = 0, high_x = 0, high_y = 0, farthest = 0, nearest = 0;
 };
 
-Frame frame_of(const std::vector<Segment>& segments, const std::vector<Spot>& balls) {
-  std::vector<Spot> spots = balls;
-  for (const Segment& s : segments) {
+PictureFrame frame_of(const std::vector<PictureSegment>& segments,
+                      const std::vector<PicturePoint>& balls) {
+  std::vector<PicturePoint> spots = balls;
+  for (const PictureSegment& s : segments) {
     spots.push_back(s.a);
     spots.push_back(s.b);
   }
   if (spots.empty()) return {};
-  Frame f{spots[0].at.x, spots[0].at.y, spots[0].at.x, spots[0].at.y, spots[0].near, spots[0].near};
-  for (const Spot& spot : spots) {
+  PictureFrame f{spots[0].at.x, spots[0].at.y, spots[0].at.x,
+                 spots[0].at.y, spots[0].near, spots[0].near};
+  for (const PicturePoint& spot : spots) {
     f = {std::min(f.low_x, spot.at.x),    std::min(f.low_y, spot.at.y),
          std::max(f.high_x, spot.at.x),   std::max(f.high_y, spot.at.y),
          std::min(f.farthest, spot.near), std::max(f.nearest, spot.near)};
@@ -218,30 +221,30 @@ Frame frame_of(const std::vector<Segment>& segments, const std::vector<Spot>& ba
 }
 
 /// From the drawing's units to those of the picture.
-void place_on_paper(Projection& picture, const Frame& f, double scale) {
+void place_on_paper(Projection& picture, const PictureFrame& f, double scale) {
   const auto placed = [&](Place p) {
     return Place{kMargin + (p.x - f.low_x) * scale, kMargin + (p.y - f.low_y) * scale};
   };
-  for (Item& item : picture.items) {
+  for (PaintedItem& item : picture.items) {
     item.from = placed(item.from);
     item.to = placed(item.to);
     item.nearness = (item.depth - f.farthest) / std::max(f.nearest - f.farthest, 1e-9);
     item.nearness = std::clamp(item.nearness, 0.0, 1.0);
   }
   std::stable_sort(picture.items.begin(), picture.items.end(),
-                   [](const Item& a, const Item& b) { return a.depth < b.depth; });
+                   [](const PaintedItem& a, const PaintedItem& b) { return a.depth < b.depth; });
 }
 
 }  // namespace
 
 Projection project(const Drawing& drawing, const PictureView& view, std::string_view format) {
   const Camera camera(drawing, view);
-  std::vector<Segment> segments = collect(drawing, camera, format);
-  std::vector<Spot> balls;
+  std::vector<PictureSegment> segments = collect(drawing, camera, format);
+  std::vector<PicturePoint> balls;
   for (std::size_t v = 0; v < drawing.num_vertices(); ++v) {
     balls.push_back(camera(drawing.vertex(static_cast<Vertex>(v))));
   }
-  const Frame f = frame_of(segments, balls);
+  const PictureFrame f = frame_of(segments, balls);
   const double span = std::max({f.high_x - f.low_x, f.high_y - f.low_y, 1e-9});
   const double scale = (view.longer_side - 2 * kMargin) / span;
   Projection picture;
@@ -252,8 +255,8 @@ Projection project(const Drawing& drawing, const PictureView& view, std::string_
   picture.ball = kBallToStroke * picture.stroke;
   cut_crossings(segments, 1.35 * picture.stroke / scale);
   split_at_balls(segments, balls, picture.ball / scale, camera);
-  for (const Segment& s : segments) append_pieces(s, camera, picture.items);
-  for (const Spot& ball : balls) {
+  for (const PictureSegment& s : segments) append_pieces(s, camera, picture.items);
+  for (const PicturePoint& ball : balls) {
     // In front of the strokes that end at it.
     const double front =
         (f.nearest - f.farthest) * 1e-6 + picture.ball / scale * (view.perspective > 0 ? 0 : 1);

@@ -25,7 +25,7 @@ struct Projection {
     double x = 0;
     double y = 0;  ///< downwards
   };
-  struct Item {
+  struct PaintedItem {
     Place from;
     Place to;             ///< of a ball: from
     int role = 0;         ///< of the stroke's edge; -1: a ball
@@ -37,7 +37,7 @@ struct Projection {
   double height = 0;
   double stroke = 0;  ///< width of a stroke where scale is 1
   double ball = 0;    ///< radius of a ball there
-  std::vector<Item> items;
+  std::vector<PaintedItem> items;
 };
 
 /// @throws InputError "… holds at most …" naming the format if the drawing has more than 20,000

@@ -16,10 +16,9 @@ namespace {
 class AdjacencyListParser final : public GraphParser {
  public:
   AdjacencyListParser(TextInput& input, const ReadOptions& options)
-      : input_(input),
+      : GraphParser(input, options),
         ids_(input, options, options.base),
-        arcs_(input, options, options.base, ArcCollector::Rule::one_or_both),
-        base_(options.base) {}
+        arcs_(input, options, options.base, ArcCollector::ArcRule::one_or_both) {}
 
   std::optional<Graph> next() override {
     bool begun = false;
@@ -56,7 +55,8 @@ class AdjacencyListParser final : public GraphParser {
         }
         if (row.empty()) return false;  // its vertex counts, too: the careful reader's
         for (const std::uint64_t v : row) {
-          arcs_.add(static_cast<Vertex>(u - base_), static_cast<Vertex>(v - base_), line);
+          arcs_.add(static_cast<Vertex>(u - options_.base), static_cast<Vertex>(v - options_.base),
+                    line);
         }
         return true;
       });
@@ -76,22 +76,19 @@ class AdjacencyListParser final : public GraphParser {
     while (!row.done()) {
       const Vertex v = ids_.read_vertex(row);
       if (u == v && !arcs_.simplifies()) {
-        row.fail(fmt::format("edge ({0}, {0}) is a loop", std::uint64_t{u} + base_));
+        row.fail(fmt::format("edge ({0}, {0}) is a loop", std::uint64_t{u} + options_.base));
       }
       arcs_.add(u, v, input_.line());
     }
   }
 
-  TextInput& input_;
   EdgeCollector ids_;
   ArcCollector arcs_;
-  unsigned base_;
 };
 
 class AdjacencyListWriter final : public GraphWriter {
  public:
-  AdjacencyListWriter(OutputFile& output, const WriteOptions& options)
-      : output_(output), base_(options.base) {}
+  using GraphWriter::GraphWriter;
   void write(const Graph& graph) override {
     std::string& out = output_.pending();
     out += fmt::format("# vertices {}\n", graph.num_vertices());
@@ -104,10 +101,6 @@ class AdjacencyListWriter final : public GraphWriter {
       output_.flush_if_full();
     }
   }
-
- private:
-  OutputFile& output_;
-  unsigned base_;
 };
 
 /// The first line that is no comment begins with a number and a colon.

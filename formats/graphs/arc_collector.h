@@ -14,13 +14,13 @@ namespace ar3d {
 /// full matrices, arcs.
 class ArcCollector {
  public:
-  enum class Rule {
+  enum class ArcRule {
     both_ends,    ///< (u, v) needs (v, u)
     one_or_both,  ///< either will do
   };
 
   /// @param base  smallest vertex id of the format, for messages.
-  ArcCollector(const TextInput& input, const ReadOptions& options, unsigned base, Rule rule)
+  ArcCollector(const TextInput& input, const ReadOptions& options, unsigned base, ArcRule rule)
       : input_(&input), simplify_(options.simplify), base_(base), rule_(rule) {}
 
   /// Starts a graph. @param announced  how many arcs the text claims to have.
@@ -65,7 +65,7 @@ class ArcCollector {
   const TextInput* input_;
   bool simplify_;
   unsigned base_;
-  Rule rule_;
+  ArcRule rule_;
   std::uint64_t loops_ = 0;
   Arcs forward_;   // named by the smaller end
   Arcs backward_;  // named by the larger end

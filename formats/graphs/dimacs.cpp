@@ -16,9 +16,9 @@ namespace {
 class DimacsParser final : public GraphParser {
  public:
   DimacsParser(TextInput& input, const ReadOptions& options)
-      : input_(input),
+      : GraphParser(input, options),
         edges_(input, options, 1),
-        arcs_(input, options, 1, ArcCollector::Rule::both_ends) {}
+        arcs_(input, options, 1, ArcCollector::ArcRule::both_ends) {}
 
   std::optional<Graph> next() override {
     if (!read_problem()) return std::nullopt;
@@ -90,7 +90,6 @@ class DimacsParser final : public GraphParser {
     tokens.expect_done("the edge");
   }
 
-  TextInput& input_;
   EdgeCollector edges_;
   ArcCollector arcs_;
   bool with_arcs_ = false;
@@ -99,7 +98,7 @@ class DimacsParser final : public GraphParser {
 
 class DimacsWriter final : public GraphWriter {
  public:
-  explicit DimacsWriter(OutputFile& output) : output_(output) {}
+  using GraphWriter::GraphWriter;
   void write(const Graph& graph) override {
     std::string& out = output_.pending();
     out += fmt::format("p edge {} {}\n", graph.num_vertices(), graph.num_edges());
@@ -108,9 +107,6 @@ class DimacsWriter final : public GraphWriter {
       output_.flush_if_full();
     }
   }
-
- private:
-  OutputFile& output_;
 };
 
 bool looks_like_dimacs(const InputHead& head) {

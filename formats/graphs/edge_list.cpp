@@ -19,7 +19,7 @@ constexpr const char* kInAStudy = "in a study the keys base and first_line";
 class EdgeListParser final : public GraphParser {
  public:
   EdgeListParser(TextInput& input, const ReadOptions& options)
-      : input_(input), edges_(input, options, options.base), options_(options) {}
+      : GraphParser(input, options), edges_(input, options, options.base) {}
 
   std::optional<Graph> next() override {
     bool begun = false;
@@ -132,17 +132,13 @@ class EdgeListParser final : public GraphParser {
                                first_->a, first_->b, kInAStudy));
   }
 
-  TextInput& input_;
   EdgeCollector edges_;
-  ReadOptions options_;
   std::optional<First> first_;
 };
 
 class EdgeListWriter final : public GraphWriter {
  public:
-  EdgeListWriter(OutputFile& output, const WriteOptions& options)
-      : output_(output), base_(options.base) {}
-
+  using GraphWriter::GraphWriter;
   void write(const Graph& graph) override {
     std::string& out = output_.pending();
     append_all(out, "# vertices ", graph.num_vertices(), '\n');
@@ -151,10 +147,6 @@ class EdgeListWriter final : public GraphWriter {
       output_.flush_if_full();
     }
   }
-
- private:
-  OutputFile& output_;
-  unsigned base_;
 };
 
 /// Numbers or comments first; the last format asked, so that an odd line is reported by its number.

@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
 #include "ar3d/formats/text/output.h"
@@ -36,24 +35,33 @@ struct WriteOptions {
 /// Reads the graphs of one input in one format, one after the other.
 class GraphParser {
  public:
-  GraphParser() = default;
+  GraphParser(TextInput& input, const ReadOptions& options) : input_(input), options_(options) {}
   GraphParser(const GraphParser&) = delete;
   GraphParser& operator=(const GraphParser&) = delete;
   virtual ~GraphParser() = default;
   /// The next graph; nothing at the end. @throws InputError naming file, line, column and value.
   virtual std::optional<Graph> next() = 0;
+
+ protected:
+  TextInput& input_;
+  ReadOptions options_;  // a copy: the caller's may be a temporary
 };
 
 /// Writes graphs in one format, one after the other.
 class GraphWriter {
  public:
-  GraphWriter() = default;
+  GraphWriter(OutputFile& output, const WriteOptions& options)
+      : output_(output), base_(options.base) {}
   GraphWriter(const GraphWriter&) = delete;
   GraphWriter& operator=(const GraphWriter&) = delete;
   virtual ~GraphWriter() = default;
   virtual void write(const Graph& graph) = 0;
   /// What stands after the last graph. Does not commit the output.
   virtual void finish() {}
+
+ protected:
+  OutputFile& output_;
+  unsigned base_;  // smallest vertex id
 };
 
 /// The first bytes of an input, for detection.
@@ -81,13 +89,8 @@ std::unique_ptr<GraphParser> make_parser(TextInput& input, const ReadOptions& op
   return std::make_unique<Parser>(input, options);
 }
 template <class Writer>
-std::unique_ptr<GraphWriter> make_writer(OutputFile& output,
-                                         [[maybe_unused]] const WriteOptions& options) {
-  if constexpr (std::is_constructible_v<Writer, OutputFile&, const WriteOptions&>) {
-    return std::make_unique<Writer>(output, options);
-  } else {
-    return std::make_unique<Writer>(output);
-  }
+std::unique_ptr<GraphWriter> make_writer(OutputFile& output, const WriteOptions& options) {
+  return std::make_unique<Writer>(output, options);
 }
 
 /// Drops loops, and of parallel edges all but one; what stays is ordered by (u, v), u < v.

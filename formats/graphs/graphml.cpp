@@ -52,8 +52,7 @@ std::optional<std::string> utf8_of_utf16(std::string_view text) {
 
 class GraphmlParser final : public GraphParser {
  public:
-  GraphmlParser(TextInput& input, const ReadOptions& options)
-      : input_(input), simplify_(options.simplify) {}
+  using GraphParser::GraphParser;
 
   std::optional<Graph> next() override {
     if (!loaded_) load();
@@ -95,7 +94,7 @@ class GraphmlParser final : public GraphParser {
     for (const pugi::xml_node element : graph.children()) {
       if (local_name(element) == "edge") edges.push_back(read_edge(element, ids));
     }
-    if (simplify_) simplify(edges);
+    if (options_.simplify) simplify(edges);
     try {
       return Graph(ids.size(), std::move(edges));
     } catch (const EdgeError& error) {
@@ -146,8 +145,6 @@ class GraphmlParser final : public GraphParser {
     input_.fail_at(lines + 1, before.size() - (before.rfind('\n') + 1) + 1, problem);
   }
 
-  TextInput& input_;
-  bool simplify_;
   bool loaded_ = false;
   std::string text_;  // UTF-8, for places in messages
   pugi::xml_document document_;
@@ -157,7 +154,7 @@ class GraphmlParser final : public GraphParser {
 
 class GraphmlWriter final : public GraphWriter {
  public:
-  explicit GraphmlWriter(OutputFile& output) : output_(output) {
+  GraphmlWriter(OutputFile& output, const WriteOptions& options) : GraphWriter(output, options) {
     output_.append(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<graphml "
         "xmlns=\"http://graphml.graphdrawing.org/xmlns\">\n");
@@ -178,7 +175,6 @@ class GraphmlWriter final : public GraphWriter {
   void finish() override { output_.append("</graphml>\n"); }
 
  private:
-  OutputFile& output_;
   std::uint64_t graphs_ = 0;
 };
 

@@ -30,9 +30,9 @@ bool is_banner(std::string_view line) {
 class MatrixMarketParser final : public GraphParser {
  public:
   MatrixMarketParser(TextInput& input, const ReadOptions& options)
-      : input_(input),
+      : GraphParser(input, options),
         entries_(input, options, 1),
-        arcs_(input, options, 1, ArcCollector::Rule::both_ends) {}
+        arcs_(input, options, 1, ArcCollector::ArcRule::both_ends) {}
 
   std::optional<Graph> next() override {
     const std::optional<bool> symmetric = read_banner();
@@ -121,14 +121,13 @@ class MatrixMarketParser final : public GraphParser {
     }
   }
 
-  TextInput& input_;
   EdgeCollector entries_;
   ArcCollector arcs_;
 };
 
 class MatrixMarketWriter final : public GraphWriter {
  public:
-  explicit MatrixMarketWriter(OutputFile& output) : output_(output) {}
+  using GraphWriter::GraphWriter;
   void write(const Graph& graph) override {
     std::string& out = output_.pending();
     out += fmt::format("{} matrix coordinate pattern symmetric\n{} {} {}\n", kBanner,
@@ -139,9 +138,6 @@ class MatrixMarketWriter final : public GraphWriter {
       output_.flush_if_full();
     }
   }
-
- private:
-  OutputFile& output_;
 };
 
 }  // namespace

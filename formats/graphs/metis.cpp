@@ -23,7 +23,7 @@ constexpr std::string_view kMetisMark = "% METIS graph, 1-based";
 class MetisParser final : public GraphParser {
  public:
   MetisParser(TextInput& input, const ReadOptions& options)
-      : input_(input), arcs_(input, options, 1, ArcCollector::Rule::both_ends) {}
+      : GraphParser(input, options), arcs_(input, options, 1, ArcCollector::ArcRule::both_ends) {}
 
   std::optional<Graph> next() override {
     if (!read_header()) return std::nullopt;
@@ -106,7 +106,6 @@ class MetisParser final : public GraphParser {
     }
   }
 
-  TextInput& input_;
   ArcCollector arcs_;
   std::uint64_t n_ = 0;
   std::uint64_t m_ = 0;
@@ -117,7 +116,7 @@ class MetisParser final : public GraphParser {
 
 class MetisWriter final : public GraphWriter {
  public:
-  explicit MetisWriter(OutputFile& output) : output_(output) {}
+  using GraphWriter::GraphWriter;
   void write(const Graph& graph) override {
     std::string& out = output_.pending();
     out += fmt::format("{}\n{} {}\n", kMetisMark, graph.num_vertices(), graph.num_edges());
@@ -130,9 +129,6 @@ class MetisWriter final : public GraphWriter {
       output_.flush_if_full();
     }
   }
-
- private:
-  OutputFile& output_;
 };
 
 /// The numbers of a line; nothing if there is another word or a number of more than 64 bits.

@@ -15,7 +15,7 @@ namespace {
 
 class NautyParser final : public GraphParser {
  public:
-  NautyParser(TextInput& input, const ReadOptions& options) : input_(input), options_(options) {}
+  using GraphParser::GraphParser;
 
   std::optional<Graph> next() override {
     while (const std::optional<std::string_view> line = input_.next_line()) {
@@ -65,22 +65,17 @@ class NautyParser final : public GraphParser {
     }
   }
 
-  TextInput& input_;
-  ReadOptions options_;
   std::uint64_t previous_n_ = 0;
   std::shared_ptr<const std::vector<Edge>> previous_;  // of the last graph, for incremental lines
 };
 
 class Graph6Writer final : public GraphWriter {
  public:
-  explicit Graph6Writer(OutputFile& output) : output_(output) {}
+  using GraphWriter::GraphWriter;
   void write(const Graph& graph) override {
     append_graph6(output_.pending(), graph);
     output_.flush_if_full();
   }
-
- private:
-  OutputFile& output_;
 };
 
 void write_sparse6(OutputFile& output, const Graph& graph) {
@@ -90,17 +85,14 @@ void write_sparse6(OutputFile& output, const Graph& graph) {
 
 class Sparse6Writer final : public GraphWriter {
  public:
-  explicit Sparse6Writer(OutputFile& output) : output_(output) {}
+  using GraphWriter::GraphWriter;
   void write(const Graph& graph) override { write_sparse6(output_, graph); }
-
- private:
-  OutputFile& output_;
 };
 
 /// The first graph of each size in sparse6, the others as changes.
 class IncrementalWriter final : public GraphWriter {
  public:
-  explicit IncrementalWriter(OutputFile& output) : output_(output) {}
+  using GraphWriter::GraphWriter;
   void write(const Graph& graph) override {
     if (previous_ && previous_->num_vertices() == graph.num_vertices()) {
       append_incremental_sparse6(output_.pending(), *previous_, graph);
@@ -112,7 +104,6 @@ class IncrementalWriter final : public GraphWriter {
   }
 
  private:
-  OutputFile& output_;
   std::optional<Graph> previous_;
 };
 

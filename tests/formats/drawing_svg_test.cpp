@@ -70,7 +70,7 @@ TEST(Projection, TheFartherEdgeHasAGapWhereTwoCross) {
     const Projection::Place centre = {picture.width / 2, picture.height / 2};
     double nearest_free = 1e9;  // end of a stroke of the lower edge next to the crossing
     std::size_t through = 0;
-    for (const Projection::Item& item : picture.items) {
+    for (const Projection::PaintedItem& item : picture.items) {
       if (item.role < 0) continue;
       const auto away = [&](Projection::Place p) {
         return std::hypot(p.x - centre.x, p.y - centre.y);
