@@ -105,8 +105,7 @@ TEST_P(BadInputTest, OneLineAndExitTwoAndNothingWritten) {
     }
     return text;
   };
-  const Outcome outcome = run(fill(bad.command));
-  EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+  const Outcome outcome = expect_exit(2, run(fill(bad.command)));
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   for (const std::string& part : bad.message) EXPECT_THAT(outcome.err, HasSubstr(fill(part)));
   for (const char* ending : {".out", ".jsonl"}) {
@@ -118,8 +117,7 @@ INSTANTIATE_TEST_SUITE_P(Program, BadInputTest, ::testing::ValuesIn(bad_inputs()
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(Program, FullDiskIsAnErrorNotAShortFile) {
-  const Outcome outcome = run("{} generate path -n 100000 -o - > /dev/full");
-  EXPECT_EQ(outcome.exit_code, 2);
+  const Outcome outcome = expect_exit(2, run("{} generate path -n 100000 -o - > /dev/full"));
   EXPECT_THAT(outcome.err, HasSubstr("No space left"));
 }
 
@@ -134,24 +132,22 @@ TEST(Program, AStudyOfTooManyRowsIsRefusedInLittleMemory) {
                     jumps +
                     "] }\nsizes = { from = 4, to = 4294967294, per_decade = 1000 }\n"
                     "algorithms = 'grid'\nrepetitions = 1000000\n");
-  const Outcome outcome = run("ulimit -v 1000000; {} study plan " + spec);
-  EXPECT_EQ(outcome.exit_code, 2);
+  const Outcome outcome = expect_exit(2, run("ulimit -v 1000000; {} study plan " + spec));
   EXPECT_EQ(outcome.err, "ar3d: study s has more than 10000000 rows\n");
 }
 
 TEST(Program, DegreeAboveTheGuaranteeNamesTheVertex) {
   const ScratchDirectory scratch;
   const std::string star = scratch.write("star", "0 1\n0 2\n0 3\n0 4\n0 5\n");
-  const Outcome outcome = run("{} draw " + star + " --from edgelist --algorithm diamond");
-  EXPECT_EQ(outcome.exit_code, 2);
+  const Outcome outcome =
+      expect_exit(2, run("{} draw " + star + " --from edgelist --algorithm diamond"));
   EXPECT_THAT(outcome.err, HasSubstr("vertex 0 has degree 5"));
   EXPECT_THAT(outcome.out,
               HasSubstr("\"error\""));  // its line in the stream of drawings; the others go on
 }
 
 TEST(Program, TheGraphWithoutVerticesIsDrawn) {
-  const Outcome outcome = run("printf '?\\n' | {} draw - --algorithm diamond | {} verify -");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  expect_exit(0, run("printf '?\\n' | {} draw - --algorithm diamond | {} verify -"));
 }
 
 }  // namespace

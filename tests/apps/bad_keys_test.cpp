@@ -22,7 +22,7 @@ void expect_one_line(const Outcome& outcome, const std::string& told, const std:
 
 TEST(BadKeys, OfGraphsAreRefused) {
   const testing::ScratchDirectory scratch;
-  ASSERT_EQ(run("{} generate cycle -n 5 -o " + scratch.path("a.s6")).exit_code, 0);
+  must("{} generate cycle -n 5 -o " + scratch.path("a.s6"));
   for (const auto& [entry, message] : std::vector<std::pair<const char*, const char*>>{
            {"file = 1", "file is not a string"},
            {"file = 'b.s6'", "cannot read "},

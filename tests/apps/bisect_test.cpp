@@ -46,11 +46,11 @@ class SeededRepository {
                                                 " \"$@\"\n");
       EXPECT_EQ(run("chmod +x " + script).exit_code, 0);
     }
-    const Outcome made = run("cd " + checkout_ +
-                             " && git add -A && git -c user.name=t -c user.email=t@t commit "
-                             "--allow-empty -qm '" +
-                             subject + "' && git rev-parse HEAD");
-    EXPECT_EQ(made.exit_code, 0) << made.err;
+    const Outcome made =
+        expect_exit(0, run("cd " + checkout_ +
+                           " && git add -A && git -c user.name=t -c user.email=t@t commit "
+                           "--allow-empty -qm '" +
+                           subject + "' && git rev-parse HEAD"));
     hashes_.push_back(made.out.substr(0, 40));
   }
 
@@ -89,16 +89,16 @@ TEST(Bisect, TheCommitThatChangedTheDrawingsIsFoundAndNothingIsLeft) {
   for (const char* subject : {"culprit", "five", "six"}) {
     repository.commit(subject, kOtherDrawings);
   }
-  const Outcome outcome = repository.bisect("--measure volume --good " + repository.hash(0) +
-                                            " --bad HEAD --cell " + kCell);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const Outcome outcome =
+      expect_exit(0, repository.bisect("--measure volume --good " + repository.hash(0) +
+                                       " --bad HEAD --cell " + kCell));
   EXPECT_THAT(outcome.out, HasSubstr("FOUND    " + repository.hash(4) + " culprit"));
   EXPECT_THAT(outcome.out, HasSubstr("6 to look among"));
   repository.expect_nothing_left();
 
-  const Outcome same = repository.bisect("--measure bends --good " + repository.hash(0) +
-                                         " --bad " + repository.hash(3) + " --cell " + kCell);
-  EXPECT_EQ(same.exit_code, 6) << same.out << same.err;
+  const Outcome same =
+      expect_exit(6, repository.bisect("--measure bends --good " + repository.hash(0) + " --bad " +
+                                       repository.hash(3) + " --cell " + kCell));
   EXPECT_THAT(same.out, HasSubstr("NO CHANGE"));
 }
 
@@ -108,9 +108,8 @@ TEST(Bisect, CommitsThatDoNotBuildOrRunAreSkippedAndNamed) {
   repository.commit("does not build", "");
   repository.commit("does not run", "exit 1;");
   repository.commit("last", kOtherDrawings);
-  const Outcome outcome =
-      repository.bisect("--measure volume --good HEAD~3 --cell " + std::string(kCell));
-  EXPECT_EQ(outcome.exit_code, 6) << outcome.out << outcome.err;
+  const Outcome outcome = expect_exit(
+      6, repository.bisect("--measure volume --good HEAD~3 --cell " + std::string(kCell)));
   EXPECT_THAT(outcome.out, HasSubstr("SKIPPED  " + repository.hash(1).substr(0, 12)));
   EXPECT_THAT(outcome.out, HasSubstr("SKIPPED  " + repository.hash(2).substr(0, 12)));
   for (const std::size_t i : {1, 2, 3}) {
@@ -122,17 +121,16 @@ TEST(Bisect, CommitsThatDoNotBuildOrRunAreSkippedAndNamed) {
 /// A clock that runs twice as fast: drawing takes twice the time.
 std::string fast_clock(const SeededRepository& repository) {
   const std::string library = repository.path("clock.so");
-  const Outcome built =
-      run("printf '#define _GNU_SOURCE\\n#include <dlfcn.h>\\n#include <time.h>\\n"
-          "int clock_gettime(clockid_t id, struct timespec* t) {\\n"
-          "  int (*real)(clockid_t, struct timespec*) = dlsym(RTLD_NEXT, \"clock_gettime\");\\n"
-          "  int code = real(id, t);\\n"
-          "  if (id != CLOCK_MONOTONIC) return code;\\n"
-          "  long long ns = 2 * (t->tv_sec * 1000000000LL + t->tv_nsec);\\n"
-          "  t->tv_sec = ns / 1000000000; t->tv_nsec = ns %% 1000000000;\\n"
-          "  return code;\\n}\\n' | gcc -shared -fPIC -x c - -o " +
-          library + " -ldl");
-  EXPECT_EQ(built.exit_code, 0) << built.err;
+  expect_exit(
+      0, run("printf '#define _GNU_SOURCE\\n#include <dlfcn.h>\\n#include <time.h>\\n"
+             "int clock_gettime(clockid_t id, struct timespec* t) {\\n"
+             "  int (*real)(clockid_t, struct timespec*) = dlsym(RTLD_NEXT, \"clock_gettime\");\\n"
+             "  int code = real(id, t);\\n"
+             "  if (id != CLOCK_MONOTONIC) return code;\\n"
+             "  long long ns = 2 * (t->tv_sec * 1000000000LL + t->tv_nsec);\\n"
+             "  t->tv_sec = ns / 1000000000; t->tv_nsec = ns %% 1000000000;\\n"
+             "  return code;\\n}\\n' | gcc -shared -fPIC -x c - -o " +
+             library + " -ldl"));
   return "LD_PRELOAD=" + library + " exec";
 }
 
@@ -142,8 +140,7 @@ TEST(Bisect, TheCommitThatMadeItSlowerIsFound) {
   for (const char* subject : {"zero", "one", "two"}) repository.commit(subject, kPlain);
   for (const char* subject : {"slow", "four"}) repository.commit(subject, slow);
   const Outcome outcome =
-      repository.bisect("--rounds 8 --good HEAD~4 --cell " + std::string(kCell));
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+      expect_exit(0, repository.bisect("--rounds 8 --good HEAD~4 --cell " + std::string(kCell)));
   EXPECT_THAT(outcome.out, HasSubstr("FOUND    " + repository.hash(3) + " slow"));
   repository.expect_nothing_left();
 }
@@ -153,9 +150,7 @@ TEST(Bisect, TheCommandThatAHistoryPrintsFindsTheCommit) {
   for (const char* subject : {"zero", "one"}) repository.commit(subject, kPlain);
   for (const char* subject : {"culprit", "three"}) repository.commit(subject, kOtherDrawings);
   const std::string path = repository.path("now.h5"), folder = repository.path("history");
-  ASSERT_EQ(
-      run("{} study run -q --threads 1 " + repository.path("tiny.toml") + " -o " + path).exit_code,
-      0);
+  must("{} study run -q --threads 1 " + repository.path("tiny.toml") + " -o " + path);
   for (const std::size_t commit : {0, 3}) {
     Results results = read_results(path);
     results.source_hash = repository.hash(commit);
@@ -171,8 +166,8 @@ TEST(Bisect, TheCommandThatAHistoryPrintsFindsTheCommit) {
   ASSERT_NE(begin, std::string::npos) << report.out;
   const std::string command =
       report.out.substr(begin + 5, report.out.find('\n', begin) - begin - 5);
-  const Outcome found = run("cd " + repository.path("checkout") + " && {} " + command);
-  EXPECT_EQ(found.exit_code, 0) << command << found.out << found.err;
+  const Outcome found =
+      expect_exit(0, run("cd " + repository.path("checkout") + " && {} " + command));
   EXPECT_THAT(found.out, HasSubstr("FOUND    " + repository.hash(2) + " culprit"));
 }
 
@@ -180,11 +175,9 @@ TEST(Bisect, AnInterruptLeavesNoWorktree) {
   SeededRepository repository;
   repository.commit("zero", kPlain);
   repository.commit("endless", "exec sleep 600;");
-  const Outcome outcome =
-      repository.bisect("--measure volume --good HEAD~1 --cell " + std::string(kCell),
-                        "timeout --preserve-status -s INT 6");
-  EXPECT_EQ(outcome.exit_code, 130) << outcome.out << outcome.err;
-  EXPECT_THAT(outcome.err, HasSubstr("ar3d: interrupted"));
+  expect_error(repository.bisect("--measure volume --good HEAD~1 --cell " + std::string(kCell),
+                                 "timeout --preserve-status -s INT 6"),
+               "ar3d: interrupted", 130);
   repository.expect_nothing_left();
 }
 
@@ -202,8 +195,7 @@ TEST(Bisect, BadInputIsOneClearLine) {
            {"--good HEAD~1", "--cell"},
            {range + kCell + std::string(" --measure speed"), "speed"},
            {range + kCell + std::string(" --rounds 3"), "--rounds"}}) {
-    const Outcome outcome = repository.bisect(arguments);
-    EXPECT_EQ(outcome.exit_code, 2) << arguments << outcome.out;
+    const Outcome outcome = expect_exit(2, repository.bisect(arguments));
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr(message)) << arguments;
   }

@@ -16,17 +16,14 @@ const std::string kProgram = AR3D_PROGRAM;
 TEST(CertificateModes, VerifySaysWhatIsNotProved) {
   const ScratchDirectory scratch;
   const std::string file = scratch.path("d.jsonl");
-  ASSERT_EQ(run(kProgram + " generate random-cubic -n 20 | " + kProgram +
-                " draw - --algorithm two-bend -o " + file)
-                .exit_code,
-            0);
+  must(kProgram + " generate random-cubic -n 20 | " + kProgram +
+       " draw - --algorithm two-bend -o " + file);
   const auto verify = [&](const std::string& mode) {
     return run(kProgram + " verify " + file + " --certificate " + mode);
   };
   EXPECT_EQ(verify("exact").exit_code, 0);
   for (const std::string mode : {"filtered", "double", "sample=30", "none"}) {
-    const Outcome outcome = verify(mode);
-    EXPECT_EQ(outcome.exit_code, 5) << mode;
+    const Outcome outcome = expect_exit(5, verify(mode));
     EXPECT_THAT(outcome.out, HasSubstr("0 certified, 0 violated, 0 not drawn, 1 not proved "
                                        "(certificate " +
                                        mode + ")"));
@@ -34,9 +31,7 @@ TEST(CertificateModes, VerifySaysWhatIsNotProved) {
   EXPECT_THAT(verify("sample=30").out,
               HasSubstr("pairs of segments looked at; a single forbidden meeting is missed with "
                         "probability at most 0.9"));
-  const Outcome unknown = verify("samples");
-  EXPECT_EQ(unknown.exit_code, 2);
-  EXPECT_THAT(unknown.err, HasSubstr("certificate 'samples' is none of exact, filtered, double"));
+  expect_error(verify("samples"), "certificate 'samples' is none of exact, filtered, double");
   EXPECT_THAT(verify("exakt").err, HasSubstr("did you mean 'exact'?"));
   EXPECT_EQ(
       run(kProgram + " verify " + file + " --certificate double --crossing-test slabs").exit_code,
@@ -50,9 +45,8 @@ TEST(CertificateModes, WhatAModeDoesNotAcceptIsViolatedOrProvedExactly) {
                            R"("edges":[[0,1,[]],[2,3,[]]]})"
                            "\n");
   for (const std::string mode : {"exact", "filtered", "double", "sample=1000"}) {
-    const Outcome outcome =
-        run(kProgram + " verify " + scratch.path("d.jsonl") + " --certificate " + mode);
-    EXPECT_EQ(outcome.exit_code, 4) << mode;
+    const Outcome outcome = expect_exit(
+        4, run(kProgram + " verify " + scratch.path("d.jsonl") + " --certificate " + mode));
     EXPECT_THAT(outcome.out, HasSubstr("crossing: ")) << mode;
   }
   EXPECT_EQ(run(kProgram + " verify " + scratch.path("d.jsonl") + " --certificate none").exit_code,
@@ -63,29 +57,23 @@ TEST(CertificateModes, WhatAModeDoesNotAcceptIsViolatedOrProvedExactly) {
 TEST(CertificateModes, DrawingsOfUnknownAlgorithmsAreNotJudgedAndTheOthersAre) {
   const ScratchDirectory scratch;
   const std::string file = scratch.path("d.jsonl");
-  ASSERT_EQ(run(kProgram + " generate petersen | " + kProgram + " draw - --algorithm grid > " +
-                file + " && sed 's/\"grid\"/\"gird\"/' " + file + " >> " + file + "2; cat " + file +
-                " >> " + file + "2")
-                .exit_code,
-            0);
-  const Outcome outcome = run(kProgram + " verify " + file + "2");
-  EXPECT_EQ(outcome.exit_code, 5);
+  must(kProgram + " generate petersen | " + kProgram + " draw - --algorithm grid > " + file +
+       " && sed 's/\"grid\"/\"gird\"/' " + file + " >> " + file + "2; cat " + file + " >> " + file +
+       "2");
+  const Outcome outcome = expect_exit(5, run(kProgram + " verify " + file + "2"));
   EXPECT_THAT(outcome.out, HasSubstr("d.jsonl2:1: not judged: no algorithm here is called 'gird'; "
                                      "did you mean 'grid'? (--algorithm judges it"));
   EXPECT_THAT(outcome.out, HasSubstr("1 certified, 0 violated, 0 not drawn, 1 not judged\n"));
   EXPECT_EQ(run(kProgram + " verify " + file + "2 --algorithm grid").exit_code, 0);
-  const Outcome unknown = run(kProgram + " verify " + file + " --algorithm gird");
-  EXPECT_EQ(unknown.exit_code, 2);
+  expect_exit(2, run(kProgram + " verify " + file + " --algorithm gird"));
 }
 
 TEST(CertificateModes, VerifyCountsGraphsAndDrawings) {
   const ScratchDirectory scratch;
   const std::string graphs = scratch.path("g.s6"), drawings = scratch.path("d.jsonl");
-  ASSERT_EQ(run(kProgram + " generate random-cubic -n 8 --count 3 -o " + graphs + " && " +
-                kProgram + " draw " + graphs + " --algorithm grid -o " + drawings + " && head -2 " +
-                graphs + " > " + graphs + "2 && head -1 " + drawings + " > " + drawings + "1")
-                .exit_code,
-            0);
+  must(kProgram + " generate random-cubic -n 8 --count 3 -o " + graphs + " && " + kProgram +
+       " draw " + graphs + " --algorithm grid -o " + drawings + " && head -2 " + graphs + " > " +
+       graphs + "2 && head -1 " + drawings + " > " + drawings + "1");
   EXPECT_THAT(run(kProgram + " verify " + drawings + " --graphs " + graphs + "2").err,
               HasSubstr("g.s62 has 2 graphs, but " + drawings + " has more drawings"));
   EXPECT_THAT(run(kProgram + " verify " + drawings + "1 --graphs " + graphs).err,
@@ -134,8 +122,7 @@ TEST(CertificateModes, RowsOfAStudySayThemAndCheckDoesNotPassThemUnasked) {
     const Outcome study =
         run(kProgram + " study run " + scratch.path("s.toml") + " -q --force -o " + results);
     ASSERT_EQ(study.exit_code, 5) << mode << study.err;
-    const Outcome checked = run(kProgram + " check " + results);
-    EXPECT_EQ(checked.exit_code, 5);
+    const Outcome checked = expect_exit(5, run(kProgram + " check " + results));
     EXPECT_THAT(checked.out,
                 HasSubstr("8 rows, 0 proved, 0 violated, 0 incomplete, 0 refused, 8 not proved"));
     EXPECT_EQ(run(kProgram + " check --accept-unproved " + results).exit_code, 0) << mode;
@@ -152,8 +139,7 @@ TEST(CertificateModes, RowsOfAStudySayThemAndCheckDoesNotPassThemUnasked) {
         << mode;
   }
   scratch.write("s.toml", "study = \"modes\"\ncertificate = \"perhaps\"\n" + sweep);
-  const Outcome refused = run(kProgram + " study plan " + scratch.path("s.toml"));
-  EXPECT_EQ(refused.exit_code, 2);
+  const Outcome refused = expect_exit(2, run(kProgram + " study plan " + scratch.path("s.toml")));
   EXPECT_THAT(refused.err, HasSubstr("s.toml:2: certificate 'perhaps' is none of exact"));
 }
 
@@ -170,8 +156,7 @@ TEST(CertificateModes, OneSweepMayAskForSeveral) {
   const Outcome study =
       run(kProgram + " study run " + scratch.path("s.toml") + " -q -o " + results);
   ASSERT_EQ(study.exit_code, 5) << study.err;
-  const Outcome checked = run(kProgram + " check " + results);
-  EXPECT_EQ(checked.exit_code, 5) << "four rows and the measured one are not proved";
+  const Outcome checked = expect_exit(5, run(kProgram + " check " + results));
   EXPECT_THAT(checked.out,
               HasSubstr("6 rows, 1 proved, 0 violated, 0 incomplete, 0 refused, 5 not proved"));
   EXPECT_EQ(run(kProgram + " check --accept-unproved " + results).exit_code, 0);
@@ -183,8 +168,7 @@ TEST(CertificateModes, OneSweepMayAskForSeveral) {
   }
   EXPECT_EQ(run(kProgram + " study selfcheck " + results).exit_code, 0);
   for (int row = 0; row < 6; ++row) {
-    const Outcome again = run(kProgram + " replay " + results + " " + std::to_string(row));
-    EXPECT_EQ(again.exit_code, 0) << row << again.out << again.err;
+    expect_exit(0, run(kProgram + " replay " + results + " " + std::to_string(row)));
   }
 }
 

@@ -25,12 +25,10 @@ Outcome gate(const ScratchDirectory& scratch, const std::string& arguments) {
 
 TEST(CiRecipes, TheGateStoresJudgesAndFailsByItsExitCode) {
   const ScratchDirectory scratch;
-  const Outcome nothing = gate(scratch, "judge references");
-  EXPECT_EQ(nothing.exit_code, 5) << nothing.err;
+  expect_exit(5, gate(scratch, "judge references"));
   EXPECT_THAT(read_file(scratch.path("verdict.markdown")), HasSubstr("NOTHING TO COMPARE WITH"));
   EXPECT_EQ(gate(scratch, "store references").exit_code, 0);
-  const Outcome pass = gate(scratch, "judge references");
-  EXPECT_EQ(pass.exit_code, 0) << pass.out << pass.err;
+  expect_exit(0, gate(scratch, "judge references"));
   EXPECT_THAT(read_file(scratch.path("verdict.markdown")),
               HasSubstr("## ar3d compare: DRAWINGS PASS"));
 
@@ -69,25 +67,19 @@ while True:
   for (const char* settings : {"", "AR3D_COMPARE=\"\""}) {
     scratch.write("verdict.markdown", "old");
     write_program("0");  // all on one line: edges on vertices
-    const Outcome violated = own_gate("judge references", settings);
-    EXPECT_EQ(violated.exit_code, 4) << violated.out << violated.err;
+    expect_exit(4, own_gate("judge references", settings));
     EXPECT_THAT(read_file(scratch.path("verdict.markdown")),
                 HasSubstr("## ar3d compare: VIOLATED"));
     write_program("i * i if n == 5 else sys.exit(3)");
-    const Outcome incomplete = own_gate("judge references", settings);
-    EXPECT_EQ(incomplete.exit_code, 3) << incomplete.out << incomplete.err;
+    expect_exit(3, own_gate("judge references", settings));
     EXPECT_THAT(read_file(scratch.path("verdict.markdown")), HasSubstr("REGRESSED"));
   }
-  ASSERT_EQ(
-      run("cp " + scratch.path("now.h5") + " " + scratch.path("references/reference.h5")).exit_code,
-      0);
-  const Outcome as_before = own_gate("judge references", "");
-  EXPECT_EQ(as_before.exit_code, 5) << "no worse, and not whole" << as_before.out;
+  must("cp " + scratch.path("now.h5") + " " + scratch.path("references/reference.h5"));
+  expect_exit(5, own_gate("judge references", ""));
   EXPECT_THAT(read_file(scratch.path("verdict.markdown")),
               HasSubstr("`study run` ended with exit code 5"));
   std::filesystem::remove(spec);
-  const Outcome nothing = own_gate("judge references", "");
-  EXPECT_EQ(nothing.exit_code, 2);
+  expect_exit(2, own_gate("judge references", ""));
   EXPECT_THAT(read_file(scratch.path("verdict.markdown")), HasSubstr("NOTHING MEASURED"));
 }
 
@@ -99,13 +91,13 @@ TEST(CiRecipes, UnknownWordsAreRefused) {
 
 TEST(CiRecipes, TheFilesAreYamlAndRunTheGate) {
   for (const char* file : {"github-actions.yml", "gitlab-ci.yml"}) {
-    const Outcome outcome = run(
-        "/usr/bin/python3 -c 'import sys, yaml; tree = yaml.safe_load(open(sys.argv[1]));"
-        "texts = []; walk = lambda t: [walk(v) for v in (t.values() if isinstance(t, dict) else t "
-        "if isinstance(t, list) else [])] or texts.append(str(t)); walk(tree);"
-        "print(\"\\n\".join(t for t in texts if \"regression-gate\" in t))' " +
-        std::string(kFolder) + file);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome = expect_exit(
+        0, run("/usr/bin/python3 -c 'import sys, yaml; tree = yaml.safe_load(open(sys.argv[1]));"
+               "texts = []; walk = lambda t: [walk(v) for v in (t.values() if isinstance(t, dict) "
+               "else t "
+               "if isinstance(t, list) else [])] or texts.append(str(t)); walk(tree);"
+               "print(\"\\n\".join(t for t in texts if \"regression-gate\" in t))' " +
+               std::string(kFolder) + file));
     EXPECT_EQ(outcome.out,
               "examples/ci/regression-gate judge references\n"
               "examples/ci/regression-gate store references\n");

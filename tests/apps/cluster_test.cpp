@@ -10,8 +10,7 @@ namespace {
 TEST(ClusterRecipe, Mpi) {
   const ScratchDirectory folder;
   for (const char* name : {"mpi", "mpi resume"}) {
-    const Outcome outcome = run_recipe(folder, name);
-    EXPECT_EQ(outcome.exit_code, 0) << name << outcome.out << outcome.err;
+    expect_exit(0, run_recipe(folder, name));
   }
   EXPECT_EQ(run("{} study run smoke -q -o " + folder.path("one.h5")).exit_code, 0);
   expect_same_rows(folder.path("smoke.h5"), folder.path("one.h5"));
@@ -19,8 +18,7 @@ TEST(ClusterRecipe, Mpi) {
 
 TEST(ClusterRecipe, GnuParallel) {
   const ScratchDirectory folder;
-  const Outcome outcome = run_recipe(folder, "parallel");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  expect_exit(0, run_recipe(folder, "parallel"));
   EXPECT_EQ(run("{} study run smoke -q -o " + folder.path("one.h5")).exit_code, 0);
   expect_same_rows(folder.path("smoke.h5"), folder.path("one.h5"));
 }

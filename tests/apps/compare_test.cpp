@@ -24,8 +24,7 @@ constexpr const char* kStudy =
 /// A small study's results in the scratch directory.
 std::string tiny_results(const ScratchDirectory& scratch, const std::string& name) {
   const std::string spec = scratch.write("tiny.toml", kStudy), path = scratch.path(name);
-  const Outcome outcome = run("{} study run " + spec + " --threads 1 --quiet -o " + path);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  expect_exit(0, run("{} study run " + spec + " --threads 1 --quiet -o " + path));
   return path;
 }
 
@@ -44,7 +43,7 @@ TEST(CompareProgram, TheYoungestReferenceOfTheStudyIsTheBase) {
   const std::string checkout = scratch.path("checkout");
   std::filesystem::create_directories(checkout + "/apps");
   std::filesystem::create_directories(checkout + "/results/reference");
-  ASSERT_EQ(run("touch " + checkout + "/apps/study.cpp && git init -q " + checkout).exit_code, 0);
+  must("touch " + checkout + "/apps/study.cpp && git init -q " + checkout);
   const std::string compare = "cd " + checkout + " && {} compare --reference " + now;
   EXPECT_EQ(run(compare).exit_code, 2);  // no reference yet
   const std::string smaller =
@@ -57,8 +56,7 @@ TEST(CompareProgram, TheYoungestReferenceOfTheStudyIsTheBase) {
 
 TEST(CompareProgram, TheCommittedReferenceIsWholeAndProved) {
   const std::string reference = std::string(AR3D_SOURCE_DIR) + "/results/reference/0.2.0-volume.h5";
-  const Outcome check = run("{} check " + reference);
-  EXPECT_EQ(check.exit_code, 0) << check.err;
+  const Outcome check = expect_exit(0, run("{} check " + reference));
   EXPECT_THAT(check.out, HasSubstr("21528 rows, 21528 proved"));
   EXPECT_EQ(run("{} compare " + reference + " " + reference).exit_code, 0);
 }
@@ -66,14 +64,13 @@ TEST(CompareProgram, TheCommittedReferenceIsWholeAndProved) {
 TEST(CompareProgram, AFileAgainstItselfPassesAndAGrownBoxIsARegression) {
   const ScratchDirectory scratch;
   const std::string base = tiny_results(scratch, "base.h5");
-  const Outcome same = run("{} compare " + base + " " + base);
-  EXPECT_EQ(same.exit_code, 0) << same.out << same.err;
+  expect_exit(0, run("{} compare " + base + " " + base));
 
   const std::string grown =
       changed(base, "grown.h5", [](Results& r) { r.runs[4].extents[1] += 1; });
   const std::string verdict = scratch.path("verdict.json");
-  const Outcome worse = run("{} compare " + base + " " + grown + " --json " + verdict);
-  EXPECT_EQ(worse.exit_code, 3) << worse.err;
+  const Outcome worse =
+      expect_exit(3, run("{} compare " + base + " " + grown + " --json " + verdict));
   EXPECT_THAT(worse.out, HasSubstr("larger volume"));
   EXPECT_EQ(nlohmann::json::parse(read_file(verdict)).at("verdict"), "REGRESSED");
 
@@ -99,16 +96,13 @@ TEST(CompareProgram, TheVerdictIsWrittenAsMarkdown) {
   const std::string file = scratch.path("verdict.md");
   const std::string compare = "{} compare " + named + " " + grown + " --markdown ";
   EXPECT_EQ(run(compare + file).exit_code, 3);
-  const Outcome piped = run(compare + "-");
-  EXPECT_EQ(piped.exit_code, 3);
+  const Outcome piped = expect_exit(3, run(compare + "-"));
   EXPECT_EQ(piped.out, read_file(file));
   EXPECT_THAT(piped.out, ::testing::StartsWith("## ar3d compare: REGRESSED\n"));
   EXPECT_THAT(piped.out, HasSubstr("| verdict | cell | time | volume | reason |"));
   EXPECT_THAT(piped.out, HasSubstr("`larger volume"));
   EXPECT_THAT(piped.out, HasSubstr("on a\\|b'c # d all n` |"));  // one field of one line
-  const Outcome kept = run(compare + file);
-  EXPECT_EQ(kept.exit_code, 2);
-  EXPECT_THAT(kept.err, HasSubstr("--force replaces it"));
+  expect_error(run(compare + file), "--force replaces it");
   EXPECT_EQ(run(compare + scratch.path("nowhere/verdict.md")).exit_code, 2);
 }
 
@@ -133,8 +127,8 @@ TEST(CompareProgram, BadInputIsOneClearLine) {
            {base, "compare takes two results files"},
            {"--base no-such-ref-anywhere", "no commit 'no-such-ref-anywhere'"},
            {"--base HEAD " + base, "take no results files"}}) {
-    const Outcome outcome = run("cd " AR3D_SOURCE_DIR " && {} compare " + arguments);
-    EXPECT_EQ(outcome.exit_code, 2) << arguments << outcome.out;
+    const Outcome outcome =
+        expect_exit(2, run("cd " AR3D_SOURCE_DIR " && {} compare " + arguments));
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr(message));
   }
@@ -147,13 +141,10 @@ TEST(CompareProgram, OtherVersionsAndMissingTablesAreNamed) {
            {"f.attrs[\"format_version\"] = 1", "version"}, {"del f[\"runs\"]", "runs"}}) {
     const std::string broken = scratch.path("broken.h5");
     std::filesystem::copy_file(base, broken, std::filesystem::copy_options::overwrite_existing);
-    ASSERT_EQ(run("/usr/bin/python3 -c 'import h5py; f = h5py.File(\"" + broken + "\", \"r+\"); " +
-                  edit + "'")
-                  .exit_code,
-              0);
+    must("/usr/bin/python3 -c 'import h5py; f = h5py.File(\"" + broken + "\", \"r+\"); " + edit +
+         "'");
     testing::renew_checksum(broken);
-    const Outcome outcome = run("{} compare " + base + " " + broken);
-    EXPECT_EQ(outcome.exit_code, 2);
+    const Outcome outcome = expect_exit(2, run("{} compare " + base + " " + broken));
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr(message));
     EXPECT_THAT(outcome.err, HasSubstr("broken.h5"));
@@ -164,12 +155,10 @@ TEST(CompareProgram, NothingMeasuredAndNaNAreIncomplete) {
   const ScratchDirectory scratch;
   const std::string base = tiny_results(scratch, "base.h5");
   const std::string empty = changed(base, "empty.h5", [](Results& r) { r.runs.clear(); });
-  const Outcome none = run("{} compare " + empty + " " + empty);
-  EXPECT_EQ(none.exit_code, 5) << none.err;
+  const Outcome none = expect_exit(5, run("{} compare " + empty + " " + empty));
   EXPECT_THAT(none.out, HasSubstr("nothing measured"));
   const std::string nan = changed(base, "nan.h5", [](Results& r) { r.runs[0].wall_s = kMissing; });
-  const Outcome missing = run("{} compare " + base + " " + nan);
-  EXPECT_EQ(missing.exit_code, 5);
+  const Outcome missing = expect_exit(5, run("{} compare " + base + " " + nan));
   EXPECT_THAT(missing.out, HasSubstr("1 drawn measurements have no time"));
 }
 
@@ -181,19 +170,16 @@ TEST(CompareProgram, GoogleBenchmarkReportsAreReadAndItsOwnToolReadsOurs) {
   });
   const std::string a = scratch.path("a.json"), b = scratch.path("b.json");
   for (const auto& [from, to] : {std::pair{base, a}, std::pair{slower, b}}) {
-    ASSERT_EQ(run("{} report " + from + " --benchmark-json " + to).exit_code, 0);
+    must("{} report " + from + " --benchmark-json " + to);
   }
-  const Outcome theirs =
-      run("/usr/bin/python3 /usr/share/benchmark/compare.py --no-color --no-utest benchmarks " + a +
-          " " + b);
-  EXPECT_EQ(theirs.exit_code, 0) << theirs.err;
+  const Outcome theirs = expect_exit(
+      0, run("/usr/bin/python3 /usr/share/benchmark/compare.py --no-color --no-utest benchmarks " +
+             a + " " + b));
   EXPECT_THAT(theirs.out, HasSubstr("draw/diamond/effort="));
   EXPECT_THAT(theirs.out, HasSubstr("+1.0000"));  // twice the time
 
   EXPECT_EQ(run("{} compare " + a + " " + a + " --time-always").exit_code, 0);
-  const Outcome ours =
-      run("{} compare " + a + " " + b + " --time-always --significance 0.3 --fdr 0.3");
-  EXPECT_EQ(ours.exit_code, 3) << ours.out << ours.err;
+  expect_exit(3, run("{} compare " + a + " " + b + " --time-always --significance 0.3 --fdr 0.3"));
 }
 
 /// A checkout whose build runs `command`, and then gives the program of this test.
@@ -206,11 +192,10 @@ std::string pretended_checkout(const ScratchDirectory& scratch, const std::strin
       << command
       << " COMMAND ${CMAKE_COMMAND} -E make_directory apps COMMAND ${CMAKE_COMMAND} -E copy "
          "$ENV{AR3D_PROGRAM} apps/ar3d)\n";
-  const Outcome made =
-      run("cd " + checkout +
-          " && touch apps/study.cpp && git init -q && git add -A && git -c user.name=t -c "
-          "user.email=t@t commit -qm first");
-  EXPECT_EQ(made.exit_code, 0) << made.err;
+  expect_exit(0,
+              run("cd " + checkout +
+                  " && touch apps/study.cpp && git init -q && git add -A && git -c user.name=t -c "
+                  "user.email=t@t commit -qm first"));
   return checkout;
 }
 
@@ -244,8 +229,7 @@ TEST(CompareProgram, ACommitIsBuiltOnceAndItsWorktreeGoes) {
 TEST(CompareProgram, GraphsAreFoundBesideTheSpecification) {
   const ScratchDirectory scratch;
   std::filesystem::create_directories(scratch.path("nets"));
-  ASSERT_EQ(
-      run("{} generate random-cubic -n 20 --count 3 -o " + scratch.path("nets/a.s6")).exit_code, 0);
+  must("{} generate random-cubic -n 20 --count 3 -o " + scratch.path("nets/a.s6"));
   const std::string spec = scratch.write(
       "mine.toml",
       "study = 'mine'\n[[sweep]]\ngraphs = ['nets/*.s6']\nalgorithms = 'grid'\n[[sweep]]\n"
@@ -262,28 +246,24 @@ TEST(CompareProgram, AnInterruptSaysSoAndLeavesNothingBehind) {
   const std::string spec = scratch.write("tiny.toml", kStudy);
   const std::string checkout = pretended_checkout(scratch, "sleep 600");
   for (const char* signal : {"INT", "TERM"}) {
-    const Outcome outcome =
+    expect_error(
         run("cd " + checkout + " && AR3D_PROGRAM=$(realpath {}) timeout --preserve-status -s " +
-            signal + " 4 {} compare --base HEAD --study " + spec);
-    EXPECT_EQ(outcome.exit_code, 130) << outcome.out << outcome.err;
-    EXPECT_THAT(outcome.err, HasSubstr("interrupted while building HEAD"));
+            signal + " 4 {} compare --base HEAD --study " + spec),
+        "interrupted while building HEAD", 130);
     expect_no_worktree(checkout);
   }
-  const Outcome rounds = run("cd " + checkout +
-                             " && timeout --preserve-status -s INT 3 {} compare --calibrate "
-                             "--rounds 1000 --study " +
-                             spec);
-  EXPECT_EQ(rounds.exit_code, 130) << rounds.out << rounds.err;
-  EXPECT_THAT(rounds.err, HasSubstr("ar3d: interrupted in round"));
+  expect_error(run("cd " + checkout +
+                   " && timeout --preserve-status -s INT 3 {} compare --calibrate "
+                   "--rounds 1000 --study " +
+                   spec),
+               "ar3d: interrupted in round", 130);
   expect_no_worktree(checkout);
 }
 
 TEST(CompareProgram, ABuildThatFailsNamesItsLogAndLeavesNoWorktree) {
   const ScratchDirectory scratch;
   const std::string checkout = pretended_checkout(scratch, "false");
-  const Outcome outcome = run("cd " + checkout + " && {} compare --base HEAD");
-  EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
-  EXPECT_THAT(outcome.err, HasSubstr(".log"));
+  expect_error(run("cd " + checkout + " && {} compare --base HEAD"), ".log");
   expect_no_worktree(checkout);
 }
 
@@ -292,9 +272,8 @@ TEST(CompareProgram, BuildsTakeTurnsAndTheMachineIsCalibrated) {
   const std::string spec = scratch.write("tiny.toml", kStudy);
   const std::string verdict = scratch.path("verdict.json");
   const Outcome outcome =
-      run("cd " AR3D_SOURCE_DIR " && {} compare --calibrate --rounds 2 --study " + spec +
-          " --json " + verdict);
-  EXPECT_EQ(outcome.exit_code, 6) << "two rounds decide nothing: " << outcome.out << outcome.err;
+      expect_exit(6, run("cd " AR3D_SOURCE_DIR " && {} compare --calibrate --rounds 2 --study " +
+                         spec + " --json " + verdict));
   EXPECT_THAT(outcome.err, HasSubstr("round 2 of 2"));
   EXPECT_THAT(outcome.out, HasSubstr("the program against itself"));
   const auto json = nlohmann::json::parse(read_file(verdict));

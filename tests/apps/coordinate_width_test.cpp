@@ -21,13 +21,10 @@ Outcome drawn(const std::string& n, const std::string& coordinates) {
 TEST(Coordinates, ThatTheBoundDoesNotCoverOrThatDoNotFitAreRefused) {
   EXPECT_EQ(drawn("20", "auto").exit_code, 0);
   EXPECT_EQ(drawn("20", "checked=int16").exit_code, 0);
-  const Outcome not_proved = drawn("20", "proved=int16");
-  EXPECT_EQ(not_proved.exit_code, 2);
+  const Outcome not_proved = expect_exit(2, drawn("20", "proved=int16"));
   EXPECT_THAT(not_proved.err, HasSubstr("20 vertices: the bound proves int16 for at most "));
   EXPECT_THAT(not_proved.out, HasSubstr("\"error\":"));
-  const Outcome beyond = drawn("1000", "checked=int16");
-  EXPECT_EQ(beyond.exit_code, 2);
-  EXPECT_THAT(beyond.err, HasSubstr("above the least one, int16 holds 32767"));
+  expect_error(drawn("1000", "checked=int16"), "above the least one, int16 holds 32767");
   EXPECT_EQ(drawn("1000", "proved=int32").exit_code, 0);
   EXPECT_EQ(drawn("20", "int16").exit_code, 2);
 }

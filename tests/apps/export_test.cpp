@@ -24,8 +24,7 @@ TEST(Export, HelpSaysWhatEachFormatKeeps) {
 TEST(Export, BadInputIsOneLineAndWritesNothing) {
   const ScratchDirectory scratch;
   const auto expect_error = [&](const std::string& command, const std::string& why) {
-    const Outcome outcome = run(command);
-    EXPECT_EQ(outcome.exit_code, 2) << command;
+    const Outcome outcome = expect_exit(2, run(command));
     EXPECT_THAT(outcome.err, HasSubstr(why)) << command;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     EXPECT_TRUE(std::filesystem::is_empty(scratch.path(""))) << command;
@@ -78,10 +77,10 @@ TEST(Export, VtpIsReadByPython) {
   for (const std::string algorithm : {"diamond", "grid", "two-bend"}) {
     const std::string draw =
         "{} generate random-cubic -n 40 | {} draw - --force --algorithm " + algorithm;
-    const Outcome outcome = run(draw + " -o " + scratch.path("d.vtp") + " && " + draw + " -o " +
-                                scratch.path("d.jsonl") + " && /usr/bin/python3 " + reader + " " +
-                                scratch.path("d.vtp") + " " + scratch.path("d.jsonl"));
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome =
+        expect_exit(0, run(draw + " -o " + scratch.path("d.vtp") + " && " + draw + " -o " +
+                           scratch.path("d.jsonl") + " && /usr/bin/python3 " + reader + " " +
+                           scratch.path("d.vtp") + " " + scratch.path("d.jsonl")));
     EXPECT_THAT(outcome.out, HasSubstr("read "));
   }
 }

@@ -27,8 +27,7 @@ Outcome verified(const std::string& line) {
 
 /// A refusal is one line on standard error, and nothing else.
 void expect_refused(const std::string& line, const std::string& reason) {
-  const Outcome outcome = verified(line);
-  EXPECT_EQ(outcome.exit_code, 2) << line;
+  const Outcome outcome = expect_exit(2, verified(line));
   EXPECT_THAT(outcome.err, HasSubstr(reason));
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
 }
@@ -36,8 +35,7 @@ void expect_refused(const std::string& line, const std::string& reason) {
 TEST(Extremes, TheStudyIsAllRightAndHasNoNaNWhereANumberIsDue) {
   const ScratchDirectory scratch;
   const std::string results = scratch.path("extremes.h5");
-  const Outcome outcome = run(kProgram + " study run extremes -q --threads 1 -o " + results);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  expect_exit(0, run(kProgram + " study run extremes -q --threads 1 -o " + results));
   std::size_t tiny = 0;
   RunReader reader(results);
   ASSERT_GT(reader.size(), 100u);
@@ -66,9 +64,9 @@ TEST(Extremes, NoRecursionProportionalToN) {
                          "[\"path\", \"cycle\", "
                          "\"caterpillar\", \"binary-tree\", \"nested-triangles\", "
                          "\"iterated-truncation\"]\nsizes = 100000\nalgorithms = \"all\"\n";
-  const Outcome outcome = run("ulimit -s 256 && OMP_STACKSIZE=256k " + kProgram + " study run " +
-                              toml + " -q --threads 1 -o " + scratch.path("deep.h5"));
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const Outcome outcome =
+      expect_exit(0, run("ulimit -s 256 && OMP_STACKSIZE=256k " + kProgram + " study run " + toml +
+                         " -q --threads 1 -o " + scratch.path("deep.h5")));
   EXPECT_THAT(outcome.out, HasSubstr("PASS: 27 rows, 27 proved"));
 }
 
@@ -78,8 +76,8 @@ TEST(Extremes, CoordinatesAtTheEndsOf64Bits) {
            R"("vertices":[[)" +
            a + "],[" + b + R"(]],"edges":[]})";
   };
-  const Outcome last = verified(line("-2305843009213693952,0,0", "2305843009213693952,0,0"));
-  EXPECT_EQ(last.exit_code, 4) << "far apart, and nothing worse";
+  const Outcome last =
+      expect_exit(4, verified(line("-2305843009213693952,0,0", "2305843009213693952,0,0")));
   EXPECT_THAT(last.out,
               HasSubstr("size: the extent in x is 4611686018427387904, more than 16/3 n"));
   EXPECT_THAT(last.out, HasSubstr("0 certified, 1 violated"));
@@ -98,11 +96,10 @@ TEST(Extremes, CoordinatesAtTheEndsOf64Bits) {
 // A long chain of heights at the scale of the size bound's proof: refused before anything is
 // placed.
 TEST(Extremes, HeightsBeyond60BitsAreRefusedWithTheVertexNamed) {
-  const Outcome refused = run(kProgram + " generate ladder -n 300000 | " + kProgram +
-                              " draw - --algorithm two-bend-109 --set effort=0 --level extents");
-  EXPECT_EQ(refused.exit_code, 2) << refused.out;
-  EXPECT_THAT(refused.err, HasSubstr("two-bend-109: a coordinate of vertex 277710 may pass 2^60, "
-                                     "the graph is too large"));
+  expect_error(run(kProgram + " generate ladder -n 300000 | " + kProgram +
+                   " draw - --algorithm two-bend-109 --set effort=0 --level extents"),
+               "two-bend-109: a coordinate of vertex 277710 may pass 2^60, "
+               "the graph is too large");
 }
 
 /// The right drawing of one straight edge in a real type, in units of 2^exponent times a factor.
@@ -116,8 +113,7 @@ TEST(Extremes, ScalesOfRealTypes) {
   // 2^-1074 is the smallest denormal double, 2^1023 the scale of the largest ones.
   const Outcome one = verified(real_line("0", "5"));
   for (const std::string exponent : {"-1074", "-1022", "971", "1023", "-4000", "4000"}) {
-    const Outcome scaled = verified(real_line(exponent, "5"));
-    EXPECT_EQ(scaled.exit_code, 5);
+    const Outcome scaled = expect_exit(5, verified(real_line(exponent, "5")));
     EXPECT_EQ(scaled.out, one.out) << "angles do not depend on the scale";
   }
   const Outcome huge = verified(real_line("4000", (BigInteger(1) << 3320).str()));  // 1000 digits
@@ -144,8 +140,7 @@ TEST(Extremes, RealTypesOfGraphsOfNoAndFewVertices) {
                     "= [0, 1, 2, 3]\n"
                     "algorithms = { algorithm = \"two-bend-paper\", type = [0, 1, 2, 3, 4] }\n");
   const std::string results = scratch.path("few.h5");
-  const Outcome outcome = run(kProgram + " study run " + toml + " -q -o " + results);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  expect_exit(0, run(kProgram + " study run " + toml + " -q -o " + results));
   RunReader reader(results);
   ASSERT_GT(reader.size(), 50u);
   for (std::size_t i = 0; i < reader.size(); ++i) {

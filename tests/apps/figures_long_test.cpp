@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 TEST(Figures, AreDrawnAgainByTheirScripts) {
   const testing::ScratchDirectory scratch;
   const std::string results = scratch.path("smoke.h5"), figures = scratch.path("figures");
-  ASSERT_EQ(run("{} study run smoke -q -o " + results).exit_code, 0);
-  ASSERT_EQ(run("{} report " + results + " --figures " + figures).exit_code, 0);
+  must("{} study run smoke -q -o " + results);
+  must("{} report " + results + " --figures " + figures);
   std::size_t drawn = 0;
   for (const auto& entry : fs::directory_iterator(figures)) {
     const std::string stem = figures + "/" + entry.path().stem().string();
@@ -24,13 +24,11 @@ TEST(Figures, AreDrawnAgainByTheirScripts) {
     ++drawn;
     fs::remove(stem + ".pdf");  // that of the SVG
     const std::string in_folder = "cd " + figures + " && ";
-    const Outcome matplotlib = run(in_folder + "/usr/bin/python3 " + stem + ".py");
-    EXPECT_EQ(matplotlib.exit_code, 0) << stem << matplotlib.err;
+    expect_exit(0, run(in_folder + "/usr/bin/python3 " + stem + ".py"));
     EXPECT_THAT(read_file(stem + ".pdf"), ::testing::StartsWith("%PDF-")) << stem;
     fs::remove(stem + ".pdf");
-    const Outcome latex =
-        run(in_folder + "pdflatex -halt-on-error -interaction=nonstopmode " + stem + ".tex");
-    EXPECT_EQ(latex.exit_code, 0) << stem << latex.out;
+    const Outcome latex = expect_exit(
+        0, run(in_folder + "pdflatex -halt-on-error -interaction=nonstopmode " + stem + ".tex"));
     EXPECT_THAT(latex.out, ::testing::Not(HasSubstr("undefined"))) << stem;
     EXPECT_THAT(read_file(stem + ".pdf"), ::testing::StartsWith("%PDF-")) << stem;
   }

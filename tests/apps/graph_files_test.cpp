@@ -24,9 +24,7 @@ class GraphFiles : public ::testing::Test {
     for (const char* command : {"generate random-cubic -n 40 --count 150",
                                 "generate random-4-regular -n 30 --count 60"}) {
       const bool cubic = std::string(command).find("cubic") != std::string::npos;
-      ASSERT_EQ(run(fmt::format("{{}} {} -o {}", command, path(cubic ? "cubic.s6" : "four.g6")))
-                    .exit_code,
-                0);
+      must(fmt::format("{{}} {} -o {}", command, path(cubic ? "cubic.s6" : "four.g6")));
     }
   }
   std::string path(const std::string& name) const { return scratch_.path(name); }
@@ -57,9 +55,8 @@ class GraphFiles : public ::testing::Test {
 };
 
 TEST_F(GraphFiles, EveryGraphOfEveryFormatIsAnInstance) {
-  ASSERT_EQ(run("gzip -k " + path("cubic.s6") + " && xz -k " + path("four.g6")).exit_code, 0);
-  const Outcome plain = run(both("-o plain.h5"));
-  EXPECT_EQ(plain.exit_code, 0) << plain.err;
+  must("gzip -k " + path("cubic.s6") + " && xz -k " + path("four.g6"));
+  const Outcome plain = expect_exit(0, run(both("-o plain.h5")));
   EXPECT_THAT(plain.out, HasSubstr("420 rows, 360 proved, 0 violated, 0 incomplete, 60 refused"));
   EXPECT_THAT(counts(path("plain.h5")),
               ::testing::ElementsAre(
@@ -70,10 +67,10 @@ TEST_F(GraphFiles, EveryGraphOfEveryFormatIsAnInstance) {
       EXPECT_THAT(row.message, HasSubstr("vertex 0 has degree 4"));
     }
   }
-  const Outcome packed =
+  const Outcome packed = expect_exit(
+      0,
       run(study("run -q --graphs cubic.s6.gz --graphs four.g6.xz --algorithm diamond --algorithm "
-                "grid -o packed.h5"));
-  EXPECT_EQ(packed.exit_code, 0) << packed.err;
+                "grid -o packed.h5")));
   const Results a = read_results(path("plain.h5"));
   const Results b = read_results(path("packed.h5"));
   ASSERT_EQ(a.runs.size(), b.runs.size());
@@ -92,101 +89,87 @@ families = "cycle"
 sizes = 10
 algorithms = "diamond"
 )");
-  const Outcome outcome = run("{} study run -q " + path("s.toml") + " -o " + path("s.h5"));
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  expect_exit(0, run("{} study run -q " + path("s.toml") + " -o " + path("s.h5")));
   EXPECT_THAT(counts(path("s.h5")), ::testing::ElementsAre(std::pair("cubic.s6 diamond ok", 150),
                                                            std::pair("cycle diamond ok", 1),
                                                            std::pair("four diamond ok", 10)));
   for (const char* verb : {"report", "check"}) {
-    const Outcome seen = run(fmt::format("{{}} {} {}", verb, path("s.h5")));
-    EXPECT_EQ(seen.exit_code, 0) << verb << seen.err;
+    expect_exit(0, run(fmt::format("{{}} {} {}", verb, path("s.h5"))));
   }
-  const Outcome same = run("{} compare " + path("s.h5") + " " + path("s.h5"));
-  EXPECT_EQ(same.exit_code, 0) << same.out;
+  expect_exit(0, run("{} compare " + path("s.h5") + " " + path("s.h5")));
   EXPECT_THAT(run("{} study plan " + path("s.toml")).out,
               HasSubstr("3 cells, 161 instances, 161 rows"));
 }
 
 TEST_F(GraphFiles, ThreadsWorkersShardsAndRanksMakeTheSameRows) {
-  ASSERT_EQ(run(both("--threads 1 -o one.h5")).exit_code, 0);
-  ASSERT_EQ(run(both("--threads 2 --isolate -o isolated.h5")).exit_code, 0);
+  must(both("--threads 1 -o one.h5"));
+  must(both("--threads 2 --isolate -o isolated.h5"));
   expect_same_rows(path("one.h5"), path("isolated.h5"));
   for (const char* shard : {"1/3", "2/3", "3/3"}) {
-    ASSERT_EQ(run(both(std::string("--shard ") + shard)).exit_code, 0);
+    must(both(std::string("--shard ") + shard));
   }
-  const Outcome merged = run(study("merge ar3d-graphs.shard-*.h5 -o merged.h5"));
-  EXPECT_EQ(merged.exit_code, 0) << merged.err;
+  const Outcome merged = expect_exit(0, run(study("merge ar3d-graphs.shard-*.h5 -o merged.h5")));
   expect_same_rows(path("one.h5"), path("merged.h5"));
-  const Outcome ranks = run(
-      "cd " + path("") + " && mpirun --allow-run-as-root --oversubscribe -n 2 " + AR3D_MPI_PROGRAM +
-      " study run -q --graphs cubic.s6 --graphs four.g6 --algorithm diamond "
-      "--algorithm grid -o ranks.h5");
-  EXPECT_EQ(ranks.exit_code, 0) << ranks.err;
+  const Outcome ranks =
+      expect_exit(0, run("cd " + path("") + " && mpirun --allow-run-as-root --oversubscribe -n 2 " +
+                         AR3D_MPI_PROGRAM +
+                         " study run -q --graphs cubic.s6 --graphs four.g6 --algorithm diamond "
+                         "--algorithm grid -o ranks.h5"));
   expect_same_rows(path("one.h5"), path("ranks.h5"));
 }
 
 TEST_F(GraphFiles, AKilledStudyIsResumedFromAnywhereAndAChangedFileIsRefused) {
-  ASSERT_EQ(run("{} generate random-cubic -n 300 --count 900 -o " + path("many.s6")).exit_code, 0);
+  must("{} generate random-cubic -n 300 --count 900 -o " + path("many.s6"));
   const std::string options = "run -q --graphs many.s6 --algorithm grid --threads 1 -o ";
-  ASSERT_EQ(run(study(options + path("whole.h5"))).exit_code, 0);
+  must(study(options + path("whole.h5")));
   run("cd " + path("") + " && " +
       begun_and_killed("{} study " + options + path("cut.h5"), path("cut.h5")));
   ASSERT_TRUE(fs::exists(path("cut.h5.journal")));
   fs::copy_file(path("many.s6"), path("kept"));
-  ASSERT_EQ(
-      run("{} generate random-cubic -n 300 --count 900 --seed 5 -o " + path("other.s6")).exit_code,
-      0);
+  must("{} generate random-cubic -n 300 --count 900 --seed 5 -o " + path("other.s6"));
   fs::copy_file(path("other.s6"), path("many.s6"), fs::copy_options::overwrite_existing);
-  const Outcome changed = run("{} study resume -q " + path("cut.h5"));
-  EXPECT_EQ(changed.exit_code, 2);
+  const Outcome changed = expect_exit(2, run("{} study resume -q " + path("cut.h5")));
   EXPECT_THAT(changed.err, HasSubstr("its graphs are not those that the study began with"));
   EXPECT_EQ(std::count(changed.err.begin(), changed.err.end(), '\n'), 1) << changed.err;
   fs::remove(path("many.s6"));
   EXPECT_EQ(run("{} study resume -q " + path("cut.h5")).exit_code, 2);
   fs::copy_file(path("kept"), path("many.s6"));
-  const Outcome resumed = run("{} study resume -q " + path("cut.h5"));
-  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+  expect_exit(0, run("{} study resume -q " + path("cut.h5")));
   expect_same_rows(path("whole.h5"), path("cut.h5"));
 }
 
 TEST_F(GraphFiles, RowsAreMadeAgainFromTheFileWhereverItIsNow) {
-  ASSERT_EQ(run(study("run -q --graphs cubic.s6 --shuffle --algorithm compact -o a.h5")).exit_code,
-            0);
+  must(study("run -q --graphs cubic.s6 --shuffle --algorithm compact -o a.h5"));
   const std::string replay = "{} replay " + path("a.h5") + " 77";
   EXPECT_THAT(run(replay).out, HasSubstr("every non-timing column is equal, bit for bit"));
   EXPECT_EQ(run("{} study selfcheck " + path("a.h5")).exit_code, 0);
   fs::rename(path("cubic.s6"), path("moved.s6"));
   EXPECT_EQ(run(replay).exit_code, 2);
-  const Outcome moved = run(replay + " --graphs " + path("moved.s6") + " -o " + path("d.jsonl"));
-  EXPECT_EQ(moved.exit_code, 0) << moved.err;
+  expect_exit(0, run(replay + " --graphs " + path("moved.s6") + " -o " + path("d.jsonl")));
   EXPECT_TRUE(fs::exists(path("d.jsonl")));
-  const Outcome wrong = run(replay + " --graphs " + path("four.g6"));
-  EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_THAT(wrong.err, HasSubstr("its graphs are not those that the study began with"));
+  expect_error(run(replay + " --graphs " + path("four.g6")),
+               "its graphs are not those that the study began with");
 }
 
 TEST_F(GraphFiles, AChangedFileIsRefusedOnceByStudyDrawings) {
-  ASSERT_EQ(run(study("run -q --graphs cubic.s6 --algorithm compact -o a.h5")).exit_code, 0);
+  must(study("run -q --graphs cubic.s6 --algorithm compact -o a.h5"));
   fs::copy_file(path("four.g6"), path("cubic.s6"), fs::copy_options::overwrite_existing);
-  const Outcome changed = run("{} study drawings --keep all " + path("a.h5"));
-  EXPECT_EQ(changed.exit_code, 2) << changed.out;
+  const Outcome changed = expect_exit(2, run("{} study drawings --keep all " + path("a.h5")));
   EXPECT_THAT(changed.err, HasSubstr("its graphs are not those that the study began with"));
   EXPECT_EQ(std::count(changed.err.begin(), changed.err.end(), '\n'), 1) << changed.err;
   EXPECT_FALSE(fs::exists(path("a.drawings.jsonl")));
   fs::remove(path("cubic.s6"));
-  const Outcome gone = run("{} study drawings --keep all " + path("a.h5"));
-  EXPECT_EQ(gone.exit_code, 2) << gone.out;
+  const Outcome gone = expect_exit(2, run("{} study drawings --keep all " + path("a.h5")));
   EXPECT_THAT(gone.err, HasSubstr("cannot read " + path("cubic.s6")));
   EXPECT_THAT(gone.err, ::testing::Not(::testing::ContainsRegex("[.]h5:[0-9]")))
       << "a line of a text that nobody saw";
 }
 
 TEST_F(GraphFiles, AFileUnderAnotherNameIsComparedRowByRow) {
-  ASSERT_EQ(run(study("run -q --graphs cubic.s6 --algorithm grid -o a.h5")).exit_code, 0);
+  must(study("run -q --graphs cubic.s6 --algorithm grid -o a.h5"));
   fs::rename(path("cubic.s6"), path("renamed.s6"));
-  ASSERT_EQ(run(study("run -q --graphs renamed.s6 --algorithm grid -o b.h5")).exit_code, 0);
-  const Outcome outcome = run("{} compare --drawings-only " + path("a.h5") + " " + path("b.h5"));
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  must(study("run -q --graphs renamed.s6 --algorithm grid -o b.h5"));
+  expect_exit(0, run("{} compare --drawings-only " + path("a.h5") + " " + path("b.h5")));
 }
 
 TEST_F(GraphFiles, AnyNameOfAFileWillDo) {
@@ -195,31 +178,27 @@ TEST_F(GraphFiles, AnyNameOfAFileWillDo) {
        {std::string(".hid.s6"), std::string("-dash.g6"), std::string("cycle"), many}) {
     const std::string from = name == "-dash.g6" ? "four.g6" : "cubic.s6";
     fs::copy_file(path(from), path(name));
-    const Outcome outcome =
-        run(study("run -q --force --sample 2 --graphs=" + name + " --algorithm diamond -o a.h5"));
-    EXPECT_EQ(outcome.exit_code, 0) << name << outcome.err;
+    expect_exit(0, run(study("run -q --force --sample 2 --graphs=" + name +
+                             " --algorithm diamond -o a.h5")));
     const std::string family = read_results(path("a.h5")).runs.at(0).family;
     EXPECT_EQ(family, name == many ? name.substr(0, 47) : "_" + name);
   }
-  const Outcome folder = run(study("run -q --graphs " + path("") + " --algorithm diamond"));
-  EXPECT_EQ(folder.exit_code, 2);
-  EXPECT_THAT(folder.err, HasSubstr("it is a directory"));
+  expect_error(run(study("run -q --graphs " + path("") + " --algorithm diamond")),
+               "it is a directory");
 }
 
 TEST_F(GraphFiles, TheCommandLineSaysHowAnEdgeListIsRead) {
   scratch_.write("h43.edges", "4 3\n0 1\n1 2\n2 3\n");
   scratch_.write("one.edges", "4 3\n1 2\n2 3\n2 4\n");
   const std::string rest = " --algorithm grid -o a.h5 --force --graphs ";
-  const Outcome asked = run(study("run -q" + rest + "h43.edges"));
-  EXPECT_EQ(asked.exit_code, 2);
-  EXPECT_THAT(asked.err, HasSubstr("--first-line edge or --first-line header says which (in a "
-                                   "study the keys base and first_line)"));
+  expect_error(run(study("run -q" + rest + "h43.edges")),
+               "--first-line edge or --first-line header says which (in a "
+               "study the keys base and first_line)");
   const Outcome from_one = run(study("run -q" + rest + "one.edges"));
   EXPECT_THAT(from_one.err, HasSubstr("--base 1 --first-line header"));
   for (const char* how : {"h43.edges --first-line header", "one.edges --base 1 --first-line header",
                           "one.edges --from edgelist --first-line edge"}) {
-    const Outcome read = run(study("run -q" + rest + how));
-    EXPECT_EQ(read.exit_code, 0) << how << read.err;
+    expect_exit(0, run(study("run -q" + rest + how)));
     const bool is_header = std::string(how).find("header") != std::string::npos;
     EXPECT_EQ(read_results(path("a.h5")).runs.at(0).n, is_header ? 4 : 5) << how;
     EXPECT_EQ(run("{} replay " + path("a.h5") + " 0").exit_code, 0) << how;
@@ -227,27 +206,22 @@ TEST_F(GraphFiles, TheCommandLineSaysHowAnEdgeListIsRead) {
   EXPECT_EQ(run(study("run smoke --base 1")).exit_code, 2);
   const std::string hunt = "{} hunt --algorithm grid --evaluations 3 --from " + path("one.edges");
   EXPECT_EQ(run(hunt).exit_code, 2);
-  const Outcome found = run(hunt + " --base 1 --first-line header");
-  EXPECT_EQ(found.exit_code, 0) << found.err;
+  expect_exit(0, run(hunt + " --base 1 --first-line header"));
 }
 
 TEST_F(GraphFiles, AHuntStartsFromThem) {
   const std::string hunt = "{} hunt --evaluations 60 --from ";
-  const Outcome outcome = run(hunt + path("cubic.s6") + " --algorithm diamond");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Outcome outcome = expect_exit(0, run(hunt + path("cubic.s6") + " --algorithm diamond"));
   EXPECT_THAT(outcome.out, HasSubstr("the best one comes from " + path("cubic.s6") + " graph "));
-  const Outcome none = run(hunt + path("four.g6") + " --algorithm grid");
-  EXPECT_EQ(none.exit_code, 2);
-  EXPECT_THAT(none.err, HasSubstr("no graph has maximum degree 3 or less, as grid needs"));
+  expect_error(run(hunt + path("four.g6") + " --algorithm grid"),
+               "no graph has maximum degree 3 or less, as grid needs");
   EXPECT_EQ(run(hunt + path("cubic.s6") + " --algorithm grid --family cycle").exit_code, 2);
 }
 
 TEST_F(GraphFiles, CallgrindCountsTheirDrawings) {
   if (std::string(build_kind()) == "sanitised") GTEST_SKIP() << "valgrind cannot run it";
-  ASSERT_EQ(run(study("run -q --graphs cubic.s6 --sample 2 --algorithm grid -o a.h5")).exit_code,
-            0);
-  const Outcome counted = run("{} study count " + path("a.h5") + " -o " + path("c.h5"));
-  EXPECT_EQ(counted.exit_code, 0) << counted.err;
+  must(study("run -q --graphs cubic.s6 --sample 2 --algorithm grid -o a.h5"));
+  expect_exit(0, run("{} study count " + path("a.h5") + " -o " + path("c.h5")));
   for (const RunRecord& row : read_results(path("c.h5")).runs)
     EXPECT_GT(row.counted_instructions, 1000);
 }
@@ -268,8 +242,7 @@ TEST_F(GraphFiles, BadCommandsSayWhy) {
       {"plan --graphs 'a\"b'", "cannot read"},
   };
   for (const auto& [command, message] : cases) {
-    const Outcome outcome = run(study(command));
-    EXPECT_EQ(outcome.exit_code, 2) << command << outcome.err;
+    const Outcome outcome = expect_exit(2, run(study(command)));
     EXPECT_THAT(outcome.err, HasSubstr(message)) << command;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   }

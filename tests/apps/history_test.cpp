@@ -21,8 +21,7 @@ std::string results_of(const ScratchDirectory& scratch, const std::string& commi
       "tiny.toml",
       "study = 'tiny'\n[[sweep]]\nfamilies = 'cycle'\nsizes = 20\nalgorithms = 'grid'\n");
   const std::string path = scratch.path("now.h5");
-  const Outcome outcome = run("{} study run " + spec + " --threads 1 --quiet --force -o " + path);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  expect_exit(0, run("{} study run " + spec + " --threads 1 --quiet --force -o " + path));
   Results results = read_results(path);
   results.source_hash = commit;
   results.dirty = false;
@@ -35,11 +34,10 @@ std::string results_of(const ScratchDirectory& scratch, const std::string& commi
 
 /// A repository with two commits, and what git calls them.
 std::vector<std::string> two_commits(const std::string& folder) {
-  const Outcome made = run(
-      "git init -q " + folder + " && cd " + folder +
-      " && for i in 1 2; do git -c user.name=t -c user.email=t@t commit -q --allow-empty -m $i; "
-      "git rev-parse HEAD; done");
-  EXPECT_EQ(made.exit_code, 0) << made.err;
+  const Outcome made = expect_exit(0, run("git init -q " + folder + " && cd " + folder +
+                                          " && for i in 1 2; do git -c user.name=t -c "
+                                          "user.email=t@t commit -q --allow-empty -m $i; "
+                                          "git rev-parse HEAD; done"));
   return {made.out.substr(0, 40), made.out.substr(41, 40)};
 }
 
@@ -49,15 +47,14 @@ TEST(HistoryProgram, ResultsAreAddedInTheOrderOfTheirCommitsAndReported) {
   const std::vector<std::string> commits = two_commits(checkout);
   for (const std::size_t i : {1, 0}) {  // the younger one first
     const std::string results = results_of(scratch, commits[i]);
-    const Outcome added =
-        run("cd " + checkout + " && {} history add " + results + " --folder " + folder);
-    EXPECT_EQ(added.exit_code, 0) << added.err;
+    const Outcome added = expect_exit(
+        0, run("cd " + checkout + " && {} history add " + results + " --folder " + folder));
     EXPECT_THAT(added.out, HasSubstr("00000" + std::to_string(i + 1) + "_" +
                                      commits[i].substr(0, 12) + "_tiny_"));
   }
   const std::string json = scratch.path("history.json");
-  const Outcome report = run("{} history report --folder " + folder + " --json " + json);
-  EXPECT_EQ(report.exit_code, 0) << report.err;
+  const Outcome report =
+      expect_exit(0, run("{} history report --folder " + folder + " --json " + json));
   EXPECT_THAT(report.out, HasSubstr("time: 0 of 1 lines judged"));
   EXPECT_THAT(report.out, HasSubstr("volume: 1 of 1 lines judged"));
   EXPECT_THAT(read_file(folder + "/history.html"), HasSubstr("<title>ar3d history: "));
@@ -71,44 +68,32 @@ TEST(HistoryProgram, AReleaseHasTheNameAndPlaceThatItIsGiven) {
   const std::string results = results_of(scratch, "unknown"), folder = scratch.path("history");
   const std::string add = "{} history add " + results + " --folder " + folder;
   EXPECT_EQ(run(add + " --place 3 --name v1.0-rc1").exit_code, 0);
-  const Outcome again = run(add + " --place 3 --name v1.0-rc1");
-  EXPECT_EQ(again.exit_code, 2);
-  EXPECT_THAT(again.err, HasSubstr("--force replaces it"));
+  expect_error(run(add + " --place 3 --name v1.0-rc1"), "--force replaces it");
   EXPECT_EQ(run(add + " --place 3 --name v1.0-rc1 --force").exit_code, 0);
-  const Outcome copy = run(add + " --place 4 --name v1.0-rc2");
-  EXPECT_EQ(copy.exit_code, 2) << "one measurement is no two";
-  EXPECT_THAT(copy.err, HasSubstr("is in the history already, as " + folder + "/000003_v1.0-rc1_"));
-  const Outcome alone = run("{} history report --folder " + folder);
-  EXPECT_EQ(alone.exit_code, 5) << "one result judges nothing: " << alone.out;
-  EXPECT_THAT(alone.err, HasSubstr("nothing was judged"));
+  expect_error(run(add + " --place 4 --name v1.0-rc2"),
+               "is in the history already, as " + folder + "/000003_v1.0-rc1_");
+  expect_error(run("{} history report --folder " + folder), "nothing was judged", 5);
 }
 
 TEST(HistoryProgram, GraphsOfARenamedFileAreOneLine) {
   const ScratchDirectory scratch;
   const std::string folder = scratch.path("history"), json = scratch.path("history.json");
   const auto add = [&](const std::string& file, int place) {
-    ASSERT_EQ(run(fmt::format("cd {} && {{}} study run -q --threads 1 --graphs {} --algorithm grid "
-                              "-o {}.h5",
-                              scratch.path(""), file, place))
-                  .exit_code,
-              0);
-    const Outcome added =
-        run(fmt::format("{{}} history add {}/{}.h5 --folder {} --place {} --name r{}",
-                        scratch.path(""), place, folder, place, place));
-    EXPECT_EQ(added.exit_code, 0) << added.err;
+    must(
+        fmt::format("cd {} && {{}} study run -q --threads 1 --graphs {} --algorithm grid "
+                    "-o {}.h5",
+                    scratch.path(""), file, place));
+    expect_exit(0, run(fmt::format("{{}} history add {}/{}.h5 --folder {} --place {} --name r{}",
+                                   scratch.path(""), place, folder, place, place)));
   };
-  ASSERT_EQ(run("{} generate random-cubic -n 20 --count 3 -o " + scratch.path("a.s6")).exit_code,
-            0);
-  ASSERT_EQ(
-      run("{} generate random-cubic -n 20 --count 3 --seed 9 -o " + scratch.path("c.s6")).exit_code,
-      0);
+  must("{} generate random-cubic -n 20 --count 3 -o " + scratch.path("a.s6"));
+  must("{} generate random-cubic -n 20 --count 3 --seed 9 -o " + scratch.path("c.s6"));
   add("a.s6", 1);
   std::filesystem::rename(scratch.path("a.s6"), scratch.path("b.s6"));
   add("b.s6", 2);
   std::filesystem::rename(scratch.path("c.s6"), scratch.path("a.s6"));
   add("a.s6", 3);  // the first name again, but of other graphs
-  const Outcome report = run("{} history report --folder " + folder + " --json " + json);
-  EXPECT_EQ(report.exit_code, 0) << report.err;
+  expect_exit(0, run("{} history report --folder " + folder + " --json " + json));
   std::vector<std::string> volumes;
   const auto parsed = nlohmann::json::parse(read_file(json));
   for (const auto& line : parsed.at("lines")) {
@@ -156,8 +141,8 @@ TEST(HistoryProgram, BadInputIsOneClearLine) {
            {"report --threshold 0", "--threshold: '0' is not a number from 0.1 to 1000"},
            {"report --threshold abc", "'abc' is not a number from 0.1 to 1000"},
            {"", "subcommand"}}) {
-    const Outcome outcome = run("cd " + scratch.path("none") + " && {} history " + arguments);
-    EXPECT_EQ(outcome.exit_code, 2) << arguments << outcome.out;
+    const Outcome outcome =
+        expect_exit(2, run("cd " + scratch.path("none") + " && {} history " + arguments));
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr(message)) << arguments;
   }

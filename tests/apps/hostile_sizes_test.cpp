@@ -44,9 +44,7 @@ void expect_refused_in_one_line(const Outcome& outcome, const std::string& what)
 
 TEST(HostileSizes, AreRefusedInEveryFormatByEveryVerb) {
   const ScratchDirectory scratch;
-  ASSERT_EQ(
-      run("{} generate k4 | {} draw - --algorithm grid -o " + scratch.path("d.jsonl")).exit_code,
-      0);
+  must("{} generate k4 | {} draw - --algorithm grid -o " + scratch.path("d.jsonl"));
   for (const Claim& claim : claims()) {
     const std::string file = scratch.write("claim", claim.text);
     const std::string from = " --from " + std::string(claim.format);
@@ -68,9 +66,8 @@ TEST(HostileSizes, WhatIsJustBelievedFitsTheMemoryToo) {
   const ScratchDirectory scratch;
   const std::string file = scratch.write("many", "# vertices 1048576\n0 1\n");
   for (const std::string algorithm : {"diamond", "grid", "compact"}) {
-    const Outcome outcome =
-        run(kInOneGigabyte + ("{} draw " + file) + " --algorithm " + algorithm + " -o /dev/null");
-    EXPECT_EQ(outcome.exit_code, 0) << algorithm << outcome.err;
+    expect_exit(0, run(kInOneGigabyte + ("{} draw " + file) + " --algorithm " + algorithm +
+                       " -o /dev/null"));
   }
 }
 
@@ -95,7 +92,7 @@ TEST(HostileSizes, APackedFileDoesNotUnpackWithoutEnd) {
                     "text = b'# a comment that goes on\\n' * 8_000_000\n"
                     "open(sys.argv[1] + '.el.gz', 'wb').write(gzip.compress(text, 9))\n");
   const std::string bomb = scratch.path("bomb");
-  ASSERT_EQ(run("/usr/bin/python3 " + script + " " + bomb).exit_code, 0);
+  must("/usr/bin/python3 " + script + " " + bomb);
   for (const char* ending : {".gz", ".xz", ".el.gz"}) {
     const Outcome outcome =
         run(kInOneGigabyte + ("{} draw " + bomb) + ending + " --algorithm grid -o /dev/null");

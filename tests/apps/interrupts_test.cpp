@@ -31,7 +31,7 @@ std::string begun(const std::string& spec, const std::string& file, const std::s
 TEST(Interrupts, TwoAndThreeOfThemLoseNoAcknowledgedRow) {
   const ScratchDirectory scratch;
   const std::string spec = scratch.write("s.toml", kStudy), whole = scratch.path("whole.h5");
-  ASSERT_EQ(run("{} study run -q " + spec + " -o " + whole).exit_code, 0);
+  must("{} study run -q " + spec + " -o " + whole);
   for (const std::string options : {"", "--isolate"}) {
     for (const std::string signals : {"2", "3"}) {
       const std::string file = scratch.path("r" + options + signals + ".h5");
@@ -48,8 +48,7 @@ TEST(Interrupts, TwoAndThreeOfThemLoseNoAcknowledgedRow) {
       EXPECT_GT(acknowledged, 0) << outcome.out;
       EXPECT_GE(kept, acknowledged) << outcome.out;
       EXPECT_LT(milliseconds, 10000) << "it ends soon";
-      const Outcome resumed = run("{} study resume -q " + file);
-      EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+      expect_exit(0, run("{} study resume -q " + file));
       testing::expect_same_rows(file, whole);
     }
   }
@@ -79,7 +78,7 @@ TEST(Interrupts, OfMergeReportHuntAndGenerateLeaveWholeFilesOrNone) {
     ASSERT_LE(run(cd + "{} study run -q smoke --shard " + part + "/2 -o " + part + ".h5").exit_code,
               0);
   }
-  ASSERT_EQ(run(cd + "{} study merge 1.h5 2.h5 -o all.h5").exit_code, 0);
+  must(cd + "{} study merge 1.h5 2.h5 -o all.h5");
   const std::string before = read_file(scratch.path("all.h5"));
   int times = 0;
   for (const std::string seconds : {"0.01", "0.03", "0.06", "0.1", "0.2", "0.3"}) {
@@ -105,7 +104,7 @@ TEST(Interrupts, OfMergeReportHuntAndGenerateLeaveWholeFilesOrNone) {
 TEST(MovedFolder, AStudyEndsInItAndLeavesTheOneThatHasItsNameAlone) {
   const ScratchDirectory scratch;
   const std::string spec = scratch.write("s.toml", kStudy), older = scratch.path("older.h5");
-  ASSERT_EQ(run("{} study run -q " + spec + " -o " + older).exit_code, 0);
+  must("{} study run -q " + spec + " -o " + older);
   fs::create_directory(scratch.path("sub"));
   const std::string file = scratch.path("sub/r.h5");
   const Outcome outcome =

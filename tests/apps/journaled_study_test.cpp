@@ -59,8 +59,7 @@ class JournaledStudy : public ::testing::Test {
 TEST_F(JournaledStudy, LeavesNoJournalBehind) {
   EXPECT_EQ(study("run smoke -q -o " + path("s.h5")).exit_code, 0);
   EXPECT_FALSE(fs::exists(path("s.h5.journal")));
-  const Outcome status = study("status " + path("s.h5"));
-  EXPECT_EQ(status.exit_code, 0);
+  const Outcome status = expect_exit(0, study("status " + path("s.h5")));
   EXPECT_THAT(status.out, HasSubstr("complete"));
   EXPECT_EQ(study("resume -q " + path("s.h5")).exit_code, 0) << "nothing is left to do";
 }
@@ -68,15 +67,12 @@ TEST_F(JournaledStudy, LeavesNoJournalBehind) {
 TEST_F(JournaledStudy, ResumesAfterAKillWithTheRowsItHad) {
   const std::string results = path("slow.h5");
   run_and_kill(results);
-  const Outcome status = study("status " + results);
-  EXPECT_EQ(status.exit_code, 5);
+  const Outcome status = expect_exit(5, study("status " + results));
   EXPECT_THAT(status.out, HasSubstr(" of 60 rows, stopped"));
   EXPECT_THAT(status.out, HasSubstr("ar3d study resume " + results));
   ASSERT_EQ(study("status " + results + " --snapshot " + path("before.h5")).exit_code, 5);
 
-  const Outcome again = study("run -q " + path("slow.toml") + " -o " + results);
-  EXPECT_EQ(again.exit_code, 2);
-  EXPECT_THAT(again.err, HasSubstr("ar3d study resume"));
+  expect_error(study("run -q " + path("slow.toml") + " -o " + results), "ar3d study resume");
   EXPECT_EQ(study("resume -q --threads 1 " + results + ".journal").exit_code, 0);
   EXPECT_EQ(study("run -q " + path("slow.toml") + " -o " + path("whole.h5")).exit_code, 0);
   expect_same_rows(results, path("whole.h5"));
@@ -111,11 +107,11 @@ TEST_F(JournaledStudy, ResumesFromAnInterruptedResultsFileAlone) {
 
 TEST_F(JournaledStudy, IsReadWhileItRuns) {
   const std::string results = path("slow.h5");
-  const Outcome outcome =
+  const Outcome outcome = expect_exit(
+      130,
       meet_while_running(results, "{} study status " + results + "; {} study status " + results +
                                       " --snapshot " + path("live.h5") + "; {} study resume -q " +
-                                      results + "; echo second=$?; kill -INT $writer");
-  EXPECT_EQ(outcome.exit_code, 130);
+                                      results + "; echo second=$?; kill -INT $writer"));
   EXPECT_THAT(outcome.out, HasSubstr("1 process at work"));
   EXPECT_THAT(outcome.out, HasSubstr("second=2"));
   EXPECT_THAT(outcome.err, HasSubstr("slow.h5.journal is being written by another process"));
@@ -126,9 +122,8 @@ TEST_F(JournaledStudy, IsReadWhileItRuns) {
 
 TEST_F(JournaledStudy, IsWatchedToItsEnd) {
   const std::string results = path("slow.h5");
-  const Outcome outcome =
-      meet_while_running(results, "{} study status --watch " + results + "; echo watched=$?");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Outcome outcome = expect_exit(
+      0, meet_while_running(results, "{} study status --watch " + results + "; echo watched=$?"));
   EXPECT_THAT(outcome.out, HasSubstr(" of 60 rows, 1 process at work\n"));
   EXPECT_THAT(outcome.out, HasSubstr("study slow: 60 of 60 rows, complete\n"));
   EXPECT_THAT(outcome.out, HasSubstr("watched=0"));
@@ -137,18 +132,16 @@ TEST_F(JournaledStudy, IsWatchedToItsEnd) {
 TEST_F(JournaledStudy, WatchingAStoppedStudyEndsAtOnce) {
   const std::string results = path("slow.h5");
   run_and_kill(results);
-  const Outcome outcome = study("status --watch " + results);
-  EXPECT_EQ(outcome.exit_code, 5);
+  const Outcome outcome = expect_exit(5, study("status --watch " + results));
   EXPECT_THAT(outcome.out, HasSubstr(" of 60 rows, stopped"));
 }
 
 TEST_F(JournaledStudy, AFullDiskLeavesNoHalfResultsFile) {
   const std::string results = path("slow.h5");
   run_and_kill(results);
-  const Outcome full = run("trap '' XFSZ; ulimit -f 4; {} study status " + results +
-                           " --snapshot " + path("live.h5"));
-  EXPECT_EQ(full.exit_code, 2);
-  EXPECT_THAT(full.err, HasSubstr("cannot write " + path("live.h5") + ": File too large"));
+  expect_error(run("trap '' XFSZ; ulimit -f 4; {} study status " + results + " --snapshot " +
+                   path("live.h5")),
+               "cannot write " + path("live.h5") + ": File too large");
   std::size_t files = 0;
   for (const auto& entry : fs::directory_iterator(path(""))) {
     files += entry.path().string().find("live.h5") == std::string::npos ? 0 : 1;
@@ -165,16 +158,14 @@ TEST_F(JournaledStudy, ResumeRefusesTheImpossibleToo) {
     const JournalWriter begun(journal, describe_study(parse_study(spec, "tight.toml"), 1),
                               run_format());
   }
-  const Outcome refused = study("resume -q " + journal);
-  EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("but budget.row_time gives"));
+  expect_error(study("resume -q " + journal), "but budget.row_time gives");
 }
 
 TEST_F(JournaledStudy, AFullDiskEndsItResumably) {
   const std::string results = path("slow.h5");
   const std::string spec = scratch_.write("slow.toml", kSlow);
-  const Outcome full = run("ulimit -f 16; {} study run -q " + spec + " -o " + results);
-  EXPECT_EQ(full.exit_code, 5);
+  const Outcome full =
+      expect_exit(5, run("ulimit -f 16; {} study run -q " + spec + " -o " + results));
   EXPECT_THAT(full.err, HasSubstr("slow.h5.journal: File too large"));
   EXPECT_THAT(full.err, HasSubstr("go on with `ar3d study resume " + results));
   EXPECT_EQ(study("resume -q " + results).exit_code, 0);
@@ -183,9 +174,8 @@ TEST_F(JournaledStudy, AFullDiskEndsItResumably) {
 
 TEST_F(JournaledStudy, RefusesPlacesThatCannotBeWrittenBeforeAnyWork) {
   for (const char* place : {"/proc/s.h5", "/sys/s.h5", "/no/such/folder/s.h5"}) {
-    const Outcome refused = study(std::string("run quick -q -o ") + place);
-    EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_THAT(refused.err, HasSubstr(std::string("cannot write ") + place));
+    expect_error(study(std::string("run quick -q -o ") + place),
+                 std::string("cannot write ") + place);
   }
 }
 
@@ -195,9 +185,7 @@ TEST_F(JournaledStudy, ADamagedJournalIsAnErrorThatNamesTheOffset) {
   std::string journal = read_file(results + ".journal");
   journal[journal.size() / 2] = static_cast<char>(journal[journal.size() / 2] ^ 1);
   std::ofstream(results + ".journal", std::ios::binary) << journal;
-  const Outcome resume = study("resume -q " + results);
-  EXPECT_EQ(resume.exit_code, 2);
-  EXPECT_THAT(resume.err, HasSubstr("slow.h5.journal: damaged at byte "));
+  expect_error(study("resume -q " + results), "slow.h5.journal: damaged at byte ");
   EXPECT_EQ(read_file(results + ".journal"), journal) << "nothing is changed";
 }
 
@@ -221,45 +209,34 @@ TEST_F(JournaledStudy, MergeRefusesWhatDoesNotBelongTogether) {
     EXPECT_FALSE(fs::exists(path("m.h5"))) << parts;
     return outcome;
   };
-  const Outcome missing = merge(a + " " + c);
-  EXPECT_EQ(missing.exit_code, 5);
-  EXPECT_THAT(missing.err, HasSubstr("no file of shard 2"));
+  expect_error(merge(a + " " + c), "no file of shard 2", 5);
 
   fs::copy_file(b, path("cut.h5"));
   fs::resize_file(path("cut.h5"), fs::file_size(b) / 2);
-  const Outcome cut = merge(a + " " + path("cut.h5") + " " + c);
-  EXPECT_EQ(cut.exit_code, 2);
-  EXPECT_THAT(cut.err, HasSubstr("cut.h5 is not a readable results file"));
+  expect_error(merge(a + " " + path("cut.h5") + " " + c), "cut.h5 is not a readable results file");
 
   EXPECT_EQ(study("run smoke -q --shard 2/3 -o " + path("again.h5")).exit_code, 0);
-  const Outcome twice = merge(a + " " + b + " " + c + " " + path("again.h5"));
-  EXPECT_EQ(twice.exit_code, 2);
-  EXPECT_THAT(twice.err, HasSubstr("differs in its "));
+  expect_error(merge(a + " " + b + " " + c + " " + path("again.h5")), "differs in its ");
 
   EXPECT_EQ(study("run smoke -q --shard 1/2 -o " + path("half.h5")).exit_code, 0);
-  const Outcome mixed = merge(a + " " + b + " " + c + " " + path("half.h5"));
-  EXPECT_EQ(mixed.exit_code, 2);
+  expect_exit(2, merge(a + " " + b + " " + c + " " + path("half.h5")));
 
   const std::string other = scratch_.write("other.toml", kSlow);
   EXPECT_EQ(study("run -q --shard 1/60 " + other + " -o " + path("other.h5")).exit_code, 0);
-  const Outcome another = merge(a + " " + b + " " + c + " " + path("other.h5"));
-  EXPECT_EQ(another.exit_code, 2);
-  EXPECT_THAT(another.err, HasSubstr("differ in their specification"));
+  expect_error(merge(a + " " + b + " " + c + " " + path("other.h5")),
+               "differ in their specification");
 
   Results foreign = read_results(c);
   foreign.source_hash = std::string(40, '0');
   write_results(foreign, path("foreign.h5"));
-  const Outcome source = merge(a + " " + b + " " + path("foreign.h5"));
-  EXPECT_EQ(source.exit_code, 2);
+  const Outcome source = expect_exit(2, merge(a + " " + b + " " + path("foreign.h5")));
   EXPECT_THAT(source.err, HasSubstr("differ in their program's source"));
 
   Results changed = read_results(c);
   changed.dirty = true;
   changed.dirty_hash = std::string(64, '0');
   write_results(changed, path("changed.h5"));
-  const Outcome changes = merge(a + " " + b + " " + path("changed.h5"));
-  EXPECT_EQ(changes.exit_code, 2);
-  EXPECT_THAT(changes.err, HasSubstr("differ in their program's source"));
+  expect_error(merge(a + " " + b + " " + path("changed.h5")), "differ in their program's source");
 }
 
 // Rows of two programs would stand in one file as if one had made them.
@@ -270,8 +247,7 @@ TEST_F(JournaledStudy, DoesNotGoOnWithRowsOfAnotherProgram) {
   write_results(foreign, path("foreign.h5"));
   const std::string before = read_file(path("foreign.h5"));
   for (const char* again : {"", " --again timeout"}) {
-    const Outcome resumed = study("resume -q " + path("foreign.h5") + again);
-    EXPECT_EQ(resumed.exit_code, 2) << again;
+    const Outcome resumed = expect_exit(2, study("resume -q " + path("foreign.h5") + again));
     EXPECT_THAT(resumed.err,
                 HasSubstr("its rows were made by the program of source " + std::string(40, '0')));
     EXPECT_EQ(read_file(path("foreign.h5")), before) << again;
@@ -281,9 +257,7 @@ TEST_F(JournaledStudy, DoesNotGoOnWithRowsOfAnotherProgram) {
 
 TEST_F(JournaledStudy, RefusesShardsThatAreNone) {
   for (const char* shard : {"0/3", "4/3", "1", "1/", "/2", "a/b", "1/2/3", "-1/2"}) {
-    const Outcome refused = study(std::string("run smoke --shard=") + shard);
-    EXPECT_EQ(refused.exit_code, 2) << shard;
-    EXPECT_THAT(refused.err, HasSubstr("is no shard")) << shard;
+    expect_error(study(std::string("run smoke --shard=") + shard), "is no shard");
   }
 }
 

@@ -50,11 +50,9 @@ TEST_F(KeptDrawings, NoneUnlessAskedFor) {
 }
 
 TEST_F(KeptDrawings, AllAreThereOnceAndCertified) {
-  const Outcome outcome = make("all");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Outcome outcome = expect_exit(0, make("all"));
   EXPECT_THAT(outcome.out, HasSubstr("drawings " + drawings_ + ": 18 kept (all)"));
-  const Outcome verified = run(kProgram + " verify " + drawings_);
-  EXPECT_EQ(verified.exit_code, 0) << verified.out;
+  const Outcome verified = expect_exit(0, run(kProgram + " verify " + drawings_));
   EXPECT_THAT(verified.out, HasSubstr("18 certified, 0 violated"));
   EXPECT_EQ(run(kProgram + " view " + drawings_ + " -o " + scratch_.path("k-view.html")).exit_code,
             0);
@@ -64,8 +62,7 @@ TEST_F(KeptDrawings, TheWorstOfEachCurve) {
   EXPECT_EQ(make("worst").exit_code, 0);
   EXPECT_EQ(lines(), 4);
   const std::string once = text();
-  const Outcome again = run(kProgram + " study drawings " + results_ + " -o -");
-  EXPECT_EQ(again.exit_code, 0) << again.err;
+  const Outcome again = expect_exit(0, run(kProgram + " study drawings " + results_ + " -o -"));
   EXPECT_EQ(again.out, once);
 }
 
@@ -81,18 +78,16 @@ TEST_F(KeptDrawings, NothingIsReplacedUnasked) {
   EXPECT_EQ(text(), "notes\n");
   EXPECT_FALSE(std::filesystem::exists(results_));
   EXPECT_EQ(make("none").exit_code, 0);
-  const Outcome refused = run(kProgram + " study drawings " + results_);
-  EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("k.drawings.jsonl exists; --force replaces it"));
+  expect_error(run(kProgram + " study drawings " + results_),
+               "k.drawings.jsonl exists; --force replaces it");
   EXPECT_EQ(run(kProgram + " study drawings " + results_ + " --force").exit_code, 0);
   EXPECT_EQ(lines(), 4);
   std::ofstream(drawings_) << "notes\n";
   EXPECT_EQ(make("all", " --force").exit_code, 0);
   EXPECT_EQ(lines(), 18);
   std::ofstream(drawings_) << "notes\n";
-  const Outcome resumed = run(kProgram + " study resume " + results_ + " -q");
-  EXPECT_EQ(resumed.exit_code, 3) << "what came meanwhile stays";
-  EXPECT_THAT(resumed.err, HasSubstr("is no file of drawings and stays as it is"));
+  expect_error(run(kProgram + " study resume " + results_ + " -q"),
+               "is no file of drawings and stays as it is", 3);
   EXPECT_EQ(text(), "notes\n");
 }
 
@@ -107,8 +102,7 @@ TEST_F(KeptDrawings, AResumedStudyKeepsThemToo) {
 TEST_F(KeptDrawings, AStudyThatWasWholeLeavesThemAsTheyAre) {
   EXPECT_EQ(make("worst").exit_code, 0);
   EXPECT_EQ(run(kProgram + " study drawings " + results_ + " --keep all --force").exit_code, 0);
-  const Outcome resumed = run(kProgram + " study resume " + results_ + " -q");
-  EXPECT_EQ(resumed.exit_code, 0);
+  const Outcome resumed = expect_exit(0, run(kProgram + " study resume " + results_ + " -q"));
   EXPECT_THAT(resumed.out, HasSubstr("k.drawings.jsonl: as it was, no row is new"));
   EXPECT_EQ(lines(), 18) << "somebody asked for these";
 }
@@ -116,30 +110,26 @@ TEST_F(KeptDrawings, AStudyThatWasWholeLeavesThemAsTheyAre) {
 TEST_F(KeptDrawings, AreJsonLines) {
   EXPECT_EQ(make("none").exit_code, 0);
   const std::string page = scratch_.path("page.html");
-  const Outcome refused = run(kProgram + " study drawings " + results_ + " -o " + page);
-  EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("page.html: JSON lines are written, not html"));
+  expect_error(run(kProgram + " study drawings " + results_ + " -o " + page),
+               "page.html: JSON lines are written, not html");
   EXPECT_FALSE(std::filesystem::exists(page));
 }
 
 TEST_F(KeptDrawings, OfShardsWhenTheyAreMerged) {
   const std::string toml = study("all");
   for (const std::string i : {"1", "2"}) {
-    const Outcome part = run(kProgram + " study run " + toml + " -q --shard " + i + "/2 -o " +
-                             scratch_.path("part" + i + ".h5"));
-    EXPECT_EQ(part.exit_code, 0);
+    const Outcome part = expect_exit(0, run(kProgram + " study run " + toml + " -q --shard " + i +
+                                            "/2 -o " + scratch_.path("part" + i + ".h5")));
     EXPECT_THAT(part.out, ::testing::Not(HasSubstr("drawings")));
   }
-  const Outcome merged = run(kProgram + " study merge " + scratch_.path("part1.h5") + " " +
-                             scratch_.path("part2.h5") + " -o " + results_);
-  EXPECT_EQ(merged.exit_code, 0) << merged.err;
+  expect_exit(0, run(kProgram + " study merge " + scratch_.path("part1.h5") + " " +
+                     scratch_.path("part2.h5") + " -o " + results_));
   EXPECT_EQ(run(kProgram + " study drawings " + results_ + " --keep all").exit_code, 0);
   EXPECT_EQ(lines(), 18);
 }
 
 TEST_F(KeptDrawings, UnknownChoicesAreRefusedByLine) {
-  const Outcome outcome = make("best");
-  EXPECT_EQ(outcome.exit_code, 2);
+  const Outcome outcome = expect_exit(2, make("best"));
   EXPECT_THAT(
       outcome.err,
       HasSubstr("study.toml:2: keep_drawings 'best' is none of none, worst, violated and all"));

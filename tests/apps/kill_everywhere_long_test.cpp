@@ -56,10 +56,9 @@ class KilledEverywhere : public ::testing::Test {
         // Over MPI the journal of the second rank may be there before that of the first.
         const bool begun = fs::exists(results + ".journal") || fs::exists(results) ||
                            fs::exists(results + ".rank-1.journal");
-        const Outcome again =
-            run("{} study " + (begun ? "resume " + results : "run " + spec + " -o " + results) +
-                " -q --force-timing");
-        EXPECT_EQ(again.exit_code, 0) << kind << call << again.err;
+        expect_exit(
+            0, run("{} study " + (begun ? "resume " + results : "run " + spec + " -o " + results) +
+                   " -q --force-timing"));
         testing::expect_same_rows(results, scratch_.path("w.h5"));
         if (HasFailure()) {
           ADD_FAILURE() << kind << ' ' << call;

@@ -17,7 +17,7 @@ TEST(KilledStudies, LoseNothing) { testing::kill_and_resume(25, 1); }
 // The disk fills up at some point of the study, be it in the journal or in the results file.
 TEST(FullDisk, IsResumedWhereverItStrikes) {
   const ScratchDirectory scratch;
-  ASSERT_EQ(run("{} study run smoke -q -o " + scratch.path("whole.h5")).exit_code, 0);
+  must("{} study run smoke -q -o " + scratch.path("whole.h5"));
   for (const char* room : {"1000", "20000", "60000", "330000"}) {
     const std::string results = scratch.path(std::string(room) + ".h5");
     const std::string limited = std::string("ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD=") +
@@ -26,9 +26,8 @@ TEST(FullDisk, IsResumedWhereverItStrikes) {
     EXPECT_EQ(full.exit_code, std::string(room) == "1000" ? 2 : 5) << "2: before any work";
     EXPECT_THAT(full.err, HasSubstr("No space left on device")) << room;
     const bool begun = std::filesystem::exists(results + ".journal");
-    const Outcome again =
-        run(begun ? "{} study resume -q " + results : "{} study run smoke -q -o " + results);
-    EXPECT_EQ(again.exit_code, 0) << room << again.err;
+    expect_exit(
+        0, run(begun ? "{} study resume -q " + results : "{} study run smoke -q -o " + results));
     testing::expect_same_rows(results, scratch.path("whole.h5"));
   }
 }

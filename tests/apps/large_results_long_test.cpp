@@ -25,13 +25,11 @@ TEST(LargeResults, AreJudgedAndReportedInBoundedMemory) {
   testing::write_large_results(like, results);
   // kB of address space, code included: 300 MB and 100 bytes per row.
   const std::string bounded = "ulimit -v " + std::to_string(300000 + like.rows / 10) + "; ";
-  const Outcome check = run(bounded + "{} check " + results);
-  EXPECT_EQ(check.exit_code, 4);
+  const Outcome check = expect_exit(4, run(bounded + "{} check " + results));
   EXPECT_THAT(check.out, HasSubstr("VIOLATED: " + std::to_string(like.rows) + " rows, " +
                                    std::to_string(like.rows - 1005) +
                                    " proved, 5 violated, 1000 incomplete, 0 refused"));
-  const Outcome report = run(bounded + "{} report " + results + " -o " + scratch.path("page.html"));
-  EXPECT_EQ(report.exit_code, 4) << report.err;
+  expect_exit(4, run(bounded + "{} report " + results + " -o " + scratch.path("page.html")));
   const auto bytes = std::filesystem::file_size(scratch.path("page.html"));
   EXPECT_LT(bytes, 8'000'000u);
   EXPECT_THAT(testing::read_file(scratch.path("page.html")), HasSubstr("drawn at random"));

@@ -64,22 +64,21 @@ TEST(DrawLevels, PositionsAreThoseOfTheDrawing) {
 }
 
 TEST(DrawLevels, WhatIsNotProvedIsNoPass) {
-  const Outcome measured = run(kProgram + " generate cycle -n 5 | " + kProgram +
-                               " draw - --algorithm two-bend-paper --level extents");
-  EXPECT_EQ(measured.exit_code, 5);
+  const Outcome measured =
+      expect_exit(5, run(kProgram + " generate cycle -n 5 | " + kProgram +
+                         " draw - --algorithm two-bend-paper --level extents"));
   EXPECT_THAT(measured.out, HasSubstr("\"verdict\":\"measured\""));
-  const Outcome undrawn = run(kProgram + " generate random-4-regular -n 10 | " + kProgram +
-                              " draw - --algorithm grid --level extents");
-  EXPECT_EQ(undrawn.exit_code, 2);
+  const Outcome undrawn =
+      expect_exit(2, run(kProgram + " generate random-4-regular -n 10 | " + kProgram +
+                         " draw - --algorithm grid --level extents"));
   EXPECT_THAT(undrawn.out, HasSubstr("\"error\""));
 }
 
 TEST(DrawLevels, OtherFormatsAreOfWholeDrawings) {
   const ScratchDirectory scratch;
-  const Outcome outcome =
-      run(kProgram + " generate cycle -n 5 | " + kProgram +
-          " draw - --algorithm diamond --level extents -o " + scratch.path("c.svg"));
-  EXPECT_EQ(outcome.exit_code, 2);
+  const Outcome outcome = expect_exit(
+      2, run(kProgram + " generate cycle -n 5 | " + kProgram +
+             " draw - --algorithm diamond --level extents -o " + scratch.path("c.svg")));
   EXPECT_EQ(outcome.err, "ar3d: --level extents is written as jsonl, not as svg\n");
   EXPECT_EQ(run(kProgram + " draw - --algorithm diamond --level half </dev/null").exit_code, 2);
 }
@@ -90,14 +89,13 @@ TEST(DrawLevels, LongLinesAreNeverHeldAsAWhole) {
   const ScratchDirectory scratch;
   const std::string graph = scratch.path("g.s6");
   const std::string file = scratch.path("d.jsonl");
-  ASSERT_EQ(run(kProgram + " generate random-4-regular -n 200000 -o " + graph).exit_code, 0);
+  must(kProgram + " generate random-4-regular -n 200000 -o " + graph);
   const auto peak_kib = [&](const std::string& output) {
-    const Outcome outcome =
-        run("OMP_NUM_THREADS=1 /usr/bin/python3 -c 'import resource, subprocess, sys; "
-            "subprocess.run(sys.argv[1:], check=True); "
-            "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)' " +
-            kProgram + " draw " + graph + " --algorithm diamond --force -o " + output);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Outcome outcome = expect_exit(
+        0, run("OMP_NUM_THREADS=1 /usr/bin/python3 -c 'import resource, subprocess, sys; "
+               "subprocess.run(sys.argv[1:], check=True); "
+               "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)' " +
+               kProgram + " draw " + graph + " --algorithm diamond --force -o " + output));
     return std::stol(outcome.out);
   };
   const long peak = peak_kib(file);

@@ -28,12 +28,12 @@ TEST_F(Limits, AFrozenStudyHasNoTimeouts) {
       "t.toml",
       "study = \"t\"\nbudget = { row_time = \"2 s\" }\n[[sweep]]\nfamilies = \"random-cubic\"\n"
       "sizes = 20000\nalgorithms = \"grid\"\ninstances = 30\n");
-  const Outcome outcome =
+  expect_exit(
+      0,
       run("{} study run -q --threads 2 " + spec + " -o " + path("t.h5") +
           " & study=$!; until [ \"$(stat -c %s " + path("t.h5.journal") +
           " 2> /dev/null || echo 0)\" -gt 4000 ]; do sleep 0.01; done; workers=$(pgrep -P $study); "
-          "kill -STOP $study $workers; sleep 3; kill -CONT $workers $study; wait $study");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+          "kill -STOP $study $workers; sleep 3; kill -CONT $workers $study; wait $study"));
   for (const ar3d::RunRecord& row : read_results(path("t.h5")).runs) {
     EXPECT_EQ(row.status, RunStatus::ok) << row.message;
   }
@@ -41,7 +41,7 @@ TEST_F(Limits, AFrozenStudyHasNoTimeouts) {
 
 TEST_F(Limits, ChosenRowsAreMadeAgain) {
   const std::string results = path("s.h5");
-  ASSERT_EQ(run("{} study run smoke -q -o " + results).exit_code, 0);
+  must("{} study run smoke -q -o " + results);
   Results changed = read_results(results);
   for (const std::size_t row : {3, 400}) {
     changed.runs[row].status = RunStatus::timeout;
@@ -51,9 +51,7 @@ TEST_F(Limits, ChosenRowsAreMadeAgain) {
   write_results(changed, results);
   EXPECT_EQ(run("{} check " + results).exit_code, 5);
 
-  const Outcome unknown = run("{} study resume -q --again late " + results);
-  EXPECT_EQ(unknown.exit_code, 2);
-  EXPECT_THAT(unknown.err, HasSubstr("'late'"));
+  expect_error(run("{} study resume -q --again late " + results), "'late'");
   const Outcome again = run("{} study resume -q --again timeout " + results);
   EXPECT_THAT(again.err, HasSubstr("2 of 1062 rows are made again"));
   EXPECT_EQ(again.exit_code, 5) << "one has crashed and was not chosen";
@@ -75,9 +73,7 @@ TEST_F(Limits, RowsOfAnUnfinishedStudyAreMadeAgain) {
   const std::string results = path("s.h5");
   EXPECT_EQ(
       run(testing::with_fault("full:60000") + "{} study run smoke -q -o " + results).exit_code, 5);
-  const Outcome again = run("{} study resume -q --again timeout " + results);
-  EXPECT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_THAT(again.err, HasSubstr("0 of "));
+  expect_error(run("{} study resume -q --again timeout " + results), "0 of ", 0);
   EXPECT_EQ(run("{} study status " + results).exit_code, 0);
 }
 
@@ -88,8 +84,7 @@ TEST_F(Limits, HoldForPlanningToo) {
       "study = \"huge\"\nbudget = { row_time = \"3 s\", row_memory = \"64 MB\" }\n[[sweep]]\n"
       "families = { family = \"torus\", rows = 1000000 }\nsizes = 1000\nalgorithms = \"all\"\n");
   for (const char* verb : {"plan ", "run -q "}) {
-    const Outcome refused = run("cd " + path("") + " && {} study " + verb + spec);
-    EXPECT_EQ(refused.exit_code, 2) << verb << refused.err;
+    const Outcome refused = expect_exit(2, run("cd " + path("") + " && {} study " + verb + spec));
     EXPECT_THAT(refused.err, HasSubstr("torus rows=1000000 n=")) << verb;
     EXPECT_THAT(refused.err, HasSubstr("budget.row_memory gives")) << verb;
   }
@@ -99,14 +94,13 @@ TEST_F(Limits, MergingOneOfVeryManyShardsEnds) {
   const std::string part = path("one.h5");
   EXPECT_EQ(run("{} study run smoke -q --shard 1/4294967295 -o " + part).exit_code, 2);
   EXPECT_EQ(run("{} study run smoke -q --shard 1/1000000 -o " + part).exit_code, 0);
-  const Outcome merged = run("timeout 60 {} study merge " + part + " -o " + path("m.h5"));
-  EXPECT_EQ(merged.exit_code, 5) << merged.err;
-  EXPECT_THAT(merged.err, HasSubstr("no file of shard 2-1000000"));
+  expect_error(run("timeout 60 {} study merge " + part + " -o " + path("m.h5")),
+               "no file of shard 2-1000000", 5);
 }
 
 TEST_F(Limits, AFullStandardOutputIsAnErrorOfEveryVerb) {
   const std::string results = path("s.h5");
-  ASSERT_EQ(run("{} study run smoke -q -o " + results).exit_code, 0);
+  must("{} study run smoke -q -o " + results);
   const std::vector<std::string> commands = {"check " + results,
                                              "report " + results,
                                              "list families",
@@ -116,16 +110,13 @@ TEST_F(Limits, AFullStandardOutputIsAnErrorOfEveryVerb) {
                                              "compare " + results + " " + results,
                                              "generate cycle -n 9 --format edgelist"};
   for (const std::string& command : commands) {
-    const Outcome full = run("{} " + command + " > /dev/full");
-    EXPECT_EQ(full.exit_code, 2) << command;
-    EXPECT_THAT(full.err, HasSubstr("No space left on device")) << command;
+    expect_error(run("{} " + command + " > /dev/full"), "No space left on device");
   }
 }
 
 TEST_F(Limits, MisspeltNamesAreTold) {
   const auto error_of = [&](const std::string& toml) {
-    const Outcome refused = run("{} study plan " + scratch_.write("m.toml", toml));
-    EXPECT_EQ(refused.exit_code, 2);
+    const Outcome refused = expect_exit(2, run("{} study plan " + scratch_.write("m.toml", toml)));
     return refused.err;
   };
   const std::string rest = "sizes = 9\nalgorithms = \"diamond\"\n";
@@ -135,9 +126,7 @@ TEST_F(Limits, MisspeltNamesAreTold) {
               HasSubstr("m.toml:4: unknown key 'instance' in sweep; did you mean 'instances'?"));
   EXPECT_THAT(error_of("study = \"m\"\n[[sweep]]\nfamilies = \"cycle\"\ninstances = -2\n" + rest),
               HasSubstr("instances = -2 is outside 1..1000000"));
-  const Outcome name = run("{} study run smoek -q");
-  EXPECT_EQ(name.exit_code, 2);
-  EXPECT_THAT(name.err, HasSubstr("did you mean 'smoke'?"));
+  expect_error(run("{} study run smoek -q"), "did you mean 'smoke'?");
 }
 
 }  // namespace

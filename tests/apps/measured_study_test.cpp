@@ -31,9 +31,8 @@ timed_repetitions = 2
 strong = { threads = [1, 2], drawings = 2 }
 )");
   const std::string results = scratch.path("s.h5");
-  const Outcome study =
-      run("{} study run " + scratch.path("s.toml") + " --force-timing --isolate -q -o " + results);
-  EXPECT_EQ(study.exit_code, 0) << study.out << study.err;
+  expect_exit(0, run("{} study run " + scratch.path("s.toml") + " --force-timing --isolate -q -o " +
+                     results));
   const Results made = read_results(results);
   EXPECT_EQ(rows_of_phase(made, RunPhase::metrics), 2 * 3 * 2);
   EXPECT_EQ(rows_of_phase(made, RunPhase::timing), 2 * 3 * 2 * 2);
@@ -53,9 +52,8 @@ algorithms = "grid"
 instances = 3000
 )");
   const std::string results = scratch.path("s.h5");
-  const Outcome study = run("{} study run " + scratch.path("s.toml") + " -q -o " + results);
-  EXPECT_EQ(study.exit_code, 5) << study.out << study.err;
-  EXPECT_THAT(study.err, HasSubstr("study resume"));
+  expect_error(run("{} study run " + scratch.path("s.toml") + " -q -o " + results), "study resume",
+               5);
   const std::size_t rows = read_results(results).runs.size();
   EXPECT_LT(rows, 6000u);
 }
@@ -63,15 +61,14 @@ instances = 3000
 TEST(MeasuredStudy, SelfcheckMakesASampleAgain) {
   const ScratchDirectory scratch;
   const std::string results = scratch.path("smoke.h5");
-  ASSERT_EQ(run("{} study run smoke -q -o " + results).exit_code, 0);
-  const Outcome good = run("{} study selfcheck " + results + " --sample 30 --seed 5");
-  EXPECT_EQ(good.exit_code, 0) << good.out << good.err;
+  must("{} study run smoke -q -o " + results);
+  const Outcome good =
+      expect_exit(0, run("{} study selfcheck " + results + " --sample 30 --seed 5"));
   EXPECT_THAT(good.out, HasSubstr("30 equal bit for bit, 0 not"));
   Results changed = read_results(results);
   for (ar3d::RunRecord& row : changed.runs) row.longest_edge_length += 1;
   write_results(changed, results);
-  const Outcome bad = run("{} study selfcheck " + results + " --sample 3");
-  EXPECT_EQ(bad.exit_code, 3);
+  const Outcome bad = expect_exit(3, run("{} study selfcheck " + results + " --sample 3"));
   EXPECT_THAT(bad.out, HasSubstr("differs in longest_edge_length"));
   EXPECT_EQ(run("{} study selfcheck " + results + " --sample 0").exit_code, 2);
 }
@@ -82,7 +79,7 @@ TEST(MeasuredStudy, CountedInstructionsHaveNoNoise) {
                 "study = \"s\"\n[[sweep]]\nfamilies = \"random-cubic\"\nsizes = [10, 100]\n"
                 "algorithms = \"grid\"\nrepetitions = 2\n");
   const std::string results = scratch.path("s.h5");
-  ASSERT_EQ(run("{} study run " + scratch.path("s.toml") + " -q -o " + results).exit_code, 0);
+  must("{} study run " + scratch.path("s.toml") + " -q -o " + results);
   EXPECT_EQ(read_results(results).runs[0].counted_instructions, -1);
   const Outcome first = run("{} study count --max-n 50 " + results);
   if (std::string(build_kind()) == "sanitised") {
@@ -115,8 +112,8 @@ strong = { threads = [1, 512] }
        {std::string("smoke --threads 1024"), spec + " --force-timing --threads 1"}) {
     const std::string results = scratch.path("r.h5");
     std::filesystem::remove(results);
-    const Outcome study = run("ulimit -v 2000000; {} study run -q " + what + " -o " + results);
-    EXPECT_EQ(study.exit_code, 2) << what << study.err;
+    const Outcome study =
+        expect_exit(2, run("ulimit -v 2000000; {} study run -q " + what + " -o " + results));
     EXPECT_THAT(study.err, HasSubstr("ar3d: cannot start ")) << what;
     EXPECT_EQ(run("{} study resume -q --force-timing --threads 2 " + results).exit_code, 0) << what;
   }
@@ -127,10 +124,8 @@ TEST(MeasuredStudy, AFailingSpecificationIsRefusedBeforeAnyWork) {
   scratch.write("s.toml",
                 "study = \"s\"\nbudget = { row_time = \"2\" }\n[[sweep]]\nfamilies = \"cycle\"\n"
                 "sizes = 10\nalgorithms = \"grid\"\n");
-  const Outcome study =
-      run("{} study run " + scratch.path("s.toml") + " -q -o " + scratch.path("s.h5"));
-  EXPECT_EQ(study.exit_code, 2);
-  EXPECT_THAT(study.err, HasSubstr("s.toml:2: '2': '' is not a unit"));
+  expect_error(run("{} study run " + scratch.path("s.toml") + " -q -o " + scratch.path("s.h5")),
+               "s.toml:2: '2': '' is not a unit");
 }
 
 }  // namespace

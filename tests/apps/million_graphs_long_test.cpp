@@ -14,8 +14,7 @@ using ::testing::HasSubstr;
 TEST(MillionGraphs, RunAndResumeInBoundedMemory) {
   const testing::ScratchDirectory scratch;
   const std::string graphs = scratch.path("million.s6.gz");
-  ASSERT_EQ(
-      run("{} generate random-subcubic -n 12 --count 1000000 | gzip -1 > " + graphs).exit_code, 0);
+  must("{} generate random-subcubic -n 12 --count 1000000 | gzip -1 > " + graphs);
   const std::string results = scratch.path("m.h5");
   const std::string bounded = "ulimit -v 800000; ";  // kB of address space, code included
   // Stopped in the midst of it, however fast the machine is.
@@ -26,8 +25,8 @@ TEST(MillionGraphs, RunAndResumeInBoundedMemory) {
           "kill -TERM $p; wait $p; {} study status " +
           results);
   EXPECT_THAT(cut.out, HasSubstr(" of 1000000 rows")) << cut.err;
-  const Outcome outcome = run(bounded + "{} study resume -q --threads 2 " + results);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Outcome outcome =
+      expect_exit(0, run(bounded + "{} study resume -q --threads 2 " + results));
   EXPECT_THAT(outcome.out, HasSubstr("PASS: 1000000 rows, 1000000 proved"));
   EXPECT_EQ(ResultsReader(results, run_format()).size(), 1000000u);
 }

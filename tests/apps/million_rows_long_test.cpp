@@ -29,8 +29,8 @@ TEST(MillionRows, RunResumeStatusAndPandas) {
   const Outcome cut = run(bounded + "timeout -s INT 20 {} study run -q --threads 2 " + spec +
                           " -o " + results + "; {} study status " + results);
   EXPECT_THAT(cut.out, HasSubstr(" of 1000000 rows")) << cut.err;
-  const Outcome outcome = run(bounded + "{} study resume -q --threads 2 " + results);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Outcome outcome =
+      expect_exit(0, run(bounded + "{} study resume -q --threads 2 " + results));
   EXPECT_THAT(outcome.out, HasSubstr("PASS: 1000000 rows, 1000000 proved"));
   EXPECT_THAT(outcome.out, HasSubstr("report   "));
   EXPECT_LT(std::filesystem::file_size(scratch.path("m.html")), 1'000'000u);

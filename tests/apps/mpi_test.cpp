@@ -38,8 +38,7 @@ class Mpi : public ::testing::Test {
 };
 
 TEST_F(Mpi, FourRanksMakeTheSameRows) {
-  const Outcome four = run(ranks(4) + "study run smoke -q -o " + path("four.h5"));
-  EXPECT_EQ(four.exit_code, 0) << four.err;
+  const Outcome four = expect_exit(0, run(ranks(4) + "study run smoke -q -o " + path("four.h5")));
   EXPECT_THAT(four.out, HasSubstr("results  " + path("four.h5")));
   EXPECT_EQ(run("{} study run smoke -q -o " + path("one.h5")).exit_code, 0);
   expect_same_rows(path("four.h5"), path("one.h5"));
@@ -51,17 +50,15 @@ TEST_F(Mpi, FourRanksMakeTheSameRows) {
 }
 
 TEST_F(Mpi, OneRankMakesAllRows) {
-  const Outcome one = run(ranks(1) + "study run smoke -q -o " + path("one.h5"));
-  EXPECT_EQ(one.exit_code, 0) << one.err;
+  const Outcome one = expect_exit(0, run(ranks(1) + "study run smoke -q -o " + path("one.h5")));
   EXPECT_EQ(run("{} study run smoke -q -o " + path("alone.h5")).exit_code, 0);
   expect_same_rows(path("one.h5"), path("alone.h5"));
 }
 
 TEST_F(Mpi, TimedRowsAreMadeByTheFirstRankAlone) {
   const std::string spec = scratch_.write("phases.toml", kPhases);
-  const Outcome two =
-      run(ranks(2) + "study run -q --force-timing " + spec + " -o " + path("two.h5"));
-  EXPECT_EQ(two.exit_code, 0) << two.err;
+  const Outcome two = expect_exit(
+      0, run(ranks(2) + "study run -q --force-timing " + spec + " -o " + path("two.h5")));
   EXPECT_EQ(run("{} study run -q --force-timing " + spec + " -o " + path("one.h5")).exit_code, 0);
   expect_same_rows(path("two.h5"), path("one.h5"));
   std::set<std::int64_t> timing_sessions;
@@ -82,8 +79,7 @@ algorithms = "grid"
 instances = 10000
 timed_repetitions = 1
 )");
-  const Outcome two = run(ranks(2) + "study run -q --force-timing " + spec + " -o " + path("r.h5"));
-  EXPECT_EQ(two.exit_code, 5) << two.err;
+  expect_exit(5, run(ranks(2) + "study run -q --force-timing " + spec + " -o " + path("r.h5")));
   const Results results = read_results(path("r.h5"));
   EXPECT_GT(results.runs.size(), 0u);
   for (const ar3d::RunRecord& row : results.runs) ASSERT_EQ(row.phase, RunPhase::metrics);
@@ -153,12 +149,10 @@ strong_ranks = { ranks = [1, 3], drawings = 9, repetitions = 5 }
 
 TEST_F(Mpi, BatchesForMoreRanksThanThereAreAreRefused) {
   const std::string spec = scratch_.write("batches.toml", kBatches);
-  const Outcome two = run(ranks(2) + "study run -q --force-timing " + spec + " -o " + path("r.h5"));
-  EXPECT_EQ(two.exit_code, 2);
-  EXPECT_THAT(two.err,
-              HasSubstr("ar3d: batches are to be shared by 3 ranks of mpirun but there are 2\n"));
-  const Outcome alone = run("{} study run -q --force-timing " + spec + " -o " + path("r.h5"));
-  EXPECT_EQ(alone.exit_code, 2);
+  expect_error(run(ranks(2) + "study run -q --force-timing " + spec + " -o " + path("r.h5")),
+               "ar3d: batches are to be shared by 3 ranks of mpirun but there are 2\n");
+  const Outcome alone =
+      expect_exit(2, run("{} study run -q --force-timing " + spec + " -o " + path("r.h5")));
   EXPECT_EQ(alone.err, "ar3d: batches are to be shared by 3 ranks of mpirun but there is 1\n");
   EXPECT_EQ(run("ls " + path("r.*")).out, "") << "nothing was begun";
 }
@@ -177,8 +171,7 @@ TEST_F(Mpi, IsResumedByAnyNumberOfRanks) {
         "kill -KILL $(pgrep -f ^[^[:space:]]*ar3d-mpi.*" + results + "); wait");
     ASSERT_TRUE(fs::exists(results + ".rank-1.journal"));
     EXPECT_EQ(run("{} study status " + results).exit_code, 5);
-    const Outcome resumed = run(again + "study resume -q " + results);
-    EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+    expect_exit(0, run(again + "study resume -q " + results));
     expect_same_rows(results, path("whole.h5"));
     fs::remove(results);
   }
@@ -187,8 +180,7 @@ TEST_F(Mpi, IsResumedByAnyNumberOfRanks) {
 // What only rank 0 does, and what only rank 1 suffers: no rank waits for one that is gone.
 TEST_F(Mpi, NoRankIsWaitedForInVain) {
   fs::create_directories(path("r.h5.partial-1/not-empty"));
-  const Outcome kept = run("timeout 60 " + ranks(2) + "study run smoke -q -o " + path("r.h5"));
-  EXPECT_EQ(kept.exit_code, 0) << kept.err;
+  expect_exit(0, run("timeout 60 " + ranks(2) + "study run smoke -q -o " + path("r.h5")));
   if (std::string(build_kind()) == "sanitised") return;  // needs all address space
 
   std::string jumps = "1";
@@ -212,16 +204,14 @@ TEST_F(Mpi, ARankThatCannotReadEndsAll) {
   EXPECT_EQ(run(with_fault("full:60000") + "{} study run smoke -q -o " + path("r.h5")).exit_code,
             5);
   const std::string resume = " study resume -q " + path("r.h5");
-  const Outcome ended = run("timeout 60 mpirun --allow-run-as-root --oversubscribe -n 1 " +
-                            std::string(AR3D_MPI_PROGRAM) + resume + " : -n 1 " + shim + resume);
-  EXPECT_EQ(ended.exit_code, 2) << ended.err;
-  EXPECT_THAT(ended.err, HasSubstr("r.h5.journal: Input/output error"));
+  expect_error(run("timeout 60 mpirun --allow-run-as-root --oversubscribe -n 1 " +
+                   std::string(AR3D_MPI_PROGRAM) + resume + " : -n 1 " + shim + resume),
+               "r.h5.journal: Input/output error");
   EXPECT_EQ(run("{} study resume -q " + path("r.h5")).exit_code, 0);
 }
 
 TEST_F(Mpi, AnErrorOfAllRanksIsOneLine) {
-  const Outcome refused = run(ranks(3) + "study run smoke -q -o /proc/s.h5");
-  EXPECT_EQ(refused.exit_code, 2);
+  const Outcome refused = expect_exit(2, run(ranks(3) + "study run smoke -q -o /proc/s.h5"));
   const std::size_t first = refused.err.find("ar3d: cannot write /proc/s.h5");
   ASSERT_NE(first, std::string::npos) << refused.err;
   EXPECT_EQ(refused.err.find("ar3d: cannot write", first + 1), std::string::npos);

@@ -14,8 +14,7 @@ using ::testing::HasSubstr;
 
 /// One line on stderr that holds `part`, exit code 2, nothing on stdout.
 void expect_refused(const std::string& command, const std::string& part) {
-  const Outcome outcome = run("timeout 20 " + command);
-  EXPECT_EQ(outcome.exit_code, 2) << command;
+  const Outcome outcome = expect_exit(2, run("timeout 20 " + command));
   EXPECT_THAT(outcome.err, HasSubstr(part)) << command;
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   EXPECT_EQ(outcome.out, "") << command;
@@ -41,8 +40,7 @@ TEST(Numbers, NegativeAndOverlargeOnesAreRefused) {
 }
 
 TEST(Numbers, SizesThatAFamilyLacksAreSaid) {
-  const Outcome c20 = run("{} generate fullerene -n 60");
-  EXPECT_EQ(c20.exit_code, 0);
+  const Outcome c20 = expect_exit(0, run("{} generate fullerene -n 60"));
   EXPECT_EQ(c20.err,
             "ar3d: fullerene has no graph with 60 vertices for these parameters: this has "
             "20\n");
@@ -51,8 +49,7 @@ TEST(Numbers, SizesThatAFamilyLacksAreSaid) {
 }
 
 TEST(Names, GraphsWithNamesOfTheirOwn) {
-  const Outcome petersen = run("{} generate petersen --format graph6");
-  EXPECT_EQ(petersen.exit_code, 0) << petersen.err;
+  const Outcome petersen = expect_exit(0, run("{} generate petersen --format graph6"));
   EXPECT_EQ(petersen.err, "");
   EXPECT_EQ(petersen.out.front(), 'I') << "10 vertices";
   expect_refused("{} generate petersn", "did you mean 'petersen'?");
@@ -106,11 +103,8 @@ TEST(Files, AFirstLineIsDecidedByEveryVerbThatReadsGraphs) {
   const std::string drawing = scratch.path("d.jsonl");
   const std::string asks = "--first-line edge or --first-line header says which";
   expect_refused("{} draw " + graph + " --algorithm grid", asks);
-  ASSERT_EQ(
-      run("{} draw " + graph + " --algorithm grid --first-line header -o " + drawing).exit_code, 0);
-  const Outcome open = run("{} verify " + drawing + " --graphs " + graph);
-  EXPECT_EQ(open.exit_code, 2);
-  EXPECT_THAT(open.err, HasSubstr(asks));
+  must("{} draw " + graph + " --algorithm grid --first-line header -o " + drawing);
+  expect_error(run("{} verify " + drawing + " --graphs " + graph), asks);
   EXPECT_EQ(run("{} verify " + drawing + " --first-line header --graphs " + graph).exit_code, 0);
   EXPECT_EQ(run("{} verify " + drawing + " --first-line edge --graphs " + graph).exit_code, 4);
   const std::string shrink = "{} shrink " + graph + " --algorithm grid --ratio 1e-9 -o ";
@@ -138,8 +132,7 @@ TEST(Files, EscapeSequencesDoNotReachTheTerminal) {
   const std::string name = scratch.write("\x1b[31m.s6", "\x1b[2J");
   for (const std::string verb : {"draw --algorithm grid ", "verify ", "check ", "report ",
                                  "generate ", "shrink --algorithm grid -o x "}) {
-    const Outcome outcome = run("{} " + verb + "'" + name + "'");
-    EXPECT_EQ(outcome.exit_code, 2) << verb;
+    const Outcome outcome = expect_exit(2, run("{} " + verb + "'" + name + "'"));
     EXPECT_EQ(outcome.err.find('\x1b'), std::string::npos) << verb << outcome.err;
   }
 }

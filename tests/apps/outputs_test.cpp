@@ -18,7 +18,7 @@ class Outputs : public ::testing::Test {
   // One small study for all tests of this program.
   static void SetUpTestSuite() {
     shared_folder = new ScratchDirectory;
-    ASSERT_EQ(run("{} study run smoke -q -o " + shared_folder->path("made.h5")).exit_code, 0);
+    must("{} study run smoke -q -o " + shared_folder->path("made.h5"));
   }
   static void TearDownTestSuite() { delete shared_folder; }
 
@@ -30,9 +30,7 @@ class Outputs : public ::testing::Test {
   }
 
   void expect_refused(const std::string& command, const std::string& why) {
-    const Outcome outcome = run("cd " + scratch_.path("") + " && {} " + command);
-    EXPECT_EQ(outcome.exit_code, 2) << command;
-    EXPECT_THAT(outcome.err, HasSubstr(why)) << command;
+    expect_error(run("cd " + scratch_.path("") + " && {} " + command), why);
     EXPECT_EQ(read_file(results_), bytes_) << command;
     EXPECT_EQ(read_file(scratch_.path("other.h5")), bytes_) << command;
   }
@@ -66,11 +64,8 @@ TEST_F(Outputs, AreNotTheVerbsInput) {
 
 TEST_F(Outputs, AreNotTheFilesThatAStudyReads) {
   const std::string cd = "cd " + scratch_.path("") + " && ";
-  ASSERT_EQ(
-      run(cd +
-          "printf 'D~{\\n' > k5.g6 && {} study run --graphs k5.g6 --algorithm diamond -q -o g.h5")
-          .exit_code,
-      0);
+  must(cd +
+       "printf 'D~{\\n' > k5.g6 && {} study run --graphs k5.g6 --algorithm diamond -q -o g.h5");
   const std::string graph = read_file(scratch_.path("k5.g6"));
   for (const char* command :
        {"replay g.h5 0 --format jsonl --force -o k5.g6", "study drawings g.h5 --force -o k5.g6",
@@ -78,7 +73,7 @@ TEST_F(Outputs, AreNotTheFilesThatAStudyReads) {
     expect_refused(command, "k5.g6 would be overwritten by what is made from it");
     EXPECT_EQ(read_file(scratch_.path("k5.g6")), graph) << command;
   }
-  ASSERT_EQ(run(cd + "{} history add r.h5 --name one --place 1 --folder past").exit_code, 0);
+  must(cd + "{} history add r.h5 --name one --place 1 --folder past");
   const std::string held = run(cd + "ls past/*.h5 | tr -d '\\n'").out;
   for (const char* option : {"-o ", "--json "}) {
     expect_refused("history report --folder past --force " + (option + held),
@@ -92,8 +87,7 @@ TEST_F(Outputs, AreNoFileNamedLikeStandardOutput) {
        {"report r.h5 -o -", "report r.h5 --rows -", "compare r.h5 other.h5 --json -",
         "study run smoke -q -o -", "study merge r.h5 -o -", "study status r.h5 --snapshot -",
         "history report --json -"}) {
-    const Outcome outcome = run("cd " + scratch_.path("") + " && {} " + command);
-    EXPECT_EQ(outcome.exit_code, 2) << command << outcome.out;
+    expect_exit(2, run("cd " + scratch_.path("") + " && {} " + command));
     EXPECT_FALSE(fs::exists(scratch_.path("-"))) << command;
   }
 }
@@ -125,11 +119,8 @@ struct Written {
 };
 
 TEST_F(Outputs, ThatExistAreReplacedWithForceOnly) {
-  ASSERT_EQ(run("{} generate k4 -o " + scratch_.path("k4.s6")).exit_code, 0);
-  ASSERT_EQ(
-      run("{} draw " + scratch_.path("k4.s6") + " --algorithm grid -o " + scratch_.path("d.jsonl"))
-          .exit_code,
-      0);
+  must("{} generate k4 -o " + scratch_.path("k4.s6"));
+  must("{} draw " + scratch_.path("k4.s6") + " --algorithm grid -o " + scratch_.path("d.jsonl"));
   for (const Written& written :
        std::vector<Written>{{"generate petersen -o out.s6", "out.s6"},
                             {"draw k4.s6 --algorithm diamond -o out.jsonl", "out.jsonl"},

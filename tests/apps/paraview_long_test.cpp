@@ -27,11 +27,10 @@ SaveScreenshot(sys.argv[2], view)
 TEST(ParaView, RendersADrawing) {
   const testing::ScratchDirectory scratch;
   const std::string script = scratch.write("render.py", kRender);
-  const testing::Outcome outcome =
-      testing::run("{} generate random-4-regular -n 30 | {} draw - --algorithm diamond -o " +
-                   scratch.path("d.vtp") + " && xvfb-run -a pvpython " + script + " " +
-                   scratch.path("d.vtp") + " " + scratch.path("d.png"));
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Outcome outcome = expect_exit(
+      0, testing::run("{} generate random-4-regular -n 30 | {} draw - --algorithm diamond -o " +
+                      scratch.path("d.vtp") + " && xvfb-run -a pvpython " + script + " " +
+                      scratch.path("d.vtp") + " " + scratch.path("d.png")));
   // 30 vertices and 3 bends on each of 60 edges; a cell for each vertex and each edge.
   EXPECT_THAT(outcome.out, ::testing::HasSubstr("points 210 cells 90"));
   EXPECT_GT(std::filesystem::file_size(scratch.path("d.png")), 3000u) << "not one colour only";

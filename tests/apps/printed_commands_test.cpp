@@ -24,8 +24,7 @@ std::string runnable(std::string command) {
 }
 
 std::string hash_of_drawing(const std::string& command, const ScratchDirectory& scratch) {
-  const Outcome outcome = run(runnable(command) + " > " + scratch.path("drawing"));
-  EXPECT_EQ(outcome.exit_code, 0) << command << '\n' << outcome.err;
+  expect_exit(0, run(runnable(command) + " > " + scratch.path("drawing")));
   DrawingJsonlReader reader(scratch.path("drawing"));
   const auto line = reader.next();
   EXPECT_TRUE(line.has_value()) << command;
@@ -59,7 +58,7 @@ TEST(PrintedCommands, OfCheckDrawTheRowsDrawing) {
       "s.toml",
       "study = 's'\n[[sweep]]\nfamilies = ['random-cubic', { family = 'torus', rows = 5 }]\n"
       "sizes = [20, 61]\nalgorithms = [{ algorithm = 'diamond', effort = [0, 2] }, 'compact']\n");
-  ASSERT_EQ(run("{} study run -q " + spec + " -o " + made).exit_code, 0);
+  must("{} study run -q " + spec + " -o " + made);
   Results results = read_results(made);
   std::vector<std::string> hashes;
   for (RunRecord& run : results.runs) {
@@ -109,17 +108,14 @@ TEST(PrintedCommands, OfAnUnfinishedStudyRunAsPrinted) {
                     "study = 's'\nbudget = { study = '1 us' }\n[[sweep]]\nfamilies = 'cycle'\n"
                     "sizes = 20\nalgorithms = 'grid'\ninstances = 3\n");
   const std::string begin = "{} study run -q " + spec + " -o \"" + file + "\"";
-  const Outcome begun = run(begin), again = run(begin),
-                status = run("{} study status \"" + file + "\"");
-  EXPECT_EQ(begun.exit_code, 5) << begun.err;
+  const Outcome begun = expect_exit(5, run(begin), again = run(begin),
+                                    status = run("{} study status \"" + file + "\""));
   EXPECT_EQ(again.exit_code, 2) << again.err;
   EXPECT_EQ(status.exit_code, 5) << status.err;
   for (const std::string& said : {begun.err, again.err, status.out}) {
     const auto commands = quoted_commands(said);
     ASSERT_EQ(commands.size(), 1u) << said;
-    const Outcome resumed = run(runnable(commands.front()) + " -q");
-    EXPECT_EQ(resumed.exit_code, 5)
-        << commands.front() << resumed.err << "the budget is what it was";
+    expect_exit(5, run(runnable(commands.front()) + " -q"));
   }
 }
 
@@ -134,8 +130,7 @@ TEST(PrintedCommands, OfHuntAndShrinkRunAsPrinted) {
     const auto printed = lines_with(hunt.out, "ar3d ");
     ASSERT_EQ(printed.size(), 3u) << hunt.out;
     for (const std::string& command : printed) {
-      const Outcome again = run(runnable(command));
-      EXPECT_EQ(again.exit_code, 0) << command << '\n' << again.err;
+      expect_exit(0, run(runnable(command)));
     }
     EXPECT_TRUE(std::filesystem::exists(prefix + "-small.s6"));
     for (const std::string& command :

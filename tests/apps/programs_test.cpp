@@ -39,8 +39,8 @@ algorithms = ["grid", "neato", "sfdp", "fr", "kk"]
 )",
                                                                folder));
   const std::string results = scratch.path("p.h5");
-  const Outcome made = run("{} study run -q --threads 1 " + spec + " -o " + results);
-  EXPECT_EQ(made.exit_code, 0) << made.err << made.out;
+  const Outcome made =
+      expect_exit(0, run("{} study run -q --threads 1 " + spec + " -o " + results));
   EXPECT_THAT(made.out, HasSubstr("PASS: 12 rows, 2 proved, 0 violated, 0 incomplete, 0 refused, "
                                   "10 measured without a guarantee"));
   for (const RunRecord& row : read_results(results).runs) {
@@ -50,13 +50,11 @@ algorithms = ["grid", "neato", "sfdp", "fr", "kk"]
     EXPECT_GT(column_number(run_column("smallest_vertex_angle"), row), ours ? 119.99 : 0);
     EXPECT_GT(column_number(run_column("log2_relative_volume"), row), 0);
   }
-  const Outcome table = run(folder + "table.py " + results);
-  EXPECT_EQ(table.exit_code, 0) << table.err;
+  const Outcome table = expect_exit(0, run(folder + "table.py " + results));
   EXPECT_THAT(table.out, HasSubstr("| random-cubic | 16 | grid | 120.0 | 100 % | 0 |"));
   EXPECT_THAT(table.out, HasSubstr("| fr (iterations=50) |"));
   for (const char* bad : {" many", "none"}) {
-    const Outcome refused = run(folder + "table.py " + results + bad);
-    EXPECT_EQ(refused.exit_code, 1);
+    const Outcome refused = expect_exit(1, run(folder + "table.py " + results + bad));
     EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
   }
   EXPECT_EQ(run("{} report " + results + " -o " + scratch.path("p.html")).exit_code, 0);
@@ -97,9 +95,7 @@ while True:
           "\"silent\", \"flood\", \"forker\", \"quitter\", \"moody\"]\n");
   for (const char* how : {"--threads 1", "--threads 2", "--threads 2 --isolate"}) {
     const std::string results = scratch.path("h.h5");
-    const Outcome made =
-        run(fmt::format("{{}} study run -q --force {} {} -o {}", how, spec, results));
-    EXPECT_EQ(made.exit_code, 5) << made.err;
+    expect_exit(5, run(fmt::format("{{}} study run -q --force {} {} -o {}", how, spec, results)));
     std::map<std::string, std::string> told;
     for (const RunRecord& row : read_results(results).runs) {
       told[fmt::format("{} {}", row.algorithm, row.n)] = to_string(row.status);
@@ -138,8 +134,7 @@ while True:
   const std::size_t at = check.out.find("    ar3d replay RESULTS.h5 ");
   ASSERT_NE(at, std::string::npos) << check.out;
   const std::string command = check.out.substr(at + 9, check.out.find('\n', at) - at - 9);
-  const Outcome shown = run("cd " + scratch.path("") + " && {} " + command + " -o d.jsonl");
-  EXPECT_EQ(shown.exit_code, 4) << command << shown.err;
+  expect_exit(4, run("cd " + scratch.path("") + " && {} " + command + " -o d.jsonl"));
   EXPECT_THAT(testing::read_file(scratch.path("d.jsonl")), HasSubstr("[[0,0,0],[1,0,0],"));
 }
 
@@ -174,15 +169,13 @@ TEST_F(OwnProgram, ShardsOfDifferentVersionsAreNotMerged) {
               5);
   }
   const std::string merge = "{} study merge " + path("1.h5") + " " + path("2.h5") + " -o ";
-  const Outcome mixed = run(merge + path("m.h5"));
-  EXPECT_EQ(mixed.exit_code, 2) << mixed.out;
+  const Outcome mixed = expect_exit(2, run(merge + path("m.h5")));
   EXPECT_THAT(mixed.err, HasSubstr("the shards were made with different programs 'mine'"));
   EXPECT_EQ(std::count(mixed.err.begin(), mixed.err.end(), '\n'), 1) << mixed.err;
   ASSERT_EQ(run("{} study run -q --force --threads 1 " + spec() + " --shard 1/2 -o " + path("1.h5"))
                 .exit_code,
             5);
-  const Outcome merged = run(merge + path("m.h5"));
-  EXPECT_EQ(merged.exit_code, 0) << merged.err;
+  expect_exit(0, run(merge + path("m.h5")));
   EXPECT_EQ(read_results(path("m.h5")).runs.size(), 4u);
 }
 
@@ -192,8 +185,7 @@ TEST_F(OwnProgram, ReplayRefusesAnotherProgram) {
   const std::string replay = "{} replay " + path("s.h5") + " 1";
   EXPECT_EQ(run(replay).exit_code, 0);
   scratch_.write("mine.py", std::string(kBody) + "# another\n");
-  const Outcome changed = run(replay);
-  EXPECT_EQ(changed.exit_code, 2) << changed.out;
+  const Outcome changed = expect_exit(2, run(replay));
   EXPECT_THAT(changed.err, HasSubstr("program 'mine' is not the one that rows of"));
   EXPECT_EQ(std::count(changed.err.begin(), changed.err.end(), '\n'), 1) << changed.err;
 }
@@ -206,8 +198,7 @@ TEST_F(OwnProgram, WithoutAGuaranteeNothingWasJudgedThoughMeasured) {
 
 TEST_F(OwnProgram, NobodyKnowsBeforeWhatItCosts) {
   scratch_.write("mine.py", kBody);
-  const Outcome plan = run("{} study plan " + spec());
-  EXPECT_EQ(plan.exit_code, 0) << plan.err;
+  const Outcome plan = expect_exit(0, run("{} study plan " + spec()));
   EXPECT_THAT(plan.out, HasSubstr("cycle  n=5 mine : 1 instances, 1 rows, time and memory not "
                                   "known\n"));
   EXPECT_THAT(plan.out, HasSubstr("4 rows\nits time and memory are not known\n"));
@@ -226,19 +217,18 @@ TEST_F(OwnProgram, AGuaranteePromisesNoBox) {
       "g.toml", text.substr(0, text.find(sweep)) +
                     "guarantee = { max_degree = 4, max_bends = 0, cosine = [1, 1] }\n" +
                     text.substr(text.find(sweep)));
-  const Outcome made = run("{} study run -q --threads 1 " + study + " -o " + path("s.h5"));
-  EXPECT_EQ(made.exit_code, 0) << made.out << made.err;
+  expect_exit(0, run("{} study run -q --threads 1 " + study + " -o " + path("s.h5")));
   for (const RunRecord& row : read_results(path("s.h5")).runs) {
     EXPECT_EQ(row.status, RunStatus::ok) << row.message;
   }
-  ASSERT_EQ(run("{} report " + path("s.h5") + " -o " + path("s.html")).exit_code, 0);
+  must("{} report " + path("s.h5") + " -o " + path("s.html"));
   EXPECT_THAT(testing::read_file(path("s.html")), ::testing::Not(HasSubstr("Theorem's box")));
 }
 
 TEST_F(OwnProgram, AnExecutableThatIsNotThereIsRefusedAtTheStart) {
   for (const char* command : {"\"/nonexistent/x\"", "\"no-such-drawer-anywhere\""}) {
-    const Outcome refused = run("{} study run -q " + spec(command) + " -o " + path("s.h5"));
-    EXPECT_EQ(refused.exit_code, 2) << refused.out;
+    const Outcome refused =
+        expect_exit(2, run("{} study run -q " + spec(command) + " -o " + path("s.h5")));
     EXPECT_THAT(refused.err, HasSubstr("program 'mine' cannot be run: "));
     EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
     EXPECT_EQ(run("ls " + path("s.h5") + "*").out, "");
@@ -265,9 +255,7 @@ while True:
   const std::string resume = "{} study resume -q " + results + " --again crashed";
   EXPECT_EQ(run(resume).exit_code, 5) << "nothing but measured rows";
   scratch.write("mine.py", body + "# another one\n");
-  const Outcome changed = run(resume);
-  EXPECT_EQ(changed.exit_code, 2) << changed.out;
-  EXPECT_THAT(changed.err, HasSubstr("program 'mine' is not the one that rows of"));
+  expect_error(run(resume), "program 'mine' is not the one that rows of");
   scratch.write("mine.py", body);  // the former one
   EXPECT_EQ(run(resume).exit_code, 5);
   EXPECT_EQ(read_results(results).runs.size(), 2u);

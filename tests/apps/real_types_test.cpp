@@ -22,8 +22,7 @@ TEST(RealTypes, DrawnExactlyAndJudgedWithoutTolerance) {
             " draw - --algorithm two-bend-paper --set type=" + std::to_string(type) +
             " --force -o " + file);
     ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
-    const Outcome judged = run(kProgram + " verify " + file);
-    EXPECT_EQ(judged.exit_code, 5) << "a measured drawing is not proved";
+    const Outcome judged = expect_exit(5, run(kProgram + " verify " + file));
     EXPECT_THAT(judged.out, HasSubstr("0 certified, 0 violated, 0 not drawn, 1 measured"));
     EXPECT_THAT(judged.out, HasSubstr("0 crossings, 0 collapsed segments"));
   }
@@ -40,24 +39,19 @@ TEST(RealTypes, ADamagedLineIsMeasuredOrViolated) {
     return run("printf '%s\\n' '" + text + "' | " + kProgram + " verify -");
   };
   EXPECT_THAT(judged("").out, HasSubstr("in float: angles miss by at most 0 degrees"));
-  const Outcome right_angle = judged(R"(["0","3","0"])");
-  EXPECT_EQ(right_angle.exit_code, 5);
+  const Outcome right_angle = expect_exit(5, judged(R"(["0","3","0"])"));
   EXPECT_THAT(right_angle.out, HasSubstr("angles miss by at most 56.5651 degrees"));
   EXPECT_THAT(judged(R"(["0","0","0"])").out, HasSubstr("1 collapsed segments"));
-  const Outcome three = judged(R"(["0","3","0"],["0","9","9"],["7","9","9"])");
-  EXPECT_EQ(three.exit_code, 4);
+  const Outcome three = expect_exit(4, judged(R"(["0","3","0"],["0","9","9"],["7","9","9"])"));
   EXPECT_THAT(three.out, HasSubstr("bends: edge 0 has 3 bends, at most 2 are promised"));
-  const Outcome other =
-      run("printf '%s\\n' '" + std::string(line).replace(line.find("BENDS"), 5, "") + "' | " +
-          kProgram + " verify - --algorithm two-bend");
-  EXPECT_EQ(other.exit_code, 4)
-      << "the guarantee of a lattice is not kept by points of a real type";
+  expect_exit(4, run("printf '%s\\n' '" + std::string(line).replace(line.find("BENDS"), 5, "") +
+                     "' | " + kProgram + " verify - --algorithm two-bend"));
 }
 
 TEST(RealTypes, HostileLinesAreRefusedByName) {
   const auto refusal = [&](const std::string& text) {
-    const Outcome outcome = run("printf '%s\\n' '" + text + "' | " + kProgram + " verify -");
-    EXPECT_EQ(outcome.exit_code, 2) << text;
+    const Outcome outcome =
+        expect_exit(2, run("printf '%s\\n' '" + text + "' | " + kProgram + " verify -"));
     return outcome.err;
   };
   const std::string head = R"({"n":1,"algorithm":"two-bend-paper","real_type":"float",)";
@@ -97,18 +91,15 @@ TEST(RealTypes, RowsSayThatTheyAreMeasuredAndCheckDoesNotPassThemUnasked) {
   const Outcome study =
       run(kProgram + " study run " + scratch.path("s.toml") + " -q -o " + results);
   ASSERT_EQ(study.exit_code, 5) << "twelve rows are not proved" << study.err;
-  const Outcome checked = run(kProgram + " check " + results);
-  EXPECT_EQ(checked.exit_code, 5);
+  const Outcome checked = expect_exit(5, run(kProgram + " check " + results));
   EXPECT_THAT(checked.out, HasSubstr("12 not proved"));
   EXPECT_THAT(checked.out,
               HasSubstr("16 rows, 4 proved, 0 violated, 0 incomplete, 0 refused, 12 not proved"));
-  const Outcome accepted = run(kProgram + " check --accept-unproved " + results);
-  EXPECT_EQ(accepted.exit_code, 0) << accepted.out;
+  const Outcome accepted = expect_exit(0, run(kProgram + " check --accept-unproved " + results));
   EXPECT_THAT(accepted.out, HasSubstr("12 not proved (accepted)"));
   scratch.write("a.toml", "study = \"real\"\naccept_unproved = true\n" + spec);
-  const Outcome asked =
-      run(kProgram + " study run " + scratch.path("a.toml") + " -q -o " + scratch.path("a.h5"));
-  EXPECT_EQ(asked.exit_code, 0) << asked.err;
+  const Outcome asked = expect_exit(
+      0, run(kProgram + " study run " + scratch.path("a.toml") + " -q -o " + scratch.path("a.h5")));
   EXPECT_THAT(asked.out, HasSubstr("12 not proved (accepted)"));
   EXPECT_EQ(run(kProgram + " check " + scratch.path("a.h5")).exit_code, 0);
   for (const char* row : {"0", "1", "2", "3"}) {

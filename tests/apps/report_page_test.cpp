@@ -29,9 +29,8 @@ std::string study_of(const ScratchDirectory& scratch, const std::string& name) {
 TEST(ReportPage, ComparesWithTheCommittedReferenceOfItsStudy) {
   const ScratchDirectory scratch;
   const std::string page = scratch.path("page.html");
-  const Outcome outcome =
-      run("cd " AR3D_SOURCE_DIR " && {} report " + kReferences + "0.2.0-volume.h5 -o " + page);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  expect_exit(
+      0, run("cd " AR3D_SOURCE_DIR " && {} report " + kReferences + "0.2.0-volume.h5 -o " + page));
   EXPECT_THAT(read_file(page), HasSubstr("Since the reference <a href='#reference'>0.2.0-volume"));
   EXPECT_THAT(read_file(page), HasSubstr("The two hold the same measurements."));
   EXPECT_LT(fs::file_size(page), 8'000'000u);
@@ -48,19 +47,15 @@ TEST(ReportPage, ComparesWithTheGivenReferenceAndKeepsItsExitCode) {
   }
   write_results(results, now);
   const std::string page = scratch.path("page.html"), report = "{} report " + now + " -o " + page;
-  const Outcome outcome = run(report + " --reference " + base);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  expect_exit(0, run(report + " --reference " + base));
   EXPECT_THAT(read_file(page), HasSubstr("<b>REGRESSED</b> against tiny.h5"));
 
   EXPECT_EQ(run("cd " + scratch.path("") + " && " + report).exit_code, 0);
   EXPECT_THAT(read_file(page), HasSubstr("Not compared: "));
   const std::string before = read_file(page);
-  const Outcome other = run(report + " --reference " + study_of(scratch, "other"));
-  EXPECT_EQ(other.exit_code, 2);
-  EXPECT_THAT(other.err, HasSubstr("results of different studies"));
-  const Outcome missing = run(report + " --reference " + scratch.path("none.h5"));
-  EXPECT_EQ(missing.exit_code, 2);
-  EXPECT_THAT(missing.err, HasSubstr("none.h5"));
+  expect_error(run(report + " --reference " + study_of(scratch, "other")),
+               "results of different studies");
+  expect_error(run(report + " --reference " + scratch.path("none.h5")), "none.h5");
   EXPECT_EQ(read_file(page), before);
 }
 

@@ -15,10 +15,10 @@ namespace {
 /// A build that differs in one function, which waits after each drawing for so much of its time.
 std::string slower_program(const ScratchDirectory& scratch, int percent) {
   const std::string program = scratch.path(fmt::format("slower-{}", percent));
-  const Outcome made = run(
-      fmt::format("/usr/bin/python3 {0}/tests/apps/slower_program.py {0} $(realpath {{}}) {1} {2}",
-                  AR3D_SOURCE_DIR, percent, program));
-  EXPECT_EQ(made.exit_code, 0) << made.out << made.err;
+  expect_exit(0,
+              run(fmt::format(
+                  "/usr/bin/python3 {0}/tests/apps/slower_program.py {0} $(realpath {{}}) {1} {2}",
+                  AR3D_SOURCE_DIR, percent, program)));
   return program;
 }
 
@@ -30,10 +30,9 @@ std::string checkout_of_the_program(const ScratchDirectory& scratch) {
       << "cmake_minimum_required(VERSION 3.20)\nproject(pretended NONE)\n"
          "add_custom_target(ar3d_program COMMAND ${CMAKE_COMMAND} -E make_directory apps COMMAND "
          "${CMAKE_COMMAND} -E copy $ENV{AR3D_PROGRAM} apps/ar3d)\n";
-  const Outcome made = run("cd " + checkout +
-                           " && touch apps/study.cpp && git init -q && git add -A && git -c "
-                           "user.name=t -c user.email=t@t commit -qm first");
-  EXPECT_EQ(made.exit_code, 0) << made.err;
+  expect_exit(0, run("cd " + checkout +
+                     " && touch apps/study.cpp && git init -q && git add -A && git -c "
+                     "user.name=t -c user.email=t@t commit -qm first"));
   return checkout;
 }
 

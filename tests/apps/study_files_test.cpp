@@ -34,17 +34,14 @@ TEST_F(StudyFiles, AreFoundByEveryPathToThem) {
        {"sub//r.h5", "./sub/./r.h5", "sub/deep/../r.h5", "link/r.h5", "sub/r.h5"}) {
     for (const char* suffix : {".h5", ".html"}) fs::remove(path(std::string("sub/r") + suffix));
     const std::string name = results;
-    const Outcome full = in_folder(with_fault("full:60000") + "{} study run smoke -q -o " + name);
-    EXPECT_EQ(full.exit_code, 5) << name << full.err;
+    expect_exit(5, in_folder(with_fault("full:60000") + "{} study run smoke -q -o " + name));
     ASSERT_TRUE(fs::exists(path("sub/r.h5.journal"))) << name;
     for (const char* other : {"sub/r.h5", "sub//r.h5.journal", "link/r.h5"}) {
-      const Outcome status = in_folder(std::string("{} study status ") + other);
-      EXPECT_EQ(status.exit_code, 5) << name << other;
+      const Outcome status = expect_exit(5, in_folder(std::string("{} study status ") + other));
       EXPECT_THAT(status.out, HasSubstr(" of 1062 rows, stopped")) << name << other;
     }
-    const Outcome again = in_folder("{} study run smoke -q --force -o " + name);
-    EXPECT_EQ(again.exit_code, 2) << name;
-    EXPECT_THAT(again.err, HasSubstr("is the journal of a study that is not finished")) << name;
+    expect_error(in_folder("{} study run smoke -q --force -o " + name),
+                 "is the journal of a study that is not finished");
     EXPECT_EQ(in_folder("{} study resume -q " + name).exit_code, 0) << name;
     EXPECT_FALSE(fs::exists(path("sub/r.h5.journal"))) << name;
     expect_same_rows(path("sub/r.h5"), path("sub/old.h5"));
@@ -53,27 +50,23 @@ TEST_F(StudyFiles, AreFoundByEveryPathToThem) {
 
 TEST_F(StudyFiles, ResultsAreNotNamedAsJournalsAre) {
   for (const char* name : {"r.h5.rank-1", "r.journal", "r.h5.partial-7"}) {
-    const Outcome refused = in_folder(std::string("{} study run smoke -q -o ") + name);
-    EXPECT_EQ(refused.exit_code, 2) << name;
-    EXPECT_THAT(refused.err, HasSubstr("cannot name a results file")) << name;
+    expect_error(in_folder(std::string("{} study run smoke -q -o ") + name),
+                 "cannot name a results file");
   }
 }
 
 TEST_F(StudyFiles, AFolderThatCannotBeListedIsAnError) {
-  const Outcome refused = in_folder(with_fault("list:1") + "{} study run smoke -q -o r.h5");
-  EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("cannot list .: Permission denied"));
+  expect_error(in_folder(with_fault("list:1") + "{} study run smoke -q -o r.h5"),
+               "cannot list .: Permission denied");
   EXPECT_FALSE(fs::exists(path("r.h5.journal")));
   EXPECT_EQ(in_folder("{} study run smoke -q -o r.h5").exit_code, 0);
-  const Outcome status = in_folder(with_fault("list:1") + "{} study status r.h5");
-  EXPECT_EQ(status.exit_code, 2);
-  EXPECT_THAT(status.err, HasSubstr("cannot list .: Permission denied"));
+  expect_error(in_folder(with_fault("list:1") + "{} study status r.h5"),
+               "cannot list .: Permission denied");
 }
 
 TEST_F(StudyFiles, NeedNoHardLinks) {
   for (const char* fault : {"nolink:1", "nolink:2"}) {
-    const Outcome made = in_folder(with_fault(fault) + "{} study run smoke -q --force -o r.h5");
-    EXPECT_EQ(made.exit_code, 0) << fault << made.err;
+    expect_exit(0, in_folder(with_fault(fault) + "{} study run smoke -q --force -o r.h5"));
     EXPECT_EQ(in_folder("ls").out, "r.h5\nr.html\n") << fault;
   }
 }
@@ -97,9 +90,7 @@ TEST_F(StudyFiles, WhereLocksDoNothingNoAcknowledgedRowIsLost) {
     reader.read(i, record.data());
     rows[to_string(reader.key(i))] = record;
   }
-  const Outcome resumed = in_folder("{} study resume -q r.h5");
-  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
-  EXPECT_THAT(resumed.err, HasSubstr("they are kept in "));
+  expect_error(in_folder("{} study resume -q r.h5"), "they are kept in ", 0);
   EXPECT_TRUE(fs::exists(path("r.h5.journal.cut-1")));
   std::map<std::string, std::string> after;
   for (const ar3d::RunRecord& row : read_results(path("r.h5")).runs) {

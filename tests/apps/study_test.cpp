@@ -14,8 +14,7 @@ using ::testing::HasSubstr;
 TEST(StudyProgram, SmokeRunsChecksReportsAndReplays) {
   const ScratchDirectory scratch;
   const std::string results = scratch.path("smoke.h5");
-  const Outcome study = run("{} study run smoke --quiet -o " + results);
-  EXPECT_EQ(study.exit_code, 0) << study.out << study.err;
+  const Outcome study = expect_exit(0, run("{} study run smoke --quiet -o " + results));
   EXPECT_THAT(study.out, HasSubstr(results));
   EXPECT_THAT(study.out, HasSubstr(scratch.path("smoke.html")));
   EXPECT_THAT(read_file(scratch.path("smoke.html")), HasSubstr("<svg"));
@@ -24,43 +23,39 @@ TEST(StudyProgram, SmokeRunsChecksReportsAndReplays) {
   EXPECT_EQ(run("{} report " + results + " -o " + scratch.path("again.html")).exit_code, 0);
   EXPECT_EQ(read_file(scratch.path("again.html")), read_file(scratch.path("smoke.html")));
 
-  const Outcome replay = run("{} replay " + results + " 0 -o " + scratch.path("row.jsonl"));
-  EXPECT_EQ(replay.exit_code, 0) << replay.out << replay.err;
+  const Outcome replay =
+      expect_exit(0, run("{} replay " + results + " 0 -o " + scratch.path("row.jsonl")));
   EXPECT_THAT(replay.out, HasSubstr("equal, bit for bit"));
   EXPECT_EQ(run("{} verify " + scratch.path("row.jsonl")).exit_code, 0);
   EXPECT_EQ(run("{} replay " + results + " 99999999").exit_code, 2);
 }
 
 TEST(StudyProgram, PlanShowsWhatWouldBeDone) {
-  const Outcome plan = run("{} study plan quick");
-  EXPECT_EQ(plan.exit_code, 0) << plan.err;
+  const Outcome plan = expect_exit(0, run("{} study plan quick"));
   EXPECT_THAT(plan.out, HasSubstr(" instances, "));
 }
 
 TEST(StudyProgram, InterruptedKeepsTheRowsMadeSoFar) {
   const ScratchDirectory scratch;
   const std::string results = scratch.path("quick.h5");
-  const Outcome outcome =
-      run("timeout --preserve-status -s INT 3 {} study run quick --quiet -o " + results);
-  EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
-  EXPECT_THAT(outcome.err, HasSubstr("interrupted"));
+  expect_error(run("timeout --preserve-status -s INT 3 {} study run quick --quiet -o " + results),
+               "interrupted", 130);
   EXPECT_NE(run("{} check " + results).exit_code, 2) << "the file is whole";
 }
 
 TEST(VerifyProgram, EveryCrossingTestGivesTheSameVerdict) {
   for (const char* test : {"automatic", "all-pairs", "plane-sweep", "slabs"}) {
-    const Outcome verdict =
+    const Outcome verdict = expect_exit(
+        0,
         run(std::string("{} generate random-cubic -n 30 | {} draw - --algorithm grid | {} verify - "
                         "--crossing-test ") +
-            test);
-    EXPECT_EQ(verdict.exit_code, 0) << test << verdict.err;
+            test));
     EXPECT_THAT(verdict.out, HasSubstr("1 certified, 0 violated"));
   }
 }
 
 TEST(ListProgram, ShowsEveryCatalogue) {
-  const Outcome list = run("{} list");
-  EXPECT_EQ(list.exit_code, 0);
+  const Outcome list = expect_exit(0, run("{} list"));
   for (const char* entry :
        {"diamond", "grid", "two-bend", "random-cubic", "graph6", "log2_volume", "smoke"}) {
     EXPECT_THAT(list.out, HasSubstr(entry));
@@ -72,8 +67,7 @@ TEST(Program, HelpOfEveryVerbHasAnExample) {
        {"list", "generate", "draw", "verify", "study run", "study resume", "study status",
         "study merge", "study plan", "study selfcheck", "study count", "check", "report", "replay",
         "compare", "hunt", "shrink"}) {
-    const Outcome help = run(std::string("{} ") + verb + " --help");
-    EXPECT_EQ(help.exit_code, 0) << verb;
+    const Outcome help = expect_exit(0, run(std::string("{} ") + verb + " --help"));
     EXPECT_THAT(help.out, HasSubstr("Example: ")) << verb;
   }
 }

@@ -15,14 +15,13 @@ TEST(Threads, OneLargeDrawingAndManySmallOnes) {
   const ScratchDirectory scratch;
   const std::string large = scratch.path("large.s6");
   const std::string small = scratch.path("small.s6");
-  ASSERT_EQ(run(kProgram + " generate random-4-regular -n 66000 -o " + large).exit_code, 0);
-  ASSERT_EQ(run(kProgram + " generate random-cubic -n 20 --count 30 -o " + small).exit_code, 0);
+  must(kProgram + " generate random-4-regular -n 66000 -o " + large);
+  must(kProgram + " generate random-cubic -n 20 --count 30 -o " + small);
   for (const std::string& file : {large, small}) {
     const auto drawn = [&](const std::string& threads) {
       return run(kProgram + " draw " + file + " --algorithm diamond --level extents" + threads);
     };
-    const Outcome alone = drawn(" --threads 1");
-    EXPECT_EQ(alone.exit_code, 0) << alone.err;
+    const Outcome alone = expect_exit(0, drawn(" --threads 1"));
     EXPECT_THAT(alone.out, ::testing::HasSubstr("\"proved\""));
     for (const char* threads : {" --threads 2", " --threads 3", ""}) {
       EXPECT_EQ(drawn(threads).out, alone.out) << threads;
@@ -33,13 +32,11 @@ TEST(Threads, OneLargeDrawingAndManySmallOnes) {
 TEST(Threads, VerifyAndUsage) {
   const ScratchDirectory scratch;
   const std::string file = scratch.path("d.jsonl");
-  ASSERT_EQ(run(kProgram + " generate random-cubic -n 20 --count 5 | " + kProgram +
-                " draw - --algorithm diamond -o " + file)
-                .exit_code,
-            0);
+  must(kProgram + " generate random-cubic -n 20 --count 5 | " + kProgram +
+       " draw - --algorithm diamond -o " + file);
   for (const char* threads : {"1", "2", "3"}) {
-    const Outcome outcome = run(kProgram + " verify " + file + " --threads " + threads);
-    EXPECT_EQ(outcome.exit_code, 0);
+    const Outcome outcome =
+        expect_exit(0, run(kProgram + " verify " + file + " --threads " + threads));
     EXPECT_EQ(outcome.out, "5 certified, 0 violated, 0 not drawn\n");
   }
   for (const char* threads : {"0", "-1", "two", "100000"}) {

@@ -13,10 +13,9 @@ TEST(Export, TikzIsTypeset) {
   scratch.write("page.tex",
                 "\\documentclass{article}\\usepackage{tikz}\\begin{document}\\input{k5.tikz}"
                 "\\end{document}\n");
-  const Outcome outcome = run("cd " + scratch.path("") +
-                              " && printf 'D~{\\n' | {} draw - --algorithm diamond -o k5.tikz && "
-                              "pdflatex -interaction=batchmode -halt-on-error page.tex");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << testing::read_file(scratch.path("page.log"));
+  expect_exit(0, run("cd " + scratch.path("") +
+                     " && printf 'D~{\\n' | {} draw - --algorithm diamond -o k5.tikz && "
+                     "pdflatex -interaction=batchmode -halt-on-error page.tex"));
   EXPECT_GT(std::filesystem::file_size(scratch.path("page.pdf")), 5000u);
 }
 

@@ -64,8 +64,7 @@ TEST(CheckProgram, NoRowsAndNoNumbersAreIncomplete) {
 TEST(ReportProgram, OfNoRowsSaysSoAndIsIncomplete) {
   const ScratchDirectory scratch;
   const std::string path = results_file(scratch, [](Results& results) { results.runs.clear(); });
-  const Outcome report = run("{} report " + path);
-  EXPECT_EQ(report.exit_code, 5);
+  const Outcome report = expect_exit(5, run("{} report " + path));
   expect_one_line(report, "nothing measured: the file has no rows");
   EXPECT_THAT(read_file(scratch.path("results.html")), HasSubstr("Nothing was measured"));
 }
@@ -73,11 +72,9 @@ TEST(ReportProgram, OfNoRowsSaysSoAndIsIncomplete) {
 TEST(ReportProgram, WritesFiguresAndTables) {
   const ScratchDirectory scratch;
   const std::string path = results_file(scratch);
-  const Outcome report =
-      run("{} report " + path + " --figures " + scratch.path("figures") + " --csv " +
-          scratch.path("l.csv") + " --growth " + scratch.path("g.csv") + " --rows " +
-          scratch.path("r.csv") + " --json " + scratch.path("a.json"));
-  EXPECT_EQ(report.exit_code, 0) << report.err;
+  expect_exit(0, run("{} report " + path + " --figures " + scratch.path("figures") + " --csv " +
+                     scratch.path("l.csv") + " --growth " + scratch.path("g.csv") + " --rows " +
+                     scratch.path("r.csv") + " --json " + scratch.path("a.json")));
   for (const char* name : {"longest-side", "volume", "drawing-time", "bends"}) {
     const std::string stem = scratch.path(std::string("figures/diamond-") + name);
     EXPECT_THAT(read_file(stem + ".svg"), ::testing::StartsWith("<?xml")) << name;
@@ -91,9 +88,9 @@ TEST(ReportProgram, WritesFiguresAndTables) {
 
 TEST(ReportProgram, MissingConverterIsNamed) {
   const ScratchDirectory scratch;
-  const Outcome report = run("PATH=/no-such-folder {} report " + results_file(scratch) +
-                             " --figures " + scratch.path("figures"));
-  EXPECT_EQ(report.exit_code, 2);
+  const Outcome report =
+      expect_exit(2, run("PATH=/no-such-folder {} report " + results_file(scratch) + " --figures " +
+                         scratch.path("figures")));
   expect_one_line(report, "librsvg2-bin");
 }
 
@@ -112,11 +109,10 @@ TEST_P(BadResultsTest, OneLineAndExitTwo) {
   const std::string path = results_file(scratch);
   const std::string script = scratch.write(
       "change.py", "import h5py\nf = h5py.File('" + path + "', 'a')\n" + GetParam().change);
-  ASSERT_EQ(run("/usr/bin/python3 " + script).exit_code, 0);
+  must("/usr/bin/python3 " + script);
   testing::renew_checksum(path);
   for (const char* verb : {"check", "report"}) {
-    const Outcome outcome = run(std::string("{} ") + verb + " " + path);
-    EXPECT_EQ(outcome.exit_code, 2) << verb;
+    const Outcome outcome = expect_exit(2, run(std::string("{} ") + verb + " " + path));
     expect_one_line(outcome, GetParam().message);
     EXPECT_THAT(outcome.err, HasSubstr(path));
   }
@@ -152,13 +148,11 @@ TEST_P(SeededFaultTest, IsHuntedShrunkAndShown) {
   const std::string subject =
       std::string(" --algorithm ") + GetParam().algorithm + " --seeded-fault " + GetParam().fault;
   const std::string big = scratch.path("big"), small = scratch.path("small");
-  const Outcome hunt = run("{} hunt -n 60" + subject + " -o " + big);
-  EXPECT_EQ(hunt.exit_code, 4) << hunt.err;
+  const Outcome hunt = expect_exit(4, run("{} hunt -n 60" + subject + " -o " + big));
   EXPECT_THAT(hunt.out, HasSubstr("VIOLATED: "));
   EXPECT_EQ(run("{} verify " + big + ".jsonl --graphs " + big + ".s6").exit_code, 4);
 
-  const Outcome shrink = run("{} shrink " + big + ".s6" + subject + " -o " + small);
-  EXPECT_EQ(shrink.exit_code, 4) << shrink.err;
+  const Outcome shrink = expect_exit(4, run("{} shrink " + big + ".s6" + subject + " -o " + small));
   std::istringstream line(shrink.out);
   unsigned vertices = 0;
   line >> vertices;
@@ -189,14 +183,11 @@ TEST(HuntProgram, FindsAnExtremeGraphAndShrinkKeepsItSo) {
   const std::string hunt =
       "{} hunt --algorithm diamond --family random-4-regular -n 30 --evaluations 200 --measure z "
       "-o ";
-  const Outcome first = run(hunt + scratch.path("a"));
-  EXPECT_EQ(first.exit_code, 0) << first.err;
+  expect_exit(0, run(hunt + scratch.path("a")));
   EXPECT_EQ(run(hunt + scratch.path("b")).exit_code, 0);
   EXPECT_EQ(read_file(scratch.path("a.s6")), read_file(scratch.path("b.s6"))) << "a pure function";
-  const Outcome shrink =
-      run("{} shrink " + scratch.path("a.s6") + " --algorithm diamond --measure z --ratio 0.1 -o " +
-          scratch.path("c"));
-  EXPECT_EQ(shrink.exit_code, 0) << shrink.err;
+  expect_exit(0, run("{} shrink " + scratch.path("a.s6") +
+                     " --algorithm diamond --measure z --ratio 0.1 -o " + scratch.path("c")));
   EXPECT_LT(read_file(scratch.path("c.s6")).size(), read_file(scratch.path("a.s6")).size());
   EXPECT_THAT(read_file(scratch.path("c.txt")), HasSubstr("z is 0."));
 }
@@ -216,8 +207,7 @@ TEST_P(BadCallTest, OneLineAndExitTwo) {
   std::string command;
   for (const char c : GetParam().command)
     command += c == '@' ? two : c == '%' ? one : std::string(1, c);
-  const Outcome outcome = run(command + " -o " + scratch.path("out"));
-  EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
+  const Outcome outcome = expect_exit(2, run(command + " -o " + scratch.path("out")));
   expect_one_line(outcome, GetParam().message);
   EXPECT_FALSE(std::filesystem::exists(scratch.path("out.s6")));
 }

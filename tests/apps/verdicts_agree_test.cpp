@@ -156,8 +156,8 @@ class UnfinishedStudy : public ::testing::Test {
  protected:
   void SetUp() override { scratch_.write("study.toml", kStudy); }
   std::string said(const std::string& verb, const std::string& file) const {
-    const Outcome outcome = run("cd " + scratch_.path("") + " && {} " + verb + " " + file);
-    EXPECT_EQ(outcome.exit_code, 5) << verb << ' ' << file << outcome.err;
+    const Outcome outcome =
+        expect_exit(5, run("cd " + scratch_.path("") + " && {} " + verb + " " + file));
     const std::size_t at = outcome.out.find("INCOMPLETE: ");
     return at == std::string::npos ? outcome.out
                                    : outcome.out.substr(at, outcome.out.find('\n', at) - at);
@@ -169,8 +169,8 @@ class UnfinishedStudy : public ::testing::Test {
       EXPECT_EQ(said(verb, "r.h5"), first) << verb;
     }
     EXPECT_THAT(read_file(scratch_.path("page.html")), HasSubstr(">INCOMPLETE<"));
-    const Outcome resumed = run("cd " + scratch_.path("") + " && {} study resume -q r.h5");
-    EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+    const Outcome resumed =
+        expect_exit(0, run("cd " + scratch_.path("") + " && {} study resume -q r.h5"));
     EXPECT_THAT(resumed.out, HasSubstr("PASS: 48 rows, 48 proved"));
     EXPECT_EQ(run("{} check " + scratch_.path("r.h5")).exit_code, 0);
   }

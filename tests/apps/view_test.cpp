@@ -16,15 +16,13 @@ TEST(View, WritesTheSamePageAsDraw) {
   const ScratchDirectory scratch;
   const std::string graphs = scratch.write("g.g6", "D~{\nC~\n");
   const std::string lines = scratch.path("d.jsonl");
-  ASSERT_EQ(run("{} draw " + graphs + " --algorithm diamond -o " + lines).exit_code, 0);
-  ASSERT_EQ(run("{} view " + lines).exit_code, 0);
-  ASSERT_EQ(run("{} view " + lines).exit_code, 0) << "a page is made again";
-  ASSERT_EQ(run("cd " + scratch.path("") +
-                " && mv g.g6 d.jsonl-graphs && {} draw d.jsonl-graphs "
-                "--algorithm diamond -o x.html && {} draw d.jsonl-graphs --algorithm diamond "
-                "--format html > y.html")
-                .exit_code,
-            0);
+  must("{} draw " + graphs + " --algorithm diamond -o " + lines);
+  must("{} view " + lines);
+  must("{} view " + lines);
+  must("cd " + scratch.path("") +
+       " && mv g.g6 d.jsonl-graphs && {} draw d.jsonl-graphs "
+       "--algorithm diamond -o x.html && {} draw d.jsonl-graphs --algorithm diamond "
+       "--format html > y.html");
   const std::string page = read_file(scratch.path("x.html"));
   EXPECT_EQ(page, read_file(scratch.path("y.html")));
   const auto size = [&](const char* name) { return fs::file_size(scratch.path(name)); };
@@ -40,8 +38,7 @@ TEST(View, SaysWhatIsWrong) {
   const std::string lines = scratch.write("d.jsonl", "{\"n\":1,\"error\":\"none\"}\n");
   scratch.write("d.html", "<p>mine</p>");
   const auto expect_error = [](const std::string& command, const std::string& why) {
-    const Outcome outcome = run(command);
-    EXPECT_EQ(outcome.exit_code, 2) << command;
+    const Outcome outcome = expect_exit(2, run(command));
     EXPECT_THAT(outcome.err, HasSubstr(why)) << command;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   };
@@ -61,9 +58,8 @@ TEST(View, SaysWhatIsWrong) {
 TEST(View, ShowsWhatWasNotDrawn) {
   const ScratchDirectory scratch;
   const std::string page = scratch.path("x.html");
-  const Outcome outcome = run("printf 'E~~w\\nC~\\n' | {} draw - --algorithm diamond -o " + page);
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("<stdin>:1: diamond draws graphs of maximum degree 4"));
+  expect_error(run("printf 'E~~w\\nC~\\n' | {} draw - --algorithm diamond -o " + page),
+               "<stdin>:1: diamond draws graphs of maximum degree 4");
   EXPECT_THAT(read_file(page), HasSubstr("\"error\":\"diamond draws graphs of maximum degree 4"));
 }
 

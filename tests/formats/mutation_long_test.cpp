@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "ar3d/base/random.h"
+#include "fuzz/checks.h"
 
 // The checks of the fuzz targets without a fuzzer: the corpus, and mutations of it that are the
 // same in every run. Needs no clang; what libFuzzer adds is the search guided by coverage.

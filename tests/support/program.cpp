@@ -1,5 +1,6 @@
 #include "support/program.h"
 
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -66,11 +67,38 @@ Outcome run(const std::string& command) {
   const std::string line = "bash -c " + quoted(with_program(command)) + " > " +
                            scratch.path("out") + " 2> " + scratch.path("err") + " < /dev/null";
   const int status = std::system(line.c_str());
-  Outcome outcome;
+  Outcome outcome{.command = command};
   outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   outcome.out = read_file(scratch.path("out"));
   outcome.err = read_file(scratch.path("err"));
   return outcome;
+}
+
+void must(const std::string& command) {
+  const Outcome outcome = run(command);
+  if (outcome.exit_code == 0) return;
+  throw std::runtime_error(command + " ended with exit code " + std::to_string(outcome.exit_code) +
+                           ": " + outcome.err);
+}
+
+Outcome expect_exit(int exit_code, Outcome outcome, std::source_location where) {
+  if (outcome.exit_code != exit_code) {
+    ADD_FAILURE_AT(where.file_name(), static_cast<int>(where.line()))
+        << "exit code " << outcome.exit_code << " instead of " << exit_code << "\n"
+        << outcome.command << "\n"
+        << outcome.out << outcome.err;
+  }
+  return outcome;
+}
+
+void expect_error(const Outcome& outcome, const std::string& part, int exit_code,
+                  std::source_location where) {
+  expect_exit(exit_code, outcome, where);
+  if (outcome.err.find(part) != std::string::npos) return;
+  ADD_FAILURE_AT(where.file_name(), static_cast<int>(where.line()))
+      << "standard error has no '" << part << "'\n"
+      << outcome.command << "\n"
+      << outcome.err;
 }
 
 }  // namespace ar3d::testing

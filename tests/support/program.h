@@ -1,11 +1,13 @@
 #pragma once
 
+#include <source_location>
 #include <string>
 
 namespace ar3d::testing {
 
 /// What a shell command printed and how it ended.
 struct Outcome {
+  std::string command;
   int exit_code = -1;
   std::string out;
   std::string err;
@@ -14,6 +16,17 @@ struct Outcome {
 /// Runs a command line with bash (pipefail off: the last command's exit code counts). `{}` stands
 /// for the ar3d program that was built with the tests.
 Outcome run(const std::string& command);
+
+/// Runs what a test needs to go on. @throws std::runtime_error unless its exit code is 0.
+void must(const std::string& command);
+
+/// Expects that exit code. @return the outcome.
+Outcome expect_exit(int exit_code, Outcome outcome,
+                    std::source_location where = std::source_location::current());
+
+/// Expects that exit code, and `part` on standard error.
+void expect_error(const Outcome& outcome, const std::string& part, int exit_code = 2,
+                  std::source_location where = std::source_location::current());
 
 /// What stands before a command so that it meets a fault of tests/shim/fault_shim.cpp, such as
 /// "full:9000".
