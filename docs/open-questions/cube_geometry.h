@@ -78,14 +78,14 @@ inline std::vector<Tetrahedron> tetrahedra(Int most) {
 }
 
 /// A tetrahedron near another one: which of its vectors stands for which.
-struct Turn {
+struct NearTurn {
   double nearness;
   std::size_t to;
   std::array<std::uint8_t, 4> image;
 };
 
-inline Turn turn_to(const Tetrahedron& from, const Tetrahedron& to, std::size_t index) {
-  Turn best{-4, index, {}};
+inline NearTurn turn_to(const Tetrahedron& from, const Tetrahedron& to, std::size_t index) {
+  NearTurn best{-4, index, {}};
   std::array<std::uint8_t, 4> order = {0, 1, 2, 3};
   do {
     double sum = 0;
@@ -99,14 +99,14 @@ inline Turn turn_to(const Tetrahedron& from, const Tetrahedron& to, std::size_t 
 }
 
 /// The up to 12 nearest to each.
-inline std::vector<std::vector<Turn>> near_turns(const std::vector<Tetrahedron>& all) {
-  std::vector<std::vector<Turn>> found(all.size());
+inline std::vector<std::vector<NearTurn>> near_turns(const std::vector<Tetrahedron>& all) {
+  std::vector<std::vector<NearTurn>> found(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (std::size_t j = 0; j < all.size(); ++j) {
       if (i != j) found[i].push_back(turn_to(all[i], all[j], j));
     }
     std::stable_sort(found[i].begin(), found[i].end(),
-                     [](const Turn& a, const Turn& b) { return a.nearness > b.nearness; });
+                     [](const NearTurn& a, const NearTurn& b) { return a.nearness > b.nearness; });
     if (found[i].size() > 12) found[i].resize(12);
   }
   return found;

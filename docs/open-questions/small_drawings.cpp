@@ -74,9 +74,9 @@ struct State {
   std::vector<std::array<Int, 2>> length;         // of each edge's two stubs
 };
 
-class Search {
+class Annealing {
  public:
-  Search(std::vector<Edge> edges, V box, Int norm, std::uint64_t seed)
+  Annealing(std::vector<Edge> edges, V box, Int norm, std::uint64_t seed)
       : edges_(std::move(edges)),
         box_(box),
         all_(tetrahedra(norm)),
@@ -256,12 +256,12 @@ class Search {
     state.at[v] = inside(state.at[v] + V{x, y, z});
   }
   void turn(std::size_t v) {
-    const std::vector<Turn>& near = turns_[state.tetrahedron[v]];
+    const std::vector<NearTurn>& near = turns_[state.tetrahedron[v]];
     if (random_.below(8) == 0 || near.empty()) {
       state.tetrahedron[v] = random_.below(all_.size());
       return;
     }
-    const Turn& chosen = near[random_.below(near.size())];
+    const NearTurn& chosen = near[random_.below(near.size())];
     state.tetrahedron[v] = chosen.to;
     for (std::uint8_t& p : state.port[v]) p = chosen.image[p];
   }
@@ -269,7 +269,7 @@ class Search {
   std::vector<Edge> edges_;
   V box_;
   std::vector<Tetrahedron> all_;
-  std::vector<std::vector<Turn>> turns_;
+  std::vector<std::vector<NearTurn>> turns_;
   Random random_;
   std::vector<std::vector<std::size_t>> incident_;
   std::vector<std::array<std::size_t, 2>> slot_;  // of each edge: its places among its ends' edges
@@ -281,7 +281,7 @@ std::string json(V p) {
          std::to_string(seen[2]) + "]";
 }
 
-void print(const Search& search) {
+void print(const Annealing& search) {
   std::string vertices, edges;
   for (const V& p : search.state.at) vertices += (vertices.empty() ? "" : ",") + json(p);
   const std::vector<Line> lines = search.lines();
@@ -309,7 +309,8 @@ int main(int argc, char** argv) {
   }
   const Int steps = std::atoll(argv[5]);
   const double threshold = std::atof(argv[6]);
-  Search search(*edges, {side, side, side}, norm, static_cast<std::uint64_t>(std::atoll(argv[4])));
+  Annealing search(*edges, {side, side, side}, norm,
+                   static_cast<std::uint64_t>(std::atoll(argv[4])));
   if (!search.run(steps, threshold)) {
     std::fprintf(stderr, "nothing found\n");
     return 1;

@@ -23,7 +23,7 @@ Json exact(Point p) { return {std::to_string(p.x), std::to_string(p.y), std::to_
 
 Json roles_json(const EdgeRoles& roles) {
   Json list = Json::array();
-  for (const EdgeRoles::Role& role : roles.roles) {
+  for (const EdgeRoles::EdgeRole& role : roles.roles) {
     list.push_back({{"name", role.name}, {"colour", role.colour}});
   }
   return {{"title", roles.title}, {"list", list}};
