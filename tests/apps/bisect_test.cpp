@@ -195,9 +195,7 @@ TEST(Bisect, BadInputIsOneClearLine) {
            {"--good HEAD~1", "--cell"},
            {range + kCell + std::string(" --measure speed"), "speed"},
            {range + kCell + std::string(" --rounds 3"), "--rounds"}}) {
-    const Outcome outcome = expect_exit(2, repository.bisect(arguments));
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    EXPECT_THAT(outcome.err, HasSubstr(message)) << arguments;
+    expect_one_line(repository.bisect(arguments), message);
   }
 }
 

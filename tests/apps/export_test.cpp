@@ -24,9 +24,7 @@ TEST(Export, HelpSaysWhatEachFormatKeeps) {
 TEST(Export, BadInputIsOneLineAndWritesNothing) {
   const ScratchDirectory scratch;
   const auto expect_error = [&](const std::string& command, const std::string& why) {
-    const Outcome outcome = expect_exit(2, run(command));
-    EXPECT_THAT(outcome.err, HasSubstr(why)) << command;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    expect_one_line(run(command), why);
     EXPECT_TRUE(std::filesystem::is_empty(scratch.path(""))) << command;
   };
   for (const std::string name : kExports) {

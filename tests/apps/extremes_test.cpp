@@ -27,9 +27,7 @@ Outcome verified(const std::string& line) {
 
 /// A refusal is one line on standard error, and nothing else.
 void expect_refused(const std::string& line, const std::string& reason) {
-  const Outcome outcome = expect_exit(2, verified(line));
-  EXPECT_THAT(outcome.err, HasSubstr(reason));
-  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  expect_one_line(verified(line), reason);
 }
 
 TEST(Extremes, TheStudyIsAllRightAndHasNoNaNWhereANumberIsDue) {

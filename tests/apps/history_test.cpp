@@ -141,10 +141,7 @@ TEST(HistoryProgram, BadInputIsOneClearLine) {
            {"report --threshold 0", "--threshold: '0' is not a number from 0.1 to 1000"},
            {"report --threshold abc", "'abc' is not a number from 0.1 to 1000"},
            {"", "subcommand"}}) {
-    const Outcome outcome =
-        expect_exit(2, run("cd " + scratch.path("none") + " && {} history " + arguments));
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    EXPECT_THAT(outcome.err, HasSubstr(message)) << arguments;
+    expect_one_line(run("cd " + scratch.path("none") + " && {} history " + arguments), message);
   }
   EXPECT_FALSE(std::filesystem::exists(scratch.path("history")));
 }

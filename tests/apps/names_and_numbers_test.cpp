@@ -14,9 +14,8 @@ using ::testing::HasSubstr;
 
 /// One line on stderr that holds `part`, exit code 2, nothing on stdout.
 void expect_refused(const std::string& command, const std::string& part) {
-  const Outcome outcome = expect_exit(2, run("timeout 20 " + command));
-  EXPECT_THAT(outcome.err, HasSubstr(part)) << command;
-  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  const Outcome outcome = run("timeout 20 " + command);
+  expect_one_line(outcome, part);
   EXPECT_EQ(outcome.out, "") << command;
 }
 

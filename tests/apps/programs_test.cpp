@@ -169,9 +169,7 @@ TEST_F(OwnProgram, ShardsOfDifferentVersionsAreNotMerged) {
               5);
   }
   const std::string merge = "{} study merge " + path("1.h5") + " " + path("2.h5") + " -o ";
-  const Outcome mixed = expect_exit(2, run(merge + path("m.h5")));
-  EXPECT_THAT(mixed.err, HasSubstr("the shards were made with different programs 'mine'"));
-  EXPECT_EQ(std::count(mixed.err.begin(), mixed.err.end(), '\n'), 1) << mixed.err;
+  expect_one_line(run(merge + path("m.h5")), "the shards were made with different programs 'mine'");
   ASSERT_EQ(run("{} study run -q --force --threads 1 " + spec() + " --shard 1/2 -o " + path("1.h5"))
                 .exit_code,
             5);
@@ -185,9 +183,7 @@ TEST_F(OwnProgram, ReplayRefusesAnotherProgram) {
   const std::string replay = "{} replay " + path("s.h5") + " 1";
   EXPECT_EQ(run(replay).exit_code, 0);
   scratch_.write("mine.py", std::string(kBody) + "# another\n");
-  const Outcome changed = expect_exit(2, run(replay));
-  EXPECT_THAT(changed.err, HasSubstr("program 'mine' is not the one that rows of"));
-  EXPECT_EQ(std::count(changed.err.begin(), changed.err.end(), '\n'), 1) << changed.err;
+  expect_one_line(run(replay), "program 'mine' is not the one that rows of");
 }
 
 TEST_F(OwnProgram, WithoutAGuaranteeNothingWasJudgedThoughMeasured) {
@@ -227,10 +223,8 @@ TEST_F(OwnProgram, AGuaranteePromisesNoBox) {
 
 TEST_F(OwnProgram, AnExecutableThatIsNotThereIsRefusedAtTheStart) {
   for (const char* command : {"\"/nonexistent/x\"", "\"no-such-drawer-anywhere\""}) {
-    const Outcome refused =
-        expect_exit(2, run("{} study run -q " + spec(command) + " -o " + path("s.h5")));
-    EXPECT_THAT(refused.err, HasSubstr("program 'mine' cannot be run: "));
-    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+    expect_one_line(run("{} study run -q " + spec(command) + " -o " + path("s.h5")),
+                    "program 'mine' cannot be run: ");
     EXPECT_EQ(run("ls " + path("s.h5") + "*").out, "");
   }
 }

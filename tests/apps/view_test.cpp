@@ -38,9 +38,7 @@ TEST(View, SaysWhatIsWrong) {
   const std::string lines = scratch.write("d.jsonl", "{\"n\":1,\"error\":\"none\"}\n");
   scratch.write("d.html", "<p>mine</p>");
   const auto expect_error = [](const std::string& command, const std::string& why) {
-    const Outcome outcome = expect_exit(2, run(command));
-    EXPECT_THAT(outcome.err, HasSubstr(why)) << command;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    expect_one_line(run(command), why);
   };
   expect_error("{} view " + lines, "d.html exists and is no page of `ar3d view`");
   EXPECT_EQ(read_file(scratch.path("d.html")), "<p>mine</p>");

@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -99,6 +100,14 @@ void expect_error(const Outcome& outcome, const std::string& part, int exit_code
       << "standard error has no '" << part << "'\n"
       << outcome.command << "\n"
       << outcome.err;
+}
+
+void expect_one_line(const Outcome& outcome, const std::string& part, int exit_code,
+                     std::source_location where) {
+  expect_error(outcome, part, exit_code, where);
+  if (std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1) return;
+  ADD_FAILURE_AT(where.file_name(), static_cast<int>(where.line()))
+      << "not one line: " << outcome.err;
 }
 
 }  // namespace ar3d::testing

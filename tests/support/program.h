@@ -28,6 +28,10 @@ Outcome expect_exit(int exit_code, Outcome outcome,
 void expect_error(const Outcome& outcome, const std::string& part, int exit_code = 2,
                   std::source_location where = std::source_location::current());
 
+/// Expects that exit code, and one line on standard error, which holds `part`.
+void expect_one_line(const Outcome& outcome, const std::string& part, int exit_code = 2,
+                     std::source_location where = std::source_location::current());
+
 /// What stands before a command so that it meets a fault of tests/shim/fault_shim.cpp, such as
 /// "full:9000".
 std::string with_fault(const std::string& fault);
