@@ -26,7 +26,7 @@ NOT_RUN = {
     "ar3d compare --base v0.1 --calibrate": "builds another commit, which takes minutes: tests/apps/compare_test.cpp",
     "ar3d bisect --good v0.1": "builds other commits, which takes minutes: tests/apps/bisect_test.cpp",
     "cmake --preset fuzz && cmake --build build/fuzz --target fuzz_sparse6": "needs clang and minutes",
-    "mkdir -p /tmp/corpus && build/fuzz/formats/fuzz/fuzz_sparse6": "as the line before",
+    "mkdir -p /tmp/corpus && build/fuzz/tests/fuzz/fuzz_sparse6": "as the line before",
     "build/release/bench/kernels/ar3d_limits": "takes minutes: tests/kernels/limits_test.cpp",
     "build/release/bench/kernels/ar3d_precision": "takes more than a minute: tests/kernels/precision_test.cpp",
     "tools/precision-report": "takes three minutes: tests/kernels/precision_test.cpp",
