@@ -15,6 +15,7 @@
 #include "ar3d/algorithms/two_bend/checks.h"
 #include "ar3d/algorithms/two_bend/fixed_bodies.h"
 #include "ar3d/algorithms/two_bend/layout.h"
+#include "ar3d/algorithms/two_bend/lists.h"
 #include "ar3d/algorithms/two_bend/slab.h"
 #include "ar3d/algorithms/two_bend/time_order.h"
 #include "ar3d/base/error.h"

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "ar3d/algorithms/two_bend_109/drawn_segments.h"
+#include "ar3d/algorithms/two_bend_109/small_bodies.h"
 #include "ar3d/algorithms/two_bend_109/stubs.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/random.h"

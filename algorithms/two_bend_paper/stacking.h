@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "ar3d/algorithms/two_bend_paper/general_position.h"
+#include "ar3d/algorithms/two_bend_paper/growth.h"
 #include "ar3d/algorithms/two_bend_paper/placement.h"
 
 namespace ar3d::two_bend_paper {
