@@ -28,9 +28,11 @@ let generic =
   axes @ [ (1, 1, 0); (1, -1, 0); (1, 0, 1); (1, 0, -1); (0, 1, 1); (0, 1, -1);
            (1, 1, 1); (1, 1, -1); (1, -1, 1); (-1, 1, 1) ]
 
-let leaf = 24              (* so few are compared all with all *)
-let leaf_pairs = 300       (* the same for two lists *)
-let worth = 0.9            (* a cut that leaves more of the pairs is none *)
+let leaf = 32              (* so few are compared all with all *)
+
+(* To divide a segment takes about as long as to compare it with so many; a cut that saves less is none. *)
+let share_of_cut = 12.
+let worth cost touched pairs = (1. -. cost) *. float pairs > share_of_cut *. float touched && cost < 0.95
 
 let rec take n = function a :: r when n > 0 -> a :: take (n - 1) r | _ -> []
 let rec twos = function [] -> [] | a :: r -> List.rev_append (List.rev_map (fun b -> (a, b)) r) (twos r)
@@ -158,7 +160,7 @@ let make (d : drawing) : plan =
     if n <= leaf || depth = 0 then all ()
     else
       let (cost, where) = best candidates ids ids in
-      if cost > worth then all ()
+      if not (worth cost n (n * n / 2)) then all ()
       else
         let (a, b) = divide where ids in
         let low = halve candidates a (depth - 1) in
@@ -167,10 +169,10 @@ let make (d : drawing) : plan =
     let n = Array.length a * Array.length b in
     spend (Array.length a + Array.length b);
     let all () = spend n; Together in
-    if n <= leaf_pairs || depth = 0 then all ()
+    if n <= leaf * (Array.length a + Array.length b) / 2 || depth = 0 then all ()
     else
       let (cost, where) = best candidates a b in
-      if cost > worth then all ()
+      if not (worth cost (Array.length a + Array.length b) n) then all ()
       else
         let (a1, a2) = divide where a and (b1, b2) = divide where b in
         let low = halve2 candidates a1 b1 (depth - 1) in
