@@ -1,3 +1,4 @@
+// `ar3d compare`: two results files, or two builds that run in turns.
 #include "ar3d/analysis/compare.h"
 
 #include <fmt/format.h>

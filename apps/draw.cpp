@@ -1,3 +1,4 @@
+// `ar3d draw`: every graph of a file, many at a time or a large one with all threads.
 #include <fmt/format.h>
 
 #include <cstdint>

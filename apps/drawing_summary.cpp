@@ -1,3 +1,4 @@
+// A drawing as one line without its polylines: what --level extents and positions write.
 #include "drawing_summary.h"
 
 #include <cmath>

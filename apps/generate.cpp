@@ -1,3 +1,4 @@
+// `ar3d generate`: graphs of a family, or one that has a name of its own.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -1,3 +1,4 @@
+// `ar3d list`: the rows of every catalogue.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// Options that several verbs have. CLI11's own validators take "-5" for 2^64 - 5, and name no
+// nearest word.
 #include "options.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Looks at all files of a verb before it works: what somebody still needs is not replaced.
 #include "outputs.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// The program: its verbs, and what ends it with which exit code.
 #include "ar3d/apps/program.h"
 
 #include <fmt/format.h>

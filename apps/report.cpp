@@ -1,3 +1,4 @@
+// `ar3d report`: the page, and its tables and figures as files of their own.
 #include "ar3d/analysis/report.h"
 
 #include <fmt/format.h>

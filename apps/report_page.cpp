@@ -1,3 +1,4 @@
+// What a report shows beside its study: what changed since a reference, and drawings made again.
 #include "report_page.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// `ar3d verify`: judges drawings against a guarantee, many at a time.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -107,8 +107,7 @@ void register_program_formats() {
        true,
        [](const NextDrawing& next, const std::string& path, const ExportOptions&) {
          write_viewer_page(next, path);
-       },
-       true});
+       }});
 }
 
 namespace {

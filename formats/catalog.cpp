@@ -1,3 +1,5 @@
+// The table of graph formats, and the reader that finds a file's format by its content: endings lie
+// too often.
 #include "ar3d/formats/catalog.h"
 
 #include <fmt/format.h>

@@ -1,8 +1,10 @@
+// The table of drawing formats. Pages need more than formats/ may include: the program adds them.
 #include "ar3d/formats/drawings/catalog.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <type_traits>
 #include <utility>
 
 #include "ar3d/base/error.h"
@@ -43,20 +45,20 @@ void write_jsonl(const NextDrawing& next, const std::string& path, const ExportO
   file.commit();
 }
 
-/// A format that holds one drawing and is a text or bytes made at once.
+/// A format that holds one drawing per file.
 template <class Make>
-DrawingWriter one_text(std::string_view format, Make make) {
-  return one_drawing_per_file(format, [make](const Drawing& drawing, const std::string& path,
-                                             const ExportOptions& options) {
+auto one_text(std::string_view format, Make make) {
+  return [format, make](const NextDrawing& next, const std::string& path,
+                        const ExportOptions& options) {
+    const Drawing drawing = only_drawing(next, format);
     OutputFile file(path);
-    make(file, drawing, options);
+    if constexpr (std::is_invocable_v<Make, OutputFile&, const Drawing&>) {
+      make(file, drawing);
+    } else {
+      make(file, drawing, options);
+    }
     file.commit();
-  });
-}
-
-template <void (*write)(OutputFile&, const Drawing&)>
-void without_options(OutputFile& file, const Drawing& drawing, const ExportOptions&) {
-  write(file, drawing);
+  };
 }
 
 const DrawingFormat& format_of_path(const std::string& path) {
@@ -81,8 +83,7 @@ std::vector<DrawingFormat> catalogue() {
        {".jsonl", ".json", ".ndjson"},
        "exact: positions, bends and metric, one JSON line per drawing; read by verify",
        true,
-       write_jsonl,
-       true},
+       write_jsonl},
       {"svg",
        {".svg"},
        "a picture of a small drawing: roles as colours, gaps where edges pass behind others",
@@ -90,8 +91,7 @@ std::vector<DrawingFormat> catalogue() {
        one_text("svg",
                 [](OutputFile& file, const Drawing& drawing, const ExportOptions& options) {
                   file.append(drawing_to_svg(drawing, options.view));
-                }),
-       true},
+                })},
       {"tikz",
        {".tex", ".tikz"},
        "the same picture for LaTeX: roles as named colours",
@@ -99,33 +99,28 @@ std::vector<DrawingFormat> catalogue() {
        one_text("tikz",
                 [](OutputFile& file, const Drawing& drawing, const ExportOptions& options) {
                   file.append(drawing_to_tikz(drawing, options.view));
-                }),
-       true},
+                })},
       {"obj",
        {".obj"},
        "Wavefront: polylines as objects edge_u_v, roles as groups; no colours; lattice units",
        false,
-       one_text("obj", without_options<write_obj>),
-       true},
+       one_text("obj", write_obj)},
       {"ply",
        {".ply"},
        "text: numbers of vertices and edges, roles as colours; lattice units",
        false,
-       one_text("ply", without_options<write_ply>),
-       true},
+       one_text("ply", write_ply)},
       {"vtp",
        {".vtp"},
        "VTK, for ParaView: numbers, roles, colours, exact lattice coordinates; lattice units",
        false,
-       one_text("vtp", without_options<write_vtp>),
-       true},
+       one_text("vtp", write_vtp)},
       {"glb",
        {".glb"},
        "glTF 2.0: numbers as attributes, roles as materials; coordinates of 32 bits, lattice units "
        "as metres",
        false,
-       one_text("glb", without_options<write_glb>),
-       true},
+       one_text("glb", write_glb)},
       {"stl",
        {".stl"},
        "closed tubes and balls for 3D printing; no numbers, no colours; lattice units as "
@@ -134,14 +129,12 @@ std::vector<DrawingFormat> catalogue() {
        one_text("stl",
                 [](OutputFile& file, const Drawing& drawing, const ExportOptions& options) {
                   write_stl(file, drawing, options.tube_radius);
-                }),
-       true},
+                })},
       {"graphml",
        {".graphml"},
        "the graph with exact lattice coordinates, bends and roles as attributes, and the metric",
        false,
-       one_text("graphml", without_options<write_graphml>),
-       true},
+       one_text("graphml", write_graphml)},
   };
 }
 
@@ -156,15 +149,6 @@ OpenTable<DrawingFormat>& table() {
 const std::vector<DrawingFormat>& drawing_formats() { return table().rows(); }
 
 void register_drawing_format(DrawingFormat row) { table().add(std::move(row)); }
-
-DrawingWriter one_drawing_per_file(
-    std::string_view format,
-    std::function<void(const Drawing&, const std::string&, const ExportOptions&)> write) {
-  return [name = std::string(format), write = std::move(write)](
-             const NextDrawing& next, const std::string& path, const ExportOptions& options) {
-    write(only_drawing(next, name), path, options);
-  };
-}
 
 std::string drawing_formats_text() {
   std::string text = "Formats of drawings, by --format or by the file's ending:\n";
@@ -184,12 +168,7 @@ void write_drawing(const DrawingFormat& format, Drawing drawing, const std::stri
 const DrawingFormat& drawing_format(std::string_view name, const std::string& path) {
   if (name.empty()) return path == "-" ? drawing_formats().front() : format_of_path(path);
   for (const DrawingFormat& format : drawing_formats()) {
-    if (format.name != name) continue;
-    if (path == "-" && !format.to_stream) {
-      throw InputError(
-          fmt::format("format {} cannot go to standard output: give a file with -o", name));
-    }
-    return format;
+    if (format.name == name) return format;
   }
   const auto known = names_of(drawing_formats());
   throw InputError(fmt::format("unknown drawing format '{}', known: {}{}", name,

@@ -33,11 +33,10 @@ struct DrawingFormat {
   std::vector<std::string> extensions;
   std::string summary;        ///< what is kept, and who reads it
   bool many_per_file = true;  ///< any number of drawings per file; else one
-  /// Writes the drawings to a file ("-": standard output, if `to_stream`).
+  /// Writes the drawings to a file ("-": standard output).
   /// @throws InputError if it cannot be written, or if there is not exactly one drawing and the
   /// format holds one per file.
   std::function<void(const NextDrawing&, const std::string& path, const ExportOptions&)> write;
-  bool to_stream = true;  ///< can go to standard output
 };
 
 /// All formats of drawings.
@@ -46,15 +45,6 @@ const std::vector<DrawingFormat>& drawing_formats();
 /// Adds a row to the catalogue: before anything else uses it, by one thread. References to other
 /// rows stay valid. @throws InputError if the name is taken or empty, or there is no writer.
 void register_drawing_format(DrawingFormat row);
-
-using DrawingWriter =
-    std::function<void(const NextDrawing&, const std::string& path, const ExportOptions&)>;
-
-/// The writer of a format that holds one drawing per file. It throws InputError if there is none,
-/// or another one.
-DrawingWriter one_drawing_per_file(
-    std::string_view format,
-    std::function<void(const Drawing&, const std::string& path, const ExportOptions&)> write);
 
 /// A line for each format: its name, its endings, what it keeps.
 std::string drawing_formats_text();
@@ -65,8 +55,7 @@ void write_drawing(const DrawingFormat& format, Drawing drawing, const std::stri
 
 /// The format called `name`, or, if that is empty, the one whose ending the path has; JSON lines
 /// where the path has no ending and for standard output.
-/// @throws InputError naming the unknown format or the ending that is none's, or if the format
-/// cannot go to standard output.
+/// @throws InputError naming the unknown format or the ending that is none's.
 const DrawingFormat& drawing_format(std::string_view name, const std::string& path);
 
 }  // namespace ar3d

@@ -1,3 +1,5 @@
+// The page of drawings: their data as JSON and packed texts, then the viewer, all in one file that
+// opens from disk.
 #include "ar3d/formats/drawings/drawing_html.h"
 
 #include <fmt/format.h>

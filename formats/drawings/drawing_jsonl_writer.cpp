@@ -1,3 +1,5 @@
+// Appends by hand instead of through a JSON library: a drawing of 10^7 edges is written without
+// ever being one text.
 #include <nlohmann/json.hpp>
 #include <span>
 #include <utility>

@@ -1,3 +1,5 @@
+// Roles are read from the coordinates, not remembered by the algorithms: a drawing from a file has
+// them, too.
 #include "ar3d/formats/drawings/edge_roles.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// A picture of a drawing: strokes cut where they pass behind others, painted from the farthest to
+// the nearest.
 #include "ar3d/formats/drawings/projection.h"
 
 #include <fmt/format.h>

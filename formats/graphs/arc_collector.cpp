@@ -1,3 +1,5 @@
+// Matches the two ends of every edge without looking anything up: both lists of arcs are sorted by
+// counting and then read in step.
 #include "ar3d/formats/graphs/arc_collector.h"
 
 #include <fmt/format.h>

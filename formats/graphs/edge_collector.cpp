@@ -1,3 +1,5 @@
+// Remembers in which line each edge stands, as runs of successive lines: an error far behind names
+// its line.
 #include "ar3d/formats/graphs/edge_collector.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// sparse6 and incremental sparse6: edges in ascending order as moves of a current vertex.
 #include <fmt/format.h>
 
 #include <algorithm>

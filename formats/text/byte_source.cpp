@@ -1,3 +1,5 @@
+// Files, gzip, xz and memory behind one interface; packed data may not claim gigabytes for a few
+// bytes.
 #include "ar3d/formats/text/byte_source.h"
 
 #include <fcntl.h>

@@ -1,3 +1,5 @@
+// A regular file is written under another name and takes its own when it is whole; devices and
+// pipes directly.
 #include "ar3d/formats/text/output.h"
 
 #include <fcntl.h>

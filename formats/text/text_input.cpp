@@ -1,3 +1,5 @@
+// Lines from large blocks. Whole blocks of lines are given away at once, which is what makes plain
+// lines fast.
 #include "ar3d/formats/text/text_input.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// What is rare among words: numbers of 19 digits or more, errors, and the size lines of lists.
 #include "ar3d/formats/text/tokens.h"
 
 #include <fmt/format.h>
