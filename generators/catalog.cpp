@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
@@ -66,9 +67,12 @@ std::vector<Family> catalogue() {
        [](Count n, S, P) { return stars(n / 2, 1); }},
       {"path", "The path", 2, false, {}, from<1>, [](Count n, S, P) { return path_graph(n); }},
       {"cycle", "The cycle", 2, false, {}, from<3>, [](Count n, S, P) { return cycle_graph(n); }},
-      {"stars", "Disjoint stars", 3, false, {kLeaves}, star_sizes, stars_of_size},
+      {"stars", "Disjoint stars", 3, false, {kLeaves},
+       [](Count n, P p) { return multiple(n, count_of(p, "leaves") + 1); },
+       [](Count n, S, P p) { return stars(n / (count_of(p, "leaves") + 1), count_of(p, "leaves")); }},
       {"caterpillar", "A path whose vertices carry one or two pendant vertices each", 3, false,
-       {kLegs}, caterpillar_sizes, caterpillar_of_size},
+       {kLegs}, [](Count n, P p) { return multiple(n, count_of(p, "legs") + 1); },
+       [](Count n, S, P p) { return caterpillar(n / (count_of(p, "legs") + 1), count_of(p, "legs")); }},
       {"binary-tree", "The heap-shaped binary tree", 3, false, {}, from<1>,
        [](Count n, S, P) { return binary_tree(n); }},
       {"spine-with-pendant-trees", "A path whose vertices carry trees of 3, 5, 9 vertices in turn",
@@ -88,12 +92,14 @@ std::vector<Family> catalogue() {
       {"squared-cycle", "A cycle with all chords of length 2; antiprisms for even n", 4, false, {},
        from<5>, [](Count n, S, P) { return squared_cycle(n); }},
       {"circulant", "C_n(a, b): every i joined to i +- a and i +- b", 4, false, {kStepA, kStepB},
-       circulant_sizes,
+       [](Count n, P p) { return std::max(n, 2 * count_of(p, "b") + 1); },
        [](Count n, S, P p) { return circulant(n, count_of(p, "a"), count_of(p, "b")); }},
-      {"hypercube", "Q_0 to Q_4", 4, false, {}, hypercube_sizes, hypercube_of_size},
+      {"hypercube", "Q_0 to Q_4", 4, false, {}, hypercube_sizes,
+       [](Count n, S, P) { return hypercube(static_cast<Count>(std::countr_zero(n))); }},
       {"square-grid", "The square patch of k by k vertices", 4, false, {}, squares<1>,
        [](Count n, S, P) { return square_grid(root(n), root(n)); }},
-      {"torus", "The product of two cycles", 4, false, {kTorusRows}, torus_sizes,
+      {"torus", "The product of two cycles", 4, false, {kTorusRows},
+       [](Count n, P p) { return nearest_step(n, 3 * count_of(p, "rows"), count_of(p, "rows")); },
        [](Count n, S, P p) { return torus(count_of(p, "rows"), n / count_of(p, "rows")); }},
       {"honeycomb", "The hexagonal patch of the honeycomb with k hexagons on a side", 3, false, {},
        squares<6>, [](Count n, S, P) { return honeycomb(root(n / 6)); }},
@@ -119,41 +125,55 @@ std::vector<Family> catalogue() {
       {"iterated-truncation", "K4 truncated again and again", 3, false, {}, truncation_sizes,
        truncation_of_size},
       {"nanotube", "Fullerene tubes (5, 0) and (6, 0) with their caps", 3, false, {kAround},
-       nanotube_sizes, nanotube_of_size},
+       [](Count n, P p) { return multiple(n, 2 * count_of(p, "around"), 2); },
+       [](Count n, S, P p) {
+         return nanotube(count_of(p, "around"), n / (2 * count_of(p, "around")) - 1);
+       }},
       {"fullerene", "Icosahedral fullerenes (Goldberg 1937, Coxeter 1971)", 3, false, {kTurn},
        fullerene_sizes, fullerene_of_size},
 
       {"generalised-petersen", "GP(N, k) with N = n/2 (Watkins 1969)", 3, false, {kJump},
-       petersen_sizes,
+       [](Count n, P p) { return nearest_step(n, 4 * count_of(p, "k") + 2, 2); },
        [](Count n, S, P p) { return generalised_petersen(n / 2, count_of(p, "k")); }},
       {"flower-snark", "Isaacs' flower snarks J_k with odd k = n/4 (Isaacs 1975)", 3, false, {},
        steps<12, 8>, [](Count n, S, P) { return flower_snark(n / 4); }},
       {"i-graph", "I(N, j, k) with N = n/2 (Foster census)", 3, false, {kOuterJump, kInnerJump},
-       i_graph_sizes,
+       [](Count n, P p) {
+         return nearest_step(n, 4 * std::max(count_of(p, "j"), count_of(p, "k")) + 2, 2);
+       },
        [](Count n, S, P p) { return i_graph(n / 2, count_of(p, "j"), count_of(p, "k")); }},
       {"blanusa-snark", "Chain of Petersen graphs by dot products (Blanusa 1946, Watkins 1983)", 3,
        false, {kSnarkType}, steps<10, 8>,
        [](Count n, S, P p) { return blanusa_snark((n - 10) / 8, count_of(p, "type")); }},
       {"goldberg-snark", "Goldberg's snarks G_k with odd k = n/8 (Goldberg 1981)", 3, false, {},
        steps<40, 16>, [](Count n, S, P) { return goldberg_snark(n / 8); }},
-      {"odd-graph", "The odd graphs O_2, O_3 and O_4 (Kneser graphs)", 4, false, {}, odd_graph_sizes,
-       odd_graph_of_size},
+      {"odd-graph", "The odd graphs O_2, O_3 and O_4 (Kneser graphs)", 4, false, {}, 
+       [](Count n, P) { return n >= 35 ? Count{35} : n >= 10 ? Count{10} : Count{3}; },
+       [](Count n, S, P) { return odd_graph(n == 35 ? 4 : n == 10 ? 3 : 2); }},
       {"named", "One of the named graphs, by its place in their list; n is its own", 4, false,
-       {named_graph_index()}, named_sizes, named_of_size},
+       {named_graph_index()},
+       [](Count, P p) { return Count{named_graphs()[count_of(p, "index")].num_vertices}; },
+       [](Count, S, P p) { return named_graphs()[count_of(p, "index")].make(); }},
 
       {"cubic-tree", "Cubic graph whose bridges form a tree that ends in leaf blocks", 3, false,
        {kLeafSize, kTreeShape}, cubic_tree_sizes, cubic_tree_of_size},
       {"random-cubic-tree", "Cubic graph whose bridges form a random tree with 5- and 7-vertex leaf "
        "blocks", 3, true, {}, steps<10, 2>, random_cubic_tree_of_size},
       {"random-cubic-bridges", "Cubic with exactly b bridges: random bridgeless pieces in a random tree", 3,
-       true, {kBridges}, bridges_sizes,
+       true, {kBridges},
+       [](Count n, P p) { return nearest_step(n, 6 * count_of(p, "bridges") + 4, 2); },
        [](Count n, S seed, P p) { return random_cubic_with_bridges(n, count_of(p, "bridges"), seed); }},
       {"block-chain", "Diamonds between two leaf blocks, joined by bridges", 3, false, {},
        steps<10, 4>, [](Count n, S, P) { return block_chain((n - 10) / 4); }},
       {"diamond-necklace", "A ring of diamonds (K4 without an edge)", 3, false, {}, steps<8, 4>,
        [](Count n, S, P) { return diamond_necklace(n / 4); }},
       {"random-cactus", "Cycles glued together at random single vertices", 4, true, {kCycleLength},
-       cactus_sizes, random_cactus_of_size},
+       
+       [](Count n, P p) { return nearest_step(n, count_of(p, "length"), count_of(p, "length") - 1); },
+       [](Count n, S seed, P p) {
+         const Count length = count_of(p, "length");
+         return random_cactus((n - 1) / (length - 1), length, seed);
+       }},
 
       {"contained-cycles", "A long cycle with a triangle on every other of six vertices (hard for "
        "diamond)", 4, false, {}, steps<12, 6>,
@@ -179,7 +199,10 @@ std::vector<Family> catalogue() {
        steps<20, 20>, [](Count n, S, P) { return copies_of(flower_snark(5), n / 20); }},
 
       {"random-regular", "Uniform over the labelled simple d-regular graphs", 3, true, {kDegree},
-       regular_sizes, random_regular_of_size},
+       regular_sizes,
+       [](Count n, S seed, P p) {
+         return random_regular(n, static_cast<std::uint32_t>(count_of(p, "degree")), seed);
+       }},
       {"random-cubic", "Uniform over the labelled simple cubic graphs", 3, true, {}, steps<4, 2>,
        [](Count n, S seed, P) { return random_regular(n, 3, seed); }},
       {"random-4-regular", "Uniform over the labelled simple 4-regular graphs", 4, true, {},

@@ -5,12 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 
 #include "ar3d/base/error.h"
-#include "ar3d/generators/blocks.h"
-#include "ar3d/generators/lattices.h"
-#include "ar3d/generators/named.h"
 #include "ar3d/generators/polyhedra.h"
 #include "ar3d/generators/random_graphs.h"
 #include "ar3d/generators/trees.h"
@@ -33,25 +29,6 @@ Count root(Count n) {
   return low;
 }
 
-Count torus_sizes(Count wanted, const Settings& parameters) {
-  const Count rows = count_of(parameters, "rows");
-  return nearest_step(wanted, 3 * rows, rows);
-}
-
-Count petersen_sizes(Count wanted, const Settings& parameters) {
-  return nearest_step(wanted, std::max<Count>(6, 2 * (2 * count_of(parameters, "k") + 1)), 2);
-}
-
-Count star_sizes(Count wanted, const Settings& parameters) {
-  const Count size = count_of(parameters, "leaves") + 1;
-  return nearest_step(wanted, size, size);
-}
-
-Count caterpillar_sizes(Count wanted, const Settings& parameters) {
-  const Count size = count_of(parameters, "legs") + 1;
-  return nearest_step(wanted, size, size);
-}
-
 Count regular_sizes(Count wanted, const Settings& parameters) {
   const Count degree = count_of(parameters, "degree");
   return nearest_step(wanted, degree + 1, degree % 2 == 1 ? 2 : 1);
@@ -60,10 +37,6 @@ Count regular_sizes(Count wanted, const Settings& parameters) {
 Count cubic_tree_sizes(Count wanted, const Settings& parameters) {
   const Count leaf = count_of(parameters, "leaf");
   return nearest_step(wanted, 2 * leaf, leaf + 1);
-}
-
-Count circulant_sizes(Count wanted, const Settings& parameters) {
-  return std::max(wanted, 2 * count_of(parameters, "b") + 1);
 }
 
 Count hypercube_sizes(Count wanted, const Settings&) {
@@ -78,53 +51,12 @@ Count truncation_sizes(Count wanted, const Settings&) {
   return n;
 }
 
-Count nanotube_sizes(Count wanted, const Settings& parameters) {
-  const Count ring = 2 * count_of(parameters, "around");
-  return nearest_step(wanted, 2 * ring, ring);
-}
-
 Count fullerene_sizes(Count wanted, const Settings& parameters) {
   const Count b = count_of(parameters, "b");
   const auto size = [b](Count a) { return 20 * (a * a + a * b + b * b); };
   Count a = std::max<Count>(1, b);
   while (a < 8000 && size(a + 1) <= wanted) ++a;
   return size(a);
-}
-
-Count i_graph_sizes(Count wanted, const Settings& parameters) {
-  const Count step = std::max(count_of(parameters, "j"), count_of(parameters, "k"));
-  return nearest_step(wanted, 2 * (2 * step + 1), 2);
-}
-
-Count odd_graph_sizes(Count wanted, const Settings&) {
-  return wanted >= 35 ? 35 : (wanted >= 10 ? 10 : 3);
-}
-
-Count named_sizes(Count, const Settings& parameters) {
-  return named_graphs()[count_of(parameters, "index")].num_vertices;
-}
-
-Count bridges_sizes(Count wanted, const Settings& parameters) {
-  return nearest_step(wanted, 6 * count_of(parameters, "bridges") + 4, 2);
-}
-
-Count cactus_sizes(Count wanted, const Settings& parameters) {
-  const Count length = count_of(parameters, "length");
-  return nearest_step(wanted, length, length - 1);
-}
-
-Graph stars_of_size(Count n, std::uint64_t, const Settings& parameters) {
-  const Count leaves = count_of(parameters, "leaves");
-  return stars(n / (leaves + 1), leaves);
-}
-
-Graph caterpillar_of_size(Count n, std::uint64_t, const Settings& parameters) {
-  const Count legs = count_of(parameters, "legs");
-  return caterpillar(n / (legs + 1), legs);
-}
-
-Graph random_regular_of_size(Count n, std::uint64_t seed, const Settings& parameters) {
-  return random_regular(n, static_cast<std::uint32_t>(count_of(parameters, "degree")), seed);
 }
 
 Graph cubic_tree_of_size(Count n, std::uint64_t, const Settings& parameters) {
@@ -153,19 +85,10 @@ Graph random_max_degree_of_size(Count n, std::uint64_t seed, const Settings& par
   return random_max_degree(n, D, std::min(n * per_million / 1000000, most_edges(n, D)), seed);
 }
 
-Graph hypercube_of_size(Count n, std::uint64_t, const Settings&) {
-  return hypercube(static_cast<Count>(std::countr_zero(n)));
-}
-
 Graph truncation_of_size(Count n, std::uint64_t, const Settings&) {
   Count times = 0;
   for (Count size = 4; size < n; size *= 3) ++times;
   return iterated_truncation(times);
-}
-
-Graph nanotube_of_size(Count n, std::uint64_t, const Settings& parameters) {
-  const Count around = count_of(parameters, "around");
-  return nanotube(around, n / (2 * around) - 1);
 }
 
 Graph fullerene_of_size(Count n, std::uint64_t, const Settings& parameters) {
@@ -173,19 +96,6 @@ Graph fullerene_of_size(Count n, std::uint64_t, const Settings& parameters) {
   Count a = std::max<Count>(1, b);
   while (20 * (a * a + a * b + b * b) < n) ++a;
   return goldberg_coxeter(a, b);
-}
-
-Graph odd_graph_of_size(Count n, std::uint64_t, const Settings&) {
-  return odd_graph(n == 35 ? 4 : (n == 10 ? 3 : 2));
-}
-
-Graph named_of_size(Count, std::uint64_t, const Settings& parameters) {
-  return named_graphs()[count_of(parameters, "index")].make();
-}
-
-Graph random_cactus_of_size(Count n, std::uint64_t seed, const Settings& parameters) {
-  const Count length = count_of(parameters, "length");
-  return random_cactus((n - 1) / (length - 1), length, seed);
 }
 
 }  // namespace ar3d
