@@ -86,7 +86,7 @@ Graph tutte_graph() {
 }
 
 // clang-format off
-std::vector<NamedGraph> table() {
+std::vector<NamedGraph> named_table() {
   std::vector<NamedGraph> graphs = {
     {"k4", "The complete graph on 4 vertices, the tetrahedron", 4, [] { return complete_graph(4); }},
     {"k5", "The complete graph on 5 vertices", 5, [] { return complete_graph(5); }},
@@ -188,7 +188,7 @@ Graph lcf_graph(const std::vector<int>& shifts, Count repeats) {
 }
 
 const std::vector<NamedGraph>& named_graphs() {
-  static const std::vector<NamedGraph> graphs = table();
+  static const std::vector<NamedGraph> graphs = named_table();
   return graphs;
 }
 

@@ -20,13 +20,13 @@ namespace ar3d {
 namespace {
 
 enum Stream : std::uint64_t {
-  kRegular = 10,
-  kMaxDegree = 11,
-  kConnected = 30,
-  kBipartite,
-  kThinned,
-  kTree,
-  kBridges
+  kRegularStream = 10,
+  kMaxDegreeStream = 11,
+  kConnectedStream = 30,
+  kBipartiteStream,
+  kThinnedStream,
+  kTreeStream,
+  kBridgesStream
 };
 
 /// A pairing in the making: the pairs drawn so far as adjacency, `d` places per vertex.
@@ -116,7 +116,7 @@ Graph random_regular(Count n, std::uint32_t d, std::uint64_t seed) {
   if (n <= d || n * d % 2 != 0) {
     throw InputError(fmt::format("there is no {}-regular graph on {} vertices", d, n));
   }
-  RandomStream random(seed, kRegular);
+  RandomStream random(seed, kRegularStream);
   return Graph(n, random_regular_edges(n, d, random));
 }
 
@@ -131,7 +131,7 @@ Graph random_max_degree(Count n, std::uint32_t D, Count m, std::uint64_t seed) {
         fmt::format("{} edges on {} vertices of degree at most {}: at most {} are possible", m, n,
                     D, most_edges(n, D)));
   }
-  RandomStream random(seed, kMaxDegree);
+  RandomStream random(seed, kMaxDegreeStream);
   return Graph(n, random_simple_pairs(n, D, m, random));
 }
 
@@ -208,7 +208,7 @@ Graph random_connected_regular(Count n, std::uint32_t d, std::uint64_t seed) {
     throw InputError(
         fmt::format("there is no connected {}-regular graph on {} vertices here", d, n));
   }
-  RandomStream random(seed, kConnected);
+  RandomStream random(seed, kConnectedStream);
   for (;;) {
     Graph graph(n, random_regular_edges(n, d, random));
     if (connected_components_of(graph).count == 1) return graph;
@@ -219,7 +219,7 @@ Graph random_bipartite_cubic(Count n, std::uint64_t seed) {
   if (n < 6 || n % 2 != 0) {
     throw InputError(fmt::format("there is no simple bipartite cubic graph on {} vertices", n));
   }
-  RandomStream random(seed, kBipartite);
+  RandomStream random(seed, kBipartiteStream);
   std::vector<std::uint32_t> points(3 * n / 2);
   std::iota(points.begin(), points.end(), 0u);
   std::vector<Edge> edges;
@@ -228,7 +228,7 @@ Graph random_bipartite_cubic(Count n, std::uint64_t seed) {
 }
 
 Graph thinned(const Graph& graph, std::uint32_t per_million, std::uint64_t seed) {
-  RandomStream random(seed, kThinned);
+  RandomStream random(seed, kThinnedStream);
   std::vector<Edge> kept;
   for (const Edge e : graph.edges()) {
     if (random.chance(per_million, 1000000)) kept.push_back(e);
@@ -237,7 +237,7 @@ Graph thinned(const Graph& graph, std::uint32_t per_million, std::uint64_t seed)
 }
 
 Graph random_tree(Count n, Count D, std::uint64_t seed) {
-  RandomStream random(seed, kTree);
+  RandomStream random(seed, kTreeStream);
   GraphBuilder builder(n, n);
   std::vector<Count> open = {0};  // earlier vertices of degree below D
   std::vector<std::uint8_t> degree(n, 0);
@@ -261,7 +261,7 @@ Graph random_cubic_with_bridges(Count n, Count bridges, std::uint64_t seed) {
         "no cubic graph of {} vertices with {} bridges of this kind: need an even n >= {}", n,
         bridges, 6 * bridges + 4));
   }
-  RandomStream random(seed, kBridges);
+  RandomStream random(seed, kBridgesStream);
   const Count pieces = bridges + 1;
   std::vector<Count> size(pieces, 4);
   for (Count spare = (n - 6 * bridges - 4) / 2; spare > 0; --spare)

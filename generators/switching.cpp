@@ -36,7 +36,7 @@ struct PointPair {
 };
 
 /// Vertices that one thread looks through at a time.
-constexpr Count kChunk = Count{1} << 15;
+constexpr Count kVertexChunk = Count{1} << 15;
 
 struct Defects {
   std::vector<PointPair> loops;                          // the two points of each
@@ -153,13 +153,13 @@ void SwitchedPairing::add_defects(Vertex begin, Vertex end, Defects& defects) co
 }
 
 bool SwitchedPairing::find_defects(SwitchingLimits limits) {
-  const Count chunks = (n_ + kChunk - 1) / kChunk;
+  const Count chunks = (n_ + kVertexChunk - 1) / kVertexChunk;
   std::vector<Defects> found(chunks);
   const int threads = threads_for(n_);
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (Count i = 0; i < chunks; ++i) {
-    add_defects(static_cast<Vertex>(i * kChunk),
-                static_cast<Vertex>(std::min(n_, (i + 1) * kChunk)), found[i]);
+    add_defects(static_cast<Vertex>(i * kVertexChunk),
+                static_cast<Vertex>(std::min(n_, (i + 1) * kVertexChunk)), found[i]);
   }
   loops_.clear();
   doubles_.clear();
@@ -173,8 +173,8 @@ bool SwitchedPairing::find_defects(SwitchingLimits limits) {
 }
 
 std::vector<Edge> SwitchedPairing::edges() const {
-  const Count chunks = (n_ + kChunk - 1) / kChunk;
-  const Count chunk_points = kChunk * d_;
+  const Count chunks = (n_ + kVertexChunk - 1) / kVertexChunk;
+  const Count chunk_points = kVertexChunk * d_;
   std::vector<Count> place(chunks + 1, 0);  // of each chunk's first edge
   std::vector<Edge> edges(partner_.size() / 2);
   const auto for_each_edge = [&](Count chunk, auto&& use) {

@@ -287,9 +287,8 @@ std::optional<Layout> find_layout(const Flow& flow, const Lists& lists, unsigned
 }
 
 Lists build_safe_lists(Flow& flow) {
-  return build_lists(
-      flow,
-      {.share = false, .weights = {lengths_of(View(flow, false)), lengths_of(View(flow, true))}});
+  return build_lists(flow, /*share=*/false,
+                     {lengths_of(View(flow, false)), lengths_of(View(flow, true))});
 }
 
 Layout find_safe_layout(const Flow& flow, const Lists& lists) {

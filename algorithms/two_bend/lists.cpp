@@ -219,20 +219,17 @@ bool shared_rows_are_plane(const View& view, const Values& cross) {
   return !Sharing(view, cross).undo_conflicts(shares, false);
 }
 
-Lists build_lists(Flow& flow, const ListOptions& options) {
+Lists build_lists(Flow& flow, bool share, const TreeWeights& weights) {
   const bool columns_first =
       flow.joint && std::any_of(flow.poles.begin(), flow.poles.end(), [&](const Pole& p) {
         return flow.nodes[p.node].type == NodeType::source && p.a_type;
       });
-  if (options.share) share_rows(flow, columns_first, guess_rows(flow, !columns_first));
-  LongVector<NodeId> first =
-      build_view_list(flow, columns_first, options.weights[columns_first ? 1 : 0]);
+  if (share) share_rows(flow, columns_first, guess_rows(flow, !columns_first));
+  LongVector<NodeId> first = build_view_list(flow, columns_first, weights[columns_first ? 1 : 0]);
   choose_outer_specials(flow, !columns_first, first);
-  if (options.share)
-    share_rows(flow, !columns_first, list_places(View(flow, columns_first), first));
-  LongVector<NodeId> second =
-      build_view_list(flow, !columns_first, options.weights[columns_first ? 0 : 1]);
-  if (options.share) {
+  if (share) share_rows(flow, !columns_first, list_places(View(flow, columns_first), first));
+  LongVector<NodeId> second = build_view_list(flow, !columns_first, weights[columns_first ? 0 : 1]);
+  if (share) {
     separate_rows(flow, columns_first, list_places(View(flow, !columns_first), second), first);
   }
   if (columns_first) std::swap(first, second);

@@ -135,8 +135,8 @@ Attempt draw_layout(Flow flow, Layout layout) {
 }
 
 std::optional<Attempt> lay_out(Flow flow, int effort) {
-  std::optional<Layout> layout = find_layout(
-      flow, build_lists(flow, {.share = effort > 0, .weights = {}}), effort == 0 ? 0u : 2u);
+  std::optional<Layout> layout =
+      find_layout(flow, build_lists(flow, effort > 0), effort == 0 ? 0u : 2u);
   if (!layout) return std::nullopt;
   return draw_layout(std::move(flow), *std::move(layout));
 }

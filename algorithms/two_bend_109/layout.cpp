@@ -14,7 +14,7 @@
 
 namespace ar3d::two_bend_109 {
 
-__extension__ using Wide = __int128;
+__extension__ using Int128 = __int128;
 
 std::int64_t LayoutScale::gap(SlotKind kind) const {
   switch (kind) {
@@ -60,7 +60,7 @@ class LayoutMaker {
   }
 
  private:
-  std::int64_t checked(Wide value, Vertex v) const {
+  std::int64_t checked(Int128 value, Vertex v) const {
     if (value > kLargest || value < -kLargest) {
       throw InputError(fmt::format(
           "two-bend-109: a coordinate of vertex {} may pass 2^60, the graph is too large",
@@ -72,7 +72,7 @@ class LayoutMaker {
   void place_slots() {
     const LayoutScale& scale = made_.scale;
     const auto& kinds = arrangement_.kind;
-    std::vector<Wide> x(kinds.size());
+    std::vector<Int128> x(kinds.size());
     for (std::size_t i = 1; i < kinds.size(); ++i) {
       x[i] = x[i - 1] + std::max(scale.gap(kinds[i - 1]), scale.gap(kinds[i]));
     }
@@ -109,20 +109,20 @@ class LayoutMaker {
   /// How much higher than b an end at `at` must be that leans by at most one part in `slope`,
   /// wherever both choose to stand, in squares of at most `jitter` points per side. The length of
   /// (dx, dy) is at most 3/2 dx + 5/2 dy.
-  Wide lift(Vertex b, Point at, std::int64_t slope, std::int64_t jitter) const {
+  Int128 lift(Vertex b, Point at, std::int64_t slope, std::int64_t jitter) const {
     const Point p = made_.place[b];
-    const Wide dx = std::abs(at.x - p.x) + jitter + Wide{2} * kStubX;
-    const Wide dy = std::abs(at.y - p.y) + jitter + Wide{2} * kStubY;
+    const Int128 dx = std::abs(at.x - p.x) + jitter + Int128{2} * kStubX;
+    const Int128 dy = std::abs(at.y - p.y) + jitter + Int128{2} * kStubY;
     const std::int64_t least = std::max(slope, arrangement_.stubs[b].up_slope);
-    return least * ((3 * dx + 5 * dy) / 2 + 1) + Wide{2} * kStubZ;
+    return least * ((3 * dx + 5 * dy) / 2 + 1) + Int128{2} * kStubZ;
   }
 
   void raise(const VertexPart& part) {
-    Wide base = Wide{top_} + kStep;
+    Int128 base = Int128{top_} + kStep;
     for (const Vertex v : part.vertices) {
       for (const HalfEdge& half : graph_.incident(v)) {
         if (arrangement_.part[half.to] >= arrangement_.part[v]) continue;
-        const Wide least =
+        const Int128 least =
             made_.place[half.to].z +
             lift(half.to, made_.place[v], arrangement_.stubs[v].down_slope, made_.scale.jitter);
         base = std::max(base, least);
@@ -147,17 +147,17 @@ class LayoutMaker {
   /// Above everything, in the middle of its earlier neighbours.
   void raise_body(const VertexPart& part) {
     const SmallBody& body = *part.body;
-    Wide low_x = kLargest, high_x = -kLargest;
+    Int128 low_x = kLargest, high_x = -kLargest;
     for (const SmallBody::BodyLeg& leg : body.legs) {
       const HalfEdge* half = edge_of(part.vertices[leg.v]);
       if (half == nullptr) continue;
-      low_x = std::min<Wide>(low_x, made_.place[half->to].x - leg.end.x);
-      high_x = std::max<Wide>(high_x, made_.place[half->to].x - leg.end.x);
+      low_x = std::min<Int128>(low_x, made_.place[half->to].x - leg.end.x);
+      high_x = std::max<Int128>(high_x, made_.place[half->to].x - leg.end.x);
     }
-    const Wide x = low_x > high_x ? Wide{0} : (low_x + high_x) / 2;
+    const Int128 x = low_x > high_x ? Int128{0} : (low_x + high_x) / 2;
     const Vertex first = part.vertices[0];
     Point base{checked(x, first), 0, 0};
-    Wide z = Wide{top_} + kStep;
+    Int128 z = Int128{top_} + kStep;
     std::int64_t height = 0;
     for (const Point& p : body.vertices) height = std::max(height, p.z);
     for (const SmallBody::BodyLink& link : body.links) {

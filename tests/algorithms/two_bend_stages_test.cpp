@@ -186,7 +186,7 @@ TEST(TwoBendList, BothListsPutEveryMergeBetweenItsNeighbours) {
       BlockTree blocks = find_blocks(graph);
       cut_q_bodies(graph, blocks);
       Flow flow = build_flow(graph, blocks, find_time_order(graph, blocks));
-      const Lists lists = build_lists(flow, ListOptions());
+      const Lists lists = build_lists(flow, true);
       for (const bool columns : {false, true}) {
         const View view(flow, columns);
         const LongVector<NodeId>& list = columns ? lists.columns : lists.rows;
@@ -209,7 +209,7 @@ TEST(TwoBendChecks, SeeWhatIsSpoilt) {
   const BlockTree blocks = find_blocks(graph);
   const TimeOrder order = find_time_order(graph, blocks);
   Flow flow = build_flow(graph, blocks, order);
-  const Lists lists = build_lists(flow, ListOptions());
+  const Lists lists = build_lists(flow, true);
   const Layout layout = find_layout(flow, lists, 2).value();
   const View rows(flow, false);
   EXPECT_TRUE(is_time_order(graph, order));
