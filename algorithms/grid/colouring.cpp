@@ -22,11 +22,11 @@ struct Walker {
   Colour follow = 0;
 };
 
-enum class Walk : std::uint8_t { goes_on, ends, fails, meets_v };
+enum class ChainStep : std::uint8_t { goes_on, ends, fails };
 
 class Labeller {
  public:
-  Labeller(const ProcessingOrder& order, std::span<const NeighbourPlaces> neighbours,
+  Labeller(const ProcessingOrder& order, std::span<const PlacedRow> neighbours,
            std::uint64_t longest_chain)
       : order_(order),
         neighbours_(neighbours),
@@ -38,11 +38,9 @@ class Labeller {
 
   Colouring run() {
     for (const OrderPart& part : order_.parts) {
-      const auto begin = static_cast<Place>(part.begin);
-      const auto end = static_cast<Place>(part.end);
-      f_ = part.cubic ? begin : kNoPlace;
-      r_ = part.cubic ? end - 1 : kNoPlace;
-      for (Place v = part.cubic ? begin + 1 : begin; v < end; ++v) {
+      f_ = part.cubic ? part.begin : kNoPlace;
+      r_ = part.cubic ? part.end - 1 : kNoPlace;
+      for (Place v = part.begin + (part.cubic ? 1 : 0); v < part.end; ++v) {
         ask_for_ports(v + kAhead);
         label_at(v);
       }
@@ -52,29 +50,12 @@ class Labeller {
   }
 
  private:
-  /// The half-edges at a vertex v when it is processed.
-  struct View {
-    struct Back {
-      Place from = 0;
-      EdgeId edge = 0;
-      Colour label = 0;  // at the other end
-    };
-    std::array<Back, 3> back;
-    unsigned backs = 0;
-    std::array<Place, 3> forward{};
-    unsigned forwards = 0;
-    bool next_to_f = false;
-    ColourSet offered() const {
-      ColourSet set = 0;
-      for (unsigned i = 0; i < backs; ++i) set |= only(back[i].label);
-      return set;
-    }
-  };
-
   /// Memory of v's neighbours, which label_at(v) reads, on its way.
   [[gnu::always_inline]] void ask_for_ports(Place v) const {
     if (v >= neighbours_.size()) return;
-    for (const Place to : neighbours_[v].to) __builtin_prefetch(&result_.ports[to], 1);
+    for (const HalfEdge& half : neighbours_[v].halves()) {
+      __builtin_prefetch(&result_.ports[half.to], 1);
+    }
   }
 
   Colour label_towards(Place from, Place to) const {
@@ -89,45 +70,42 @@ class Labeller {
     return used;
   }
 
-  View look(Place v) const {
-    View view;
-    const NeighbourPlaces& own = neighbours_[v];
-    for (unsigned i = 0; i < own.degree; ++i) {
-      const Place to = own.to[i];
-      if (to == f_) {
-        view.next_to_f = true;
-        if (v == r_) view.back[view.backs++] = {f_, own.edge[i], first_of(~used_at(f_))};
-      } else if (to < v) {
-        view.back[view.backs++] = {to, own.edge[i], label_towards(to, v)};
+  HalfEdgesAt look(Place v) const {
+    HalfEdgesAt at;
+    for (const HalfEdge& half : neighbours_[v].halves()) {
+      if (half.to == f_) {
+        at.to_f = &half;
+        if (v == r_) at.add_back(half, first_of(~used_at(f_)));
+      } else if (half.to < v) {
+        at.add_back(half, label_towards(half.to, v));
       } else {
-        view.forward[view.forwards++] = to;
+        at.forward[at.forwards++] = half;
       }
     }
-    return view;
+    return at;
   }
 
-  static bool has_clash(const View& view) {
+  static bool has_clash(const HalfEdgesAt& view) {
     for (unsigned i = 0; i < view.backs; ++i) {
       for (unsigned j = 0; j < i; ++j) {
-        if (view.back[i].label == view.back[j].label) return true;
+        if (view.back_label[i] == view.back_label[j]) return true;
       }
     }
     return false;
   }
 
   void label_at(Place v) {
-    View view = look(v);
+    HalfEdgesAt view = look(v);
     if (v == r_) set_port(f_, first_of(~used_at(f_)), v);
     for (unsigned attempt = 0; attempt < 2 && has_clash(view) && repair(v, view); ++attempt) {
-      ++result_.repairs;
       for (unsigned i = 0; i < view.backs; ++i) {
-        view.back[i].label = label_towards(view.back[i].from, v);
+        view.back_label[i] = label_towards(view.back[i].to, v);
       }
     }
     if (has_clash(view)) return settle_clash(v, view);
-    for (unsigned i = 0; i < view.backs; ++i) set_port(v, view.back[i].label, view.back[i].from);
+    for (unsigned i = 0; i < view.backs; ++i) set_port(v, view.back_label[i], view.back[i].to);
     ColourSet free = kAllColours & ~view.offered();
-    if (view.next_to_f && v != r_) free &= ~label_f_edge(v, free);
+    if (view.to_f != nullptr && v != r_) free &= ~label_f_edge(v, free);
     label_forward(v, view, free);
   }
 
@@ -145,51 +123,43 @@ class Labeller {
 
   /// Distinct free labels for the forward half-edges, preferring labels that the other end has not
   /// been offered.
-  void label_forward(Place v, const View& view, ColourSet free) {
+  void label_forward(Place v, const HalfEdgesAt& view, ColourSet free) {
     for (unsigned i = 0; i < view.forwards; ++i) {
-      const Place to = view.forward[i];
-      ColourSet wanted = free & ~static_cast<ColourSet>(received_[to]);
-      if (wanted == 0) wanted = free;
-      if (i + 1 < view.forwards) {  // leave the next neighbour a label that it can use
-        const auto taken_there = static_cast<ColourSet>(received_[view.forward[i + 1]]);
-        const ColourSet considerate = wanted & ~(free & ~taken_there);
-        if (considerate != 0) wanted = considerate;
-      }
-      const Colour label = first_of(wanted);
-      set_port(v, label, to);
-      received_[to] |= static_cast<std::uint8_t>(only(label));
+      const Colour label = view.forward_label(i, free, received_);
+      set_port(v, label, view.forward[i].to);
+      received_[view.forward[i].to] |= static_cast<std::uint8_t>(only(label));
       free &= ~only(label);
     }
   }
 
   /// Follows, in turn, every Kempe chain that lets one of the clashing neighbours offer another
   /// label, and swaps the one that ends first.
-  bool repair(Place v, const View& view) {
+  bool repair(Place v, const HalfEdgesAt& view) {
     std::array<Walker, 6> walkers;
     unsigned count = 0;
     for (unsigned i = 0; i < view.backs; ++i) {
-      const Colour given = view.back[i].label;
+      const Colour given = view.back_label[i];
       bool clashes = false;
       for (unsigned j = 0; j < view.backs; ++j) {
-        clashes |= j != i && view.back[j].label == given;
+        clashes |= j != i && view.back_label[j] == given;
       }
-      if (!clashes || result_.ports[view.back[i].from].has_defect != 0) continue;
+      if (!clashes || result_.ports[view.back[i].to].has_defect != 0) continue;
       for (const Colour wanted : {next(given), previous(given)}) {
         // At r all three labels are offered, so only an unoffered label helps.
         if (view.backs == 3 && contains(view.offered(), wanted)) continue;
-        walkers[count++] = {view.back[i].from, view.back[i].from, wanted, given, wanted};
+        walkers[count++] = {view.back[i].to, view.back[i].to, wanted, given, wanted};
       }
     }
-    for (std::uint64_t step = 0; step < longest_chain_ && count > 0; ++step) {
+    for (std::uint64_t round = 0; round < longest_chain_ && count > 0; ++round) {
       for (unsigned i = 0; i < count;) {
         if (budget_ == 0) return false;
         --budget_;
-        const Walk walk = advance(walkers[i], v);
-        if (walk == Walk::ends) {
+        const ChainStep step = advance(walkers[i], v);
+        if (step == ChainStep::ends) {
           swap_labels(walkers[i], v);
           return true;
         }
-        if (walk == Walk::goes_on) {
+        if (step == ChainStep::goes_on) {
           ++i;
         } else {
           walkers[i] = walkers[--count];
@@ -199,14 +169,14 @@ class Labeller {
     return false;
   }
 
-  Walk advance(Walker& walker, Place v) const {
+  ChainStep advance(Walker& walker, Place v) const {
     const Place to = result_.ports[walker.at].to[walker.follow];
-    if (to == v) return Walk::meets_v;
-    if (to == kNoPlace || to > v) return Walk::ends;
-    if (result_.ports[to].has_defect != 0) return Walk::fails;
+    if (to == v) return ChainStep::fails;
+    if (to == kNoPlace || to > v) return ChainStep::ends;
+    if (result_.ports[to].has_defect != 0) return ChainStep::fails;
     walker.at = to;
     walker.follow = walker.follow == walker.wanted ? walker.given : walker.wanted;
-    return Walk::goes_on;
+    return ChainStep::goes_on;
   }
 
   void swap_labels(const Walker& walker, Place v) {
@@ -222,42 +192,44 @@ class Labeller {
 
   /// The labels of v's half-edges with the fewest defects, none of them with labels 0 and 1 if that
   /// can be.
-  void settle_clash(Place v, const View& view) {
+  void settle_clash(Place v, const HalfEdgesAt& view) {
     static constexpr std::array<std::array<Colour, 3>, 6> kOrders = {
         {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
     const auto cost = [&](const std::array<Colour, 3>& labels) {
       int sum = 0;
       for (unsigned i = 0; i < view.backs; ++i) {
-        const Colour there = view.back[i].label;
+        const Colour there = view.back_label[i];
         if (labels[i] != there) sum += labels[i] + there == 1 ? 50 : 10;
       }
       for (unsigned i = 0; i < view.forwards; ++i) {
-        sum += contains(received_[view.forward[i]], labels[view.backs + i]) ? 1 : 0;
+        sum += contains(received_[view.forward[i].to], labels[view.backs + i]) ? 1 : 0;
       }
       return sum;
     };
     const auto& labels = *std::ranges::min_element(kOrders, {}, cost);
     result_.ports[v].has_defect = 1;
     for (unsigned i = 0; i < view.backs; ++i) {
-      set_port(v, labels[i], view.back[i].from);
-      if (labels[i] != view.back[i].label) add_defect(v, labels[i], view.back[i]);
+      set_port(v, labels[i], view.back[i].to);
+      if (labels[i] != view.back_label[i]) {
+        add_defect(v, labels[i], view.back[i], view.back_label[i]);
+      }
     }
     for (unsigned i = 0; i < view.forwards; ++i) {
-      set_port(v, labels[view.backs + i], view.forward[i]);
-      received_[view.forward[i]] |= static_cast<std::uint8_t>(only(labels[view.backs + i]));
+      set_port(v, labels[view.backs + i], view.forward[i].to);
+      received_[view.forward[i].to] |= static_cast<std::uint8_t>(only(labels[view.backs + i]));
     }
   }
 
-  void add_defect(Place v, Colour label, const View::Back& back) {
+  void add_defect(Place v, Colour label, const HalfEdge& back, Colour there) {
     if (label == 2) {
-      result_.defects.push_back({back.from, v, back.edge, back.label, label});
+      result_.defects.push_back({back.to, v, back.edge, there, label});
     } else {
-      result_.defects.push_back({v, back.from, back.edge, label, back.label});
+      result_.defects.push_back({v, back.to, back.edge, label, there});
     }
   }
 
   const ProcessingOrder& order_;
-  const std::span<const NeighbourPlaces> neighbours_;
+  const std::span<const PlacedRow> neighbours_;
   const std::uint64_t longest_chain_;
   std::uint64_t budget_;
   std::vector<std::uint8_t> received_;  // labels that earlier vertices sent to this place
@@ -268,8 +240,7 @@ class Labeller {
 
 }  // namespace
 
-Colouring colour_half_edges(const ProcessingOrder& order,
-                            std::span<const NeighbourPlaces> neighbours,
+Colouring colour_half_edges(const ProcessingOrder& order, std::span<const PlacedRow> neighbours,
                             std::uint64_t longest_chain) {
   return Labeller(order, neighbours, longest_chain).run();
 }

@@ -5,9 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "ar3d/algorithms/grid/colours.h"
-#include "ar3d/algorithms/grid/neighbour_places.h"
-#include "ar3d/algorithms/grid/order.h"
+#include "ar3d/algorithms/grid/labels.h"
 
 namespace ar3d::grid {
 
@@ -33,7 +31,6 @@ struct ColourDefect {
 struct Colouring {
   UnwrittenVector<Ports> ports;       // by place
   std::vector<ColourDefect> defects;  // component by component, in processing order
-  std::uint64_t repairs = 0;          ///< vertices where a Kempe chain avoided a defect
   std::uint64_t chain_steps = 0;      ///< edges of Kempe chains followed
 };
 
@@ -41,8 +38,7 @@ struct Colouring {
 /// the same label.
 /// @param longest_chain  edges of the longest chain that is followed; 0: none.
 /// Cost: O(n) and at most kStepsPerVertex chain steps per vertex on average.
-Colouring colour_half_edges(const ProcessingOrder& order,
-                            std::span<const NeighbourPlaces> neighbours,
+Colouring colour_half_edges(const ProcessingOrder& order, std::span<const PlacedRow> neighbours,
                             std::uint64_t longest_chain);
 
 /// All chains together take at most this many steps per vertex, so the time is linear on every

@@ -2,12 +2,11 @@
 // its y. Each is numbered from its middle outwards, in the order in which they wait for one
 // another; those that wait in a circle grow side by side. Cost: O(log n) per height tried; a
 // failing visit follows at most 1000 ends, once per path.
-#include "ar3d/algorithms/grid/defect_paths.h"
-
 #include <algorithm>
 #include <numeric>
 #include <utility>
 
+#include "ar3d/algorithms/grid/flat.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::grid {

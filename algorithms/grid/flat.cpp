@@ -2,15 +2,12 @@
 // labels are changed and the numbering is repeated where the defects' rules contradict one another,
 // ten times at most. A heuristic in size, not in truth: its rules are tested at the end. Cost: O(n
 // log n) expected.
+
 #include "ar3d/algorithms/grid/flat.h"
 
 #include <algorithm>
 #include <optional>
 #include <utility>
-
-#include "ar3d/algorithms/grid/defect_paths.h"
-#include "ar3d/algorithms/grid/relabel.h"
-#include "ar3d/algorithms/grid/third_colour.h"
 
 namespace ar3d::grid {
 namespace {
@@ -31,15 +28,65 @@ bool obeys(const ColourDefect& defect, const HeightSlot& slot, std::span<const P
          k < std::min(b, c);
 }
 
-}  // namespace
+/// Numbers one component after the other such that X_0 + X_1 stays small at every vertex as long as
+/// the defects are few or local: then one side of the box is short and the volume grows like n^2. A
+/// heuristic: (I1)-(I3) hold by construction, (I4) and (I5) are tested at the end.
+class FlatNumbers {
+ public:
+  FlatNumbers(const Graph& graph, const ProcessingOrder& order, std::uint64_t longest_chain)
+      : order_(order),
+        neighbours_(neighbours_in_order(graph, order)),
+        colouring_(colour_half_edges(order, neighbours_, longest_chain)),
+        x_(neighbours_.size(), kUnsetNumbers),
+        path_of_(colouring_.defects.empty() ? 0 : neighbours_.size(), DefectPaths::kNoPath) {
+    steps_.chain_steps = static_cast<std::int64_t>(colouring_.chain_steps);
+  }
 
-Flat::Flat(std::span<const NeighbourPlaces> neighbours, Colouring& colouring)
-    : neighbours_(neighbours),
-      colouring_(colouring),
-      x_(neighbours.size(), {kUnsetNumber, kUnsetNumber, kUnsetNumber}),
-      path_of_(colouring.defects.empty() ? 0 : neighbours.size(), DefectPaths::kNoPath) {}
+  /// Numbers what can be flat, and hands it on; returns the components that cannot.
+  /// @param allowance  numbers beyond 2 n + this are not flat.
+  std::vector<OrderPart> run(std::int64_t allowance, Planes& planes) {
+    std::vector<OrderPart> left;
+    std::span<const ColourDefect> defects(colouring_.defects);
+    for (const OrderPart& part : order_.parts) {
+      const auto of_part = std::ranges::find_if(
+          defects, [&](const ColourDefect& defect) { return defect.x >= part.end; });
+      const auto mine = defects.first(static_cast<std::size_t>(of_part - defects.begin()));
+      defects = defects.subspan(mine.size());
+      const std::span<const PlaneNumbers> numbers(&x_[part.begin], part.end - part.begin);
+      const std::int64_t most = 2 * part.size() + allowance;
+      if (number(part, mine) && std::ranges::all_of(numbers, [&](const PlaneNumbers& x) {
+            return all_within(most, x);
+          })) {
+        adopt(part, planes);
+      } else {
+        left.push_back(part);
+      }
+    }
+    planes.steps += steps_;
+    return left;
+  }
 
-bool Flat::number(PlaceRange part, std::span<const ColourDefect> defects) {
+ private:
+  bool number(const OrderPart& part, std::span<const ColourDefect> defects);
+  bool number_once(const OrderPart& part);
+  void adopt(const OrderPart& part, Planes& planes) const;
+
+  const ProcessingOrder& order_;
+  UnwrittenVector<PlacedRow> neighbours_;
+  Colouring colouring_;
+  UnwrittenVector<PlaneNumbers> x_;    ///< by place
+  std::vector<ColourDefect> defects_;  ///< of the last component numbered
+  std::vector<Slot> slots_;            ///< likewise
+  std::vector<std::size_t> to_turn_;   ///< defects whose rules the last attempt could not keep
+  std::vector<std::uint32_t> path_of_;
+  std::vector<Place> buffer_;
+  StepCounts steps_;
+};
+
+/// Numbers one component. May change its labels, which leave the colouring's ports if they belong
+/// to a defect. False if a rule for a defect could not be kept; then its numbers and labels mean
+/// nothing.
+bool FlatNumbers::number(const OrderPart& part, std::span<const ColourDefect> defects) {
   constexpr int kAttempts = 10;
   defects_.assign(defects.begin(), defects.end());
   to_turn_.clear();
@@ -58,13 +105,13 @@ bool Flat::number(PlaceRange part, std::span<const ColourDefect> defects) {
     if (number_once(part)) return true;
     if (to_turn_.empty()) return false;
     for (Place v = part.begin; v < part.end; ++v) {
-      x_[v] = {kUnsetNumber, kUnsetNumber, kUnsetNumber};
+      x_[v] = kUnsetNumbers;
     }
   }
   return false;
 }
 
-bool Flat::number_once(PlaceRange part) {
+bool FlatNumbers::number_once(const OrderPart& part) {
   ++steps_.attempts;
   to_turn_.clear();
   slots_.clear();
@@ -88,15 +135,41 @@ bool Flat::number_once(PlaceRange part) {
   }
   steps_.heights_tried += pool.heights_tried();
   if (!to_turn_.empty()) return false;
-  ThirdColourResult third = number_third_colour(colouring_.ports, part, defects_, slots, x_);
-  steps_.blocks += third.blocks;
-  to_turn_ = std::move(third.circle);
+  to_turn_ = number_third_colour(colouring_.ports, part, defects_, slots, x_, steps_.blocks);
   if (!to_turn_.empty()) return false;
   for (std::size_t d = 0; d < defects_.size(); ++d) {
     if (!obeys(defects_[d], slots[d], x_)) return false;
     slots_.push_back({defects_[d].edge, slot_number(defects_[d], slots[d])});
   }
   return true;
+}
+
+/// Copies one component's labels and numbers from places to vertices.
+void FlatNumbers::adopt(const OrderPart& part, Planes& planes) const {
+  const auto set_label = [&](EdgeId e, Place at, Place to, Colour label) {
+    planes.labels.set(e, order_.sequence[at], order_.sequence[to], label);
+  };
+  for (Place i = part.begin; i < part.end; ++i) {
+    if (i + kAhead < part.end) __builtin_prefetch(&planes.of[order_.sequence[i + kAhead]], 1);
+    planes.of[order_.sequence[i]] = x_[i];
+    const auto& to = colouring_.ports[i].to;
+    for (const auto [other, edge] : neighbours_[i].halves()) {
+      set_label(edge, i, other, to[0] == other ? 0 : to[1] == other ? 1 : 2);
+    }
+  }
+  for (const ColourDefect& defect : defects_) {
+    set_label(defect.edge, defect.x, defect.y, defect.label_x);
+    set_label(defect.edge, defect.y, defect.x, defect.label_y);
+  }
+  planes.slots.insert(planes.slots.end(), slots_.begin(), slots_.end());
+  planes.counts.flat_defects += static_cast<std::int64_t>(defects_.size());
+}
+
+}  // namespace
+
+std::vector<OrderPart> number_flat(const Graph& graph, const ProcessingOrder& order,
+                                   const PlaneOptions& options, Planes& planes) {
+  return FlatNumbers(graph, order, options.longest_chain).run(options.flat_allowance, planes);
 }
 
 }  // namespace ar3d::grid

@@ -7,10 +7,7 @@
 #include <cstdlib>
 
 #include "ar3d/algorithms/degree_limit.h"
-#include "ar3d/algorithms/grid/invariant.h"
-#include "ar3d/algorithms/grid/neighbour_places.h"
 #include "ar3d/algorithms/grid/order.h"
-#include "ar3d/algorithms/grid/pack.h"
 #include "ar3d/algorithms/grid/planes.h"
 #include "ar3d/algorithms/grid/routes.h"
 #include "ar3d/base/error.h"

@@ -1,34 +1,33 @@
 // Step 3.10. Chains of colours 0 and 1 numbered upwards, a cycle along both of its sides at once
 // so that they meet at about the same height. The lowest free height that suits is taken; so X_0 +
 // X_1 of a vertex stays small, which is what makes the drawing flat. O(log n) per height tried.
-#include "ar3d/algorithms/grid/heights.h"
-
 #include <algorithm>
 #include <cstdlib>
 
+#include "ar3d/algorithms/grid/flat.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::grid {
 namespace {
 
 /// One number of a chain: the plane of an edge of colour 0 or 1, or a free number at a path's end.
-struct Link {
+struct ChainLink {
   Colour colour = 0;
   std::int64_t height = 0;
 };
 
 /// h_0 - h_1 of a vertex between two links.
-std::int64_t pair_sum(const Link& a, const Link& b) {
+std::int64_t pair_sum(const ChainLink& a, const ChainLink& b) {
   return a.colour == 0 ? a.height - b.height : b.height - a.height;
 }
 
 /// A chain that grows upwards.
-class Chain {
+class GrowingChain {
  public:
-  explicit Chain(HeightPool& pool) : pool_(pool) {}
+  explicit GrowingChain(HeightPool& pool) : pool_(pool) {}
 
-  Link first(Colour c) {
-    const Link link{c, pool_.chain_start(c)};
+  ChainLink first(Colour c) {
+    const ChainLink link{c, pool_.chain_start(c)};
     floor_ = link.height;
     pool_.take_and_advance(c, link.height);
     return link;
@@ -36,8 +35,8 @@ class Chain {
 
   /// The lowest free height from the last link on that suits v.
   /// `closing`, if not kNoPlace, is the last vertex of a cycle, between the new link and `end`.
-  Link after(Place v, const Link& from, Place closing, const Link& end) {
-    Link link{1 - from.colour, 0};
+  ChainLink after(Place v, const ChainLink& from, Place closing, const ChainLink& end) {
+    ChainLink link{1 - from.colour, 0};
     for (std::int64_t h = std::max(from.height - 1, floor_);; ++h) {
       h = pool_.next_free(link.colour, h);
       link.height = h;
@@ -50,8 +49,8 @@ class Chain {
     }
   }
 
-  void settle(Place v, const Link& a, const Link& b) {
-    for (const Link& link : {a, b}) pool_.set_height(v, link.colour, link.height);
+  void settle(Place v, const ChainLink& a, const ChainLink& b) {
+    for (const ChainLink& link : {a, b}) pool_.set_height(v, link.colour, link.height);
   }
 
  private:
@@ -96,11 +95,11 @@ std::int64_t HeightPool::chain_start(Colour c) {
 }
 
 void number_path(HeightPool& pool, Place end) {
-  Chain chain(pool);
+  GrowingChain chain(pool);
   const Colour towards = pool.neighbour(end, 0) != kNoPlace ? 0 : 1;
-  Link link = chain.first(1 - towards);
+  ChainLink link = chain.first(1 - towards);
   for (Place v = end; v != kNoPlace;) {
-    const Link next = chain.after(v, link, kNoPlace, {});
+    const ChainLink next = chain.after(v, link, kNoPlace, {});
     v = pool.neighbour(v, next.colour);
     link = next;
   }
@@ -115,9 +114,9 @@ void number_cycle(HeightPool& pool, Place start, std::vector<Place>& buffer) {
   }
   std::size_t a = 0;  // buffer[a] .. buffer[b - 1] have no numbers yet
   std::size_t b = buffer.size();
-  Chain chain(pool);
-  Link low = chain.first(1);
-  Link high = low;
+  GrowingChain chain(pool);
+  ChainLink low = chain.first(1);
+  ChainLink high = low;
   const auto ask_ahead = [&](bool from_front) __attribute__((always_inline)) {
     if (b - a <= std::size_t{2} * kAhead) return;
     pool.ask_for(
@@ -127,8 +126,8 @@ void number_cycle(HeightPool& pool, Place start, std::vector<Place>& buffer) {
   while (b - a > 1) {
     const bool from_front = low.height <= high.height;
     ask_ahead(from_front);
-    Link& side = from_front ? low : high;
-    const Link& other = from_front ? high : low;
+    ChainLink& side = from_front ? low : high;
+    const ChainLink& other = from_front ? high : low;
     const Place v = from_front ? buffer[a++] : buffer[--b];
     side = chain.after(v, side, b - a == 1 ? buffer[a] : kNoPlace, other);
   }

@@ -1,14 +1,14 @@
 // (I1) to (I5) of docs/theorem3.md, checked by hash tables as plainly as they are stated. Lemma 3.3
 // concludes from them that the drawing has no crossing. Only tests and builds with AR3D_CHECKS run
 // it. Cost: O(n log n) expected, as sums are sorted.
-#include "ar3d/algorithms/grid/invariant.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <unordered_map>
 #include <unordered_set>
+
+#include "ar3d/algorithms/grid/planes.h"
 
 namespace ar3d::grid {
 namespace {

@@ -1,17 +1,28 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
 #include <vector>
 
+#include "ar3d/base/threads.h"
 #include "ar3d/model/graph.h"
 
 namespace ar3d::grid {
 
-/// One component's stretch [begin, end) of the processing order.
+/// A vertex's place in the processing order: its index in ProcessingOrder::sequence.
+using Place = std::uint32_t;
+inline constexpr Place kAhead = 8;  ///< places between asking for memory and using it
+inline constexpr Place kNoPlace = std::numeric_limits<Place>::max();
+
+/// One component's places [begin, end) in the processing order.
 struct OrderPart {
-  std::size_t begin = 0;
-  std::size_t end = 0;
+  Place begin = 0;
+  Place end = 0;
   bool cubic = false;  ///< every degree is 3; then sequence[begin] = f and sequence[end - 1] = r
+  std::int64_t size() const { return std::int64_t{end} - begin; }
 };
 
 /// The order in which vertices get their labels and positions.
@@ -26,5 +37,34 @@ struct ProcessingOrder {
 
 /// Step 3.1: reverse breadth-first orders. Cost: O(n + m).
 ProcessingOrder processing_order(const Graph& graph);
+
+/// The half-edges at one vertex, in the order of the graph's row; neighbours are places.
+struct alignas(32) PlacedRow {
+  std::array<HalfEdge, 3> half{};
+  std::uint32_t degree = 0;
+  std::span<const HalfEdge> halves() const { return {half.data(), degree}; }
+};
+
+/// The graph renumbered in processing order, so that later stages read memory forwards and
+/// "earlier" is a comparison of places. Cost: O(n + m).
+UnwrittenVector<PlacedRow> neighbours_in_order(const Graph& graph, const ProcessingOrder& order);
+
+/// The graph with every vertex renamed to its place and the edges numbered by their earlier places:
+/// what is near in the order is near in memory. Rows keep the order of the graph's.
+class PlacedGraph {
+ public:
+  /// Cost: O(n + m).
+  explicit PlacedGraph(UnwrittenVector<PlacedRow> neighbours);
+
+  Place num_vertices() const { return static_cast<Place>(rows_.size()); }
+  EdgeId num_edges() const { return static_cast<EdgeId>(edge_of_.size()); }
+  std::span<const HalfEdge> incident(Place v) const { return rows_[v].halves(); }
+  /// The graph's number of edge e.
+  EdgeId edge_of(EdgeId e) const { return edge_of_[e]; }
+
+ private:
+  UnwrittenVector<PlacedRow> rows_;
+  UnwrittenVector<EdgeId> edge_of_;
+};
 
 }  // namespace ar3d::grid

@@ -1,14 +1,13 @@
 // Step 3.7. Components side by side: rows, layers of rows, the thickest first ("shelves"; Coffman,
 // Garey, Johnson and Tarjan 1980). A move by a multiple of 6 adds integers to plane numbers and
 // slots and leaves all residues. O(n + m + k log k) for k components.
-#include "ar3d/algorithms/grid/pack.h"
-
 #include <algorithm>
 #include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "ar3d/algorithms/grid/planes.h"
 #include "ar3d/algorithms/grid/routes.h"
 #include "ar3d/base/error.h"
 #include "ar3d/model/drawing.h"

@@ -18,11 +18,10 @@ constexpr std::uint64_t kSeed =
 
 }  // namespace
 
-Placement::Placement(const PlacedGraph& graph, PlaceRange part, bool cubic, Planes& planes,
+Placement::Placement(const PlacedGraph& graph, const OrderPart& part, Planes& planes,
                      std::int64_t window, std::int64_t zone)
     : graph_(graph),
       part_(part),
-      in_cubic_(cubic),
       proof_{part.size()},
       window_(window),
       zone_(zone),
@@ -48,17 +47,17 @@ void Placement::undo() {
   planes_.counts = counts_before_;
   planes_.slots.resize(slots_before_);
   for (Place v = part_.begin; v < part_.end; ++v) {
-    planes_.of[v] = {kUnsetNumber, kUnsetNumber, kUnsetNumber};
+    planes_.of[v] = kUnsetNumbers;
   }
   for (const auto& [v, half] : clash_edges_) planes_.labels.set(half.edge, v, half.to, kNoColour);
 }
 
 bool Placement::place_vertices() {
-  if (in_cubic_) {
+  if (part_.cubic) {
     set_aside();
     place_f();
   }
-  const Place ends = in_cubic_ ? 1 : 0;
+  const Place ends = part_.cubic ? 1 : 0;
   for (Place v = part_.begin + ends; v < part_.end - ends; ++v) {
     ask_ahead(v);
     const Site site = look(v);
@@ -68,7 +67,7 @@ bool Placement::place_vertices() {
                                         : place_ordinary(site);
     if (!placed) return false;
   }
-  return !in_cubic_ || place_last();
+  return !part_.cubic || place_last();
 }
 
 /// The far ends of the edges that close cycles are nowhere near in memory.
@@ -94,9 +93,9 @@ Placement::Site Placement::look(Vertex v) const {
   Site site;
   site.v = v;
   for (const HalfEdge& half : graph_.incident(v)) {
-    if (in_cubic_ && half.edge == aside_.edge) continue;
+    if (part_.cubic && half.edge == aside_.edge) continue;
     const Colour label = planes_.labels.at(half.edge, v, half.to);
-    if (in_cubic_ && half.to == aside_.f) {
+    if (part_.cubic && half.to == aside_.f) {
       site.next_to_f = true;
       site.label_to_f = label;
     } else if (!is_placed(half.to)) {
@@ -143,12 +142,11 @@ bool Placement::choose_colours(const Site& site, ColourSet colours) {
 std::optional<std::int64_t> Placement::choose(Colour c, std::span<const SumRule> rules) {
   if (const auto x = random_in_window(c, rules)) return x;
   const std::int64_t far = zoned() ? std::min(zone_ - 1, proof_.far_window()) : proof_.far_window();
-  const auto above = search_.find(Direction::up, taken_[c], rules, {0, far});
-  const auto below = search_.find(Direction::down, taken_[c], rules, {-far, 0});
+  const auto above = search_.find_up(taken_[c], rules, {0, far});
+  const auto below = search_.find_down(taken_[c], rules, {-far, 0});
   if (above && below) return *above < -*below ? above : below;
   if (above || below) return above ? above : below;
-  return search_.find(Direction::up, taken_[c], rules,
-                      {-far, far});  // counting: far enough suffices
+  return search_.find_up(taken_[c], rules, {-far, far});  // counting: far enough suffices
 }
 
 std::optional<std::int64_t> Placement::random_in_window(Colour c, std::span<const SumRule> rules) {
@@ -156,7 +154,7 @@ std::optional<std::int64_t> Placement::random_in_window(Colour c, std::span<cons
   constexpr int kWords = 4;
   for (int i = 0; i < kTries; ++i) {
     const auto offset = random_.below64(static_cast<std::uint64_t>(2 * window_ + 1));
-    const Range tail{static_cast<std::int64_t>(offset) - window_, window_};
+    const NumberRange tail{static_cast<std::int64_t>(offset) - window_, window_};
     if (const auto x = search_.near_low(taken_[c], rules, tail, kWords)) return x;
   }
   return std::nullopt;

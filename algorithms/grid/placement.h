@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "ar3d/algorithms/grid/number_search.h"
-#include "ar3d/algorithms/grid/number_set.h"
-#include "ar3d/algorithms/grid/placed_graph.h"
+#include "ar3d/algorithms/grid/order.h"
 #include "ar3d/algorithms/grid/planes.h"
 #include "ar3d/base/random.h"
 
@@ -36,8 +35,8 @@ class Placement {
  public:
   /// @param part  the component; vertices and edges are those of the placed graph throughout.
   /// @param planes  has the component's labels; receives its numbers, slots and counts.
-  Placement(const PlacedGraph& graph, PlaceRange part, bool cubic, Planes& planes,
-            std::int64_t window, std::int64_t zone);
+  Placement(const PlacedGraph& graph, const OrderPart& part, Planes& planes, std::int64_t window,
+            std::int64_t zone);
 
   /// False if an ordinary number did not fit into the zone; then `planes` is as before.
   bool place_all();
@@ -86,7 +85,7 @@ class Placement {
   };
 
   /// Ordinary numbers of this component must stay inside the zone, since f will stand outside it.
-  bool zoned() const { return in_cubic_ && aside_.is_defect(); }
+  bool zoned() const { return part_.cubic && aside_.is_defect(); }
   bool place_vertices();
   void ask_ahead(Place v) const;
   void undo();
@@ -123,8 +122,7 @@ class Placement {
   void finish(const Site& site);
 
   const PlacedGraph& graph_;
-  const PlaceRange part_;
-  const bool in_cubic_;
+  const OrderPart part_;
   const ZoneProof proof_;
   const std::int64_t window_;
   const std::int64_t zone_;

@@ -78,10 +78,10 @@ bool Placement::place_x_m(const Site& site) {
   const PlaneNumbers& x = planes_.of[site.v];
   rule.known = std::int64_t{x[aside_.p]} + x[aside_.phi];
   const std::int64_t low = zone_ + 2;
-  aside_.b = triple_search_
-                 .find(Direction::up, near_taken_[aside_.m], {&rule, 1},
-                       {low, low + proof_.sure_triple_length()})
-                 .value();
+  aside_.b =
+      triple_search_
+          .find_up(near_taken_[aside_.m], {&rule, 1}, {low, low + proof_.sure_triple_length()})
+          .value();
   for (std::int64_t j = 0; j < 3; ++j) take(aside_.m, aside_.b - j);
   assign(site, aside_.m, aside_.b);
   Site f;
@@ -94,7 +94,7 @@ bool Placement::place_x_m(const Site& site) {
 /// If psi = phi, S(r) - S(f) = X_p(r) + X_m(r) - a - b does not depend on the shared number: the
 /// last one chosen of X_p(r) and X_m(r) keeps it away from -1, 0, 1.
 std::optional<SumRule> Placement::apart_rule(const Site& site, Colour c) const {
-  if (!in_cubic_ || aside_.is_defect() || c == aside_.phi) return std::nullopt;
+  if (!part_.cubic || aside_.is_defect() || c == aside_.phi) return std::nullopt;
   if (!contains(site.forward_colours, c) || site.forward[c].to != aside_.r) return std::nullopt;
   const Colour other = c == aside_.p ? aside_.m : aside_.p;
   if (contains(missing_colours(aside_.r), other)) return std::nullopt;
@@ -151,8 +151,8 @@ void Placement::close_defect_m() {
   expect(c >= 3 && aside_.b - r[aside_.m] >= 3, "f stands outside the zone");
   const SumRule rule = f_rule();
   const std::int64_t low = r[aside_.phi] + c;
-  const auto number = search_.find(Direction::up, taken_[aside_.phi], {&rule, 1},
-                                   {low, low + proof_.sure_length()});
+  const auto number =
+      search_.find_up(taken_[aside_.phi], {&rule, 1}, {low, low + proof_.sure_length()});
   take(aside_.phi, number.value());
   settle_f(*number);
   planes_.slots.push_back({aside_.edge, aside_.a + 2});
@@ -167,8 +167,8 @@ void Placement::close_defect_p() {
   expect(c >= 3 && r[aside_.p] - aside_.a >= 1, "f stands outside the zone");
   const SumRule rule = f_rule();
   const std::int64_t high = r[aside_.phi] - c;
-  const auto number = search_.find(Direction::down, taken_[aside_.phi], {&rule, 1},
-                                   {high - proof_.sure_length(), high});
+  const auto number =
+      search_.find_down(taken_[aside_.phi], {&rule, 1}, {high - proof_.sure_length(), high});
   take(aside_.phi, number.value());
   settle_f(*number);
   planes_.slots.push_back({aside_.edge, aside_.b - 1});

@@ -26,7 +26,7 @@ Placement::Clash Placement::look_at_clash(const Site& site) const {
   expect(clash.a > 0, "w and w' own different planes");
   clash.w_beta = planes_.of[clash.w.to][clash.beta];
   clash.w_gamma = planes_.of[clash.w.to][clash.gamma];
-  clash.closes_u_edge = in_cubic_ && site.v == aside_.r && !aside_.is_defect();
+  clash.closes_u_edge = part_.cubic && site.v == aside_.r && !aside_.is_defect();
   return clash;
 }
 
@@ -71,8 +71,7 @@ bool Placement::place_clash_nt(const Clash& clash) {
   const std::span<const SumRule> used(rules.data(), clash.closes_u_edge || apart ? 2 : 1);
   const bool forced = clash.w_gamma < proof_.lowest_for_pq();
   const std::int64_t reach = forced ? proof_.far_window() : window_;
-  const auto high =
-      search_.find(Direction::up, taken_[clash.gamma], used, {std::max(-reach, least), reach});
+  const auto high = search_.find_up(taken_[clash.gamma], used, {std::max(-reach, least), reach});
   expect(high.has_value() || !forced, "NT fits when X_gamma(w) is very low");
   if (!high || (zoned() && *high >= zone_)) return false;
   ++planes_.counts.nt;
@@ -92,8 +91,8 @@ bool Placement::place_clash_pq(const Clash& clash) {
   rule.join(sum_of(planes_.of[clash.w_prime.to]));
   if (clash.closes_u_edge) {
     const SumRule f = f_rule();
-    const Range range{start, start + proof_.sure_triple_length()};
-    high = triple_search_.find(Direction::up, near, {&f, 1}, range).value();
+    const NumberRange range{start, start + proof_.sure_triple_length()};
+    high = triple_search_.find_up(near, {&f, 1}, range).value();
     rule.join(f.known + high);
   } else if (zoned() && high >= zone_) {
     return false;
@@ -101,8 +100,8 @@ bool Placement::place_clash_pq(const Clash& clash) {
   rule.known = clash.plane + high;
   const std::int64_t top =
       std::min({window_, clash.w_beta - 3, clash.w_beta + clash.w_gamma - high});
-  const auto low = search_.find(Direction::down, taken_[clash.beta], {&rule, 1},
-                                {top - proof_.sure_length(), top});
+  const auto low =
+      search_.find_down(taken_[clash.beta], {&rule, 1}, {top - proof_.sure_length(), top});
   ++planes_.counts.pq;
   settle_clash(clash, high, low.value());
   take(clash.gamma, high - 2);

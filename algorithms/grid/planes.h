@@ -1,11 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
-#include "ar3d/algorithms/grid/colours.h"
 #include "ar3d/algorithms/grid/labels.h"
 #include "ar3d/algorithms/grid/order.h"
 #include "ar3d/base/error.h"
@@ -17,12 +18,17 @@ namespace ar3d::grid {
 /// their sum.
 using PlaneNumbers = std::array<std::int32_t, kColours>;
 inline constexpr std::int32_t kUnsetNumber = std::numeric_limits<std::int32_t>::min();
+inline constexpr PlaneNumbers kUnsetNumbers = {kUnsetNumber, kUnsetNumber, kUnsetNumber};
 
 /// @throws InternalError if x does not fit.
 inline std::int32_t narrow(std::int64_t x) {
   expect(x > kUnsetNumber && x <= std::numeric_limits<std::int32_t>::max(),
          "plane numbers fit 32 bits");
   return static_cast<std::int32_t>(x);
+}
+
+inline bool all_within(std::int64_t bound, const PlaneNumbers& numbers) {
+  return std::ranges::all_of(numbers, [&](std::int64_t x) { return -bound <= x && x <= bound; });
 }
 
 inline std::int64_t sum_of(const PlaneNumbers& x) { return std::int64_t{x[0]} + x[1] + x[2]; }
@@ -88,5 +94,16 @@ Planes assign_planes(const Graph& graph, const ProcessingOrder& order, const Pla
 /// The bound on plane numbers that the size proof gives for a component with n vertices:
 /// |X_i| <= 150 n + 300.
 inline constexpr std::int64_t proved_plane_bound(std::int64_t n) { return 150 * n + 300; }
+
+/// Step 3.7: moves the components' drawings apart, side by side in layers of about square shape,
+/// the thickest first. A move by multiples of 6 along the axes adds integers to the plane numbers
+/// of a component and keeps its routes. Cost: O(n + m + k log k) for k > 1 components, O(1) for
+/// one.
+void pack_components(const Graph& graph, const ProcessingOrder& order, Planes& planes);
+
+/// Tests (I1)-(I5) of docs/theorem3.md, from which the proof concludes that the drawing has no
+/// crossing.
+/// @return "" or the first broken rule with the edge or vertex that breaks it. Cost: O(n log n).
+std::string broken_invariant(const Graph& graph, const Planes& planes);
 
 }  // namespace ar3d::grid

@@ -1,10 +1,10 @@
 // Step 3.13. Chains that swap two labels (Kempe 1879), started at the end of a defect: they move,
 // turn, split or heal defects, and keep the labels at a vertex different. Cost: about 100 chain
 // steps per vertex at most; the core takes over after that.
-#include "ar3d/algorithms/grid/relabel.h"
-
 #include <algorithm>
 #include <utility>
+
+#include "ar3d/algorithms/grid/flat.h"
 
 namespace ar3d::grid {
 namespace {
@@ -15,7 +15,7 @@ bool has_labels_0_1(const ColourDefect& defect) {
 
 }  // namespace
 
-Relabelling::Relabelling(std::span<const NeighbourPlaces> neighbours, std::span<Ports> ports,
+Relabelling::Relabelling(std::span<const PlacedRow> neighbours, std::span<Ports> ports,
                          std::vector<ColourDefect>& defects, std::int64_t n)
     : neighbours_(neighbours),
       ports_(ports),
@@ -70,7 +70,7 @@ bool Relabelling::slide(std::size_t d, bool at_x) {
 }
 
 /// Swaps the end's label with its vertex's label 2, whose edge becomes a defect, too.
-bool Relabelling::split(const End& end) {
+bool Relabelling::split(const DefectEnd& end) {
   const Place v = place_of(end);
   const Place other = ports_[v].to[2];
   if (other == kNoPlace) return false;
@@ -86,8 +86,8 @@ bool Relabelling::split(const End& end) {
 
 EdgeId Relabelling::edge_between(Place v, Place other) const {
   unsigned i = 0;
-  while (neighbours_[v].to[i] != other) ++i;
-  return neighbours_[v].edge[i];
+  while (neighbours_[v].half[i].to != other) ++i;
+  return neighbours_[v].half[i].edge;
 }
 
 void Relabelling::turn(std::size_t d) {
@@ -100,15 +100,15 @@ void Relabelling::drop_healed() {
   std::erase_if(defects_, [](const ColourDefect& d) { return d.label_x == d.label_y; });
 }
 
-Place Relabelling::place_of(const End& end) const {
+Place Relabelling::place_of(const DefectEnd& end) const {
   return end.is_x ? defects_[end.defect].x : defects_[end.defect].y;
 }
 
-Colour& Relabelling::label_of(const End& end) {
+Colour& Relabelling::label_of(const DefectEnd& end) {
   return end.is_x ? defects_[end.defect].label_x : defects_[end.defect].label_y;
 }
 
-Relabelling::End Relabelling::find(Place v, Colour label) {
+Relabelling::DefectEnd Relabelling::find(Place v, Colour label) {
   const auto [begin, end] = by_place_.equal_range(v);
   for (auto at = begin; at != end; ++at) {
     ++steps_;
@@ -121,7 +121,7 @@ Relabelling::End Relabelling::find(Place v, Colour label) {
   return {kNone, false};
 }
 
-Relabelling::End Relabelling::other_end(const End& end, Colour wanted) {
+Relabelling::DefectEnd Relabelling::other_end(const DefectEnd& end, Colour wanted) {
   const ColourDefect& defect = defects_[end.defect];
   const Colour given = end.is_x ? defect.label_x : defect.label_y;
   Colour follow = wanted;
@@ -134,9 +134,9 @@ Relabelling::End Relabelling::other_end(const End& end, Colour wanted) {
   return find(at, follow);
 }
 
-bool Relabelling::makes_labels_0_1(const End& end, Colour wanted) {
+bool Relabelling::makes_labels_0_1(const DefectEnd& end, Colour wanted) {
   const Colour given = label_of(end);
-  const End last = other_end(end, wanted);
+  const DefectEnd last = other_end(end, wanted);
   if (last.defect == kNone || last.defect == end.defect) return false;
   ColourDefect after = defects_[last.defect];
   Colour& label = last.is_x ? after.label_x : after.label_y;
@@ -144,9 +144,9 @@ bool Relabelling::makes_labels_0_1(const End& end, Colour wanted) {
   return has_labels_0_1(after);
 }
 
-void Relabelling::swap_chain(const End& end, Colour wanted) {
+void Relabelling::swap_chain(const DefectEnd& end, Colour wanted) {
   const Colour given = label_of(end);
-  const End last = other_end(end, wanted);
+  const DefectEnd last = other_end(end, wanted);
   Colour follow = wanted;
   for (Place at = place_of(end); at != kNoPlace;) {
     Ports& ports = ports_[at];

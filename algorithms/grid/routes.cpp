@@ -54,33 +54,32 @@ Bends u_edge(Colour c, Point upper, Point lower, std::int64_t least_last) {
   return {walk.go(p, q, l1), walk.go(p, kFourth, dp - l1 + l4), walk.go(q, kFourth, dq + l1 - l4)};
 }
 
-/// A defect (u: alpha, v: beta) with alpha = beta + 1, from u to v, in the paper's sense "no common
-/// label".
-struct Defect {
-  Colour alpha = 0;
-  Colour beta = 0;
-  Colour gamma = 0;
-};
+// A defect (u: alpha, v: beta) with alpha = beta + 1, from u to v, in the paper's sense "no common
+// label"; gamma is the third colour.
 
 /// E < 0: (gamma,beta) 1, (gamma,4) 3|E|, (gamma,beta) 3B - 1, (gamma,alpha) 3A.
-Bends defect_nt(const Defect& d, Point from, Point to, std::int64_t first) {
+Bends defect_nt(Colour alpha, Point from, Point to, std::int64_t first) {
+  const Colour beta = previous(alpha);
+  const Colour gamma = next(alpha);
   const Coordinates4 u = four(from);
   const Coordinates4 v = four(to);
   Walk walk(from);
-  return {walk.go(d.gamma, d.beta, first), walk.go(d.gamma, kFourth, u[kFourth] - v[kFourth]),
-          walk.go(d.gamma, d.beta, u[d.beta] - v[d.beta] - first)};
+  return {walk.go(gamma, beta, first), walk.go(gamma, kFourth, u[kFourth] - v[kFourth]),
+          walk.go(gamma, beta, u[beta] - v[beta] - first)};
 }
 
 /// E > 0 with slot k: (gamma,beta) a, (4,beta) 3B - a, (4,alpha) 3A - d, (gamma,alpha) d with
 /// a = 3(k - X_gamma(u)) + 1 and d = 3C - a.
-Bends defect_pq(const Defect& d, Point from, Point to, std::int64_t k) {
+Bends defect_pq(Colour alpha, Point from, Point to, std::int64_t k) {
+  const Colour beta = previous(alpha);
+  const Colour gamma = next(alpha);
   const Coordinates4 u = four(from);
   const Coordinates4 v = four(to);
-  const std::int64_t first = 3 * k + 1 - u[d.gamma];
-  const std::int64_t last = v[d.gamma] - u[d.gamma] - first;
+  const std::int64_t first = 3 * k + 1 - u[gamma];
+  const std::int64_t last = v[gamma] - u[gamma] - first;
   Walk walk(from);
-  return {walk.go(d.gamma, d.beta, first), walk.go(kFourth, d.beta, u[d.beta] - v[d.beta] - first),
-          walk.go(kFourth, d.alpha, u[d.alpha] - v[d.alpha] - last)};
+  return {walk.go(gamma, beta, first), walk.go(kFourth, beta, u[beta] - v[beta] - first),
+          walk.go(kFourth, alpha, u[alpha] - v[alpha] - last)};
 }
 
 }  // namespace
@@ -113,12 +112,11 @@ void Routes::append_bends(EdgeId e, Edge ends, Point at_u, Point at_v,
   } else {
     reversed = label_u != next(label_v);
     const Colour alpha = reversed ? label_v : label_u;
-    const Defect defect{alpha, previous(alpha), next(alpha)};
     const Point from = reversed ? at_v : at_u;
     const Point to = reversed ? at_u : at_v;
     const bool is_nt = reversed ? drop < 0 : drop > 0;
-    bends = is_nt ? defect_nt(defect, from, to, rule_.nt_first)
-                  : defect_pq(defect, from, to, slot_of(e));
+    bends =
+        is_nt ? defect_nt(alpha, from, to, rule_.nt_first) : defect_pq(alpha, from, to, slot_of(e));
   }
   if (reversed) std::ranges::reverse(bends);
   out.insert(out.end(), bends.begin(), bends.end());

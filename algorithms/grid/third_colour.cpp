@@ -1,11 +1,10 @@
 // Step 3.12. Plane numbers of colour 2 in one pass over its edges; then the ends y of the defects,
 // in the order in which they depend on one another. What depends on itself is returned as a
 // circle, for Step 3.13. O(log n) expected per edge.
-#include "ar3d/algorithms/grid/third_colour.h"
-
 #include <algorithm>
 #include <array>
 
+#include "ar3d/algorithms/grid/flat.h"
 #include "ar3d/algorithms/grid/number_search.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/random.h"
@@ -18,8 +17,9 @@ constexpr std::int64_t kBack = 64;  // a search begins this far before the last 
 
 class ThirdColour {
  public:
-  ThirdColour(std::span<const Ports> ports, PlaceRange part, std::span<const ColourDefect> defects,
-              std::span<const HeightSlot> slots, std::span<PlaneNumbers> x)
+  ThirdColour(std::span<const Ports> ports, const OrderPart& part,
+              std::span<const ColourDefect> defects, std::span<const HeightSlot> slots,
+              std::span<PlaneNumbers> x)
       : ports_(ports),
         part_(part),
         defects_(defects),
@@ -33,7 +33,8 @@ class ThirdColour {
         highest_(-part.size() / 2),
         lowest_(highest_) {}
 
-  ThirdColourResult run() {
+  /// A defect of a circle; none if all is well.
+  std::vector<std::size_t> run() {
     for (std::size_t d = 0; d < defects_.size(); ++d) by_y_.emplace_back(defects_[d].y, d);
     std::ranges::sort(by_y_);
     for (Place v = part_.begin; v < part_.end; ++v) {
@@ -41,10 +42,12 @@ class ThirdColour {
       if (x_[v][2] == kUnsetNumber && find_defect(v) == kNone) number(v);
     }
     for (std::size_t d = 0; d < defects_.size(); ++d) {
-      if (!number_defect(d)) return {{d}, search_.blocks()};
+      if (!number_defect(d)) return {d};
     }
-    return {{}, search_.blocks()};
+    return {};
   }
+
+  std::int64_t blocks() const { return search_.blocks(); }
 
  private:
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
@@ -83,8 +86,8 @@ class ThirdColour {
     std::array<SumRule, 2> rules{rule_of(v), {}};
     if (partner != kNoPlace) rules[1] = rule_of(partner);
     const std::int64_t low = highest_ - kBack;
-    const auto found = search_.find(
-        Direction::up, taken_, {rules.data(), partner != kNoPlace ? 2u : 1u}, {low, low + reach()});
+    const auto found = search_.find_up(taken_, {rules.data(), partner != kNoPlace ? 2u : 1u},
+                                       {low, low + reach()});
     settle(v, found.value());
     if (partner != kNoPlace) settle(partner, *found);
     take(*found);
@@ -111,10 +114,10 @@ class ThirdColour {
     std::optional<std::int64_t> found;
     if (defect.label_x == 0) {
       const std::int64_t high = std::max(-limit_, std::min(other - apart, lowest_ + kBack));
-      found = search_.find(Direction::down, taken_, {&rule, 1}, {high - reach(), high});
+      found = search_.find_down(taken_, {&rule, 1}, {high - reach(), high});
     } else {
       const std::int64_t low = std::min(limit_, std::max(other + apart, highest_ - kBack));
-      found = search_.find(Direction::up, taken_, {&rule, 1}, {low, low + reach()});
+      found = search_.find_up(taken_, {&rule, 1}, {low, low + reach()});
     }
     settle(defect.y, found.value());
     take(*found);
@@ -142,7 +145,7 @@ class ThirdColour {
   }
 
   const std::span<const Ports> ports_;
-  const PlaceRange part_;
+  const OrderPart part_;
   const std::span<const ColourDefect> defects_;
   const std::span<const HeightSlot> slots_;
   const std::span<PlaneNumbers> x_;
@@ -158,11 +161,14 @@ class ThirdColour {
 
 }  // namespace
 
-ThirdColourResult number_third_colour(std::span<const Ports> ports, PlaceRange part,
-                                      std::span<const ColourDefect> defects,
-                                      std::span<const HeightSlot> slots,
-                                      std::span<PlaneNumbers> x) {
-  return ThirdColour(ports, part, defects, slots, x).run();
+std::vector<std::size_t> number_third_colour(std::span<const Ports> ports, const OrderPart& part,
+                                             std::span<const ColourDefect> defects,
+                                             std::span<const HeightSlot> slots,
+                                             std::span<PlaneNumbers> x, std::int64_t& blocks) {
+  ThirdColour third(ports, part, defects, slots, x);
+  std::vector<std::size_t> circle = third.run();
+  blocks += third.blocks();
+  return circle;
 }
 
 }  // namespace ar3d::grid

@@ -8,17 +8,17 @@
 #include "support/graphs.h"
 #include "support/names.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 class GridOnAllGraphs : public ::testing::TestWithParam<std::int64_t> {};
 
 TEST_P(GridOnAllGraphs, UpToElevenVerticesAreCertified) {
-  testing::CaseCounts counts;
+  CaseCounts counts;
   std::size_t drawn = 0;
   for (int n = 1; n <= 11; ++n) {
-    for (const Graph& graph : testing::geng(fmt::format("-D3 {}", n))) {
-      ASSERT_EQ(testing::grid_fault(graph, GetParam(), &counts), "") << "n = " << n;
+    for (const Graph& graph : geng(fmt::format("-D3 {}", n))) {
+      ASSERT_EQ(grid_fault(graph, GetParam(), &counts), "") << "n = " << n;
       ++drawn;
     }
   }
@@ -30,8 +30,7 @@ TEST_P(GridOnAllGraphs, UpToElevenVerticesAreCertified) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Efforts, GridOnAllGraphs, ::testing::Values(0, 1),
-                         testing::named("effort"));
+INSTANTIATE_TEST_SUITE_P(Efforts, GridOnAllGraphs, ::testing::Values(0, 1), named("effort"));
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

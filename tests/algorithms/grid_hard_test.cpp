@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "algorithms/grid_checks.h"
-#include "ar3d/algorithms/grid/third_colour.h"
+#include "ar3d/algorithms/grid/flat.h"
 #include "ar3d/generators/catalog.h"
 #include "support/graphs.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 struct HardFamily {
@@ -23,9 +23,9 @@ struct HardFamily {
 
   Graph graph(std::uint64_t n) const {
     if (name == "nested-cubic-triangles") {
-      return testing::shuffled(testing::nested_cubic_triangles(static_cast<Vertex>(n / 3)), 5);
+      return shuffled(nested_cubic_triangles(static_cast<Vertex>(n / 3)), 5);
     }
-    return testing::shuffled(generate(find_family(name), n, 5, parameters), 6);
+    return shuffled(generate(find_family(name), n, 5, parameters), 6);
   }
 };
 
@@ -56,7 +56,7 @@ TEST_P(GridOnHardFamilies, IsCertifiedAtEveryEffort) {
   const Graph graph = GetParam().graph(4000);
   ASSERT_GT(graph.num_vertices(), 3500u);
   for (const int effort : {0, 1}) {
-    ASSERT_EQ(testing::grid_fault(graph, effort), "") << "effort " << effort;
+    ASSERT_EQ(grid_fault(graph, effort), "") << "effort " << effort;
   }
 }
 
@@ -111,10 +111,11 @@ TEST(GridLimits, AnEndThatNeedsATooLowNumberGetsOneNearTheLimit) {
     const std::vector<grid::ColourDefect> defects = {{0, 1, 0, label, 2}};
     const std::vector<grid::HeightSlot> slots = {{2, kFar}};
     std::vector<grid::PlaneNumbers> numbers = x;
-    grid::number_third_colour(ports, {0, 2}, defects, slots, numbers);
+    std::int64_t blocks = 0;
+    grid::number_third_colour(ports, {0, 2}, defects, slots, numbers, blocks);
     EXPECT_LE(std::abs(std::int64_t{numbers[1][2]}), grid::height_limit(2) + 100);
   }
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

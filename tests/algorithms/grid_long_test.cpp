@@ -10,14 +10,14 @@
 #include "ar3d/generators/catalog.h"
 #include "support/graphs.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 TEST(GridLong, TwelveAndThirteenVertices) {
   std::size_t drawn = 0;
   for (const int n : {12, 13}) {
-    for (const Graph& graph : testing::geng(fmt::format("-D3 {}", n))) {
-      for (const int effort : {0, 1}) ASSERT_EQ(testing::grid_fault(graph, effort), "");
+    for (const Graph& graph : geng(fmt::format("-D3 {}", n))) {
+      for (const int effort : {0, 1}) ASSERT_EQ(grid_fault(graph, effort), "");
       ++drawn;
     }
   }
@@ -25,13 +25,12 @@ TEST(GridLong, TwelveAndThirteenVertices) {
 }
 
 TEST(GridLong, ConnectedCubicGraphs) {
-  std::array<testing::CaseCounts, 2> counts;  // by effort
+  std::array<CaseCounts, 2> counts;  // by effort
   std::size_t drawn = 0;
   for (int n = 4; n <= 18; n += 2) {
-    for (const Graph& graph : testing::geng(fmt::format("-c -d3 -D3 {}", n))) {
+    for (const Graph& graph : geng(fmt::format("-c -d3 -D3 {}", n))) {
       for (const std::size_t effort : {0u, 1u}) {
-        ASSERT_EQ(testing::grid_fault(graph, static_cast<std::int64_t>(effort), &counts[effort]),
-                  "");
+        ASSERT_EQ(grid_fault(graph, static_cast<std::int64_t>(effort), &counts[effort]), "");
       }
       ++drawn;
     }
@@ -44,10 +43,10 @@ TEST(GridLong, ConnectedCubicGraphs) {
 
 TEST(GridLong, LargeFamilies) {
   for (const Family& family : families()) {
-    const Graph graph = testing::shuffled(generate(family, 10000, 5), 6);
+    const Graph graph = shuffled(generate(family, 10000, 5), 6);
     if (graph.max_degree() > 3) continue;
     for (const int effort : {0, 1}) {
-      ASSERT_EQ(testing::grid_fault(graph, effort), "") << family.name << " effort " << effort;
+      ASSERT_EQ(grid_fault(graph, effort), "") << family.name << " effort " << effort;
     }
   }
 }
@@ -55,21 +54,21 @@ TEST(GridLong, LargeFamilies) {
 TEST(GridLong, HundredThousandVerticesOfHardFamilies) {
   for (const char* family : {"union-petersen", "union-flower-snark", "mixed-union", "cubic-tree",
                              "random-cubic-tree", "goldberg-snark", "spine-with-pendant-trees"}) {
-    const Graph graph = testing::shuffled(generate(find_family(family), 100000, 5), 6);
+    const Graph graph = shuffled(generate(find_family(family), 100000, 5), 6);
     for (const int effort : {0, 1}) {
-      ASSERT_EQ(testing::grid_fault(graph, effort), "") << family << " effort " << effort;
+      ASSERT_EQ(grid_fault(graph, effort), "") << family << " effort " << effort;
     }
   }
 }
 
 TEST(GridLong, TrianglesNestedAHundredThousandDeep) {
-  const Graph graph = testing::shuffled(testing::nested_cubic_triangles(100000), 3);
+  const Graph graph = shuffled(nested_cubic_triangles(100000), 3);
   ASSERT_EQ(graph.max_degree(), 3u);
-  for (const int effort : {0, 1}) ASSERT_EQ(testing::grid_fault(graph, effort), "");
+  for (const int effort : {0, 1}) ASSERT_EQ(grid_fault(graph, effort), "");
 }
 
 TEST(GridLong, AMillionVerticesOfARandomCubicGraph) {
-  EXPECT_EQ(testing::grid_fault(generate(find_family("random-cubic"), 1000000, 1), 2), "");
+  EXPECT_EQ(grid_fault(generate(find_family("random-cubic"), 1000000, 1), 2), "");
 }
 
 TEST(GridLong, SpineWithPendantTreesStaysLinear) {
@@ -85,4 +84,4 @@ TEST(GridLong, SpineWithPendantTreesStaysLinear) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

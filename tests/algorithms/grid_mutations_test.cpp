@@ -7,16 +7,14 @@
 #include <cstdlib>
 
 #include "algorithms/grid_checks.h"
-#include "ar3d/algorithms/grid/invariant.h"
+#include "ar3d/algorithms/grid/planes.h"
 #include "ar3d/generators/catalog.h"
 #include "support/graphs.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using grid::Planes;
-using testing::core_planes;
-using testing::drawing_of;
 
 /// Whether the verifier sees two segments that share a point, or a vertex on an edge.
 bool meets_itself(const Graph& graph, const Drawing& drawing) {
@@ -46,7 +44,7 @@ TEST(GridMutations, WithoutDistinctSumsTheVerifierObjects) {
   int broken = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const Graph graph = generate(find_family("random-cubic"), 12, seed);
-    const Planes planes = testing::planes_of(graph, {});
+    const Planes planes = planes_of(graph, {});
     if (planes.counts.flat_defects != 0 || planes.counts.core_parts != 0) continue;
     ASSERT_FALSE(meets_itself(graph, drawing_of(graph, planes)));
     for (EdgeId e = 0; e < graph.num_edges(); ++e) {
@@ -110,4 +108,4 @@ TEST(GridMutations, WithAWrongOffsetTheVerifierObjects) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -7,21 +7,17 @@
 #include <algorithm>
 
 #include "algorithms/grid_checks.h"
-#include "ar3d/algorithms/grid/invariant.h"
-#include "ar3d/algorithms/grid/number_set.h"
+#include "ar3d/algorithms/grid/number_search.h"
 #include "ar3d/algorithms/grid/planes.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/random.h"
 #include "ar3d/generators/catalog.h"
 #include "support/graphs.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using grid::Planes;
-using testing::core_planes;
-using testing::drawing_of;
-using testing::planes_of;
 
 bool is_valid(const Graph& graph, const Drawing& drawing) {
   return certify(graph, drawing, find_algorithm("grid").guarantee).valid();
@@ -64,8 +60,8 @@ TEST(Grid, PairsOfANumberSetAreItsNumbersAndTheirPredecessors) {
 }
 
 TEST(Grid, RefusesDegreeFour) {
-  EXPECT_THROW(grid::draw(testing::octahedron()), InputError);
-  EXPECT_THROW(draw(find_algorithm("grid"), testing::complete(5)), InputError);
+  EXPECT_THROW(grid::draw(octahedron()), InputError);
+  EXPECT_THROW(draw(find_algorithm("grid"), complete(5)), InputError);
 }
 
 TEST(Grid, DrawsTheGraphWithoutVertices) { EXPECT_EQ(grid::draw(Graph()).num_vertices(), 0u); }
@@ -73,28 +69,28 @@ TEST(Grid, DrawsTheGraphWithoutVertices) { EXPECT_EQ(grid::draw(Graph()).num_ver
 TEST(Grid, FamiliesAreCertifiedAtEveryEffort) {
   for (const Family& family : families()) {
     for (const std::uint64_t n : {1u, 40u, 300u}) {
-      const Graph graph = testing::shuffled(generate(family, n, 3), n);
+      const Graph graph = shuffled(generate(family, n, 3), n);
       if (graph.max_degree() > 3) continue;
       for (const int effort : {0, 1}) {
-        ASSERT_EQ(testing::grid_fault(graph, effort), "") << family.name << " n = " << n;
+        ASSERT_EQ(grid_fault(graph, effort), "") << family.name << " n = " << n;
       }
     }
   }
 }
 
 TEST(Grid, UnionsOfSmallPiecesHitEveryCase) {
-  testing::CaseCounts counts;
-  const std::vector<Graph> cubic = testing::geng("-c -d3 -D3 10");
-  const std::vector<Graph> open = testing::geng("-c -D3 7");
+  CaseCounts counts;
+  const std::vector<Graph> cubic = geng("-c -d3 -D3 10");
+  const std::vector<Graph> open = geng("-c -D3 7");
   RandomStream random(11);
   for (std::uint64_t i = 0; i < 300; ++i) {
-    std::vector<Graph> parts = {Graph(random.below(3), {}), testing::complete(4)};
+    std::vector<Graph> parts = {Graph(random.below(3), {}), complete(4)};
     for (int j = 0; j < 4; ++j) {
       const auto& list = random.chance(1, 2) ? cubic : open;
       parts.push_back(list[random.below(static_cast<std::uint32_t>(list.size()))]);
     }
-    const Graph graph = testing::shuffled(testing::disjoint_union(parts), i);
-    ASSERT_EQ(testing::grid_fault(graph, static_cast<std::int64_t>(i % 2), &counts), "");
+    const Graph graph = shuffled(disjoint_union(parts), i);
+    ASSERT_EQ(grid_fault(graph, static_cast<std::int64_t>(i % 2), &counts), "");
   }
   counts.expect_all_hit();
 }
@@ -114,7 +110,7 @@ TEST(Grid, InvariantHoldsForFlatNumbersWithManyDefects) {
   for (const char* family :
        {"random-cubic", "cubic-tree", "goldberg-snark", "union-flower-snark", "mixed-union"}) {
     for (const std::uint64_t longest_chain : {0u, 8u, 1000000u}) {
-      const Graph graph = testing::shuffled(generate(find_family(family), 2000, 2), 3);
+      const Graph graph = shuffled(generate(find_family(family), 2000, 2), 3);
       const Planes planes = planes_of(graph, {.longest_chain = longest_chain});
       EXPECT_EQ(grid::broken_invariant(graph, planes), "") << family;
       defects += planes.counts.flat_defects;
@@ -125,10 +121,10 @@ TEST(Grid, InvariantHoldsForFlatNumbersWithManyDefects) {
 
 TEST(Grid, ColouredGraphsGetAFlatBox) {
   for (const char* family : {"random-cubic", "prism", "binary-tree", "union-k4", "cycle"}) {
-    const Graph graph = testing::shuffled(generate(find_family(family), 3000, 3), 8);
+    const Graph graph = shuffled(generate(find_family(family), 3000, 3), 8);
     const Drawing drawing = grid::draw(graph);
-    EXPECT_EQ(testing::counter(drawing, "flat_defects"), 0) << family;
-    EXPECT_EQ(testing::counter(drawing, "core_parts"), 0) << family;
+    EXPECT_EQ(counter(drawing, "flat_defects"), 0) << family;
+    EXPECT_EQ(counter(drawing, "core_parts"), 0) << family;
     const auto extents = bounding_box(drawing).extents();
     EXPECT_LE(*std::ranges::min_element(extents), 300) << family;
   }
@@ -136,7 +132,7 @@ TEST(Grid, ColouredGraphsGetAFlatBox) {
 
 TEST(Grid, EveryFamilyKeepsItsVolumeAtTenThousandVertices) {
   for (const Family& family : families()) {
-    const Graph graph = testing::shuffled(generate(family, 10000, 2), 4);
+    const Graph graph = shuffled(generate(family, 10000, 2), 4);
     if (graph.max_degree() > 3 || graph.num_vertices() < 5000) continue;
     double volume = 1;
     for (const std::int64_t extent : bounding_box(grid::draw(graph)).extents()) {
@@ -147,10 +143,10 @@ TEST(Grid, EveryFamilyKeepsItsVolumeAtTenThousandVertices) {
 }
 
 TEST(Grid, ComponentsWithoutFlatNumbersAreLeftToTheCore) {
-  const Graph graph = testing::shuffled(
-      testing::disjoint_union({generate(find_family("random-cubic"), 2000, 1), testing::petersen(),
-                               testing::complete(4), generate(find_family("cubic-tree"), 40, 1)}),
-      9);
+  const Graph graph =
+      shuffled(disjoint_union({generate(find_family("random-cubic"), 2000, 1), petersen(),
+                               complete(4), generate(find_family("cubic-tree"), 40, 1)}),
+               9);
   const Planes planes = planes_of(graph, {.flat_allowance = -150});  // none for n < 75
   EXPECT_EQ(planes.counts.core_parts, 3);
   EXPECT_EQ(grid::broken_invariant(graph, planes), "");
@@ -158,10 +154,10 @@ TEST(Grid, ComponentsWithoutFlatNumbersAreLeftToTheCore) {
 }
 
 TEST(Grid, SnarksKeepADefectAndFlatNumbers) {
-  for (const Graph& graph : {testing::petersen(), generate(find_family("flower-snark"), 100, 0)}) {
+  for (const Graph& graph : {petersen(), generate(find_family("flower-snark"), 100, 0)}) {
     const Drawing drawing = grid::draw(graph);  // no proper edge colouring with three colours
-    EXPECT_GE(testing::counter(drawing, "flat_defects"), 2);
-    EXPECT_EQ(testing::counter(drawing, "core_parts"), 0);
+    EXPECT_GE(counter(drawing, "flat_defects"), 2);
+    EXPECT_EQ(counter(drawing, "core_parts"), 0);
   }
 }
 
@@ -175,4 +171,4 @@ TEST(Grid, SameDrawingEveryTime) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing
