@@ -3,10 +3,9 @@
 // linear schedule; probabilities are integers out of 65536, so every platform draws the same. Each
 // round costs O(n), and memory is read in the green order. Idea: not in the paper, which has even
 // coordinates only.
-#include "ar3d/algorithms/diamond/anneal.h"
-
 #include <array>
 
+#include "ar3d/algorithms/diamond/parity.h"
 #include "ar3d/base/random.h"
 
 namespace ar3d::diamond {
@@ -18,21 +17,18 @@ constexpr std::uint64_t kSeed =
 
 /// The neighbours of each vertex in the red order; vertices named by their places in the green
 /// order, where the neighbours of i are i - 1 and i + 1.
-struct RedNeighbours {
-  std::vector<std::array<std::uint32_t, 2>> of;
-};
+using RedNeighbours = std::vector<std::array<std::uint32_t, 2>>;
 
 RedNeighbours red_neighbours(const Items& green, const Items& red) {
   const std::size_t n = green.vertex.size();
   std::vector<std::uint32_t> place(n);
   for (std::uint32_t i = 0; i < n; ++i) place[green.vertex[i]] = i;
-  RedNeighbours result;
-  result.of.assign(n, {kNone, kNone});
+  RedNeighbours result(n, {kNone, kNone});
   for (std::size_t i = 1; i < n; ++i) {
     const std::uint32_t a = place[red.vertex[i - 1]];
     const std::uint32_t b = place[red.vertex[i]];
-    result.of[a][1] = b;
-    result.of[b][0] = a;
+    result[a][1] = b;
+    result[b][0] = a;
   }
   return result;
 }
@@ -41,7 +37,7 @@ RedNeighbours red_neighbours(const Items& green, const Items& red) {
 class Annealing {
  public:
   explicit Annealing(const RedNeighbours& red)
-      : red_(red.of), parity_(red.of.size()), random_(kSeed, red.of.size()) {
+      : red_(red), parity_(red.size()), random_(kSeed, red.size()) {
     for (std::size_t i = 0; i < parity_.size(); ++i) parity_[i] = i & 1;
   }
 
@@ -74,7 +70,7 @@ class Annealing {
     return (random_.next32() & 0xffff) < power;
   }
 
-  const std::vector<std::array<std::uint32_t, 2>>& red_;
+  const RedNeighbours& red_;
   std::vector<std::uint8_t> parity_;  // by place in the green order
   RandomStream random_;
 };

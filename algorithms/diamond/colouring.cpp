@@ -97,12 +97,12 @@ TwoColouring two_colouring(const Graph& graph, const PaddedNeighbours& neighbour
     if (i % 2 == kRed) red[tail.v] |= bit(tail.entry);
   });
   TwoColouring result;
-  for (auto& next : result.next) next.assign(neighbours.size(), {kNone, kNone});
+  for (auto& next : result) next.assign(neighbours.size(), {kNone, kNone});
   for (Vertex v = 0; v < neighbours.size(); ++v) {
     const auto row = graph.incident(v);
     for (std::uint32_t entry = 0; entry < row.size(); ++entry) {
       if (orientation.out[v] & bit(entry))
-        result.next[red[v] & bit(entry) ? kRed : kGreen][v] = row[entry];
+        result[red[v] & bit(entry) ? kRed : kGreen][v] = row[entry];
     }
   }
   return result;

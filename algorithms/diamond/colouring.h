@@ -33,12 +33,10 @@ BalancedOrientation balanced_orientation(const PaddedNeighbours& neighbours);
 
 enum Colour : unsigned { kGreen = 0, kRed = 1 };
 
-/// next[c][v] is the edge of colour c that leaves v (to == kNone: there is none); every edge is the
-/// entry of its tail in its colour, and every vertex has at most one edge of each colour in and one
-/// out. So each colour is a set of vertex-disjoint directed paths and cycles.
-struct TwoColouring {
-  std::array<std::vector<HalfEdge>, 2> next;
-};
+/// By colour c and vertex v: the edge of colour c that leaves v (to == kNone: there is none); every
+/// edge is the entry of its tail in its colour, and every vertex has at most one edge of each
+/// colour in and one out. So each colour is a set of vertex-disjoint directed paths and cycles.
+using TwoColouring = std::array<std::vector<HalfEdge>, 2>;
 
 /// Pairs the two outgoing and the two incoming edges of every vertex and colours the chains so
 /// linked alternately. A chain alternates between pairs out and pairs in, so closed ones are even:

@@ -2,11 +2,9 @@
 // and claims that nothing else changes; it does (docs/theorem1.md, "What differs"). Here a cycle
 // is rotated before coordinates are final, or the ends of a red one move out by at most three
 // lines. O(n).
-#include "ar3d/algorithms/diamond/cycles.h"
-
 #include <algorithm>
 
-#include "ar3d/algorithms/diamond/buckets.h"
+#include "ar3d/algorithms/diamond/guaranteed.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::diamond {

@@ -1,15 +1,20 @@
 // Theorem 1: colouring, items, placement, tracks, routes. The outline of docs/theorem1.md as a
-// function, the theorem as data in the catalogue's row, and the refusals of the public entry. Cost:
-// O(n + m).
+// function, and the theorem as data in the catalogue's row. Efforts keep the placements of
+// Steps 1.3 to 1.6 and 1.8 to 1.10 as candidates, compared by the volume of their boxes; one that
+// passes the theorem's box is dropped, which the guaranteed one never does (Lemma 1.6). Cost: O(n +
+// m) for each candidate, six of them at most.
 #include "ar3d/algorithms/diamond/diamond.h"
 
+#include <array>
+#include <optional>
 #include <tuple>
 #include <utility>
 
 #include "ar3d/algorithms/degree_limit.h"
-#include "ar3d/algorithms/diamond/candidates.h"
+#include "ar3d/algorithms/diamond/fast/fast.h"
+#include "ar3d/algorithms/diamond/guaranteed.h"
 #include "ar3d/algorithms/diamond/in_threads.h"
-#include "ar3d/algorithms/diamond/interleaved.h"
+#include "ar3d/algorithms/diamond/parity.h"
 #include "ar3d/algorithms/diamond/routes.h"
 #include "ar3d/base/error.h"
 
@@ -24,26 +29,126 @@ void refuse_bad_input(const Graph& graph, const Options& options) {
   refuse_more_vertices("diamond", graph, kMaxVertices);
 }
 
+/// Value of the counter `mode`.
+enum class Mode { guaranteed = 0, alternating = 1, pairs = 2, joint = 3, annealed = 4 };
+
+struct ModeCandidate {
+  Placement placement;
+  Tracks tracks;
+  std::vector<Counter> counters;
+  std::optional<std::array<std::int64_t, 3>> instance_bound;
+};
+
+__extension__ using Volume = unsigned __int128;
+
+/// Number of grid points in the box; extents are below 2^32, so it is below 2^97.
+Volume volume(const ModeCandidate& candidate) {
+  Volume product = 1;
+  for (const std::int64_t extent : candidate.tracks.extents)
+    product *= static_cast<Volume>(extent + 1);
+  return product;
+}
+
+std::optional<ModeCandidate> parity_candidate(const Graph& graph, Mode mode,
+                                              std::optional<ParityPlacement> placed) {
+  if (!placed) return std::nullopt;
+  ModeCandidate result;
+  result.placement = std::move(placed->placement);
+  result.tracks = choose_tracks(graph, result.placement);
+  if (!fits_theorem_box(result.tracks.extents, graph.num_vertices())) return std::nullopt;
+  result.counters = {{"mode", static_cast<std::int64_t>(mode)},
+                     {"m_green", count_cycles(result.placement.green)},
+                     {"m_red", count_cycles(result.placement.red)},
+                     {"hits", placed->hits}};
+  return result;
+}
+
+/// Alternating parity; nothing if it passes the theorem's box.
+std::optional<ModeCandidate> alternating(const Graph& graph, Items green, Items red, Mode mode) {
+  return parity_candidate(
+      graph, mode,
+      place_by_parity(graph, std::move(green), std::move(red), ParityPattern::alternating));
+}
+
+bool fits(const std::array<std::int64_t, 3>& extents, const std::array<std::int64_t, 3>& bound) {
+  return extents[0] <= bound[0] && extents[1] <= bound[1] && extents[2] <= bound[2];
+}
+
+/// The box that the guaranteed mode proves for this very graph stays with a smaller candidate that
+/// keeps it, and so does its H.
+void keep_smaller(ModeCandidate& best, std::optional<ModeCandidate> other) {
+  if (!other || volume(*other) >= volume(best)) return;
+  if (best.instance_bound && fits(other->tracks.extents, *best.instance_bound)) {
+    other->instance_bound = best.instance_bound;
+    other->counters.push_back(best.counters.back());
+  }
+  best = std::move(*other);
+}
+
+/// Always fits the theorem's box (n >= 1).
+ModeCandidate guaranteed_candidate(const Graph& graph, Items green, Items red) {
+  GuaranteedPlacement placed = place_guaranteed(graph, std::move(green), std::move(red));
+  const GapCount& gaps = placed.gaps;
+  ModeCandidate result;
+  result.placement = std::move(placed.placement);
+  result.tracks = choose_tracks(graph, result.placement);
+  result.counters = {{"mode", static_cast<std::int64_t>(Mode::guaranteed)},
+                     {"m_green", gaps.m_green},
+                     {"m_red", gaps.m_red},
+                     {"contained", gaps.contained},
+                     {"rho", gaps.rho},
+                     {"green_gaps", gaps.green_gaps},
+                     {"red_gaps", gaps.red_gaps},
+                     {"bumps", gaps.bumps},
+                     {"offsets", gaps.offsets},
+                     {"H", gaps.H()}};
+  if (graph.num_vertices() >= 2) {
+    const std::int64_t n = graph.num_vertices();
+    const std::int64_t side = 4 * n + 2 * gaps.H();
+    result.instance_bound = {side, side, 6 * n + 3 * gaps.H() - 4};
+  }
+  return result;
+}
+
+/// The candidate of least volume among the guaranteed mode, alternating parity, pairs, joint
+/// rotation, and annealed parity with and without it.
+ModeCandidate smallest(const Graph& graph, const Items& green, const Items& red) {
+  ModeCandidate best = guaranteed_candidate(graph, green, red);
+  keep_smaller(best, alternating(graph, green, red, Mode::alternating));
+  keep_smaller(best, parity_candidate(graph, Mode::pairs,
+                                      place_by_parity(graph, green, red, ParityPattern::pairs)));
+  const auto anneal = [&](const Items& g, const Items& r) {
+    keep_smaller(best, parity_candidate(graph, Mode::annealed,
+                                        place_by_parity(graph, g, r, annealed_parity(g, r))));
+  };
+  anneal(green, red);
+  Items rotated_green = green;
+  Items rotated_red = red;
+  if (rotate_jointly(rotated_green, rotated_red)) {
+    keep_smaller(best, alternating(graph, rotated_green, rotated_red, Mode::joint));
+    anneal(rotated_green, rotated_red);
+  }
+  return best;
+}
+
 /// The green and the red items.
 std::pair<Items, Items> items_of(const Graph& graph) {
-  TwoColouring colours = colouring_of(graph);
-  const bool many = graph.num_vertices() >= kManyInItems;
+  TwoColouring colours = fast::colouring(graph);
   std::pair<Items, Items> items;
   const auto extract = [&](Colour c) {
-    const std::vector<HalfEdge> next = std::move(colours.next[c]);  // not beyond this
-    (c == kGreen ? items.first : items.second) =
-        many ? interleaved_items(next, walk_sizes(next.size())) : extract_items(next);
+    const std::vector<HalfEdge> next = std::move(colours[c]);  // not beyond this
+    (c == kGreen ? items.first : items.second) = fast::items(next);
   };
   in_two_threads(
       graph.num_vertices(), [&] { extract(kGreen); }, [&] { extract(kRed); });
   return items;
 }
 
-Candidate choose(const Graph& graph, int effort) {
+ModeCandidate choose(const Graph& graph, int effort) {
   auto [green, red] = items_of(graph);
   if (effort == 2) return smallest(graph, green, red);
   if (effort == 1) {
-    auto compact = alternating_candidate(graph, std::move(green), std::move(red));
+    auto compact = alternating(graph, std::move(green), std::move(red), Mode::alternating);
     if (compact) return std::move(*compact);
     std::tie(green, red) = items_of(graph);  // found again rather than kept: no input needed them
   }
@@ -54,7 +159,7 @@ Candidate choose(const Graph& graph, int effort) {
 
 Drawing draw(const Graph& graph, const Options& options) {
   refuse_bad_input(graph, options);
-  Candidate chosen = choose(graph, options.effort);
+  ModeCandidate chosen = choose(graph, options.effort);
   expect(graph.num_vertices() == 0 || fits_theorem_box(chosen.tracks.extents, graph.num_vertices()),
          "the drawing keeps the theorem's box");
   chosen.placement.green = chosen.placement.red = {};  // what follows needs the places alone

@@ -7,11 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "ar3d/algorithms/diamond/ahead.h"
-#include "ar3d/algorithms/diamond/buckets.h"
-#include "ar3d/algorithms/diamond/cycles.h"
 #include "ar3d/algorithms/diamond/in_threads.h"
-#include "ar3d/algorithms/diamond/ordering.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::diamond {
@@ -62,7 +58,7 @@ class RedStack {
         natural_(natural),
         number_(red.count()),
         base_(red.count()) {
-    for (std::uint32_t i = 0; i < red.count(); ++i) number_[order.places[i].item] = i;
+    for (std::uint32_t i = 0; i < red.count(); ++i) number_[order[i].item] = i;
   }
 
   /// The sum of the offsets.
@@ -82,7 +78,7 @@ class RedStack {
 
   /// y of a place of an item in the stack.
   std::int32_t y(std::uint32_t item, std::uint32_t place) const {
-    const auto [natural, reversed] = order_.places[item];
+    const auto [natural, reversed] = order_[item];
     const Bump bump = cycles_.bumps[natural];
     std::int32_t y = base_[item] + static_cast<std::int32_t>(place);
     if (place == 0) return y;
@@ -92,7 +88,7 @@ class RedStack {
 
  private:
   /// A green closing edge from a place of an item to an earlier item.
-  struct Closing {
+  struct StackedClosing {
     std::uint32_t place;
     std::uint32_t other_item;
     std::uint32_t other_place;
@@ -106,7 +102,7 @@ class RedStack {
     const std::uint32_t size = red_.size(item);
     const std::uint32_t turned = cycles_.turned[natural];
     const std::uint32_t place = (position - begin_[natural] + size - turned) % size;
-    return {item, order_.places[item].reversed ? size - 1 - place : place};
+    return {item, order_[item].reversed ? size - 1 - place : place};
   }
 
   void file(const std::vector<GreenClosing>& closings, const PlanePoints& at) {
@@ -125,7 +121,7 @@ class RedStack {
     forbidden_.clear();
     if (bad) forbidden_.push_back(0);
     late_.for_each(item, [&](std::uint32_t i) {
-      const Closing& closing = closings_[i];
+      const StackedClosing& closing = closings_[i];
       const std::int32_t without = y(item, closing.place);  // base_ is 0 so far
       forbidden_.push_back(y(closing.other_item, closing.other_place) + closing.x_distance - top -
                            without);
@@ -149,7 +145,7 @@ class RedStack {
   const Whereabouts& natural_;
   std::vector<std::uint32_t> number_;  ///< in the stack, by natural item
   std::vector<std::int32_t> base_;     ///< y of the items' first vertices
-  std::vector<Closing> closings_;
+  std::vector<StackedClosing> closings_;
   Buckets late_{0, 0};
   std::vector<std::int32_t> forbidden_;
 };

@@ -1,11 +1,75 @@
 #pragma once
 
 // Theorem 1, guaranteed mode: even coordinates and few gaps, hence the box 16n/3 x 16n/3 x 8n.
-// Paper, Section 2.
+// Paper, Section 2. Coordinates of cycles.cpp are x = X/2 and y = Y/2.
 
 #include "ar3d/algorithms/diamond/placement.h"
 
 namespace ar3d::diamond {
+
+/// Items in an order and direction such that the last vertex of one and the first vertex of the
+/// next are not adjacent, with at most one exception if n >= 4, and none if there are at least 6
+/// items; an exception is a bad boundary. Proof: Lemma 1.3. Cost: O(n).
+Arrangement order_items(const Graph& graph, const Items& items);
+
+/// bad[i] (i >= 1): items i-1 and i, laid side by side, would put two adjacent vertices on
+/// neighbouring lines.
+std::vector<bool> bad_boundaries(const Graph& graph, const Items& items);
+
+/// Lists of numbers, one list a bucket; linear in all.
+class Buckets {
+ public:
+  Buckets(std::size_t buckets, std::size_t entries)
+      : head_(buckets, kNone), next_(entries, kNone) {}
+  void add(std::uint32_t bucket, std::uint32_t entry) {
+    next_[entry] = head_[bucket];
+    head_[bucket] = entry;
+  }
+  template <class Visit>
+  void for_each(std::uint32_t bucket, Visit visit) const {
+    for (std::uint32_t entry = head_[bucket]; entry != kNone; entry = next_[entry]) visit(entry);
+  }
+
+ private:
+  std::vector<std::uint32_t> head_;
+  std::vector<std::uint32_t> next_;
+};
+
+/// The closing edge of a green cycle, and the red item that holds the whole cycle, or kNone.
+struct GreenClosing {
+  Vertex u = 0;
+  Vertex w = 0;
+  std::uint32_t contained_in = kNone;
+};
+
+/// Step 1.3. Rotates every green cycle. A closing edge between two red items is free to change its
+/// length with their offset; one inside a red item R has |rp(u) - rp(w)| != k - 1 = |x(u) - x(w)|
+/// for the natural ranks rp in R. One entry a green cycle. Cost: O(n).
+std::vector<GreenClosing> close_green_cycles(Items& green, const Whereabouts& natural_red);
+
+/// The first vertex of a red cycle is moved down by `first` lines and the last one up by `last`
+/// lines.
+struct Bump {
+  std::uint8_t first = 0;
+  std::uint8_t last = 0;
+};
+
+struct RedCycles {
+  std::vector<Bump> bumps;            ///< by natural red item
+  std::vector<std::uint32_t> turned;  ///< likewise: by how many places its first vertex moved on
+  std::int64_t contained = 0;         ///< green cycles inside one red item
+  std::int64_t rho = 0;               ///< red cycles that contain a green cycle
+  std::int64_t lines = 0;             ///< sum of all bumps
+};
+
+/// Step 1.5. Rotates or bumps every red cycle, so that inside every red item all edges but the
+/// green closings to other items have |dx| != |dy|. All x are final. Cost: O(n).
+RedCycles settle_red_cycles(Items& red, const std::vector<GreenClosing>& closings,
+                            const PlanePoints& at, const Whereabouts& natural_red);
+
+inline std::int32_t x_distance(const PlanePoints& at, Vertex u, Vertex v) {
+  return std::abs(at[u].X - at[v].X);
+}
 
 /// Where the width comes from: the x- and the y-extent are at most 4n + 2H, the z-extent at most 6n
 /// + 3H - 4 (n >= 2), with H = green_gaps + bumps + offsets <= m_green + rho + 2.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "ar3d/algorithms/diamond/ahead.h"
 #include "ar3d/algorithms/diamond/in_threads.h"
 
 namespace ar3d::diamond {
@@ -68,14 +67,12 @@ Whereabouts whereabouts(const Items& items) {
 
 Items arranged(Items items, const Arrangement& arrangement) {
   std::uint32_t number = 0;
-  const auto stands = [&](Arrangement::Place place) {
-    return place.item == number++ && !place.reversed;
-  };
-  if (std::all_of(arrangement.places.begin(), arrangement.places.end(), stands)) return items;
+  const auto stands = [&](ItemInOrder place) { return place.item == number++ && !place.reversed; };
+  if (std::all_of(arrangement.begin(), arrangement.end(), stands)) return items;
   Items result;
   result.vertex.reserve(items.vertex.size());
   result.edge.reserve(items.edge.size());
-  for (const auto [item, reversed] : arrangement.places) {
+  for (const auto [item, reversed] : arrangement) {
     const auto start = static_cast<std::ptrdiff_t>(result.vertex.size());
     const auto from = items.begin[item];
     const auto to = items.begin[item + 1];

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "ar3d/algorithms/diamond/colouring.h"
@@ -65,16 +66,33 @@ Whereabouts whereabouts(const Items& items);
 
 /// A list of the items with a direction for each: what remains when a colour's items are put in
 /// order.
-struct Arrangement {
-  struct Place {
-    std::uint32_t item = 0;
-    bool reversed = false;
-  };
-  std::vector<Place> places;
+struct ItemInOrder {
+  std::uint32_t item = 0;
+  bool reversed = false;
 };
+using Arrangement = std::vector<ItemInOrder>;
 
 /// The items in the arrangement's order and directions; reversing keeps the closing edge of a
 /// cycle. Cost: O(n), and O(items) if they are in this order already.
 Items arranged(Items items, const Arrangement& arrangement);
+
+/// How many places ahead something is asked for when an order is known whose places in memory are
+/// in no order.
+inline constexpr std::size_t kAhead = 16;
+
+/// Calls visit(i, array[order[i]]) for i = begin, ..., end - 1, and asks for elements ahead, beyond
+/// `end` too: the next range is often next.
+template <class Order, class Array, class Visit>
+void for_each_ahead(const Order& order, Array& array, std::size_t begin, std::size_t end,
+                    Visit visit) {
+  constexpr int kWritten = std::is_const_v<Array> ? 0 : 1;
+  const std::size_t known = order.size() < kAhead ? 0 : order.size() - kAhead;
+  std::size_t i = begin;
+  for (const std::size_t stop = std::min(end, known); i < stop; ++i) {
+    __builtin_prefetch(&array[order[i + kAhead]], kWritten);
+    visit(i, array[order[i]]);
+  }
+  for (; i < end; ++i) visit(i, array[order[i]]);
+}
 
 }  // namespace ar3d::diamond

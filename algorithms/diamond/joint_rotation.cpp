@@ -2,10 +2,9 @@
 // drawings, and closing one colour's cycle elsewhere moves the ranks of the other; so pairs of
 // closing edges are judged together: 16 random green ones, each against every red one. O(n). Idea:
 // not in the paper.
-#include "ar3d/algorithms/diamond/joint_rotation.h"
-
 #include <algorithm>
 
+#include "ar3d/algorithms/diamond/parity.h"
 #include "ar3d/base/random.h"
 
 namespace ar3d::diamond {

@@ -1,15 +1,13 @@
 // Lemma 1.3. Greedy: of three waiting items one fits behind the last vertex, since that has only
 // two neighbours in the other colour. The at most two left over are put where they fit. The paper
 // leaves gaps between all items instead, which costs a line for each. O(n).
-#include "ar3d/algorithms/diamond/ordering.h"
-
 #include <algorithm>
 #include <optional>
 
+#include "ar3d/algorithms/diamond/guaranteed.h"
+
 namespace ar3d::diamond {
 namespace {
-
-using Place = Arrangement::Place;
 
 class Ordering {
  public:
@@ -28,27 +26,31 @@ class Ordering {
   }
 
  private:
-  Vertex start(Place p) const { return p.reversed ? items_.last(p.item) : items_.first(p.item); }
-  Vertex end(Place p) const { return p.reversed ? items_.first(p.item) : items_.last(p.item); }
+  Vertex start(ItemInOrder p) const {
+    return p.reversed ? items_.last(p.item) : items_.first(p.item);
+  }
+  Vertex end(ItemInOrder p) const {
+    return p.reversed ? items_.first(p.item) : items_.last(p.item);
+  }
 
   /// Can the item, in that direction, stand before place number `gap`?
-  bool fits(Place p, std::size_t gap) const {
-    const auto& places = order_.places;
+  bool fits(ItemInOrder p, std::size_t gap) const {
+    const auto& places = order_;
     if (gap > 0 && adjacent(graph_, end(places[gap - 1]), start(p))) return false;
     return gap == places.size() || !adjacent(graph_, end(p), start(places[gap]));
   }
 
-  std::optional<Place> fitting_direction(std::uint32_t item, std::size_t gap) const {
+  std::optional<ItemInOrder> fitting_direction(std::uint32_t item, std::size_t gap) const {
     for (const bool reversed : {false, true}) {
-      if (fits({item, reversed}, gap)) return Place{item, reversed};
+      if (fits({item, reversed}, gap)) return ItemInOrder{item, reversed};
     }
     return std::nullopt;
   }
 
   bool take_fitting() {
     for (std::size_t i = 0; i < waiting_.size(); ++i) {
-      if (const auto place = fitting_direction(waiting_[i], order_.places.size())) {
-        order_.places.push_back(*place);
+      if (const auto place = fitting_direction(waiting_[i], order_.size())) {
+        order_.push_back(*place);
         waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(i));
         return true;
       }
@@ -59,7 +61,7 @@ class Ordering {
   /// At most two items are left over. Appends if the item fits there by now, else inserts it where
   /// it fits, else appends it behind a bad boundary.
   void place_leftover(std::uint32_t item) {
-    auto& places = order_.places;
+    auto& places = order_;
     for (std::size_t i = 0; i <= places.size(); ++i) {
       const std::size_t gap = i == 0 ? places.size() : i - 1;
       if (const auto place = fitting_direction(item, gap)) {
@@ -77,11 +79,6 @@ class Ordering {
 };
 
 }  // namespace
-
-bool adjacent(const Graph& graph, Vertex u, Vertex v) {
-  const auto row = graph.incident(u);
-  return std::any_of(row.begin(), row.end(), [v](const HalfEdge& half) { return half.to == v; });
-}
 
 Arrangement order_items(const Graph& graph, const Items& items) {
   return Ordering(graph, items).run();

@@ -2,13 +2,10 @@
 // then the least Y of the right parity for each vertex in red order. At most six values are
 // forbidden for a vertex, so the walk never fails; (C1) and (C2) are kept by rules filed under the
 // later vertex. O(n). Idea: not in the paper; without a proved box of its own.
-#include "ar3d/algorithms/diamond/parity_placement.h"
-
 #include <algorithm>
 
-#include "ar3d/algorithms/diamond/ahead.h"
 #include "ar3d/algorithms/diamond/in_threads.h"
-#include "ar3d/algorithms/diamond/ordering.h"
+#include "ar3d/algorithms/diamond/parity.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::diamond {
@@ -41,16 +38,16 @@ class ForbiddenDifferences {
   }
 
  private:
-  struct Rule {
+  struct DifferenceRule {
     Vertex other;
     std::int32_t difference;
     std::int32_t next;
   };
-  const Rule& rule(std::int32_t list) const {
+  const DifferenceRule& rule(std::int32_t list) const {
     return rules_[static_cast<std::size_t>(kNotYet - list) - 1];
   }
   PlanePoints& at_;
-  std::vector<Rule> rules_;
+  std::vector<DifferenceRule> rules_;
 };
 
 class ParityPlacer {

@@ -1,6 +1,8 @@
-// Checks the four invariants of a placement, from which Lemmas 1.1 and 1.2 conclude that the
-// drawing is right. Only tests and builds with AR3D_CHECKS run it. O(n + m).
+// The four invariants of a placement, from which Lemmas 1.1 and 1.2 conclude that the drawing is
+// right; only tests and builds with AR3D_CHECKS check them. O(n + m).
 #include "ar3d/algorithms/diamond/placement.h"
+
+#include <algorithm>
 
 namespace ar3d::diamond {
 namespace {
@@ -24,6 +26,16 @@ bool keeps_order_and_c2(const Items& items, Along along, Across across) {
 }
 
 }  // namespace
+
+bool adjacent(const Graph& graph, Vertex u, Vertex v) {
+  const auto row = graph.incident(u);
+  return std::any_of(row.begin(), row.end(), [v](const HalfEdge& half) { return half.to == v; });
+}
+
+bool fits_theorem_box(const std::array<std::int64_t, 3>& extents, std::uint64_t n) {
+  const auto size = static_cast<std::int64_t>(n);
+  return 3 * extents[0] <= 16 * size && 3 * extents[1] <= 16 * size && extents[2] <= 8 * size;
+}
 
 bool keeps_invariants(const Graph& graph, const Placement& placement) {
   const auto x = [&](Vertex v) { return placement.at[v].X; };

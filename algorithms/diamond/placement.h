@@ -2,6 +2,7 @@
 
 // The plane picture of Theorem 1: what every mode has to produce, and what is needed of it.
 
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <vector>
@@ -51,6 +52,11 @@ inline std::int32_t z_distance(std::int32_t along, std::int32_t across) {
   if (std::abs(across - 2) != along) return 1;
   return across > 2 && std::abs(across - 4) != along ? 2 : 0;
 }
+
+bool adjacent(const Graph& graph, Vertex u, Vertex v);
+
+/// 3 * x-extent and 3 * y-extent <= 16n, z-extent <= 8n.
+bool fits_theorem_box(const std::array<std::int64_t, 3>& extents, std::uint64_t n);
 
 /// Checks all four invariants; O(n + m).
 bool keeps_invariants(const Graph& graph, const Placement& placement);

@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <limits>
 
-#include "ar3d/algorithms/diamond/ahead.h"
 #include "ar3d/algorithms/diamond/in_threads.h"
 #include "ar3d/algorithms/diamond/routes.h"
 #include "ar3d/base/error.h"
@@ -17,7 +16,7 @@ namespace {
 
 /// A plane point as a colour sees it: `a` orders the colour's items (green: X), `b` is the other
 /// coordinate.
-struct Seen {
+struct SeenPoint {
   std::int32_t a = 0;
   std::int32_t b = 0;
 };
@@ -25,28 +24,28 @@ struct Seen {
 /// Coordinates and tracks are below 2^30 in absolute value (placement.h), so a sum or a difference
 /// of two of them fits 32 bits, and the length of a plane path, three distances, 32 bits without a
 /// sign.
-struct Range {
+struct CoordinateRange {
   std::int32_t low = std::numeric_limits<std::int32_t>::max();
   std::int32_t high = std::numeric_limits<std::int32_t>::min();
   void include(std::int32_t value) {
     low = std::min(low, value);
     high = std::max(high, value);
   }
-  void include(Range other) {
+  void include(CoordinateRange other) {
     low = std::min(low, other.low);
     high = std::max(high, other.high);
   }
 };
 
 /// The vertices and the tracks of one colour so far.
-struct Reach {
-  Range a_minus_b;
-  Range a_plus_b;
+struct ColourReach {
+  CoordinateRange a_minus_b;
+  CoordinateRange a_plus_b;
   std::uint32_t length = 0;  ///< of the longest plane path; the height is half of it
 };
 
 /// Of the plane path from p to q along a track.
-std::uint32_t length(Seen p, Seen q, std::int32_t track) {
+std::uint32_t length(SeenPoint p, SeenPoint q, std::int32_t track) {
   const auto distance = [](std::int32_t s, std::int32_t t) {
     return static_cast<std::uint32_t>(std::abs(s - t));
   };
@@ -65,7 +64,7 @@ class Labels {
         last_edge_(static_cast<EdgeId>(tracks.code.size()) - 1) {}
 
   /// Widens what the vertices reach.
-  Reach run(Reach of_vertices) {
+  ColourReach run(ColourReach of_vertices) {
     reach_ = of_vertices;
     for (std::uint32_t item = 0; item < items_.count(); ++item) {
       if (items_.size(item) == 1) continue;
@@ -77,27 +76,29 @@ class Labels {
         label_path(+1, kNone);
       }
     }
-    points_ = UnwrittenVector<Seen>();  // its memory, which the other colour takes
+    points_ = UnwrittenVector<SeenPoint>();  // its memory, which the other colour takes
     return reach_;
   }
 
  private:
   void read_points(std::uint32_t item) {
     points_.resize(items_.size(item));
-    Range used;
-    Seen* next = points_.data();
+    CoordinateRange used;
+    SeenPoint* next = points_.data();
     for_each_ahead(items_.vertex, at_, items_.begin[item], items_.begin[item + 1],
                    [&](std::size_t, PlanePoint p) {
-                     const Seen s = seen(p);
+                     const SeenPoint s = seen(p);
                      *next++ = s;
                      used.include(s.b);
                    });
     used_ = used;
   }
 
-  Seen seen(PlanePoint p) const { return colour_ == kGreen ? Seen{p.X, p.Y} : Seen{p.Y, p.X}; }
+  SeenPoint seen(PlanePoint p) const {
+    return colour_ == kGreen ? SeenPoint{p.X, p.Y} : SeenPoint{p.Y, p.X};
+  }
 
-  static int direction(Seen from, Seen to) { return to.b > from.b ? 1 : -1; }
+  static int direction(SeenPoint from, SeenPoint to) { return to.b > from.b ? 1 : -1; }
 
   /// The side on which the closing edge runs shorter. Nothing but the ends is used so far.
   int shorter_side() const {
@@ -110,8 +111,8 @@ class Labels {
   /// Z starts towards its other end.
   std::uint32_t find_z(int side) const {
     for (std::uint32_t i = 0; i + 1 < points_.size(); ++i) {
-      const Seen p = points_[i];
-      const Seen q = points_[i + 1];
+      const SeenPoint p = points_[i];
+      const SeenPoint q = points_[i + 1];
       if (z_distance(q.a - p.a, q.b - p.b) > 0 && (side == 0 || first_sign(i) == -side)) return i;
     }
     return kNone;
@@ -141,8 +142,8 @@ class Labels {
     if (z == kNone) return label_us(0, edges, sign);
     label_us(0, z, sign);
     if (z % 2 == 1) sign = -sign;
-    const Seen p = points_[z];
-    const Seen q = points_[z + 1];
+    const SeenPoint p = points_[z];
+    const SeenPoint q = points_[z + 1];
     route(p, q, p.b + sign * z_distance(q.a - p.a, q.b - p.b), edge_[z]);
     label_us(z + 1, edges, sign);
   }
@@ -150,15 +151,15 @@ class Labels {
   /// Routes the path edges begin, ..., end - 1 as U's, alternately on either side. A path edge runs
   /// upwards in `a`, so of the four points of a U two can be outermost.
   void label_us(std::uint32_t begin, std::uint32_t end, int sign) {
-    const Seen* const points = points_.data();
+    const SeenPoint* const points = points_.data();
     const EdgeId* const edges = edge_;
     std::int32_t* const code = code_;
     const auto red = static_cast<std::int32_t>(colour_);
-    Reach reach = reach_;
-    Range used = used_;
+    ColourReach reach = reach_;
+    CoordinateRange used = used_;
     const auto up = [&](std::uint32_t i) {
-      const Seen p = points[i];
-      const Seen q = points[i + 1];
+      const SeenPoint p = points[i];
+      const SeenPoint q = points[i + 1];
       const std::int32_t track = std::max(p.b, q.b) + 1;
       code[edges[i]] = 2 * track + red;
       used.high = std::max(used.high, track);
@@ -167,8 +168,8 @@ class Labels {
       reach.length = std::max(reach.length, length(p, q, track));
     };
     const auto down = [&](std::uint32_t i) {
-      const Seen p = points[i];
-      const Seen q = points[i + 1];
+      const SeenPoint p = points[i];
+      const SeenPoint q = points[i + 1];
       const std::int32_t track = std::min(p.b, q.b) - 1;
       code[edges[i]] = 2 * track + red;
       used.low = std::min(used.low, track);
@@ -195,7 +196,7 @@ class Labels {
   }
 
   /// Any edge of the item.
-  void route(Seen p, Seen q, std::int32_t track, EdgeId edge) {
+  void route(SeenPoint p, SeenPoint q, std::int32_t track, EdgeId edge) {
     code_[edge] = 2 * track + static_cast<std::int32_t>(colour_);
     used_.include(track);
     for (const std::int32_t a : {p.a, q.a}) {
@@ -209,12 +210,12 @@ class Labels {
   const PlanePoints& at_;
   const Colour colour_;
   std::int32_t* code_;
-  UnwrittenVector<Seen> points_;  // of the item at hand
-  Range used_;                    // its places and tracks in `b` so far
-  const EdgeId* edge_ = nullptr;  // its edges
-  const EdgeId* edges_end_;       // of all items
-  EdgeId last_edge_;              // the largest number
-  Reach reach_;
+  UnwrittenVector<SeenPoint> points_;  // of the item at hand
+  CoordinateRange used_;               // its places and tracks in `b` so far
+  const EdgeId* edge_ = nullptr;       // its edges
+  const EdgeId* edges_end_;            // of all items
+  EdgeId last_edge_;                   // the largest number
+  ColourReach reach_;
 };
 
 }  // namespace
@@ -223,15 +224,17 @@ Tracks choose_tracks(const Graph& graph, const Placement& placement) {
   Tracks tracks;
   tracks.code.resize(graph.num_edges());
   if (placement.at.empty()) return tracks;
-  Range x;
-  Range y;
+  CoordinateRange x;
+  CoordinateRange y;
   for (const PlanePoint p : placement.at) {
     x.include(p.X - p.Y);
     y.include(p.X + p.Y);
   }
   // x = X - Y: green sees a - b, red sees b - a.
-  const auto turned = [](Range range) { return Range{-range.high, -range.low}; };
-  std::array<Reach, 2> reach{Reach{x, y}, Reach{turned(x), y}};
+  const auto turned = [](CoordinateRange range) {
+    return CoordinateRange{-range.high, -range.low};
+  };
+  std::array<ColourReach, 2> reach{ColourReach{x, y}, ColourReach{turned(x), y}};
   const auto label = [&](Colour colour) {
     const Items& items = colour == kGreen ? placement.green : placement.red;
     reach[colour] = Labels(items, placement.at, colour, tracks).run(reach[colour]);

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "ar3d/algorithms/diamond/candidates.h"
 #include "ar3d/algorithms/diamond/guaranteed.h"
+#include "ar3d/algorithms/diamond/routes.h"
 
 namespace ar3d::testing {
 

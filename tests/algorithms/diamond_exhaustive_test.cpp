@@ -8,16 +8,13 @@
 #include "support/graphs.h"
 #include "support/names.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::diamond_fault;
-using testing::diamond_modes;
 
 class EverySmallGraph : public ::testing::TestWithParam<int> {};
 
 TEST_P(EverySmallGraph, IsCertifiedInEveryMode) {
-  for (const Graph& graph : testing::geng(fmt::format("-D4 {}", GetParam()))) {
+  for (const Graph& graph : geng(fmt::format("-D4 {}", GetParam()))) {
     for (const diamond::Options& options : diamond_modes()) {
       ASSERT_EQ(diamond_fault(graph, options), "") << "effort " << options.effort;
     }
@@ -26,39 +23,38 @@ TEST_P(EverySmallGraph, IsCertifiedInEveryMode) {
 
 TEST(SmallGraphs, AreAll18745) {
   std::size_t count = 0;
-  for (int n = 1; n <= 9; ++n) count += testing::geng(fmt::format("-D4 {}", n)).size();
+  for (int n = 1; n <= 9; ++n) count += geng(fmt::format("-D4 {}", n)).size();
   EXPECT_EQ(count, 18745u);
 }
 
-INSTANTIATE_TEST_SUITE_P(UpToNineVertices, EverySmallGraph, ::testing::Range(1, 10),
-                         testing::named("n"));
+INSTANTIATE_TEST_SUITE_P(UpToNineVertices, EverySmallGraph, ::testing::Range(1, 10), named("n"));
 
 class EveryFourRegularGraph : public ::testing::TestWithParam<int> {};
 
 TEST_P(EveryFourRegularGraph, IsCertifiedInFiveLabellings) {
   std::uint64_t seed = 0;
-  for (const Graph& graph : testing::geng(fmt::format("-c -d4 -D4 {}", GetParam()))) {
+  for (const Graph& graph : geng(fmt::format("-c -d4 -D4 {}", GetParam()))) {
     for (int relabelling = 0; relabelling < 5; ++relabelling) {
-      const Graph shuffled = testing::shuffled(graph, ++seed);
+      const Graph renamed = shuffled(graph, ++seed);
       for (const diamond::Options& options : diamond_modes()) {
-        ASSERT_EQ(diamond_fault(shuffled, options), "") << "seed " << seed;
+        ASSERT_EQ(diamond_fault(renamed, options), "") << "seed " << seed;
       }
     }
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(UpToTwelveVertices, EveryFourRegularGraph, ::testing::Range(5, 13),
-                         testing::named("n"));
+                         named("n"));
 
 // With diamond_long_test.cpp (n = 7) this is the part of the size bound's proof for n <= 7, see
 // docs/theorem1.md.
 TEST(GuaranteedMode, FitsOnEveryColouringOfAtMostSixVertices) {
   for (Vertex n = 1; n <= 6; ++n) {
     std::size_t colourings = 0;
-    EXPECT_EQ(testing::count_colouring_faults(n, colourings), 0u) << n << " vertices";
+    EXPECT_EQ(count_colouring_faults(n, colourings), 0u) << n << " vertices";
     EXPECT_GT(colourings, 0u);
   }
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -4,13 +4,14 @@
 
 #include <vector>
 
-#include "ar3d/algorithms/diamond/interleaved.h"
+#include "ar3d/algorithms/diamond/fast/fast.h"
 #include "ar3d/generators/catalog.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using namespace diamond;
+using fast::WalkSizes;
 
 std::vector<WalkSizes> sizes() {
   return {{.stride = 1, .lanes = 1},
@@ -35,11 +36,10 @@ void expect_equal(const Items& a, const Items& b) {
 void expect_plain_result(const Graph& graph, const WalkSizes& sizes) {
   const PaddedNeighbours neighbours = padded_neighbours(graph);
   const TwoColouring plain = two_colouring(graph, neighbours, balanced_orientation(neighbours));
-  const TwoColouring interleaved = interleaved_colouring(graph, sizes);
+  const TwoColouring interleaved = fast::colouring(graph, sizes);
   for (const Colour c : {kGreen, kRed}) {
-    ASSERT_EQ(plain.next[c], interleaved.next[c]);
-    ASSERT_NO_FATAL_FAILURE(
-        expect_equal(extract_items(plain.next[c]), interleaved_items(plain.next[c], sizes)));
+    ASSERT_EQ(plain[c], interleaved[c]);
+    ASSERT_NO_FATAL_FAILURE(expect_equal(extract_items(plain[c]), fast::items(plain[c], sizes)));
   }
 }
 
@@ -86,4 +86,4 @@ TEST(Interleaved, ManySmallRandomGraphs) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

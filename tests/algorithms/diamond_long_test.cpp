@@ -4,38 +4,38 @@
 #include "algorithms/diamond_support.h"
 #include "support/graphs.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 // The case n = 7 of the size bound's proof: every pair of colourings, with the items in every order
 // and direction.
 TEST(GuaranteedMode, FitsOnEveryColouringOfSevenVertices) {
   std::size_t colourings = 0;
-  EXPECT_EQ(testing::count_colouring_faults(7, colourings), 0u);
+  EXPECT_EQ(count_colouring_faults(7, colourings), 0u);
   EXPECT_EQ(colourings, 32961660u);
 }
 
 TEST(EveryGraphOfTenVertices, IsCertifiedInEveryMode) {
-  const std::vector<Graph> graphs = testing::geng("-D4 10");
+  const std::vector<Graph> graphs = geng("-D4 10");
   EXPECT_GT(graphs.size(), 100000u);
   for (const Graph& graph : graphs) {
-    for (const diamond::Options& options : testing::diamond_modes()) {
-      ASSERT_EQ(testing::diamond_fault(graph, options), "") << "effort " << options.effort;
+    for (const diamond::Options& options : diamond_modes()) {
+      ASSERT_EQ(diamond_fault(graph, options), "") << "effort " << options.effort;
     }
   }
 }
 
 TEST(EveryFourRegularGraphOfTwelveVertices, IsCertifiedInFiftyLabellings) {
   std::uint64_t seed = 1000000;
-  for (const Graph& graph : testing::geng("-c -d4 -D4 12")) {
+  for (const Graph& graph : geng("-c -d4 -D4 12")) {
     for (int relabelling = 0; relabelling < 50; ++relabelling) {
-      const Graph shuffled = testing::shuffled(graph, ++seed);
-      for (const diamond::Options& options : testing::diamond_modes()) {
-        ASSERT_EQ(testing::diamond_fault(shuffled, options), "") << "seed " << seed;
+      const Graph renamed = shuffled(graph, ++seed);
+      for (const diamond::Options& options : diamond_modes()) {
+        ASSERT_EQ(diamond_fault(renamed, options), "") << "seed " << seed;
       }
     }
   }
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -7,11 +7,11 @@
 
 #include "algorithms/diamond_support.h"
 #include "ar3d/algorithms/diamond/guaranteed.h"
-#include "ar3d/algorithms/diamond/parity_placement.h"
+#include "ar3d/algorithms/diamond/parity.h"
 #include "ar3d/algorithms/diamond/routes.h"
 #include "support/graphs.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using namespace diamond;
@@ -36,7 +36,7 @@ struct OneEdge {
     placement.at = {{0, 0}, {X, Y}};
   }
   Certificate judge(std::int32_t track) const {
-    return ar3d::judge(graph, placement, {{2 * track}, {}});
+    return testing::judge(graph, placement, {{2 * track}, {}});
   }
 };
 
@@ -65,17 +65,15 @@ TEST(DiamondMutation, OddLengthsLeaveTheLattice) {
 /// A drawing of a 4-regular graph: every vertex has all four ends, so that no colour or label is
 /// free.
 struct Drawn {
-  Graph graph = testing::shuffled(
-      testing::disjoint_union({testing::complete(5), testing::octahedron(), testing::complete(5)}),
-      3);
+  Graph graph = shuffled(disjoint_union({complete(5), octahedron(), complete(5)}), 3);
   Placement placement;
   Tracks tracks;
   Drawn() {
     const PaddedNeighbours neighbours = padded_neighbours(graph);
     const TwoColouring colours = two_colouring(graph, neighbours, balanced_orientation(neighbours));
-    placement = place_guaranteed(graph, extract_items(colours.next[kGreen]),
-                                 extract_items(colours.next[kRed]))
-                    .placement;
+    placement =
+        place_guaranteed(graph, extract_items(colours[kGreen]), extract_items(colours[kRed]))
+            .placement;
     tracks = choose_tracks(graph, placement);
   }
 };
@@ -127,4 +125,4 @@ TEST(DiamondMutation, SwappedVerticesShow) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

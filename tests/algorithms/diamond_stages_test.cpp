@@ -6,17 +6,14 @@
 #include <set>
 
 #include "algorithms/diamond_support.h"
-#include "ar3d/algorithms/diamond/anneal.h"
-#include "ar3d/algorithms/diamond/candidates.h"
 #include "ar3d/algorithms/diamond/guaranteed.h"
-#include "ar3d/algorithms/diamond/joint_rotation.h"
-#include "ar3d/algorithms/diamond/ordering.h"
-#include "ar3d/algorithms/diamond/parity_placement.h"
+#include "ar3d/algorithms/diamond/parity.h"
+#include "ar3d/algorithms/diamond/placement.h"
 #include "ar3d/algorithms/diamond/routes.h"
 #include "ar3d/base/random.h"
 #include "support/graphs.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using namespace diamond;
@@ -42,7 +39,7 @@ Graph random_graph(Vertex n, unsigned tries, std::uint64_t seed) {
 std::pair<Items, Items> items_of(const Graph& graph) {
   const PaddedNeighbours neighbours = padded_neighbours(graph);
   const TwoColouring colours = two_colouring(graph, neighbours, balanced_orientation(neighbours));
-  return {extract_items(colours.next[kGreen]), extract_items(colours.next[kRed])};
+  return {extract_items(colours[kGreen]), extract_items(colours[kRed])};
 }
 
 std::vector<Graph> sample() {
@@ -111,7 +108,7 @@ TEST(Items, RotationAndArrangementKeepThem) {
         green.close_at(item, 1);
         EXPECT_EQ(green.edge[green.begin[item + 1] - 1], wanted);
       }
-      backwards.places.push_back({item, item % 2 == 0});
+      backwards.push_back({item, item % 2 == 0});
     }
     std::vector<unsigned> seen(graph.num_edges(), 0);
     check_items(graph, arranged(green, backwards), seen);
@@ -217,4 +214,4 @@ TEST(JointRotation, OnlyRotates) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

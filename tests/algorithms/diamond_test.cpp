@@ -9,17 +9,8 @@
 #include "ar3d/base/error.h"
 #include "support/graphs.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::complete;
-using testing::counter;
-using testing::cycle;
-using testing::diamond_fault;
-using testing::diamond_modes;
-using testing::disjoint_union;
-using testing::octahedron;
-using testing::path;
 
 /// The square of a cycle: v is joined to v + 1 and v + 2. Rich in triangles.
 Graph squared_cycle(Vertex n) {
@@ -54,7 +45,7 @@ std::vector<Named> corner_cases() {
       {"K5", complete(5)},
       {"K1,4", Graph(5, {{2, 0}, {2, 1}, {2, 3}, {2, 4}})},
       {"octahedron", octahedron()},
-      {"Petersen", testing::petersen()},
+      {"Petersen", petersen()},
       {"points among cycles",
        disjoint_union({point, cycle(3), point, cycle(5), point, complete(5)})},
       {"many K2", disjoint_union(std::vector<Graph>(40, complete(2)))},
@@ -82,7 +73,7 @@ TEST(Diamond, RefusesDegreeFiveAndUnknownEfforts) {
 }
 
 TEST(Diamond, EveryEdgeHasThreeBends) {
-  const Graph graph = testing::petersen();
+  const Graph graph = petersen();
   const Drawing drawing = diamond::draw(graph);
   std::vector<Point> points;
   for (EdgeId e = 0; e < graph.num_edges(); ++e) {
@@ -156,4 +147,4 @@ TEST(Diamond, IsInTheCatalogue) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -7,13 +7,13 @@
 #include <string>
 
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/algorithms/diamond/fast/fast.h"
 #include "ar3d/algorithms/diamond/in_threads.h"
-#include "ar3d/algorithms/diamond/interleaved.h"
 #include "ar3d/bench/measure/one_thread.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/model/drawing.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 constexpr std::uint64_t kN = 140'000;  // threads are used from 2^17 on
@@ -42,9 +42,9 @@ TEST(DiamondThreads, WalksOfSeveralThreadsFindThePlainColours) {
       diamond::two_colouring(graph, neighbours, diamond::balanced_orientation(neighbours));
   for (const std::uint32_t threads : {1u, 2u, 5u}) {
     for (const std::uint32_t stride : {1u, 16u, 512u}) {
-      const diamond::WalkSizes sizes{.stride = stride, .lanes = 4, .threads = threads};
-      const diamond::TwoColouring colouring = diamond::interleaved_colouring(graph, sizes);
-      EXPECT_EQ(colouring.next, plain.next) << threads << " threads, stride " << stride;
+      const diamond::fast::WalkSizes sizes{.stride = stride, .lanes = 4, .threads = threads};
+      const diamond::TwoColouring colouring = diamond::fast::colouring(graph, sizes);
+      EXPECT_EQ(colouring, plain) << threads << " threads, stride " << stride;
     }
   }
 }
@@ -60,4 +60,4 @@ TEST(DiamondThreads, WhatAThreadThrowsArrives) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -9,7 +9,7 @@
 #include "ar3d/base/random.h"
 #include "support/graphs.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 /// Triangles (3i, 3i+1, 3i+2), k of them, with a cycle through all 3k vertices that runs along no
@@ -45,22 +45,22 @@ Graph random_union(std::uint64_t seed) {
   for (std::uint32_t i = 1 + random.below(6); i > 0; --i) {
     switch (random.below(8)) {
       case 0:
-        parts.push_back(testing::complete(5));
+        parts.push_back(complete(5));
         break;
       case 1:
-        parts.push_back(testing::octahedron());
+        parts.push_back(octahedron());
         break;
       case 2:
-        parts.push_back(testing::complete(1 + random.below(4)));
+        parts.push_back(complete(1 + random.below(4)));
         break;
       case 3:
-        parts.push_back(testing::cycle(3 + random.below(6)));
+        parts.push_back(cycle(3 + random.below(6)));
         break;
       case 4:
-        parts.push_back(testing::path(1 + random.below(6)));
+        parts.push_back(path(1 + random.below(6)));
         break;
       case 5:
-        parts.push_back(testing::petersen());
+        parts.push_back(petersen());
         break;
       case 6:
         parts.push_back(squared_cycle(5 + random.below(8)));
@@ -70,16 +70,16 @@ Graph random_union(std::uint64_t seed) {
         break;
     }
   }
-  return testing::shuffled(testing::disjoint_union(parts), seed);
+  return shuffled(disjoint_union(parts), seed);
 }
 
 TEST(DiamondUnions, AreCertifiedAndReachTheRareCases) {
   std::map<std::string, std::int64_t> total;
   for (std::uint64_t seed = 0; seed < 1500; ++seed) {
     const Graph graph = random_union(seed);
-    for (const diamond::Options& options : testing::diamond_modes()) {
+    for (const diamond::Options& options : diamond_modes()) {
       const Drawing drawing = diamond::draw(graph, options);
-      ASSERT_EQ(testing::diamond_fault(graph, drawing), "") << "seed " << seed;
+      ASSERT_EQ(diamond_fault(graph, drawing), "") << "seed " << seed;
       if (options.effort == 0) {
         for (const Counter& c : drawing.counters) total[c.name] += c.value;
       }
@@ -90,4 +90,4 @@ TEST(DiamondUnions, AreCertifiedAndReachTheRareCases) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -38,8 +38,8 @@ DiamondCases diamond_cases(const Graph& graph) {
   using namespace diamond;
   const PaddedNeighbours neighbours = padded_neighbours(graph);
   const TwoColouring colours = two_colouring(graph, neighbours, balanced_orientation(neighbours));
-  const auto [placement, gaps] = place_guaranteed(graph, extract_items(colours.next[kGreen]),
-                                                  extract_items(colours.next[kRed]));
+  const auto [placement, gaps] = place_guaranteed(graph, extract_items(colours[kGreen]),
+                                                  extract_items(colours[kRed]));
   const Tracks tracks = choose_tracks(graph, placement);
   DiamondCases cases{gaps};
   for (EdgeId e = 0; e < graph.num_edges(); ++e) {

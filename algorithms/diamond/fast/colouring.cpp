@@ -1,17 +1,14 @@
-// Step 1.1 for large graphs. A chain of edges is a chain of dependent cache misses, so the chains
-// are cut at every so many-th vertex, and the stretches between cuts are walked in turns, without
-// writing anything but the way; linked in order, they say in which direction and from where the
-// plain walk takes each chain. Then the directions, or colours, are written along the ways: two
-// bits per pair of entries, or per vertex, which stay in the cache. Cost: O(n + m), and 25 bytes
-// per vertex.
-#include "ar3d/algorithms/diamond/in_threads.h"
-#include "ar3d/algorithms/diamond/interleaved.h"
-#include "ar3d/algorithms/diamond/trails.h"
-#include "ar3d/base/error.h"
+// Step 1.1 for large graphs: the results of the two walks of trails.h. Directions first, then
+// colours, are written along the pieces of chains as marks, and read off for all edges at the end.
+// Cost: O(n + m), and 25 bytes per vertex.
+#include "ar3d/algorithms/diamond/fast/trails.h"
 #include "ar3d/base/long_vector.h"
 
-namespace ar3d::diamond {
+namespace ar3d::diamond::fast {
 namespace {
+
+/// From so many vertices on many walks at a time are faster.
+constexpr Vertex kManyToColour = 1u << 12;
 
 struct Neighbourhoods {
   Records records;
@@ -30,7 +27,7 @@ Neighbourhoods neighbourhoods_of(const Graph& graph, std::uint32_t threads) {
         result.records[v] = {row[0].to, row[1].to, row[2].to, row[3].to};
         continue;
       }
-      Record record{kNoVertex, kNoVertex, kNoVertex, kNoVertex};
+      Record record{kNone, kNone, kNone, kNone};
       for (std::size_t i = 0; i < row.size(); ++i) record[i] = row[i].to;
       result.records[v] = record;
       linked = linked && row.empty();
@@ -45,23 +42,24 @@ Neighbourhoods neighbourhoods_of(const Graph& graph, std::uint32_t threads) {
 TwoBitMarks directions_of(const Neighbourhoods& graph, const WalkSizes& sizes) {
   const Records& records = graph.records;
   TwoBitMarks directions(2 * records.size(), sizes.threads > 1);
-  const auto write = [&](const Piece& piece) {
-    const auto enter = [&](Port p, std::uint32_t in) { directions.set(p >> 1, in ^ (p & 1)); };
-    const Stretch& stretch = *piece.stretch;
+  const auto write = [&](const TrailPiece& piece) {
+    const auto enter = [&](PortNumber p, std::uint32_t in) {
+      directions.set(p >> 1, in ^ (p & 1));
+    };
+    const TrailStretch& stretch = *piece.stretch;
     enter(stretch.start, piece.backwards);
     const std::uint32_t in = piece.backwards ? 0 : 1;
     for (std::uint32_t i = 0; i < stretch.num_kept; ++i) enter(stretch.kept[i], in);
   };
-  using Pairs = Trails<LinkPairs>;
-  Pairs trails(records, {}, graph.all_linked, sizes);
+  Trails<LinkPairs> trails(records, {}, graph.all_linked, sizes);
   trails.walk_cut(write);
   trails.walk_uncut(
       [&](std::uint32_t pair, std::uint32_t end) {
         while ((pair = directions.first_unmarked(pair, end)) < end) {
-          if (records[pair >> 1][pair << 1 & 2] != kNoVertex) return Port{2 * pair};
+          if (records[pair >> 1][pair << 1 & 2] != kNone) return PortNumber{2 * pair};
           ++pair;
         }
-        return Pairs::kNoPort;
+        return kNoPort;
       },
       write);
   return directions;
@@ -79,26 +77,27 @@ TwoBitMarks colours_of(const Neighbourhoods& graph, const TwoBitMarks& direction
                        const WalkSizes& sizes) {
   const Records& records = graph.records;
   TwoBitMarks reds(records.size(), sizes.threads > 1);
-  const auto write = [&](const Piece& piece) {
-    const auto colour = [&](Port p, std::uint32_t c) { reds.set(vertex_of(p), c ^ (p >> 1 & 1)); };
-    const Stretch& stretch = *piece.stretch;
+  const auto write = [&](const TrailPiece& piece) {
+    const auto colour = [&](PortNumber p, std::uint32_t c) {
+      reds.set(vertex_of(p), c ^ (p >> 1 & 1));
+    };
+    const TrailStretch& stretch = *piece.stretch;
     const std::uint32_t leaves = enters(directions, stretch.start) ^ 1u;
     if (leaves) colour(stretch.start, piece.odd);
     // Every second edge is walked against its direction, hence all of these have one colour.
     const std::uint32_t c = piece.odd ^ leaves;
     for (std::uint32_t i = 0; i < stretch.num_kept; ++i) colour(stretch.kept[i], c);
   };
-  using SameDirection = Trails<LinkSameDirection>;
-  SameDirection trails(records, {&directions}, graph.all_linked, sizes);
+  Trails<LinkSameDirection> trails(records, {&directions}, graph.all_linked, sizes);
   trails.walk_cut(write);
   trails.walk_uncut(
       [&](std::uint32_t v, std::uint32_t end) {
         while ((v = reds.first_unmarked(v, end)) < end) {
           const std::uint32_t entry = first_out(directions, v);
-          if (records[v][entry] != kNoVertex) return port(v, entry);
+          if (records[v][entry] != kNone) return port(v, entry);
           ++v;
         }
-        return SameDirection::kNoPort;
+        return kNoPort;
       },
       write);
   return reds;
@@ -107,7 +106,7 @@ TwoBitMarks colours_of(const Neighbourhoods& graph, const TwoBitMarks& direction
 TwoColouring edges_out(const Graph& graph, const TwoBitMarks& directions, const TwoBitMarks& reds,
                        std::uint32_t threads) {
   TwoColouring result;
-  for (auto& next : result.next) {
+  for (auto& next : result) {
     reserve_long(next, graph.num_vertices());
     next.resize(graph.num_vertices());
   }
@@ -116,8 +115,8 @@ TwoColouring edges_out(const Graph& graph, const TwoBitMarks& directions, const 
     const std::array<HalfEdge, 2> out{row[first_out(directions, v)],
                                       row[second_out(directions, v)]};
     const std::uint32_t red = reds.bit(v);
-    result.next[kGreen][v] = out[red];
-    result.next[kRed][v] = out[red ^ 1u];
+    result[kGreen][v] = out[red];
+    result[kRed][v] = out[red ^ 1u];
   };
   for_ranges_in_threads(threads, graph.num_vertices(), [&](std::size_t begin, std::size_t end) {
     for (auto v = static_cast<Vertex>(begin); v < end; ++v) {
@@ -136,16 +135,16 @@ TwoColouring edges_out(const Graph& graph, const TwoBitMarks& directions, const 
 
 }  // namespace
 
-TwoColouring colouring_of(const Graph& graph) {
+TwoColouring colouring(const Graph& graph) {
   if (graph.num_vertices() >= kManyToColour) {
     const auto threads = static_cast<std::uint32_t>(threads_for(graph.num_vertices()));
-    return interleaved_colouring(graph, walk_sizes(graph.num_vertices(), threads));
+    return colouring(graph, walk_sizes(graph.num_vertices(), threads));
   }
   const PaddedNeighbours neighbours = padded_neighbours(graph);
   return two_colouring(graph, neighbours, balanced_orientation(neighbours));
 }
 
-TwoColouring interleaved_colouring(const Graph& graph, const WalkSizes& sizes) {
+TwoColouring colouring(const Graph& graph, const WalkSizes& sizes) {
   Neighbourhoods neighbourhoods = neighbourhoods_of(graph, sizes.threads);
   const TwoBitMarks directions = directions_of(neighbourhoods, sizes);
   const TwoBitMarks reds = colours_of(neighbourhoods, directions, sizes);
@@ -153,4 +152,4 @@ TwoColouring interleaved_colouring(const Graph& graph, const WalkSizes& sizes) {
   return edges_out(graph, directions, reds, sizes.threads);
 }
 
-}  // namespace ar3d::diamond
+}  // namespace ar3d::diamond::fast

@@ -1,74 +1,46 @@
-// Step 1.2 for large graphs. As in trails.h the paths and cycles are cut at every so many-th vertex
-// and the stretches walked in turns; cycles without a cut are walked from each of their vertices
-// until a smaller one is met. Then they are copied in the order in which the plain walk finds them.
-// O(n).
+// Step 1.2 for large graphs. The paths and cycles are cut and walked in lanes as in trails.h;
+// cycles without a cut are walked from each of their vertices until a smaller one is met. Then they
+// are copied in the order in which the plain walk finds them. O(n).
 #include <algorithm>
 #include <bit>
 #include <optional>
 #include <utility>
 
-#include "ar3d/algorithms/diamond/interleaved.h"
-#include "ar3d/algorithms/diamond/lane_buffer.h"
-#include "ar3d/algorithms/diamond/two_bit_marks.h"
+#include "ar3d/algorithms/diamond/fast/marks_and_lanes.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/long_vector.h"
 
-namespace ar3d::diamond {
+namespace ar3d::diamond::fast {
 namespace {
 
+/// From so many vertices on many walks at a time are faster.
+constexpr std::size_t kManyInItems = 1u << 15;
+
 /// Vertices in the order of the colour, each with the edge by which it is left.
-struct Stretch {
+struct ItemStretch {
   Vertex start = 0;
   const Vertex* vertex = nullptr;
   const EdgeId* edge = nullptr;
-  std::uint32_t size = 0;       ///< 0: a cycle that is not walked from its smallest vertex
-  std::uint32_t low_place = 0;  ///< of the lowest vertex in it
-  Vertex then = kNone;          ///< where the next one starts
+  std::uint32_t size = 0;  ///< 0: a cycle that is not walked from its smallest vertex
+  Vertex then = kNone;     ///< where the next one starts
 };
 
-struct Lane {
-  Lane(LaneBlocks<Vertex>& vertices, LaneBlocks<EdgeId>& edges) : vertex(vertices), edge(edges) {}
-
+struct ItemLane {
   Vertex at = 0;
-  Vertex lowest = 0;
-  std::uint32_t low_place = 0;
   std::uint32_t stretch = 0;
   LaneBuffer<Vertex> vertex;
   LaneBuffer<EdgeId> edge;
 
-  void begin(Vertex v, std::size_t number) {
-    at = lowest = v;
-    low_place = 0;
-    stretch = static_cast<std::uint32_t>(number);
-    vertex.begin();
-    edge.begin();
-  }
   void pass(EdgeId left_by) {
     vertex.put(at);
     edge.put(left_by);
-  }
-  void drop() {
-    vertex.drop();
-    edge.drop();
-  }
-  void end(Stretch& result, Vertex then) const {
-    result.vertex = vertex.data();
-    result.edge = edge.data();
-    result.size = static_cast<std::uint32_t>(vertex.size());
-    result.low_place = low_place;
-    result.then = then;
   }
 };
 
 class ItemWalks {
  public:
   ItemWalks(const std::vector<HalfEdge>& next, const WalkSizes& sizes)
-      : next_(next),
-        sizes_(sizes),
-        vertices_(next.size(), sizes.lanes),
-        edges_(next.size(), sizes.lanes),
-        lanes_(sizes.lanes, Lane(vertices_, edges_)),
-        at_cut_(next.size() / sizes.stride + 1) {
+      : next_(next), sizes_(sizes), lanes_(sizes.lanes), at_cut_(next.size() / sizes.stride + 1) {
     expect(std::has_single_bit(sizes.stride), "the stride is a power of two");
     std::size_t ends = 0;
     for (const HalfEdge& half : next) ends += half.to == kNone;
@@ -79,13 +51,15 @@ class ItemWalks {
       }
     }
     stretches_.reserve(ends + at_cut_.size());
+    vertices_.reserve(next.size());
+    edges_.reserve(next.size());
     reserve_long(items_.vertex, next.size());
     reserve_long(items_.edge, next.size());
     items_.begin.reserve(ends + 1);
   }
 
   Items run() {
-    CutWalker walker{*this};
+    CutItemWalker walker{*this};
     walk_in_lanes(walker, sizes_.lanes);
     place_paths();
     place_cycles();
@@ -94,7 +68,7 @@ class ItemWalks {
 
  private:
   /// What begins a path or a cut.
-  struct CutWalker {
+  struct CutItemWalker {
     bool start(std::uint32_t number) {
       if (!walks.follows_) {  // no paths
         v = (v + walks.sizes_.stride - 1) / walks.sizes_.stride * walks.sizes_.stride;
@@ -106,15 +80,11 @@ class ItemWalks {
       return true;
     }
     bool advance(std::uint32_t number) {
-      Lane& lane = walks.lanes_[number];
+      ItemLane& lane = walks.lanes_[number];
       const HalfEdge half = walks.next_[lane.at];
-      if (lane.at < lane.lowest) {
-        lane.lowest = lane.at;
-        lane.low_place = static_cast<std::uint32_t>(lane.vertex.size());
-      }
       lane.pass(half.edge);
       if (half.to == kNone || walks.cuts(half.to)) {
-        lane.end(walks.stretches_[lane.stretch], half.to);
+        walks.end_stretch(lane, half.to);
         return false;
       }
       lane.at = half.to;
@@ -127,7 +97,7 @@ class ItemWalks {
 
   /// Cycles without a cut, once the others are placed. A walk that comes to a smaller vertex than
   /// its first stops: another one begins there, or has begun.
-  struct UncutWalker {
+  struct UncutItemWalker {
     bool start(std::uint32_t number) {
       v = walks.placed_->first_unmarked(v, end);
       if (v == end) return false;
@@ -135,16 +105,14 @@ class ItemWalks {
       return true;
     }
     bool advance(std::uint32_t number) {
-      Lane& lane = walks.lanes_[number];
+      ItemLane& lane = walks.lanes_[number];
       const HalfEdge half = walks.next_[lane.at];
       lane.pass(half.edge);
-      Stretch& stretch = walks.stretches_[lane.stretch];
+      const ItemStretch& stretch = walks.stretches_[lane.stretch];
       if (half.to <= stretch.start) {
         if (half.to == stretch.start) {
-          lane.end(stretch, kNone);
+          walks.end_stretch(lane, kNone);
           walks.mark_placed(stretch);
-        } else {
-          lane.drop();
         }
         return false;
       }
@@ -157,8 +125,11 @@ class ItemWalks {
     std::uint32_t v = 0;
   };
 
-  /// A cycle that is cut: its smallest vertex, and the stretch with it.
-  using CutCycle = std::pair<Vertex, std::uint32_t>;
+  /// A cycle that is cut.
+  struct CutCycle {
+    Vertex smallest = kNone;
+    std::uint32_t stretch = 0;  ///< the one with the smallest vertex
+  };
 
   bool cuts(std::size_t v) const { return (v & (sizes_.stride - 1)) == 0; }
   bool begins_path(Vertex v) const { return follows_ && !follows_->has(v); }
@@ -172,18 +143,33 @@ class ItemWalks {
   void begin_stretch(std::uint32_t number, std::size_t at) {
     const auto v = static_cast<Vertex>(at);
     if (cuts(v)) at_cut_[v / sizes_.stride] = static_cast<std::uint32_t>(stretches_.size());
-    lanes_[number].begin(v, stretches_.size());
+    ItemLane& lane = lanes_[number];
+    lane.at = v;
+    lane.stretch = static_cast<std::uint32_t>(stretches_.size());
+    lane.vertex.clear();
+    lane.edge.clear();
     stretches_.emplace_back().start = v;
   }
 
-  void place(const Stretch& stretch, std::uint32_t from, std::uint32_t to) {
+  /// All stretches together have every vertex once at most, so what is kept stays where it is.
+  void end_stretch(const ItemLane& lane, Vertex then) {
+    ItemStretch& stretch = stretches_[lane.stretch];
+    stretch.vertex = vertices_.data() + vertices_.size();
+    stretch.edge = edges_.data() + edges_.size();
+    stretch.size = static_cast<std::uint32_t>(lane.vertex.size());
+    stretch.then = then;
+    lane.vertex.append_to(vertices_);
+    lane.edge.append_to(edges_);
+  }
+
+  void place(const ItemStretch& stretch, std::uint32_t from, std::uint32_t to) {
     items_.vertex.insert(items_.vertex.end(), stretch.vertex + from, stretch.vertex + to);
     items_.edge.insert(items_.edge.end(), stretch.edge + from, stretch.edge + to);
   }
-  void place(const Stretch& stretch) { place(stretch, 0, stretch.size); }
+  void place(const ItemStretch& stretch) { place(stretch, 0, stretch.size); }
   void end_item() { items_.begin.push_back(static_cast<std::uint32_t>(items_.vertex.size())); }
 
-  void mark_placed(const Stretch& stretch) {
+  void mark_placed(const ItemStretch& stretch) {
     for (std::uint32_t i = 0; i < stretch.size; ++i) placed_->set(stretch.vertex[i], 0);
   }
 
@@ -221,54 +207,63 @@ class ItemWalks {
       }
     }
     for (std::uint32_t i = 0; i < number; ++i) {
-      CutCycle cycle{kNone, 0};
+      CutCycle cycle;
       for (std::uint32_t s = i; !seen[s]; s = after(s)) {
         seen[s] = true;
-        cycle = std::min(cycle, CutCycle{stretches_[s].vertex[stretches_[s].low_place], s});
+        const Vertex low = smallest_in(stretches_[s]);
+        if (low < cycle.smallest) cycle = {low, s};
       }
-      if (cycle.first != kNone) cycles.push_back(cycle);
+      if (cycle.smallest != kNone) cycles.push_back(cycle);
     }
-    std::sort(cycles.begin(), cycles.end());
+    std::ranges::sort(cycles, {}, &CutCycle::smallest);
     return cycles;
   }
 
+  static Vertex smallest_in(const ItemStretch& stretch) {
+    return *std::min_element(stretch.vertex, stretch.vertex + stretch.size);
+  }
+
   /// From its smallest vertex around.
-  void place_cut_cycle(std::uint32_t first) {
-    const Stretch& begun = stretches_[first];
-    place(begun, begun.low_place, begun.size);
-    for (std::uint32_t s = after(first); s != first; s = after(s)) place(stretches_[s]);
-    place(begun, 0, begun.low_place);
+  void place_cut_cycle(const CutCycle& cycle) {
+    const ItemStretch& begun = stretches_[cycle.stretch];
+    const auto low = static_cast<std::uint32_t>(
+        std::find(begun.vertex, begun.vertex + begun.size, cycle.smallest) - begun.vertex);
+    place(begun, low, begun.size);
+    for_others_around(cycle.stretch, [&](const ItemStretch& stretch) { place(stretch); });
+    place(begun, 0, low);
     end_item();
+  }
+
+  template <class Visit>
+  void for_others_around(std::uint32_t first, Visit visit) const {
+    for (std::uint32_t s = after(first); s != first; s = after(s)) visit(stretches_[s]);
   }
 
   /// Walks them. They follow the other stretches, in ascending order of their smallest vertices.
   void walk_uncut_cycles() {
     placed_.emplace(next_.size(), false);
-    for (const Stretch& stretch : stretches_) mark_placed(stretch);
+    for (const ItemStretch& stretch : stretches_) mark_placed(stretch);
     for (Vertex v = 0; follows_ && v < num_vertices(); ++v) {
       if (next_[v].to == kNone) placed_->set(v, 0);
     }
-    UncutWalker walker{*this, num_vertices()};
+    UncutItemWalker walker{*this, num_vertices()};
     walk_in_lanes(walker, sizes_.lanes);
   }
 
   void place_cycles() {
     const std::vector<CutCycle> cut = cut_cycles();
     std::size_t left = next_.size() - items_.vertex.size();
-    for (const CutCycle& cycle : cut) left -= size_around(cycle.second);
+    for (const CutCycle& cycle : cut) {
+      left -= stretches_[cycle.stretch].size;
+      for_others_around(cycle.stretch, [&](const ItemStretch& stretch) { left -= stretch.size; });
+    }
     auto uncut = static_cast<std::uint32_t>(stretches_.size());
     if (left > 0) walk_uncut_cycles();
-    for (const auto& [smallest, stretch] : cut) {
-      place_uncut_below(smallest, uncut);
-      place_cut_cycle(stretch);
+    for (const CutCycle& cycle : cut) {
+      place_uncut_below(cycle.smallest, uncut);
+      place_cut_cycle(cycle);
     }
     place_uncut_below(kNone, uncut);
-  }
-
-  std::size_t size_around(std::uint32_t first) const {
-    std::size_t size = stretches_[first].size;
-    for (std::uint32_t s = after(first); s != first; s = after(s)) size += stretches_[s].size;
-    return size;
   }
 
   void place_uncut_below(Vertex bound, std::uint32_t& uncut) {
@@ -283,18 +278,22 @@ class ItemWalks {
   const WalkSizes sizes_;
   std::optional<TwoBitMarks> follows_;  ///< vertices with a predecessor; nothing: all
   std::optional<TwoBitMarks> placed_;
-  LaneBlocks<Vertex> vertices_;
-  LaneBlocks<EdgeId> edges_;
-  std::vector<Lane> lanes_;
-  std::vector<std::uint32_t> at_cut_;  ///< the stretch that starts there
-  std::vector<Stretch> stretches_;     ///< in ascending order of their starts
+  std::vector<ItemLane> lanes_;
+  UnwrittenVector<Vertex> vertices_;    ///< of the stretches that have ended
+  UnwrittenVector<EdgeId> edges_;       ///< likewise
+  std::vector<std::uint32_t> at_cut_;   ///< the stretch that starts there
+  std::vector<ItemStretch> stretches_;  ///< in ascending order of their starts
   Items items_;
 };
 
 }  // namespace
 
-Items interleaved_items(const std::vector<HalfEdge>& next, const WalkSizes& sizes) {
+Items items(const std::vector<HalfEdge>& next, const WalkSizes& sizes) {
   return ItemWalks(next, sizes).run();
 }
 
-}  // namespace ar3d::diamond
+Items items(const std::vector<HalfEdge>& next) {
+  return next.size() >= kManyInItems ? items(next, walk_sizes(next.size())) : extract_items(next);
+}
+
+}  // namespace ar3d::diamond::fast

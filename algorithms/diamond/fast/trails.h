@@ -1,40 +1,63 @@
 #pragma once
 
-// Step 1.1 for large graphs: the chains of linked edges, walked in many stretches at the same time.
+// Step 1.1 for large graphs: the chains of linked edges, walked in many stretches at a time (fast.h
+// explains the words).
 
 #include <algorithm>
 #include <atomic>
 #include <bit>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
+#include "ar3d/algorithms/diamond/fast/links.h"
 #include "ar3d/algorithms/diamond/in_threads.h"
-#include "ar3d/algorithms/diamond/lane_buffer.h"
-#include "ar3d/algorithms/diamond/linked_records.h"
-#include "ar3d/algorithms/diamond/two_bit_marks.h"
-#include "ar3d/algorithms/diamond/walk_lanes.h"
 #include "ar3d/base/error.h"
-#include "ar3d/base/threads.h"
-#include "ar3d/model/graph.h"
 
-namespace ar3d::diamond {
+namespace ar3d::diamond::fast {
 
-/// Walks chains of linked edges: first those that have an end or pass a vertex whose number is a
-/// multiple of the stride, which cuts them into stretches (walk_cut); then the others (walk_uncut).
+/// A part of a chain, from the edge that leaves `start` on.
+struct TrailStretch {
+  PortNumber start = 0;
+  PortNumber end = 0;  ///< the last arrival
+  const PortNumber* kept = nullptr;
+  std::uint32_t num_kept = 0;
+  std::uint32_t size = 0;  ///< in edges
+  bool starts_at_cut = false;
+  bool ends_at_cut = false;
+  /// The smallest port that the chain has inside the stretch, its ends not counted; which edge of
+  /// the stretch is there, from 0 on; whether the stretch leaves by it or arrives.
+  bool low_leaves = false;
+  PortNumber low = kNoPort;
+  std::uint32_t low_edge = 0;
+
+  /// @param leaving_edge  the number of the edge that leaves.
+  void take_low(PortNumber arrival, PortNumber leaving, std::uint32_t leaving_edge) {
+    if (std::min(arrival, leaving) >= low) return;
+    low = std::min(arrival, leaving);
+    low_leaves = leaving < arrival;
+    low_edge = low_leaves ? leaving_edge : size - 1;
+  }
+};
+
+/// A stretch in its chain, as the plain walk takes it; an edge's number is its place in that walk.
+struct TrailPiece {
+  const TrailStretch* stretch = nullptr;
+  bool backwards = false;
+  std::uint32_t odd = 0;  ///< the number of the stretch's edge i is odd iff odd + i is
+};
+
+/// Walks chains of linked edges: first those that have an end or pass a cut (walk_cut), then the
+/// others (walk_uncut).
 template <class Link>
 class Trails {
  public:
-  static constexpr Port kNoPort = ~Port{0};
-
   /// @param all_linked  every entry of every vertex has a linked one.
   Trails(const Records& records, Link link, bool all_linked, const WalkSizes& sizes)
       : records_(records),
         all_linked_(all_linked),
         sizes_(sizes),
         link_(link),
-        blocks_(2 * records.size(), std::size_t{sizes.lanes} * sizes.threads),
-        lanes_(std::size_t{sizes.lanes} * sizes.threads, Lane(blocks_)),
+        lanes_(std::size_t{sizes.lanes} * sizes.threads),
         ended_(all_linked ? 0 : 2 * records.size(), sizes.threads > 1),
         stretch_at_(4 * (records.size() / sizes.stride + 1), kNone) {
     expect(std::has_single_bit(sizes.stride), "the stride is a power of two");
@@ -54,22 +77,20 @@ class Trails {
   void walk_uncut(const NextUnwritten& next_unwritten, const Write& write);
 
  private:
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   static constexpr std::uint32_t kWalked = kNone - 1;  ///< by a stretch without a number yet
   static constexpr std::size_t kPiecesAtATime = 16;
 
-  struct Lane {
-    explicit Lane(LaneBlocks<Port>& blocks) : kept(blocks) {}
+  struct TrailLane {
     Vertex from = 0;
     Vertex to = 0;
-    Stretch stretch;
-    LaneBuffer<Port> kept;
+    TrailStretch stretch;
+    LaneBuffer<PortNumber> kept;
   };
-  struct Arrival {
-    Port at;
+  struct ArrivalAndOnward {
+    PortNumber at;
     std::uint32_t kept;
-    Port leaving;
-    Vertex onward;  ///< kNoVertex: the chain ends
+    PortNumber leaving;
+    Vertex onward;  ///< kNone: the chain ends
   };
   template <class Write>
   struct CutWalker;
@@ -78,80 +99,67 @@ class Trails {
 
   bool cuts(Vertex v) const { return (v & (sizes_.stride - 1)) == 0; }
   /// The stretch that begins or ends at a port of a cut: kNone as long as none is known.
-  std::uint32_t& stretch_at(Port p) {
+  std::uint32_t& stretch_at(PortNumber p) {
     return stretch_at_[port(vertex_of(p) / sizes_.stride, entry_of(p))];
   }
   /// The same while threads walk; no other thread's walk depends on when it sees it.
-  std::atomic_ref<std::uint32_t> shared_stretch_at(Port p) {
+  std::atomic_ref<std::uint32_t> shared_stretch_at(PortNumber p) {
     return std::atomic_ref<std::uint32_t>(stretch_at(p));
   }
   /// The port linked with one, or kNoPort.
-  Port linked(Port p) const {
+  PortNumber linked(PortNumber p) const {
     const std::uint32_t entry = link_(vertex_of(p), entry_of(p)).entry;
-    return records_[vertex_of(p)][entry] == kNoVertex ? kNoPort : port(vertex_of(p), entry);
+    return records_[vertex_of(p)][entry] == kNone ? kNoPort : port(vertex_of(p), entry);
   }
-  Lane* lanes_of(std::uint32_t thread) {
+  TrailLane* lanes_of(std::uint32_t thread) {
     return lanes_.data() + std::size_t{thread} * sizes_.lanes;
   }
   Vertex bound(std::uint32_t thread) const {
     return static_cast<Vertex>(std::uint64_t{records_.size()} * thread / sizes_.threads);
   }
 
-  void begin_at(Lane& lane, Port p) const;
-  [[gnu::always_inline]] Arrival arrive(Lane& lane) const;
-  [[gnu::always_inline]] void go_on(Lane& lane, Arrival arrival) const;
-  /// The stretch, complete but for its ends.
-  static Stretch& take(Lane& lane);
+  void begin_at(TrailLane& lane, PortNumber p) const {
+    lane.stretch = TrailStretch{};
+    lane.stretch.start = p;
+    lane.kept.clear();
+    lane.to = vertex_of(p);
+    go_on(lane, records_[lane.to][entry_of(p)]);
+  }
+  [[gnu::always_inline]] void go_on(TrailLane& lane, Vertex onward) const {
+    lane.from = lane.to;
+    lane.to = onward;
+    __builtin_prefetch(&records_[onward]);
+  }
+  [[gnu::always_inline]] ArrivalAndOnward arrive(TrailLane& lane) const {
+    const Record& record = records_[lane.to];
+    const std::uint32_t arriving = entry_to(record, lane.from);
+    const auto [entry, kept] = link_(lane.to, arriving);
+    const PortNumber at = port(lane.to, arriving);
+    lane.kept.put(at, kept);
+    ++lane.stretch.size;
+    return {at, kept, port(lane.to, entry), record[entry]};
+  }
+  /// The stretch, complete but for its ends; what it keeps stays until the lane's next one begins.
+  static TrailStretch& take(TrailLane& lane) {
+    lane.stretch.kept = lane.kept.data();
+    lane.stretch.num_kept = static_cast<std::uint32_t>(lane.kept.size());
+    return lane.stretch;
+  }
 
-  std::vector<Piece> pieces_in_chains();
+  std::vector<TrailPiece> pieces_in_chains();
   /// Follows stretches from the end of one until the chain ends or is back, and forgets them on the
   /// way.
-  void follow(std::uint32_t number, bool backwards, std::vector<Piece>& pieces);
+  void follow(std::uint32_t number, bool backwards, std::vector<TrailPiece>& pieces);
 
   const Records& records_;
   const bool all_linked_;
   const WalkSizes sizes_;
   const Link link_;
-  LaneBlocks<Port> blocks_;
-  std::vector<Lane> lanes_;
+  std::vector<TrailLane> lanes_;
   TwoBitMarks ended_;  ///< ends from which no walk is needed, by end_key()
-  std::vector<Stretch> stretches_;
+  std::vector<TrailStretch> stretches_;
   std::vector<std::uint32_t> stretch_at_;
 };
-
-template <class Link>
-void Trails<Link>::begin_at(Lane& lane, Port p) const {
-  lane.stretch = Stretch{};
-  lane.stretch.start = p;
-  lane.kept.begin();
-  lane.to = vertex_of(p);
-  go_on(lane, {0, 0, p, records_[lane.to][entry_of(p)]});
-}
-
-template <class Link>
-inline void Trails<Link>::go_on(Lane& lane, Arrival arrival) const {
-  lane.from = lane.to;
-  lane.to = arrival.onward;
-  __builtin_prefetch(&records_[lane.to]);
-}
-
-template <class Link>
-inline typename Trails<Link>::Arrival Trails<Link>::arrive(Lane& lane) const {
-  const Record& record = records_[lane.to];
-  const std::uint32_t arriving = entry_to(record, lane.from);
-  const auto [entry, kept] = link_(lane.to, arriving);
-  const Port at = port(lane.to, arriving);
-  lane.kept.put(at, kept);
-  ++lane.stretch.size;
-  return {at, kept, port(lane.to, entry), record[entry]};
-}
-
-template <class Link>
-Stretch& Trails<Link>::take(Lane& lane) {
-  lane.stretch.kept = lane.kept.data();
-  lane.stretch.num_kept = static_cast<std::uint32_t>(lane.kept.size());
-  return lane.stretch;
-}
 
 /// One thread's part: what begins in a range of vertices.
 template <class Link>
@@ -160,24 +168,23 @@ struct Trails<Link>::CutWalker {
   /// Ends of chains first, so that a short chain is one stretch. Then the ports of cuts at which no
   /// stretch has ended.
   bool start(std::uint32_t number) {
-    Lane& lane = lanes[number];
-    Port p = next_end();
+    PortNumber p = next_end();
     const bool at_cut = p == kNoPort;
     if (at_cut) p = next_cut();
     if (p == kNoPort) return false;
-    trails.begin_at(lane, p);
-    lane.stretch.starts_at_cut = at_cut;
+    trails.begin_at(lanes[number], p);
+    lanes[number].stretch.starts_at_cut = at_cut;
     return true;
   }
 
-  Port next_end() {
+  PortNumber next_end() {
     while (at_end < end) {
-      const Port p = at_end++;
+      const PortNumber p = at_end++;
       const Record& record = trails.records_[vertex_of(p)];
-      if (record[3] != kNoVertex) {  // all four are linked
+      if (record[3] != kNone) {  // all four are linked
         at_end |= 3;
         ++at_end;
-      } else if (record[entry_of(p)] != kNoVertex && trails.linked(p) == kNoPort &&
+      } else if (record[entry_of(p)] != kNone && trails.linked(p) == kNoPort &&
                  !trails.ended_.has(trails.link_.end_key(p))) {
         return p;
       }
@@ -185,12 +192,12 @@ struct Trails<Link>::CutWalker {
     return kNoPort;
   }
 
-  Port next_cut() {
+  PortNumber next_cut() {
     while (at_cut < end) {
-      const Port p = at_cut++;
+      const PortNumber p = at_cut++;
       if (!trails.cuts(vertex_of(p))) {
         at_cut = port((vertex_of(p) / trails.sizes_.stride + 1) * trails.sizes_.stride, 0);
-      } else if (trails.records_[vertex_of(p)][entry_of(p)] != kNoVertex &&
+      } else if (trails.records_[vertex_of(p)][entry_of(p)] != kNone &&
                  trails.linked(p) != kNoPort &&
                  trails.shared_stretch_at(p).load(std::memory_order_relaxed) == kNone) {
         return p;
@@ -200,30 +207,30 @@ struct Trails<Link>::CutWalker {
   }
 
   bool advance(std::uint32_t number) {
-    Lane& lane = lanes[number];
-    const Arrival arrival = trails.arrive(lane);
-    if (arrival.onward == kNoVertex || trails.cuts(lane.to)) {
+    TrailLane& lane = lanes[number];
+    const ArrivalAndOnward arrival = trails.arrive(lane);
+    if (arrival.onward == kNone || trails.cuts(lane.to)) {
       finish(lane, arrival);
       return false;
     }
-    take_low(lane.stretch, arrival.at, arrival.leaving, lane.stretch.size);
-    trails.go_on(lane, arrival);
+    lane.stretch.take_low(arrival.at, arrival.leaving, lane.stretch.size);
+    trails.go_on(lane, arrival.onward);
     return true;
   }
 
-  void finish(Lane& lane, Arrival arrival) {
-    Stretch& stretch = take(lane);
+  void finish(TrailLane& lane, const ArrivalAndOnward& arrival) {
+    TrailStretch& stretch = take(lane);
     stretch.end = arrival.at;
-    stretch.ends_at_cut = arrival.onward != kNoVertex;
+    stretch.ends_at_cut = arrival.onward != kNone;
     if (!stretch.ends_at_cut) trails.ended_.set(trails.link_.end_key(stretch.end), 0);
     if (!stretch.starts_at_cut && !stretch.ends_at_cut) {
       const bool backwards = stretch.end < stretch.start;
       write({&stretch, backwards, backwards ? (stretch.size - 1) & 1 : 0});
-      lane.kept.drop();
       return;
     }
     stretches.push_back(stretch);
-    const auto mark = [&](Port p) {
+    lane.kept.append_to(kept);
+    const auto mark = [&](PortNumber p) {
       trails.shared_stretch_at(p).store(kWalked, std::memory_order_relaxed);
     };
     if (stretch.starts_at_cut) mark(stretch.start);
@@ -232,11 +239,12 @@ struct Trails<Link>::CutWalker {
 
   Trails& trails;
   const Write& write;
-  Lane* lanes;
-  Port at_end;  ///< where to look for the next end of a chain
-  Port at_cut;  ///< and for the next cut
-  Port end;
-  std::vector<Stretch> stretches = {};
+  TrailLane* lanes;
+  PortNumber at_end;  ///< where to look for the next end of a chain
+  PortNumber at_cut;  ///< and for the next cut
+  PortNumber end;
+  std::vector<TrailStretch> stretches = {};
+  UnwrittenVector<PortNumber> kept = {};  ///< of these, one after the other
 };
 
 /// A stretch may have been walked from both of its ends at the same time: then its ports at cuts
@@ -246,36 +254,42 @@ template <class Write>
 void Trails<Link>::walk_cut(const Write& write) {
   std::vector<CutWalker<Write>> walkers;
   for (std::uint32_t t = 0; t < sizes_.threads; ++t) {
-    const Port begin = port(bound(t), 0);
-    const Port end = port(bound(t + 1), 0);
+    const PortNumber begin = port(bound(t), 0);
+    const PortNumber end = port(bound(t + 1), 0);
     walkers.push_back({*this, write, lanes_of(t), all_linked_ ? end : begin, begin, end});
+    walkers.back().kept.reserve(2 * records_.size() / sizes_.threads);
   }
   in_threads(sizes_.threads, [&](std::uint32_t t) { walk_in_lanes(walkers[t], sizes_.lanes); });
   for (const auto& walker : walkers) {
-    stretches_.insert(stretches_.end(), walker.stretches.begin(), walker.stretches.end());
+    const PortNumber* kept = walker.kept.data();
+    for (const TrailStretch& stretch : walker.stretches) {
+      stretches_.push_back(stretch);
+      stretches_.back().kept = kept;
+      kept += stretch.num_kept;
+    }
   }
   for (std::uint32_t number = 0; number < stretches_.size(); ++number) {
-    const Stretch& stretch = stretches_[number];
+    const TrailStretch& stretch = stretches_[number];
     if (stretch.starts_at_cut) stretch_at(stretch.start) = number;
     if (stretch.ends_at_cut) stretch_at(stretch.end) = number;
   }
-  const std::vector<Piece> pieces = pieces_in_chains();
+  const std::vector<TrailPiece> pieces = pieces_in_chains();
   for_each_in_threads(sizes_.threads, pieces.size(), kPiecesAtATime,
                       [&](std::size_t p) { write(pieces[p]); });
 }
 
 template <class Link>
-std::vector<Piece> Trails<Link>::pieces_in_chains() {
-  std::vector<Piece> pieces;
+std::vector<TrailPiece> Trails<Link>::pieces_in_chains() {
+  std::vector<TrailPiece> pieces;
   pieces.reserve(stretches_.size());
   for (std::uint32_t number = 0; number < stretches_.size(); ++number) {
-    const Stretch& stretch = stretches_[number];
+    const TrailStretch& stretch = stretches_[number];
     if (stretch.starts_at_cut && stretch.ends_at_cut) continue;
     if (stretch_at(stretch.starts_at_cut ? stretch.start : stretch.end) != number) continue;
     follow(number, stretch.starts_at_cut, pieces);
   }
-  for (const Stretch& stretch : stretches_) {
-    for (const Port p : {stretch.start, stretch.end}) {
+  for (const TrailStretch& stretch : stretches_) {
+    for (const PortNumber p : {stretch.start, stretch.end}) {
       const bool known = p == stretch.start ? stretch.starts_at_cut : stretch.ends_at_cut;
       if (!known || stretch_at(p) == kNone) continue;
       const std::uint32_t number = stretch_at(p);
@@ -286,14 +300,14 @@ std::vector<Piece> Trails<Link>::pieces_in_chains() {
 }
 
 template <class Link>
-void Trails<Link>::follow(std::uint32_t number, bool backwards, std::vector<Piece>& pieces) {
+void Trails<Link>::follow(std::uint32_t number, bool backwards, std::vector<TrailPiece>& pieces) {
   const std::size_t begin = pieces.size();
-  const Port from = backwards ? stretches_[number].end : stretches_[number].start;
-  Stretch chain;  // its size so far, and its smallest port
+  const PortNumber from = backwards ? stretches_[number].end : stretches_[number].start;
+  TrailStretch chain;  // its size so far, and its smallest port
   bool reversed = false;
   for (;;) {
-    const Stretch& stretch = stretches_[number];
-    const Port last = backwards ? stretch.start : stretch.end;
+    const TrailStretch& stretch = stretches_[number];
+    const PortNumber last = backwards ? stretch.start : stretch.end;
     if (stretch.starts_at_cut) stretch_at(stretch.start) = kNone;
     if (stretch.ends_at_cut) stretch_at(stretch.end) = kNone;
     const std::uint32_t before = chain.size;
@@ -310,8 +324,8 @@ void Trails<Link>::follow(std::uint32_t number, bool backwards, std::vector<Piec
       chain.low_edge = reversed ? chain.size - 1 : 0;
       break;
     }
-    const Port leaving = linked(last);
-    take_low(chain, last, leaving, leaving == from ? 0 : chain.size);
+    const PortNumber leaving = linked(last);
+    chain.take_low(last, leaving, leaving == from ? 0 : chain.size);
     if (leaving == from) {  // around
       reversed = !chain.low_leaves;
       break;
@@ -325,46 +339,37 @@ void Trails<Link>::follow(std::uint32_t number, bool backwards, std::vector<Piec
   }
 }
 
-/// One thread's part: the chains whose least key is in a range. A walk that comes to a smaller key
-/// than its first stops: another one begins there, or has begun.
+/// One thread's part: the chains whose least key is in a range.
 template <class Link>
 template <class NextUnwritten, class Write>
 struct Trails<Link>::UncutWalker {
   bool start(std::uint32_t number) {
-    const Port p = next_unwritten(next, end);
-    if (p == kNoPort) {
-      next = end;
-      return false;
-    }
-    next = Link::key(p) + 1;
+    const PortNumber p = next_unwritten(next, end);
+    next = p == kNoPort ? end : Link::key(p) + 1;
+    if (p == kNoPort) return false;
     trails.begin_at(lanes[number], p);
     return true;
   }
 
   bool advance(std::uint32_t number) {
-    Lane& lane = lanes[number];
-    const Arrival arrival = trails.arrive(lane);
-    Stretch& stretch = lane.stretch;
+    TrailLane& lane = lanes[number];
+    const ArrivalAndOnward arrival = trails.arrive(lane);
+    TrailStretch& stretch = lane.stretch;
     const bool back = arrival.leaving == stretch.start;
-    if (!back && arrival.kept && Link::key(arrival.at) < Link::key(stretch.start)) {
-      lane.kept.drop();
-      return false;
-    }
-    take_low(stretch, arrival.at, arrival.leaving, back ? 0 : stretch.size);
+    if (!back && arrival.kept && Link::key(arrival.at) < Link::key(stretch.start)) return false;
+    stretch.take_low(arrival.at, arrival.leaving, back ? 0 : stretch.size);
     if (back) {
-      stretch.end = arrival.at;
       write({&take(lane), !stretch.low_leaves, stretch.low_edge & 1});
-      lane.kept.drop();
       return false;
     }
-    trails.go_on(lane, arrival);
+    trails.go_on(lane, arrival.onward);
     return true;
   }
 
   Trails& trails;
   const NextUnwritten& next_unwritten;
   const Write& write;
-  Lane* lanes;
+  TrailLane* lanes;
   std::uint32_t next;  ///< key
   std::uint32_t end;
 };
@@ -383,4 +388,4 @@ void Trails<Link>::walk_uncut(const NextUnwritten& next_unwritten, const Write& 
   });
 }
 
-}  // namespace ar3d::diamond
+}  // namespace ar3d::diamond::fast
