@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ar3d/algorithms/compact/placement.h"
+#include "ar3d/algorithms/compact/letters.h"
 
 namespace ar3d::compact {
 

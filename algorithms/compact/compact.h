@@ -3,7 +3,9 @@
 #include <optional>
 
 #include "ar3d/algorithms/catalog.h"
-#include "ar3d/algorithms/compact/narrow.h"
+#include "ar3d/algorithms/compact/fill.h"
+#include "ar3d/algorithms/compact/letters.h"
+#include "ar3d/algorithms/compact/strip.h"
 #include "ar3d/algorithms/effort.h"
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"
@@ -33,5 +35,11 @@ Drawing draw_from(const Graph& graph, const std::optional<Tightness>& first);
 
 /// The catalogue row `compact`.
 Algorithm row();
+
+/// Bounds on the extents of any drawing in a strip of this size.
+std::array<std::int64_t, 3> box_of(const StripSize& size);
+
+/// The drawing in space; one byte per edge besides the graph's own edge list.
+Drawing lift(const Graph& graph, const Decomposition& links, const Placement& placement);
 
 }  // namespace ar3d::compact

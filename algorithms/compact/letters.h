@@ -6,7 +6,9 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
+#include "ar3d/base/threads.h"
 #include "ar3d/model/lattice.h"
 
 namespace ar3d::compact {
@@ -69,5 +71,20 @@ inline Site site_of(Point p) {
   return site_of(Place{static_cast<std::int32_t>((p.x + p.y) / 2),    // 4i + 2t >= 0
                        static_cast<std::int32_t>((p.x - p.y) / 2)});  // 4j - 2t >= -2
 }
+
+/// The cells (i, j), 0 <= i < columns, 0 <= j < rows, i = j mod 2.
+struct StripSize {
+  std::int32_t columns = 1;
+  std::int32_t rows = 1;
+  std::int32_t reach = 1;  ///< an edge spans at most this many columns
+  friend bool operator==(const StripSize&, const StripSize&) = default;
+};
+
+/// A filled strip: what a drawing is made of.
+struct Placement {
+  StripSize size;
+  UnwrittenVector<Place> places;      ///< by vertex
+  std::vector<std::uint8_t> variant;  ///< by edge: in which of its words it is routed
+};
 
 }  // namespace ar3d::compact

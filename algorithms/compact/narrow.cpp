@@ -2,88 +2,292 @@
 // rules (a) to (e) are all that a right drawing needs (Lemmas C.3 to C.5), so neither zones nor
 // caps are kept. A vertex that finds no cell among 120 ejects a placed neighbour, as in cuckoo
 // hashing. Nothing proves that this ends well, hence the bounded number of ejections and the zones
-// behind it. Cost: O(n + ejections) cells tried, each in O(1) expected.
-#include "ar3d/algorithms/compact/narrow.h"
-
+// behind it. A cell is refused by the cheapest test that refuses it: eight at a time by the places
+// of neighbours (cells.h), then two bits of a line on which nothing is (narrow_lines.h), and only
+// then its pieces. Cost: O(n + ejections) cells tried, each in O(1) expected.
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <numeric>
 #include <utility>
 #include <vector>
 
-#include "ar3d/algorithms/strips/square_root.h"
+#include "ar3d/algorithms/compact/cells.h"
+#include "ar3d/algorithms/compact/fill.h"
+#include "ar3d/algorithms/compact/narrow_lines.h"
+#include "ar3d/algorithms/compact/words.h"
+#include "ar3d/algorithms/strips/numbers_ahead.h"
 
 namespace ar3d::compact {
 namespace {
 
-struct Columns {
-  std::int32_t low = 0;
-  std::int32_t high = 0;
-};
-
 /// Puts vertices at random cells of one strip.
-class Placer {
+class NarrowPlacer {
  public:
-  Placer(Strip& strip, RandomStream& random, Census& census)
-      : strip_(strip), random_(random), census_(census) {}
+  NarrowPlacer(const Decomposition& links, std::size_t num_edges, StripSize size,
+               strips::NumbersAhead& random, Census& census)
+      : links_(links),
+        size_(size),
+        places_(links.at.size(), Place{}),
+        variant_(num_edges, 0),
+        taken_(size),
+        lines_(size, num_edges),
+        random_(random),
+        census_(census) {
+    for (std::size_t i = 0; i < words_.size(); ++i) {
+      const WordConstants& first = words_[i / 4 * 4];
+      words_[i].step =
+          lines_.step(kind_of(i), words_[i].first - first.first, words_[i].second - first.second);
+    }
+  }
 
   bool place(Vertex v) {
-    const Columns columns = columns_for(strip_.joined(v));
-    for (int trial = 0; trial < kNarrowTrials; ++trial) {
-      ++census_.trials;
-      const Site site = draw_site(v, columns);
-      if (site.is_set() && strip_.try_place(v, site)) return true;
+    ask_for_neighbours(v + kAhead);
+    const JoinedVertex joined = joined_of(v);
+    for (int tried = 0; tried < kNarrowTrials; tried += static_cast<int>(kCellsAtOnce)) {
+      if (place_in_some_cell(v, joined)) return true;
+      if (tried == kHalfway) ask_for_ejection(v, false);
+      if (tried == kNearTheEnd) ask_for_ejection(v, true);
     }
     return false;
   }
 
   strips::FewVertices placed_neighbours(Vertex v) const {
     strips::FewVertices placed;
-    for (const HalfEdge& edge : strip_.roles(v)) {
-      if (edge.to != kNobody && strip_.is_placed(edge.to)) placed.at[placed.count++] = edge.to;
+    for (const HalfEdge& edge : links_.at[v]) {
+      if (edge.to != kNobody && places_[edge.to].is_set()) placed.at[placed.count++] = edge.to;
     }
     return placed;
   }
 
-  void remove(Vertex v) { strip_.remove(v); }
+  void remove(Vertex v) {
+    const Place own = places_[v];
+    const PlacedEnd end = end_at(own);
+    const JoinedVertex joined = joined_of(v);
+    if (joined.has_arrival) lines_.flip_arrival(arrival_line(end));
+    std::array<Piece, 4> pieces;
+    for (std::size_t i = 0; i < joined.count; ++i) {
+      const EdgeRoute route = route_of(joined.edges[i], end);
+      pieces[i] = piece_of(route, route.words[variant_[joined.edges[i].edge]]);
+      lines_.ask_for(pieces[i].line);
+      lines_.ask_for_pieces(pieces[i].line);
+    }
+    for (std::size_t i = 0; i < joined.count; ++i) lines_.erase(pieces[i]);
+    taken_.flip(own);
+    places_[v] = {};
+  }
+
+  Placement placement() && { return {size_, std::move(places_), std::move(variant_)}; }
 
  private:
-  /// Unset if no column is left in the row drawn.
-  Site draw_site(Vertex v, const Columns& columns) {
-    const auto row =
-        static_cast<std::int32_t>(random_.below(static_cast<std::uint32_t>(strip_.size().rows)));
-    const std::int32_t first = columns.low + ((columns.low ^ row) & 1);
-    if (first > columns.high) return {};
-    const auto choices = static_cast<std::uint32_t>((columns.high - first) / 2 + 1);
-    const std::int32_t column = first + 2 * static_cast<std::int32_t>(random_.below(choices));
-    return {column, row, type_for(v, column)};
+  static constexpr Vertex kAhead = 8;
+  // After so many cells, of kNarrowTrials, one neighbour or other is likely to be ejected.
+  static constexpr int kHalfway = 48;
+  static constexpr int kNearTheEnd = 80;
+
+  /// An edge to a placed neighbour.
+  struct JoinedEdge {
+    PlacedEnd other;
+    EdgeId edge = 0;
+    bool red = false;
+    bool out = false;
+  };
+  /// A vertex and its placed neighbours.
+  struct JoinedVertex {
+    std::array<JoinedEdge, 4> edges;
+    std::size_t count = 0;
+    bool has_arrival = false;
+    CellChoice choice;
+  };
+  /// An edge to a placed neighbour if the vertex stood at a certain place.
+  struct EdgeRoute {
+    std::array<std::int32_t, 3> length;  ///< this and top without the word's constants
+    std::int32_t top;
+    std::uint64_t line;          ///< of variant 0
+    const WordConstants* words;  ///< of all variants
+    unsigned variants;
+  };
+  /// What placing one vertex would add.
+  struct Plan {
+    std::array<Piece, 4> pieces{};  ///< line 0 beyond `count`
+    std::array<std::uint8_t, 4> variants{};
+    std::size_t count = 0;
+    bool overlaps(const Piece& piece) const {
+      return any([&](const Piece& other) { return other.overlaps(piece); });
+    }
+    bool is_on(std::uint64_t line) const {
+      return any([&](const Piece& other) { return other.line == line; });
+    }
+
+   private:
+    template <class Test>
+    bool any(Test test) const {  // without branches on what is random
+      return test(pieces[0]) | test(pieces[1]) | test(pieces[2]) | test(pieces[3]);
+    }
+  };
+
+  void ask_for_neighbours(Vertex v) const {
+    if (v >= links_.at.size()) return;
+    for (const HalfEdge& edge : links_.at[v]) {
+      if (edge.to != kNobody) __builtin_prefetch(&places_[edge.to]);
+    }
   }
 
-  /// The columns that reach and the types of placed tails leave to v.
-  Columns columns_for(const Joined& joined) const {
-    const StripSize& size = strip_.size();
-    Columns columns{0, size.columns - 1};
-    for (const auto& [role, edge, other] : joined) {
-      columns.low = std::max(columns.low, other.column - size.reach);
-      columns.high = std::min(columns.high, other.column + size.reach);
-      if (role != kGreenIn) continue;
-      if (other.type == 0) {
-        columns.low = std::max(columns.low, other.column + 1);
-      } else {
-        columns.high = std::min(columns.high, other.column - 1);
+  /// Asks for the edges of v's neighbours, or for what removing one of them reads of these.
+  void ask_for_ejection(Vertex v, bool edges_are_there) const {
+    for (const HalfEdge& edge : links_.at[v]) {
+      if (edge.to == kNobody) continue;
+      if (!edges_are_there) {
+        __builtin_prefetch(&links_.at[edge.to]);
+        continue;
+      }
+      for (const HalfEdge& next : links_.at[edge.to]) {
+        if (next.to == kNobody) continue;
+        __builtin_prefetch(&places_[next.to]);
+        __builtin_prefetch(&variant_[next.edge]);
       }
     }
-    return columns;
   }
 
-  /// By the side of the green head; if that is to come, by the side that has more room.
-  std::int32_t type_for(Vertex v, std::int32_t column) const {
-    const Vertex head = strip_.roles(v)[kGreenOut].to;
-    if (head != kNobody && strip_.is_placed(head)) return strip_.site(head).column < column ? 1 : 0;
-    return 2 * column < strip_.size().columns ? 0 : 1;
+  /// The columns are those that reach and the types of placed tails leave. The vertex's type is
+  /// told by the side of its green head; if that is to come, by the side that has more room.
+  JoinedVertex joined_of(Vertex v) const {
+    JoinedVertex joined;
+    const Roles& roles = links_.at[v];
+    joined.has_arrival = roles[kGreenIn].to != kNobody;
+    CellChoice& choice = joined.choice;
+    choice = {size_.rows, 0, size_.columns - 1, (size_.columns - 1) / 2, {}, 0};
+    for (const ColourRole role : {kGreenOut, kGreenIn, kRedOut, kRedIn}) {
+      const HalfEdge edge = roles[role];
+      if (edge.to == kNobody) continue;
+      const Place other = places_[edge.to];
+      if (!other.is_set()) continue;
+      const std::int32_t column = other.U / 4;
+      choice.neighbours[joined.count] = other;
+      choice.low = std::max(choice.low, column - size_.reach);
+      choice.high = std::min(choice.high, column + size_.reach);
+      joined.edges[joined.count] = {end_at(other), edge.edge, is_red(role), is_out(role)};
+      if (role == kGreenOut) choice.last_of_type_0 = column;
+      if (role == kGreenIn && joined.edges[joined.count].other.type == 0) {
+        choice.low = std::max(choice.low, column + 1);
+      } else if (role == kGreenIn) {
+        choice.high = std::min(choice.high, column - 1);
+      }
+      choice.num_neighbours = ++joined.count;
+    }
+    return joined;
   }
 
-  Strip& strip_;
-  RandomStream& random_;
+  /// Tries the next cells of the stream, kCellsAtOnce of them.
+  bool place_in_some_cell(Vertex v, const JoinedVertex& joined) {
+    const CellChoice& choice = joined.choice;
+    if (!choice.has_cells_in_every_row()) return place_one_by_one(v, joined);
+    draw_cells(choice, taken_, random_.ahead(2 * kCellsAtOnce), batch_);
+    if (!batch_.is_exact) return place_one_by_one(v, joined);
+    for (std::uint32_t open = batch_.open; open != 0; open &= open - 1) {
+      const auto k = static_cast<std::size_t>(std::countr_zero(open));
+      if (!try_place(v, {batch_.U[k], batch_.V[k]}, joined)) continue;
+      census_.trials += static_cast<std::int64_t>(k) + 1;
+      random_.skip(2 * (k + 1));
+      return true;
+    }
+    census_.trials += static_cast<std::int64_t>(kCellsAtOnce);
+    random_.skip(2 * kCellsAtOnce);
+    return false;
+  }
+
+  bool place_one_by_one(Vertex v, const JoinedVertex& joined) {
+    const CellChoice& choice = joined.choice;
+    for (std::size_t i = 0; i < kCellsAtOnce; ++i) {
+      ++census_.trials;
+      const auto row =
+          static_cast<std::int32_t>(random_.below(static_cast<std::uint32_t>(choice.rows)));
+      const std::int32_t first = choice.low + ((choice.low ^ row) & 1);
+      if (first > choice.high) continue;
+      const auto choices = static_cast<std::uint32_t>((choice.high - first) / 2 + 1);
+      const std::int32_t column = first + 2 * static_cast<std::int32_t>(random_.below(choices));
+      const Place place = place_of({column, row, column > choice.last_of_type_0 ? 1 : 0});
+      if (is_open(choice, taken_, place) && try_place(v, place, joined)) return true;
+    }
+    return false;
+  }
+
+  static LineKind kind_of(std::size_t word) {
+    return word >= word_index(true, 0, 0, false) ? LineKind::lower_c
+           : (word / 8) % 2 == 0                 ? LineKind::upper_b
+                                                 : LineKind::upper_c;
+  }
+  EdgeRoute route_of(const JoinedEdge& edge, const PlacedEnd& own) const {
+    const MiddleLine line =
+        middle_line(edge.red, edge.out ? own : edge.other, edge.out ? edge.other : own);
+    const WordConstants& word = words_[line.word];
+    return {line.length, line.top,
+            lines_.number(kind_of(line.word), line.first + word.first, line.second + word.second),
+            &word, variants(edge.red)};
+  }
+  static Piece piece_of(const EdgeRoute& route, const WordConstants& word) {
+    const std::int32_t top = route.top + word.top;
+    return {route.line + word.step, top - route.length[1] - word.length[1], top};
+  }
+  /// The whole line on which a green edge arrives (words.h, arrival_line).
+  std::uint64_t arrival_line(const PlacedEnd& head) const {
+    return head.type == 0 ? lines_.number(LineKind::upper_c, head.U - 2, head.form[0] - 2)
+                          : lines_.number(LineKind::upper_b, head.U + 2, head.form[1]);
+  }
+
+  bool plan_edge(const EdgeRoute& route, Plan& plan) const {
+    for (unsigned variant = 0; variant < route.variants; ++variant) {
+      const WordConstants& word = route.words[variant];
+      if (route.length[0] + word.length[0] < 1 || route.length[1] + word.length[1] < 1 ||
+          route.length[2] + word.length[2] < 1) {
+        continue;
+      }
+      const Piece piece = piece_of(route, word);
+      if (plan.overlaps(piece) || !lines_.is_free(piece)) continue;
+      plan.variants[plan.count] = static_cast<std::uint8_t>(variant);
+      plan.pieces[plan.count++] = piece;
+      return true;
+    }
+    return false;
+  }
+
+  /// Places v at an open place if its arrival and all its edges to placed neighbours have room.
+  bool try_place(Vertex v, Place own, const JoinedVertex& joined) {
+    const PlacedEnd end = end_at(own);
+    std::array<EdgeRoute, 4> routes;
+    for (std::size_t i = 0; i < joined.count; ++i) {
+      routes[i] = route_of(joined.edges[i], end);
+      lines_.ask_for(routes[i].line);
+    }
+    const std::uint64_t arrival = joined.has_arrival ? arrival_line(end) : 0;
+    if (joined.has_arrival) lines_.ask_for(arrival);
+    for (std::size_t i = 0; i < joined.count; ++i) lines_.ask_for_pieces(routes[i].line);
+    Plan plan;
+    for (std::size_t i = 0; i < joined.count; ++i) {
+      if (!plan_edge(routes[i], plan)) return false;
+    }
+    if (joined.has_arrival) {
+      if (plan.is_on(arrival) || !lines_.is_empty(arrival)) return false;
+      lines_.flip_arrival(arrival);
+    }
+    places_[v] = own;
+    taken_.flip(own);
+    for (std::size_t i = 0; i < joined.count; ++i) {
+      lines_.insert(plan.pieces[i]);
+      variant_[joined.edges[i].edge] = plan.variants[i];
+    }
+    return true;
+  }
+
+  const Decomposition& links_;
+  StripSize size_;
+  UnwrittenVector<Place> places_;
+  std::vector<std::uint8_t> variant_;
+  TakenPlaces taken_;
+  NarrowLines lines_;
+  WordTable words_ = word_table();
+  CellBatch batch_;
+  strips::NumbersAhead& random_;
   Census& census_;
 };
 
@@ -98,28 +302,17 @@ StripSize narrow_size(std::int64_t n, const Tightness& tightness) {
           static_cast<std::int32_t>(std::min(reach, columns))};
 }
 
-std::int64_t most_ejections(std::int64_t n, const Tightness& tightness) {
-  return tightness.ejections * n / 100 + 20;
-}
-
-std::vector<Vertex> stack_of_vertices(Vertex n) {
-  std::vector<Vertex> waiting(n);
-  std::iota(waiting.rbegin(), waiting.rend(), 0);
-  return waiting;
-}
-
-std::optional<Strip> fill_narrow_strip(const Decomposition& links, std::size_t num_edges,
-                                       const Tightness& tightness, RandomStream random,
-                                       Census& census) {
+std::optional<Placement> fill_narrow_strip(const Decomposition& links, std::size_t num_edges,
+                                           const Tightness& tightness, std::uint64_t seed,
+                                           std::uint64_t stream, Census& census) {
   const auto n = static_cast<Vertex>(links.at.size());
-  std::optional<Strip> strip(std::in_place, links, num_edges, narrow_size(n, tightness),
-                             StripRules{});
-  Placer placer(*strip, random, census);
-  if (!strips::place_with_ejections(placer, stack_of_vertices(n), most_ejections(n, tightness),
-                                    random, census)) {
-    strip.reset();
+  strips::NumbersAhead random(seed, stream);
+  NarrowPlacer placer(links, num_edges, narrow_size(n, tightness), random, census);
+  if (!strips::place_with_ejections(placer, strips::stack_of_vertices(n),
+                                    strips::most_ejections(n, tightness), random, census)) {
+    return std::nullopt;
   }
-  return strip;
+  return std::move(placer).placement();
 }
 
 }  // namespace ar3d::compact

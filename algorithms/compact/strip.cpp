@@ -10,16 +10,15 @@
 
 namespace ar3d::compact {
 
-Strip::Strip(const Decomposition& links, std::size_t num_edges, StripSize size, StripRules rules)
+Strip::Strip(const Decomposition& links, std::size_t num_edges, StripSize size, std::int32_t cap)
     : links_(&links),
       size_(size),
       half_rows_(static_cast<std::size_t>(size.rows / 2 + 1)),
-      rules_(rules),
       sites_(links.at.size(), Site{}),
       variant_(num_edges, 0),
       taken_(2 * static_cast<std::size_t>(size.columns) * half_rows_ / 64 + 1),
       lines_(num_edges + links.num_green) {
-  if (rules.cap > 0) caps_.emplace(rules.cap, 8 * size.columns + 4 * size.rows + 16);
+  if (cap > 0) caps_.emplace(cap, 8 * size.columns + 4 * size.rows + 16);
 }
 
 bool Strip::is_free(const Piece& piece, const Plan& plan) const {
@@ -41,7 +40,7 @@ bool Strip::plan_arrival(Vertex v, Site site, Plan& plan) const {
 /// What no variant mends: reach, the side of the head, and |dV| > |dU| + 2, which leaves a length
 /// below 1. (A length is (|dU| +- dV)/2 plus at most 2.) Cheap, so that few lines are looked up in
 /// vain.
-bool Strip::may_join(Role role, Site own, Site other) const {
+bool Strip::may_join(ColourRole role, Site own, Site other) const {
   const std::int32_t across = std::abs(other.column - own.column);
   if (across == 0 || across > size_.reach) return false;
   if (!is_red(role)) {
@@ -55,20 +54,20 @@ bool Strip::may_join(Role role, Site own, Site other) const {
   return dv <= du + 2;
 }
 
-bool Strip::plan_edge(Role role, Site own, Site other, EdgeId edge, Plan& plan) const {
+bool Strip::plan_edge(ColourRole role, Site own, Site other, EdgeId edge, Plan& plan) const {
   const Site tail = is_out(role) ? own : other;
   const Site head = is_out(role) ? other : own;
   Shape shape{is_red(role), tail.type, head.type, head.column > tail.column, 0};
   const Letters from = letters_of(tail);
   const Letters to = letters_of(head);
-  const unsigned tried = rules_.whole_lines ? 1 : variants(shape.red);
+  const unsigned tried = caps_ ? 1 : variants(shape.red);
   for (; shape.variant < tried; ++shape.variant) {
     const Word word = word_of(shape);
     const auto lengths = long_lengths(word, from, to);
     if (*std::min_element(lengths.begin(), lengths.end()) < 1) continue;
     const Letters start = middle_start(word, from, lengths);
     Piece piece = middle_piece(word, shape.red, start, lengths[1]);
-    if (rules_.whole_lines) piece = strips::whole_line(piece.line);
+    if (caps_) piece = strips::whole_line(piece.line);
     if (!is_free(piece, plan)) continue;
     if (caps_ && !caps_->is_open(shape, start)) continue;
     plan.edges[plan.count] = edge;
@@ -100,7 +99,7 @@ void Strip::commit(Vertex v, Site site, const Plan& plan) {
 
 Joined Strip::joined(Vertex v) const {
   Joined joined;
-  for (const Role role : {kGreenOut, kGreenIn, kRedOut, kRedIn}) {
+  for (const ColourRole role : {kGreenOut, kGreenIn, kRedOut, kRedIn}) {
     const HalfEdge edge = links_->at[v][role];
     if (edge.to == kNobody || !is_placed(edge.to)) continue;
     joined.edges[joined.count++] = {role, edge.edge, sites_[edge.to]};
@@ -110,7 +109,7 @@ Joined Strip::joined(Vertex v) const {
 
 bool Strip::may_hold(Site site, const Joined& joined) const {
   return !is_taken(site) &&
-         std::all_of(joined.begin(), joined.end(), [&](const Joined::Edge& edge) {
+         std::all_of(joined.begin(), joined.end(), [&](const Joined::PlacedNeighbour& edge) {
            return may_join(edge.role, site, edge.other);
          });
 }
@@ -138,7 +137,7 @@ bool Strip::try_place(Vertex v, Site site) {
 }
 
 void Strip::remove(Vertex v) {
-  expect(!rules_.whole_lines && !caps_, "vertices are removed only where edges take pieces");
+  expect(!caps_, "vertices are removed only where edges take pieces");
   const Site site = sites_[v];
   if (has_arrival(v)) lines_.erase(arrival_line(site));
   for (const auto& [role, edge, other] : joined(v)) {
@@ -157,6 +156,27 @@ Placement Strip::placement() const {
   placement.places.reserve(sites_.size());
   for (const Site& site : sites_) placement.places.push_back(place_of(site));
   return placement;
+}
+
+// The cap rule of Lemma C.7: it keeps any one plane from being crowded, so that few cells are
+// closed to a vertex. One number for each family of lines and value of its third form: O(1) per
+// question, O(sqrt n) memory. Used in the zones only.
+
+std::size_t Caps::index(const Shape& shape, const Letters& on_line) const {
+  const auto form = [&](Letter x, Letter y) { return on_line[x] - on_line[y]; };
+  std::size_t family = 0;
+  std::int32_t value = 0;
+  if (shape.red) {
+    family = shape.right ? 4 : 5;
+    value = shape.right ? form(kA, kB) : form(kB, kD);
+  } else {
+    const bool by_a = shape.tail_type == 0;
+    const bool q_is_b = shape.head_type == 0;
+    family = (by_a ? 0u : 1u) + (q_is_b ? 0u : 2u);
+    value = q_is_b ? (by_a ? form(kA, kC) : form(kC, kD)) : (by_a ? form(kA, kB) : form(kB, kD));
+  }
+  expect(value >= -widest_ && value <= widest_, "forms keep their width");
+  return family * width() + static_cast<std::size_t>(value + widest_);
 }
 
 }  // namespace ar3d::compact

@@ -4,6 +4,7 @@
 #include "ar3d/algorithms/compact/words.h"
 
 namespace ar3d::compact {
+
 namespace {
 
 Word green_word(const Shape& shape) {
@@ -94,6 +95,28 @@ void append_bends_of(const Word& word, const Letters& tail,
     at[word.short_letter[i]] -= word.short_length[i];
     out.push_back(to_point(at));
   }
+}
+
+// The constants of the words' middle lines. Lengths, forms and heights are affine functions of the
+// coordinates of the two ends, so the constants are what two ends at the origin have (Lemma C.4 is
+// about their residues). Cost: O(1) for each of the words, once per strip.
+
+WordTable word_table() {
+  WordTable table;
+  for (unsigned bits = 0; bits < 16; ++bits) {
+    Shape shape{(bits & 8) != 0, (bits & 4) != 0 ? 1 : 0, (bits & 2) != 0 ? 1 : 0, (bits & 1) != 0,
+                0};
+    for (; shape.variant < variants(shape.red); ++shape.variant) {
+      const Word word = word_of(shape);
+      const Letters origin{};
+      const auto length = long_lengths(word, origin, origin);
+      const Letters start = middle_start(word, origin, length);
+      const Letter other = !shape.red && word.long_letter[1] == kB ? kC : kB;
+      table[word_index(shape.red, shape.tail_type, shape.head_type, shape.right) + shape.variant] =
+          {length, start[kA] - start[kD], start[other] - start[kD], height(start)};
+    }
+  }
+  return table;
 }
 
 }  // namespace ar3d::compact

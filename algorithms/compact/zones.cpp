@@ -2,12 +2,11 @@
 // of a greedy vertex colouring, with as many cells as Lemma C.7 can close and one eighth more.
 // Random cells first, then all in turn, so that a place is found on every input: O(1) expected
 // tries per vertex.
-#include "ar3d/algorithms/compact/zones.h"
-
 #include <algorithm>
 #include <bit>
 
-#include "ar3d/algorithms/strips/square_root.h"
+#include "ar3d/algorithms/compact/fill.h"
+#include "ar3d/algorithms/strips/search.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::compact {
@@ -54,24 +53,6 @@ Zones lay_out_zones(const std::vector<std::int64_t>& sizes) {
   return zones;
 }
 
-namespace {
-
-/// The cells of one zone, numbered.
-struct ZoneCells {
-  std::int32_t begin = 0;
-  std::int32_t width = 0;
-  std::int32_t rows = 1;
-
-  std::uint32_t count() const { return static_cast<std::uint32_t>(width / 2 * rows); }
-  Site operator[](std::uint32_t cell) const {
-    const auto row = static_cast<std::int32_t>(cell % static_cast<std::uint32_t>(rows));
-    const auto pair = static_cast<std::int32_t>(cell / static_cast<std::uint32_t>(rows));
-    return {begin + 2 * pair + ((begin ^ row) & 1), row, 0};
-  }
-};
-
-}  // namespace
-
 Strip fill_zones(const Graph& graph, const Decomposition& links, RandomStream random,
                  Census& census, bool random_trials) {
   const Vertex n = graph.num_vertices();
@@ -82,18 +63,20 @@ Strip fill_zones(const Graph& graph, const Decomposition& links, RandomStream ra
     ++sizes[colour];
   }
   const Zones zones = lay_out_zones(sizes);
-  Strip strip(links, graph.num_edges(), zones.size, {.whole_lines = true, .cap = zones.cap});
+  Strip strip(links, graph.num_edges(), zones.size, zones.cap);
+  const auto rows = static_cast<std::uint32_t>(zones.size.rows);
   const int trials = random_trials ? strips::random_trials(n) : 0;
   for (Vertex v = 0; v < n; ++v) {
     const Vertex head = links.at[v][kGreenOut].to;
     const std::int32_t type = head != kNobody && colours[head] < colours[v] ? 1 : 0;
-    const ZoneCells cells{zones.begin[colours[v]], zones.width[colours[v]], zones.size.rows};
+    const std::int32_t begin = zones.begin[colours[v]];
     const auto accept = [&](std::uint32_t cell) {
-      Site site = cells[cell];
-      site.type = type;
-      return strip.try_place(v, site);
+      const auto row = static_cast<std::int32_t>(cell % rows);
+      const auto pair = static_cast<std::int32_t>(cell / rows);
+      return strip.try_place(v, {begin + 2 * pair + ((begin ^ row) & 1), row, type});
     };
-    const bool placed = strips::place_in_turn(cells.count(), trials, accept, random, census);
+    const std::uint32_t cells = static_cast<std::uint32_t>(zones.width[colours[v]]) / 2 * rows;
+    const bool placed = strips::place_in_turn(cells, trials, accept, random, census);
     expect(placed, "a zone has a cell for each of its vertices");
   }
   return strip;

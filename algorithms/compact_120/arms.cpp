@@ -1,8 +1,7 @@
 // Step D.5: classes and arms. Own edges take the arms 01 and 20; of two arrivals one takes an own
 // arm of its side that is free, which exists because the vertex owns an edge if it has degree 3
 // (Lemma D.8). Cost: O(n).
-#include "ar3d/algorithms/compact_120/arms.h"
-
+#include "ar3d/algorithms/compact_120/order.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::compact_120 {
@@ -23,8 +22,8 @@ Arm side_arm(Class of, bool from_right) {
 
 /// Arrivals of one vertex: one on 12, which at N is the one whose other arm is taken, at S and T
 /// the one from farther away, since edges to their other arm pass far beyond their ends.
-void assign_arrivals(Class of, const Order& order, const std::array<Link, 3>& arrivals,
-                     std::size_t count, std::array<Link, 3>& at) {
+void assign_arrivals(Class of, const Order& order, const std::array<ArmLink, 3>& arrivals,
+                     std::size_t count, std::array<ArmLink, 3>& at) {
   std::size_t on_12 = 0;
   const auto side = [&](std::size_t i) { return side_arm(of, arrivals[i].is_right); };
   if (count == 2) {
@@ -33,7 +32,7 @@ void assign_arrivals(Class of, const Order& order, const std::array<Link, 3>& ar
     on_12 = second ? 1 : 0;
   }
   for (std::size_t i = 0; i < count; ++i) {
-    Link& link = at[i == on_12 ? k12 : side(i)];
+    ArmLink& link = at[i == on_12 ? k12 : side(i)];
     expect(!link.is_set(), "an arm has one edge");
     link = arrivals[i];
   }
@@ -44,19 +43,19 @@ void tell_arrivals(Links& links, std::size_t num_edges) {
   LongVector<Arrival> arrival(num_edges);
   for (std::size_t v = 0; v < links.at.size(); ++v) {
     for (const Arm arm : kArms) {
-      const Link& link = links.at[v][arm];
+      const ArmLink& link = links.at[v][arm];
       if (link.is_set() && link.is_out == 0) arrival[link.edge] = arrival_on(arm, links.of[v]);
     }
   }
-  for (std::array<Link, 3>& at : links.at) {
-    for (Link& link : at) {
+  for (std::array<ArmLink, 3>& at : links.at) {
+    for (ArmLink& link : at) {
       if (link.is_set()) link.at = static_cast<unsigned>(arrival[link.edge]) & 3u;
     }
   }
 }
 
-Link link_of(const HalfEdge& edge, bool out, bool right) {
-  Link link;
+ArmLink link_of(const HalfEdge& edge, bool out, bool right) {
+  ArmLink link;
   link.to = edge.to;
   link.edge = edge.edge & 0xfffffffu;
   link.is_out = out ? 1 : 0;
@@ -73,16 +72,16 @@ Links assign_arms(const Graph& graph, const Order& order, const Owners& owners) 
   links.of.resize(graph.num_vertices());
   for (Vertex v = 0; v < graph.num_vertices(); ++v) {
     links.of[v] = class_of(graph, order, v);
-    std::array<Link, 3> arrivals;
+    std::array<ArmLink, 3> arrivals;
     std::size_t count = 0;
     for (const HalfEdge& edge : graph.incident(v)) {
       const bool right = order.is_right(v, edge.to);
-      const Link link = link_of(edge, owners.tail[edge.edge] == v, right);
+      const ArmLink link = link_of(edge, owners.tail[edge.edge] == v, right);
       if (link.is_out == 0) {
         arrivals[count++] = link;
         continue;
       }
-      Link& own = links.at[v][right ? k01 : k20];
+      ArmLink& own = links.at[v][right ? k01 : k20];
       expect(!own.is_set(), "a vertex owns one edge per side");
       own = link;
     }

@@ -3,10 +3,10 @@
 // order to every component of the graph on which the sweeps fail. Cost: O(n) for each of a bounded
 // number of sweeps; O(n log n) where a component gets the moved order, whose paths are measured
 // rank by rank.
-#include "ar3d/algorithms/compact_120/levels.h"
-
 #include <algorithm>
 #include <array>
+
+#include "ar3d/algorithms/compact_120/order.h"
 
 namespace ar3d::compact_120 {
 namespace {

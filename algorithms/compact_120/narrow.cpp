@@ -3,22 +3,22 @@
 // right drawing needs, so no zones are kept; Lemma D.3 names the rows in which all lengths are
 // positive. Nothing proves that this ends well, hence the bounded number of ejections and the zones
 // behind it. Cost: O(n + ejections) cells tried, each in O(1) expected.
-#include "ar3d/algorithms/compact_120/narrow.h"
-
 #include <algorithm>
 #include <array>
 #include <numeric>
 #include <utility>
 #include <vector>
 
-#include "ar3d/algorithms/strips/square_root.h"
+#include "ar3d/algorithms/compact_120/fill.h"
+#include "ar3d/algorithms/strips/search.h"
 
 namespace ar3d::compact_120 {
 namespace {
 
 constexpr int kTrials = 12;
 
-struct Range {
+/// Columns, or rows, from `low` to `high`.
+struct SiteRange {
   std::int32_t low = 0;
   std::int32_t high = -1;
   bool is_empty() const { return low > high; }
@@ -27,9 +27,9 @@ struct Range {
 std::int32_t quotient_down(std::int32_t a, std::int32_t b) { return a / b - (a % b < 0 ? 1 : 0); }
 
 /// Puts vertices at random cells of one strip.
-class Placer {
+class NarrowPlacer {
  public:
-  Placer(Strip& strip, const NarrowOrder& order, RandomStream& random, Census& census)
+  NarrowPlacer(Strip& strip, const NarrowOrder& order, RandomStream& random, Census& census)
       : strip_(strip), order_(order), random_(random), census_(census) {
     for (std::size_t v = 0; v < order.position.size(); ++v) {
       if (order.links.of[v] == Class::n) ++before_[order.position[v] + 1u];
@@ -39,7 +39,7 @@ class Placer {
 
   bool place(Vertex v) {
     strip_.ask_for_neighbours(v + kAhead);
-    const Range columns = columns_for(v);
+    const SiteRange columns = columns_for(v);
     if (columns.is_empty()) {
       strip_.ask_for_edges_of_neighbours(v);
       return false;
@@ -49,7 +49,7 @@ class Placer {
       if (trial == 2 * kTrials / 3) strip_.ask_for_removal_of_neighbours(v);
       ++census_.trials;
       Site site{pick(columns), 0, strip_.links().of[v]};
-      const Range rows = rows_for(v, site);
+      const SiteRange rows = rows_for(v, site);
       if (rows.is_empty()) continue;
       site.row = pick(rows);
       const std::int32_t start = site.row;
@@ -66,7 +66,7 @@ class Placer {
 
   strips::FewVertices placed_neighbours(Vertex v) const {
     strips::FewVertices placed;
-    for (const Link& link : strip_.links().at[v]) {
+    for (const ArmLink& link : strip_.links().at[v]) {
       if (link.is_set() && strip_.is_placed(link.to)) placed.at[placed.count++] = link.to;
     }
     return placed;
@@ -75,7 +75,7 @@ class Placer {
   void remove(Vertex v) { strip_.remove(v); }
 
  private:
-  std::int32_t pick(Range range) {
+  std::int32_t pick(SiteRange range) {
     return range.low + static_cast<std::int32_t>(
                            random_.below(static_cast<std::uint32_t>(range.high - range.low + 1)));
   }
@@ -83,7 +83,7 @@ class Placer {
   /// The columns where v belongs: of class N those that hold as many vertices of N as have its
   /// position, and a margin, so that rare positions have room; the ends of the strip for sources
   /// and sinks.
-  Range home(Vertex v) const {
+  SiteRange home(Vertex v) const {
     const std::int32_t columns = strip_.size().columns;
     const Class of = strip_.links().of[v];
     const std::int32_t share = kSourceShare * columns / 100;
@@ -101,9 +101,9 @@ class Placer {
   }
 
   /// Those of them that the placed neighbours leave.
-  Range columns_for(Vertex v) const {
-    Range range = home(v);
-    for (const Link& link : strip_.links().at[v]) {
+  SiteRange columns_for(Vertex v) const {
+    SiteRange range = home(v);
+    for (const ArmLink& link : strip_.links().at[v]) {
       if (!link.is_set() || !strip_.is_placed(link.to)) continue;
       const std::int32_t at = strip_.site(link.to).column;
       if (link.is_right != 0) {
@@ -117,12 +117,12 @@ class Placer {
 
   /// The rows of the column in which all lengths to placed neighbours are at least 1: with d the
   /// slant of the head minus that of the tail, d <= 3/2 |Dt| - 2 and d >= 2 - 5/2 |Dt|.
-  Range rows_for(Vertex v, Site site) const {
+  SiteRange rows_for(Vertex v, Site site) const {
     const std::int32_t t = coordinates(site).t;
     const std::int32_t base = slant(site);
     std::int32_t low = base;
     std::int32_t high = base + 4 * (strip_.size().rows - 1);
-    for (const Link& link : strip_.links().at[v]) {
+    for (const ArmLink& link : strip_.links().at[v]) {
       if (!link.is_set() || !strip_.is_placed(link.to)) continue;
       const Site& other = strip_.site(link.to);
       const std::int32_t across = (coordinates(other).t - t) * (link.is_right != 0 ? 1 : -1);
@@ -158,7 +158,7 @@ class Placer {
 };
 
 /// Sources and sinks last: they find room at the ends of the strip, whatever their neighbours do.
-std::vector<Vertex> stack_of_vertices(const Links& links) {
+std::vector<Vertex> sources_and_sinks_last(const Links& links) {
   std::vector<Vertex> waiting;
   waiting.reserve(links.of.size());
   for (const bool extreme : {true, false}) {
@@ -188,10 +188,9 @@ std::optional<Strip> fill_narrow_strip(const NarrowOrder& order, std::size_t num
   const auto n = static_cast<std::int64_t>(order.position.size());
   std::optional<Strip> strip(std::in_place, order.links, num_edges, narrow_size(order, tightness),
                              false);
-  const std::int64_t ejections = tightness.ejections * n / 100 + 20;
-  Placer placer(*strip, order, random, census);
-  if (!strips::place_with_ejections(placer, stack_of_vertices(order.links), ejections, random,
-                                    census)) {
+  NarrowPlacer placer(*strip, order, random, census);
+  if (!strips::place_with_ejections(placer, sources_and_sinks_last(order.links),
+                                    strips::most_ejections(n, tightness), random, census)) {
     strip.reset();
   }
   return strip;

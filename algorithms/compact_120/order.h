@@ -1,8 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
+#include "ar3d/algorithms/compact_120/letters.h"
+#include "ar3d/algorithms/strips/numbers_ahead.h"
 #include "ar3d/base/long_vector.h"
 #include "ar3d/model/graph.h"
 
@@ -25,5 +28,116 @@ Order moved_order(const Graph& graph);
 /// The same order with ranks 0, 1, 2, ...: the length of the longest ascending path to a vertex.
 /// O(n log n).
 Order in_levels(const Graph& graph, const Order& order);
+
+/// Every edge belongs to one of its ends, its tail; a vertex owns at most one edge to the right and
+/// at most one to the left.
+struct Owners {
+  LongVector<Vertex> tail;  ///< by edge
+  /// The vertices of all components of the slot graph that have two cycles: there some vertices own
+  /// two edges on one side, so the owners cannot be used. Empty after the moves (Lemma D.8).
+  std::vector<Vertex> crowded;
+};
+
+/// Step D.4. A node of the slot graph is a vertex and one of its sides; an edge joins the right
+/// side of its left end with the left side of its right end. In a component with a cycle every node
+/// owns an edge, in a tree every node but one leaf. So a source or sink of degree 3 owns an edge.
+/// O(n).
+Owners choose_owners(const Graph& graph, const Order& order);
+
+struct RankChange {
+  Vertex vertex = 0;
+  std::uint32_t rank = 0;
+};
+
+/// choose_owners for an order that changes: components of the slot graph that stay are not searched
+/// again.
+class ChangingOwners {
+ public:
+  /// O(n). @param graph  outlives this.
+  ChangingOwners(const Graph& graph, Order order);
+  /// Gives vertices new ranks, such that adjacent ones differ after all of them. O(the components
+  /// of the slot graph that change), and a sort of the crowded ones.
+  void change(const std::vector<RankChange>& changes);
+
+  const Order& order() const { return order_; }
+  /// choose_owners(graph, order()).
+  const Owners& owners() const { return owners_; }
+
+ private:
+  /// 2 v: the right side of v; 2 v + 1: its left side.
+  using Node = std::uint32_t;
+  struct Component {
+    Node start = 0;         ///< its first node
+    std::size_t begin = 0;  ///< where its nodes begin in a list of nodes of several
+    std::size_t end = 0;
+  };
+
+  template <class Visit>
+  int for_edges(Node node, Visit visit) const;
+  void ask_for(Node node) const;
+  void ask_ahead(Vertex v) const;
+  void search_component(Node start);
+  void make_root(Node node);
+  void set_rank(RankChange change, std::vector<Node>& touched);
+  std::vector<Component> components_of(const std::vector<Node>& touched);
+  void list_crowded();
+
+  const Graph& graph_;
+  Order order_;
+  LongVector<EdgeId> parent_;  ///< by node: the edge to its parent
+  std::vector<Node> queue_;    ///< of a search
+  std::vector<Node> nodes_;    ///< of the components that are searched again
+  std::vector<Node> crowded_nodes_;
+  std::vector<Component> crowded_;  ///< components with two cycles, in `crowded_nodes_`
+  Owners owners_;
+};
+
+inline constexpr Vertex kNobody = 0xffffffffu;
+
+/// The edge at an arm of a vertex.
+struct ArmLink {
+  Vertex to = kNobody;
+  std::uint32_t edge : 28 = 0;     ///< its number: below 3 kMaxVertices / 2
+  std::uint32_t is_out : 1 = 0;    ///< the vertex is its tail
+  std::uint32_t is_right : 1 = 0;  ///< the other end is to the right
+  std::uint32_t at : 2 = 0;        ///< its Arrival
+  bool is_set() const { return to != kNobody; }
+  /// The edge runs to the right, from its tail to its head.
+  bool runs_right() const { return is_out == is_right; }
+  Arrival arrival() const { return static_cast<Arrival>(at); }
+  /// It arrives at T on 01 or at S on 20. (At N edges to the right arrive on 20, to the left on
+  /// 01.)
+  bool is_steep() const { return arrival() == (runs_right() ? Arrival::on_01 : Arrival::on_20); }
+};
+
+/// The class of every vertex and the edge at each of its arms. An own edge to the right leaves at
+/// 01, one to the left at 20; edges arrive
+///   at N from the left on 12 or 20, from the right on 12 or 01;
+///   at S from the right on 12 or 20; at T from the left on 12 or 01.
+struct Links {
+  LongVector<std::array<ArmLink, 3>> at;  ///< by vertex and Arm
+  LongVector<Class> of;                   ///< by vertex
+};
+
+/// Step D.5. @param owners  none of them crowded. O(n).
+Links assign_arms(const Graph& graph, const Order& order, const Owners& owners);
+
+/// Where in a narrow strip a vertex belongs: 0 at the left end to 100 at the right end; larger for
+/// the right end of an edge than for the left one.
+using Position = std::uint8_t;
+
+/// An order for narrow strips, what follows from it, and where vertices belong.
+struct NarrowOrder {
+  Links links;
+  std::vector<Position> position;     ///< by vertex
+  std::int64_t moved_components = 0;  ///< components of the graph that needed moved_order
+};
+
+/// Step D.6: a random proper colouring with four levels, then sweeps in which every vertex goes to
+/// the level with which the fewest sources and sinks of degree 3 are near it, until no component of
+/// the slot graph has two cycles. Components of the graph where a bounded number of sweeps does not
+/// achieve that get the order of Steps D.1 to D.3. O(n), then O(n log n).
+/// @param repairs  how often components with two cycles get a new start before they are given up.
+NarrowOrder narrow_order(const Graph& graph, const strips::NumbersAhead& random, int repairs = 30);
 
 }  // namespace ar3d::compact_120

@@ -3,10 +3,10 @@
 // is a cycle, to an end of the edge that the search did not use, which the root owns. Cost: O(n).
 // Repairs of an order change few components, so only those with an end of an edge whose ends
 // changed sides are searched again, each from its first node, which so ends with the same owners.
-#include "ar3d/algorithms/compact_120/owners.h"
-
 #include <algorithm>
 #include <utility>
+
+#include "ar3d/algorithms/compact_120/order.h"
 
 namespace ar3d::compact_120 {
 namespace {

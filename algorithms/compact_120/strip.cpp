@@ -4,12 +4,15 @@
 // D.7).
 #include "ar3d/algorithms/compact_120/strip.h"
 
+#include <bit>
+
 #include "ar3d/base/error.h"
 
 namespace ar3d::compact_120 {
+
 namespace {
 
-Route route_of(const Link& link, unsigned variant, const Quad& own, const Quad& other) {
+Route route_of(const ArmLink& link, unsigned variant, const Quad& own, const Quad& other) {
   const Shape shape{link.runs_right(), link.arrival(), variant};
   return link.is_out != 0 ? Route(shape, own, other) : Route(shape, other, own);
 }
@@ -27,7 +30,7 @@ Strip::Strip(const Links& links, std::size_t num_edges, StripSize size, bool who
       top_right_(size.beyond),
       top_left_(size.beyond + 6 * (size.columns - 1) + 3) {}
 
-bool Strip::plan_edge(const Link& link, const Quad& own, Plan& plan) const {
+bool Strip::plan_edge(const ArmLink& link, const Quad& own, Plan& plan) const {
   const Quad other = quad_of(sites_[link.to]);
   const unsigned tried = whole_lines_ ? 1 : variants(link.arrival());
   for (unsigned variant = 0; variant < tried; ++variant) {
@@ -45,24 +48,24 @@ bool Strip::plan_edge(const Link& link, const Quad& own, Plan& plan) const {
 }
 
 /// Asks for the line of variant 0, which is mostly the one that is taken.
-void Strip::ask_for_line(const Link& link, const Quad& own) const {
+void Strip::ask_for_line(const ArmLink& link, const Quad& own) const {
   lines_.ask_for(route_of(link, 0, own, quad_of(sites_[link.to])).middle().line);
 }
 
 bool Strip::make_plan(Vertex v, Site site, Plan& plan) const {
   if (!free_.is_free(site)) return false;
-  const std::array<Link, 3>& links = links_->at[v];
+  const std::array<ArmLink, 3>& links = links_->at[v];
   const std::int32_t t = coordinates(site).t;
-  for (const Link& link : links) {
+  for (const ArmLink& link : links) {
     if (!link.is_set() || !is_placed(link.to)) continue;
     const std::int32_t other_t = coordinates(sites_[link.to]).t;
     if (link.is_right != 0 ? other_t <= t : other_t >= t) return false;
   }
   const Quad own = quad_of(site);
-  for (const Link& link : links) {
+  for (const ArmLink& link : links) {
     if (link.is_set() && is_placed(link.to)) ask_for_line(link, own);
   }
-  for (const Link& link : links) {
+  for (const ArmLink& link : links) {
     if (link.is_set() && is_placed(link.to) && !plan_edge(link, own, plan)) return false;
   }
   return true;
@@ -90,7 +93,7 @@ void Strip::remove(Vertex v) {
   const Quad own = quad_of(sites_[v]);
   std::array<Piece, 3> pieces;
   std::size_t count = 0;
-  for (const Link& link : links_->at[v]) {
+  for (const ArmLink& link : links_->at[v]) {
     if (!link.is_set() || !is_placed(link.to)) continue;
     pieces[count] = route_of(link, variant_[link.edge], own, quad_of(sites_[link.to])).middle();
     lines_.ask_for(pieces[count++].line);
@@ -102,26 +105,48 @@ void Strip::remove(Vertex v) {
 
 void Strip::ask_for_neighbours(Vertex v) const {
   if (v >= sites_.size()) return;
-  for (const Link& link : links_->at[v]) {
+  for (const ArmLink& link : links_->at[v]) {
     if (link.is_set()) __builtin_prefetch(&sites_[link.to]);
   }
 }
 
 void Strip::ask_for_edges_of_neighbours(Vertex v) const {
-  for (const Link& link : links_->at[v]) {
+  for (const ArmLink& link : links_->at[v]) {
     if (link.is_set()) __builtin_prefetch(&links_->at[link.to]);
   }
 }
 
 void Strip::ask_for_removal_of_neighbours(Vertex v) const {
-  for (const Link& link : links_->at[v]) {
+  for (const ArmLink& link : links_->at[v]) {
     if (!link.is_set()) continue;
-    for (const Link& next : links_->at[link.to]) {
+    for (const ArmLink& next : links_->at[link.to]) {
       if (!next.is_set()) continue;
       __builtin_prefetch(&sites_[next.to]);
       __builtin_prefetch(&variant_[next.edge]);
     }
   }
+}
+
+// The occupied cells of a strip: rule (d) of Lemma D.6. A random row is often taken; the next free
+// one costs a look at a word or two, where another random one would cost all that comes before it.
+// Cost: O(1 + rows / 64) per question.
+
+FreePlaces::FreePlaces(std::int32_t columns, std::int32_t rows)
+    : columns_(static_cast<std::size_t>(columns)),
+      rows_(static_cast<std::size_t>(rows)),
+      words_(3 * columns_ * rows_ / 64 + 1, ~std::uint64_t{0}) {}
+
+std::int32_t FreePlaces::next_row(Site site, std::int32_t last) const {
+  const std::size_t first = bit_of(site);
+  const std::size_t end = first + static_cast<std::size_t>(last - site.row) + 1;
+  for (std::size_t bit = first; bit < end; bit = (bit / 64 + 1) * 64) {
+    const std::uint64_t rest = words_[bit / 64] >> (bit % 64);
+    if (rest == 0) continue;
+    const std::size_t found = bit + static_cast<std::size_t>(std::countr_zero(rest));
+    if (found >= end) break;
+    return site.row + static_cast<std::int32_t>(found - first);
+  }
+  return last + 1;
 }
 
 }  // namespace ar3d::compact_120

@@ -4,12 +4,44 @@
 #include <cstdint>
 #include <vector>
 
-#include "ar3d/algorithms/compact_120/arms.h"
-#include "ar3d/algorithms/compact_120/free_places.h"
+#include "ar3d/algorithms/compact_120/letters.h"
+#include "ar3d/algorithms/compact_120/order.h"
 #include "ar3d/algorithms/compact_120/words.h"
 #include "ar3d/algorithms/strips/lines.h"
+#include "ar3d/base/long_vector.h"
 
 namespace ar3d::compact_120 {
+
+/// Which places of a strip are free: one bit per cell and class, rows of one column and class in
+/// line.
+class FreePlaces {
+ public:
+  FreePlaces(std::int32_t columns, std::int32_t rows);
+
+  bool is_free(Site site) const {
+    const std::size_t bit = bit_of(site);
+    return (words_[bit / 64] >> (bit % 64) & 1) != 0;
+  }
+  void flip(Site site) {
+    const std::size_t bit = bit_of(site);
+    words_[bit / 64] ^= std::uint64_t{1} << (bit % 64);
+  }
+
+  /// The first free row of the site's column and class from its own row on, not beyond `last`;
+  /// larger than that if there is none. O(1 + rows / 64).
+  std::int32_t next_row(Site site, std::int32_t last) const;
+
+ private:
+  std::size_t bit_of(Site site) const {
+    return (static_cast<std::size_t>(site.of) * columns_ + static_cast<std::size_t>(site.column)) *
+               rows_ +
+           static_cast<std::size_t>(site.row);
+  }
+
+  std::size_t columns_;
+  std::size_t rows_;
+  LongVector<std::uint64_t> words_;  ///< 1: free
+};
 
 /// The cells (i, j), 0 <= i < columns, 0 <= j < rows.
 struct StripSize {
@@ -49,7 +81,7 @@ class Strip {
   const FreePlaces& free() const { return free_; }
   /// The least slant of the tail (of a steep edge: of the head) at which an edge stays in the box,
   /// in its best variant. @param tail_t  t of the tail; across: |Dt|.
-  std::int32_t least_slant(const Link& link, std::int32_t tail_t, std::int32_t across) const {
+  std::int32_t least_slant(const ArmLink& link, std::int32_t tail_t, std::int32_t across) const {
     const std::int32_t start =
         link.runs_right() ? -top_right_ - 3 * tail_t / 2 : -top_left_ + 3 * tail_t / 2;
     return start + 1 + (link.is_steep() ? 5 * across / 2 : across);
@@ -67,8 +99,8 @@ class Strip {
   };
 
   bool make_plan(Vertex v, Site site, Plan& plan) const;
-  bool plan_edge(const Link& link, const Quad& own, Plan& plan) const;
-  void ask_for_line(const Link& link, const Quad& own) const;
+  bool plan_edge(const ArmLink& link, const Quad& own, Plan& plan) const;
+  void ask_for_line(const ArmLink& link, const Quad& own) const;
 
   const Links* links_;  ///< never null
   StripSize size_;

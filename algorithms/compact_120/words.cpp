@@ -6,7 +6,7 @@
 namespace ar3d::compact_120 {
 namespace {
 
-constexpr Direction kD01{0, 1}, kD02{0, 2}, kD10{1, 0}, kD21{2, 1}, kD30{3, 0}, kD31{3, 1},
+constexpr UnitStep kD01{0, 1}, kD02{0, 2}, kD10{1, 0}, kD21{2, 1}, kD30{3, 0}, kD31{3, 1},
     kD32{3, 2};
 
 constexpr Word kAt12 = {kD01, kD31, kD32, kD30, kD31, kD21};
@@ -25,7 +25,7 @@ const Word& right_word(Arrival at, unsigned variant) {
 Word word_of(const Shape& shape) {
   if (shape.right) return right_word(shape.at, shape.variant);
   Word word = right_word(mirrored(shape.at), shape.variant);
-  for (Direction& direction : word) direction = mirrored(direction);
+  for (UnitStep& direction : word) direction = mirrored(direction);
   return word;
 }
 

@@ -14,22 +14,22 @@ namespace ar3d::compact_120 {
 using strips::Piece;
 
 /// The direction e_gain - e_lose.
-struct Direction {
+struct UnitStep {
   std::uint8_t gain = 0;
   std::uint8_t lose = 1;
-  friend bool operator==(const Direction&, const Direction&) = default;
+  friend bool operator==(const UnitStep&, const UnitStep&) = default;
 };
-inline void step(Quad& x, Direction d, std::int32_t length) {
+inline void step(Quad& x, UnitStep d, std::int32_t length) {
   x[d.gain] += length;
   x[d.lose] -= length;
 }
-inline Direction mirrored(Direction d) {
+inline UnitStep mirrored(UnitStep d) {
   constexpr std::array<std::uint8_t, 4> kIndex = {0, 2, 1, 3};
   return {kIndex[d.lose], kIndex[d.gain]};
 }
 
 /// p, s1, q, s2, r, s3.
-using Word = std::array<Direction, 6>;
+using Word = std::array<UnitStep, 6>;
 
 /// What determines the word of an edge.
 struct Shape {

@@ -1,29 +1,14 @@
 // The proof that a strip of O(sqrt n) columns is wide enough, as a program: a zone for each level
 // of the order, with as many cells as Lemma D.9 can close and one eighth more. Random cells first,
 // then all in turn, so that a place is found on every input: O(1) expected tries per vertex.
-#include "ar3d/algorithms/compact_120/zones.h"
-
-#include "ar3d/algorithms/strips/square_root.h"
+#include "ar3d/algorithms/compact_120/fill.h"
+#include "ar3d/algorithms/strips/search.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::compact_120 {
 namespace {
 
 std::int64_t quotient_up(std::int64_t a, std::int64_t b) { return (a + b - 1) / b; }
-
-/// The cells of one zone, numbered.
-struct ZoneCells {
-  std::int32_t begin = 0;
-  std::int32_t width = 0;
-  std::int32_t rows = 1;
-
-  std::uint32_t count() const { return static_cast<std::uint32_t>(width * rows); }
-  Site operator[](std::uint32_t cell) const {
-    const auto of_rows = static_cast<std::uint32_t>(rows);
-    return {begin + static_cast<std::int32_t>(cell / of_rows),
-            static_cast<std::int32_t>(cell % of_rows), Class::n};
-  }
-};
 
 }  // namespace
 
@@ -62,15 +47,16 @@ Strip fill_zones(const Order& levels, const Links& links, std::size_t num_edges,
   }
   const Zones zones = lay_out_zones(sizes);
   Strip strip(links, num_edges, zones.size, true);
+  const auto rows = static_cast<std::uint32_t>(zones.size.rows);
   const int trials = random_trials ? strips::random_trials(level.size()) : 0;
   for (Vertex v = 0; v < level.size(); ++v) {
-    const ZoneCells cells{zones.begin[level[v]], zones.width[level[v]], zones.size.rows};
+    const std::int32_t begin = zones.begin[level[v]];
     const auto accept = [&](std::uint32_t cell) {
-      Site site = cells[cell];
-      site.of = links.of[v];
-      return strip.try_place(v, site);
+      return strip.try_place(v, {begin + static_cast<std::int32_t>(cell / rows),
+                                 static_cast<std::int32_t>(cell % rows), links.of[v]});
     };
-    const bool placed = strips::place_in_turn(cells.count(), trials, accept, random, census);
+    const std::uint32_t cells = static_cast<std::uint32_t>(zones.width[level[v]]) * rows;
+    const bool placed = strips::place_in_turn(cells, trials, accept, random, census);
     expect(placed, "a zone has a cell for each of its vertices");
   }
   return strip;

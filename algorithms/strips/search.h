@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -30,7 +31,7 @@ struct Tightness {
   std::int64_t reach = 60;         ///< reach over columns
   std::int64_t extra_columns = 3;  ///< what small graphs need besides
   std::int64_t extra_reach = 1;
-  std::int64_t ejections = 50;  ///< ejections per vertex before the strip counts as too narrow
+  std::int64_t ejections = 50;  ///< most ejections per vertex
 };
 
 /// The next wider strip: a tenth more cells, and a column.
@@ -39,6 +40,18 @@ inline Tightness widened(Tightness tightness) {
   ++tightness.extra_columns;
   ++tightness.extra_reach;
   return tightness;
+}
+
+/// How many vertices may be ejected before a strip for n vertices counts as too narrow.
+inline std::int64_t most_ejections(std::int64_t n, const Tightness& tightness) {
+  return tightness.ejections * n / 100 + 20;
+}
+
+/// All vertices, the first one last.
+inline std::vector<Vertex> stack_of_vertices(Vertex n) {
+  std::vector<Vertex> waiting(n);
+  std::iota(waiting.rbegin(), waiting.rend(), 0);
+  return waiting;
 }
 
 /// Neighbours of one vertex.
@@ -112,6 +125,15 @@ auto fill_ever_wider(Tightness tightness, MayTry may_try, Fill fill, Census& cen
     ++census.widenings;
   }
   return std::nullopt;
+}
+
+/// floor(sqrt(value)) for 0 <= value < 2^62, in integers: the same on every platform.
+inline std::int64_t square_root(std::int64_t value) {
+  std::int64_t root = 0;
+  for (std::int64_t bit = std::int64_t{1} << 30; bit > 0; bit >>= 1) {
+    if ((root + bit) * (root + bit) <= value) root += bit;
+  }
+  return root;
 }
 
 }  // namespace ar3d::strips

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "algorithms/compact_120_plain_order.h"
-#include "ar3d/algorithms/compact_120/levels.h"
+#include "ar3d/algorithms/compact_120/order.h"
 #include "ar3d/generators/catalog.h"
 
 namespace ar3d::compact_120 {
@@ -107,8 +107,8 @@ int expect_plain_order(const Graph& graph, std::uint64_t seed) {
     for (Vertex v = 0; v < graph.num_vertices(); ++v) {
       EXPECT_EQ(fast.position[v], 100 * order.rank[v] / 3);
       for (const Arm arm : kArms) {
-        const Link& a = fast.links.at[v][arm];
-        const Link& b = links.at[v][arm];
+        const ArmLink& a = fast.links.at[v][arm];
+        const ArmLink& b = links.at[v][arm];
         if (a.to == b.to && a.edge == b.edge && a.is_out == b.is_out && a.at == b.at) continue;
         ADD_FAILURE() << "vertex " << v << " arm " << arm;
         return 0;

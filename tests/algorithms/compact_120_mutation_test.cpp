@@ -6,10 +6,9 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <set>
 
-#include "algorithms/strips_support.h"
+#include "algorithms/strips_mutation.h"
 
 namespace ar3d::compact_120 {
 namespace {
@@ -22,31 +21,21 @@ struct Rules {
   bool no_overlap = true;  ///< edges that would overlap are left out
 };
 
-/// One random drawing, edge by edge; what does not keep the rules is left out.
-class RandomDrawing {
+class RandomDrawing : public testing::RandomStripDrawing<Site> {
  public:
-  RandomDrawing(const Rules& rules, std::uint64_t seed) : rules_(rules), random_(seed) {
+  static constexpr std::uint64_t kDrawings = 4000;
+
+  RandomDrawing(const Rules& rules, std::uint64_t seed)
+      : RandomStripDrawing(testing::compact_120_strips(), seed), rules_(rules) {
     const std::uint32_t n = 2 + random_.below(13);
     for (std::uint32_t v = 0; v < n; ++v) add_vertex();
     arms_.resize(sites_.size());
-    for (int attempt = 0; attempt < 150; ++attempt) add_edge();
-  }
-
-  bool overlaps() const { return overlaps_; }
-
-  bool is_right() const {
-    const Graph graph(sites_.size(), edges_);
-    Coordinates at(sites_.size(), 1000);
-    for (std::size_t v = 0; v < sites_.size(); ++v) at.set(v, to_point(quad_of(sites_[v])));
-    const Drawing drawing("compact-120", kCubeLattice, std::move(at),
-                          std::make_shared<const std::vector<Edge>>(edges_),
-                          std::make_shared<StoredBends>(bends_));
-    return certify(graph, drawing, row().guarantee,
-                   {.crossing_test = CrossingTest::all_pairs, .check_size = false})
-        .valid();
+    for (int attempt = 0; attempt < 150; ++attempt) add_random_edge();
   }
 
  private:
+  Point point_of(const Site& site) const override { return to_point(quad_of(site)); }
+
   std::int32_t below(std::uint32_t bound) {
     return static_cast<std::int32_t>(random_.below(bound));
   }
@@ -57,16 +46,12 @@ class RandomDrawing {
     if (!taken || !rules_.one_vertex_a_place) sites_.push_back(site);
   }
 
-  bool take(Vertex v, Arm arm) {
-    if (arms_[v][arm] && rules_.one_edge_an_arm) return false;
-    return true;
-  }
+  bool takes(Vertex v, Arm arm) const { return !arms_[v][arm] || !rules_.one_edge_an_arm; }
 
-  void add_edge() {
-    const auto n = static_cast<std::uint32_t>(sites_.size());
-    const Vertex u = random_.below(n);
-    const Vertex v = random_.below(n);
-    if (u == v || joined_.count(std::minmax(u, v)) > 0) return;
+  void add_random_edge() {
+    const Vertex u = random_vertex();
+    const Vertex v = random_vertex();
+    if (!may_join(u, v)) return;
     const Quad from = quad_of(sites_[u]);
     const Quad to = quad_of(sites_[v]);
     const bool right = to[0] > from[0];
@@ -79,77 +64,33 @@ class RandomDrawing {
     const Route route({right, at, random_.below(variants(at))}, from, to);
     const auto& lengths = route.lengths();
     if (*std::min_element(lengths.begin(), lengths.end()) < rules_.shortest) return;
-    if (!take(u, own) || !take(v, arm) || !add_piece(route.middle())) return;
+    if (!takes(u, own) || !takes(v, arm)) return;
+    if (!add_pieces({route.middle()}, rules_.no_overlap)) return;
     std::vector<Point> bends;
     route.append_bends(bends);
-    bends_.add_edge(bends);
-    edges_.push_back({u, v});
-    joined_.insert(std::minmax(u, v));
+    add_edge(u, v, bends);
     arms_[u][own] = arms_[v][arm] = true;
   }
 
-  bool add_piece(const Piece& piece) {
-    const bool overlap = std::any_of(pieces_.begin(), pieces_.end(),
-                                     [&](const Piece& other) { return piece.overlaps(other); });
-    if (overlap && rules_.no_overlap) return false;
-    overlaps_ = overlaps_ || overlap;
-    pieces_.push_back(piece);
-    return true;
-  }
-
   Rules rules_;
-  RandomStream random_;
-  std::vector<Site> sites_;
   std::vector<std::array<bool, 3>> arms_;
-  std::set<std::pair<Vertex, Vertex>> joined_;
-  std::vector<Edge> edges_;
-  StoredBends bends_;
-  std::vector<Piece> pieces_;
-  bool overlaps_ = false;
 };
 
-constexpr std::uint64_t kDrawings = 4000;
-
 std::uint64_t wrong_drawings(const Rules& rules) {
-  std::uint64_t wrong = 0;
-  for (std::uint64_t seed = 0; seed < kDrawings; ++seed) {
-    wrong += RandomDrawing(rules, seed).is_right() ? 0 : 1;
-  }
-  return wrong;
+  return testing::wrong_drawings<RandomDrawing>(rules);
 }
 
 TEST(Compact120Rules, MakeEveryDrawingRight) { EXPECT_EQ(wrong_drawings({}), 0u); }
 
 TEST(Compact120Rules, OverlapsAreTheOnlyFaultsLeft) {
-  Rules rules;
-  rules.no_overlap = false;
-  std::uint64_t wrong = 0;
-  for (std::uint64_t seed = 0; seed < kDrawings; ++seed) {
-    const RandomDrawing drawing(rules, seed);
-    ASSERT_EQ(drawing.is_right(), !drawing.overlaps()) << "seed " << seed;
-    wrong += drawing.overlaps() ? 1 : 0;
-  }
-  EXPECT_GT(wrong, 5u);
+  EXPECT_GT(testing::overlapping_drawings<RandomDrawing>(Rules()), 5u);
 }
 
-TEST(Compact120Mutation, OneVertexAPlaceIsNeeded) {
-  Rules rules;
-  rules.one_vertex_a_place = false;
-  EXPECT_GT(wrong_drawings(rules), 0u);
-}
-
-TEST(Compact120Mutation, OneEdgeAnArmIsNeeded) {
-  Rules rules;
-  rules.one_edge_an_arm = false;
-  EXPECT_GT(wrong_drawings(rules), 0u);
-}
-
-TEST(Compact120Mutation, LengthsOfAtLeastOneAreNeeded) {
-  for (const std::int32_t shortest : {0, -1}) {
-    Rules rules;
-    rules.shortest = shortest;
-    EXPECT_GT(wrong_drawings(rules), 0u) << shortest;
-  }
+TEST(Compact120Mutation, EveryRuleIsNeeded) {
+  EXPECT_GT(wrong_drawings({.one_vertex_a_place = false}), 0u);
+  EXPECT_GT(wrong_drawings({.one_edge_an_arm = false}), 0u);
+  EXPECT_GT(wrong_drawings({.shortest = 0}), 0u);
+  EXPECT_GT(wrong_drawings({.shortest = -1}), 0u);
 }
 
 // Rule (a) follows from the lengths.

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "algorithms/strips_support.h"
-#include "ar3d/algorithms/compact_120/levels.h"
+#include "ar3d/algorithms/compact_120/order.h"
 #include "ar3d/generators/catalog.h"
 #include "support/graphs.h"
 
@@ -22,7 +22,7 @@ std::string fault_of_links(const Graph& graph, const Links& links) {
     int degree = 0;
     int right = 0;
     for (const Arm arm : kArms) {
-      const Link& link = links.at[v][arm];
+      const ArmLink& link = links.at[v][arm];
       if (!link.is_set()) continue;
       ++degree;
       ++ends[link.edge];
@@ -136,7 +136,7 @@ TEST(Compact120Levels, AreRightOnSmallGraphsAndFamilies) {
 
 void expect_positions_grow(const Graph& graph, const NarrowOrder& order) {
   for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-    for (const Link& link : order.links.at[v]) {
+    for (const ArmLink& link : order.links.at[v]) {
       if (!link.is_set() || link.is_right == 0) continue;
       EXPECT_LE(order.position[v], order.position[link.to]);
     }

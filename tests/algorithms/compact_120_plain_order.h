@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "ar3d/algorithms/compact_120/owners.h"
+#include "ar3d/algorithms/compact_120/order.h"
 #include "ar3d/base/random.h"
 
 namespace ar3d::compact_120::plain {

@@ -65,8 +65,8 @@ Class mirrored_class(Class of) {
 }
 int mirrored_arm(int arm) { return arm == k12 ? arm : 2 - arm; }
 
-int letter_of(Direction d, bool right) {
-  const Direction seen = right ? d : mirrored(d);
+int letter_of(UnitStep d, bool right) {
+  const UnitStep seen = right ? d : mirrored(d);
   return 4 * std::min(seen.gain, seen.lose) + std::max(seen.gain, seen.lose);
 }
 
@@ -171,8 +171,8 @@ TEST(Compact120Table, TheMirrorImageMakesTheWordsToTheLeft) {
   for (const Arrival at :
        {Arrival::on_01, Arrival::on_12, Arrival::on_20, Arrival::on_12_of_extreme}) {
     const Word left = word_of({false, at, 0});
-    EXPECT_EQ(left[0], (Direction{2, 0}));
-    const std::array<Direction, 4> last = {Direction{1, 0}, {2, 1}, {0, 2}, {2, 1}};
+    EXPECT_EQ(left[0], (UnitStep{2, 0}));
+    const std::array<UnitStep, 4> last = {UnitStep{1, 0}, {2, 1}, {0, 2}, {2, 1}};
     EXPECT_EQ(left[5], last[static_cast<std::size_t>(at)]);
   }
 }

@@ -7,11 +7,12 @@
 #include <map>
 #include <string>
 
+#include "algorithms/compact_plain_narrow.h"
 #include "algorithms/strips_support.h"
 #include "ar3d/algorithms/compact/cells.h"
-#include "ar3d/algorithms/compact/middle_line.h"
-#include "ar3d/algorithms/compact/narrow_fast.h"
+#include "ar3d/algorithms/compact/fill.h"
 #include "ar3d/algorithms/compact/narrow_lines.h"
+#include "ar3d/algorithms/compact/words.h"
 #include "ar3d/generators/catalog.h"
 
 namespace ar3d::compact {
@@ -57,7 +58,7 @@ Piece plain_piece(const Ends& ends, const Shape& shape) {
 }
 
 TEST(CompactMiddleLines, AreThoseOfTheWords) {
-  const WordTable table;
+  const WordTable table = word_table();
   for (const Ends& ends : all_ends({9, 6, 5})) {
     const MiddleLine line = line_of(ends);
     Shape shape = ends.shape;
@@ -66,7 +67,7 @@ TEST(CompactMiddleLines, AreThoseOfTheWords) {
       const Letters tail = letters_of(ends.tail);
       const auto lengths = long_lengths(word, tail, letters_of(ends.head));
       const Letters start = middle_start(word, tail, lengths);
-      const WordConstants& constants = table.constants()[line.word + shape.variant];
+      const WordConstants& constants = table[line.word + shape.variant];
       for (std::size_t i = 0; i < 3; ++i) {
         ASSERT_EQ(line.length[i] + constants.length[i], lengths[i]);
         ASSERT_LE(std::abs(constants.length[i]), 8);
@@ -83,7 +84,7 @@ TEST(CompactMiddleLines, AreThoseOfTheWords) {
 TEST(CompactNarrowLines, HaveNumbersOfTheirOwn) {
   const StripSize size{25, 10, 15};
   const NarrowLines lines(size, 1);
-  const WordTable table;
+  const WordTable table = word_table();
   std::map<std::uint64_t, std::uint64_t> number_of;  // by key
   std::map<std::uint64_t, std::uint64_t> key_of;
   for (const Ends& ends : all_ends(size)) {
@@ -91,12 +92,12 @@ TEST(CompactNarrowLines, HaveNumbersOfTheirOwn) {
     Shape shape = ends.shape;
     for (; shape.variant < variants(shape.red); ++shape.variant) {
       const std::uint64_t key = plain_piece(ends, shape).line;
-      const WordConstants& constants = table.constants()[line.word + shape.variant];
+      const WordConstants& constants = table[line.word + shape.variant];
       const auto kind = static_cast<LineKind>(key >> 62);
       const std::uint64_t number =
           lines.number(kind, line.first + constants.first, line.second + constants.second);
       EXPECT_NE(number, 0u);
-      const WordConstants& first = table.constants()[line.word];
+      const WordConstants& first = table[line.word];
       EXPECT_EQ(number, lines.number(kind, line.first + first.first, line.second + first.second) +
                             lines.step(kind, constants.first - first.first,
                                        constants.second - first.second));
@@ -193,9 +194,9 @@ void expect_same(const Graph& graph, const Tightness& tightness, std::uint64_t s
   const Decomposition links = decompose(graph);
   Census census, fast_census;
   const std::optional<Strip> plain =
-      fill_narrow_strip(links, graph.num_edges(), tightness, RandomStream(seed, 3), census);
+      fill_plainly(links, graph.num_edges(), tightness, RandomStream(seed, 3), census);
   const std::optional<Placement> fast =
-      fill_narrow_strip_fast(links, graph.num_edges(), tightness, seed, 3, fast_census);
+      fill_narrow_strip(links, graph.num_edges(), tightness, seed, 3, fast_census);
   EXPECT_EQ(fast_census.trials, census.trials);
   EXPECT_EQ(fast_census.ejections, census.ejections);
   ASSERT_EQ(fast.has_value(), plain.has_value());

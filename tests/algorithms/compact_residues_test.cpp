@@ -107,7 +107,7 @@ void check_drawing(const Graph& graph, const Drawing& drawing) {
   const compact::Decomposition links = compact::decompose(graph);
   std::vector<Point> points;
   for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-    for (const compact::Role role : {compact::kGreenOut, compact::kRedOut}) {
+    for (const compact::ColourRole role : {compact::kGreenOut, compact::kRedOut}) {
       const HalfEdge edge = links.at[v][role];
       if (edge.to == compact::kNobody) continue;
       drawing.polyline(edge.edge, points);

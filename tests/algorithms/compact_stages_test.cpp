@@ -5,15 +5,16 @@
 #include <algorithm>
 #include <set>
 
+#include "algorithms/compact_plain_narrow.h"
 #include "algorithms/strips_support.h"
-#include "ar3d/algorithms/strips/square_root.h"
+#include "ar3d/algorithms/strips/search.h"
 #include "ar3d/generators/catalog.h"
 #include "support/graphs.h"
 
 namespace ar3d::compact {
 namespace {
 
-constexpr std::array<Role, 4> kRoles = {kGreenOut, kGreenIn, kRedOut, kRedIn};
+constexpr std::array<ColourRole, 4> kRoles = {kGreenOut, kGreenIn, kRedOut, kRedIn};
 
 Graph random_regular(std::uint64_t n, std::uint64_t seed = 1) {
   return generate(find_family("random-4-regular"), n, seed);
@@ -33,7 +34,7 @@ TEST(CompactDecomposition, GivesEveryEdgeOneTailAndOneHead) {
     std::vector<int> heads(graph.num_edges(), 0);
     std::size_t green = 0;
     for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-      for (const Role role : kRoles) {
+      for (const ColourRole role : kRoles) {
         const HalfEdge edge = links.at[v][role];
         if (edge.to == kNobody) continue;
         EXPECT_EQ(graph.other_end(edge.edge, v), edge.to);
@@ -147,8 +148,7 @@ TEST(CompactStrip, GivesBackWhatAVertexUsed) {
   const Graph graph = random_regular(60);
   const Decomposition links = decompose(graph);
   Census census;
-  std::optional<Strip> strip =
-      fill_narrow_strip(links, graph.num_edges(), {}, RandomStream(1), census);
+  std::optional<Strip> strip = fill_plainly(links, graph.num_edges(), {}, RandomStream(1), census);
   ASSERT_TRUE(strip);
   for (Vertex v = 0; v < graph.num_vertices(); ++v) {
     const Site site = strip->site(v);
@@ -163,11 +163,10 @@ TEST(CompactNarrowStrips, AreGivenUpAfterTheirEjections) {
   const Graph graph = random_regular(200);
   Census census;
   const Tightness tight{.cells = 30, .ejections = 50};
-  EXPECT_FALSE(
-      fill_narrow_strip(decompose(graph), graph.num_edges(), tight, RandomStream(1), census));
+  EXPECT_FALSE(fill_narrow_strip(decompose(graph), graph.num_edges(), tight, 1, 0, census));
   EXPECT_LE(census.ejections, 100 + 20);
   EXPECT_LE(census.trials, 120 * (200 + 2 * 120 + 1));
-  EXPECT_GT(narrow_size(200, widened(tight)).columns, narrow_size(200, tight).columns);
+  EXPECT_GT(narrow_size(200, strips::widened(tight)).columns, narrow_size(200, tight).columns);
 }
 
 }  // namespace

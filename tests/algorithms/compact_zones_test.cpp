@@ -49,7 +49,7 @@ void expect_count_holds(const Graph& graph, bool from_left) {
   for (const std::uint8_t colour : colours) ++sizes[colour];
   while (sizes.back() == 0) sizes.pop_back();
   const Zones zones = lay_out_zones(sizes);
-  Strip strip(links, graph.num_edges(), zones.size, {.whole_lines = true, .cap = zones.cap});
+  Strip strip(links, graph.num_edges(), zones.size, zones.cap);
   for (Vertex v = 0; v < graph.num_vertices(); ++v) {
     const Vertex head = links.at[v][kGreenOut].to;
     const std::int32_t type = head != kNobody && colours[head] < colours[v] ? 1 : 0;

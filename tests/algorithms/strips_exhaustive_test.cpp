@@ -9,11 +9,8 @@
 #include "algorithms/strips_support.h"
 #include "support/names.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::strip_fault;
-using testing::StripAlgorithm;
 
 struct GraphsOfSize {
   const StripAlgorithm* algorithm;
@@ -40,7 +37,7 @@ const std::map<std::uint32_t, std::map<int, std::size_t>> kRegular = {
 
 /// All of them, whose number is right.
 std::vector<Graph> small_graphs(const StripAlgorithm& algorithm, int n) {
-  std::vector<Graph> graphs = testing::geng(fmt::format("-D{} {}", algorithm.max_degree(), n));
+  std::vector<Graph> graphs = geng(fmt::format("-D{} {}", algorithm.max_degree(), n));
   EXPECT_EQ(graphs.size(), kSmall.at(algorithm.max_degree()).at(static_cast<std::size_t>(n)));
   return graphs;
 }
@@ -52,7 +49,7 @@ TEST_P(StripSmallGraphs, AreCertifiedAtEveryEffortUnderTwoLabellings) {
   std::uint64_t seed = 0;
   for (const Graph& graph : small_graphs(*algorithm, n)) {
     ASSERT_EQ(strip_fault(*algorithm, graph), "");
-    ASSERT_EQ(strip_fault(*algorithm, testing::shuffled(graph, ++seed)), "") << "seed " << seed;
+    ASSERT_EQ(strip_fault(*algorithm, shuffled(graph, ++seed)), "") << "seed " << seed;
   }
 }
 
@@ -64,11 +61,9 @@ TEST_P(StripSmallGraphs, AreCertifiedWithCellsTriedInTurn) {
 }
 
 INSTANTIATE_TEST_SUITE_P(UpToNineVertices, StripSmallGraphs,
-                         ::testing::ValuesIn(with_sizes(testing::compact_strips(), 1, 9, 1)),
-                         testing::named());
+                         ::testing::ValuesIn(with_sizes(compact_strips(), 1, 9, 1)), named());
 INSTANTIATE_TEST_SUITE_P(UpToTenVertices, StripSmallGraphs,
-                         ::testing::ValuesIn(with_sizes(testing::compact_120_strips(), 1, 10, 1)),
-                         testing::named());
+                         ::testing::ValuesIn(with_sizes(compact_120_strips(), 1, 10, 1)), named());
 
 class StripRegularGraphs : public ::testing::TestWithParam<GraphsOfSize> {};
 
@@ -76,21 +71,19 @@ TEST_P(StripRegularGraphs, AreCertifiedInThreeLabellings) {
   const auto [algorithm, n] = GetParam();
   std::uint64_t seed = 0;
   const std::vector<Graph> graphs =
-      testing::geng(fmt::format("-c -d{0} -D{0} {1}", algorithm->max_degree(), n));
+      geng(fmt::format("-c -d{0} -D{0} {1}", algorithm->max_degree(), n));
   EXPECT_EQ(graphs.size(), kRegular.at(algorithm->max_degree()).at(n));
   for (const Graph& graph : graphs) {
     for (int relabelling = 0; relabelling < 3; ++relabelling) {
-      ASSERT_EQ(strip_fault(*algorithm, testing::shuffled(graph, ++seed)), "") << "seed " << seed;
+      ASSERT_EQ(strip_fault(*algorithm, shuffled(graph, ++seed)), "") << "seed " << seed;
     }
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(UpToElevenVertices, StripRegularGraphs,
-                         ::testing::ValuesIn(with_sizes(testing::compact_strips(), 5, 11, 1)),
-                         testing::named());
+                         ::testing::ValuesIn(with_sizes(compact_strips(), 5, 11, 1)), named());
 INSTANTIATE_TEST_SUITE_P(UpToSixteenVertices, StripRegularGraphs,
-                         ::testing::ValuesIn(with_sizes(testing::compact_120_strips(), 4, 16, 2)),
-                         testing::named());
+                         ::testing::ValuesIn(with_sizes(compact_120_strips(), 4, 16, 2)), named());
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

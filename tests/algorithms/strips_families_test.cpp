@@ -6,11 +6,8 @@
 #include "ar3d/generators/catalog.h"
 #include "support/names.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::strip_fault;
-using testing::StripAlgorithm;
 
 struct FamiliesOfSize {
   const StripAlgorithm* algorithm;
@@ -21,8 +18,7 @@ std::ostream& operator<<(std::ostream& out, const FamiliesOfSize& of) {
 }
 std::vector<FamiliesOfSize> some_sizes() {
   std::vector<FamiliesOfSize> all;
-  for (const StripAlgorithm* algorithm :
-       {&testing::compact_strips(), &testing::compact_120_strips()}) {
+  for (const StripAlgorithm* algorithm : {&compact_strips(), &compact_120_strips()}) {
     for (const std::uint64_t n : {4u, 12u, 40u, 150u, 600u}) all.push_back({algorithm, n});
   }
   return all;
@@ -41,9 +37,9 @@ TEST_P(StripFamilies, AreCertifiedAtEveryEffort) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, StripFamilies, ::testing::ValuesIn(some_sizes()), testing::named());
+INSTANTIATE_TEST_SUITE_P(Of, StripFamilies, ::testing::ValuesIn(some_sizes()), named());
 
-class StripInputs : public testing::Strips {};
+class StripInputs : public Strips {};
 
 TEST_P(StripInputs, OfFiveThousandVerticesAreCertified) {
   for (const Family& family : families()) {
@@ -65,15 +61,14 @@ TEST_P(StripInputs, ProofsZonesTriedInTurnAreCertified) {
 }
 
 TEST_P(StripInputs, UnionsOfManyKindsAreCertified) {
-  std::vector<Graph> kinds = {Graph(1, {}), testing::path(7), testing::cycle(3),
-                              testing::petersen(), testing::complete(2)};
+  std::vector<Graph> kinds = {Graph(1, {}), path(7), cycle(3), petersen(), complete(2)};
   kinds.insert(kinds.end(), algorithm().extremes.begin(), algorithm().extremes.end());
   std::vector<Graph> parts;
   for (int round = 0; round < 12; ++round) parts.insert(parts.end(), kinds.begin(), kinds.end());
-  EXPECT_EQ(strip_fault(algorithm(), testing::shuffled(testing::disjoint_union(parts), 1)), "");
+  EXPECT_EQ(strip_fault(algorithm(), shuffled(disjoint_union(parts), 1)), "");
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, StripInputs, testing::kBothStripAlgorithms, testing::kStripSuite);
+INSTANTIATE_TEST_SUITE_P(Of, StripInputs, kBothStripAlgorithms, kStripSuite);
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -9,31 +9,29 @@
 #include "algorithms/strips_support.h"
 #include "ar3d/generators/catalog.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
-using testing::strip_fault;
-
 TEST(CompactLong, TenVerticesAreCertifiedAtEveryEffort) {
-  const std::vector<Graph> graphs = testing::geng("-D4 10");
+  const std::vector<Graph> graphs = geng("-D4 10");
   EXPECT_EQ(graphs.size(), 108376u);
-  for (const Graph& graph : graphs) ASSERT_EQ(strip_fault(testing::compact_strips(), graph), "");
+  for (const Graph& graph : graphs) ASSERT_EQ(strip_fault(compact_strips(), graph), "");
 }
 
 TEST(Compact120Long, ElevenAndTwelveVerticesAreCertifiedAtEveryEffort) {
   for (const auto& [n, count] : {std::pair{11, 10946u}, std::pair{12, 36327u}}) {
-    const std::vector<Graph> graphs = testing::geng(fmt::format("-D3 {}", n));
+    const std::vector<Graph> graphs = geng(fmt::format("-D3 {}", n));
     EXPECT_EQ(graphs.size(), count);
     std::uint64_t seed = 0;
     for (const Graph& graph : graphs) {
-      ASSERT_EQ(strip_fault(testing::compact_120_strips(), graph), "");
-      const Graph relabelled = testing::shuffled(graph, ++seed);
-      ASSERT_EQ(strip_fault(testing::compact_120_strips(), relabelled), "") << "seed " << seed;
+      ASSERT_EQ(strip_fault(compact_120_strips(), graph), "");
+      const Graph relabelled = shuffled(graph, ++seed);
+      ASSERT_EQ(strip_fault(compact_120_strips(), relabelled), "") << "seed " << seed;
     }
   }
 }
 
-class StripsLong : public testing::Strips {};
+class StripsLong : public Strips {};
 
 TEST_P(StripsLong, OfAMillionVerticesAreCertified) {
   for (const std::string& family : {algorithm().regular, algorithm().small_union}) {
@@ -51,7 +49,7 @@ TEST_P(StripsLong, OfManyRandomGraphsAreCertified) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, StripsLong, testing::kBothStripAlgorithms, testing::kStripSuite);
+INSTANTIATE_TEST_SUITE_P(Of, StripsLong, kBothStripAlgorithms, kStripSuite);
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

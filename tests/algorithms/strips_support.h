@@ -5,11 +5,9 @@
 #include <vector>
 
 #include "ar3d/algorithms/compact/compact.h"
-#include "ar3d/algorithms/compact/routes.h"
-#include "ar3d/algorithms/compact/zones.h"
+#include "ar3d/algorithms/compact/fill.h"
 #include "ar3d/algorithms/compact_120/compact_120.h"
-#include "ar3d/algorithms/compact_120/routes.h"
-#include "ar3d/algorithms/compact_120/zones.h"
+#include "ar3d/algorithms/compact_120/fill.h"
 #include "ar3d/verify/certificate.h"
 #include "support/graphs.h"
 

@@ -9,15 +9,8 @@
 #include "ar3d/base/error.h"
 #include "ar3d/generators/catalog.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::complete;
-using testing::count_of;
-using testing::kStripEfforts;
-using testing::strip_fault;
-using testing::StripAlgorithm;
-using testing::Strips;
 
 Graph regular_graph(const StripAlgorithm& algorithm, std::uint64_t n, std::uint64_t seed = 2) {
   return generate(find_family(algorithm.regular), n, seed);
@@ -31,9 +24,9 @@ TEST_P(Strips, DrawCornerCasesAtEveryEffort) {
                                Graph(500, {}),
                                complete(2),
                                Graph(2, {{1, 0}}),
-                               testing::disjoint_union({point, complete(2), point}),
-                               testing::cycle(3),
-                               testing::path(300),
+                               disjoint_union({point, complete(2), point}),
+                               cycle(3),
+                               path(300),
                                generate(find_family(algorithm().small_union), 300, 1)};
   graphs.insert(graphs.end(), algorithm().extremes.begin(), algorithm().extremes.end());
   for (const Graph& graph : graphs) {
@@ -43,8 +36,8 @@ TEST_P(Strips, DrawCornerCasesAtEveryEffort) {
 
 TEST_P(Strips, RefuseLargerDegreesAndUnknownEfforts) {
   EXPECT_THROW(algorithm().draw(complete(algorithm().max_degree() + 2), 1), InputError);
-  EXPECT_THROW(algorithm().draw(testing::path(3), 3), InputError);
-  EXPECT_THROW(algorithm().draw(testing::path(3), -1), InputError);
+  EXPECT_THROW(algorithm().draw(path(3), 3), InputError);
+  EXPECT_THROW(algorithm().draw(path(3), -1), InputError);
 }
 
 TEST_P(Strips, SameGraphSameDrawing) {
@@ -81,7 +74,7 @@ TEST_P(Strips, FallBackOnTheZonesWhenNoNarrowStripCanBeFilled) {
 }
 
 TEST_P(Strips, BeyondTheTheoremsBoxAreNotTried) {
-  const Graph graph = testing::path(500);
+  const Graph graph = path(500);
   const Drawing drawing = algorithm().draw_from(graph, strips::Tightness{.extra_columns = 100000});
   EXPECT_EQ(count_of(drawing, "zones"), 1);
   EXPECT_EQ(count_of(drawing, "widenings"), 0);
@@ -117,29 +110,29 @@ TEST_P(Strips, AreInTheCatalogue) {
   EXPECT_THROW(draw(row, densest, {{"effort", 3}}), InputError);
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Strips, testing::kBothStripAlgorithms, testing::kStripSuite);
+INSTANTIATE_TEST_SUITE_P(Of, Strips, kBothStripAlgorithms, kStripSuite);
 
 // Recorded with g++ 12.2; the same with every compiler and on every machine.
 TEST(Compact, DrawsTheSameEverywhere) {
-  const Graph graph = regular_graph(testing::compact_strips(), 300);
+  const Graph graph = regular_graph(compact_strips(), 300);
   EXPECT_EQ(drawing_hash(compact::draw(graph)), "aabf22af98398fd3928258bf767b90b6");
   EXPECT_EQ(drawing_hash(compact::draw(graph, {.effort = 0})), "d813043e7bd7b2317bffc5277acc45af");
 }
 
 TEST(Compact120, DrawsTheSameEverywhere) {
-  const Graph graph = regular_graph(testing::compact_120_strips(), 300);
+  const Graph graph = regular_graph(compact_120_strips(), 300);
   EXPECT_EQ(drawing_hash(compact_120::draw(graph)), "710a4ec6aaa310ae2e5a9453063e3974");
   EXPECT_EQ(drawing_hash(compact_120::draw(graph, {.effort = 0})),
             "1a12a894c58eb1e68964dcc9748b9916");
 }
 
 TEST(Compact120, MovesNoComponentOfARandomGraph) {
-  const Graph graph = regular_graph(testing::compact_120_strips(), 1000);
+  const Graph graph = regular_graph(compact_120_strips(), 1000);
   EXPECT_EQ(count_of(compact_120::draw(graph), "moved_components"), 0);
 }
 
 TEST(Compact120, VerticesLieInOnePlane) {
-  const Graph graph = regular_graph(testing::compact_120_strips(), 100);
+  const Graph graph = regular_graph(compact_120_strips(), 100);
   for (const int effort : kStripEfforts) {
     const Drawing drawing = compact_120::draw(graph, {.effort = effort});
     for (Vertex v = 0; v < graph.num_vertices(); ++v) {
@@ -150,4 +143,4 @@ TEST(Compact120, VerticesLieInOnePlane) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -1,12 +1,34 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
-#include "ar3d/algorithms/compact/narrow.h"
+#include "ar3d/algorithms/compact/letters.h"
+#include "ar3d/algorithms/compact/strip.h"
+#include "ar3d/algorithms/strips/search.h"
+#include "ar3d/base/random.h"
 #include "ar3d/model/graph.h"
 
 namespace ar3d::compact {
+
+using strips::Census;
+using strips::Tightness;
+
+/// The strip for n vertices, n <= kMaxVertices: O(sqrt n) rows and columns.
+StripSize narrow_size(std::int64_t n, const Tightness& tightness);
+
+/// After so many cells that do not fit a vertex, one of its placed neighbours is ejected.
+inline constexpr int kNarrowTrials = 120;
+
+/// Greedy search with ejections: vertices take random cells; after 120 cells that do not fit a
+/// vertex, one of its placed neighbours makes room and is placed again later.
+/// @return nothing if the ejections do not suffice. Tries O(n + ejections) cells in any case, each
+/// in O(1) expected. Draws the numbers of RandomStream(seed, stream).
+std::optional<Placement> fill_narrow_strip(const Decomposition& links, std::size_t num_edges,
+                                           const Tightness& tightness, std::uint64_t seed,
+                                           std::uint64_t stream, Census& census);
 
 /// Greedy proper colouring in order of vertex numbers: colours 0 .. max degree.
 std::vector<std::uint8_t> greedy_colours(const Graph& graph);
