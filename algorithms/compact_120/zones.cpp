@@ -1,6 +1,8 @@
 // The proof that a strip of O(sqrt n) columns is wide enough, as a program: a zone for each level
 // of the order, with as many cells as Lemma D.9 can close and one eighth more. Random cells first,
 // then all in turn, so that a place is found on every input: O(1) expected tries per vertex.
+#include <algorithm>
+
 #include "ar3d/algorithms/compact_120/fill.h"
 #include "ar3d/algorithms/strips/search.h"
 #include "ar3d/base/error.h"
@@ -21,7 +23,7 @@ std::int64_t most_closed_cells(std::int64_t n_k, std::int64_t rows) {
 Zones lay_out_zones(const std::vector<std::int64_t>& sizes) {
   std::int64_t n = 0;
   for (const std::int64_t n_k : sizes) n += n_k;
-  const auto levels = static_cast<std::int64_t>(sizes.size());
+  const auto levels = std::max<std::int64_t>(static_cast<std::int64_t>(sizes.size()), 1);
   const std::int64_t rows = strips::square_root(2 * n / (7 * levels)) + 1;
   Zones zones;
   std::int64_t columns = 0;
