@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/analysis/rows.h"
+#include "ar3d/store/run_storage.h"
 
 namespace ar3d {
 
@@ -82,5 +82,12 @@ std::string verdict_line(const CheckVerdict& verdict);
 /// A short text for a terminal: the verdict's line and the first `max_findings` findings, each with
 /// the command that shows it again.
 std::string summary(const CheckVerdict& verdict, std::size_t max_findings = 20);
+
+/// True if the row's drawing was judged by another certificate than exact and is not violated:
+/// nothing proves it.
+bool is_unproved(const RunRecord& run);
+
+/// What the row alone tells: certificate, numbers that every ok row has, extents against bounds.
+std::vector<Finding> row_findings(const RunRecord& run, std::size_t row);
 
 }  // namespace ar3d

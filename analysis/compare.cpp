@@ -7,7 +7,6 @@
 #include <map>
 #include <optional>
 
-#include "ar3d/analysis/compare/fixed_change.h"
 #include "ar3d/analysis/compare/pairing.h"
 #include "ar3d/analysis/text.h"
 #include "ar3d/base/error.h"

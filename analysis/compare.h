@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/analysis/compare/calibration.h"
 #include "ar3d/analysis/compare/environment_change.h"
 #include "ar3d/analysis/compare/time_change.h"
 #include "ar3d/analysis/curves.h"

@@ -1,3 +1,5 @@
+// Tables for other programs. A table is a list of named values by row; one writer makes lines of
+// CSV of them, JSON takes them as they are.
 #include "ar3d/analysis/export.h"
 
 #include <fmt/format.h>
@@ -30,35 +32,18 @@ std::string line(const std::vector<std::string>& fields) {
   return fmt::format("{}\r\n", fmt::join(fields, ","));
 }
 
-ordered_json number(double value) {
-  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+/// The slacks of one axis.
+ordered_json slacks_json(const AxisBounds& axis) {
+  return {{"worst_slack", json_number(axis.worst_slack)},
+          {"median_slack", json_number(axis.median_slack)},
+          {"worst_instance_slack", json_number(axis.worst_instance_slack)},
+          {"median_instance_slack", json_number(axis.median_instance_slack)},
+          {"worst_published_slack", json_number(axis.worst_published_slack)},
+          {"median_published_slack", json_number(axis.median_published_slack)}};
 }
 
-ordered_json key_json(const CurveKey& key) {
-  return {{"algorithm", valid_utf8(key.algorithm)},
-          {"options", valid_utf8(options_and_level(key))},
-          {"family", valid_utf8(key.family)},
-          {"parameters", valid_utf8(key.parameters)}};
-}
-
-ordered_json axis_json(const CurveKey& key, const AxisBounds& axis, const ShowCommand& show) {
-  ordered_json json = {{"measured", axis.measured},
-                       {"worst_slack", number(axis.worst_slack)},
-                       {"median_slack", number(axis.median_slack)},
-                       {"worst_instance_slack", number(axis.worst_instance_slack)},
-                       {"median_instance_slack", number(axis.median_instance_slack)},
-                       {"worst_published_slack", number(axis.worst_published_slack)},
-                       {"median_published_slack", number(axis.median_published_slack)},
-                       {"worst_row", nullptr},
-                       {"worst_command", nullptr}};
-  if (axis.worst_row) {
-    json["worst_row"] = *axis.worst_row;
-    json["worst_command"] = valid_utf8(show(key, axis.worst));
-  }
-  return json;
-}
-
-ordered_json bounds_json(const BoundsEntry& entry, const ShowCommand& show) {
+/// The columns that the bounds table has in CSV and in JSON.
+ordered_json bounds_columns(const BoundsEntry& entry) {
   ordered_json json = key_json(entry.key);
   json["smallest_n"] = entry.smallest_n;
   json["largest_n"] = entry.largest_n;
@@ -66,19 +51,90 @@ ordered_json bounds_json(const BoundsEntry& entry, const ShowCommand& show) {
   json["instances"] = entry.instances;
   json["violations"] = entry.violations;
   json["unproved"] = entry.unproved;
+  return json;
+}
+
+ordered_json bounds_json(const BoundsEntry& entry, const ShowCommand& show) {
+  ordered_json json = bounds_columns(entry);
   json["edges_with_bends"] = entry.bends;
   json["theorem_bound"] = valid_utf8(entry.theorem_formula);
   json["published_bound"] = valid_utf8(entry.published_formula);
   json["volume"] = {{"n", entry.volume.n},
-                    {"log2_volume", number(entry.volume.log2_volume)},
-                    {"share", number(entry.volume.share)}};
-  for (const AxisBounds& axis : entry.axes)
-    json["axes"].push_back(axis_json(entry.key, axis, show));
+                    {"log2_volume", json_number(entry.volume.log2_volume)},
+                    {"share", json_number(entry.volume.share)}};
+  for (const AxisBounds& axis : entry.axes) {
+    ordered_json& one = json["axes"].emplace_back(ordered_json{{"measured", axis.measured}});
+    one.update(slacks_json(axis));
+    one["worst_row"] = axis.worst_row ? ordered_json(*axis.worst_row) : ordered_json(nullptr);
+    one["worst_command"] = axis.worst_row ? ordered_json(valid_utf8(show(entry.key, axis.worst)))
+                                          : ordered_json(nullptr);
+  }
   return json;
 }
 
+/// A line of the bounds table in CSV.
+ordered_json bounds_line(const BoundsEntry& entry, const ShowCommand& show) {
+  ordered_json json = bounds_columns(entry);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const ordered_json slacks = slacks_json(entry.axes[axis]);
+    for (const auto& [name, slack] : slacks.items()) {
+      json[name + "_" + "xyz"[axis]] = slack;
+    }
+  }
+  json["log2_volume"] = json_number(entry.volume.log2_volume);
+  json["volume_share"] = json_number(entry.volume.share);
+  const auto worst = worst_axis(entry);
+  json["worst_command"] = worst ? show(entry.key, entry.axes[*worst].worst) : "";
+  return json;
+}
+
+/// A line of the growth table in CSV.
+ordered_json scaling_line(const ScalingEntry& entry) {
+  const auto& used = entry.sizes.used;
+  ordered_json json = key_json(entry.key);
+  const auto add_interval = [&](const std::string& name, const Interval& interval) {
+    json[name + "_low"] = json_number(interval.low);
+    json[name + "_high"] = json_number(interval.high);
+  };
+  json["quantity"] = name_of(entry.quantity);
+  json["sizes"] = used.size();
+  json["smallest_n"] = used.empty() ? ordered_json(nullptr) : ordered_json(used.front().n);
+  json["largest_n"] = used.empty() ? ordered_json(nullptr) : ordered_json(used.back().n);
+  json["exponent"] = entry.power.fitted ? json_number(entry.power.exponent) : nullptr;
+  add_interval("exponent", entry.power.exponent_interval);
+  add_interval("law", entry.law_interval);
+  json["log_exponent"] = entry.with_log.fitted ? json_number(entry.with_log.log_exponent) : nullptr;
+  add_interval("log_exponent", entry.with_log.log_exponent_interval);
+  json["log_weight"] = json_number(entry.log_weight);
+  json["growth"] = to_string(entry.growth);
+  json["reason"] = entry.reason;
+  json["next"] = entry.next;
+  return json;
+}
+
+/// The lines of a table below the names of its columns.
+template <class Entry, class LineOf>
+std::string csv_table(const std::vector<Entry>& entries, const LineOf& line_of) {
+  std::vector<std::string> names;
+  const ordered_json empty = line_of(Entry());
+  for (const auto& [name, value] : empty.items()) names.push_back(name);
+  std::string csv = line(names);
+  for (const Entry& entry : entries) {
+    std::vector<std::string> fields;
+    const ordered_json columns = line_of(entry);
+    for (const auto& value : columns) {
+      fields.push_back(value.is_null()           ? ""
+                       : value.is_string()       ? field(value.template get<std::string>())
+                       : value.is_number_float() ? field(value.template get<double>())
+                                                 : value.dump());
+    }
+    csv += line(fields);
+  }
+  return csv;
+}
+
 ordered_json interval_json(const Interval& interval) {
-  return {number(interval.low), number(interval.high)};
+  return {json_number(interval.low), json_number(interval.high)};
 }
 
 ordered_json scaling_json(const ScalingEntry& entry) {
@@ -86,13 +142,13 @@ ordered_json scaling_json(const ScalingEntry& entry) {
   json["quantity"] = name_of(entry.quantity);
   json["unit"] = unit_of(entry.quantity);
   json["decided"] = entry.decided;
-  json["exponent"] = entry.power.fitted ? number(entry.power.exponent) : nullptr;
+  json["exponent"] = entry.power.fitted ? json_number(entry.power.exponent) : nullptr;
   json["exponent_interval"] = interval_json(entry.power.exponent_interval);
   json["law_interval"] = interval_json(entry.law_interval);
   json["growth"] = to_string(entry.growth);
-  json["log_exponent"] = entry.with_log.fitted ? number(entry.with_log.log_exponent) : nullptr;
+  json["log_exponent"] = entry.with_log.fitted ? json_number(entry.with_log.log_exponent) : nullptr;
   json["log_exponent_interval"] = interval_json(entry.with_log.log_exponent_interval);
-  json["log_weight"] = number(entry.log_weight);
+  json["log_weight"] = json_number(entry.log_weight);
   json["reason"] = entry.reason;
   json["next"] = entry.next;
   json["next_sizes"] = entry.next_study.sizes;
@@ -104,49 +160,12 @@ ordered_json scaling_json(const ScalingEntry& entry) {
   return json;
 }
 
-std::vector<std::string> key_fields(const CurveKey& key) {
-  return {field(key.algorithm), field(options_and_level(key)), field(key.family),
-          field(key.parameters)};
-}
-
-std::string bounds_line(const BoundsEntry& entry, const ShowCommand& show) {
-  std::vector<std::string> fields = key_fields(entry.key);
-  for (const std::int64_t n : {entry.smallest_n, entry.largest_n})
-    fields.push_back(std::to_string(n));
-  for (const std::size_t count : {entry.rows, entry.instances, entry.violations, entry.unproved}) {
-    fields.push_back(std::to_string(count));
-  }
-  for (const AxisBounds& axis : entry.axes) {
-    for (const double slack :
-         {axis.worst_slack, axis.median_slack, axis.worst_instance_slack,
-          axis.median_instance_slack, axis.worst_published_slack, axis.median_published_slack}) {
-      fields.push_back(field(slack));
-    }
-  }
-  fields.push_back(field(entry.volume.log2_volume));
-  fields.push_back(field(entry.volume.share));
-  const auto axis = worst_axis(entry);
-  fields.push_back(axis ? field(show(entry.key, entry.axes[*axis].worst)) : "");
-  return line(fields);
-}
-
 }  // namespace
 
 std::string bounds_csv(const StudyAnalysis& analysis) {
-  std::string csv =
-      "algorithm,options,family,parameters,smallest_n,largest_n,rows,instances,violations,"
-      "unproved";
-  for (const char axis : {'x', 'y', 'z'}) {
-    for (const char* column :
-         {"worst_slack", "median_slack", "worst_instance_slack", "median_instance_slack",
-          "worst_published_slack", "median_published_slack"}) {
-      csv += fmt::format(",{}_{}", column, axis);
-    }
-  }
-  csv += ",log2_volume,volume_share,worst_command\r\n";
   const ShowCommand show(analysis.rows);
-  for (const BoundsEntry& entry : analysis.bounds) csv += bounds_line(entry, show);
-  return csv;
+  return csv_table(analysis.bounds,
+                   [&](const BoundsEntry& entry) { return bounds_line(entry, show); });
 }
 
 void rows_csv(const RowView& rows, const TextSink& write) {
@@ -178,32 +197,7 @@ void rows_csv(const RowView& rows, const TextSink& write) {
 }
 
 std::string scaling_csv(const StudyAnalysis& analysis) {
-  std::string csv =
-      "algorithm,options,family,parameters,quantity,sizes,smallest_n,largest_n,exponent,"
-      "exponent_low,exponent_high,law_low,law_high,log_exponent,log_exponent_low,"
-      "log_exponent_high,log_weight,growth,reason,next\r\n";
-  for (const ScalingEntry& entry : analysis.scaling) {
-    const auto& used = entry.sizes.used;
-    std::vector<std::string> fields = key_fields(entry.key);
-    fields.push_back(name_of(entry.quantity));
-    fields.push_back(std::to_string(used.size()));
-    fields.push_back(used.empty() ? "" : std::to_string(used.front().n));
-    fields.push_back(used.empty() ? "" : std::to_string(used.back().n));
-    fields.push_back(entry.power.fitted ? field(entry.power.exponent) : "");
-    fields.push_back(field(entry.power.exponent_interval.low));
-    fields.push_back(field(entry.power.exponent_interval.high));
-    fields.push_back(field(entry.law_interval.low));
-    fields.push_back(field(entry.law_interval.high));
-    fields.push_back(entry.with_log.fitted ? field(entry.with_log.log_exponent) : "");
-    fields.push_back(field(entry.with_log.log_exponent_interval.low));
-    fields.push_back(field(entry.with_log.log_exponent_interval.high));
-    fields.push_back(field(entry.log_weight));
-    fields.push_back(to_string(entry.growth));
-    fields.push_back(field(entry.reason));
-    fields.push_back(field(entry.next));
-    csv += line(fields);
-  }
-  return csv;
+  return csv_table(analysis.scaling, scaling_line);
 }
 
 std::string analysis_json(const StudyAnalysis& analysis) {

@@ -4,9 +4,8 @@
 
 #include <algorithm>
 
-#include "ar3d/analysis/report/figures.h"
 #include "ar3d/analysis/report/html.h"
-#include "ar3d/analysis/report/page_files.h"
+#include "ar3d/analysis/report/page.h"
 #include "ar3d/analysis/report/sections.h"
 
 namespace ar3d {
@@ -85,20 +84,20 @@ std::vector<Figure> report_figures(const StudyAnalysis& analysis) {
 
 std::vector<std::size_t> rows_to_show(const StudyAnalysis& analysis, std::size_t most,
                                       std::int64_t most_edges) {
-  struct Candidate {
+  struct ShownRow {
     bool is_first;  // of its curve
     double share;
     std::size_t row;
   };
-  std::vector<Candidate> candidates;
+  std::vector<ShownRow> candidates;
   for (const CurveTally& curve : analysis.tally.curves) {
-    std::vector<Candidate> of_curve;
+    std::vector<ShownRow> of_curve;
     for (const auto& [n, graph] : report::worst_by_size(curve)) {
       if (graph->m <= most_edges) of_curve.push_back({false, graph->share(), graph->row});
     }
     const auto first =
         std::max_element(of_curve.begin(), of_curve.end(),
-                         [](const Candidate& a, const Candidate& b) { return a.share < b.share; });
+                         [](const ShownRow& a, const ShownRow& b) { return a.share < b.share; });
     if (first != of_curve.end()) first->is_first = true;
     candidates.insert(candidates.end(), of_curve.begin(), of_curve.end());
   }
@@ -106,7 +105,7 @@ std::vector<std::size_t> rows_to_show(const StudyAnalysis& analysis, std::size_t
     return a.is_first != b.is_first ? a.is_first : a.share > b.share;
   });
   std::vector<std::size_t> rows;
-  for (const Candidate& one : candidates) {
+  for (const ShownRow& one : candidates) {
     if (rows.size() < most) rows.push_back(one.row);
   }
   return rows;

@@ -31,14 +31,6 @@ double mean(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-double variance(std::span<const double> values) {
-  if (values.size() < 2) return kNone;
-  const double centre = mean(values);
-  double sum = 0;
-  for (const double value : values) sum += (value - centre) * (value - centre);
-  return sum / static_cast<double>(values.size() - 1);
-}
-
 double student_t_quantile(double p, double df) {
   if (std::isinf(df)) return boost::math::quantile(boost::math::normal(), p);
   return boost::math::quantile(boost::math::students_t(df), p);

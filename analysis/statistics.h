@@ -21,8 +21,6 @@ double median(std::vector<double> values);
 
 /// NaN for an empty list.
 double mean(std::span<const double> values);
-/// Unbiased: divides by size - 1. NaN for fewer than two values.
-double variance(std::span<const double> values);
 
 /// The p-quantile of Student's t with df > 0 degrees of freedom; of the normal distribution if df
 /// is infinite.

@@ -1,11 +1,77 @@
+// The bounds table, and everything else that report and exports show of a study, computed once.
 #include "ar3d/analysis/study_analysis.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "ar3d/analysis/scaling/samples.h"
+#include "ar3d/analysis/statistics.h"
 #include "ar3d/store/columns/side_tables.h"
 
 namespace ar3d {
 namespace {
+
+/// Every kept graph of the curve.
+template <class Use>
+void for_each_graph(const CurveTally& curve, const Use& use) {
+  for (const auto& [n, size] : curve.sizes) {
+    for (const DrawnGraph& graph : size.graphs) use(graph);
+  }
+}
+
+void add_slack(std::int64_t extent, double bound, std::vector<double>& slacks) {
+  const double slack = slack_of(extent, bound);
+  if (!std::isnan(slack)) slacks.push_back(slack);
+}
+
+AxisBounds axis_bounds(const CurveTally& curve, std::size_t axis) {
+  const AxisTally& tally = curve.axes[axis];
+  AxisBounds entry;
+  std::vector<double> theorem, instance, published;
+  for_each_graph(curve, [&](const DrawnGraph& graph) {
+    const std::int64_t extent = graph.extents[axis];
+    add_slack(extent, graph.theorem_bound[axis], theorem);
+    add_slack(extent, static_cast<double>(graph.instance_bound[axis]), instance);
+    add_slack(extent, graph.published_bound[axis], published);
+  });
+  entry.measured = theorem.size();
+  entry.worst_slack = tally.worst_slack;
+  if (!std::isnan(tally.worst_slack)) {
+    entry.worst_row = tally.worst.row;
+    entry.worst = tally.worst;
+  }
+  entry.median_slack = median(theorem);
+  entry.worst_instance_slack = tally.worst_instance_slack;
+  entry.median_instance_slack = median(instance);
+  entry.worst_published_slack = tally.worst_published_slack;
+  entry.median_published_slack = median(published);
+  return entry;
+}
+
+VolumeBound volume_bound(const CurveTally& curve) {
+  VolumeBound volume;
+  const auto last = std::find_if(curve.sizes.rbegin(), curve.sizes.rend(),
+                                 [](const auto& size) { return size.second.drawn > 0; });
+  if (last == curve.sizes.rend()) return volume;
+  volume.n = last->first;
+  std::vector<double> volumes, shares;
+  for (const DrawnGraph& graph : last->second.graphs) {
+    volumes.push_back(graph.log2_volume);
+    shares.push_back(
+        std::exp(log_value(graph, Quantity::volume, false) - log_bound(graph, Quantity::volume)));
+  }
+  volume.log2_volume = median(std::move(volumes));
+  volume.share = median(std::move(shares));
+  return volume;
+}
+
+// A bound that does not depend on n is no theorem's box: none is promised, or (by a program of the
+// study's own) only what integers of this width can hold.
+bool promises_box(const SizeBound& bound) {
+  return std::any_of(bound.axes.begin(), bound.axes.end(),
+                     [](const AxisBound& axis) { return axis.numerator != 0; });
+}
 
 void refuse_laws_above_theorems(const StudyIdentity& identity, std::vector<ScalingEntry>& scaling) {
   const std::vector<AlgorithmRecord> records = algorithm_records(identity);
@@ -20,6 +86,46 @@ void refuse_laws_above_theorems(const StudyIdentity& identity, std::vector<Scali
 }
 
 }  // namespace
+
+std::vector<BoundsEntry> bounds_table(const StudyTally& tally, const StudyIdentity& study) {
+  std::vector<BoundsEntry> entries;
+  const std::vector<AlgorithmRecord> algorithms = algorithm_records(study);
+  for (const CurveTally& curve : tally.curves) {
+    BoundsEntry entry;
+    entry.key = curve.key;
+    entry.smallest_n = curve.smallest_n;
+    entry.largest_n = curve.largest_n;
+    entry.rows = curve.rows;
+    entry.instances = curve.instances;
+    entry.rows_of_status = curve.rows_of_status;
+    entry.violations = curve.violations;
+    entry.unproved = curve.unproved;
+    entry.bends = curve.bends;
+    for (std::size_t axis = 0; axis < 3; ++axis) entry.axes[axis] = axis_bounds(curve, axis);
+    entry.volume = volume_bound(curve);
+    const AlgorithmRecord* algorithm =
+        find_algorithm_record(algorithms, curve.key.algorithm, curve.key.options);
+    if (algorithm != nullptr && promises_box(algorithm->theorem)) {
+      entry.theorem_formula = algorithm->theorem.formula();
+      if (algorithm->published) entry.published_formula = algorithm->published->formula();
+    }
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+std::vector<BoundsEntry> bounds_table(const Results& results) {
+  return bounds_table(tally_of(results), results);
+}
+
+std::optional<std::size_t> worst_axis(const BoundsEntry& entry) {
+  std::optional<std::size_t> worst;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (entry.axes[axis].measured == 0) continue;
+    if (!worst || entry.axes[axis].worst_slack < entry.axes[*worst].worst_slack) worst = axis;
+  }
+  return worst;
+}
 
 StudyAnalysis analyse(const RowView& rows, CheckedRows examination) {
   StudyAnalysis analysis{rows, std::move(examination.verdict), {}, {}, {}};

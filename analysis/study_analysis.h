@@ -1,13 +1,73 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
-#include "ar3d/analysis/bounds_table.h"
 #include "ar3d/analysis/check.h"
 #include "ar3d/analysis/scaling.h"
 #include "ar3d/analysis/tally.h"
 
 namespace ar3d {
+
+/// One axis of one curve. Slack is 1 - extent / bound, computed here from the extents: 0 touches
+/// the bound, a negative one breaks it. Statistics are over graphs (the first ok repetition of
+/// each); medians over those that the tally keeps.
+struct AxisBounds {
+  std::size_t measured = 0;  ///< instances with an extent and a positive finite theorem's bound
+  double worst_slack = kMissing;   ///< smallest slack against the theorem's bound
+  double median_slack = kMissing;  ///< median slack against the theorem's bound
+  double worst_instance_slack =
+      kMissing;  ///< the same against the proof's bound for the very instance;
+  double median_instance_slack = kMissing;  ///< missing if the algorithm states none
+  double worst_published_slack =
+      kMissing;  ///< the same against the published bound; missing if there is none
+  double median_published_slack = kMissing;
+  std::optional<std::size_t> worst_row;  ///< the row of the smallest slack
+  DrawnGraph worst;                      ///< its graph
+};
+
+/// Volumes (lattice points of the box) of the largest n that was measured; medians over its
+/// instances.
+struct VolumeBound {
+  std::int64_t n = -1;
+  double log2_volume = kMissing;
+  /// Volume over that of the theorem's own box, the product of bound + 1: what the volume is set
+  /// against has the order that the very theorem promises. Missing without a theorem's bound.
+  double share = kMissing;
+};
+
+/// The bounds table of one curve: what the theorem promises beside what was measured.
+struct BoundsEntry {
+  CurveKey key;
+  std::int64_t smallest_n = -1;
+  std::int64_t largest_n = -1;
+  std::size_t rows = 0;
+  std::size_t instances = 0;
+  std::array<std::size_t, kNumRunStatuses> rows_of_status{};  ///< indexed by RunStatus
+  std::size_t violations = 0;  ///< rows that break a bound or a certificate, as `check` counts them
+  std::size_t unproved = 0;    ///< ok rows that no exact certificate judged
+  std::array<AxisBounds, 3> axes;
+  VolumeBound volume;
+  std::string theorem_formula;    ///< "16/3 n, 16/3 n, 8 n (proved here, docs/theorem1.md)"
+  std::string published_formula;  ///< empty if nobody published a bound
+  std::array<std::uint64_t, 8>
+      bends{};  ///< edges with b bends over all ok instances; last: 7 or more
+
+  std::size_t count(RunStatus status) const {
+    return rows_of_status[static_cast<std::size_t>(status)];
+  }
+};
+
+/// One entry a curve, in the order of the file. @param study  whose table of algorithms is used.
+std::vector<BoundsEntry> bounds_table(const StudyTally& tally, const StudyIdentity& study);
+std::vector<BoundsEntry> bounds_table(const Results& results);
+
+/// The entry's axis of smallest slack, or nullopt if nothing was measured.
+std::optional<std::size_t> worst_axis(const BoundsEntry& entry);
 
 /// Everything that report and exports show of a study, computed once. `rows` outlives it.
 struct StudyAnalysis {

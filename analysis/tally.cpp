@@ -1,3 +1,5 @@
+// One pass over a study: what is kept of graphs, sizes and curves, in memory that does not grow
+// with the rows.
 #include "ar3d/analysis/tally.h"
 
 #include <algorithm>
@@ -6,7 +8,7 @@
 #include <unordered_map>
 
 #include "ar3d/analysis/check.h"
-#include "ar3d/analysis/check/repetitions.h"
+#include "ar3d/analysis/repetitions.h"
 #include "ar3d/analysis/statistics.h"
 #include "ar3d/store/columns/run_columns.h"
 
@@ -19,18 +21,9 @@ constexpr std::size_t kMostOfASize = 4096, kLeastOfASize = 8;
 constexpr std::size_t kMostCensored = 1000, kMostBatches = 10000;
 constexpr std::size_t kTimed = 6;  // place of the timing phase in log_sum
 
-double log_positive(double value) {
-  return value > 0 && std::isfinite(value) ? std::log(value) : kMissing;
-}
-
 bool is_censored(RunStatus status) {
   return status == RunStatus::timeout || status == RunStatus::out_of_memory ||
          status == RunStatus::crashed;
-}
-
-double slack_of(std::int64_t extent, double bound) {
-  if (extent < 0 || !std::isfinite(bound) || bound <= 0) return kMissing;
-  return 1 - static_cast<double>(extent) / bound;
 }
 
 // What decides whether a graph is in the sample: a fixed shuffle of the row numbers (SplitMix64).
@@ -270,6 +263,15 @@ StudyTally Tallying::finish() {
 }
 
 }  // namespace
+
+double log_positive(double value) {
+  return value > 0 && std::isfinite(value) ? std::log(value) : kMissing;
+}
+
+double slack_of(std::int64_t extent, double bound) {
+  if (extent < 0 || !std::isfinite(bound) || bound <= 0) return kMissing;
+  return 1 - static_cast<double>(extent) / bound;
+}
 
 double DrawnGraph::share() const {
   double share = kMissing;

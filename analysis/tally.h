@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ar3d/analysis/curves.h"
-#include "ar3d/analysis/rows.h"
+#include "ar3d/store/run_storage.h"
 
 namespace ar3d {
 
@@ -72,6 +72,11 @@ struct AxisTally {
   double worst_published_slack = kMissing;  ///< against the published bound
   DrawnGraph worst;                         ///< the graph of worst_slack
 };
+
+/// 1 - extent / bound; missing if one of the two is, or the bound is 0.
+double slack_of(std::int64_t extent, double bound);
+/// Natural logarithm of a positive finite value; missing for others.
+double log_positive(double value);
 
 /// How many a RunStatus can be.
 inline constexpr std::size_t kNumRunStatuses = static_cast<std::size_t>(RunStatus::measured) + 1;

@@ -1,8 +1,11 @@
+// Foreign text and numbers as terminals, pages and JSON may show them.
 #include "ar3d/analysis/text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 
 namespace ar3d {
 namespace {
@@ -49,6 +52,10 @@ std::string one_line(std::string_view text) {
     if (code < 0x20 || code == 0x7F) c = ' ';
   }
   return line;
+}
+
+nlohmann::ordered_json json_number(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
 }
 
 }  // namespace ar3d

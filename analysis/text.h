@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
@@ -10,5 +11,8 @@ std::string valid_utf8(std::string_view text);
 
 /// Valid UTF-8 on one line: control characters (escape sequences of terminals too) become spaces.
 std::string one_line(std::string_view text);
+
+/// The number, or null if it is not finite.
+nlohmann::ordered_json json_number(double value);
 
 }  // namespace ar3d

@@ -3,9 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "ar3d/analysis/rows.h"
 #include "ar3d/bench/run/make_rows.h"
 #include "ar3d/bench/spec/study_spec.h"
+#include "ar3d/store/run_storage.h"
 #include "options.h"
 
 namespace ar3d {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "ar3d/analysis/check.h"
-#include "ar3d/analysis/rows.h"
+#include "ar3d/store/run_storage.h"
 
 namespace ar3d {
 

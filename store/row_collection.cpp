@@ -89,17 +89,17 @@ void require_same_study(const Source& first, const Source& other) {
 struct RowCollection::State {
   explicit State(const RowFormat& format_of_rows) : format(format_of_rows) {}
 
-  struct Row {
+  struct FiledRow {
     RowKey key;
     std::uint32_t source = 0;
     std::uint32_t row = 0;
   };
 
-  static bool in_file_order(const Row& a, const Row& b) {
+  static bool in_file_order(const FiledRow& a, const FiledRow& b) {
     return std::pair(a.source, a.row) < std::pair(b.source, b.row);
   }
 
-  void read(const Row& row, char* record) const {
+  void read(const FiledRow& row, char* record) const {
     const Source& source = sources[row.source];
     source.read(row.row, record);
     char* field = record + format.rows.fields[format.session].offset;
@@ -115,14 +115,14 @@ struct RowCollection::State {
 
   void number_sessions();
   void index_rows();
-  void require_equal(const Row& a, const Row& b) const;
+  void require_equal(const FiledRow& a, const FiledRow& b) const;
 
   const RowFormat& format;
   StudyIdentity identity;
   std::vector<Shard> shards;
   std::vector<EnvironmentEntry> environment;
   std::vector<Source> sources;
-  std::vector<Row> rows;  // by key
+  std::vector<FiledRow> rows;  // by key
 };
 
 RowCollection::RowCollection(const RowFormat& format) : state_(std::make_unique<State>(format)) {}
@@ -190,9 +190,9 @@ void RowCollection::State::index_rows() {
     }
   }
   std::stable_sort(rows.begin(), rows.end(),
-                   [](const Row& a, const Row& b) { return a.key < b.key; });
-  std::vector<std::pair<Row, Row>> equal_keys;  // the row that is kept, one that is not
-  const auto same = [&equal_keys](const Row& a, const Row& b) {
+                   [](const FiledRow& a, const FiledRow& b) { return a.key < b.key; });
+  std::vector<std::pair<FiledRow, FiledRow>> equal_keys;  // the row that is kept, one that is not
+  const auto same = [&equal_keys](const FiledRow& a, const FiledRow& b) {
     if (a.key == b.key) equal_keys.emplace_back(a, b);
     return a.key == b.key;
   };
@@ -202,7 +202,7 @@ void RowCollection::State::index_rows() {
   for (const auto& [kept, other] : equal_keys) require_equal(kept, other);
 }
 
-void RowCollection::State::require_equal(const Row& a, const Row& b) const {
+void RowCollection::State::require_equal(const FiledRow& a, const FiledRow& b) const {
   std::vector<char> left(format.record_size());
   std::vector<char> right(format.record_size());
   read(a, left.data());
@@ -227,8 +227,9 @@ const RowKey& RowCollection::key(std::size_t place) const { return state_->rows[
 
 std::optional<std::size_t> RowCollection::find(const RowKey& key) const {
   const auto& rows = state_->rows;
-  const auto at = std::lower_bound(rows.begin(), rows.end(), key,
-                                   [](const State::Row& a, const RowKey& b) { return a.key < b; });
+  const auto at =
+      std::lower_bound(rows.begin(), rows.end(), key,
+                       [](const State::FiledRow& a, const RowKey& b) { return a.key < b; });
   if (at == rows.end() || at->key != key) return std::nullopt;
   return static_cast<std::size_t>(at - rows.begin());
 }
@@ -238,10 +239,10 @@ void RowCollection::read(std::size_t place, char* record) const {
 }
 
 void RowCollection::visit(const std::function<void(const char* record)>& visitor) const {
-  std::vector<State::Row> order = state_->rows;
+  std::vector<State::FiledRow> order = state_->rows;
   std::sort(order.begin(), order.end(), State::in_file_order);
   std::vector<char> record(state_->format.record_size());
-  for (const State::Row& row : order) {
+  for (const State::FiledRow& row : order) {
     state_->read(row, record.data());
     visitor(record.data());
   }

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "ar3d/analysis/curves.h"
-#include "ar3d/analysis/rows.h"
+#include "ar3d/store/run_storage.h"
 
 namespace ar3d {
 

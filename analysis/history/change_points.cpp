@@ -1,17 +1,138 @@
-// The steps in brackets are those of docs/history.md.
+// Changes of the level of a series: seeded intervals, permutation test, place and effect. The steps
+// in brackets are those of docs/history.md.
 #include "ar3d/analysis/history/change_points.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
-#include "ar3d/analysis/history/split.h"
+#include "ar3d/analysis/statistics.h"
 #include "ar3d/base/random.h"
 
 namespace ar3d {
+
 namespace {
 
-struct Part {
+constexpr double kClip = 3;            // standard deviations
+constexpr double kNormalMad = 1.4826;  // standard deviation / median absolute deviation
+
+/// sums[i] is the sum of the first i values.
+std::vector<double> partial_sums(std::span<const double> values) {
+  std::vector<double> sums(values.size() + 1, 0);
+  for (std::size_t i = 0; i < values.size(); ++i) sums[i + 1] = sums[i] + values[i];
+  return sums;
+}
+
+/// Of the noise, from the differences of neighbours.
+double deviation_of(std::span<const double> values) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    steps.push_back(std::abs(values[i] - values[i - 1]));
+  }
+  return kNormalMad * median(std::move(steps)) / std::numbers::sqrt2;
+}
+
+void clip(std::span<double> values, double deviation) {
+  if (!(deviation > 0)) return;
+  const double centre = median({values.begin(), values.end()}), reach = kClip * deviation;
+  for (double& value : values) value = std::clamp(value, centre - reach, centre + reach);
+}
+
+double square(double x) { return x * x; }
+
+/// Sum of squares of the residuals of the least-squares line through (i, values[i]).
+double residuals_of_line(std::span<const double> values) {
+  const auto count = static_cast<double>(values.size());
+  const double mean_x = (count - 1) / 2, mean_y = mean(values);
+  double xy = 0, yy = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    xy += (static_cast<double>(i) - mean_x) * (values[i] - mean_y);
+    yy += square(values[i] - mean_y);
+  }
+  const double xx = count * (count * count - 1) / 12;
+  return yy - xy * xy / xx;
+}
+
+}  // namespace
+
+std::vector<double> winsorised(std::span<const double> values) {
+  std::vector<double> clipped(values.begin(), values.end());
+  clip(clipped, deviation_of(values));
+  return clipped;
+}
+
+std::vector<double> winsorised(std::span<const double> values, std::size_t at) {
+  std::vector<double> clipped(values.begin(), values.end());
+  const double deviation = deviation_of(values);
+  clip(std::span(clipped).first(at), deviation);
+  clip(std::span(clipped).subspan(at), deviation);
+  return clipped;
+}
+
+SeededIntervals seeded_intervals(std::size_t size, std::size_t shortest) {
+  SeededIntervals intervals;
+  const auto whole = static_cast<double>(size);
+  for (double layer = 0;; ++layer) {
+    const double shrunk = std::pow(std::numbers::sqrt2, layer);
+    const double length = whole / shrunk;
+    if (length < static_cast<double>(shortest)) return intervals;
+    const double count = 2 * std::ceil(shrunk) - 1;
+    const double step = count > 1 ? (whole - length) / (count - 1) : 0;
+    for (double i = 0; i < count; ++i) {
+      const auto begin = static_cast<std::size_t>(std::floor(i * step));
+      const auto end = static_cast<std::size_t>(std::ceil(i * step + length - 1e-9));
+      intervals.emplace_back(begin, std::min(end, size));
+    }
+  }
+}
+
+Split largest_split(std::span<const double> values, const SeededIntervals& intervals,
+                    std::size_t shortest) {
+  const std::vector<double> sums = partial_sums(values);
+  Split best;
+  double best_square = 0;
+  for (const auto& [begin, end] : intervals) {
+    const auto length = static_cast<double>(end - begin);
+    const double mean_of_all = (sums[end] - sums[begin]) / length;
+    for (std::size_t at = begin + shortest; at + shortest <= end; ++at) {
+      const auto left = static_cast<double>(at - begin);
+      const double excess = sums[at] - sums[begin] - left * mean_of_all;
+      const double squared = square(excess) * length / (left * (length - left));
+      if (squared <= best_square) continue;
+      best_square = squared;
+      best.at = at;
+    }
+  }
+  best.height = std::sqrt(best_square);
+  return best;
+}
+
+PlausibleSplits plausible_splits(std::span<const double> values, std::size_t at) {
+  const std::vector<double> sums = partial_sums(values);
+  const auto size = static_cast<double>(values.size());
+  double squares = 0;
+  for (const double value : values) squares += square(value - sums.back() / size);
+  // The mean is taken off, so that the difference below is not one of large numbers.
+  const auto residuals = [&](std::size_t split) {
+    const auto left = static_cast<double>(split);
+    const double excess = sums[split] - left * sums.back() / size;
+    return squares - square(excess) * size / (left * (size - left));
+  };
+  const double best = std::max(residuals(at), 0.0);
+  const double most = best + kPlausible * best / std::max(size - 2, 1.0) + 1e-12 * squares;
+  PlausibleSplits splits{at, at, residuals_of_line(values) < best};
+  for (std::size_t split = 1; split < values.size(); ++split) {
+    if (residuals(split) > most) continue;
+    splits.first = std::min(splits.first, split);
+    splits.last = std::max(splits.last, split);
+  }
+  return splits;
+}
+
+namespace {
+
+struct Stretch {
   std::size_t begin = 0;
   std::size_t end = 0;
   std::size_t size() const { return end - begin; }
@@ -19,7 +140,7 @@ struct Part {
 
 /// Whether a permutation of the values looks at least as changed as the values do (Step H.3).
 bool is_reached_by_chance(const std::vector<double>& values, const Split& found,
-                          const SeededIntervals& intervals, const Part& part,
+                          const SeededIntervals& intervals, const Stretch& part,
                           const ChangeRule& rule) {
   constexpr double kTie = 1 - 1e-9;  // sums of the same numbers in another order
   RandomStream random(rule.seed, mix_seed(part.begin, part.end));
@@ -33,7 +154,7 @@ bool is_reached_by_chance(const std::vector<double>& values, const Split& found,
 }
 
 /// The changes within one part, halved where one is found (Step H.4), unsorted.
-void find_in(std::span<const double> values, const Part& part, const ChangeRule& rule,
+void find_in(std::span<const double> values, const Stretch& part, const ChangeRule& rule,
              std::vector<std::size_t>& into) {
   if (part.size() < 2 * rule.shortest) return;
   const std::vector<double> clipped = winsorised(values.subspan(part.begin, part.size()));
@@ -47,14 +168,14 @@ void find_in(std::span<const double> values, const Part& part, const ChangeRule&
 }
 
 /// The changes before and behind the i-th, or the ends of the series.
-Part between_neighbours(const std::vector<std::size_t>& at, std::size_t i, std::size_t size) {
+Stretch between_neighbours(const std::vector<std::size_t>& at, std::size_t i, std::size_t size) {
   return {i == 0 ? 0 : at[i - 1], i + 1 == at.size() ? size : at[i + 1]};
 }
 
 /// Moves every change to the best place between its neighbours (Step H.5).
 void settle(std::span<const double> values, std::size_t shortest, std::vector<std::size_t>& at) {
   for (std::size_t i = 0; i < at.size(); ++i) {
-    const Part part = between_neighbours(at, i, values.size());
+    const Stretch part = between_neighbours(at, i, values.size());
     if (part.size() < 2 * shortest) continue;
     const std::vector<double> clipped = winsorised(values.subspan(part.begin, part.size()));
     at[i] = part.begin + largest_split(clipped, {{0, part.size()}}, shortest).at;
@@ -63,7 +184,7 @@ void settle(std::span<const double> values, std::size_t shortest, std::vector<st
 
 ChangePoint describe(std::span<const double> values, const std::vector<std::size_t>& at,
                      std::size_t i, double confidence) {
-  const Part part = between_neighbours(at, i, values.size());
+  const Stretch part = between_neighbours(at, i, values.size());
   const auto before = values.subspan(part.begin, at[i] - part.begin);
   const auto after = values.subspan(at[i], part.end - at[i]);
   const Shift shift = shift_between(before, after, confidence);

@@ -106,7 +106,7 @@ class LineTable {
       for (std::size_t i = 0; i < kMeasures.size(); ++i) {
         if (!std::isfinite(values[i].value)) continue;
         if (kMeasures[i] == Measure::time && !commit.untimed.empty()) continue;
-        Entry& entry = lines_[{commit.environment, commit.study, cell, kMeasures[i]}];
+        OpenLine& entry = lines_[{commit.environment, commit.study, cell, kMeasures[i]}];
         entry.line.results.push_back(result);
         entry.line.values.push_back(values[i].value);
         entry.exact.push_back(values[i].exact);
@@ -125,12 +125,12 @@ class LineTable {
   }
 
  private:
-  struct Entry {
+  struct OpenLine {
     HistoryLine line;
     std::vector<std::string> exact;
   };
 
-  static void judge(Entry& entry, const HistoryRule& rule) {
+  static void judge(OpenLine& entry, const HistoryRule& rule) {
     HistoryLine& line = entry.line;
     std::vector<double> logs;
     for (const double value : line.values) logs.push_back(std::log(value));
@@ -151,7 +151,7 @@ class LineTable {
   }
 
   /// Every place where volume or bends of some graph changed, though their mean may be the same.
-  static std::vector<ChangePoint> changes_of_drawings(const Entry& entry) {
+  static std::vector<ChangePoint> changes_of_drawings(const OpenLine& entry) {
     std::vector<ChangePoint> changes;
     for (std::size_t i = 1; i < entry.exact.size(); ++i) {
       if (entry.exact[i] == entry.exact[i - 1]) continue;
@@ -163,7 +163,7 @@ class LineTable {
     return changes;
   }
 
-  std::map<std::tuple<std::size_t, std::string, HistoryCell, Measure>, Entry> lines_;
+  std::map<std::tuple<std::size_t, std::string, HistoryCell, Measure>, OpenLine> lines_;
 };
 
 std::size_t place_of(const std::map<std::string, std::string>& environment,

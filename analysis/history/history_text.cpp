@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "ar3d/analysis/history/changes_in_order.h"
+#include "ar3d/analysis/history/history.h"
 #include "ar3d/analysis/report/html.h"
 #include "ar3d/analysis/text.h"
 #include "ar3d/base/printable.h"
@@ -53,10 +53,6 @@ std::string judged_text(const History& history) {
   return text;
 }
 
-nlohmann::ordered_json number(double value) {
-  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
-}
-
 nlohmann::ordered_json change_json(const History& history, const HistoryLine& line,
                                    const ChangePoint& change) {
   const Neighbours at = around(history, {&line, &change}, false);
@@ -65,9 +61,9 @@ nlohmann::ordered_json change_json(const History& history, const HistoryLine& li
           {"after", at.after->name},
           {"surely_before", surely.before->name},
           {"surely_after", surely.after->name},
-          {"ratio", number(std::exp(change.effect))},
-          {"ratio_low", number(std::exp(change.interval.low))},
-          {"ratio_high", number(std::exp(change.interval.high))},
+          {"ratio", json_number(std::exp(change.effect))},
+          {"ratio_low", json_number(std::exp(change.interval.low))},
+          {"ratio_high", json_number(std::exp(change.interval.high))},
           {"gradual", change.gradual},
           {"command", valid_utf8(bisect_command(history, line, change))}};
 }

@@ -1,5 +1,5 @@
-// Growth as compensated plots: a quantity divided by the order of the theorem's bound, so that a
-// constant is a horizontal line and a wrong exponent is visible.
+// Growth as compensated plots: a quantity divided by the order of the theorem's bound, so
+// that a constant is a horizontal line and a wrong exponent is visible.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +7,6 @@
 #include <map>
 
 #include "ar3d/analysis/report/html.h"
-#include "ar3d/analysis/report/labels.h"
 #include "ar3d/analysis/report/plot.h"
 #include "ar3d/analysis/report/sections.h"
 #include "ar3d/analysis/statistics.h"
@@ -28,7 +27,7 @@ struct FamilyLine {
   std::size_t index = 0;  // in the section
 };
 
-struct Growth {
+struct GrowthFigure {
   Quantity quantity;
   double order = 1;
   std::vector<FamilyLine> lines;
@@ -51,23 +50,13 @@ std::string power_text(double order) {
   return order == 1 ? "n" : order == 0.5 ? "√n" : fmt::format("n^{:.3g}", order);
 }
 
-/// At most `most` sizes, evenly, the first and the last among them.
-std::vector<const SizeSample*> thinned(const std::vector<SizeSample>& sizes, std::size_t most) {
-  std::vector<const SizeSample*> kept;
-  const std::size_t count = std::min(most, sizes.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    kept.push_back(&sizes[count < 2 ? 0 : i * (sizes.size() - 1) / (count - 1)]);
-  }
-  return kept;
-}
-
 /// Least, median and largest of the families' medians at one requested n.
 struct BandSize {
   double x = 0;
   std::vector<double> values;
 };
 
-std::map<std::int64_t, BandSize> band_of(const Growth& growth) {
+std::map<std::int64_t, BandSize> band_of(const GrowthFigure& growth) {
   std::map<std::int64_t, BandSize> band;
   for (const FamilyLine& line : growth.lines) {
     for (const SizeSample& size : line.entry->all) {
@@ -80,7 +69,7 @@ std::map<std::int64_t, BandSize> band_of(const Growth& growth) {
 }
 
 /// The theorem's bound by n, divided by the order.
-std::map<std::int64_t, double> bound_of(const Growth& growth) {
+std::map<std::int64_t, double> bound_of(const GrowthFigure& growth) {
   std::map<std::int64_t, double> bound;
   for (const FamilyLine& line : growth.lines) {
     for (const SizeSample& size : line.entry->all) {
@@ -90,8 +79,8 @@ std::map<std::int64_t, double> bound_of(const Growth& growth) {
   return bound;
 }
 
-Range data_range(const Growth& growth, Range& x) {
-  Range y;
+LogRange data_range(const GrowthFigure& growth, LogRange& x) {
+  LogRange y;
   for (const FamilyLine& line : growth.lines) {
     for (const SizeSample& size : line.entry->all) {
       x.include(log10_of(size.n));
@@ -103,7 +92,7 @@ Range data_range(const Growth& growth, Range& x) {
 }
 
 /// The families with the largest and the least values at the largest sizes; all if they are few.
-std::vector<std::size_t> extreme_lines(const Growth& growth) {
+std::vector<std::size_t> extreme_lines(const GrowthFigure& growth) {
   std::vector<std::size_t> order, to_the_end;  // of the sizes
   std::int64_t largest = 0;
   for (const FamilyLine& line : growth.lines) {
@@ -123,7 +112,7 @@ std::vector<std::size_t> extreme_lines(const Growth& growth) {
   return extremes;
 }
 
-std::string band_svg(const Growth& growth, const Frame& frame, std::string& csv) {
+std::string band_svg(const GrowthFigure& growth, const PlotFrame& frame, std::string& csv) {
   std::string upper, lower, middle;
   for (const auto& [n, at] : band_of(growth)) {
     const auto [least, most] = std::minmax_element(at.values.begin(), at.values.end());
@@ -139,8 +128,8 @@ std::string band_svg(const Growth& growth, const Frame& frame, std::string& csv)
 }
 
 /// The bound as a dashed line, unless it lies far above all data.
-std::string bound_svg(const std::map<std::int64_t, double>& bound, const Frame& frame, bool is_far,
-                      std::string& csv) {
+std::string bound_svg(const std::map<std::int64_t, double>& bound, const PlotFrame& frame,
+                      bool is_far, std::string& csv) {
   std::string points;
   const std::size_t step = std::max<std::size_t>(1, bound.size() / 60);
   std::size_t i = 0;
@@ -148,20 +137,23 @@ std::string bound_svg(const std::map<std::int64_t, double>& bound, const Frame& 
     const bool is_end = i == 0 || i + 1 == bound.size();
     if (i++ % step != 0 && !is_end) continue;
     points += frame.point(log10_of(n), value);
-    csv += csv_line("theorem's bound", "dashed", log10_of(n), value, kMissing, kMissing);
+    csv += csv_line("theorem's bound", "dashed", log10_of(n), value);
   }
   return points.empty() || is_far ? "" : "<polyline class='bound' points='" + points + "'/>";
 }
 
-std::string line_svg(Page& page, const Growth& growth, const FamilyLine& line, const Frame& frame,
-                     bool is_extreme, std::size_t colour, std::string& csv) {
+std::string line_svg(Page& page, const GrowthFigure& growth, const FamilyLine& line,
+                     const PlotFrame& frame, bool is_extreme, std::size_t colour,
+                     std::string& csv) {
   std::string points;
   Dots dots, cut_off;
   std::map<std::size_t, const DrawnGraph*> graph_of;
   for (const auto& [n, size] : line.curve->tally->sizes) {
     for (const DrawnGraph& graph : size.graphs) graph_of[graph.row] = &graph;
   }
-  for (const SizeSample* size : thinned(line.entry->all, growth.sizes_of_a_line)) {
+  std::vector<const SizeSample*> sizes;
+  for (const SizeSample& size : line.entry->all) sizes.push_back(&size);
+  for (const SizeSample* size : evenly(sizes, growth.sizes_of_a_line)) {
     const std::vector<double> values = size->log_values();
     const double x = log10_of(size->n), y = growth.middle(*size);
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
@@ -177,15 +169,15 @@ std::string line_svg(Page& page, const Growth& growth, const FamilyLine& line, c
     cut_off.add(frame.x.pixel(log10_of(row.n)), kTop + 4, page.point_at(line.curve->place, row));
   }
   return fmt::format(
-      "<g class='family{}' data-f='{}'><polyline class='median {}' points='{}'><title>{}</title>"
-      "</polyline>{}{}</g>",
+      "<g class='family{}' data-f='{}'><polyline class='median {}' "
+      "points='{}'><title>{}</title></polyline>{}{}</g>",
       is_extreme ? " extreme" : "", line.index, stroke_class(colour), points,
       escape(line.curve->family), dots.svg("points " + stroke_class(colour)),
       cut_off.svg("points cut"));
 }
 
-Growth growth_of(Page& page, const Section& section, Quantity quantity) {
-  Growth growth{quantity, order_of(section, quantity), {}};
+GrowthFigure growth_of(Page& page, const Section& section, Quantity quantity) {
+  GrowthFigure growth{quantity, order_of(section, quantity), {}};
   for (std::size_t i = 0; i < section.curves.size(); ++i) {
     const SectionCurve& curve = section.curves[i];
     const ScalingEntry* entry = curve.scaling[static_cast<std::size_t>(quantity)];
@@ -204,14 +196,14 @@ std::string unit_text(Quantity quantity) {
   return quantity == Quantity::wall_s ? "s" : unit_of(quantity);
 }
 
-NamedPlot growth_plot(Page& page, const Section& section, const Growth& growth) {
+NamedPlot growth_plot(Page& page, const Section& section, const GrowthFigure& growth) {
   std::string name = name_of(growth.quantity);
   NamedPlot plot;
   plot.title = section.label + ": " + name;
   plot.file = section.label + "-" + name;
   plot.x = "vertices n";
   plot.y = name + " / " + power_text(growth.order);
-  Range x, y = data_range(growth, x);
+  LogRange x, y = data_range(growth, x);
   const double top = y.high;
   const std::map<std::int64_t, double> bound = bound_of(growth);
   double nearest = std::numeric_limits<double>::infinity();
@@ -225,7 +217,7 @@ NamedPlot growth_plot(Page& page, const Section& section, const Growth& growth) 
   const TickStyle ticks = is_time   ? TickStyle::seconds
                           : is_wide ? TickStyle::power
                                     : TickStyle::count;
-  const Frame frame = frame_of(x, y, ticks, plot.y + ", " + unit_text(growth.quantity));
+  const PlotFrame frame = frame_of(x, y, ticks, plot.y + ", " + unit_text(growth.quantity));
   std::string svg = axes_svg(frame);
   svg += band_svg(growth, frame, plot.csv);
   svg += bound_svg(bound, frame, is_far, plot.csv);
@@ -245,10 +237,9 @@ NamedPlot growth_plot(Page& page, const Section& section, const Growth& growth) 
     labels.push_back(
         {kRight + 5, frame.y.pixel(bound.rbegin()->second) + 4, "theorem's bound", "of-bound"});
   }
-  svg += "<g class='ends'>" + labels_svg(std::move(labels), kTop + 8, kBottom) + "</g>";
-  plot.svg =
-      svg_element(plot.title + ", divided by " + power_text(growth.order) + ", against n by family",
-                  kLabelledWidth, kHeight, svg);
+  plot.svg = labelled_svg(
+      plot.title + ", divided by " + power_text(growth.order) + ", against n by family", svg,
+      std::move(labels));
   plot.note = fmt::format("{} families", growth.lines.size());
   if (is_far) {
     plot.note += fmt::format("; the theorem's bound lies at least {:.0f} times above",
@@ -262,14 +253,13 @@ NamedPlot growth_plot(Page& page, const Section& section, const Growth& growth) 
 std::string growth_figures(Page& page, const Section& section) {
   std::string html;
   for (const Quantity quantity : {Quantity::longest_side, Quantity::volume, Quantity::wall_s}) {
-    const Growth growth = growth_of(page, section, quantity);
+    const GrowthFigure growth = growth_of(page, section, quantity);
     if (!growth.lines.empty()) html += page.figure(growth_plot(page, section, growth));
   }
   if (html.empty()) return "";
   return "<div class=figures>\n" + html +
          "</div>\n<p class='muted legend-line'>Band and thick line: least, median and largest of "
-         "the "
-         "families' medians. Lines: families, named at their end. Dashed: the theorem's "
+         "the families' medians. Lines: families, named at their end. Dashed: the theorem's "
          "bound.</p>\n";
 }
 

@@ -1,3 +1,4 @@
+// Text and numbers as HTML, and the page's own files. Every foreign string goes through escape().
 #include "ar3d/analysis/report/html.h"
 
 #include <fmt/format.h>
@@ -6,8 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "ar3d/analysis/text.h"
+#include "ar3d_page_files.h"
 
 namespace ar3d::report {
+
 namespace {
 constexpr const char* kNothing = "–";
 }  // namespace
@@ -95,5 +98,10 @@ std::string note(const std::string& html) { return "<td class=note>" + html + "<
 std::string cell(const std::string& html, bool is_number) {
   return (is_number ? "<td class=num>" : "<td>") + html + "</td>";
 }
+
+std::string page_style() { return std::string(kPageStyle); }
+std::string page_script() { return std::string(kPageScript); }
+std::string table_script() { return std::string(kTableScript); }
+std::string figure_style() { return std::string(kFigureStyle); }
 
 }  // namespace ar3d::report

@@ -1,3 +1,5 @@
+// What the sections of a page share, and every figure as documents of its own: SVG, CSV, and
+// scripts for matplotlib and pgfplots.
 #include "ar3d/analysis/report/page.h"
 
 #include <fmt/format.h>
@@ -6,13 +8,16 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "ar3d/analysis/replay.h"
-#include "ar3d/analysis/report/figures.h"
 #include "ar3d/analysis/report/html.h"
 #include "ar3d/analysis/text.h"
 
 namespace ar3d::report {
+
 namespace {
 
 std::string numbers(const std::array<double, 3>& values) {
@@ -127,6 +132,170 @@ std::string csv_line(const std::string& series, const char* kind, double log_x, 
   std::replace(name.begin(), name.end(), '"', '\'');
   return fmt::format("{},{},{},{},{},{}\r\n", name, kind, number_field(log_x), number_field(log_y),
                      number_field(log_low), number_field(log_high));
+}
+
+namespace {
+
+constexpr std::size_t kNamedSeries = 8;  // in a legend
+
+/// The content without the lines of families that the page shows on demand; such a group holds no
+/// other.
+std::string without_hidden(std::string svg) {
+  constexpr std::string_view kHidden = "<g class='family' ", kEnd = "</g>";
+  for (std::size_t at = svg.find(kHidden); at != std::string::npos; at = svg.find(kHidden, at)) {
+    svg.erase(at, svg.find(kEnd, at) + kEnd.size() - at);
+  }
+  return svg;
+}
+
+/// Text as LaTeX prints it.
+std::string latex(const std::string& text) {
+  static constexpr std::pair<char, const char*> kSpecial[] = {{'\\', "\\textbackslash{}"},
+                                                              {'{', "\\{"},
+                                                              {'}', "\\}"},
+                                                              {'$', "\\$"},
+                                                              {'&', "\\&"},
+                                                              {'#', "\\#"},
+                                                              {'^', "\\textasciicircum{}"},
+                                                              {'_', "\\_"},
+                                                              {'~', "\\textasciitilde{}"},
+                                                              {'%', "\\%"}};
+  std::string escaped;
+  for (const char c : text) {
+    const auto* at = std::find_if(std::begin(kSpecial), std::end(kSpecial),
+                                  [c](const auto& special) { return special.first == c; });
+    if (at != std::end(kSpecial)) {
+      escaped += at->second;
+    } else if (static_cast<unsigned char>(c) < 0x80) {
+      escaped += c;
+    }
+  }
+  return escaped;
+}
+
+/// Name and kind of the series with each id.
+std::vector<std::pair<std::string, std::string>> series_of(const std::string& csv) {
+  std::vector<std::pair<std::string, std::string>> series;
+  for (std::size_t at = csv.find('\n') + 1; at < csv.size(); at = csv.find('\n', at) + 1) {
+    std::vector<std::string> fields;
+    for (std::size_t begin = at; fields.size() < 3;) {
+      const std::size_t comma = csv.find(',', begin);
+      fields.push_back(csv.substr(begin, comma - begin));
+      begin = comma + 1;
+    }
+    if (std::stoul(fields[0]) == series.size()) series.emplace_back(fields[1], fields[2]);
+  }
+  return series;
+}
+
+/// What draws one series.
+std::string addplot(const std::string& file, std::size_t id, const std::string& name,
+                    const std::string& kind, bool is_named) {
+  const std::string option = kind == "dashed"  ? "dashed, no marks, thick, red!70!black"
+                             : kind == "band"  ? "no marks, very thick, blue"
+                             : kind == "point" ? "only marks"
+                             : kind == "bar"   ? "ybar, fill=blue!50"
+                             : is_named        ? "mark size=1pt"
+                                               : "no marks, gray!50, forget plot";
+  std::string text =
+      fmt::format("\\addplot+[{}, only={}] table[x=x, y=y] {{{}.csv}};\n", option, id, file);
+  if (is_named) text += "\\addlegendentry{" + latex(name) + "}\n";
+  return text;
+}
+
+constexpr const char* kMatplotlib = R"py(#!/usr/bin/env python3
+# Draws {file}.csv, which lies beside this script, as {file}.pdf.
+import csv
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+
+series = {{}}
+with open("{file}.csv", newline="") as table:
+    for row in csv.DictReader(table):
+        numbers = [float(row[column] or "nan") for column in ("x", "y", "low", "high")]
+        series.setdefault((row["series"], row["kind"]), []).append(numbers)
+
+figure, axes = plt.subplots(figsize=(5.2, 3.4))
+for index, ((name, kind), rows) in enumerate(series.items()):
+    x, y, low, high = zip(*rows)
+    label = name if len(series) <= 12 or kind != "line" else None
+    if kind == "bar":
+        axes.bar(x, y)
+    elif kind == "band":
+        axes.fill_between(x, low, high, alpha=0.2)
+        axes.plot(x, y, linewidth=2, label=label)
+    elif kind == "dashed":
+        axes.plot(x, y, "--", color="tab:red", label=label)
+    elif kind == "point":
+        axes.plot(x, y, "o", label=label)
+    else:
+        axes.plot(x, y, linewidth=1 if label else 0.4, color=None if label else "0.6", label=label)
+if not any(kind == "bar" for name, kind in series):
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.legend(fontsize="x-small")
+axes.set_title({title}, fontsize="small")
+axes.set_xlabel({x})
+axes.set_ylabel({y})
+figure.tight_layout()
+figure.savefig("{file}.pdf")
+)py";
+
+constexpr const char* kPgfplots = R"tex(% Draws {file}.csv, which lies beside this document.
+\documentclass{{article}}
+\usepackage{{pgfplots}}
+\pgfplotsset{{compat=1.16, table/col sep=comma,
+  only/.style={{x filter/.append code={{\ifnum\thisrow{{id}}=#1\relax\else\def\pgfmathresult{{}}\fi}}}}}}
+\pagestyle{{empty}}
+\begin{{document}}
+\begin{{tikzpicture}}
+\begin{{{axis}}}[title={{{title}}}, xlabel={{{x}}}, ylabel={{{y}}}, width=12cm, height=8cm,
+  unbounded coords=discard, filter discard warning=false, legend style={{font=\tiny}},
+  legend pos=outer north east, legend cell align=left]
+{plots}\end{{{axis}}}
+\end{{tikzpicture}}
+\end{{document}}
+)tex";
+
+}  // namespace
+
+std::string standalone_svg(const NamedPlot& plot) {
+  const std::string svg = without_hidden(plot.svg);
+  const std::size_t begin = svg.find('>') + 1, end = svg.rfind("</svg>");
+  const std::size_t box = svg.find("viewBox='0 0 ") + 13;
+  const double width = std::stod(svg.substr(box));
+  const double height = std::stod(svg.substr(svg.find(' ', box)));
+  return fmt::format(
+      "<?xml version='1.0' encoding='UTF-8'?>\n<svg xmlns='http://www.w3.org/2000/svg' width='{0}' "
+      "height='{1}' viewBox='0 0 {0} {1}'><title>{2}</title><style>{3}</style>{4}</svg>\n",
+      width, height, escape(plot.title), figure_style(), svg.substr(begin, end - begin));
+}
+
+std::string matplotlib_script(const NamedPlot& plot) {
+  return fmt::format(fmt::runtime(kMatplotlib), fmt::arg("file", plot.file),
+                     fmt::arg("title", json_string(plot.title)), fmt::arg("x", json_string(plot.x)),
+                     fmt::arg("y", json_string(plot.y)));
+}
+
+std::string pgfplots_document(const NamedPlot& plot) {
+  const auto series = series_of(plot.csv);
+  const bool is_bar = !series.empty() && series.front().second == "bar";
+  std::string plots;
+  std::size_t named = 0;
+  for (std::size_t id = 0; id < series.size(); ++id) {
+    const auto& [name, kind] = series[id];
+    const bool is_line = kind == "line" && series.size() > kNamedSeries;
+    const bool is_named = !is_bar && !is_line && named < kNamedSeries;
+    named += is_named;
+    plots += addplot(plot.file, id, name, kind, is_named);
+  }
+  return fmt::format(fmt::runtime(kPgfplots), fmt::arg("file", plot.file),
+                     fmt::arg("axis", is_bar ? "axis" : "loglogaxis"),
+                     fmt::arg("title", latex(plot.title)), fmt::arg("x", latex(plot.x)),
+                     fmt::arg("y", latex(plot.y)), fmt::arg("plots", plots));
 }
 
 }  // namespace ar3d::report

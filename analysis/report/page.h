@@ -59,6 +59,13 @@ std::string slug(const std::string& text);
 /// One line of NamedPlot::csv: name of a series, line, dashed, band, point or bar, and numbers of
 /// which decimal logarithms are given; missing ones are empty. Names hold no comma and no quote.
 std::string csv_line(const std::string& series, const char* kind, double log_x, double log_y,
-                     double log_low, double log_high);
+                     double log_low = kMissing, double log_high = kMissing);
+
+/// The figure as an SVG document of its own, without what the page hides.
+std::string standalone_svg(const NamedPlot& plot);
+/// A Python script that draws the figure again from FILE.csv, with matplotlib, as FILE.pdf.
+std::string matplotlib_script(const NamedPlot& plot);
+/// A LaTeX document that draws the figure again from FILE.csv, with pgfplots.
+std::string pgfplots_document(const NamedPlot& plot);
 
 }  // namespace ar3d::report

@@ -114,10 +114,5 @@ std::string miss_figures(Page& page, const RealRows& real, const MissModel& mode
 std::string miss_table(const RealRows& real, const MissModel& model);
 std::string share_table(const RealRows& real);
 std::string onset_part(Page& page, const RealRows& real, const MissModel& model);
-NamedPlot accuracy_plot(const RealRows& real);
-/// What settings of one algorithm that differ in effort cost and give.
-NamedPlot effort_plot(const std::vector<Section>& sections);
-std::string certificate_table(const PrecisionRows& rows);
-std::string level_table(const PrecisionRows& rows);
 
 }  // namespace ar3d::report

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "ar3d/analysis/report/html.h"
-#include "ar3d/analysis/report/labels.h"
 #include "ar3d/analysis/report/plot.h"
 #include "ar3d/analysis/report/precision.h"
 #include "ar3d/analysis/statistics.h"
@@ -43,7 +42,7 @@ std::string cross(double x, double y) {
 
 /// Points of the rows of one line: dots, and a cross where a drawing is broken.
 std::string points_svg(Page& page, const GraphsByRow& graphs, const RealRows& real,
-                       const std::string& family, const MissLine& line, const Frame& frame,
+                       const std::string& family, const MissLine& line, const PlotFrame& frame,
                        NamedPlot& plot) {
   static constexpr const char* kBroken = " broken";
   Dots dots;
@@ -55,8 +54,7 @@ std::string points_svg(Page& page, const GraphsByRow& graphs, const RealRows& re
     const double log_n = log10_of(row.n), value = row.log_miss + line.shift;
     const double x = frame.x.pixel(log_n), y = frame.y.pixel(value);
     const std::string& name = real.settings[row.setting].name;
-    plot.csv +=
-        csv_line(row.is_broken ? name + kBroken : name, "point", log_n, value, kMissing, kMissing);
+    plot.csv += csv_line(row.is_broken ? name + kBroken : name, "point", log_n, value);
     if (row.is_broken) crosses += cross(x, y);
     const auto at = graphs.find(row.row);
     if (at != graphs.end()) dots.add(x, y, page.point_at(at->second.first, *at->second.second));
@@ -64,20 +62,20 @@ std::string points_svg(Page& page, const GraphsByRow& graphs, const RealRows& re
   return dots.svg("points " + stroke_class(line.setting)) + crosses;
 }
 
-std::string median_svg(const RealRows& real, const MissLine& line, const Frame& frame,
+std::string median_svg(const RealRows& real, const MissLine& line, const PlotFrame& frame,
                        NamedPlot& plot) {
   std::string points;
   for (const auto& [n, log_miss] : line.medians) {
     if (!std::isfinite(log_miss)) continue;
     points += frame.point(log10_of(n), log_miss + line.shift);
     plot.csv += csv_line(real.settings[line.setting].name + " median", "line", log10_of(n),
-                         log_miss + line.shift, kMissing, kMissing);
+                         log_miss + line.shift);
   }
   return fmt::format("<polyline class='median {}' points='{}'/>", stroke_class(line.setting),
                      points);
 }
 
-Label label_of(const RealRows& real, const MissLine& line, const Frame& frame) {
+Label label_of(const RealRows& real, const MissLine& line, const PlotFrame& frame) {
   double last = kMissing;
   for (const auto& [n, log_miss] : line.medians) {
     if (std::isfinite(log_miss)) last = log_miss + line.shift;
@@ -87,7 +85,7 @@ Label label_of(const RealRows& real, const MissLine& line, const Frame& frame) {
 }
 
 /// kappa C over n, from its 10 % to its 90 % quantile, in units of 2^-p radians.
-std::string band_svg(const MissModel& model, const std::string& family, const Frame& frame,
+std::string band_svg(const MissModel& model, const std::string& family, const PlotFrame& frame,
                      NamedPlot& plot) {
   const auto at = model.log_condition.find(family);
   if (model.drawings == 0 || at == model.log_condition.end()) return "";
@@ -123,15 +121,16 @@ NamedPlot miss_plot(Page& page, const GraphsByRow& graphs, const RealRows& real,
   plot.file = in_roundings ? "miss-in-roundings" : "miss";
   plot.title = in_roundings ? "The same in units of each type's rounding"
                             : "Largest miss of an angle against n";
-  plot.note = in_roundings ? fmt::format(
-                                 "{}: miss in radians · 2^p, p bits; shaded: κC from the "
-                                 "drawings in {} alone",
-                                 family, real.settings[model.setting].name)
-                           : family + ": medians, and one point per drawing";
+  plot.note =
+      in_roundings
+          ? fmt::format(
+                "{}: miss in radians · 2^p, p bits; shaded: κC from the drawings in {} alone",
+                family, real.settings[model.setting].name)
+          : family + ": medians, and one point per drawing";
   plot.x = "vertices n";
   plot.y = in_roundings ? "miss in roundings of the type" : "largest miss in degrees";
   const std::vector<MissLine> lines = lines_of(real, family, in_roundings);
-  Range x, y;
+  LogRange x, y;
   for (const RealRow& row : real.rows) {
     if (row.family != family || !std::isfinite(row.log_miss)) continue;
     x.include(log10_of(row.n));
@@ -140,7 +139,7 @@ NamedPlot miss_plot(Page& page, const GraphsByRow& graphs, const RealRows& real,
     }
   }
   if (x.empty() || y.empty()) return plot;
-  const Frame frame = frame_of(x, y, TickStyle::power, plot.y);
+  const PlotFrame frame = frame_of(x, y, TickStyle::power, plot.y);
   std::string svg = axes_svg(frame);
   if (in_roundings) svg += band_svg(model, family, frame, plot);
   std::vector<Label> labels;
@@ -149,8 +148,7 @@ NamedPlot miss_plot(Page& page, const GraphsByRow& graphs, const RealRows& real,
            median_svg(real, line, frame, plot);
     labels.push_back(label_of(real, line, frame));
   }
-  svg += "<g class='ends'>" + labels_svg(std::move(labels), kTop + 8, kBottom) + "</g>";
-  plot.svg = svg_element(plot.title, kLabelledWidth, kHeight, svg);
+  plot.svg = labelled_svg(plot.title, svg, std::move(labels));
   return plot;
 }
 
@@ -193,8 +191,8 @@ std::string miss_table(const RealRows& real, const MissModel& model) {
   std::string html =
       "<details open><summary>Families</summary><p class=muted>Largest miss in degrees over the "
       "graphs of the largest n, by type; C is the median condition, log2 of which is the number of "
-      "bits that angles lose.</p><div class=scroll><table class=sortable><thead><tr><th>Family"
-      "<th class=num>n";
+      "bits that angles lose.</p><div class=scroll><table class=sortable><thead><tr><th>Family<th "
+      "class=num>n";
   for (const RealSetting& setting : real.settings) {
     html += "<th class=num>" + escape(setting.name);
   }

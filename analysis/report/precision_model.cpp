@@ -1,15 +1,179 @@
-// What predicts the misses of real types, and where misses pass limits.
+// What the section on precision reads of a study's rows, what predicts the misses of real types,
+// and where misses pass limits.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <set>
+#include <string_view>
+#include <utility>
 
-#include "ar3d/analysis/report/frame.h"
+#include "ar3d/analysis/report/plot.h"
 #include "ar3d/analysis/report/precision.h"
 #include "ar3d/analysis/statistics.h"
+#include "ar3d/store/columns/asked_certificate.h"
+#include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d::report {
+
+namespace {
+
+constexpr std::size_t kMostRealRows = 200000, kMostLookedAt = 200000, kMostJudgements = 2000;
+
+/// The option `type` of two-bend-paper (docs/theorem2-paper.md).
+constexpr std::array<std::pair<const char*, int>, 5> kRealTypes = {
+    {{"float", 24}, {"double", 53}, {"long double", 64}, {"binary128", 113}, {"237 bits", 237}}};
+
+/// The columns of a drawing in a real type.
+struct RealColumns {
+  const Column& miss = run_column("angle_miss");
+  const Column& condition = run_column("condition");
+  const Column& collapsed = run_column("collapsed_segments");
+  const Column& crossings = run_column("crossings");
+  std::array<const Column*, 4> within = {&run_column("within_1e_12"), &run_column("within_1e_9"),
+                                         &run_column("within_1e_6"), &run_column("within_1e_3")};
+};
+
+/// The median, infinities among the values; of two middle ones that are not both finite the larger.
+double middle_of(std::vector<double> values) {
+  if (values.empty()) return kMissing;
+  std::sort(values.begin(), values.end());
+  const double low = values[(values.size() - 1) / 2], high = values[values.size() / 2];
+  return std::isfinite(low) ? (low + high) / 2 : high;
+}
+
+class Gathering {
+ public:
+  void add(const RunRecord& run, std::size_t row) {
+    if (run.status != RunStatus::ok && run.status != RunStatus::violated) return;
+    if (run.n < 1 || run.phase != RunPhase::metrics) return;
+    add_judgement(run);
+    const double miss = column_number(columns_.miss, run);
+    if (run.repetition > 0 || !(miss >= 0)) return;
+    if (rows_.real.rows.size() == kMostRealRows) {
+      ++rows_.real.left_out;
+      return;
+    }
+    add_real(run, row, miss);
+  }
+  PrecisionRows finish() {
+    sort_settings(rows_.real);
+    return std::move(rows_);
+  }
+
+ private:
+  void add_judgement(const RunRecord& run) {
+    const CurveKey curve{run.algorithm, run.options, {}, {}, {}};
+    const JudgementKey key{algorithm_label(curve), run.requested_n, asked_certificate(run),
+                           run.level.empty() ? "extents" : run.level};
+    if (!rows_.judgements.contains(key) && rows_.judgements.size() == kMostJudgements) return;
+    Judgements& judged = rows_.judgements[key];
+    const auto n = static_cast<double>(run.n);
+    ++judged.rows;
+    judged.violated += run.status == RunStatus::violated;
+    judged.draw_s.push_back(run.cpu_s / n);
+    judged.store_s.push_back(run.store_s / n);
+    judged.certify_s.push_back(run.certify_s / n);
+    const bool is_own = run.peak_scope == "row" || run.peak_scope == "worker";
+    if (is_own && run.base_bytes >= 0 && run.peak_bytes > run.base_bytes) {
+      judged.peak_bytes.push_back(static_cast<double>(run.peak_bytes - run.base_bytes) / n);
+    }
+  }
+
+  void add_real(const RunRecord& run, std::size_t row, double miss) {
+    const CurveKey key = curve_of(run);
+    RealRow real{row, setting_of(key), run.graph_hash, family_label(key), run.requested_n, run.n};
+    real.log_miss = std::log10(miss);
+    real.log_condition = std::log10(column_number(columns_.condition, run));
+    for (std::size_t i = 0; i < real.within.size(); ++i) {
+      real.within[i] = column_number(*columns_.within[i], run);
+    }
+    real.is_broken =
+        column_number(columns_.collapsed, run) > 0 || column_number(columns_.crossings, run) > 0;
+    real.cpu_s = run.cpu_s;
+    rows_.real.rows.push_back(std::move(real));
+  }
+
+  std::size_t setting_of(const CurveKey& key) {
+    const RealSetting setting = real_setting(key);
+    auto& all = rows_.real.settings;
+    const auto at = std::find_if(all.begin(), all.end(), [&](const RealSetting& other) {
+      return other.name == setting.name;
+    });
+    if (at == all.end()) all.push_back(setting);
+    return static_cast<std::size_t>(
+        std::find_if(all.begin(), all.end(),
+                     [&](const RealSetting& other) { return other.name == setting.name; }) -
+        all.begin());
+  }
+
+  static void sort_settings(RealRows& real) {
+    std::vector<std::size_t> order(real.settings.size()), place(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    const auto rank = [&](std::size_t i) {
+      const int bits = real.settings[i].bits;
+      return bits == 0 ? std::numeric_limits<int>::max() : bits;
+    };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
+    std::vector<RealSetting> sorted;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      place[order[i]] = i;
+      sorted.push_back(real.settings[order[i]]);
+    }
+    real.settings = std::move(sorted);
+    for (RealRow& row : real.rows) row.setting = place[row.setting];
+  }
+
+  RealColumns columns_;
+  PrecisionRows rows_;
+};
+
+}  // namespace
+
+RealSetting real_setting(const CurveKey& key) {
+  constexpr std::string_view kOption = "type=";
+  if (key.algorithm == "two-bend-paper" && key.options.starts_with(kOption)) {
+    for (std::size_t type = 0; type < kRealTypes.size(); ++type) {
+      if (key.options.substr(kOption.size()) == std::to_string(type)) {
+        return {kRealTypes[type].first, kRealTypes[type].second};
+      }
+    }
+  }
+  return {algorithm_label({key.algorithm, key.options, {}, {}, {}}), 0};
+}
+
+PrecisionRows precision_rows(const StudyAnalysis& analysis) {
+  Gathering gathering;
+  const bool is_all_proved = analysis.verdict.unproved == 0;  // then only levels are looked for
+  const std::size_t count =
+      is_all_proved ? std::min(analysis.rows.count, kMostLookedAt) : analysis.rows.count;
+  for (std::size_t row = 0; row < count; ++row) {
+    gathering.add(analysis.rows.read(row), row);
+  }
+  return gathering.finish();
+}
+
+std::string sample_family(const RealRows& real) {
+  std::map<std::string, std::size_t> rows_of;
+  for (const RealRow& row : real.rows) ++rows_of[row.family];
+  const auto most = std::max_element(rows_of.begin(), rows_of.end(),
+                                     [](auto& a, auto& b) { return a.second < b.second; });
+  return most == rows_of.end() ? "" : most->first;
+}
+
+std::map<std::int64_t, double> median_misses(const RealRows& real, std::size_t setting,
+                                             const std::string& family) {
+  std::map<std::int64_t, std::vector<double>> misses;
+  for (const RealRow& row : real.rows) {
+    if (row.setting != setting || (!family.empty() && row.family != family)) continue;
+    misses[row.requested_n].push_back(row.log_miss);
+  }
+  std::map<std::int64_t, double> medians;
+  for (auto& [n, logs] : misses) medians[n] = middle_of(std::move(logs));
+  return medians;
+}
+
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "ar3d/analysis/report/html.h"
-#include "ar3d/analysis/report/labels.h"
 #include "ar3d/analysis/report/plot.h"
 #include "ar3d/analysis/report/precision.h"
 
@@ -58,7 +57,7 @@ std::string sentence(const RealRows& real, const Onset& onset) {
 }
 
 /// The diagonal, and a line a factor of 2 above and below it.
-std::string diagonal_svg(const Frame& frame, double low, double high, NamedPlot& plot) {
+std::string diagonal_svg(const PlotFrame& frame, double low, double high, NamedPlot& plot) {
   std::string svg;
   for (const int step : {-1, 0, 1}) {
     const double shift = step * std::log10(2.0);
@@ -67,7 +66,7 @@ std::string diagonal_svg(const Frame& frame, double low, double high, NamedPlot&
                        frame.point(from, from + shift), frame.point(to, to + shift));
     const char* name = step == 0 ? "as predicted" : step > 0 ? "twice" : "half";
     for (const double x : {from, to}) {
-      plot.csv += csv_line(name, "dashed", x, x + shift, kMissing, kMissing);
+      plot.csv += csv_line(name, "dashed", x, x + shift);
     }
   }
   return svg;
@@ -78,7 +77,7 @@ NamedPlot onset_plot(const RealRows& real, const std::vector<Onset>& all) {
                  "one point per family, type and limit; dashed: equal, twice and half"};
   plot.x = "predicted n";
   plot.y = "seen n";
-  Range range;
+  LogRange range;
   const auto is_inside = [](const Onset& onset) {
     return std::isfinite(onset.log_predicted) && std::isfinite(onset.log_seen);
   };
@@ -88,7 +87,7 @@ NamedPlot onset_plot(const RealRows& real, const std::vector<Onset>& all) {
     range.include(onset.log_seen);
   }
   if (range.empty()) return plot;
-  Frame frame = frame_of(range, range, TickStyle::count, plot.y);
+  PlotFrame frame = frame_of(range, range, TickStyle::count, plot.y);
   frame.x_title = plot.x;
   std::string svg = axes_svg(frame) + diagonal_svg(frame, range.low, range.high, plot);
   std::vector<Label> labels;
@@ -98,16 +97,15 @@ NamedPlot onset_plot(const RealRows& real, const std::vector<Onset>& all) {
       if (onset.setting != setting || !is_inside(onset)) continue;
       dots += fmt::format("M{:.1f} {:.1f}h0", frame.x.pixel(onset.log_predicted),
                           frame.y.pixel(onset.log_seen));
-      plot.csv += csv_line(real.settings[setting].name, "point", onset.log_predicted,
-                           onset.log_seen, kMissing, kMissing);
+      plot.csv +=
+          csv_line(real.settings[setting].name, "point", onset.log_predicted, onset.log_seen);
     }
     if (dots.empty()) continue;
     svg += fmt::format("<path class='points {}' d='{}'/>", stroke_class(setting), dots);
     labels.push_back({kRight + 5, kTop + 8 + 14 * static_cast<double>(labels.size()),
                       real.settings[setting].name, fill_class(setting)});
   }
-  svg += "<g class='ends'>" + labels_svg(std::move(labels), kTop + 8, kBottom) + "</g>";
-  plot.svg = svg_element(plot.title, kLabelledWidth, kHeight, svg);
+  plot.svg = labelled_svg(plot.title, svg, std::move(labels));
   return plot;
 }
 
@@ -140,10 +138,10 @@ std::string sentences(const RealRows& real, const std::vector<Onset>& all) {
 
 std::string onset_table(const RealRows& real, const std::vector<Onset>& all) {
   std::string html =
-      "<details><summary>All predictions</summary><div class=scroll><table class=sortable>"
-      "<thead><tr><th>Family<th>Type<th class=num>Degrees<th>Predicted<th>Seen<th>Verdict<th "
-      "class=num>κ<th class=num>κ seen</tr>"
-      "</thead><tbody>\n";
+      "<details><summary>All predictions</summary><div class=scroll><table "
+      "class=sortable><thead><tr><th>Family<th>Type<th "
+      "class=num>Degrees<th>Predicted<th>Seen<th>Verdict<th class=num>κ<th class=num>κ "
+      "seen</tr></thead><tbody>\n";
   for (const Onset& onset : all) {
     html += fmt::format("<tr><th scope=row>{}</th>", escape(onset.family)) +
             cell(escape(real.settings[onset.setting].name)) +
@@ -163,10 +161,9 @@ std::string onset_part(Page& page, const RealRows& real, const MissModel& model)
   const auto [confirmed, refuted, open] = counts_of(all);
   std::string html = fmt::format(
       "<h3>Where misses pass a limit</h3><p>Predicted from κ and C of the family's drawings in {} "
-      "alone; "
-      "seen where the median miss passes the limit, both by interpolation. Within "
-      "a factor of 2 in n: {} of {} predictions; {} are refuted; {} are open, since one of the two "
-      "lies beyond the sizes that were drawn.</p>\n",
+      "alone; seen where the median miss passes the limit, both by interpolation. Within a factor "
+      "of 2 in n: {} of {} predictions; {} are refuted; {} are open, since one of the two lies "
+      "beyond the sizes that were drawn.</p>\n",
       escape(real.settings[model.setting].name), confirmed, all.size(), refuted, open);
   NamedPlot plot = onset_plot(real, all);
   if (!plot.svg.empty()) html += "<div class=figures>" + page.figure(std::move(plot)) + "</div>\n";

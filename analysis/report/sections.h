@@ -52,15 +52,10 @@ std::string trade_section(Page& page, const std::vector<Section>& sections);
 std::string precision_section(Page& page, const std::vector<Section>& sections);
 /// How does each quantity of one setting grow, and how sure is that? `id` is its anchor.
 std::string algorithm_section(Page& page, const Section& section, const std::string& id);
-/// Parts of it.
+/// A part of it.
 std::string growth_figures(Page& page, const Section& section);
-std::string heat_map(Page& page, const Section& section);
-/// The numbers of the heat map: by requested n the graph with the largest share of the bound.
+/// The numbers of its heat map: by requested n the graph with the largest share of the bound.
 std::map<std::int64_t, const DrawnGraph*> worst_by_size(const CurveTally& curve);
-std::string bound_sentences(const Section& section);
-std::string bounds_table_html(Page& page, const Section& section);
-std::string growth_table(const Section& section);
-std::string bend_figure(Page& page, const Section& section);
 /// A button that shows how the graph is drawn again. @param text  HTML.
 std::string graph_button(Page& page, std::size_t curve, const DrawnGraph& graph,
                          const std::string& text);

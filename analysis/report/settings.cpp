@@ -6,7 +6,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "ar3d/analysis/report/frame.h"
+#include "ar3d/analysis/report/plot.h"
 #include "ar3d/analysis/statistics.h"
 
 namespace ar3d::report {
@@ -20,8 +20,8 @@ double median_of(const SizeTally& size, Quantity quantity, bool timed) {
   return decimal(median(std::move(logs)));
 }
 
-Setting setting_of(const Section& section) {
-  Setting setting{section.label, section.algorithm, 0, 0, {}};
+ComparedSetting setting_of(const Section& section) {
+  ComparedSetting setting{section.label, section.algorithm, 0, 0, {}};
   for (const SectionCurve& curve : section.curves) {
     for (std::size_t b = 0; b < curve.tally->bends.size(); ++b) {
       if (curve.tally->bends[b] > 0) setting.bends = std::max(setting.bends, b);
@@ -38,7 +38,7 @@ Setting setting_of(const Section& section) {
   return setting;
 }
 
-using SettingSet = std::set<const Setting*>;
+using SettingSet = std::set<const ComparedSetting*>;
 
 bool contains(const SettingSet& large, const SettingSet& small) {
   return std::includes(large.begin(), large.end(), small.begin(), small.end());
@@ -46,14 +46,14 @@ bool contains(const SettingSet& large, const SettingSet& small) {
 
 std::size_t algorithms_in(const SettingSet& settings) {
   std::set<std::string> algorithms;
-  for (const Setting* setting : settings) algorithms.insert(setting->algorithm);
+  for (const ComparedSetting* setting : settings) algorithms.insert(setting->algorithm);
   return algorithms.size();
 }
 
 }  // namespace
 
-std::vector<Setting> settings_of(const std::vector<Section>& sections) {
-  std::vector<Setting> settings;
+std::vector<ComparedSetting> settings_of(const std::vector<Section>& sections) {
+  std::vector<ComparedSetting> settings;
   for (const Section& section : sections) {
     settings.push_back(setting_of(section));
     settings.back().colour = settings.size() - 1;
@@ -61,16 +61,16 @@ std::vector<Setting> settings_of(const std::vector<Section>& sections) {
   return settings;
 }
 
-std::vector<Group> groups_of(const std::vector<Setting>& settings) {
+std::vector<SettingGroup> groups_of(const std::vector<ComparedSetting>& settings) {
   std::map<std::string, SettingSet> drawn_by;  // by family
-  for (const Setting& setting : settings) {
+  for (const ComparedSetting& setting : settings) {
     for (const auto& [n, families] : setting.sizes) {
       for (const auto& [family, medians] : families) drawn_by[family].insert(&setting);
     }
   }
   std::map<SettingSet, std::set<std::string>> families_of;
   for (const auto& [family, by] : drawn_by) families_of[by].insert(family);
-  std::vector<Group> groups;
+  std::vector<SettingGroup> groups;
   for (const auto& [one, own] : families_of) {
     const bool is_largest =
         std::none_of(families_of.begin(), families_of.end(), [&one = one](const auto& other) {
@@ -78,8 +78,8 @@ std::vector<Group> groups_of(const std::vector<Setting>& settings) {
         });
     if (is_largest && one.size() > 1) groups.push_back({{one.begin(), one.end()}, own});
   }
-  std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) {
-    const auto rank = [](const Group& group) {
+  std::stable_sort(groups.begin(), groups.end(), [](const SettingGroup& a, const SettingGroup& b) {
+    const auto rank = [](const SettingGroup& group) {
       return std::tuple(algorithms_in({group.settings.begin(), group.settings.end()}),
                         group.settings.size(), group.families.size());
     };
@@ -89,9 +89,9 @@ std::vector<Group> groups_of(const std::vector<Setting>& settings) {
   return groups;
 }
 
-Group Group::at(std::int64_t n) const {
-  Group there{{}, families};
-  for (const Setting* setting : settings) {
+SettingGroup SettingGroup::at(std::int64_t n) const {
+  SettingGroup there{{}, families};
+  for (const ComparedSetting* setting : settings) {
     const auto size = setting->sizes.find(n);
     if (size == setting->sizes.end()) continue;
     there.settings.push_back(setting);
@@ -101,21 +101,21 @@ Group Group::at(std::int64_t n) const {
   return there;
 }
 
-std::vector<std::int64_t> Group::sizes() const {
+std::vector<std::int64_t> SettingGroup::sizes() const {
   std::set<std::int64_t> all;
-  for (const Setting* setting : settings) {
+  for (const ComparedSetting* setting : settings) {
     for (const auto& [n, medians] : setting->sizes) all.insert(n);
   }
   return {all.begin(), all.end()};
 }
 
-std::string Group::text() const {
+std::string SettingGroup::text() const {
   const std::string which = families.size() == 1 ? *families.begin() + ", which"
                                                  : fmt::format("{} families that", families.size());
   return fmt::format("{} {} settings drew", which, settings.size());
 }
 
-Median over(const Setting& setting, std::int64_t n, const std::set<std::string>& families) {
+Median over(const ComparedSetting& setting, std::int64_t n, const std::set<std::string>& families) {
   std::vector<double> volumes, times;
   for (const auto& [family, medians] : setting.sizes.at(n)) {
     if (!families.contains(family)) continue;

@@ -1,4 +1,5 @@
-// Batches of equal drawings shared by threads or ranks: how many more drawings they make at a time.
+// Batches of equal drawings shared by threads or ranks: how many more drawings they make at a
+// time.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +8,6 @@
 #include <utility>
 
 #include "ar3d/analysis/report/html.h"
-#include "ar3d/analysis/report/labels.h"
 #include "ar3d/analysis/report/plot.h"
 #include "ar3d/analysis/report/sections.h"
 #include "ar3d/analysis/statistics.h"
@@ -24,14 +24,14 @@ struct Curve {
   std::map<std::int64_t, const BatchTally*> scales;  ///< by threads or ranks
 };
 
-struct Batches {
+struct BatchCurves {
   RunPhase phase = RunPhase::strong;
   std::string algorithm;
   std::vector<Curve> curves;
 };
 
-std::vector<Batches> batches_of(const StudyTally& tally) {
-  std::vector<Batches> all;
+std::vector<BatchCurves> batches_of(const StudyTally& tally) {
+  std::vector<BatchCurves> all;
   for (const auto& [key, batch] : tally.batches) {  // sorted by phase, algorithm, family, n
     if (all.empty() || all.back().phase != key.phase || all.back().algorithm != key.algorithm) {
       all.push_back({key.phase, key.algorithm, {}});
@@ -58,8 +58,8 @@ std::string counted(std::int64_t sharers, RunPhase phase) {
 }
 const char* kind_of(RunPhase phase) { return is_strong(phase) ? "strong" : "weak"; }
 
-Frame frame_of(const Batches& batches) {
-  Range x, y;
+PlotFrame frame_of(const BatchCurves& batches) {
+  LogRange x, y;
   x.include(0);
   y.include(0);
   for (const Curve& curve : batches.curves) {
@@ -77,19 +77,19 @@ Frame frame_of(const Batches& batches) {
           "drawings at a time"};
 }
 
-std::string ideal_line(const Batches& batches, const Frame& frame) {
+std::string ideal_line(const BatchCurves& batches, const PlotFrame& frame) {
   std::int64_t most = 1;
   for (const Curve& curve : batches.curves) {
     most = std::max(most, curve.scales.rbegin()->first);
   }
   const double end = log_sharers(most);
   return fmt::format(
-      "<polyline class='bound' points='{}{}'><title>ideal</title></polyline>"
-      "<g class='labels'><text x='{:.1f}' y='{:.1f}' text-anchor='end'>ideal</text></g>",
+      "<polyline class='bound' points='{}{}'><title>ideal</title></polyline><g "
+      "class='labels'><text x='{:.1f}' y='{:.1f}' text-anchor='end'>ideal</text></g>",
       frame.point(0, 0), frame.point(end, end), frame.x.pixel(end) - 8, frame.y.pixel(end) + 2);
 }
 
-std::string curve_svg(const Curve& curve, std::size_t colour, const Frame& frame) {
+std::string curve_svg(const Curve& curve, std::size_t colour, const PlotFrame& frame) {
   std::string line, dots;
   for (const auto& [sharers, scale] : curve.scales) {
     const double x = log_sharers(sharers), y = log_gain(sharers, *scale);
@@ -101,7 +101,7 @@ std::string curve_svg(const Curve& curve, std::size_t colour, const Frame& frame
       stroke_class(colour), line, dots);
 }
 
-NamedPlot plot_of(const Batches& batches) {
+NamedPlot plot_of(const BatchCurves& batches) {
   const std::string kind = kind_of(batches.phase);
   const std::string sharers = sharers_of(batches.phase);
   NamedPlot plot;
@@ -113,7 +113,7 @@ NamedPlot plot_of(const Batches& batches) {
                   : fmt::format("as many drawings for each of the {}", sharers);
   plot.x = sharers;
   plot.y = "drawings at a time";
-  const Frame frame = frame_of(batches);
+  const PlotFrame frame = frame_of(batches);
   std::string content = axes_svg(frame) + ideal_line(batches, frame);
   std::vector<Label> labels;
   for (std::size_t i = 0; i < batches.curves.size(); ++i) {
@@ -126,16 +126,15 @@ NamedPlot plot_of(const Batches& batches) {
     }
     for (const auto& [number, scale] : curve.scales) {
       plot.csv += csv_line(fmt::format("{}, n = {}", curve.family, curve.n), "line",
-                           log_sharers(number), log_gain(number, *scale), kMissing, kMissing);
+                           log_sharers(number), log_gain(number, *scale));
     }
   }
-  content += "<g class='ends'>" + labels_svg(std::move(labels), kTop + 8, kBottom) + "</g>";
-  plot.svg = svg_element(plot.title + ": drawings at a time against " + sharers, kLabelledWidth,
-                         kHeight, content);
+  plot.svg = labelled_svg(plot.title + ": drawings at a time against " + sharers, content,
+                          std::move(labels));
   return plot;
 }
 
-std::string table_rows(const Batches& batches) {
+std::string table_rows(const BatchCurves& batches) {
   std::string html;
   for (const Curve& curve : batches.curves) {
     for (const auto& [sharers, scale] : curve.scales) {
@@ -153,23 +152,20 @@ std::string table_rows(const Batches& batches) {
 }  // namespace
 
 std::string strong_weak_section(Page& page) {
-  const std::vector<Batches> all = batches_of(page.analysis.tally);
+  const std::vector<BatchCurves> all = batches_of(page.analysis.tally);
   if (all.empty()) return "";
   std::string html =
       "<section id=strong-weak><h2>Strong and weak scaling</h2><p>Batches of equal drawings shared "
       "by threads or ranks, medians over batches. Drawings at a time: how many drawings they make "
-      "in "
-      "the time in which one alone makes one; ideal is their number. Efficiency is the ideal time "
-      "of "
-      "a batch divided by its time.</p><div class=figures>\n";
-  for (const Batches& batches : all) html += page.figure(plot_of(batches));
+      "in the time in which one alone makes one; ideal is their number. Efficiency is the ideal "
+      "time of a batch divided by its time.</p><div class=figures>\n";
+  for (const BatchCurves& batches : all) html += page.figure(plot_of(batches));
   html +=
       "</div><div class=scroll><table "
-      "class=sortable><thead><tr><th>Algorithm</th><th>Kind</th><th>Family</th>"
-      "<th class=num>n</th><th class=num>Shared by</th><th class=num>Batch</th><th "
-      "class=num>Ideal</th><th class=num>Efficiency</th></tr></thead>"
-      "<tbody>\n";
-  for (const Batches& batches : all) html += table_rows(batches);
+      "class=sortable><thead><tr><th>Algorithm</th><th>Kind</th><th>Family</th><th "
+      "class=num>n</th><th class=num>Shared by</th><th class=num>Batch</th><th "
+      "class=num>Ideal</th><th class=num>Efficiency</th></tr></thead><tbody>\n";
+  for (const BatchCurves& batches : all) html += table_rows(batches);
   return html + "</tbody></table></div></section>\n";
 }
 

@@ -1,42 +1,147 @@
-// What settings trade: volume against drawing time at one n.
+// What settings trade: volume against n, where one algorithm begins to need less than another, and
+// volume against drawing time at one n.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "ar3d/analysis/report/html.h"
-#include "ar3d/analysis/report/labels.h"
 #include "ar3d/analysis/report/plot.h"
 #include "ar3d/analysis/report/settings.h"
 
 namespace ar3d::report {
 namespace {
 
-constexpr std::size_t kMostChoices = 16;  // of n
+constexpr std::size_t kMostCrossings = 8;  // told in words
 
-/// The front of the points that no other one beats in both volume and time, as steps.
-std::string front_svg(std::vector<Median> points, const Frame& frame, std::string& csv) {
-  std::erase_if(points, [](const Median& point) { return std::isnan(point.time); });
-  std::sort(points.begin(), points.end(), [](const Median& a, const Median& b) {
-    return std::pair(a.time, a.volume) < std::pair(b.time, b.volume);
-  });
-  std::string path;
-  double least = std::numeric_limits<double>::infinity();
-  for (const Median& point : points) {
-    if (point.volume >= least) continue;
-    if (!path.empty()) path += frame.point(point.time, least);
-    path += frame.point(point.time, point.volume);
-    least = point.volume;
-    csv += csv_line("Pareto front", "line", point.time, point.volume, kMissing, kMissing);
+struct VolumeLine {
+  const ComparedSetting* setting = nullptr;
+  std::vector<std::pair<double, double>> points;  // log n, log volume - order * log n
+};
+
+/// At each n over the families that all settings with this n drew there.
+std::vector<VolumeLine> volume_lines(const SettingGroup& group, double order) {
+  std::vector<VolumeLine> lines;
+  for (const ComparedSetting* setting : group.settings) lines.push_back({setting, {}});
+  for (const std::int64_t n : group.sizes()) {
+    const SettingGroup there = group.at(n);
+    if (there.families.empty()) continue;
+    for (VolumeLine& line : lines) {
+      if (!line.setting->sizes.contains(n)) continue;
+      const double volume = over(*line.setting, n, there.families).volume;
+      line.points.emplace_back(log10_of(n), volume - order * log10_of(n));
+    }
   }
-  return "<polyline class='front' points='" + path + "'/>";
+  std::erase_if(lines, [](const VolumeLine& line) { return line.points.empty(); });
+  return lines;
 }
 
-std::string bend_legend(const std::vector<const Setting*>& settings) {
+/// Where line `a` falls below line `b` for good within their common sizes.
+struct Crossing {
+  const VolumeLine* below = nullptr;
+  const VolumeLine* above = nullptr;
+  double log_n = 0, value = 0;
+};
+
+void add_crossing(const VolumeLine& a, const VolumeLine& b, std::vector<Crossing>& crossings) {
+  std::map<double, double> other(b.points.begin(), b.points.end());
+  double last_n = kMissing, last_gap = kMissing, last_value = kMissing;
+  Crossing found;
+  for (const auto& [log_n, value] : a.points) {
+    const auto at = other.find(log_n);
+    if (at == other.end()) continue;
+    const double gap = value - at->second;
+    if (!std::isnan(last_gap) && (gap < 0) != (last_gap < 0) && gap != last_gap) {
+      const double part = last_gap / (last_gap - gap);
+      found = {gap < 0 ? &a : &b, gap < 0 ? &b : &a, last_n + part * (log_n - last_n),
+               last_value + part * (value - last_value)};
+    }
+    last_n = log_n, last_gap = gap, last_value = value;
+  }
+  if (found.below != nullptr) crossings.push_back(found);
+}
+
+/// The last crossing of every two lines of different algorithms.
+std::vector<Crossing> crossings_of(const std::vector<VolumeLine>& lines) {
+  std::vector<Crossing> crossings;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (lines[i].setting->algorithm == lines[j].setting->algorithm) continue;
+      add_crossing(lines[i], lines[j], crossings);
+    }
+  }
+  std::sort(crossings.begin(), crossings.end(),
+            [](const Crossing& a, const Crossing& b) { return a.log_n < b.log_n; });
+  return crossings;
+}
+
+std::string crossing_sentences(const std::vector<Crossing>& crossings) {
+  if (crossings.empty()) return "";
+  std::string html = "<ul class=crossings>";
+  for (std::size_t i = 0; i < std::min(kMostCrossings, crossings.size()); ++i) {
+    const Crossing& crossing = crossings[i];
+    html +=
+        fmt::format("<li>{} needs less volume than {} from about n = {} on</li>",
+                    escape(crossing.below->setting->label), escape(crossing.above->setting->label),
+                    grouped(std::llround(std::pow(10, crossing.log_n))));
+  }
+  return html + "</ul>";
+}
+
+NamedPlot plot_of(const SettingGroup& group, const std::vector<VolumeLine>& lines, double order) {
+  const std::string divisor = fmt::format("n^{:.3g}", order);
+  NamedPlot plot{"volume", "Volume against n",
+                 fmt::format("divided by {}; medians over {}", divisor, group.text())};
+  plot.x = "vertices n";
+  plot.y = "volume / " + divisor;
+  LogRange x, y;
+  for (const VolumeLine& line : lines) {
+    for (const auto& [log_n, value] : line.points) {
+      x.include(log_n);
+      y.include(value);
+    }
+  }
+  const PlotFrame frame = frame_of(x, y, TickStyle::power, plot.y);
+  std::string svg = axes_svg(frame);
+  std::vector<Label> labels;
+  for (const VolumeLine& line : lines) {
+    std::string points;
+    for (const auto& [log_n, value] : line.points) {
+      points += frame.point(log_n, value);
+      plot.csv += csv_line(line.setting->label, "line", log_n, value);
+    }
+    svg += fmt::format("<polyline class='median {}' points='{}'/>",
+                       stroke_class(line.setting->colour), points);
+    labels.push_back({kRight + 5, frame.y.pixel(line.points.back().second) + 4, line.setting->label,
+                      fill_class(line.setting->colour)});
+  }
+  for (const Crossing& crossing : crossings_of(lines)) {
+    svg += fmt::format("<circle class='crossing' cx='{:.1f}' cy='{:.1f}' r='4'/>",
+                       frame.x.pixel(crossing.log_n), frame.y.pixel(crossing.value));
+    plot.csv +=
+        csv_line(crossing.below->setting->label + " below " + crossing.above->setting->label,
+                 "point", crossing.log_n, crossing.value);
+  }
+  plot.svg = labelled_svg(plot.title, svg, std::move(labels));
+  plot.legend = crossing_sentences(crossings_of(lines));
+  return plot;
+}
+
+/// The setting's volumes against n as lines, divided by n^order, with the last crossing of every
+/// two algorithms; no svg if fewer than two settings have a size in common.
+NamedPlot volume_plot(const SettingGroup& group, double order) {
+  const std::vector<VolumeLine> lines = volume_lines(group, order);
+  return lines.size() < 2 ? NamedPlot{} : plot_of(group, lines, order);
+}
+
+constexpr std::size_t kMostChoices = 16;  // of n
+
+std::string bend_legend(const std::vector<const ComparedSetting*>& settings) {
   std::set<std::size_t> kinds;
-  for (const Setting* setting : settings) {
+  for (const ComparedSetting* setting : settings) {
     kinds.insert(std::clamp<std::size_t>(setting->bends, 2, 6));
   }
   std::string html = "<div class=legend>";
@@ -52,15 +157,15 @@ std::string bend_legend(const std::vector<const Setting*>& settings) {
 }
 
 /// Volume against time at one requested n; no svg if fewer than two settings can be compared.
-NamedPlot trade_plot(const Group& group, std::int64_t n) {
-  const Group there = group.at(n);
+NamedPlot trade_plot(const SettingGroup& group, std::int64_t n) {
+  const SettingGroup there = group.at(n);
   NamedPlot plot{fmt::format("trade-n-{}", n),
                  fmt::format("Volume against drawing time, n = {}", grouped(n)),
                  "medians over " + there.text()};
-  Range x, y;
+  LogRange x, y;
   std::vector<Median> points;
   if (there.families.empty() || there.settings.size() < 2) return plot;
-  for (const Setting* setting : there.settings) {
+  for (const ComparedSetting* setting : there.settings) {
     points.push_back(over(*setting, n, there.families));
     x.include(points.back().time);
     y.include(points.back().volume);
@@ -68,29 +173,35 @@ NamedPlot trade_plot(const Group& group, std::int64_t n) {
   if (x.empty()) return plot;
   plot.x = "drawing time in s";
   plot.y = "volume in lattice points";
-  Frame frame = frame_of(x, y, TickStyle::power, "volume");
+  PlotFrame frame = frame_of(x, y, TickStyle::power, "volume");
   frame.x_ticks = TickStyle::seconds;
   frame.x_title = "drawing time";
   std::string svg = axes_svg(frame);
-  svg += front_svg(points, frame, plot.csv);
+  std::vector<std::pair<double, double>> timed;
+  for (const Median& point : points) {
+    if (!std::isnan(point.time)) timed.emplace_back(point.time, point.volume);
+  }
+  const auto front = front_of(std::move(timed));
+  svg += front_svg(front, frame);
+  for (const auto& [time, volume] : front) {
+    plot.csv += csv_line("Pareto front", "line", time, volume);
+  }
   std::vector<Label> labels;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (std::isnan(points[i].time)) continue;
-    const Setting& setting = *there.settings[i];
+    const ComparedSetting& setting = *there.settings[i];
     const double px = frame.x.pixel(points[i].time), py = frame.y.pixel(points[i].volume);
     svg += bend_mark(setting.bends, px, py, fill_class(setting.colour));
     labels.push_back({px + 8, py + 4, setting.label, fill_class(setting.colour)});
-    plot.csv +=
-        csv_line(setting.label, "point", points[i].time, points[i].volume, kMissing, kMissing);
+    plot.csv += csv_line(setting.label, "point", points[i].time, points[i].volume);
   }
-  svg += "<g class='ends'>" + labels_svg(std::move(labels), kTop + 26, kBottom) + "</g>";
-  plot.svg = svg_element(plot.title, kLabelledWidth, kHeight, svg);
+  plot.svg = labelled_svg(plot.title, svg, std::move(labels), kTop + 26);
   plot.legend = bend_legend(there.settings);
   return plot;
 }
 
 /// The plots of one group by n: at most kMostChoices, evenly, the largest n among them.
-std::vector<std::pair<std::int64_t, NamedPlot>> trade_plots(const Group& group) {
+std::vector<std::pair<std::int64_t, NamedPlot>> trade_plots(const SettingGroup& group) {
   std::vector<std::pair<std::int64_t, NamedPlot>> plots;
   for (const std::int64_t n : group.sizes()) {
     NamedPlot plot = trade_plot(group, n);
@@ -104,7 +215,7 @@ std::vector<std::pair<std::int64_t, NamedPlot>> trade_plots(const Group& group) 
 }
 
 /// The largest n at which most settings are compared.
-std::int64_t first_shown(const Group& group,
+std::int64_t first_shown(const SettingGroup& group,
                          const std::vector<std::pair<std::int64_t, NamedPlot>>& plots) {
   std::int64_t shown = -1;
   std::size_t most = 0;
@@ -156,8 +267,8 @@ std::string unit_note(const std::vector<Section>& sections) {
 }  // namespace
 
 std::string trade_section(Page& page, const std::vector<Section>& sections) {
-  const std::vector<Setting> settings = settings_of(sections);
-  const std::vector<Group> groups = groups_of(settings);
+  const std::vector<ComparedSetting> settings = settings_of(sections);
+  const std::vector<SettingGroup> groups = groups_of(settings);
   std::vector<std::pair<std::string, std::string>> group_options, n_options;
   std::string trades, volumes;
   std::int64_t shown_n = -1;

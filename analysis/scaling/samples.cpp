@@ -9,14 +9,6 @@
 #include "ar3d/analysis/statistics.h"
 
 namespace ar3d {
-namespace {
-
-double log_positive(double value) {
-  return value > 0 && std::isfinite(value) ? std::log(value) : kMissing;
-}
-
-}  // namespace
-
 const char* name_of(Quantity quantity) {
   switch (quantity) {
     case Quantity::longest_side:

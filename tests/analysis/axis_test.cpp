@@ -1,6 +1,4 @@
 // Ticks and numbers of the report's page.
-#include "ar3d/analysis/report/axis.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,6 +6,7 @@
 #include <vector>
 
 #include "ar3d/analysis/report/html.h"
+#include "ar3d/analysis/report/plot.h"
 #include "ar3d/store/columns/run_record.h"
 
 namespace ar3d {

@@ -1,11 +1,10 @@
-#include "ar3d/analysis/bounds_table.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "analysis/synthetic.h"
 #include "ar3d/analysis/replay.h"
+#include "ar3d/analysis/study_analysis.h"
 
 namespace ar3d {
 namespace {

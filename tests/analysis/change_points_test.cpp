@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "analysis/history_noise.h"
-#include "ar3d/analysis/history/split.h"
 
 namespace ar3d {
 namespace {

@@ -16,7 +16,6 @@
 #include "ar3d/analysis/export.h"
 #include "ar3d/analysis/replay.h"
 #include "ar3d/analysis/report/html.h"
-#include "ar3d/analysis/report/page_files.h"
 #include "ar3d/analysis/text.h"
 
 namespace ar3d {

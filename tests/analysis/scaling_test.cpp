@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "analysis/synthetic.h"
-#include "ar3d/analysis/scaling/linear_fit.h"
+#include "ar3d/analysis/scaling/power_law.h"
 
 namespace ar3d {
 namespace {

@@ -8,11 +8,11 @@
 #include <limits>
 
 #include "analysis/synthetic.h"
-#include "ar3d/analysis/bounds_table.h"
 #include "ar3d/analysis/check.h"
 #include "ar3d/analysis/export.h"
 #include "ar3d/analysis/scaling.h"
 #include "ar3d/analysis/statistics.h"
+#include "ar3d/analysis/study_analysis.h"
 #include "ar3d/store/columns/side_tables.h"
 
 namespace ar3d {

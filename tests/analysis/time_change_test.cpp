@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <limits>
 
-#include "ar3d/analysis/compare/calibration.h"
 #include "machine_noise.h"
 
 namespace ar3d {

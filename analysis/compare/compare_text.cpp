@@ -1,13 +1,93 @@
+// A comparison for people and programs: text, Markdown, JSON.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <nlohmann/json.hpp>
 
 #include "ar3d/analysis/compare.h"
 #include "ar3d/analysis/text.h"
 
 namespace ar3d {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json time_json(const TimeVerdict& time) {
+  const SignedRankTest& test = time.test;
+  return {{"pairs", test.pairs},
+          {"ratio", json_number(std::exp(test.estimate))},
+          {"ratio_low", json_number(std::exp(test.interval.low))},
+          {"ratio_high", json_number(std::exp(test.interval.high))},
+          {"p_value", json_number(test.p_value())},
+          {"adjusted_p_value", json_number(time.adjusted_p)}};
+}
+
+ordered_json cell_json(const CellComparison& cell) {
+  ordered_json json = key_json(cell.key);
+  json.update({{"n", cell.n >= 0 ? ordered_json(cell.n) : ordered_json(nullptr)},
+               {"verdict", to_string(cell.verdict)},
+               {"reason", valid_utf8(cell.reason)},
+               {"measurements", cell.rows},
+               {"volume_ratio", json_number(std::exp2(cell.log2_volume_change))},
+               {"time", time_json(cell.time)}});
+  return json;
+}
+
+ordered_json environment_json(const Comparison& comparison) {
+  ordered_json changes = ordered_json::array();
+  for (const EnvironmentChange& change : comparison.environment) {
+    changes.push_back({{"name", valid_utf8(change.name)},
+                       {"base", valid_utf8(change.base)},
+                       {"new", valid_utf8(change.now)}});
+  }
+  return changes;
+}
+
+ordered_json calibration_json(const Calibration& calibration) {
+  return {{"cells", calibration.cells},
+          {"pairs", calibration.pairs},
+          {"false_alarms", calibration.false_alarms},
+          {"relabellings", calibration.relabellings},
+          {"false_alarm_rate", json_number(calibration.false_alarm_rate())},
+          {"smallest_slowdown_median", json_number(calibration.smallest_slowdown_median)},
+          {"smallest_slowdown_worst", json_number(calibration.smallest_slowdown_worst)}};
+}
+
+}  // namespace
+
+std::string comparison_json(const Comparison& comparison, const CompareOptions& options,
+                            const Calibration* calibration) {
+  ordered_json json;
+  json["verdict"] = comparison.word();
+  json["exit_code"] = comparison.exit_code();
+  json["judged"] = comparison.judged();
+  json["rule"] = {{"threshold", options.time.threshold},
+                  {"significance", options.time.significance},
+                  {"false_discovery_rate", options.time.false_discovery_rate},
+                  {"confidence", options.time.confidence},
+                  {"instruction_threshold", options.instruction_threshold},
+                  {"drawings_only", options.drawings_only}};
+  json["time_judged"] = comparison.time_judged;
+  json["environment_changes"] = environment_json(comparison);
+  json["measurements"] = comparison.rows;
+  for (const Verdict verdict : {Verdict::pass, Verdict::improved, Verdict::unjudged,
+                                Verdict::inconclusive, Verdict::regressed, Verdict::violated}) {
+    json["counts"][to_string(verdict)] = comparison.count(verdict);
+  }
+  for (const auto& [name, lines] : {std::pair{"incomplete", &comparison.incomplete},
+                                    std::pair{"remarks", &comparison.remarks}}) {
+    json[name] = ordered_json::array();
+    for (const std::string& line : *lines) json[name].push_back(valid_utf8(line));
+  }
+  if (calibration != nullptr) json["calibration"] = calibration_json(*calibration);
+  json["cells"] = ordered_json::array();
+  for (const CellComparison& cell : comparison.cells) json["cells"].push_back(cell_json(cell));
+  return json.dump(1) + "\n";
+}
+
 namespace {
 
 constexpr std::size_t kLargestChanges = 10;
@@ -31,17 +111,19 @@ std::string cell_line(const CellComparison& cell) {
                      cell.reason.empty() ? "" : "; " + cell.reason);
 }
 
-std::string cell_table(const Comparison& comparison, std::size_t most_cells) {
+/// Lines of the cells that did not plainly pass, the heaviest verdicts first: `most_cells` of each
+/// verdict, and how many more there are.
+std::string cell_lines(const Comparison& comparison, std::size_t most_cells,
+                       const std::function<std::string(const CellComparison&)>& line,
+                       fmt::format_string<const char*, std::size_t> more) {
   std::string text;
   for (const Verdict verdict :
        {Verdict::violated, Verdict::regressed, Verdict::inconclusive, Verdict::improved}) {
     std::size_t shown = 0;
     for (const CellComparison& cell : comparison.cells) {
-      if (cell.verdict == verdict && shown++ < most_cells) text += cell_line(cell);
+      if (cell.verdict == verdict && shown++ < most_cells) text += line(cell);
     }
-    if (shown > most_cells) {
-      text += fmt::format("{:<12} {} more\n", to_string(verdict), shown - most_cells);
-    }
+    if (shown > most_cells) text += fmt::format(more, to_string(verdict), shown - most_cells);
   }
   return text;
 }
@@ -146,17 +228,8 @@ std::string comparison_markdown(const Comparison& comparison, const CompareOptio
   std::string text =
       fmt::format("## ar3d compare: {}\n\n{}\n\nJudged: {}. Exit code {}.\n", comparison.word(),
                   counts_text(comparison), comparison.judged(), comparison.exit_code());
-  std::string rows;
-  for (const Verdict verdict :
-       {Verdict::violated, Verdict::regressed, Verdict::inconclusive, Verdict::improved}) {
-    std::size_t shown = 0;
-    for (const CellComparison& cell : comparison.cells) {
-      if (cell.verdict == verdict && shown++ < most_cells) rows += markdown_row(cell);
-    }
-    if (shown > most_cells) {
-      rows += fmt::format("| {} | {} more | | | |\n", to_string(verdict), shown - most_cells);
-    }
-  }
+  const std::string rows =
+      cell_lines(comparison, most_cells, markdown_row, "| {} | {} more | | | |\n");
   if (!rows.empty()) {
     text += "\n| verdict | cell | time | volume | reason |\n|---|---|---|---|---|\n" + rows;
   }
@@ -175,7 +248,8 @@ std::string comparison_markdown(const Comparison& comparison, const CompareOptio
 
 std::string summary(const Comparison& comparison, const CompareOptions& options,
                     std::size_t most_cells) {
-  std::string text = environment_text(comparison) + cell_table(comparison, most_cells) +
+  std::string text = environment_text(comparison) +
+                     cell_lines(comparison, most_cells, cell_line, "{:<12} {} more\n") +
                      largest_changes(comparison, kLargestChanges);
   for (const std::string& line : comparison.incomplete) text += "INCOMPLETE   " + line + "\n";
   for (const std::string& line : comparison.remarks) text += "note         " + line + "\n";

@@ -1,4 +1,6 @@
-#include "ar3d/analysis/check/repetitions.h"
+// Rows that belong together: repetitions of one drawing, and graphs of one study. Hashes of all
+// rows are sorted, so that only rows that may be wrong are read again.
+#include "ar3d/analysis/repetitions.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,9 +13,13 @@
 #include <span>
 #include <tuple>
 
+#include "ar3d/analysis/check.h"
+#include "ar3d/analysis/text.h"
+#include "ar3d/base/error.h"
 #include "ar3d/store/columns/asked_certificate.h"
 
 namespace ar3d {
+
 namespace {
 
 /// Everything that must be equal in two drawings of the same graph with the same options, at every
@@ -107,6 +113,39 @@ void find_in_repetitions(const RowView& rows, const std::vector<Fingerprint>& so
       const RunRecord& run = rows.read(print.row);
       drawings[repetition_key(run)].look_at(run, print.row, found);
     }
+  }
+}
+
+void require_one_study(const RowView& rows, const std::string& path) {
+  struct SeededGraph {
+    std::size_t identity;  // hash of family, parameters, n and index
+    std::uint64_t seed;
+    std::size_t row;
+    auto operator<=>(const SeededGraph&) const = default;
+  };
+  const auto identity_of = [](const RunRecord& run) {
+    return fmt::format("{}\n{}\n{}\n{}", run.family, run.parameters, run.n, run.instance_index);
+  };
+  std::vector<SeededGraph> graphs;
+  std::string former;  // neighbours are mostly of one graph
+  for (std::size_t row = 0; row < rows.count; ++row) {
+    const RunRecord& run = rows.read(row);
+    if (run.n < 0) continue;
+    std::string identity = identity_of(run);
+    if (identity == former && run.seed == graphs.back().seed) continue;
+    graphs.push_back({std::hash<std::string>()(identity), run.seed, row});
+    former = std::move(identity);
+  }
+  std::sort(graphs.begin(), graphs.end());
+  for (std::size_t i = 1; i < graphs.size(); ++i) {
+    const SeededGraph &one = graphs[i - 1], &two = graphs[i];
+    if (one.identity != two.identity || one.seed == two.seed) continue;
+    const RunRecord run = rows.read(std::min(one.row, two.row));
+    if (identity_of(run) != identity_of(rows.read(std::max(one.row, two.row)))) continue;
+    throw InputError(fmt::format(
+        "{}: rows {} and {} are of different studies: {}, n = {}, instance {} has two seeds", path,
+        std::min(one.row, two.row), std::max(one.row, two.row), one_line(run.family), run.n,
+        run.instance_index));
   }
 }
 
