@@ -70,7 +70,7 @@ PageVerdict page_verdict(const Drawing& drawing, const Algorithm* algorithm) {
     return verdict;
   }
   verdict.kind =
-      certificate.valid() ? PageVerdict::Finding::certified : PageVerdict::Finding::violated;
+      certificate.valid() ? PageVerdict::PageJudgement::certified : PageVerdict::PageJudgement::violated;
   verdict.text =
       fmt::format("judged in exact integers against the guarantee of {}, on the edges drawn{}",
                   algorithm->name, certificate.complete ? "" : "; not all violations are listed");

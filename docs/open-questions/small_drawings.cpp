@@ -74,9 +74,9 @@ struct State {
   std::vector<std::array<Int, 2>> length;         // of each edge's two stubs
 };
 
-class Annealing {
+class StateSearch {
  public:
-  Annealing(std::vector<Edge> edges, V box, Int norm, std::uint64_t seed)
+  StateSearch(std::vector<Edge> edges, V box, Int norm, std::uint64_t seed)
       : edges_(std::move(edges)),
         box_(box),
         all_(tetrahedra(norm)),
@@ -281,7 +281,7 @@ std::string json(V p) {
          std::to_string(seen[2]) + "]";
 }
 
-void print(const Annealing& search) {
+void print(const StateSearch& search) {
   std::string vertices, edges;
   for (const V& p : search.state.at) vertices += (vertices.empty() ? "" : ",") + json(p);
   const std::vector<Line> lines = search.lines();
@@ -309,7 +309,7 @@ int main(int argc, char** argv) {
   }
   const Int steps = std::atoll(argv[5]);
   const double threshold = std::atof(argv[6]);
-  Annealing search(*edges, {side, side, side}, norm,
+  StateSearch search(*edges, {side, side, side}, norm,
                    static_cast<std::uint64_t>(std::atoll(argv[4])));
   if (!search.run(steps, threshold)) {
     std::fprintf(stderr, "nothing found\n");

@@ -22,8 +22,8 @@ struct PageViolation {
 
 /// What a page says of a drawing beside showing it.
 struct PageVerdict {
-  enum class Finding { certified, violated, not_judged };
-  Finding kind = Finding::not_judged;
+  enum class PageJudgement { certified, violated, not_judged };
+  PageJudgement kind = PageJudgement::not_judged;
   std::string text;  ///< what was judged, or why nothing was
   std::vector<PageViolation> violations;
 };

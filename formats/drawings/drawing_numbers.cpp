@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <string_view>
+#include <utility>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
@@ -19,11 +21,9 @@ namespace {
 constexpr int kMostDigits = 18;  // fit 63 bits
 constexpr int kMostExponent = 1000;
 
-struct RealTypeName {
-  const char* name;
-  unsigned bits;  ///< of the significand
-};
-constexpr std::array<RealTypeName, 5> kTypes{
+/// Name, and bits of the significand.
+using RealType = std::pair<std::string_view, unsigned>;
+constexpr std::array<RealType, 5> kTypes{
     {{"float", 24}, {"double", 53}, {"long double", 64}, {"binary128", 113}, {"reference", 237}}};
 
 unsigned significant_bits(const BigInteger& value) {
@@ -32,13 +32,13 @@ unsigned significant_bits(const BigInteger& value) {
   return static_cast<unsigned>(msb(size) - lsb(size)) + 1;
 }
 
-void require_bits(const std::vector<BigPoint>& points, const char* what, RealTypeName type) {
+void require_bits(const std::vector<BigPoint>& points, const char* what, RealType type) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (const BigInteger& c : {points[i].x, points[i].y, points[i].z}) {
       const unsigned bits = significant_bits(c);
-      if (bits <= type.bits) continue;
+      if (bits <= type.second) continue;
       throw InputError(fmt::format("{} {} has a coordinate of {} significant bits, {} holds {}",
-                                   what, i, bits, type.name, type.bits));
+                                   what, i, bits, type.first, type.second));
     }
   }
 }
@@ -91,9 +91,9 @@ std::int64_t scaled(const Decimal& number, int unit) {
 }
 
 void require_values_of_type(const RealPoints& points) {
-  const auto* const type =
-      std::find_if(kTypes.begin(), kTypes.end(),
-                   [&](const RealTypeName& known) { return known.name == points.type; });
+  const auto* const type = std::find_if(kTypes.begin(), kTypes.end(), [&](const RealType& known) {
+    return known.first == points.type;
+  });
   if (type == kTypes.end()) {
     throw InputError(
         fmt::format("real type {} is none of float, double, long double, binary128 and reference",

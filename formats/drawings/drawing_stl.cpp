@@ -25,25 +25,17 @@ Corner rounded(Real3 p) {
 
 Real3 unit(Real3 a) { return (1 / length(a)) * a; }
 
-/// Triangles of binary STL, counted before they are written.
-class Triangles {
- public:
-  explicit Triangles(OutputFile& output) : output_(output) {}
-
-  void add(Real3 a, Real3 b, Real3 c) {
-    const Real3 across = cross(b - a, c - a);
-    const double size = length(across);
-    const Corner normal = rounded(size > 0 ? (1 / size) * across : Real3{});
-    for (const Corner& corner : {normal, rounded(a), rounded(b), rounded(c)}) {
-      output_.pending().append(reinterpret_cast<const char*>(corner.data()), sizeof corner);
-    }
-    output_.pending().append(2, '\0');
-    output_.flush_if_full();
+/// A triangle of binary STL.
+void append_triangle(OutputFile& output, Real3 a, Real3 b, Real3 c) {
+  const Real3 across = cross(b - a, c - a);
+  const double size = length(across);
+  const Corner normal = rounded(size > 0 ? (1 / size) * across : Real3{});
+  for (const Corner& corner : {normal, rounded(a), rounded(b), rounded(c)}) {
+    output.pending().append(reinterpret_cast<const char*>(corner.data()), sizeof corner);
   }
-
- private:
-  OutputFile& output_;
-};
+  output.pending().append(2, '\0');
+  output.flush_if_full();
+}
 
 /// The tube's first ring: about p, square to the direction.
 Ring first_ring(Real3 p, Real3 direction, double radius) {
@@ -72,15 +64,15 @@ Ring carried(const Ring& ring, Real3 direction, Real3 p, Real3 normal) {
   return next;
 }
 
-void add_side(Triangles& out, const Ring& from, const Ring& to) {
+void add_side(OutputFile& out, const Ring& from, const Ring& to) {
   for (std::size_t k = 0; k < kSides; ++k) {
     const std::size_t next = (k + 1) % kSides;
-    out.add(from[k], from[next], to[next]);
-    out.add(from[k], to[next], to[k]);
+    append_triangle(out, from[k], from[next], to[next]);
+    append_triangle(out, from[k], to[next], to[k]);
   }
 }
 
-void add_tube(Triangles& out, std::vector<Real3> points, double radius) {
+void add_tube(OutputFile& out, std::vector<Real3> points, double radius) {
   std::vector<Real3> directions;
   for (std::size_t i = 1; i < points.size(); ++i) {
     const Real3 d = points[i] - points[i - 1];
@@ -95,7 +87,7 @@ void add_tube(Triangles& out, std::vector<Real3> points, double radius) {
   points.back() = points.back() - inside(directions.size() - 1) * directions.back();
   Ring ring = first_ring(points.front(), directions.front(), radius);
   for (std::size_t k = 0; k < kSides; ++k) {
-    out.add(points.front(), ring[(k + 1) % kSides], ring[k]);
+    append_triangle(out, points.front(), ring[(k + 1) % kSides], ring[k]);
   }
   for (std::size_t i = 0; i < directions.size(); ++i) {
     const bool last = i + 1 == directions.size();
@@ -106,7 +98,7 @@ void add_tube(Triangles& out, std::vector<Real3> points, double radius) {
     ring = next;
   }
   for (std::size_t k = 0; k < kSides; ++k) {
-    out.add(points.back(), ring[k], ring[(k + 1) % kSides]);
+    append_triangle(out, points.back(), ring[k], ring[(k + 1) % kSides]);
   }
 }
 
@@ -159,19 +151,18 @@ void write_stl(OutputFile& output, const Drawing& drawing, double radius) {
   output.append({reinterpret_cast<const char*>(&count), sizeof count});
   const Embedding embed(drawing.lattice());
   const Point low = bounding_box(drawing).low;
-  Triangles triangles(output);
   for (std::size_t v = 0; v < drawing.num_vertices(); ++v) {
     const Real3 p = embed(drawing.vertex(static_cast<Vertex>(v)) - low);
     for (const auto& [a, b, c] : ball) {
       const double r = kBallToTube * radius;
-      triangles.add(p + r * a, p + r * b, p + r * c);
+      append_triangle(output, p + r * a, p + r * b, p + r * c);
     }
   }
   std::vector<Real3> line;
   for_each_polyline(drawing, [&](EdgeId, const std::vector<Point>& points) {
     line.clear();
     for (const Point p : points) line.push_back(embed(p - low));
-    add_tube(triangles, line, radius);
+    add_tube(output, line, radius);
   });
 }
 

@@ -86,22 +86,18 @@ class AdjacencyListParser final : public GraphParser {
   ArcCollector arcs_;
 };
 
-class AdjacencyListWriter final : public GraphWriter {
- public:
-  using GraphWriter::GraphWriter;
-  void write(const Graph& graph) override {
-    std::string& out = output_.pending();
-    out += fmt::format("# vertices {}\n", graph.num_vertices());
-    for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-      append_all(out, std::uint64_t{v} + base_, ':');
-      for (const HalfEdge& half : graph.incident(v)) {
-        append_all(out, ' ', std::uint64_t{half.to} + base_);
-      }
-      out += '\n';
-      output_.flush_if_full();
+void append_adjacency_list(OutputFile& output, const Graph& graph, unsigned base) {
+  std::string& out = output.pending();
+  out += fmt::format("# vertices {}\n", graph.num_vertices());
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+    append_all(out, std::uint64_t{v} + base, ':');
+    for (const HalfEdge& half : graph.incident(v)) {
+      append_all(out, ' ', std::uint64_t{half.to} + base);
     }
+    out += '\n';
+    output.flush_if_full();
   }
-};
+}
 
 /// The first line that is no comment begins with a number and a colon.
 bool looks_like_adjacency_list(const InputHead& head) {
@@ -127,7 +123,7 @@ GraphFormat adjacency_list_format() {
           .summary = "one vertex per line with its neighbours, \"u: v w …\"",
           .detect = looks_like_adjacency_list,
           .parser = make_parser<AdjacencyListParser>,
-          .writer = make_writer<AdjacencyListWriter>};
+          .writer = make_appending<append_adjacency_list>};
 }
 
 }  // namespace ar3d

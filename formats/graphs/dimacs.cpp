@@ -96,18 +96,14 @@ class DimacsParser final : public GraphParser {
   std::uint64_t announced_ = 0;
 };
 
-class DimacsWriter final : public GraphWriter {
- public:
-  using GraphWriter::GraphWriter;
-  void write(const Graph& graph) override {
-    std::string& out = output_.pending();
-    out += fmt::format("p edge {} {}\n", graph.num_vertices(), graph.num_edges());
-    for (const auto [u, v] : graph.edges()) {
-      append_all(out, "e ", std::uint64_t{u} + 1, ' ', std::uint64_t{v} + 1, '\n');
-      output_.flush_if_full();
-    }
+void append_dimacs(OutputFile& output, const Graph& graph, unsigned) {
+  std::string& out = output.pending();
+  out += fmt::format("p edge {} {}\n", graph.num_vertices(), graph.num_edges());
+  for (const auto [u, v] : graph.edges()) {
+    append_all(out, "e ", std::uint64_t{u} + 1, ' ', std::uint64_t{v} + 1, '\n');
+    output.flush_if_full();
   }
-};
+}
 
 bool looks_like_dimacs(const InputHead& head) {
   const std::size_t first = head.text.find_first_not_of(" \t\r\n");
@@ -125,7 +121,7 @@ GraphFormat dimacs_format() {
           .summary = "DIMACS: \"p edge N M\" and lines \"e u v\", 1-based",
           .detect = looks_like_dimacs,
           .parser = make_parser<DimacsParser>,
-          .writer = make_writer<DimacsWriter>};
+          .writer = make_appending<append_dimacs>};
 }
 
 }  // namespace ar3d

@@ -136,18 +136,14 @@ class EdgeListParser final : public GraphParser {
   std::optional<First> first_;
 };
 
-class EdgeListWriter final : public GraphWriter {
- public:
-  using GraphWriter::GraphWriter;
-  void write(const Graph& graph) override {
-    std::string& out = output_.pending();
-    append_all(out, "# vertices ", graph.num_vertices(), '\n');
-    for (const auto [u, v] : graph.edges()) {
-      append_all(out, std::uint64_t{u} + base_, ' ', std::uint64_t{v} + base_, '\n');
-      output_.flush_if_full();
-    }
+void append_edge_list(OutputFile& output, const Graph& graph, unsigned base) {
+  std::string& out = output.pending();
+  append_all(out, "# vertices ", graph.num_vertices(), '\n');
+  for (const auto [u, v] : graph.edges()) {
+    append_all(out, std::uint64_t{u} + base, ' ', std::uint64_t{v} + base, '\n');
+    output.flush_if_full();
   }
-};
+}
 
 /// Numbers or comments first; the last format asked, so that an odd line is reported by its number.
 bool looks_like_edge_list(const InputHead& head) {
@@ -166,7 +162,7 @@ GraphFormat edge_list_format() {
       .summary = "one edge \"u v\" per line, comments with # or %, \"# vertices N\" begins a graph",
       .detect = looks_like_edge_list,
       .parser = make_parser<EdgeListParser>,
-      .writer = make_writer<EdgeListWriter>};
+      .writer = make_appending<append_edge_list>};
 }
 
 }  // namespace ar3d

@@ -88,6 +88,17 @@ template <class Parser>
 std::unique_ptr<GraphParser> make_parser(TextInput& input, const ReadOptions& options) {
   return std::make_unique<Parser>(input, options);
 }
+/// A writer that only appends, graph by graph.
+template <void (*append)(OutputFile& output, const Graph& graph, unsigned base)>
+class AppendingWriter final : public GraphWriter {
+ public:
+  using GraphWriter::GraphWriter;
+  void write(const Graph& graph) override { append(output_, graph, base_); }
+};
+template <void (*append)(OutputFile& output, const Graph& graph, unsigned base)>
+std::unique_ptr<GraphWriter> make_appending(OutputFile& output, const WriteOptions& options) {
+  return std::make_unique<AppendingWriter<append>>(output, options);
+}
 template <class Writer>
 std::unique_ptr<GraphWriter> make_writer(OutputFile& output, const WriteOptions& options) {
   return std::make_unique<Writer>(output, options);

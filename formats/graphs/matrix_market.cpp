@@ -125,20 +125,16 @@ class MatrixMarketParser final : public GraphParser {
   ArcCollector arcs_;
 };
 
-class MatrixMarketWriter final : public GraphWriter {
- public:
-  using GraphWriter::GraphWriter;
-  void write(const Graph& graph) override {
-    std::string& out = output_.pending();
-    out += fmt::format("{} matrix coordinate pattern symmetric\n{} {} {}\n", kBanner,
-                       graph.num_vertices(), graph.num_vertices(), graph.num_edges());
-    for (const auto [u, v] : graph.edges()) {  // the lower triangle
-      const auto [low, high] = std::minmax(u, v);
-      append_all(out, std::uint64_t{high} + 1, ' ', std::uint64_t{low} + 1, '\n');
-      output_.flush_if_full();
-    }
+void append_matrix_market(OutputFile& output, const Graph& graph, unsigned) {
+  std::string& out = output.pending();
+  out += fmt::format("{} matrix coordinate pattern symmetric\n{} {} {}\n", kBanner,
+                     graph.num_vertices(), graph.num_vertices(), graph.num_edges());
+  for (const auto [u, v] : graph.edges()) {  // the lower triangle
+    const auto [low, high] = std::minmax(u, v);
+    append_all(out, std::uint64_t{high} + 1, ' ', std::uint64_t{low} + 1, '\n');
+    output.flush_if_full();
   }
-};
+}
 
 }  // namespace
 
@@ -148,7 +144,7 @@ GraphFormat matrix_market_format() {
           .summary = "Matrix Market: the adjacency matrix as coordinate pattern symmetric",
           .detect = [](const InputHead& head) { return is_banner(head.text); },
           .parser = make_parser<MatrixMarketParser>,
-          .writer = make_writer<MatrixMarketWriter>};
+          .writer = make_appending<append_matrix_market>};
 }
 
 }  // namespace ar3d

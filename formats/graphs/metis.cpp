@@ -114,22 +114,18 @@ class MetisParser final : public GraphParser {
   bool edge_weights_ = false;
 };
 
-class MetisWriter final : public GraphWriter {
- public:
-  using GraphWriter::GraphWriter;
-  void write(const Graph& graph) override {
-    std::string& out = output_.pending();
-    out += fmt::format("{}\n{} {}\n", kMetisMark, graph.num_vertices(), graph.num_edges());
-    for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-      const char* separator = "";
-      for (const HalfEdge& half : graph.incident(v)) {
-        append_all(out, std::exchange(separator, " "), std::uint64_t{half.to} + 1);
-      }
-      out += '\n';
-      output_.flush_if_full();
+void append_metis(OutputFile& output, const Graph& graph, unsigned) {
+  std::string& out = output.pending();
+  out += fmt::format("{}\n{} {}\n", kMetisMark, graph.num_vertices(), graph.num_edges());
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+    const char* separator = "";
+    for (const HalfEdge& half : graph.incident(v)) {
+      append_all(out, std::exchange(separator, " "), std::uint64_t{half.to} + 1);
     }
+    out += '\n';
+    output.flush_if_full();
   }
-};
+}
 
 /// The numbers of a line; nothing if there is another word or a number of more than 64 bits.
 std::optional<std::vector<std::uint64_t>> numbers_of(std::string_view line) {
@@ -203,7 +199,7 @@ GraphFormat metis_format() {
           .summary = "METIS: a line \"n m\", then the neighbours of each vertex, 1-based",
           .detect = looks_like_metis,
           .parser = make_parser<MetisParser>,
-          .writer = make_writer<MetisWriter>};
+          .writer = make_appending<append_metis>};
 }
 
 }  // namespace ar3d

@@ -69,25 +69,15 @@ class NautyParser final : public GraphParser {
   std::shared_ptr<const std::vector<Edge>> previous_;  // of the last graph, for incremental lines
 };
 
-class Graph6Writer final : public GraphWriter {
- public:
-  using GraphWriter::GraphWriter;
-  void write(const Graph& graph) override {
-    append_graph6(output_.pending(), graph);
-    output_.flush_if_full();
-  }
-};
-
-void write_sparse6(OutputFile& output, const Graph& graph) {
-  append_sparse6(output.pending(), graph, [&] { output.flush_if_full(); });
+void write_graph6(OutputFile& output, const Graph& graph, unsigned) {
+  append_graph6(output.pending(), graph);
   output.flush_if_full();
 }
 
-class Sparse6Writer final : public GraphWriter {
- public:
-  using GraphWriter::GraphWriter;
-  void write(const Graph& graph) override { write_sparse6(output_, graph); }
-};
+void write_sparse6(OutputFile& output, const Graph& graph, unsigned) {
+  append_sparse6(output.pending(), graph, [&] { output.flush_if_full(); });
+  output.flush_if_full();
+}
 
 /// The first graph of each size in sparse6, the others as changes.
 class IncrementalWriter final : public GraphWriter {
@@ -97,7 +87,7 @@ class IncrementalWriter final : public GraphWriter {
     if (previous_ && previous_->num_vertices() == graph.num_vertices()) {
       append_incremental_sparse6(output_.pending(), *previous_, graph);
     } else {
-      write_sparse6(output_, graph);
+      write_sparse6(output_, graph, base_);
     }
     previous_ = graph;
     output_.flush_if_full();
@@ -131,7 +121,7 @@ GraphFormat graph6_format() {
           .summary = "nauty's format for small or dense graphs, one graph per line",
           .detect = looks_like_graph6,
           .parser = make_parser<NautyParser>,
-          .writer = make_writer<Graph6Writer>};
+          .writer = make_appending<write_graph6>};
 }
 
 GraphFormat sparse6_format() {
@@ -140,7 +130,7 @@ GraphFormat sparse6_format() {
           .summary = "nauty's format for sparse graphs, one graph per line",
           .detect = looks_like_sparse6,
           .parser = make_parser<NautyParser>,
-          .writer = make_writer<Sparse6Writer>};
+          .writer = make_appending<write_sparse6>};
 }
 
 GraphFormat incremental_sparse6_format() {
