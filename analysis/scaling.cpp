@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "ar3d/base/parallel.h"
+
 namespace ar3d {
 namespace {
 
@@ -195,11 +197,8 @@ ScalingEntry fit_scaling(std::vector<SizeSample> all, const FitOptions& options)
 }
 
 std::vector<ScalingEntry> scaling(const StudyTally& tally, const FitOptions& options) {
-  const auto count = static_cast<std::ptrdiff_t>(tally.curves.size() * quantities().size());
-  std::vector<ScalingEntry> entries(static_cast<std::size_t>(count));
-#pragma omp parallel for schedule(dynamic)
-  for (std::ptrdiff_t i = 0; i < count; ++i) {
-    const auto index = static_cast<std::size_t>(i);
+  std::vector<ScalingEntry> entries(tally.curves.size() * quantities().size());
+  for_each_in_threads(available_threads(), entries.size(), [&](std::uint32_t, std::size_t index) {
     const CurveTally& curve = tally.curves[index / quantities().size()];
     const Quantity quantity = quantities()[index % quantities().size()];
     ScalingEntry& entry = entries[index];
@@ -208,7 +207,7 @@ std::vector<ScalingEntry> scaling(const StudyTally& tally, const FitOptions& opt
     entry.key = curve.key;
     entry.quantity = quantity;
     entry.censored = curve.censored;
-  }
+  });
   std::erase_if(entries, [](const ScalingEntry& entry) { return entry.all.empty(); });
   return entries;
 }

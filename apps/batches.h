@@ -5,9 +5,11 @@
 #include <optional>
 #include <vector>
 
+#include "ar3d/base/parallel.h"
+
 namespace ar3d {
 
-/// Reads items one after the other, works on many of them at once (OpenMP; --threads of the verb),
+/// Reads items one after the other, works on many of them at once (--threads of the verb),
 /// or on a single large one with all threads, and hands the results on in input order. A batch ends
 /// when its weight (vertices plus edges) passes kBatchWeight, so memory stays bounded whatever the
 /// input. `next()` gives std::optional<Item>; `weight(item)`; `work(item)` gives a Result and may
@@ -39,14 +41,13 @@ void in_batches(Next&& next, Weight&& weight, Work&& work, Emit&& emit) {
     }
     std::vector<std::optional<Result>> results(items.size());
     std::vector<std::exception_ptr> errors(items.size());
-#pragma omp parallel for schedule(dynamic, 1) if (items.size() > 1)
-    for (std::size_t i = 0; i < items.size(); ++i) {
+    for_each_in_threads(available_threads(), items.size(), [&](std::uint32_t, std::size_t i) {
       try {
         results[i] = work(items[i]);
       } catch (...) {
         errors[i] = std::current_exception();
       }
-    }
+    });
     for (std::size_t i = 0; i < items.size(); ++i) {
       if (errors[i]) std::rethrow_exception(errors[i]);
       emit(*results[i]);

@@ -9,6 +9,8 @@
 #include <span>
 #include <vector>
 
+#include "ar3d/base/parallel.h"
+
 namespace ar3d {
 namespace {
 
@@ -56,24 +58,18 @@ class NumberDealer {
   /// The numbers, those of a bucket side by side and each bucket shuffled.
   UnwrittenVector<Number> permutation() {
     UnwrittenVector<Number> numbers(count_);
-    const int threads = threads_for(count_);
-#pragma omp parallel num_threads(threads)
-    {
-#pragma omp for schedule(dynamic)
-      for (std::uint64_t chunk = 0; chunk < chunks_; ++chunk) {
-        deal(chunk, [](std::uint32_t& place, std::uint64_t) { ++place; });
-      }
-#pragma omp single
-      turn_counts_into_places();
-#pragma omp for schedule(dynamic)
-      for (std::uint64_t chunk = 0; chunk < chunks_; ++chunk) {
-        deal(chunk, [&](std::uint32_t& place, std::uint64_t number) {
-          numbers[place++] = static_cast<Number>(number);
-        });
-      }
-#pragma omp for schedule(dynamic)
-      for (std::uint64_t bucket = 0; bucket < buckets(); ++bucket) shuffle(bucket, numbers);
-    }
+    const std::uint32_t threads = threads_for(count_);
+    for_each_in_threads(threads, chunks_, [&](std::uint32_t, std::uint64_t chunk) {
+      deal(chunk, [](std::uint32_t& place, std::uint64_t) { ++place; });
+    });
+    turn_counts_into_places();
+    for_each_in_threads(threads, chunks_, [&](std::uint32_t, std::uint64_t chunk) {
+      deal(chunk, [&](std::uint32_t& place, std::uint64_t number) {
+        numbers[place++] = static_cast<Number>(number);
+      });
+    });
+    for_each_in_threads(threads, buckets(),
+                        [&](std::uint32_t, std::uint64_t bucket) { shuffle(bucket, numbers); });
     return numbers;
   }
 
@@ -126,12 +122,12 @@ UnwrittenVector<std::uint32_t> random_permutation(std::uint64_t count, RandomStr
 UnwrittenVector<std::uint32_t> random_matching(std::uint64_t count, RandomStream& random) {
   const UnwrittenVector<Number> order = random_permutation(count, random);
   UnwrittenVector<Number> partner(count);
-  const int threads = threads_for(count);
-#pragma omp parallel for num_threads(threads)
-  for (std::uint64_t i = 0; i < count; i += 2) {
-    partner[order[i]] = order[i + 1];
-    partner[order[i + 1]] = order[i];
-  }
+  for_ranges_in_threads(threads_for(count), count,
+                        [&](std::uint32_t, std::uint64_t begin, std::uint64_t end) {
+                          for (std::uint64_t i = begin; i < end; ++i) {
+                            partner[order[i]] = order[i ^ 1];  // ranges begin with even numbers
+                          }
+                        });
   return partner;
 }
 

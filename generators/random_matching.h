@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
+#include "ar3d/base/long_vector.h"
 #include "ar3d/base/random.h"
-#include "ar3d/base/threads.h"
 
 namespace ar3d {
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/parallel.h"
 #include "ar3d/generators/random_matching.h"
 
 // Points are the nd places for ends of edges; point p belongs to vertex p / d. A defect is a loop
@@ -155,12 +156,10 @@ void SwitchedPairing::add_defects(Vertex begin, Vertex end, Defects& defects) co
 bool SwitchedPairing::find_defects(SwitchingLimits limits) {
   const Count chunks = (n_ + kVertexChunk - 1) / kVertexChunk;
   std::vector<Defects> found(chunks);
-  const int threads = threads_for(n_);
-#pragma omp parallel for schedule(static) num_threads(threads)
-  for (Count i = 0; i < chunks; ++i) {
+  for_each_in_threads(threads_for(n_), chunks, [&](std::uint32_t, Count i) {
     add_defects(static_cast<Vertex>(i * kVertexChunk),
                 static_cast<Vertex>(std::min(n_, (i + 1) * kVertexChunk)), found[i]);
-  }
+  });
   loops_.clear();
   doubles_.clear();
   bool crowded = false;
@@ -184,21 +183,14 @@ std::vector<Edge> SwitchedPairing::edges() const {
       if (e.u < e.v) use(e);
     }
   };
-  const int threads = threads_for(n_);
-#pragma omp parallel num_threads(threads)
-  {
-#pragma omp for schedule(static)
-    for (Count i = 0; i < chunks; ++i) {
-      for_each_edge(i, [&](Edge) { ++place[i + 1]; });
-    }
-#pragma omp single
-    std::partial_sum(place.begin(), place.end(), place.begin());
-#pragma omp for schedule(static)
-    for (Count i = 0; i < chunks; ++i) {
-      Edge* next = edges.data() + place[i];
-      for_each_edge(i, [&](Edge e) { *next++ = e; });
-    }
-  }
+  for_each_in_threads(threads_for(n_), chunks, [&](std::uint32_t, Count i) {
+    for_each_edge(i, [&](Edge) { ++place[i + 1]; });
+  });
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  for_each_in_threads(threads_for(n_), chunks, [&](std::uint32_t, Count i) {
+    Edge* next = edges.data() + place[i];
+    for_each_edge(i, [&](Edge e) { *next++ = e; });
+  });
   return edges;
 }
 

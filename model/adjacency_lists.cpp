@@ -67,13 +67,12 @@ class BinnedLists {
     bins_.deal(large_end, [&](Edge edge, std::uint32_t number, std::uint32_t place) {
       lists_.half_edges[place] = {edge.u, (edge.v & kInBin) << kChunkBits | number};
     });
-    std::vector<std::uint32_t> max_degree(bins_.parts(), 0);
-    bins_.for_each_part(bins_.bins(), [&](std::uint64_t part, auto begin, auto end) {
-      UnwrittenVector<HalfEdge> dealt;
-      for (std::uint64_t bin = begin; bin < end; ++bin) {
-        max_degree[part] = std::max(max_degree[part], sort_bin(bin, dealt));
-      }
-    });
+    std::vector<std::uint32_t> max_degree(bins_.threads(), 0);
+    std::vector<UnwrittenVector<HalfEdge>> dealt(bins_.threads());
+    for_each_in_threads(
+        bins_.threads(), bins_.bins(), [&](std::uint32_t thread, std::uint64_t bin) {
+          max_degree[thread] = std::max(max_degree[thread], sort_bin(bin, dealt[thread]));
+        });
     lists_.max_degree = *std::max_element(max_degree.begin(), max_degree.end());
     return std::move(lists_);
   }

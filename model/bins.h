@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "ar3d/base/parallel.h"
 #include "ar3d/model/graph.h"
 
 namespace ar3d {
@@ -34,12 +35,12 @@ class Bins {
         edges_(edges),
         bins_((n + kBinVertices - 1) / kBinVertices),
         chunks_((edges.size() + kChunkEdges - 1) / kChunkEdges),
-        parts_(static_cast<std::uint64_t>(threads_for(edges.size()))),
+        threads_(threads_for(edges.size())),
         places_((chunks_ + 1) * bins_) {}
 
   std::uint64_t bins() const { return bins_; }
   std::uint64_t chunks() const { return chunks_; }
-  std::uint64_t parts() const { return parts_; }
+  std::uint32_t threads() const { return threads_; }
   std::uint64_t first_vertex(std::uint64_t bin) const { return bin * kBinVertices; }
   std::uint64_t end_vertex(std::uint64_t bin) const {
     return std::min(n_, (bin + 1) * kBinVertices);
@@ -47,16 +48,6 @@ class Bins {
   std::span<const Edge> edges_of(std::uint64_t chunk) const {
     const std::uint64_t first = chunk * kChunkEdges;
     return edges_.subspan(first, std::min(kChunkEdges, edges_.size() - first));
-  }
-
-  /// Calls work(part, begin, end) for ranges that make up 0..items, one per thread.
-  template <class Work>
-  void for_each_part(std::uint64_t items, Work work) const {
-    const int threads = static_cast<int>(parts_);
-#pragma omp parallel for schedule(static, 1) num_threads(threads)
-    for (std::uint64_t part = 0; part < parts_; ++part) {
-      work(part, items * part / parts_, items * (part + 1) / parts_);
-    }
   }
 
   /// One number for each bin: while counting, how many items of the chunk it gets; after place(),
@@ -69,11 +60,9 @@ class Bins {
   /// Counts one item for each edge, in the bin of the end that bin_end(edge) gives.
   template <class BinEnd>
   void count(BinEnd bin_end) {
-    for_each_part(chunks_, [&](std::uint64_t, auto first, auto last) {
-      for (std::uint64_t chunk = first; chunk < last; ++chunk) {
-        std::uint32_t* const counts = places(chunk);
-        for (const Edge edge : edges_of(chunk)) ++counts[bin_end(edge) >> kBinBits];
-      }
+    for_each_in_threads(threads_, chunks_, [&](std::uint32_t, std::uint64_t chunk) {
+      std::uint32_t* const counts = places(chunk);
+      for (const Edge edge : edges_of(chunk)) ++counts[bin_end(edge) >> kBinBits];
     });
   }
   /// Turns counts into places; behind its items every bin has room for as many more as room(bin).
@@ -91,14 +80,11 @@ class Bins {
   /// Calls put(edge, number in the chunk, place) for every edge.
   template <class BinEnd, class Put>
   void deal(BinEnd bin_end, Put put) const {
-    for_each_part(chunks_, [&](std::uint64_t, auto first, auto last) {
-      for (std::uint64_t chunk = first; chunk < last; ++chunk) {
-        std::vector<std::uint32_t> next(places(chunk), places(chunk) + bins_);
-        std::uint32_t number = 0;
-        for (const Edge edge : edges_of(chunk)) {
-          put(edge, number++, next[bin_end(edge) >> kBinBits]++);
-        }
-      }
+    for_each_in_threads(threads_, chunks_, [&](std::uint32_t, std::uint64_t chunk) {
+      std::vector<std::uint32_t> next(places(chunk), places(chunk) + bins_);
+      std::uint32_t number = 0;
+      for (const Edge edge : edges_of(chunk))
+        put(edge, number++, next[bin_end(edge) >> kBinBits]++);
     });
   }
 
@@ -107,7 +93,7 @@ class Bins {
   std::span<const Edge> edges_;
   std::uint64_t bins_;
   std::uint64_t chunks_;
-  std::uint64_t parts_;
+  std::uint32_t threads_;
   std::vector<std::uint32_t> places_;
 };
 

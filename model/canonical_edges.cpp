@@ -57,18 +57,16 @@ std::uint64_t sort_in_bins(std::uint64_t n, std::span<const Edge> edges,
   bins.place([](std::uint64_t) { return 0u; });
   bins.deal(small_end,
             [&](Edge edge, std::uint32_t, std::uint32_t place) { sorted[place] = turned(edge); });
-  std::vector<std::uint64_t> twice(bins.parts(), n);
-  bins.for_each_part(bins.bins(), [&](std::uint64_t part, auto begin, auto end) {
-    UnwrittenVector<Edge> dealt;
-    for (std::uint64_t bin = begin; bin < end; ++bin) {
-      std::array<std::uint32_t, kBinVertices> counts{};
-      const std::uint64_t first = bins.first_vertex(bin);
-      const std::span used(counts.data(), bins.end_vertex(bin) - first);
-      dealt.assign(sorted.data() + bins.begin(bin), sorted.data() + bins.end(bin));
-      const std::uint64_t found =
-          sort_by_counting(dealt, sorted.data() + bins.begin(bin), first, used);
-      if (found != first + used.size()) twice[part] = std::min(twice[part], found);
-    }
+  std::vector<std::uint64_t> twice(bins.threads(), n);
+  std::vector<UnwrittenVector<Edge>> dealt(bins.threads());
+  for_each_in_threads(bins.threads(), bins.bins(), [&](std::uint32_t thread, std::uint64_t bin) {
+    std::array<std::uint32_t, kBinVertices> counts{};
+    const std::uint64_t first = bins.first_vertex(bin);
+    const std::span used(counts.data(), bins.end_vertex(bin) - first);
+    dealt[thread].assign(sorted.data() + bins.begin(bin), sorted.data() + bins.end(bin));
+    const std::uint64_t found =
+        sort_by_counting(dealt[thread], sorted.data() + bins.begin(bin), first, used);
+    if (found != first + used.size()) twice[thread] = std::min(twice[thread], found);
   });
   return *std::min_element(twice.begin(), twice.end());
 }
@@ -94,9 +92,10 @@ std::uint64_t make_canonical(std::uint64_t n, std::vector<Edge>& edges) {
     twice = sort_by_counting(edges, sorted.data(), 0, counts);
   }
   if (twice != n) return twice;
-  const int threads = threads_for(edges.size());
-#pragma omp parallel for schedule(static) num_threads(threads)
-  for (std::size_t e = 0; e < edges.size(); ++e) edges[e] = sorted[e];
+  for_ranges_in_threads(threads_for(edges.size()), edges.size(),
+                        [&](std::uint32_t, std::size_t begin, std::size_t end) {
+                          std::copy(&sorted[begin], &sorted[end - 1] + 1, &edges[begin]);
+                        });
   return n;
 }
 

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <set>
 #include <utility>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/hash_stream.h"
+#include "ar3d/base/parallel.h"
 #include "ar3d/model/adjacency_lists.h"
 #include "ar3d/model/canonical_edges.h"
 
@@ -20,14 +22,17 @@ constexpr std::uint64_t kMaxEdges =
     (std::uint64_t{1} << 31) - 1;  // 2m half-edges are indexed by 32 bits
 
 void refuse_bad_ends(std::uint64_t n, const std::vector<Edge>& edges) {
-  std::size_t bad = edges.size();
-  const int threads = threads_for(edges.size());
-#pragma omp parallel for schedule(static) reduction(min : bad) num_threads(threads)
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const auto [u, v] = edges[e];
-    if (u >= n || v >= n || u == v) bad = std::min(bad, e);
-  }
-  if (bad == edges.size()) return;
+  const auto is_bad = [n](Edge e) { return e.u >= n || e.v >= n || e.u == e.v; };
+  std::atomic<bool> has_bad = false;
+  for_ranges_in_threads(threads_for(edges.size()), edges.size(),
+                        [&](std::uint32_t, std::size_t begin, std::size_t end) {
+                          bool found = false;
+                          for (std::size_t e = begin; e < end; ++e) found |= is_bad(edges[e]);
+                          if (found) has_bad = true;
+                        });
+  if (!has_bad) return;
+  const auto bad =
+      static_cast<std::size_t>(std::find_if(edges.begin(), edges.end(), is_bad) - edges.begin());
   const auto [u, v] = edges[bad];
   if (u == v && u < n) {
     throw EdgeError(bad, u, v, fmt::format("edge {} ({}, {}) is a loop", bad, u, v));

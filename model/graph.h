@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/base/threads.h"
+#include "ar3d/base/long_vector.h"
 
 namespace ar3d {
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ar3d/base/threads.h"
+#include "ar3d/base/long_vector.h"
 #include "ar3d/model/lattice.h"
 
 namespace ar3d::compact {

@@ -13,10 +13,10 @@
 #include "ar3d/algorithms/degree_limit.h"
 #include "ar3d/algorithms/diamond/fast/fast.h"
 #include "ar3d/algorithms/diamond/guaranteed.h"
-#include "ar3d/algorithms/diamond/in_threads.h"
 #include "ar3d/algorithms/diamond/parity.h"
 #include "ar3d/algorithms/diamond/routes.h"
 #include "ar3d/base/error.h"
+#include "ar3d/base/parallel.h"
 
 namespace ar3d::diamond {
 namespace {

@@ -7,28 +7,27 @@
 #include <algorithm>
 #include <utility>
 
-#include "ar3d/algorithms/diamond/in_threads.h"
 #include "ar3d/base/error.h"
+#include "ar3d/base/parallel.h"
 
 namespace ar3d::diamond {
 namespace {
 
 // Coordinates here are x = X/2 and y = Y/2 until the last step.
 
-std::uint32_t threads_of(const Items& items) {
-  return static_cast<std::uint32_t>(threads_for(items.vertex.size()));
-}
+std::uint32_t threads_of(const Items& items) { return threads_for(items.vertex.size()); }
 
 /// Calls set(at[v], position, item) for every vertex, in threads.
 template <class Set>
 void set_points(const Items& items, PlanePoints& at, const Set& set) {
   const std::vector<Vertex>& order = items.vertex;
-  for_ranges_in_threads(threads_of(items), order.size(), [&](std::size_t begin, std::size_t end) {
-    for_each_position(items, begin, end, [&](std::uint32_t p, std::uint32_t item) {
-      if (p + kAhead < order.size()) __builtin_prefetch(&at[order[p + kAhead]], 1);
-      set(at[order[p]], p, item);
-    });
-  });
+  for_ranges_in_threads(
+      threads_of(items), order.size(), [&](std::uint32_t, std::size_t begin, std::size_t end) {
+        for_each_position(items, begin, end, [&](std::uint32_t p, std::uint32_t item) {
+          if (p + kAhead < order.size()) __builtin_prefetch(&at[order[p + kAhead]], 1);
+          set(at[order[p]], p, item);
+        });
+      });
 }
 
 /// Step 1.4. Neighbouring lines, but for a free one at each bad boundary of the green order.

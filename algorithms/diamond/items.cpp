@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "ar3d/algorithms/diamond/in_threads.h"
+#include "ar3d/base/parallel.h"
 
 namespace ar3d::diamond {
 
@@ -55,8 +55,8 @@ std::uint32_t count_cycles(const Items& items) {
 Whereabouts whereabouts(const Items& items) {
   const std::size_t n = items.vertex.size();
   Whereabouts result(n);
-  const auto threads = static_cast<std::uint32_t>(threads_for(n));
-  for_ranges_in_threads(threads, n, [&](std::size_t begin, std::size_t end) {
+  const auto threads = threads_for(n);
+  for_ranges_in_threads(threads, n, [&](std::uint32_t, std::size_t begin, std::size_t end) {
     for_each_position(items, begin, end, [&](std::uint32_t p, std::uint32_t item) {
       if (p + kAhead < n) __builtin_prefetch(&result[items.vertex[p + kAhead]], 1);
       result[items.vertex[p]] = {p, item};

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "ar3d/algorithms/diamond/colouring.h"
-#include "ar3d/base/threads.h"
+#include "ar3d/base/long_vector.h"
 
 namespace ar3d::diamond {
 

@@ -4,9 +4,9 @@
 // later vertex. O(n). Idea: not in the paper; without a proved box of its own.
 #include <algorithm>
 
-#include "ar3d/algorithms/diamond/in_threads.h"
 #include "ar3d/algorithms/diamond/parity.h"
 #include "ar3d/base/error.h"
+#include "ar3d/base/parallel.h"
 
 namespace ar3d::diamond {
 namespace {
@@ -181,13 +181,15 @@ std::optional<ParityPlacement> place_by_parity(const Graph& graph, Items green, 
   const auto& order = result.placement.green.vertex;
   PlanePoints& at = result.placement.at;
   at.resize(order.size());
-  const auto threads = static_cast<std::uint32_t>(threads_for(order.size()));
-  for_ranges_in_threads(threads, order.size(), [&](std::size_t begin, std::size_t end) {
-    for_each_ahead(order, at, begin, end, [&](std::size_t i, PlanePoint& point) {
-      const auto rank = static_cast<std::int32_t>(i);
-      point = {pattern == ParityPattern::alternating ? rank : rank / 2 * 3 + rank % 2 * 2, kNotYet};
-    });
-  });
+  const auto threads = threads_for(order.size());
+  for_ranges_in_threads(
+      threads, order.size(), [&](std::uint32_t, std::size_t begin, std::size_t end) {
+        for_each_ahead(order, at, begin, end, [&](std::size_t i, PlanePoint& point) {
+          const auto rank = static_cast<std::int32_t>(i);
+          point = {pattern == ParityPattern::alternating ? rank : rank / 2 * 3 + rank % 2 * 2,
+                   kNotYet};
+        });
+      });
   return finish(graph, std::move(result));
 }
 

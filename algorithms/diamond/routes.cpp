@@ -7,8 +7,8 @@
 #include <memory>
 #include <utility>
 
-#include "ar3d/algorithms/diamond/in_threads.h"
 #include "ar3d/base/error.h"
+#include "ar3d/base/parallel.h"
 
 namespace ar3d::diamond {
 namespace {
@@ -65,8 +65,8 @@ Drawing lift(const Graph& graph, const Placement& placement, Tracks tracks) {
   std::int32_t bound = 0;  // X and Y are not negative, so X + Y bounds both |X - Y| and X + Y
   for (const PlanePoint p : placement.at) bound = std::max(bound, p.X + p.Y);
   Coordinates vertices(n, bound);
-  const auto threads = static_cast<std::uint32_t>(threads_for(n));
-  for_ranges_in_threads(threads, n, [&](std::size_t begin, std::size_t end) {
+  const auto threads = threads_for(n);
+  for_ranges_in_threads(threads, n, [&](std::uint32_t, std::size_t begin, std::size_t end) {
     vertices.fill(begin, end, [&](std::size_t v) {
       const auto [X, Y] = placement.at[v];
       return Point{X - Y, X + Y, 0};

@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <limits>
 
-#include "ar3d/algorithms/diamond/in_threads.h"
 #include "ar3d/algorithms/diamond/routes.h"
 #include "ar3d/base/error.h"
+#include "ar3d/base/parallel.h"
 
 namespace ar3d::diamond {
 namespace {

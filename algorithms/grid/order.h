@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "ar3d/base/threads.h"
+#include "ar3d/base/long_vector.h"
 #include "ar3d/model/graph.h"
 
 namespace ar3d::grid {

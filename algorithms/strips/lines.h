@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "ar3d/base/threads.h"
+#include "ar3d/base/long_vector.h"
 
 namespace ar3d::strips {
 

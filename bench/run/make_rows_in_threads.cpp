@@ -1,10 +1,7 @@
 #include <atomic>
-#include <exception>
-#include <mutex>
 #include <system_error>
-#include <thread>
-#include <vector>
 
+#include "ar3d/base/parallel.h"
 #include "ar3d/bench/measure/one_thread.h"
 #include "ar3d/bench/measure/pinning.h"
 #include "ar3d/bench/run/row_source.h"
@@ -32,32 +29,21 @@ void work(RowSource& source, const WorkerPool& pool, int worker, const std::atom
 
 }  // namespace
 
-// Not a parallel region of OpenMP: inside one, the regions of the generators would each make a
-// team.
 void make_rows_in_threads(RowSource& source, const WorkerPool& pool) {
-  std::mutex mutex;
-  std::exception_ptr failure;
   std::atomic<bool> failed = false;
-  const auto work_guarded = [&](int worker) {
+  const auto until_one_fails = [&](std::uint32_t worker) {
     try {
-      work(source, pool, worker, failed);
-    } catch (...) {  // nothing may leave a thread
-      const std::lock_guard<std::mutex> lock(mutex);
-      if (!failure) failure = std::current_exception();
+      work(source, pool, static_cast<int>(worker), failed);
+    } catch (...) {
       failed = true;
+      throw;
     }
   };
-  std::vector<std::thread> others;
-  try {
-    for (int worker = 1; worker < pool.workers; ++worker) others.emplace_back(work_guarded, worker);
-  } catch (const std::system_error& error) {
-    failed = true;
-    for (std::thread& thread : others) thread.join();
-    throw cannot_start_threads(pool.workers, error);
-  }
-  work_guarded(0);
-  for (std::thread& thread : others) thread.join();
-  if (failure) std::rethrow_exception(failure);
+  in_threads(static_cast<std::uint32_t>(pool.workers), until_one_fails,
+             [&](std::uint32_t, const std::system_error& error) {
+               failed = true;
+               throw cannot_start_threads(pool.workers, error);
+             });
 }
 
 }  // namespace ar3d

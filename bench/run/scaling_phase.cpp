@@ -4,12 +4,12 @@
 #include <atomic>
 #include <barrier>
 #include <chrono>
-#include <exception>
 #include <map>
 #include <mutex>
 #include <system_error>
-#include <thread>
 
+#include "ar3d/base/parallel.h"
+#include "ar3d/bench/measure/one_thread.h"
 #include "ar3d/bench/measure/pinning.h"
 #include "ar3d/bench/plan/work_order.h"
 #include "ar3d/bench/run/rank_batch.h"
@@ -59,18 +59,15 @@ class ThreadBatch {
     const std::vector<int> cores = allowed_cores();
     const bool pin = static_cast<std::size_t>(threads) <= cores.size();
     std::barrier start(threads);
-    std::vector<std::thread> members;
-    for (int i = 0; i < threads; ++i) {
-      const int core = pin ? cores[cores.size() - 1 - static_cast<std::size_t>(i)] : -1;
-      try {
-        members.emplace_back([this, core, &start] { work(core, start); });
-      } catch (const std::system_error& error) {
-        note(std::make_exception_ptr(cannot_start_threads(threads, error)));
-        for (; i < threads; ++i) start.arrive_and_drop();  // those that began wait for all
-      }
-    }
-    for (std::thread& thread : members) thread.join();
-    if (failure_) std::rethrow_exception(failure_);
+    std::optional<InputError> missing;
+    in_threads(
+        static_cast<std::uint32_t>(threads),
+        [&](std::uint32_t i) { work(pin ? cores[cores.size() - 1 - i] : -1, start); },
+        [&](std::uint32_t, const std::system_error& error) {
+          missing = cannot_start_threads(threads, error);
+          start.arrive_and_drop();  // those that began wait for all
+        });
+    if (missing) throw *missing;
     return std::chrono::duration<double>(last_end_ - first_start_).count();
   }
 
@@ -87,6 +84,7 @@ class ThreadBatch {
   void work(int core, std::barrier<>& start) {
     bool waited = false;
     try {
+      const OneThread one_thread;
       const Pinning pinning(core);
       HardwareCounters counters;
       const AlgorithmChoice& choice = rows_.front()->choice;
@@ -103,15 +101,10 @@ class ThreadBatch {
       const std::lock_guard<std::mutex> lock(mutex_);
       first_start_ = std::min(first_start_, begun);
       last_end_ = std::max(last_end_, ended);
-    } catch (...) {  // nothing may leave a thread
-      note(std::current_exception());
+    } catch (...) {
+      if (!waited) start.arrive_and_wait();
+      throw;
     }
-    if (!waited) start.arrive_and_wait();
-  }
-
-  void note(const std::exception_ptr& failure) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    failure_ = failure;
   }
 
   void draw_row(std::size_t i, int core, HardwareCounters& counters) {
@@ -134,7 +127,6 @@ class ThreadBatch {
   std::mutex mutex_;
   Clock::time_point first_start_ = Clock::time_point::max();
   Clock::time_point last_end_ = Clock::time_point::min();
-  std::exception_ptr failure_;
 };
 
 // All batches of one instance.

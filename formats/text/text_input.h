@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "ar3d/base/threads.h"
+#include "ar3d/base/long_vector.h"
 #include "ar3d/formats/text/byte_source.h"
 
 namespace ar3d {

@@ -3,12 +3,10 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
-#include <stdexcept>
 #include <string>
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/algorithms/diamond/fast/fast.h"
-#include "ar3d/algorithms/diamond/in_threads.h"
 #include "ar3d/bench/measure/one_thread.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/model/drawing.h"
@@ -46,16 +44,6 @@ TEST(DiamondThreads, WalksOfSeveralThreadsFindThePlainColours) {
       const diamond::TwoColouring colouring = diamond::fast::colouring(graph, sizes);
       EXPECT_EQ(colouring, plain) << threads << " threads, stride " << stride;
     }
-  }
-}
-
-TEST(DiamondThreads, WhatAThreadThrowsArrives) {
-  for (const std::uint32_t thrower : {0u, 2u}) {
-    EXPECT_THROW(diamond::in_threads(3,
-                                     [&](std::uint32_t i) {
-                                       if (i == thrower) throw std::runtime_error("a thread");
-                                     }),
-                 std::runtime_error);
   }
 }
 

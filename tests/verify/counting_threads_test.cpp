@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/base/parallel.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/checks/examination.h"
 #include "ar3d/verify/counting/counting_proof.h"
-#include "ar3d/verify/share_among_threads.h"
 #include "verify/draft.h"
 
 namespace ar3d {
@@ -50,7 +50,7 @@ Outcome count(const Graph& graph, const Drawing& drawing, const Guarantee& guara
   CountingProof proof(graph, drawing, guarantee, sizes);
   constexpr EdgeId kEdges = 100;
   const EdgeId edges = drawing.num_edges();
-  verify::share_among_threads(sizes.threads, edges / kEdges + 1, [&](int thread, std::uint64_t i) {
+  for_each_in_threads(sizes.threads, edges / kEdges + 1, [&](std::uint32_t thread, std::size_t i) {
     const auto begin = static_cast<EdgeId>(i * kEdges);
     for_each_polyline(drawing, begin, std::min(edges, begin + kEdges),
                       [&](EdgeId e, const std::vector<Point>& points) {
@@ -66,7 +66,7 @@ void expect_same_counts(const Graph& graph, const Drawing& drawing, const Guaran
   const Outcome alone = count(graph, drawing, guarantee, {});
   EXPECT_EQ(alone.proved, proved);
   const std::uint64_t little = 20 * graph.num_vertices();
-  for (const int threads : {1, 2, 3, 4}) {
+  for (const std::uint32_t threads : {1u, 2u, 3u, 4u}) {
     EXPECT_TRUE(count(graph, drawing, guarantee, {.threads = threads}) == alone) << threads;
     EXPECT_TRUE(count(graph, drawing, guarantee, {.memory = little, .threads = threads}) == alone)
         << threads << " with little memory";
@@ -100,7 +100,7 @@ TEST(CertifyThreads, CountTheSame) {
     const Drawing drawing = drawing_of(algorithm, graph);
     expect_same_counts(graph, drawing, algorithm.guarantee, true);
     const Drawing wrong = damaged(drawing);  // what is counted until that is seen may differ
-    for (const int threads : {1, 2, 3}) {
+    for (const std::uint32_t threads : {1u, 2u, 3u}) {
       EXPECT_FALSE(count(graph, wrong, algorithm.guarantee, {.threads = threads}).proved);
     }
   }
@@ -193,14 +193,21 @@ TEST(CertifyThreads, VerticesWithoutEdgesAreSeen) {
   omp_set_num_threads(before);
 }
 
-TEST(CertifyThreads, ExceptionsComeBack) {
-  for (const int threads : {1, 3}) {
+TEST(Parallel, WhatAThreadThrowsArrives) {
+  for (const std::uint32_t thrower : {0u, 2u}) {
+    const auto work = [&](std::uint32_t i) {
+      EXPECT_EQ(available_threads(), 1u);
+      if (i == thrower) throw std::bad_alloc();
+    };
+    EXPECT_THROW(in_threads(3, work), std::bad_alloc);
+  }
+  for (const std::uint32_t threads : {1u, 3u}) {
     std::vector<int> taken(50);
-    const auto work = [&](int, std::uint64_t i) {
+    const auto work = [&](std::uint32_t, std::size_t i) {
       taken[i] = 1;
       if (i == 20) throw std::bad_alloc();
     };
-    EXPECT_THROW(verify::share_among_threads(threads, 50, work), std::bad_alloc);
+    EXPECT_THROW(for_each_in_threads(threads, 50, work), std::bad_alloc);
     EXPECT_EQ(taken[20], 1);
   }
 }

@@ -4,8 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "ar3d/base/threads.h"
-#include "ar3d/verify/share_among_threads.h"
+#include "ar3d/base/parallel.h"
 
 namespace ar3d::verify {
 
@@ -51,24 +50,22 @@ void ExaminationPass::run_in_order(bool with_proof) {
 void ExaminationPass::run_on_threads() {
   const bool is_ordered = parts_.metrics || parts_.hash;
   std::vector<SummaryPass> summaries;  // of the threads
-  for (int t = 0; t < threads_ && !is_ordered; ++t) summaries.emplace_back(drawing_);
+  for (std::uint32_t t = 0; t < threads_ && !is_ordered; ++t) summaries.emplace_back(drawing_);
   const Blocks edges(drawing_.num_edges());
   const Blocks vertices(is_ordered ? 0 : drawing_.num_vertices());
-  share_among_threads(
-      threads_, 1 + edges.count() + vertices.count(), [&](int thread, std::uint64_t i) {
+  for_each_in_threads(
+      threads_, 1 + edges.count() + vertices.count(), [&](std::uint32_t thread, std::size_t i) {
         if (i == 0) {
           if (is_ordered) run_in_order(false);
           return;
         }
-        const auto t = static_cast<std::size_t>(thread);
-        if (i > edges.count()) {
-          const auto [begin, end] = vertices[i - 1 - edges.count()];
-          return summaries[t].add_vertices(begin, end);
-        }
-        const auto [begin, end] = edges[i - 1];
+        const bool takes_edges = i <= edges.count();
+        const auto range = takes_edges ? edges[i - 1] : vertices[i - 1 - edges.count()];
+        const auto [begin, end] = std::pair<std::uint32_t, std::uint32_t>(range);
+        if (!takes_edges) return summaries[thread].add_vertices(begin, end);
         for_each_polyline(drawing_, begin, end, [&](EdgeId e, const std::vector<Point>& points) {
           by_planes_->add(drawing_.edge(e), points, thread);
-          if (!is_ordered) summaries[t].add(points);
+          if (!is_ordered) summaries[thread].add(points);
         });
       });
   if (is_ordered) return;

@@ -40,7 +40,7 @@ class ExaminationPass {
 
   const Drawing& drawing_;
   ExaminationParts parts_;
-  int threads_;
+  std::uint32_t threads_;
   DrawingSummary summary_;
   std::string hash_;
   std::optional<CountingProof> by_planes_;

@@ -8,9 +8,9 @@
 #include <cstdlib>
 #include <span>
 
+#include "ar3d/base/parallel.h"
 #include "ar3d/verify/checks/checks.h"
 #include "ar3d/verify/checks/exact.h"
-#include "ar3d/verify/share_among_threads.h"
 
 namespace ar3d::verify {
 namespace {
@@ -51,7 +51,7 @@ CountingProof::CountingProof(const Graph& graph, const Drawing& drawing, const G
       guarantee_(guarantee),
       sizes_(sizes),
       keeps_segments_(has_room_for_all(drawing, sizes)),
-      shares_(static_cast<std::size_t>(std::max(sizes.threads, 1))) {
+      shares_(std::max(sizes.threads, 1u)) {
   possible_ =
       graph.num_vertices() == drawing.num_vertices() && graph.num_edges() == drawing.num_edges();
   for (Share& share : shares_) {
@@ -167,13 +167,12 @@ bool CountingProof::take_vertices(Share& share, Vertex begin, Vertex end) {
 }
 
 void CountingProof::take_all_vertices() {
-  const Blocks vertices(stars_.size());
-  share_among_threads(static_cast<int>(shares_.size()), vertices.count(),
-                      [&](int thread, std::uint64_t i) {
-                        Share& share = shares_[static_cast<std::size_t>(thread)];
-                        const auto [begin, end] = vertices[i];
-                        if (share.possible) share.possible = take_vertices(share, begin, end);
-                      });
+  for_ranges_in_threads(
+      sizes_.threads, stars_.size(), [&](std::uint32_t thread, std::size_t begin, std::size_t end) {
+        Share& share = shares_[thread];
+        if (!share.possible) return;
+        share.possible = take_vertices(share, static_cast<Vertex>(begin), static_cast<Vertex>(end));
+      });
 }
 
 /// Could all edges and vertices be taken? Then their neighbours are counted.
@@ -301,9 +300,8 @@ bool CountingProof::take_families(std::int64_t largest) {
   std::vector<PlaneMeetings> meetings;
   for (std::size_t t = 0; t < threads; ++t) meetings.emplace_back(sizes_);
   std::vector<MeetingCounts> found(threads);
-  share_among_threads(static_cast<int>(threads), tasks.size(), [&](int thread, std::uint64_t i) {
-    const auto t = static_cast<std::size_t>(thread);
-    found[t] += count(tasks[i], meetings[t]);
+  for_each_in_threads(sizes_.threads, tasks.size(), [&](std::uint32_t thread, std::size_t i) {
+    found[thread] += count(tasks[i], meetings[thread]);
   });
   for (const MeetingCounts& part : found) counts_.found += part;
   return true;

@@ -34,8 +34,8 @@ class CountingProof {
 
   /// An edge of the drawing and its polyline: every edge once. @param thread  of sizes.threads that
   /// may call this at the same time, each with another number.
-  void add(Edge ends, const std::vector<Point>& points, int thread = 0) {
-    Share& share = shares_[static_cast<std::size_t>(thread)];
+  void add(Edge ends, const std::vector<Point>& points, std::uint32_t thread = 0) {
+    Share& share = shares_[thread];
     if (share.possible) share.possible = take_edge(share, ends, points);
   }
   /// After the last edge: true if the graph is drawn, all angles, directions and the plane of the

@@ -21,7 +21,7 @@ struct CountingSizes {
       6000;                  ///< records that a bucket should have: they fit the second-level cache
   std::size_t crowded = 32;  ///< comparisons per record from which a plane sweep is taken instead
   std::uint64_t memory = 0;  ///< bytes of segments and records at a time; 0: no limit
-  int threads = 1;           ///< that count; each has records of its own
+  std::uint32_t threads = 1;  ///< that count; each has records of its own
 };
 
 /// One of `count` equal parts of all planes of a family.

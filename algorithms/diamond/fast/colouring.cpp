@@ -19,21 +19,22 @@ Neighbourhoods neighbourhoods_of(const Graph& graph, std::uint32_t threads) {
   expect(graph.max_degree() <= 4, "four entries are for maximum degree 4");
   Neighbourhoods result{Records(graph.num_vertices()), true};
   std::atomic<bool> all_linked{true};
-  for_ranges_in_threads(threads, graph.num_vertices(), [&](std::size_t begin, std::size_t end) {
-    bool linked = true;
-    for (auto v = static_cast<Vertex>(begin); v < end; ++v) {
-      const auto row = graph.incident(v);
-      if (row.size() == 4) {
-        result.records[v] = {row[0].to, row[1].to, row[2].to, row[3].to};
-        continue;
-      }
-      Record record{kNone, kNone, kNone, kNone};
-      for (std::size_t i = 0; i < row.size(); ++i) record[i] = row[i].to;
-      result.records[v] = record;
-      linked = linked && row.empty();
-    }
-    if (!linked) all_linked = false;
-  });
+  for_ranges_in_threads(threads, graph.num_vertices(),
+                        [&](std::uint32_t, std::size_t begin, std::size_t end) {
+                          bool linked = true;
+                          for (auto v = static_cast<Vertex>(begin); v < end; ++v) {
+                            const auto row = graph.incident(v);
+                            if (row.size() == 4) {
+                              result.records[v] = {row[0].to, row[1].to, row[2].to, row[3].to};
+                              continue;
+                            }
+                            Record record{kNone, kNone, kNone, kNone};
+                            for (std::size_t i = 0; i < row.size(); ++i) record[i] = row[i].to;
+                            result.records[v] = record;
+                            linked = linked && row.empty();
+                          }
+                          if (!linked) all_linked = false;
+                        });
   result.all_linked = all_linked;
   return result;
 }
@@ -118,18 +119,19 @@ TwoColouring edges_out(const Graph& graph, const TwoBitMarks& directions, const 
     result[kGreen][v] = out[red];
     result[kRed][v] = out[red ^ 1u];
   };
-  for_ranges_in_threads(threads, graph.num_vertices(), [&](std::size_t begin, std::size_t end) {
-    for (auto v = static_cast<Vertex>(begin); v < end; ++v) {
-      const auto row = graph.incident(v);
-      if (row.size() == 4) {
-        write(v, row.data());
-        continue;
-      }
-      std::array<HalfEdge, 4> padded{kNothing, kNothing, kNothing, kNothing};
-      std::copy(row.begin(), row.end(), padded.begin());
-      write(v, padded.data());
-    }
-  });
+  for_ranges_in_threads(threads, graph.num_vertices(),
+                        [&](std::uint32_t, std::size_t begin, std::size_t end) {
+                          for (auto v = static_cast<Vertex>(begin); v < end; ++v) {
+                            const auto row = graph.incident(v);
+                            if (row.size() == 4) {
+                              write(v, row.data());
+                              continue;
+                            }
+                            std::array<HalfEdge, 4> padded{kNothing, kNothing, kNothing, kNothing};
+                            std::copy(row.begin(), row.end(), padded.begin());
+                            write(v, padded.data());
+                          }
+                        });
   return result;
 }
 
@@ -137,7 +139,7 @@ TwoColouring edges_out(const Graph& graph, const TwoBitMarks& directions, const 
 
 TwoColouring colouring(const Graph& graph) {
   if (graph.num_vertices() >= kManyToColour) {
-    const auto threads = static_cast<std::uint32_t>(threads_for(graph.num_vertices()));
+    const auto threads = threads_for(graph.num_vertices());
     return colouring(graph, walk_sizes(graph.num_vertices(), threads));
   }
   const PaddedNeighbours neighbours = padded_neighbours(graph);

@@ -11,7 +11,7 @@
 #include <cstdint>
 
 #include "ar3d/algorithms/diamond/fast/marks_and_lanes.h"
-#include "ar3d/base/threads.h"
+#include "ar3d/base/long_vector.h"
 
 namespace ar3d::diamond::fast {
 

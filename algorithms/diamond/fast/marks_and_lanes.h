@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ar3d/algorithms/diamond/fast/fast.h"
-#include "ar3d/base/threads.h"
+#include "ar3d/base/long_vector.h"
 
 namespace ar3d::diamond::fast {
 

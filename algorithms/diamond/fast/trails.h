@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "ar3d/algorithms/diamond/fast/links.h"
-#include "ar3d/algorithms/diamond/in_threads.h"
 #include "ar3d/base/error.h"
+#include "ar3d/base/parallel.h"
 
 namespace ar3d::diamond::fast {
 
@@ -274,8 +274,9 @@ void Trails<Link>::walk_cut(const Write& write) {
     if (stretch.ends_at_cut) stretch_at(stretch.end) = number;
   }
   const std::vector<TrailPiece> pieces = pieces_in_chains();
-  for_each_in_threads(sizes_.threads, pieces.size(), kPiecesAtATime,
-                      [&](std::size_t p) { write(pieces[p]); });
+  for_each_in_threads(
+      sizes_.threads, pieces.size(), [&](std::uint32_t, std::size_t p) { write(pieces[p]); },
+      kPiecesAtATime);
 }
 
 template <class Link>

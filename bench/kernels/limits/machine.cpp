@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "ar3d/base/threads.h"
+#include "ar3d/base/long_vector.h"
 #include "turns.h"
 
 namespace ar3d::limits {

@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <numeric>
+
+#include "ar3d/base/parallel.h"
 
 namespace ar3d::limits {
 
@@ -22,9 +23,7 @@ std::function<double()> side_by_side(std::function<void()> work) {
       omp_set_num_threads(1);  // of the calling thread's regions
       work();
     };
-    std::future<void> other = std::async(std::launch::async, one);
-    one();
-    other.get();
+    in_threads(2, [&](std::uint32_t) { one(); });
   };
   return [seconds = timed(Clock::wall, both)] { return seconds() / 2; };
 }

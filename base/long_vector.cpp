@@ -1,7 +1,6 @@
-#include "ar3d/base/threads.h"
+#include "ar3d/base/long_vector.h"
 
 #include <malloc.h>
-#include <omp.h>
 #include <sys/mman.h>
 
 #include <cstdint>
@@ -10,16 +9,9 @@
 #include <new>
 #include <vector>
 
-#include "ar3d/base/long_vector.h"
-
 namespace ar3d {
 namespace {
 constexpr std::size_t kPage = std::size_t{1} << 21;
-}
-
-int threads_for(std::uint64_t items) {
-  constexpr std::uint64_t kFew = std::uint64_t{1} << 17;
-  return items < kFew || omp_in_parallel() ? 1 : omp_get_max_threads();
 }
 
 void advise_long_array(void* array, std::size_t bytes) {
