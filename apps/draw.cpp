@@ -71,7 +71,6 @@ struct Drawn {
   Examination examination;  ///< unless the level is full
   std::optional<std::string> error;
   std::optional<std::string> violation = {};
-  std::optional<std::string> sample = {};
 };
 
 constexpr std::uint64_t kLongLine = std::uint64_t{1} << 16;  // vertices and edges
@@ -92,34 +91,19 @@ struct Outcome {
   }
 };
 
-/// What standard error says of a certificate: the first violation, and of a sample what it may
-/// miss.
-struct Judgement {
-  std::optional<std::string> violation;
-  std::optional<std::string> sample;
-};
-
-std::optional<std::string> sample_of(const Certificate& certificate) {
-  if (certificate.mode.kind != CertificateMode::Kind::sample) return std::nullopt;
-  return describe_sample(certificate);
-}
-
-/// Nothing for a drawing that is not to be judged. InputError passes: a mode that does not take
-/// such a drawing.
-Judgement judge(const Graph& graph, const Drawing& drawing, const Making& making) {
-  if (making.certificate.kind == CertificateMode::Kind::none) return {};
-  const Certificate certificate =
-      certify(graph, drawing, making.algorithm.guarantee, {.mode = making.certificate});
-  if (!certificate.violated()) return {std::nullopt, sample_of(certificate)};
-  return {certificate.violations.empty() ? "a coordinate is out of range"
-                                         : certificate.violations.front().message,
-          std::nullopt};
+/// The first violation of a drawing that is to be judged.
+std::optional<std::string> judge(const Graph& graph, const Drawing& drawing, const Making& making) {
+  if (making.certificate == CertificateMode::none) return std::nullopt;
+  const Certificate certificate = certify(graph, drawing, making.algorithm.guarantee);
+  if (!certificate.violated()) return std::nullopt;
+  return certificate.violations.empty() ? "a coordinate is out of range"
+                                        : certificate.violations.front().message;
 }
 
 /// Whether no drawing of level full is left unproved that somebody asked to judge.
 bool proves(const Making& making) {
-  return making.certificate.kind == CertificateMode::Kind::none ||
-         (making.certificate.is_exact() && making.algorithm.guarantee.claim == Claim::proved);
+  return making.certificate == CertificateMode::none ||
+         making.algorithm.guarantee.claim == Claim::proved;
 }
 
 void report(const std::string& where, const std::string& what) {
@@ -133,13 +117,8 @@ Drawn drawn(const Task& task, const Making& making) {
     if (making.level != Level::full) {
       result.examination =
           examine_all(task.graph, drawing, making.algorithm.guarantee, making.certificate);
-      if (const auto found = sample_of(result.examination.certificate)) {
-        result.sample = fmt::format("{}: {}", task.where, *found);
-      }
-    } else {
-      const auto [violation, sample] = judge(task.graph, drawing, making);
-      if (violation) result.violation = fmt::format("{}: violated: {}", task.where, *violation);
-      if (sample) result.sample = fmt::format("{}: {}", task.where, *sample);
+    } else if (const auto violation = judge(task.graph, drawing, making)) {
+      result.violation = fmt::format("{}: violated: {}", task.where, *violation);
     }
     if (making.level == Level::full && weight_of(task.graph) < kLongLine) {
       append_drawing_line(result.line, drawing);
@@ -165,7 +144,7 @@ void write(const Drawn& drawn, Level level, OutputFile& file, Outcome& outcome) 
     write_drawing_line(file, *drawn.drawing);
   }
   if (drawn.violation) outcome.is_violated = true;
-  for (const auto& text : {drawn.error, drawn.violation, drawn.sample}) {
+  for (const auto& text : {drawn.error, drawn.violation}) {
     if (text) fmt::print(stderr, "ar3d: {}\n", printable(*text));
   }
 }
@@ -195,12 +174,10 @@ NextDrawing drawings_of(GraphReader& reader, const Making& making, bool others_f
     if (!graph) return std::nullopt;
     try {
       Drawing drawing = fitting_drawing(*graph, making);
-      const auto [violation, sample] = judge(*graph, drawing, making);
-      if (violation) {
+      if (const auto violation = judge(*graph, drawing, making)) {
         outcome.is_violated = true;
         report(reader.where(), "violated: " + *violation);
       }
-      if (sample) report(reader.where(), *sample);
       return PlacedLine{std::move(drawing), reader.where()};
     } catch (const InputError& error) {
       outcome.all_drawn = false;
@@ -259,9 +236,8 @@ void add_draw(CLI::App& app, int& exit_code) {
                    "one of those below; by the file's ending, jsonl without one");
   verb->add_option(
       "--certificate", arguments->certificate,
-      "judge every drawing: exact, filtered, double, sample=K or none; exit code 4 if one "
-      "is violated, 5 if one is judged but not proved; left out, none, or exact at the levels "
-      "extents and positions");
+      "exact: judge every drawing, exit code 4 if one is violated, 5 if one is not proved (a real "
+      "type); none; left out, none, or exact at the levels extents and positions");
   verb->add_option(
           "--level", arguments->level,
           "extents: one line per graph with box, bends, lengths, metrics and verdict instead "

@@ -4,7 +4,6 @@
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"
 #include "ar3d/model/guarantee.h"
-#include "ar3d/model/level.h"
 #include "ar3d/verify/checks/examination.h"
 
 namespace ar3d {
@@ -18,8 +17,8 @@ Examination examine_all(const Graph& graph, const Drawing& drawing, const Guaran
 ///    "violations":0,
 ///    "drawing_hash":"…","box":[[x,y,z],[x,y,z]],METRIC:VALUE,…}
 /// with every metric of `ar3d list metrics`, null if it is missing. verdict is "proved",
-/// "violated", "accepted" (by a certificate that proves nothing) or "measured" (in a real type,
-/// nothing is proved; such a line has no box). At level positions
+/// "violated", "not judged" or "measured" (in a real type, nothing is proved; such a line has no
+/// box). At level positions
 /// "vertices":[[x,y,z],…] follows, as in the line of the drawing itself, with real_type and
 /// unit_exponent before it if it is in a real type.
 /// @throws InputError if it cannot be written.

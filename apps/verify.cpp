@@ -92,7 +92,7 @@ Verdict judge(const Task& task, const VerifyArguments& arguments) {
     const Certificate& certificate = examination.certificate;
     Verdict verdict{.valid = !certificate.violated(),
                     .measured = certificate.measured,
-                    .unproved = !certificate.mode.is_exact(),
+                    .unproved = certificate.mode == CertificateMode::none,
                     .text = {}};
     for (const Violation& violation : certificate.violations) {
       verdict.text +=
@@ -103,9 +103,6 @@ Verdict judge(const Task& task, const VerifyArguments& arguments) {
       verdict.text += fmt::format(
           "{}: in {}: angles miss by at most {:.6g} degrees, {} crossings, {} collapsed segments\n",
           task.where, drawing.real->type, found.largest_miss, found.crossings, found.collapsed);
-    }
-    if (certificate.mode.kind == CertificateMode::Kind::sample) {
-      verdict.text += fmt::format("{}: {}\n", task.where, describe_sample(certificate));
     }
     if (!certificate.complete) verdict.text += fmt::format("{}: … and more\n", task.where);
     return verdict;
@@ -202,9 +199,7 @@ void add_verify(CLI::App& app, int& exit_code) {
       verb->add_option("--crossing-test", arguments->test,
                        "automatic, all-pairs (the slow oracle), plane-sweep or slabs");
   test->check(one_of({"automatic", "all-pairs", "plane-sweep", "slabs"}));
-  verb->add_option("--certificate", arguments->certificate,
-                   "exact, filtered, double, sample=K or none: only exact proves; what another "
-                   "does not accept is judged exactly")
+  verb->add_option("--certificate", arguments->certificate, "exact, or none: nothing is judged")
       ->excludes(test);
   add_threads_option(*verb);
   verb->add_flag("-q,--quiet", arguments->quiet, "only the summary");

@@ -1,11 +1,35 @@
 #pragma once
 
+#include <unistd.h>
+
 #include <span>
 #include <string>
-
-#include "ar3d/base/descriptor.h"
+#include <utility>
 
 namespace ar3d {
+
+/// Owns a file descriptor; -1 is none.
+class Descriptor {
+ public:
+  explicit Descriptor(int number = -1) : number_(number) {}
+  ~Descriptor() {
+    if (number_ >= 0) close(number_);
+  }
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  int get() const { return number_; }
+  /// The descriptor, which is the caller's from now on.
+  int release() { return std::exchange(number_, -1); }
+
+ private:
+  int number_;
+};
 
 /// A file that appears under its name whole, or not at all. Until then its bytes are in a file
 /// without a name (O_TMPFILE), of which an interrupted or killed program leaves nothing; where a

@@ -66,9 +66,9 @@ void for_each_in_threads(std::uint32_t threads, std::size_t size, const Work& wo
 }
 
 /// The numbers below a size in blocks that threads take one at a time.
-class Blocks {
+class IndexRanges {
  public:
-  explicit Blocks(std::size_t size) : size_(size) {}
+  explicit IndexRanges(std::size_t size) : size_(size) {}
   std::size_t count() const { return (size_ + kBlock - 1) / kBlock; }
   /// Begin and end of block i.
   std::pair<std::size_t, std::size_t> operator[](std::size_t i) const {
@@ -83,7 +83,7 @@ class Blocks {
 /// Calls work(thread, begin, end) for ranges that cover 0 .. size - 1, in threads.
 template <class Work>
 void for_ranges_in_threads(std::uint32_t threads, std::size_t size, const Work& work) {
-  const Blocks blocks(size);
+  const IndexRanges blocks(size);
   for_each_in_threads(threads, blocks.count(), [&](std::uint32_t thread, std::size_t i) {
     const auto [begin, end] = blocks[i];
     work(thread, begin, end);

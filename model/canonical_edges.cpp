@@ -2,16 +2,108 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <iterator>
+#include <span>
 #include <utility>
+#include <vector>
 
-#include "ar3d/model/bins.h"
+#include "ar3d/base/parallel.h"
+#include "ar3d/model/graph.h"
 
 // Counting sort by the smaller end, then the edges of every smaller end sorted by the larger one:
-// they are few where degrees are small. Many edges are dealt to bins first (model/bins.h).
+// they are few where degrees are small. Many edges are dealt to bins first.
+
 namespace ar3d {
+
 namespace {
+
+/// Few items are sorted by counting. Many would be scattered over memory far beyond the caches, so
+/// they are first dealt to bins of kBinVertices vertices with neighbouring names, every bin
+/// standing where its sorted items will stand, and then every bin is sorted within the caches
+/// (radix partitioning; the idea of propagation blocking, Beamer, Asanovic and Patterson 2017).
+/// Threads deal the edges in chunks of kChunkEdges; a bin holds its items in the order of the
+/// chunks, and of the edges in each.
+inline constexpr unsigned kBinBits = 13;  // the half-edges of a bin of degree 4 fill 256 KiB
+inline constexpr unsigned kChunkBits = 32 - kBinBits;
+inline constexpr std::uint64_t kBinVertices = std::uint64_t{1} << kBinBits;
+inline constexpr std::uint64_t kChunkEdges = std::uint64_t{1} << kChunkBits;
+
+/// True if bins pay.
+inline bool worth_binning(std::uint64_t n, std::uint64_t edges) {
+  return edges >= std::uint64_t{1} << 16 && n > kBinVertices;
+}
+
+/// The chunks and bins of many edges, and the places of the items of each chunk in each bin.
+class Bins {
+ public:
+  Bins(std::uint64_t n, std::span<const Edge> edges)
+      : n_(n),
+        edges_(edges),
+        bins_((n + kBinVertices - 1) / kBinVertices),
+        chunks_((edges.size() + kChunkEdges - 1) / kChunkEdges),
+        threads_(threads_for(edges.size())),
+        places_((chunks_ + 1) * bins_) {}
+
+  std::uint64_t bins() const { return bins_; }
+  std::uint64_t chunks() const { return chunks_; }
+  std::uint32_t threads() const { return threads_; }
+  std::uint64_t first_vertex(std::uint64_t bin) const { return bin * kBinVertices; }
+  std::uint64_t end_vertex(std::uint64_t bin) const {
+    return std::min(n_, (bin + 1) * kBinVertices);
+  }
+  std::span<const Edge> edges_of(std::uint64_t chunk) const {
+    const std::uint64_t first = chunk * kChunkEdges;
+    return edges_.subspan(first, std::min(kChunkEdges, edges_.size() - first));
+  }
+
+  /// One number for each bin: while counting, how many items of the chunk it gets; after place(),
+  /// where the first of them stands. Row chunks() then has the ends of the bins' items.
+  std::uint32_t* places(std::uint64_t chunk) { return places_.data() + chunk * bins_; }
+  const std::uint32_t* places(std::uint64_t chunk) const { return places_.data() + chunk * bins_; }
+  std::uint32_t begin(std::uint64_t bin) const { return places(0)[bin]; }
+  std::uint32_t end(std::uint64_t bin) const { return places(chunks_)[bin]; }
+
+  /// Counts one item for each edge, in the bin of the end that bin_end(edge) gives.
+  template <class BinEnd>
+  void count(BinEnd bin_end) {
+    for_each_in_threads(threads_, chunks_, [&](std::uint32_t, std::uint64_t chunk) {
+      std::uint32_t* const counts = places(chunk);
+      for (const Edge edge : edges_of(chunk)) ++counts[bin_end(edge) >> kBinBits];
+    });
+  }
+  /// Turns counts into places; behind its items every bin has room for as many more as room(bin).
+  template <class Room>
+  void place(Room room) {
+    std::uint32_t place = 0;
+    for (std::uint64_t bin = 0; bin < bins_; ++bin) {
+      for (std::uint64_t chunk = 0; chunk < chunks_; ++chunk) {
+        place += std::exchange(places(chunk)[bin], place);
+      }
+      places(chunks_)[bin] = place;
+      place += room(bin);
+    }
+  }
+  /// Calls put(edge, number in the chunk, place) for every edge.
+  template <class BinEnd, class Put>
+  void deal(BinEnd bin_end, Put put) const {
+    for_each_in_threads(threads_, chunks_, [&](std::uint32_t, std::uint64_t chunk) {
+      std::vector<std::uint32_t> next(places(chunk), places(chunk) + bins_);
+      std::uint32_t number = 0;
+      for (const Edge edge : edges_of(chunk))
+        put(edge, number++, next[bin_end(edge) >> kBinBits]++);
+    });
+  }
+
+ private:
+  std::uint64_t n_;
+  std::span<const Edge> edges_;
+  std::uint64_t bins_;
+  std::uint64_t chunks_;
+  std::uint32_t threads_;
+  std::vector<std::uint32_t> places_;
+};
 
 Edge turned(Edge edge) { return {std::min(edge.u, edge.v), std::max(edge.u, edge.v)}; }
 Vertex small_end(Edge edge) { return std::min(edge.u, edge.v); }
@@ -97,6 +189,119 @@ std::uint64_t make_canonical(std::uint64_t n, std::vector<Edge>& edges) {
                           std::copy(&sorted[begin], &sorted[end - 1] + 1, &edges[begin]);
                         });
   return n;
+}
+
+// In canonical order the edges at a vertex come from its smaller neighbours first, ascending, then
+// go to its larger ones, ascending: filled in order of the edges, lists ascend. The edges to larger
+// neighbours stand side by side already; of many edges, only the half-edges at the larger ends are
+// dealt to bins. A dealt half-edge holds its vertex within the bin and its edge
+// within the chunk in place of the edge; bin and chunk follow from its place.
+
+namespace {
+
+constexpr EdgeId kInChunk = kChunkEdges - 1;
+constexpr Vertex kInBin = kBinVertices - 1;
+
+AdjacencyLists unwritten_lists(std::uint64_t n, std::uint64_t m) {
+  AdjacencyLists lists;
+  lists.offsets.resize(n + 1);
+  lists.offsets[n] = static_cast<std::uint32_t>(2 * m);
+  lists.half_edges.resize(2 * m);
+  return lists;
+}
+
+/// The offsets count the ends at each vertex, then name the end of its list; filled from the last
+/// edge to the first, every list ends with its offset at its first half-edge.
+AdjacencyLists counted_lists(std::uint64_t n, std::span<const Edge> edges) {
+  AdjacencyLists lists = unwritten_lists(n, edges.size());
+  std::uint32_t* const offsets = lists.offsets.data();
+  std::fill(offsets, offsets + n, 0u);
+  for (const auto [u, v] : edges) {
+    ++offsets[u];
+    ++offsets[v];
+  }
+  std::uint32_t place = 0;
+  for (std::uint64_t v = 0; v < n; ++v) {
+    lists.max_degree = std::max(lists.max_degree, offsets[v]);
+    place = offsets[v] += place;
+  }
+  for (std::size_t e = edges.size(); e-- > 0;) {
+    const auto [u, v] = edges[e];
+    lists.half_edges[--offsets[u]] = {v, static_cast<EdgeId>(e)};
+    lists.half_edges[--offsets[v]] = {u, static_cast<EdgeId>(e)};
+  }
+  return lists;
+}
+
+class BinnedLists {
+ public:
+  BinnedLists(std::uint64_t n, std::span<const Edge> edges)
+      : edges_(edges), bins_(n, edges), lists_(unwritten_lists(n, edges.size())) {
+    for (std::uint64_t bin = 0; bin <= bins_.bins(); ++bin) {
+      const auto first = std::partition_point(
+          edges.begin(), edges.end(), [&](Edge edge) { return edge.u < bins_.first_vertex(bin); });
+      first_edge_.push_back(static_cast<EdgeId>(first - edges.begin()));
+    }
+  }
+
+  AdjacencyLists build() && {
+    const auto large_end = [](Edge edge) { return edge.v; };
+    bins_.count(large_end);
+    bins_.place([&](std::uint64_t bin) { return first_edge_[bin + 1] - first_edge_[bin]; });
+    bins_.deal(large_end, [&](Edge edge, std::uint32_t number, std::uint32_t place) {
+      lists_.half_edges[place] = {edge.u, (edge.v & kInBin) << kChunkBits | number};
+    });
+    std::vector<std::uint32_t> max_degree(bins_.threads(), 0);
+    std::vector<UnwrittenVector<HalfEdge>> dealt(bins_.threads());
+    for_each_in_threads(
+        bins_.threads(), bins_.bins(), [&](std::uint32_t thread, std::uint64_t bin) {
+          max_degree[thread] = std::max(max_degree[thread], sort_bin(bin, dealt[thread]));
+        });
+    lists_.max_degree = *std::max_element(max_degree.begin(), max_degree.end());
+    return std::move(lists_);
+  }
+
+ private:
+  /// Writes the lists of the bin's vertices. @return their largest degree.
+  std::uint32_t sort_bin(std::uint64_t bin, UnwrittenVector<HalfEdge>& dealt) {
+    HalfEdge* const half_edges = lists_.half_edges.data();
+    const std::uint32_t begin = bins_.begin(bin);
+    dealt.assign(half_edges + begin, half_edges + bins_.end(bin));
+    const auto first = static_cast<Vertex>(bins_.first_vertex(bin));
+    const auto forward = edges_.subspan(first_edge_[bin], first_edge_[bin + 1] - first_edge_[bin]);
+    std::array<std::uint32_t, kBinVertices> next{};
+    for (const HalfEdge& half : dealt) ++next[half.edge >> kChunkBits];
+    for (const Edge edge : forward) ++next[edge.u - first];
+    const std::uint32_t max_degree = *std::max_element(next.begin(), next.end());
+    std::uint32_t place = begin;
+    for (std::uint64_t v = first; v < bins_.end_vertex(bin); ++v) {
+      place += std::exchange(next[v - first], place);
+      lists_.offsets[v] = next[v - first];
+    }
+    std::size_t i = 0;
+    for (std::uint64_t chunk = 0; chunk < bins_.chunks(); ++chunk) {
+      const auto first_edge = static_cast<EdgeId>(chunk * kChunkEdges);
+      for (const std::size_t stop = bins_.places(chunk + 1)[bin] - begin; i < stop; ++i) {
+        const auto [to, packed] = dealt[i];
+        half_edges[next[packed >> kChunkBits]++] = {to, first_edge | (packed & kInChunk)};
+      }
+    }
+    EdgeId e = first_edge_[bin];
+    for (const Edge edge : forward) half_edges[next[edge.u - first]++] = {edge.v, e++};
+    return max_degree;
+  }
+
+  std::span<const Edge> edges_;
+  Bins bins_;
+  std::vector<EdgeId> first_edge_;  // of the bin's smaller ends
+  AdjacencyLists lists_;
+};
+
+}  // namespace
+
+AdjacencyLists adjacency_lists(std::uint64_t n, std::span<const Edge> edges) {
+  if (!worth_binning(n, edges.size())) return counted_lists(n, edges);
+  return BinnedLists(n, edges).build();
 }
 
 }  // namespace ar3d

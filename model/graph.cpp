@@ -11,7 +11,6 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/hash_stream.h"
 #include "ar3d/base/parallel.h"
-#include "ar3d/model/adjacency_lists.h"
 #include "ar3d/model/canonical_edges.h"
 
 namespace ar3d {

@@ -2,9 +2,12 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "ar3d/model/drawing.h"
 
 namespace ar3d {
 
@@ -63,5 +66,13 @@ class RealPointsBuilder {
   std::vector<Point> vertices_;
   std::vector<Point> bends_;
 };
+
+/// A drawing made in a real type. Its own integer points are a picture for viewers and exports:
+/// the nearest multiples of a power of two, at most 2^-30, that lets all of them fit. Its exact
+/// points are Drawing::real; whoever judges it reads these.
+/// @param edges  in the order of the bends of `points`.
+/// @throws InputError if the numbers of vertices or edges do not fit.
+Drawing real_drawing(std::string algorithm, std::shared_ptr<const std::vector<Edge>> edges,
+                     RealPoints points);
 
 }  // namespace ar3d

@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/nearest_name.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/verify/assessment/examine_real.h"
 #include "ar3d/verify/checks/checks.h"
 #include "ar3d/verify/checks/contacts.h"
@@ -14,7 +16,6 @@
 #include "ar3d/verify/checks/findings.h"
 #include "ar3d/verify/crossings/crossings.h"
 #include "ar3d/verify/crossings/segments.h"
-#include "ar3d/verify/modes/mode_verdict.h"
 
 namespace ar3d {
 namespace {
@@ -107,28 +108,6 @@ Certificate certify_in_full(const Graph& graph, const Drawing& drawing, const Gu
   return certificate;
 }
 
-/// The certificate of a mode other than exact, if that accepts the drawing.
-std::optional<Certificate> certificate_by_mode(const Graph& graph, const Drawing& drawing,
-                                               const Guarantee& guarantee,
-                                               const CertifyOptions& options,
-                                               const DrawingSummary& summary) {
-  Certificate certificate = valid_certificate(summary);
-  certificate.mode = options.mode;
-  if (options.mode.kind == CertificateMode::Kind::none) return certificate;
-  if (!keeps_places(graph, drawing, guarantee, options, summary)) return std::nullopt;
-  const verify::ModeVerdict verdict =
-      verify::judge_by_mode(graph, drawing, guarantee, options.mode, options.sample_seed);
-  if (!verdict.accepts) return std::nullopt;
-  certificate.candidate_pairs = verdict.candidate_pairs;
-  certificate.miss_probability = verdict.miss_probability;
-  return certificate;
-}
-
-CertifyOptions exactly(CertifyOptions options) {
-  options.mode = {};
-  return options;
-}
-
 }  // namespace
 
 const char* to_string(ViolationKind kind) {
@@ -165,12 +144,17 @@ const char* to_string(ViolationKind kind) {
   throw InternalError("internal error: no name for a kind of violation");
 }
 
-std::string describe_sample(const Certificate& certificate) {
-  return fmt::format(
-      "{} of {} pairs of segments looked at; a single forbidden meeting is missed with probability "
-      "at most {:.6g}",
-      std::min(certificate.mode.sample, certificate.candidate_pairs), certificate.candidate_pairs,
-      certificate.miss_probability);
+std::string to_string(CertificateMode mode) {
+  return mode == CertificateMode::exact ? "exact" : "none";
+}
+
+CertificateMode parse_certificate_mode(std::string_view text) {
+  for (const CertificateMode mode : {CertificateMode::exact, CertificateMode::none}) {
+    if (text == to_string(mode)) return mode;
+  }
+  throw InputError(fmt::format("certificate '{}' is none of exact and none{}",
+                               printable(std::string(text)),
+                               did_you_mean(text, {"exact", "none"})));
 }
 
 Certificate certify(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
@@ -188,10 +172,9 @@ Examination examine(const Graph& graph, const Drawing& drawing, const Guarantee&
   result.summary = pass.summary();
   result.drawing_hash = pass.take_hash();
   if (!parts.certificate) return result;
-  if (!options.mode.is_exact()) {
-    auto by_mode = certificate_by_mode(graph, drawing, guarantee, options, result.summary);
-    result.certificate =
-        by_mode ? std::move(*by_mode) : certify(graph, drawing, guarantee, exactly(options));
+  if (options.mode == CertificateMode::none) {
+    result.certificate = valid_certificate(result.summary);
+    result.certificate.mode = options.mode;
     return result;
   }
   const bool proved =

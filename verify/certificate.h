@@ -2,12 +2,12 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"
 #include "ar3d/model/guarantee.h"
-#include "ar3d/verify/certificate_mode.h"
 
 namespace ar3d {
 
@@ -47,13 +47,18 @@ enum class CrossingTest {
   slabs,  ///< near-linear if most segments are vertical and the others low, as on the tall lattice
 };
 
+/// How a drawing is judged: by a proof in integers, or not at all.
+enum class CertificateMode : std::uint8_t { exact, none };
+/// "exact", "none".
+std::string to_string(CertificateMode mode);
+/// @throws InputError naming the text if it is neither.
+CertificateMode parse_certificate_mode(std::string_view text);
+
 struct CertifyOptions {
   CrossingTest crossing_test = CrossingTest::automatic;
   std::size_t max_violations = 100;  ///< stop collecting there
   bool check_size = true;
-  /// Any other than exact proves nothing. What it does not accept is judged exactly.
-  CertificateMode mode = {};
-  std::uint64_t sample_seed = 0;  ///< of a sample's pairs
+  CertificateMode mode = CertificateMode::exact;
   /// Most bytes of segments that the proof by counting stores at a time; 0: no limit. Less memory
   /// takes more passes over the polylines; the verdict is the same.
   std::uint64_t proof_bytes = 0;
@@ -67,12 +72,7 @@ struct Certificate {
   /// The drawing was made in a real type and is not held to its angles, crossings and box: what it
   /// misses is measured (RealAssessment). Never valid.
   bool measured = false;
-  /// What the verdict is by: exact, unless another mode was asked for and accepted the drawing.
-  CertificateMode mode = {};
-  std::uint64_t candidate_pairs = 0;  ///< of segments that such a mode looked at, or sampled from
-  /// Of a sample: at most the probability, over the choice of its pairs, that it does not see the
-  /// only forbidden meeting of a drawing.
-  double miss_probability = 0;
+  CertificateMode mode = CertificateMode::exact;  ///< with none there is a box, and no verdict
   std::vector<Violation> violations;
   bool complete = false;  ///< false until judged, when max_violations cut the list, or a coordinate
                           ///< is out of range
@@ -80,17 +80,13 @@ struct Certificate {
   Box box;                ///< of all vertices and bends; the origin if a coordinate is out of range
   std::vector<std::uint64_t> bend_histogram;  ///< entry b: number of edges with b bends
   std::uint64_t segments = 0;
-  bool valid() const { return complete && violations.empty() && !measured && mode.is_exact(); }
+  bool valid() const { return complete && violations.empty() && !measured && mode == CertificateMode::exact; }
   /// Proved wrong, or not judged to the end.
   bool violated() const { return !complete || !violations.empty(); }
 };
 
-/// "1000 of 52342 pairs of segments looked at; a single forbidden meeting is missed with
-/// probability at most 0.981", for a certificate by a sample.
-std::string describe_sample(const Certificate& certificate);
-
-/// Proves in exact integers, unless another mode is asked for, that `drawing` is a drawing of
-/// `graph` that keeps `guarantee`, or says why not. Shares no code with the algorithms. Cost: O(S
+/// Proves in exact integers that `drawing` is a drawing of `graph` that keeps `guarantee`, or says
+/// why not. Shares no code with the algorithms. Cost: O(S
 /// log S) for S segments with few directions.
 Certificate certify(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
                     const CertifyOptions& options = {});

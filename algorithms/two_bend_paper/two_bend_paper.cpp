@@ -21,7 +21,7 @@
 #include "ar3d/algorithms/two_bend_paper/stacking.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/ieee_arithmetic.h"
-#include "ar3d/model/real_drawing.h"
+#include "ar3d/model/real_points.h"
 
 namespace ar3d::two_bend_paper {
 namespace {

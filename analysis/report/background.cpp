@@ -51,7 +51,7 @@ std::string value_cell(std::size_t metric, const LargestGraphs& largest) {
 constexpr const char* kMethods = R"html(<section id=methods><h2>Methods</h2>
 <p><b>Certificate.</b> A row counts as proved only if its drawing was checked in exact integers by code that shares nothing
 with the code that drew it: edge set, directions, bends, all angles, coinciding points, crossings, and the size against the
-theorem. A row with another certificate (column certificate: measured, filtered, double, a sample, none) counts as not proved, and
+theorem. A row with another certificate (column certificate: measured, none; in older results also filtered, double, a sample) counts as not proved, and
 no violation in it only says that none was looked for or found.</p>
 <p><b>Bounds.</b> Extents are largest minus smallest coordinate. The theorem's bound depends on n alone; a graph's own
 bound is what the proof gives for that very graph; a published bound is somebody else's and only compared (where the source gives an

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/base/descriptor.h"
+#include "ar3d/base/new_file.h"
 #include "ar3d/store/columns/run_record.h"
 
 namespace ar3d {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/base/descriptor.h"
+#include "ar3d/base/new_file.h"
 #include "ar3d/store/study_identity.h"
 
 namespace ar3d {

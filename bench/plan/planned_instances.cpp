@@ -60,8 +60,8 @@ std::string row_key(const std::string& prefix, const PlannedRun& run) {
   append_line(text, "algorithm", run.choice.algorithm->name);
   append_line(text, "options", run.options);
   if (run.choice.level != Level::extents) append_line(text, "level", to_string(run.choice.level));
-  const CertificateMode& mode = run.choice.certificate;
-  if (!mode.is_exact()) append_line(text, "certificate", to_string(mode));
+  const CertificateMode mode = run.choice.certificate;
+  if (mode == CertificateMode::none) append_line(text, "certificate", to_string(mode));
   if (run.phase != RunPhase::metrics) append_line(text, "phase", to_string(run.phase));
   if (run.scale >= 0) append_line(text, "scale", run.scale);
   append_line(text, "repetition", run.repetition);

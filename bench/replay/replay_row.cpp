@@ -38,7 +38,7 @@ FamilyChoice choice_from_file(const RunRecord& row, const StudyOrigin& origin) {
 /// That the row was to be judged by.
 CertificateMode certificate_of(const RunRecord& row) {
   const std::string asked = asked_certificate(row);
-  return asked == "measured" ? CertificateMode{} : parse_certificate_mode(asked);
+  return asked == "measured" ? CertificateMode::exact : parse_certificate_mode(asked);
 }
 
 FamilyChoice choice_of(const RunRecord& row, const StudyOrigin& origin) {

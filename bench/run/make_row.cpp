@@ -11,7 +11,6 @@
 #include "ar3d/bench/measure/stopwatch.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/formats/text/output.h"
-#include "ar3d/store/columns/asked_certificate.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/columns/side_tables.h"
 #include "ar3d/verify/checks/angles.h"
@@ -31,18 +30,12 @@ std::string counters_text(const std::vector<Counter>& counters) {
   return text;
 }
 
-void record_verdict(RunRecord& run, const Certificate& certificate, const CertificateMode& asked) {
-  using Kind = CertificateMode::Kind;
-  const CertificateMode& mode = certificate.mode;
-  run.violations = static_cast<std::int64_t>(certificate.violations.size());
-  if (mode.kind == Kind::none) run.violations = -1;
-  run.certificate = certificate.measured ? "measured" : "";
-  if (!mode.is_exact()) run.certificate = to_string(mode);
+void record_verdict(RunRecord& run, const Certificate& certificate) {
+  const bool is_judged = certificate.mode != CertificateMode::none;
+  run.violations = is_judged ? static_cast<std::int64_t>(certificate.violations.size()) : -1;
+  run.certificate = certificate.measured ? "measured" : is_judged ? "" : "none";
   run.status = certificate.violated() ? RunStatus::violated : RunStatus::ok;
   if (certificate.violated()) run.message = certificate.violations.front().message;
-  if (mode.kind == Kind::sample) run.message = describe_sample(certificate);
-  if (mode == asked) return;
-  run.message = not_accepted(asked) + (certificate.violated() ? run.message : "judged exactly");
 }
 
 void record_bounds(RunRecord& run, const Guarantee& guarantee) {
@@ -86,8 +79,8 @@ CertifyOptions certifying(const AlgorithmChoice& choice, const std::optional<Siz
 
 // Why the crossings of a drawing were not counted.
 std::string uncounted_crossings(const Certificate& certificate, const Graph& graph) {
-  if (!certificate.mode.is_exact()) {
-    return fmt::format("crossings not counted: certificate = \"{}\"", to_string(certificate.mode));
+  if (certificate.mode == CertificateMode::none) {
+    return "crossings not counted: certificate = \"none\"";
   }
   if (certificate.given_up) {
     return fmt::format("crossings not counted: it takes more than {} comparisons of segments",
@@ -120,8 +113,8 @@ void set_run(const PlannedRun& planned, RunRecord& run) {
   run.algorithm = planned.choice.algorithm->name;
   run.options = planned.options;
   run.level = to_string(planned.choice.level);
-  const CertificateMode& asked = planned.choice.certificate;
-  if (!asked.is_exact()) run.certificate = to_string(asked);  // until the verdict says more
+  const CertificateMode asked = planned.choice.certificate;
+  if (asked == CertificateMode::none) run.certificate = to_string(asked);  // until the verdict
   run.phase = planned.phase;
   run.scale = planned.scale;
   run.repetition = planned.repetition;
@@ -248,7 +241,7 @@ void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& req
   set_metrics(examination.summary, run);
   if (is_judged) {
     refuse_given_up(examination.certificate, *graph_);
-    record_verdict(run, examination.certificate, choice.certificate);
+    record_verdict(run, examination.certificate);
     record_bounds(run, guarantee);
   } else {
     run.status = RunStatus::measured;

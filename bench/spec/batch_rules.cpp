@@ -27,7 +27,7 @@ void refuse_bad_batches(const std::string& file, const toml::node& node, const S
   if (any(sweep, [](const AlgorithmChoice& c) { return c.level != Level::extents; })) {
     refuse_toml(file, node, "strong and weak batches are of level extents only");
   }
-  const CertificateMode& first = sweep.algorithms.front().certificate;
+  const CertificateMode first = sweep.algorithms.front().certificate;
   if (any(sweep, [&](const AlgorithmChoice& c) { return c.certificate != first; })) {
     refuse_toml(file, node, "strong and weak batches are judged by one certificate");
   }

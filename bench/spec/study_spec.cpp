@@ -344,6 +344,14 @@ StudySpec parse_study(const std::string& text, const std::string& file) {
   return SpecReader(file).read(text);
 }
 
+bool accepts_unproved(const std::string& text) {
+  try {
+    return parse_toml(text, "")["accept_unproved"].value_or(false);
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 StudySpec load_study(const std::string& name_or_path) {
   if (const NamedStudy* study = find_named_study(name_or_path)) {
     return parse_study(std::string(study->toml), std::string(study->name) + ".toml");

@@ -13,10 +13,10 @@
 #include "ar3d/bench/spec/kept_drawings.h"
 #include "ar3d/bench/spec/measures.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/model/level.h"
+#include "ar3d/model/drawing.h"
 #include "ar3d/store/columns/side_tables.h"
 #include "ar3d/store/study_identity.h"
-#include "ar3d/verify/certificate_mode.h"
+#include "ar3d/verify/certificate.h"
 
 namespace ar3d {
 
@@ -32,7 +32,7 @@ struct AlgorithmChoice {
   const Algorithm* algorithm = nullptr;  ///< of the catalogue, or the program's row
   Settings options;
   std::shared_ptr<const ExternalAlgorithm> program = {};  ///< null: one of the catalogue
-  CertificateMode certificate = {};                       ///< that judges its drawings
+  CertificateMode certificate = CertificateMode::exact;   ///< that judges its drawings
   Level level = Level::extents;
 };
 
@@ -82,7 +82,7 @@ struct StudySpec {
   std::map<std::string, std::uint64_t> max_n;  ///< algorithm -> largest n it is given
   TimingRules timing;
   Budget budget;
-  CertificateMode certificate;  ///< of the sweeps that name none
+  CertificateMode certificate = CertificateMode::exact;  ///< of the sweeps that name none
   KeptDrawings keep_drawings = KeptDrawings::none;
   bool accept_unproved = false;  ///< its verdict passes with rows that are not proved exactly
   std::string text;              ///< the verbatim TOML
@@ -99,6 +99,8 @@ struct StudySpec {
 /// algorithm, option or
 ///   parameter, value out of range, empty list.
 StudySpec parse_study(const std::string& text, const std::string& file);
+/// StudySpec::accept_unproved of a specification, also where its sweeps cannot be read any more.
+bool accepts_unproved(const std::string& text);
 
 /// A named study, or else the TOML file at that path.
 /// @throws InputError naming the file, or the known studies if there is no such file.

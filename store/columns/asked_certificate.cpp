@@ -10,10 +10,6 @@ constexpr std::string_view kBehind = " did not accept it; ";
 
 }  // namespace
 
-std::string not_accepted(const CertificateMode& mode) {
-  return std::string(kBefore) + to_string(mode) + std::string(kBehind);
-}
-
 std::string asked_certificate(const RunRecord& run) {
   if (!run.certificate.empty()) return run.certificate;
   const std::size_t behind = run.message.find(kBehind);

@@ -3,16 +3,12 @@
 #include <string>
 
 #include "ar3d/store/columns/run_record.h"
-#include "ar3d/verify/certificate_mode.h"
 
 namespace ar3d {
 
-/// "certificate double did not accept it; ": how the message begins of a row whose drawing another
-/// certificate than exact did not accept, so that it was judged exactly.
-std::string not_accepted(const CertificateMode& mode);
-
-/// The certificate that was asked for, as the row's certificate and message tell: "exact",
-/// "measured", "double", ...
+/// The certificate that was asked for, as the row's certificate and message tell: "exact", "none",
+/// "measured"; in results of 0.2.0 also "double" and others, which proved nothing: the message of a
+/// drawing that such a one did not accept begins "certificate double did not accept it; ".
 std::string asked_certificate(const RunRecord& run);
 
 }  // namespace ar3d

@@ -177,15 +177,13 @@ void add_results(ColumnList& c) {
   c.kind = ColumnKind::result;
   c.choice("status", 16, &R::status, parse_run_status,
            "ok, timeout, out_of_memory, refused, violated, crashed or measured");
-  c.message("message", 240, &R::message,
-            "first violation or error, what a sample leaves open, or which certificate did not "
-            "accept the drawing, cut to fit; else empty");
+  c.message("message", 240, &R::message, "first violation or error, cut to fit; else empty");
   c.text("drawing_hash", 32, &R::drawing_hash, "128-bit hash of positions, edges and bends");
   c.number("violations", "1", &R::violations,
            "violations of the guarantee that the certificate lists; 0 is proved right");
   c.text("certificate", 16, &R::certificate,
-         "how it was judged: empty for exact (a proof), else measured, filtered, double, sample=K "
-         "or none: not proved");
+         "how it was judged: empty for exact (a proof), else measured or none: not proved; in "
+         "results of 0.2.0 also filtered, double and sample=K");
   c.array("instance_bound", "lattice units", &R::instance_bound, kAxes,
           "extent that the proof promises for this very instance");
   c.text("counters", 512, &R::counters, "what the algorithm tells about its run, name=value;...");

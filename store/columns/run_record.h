@@ -70,8 +70,7 @@ struct RunRecord {
   std::string message;       ///< first violation or error, cut to fit
   std::string drawing_hash;  ///< 32 hexadecimal digits
   std::int64_t violations = -1;
-  std::string certificate;  ///< how the drawing was judged: empty for exact, "measured", or
-                            ///< the name of another CertificateMode
+  std::string certificate;  ///< how the drawing was judged: empty for exact, "measured", "none"
   std::array<std::int64_t, 3> instance_bound{-1, -1, -1};  ///< from the proof, for this instance
   std::string counters;                                    ///< "H=3;mode=1"
 

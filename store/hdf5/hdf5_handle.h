@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "ar3d/base/descriptor.h"
+#include "ar3d/base/new_file.h"
 
 namespace ar3d {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/base/descriptor.h"
+#include "ar3d/base/new_file.h"
 #include "ar3d/store/journal/journal_format.h"
 
 namespace ar3d {

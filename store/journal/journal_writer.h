@@ -10,8 +10,8 @@
 #include <thread>
 #include <vector>
 
-#include "ar3d/base/descriptor.h"
 #include "ar3d/base/error.h"
+#include "ar3d/base/new_file.h"
 #include "ar3d/store/journal/journal_format.h"
 
 namespace ar3d {

@@ -9,7 +9,7 @@
 
 #include "ar3d/analysis/check.h"
 #include "ar3d/base/error.h"
-#include "ar3d/model/level.h"
+#include "ar3d/model/drawing.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "bench/in_memory.h"
 

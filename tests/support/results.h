@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/base/descriptor.h"
+#include "ar3d/base/new_file.h"
 #include "ar3d/store/columns/run_columns.h"
-#include "ar3d/store/run_storage.h"
 #include "ar3d/store/hdf5/file_checksum.h"
+#include "ar3d/store/run_storage.h"
 
 namespace ar3d::testing {
 

@@ -13,7 +13,7 @@ ExaminationPass::ExaminationPass(const Graph& graph, const Drawing& drawing,
                                  const CertifyOptions& options)
     : drawing_(drawing), parts_(parts), threads_(threads_for(drawing.num_edges())) {
   if (parts.certificate && options.crossing_test == CrossingTest::automatic &&
-      options.mode.is_exact() && options.most_comparisons == 0) {
+      options.mode == CertificateMode::exact && options.most_comparisons == 0) {
     prepare_proof(graph, guarantee, options);
   }
 }
@@ -51,8 +51,8 @@ void ExaminationPass::run_on_threads() {
   const bool is_ordered = parts_.metrics || parts_.hash;
   std::vector<SummaryPass> summaries;  // of the threads
   for (std::uint32_t t = 0; t < threads_ && !is_ordered; ++t) summaries.emplace_back(drawing_);
-  const Blocks edges(drawing_.num_edges());
-  const Blocks vertices(is_ordered ? 0 : drawing_.num_vertices());
+  const IndexRanges edges(drawing_.num_edges());
+  const IndexRanges vertices(is_ordered ? 0 : drawing_.num_vertices());
   for_each_in_threads(
       threads_, 1 + edges.count() + vertices.count(), [&](std::uint32_t thread, std::size_t i) {
         if (i == 0) {

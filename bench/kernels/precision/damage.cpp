@@ -19,13 +19,13 @@
 #include "ar3d/bench/measure/stopwatch.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/checks/examination.h"
-#include "ar3d/verify/modes/mode_verdict.h"
+#include "certificate_modes.h"
 #include "tables.h"
 
 namespace ar3d::precision {
 namespace {
 
-using Kind = CertificateMode::Kind;
+using Kind = JudgingMode::Kind;
 
 /// A drawing as lists of points that can be changed.
 struct Points {
@@ -138,25 +138,11 @@ std::int64_t factor_for(int bits, const Points& points) {
   return bits == 0 ? 1 : std::max<std::int64_t>(1, (std::int64_t{1} << bits) / largest);
 }
 
-const std::vector<CertificateMode>& modes() {
-  static const std::vector<CertificateMode> all = {
+const std::vector<JudgingMode>& modes() {
+  static const std::vector<JudgingMode> all = {
       {Kind::exact, 0},   {Kind::filtered, 0},  {Kind::double_precision, 0},
       {Kind::sample, 10}, {Kind::sample, 1000}, {Kind::none, 0}};
   return all;
-}
-
-CertifyOptions options(const CertificateMode& mode, std::uint64_t seed) {
-  return {.check_size = false, .mode = mode, .sample_seed = seed};
-}
-
-/// Does the mode itself reject the drawing? What it does not accept certify() judges exactly.
-bool rejects(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
-             const CertificateMode& mode, std::uint64_t seed) {
-  if (mode.kind == Kind::none) return false;
-  if (mode.is_exact() || measure(drawing).repeated_points > 0) {
-    return certify(graph, drawing, guarantee, options({}, 0)).violated();
-  }
-  return !verify::judge_by_mode(graph, drawing, guarantee, mode, seed).accepts;
 }
 
 struct Tally {
@@ -183,15 +169,16 @@ Tally judge_all(const Algorithm& algorithm, int bits, Damage kind, std::uint64_t
             .violated();
     ++(is_broken ? tally.broken : tally.right);
     for (std::size_t m = 0; m < modes().size(); ++m) {
-      const bool rejected = rejects(graph, drawing, algorithm.guarantee, modes()[m], i);
-      (is_broken ? tally.caught : tally.false_alarms)[m] += rejected;
+      const bool accepted =
+          judge_by_mode(graph, drawing, algorithm.guarantee, modes()[m], i).accepts;
+      (is_broken ? tally.caught : tally.false_alarms)[m] += !accepted;
     }
   }
   return tally;
 }
 
 std::vector<std::string> head(std::vector<std::string> first) {
-  for (const CertificateMode& mode : modes()) first.push_back("`" + to_string(mode) + "`");
+  for (const JudgingMode& mode : modes()) first.push_back("`" + to_string(mode) + "`");
   return first;
 }
 
@@ -226,7 +213,7 @@ void catch_table(std::uint64_t drawings) {
   }
   fmt::print("{} drawings, {} of them wrong. Wrong drawings that a mode rejects:\n\n", all, broken);
   print_table(head({"damage", "largest coordinate", "wrong"}), caught);
-  fmt::print("Right drawings that a mode rejects (and `certify` then proves):\n\n");
+  fmt::print("Right drawings that a mode rejects:\n\n");
   print_table(head({"damage", "largest coordinate", "right"}), alarms);
 }
 
@@ -241,12 +228,11 @@ void mode_times() {
       const Graph graph = generate(kernels::random_family(algorithm), n, 1);
       const Drawing drawing = draw(algorithm, graph);
       std::vector<double> least(modes().size(), std::numeric_limits<double>::infinity());
-      double segments = 0;
+      const auto segments = static_cast<double>(measure(drawing).segments);
       for (int round = 0; round < 3; ++round) {
         for (std::size_t m = 0; m < modes().size(); ++m) {
           const CpuStopwatch time;
-          segments = static_cast<double>(
-              certify(graph, drawing, algorithm.guarantee, options(modes()[m], 0)).segments);
+          judge_by_mode(graph, drawing, algorithm.guarantee, modes()[m], 0);
           least[m] = std::min(least[m], time.cpu_s());
         }
       }
@@ -255,7 +241,7 @@ void mode_times() {
       rows.push_back(std::move(row));
     }
   }
-  fmt::print("CPU time of `certify`, nanoseconds per segment, least of three rounds in turns:\n\n");
+  fmt::print("CPU time of judging, nanoseconds per segment, least of three rounds in turns:\n\n");
   print_table(head({"algorithm", "n"}), rows);
 }
 

@@ -1,34 +1,56 @@
-#include "ar3d/verify/modes/mode_verdict.h"
+// Certificates that prove nothing, as they were once offered beside the exact one: slower than it
+// on all but the smallest drawings, so they are only measured (docs/precision.md). The pairs of
+// segments that they look at are those of a search for near pairs (Steps V.12 to V.14).
+#include "certificate_modes.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
+#include "ar3d/base/error.h"
 #include "ar3d/base/random.h"
+#include "ar3d/verify/certificate.h"
 #include "ar3d/verify/checks/checks.h"
 #include "ar3d/verify/checks/exact.h"
+#include "ar3d/verify/crossings/near_pairs.h"
 #include "ar3d/verify/crossings/segments.h"
-#include "ar3d/verify/modes/candidate_pairs.h"
+#include "ar3d/verify/metrics/metrics.h"
 #include "ar3d/verify/predicates/choices.h"
 
-namespace ar3d::verify {
+namespace ar3d::precision {
 namespace {
 
+using verify::Findings;
+using verify::MeetingKind;
+using verify::PredicateChoice;
+using verify::SegmentId;
+using verify::Segments;
+using Kind = JudgingMode::Kind;
+using NearPairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+/// A segment; a vertex without edges is one of length zero.
+struct Piece {
+  Point from;
+  Point to;
+};
+
 /// A filter decides exactly, and quickly: a sample uses it, too.
-const PredicateChoice& predicates_of(const CertificateMode& mode) {
-  return predicate_choice(mode.kind == CertificateMode::Kind::double_precision ? "double"
-                                                                               : "filtered");
+const PredicateChoice& predicates_of(const JudgingMode& mode) {
+  return verify::predicate_choice(mode.kind == Kind::double_precision ? "double" : "filtered");
 }
 
 class ModeJudge {
  public:
-  ModeJudge(const Drawing& drawing, const Guarantee& guarantee, const CertificateMode& mode)
+  ModeJudge(const Drawing& drawing, const Guarantee& guarantee, const JudgingMode& mode)
       : drawing_(drawing),
         guarantee_(guarantee),
         mode_(mode),
         predicates_(predicates_of(mode)),
         segments_(drawing),
-        items_(items()) {}
+        pieces_(pieces()) {}
 
   bool keeps_integers(const Graph& graph) const {
     Findings findings(0);
@@ -62,23 +84,17 @@ class ModeJudge {
     return true;
   }
 
-  /// Looks at all candidate pairs, or at a sample.
+  /// Looks at all near pairs, or at a sample.
   void judge_meetings(std::uint64_t seed, ModeVerdict& verdict) const {
-    const CandidatePairs pairs(items_);
-    verdict.candidate_pairs = pairs.size();
-    verdict.accepts = true;
-    const auto keeps = [&](std::uint32_t i, std::uint32_t j) {
-      return verdict.accepts = keeps_apart(i, j);
-    };
-    if (mode_.kind != CertificateMode::Kind::sample || mode_.sample >= pairs.size()) {
-      return pairs.for_each(keeps);
+    NearPairs pairs = near_pairs();
+    if (mode_.kind == Kind::sample && mode_.sample < pairs.size()) {
+      verdict.miss_probability =
+          1 - static_cast<double>(mode_.sample) / static_cast<double>(pairs.size());
+      pairs = sample_of(pairs, seed);
     }
-    verdict.miss_probability =
-        1 - static_cast<double>(mode_.sample) / static_cast<double>(pairs.size());
-    for (const std::uint64_t number : sample(pairs.size(), seed)) {
-      const auto [i, j] = pairs[number];
-      if (!keeps(i, j)) return;
-    }
+    verdict.accepts = std::all_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
+      return keeps_apart(pair.first, pair.second);
+    });
   }
 
  private:
@@ -88,38 +104,54 @@ class ModeJudge {
   }
 
   /// The segments, then the vertices without edges.
-  std::vector<Item> items() const {
-    std::vector<Item> items;
+  std::vector<Piece> pieces() const {
+    std::vector<Piece> pieces;
     std::vector<bool> has_edge(drawing_.num_vertices());
     for (SegmentId s = 0; s < segments_.size(); ++s) {
-      items.push_back({segments_.from(s), segments_.to(s)});
+      pieces.push_back({segments_.from(s), segments_.to(s)});
     }
     for (EdgeId e = 0; e < drawing_.num_edges(); ++e) {
       has_edge[drawing_.edge(e).u] = has_edge[drawing_.edge(e).v] = true;
     }
     for (std::size_t v = 0; v < has_edge.size(); ++v) {
       const Point p = drawing_.vertex(static_cast<Vertex>(v));
-      if (!has_edge[v]) items.push_back({p, p});
+      if (!has_edge[v]) pieces.push_back({p, p});
     }
-    return items;
+    return pieces;
   }
 
-  /// Floyd's algorithm: `mode_.sample` different numbers below `size`.
-  std::vector<std::uint64_t> sample(std::uint64_t size, std::uint64_t seed) const {
-    RandomStream random(seed, size);
+  /// Every pair that meets, and others; smaller numbers first.
+  NearPairs near_pairs() const {
+    NearPairs pairs;
+    verify::for_each_near_pair(
+        static_cast<std::uint32_t>(pieces_.size()),
+        [&](std::uint32_t i) {
+          return verify::SegmentInSpace{pieces_[i].from, pieces_[i].to - pieces_[i].from};
+        },
+        [&](std::uint32_t i, std::uint32_t j) {
+          pairs.emplace_back(std::min(i, j), std::max(i, j));
+          return true;
+        });
+    return pairs;
+  }
+
+  /// `mode_.sample` different ones of them, by Floyd's algorithm.
+  NearPairs sample_of(const NearPairs& pairs, std::uint64_t seed) const {
+    RandomStream random(seed, pairs.size());
     std::unordered_set<std::uint64_t> taken;
-    std::vector<std::uint64_t> numbers;
-    for (std::uint64_t last = size - mode_.sample; last < size; ++last) {
+    NearPairs sample;
+    for (std::uint64_t last = pairs.size() - mode_.sample; last < pairs.size(); ++last) {
       const std::uint64_t number = random.below64(last + 1);
-      numbers.push_back(taken.insert(number).second ? number : last);
-      taken.insert(numbers.back());
+      const std::uint64_t next = taken.contains(number) ? last : number;
+      taken.insert(next);
+      sample.push_back(pairs[next]);
     }
-    return numbers;
+    return sample;
   }
 
   bool boxes_meet(std::uint32_t s, std::uint32_t t) const {
-    const auto [a, b] = items_[s];
-    const auto [c, d] = items_[t];
+    const auto [a, b] = pieces_[s];
+    const auto [c, d] = pieces_[t];
     const auto meets = [](std::int64_t p, std::int64_t q, std::int64_t u, std::int64_t v) {
       return std::min(p, q) <= std::max(u, v) && std::min(u, v) <= std::max(p, q);
     };
@@ -141,7 +173,8 @@ class ModeJudge {
   /// Of two items, s < t.
   bool keeps_apart(std::uint32_t s, std::uint32_t t) const {
     if (s >= segments_.size() || !boxes_meet(s, t)) return true;
-    if (t >= segments_.size()) return !on_segment(items_[t].from, items_[s].from, items_[s].to);
+    if (t >= segments_.size())
+      return !verify::on_segment(pieces_[t].from, pieces_[s].from, pieces_[s].to);
     const MeetingKind kind =
         predicates_.meeting(segments_.from(s), segments_.to(s), segments_.from(t), segments_.to(t));
     return are_neighbours(s, t) ? kind != MeetingKind::overlap : kind == MeetingKind::nothing;
@@ -149,20 +182,42 @@ class ModeJudge {
 
   const Drawing& drawing_;
   const Guarantee& guarantee_;
-  const CertificateMode& mode_;
+  const JudgingMode& mode_;
   const PredicateChoice& predicates_;
   const Segments segments_;
-  const std::vector<Item> items_;
+  const std::vector<Piece> pieces_;
 };
 
 }  // namespace
 
+std::string to_string(const JudgingMode& mode) {
+  switch (mode.kind) {
+    case Kind::exact:
+      return "exact";
+    case Kind::filtered:
+      return "filtered";
+    case Kind::double_precision:
+      return "double";
+    case Kind::sample:
+      return fmt::format("sample={}", mode.sample);
+    case Kind::none:
+      return "none";
+  }
+  throw InternalError("no name for a mode");
+}
+
 ModeVerdict judge_by_mode(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
-                          const CertificateMode& mode, std::uint64_t seed) {
+                          const JudgingMode& mode, std::uint64_t seed) {
+  const DrawingSummary summary = measure(drawing);
+  if (mode.kind == Kind::none) return {.accepts = true};
+  if (mode.kind == Kind::exact) {
+    return {.accepts = !certify(graph, drawing, guarantee, {.check_size = false}).violated()};
+  }
   ModeVerdict verdict;
+  if (summary.repeated_points > 0) return verdict;
   const ModeJudge judge(drawing, guarantee, mode);
   if (judge.keeps_integers(graph) && judge.keeps_angles()) judge.judge_meetings(seed, verdict);
   return verdict;
 }
 
-}  // namespace ar3d::verify
+}  // namespace ar3d::precision
