@@ -294,7 +294,8 @@ std::string options_and_level(const PlannedRun& run) {
   };
   const AlgorithmChoice& choice = run.choice;
   if (choice.level != Level::extents) add("level", to_string(choice.level));
-  if (!choice.certificate.is_exact()) add("certificate", to_string(choice.certificate));
+  if (choice.certificate != CertificateMode::exact)
+    add("certificate", to_string(choice.certificate));
   return text;
 }
 

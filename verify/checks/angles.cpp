@@ -205,7 +205,7 @@ void set_angles_and_crossings(const Graph& graph, const Drawing& drawing,
                               const Guarantee& guarantee, const Certificate& certificate,
                               DrawingSummary& summary) {
   if (!summary.in_range) return;
-  if (certificate.complete && certificate.mode.is_exact()) {
+  if (certificate.complete && certificate.mode == CertificateMode::exact) {
     summary.crossings = std::count_if(certificate.violations.begin(), certificate.violations.end(),
                                       [](const Violation& v) { return is_contact(v.kind); });
   }
