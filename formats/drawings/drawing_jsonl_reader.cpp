@@ -14,7 +14,7 @@
 #include "ar3d/base/error.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/formats/text/tokens.h"
-#include "ar3d/model/real_drawing.h"
+#include "ar3d/model/real_points.h"
 
 namespace ar3d {
 namespace {
