@@ -10,7 +10,7 @@
 
 namespace ar3d {
 namespace {
-constexpr std::uint64_t kMaxVertices = std::numeric_limits<Vertex>::max() - 1;
+constexpr std::uint64_t kMostVertices = std::numeric_limits<Vertex>::max() - 1;
 constexpr std::uint64_t kVerticesPerByte = 16;
 }  // namespace
 
@@ -26,8 +26,8 @@ void simplify(std::vector<Edge>& edges) {
 
 std::optional<std::string> vertex_count_problem(std::uint64_t n, std::uint64_t bytes,
                                                 const ReadOptions& options) {
-  if (n > kMaxVertices) {
-    return fmt::format("{} vertices are too many, the limit is {}", n, kMaxVertices);
+  if (n > kMostVertices) {
+    return fmt::format("{} vertices are too many, the limit is {}", n, kMostVertices);
   }
   const std::uint64_t allowed = options.free_vertices + kVerticesPerByte * bytes;
   if (n <= allowed) return std::nullopt;
