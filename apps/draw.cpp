@@ -42,7 +42,7 @@ struct DrawArguments {
 };
 
 /// How the drawings are made and judged.
-struct Making {
+struct DrawJob {
   const Algorithm& algorithm;
   Settings options;
   CertificateMode certificate;
@@ -51,13 +51,13 @@ struct Making {
 };
 
 /// @throws InputError if it does not fit the width that is asked for, too.
-Drawing fitting_drawing(const Graph& graph, const Making& making) {
-  Drawing drawing = draw(making.algorithm, graph, making.options);
-  if (making.width) require_width(*making.width, making.algorithm.guarantee.bound, drawing);
+Drawing fitting_drawing(const Graph& graph, const DrawJob& job) {
+  Drawing drawing = draw(job.algorithm, graph, job.options);
+  if (job.width) require_width(*job.width, job.algorithm.guarantee.bound, drawing);
   return drawing;
 }
 
-struct Task {
+struct GraphToDraw {
   Graph graph;
   std::string where;  // "FILE:LINE"
 };
@@ -65,7 +65,7 @@ struct Task {
 /// What comes of a graph: a drawing of few points as its line already, a larger one as itself, so
 /// that no line of it is ever held as a whole; or why it could not be drawn, and what is wrong with
 /// the drawing.
-struct Drawn {
+struct DrawnGraph {
   std::string line;
   std::optional<Drawing> drawing;
   Examination examination;  ///< unless the level is full
@@ -80,7 +80,7 @@ std::uint64_t weight_of(const Graph& graph) {
 }
 
 /// What became of all drawings.
-struct Outcome {
+struct DrawOutcome {
   bool all_drawn = true;
   bool is_violated = false;
   bool all_proved = true;  ///< of those that were to be judged
@@ -92,35 +92,34 @@ struct Outcome {
 };
 
 /// The first violation of a drawing that is to be judged.
-std::optional<std::string> judge(const Graph& graph, const Drawing& drawing, const Making& making) {
-  if (making.certificate == CertificateMode::none) return std::nullopt;
-  const Certificate certificate = certify(graph, drawing, making.algorithm.guarantee);
+std::optional<std::string> judge(const Graph& graph, const Drawing& drawing, const DrawJob& job) {
+  if (job.certificate == CertificateMode::none) return std::nullopt;
+  const Certificate certificate = certify(graph, drawing, job.algorithm.guarantee);
   if (!certificate.violated()) return std::nullopt;
   return certificate.violations.empty() ? "a coordinate is out of range"
                                         : certificate.violations.front().message;
 }
 
 /// Whether no drawing of level full is left unproved that somebody asked to judge.
-bool proves(const Making& making) {
-  return making.certificate == CertificateMode::none ||
-         making.algorithm.guarantee.claim == Claim::proved;
+bool proves(const DrawJob& job) {
+  return job.certificate == CertificateMode::none || job.algorithm.guarantee.claim == Claim::proved;
 }
 
 void report(const std::string& where, const std::string& what) {
   fmt::print(stderr, "ar3d: {}\n", printable(fmt::format("{}: {}", where, what)));
 }
 
-Drawn drawn(const Task& task, const Making& making) {
-  Drawn result;
+DrawnGraph drawn(const GraphToDraw& task, const DrawJob& job) {
+  DrawnGraph result;
   try {
-    Drawing drawing = fitting_drawing(task.graph, making);
-    if (making.level != Level::full) {
+    Drawing drawing = fitting_drawing(task.graph, job);
+    if (job.level != Level::full) {
       result.examination =
-          examine_all(task.graph, drawing, making.algorithm.guarantee, making.certificate);
-    } else if (const auto violation = judge(task.graph, drawing, making)) {
+          examine_all(task.graph, drawing, job.algorithm.guarantee, job.certificate);
+    } else if (const auto violation = judge(task.graph, drawing, job)) {
       result.violation = fmt::format("{}: violated: {}", task.where, *violation);
     }
-    if (making.level == Level::full && weight_of(task.graph) < kLongLine) {
+    if (job.level == Level::full && weight_of(task.graph) < kLongLine) {
       append_drawing_line(result.line, drawing);
     } else {
       result.drawing = std::move(drawing);
@@ -132,7 +131,7 @@ Drawn drawn(const Task& task, const Making& making) {
   return result;
 }
 
-void write(const Drawn& drawn, Level level, OutputFile& file, Outcome& outcome) {
+void write(const DrawnGraph& drawn, Level level, OutputFile& file, DrawOutcome& outcome) {
   file.append(drawn.line);
   if (drawn.error) {
     outcome.all_drawn = false;
@@ -151,30 +150,30 @@ void write(const Drawn& drawn, Level level, OutputFile& file, Outcome& outcome) 
 
 /// Every graph of the input as one line; a graph outside the guarantee gives an error line and the
 /// others go on.
-Outcome draw_all(GraphReader& reader, const Making& making, OutputFile& file) {
-  Outcome outcome;
-  in_batches<Task>(
-      [&]() -> std::optional<Task> {
+DrawOutcome draw_all(GraphReader& reader, const DrawJob& job, OutputFile& file) {
+  DrawOutcome outcome;
+  in_batches<GraphToDraw>(
+      [&]() -> std::optional<GraphToDraw> {
         std::optional<Graph> graph = reader.next();
         if (!graph) return std::nullopt;
-        return Task{std::move(*graph), reader.where()};
+        return GraphToDraw{std::move(*graph), reader.where()};
       },
-      [](const Task& task) { return weight_of(task.graph); },
-      [&](const Task& task) { return drawn(task, making); },
-      [&](const Drawn& result) { write(result, making.level, file, outcome); });
+      [](const GraphToDraw& task) { return weight_of(task.graph); },
+      [&](const GraphToDraw& task) { return drawn(task, job); },
+      [&](const DrawnGraph& result) { write(result, job.level, file, outcome); });
   return outcome;
 }
 
 /// The drawings of the input's graphs one after the other. What could not be drawn is also said on
 /// standard error if others may follow.
-NextDrawing drawings_of(GraphReader& reader, const Making& making, bool others_follow,
-                        Outcome& outcome) {
+NextDrawing drawings_of(GraphReader& reader, const DrawJob& job, bool others_follow,
+                        DrawOutcome& outcome) {
   return [&, others_follow]() -> std::optional<PlacedLine> {
     const std::optional<Graph> graph = reader.next();
     if (!graph) return std::nullopt;
     try {
-      Drawing drawing = fitting_drawing(*graph, making);
-      if (const auto violation = judge(*graph, drawing, making)) {
+      Drawing drawing = fitting_drawing(*graph, job);
+      if (const auto violation = judge(*graph, drawing, job)) {
         outcome.is_violated = true;
         report(reader.where(), "violated: " + *violation);
       }
@@ -194,27 +193,27 @@ int draw_graphs(const DrawArguments& arguments) {
   const Level level = parse_level(arguments.level);
   const char* usual_mode = level == Level::full ? "none" : "exact";
   const std::string mode = arguments.certificate.value_or(usual_mode);
-  const Making making{algorithm, complete_options(algorithm, parse_settings(arguments.options)),
-                      parse_certificate_mode(mode), level,
-                      arguments.coordinates == "auto"
-                          ? std::nullopt
-                          : std::optional(parse_coordinate_width(arguments.coordinates))};
+  const DrawJob job{algorithm, complete_options(algorithm, parse_settings(arguments.options)),
+                    parse_certificate_mode(mode), level,
+                    arguments.coordinates == "auto"
+                        ? std::nullopt
+                        : std::optional(parse_coordinate_width(arguments.coordinates))};
   const DrawingFormat& format = drawing_format(arguments.format, arguments.output);
   if (level != Level::full && format.name != "jsonl") {
     throw InputError(
         fmt::format("--level {} is written as jsonl, not as {}", to_string(level), format.name));
   }
   GraphReader reader(arguments.input, arguments.graphs.read_options());
-  Outcome outcome;
+  DrawOutcome outcome;
   if (format.name == "jsonl") {  // many at a time
     OutputFile file(arguments.output);
-    outcome = draw_all(reader, making, file);
+    outcome = draw_all(reader, job, file);
     file.commit();
   } else {
-    format.write(drawings_of(reader, making, format.many_per_file, outcome), arguments.output,
+    format.write(drawings_of(reader, job, format.many_per_file, outcome), arguments.output,
                  arguments.picture);
   }
-  outcome.all_proved &= level != Level::full || proves(making);
+  outcome.all_proved &= level != Level::full || proves(job);
   return outcome.exit_code();
 }
 

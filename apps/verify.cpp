@@ -34,13 +34,13 @@ struct VerifyArguments {
   bool quiet = false;
 };
 
-struct Task {
+struct LineToJudge {
   DrawingJsonlReader::Line line;
   std::string where;           // "FILE:LINE"
   std::optional<Graph> graph;  // of --graphs
 };
 
-struct Verdict {
+struct LineVerdict {
   bool drawn = true;
   bool valid = true;
   bool measured = false;  // in a real type, not violated: nothing is proved
@@ -69,7 +69,7 @@ bool is_known(const std::string& algorithm) {
                              [&](const Algorithm& row) { return row.name == algorithm; });
 }
 
-Verdict judge(const Task& task, const VerifyArguments& arguments) {
+LineVerdict judge(const LineToJudge& task, const VerifyArguments& arguments) {
   if (const auto* undrawn = std::get_if<UndrawnGraph>(&task.line)) {
     return {.drawn = false, .text = fmt::format("{}: not drawn: {}\n", task.where, undrawn->error)};
   }
@@ -90,10 +90,10 @@ Verdict judge(const Task& task, const VerifyArguments& arguments) {
         {.crossing_test = crossing_test(arguments.test),
          .mode = parse_certificate_mode(arguments.certificate)});
     const Certificate& certificate = examination.certificate;
-    Verdict verdict{.valid = !certificate.violated(),
-                    .measured = certificate.measured,
-                    .unproved = certificate.mode == CertificateMode::none,
-                    .text = {}};
+    LineVerdict verdict{.valid = !certificate.violated(),
+                        .measured = certificate.measured,
+                        .unproved = certificate.mode == CertificateMode::none,
+                        .text = {}};
     for (const Violation& violation : certificate.violations) {
       verdict.text +=
           fmt::format("{}: {}: {}\n", task.where, to_string(violation.kind), violation.message);
@@ -114,7 +114,7 @@ Verdict judge(const Task& task, const VerifyArguments& arguments) {
 struct Counts {
   std::uint64_t certified = 0, violated = 0, not_drawn = 0, measured = 0, unproved = 0, unknown = 0;
 
-  void add(const Verdict& verdict) {
+  void add(const LineVerdict& verdict) {
     ++(!verdict.drawn     ? not_drawn
        : verdict.unknown  ? unknown
        : !verdict.valid   ? violated
@@ -138,8 +138,8 @@ struct Counts {
 
 /// The next drawing, with its graph if --graphs was given. @throws InputError if one of the two is
 /// missing. @param number  of drawings so far.
-std::optional<Task> next_task(const VerifyArguments& arguments, DrawingJsonlReader& drawings,
-                              GraphReader* graphs, std::uint64_t number) {
+std::optional<LineToJudge> next_task(const VerifyArguments& arguments, DrawingJsonlReader& drawings,
+                                     GraphReader* graphs, std::uint64_t number) {
   std::optional<DrawingJsonlReader::Line> line = drawings.next();
   std::optional<Graph> graph;
   if (graphs != nullptr) graph = graphs->next();
@@ -150,7 +150,7 @@ std::optional<Task> next_task(const VerifyArguments& arguments, DrawingJsonlRead
                                          arguments.graphs, number, arguments.input));
   }
   if (!line) return std::nullopt;
-  return Task{std::move(*line), drawings.where(), std::move(graph)};
+  return LineToJudge{std::move(*line), drawings.where(), std::move(graph)};
 }
 
 int verify_drawings(const VerifyArguments& arguments) {
@@ -163,18 +163,18 @@ int verify_drawings(const VerifyArguments& arguments) {
     graphs.emplace(arguments.graphs, arguments.graphs_as.read_options());
   std::uint64_t number = 0;
   Counts counts;
-  in_batches<Task>(
+  in_batches<LineToJudge>(
       [&] {
         auto task = next_task(arguments, reader, graphs ? &*graphs : nullptr, number);
         number += task.has_value();
         return task;
       },
-      [](const Task& task) {
+      [](const LineToJudge& task) {
         const auto* drawing = std::get_if<Drawing>(&task.line);
         return drawing ? std::uint64_t{drawing->num_vertices()} + drawing->num_edges() : 0;
       },
-      [&](const Task& task) { return judge(task, arguments); },
-      [&](const Verdict& verdict) {
+      [&](const LineToJudge& task) { return judge(task, arguments); },
+      [&](const LineVerdict& verdict) {
         counts.add(verdict);
         if (!arguments.quiet) fmt::print("{}", verdict.text);
       });
