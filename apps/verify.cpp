@@ -19,6 +19,7 @@
 #include "ar3d/verify/checks/examination.h"
 #include "batches.h"
 #include "commands.h"
+#include "drawing_summary.h"
 #include "options.h"
 
 namespace ar3d {
@@ -54,14 +55,6 @@ CrossingTest crossing_test(const std::string& name) {
   if (name == "plane-sweep") return CrossingTest::plane_sweep;
   if (name == "slabs") return CrossingTest::slabs;
   return CrossingTest::automatic;
-}
-
-/// The graph that the drawing itself claims to show, for `verify` without --graphs.
-Graph claimed_graph(const Drawing& drawing) {
-  std::vector<Edge> edges;
-  edges.reserve(drawing.num_edges());
-  for (EdgeId e = 0; e < drawing.num_edges(); ++e) edges.push_back(drawing.edge(e));
-  return Graph(drawing.num_vertices(), std::move(edges));
 }
 
 bool is_known(const std::string& algorithm) {

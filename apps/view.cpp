@@ -22,6 +22,7 @@
 #include "ar3d/formats/text/output.h"
 #include "ar3d/verify/certificate.h"
 #include "commands.h"
+#include "drawing_summary.h"
 #include "outputs.h"
 
 namespace ar3d {
@@ -35,18 +36,6 @@ const Algorithm* known_algorithm(const std::string& name) {
   return found == rows.end() ? nullptr : &*found;
 }
 
-/// The graph that the drawing claims to show; nothing if its edges are no simple graph's.
-std::optional<Graph> claimed_graph(const Drawing& drawing) {
-  std::vector<Edge> edges;
-  edges.reserve(drawing.num_edges());
-  for (EdgeId e = 0; e < drawing.num_edges(); ++e) edges.push_back(drawing.edge(e));
-  try {
-    return Graph(drawing.num_vertices(), std::move(edges));
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
-}
-
 }  // namespace
 
 PageVerdict page_verdict(const Drawing& drawing, const Algorithm* algorithm) {
@@ -55,8 +44,10 @@ PageVerdict page_verdict(const Drawing& drawing, const Algorithm* algorithm) {
     verdict.text = "no guarantee is known of this algorithm";
     return verdict;
   }
-  const std::optional<Graph> graph = claimed_graph(drawing);
-  if (!graph) {
+  std::optional<Graph> graph;
+  try {
+    graph = claimed_graph(drawing);
+  } catch (const InputError&) {
     verdict.text = "the edges are not those of a simple graph";
     return verdict;
   }
@@ -69,8 +60,8 @@ PageVerdict page_verdict(const Drawing& drawing, const Algorithm* algorithm) {
     verdict.text = "made in a real type, so nothing is proved; ar3d verify measures what it misses";
     return verdict;
   }
-  verdict.kind =
-      certificate.valid() ? PageVerdict::PageJudgement::certified : PageVerdict::PageJudgement::violated;
+  verdict.kind = certificate.valid() ? PageVerdict::PageJudgement::certified
+                                     : PageVerdict::PageJudgement::violated;
   verdict.text =
       fmt::format("judged in exact integers against the guarantee of {}, on the edges drawn{}",
                   algorithm->name, certificate.complete ? "" : "; not all violations are listed");
