@@ -12,16 +12,6 @@
 namespace ar3d::testing {
 namespace {
 
-/// The square of a cycle: v is joined to v + 1 and v + 2. Rich in triangles.
-Graph squared_cycle(Vertex n) {
-  std::vector<Edge> edges;
-  for (Vertex v = 0; v < n; ++v) {
-    edges.push_back({v, (v + 1) % n});
-    edges.push_back({v, (v + 2) % n});
-  }
-  return Graph(n, std::move(edges));
-}
-
 struct Named {
   const char* name;
   Graph graph;

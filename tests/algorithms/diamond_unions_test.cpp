@@ -30,15 +30,6 @@ Graph cycle_through_triangles(Vertex k) {
   return Graph(3 * k, std::move(edges));
 }
 
-Graph squared_cycle(Vertex n) {
-  std::vector<Edge> edges;
-  for (Vertex v = 0; v < n; ++v) {
-    edges.push_back({v, (v + 1) % n});
-    edges.push_back({v, (v + 2) % n});
-  }
-  return Graph(n, std::move(edges));
-}
-
 Graph random_union(std::uint64_t seed) {
   RandomStream random(seed, 4);
   std::vector<Graph> parts;

@@ -39,7 +39,7 @@ struct CaseCounts {
   }
 };
 
-inline std::int64_t counter(const Drawing& drawing, std::string_view name) {
+inline std::int64_t counter_of(const Drawing& drawing, std::string_view name) {
   for (const Counter& counter : drawing.counters) {
     if (counter.name == name) return counter.value;
   }
@@ -53,13 +53,13 @@ inline std::string grid_fault(const Graph& graph, std::int64_t effort,
   const Algorithm& grid = find_algorithm("grid");
   const Drawing drawing = draw(grid, graph, {{"effort", effort}});
   if (counts != nullptr) {
-    counts->nt += counter(drawing, "nt");
-    counts->pq += counter(drawing, "pq");
-    counts->last_u += counter(drawing, "last_u");
-    counts->last_m += counter(drawing, "last_m");
-    counts->last_p += counter(drawing, "last_p");
-    counts->flat_defects += counter(drawing, "flat_defects");
-    counts->core_parts += counter(drawing, "core_parts");
+    counts->nt += counter_of(drawing, "nt");
+    counts->pq += counter_of(drawing, "pq");
+    counts->last_u += counter_of(drawing, "last_u");
+    counts->last_m += counter_of(drawing, "last_m");
+    counts->last_p += counter_of(drawing, "last_p");
+    counts->flat_defects += counter_of(drawing, "flat_defects");
+    counts->core_parts += counter_of(drawing, "core_parts");
   }
   const Certificate certificate = certify(graph, drawing, grid.guarantee);
   const auto extents = bounding_box(drawing).extents();

@@ -123,8 +123,8 @@ TEST(Grid, ColouredGraphsGetAFlatBox) {
   for (const char* family : {"random-cubic", "prism", "binary-tree", "union-k4", "cycle"}) {
     const Graph graph = shuffled(generate(find_family(family), 3000, 3), 8);
     const Drawing drawing = grid::draw(graph);
-    EXPECT_EQ(counter(drawing, "flat_defects"), 0) << family;
-    EXPECT_EQ(counter(drawing, "core_parts"), 0) << family;
+    EXPECT_EQ(counter_of(drawing, "flat_defects"), 0) << family;
+    EXPECT_EQ(counter_of(drawing, "core_parts"), 0) << family;
     const auto extents = bounding_box(drawing).extents();
     EXPECT_LE(*std::ranges::min_element(extents), 300) << family;
   }
@@ -156,8 +156,8 @@ TEST(Grid, ComponentsWithoutFlatNumbersAreLeftToTheCore) {
 TEST(Grid, SnarksKeepADefectAndFlatNumbers) {
   for (const Graph& graph : {petersen(), generate(find_family("flower-snark"), 100, 0)}) {
     const Drawing drawing = grid::draw(graph);  // no proper edge colouring with three colours
-    EXPECT_GE(counter(drawing, "flat_defects"), 2);
-    EXPECT_EQ(counter(drawing, "core_parts"), 0);
+    EXPECT_GE(counter_of(drawing, "flat_defects"), 2);
+    EXPECT_EQ(counter_of(drawing, "core_parts"), 0);
   }
 }
 

@@ -24,7 +24,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-std::size_t count(const std::string& text, const std::string& part) {
+std::size_t occurrences(const std::string& text, const std::string& part) {
   std::size_t found = 0;
   for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
     ++found;
@@ -67,18 +67,18 @@ bool has_word(const std::string& text, const std::string& word) {
 TEST(Report, IsOnePageThatNeedsNothingFromOutside) {
   const std::string html =
       testing::report_of(testing::good_results({"diamond", "grid"}, {"cubic"}, 9, 4));
-  EXPECT_EQ(count(html, "<script"), 6u)
+  EXPECT_EQ(occurrences(html, "<script"), 6u)
       << "rows, figures, a style for saving, drawings, the viewer, and one script";
-  EXPECT_EQ(count(html, "<style"), 1u);
+  EXPECT_EQ(occurrences(html, "<style"), 1u);
   for (const char* outside : {"src=http", "src='http", "src=\"http", "src=//", "href=http",
                               "href='http", "href=\"http", "href=//", "@import", "url("}) {
-    EXPECT_EQ(count(html, outside), 0u) << outside;
+    EXPECT_EQ(occurrences(html, outside), 0u) << outside;
   }
   EXPECT_THAT(html, HasSubstr("default-src 'none'"));
   EXPECT_THAT(html, HasSubstr(">PASS<"));
-  EXPECT_EQ(count(html, "<figure data-fig="), 9u + 1 + 2 * (3 + 1))
+  EXPECT_EQ(occurrences(html, "<figure data-fig="), 9u + 1 + 2 * (3 + 1))
       << "the trade at nine n, volume against n, and for each setting three growths and the bends";
-  EXPECT_EQ(count(html, "<table class='heat sortable'>"), 2u);
+  EXPECT_EQ(occurrences(html, "<table class='heat sortable'>"), 2u);
   EXPECT_LT(html.size(), 2'000'000u);
 }
 
@@ -111,8 +111,8 @@ TEST(Report, StyleAndScriptAreTheFilesOfTheTree) {
 
 TEST(Report, EscapesEveryStringOfTheFile) {
   const std::string html = testing::report_of(hostile_results());
-  EXPECT_EQ(count(html, "<script"), 6u);
-  EXPECT_EQ(count(html, "</script"), 6u);
+  EXPECT_EQ(occurrences(html, "<script"), 6u);
+  EXPECT_EQ(occurrences(html, "</script"), 6u);
   EXPECT_THAT(html, Not(HasSubstr("<img")));
   EXPECT_THAT(html, Not(HasSubstr("\xff")));
   EXPECT_THAT(html, Not(HasSubstr("\x01")));
@@ -158,11 +158,11 @@ TEST(Report, SettingsAreComparedAtEveryN) {
     results.runs.back().log2_volume -= 1;
   }
   const std::string html = testing::report_of(results);
-  EXPECT_EQ(count(html, "<section id=trade>"), 1u);
-  EXPECT_EQ(count(html, "aria-label='Volume against drawing time, n = "), 9u);
-  EXPECT_EQ(count(html, "<polyline class='front'"), 9u);
-  EXPECT_EQ(count(html, "aria-label='Volume against n'"), 1u);
-  EXPECT_EQ(count(html, "class='crossing'"), 0u) << "one is below the other everywhere";
+  EXPECT_EQ(occurrences(html, "<section id=trade>"), 1u);
+  EXPECT_EQ(occurrences(html, "aria-label='Volume against drawing time, n = "), 9u);
+  EXPECT_EQ(occurrences(html, "<polyline class='front'"), 9u);
+  EXPECT_EQ(occurrences(html, "aria-label='Volume against n'"), 1u);
+  EXPECT_EQ(occurrences(html, "class='crossing'"), 0u) << "one is below the other everywhere";
   EXPECT_EQ(count(testing::report_of(testing::good_results({"diamond"}, {"cubic"}, 9, 4)),
                   "<section id=trade>"),
             0u)
@@ -179,8 +179,8 @@ TEST(Report, SettingsWithoutACommonFamilyAreNotCompared) {
   const std::string html = testing::report_of(results);
   EXPECT_THAT(html, HasSubstr("<option value=0 selected>cubic, which 2 settings drew</option>"));
   EXPECT_THAT(html, HasSubstr("<option value=1>prism, which 2 settings drew</option>"));
-  EXPECT_EQ(count(html, "<figure data-fig='volume"), 2u);
-  EXPECT_EQ(count(html, " data-group=1 data-n="), 9u);
+  EXPECT_EQ(occurrences(html, "<figure data-fig='volume"), 2u);
+  EXPECT_EQ(occurrences(html, " data-group=1 data-n="), 9u);
 }
 
 // Two algorithms whose volumes are n^3 and 2^6.5 n^2 lattice points cross at n = 2^6.5.
@@ -191,7 +191,7 @@ TEST(Report, CrossingsOfVolumesAreMarkedAndTold) {
     run.log2_volume = run.algorithm == "grid" ? 3 * log_n : 6.5 + 2 * log_n;
   }
   const std::string html = testing::report_of(results);
-  EXPECT_EQ(count(html, "class='crossing'"), 1u);
+  EXPECT_EQ(occurrences(html, "class='crossing'"), 1u);
   EXPECT_THAT(html, HasSubstr("diamond needs less volume than grid from about n = 91 on"));
 }
 
@@ -222,8 +222,8 @@ TEST(Report, OfManyFamiliesTheExtremeOnesAreNamed) {
   const std::string html = testing::report_of(results);
   const std::size_t begin = html.find("<figure data-fig='diamond-longest-side'");
   const std::string figure = html.substr(begin, html.find("</figure>", begin) - begin);
-  EXPECT_EQ(count(figure, "<g class='family"), 30u);
-  EXPECT_EQ(count(figure, "<g class='family extreme'"), 4u);
+  EXPECT_EQ(occurrences(figure, "<g class='family"), 30u);
+  EXPECT_EQ(occurrences(figure, "<g class='family extreme'"), 4u);
   for (const char* name : {">family-29<", ">family-28<", ">family-1<", ">family-0<"}) {
     EXPECT_EQ(count(figure.substr(figure.find("class='ends'")), name), 2u) << "name and title";
   }
@@ -259,12 +259,12 @@ TEST(Report, BatchesAreShownAgainstTheIdeal) {
     }
   }
   const std::string html = testing::report_of(results);
-  EXPECT_EQ(count(html, "<section id=strong-weak>"), 1u);
-  EXPECT_EQ(count(html, "strong scaling: drawings at a time against threads'"), 1u);
-  EXPECT_EQ(count(html, "weak scaling: drawings at a time against threads'"), 1u);
-  EXPECT_EQ(count(html, "weak scaling over ranks: drawings at a time against ranks'"), 1u);
-  EXPECT_EQ(count(html, "<td class=num>4 ranks</td>"), 1u);
-  EXPECT_EQ(count(html, "<title>ideal</title>"), 3u);
+  EXPECT_EQ(occurrences(html, "<section id=strong-weak>"), 1u);
+  EXPECT_EQ(occurrences(html, "strong scaling: drawings at a time against threads'"), 1u);
+  EXPECT_EQ(occurrences(html, "weak scaling: drawings at a time against threads'"), 1u);
+  EXPECT_EQ(occurrences(html, "weak scaling over ranks: drawings at a time against ranks'"), 1u);
+  EXPECT_EQ(occurrences(html, "<td class=num>4 ranks</td>"), 1u);
+  EXPECT_EQ(occurrences(html, "<title>ideal</title>"), 3u);
   EXPECT_EQ(count(html,
                   "<td class=num>16 ms</td><td class=num>12 ms</td>"
                   "<td class=num>75.0 %</td>"),
@@ -332,17 +332,17 @@ TEST(Export, CsvHasOneLineACellAndQuotes) {
   Results results = testing::good_results({"diamond"}, {"a,\"b\"", "prism"}, 2, 2);
   results.runs[0].theorem_bound[0] = kMissing;
   const std::string csv = bounds_csv(analyse(view_of(results)));
-  EXPECT_EQ(count(csv, "\r\n"), 3u);
+  EXPECT_EQ(occurrences(csv, "\r\n"), 3u);
   EXPECT_THAT(csv, HasSubstr("diamond,,\"a,\"\"b\"\"\",,16,32,4,4,0,"));
   EXPECT_THAT(csv, Not(HasSubstr("nan")));
   std::string boxes;
   rows_csv(view_of(results), [&](std::string_view text) { boxes += text; });
-  EXPECT_EQ(count(boxes, "\r\n"), 1u + results.runs.size());
+  EXPECT_EQ(occurrences(boxes, "\r\n"), 1u + results.runs.size());
   for (const Metric& metric : metrics()) EXPECT_THAT(boxes, HasSubstr("," + metric.name + ","));
   EXPECT_THAT(boxes, HasSubstr("\r\n0,diamond,,\"a,\"\"b\"\"\",,16,32,16000,ok,"));
   EXPECT_THAT(boxes, Not(HasSubstr("nan")));
   const std::string growth = scaling_csv(analyse(view_of(results)));
-  EXPECT_EQ(count(growth, "\r\n"), 1u + 2 * 6);
+  EXPECT_EQ(occurrences(growth, "\r\n"), 1u + 2 * 6);
   EXPECT_THAT(growth, HasSubstr("undecided"));
 }
 

@@ -15,7 +15,7 @@ using testing::doubling;
 using ::testing::HasSubstr;
 using testing::noisy_samples;
 
-double ten_percent(RandomStream& random, double) { return 0.1 * testing::normal(random); }
+double normal_ten_percent(RandomStream& random, double) { return 0.1 * testing::normal(random); }
 double none(RandomStream&, double) { return 0; }
 
 TEST(LinearFit, RecoversAnExactPlane) {
@@ -48,7 +48,7 @@ TEST(Scaling, FewSizesAreUndecidedAndSayWhatIsMissing) {
   RandomStream random(2);
   const auto truth = [](double n) { return std::log(n); };
   const ScalingEntry entry =
-      fit_scaling(noisy_samples(doubling(64, 7), 5, random, truth, ten_percent));
+      fit_scaling(noisy_samples(doubling(64, 7), 5, random, truth, normal_ten_percent));
   EXPECT_FALSE(entry.decided);
   EXPECT_EQ(entry.growth, Growth::undecided);
   EXPECT_TRUE(entry.power.fitted) << "the estimate is shown, without an interval";
@@ -62,7 +62,7 @@ TEST(Scaling, WhatItAsksForDecides) {
   const auto truth = [](double n) { return 2 * std::log(n); };
   const auto study = [&](const std::vector<std::int64_t>& sizes, std::size_t seeds) {
     RandomStream random(11);
-    return fit_scaling(noisy_samples(sizes, seeds, random, truth, ten_percent));
+    return fit_scaling(noisy_samples(sizes, seeds, random, truth, normal_ten_percent));
   };
   std::vector<std::int64_t> sizes = doubling(64, 6);
   ScalingEntry entry = study(sizes, 4);
@@ -78,8 +78,8 @@ TEST(Scaling, WhatItAsksForDecides) {
 TEST(Scaling, CloseSizesAreUndecided) {
   RandomStream random(3);
   const auto truth = [](double n) { return std::log(n); };
-  const ScalingEntry entry = fit_scaling(
-      noisy_samples({100, 110, 120, 130, 140, 150, 160, 170}, 5, random, truth, ten_percent));
+  const ScalingEntry entry = fit_scaling(noisy_samples({100, 110, 120, 130, 140, 150, 160, 170}, 5,
+                                                       random, truth, normal_ten_percent));
   EXPECT_FALSE(entry.decided);
   EXPECT_THAT(entry.reason, HasSubstr("1.7 times"));
 }

@@ -12,8 +12,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const std::string kProgram = AR3D_PROGRAM;
-
 TEST(CertificateModes, VerifySaysWhatIsNotProved) {
   const ScratchDirectory scratch;
   const std::string file = scratch.path("d.jsonl");

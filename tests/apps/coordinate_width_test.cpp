@@ -11,8 +11,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const std::string kProgram = AR3D_PROGRAM;
-
 Outcome drawn(const std::string& n, const std::string& coordinates) {
   return run(kProgram + " generate random-cubic -n " + n + " | " + kProgram +
              " draw - --algorithm two-bend --coordinates " + coordinates);

@@ -19,8 +19,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const std::string kProgram = AR3D_PROGRAM;
-
 Outcome verified(const std::string& line) {
   return run("printf '%s\\n' '" + line + "' | " + kProgram + " verify -");
 }

@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
 /// 120 rows of some ten milliseconds.
-constexpr const char* kStudy =
+constexpr const char* kInterruptedStudy =
     "study = 's'\n[[sweep]]\nfamilies = 'random-cubic'\nsizes = 2000\nalgorithms = 'grid'\n"
     "instances = 120\n";
 
@@ -30,7 +30,8 @@ std::string begun(const std::string& spec, const std::string& file, const std::s
 
 TEST(Interrupts, TwoAndThreeOfThemLoseNoAcknowledgedRow) {
   const ScratchDirectory scratch;
-  const std::string spec = scratch.write("s.toml", kStudy), whole = scratch.path("whole.h5");
+  const std::string spec = scratch.write("s.toml", kInterruptedStudy),
+                    whole = scratch.path("whole.h5");
   must("{} study run -q " + spec + " -o " + whole);
   for (const std::string options : {"", "--isolate"}) {
     for (const std::string signals : {"2", "3"}) {
@@ -103,7 +104,8 @@ TEST(Interrupts, OfMergeReportHuntAndGenerateLeaveWholeFilesOrNone) {
 
 TEST(MovedFolder, AStudyEndsInItAndLeavesTheOneThatHasItsNameAlone) {
   const ScratchDirectory scratch;
-  const std::string spec = scratch.write("s.toml", kStudy), older = scratch.path("older.h5");
+  const std::string spec = scratch.write("s.toml", kInterruptedStudy),
+                    older = scratch.path("older.h5");
   must("{} study run -q " + spec + " -o " + older);
   fs::create_directory(scratch.path("sub"));
   const std::string file = scratch.path("sub/r.h5");

@@ -14,8 +14,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const std::string kProgram = AR3D_PROGRAM;
-
 class KeptDrawings : public ::testing::Test {
  protected:
   // 2 algorithms, 2 families, 3 sizes, 2 instances of the random one: 18 drawings, 4 curves.

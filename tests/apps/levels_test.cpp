@@ -13,8 +13,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const std::string kProgram = AR3D_PROGRAM;
-
 std::string drawn_at(const std::string& level, const std::string& family,
                      const std::string& algorithm) {
   const Outcome outcome = run(kProgram + " generate " + family + " -n 20 | " + kProgram +

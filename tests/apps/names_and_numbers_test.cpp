@@ -13,29 +13,30 @@ namespace {
 using ::testing::HasSubstr;
 
 /// One line on stderr that holds `part`, exit code 2, nothing on stdout.
-void expect_refused(const std::string& command, const std::string& part) {
+void expect_name_refused(const std::string& command, const std::string& part) {
   const Outcome outcome = run("timeout 20 " + command);
   expect_one_line(outcome, part);
   EXPECT_EQ(outcome.out, "") << command;
 }
 
 TEST(Numbers, NegativeAndOverlargeOnesAreRefused) {
-  expect_refused("{} generate cycle -n -5", "'-5' is not a whole number");
-  expect_refused("{} generate cycle -n 99999999999999999999", "is not a whole number");
-  expect_refused("{} generate cycle -n 1e3", "'1e3' is not a whole number");
-  expect_refused("{} generate cycle -n 9 --count -1", "'-1' is not a whole number");
-  expect_refused("{} generate cycle -n 9 --count 0", "'0' is not a whole number");
-  expect_refused("{} generate cycle -n 9 --seed -1", "'-1' is not a whole number");
-  expect_refused("{} generate random-cubic -n 9 --seed 18446744073709551615 --count 2", "pass");
-  expect_refused("{} hunt --algorithm grid -n -5", "'-5' is not a whole number");
-  expect_refused("{} hunt --algorithm grid --seconds nan", "'nan' is not a number");
-  expect_refused("{} draw - --algorithm grid --turn inf", "'inf' is not a number");
-  expect_refused("{} study selfcheck r.h5 --seed -1", "'-1' is not a whole number");
-  expect_refused("{} study selfcheck r.h5 --sample -1", "'-1' is not a whole number");
-  expect_refused("{} study count r.h5 --max-n -1", "'-1' is not a whole number");
-  expect_refused("{} study run smoke --threads -1", "'-1' is not a whole number");
-  expect_refused("{} study plan smoke --threads 1e9", "'1e9' is not a whole number");
-  expect_refused("{} compare a.h5 b.h5 --rounds -1", "'-1' is not a whole number");
+  expect_name_refused("{} generate cycle -n -5", "'-5' is not a whole number");
+  expect_name_refused("{} generate cycle -n 99999999999999999999", "is not a whole number");
+  expect_name_refused("{} generate cycle -n 1e3", "'1e3' is not a whole number");
+  expect_name_refused("{} generate cycle -n 9 --count -1", "'-1' is not a whole number");
+  expect_name_refused("{} generate cycle -n 9 --count 0", "'0' is not a whole number");
+  expect_name_refused("{} generate cycle -n 9 --seed -1", "'-1' is not a whole number");
+  expect_name_refused("{} generate random-cubic -n 9 --seed 18446744073709551615 --count 2",
+                      "pass");
+  expect_name_refused("{} hunt --algorithm grid -n -5", "'-5' is not a whole number");
+  expect_name_refused("{} hunt --algorithm grid --seconds nan", "'nan' is not a number");
+  expect_name_refused("{} draw - --algorithm grid --turn inf", "'inf' is not a number");
+  expect_name_refused("{} study selfcheck r.h5 --seed -1", "'-1' is not a whole number");
+  expect_name_refused("{} study selfcheck r.h5 --sample -1", "'-1' is not a whole number");
+  expect_name_refused("{} study count r.h5 --max-n -1", "'-1' is not a whole number");
+  expect_name_refused("{} study run smoke --threads -1", "'-1' is not a whole number");
+  expect_name_refused("{} study plan smoke --threads 1e9", "'1e9' is not a whole number");
+  expect_name_refused("{} compare a.h5 b.h5 --rounds -1", "'-1' is not a whole number");
 }
 
 TEST(Numbers, SizesThatAFamilyLacksAreSaid) {
@@ -51,46 +52,50 @@ TEST(Names, GraphsWithNamesOfTheirOwn) {
   const Outcome petersen = expect_exit(0, run("{} generate petersen --format graph6"));
   EXPECT_EQ(petersen.err, "");
   EXPECT_EQ(petersen.out.front(), 'I') << "10 vertices";
-  expect_refused("{} generate petersn", "did you mean 'petersen'?");
-  expect_refused("{} generate cycle", "-n NUMBER");
+  expect_name_refused("{} generate petersn", "did you mean 'petersen'?");
+  expect_name_refused("{} generate cycle", "-n NUMBER");
 }
 
 TEST(Names, UnknownOnesAreAnsweredWithTheNearest) {
-  expect_refused("{} drwa -", "unknown verb 'drwa'; did you mean 'draw'? (see ar3d --help)");
-  expect_refused("{} study rum quick", "did you mean 'run'? (see ar3d study --help)");
-  expect_refused("{} generate cycle -n 9 --sed 3",
-                 "did you mean '--seed'? (see ar3d generate --help)");
-  expect_refused("{} generate cycel -n 9", "did you mean 'cycle'?");
-  expect_refused("{} generate cycle -n 9 --format grap6", "did you mean 'graph6'?");
-  expect_refused("{} draw - --algorithm grid --format jsnl", "did you mean 'jsonl'?");
-  expect_refused("{} draw - --algorithm gird",
-                 "unknown algorithm 'gird'; did you mean 'grid'? (known: diamond, two-bend, grid, "
-                 "compact, compact-120, two-bend-109, two-bend-paper; see: ar3d list algorithms)");
-  expect_refused(
+  expect_name_refused("{} drwa -", "unknown verb 'drwa'; did you mean 'draw'? (see ar3d --help)");
+  expect_name_refused("{} study rum quick", "did you mean 'run'? (see ar3d study --help)");
+  expect_name_refused("{} generate cycle -n 9 --sed 3",
+                      "did you mean '--seed'? (see ar3d generate --help)");
+  expect_name_refused("{} generate cycel -n 9", "did you mean 'cycle'?");
+  expect_name_refused("{} generate cycle -n 9 --format grap6", "did you mean 'graph6'?");
+  expect_name_refused("{} draw - --algorithm grid --format jsnl", "did you mean 'jsonl'?");
+  expect_name_refused(
+      "{} draw - --algorithm gird",
+      "unknown algorithm 'gird'; did you mean 'grid'? (known: diamond, two-bend, grid, "
+      "compact, compact-120, two-bend-109, two-bend-paper; see: ar3d list algorithms)");
+  expect_name_refused(
       "{} draw - --algorithm grid --set efort=2",
       "algorithm grid has no option 'efort'; did you mean 'effort'? (known: effort; see: "
       "ar3d list algorithms)");
-  expect_refused("{} generate torus -n 9 --set row=3",
-                 "family torus has no parameter 'row'; did you mean 'rows'? (known: rows, shuffle; "
-                 "see: ar3d list families)");
-  expect_refused("{} hunt --algorithm grid --measure volum",
-                 "did you mean 'volume'? (see ar3d hunt --help)");
-  expect_refused("{} hunt --algorithm grid --bound theorm", "did you mean 'theorem'?");
-  expect_refused("{} hunt --algorithm grid --family cycel", "did you mean 'cycle'?");
-  expect_refused("{} hunt --algorithm grid --seeded-fault wrong-bent",
-                 "did you mean 'wrong-bend'?");
-  expect_refused("{} verify - --crossing-test slab", "did you mean 'slabs'?");
-  expect_refused("{} list familes", "did you mean 'families'? (see ar3d list --help)");
-  expect_refused("{} study run smok", "did you mean 'smoke'?");
+  expect_name_refused(
+      "{} generate torus -n 9 --set row=3",
+      "family torus has no parameter 'row'; did you mean 'rows'? (known: rows, shuffle; "
+      "see: ar3d list families)");
+  expect_name_refused("{} hunt --algorithm grid --measure volum",
+                      "did you mean 'volume'? (see ar3d hunt --help)");
+  expect_name_refused("{} hunt --algorithm grid --bound theorm", "did you mean 'theorem'?");
+  expect_name_refused("{} hunt --algorithm grid --family cycel", "did you mean 'cycle'?");
+  expect_name_refused("{} hunt --algorithm grid --seeded-fault wrong-bent",
+                      "did you mean 'wrong-bend'?");
+  expect_name_refused("{} verify - --crossing-test slab", "did you mean 'slabs'?");
+  expect_name_refused("{} list familes", "did you mean 'families'? (see ar3d list --help)");
+  expect_name_refused("{} study run smok", "did you mean 'smoke'?");
 }
 
 TEST(Files, AnEndingThatIsNoFormatIsRefused) {
   const ScratchDirectory scratch;
-  expect_refused("{} generate k5 | {} draw - --algorithm diamond -o " + scratch.path("k5.step"),
-                 "'.step' is no drawing format's ending");
-  expect_refused("{} generate k5 -o " + scratch.path("k5.step"),
-                 "'.step' is no graph format's ending");
-  expect_refused("{} generate k5 -o " + scratch.path("k5.s6.gz"), "'.gz' is no graph format's");
+  expect_name_refused(
+      "{} generate k5 | {} draw - --algorithm diamond -o " + scratch.path("k5.step"),
+      "'.step' is no drawing format's ending");
+  expect_name_refused("{} generate k5 -o " + scratch.path("k5.step"),
+                      "'.step' is no graph format's ending");
+  expect_name_refused("{} generate k5 -o " + scratch.path("k5.s6.gz"),
+                      "'.gz' is no graph format's");
   EXPECT_TRUE(std::filesystem::is_empty(scratch.path("")));
   EXPECT_EQ(run("{} generate k5 --format edgelist -o " + scratch.path("k5.step")).exit_code, 0);
 }
@@ -101,13 +106,13 @@ TEST(Files, AFirstLineIsDecidedByEveryVerbThatReadsGraphs) {
   const std::string graph = scratch.write("g.txt", "2 1\n0 1\n");  // a path of 3, or of 2, vertices
   const std::string drawing = scratch.path("d.jsonl");
   const std::string asks = "--first-line edge or --first-line header says which";
-  expect_refused("{} draw " + graph + " --algorithm grid", asks);
+  expect_name_refused("{} draw " + graph + " --algorithm grid", asks);
   must("{} draw " + graph + " --algorithm grid --first-line header -o " + drawing);
   expect_error(run("{} verify " + drawing + " --graphs " + graph), asks);
   EXPECT_EQ(run("{} verify " + drawing + " --first-line header --graphs " + graph).exit_code, 0);
   EXPECT_EQ(run("{} verify " + drawing + " --first-line edge --graphs " + graph).exit_code, 4);
   const std::string shrink = "{} shrink " + graph + " --algorithm grid --ratio 1e-9 -o ";
-  expect_refused(shrink + scratch.path("a"), asks);
+  expect_name_refused(shrink + scratch.path("a"), asks);
   EXPECT_THAT(run(shrink + scratch.path("b") + " --first-line header --evaluations 1").out,
               HasSubstr("of 2 vertices"));
   EXPECT_THAT(run(shrink + scratch.path("c") + " --first-line edge --evaluations 1").out,
@@ -115,8 +120,9 @@ TEST(Files, AFirstLineIsDecidedByEveryVerbThatReadsGraphs) {
 }
 
 TEST(Files, AStreamIsNoPrefix) {
-  expect_refused("{} hunt --algorithm grid --evaluations 1 -o -", "not a stream");
-  expect_refused("{} generate k4 | {} shrink - --algorithm grid --ratio 0.01 -o -", "not a stream");
+  expect_name_refused("{} hunt --algorithm grid --evaluations 1 -o -", "not a stream");
+  expect_name_refused("{} generate k4 | {} shrink - --algorithm grid --ratio 0.01 -o -",
+                      "not a stream");
 }
 
 TEST(Files, AnInterruptedGenerateLeavesNothing) {

@@ -9,7 +9,7 @@
 namespace ar3d::testing {
 namespace {
 
-const std::string kFolder = AR3D_SOURCE_DIR "/examples/open_questions/";
+const std::string kFolder = AR3D_SOURCE_DIR "/docs/open-questions/";
 
 std::string answer(const std::string& graph6, const std::string& script,
                    const std::string& solver) {

@@ -20,7 +20,7 @@ using ::testing::ElementsAre;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 
-const std::string kFolder = AR3D_SOURCE_DIR "/examples/open_questions/";
+const std::string kQuestions = AR3D_SOURCE_DIR "/docs/open-questions/";
 
 /// "sat" or "unsat": has the graph a drawing on the lattice?
 std::string answer(const std::string& graph6, const std::string& options,
@@ -28,7 +28,7 @@ std::string answer(const std::string& graph6, const std::string& options,
                    const std::string& solver = "z3") {
   const testing::ScratchDirectory scratch;
   const std::string formula = scratch.path("formula.smt2");
-  const auto made = run("/usr/bin/python3 " + kFolder + script + " '" + graph6 + "' " + options +
+  const auto made = run("/usr/bin/python3 " + kQuestions + script + " '" + graph6 + "' " + options +
                         " > " + formula);
   EXPECT_EQ(made.exit_code, 0) << made.err;
   std::string said = run(solver + " " + formula).out;
@@ -61,7 +61,7 @@ TEST(OpenQuestions, OneGraphOfSevenVerticesHasALatticeDrawing) {
 
 TEST(OpenQuestions, TheModelRefusesWhatIsNotFourRegular) {
   for (const std::string script : {"lattice_orders.py", "lattice_lengths.py"}) {
-    const auto made = run("/usr/bin/python3 " + kFolder + script + " 'C~'");
+    const auto made = run("/usr/bin/python3 " + kQuestions + script + " 'C~'");
     EXPECT_NE(made.exit_code, 0);
     EXPECT_THAT(made.err, HasSubstr("vertex 0 has not degree 4"));
   }
@@ -106,7 +106,7 @@ bool make_the_optimal_angle(Vector3 a, Vector3 b) {
 TEST(OpenQuestions, K4HasADrawingWithOneBend) {
   const testing::ScratchDirectory scratch;
   const std::string file = scratch.path("k4.jsonl");
-  run("/usr/bin/python3 " + kFolder + "k4_one_bend.py > " + file);
+  run("/usr/bin/python3 " + kQuestions + "k4_one_bend.py > " + file);
   const auto verified = run("{} verify " + file + " --algorithm two-bend-109");
   EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
   EXPECT_THAT(verified.out, HasSubstr("4 certified, 0 violated"));
@@ -141,7 +141,7 @@ class SmallDrawingsSearch : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     scratch = new testing::ScratchDirectory;
-    const auto built = run("c++ -O2 -std=c++20 -ffp-contract=off " + kFolder +
+    const auto built = run("c++ -O2 -std=c++20 -ffp-contract=off " + kQuestions +
                            "small_drawings.cpp -o " + scratch->path("search"));
     ASSERT_EQ(built.exit_code, 0) << built.err;
   }
@@ -159,13 +159,13 @@ class SmallDrawingsSearch : public ::testing::Test {
 testing::ScratchDirectory* SmallDrawingsSearch::scratch = nullptr;
 
 TEST(OpenQuestions, SmallDrawingsAreCertified) {
-  const auto verified = run("{} verify " + kFolder + "small_drawings.jsonl");
+  const auto verified = run("{} verify " + kQuestions + "small_drawings.jsonl");
   EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
   EXPECT_THAT(verified.out, HasSubstr("3 certified, 0 violated"));
 }
 
 TEST(OpenQuestions, SmallDrawingsHaveTheBoxesStated) {
-  std::ifstream file(kFolder + "small_drawings.jsonl");
+  std::ifstream file(kQuestions + "small_drawings.jsonl");
   std::vector<std::string> boxes;
   for (std::string line; std::getline(file, line);) boxes.push_back(cube_box(json::parse(line)));
   EXPECT_THAT(boxes, ElementsAre("29 x 41 x 38", "14 x 14 x 14", "12 x 12 x 14"));
@@ -177,7 +177,7 @@ TEST_F(SmallDrawingsSearch, FindsTheCommittedDrawingOfTheComplementOfC7Again) {
   const auto made = search("FUzro 60 9 12 2000000 0.15");
   EXPECT_EQ(made.exit_code, 0) << made.err;
   EXPECT_THAT(made.err, HasSubstr("box 12 x 12 x 14"));
-  EXPECT_THAT(testing::read_file(kFolder + "small_drawings.jsonl"), EndsWith("\n" + made.out));
+  EXPECT_THAT(testing::read_file(kQuestions + "small_drawings.jsonl"), EndsWith("\n" + made.out));
 }
 
 TEST_F(SmallDrawingsSearch, RefusesBadArgumentsAndSaysWhenItFindsNothing) {

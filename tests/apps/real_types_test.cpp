@@ -11,8 +11,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const std::string kProgram = AR3D_PROGRAM;
-
 TEST(RealTypes, DrawnExactlyAndJudgedWithoutTolerance) {
   const ScratchDirectory scratch;
   const std::string file = scratch.path("d.jsonl");

@@ -9,8 +9,6 @@
 namespace ar3d::testing {
 namespace {
 
-const std::string kProgram = AR3D_PROGRAM;
-
 TEST(Threads, OneLargeDrawingAndManySmallOnes) {
   const ScratchDirectory scratch;
   const std::string large = scratch.path("large.s6");

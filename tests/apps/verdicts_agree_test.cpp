@@ -17,7 +17,7 @@ namespace {
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
-const char* const kStudy = R"(study = "judged"
+const char* const kJudgedStudy = R"(study = "judged"
 [[sweep]]
 families = "random-cubic"
 sizes = [20, 40, 80]
@@ -105,7 +105,7 @@ class VerdictsAgree : public ::testing::TestWithParam<Situation> {};
 
 TEST_P(VerdictsAgree, InWordsAndExitCodes) {
   const ScratchDirectory scratch;
-  scratch.write("study.toml", kStudy);
+  scratch.write("study.toml", kJudgedStudy);
   GetParam().make(scratch);
   const std::string in_folder = "cd " + scratch.path("") + " && ";
   const auto expect_said = [&](const std::string& verb, const Outcome& outcome) {
@@ -154,7 +154,7 @@ INSTANTIATE_TEST_SUITE_P(
 // beside a journal is of another study.
 class UnfinishedStudy : public ::testing::Test {
  protected:
-  void SetUp() override { scratch_.write("study.toml", kStudy); }
+  void SetUp() override { scratch_.write("study.toml", kJudgedStudy); }
   std::string said(const std::string& verb, const std::string& file) const {
     const Outcome outcome =
         expect_exit(5, run("cd " + scratch_.path("") + " && {} " + verb + " " + file));

@@ -200,7 +200,7 @@ TEST(Exports, StlIsWatertight) {
 }
 
 template <class Write>
-std::string refusal(Write write) {
+std::string refusal_of(Write write) {
   try {
     written(write);
   } catch (const InputError& error) {
@@ -221,13 +221,13 @@ Drawing segment(Point a, Point b, const std::vector<Point>& bends = {}) {
 
 TEST(Exports, RefuseWhatTheFormatCannotHold) {
   const auto stl = [](const Drawing& drawing, double radius = 0.2) {
-    return refusal([&, radius](OutputFile& file) { write_stl(file, drawing, radius); });
+    return refusal_of([&, radius](OutputFile& file) { write_stl(file, drawing, radius); });
   };
   EXPECT_EQ(stl(segment({}, {0, 65537, 0})), "an extent of 65537, stl holds at most 65536");
   EXPECT_THAT(stl(segment({}, {0, 0, 0})), HasSubstr("length 0"));
   EXPECT_THAT(stl(segment({}, {1, 0, 0}, {{2, 0, 0}})), HasSubstr("turns back"));
   EXPECT_THAT(stl(segment({}, {3, 1, 0}, {{3, 0, 0}}), 2), HasSubstr("too short for its bends"));
-  EXPECT_EQ(refusal([](OutputFile& file) {
+  EXPECT_EQ(refusal_of([](OutputFile& file) {
               write_glb(file, segment({}, {1 << 25, 0, 0}));
             }),
             "an extent of 33554432, glb holds at most 16777216");

@@ -31,7 +31,7 @@ std::vector<DrawingJsonlReader::Line> read_lines(const std::string& text) {
   return lines;
 }
 
-std::string refusal(const std::string& text) {
+std::string refusal_of_lines(const std::string& text) {
   try {
     read_lines(text);
   } catch (const InputError& error) {
@@ -115,7 +115,7 @@ std::string changed(const std::string& part, const std::string& by) {
   std::string line = kEdgeLine;
   const std::size_t at = line.find(part);
   EXPECT_NE(at, std::string::npos);
-  return refusal(std::string(kEdgeLine) + line.replace(at, part.size(), by));
+  return refusal_of_lines(std::string(kEdgeLine) + line.replace(at, part.size(), by));
 }
 
 TEST(DrawingJsonl, RefusesNumbersThatAreNotExact) {
@@ -174,13 +174,13 @@ TEST(DrawingJsonl, RefusesWhatDoesNotFitTogether) {
 }
 
 TEST(DrawingJsonl, RefusesWhatIsNotJson) {
-  EXPECT_EQ(refusal(""), "d: empty file: no drawing in it");
-  EXPECT_EQ(refusal("[]\n"), "d:1: expected an object, found an array");
-  EXPECT_EQ(refusal("5\n"), "d:1: unexpected number 5");
-  EXPECT_EQ(refusal("{\"n\":2\n").substr(0, 4), "d:1:");
-  EXPECT_EQ(refusal(std::string(kEdgeLine).substr(0, 60)).substr(0, 4), "d:1:");
-  EXPECT_EQ(refusal("DQc\n").substr(0, 4), "d:1:");
-  EXPECT_EQ(refusal("{\"n\":\"\xff\"}\n").find('\n'), std::string::npos);
+  EXPECT_EQ(refusal_of_lines(""), "d: empty file: no drawing in it");
+  EXPECT_EQ(refusal_of_lines("[]\n"), "d:1: expected an object, found an array");
+  EXPECT_EQ(refusal_of_lines("5\n"), "d:1: unexpected number 5");
+  EXPECT_EQ(refusal_of_lines("{\"n\":2\n").substr(0, 4), "d:1:");
+  EXPECT_EQ(refusal_of_lines(std::string(kEdgeLine).substr(0, 60)).substr(0, 4), "d:1:");
+  EXPECT_EQ(refusal_of_lines("DQc\n").substr(0, 4), "d:1:");
+  EXPECT_EQ(refusal_of_lines("{\"n\":\"\xff\"}\n").find('\n'), std::string::npos);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace ar3d::testing {
 namespace {
 
-std::string refusal(const std::string& path, const std::string& text) {
+std::string refusal_to_write(const std::string& path, const std::string& text) {
   try {
     OutputFile output(path);
     output.append(text);
@@ -45,7 +45,7 @@ TEST(OutputFile, KeepsModeAndFollowsLinks) {
   write_file(folder.file("target"), "old");
   ::chmod(folder.file("target").c_str(), 0640);
   std::filesystem::create_symlink("target", folder.file("link"));
-  EXPECT_EQ(refusal(folder.file("link"), "new"), "accepted");
+  EXPECT_EQ(refusal_to_write(folder.file("link"), "new"), "accepted");
   EXPECT_TRUE(std::filesystem::is_symlink(folder.file("link")));
   EXPECT_EQ(read_file(folder.file("target")), "new");
   struct stat status {};
@@ -55,11 +55,12 @@ TEST(OutputFile, KeepsModeAndFollowsLinks) {
 
 TEST(OutputFile, RefusesWhatCannotBeWritten) {
   const TemporaryFolder folder;
-  EXPECT_EQ(refusal(folder.file(""), "x"), "cannot write " + folder.file("") + ": Is a directory");
-  EXPECT_EQ(refusal(folder.file("no/such/file"), "x"),
+  EXPECT_EQ(refusal_to_write(folder.file(""), "x"),
+            "cannot write " + folder.file("") + ": Is a directory");
+  EXPECT_EQ(refusal_to_write(folder.file("no/such/file"), "x"),
             "cannot write " + folder.file("no/such/file") + ": No such file or directory");
-  EXPECT_EQ(refusal("/dev/full", "x"), "cannot write /dev/full: No space left on device");
-  EXPECT_EQ(refusal("/dev/null", "x"), "accepted");
+  EXPECT_EQ(refusal_to_write("/dev/full", "x"), "cannot write /dev/full: No space left on device");
+  EXPECT_EQ(refusal_to_write("/dev/null", "x"), "accepted");
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 
@@ -70,7 +71,7 @@ TEST(OutputFile, FullDiskLeavesNothingBehind) {
   const rlimit small{1 << 17, old.rlim_max};
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
   setrlimit(RLIMIT_FSIZE, &small);
-  const std::string message = refusal(folder.file("out"), std::string(1 << 20, 'x'));
+  const std::string message = refusal_to_write(folder.file("out"), std::string(1 << 20, 'x'));
   setrlimit(RLIMIT_FSIZE, &old);
   std::signal(SIGXFSZ, handler);
   EXPECT_EQ(message, "cannot write " + folder.file("out") + ": File too large");

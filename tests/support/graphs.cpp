@@ -98,4 +98,13 @@ std::vector<Graph> geng(const std::string& arguments) {
   return graphs;
 }
 
+Graph squared_cycle(Vertex n) {
+  std::vector<Edge> edges;
+  for (Vertex v = 0; v < n; ++v) {
+    edges.push_back({v, (v + 1) % n});
+    edges.push_back({v, (v + 2) % n});
+  }
+  return Graph(n, std::move(edges));
+}
+
 }  // namespace ar3d::testing

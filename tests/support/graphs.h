@@ -22,4 +22,7 @@ Graph shuffled(const Graph& graph, std::uint64_t seed);
 /// @throws std::runtime_error if it fails or prints nothing, so that no list is cut unnoticed.
 std::vector<Graph> geng(const std::string& arguments);
 
+/// The square of a cycle: v is joined to v + 1 and v + 2. Rich in triangles.
+Graph squared_cycle(Vertex n);
+
 }  // namespace ar3d::testing

@@ -15,6 +15,8 @@
 
 namespace ar3d::testing {
 
+const std::string kProgram = AR3D_PROGRAM;
+
 namespace fs = std::filesystem;
 
 ScratchDirectory::ScratchDirectory() {

@@ -5,6 +5,9 @@
 
 namespace ar3d::testing {
 
+/// The path of the ar3d program that was built with the tests.
+extern const std::string kProgram;
+
 /// What a shell command printed and how it ended.
 struct Outcome {
   std::string command;
