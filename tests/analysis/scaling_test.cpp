@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 using testing::noisy_samples;
 
 double normal_ten_percent(RandomStream& random, double) { return 0.1 * testing::normal(random); }
-double none(RandomStream&, double) { return 0; }
+double no_noise(RandomStream&, double) { return 0; }
 
 TEST(LinearFit, RecoversAnExactPlane) {
   std::vector<FitPoint> points;
@@ -36,7 +36,7 @@ TEST(LinearFit, RecoversAnExactPlane) {
 TEST(Scaling, AnExactPowerLawGivesItsExponentAndAPoint) {
   RandomStream random(1);
   const auto truth = [](double n) { return 2 + 1.5 * std::log(n); };
-  const ScalingEntry entry = fit_scaling(noisy_samples(doubling(64, 9), 3, random, truth, none));
+  const ScalingEntry entry = fit_scaling(noisy_samples(doubling(64, 9), 3, random, truth, no_noise));
   ASSERT_TRUE(entry.decided);
   EXPECT_NEAR(entry.power.exponent, 1.5, 1e-9);
   EXPECT_NEAR(entry.power.log_factor, 2, 1e-9);
@@ -87,7 +87,7 @@ TEST(Scaling, CloseSizesAreUndecided) {
 TEST(Scaling, SmallSizesAreLeftOutOnlyWhileEnoughStay) {
   RandomStream random(4);
   const auto truth = [](double n) { return std::log(n); };
-  const auto many = noisy_samples(doubling(4, 12), 2, random, truth, none);  // 4 … 8192
+  const auto many = noisy_samples(doubling(4, 12), 2, random, truth, no_noise);  // 4 … 8192
   const FitSizes chosen = choose_sizes(many, 8);
   EXPECT_EQ(chosen.used.size(), 8u);
   EXPECT_EQ(chosen.used.front().n, 64);
@@ -256,7 +256,7 @@ TEST(Scaling, ALogarithmsExponentIsAWholeNumber) {
 TEST(Scaling, ALowerOrderTermIsNoExponent) {
   RandomStream random(8);
   const auto exact = [](double n) { return std::log(n + 4 * std::sqrt(n)); };
-  const ScalingEntry entry = fit_scaling(noisy_samples(doubling(64, 8), 8, random, exact, none));
+  const ScalingEntry entry = fit_scaling(noisy_samples(doubling(64, 8), 8, random, exact, no_noise));
   EXPECT_LT(entry.power.exponent, 0.95);
   EXPECT_EQ(entry.growth, Growth::apparent) << entry.reason;
 }
