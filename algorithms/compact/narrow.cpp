@@ -1,10 +1,9 @@
-// What efforts 1 and 2 draw: a strip with about one cell per vertex, filled greedily at random. The
-// rules (a) to (e) are all that a right drawing needs (Lemmas C.3 to C.5), so neither zones nor
-// caps are kept. A vertex that finds no cell among 120 ejects a placed neighbour, as in cuckoo
-// hashing. Nothing proves that this ends well, hence the bounded number of ejections and the zones
-// behind it. A cell is refused by the cheapest test that refuses it: eight at a time by the places
-// of neighbours (cells.h), then two bits of a line on which nothing is (narrow_lines.h), and only
-// then its pieces. Cost: O(n + ejections) cells tried, each in O(1) expected.
+// What efforts 1 and 2 draw: a strip with about one cell per vertex, filled greedily at random by
+// rules (a) to (e) alone (Lemmas C.3 to C.5), without zones and caps. A vertex that finds no cell
+// among 120 ejects a placed neighbour, as in cuckoo hashing; nothing proves that this ends well,
+// hence the bounded number of ejections and the zones behind it. A cell is refused by the cheapest
+// test: eight at a time by the places of neighbours (cells.h), then two bits of its line
+// (narrow_lines.h), and only then its pieces. Cost: O(n + ejections) cells, each O(1) expected.
 #include <algorithm>
 #include <array>
 #include <bit>

@@ -1,10 +1,8 @@
 // Theorem 2 as the paper's Section 3 builds it: Steps P.1 to P.12 of docs/theorem2-paper.md. All
 // decisions are made once, in double (Repair P.1); then one template computes the points in the
-// type that is asked for, so every difference between the drawings of two types is rounding. Cost:
-// O(n m) at worst for each cycle, O(N^2 log N) for N rays, O(k m) for k contracted vertices.
-// Whether the drawings' arithmetic rounds as IEEE 754 says, on which Repair P.1 and Steps P.1 to
-// P.12 rest: the test runs in this file, so that it is compiled with the same flags as the
-// drawings. Cost: O(1).
+// type that is asked for, so types differ by rounding alone. Whether this file rounds as IEEE 754
+// says, on which that rests, is tested in it, with the flags of the drawings. Cost: O(n m) at worst
+// for each cycle, O(N^2 log N) for N rays, O(k m) for k contracted vertices.
 #include "ar3d/algorithms/two_bend_paper/two_bend_paper.h"
 
 #include <fmt/format.h>

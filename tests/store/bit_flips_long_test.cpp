@@ -1,5 +1,5 @@
 // Every single bit of a journal, and of every 17th byte of a results file, flipped: nothing is
-// accepted with another value, nothing crashes and nothing hangs. The counts are in docs/study.md.
+// accepted with another value, nothing crashes and nothing hangs (docs/study.md, Nothing is lost).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

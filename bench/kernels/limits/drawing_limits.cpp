@@ -28,7 +28,7 @@ struct Drawn {
   const char* why_missed;
 };
 
-// docs/performance.md has the profiles behind these.
+// docs/performance.md says why.
 constexpr const char* kDiamondPasses =
     "some 14 random accesses per vertex, four of them of the walks over all edges";
 constexpr const char* kGridPasses =
