@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <tuple>
+#include <utility>
 
 #include "ar3d/analysis/compare/pairing.h"
 #include "ar3d/analysis/text.h"
@@ -93,36 +95,28 @@ std::vector<PairedCell> with_enough_pairs(std::vector<PairedCell> cells, std::si
   return result;
 }
 
-/// The heaviest change without noise and how often it occurs.
-struct FixedVerdict {
-  Verdict verdict = Verdict::pass;
-  std::string reason;
-};
-
-FixedVerdict judge_fixed(const std::vector<FixedChange>& changes) {
-  if (changes.empty()) return {};
+/// The verdict on what has no noise: the heaviest change, and in words how often it occurs.
+std::pair<Verdict, std::string> judge_fixed(const std::vector<FixedChange>& changes) {
+  if (changes.empty()) return {Verdict::pass, ""};
   const auto worst = std::max_element(
       changes.begin(), changes.end(),
       [](const FixedChange& a, const FixedChange& b) { return a.effect < b.effect; });
   const auto alike = std::count_if(changes.begin(), changes.end(), [&](const FixedChange& change) {
     return change.effect == worst->effect;
   });
-  FixedVerdict verdict;
-  verdict.reason = one_line(worst->message);
-  if (alike > 1) verdict.reason += fmt::format(" (and {} more like it)", alike - 1);
+  std::string reason = one_line(worst->message);
+  if (alike > 1) reason += fmt::format(" (and {} more like it)", alike - 1);
   switch (worst->effect) {
     case Effect::other:
       break;
     case Effect::better:
-      verdict.verdict = Verdict::improved;
-      break;
+      return {Verdict::improved, std::move(reason)};
     case Effect::worse:
-      verdict.verdict = Verdict::regressed;
-      break;
+      return {Verdict::regressed, std::move(reason)};
     case Effect::violated:
-      verdict.verdict = Verdict::violated;
+      return {Verdict::violated, std::move(reason)};
   }
-  return verdict;
+  return {Verdict::pass, std::move(reason)};
 }
 
 std::string undecided_reason(const TimeVerdict& time, std::size_t enough) {
@@ -135,15 +129,15 @@ std::string undecided_reason(const TimeVerdict& time, std::size_t enough) {
 
 /// Weighs the noiseless verdict and the time's together. What was not drawn on both sides has no
 /// time to judge.
-void judge(CellComparison& cell, const FixedVerdict& fixed, bool is_drawn, const TimeRule& rule,
-           const Comparison& comparison) {
-  cell.verdict = fixed.verdict;
-  cell.reason = fixed.reason;
+void judge(CellComparison& cell, const std::pair<Verdict, std::string>& fixed, bool is_drawn,
+           const TimeRule& rule, const Comparison& comparison) {
+  std::tie(cell.verdict, cell.reason) = fixed;
+  const std::string& fixed_reason = fixed.second;
   const bool is_heavy = cell.verdict >= Verdict::regressed;
   if (is_heavy || comparison.drawings_only || comparison.is_copy || !is_drawn) return;
   const auto set = [&](Verdict verdict, const std::string& reason) {
     cell.verdict = verdict;
-    cell.reason = reason + (fixed.reason.empty() ? "" : "; " + fixed.reason);
+    cell.reason = reason + (fixed_reason.empty() ? "" : "; " + fixed_reason);
   };
   if (!comparison.time_judged) {
     set(Verdict::unjudged, "times not judged");

@@ -50,19 +50,12 @@ std::string power_text(double order) {
   return order == 1 ? "n" : order == 0.5 ? "√n" : fmt::format("n^{:.3g}", order);
 }
 
-/// Least, median and largest of the families' medians at one requested n.
-struct BandSize {
-  double x = 0;
-  std::vector<double> values;
-};
-
-std::map<std::int64_t, BandSize> band_of(const GrowthFigure& growth) {
-  std::map<std::int64_t, BandSize> band;
+/// The families' medians by requested n.
+std::map<std::int64_t, std::vector<double>> band_of(const GrowthFigure& growth) {
+  std::map<std::int64_t, std::vector<double>> band;
   for (const FamilyLine& line : growth.lines) {
     for (const SizeSample& size : line.entry->all) {
-      BandSize& at = band[size.requested_n];
-      at.x = log10_of(std::max<std::int64_t>(1, size.requested_n));
-      at.values.push_back(growth.middle(size));
+      band[size.requested_n].push_back(growth.middle(size));
     }
   }
   return band;
@@ -114,13 +107,13 @@ std::vector<std::size_t> extreme_lines(const GrowthFigure& growth) {
 
 std::string band_svg(const GrowthFigure& growth, const PlotFrame& frame, std::string& csv) {
   std::string upper, lower, middle;
-  for (const auto& [n, at] : band_of(growth)) {
-    const auto [least, most] = std::minmax_element(at.values.begin(), at.values.end());
-    const double centre = median(at.values);
-    upper += frame.point(at.x, *most);
-    lower.insert(0, frame.point(at.x, *least));
-    middle += frame.point(at.x, centre);
-    csv += csv_line("all families", "band", at.x, centre, *least, *most);
+  for (const auto& [n, values] : band_of(growth)) {
+    const double x = log10_of(std::max<std::int64_t>(1, n)), centre = median(values);
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    upper += frame.point(x, *most);
+    lower.insert(0, frame.point(x, *least));
+    middle += frame.point(x, centre);
+    csv += csv_line("all families", "band", x, centre, *least, *most);
   }
   return fmt::format(
       "<polygon class='band f0' points='{}{}'/><polyline class='median middle' points='{}'/>",

@@ -27,10 +27,6 @@ constexpr std::size_t kReadAtOnce = std::size_t{1} << 20;
 using Ending = std::array<char, kChecksumSize>;
 static_assert(kHashedEnd + sizeof(XXH128_canonical_t) == kChecksumSize);
 
-struct FreeState {
-  void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
-};
-
 // Fewer than `count` bytes only at the end of the file. @return -1 and errno if it cannot be read.
 ssize_t read_at(int file, char* to, std::size_t count, std::uint64_t offset) {
   std::size_t have = 0;
@@ -55,7 +51,8 @@ Ending ending_of(std::uint64_t size) {
 // Puts the hash of the first `size` bytes and of the ending before it into the ending. False, with
 // errno, if the bytes cannot be read.
 bool put_hash(int file, std::uint64_t size, Ending& ending) {
-  const std::unique_ptr<XXH3_state_t, FreeState> state(XXH3_createState());
+  const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(),
+                                                                       XXH3_freeState);
   XXH3_128bits_reset(state.get());
   std::vector<char> block(kReadAtOnce);
   for (std::uint64_t at = 0; at < size;) {
