@@ -65,7 +65,7 @@ struct GraphToDraw {
 /// What comes of a graph: a drawing of few points as its line already, a larger one as itself, so
 /// that no line of it is ever held as a whole; or why it could not be drawn, and what is wrong with
 /// the drawing.
-struct DrawnGraph {
+struct DrawnLine {
   std::string line;
   std::optional<Drawing> drawing;
   Examination examination;  ///< unless the level is full
@@ -109,8 +109,8 @@ void report(const std::string& where, const std::string& what) {
   fmt::print(stderr, "ar3d: {}\n", printable(fmt::format("{}: {}", where, what)));
 }
 
-DrawnGraph drawn(const GraphToDraw& task, const DrawJob& job) {
-  DrawnGraph result;
+DrawnLine drawn(const GraphToDraw& task, const DrawJob& job) {
+  DrawnLine result;
   try {
     Drawing drawing = fitting_drawing(task.graph, job);
     if (job.level != Level::full) {
@@ -131,7 +131,7 @@ DrawnGraph drawn(const GraphToDraw& task, const DrawJob& job) {
   return result;
 }
 
-void write(const DrawnGraph& drawn, Level level, OutputFile& file, DrawOutcome& outcome) {
+void write(const DrawnLine& drawn, Level level, OutputFile& file, DrawOutcome& outcome) {
   file.append(drawn.line);
   if (drawn.error) {
     outcome.all_drawn = false;
@@ -160,7 +160,7 @@ DrawOutcome draw_all(GraphReader& reader, const DrawJob& job, OutputFile& file) 
       },
       [](const GraphToDraw& task) { return weight_of(task.graph); },
       [&](const GraphToDraw& task) { return drawn(task, job); },
-      [&](const DrawnGraph& result) { write(result, job.level, file, outcome); });
+      [&](const DrawnLine& result) { write(result, job.level, file, outcome); });
   return outcome;
 }
 
