@@ -11,7 +11,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
-#include "ar3d/bench/compare/git.h"
+#include "ar3d/bench/compare/commits.h"
 #include "commands.h"
 #include "options.h"
 #include "outputs.h"

@@ -11,7 +11,6 @@
 #include "ar3d/analysis/replay.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
-#include "ar3d/bench/search/shrink.h"
 #include "ar3d/bench/search/trial.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
@@ -122,8 +121,8 @@ Subject subject_of(const SubjectArguments& arguments) {
 RatioRule rule_of(const SubjectArguments& arguments) {
   RatioRule rule;
   for (const auto& [name, measure] :
-       {std::pair("x", Measure::x), std::pair("y", Measure::y), std::pair("z", Measure::z),
-        std::pair("volume", Measure::volume)}) {
+       {std::pair("x", BoundShare::x), std::pair("y", BoundShare::y), std::pair("z", BoundShare::z),
+        std::pair("volume", BoundShare::volume)}) {
     if (arguments.measure == name) rule.measure = measure;
   }
   if (arguments.against == "instance") rule.against = Against::instance;

@@ -8,7 +8,7 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
-#include "ar3d/bench/spec/named_studies.h"
+#include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/generators/named.h"

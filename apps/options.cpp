@@ -66,7 +66,7 @@ void add_threads_option(CLI::App& verb) {
       ->check(whole_number(1, 1024));
 }
 
-void add_making_options(CLI::App& verb, MakingPolicy& policy) {
+void add_making_options(CLI::App& verb, SessionPolicy& policy) {
   verb.add_flag("--isolate", policy.isolate,
                 "make rows in processes of their own: a crash is one row's status");
   verb.add_flag("--force-timing", policy.force_timing,

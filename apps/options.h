@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/bench/run/make_rows.h"
+#include "ar3d/bench/run/session.h"
 #include "ar3d/formats/graphs/graph_format.h"
 
 // Options that several verbs have, and what their values may be.
@@ -27,7 +27,7 @@ CLI::Validator one_of(std::vector<std::string> known);
 /// threads.
 void add_threads_option(CLI::App& verb);
 /// Options of every verb that makes rows of a study.
-void add_making_options(CLI::App& verb, MakingPolicy& policy);
+void add_making_options(CLI::App& verb, SessionPolicy& policy);
 
 /// How a graph file is to be read, as every verb that reads one is told.
 struct GraphInput {

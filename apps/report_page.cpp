@@ -12,7 +12,7 @@
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/analysis/replay.h"
 #include "ar3d/base/error.h"
-#include "ar3d/bench/compare/reference_build.h"
+#include "ar3d/bench/compare/commits.h"
 #include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/formats/drawings/drawing_html.h"
 #include "ar3d/formats/drawings/packed_geometry.h"

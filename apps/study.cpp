@@ -16,10 +16,10 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/bench/keep/gather_rows.h"
 #include "ar3d/bench/keep/journaled_study.h"
-#include "ar3d/bench/keep/merge_study.h"
 #include "ar3d/bench/keep/study_files.h"
-#include "ar3d/bench/measure/interruption.h"
+#include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/store/journal/journal_writer.h"
@@ -41,7 +41,7 @@ struct RunArguments {
   int workers = 0;  // 0: workers_for() decides
   bool quiet = false;
   bool force = false;
-  MakingPolicy policy;  // what the command line says of it
+  SessionPolicy policy;  // what the command line says of it
 };
 
 // Beside a page that is no report the study goes without: it has been there for hours, or has come
@@ -82,7 +82,7 @@ int conclude(const JournaledStudy& study, bool force, bool unchanged) {
   return exit_code;
 }
 
-int run_to_the_end(JournaledStudy study, const RunArguments& arguments, const MakingPolicy& policy,
+int run_to_the_end(JournaledStudy study, const RunArguments& arguments, const SessionPolicy& policy,
                    Ranks& ranks) {
   // A second signal ends the program at once: what is acknowledged is in the journal.
   const Interruptible interruptible(SecondSignal::ends_program);
@@ -119,7 +119,7 @@ int run_to_the_end(JournaledStudy study, const RunArguments& arguments, const Ma
 // Begins and makes a study on all ranks; the first one speaks for all.
 int make_study(const RunArguments& arguments, const std::function<JournaledStudy()>& begin) {
   const std::unique_ptr<Ranks> ranks = join_ranks();
-  MakingPolicy policy = arguments.policy;
+  SessionPolicy policy = arguments.policy;
   policy.workers = workers_for(arguments.workers, ranks->size());
   policy.ranks = ranks.get();
   if (!arguments.quiet && ranks->size() == 1) policy.progress = stderr;

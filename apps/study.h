@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "ar3d/bench/run/make_rows.h"
+#include "ar3d/bench/run/session.h"
 #include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/store/run_storage.h"
 #include "options.h"
@@ -32,7 +32,7 @@ StudySpec chosen_study(const StudyChoice& choice);
 /// Before any work: @throws InputError if the study cannot be made with this policy (bad build, too
 /// few cores) or, for large sizes and for rows with limits, if a cell is estimated to be
 /// impossible.
-void refuse_impossible_study(const StudySpec& spec, const MakingPolicy& policy);
+void refuse_impossible_study(const StudySpec& spec, const SessionPolicy& policy);
 
 /// Writes the drawings that a study keeps beside its results file, and tells where they are. What
 /// stands there is replaced if it is a file of drawings or `force` is given; else nothing is

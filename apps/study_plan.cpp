@@ -8,7 +8,7 @@
 #include "ar3d/base/error.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/run/estimate.h"
-#include "ar3d/bench/run/make_rows.h"
+#include "ar3d/bench/run/session.h"
 #include "ar3d/bench/spec/study_spec.h"
 #include "commands.h"
 #include "options.h"
@@ -129,9 +129,9 @@ void print_estimate(const StudyPlan& plan, const StudyEstimate& estimate, int wo
 
 }  // namespace
 
-void refuse_impossible_study(const StudySpec& spec, const MakingPolicy& policy) {
+void refuse_impossible_study(const StudySpec& spec, const SessionPolicy& policy) {
   const StudyPlan plan = plan_study(spec);
-  require_makeable(plan, policy);
+  require_possible(plan, policy);
   const std::vector<PlannedBlock>& blocks = plan.instances.blocks();
   const bool is_large = std::any_of(blocks.begin(), blocks.end(), [](const PlannedBlock& block) {
     return block.first.n >= kLargeSize;

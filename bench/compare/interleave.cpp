@@ -8,11 +8,10 @@
 #include <fstream>
 
 #include "ar3d/base/error.h"
-#include "ar3d/bench/measure/child_process.h"
-#include "ar3d/bench/measure/interruption.h"
-#include "ar3d/bench/measure/pinning.h"
-#include "ar3d/bench/measure/stopwatch.h"
-#include "ar3d/bench/spec/movable_text.h"
+#include "ar3d/bench/measure/cores.h"
+#include "ar3d/bench/measure/instruments.h"
+#include "ar3d/bench/measure/processes.h"
+#include "ar3d/bench/spec/study_spec.h"
 
 namespace ar3d {
 namespace {

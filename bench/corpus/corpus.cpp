@@ -1,19 +1,143 @@
 #include "ar3d/bench/corpus/corpus.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <limits>
 #include <numeric>
 #include <queue>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/hash_stream.h"
 #include "ar3d/base/random.h"
-#include "ar3d/bench/corpus/subgraphs.h"
 #include "ar3d/formats/catalog.h"
 
 namespace ar3d {
+namespace {
+
+constexpr std::size_t kBufferBytes = std::size_t{1} << 20;
+constexpr std::size_t kHeadBytes = sizeof(std::uint64_t);  // how many bytes follow
+
+int unnamed_file(std::string& name) {
+  name = (std::filesystem::temp_directory_path() / "ar3d-graphs-XXXXXX").string();
+  const int file = mkostemp(name.data(), O_CLOEXEC);
+  if (file < 0) throw InputError(fmt::format("cannot create {}: {}", name, std::strerror(errno)));
+  unlink(name.c_str());
+  return file;
+}
+
+void put(std::vector<char>& bytes, std::uint64_t value) {
+  for (; value >= 128; value >>= 7) bytes.push_back(static_cast<char>(value | 128));
+  bytes.push_back(static_cast<char>(value));
+}
+
+std::uint64_t take(std::span<const char>& bytes) {
+  std::uint64_t value = 0;
+  for (unsigned shift = 0;; shift += 7) {
+    expect(!bytes.empty() && shift < 64, "a spooled graph is whole");
+    const auto byte = static_cast<unsigned char>(bytes.front());
+    bytes = bytes.subspan(1);
+    value |= std::uint64_t{byte & 127u} << shift;
+    if (byte < 128) return value;
+  }
+}
+
+// Edges ascend by (u, v), u < v.
+void put_graph(std::vector<char>& bytes, const Graph& graph) {
+  put(bytes, graph.num_vertices());
+  put(bytes, graph.num_edges());
+  Vertex u = 0;
+  for (const Edge edge : graph.edges()) {
+    put(bytes, edge.u - u);
+    put(bytes, edge.v - edge.u);
+    u = edge.u;
+  }
+}
+
+Graph take_graph(std::span<const char> bytes) {
+  const std::uint64_t n = take(bytes);
+  std::vector<Edge> edges(take(bytes));
+  Vertex u = 0;
+  for (Edge& edge : edges) {
+    u += static_cast<Vertex>(take(bytes));
+    edge = {u, u + static_cast<Vertex>(take(bytes))};
+  }
+  return Graph(n, std::move(edges));
+}
+
+}  // namespace
+
+Spool::Spool() : file_(unnamed_file(name_)) {}
+
+std::uint64_t Spool::append(const Graph& graph) {
+  const std::uint64_t offset = end_;
+  const std::size_t head = buffer_.size();
+  buffer_.resize(head + kHeadBytes);
+  put_graph(buffer_, graph);
+  const std::uint64_t length = buffer_.size() - head - kHeadBytes;
+  std::memcpy(buffer_.data() + head, &length, kHeadBytes);
+  end_ += kHeadBytes + length;
+  if (buffer_.size() >= kBufferBytes) flush();
+  return offset;
+}
+
+void Spool::flush() {
+  std::span<const char> left = buffer_;
+  while (!left.empty()) {
+    const ssize_t written = write(file_.get(), left.data(), left.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) {
+      throw InputError(
+          fmt::format("cannot write {} (TMPDIR says where): {}", name_, std::strerror(errno)));
+    }
+    left = left.subspan(static_cast<std::size_t>(written));
+  }
+  buffer_.clear();
+}
+
+namespace {
+
+void read_all(int file, char* to, std::size_t count, std::uint64_t offset,
+              const std::string& name) {
+  while (count > 0) {
+    const ssize_t got = pread(file, to, count, static_cast<off_t>(offset));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) {
+      throw InputError(fmt::format("cannot read {}: {}", name,
+                                   got == 0 ? "it ends too early" : std::strerror(errno)));
+    }
+    to += got;
+    count -= static_cast<std::size_t>(got);
+    offset += static_cast<std::uint64_t>(got);
+  }
+}
+
+}  // namespace
+
+Graph Spool::read(std::uint64_t offset) const {
+  std::array<char, 4096> start;  // a small graph comes with one call
+  const std::uint64_t there = end_ - offset;
+  const std::size_t first = std::min<std::uint64_t>(start.size(), there);
+  read_all(file_.get(), start.data(), first, offset, name_);
+  std::uint64_t length = 0;
+  std::memcpy(&length, start.data(), kHeadBytes);
+  expect(length <= there - kHeadBytes, "a spooled graph stands in the file");
+  if (kHeadBytes + length <= first) return take_graph({start.data() + kHeadBytes, length});
+  std::vector<char> bytes(length);
+  read_all(file_.get(), bytes.data(), length, offset + kHeadBytes, name_);
+  return take_graph(bytes);
+}
+
 namespace {
 
 constexpr std::uint64_t kMostGraphs = 10000000;  // a study has no more rows
@@ -57,7 +181,7 @@ class Corpus::Scan {
     const Graph taken = options_.largest_component ? largest_component(graph) : graph;
     corpus_.entries_.push_back(
         {corpus_.spool_.append(taken), taken.num_vertices(), static_cast<std::uint32_t>(place)});
-    // Those that later ones have replaced go when they are as many as those that stay.
+    // Graphs that fell out of the sample since are dropped once they are as many as it holds.
     if (options_.sample > 0 && corpus_.entries_.size() >= 2 * options_.sample) drop_replaced();
   }
 
@@ -67,7 +191,7 @@ class Corpus::Scan {
     corpus_.hash_ = hash_.digest();
     corpus_.order_.resize(corpus_.entries_.size());
     std::iota(corpus_.order_.begin(), corpus_.order_.end(), 0u);
-    const std::vector<Entry>& entries = corpus_.entries_;
+    const std::vector<TakenGraph>& entries = corpus_.entries_;
     std::stable_sort(corpus_.order_.begin(), corpus_.order_.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return entries[a].n < entries[b].n; });
   }
@@ -92,7 +216,7 @@ class Corpus::Scan {
   }
   void drop_replaced() {
     if (drawn_.empty()) return;
-    std::erase_if(corpus_.entries_, [&](const Entry& entry) {
+    std::erase_if(corpus_.entries_, [&](const TakenGraph& entry) {
       return drawn_.top() < Ticket(number_of(entry.place), entry.place);
     });
   }
@@ -120,7 +244,7 @@ std::size_t Corpus::first_of_size(std::uint64_t wanted) const {
 Graph Corpus::graph(std::uint32_t place) const {
   const auto at = std::lower_bound(
       entries_.begin(), entries_.end(), place,
-      [](const Entry& entry, std::uint32_t wanted) { return entry.place < wanted; });
+      [](const TakenGraph& entry, std::uint32_t wanted) { return entry.place < wanted; });
   if (at == entries_.end() || at->place != place) {
     throw InputError(fmt::format("{}: no graph is taken from place {} of its {} graphs", path_,
                                  place, graphs_in_file_));
@@ -144,6 +268,63 @@ std::shared_ptr<const Corpus> CorpusShelf::get(const std::string& path,
   std::shared_ptr<const Corpus>& corpus = corpora_[path + '\n' + options.text()];
   if (!corpus) corpus = std::make_shared<const Corpus>(path, options);
   return corpus;
+}
+
+namespace {
+
+constexpr Vertex kAbsent = std::numeric_limits<Vertex>::max();
+
+// new_name[v] is kAbsent for vertices that are left out.
+Graph renamed(const Graph& graph, const std::vector<Vertex>& new_name, Vertex n) {
+  std::vector<Edge> edges;
+  for (const Edge edge : graph.edges()) {
+    const Edge renamed{new_name[edge.u], new_name[edge.v]};
+    if (renamed.u != kAbsent && renamed.v != kAbsent) edges.push_back(renamed);
+  }
+  return Graph(n, std::move(edges));
+}
+
+}  // namespace
+
+Graph induced(const Graph& graph, const std::vector<bool>& keep) {
+  std::vector<Vertex> new_name(graph.num_vertices(), kAbsent);
+  Vertex n = 0;
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+    if (keep[v]) new_name[v] = n++;
+  }
+  return renamed(graph, new_name, n);
+}
+
+Graph largest_component(const Graph& graph) {
+  const Components components = connected_components_of(graph);
+  if (components.count <= 1) return graph;
+  std::vector<Vertex> sizes(components.count);
+  for (const std::uint32_t component : components.of) ++sizes[component];
+  const auto largest =
+      static_cast<std::uint32_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+  std::vector<bool> keep(graph.num_vertices());
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) keep[v] = components.of[v] == largest;
+  return induced(graph, keep);
+}
+
+Graph breadth_first_piece(const Graph& graph, std::uint64_t n) {
+  if (n >= graph.num_vertices()) return graph;
+  std::vector<Vertex> new_name(graph.num_vertices(), kAbsent);
+  std::vector<Vertex> found;
+  found.reserve(n);
+  const auto find = [&](Vertex v) {
+    if (found.size() == n || new_name[v] != kAbsent) return;
+    new_name[v] = static_cast<Vertex>(found.size());
+    found.push_back(v);
+  };
+  for (Vertex start = 0; found.size() < n; ++start) {
+    std::size_t next = found.size();
+    find(start);
+    for (; next < found.size(); ++next) {
+      for (const HalfEdge& half : graph.incident(found[next])) find(half.to);
+    }
+  }
+  return renamed(graph, new_name, static_cast<Vertex>(n));
 }
 
 }  // namespace ar3d

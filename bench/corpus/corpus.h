@@ -7,12 +7,37 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/bench/corpus/spool.h"
+#include "ar3d/base/new_file.h"
 #include "ar3d/formats/graphs/graph_format.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/model/graph.h"
 
 namespace ar3d {
+
+/// Graphs in a temporary file that has no name any more: it goes with the last process that has it
+/// open. Each is stored as n, m and the differences of its edges, 7 bits a byte: about 2 bytes an
+/// edge of a small graph.
+class Spool {
+ public:
+  /// @throws InputError if the folder for temporary files (TMPDIR, else /tmp) takes no file.
+  Spool();
+
+  /// @return where the graph stands. @throws InputError if the disk is full.
+  std::uint64_t append(const Graph& graph);
+  /// To be called behind the last append(). @throws as append().
+  void flush();
+  /// The graph that stands there; called by any number of threads and forked processes at once.
+  /// @throws InputError if it cannot be read.
+  Graph read(std::uint64_t offset) const;
+
+  int descriptor() const { return file_.get(); }
+
+ private:
+  std::string name_;  // that it had, for messages
+  Descriptor file_;
+  std::uint64_t end_ = 0;     // of the file, buffer_ included
+  std::vector<char> buffer_;  // not written yet
+};
 
 /// How the graphs of a file are taken into a study.
 struct CorpusOptions {
@@ -57,7 +82,7 @@ class Corpus {
   int descriptor() const { return spool_.descriptor(); }
 
  private:
-  struct Entry {
+  struct TakenGraph {
     std::uint64_t offset = 0;  // in the spool
     Vertex n = 0;
     std::uint32_t place = 0;
@@ -67,7 +92,7 @@ class Corpus {
   std::string path_;
   std::string hash_;
   std::uint64_t graphs_in_file_ = 0;
-  std::vector<Entry> entries_;        // by place
+  std::vector<TakenGraph> entries_;   // by place
   std::vector<std::uint32_t> order_;  // places in entries_, by n and place
   Spool spool_;
 };
@@ -90,5 +115,17 @@ class CorpusShelf {
  private:
   std::map<std::string, std::shared_ptr<const Corpus>> corpora_;
 };
+
+/// The graph on the vertices with keep[v], renamed in order. O(n + m).
+Graph induced(const Graph& graph, const std::vector<bool>& keep);
+
+/// The largest connected component, its vertices renumbered in their order; of equally large ones
+/// the one with the smallest vertex. The graph itself if it is connected. O(n + m).
+Graph largest_component(const Graph& graph);
+
+/// The subgraph that the first `n` vertices of a breadth-first search induce (from vertex 0, then
+/// from the smallest vertex left), numbered as they are found; the graph itself if it has no more.
+/// Degrees only fall. O(n + m).
+Graph breadth_first_piece(const Graph& graph, std::uint64_t n);
 
 }  // namespace ar3d

@@ -1,14 +1,252 @@
 #include "ar3d/bench/external/external_drawer.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <poll.h>
+#include <pthread.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
 #include <cmath>
+#include <cstring>
+#include <ctime>
+#include <limits>
 #include <utility>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/printable.h"
+#include "ar3d/bench/measure/instruments.h"
 
 namespace ar3d {
+namespace {
+
+constexpr std::size_t kKeptErrors = 400;
+
+// A pipe to a process that has gone raises SIGPIPE, which is not to end the study.
+class NoBrokenPipes {
+ public:
+  NoBrokenPipes() {
+    sigemptyset(&pipe_);
+    sigaddset(&pipe_, SIGPIPE);
+    pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
+  }
+  ~NoBrokenPipes() {
+    const timespec no_time{};
+    while (sigtimedwait(&pipe_, nullptr, &no_time) > 0) {
+    }
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  NoBrokenPipes(const NoBrokenPipes&) = delete;
+  NoBrokenPipes& operator=(const NoBrokenPipes&) = delete;
+
+ private:
+  sigset_t pipe_{};
+  sigset_t before_{};
+};
+
+// The end to read from and the end to write to.
+std::pair<Descriptor, Descriptor> new_pipe() {
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) {
+    throw ProgramFailure(RunStatus::crashed,
+                         fmt::format("cannot make a pipe: {}", std::strerror(errno)));
+  }
+  return {Descriptor(ends[0]), Descriptor(ends[1])};
+}
+
+// Between fork and exec, perhaps beside other threads: system calls only.
+[[noreturn]] void become_program(pid_t parent, char* const* words, int in, int out, int err,
+                                 int failure) {
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(126);
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  for (const int number : {SIGINT, SIGTERM, SIGPIPE, SIGXFSZ}) signal(number, SIG_DFL);
+  const rlimit no_core{0, 0};
+  setrlimit(RLIMIT_CORE, &no_core);
+  close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);  // journals and graphs are none of its business
+  if (dup2(in, 0) >= 0 && dup2(out, 1) >= 0 && dup2(err, 2) >= 0) execvp(words[0], words);
+  const int error = errno;
+  const ssize_t told = write(failure, &error, sizeof error);
+  _exit(told == sizeof error ? 127 : 126);
+}
+
+void set_not_waiting(const Descriptor& descriptor) { fcntl(descriptor.get(), F_SETFL, O_NONBLOCK); }
+
+std::string last_line(std::string text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
+  const std::size_t end = text.rfind('\n');
+  return end == std::string::npos ? text : text.substr(end + 1);
+}
+
+}  // namespace
+
+ExternalProcess::ExternalProcess(const std::vector<std::string>& command) {
+  std::vector<std::string> words = command;
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  auto in = new_pipe();
+  auto out = new_pipe();
+  auto err = new_pipe();
+  auto failure = new_pipe();
+  const pid_t parent = getpid();
+  pid_ = fork();
+  if (pid_ == 0) {
+    become_program(parent, arguments.data(), in.first.get(), out.second.get(), err.second.get(),
+                   failure.second.get());
+  }
+  if (pid_ < 0) {
+    throw ProgramFailure(RunStatus::crashed,
+                         fmt::format("cannot start {}: {}", command[0], std::strerror(errno)));
+  }
+  setpgid(pid_, pid_);
+  failure.second = Descriptor();
+  int error = 0;
+  ssize_t got = 0;
+  while ((got = read(failure.first.get(), &error, sizeof error)) < 0 && errno == EINTR) {
+  }
+  if (got > 0) {
+    kill();
+    throw ProgramFailure(RunStatus::crashed,
+                         fmt::format("cannot run {}: {}", command[0], std::strerror(error)));
+  }
+  input_ = std::move(in.second);
+  output_ = std::move(out.first);
+  errors_ = std::move(err.first);
+  for (const Descriptor* end : {&input_, &output_, &errors_}) set_not_waiting(*end);
+}
+
+ExternalProcess::~ExternalProcess() { kill(); }
+
+void ExternalProcess::kill() {
+  if (pid_ < 0) return;
+  ::kill(-pid_, SIGKILL);
+  ::kill(pid_, SIGKILL);  // should it not have got as far as its own group
+  while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+  pid_ = -1;
+}
+
+std::string ExternalProcess::how_it_ended() {
+  // Its output has ended; so will it, or else it is ended.
+  int status = 0;
+  pid_t ended = 0;
+  for (int tries = 0; tries < 100 && ended == 0; ++tries) {
+    ended = waitpid(pid_, &status, WNOHANG);
+    if (ended == 0) usleep(1000);
+  }
+  std::string how = "closed its output";
+  if (ended == pid_) {
+    how = WIFEXITED(status) ? fmt::format("ended with code {}", WEXITSTATUS(status))
+                            : fmt::format("was killed by signal {} ({})", WTERMSIG(status),
+                                          strsignal(WTERMSIG(status)));
+    ::kill(-pid_, SIGKILL);  // what it may have started
+    pid_ = -1;
+  }
+  kill();
+  while (read_errors()) {
+  }
+  const std::string line = last_line(last_errors_);
+  return how + " before it answered" + (line.empty() ? "" : ": " + printable(line));
+}
+
+double ExternalProcess::cpu_s() const {
+  clockid_t clock{};
+  timespec time{};
+  if (clock_getcpuclockid(pid_, &clock) != 0 || clock_gettime(clock, &time) != 0) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+bool ExternalProcess::read_output(std::size_t most_bytes) {
+  std::array<char, 65536> bytes;
+  const ssize_t got = read(output_.get(), bytes.data(), bytes.size());
+  if (got < 0) return errno == EAGAIN || errno == EINTR;
+  received_.append(bytes.data(), static_cast<std::size_t>(got));
+  if (received_.size() > most_bytes + bytes.size()) {
+    throw ProgramFailure(RunStatus::crashed,
+                         fmt::format("answered more than {} bytes", most_bytes));
+  }
+  return got > 0;
+}
+
+// False where there is nothing more to be had now.
+bool ExternalProcess::read_errors() {
+  std::array<char, 4096> bytes;
+  const ssize_t got = read(errors_.get(), bytes.data(), bytes.size());
+  if (got <= 0) return got < 0 && errno == EINTR;
+  last_errors_.append(bytes.data(), static_cast<std::size_t>(got));
+  if (last_errors_.size() > 2 * kKeptErrors) {
+    last_errors_.erase(0, last_errors_.size() - kKeptErrors);
+  }
+  return true;
+}
+
+void ExternalProcess::write_request(const std::string& request, std::size_t& written) {
+  const ssize_t put = write(input_.get(), request.data() + written, request.size() - written);
+  if (put >= 0) {
+    written += static_cast<std::size_t>(put);
+  } else if (errno != EAGAIN && errno != EINTR) {
+    written = request.size();  // it reads no more: what it answers, or how it ends, will tell
+  }
+}
+
+void ExternalProcess::refuse_second_lines(double wait_s) {
+  pollfd event{output_.get(), POLLIN, 0};
+  poll(&event, 1, static_cast<int>(std::ceil(1000 * wait_s)));
+  std::array<char, 4096> bytes;
+  const ssize_t got = read(output_.get(), bytes.data(), bytes.size());
+  if (got > 0 || !received_.empty()) {
+    throw ProgramFailure(RunStatus::crashed,
+                         "answered more than one line to a graph, one of them after its answer");
+  }
+}
+
+ExternalProcess::Answer ExternalProcess::ask(const std::string& request, double limit_s,
+                                             std::size_t most_bytes) {
+  const NoBrokenPipes no_broken_pipes;
+  refuse_second_lines(0);
+  const double cpu_before = cpu_s();
+  const Stopwatch time;
+  std::size_t written = 0;
+  for (;;) {
+    const std::size_t end = received_.find('\n', searched_);
+    searched_ = received_.size();
+    if (end != std::string::npos) {
+      searched_ = 0;
+      Answer answer{received_.substr(0, end), time.wall_s(), cpu_s() - cpu_before};
+      received_.erase(0, end + 1);
+      return answer;
+    }
+    const double left_s = limit_s - time.wall_s();
+    if (left_s <= 0) {
+      kill();
+      throw ProgramFailure(RunStatus::timeout, fmt::format("no answer within {:.6g} s", limit_s));
+    }
+    pollfd events[] = {{output_.get(), POLLIN, 0},
+                       {errors_ended_ ? -1 : errors_.get(), POLLIN, 0},
+                       {written < request.size() ? input_.get() : -1, POLLOUT, 0}};
+    poll(events, 3, static_cast<int>(std::ceil(1000 * std::min(left_s, 1.0))));
+    if (events[1].revents != 0 && !read_errors()) errors_ended_ = true;
+    if (events[2].revents != 0) write_request(request, written);
+    if (events[0].revents != 0 && !read_output(most_bytes)) {
+      throw ProgramFailure(RunStatus::crashed, how_it_ended());
+    }
+  }
+}
+
 namespace {
 
 // An answer has about 100 bytes per vertex and bend; this is room for drawings with many bends.

@@ -1,14 +1,74 @@
 #pragma once
 
+#include <sys/types.h>
+
+#include <cstddef>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
+#include "ar3d/base/new_file.h"
 #include "ar3d/bench/external/external_algorithm.h"
-#include "ar3d/bench/external/external_process.h"
 #include "ar3d/bench/external/program_answer.h"
+#include "ar3d/store/columns/run_record.h"
 
 namespace ar3d {
+
+/// How an external program failed: the status and the message of its row.
+class ProgramFailure : public std::runtime_error {
+ public:
+  ProgramFailure(RunStatus status, const std::string& message)
+      : std::runtime_error(message), status_(status) {}
+  RunStatus status() const { return status_; }
+
+ private:
+  RunStatus status_;
+};
+
+/// A program that answers each request with one line, in a process group of its own. It dies with
+/// the thread that started it and with this object, and what it has started with it, unless that
+/// has left the group.
+class ExternalProcess {
+ public:
+  /// @throws ProgramFailure if it cannot be run.
+  explicit ExternalProcess(const std::vector<std::string>& command);
+  ~ExternalProcess();
+  ExternalProcess(const ExternalProcess&) = delete;
+  ExternalProcess& operator=(const ExternalProcess&) = delete;
+
+  struct Answer {
+    std::string line;   ///< without its end
+    double wall_s = 0;  ///< from the first byte of the request to the last of the line
+    double cpu_s = 0;   ///< CPU time of the program's process meanwhile; NaN if it has ended
+  };
+  /// @param limit_s  wall time.  @param most_bytes  of the line.
+  /// @throws ProgramFailure: timeout if there is no line in time; crashed if the program ends
+  /// before, answers more than it was asked for or a longer line. It is not to be asked again then.
+  Answer ask(const std::string& request, double limit_s, std::size_t most_bytes);
+
+  /// Waits so long for output that nobody asked for. @throws ProgramFailure (crashed) if there is
+  /// some. `ask` looks, too, without waiting.
+  void refuse_second_lines(double wait_s);
+
+ private:
+  bool read_output(std::size_t most_bytes);  // false at its end
+  bool read_errors();                        // false at their end
+  void write_request(const std::string& request, std::size_t& written);
+  double cpu_s() const;
+  std::string how_it_ended();
+  void kill();
+
+  pid_t pid_ = -1;
+  Descriptor input_;
+  Descriptor output_;
+  Descriptor errors_;
+  std::string received_;
+  std::size_t searched_ = 0;  // of received_, for the end of the line
+  std::string last_errors_;   // the last few hundred bytes
+  bool errors_ended_ = false;
+};
 
 /// What a program has drawn and how long it took.
 struct ExternalDrawing {

@@ -2,7 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <map>
+#include <string_view>
+
 #include "ar3d/base/error.h"
+#include "ar3d/base/new_file.h"
+#include "ar3d/base/printable.h"
+#include "ar3d/store/row_collection.h"
 #include "ar3d/store/run_storage.h"
 
 namespace ar3d {
@@ -58,6 +64,71 @@ void write_gathered(const StudyIdentity& identity, const GatheredRows& gathered,
   StudyIdentity described = identity;
   described.planned_rows = static_cast<std::int64_t>(gathered.places.size() + gathered.missing);
   write_results(described, rows.environment(), run_format(), {gathered.places.size(), read}, path);
+}
+
+namespace {
+
+void require_one_division(const std::vector<Shard>& shards) {
+  for (const Shard& shard : shards) {
+    if (shard.count != shards.front().count) {
+      throw InputError(fmt::format("shard {}/{} and shard {}/{} are of different divisions",
+                                   shards.front().index, shards.front().count, shard.index,
+                                   shard.count));
+    }
+  }
+}
+
+// Sessions tell the hash of every program of the study's own in an entry program_NAME.
+void require_one_program_each(const std::vector<EnvironmentEntry>& environment) {
+  constexpr std::string_view kEntry = "program_";
+  std::map<std::string, std::string> hashes;
+  for (const EnvironmentEntry& entry : environment) {
+    if (!entry.name.starts_with(kEntry)) continue;
+    const std::string& first = hashes.try_emplace(entry.name, entry.value).first->second;
+    if (first == entry.value) continue;
+    throw InputError(fmt::format(
+        "the shards were made with different programs '{}' (hashes {} and {}): one of "
+        "them has to be made again",
+        printable(entry.name.substr(kEntry.size())), printable(first), printable(entry.value)));
+  }
+}
+
+// "2, 5-8", or nothing. In time proportional to the shards that are there, however many there are
+// to be.
+std::string missing_shards(const std::vector<Shard>& shards) {
+  std::string missing;
+  const auto add = [&missing](std::uint64_t first, std::uint64_t last) {
+    if (first > last) return;
+    if (!missing.empty()) missing += ", ";
+    missing += first == last ? fmt::format("{}", first) : fmt::format("{}-{}", first, last);
+  };
+  std::uint64_t next = 1;
+  for (const Shard& shard : shards) {
+    add(next, std::uint64_t{shard.index} - 1);
+    next = std::uint64_t{shard.index} + 1;
+  }
+  add(next, shards.front().count);
+  return missing;
+}
+
+}  // namespace
+
+StudyOutcome merge_study(const std::vector<std::string>& parts, const std::string& output) {
+  require_writable(output);
+  RowCollection rows(run_format());
+  for (const std::string& part : parts) rows.add(part);
+  rows.close();
+  require_one_division(rows.shards());
+  require_one_program_each(rows.environment());
+  const StudyPlan plan = plan_study(recorded_study(rows.identity(), parts.front()));
+  const GatheredRows gathered = gather_rows(plan, rows);
+  StudyOutcome outcome{gathered.places.size(), gathered.missing, gathered.first_missing,
+                       missing_shards(rows.shards())};
+  if (!outcome.complete()) return outcome;
+  StudyIdentity identity = rows.identity();
+  identity.shard = {};
+  write_gathered(identity, gathered, rows, output);
+  return outcome;
 }
 
 }  // namespace ar3d

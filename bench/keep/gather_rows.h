@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "ar3d/bench/keep/journaled_study.h"
 #include "ar3d/bench/plan/plan.h"
-#include "ar3d/store/run_storage.h"
 #include "ar3d/store/row_collection.h"
+#include "ar3d/store/run_storage.h"
 
 namespace ar3d {
 
@@ -32,5 +33,13 @@ GatheredRows gather_rows(const StudyPlan& plan, const RowCollection& rows);
 /// the ones it has and the ones it lacks. @throws InputError as write_results.
 void write_gathered(const StudyIdentity& identity, const GatheredRows& gathered,
                     const RowCollection& rows, const std::string& path);
+
+/// Makes one results file of a study's parts: results files and journals of its shards and ranks,
+/// in any order; the same parts give the same bytes.
+/// @return what is there; nothing is written unless it is complete.
+/// @throws InputError naming the file if one cannot be read or is damaged, if they are of different
+/// studies, sources or divisions into shards, if a row is there twice and not the same, or if the
+/// output cannot be written.
+StudyOutcome merge_study(const std::vector<std::string>& parts, const std::string& output);
 
 }  // namespace ar3d

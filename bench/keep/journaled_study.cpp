@@ -15,14 +15,13 @@
 #include "ar3d/bench/keep/gather_rows.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/bench/measure/environment.h"
-#include "ar3d/bench/measure/interruption.h"
-#include "ar3d/bench/measure/stopwatch.h"
+#include "ar3d/bench/measure/instruments.h"
+#include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/plan/plan.h"
-#include "ar3d/bench/plan/work_order.h"
+#include "ar3d/bench/run/batches.h"
 #include "ar3d/bench/run/describe_study.h"
-#include "ar3d/bench/run/make_rows.h"
-#include "ar3d/bench/run/rank_batch.h"
+#include "ar3d/bench/run/session.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/hdf5/results_file.h"
 #include "ar3d/store/journal/journal_format.h"
@@ -136,7 +135,7 @@ StudyIdentity identity_of(const JournaledStudy& study, const StudyPlan& plan) {
   return identity;
 }
 
-std::vector<EnvironmentEntry> session_of(const JournaledStudy& study, const MakingPolicy& policy,
+std::vector<EnvironmentEntry> session_of(const JournaledStudy& study, const SessionPolicy& policy,
                                          const Ranks& ranks) {
   const Results description = describe_study(study.spec, policy.workers);
   std::vector<EnvironmentEntry> session = {{"started", description.created}};
@@ -257,9 +256,9 @@ class Dismissal {
 };
 
 // One process's part in a study: its journal and what was there before.
-class Part {
+class StudyPart {
  public:
-  Part(const JournaledStudy& study, const MakingPolicy& policy, Ranks& ranks)
+  StudyPart(const JournaledStudy& study, const SessionPolicy& policy, Ranks& ranks)
       : study_(study),
         policy_(policy),
         ranks_(ranks),
@@ -277,14 +276,14 @@ class Part {
     });
   }
 
-  void make_rows() {
+  void add_rows() {
     const Stopwatch time;
     together(ranks_, [&] {
       if (const StudySpec& spec = study_.spec; !spec.programs.empty())
         refuse_changed_programs(spec, rows_so_far(study_).environment(), study_.results);
       journal_->begin_session(session_of(study_, policy_, ranks_));
     });
-    MakingPolicy shared = policy_;
+    SessionPolicy shared = policy_;
     shared.name = study_.spec.name;
     shared.ranks = &ranks_;
     if (ranks_.size() > 1) {
@@ -304,7 +303,7 @@ class Part {
       study_.results = folder_.results_path();
       make(shared, rows_so_far(study_));
     } else if (ranks_.size() > 1) {
-      RankBatches batches(plan_, plan_.timing, ranks_.rank(), is_interrupted);
+      BatchDrawer batches(plan_, ranks_.rank(), is_interrupted);
       ranks_.help([&](const std::string& job) { return batches.make_ready(job); });
     }
     journal_->end_session({{"load_after", load_average()}});
@@ -333,14 +332,14 @@ class Part {
   }
 
   // The largest instances first, so that none is left to the end.
-  void make_shared(const MakingPolicy& policy, const RowCollection& before) {
+  void make_shared(const SessionPolicy& policy, const RowCollection& before) {
     const LargestFirst order(plan_);
     std::vector<double> work;
     for (std::size_t i = 0; ranks_.size() > 1 && i < order.size(); ++i) {
       work.push_back(work_of_instance(plan_.instances.block_of_place(order[i]).first));
     }
     ranks_.share_out(work, [&](const Tickets& tickets) {
-      MakingPolicy mine = policy;
+      SessionPolicy mine = policy;
       if (tickets) {
         mine.next_instance = [&]() -> std::optional<std::size_t> {
           const std::optional<std::size_t> ticket = tickets();
@@ -352,13 +351,13 @@ class Part {
     });
   }
 
-  void make(const MakingPolicy& policy, const RowCollection& before) {
+  void make(const SessionPolicy& policy, const RowCollection& before) {
     JournalSink sink(before, *journal_);
-    ar3d::make_rows(plan_, policy, sink);
+    run_session(plan_, policy, sink);
   }
 
   JournaledStudy study_;
-  const MakingPolicy& policy_;
+  const SessionPolicy& policy_;
   Ranks& ranks_;
   StudyPlan plan_;
   StudyFolder folder_;
@@ -367,10 +366,10 @@ class Part {
 
 }  // namespace
 
-StudyOutcome run_journaled(const JournaledStudy& study, const MakingPolicy& policy, Ranks& ranks) {
-  Part part(study, policy, ranks);
+StudyOutcome run_journaled(const JournaledStudy& study, const SessionPolicy& policy, Ranks& ranks) {
+  StudyPart part(study, policy, ranks);
   StudyOutcome outcome;
-  together(ranks, [&] { part.make_rows(); });
+  together(ranks, [&] { part.add_rows(); });
   together(ranks, [&] {
     try {
       if (ranks.is_first()) outcome = part.write_results();

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/bench/run/making.h"
 #include "ar3d/bench/run/ranks.h"
+#include "ar3d/bench/run/session.h"
 #include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/store/columns/run_record.h"
 
@@ -52,7 +52,7 @@ JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()
 /// @return of rank 0; other ranks know nothing of it.
 /// @throws JournalFull (results.journal is whole), InputError as JournalWriter, plan_study; if one
 /// rank throws, all do.
-StudyOutcome run_journaled(const JournaledStudy& study, const MakingPolicy& policy, Ranks& ranks);
+StudyOutcome run_journaled(const JournaledStudy& study, const SessionPolicy& policy, Ranks& ranks);
 
 /// Writes the rows so far as a results file, also while they are being made.
 /// @throws InputError naming the file; if it is the study's results file or a journal of it.

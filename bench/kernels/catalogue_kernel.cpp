@@ -6,8 +6,6 @@
 // Default options and parameters. Items are vertices; bytes are those of the text (parse) or of the
 // graph in memory (the others). Growth with n is what a study measures, with its uncertainty.
 
-#include "catalogue_kernel.h"
-
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 // Certifying drawings of random graphs, the proof by counting against the plain tests:
 //   certificate/ALGORITHM/N  CPU time of certify(); counters from medians over the iterations,
-//   which
-//                            time these in turns:
+//                            which time these in turns:
 //     ns       nanoseconds per segment
 //     widest   time with predicates in the widest integers, without the range check / that time
 //     plain    time of the plain tests alone (plane sweep or slabs) / that time
@@ -12,7 +11,6 @@
 
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <stdexcept>
@@ -21,52 +19,39 @@
 #include <vector>
 
 #include "ar3d/algorithms/catalog.h"
-#include "ar3d/bench/measure/one_thread.h"
-#include "ar3d/bench/measure/stopwatch.h"
+#include "ar3d/bench/measure/cores.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/checks/examination.h"
 #include "ar3d/verify/metrics/closest_pair.h"
 #include "ar3d/verify/predicates/widest_integers.h"
 #include "inputs.h"
+#include "turns.h"
 
-namespace ar3d {
+namespace ar3d::kernels {
 namespace {
 
 using Function = std::function<void()>;
 
-double seconds_of(const Function& function) {
-  const CpuStopwatch time;  // what else runs on the machine counts less
-  function();
-  return time.cpu_s();
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
-}
-
 /// Times the functions in turns; the first is the kernel's own time, the others become counters.
 void time_in_turns(benchmark::State& state, std::uint64_t items,
                    const std::vector<std::pair<std::string, Function>>& functions) {
-  std::vector<std::vector<double>> times(functions.size());
+  std::vector<std::function<double()>> works;
+  for (const auto& named : functions) works.push_back(timed(Clock::cpu, named.second));
+  Turns turns(std::move(works));
   const OneThread one_thread;
   for (auto _ : state) {
-    for (std::size_t i = 0; i < functions.size(); ++i) {
-      times[i].push_back(seconds_of(functions[i].second));
-    }
-    state.SetIterationTime(times[0].back());
+    turns.add_round();
+    state.SetIterationTime(turns.last_of(0));
   }
-  const double own = median(times[0]);
+  const double own = turns.median_of(0);
   state.counters["ns"] = own / static_cast<double>(items) * 1e9;
   for (std::size_t i = 1; i < functions.size(); ++i) {
-    state.counters[functions[i].first] = median(times[i]) / own;
+    state.counters[functions[i].first] = turns.median_of(i) / own;
   }
 }
 
 const Graph& input(const Algorithm& algorithm, benchmark::State& state) {
-  return kernels::graph_of(kernels::random_family(algorithm),
-                           static_cast<std::uint64_t>(state.range(0)));
+  return graph_of(random_family(algorithm), static_cast<std::uint64_t>(state.range(0)));
 }
 
 void certify_kernel(benchmark::State& state, const Algorithm& algorithm) {
@@ -121,4 +106,4 @@ const bool kRegistered = [] {
 }();
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::kernels

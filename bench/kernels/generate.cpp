@@ -15,47 +15,42 @@
 
 #include "ar3d/generators/random_graphs.h"
 #include "peer_generators.h"
+#include "turns.h"
 
 namespace {
 
 using namespace ar3d::kernels;
 
-struct Options {
+struct GenerateOptions {
   std::uint64_t n = 1000000;
   std::uint32_t seeds = 7;
   std::vector<std::uint32_t> degrees = {3, 4};
   std::vector<int> threads = {1, 2};
 };
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
-}
-
-struct Generator {
+struct PeerGenerator {
   const char* name;
   std::function<void(std::uint64_t, std::uint32_t, std::uint32_t)> generate;
   std::vector<Cost> costs = {};
 };
 
-void compare(const Options& options, std::uint32_t d, double empty_bytes) {
-  std::vector<Generator> generators = {
+void compare(const GenerateOptions& options, std::uint32_t d, double empty_bytes) {
+  std::vector<PeerGenerator> generators = {
       {"ar3d (uniform)", generate_ours},
       {"nauty-genrang -r (uniform)", generate_genrang},
       {"igraph_k_regular_game", generate_igraph},
       {"igraph configuration model (uniform)", generate_igraph_uniform}};
   for (std::uint32_t seed = 1; seed <= options.seeds; ++seed) {
-    for (Generator& g : generators) {
+    for (PeerGenerator& g : generators) {
       g.costs.push_back(cost_of([&] { g.generate(options.n, d, seed); }));
     }
   }
-  const auto median_cpu = [](const Generator& g) {
+  const auto median_cpu = [](const PeerGenerator& g) {
     std::vector<double> values;
     for (const Cost& cost : g.costs) values.push_back(cost.cpu_s);
     return median(values);
   };
-  for (const Generator& g : generators) {
+  for (const PeerGenerator& g : generators) {
     double bytes = 0;
     double slowest = 0;
     for (const Cost& cost : g.costs) {
@@ -69,7 +64,7 @@ void compare(const Options& options, std::uint32_t d, double empty_bytes) {
 }
 
 /// Wall times of the call, within this process; the threads are started before.
-void compare_threads(const Options& options, std::uint32_t d) {
+void compare_threads(const GenerateOptions& options, std::uint32_t d) {
   std::vector<std::vector<double>> walls(options.threads.size());
   for (std::uint32_t seed = 0; seed <= options.seeds; ++seed) {
     for (std::size_t t = 0; t < walls.size(); ++t) {
@@ -86,7 +81,7 @@ void compare_threads(const Options& options, std::uint32_t d) {
   }
 }
 
-void print_tables(const Options& options) {
+void print_tables(const GenerateOptions& options) {
   const double empty_bytes = cost_of([] {}).peak_bytes;
   fmt::print(
       "n = {}, {} seeds, interleaved; one thread; the process without a graph is taken off "
@@ -102,7 +97,7 @@ void print_tables(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Options options;
+  GenerateOptions options;
   CLI::App app(
       "Random regular graphs: ar3d, nauty-genrang and igraph side by side.\n"
       "Example: ar3d_bench_generate -n 1000000 --seeds 7");

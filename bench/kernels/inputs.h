@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/formats/catalog.h"
@@ -31,5 +32,30 @@ const std::string& text_of(const GraphFormat& format, const Family& family, std:
 
 /// Bytes that the graph takes in memory (model/graph.h).
 std::int64_t bytes_of_graph(const Graph& graph);
+
+/// All vertices in the order of a plain breadth-first search of all components: the yardstick of
+/// drawing times.
+inline std::vector<Vertex> search_breadth_first(const Graph& graph) {
+  std::vector<std::uint8_t> seen(graph.num_vertices(), 0);
+  std::vector<Vertex> queue;
+  for (Vertex start = 0; start < graph.num_vertices(); ++start) {
+    if (seen[start]) continue;
+    seen[start] = 1;
+    std::size_t head = queue.size();
+    queue.push_back(start);
+    while (head < queue.size()) {
+      for (const HalfEdge& half : graph.incident(queue[head++])) {
+        if (seen[half.to]) continue;
+        seen[half.to] = 1;
+        queue.push_back(half.to);
+      }
+    }
+  }
+  return queue;
+}
+
+/// Registers the kernels of all catalogue rows. To be called from main(): the catalogues themselves
+/// need initialised constants.
+void register_catalogues();
 
 }  // namespace ar3d::kernels

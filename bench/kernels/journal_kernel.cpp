@@ -29,14 +29,14 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/bench/measure/one_thread.h"
-#include "ar3d/bench/measure/stopwatch.h"
+#include "ar3d/bench/measure/cores.h"
+#include "ar3d/bench/measure/instruments.h"
 #include "ar3d/bench/plan/plan.h"
-#include "ar3d/bench/run/make_rows.h"
+#include "ar3d/bench/run/session.h"
 #include "ar3d/store/columns/run_columns.h"
-#include "ar3d/store/run_storage.h"
 #include "ar3d/store/journal/journal_reader.h"
 #include "ar3d/store/journal/journal_writer.h"
+#include "ar3d/store/run_storage.h"
 #include "ar3d/verify/certificate.h"
 #include "ar3d/verify/metrics/metrics.h"
 
@@ -260,9 +260,9 @@ void journaled_kernel(benchmark::State& state) {
   journal.begin_session({});
   Besides besides;
   MeasuringSink sink(journal, besides);
-  MakingPolicy policy;
+  SessionPolicy policy;
   policy.workers = static_cast<int>(state.range(1));
-  for (auto _ : state) make_rows(plan, policy, sink);
+  for (auto _ : state) run_session(plan, policy, sink);
   besides.report(state, state.range(1));
   state.SetItemsProcessed(state.iterations() * kGraphs);
 }

@@ -6,8 +6,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "catalogue_kernel.h"
-#include "grid_kernel.h"
+#include "inputs.h"
 
 namespace {
 
@@ -33,7 +32,6 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&count, arguments.data());
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
   ar3d::kernels::register_catalogues();
-  ar3d::kernels::register_grid_sizes();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;

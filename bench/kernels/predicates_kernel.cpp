@@ -8,18 +8,17 @@
 
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "ar3d/algorithms/catalog.h"
-#include "ar3d/bench/measure/stopwatch.h"
 #include "ar3d/verify/predicates/choices.h"
 #include "inputs.h"
-#include "precision/decisions.h"
+#include "precision/precision.h"
+#include "turns.h"
 
-namespace ar3d {
+namespace ar3d::kernels {
 namespace {
 
 using precision::Decisions;
@@ -43,12 +42,6 @@ void decide_meetings(const PredicateChoice& choice, const Decisions& decisions) 
   benchmark::DoNotOptimize(meetings);
 }
 
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
-}
-
 /// Integers that do not hold the drawing's values would wrap.
 bool may_be_timed(const PredicateChoice& choice, int bits) {
   return bits <= choice.exact_bits || (choice.name != "int64" && choice.name != "int128");
@@ -61,31 +54,31 @@ void time_in_turns(benchmark::State& state, const Decisions& decisions, std::siz
   if (bits > verify::kInt128Bits || count == 0) {
     return state.SkipWithError("int128 does not hold this drawing's decisions, or there are none");
   }
-  const auto& choices = verify::predicate_choices();
-  std::vector<std::vector<double>> times(choices.size());
-  for (auto _ : state) {
-    for (std::size_t i = 0; i < choices.size(); ++i) {
-      if (!may_be_timed(choices[i], bits)) continue;
-      const CpuStopwatch time;  // what else runs on the machine counts less
-      decide(choices[i], decisions);
-      times[i].push_back(time.cpu_s());
-      if (choices[i].name == "int128") state.SetIterationTime(times[i].back());
-    }
+  std::vector<const PredicateChoice*> choices;
+  for (const PredicateChoice& choice : verify::predicate_choices()) {
+    if (may_be_timed(choice, bits)) choices.push_back(&choice);
   }
-  double own = 0;
+  std::size_t int128 = 0;
+  std::vector<std::function<double()>> works;
   for (std::size_t i = 0; i < choices.size(); ++i) {
-    if (choices[i].name == "int128") own = median(times[i]);
+    if (choices[i]->name == "int128") int128 = i;
+    works.push_back(timed(Clock::cpu, [&, i] { decide(*choices[i], decisions); }));
   }
+  Turns turns(std::move(works));
+  for (auto _ : state) {
+    turns.add_round();
+    state.SetIterationTime(turns.last_of(int128));
+  }
+  const double own = turns.median_of(int128);
   state.counters["ns"] = own / static_cast<double>(count) * 1e9;
   state.counters["bits"] = bits;
   for (std::size_t i = 0; i < choices.size(); ++i) {
-    if (!times[i].empty()) state.counters[choices[i].name] = median(times[i]) / own;
+    state.counters[choices[i]->name] = turns.median_of(i) / own;
   }
 }
 
 Decisions decisions_for(const Algorithm& algorithm, std::int64_t n) {
-  const Graph& graph =
-      kernels::graph_of(kernels::random_family(algorithm), static_cast<std::uint64_t>(n));
+  const Graph& graph = graph_of(random_family(algorithm), static_cast<std::uint64_t>(n));
   return precision::decisions_of(draw(algorithm, graph), algorithm.guarantee, kMostDecisions);
 }
 
@@ -114,4 +107,4 @@ const bool kRegistered = [] {
 }();
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::kernels

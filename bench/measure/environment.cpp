@@ -17,8 +17,8 @@
 #include <thread>
 
 #include "ar3d/base/error.h"
-#include "ar3d/bench/measure/hardware_counters.h"
-#include "ar3d/bench/measure/pinning.h"
+#include "ar3d/bench/measure/cores.h"
+#include "ar3d/bench/measure/instruments.h"
 #include "ar3d/store/hdf5/results_file.h"
 #include "ar3d_build_info.h"
 

@@ -11,7 +11,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/bench/spec/read_graphs.h"
+#include "ar3d/bench/spec/read_parts.h"
 #include "ar3d/generators/random_graphs.h"
 
 namespace ar3d {

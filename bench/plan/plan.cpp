@@ -32,16 +32,8 @@ std::uint32_t probed_degree(const FamilyChoice& choice, const std::vector<std::u
   return generate(*choice.family, wanted, 0, choice.parameters).max_degree();
 }
 
-// One row of a drawing.
-struct Measurement {
-  RunPhase phase = RunPhase::metrics;
-  std::int64_t scale = -1;
-  std::uint32_t repetition = 0;
-  std::uint32_t batch = 0;
-};
-
 // Drawings of all repetitions of a batch that so many share; at most 2^50.
-std::uint64_t drawings_of(const Batches& batches, std::uint32_t scale, RunPhase phase) {
+std::uint64_t drawings_of(const BatchRules& batches, std::uint32_t scale, RunPhase phase) {
   const std::uint64_t drawings = std::uint64_t{batches.repetitions} * batches.drawings;
   return is_strong(phase) ? drawings : drawings * scale;
 }
@@ -58,7 +50,7 @@ void for_each_kind(const Sweep& sweep, Use&& use) {
 // Rows of one drawing; at most 2^62.
 std::uint64_t rows_of_a_drawing(const Sweep& sweep) {
   std::uint64_t rows = std::uint64_t{sweep.repetitions} + sweep.timed.most;
-  for_each_kind(sweep, [&](const Batches& batches, RunPhase phase) {
+  for_each_kind(sweep, [&](const BatchRules& batches, RunPhase phase) {
     for (const std::uint32_t scale : batches.scales) rows += drawings_of(batches, scale, phase);
   });
   return rows;
@@ -66,14 +58,22 @@ std::uint64_t rows_of_a_drawing(const Sweep& sweep) {
 
 // Every row of one drawing, in order.
 template <class Use>
-void for_each_measurement(const Sweep& sweep, Use&& use) {
-  for (std::uint32_t i = 0; i < sweep.repetitions; ++i) use({RunPhase::metrics, -1, i, 0});
-  for (std::uint32_t i = 0; i < sweep.timed.most; ++i) use({RunPhase::timing, -1, i, 0});
-  for_each_kind(sweep, [&](const Batches& batches, RunPhase phase) {
+void for_each_row(const Sweep& sweep, PlannedRun run, Use&& use) {
+  const auto make = [&](RunPhase phase, std::int64_t scale, std::uint32_t i, std::uint32_t batch) {
+    run.phase = phase;
+    run.scale = scale;
+    run.repetition = i;
+    run.batch = batch;
+    run.optional = phase == RunPhase::timing && i >= sweep.timed.least;
+    use(run);
+  };
+  for (std::uint32_t i = 0; i < sweep.repetitions; ++i) make(RunPhase::metrics, -1, i, 0);
+  for (std::uint32_t i = 0; i < sweep.timed.most; ++i) make(RunPhase::timing, -1, i, 0);
+  for_each_kind(sweep, [&](const BatchRules& batches, RunPhase phase) {
     for (const std::uint32_t scale : batches.scales) {
       const auto drawings = static_cast<std::uint32_t>(drawings_of(batches, scale, phase));
       const std::uint32_t members = drawings / batches.repetitions;
-      for (std::uint32_t i = 0; i < drawings; ++i) use({phase, scale, i, i / members});
+      for (std::uint32_t i = 0; i < drawings; ++i) make(phase, scale, i, i / members);
     }
   });
 }
@@ -182,7 +182,7 @@ class Planner {
   }
 
   // The families at one size that have the same graphs.
-  struct Group {
+  struct SameGraphs {
     std::vector<const SizedFamily*> members;
     std::uint32_t planned = 0;  // instances so far: 0 .. planned - 1
   };
@@ -200,7 +200,7 @@ class Planner {
 
   // The instances that none before has asked for, as blocks on which the same members agree.
   void add_instances(const SizedFamily& sized) {
-    Group& group = groups_.at(group_key(sized));
+    SameGraphs& group = groups_.at(group_key(sized));
     while (group.planned < sized.instances) {
       std::uint32_t end = sized.instances;
       for (const SizedFamily* other : group.members) {
@@ -211,7 +211,7 @@ class Planner {
     }
   }
 
-  void add_block(const SizedFamily& sized, const Group& group, std::uint32_t count) {
+  void add_block(const SizedFamily& sized, const SameGraphs& group, std::uint32_t count) {
     PlannedBlock block;
     block.count = count;
     PlannedInstance& instance = block.first;
@@ -260,20 +260,14 @@ class Planner {
       const bool is_measured = choice.algorithm->guarantee.claim == Claim::measured;
       if (is_measured) run.choice.certificate = {};  // whichever was asked for
       run.options = settings_text(choice.options);
-      for_each_measurement(*sized.sweep, [&](const Measurement& measurement) {
-        run.phase = measurement.phase;
-        run.scale = measurement.scale;
-        run.repetition = measurement.repetition;
-        run.batch = measurement.batch;
-        run.optional = measurement.phase == RunPhase::timing &&
-                       measurement.repetition >= sized.sweep->timed.least;
-        run.precision = sized.sweep->timed.precision;
+      run.precision = sized.sweep->timed.precision;
+      for_each_row(*sized.sweep, run, [&](const PlannedRun& row) {
         const bool is_new =
             known
-                .emplace(choice.algorithm, run.options, choice.level,
-                         to_string(run.choice.certificate), run.phase, run.scale, run.repetition)
+                .emplace(choice.algorithm, row.options, choice.level,
+                         to_string(row.choice.certificate), row.phase, row.scale, row.repetition)
                 .second;
-        if (is_new) instance.runs.push_back(run);
+        if (is_new) instance.runs.push_back(row);
       });
     }
   }
@@ -282,7 +276,7 @@ class Planner {
   std::vector<SizedFamily> sized_;
   std::size_t planned_rows_ = 0;  // of all of them
   StudyPlan plan_;
-  std::map<std::string, Group> groups_;
+  std::map<std::string, SameGraphs> groups_;
 };
 
 }  // namespace

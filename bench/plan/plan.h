@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -145,5 +146,28 @@ AlgorithmRecord algorithm_record(const AlgorithmChoice& choice);
 /// Memory: that of the families and sizes, whatever the number of instances; for graphs of files
 /// see Corpus.
 StudyPlan plan_study(const StudySpec& spec);
+
+/// True if a run of the instance is of a phase that is meant.
+bool has_run(const PlannedInstance& instance, const std::function<bool(RunPhase)>& is_meant);
+/// True if any instance of the plan has one.
+bool has_run(const StudyPlan& plan, const std::function<bool(RunPhase)>& is_meant);
+
+/// Work that a row is, in a unit that is roughly proportional to time.
+double work_of_row(const PlannedInstance& instance);
+/// Work of all its rows.
+double work_of_instance(const PlannedInstance& instance);
+
+/// The places of plan.instances, the most costly first, so that no large one is left to the end;
+/// equally costly ones in the plan's order. The plan outlives it.
+class LargestFirst {
+ public:
+  explicit LargestFirst(const StudyPlan& plan);
+  std::size_t size() const { return size_; }
+  std::size_t operator[](std::size_t i) const;
+
+ private:
+  std::vector<std::pair<std::size_t, const PlannedBlock*>> blocks_;  // first place in this order
+  std::size_t size_ = 0;
+};
 
 }  // namespace ar3d

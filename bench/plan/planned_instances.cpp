@@ -2,12 +2,14 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <cmath>
 #include <concepts>
+#include <iterator>
 #include <string_view>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/random.h"
-#include "ar3d/bench/corpus/subgraphs.h"
+#include "ar3d/bench/corpus/corpus.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/store/columns/row_format.h"
@@ -157,6 +159,48 @@ void PlannedInstances::push_back(PlannedInstance instance) {
   block.first = std::move(instance);
   block.is_explicit = true;
   append(std::move(block));
+}
+
+bool has_run(const PlannedInstance& instance, const std::function<bool(RunPhase)>& is_meant) {
+  return std::any_of(instance.runs.begin(), instance.runs.end(),
+                     [&](const PlannedRun& run) { return is_meant(run.phase); });
+}
+
+bool has_run(const StudyPlan& plan, const std::function<bool(RunPhase)>& is_meant) {
+  const std::vector<PlannedBlock>& blocks = plan.instances.blocks();
+  return std::any_of(blocks.begin(), blocks.end(),
+                     [&](const PlannedBlock& block) { return has_run(block.first, is_meant); });
+}
+
+// Drawing is linear in n; certifying, which takes most of the time, sorts. The constant is what a
+// row of no vertices takes.
+double work_of_row(const PlannedInstance& instance) {
+  const auto n = static_cast<double>(instance.n);
+  return 200 + n * std::log2(n + 1);
+}
+
+double work_of_instance(const PlannedInstance& instance) {
+  return work_of_row(instance) * static_cast<double>(instance.runs.size());
+}
+
+LargestFirst::LargestFirst(const StudyPlan& plan) {
+  for (const PlannedBlock& block : plan.instances.blocks()) blocks_.emplace_back(0, &block);
+  std::stable_sort(blocks_.begin(), blocks_.end(), [](const auto& a, const auto& b) {
+    return work_of_instance(a.second->first) > work_of_instance(b.second->first);
+  });
+  for (auto& [first, block] : blocks_) {
+    first = size_;
+    size_ += block->count;
+  }
+}
+
+std::size_t LargestFirst::operator[](std::size_t i) const {
+  expect(i < size_, "an order has that place");
+  const auto behind =
+      std::upper_bound(blocks_.begin(), blocks_.end(), i,
+                       [](std::size_t wanted, const auto& part) { return wanted < part.first; });
+  const auto& [first, block] = *std::prev(behind);
+  return block->first_place + (i - first);
 }
 
 }  // namespace ar3d

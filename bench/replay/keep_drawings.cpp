@@ -13,7 +13,7 @@
 
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/replay/replay_row.h"
-#include "ar3d/bench/run/make_row.h"
+#include "ar3d/bench/run/row_maker.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/store/columns/run_columns.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/bench/spec/kept_drawings.h"
+#include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/formats/text/output.h"
 #include "ar3d/store/columns/run_record.h"
 #include "ar3d/store/study_identity.h"

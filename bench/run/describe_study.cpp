@@ -10,7 +10,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/bench/external/program_files.h"
+#include "ar3d/bench/external/external_algorithm.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/plan/plan.h"

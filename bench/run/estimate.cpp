@@ -14,10 +14,10 @@
 #include <type_traits>
 
 #include "ar3d/base/error.h"
-#include "ar3d/bench/measure/limited_process.h"
-#include "ar3d/bench/measure/one_thread.h"
-#include "ar3d/bench/measure/stopwatch.h"
-#include "ar3d/bench/run/make_row.h"
+#include "ar3d/bench/measure/cores.h"
+#include "ar3d/bench/measure/instruments.h"
+#include "ar3d/bench/measure/processes.h"
+#include "ar3d/bench/run/row_maker.h"
 
 namespace ar3d {
 namespace {
@@ -81,7 +81,7 @@ Measured measured_here(const PlannedInstance& instance, const PlannedRun& run,
     const std::int64_t before = memory.begin_row();
     const CpuStopwatch time;
     maker.prepare(instance);
-    const RunRecord row = maker.make(run);
+    const RunRecord row = maker.make_row(run);
     const double seconds = time.cpu_s();
     if (row.status == RunStatus::out_of_memory) throw std::bad_alloc();
     if (!is_drawn(row)) return {};
@@ -96,10 +96,11 @@ Measured measured_here(const PlannedInstance& instance, const PlannedRun& run,
 
 std::string passed(StepEnd end, const Budget& budget, std::uint64_t n) {
   if (end == StepEnd::out_of_time) {
-    return fmt::format("twice its limit: budget.row_time gives {:.3g} s", (*budget.row_time_s)(n));
+    return fmt::format("twice its limit: budget.row_time_s gives {:.3g} s",
+                       (*budget.row_time_s)(n));
   }
   if (!budget.row_memory_bytes) return "this machine's memory";
-  return fmt::format("twice its limit: budget.row_memory gives {:.3g} bytes",
+  return fmt::format("twice its limit: budget.row_memory_bytes gives {:.3g} bytes",
                      (*budget.row_memory_bytes)(n));
 }
 
@@ -319,11 +320,11 @@ void refuse_impossible(const StudyPlan& plan, const StudyEstimate& estimate, dou
     refuse_above(cell, cell.row_bytes, memory_bytes, "bytes", "but this machine has");
     if (plan.budget.row_memory_bytes) {
       refuse_above(cell, cell.row_bytes / 2, (*plan.budget.row_memory_bytes)(cell.n), "bytes",
-                   "even halved, but budget.row_memory gives");
+                   "even halved, but budget.row_memory_bytes gives");
     }
     if (plan.budget.row_time_s) {
       refuse_above(cell, cell.row_s / 2, (*plan.budget.row_time_s)(cell.n), "s",
-                   "even halved, but budget.row_time gives");
+                   "even halved, but budget.row_time_s gives");
     }
   }
   refuse_together(estimate, memory_bytes);

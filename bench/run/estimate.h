@@ -52,8 +52,8 @@ StudyEstimate estimate(const StudyPlan& plan, int threads);
 double available_memory();
 
 /// @throws InputError naming the first cell that is impossible: estimated above the machine's
-/// memory, or more than twice above the budget's row_memory or row_time; or if the largest rows
-/// that may be made at the same time are above the memory together.
+/// memory, or more than twice above the budget's row_memory_bytes or row_time_s; or if the largest
+/// rows that may be made at the same time are above the memory together.
 void refuse_impossible(const StudyPlan& plan, const StudyEstimate& estimate, double memory_bytes);
 
 }  // namespace ar3d

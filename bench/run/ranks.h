@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/bench/measure/stopwatch.h"
+#include "ar3d/bench/measure/instruments.h"
 
 namespace ar3d {
 

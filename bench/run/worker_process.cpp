@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "ar3d/base/error.h"
-#include "ar3d/bench/measure/pinning.h"
+#include "ar3d/bench/measure/cores.h"
 #include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d {
@@ -131,12 +131,12 @@ void become_worker(pid_t parent, const std::vector<int>& needed) {
 }
 
 // What a worker is told. It has the plan from its parent.
-struct Order {
+struct RowOrder {
   std::size_t place = 0;  // of the instance
   std::size_t run = 0;    // of its runs
   RowRequest request;
 };
-static_assert(std::is_trivially_copyable_v<Order>);  // it is sent as it stands in memory
+static_assert(std::is_trivially_copyable_v<RowOrder>);  // it is sent as it stands in memory
 
 // Everything that a worker says.
 class Message {
@@ -164,7 +164,7 @@ void serve(int socket, const StudyPlan& plan, const WorkerPool& pool, int core) 
   PlannedInstance instance;
   std::optional<std::size_t> prepared;
   Message message;
-  Order order;
+  RowOrder order;
   char bytes[sizeof order];
   while (receive_all(socket, bytes, sizeof bytes)) {
     std::memcpy(&order, bytes, sizeof order);
@@ -179,7 +179,7 @@ void serve(int socket, const StudyPlan& plan, const WorkerPool& pool, int core) 
       if (is_new) maker.prepare(instance);
       prepared = order.place;
       if (!message.send(socket, kBegun, maker.begun(planned))) return;
-      run = maker.make(planned, order.request);
+      run = maker.make_row(planned, order.request);
     }
     if (!message.send(socket, kMade, run)) return;
   }
@@ -224,7 +224,7 @@ WorkerProcess::~WorkerProcess() {
 
 bool WorkerProcess::send(const RowJob& job) {
   const auto run = static_cast<std::size_t>(job.run - job.instance->runs.data());
-  const Order order{job.place, run, job.request};
+  const RowOrder order{job.place, run, job.request};
   char bytes[sizeof order];
   std::memcpy(bytes, &order, sizeof order);
   return send_all(socket_, bytes, sizeof bytes);  // far less than a socket's buffer: never waits
@@ -260,7 +260,7 @@ double WorkerProcess::cpu_s() const {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-WorkerProcess::End WorkerProcess::end() {
+WorkerEnd WorkerProcess::end() {
   int status = 0;
   while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
   }

@@ -5,9 +5,15 @@
 #include <optional>
 #include <string>
 
-#include "ar3d/bench/run/row_source.h"
+#include "ar3d/bench/run/session.h"
 
 namespace ar3d {
+
+/// How a worker process ended: "killed by signal 11 (Segmentation fault)", …
+struct WorkerEnd {
+  RunStatus status = RunStatus::crashed;
+  std::string message;
+};
 
 /// A forked process that makes rows for its parent, in a process group of its own. It dies with its
 /// parent, and with this object.
@@ -42,12 +48,8 @@ class WorkerProcess {
   /// The descriptor that becomes readable with news.
   int descriptor() const { return socket_; }
 
-  /// How the process ended, after is_gone: "killed by signal 11 (Segmentation fault)", …
-  struct End {
-    RunStatus status = RunStatus::crashed;
-    std::string message;
-  };
-  End end();
+  /// How it ended, after is_gone.
+  WorkerEnd end();
 
   /// Ends the process and all that it has started.
   void kill();
@@ -60,5 +62,11 @@ class WorkerProcess {
   bool hung_up_ = false;
   RunRecord row_;
 };
+
+/// Makes all rows of a source in processes of their own, so that a crash, a timeout or too much
+/// memory costs one row: it gets the status, the process is replaced, the others go on. Rows have
+/// the limits of the plan's budget. Those in flight are given up when the session is stopped. No
+/// process outlives the call, nor the caller's process. To be called while no other thread runs.
+void work_in_processes(RowSource& source, const WorkerPool& pool);
 
 }  // namespace ar3d

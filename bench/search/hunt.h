@@ -6,9 +6,9 @@
 
 #include "ar3d/base/random.h"
 #include "ar3d/bench/search/trial.h"
+#include "ar3d/model/graph.h"
 
 namespace ar3d {
-
 struct HuntOptions {
   /// Where searches start, in turn; not empty. A corpus gives its graphs one after the other, but
   /// for those beyond the algorithm's maximum degree, and then again with permuted labels.
@@ -44,5 +44,19 @@ std::vector<FamilyChoice> fitting_families(const Algorithm& algorithm, std::uint
 /// Two edges ab and cd become ac and bd, or ad and bc: the degrees stay. The same graph if no
 /// switch was found in a few tries. O(n + m).
 Graph with_switched_edges(const Graph& graph, RandomStream& random);
+
+struct ShrinkResult {
+  Graph graph;
+  std::uint64_t evaluations = 0;
+  bool minimal = false;  ///< no vertex and no edge can go; false if the evaluations ran out
+};
+
+/// Removes components, vertices and edges as long as `keeps` holds (delta debugging: Zeller and
+/// Hildebrandt 2002, first large chunks, then small ones). What stays keeps its order. Degrees only
+/// fall, so the graph stays inside every guarantee.
+/// @param keeps  the property; true of `graph`.
+/// Cost: O(k log k) evaluations for k vertices and edges where few stay, O(k^2) at worst.
+ShrinkResult shrink(const Graph& graph, const std::function<bool(const Graph&)>& keeps,
+                    std::uint64_t max_evaluations);
 
 }  // namespace ar3d

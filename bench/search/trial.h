@@ -3,12 +3,34 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
+#include <vector>
 
-#include "ar3d/bench/search/seeded_fault.h"
 #include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/model/drawing.h"
+#include "ar3d/model/graph.h"
+#include "ar3d/model/guarantee.h"
 
 namespace ar3d {
+
+/// O(degree of u).
+bool has_edge(const Graph& graph, Vertex u, Vertex v);
+
+/// A fault put into finished drawings on purpose, to show that hunter, shrinker and verdict catch
+/// it. It shows on some graphs only, so that finding and shrinking it takes work. No algorithm
+/// knows of it.
+struct SeededFault {
+  std::string name;
+  std::string summary;
+  /// The drawing with the fault; unchanged where the graph does not provoke it.
+  Drawing (*plant)(const Graph&, const Drawing&, const Guarantee&) = nullptr;
+};
+
+/// All of them.
+const std::vector<SeededFault>& seeded_faults();
+
+/// @throws InputError naming the unknown fault and the known ones.
+const SeededFault& find_seeded_fault(std::string_view name);
 
 /// What is tried on one graph after the other: an algorithm with complete options, and a fault if
 /// one is seeded.
@@ -18,10 +40,10 @@ struct Subject {
 };
 
 /// Which share of the bound counts.
-enum class Measure { side, x, y, z, volume };
+enum class BoundShare { side, x, y, z, volume };
 enum class Against { theorem, instance };
 struct RatioRule {
-  Measure measure = Measure::side;  ///< side: the axis of the largest share
+  BoundShare measure = BoundShare::side;  ///< side: the axis of the largest share
   Against against = Against::theorem;
 };
 

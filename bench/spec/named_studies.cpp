@@ -1,17 +1,85 @@
-#include "ar3d/bench/spec/named_studies.h"
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <sstream>
 
+#include "ar3d/base/error.h"
+#include "ar3d/base/nearest_name.h"
+#include "ar3d/base/printable.h"
+#include "ar3d/bench/spec/study_spec.h"
+#include "ar3d/bench/spec/toml_table.h"
 #include "ar3d_named_studies.h"
 
 namespace ar3d {
-
 std::span<const NamedStudy> named_studies() { return kNamedStudies; }
 
 const NamedStudy* find_named_study(std::string_view name) {
   const auto at = std::find_if(std::begin(kNamedStudies), std::end(kNamedStudies),
                                [&](const NamedStudy& study) { return study.name == name; });
   return at == std::end(kNamedStudies) ? nullptr : &*at;
+}
+
+const char* to_string(KeptDrawings kept) {
+  switch (kept) {
+    case KeptDrawings::none:
+      return "none";
+    case KeptDrawings::worst:
+      return "worst";
+    case KeptDrawings::violated:
+      return "violated";
+    case KeptDrawings::all:
+      return "all";
+  }
+  throw InternalError("internal error: no name for which drawings are kept");
+}
+
+KeptDrawings parse_kept_drawings(std::string_view text) {
+  for (const KeptDrawings kept :
+       {KeptDrawings::none, KeptDrawings::worst, KeptDrawings::violated, KeptDrawings::all}) {
+    if (text == to_string(kept)) return kept;
+  }
+  throw InputError(fmt::format("keep_drawings '{}' is none of none, worst, violated and all{}",
+                               printable(text),
+                               did_you_mean(text, {"none", "worst", "violated", "all"})));
+}
+
+namespace {
+
+/// @param graphs  a path, a table with `file`, or a list of these.
+void make_paths_absolute(toml::node& graphs, const std::string& folder) {
+  if (toml::array* const list = graphs.as_array()) {
+    for (toml::node& entry : *list) make_paths_absolute(entry, folder);
+  } else if (toml::table* const table = graphs.as_table()) {
+    if (toml::node* const file = table->get("file")) make_paths_absolute(*file, folder);
+  } else if (toml::value<std::string>* const path = graphs.as_string()) {
+    path->get() = std::filesystem::absolute(std::filesystem::path(folder) / path->get()).string();
+  }
+}
+
+void make_sweep_movable(toml::node& sweep, const std::string& folder) {
+  if (sweep.as_table() == nullptr) return;
+  if (toml::node* const graphs = sweep.as_table()->get("graphs")) {
+    make_paths_absolute(*graphs, folder);
+  }
+}
+
+}  // namespace
+
+std::string movable_text(const StudySpec& spec) {
+  const bool has_graphs = std::any_of(spec.sweeps.begin(), spec.sweeps.end(),
+                                      [](const Sweep& sweep) { return !sweep.graphs.empty(); });
+  if (!has_graphs) return spec.text;
+  toml::table study = parse_toml(spec.text, spec.name);
+  if (toml::node* const sweeps = study.get("sweep")) {
+    make_sweep_movable(*sweeps, spec.folder);
+    if (toml::array* const list = sweeps->as_array()) {
+      for (toml::node& sweep : *list) make_sweep_movable(sweep, spec.folder);
+    }
+  }
+  std::ostringstream text;
+  text << study << '\n';
+  return text.str();
 }
 
 }  // namespace ar3d

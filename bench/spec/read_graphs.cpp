@@ -1,5 +1,3 @@
-#include "ar3d/bench/spec/read_graphs.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/bench/spec/read_parts.h"
 #include "ar3d/bench/spec/toml_table.h"
 #include "ar3d/formats/catalog.h"
 

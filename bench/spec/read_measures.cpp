@@ -1,11 +1,13 @@
-#include "ar3d/bench/spec/read_measures.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
+#include <utility>
 
 #include "ar3d/base/error.h"
+#include "ar3d/bench/spec/read_parts.h"
+#include "ar3d/bench/spec/toml_table.h"
 
 namespace ar3d {
 namespace {
@@ -38,10 +40,10 @@ TimedRepetitions read_timed_repetitions(const std::string& file, const toml::nod
   return repetitions;
 }
 
-Batches read_batches(const std::string& file, const toml::node& node, const std::string& what,
-                     const std::string& sharers) {
+BatchRules read_batches(const std::string& file, const toml::node& node, const std::string& what,
+                        const std::string& sharers) {
   TomlTable table(file, node, what);
-  Batches batches;
+  BatchRules batches;
   const toml::node& scales = table.get(sharers);
   for (const toml::node* count : one_or_many(scales)) {
     batches.scales.push_back(
@@ -69,27 +71,74 @@ TimingRules read_timing_rules(const std::string& file, const toml::node& node) {
 }
 
 Budget read_budget(const std::string& file, const toml::node& node) {
+  constexpr double kMost = 1e18;
   TomlTable table(file, node, "budget");
+  const auto limit = [&](const std::string& key) -> std::optional<LimitByVertices> {
+    const std::string more = key + "_per_vertex";
+    const bool has_key = table.find(key) != nullptr, has_more = table.find(more) != nullptr;
+    if (!has_key && !has_more) return {};
+    return LimitByVertices{has_key ? table.number(key, 0, kMost) : 0,
+                           has_more ? table.number(more, 0, kMost) : 0};
+  };
   Budget budget;
-  if (const toml::node* time = table.find("row_time")) {
-    budget.row_time_s = toml_parsed(file, *time, "row_time", SizeFunction::time);
-  }
-  if (const toml::node* memory = table.find("row_memory")) {
-    budget.row_memory_bytes = toml_parsed(file, *memory, "row_memory", SizeFunction::memory);
-  }
-  if (const toml::node* memory = table.find("certify_memory")) {
-    budget.certify_memory_bytes =
-        toml_parsed(file, *memory, "certify_memory", SizeFunction::memory);
-  }
-  if (const toml::node* study = table.find("study")) {
-    budget.study_s = toml_parsed(file, *study, "study", [](const std::string& text) {
-      const SizeFunction time = SizeFunction::time(text);
-      if (!time.is_constant()) throw InputError("the whole study's budget cannot depend on n");
-      return time(0);
-    });
-  }
+  budget.row_time_s = limit("row_time_s");
+  budget.row_memory_bytes = limit("row_memory_bytes");
+  budget.certify_memory_bytes = limit("certify_memory_bytes");
+  if (table.find("study_s") != nullptr) budget.study_s = table.number("study_s", 0, kMost);
   table.refuse_other_keys();
   return budget;
+}
+
+namespace {
+
+constexpr std::size_t kMostCombinations = 100000;
+
+}  // namespace
+
+std::vector<Settings> combinations(const std::vector<SettingChoices>& settings) {
+  std::vector<Settings> all = {{}};
+  for (const SettingChoices& setting : settings) {
+    std::vector<Settings> longer;
+    for (const auto& prefix : all) {
+      for (const std::int64_t value : setting.values) {
+        longer.push_back(prefix);
+        longer.back().push_back({setting.name, value});
+      }
+    }
+    if (longer.size() > kMostCombinations) {
+      throw InputError("more than 100000 combinations of settings");
+    }
+    all = std::move(longer);
+  }
+  return all;
+}
+
+namespace {
+
+bool has_batches(const Sweep& sweep) {
+  const auto has = [](const BatchRules& batches) { return !batches.scales.empty(); };
+  return has(sweep.strong) || has(sweep.weak) || has(sweep.strong_ranks) || has(sweep.weak_ranks);
+}
+
+template <class Is>
+bool any(const Sweep& sweep, Is is) {
+  return std::any_of(sweep.algorithms.begin(), sweep.algorithms.end(), is);
+}
+
+}  // namespace
+
+void refuse_bad_batches(const std::string& file, const toml::node& node, const Sweep& sweep) {
+  if (!has_batches(sweep)) return;
+  if (any(sweep, [](const AlgorithmChoice& c) { return c.program != nullptr; })) {
+    refuse_toml(file, node, "strong and weak batches are of the catalogue's algorithms only");
+  }
+  if (any(sweep, [](const AlgorithmChoice& c) { return c.level != Level::extents; })) {
+    refuse_toml(file, node, "strong and weak batches are of level extents only");
+  }
+  const CertificateMode first = sweep.algorithms.front().certificate;
+  if (any(sweep, [&](const AlgorithmChoice& c) { return c.certificate != first; })) {
+    refuse_toml(file, node, "strong and weak batches are judged by one certificate");
+  }
 }
 
 }  // namespace ar3d

@@ -16,12 +16,7 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/bench/spec/batch_rules.h"
-#include "ar3d/bench/spec/combinations.h"
-#include "ar3d/bench/spec/named_studies.h"
-#include "ar3d/bench/spec/read_graphs.h"
-#include "ar3d/bench/spec/read_measures.h"
-#include "ar3d/bench/spec/read_programs.h"
+#include "ar3d/bench/spec/read_parts.h"
 #include "ar3d/bench/spec/toml_table.h"
 
 namespace ar3d {
@@ -145,7 +140,7 @@ class SpecReader {
     if (const toml::node* timed = table.find("timed_repetitions")) {
       sweep.timed = read_timed_repetitions(file_, *timed);
     }
-    const auto read = [&](const char* key, const char* sharers, Batches& batches) {
+    const auto read = [&](const char* key, const char* sharers, BatchRules& batches) {
       const toml::node* found = table.find(key);
       if (found != nullptr) batches = read_batches(file_, *found, key, sharers);
     };

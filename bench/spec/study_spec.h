@@ -4,14 +4,14 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/bench/corpus/corpus.h"
 #include "ar3d/bench/external/external_algorithm.h"
-#include "ar3d/bench/spec/kept_drawings.h"
-#include "ar3d/bench/spec/measures.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/model/drawing.h"
 #include "ar3d/store/columns/side_tables.h"
@@ -19,6 +19,60 @@
 #include "ar3d/verify/certificate.h"
 
 namespace ar3d {
+
+/// How often a drawing is repeated in the timing phase: until the median's relative precision is
+/// reached, between `least` and `most` times; exactly `most` times if precision is 0.
+struct TimedRepetitions {
+  std::uint32_t least = 0;
+  std::uint32_t most = 0;
+  double precision = 0;
+};
+
+/// Batches of equal drawings shared by 1, ... threads or ranks. strong: `drawings` in all, weak:
+/// `drawings` for each of them.
+struct BatchRules {
+  std::vector<std::uint32_t> scales;  ///< how many share; from 1 on, increasing; empty: no batches
+  std::uint32_t drawings = 1;
+  std::uint32_t repetitions = 1;
+};
+
+/// What holds for the whole timing phase.
+struct TimingRules {
+  std::uint32_t warm_up = 1;      ///< drawings before each timed one, thrown away
+  std::uint32_t concurrency = 1;  ///< timed drawings at the same time, each on a core of its own
+  bool write = false;             ///< time the formatting as JSON lines too
+};
+
+/// A limit that grows with the graph.
+struct LimitByVertices {
+  double always = 0;
+  double per_vertex = 0;  ///< more, for each vertex
+  double operator()(std::uint64_t n) const { return always + per_vertex * static_cast<double>(n); }
+};
+
+/// What a study may cost. A row that passes its limit is a row with status timeout or
+/// out_of_memory.
+struct Budget {
+  std::optional<LimitByVertices> row_time_s;
+  std::optional<LimitByVertices> row_memory_bytes;
+  std::optional<double> study_s;
+  /// What the proof by counting may store at a time (CertifyOptions::proof_bytes); no limit of
+  /// rows.
+  std::optional<LimitByVertices> certify_memory_bytes;
+  bool limits_rows() const { return row_time_s || row_memory_bytes; }
+};
+
+/// Which drawings of a study are kept. Each drawing is kept once, however many rows are of it.
+enum class KeptDrawings : std::uint8_t {
+  none,
+  worst,     ///< the worst one of every curve: algorithm with options, family with parameters
+  violated,  ///< those that were proved wrong
+  all        ///< those of all rows that were drawn
+};
+/// "none", "worst", "violated", "all".
+const char* to_string(KeptDrawings kept);
+/// @throws InputError naming the text and the choices if it is none of them.
+KeptDrawings parse_kept_drawings(std::string_view text);
 
 /// A family with complete parameters, or the graphs of a file.
 struct FamilyChoice {
@@ -65,10 +119,10 @@ struct Sweep {
   std::uint32_t instances = 1;       ///< where the graph depends on the seed; others have one
   std::uint32_t repetitions = 1;     ///< of every drawing in the metrics phase
   TimedRepetitions timed;            ///< of every drawing in the timing phase; none by default
-  Batches strong;                    ///< of every drawing, shared by threads; none by default
-  Batches weak;                      ///< of every drawing, shared by threads; none by default
-  Batches strong_ranks;              ///< of every drawing, shared by ranks; none by default
-  Batches weak_ranks;                ///< of every drawing, shared by ranks; none by default
+  BatchRules strong;                 ///< of every drawing, shared by threads; none by default
+  BatchRules weak;                   ///< of every drawing, shared by threads; none by default
+  BatchRules strong_ranks;           ///< of every drawing, shared by ranks; none by default
+  BatchRules weak_ranks;             ///< of every drawing, shared by ranks; none by default
   std::vector<CellPattern> include;  ///< if not empty, a cell has to match one of these
   std::vector<CellPattern> exclude;
 };
@@ -132,5 +186,21 @@ std::string graphs_study_text(const GraphsStudy& study);
 
 /// "ar3d-<name>.h5".
 std::string default_results_path(const StudySpec& spec);
+
+/// A study that comes with the program, by name.
+struct NamedStudy {
+  std::string_view name;
+  std::string_view description;  ///< one sentence
+  std::string_view toml;
+};
+
+std::span<const NamedStudy> named_studies();
+
+/// Null if there is none of that name.
+const NamedStudy* find_named_study(std::string_view name);
+
+/// The text of the specification, to be kept in another folder: the paths of `graphs` are absolute.
+/// A study without graphs of files keeps its text byte for byte.
+std::string movable_text(const StudySpec& spec);
 
 }  // namespace ar3d

@@ -7,7 +7,7 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/algorithms/diamond/fast/fast.h"
-#include "ar3d/bench/measure/one_thread.h"
+#include "ar3d/bench/measure/cores.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/model/drawing.h"
 

@@ -151,14 +151,14 @@ TEST_F(JournaledStudy, AFullDiskLeavesNoHalfResultsFile) {
 
 TEST_F(JournaledStudy, ResumeRefusesTheImpossibleToo) {
   const std::string spec =
-      "study = \"tight\"\nbudget = { row_time = \"1 ns\" }\n[[sweep]]\nfamilies = \"cycle\"\n"
+      "study = \"tight\"\nbudget = { row_time_s = 1e-9 }\n[[sweep]]\nfamilies = \"cycle\"\n"
       "sizes = 1000\nalgorithms = \"diamond\"\n";
   const std::string journal = path("tight.h5.journal");
   {
     const JournalWriter begun(journal, describe_study(parse_study(spec, "tight.toml"), 1),
                               run_format());
   }
-  expect_error(study("resume -q " + journal), "but budget.row_time gives");
+  expect_error(study("resume -q " + journal), "but budget.row_time_s gives");
 }
 
 TEST_F(JournaledStudy, AFullDiskEndsItResumably) {

@@ -26,7 +26,7 @@ TEST_F(Limits, AFrozenStudyHasNoTimeouts) {
   if (std::string(build_kind()) == "sanitised") GTEST_SKIP() << "rows are slower";
   const std::string spec = scratch_.write(
       "t.toml",
-      "study = \"t\"\nbudget = { row_time = \"2 s\" }\n[[sweep]]\nfamilies = \"random-cubic\"\n"
+      "study = \"t\"\nbudget = { row_time_s = 2 }\n[[sweep]]\nfamilies = \"random-cubic\"\n"
       "sizes = 20000\nalgorithms = \"grid\"\ninstances = 30\n");
   expect_exit(
       0,
@@ -81,12 +81,12 @@ TEST_F(Limits, HoldForPlanningToo) {
   if (std::string(build_kind()) == "sanitised") GTEST_SKIP() << "memory is not limited";
   const std::string spec = scratch_.write(
       "huge.toml",
-      "study = \"huge\"\nbudget = { row_time = \"3 s\", row_memory = \"64 MB\" }\n[[sweep]]\n"
+      "study = \"huge\"\nbudget = { row_time_s = 3, row_memory_bytes = 64e6 }\n[[sweep]]\n"
       "families = { family = \"torus\", rows = 1000000 }\nsizes = 1000\nalgorithms = \"all\"\n");
   for (const char* verb : {"plan ", "run -q "}) {
     const Outcome refused = expect_exit(2, run("cd " + path("") + " && {} study " + verb + spec));
     EXPECT_THAT(refused.err, HasSubstr("torus rows=1000000 n=")) << verb;
-    EXPECT_THAT(refused.err, HasSubstr("budget.row_memory gives")) << verb;
+    EXPECT_THAT(refused.err, HasSubstr("budget.row_memory_bytes gives")) << verb;
   }
 }
 

@@ -71,7 +71,7 @@ TEST_F(Mpi, TimedRowsAreMadeByTheFirstRankAlone) {
 // The budget is one for all phases: where the first has spent it, nothing is timed.
 TEST_F(Mpi, ASpentBudgetIsNotBegunAnew) {
   const std::string spec = scratch_.write("spent.toml", R"(study = "spent"
-budget = { study = "300 ms" }
+budget = { study_s = 0.3 }
 [[sweep]]
 families = "random-cubic"
 sizes = 1000

@@ -169,7 +169,7 @@ TEST_F(Outputs, AnEmptyFileAndADeviceHoldNothingToLose) {
 TEST_F(Outputs, APageThatIsNoReportIsNotReplacedByResume) {
   const std::string spec =
       scratch_.write("s.toml",
-                     "study = 's'\nbudget = { study = \"1 ns\" }\n[[sweep]]\nfamilies = 'cycle'\n"
+                     "study = 's'\nbudget = { study_s = 1e-9 }\n[[sweep]]\nfamilies = 'cycle'\n"
                      "sizes = 20\nalgorithms = 'grid'\ninstances = 3\n");
   ASSERT_EQ(run("{} study run -q " + spec + " -o " + scratch_.path("index.h5")).exit_code, 5);
   scratch_.write("index.html", "my pages");

@@ -105,7 +105,7 @@ TEST(PrintedCommands, OfAnUnfinishedStudyRunAsPrinted) {
   const std::string file = scratch.path("it's r.h5");
   const std::string spec =
       scratch.write("s.toml",
-                    "study = 's'\nbudget = { study = '1 us' }\n[[sweep]]\nfamilies = 'cycle'\n"
+                    "study = 's'\nbudget = { study_s = 1e-6 }\n[[sweep]]\nfamilies = 'cycle'\n"
                     "sizes = 20\nalgorithms = 'grid'\ninstances = 3\n");
   const std::string begin = "{} study run -q " + spec + " -o \"" + file + "\"";
   const Outcome begun = expect_exit(5, run(begin));

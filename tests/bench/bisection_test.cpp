@@ -1,11 +1,11 @@
-#include "ar3d/bench/compare/bisection.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <bit>
 
-namespace ar3d {
+#include "ar3d/bench/compare/commits.h"
+
+namespace ar3d::testing {
 namespace {
 
 /// Searches with `culprit` as the first bad commit. @return how many commits were tried.
@@ -50,4 +50,4 @@ TEST(Bisection, CommitsThatCannotBeTriedAreLeftWhereTheyMatter) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

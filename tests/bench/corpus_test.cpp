@@ -9,7 +9,6 @@
 #include <set>
 
 #include "ar3d/base/error.h"
-#include "ar3d/bench/corpus/subgraphs.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/formats/catalog.h"
@@ -17,12 +16,11 @@
 #include "support/problem.h"
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using testing::problem;
 
 class Files : public ::testing::Test {
  protected:
@@ -45,7 +43,7 @@ class Files : public ::testing::Test {
     return spec;
   }
 
-  testing::ScratchDirectory scratch_;
+  ScratchDirectory scratch_;
 };
 
 TEST_F(Files, AllGraphsComeBackBySizeAndPlace) {
@@ -73,7 +71,7 @@ TEST_F(Files, TheHashIsTheGraphsWhateverTheFormatAndThePacking) {
   for (const char* name : {"a.g6", "a.edges", "a.mtx", "a.graphml", "a.metis"}) {
     const std::string path = write(name, some());
     EXPECT_EQ(Corpus(path, {}).hash(), hash) << name;
-    ASSERT_EQ(testing::run("gzip -k " + path).exit_code, 0);
+    ASSERT_EQ(run("gzip -k " + path).exit_code, 0);
     EXPECT_EQ(Corpus(path + ".gz", {}).hash(), hash) << name;
   }
   std::vector<Graph> other = some();
@@ -83,9 +81,9 @@ TEST_F(Files, TheHashIsTheGraphsWhateverTheFormatAndThePacking) {
 
 TEST_F(Files, ALargeGraphSurvivesTheSpool) {
   const Graph graph = generate(find_family("random-4-regular"), 60000, 1);
-  const Corpus corpus(write("large.s6", {testing::petersen(), graph}), {});
+  const Corpus corpus(write("large.s6", {petersen(), graph}), {});
   EXPECT_EQ(graph_hash(corpus.graph(1)), graph_hash(graph));
-  EXPECT_EQ(graph_hash(corpus.graph(0)), graph_hash(testing::petersen()));
+  EXPECT_EQ(graph_hash(corpus.graph(0)), graph_hash(petersen()));
 }
 
 TEST_F(Files, ASampleIsPartOfEveryLargerOne) {
@@ -107,9 +105,9 @@ TEST_F(Files, ASampleIsPartOfEveryLargerOne) {
 }
 
 TEST_F(Files, TheLargestComponentIsTaken) {
-  const Graph graph = testing::disjoint_union({testing::complete(4), testing::petersen()});
+  const Graph graph = disjoint_union({complete(4), petersen()});
   const Corpus corpus(write("a.s6", {graph}), {.largest_component = true});
-  EXPECT_EQ(graph_hash(corpus.graph(0)), graph_hash(testing::petersen()));
+  EXPECT_EQ(graph_hash(corpus.graph(0)), graph_hash(petersen()));
 }
 
 TEST(Subgraphs, APieceIsInducedAndHasTheFirstVerticesFound) {
@@ -189,7 +187,7 @@ TEST_F(Files, PartsOfAPlanShareItsInstances) {
 }
 
 TEST_F(Files, ShufflesAreInstancesOfTheirOwn) {
-  write("a.s6", {testing::petersen()});
+  write("a.s6", {petersen()});
   const StudyPlan plan = plan_study(study("graphs = { file = \"a.s6\", shuffle = [0, 1, 2] }\n"));
   ASSERT_EQ(plan.instances.size(), 3u);
   EXPECT_EQ(plan.instances[0].parameters, "");
@@ -198,12 +196,12 @@ TEST_F(Files, ShufflesAreInstancesOfTheirOwn) {
   for (const PlannedInstance& instance : plan.instances)
     hashes.insert(graph_hash(graph_of(instance)));
   EXPECT_EQ(hashes.size(), 3u);
-  EXPECT_TRUE(hashes.contains(graph_hash(testing::petersen())));
+  EXPECT_TRUE(hashes.contains(graph_hash(petersen())));
 }
 
 TEST_F(Files, PatternsTakeFilesByNameAndCellsCanBeLeftOut) {
-  write("one.s6", {testing::petersen()});
-  write("two.s6", {testing::complete(4)});
+  write("one.s6", {petersen()});
+  write("two.s6", {complete(4)});
   const auto names = [](const StudyPlan& plan) {
     std::vector<std::string> names;
     for (const PlannedInstance& instance : plan.instances)
@@ -221,10 +219,10 @@ TEST_F(Files, PatternsTakeFilesByNameAndCellsCanBeLeftOut) {
 }
 
 TEST_F(Files, WhatCannotBeIsRefusedInOneLine) {
-  write("a.s6", {testing::petersen()});
-  write("copy.s6", {testing::petersen()});
+  write("a.s6", {petersen()});
+  write("copy.s6", {petersen()});
   std::filesystem::create_directory(scratch_.path("sub"));
-  write("sub/a.s6", {testing::complete(4)});
+  write("sub/a.s6", {complete(4)});
   scratch_.write("cycle", ":C_u\n");
   scratch_.write("broken.s6", ":Ooo\n:!\n");
   const std::pair<const char*, const char*> cases[] = {
@@ -276,11 +274,11 @@ TEST_F(Files, AStudyThatBeganKeepsItsFilesAndNoticesAChange) {
   std::vector<GraphFileRecord> files;
   for (const StudyCorpus& corpus : corpora_of(spec)) files.push_back(corpus.record);
   ASSERT_EQ(files.size(), 1u);
-  write("b.s6", {testing::petersen()});
+  write("b.s6", {petersen()});
   StudySpec later = study("graphs = \"*.s6\"\n");
   later.graph_files = files;
   EXPECT_EQ(plan_study(later).instances.size(), 30u) << "b.s6 is no file of that study";
-  write("a.s6", {testing::petersen()});
+  write("a.s6", {petersen()});
   later.shelf = std::make_shared<CorpusShelf>();
   const std::string told = problem([&] { plan_study(later); });
   EXPECT_THAT(told,
@@ -301,4 +299,4 @@ TEST(GraphFileTable, KeepsAnyPath) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -6,7 +6,7 @@
 #include "ar3d/base/error.h"
 #include "ar3d/bench/measure/environment.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
@@ -75,12 +75,12 @@ TEST(Estimate, RefusesWhatIsImpossible) {
   EXPECT_EQ(refusal(large, 1e15), "none");
   EXPECT_THAT(refusal(large, 1e8), HasSubstr("random-cubic n=100000000 with grid"));
   EXPECT_THAT(refusal(large, 1e8), HasSubstr("but this machine has 1e+08 bytes"));
-  EXPECT_THAT(refusal(plan_of("budget = { row_time = \"1 ms\" }", "sizes = 10000000\n"), 1e15),
-              HasSubstr("budget.row_time gives 0.001 s"));
-  EXPECT_THAT(refusal(plan_of("budget = { row_memory = \"1 MB\" }", "sizes = 10000000\n"), 1e15),
-              HasSubstr("budget.row_memory gives 1e+06 bytes"));
+  EXPECT_THAT(refusal(plan_of("budget = { row_time_s = 0.001 }", "sizes = 10000000\n"), 1e15),
+              HasSubstr("budget.row_time_s gives 0.001 s"));
+  EXPECT_THAT(refusal(plan_of("budget = { row_memory_bytes = 1e6 }", "sizes = 10000000\n"), 1e15),
+              HasSubstr("budget.row_memory_bytes gives 1e+06 bytes"));
   EXPECT_EQ(
-      refusal(plan_of("budget = { row_time = \"1 h\", row_memory = \"4 GB\" }", "sizes = 1000\n"),
+      refusal(plan_of("budget = { row_time_s = 3600, row_memory_bytes = 4e9 }", "sizes = 1000\n"),
               1e15),
       "none");
   const StudyPlan three = plan_of("", "sizes = 1000000\ninstances = 3\n");
@@ -92,4 +92,4 @@ TEST(Estimate, RefusesWhatIsImpossible) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

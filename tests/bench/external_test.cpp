@@ -9,7 +9,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/bench/external/external_drawer.h"
-#include "ar3d/bench/run/make_row.h"
+#include "ar3d/bench/run/row_maker.h"
 #include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/store/columns/run_columns.h"
@@ -21,11 +21,10 @@
 #include "support/problem.h"
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::problem;
 
 // Programs in Python, each a main loop over the graphs that it reads as edge lists.
 class Programs : public ::testing::Test {
@@ -61,10 +60,10 @@ algorithms = "mine"
                        "t.toml");
   }
   static std::vector<RunRecord> rows(const StudySpec& spec) {
-    return testing::run_study(spec, {.workers = 1}).runs;
+    return run_study(spec, {.workers = 1}).runs;
   }
 
-  testing::ScratchDirectory scratch_;
+  ScratchDirectory scratch_;
 };
 
 const char* const kRound = R"(
@@ -317,4 +316,4 @@ TEST_F(Programs, BadSpecificationsAreRefusedInOneLine) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

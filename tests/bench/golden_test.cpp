@@ -8,7 +8,7 @@
 #include "ar3d/store/columns/run_columns.h"
 #include "bench/in_memory.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using Digests = std::map<std::string, std::string>;
@@ -72,7 +72,7 @@ bool is_of_real_types(const Column& column) {
 TEST(Golden, RowsOfSmoke) {
   std::map<std::string, Digests> bytes;
   std::string record(run_record_size(), '\0');
-  for (const ar3d::RunRecord& run : testing::run_study(load_study("smoke"), {.workers = 2}).runs) {
+  for (const RunRecord& run : run_study(load_study("smoke"), {.workers = 2}).runs) {
     store_record(run, record.data());
     for (const Column& column : run_columns()) {
       if (column.kind == ColumnKind::measured) continue;
@@ -94,4 +94,4 @@ TEST(Golden, RowsOfSmoke) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

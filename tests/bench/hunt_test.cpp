@@ -6,11 +6,10 @@
 #include <algorithm>
 
 #include "ar3d/base/error.h"
-#include "ar3d/bench/search/shrink.h"
 #include "ar3d/verify/certificate.h"
 #include "support/graphs.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 Subject subject_of(const char* algorithm, const char* fault = nullptr,
@@ -50,9 +49,9 @@ TEST(Hunt, ClimbsAboveWhereItStarts) {
   const Subject subject = subject_of("diamond");
   HuntOptions options = small_hunt(subject, 1);
   options.families = {{&find_family("random-4-regular"), {}}};
-  const double start = hunt(subject, {Measure::volume}, options).best.ratio;
+  const double start = hunt(subject, {BoundShare::volume}, options).best.ratio;
   options.evaluations = 400;
-  const HuntResult climbed = hunt(subject, {Measure::volume}, options);
+  const HuntResult climbed = hunt(subject, {BoundShare::volume}, options);
   EXPECT_GT(climbed.best.ratio, start);
   EXPECT_LT(climbed.best.ratio, 1) << "a proved bound";
   EXPECT_TRUE(climbed.best.failure.empty()) << climbed.best.message;
@@ -61,7 +60,7 @@ TEST(Hunt, ClimbsAboveWhereItStarts) {
 TEST(Hunt, RatioIsTheShareOfTheAskedBound) {
   const Subject subject = subject_of("diamond", nullptr, {{"effort", 2}});
   const Graph graph = generate(find_family("random-4-regular"), 60, 1);
-  const Trial side = try_graph(subject, {Measure::side}, graph);
+  const Trial side = try_graph(subject, {BoundShare::side}, graph);
   double largest = 0, volume = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto extent = static_cast<double>(side.extents[axis]);
@@ -71,11 +70,11 @@ TEST(Hunt, RatioIsTheShareOfTheAskedBound) {
     volume *= (extent + 1) / (bound + 1);
   }
   EXPECT_DOUBLE_EQ(side.ratio, largest);
-  EXPECT_DOUBLE_EQ(try_graph(subject, {Measure::volume}, graph).ratio, volume);
-  EXPECT_DOUBLE_EQ(try_graph(subject, {Measure::z}, graph).ratio,
+  EXPECT_DOUBLE_EQ(try_graph(subject, {BoundShare::volume}, graph).ratio, volume);
+  EXPECT_DOUBLE_EQ(try_graph(subject, {BoundShare::z}, graph).ratio,
                    static_cast<double>(side.extents[2]) / side.bound[2]);
-  const Trial own = try_graph(subject, {Measure::z, Against::instance}, graph);
-  EXPECT_GE(own.ratio, try_graph(subject, {Measure::z}, graph).ratio);
+  const Trial own = try_graph(subject, {BoundShare::z, Against::instance}, graph);
+  EXPECT_GE(own.ratio, try_graph(subject, {BoundShare::z}, graph).ratio);
   Algorithm silent = find_algorithm("diamond");
   silent.draw = [](const Graph& g, const Settings& values) {
     Drawing drawing = find_algorithm("diamond").draw(g, values);
@@ -83,7 +82,7 @@ TEST(Hunt, RatioIsTheShareOfTheAskedBound) {
     return drawing;
   };
   const Subject without = {{&silent, subject.choice.options}, nullptr};
-  EXPECT_THROW(try_graph(without, {Measure::z, Against::instance}, graph), InputError);
+  EXPECT_THROW(try_graph(without, {BoundShare::z, Against::instance}, graph), InputError);
 }
 
 TEST(Hunt, SwitchingKeepsDegreesAndSimplicity) {
@@ -181,4 +180,4 @@ TEST(SeededFault, ShowsOnlyWhereItIsProvoked) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -10,7 +10,7 @@
 
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/run/describe_study.h"
-#include "ar3d/bench/run/make_rows.h"
+#include "ar3d/bench/run/session.h"
 #include "ar3d/store/columns/run_record.h"
 
 namespace ar3d::testing {
@@ -33,7 +33,7 @@ class FunctionSink final : public RowSink {
 
 /// The rows of a plan in its order: those that are finished, and the others, made.
 inline std::vector<RunRecord> run_plan(
-    const StudyPlan& plan, const MakingPolicy& policy,
+    const StudyPlan& plan, const SessionPolicy& policy,
     const std::unordered_map<std::string, RunRecord>& finished = {},
     const std::function<void(const RunRecord&)>& on_row = {}) {
   std::vector<std::optional<RunRecord>> rows(plan.rows());
@@ -49,7 +49,7 @@ inline std::vector<RunRecord> run_plan(
         rows[place] = row;
       },
       finished);
-  make_rows(plan, policy, sink);
+  run_session(plan, policy, sink);
   std::vector<RunRecord> made;
   for (std::optional<RunRecord>& row : rows) {
     if (row) made.push_back(std::move(*row));
@@ -58,7 +58,7 @@ inline std::vector<RunRecord> run_plan(
 }
 
 /// A whole study.
-inline Results run_study(const StudySpec& spec, MakingPolicy policy = {}) {
+inline Results run_study(const StudySpec& spec, SessionPolicy policy = {}) {
   policy.name = spec.name;
   Results results = describe_study(spec, policy.workers);
   results.runs = run_plan(plan_study(spec), policy);

@@ -19,13 +19,10 @@
 #include "support/program.h"
 #include "support/results.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
-using testing::all_bytes;
 using ::testing::HasSubstr;
-using testing::read_file;
-using testing::ScratchDirectory;
 namespace fs = std::filesystem;
 
 // Twelve rows that are needed and ten that precision may ask for.
@@ -64,8 +61,8 @@ class JournaledStudyFiles : public ::testing::Test {
     Ranks alone;
     return run_journaled(study, policy(), alone);
   }
-  static MakingPolicy policy() {
-    MakingPolicy policy;
+  static SessionPolicy policy() {
+    SessionPolicy policy;
     policy.force_timing = true;
     return policy;
   }
@@ -78,8 +75,7 @@ class JournaledStudyFiles : public ::testing::Test {
   }
   std::map<std::string, std::string> rows() const {
     std::map<std::string, std::string> rows;
-    for (const ar3d::RunRecord& row : read_results(results()).runs)
-      rows[row.row_key] = all_bytes(row);
+    for (const RunRecord& row : read_results(results()).runs) rows[row.row_key] = all_bytes(row);
     return rows;
   }
 
@@ -135,11 +131,11 @@ TEST_F(JournaledStudyFiles, RowsForPrecisionDoNotMakeUpForMissingOnes) {
   EXPECT_EQ(outcome_so_far(begun_study(results())).missing, 1u);
   const std::string snapshot = scratch_.path("snapshot.h5");
   EXPECT_EQ(write_snapshot(begun_study(results()), snapshot).missing, 1u);
-  const testing::Outcome status = testing::run("{} study status " + results());
+  const Outcome status = run("{} study status " + results());
   EXPECT_EQ(status.exit_code, 5);
   EXPECT_THAT(status.out, HasSubstr("25 of 26 rows, stopped"));
-  EXPECT_EQ(testing::run("{} study status " + snapshot).exit_code, 5);
-  const testing::Outcome check = testing::run("{} check " + snapshot);
+  EXPECT_EQ(run("{} study status " + snapshot).exit_code, 5);
+  const Outcome check = run("{} check " + snapshot);
   EXPECT_EQ(check.exit_code, 5);
   EXPECT_THAT(check.out, HasSubstr("INCOMPLETE: 1 of 26 rows are missing"));
 }
@@ -157,4 +153,4 @@ TEST_F(JournaledStudyFiles, ASnapshotOfAFinishedStudyHasItsRowsAndNeverReplacesI
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -13,11 +13,10 @@
 #include "ar3d/store/columns/run_columns.h"
 #include "bench/in_memory.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::run_study;
 
 const char* const kStudy = R"(study = "levels"
 accept_unproved = true
@@ -30,7 +29,7 @@ timed_repetitions = 1
 )";
 
 /// The row without what says at which level it was made.
-ar3d::RunRecord without_level(ar3d::RunRecord run) {
+RunRecord without_level(RunRecord run) {
   run.row_key.clear();
   run.level.clear();
   return run;
@@ -45,7 +44,7 @@ TEST(Levels, TellTheSameBitForBit) {
   std::map<std::string, std::size_t> rows;
   std::map<std::string, std::size_t> first_of;
   for (std::size_t i = 0; i < one.runs.size(); ++i) {
-    const ar3d::RunRecord& run = one.runs[i];
+    const RunRecord& run = one.runs[i];
     EXPECT_EQ(differing_columns(run, two.runs[i]), std::vector<std::string>()) << "row " << i;
     EXPECT_EQ(run.status, RunStatus::ok) << run.family << ' ' << run.algorithm << run.message;
     EXPECT_EQ(std::isnan(run.store_s), run.level == "extents");
@@ -125,4 +124,4 @@ TEST(Levels, StoreAsMuchAsTheySay) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -1,5 +1,3 @@
-#include "ar3d/bench/run/make_row.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,27 +7,26 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/bench/measure/environment.h"
-#include "ar3d/bench/measure/hardware_counters.h"
+#include "ar3d/bench/measure/instruments.h"
+#include "ar3d/bench/run/row_maker.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "bench/seeded.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
-using testing::cycle_of;
-using testing::diamond_drawn_by;
 using ::testing::HasSubstr;
 
-std::vector<ar3d::RunRecord> rows_of(const PlannedInstance& instance) {
+std::vector<RunRecord> rows_of(const PlannedInstance& instance) {
   RowMaker maker({});
   maker.prepare(instance);
-  std::vector<ar3d::RunRecord> rows;
-  for (const PlannedRun& run : instance.runs) rows.push_back(maker.make(run));
+  std::vector<RunRecord> rows;
+  for (const PlannedRun& run : instance.runs) rows.push_back(maker.make_row(run));
   return rows;
 }
 
 TEST(MakeRow, FillsARow) {
-  const ar3d::RunRecord run = rows_of(cycle_of(12, {&find_algorithm("diamond")}))[0];
+  const RunRecord run = rows_of(cycle_of(12, {&find_algorithm("diamond")}))[0];
   EXPECT_EQ(run.status, RunStatus::ok) << run.message;
   EXPECT_EQ(run.n, 12);
   EXPECT_EQ(run.m, 12);
@@ -56,12 +53,12 @@ TEST(MakeRow, FillsARow) {
 }
 
 TEST(MakeRow, TellsTheTheoremsAndThePublishedBound) {
-  const ar3d::RunRecord grid = rows_of(cycle_of(12, {&find_algorithm("grid")}))[0];
+  const RunRecord grid = rows_of(cycle_of(12, {&find_algorithm("grid")}))[0];
   for (std::size_t axis = 0; axis < 3; ++axis) {
     EXPECT_EQ(grid.published_bound[axis], 12 * 12 * 12) << "the paper: O(n^3) per side";
     EXPECT_EQ(grid.theorem_bound[axis], 5600 * 12 + 3700);
   }
-  const ar3d::RunRecord two_bend = rows_of(cycle_of(12, {&find_algorithm("two-bend")}))[0];
+  const RunRecord two_bend = rows_of(cycle_of(12, {&find_algorithm("two-bend")}))[0];
   EXPECT_TRUE(std::isnan(two_bend.published_bound[0])) << "the paper has none";
 }
 
@@ -100,7 +97,7 @@ TEST(MakeRow, AGraphThatCannotBeMadeRefusesAllItsRows) {
   };
   PlannedInstance instance = cycle_of(5, {&find_algorithm("diamond")}, 2);
   instance.choice.family = &family;
-  for (const ar3d::RunRecord& run : rows_of(instance)) {
+  for (const RunRecord& run : rows_of(instance)) {
     EXPECT_EQ(run.status, RunStatus::refused);
     EXPECT_EQ(run.message, "not today");
     EXPECT_EQ(run.n, -1);
@@ -113,7 +110,7 @@ TEST(MakeRow, ARowThatNoFileCouldHoldIsAMarkedRow) {
     drawing.counters.push_back({std::string(1000, 'c'), 1});
     return drawing;
   });
-  const ar3d::RunRecord run = rows_of(cycle_of(5, {&chatty}))[0];
+  const RunRecord run = rows_of(cycle_of(5, {&chatty}))[0];
   EXPECT_EQ(run.status, RunStatus::crashed);
   EXPECT_THAT(run.message, HasSubstr("counters"));
 }
@@ -128,14 +125,14 @@ TEST(MakeRow, WarmsUpAndHashesTheDrawing) {
   const PlannedInstance instance = cycle_of(12, {&counted});
   RowMaker maker({.concurrency = 3, .core = 1});
   maker.prepare(instance);
-  const ar3d::RunRecord run = maker.make(instance.runs[0], {.warm_ups = 2, .write = true});
+  const RunRecord run = maker.make_row(instance.runs[0], {.warm_ups = 2, .write = true});
   EXPECT_EQ(drawings, 3);
   EXPECT_EQ(run.warm_ups, 2);
   EXPECT_EQ(run.concurrency, 3);
   EXPECT_EQ(run.core, 1);
   EXPECT_EQ(run.drawing_hash, drawing_hash(draw(counted, generate(find_family("cycle"), 12, 0))));
   EXPECT_GT(run.write_s, 0);
-  EXPECT_TRUE(std::isnan(maker.make(instance.runs[0]).write_s)) << "only when asked for";
+  EXPECT_TRUE(std::isnan(maker.make_row(instance.runs[0]).write_s)) << "only when asked for";
 }
 
 // A row that is not certified takes over the verdict of one that is, if it is the same drawing.
@@ -143,11 +140,11 @@ TEST(MakeRow, TakesOverTheCertificateOfTheSameDrawingOnly) {
   const PlannedInstance instance = cycle_of(12, {&find_algorithm("diamond")}, 2);
   RowMaker maker({});
   maker.prepare(instance);
-  const ar3d::RunRecord certified = maker.make(instance.runs[0]);
-  ar3d::RunRecord run = maker.make(instance.runs[1], {.certify = false});
+  const RunRecord certified = maker.make_row(instance.runs[0]);
+  RunRecord run = maker.make_row(instance.runs[1], {.certify = false});
   EXPECT_EQ(run.violations, -1);
   EXPECT_TRUE(std::isnan(run.certify_s));
-  ar3d::RunRecord other = run;
+  RunRecord other = run;
   take_over_certificate(certified, run);
   EXPECT_THAT(differing_columns(certified, run), ::testing::ElementsAre("row_key", "repetition"));
   EXPECT_TRUE(std::isnan(run.certify_s)) << "it was not certified";
@@ -167,8 +164,8 @@ TEST(MakeRow, PeakMemoryIsTheRowsOwn) {
   const PlannedInstance instance = cycle_of(12, {&large, &find_algorithm("diamond")});
   RowMaker maker({.memory = MemoryScope::row});
   maker.prepare(instance);
-  const ar3d::RunRecord first = maker.make(instance.runs[0]);
-  const ar3d::RunRecord second = maker.make(instance.runs[1]);
+  const RunRecord first = maker.make_row(instance.runs[0]);
+  const RunRecord second = maker.make_row(instance.runs[1]);
   EXPECT_EQ(first.peak_scope, "row");
   EXPECT_GE(first.draw_peak_bytes, first.base_bytes + (60 << 20));
   EXPECT_GE(first.peak_bytes, first.draw_peak_bytes);
@@ -177,7 +174,7 @@ TEST(MakeRow, PeakMemoryIsTheRowsOwn) {
   }
   RowMaker among_others({});
   among_others.prepare(instance);
-  const ar3d::RunRecord third = among_others.make(instance.runs[1]);
+  const RunRecord third = among_others.make_row(instance.runs[1]);
   EXPECT_EQ(third.peak_scope, "process");
   EXPECT_EQ(third.draw_peak_bytes, -1) << "unknown, not zero";
   EXPECT_EQ(third.base_bytes, -1);
@@ -188,7 +185,7 @@ TEST(MakeRow, CountersAreThereOrMissing) {
   const PlannedInstance instance = cycle_of(1000, {&find_algorithm("diamond")});
   RowMaker maker({});
   maker.prepare(instance);
-  const ar3d::RunRecord run = maker.make(instance.runs[0]);
+  const RunRecord run = maker.make_row(instance.runs[0]);
   const std::string availability = HardwareCounters().availability();
   if (availability == "available") {
     EXPECT_GT(run.instructions, 1000);
@@ -203,4 +200,4 @@ TEST(MakeRow, CountersAreThereOrMissing) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -10,49 +10,45 @@
 #include <thread>
 
 #include "ar3d/base/error.h"
+#include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/measure/environment.h"
-#include "ar3d/bench/measure/interruption.h"
-#include "ar3d/bench/measure/pinning.h"
-#include "ar3d/bench/run/make_rows.h"
-#include "ar3d/bench/run/precision.h"
+#include "ar3d/bench/measure/processes.h"
+#include "ar3d/bench/run/phases.h"
+#include "ar3d/bench/run/session.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "bench/in_memory.h"
 #include "bench/seeded.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
-using testing::cycle_of;
-using testing::diamond_drawn_by;
 using ::testing::ElementsAre;
-using testing::FunctionSink;
 using ::testing::HasSubstr;
-using testing::plan_of;
 
-MakingPolicy forced() {
-  MakingPolicy policy;
+SessionPolicy forced() {
+  SessionPolicy policy;
   policy.force_timing = true;  // these tests run in sanitised builds too
   return policy;
 }
 
 struct Made {
   std::vector<std::size_t> order;
-  std::map<std::size_t, ar3d::RunRecord> rows;
+  std::map<std::size_t, RunRecord> rows;
 };
 
 // All rows of a plan but the finished ones.
-Made make(const StudyPlan& plan, const MakingPolicy& policy = forced(),
-          const std::unordered_map<std::string, ar3d::RunRecord>& finished = {},
+Made make(const StudyPlan& plan, const SessionPolicy& policy = forced(),
+          const std::unordered_map<std::string, RunRecord>& finished = {},
           const std::function<void()>& after_each = {}) {
   Made made;
   FunctionSink sink(
-      [&](std::size_t row, const ar3d::RunRecord& run) {
+      [&](std::size_t row, const RunRecord& run) {
         made.order.push_back(row);
         EXPECT_TRUE(made.rows.emplace(row, run).second) << "row " << row << " twice";
         if (after_each) after_each();
       },
       finished);
-  make_rows(plan, policy, sink);
+  run_session(plan, policy, sink);
   return made;
 }
 
@@ -71,13 +67,13 @@ TEST(TimingPhase, GoesRoundAllDrawingsPinnedAndAlone) {
   const StudyPlan plan =
       study("sizes = [10, 20]\nalgorithms = [\"diamond\", \"grid\"]\ntimed_repetitions = 3\n");
   ASSERT_EQ(plan.rows(), 4u * (1 + 3));
-  MakingPolicy policy = forced();
+  SessionPolicy policy = forced();
   policy.workers = 2;
   const Made made = make(plan, policy);
   ASSERT_EQ(made.rows.size(), plan.rows());
   std::vector<std::int64_t> repetitions;  // of the timing rows, as they were made
   for (const std::size_t row : made.order) {
-    const ar3d::RunRecord& run = made.rows.at(row);
+    const RunRecord& run = made.rows.at(row);
     EXPECT_EQ(run.status, RunStatus::ok) << run.message;
     if (run.phase == RunPhase::metrics) {
       EXPECT_TRUE(repetitions.empty()) << "the metrics come first";
@@ -124,7 +120,7 @@ TEST(TimingPhase, OptionalRepetitionsEndAtThePrecision) {
   EXPECT_TRUE(made.rows.size() == plan.rows() || median_precision(times) <= 1.0);
 
   // A second go that knows those rows needs no more.
-  std::unordered_map<std::string, ar3d::RunRecord> finished;
+  std::unordered_map<std::string, RunRecord> finished;
   for (const auto& [row, run] : made.rows) finished[run.row_key] = run;
   EXPECT_TRUE(make(plan, forced(), finished).rows.empty());
 }
@@ -188,16 +184,16 @@ TEST(TimingPhase, SeveralAtOnceStateIt) {
 TEST(TimingPhase, ABadBuildIsRefusedUnlessForced) {
   const StudyPlan timed = study("sizes = 10\nalgorithms = \"diamond\"\ntimed_repetitions = 1\n");
   const StudyPlan plain = study("sizes = 10\nalgorithms = \"diamond\"\n");
-  MakingPolicy policy;
-  EXPECT_NO_THROW(require_makeable(plain, policy));
+  SessionPolicy policy;
+  EXPECT_NO_THROW(require_possible(plain, policy));
   if (std::string(build_kind()).empty()) {
-    EXPECT_NO_THROW(require_makeable(timed, policy));
+    EXPECT_NO_THROW(require_possible(timed, policy));
   } else {
-    EXPECT_THROW(require_makeable(timed, policy), InputError);
+    EXPECT_THROW(require_possible(timed, policy), InputError);
     policy.timed_phases = false;
-    EXPECT_NO_THROW(require_makeable(timed, policy));
+    EXPECT_NO_THROW(require_possible(timed, policy));
   }
-  EXPECT_NO_THROW(require_makeable(timed, forced()));
+  EXPECT_NO_THROW(require_possible(timed, forced()));
 }
 
 TEST(ScalingPhase, BatchesHaveTheirIdealAndEfficiency) {
@@ -266,10 +262,10 @@ TEST(ScalingPhase, OneRankIsAProcessAlone) {
 TEST(ScalingPhase, MoreRanksThanThereAreAreRefused) {
   const StudyPlan plan =
       study("sizes = 10\nalgorithms = \"diamond\"\nweak_ranks = { ranks = [1, 2] }\n");
-  EXPECT_THROW(require_makeable(plan, forced()), InputError);
-  MakingPolicy helper = forced();
+  EXPECT_THROW(require_possible(plan, forced()), InputError);
+  SessionPolicy helper = forced();
   helper.timed_phases = false;
-  EXPECT_NO_THROW(require_makeable(plan, helper));
+  EXPECT_NO_THROW(require_possible(plan, helper));
 }
 
 // Four drawings that wait for each other in pairs: a batch on two threads really runs two at once.
@@ -334,4 +330,4 @@ TEST(Precision, OrderStatisticsAreTheTextbooks) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -7,7 +7,7 @@
 
 #include "ar3d/base/error.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 StudyPlan plan_of(const std::string& toml) {
@@ -194,4 +194,4 @@ TEST(Plan, RefusesTooManyRows) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

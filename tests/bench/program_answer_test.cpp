@@ -1,4 +1,6 @@
 // What the answers of programs that draw mean.
+#include "ar3d/bench/external/program_answer.h"
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,19 +9,18 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/bench/external/external_drawer.h"
-#include "ar3d/formats/drawings/drawing_numbers.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
+#include "ar3d/formats/drawings/drawing_numbers.h"
 #include "ar3d/verify/certificate.h"
 #include "ar3d/verify/checks/angles.h"
 #include "ar3d/verify/checks/examination.h"
 #include "support/graphs.h"
 #include "support/problem.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::problem;
 
 TEST(Decimals, AreExact) {
   const auto text = [](const std::string& number) {
@@ -65,7 +66,7 @@ TEST(Answers, BendsFollowTheEdgeHoweverItIsListed) {
 }
 
 TEST(Answers, OurOwnLinesAreRead) {
-  const Graph graph = testing::petersen();
+  const Graph graph = petersen();
   std::string line;
   append_drawing_line(line, draw(find_algorithm("grid"), graph));
   const ProgramAnswer answer = parse_answer("p", graph, line.substr(0, line.size() - 1));
@@ -122,7 +123,7 @@ TEST(Angles, AreMeasuredAndComparedExactly) {
   EXPECT_NEAR(angles.smallest_at_bends, 45, 1e-12);
   EXPECT_EQ(angles.optimal_edges, 0);
   for (const char* name : {"diamond", "grid", "two-bend"}) {
-    const Graph graph = name == std::string("diamond") ? testing::complete(5) : testing::petersen();
+    const Graph graph = name == std::string("diamond") ? complete(5) : petersen();
     const Drawing drawing = draw(find_algorithm(name), graph);
     const DrawnAngles optimal = angles_of(drawing);
     EXPECT_EQ(optimal.optimal_edges, graph.num_edges()) << name;
@@ -130,8 +131,7 @@ TEST(Angles, AreMeasuredAndComparedExactly) {
                 1e-7);
   }
   for (const char* name : {"diamond", "grid", "two-bend"}) {  // what is proved is what is measured
-    for (const Graph& graph :
-         {testing::complete(4), testing::petersen(), Graph(2, {{0, 1}}), Graph(3, {})}) {
+    for (const Graph& graph : {complete(4), petersen(), Graph(2, {{0, 1}}), Graph(3, {})}) {
       const Algorithm& algorithm = find_algorithm(name);
       const Drawing drawing = draw(algorithm, graph);
       Examination examination = examine(graph, drawing, algorithm.guarantee);
@@ -157,4 +157,4 @@ TEST(Angles, AreMeasuredAndComparedExactly) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

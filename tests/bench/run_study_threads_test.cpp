@@ -5,16 +5,13 @@
 #include <set>
 #include <stdexcept>
 
-#include "ar3d/bench/measure/interruption.h"
+#include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/run/describe_study.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "bench/in_memory.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::run_plan;
-using testing::run_study;
 
 const char* const kStudy = R"(study = "t"
 seed = 3
@@ -39,7 +36,7 @@ TEST(RunStudy, SameColumnsOnAnyNumberOfThreads) {
           << "row " << i;
     }
   }
-  for (const ar3d::RunRecord& run : one.runs) {
+  for (const RunRecord& run : one.runs) {
     EXPECT_EQ(run.status, RunStatus::ok)
         << run.family << ' ' << run.n << ' ' << run.algorithm << ": " << run.message;
   }
@@ -50,7 +47,7 @@ TEST(RunStudy, SmokeIsAllRight) {
   const Results results = run_study(spec, {.workers = 2});
   EXPECT_EQ(results.runs.size(), plan_study(spec).rows());
   std::set<std::string> algorithms_seen;
-  for (const ar3d::RunRecord& run : results.runs) {
+  for (const RunRecord& run : results.runs) {
     EXPECT_EQ(run.status, RunStatus::ok) << run.row_key << ": " << run.message;
     algorithms_seen.insert(run.algorithm);
   }
@@ -59,12 +56,12 @@ TEST(RunStudy, SmokeIsAllRight) {
 
 TEST(RunStudy, TakesOverFinishedRowsAndTellsOnlyTheNewOnes) {
   const StudyPlan plan = plan_study(parse_study(kStudy, "t.toml"));
-  const std::vector<ar3d::RunRecord> all = run_plan(plan, {.workers = 2});
-  std::unordered_map<std::string, ar3d::RunRecord> finished;
+  const std::vector<RunRecord> all = run_plan(plan, {.workers = 2});
+  std::unordered_map<std::string, RunRecord> finished;
   for (std::size_t i = 0; i < all.size(); i += 3) finished[all[i].row_key] = all[i];
   std::size_t made = 0;
-  const std::vector<ar3d::RunRecord> again =
-      run_plan(plan, {.workers = 2}, finished, [&](const ar3d::RunRecord& run) {
+  const std::vector<RunRecord> again =
+      run_plan(plan, {.workers = 2}, finished, [&](const RunRecord& run) {
         EXPECT_FALSE(finished.contains(run.row_key));
         ++made;
       });
@@ -78,7 +75,7 @@ TEST(RunStudy, StopsWhenAskedTo) {
   const StudyPlan plan = plan_study(parse_study(kStudy, "t.toml"));
   const Interruptible interruptible;
   std::size_t made = 0;
-  const auto rows = run_plan(plan, {.workers = 2}, {}, [&](const ar3d::RunRecord&) {
+  const auto rows = run_plan(plan, {.workers = 2}, {}, [&](const RunRecord&) {
     if (++made == 5) std::raise(SIGINT);
   });
   EXPECT_EQ(rows.size(), made);
@@ -90,7 +87,7 @@ TEST(RunStudy, AFailingListenerEndsTheStudy) {
   const StudyPlan plan = plan_study(parse_study(kStudy, "t.toml"));
   std::size_t told = 0;
   EXPECT_THROW(run_plan(plan, {.workers = 2}, {},
-                        [&](const ar3d::RunRecord&) {
+                        [&](const RunRecord&) {
                           if (++told == 3) throw std::runtime_error("disk full");
                         }),
                std::runtime_error);
@@ -124,4 +121,4 @@ TEST(RunStudy, DescribesWhereItRan) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -1,29 +1,27 @@
-#include "ar3d/bench/replay/selfcheck.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "ar3d/bench/replay/replay_row.h"
 #include "bench/in_memory.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::Contains;
 using ::testing::ElementsAre;
 
-std::vector<ar3d::RunRecord> study_rows() {
-  return testing::run_study(
-             parse_study("study = \"t\"\n[[sweep]]\nfamilies = [\"random-cubic\", "
-                         "{ family = \"generalised-petersen\", k = [2, 3] }]\nsizes = [20, "
-                         "40]\nalgorithms = [\"grid\", { algorithm = \"diamond\", effort = "
-                         "[0, 2] }]\nrepetitions = 2\ninstances = 2\n",
-                         "t.toml"),
-             {.workers = 1})
+std::vector<RunRecord> study_rows() {
+  return run_study(parse_study("study = \"t\"\n[[sweep]]\nfamilies = [\"random-cubic\", "
+                               "{ family = \"generalised-petersen\", k = [2, 3] }]\nsizes = [20, "
+                               "40]\nalgorithms = [\"grid\", { algorithm = \"diamond\", effort = "
+                               "[0, 2] }]\nrepetitions = 2\ninstances = 2\n",
+                               "t.toml"),
+                   {.workers = 1})
       .runs;
 }
 
 TEST(SelfCheck, EveryRowOfAStudyIsReproduced) {
-  const std::vector<ar3d::RunRecord> rows = study_rows();
+  const std::vector<RunRecord> rows = study_rows();
   std::size_t told = 0;
   const SelfCheck check = selfcheck(rows, sample_of_rows(rows, rows.size(), 1), {.seed = 0},
                                     [&](std::size_t place) { EXPECT_EQ(place, told++); });
@@ -33,7 +31,7 @@ TEST(SelfCheck, EveryRowOfAStudyIsReproduced) {
 }
 
 TEST(SelfCheck, FindsWhatWasChanged) {
-  std::vector<ar3d::RunRecord> rows = study_rows();
+  std::vector<RunRecord> rows = study_rows();
   rows[3].extents[1] += 1;
   rows[5].drawing_hash[7] = rows[5].drawing_hash[7] == 'a' ? 'b' : 'a';
   rows[7].row_key[0] = rows[7].row_key[0] == 'a' ? 'b' : 'a';
@@ -48,8 +46,8 @@ TEST(SelfCheck, FindsWhatWasChanged) {
 }
 
 TEST(SelfCheck, TheSampleIsAFunctionOfItsSeedAndLeavesOutWhatCannotBeReplayed) {
-  std::vector<ar3d::RunRecord> rows(1000);
-  for (ar3d::RunRecord& run : rows) run.status = RunStatus::ok;
+  std::vector<RunRecord> rows(1000);
+  for (RunRecord& run : rows) run.status = RunStatus::ok;
   for (std::size_t i = 0; i < rows.size(); i += 2) rows[i].status = RunStatus::timeout;
   const auto sample = sample_of_rows(rows, 100, 7);
   ASSERT_EQ(sample.size(), 100u);
@@ -64,4 +62,4 @@ TEST(SelfCheck, TheSampleIsAFunctionOfItsSeedAndLeavesOutWhatCannotBeReplayed) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

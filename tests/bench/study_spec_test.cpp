@@ -7,9 +7,8 @@
 #include <fstream>
 
 #include "ar3d/base/error.h"
-#include "ar3d/bench/spec/named_studies.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::ElementsAre;
@@ -42,9 +41,10 @@ warm_up = 2
 concurrency = 3
 write = true
 [budget]
-study = "10 min"
-row_time = "2 s + 20 us * n"
-row_memory = "64 MiB"
+study_s = 600
+row_time_s = 2
+row_time_s_per_vertex = 20e-6
+row_memory_bytes = 67108864
 [[sweep]]
 families = ["cycle", { family = "generalised-petersen", k = [2, 3] }]
 sizes = [1000, { from = 10, to = 100, per_decade = 3 }]
@@ -116,12 +116,13 @@ TEST(StudySpec, MeasuresAreCheckedWithTheirLine) {
                     "\nstudy = \"t\"\n[[sweep]]\nfamilies = \"cycle\"\nsizes = 10\n"
                     "algorithms = \"grid\"\n");
   };
-  EXPECT_EQ(top("budget = { study = \"1 s\" }"), "no error");
-  EXPECT_THAT(top("budget = { study = \"1 s * n\" }"),
-              HasSubstr("t.toml:1: the whole study's budget cannot depend on n"));
-  EXPECT_THAT(top("budget = { row_time = \"1 MB\" }"), HasSubstr("t.toml:1: '1 MB': 'MB' is not"));
-  EXPECT_THAT(top("budget = { row_time = 3 }"), HasSubstr("t.toml:1: row_time is not a string"));
-  EXPECT_THAT(top("budget = { time = \"1 s\" }"), HasSubstr("unknown key 'time' in budget"));
+  EXPECT_EQ(top("budget = { study_s = 1 }"), "no error");
+  EXPECT_THAT(top("budget = { study_s_per_vertex = 1 }"), HasSubstr("unknown key 'study_s_per_v"));
+  EXPECT_THAT(top("budget = { row_time_s = -1 }"),
+              HasSubstr("t.toml:1: row_time_s = -1 is outside"));
+  EXPECT_THAT(top("budget = { row_memory_bytes_per_vertex = \"3\" }"),
+              HasSubstr("t.toml:1: row_memory_bytes_per_vertex is not a number"));
+  EXPECT_THAT(top("budget = { time = 1 }"), HasSubstr("unknown key 'time' in budget"));
   EXPECT_THAT(top("timing = { warm_up = -1 }"), HasSubstr("t.toml:1: warm_up = -1 is outside"));
   EXPECT_THAT(top("timing = { write = 1 }"), HasSubstr("write is neither true nor false"));
   EXPECT_THAT(error_of(study_with("timed_repetitions = { precision = 0 }")),
@@ -187,8 +188,8 @@ TEST(StudySpec, ErrorsNameFileLineAndValue) {
               HasSubstr("t.toml:6: unknown key 'size'"));
   EXPECT_EQ(error_of("certificate = 3\n" + study_with("")),
             "t.toml:1: certificate is not a string");
-  EXPECT_EQ(error_of("budget = { row_time = 3 }\n" + study_with("")),
-            "t.toml:1: row_time is not a string");
+  EXPECT_EQ(error_of("budget = { row_time_s = \"3\" }\n" + study_with("")),
+            "t.toml:1: row_time_s is not a number");
   EXPECT_THAT(error_of("keep_drawings = \"wrost\"\n" + study_with("")),
               HasSubstr("t.toml:1: keep_drawings 'wrost' is none of none, worst, violated and all; "
                         "did you mean 'worst'?"));
@@ -250,4 +251,4 @@ TEST(StudySpec, LoadsFiles) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

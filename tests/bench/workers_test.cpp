@@ -17,42 +17,38 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/bench/measure/environment.h"
-#include "ar3d/bench/measure/interruption.h"
-#include "ar3d/bench/run/make_rows.h"
+#include "ar3d/bench/measure/processes.h"
+#include "ar3d/bench/run/session.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "bench/in_memory.h"
 #include "bench/seeded.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
-using testing::cycle_of;
-using testing::diamond_drawn_by;
 using ::testing::ElementsAre;
-using testing::FunctionSink;
 using ::testing::HasSubstr;
-using testing::plan_of;
 
-std::vector<ar3d::RunRecord> made_rows(const StudyPlan& plan, const MakingPolicy& policy = {}) {
-  std::vector<ar3d::RunRecord> rows(plan.rows());
+std::vector<RunRecord> made_rows(const StudyPlan& plan, const SessionPolicy& policy = {}) {
+  std::vector<RunRecord> rows(plan.rows());
   std::vector<int> times_told(plan.rows());
-  FunctionSink sink([&](std::size_t row, const ar3d::RunRecord& run) {
+  FunctionSink sink([&](std::size_t row, const RunRecord& run) {
     rows[row] = run;
     ++times_told[row];
   });
-  EXPECT_EQ(make_rows(plan, policy, sink), MakingEnd::complete);
+  EXPECT_EQ(run_session(plan, policy, sink), SessionEnd::complete);
   EXPECT_THAT(times_told, ::testing::Each(1));
   return rows;
 }
 
-MakingPolicy isolated() {
-  MakingPolicy policy;
+SessionPolicy isolated() {
+  SessionPolicy policy;
   policy.isolate = true;
   return policy;
 }
 
-StudyPlan within(const std::string& time, StudyPlan plan) {
-  plan.budget.row_time_s = SizeFunction::time(time);
+StudyPlan within(const LimitByVertices& seconds, StudyPlan plan) {
+  plan.budget.row_time_s = seconds;
   return plan;
 }
 
@@ -110,8 +106,8 @@ TEST(Workers, ALoopIsATimeoutAndNothingOfItIsLeft) {
     close(held);
     std::abort();
   });
-  const auto rows = made_rows(
-      within("300 ms + 1 us * n", plan_of(cycle_of(8, {&kGood, &kLoops, &forks, &kGood}))));
+  const auto rows =
+      made_rows(within({0.3, 1e-6}, plan_of(cycle_of(8, {&kGood, &kLoops, &forks, &kGood}))));
   EXPECT_EQ(rows[1].status, RunStatus::timeout);
   EXPECT_EQ(rows[1].message, "no row within 0.300008 s");
   EXPECT_EQ(rows[2].status, RunStatus::timeout);
@@ -131,8 +127,8 @@ TEST(Workers, AGeneratorThatHangsIsTriedOnceAnInstance) {
   };
   PlannedInstance instance = cycle_of(8, {&kGood}, 50);
   instance.choice.family = &family;
-  const auto rows = made_rows(within("200 ms", plan_of(instance)));
-  for (const ar3d::RunRecord& run : rows) {
+  const auto rows = made_rows(within({0.2, 0}, plan_of(instance)));
+  for (const RunRecord& run : rows) {
     EXPECT_EQ(run.status, RunStatus::timeout);
     EXPECT_EQ(run.message, "no graph within 0.2 s");
     EXPECT_EQ(run.n, -1);
@@ -148,15 +144,15 @@ const Algorithm kGreedy = diamond_drawn_by([](const Graph& graph, const Settings
 
 TEST(Workers, TooMuchMemoryIsOutOfMemory) {
   StudyPlan plan = plan_of(cycle_of(8, {&kGreedy, &kGood}));
-  plan.budget.row_memory_bytes = SizeFunction::memory("128 MiB + 1 kB * n");
+  plan.budget.row_memory_bytes = LimitByVertices{128 << 20, 1000};
   if (std::string(build_kind()) == "sanitised") {
-    EXPECT_THROW(require_makeable(plan, {}), InputError);
+    EXPECT_THROW(require_possible(plan, {}), InputError);
     return;
   }
   const auto rows = made_rows(plan);
   EXPECT_EQ(rows[0].status, RunStatus::out_of_memory);
   EXPECT_EQ(rows[1].status, RunStatus::ok) << rows[1].message;
-  plan.budget.row_memory_bytes = SizeFunction::memory("2 GiB");
+  plan.budget.row_memory_bytes = LimitByVertices{2147483648, 0};
   EXPECT_EQ(made_rows(plan)[0].status, RunStatus::ok) << "the limit was what stopped it";
 }
 
@@ -164,7 +160,7 @@ TEST(Workers, RowsAreTheSameAsInThreads) {
   const StudyPlan plan = plan_study(parse_study(
       "study = \"t\"\n[[sweep]]\nfamilies = \"all\"\nsizes = [6, 30]\nalgorithms = \"all\"\n",
       "t.toml"));
-  MakingPolicy policy = isolated();
+  SessionPolicy policy = isolated();
   policy.workers = 3;
   const auto in_workers = made_rows(plan, policy);
   policy.isolate = false;
@@ -185,18 +181,18 @@ TEST(Workers, GenerateLargeGraphsAfterThreadsWereUsed) {
   PlannedInstance instance = cycle_of(n, {&kGood});
   instance.choice.family = &find_family("random-cubic");
   instance.choice.parameters = complete_parameters(*instance.choice.family, {});
-  EXPECT_EQ(made_rows(within("60 s", plan_of(instance)))[0].status, RunStatus::ok);
+  EXPECT_EQ(made_rows(within({60, 0}, plan_of(instance)))[0].status, RunStatus::ok);
 }
 
 TEST(Workers, AStopGivesUpTheRowsInFlight) {
   const StudyPlan plan = plan_of(cycle_of(8, {&kGood, &kLoops, &kGood}));
   std::vector<std::size_t> told;
   const Interruptible interruptible;
-  FunctionSink sink([&](std::size_t row, const ar3d::RunRecord&) {
+  FunctionSink sink([&](std::size_t row, const RunRecord&) {
     told.push_back(row);
     std::raise(SIGINT);
   });
-  EXPECT_EQ(make_rows(plan, isolated(), sink), MakingEnd::stopped);
+  EXPECT_EQ(run_session(plan, isolated(), sink), SessionEnd::stopped);
   EXPECT_THAT(told, ElementsAre(0));
   expect_no_children();
 }
@@ -205,8 +201,8 @@ TEST(Workers, TheStudysBudgetEndsItWithWhatIsDone) {
   StudyPlan plan = plan_of(cycle_of(8, {&kGood, &kLoops}));
   plan.budget.study_s = 0.5;
   std::vector<std::size_t> told;
-  FunctionSink sink([&](std::size_t row, const ar3d::RunRecord&) { told.push_back(row); });
-  EXPECT_EQ(make_rows(plan, isolated(), sink), MakingEnd::budget_spent);
+  FunctionSink sink([&](std::size_t row, const RunRecord&) { told.push_back(row); });
+  EXPECT_EQ(run_session(plan, isolated(), sink), SessionEnd::budget_spent);
   EXPECT_THAT(told, ElementsAre(0));
   expect_no_children();
 }
@@ -244,8 +240,8 @@ TEST(Workers, DieWithTheirParent) {
       }
       std::abort();
     });
-    FunctionSink sink([](std::size_t, const ar3d::RunRecord&) {});
-    make_rows(plan_of(cycle_of(8, {&tells})), isolated(), sink);
+    FunctionSink sink([](std::size_t, const RunRecord&) {});
+    run_session(plan_of(cycle_of(8, {&tells})), isolated(), sink);
     _exit(0);
   }
   close(ends[1]);
@@ -258,12 +254,11 @@ TEST(Workers, DieWithTheirParent) {
 }
 
 TEST(Workers, WhatTheListenerThrowsIsPassedOn) {
-  FunctionSink sink(
-      [](std::size_t, const ar3d::RunRecord&) { throw std::runtime_error("disk full"); });
-  EXPECT_THROW(make_rows(plan_of(cycle_of(8, {&kGood, &kGood})), isolated(), sink),
+  FunctionSink sink([](std::size_t, const RunRecord&) { throw std::runtime_error("disk full"); });
+  EXPECT_THROW(run_session(plan_of(cycle_of(8, {&kGood, &kGood})), isolated(), sink),
                std::runtime_error);
   expect_no_children();
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

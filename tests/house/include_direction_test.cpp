@@ -70,7 +70,7 @@ std::string included(const std::string& line) {
   return line.substr(begin, line.find('"', begin) - begin);
 }
 
-/// A folder of a path, by its place: "bench" and "run" of bench/run/make_rows.h; "" if the path is
+/// A folder of a path, by its place: "bench" and "run" of bench/run/session.h; "" if the path is
 /// shorter.
 std::string part(const std::string& path, std::size_t index) {
   std::istringstream parts(path);

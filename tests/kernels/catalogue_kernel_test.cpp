@@ -11,12 +11,8 @@
 #include "ar3d/generators/catalog.h"
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::Outcome;
-using testing::run;
-using testing::ScratchDirectory;
 
 const std::string kKernels = AR3D_KERNELS;
 const std::set<std::string> kKinds = {"draw", "certify", "generate", "parse"};
@@ -69,7 +65,7 @@ TEST(Kernels, ReportTimesAndRatesAndNoComplexity) {
                               "' --benchmark_min_time=0 --benchmark_out=" +
                               file);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const auto report = nlohmann::json::parse(testing::read_file(file));
+  const auto report = nlohmann::json::parse(read_file(file));
   std::set<std::string> kinds;
   for (const auto& row : report.at("benchmarks")) {
     const std::string name = row.at("name");
@@ -86,4 +82,4 @@ TEST(Kernels, ReportTimesAndRatesAndNoComplexity) {
 TEST(Kernels, UnknownArgumentsAreErrors) { EXPECT_EQ(run(kKernels + " --colour").exit_code, 2); }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -11,14 +11,12 @@
 
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using testing::Outcome;
-using testing::run;
 using ::testing::StartsWith;
 
 const std::string kLimits = AR3D_LIMITS;
@@ -139,4 +137,4 @@ TEST(Limits, BadArgumentsAreErrors) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -6,13 +6,11 @@
 
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run;
 
 Outcome precision(const std::string& arguments) {
   return run(std::string(AR3D_PRECISION) + " " + arguments);
@@ -32,8 +30,8 @@ TEST(PrecisionTables, SayWhatEachModeCatches) {
 
 /// The commands of docs/precision.md; the tables of `all` take minutes and are not made here.
 TEST(PrecisionTables, AllTakesAPictureAndTheWholeReportIsOneCommand) {
-  EXPECT_THAT(precision("all --help").out, HasSubstr("--picture"));
-  const testing::ScratchDirectory scratch;
+  EXPECT_THAT(precision("--help").out, HasSubstr("--picture"));
+  const ScratchDirectory scratch;
   const std::string study =
       scratch.write("s.toml",
                     "study = \"few\"\n[[sweep]]\nfamilies = \"cycle\"\nsizes = 5\n"
@@ -71,47 +69,10 @@ TEST(PrecisionTables, PredicatesAreRightWhereTheRangeCheckProvesThem) {
                             "[^|]* \\| [1-9][^|]*%"));
 }
 
-TEST(PrecisionTables, WrongAnglesBeginWhereRoundingCanMatter) {
-  const Outcome outcome = precision("onset --most 300");
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("| `two-bend` | float | 128 | 180 |"));
-  EXPECT_THAT(outcome.out, HasSubstr("| `two-bend` | double | > 300 | > 300 |"));
-  // In no family is an angle wrong before rounding can matter.
-  for (const char* algorithm : {"diamond", "grid", "compact", "two-bend"}) {
-    EXPECT_THAT(outcome.out, HasSubstr("| `" + std::string(algorithm) + "` | 0 | "));
-  }
-}
-
-// Storing a drawing in a type misses as much as computing it there, but for a factor of 2 or so.
-TEST(PrecisionTables, RoundingTheResultMissesAsMuchAsComputing) {
-  const Outcome outcome = precision("rounding --most 32");
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, ContainsRegex("\\| double \\| [0-9]+ \\| "));
-  EXPECT_THAT(outcome.out, HasSubstr("| rounding the drawing in 237 bits | "));
-  EXPECT_EQ(precision("rounding --most 32").out, outcome.out) << "a function of the command";
-  EXPECT_EQ(precision("rounding --most 8").exit_code, 2);
-}
-
 TEST(PrecisionTables, FarFromTheOriginMissesGrowAsPredicted) {
   const Outcome outcome = precision("shift");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("| double | 1e-06 | 2^26 to 2^27 | 2^27 |"));
-  for (const char* family : {"| `prism` | ", "| `iterated-truncation` | ", "| `random-tree` | "}) {
-    EXPECT_THAT(outcome.out, HasSubstr(family));
-  }
-}
-
-// What the filter leaves open over all families: every angle that is exactly as promised.
-TEST(PrecisionTables, CoverEveryFamily) {
-  const Outcome outcome = precision("families -n 60");
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  for (const char* row : {"| `diamond` | `random-4-regular` | 60 |", "| `grid` | `prism` | 60 |",
-                          "| `two-bend` | `nested-triangles`", "| `compact` | `union-k5` |"}) {
-    const bool is_degree_4 = std::string(row).find("nested") != std::string::npos;
-    EXPECT_EQ(outcome.out.find(row) != std::string::npos, !is_degree_4) << row;
-  }
-  EXPECT_THAT(outcome.out, ContainsRegex("`diamond` \\| [0-9]+ \\| 100 %, every family"));
-  EXPECT_EQ(precision("families -n 60").out, outcome.out) << "a function of the command";
 }
 
 // Seen onsets lie in the predicted band, or a level or two beside it.
@@ -125,23 +86,15 @@ TEST(PrecisionTables, NestsMissFromTheDepthThatTheConditionPredicts) {
 }
 
 TEST(PrecisionTables, MapsOfWrongSigns) {
-  const testing::ScratchDirectory scratch;
+  const ScratchDirectory scratch;
   const std::string picture = scratch.path("signs.svg");
   const Outcome outcome = precision("signs --picture " + picture);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("| double | as drawn, steps of 1 | 0 (< "));
   EXPECT_THAT(outcome.out, ContainsRegex("\\| float \\| as drawn, steps of 1 \\| [0-9.e-]+ % "));
-  EXPECT_THAT(testing::read_file(picture), HasSubstr("fill='#000'"));
+  EXPECT_THAT(read_file(picture), HasSubstr("fill='#000'"));
   EXPECT_EQ(precision("signs --picture " + picture).exit_code, 2) << "it exists";
 }
 
-TEST(PrecisionTables, PositionsTakeTheBytesOfTheirWidth) {
-  const Outcome outcome = precision("positions --most 1800");
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("| 1800 | int16 | 6 | "));
-  EXPECT_THAT(outcome.out, HasSubstr("| 1800 | int32 | 12 | "));
-  EXPECT_THAT(outcome.out, HasSubstr("| 1800 | int64 | 24 | "));
-}
-
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -7,18 +7,15 @@
 #include <cstddef>
 
 #include "../inputs.h"
-#include "../search.h"
+#include "../turns.h"
 #include "ar3d/algorithms/catalog.h"
-#include "ar3d/bench/measure/one_thread.h"
+#include "ar3d/bench/measure/cores.h"
 #include "limit.h"
-#include "turns.h"
 
-namespace ar3d::limits {
+namespace ar3d::kernels {
 namespace {
 
-using kernels::shuffled;
-
-struct Drawn {
+struct DrawingCase {
   const char* algorithm;
   const char* family;
   const char* family_words;
@@ -38,12 +35,12 @@ constexpr const char* kTwoBendPasses =
 constexpr const char* kCompactTries =
     "29 cells tried per vertex, and waiting for lines and ejected neighbours";
 
-void measure_drawing(const Drawn& drawn, const Scale& scale, std::vector<Limit>& limits) {
+void measure_drawing(const DrawingCase& drawn, const RunSize& scale, std::vector<Limit>& limits) {
   const OneThread one_thread;
   const Graph graph = shuffled(find_family(drawn.family), scale.n);
   const Algorithm& algorithm = find_algorithm(drawn.algorithm);
   std::vector<std::function<double()>> works = {
-      timed(Clock::cpu, [&] { (void)kernels::search_breadth_first(graph); })};
+      timed(Clock::cpu, [&] { (void)search_breadth_first(graph); })};
   for (const int effort : drawn.efforts) {
     const Settings options = effort < 0 ? Settings{} : Settings{{"effort", effort}};
     works.push_back(timed(Clock::cpu, [&, options] { (void)draw(algorithm, graph, options); }));
@@ -60,24 +57,22 @@ void measure_drawing(const Drawn& drawn, const Scale& scale, std::vector<Limit>&
   }
 }
 
-Group drawing_group(const Drawn& drawn) {
-  Group group{fmt::format("draw/{}/{}", drawn.algorithm, drawn.n), drawn.n, {}, {}};
+LimitGroup drawing_group(const DrawingCase& drawn) {
+  LimitGroup group{fmt::format("draw/{}/{}", drawn.algorithm, drawn.n), drawn.n, {}, {}};
   for (std::size_t i = 0; i < drawn.efforts.size(); ++i) {
     const std::string effort =
         drawn.efforts[i] < 0 ? "" : fmt::format(" effort {}", drawn.efforts[i]);
     group.limits.push_back(
         {fmt::format("draw `{}`{}, {}", drawn.algorithm, effort, drawn.family_words),
-         "breadth-first search",
-         {Goal::Kind::at_most, drawn.goals[i]},
-         drawn.why_missed});
+         "breadth-first search", at_most(drawn.goals[i]), drawn.why_missed});
   }
-  group.measure = [drawn](const Scale& scale, std::vector<Limit>& limits) {
+  group.measure = [drawn](const RunSize& scale, std::vector<Limit>& limits) {
     measure_drawing(drawn, scale, limits);
   };
   return group;
 }
 
-void measure_threads(const Scale& scale, std::vector<Limit>& limits) {
+void measure_threads(const RunSize& scale, std::vector<Limit>& limits) {
   const OneThread restore_afterwards;
   const Graph graph = shuffled(find_family("random-4-regular"), scale.n);
   const Algorithm& diamond = find_algorithm("diamond");
@@ -106,11 +101,11 @@ void measure_threads(const Scale& scale, std::vector<Limit>& limits) {
 
 }  // namespace
 
-std::vector<Group> drawing_groups() {
+std::vector<LimitGroup> drawing_groups() {
   constexpr const char* kFour = "random 4-regular";
   constexpr const char* kCubic = "random cubic";
-  std::vector<Group> groups;
-  for (const Drawn& drawn : std::vector<Drawn>{
+  std::vector<LimitGroup> groups;
+  for (const DrawingCase& drawn : std::vector<DrawingCase>{
            {"diamond", "random-4-regular", kFour, {0, 1}, 1'000'000, {2.0, 2.0}, kDiamondPasses},
            {"diamond", "random-4-regular", kFour, {0, 1}, 10'000'000, {1.5, 1.5}, kDiamondPasses},
            {"grid", "random-cubic", kCubic, {0, 1}, 1'000'000, {8, 8}, kGridPasses},
@@ -118,13 +113,12 @@ std::vector<Group> drawing_groups() {
            {"compact", "random-4-regular", kFour, {-1}, 1'000'000, {15}, kCompactTries}}) {
     groups.push_back(drawing_group(drawn));
   }
-  groups.push_back({"draw/threads",
-                    10'000'000,
-                    {{"draw `diamond` effort 0, random 4-regular, 2 threads",
-                      "1 thread",
-                      {Goal::Kind::at_least, 1.6}}},
-                    measure_threads});
+  groups.push_back(
+      {"draw/threads",
+       10'000'000,
+       {{"draw `diamond` effort 0, random 4-regular, 2 threads", "1 thread", at_least(1.6)}},
+       measure_threads});
   return groups;
 }
 
-}  // namespace ar3d::limits
+}  // namespace ar3d::kernels

@@ -1,7 +1,5 @@
 // ar3d_limits --families: drawing beside the search, to see what grows faster than it. A sweep over
 // sizes in a list of its own, since the table of goals has one size a row.
-#include "families.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -14,14 +12,14 @@
 #include <vector>
 
 #include "../inputs.h"
-#include "../search.h"
+#include "../turns.h"
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
-#include "ar3d/bench/measure/one_thread.h"
-#include "ar3d/bench/measure/stopwatch.h"
-#include "turns.h"
+#include "ar3d/bench/measure/cores.h"
+#include "ar3d/bench/measure/instruments.h"
+#include "limit.h"
 
-namespace ar3d::limits {
+namespace ar3d::kernels {
 namespace {
 
 /// Below this many vertices everything is in the caches, and times say little about growth.
@@ -36,7 +34,7 @@ struct Timing {
   double ratio = 0;  ///< to the search of the same graph
 };
 
-struct Row {
+struct FamilyRow {
   const Algorithm* algorithm;
   std::string name;
   std::vector<Timing> timings;
@@ -61,7 +59,7 @@ double growth(const std::vector<Timing>& timings) {
 }
 
 /// Seconds of a drawing; 0 for a graph that the algorithm refuses, which is its last one.
-double time_drawing(const Graph& graph, Row& row) {
+double time_drawing(const Graph& graph, FamilyRow& row) {
   if (!row.refused.empty()) return 0;
   try {
     const CpuStopwatch time;
@@ -74,10 +72,10 @@ double time_drawing(const Graph& graph, Row& row) {
 }
 
 /// All rows in turns with the search.
-void time_rows(const Graph& graph, int repetitions, std::vector<Row>& rows) {
+void time_rows(const Graph& graph, int repetitions, std::vector<FamilyRow>& rows) {
   std::vector<std::function<double()>> works = {
-      timed(Clock::cpu, [&] { (void)kernels::search_breadth_first(graph); })};
-  for (Row& row : rows) {
+      timed(Clock::cpu, [&] { (void)search_breadth_first(graph); })};
+  for (FamilyRow& row : rows) {
     works.emplace_back([&graph, &row] { return time_drawing(graph, row); });
   }
   Turns turns(std::move(works));
@@ -90,8 +88,8 @@ void time_rows(const Graph& graph, int repetitions, std::vector<Row>& rows) {
   }
 }
 
-std::vector<Row> rows_of(const Family& family, const std::regex& only) {
-  std::vector<Row> rows;
+std::vector<FamilyRow> rows_of(const Family& family, const std::regex& only) {
+  std::vector<FamilyRow> rows;
   for (const Algorithm* algorithm : proved_algorithms()) {
     if (family.max_degree > algorithm->guarantee.max_degree) continue;
     const std::string name = algorithm->name + "/" + family.name;
@@ -110,7 +108,7 @@ std::string growth_text(double exponent) {
   return std::isnan(exponent) ? "–" : fmt::format("{:+.2f}", exponent);
 }
 
-void print_row(const Row& row, std::size_t num_sizes) {
+void print_row(const FamilyRow& row, std::size_t num_sizes) {
   std::string line = fmt::format("| `{}` |", row.name);
   for (std::size_t i = 0; i < num_sizes; ++i) {
     line += i < row.timings.size()
@@ -122,20 +120,16 @@ void print_row(const Row& row, std::size_t num_sizes) {
 }
 
 /// A family with few sizes gives the same graph for several: it is timed once.
-void time_family(const Family& family, const FamiliesScale& scale, std::vector<Row>& rows) {
+void time_family(const Family& family, std::uint64_t max_n, int repetitions,
+                 std::vector<FamilyRow>& rows) {
   std::uint64_t before = 0;
-  for (const std::uint64_t n : sizes_up_to(scale.max_n)) {
-    const Graph graph = kernels::shuffled(family, n);
+  for (const std::uint64_t n : sizes_up_to(max_n)) {
+    const Graph graph = shuffled(family, n);
     if (graph.num_vertices() <= before) return;
     before = graph.num_vertices();
-    time_rows(graph, scale.repetitions, rows);
+    time_rows(graph, repetitions, rows);
   }
 }
-
-struct Growth {
-  double exponent = 0;
-  std::string row;
-};
 
 void print_head(const std::vector<std::uint64_t>& sizes) {
   fmt::print(
@@ -150,32 +144,31 @@ void print_head(const std::vector<std::uint64_t>& sizes) {
 
 }  // namespace
 
-void print_families(const FamiliesScale& scale) {
+void print_families(std::uint64_t max_n, int repetitions, const std::string& expression) {
   const OneThread one_thread;
-  const std::regex only(scale.only);
-  const auto sizes = sizes_up_to(scale.max_n);
+  const std::regex only(expression);
+  const auto sizes = sizes_up_to(max_n);
   const Stopwatch time;
-  std::map<std::string, Growth> largest;  // by algorithm
+  std::map<std::string, std::pair<double, std::string>> largest;  // by algorithm: exponent and row
   print_head(sizes);
   for (const Family& family : families()) {
-    std::vector<Row> rows = rows_of(family, only);
+    std::vector<FamilyRow> rows = rows_of(family, only);
     if (rows.empty()) continue;
     fmt::print(stderr, "{:.0f} s: {}\n", time.wall_s(), family.name);
-    time_family(family, scale, rows);
-    for (const Row& row : rows) {
+    time_family(family, max_n, repetitions, rows);
+    for (const FamilyRow& row : rows) {
       print_row(row, sizes.size());
       const double exponent = growth(row.timings);
-      const auto [entry, is_new] =
-          largest.try_emplace(row.algorithm->name, Growth{exponent, row.name});
-      if (!(entry->second.exponent >= exponent) && !std::isnan(exponent)) {
+      const auto [entry, is_new] = largest.try_emplace(row.algorithm->name, exponent, row.name);
+      if (!(entry->second.first >= exponent) && !std::isnan(exponent)) {
         entry->second = {exponent, row.name};
       }
     }
   }
-  for (const auto& [algorithm, growth] : largest) {
-    fmt::print("\nLargest growth of `{}`: {}, `{}`.\n", algorithm, growth_text(growth.exponent),
-               growth.row);
+  for (const auto& [algorithm, found] : largest) {
+    fmt::print("\nLargest growth of `{}`: {}, `{}`.\n", algorithm, growth_text(found.first),
+               found.second);
   }
 }
 
-}  // namespace ar3d::limits
+}  // namespace ar3d::kernels

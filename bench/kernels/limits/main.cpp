@@ -13,15 +13,13 @@
 #include <vector>
 
 #include "ar3d/bench/measure/environment.h"
-#include "ar3d/bench/measure/stopwatch.h"
-#include "families.h"
+#include "ar3d/bench/measure/instruments.h"
 #include "limit.h"
-#include "machine.h"
 
-namespace ar3d::limits {
+namespace ar3d::kernels {
 namespace {
 
-struct Options {
+struct LimitOptions {
   std::uint64_t max_n = 10'000'000;
   int repetitions = 9;
   std::string only = ".";
@@ -31,8 +29,8 @@ struct Options {
 };
 
 /// Memory comes first: the more a process has freed, the longer arrays malloc keeps in its heap.
-std::vector<Group> all_groups() {
-  std::vector<Group> all;
+std::vector<LimitGroup> all_groups() {
+  std::vector<LimitGroup> all;
   for (const auto& groups :
        {memory_groups(), drawing_groups(), certifying_groups(), crossing_groups(), reading_groups(),
         generating_groups(), study_groups(), layout_groups()}) {
@@ -42,13 +40,12 @@ std::vector<Group> all_groups() {
 }
 
 std::string goal_text(const Goal& goal) {
-  return fmt::format("{} {:g}{}", goal.kind == Goal::Kind::at_most ? "≤" : "≥", goal.value,
-                     goal.unit);
+  return fmt::format("{} {:g}{}", goal.is_least ? "≥" : "≤", goal.value, goal.unit);
 }
 
 bool is_reached(const Limit& limit) {
-  return limit.goal.kind == Goal::Kind::at_most ? *limit.measured <= limit.goal.value
-                                                : *limit.measured >= limit.goal.value;
+  return limit.goal.is_least ? *limit.measured >= limit.goal.value
+                             : *limit.measured <= limit.goal.value;
 }
 
 const char* met(const Limit& limit, bool at_goals_size) {
@@ -71,7 +68,7 @@ std::string value_text(double value) {
 }
 
 /// What a group throws is told in its lines; false if that was a fault.
-bool measure(Group& group, const Scale& scale) {
+bool measure(LimitGroup& group, const RunSize& scale) {
   const auto tell = [&](const char* what, const char* message) {
     for (Limit& limit : group.limits) {
       limit.measured.reset();
@@ -89,7 +86,7 @@ bool measure(Group& group, const Scale& scale) {
   return true;
 }
 
-void print_group(const Group& group, std::uint64_t n) {
+void print_group(const LimitGroup& group, std::uint64_t n) {
   for (const Limit& limit : group.limits) {
     fmt::print(
         "| `{}` | {} | {} | {} | {} | {} | {} | {} |\n", group.name, limit.stage, limit.yardstick,
@@ -99,7 +96,7 @@ void print_group(const Group& group, std::uint64_t n) {
   std::fflush(stdout);
 }
 
-void print_memory(const Options& options) {
+void print_memory(const LimitOptions& options) {
   const MemorySpeed speed =
       measure_memory(std::size_t{options.memory_mib} << 20, options.repetitions);
   fmt::print(
@@ -111,7 +108,7 @@ void print_memory(const Options& options) {
 }
 
 /// False if a row failed.
-bool print_limits(const Options& options) {
+bool print_limits(const LimitOptions& options) {
   const std::regex only(options.only);
   print_memory(options);
   fmt::print(
@@ -119,7 +116,7 @@ bool print_limits(const Options& options) {
       "|\n|---|---|---|---|---|---|---|---|\n");
   const Stopwatch time;
   bool all_well = true;
-  for (Group& group : all_groups()) {
+  for (LimitGroup& group : all_groups()) {
     if (!std::regex_search(group.name, only)) continue;
     const std::uint64_t n = std::min(group.n, options.max_n);
     fmt::print(stderr, "{:.0f} s: {}\n", time.wall_s(), group.name);
@@ -130,14 +127,14 @@ bool print_limits(const Options& options) {
 }
 
 /// False if a row failed.
-bool run(const Options& options) {
+bool run(const LimitOptions& options) {
   const Stopwatch time;
   fmt::print("Commit {}{}, medians of {} repetitions in turns, load average before {}.\n\n",
              source_hash(), source_is_dirty() ? " and uncommitted changes" : "",
              options.repetitions, load_average());
   bool all_well = true;
   if (options.families) {
-    print_families({options.max_n, options.repetitions, options.only});
+    print_families(options.max_n, options.repetitions, options.only);
   } else {
     all_well = print_limits(options);
   }
@@ -146,10 +143,10 @@ bool run(const Options& options) {
 }
 
 }  // namespace
-}  // namespace ar3d::limits
+}  // namespace ar3d::kernels
 
 int main(int argc, char** argv) {
-  ar3d::limits::Options options;
+  ar3d::kernels::LimitOptions options;
   CLI::App app(
       "Every stage beside its yardstick, goals met and missed, as a table in Markdown.\n"
       "Example: ar3d_limits --only '^draw/diamond' --max-n 1000000");
@@ -180,7 +177,7 @@ int main(int argc, char** argv) {
     options.memory_mib = 1;
   }
   try {
-    return ar3d::limits::run(options) ? 0 : 1;
+    return ar3d::kernels::run(options) ? 0 : 1;
   } catch (const std::exception& error) {
     fmt::print(stderr, "ar3d_limits: {}\n", error.what());
     return 2;

@@ -1,23 +1,32 @@
 // Memory beyond the graph at level `extents`, where a drawing keeps what its algorithm keeps and
 // nothing else; and of the certificate beyond graph and drawing. One thread, measured once:
 // resident bytes at their highest.
+// What the memory gives one thread: the floor under every stage.
+
 #include <fmt/format.h>
 #include <malloc.h>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <numeric>
+#include <random>
+#include <utility>
+#include <vector>
 
 #include "../inputs.h"
+#include "../turns.h"
 #include "ar3d/algorithms/catalog.h"
-#include "ar3d/bench/measure/one_thread.h"
-#include "ar3d/bench/measure/row_memory.h"
+#include "ar3d/base/long_vector.h"
+#include "ar3d/bench/measure/cores.h"
+#include "ar3d/bench/measure/instruments.h"
 #include "ar3d/verify/checks/examination.h"
 #include "limit.h"
 
-namespace ar3d::limits {
+namespace ar3d::kernels {
 namespace {
-
-using kernels::random_family;
-using kernels::shuffled;
 
 constexpr double kGiB = 1024.0 * 1024 * 1024;
 
@@ -35,7 +44,7 @@ double bytes_of(const std::function<void()>& work) {
   return beyond;
 }
 
-void measure_extents(const Scale& scale, std::vector<Limit>& limits) {
+void measure_extents(const RunSize& scale, std::vector<Limit>& limits) {
   const OneThread one_thread;
   const Algorithm& diamond = find_algorithm("diamond");
   const Graph graph = shuffled(random_family(diamond), scale.n);
@@ -50,7 +59,7 @@ void measure_extents(const Scale& scale, std::vector<Limit>& limits) {
 }
 
 /// All of it: generating, drawing, metrics and hash.
-void measure_whole(const Scale& scale, std::vector<Limit>& limits) {
+void measure_whole(const RunSize& scale, std::vector<Limit>& limits) {
   const OneThread one_thread;
   const Algorithm& diamond = find_algorithm("diamond");
   const double bytes = bytes_of([&] {
@@ -62,7 +71,8 @@ void measure_whole(const Scale& scale, std::vector<Limit>& limits) {
   limits[0].remark = fmt::format("{:.1f} bytes per vertex", bytes / static_cast<double>(scale.n));
 }
 
-void measure_certificate(const std::string& name, const Scale& scale, std::vector<Limit>& limits) {
+void measure_certificate(const std::string& name, const RunSize& scale,
+                         std::vector<Limit>& limits) {
   const OneThread one_thread;
   const Algorithm& algorithm = find_algorithm(name);
   const Graph graph = shuffled(random_family(algorithm), scale.n);
@@ -77,9 +87,9 @@ void measure_certificate(const std::string& name, const Scale& scale, std::vecto
 
 }  // namespace
 
-std::vector<Group> memory_groups() {
-  const Goal extents{Goal::Kind::at_most, 48, " bytes"};
-  std::vector<Group> groups = {
+std::vector<LimitGroup> memory_groups() {
+  const Goal extents = at_most(48, " bytes");
+  std::vector<LimitGroup> groups = {
       {"memory/extents",
        10'000'000,
        {{"memory per vertex of drawing `diamond`", "the graph", extents},
@@ -87,22 +97,76 @@ std::vector<Group> memory_groups() {
        measure_extents},
       {"memory/whole",
        100'000'000,
-       {{"memory of generating, drawing, metrics and hash, `diamond`",
-         "none",
-         {Goal::Kind::at_most, 24, " GiB"}}},
+       {{"memory of generating, drawing, metrics and hash, `diamond`", "none",
+         at_most(24, " GiB")}},
        measure_whole}};
   for (const char* name : {"diamond", "grid", "two-bend", "compact"}) {
     groups.push_back({fmt::format("memory/certify/{}", name),
                       1'000'000,
                       {{fmt::format("memory per segment of certifying `{}`", name),
-                        "graph and drawing",
-                        {Goal::Kind::at_most, 40, " bytes"},
+                        "graph and drawing", at_most(40, " bytes"),
                         "24 or 32 bytes a segment in columns, and more while these are counted"}},
-                      [name](const Scale& scale, std::vector<Limit>& limits) {
+                      [name](const RunSize& scale, std::vector<Limit>& limits) {
                         measure_certificate(name, scale, limits);
                       }});
   }
   return groups;
 }
 
-}  // namespace ar3d::limits
+namespace {
+
+using Numbers = UnwrittenVector<std::uint64_t>;
+
+/// A record of a whole cache line, so that no two steps share one.
+struct CacheLine {
+  std::uint32_t next = 0;
+  std::uint32_t unused[15] = {};
+};
+using Lines = UnwrittenVector<CacheLine>;
+
+/// One cycle through all lines, in random order (Sattolo).
+Lines random_cycle(std::size_t count) {
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0u);
+  std::mt19937_64 random(1);
+  for (std::size_t i = count - 1; i > 0; --i) std::swap(order[i], order[random() % i]);
+  Lines lines(count, CacheLine{});
+  for (std::size_t i = 0; i < count; ++i) lines[i].next = order[i];
+  return lines;
+}
+
+/// `steps` steps of each of `Chains` walks; where they ended, so that nothing is left out.
+template <std::size_t Chains>
+std::uint32_t walk(const Lines& lines, std::size_t steps) {
+  std::array<std::uint32_t, Chains> at{};
+  for (std::size_t i = 0; i < Chains; ++i) {
+    at[i] = static_cast<std::uint32_t>(i * (lines.size() / Chains));
+  }
+  for (std::size_t step = 0; step < steps; ++step) {
+    for (std::uint32_t& place : at) place = lines[place].next;
+  }
+  return std::accumulate(at.begin(), at.end(), 0u);
+}
+
+volatile std::uint64_t sink = 0;  // what is computed has to be
+
+}  // namespace
+
+MemorySpeed measure_memory(std::size_t bytes, int rounds) {
+  constexpr std::size_t kSteps = 1 << 17;
+  constexpr std::size_t kChains = 32;
+  Numbers from(bytes / sizeof(std::uint64_t), 1);
+  Numbers to(from.size(), 0);
+  const Lines lines = random_cycle(bytes / sizeof(CacheLine));
+  Turns turns({timed(Clock::cpu,
+                     [&] { sink = std::accumulate(from.begin(), from.end(), std::uint64_t{0}); }),
+               timed(Clock::cpu, [&] { std::copy(from.begin(), from.end(), to.begin()); }),
+               timed(Clock::cpu, [&] { sink = walk<1>(lines, kSteps); }),
+               timed(Clock::cpu, [&] { sink = walk<kChains>(lines, kSteps); })});
+  turns.run(rounds);
+  const auto size = static_cast<double>(bytes);
+  return {1e-9 * size / turns.median_of(0), 2e-9 * size / turns.median_of(1),
+          1e9 * turns.median_of(2) / kSteps, 1e9 * turns.median_of(3) / (kSteps * kChains)};
+}
+
+}  // namespace ar3d::kernels

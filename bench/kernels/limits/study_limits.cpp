@@ -4,12 +4,12 @@
 
 #include <stdexcept>
 
+#include "../turns.h"
 #include "ar3d/bench/plan/plan.h"
-#include "ar3d/bench/run/make_rows.h"
+#include "ar3d/bench/run/session.h"
 #include "limit.h"
-#include "turns.h"
 
-namespace ar3d::limits {
+namespace ar3d::kernels {
 namespace {
 
 constexpr int kRows = 2000;
@@ -21,7 +21,7 @@ class Valid final : public RowSink {
   }
 };
 
-void measure_rows(const Scale& scale, std::vector<Limit>& limits) {
+void measure_rows(const RunSize& scale, std::vector<Limit>& limits) {
   const StudyPlan plan = plan_study(
       parse_study(fmt::format("study = \"limits\"\n[[sweep]]\nfamilies = \"random-cubic\"\n"
                               "sizes = {}\nalgorithms = \"grid\"\ninstances = {}\n",
@@ -30,9 +30,9 @@ void measure_rows(const Scale& scale, std::vector<Limit>& limits) {
   const auto with_workers = [&](int workers) {
     return [&, workers] {
       Valid sink;
-      MakingPolicy policy;
+      SessionPolicy policy;
       policy.workers = workers;
-      make_rows(plan, policy, sink);
+      run_session(plan, policy, sink);
     };
   };
   Turns turns({timed(Clock::wall, with_workers(1)), timed(Clock::wall, with_workers(2))});
@@ -44,20 +44,20 @@ void measure_rows(const Scale& scale, std::vector<Limit>& limits) {
 
 }  // namespace
 
-std::vector<Group> study_groups() {
+std::vector<LimitGroup> study_groups() {
   return {{"study/rows",
            1000,
-           {{"rows of `grid`, random cubic, 2 workers", "1 worker", {Goal::Kind::at_least, 1.95}}},
+           {{"rows of `grid`, random cubic, 2 workers", "1 worker", at_least(1.95)}},
            measure_rows}};
 }
 
-std::vector<Group> layout_groups() {
+std::vector<LimitGroup> layout_groups() {
   return {{"layouts",
            100'000,
-           {{"layouts of other programs in three dimensions", "ours", {Goal::Kind::at_least, 1}}},
-           [](const Scale&, std::vector<Limit>&) {
+           {{"layouts of other programs in three dimensions", "ours", at_least(1)}},
+           [](const RunSize&, std::vector<Limit>&) {
              throw NotMeasured("a study of minutes to hours, docs/performance.md");
            }}};
 }
 
-}  // namespace ar3d::limits
+}  // namespace ar3d::kernels

@@ -16,11 +16,11 @@
 #include "../inputs.h"
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/random.h"
-#include "ar3d/bench/measure/stopwatch.h"
+#include "ar3d/bench/measure/instruments.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/checks/examination.h"
 #include "certificate_modes.h"
-#include "tables.h"
+#include "precision.h"
 
 namespace ar3d::precision {
 namespace {
@@ -220,7 +220,7 @@ void catch_table(std::uint64_t drawings) {
 }  // namespace
 
 /// Least CPU time of three rounds, in turns, in nanoseconds per segment.
-void mode_times() {
+void mode_times(const TableOptions&) {
   std::vector<std::vector<std::string>> rows;
   for (const char* name : {"diamond", "grid", "compact", "two-bend"}) {
     const Algorithm& algorithm = find_algorithm(name);
@@ -245,6 +245,6 @@ void mode_times() {
   print_table(head({"algorithm", "n"}), rows);
 }
 
-void damage_tables(std::uint64_t drawings) { catch_table(drawings); }
+void damage_tables(const TableOptions& options) { catch_table(options.drawings); }
 
 }  // namespace ar3d::precision

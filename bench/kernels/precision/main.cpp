@@ -1,73 +1,86 @@
-// Tables of docs/precision.md that no row of a study holds: ar3d_precision damage, families, front,
-// modes, nests, onset, positions, predicates, rounding, shift, signs or widths prints them as
+// Tables of docs/precision.md that no row of a study holds: ar3d_precision NAME prints one as
 // Markdown, ar3d_precision all prints all of them. Everything but times is a function of the
 // command.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdint>
-#include <string>
+#include <cmath>
 
 #include "ar3d/base/error.h"
-#include "tables.h"
+#include "precision.h"
 
-int main(int argc, char** argv) {
+namespace ar3d::precision {
+
+std::string rate(std::uint64_t successes, std::uint64_t trials) {
+  if (trials == 0) return "-";
+  const auto n = static_cast<double>(trials);
+  const double share = static_cast<double>(successes) / n;
+  constexpr double kZ = 1.959964;  // 95 % of a normal distribution
+  if (successes == 0) return fmt::format("0 (< {:.2g} %)", 100 * kZ * kZ / (n + kZ * kZ));
+  const double middle = share + kZ * kZ / (2 * n);
+  const double half = kZ * std::sqrt(share * (1 - share) / n + kZ * kZ / (4 * n * n));
+  const double scale = 1 + kZ * kZ / n;
+  return fmt::format("{:.3g} % ({:.3g}-{:.3g})", 100 * share, 100 * (middle - half) / scale,
+                     100 * (middle + half) / scale);
+}
+
+void print_table(const std::vector<std::string>& head,
+                 const std::vector<std::vector<std::string>>& rows) {
+  fmt::print("| {} |\n|", fmt::join(head, " | "));
+  for (std::size_t i = 0; i < head.size(); ++i) fmt::print("---|");
+  fmt::print("\n");
+  for (const std::vector<std::string>& row : rows) fmt::print("| {} |\n", fmt::join(row, " | "));
+  fmt::print("\n");
+}
+
+namespace {
+
+struct NamedTable {
+  const char* name;
+  const char* what;
+  void (*print)(const TableOptions&);
+};
+
+constexpr NamedTable kTables[] = {
+    {"widths", "bits of coordinates and predicates", width_tables},
+    {"shift", "a drawing in real types far from the origin", shift_tables},
+    {"nests", "from which depth on nests miss", nest_table},
+    {"predicates", "wrong answers by arithmetic", predicate_tables},
+    {"signs", "where rounding gives the wrong sign", sign_tables},
+    {"damage", "catch rates of certificate modes on damaged drawings", damage_tables},
+    {"modes", "times of certificate modes", mode_times}};
+
+int print_tables(int argc, char** argv) {
   CLI::App app("What precision costs and what it catches");
   app.require_subcommand(1);
-  std::uint64_t drawings = 320;
-  CLI::App* damage =
-      app.add_subcommand("damage", "catch rates of certificate modes on damaged drawings");
-  damage->add_option("--drawings", drawings, "of each algorithm, scale and kind of damage")
+  app.fallthrough();
+  TableOptions options;
+  app.add_option("--drawings", options.drawings, "damage: of each algorithm, scale and kind")
       ->check(CLI::Range(1, 1000000));
-  CLI::App* modes = app.add_subcommand("modes", "times of certificate modes");
-  CLI::App* shift = app.add_subcommand("shift", "a drawing in real types far from the origin");
-  CLI::App* widths = app.add_subcommand("widths", "bits of coordinates and predicates");
-  std::uint64_t most = 100000;
-  CLI::App* onset = app.add_subcommand("onset", "from which n on angles are wrong");
-  onset->add_option("--most", most, "largest n that is tried")->check(CLI::Range(16, 1000000));
-  CLI::App* predicates = app.add_subcommand("predicates", "wrong answers by arithmetic");
-  std::uint64_t n = 1000;
-  CLI::App* families =
-      app.add_subcommand("families", "filter failures and wrong answers over every family");
-  families->add_option("-n", n, "vertices of each graph")->check(CLI::Range(16, 100000));
-  CLI::App* front = app.add_subcommand("front", "time against wrong answers by arithmetic");
-  int depth = 120;
-  CLI::App* nests = app.add_subcommand("nests", "from which depth on nests miss");
-  nests->add_option("--depth", depth, "largest depth")->check(CLI::Range(1, 200));
-  std::uint64_t largest = 1000000;
-  CLI::App* positions = app.add_subcommand("positions", "what positions of each width cost");
-  positions->add_option("--most", largest, "largest n")->check(CLI::Range(1800, 1000000));
-  std::uint64_t rounded = 1024;
-  CLI::App* rounding =
-      app.add_subcommand("rounding", "what computing misses, and storing the result alone");
-  rounding->add_option("--most", rounded, "largest n")->check(CLI::Range(16, 2048));
-  std::string picture;
-  CLI::App* signs = app.add_subcommand("signs", "where rounding gives the wrong sign");
-  signs->add_option("--picture", picture, "new SVG file of the worst windows");
-  CLI::App* all = app.add_subcommand("all", "all of these tables");
-  all->add_option("--picture", picture, "new SVG file of the worst windows");
+  app.add_option("--depth", options.depth, "nests: largest depth")->check(CLI::Range(1, 200));
+  app.add_option("--picture", options.picture, "signs: new SVG file of the worst windows");
+  for (const NamedTable& table : kTables) app.add_subcommand(table.name, table.what);
+  const CLI::App* const all = app.add_subcommand("all", "all of these tables");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
+  for (const NamedTable& table : kTables) {
+    if (all->parsed() || app.got_subcommand(table.name)) table.print(options);
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace ar3d::precision
+
+int main(int argc, char** argv) {
   try {
-    const auto wanted = [&](CLI::App* one) { return one->parsed() || all->parsed(); };
-    if (wanted(widths)) ar3d::precision::width_tables();
-    if (wanted(positions)) ar3d::precision::position_table(largest);
-    if (wanted(shift)) ar3d::precision::shift_tables();
-    if (wanted(nests)) ar3d::precision::nest_table(depth);
-    if (wanted(rounding)) ar3d::precision::rounding_tables(rounded);
-    if (wanted(predicates)) ar3d::precision::predicate_tables();
-    if (wanted(families)) ar3d::precision::family_tables(n);
-    if (wanted(signs)) ar3d::precision::sign_tables(picture);
-    if (wanted(onset)) ar3d::precision::onset_table(most);
-    if (wanted(front)) ar3d::precision::front_table();
-    if (wanted(damage)) ar3d::precision::damage_tables(drawings);
-    if (wanted(modes)) ar3d::precision::mode_times();
+    return ar3d::precision::print_tables(argc, argv);
   } catch (const ar3d::InputError& error) {
     fmt::print(stderr, "ar3d_precision: {}\n", error.what());
     return 2;
   }
-  return 0;
 }

@@ -1,5 +1,4 @@
-// Where rounding gives the wrong sign: which positions around a point where two segments touch, and
-// which pairs of directions.
+// Where rounding gives the wrong sign: which positions around a point where two segments touch.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,21 +6,16 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <cstdlib>
-#include <map>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "../inputs.h"
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/predicates/meeting.h"
-#include "decisions.h"
-#include "questions.h"
-#include "tables.h"
+#include "precision.h"
 
 namespace ar3d::precision {
 namespace {
@@ -197,58 +191,11 @@ std::vector<SignMap> position_maps() {
   return maps;
 }
 
-/// The direction divided by what its components share.
-std::string direction(Vector d) {
-  const std::int64_t common = std::gcd(std::gcd(d.x, d.y), d.z);
-  return fmt::format("({}, {}, {})", d.x / common, d.y / common, d.z / common);
-}
-
-/// Which pairs of directions the textbook's cosine in double answers wrongly for, as drawn.
-void direction_table() {
-  constexpr std::size_t kShown = 4;  // pairs of directions of an algorithm
-  std::vector<std::vector<std::string>> rows;
-  for (const char* name : {"diamond", "grid", "compact", "two-bend"}) {
-    const Algorithm& algorithm = find_algorithm(name);
-    const Decisions decisions =
-        decisions_of(draw(algorithm, generate(kernels::random_family(algorithm), 1000, 1)),
-                     algorithm.guarantee, kMost);
-    std::map<std::string, std::vector<Angle>> by_directions;
-    for (const Angle& angle : decisions.angles) {
-      std::string u = direction(angle[0] - angle[1]), v = direction(angle[2] - angle[1]);
-      if (v < u) std::swap(u, v);
-      by_directions[fmt::format("{} and {}", u, v)].push_back(angle);
-    }
-    std::vector<std::pair<std::uint64_t, std::string>> order;
-    std::uint64_t without = 0;
-    for (const auto& [pair, angles] : by_directions) {
-      const std::uint64_t wrong =
-          wrong_angles(verify::predicate_choice("cosine"), algorithm.guarantee, angles);
-      without += wrong == 0;
-      order.emplace_back(wrong, pair);
-    }
-    std::sort(order.rbegin(), order.rend());
-    for (std::size_t i = 0; i < std::min(kShown, order.size()); ++i) {
-      const auto& [wrong, pair] = order[i];
-      if (wrong == 0) break;
-      rows.push_back({fmt::format("`{}`", name), fmt::format("{}", by_directions.size()),
-                      fmt::format("{}", without), pair, rate(wrong, by_directions[pair].size())});
-    }
-    if (order.empty() || order.front().first == 0) {
-      rows.push_back({fmt::format("`{}`", name), fmt::format("{}", by_directions.size()),
-                      fmt::format("{}", without), "-", "0"});
-    }
-  }
-  fmt::print(
-      "Pairs of directions for which the cosine in double is wrong most often, n = 1000:\n\n");
-  print_table({"algorithm", "pairs of directions", "of them never wrong", "pair", "wrong"}, rows);
-}
-
 }  // namespace
 
-void sign_tables(const std::string& picture) {
+void sign_tables(const TableOptions& options) {
   const std::vector<SignMap> maps = position_maps();
-  direction_table();
-  if (!picture.empty()) write_maps(maps, picture);
+  if (!options.picture.empty()) write_maps(maps, options.picture);
 }
 
 }  // namespace ar3d::precision

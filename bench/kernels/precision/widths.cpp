@@ -11,8 +11,7 @@
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/coordinate_width.h"
 #include "ar3d/verify/metrics/metrics.h"
-#include "decisions.h"
-#include "tables.h"
+#include "precision.h"
 
 namespace ar3d::precision {
 namespace {
@@ -39,7 +38,7 @@ double actual_n(const Algorithm& algorithm, std::uint64_t n, double extent, doub
 
 }  // namespace
 
-void width_tables() {
+void width_tables(const TableOptions&) {
   std::vector<std::vector<std::string>> widths, bits;
   for (const char* name : {"diamond", "two-bend", "grid", "compact", "compact-120"}) {
     const Algorithm* const algorithm = &find_algorithm(name);

@@ -1,0 +1,213 @@
+#include "ar3d/bench/compare/commits.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+#include "ar3d/base/error.h"
+#include "ar3d/base/new_file.h"
+#include "ar3d/bench/measure/processes.h"
+
+namespace ar3d {
+GitAnswer ask_git(std::vector<std::string> words) {
+  namespace fs = std::filesystem;
+  const fs::path log = fs::temp_directory_path() / fmt::format("ar3d-git-{}", getpid());
+  words.insert(words.begin(), "git");
+  GitAnswer answer;
+  answer.exit_code = run_child(words, {.output = log.string()});
+  std::ifstream file(log);
+  for (std::string line; std::getline(file, line);) answer.lines.push_back(line);
+  fs::remove(log);
+  return answer;
+}
+
+std::string commit_of(const std::string& checkout, const std::string& ref) {
+  const GitAnswer commit = ask_git(
+      {"-C", checkout, "rev-parse", "--verify", "--quiet", "--end-of-options", ref + "^{commit}"});
+  if (commit.exit_code != 0 || commit.lines.empty()) {
+    throw InputError(fmt::format("no commit '{}' in {}", ref, checkout));
+  }
+  return commit.lines.front();
+}
+
+std::int64_t commits_up_to(const std::string& commit) {
+  const GitAnswer count = ask_git({"rev-list", "--count", commit, "--"});
+  std::int64_t number = -1;
+  if (count.exit_code != 0 || count.lines.empty()) return -1;
+  const std::string& text = count.lines.front();
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && end == text.data() + text.size() ? number : -1;
+}
+
+std::vector<Commit> commits_between(const std::string& checkout, const std::string& good,
+                                    const std::string& bad) {
+  const GitAnswer order = ask_git({"-C", checkout, "merge-base", "--is-ancestor", good, bad});
+  if (order.exit_code != 0 || good == bad) {
+    throw InputError(fmt::format("{} is no earlier commit than {}", good, bad));
+  }
+  const GitAnswer list = ask_git({"-C", checkout, "log", "--reverse", "--first-parent",
+                                  "--format=%H %s", good + ".." + bad, "--"});
+  std::vector<Commit> commits;
+  for (const std::string& line : list.lines) {
+    const std::size_t space = line.find(' ');
+    commits.push_back({line.substr(0, space),
+                       space == std::string::npos ? std::string() : line.substr(space + 1)});
+  }
+  if (list.exit_code != 0 || commits.empty() || commits.back().hash != bad) {
+    throw InputError(fmt::format("git lists no commits from {} to {}", good, bad));
+  }
+  return commits;
+}
+
+std::optional<std::size_t> Bisection::next() const {
+  std::optional<std::size_t> nearest;
+  const auto distance = [&](std::size_t commit) {  // twice that from the middle
+    const std::size_t sum = first_ + last_ - 1;
+    return 2 * commit > sum ? 2 * commit - sum : sum - 2 * commit;
+  };
+  for (std::size_t commit = first_; commit < last_; ++commit) {
+    if (is_skipped_[commit]) continue;
+    if (!nearest || distance(commit) < distance(*nearest)) nearest = commit;
+  }
+  return nearest;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Thrown where a signal asked to stop.
+struct BuildStopped {};
+
+/// "[57/140] Building …" of ninja's last line, as "57 of 140"; empty if there is none.
+std::string steps_done(const fs::path& log) {
+  std::ifstream file(log);
+  std::string steps;
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t slash = line.find('/'), end = line.find(']');
+    if (!line.starts_with('[') || end == std::string::npos || slash > end) continue;
+    steps = line.substr(1, slash - 1) + " of " + line.substr(slash + 1, end - slash - 1);
+  }
+  return steps;
+}
+
+/// Runs the steps of one build, all with one log.
+class Build {
+ public:
+  Build(std::string ref, fs::path log, std::FILE* progress)
+      : ref_(std::move(ref)), log_(std::move(log)), progress_(progress) {}
+
+  /// @throws BuildStopped, and InputError naming the log if it fails.
+  void run(const std::vector<std::string>& words) {
+    std::string last;
+    int seconds = 0;
+    const auto tell = [&] {
+      if (progress_ == nullptr || ++seconds % kSecondsBetweenLines != 0) return;
+      const std::string steps = steps_done(log_);
+      if (steps.empty() || steps == last) return;
+      fmt::print(progress_, "building {}: step {}\n", ref_, steps);
+      last = steps;
+    };
+    const int code = run_child(
+        words, {.output = log_.string(), .ends_when_interrupted = true, .every_second = tell});
+    if (is_interrupted()) throw BuildStopped();
+    if (code == 0) return;
+    throw InputError(fmt::format("cannot build {}: {} ended with code {}, see {}", ref_, words[0],
+                                 code, log_.string()));
+  }
+
+ private:
+  static constexpr int kSecondsBetweenLines = 5;
+
+  std::string ref_;
+  fs::path log_;
+  std::FILE* progress_;
+};
+
+/// A git worktree of the commit that goes with this object.
+class Worktree {
+ public:
+  Worktree(const std::string& checkout, fs::path folder)
+      : checkout_(checkout), folder_(std::move(folder)) {}
+  Worktree(const Worktree&) = delete;
+  Worktree& operator=(const Worktree&) = delete;
+  ~Worktree() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+    ask_git({"-C", checkout_, "worktree", "prune"});
+  }
+
+  const fs::path& folder() const { return folder_; }
+
+ private:
+  std::string checkout_;
+  fs::path folder_;
+};
+
+/// Copies a program: the copy is on the disk whole under its name, or not at all.
+void copy_program(const fs::path& from, const fs::path& to) {
+  std::ifstream file(from, std::ios::binary);
+  const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
+  if (!file || bytes.empty()) throw InputError(fmt::format("cannot read {}", from.string()));
+  NewFile copy(to.string());
+  copy.write_all(bytes);
+  const auto mode = static_cast<mode_t>(fs::status(from).permissions());
+  if (fchmod(copy.descriptor(), mode) != 0) refuse_writing(to.string(), errno);
+  copy.become_target();
+}
+
+/// Builds the commit and puts its program in place, whole or not at all.
+void build_program(const std::string& checkout, const std::string& commit, Build& build,
+                   const fs::path& program) {
+  const fs::path folder = program.parent_path();
+  const Worktree worktree(checkout, folder.string() + fmt::format(".sources-{}", getpid()));
+  const std::string sources = worktree.folder().string(), tree = sources + "/build/compare";
+  build.run({"git", "-C", checkout, "worktree", "add", "--detach", sources, commit});
+  build.run({"cmake", "-S", sources, "-B", tree, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+             "-DAR3D_TESTS=OFF", "-DAR3D_BENCHMARKS=OFF"});
+  build.run({"ninja", "-C", tree, "ar3d_program"});
+  fs::create_directories(folder);
+  copy_program(fs::path(tree) / "apps" / "ar3d", program);
+}
+
+}  // namespace
+
+std::string find_checkout() {
+  const GitAnswer root = ask_git({"rev-parse", "--show-toplevel"});
+  if (root.exit_code != 0 || root.lines.empty() ||
+      !fs::exists(fs::path(root.lines.front()) / "apps" / "study.cpp")) {
+    throw InputError("the working directory is in no git checkout of ar3d");
+  }
+  return root.lines.front();
+}
+
+std::optional<std::string> build_reference(const std::string& checkout, const std::string& ref,
+                                           std::FILE* progress) {
+  const std::string commit = commit_of(checkout, ref);
+  const fs::path folder = fs::path(checkout) / "build" / "compare";
+  const fs::path program = folder / commit / "ar3d";
+  if (fs::exists(program)) return program.string();
+  fs::create_directories(folder);
+  const fs::path log = folder / (commit + ".log");
+  if (progress != nullptr) {
+    fmt::print(progress, "building {} as {}, which takes minutes\n", ref, program.string());
+  }
+  try {
+    Build build(ref, log, progress);
+    build_program(checkout, commit, build, program);
+  } catch (const BuildStopped&) {
+    fs::remove(log);
+    return {};
+  }
+  fs::remove(log);
+  return program.string();
+}
+
+}  // namespace ar3d

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <ctime>
+#include <string>
+
+namespace ar3d {
+
+/// Wall time since construction.
+class Stopwatch {
+ public:
+  double wall_s() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// CPU time of the calling thread since construction. Reading it is a system call.
+class CpuStopwatch {
+ public:
+  double cpu_s() const { return thread_cpu_s() - start_; }
+
+ private:
+  static double thread_cpu_s() {
+    std::timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  }
+
+  double start_ = thread_cpu_s();
+};
+
+/// What the processor counted in user space of the calling thread; -1: the kernel does not tell.
+struct CountedEvents {
+  std::int64_t instructions = -1;
+  std::int64_t cycles = -1;
+  std::int64_t cache_misses = -1;
+};
+
+/// The hardware counters of one thread (Linux perf_event_open). Construct and use it in that
+/// thread.
+class HardwareCounters {
+ public:
+  HardwareCounters();
+  ~HardwareCounters();
+  HardwareCounters(const HardwareCounters&) = delete;
+  HardwareCounters& operator=(const HardwareCounters&) = delete;
+
+  void start();
+  /// Events since start(). A hardware counter that had to share the processor with others is not
+  /// told.
+  CountedEvents stop();
+
+  /// "available", or "absent: <why>" naming the first hardware counter that cannot be had.
+  const std::string& availability() const { return availability_; }
+
+ private:
+  static constexpr std::size_t kCounters = 3;
+  std::array<int, kCounters> descriptors_{-1, -1, -1};
+  std::string availability_ = "available";
+};
+
+/// How much memory of the process the peak of a row stands for.
+enum class MemoryScope {
+  process,  ///< other rows are made at the same time: only the process's peak so far is known
+  row,      ///< this row's own: the kernel's high-water mark is reset before it
+  worker    ///< as row, in a process that does nothing else
+};
+const char* to_string(MemoryScope scope);
+
+/// Measures the resident memory of a row. The kernel keeps a high-water mark for the process; where
+/// no other row is made beside, it is reset at will (Linux: "5" written to /proc/self/clear_refs),
+/// so that it speaks of what came after. Where the kernel refuses that, the scope is `process`.
+/// Cost of a call: about 1 us.
+class RowMemory {
+ public:
+  /// To be constructed in the process that makes the rows.
+  explicit RowMemory(MemoryScope scope);
+  ~RowMemory();
+  RowMemory(const RowMemory&) = delete;
+  RowMemory& operator=(const RowMemory&) = delete;
+
+  MemoryScope scope() const { return scope_; }
+
+  /// Begins a row: gives what earlier rows have freed back to the system (if it is much), resets
+  /// the mark. @return resident bytes now; -1 in scope process.
+  std::int64_t begin_row();
+  /// Forgets the peak so far; without effect in scope process.
+  void restart();
+  /// Largest resident size in bytes since the last restart or begin_row, or of the process so far.
+  std::int64_t peak_bytes() const;
+
+ private:
+  MemoryScope scope_;
+  int clear_refs_ = -1;     ///< descriptor of /proc/self/clear_refs
+  std::int64_t floor_ = 0;  ///< getrusage gives at least this, whatever has been reset
+  std::int64_t first_base_ = 0;
+};
+
+}  // namespace ar3d

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ar3d {
+
+/// What another SIGINT or SIGTERM does once one has asked to stop.
+enum class SecondSignal { ends_program, is_ignored };
+
+/// While an object of this class lives, SIGINT and SIGTERM ask the program to stop instead of
+/// ending it. One at a time; afterwards the signals do what they did before.
+class Interruptible {
+ public:
+  explicit Interruptible(SecondSignal second = SecondSignal::ends_program);
+  Interruptible(const Interruptible&) = delete;
+  Interruptible& operator=(const Interruptible&) = delete;
+  ~Interruptible();
+
+ private:
+  void (*before_int_)(int);
+  void (*before_term_)(int);
+};
+
+/// True once the living Interruptible was asked to stop. Safe in every thread.
+bool is_interrupted();
+
+struct ChildOptions {
+  std::string folder = {};  ///< working directory; empty: this process's
+  std::string output = {};  ///< file that takes its standard output and error
+  int core = -1;            ///< the only core it may use; -1: as this process
+  /// Once is_interrupted(), the child is asked to end (SIGINT), and after ten seconds made to.
+  /// False: an interrupt from the keyboard ends the child and not this process.
+  bool ends_when_interrupted = false;
+  std::function<void()> every_second = {};  ///< called about once a second while it runs
+};
+
+/// Runs a program (looked up in PATH, no shell) to its end and gives its exit code, 128 + the
+/// signal that ended it, or 127 if it cannot be run. @throws InputError if no process can be made.
+int run_child(const std::vector<std::string>& words, const ChildOptions& options);
+
+/// What a step may use in a process of its own.
+struct StepLimits {
+  std::optional<double> cpu_s;         ///< kept to the next whole second
+  std::optional<double> memory_bytes;  ///< address space above the caller's; not where the build is
+                                       ///< sanitised, which needs all of it
+};
+
+enum class StepEnd { done, out_of_time, out_of_memory, failed };
+
+/// Runs `step` in a forked process and copies what it wrote into `result`, which holds plain bytes,
+/// back here. The process dies with this one. To be called while no other thread runs.
+/// @return out_of_memory also if std::bad_alloc left the step. `result` counts only if done.
+/// @throws InputError if the system has no process or pipe left.
+StepEnd run_within(const StepLimits& limits, std::span<char> result,
+                   const std::function<void()>& step);
+
+}  // namespace ar3d

@@ -1,0 +1,344 @@
+// Strong and weak scaling. Threads and ranks share one kind of batch: warm-ups, one barrier, one
+// drawing after the other, and the hashes outside the clock; they differ in who hands out the rows
+// and whose clock it is.
+#include "ar3d/bench/run/batches.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <atomic>
+#include <barrier>
+#include <chrono>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+#include "ar3d/base/error.h"
+#include "ar3d/base/parallel.h"
+#include "ar3d/bench/measure/cores.h"
+#include "ar3d/formats/drawings/drawing_jsonl.h"
+#include "ar3d/store/columns/run_columns.h"
+
+namespace ar3d {
+namespace {
+
+// The places that one rank draws of the rows of a batch which `count` ranks share.
+std::vector<std::size_t> places_of_rank(int rank, int count, std::size_t rows) {
+  std::vector<std::size_t> places;
+  for (auto i = static_cast<std::size_t>(rank); i < rows; i += static_cast<std::size_t>(count)) {
+    places.push_back(i);
+  }
+  return places;
+}
+
+// Rows of one drawing that a process draws for a batch.
+class BatchRows {
+ public:
+  BatchRows(const Graph& graph, const AlgorithmChoice& choice, std::uint32_t warm_ups,
+            std::vector<RunRecord> begun, const std::function<bool()>& stop)
+      : graph_(graph),
+        choice_(choice),
+        warm_ups_(warm_ups),
+        rows_(std::move(begun)),
+        drawings_(rows_.size()),
+        stop_(stop) {
+    for (RunRecord& row : rows_) row.warm_ups = warm_ups;
+  }
+
+  void warm_up() const {
+    for (std::uint32_t i = 0; i < warm_ups_ && !stop_(); ++i) {
+      draw(*choice_.algorithm, graph_, choice_.options);
+    }
+  }
+
+  /// Draws the next row that nobody has begun. False: there is none, or the study stops.
+  bool draw_next(int core, HardwareCounters& counters) {
+    const std::size_t i = next_++;
+    if (i >= rows_.size() || stop_()) return false;
+    RunRecord& row = rows_[i];
+    row.core = core;
+    attempt(row, [&] {
+      drawings_[i] = timed_drawing(graph_, choice_, counters, row);
+      row.status = RunStatus::ok;
+    });
+    return true;
+  }
+
+  /// The rows with the hashes of their drawings.
+  std::vector<RunRecord> take() {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (drawings_[i]) rows_[i].drawing_hash = drawing_hash(*drawings_[i]);
+      drawings_[i].reset();
+    }
+    return std::move(rows_);
+  }
+
+ private:
+  const Graph& graph_;
+  const AlgorithmChoice& choice_;
+  const std::uint32_t warm_ups_;
+  std::vector<RunRecord> rows_;
+  std::vector<std::optional<Drawing>> drawings_;
+  const std::function<bool()>& stop_;
+  std::atomic<std::size_t> next_ = 0;
+};
+
+// Threads that begin at the same time and draw all rows of a batch.
+class BatchThreads {
+ public:
+  explicit BatchThreads(BatchRows& rows) : rows_(rows) {}
+
+  // Wall time from the first thread's start, which all wait for, to the last thread's end.
+  double run(int threads) {
+    const std::vector<int> cores = allowed_cores();
+    const bool pin = static_cast<std::size_t>(threads) <= cores.size();
+    std::barrier start(threads);
+    std::optional<InputError> missing;
+    in_threads(
+        static_cast<std::uint32_t>(threads),
+        [&](std::uint32_t i) { work(pin ? cores[cores.size() - 1 - i] : -1, start); },
+        [&](std::uint32_t, const std::system_error& error) {
+          missing = cannot_start_threads(threads, error);
+          start.arrive_and_drop();  // those that began wait for all
+        });
+    if (missing) throw *missing;
+    return std::chrono::duration<double>(last_end_ - first_start_).count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void work(int core, std::barrier<>& start) {
+    bool waited = false;
+    try {
+      const OneThread one_thread;
+      const Pinning pinning(core);
+      HardwareCounters counters;
+      rows_.warm_up();
+      start.arrive_and_wait();
+      waited = true;
+      const Clock::time_point begun = Clock::now();
+      while (rows_.draw_next(core, counters)) {
+      }
+      const Clock::time_point ended = Clock::now();
+      const std::lock_guard<std::mutex> lock(mutex_);
+      first_start_ = std::min(first_start_, begun);
+      last_end_ = std::max(last_end_, ended);
+    } catch (...) {
+      if (!waited) start.arrive_and_wait();
+      throw;
+    }
+  }
+
+  BatchRows& rows_;
+  std::mutex mutex_;
+  Clock::time_point first_start_ = Clock::time_point::max();
+  Clock::time_point last_end_ = Clock::time_point::min();
+};
+
+}  // namespace
+
+BatchDrawer::BatchDrawer(const StudyPlan& plan, int rank, std::function<bool()> stop)
+    : plan_(plan),
+      rank_(rank),
+      stop_(std::move(stop)),
+      maker_({.concurrency = 1, .core = -1, .memory = MemoryScope::process}) {}
+
+RowMaker& BatchDrawer::maker_for(std::size_t place) {
+  if (place_ != place) {
+    instance_ = plan_.instances[place];
+    maker_.prepare(instance_);
+    place_ = place;
+  }
+  return maker_;
+}
+
+MadeBatch BatchDrawer::shared_by_threads(int threads, std::size_t place,
+                                         const std::vector<std::size_t>& rows) {
+  RowMaker& maker = maker_for(place);
+  const PlannedRun& first = instance_.runs[rows.front()];
+  BatchRows batch(*maker.graph(), first.choice, plan_.timing.warm_up,
+                  std::vector<RunRecord>(rows.size(), maker.begun(first)), stop_);
+  const double wall_s = BatchThreads(batch).run(threads);
+  return {wall_s, batch.take()};
+}
+
+MadeBatch BatchDrawer::shared_by_ranks(Ranks& ranks, int count, std::size_t place,
+                                       const std::vector<std::size_t>& rows) {
+  const std::string job = fmt::format("{} {} {}", count, place, fmt::join(rows, " "));
+  const DoneAtOnce done =
+      ranks.at_once(count, job, [&](const std::string& text) { return make_ready(text); });
+  MadeBatch made{done.wall_s, std::vector<RunRecord>(rows.size())};
+  for (int rank = 0; rank < count; ++rank) {
+    const std::string& text = done.told[static_cast<std::size_t>(rank)];
+    const std::vector<std::size_t> places = places_of_rank(rank, count, rows.size());
+    expect(text.size() == places.size() * run_record_size(), "a rank tells its rows");
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      made.rows[places[i]] = load_record(text.data() + i * run_record_size());
+    }
+  }
+  return made;
+}
+
+Work BatchDrawer::make_ready(const std::string& job) {
+  std::istringstream words(job);
+  int count = 1;
+  std::size_t place = 0;
+  words >> count >> place;
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; words >> row;) rows.push_back(row);
+  const RowMaker& maker = maker_for(place);
+  if (maker.graph() == nullptr) {
+    throw InternalError(
+        fmt::format("internal error: rank {} cannot generate rank 0's graph", rank_));
+  }
+  std::vector<RunRecord> begun;
+  for (const std::size_t i : places_of_rank(rank_, count, rows.size())) {
+    begun.push_back(maker.begun(instance_.runs[rows[i]]));
+  }
+  const auto batch =
+      std::make_shared<BatchRows>(*maker.graph(), instance_.runs[rows.front()].choice,
+                                  plan_.timing.warm_up, std::move(begun), stop_);
+  batch->warm_up();
+  const auto counters = std::make_shared<HardwareCounters>();
+  const auto tell = [batch] {
+    const std::vector<RunRecord> drawn = batch->take();
+    std::string text(drawn.size() * run_record_size(), '\0');
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      store_record(drawn[i], text.data() + i * run_record_size());
+    }
+    return text;
+  };
+  return {[batch, counters] {
+            while (batch->draw_next(-1, *counters)) {
+            }
+          },
+          tell};
+}
+
+namespace {
+
+// The rows of one drawing in one phase: batch -> threads or ranks -> places of runs.
+struct BatchedDrawing {
+  RunPhase phase = RunPhase::strong;
+  std::map<std::uint32_t, std::map<std::int64_t, std::vector<std::size_t>>> rounds;
+};
+
+std::vector<BatchedDrawing> batched_drawings(const PlannedInstance& instance) {
+  std::vector<BatchedDrawing> drawings;
+  const PlannedRun* previous = nullptr;
+  for (std::size_t i = 0; i < instance.runs.size(); ++i) {
+    const PlannedRun& run = instance.runs[i];
+    if (run.scale < 0) continue;
+    const bool same =
+        previous != nullptr && run.phase == previous->phase && is_same_drawing(run, *previous);
+    if (!same) drawings.push_back({run.phase, {}});
+    previous = &run;
+    drawings.back().rounds[run.batch][run.scale].push_back(i);
+  }
+  return drawings;
+}
+
+// All batches of one instance.
+class InstanceBatches {
+ public:
+  /// @param place  of the instance in the plan.
+  InstanceBatches(const PlannedInstance& instance, std::size_t place, StudySession& session,
+                  BatchDrawer& drawer)
+      : instance_(instance), place_(place), session_(session), drawer_(drawer) {}
+
+  void run() {
+    for (const BatchedDrawing& drawing : batched_drawings(instance_)) {
+      std::optional<RunRecord> reference;
+      for (const auto& [number, batches] : drawing.rounds) {
+        if (session_.stopped()) return;
+        if (!any_wanted(batches)) continue;
+        if (!reference) reference = certified(instance_.runs[batches.begin()->second.front()]);
+        run_round(drawing.phase, batches, *reference);
+      }
+    }
+  }
+
+ private:
+  using Batches = std::map<std::int64_t, std::vector<std::size_t>>;
+
+  bool any_wanted(const Batches& batches) const {
+    return std::any_of(batches.begin(), batches.end(), [&](const auto& batch) {
+      return std::any_of(batch.second.begin(), batch.second.end(),
+                         [&](std::size_t i) { return session_.wants(instance_.runs[i]); });
+    });
+  }
+
+  // The drawing certified, outside every batch; or how it failed.
+  RunRecord certified(const PlannedRun& run) {
+    if (std::optional<RunRecord> failed = session_.failure(instance_, run)) return *failed;
+    return drawer_.maker_for(place_).make_row(run);
+  }
+
+  void run_round(RunPhase phase, const Batches& batches, const RunRecord& reference) {
+    double single_s = kMissing;
+    for (const auto& [scale, rows] : batches) {
+      if (session_.stopped()) return;
+      if (!is_drawn(reference)) {
+        for (const std::size_t i : rows) {
+          emit(instance_.runs[i], failed_row(instance_, instance_.runs[i], reference));
+        }
+        continue;
+      }
+      MadeBatch made = drawn(phase, static_cast<int>(scale), rows);
+      if (session_.stopped()) return;  // it may not have been drawn to its end
+      if (scale == 1) single_s = made.wall_s;
+      const double ideal_s = is_strong(phase) ? single_s / static_cast<double>(scale) : single_s;
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        const PlannedRun& run = instance_.runs[rows[i]];
+        RunRecord& row = made.rows[i];
+        row.row_key = run.row_key;
+        row.repetition = run.repetition;
+        row.concurrency = scale;
+        row.batch_s = made.wall_s;
+        row.ideal_batch_s = ideal_s;
+        row.efficiency = ideal_s / made.wall_s;
+        take_over_certificate(reference, row);
+        emit(run, row);
+      }
+    }
+  }
+
+  MadeBatch drawn(RunPhase phase, int scale, const std::vector<std::size_t>& rows) {
+    if (!is_over_ranks(phase)) return drawer_.shared_by_threads(scale, place_, rows);
+    Ranks alone;
+    Ranks* const ranks = session_.policy().ranks;
+    return drawer_.shared_by_ranks(ranks != nullptr ? *ranks : alone, scale, place_, rows);
+  }
+
+  void emit(const PlannedRun& run, const RunRecord& row) {
+    if (session_.wants(run)) session_.add(run, row);
+  }
+
+  const PlannedInstance& instance_;
+  const std::size_t place_;
+  StudySession& session_;
+  BatchDrawer& drawer_;
+};
+
+}  // namespace
+
+void run_batches(StudySession& session) {
+  const StudyPlan& plan = session.plan();
+  BatchDrawer drawer(plan, 0, [&session] { return session.stopped(); });
+  for (const PlannedBlock& block : plan.instances.blocks()) {
+    if (!has_run(block.first, is_batched)) continue;
+    for (std::size_t i = 0; i < block.count; ++i) {
+      if (session.stopped()) return;
+      const std::size_t place = block.first_place + i;
+      const PlannedInstance instance = plan.instances[place];
+      InstanceBatches(instance, place, session, drawer).run();
+    }
+  }
+}
+
+}  // namespace ar3d

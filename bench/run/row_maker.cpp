@@ -1,0 +1,310 @@
+#include "ar3d/bench/run/row_maker.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <new>
+
+#include "ar3d/algorithms/degree_limit.h"
+#include "ar3d/base/error.h"
+#include "ar3d/bench/measure/environment.h"
+#include "ar3d/bench/measure/instruments.h"
+#include "ar3d/formats/drawings/drawing_jsonl.h"
+#include "ar3d/formats/text/output.h"
+#include "ar3d/store/columns/run_columns.h"
+#include "ar3d/store/columns/side_tables.h"
+#include "ar3d/verify/checks/angles.h"
+#include "ar3d/verify/checks/examination.h"
+
+namespace ar3d {
+namespace {
+
+std::string counters_text(const std::vector<Counter>& counters) {
+  std::string text;
+  text.reserve(24 * counters.size());
+  for (const Counter& counter : counters) {
+    const fmt::format_int value(counter.value);
+    if (!text.empty()) text += ';';
+    text.append(counter.name).append("=").append(value.data(), value.size());
+  }
+  return text;
+}
+
+void record_verdict(RunRecord& run, const Certificate& certificate) {
+  const bool is_judged = certificate.mode != CertificateMode::none;
+  run.violations = is_judged ? static_cast<std::int64_t>(certificate.violations.size()) : -1;
+  run.certificate = certificate.measured ? "measured" : is_judged ? "" : "none";
+  run.status = certificate.violated() ? RunStatus::violated : RunStatus::ok;
+  if (certificate.violated()) run.message = certificate.violations.front().message;
+}
+
+void record_bounds(RunRecord& run, const Guarantee& guarantee) {
+  const bool is_published = !guarantee.published.empty();
+  set_bounds(&guarantee.bound, is_published ? &guarantee.published.front() : nullptr, run);
+}
+
+double timed_writing_s(const Drawing& drawing) {
+  OutputFile nowhere("/dev/null");
+  const Stopwatch time;
+  write_drawing_line(nowhere, drawing);
+  nowhere.flush();
+  return time.wall_s();
+}
+
+constexpr std::size_t kMostCrossings = 1000000;
+
+// What a program answers may have any number of segments any two of which are near each other; it
+// is judged no longer than a drawing of that graph can be worth.
+std::uint64_t most_comparisons(const Graph& graph) {
+  constexpr std::uint64_t kAlways = 100000000;
+  constexpr std::uint64_t kEach = 10000;
+  return kAlways + kEach * (std::uint64_t{graph.num_vertices()} + graph.num_edges());
+}
+
+// A program's crossings are counted, however many there are, within reason.
+CertifyOptions certifying(const AlgorithmChoice& choice,
+                          const std::optional<LimitByVertices>& memory, const Graph& graph) {
+  CertifyOptions options;
+  options.mode = choice.certificate;
+  if (memory) {
+    options.proof_bytes =
+        static_cast<std::uint64_t>(std::clamp((*memory)(graph.num_vertices()), 1.0, 1e18));
+  }
+  if (!choice.program) return options;
+  options.max_violations = kMostCrossings;
+  options.most_comparisons = most_comparisons(graph);
+  options.check_size = choice.program->has_guarantee;
+  return options;
+}
+
+// Why the crossings of a drawing were not counted.
+std::string uncounted_crossings(const Certificate& certificate, const Graph& graph) {
+  if (certificate.mode == CertificateMode::none) {
+    return "crossings not counted: certificate = \"none\"";
+  }
+  if (certificate.given_up) {
+    return fmt::format("crossings not counted: it takes more than {} comparisons of segments",
+                       most_comparisons(graph));
+  }
+  return fmt::format("crossings not counted: there are more than {}", kMostCrossings);
+}
+
+// A drawing that was neither proved wrong nor judged to the end.
+void refuse_given_up(const Certificate& certificate, const Graph& graph) {
+  if (!certificate.given_up || !certificate.violations.empty()) return;
+  throw ProgramFailure(
+      RunStatus::timeout,
+      fmt::format("drawn, but not judged: it takes more than {} comparisons of segments",
+                  most_comparisons(graph)));
+}
+
+RunRecord instance_row(const PlannedInstance& instance) {
+  RunRecord run;
+  run.family = instance.choice.family->name;
+  run.parameters = instance.parameters;
+  run.requested_n = static_cast<std::int64_t>(instance.requested_n);
+  run.instance_index = instance.index;
+  run.seed = instance.seed;
+  return run;
+}
+
+void set_run(const PlannedRun& planned, RunRecord& run) {
+  run.row_key = planned.row_key;
+  run.algorithm = planned.choice.algorithm->name;
+  run.options = planned.options;
+  run.level = to_string(planned.choice.level);
+  const CertificateMode asked = planned.choice.certificate;
+  if (asked == CertificateMode::none) run.certificate = to_string(asked);  // until the verdict
+  run.phase = planned.phase;
+  run.scale = planned.scale;
+  run.repetition = planned.repetition;
+}
+
+// A row that no results file could hold (a name that is too long, say) is a bug, but only of this
+// row.
+void mark_if_not_storable(RunRecord& run) {
+  if (attempt(run, [&] { require_storable(run); })) return;
+  run.status = RunStatus::crashed;
+  run.counters.clear();
+}
+
+}  // namespace
+
+bool attempt(RunRecord& run, const std::function<void()>& step) {
+  const auto failed = [&run](RunStatus status, const char* message) {
+    run.status = status;
+    run.message = message;
+    return false;
+  };
+  try {
+    step();
+    return true;
+  } catch (const InputError& error) {
+    return failed(RunStatus::refused, error.what());
+  } catch (const ProgramFailure& failure) {
+    return failed(failure.status(), failure.what());
+  } catch (const std::bad_alloc&) {
+    return failed(RunStatus::out_of_memory, "out of memory");
+  } catch (const std::exception& error) {
+    return failed(RunStatus::crashed, error.what());
+  }
+}
+
+RowMaker::RowMaker(const Circumstances& circumstances)
+    : circumstances_(circumstances), memory_(circumstances.memory) {}
+
+void RowMaker::prepare(const PlannedInstance& instance) {
+  graph_.reset();
+  base_ = instance_row(instance);
+  attempt(base_, [&] {
+    const Stopwatch time;
+    Graph graph = graph_of(instance);
+    base_.generate_s = time.wall_s();
+    base_.n = graph.num_vertices();
+    base_.m = graph.num_edges();
+    base_.graph_hash = graph_hash(graph);
+    graph_ = std::move(graph);
+  });
+}
+
+RunRecord RowMaker::begun(const PlannedRun& planned) const {
+  RunRecord run = base_;
+  set_run(planned, run);
+  run.concurrency = circumstances_.concurrency;
+  run.core = circumstances_.core;
+  run.build_kind = build_kind();
+  return run;
+}
+
+RunRecord RowMaker::make_row(const PlannedRun& planned, const RowRequest& request) {
+  RunRecord run = begun(planned);
+  run.base_bytes = memory_.begin_row();
+  if (graph_) attempt(run, [&] { draw_and_certify(planned, request, run); });
+  run.peak_bytes = memory_.peak_bytes();
+  run.peak_scope = to_string(memory_.scope());
+  mark_if_not_storable(run);
+  return run;
+}
+
+Drawing RowMaker::draw_timed(const PlannedRun& planned, const RowRequest& request, RunRecord& run) {
+  const AlgorithmChoice& choice = planned.choice;
+  if (choice.program) {
+    refuse_larger_degrees(choice.algorithm->name, *graph_, choice.algorithm->guarantee.max_degree);
+    for (std::uint32_t i = 0; i < request.warm_ups; ++i) {
+      drawer_.draw(*choice.program, choice.options, *graph_);
+    }
+    run.warm_ups = request.warm_ups;
+    ExternalDrawing made = drawer_.draw(*choice.program, choice.options, *graph_);
+    run.wall_s = made.wall_s;
+    run.cpu_s = made.cpu_s;
+    return std::move(made.drawing);
+  }
+  for (std::uint32_t i = 0; i < request.warm_ups; ++i) {
+    draw(*choice.algorithm, *graph_, choice.options);
+  }
+  run.warm_ups = request.warm_ups;
+  if (request.warm_ups > 0) memory_.restart();
+  return timed_drawing(*graph_, choice, counters_, run);
+}
+
+void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& request,
+                                RunRecord& run) {
+  const AlgorithmChoice& choice = planned.choice;
+  const bool is_judged = !choice.program || choice.program->has_guarantee;
+  Drawing drawing = draw_timed(planned, request, run);
+  if (memory_.scope() != MemoryScope::process) run.draw_peak_bytes = memory_.peak_bytes();
+  if (choice.level != Level::extents) {
+    const Stopwatch storing_time;
+    drawing = at_level(std::move(drawing), choice.level);
+    run.store_s = storing_time.wall_s();
+  }
+  run.counters = counters_text(drawing.counters);
+  if (drawing.instance_bound) run.instance_bound = *drawing.instance_bound;
+  if (request.write) run.write_s = timed_writing_s(drawing);
+  if (!request.certify) {
+    run.drawing_hash = drawing_hash(drawing);
+    run.status = is_judged ? RunStatus::ok : RunStatus::measured;
+    return;
+  }
+  Guarantee guarantee = choice.algorithm->guarantee;
+  if (choice.program) guarantee.lattice = drawing.lattice();  // any is as good
+  const Stopwatch certifying_time;
+  Examination examination =
+      examine(*graph_, drawing, guarantee, {},
+              certifying(choice, circumstances_.certify_memory_bytes, *graph_));
+  if (!examination.summary.real) {
+    set_angles_and_crossings(*graph_, drawing, guarantee, examination.certificate,
+                             examination.summary);
+  }
+  run.certify_s = certifying_time.wall_s();
+  run.drawing_hash = examination.drawing_hash;
+  set_metrics(examination.summary, run);
+  if (is_judged) {
+    refuse_given_up(examination.certificate, *graph_);
+    record_verdict(run, examination.certificate);
+    record_bounds(run, guarantee);
+  } else {
+    run.status = RunStatus::measured;
+    if (examination.summary.crossings < 0) {
+      run.message = uncounted_crossings(examination.certificate, *graph_);
+    }
+  }
+}
+
+Drawing timed_drawing(const Graph& graph, const AlgorithmChoice& choice, HardwareCounters& counters,
+                      RunRecord& run) {
+  counters.start();
+  const CpuStopwatch cpu;
+  const Stopwatch time;
+  Drawing drawing = draw(*choice.algorithm, graph, choice.options);
+  run.wall_s = time.wall_s();
+  run.cpu_s = cpu.cpu_s();
+  const CountedEvents events = counters.stop();
+  run.instructions = events.instructions;
+  run.cycles = events.cycles;
+  run.cache_misses = events.cache_misses;
+  return drawing;
+}
+
+RunRecord planned_row(const PlannedInstance& instance, const PlannedRun& planned) {
+  RunRecord run = instance_row(instance);
+  set_run(planned, run);
+  return run;
+}
+
+RunRecord failed_row(const PlannedInstance& instance, const PlannedRun& planned,
+                     const RunRecord& failed) {
+  RunRecord run = planned_row(instance, planned);
+  run.n = failed.n;
+  run.m = failed.m;
+  run.graph_hash = failed.graph_hash;
+  run.status = failed.status;
+  run.message = failed.message;
+  return run;
+}
+
+bool is_drawn(const RunRecord& run) {
+  return run.status == RunStatus::ok || run.status == RunStatus::violated ||
+         run.status == RunStatus::measured;
+}
+
+void take_over_certificate(const RunRecord& certified, RunRecord& run) {
+  if (run.status != RunStatus::ok && run.status != RunStatus::measured) return;
+  if (run.drawing_hash != certified.drawing_hash) {
+    run.status = RunStatus::crashed;
+    run.message = "another drawing than the certified one of the same graph and options";
+    return;
+  }
+  std::string bytes;
+  for (const Column& column : run_columns()) {
+    if (column.kind != ColumnKind::result && column.kind != ColumnKind::metric) continue;
+    bytes.assign(column.size, '\0');
+    column.store(certified, bytes.data());
+    column.load(bytes.data(), run);
+  }
+  run.theorem_bound = certified.theorem_bound;
+  run.slack = certified.slack;
+  run.published_bound = certified.published_bound;
+}
+
+}  // namespace ar3d

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "ar3d/bench/external/external_drawer.h"
+#include "ar3d/bench/measure/instruments.h"
+#include "ar3d/bench/plan/plan.h"
+#include "ar3d/model/graph.h"
+#include "ar3d/store/columns/run_record.h"
+
+namespace ar3d {
+
+/// Under what circumstances a maker's rows are made.
+struct Circumstances {
+  std::int64_t concurrency = 1;  ///< rows made at the same time, with this one
+  std::int64_t core = -1;        ///< core that the thread is pinned to, if any
+  MemoryScope memory = MemoryScope::process;
+  std::optional<LimitByVertices> certify_memory_bytes = {};  ///< as the budget has it
+};
+
+/// What is done for a row besides drawing.
+struct RowRequest {
+  bool certify = true;         ///< else the row only has the drawing's hash and no verdict
+  std::uint32_t warm_ups = 0;  ///< drawings before the timed one
+  bool write = false;          ///< time the formatting as JSON lines
+};
+
+/// Makes rows, one at a time: keeps the graph of one instance and draws it (timed), certifies
+/// (outside that clock), measures. Nothing that goes wrong leaves it as an exception: it becomes a
+/// row with a status and a message. Construct and use it in one thread.
+class RowMaker {
+ public:
+  explicit RowMaker(const Circumstances& circumstances);
+
+  /// Generates or reads the instance's graph. Where that fails, every row made until the next
+  /// prepare() has its status and message.
+  void prepare(const PlannedInstance& instance);
+  /// Null if it could not be generated.
+  const Graph* graph() const { return graph_ ? &*graph_ : nullptr; }
+  /// What is known of a run of the prepared instance before it is made.
+  RunRecord begun(const PlannedRun& planned) const;
+  /// The row of a run of the prepared instance.
+  RunRecord make_row(const PlannedRun& planned, const RowRequest& request = {});
+
+ private:
+  Circumstances circumstances_;
+  HardwareCounters counters_;
+  RowMemory memory_;
+  RunRecord base_;
+  std::optional<Graph> graph_;
+  ExternalDrawer drawer_;
+
+  Drawing draw_timed(const PlannedRun& planned, const RowRequest& request, RunRecord& run);
+  void draw_and_certify(const PlannedRun& planned, const RowRequest& request, RunRecord& run);
+};
+
+/// Runs a step; what it throws becomes the row's status and message. True if it threw nothing.
+bool attempt(RunRecord& run, const std::function<void()>& step);
+
+/// Draws and writes down the time and the counted events in `run`.
+Drawing timed_drawing(const Graph& graph, const AlgorithmChoice& choice, HardwareCounters& counters,
+                      RunRecord& run);
+
+/// The row of a run without any result: what the plan knows of it.
+RunRecord planned_row(const PlannedInstance& instance, const PlannedRun& planned);
+
+/// The row of a run that is not tried, because `failed`, a row of the same drawing, went wrong.
+RunRecord failed_row(const PlannedInstance& instance, const PlannedRun& planned,
+                     const RunRecord& failed);
+
+/// True if a drawing came out, proved right or wrong.
+bool is_drawn(const RunRecord& run);
+
+/// Gives an uncertified row the verdict and the metrics of a certified one of the same drawing.
+/// A row that is not ok stays as it is; one of another drawing becomes `crashed`.
+void take_over_certificate(const RunRecord& certified, RunRecord& run);
+
+}  // namespace ar3d

@@ -1,0 +1,119 @@
+// The phases of a study in order, each with its threads or worker processes.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "ar3d/base/error.h"
+#include "ar3d/base/parallel.h"
+#include "ar3d/bench/measure/cores.h"
+#include "ar3d/bench/measure/environment.h"
+#include "ar3d/bench/plan/plan.h"
+#include "ar3d/bench/run/batches.h"
+#include "ar3d/bench/run/phases.h"
+#include "ar3d/bench/run/session.h"
+#include "ar3d/bench/run/worker_process.h"
+
+namespace ar3d {
+namespace {
+
+bool is_timed(RunPhase phase) { return phase != RunPhase::metrics; }
+bool is_timing(RunPhase phase) { return phase == RunPhase::timing; }
+
+void work(RowSource& source, const WorkerPool& pool, int worker, const std::atomic<bool>& failed) {
+  const OneThread one_thread;
+  const int core = pool.cores.empty() ? -1 : pool.cores.at(static_cast<std::size_t>(worker));
+  const Pinning pinning(core);
+  RowMaker maker({.concurrency = pool.workers + pool.elsewhere,
+                  .core = core,
+                  .memory = pool.workers == 1 ? MemoryScope::row : MemoryScope::process,
+                  .certify_memory_bytes = source.session().plan().budget.certify_memory_bytes});
+  std::shared_ptr<const PlannedInstance> prepared;
+  while (!failed && !source.session().stopped()) {
+    const std::optional<RowJob> job = source.next(worker);
+    if (!job) return;
+    if (job->instance != prepared) maker.prepare(*job->instance);
+    prepared = job->instance;
+    source.done(*job, maker.make_row(*job->run, job->request));
+  }
+}
+
+// Makes all rows of a source in threads of this process, the calling one among them.
+void work_in_threads(RowSource& source, const WorkerPool& pool) {
+  std::atomic<bool> failed = false;
+  const auto until_one_fails = [&](std::uint32_t worker) {
+    try {
+      work(source, pool, static_cast<int>(worker), failed);
+    } catch (...) {
+      failed = true;
+      throw;
+    }
+  };
+  in_threads(static_cast<std::uint32_t>(pool.workers), until_one_fails,
+             [&](std::uint32_t, const std::system_error& error) {
+               failed = true;
+               throw cannot_start_threads(pool.workers, error);
+             });
+}
+
+void work_off(RowSource& source, const WorkerPool& pool) {
+  const StudySession& session = source.session();
+  if (session.policy().isolate || session.plan().budget.limits_rows()) {
+    work_in_processes(source, pool);
+  } else {
+    work_in_threads(source, pool);
+  }
+}
+
+void require_ranks(const StudyPlan& plan, int ranks) {
+  for (const PlannedBlock& block : plan.instances.blocks()) {
+    for (const PlannedRun& run : block.first.runs) {
+      if (!is_over_ranks(run.phase) || run.scale <= ranks) continue;
+      throw InputError(fmt::format("batches are to be shared by {} ranks of mpirun but there {} {}",
+                                   run.scale, ranks == 1 ? "is" : "are", ranks));
+    }
+  }
+}
+
+// Takes the last of the allowed cores, since a system does its own work on the first ones.
+std::vector<int> cores_for(std::uint32_t count) {
+  const std::vector<int> allowed = allowed_cores();
+  return {allowed.rbegin(), allowed.rbegin() + count};
+}
+
+}  // namespace
+
+void require_possible(const StudyPlan& plan, const SessionPolicy& policy) {
+  const std::string_view mark = build_kind();
+  if (mark == "sanitised" && plan.budget.row_memory_bytes) {
+    throw InputError("budget.row_memory_bytes cannot be kept in a sanitised build");
+  }
+  if (!policy.timed_phases) return;
+  if (!mark.empty() && !policy.force_timing && has_run(plan, is_timed)) {
+    throw InputError(fmt::format("a {} build is not timed unless it is forced to", mark));
+  }
+  if (has_run(plan, is_timing) && plan.timing.concurrency > allowed_cores().size()) {
+    throw InputError(fmt::format("timing.concurrency = {} but there are {} cores",
+                                 plan.timing.concurrency, allowed_cores().size()));
+  }
+  require_ranks(plan, policy.ranks != nullptr ? policy.ranks->size() : 1);
+}
+
+SessionEnd run_session(const StudyPlan& plan, const SessionPolicy& policy, RowSink& sink) {
+  require_possible(plan, policy);
+  StudySession session(plan, policy, sink);
+  work_off(*metrics_source(session),
+           {.workers = policy.workers, .elsewhere = policy.workers_elsewhere, .cores = {}});
+  if (policy.timed_phases && !session.stopped() && has_run(plan, is_timing)) {
+    const std::uint32_t workers = plan.timing.concurrency;
+    work_off(*timing_source(session),
+             {.workers = static_cast<int>(workers), .elsewhere = 0, .cores = cores_for(workers)});
+  }
+  if (policy.timed_phases && !session.stopped()) run_batches(session);
+  return session.end();
+}
+
+}  // namespace ar3d

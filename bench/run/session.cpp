@@ -1,0 +1,175 @@
+#include "ar3d/bench/run/session.h"
+
+#include <fmt/format.h>
+#include <omp.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <utility>
+
+#include "ar3d/base/error.h"
+#include "ar3d/bench/measure/processes.h"
+#include "ar3d/bench/plan/plan.h"
+#include "ar3d/bench/run/row_maker.h"
+
+namespace ar3d {
+namespace {
+
+std::string duration(double seconds) {
+  const auto whole = std::llround(seconds);
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+  return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
+}
+
+}  // namespace
+
+Progress::Progress(std::FILE* out, std::string name, std::size_t total_rows, double total_work)
+    : out_(out),
+      terminal_(out != nullptr && isatty(fileno(out)) == 1),
+      name_(std::move(name)),
+      total_rows_(total_rows),
+      total_work_(total_work) {}
+
+void Progress::row_done(double work, bool ok) {
+  ++rows_;
+  work_ += work;
+  if (!ok) ++not_ok_;
+  if (out_ == nullptr) return;
+  const Clock::time_point now = Clock::now();
+  const auto pause = terminal_ ? std::chrono::milliseconds(200) : std::chrono::milliseconds(60000);
+  if (now - last_ >= pause) print(now);
+}
+
+void Progress::print(Clock::time_point now) {
+  last_ = now;
+  const std::string text = line(std::chrono::duration<double>(now - start_).count());
+  std::fprintf(out_, terminal_ ? "\r%s\033[K" : "%s\n", text.c_str());
+  std::fflush(out_);
+}
+
+std::string Progress::line(double elapsed_s) const {
+  std::string text = fmt::format("study {}: {} of {} rows", name_, rows_, total_rows_);
+  if (not_ok_ > 0) text += fmt::format(" ({} not ok)", not_ok_);
+  text += ", " + duration(elapsed_s);
+  if (rows_ < total_rows_ && work_ > 0) {
+    text += fmt::format(", about {} left", duration(elapsed_s * (total_work_ - work_) / work_));
+  }
+  return text;
+}
+
+void Progress::finish() {
+  if (out_ == nullptr) return;
+  print(Clock::now());
+  if (terminal_) std::fputc('\n', out_);
+  out_ = nullptr;
+}
+
+namespace {
+
+// Counts the rows that are left to do, without those that may turn out not to be needed, and their
+// work.
+std::pair<std::size_t, double> remaining_rows(const StudyPlan& plan, const RowSink& sink) {
+  std::size_t rows = 0;
+  double work = 0;
+  if (!sink.has_any()) {  // without session a million instances for nothing
+    for (const PlannedBlock& block : plan.instances.blocks()) {
+      const std::size_t more = block.count * required_runs(block.first);
+      rows += more;
+      work += static_cast<double>(more) * work_of_row(block.first);
+    }
+    return {rows, work};
+  }
+  for (const PlannedInstance& instance : plan.instances) {
+    for (const PlannedRun& run : instance.runs) {
+      if (run.optional || sink.has(run.row_key)) continue;
+      ++rows;
+      work += work_of_row(instance);
+    }
+  }
+  return {rows, work};
+}
+
+Progress progress_of(const StudyPlan& plan, const SessionPolicy& policy, const RowSink& sink) {
+  if (policy.progress == nullptr) return Progress(nullptr, policy.name, 0, 0);
+  const auto [rows, work] = remaining_rows(plan, sink);
+  return Progress(policy.progress, policy.name, rows, work);
+}
+
+// Work of a row, which the plan knows by its place.
+double work_at(const StudyPlan& plan, std::size_t place) {
+  return work_of_row(plan.instances.block_of_row(place).first);
+}
+
+}  // namespace
+
+int workers_for(int asked, int ranks) {
+  if (asked > 0) return asked;
+  return ranks > 1 ? 1 : omp_get_max_threads();
+}
+
+RunRecord RowSink::read(const std::string& row_key) const {
+  throw InternalError("internal error: row " + row_key + " was never there");
+}
+
+StudySession::StudySession(const StudyPlan& plan, const SessionPolicy& policy, RowSink& sink)
+    : plan_(plan),
+      policy_(policy),
+      sink_(sink),
+      progress_(progress_of(plan, policy, sink)),
+      has_any_(sink.has_any()),
+      keeps_failures_(has_run(plan, [](RunPhase phase) { return phase != RunPhase::metrics; })) {}
+
+void StudySession::add(const PlannedRun& run, const RunRecord& row) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (sink_failed_) return;
+  if (keeps_failures_ && row.phase == RunPhase::metrics && !is_drawn(row)) {
+    failed_.emplace(row.row_key, row);
+  }
+  try {
+    sink_.add(run.row, row);
+  } catch (...) {  // noted before the lock is given up, so that no other row goes there after it
+    sink_failure_ = std::current_exception();
+    sink_failed_ = true;
+    return;
+  }
+  if (!run.optional && policy_.progress != nullptr) {
+    progress_.row_done(work_at(plan_, run.row), row.status == RunStatus::ok);
+  }
+}
+
+bool StudySession::is_budget_spent() const {
+  return plan_.budget.study_s && time_.wall_s() >= *plan_.budget.study_s;
+}
+
+bool StudySession::stopped() const { return sink_failed_ || is_interrupted() || is_budget_spent(); }
+
+std::optional<RunRecord> StudySession::failure(const PlannedInstance& instance,
+                                               const PlannedRun& timed) {
+  for (const PlannedRun& run : instance.runs) {
+    if (run.phase != RunPhase::metrics || !is_same_drawing(run, timed)) continue;
+    if (std::optional<RunRecord> row = failed_row_of(run)) return row;
+  }
+  return std::nullopt;
+}
+
+std::optional<RunRecord> StudySession::failed_row_of(const PlannedRun& run) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto at = failed_.find(run.row_key);
+    if (at != failed_.end()) return at->second;
+  }
+  if (wants(run)) return std::nullopt;
+  RunRecord before = known(run);
+  if (is_drawn(before)) return std::nullopt;
+  return before;
+}
+
+SessionEnd StudySession::end() {
+  progress_.finish();
+  if (sink_failure_) std::rethrow_exception(sink_failure_);
+  if (is_interrupted()) return SessionEnd::stopped;
+  return is_budget_spent() ? SessionEnd::budget_spent : SessionEnd::complete;
+}
+
+}  // namespace ar3d

@@ -1,0 +1,182 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "ar3d/bench/measure/instruments.h"
+#include "ar3d/bench/plan/plan.h"
+#include "ar3d/bench/run/ranks.h"
+#include "ar3d/bench/run/row_maker.h"
+#include "ar3d/store/columns/run_record.h"
+
+namespace ar3d {
+
+/// Tells people how far a study is: one line, rewritten in place on a terminal, a new line a
+/// minute elsewhere. Not thread-safe.
+class Progress {
+ public:
+  /// @param out  null: silent.  @param total_work  in any unit that is proportional to time.
+  Progress(std::FILE* out, std::string name, std::size_t total_rows, double total_work);
+  ~Progress() { finish(); }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void row_done(double work, bool ok);
+  /// Ends the line on a terminal. Called once more by the destructor, then without effect.
+  void finish();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void print(Clock::time_point now);
+  std::string line(double elapsed_s) const;
+
+  std::FILE* out_ = nullptr;
+  bool terminal_ = false;
+  std::string name_;
+  std::size_t total_rows_ = 0;
+  double total_work_ = 0;
+  std::size_t rows_ = 0;
+  std::size_t not_ok_ = 0;
+  double work_ = 0;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point last_ = start_;
+};
+
+/// How the rows of a plan are made: what the user and the other processes decide. What the study
+/// itself decides, timing rules and budget, is in its plan.
+struct SessionPolicy {
+  int workers = 1;            ///< rows made at the same time in the metrics phase (workers_for)
+  int workers_elsewhere = 0;  ///< workers of the study's other processes in the metrics phase
+  bool isolate = false;       ///< each row in a worker process; so it is too where rows have limits
+  bool force_timing = false;  ///< time even in a build whose times are worth little
+  bool timed_phases = true;   ///< false: only the metrics phase (another process does the others)
+  Ranks* ranks = nullptr;     ///< that batches are shared by; null: this process is alone
+  std::FILE* progress = nullptr;  ///< where to tell how far it is; null: nowhere
+  std::string name = {};          ///< of the study, for the progress
+  /// Place in the plan of the next instance for the metrics phase; empty: all, the largest first.
+  std::function<std::optional<std::size_t>()> next_instance = {};
+};
+
+/// Workers of one process: as many as asked for; if 0 was, one for each core, or one for each of
+/// several ranks. The only place where that is decided.
+int workers_for(int asked, int ranks = 1);
+
+/// Where the rows of a plan go, and which are there already.
+class RowSink {
+ public:
+  virtual ~RowSink() = default;
+  /// False: it has no rows, and is not asked for one.
+  virtual bool has_any() const { return false; }
+  /// True for a row that is not to be made. Called by several threads at once, as read() is.
+  virtual bool has(const std::string& row_key) const {
+    (void)row_key;
+    return false;
+  }
+  /// A row that it has.
+  virtual RunRecord read(const std::string& row_key) const;
+  /// Takes a new row and its place in the plan, one call at a time. What it throws ends the session
+  /// and is thrown again there.
+  virtual void add(std::size_t place, const RunRecord& row) = 0;
+};
+
+/// Why run_session came back.
+enum class SessionEnd { complete, stopped, budget_spent };
+
+/// What all phases of one session share: which rows are wanted, where they go, when to stop. All
+/// references outlive it; its functions are called by several threads at once.
+class StudySession {
+ public:
+  StudySession(const StudyPlan& plan, const SessionPolicy& policy, RowSink& sink);
+
+  const StudyPlan& plan() const { return plan_; }
+  const SessionPolicy& policy() const { return policy_; }
+
+  bool wants(const PlannedRun& run) const { return !has_any_ || !sink_.has(run.row_key); }
+  /// The row of a run that is not wanted, since it is there.
+  RunRecord known(const PlannedRun& run) const { return sink_.read(run.row_key); }
+
+  /// Hands a row on. Once that has failed, rows are lost: the session stops.
+  void add(const PlannedRun& run, const RunRecord& row);
+
+  /// True once no further row is to begin: a signal asked for it (is_interrupted), the study's
+  /// budget is spent, or a row could not be handed on. Asked before every row and every drawing of
+  /// a batch.
+  bool stopped() const;
+
+  /// How a drawing failed in the metrics phase, now or before; nothing if it can be drawn. Its rows
+  /// of the other phases need not be tried.
+  std::optional<RunRecord> failure(const PlannedInstance& instance, const PlannedRun& timed);
+
+  /// To be asked last. @throws what the sink threw.
+  SessionEnd end();
+
+ private:
+  bool is_budget_spent() const;
+  std::optional<RunRecord> failed_row_of(const PlannedRun& run);
+
+  const StudyPlan& plan_;
+  const SessionPolicy& policy_;
+  RowSink& sink_;
+  Progress progress_;
+  Stopwatch time_;
+  const bool has_any_;
+  const bool keeps_failures_;  // only where there are phases that ask
+  std::mutex mutex_;
+  std::unordered_map<std::string, RunRecord> failed_;  // by row key
+  std::exception_ptr sink_failure_;
+  std::atomic<bool> sink_failed_ = false;
+};
+
+/// One row to make. Two jobs of one instance in a row have the same `instance`.
+struct RowJob {
+  std::size_t place = 0;  ///< of the instance in the plan
+  std::shared_ptr<const PlannedInstance> instance;
+  const PlannedRun* run = nullptr;  ///< one of instance->runs
+  RowRequest request;
+};
+
+/// Hands out the rows of a phase and takes them back. Called from several threads at once.
+class RowSource {
+ public:
+  explicit RowSource(StudySession& session) : session_(session) {}
+  virtual ~RowSource() = default;
+  /// Whose rows these are.
+  StudySession& session() const { return session_; }
+  /// The next row for the worker of that number; nothing: there is no more for it.
+  virtual std::optional<RowJob> next(int worker) = 0;
+  /// Takes a row that was handed out. What it throws ends the phase and is passed on.
+  virtual void done(const RowJob& job, RunRecord row) = 0;
+
+ private:
+  StudySession& session_;
+};
+
+/// Who makes the rows of a phase: threads of this process, or processes of their own.
+struct WorkerPool {
+  int workers = 1;
+  int elsewhere = 0;            ///< workers of other processes of the study at the same time
+  std::vector<int> cores = {};  ///< core of each; empty: none is pinned
+};
+
+/// @throws InputError if the plan has timed rows and this build's times are worth little, if a
+/// memory limit is asked of a sanitised build, or if there are fewer cores than timed drawings at
+/// the same time, or fewer ranks than are to share a batch.
+void require_possible(const StudyPlan& plan, const SessionPolicy& policy);
+
+/// Makes the rows of a plan that the sink does not have, phase after phase: metrics, timing, strong
+/// and weak scaling; keeps none of them. What goes wrong with a row is its status. In strong and
+/// weak batches rows are not isolated; they are only made of drawings that came out before.
+/// @throws InputError as require_possible; whatever the sink throws.
+SessionEnd run_session(const StudyPlan& plan, const SessionPolicy& policy, RowSink& sink);
+
+}  // namespace ar3d

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ar3d/bench/external/external_algorithm.h"
+#include "ar3d/bench/spec/study_spec.h"
+#include "ar3d/bench/spec/toml_table.h"
+#include "ar3d/model/settings.h"
+
+namespace ar3d {
+
+/// The entries of the key `graphs` of a sweep: paths, patterns, or tables { file = …, … }. No file
+/// is looked at.
+/// @throws InputError "file:line: message" on an unknown key or format or a value out of range.
+std::vector<GraphsEntry> read_graphs(const std::string& file, const toml::node& node);
+
+inline constexpr std::size_t kLongestGraphsName = 47;
+
+/// True if a study and its results can know graphs by this name: 1 to 47 letters, digits, '.', '-'
+/// and '_', of which the first is none of '.' and '-'.
+bool is_graphs_name(const std::string& name);
+
+/// Each reads the value of one key of a specification. @throws InputError "file:line: message".
+TimedRepetitions read_timed_repetitions(const std::string& file, const toml::node& node);
+BatchRules read_batches(const std::string& file, const toml::node& node, const std::string& what,
+                        const std::string& sharers);
+TimingRules read_timing_rules(const std::string& file, const toml::node& node);
+Budget read_budget(const std::string& file, const toml::node& node);
+
+/// A program of a study's `[[algorithm]]`, with the values that its options take in turn.
+struct ProgramEntry {
+  std::shared_ptr<const ExternalAlgorithm> program;
+  std::vector<std::pair<std::string, std::vector<std::int64_t>>> options;
+};
+
+/// @throws InputError "file:line: message" on an unknown or missing key, a value out of range, a
+/// name that an algorithm of the catalogue has, a command whose braces name no option.
+ProgramEntry read_program(const std::string& file, const toml::node& node);
+
+/// One integer setting of a family or an algorithm and the values that it takes in turn.
+struct SettingChoices {
+  std::string name;
+  std::vector<std::int64_t> values;
+};
+
+/// Every combination of the settings, the last one fastest.
+/// @throws InputError if there are more than 100,000.
+std::vector<Settings> combinations(const std::vector<SettingChoices>& settings);
+
+/// Refuses a sweep with strong or weak batches of what has none: programs, levels that store, and
+/// more than one certificate. @param node  the sweep, in `file`.
+/// @throws InputError naming file and line.
+void refuse_bad_batches(const std::string& file, const toml::node& node, const Sweep& sweep);
+
+}  // namespace ar3d
