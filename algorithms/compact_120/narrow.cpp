@@ -27,9 +27,9 @@ struct SiteRange {
 std::int32_t quotient_down(std::int32_t a, std::int32_t b) { return a / b - (a % b < 0 ? 1 : 0); }
 
 /// Puts vertices at random cells of one strip.
-class NarrowPlacer {
+class OrderedPlacer {
  public:
-  NarrowPlacer(Strip& strip, const NarrowOrder& order, RandomStream& random, Census& census)
+  OrderedPlacer(Strip& strip, const NarrowOrder& order, RandomStream& random, Census& census)
       : strip_(strip), order_(order), random_(random), census_(census) {
     for (std::size_t v = 0; v < order.position.size(); ++v) {
       if (order.links.of[v] == Class::n) ++before_[order.position[v] + 1u];
@@ -188,7 +188,7 @@ std::optional<Strip> fill_narrow_strip(const NarrowOrder& order, std::size_t num
   const auto n = static_cast<std::int64_t>(order.position.size());
   std::optional<Strip> strip(std::in_place, order.links, num_edges, narrow_size(order, tightness),
                              false);
-  NarrowPlacer placer(*strip, order, random, census);
+  OrderedPlacer placer(*strip, order, random, census);
   if (!strips::place_with_ejections(placer, sources_and_sinks_last(order.links),
                                     strips::most_ejections(n, tightness), random, census)) {
     strip.reset();
