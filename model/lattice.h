@@ -65,7 +65,7 @@ struct Lattice {
 
 /// The unit cube grid, and the lattice of Theorem 2 with squared length x^2 + y^2 + z^2/3.
 inline constexpr Lattice kCubeLattice{};
-inline constexpr Lattice kTallLattice{{{{3, 0, 0}, {0, 3, 0}, {0, 0, 1}}}, 3};
+inline constexpr Lattice kScaledZLattice{{{{3, 0, 0}, {0, 3, 0}, {0, 0, 1}}}, 3};
 
 /// Exact sign of cos(angle(u, v)) - c for non-zero vectors u, v with components below 2^62 in
 /// absolute value. `equal` means the angle is exactly arccos(c); `less` means the angle is larger.

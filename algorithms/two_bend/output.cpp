@@ -67,7 +67,7 @@ Drawing Output::finish() {
     vertices_.emplace(points_.size(), largest_);
     for (std::size_t v = 0; v < points_.size(); ++v) vertices_->set(v, points_[v]);
   }
-  return Drawing("two-bend", kTallLattice, *std::move(vertices_), graph_.shared_edges(),
+  return Drawing("two-bend", kScaledZLattice, *std::move(vertices_), graph_.shared_edges(),
                  std::move(bends_));
 }
 

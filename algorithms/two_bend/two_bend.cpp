@@ -248,7 +248,7 @@ Algorithm row() {
                     .max_bends = 2,
                     .angle_rule = AngleRule::at_least,
                     .cosine = {-1, 2},
-                    .lattice = kTallLattice,
+                    .lattice = kScaledZLattice,
                     .directions = {},
                     .bound = {"proved here", "docs/theorem2.md", kBox},
                     .published = {}},

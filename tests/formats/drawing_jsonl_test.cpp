@@ -54,14 +54,14 @@ TEST(DrawingJsonl, WritesTheContractsLine) {
 }
 
 TEST(DrawingJsonl, EmptyDrawing) {
-  const std::string line = line_of(drawing_of({}, {}, {}, kTallLattice));
+  const std::string line = line_of(drawing_of({}, {}, {}, kScaledZLattice));
   EXPECT_EQ(
       line,
       "{\"n\":0,\"algorithm\":\"test\",\"gram\":[[3,0,0],[0,3,0],[0,0,1]],\"gram_denominator\":3,"
       "\"vertices\":[],\"edges\":[]}\n");
   const auto back = read_lines(line);
   ASSERT_EQ(back.size(), 1u);
-  EXPECT_EQ(std::get<Drawing>(back[0]).lattice(), kTallLattice);
+  EXPECT_EQ(std::get<Drawing>(back[0]).lattice(), kScaledZLattice);
 }
 
 TEST(DrawingJsonl, GivesBackWhatItWrote) {

@@ -43,7 +43,7 @@ TEST(DrawingSvg, TallLatticeIsShrunkInZ) {
   // Seen from the side, the apex (1, 1, 1) stands lower in the tall lattice, where z counts
   // 1/sqrt(3).
   const PictureView side{.turn_degrees = 0, .tilt_degrees = 90};
-  EXPECT_NE(drawing_to_svg(one_edge(1), side), drawing_to_svg(one_edge(1, kTallLattice), side));
+  EXPECT_NE(drawing_to_svg(one_edge(1), side), drawing_to_svg(one_edge(1, kScaledZLattice), side));
 }
 
 TEST(DrawingSvg, RefusesWhatNobodyCanRead) {

@@ -22,9 +22,9 @@ TEST(Lattice, AnglesOfThePaperAreExact) {
             std::strong_ordering::equal);
   EXPECT_EQ(compare_cosine(kCubeLattice, {1, -1, 0}, {-1, 0, 1}, kHexagon),
             std::strong_ordering::equal);
-  EXPECT_EQ(compare_cosine(kTallLattice, {0, 0, -1}, {1, 0, 1}, kHexagon),
+  EXPECT_EQ(compare_cosine(kScaledZLattice, {0, 0, -1}, {1, 0, 1}, kHexagon),
             std::strong_ordering::equal);
-  EXPECT_EQ(compare_cosine(kTallLattice, {1, 0, -1}, {-1, 2, 1}, kHexagon),
+  EXPECT_EQ(compare_cosine(kScaledZLattice, {1, 0, -1}, {-1, 2, 1}, kHexagon),
             std::strong_ordering::equal);
   EXPECT_EQ(compare_cosine(kCubeLattice, {1, 0, 0}, {-1, 0, 0}, kHexagon),
             std::strong_ordering::less);
@@ -85,16 +85,16 @@ TEST(Lattice, WideAndNarrowAgree) {
     }
     if (u == Vector{} || v == Vector{}) continue;
     for (const Cosine c : {kHexagon, kDiamond, Cosine{1, 1}, Cosine{0, 1}, Cosine{-30, 31}}) {
-      ASSERT_EQ(compare_cosine(kTallLattice, u, v, c), compare_wide(kTallLattice, u, v, c))
+      ASSERT_EQ(compare_cosine(kScaledZLattice, u, v, c), compare_wide(kScaledZLattice, u, v, c))
           << to_string(u) << to_string(v) << c.numerator;
     }
-    equal += compare_cosine(kTallLattice, u, v, kHexagon) == 0;
+    equal += compare_cosine(kScaledZLattice, u, v, kHexagon) == 0;
   }
   EXPECT_GT(equal, 2000);
 }
 
 TEST(Lattice, RefusesWhatIsNoMetric) {
-  EXPECT_NO_THROW(kTallLattice.validate());
+  EXPECT_NO_THROW(kScaledZLattice.validate());
   EXPECT_THROW((Lattice{{{{1, 1, 0}, {0, 1, 0}, {0, 0, 1}}}, 1}.validate()), InputError);
   EXPECT_THROW((Lattice{{{{1, 2, 0}, {2, 1, 0}, {0, 0, 1}}}, 1}.validate()), InputError);
   EXPECT_THROW((Lattice{kCubeLattice.gram, 0}.validate()), InputError);

@@ -49,7 +49,7 @@ TEST(Metrics, OfADrawingByHand) {
 
 TEST(Metrics, LengthsAreThoseOfTheLattice) {
   Draft draft;
-  draft.lattice = kTallLattice;
+  draft.lattice = kScaledZLattice;
   draft.vertices = {{0, 0, 0}, {0, 0, 3}, {2, 0, 0}};
   draft.edges = {{{0, 1}, {}}};
   const DrawingSummary summary = measure(draft.drawing());
@@ -198,7 +198,7 @@ void expect_closest(const Draft& draft) {
 TEST(ClosestPair, IsTheBestOfAllPairs) {
   RandomStream random(7);
   const Lattice skew{{{{5, 2, -1}, {2, 4, 1}, {-1, 1, 3}}}, 2};
-  for (const Lattice& lattice : {kCubeLattice, kTallLattice, skew}) {
+  for (const Lattice& lattice : {kCubeLattice, kScaledZLattice, skew}) {
     for (int i = 0; i < 300; ++i) {
       Draft draft;
       draft.lattice = lattice;
@@ -235,7 +235,7 @@ TEST(ClosestPair, StripsTakeLargeCoordinates) {
   RandomStream random(9);
   const Lattice skew{{{{5, 2, -1}, {2, 4, 1}, {-1, 1, 3}}}, 2};
   const Lattice large{{{{1 << 29, 2, -1}, {2, 1 << 30, 1}, {-1, 1, 1 << 20}}}, 2};
-  for (const Lattice& lattice : {kCubeLattice, kTallLattice, skew, large}) {
+  for (const Lattice& lattice : {kCubeLattice, kScaledZLattice, skew, large}) {
     for (int i = 0; i < 100; ++i) {
       Draft draft;
       draft.lattice = lattice;

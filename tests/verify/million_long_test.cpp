@@ -95,7 +95,7 @@ class TallDrawing {
       bends->add_edge(
           {{x, y, at_[u].z + std::abs(x - at_[u].x)}, {x, y, at_[v].z - std::abs(y - at_[v].y)}});
     }
-    return Drawing("tall", kTallLattice, std::move(vertices), edges_, std::move(bends));
+    return Drawing("tall", kScaledZLattice, std::move(vertices), edges_, std::move(bends));
   }
 
  private:
@@ -152,7 +152,7 @@ TEST(Million, TallDrawingsBySlabs) {
   guarantee.max_bends = 2;
   guarantee.angle_rule = AngleRule::at_least;
   guarantee.cosine = {-1, 2};
-  guarantee.lattice = kTallLattice;
+  guarantee.lattice = kScaledZLattice;
   CertifyOptions options;
   options.crossing_test = CrossingTest::slabs;
   options.check_size = false;

@@ -85,7 +85,7 @@ bool is_zero(Vector v) { return v == Vector{}; }
 // nearly all of them.
 TEST(RangeCheck, BoundsEveryValueOfTheAngle) {
   RandomStream random(1);
-  for (const Lattice& lattice : {kCubeLattice, kTallLattice, kSkewLattice}) {
+  for (const Lattice& lattice : {kCubeLattice, kScaledZLattice, kSkewLattice}) {
     for (int i = 0; i < 100; ++i) {
       const Reach reach = random_reach(random, 61);
       const Cosine cosine{-1, 1 + static_cast<std::int32_t>(random.below(3))};
@@ -158,7 +158,7 @@ Vector random_vector(RandomStream& random, int bits) {
 // Each at its limit and one bit beyond it: int64 is taken only where it is exact.
 TEST(AngleComparisons, AgreeWithThoseOfWideIntegers) {
   RandomStream random(3);
-  for (const Lattice& lattice : {kCubeLattice, kTallLattice, kSkewLattice}) {
+  for (const Lattice& lattice : {kCubeLattice, kScaledZLattice, kSkewLattice}) {
     for (const Cosine cosine : {Cosine{-1, 2}, Cosine{-1, 3}, Cosine{0, 1}, Cosine{1, 1}}) {
       const AngleComparison compare(lattice, cosine);
       ASSERT_GT(compare.room(), 20);
@@ -236,12 +236,13 @@ Wrong wrong_angles(const PredicateChoice& choice) {
     Reach reach;
     reach.add(u);
     reach.add(v);
-    const bool is_proved = predicate_bits(reach, kTallLattice, {-1, 2}).angle <= choice.exact_bits;
+    const bool is_proved =
+        predicate_bits(reach, kScaledZLattice, {-1, 2}).angle <= choice.exact_bits;
     // Undefined beyond.
     if (!is_proved && choice.exact_bits >= kInt64Bits && choice.name[0] == 'i') continue;
     const Point at{1, -2, 3};
-    const auto order = choice.angle(kTallLattice, at + u, at, at + v, {-1, 2});
-    const bool is_right = order == compare_cosine(kTallLattice, u, v, {-1, 2});
+    const auto order = choice.angle(kScaledZLattice, at + u, at, at + v, {-1, 2});
+    const bool is_right = order == compare_cosine(kScaledZLattice, u, v, {-1, 2});
     (is_proved ? wrong.proved : wrong.beyond) += !is_right;
   }
   return wrong;
@@ -277,8 +278,8 @@ TEST(Filters, DecideOnlyWhatTheirErrorAllows) {
     const int bits = 2 + static_cast<int>(random.below(58));
     const auto [u, v] = near_120(random, bits);
     const Point at{};
-    const auto order = filtered_angle(kTallLattice, at + u, at, at + v, {-1, 2});
-    const auto exact = compare_cosine(kTallLattice, u, v, {-1, 2});
+    const auto order = filtered_angle(kScaledZLattice, at + u, at, at + v, {-1, 2});
+    const auto exact = compare_cosine(kScaledZLattice, u, v, {-1, 2});
     (order ? decided : open) += 1;
     ASSERT_EQ(order.value_or(exact), exact);
     if (exact == std::strong_ordering::equal) {

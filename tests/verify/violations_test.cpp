@@ -126,7 +126,7 @@ TEST_P(Violations, OrderAndDirectionOfEdgesAreFree) {
 
 TEST_P(Violations, AnotherLattice) {
   Draft draft = star();
-  draft.lattice = kTallLattice;
+  draft.lattice = kScaledZLattice;
   EXPECT_THAT(kinds(judge(draft)), ElementsAre("lattice"));
 }
 

@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "ar3d/verify/checks/exact.h"
-#include "ar3d/verify/crossings/order.h"
+#include "ar3d/verify/crossings/radix_sort.h"
 
 namespace ar3d::verify {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ar3d/verify/counting/plane_records.h"
-#include "ar3d/verify/crossings/order.h"
+#include "ar3d/verify/crossings/radix_sort.h"
 
 namespace ar3d::verify {
 

@@ -7,7 +7,7 @@
 
 #include "ar3d/verify/checks/exact.h"
 #include "ar3d/verify/crossings/near_pairs.h"
-#include "ar3d/verify/crossings/order.h"
+#include "ar3d/verify/crossings/radix_sort.h"
 #include "ar3d/verify/predicates/widths.h"
 
 namespace ar3d::verify {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "ar3d/verify/checks/exact.h"
-#include "ar3d/verify/crossings/order.h"
+#include "ar3d/verify/crossings/radix_sort.h"
 #include "ar3d/verify/metrics/closest_pair.h"
 #include "ar3d/verify/metrics/squared_length.h"
 

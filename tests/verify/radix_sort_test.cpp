@@ -1,4 +1,4 @@
-#include "ar3d/verify/crossings/order.h"
+#include "ar3d/verify/crossings/radix_sort.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,264 @@
+#include "ar3d/verify/checks/checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+#include "ar3d/verify/checks/exact.h"
+
+namespace ar3d::verify {
+
+namespace {
+
+/// An edge with its smaller end first and its number in the list that it comes from.
+struct Named {
+  Vertex low;
+  Vertex high;
+  EdgeId id;
+  std::pair<Vertex, Vertex> ends() const { return {low, high}; }
+};
+
+Named named(Edge edge, EdgeId id) {
+  return {std::min(edge.u, edge.v), std::max(edge.u, edge.v), id};
+}
+
+void sort_by_ends(std::vector<Named>& edges) {
+  std::sort(edges.begin(), edges.end(), [](const Named& a, const Named& b) {
+    return std::tie(a.low, a.high, a.id) < std::tie(b.low, b.high, b.id);
+  });
+}
+
+bool same_list(const Graph& graph, const Drawing& drawing) {
+  if (graph.num_edges() != drawing.num_edges()) return false;
+  for (EdgeId e = 0; e < graph.num_edges(); ++e) {
+    if (named(graph.edge(e), e).ends() != named(drawing.edge(e), e).ends()) return false;
+  }
+  return true;
+}
+
+void add_missing(const Named& edge, Findings& findings) {
+  findings.add(
+      {ViolationKind::edge_set,
+       {edge.low, edge.high},
+       {},
+       {},
+       fmt::format("the graph's edge {} ({}-{}) is not drawn", edge.id, edge.low, edge.high)});
+}
+
+void add_extra(const Named& edge, Findings& findings) {
+  findings.add({ViolationKind::edge_set,
+                {edge.low, edge.high},
+                {edge.id},
+                {},
+                fmt::format("edge {} ({}-{}) of the drawing is not an edge of the graph", edge.id,
+                            edge.low, edge.high)});
+}
+
+void add_repeated(const Named& edge, EdgeId first, Findings& findings) {
+  findings.add({ViolationKind::edge_set,
+                {edge.low, edge.high},
+                {first, edge.id},
+                {},
+                fmt::format("edges {} and {} of the drawing both join {} and {}", first, edge.id,
+                            edge.low, edge.high)});
+}
+
+/// Both lists sorted: a merge tells missing, extra and repeated edges apart.
+void merge(const std::vector<Named>& wanted, const std::vector<Named>& drawn, Findings& findings) {
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < drawn.size() && !findings.done(); ++i) {
+    while (next < wanted.size() && wanted[next].ends() < drawn[i].ends()) {
+      add_missing(wanted[next++], findings);
+    }
+    if (i > 0 && drawn[i - 1].ends() == drawn[i].ends()) {
+      add_repeated(drawn[i], drawn[i - 1].id, findings);
+    } else if (next < wanted.size() && wanted[next].ends() == drawn[i].ends()) {
+      ++next;
+    } else {
+      add_extra(drawn[i], findings);
+    }
+  }
+  while (next < wanted.size() && !findings.done()) add_missing(wanted[next++], findings);
+}
+
+void check_edges(const Graph& graph, const Drawing& drawing, Findings& findings) {
+  if (same_list(graph, drawing)) return;  // a Graph is simple: nothing can be drawn twice
+  std::vector<Named> wanted;
+  std::vector<Named> drawn;
+  for (EdgeId e = 0; e < graph.num_edges(); ++e) wanted.push_back(named(graph.edge(e), e));
+  for (EdgeId e = 0; e < drawing.num_edges(); ++e) drawn.push_back(named(drawing.edge(e), e));
+  sort_by_ends(wanted);
+  sort_by_ends(drawn);
+  merge(wanted, drawn, findings);
+}
+
+}  // namespace
+
+void check_graph(const Graph& graph, const Drawing& drawing, Findings& findings) {
+  if (graph.num_vertices() != drawing.num_vertices()) {
+    findings.add({ViolationKind::vertex_count,
+                  {},
+                  {},
+                  {},
+                  fmt::format("the graph has {} vertices, the drawing {}", graph.num_vertices(),
+                              drawing.num_vertices())});
+  }
+  check_edges(graph, drawing, findings);
+}
+
+// Checks of single places: the lattice, the range of coordinates, the plane of the vertices, the
+// box.
+
+void check_lattice(const Drawing& drawing, const Guarantee& guarantee, Findings& findings) {
+  const Lattice& drawn = drawing.lattice();
+  const Lattice& promised = guarantee.lattice;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      // Products of two 32-bit numbers.
+      const std::int64_t left = std::int64_t{drawn.gram[i][j]} * promised.gram_denominator;
+      const std::int64_t right = std::int64_t{promised.gram[i][j]} * drawn.gram_denominator;
+      if (left == right) continue;
+      findings.add({ViolationKind::lattice,
+                    {},
+                    {},
+                    {},
+                    fmt::format("gram[{}][{}] is {}/{}, the guarantee speaks of {}/{}", i, j,
+                                drawn.gram[i][j], drawn.gram_denominator, promised.gram[i][j],
+                                promised.gram_denominator)});
+      return;
+    }
+  }
+}
+
+void check_coordinates(const Drawing& drawing, Findings& findings) {
+  for (std::size_t i = 0; i < drawing.num_vertices(); ++i) {
+    const auto v = static_cast<Vertex>(i);
+    const Point p = drawing.vertex(v);
+    if (in_range(p)) continue;
+    findings.add({ViolationKind::coordinate_range,
+                  {v},
+                  {},
+                  {p},
+                  fmt::format("vertex {} at {}: a coordinate passes 2^61", v, to_string(p))});
+  }
+  for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+      if (in_range(points[i])) continue;
+      findings.add({ViolationKind::coordinate_range,
+                    {},
+                    {e},
+                    {points[i]},
+                    fmt::format("{}, bend {}: a coordinate passes 2^61", describe_edge(drawing, e),
+                                to_string(points[i]))});
+    }
+  });
+}
+
+void check_plane(const Drawing& drawing, const Guarantee& guarantee, Findings& findings) {
+  if (!guarantee.vertices_in_plane) return;
+  for (std::size_t i = 0; i < drawing.num_vertices() && !findings.done(); ++i) {
+    const auto v = static_cast<Vertex>(i);
+    const Point p = drawing.vertex(v);
+    if (p.z == 0) continue;
+    findings.add({ViolationKind::plane,
+                  {v},
+                  {},
+                  {p},
+                  fmt::format("vertex {} at {} is not in the plane z = 0", v, to_string(p))});
+  }
+}
+
+void check_size(const Graph& graph, const Box& box, const Guarantee& guarantee,
+                Findings& findings) {
+  const std::uint64_t n = graph.num_vertices();
+  if (n == 0) return;  // bounds speak of n >= 1, and an empty drawing has no extents
+  const auto extents = box.extents();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const AxisBound& bound = guarantee.bound.axes[axis];
+    if (bound.holds(extents[axis], n)) continue;
+    findings.add({ViolationKind::size,
+                  {},
+                  {},
+                  {box.low, box.high},
+                  fmt::format("the extent in {} is {}, more than {} for n = {}", "xyz"[axis],
+                              extents[axis], bound.formula(), n)});
+  }
+}
+
+namespace {
+
+void check_lengths(const Drawing& drawing, EdgeId e, const std::vector<Point>& points,
+                   Findings& findings) {
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (points[i - 1] != points[i]) continue;
+    findings.add(
+        {ViolationKind::degenerate_segment,
+         {},
+         {e},
+         {points[i]},
+         fmt::format("{} repeats the point {}", describe_edge(drawing, e), to_string(points[i]))});
+  }
+}
+
+}  // namespace
+
+void check_bends(const Drawing& drawing, const Guarantee& guarantee, Findings& findings) {
+  for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {
+    if (findings.done()) return;
+    check_lengths(drawing, e, points, findings);
+    const std::size_t bends = points.size() - 2;
+    if (bends <= guarantee.max_bends) return;
+    findings.add({ViolationKind::bends,
+                  {},
+                  {e},
+                  {},
+                  fmt::format("{} has {} bends, at most {} are promised", describe_edge(drawing, e),
+                              bends, guarantee.max_bends)});
+  });
+}
+
+void check_directions(const Segments& segments, const Guarantee& guarantee, Findings& findings) {
+  const auto& allowed = guarantee.directions;
+  if (allowed.empty()) return;
+  for (SegmentId s = 0; s < segments.size() && !findings.done(); ++s) {
+    const Vector d = segments.direction(s);
+    if (std::any_of(allowed.begin(), allowed.end(), [&](Vector a) { return parallel(d, a); }))
+      continue;
+    findings.add({ViolationKind::direction,
+                  {},
+                  {segments.edge(s)},
+                  {segments.from(s), segments.to(s)},
+                  fmt::format("{} is parallel to {}, not an allowed direction",
+                              segments.describe(s), to_string(primitive(d)))});
+  }
+}
+
+void check_distinct_vertices(const Drawing& drawing, Findings& findings) {
+  struct Placed {
+    Point at;
+    Vertex v;
+    auto operator<=>(const Placed&) const = default;
+  };
+  std::vector<Placed> vertices;
+  vertices.reserve(drawing.num_vertices());
+  for (std::size_t i = 0; i < drawing.num_vertices(); ++i) {
+    const auto v = static_cast<Vertex>(i);
+    vertices.push_back({drawing.vertex(v), v});
+  }
+  std::sort(vertices.begin(), vertices.end());
+  for (std::size_t i = 1; i < vertices.size() && !findings.done(); ++i) {
+    const auto& [at, v] = vertices[i];
+    if (vertices[i - 1].at != at) continue;
+    const Vertex u = vertices[i - 1].v;
+    findings.add({ViolationKind::same_point,
+                  {u, v},
+                  {},
+                  {at},
+                  fmt::format("vertices {} and {} are both at {}", u, v, to_string(at))});
+  }
+}
+
+}  // namespace ar3d::verify
