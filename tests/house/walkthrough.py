@@ -43,15 +43,34 @@ def copy_of(source, tree):
             target.write_bytes((source / name).read_bytes())
 
 
-def compile_unit(name, tree, build, commands):
-    """The object of a source: compiled as itself or, if it is new, as its neighbours are; quickly."""
-    folder = name.split("/")[0]
-    like = commands.get(name) or next(c for n, c in commands.items() if n.startswith(folder + "/"))
-    target = str(tree / name.replace("/", "_")) + ".o"
-    command = re.sub(r" -o \S+ -c \S+", f" -O0 -o {target} -c {tree / name}", like)
-    command = command.replace(f"-I{build}/include", f"-I{tree}/include")
-    subprocess.run(command, shell=True, check=True, cwd=build)
-    return target
+def units_of(source, build):
+    """The unit that each source is compiled in, itself or one that includes it beside others, and the command."""
+    units = {}
+    for entry in json.loads((build / "compile_commands.json").read_text()):
+        unit = pathlib.Path(entry["file"])
+        together = re.findall(r'#include "(\S+)"', unit.read_text()) if "Unity" in unit.parts else [str(unit)]
+        for file in together:
+            if file.startswith(f"{source}/"):
+                units[str(pathlib.Path(file).relative_to(source))] = (unit, entry["command"])
+    return units
+
+
+def compile_units(touched, source, tree, build):
+    """The objects of the units with a changed or new source; a new one is compiled as its neighbours are; quickly."""
+    units = units_of(source, build)
+    wanted = {}
+    for name in touched:
+        unit, command = units.get(name) or (source / name, next(c for n, (_, c) in units.items() if n.startswith(name.split("/")[0] + "/")))
+        wanted[unit] = command
+    objects = []
+    for number, (unit, command) in enumerate(wanted.items()):
+        copied = tree / f"unit_{number}.cpp"
+        inside = unit.read_text() if "Unity" in unit.parts else f'#include "{unit}"\n'
+        copied.write_text(inside.replace(f'"{source}/', f'"{tree}/'))
+        command = re.sub(r" -o \S+ -c \S+", f" -O0 -o {copied}.o -c {copied}", command)
+        subprocess.run(command.replace(f"-I{source}/include", f"-I{tree}/include"), shell=True, check=True, cwd=build)
+        objects.append(f"{copied}.o")
+    return objects
 
 
 def link(objects, tree, build):
@@ -80,9 +99,6 @@ def expect_everywhere(name, tree, listed):
 def main():
     source, build = (pathlib.Path(p).resolve() for p in sys.argv[1:3])
     heading, name = sys.argv[3:5]
-    commands = {str(pathlib.Path(e["file"]).relative_to(source)): e["command"]
-                for e in json.loads((build / "compile_commands.json").read_text())
-                if e["file"].startswith(f"{source}/")}
     with tempfile.TemporaryDirectory(prefix="ar3d-walk-") as scratch:
         tree = pathlib.Path(scratch)
         copy_of(source, tree)
@@ -99,7 +115,7 @@ def main():
             if file.endswith(".cpp") and file not in touched:
                 touched.append(file)
         assert touched and shell, f"no walk-through '{heading}'"
-        link([compile_unit(f, tree, build, commands) for f in touched], tree, build)
+        link(compile_units(touched, source, tree, build), tree, build)
         done = subprocess.run(["bash", "-euo", "pipefail", "-c", "\n".join(shell)], cwd=tree, capture_output=True,
                               text=True)
         assert done.returncode == 0, done.stdout + done.stderr
