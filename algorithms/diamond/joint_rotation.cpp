@@ -11,7 +11,7 @@ namespace ar3d::diamond {
 namespace {
 
 constexpr unsigned kSamples = 16;
-constexpr std::uint64_t kSeed = 0x726f74617465;
+constexpr std::uint64_t kRotationSeed = 0x726f74617465;
 
 std::uint32_t largest_cycle(const Items& items) {
   std::uint32_t best = kNone;
@@ -60,7 +60,7 @@ bool rotate_jointly(Items& green, Items& red) {
   const auto n = static_cast<std::int64_t>(green.vertex.size());
   const auto g = green.of(green_cycle);
   const auto r = red.of(red_cycle);
-  RandomStream random(kSeed, static_cast<std::uint64_t>(n));
+  RandomStream random(kRotationSeed, static_cast<std::uint64_t>(n));
   std::int64_t best = 4 * n;  // more than any sum of two reaches
   std::uint32_t best_green = 0;
   std::uint32_t best_red = 0;

@@ -12,7 +12,7 @@
 namespace ar3d::grid {
 namespace {
 
-constexpr std::uint64_t kSeed = 0x677269642d330002;
+constexpr std::uint64_t kColourSeed = 0x677269642d330002;
 constexpr std::int64_t kBack = 64;  // a search begins this far before the last number found
 
 class ThirdColour {
@@ -27,7 +27,7 @@ class ThirdColour {
         x_(x),
         taken_(part.size()),
         sums_(part.size()),
-        random_(kSeed),
+        random_(kColourSeed),
         search_(sums_, random_, reach()),
         limit_(height_limit(part.size())),
         highest_(-part.size() / 2),

@@ -16,7 +16,7 @@
 namespace ar3d {
 namespace {
 
-constexpr std::uint64_t kMaxVertices = 0xfffffffe;
+constexpr std::uint64_t kMetisVertices = 0xfffffffe;
 /// The comment that our writer puts before every graph.
 constexpr std::string_view kMetisMark = "% METIS graph, 1-based";
 
@@ -27,7 +27,7 @@ class MetisParser final : public GraphParser {
 
   std::optional<Graph> next() override {
     if (!read_header()) return std::nullopt;
-    arcs_.begin(2 * std::min(m_, kMaxVertices));
+    arcs_.begin(2 * std::min(m_, kMetisVertices));
     for (std::uint64_t v = read_plain(0); v < n_; v = read_plain(v + 1)) read_row(v);
     if (!arcs_.simplifies() && arcs_.num_arcs() % 2 == 0 && arcs_.num_arcs() / 2 != m_) {
       input_.fail_at(header_line_, 0,
@@ -44,8 +44,8 @@ class MetisParser final : public GraphParser {
     header_line_ = input_.line();
     Tokens tokens(input_, *line);
     n_ = tokens.number("a number of vertices");
-    if (n_ > kMaxVertices) {
-      tokens.fail(fmt::format("{} vertices are too many, the limit is {}", n_, kMaxVertices));
+    if (n_ > kMetisVertices) {
+      tokens.fail(fmt::format("{} vertices are too many, the limit is {}", n_, kMetisVertices));
     }
     m_ = tokens.number("a number of edges");
     skipped_per_row_ = 0;
@@ -65,7 +65,7 @@ class MetisParser final : public GraphParser {
     const std::string digits = std::string(3 - fmt_word.size(), '0') + std::string(fmt_word);
     std::uint64_t constraints = 1;
     if (!tokens.done()) constraints = tokens.number("a number of weights a vertex");
-    if (constraints > kMaxVertices)
+    if (constraints > kMetisVertices)
       tokens.fail(fmt::format("{} weights a vertex are too many", constraints));
     skipped_per_row_ = (digits[0] == '1' ? 1 : 0) + (digits[1] == '1' ? constraints : 0);
     edge_weights_ = digits[2] == '1';

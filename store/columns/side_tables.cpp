@@ -14,7 +14,7 @@
 namespace ar3d {
 namespace {
 
-constexpr std::array<const char*, 3> kAxes = {"_x", "_y", "_z"};
+constexpr std::array<const char*, 3> kBoundAxes = {"_x", "_y", "_z"};
 constexpr unsigned kLargestHalfPower = 18;  // of AxisBound
 constexpr std::size_t kFieldsOfBound = 3 + 3 * 4;
 
@@ -31,7 +31,7 @@ void add_bound(std::vector<Field>& fields, const std::string& whose) {
   fields.push_back(text_field(whose + "_name", "whose bound it is", 48));
   fields.push_back(text_field(whose + "_source", "where it is proved or stands", 96));
   fields.push_back(text_field(whose + "_formula", "the bound by axis, for people", 256));
-  for (const char* axis : kAxes) {
+  for (const char* axis : kBoundAxes) {
     const std::string bound = "extent <= numerator / denominator * n^exponent + constant";
     const auto add = [&](const char* part, FieldType type) {
       fields.push_back({whose + part + axis, "1", bound, type, sizeof(double)});

@@ -9,7 +9,7 @@
 namespace ar3d {
 namespace {
 
-constexpr std::size_t kLargestText = 1 << 20;  // bytes of an attribute
+constexpr std::size_t kLargestAttribute = 1 << 20;  // bytes of an attribute
 
 // Called from the outermost to the innermost entry: the last one stays.
 herr_t keep_description(unsigned, const H5E_error2_t* entry, void* data) {
@@ -83,7 +83,8 @@ std::string read_text_attribute(hid_t object, const std::string& name) {
   const Hdf5Handle type(H5Aget_type(attribute.get()), H5Tclose, "read an attribute's type");
   const Hdf5Handle space(H5Aget_space(attribute.get()), H5Sclose, "read an attribute's shape");
   if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0 ||
-      H5Sget_simple_extent_npoints(space.get()) != 1 || H5Tget_size(type.get()) > kLargestText) {
+      H5Sget_simple_extent_npoints(space.get()) != 1 ||
+      H5Tget_size(type.get()) > kLargestAttribute) {
     throw Hdf5Error("attribute '" + name + "' is not one fixed-size string");
   }
   std::string text(H5Tget_size(type.get()), '\0');

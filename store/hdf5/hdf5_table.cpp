@@ -17,8 +17,8 @@ constexpr hsize_t kChunkRecords = 512;  // written and read at once
 constexpr unsigned kCompressionLevel = 1;
 constexpr hsize_t kLargestChunk = hsize_t{1} << 26;  // bytes
 constexpr int kMostDimensions = 2;
-constexpr hsize_t kLargestRatio = 1100;        // deflate packs at most about 1032 to 1
-constexpr std::size_t kLargestText = 1 << 20;  // bytes of a field whose size the file decides
+constexpr hsize_t kLargestRatio = 1100;         // deflate packs at most about 1032 to 1
+constexpr std::size_t kLargestField = 1 << 20;  // bytes of a field whose size the file decides
 
 // Little-endian in a file.
 hid_t number_type(FieldType type, bool in_file) {
@@ -290,7 +290,7 @@ std::size_t stored_text_size(hid_t file, const std::string& table, const std::st
   const std::optional<Hdf5Handle> type = member_type(type_of(dataset.get(), table).get(), field);
   if (!type) throw Hdf5Error(fmt::format("/{} has no field '{}'", table, field));
   const std::size_t size = H5Tget_size(type->get());
-  if (size == 0 || size > kLargestText) {
+  if (size == 0 || size > kLargestField) {
     throw Hdf5Error(fmt::format("/{}: field '{}' has {} bytes", table, field, size));
   }
   return size;

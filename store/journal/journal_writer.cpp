@@ -15,7 +15,7 @@
 namespace ar3d {
 namespace {
 
-[[noreturn]] void refuse(const std::string& path, int reason) {
+[[noreturn]] void refuse_to_append(const std::string& path, int reason) {
   throw InputError(fmt::format("cannot write {}: {}", path, std::strerror(reason)));
 }
 
@@ -86,7 +86,7 @@ void JournalWriter::create_if_missing(const StudyIdentity& identity) {
     create_file_atomically(path_, bytes);
   }
   file_ = Descriptor(open(path_.c_str(), O_RDWR | O_APPEND | O_CLOEXEC));
-  if (file_.get() < 0) refuse(path_, errno);
+  if (file_.get() < 0) refuse_to_append(path_, errno);
 }
 
 // The lock belongs to the open file: it lasts until the last process that has it is gone, which may
@@ -100,7 +100,7 @@ void JournalWriter::lock() {
       if (has_its_name(file_.get(), path_)) return;
       throw InputError(fmt::format("{} is gone: another process has finished it", path_));
     }
-    if (errno != EACCES && errno != EAGAIN) refuse(path_, errno);
+    if (errno != EACCES && errno != EAGAIN) refuse_to_append(path_, errno);
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   throw InputError(fmt::format("{} is being written by another process", path_));
@@ -118,13 +118,13 @@ void JournalWriter::read_existing(const StudyIdentity& identity,
     return true;
   });
   const off_t size = lseek(file_.get(), 0, SEEK_END);
-  if (size < 0) refuse(path_, errno);
+  if (size < 0) refuse_to_append(path_, errno);
   bytes_cut_ = static_cast<std::uint64_t>(size) - end_;
   if (bytes_cut_ > 0) {
     keep_what_is_cut();
-    if (ftruncate(file_.get(), static_cast<off_t>(end_)) != 0) refuse(path_, errno);
+    if (ftruncate(file_.get(), static_cast<off_t>(end_)) != 0) refuse_to_append(path_, errno);
   }
-  if (fsync(file_.get()) != 0) refuse(path_, errno);
+  if (fsync(file_.get()) != 0) refuse_to_append(path_, errno);
 }
 
 // One record cut short is what every crash leaves behind. Anything else, a whole record that stands
@@ -136,7 +136,7 @@ void JournalWriter::keep_what_is_cut() {
     const ssize_t got = pread(file_.get(), bytes.data() + have, bytes.size() - have,
                               static_cast<off_t>(end_ + have));
     if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) refuse(path_, got < 0 ? errno : EIO);
+    if (got <= 0) refuse_to_append(path_, got < 0 ? errno : EIO);
     have += static_cast<std::size_t>(got);
   }
   if (is_one_record_cut_short(bytes)) return;

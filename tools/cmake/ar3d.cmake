@@ -22,11 +22,7 @@ endif()
 # of a compiler's time goes into the same headers and templates again and again. So names in anonymous namespaces are unique
 # within a folder and its namespace. A source with options of its own, or in AR3D_ALONE, is compiled alone.
 set(AR3D_ALONE tests/verify/counting_test.cpp tests/verify/column_proof_test.cpp tests/verify/modes_test.cpp
-    verify/predicates/widths.cpp verify/crossings/crossings_slabs.cpp store/journal/journal_writer.cpp
-    store/columns/run_columns.cpp store/columns/graph_file_table.cpp
-    formats/graphs/metis.cpp
-    algorithms/grid/labels.cpp algorithms/grid/third_colour.cpp algorithms/diamond/joint_rotation.cpp
-    algorithms/diamond/interleaved_colouring.cpp algorithms/diamond/interleaved_items.cpp apps/viewer_page.cpp apps/hunt.cpp apps/shrink.cpp apps/subject_arguments.cpp)
+    verify/predicates/widths.cpp verify/crossings/crossings_slabs.cpp)
 option(AR3D_TOGETHER "Compile the sources of a folder together" ON)
 function(ar3d_together target most)
   set(group 0)
