@@ -74,15 +74,13 @@ Graph hypercube(Count d) {
 
 namespace {
 
-struct PointHash {
-  std::size_t operator()(const Point& p) const {
-    const auto mix = [](std::size_t h, std::int64_t c) {
-      return (h ^ static_cast<std::size_t>(c)) * 0x9e3779b97f4a7c15u;
-    };
-    const std::size_t h = mix(mix(mix(1, p.x), p.y), p.z);
-    return h ^ (h >> 32);
-  }
-};
+std::size_t hash_of(const Point& p) {
+  const auto mix = [](std::size_t h, std::int64_t c) {
+    return (h ^ static_cast<std::size_t>(c)) * 0x9e3779b97f4a7c15u;
+  };
+  const std::size_t h = mix(mix(mix(1, p.x), p.y), p.z);
+  return h ^ (h >> 32);
+}
 
 /// Breadth-first piece of n vertices; steps(p) gives the edge vectors at p in a fixed order. Every
 /// edge between two of its vertices belongs to the piece and is entered when the later end is
@@ -90,8 +88,7 @@ struct PointHash {
 template <class Steps>
 LatticePiece breadth_first_piece(Count n, Steps steps) {
   LatticePiece piece;
-  std::unordered_map<Point, Count, PointHash> number;
-  number.reserve(n);
+  std::unordered_map<Point, Count, decltype(&hash_of)> number(n, hash_of);
   piece.positions.reserve(n);
   piece.positions.push_back({});
   number.emplace(Point{}, 0);
@@ -141,12 +138,6 @@ std::vector<Vector> laves_steps(Point p) {
   return steps;
 }
 
-/// All edges straight.
-class NoBends final : public BendSource {
- public:
-  void append_bends(EdgeId, Edge, Point, Point, std::vector<Point>&) const override {}
-};
-
 }  // namespace
 
 LatticePiece diamond_lattice_piece(Count n) { return breadth_first_piece(n, diamond_steps); }
@@ -157,8 +148,10 @@ Drawing straight_drawing(const LatticePiece& piece, const char* name) {
   // A breadth-first search reaches no further than n steps, each of at most 1 in every coordinate.
   Coordinates vertices(piece.positions.size(), static_cast<std::int64_t>(piece.positions.size()));
   for (std::size_t v = 0; v < piece.positions.size(); ++v) vertices.set(v, piece.positions[v]);
+  auto bends = std::make_shared<StoredBends>();
+  for (EdgeId e = 0; e < piece.graph.num_edges(); ++e) bends->add_edge({});
   return Drawing(name, kCubeLattice, std::move(vertices), piece.graph.shared_edges(),
-                 std::make_shared<NoBends>());
+                 std::move(bends));
 }
 
 }  // namespace ar3d

@@ -23,20 +23,18 @@ using Weights = std::array<std::int64_t, 3>;  // barycentric coordinates times a
 constexpr Count kNoCorner = 12;
 constexpr Count kMostSteps = 8000;  // 20 T <= 60 a^2 fits 32 bits
 
-/// A face of the icosahedron; where the order of its corners is clockwise, it is `mirrored`.
-struct Face {
-  std::array<Count, 3> corners;
-  bool mirrored;
-};
+/// A face of the icosahedron. Where the order of its corners is clockwise, it is mirrored: in every
+/// other one.
+using Face = std::array<Count, 3>;
 
 std::vector<Face> icosahedron() {
   std::vector<Face> faces;  // 0 top, 1..5 and 6..10 the rings, 11 bottom
   for (Count i = 0; i < 5; ++i) {
     const Count j = (i + 1) % 5;
-    faces.push_back({{0, 1 + i, 1 + j}, false});
-    faces.push_back({{1 + i, 1 + j, 6 + i}, true});
-    faces.push_back({{6 + i, 6 + j, 1 + j}, false});
-    faces.push_back({{11, 6 + i, 6 + j}, true});
+    faces.push_back({0, 1 + i, 1 + j});
+    faces.push_back({1 + i, 1 + j, 6 + i});
+    faces.push_back({6 + i, 6 + j, 1 + j});
+    faces.push_back({11, 6 + i, 6 + j});
   }
   return faces;
 }
@@ -79,13 +77,13 @@ class GeodesicSphere {
  private:
   /// The mirror image of the lattice has a and b exchanged.
   std::pair<std::int64_t, std::int64_t> steps(Count f) const {
-    return faces_[f].mirrored ? std::pair(b_, a_) : std::pair(a_, b_);
+    return f % 2 == 1 ? std::pair(b_, a_) : std::pair(a_, b_);
   }
   /// The face on the other side of the edge opposite corner k.
   Count face_across(Count f, std::size_t k) const {
-    const auto& corners = faces_[f].corners;
+    const auto& corners = faces_[f];
     for (Count g = 0; g < faces_.size(); ++g) {
-      const auto& others = faces_[g].corners;
+      const auto& others = faces_[g];
       const auto has = [&](Count c) { return std::ranges::find(others, c) != others.end(); };
       if (g != f && has(corners[(k + 1) % 3]) && has(corners[(k + 2) % 3])) return g;
     }
@@ -115,8 +113,8 @@ class GeodesicSphere {
       const Count g = across_[f][k];
       Weights unfolded{};
       for (std::size_t i = 0; i < 3; ++i) {
-        const auto& corners = faces_[f].corners;
-        const auto at = std::ranges::find(corners, faces_[g].corners[i]);
+        const auto& corners = faces_[f];
+        const auto at = std::ranges::find(corners, faces_[g][i]);
         unfolded[i] =
             at == corners.end() ? -w[k] : w[static_cast<std::size_t>(at - corners.begin())] + w[k];
       }
@@ -131,7 +129,7 @@ class GeodesicSphere {
     std::vector<std::pair<Count, Count>> support;  // corner, weight
     for (std::size_t i = 0; i < 3; ++i) {
       expect(w[i] >= 0, "a lattice triangle reaches no further than the next face");
-      if (w[i] > 0) support.emplace_back(faces_[f].corners[i], static_cast<Count>(w[i]));
+      if (w[i] > 0) support.emplace_back(faces_[f][i], static_cast<Count>(w[i]));
     }
     std::sort(support.begin(), support.end());
     if (support.size() == 1) return {support[0].first, kNoCorner, 0};

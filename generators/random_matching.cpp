@@ -20,30 +20,6 @@ constexpr std::uint64_t kMostInOneBucket = std::uint64_t{1} << 16;  // 256 KiB: 
 constexpr unsigned kMostBucketBits = 12;
 constexpr std::uint64_t kChunk = std::uint64_t{1} << 18;  // numbers dealt with one stream
 
-/// Random numbers of a few bits each.
-class RandomBits {
- public:
-  RandomBits(std::uint64_t seed, std::uint64_t stream, unsigned bits)
-      : random_(seed, stream), bits_(bits), mask_((1u << bits) - 1) {}
-  std::uint32_t next() {
-    if (left_ < bits_) {
-      word_ = random_.next32();
-      left_ = 32;
-    }
-    const std::uint32_t value = word_ & mask_;
-    word_ >>= bits_;
-    left_ -= bits_;
-    return value;
-  }
-
- private:
-  RandomStream random_;
-  unsigned bits_;
-  std::uint32_t mask_;
-  std::uint32_t word_ = 0;
-  unsigned left_ = 0;
-};
-
 /// Deals 0..count-1 to the buckets, in chunks with a stream each.
 class NumberDealer {
  public:
@@ -75,14 +51,23 @@ class NumberDealer {
 
  private:
   std::uint64_t buckets() const { return std::uint64_t{1} << bits_; }
-  /// Calls use(place of its bucket in this chunk, number) for each number of the chunk.
+  /// Calls use(place of its bucket in this chunk, number) for each number of the chunk. A random
+  /// word lasts for several buckets.
   template <class Use>
   void deal(std::uint64_t chunk, Use use) {
     std::uint32_t* const places = places_.data() + (chunk << bits_);
-    RandomBits random(seed_, chunk, bits_);
+    RandomStream random(seed_, chunk);
+    std::uint32_t word = 0;
+    unsigned left = 0;
     const std::uint64_t end = std::min(count_, (chunk + 1) * kChunk);
     for (std::uint64_t number = chunk * kChunk; number < end; ++number) {
-      use(places[random.next()], number);
+      if (left < bits_) {
+        word = random.next32();
+        left = 32;
+      }
+      use(places[word & (buckets() - 1)], number);
+      word >>= bits_;
+      left -= bits_;
     }
   }
   void turn_counts_into_places() {

@@ -31,17 +31,14 @@ namespace ar3d {
 namespace {
 
 using Point32 = std::uint32_t;
-struct PointPair {
-  Point32 p;
-  Point32 q;
-};
+using PointPair = std::pair<Point32, Point32>;
 
 /// Vertices that one thread looks through at a time.
 constexpr Count kVertexChunk = Count{1} << 15;
 
 struct Defects {
   std::vector<PointPair> loops;                          // the two points of each
-  std::vector<std::pair<PointPair, PointPair>> doubles;  // p of both pairs at the same vertex
+  std::vector<std::pair<PointPair, PointPair>> doubles;  // first points at the same vertex
   bool crowded = false;                                  // some vertex is on several
 };
 
@@ -88,8 +85,8 @@ class SwitchedPairing {
     return true;
   }
   void join(PointPair pair) {
-    partner_[pair.p] = pair.q;
-    partner_[pair.q] = pair.p;
+    partner_[pair.first] = pair.second;
+    partner_[pair.second] = pair.first;
   }
   template <std::size_t k>
   static bool all_distinct(const std::array<Point32, k>& points) {
@@ -105,7 +102,7 @@ class SwitchedPairing {
   bool rejoin(const std::array<PointPair, k>& new_pairs, std::size_t must_be_clean) {
     for (const PointPair& pair : new_pairs) join(pair);
     return std::all_of(new_pairs.end() - static_cast<std::ptrdiff_t>(must_be_clean),
-                       new_pairs.end(), [&](const PointPair& pair) { return clean(pair.p); });
+                       new_pairs.end(), [&](const PointPair& pair) { return clean(pair.first); });
   }
 
   bool find_defects(SwitchingLimits limits);
@@ -246,9 +243,9 @@ bool SwitchedPairing::keep_after_loop() {
 std::uint32_t SwitchedPairing::bad_loop_options(Vertex v, Point32 p2, Point32 p3) {
   std::vector<Point32> candidates;
   collect_near(v, 3, candidates);  // every p5 with p5 or p6 near p1 or p4, and p1..p4 themselves
-  for (const PointPair& loop : loops_) candidates.insert(candidates.end(), {loop.p, loop.q});
+  for (const auto& [p, q] : loops_) candidates.insert(candidates.end(), {p, q});
   for (const auto& [one, two] : doubles_) {
-    candidates.insert(candidates.end(), {one.p, one.q, two.p, two.q});
+    candidates.insert(candidates.end(), {one.first, one.second, two.first, two.second});
   }
   std::sort(candidates.begin(), candidates.end());
   candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
@@ -274,8 +271,8 @@ bool SwitchedPairing::switch_double() {
   auto [first, second] = doubles_[i];
   if (random_.chance(1, 2)) std::swap(first, second);
   if (random_.chance(1, 2)) {
-    std::swap(first.p, first.q);
-    std::swap(second.p, second.q);
+    std::swap(first.first, first.second);
+    std::swap(second.first, second.second);
   }
   const auto [a1, b1] = first;
   const auto [a2, b2] = second;

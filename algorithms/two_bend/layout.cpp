@@ -15,7 +15,10 @@
 
 namespace ar3d::two_bend {
 
-VvRoom vv_room(std::size_t num_nodes) { return num_nodes <= 400 ? VvRoom{4, 2} : VvRoom{7, 3}; }
+std::array<std::int64_t, 2> vv_room(std::size_t num_nodes) {
+  if (num_nodes <= 400) return {4, 2};
+  return {7, 3};
+}
 
 std::int64_t far_b(std::int64_t k, bool alone) {
   if (alone) return 1;
@@ -180,7 +183,7 @@ NodeId free_merge_of(const View& view, const LongEdge& edge) {
 /// Half the length that each node takes of the list.
 LongVector<std::uint32_t> lengths_of(const View& view) {
   const Flow& flow = view.flow();
-  const VvRoom room = vv_room(flow.nodes.size());
+  const std::int64_t room = vv_room(flow.nodes.size())[view.columns() ? 1 : 0];
   LongVector<std::uint32_t> weights(view.size(), 1);
   for (NodeId v = 0; v < view.size(); ++v) {
     if (view.type(v) == NodeType::station) weights[v] = 2;
@@ -188,7 +191,7 @@ LongVector<std::uint32_t> lengths_of(const View& view) {
   }
   for (const LongId e : flow.vv_edges) {
     weights[view.ins(free_merge_of(view, flow.edges[e]))[0]] +=
-        static_cast<std::uint32_t>((view.columns() ? room.columns : room.rows) - 1);
+        static_cast<std::uint32_t>(room - 1);
   }
   return weights;
 }
@@ -201,10 +204,10 @@ class SafeLayout : private NumberedLists {
   Layout run() {
     layout_.safe = true;
     number();
-    const VvRoom room = vv_room(flow_.nodes.size());
+    const auto [row_room, column_room] = vv_room(flow_.nodes.size());
     for (const LongId e : flow_.vv_edges) {
-      widen(views_[0], flow_.edges[e].lower, room.rows);
-      widen(views_[1], flow_.edges[e].upper, room.columns);
+      widen(views_[0], flow_.edges[e].lower, row_room);
+      widen(views_[1], flow_.edges[e].upper, column_room);
     }
     for (const Pole& pole : flow_.poles) hold_spacing(pole).hold_gap = kNearGap;
     number();

@@ -42,11 +42,8 @@ Lists build_safe_lists(Flow& flow);
 Layout find_safe_layout(const Flow& flow, const Lists& lists);
 
 /// How many odd numbers the interval of a free MERGE gets in a safe layout (Lemma 2.9).
-struct VvRoom {
-  std::int64_t rows = 0;
-  std::int64_t columns = 0;
-};
-VvRoom vv_room(std::size_t num_nodes);
+/// @return of rows, of columns.
+std::array<std::int64_t, 2> vv_room(std::size_t num_nodes);
 
 /// b of the far lean (Lemma 2.14) for ordinary neighbours k >= 2 apart, k even.
 std::int64_t far_b(std::int64_t k, bool alone);

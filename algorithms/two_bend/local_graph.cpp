@@ -46,23 +46,23 @@ void ComponentReader::search_from(Vertex root, LocalGraph& out) {
   out.parent.clear();
   out.name.reserve(local_.size());
   out.parent.reserve(local_.size());
-  turns_.assign(1, {root, 0});
+  turns_.assign(1, {root, Vertex{0}});
   while (!turns_.empty()) {
-    const SearchTurn turn = turns_.back();
+    const auto [v, parent] = turns_.back();
     turns_.pop_back();
-    if (!is_read_[turn.to]) read(turn, out);
+    if (!is_read_[v]) read(v, parent, out);
   }
   count_ += static_cast<Vertex>(out.name.size());
 }
 
 /// Unread neighbours are asked for at once: the search comes to one of them in the next turn.
-void ComponentReader::read(SearchTurn turn, LocalGraph& out) {
+void ComponentReader::read(Vertex v, Vertex parent, LocalGraph& out) {
   const auto name = static_cast<Vertex>(out.name.size());
-  local_[turn.to] = name;
-  is_read_[turn.to] = true;
-  out.name.push_back(turn.to);
-  out.parent.push_back(turn.parent);
-  const NeighbourList& near = near_[turn.to];
+  local_[v] = name;
+  is_read_[v] = true;
+  out.name.push_back(v);
+  out.parent.push_back(parent);
+  const NeighbourList& near = near_[v];
   for (std::size_t k = near.to.size(); k-- > 0;) {
     const Vertex u = near.to[k];
     if (u == kNoVertex || is_read_[u]) continue;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "ar3d/base/long_vector.h"
@@ -58,12 +59,8 @@ class ComponentReader {
   bool next(LocalGraph& out);
 
  private:
-  struct SearchTurn {
-    Vertex to;      // an input vertex that was unread when its neighbour was read
-    Vertex parent;  // that neighbour's new name
-  };
   void search_from(Vertex root, LocalGraph& out);
-  void read(SearchTurn turn, LocalGraph& out);
+  void read(Vertex v, Vertex parent, LocalGraph& out);
   void copy_rows(LocalGraph& out) const;
   void ask_for_row(const LongVector<Vertex>& name, std::size_t i) const;
   std::span<const HalfEdge> incident(Vertex v) const;
@@ -73,7 +70,9 @@ class ComponentReader {
   LongVector<NeighbourList> near_;  // per input vertex: half as long as the rows of the graph
   LongVector<Vertex> local_;        // per input vertex: its new name
   std::vector<bool> is_read_;       // per input vertex; small enough to stay in the cache
-  LongVector<SearchTurn> turns_;    // not taken yet, the next one last
+  /// Input vertices that were unread when a neighbour was read, and that neighbour's new name: the
+  /// next one last.
+  LongVector<std::pair<Vertex, Vertex>> turns_;
   Vertex first_ = 0;
   Vertex count_ = 0;  // of the vertices read
 };

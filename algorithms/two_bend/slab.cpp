@@ -47,14 +47,6 @@ FlatPoint ray_of(const Flow& flow, const Layout& layout, const LongEdge& edge) {
 
 namespace {
 
-/// A bend below a vertex in a view's coordinates: `drop` is the distance below it in the view's
-/// time.
-struct Drop {
-  std::int64_t cross = 0;
-  std::int64_t own = 0;
-  std::int64_t drop = 0;
-};
-
 int sign_of(std::int64_t value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
 /// Draws, for one view, the ends of long edges below its MERGEs and SINKs (and around: a SINK has
@@ -79,9 +71,9 @@ class ViewSlabs {
     const NodeType below = view_.type(u);
     const bool in_one_column = cross_[u] == cross_[m];  // see share_rows
     if (!in_one_column && (below == NodeType::merge || below == NodeType::station)) {
-      add_lean_and_arm(m, edge, u, {cross_[m], own_[m], 0});
+      add_lean_and_arm(m, edge, u);
     } else {
-      add(m, edge, {cross_[m], own_[u], std::abs(own_[m] - own_[u])});
+      add(m, edge, cross_[m], own_[u], std::abs(own_[m] - own_[u]));
     }
   }
 
@@ -96,19 +88,19 @@ class ViewSlabs {
     }
   }
 
-  /// In upward order of the view. The slab of the vertex grows with the bend.
-  void add(NodeId v, LongId edge, Drop bend) {
-    const std::int64_t z = -bend.drop;
+  /// A bend in the view's coordinates, `drop` below v in its time; in upward order of the view. The
+  /// slab of the vertex grows with it.
+  void add(NodeId v, LongId edge, std::int64_t cross, std::int64_t own, std::int64_t drop) {
     SlabHeights& slab = slabs_.of_node[v];
     LongBends& bends = slabs_.of_edge[edge];
     if (view_.columns()) {
-      bends.add_lower(bend_at(bend.own, bend.cross, -z));
-      slab.above = std::max(slab.above, -z);
-      slab.below = std::max(slab.below, z);
+      bends.add_lower(bend_at(own, cross, drop));
+      slab.above = std::max(slab.above, drop);
+      slab.below = std::max(slab.below, -drop);
     } else {
-      bends.add_upper(bend_at(bend.cross, bend.own, z));
-      slab.below = std::max(slab.below, -z);
-      slab.above = std::max(slab.above, z);
+      bends.add_upper(bend_at(cross, own, -drop));
+      slab.below = std::max(slab.below, drop);
+      slab.above = std::max(slab.above, -drop);
     }
   }
 
@@ -120,33 +112,33 @@ class ViewSlabs {
     return {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), dz};
   }
 
-  /// From the stem or station u a lean into the line cross = const through `end`, then an arm along
-  /// it (VA).
-  void add_lean_and_arm(NodeId v, LongId edge, NodeId u, Drop end) {
-    const std::int64_t along = own_[u] - end.own;
-    const std::int64_t across = cross_[u] - end.cross;
+  /// From the stem or station u a lean into the line cross = const through v, then an arm along it
+  /// (VA).
+  void add_lean_and_arm(NodeId v, LongId edge, NodeId u) {
+    const std::int64_t along = own_[u] - own_[v];
+    const std::int64_t across = cross_[u] - cross_[v];
     const ArmLean shape = arm_and_lean(std::abs(along), std::abs(across));
-    add(v, edge, {cross_[u], own_[u], shape.total_height()});
-    add(v, edge, {end.cross, end.own + sign_of(along) * shape.arm, shape.arm});
+    add(v, edge, cross_[u], own_[u], shape.total_height());
+    add(v, edge, cross_[v], own_[v] + sign_of(along) * shape.arm, shape.arm);
   }
 
   void add_pole_lean(NodeId t, LongId edge, const PoleShape& shape, const PoleLean& lean,
                      int side) {
-    add(t, edge, {cross_[lean.from], own_[lean.from], lean.height - lean.b});
-    add(t, edge, {shape.cross - shape.sign * lean.b, shape.own + 2L * side * lean.b, -lean.b});
+    add(t, edge, cross_[lean.from], own_[lean.from], lean.height - lean.b);
+    add(t, edge, shape.cross - shape.sign * lean.b, shape.own + 2L * side * lean.b, -lean.b);
   }
 
   void add_special(const Pole& pole, LongId edge, const PoleShape& shape) {
     const NodeId t = pole.node;
     const std::int64_t along = std::abs(shape.special_cross - shape.cross);
     if (pole.a_type) {
-      add(t, edge, {shape.special_cross, shape.own, along});
+      add(t, edge, shape.special_cross, shape.own, along);
       return;
     }
     const std::int64_t across = std::abs(own_[pole.special] - shape.own);
     const ArmLean lean = arm_and_lean(along, across);
-    add(t, edge, {shape.special_cross, own_[pole.special], lean.total_height()});
-    add(t, edge, {shape.cross + shape.sign * lean.arm, shape.own, lean.arm});
+    add(t, edge, shape.special_cross, own_[pole.special], lean.total_height());
+    add(t, edge, shape.cross + shape.sign * lean.arm, shape.own, lean.arm);
   }
 
   const View view_;

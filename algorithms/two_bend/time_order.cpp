@@ -35,18 +35,17 @@ void StOrder::search(Vertex s, Vertex t) {
   numbered_.assign(1, {});
   seen_[s] = true;
   number_[s] = 0;
-  turns_.assign(1, {t, s, 0});
+  turns_.assign(1, {t, Vertex{0}});
   while (!turns_.empty()) {
-    const VisitTurn turn = turns_.back();
+    const auto [v, parent] = turns_.back();
     turns_.pop_back();
-    if (!seen_[turn.to]) visit(turn);
+    if (!seen_[v]) visit(v, parent);
   }
 }
 
 /// Neighbours seen before lie on the way back to s; low is the least of their numbers but the
 /// parent's. Nothing waits for a number: the search goes on while they come.
-void StOrder::visit(VisitTurn turn) {
-  const Vertex v = turn.to;
+void StOrder::visit(Vertex v, Vertex parent) {
   const auto number = static_cast<Vertex>(visited_.size());
   seen_[v] = true;
   number_[v] = number;
@@ -58,12 +57,12 @@ void StOrder::visit(VisitTurn turn) {
     if (blocks_.is_bridge(v, u)) continue;
     if (!seen_[u]) {
       ask_for(graph_.neighbours, u);
-      turns_.push_back({u, v, number});
-    } else if (u != turn.from) {
+      turns_.push_back({u, number});
+    } else if (number_[u] != parent) {
       low = std::min(low, number_[u]);
     }
   }
-  numbered_.push_back({.parent = turn.parent, .low = low});
+  numbered_.push_back({.parent = parent, .low = low});
 }
 
 void StOrder::find_lows() {
@@ -173,44 +172,34 @@ unsigned count_closing_neighbours(const LocalGraph& graph, const LongVector<Vert
 
 namespace {
 
-/// Lists of blocks, each from its entry.
-class BlockLists {
- public:
-  BlockLists(const LocalGraph& graph, const BlockTree& blocks)
-      : graph_(graph), blocks_(blocks), st_(graph, blocks) {}
-
-  /// The block of s from s on, so that its last vertex has degree 2 inside the block if any but s
-  /// has, and is a repaired true sink otherwise (Step 2.4: the block then has at least 7 vertices
-  /// and a bridge at most at s).
-  LongVector<Vertex> from(Vertex s) {
-    const Block& block = blocks_.block_of(s);
-    if (block.size == 1) return {s};
-    for (std::size_t k = 0; k < std::min<std::size_t>(block.free_count, 2); ++k) {
-      if (block.free[k] != s) return st_.order(s, block.free[k]);
-    }
-    LongVector<Vertex> list = st_.order(s, block.members[block.members[0] == s ? 1 : 0]);
-    expect(list.size() >= 7 && repair_true_sink(graph_, list),
-           "a true sink of a leaf block can be repaired");
-    return list;
+/// The block of s from s on, so that its last vertex has degree 2 inside the block if any but s
+/// has, and is a repaired true sink otherwise (Step 2.4: the block then has at least 7 vertices and
+/// a bridge at most at s).
+LongVector<Vertex> block_list(const LocalGraph& graph, const BlockTree& blocks, StOrder& st,
+                              Vertex s) {
+  const Block& block = blocks.block_of(s);
+  if (block.size == 1) return {s};
+  for (std::size_t k = 0; k < std::min<std::size_t>(block.free_count, 2); ++k) {
+    if (block.free[k] != s) return st.order(s, block.free[k]);
   }
+  LongVector<Vertex> list = st.order(s, block.members[block.members[0] == s ? 1 : 0]);
+  expect(list.size() >= 7 && repair_true_sink(graph, list),
+         "a true sink of a leaf block can be repaired");
+  return list;
+}
 
-  /// The st-order of a cubic block with both ends repaired (Step 2.5); nothing if a repair does not
-  /// apply.
-  std::optional<LongVector<Vertex>> with_both_ends(Vertex s, Vertex t) {
-    LongVector<Vertex> list = st_.order(s, t);
-    const bool top = repair_true_sink(graph_, list);
-    std::reverse(list.begin(), list.end());
-    const bool bottom = repair_true_sink(graph_, list);
-    std::reverse(list.begin(), list.end());
-    if (!top || !bottom) return std::nullopt;
-    return list;
-  }
-
- private:
-  const LocalGraph& graph_;
-  const BlockTree& blocks_;
-  StOrder st_;
-};
+/// The st-order of a cubic block with both ends repaired (Step 2.5); nothing if a repair does not
+/// apply.
+std::optional<LongVector<Vertex>> list_with_both_ends(const LocalGraph& graph, StOrder& st,
+                                                      Vertex s, Vertex t) {
+  LongVector<Vertex> list = st.order(s, t);
+  const bool top = repair_true_sink(graph, list);
+  std::reverse(list.begin(), list.end());
+  const bool bottom = repair_true_sink(graph, list);
+  std::reverse(list.begin(), list.end());
+  if (!top || !bottom) return std::nullopt;
+  return list;
+}
 
 /// Vertices in breadth-first order from `start`.
 LongVector<Vertex> breadth_first(const LocalGraph& graph, Vertex start) {
@@ -238,9 +227,9 @@ bool both_ends_closed(const LocalGraph& graph, LongVector<Vertex> list) {
 
 /// Step 2.5: a cubic bridgeless component. From 10 vertices on any pair works; the six smaller
 /// graphs are searched.
-LongVector<Vertex> order_of_cubic_block(const LocalGraph& graph, BlockLists& lists) {
+LongVector<Vertex> order_of_cubic_block(const LocalGraph& graph, StOrder& st) {
   if (graph.size() >= 10) {
-    auto list = lists.with_both_ends(0, breadth_first(graph, 0).back());
+    auto list = list_with_both_ends(graph, st, 0, breadth_first(graph, 0).back());
     expect(list.has_value(),
            "both ends of a cubic block with at least 10 vertices can be repaired");
     return *std::move(list);
@@ -248,7 +237,7 @@ LongVector<Vertex> order_of_cubic_block(const LocalGraph& graph, BlockLists& lis
   for (Vertex s = 0; s < graph.size(); ++s) {
     const LongVector<Vertex> far = breadth_first(graph, s);
     for (std::size_t i = far.size(); i-- > 1;) {
-      auto list = lists.with_both_ends(s, far[i]);
+      auto list = list_with_both_ends(graph, st, s, far[i]);
       if (list && both_ends_closed(graph, *list)) return *std::move(list);
     }
   }
@@ -256,69 +245,49 @@ LongVector<Vertex> order_of_cubic_block(const LocalGraph& graph, BlockLists& lis
       "internal error: a cubic graph with 6 or 8 vertices has no repaired st-order");
 }
 
+/// A block on the way of walk_block_tree.
+struct OpenBlock {
+  std::size_t begin;           // of the block's list among all pending ones
+  std::size_t end;             // of it
+  std::size_t next;            // the next vertex of the list to emit
+  std::uint8_t looked_at = 0;  // half-edges of the last emitted vertex looked at so far
+};
+
 /// A walk over the block tree that emits a block's list and, after each vertex, what hangs on its
 /// bridges (Step 2.3).
-class BlockTreeWalk {
- public:
-  BlockTreeWalk(const LocalGraph& graph, const BlockTree& blocks, BlockLists& lists)
-      : graph_(graph), blocks_(blocks), lists_(lists), emitted_(graph.size(), false) {}
-
-  LongVector<Vertex> from(const LongVector<Vertex>& first_block) {
-    push(first_block);
-    while (!frames_.empty()) step();
-    return std::move(order_);
-  }
-
- private:
-  struct OpenBlock {
-    std::size_t begin;       // of the block's list in pending_
-    std::size_t next;        // the next vertex of the list to emit
-    std::uint8_t looked_at;  // half-edges of the last emitted vertex looked at so far
+LongVector<Vertex> walk_block_tree(const LocalGraph& graph, const BlockTree& blocks, StOrder& st,
+                                   const LongVector<Vertex>& first_block) {
+  std::vector<bool> emitted(graph.size(), false);
+  LongVector<Vertex> order;
+  LongVector<Vertex> pending;
+  LongVector<OpenBlock> open;
+  const auto emit_next = [&](OpenBlock& block) {
+    const Vertex v = pending[block.next++];
+    block.looked_at = 0;
+    emitted[v] = true;
+    order.push_back(v);
   };
-
-  void push(const LongVector<Vertex>& list) {
-    frames_.push_back({pending_.size(), pending_.size(), 0});
-    pending_.insert(pending_.end(), list.begin(), list.end());
-    ends_.push_back(pending_.size());
-    emit_next(frames_.back());
-  }
-
-  void emit_next(OpenBlock& frame) {
-    const Vertex v = pending_[frame.next++];
-    frame.looked_at = 0;
-    emitted_[v] = true;
-    order_.push_back(v);
-  }
-
-  void step() {
-    OpenBlock& frame = frames_.back();
-    const Vertex v = pending_[frame.next - 1];
-    const NeighbourList& near = graph_.neighbours[v];
-    while (frame.looked_at < near.degree()) {
-      const Vertex u = near.to[frame.looked_at++];
-      if (blocks_.is_bridge(v, u) && !emitted_[u]) {
-        push(lists_.from(u));
-        return;
-      }
-    }
-    if (frame.next < ends_.back()) {
-      emit_next(frame);
+  const auto enter = [&](const LongVector<Vertex>& list) {
+    open.push_back({pending.size(), pending.size() + list.size(), pending.size()});
+    pending.insert(pending.end(), list.begin(), list.end());
+    emit_next(open.back());
+  };
+  for (enter(first_block); !open.empty();) {
+    OpenBlock& block = open.back();
+    const Vertex v = pending[block.next - 1];
+    const NeighbourList& near = graph.neighbours[v];
+    if (block.looked_at < near.degree()) {
+      const Vertex u = near.to[block.looked_at++];
+      if (blocks.is_bridge(v, u) && !emitted[u]) enter(block_list(graph, blocks, st, u));
+    } else if (block.next < block.end) {
+      emit_next(block);
     } else {
-      pending_.resize(frame.begin);
-      frames_.pop_back();
-      ends_.pop_back();
+      pending.resize(block.begin);
+      open.pop_back();
     }
   }
-
-  const LocalGraph& graph_;
-  const BlockTree& blocks_;
-  BlockLists& lists_;
-  std::vector<bool> emitted_;
-  LongVector<Vertex> order_;
-  LongVector<Vertex> pending_;
-  LongVector<OpenBlock> frames_;
-  LongVector<std::size_t> ends_;
-};
+  return order;
+}
 
 /// A vertex of degree 1, else of degree 2, that is still there.
 std::optional<Vertex> root_of_low_degree(const LocalGraph& graph, const BlockTree& blocks) {
@@ -336,18 +305,18 @@ std::optional<Vertex> root_of_low_degree(const LocalGraph& graph, const BlockTre
 }  // namespace
 
 TimeOrder find_time_order(const LocalGraph& graph, const BlockTree& blocks) {
-  BlockLists lists(graph, blocks);
+  StOrder st(graph, blocks);
   if (const auto root = root_of_low_degree(graph, blocks)) {
-    return {BlockTreeWalk(graph, blocks, lists).from(lists.from(*root)), false};
+    return {walk_block_tree(graph, blocks, st, block_list(graph, blocks, st, *root)), false};
   }
   const auto leaf =
       std::find_if(blocks.blocks.begin(), blocks.blocks.end(),
                    [](const Block& block) { return block.size > 1 && block.bridges == 1; });
-  if (leaf == blocks.blocks.end()) return {order_of_cubic_block(graph, lists), true};
-  LongVector<Vertex> first =
-      lists.from(leaf->bridge_vertex);  // upside down: it begins with a SOURCE
+  if (leaf == blocks.blocks.end()) return {order_of_cubic_block(graph, st), true};
+  // Upside down: it begins with a SOURCE.
+  LongVector<Vertex> first = block_list(graph, blocks, st, leaf->bridge_vertex);
   std::reverse(first.begin(), first.end());
-  return {BlockTreeWalk(graph, blocks, lists).from(first), false};
+  return {walk_block_tree(graph, blocks, st, first), false};
 }
 
 }  // namespace ar3d::two_bend

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "ar3d/algorithms/two_bend/blocks.h"
@@ -18,11 +19,6 @@ class StOrder {
   const LongVector<Vertex>& order(Vertex s, Vertex t);
 
  private:
-  struct VisitTurn {
-    Vertex to;      // a vertex that was unseen when its neighbour was visited
-    Vertex from;    // that neighbour
-    Vertex parent;  // its number
-  };
   /// What is known of the vertex with a number; all names in it are numbers.
   struct Numbered {
     Vertex parent = 0;
@@ -32,7 +28,7 @@ class StOrder {
     std::uint32_t end = 0;
   };
   void search(Vertex s, Vertex t);
-  void visit(VisitTurn turn);
+  void visit(Vertex v, Vertex parent);
   void find_lows();
   void place_in_preorder();
 
@@ -43,7 +39,9 @@ class StOrder {
   LongVector<Vertex> visited_;     // per number: the vertex
   LongVector<Numbered> numbered_;  // per number
   std::vector<bool> plus_;         // per number: which side of it the next one takes
-  LongVector<VisitTurn> turns_;    // not taken yet, the next one last
+  /// Vertices that were unseen when a neighbour was visited, and that neighbour's number: the next
+  /// one last.
+  LongVector<std::pair<Vertex, Vertex>> turns_;
   LongVector<Vertex> list_;
 };
 

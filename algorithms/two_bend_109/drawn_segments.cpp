@@ -1,8 +1,8 @@
 // Step E.4: all that is drawn, and whether a new segment meets it. A few operations in float with a
 // bound of their rounding error rule out nearly every pair, several pairs at a time; only those in
 // doubt are compared exactly, in 128-bit integers and in 256 bits where those might not do, so the
-// answer is that of PlainSegments. Cost: O(1) for every segment drawn since the lower end of the
-// edge, as all older ones lie lower.
+// answer is that of exact arithmetic alone. Cost: O(1) for every segment drawn since the lower end
+// of the edge, as all older ones lie lower.
 #include "ar3d/algorithms/two_bend_109/drawn_segments.h"
 
 #include <algorithm>
@@ -76,35 +76,12 @@ bool meet(const LatticeSegment& a, const LatticeSegment& b) {
 
 namespace {
 
-/// The stubs of query.since.stars but the one at whose end the segment begins.
-bool meets_own_star(const Query& query, const VertexStubs& star) {
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (i != query.stub && meet(query.segment, star.segment(i))) return true;
-  }
-  return false;
-}
-
 bool meets_stub(const LatticeSegment& segment, const VertexStubs& star) {
   for (std::size_t i = 0; i < 4; ++i) {
     if (meet(segment, star.segment(i))) return true;
   }
   return false;
 }
-
-}  // namespace
-
-bool PlainSegments::meets_any(const Query& query) const {
-  if (meets_own_star(query, stars_[query.since.stars])) return true;
-  for (std::size_t i = query.since.stars + 1; i < stars_.size(); ++i) {
-    if (meets_stub(query.segment, stars_[i])) return true;
-  }
-  for (std::size_t i = query.since.lines; i < lines_.size(); ++i) {
-    if (meet(query.segment, lines_[i])) return true;
-  }
-  return false;
-}
-
-namespace {
 
 /// The line through a segment, rounded: direction u and moment p x u.
 std::array<float, 6> rounded_line(const LatticeSegment& segment) {
@@ -117,41 +94,6 @@ std::array<float, 6> rounded_line(const LatticeSegment& segment) {
   return {static_cast<float>(u.x),    static_cast<float>(u.y),    static_cast<float>(u.z),
           moment(p.y, u.z, p.z, u.y), moment(p.z, u.x, p.x, u.z), moment(p.x, u.y, p.y, u.x)};
 }
-
-/// Two lines meet only if u1 m2 + u2 m1 = 0 for their directions u and moments m. Of the others
-/// component k is others[k].
-struct MayBeCoplanar {
-  std::array<float, 6> factor;
-  std::array<const float*, 6> others;
-
-  bool operator()(std::size_t i) const {
-    float sum = 0;
-    float size = 0;
-    for (std::size_t k = 0; k < 6; ++k) {
-      const float product = factor[k] * others[k][i];
-      sum += product;
-      size += std::abs(product);
-    }
-    // Both factors are rounded by 2^-24 of their size at most, each product and each of the five
-    // additions, too (a little more in all): the error of the sum is below 2^-20 of `size`.
-    constexpr float kDoubt = 0x1p-20F;
-    return std::abs(sum) <= kDoubt * size;
-  }
-};
-
-/// Where a segment from (x, z) that runs `per_rise` in x for each unit of z passes within `reach`.
-struct MayPass {
-  float x;
-  float z;
-  float per_rise;
-  float reach;
-  const float* star_x;
-  const float* star_z;
-
-  bool operator()(std::size_t i) const {
-    return std::abs((x - star_x[i]) + (star_z[i] - z) * per_rise) <= reach;
-  }
-};
 
 /// How many of begin ... end - 1 pass the filter; without branches, so that the compiler tests
 /// several at a time.
@@ -211,37 +153,59 @@ void DrawnSegments::add_line(const LatticeSegment& segment) {
   for (std::size_t k = 0; k < 6; ++k) of_line_[k].push_back(line[k]);
 }
 
-bool DrawnSegments::meets_any(const Query& query) const {
-  return meets_own_star(query, stars_[query.since.stars]) || meets_star(query) || meets_line(query);
+bool DrawnSegments::meets_any(const LatticeSegment& segment, DrawnCount since,
+                              std::size_t stub) const {
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (i != stub && meet(segment, stars_[since.stars].segment(i))) return true;
+  }
+  return meets_star(segment, since.stars + 1) || meets_line(segment, since.lines);
 }
 
-bool DrawnSegments::meets_star(const Query& query) const {
-  const Point p = query.segment.from;
-  const Vector u = query.segment.to - p;
-  MayPass filter{
-      static_cast<float>(p.x), static_cast<float>(p.z), 0, std::numeric_limits<float>::infinity(),
-      star_x_.data(),          star_z_.data()};
-  if (u.z > 0) {
-    filter.per_rise = static_cast<float>(static_cast<double>(u.x) / static_cast<double>(u.z));
-    const float run = std::abs(filter.per_rise);
+/// A star can be met only where the segment, which runs `per_rise` in x for each unit of z, passes
+/// it within `reach`.
+bool DrawnSegments::meets_star(const LatticeSegment& segment, std::size_t since) const {
+  const auto x = static_cast<float>(segment.from.x), z = static_cast<float>(segment.from.z);
+  const Vector u = segment.to - segment.from;
+  float per_rise = 0;
+  float reach = std::numeric_limits<float>::infinity();
+  if (is_filtered_ && u.z > 0) {
+    per_rise = static_cast<float>(static_cast<double>(u.x) / static_cast<double>(u.z));
+    const float run = std::abs(per_rise);
     // Each number is rounded by 2^-24 of its size at most, and there are five operations.
-    filter.reach =
-        kStubX + kStubZ * run + 1 +
-        0x1p-20F * (std::abs(filter.x) + largest_x_ + run * (std::abs(filter.z) + largest_z_));
+    reach = kStubX + kStubZ * run + 1 +
+            0x1p-20F * (std::abs(x) + largest_x_ + run * (std::abs(z) + largest_z_));
   }
-  return any_in_doubt(filter, query.since.stars + 1, stars_.size(),
-                      [&](std::size_t i) { return meets_stub(query.segment, stars_[i]); });
+  const auto may_pass = [=, star_x = star_x_.data(), star_z = star_z_.data()](std::size_t i) {
+    return std::abs((x - star_x[i]) + (star_z[i] - z) * per_rise) <= reach;
+  };
+  return any_in_doubt(may_pass, since, stars_.size(),
+                      [&](std::size_t i) { return meets_stub(segment, stars_[i]); });
 }
 
-bool DrawnSegments::meets_line(const Query& query) const {
-  const std::array<float, 6> line = rounded_line(query.segment);
-  MayBeCoplanar filter{};
+/// Two lines meet only if u1 m2 + u2 m1 = 0 for their directions u and moments m.
+bool DrawnSegments::meets_line(const LatticeSegment& segment, std::size_t since) const {
+  const std::array<float, 6> line = rounded_line(segment);
+  std::array<float, 6> factor{};
+  std::array<const float*, 6> others{};
   for (std::size_t k = 0; k < 6; ++k) {
-    filter.factor[k] = line[(k + 3) % 6];  // moments meet directions
-    filter.others[k] = of_line_[k].data();
+    if (is_filtered_) factor[k] = line[(k + 3) % 6];  // moments meet directions
+    others[k] = of_line_[k].data();
   }
-  return any_in_doubt(filter, query.since.lines, lines_.size(),
-                      [&](std::size_t i) { return meet(query.segment, lines_[i]); });
+  const auto may_be_coplanar = [factor, others](std::size_t i) {
+    float sum = 0;
+    float size = 0;
+    for (std::size_t k = 0; k < 6; ++k) {
+      const float product = factor[k] * others[k][i];
+      sum += product;
+      size += std::abs(product);
+    }
+    // Both factors are rounded by 2^-24 of their size at most, each product and each of the five
+    // additions, too (a little more in all): the error of the sum is below 2^-20 of `size`.
+    constexpr float kDoubt = 0x1p-20F;
+    return std::abs(sum) <= kDoubt * size;
+  };
+  return any_in_doubt(may_be_coplanar, since, lines_.size(),
+                      [&](std::size_t i) { return meet(segment, lines_[i]); });
 }
 
 }  // namespace ar3d::two_bend_109

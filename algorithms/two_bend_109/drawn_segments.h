@@ -35,41 +35,24 @@ struct DrawnCount {
   std::size_t lines = 0;
 };
 
-/// A new segment, and what it need not be compared with.
-struct Query {
-  LatticeSegment segment;
-  DrawnCount since;  ///< what was drawn before lies lower
-  std::size_t stub;  ///< of the star since.stars: the segment begins at its end
-};
-
-/// All that is drawn, compared one by one: the oracle of DrawnSegments.
-class PlainSegments {
- public:
-  void add_star(const VertexStubs& star) { stars_.push_back(star); }
-  void add_line(const LatticeSegment& segment) { lines_.push_back(segment); }
-  DrawnCount size() const { return {stars_.size(), lines_.size()}; }
-  /// O(size() - query.since).
-  bool meets_any(const Query& query) const;
-
- private:
-  std::vector<VertexStubs> stars_;
-  std::vector<LatticeSegment> lines_;
-};
-
-/// The same, but most pairs are ruled out by a few operations in floating point, several pairs at a
-/// time; those in doubt are compared exactly.
+/// All that is drawn. Most pairs are ruled out by a few operations in floating point, several pairs
+/// at a time; those in doubt are compared exactly.
 class DrawnSegments {
  public:
+  /// @param is_filtered  if not, all pairs are compared exactly: the oracle of the filter.
+  explicit DrawnSegments(bool is_filtered = true) : is_filtered_(is_filtered) {}
   void add_star(const VertexStubs& star);
   void add_line(const LatticeSegment& segment);
   DrawnCount size() const { return {stars_.size(), lines_.size()}; }
-  /// What PlainSegments says. O(size() - query.since).
-  bool meets_any(const Query& query) const;
+  /// Whether the segment, which begins at the end of this stub of the star since.stars, meets
+  /// anything else of what was drawn since. O(size() - since).
+  bool meets_any(const LatticeSegment& segment, DrawnCount since, std::size_t stub) const;
 
  private:
-  bool meets_star(const Query& query) const;
-  bool meets_line(const Query& query) const;
+  bool meets_star(const LatticeSegment& segment, std::size_t since) const;
+  bool meets_line(const LatticeSegment& segment, std::size_t since) const;
 
+  bool is_filtered_;
   std::vector<VertexStubs> stars_;
   std::vector<float> star_x_;
   std::vector<float> star_z_;

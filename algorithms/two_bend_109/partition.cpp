@@ -9,34 +9,13 @@
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <optional>
 #include <utility>
 
 #include "ar3d/base/error.h"
 
 namespace ar3d::two_bend_109 {
 namespace {
-
-/// The vertices of a graph that are in no part yet.
-class Rest {
- public:
-  explicit Rest(const Graph& graph) : graph_(graph), degree_(graph.num_vertices()) {
-    for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-      degree_[v] = static_cast<std::int8_t>(graph.degree(v));
-    }
-  }
-  bool has(Vertex v) const { return degree_[v] >= 0; }
-  std::uint32_t degree(Vertex v) const { return static_cast<std::uint32_t>(degree_[v]); }
-  void remove(Vertex v) {
-    degree_[v] = -1;
-    for (const HalfEdge& half : graph_.incident(v)) {
-      if (has(half.to)) --degree_[half.to];
-    }
-  }
-
- private:
-  const Graph& graph_;
-  std::vector<std::int8_t> degree_;  ///< -1: not there
-};
 
 /// The components of a core without an induced cycle.
 struct Pieces {
@@ -59,12 +38,27 @@ struct Pieces {
   }
 };
 
-/// Searches in the rest of a graph. "Core" is a component of it in which all degrees are at
-/// least 3.
-class CycleSearch {
+/// The rest of a graph, which are the vertices that are in no part yet, and searches in it. "Core"
+/// is a component of it in which all degrees are at least 3.
+class Rest {
  public:
-  CycleSearch(const Graph& graph, const Rest& rest)
-      : graph_(graph), rest_(rest), mark_(graph.num_vertices()), parent_(graph.num_vertices()) {}
+  explicit Rest(const Graph& graph)
+      : graph_(graph),
+        degree_(graph.num_vertices()),
+        mark_(graph.num_vertices()),
+        parent_(graph.num_vertices()) {
+    for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+      degree_[v] = static_cast<std::int8_t>(graph.degree(v));
+    }
+  }
+  bool has(Vertex v) const { return degree_[v] >= 0; }
+  std::uint32_t degree(Vertex v) const { return static_cast<std::uint32_t>(degree_[v]); }
+  void remove(Vertex v) {
+    degree_[v] = -1;
+    for (const HalfEdge& half : graph_.incident(v)) {
+      if (has(half.to)) --degree_[half.to];
+    }
+  }
 
   /// Half-edges that all searches have looked at, which is what they cost.
   std::uint64_t looked_at() const { return looked_at_; }
@@ -73,10 +67,10 @@ class CycleSearch {
   std::vector<Vertex> cycle_component(Vertex v) {
     std::vector<Vertex> walk = {v};
     Vertex before = v;
-    for (Vertex at = v; rest_.degree(at) == 2;) {
+    for (Vertex at = v; degree(at) == 2;) {
       Vertex next = at;
       for (const HalfEdge& half : look_at(at)) {
-        if (rest_.has(half.to) && half.to != before) next = half.to;
+        if (has(half.to) && half.to != before) next = half.to;
       }
       if (next == v) return walk;
       before = at;
@@ -92,7 +86,7 @@ class CycleSearch {
     std::vector<Vertex> found = {v};
     for (std::size_t i = 0; i < found.size(); ++i) {
       for (const HalfEdge& half : look_at(found[i])) {
-        if (!rest_.has(half.to) || marked(half.to)) continue;
+        if (!has(half.to) || marked(half.to)) continue;
         mark_[half.to] = stamp_;
         found.push_back(half.to);
       }
@@ -102,7 +96,7 @@ class CycleSearch {
   /// An induced cycle in the core of root: the first one that a breadth-first search meets, which
   /// is at most 2 log2(k) + 1 long for k vertices.
   std::vector<Vertex> first_cycle(Vertex root) {
-    std::vector<Vertex> cycle = first_cycle_in(root, [&](Vertex v) { return rest_.has(v); });
+    std::vector<Vertex> cycle = first_cycle_in(root, [&](Vertex v) { return has(v); });
     expect(!cycle.empty(), "a core has a cycle");
     return cycle;
   }
@@ -117,7 +111,7 @@ class CycleSearch {
     std::vector<Vertex> queue;
     for (const Vertex on : cycle) {
       for (const HalfEdge& half : look_at(on)) {
-        if (!rest_.has(half.to) || mark_[half.to] >= off) continue;
+        if (!has(half.to) || mark_[half.to] >= off) continue;
         ++stamp_;
         mark_[half.to] = stamp_;
         parent_[half.to] = half.to;
@@ -127,7 +121,7 @@ class CycleSearch {
           const Vertex at = queue[i];
           is_alive = graph_.degree(at) < 4;
           for (const HalfEdge& next : look_at(at)) {
-            if (!rest_.has(next.to) || mark_[next.to] == off || next.to == parent_[at]) continue;
+            if (!has(next.to) || mark_[next.to] == off || next.to == parent_[at]) continue;
             // A mark of this round closes a cycle; one of a round before leads to a living vertex.
             if (mark_[next.to] >= first_round) {
               is_alive = true;
@@ -156,8 +150,7 @@ class CycleSearch {
       for (std::size_t i = 0; i < piece.size(); ++i) {
         is_full = is_full && graph_.degree(piece[i]) == 4;
         for (const HalfEdge& half : look_at(piece[i])) {
-          if (!rest_.has(half.to) ||
-              std::find(cycle.begin(), cycle.end(), half.to) != cycle.end()) {
+          if (!has(half.to) || std::find(cycle.begin(), cycle.end(), half.to) != cycle.end()) {
             continue;
           }
           ++ends;
@@ -255,7 +248,7 @@ class CycleSearch {
     // soon as it is a cycle that leaves a living piece.
     for (const HalfEdge& half : look_at(path.back())) {
       const Vertex next = half.to;
-      if (!rest_.has(next) || next <= path.front()) continue;
+      if (!has(next) || next <= path.front()) continue;
       std::size_t neighbours = 0;  // on the path
       bool closes = false;
       for (const HalfEdge& back : look_at(next)) {
@@ -273,7 +266,7 @@ class CycleSearch {
   }
 
   const Graph& graph_;
-  const Rest& rest_;
+  std::vector<std::int8_t> degree_;  ///< -1: not there
   std::uint64_t looked_at_ = 0;
   std::uint64_t stamp_ = 0;
   std::vector<std::uint64_t> mark_;
@@ -282,7 +275,7 @@ class CycleSearch {
 
 class Partitioner {
  public:
-  explicit Partitioner(const Graph& graph) : graph_(graph), rest_(graph), search_(graph, rest_) {}
+  explicit Partitioner(const Graph& graph) : graph_(graph), rest_(graph) {}
 
   std::vector<VertexPart> run() {
     for (Vertex v = 0; v < graph_.num_vertices(); ++v) note_degree(v);
@@ -294,14 +287,14 @@ class Partitioner {
     return std::move(parts_);
   }
 
-  std::uint64_t looked_at() const { return search_.looked_at(); }
+  std::uint64_t looked_at() const { return rest_.looked_at(); }
 
  private:
   bool take_next() {
     if (std::optional<Vertex> v = next_of(full_leaves_, 1)) return take_single(*v);
     if (std::optional<Vertex> v = next_of(leaves_, 1)) return take_single(*v);
     if (std::optional<Vertex> v = next_of(passages_, 2)) {
-      const std::vector<Vertex> cycle = search_.cycle_component(*v);
+      const std::vector<Vertex> cycle = rest_.cycle_component(*v);
       return cycle.empty() ? take_single(*v) : take({PartKind::cycle, cycle, nullptr});
     }
     while (first_ < graph_.num_vertices() && !rest_.has(first_)) ++first_;
@@ -344,19 +337,19 @@ class Partitioner {
   /// From a component in which all degrees are at least 3: an induced cycle that leaves only
   /// components alive, or the component as a body.
   bool take_from_core(Vertex root) {
-    std::vector<Vertex> cycle = search_.first_cycle(root);
-    if (search_.leaves_all_alive(cycle)) return take({PartKind::cycle, cycle, nullptr});
-    const std::vector<Vertex> core = search_.component(root);
-    Pieces pieces = search_.pieces(core, cycle);
+    std::vector<Vertex> cycle = rest_.first_cycle(root);
+    if (rest_.leaves_all_alive(cycle)) return take({PartKind::cycle, cycle, nullptr});
+    const std::vector<Vertex> core = rest_.component(root);
+    Pieces pieces = rest_.pieces(core, cycle);
     if (!pieces.has_alive()) {
-      cycle = search_.cycle_beside_cycle(core);
+      cycle = rest_.cycle_beside_cycle(core);
       if (cycle.empty()) return take_body(core);
-      pieces = search_.pieces(core, cycle);
+      pieces = rest_.pieces(core, cycle);
     }
     // The largest living piece grows, so this ends (Lemma E.2).
     while (const std::vector<Vertex>* dead = pieces.first_dead()) {
-      cycle = search_.cycle_off(cycle, *dead, pieces.largest_alive());
-      pieces = search_.pieces(core, cycle);
+      cycle = rest_.cycle_off(cycle, *dead, pieces.largest_alive());
+      pieces = rest_.pieces(core, cycle);
     }
     return take({PartKind::cycle, cycle, nullptr});
   }
@@ -371,16 +364,14 @@ class Partitioner {
         }
       }
     }
-    const std::optional<FoundBody> found = find_body(Graph(core.size(), std::move(edges)));
-    expect(found.has_value(), "a core without two disjoint cycles is one of the small bodies");
-    VertexPart part{PartKind::body, {}, found->body};
-    for (const Vertex i : found->vertices) part.vertices.push_back(core[i]);
-    return take(std::move(part));
+    auto [body, vertices] = find_body(Graph(core.size(), std::move(edges)));
+    expect(body != nullptr, "a core without two disjoint cycles is one of the small bodies");
+    for (Vertex& v : vertices) v = core[v];
+    return take({PartKind::body, std::move(vertices), body});
   }
 
   const Graph& graph_;
   Rest rest_;
-  CycleSearch search_;
   std::vector<VertexPart> parts_;
   std::deque<Vertex> full_leaves_;  ///< degree at most 1 in the rest, 4 in the graph
   std::deque<Vertex> leaves_;       ///< degree at most 1 in the rest, less than 4 in the graph

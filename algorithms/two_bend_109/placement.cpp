@@ -40,17 +40,17 @@ struct NewEdge {
   std::uint8_t port;        ///< which stub of the new vertex it takes
 };
 
-/// @tparam DrawnSet  DrawnSegments or PlainSegments
-template <class DrawnSet>
 class VertexPlacer {
  public:
   VertexPlacer(const Graph& graph, const std::vector<VertexPart>& parts,
-               const SlotArrangement& arrangement, const Layout& layout, std::uint64_t seed)
+               const SlotArrangement& arrangement, const Layout& layout, std::uint64_t seed,
+               bool is_filtered)
       : graph_(graph),
         parts_(parts),
         arrangement_(arrangement),
         layout_(layout),
         seed_(seed),
+        drawn_(is_filtered),
         drawn_at_(graph.num_vertices()),
         is_placed_(graph.num_vertices()),
         legs_(parts.size()) {
@@ -147,7 +147,7 @@ class VertexPlacer {
 
   /// All that was drawn before the lower end of the edge lies lower.
   bool meets_drawn(const LatticeSegment& line, const NewEdge& edge) const {
-    return drawn_.meets_any({line, drawn_at_[edge.below], edge.port_below});
+    return drawn_.meets_any(line, drawn_at_[edge.below], edge.port_below);
   }
 
   /// No two edges to one body are the diagonals of a trapezium wherever the body stands.
@@ -269,7 +269,7 @@ class VertexPlacer {
   const Layout& layout_;
   std::uint64_t seed_;
   Placement made_;
-  DrawnSet drawn_;
+  DrawnSegments drawn_;
   std::vector<DrawnCount> drawn_at_;  ///< of each placed vertex: what was drawn before it
   std::vector<bool> is_placed_;       ///< vertices that are not in bodies
   /// Of each body: the bend that will be joined to it and the end of its leg, in the body's
@@ -281,11 +281,8 @@ class VertexPlacer {
 
 std::optional<Placement> place(const Graph& graph, const std::vector<VertexPart>& parts,
                                const SlotArrangement& arrangement, const Layout& layout,
-                               std::uint64_t seed, SegmentComparison comparison) {
-  if (comparison == SegmentComparison::plain) {
-    return VertexPlacer<PlainSegments>(graph, parts, arrangement, layout, seed).run();
-  }
-  return VertexPlacer<DrawnSegments>(graph, parts, arrangement, layout, seed).run();
+                               std::uint64_t seed, bool is_filtered) {
+  return VertexPlacer(graph, parts, arrangement, layout, seed, is_filtered).run();
 }
 
 }  // namespace ar3d::two_bend_109

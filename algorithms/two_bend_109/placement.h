@@ -18,19 +18,12 @@ struct Placement {
   std::int64_t tried = 0;                  ///< points tried in all
 };
 
-/// How a new segment is compared with the older ones; the placement is the same.
-enum class SegmentComparison : std::uint8_t {
-  filtered,  ///< most in floating point (DrawnSegments)
-  plain,     ///< all in exact integers: the oracle
-};
-
 /// Each vertex in turn takes the first point of its square, in a fixed pseudo-random order, where
 /// nothing new meets anything; nothing if some vertex finds none. At
 /// the scale LayoutScale::always_enough(n) each finds one (Lemma E.5).
-/// Cost: O(n) per point tried.
+/// @param is_filtered  see DrawnSegments; the placement is the same. Cost: O(n) per point tried.
 std::optional<Placement> place(const Graph& graph, const std::vector<VertexPart>& parts,
                                const SlotArrangement& arrangement, const Layout& layout,
-                               std::uint64_t seed,
-                               SegmentComparison comparison = SegmentComparison::filtered);
+                               std::uint64_t seed, bool is_filtered = true);
 
 }  // namespace ar3d::two_bend_109

@@ -175,9 +175,9 @@ std::vector<std::vector<bool>> empty_matrix(std::size_t n) {
 
 }  // namespace
 
-std::optional<FoundBody> find_body(const Graph& graph) {
+std::pair<const SmallBody*, std::vector<Vertex>> find_body(const Graph& graph) {
   const std::size_t n = graph.num_vertices();
-  if (n > 7) return std::nullopt;
+  if (n > 7) return {};
   auto drawn = empty_matrix(n);
   for (const Edge& e : graph.edges()) drawn[e.u][e.v] = drawn[e.v][e.u] = true;
   for (const SmallBody& body : small_bodies()) {
@@ -186,10 +186,10 @@ std::optional<FoundBody> find_body(const Graph& graph) {
     for (const SmallBody::BodyLink& link : body.links) {
       linked[link.u][link.v] = linked[link.v][link.u] = true;
     }
-    FoundBody found{&body, {}};
-    if (extend(linked, drawn, found.vertices)) return found;
+    std::vector<Vertex> vertices;
+    if (extend(linked, drawn, vertices)) return {&body, std::move(vertices)};
   }
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace ar3d::two_bend_109

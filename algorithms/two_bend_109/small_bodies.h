@@ -2,8 +2,8 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ar3d/model/graph.h"
@@ -38,12 +38,8 @@ struct SmallBody {
 /// disjoint cycles (Lemma E.1).
 const std::vector<SmallBody>& small_bodies();
 
-struct FoundBody {
-  const SmallBody* body = nullptr;
-  std::vector<Vertex> vertices;  ///< vertices[i] plays vertex i of the body
-};
-
-/// Which body the graph is, if any. O(1): larger graphs are none.
-std::optional<FoundBody> find_body(const Graph& graph);
+/// Which body the graph is, null if none, and which vertex plays which of the body's. O(1): larger
+/// graphs are none.
+std::pair<const SmallBody*, std::vector<Vertex>> find_body(const Graph& graph);
 
 }  // namespace ar3d::two_bend_109

@@ -15,7 +15,7 @@ namespace {
 
 bool adjacent(const ContractedGraph& graph, Node a, Node b) {
   const Star& star = graph.stars[a];
-  return std::any_of(star.begin(), star.end(), [&](Incidence i) { return i.to == b; });
+  return std::any_of(star.begin(), star.end(), [&](HalfEdge i) { return i.to == b; });
 }
 
 class Contractor {
@@ -27,7 +27,7 @@ class Contractor {
     result_.ends.reserve(graph.num_edges());
     for (const Edge& edge : graph.edges()) result_.ends.push_back({edge.u, edge.v});
     for (Vertex v = 0; v < n; ++v) {
-      for (const HalfEdge half : graph.incident(v)) result_.stars[v].add({half.to, half.edge});
+      for (const HalfEdge half : graph.incident(v)) result_.stars[v].add(half);
       queue_.push_back(v);
     }
   }
@@ -77,14 +77,14 @@ class Contractor {
 
   /// The common neighbour of both mids that is not the first tip.
   std::optional<Node> second_tip(Node mid, Node other_mid, Node tip) const {
-    for (const Incidence i : result_.stars[mid]) {
+    for (const HalfEdge i : result_.stars[mid]) {
       if (i.to != tip && i.to != other_mid && adjacent(result_, i.to, other_mid)) return i.to;
     }
     return std::nullopt;
   }
 
   std::optional<Node> outer_neighbour(Node tip, Node mid, Node other_mid) const {
-    for (const Incidence i : result_.stars[tip]) {
+    for (const HalfEdge i : result_.stars[tip]) {
       if (i.to != mid && i.to != other_mid) return i.to;
     }
     return std::nullopt;
@@ -110,7 +110,7 @@ class Contractor {
     Star star;
     const auto place = [&](Node node) { return std::find(members.begin(), members.end(), node); };
     for (std::size_t m = 0; m < members.size(); ++m) {
-      for (const Incidence i : result_.stars[members[m]]) {
+      for (const HalfEdge i : result_.stars[members[m]]) {
         const auto other = place(i.to);
         const std::uint8_t slot = result_.ends[i.edge][0] == members[m] ? 0 : 1;
         const auto member = static_cast<std::uint8_t>(m);
@@ -134,8 +134,8 @@ class Contractor {
     result_.alive.push_back(true);
     queue_.push_back(step.result);
     for (const OuterEnd& end : step.outer) result_.ends[end.edge][end.slot] = step.result;
-    for (const Incidence i : star) {
-      for (Incidence& back : result_.stars[i.to].at) {
+    for (const HalfEdge i : star) {
+      for (HalfEdge& back : result_.stars[i.to].at) {
         if (back.edge == i.edge) back.to = step.result;
       }
       queue_.push_back(i.to);

@@ -11,20 +11,14 @@ namespace ar3d::two_bend_paper {
 /// A vertex of the graph while it shrinks: those of the input, then one for every contraction.
 using Node = std::uint32_t;
 
-/// An edge as seen from one of its present ends.
-struct Incidence {
-  Node to = 0;
-  EdgeId edge = 0;
-};
-
 /// The edges at a node: at most three.
 struct Star {
-  std::array<Incidence, 3> at{};
+  std::array<HalfEdge, 3> at{};
   std::uint32_t degree = 0;
 
-  void add(Incidence incidence) { at[degree++] = incidence; }
-  const Incidence* begin() const { return at.data(); }
-  const Incidence* end() const { return at.data() + degree; }
+  void add(HalfEdge half) { at[degree++] = half; }
+  const HalfEdge* begin() const { return at.data(); }
+  const HalfEdge* end() const { return at.data() + degree; }
 };
 
 /// What is contracted, by its members' places in Contraction::members:

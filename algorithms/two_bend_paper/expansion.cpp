@@ -71,7 +71,7 @@ std::vector<Room> top_rooms(const ContractedGraph& graph,
     const std::vector<std::pair<Node, bool>> nodes = nodes_of(graph, placed.component);
     std::vector<EdgeId> edges;
     for (const auto& [node, is_straight] : nodes) {
-      for (const Incidence incidence : graph.stars[node]) {
+      for (const HalfEdge incidence : graph.stars[node]) {
         if (graph.ends[incidence.edge][0] == node) edges.push_back(incidence.edge);
       }
     }

@@ -18,13 +18,11 @@ namespace {
 
 constexpr double kLeastSine = 0x1p-40;  // below, a sine may be rounding
 
-/// From the place to a foot or away from it, whichever points to x > 0.
-struct FootDirection {
-  double x;
-  double y;
-  double length;
-  double slope() const { return x > 0 ? y / x : std::numeric_limits<double>::infinity(); }
-};
+double length(Foot foot) { return std::sqrt(foot.x * foot.x + foot.y * foot.y); }
+
+double slope(Foot foot) {
+  return foot.x > 0 ? foot.y / foot.x : std::numeric_limits<double>::infinity();
+}
 
 }  // namespace
 
@@ -34,7 +32,7 @@ Foot turned(Foot foot, unsigned quarter_turns) {
 }
 
 double position_quality(Foot place, const std::vector<Foot>& feet) {
-  std::vector<FootDirection> directions;
+  std::vector<Foot> directions;  // to feet or away from them, whichever points to x > 0
   directions.reserve(feet.size());
   for (const Foot foot : feet) {
     double x = foot.x - place.x, y = foot.y - place.y;
@@ -43,19 +41,18 @@ double position_quality(Foot place, const std::vector<Foot>& feet) {
       x = -x;
       y = -y;
     }
-    directions.push_back({x, y, std::sqrt(x * x + y * y)});
+    directions.push_back({x, y});
   }
   double quality = std::numeric_limits<double>::infinity();
   if (directions.size() < 2) return quality;
   std::sort(directions.begin(), directions.end(),
-            [](const FootDirection& a, const FootDirection& b) { return a.slope() < b.slope(); });
+            [](Foot a, Foot b) { return slope(a) < slope(b); });
   const double n = std::max<double>(3, static_cast<double>(feet.size()));
   for (std::size_t i = 0; i < directions.size(); ++i) {
-    const FootDirection& a = directions[i];
-    const FootDirection& b = directions[(i + 1) % directions.size()];
-    const double sine = std::abs(a.x * b.y - a.y * b.x) / (a.length * b.length);
+    const Foot a = directions[i], b = directions[(i + 1) % directions.size()];
+    const double sine = std::abs(a.x * b.y - a.y * b.x) / (length(a) * length(b));
     if (sine < kLeastSine) return 0;
-    quality = std::min(quality, sine * n * std::max(n / 0.4, 8 * std::min(a.length, b.length)));
+    quality = std::min(quality, sine * n * std::max(n / 0.4, 8 * std::min(length(a), length(b))));
   }
   return quality;
 }

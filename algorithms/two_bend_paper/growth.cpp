@@ -34,7 +34,7 @@ std::optional<std::pair<Node, Node>> ShortestCycle::search(Node root,
   for (std::size_t i = 0; i < reached_.size(); ++i) {
     const Node a = reached_[i];
     if (best_ != 0 && 2 * depth_[a] + 1 >= best_) break;
-    for (const Incidence incidence : graph_.stars[a]) {
+    for (const HalfEdge incidence : graph_.stars[a]) {
       const Node b = incidence.to;
       if (inside[b] || b == parent_[a]) continue;
       if (depth_[b] == kUnreached) {
@@ -100,7 +100,7 @@ class Grower {
     std::vector<Node> nodes{root};
     seen[root] = true;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      for (const Incidence incidence : graph_.stars[nodes[i]]) {
+      for (const HalfEdge incidence : graph_.stars[nodes[i]]) {
         if (seen[incidence.to]) continue;
         seen[incidence.to] = true;
         nodes.push_back(incidence.to);
@@ -144,7 +144,7 @@ class Grower {
   Step single(Node node) {
     Step step;
     step.node = node;
-    for (const Incidence incidence : graph_.stars[node]) {
+    for (const HalfEdge incidence : graph_.stars[node]) {
       if (drawn_[incidence.to]) step.below.push_back(incidence);
     }
     step.kind = static_cast<StepKind>(step.below.size());
@@ -161,7 +161,7 @@ class Grower {
       const Node previous = cycle[(i + cycle.size() - 1) % cycle.size()];
       CycleVertex vertex;
       vertex.node = cycle[i];
-      for (const Incidence incidence : graph_.stars[cycle[i]]) {
+      for (const HalfEdge incidence : graph_.stars[cycle[i]]) {
         if (incidence.to == next) {
           vertex.to_next = incidence.edge;
         } else if (incidence.to != previous) {
@@ -177,7 +177,7 @@ class Grower {
 
   void add(Node node) {
     drawn_[node] = true;
-    for (const Incidence incidence : graph_.stars[node]) {
+    for (const HalfEdge incidence : graph_.stars[node]) {
       const std::uint32_t left = --outside_[incidence.to];
       if (left <= 1 && !drawn_[incidence.to]) queue_.push_back(incidence.to);
     }

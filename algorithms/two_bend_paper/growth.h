@@ -37,8 +37,8 @@ class ShortestCycle {
 struct CycleVertex {
   Node node = 0;
   EdgeId to_next = 0;
-  std::optional<Incidence> third;  ///< its edge outside the cycle
-  bool is_below = false;           ///< the other end of that edge is drawn already
+  std::optional<HalfEdge> third;  ///< its edge outside the cycle
+  bool is_below = false;          ///< the other end of that edge is drawn already
   bool has_ray() const { return third.has_value() && !is_below; }
 };
 
@@ -48,9 +48,9 @@ enum class StepKind : std::uint8_t { line, pass, merge, triskelion, cycle };
 
 struct Step {
   StepKind kind{};
-  Node node = 0;                 ///< unless a cycle is added
-  std::vector<Incidence> below;  ///< its edges to nodes drawn already, in their order at the node
-  bool has_ray = false;          ///< it has a neighbour that is not drawn yet
+  Node node = 0;                ///< unless a cycle is added
+  std::vector<HalfEdge> below;  ///< its edges to nodes drawn already, in their order at the node
+  bool has_ray = false;         ///< it has a neighbour that is not drawn yet
   std::vector<CycleVertex> cycle;
 };
 

@@ -97,7 +97,7 @@ class StepPlacer {
 
   /// The rays below end; that of the step's node begins, if it has one.
   void replace_ray(const Step& step, Foot foot) {
-    for (const Incidence below : step.below) drop(below.to);
+    for (const HalfEdge below : step.below) drop(below.to);
     feet_[step.node] = foot;
     if (step.has_ray) active_.push_back(step.node);
   }
@@ -137,7 +137,7 @@ class StepPlacer {
 
   Placing place_merge(const Step& step) {
     const Foot p = feet_[step.below[0].to], q = feet_[step.below[1].to];
-    for (const Incidence below : step.below) drop(below.to);
+    for (const HalfEdge below : step.below) drop(below.to);
     const std::vector<Foot> others = active_feet(0);
     Placing placing;
     Foot foot;
@@ -158,7 +158,7 @@ class StepPlacer {
   Placing place_triskelion(const Step& step) {
     std::array<Foot, 3> below;
     for (std::size_t i = 0; i < 3; ++i) below[i] = feet_[step.below[i].to];
-    for (const Incidence incidence : step.below) drop(incidence.to);
+    for (const HalfEdge incidence : step.below) drop(incidence.to);
     Placing placing;
     Triskelion& found = placing.triskelion;
     found.order = farthest_first(below);

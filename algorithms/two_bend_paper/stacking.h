@@ -232,7 +232,7 @@ class Stacking {
     for (std::size_t i = 0; i < 6; ++i) {
       const Node from = nodes[static_cast<std::size_t>(kEnds[i][0])];
       const Node to = nodes[static_cast<std::size_t>(kEnds[i][1])];
-      for (const Incidence incidence : graph_.stars[from]) {
+      for (const HalfEdge incidence : graph_.stars[from]) {
         if (incidence.to != to) continue;
         set_bends(incidence.edge, from, {point(kBends[i][0]), point(kBends[i][1])});
       }

@@ -23,8 +23,8 @@ std::int64_t tried_both_ways(const Graph& graph, LayoutScale scale) {
   const auto parts = find_partition(graph);
   const SlotArrangement arrangement = arrange(graph, parts);
   const Layout layout = lay_out(graph, parts, arrangement, scale);
-  const auto fast = place(graph, parts, arrangement, layout, 1, SegmentComparison::filtered);
-  const auto plain = place(graph, parts, arrangement, layout, 1, SegmentComparison::plain);
+  const auto fast = place(graph, parts, arrangement, layout, 1);
+  const auto plain = place(graph, parts, arrangement, layout, 1, /*is_filtered=*/false);
   EXPECT_EQ(fast.has_value(), plain.has_value());
   if (!fast || !plain) return -1;
   EXPECT_EQ(fast->at, plain->at);
@@ -59,7 +59,7 @@ VertexStubs star_at(Point at) { return {at, stubs_of(Stance::middle, 0).ends}; }
 
 /// Both kinds of comparison, on the same things.
 struct Both {
-  PlainSegments plain;
+  DrawnSegments plain{/*is_filtered=*/false};
   DrawnSegments fast;
 
   /// The first star is nobody's neighbour.
@@ -73,9 +73,9 @@ struct Both {
     fast.add_line(line);
   }
   bool meets(const LatticeSegment& segment) const {
-    const Query query{segment, {}, 0};
-    EXPECT_EQ(fast.meets_any(query), plain.meets_any(query));
-    return plain.meets_any(query);
+    const bool meets = plain.meets_any(segment, {}, 0);
+    EXPECT_EQ(fast.meets_any(segment, {}, 0), meets);
+    return meets;
   }
 };
 
@@ -145,9 +145,8 @@ TEST(TwoBend109Comparison, LeavesOutTheStubAtWhoseEndTheSegmentBegins) {
     const Point end = star.segment(i).to;
     const LatticeSegment away{end, end + star.stubs[i]};
     for (std::size_t stub = 0; stub < 4; ++stub) {
-      const Query query{away, {}, stub};
-      EXPECT_EQ(both.plain.meets_any(query), stub != i);
-      EXPECT_EQ(both.fast.meets_any(query), stub != i);
+      EXPECT_EQ(both.plain.meets_any(away, {}, stub), stub != i);
+      EXPECT_EQ(both.fast.meets_any(away, {}, stub), stub != i);
     }
   }
 }

@@ -52,9 +52,9 @@ TEST(TwoBend109Partition, ListOfBodiesIsComplete) {
   std::set<std::string> found;
   for (int n = 4; n <= 8; ++n) {
     for (const Graph& graph : testing::geng(fmt::format("-c -d3 -D4 {}", n))) {
-      const std::optional<FoundBody> body = find_body(graph);
-      ASSERT_EQ(body.has_value(), !has_two_disjoint_cycles(graph)) << n << " vertices";
-      EXPECT_TRUE(!body || found.insert(body->body->name).second) << "each is found once";
+      const SmallBody* body = find_body(graph).first;
+      ASSERT_EQ(body != nullptr, !has_two_disjoint_cycles(graph)) << n << " vertices";
+      EXPECT_TRUE(!body || found.insert(body->name).second) << "each is found once";
     }
   }
   EXPECT_EQ(found.size(), small_bodies().size());

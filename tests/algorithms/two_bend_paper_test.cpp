@@ -214,11 +214,11 @@ TEST(TwoBendPaperContraction, LeavesNoTriangleOutsideK4) {
     for (two_bend_paper::Node v = 0; v < graph.num_nodes(); ++v) {
       if (!graph.alive[v] || is_in_k4(graph, v)) continue;
       const two_bend_paper::Star& star = graph.stars[v];
-      for (const two_bend_paper::Incidence a : star) {
+      for (const HalfEdge a : star) {
         EXPECT_TRUE(graph.alive[a.to]);
-        for (const two_bend_paper::Incidence b : star) {
+        for (const HalfEdge b : star) {
           EXPECT_TRUE(a.edge == b.edge || a.to != b.to) << "a double edge";
-          for (const two_bend_paper::Incidence c : graph.stars[a.to]) {
+          for (const HalfEdge c : graph.stars[a.to]) {
             EXPECT_TRUE(c.to != b.to || a.to == b.to) << "a triangle";
           }
         }
@@ -261,7 +261,7 @@ TEST(TwoBendPaperGrowth, EveryNodeIsAddedOnceAndRaysAreThere) {
     std::vector<bool> ray(graph.num_nodes());
     for (const two_bend_paper::Component& component : two_bend_paper::grow(graph)) {
       for (const two_bend_paper::Step& step : component.steps) {
-        for (const two_bend_paper::Incidence below : step.below) EXPECT_TRUE(ray[below.to]);
+        for (const HalfEdge below : step.below) EXPECT_TRUE(ray[below.to]);
         for (const two_bend_paper::CycleVertex& vertex : step.cycle) {
           ++times[vertex.node];
           EXPECT_TRUE(!vertex.is_below || ray[vertex.third->to]);

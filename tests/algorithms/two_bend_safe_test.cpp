@@ -50,9 +50,9 @@ TEST(TwoBendSafe, FarLeansFailFromThreeEighths) {
   for (std::int64_t e = 64; e < 100000; e += e / 5) EXPECT_FALSE(lean_turns(e, 3 * e / 8)) << e;
 }
 
-bool has_primitive_pair(std::int64_t x, std::int64_t y, const two_bend::VvRoom& room) {
-  for (std::int64_t i = 0; i < room.columns; ++i) {
-    for (std::int64_t j = 0; j < room.rows; ++j) {
+bool has_primitive_pair(std::int64_t x, std::int64_t y, const std::array<std::int64_t, 2>& room) {
+  for (std::int64_t i = 0; i < room[1]; ++i) {
+    for (std::int64_t j = 0; j < room[0]; ++j) {
       if (std::gcd(x + 2 * i, y + 2 * j) == 1) return true;
     }
   }
@@ -61,8 +61,8 @@ bool has_primitive_pair(std::int64_t x, std::int64_t y, const two_bend::VvRoom& 
 
 /// Lemma 2.9 for few nodes, every odd pair in a part of the range; and where primes crowd.
 TEST(TwoBendSafe, RoomOfVvEdgesHoldsAPrimitiveLean) {
-  const two_bend::VvRoom small = two_bend::vv_room(400);
-  const two_bend::VvRoom large = two_bend::vv_room(401);
+  const auto small = two_bend::vv_room(400);
+  const auto large = two_bend::vv_room(401);
   for (std::int64_t x = -701; x < 700; x += 2) {
     for (std::int64_t y = -701; y < 700; y += 2)
       ASSERT_TRUE(has_primitive_pair(x, y, small)) << x << " " << y;
