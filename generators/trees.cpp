@@ -55,29 +55,6 @@ Graph spine_with_pendant_trees(Count k) {
 
 namespace {
 
-/// The vertices at which a bridge still has to leave; taken in the order that gives the shape.
-class OpenEnds {
- public:
-  OpenEnds(TreeShape shape, std::uint64_t seed) : shape_(shape), random_(seed, /*stream=*/1) {}
-
-  void put(Count vertex) { ends_.push_back(vertex); }
-  Count take() {
-    if (shape_ == TreeShape::kBalanced) return ends_[first_++];
-    if (shape_ == TreeShape::kRandom) {
-      std::swap(ends_[random_.below(static_cast<std::uint32_t>(ends_.size()))], ends_.back());
-    }
-    const Count last = ends_.back();
-    ends_.pop_back();
-    return last;
-  }
-
- private:
-  TreeShape shape_;
-  RandomStream random_;
-  std::vector<Count> ends_;
-  std::size_t first_ = 0;
-};
-
 /// Which of the leaves get the large block.
 std::vector<bool> large_leaves(Count leaves, Count large, TreeShape shape, std::uint64_t seed) {
   std::vector<bool> is_large(leaves, false);
@@ -115,23 +92,33 @@ Graph cubic_tree(Count inner, Count large_blocks, TreeShape shape, std::uint64_t
         fmt::format("{} large blocks on a cubic tree of {} leaves", large_blocks, leaves));
   }
   GraphBuilder builder(inner, 9 * inner + 15 + 3 * large_blocks);
-  OpenEnds ends(shape, seed);
+  std::vector<Count> ends;  // the vertices at which a bridge still has to leave
+  std::size_t first = 0;    // of them, if they are taken breadth first
+  RandomStream random(seed, /*stream=*/1);
+  const auto take = [&] {
+    if (shape == TreeShape::kBalanced) return ends[first++];
+    if (shape == TreeShape::kRandom) {
+      std::swap(ends[random.below(static_cast<std::uint32_t>(ends.size()))], ends.back());
+    }
+    const Count last = ends.back();
+    ends.pop_back();
+    return last;
+  };
   const std::vector<bool> is_large = large_leaves(leaves, large_blocks, shape, seed);
   const Graph small = leaf_block(5);
   const Graph large = leaf_block(7);
   Count first_leaf = 0;
   if (inner == 0) {  // the first block takes the place of the root
-    ends.put(builder.append(is_large[first_leaf++] ? large : small));
+    ends.push_back(builder.append(is_large[first_leaf++] ? large : small));
   } else {
-    for (int i = 0; i < 3; ++i) ends.put(0);
+    ends.assign(3, 0);
   }
   for (Count v = 1; v < inner; ++v) {
-    builder.edge(ends.take(), v);
-    ends.put(v);
-    ends.put(v);
+    builder.edge(take(), v);
+    ends.insert(ends.end(), 2, v);
   }
   for (Count leaf = first_leaf; leaf < leaves; ++leaf) {
-    builder.edge(ends.take(), builder.append(is_large[leaf] ? large : small));
+    builder.edge(take(), builder.append(is_large[leaf] ? large : small));
   }
   return builder.finish();
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/container/static_vector.hpp>
 #include <utility>
 
 #include "ar3d/base/error.h"
@@ -185,17 +186,13 @@ class Forest {
     return hanging_[v].on;
   }
 
-  struct Children {
-    Children() {}  // clearing more than 100 bytes takes longer than to fill in two or three
-    std::array<NodeId, kMostSharers + 1> of;
-    std::size_t count = 0;
-  };
+  using Children = boost::container::static_vector<NodeId, kMostSharers + 1>;
   /// The children in the forest of all that stand in the row of a SPLIT or STATION, the heaviest
   /// last.
   Children children(NodeId owner) const {
     Children result;
     add_children(owner, owner, result);
-    std::sort(result.of.begin(), result.of.begin() + result.count,
+    std::sort(result.begin(), result.end(),
               [&](NodeId a, NodeId b) { return trees_[a].weight < trees_[b].weight; });
     return result;
   }
@@ -208,7 +205,7 @@ class Forest {
       if (!view_.is_owner(w)) {  // it shares the row
         add_children(w, owner, result);
       } else {
-        result.of[result.count++] = w;
+        result.push_back(w);
       }
     }
   }
@@ -226,14 +223,13 @@ class Forest {
   /// right, light ones nearest.
   void place_unit(const Unit& unit) {
     const Children first = children(unit.first);
-    for (std::size_t i = first.count; i-- > 0;) place_tree(first.of[i], false);
+    for (std::size_t i = first.size(); i-- > 0;) place_tree(first[i], false);
     for (const NodeId member : {unit.first, unit.second, unit.third}) {
       if (member != kNone) place_node(member);
     }
     for (const NodeId member : {unit.second, unit.third}) {
       if (member == kNone || view_.type(member) != NodeType::split) continue;
-      const Children above = children(member);
-      for (std::size_t i = 0; i < above.count; ++i) place_tree(above.of[i], true);
+      for (const NodeId child : children(member)) place_tree(child, true);
     }
   }
 
@@ -251,11 +247,9 @@ class Forest {
       grows_right_[tree] = away == to_right;
     };
     const Children above = children(v);
-    for (std::size_t i = above.count; i-- > 0;) {
-      if (i + 1 < above.count) place(above.of[i], false);
-    }
+    for (std::size_t i = above.size(); i-- > 1;) place(above[i - 1], false);
     order_[take(1)] = v;
-    if (above.count > 0) place(above.of[above.count - 1], true);
+    if (!above.empty()) place(above.back(), true);
     if (hanging_.empty()) return;
     for (NodeId h = hanging_[v].first; h != kNone; h = hanging_[h].next) place(h, true);
   }

@@ -27,7 +27,7 @@ class Contractor {
     result_.ends.reserve(graph.num_edges());
     for (const Edge& edge : graph.edges()) result_.ends.push_back({edge.u, edge.v});
     for (Vertex v = 0; v < n; ++v) {
-      for (const HalfEdge half : graph.incident(v)) result_.stars[v].add(half);
+      for (const HalfEdge half : graph.incident(v)) result_.stars[v].push_back(half);
       queue_.push_back(v);
     }
   }
@@ -46,10 +46,10 @@ class Contractor {
 
   std::optional<Triangle> triangle_at(Node v) const {
     const Star& star = result_.stars[v];
-    for (std::uint32_t i = 0; i < star.degree; ++i) {
+    for (std::uint32_t i = 0; i < star.size(); ++i) {
       for (std::uint32_t j = 0; j < i; ++j) {
-        if (adjacent(result_, star.at[i].to, star.at[j].to)) {
-          return Triangle{v, star.at[j].to, star.at[i].to};
+        if (adjacent(result_, star[i].to, star[j].to)) {
+          return Triangle{v, star[j].to, star[i].to};
         }
       }
     }
@@ -71,7 +71,7 @@ class Contractor {
     }
     Triangle corners = *found;
     std::stable_partition(corners.begin(), corners.end(),
-                          [&](Node c) { return result_.stars[c].degree == 3; });
+                          [&](Node c) { return result_.stars[c].size() == 3; });
     contract(FigureKind::triangle, {corners.begin(), corners.end()});
   }
 
@@ -105,8 +105,7 @@ class Contractor {
     Contraction step;
     step.figure = figure;
     step.result = result_.num_nodes();
-    step.num_members = static_cast<std::uint8_t>(members.size());
-    std::copy(members.begin(), members.end(), step.members.begin());
+    step.members.assign(members.begin(), members.end());
     Star star;
     const auto place = [&](Node node) { return std::find(members.begin(), members.end(), node); };
     for (std::size_t m = 0; m < members.size(); ++m) {
@@ -116,7 +115,7 @@ class Contractor {
         const auto member = static_cast<std::uint8_t>(m);
         if (other == members.end()) {
           step.outer.push_back({i.edge, slot, member});
-          star.add(i);
+          star.push_back(i);
         } else if (slot == 0) {
           step.inner.push_back(
               {i.edge, member, static_cast<std::uint8_t>(other - members.begin())});
@@ -135,7 +134,7 @@ class Contractor {
     queue_.push_back(step.result);
     for (const OuterEnd& end : step.outer) result_.ends[end.edge][end.slot] = step.result;
     for (const HalfEdge i : star) {
-      for (HalfEdge& back : result_.stars[i.to].at) {
+      for (HalfEdge& back : result_.stars[i.to]) {
         if (back.edge == i.edge) back.to = step.result;
       }
       queue_.push_back(i.to);
@@ -150,9 +149,8 @@ class Contractor {
 
 bool is_in_k4(const ContractedGraph& graph, Node node) {
   const Star& star = graph.stars[node];
-  return star.degree == 3 && adjacent(graph, star.at[0].to, star.at[1].to) &&
-         adjacent(graph, star.at[1].to, star.at[2].to) &&
-         adjacent(graph, star.at[2].to, star.at[0].to);
+  return star.size() == 3 && adjacent(graph, star[0].to, star[1].to) &&
+         adjacent(graph, star[1].to, star[2].to) && adjacent(graph, star[2].to, star[0].to);
 }
 
 ContractedGraph contract(const Graph& graph) { return Contractor(graph).run(); }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <boost/container/static_vector.hpp>
 #include <cstdint>
 #include <vector>
 
@@ -11,15 +12,8 @@ namespace ar3d::two_bend_paper {
 /// A vertex of the graph while it shrinks: those of the input, then one for every contraction.
 using Node = std::uint32_t;
 
-/// The edges at a node: at most three.
-struct Star {
-  std::array<HalfEdge, 3> at{};
-  std::uint32_t degree = 0;
-
-  void add(HalfEdge half) { at[degree++] = half; }
-  const HalfEdge* begin() const { return at.data(); }
-  const HalfEdge* end() const { return at.data() + degree; }
-};
+/// The edges at a node.
+using Star = boost::container::static_vector<HalfEdge, 3>;
 
 /// What is contracted, by its members' places in Contraction::members:
 ///   triangle  0, 1, 2
@@ -47,8 +41,7 @@ struct InnerEdge {
 struct Contraction {
   FigureKind figure{};
   Node result = 0;
-  std::uint8_t num_members = 0;
-  std::array<Node, 5> members{};
+  boost::container::static_vector<Node, 5> members;
   std::vector<InnerEdge> inner;
   std::vector<OuterEnd> outer;  ///< in order of members
 };

@@ -52,7 +52,7 @@ std::vector<std::pair<Node, bool>> nodes_of(const ContractedGraph& graph,
     for (const Node node : *component.k4) nodes.emplace_back(node, false);
   }
   for (const Step& step : component.steps) {
-    const bool is_pass = step.kind == StepKind::pass && graph.stars[step.node].degree == 2;
+    const bool is_pass = step.kind == StepKind::pass && graph.stars[step.node].size() == 2;
     if (step.kind != StepKind::cycle) nodes.emplace_back(step.node, is_pass);
     for (const CycleVertex& vertex : step.cycle) nodes.emplace_back(vertex.node, false);
   }
@@ -61,14 +61,14 @@ std::vector<std::pair<Node, bool>> nodes_of(const ContractedGraph& graph,
 
 }  // namespace
 
-std::vector<Room> top_rooms(const ContractedGraph& graph,
-                            const std::vector<PlacedComponent>& components, std::size_t num_edges) {
+std::vector<Room> top_rooms(const ContractedGraph& graph, const std::vector<Component>& components,
+                            std::size_t num_edges) {
   std::vector<Room> rooms(graph.contractions.size());
   if (rooms.empty()) return rooms;
   const NodePoints<double> points = stack<double>(graph, components, num_edges);
   const auto inputs = graph.num_nodes() - static_cast<Node>(rooms.size());
-  for (const PlacedComponent& placed : components) {
-    const std::vector<std::pair<Node, bool>> nodes = nodes_of(graph, placed.component);
+  for (const Component& component : components) {
+    const std::vector<std::pair<Node, bool>> nodes = nodes_of(graph, component);
     std::vector<EdgeId> edges;
     for (const auto& [node, is_straight] : nodes) {
       for (const HalfEdge incidence : graph.stars[node]) {

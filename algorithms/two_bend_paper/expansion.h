@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ar3d/algorithms/two_bend_paper/contraction.h"
-#include "ar3d/algorithms/two_bend_paper/placement.h"
+#include "ar3d/algorithms/two_bend_paper/growth.h"
 #include "ar3d/algorithms/two_bend_paper/stacking.h"
 #include "ar3d/base/error.h"
 
@@ -24,8 +24,8 @@ struct Room {
 /// (Step P.9): the radius is at most a third of 1, of the lengths of the first pieces at the place,
 /// and of its distance from every other segment of the component. Others get radius 0. Found in
 /// double, on the drawing in double. Cost: O(m) for each of them.
-std::vector<Room> top_rooms(const ContractedGraph& graph,
-                            const std::vector<PlacedComponent>& components, std::size_t num_edges);
+std::vector<Room> top_rooms(const ContractedGraph& graph, const std::vector<Component>& components,
+                            std::size_t num_edges);
 
 /// Undoes the contractions in a drawing of the contracted graph, the last one first (Steps P.9 to
 /// P.12): each node becomes a small planar figure of its members. A figure of radius r lies in the
@@ -49,7 +49,7 @@ class Expansion {
       room_ = rooms[i];
       expect(room_.radius > 0, "a contraction has a radius when it is undone");
       expand(steps[i]);
-      for (std::size_t m = 0; m < steps[i].num_members; ++m) {
+      for (std::size_t m = 0; m < steps[i].members.size(); ++m) {
         const Node member = steps[i].members[m];
         // Only the third corner of a heptagon inherits the angle of the node.
         const bool is_third = steps[i].outer.size() == 2 && m == 2;

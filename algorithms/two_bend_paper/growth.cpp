@@ -80,7 +80,7 @@ class Grower {
   explicit Grower(const ContractedGraph& graph)
       : graph_(graph), drawn_(graph.num_nodes()), outside_(graph.num_nodes()), cycles_(graph) {
     for (Node node = 0; node < graph.num_nodes(); ++node) {
-      outside_[node] = graph.stars[node].degree;
+      outside_[node] = static_cast<std::uint32_t>(graph.stars[node].size());
     }
   }
 
@@ -112,7 +112,7 @@ class Grower {
 
   Component k4() const {
     expect(nodes_.size() == 4, "K4 is a component of its own");
-    return {std::array<Node, 4>{nodes_[0], nodes_[1], nodes_[2], nodes_[3]}, {}};
+    return {std::array<Node, 4>{nodes_[0], nodes_[1], nodes_[2], nodes_[3]}, 0, {}};
   }
 
   Component grown() {
@@ -148,7 +148,7 @@ class Grower {
       if (drawn_[incidence.to]) step.below.push_back(incidence);
     }
     step.kind = static_cast<StepKind>(step.below.size());
-    step.has_ray = step.below.size() < graph_.stars[node].degree;
+    step.has_ray = step.below.size() < graph_.stars[node].size();
     add(node);
     return step;
   }

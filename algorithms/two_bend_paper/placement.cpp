@@ -2,13 +2,12 @@
 // feet, shares, slides and sides are dyadic numbers, tried in a fixed order until one has the
 // quality or clearance that the step demands. Only feet that have a ray are kept, since nothing
 // else can be in the way. Cost: O(N log N) per candidate for N rays.
-#include "ar3d/algorithms/two_bend_paper/placement.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "ar3d/algorithms/two_bend_paper/general_position.h"
+#include "ar3d/algorithms/two_bend_paper/growth.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::two_bend_paper {
@@ -46,22 +45,19 @@ class StepPlacer {
   explicit StepPlacer(const ContractedGraph& graph) : feet_(graph.num_nodes()) {}
 
   /// Places one component and moves it to the right of everything before it.
-  PlacedComponent place(Component component) {
-    PlacedComponent placed;
-    placed.component = std::move(component);
+  void place(Component& component) {
     low_ = high_ = 0;
     is_empty_ = true;
     turns_ = 0;
-    for (const Step& step : placed.component.steps) placed.placings.push_back(place_step(step));
-    if (placed.component.k4) high_ = kWidthOfK4;
+    for (Step& step : component.steps) place_step(step);
+    if (component.k4) high_ = kWidthOfK4;
     const double shift = next_left_ - std::floor(low_);
-    for (Placing& placing : placed.placings) {
-      placing.foot.x += shift;
-      for (Side& side : placing.sides) side.middle.x += shift;
+    for (Step& step : component.steps) {
+      step.foot.x += shift;
+      for (Side& side : step.sides) side.middle.x += shift;
     }
-    placed.left = next_left_;
+    component.left = next_left_;
     next_left_ = std::ceil(high_ + shift) + kGap;
-    return placed;
   }
 
  private:
@@ -78,13 +74,12 @@ class StepPlacer {
     is_empty_ = false;
   }
 
-  Placing place_step(const Step& step) {
+  void place_step(Step& step) {
     switch (step.kind) {
       case StepKind::line:
         return place_line(step);
       case StepKind::pass:
-        replace_ray(step, feet_[step.below[0].to]);
-        return {};
+        return replace_ray(step, feet_[step.below[0].to]);
       case StepKind::merge:
         return place_merge(step);
       case StepKind::triskelion:
@@ -104,7 +99,7 @@ class StepPlacer {
 
   void drop(Node node) { active_.erase(std::find(active_.begin(), active_.end(), node)); }
 
-  Placing place_line(const Step& step) {
+  void place_line(Step& step) {
     const unsigned turns = turns_++;
     const std::vector<Foot> feet = active_feet(4 - turns % 4);
     const Foot corner = right_of(feet);
@@ -114,11 +109,9 @@ class StepPlacer {
       for (std::int64_t j = 0; j < most; ++j) {
         const Foot at{corner.x, corner.y + static_cast<double>(alternating(j)) * unit};
         if (step.has_ray && !is_good(at, feet, round)) continue;
-        Placing placing;
-        placing.foot = turned(at, turns);
-        widen(placing.foot.x, placing.foot.x);
-        replace_ray(step, placing.foot);
-        return placing;
+        step.foot = turned(at, turns);
+        widen(step.foot.x, step.foot.x);
+        return replace_ray(step, step.foot);
       }
     }
     throw InternalError("internal error: a vertex without neighbours finds its place");
@@ -135,14 +128,13 @@ class StepPlacer {
     return false;
   }
 
-  Placing place_merge(const Step& step) {
+  void place_merge(Step& step) {
     const Foot p = feet_[step.below[0].to], q = feet_[step.below[1].to];
     for (const HalfEdge below : step.below) drop(below.to);
     const std::vector<Foot> others = active_feet(0);
-    Placing placing;
     Foot foot;
     const auto found = [&](double share, unsigned round) {
-      placing.share = share;
+      step.share = share;
       foot = {p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)};
       return !step.has_ray || is_good(foot, others, round);
     };
@@ -150,17 +142,16 @@ class StepPlacer {
       if (!try_shares(round, [&](double share) { return found(share, round); })) continue;
       feet_[step.node] = foot;
       if (step.has_ray) active_.push_back(step.node);
-      return placing;
+      return;
     }
     throw InternalError("internal error: a vertex over two rays finds its place");
   }
 
-  Placing place_triskelion(const Step& step) {
+  void place_triskelion(Step& step) {
     std::array<Foot, 3> below;
     for (std::size_t i = 0; i < 3; ++i) below[i] = feet_[step.below[i].to];
     for (const HalfEdge incidence : step.below) drop(incidence.to);
-    Placing placing;
-    Triskelion& found = placing.triskelion;
+    Triskelion& found = step.triskelion;
     found.order = farthest_first(below);
     const Foot t = below[found.order[0]], u = below[found.order[1]], w = below[found.order[2]];
     const double base = length(minus(u, t));
@@ -188,21 +179,20 @@ class StepPlacer {
         if (room < height / (8 * n) * std::ldexp(1.0, -static_cast<int>(round))) continue;
         if (room <= 0) continue;
         found.radius = std::exp2(std::floor(std::log2(room / 4)));
-        return placing;
+        return;
       }
     }
     throw InternalError("internal error: a vertex over three rays finds its place");
   }
 
-  Placing place_cycle(const Step& step) {
+  void place_cycle(Step& step) {
     const unsigned turns = turns_++;
     std::vector<bool> needs_position;
     needs_position.reserve(step.cycle.size());
     for (const CycleVertex& vertex : step.cycle) needs_position.push_back(vertex.third.has_value());
-    Placing placing;
-    placing.sides = cycle_polygon(active_feet(4 - turns % 4), needs_position);
+    step.sides = cycle_polygon(active_feet(4 - turns % 4), needs_position);
     for (std::size_t i = 0; i < step.cycle.size(); ++i) {
-      Side& side = placing.sides[i];
+      Side& side = step.sides[i];
       side.middle = turned(side.middle, turns);
       side.along = turned(side.along, turns);
       const double reach = std::abs(side.along.x) * side.half;
@@ -214,7 +204,6 @@ class StepPlacer {
     for (const CycleVertex& vertex : step.cycle) {
       if (vertex.has_ray()) active_.push_back(vertex.node);
     }
-    return placing;
   }
 
   std::vector<Foot> feet_;    // by node, before the component is moved
@@ -228,13 +217,9 @@ class StepPlacer {
 
 }  // namespace
 
-std::vector<PlacedComponent> place(const ContractedGraph& graph,
-                                   std::vector<Component> components) {
+void place(const ContractedGraph& graph, std::vector<Component>& components) {
   StepPlacer placer(graph);
-  std::vector<PlacedComponent> placed;
-  placed.reserve(components.size());
-  for (Component& component : components) placed.push_back(placer.place(std::move(component)));
-  return placed;
+  for (Component& component : components) placer.place(component);
 }
 
 }  // namespace ar3d::two_bend_paper

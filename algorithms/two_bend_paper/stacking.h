@@ -12,7 +12,6 @@
 
 #include "ar3d/algorithms/two_bend_paper/general_position.h"
 #include "ar3d/algorithms/two_bend_paper/growth.h"
-#include "ar3d/algorithms/two_bend_paper/placement.h"
 
 namespace ar3d::two_bend_paper {
 
@@ -100,31 +99,29 @@ class Stacking {
     rise_ = T(1) / square_root(T(3));
   }
 
-  void draw(const PlacedComponent& placed) {
-    if (placed.component.k4) return draw_k4(*placed.component.k4, placed.left);
+  void draw(const Component& component) {
+    if (component.k4) return draw_k4(*component.k4, component.left);
     top_ = T(-1);
-    for (std::size_t i = 0; i < placed.component.steps.size(); ++i) {
-      draw_step(placed.component.steps[i], placed.placings[i]);
-    }
+    for (const Step& step : component.steps) draw_step(step);
   }
 
   NodePoints<T> take() { return std::move(points_); }
 
  private:
-  void draw_step(const Step& step, const Placing& placing) {
+  void draw_step(const Step& step) {
     switch (step.kind) {
       case StepKind::line:
-        feet_[step.node] = {T(placing.foot.x), T(placing.foot.y)};
+        feet_[step.node] = {T(step.foot.x), T(step.foot.y)};
         return end_on_ray(step.node);
       case StepKind::pass:
         feet_[step.node] = feet_[step.below[0].to];
         return end_on_ray(step.node);
       case StepKind::merge:
-        return draw_merge(step, placing);
+        return draw_merge(step);
       case StepKind::triskelion:
-        return draw_triskelion(step, placing.triskelion);
+        return draw_triskelion(step, step.triskelion);
       case StepKind::cycle:
-        return draw_cycle(step, placing.sides);
+        return draw_cycle(step, step.sides);
     }
   }
 
@@ -146,9 +143,9 @@ class Stacking {
     points_.of_node[node] = over(feet_[node], top_);
   }
 
-  void draw_merge(const Step& step, const Placing& placing) {
+  void draw_merge(const Step& step) {
     const Place<T> p = feet_[step.below[0].to], q = feet_[step.below[1].to];
-    const T share = T(placing.share), rest = T(T(1) - share);
+    const T share = T(step.share), rest = T(T(1) - share);
     const T rise = T(rise_ * distance(p, q));
     const T z = T(top_ + 1 + rise * std::max(share, rest));
     feet_[step.node] = {T(p.x + share * (q.x - p.x)), T(p.y + share * (q.y - p.y))};
@@ -248,10 +245,10 @@ class Stacking {
 
 /// The drawing of the contracted graph.
 template <class T>
-NodePoints<T> stack(const ContractedGraph& graph, const std::vector<PlacedComponent>& components,
+NodePoints<T> stack(const ContractedGraph& graph, const std::vector<Component>& components,
                     std::size_t num_edges) {
   Stacking<T> stacking(graph, num_edges);
-  for (const PlacedComponent& component : components) stacking.draw(component);
+  for (const Component& component : components) stacking.draw(component);
   return stacking.take();
 }
 

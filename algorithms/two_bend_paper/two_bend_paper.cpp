@@ -15,7 +15,7 @@
 
 #include "ar3d/algorithms/degree_limit.h"
 #include "ar3d/algorithms/two_bend_paper/expansion.h"
-#include "ar3d/algorithms/two_bend_paper/placement.h"
+#include "ar3d/algorithms/two_bend_paper/growth.h"
 #include "ar3d/algorithms/two_bend_paper/stacking.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/ieee_arithmetic.h"
@@ -50,14 +50,15 @@ RealPointsBuilder::Point exact(const Vector3<T>& p) {
 /// What is decided before a real type comes into play.
 struct Choices {
   ContractedGraph graph;
-  std::vector<PlacedComponent> components;
+  std::vector<Component> components;
   std::vector<Room> rooms;
 };
 
 Choices choose(const Graph& graph) {
   Choices choices;
   choices.graph = contract(graph);
-  choices.components = place(choices.graph, grow(choices.graph));
+  choices.components = grow(choices.graph);
+  place(choices.graph, choices.components);
   choices.rooms = top_rooms(choices.graph, choices.components, graph.num_edges());
   return choices;
 }
@@ -119,8 +120,8 @@ std::int64_t deepest_nest(const ContractedGraph& graph) {
   std::int64_t deepest = 0;
   for (const Contraction& step : graph.contractions) {
     std::int64_t inner = 0;
-    for (std::size_t m = 0; m < step.num_members; ++m) {
-      if (step.members[m] >= inputs) inner = std::max(inner, depth[step.members[m]]);
+    for (const Node member : step.members) {
+      if (member >= inputs) inner = std::max(inner, depth[member]);
     }
     depth[step.result] = inner + 1;
     deepest = std::max(deepest, inner + 1);
@@ -130,9 +131,9 @@ std::int64_t deepest_nest(const ContractedGraph& graph) {
 
 std::vector<Counter> counters_of(const Choices& choices) {
   std::int64_t cycles = 0, triskelions = 0, k4s = 0;
-  for (const PlacedComponent& placed : choices.components) {
-    k4s += placed.component.k4 ? 1 : 0;
-    for (const Step& step : placed.component.steps) {
+  for (const Component& component : choices.components) {
+    k4s += component.k4 ? 1 : 0;
+    for (const Step& step : component.steps) {
       cycles += step.kind == StepKind::cycle ? 1 : 0;
       triskelions += step.kind == StepKind::triskelion ? 1 : 0;
     }

@@ -1,3 +1,5 @@
+// Large graphs, and every graph of some sizes: certified.
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "algorithms/two_bend_109_support.h"
 #include "algorithms/two_bend_graphs.h"
 #include "algorithms/two_bend_support.h"
 #include "ar3d/generators/catalog.h"
@@ -119,6 +122,24 @@ TEST(TwoBendLong, EveryFamilyWithShuffledLabels) {
       const Graph graph = generate(family, n, n);
       expect_certified(graph);
       expect_certified(shuffled(graph, n));
+    }
+  }
+}
+
+TEST(TwoBend109Long, RandomRegularGraphsOfAHundredThousandVertices) {
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+    const Graph graph = generate(find_family("random-4-regular"), 100000, seed);
+    for (const int effort : {0, 1}) {
+      EXPECT_EQ(two_bend_109_fault(graph, {.effort = effort}), "") << "effort " << effort;
+    }
+  }
+}
+
+TEST(TwoBend109Long, EveryFamilyWithTenThousandVertices) {
+  for (const Family& family : families()) {
+    for (const int effort : {0, 1}) {
+      const Graph graph = generate(family, 10000, 3, {{"shuffle", effort}});
+      EXPECT_EQ(two_bend_109_fault(graph, {.effort = effort}), "") << family.name;
     }
   }
 }

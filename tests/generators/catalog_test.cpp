@@ -1,10 +1,16 @@
+// The table of families: complete, its sizes kept, bad parameters refused, named on its page.
+
 #include "ar3d/generators/catalog.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -129,6 +135,16 @@ TEST(Catalogue, BadParametersAreRefusedWithTheirValue) {
               HasSubstr("1099511627776 vertices are too many"));
   EXPECT_THAT(refusal("prism", ~std::uint64_t{0}, {}), HasSubstr("too many"));
   EXPECT_THROW(find_family("nonsense"), InputError);
+}
+
+TEST(Docs, FamiliesPageNamesEveryFamilyInTheOrderOfTheCatalogue) {
+  std::ifstream file(AR3D_SOURCE_DIR "/docs/families.md");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  std::size_t at = page.find("## What is known of each family");
+  for (const Family& family : families()) {
+    at = page.find(fmt::format("`{}`", family.name), at);
+    ASSERT_NE(at, std::string::npos) << family.name;
+  }
 }
 
 }  // namespace
