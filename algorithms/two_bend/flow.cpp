@@ -12,23 +12,9 @@
 namespace ar3d::two_bend {
 
 NodeType dual(NodeType type) {
-  switch (type) {
-    case NodeType::start:
-      return NodeType::end;
-    case NodeType::end:
-      return NodeType::start;
-    case NodeType::split:
-      return NodeType::merge;
-    case NodeType::merge:
-      return NodeType::split;
-    case NodeType::source:
-      return NodeType::sink;
-    case NodeType::sink:
-      return NodeType::source;
-    case NodeType::station:
-      break;
-  }
-  return NodeType::station;
+  using enum NodeType;
+  constexpr std::array<NodeType, 7> kDuals{end, start, merge, split, station, sink, source};
+  return kDuals[static_cast<std::size_t>(type)];
 }
 
 namespace {

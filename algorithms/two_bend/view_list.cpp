@@ -242,9 +242,7 @@ class ListBuilder {
   void place_median_sink(Pole& pole) {
     const auto three = view_.ins(pole.node);
     std::array<NodeId, 3> m{three[0], three[1], three[2]};
-    if (list_.before(m[1], m[0])) std::swap(m[0], m[1]);
-    if (list_.before(m[2], m[1])) std::swap(m[1], m[2]);
-    if (list_.before(m[1], m[0])) std::swap(m[0], m[1]);
+    std::sort(m.begin(), m.end(), [&](NodeId a, NodeId b) { return list_.before(a, b); });
     pole.special = m[1];
     list_.insert_after(m[1], pole.node);
   }

@@ -80,19 +80,9 @@ RealPoints draw_in(const Graph& graph, const Choices& choices, RealType type) {
 }  // namespace
 
 const char* to_string(RealType type) {
-  switch (type) {
-    case RealType::single_precision:
-      return "float";
-    case RealType::double_precision:
-      return "double";
-    case RealType::extended_precision:
-      return "long double";
-    case RealType::binary128:
-      return "binary128";
-    case RealType::reference:
-      return "reference";
-  }
-  throw InternalError("internal error: no such real type");
+  constexpr std::array<const char*, kRealTypes> kNames{"float", "double", "long double",
+                                                       "binary128", "reference"};
+  return kNames.at(static_cast<std::size_t>(type));
 }
 
 namespace {
