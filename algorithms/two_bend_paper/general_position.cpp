@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kLeastSine = 0x1p-40;  // below, a sine may be rounding
 
-double length(Foot foot) { return std::sqrt(foot.x * foot.x + foot.y * foot.y); }
+double norm(Foot foot) { return std::sqrt(foot.x * foot.x + foot.y * foot.y); }
 
 double slope(Foot foot) {
   return foot.x > 0 ? foot.y / foot.x : std::numeric_limits<double>::infinity();
@@ -50,9 +50,9 @@ double position_quality(Foot place, const std::vector<Foot>& feet) {
   const double n = std::max<double>(3, static_cast<double>(feet.size()));
   for (std::size_t i = 0; i < directions.size(); ++i) {
     const Foot a = directions[i], b = directions[(i + 1) % directions.size()];
-    const double sine = std::abs(a.x * b.y - a.y * b.x) / (length(a) * length(b));
+    const double sine = std::abs(a.x * b.y - a.y * b.x) / (norm(a) * norm(b));
     if (sine < kLeastSine) return 0;
-    quality = std::min(quality, sine * n * std::max(n / 0.4, 8 * std::min(length(a), length(b))));
+    quality = std::min(quality, sine * n * std::max(n / 0.4, 8 * std::min(norm(a), norm(b))));
   }
   return quality;
 }
