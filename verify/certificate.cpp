@@ -8,12 +8,10 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/verify/assessment/examine_real.h"
 #include "ar3d/verify/checks/checks.h"
 #include "ar3d/verify/checks/contacts.h"
 #include "ar3d/verify/checks/examination.h"
 #include "ar3d/verify/checks/examination_pass.h"
-#include "ar3d/verify/checks/findings.h"
 #include "ar3d/verify/crossings/crossings.h"
 #include "ar3d/verify/crossings/segments.h"
 

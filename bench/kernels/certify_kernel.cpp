@@ -23,7 +23,7 @@
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/checks/examination.h"
 #include "ar3d/verify/metrics/closest_pair.h"
-#include "ar3d/verify/predicates/widest_integers.h"
+#include "ar3d/verify/predicates/widths.h"
 #include "inputs.h"
 #include "turns.h"
 

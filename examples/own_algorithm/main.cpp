@@ -1,7 +1,7 @@
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/apps/program.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/verify/register.h"
+#include "ar3d/verify/metrics/metrics.h"
 #include "spokes.h"
 
 int main(int argc, char** argv) {

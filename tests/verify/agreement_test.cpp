@@ -10,7 +10,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/verify/certificate.h"
-#include "ar3d/verify/checks/directions.h"
+#include "ar3d/verify/crossings/crossings.h"
 #include "verify/random_drafts.h"
 
 namespace ar3d {

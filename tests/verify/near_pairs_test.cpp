@@ -11,7 +11,7 @@
 
 #include "ar3d/base/random.h"
 #include "ar3d/verify/checks/exact.h"
-#include "ar3d/verify/counting/slanted_pairs.h"
+#include "ar3d/verify/counting/columns.h"
 
 namespace ar3d {
 namespace {

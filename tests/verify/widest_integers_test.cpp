@@ -1,5 +1,4 @@
 // The range check changes no verdict: certificates with it, and in the widest integers without it.
-#include "ar3d/verify/predicates/widest_integers.h"
 
 #include <gtest/gtest.h>
 

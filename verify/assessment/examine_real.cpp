@@ -1,5 +1,3 @@
-#include "ar3d/verify/assessment/examine_real.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,11 +6,12 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <tuple>
 #include <vector>
 
 #include "ar3d/verify/assessment/real_segments.h"
 #include "ar3d/verify/checks/checks.h"
-#include "ar3d/verify/checks/findings.h"
+#include "ar3d/verify/checks/examination.h"
 
 namespace ar3d::verify {
 namespace {
@@ -25,28 +24,22 @@ struct Drawn {
 
 /// A file may list edges in any order and direction; a Graph has its own.
 Drawn drawn_by(const Drawing& drawing) {
-  struct Listed {
-    Edge ends;
-    EdgeId edge;
-  };
-  std::vector<Listed> listed;
+  std::vector<std::tuple<Vertex, Vertex, EdgeId>> listed;
   std::vector<Edge> edges;
   for (EdgeId e = 0; e < drawing.num_edges(); ++e) {
     const Edge ends = drawing.edge(e);
-    listed.push_back({{std::min(ends.u, ends.v), std::max(ends.u, ends.v)}, e});
+    listed.emplace_back(std::min(ends.u, ends.v), std::max(ends.u, ends.v), e);
     edges.push_back(ends);
   }
-  std::sort(listed.begin(), listed.end(), [](const Listed& a, const Listed& b) {
-    return a.ends.u != b.ends.u ? a.ends.u < b.ends.u : a.ends.v < b.ends.v;
-  });
+  std::sort(listed.begin(), listed.end());
   RealPoints points;
   points.unit_exponent = drawing.real->unit_exponent;
   points.vertices = drawing.real->vertices;
-  for (const Listed& each : listed) {
-    const auto bends = drawing.real->bends_of(each.edge);
+  for (const auto& [u, v, e] : listed) {
+    const auto bends = drawing.real->bends_of(e);
     const std::size_t begin = points.bends.size();
     points.bends.insert(points.bends.end(), bends.begin(), bends.end());
-    if (drawing.edge(each.edge).u != each.ends.u) {
+    if (drawing.edge(e).u != u) {
       std::reverse(points.bends.begin() + static_cast<std::ptrdiff_t>(begin), points.bends.end());
     }
     points.offsets.push_back(points.bends.size());

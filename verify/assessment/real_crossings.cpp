@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "ar3d/verify/assessment/real_segments.h"
@@ -45,41 +46,31 @@ bool meet(const RealSegment& s, const RealSegment& t) {
 }
 
 /// The end that two segments may share: of consecutive ones their bend, of end segments their
-/// vertex. Which end of `s`, and of `t`: true for `to`.
-struct Joint {
-  bool to_of_s;
-  bool to_of_t;
-};
-
-std::optional<Joint> joint(const Graph& graph, const std::vector<RealSegment>& segments,
-                           std::size_t i, std::size_t j) {
+/// vertex. Which end of s, and of t: true for `to`.
+std::optional<std::pair<bool, bool>> joint(const Graph& graph,
+                                           const std::vector<RealSegment>& segments, std::size_t i,
+                                           std::size_t j) {
   const RealSegment &s = segments[i], &t = segments[j];
   if (s.is_vertex || t.is_vertex) return std::nullopt;
   if (s.edge == t.edge) {
-    if (i + 1 == j) return Joint{true, false};
-    if (j + 1 == i) return Joint{false, true};
+    if (i + 1 == j) return std::pair{true, false};
+    if (j + 1 == i) return std::pair{false, true};
     return std::nullopt;
   }
   const Edge a = graph.edge(s.edge), b = graph.edge(t.edge);
-  if (s.is_first && t.is_first && a.u == b.u) return Joint{false, false};
-  if (s.is_first && t.is_last && a.u == b.v) return Joint{false, true};
-  if (s.is_last && t.is_first && a.v == b.u) return Joint{true, false};
-  if (s.is_last && t.is_last && a.v == b.v) return Joint{true, true};
+  if (s.is_first && t.is_first && a.u == b.u) return std::pair{false, false};
+  if (s.is_first && t.is_last && a.u == b.v) return std::pair{false, true};
+  if (s.is_last && t.is_first && a.v == b.u) return std::pair{true, false};
+  if (s.is_last && t.is_last && a.v == b.v) return std::pair{true, true};
   return std::nullopt;
 }
 
 /// From a common end two segments of positive length share more exactly if they run the same way.
-bool overlap_from(Joint at, const RealSegment& s, const RealSegment& t) {
+bool overlap_from(std::pair<bool, bool> at, const RealSegment& s, const RealSegment& t) {
   BigVector u = difference(s.to, s.from), v = difference(t.to, t.from);
-  if (at.to_of_s) u = negated(u);
-  if (at.to_of_t) v = negated(v);
+  if (at.first) u = negated(u);
+  if (at.second) v = negated(v);
   return dot(u, v) > 0 && is_zero(cross(u, v));
-}
-
-bool crosses(const Graph& graph, const std::vector<RealSegment>& segments, std::size_t i,
-             std::size_t j) {
-  const std::optional<Joint> at = joint(graph, segments, i, j);
-  return at ? overlap_from(*at, segments[i], segments[j]) : meet(segments[i], segments[j]);
 }
 
 /// A segment in doubles, for the filter: its box is widened by the rounding.
@@ -159,6 +150,12 @@ std::size_t sweep_axis(const std::vector<Rounded>& boxes) {
 
 }  // namespace
 
+bool crosses(const Graph& graph, const std::vector<RealSegment>& segments, std::size_t i,
+             std::size_t j) {
+  const auto at = joint(graph, segments, i, j);
+  return at ? overlap_from(*at, segments[i], segments[j]) : meet(segments[i], segments[j]);
+}
+
 std::uint64_t count_crossings(const Graph& graph, const std::vector<RealSegment>& segments,
                               int unit_exponent) {
   std::vector<Rounded> boxes;
@@ -181,15 +178,6 @@ std::uint64_t count_crossings(const Graph& graph, const std::vector<RealSegment>
       count += crosses(graph, segments, i, j) ? 1 : 0;
     }
     active.push_back(i);
-  }
-  return count;
-}
-
-std::uint64_t count_crossings_all_pairs(const Graph& graph,
-                                        const std::vector<RealSegment>& segments) {
-  std::uint64_t count = 0;
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) count += crosses(graph, segments, i, j) ? 1 : 0;
   }
   return count;
 }

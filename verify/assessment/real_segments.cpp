@@ -7,27 +7,6 @@
 #include <numbers>
 
 namespace ar3d::verify {
-namespace {
-
-/// The leading bits of a positive integer and the power of two that they lost.
-struct Leading {
-  double significand = 0;  // below 2^63, rounded once
-  int exponent = 0;
-};
-
-Leading leading(const BigInteger& value) {
-  if (value == 0) return {};
-  const BigInteger size = abs(value);
-  const int bits = static_cast<int>(msb(size)) + 1;
-  // 62 bits and a sticky one below them: rounding to 53 bits then is rounding of the value.
-  const int shift = std::max(0, bits - 62);
-  const BigInteger top = size >> static_cast<unsigned>(shift);
-  auto kept = static_cast<std::int64_t>(top);
-  if (shift > 0 && lsb(size) < static_cast<unsigned>(shift)) kept |= 1;
-  return {static_cast<double>(value < 0 ? -kept : kept), shift};
-}
-
-}  // namespace
 
 BigVector difference(const BigPoint& to, const BigPoint& from) {
   return {to.x - from.x, to.y - from.y, to.z - from.z};
@@ -44,8 +23,13 @@ BigVector cross(const BigVector& u, const BigVector& v) {
 bool is_zero(const BigVector& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 
 double rounded(const BigInteger& value, int shift) {
-  const Leading found = leading(value);
-  return std::ldexp(found.significand, found.exponent + shift);
+  if (value == 0) return 0;
+  const BigInteger size = abs(value);
+  // 62 bits and a sticky one below them: rounding to 53 bits then is rounding of the value.
+  const int lost = std::max(0, static_cast<int>(msb(size)) + 1 - 62);
+  auto kept = static_cast<std::int64_t>(BigInteger(size >> static_cast<unsigned>(lost)));
+  if (lost > 0 && lsb(size) < static_cast<unsigned>(lost)) kept |= 1;
+  return std::ldexp(static_cast<double>(value < 0 ? -kept : kept), lost + shift);
 }
 
 RoundedPoint rounded(const BigPoint& p, int shift) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -50,9 +51,9 @@ RealSegments segments_of(const Graph& graph, const RealPoints& points);
 /// By boxes and a filter in double, in order of height.
 std::uint64_t count_crossings(const Graph& graph, const std::vector<RealSegment>& segments,
                               int unit_exponent);
-/// The oracle: every pair.
-std::uint64_t count_crossings_all_pairs(const Graph& graph,
-                                        const std::vector<RealSegment>& segments);
+/// Have segments i and j a common point that they should not have?
+bool crosses(const Graph& graph, const std::vector<RealSegment>& segments, std::size_t i,
+             std::size_t j);
 
 /// |angle - 120 degrees| of the vectors u and v, in degrees: exact inner products, rounded once.
 /// Relative error below 1e-14. `is_less` tells whether the angle is smaller than 120 degrees.

@@ -9,9 +9,7 @@ namespace ar3d::verify {
 namespace {
 
 bool keeps_angle(const Guarantee& guarantee, Vector u, Vector v) {
-  const auto order = compare_cosine(guarantee.lattice, u, v, guarantee.cosine);
-  if (guarantee.angle_rule == AngleRule::exactly) return order == 0;
-  return order <= 0;  // the cosine falls as the angle grows
+  return verify::keeps_angle(guarantee, compare_cosine(guarantee.lattice, u, v, guarantee.cosine));
 }
 
 /// At least arccos(1): any angle will do.

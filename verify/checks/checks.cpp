@@ -237,12 +237,7 @@ void check_directions(const Segments& segments, const Guarantee& guarantee, Find
 }
 
 void check_distinct_vertices(const Drawing& drawing, Findings& findings) {
-  struct Placed {
-    Point at;
-    Vertex v;
-    auto operator<=>(const Placed&) const = default;
-  };
-  std::vector<Placed> vertices;
+  std::vector<std::pair<Point, Vertex>> vertices;
   vertices.reserve(drawing.num_vertices());
   for (std::size_t i = 0; i < drawing.num_vertices(); ++i) {
     const auto v = static_cast<Vertex>(i);
@@ -251,8 +246,8 @@ void check_distinct_vertices(const Drawing& drawing, Findings& findings) {
   std::sort(vertices.begin(), vertices.end());
   for (std::size_t i = 1; i < vertices.size() && !findings.done(); ++i) {
     const auto& [at, v] = vertices[i];
-    if (vertices[i - 1].at != at) continue;
-    const Vertex u = vertices[i - 1].v;
+    if (vertices[i - 1].first != at) continue;
+    const Vertex u = vertices[i - 1].second;
     findings.add({ViolationKind::same_point,
                   {u, v},
                   {},

@@ -6,8 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "ar3d/verify/checks/checks.h"
 #include "ar3d/verify/checks/exact.h"
-#include "ar3d/verify/checks/findings.h"
 #include "ar3d/verify/crossings/segments.h"
 
 namespace ar3d::verify {

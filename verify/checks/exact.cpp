@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 
-#include "ar3d/verify/predicates/widest_integers.h"
 #include "ar3d/verify/predicates/widths.h"
 
 namespace ar3d::verify {

@@ -9,7 +9,6 @@
 
 #include "ar3d/verify/checks/checks.h"
 #include "ar3d/verify/checks/exact.h"
-#include "ar3d/verify/counting/slanted_pairs.h"
 
 namespace ar3d::verify {
 namespace {
@@ -84,16 +83,11 @@ bool ColumnProof::leave(Vertex v, const Heading& heading) {
   return true;
 }
 
-bool ColumnProof::right_angle(Vector a, Vector b) const {
-  const auto order = compare_cosine_(a, b);
-  return guarantee_.angle_rule == AngleRule::exactly ? order == 0 : order <= 0;
-}
-
 bool ColumnProof::right_angle(const Heading& a, const Heading& b) {
-  if (!a.number || !b.number) return right_angle(a.d, b.d);
-  Angle& angle = angles_[*a.number][*b.number];
-  if (angle == Angle::unknown) angle = right_angle(a.d, b.d) ? Angle::right : Angle::wrong;
-  return angle == Angle::right;
+  if (!a.number || !b.number) return keeps_angle(guarantee_, compare_cosine_(a.d, b.d));
+  std::int8_t& seen = angles_[*a.number][*b.number];
+  if (seen == 0) seen = keeps_angle(guarantee_, compare_cosine_(a.d, b.d)) ? 1 : -1;
+  return seen > 0;
 }
 
 /// Two segments that leave their common end in these directions.

@@ -10,8 +10,8 @@
 #include "ar3d/model/graph.h"
 #include "ar3d/model/guarantee.h"
 #include "ar3d/verify/counting/columns.h"
-#include "ar3d/verify/counting/counted_meetings.h"
-#include "ar3d/verify/counting/small_directions.h"
+#include "ar3d/verify/counting/plane_records.h"
+#include "ar3d/verify/counting/signed_directions.h"
 #include "ar3d/verify/metrics/metrics.h"
 #include "ar3d/verify/predicates/widths.h"
 
@@ -42,7 +42,6 @@ class ColumnProof {
   const CountedMeetings& counts() const { return counts_; }
 
  private:
-  enum class Angle : std::uint8_t { unknown, right, wrong };
   /// The direction of a segment, and its number if it is a small one.
   struct Heading {
     Vector d;
@@ -55,7 +54,6 @@ class ColumnProof {
   bool store(Point from, Point to);
   bool leave(Vertex v, const Heading& heading);
   bool right_angle(const Heading& a, const Heading& b);
-  bool right_angle(Vector a, Vector b) const;
   bool take_neighbours(const Heading& a, const Heading& b);
   bool take_vertices();
   bool take_star(Vertex v, std::size_t& next_other);
@@ -69,7 +67,8 @@ class ColumnProof {
   bool possible_;
   std::vector<VerticalSegment> verticals_;
   std::vector<SlantedSegment> slanted_;
-  std::array<std::array<Angle, kSmallDirections>, kSmallDirections> angles_{};
+  /// Of small directions: 1 if their angle is right, -1 if it is wrong, 0 if it was not seen yet.
+  std::array<std::array<std::int8_t, kSmallDirections>, kSmallDirections> angles_{};
   /// Of each vertex the directions in which edges leave it: up to four bytes, number + 1 each, or
   /// kOther for one of others_.
   std::vector<std::uint32_t> stars_;

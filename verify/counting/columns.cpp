@@ -1,7 +1,8 @@
 // Steps V.9 and V.10 of docs/verify.md: what meets a vertical segment. In drawings whose long
-// segments are vertical, everything else passes over few places of columns: an arm over those of
-// its row or column, a lean nearly always over its two ends only. So a place is looked up in a
-// table, where sorting all segments by height and searching would wait for the memory.
+// segments are vertical, every other segment passes over few places of columns: one parallel to the
+// x- or y-axis over those of its line, any other nearly always over the places of its two ends
+// only. So a place is looked up in a table, where sorting all segments by height and searching
+// would wait for the memory.
 #include "ar3d/verify/counting/columns.h"
 
 #include <algorithm>
@@ -15,14 +16,9 @@
 namespace ar3d::verify {
 namespace {
 
-struct Bounds {
-  std::int64_t low;
-  std::int64_t high;
-};
-
 /// Sorts the numbers 0, 1, ... of places by (first, second), whose ranges multiply to at most 2^62.
 template <class First, class Second>
-std::vector<Keyed> order_of(std::size_t size, Bounds first, Bounds second, First&& first_of,
+std::vector<Keyed> order_of(std::size_t size, Span first, Span second, First&& first_of,
                             Second&& second_of) {
   const auto width = static_cast<std::uint64_t>(second.high - second.low) + 1;
   std::vector<Keyed> order(size);
@@ -37,8 +33,8 @@ std::vector<Keyed> order_of(std::size_t size, Bounds first, Bounds second, First
 }
 
 template <class Value>
-Bounds bounds_of(std::size_t size, Value&& value_of) {
-  Bounds bounds{value_of(0), value_of(0)};
+Span bounds_of(std::size_t size, Value&& value_of) {
+  Span bounds{value_of(0), value_of(0)};
   for (std::size_t i = 1; i < size; ++i) {
     bounds = {std::min<std::int64_t>(bounds.low, value_of(i)),
               std::max<std::int64_t>(bounds.high, value_of(i))};

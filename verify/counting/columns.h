@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "ar3d/verify/counting/plane_records.h"
+
 namespace ar3d::verify {
 
 /// A vertical segment; one of length zero stands for a vertex without edges.
@@ -24,6 +26,12 @@ struct SlantedSegment {
   std::int32_t dx;
   std::int32_t dy;
   std::int64_t dz;
+};
+
+/// The numbers from low to high.
+struct Span {
+  std::int64_t low;
+  std::int64_t high;
 };
 
 /// Places in the plane, sorted by one coordinate (`major`) and then by the other (`minor`).
@@ -67,10 +75,6 @@ class Columns {
   std::uint64_t met_by(const SlantedSegment& s) const;
 
  private:
-  struct Span {
-    std::int64_t low;
-    std::int64_t high;
-  };
   struct Projection;
 
   void sort(const std::vector<VerticalSegment>& segments);
@@ -88,5 +92,12 @@ class Columns {
   PlaceIndex by_x_;
   PlaceIndex by_y_;
 };
+
+/// The meetings of slanted segments with each other: upwards, each is compared with those begun
+/// before it that reach its lower end (Step V.11); if that takes more than `patience` comparisons
+/// per segment, by halving space (Steps V.12 to V.14). Nothing if there are many more meetings than
+/// a right drawing has.
+std::optional<MeetingCounts> meetings_of_slanted(const std::vector<SlantedSegment>& segments,
+                                                 std::size_t patience);
 
 }  // namespace ar3d::verify

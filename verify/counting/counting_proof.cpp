@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cstdlib>
 #include <span>
+#include <utility>
 
 #include "ar3d/base/parallel.h"
 #include "ar3d/verify/checks/checks.h"
@@ -99,7 +100,7 @@ bool CountingProof::leave(Share& share, Vertex v, std::uint8_t id) {
 bool CountingProof::leave_all(Share& share) {
   bool possible = true;
   for (std::size_t i = 0; i < share.left; ++i) {
-    possible &= take_leaving(share.leaving[i].v, share.leaving[i].id);
+    possible &= take_leaving(share.leaving[i].first, share.leaving[i].second);
   }
   share.left = 0;
   return possible;
@@ -121,14 +122,13 @@ bool CountingProof::take_leaving(Vertex v, std::uint8_t id) {
 }
 
 bool CountingProof::right_angle(Share& share, std::size_t id, std::size_t other) const {
-  Angle& angle = share.angles[id][other];
-  if (angle == Angle::unknown) {
+  std::int8_t& seen = share.angles[id][other];
+  if (seen == 0) {
     const auto order = compare_cosine(guarantee_.lattice, share.directions.of_id(id),
                                       share.directions.of_id(other), guarantee_.cosine);
-    const bool right = guarantee_.angle_rule == AngleRule::exactly ? order == 0 : order <= 0;
-    angle = right ? Angle::right : Angle::wrong;
+    seen = keeps_angle(guarantee_, order) ? 1 : -1;
   }
-  return angle == Angle::right;
+  return seen > 0;
 }
 
 /// Two segments that leave their common end in these directions.
@@ -227,9 +227,9 @@ bool CountingProof::plan_tasks(std::int64_t largest, std::vector<Task>& tasks) c
       const std::uint64_t rows = number(directions[i]);
       const std::uint64_t columns = number(directions[j]);
       const bool is_pair = i % 2 == 0 && j == i + 1;
-      const LinesToCount lines{is_pair && rows > 0,
-                               (is_pair || (k % 2 != 0 && i == 0 && j == k - 1)) && columns > 0};
-      if ((rows == 0 || columns == 0) && !lines.rows && !lines.columns) continue;
+      const std::array<bool, 2> lines{
+          is_pair && rows > 0, (is_pair || (k % 2 != 0 && i == 0 && j == k - 1)) && columns > 0};
+      if ((rows == 0 || columns == 0) && !lines[0] && !lines[1]) continue;
       const std::uint32_t count = windows(rows + columns);
       for (std::uint32_t w = 0; w < count; ++w) {
         tasks.push_back({family, {directions[i], directions[j]}, lines, {w, count}});
@@ -249,40 +249,31 @@ void CountingProof::add_stored(const Task& task, const PlaneMeetings::Intake& in
   }
 }
 
-/// A few segments of one direction on their way to an intake.
-struct CountingProof::Handful {
-  const PlaneMeetings::Intake& intake;
-  std::size_t side;
-  std::array<PlacedSegment, 64> segments;
-  std::size_t count = 0;
-
-  void add(PlacedSegment s) {
-    segments[count++] = s;
-    if (count == segments.size()) pass_on();
-  }
-  void pass_on() {
-    intake.add(std::span(segments).first(count), side);
-    count = 0;
-  }
-};
-
 void CountingProof::add_computed(const Task& task, const PlaneMeetings::Intake& intake) const {
   const SignedDirections& directions = shares_[0].directions;
   const std::size_t first = task.directions[0];
   const std::size_t second = task.directions[1];
-  std::array<Handful, 2> sides{Handful{intake, 0, {}}, Handful{intake, 1, {}}};
+  std::array<std::array<PlacedSegment, 64>, 2> waiting;  // of either side, `count` of them
+  std::array<std::size_t, 2> count{};
+  const auto pass_on = [&](std::size_t side) {
+    intake.add(std::span(waiting[side]).first(std::exchange(count[side], 0)), side);
+  };
+  const auto add = [&](std::size_t side, PlacedSegment segment) {
+    waiting[side][count[side]++] = segment;
+    if (count[side] == waiting[side].size()) pass_on(side);
+  };
   for_each_polyline(drawing_, [&](EdgeId, const std::vector<Point>& points) {
     for (std::size_t k = 1; k < points.size(); ++k) {
       const auto found = directions.known(points[k] - points[k - 1]);
       const std::size_t direction = found.id / 2;
       if (direction != first && direction != second) continue;
-      sides[direction == second].add(placed(points[found.id % 2 != 0 ? k : k - 1], found.steps));
+      add(direction == second, placed(points[found.id % 2 != 0 ? k : k - 1], found.steps));
     }
   });
   for (std::size_t v = 0; first == 0 && v < stars_.size(); ++v) {
-    if (stars_[v] == 0) sides[0].add(placed(drawing_.vertex(static_cast<Vertex>(v)), 0));
+    if (stars_[v] == 0) add(0, placed(drawing_.vertex(static_cast<Vertex>(v)), 0));
   }
-  for (Handful& side : sides) side.pass_on();
+  for (const std::size_t side : {0u, 1u}) pass_on(side);
 }
 
 MeetingCounts CountingProof::count(const Task& task, PlaneMeetings& meetings) const {

@@ -2,12 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"
 #include "ar3d/model/guarantee.h"
-#include "ar3d/verify/counting/counted_meetings.h"
 #include "ar3d/verify/counting/plane_counts.h"
 #include "ar3d/verify/counting/signed_directions.h"
 #include "ar3d/verify/metrics/metrics.h"
@@ -46,7 +46,6 @@ class CountingProof {
   const CountedMeetings& counts() const { return counts_; }
 
  private:
-  enum class Angle : std::uint8_t { unknown, right, wrong };
   static constexpr std::size_t kIds = 2 * SignedDirections::kMaxIndices;
 
   /// What a thread has of the edges and vertices that it took.
@@ -55,25 +54,20 @@ class CountingProof {
     SignedDirections directions;
     std::array<PlacedSegments, SignedDirections::kMaxIndices> segments;
     std::array<std::uint64_t, SignedDirections::kMaxIndices> numbers{};  ///< of segments
-    std::array<std::array<Angle, kIds>, kIds> angles{};
+    std::array<std::array<std::int8_t, kIds>, kIds> angles{};  ///< 1: right, -1: wrong, 0: not seen
     std::uint64_t crossing_neighbours = 0;
     std::uint64_t touching_neighbours = 0;
-    struct Leaving {
-      Vertex v;
-      std::uint8_t id;
-    };
-    std::array<Leaving, 64> leaving;  ///< the first `left` of them are not in stars_ yet
+    /// Vertices and ids, of which the first `left` are not in stars_ yet.
+    std::array<std::pair<Vertex, std::uint8_t>, 64> leaving;
     std::size_t left = 0;
   };
   /// Two directions, what to count, and in which planes.
   struct Task {
     PlaneFamily family;
     std::array<std::size_t, 2> directions;
-    LinesToCount lines;
+    std::array<bool, 2> lines;  ///< of rows, of columns
     PlaneWindow window;
   };
-
-  struct Handful;
 
   bool take_edge(Share& share, Edge ends, const std::vector<Point>& points);
   SignedDirections::Found find(Share& share, Vector d) const;

@@ -24,12 +24,12 @@ std::span<const PlaneRecord> plane_from(const std::vector<PlaneRecord>& records,
 
 }  // namespace
 
-MeetingCounts CrowdedPlanes::count(Records rows, Records columns, LinesToCount lines) {
+MeetingCounts CrowdedPlanes::count(Records rows, Records columns, std::array<bool, 2> lines) {
   counts_ = {};
-  sort_records(rows, lines.rows, rows_);
-  sort_records(columns, lines.columns, columns_);
-  if (lines.rows) count_lines(rows_);
-  if (lines.columns) count_lines(columns_);
+  sort_records(rows, lines[0], rows_);
+  sort_records(columns, lines[1], columns_);
+  if (lines[0]) count_lines(rows_);
+  if (lines[1]) count_lines(columns_);
   for (std::size_t r = 0, c = 0; r < rows_.size() && c < columns_.size();) {
     const Records in_row_plane = plane_from(rows_, r);
     const Records in_column_plane = plane_from(columns_, c);

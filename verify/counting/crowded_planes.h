@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -15,7 +16,8 @@ namespace ar3d::verify {
 class CrowdedPlanes {
  public:
   using Records = std::span<const PlaneRecord>;
-  MeetingCounts count(Records rows, Records columns, LinesToCount lines);
+  /// @param lines  as of PlaneMeetings::begin().
+  MeetingCounts count(Records rows, Records columns, std::array<bool, 2> lines);
 
  private:
   void sort_records(Records from, bool along, std::vector<PlaneRecord>& to);

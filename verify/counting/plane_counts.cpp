@@ -78,7 +78,7 @@ bool PlaneFamily::fits(std::int64_t largest) const {
 }
 
 PlaneMeetings::Intake PlaneMeetings::begin(const PlaneFamily& family, PlaneWindow window,
-                                           std::uint64_t expected, LinesToCount lines) {
+                                           std::uint64_t expected, std::array<bool, 2> lines) {
   constexpr unsigned kMostBits = 11;  // more streams at a time than the memory system follows
   window_ = window;
   lines_ = lines;
@@ -136,8 +136,8 @@ void PlaneMeetings::into_bins(std::size_t bucket, std::vector<PlaneRecord>& to,
 
 void PlaneMeetings::count_bin(Records rows, Records columns) {
   const std::size_t pairs = rows.size() * columns.size() +
-                            (lines_.rows ? rows.size() * rows.size() : 0) +
-                            (lines_.columns ? columns.size() * columns.size() : 0);
+                            (lines_[0] ? rows.size() * rows.size() : 0) +
+                            (lines_[1] ? columns.size() * columns.size() : 0);
   if (pairs > sizes_.crowded * (rows.size() + columns.size())) {
     counts_ += crowded_.count(rows, columns, lines_);
     return;
@@ -145,8 +145,8 @@ void PlaneMeetings::count_bin(Records rows, Records columns) {
   for (const PlaneRecord& row : rows) {
     for (const PlaneRecord& column : columns) counts_.crossing += meet(row, column);
   }
-  if (lines_.rows) count_on_lines(rows, counts_);
-  if (lines_.columns) count_on_lines(columns, counts_);
+  if (lines_[0]) count_on_lines(rows, counts_);
+  if (lines_[1]) count_on_lines(columns, counts_);
 }
 
 }  // namespace ar3d::verify

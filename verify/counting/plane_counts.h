@@ -8,9 +8,7 @@
 #include <vector>
 
 #include "ar3d/verify/counting/crowded_planes.h"
-#include "ar3d/verify/counting/placed_segments.h"
 #include "ar3d/verify/counting/plane_records.h"
-#include "ar3d/verify/counting/record_buckets.h"
 #include "ar3d/verify/counting/signed_directions.h"
 
 namespace ar3d::verify {
@@ -111,8 +109,9 @@ class PlaneMeetings {
   explicit PlaneMeetings(const CountingSizes& sizes) : sizes_(sizes) {}
 
   /// Begins with a window. @param expected  about how many records it will have.
+  /// @param lines  is it asked for rows, and for columns, which of them meet on their lines?
   Intake begin(const PlaneFamily& family, PlaneWindow window, std::uint64_t expected,
-               LinesToCount lines);
+               std::array<bool, 2> lines);
   /// All meetings of rows with columns, and those on the lines that are wanted.
   MeetingCounts finish();
 
@@ -126,7 +125,7 @@ class PlaneMeetings {
 
   CountingSizes sizes_;
   PlaneWindow window_;
-  LinesToCount lines_;
+  std::array<bool, 2> lines_{};
   MeetingCounts counts_;
   unsigned bucket_bits_ = 0;
   unsigned bin_bits_ = 0;

@@ -1,11 +1,10 @@
 // Steps V.11 to V.14 of docs/verify.md. Where long segments are vertical, few of the others are at
 // one height, and nearly all of these have boxes apart. Where they are not, space is halved.
-#include "ar3d/verify/counting/slanted_pairs.h"
-
 #include <algorithm>
 #include <tuple>
 
 #include "ar3d/verify/checks/exact.h"
+#include "ar3d/verify/counting/columns.h"
 #include "ar3d/verify/crossings/near_pairs.h"
 #include "ar3d/verify/crossings/radix_sort.h"
 #include "ar3d/verify/predicates/widths.h"

@@ -22,15 +22,23 @@ Box box_of(Point p, Point q) {
           {std::max(p.x, q.x), std::max(p.y, q.y), std::max(p.z, q.z)}};
 }
 
-/// A segment or a vertex.
-struct Item {
-  Box box;
-  std::uint32_t number;
-  bool is_vertex;
-};
+}  // namespace
 
-void examine(const Item& a, const Item& b, Contacts& contacts) {
-  if (a.is_vertex && b.is_vertex) return;  // the check of the vertices sees them
+std::vector<BoxedItem> boxed_items(const Segments& segments) {
+  const Drawing& drawing = segments.drawing();
+  std::vector<BoxedItem> items;
+  items.reserve(segments.size() + drawing.num_vertices());
+  for (SegmentId s = 0; s < segments.size(); ++s) {
+    items.push_back({box_of(segments.from(s), segments.to(s)), s, false});
+  }
+  for (Vertex v = 0; v < drawing.num_vertices(); ++v) {
+    items.push_back({{drawing.vertex(v), drawing.vertex(v)}, v, true});
+  }
+  return items;
+}
+
+void examine_pair(const BoxedItem& a, const BoxedItem& b, Contacts& contacts) {
+  if (a.is_vertex && b.is_vertex) return;
   if (a.is_vertex) {
     contacts.examine_vertex(a.number, b.number);
   } else if (b.is_vertex) {
@@ -40,27 +48,17 @@ void examine(const Item& a, const Item& b, Contacts& contacts) {
   }
 }
 
-}  // namespace
-
 /// Every pair whose boxes meet: the boxes are taken by least x, and all others that begin before
 /// one ends are looked at. A vertex is a box, too. Quadratic, but most segments of a tall drawing
 /// are narrow.
 void test_all_pairs(const Segments& segments, Contacts& contacts) {
-  const Drawing& drawing = segments.drawing();
-  std::vector<Item> items;
-  items.reserve(segments.size() + drawing.num_vertices());
-  for (SegmentId s = 0; s < segments.size(); ++s) {
-    items.push_back({box_of(segments.from(s), segments.to(s)), s, false});
-  }
-  for (Vertex v = 0; v < drawing.num_vertices(); ++v) {
-    items.push_back({box_of(drawing.vertex(v), drawing.vertex(v)), v, true});
-  }
+  std::vector<BoxedItem> items = boxed_items(segments);
   std::sort(items.begin(), items.end(),
-            [](const Item& a, const Item& b) { return a.box.low.x < b.box.low.x; });
+            [](const BoxedItem& a, const BoxedItem& b) { return a.box.low.x < b.box.low.x; });
   for (std::size_t i = 0; i < items.size() && !contacts.done(); ++i) {
     for (std::size_t j = i + 1; j < items.size(); ++j) {
       if (items[j].box.low.x > items[i].box.high.x) break;
-      if (!apart(items[i].box, items[j].box)) examine(items[i], items[j], contacts);
+      if (!apart(items[i].box, items[j].box)) examine_pair(items[i], items[j], contacts);
     }
   }
 }

@@ -113,23 +113,18 @@ void crossings_on_lines(const Segments& segments, const DirectionClasses& classe
   }
 }
 
-/// The planes that contain two directions, and coordinates in such a plane.
-struct PlaneFamily {
-  std::array<std::size_t, 2> directions;
-  Vector normal;  ///< tells the planes apart
-  /// across[i] is constant along direction i and not along the other: with N = d0 x d1 and N's
-  /// component along the axis k not zero, (d0 x e_k) . d1 = -N_k and (d1 x e_k) . d0 = N_k.
-  std::array<Vector, 2> across;
-};
-
-PlaneFamily planes_along(const DirectionClasses& classes, std::size_t i, std::size_t j) {
+/// The planes that contain the directions i and j: first a functional that tells them apart, then
+/// two that are coordinates in them. Of these one is constant along i and not along j, the other
+/// the reverse: with N = i x j and N's component along the axis k not zero, (i x e_k) . j = -N_k
+/// and (j x e_k) . i = N_k.
+std::array<Vector, 3> planes_along(const DirectionClasses& classes, std::size_t i, std::size_t j) {
   const Vector a = classes.directions[i];
   const Vector b = classes.directions[j];
   const auto n = cross(a, b);  // components below 2 * 2^40, as the directions' are below 2^20
   const Vector normal = primitive({static_cast<std::int64_t>(n[0]), static_cast<std::int64_t>(n[1]),
                                    static_cast<std::int64_t>(n[2])});
   const std::size_t axis = leading_axis(normal);
-  return {{i, j}, normal, {times_unit(a, axis), times_unit(b, axis)}};
+  return {normal, times_unit(a, axis), times_unit(b, axis)};
 }
 
 /// A segment of one of the plane's two directions, in the coordinates of the plane: it stays at
@@ -225,8 +220,9 @@ class CrossingsInPlanes {
   CrossingsInPlanes(const Segments& segments, const DirectionClasses& classes, Contacts& contacts)
       : segments_(segments), classes_(classes), contacts_(contacts), plane_(contacts) {}
 
-  void run(const PlaneFamily& family) {
-    collect(family);
+  /// @param planes  as of planes_along(classes, i, j).
+  void run(std::size_t i, std::size_t j, const std::array<Vector, 3>& planes) {
+    collect(i, j, planes);
     order_by_plane();
     for (std::size_t begin = 0; begin < order_.size() && !contacts_.done();) {
       std::size_t end = begin + 1;
@@ -238,18 +234,18 @@ class CrossingsInPlanes {
 
  private:
   /// Reads the segments in their order, so that only the members are read out of order later.
-  void collect(const PlaneFamily& family) {
+  void collect(std::size_t i, std::size_t j, const std::array<Vector, 3>& planes) {
     members_.clear();
     for (SegmentId s = 0; s < segments_.size(); ++s) {
       const auto direction = classes_.of[s];
-      const bool is_row = direction == family.directions[0];
-      if (!is_row && direction != family.directions[1]) continue;
-      const Vector across = family.across[is_row ? 1 : 0];
+      const bool is_row = direction == i;
+      if (!is_row && direction != j) continue;
+      const Vector across = planes[is_row ? 2 : 1];
       const Key begin = value<Key>(across, segments_.from(s));
       const Key end = value<Key>(across, segments_.to(s));
-      const Key at = value<Key>(family.across[is_row ? 0 : 1], segments_.from(s));
+      const Key at = value<Key>(planes[is_row ? 1 : 2], segments_.from(s));
       members_.push_back(
-          {value<Key>(family.normal, segments_.from(s)),
+          {value<Key>(planes[0], segments_.from(s)),
            {at, std::min(begin, end), std::max(begin, end), s, !segments_.is_first(s), is_row}});
     }
   }
@@ -308,13 +304,19 @@ void crossings_in_planes(const Segments& segments, const DirectionClasses& class
   CrossingsInPlanes<Int128> wide(segments, classes, contacts);
   for (std::size_t i = 0; i < classes.directions.size(); ++i) {
     for (std::size_t j = i + 1; j < classes.directions.size() && !contacts.done(); ++j) {
-      const PlaneFamily family = planes_along(classes, i, j);
-      const bool is_narrow = fits_int64(family.normal, bound) &&
-                             fits_int64(family.across[0], bound) &&
-                             fits_int64(family.across[1], bound);
-      is_narrow ? narrow.run(family) : wide.run(family);
+      const std::array<Vector, 3> planes = planes_along(classes, i, j);
+      const bool is_narrow =
+          std::all_of(planes.begin(), planes.end(), [&](Vector f) { return fits_int64(f, bound); });
+      is_narrow ? narrow.run(i, j, planes) : wide.run(i, j, planes);
     }
   }
+}
+
+bool is_small(Vector d) {
+  const auto small = [](std::int64_t c) {
+    return c > -kMaxDirectionComponent && c < kMaxDirectionComponent;
+  };
+  return small(d.x) && small(d.y) && small(d.z);
 }
 
 /// Largest absolute value of a coordinate.
@@ -334,6 +336,22 @@ std::int64_t largest_coordinate(const Segments& segments) {
 }
 
 }  // namespace
+
+std::optional<DirectionClasses> few_directions(const Segments& segments) {
+  DirectionClasses classes;
+  auto& known = classes.directions;
+  classes.of.reserve(segments.size());
+  for (SegmentId s = 0; s < segments.size(); ++s) {
+    const Vector d = segments.direction(s);
+    const auto found =
+        std::find_if(known.begin(), known.end(), [&](Vector k) { return parallel(d, k); });
+    classes.of.push_back(static_cast<std::uint8_t>(found - known.begin()));
+    if (found != known.end()) continue;
+    known.push_back(primitive(d));
+    if (known.size() > kMaxDirections || !is_small(known.back())) return std::nullopt;
+  }
+  return classes;
+}
 
 void test_by_plane_sweep(const Segments& segments, const DirectionClasses& classes,
                          Contacts& contacts) {

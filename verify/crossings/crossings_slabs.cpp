@@ -11,34 +11,19 @@
 namespace ar3d::verify {
 namespace {
 
-/// A segment or a vertex, with the heights that it covers.
-struct Item {
-  std::int64_t low;
-  std::int64_t high;
-  std::uint32_t id;
-  bool is_vertex;
-  /// By their lower ends; segments before the vertices in which they may begin.
-  bool operator<(const Item& other) const {
-    return std::tie(low, is_vertex, id) < std::tie(other.low, other.is_vertex, other.id);
-  }
-};
-
-std::vector<Item> items_of(const Segments& segments) {
-  const Drawing& drawing = segments.drawing();
-  std::vector<Item> items;
-  items.reserve(segments.size() + drawing.num_vertices());
-  for (SegmentId s = 0; s < segments.size(); ++s) {
-    const std::int64_t begin = segments.from(s).z;
-    const std::int64_t end = segments.to(s).z;
-    items.push_back({std::min(begin, end), std::max(begin, end), s, false});
-  }
-  for (std::size_t i = 0; i < drawing.num_vertices(); ++i) {
-    const auto v = static_cast<Vertex>(i);
-    const std::int64_t z = drawing.vertex(v).z;
-    items.push_back({z, z, v, true});
-  }
-  std::sort(items.begin(), items.end());
+/// By their lower ends; segments before the vertices in which they may begin.
+std::vector<BoxedItem> items_upwards(const Segments& segments) {
+  std::vector<BoxedItem> items = boxed_items(segments);
+  std::sort(items.begin(), items.end(), [](const BoxedItem& a, const BoxedItem& b) {
+    return std::tie(a.box.low.z, a.is_vertex, a.number) <
+           std::tie(b.box.low.z, b.is_vertex, b.number);
+  });
   return items;
+}
+
+/// Of two items at a common height.
+bool boxes_meet(const Box& a, const Box& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
 }
 
 /// Segments that are not vertical against each other and against vertices: upwards, each against
@@ -49,33 +34,16 @@ class SlantedSegments {
       : segments_(segments), contacts_(contacts) {}
 
   /// The items of a slab, upwards.
-  void examine(std::span<const Item> items) {
+  void examine(std::span<const BoxedItem> items) {
     if (!examine_upwards(items)) examine_by_halving(items);
   }
 
  private:
-  struct Active {
-    std::int64_t low_x;
-    std::int64_t high_x;
-    std::int64_t low_y;
-    std::int64_t high_y;
-    std::int64_t high;
-    SegmentId segment;
-  };
-
-  static Active spanned(const Item& item, Point p, Point q) {
-    return {std::min(p.x, q.x), std::max(p.x, q.x), std::min(p.y, q.y),
-            std::max(p.y, q.y), item.high,          item.id};
-  }
-  static bool overlap(const Active& a, const Active& b) {
-    return a.low_x <= b.high_x && b.low_x <= a.high_x && a.low_y <= b.high_y && b.low_y <= a.high_y;
-  }
-
   /// False if that takes too many comparisons.
-  bool examine_upwards(std::span<const Item> items) {
+  bool examine_upwards(std::span<const BoxedItem> items) {
     std::uint64_t left = kPatience * items.size();
     active_.clear();
-    for (const Item& item : items) {
+    for (const BoxedItem& item : items) {
       if (contacts_.done()) return true;
       if (active_.size() > left) return false;
       left -= active_.size();
@@ -84,40 +52,27 @@ class SlantedSegments {
     return true;
   }
 
-  void add(const Item& item) {
-    std::erase_if(active_, [&](const Active& old) { return old.high < item.low; });
-    const Active added = item.is_vertex
-                             ? spanned(item, segments_.drawing().vertex(item.id),
-                                       segments_.drawing().vertex(item.id))
-                             : spanned(item, segments_.from(item.id), segments_.to(item.id));
-    for (const Active& old : active_) {
+  void add(const BoxedItem& item) {
+    std::erase_if(active_, [&](const BoxedItem& old) { return old.box.high.z < item.box.low.z; });
+    for (const BoxedItem& old : active_) {
       if (contacts_.done()) return;
-      if (!overlap(old, added)) continue;
-      item.is_vertex ? contacts_.examine_vertex(item.id, old.segment)
-                     : contacts_.examine(item.id, old.segment);
+      if (boxes_meet(old.box, item.box)) examine_pair(item, old, contacts_);
     }
-    if (!item.is_vertex) active_.push_back(added);
+    if (!item.is_vertex) active_.push_back(item);
   }
 
-  void examine_by_halving(std::span<const Item> items) {
+  void examine_by_halving(std::span<const BoxedItem> items) {
     const auto at = [&](std::uint32_t i) {
-      const Item& item = items[i];
-      if (item.is_vertex) return SegmentInSpace{segments_.drawing().vertex(item.id), {}};
-      return SegmentInSpace{segments_.from(item.id), segments_.direction(item.id)};
+      const BoxedItem& item = items[i];
+      if (item.is_vertex) return SegmentInSpace{segments_.drawing().vertex(item.number), {}};
+      return SegmentInSpace{segments_.from(item.number), segments_.direction(item.number)};
     };
     const auto visit = [&](std::uint32_t i, std::uint32_t j) {
-      examine_pair(items[i], items[j]);
+      examine_pair(items[i], items[j], contacts_);
       return !contacts_.done();
     };
     contacts_.spend(for_each_near_pair(static_cast<std::uint32_t>(items.size()), at, visit, kFew,
                                        contacts_.comparisons_left()));
-  }
-
-  void examine_pair(const Item& a, const Item& b) {
-    if (a.is_vertex && b.is_vertex) return;
-    if (a.is_vertex) return contacts_.examine_vertex(a.id, b.id);
-    if (b.is_vertex) return contacts_.examine_vertex(b.id, a.id);
-    contacts_.examine(a.id, b.id);
   }
 
   static constexpr std::uint64_t kPatience = 200;  ///< comparisons per item
@@ -125,7 +80,7 @@ class SlantedSegments {
 
   const Segments& segments_;
   Contacts& contacts_;
-  std::vector<Active> active_;
+  std::vector<BoxedItem> active_;
 };
 
 /// Tests slab after slab; nothing reaches from one into another.
@@ -137,27 +92,27 @@ class SlabTest {
         columns_(segments, contacts),
         slanted_(segments, contacts) {}
 
-  void run(std::span<const Item> slab) {
+  void run(std::span<const BoxedItem> slab) {
     verticals_.clear();
-    for (const Item& item : slab) {
-      if (is_vertical(item)) verticals_.push_back(item.id);
+    for (const BoxedItem& item : slab) {
+      if (is_vertical(item)) verticals_.push_back(item.number);
     }
     columns_.build(verticals_);
     columns_.examine_verticals();
     others_.clear();
-    for (const Item& item : slab) {
+    for (const BoxedItem& item : slab) {
       if (contacts_.done()) return;
       if (is_vertical(item)) continue;
-      item.is_vertex ? columns_.examine_vertex(item.id) : columns_.examine_slanted(item.id);
+      item.is_vertex ? columns_.examine_vertex(item.number) : columns_.examine_slanted(item.number);
       others_.push_back(item);
     }
     slanted_.examine(others_);
   }
 
  private:
-  bool is_vertical(const Item& item) const {
+  bool is_vertical(const BoxedItem& item) const {
     if (item.is_vertex) return false;
-    const Vector d = segments_.direction(item.id);
+    const Vector d = segments_.direction(item.number);
     return d.x == 0 && d.y == 0;
   }
 
@@ -166,19 +121,19 @@ class SlabTest {
   SlabColumns columns_;
   SlantedSegments slanted_;
   std::vector<SegmentId> verticals_;
-  std::vector<Item> others_;
+  std::vector<BoxedItem> others_;
 };
 
 }  // namespace
 
 void test_by_slabs(const Segments& segments, Contacts& contacts) {
-  const std::vector<Item> items = items_of(segments);
+  const std::vector<BoxedItem> items = items_upwards(segments);
   SlabTest test(segments, contacts);
   for (std::size_t begin = 0; begin < items.size() && !contacts.done();) {
-    std::int64_t highest = items[begin].high;
+    std::int64_t highest = items[begin].box.high.z;
     std::size_t end = begin + 1;
-    for (; end < items.size() && items[end].low <= highest; ++end) {
-      highest = std::max(highest, items[end].high);
+    for (; end < items.size() && items[end].box.low.z <= highest; ++end) {
+      highest = std::max(highest, items[end].box.high.z);
     }
     test.run(std::span(items).subspan(begin, end - begin));
     begin = end;

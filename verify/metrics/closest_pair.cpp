@@ -11,7 +11,6 @@
 #include "ar3d/base/random.h"
 #include "ar3d/verify/checks/exact.h"
 #include "ar3d/verify/metrics/functional.h"
-#include "ar3d/verify/metrics/squared_length.h"
 
 namespace ar3d::verify {
 namespace {

@@ -13,7 +13,7 @@
 #include "ar3d/verify/checks/exact.h"
 #include "ar3d/verify/crossings/radix_sort.h"
 #include "ar3d/verify/metrics/closest_pair.h"
-#include "ar3d/verify/metrics/squared_length.h"
+#include "ar3d/verify/metrics/functional.h"
 
 namespace ar3d::verify {
 namespace {

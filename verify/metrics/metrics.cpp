@@ -7,9 +7,8 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/open_table.h"
-#include "ar3d/verify/assessment/examine_real.h"
+#include "ar3d/verify/checks/examination.h"
 #include "ar3d/verify/metrics/summary_pass.h"
-#include "ar3d/verify/register.h"
 
 namespace ar3d {
 namespace {

@@ -55,6 +55,9 @@ struct Metric {
 /// All metrics, in the order of their columns. Whoever lists or stores metrics reads this table: a
 /// new metric is one row here, and nothing elsewhere.
 const std::vector<Metric>& metrics();
+/// Adds a row to the table, for programs that bring metrics of their own: before anything else uses
+/// it, by one thread. @throws InputError if the name is taken or empty, or there is no function.
+void register_metric(Metric row);
 
 /// The values of metrics(), in that order.
 std::vector<MetricValue> metric_values(const DrawingSummary& summary);

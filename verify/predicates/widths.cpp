@@ -7,8 +7,6 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cstdlib>
 
-#include "ar3d/verify/predicates/widest_integers.h"
-
 namespace ar3d::verify {
 namespace {
 
