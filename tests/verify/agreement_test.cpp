@@ -13,12 +13,8 @@
 #include "ar3d/verify/crossings/crossings.h"
 #include "verify/random_drafts.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::direction_sets;
-using testing::Draft;
-using testing::RandomDrafts;
 
 std::vector<std::string> findings(const Draft& draft, CrossingTest test) {
   CertifyOptions options;
@@ -30,7 +26,7 @@ std::vector<std::string> findings(const Draft& draft, CrossingTest test) {
   const Graph graph(draft.vertices.size(), {});
   std::vector<std::string> lines;
   for (const Violation& violation :
-       certify(graph, draft.drawing(), testing::no_promise(), options).violations) {
+       certify(graph, draft.drawing(), no_promise(), options).violations) {
     if (violation.kind == ViolationKind::edge_set) continue;
     lines.push_back(std::string(to_string(violation.kind)) + ": " + violation.message);
   }
@@ -38,14 +34,14 @@ std::vector<std::string> findings(const Draft& draft, CrossingTest test) {
 }
 
 /// What the comparisons covered.
-struct Tally {
+struct Coverage {
   std::size_t drawings = 0;
   std::size_t valid = 0;
   std::size_t swept = 0;
   std::map<std::string, std::size_t> violations;
 };
 
-void compare(const Draft& draft, Tally& tally) {
+void compare(const Draft& draft, Coverage& tally) {
   const auto expected = findings(draft, CrossingTest::all_pairs);
   ++tally.drawings;
   tally.valid += expected.empty();
@@ -58,14 +54,14 @@ void compare(const Draft& draft, Tally& tally) {
   ASSERT_EQ(findings(draft, CrossingTest::automatic), expected);
 }
 
-void expect_every_kind(const Tally& tally) {
+void expect_every_kind(const Coverage& tally) {
   for (const char* kind : {"crossing", "vertex_on_edge", "same_point"}) {
     EXPECT_GT(tally.violations.count(kind) ? tally.violations.at(kind) : 0, 20u) << kind;
   }
 }
 
 TEST(CrossingTests, AgreeOnRandomWalks) {
-  Tally tally;
+  Coverage tally;
   RandomDrafts drafts(1, 0);
   for (const auto& directions : direction_sets()) {
     for (int i = 0; i < 1500; ++i) {
@@ -93,7 +89,7 @@ Draft valid_draft(RandomDrafts& drafts, const std::vector<Vector>& directions, s
 }
 
 TEST(CrossingTests, AgreeOnValidAndThenDamagedDrawings) {
-  Tally tally;
+  Coverage tally;
   RandomDrafts drafts(2, 0);
   for (const auto& directions : direction_sets()) {
     for (int i = 0; i < 300; ++i) {
@@ -114,7 +110,7 @@ TEST(CrossingTests, AgreeOnValidAndThenDamagedDrawings) {
 
 /// Long segments in few planes, so that single planes hold enough for the plane sweep.
 TEST(CrossingTests, AgreeOnCrowdedPlanes) {
-  Tally tally;
+  Coverage tally;
   RandomDrafts drafts(3, 0);
   for (int i = 0; i < 60; ++i) {
     Draft draft;
@@ -160,7 +156,7 @@ Draft tall_draft(RandomStream& random) {
 }
 
 TEST(CrossingTests, AgreeOnTallDrawings) {
-  Tally tally;
+  Coverage tally;
   RandomDrafts drafts(4, 0);
   for (int i = 0; i < 3000; ++i) {
     const Draft draft = tall_draft(drafts.random());
@@ -184,4 +180,4 @@ TEST(CrossingTests, ThePlaneSweepRefusesManyDirections) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

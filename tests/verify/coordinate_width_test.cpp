@@ -13,10 +13,9 @@
 #include "ar3d/generators/catalog.h"
 #include "verify/draft.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
-using testing::Draft;
 using ::testing::HasSubstr;
 
 std::string refusal(const CoordinateWidth& width, const SizeBound& bound, const Drawing& drawing) {
@@ -93,4 +92,4 @@ TEST(CoordinateWidths, OfRealDrawingsAreRefused) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

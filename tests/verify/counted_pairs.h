@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "ar3d/verify/certificate.h"
 #include "ar3d/verify/checks/exact.h"
 #include "ar3d/verify/counting/plane_records.h"
 #include "ar3d/verify/crossings/segments.h"
@@ -55,6 +57,34 @@ inline bool has_low_degrees(const Draft& draft) {
   return std::all_of(degrees.begin(), degrees.end(), [](int d) { return d <= 4; }) &&
          measure(draft.drawing()).repeated_points == 0;
 }
+
+/// The oracle of the verdicts: every pair of segments.
+inline bool is_valid(const Draft& draft, const Guarantee& guarantee = no_promise()) {
+  return certify(draft.graph(), draft.drawing(), guarantee,
+                 {.crossing_test = CrossingTest::all_pairs, .check_size = false})
+      .valid();
+}
+
+/// What a proof by counting says of a drawing.
+struct CountingOutcome {
+  bool proved;
+  verify::CountedMeetings counts;
+  bool operator==(const CountingOutcome& other) const {
+    const auto numbers = [](const CountingOutcome& o) {
+      return std::tuple(o.proved, o.counts.crossing_neighbours, o.counts.touching_neighbours,
+                        o.counts.found.crossing, o.counts.found.touching, o.counts.found.overlap);
+    };
+    return numbers(*this) == numbers(other);
+  }
+};
+
+/// What the comparisons of outcomes with the oracle covered.
+struct Tally {
+  int valid = 0;
+  int invalid = 0;
+  int counted = 0;  ///< outcomes whose counts were compared
+  int more_meetings = 0;
+};
 
 /// The oracle of the counts: every pair of segments.
 inline verify::MeetingCounts count_all_pairs(const verify::Segments& segments) {

@@ -12,15 +12,9 @@
 #include "verify/counted_pairs.h"
 #include "verify/random_drafts.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
-using testing::count_all_pairs;
-using testing::Draft;
-using testing::has_isolated_vertex;
-using testing::RandomDrafts;
-using testing::simple;
-using verify::CountedMeetings;
 using verify::CountingProof;
 using verify::CountingSizes;
 using verify::MeetingCounts;
@@ -36,15 +30,10 @@ const std::vector<CountingSizes>& sizes() {
   return list;
 }
 
-struct Outcome {
-  bool proved;
-  CountedMeetings counts;
-};
-
-Outcome count(const Draft& draft, const CountingSizes& sizes) {
+CountingOutcome count_by_planes(const Draft& draft, const CountingSizes& sizes) {
   const Graph graph = draft.graph();
   const Drawing drawing = draft.drawing();
-  const Guarantee guarantee = testing::no_promise();
+  const Guarantee guarantee = no_promise();
   CountingProof proof(graph, drawing, guarantee, sizes);
   for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {
     proof.add(drawing.edge(e), points);
@@ -53,21 +42,12 @@ Outcome count(const Draft& draft, const CountingSizes& sizes) {
   return {proved, proof.counts()};
 }
 
-struct Tally {
-  int valid = 0;
-  int invalid = 0;
-  int more_meetings = 0;
-};
-
-void expect_agreement(const Draft& draft, Tally& tally) {
-  const Drawing drawing = draft.drawing();
-  const bool valid = certify(draft.graph(), drawing, testing::no_promise(),
-                             {.crossing_test = CrossingTest::all_pairs, .check_size = false})
-                         .valid();
+void expect_planes_agree(const Draft& draft, Tally& tally) {
+  const bool valid = is_valid(draft);
   ++(valid ? tally.valid : tally.invalid);
-  const MeetingCounts all = count_all_pairs(verify::Segments(drawing));
+  const MeetingCounts all = count_all_pairs(verify::Segments(draft.drawing()));
   for (const CountingSizes& s : sizes()) {
-    const Outcome outcome = count(draft, s);
+    const CountingOutcome outcome = count_by_planes(draft, s);
     ASSERT_EQ(outcome.proved, valid) << "bucket " << s.bucket;
     const MeetingCounts& found = outcome.counts.found;
     if (has_isolated_vertex(draft)) continue;  // these are counted, too
@@ -81,7 +61,7 @@ void expect_agreement(const Draft& draft, Tally& tally) {
 }
 
 bool in_limits(const Draft& draft) {
-  if (!testing::has_low_degrees(draft)) return false;
+  if (!has_low_degrees(draft)) return false;
   const Drawing drawing = draft.drawing();
   std::set<Vector> directions;
   const verify::Segments segments(drawing);
@@ -96,12 +76,12 @@ TEST(Counting, AgreesOnRandomAndDamagedDrawings) {
   RandomDrafts drafts(5, 17);
   Tally tally;
   for (std::uint32_t i = 0; i < 3000; ++i) {
-    const auto& set = testing::direction_sets()[i % testing::direction_sets().size()];
+    const auto& set = direction_sets()[i % direction_sets().size()];
     const std::vector<Vector> directions(set.begin(), set.begin() + 1 + i / 4 % set.size());
     Draft draft = simple(drafts.walks(directions, 1 + i % 9, 4 + i % 23));
     draft = drafts.damaged(std::move(draft), i % 3);
     if (!in_limits(draft)) continue;
-    ASSERT_NO_FATAL_FAILURE(expect_agreement(draft, tally)) << "drawing " << i;
+    ASSERT_NO_FATAL_FAILURE(expect_planes_agree(draft, tally)) << "drawing " << i;
   }
   EXPECT_GT(tally.valid, 200);
   EXPECT_GT(tally.invalid, 200);
@@ -135,12 +115,12 @@ TEST(Counting, SeesOneLongerSegmentInACrowdedPlane) {
   for (int i = 0; i < 8; ++i) {
     Draft draft = crowded_draft(random, 900, 110);
     ASSERT_GT(draft.edges.size(), 250u);
-    for (const CountingSizes& s : sizes()) ASSERT_TRUE(count(draft, s).proved);
+    for (const CountingSizes& s : sizes()) ASSERT_TRUE(count_by_planes(draft, s).proved);
     const auto v = 2 * random.below(static_cast<std::uint32_t>(draft.edges.size())) + 1;
     draft.vertices[v] =
         draft.vertices[v] + 60 * primitive(draft.vertices[v] - draft.vertices[v - 1]);
     Tally tally;
-    ASSERT_NO_FATAL_FAILURE(expect_agreement(draft, tally));
+    ASSERT_NO_FATAL_FAILURE(expect_planes_agree(draft, tally));
     seen += tally.invalid;
   }
   EXPECT_GE(seen, 4);
@@ -155,8 +135,8 @@ TEST(Counting, QuadraticallyManyCrossings) {
     draft.edges.push_back({{v + 2, v + 3}, {}});
   }
   for (const CountingSizes& s : sizes()) {
-    EXPECT_EQ(count(draft, s).counts.found.crossing, 90000u);
-    EXPECT_FALSE(count(draft, s).proved);
+    EXPECT_EQ(count_by_planes(draft, s).counts.found.crossing, 90000u);
+    EXPECT_FALSE(count_by_planes(draft, s).proved);
   }
 }
 
@@ -170,16 +150,16 @@ Draft with_isolated(Point isolated) {
 
 TEST(Counting, IsolatedVertices) {
   for (const Point on : {Point{0, 0, 0}, {2, 0, 0}, {4, 0, 0}, {4, 3, 0}, {4, 4, 0}, {8, 4, 0}}) {
-    EXPECT_FALSE(count(with_isolated(on), {}).proved) << to_string(on);
+    EXPECT_FALSE(count_by_planes(with_isolated(on), {}).proved) << to_string(on);
   }
   for (const Point off : {Point{9, 4, 0}, {3, 1, 0}, {4, 5, 0}, {-1, 0, 0}, {4, 2, 1}}) {
-    EXPECT_TRUE(count(with_isolated(off), {}).proved) << to_string(off);
+    EXPECT_TRUE(count_by_planes(with_isolated(off), {}).proved) << to_string(off);
   }
   Draft alone;
   alone.vertices = {{1, 2, 3}, {1, 2, 4}, {0, 2, 3}};
-  EXPECT_TRUE(count(alone, {}).proved);
+  EXPECT_TRUE(count_by_planes(alone, {}).proved);
   alone.vertices.push_back({1, 2, 4});
-  EXPECT_FALSE(count(alone, {}).proved);
+  EXPECT_FALSE(count_by_planes(alone, {}).proved);
 }
 
 /// A cross of two edges, moved to where the coordinates reach `far`.
@@ -198,17 +178,16 @@ TEST(Counting, WidthsAreKeptOrRefused) {
   // Functionals of these directions have coefficients of sum 2 at most.
   const std::int64_t limit = std::int64_t{1} << 30;
   for (const std::int64_t far : {limit - 1, -limit + 5}) {
-    EXPECT_TRUE(count(cross_at(far, false), {}).proved) << far;
-    EXPECT_FALSE(count(cross_at(far, true), {}).proved) << far;
-    EXPECT_EQ(count(cross_at(far, true), {}).counts.found.crossing, 1u) << far;
+    EXPECT_TRUE(count_by_planes(cross_at(far, false), {}).proved) << far;
+    EXPECT_FALSE(count_by_planes(cross_at(far, true), {}).proved) << far;
+    EXPECT_EQ(count_by_planes(cross_at(far, true), {}).counts.found.crossing, 1u) << far;
   }
   for (const std::int64_t far : {limit, limit + 1, -limit + 3, std::int64_t{1} << 32,
                                  std::int64_t{1} << 61, (std::int64_t{1} << 32) + 10}) {
-    EXPECT_FALSE(count(cross_at(far, false), {}).proved) << far << ": out of the limits";
+    EXPECT_FALSE(count_by_planes(cross_at(far, false), {}).proved) << far << ": out of the limits";
     const Draft draft = cross_at(far, false);
     EXPECT_TRUE(
-        certify(draft.graph(), draft.drawing(), testing::no_promise(), {.check_size = false})
-            .valid())
+        certify(draft.graph(), draft.drawing(), no_promise(), {.check_size = false}).valid())
         << "the full verifier judges it";
   }
 }
@@ -217,26 +196,26 @@ TEST(Counting, NeighboursThatOverlapAreNoProof) {
   Draft draft;  // an edge that runs back over itself
   draft.vertices = {{0, 0, 0}, {2, 0, 0}};
   draft.edges = {{{0, 1}, {{5, 0, 0}}}};
-  EXPECT_FALSE(count(draft, {}).proved);
+  EXPECT_FALSE(count_by_planes(draft, {}).proved);
   draft.edges = {{{0, 1}, {{1, 0, 0}}}};
-  EXPECT_TRUE(count(draft, {}).proved);
+  EXPECT_TRUE(count_by_planes(draft, {}).proved);
 }
 
 TEST(Counting, EdgesMayBeDrawnInAnyOrder) {
   Draft draft;
   draft.vertices = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
   draft.edges = {{{3, 2}, {}}, {{1, 2}, {}}, {{0, 3}, {}}, {{1, 0}, {}}};
-  EXPECT_TRUE(count(draft, {}).proved);
+  EXPECT_TRUE(count_by_planes(draft, {}).proved);
   draft.edges.push_back({{2, 3}, {{4, 8, 0}, {0, 8, 0}}});  // in place of one that is missing
   draft.edges.erase(draft.edges.begin() + 1);
   const Graph graph(4, {{2, 3}, {1, 2}, {0, 3}, {0, 1}});
-  EXPECT_FALSE(certify(graph, draft.drawing(), testing::no_promise()).valid());
+  EXPECT_FALSE(certify(graph, draft.drawing(), no_promise()).valid());
 }
 
 TEST(Counting, AnotherGraphIsNotDrawn) {
   const Draft draft = with_isolated({20, 20, 20});
   const Drawing drawing = draft.drawing();
-  const Guarantee guarantee = testing::no_promise();
+  const Guarantee guarantee = no_promise();
   for (const Graph& graph : {Graph(3, {{0, 2}}), Graph(2, {{0, 1}}), Graph(3, {{0, 1}, {1, 2}})}) {
     CountingProof proof(graph, drawing, guarantee);
     for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {
@@ -247,4 +226,4 @@ TEST(Counting, AnotherGraphIsNotDrawn) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -12,13 +12,12 @@
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/checks/examination.h"
 #include "ar3d/verify/counting/counting_proof.h"
+#include "verify/counted_pairs.h"
 #include "verify/draft.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
-using testing::Draft;
-using verify::CountedMeetings;
 using verify::CountingProof;
 using verify::CountingSizes;
 
@@ -32,21 +31,8 @@ Graph graph_for(const Algorithm& algorithm, std::uint64_t n) {
   return generate(find_family(family), n, 7);
 }
 
-struct Outcome {
-  bool proved;
-  CountedMeetings counts;
-  bool operator==(const Outcome& other) const {
-    return proved == other.proved &&
-           counts.crossing_neighbours == other.counts.crossing_neighbours &&
-           counts.touching_neighbours == other.counts.touching_neighbours &&
-           counts.found.crossing == other.counts.found.crossing &&
-           counts.found.touching == other.counts.found.touching &&
-           counts.found.overlap == other.counts.found.overlap;
-  }
-};
-
-Outcome count(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
-              const CountingSizes& sizes) {
+CountingOutcome count(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
+                      const CountingSizes& sizes) {
   CountingProof proof(graph, drawing, guarantee, sizes);
   constexpr EdgeId kEdges = 100;
   const EdgeId edges = drawing.num_edges();
@@ -63,7 +49,7 @@ Outcome count(const Graph& graph, const Drawing& drawing, const Guarantee& guara
 
 void expect_same_counts(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
                         bool proved) {
-  const Outcome alone = count(graph, drawing, guarantee, {});
+  const CountingOutcome alone = count(graph, drawing, guarantee, {});
   EXPECT_EQ(alone.proved, proved);
   const std::uint64_t little = 20 * graph.num_vertices();
   for (const std::uint32_t threads : {1u, 2u, 3u, 4u}) {
@@ -129,7 +115,7 @@ TEST(CertifyThreads, CountTheSameCrossings) {
   }
   const Graph graph = draft.graph();
   const Drawing both = draft.drawing();
-  const Outcome alone = count(graph, both, algorithm.guarantee, {});
+  const CountingOutcome alone = count(graph, both, algorithm.guarantee, {});
   EXPECT_GT(alone.counts.found.crossing, alone.counts.crossing_neighbours);
   expect_same_counts(graph, both, algorithm.guarantee, false);
 }
@@ -213,4 +199,4 @@ TEST(Parallel, WhatAThreadThrowsArrives) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -13,7 +13,7 @@
 #include "ar3d/verify/certificate.h"
 #include "ar3d/verify/metrics/metrics.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 /// The drawing moved by d, all of its points stored.
@@ -119,4 +119,4 @@ TEST(Extremes, CoordinatesHoldTheirBoundAndNoMore) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -10,10 +10,8 @@
 #include "ar3d/verify/checks/angles.h"
 #include "verify/draft.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::Draft;
 
 /// An edge of nearly parallel segments that all lie beside each other, in many directions: none
 /// meets another, and no cut parts them.
@@ -32,17 +30,16 @@ Draft zigzag(std::int64_t bends) {
 TEST(HostileDrawings, JudgingGivesUpAtItsLimit) {
   const Draft draft = zigzag(3000);
   CertifyOptions options;
-  const Certificate whole = certify(draft.graph(), draft.drawing(), testing::no_promise(), options);
+  const Certificate whole = certify(draft.graph(), draft.drawing(), no_promise(), options);
   EXPECT_FALSE(whole.given_up);
   options.most_comparisons = 1000000;
-  const Certificate cut = certify(draft.graph(), draft.drawing(), testing::no_promise(), options);
+  const Certificate cut = certify(draft.graph(), draft.drawing(), no_promise(), options);
   EXPECT_TRUE(cut.given_up);
   EXPECT_FALSE(cut.complete);
   EXPECT_FALSE(cut.valid());
   EXPECT_TRUE(cut.violated()) << "what was not judged is no pass";
   options.most_comparisons = 100000000;
-  const Certificate enough =
-      certify(draft.graph(), draft.drawing(), testing::no_promise(), options);
+  const Certificate enough = certify(draft.graph(), draft.drawing(), no_promise(), options);
   EXPECT_FALSE(enough.given_up);
   EXPECT_EQ(enough.valid(), whole.valid());
   EXPECT_EQ(enough.violations.size(), whole.violations.size());
@@ -91,4 +88,4 @@ TEST(HostileDrawings, TheSmallestAngleAtACrowdedVertexIsThatOfAllPairs) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -19,10 +19,9 @@
 #include "ar3d/verify/metrics/closest_pair.h"
 #include "verify/random_drafts.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
-using testing::Draft;
 using ::testing::ElementsAre;
 
 MetricValue value_of(const std::string& name, const DrawingSummary& summary) {
@@ -113,12 +112,12 @@ std::vector<std::string> texts(const std::vector<MetricValue>& values) {
 
 /// What examine() tells in one pass is what the functions of its parts tell one by one.
 TEST(Examination, IsItsParts) {
-  testing::RandomDrafts drafts(11, 3);
+  RandomDrafts drafts(11, 3);
   for (std::uint32_t i = 0; i < 300; ++i) {
-    const auto& directions = testing::direction_sets()[i % testing::direction_sets().size()];
+    const auto& directions = direction_sets()[i % direction_sets().size()];
     const Draft draft = drafts.walks(directions, 1 + i % 20, 12);
     const Drawing drawing = draft.drawing();
-    const Guarantee guarantee = testing::no_promise();
+    const Guarantee guarantee = no_promise();
     const Examination all = examine(draft.graph(), drawing, guarantee);
     const Certificate certificate = certify(draft.graph(), drawing, guarantee);
     EXPECT_EQ(all.certificate.valid(), certificate.valid());
@@ -166,7 +165,7 @@ TEST(Examination, LeavesOutWhatIsNotWanted) {
   Draft draft;
   draft.vertices = {{0, 0, 0}, {4, 4, 0}};
   draft.edges = {{{0, 1}, {{2, 2, 2}}}};
-  const Examination nothing = examine(draft.graph(), draft.drawing(), testing::no_promise(),
+  const Examination nothing = examine(draft.graph(), draft.drawing(), no_promise(),
                                       {.certificate = false, .metrics = false, .hash = false});
   EXPECT_TRUE(nothing.drawing_hash.empty());
   EXPECT_TRUE(std::isnan(nothing.summary.total_edge_length));
@@ -210,7 +209,7 @@ TEST(ClosestPair, IsTheBestOfAllPairs) {
                                   random.below(height)});
       }
       ASSERT_NO_FATAL_FAILURE(expect_closest(draft)) << i;
-      ASSERT_NO_FATAL_FAILURE(expect_closest(testing::RandomDrafts::far_away(draft))) << i;
+      ASSERT_NO_FATAL_FAILURE(expect_closest(RandomDrafts::far_away(draft))) << i;
     }
   }
 }
@@ -277,4 +276,4 @@ TEST(ClosestPair, ComparesExactlyWhereDoublesCannot) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

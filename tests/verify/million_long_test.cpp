@@ -16,7 +16,7 @@
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/certificate.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 /// CPU time of this process, so that other programs' work does not count.
@@ -163,4 +163,4 @@ TEST(Million, TallDrawingsBySlabs) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -13,7 +13,7 @@
 #include "ar3d/verify/checks/exact.h"
 #include "ar3d/verify/counting/columns.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using verify::SegmentInSpace;
@@ -192,4 +192,4 @@ TEST(NearPairs, CountingEndsWhereFarTooManyMeet) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

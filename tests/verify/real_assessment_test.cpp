@@ -13,7 +13,7 @@
 #include "ar3d/base/random.h"
 #include "ar3d/verify/assessment/real_segments.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using verify::BigVector;
@@ -213,4 +213,4 @@ TEST(RealPoints, GetTheCoarsestCommonUnit) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

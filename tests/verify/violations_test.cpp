@@ -10,10 +10,9 @@
 #include "ar3d/verify/certificate.h"
 #include "verify/draft.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
-using testing::Draft;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -111,7 +110,7 @@ TEST_P(Violations, EdgeDrawnTwice) {
   draft.edges = {{{0, 1}, {{4, 4, 4}}}};
   const Graph graph = draft.graph();
   draft.edges.push_back({{1, 0}, {{8, 0, 0}}});
-  const Certificate certificate = judge(graph, draft, testing::no_promise());
+  const Certificate certificate = judge(graph, draft, no_promise());
   EXPECT_THAT(kinds(certificate), ElementsAre("edge_set", "size"));  // no_promise has the empty box
   EXPECT_THAT(certificate.violations[0].edges, ElementsAre(0, 1));
 }
@@ -241,7 +240,7 @@ TEST_P(Violations, VertexWithEdgesOnABend) {
   draft.vertices[5] = {4, 4, 4};  // the bend of edge 0
   draft.vertices[6] = {8, 4, 8};
   draft.edges.push_back({{5, 6}, {{6, 2, 6}, {7, 3, 7}}});
-  Guarantee guarantee = testing::no_promise();
+  Guarantee guarantee = no_promise();
   for (AxisBound& axis : guarantee.bound.axes) axis.constant = 1000;
   const Certificate certificate = judge(draft.graph(), draft, guarantee);
   EXPECT_THAT(kinds(certificate), ElementsAre("vertex_on_edge"));
@@ -284,8 +283,7 @@ TEST_P(Violations, AreCountedUpToTheLimit) {
   for (const std::size_t limit : {std::size_t{0}, std::size_t{1}, std::size_t{59}, std::size_t{60},
                                   std::numeric_limits<std::size_t>::max()}) {
     options.max_violations = limit;
-    const Certificate certificate =
-        certify(draft.graph(), draft.drawing(), testing::no_promise(), options);
+    const Certificate certificate = certify(draft.graph(), draft.drawing(), no_promise(), options);
     EXPECT_EQ(certificate.violations.size(), std::min<std::size_t>(limit, 60u));
     EXPECT_EQ(certificate.complete, limit >= 60u);
     EXPECT_FALSE(certificate.valid()) << limit;
@@ -312,4 +310,4 @@ INSTANTIATE_TEST_SUITE_P(Tests, Violations,
                          [](const auto& info) { return std::string(name_of(info.param)); });
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

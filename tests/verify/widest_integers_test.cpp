@@ -14,11 +14,9 @@
 #include "verify/counted_pairs.h"
 #include "verify/random_drafts.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
-using testing::Draft;
-using testing::RandomDrafts;
 using verify::WidestIntegers;
 
 std::vector<std::string> messages(const Certificate& certificate) {
@@ -62,12 +60,12 @@ TEST(WidestIntegersWanted, ChangeNoVerdictOnRandomAndDamagedDrawings) {
   RandomDrafts drafts(3, 10);
   int valid = 0, broken = 0;
   for (std::uint32_t i = 0; i < 2500; ++i) {
-    const auto& set = testing::direction_sets()[i % testing::direction_sets().size()];
-    Draft draft = testing::simple(drafts.walks(set, 1 + i % 11, 3 + i % 17));
+    const auto& set = direction_sets()[i % direction_sets().size()];
+    Draft draft = simple(drafts.walks(set, 1 + i % 11, 3 + i % 17));
     draft = drafts.damaged(std::move(draft), i % 3);
     if (i % 2 == 1) draft = RandomDrafts::far_away(draft);
     const auto judged = [&] {
-      return certify(draft.graph(), draft.drawing(), testing::no_promise(), {.check_size = false});
+      return certify(draft.graph(), draft.drawing(), no_promise(), {.check_size = false});
     };
     ++(judged().valid() ? valid : broken);
     expect_same_verdict(judged, "drawing " + std::to_string(i));
@@ -77,4 +75,4 @@ TEST(WidestIntegersWanted, ChangeNoVerdictOnRandomAndDamagedDrawings) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -22,7 +22,6 @@ endif()
 # of a compiler's time goes into the same headers and templates again and again. So names in anonymous namespaces are unique
 # within a folder and its namespace. A source with options of its own, or in AR3D_ALONE, is compiled alone.
 set(AR3D_ALONE apps/one_rank.cpp  # linked only where nobody else defines join_ranks()
-    tests/verify/counting_test.cpp tests/verify/column_proof_test.cpp tests/verify/modes_test.cpp
     verify/predicates/widths.cpp verify/crossings/crossings_slabs.cpp)
 option(AR3D_TOGETHER "Compile the sources of a folder together" ON)
 function(ar3d_together target most)
