@@ -59,15 +59,16 @@ ordered_json bounds_json(const BoundsEntry& entry, const ShowCommand& show) {
   json["edges_with_bends"] = entry.bends;
   json["theorem_bound"] = valid_utf8(entry.theorem_formula);
   json["published_bound"] = valid_utf8(entry.published_formula);
-  json["volume"] = {{"n", entry.volume.n},
-                    {"log2_volume", json_number(entry.volume.log2_volume)},
-                    {"share", json_number(entry.volume.share)}};
+  json["volume"] = {{"n", entry.volume_n},
+                    {"log2_volume", json_number(entry.log2_volume)},
+                    {"share", json_number(entry.volume_share)}};
   for (const AxisBounds& axis : entry.axes) {
     ordered_json& one = json["axes"].emplace_back(ordered_json{{"measured", axis.measured}});
     one.update(slacks_json(axis));
-    one["worst_row"] = axis.worst_row ? ordered_json(*axis.worst_row) : ordered_json(nullptr);
-    one["worst_command"] = axis.worst_row ? ordered_json(valid_utf8(show(entry.key, axis.worst)))
-                                          : ordered_json(nullptr);
+    const bool is_bounded = !std::isnan(axis.worst_slack);
+    one["worst_row"] = is_bounded ? ordered_json(axis.worst.row) : ordered_json(nullptr);
+    one["worst_command"] =
+        is_bounded ? ordered_json(valid_utf8(show(entry.key, axis.worst))) : ordered_json(nullptr);
   }
   return json;
 }
@@ -81,8 +82,8 @@ ordered_json bounds_line(const BoundsEntry& entry, const ShowCommand& show) {
       json[name + "_" + "xyz"[axis]] = slack;
     }
   }
-  json["log2_volume"] = json_number(entry.volume.log2_volume);
-  json["volume_share"] = json_number(entry.volume.share);
+  json["log2_volume"] = json_number(entry.log2_volume);
+  json["volume_share"] = json_number(entry.volume_share);
   const auto worst = worst_axis(entry);
   json["worst_command"] = worst ? show(entry.key, entry.axes[*worst].worst) : "";
   return json;
@@ -151,8 +152,8 @@ ordered_json scaling_json(const ScalingEntry& entry) {
   json["log_weight"] = json_number(entry.log_weight);
   json["reason"] = entry.reason;
   json["next"] = entry.next;
-  json["next_sizes"] = entry.next_study.sizes;
-  json["next_seeds"] = entry.next_study.seeds;
+  json["next_sizes"] = entry.next_sizes;
+  json["next_seeds"] = entry.next_seeds;
   json["unfinished_rows"] = entry.censored.size();
   json["left_out"] = entry.sizes.left_out;
   json["sizes"] = ordered_json::array();

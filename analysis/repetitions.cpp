@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <optional>
 #include <set>
 #include <span>
 #include <tuple>
@@ -28,28 +27,6 @@ auto drawing_columns(const RunRecord& run) {
   return std::tie(run.graph_hash, run.drawing_hash, run.n, run.m, run.extents, run.bends,
                   run.instance_bound, run.counters);
 }
-
-/// What the repetitions of one drawing tell, row after row.
-class Repetitions {
- public:
-  void look_at(const RunRecord& run, std::size_t row, const FindingSink& found) {
-    if (!measured_.insert({run.level, asked_certificate(run), run.phase, run.scale, run.repetition})
-             .second) {
-      found({FindingKind::duplicate, row, "the same measurement stands twice"}, run);
-    }
-    if (run.status != RunStatus::ok) return;
-    if (!first_) first_ = run;
-    if (drawing_columns(run) != drawing_columns(*first_)) {
-      found({FindingKind::not_repeatable, row,
-             "another drawing than the first repetition's of the same graph"},
-            run);
-    }
-  }
-
- private:
-  std::optional<RunRecord> first_;  // that is ok
-  std::set<std::tuple<std::string, std::string, RunPhase, std::int64_t, std::int64_t>> measured_;
-};
 
 }  // namespace
 
@@ -108,44 +85,56 @@ void find_in_repetitions(const RowView& rows, const std::vector<Fingerprint>& so
   std::sort(suspicious.begin(), suspicious.end(),
             [](const KeyRows& a, const KeyRows& b) { return a.front().row < b.front().row; });
   for (const KeyRows& key : suspicious) {
-    std::map<std::string, Repetitions> drawings;  // more than one if their hashes are equal
+    std::map<std::string, RunRecord> first;  // that is ok; of several drawings if hashes are equal
+    std::set<
+        std::tuple<std::string, std::string, std::string, RunPhase, std::int64_t, std::int64_t>>
+        measured;
     for (const Fingerprint& print : key) {
       const RunRecord& run = rows.read(print.row);
-      drawings[repetition_key(run)].look_at(run, print.row, found);
+      const std::string drawing = repetition_key(run);
+      if (!measured
+               .insert({drawing, run.level, asked_certificate(run), run.phase, run.scale,
+                        run.repetition})
+               .second) {
+        found({FindingKind::duplicate, print.row, "the same measurement stands twice"}, run);
+      }
+      if (run.status != RunStatus::ok) continue;
+      const RunRecord& other = first.try_emplace(drawing, run).first->second;
+      if (drawing_columns(run) != drawing_columns(other)) {
+        found({FindingKind::not_repeatable, print.row,
+               "another drawing than the first repetition's of the same graph"},
+              run);
+      }
     }
   }
 }
 
 void require_one_study(const RowView& rows, const std::string& path) {
-  struct SeededGraph {
-    std::size_t identity;  // hash of family, parameters, n and index
-    std::uint64_t seed;
-    std::size_t row;
-    auto operator<=>(const SeededGraph&) const = default;
-  };
   const auto identity_of = [](const RunRecord& run) {
     return fmt::format("{}\n{}\n{}\n{}", run.family, run.parameters, run.n, run.instance_index);
   };
-  std::vector<SeededGraph> graphs;
+  // Hash of family, parameters, n and index; seed; row.
+  std::vector<std::tuple<std::size_t, std::uint64_t, std::size_t>> graphs;
   std::string former;  // neighbours are mostly of one graph
   for (std::size_t row = 0; row < rows.count; ++row) {
     const RunRecord& run = rows.read(row);
     if (run.n < 0) continue;
     std::string identity = identity_of(run);
-    if (identity == former && run.seed == graphs.back().seed) continue;
-    graphs.push_back({std::hash<std::string>()(identity), run.seed, row});
+    if (identity == former && run.seed == std::get<1>(graphs.back())) continue;
+    graphs.emplace_back(std::hash<std::string>()(identity), run.seed, row);
     former = std::move(identity);
   }
   std::sort(graphs.begin(), graphs.end());
   for (std::size_t i = 1; i < graphs.size(); ++i) {
-    const SeededGraph &one = graphs[i - 1], &two = graphs[i];
-    if (one.identity != two.identity || one.seed == two.seed) continue;
-    const RunRecord run = rows.read(std::min(one.row, two.row));
-    if (identity_of(run) != identity_of(rows.read(std::max(one.row, two.row)))) continue;
+    const auto& [identity, seed, row] = graphs[i - 1];
+    const auto& [next_identity, next_seed, next_row] = graphs[i];
+    if (identity != next_identity || seed == next_seed) continue;
+    const auto [first, second] = std::minmax(row, next_row);
+    const RunRecord run = rows.read(first);
+    if (identity_of(run) != identity_of(rows.read(second))) continue;
     throw InputError(fmt::format(
         "{}: rows {} and {} are of different studies: {}, n = {}, instance {} has two seeds", path,
-        std::min(one.row, two.row), std::max(one.row, two.row), one_line(run.family), run.n,
-        run.instance_index));
+        first, second, one_line(run.family), run.n, run.instance_index));
   }
 }
 

@@ -23,7 +23,7 @@ std::string settings(std::string_view list, std::string_view flag) {
 
 }  // namespace
 
-CommandParts draw_command_parts(const CurveKey& key) {
+std::pair<std::string, std::string> draw_command_parts(const CurveKey& key) {
   return {fmt::format("ar3d generate {} -n ", shell_word(key.family)),
           fmt::format("{} | ar3d draw - --algorithm {}{}", settings(key.parameters, "--set"),
                       shell_word(key.algorithm), settings(key.options, "--set"))};
@@ -37,8 +37,8 @@ std::string draw_command(const RunRecord& run) {
 }
 
 std::string draw_command(const CurveKey& key, const DrawnGraph& graph) {
-  const CommandParts parts = draw_command_parts(key);
-  return fmt::format("{}{} --seed {}{}", parts.before_n, graph.n, graph.seed, parts.behind_seed);
+  const auto [before_n, behind_seed] = draw_command_parts(key);
+  return fmt::format("{}{} --seed {}{}", before_n, graph.n, graph.seed, behind_seed);
 }
 
 ShowCommand::ShowCommand(const RowView& rows) {

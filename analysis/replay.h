@@ -3,6 +3,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "ar3d/analysis/tally.h"
 #include "ar3d/base/printable.h"  // shell_word
@@ -15,12 +16,8 @@ namespace ar3d {
 std::string draw_command(const RunRecord& run);
 std::string draw_command(const CurveKey& key, const DrawnGraph& graph);
 
-/// The same line is before_n, n, " --seed ", the seed, behind_seed.
-struct CommandParts {
-  std::string before_n;
-  std::string behind_seed;
-};
-CommandParts draw_command_parts(const CurveKey& key);
+/// The same line is the first part, n, " --seed ", the seed, the second part.
+std::pair<std::string, std::string> draw_command_parts(const CurveKey& key);
 
 /// The line that shows a row of this study again: draw_command, or replay_command where that needs
 /// the results: the graph is one of a file (/graph_files), which no family makes, or a program of

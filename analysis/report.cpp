@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 #include "ar3d/analysis/report/html.h"
 #include "ar3d/analysis/report/page.h"
@@ -84,44 +86,40 @@ std::vector<Figure> report_figures(const StudyAnalysis& analysis) {
 
 std::vector<std::size_t> rows_to_show(const StudyAnalysis& analysis, std::size_t most,
                                       std::int64_t most_edges) {
-  struct ShownRow {
-    bool is_first;  // of its curve
-    double share;
-    std::size_t row;
-  };
-  std::vector<ShownRow> candidates;
+  std::vector<std::pair<double, std::size_t>> first_rows, other_rows;  // share and row
   for (const CurveTally& curve : analysis.tally.curves) {
-    std::vector<ShownRow> of_curve;
+    std::vector<std::pair<double, std::size_t>> of_curve;
     for (const auto& [n, graph] : report::worst_by_size(curve)) {
-      if (graph->m <= most_edges) of_curve.push_back({false, graph->share(), graph->row});
+      if (graph->m <= most_edges) of_curve.emplace_back(graph->share(), graph->row);
     }
+    if (of_curve.empty()) continue;
     const auto first =
-        std::max_element(of_curve.begin(), of_curve.end(),
-                         [](const ShownRow& a, const ShownRow& b) { return a.share < b.share; });
-    if (first != of_curve.end()) first->is_first = true;
-    candidates.insert(candidates.end(), of_curve.begin(), of_curve.end());
+        std::ranges::max_element(of_curve, {}, &std::pair<double, std::size_t>::first);
+    first_rows.push_back(*first);
+    of_curve.erase(first);
+    other_rows.insert(other_rows.end(), of_curve.begin(), of_curve.end());
   }
-  std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
-    return a.is_first != b.is_first ? a.is_first : a.share > b.share;
-  });
   std::vector<std::size_t> rows;
-  for (const ShownRow& one : candidates) {
-    if (rows.size() < most) rows.push_back(one.row);
+  for (auto* shares : {&first_rows, &other_rows}) {
+    std::ranges::stable_sort(*shares, std::greater(), &std::pair<double, std::size_t>::first);
+    for (const auto& [share, row] : *shares) {
+      if (rows.size() < most) rows.push_back(row);
+    }
   }
   return rows;
 }
 
-std::string render_report(const StudyAnalysis& analysis, const ReportParts& parts) {
-  report::Page page(analysis, parts.drawings);
-  std::string html =
-      head(*analysis.rows.identity) + "<body>\n" + body(page, parts.since) + kReplayPanel;
+std::string render_report(const StudyAnalysis& analysis, const SinceReference& since,
+                          const ShownDrawings& drawings) {
+  report::Page page(analysis, drawings);
+  std::string html = head(*analysis.rows.identity) + "<body>\n" + body(page, since) + kReplayPanel;
   const auto data = [&](const char* id, const std::string& json) {
     html += fmt::format("<script type='application/json' id={}>{}</script>\n", id, json);
   };
   data("rows", page.rows_json());
   data("figures", page.figures_json());
-  data("drawings", drawings_json(parts.drawings));
-  html += "<script type='text/plain' id=viewer>" + parts.drawings.packed_page + "</script>\n";
+  data("drawings", drawings_json(drawings));
+  html += "<script type='text/plain' id=viewer>" + drawings.packed_page + "</script>\n";
   data("figure-style", report::json_string(report::figure_style()));
   return html + "<script>" + report::table_script() + report::page_script() +
          "</script>\n</body></html>\n";

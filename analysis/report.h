@@ -25,17 +25,12 @@ struct ShownDrawings {
   std::string packed_page;  ///< a page of `ar3d view`, in base64 of zlib's deflate format
 };
 
-/// What the page shows beside the study itself.
-struct ReportParts {
-  SinceReference since;
-  ShownDrawings drawings;
-};
-
 /// One HTML page about a study: verdict, what changed since the reference, bounds table, growth,
 /// plots, bends, environment, spec and methods. It needs nothing from outside (no network, no other
 /// file); every string of the file is escaped. About 1 kB per plotted size, however many rows there
 /// are; the drawings come on top.
-std::string render_report(const StudyAnalysis& analysis, const ReportParts& parts = {});
+std::string render_report(const StudyAnalysis& analysis, const SinceReference& since = {},
+                          const ShownDrawings& drawings = {});
 
 /// The rows of the heat maps that are worth storing a drawing of, most important first, at most
 /// `most`: of each curve the graph that comes closest to its bound among those with at most

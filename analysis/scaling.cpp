@@ -54,7 +54,8 @@ std::vector<std::int64_t> doubled_sizes(const ScalingEntry& entry, std::size_t c
 void propose(std::vector<std::int64_t> sizes, std::size_t seeds, ScalingEntry& entry) {
   if (sizes.empty()) return;
   entry.next = sizes_text(sizes) + fmt::format(" with {} seeds each", seeds);
-  entry.next_study = {std::move(sizes), seeds};
+  entry.next_sizes = std::move(sizes);
+  entry.next_seeds = seeds;
 }
 
 double span_of(const std::vector<SizeSample>& sizes) {

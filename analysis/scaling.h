@@ -21,12 +21,6 @@ enum class Growth {
 /// "power law", "power law with logarithm", "apparent exponent", "undecided"
 const char* to_string(Growth growth);
 
-/// What more to measure so that an undecided answer becomes one; both empty if it is decided.
-struct NextStudy {
-  std::vector<std::int64_t> sizes;  ///< n to add
-  std::size_t seeds = 0;            ///< graphs of every size, old and new; 0: as many as there are
-};
-
 /// How one quantity of one curve grows with n.
 struct ScalingEntry {
   CurveKey key;
@@ -45,7 +39,9 @@ struct ScalingEntry {
   Interval law_interval{kMissing, kMissing};
   std::string reason;  ///< why so, one sentence
   std::string next;    ///< which sizes and seeds would decide, in words; empty if nothing would
-  NextStudy next_study;
+  std::vector<std::int64_t> next_sizes;  ///< n to add for that
+  std::size_t next_seeds =
+      0;  ///< graphs of every size for that, old and new; 0: as many as there are
 };
 
 /// "power law", "apparent exponent on [64, 8192]": the label for people.

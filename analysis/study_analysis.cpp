@@ -26,8 +26,7 @@ void add_slack(std::int64_t extent, double bound, std::vector<double>& slacks) {
 }
 
 AxisBounds axis_bounds(const CurveTally& curve, std::size_t axis) {
-  const AxisTally& tally = curve.axes[axis];
-  AxisBounds entry;
+  AxisBounds entry = curve.axes[axis];
   std::vector<double> theorem, instance, published;
   for_each_graph(curve, [&](const DrawnGraph& graph) {
     const std::int64_t extent = graph.extents[axis];
@@ -36,34 +35,25 @@ AxisBounds axis_bounds(const CurveTally& curve, std::size_t axis) {
     add_slack(extent, graph.published_bound[axis], published);
   });
   entry.measured = theorem.size();
-  entry.worst_slack = tally.worst_slack;
-  if (!std::isnan(tally.worst_slack)) {
-    entry.worst_row = tally.worst.row;
-    entry.worst = tally.worst;
-  }
   entry.median_slack = median(theorem);
-  entry.worst_instance_slack = tally.worst_instance_slack;
   entry.median_instance_slack = median(instance);
-  entry.worst_published_slack = tally.worst_published_slack;
   entry.median_published_slack = median(published);
   return entry;
 }
 
-VolumeBound volume_bound(const CurveTally& curve) {
-  VolumeBound volume;
+void add_volume(const CurveTally& curve, BoundsEntry& entry) {
   const auto last = std::find_if(curve.sizes.rbegin(), curve.sizes.rend(),
                                  [](const auto& size) { return size.second.drawn > 0; });
-  if (last == curve.sizes.rend()) return volume;
-  volume.n = last->first;
+  if (last == curve.sizes.rend()) return;
+  entry.volume_n = last->first;
   std::vector<double> volumes, shares;
   for (const DrawnGraph& graph : last->second.graphs) {
     volumes.push_back(graph.log2_volume);
     shares.push_back(
         std::exp(log_value(graph, Quantity::volume, false) - log_bound(graph, Quantity::volume)));
   }
-  volume.log2_volume = median(std::move(volumes));
-  volume.share = median(std::move(shares));
-  return volume;
+  entry.log2_volume = median(std::move(volumes));
+  entry.volume_share = median(std::move(shares));
 }
 
 // A bound that does not depend on n is no theorem's box: none is promised, or (by a program of the
@@ -102,7 +92,7 @@ std::vector<BoundsEntry> bounds_table(const StudyTally& tally, const StudyIdenti
     entry.unproved = curve.unproved;
     entry.bends = curve.bends;
     for (std::size_t axis = 0; axis < 3; ++axis) entry.axes[axis] = axis_bounds(curve, axis);
-    entry.volume = volume_bound(curve);
+    add_volume(curve, entry);
     const AlgorithmRecord* algorithm =
         find_algorithm_record(algorithms, curve.key.algorithm, curve.key.options);
     if (algorithm != nullptr && promises_box(algorithm->theorem)) {

@@ -13,33 +13,6 @@
 
 namespace ar3d {
 
-/// One axis of one curve. Slack is 1 - extent / bound, computed here from the extents: 0 touches
-/// the bound, a negative one breaks it. Statistics are over graphs (the first ok repetition of
-/// each); medians over those that the tally keeps.
-struct AxisBounds {
-  std::size_t measured = 0;  ///< instances with an extent and a positive finite theorem's bound
-  double worst_slack = kMissing;   ///< smallest slack against the theorem's bound
-  double median_slack = kMissing;  ///< median slack against the theorem's bound
-  double worst_instance_slack =
-      kMissing;  ///< the same against the proof's bound for the very instance;
-  double median_instance_slack = kMissing;  ///< missing if the algorithm states none
-  double worst_published_slack =
-      kMissing;  ///< the same against the published bound; missing if there is none
-  double median_published_slack = kMissing;
-  std::optional<std::size_t> worst_row;  ///< the row of the smallest slack
-  DrawnGraph worst;                      ///< its graph
-};
-
-/// Volumes (lattice points of the box) of the largest n that was measured; medians over its
-/// instances.
-struct VolumeBound {
-  std::int64_t n = -1;
-  double log2_volume = kMissing;
-  /// Volume over that of the theorem's own box, the product of bound + 1: what the volume is set
-  /// against has the order that the very theorem promises. Missing without a theorem's bound.
-  double share = kMissing;
-};
-
 /// The bounds table of one curve: what the theorem promises beside what was measured.
 struct BoundsEntry {
   CurveKey key;
@@ -51,7 +24,12 @@ struct BoundsEntry {
   std::size_t violations = 0;  ///< rows that break a bound or a certificate, as `check` counts them
   std::size_t unproved = 0;    ///< ok rows that no exact certificate judged
   std::array<AxisBounds, 3> axes;
-  VolumeBound volume;
+  std::int64_t volume_n = -1;     ///< the largest n that was drawn: volumes are of its graphs
+  double log2_volume = kMissing;  ///< lattice points of the box, median
+  /// Volume over that of the theorem's own box, the product of bound + 1, median: what the volume
+  /// is set against has the order that the very theorem promises. Missing without a theorem's
+  /// bound.
+  double volume_share = kMissing;
   std::string theorem_formula;    ///< "16/3 n, 16/3 n, 8 n (proved here, docs/theorem1.md)"
   std::string published_formula;  ///< empty if nobody published a bound
   std::array<std::uint64_t, 8>

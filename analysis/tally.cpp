@@ -182,9 +182,9 @@ void Tallying::add_batch(const RunRecord& run, const CurveKey& key) {
   batch.efficiency.push_back(run.efficiency);
 }
 
-void add_slacks(const DrawnGraph& graph, std::array<AxisTally, 3>& axes) {
+void add_slacks(const DrawnGraph& graph, std::array<AxisBounds, 3>& axes) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    AxisTally& tally = axes[axis];
+    AxisBounds& tally = axes[axis];
     const std::int64_t extent = graph.extents[axis];
     const double slack = slack_of(extent, graph.theorem_bound[axis]);
     if (!std::isnan(slack) && !(slack >= tally.worst_slack)) {

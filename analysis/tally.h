@@ -65,12 +65,18 @@ struct CensoredRow {
   RunStatus status = RunStatus::crashed;
 };
 
-/// The smallest slack of one axis over all graphs; slack is 1 - extent / bound.
-struct AxisTally {
-  double worst_slack = kMissing;            ///< against the theorem's bound
-  double worst_instance_slack = kMissing;   ///< against the proof's bound for the very instance
+/// One axis of one curve. Slack is 1 - extent / bound, computed from the extents: 0 touches the
+/// bound, a negative one breaks it; missing without a bound. Statistics are over graphs (the first
+/// ok repetition of each); medians, which bounds_table fills in, over those that the tally keeps.
+struct AxisBounds {
+  std::size_t measured = 0;  ///< kept graphs with an extent and a positive finite theorem's bound
+  double worst_slack = kMissing;  ///< the smallest against the theorem's bound
+  double median_slack = kMissing;
+  double worst_instance_slack = kMissing;  ///< against the proof's bound for the very instance
+  double median_instance_slack = kMissing;
   double worst_published_slack = kMissing;  ///< against the published bound
-  DrawnGraph worst;                         ///< the graph of worst_slack
+  double median_published_slack = kMissing;
+  DrawnGraph worst;  ///< the graph of worst_slack
 };
 
 /// 1 - extent / bound; missing if one of the two is, or the bound is 0.
@@ -91,7 +97,7 @@ struct CurveTally {
   std::array<std::size_t, kNumRunStatuses> rows_of_status{};  ///< indexed by RunStatus
   std::int64_t smallest_n = -1;
   std::int64_t largest_n = -1;
-  std::array<AxisTally, 3> axes;
+  std::array<AxisBounds, 3> axes;
   std::array<std::uint64_t, 8> bends{};  ///< edges with b bends over all drawn graphs; 7 or more
   bool has_timing_rows = false;          ///< some ok row is of the timing phase
   std::map<std::int64_t, SizeTally> sizes;

@@ -13,6 +13,7 @@
 #include "ar3d/analysis/compare/signed_rank.h"
 #include "ar3d/analysis/curves.h"
 #include "ar3d/analysis/history/cell_values.h"
+#include "ar3d/analysis/history/change_points.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
 #include "ar3d/base/printable.h"
@@ -49,13 +50,6 @@ struct BisectArguments {
 /// Thrown where a signal asked to stop.
 struct BisectStopped {};
 
-/// What a program does otherwise than GOOD: log(its value / GOOD's), with an interval; for volume
-/// and bends 1 if some drawing's are other ones, else 0.
-struct Difference {
-  double estimate = 0;
-  Interval interval{};
-};
-
 /// Runs the cell with GOOD and another program.
 class CellJudge {
  public:
@@ -65,9 +59,11 @@ class CellJudge {
         folder_(std::move(folder)),
         arguments_(arguments) {}
 
+  /// What a program does otherwise than GOOD: log(its value / GOOD's), with an interval; for volume
+  /// and bends 1 if some drawing's are other ones, else 0.
   /// @param boundary  more rounds are made until the interval is without it; none: once.
   /// @throws BisectStopped; InputError if a program does not run, or the cell has no value.
-  Difference difference(const std::string& program, std::optional<double> boundary) const {
+  Shift difference(const std::string& program, std::optional<double> boundary) const {
     return arguments_.measure == "time" ? of_time(program, boundary) : of_drawings(program);
   }
 
@@ -80,7 +76,7 @@ class CellJudge {
     return run;
   }
 
-  Difference of_time(const std::string& program, std::optional<double> boundary) const {
+  Shift of_time(const std::string& program, std::optional<double> boundary) const {
     std::vector<double> log_ratios;
     SignedRankTest test;
     for (int doubling = 0; doubling <= (boundary ? kDoublings : 0); ++doubling) {
@@ -99,7 +95,7 @@ class CellJudge {
     return {test.estimate, test.interval};
   }
 
-  Difference of_drawings(const std::string& program) const {
+  Shift of_drawings(const std::string& program) const {
     const InterleavedRounds rounds = run(program, 1);
     const CellValue base = value_of(rounds.base.front()), now = value_of(rounds.now.front());
     const bool is_counted = arguments_.measure == "instructions";
@@ -124,7 +120,7 @@ class CellJudge {
   const BisectArguments& arguments_;
 };
 
-std::string text_of(const Difference& difference, const std::string& measure) {
+std::string text_of(const Shift& difference, const std::string& measure) {
   const auto percent = [](double log) { return fmt::format("{:+.3g} %", 100 * std::expm1(log)); };
   if (measure == "volume" || measure == "bends") {
     return difference.estimate > 0 ? fmt::format("{} changed", measure)
@@ -221,7 +217,7 @@ class CommitSearch {
     commits_ = commits_between(checkout_, good, commit_of(checkout_, arguments_.bad));
     fmt::print("cell     {}\ncommits  {} to look among\n", arguments_.cell, commits_.size());
     judge_.emplace(build(good), spec, folder_, arguments_);
-    const Difference whole = judge_->difference(build(commits_.back().hash), {});
+    const Shift whole = judge_->difference(build(commits_.back().hash), {});
     fmt::print("BAD      {}\n", text_of(whole, arguments_.measure));
     if (!differs(whole)) {
       fmt::print("NO CHANGE between GOOD and BAD that {} could show\n",
@@ -240,7 +236,7 @@ class CommitSearch {
     return *program;
   }
 
-  bool differs(const Difference& whole) const {
+  bool differs(const Shift& whole) const {
     const bool is_time = arguments_.measure == "time";
     const double threshold = is_time ? arguments_.threshold_percent / 100 : kInstructionThreshold;
     return std::abs(whole.estimate) > std::log1p(threshold) && !whole.interval.contains(0) &&
@@ -253,7 +249,7 @@ class CommitSearch {
       const Commit& commit = commits_[*next];
       const std::string name = commit.hash.substr(0, 12) + " " + printable(commit.subject);
       try {
-        const Difference seen = judge_->difference(build(commit.hash), boundary);
+        const Shift seen = judge_->difference(build(commit.hash), boundary);
         const bool is_open = seen.interval.contains(boundary) || !std::isfinite(seen.interval.low);
         const bool is_bad = boundary > 0 ? seen.estimate > boundary : seen.estimate < boundary;
         if (is_open) bisection.skip(*next);
@@ -274,7 +270,7 @@ class CommitSearch {
     last_ = bisection.last();
   }
 
-  int conclude(const Difference& whole) const {
+  int conclude(const Shift& whole) const {
     for (std::size_t i = first_; i <= last_; ++i) {
       fmt::print("{} {} {}\n", first_ == last_ ? "FOUND   " : "PERHAPS ", commits_[i].hash,
                  printable(commits_[i].subject));

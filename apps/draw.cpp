@@ -227,10 +227,8 @@ void add_draw(CLI::App& app, int& exit_code) {
   add_graph_input_options(*verb, arguments->graphs);
   verb->add_option("--algorithm", arguments->algorithm, "an algorithm of `ar3d list algorithms`")
       ->required();
-  verb->add_option("--set", arguments->options,
-                   "an option of the algorithm, name=integer; may be repeated")
-      ->type_size(1)
-      ->allow_extra_args(false);
+  add_repeated(*verb, "--set", arguments->options,
+               "an option of the algorithm, name=integer; may be repeated");
   verb->add_option("--format", arguments->format,
                    "one of those below; by the file's ending, jsonl without one");
   verb->add_option(

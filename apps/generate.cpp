@@ -114,10 +114,8 @@ void add_generate(CLI::App& app, int&) {
   verb->add_option("--seed", arguments->seed, "seed of the first graph; each further one adds 1")
       ->check(whole_number(0));
   verb->add_option("--count", arguments->count, "number of graphs")->check(whole_number(1));
-  verb->add_option("--set", arguments->parameters,
-                   "a parameter of the family, name=integer; may be repeated")
-      ->type_size(1)
-      ->allow_extra_args(false);
+  add_repeated(*verb, "--set", arguments->parameters,
+               "a parameter of the family, name=integer; may be repeated");
   verb->add_option("--format", arguments->format,
                    "graph format; by the file's ending, sparse6 without one");
   verb->add_option("-o,--output", arguments->output, "file, or - for standard output");

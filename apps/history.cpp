@@ -22,11 +22,14 @@ namespace {
 constexpr const char* kFolder = "ar3d-history";
 constexpr std::size_t kHashDigits = 12;  // of a commit's name
 
-struct AddArguments {
-  std::string results;
+struct HistoryArguments {
   std::string folder = kFolder;
+  std::string results;  // of `add`, as the next two
   std::int64_t place = -1;
   std::string name;
+  std::string output;  // of `report`, as the next two
+  std::string json;
+  double threshold_percent = 2;
   bool force = false;
 };
 
@@ -46,7 +49,7 @@ std::vector<std::string> results_files(const std::string& folder) {
 }
 
 /// @throws InputError if these results stand for no commit as a whole.
-void require_whole(const AddArguments& arguments, const RunReader& reader) {
+void require_whole(const HistoryArguments& arguments, const RunReader& reader) {
   const StudyIdentity& study = reader.identity();
   const auto rows = static_cast<std::int64_t>(reader.size());
   if (rows == 0) throw InputError(fmt::format("{} has no rows", arguments.results));
@@ -61,7 +64,7 @@ void require_whole(const AddArguments& arguments, const RunReader& reader) {
   }
 }
 
-std::int64_t place_of(const AddArguments& arguments, const StudyIdentity& study) {
+std::int64_t place_of(const HistoryArguments& arguments, const StudyIdentity& study) {
   if (arguments.place >= 0) return arguments.place;
   const std::int64_t place = is_commit(study.source_hash) ? commits_up_to(study.source_hash) : -1;
   if (place >= 0) return place;
@@ -101,7 +104,7 @@ void refuse_copies(const std::string& results, const std::string& folder,
   }
 }
 
-int add_results(const AddArguments& arguments) {
+int add_results(const HistoryArguments& arguments) {
   const RunReader reader(arguments.results);
   const StudyIdentity& study = reader.identity();
   require_whole(arguments, reader);
@@ -124,14 +127,6 @@ int add_results(const AddArguments& arguments) {
   fmt::print("added    {}\n", path);
   return kPass;
 }
-
-struct HistoryArguments {
-  std::string folder = kFolder;
-  std::string output;
-  std::string json;
-  double threshold_percent = 2;
-  bool force = false;
-};
 
 int report_history(const HistoryArguments& arguments) {
   const std::string page =
@@ -168,7 +163,7 @@ int report_history(const HistoryArguments& arguments) {
 
 void add_add(CLI::App& history, int& exit_code) {
   CLI::App* verb = history.add_subcommand("add", "Copies a results file into the folder");
-  const auto arguments = std::make_shared<AddArguments>();
+  const auto arguments = std::make_shared<HistoryArguments>();
   verb->add_option("RESULTS", arguments->results, "results file (HDF5) of a finished study")
       ->required();
   verb->add_option("--folder", arguments->folder, "where the history is; made if it is not there")

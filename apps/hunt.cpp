@@ -24,33 +24,39 @@
 namespace ar3d {
 namespace {
 
-/// What `hunt` and `shrink` share: which drawings, which share of which bound, and where the
-/// exhibit goes.
-struct SubjectArguments {
+/// Which drawings, which share of which bound, and where the exhibit goes.
+struct HuntArguments {
   std::string algorithm;
-  std::vector<std::string> options;
+  std::vector<std::string> settings;  // of the algorithm
   std::string seeded_fault;
   std::string measure = "side";
   std::string against = "theorem";
   std::string output;
   bool force = false;
+  std::string input;           // graphs to hunt from, or the one to shrink
+  GraphInput reading;          // of it
+  std::string family = "all";  // of `hunt`, as the next two
+  std::vector<std::string> parameters;
+  HuntOptions hunting;
+  std::optional<double> ratio;  // of `shrink`, as the next one
+  std::uint64_t most_drawings = 100000;
 };
 
 constexpr EdgeId kMostEdgesInPicture = 2000;
 
-std::string algorithm_words(const SubjectArguments& arguments) {
+std::string algorithm_words(const HuntArguments& arguments) {
   std::string words = " --algorithm " + shell_word(arguments.algorithm);
-  for (const std::string& option : arguments.options) words += " --set " + shell_word(option);
+  for (const std::string& option : arguments.settings) words += " --set " + shell_word(option);
   return words;
 }
 
-std::string draw_line(const SubjectArguments& arguments) {
+std::string draw_line(const HuntArguments& arguments) {
   return fmt::format("ar3d draw {}{}", shell_word(arguments.output + ".s6"),
                      algorithm_words(arguments));
 }
 
 /// The lines with which anybody sees the same again.
-std::string replay_lines(const Trial& trial, const SubjectArguments& arguments) {
+std::string replay_lines(const Trial& trial, const HuntArguments& arguments) {
   const std::string graph = shell_word(arguments.output + ".s6");
   std::string lines =
       fmt::format("ar3d verify {} --graphs {}\n", shell_word(arguments.output + ".jsonl"), graph);
@@ -63,13 +69,11 @@ std::string replay_lines(const Trial& trial, const SubjectArguments& arguments) 
          (trial.failure.empty() ? "the seeded fault does not show\n" : "");
 }
 
-void add_subject_options(CLI::App& verb, SubjectArguments& arguments) {
+void add_subject_options(CLI::App& verb, HuntArguments& arguments) {
   verb.add_option("--algorithm", arguments.algorithm, "an algorithm of `ar3d list algorithms`")
       ->required();
-  verb.add_option("--set", arguments.options,
-                  "an option of the algorithm, name=integer; may be repeated")
-      ->type_size(1)
-      ->allow_extra_args(false);
+  add_repeated(verb, "--set", arguments.settings,
+               "an option of the algorithm, name=integer; may be repeated");
   verb.add_option("--measure", arguments.measure,
                   "whose share of the bound counts: x, y, z, side (the largest of them) or volume")
       ->check(one_of({"side", "x", "y", "z", "volume"}));
@@ -83,7 +87,7 @@ void add_subject_options(CLI::App& verb, SubjectArguments& arguments) {
 
 /// The line that shrinks the graph of PREFIX.s6 and keeps what the trial shows: its violation, or
 /// its ratio to the last digit.
-std::string shrink_line(const Trial& trial, const SubjectArguments& arguments) {
+std::string shrink_line(const Trial& trial, const HuntArguments& arguments) {
   std::string line =
       fmt::format("ar3d shrink {}{} --measure {} --bound {}", shell_word(arguments.output + ".s6"),
                   algorithm_words(arguments), arguments.measure, arguments.against);
@@ -94,31 +98,32 @@ std::string shrink_line(const Trial& trial, const SubjectArguments& arguments) {
   return line + " -o " + shell_word(arguments.output + "-small");
 }
 
-/// @throws InputError if the exhibit would go to a stream, over `input` or over somebody's results.
-void refuse_unsafe_exhibit(const SubjectArguments& arguments, const std::string& input) {
+/// @throws InputError if the exhibit would go to a stream, over the input or over somebody's
+/// results.
+void refuse_unsafe_exhibit(const HuntArguments& arguments) {
   const std::string& prefix = arguments.output;
   if (prefix == "-") {
     throw InputError("-o is the beginning of several files' names here, not a stream");
   }
   if (prefix.empty()) return;
   refuse_unsafe_outputs(
-      {.inputs = {input},
+      {.inputs = {arguments.input},
        .outputs = {prefix + ".s6", prefix + ".jsonl", prefix + ".svg", prefix + ".txt"},
        .force = arguments.force});
 }
 
 /// @throws InputError naming what is unknown.
-Subject subject_of(const SubjectArguments& arguments) {
+Subject subject_of(const HuntArguments& arguments) {
   const Algorithm& algorithm = find_algorithm(arguments.algorithm);
   Subject subject;
-  subject.choice = {&algorithm, complete_options(algorithm, parse_settings(arguments.options))};
+  subject.choice = {&algorithm, complete_options(algorithm, parse_settings(arguments.settings))};
   if (!arguments.seeded_fault.empty()) {
     subject.fault = &find_seeded_fault(arguments.seeded_fault);
   }
   return subject;
 }
 
-RatioRule rule_of(const SubjectArguments& arguments) {
+RatioRule rule_of(const HuntArguments& arguments) {
   RatioRule rule;
   for (const auto& [name, measure] :
        {std::pair("x", BoundShare::x), std::pair("y", BoundShare::y), std::pair("z", BoundShare::z),
@@ -130,7 +135,7 @@ RatioRule rule_of(const SubjectArguments& arguments) {
 }
 
 /// "extent x 12 of 16 (75.0 %), …; ratio 0.75", and the failure if there is one.
-std::string trial_text(const Trial& trial, const SubjectArguments& arguments) {
+std::string trial_text(const Trial& trial, const HuntArguments& arguments) {
   std::string text = fmt::format(
       "{} vertices, {} edges: box {} x {} x {} of {:.6g} x {:.6g} x {:.6g}; "
       "{} is {:.4f} of the {}'s bound\n",
@@ -144,7 +149,7 @@ std::string trial_text(const Trial& trial, const SubjectArguments& arguments) {
 /// Writes PREFIX.s6 (the graph), PREFIX.jsonl (its drawing), PREFIX.svg (a picture, if it is small
 /// enough for one) and PREFIX.txt (what it shows and the lines that show it again), and prints
 /// their names. @throws InputError if one cannot be written.
-void write_exhibit(const Subject& subject, const Trial& trial, const SubjectArguments& arguments) {
+void write_exhibit(const Subject& subject, const Trial& trial, const HuntArguments& arguments) {
   const std::string& prefix = arguments.output;
   std::string graph;
   append_sparse6(graph, trial.graph);
@@ -163,37 +168,28 @@ void write_exhibit(const Subject& subject, const Trial& trial, const SubjectArgu
   fmt::print("wrote {}.txt and what it names\n{}", prefix, lines);
 }
 
-struct HuntArguments {
-  SubjectArguments subject;
-  std::string family = "all";
-  std::vector<std::string> parameters;
-  std::string from;
-  GraphInput reading;
-  HuntOptions options;
-};
-
 std::vector<FamilyChoice> chosen_families(const HuntArguments& arguments,
                                           const Algorithm& algorithm) {
-  if (!arguments.from.empty()) {
+  if (!arguments.input.empty()) {
     CorpusOptions options;
     options.reading = arguments.reading.read_options();
     const auto graphs =
-        named_corpus(arguments.from, std::make_shared<const Corpus>(arguments.from, options));
+        named_corpus(arguments.input, std::make_shared<const Corpus>(arguments.input, options));
     return {{&graphs->family, {}, graphs}};
   }
   if (arguments.family == "all" && arguments.parameters.empty()) {
-    return fitting_families(algorithm, arguments.options.n);
+    return fitting_families(algorithm, arguments.hunting.n);
   }
   const Family& family = find_family(arguments.family);
   return {{&family, complete_parameters(family, parse_settings(arguments.parameters))}};
 }
 
 int hunt_and_show(HuntArguments arguments) {
-  refuse_unsafe_exhibit(arguments.subject, arguments.from);
-  const Subject subject = subject_of(arguments.subject);
-  arguments.options.families = chosen_families(arguments, *subject.choice.algorithm);
+  refuse_unsafe_exhibit(arguments);
+  const Subject subject = subject_of(arguments);
+  arguments.hunting.families = chosen_families(arguments, *subject.choice.algorithm);
   const HuntResult result =
-      hunt(subject, rule_of(arguments.subject), arguments.options, [](const HuntResult& so_far) {
+      hunt(subject, rule_of(arguments), arguments.hunting, [](const HuntResult& so_far) {
         fmt::print(stderr, "{:>8} graphs: {:.4f} from {}\n", so_far.evaluations, so_far.best.ratio,
                    so_far.start.family->name);
       });
@@ -201,10 +197,10 @@ int hunt_and_show(HuntArguments arguments) {
              result.evaluations, result.starts, result.start.family->name,
              result.start.corpus ? fmt::format("graph {}", result.start_place)
                                  : fmt::format("with seed {}", result.start_seed));
-  fmt::print("{}", trial_text(result.best, arguments.subject));
-  if (!arguments.subject.output.empty()) {
-    write_exhibit(subject, result.best, arguments.subject);
-    fmt::print("{}\n", shrink_line(result.best, arguments.subject));
+  fmt::print("{}", trial_text(result.best, arguments));
+  if (!arguments.output.empty()) {
+    write_exhibit(subject, result.best, arguments);
+    fmt::print("{}\n", shrink_line(result.best, arguments));
   }
   return result.best.failure.empty() ? kPass : kViolated;
 }
@@ -215,17 +211,15 @@ void add_hunt(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand(
       "hunt", "Searches for the graph that comes closest to a bound, or breaks one");
   const auto arguments = std::make_shared<HuntArguments>();
-  add_subject_options(*verb, arguments->subject);
-  HuntOptions& options = arguments->options;
+  add_subject_options(*verb, *arguments);
+  HuntOptions& options = arguments->hunting;
   verb->add_option("--family", arguments->family,
                    "where searches start: a family, or all that the algorithm draws");
-  verb->add_option("--parameter", arguments->parameters,
-                   "a parameter of the family, name=integer; may be repeated")
-      ->type_size(1)
-      ->allow_extra_args(false);
+  add_repeated(*verb, "--parameter", arguments->parameters,
+               "a parameter of the family, name=integer; may be repeated");
   verb->add_option("-n", options.n, "requested number of vertices")->check(whole_number(1, 100000));
   verb->add_option(
-          "--from", arguments->from,
+          "--from", arguments->input,
           "search from the graphs of this file instead, in any format, one after the other")
       ->excludes(verb->get_option("--family"))
       ->excludes(verb->get_option("--parameter"))
@@ -240,7 +234,7 @@ void add_hunt(CLI::App& app, int& exit_code) {
   verb->add_option("--seconds", options.seconds,
                    "stop after that time even so (the result then depends on the machine)")
       ->check(finite_number(true));
-  verb->add_option("-o,--output", arguments->subject.output,
+  verb->add_option("-o,--output", arguments->output,
                    "prefix of the files that show the best one: .s6, .jsonl, .svg, .txt");
   verb->footer(
       "Exit code 4 if a drawing is violated.\n"
@@ -249,14 +243,6 @@ void add_hunt(CLI::App& app, int& exit_code) {
 }
 
 namespace {
-
-struct ShrinkArguments {
-  SubjectArguments subject;
-  std::string input;
-  GraphInput graph;
-  std::optional<double> ratio;
-  std::uint64_t evaluations = 100000;
-};
 
 Graph only_graph(const std::string& path, const ReadOptions& options) {
   GraphReader reader(path, options);
@@ -267,11 +253,11 @@ Graph only_graph(const std::string& path, const ReadOptions& options) {
   return *graph;
 }
 
-int shrink_and_show(const ShrinkArguments& arguments) {
-  refuse_unsafe_exhibit(arguments.subject, arguments.input);
-  const Subject subject = subject_of(arguments.subject);
-  const RatioRule rule = rule_of(arguments.subject);
-  const Graph graph = only_graph(arguments.input, arguments.graph.read_options());
+int shrink_and_show(const HuntArguments& arguments) {
+  refuse_unsafe_exhibit(arguments);
+  const Subject subject = subject_of(arguments);
+  const RatioRule rule = rule_of(arguments);
+  const Graph graph = only_graph(arguments.input, arguments.reading.read_options());
   const Trial whole = try_graph(subject, rule, graph);
   const bool keeps_failure = !arguments.ratio;
   if (keeps_failure && whole.failure.empty()) {
@@ -288,14 +274,14 @@ int shrink_and_show(const ShrinkArguments& arguments) {
         const Trial trial = try_graph(subject, rule, candidate);
         return keeps_failure ? trial.failure == whole.failure : trial.ratio >= *arguments.ratio;
       },
-      arguments.evaluations);
+      arguments.most_drawings);
   const Trial least = try_graph(subject, rule, result.graph);
   fmt::print("{} of {} vertices and {} of {} edges are left after {} drawings{}\n",
              result.graph.num_vertices(), graph.num_vertices(), result.graph.num_edges(),
              graph.num_edges(), result.evaluations,
              result.minimal ? "; none can go" : "; the evaluations ran out");
-  fmt::print("{}", trial_text(least, arguments.subject));
-  write_exhibit(subject, least, arguments.subject);
+  fmt::print("{}", trial_text(least, arguments));
+  write_exhibit(subject, least, arguments);
   return least.failure.empty() ? kPass : kViolated;
 }
 
@@ -304,16 +290,16 @@ int shrink_and_show(const ShrinkArguments& arguments) {
 void add_shrink(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand(
       "shrink", "Reduces a graph whose drawing is violated or extreme while it stays so");
-  const auto arguments = std::make_shared<ShrinkArguments>();
+  const auto arguments = std::make_shared<HuntArguments>();
   verb->add_option("GRAPH", arguments->input, "one graph in any input format")->required();
-  add_graph_input_options(*verb, arguments->graph);
-  add_subject_options(*verb, arguments->subject);
+  add_graph_input_options(*verb, arguments->reading);
+  add_subject_options(*verb, *arguments);
   verb->add_option("--ratio", arguments->ratio,
                    "keep the share of the bound at least this; else the violation stays")
       ->check(finite_number(true));
-  verb->add_option("--evaluations", arguments->evaluations, "at most so many drawings")
+  verb->add_option("--evaluations", arguments->most_drawings, "at most so many drawings")
       ->check(whole_number(1, 1000000000));
-  verb->add_option("-o,--output", arguments->subject.output,
+  verb->add_option("-o,--output", arguments->output,
                    "prefix of the files that show what is left: .s6, .jsonl, .svg, .txt")
       ->required();
   verb->footer(

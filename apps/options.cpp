@@ -58,6 +58,11 @@ CLI::Validator one_of(std::vector<std::string> known) {
           std::move(shown)};
 }
 
+CLI::Option* add_repeated(CLI::App& verb, const std::string& name, std::vector<std::string>& values,
+                          const std::string& what) {
+  return verb.add_option(name, values, what)->type_size(1)->allow_extra_args(false);
+}
+
 void add_threads_option(CLI::App& verb) {
   verb.add_option_function<int>(
           "--threads", [](int threads) { omp_set_num_threads(threads); },

@@ -23,6 +23,10 @@ CLI::Validator number_between(double low, double high);
 /// One of the known words; any other is answered with all of them and the nearest one.
 CLI::Validator one_of(std::vector<std::string> known);
 
+/// An option that may be repeated, each time with one value.
+CLI::Option* add_repeated(CLI::App& verb, const std::string& name, std::vector<std::string>& values,
+                          const std::string& what);
+
 /// --threads of verbs that work on many drawings at the same time, or on a large one with several
 /// threads.
 void add_threads_option(CLI::App& verb);

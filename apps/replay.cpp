@@ -30,6 +30,8 @@ struct ReplayArguments {
   std::string format;
   std::string graphs;
   bool force = false;
+  std::size_t sample = 20;  // of `study selfcheck`, as the seed
+  std::uint64_t seed = 1;
 };
 
 /// The row with that key, or with that number from 0.
@@ -117,12 +119,6 @@ void add_replay(CLI::App& app, int& exit_code) {
 
 namespace {
 
-struct SelfcheckArguments {
-  std::string results;
-  std::size_t sample = 20;
-  std::uint64_t seed = 1;
-};
-
 void print_irreproducible(const Results& results, const IrreproducibleRow& row) {
   const RunRecord& run = results.runs[row.row];
   std::string columns;
@@ -131,7 +127,7 @@ void print_irreproducible(const Results& results, const IrreproducibleRow& row) 
              run.algorithm, run.options, columns);
 }
 
-int check_a_sample(const SelfcheckArguments& arguments) {
+int check_a_sample(const ReplayArguments& arguments) {
   const Results results = read_results(arguments.results);
   const std::vector<std::size_t> places =
       sample_of_rows(results.runs, arguments.sample, arguments.seed);
@@ -159,7 +155,7 @@ int check_a_sample(const SelfcheckArguments& arguments) {
 void add_study_selfcheck(CLI::App& study, int& exit_code) {
   CLI::App* verb =
       study.add_subcommand("selfcheck", "Makes a random sample of rows again, bit for bit");
-  const auto arguments = std::make_shared<SelfcheckArguments>();
+  const auto arguments = std::make_shared<ReplayArguments>();
   verb->add_option("RESULTS", arguments->results, "results file (HDF5)")->required();
   verb->add_option("--sample", arguments->sample, "number of rows, default 20")
       ->check(whole_number(1, 10000000));

@@ -124,12 +124,13 @@ int write_report(const ReportArguments& arguments) {
   const StudyRows rows(arguments.results);
   const RowView& view = rows.view();
   const StudyAnalysis analysis = analyse(view, judge(view, arguments.results));
-  const ReportParts parts = report_parts(analysis, arguments.reference);
+  const SinceReference since = since_reference(view, arguments.reference);
+  const ShownDrawings drawings = shown_drawings(analysis);
   const std::vector<Figure> figures = figures_for(analysis, arguments.figures, arguments.force);
   const auto write = [](const std::string& to, const auto& make) {
     if (!to.empty()) write_file_atomically(to, make());
   };
-  write(path, [&] { return render_report(analysis, parts); });
+  write(path, [&] { return render_report(analysis, since, drawings); });
   write(arguments.csv, [&] { return bounds_csv(analysis); });
   write(arguments.json, [&] { return analysis_json(analysis); });
   write(arguments.growth, [&] { return scaling_csv(analysis); });

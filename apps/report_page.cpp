@@ -123,12 +123,8 @@ ShownDrawings shown_drawings(const StudyAnalysis& analysis) {
   return shown;
 }
 
-ReportParts report_parts(const StudyAnalysis& analysis, const std::string& reference) {
-  ReportParts parts;
-  parts.since =
-      reference.empty() ? since_committed(analysis.rows) : since(analysis.rows, reference);
-  parts.drawings = shown_drawings(analysis);
-  return parts;
+SinceReference since_reference(const RowView& rows, const std::string& reference) {
+  return reference.empty() ? since_committed(rows) : since(rows, reference);
 }
 
 }  // namespace ar3d

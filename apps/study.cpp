@@ -33,8 +33,9 @@ namespace ar3d {
 namespace {
 
 struct RunArguments {
-  StudyChoice chosen;  // of `run`
-  std::string study;   // of `resume`: its results file or journal
+  StudyChoice chosen;              // of `run`
+  std::string study;               // of `resume`: its results file or journal
+  std::vector<std::string> parts;  // of `merge`: results files or journals
   std::string output;
   std::string shard;
   std::vector<std::string> again;
@@ -56,7 +57,8 @@ void write_report(const std::string& results, const StudyAnalysis& analysis) {
         page, shell_word(results));
     return;
   }
-  write_file_atomically(page, render_report(analysis, report_parts(analysis, {})));
+  write_file_atomically(
+      page, render_report(analysis, since_reference(analysis.rows, {}), shown_drawings(analysis)));
   fmt::print("report   {}\n", page);
 }
 
@@ -242,13 +244,7 @@ void add_resume(CLI::App& study, int& exit_code) {
   });
 }
 
-struct MergeArguments {
-  std::vector<std::string> parts;
-  std::string output;
-  bool force = false;
-};
-
-int merge(const MergeArguments& arguments) {
+int merge(const RunArguments& arguments) {
   refuse_unsafe_outputs({.inputs = arguments.parts,
                          .outputs = {arguments.output},
                          .force = arguments.force,
@@ -269,7 +265,7 @@ int merge(const MergeArguments& arguments) {
 
 void add_merge(CLI::App& study, int& exit_code) {
   CLI::App* verb = study.add_subcommand("merge", "Makes one results file of a study's shards");
-  const auto arguments = std::make_shared<MergeArguments>();
+  const auto arguments = std::make_shared<RunArguments>();
   verb->add_option("PART", arguments->parts, "results files or journals, in any order")->required();
   verb->add_option("-o,--output", arguments->output, "results file")->required();
   add_force(*verb, arguments->force);

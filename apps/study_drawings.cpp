@@ -30,8 +30,7 @@ namespace {
 
 int write_drawings(const std::string& path, const RowView& rows, KeptDrawings kept) {
   OutputFile file(path);
-  const ReadableRows readable{rows.count, [&rows](std::size_t row) { return rows.read(row); }};
-  const KeptOutcome outcome = write_kept_drawings(readable, *rows.identity, kept, file);
+  const KeptOutcome outcome = write_kept_drawings(rows, kept, file);
   for (const std::string& problem : outcome.problems) {
     fmt::print(stderr, "ar3d: {}\n", printable(problem));
   }
@@ -55,8 +54,9 @@ bool may_be_replaced(const std::string& path) {
 
 struct DrawingsArguments {
   std::string results;
-  std::string keep = "worst";
   std::string output;
+  std::string keep = "worst";  // of `drawings`
+  std::int64_t max_n = 10000;  // of `count`
   bool force = false;
 };
 
@@ -115,14 +115,7 @@ void add_study_drawings(CLI::App& study, int& exit_code) {
 
 namespace {
 
-struct CountArguments {
-  std::string results;
-  std::string output;
-  bool force = false;
-  std::int64_t max_n = 10000;
-};
-
-int count_rows(const CountArguments& arguments) {
+int count_rows(const DrawingsArguments& arguments) {
   const std::string path = arguments.output.empty() ? arguments.results : arguments.output;
   if (!arguments.output.empty()) {
     refuse_unsafe_outputs({.inputs = {arguments.results},
@@ -160,28 +153,22 @@ int count_rows(const CountArguments& arguments) {
   return kPass;
 }
 
-struct DrawOnceArguments {
-  RunRecord row;
-  std::string parameters;
-  std::string options;
-};
-
 // "what:text" -> text: a word that may be empty needs something in front.
 std::string after_colon(const std::string& word) { return word.substr(word.find(':') + 1); }
 
 void add_draw_once(CLI::App& study) {
   CLI::App* verb = study.add_subcommand(kDrawOnceVerb, "Draws one graph, for callgrind")->group("");
-  const auto arguments = std::make_shared<DrawOnceArguments>();
-  verb->add_option("FAMILY", arguments->row.family)->required();
+  const auto arguments = std::make_shared<RunRecord>();
+  verb->add_option("FAMILY", arguments->family)->required();
   verb->add_option("PARAMETERS", arguments->parameters)->required();
-  verb->add_option("N", arguments->row.requested_n)->required();
-  verb->add_option("SEED", arguments->row.seed)->required();
-  verb->add_option("ALGORITHM", arguments->row.algorithm)->required();
+  verb->add_option("N", arguments->requested_n)->required();
+  verb->add_option("SEED", arguments->seed)->required();
+  verb->add_option("ALGORITHM", arguments->algorithm)->required();
   verb->add_option("OPTIONS", arguments->options)->required();
   verb->callback([arguments] {
-    arguments->row.parameters = after_colon(arguments->parameters);
-    arguments->row.options = after_colon(arguments->options);
-    draw_for_counting(arguments->row);
+    arguments->parameters = after_colon(arguments->parameters);
+    arguments->options = after_colon(arguments->options);
+    draw_for_counting(*arguments);
   });
 }
 
@@ -190,7 +177,7 @@ void add_draw_once(CLI::App& study) {
 void add_study_count(CLI::App& study, int& exit_code) {
   CLI::App* verb = study.add_subcommand(
       "count", "Counts the instructions of every drawing with callgrind, which has no noise");
-  const auto arguments = std::make_shared<CountArguments>();
+  const auto arguments = std::make_shared<DrawingsArguments>();
   verb->add_option("RESULTS", arguments->results, "results file (HDF5)")->required();
   verb->add_option("-o,--output", arguments->output,
                    "results file with the counts; RESULTS itself if left out");

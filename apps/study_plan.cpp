@@ -38,16 +38,11 @@ void add_study_choice(CLI::App& verb, StudyChoice& choice) {
   verb.add_option("STUDY", choice.study, "a TOML file or a study of `ar3d list studies`");
   GraphsStudy& graphs = choice.graphs;
   CLI::Option* const files =
-      verb.add_option(
-              "--graphs", graphs.files,
-              "instead of STUDY: all graphs of this file, or of the files that a pattern in "
-              "quotes matches; may be repeated")
-          ->type_size(1)
-          ->allow_extra_args(false);
-  verb.add_option("--algorithm", graphs.algorithms,
-                  "with --graphs: one to draw them with; may be repeated, all if left out")
-      ->type_size(1)
-      ->allow_extra_args(false)
+      add_repeated(verb, "--graphs", graphs.files,
+                   "instead of STUDY: all graphs of this file, or of the files that a pattern in "
+                   "quotes matches; may be repeated");
+  add_repeated(verb, "--algorithm", graphs.algorithms,
+               "with --graphs: one to draw them with; may be repeated, all if left out")
       ->needs(files);
   verb.add_option("--from", choice.reading.options.format,
                   "with --graphs: their format; detected by content if left out")

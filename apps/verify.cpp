@@ -1,11 +1,12 @@
 // `ar3d verify`: judges drawings against a guarantee, many at a time.
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -21,6 +22,7 @@
 #include "commands.h"
 #include "drawing_summary.h"
 #include "options.h"
+#include "view.h"
 
 namespace ar3d {
 namespace {
@@ -41,14 +43,16 @@ struct LineToJudge {
   std::optional<Graph> graph;  // of --graphs
 };
 
-struct LineVerdict {
-  bool drawn = true;
-  bool valid = true;
-  bool measured = false;  // in a real type, not violated: nothing is proved
-  bool unproved = false;  // not violated, by another certificate than exact
-  bool unknown = false;   // of an algorithm whose promises nobody knows here
-  std::string text;
+/// What becomes of a line.
+enum class LineVerdict {
+  certified,
+  violated,
+  not_drawn,
+  measured,  ///< in a real type, not violated: nothing is proved
+  unproved,  ///< not violated, by another certificate than exact
+  unknown,   ///< of an algorithm whose promises nobody knows here
 };
+using JudgedLine = std::pair<LineVerdict, std::string>;  // with what is printed of it
 
 CrossingTest crossing_test(const std::string& name) {
   if (name == "all-pairs") return CrossingTest::all_pairs;
@@ -57,22 +61,17 @@ CrossingTest crossing_test(const std::string& name) {
   return CrossingTest::automatic;
 }
 
-bool is_known(const std::string& algorithm) {
-  return std::ranges::any_of(algorithms(),
-                             [&](const Algorithm& row) { return row.name == algorithm; });
-}
-
-LineVerdict judge(const LineToJudge& task, const VerifyArguments& arguments) {
+JudgedLine judge(const LineToJudge& task, const VerifyArguments& arguments) {
   if (const auto* undrawn = std::get_if<UndrawnGraph>(&task.line)) {
-    return {.drawn = false, .text = fmt::format("{}: not drawn: {}\n", task.where, undrawn->error)};
+    return {LineVerdict::not_drawn, fmt::format("{}: not drawn: {}\n", task.where, undrawn->error)};
   }
   const Drawing& drawing = std::get<Drawing>(task.line);
-  if (arguments.algorithm.empty() && !is_known(drawing.algorithm())) {
-    return {.unknown = true,
-            .text = fmt::format("{}: not judged: no algorithm here is called '{}'{} "
-                                "(--algorithm judges it by another one's guarantee)\n",
-                                task.where, printable(drawing.algorithm()),
-                                did_you_mean(drawing.algorithm(), names_of(algorithms())))};
+  if (arguments.algorithm.empty() && known_algorithm(drawing.algorithm()) == nullptr) {
+    return {LineVerdict::unknown,
+            fmt::format("{}: not judged: no algorithm here is called '{}'{} "
+                        "(--algorithm judges it by another one's guarantee)\n",
+                        task.where, printable(drawing.algorithm()),
+                        did_you_mean(drawing.algorithm(), names_of(algorithms())))};
   }
   try {
     const Algorithm& algorithm =
@@ -83,51 +82,46 @@ LineVerdict judge(const LineToJudge& task, const VerifyArguments& arguments) {
         {.crossing_test = crossing_test(arguments.test),
          .mode = parse_certificate_mode(arguments.certificate)});
     const Certificate& certificate = examination.certificate;
-    LineVerdict verdict{.valid = !certificate.violated(),
-                        .measured = certificate.measured,
-                        .unproved = certificate.mode == CertificateMode::none,
-                        .text = {}};
+    std::string text;
     for (const Violation& violation : certificate.violations) {
-      verdict.text +=
-          fmt::format("{}: {}: {}\n", task.where, to_string(violation.kind), violation.message);
+      text += fmt::format("{}: {}: {}\n", task.where, to_string(violation.kind), violation.message);
     }
     if (examination.summary.real) {
       const RealAssessment& found = *examination.summary.real;
-      verdict.text += fmt::format(
+      text += fmt::format(
           "{}: in {}: angles miss by at most {:.6g} degrees, {} crossings, {} collapsed segments\n",
           task.where, drawing.real->type, found.largest_miss, found.crossings, found.collapsed);
     }
-    if (!certificate.complete) verdict.text += fmt::format("{}: … and more\n", task.where);
-    return verdict;
+    if (!certificate.complete) text += fmt::format("{}: … and more\n", task.where);
+    const bool is_unproved = certificate.mode == CertificateMode::none;
+    return {certificate.violated() ? LineVerdict::violated
+            : certificate.measured ? LineVerdict::measured
+            : is_unproved          ? LineVerdict::unproved
+                                   : LineVerdict::certified,
+            text};
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", task.where, error.what()));
   }
 }
 
-struct Counts {
-  std::uint64_t certified = 0, violated = 0, not_drawn = 0, measured = 0, unproved = 0, unknown = 0;
+/// How many lines became of each kind.
+using Counts = std::array<std::uint64_t, static_cast<std::size_t>(LineVerdict::unknown) + 1>;
 
-  void add(const LineVerdict& verdict) {
-    ++(!verdict.drawn     ? not_drawn
-       : verdict.unknown  ? unknown
-       : !verdict.valid   ? violated
-       : verdict.measured ? measured
-       : verdict.unproved ? unproved
-                          : certified);
-  }
-  std::string text(const std::string& certificate) const {
-    return fmt::format(
-        "{} certified, {} violated, {} not drawn{}{}{}\n", certified, violated, not_drawn,
-        unknown > 0 ? fmt::format(", {} not judged", unknown) : "",
-        measured > 0 ? fmt::format(", {} measured", measured) : "",
-        unproved > 0 ? fmt::format(", {} not proved (certificate {})", unproved, certificate) : "");
-  }
-  int exit_code() const {
-    if (violated > 0) return kViolated;
-    const bool is_all = not_drawn + measured + unproved + unknown == 0;
-    return is_all && certified > 0 ? kPass : kIncomplete;
-  }
-};
+std::string summary(const Counts& counts, const std::string& certificate) {
+  const auto [certified, violated, not_drawn, measured, unproved, unknown] = counts;
+  return fmt::format(
+      "{} certified, {} violated, {} not drawn{}{}{}\n", certified, violated, not_drawn,
+      unknown > 0 ? fmt::format(", {} not judged", unknown) : "",
+      measured > 0 ? fmt::format(", {} measured", measured) : "",
+      unproved > 0 ? fmt::format(", {} not proved (certificate {})", unproved, certificate) : "");
+}
+
+int exit_code_of(const Counts& counts) {
+  const auto [certified, violated, not_drawn, measured, unproved, unknown] = counts;
+  if (violated > 0) return kViolated;
+  const bool is_all = not_drawn + measured + unproved + unknown == 0;
+  return is_all && certified > 0 ? kPass : kIncomplete;
+}
 
 /// The next drawing, with its graph if --graphs was given. @throws InputError if one of the two is
 /// missing. @param number  of drawings so far.
@@ -155,7 +149,7 @@ int verify_drawings(const VerifyArguments& arguments) {
   if (!arguments.graphs.empty())
     graphs.emplace(arguments.graphs, arguments.graphs_as.read_options());
   std::uint64_t number = 0;
-  Counts counts;
+  Counts counts{};
   in_batches<LineToJudge>(
       [&] {
         auto task = next_task(arguments, reader, graphs ? &*graphs : nullptr, number);
@@ -167,12 +161,12 @@ int verify_drawings(const VerifyArguments& arguments) {
         return drawing ? std::uint64_t{drawing->num_vertices()} + drawing->num_edges() : 0;
       },
       [&](const LineToJudge& task) { return judge(task, arguments); },
-      [&](const LineVerdict& verdict) {
-        counts.add(verdict);
-        if (!arguments.quiet) fmt::print("{}", verdict.text);
+      [&](const JudgedLine& line) {
+        ++counts[static_cast<std::size_t>(line.first)];
+        if (!arguments.quiet) fmt::print("{}", line.second);
       });
-  fmt::print("{}", counts.text(arguments.certificate));
-  return counts.exit_code();
+  fmt::print("{}", summary(counts, arguments.certificate));
+  return exit_code_of(counts);
 }
 
 }  // namespace

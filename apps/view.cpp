@@ -26,17 +26,10 @@
 #include "outputs.h"
 
 namespace ar3d {
-namespace {
-
-/// The algorithm of that name, or null: a page shows drawings of others, too.
 const Algorithm* known_algorithm(const std::string& name) {
-  const auto& rows = algorithms();
-  const auto found = std::find_if(rows.begin(), rows.end(),
-                                  [&](const Algorithm& row) { return row.name == name; });
-  return found == rows.end() ? nullptr : &*found;
+  const auto found = std::ranges::find(algorithms(), name, &Algorithm::name);
+  return found == algorithms().end() ? nullptr : &*found;
 }
-
-}  // namespace
 
 PageVerdict page_verdict(const Drawing& drawing, const Algorithm* algorithm) {
   PageVerdict verdict;

@@ -15,6 +15,9 @@ struct Algorithm;
 void write_viewer_page(const NextDrawing& next, const std::string& path,
                        const std::string& algorithm = {});
 
+/// The algorithm of that name, or null: drawings may be of others, too.
+const Algorithm* known_algorithm(const std::string& name);
+
 /// What a page says of a drawing, judged on the graph that it draws against the guarantee of
 /// `algorithm`; null: nothing is judged.
 PageVerdict page_verdict(const Drawing& drawing, const Algorithm* algorithm);

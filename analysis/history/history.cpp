@@ -98,73 +98,61 @@ ReadResults read_one(const fs::path& path) {
   return read;
 }
 
-/// Lines by what their values have in common, filled in the order of the results.
-class LineTable {
- public:
-  void add(std::size_t result, const CommitResults& commit, const CellTable& table) {
-    for (const auto& [cell, values] : table.cells) {
-      for (std::size_t i = 0; i < kMeasures.size(); ++i) {
-        if (!std::isfinite(values[i].value)) continue;
-        if (kMeasures[i] == Measure::time && !commit.untimed.empty()) continue;
-        OpenLine& entry = lines_[{commit.environment, commit.study, cell, kMeasures[i]}];
-        entry.line.results.push_back(result);
-        entry.line.values.push_back(values[i].value);
-        entry.exact.push_back(values[i].exact);
-      }
-    }
-  }
-
-  std::vector<HistoryLine> judged(const HistoryRule& rule) {
-    std::vector<HistoryLine> lines;
-    for (auto& [key, entry] : lines_) {
-      std::tie(entry.line.environment, entry.line.study, entry.line.cell, entry.line.measure) = key;
-      judge(entry, rule);
-      lines.push_back(std::move(entry.line));
-    }
-    return lines;
-  }
-
- private:
-  struct OpenLine {
-    HistoryLine line;
-    std::vector<std::string> exact;
-  };
-
-  static void judge(OpenLine& entry, const HistoryRule& rule) {
-    HistoryLine& line = entry.line;
-    std::vector<double> logs;
-    for (const double value : line.values) logs.push_back(std::log(value));
-    switch (line.measure) {
-      case Measure::time:
-        line.is_judged = line.values.size() >= 2 * rule.time.shortest;
-        line.changes = find_changes(logs, rule.time);
-        break;
-      case Measure::instructions:
-        line.is_judged = line.values.size() >= 2;
-        line.changes = find_exact_changes(logs, std::log1p(rule.instruction_threshold));
-        break;
-      case Measure::volume:
-      case Measure::bends:
-        line.is_judged = line.values.size() >= 2;
-        line.changes = changes_of_drawings(entry);
-    }
-  }
-
-  /// Every place where volume or bends of some graph changed, though their mean may be the same.
-  static std::vector<ChangePoint> changes_of_drawings(const OpenLine& entry) {
-    std::vector<ChangePoint> changes;
-    for (std::size_t i = 1; i < entry.exact.size(); ++i) {
-      if (entry.exact[i] == entry.exact[i - 1]) continue;
-      const double before = entry.line.values[i - 1], after = entry.line.values[i];
-      const double effect = before > 0 && after > 0 ? std::log(after / before) : kMissing;
-      changes.push_back(
-          {.at = i, .first = i, .last = i, .effect = effect, .interval = {effect, effect}});
-    }
-    return changes;
-  }
-
-  std::map<std::tuple<std::size_t, std::string, HistoryCell, Measure>, OpenLine> lines_;
+struct OpenLine {
+  HistoryLine line;
+  std::vector<std::string> exact;
 };
+/// By what the values of a line have in common; filled in the order of the results.
+using LineKey = std::tuple<std::size_t, std::string, HistoryCell, Measure>;
+using OpenLines = std::map<LineKey, OpenLine>;
+
+void add_values(std::size_t result, const CommitResults& commit, const CellTable& table,
+                OpenLines& lines) {
+  for (const auto& [cell, values] : table.cells) {
+    for (std::size_t i = 0; i < kMeasures.size(); ++i) {
+      if (!std::isfinite(values[i].value)) continue;
+      if (kMeasures[i] == Measure::time && !commit.untimed.empty()) continue;
+      OpenLine& entry = lines[{commit.environment, commit.study, cell, kMeasures[i]}];
+      entry.line.results.push_back(result);
+      entry.line.values.push_back(values[i].value);
+      entry.exact.push_back(values[i].exact);
+    }
+  }
+}
+
+/// Every place where volume or bends of some graph changed, though their mean may be the same.
+std::vector<ChangePoint> changes_of_drawings(const OpenLine& entry) {
+  std::vector<ChangePoint> changes;
+  for (std::size_t i = 1; i < entry.exact.size(); ++i) {
+    if (entry.exact[i] == entry.exact[i - 1]) continue;
+    const double before = entry.line.values[i - 1], after = entry.line.values[i];
+    const double effect = before > 0 && after > 0 ? std::log(after / before) : kMissing;
+    changes.push_back(
+        {.at = i, .first = i, .last = i, .effect = effect, .interval = {effect, effect}});
+  }
+  return changes;
+}
+
+HistoryLine judged(const LineKey& key, OpenLine entry, const HistoryRule& rule) {
+  HistoryLine& line = entry.line;
+  std::tie(line.environment, line.study, line.cell, line.measure) = key;
+  std::vector<double> logs;
+  for (const double value : line.values) logs.push_back(std::log(value));
+  const bool is_time = line.measure == Measure::time;
+  line.is_judged = line.values.size() >= 2 * (is_time ? rule.time.shortest : 1);
+  switch (line.measure) {
+    case Measure::time:
+      line.changes = find_changes(logs, rule.time);
+      break;
+    case Measure::instructions:
+      line.changes = find_exact_changes(logs, std::log1p(rule.instruction_threshold));
+      break;
+    case Measure::volume:
+    case Measure::bends:
+      line.changes = changes_of_drawings(entry);
+  }
+  return std::move(line);
+}
 
 std::size_t place_of(const std::map<std::string, std::string>& environment,
                      std::vector<std::map<std::string, std::string>>& among) {
@@ -230,14 +218,14 @@ History read_history(const std::string& folder, const HistoryRule& rule) {
   name_files_alike(read);
   History history;
   history.rule = rule;
-  LineTable lines;
+  OpenLines lines;
   for (ReadResults& one : read) {
     one.commit.environment = place_of(one.environment, history.environments);
-    lines.add(history.results.size(), one.commit, one.table);
+    add_values(history.results.size(), one.commit, one.table, lines);
     one.table.cells.clear();
     history.results.push_back(one.commit);
   }
-  history.lines = lines.judged(rule);
+  for (auto& [key, entry] : lines) history.lines.push_back(judged(key, std::move(entry), rule));
   return history;
 }
 

@@ -112,9 +112,9 @@ std::string bounds_table_html(Page& page, const Section& section) {
       "<details open><summary>Bounds table</summary><p class=muted>Share of the theorem's bound "
       "that the worst and (grey) the median graph use, by axis; then the worst share over the axes "
       "of the proof's own bound for the very graph and of the published bound. 100 % touches the "
-      "bound.</p><div class=scroll><table class=sortable><thead><tr><th>Family<th "
-      "class=num>n<th>Rows<th class=num>Violations<th class=num>x<th class=num>y<th class=num>z<th "
-      "class=num>Own bound<th class=num>Published<th>Worst graph</tr></thead><tbody>\n";
+      "bound.</p>" +
+      table_head({"Family", "#n", "Rows", "#Violations", "#x", "#y", "#z", "#Own bound",
+                  "#Published", "Worst graph"});
   for (std::size_t i = 0; i < section.curves.size(); ++i) {
     html += bounds_row(page, section.curves[i], i);
   }
@@ -125,10 +125,9 @@ std::string growth_table(const Section& section) {
   std::string html =
       "<details open><summary>Growth, and how sure it is</summary><p class=muted>Exponent a of n^a "
       "over the fitted sizes, with its 95 % interval. Volume is the number of lattice points of "
-      "the box, here also at the largest n as its share of the theorem's own box.</p><div "
-      "class=scroll><table class=sortable><thead><tr><th>Family<th class=num>Longest side<th "
-      "class=num>Volume<th class=num>Share of the theorem's<th class=num>Drawing time<th>Growth of "
-      "the time<th>Fit of the time</tr></thead><tbody>\n";
+      "the box, here also at the largest n as its share of the theorem's own box.</p>" +
+      table_head({"Family", "#Longest side", "#Volume", "#Share of the theorem's", "#Drawing time",
+                  "Growth of the time", "Fit of the time"});
   std::size_t rows = 0;
   for (std::size_t i = 0; i < section.curves.size(); ++i) {
     const SectionCurve& curve = section.curves[i];
@@ -141,7 +140,7 @@ std::string growth_table(const Section& section) {
     html += fmt::format("<tr data-f={}><th scope=row>{}</th>", i, escape(curve.family)) +
             cell(exponent(find(Quantity::longest_side)), true) +
             cell(exponent(find(Quantity::volume)), true) +
-            cell(percent(curve.bounds->volume.share), true) + cell(exponent(time), true) +
+            cell(percent(curve.bounds->volume_share), true) + cell(exponent(time), true) +
             note(time_label(time)) +
             note(time == nullptr ? "–" : "<small>" + escape(fit_notes(*time)) + "</small>") +
             "</tr>\n";

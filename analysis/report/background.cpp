@@ -88,20 +88,19 @@ it; <code>ar3d report --figures DIR</code> writes all of them, and PDF.</p></sec
 std::string metrics_section(const StudyAnalysis& analysis, const std::vector<Section>& sections) {
   if (sections.empty()) return "";
   const std::vector<LargestGraphs> settings = largest_graphs(analysis.tally, sections);
+  std::vector<std::string> columns = {"Metric", "Unit", "Definition"};
+  for (const LargestGraphs& graphs : settings) {
+    columns.push_back(
+        fmt::format("#{}<br>n = {}", escape(graphs.label), graphs.n < 0 ? "–" : grouped(graphs.n)));
+  }
   std::string html =
       "<section id=metrics><h2>All metrics</h2><p>Median and (grey) least and largest value over "
       "the graphs of the largest n that was drawn; definitions are those of <code>ar3d list "
-      "metrics</code>.</p><div class=scroll><table "
-      "class=sortable><thead><tr><th>Metric<th>Unit<th>Definition";
-  for (const LargestGraphs& graphs : settings) {
-    html += fmt::format("<th class=num>{}<br>n = {}", escape(graphs.label),
-                        graphs.n < 0 ? "–" : grouped(graphs.n));
-  }
-  html += "</tr></thead><tbody>\n";
+      "metrics</code>.</p>" +
+      table_head(columns);
   for (std::size_t i = 0; i < metrics().size(); ++i) {
     const Metric& metric = metrics()[i];
-    html += fmt::format("<tr><th scope=row>{}</th>", escape(metric.name)) +
-            cell(escape(metric.unit)) + note(escape(metric.definition));
+    html += row_head(metric.name) + cell(escape(metric.unit)) + note(escape(metric.definition));
     for (const LargestGraphs& graphs : settings) html += value_cell(i, graphs);
     html += "</tr>\n";
   }
@@ -116,8 +115,7 @@ std::string background(const RowView& rows) {
   } else {
     html += "<div class=scroll><table><tbody>";
     for (const EnvironmentEntry& entry : *rows.environment) {
-      html +=
-          "<tr><th scope=row>" + escape(entry.name) + "</th>" + note(escape(entry.value)) + "</tr>";
+      html += row_head(entry.name) + note(escape(entry.value)) + "</tr>";
     }
     html += "</tbody></table></div>";
   }

@@ -93,6 +93,18 @@ std::string duration(double seconds) {
   return fmt::format("{:.3g} s", seconds);
 }
 
+std::string table_head(const std::vector<std::string>& columns) {
+  std::string html = "<div class=scroll><table class=sortable><thead><tr>";
+  for (const std::string& name : columns) {
+    html += name.starts_with('#') ? "<th class=num>" + name.substr(1) : "<th>" + name;
+  }
+  return html + "</tr></thead><tbody>\n";
+}
+
+std::string row_head(std::string_view text) {
+  return "<tr><th scope=row>" + escape(text) + "</th>";
+}
+
 std::string note(const std::string& html) { return "<td class=note>" + html + "</td>"; }
 
 std::string cell(const std::string& html, bool is_number) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ar3d::report {
 
@@ -25,6 +26,11 @@ std::string number(double value);
 /// "1.23 µs", "45.6 ms", "7.8 s"; "–" if missing.
 std::string duration(double seconds);
 
+/// A sortable table up to its first row. @param columns  their names in HTML, behind '#' those of
+/// numbers.
+std::string table_head(const std::vector<std::string>& columns);
+/// A row up to its second cell; the first one names it. @param text  plain.
+std::string row_head(std::string_view text);
 /// A wide <td> of prose.
 std::string note(const std::string& html);
 /// A <td>; numbers are right-aligned. `html` is trusted markup, not text.

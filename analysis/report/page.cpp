@@ -28,9 +28,10 @@ std::string numbers(const std::array<double, 3>& values) {
 /// What the rows of a curve share: label, and the draw command before n and behind the seed, both
 /// empty if that needs the results file.
 std::string curve_json(const CurveKey& key, const ShowCommand& show) {
-  const CommandParts parts = show.needs_results(key) ? CommandParts() : draw_command_parts(key);
+  std::pair<std::string, std::string> parts;
+  if (!show.needs_results(key)) parts = draw_command_parts(key);
   return fmt::format("[{},{},{}]", json_string(family_label(key) + "\n" + algorithm_label(key)),
-                     json_string(parts.before_n), json_string(parts.behind_seed));
+                     json_string(parts.first), json_string(parts.second));
 }
 
 std::string number_field(double log10) {

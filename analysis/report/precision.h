@@ -101,10 +101,6 @@ struct Onset {
 /// Where medians pass the limits 1e-12, 1e-9, 1e-6, 1e-3 and 1 degree, by interpolation in
 /// logarithms; those that neither passes, or both do at the least n, are left out.
 std::vector<Onset> onsets(const RealRows& real, const MissModel& model);
-/// The same with the medians of other drawings of the same graphs as predictions, by setting;
-/// `left_out` is a setting that is not looked at. No kappa is given.
-std::vector<Onset> onsets_as_in(const RealRows& real, const RealRows& predicting,
-                                std::size_t left_out);
 /// Confirmed: both passes are within a factor of 2. Refuted: they are further apart. Open: what is
 /// beyond the sizes drawn may be either.
 OnsetVerdict judge_onset(const Onset& onset);

@@ -188,17 +188,16 @@ std::string miss_table(const RealRows& real, const MissModel& model) {
     of.misses[row.setting].push_back(row.log_miss);
     if (row.setting == model.setting) of.conditions.push_back(row.log_condition);
   }
+  std::vector<std::string> columns = {"Family", "#n"};
+  for (const RealSetting& setting : real.settings) columns.push_back("#" + escape(setting.name));
+  columns.push_back("#log2 C");
   std::string html =
       "<details open><summary>Families</summary><p class=muted>Largest miss in degrees over the "
       "graphs of the largest n, by type; C is the median condition, log2 of which is the number of "
-      "bits that angles lose.</p><div class=scroll><table class=sortable><thead><tr><th>Family<th "
-      "class=num>n";
-  for (const RealSetting& setting : real.settings) {
-    html += "<th class=num>" + escape(setting.name);
-  }
-  html += "<th class=num>log2 C</tr></thead><tbody>\n";
+      "bits that angles lose.</p>" +
+      table_head(columns);
   for (const auto& [family, of] : families) {
-    html += fmt::format("<tr><th scope=row>{}</th>", escape(family)) + cell(grouped(of.n), true);
+    html += row_head(family) + cell(grouped(of.n), true);
     for (std::size_t i = 0; i < real.settings.size(); ++i) html += miss_cell(of, i);
     const double log_c = median(of.conditions);
     html +=
@@ -228,14 +227,12 @@ std::string share_table(const RealRows& real) {
   std::string html =
       "<details open><summary>Shares</summary><p class=muted>Mean share of a drawing's angles that "
       "miss by at most so many degrees, and (grey) share of drawings all of whose angles do, over "
-      "all families. Broken: drawings with a crossing or a segment of length zero.</p><div "
-      "class=scroll><table class=sortable><thead><tr><th>Type<th class=num>n<th "
-      "class=num>Drawings<th class=num>10⁻¹²<th class=num>10⁻⁹<th class=num>10⁻⁶<th "
-      "class=num>10⁻³<th class=num>Broken</tr></thead><tbody>\n";
+      "all families. Broken: drawings with a crossing or a segment of length zero.</p>" +
+      table_head({"Type", "#n", "#Drawings", "#10⁻¹²", "#10⁻⁹", "#10⁻⁶", "#10⁻³", "#Broken"});
   for (const auto& [key, shares] : all) {
     const auto count = static_cast<double>(shares.drawings);
-    html += fmt::format("<tr><th scope=row>{}</th>", escape(real.settings[key.second].name)) +
-            cell(grouped(key.first), true) + cell(fmt::format("{}", shares.drawings), true);
+    html += row_head(real.settings[key.second].name) + cell(grouped(key.first), true) +
+            cell(fmt::format("{}", shares.drawings), true);
     for (std::size_t i = 0; i < 4; ++i) {
       html += cell(fmt::format("{} <small>· {}</small>", percent(shares.sum[i] / count),
                                percent(static_cast<double>(shares.whole[i]) / count)),

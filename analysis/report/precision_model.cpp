@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <set>
 #include <string_view>
 #include <utility>
 
@@ -24,16 +23,6 @@ constexpr std::size_t kMostRealRows = 200000, kMostLookedAt = 200000, kMostJudge
 constexpr std::array<std::pair<const char*, int>, 5> kRealTypes = {
     {{"float", 24}, {"double", 53}, {"long double", 64}, {"binary128", 113}, {"237 bits", 237}}};
 
-/// The columns of a drawing in a real type.
-struct RealColumns {
-  const Column& miss = run_column("angle_miss");
-  const Column& condition = run_column("condition");
-  const Column& collapsed = run_column("collapsed_segments");
-  const Column& crossings = run_column("crossings");
-  std::array<const Column*, 4> within = {&run_column("within_1e_12"), &run_column("within_1e_9"),
-                                         &run_column("within_1e_6"), &run_column("within_1e_3")};
-};
-
 /// The median, infinities among the values; of two middle ones that are not both finite the larger.
 double middle_of(std::vector<double> values) {
   if (values.empty()) return kMissing;
@@ -42,92 +31,77 @@ double middle_of(std::vector<double> values) {
   return std::isfinite(low) ? (low + high) / 2 : high;
 }
 
-class Gathering {
- public:
-  void add(const RunRecord& run, std::size_t row) {
-    if (run.status != RunStatus::ok && run.status != RunStatus::violated) return;
-    if (run.n < 1 || run.phase != RunPhase::metrics) return;
-    add_judgement(run);
-    const double miss = column_number(columns_.miss, run);
-    if (run.repetition > 0 || !(miss >= 0)) return;
-    if (rows_.real.rows.size() == kMostRealRows) {
-      ++rows_.real.left_out;
-      return;
-    }
-    add_real(run, row, miss);
+void add_judgement(const RunRecord& run, PrecisionRows& rows) {
+  const CurveKey curve{run.algorithm, run.options, {}, {}, {}};
+  const JudgementKey key{algorithm_label(curve), run.requested_n, asked_certificate(run),
+                         run.level.empty() ? "extents" : run.level};
+  if (!rows.judgements.contains(key) && rows.judgements.size() == kMostJudgements) return;
+  Judgements& judged = rows.judgements[key];
+  const auto n = static_cast<double>(run.n);
+  ++judged.rows;
+  judged.violated += run.status == RunStatus::violated;
+  judged.draw_s.push_back(run.cpu_s / n);
+  judged.store_s.push_back(run.store_s / n);
+  judged.certify_s.push_back(run.certify_s / n);
+  const bool is_own = run.peak_scope == "row" || run.peak_scope == "worker";
+  if (is_own && run.base_bytes >= 0 && run.peak_bytes > run.base_bytes) {
+    judged.peak_bytes.push_back(static_cast<double>(run.peak_bytes - run.base_bytes) / n);
   }
-  PrecisionRows finish() {
-    sort_settings(rows_.real);
-    return std::move(rows_);
-  }
+}
 
- private:
-  void add_judgement(const RunRecord& run) {
-    const CurveKey curve{run.algorithm, run.options, {}, {}, {}};
-    const JudgementKey key{algorithm_label(curve), run.requested_n, asked_certificate(run),
-                           run.level.empty() ? "extents" : run.level};
-    if (!rows_.judgements.contains(key) && rows_.judgements.size() == kMostJudgements) return;
-    Judgements& judged = rows_.judgements[key];
-    const auto n = static_cast<double>(run.n);
-    ++judged.rows;
-    judged.violated += run.status == RunStatus::violated;
-    judged.draw_s.push_back(run.cpu_s / n);
-    judged.store_s.push_back(run.store_s / n);
-    judged.certify_s.push_back(run.certify_s / n);
-    const bool is_own = run.peak_scope == "row" || run.peak_scope == "worker";
-    if (is_own && run.base_bytes >= 0 && run.peak_bytes > run.base_bytes) {
-      judged.peak_bytes.push_back(static_cast<double>(run.peak_bytes - run.base_bytes) / n);
-    }
-  }
+std::size_t setting_of(const CurveKey& key, std::vector<RealSetting>& settings) {
+  const RealSetting setting = real_setting(key);
+  const auto at = std::ranges::find(settings, setting.name, &RealSetting::name);
+  const auto place = static_cast<std::size_t>(at - settings.begin());
+  if (at == settings.end()) settings.push_back(setting);
+  return place;
+}
 
-  void add_real(const RunRecord& run, std::size_t row, double miss) {
-    const CurveKey key = curve_of(run);
-    RealRow real{row, setting_of(key), run.graph_hash, family_label(key), run.requested_n, run.n};
-    real.log_miss = std::log10(miss);
-    real.log_condition = std::log10(column_number(columns_.condition, run));
-    for (std::size_t i = 0; i < real.within.size(); ++i) {
-      real.within[i] = column_number(*columns_.within[i], run);
-    }
-    real.is_broken =
-        column_number(columns_.collapsed, run) > 0 || column_number(columns_.crossings, run) > 0;
-    real.cpu_s = run.cpu_s;
-    rows_.real.rows.push_back(std::move(real));
-  }
+void add_real(const RunRecord& run, std::size_t row, double miss, RealRows& rows) {
+  static const std::array<Column, 4> within = {run_column("within_1e_12"),
+                                               run_column("within_1e_9"), run_column("within_1e_6"),
+                                               run_column("within_1e_3")};
+  static const Column condition = run_column("condition");
+  static const Column collapsed = run_column("collapsed_segments");
+  static const Column crossings = run_column("crossings");
+  const CurveKey key = curve_of(run);
+  RealRow real{
+      row,  setting_of(key, rows.settings), run.graph_hash, family_label(key), run.requested_n,
+      run.n};
+  real.log_miss = std::log10(miss);
+  real.log_condition = std::log10(column_number(condition, run));
+  for (std::size_t i = 0; i < within.size(); ++i) real.within[i] = column_number(within[i], run);
+  real.is_broken = column_number(collapsed, run) > 0 || column_number(crossings, run) > 0;
+  real.cpu_s = run.cpu_s;
+  rows.rows.push_back(std::move(real));
+}
 
-  std::size_t setting_of(const CurveKey& key) {
-    const RealSetting setting = real_setting(key);
-    auto& all = rows_.real.settings;
-    const auto at = std::find_if(all.begin(), all.end(), [&](const RealSetting& other) {
-      return other.name == setting.name;
-    });
-    if (at == all.end()) all.push_back(setting);
-    return static_cast<std::size_t>(
-        std::find_if(all.begin(), all.end(),
-                     [&](const RealSetting& other) { return other.name == setting.name; }) -
-        all.begin());
+void add_row(const RunRecord& run, std::size_t row, PrecisionRows& rows) {
+  static const Column column = run_column("angle_miss");
+  if (run.status != RunStatus::ok && run.status != RunStatus::violated) return;
+  if (run.n < 1 || run.phase != RunPhase::metrics) return;
+  add_judgement(run, rows);
+  const double miss = column_number(column, run);
+  if (run.repetition > 0 || !(miss >= 0)) return;
+  if (rows.real.rows.size() == kMostRealRows) {
+    ++rows.real.left_out;
+  } else {
+    add_real(run, row, miss, rows.real);
   }
+}
 
-  static void sort_settings(RealRows& real) {
-    std::vector<std::size_t> order(real.settings.size()), place(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    const auto rank = [&](std::size_t i) {
-      const int bits = real.settings[i].bits;
-      return bits == 0 ? std::numeric_limits<int>::max() : bits;
-    };
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
-    std::vector<RealSetting> sorted;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      place[order[i]] = i;
-      sorted.push_back(real.settings[order[i]]);
-    }
-    real.settings = std::move(sorted);
-    for (RealRow& row : real.rows) row.setting = place[row.setting];
+void sort_settings(RealRows& real) {
+  std::vector<RealSetting> sorted = real.settings;
+  std::ranges::stable_sort(sorted, {}, [](const RealSetting& setting) {
+    return setting.bits == 0 ? std::numeric_limits<int>::max() : setting.bits;
+  });
+  for (RealRow& row : real.rows) {
+    const std::string& name = real.settings[row.setting].name;
+    const auto at = std::ranges::find(sorted, name, &RealSetting::name);
+    row.setting = static_cast<std::size_t>(at - sorted.begin());
   }
-
-  RealColumns columns_;
-  PrecisionRows rows_;
-};
+  real.settings = std::move(sorted);
+}
 
 }  // namespace
 
@@ -144,14 +118,13 @@ RealSetting real_setting(const CurveKey& key) {
 }
 
 PrecisionRows precision_rows(const StudyAnalysis& analysis) {
-  Gathering gathering;
+  PrecisionRows rows;
   const bool is_all_proved = analysis.verdict.unproved == 0;  // then only levels are looked for
   const std::size_t count =
       is_all_proved ? std::min(analysis.rows.count, kMostLookedAt) : analysis.rows.count;
-  for (std::size_t row = 0; row < count; ++row) {
-    gathering.add(analysis.rows.read(row), row);
-  }
-  return gathering.finish();
+  for (std::size_t row = 0; row < count; ++row) add_row(analysis.rows.read(row), row, rows);
+  sort_settings(rows.real);
+  return rows;
 }
 
 std::string sample_family(const RealRows& real) {
@@ -312,25 +285,6 @@ std::vector<Onset> onsets(const RealRows& real, const MissModel& model) {
         onset.setting = setting;
         onset.log_kappa = log_kappa;
         onset.log_kappa_seen = kappa_seen(onset, seen, predicted);
-        all.push_back(std::move(onset));
-      }
-    }
-  }
-  return all;
-}
-
-std::vector<Onset> onsets_as_in(const RealRows& real, const RealRows& predicting,
-                                std::size_t left_out) {
-  std::vector<Onset> all;
-  std::set<std::string> families;
-  for (const RealRow& row : real.rows) families.insert(row.family);
-  for (const std::string& family : families) {
-    for (std::size_t setting = 0; setting < real.settings.size(); ++setting) {
-      if (setting == left_out) continue;
-      const auto seen = median_misses(real, setting, family);
-      for (Onset& onset : onsets_between(median_misses(predicting, setting, family), seen)) {
-        onset.family = family;
-        onset.setting = setting;
         all.push_back(std::move(onset));
       }
     }

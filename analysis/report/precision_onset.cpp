@@ -138,13 +138,10 @@ std::string sentences(const RealRows& real, const std::vector<Onset>& all) {
 
 std::string onset_table(const RealRows& real, const std::vector<Onset>& all) {
   std::string html =
-      "<details><summary>All predictions</summary><div class=scroll><table "
-      "class=sortable><thead><tr><th>Family<th>Type<th "
-      "class=num>Degrees<th>Predicted<th>Seen<th>Verdict<th class=num>κ<th class=num>κ "
-      "seen</tr></thead><tbody>\n";
+      "<details><summary>All predictions</summary>" +
+      table_head({"Family", "Type", "#Degrees", "Predicted", "Seen", "Verdict", "#κ", "#κ seen"});
   for (const Onset& onset : all) {
-    html += fmt::format("<tr><th scope=row>{}</th>", escape(onset.family)) +
-            cell(escape(real.settings[onset.setting].name)) +
+    html += row_head(onset.family) + cell(escape(real.settings[onset.setting].name)) +
             cell(limit_text(onset.log_limit), true) + cell(place(onset.log_predicted, onset)) +
             cell(place(onset.log_seen, onset)) + cell(word(onset.verdict)) +
             cell(kappa_text(onset.log_kappa), true) + cell(kappa_text(onset.log_kappa_seen), true) +

@@ -245,13 +245,11 @@ std::string certificate_table(const PrecisionRows& rows) {
   if (modes.empty() || (modes.size() == 1 && modes.contains("exact"))) return "";
   std::string html =
       "<h3>Certificate modes</h3><p>Only <code>exact</code> proves. Wall time of judging and "
-      "measuring a drawing; median, and (grey) from 10 to 90 %.</p><div class=scroll><table "
-      "class=sortable><thead><tr><th>Algorithm<th class=num>n<th>Certificate<th class=num>Rows<th "
-      "class=num>Violated<th class=num>Time per vertex</tr></thead><tbody>\n";
+      "measuring a drawing; median, and (grey) from 10 to 90 %.</p>" +
+      table_head({"Algorithm", "#n", "Certificate", "#Rows", "#Violated", "#Time per vertex"});
   for (const auto& [key, judged] : rows.judgements) {
     if (key.certificate == "measured") continue;
-    html += fmt::format("<tr><th scope=row>{}</th>", escape(key.algorithm)) +
-            cell(grouped(key.n), true) + cell(escape(key.certificate)) +
+    html += row_head(key.algorithm) + cell(grouped(key.n), true) + cell(escape(key.certificate)) +
             cell(fmt::format("{}", judged.rows), true) +
             cell(fmt::format("{}", judged.violated), true) + time_cell(judged.certify_s) +
             "</tr>\n";
@@ -267,8 +265,7 @@ std::string level_table(const PrecisionRows& rows) {
   std::string body;
   for (const auto& [key, judged] : rows.judgements) {
     if (levels[{key.algorithm, key.n}].size() < 2) continue;
-    body += fmt::format("<tr><th scope=row>{}</th>", escape(key.algorithm)) +
-            cell(grouped(key.n), true) + cell(escape(key.level)) +
+    body += row_head(key.algorithm) + cell(grouped(key.n), true) + cell(escape(key.level)) +
             cell(fmt::format("{}", judged.rows), true) + time_cell(judged.draw_s) +
             time_cell(judged.store_s) + time_cell(judged.certify_s) +
             bytes_cell(judged.peak_bytes) + "</tr>\n";
@@ -277,10 +274,9 @@ std::string level_table(const PrecisionRows& rows) {
   return "<h3>Levels of detail</h3><p>What a row stores of its drawing: nothing, positions, all "
          "bends. Times per vertex (drawing in CPU time), medians and (grey) from 10 to 90 %; "
          "memory is the peak beyond what was resident when the row began, where the row had a "
-         "process or a measurement of its own.</p><div class=scroll><table "
-         "class=sortable><thead><tr><th>Algorithm<th class=num>n<th>Level<th class=num>Rows<th "
-         "class=num>Drawing<th class=num>Storing<th class=num>Certifying<th class=num>Bytes per "
-         "vertex</tr></thead><tbody>\n" +
+         "process or a measurement of its own.</p>" +
+         table_head({"Algorithm", "#n", "Level", "#Rows", "#Drawing", "#Storing", "#Certifying",
+                     "#Bytes per vertex"}) +
          body + "</tbody></table></div>\n";
 }
 

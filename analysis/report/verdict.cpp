@@ -52,13 +52,10 @@ std::map<std::string, SettingChange> changes_of(const Comparison& comparison) {
 }
 
 std::string settings_table(const Comparison& comparison) {
-  std::string html =
-      "<div class=scroll><table class=sortable><thead><tr><th>Setting<th class=num>Violated<th "
-      "class=num>Regressed<th class=num>Inconclusive<th class=num>Unjudged<th "
-      "class=num>Improved<th class=num>Pass<th class=num>Largest change of time<th class=num>of "
-      "volume</tr></thead><tbody>\n";
+  std::string html = table_head({"Setting", "#Violated", "#Regressed", "#Inconclusive", "#Unjudged",
+                                 "#Improved", "#Pass", "#Largest change of time", "#of volume"});
   for (const auto& [label, setting] : changes_of(comparison)) {
-    html += "<tr><th scope=row>" + escape(label) + "</th>";
+    html += row_head(label);
     for (const Verdict verdict : kVerdicts) {
       const std::size_t count = setting.cells[static_cast<std::size_t>(verdict)];
       const bool is_bad = verdict == Verdict::violated || verdict == Verdict::regressed;
@@ -109,12 +106,10 @@ std::string cell_list(const Comparison& comparison) {
           ? fmt::format("<p>… and {} more; <code>ar3d compare</code> says them all.</p>",
                         found - kShownCells)
           : "";
-  return fmt::format(
-             "<details><summary>Where something changed ({})</summary><div class=scroll><table "
-             "class=sortable><thead><tr><th>Verdict<th>Setting<th>Graphs<th class=num>Time<th "
-             "class=num>Volume<th>Why</tr></thead><tbody>\n",
-             grouped(static_cast<std::int64_t>(found))) +
-         rows + "</tbody></table></div>" + rest + "</details>\n";
+  return fmt::format("<details><summary>Where something changed ({})</summary>",
+                     grouped(static_cast<std::int64_t>(found))) +
+         table_head({"Verdict", "Setting", "Graphs", "#Time", "#Volume", "Why"}) + rows +
+         "</tbody></table></div>" + rest + "</details>\n";
 }
 
 std::string lines(const std::vector<std::string>& all, const char* css) {
@@ -306,11 +301,9 @@ std::string verdict_section(Page& page, const std::vector<Section>& sections,
 std::string closeness_section(Page& page, const std::vector<Section>& sections) {
   if (sections.empty()) return "";
   std::string html =
-      "<section id=closeness><h2>How close does anything come to a bound?</h2><div "
-      "class=scroll><table class=sortable><thead><tr><th>Setting<th class=num>Share<th>Closest "
-      "graph<th class=num>Families<th class=num>Graphs<th class=num>Largest n<th "
-      "class=num>Violations<th class=num>Side ~ n^a<th class=num>Volume ~ n^a<th class=num>Time ~ "
-      "n^a</tr></thead><tbody>\n";
+      "<section id=closeness><h2>How close does anything come to a bound?</h2>" +
+      table_head({"Setting", "#Share", "Closest graph", "#Families", "#Graphs", "#Largest n",
+                  "#Violations", "#Side ~ n^a", "#Volume ~ n^a", "#Time ~ n^a"});
   for (std::size_t i = 0; i < sections.size(); ++i) html += setting_row(page, sections[i], i);
   return html +
          "</tbody></table></div><p class=muted>Share of the theorem's bound: the largest over "

@@ -59,10 +59,6 @@ std::string folder_of(const std::string& path) {
   return folder.empty() ? "." : folder;
 }
 
-struct CloseFolder {
-  void operator()(DIR* folder) const { closedir(folder); }
-};
-
 // The names of the files in the folder of a path. A folder that is not there has none; every other
 // failure to list is an error, since what is not seen here would be taken for not there.
 std::vector<std::string> names_beside(const std::string& path) {
@@ -70,7 +66,7 @@ std::vector<std::string> names_beside(const std::string& path) {
   const auto refuse = [&folder](int reason) {
     throw InputError(fmt::format("cannot list {}: {}", folder, std::strerror(reason)));
   };
-  const std::unique_ptr<DIR, CloseFolder> open(opendir(folder.c_str()));
+  const std::unique_ptr<DIR, int (*)(DIR*)> open(opendir(folder.c_str()), closedir);
   std::vector<std::string> names;
   if (!open && errno == ENOENT) return names;
   if (!open) refuse(errno);

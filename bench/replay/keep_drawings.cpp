@@ -38,10 +38,10 @@ auto drawing_of(const RunRecord& run) {
   return std::tuple(run.graph_hash, run.algorithm, run.options);
 }
 
-std::vector<std::size_t> worst_rows(const ReadableRows& rows) {
+std::vector<std::size_t> worst_rows(const RowView& rows) {
   std::map<std::array<std::string, 4>, std::pair<Badness, std::size_t>> worst;
   for (std::size_t row = 0; row < rows.count; ++row) {
-    const RunRecord run = rows.read(row);
+    const RunRecord& run = rows.read(row);
     if (run.phase != RunPhase::metrics || !is_drawn(run)) continue;
     const Badness badness = badness_of(run);
     const auto [at, is_new] =
@@ -67,15 +67,13 @@ std::optional<Drawing> drawn_again(const RunRecord& run, const StudyOrigin& orig
   return std::nullopt;
 }
 
-}  // namespace
-
-std::vector<std::size_t> rows_to_keep(const ReadableRows& rows, KeptDrawings kept) {
+std::vector<std::size_t> rows_to_keep(const RowView& rows, KeptDrawings kept) {
   if (kept == KeptDrawings::none) return {};
   if (kept == KeptDrawings::worst) return worst_rows(rows);
   std::vector<std::size_t> chosen;
   std::set<decltype(drawing_of(RunRecord()))> known;
   for (std::size_t row = 0; row < rows.count; ++row) {
-    const RunRecord run = rows.read(row);
+    const RunRecord& run = rows.read(row);
     const bool is_wanted =
         kept == KeptDrawings::all ? is_drawn(run) : run.status == RunStatus::violated;
     if (run.phase != RunPhase::metrics || !is_wanted) continue;
@@ -84,10 +82,11 @@ std::vector<std::size_t> rows_to_keep(const ReadableRows& rows, KeptDrawings kep
   return chosen;
 }
 
-KeptOutcome write_kept_drawings(const ReadableRows& rows, const StudyIdentity& study,
-                                KeptDrawings kept, OutputFile& file) {
+}  // namespace
+
+KeptOutcome write_kept_drawings(const RowView& rows, KeptDrawings kept, OutputFile& file) {
   KeptOutcome outcome;
-  const StudyOrigin origin = study_origin(study);
+  const StudyOrigin origin = study_origin(*rows.identity);
   if (origin.spec && origin.spec->graph_files) corpora_of(*origin.spec);
   for (const std::size_t row : rows_to_keep(rows, kept)) {
     std::string problem;

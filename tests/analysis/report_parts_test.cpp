@@ -16,9 +16,8 @@ using ::testing::Not;
 
 /// The page of `now`, compared with `base`; without its scripts.
 std::string page_since(const Results& base, const Results& now) {
-  ReportParts parts;
-  parts.since = {"0.1.0-base.h5", "long ago", compare(base, now), ""};
-  const std::string html = render_report(analyse(view_of(now)), parts);
+  const SinceReference since{"0.1.0-base.h5", "long ago", compare(base, now), ""};
+  const std::string html = render_report(analyse(view_of(now)), since);
   return html.substr(0, html.find("<script"));
 }
 
@@ -67,9 +66,7 @@ TEST(ReportParts, StoresTheGraphsThatComeClosestFirst) {
   EXPECT_TRUE(rows_to_show(analysis, 0, 128).empty());
   EXPECT_TRUE(rows_to_show(analysis, 7, 1).empty());
 
-  ReportParts parts;
-  parts.drawings = {{{rows[0], 0}}, "AAAA"};
-  const std::string html = render_report(analysis, parts);
+  const std::string html = render_report(analysis, {}, {{{rows[0], 0}}, "AAAA"});
   EXPECT_THAT(html, HasSubstr(fmt::format(" shown' data-r={} ", rows[0])));
   EXPECT_EQ(html.find(" shown' data-r="), html.rfind(" shown' data-r="));
   EXPECT_THAT(html, HasSubstr("id=viewer>AAAA</script>"));

@@ -36,7 +36,8 @@ TEST(LinearFit, RecoversAnExactPlane) {
 TEST(Scaling, AnExactPowerLawGivesItsExponentAndAPoint) {
   RandomStream random(1);
   const auto truth = [](double n) { return 2 + 1.5 * std::log(n); };
-  const ScalingEntry entry = fit_scaling(noisy_samples(doubling(64, 9), 3, random, truth, no_noise));
+  const ScalingEntry entry =
+      fit_scaling(noisy_samples(doubling(64, 9), 3, random, truth, no_noise));
   ASSERT_TRUE(entry.decided);
   EXPECT_NEAR(entry.power.exponent, 1.5, 1e-9);
   EXPECT_NEAR(entry.power.log_factor, 2, 1e-9);
@@ -55,7 +56,7 @@ TEST(Scaling, FewSizesAreUndecidedAndSayWhatIsMissing) {
   EXPECT_TRUE(std::isnan(entry.power.exponent_interval.low));
   EXPECT_THAT(entry.reason, HasSubstr("7 sizes"));
   EXPECT_EQ(entry.next, "size 8192 with 8 seeds each");
-  EXPECT_EQ(entry.next_study.sizes, std::vector<std::int64_t>({8192}));
+  EXPECT_EQ(entry.next_sizes, std::vector<std::int64_t>({8192}));
 }
 
 TEST(Scaling, WhatItAsksForDecides) {
@@ -67,10 +68,9 @@ TEST(Scaling, WhatItAsksForDecides) {
   std::vector<std::int64_t> sizes = doubling(64, 6);
   ScalingEntry entry = study(sizes, 4);
   for (int round = 0; round < 8 && entry.growth != Growth::power; ++round) {
-    const NextStudy next = entry.next_study;
     ASSERT_FALSE(entry.next.empty()) << entry.reason;
-    sizes.insert(sizes.end(), next.sizes.begin(), next.sizes.end());
-    entry = study(sizes, next.seeds);
+    sizes.insert(sizes.end(), entry.next_sizes.begin(), entry.next_sizes.end());
+    entry = study(sizes, entry.next_seeds);
   }
   EXPECT_EQ(entry.growth, Growth::power) << entry.reason << "; " << entry.next;
 }
@@ -256,7 +256,8 @@ TEST(Scaling, ALogarithmsExponentIsAWholeNumber) {
 TEST(Scaling, ALowerOrderTermIsNoExponent) {
   RandomStream random(8);
   const auto exact = [](double n) { return std::log(n + 4 * std::sqrt(n)); };
-  const ScalingEntry entry = fit_scaling(noisy_samples(doubling(64, 8), 8, random, exact, no_noise));
+  const ScalingEntry entry =
+      fit_scaling(noisy_samples(doubling(64, 8), 8, random, exact, no_noise));
   EXPECT_LT(entry.power.exponent, 0.95);
   EXPECT_EQ(entry.growth, Growth::apparent) << entry.reason;
 }
