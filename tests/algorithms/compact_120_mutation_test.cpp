@@ -1,7 +1,6 @@
 // The rules of docs/compact-120.md are enough and all needed: random drawings that keep the rules
 // are right if and only if no two middle segments overlap or touch; with a rule broken the verifier
 // refuses some of them.
-
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // Steps D.1 to D.6: colours, moves, owners, arms, levels.
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -2,7 +2,6 @@
 // words, with all heads in a window, are sorted by their residues modulo 4 and their height. Points
 // of two edges can be made to coincide by moving the edges within the base lattice if and only if
 // these agree.
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -1,8 +1,6 @@
 // Places, words, strips; the proof's zones: their count, their size, the theorem's constants.
-
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 

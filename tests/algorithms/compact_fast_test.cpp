@@ -1,5 +1,4 @@
 // The fast filling of narrow strips beside the plain one, and its parts beside what they stand for.
-
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // The rules of docs/compact.md are enough and all needed: random drawings that keep the rules are
 // right if and only if no two pieces of a contested line overlap; with a rule broken the verifier
 // refuses some of them.
-
 #include <gtest/gtest.h>
 
 #include <algorithm>

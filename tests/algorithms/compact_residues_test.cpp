@@ -1,6 +1,5 @@
 // The residue tables of docs/compact.md, the shape of the words and the heights, read off finished
 // drawings.
-
 #include <gtest/gtest.h>
 
 #include <cstdlib>

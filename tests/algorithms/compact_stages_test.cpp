@@ -1,8 +1,6 @@
 // The stages one by one.
-
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <set>
 
 #include "algorithms/compact_plain_narrow.h"

@@ -1,5 +1,4 @@
 // The proof's zones: their count, their size, the theorem's constants.
-
 #include <gtest/gtest.h>
 
 #include "algorithms/strips_support.h"

@@ -1,21 +1,16 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <string>
-
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/algorithms/diamond/diamond.h"
 #include "ar3d/algorithms/grid/grid.h"
 #include "ar3d/algorithms/two_bend/two_bend.h"
 #include "ar3d/base/error.h"
+#include "support/problem.h"
+#include "support/test.h"
 
 // A graph of too large a degree is refused by the first such vertex and its degree, by every way
 // in.
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
 
 /// Vertex 2 has degree 5, vertex 3 has degree 6.
 Graph two_stars() {
@@ -25,12 +20,7 @@ Graph two_stars() {
 
 template <class Draw>
 std::string refusal(Draw draw) {
-  try {
-    draw(two_stars());
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "drawn";
+  return problem([&] { draw(two_stars()); }, "drawn");
 }
 
 TEST(DegreeLimit, NamesTheFirstVertexAndItsDegree) {

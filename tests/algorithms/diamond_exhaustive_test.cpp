@@ -1,7 +1,5 @@
 // Every graph of maximum degree 4 with few vertices, in every mode.
-
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include "algorithms/diamond_colourings.h"
 #include "algorithms/diamond_support.h"

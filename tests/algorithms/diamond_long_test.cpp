@@ -1,5 +1,3 @@
-#include <gtest/gtest.h>
-
 #include "algorithms/diamond_colourings.h"
 #include "algorithms/diamond_support.h"
 #include "support/graphs.h"

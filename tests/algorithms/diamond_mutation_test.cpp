@@ -1,10 +1,5 @@
 // Breaking any rule of Theorem 1's construction must show in the certificate: the rules are needed,
 // and the verifier sees them.
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 #include "algorithms/diamond_support.h"
 #include "ar3d/algorithms/diamond/guaranteed.h"
 #include "ar3d/algorithms/diamond/parity.h"

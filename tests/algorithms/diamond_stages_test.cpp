@@ -1,8 +1,4 @@
 // The stages of Theorem 1 against their invariants.
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <set>
 
 #include "algorithms/diamond_support.h"

@@ -1,8 +1,5 @@
 // The public function: corner cases, refusals, options, counters.
-
 #include "ar3d/algorithms/diamond/diamond.h"
-
-#include <gtest/gtest.h>
 
 #include "algorithms/diamond_support.h"
 #include "ar3d/algorithms/catalog.h"

@@ -1,8 +1,5 @@
 // Random disjoint unions of graphs that force contained cycles, bumps and offsets, under random
 // names.
-
-#include <gtest/gtest.h>
-
 #include <map>
 
 #include "algorithms/diamond_support.h"

@@ -1,9 +1,6 @@
 // One scale of effort for all algorithms.
 #include "ar3d/algorithms/effort.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
 #include "support/graphs.h"
@@ -19,7 +16,7 @@ TEST(Effort, IsTheOptionOfEveryProvedAlgorithmWithOneDefault) {
     EXPECT_EQ(effort.name, "effort") << algorithm.name;
     EXPECT_EQ(effort.default_value, kDefaultEffort) << algorithm.name;
     EXPECT_EQ(effort.low, 0) << algorithm.name;
-    EXPECT_THAT(effort.high, ::testing::AnyOf(1, 2)) << algorithm.name;
+    EXPECT_THAT(effort.high, AnyOf(1, 2)) << algorithm.name;
   }
 }
 

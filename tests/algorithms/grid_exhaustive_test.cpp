@@ -1,7 +1,5 @@
 // Every graph of maximum degree 3 with at most 11 vertices, at every effort, certified.
-
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include "algorithms/grid_checks.h"
 #include "ar3d/algorithms/catalog.h"

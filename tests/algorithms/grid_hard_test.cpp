@@ -1,13 +1,8 @@
 // Algorithm `grid` on the families that are hard for it, some thousand vertices, certified at every
 // effort; and its steps, counted at two sizes: they grow like n.
-
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
-#include <string>
-#include <vector>
 
 #include "algorithms/grid_checks.h"
 #include "ar3d/algorithms/grid/flat.h"

@@ -1,8 +1,6 @@
 // Algorithm `grid` on all graphs of maximum degree 3 with 12 and 13 vertices and all connected
 // cubic graphs with at most 18, certified; and on long thin and defect-rich graphs.
-
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <array>
 

@@ -1,9 +1,5 @@
 // Each rule of algorithm `grid`'s invariant is needed: with one of them broken and the others kept,
 // the verifier finds two segments that meet.
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cstdlib>
 
 #include "algorithms/grid_checks.h"

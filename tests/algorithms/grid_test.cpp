@@ -1,10 +1,5 @@
 // Algorithm `grid` (Theorem 3): named graphs, unions, the rules of its invariant.
-
 #include "ar3d/algorithms/grid/grid.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
 
 #include "algorithms/grid_checks.h"
 #include "ar3d/algorithms/grid/number_search.h"

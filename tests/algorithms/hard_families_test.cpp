@@ -1,6 +1,5 @@
 // The families built to hurt an algorithm do: how often each meets its special cases there, and
 // that other families of the same size do not lead it there.
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -38,8 +37,8 @@ DiamondCases diamond_cases(const Graph& graph) {
   using namespace diamond;
   const PaddedNeighbours neighbours = padded_neighbours(graph);
   const TwoColouring colours = two_colouring(graph, neighbours, balanced_orientation(neighbours));
-  const auto [placement, gaps] = place_guaranteed(graph, extract_items(colours[kGreen]),
-                                                  extract_items(colours[kRed]));
+  const auto [placement, gaps] =
+      place_guaranteed(graph, extract_items(colours[kGreen]), extract_items(colours[kRed]));
   const Tracks tracks = choose_tracks(graph, placement);
   DiamondCases cases{gaps};
   for (EdgeId e = 0; e < graph.num_edges(); ++e) {

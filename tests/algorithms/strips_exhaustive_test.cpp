@@ -1,10 +1,8 @@
 // `compact` and `compact-120` on every graph of their degree with few vertices and every connected
 // regular one with some more, in narrow strips and in the proof's zones.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <map>
-#include <vector>
 
 #include "algorithms/strips_support.h"
 #include "support/names.h"

@@ -1,7 +1,5 @@
 // `compact` and `compact-120`: all families of the catalogue, with their own labels and with
 // others, and unions.
-#include <gtest/gtest.h>
-
 #include "algorithms/strips_support.h"
 #include "ar3d/generators/catalog.h"
 #include "support/names.h"

@@ -1,15 +1,10 @@
 // Ticks and numbers of the report's page.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <string>
-#include <vector>
-
 #include "ar3d/analysis/report/html.h"
 #include "ar3d/analysis/report/plot.h"
 #include "ar3d/store/columns/run_record.h"
+#include "support/test.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 TEST(Axis, TicksAreDecadesOrOneTwoFive) {
@@ -21,21 +16,20 @@ TEST(Axis, TicksAreDecadesOrOneTwoFive) {
     return labels;
   };
   EXPECT_THAT(labels({1, 5, 0, 100}, report::TickStyle::count),
-              ::testing::ElementsAre("10", "100", "1k", "10k", "100k"));
+              ElementsAre("10", "100", "1k", "10k", "100k"));
   EXPECT_THAT(labels({2, 3, 0, 100}, report::TickStyle::count),
-              ::testing::ElementsAre("100", "200", "500", "1k"));
+              ElementsAre("100", "200", "500", "1k"));
   EXPECT_THAT(labels({-6, -2, 0, 100}, report::TickStyle::seconds),
-              ::testing::ElementsAre("1 µs", "10 µs", "100 µs", "1 ms", "10 ms"));
+              ElementsAre("1 µs", "10 µs", "100 µs", "1 ms", "10 ms"));
   EXPECT_THAT(labels({0, 20, 0, 100}, report::TickStyle::power),
-              ::testing::ElementsAre("1", "10⁴", "10⁸", "10¹²", "10¹⁶", "10²⁰"));
+              ElementsAre("1", "10⁴", "10⁸", "10¹²", "10¹⁶", "10²⁰"));
   EXPECT_THAT(labels({-68, 1, 0, 100}, report::TickStyle::power),
-              ::testing::ElementsAre("10⁻⁶⁰", "10⁻⁴⁰", "10⁻²⁰", "1"));
+              ElementsAre("10⁻⁶⁰", "10⁻⁴⁰", "10⁻²⁰", "1"));
   EXPECT_THAT(labels({10.3, 10.5, 0, 100}, report::TickStyle::power),
-              ::testing::ElementsAre("2·10¹⁰", "2.5·10¹⁰", "3·10¹⁰"));
+              ElementsAre("2·10¹⁰", "2.5·10¹⁰", "3·10¹⁰"));
   EXPECT_THAT(labels({2.05, 2.2, 0, 100}, report::TickStyle::count),
-              ::testing::ElementsAre("120", "130", "140", "150", "160"));
-  EXPECT_THAT(labels({0, 0.3, 0, 100}, report::TickStyle::count),
-              ::testing::ElementsAre("1", "1.5", "2"));
+              ElementsAre("120", "130", "140", "150", "160"));
+  EXPECT_THAT(labels({0, 0.3, 0, 100}, report::TickStyle::count), ElementsAre("1", "1.5", "2"));
 }
 
 TEST(Html, Numbers) {
@@ -53,4 +47,4 @@ TEST(Html, Numbers) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

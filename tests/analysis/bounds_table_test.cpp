@@ -1,16 +1,11 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "analysis/synthetic.h"
 #include "ar3d/analysis/replay.h"
 #include "ar3d/analysis/study_analysis.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::good_results;
-using testing::good_run;
 
 /// Three instances with extents 10, 30 and 20 in a box of 40 along x.
 Results three_instances() {
@@ -124,4 +119,4 @@ TEST(Replay, QuotesWhatAShellWouldRead) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

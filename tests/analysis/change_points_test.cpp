@@ -1,20 +1,13 @@
 // Changes of level in series: where they are, how large, and what is none.
 #include "ar3d/analysis/history/change_points.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "analysis/history_noise.h"
+#include "support/test.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using ::testing::ElementsAre;
-using testing::HistoryNoise;
-using ::testing::IsEmpty;
-using ::testing::SizeIs;
 
 const auto kLevel = [](std::size_t) { return 0.0; };
 
@@ -138,4 +131,4 @@ TEST(Split, TheHighestIsThatOfTheDefinition) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -1,19 +1,11 @@
 #include "ar3d/analysis/check.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <limits>
 
 #include "analysis/synthetic.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::good_results;
-using testing::good_run;
-using ::testing::HasSubstr;
-using ::testing::Not;
 
 Results small_results() { return good_results({"diamond"}, {"cubic"}, 3, 2); }
 
@@ -160,4 +152,4 @@ TEST(Check, LongListsAreCutAndControlCharactersRemoved) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -1,21 +1,16 @@
 // Two results, one verdict: what has no noise first, then times.
 #include "ar3d/analysis/compare.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "ar3d/base/error.h"
 #include "synthetic.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
-using testing::good_run;
 using Row = RunRecord;  // within a test, RunRecord is gtest's
-using ::testing::HasSubstr;
 
 /// 2 algorithms x 10 families x 10 sizes with `repetitions` each: 200 cells.
 Results results_of(std::int64_t repetitions, std::uint64_t noise_seed) {
@@ -33,7 +28,7 @@ Results results_of(std::int64_t repetitions, std::uint64_t noise_seed) {
         for (std::int64_t repetition = 0; repetition < repetitions; ++repetition) {
           RunRecord run =
               good_run(algorithm, "family" + std::to_string(family), 16 << size, 0, repetition);
-          run.wall_s *= std::exp(0.02 * testing::normal(random));
+          run.wall_s *= std::exp(0.02 * normal(random));
           results.runs.push_back(run);
         }
       }
@@ -364,4 +359,4 @@ TEST(Compare, JsonHoldsTheVerdictAndNullForWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

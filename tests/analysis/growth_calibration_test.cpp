@@ -1,21 +1,14 @@
 // Growth labels on simulated truth. docs/analysis.md quotes the table that this test prints:
 //   build/release/tests/ar3d_analysis_tests --gtest_filter='GrowthCalibration.*'
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <functional>
-#include <string>
-#include <vector>
 
 #include "ar3d/analysis/scaling.h"
 #include "synthetic.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::normal;
 
 /// How a value comes about: log value = truth(n) + one error for the whole size + one per graph.
 struct Scenario {
@@ -193,4 +186,4 @@ TEST(GrowthCalibration, ElevenSizesOfEightGraphs) { expect_honest(11, 8); }
 TEST(GrowthCalibration, TenSizesOfOneGraph) { expect_honest(10, 1); }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

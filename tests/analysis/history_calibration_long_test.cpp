@@ -7,10 +7,8 @@
 #include "analysis/history_noise.h"
 #include "ar3d/analysis/history/change_points.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::HistoryNoise;
 
 constexpr std::size_t kCommits = 50;
 
@@ -119,4 +117,4 @@ TEST(HistoryCalibration, DriftsAreSaidToBeGradual) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -2,25 +2,18 @@
 #include "ar3d/analysis/history/history.h"
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "analysis/synthetic.h"
 #include "ar3d/base/error.h"
 #include "ar3d/store/columns/side_tables.h"
+#include "support/problem.h"
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
-using ::testing::Not;
-using testing::ScratchDirectory;
-using ::testing::SizeIs;
 
 constexpr std::size_t kCommits = 16;
 
@@ -28,14 +21,14 @@ std::string hash_of(std::size_t commit) { return fmt::format("{:040x}", 0xabc000
 
 /// Two families at one size, timed; 10 % slower on family "b" from commit 8 on.
 Results commit_results(std::size_t commit) {
-  Results results = testing::good_results({"grid"}, {"a", "b"}, 1, 3);
+  Results results = good_results({"grid"}, {"a", "b"}, 1, 3);
   results.study_id = "tiny";
   results.source_hash = hash_of(commit);
   results.created = "2026-01-01T00:00:00Z";
   results.environment = {{"cpu", "A", 1}, {"cores", "2", 1}, {"load_before", "0.10", 1}};
   RandomStream random(7, commit);
   for (RunRecord& run : results.runs) {
-    run.wall_s = 1e-3 * (1 + 0.002 * testing::normal(random));
+    run.wall_s = 1e-3 * (1 + 0.002 * normal(random));
     if (run.family == "b" && commit >= 8) run.wall_s *= 1.1;
     run.counted_instructions = 1000000;
     run.session = 1;
@@ -225,17 +218,12 @@ TEST(History, FilesWithoutPlaceOrResultsAreNamed) {
   for (const char* name : {"x.h5", "12.h5", "_a_b.h5", "-1_a_b.h5", "1_a b_c.h5", "1__c.h5",
                            "99999999999999999999_a_b.h5"}) {
     const std::string path = scratch.write(name, "");
-    try {
-      read(scratch);
-      FAIL() << name;
-    } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), HasSubstr(name));
-    }
-    std::filesystem::remove(path);
+    EXPECT_THAT(problem([&] { read(scratch); }), HasSubstr(name)) << name;
+    fs::remove(path);
   }
   scratch.write("000001_a_b.h5", "no HDF5");
   EXPECT_THROW(read(scratch), InputError);
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

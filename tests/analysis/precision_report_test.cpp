@@ -1,24 +1,18 @@
 // What a report says of drawings in real types, of certificate modes and of levels.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <string>
 
 #include "analysis/synthetic.h"
 #include "ar3d/analysis/report.h"
 #include "ar3d/analysis/report/precision.h"
 #include "ar3d/store/columns/run_columns.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 using report::judge_onset;
 using report::OnsetVerdict;
-using ::testing::HasSubstr;
-using ::testing::Not;
 
 constexpr int kBits[] = {24, 53, 64, 113, 237};
 constexpr double kDegrees = 57.29577951308232;
@@ -26,7 +20,7 @@ constexpr double kDegrees = 57.29577951308232;
 /// A drawing whose condition is n^2 and whose miss is `kappa` of what that allows.
 RunRecord real_run(int type, std::int64_t n, std::int64_t instance, double kappa,
                    const std::string& family = "random-cubic") {
-  RunRecord run = testing::good_run("two-bend-paper", family, n, instance);
+  RunRecord run = good_run("two-bend-paper", family, n, instance);
   run.options = "type=" + std::to_string(type);
   run.certificate = "measured";
   run.theorem_bound = {kMissing, kMissing, kMissing};
@@ -44,7 +38,7 @@ RunRecord real_run(int type, std::int64_t n, std::int64_t instance, double kappa
 
 /// Five types, n = 16, 32, …, 4096, three graphs each; kappa of one type as told, else 0.2.
 Results real_results(int other_type = -1, double other_kappa = 0.2) {
-  Results results = testing::good_results({}, {}, 0, 0);
+  Results results = good_results({}, {}, 0, 0);
   for (std::int64_t n = 16; n <= 4096; n *= 2) {
     for (int type = 0; type < 5; ++type) {
       for (std::int64_t i = 0; i < 3; ++i) {
@@ -57,7 +51,7 @@ Results real_results(int other_type = -1, double other_kappa = 0.2) {
 
 /// The section of the page.
 std::string section_of(const Results& results) {
-  const std::string html = testing::report_of(results);
+  const std::string html = report_of(results);
   const std::size_t begin = html.find("<section id=precision>");
   if (begin == std::string::npos) return "";
   return html.substr(begin, html.find("</section>", begin) - begin);
@@ -72,7 +66,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 }
 
 TEST(PrecisionReport, PredictsEveryTypeFromTheWidest) {
-  const std::string html = testing::report_of(real_results());
+  const std::string html = report_of(real_results());
   EXPECT_THAT(html, HasSubstr("<section id=precision>"));
   EXPECT_THAT(html, HasSubstr("<a href='#precision'>What does accuracy cost?</a>"));
   EXPECT_THAT(html, HasSubstr("135 drawings in real types"));
@@ -93,7 +87,7 @@ TEST(PrecisionReport, PredictsEveryTypeFromTheWidest) {
 }
 
 TEST(PrecisionReport, SaysWhichPredictionsAreRefuted) {
-  const std::string html = testing::report_of(real_results(1, 0.2 * 25));
+  const std::string html = report_of(real_results(1, 0.2 * 25));
   // A miss 25 times as large passes every limit at a fifth of n.
   EXPECT_THAT(
       html,
@@ -146,14 +140,14 @@ TEST(PrecisionReport, DrawingsThatMissNothingAndBrokenOnes) {
 TEST(PrecisionReport, OneTypeAloneIsShownAndPredictsNothing) {
   Results results = real_results();
   std::erase_if(results.runs, [](const RunRecord& run) { return run.options != "type=1"; });
-  const std::string html = testing::report_of(results);
+  const std::string html = report_of(results);
   EXPECT_THAT(html, HasSubstr("<figure data-fig='miss'"));
   EXPECT_THAT(html, Not(HasSubstr("<figure data-fig='onsets'")));
 }
 
 TEST(PrecisionReport, CertificateModesAndLevels) {
-  Results results = testing::good_results({"diamond"}, {"cubic"}, 2, 3);
-  EXPECT_THAT(testing::report_of(results), Not(HasSubstr("<section id=precision>")));
+  Results results = good_results({"diamond"}, {"cubic"}, 2, 3);
+  EXPECT_THAT(report_of(results), Not(HasSubstr("<section id=precision>")));
   const std::size_t exact = results.runs.size();
   for (std::size_t i = 0; i < exact; ++i) {
     RunRecord run = results.runs[i];
@@ -163,13 +157,13 @@ TEST(PrecisionReport, CertificateModesAndLevels) {
     run.graph_hash += "f";
     results.runs.push_back(run);
   }
-  const std::string modes = testing::report_of(results);
+  const std::string modes = report_of(results);
   EXPECT_THAT(modes, HasSubstr("<h3>Certificate modes</h3>"));
   EXPECT_THAT(modes, HasSubstr("<td>filtered</td><td class=num>3</td><td class=num>0</td>"
                                "<td class=num>2 µs "));
   EXPECT_THAT(modes, Not(HasSubstr("<h3>Levels of detail</h3>")));
 
-  results = testing::good_results({"diamond"}, {"cubic"}, 2, 3);
+  results = good_results({"diamond"}, {"cubic"}, 2, 3);
   for (std::size_t i = 0; i < exact; ++i) {
     RunRecord run = results.runs[i];
     run.level = "full";
@@ -179,14 +173,14 @@ TEST(PrecisionReport, CertificateModesAndLevels) {
     run.peak_bytes = 1000 + 100 * run.n;
     results.runs.push_back(run);
   }
-  const std::string levels = testing::report_of(results);
+  const std::string levels = report_of(results);
   EXPECT_THAT(levels, HasSubstr("<h3>Levels of detail</h3>"));
   EXPECT_THAT(levels, HasSubstr("<td>full</td><td class=num>3</td>"));
   EXPECT_THAT(levels, HasSubstr("<td class=num>100</td></tr>"));
 }
 
 TEST(PrecisionReport, EffortsAreComparedWithTheFirst) {
-  Results results = testing::good_results({"diamond"}, {"cubic"}, 2, 3);
+  Results results = good_results({"diamond"}, {"cubic"}, 2, 3);
   const std::size_t first = results.runs.size();
   for (std::size_t i = 0; i < first; ++i) {
     results.runs[i].options = "effort=0";
@@ -218,4 +212,4 @@ TEST(PrecisionReport, TypesAreThoseOfTheAlgorithm) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -1,18 +1,13 @@
 // What a report shows beside its study: changes since a reference, and drawings.
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <set>
 
 #include "analysis/synthetic.h"
 #include "ar3d/analysis/report.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
-using ::testing::Not;
 
 /// The page of `now`, compared with `base`; without its scripts.
 std::string page_since(const Results& base, const Results& now) {
@@ -22,7 +17,7 @@ std::string page_since(const Results& base, const Results& now) {
 }
 
 TEST(ReportParts, SaysWhatChangedSinceTheReference) {
-  const Results base = testing::good_results({"diamond"}, {"cubic", "prism"}, 9, 4);
+  const Results base = good_results({"diamond"}, {"cubic", "prism"}, 9, 4);
   const std::string alike = page_since(base, base);
   EXPECT_THAT(alike, HasSubstr("Since the reference <a href='#reference'>0.1.0-base.h5</a>: "
                                "<b>PASS</b>"));
@@ -45,13 +40,13 @@ TEST(ReportParts, SaysWhatChangedSinceTheReference) {
   EXPECT_THAT(unlike, HasSubstr("The environments differ, so times are shown and not judged"));
   EXPECT_THAT(unlike, HasSubstr("<li>flags: absent → -O0</li>"));
 
-  const std::string alone = testing::report_of(base);
+  const std::string alone = report_of(base);
   EXPECT_THAT(alone, HasSubstr("Not compared: No reference was given."));
   EXPECT_THAT(alone, Not(HasSubstr("Since the reference")));
 }
 
 TEST(ReportParts, StoresTheGraphsThatComeClosestFirst) {
-  const Results results = testing::good_results({"diamond", "grid"}, {"cubic", "prism"}, 5, 2);
+  const Results results = good_results({"diamond", "grid"}, {"cubic", "prism"}, 5, 2);
   const StudyAnalysis analysis = analyse(view_of(results));
   const std::vector<std::size_t> rows = rows_to_show(analysis, 7, 128);
   ASSERT_EQ(rows.size(), 7u);
@@ -73,4 +68,4 @@ TEST(ReportParts, StoresTheGraphsThatComeClosestFirst) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -1,9 +1,5 @@
 #include "ar3d/analysis/report.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <boost/property_tree/xml_parser.hpp>
 #include <cctype>
 #include <cmath>
@@ -18,11 +14,8 @@
 #include "ar3d/analysis/report/html.h"
 #include "ar3d/analysis/text.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
-using ::testing::Not;
 
 std::size_t occurrences(const std::string& text, const std::string& part) {
   std::size_t found = 0;
@@ -41,7 +34,7 @@ std::string rows_json(const std::string& html) {
 Results hostile_results() {
   const std::string attack =
       "</script><script>alert(1)</script><img src=x onerror='alert(2)'>\"&\xff\x01";
-  Results results = testing::good_results({"diamond"}, {"cubic" + attack}, 9, 3);
+  Results results = good_results({"diamond"}, {"cubic" + attack}, 9, 3);
   for (auto& run : results.runs) {
     run.algorithm += attack;
     run.options = run.parameters = run.message = run.graph_hash = run.row_key = attack;
@@ -65,8 +58,7 @@ bool has_word(const std::string& text, const std::string& word) {
 }
 
 TEST(Report, IsOnePageThatNeedsNothingFromOutside) {
-  const std::string html =
-      testing::report_of(testing::good_results({"diamond", "grid"}, {"cubic"}, 9, 4));
+  const std::string html = report_of(good_results({"diamond", "grid"}, {"cubic"}, 9, 4));
   EXPECT_EQ(occurrences(html, "<script"), 6u)
       << "rows, figures, a style for saving, drawings, the viewer, and one script";
   EXPECT_EQ(occurrences(html, "<style"), 1u);
@@ -83,7 +75,7 @@ TEST(Report, IsOnePageThatNeedsNothingFromOutside) {
 }
 
 TEST(Report, ShowsEveryMetricOfTheTableWithUnitAndDefinition) {
-  const std::string html = testing::report_of(testing::good_results({"diamond"}, {"cubic"}, 9, 4));
+  const std::string html = report_of(good_results({"diamond"}, {"cubic"}, 9, 4));
   const std::size_t section = html.find("<section id=metrics>");
   ASSERT_NE(section, std::string::npos);
   for (const Metric& metric : metrics()) {
@@ -110,7 +102,7 @@ TEST(Report, StyleAndScriptAreTheFilesOfTheTree) {
 }
 
 TEST(Report, EscapesEveryStringOfTheFile) {
-  const std::string html = testing::report_of(hostile_results());
+  const std::string html = report_of(hostile_results());
   EXPECT_EQ(occurrences(html, "<script"), 6u);
   EXPECT_EQ(occurrences(html, "</script"), 6u);
   EXPECT_THAT(html, Not(HasSubstr("<img")));
@@ -121,7 +113,7 @@ TEST(Report, EscapesEveryStringOfTheFile) {
 
 TEST(Report, EveryPlottedPointHasItsRowAndCommand) {
   const Results results = hostile_results();
-  const std::string html = testing::report_of(results);
+  const std::string html = report_of(results);
   const auto data = nlohmann::json::parse(rows_json(html));
   std::size_t points = 0;
   for (std::size_t at = html.find(" data-r="); at != std::string::npos;
@@ -148,7 +140,7 @@ TEST(Report, EveryPlottedPointHasItsRowAndCommand) {
 }
 
 TEST(Report, SettingsAreComparedAtEveryN) {
-  Results results = testing::good_results({"diamond"}, {"cubic"}, 9, 4);
+  Results results = good_results({"diamond"}, {"cubic"}, 9, 4);
   const std::size_t count_of_rows = results.runs.size();
   for (std::size_t i = 0; i < count_of_rows; ++i) {
     results.runs[i].options = "effort=0";
@@ -157,26 +149,24 @@ TEST(Report, SettingsAreComparedAtEveryN) {
     results.runs.back().wall_s *= 3;
     results.runs.back().log2_volume -= 1;
   }
-  const std::string html = testing::report_of(results);
+  const std::string html = report_of(results);
   EXPECT_EQ(occurrences(html, "<section id=trade>"), 1u);
   EXPECT_EQ(occurrences(html, "aria-label='Volume against drawing time, n = "), 9u);
   EXPECT_EQ(occurrences(html, "<polyline class='front'"), 9u);
   EXPECT_EQ(occurrences(html, "aria-label='Volume against n'"), 1u);
   EXPECT_EQ(occurrences(html, "class='crossing'"), 0u) << "one is below the other everywhere";
-  EXPECT_EQ(count(testing::report_of(testing::good_results({"diamond"}, {"cubic"}, 9, 4)),
-                  "<section id=trade>"),
-            0u)
+  EXPECT_EQ(count(report_of(good_results({"diamond"}, {"cubic"}, 9, 4)), "<section id=trade>"), 0u)
       << "one setting has nothing to compare";
 }
 
 // Who drew other families is compared apart.
 TEST(Report, SettingsWithoutACommonFamilyAreNotCompared) {
-  Results results = testing::good_results({"diamond", "grid", "compact"}, {"cubic", "prism"}, 9, 2);
+  Results results = good_results({"diamond", "grid", "compact"}, {"cubic", "prism"}, 9, 2);
   std::erase_if(results.runs, [](const ar3d::RunRecord& run) {
     return (run.algorithm == "grid" && run.family == "prism") ||
            (run.algorithm == "compact" && run.family == "cubic");
   });
-  const std::string html = testing::report_of(results);
+  const std::string html = report_of(results);
   EXPECT_THAT(html, HasSubstr("<option value=0 selected>cubic, which 2 settings drew</option>"));
   EXPECT_THAT(html, HasSubstr("<option value=1>prism, which 2 settings drew</option>"));
   EXPECT_EQ(occurrences(html, "<figure data-fig='volume"), 2u);
@@ -185,19 +175,19 @@ TEST(Report, SettingsWithoutACommonFamilyAreNotCompared) {
 
 // Two algorithms whose volumes are n^3 and 2^6.5 n^2 lattice points cross at n = 2^6.5.
 TEST(Report, CrossingsOfVolumesAreMarkedAndTold) {
-  Results results = testing::good_results({"diamond", "grid"}, {"cubic"}, 9, 1);
+  Results results = good_results({"diamond", "grid"}, {"cubic"}, 9, 1);
   for (ar3d::RunRecord& run : results.runs) {
     const double log_n = std::log2(static_cast<double>(run.n));
     run.log2_volume = run.algorithm == "grid" ? 3 * log_n : 6.5 + 2 * log_n;
   }
-  const std::string html = testing::report_of(results);
+  const std::string html = report_of(results);
   EXPECT_EQ(occurrences(html, "class='crossing'"), 1u);
   EXPECT_THAT(html, HasSubstr("diamond needs less volume than grid from about n = 91 on"));
 }
 
 // A value in the order of the theorem's bound is a horizontal line.
 TEST(Report, GrowthIsDividedByTheOrderOfTheBound) {
-  Results results = testing::good_results({"diamond"}, {"cubic"}, 9, 1);
+  Results results = good_results({"diamond"}, {"cubic"}, 9, 1);
   for (ar3d::RunRecord& run : results.runs) run.extents = {run.n, run.n, 5 * run.n};
   const auto figures = report_figures(analyse(view_of(results)));
   const auto side = std::find_if(figures.begin(), figures.end(), [](const Figure& figure) {
@@ -214,12 +204,12 @@ TEST(Report, GrowthIsDividedByTheOrderOfTheBound) {
 TEST(Report, OfManyFamiliesTheExtremeOnesAreNamed) {
   std::vector<std::string> families;
   for (int i = 0; i < 30; ++i) families.push_back("family-" + std::to_string(i));
-  Results results = testing::good_results({"diamond"}, families, 5, 1);
+  Results results = good_results({"diamond"}, families, 5, 1);
   for (ar3d::RunRecord& run : results.runs) {
     const auto place = std::find(families.begin(), families.end(), run.family) - families.begin();
     run.extents = {run.n, run.n, run.n * (100 + place) / 40};
   }
-  const std::string html = testing::report_of(results);
+  const std::string html = report_of(results);
   const std::size_t begin = html.find("<figure data-fig='diamond-longest-side'");
   const std::string figure = html.substr(begin, html.find("</figure>", begin) - begin);
   EXPECT_EQ(occurrences(figure, "<g class='family"), 30u);
@@ -236,16 +226,16 @@ TEST(Report, OfManyFamiliesTheExtremeOnesAreNamed) {
 TEST(Report, OfVeryManyFamiliesThePageShowsTheClosest) {
   std::vector<std::string> families;
   for (int i = 0; i < 400; ++i) families.push_back("family-" + std::to_string(i));
-  Results results = testing::good_results({"diamond"}, families, 2, 1);
+  Results results = good_results({"diamond"}, families, 2, 1);
   results.runs.back().extents[2] = 8 * results.runs.back().n;  // touches the bound
-  const std::string html = testing::report_of(results);
+  const std::string html = report_of(results);
   EXPECT_THAT(html, HasSubstr("The 300 of 400 families that come closest to the bound"));
   EXPECT_THAT(html, HasSubstr(">family-399<"));
 }
 
 TEST(Report, BatchesAreShownAgainstTheIdeal) {
-  Results results = testing::good_results({"diamond"}, {"cubic"}, 3, 1);
-  EXPECT_EQ(count(testing::report_of(results), "id=strong-weak"), 0u) << "there are no batches";
+  Results results = good_results({"diamond"}, {"cubic"}, 3, 1);
+  EXPECT_EQ(count(report_of(results), "id=strong-weak"), 0u) << "there are no batches";
   const ar3d::RunRecord like = results.runs.back();
   for (const RunPhase phase : {RunPhase::strong, RunPhase::weak, RunPhase::weak_ranks}) {
     for (const std::int64_t threads : {1, 2, 4}) {
@@ -258,7 +248,7 @@ TEST(Report, BatchesAreShownAgainstTheIdeal) {
       results.runs.push_back(run);
     }
   }
-  const std::string html = testing::report_of(results);
+  const std::string html = report_of(results);
   EXPECT_EQ(occurrences(html, "<section id=strong-weak>"), 1u);
   EXPECT_EQ(occurrences(html, "strong scaling: drawings at a time against threads'"), 1u);
   EXPECT_EQ(occurrences(html, "weak scaling: drawings at a time against threads'"), 1u);
@@ -283,53 +273,53 @@ TEST(Report, FiguresAreDocumentsOfTheirOwn) {
     EXPECT_EQ(figure.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-"),
               std::string::npos)
         << figure.name;
-    EXPECT_THAT(figure.svg, ::testing::StartsWith("<?xml version='1.0' encoding='UTF-8'?>\n<svg "));
+    EXPECT_THAT(figure.svg, StartsWith("<?xml version='1.0' encoding='UTF-8'?>\n<svg "));
     EXPECT_THAT(figure.svg, Not(HasSubstr("var(--")));
     boost::property_tree::ptree tree;
     std::istringstream in(figure.svg);
     EXPECT_NO_THROW(boost::property_tree::read_xml(in, tree)) << figure.name;
-    EXPECT_THAT(figure.csv, ::testing::StartsWith("id,series,kind,x,y,low,high\r\n0,"));
+    EXPECT_THAT(figure.csv, StartsWith("id,series,kind,x,y,low,high\r\n0,"));
     EXPECT_THAT(figure.matplotlib, HasSubstr("open(\"" + figure.name + ".csv\""));
     EXPECT_THAT(figure.pgfplots, HasSubstr("{" + figure.name + ".csv}"));
   }
 }
 
 TEST(Report, OfNothingSaysSo) {
-  const std::string html = testing::report_of(Results{});
+  const std::string html = report_of(Results{});
   EXPECT_THAT(html, HasSubstr(">INCOMPLETE<"));
   EXPECT_THAT(html, HasSubstr("Nothing was measured"));
   EXPECT_THAT(html, Not(HasSubstr("nan")));
 }
 
 TEST(Report, SaysOfWhatKindTheHashOfTheSpecificationIs) {
-  const Results results = testing::good_results({"diamond"}, {"cubic"}, 3, 1);
-  EXPECT_THAT(testing::report_of(results), HasSubstr("XXH3-128 " + content_hash(results.spec)));
+  const Results results = good_results({"diamond"}, {"cubic"}, 3, 1);
+  EXPECT_THAT(report_of(results), HasSubstr("XXH3-128 " + content_hash(results.spec)));
 }
 
 TEST(Report, NamesViolationsAndTheirCommand) {
-  Results results = testing::good_results({"diamond"}, {"cubic"}, 3, 2);
+  Results results = good_results({"diamond"}, {"cubic"}, 3, 2);
   results.runs[3].extents[2] = 999999;
-  const std::string html = testing::report_of(results);
+  const std::string html = report_of(results);
   EXPECT_THAT(html, HasSubstr(">VIOLATED<"));
   EXPECT_THAT(html, HasSubstr("extent 999999 along z passes the theorem"));
   EXPECT_THAT(html, HasSubstr("<code>ar3d generate cubic -n 32 --seed 32001 | ar3d draw"));
 }
 
 TEST(Report, MissingNumbersAreNeverPrintedAsNumbers) {
-  Results results = testing::good_results({"diamond"}, {"cubic"}, 3, 2);
+  Results results = good_results({"diamond"}, {"cubic"}, 3, 2);
   for (auto& run : results.runs) {
     run.wall_s = run.log2_volume = kMissing;
     run.theorem_bound = {kMissing, kMissing, kMissing};
     run.instance_bound = {-1, -1, -1};
   }
-  const std::string html = testing::report_of(results);
+  const std::string html = report_of(results);
   const std::string page = html.substr(0, html.find("<script"));
   EXPECT_FALSE(has_word(page, "nan"));
   EXPECT_FALSE(has_word(page, "inf"));
 }
 
 TEST(Export, CsvHasOneLineACellAndQuotes) {
-  Results results = testing::good_results({"diamond"}, {"a,\"b\"", "prism"}, 2, 2);
+  Results results = good_results({"diamond"}, {"a,\"b\"", "prism"}, 2, 2);
   results.runs[0].theorem_bound[0] = kMissing;
   const std::string csv = bounds_csv(analyse(view_of(results)));
   EXPECT_EQ(occurrences(csv, "\r\n"), 3u);
@@ -347,7 +337,7 @@ TEST(Export, CsvHasOneLineACellAndQuotes) {
 }
 
 TEST(Export, JsonHoldsVerdictBoundsAndGrowth) {
-  const Results results = testing::good_results({"diamond"}, {"cubic"}, 9, 4);
+  const Results results = good_results({"diamond"}, {"cubic"}, 9, 4);
   const auto json = nlohmann::json::parse(analysis_json(analyse(view_of(results))));
   EXPECT_EQ(json["verdict"]["exit_code"], 0);
   EXPECT_EQ(json["bounds"].size(), 1u);
@@ -361,4 +351,4 @@ TEST(Export, JsonHoldsVerdictBoundsAndGrowth) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -1,21 +1,14 @@
 #include "ar3d/analysis/scaling.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "analysis/synthetic.h"
 #include "ar3d/analysis/scaling/power_law.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
-using testing::doubling;
-using ::testing::HasSubstr;
-using testing::noisy_samples;
-
-double normal_ten_percent(RandomStream& random, double) { return 0.1 * testing::normal(random); }
+double normal_ten_percent(RandomStream& random, double) { return 0.1 * normal(random); }
 double no_noise(RandomStream&, double) { return 0; }
 
 TEST(LinearFit, RecoversAnExactPlane) {
@@ -96,7 +89,7 @@ TEST(Scaling, SmallSizesAreLeftOutOnlyWhileEnoughStay) {
 }
 
 TEST(Scaling, SizesWithUnfinishedInstancesAreLeftOut) {
-  Results results = testing::good_results({"diamond"}, {"cubic"}, 9, 4);
+  Results results = good_results({"diamond"}, {"cubic"}, 9, 4);
   results.runs[33].status = RunStatus::timeout;  // size 16 * 2^8
   const ScalingEntry entry = fit_scaling(samples(tally_of(results).curves[0], Quantity::wall_s));
   EXPECT_EQ(entry.all.size(), 9u);
@@ -110,7 +103,7 @@ TEST(Scaling, SizesWithUnfinishedInstancesAreLeftOut) {
 }
 
 TEST(Scaling, MissingAndZeroValuesAreNoPoints) {
-  auto run = testing::good_run("diamond", "path", 16, 0);
+  auto run = good_run("diamond", "path", 16, 0);
   run.extents = {0, 12, -1};
   run.wall_s = kMissing;
   run.log2_volume = kMissing;
@@ -130,8 +123,8 @@ TEST(Scaling, MissingAndZeroValuesAreNoPoints) {
 TEST(Scaling, RepetitionsOfAnInstanceGiveTheirMedian) {
   Results results;
   for (const double wall_s : {1.0, 100.0, 2.0}) {
-    results.runs.push_back(testing::good_run("diamond", "cubic", 16, 0,
-                                             static_cast<std::int64_t>(results.runs.size())));
+    results.runs.push_back(
+        good_run("diamond", "cubic", 16, 0, static_cast<std::int64_t>(results.runs.size())));
     results.runs.back().wall_s = wall_s;
   }
   const auto sizes = samples(tally_of(results).curves[0], Quantity::wall_s);
@@ -143,7 +136,7 @@ TEST(Scaling, RepetitionsOfAnInstanceGiveTheirMedian) {
 TEST(Scaling, RowsOfTheTimingPhaseAloneSpeakForTime) {
   Results results;
   for (const double wall_s : {1.0, 100.0, 7.0, 3.0}) {
-    results.runs.push_back(testing::good_run("diamond", "cubic", 16, 0, 0));
+    results.runs.push_back(good_run("diamond", "cubic", 16, 0, 0));
     results.runs.back().wall_s = wall_s;
   }
   results.runs[1].phase = RunPhase::strong;
@@ -157,7 +150,7 @@ TEST(Scaling, RowsOfTheTimingPhaseAloneSpeakForTime) {
 }
 
 TEST(Scaling, TimesOfTheMetricsPhaseHaveNoExponent) {
-  Results results = testing::good_results({"grid"}, {"cubic"}, 9, 8);
+  Results results = good_results({"grid"}, {"cubic"}, 9, 8);
   const auto time = [&] { return scaling(results).back(); };
   EXPECT_EQ(time().quantity, Quantity::wall_s);
   EXPECT_EQ(time().growth, Growth::undecided);
@@ -168,7 +161,7 @@ TEST(Scaling, TimesOfTheMetricsPhaseHaveNoExponent) {
 }
 
 TEST(Scaling, OfAStudyFindsTheExponentOfEveryQuantity) {
-  Results results = testing::good_results({"diamond", "grid"}, {"cubic"}, 9, 8);
+  Results results = good_results({"diamond", "grid"}, {"cubic"}, 9, 8);
   for (auto& run : results.runs) run.phase = RunPhase::timing;
   const std::vector<ScalingEntry> entries = scaling(results);
   ASSERT_EQ(entries.size(), 12u);
@@ -188,7 +181,7 @@ TEST(Scaling, SizesOffTheLineWidenTheInterval) {
   const auto zigzag = [](double n) {
     return std::log(n) + (std::lround(std::log2(n)) % 2 == 0 ? 0.2 : -0.2);
   };
-  const auto quiet = [](RandomStream& r, double) { return 0.001 * testing::normal(r); };
+  const auto quiet = [](RandomStream& r, double) { return 0.001 * normal(r); };
   const ScalingEntry entry = fit_scaling(noisy_samples(doubling(64, 10), 8, random, zigzag, quiet));
   EXPECT_TRUE(entry.power.exponent_interval.contains(1));
   EXPECT_GT(entry.power.exponent_interval.width(), 0.05);
@@ -196,7 +189,7 @@ TEST(Scaling, SizesOffTheLineWidenTheInterval) {
 
 TEST(Scaling, AStrongLogarithmIsFoundAndNoneIsRuledOut) {
   RandomStream random(6);
-  const auto quiet = [](RandomStream& r, double) { return 0.01 * testing::normal(r); };
+  const auto quiet = [](RandomStream& r, double) { return 0.01 * normal(r); };
   const auto n_log2_n = [](double n) { return std::log(n) + 2 * std::log(std::log(n)); };
   const auto n_squared = [](double n) { return 2 * std::log(n); };
   const auto sizes = doubling(64, 12);
@@ -211,7 +204,7 @@ TEST(Scaling, AStrongLogarithmIsFoundAndNoneIsRuledOut) {
 /// A theorem bounds this quantity by c n: a line that rises faster is true of its sizes only.
 TEST(Scaling, ALawAboveTheOrderOfATheoremIsApparent) {
   RandomStream random(8);
-  const auto quiet = [](RandomStream& r, double) { return 0.001 * testing::normal(r); };
+  const auto quiet = [](RandomStream& r, double) { return 0.001 * normal(r); };
   const auto n_12 = [](double n) { return 1.2 * std::log(n); };
   const SizeBound theorem{"here", "a page", {linear(8), sqrt_n(3), quadratic(1)}};
   const ScalingEntry law = fit_scaling(noisy_samples(doubling(64, 12), 20, random, n_12, quiet));
@@ -222,7 +215,7 @@ TEST(Scaling, ALawAboveTheOrderOfATheoremIsApparent) {
   ScalingEntry above = law;
   refuse_law_above(theorem_order(theorem, Quantity::extent_x).value(), above);
   EXPECT_EQ(growth_label(above), "apparent exponent on [512, 131072]");
-  EXPECT_THAT(above.reason, ::testing::HasSubstr("above the order n^1 of the theorem's bound"));
+  EXPECT_THAT(above.reason, HasSubstr("above the order n^1 of the theorem's bound"));
   EXPECT_EQ(theorem_order(theorem, Quantity::extent_y), 0.5);
   EXPECT_EQ(theorem_order(theorem, Quantity::volume), 3.5);
   EXPECT_EQ(theorem_order(theorem, Quantity::longest_side), 2);
@@ -233,7 +226,7 @@ TEST(Scaling, ALawAboveTheOrderOfATheoremIsApparent) {
 /// The local exponent rises at a cache boundary; logarithms of exponent -3 to -25 were seen in it.
 TEST(Scaling, ACacheBoundaryIsNoLogarithm) {
   RandomStream random(7);
-  const auto quiet = [](RandomStream& r, double) { return 0.01 * testing::normal(r); };
+  const auto quiet = [](RandomStream& r, double) { return 0.01 * normal(r); };
   const auto stepped = [](double n) { return std::log(n) + 1 / (1 + std::exp(-(n - 4e4) / 8e3)); };
   const ScalingEntry entry =
       fit_scaling(noisy_samples(doubling(464, 9), 8, random, stepped, quiet));
@@ -246,7 +239,7 @@ TEST(Scaling, ACacheBoundaryIsNoLogarithm) {
 TEST(Scaling, ALogarithmsExponentIsAWholeNumber) {
   RandomStream random(9);
   const auto truth = [](double n) { return 3 * std::log(n) + 0.6 * std::log(std::log(n)); };
-  const auto quiet = [](RandomStream& r, double) { return 0.002 * testing::normal(r); };
+  const auto quiet = [](RandomStream& r, double) { return 0.002 * normal(r); };
   const ScalingEntry entry = fit_scaling(noisy_samples(doubling(64, 12), 8, random, truth, quiet));
   EXPECT_FALSE(entry.with_log.log_exponent_interval.contains(1));
   EXPECT_EQ(entry.growth, Growth::apparent) << entry.reason;
@@ -263,4 +256,4 @@ TEST(Scaling, ALowerOrderTermIsNoExponent) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -1,13 +1,11 @@
 // The test behind every verdict on times, against brute force and published tables.
 #include "ar3d/analysis/compare/signed_rank.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "synthetic.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 // P(W <= w) by all sign patterns.
@@ -83,7 +81,7 @@ TEST(SignedRank, TheIntervalCoversTheCentreAsOftenAsItSays) {
     std::vector<double> values;
     for (int i = 0; i < 15; ++i) {
       const double scale = random.chance(1, 10) ? 20 : 1;  // heavy tails
-      values.push_back(3 + scale * testing::normal(random));
+      values.push_back(3 + scale * normal(random));
     }
     covered += signed_rank_test(values, distribution, 0.95).interval.contains(3);
   }
@@ -103,4 +101,4 @@ TEST(BenjaminiHochberg, AdjustsAsInTheirPaper) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -11,6 +11,7 @@
 #include "ar3d/analysis/scaling/samples.h"
 #include "ar3d/base/random.h"
 #include "ar3d/store/run_storage.h"
+#include "support/test.h"
 
 namespace ar3d::testing {
 

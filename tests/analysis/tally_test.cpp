@@ -1,9 +1,6 @@
 // What one pass over the rows keeps: the same whatever their order, and no more than stated.
 #include "ar3d/analysis/tally.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -15,11 +12,8 @@
 #include "ar3d/analysis/study_analysis.h"
 #include "ar3d/store/columns/side_tables.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::good_results;
-using testing::good_run;
 
 /// Three repetitions of every graph, with times of their own.
 Results repeated() {
@@ -98,7 +92,7 @@ TEST(Tally, MeasuredRowsAreDrawnRowsWithoutABound) {
   EXPECT_EQ(peer.violations, 0u);
   EXPECT_EQ(peer.unproved, 0u);
   EXPECT_TRUE(std::isnan(peer.axes[0].worst_slack));
-  const std::string page = testing::report_of(results);
+  const std::string page = report_of(results);
   EXPECT_NE(page.find("measured, not judged"), std::string::npos);
 }
 
@@ -172,7 +166,7 @@ TEST(Check, RowsOfGraphFilesAreShownByReplay) {
   const CheckVerdict verdict = check(results);
   EXPECT_EQ(verdict.findings.at(0).command.substr(0, 20), "ar3d generate cubic ");
   EXPECT_EQ(verdict.findings.at(1).command, "ar3d replay RESULTS.h5 3");
-  EXPECT_EQ(testing::report_of(results).find("ar3d generate nets"), std::string::npos);
+  EXPECT_EQ(report_of(results).find("ar3d generate nets"), std::string::npos);
   const std::string csv = bounds_csv(analyse(view_of(results)));
   EXPECT_NE(csv.find("ar3d replay RESULTS.h5 2"), std::string::npos);
   EXPECT_EQ(csv.find("ar3d generate nets"), std::string::npos);
@@ -193,4 +187,4 @@ TEST(Check, KeepsTheFirstFindingsAndCountsAll) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -11,10 +11,8 @@
 
 #include "machine_noise.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::MachineNoise;
 
 constexpr std::size_t kCells = 240;
 constexpr std::size_t kRounds = 15;
@@ -114,7 +112,7 @@ TEST(TimeChange, TooFewPairsAreUndecided) {
 TEST(TimeChange, ManyPairsAreThinnedNotRefused) {
   RandomStream random(5);
   std::vector<double> many;
-  for (int i = 0; i < 50000; ++i) many.push_back(std::log(1.08) + 0.2 * testing::normal(random));
+  for (int i = 0; i < 50000; ++i) many.push_back(std::log(1.08) + 0.2 * normal(random));
   const TimeVerdict verdict = judge_times({many}, {})[0];
   EXPECT_EQ(verdict.change, TimeChange::slower);
   EXPECT_EQ(verdict.test.pairs, 2000u);
@@ -154,4 +152,4 @@ TEST(Calibration, StatesFalseAlarmsAndWhatIsVisible) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -1,21 +1,14 @@
 // Every key of `graphs` and `[[algorithm]]`, and every format of graphs, with a bad value: one
 // line that names the place, and exit code 2.
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
 
 #include "support/program.h"
 
 namespace ar3d::testing {
 namespace {
 
-using ::testing::HasSubstr;
-
 TEST(BadKeys, OfGraphsAreRefused) {
-  const testing::ScratchDirectory scratch;
+  const ScratchDirectory scratch;
   must("{} generate cycle -n 5 -o " + scratch.path("a.s6"));
   for (const auto& [entry, message] : std::vector<std::pair<const char*, const char*>>{
            {"file = 1", "file is not a string"},
@@ -37,12 +30,12 @@ TEST(BadKeys, OfGraphsAreRefused) {
     expect_one_line(run("{} study plan " + spec), message);
     EXPECT_THAT(run("{} study run " + spec + " -o " + scratch.path("s.h5")).err,
                 HasSubstr(message));
-    EXPECT_FALSE(std::filesystem::exists(scratch.path("s.h5"))) << entry;
+    EXPECT_FALSE(fs::exists(scratch.path("s.h5"))) << entry;
   }
 }
 
 TEST(BadKeys, OfAProgramAreRefused) {
-  const testing::ScratchDirectory scratch;
+  const ScratchDirectory scratch;
   const std::string guarantee = "name = 'm'\ncommand = 'cat'\nguarantee = ";
   for (const auto& [keys, message] : std::vector<std::pair<std::string, const char*>>{
            {"command = 'cat'", "lacks 'name'"},
@@ -74,7 +67,7 @@ TEST(BadKeys, OfAProgramAreRefused) {
 }
 
 TEST(BadKeys, FilesOfEveryFormatAreRefusedByTheirLine) {
-  const testing::ScratchDirectory scratch;
+  const ScratchDirectory scratch;
   for (const auto& [name, text] : std::vector<std::pair<const char*, const char*>>{
            {"a.g6", "D?\n"},
            {"a.s6", ":D\x01\n"},
@@ -90,7 +83,7 @@ TEST(BadKeys, FilesOfEveryFormatAreRefusedByTheirLine) {
     expect_one_line(
         run("{} study run --graphs " + path + " --algorithm grid -o " + scratch.path("s.h5")),
         path);
-    EXPECT_FALSE(std::filesystem::exists(scratch.path("s.h5"))) << name;
+    EXPECT_FALSE(fs::exists(scratch.path("s.h5"))) << name;
   }
 }
 

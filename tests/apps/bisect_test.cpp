@@ -1,20 +1,9 @@
 // `ar3d bisect` in a small repository whose commits are known.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "ar3d/store/run_storage.h"
 #include "support/program.h"
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
-using ::testing::Not;
 
 constexpr const char* kCell = "'grid (effort=1) on cycle n=50'";
 
@@ -22,7 +11,7 @@ constexpr const char* kCell = "'grid (effort=1) on cycle n=50'";
 class SeededRepository {
  public:
   SeededRepository() {
-    std::filesystem::create_directories(checkout_ + "/apps");
+    fs::create_directories(checkout_ + "/apps");
     scratch_.write("checkout/apps/study.cpp", "");
     scratch_.write("checkout/CMakeLists.txt",
                    "cmake_minimum_required(VERSION 3.20)\nproject(seeded NONE)\n"
@@ -31,20 +20,20 @@ class SeededRepository {
     scratch_.write("tiny.toml",
                    "study = 'tiny'\n[[sweep]]\nfamilies = ['cycle', 'random-cubic']\nsizes = 50\n"
                    "algorithms = 'grid'\n");
-    EXPECT_EQ(run("git init -q " + checkout_).exit_code, 0);
+    expect_exit(0, run("git init -q " + checkout_));
   }
 
   /// A commit whose program runs `command` in front of the program of this test.
   /// @param command  empty: it cannot be built.
   void commit(const std::string& subject, const std::string& command) {
     const std::string script = checkout_ + "/program.sh";
-    std::filesystem::remove(script);
+    fs::remove(script);
     if (!command.empty()) {
       const Outcome program = run("realpath {}");
       scratch_.write("checkout/program.sh", "#!/bin/bash\n# " + subject + "\n" + command + " " +
                                                 program.out.substr(0, program.out.size() - 1) +
                                                 " \"$@\"\n");
-      EXPECT_EQ(run("chmod +x " + script).exit_code, 0);
+      expect_exit(0, run("chmod +x " + script));
     }
     const Outcome made =
         expect_exit(0, run("cd " + checkout_ +
@@ -65,7 +54,7 @@ class SeededRepository {
   void expect_nothing_left() const {
     const Outcome trees = run("git -C " + checkout_ + " worktree list");
     EXPECT_EQ(std::count(trees.out.begin(), trees.out.end(), '\n'), 1) << trees.out;
-    for (const auto& entry : std::filesystem::directory_iterator(checkout_ + "/build/compare")) {
+    for (const auto& entry : fs::directory_iterator(checkout_ + "/build/compare")) {
       EXPECT_THAT(entry.path().string(), Not(HasSubstr("sources")));
       EXPECT_THAT(entry.path().string(), Not(HasSubstr("run-")));
     }
@@ -89,17 +78,14 @@ TEST(Bisect, TheCommitThatChangedTheDrawingsIsFoundAndNothingIsLeft) {
   for (const char* subject : {"culprit", "five", "six"}) {
     repository.commit(subject, kOtherDrawings);
   }
-  const Outcome outcome =
-      expect_exit(0, repository.bisect("--measure volume --good " + repository.hash(0) +
-                                       " --bad HEAD --cell " + kCell));
-  EXPECT_THAT(outcome.out, HasSubstr("FOUND    " + repository.hash(4) + " culprit"));
-  EXPECT_THAT(outcome.out, HasSubstr("6 to look among"));
+  expect_output(repository.bisect("--measure volume --good " + repository.hash(0) +
+                                  " --bad HEAD --cell " + kCell),
+                {"FOUND    " + repository.hash(4) + " culprit", "6 to look among"});
   repository.expect_nothing_left();
 
-  const Outcome same =
-      expect_exit(6, repository.bisect("--measure bends --good " + repository.hash(0) + " --bad " +
-                                       repository.hash(3) + " --cell " + kCell));
-  EXPECT_THAT(same.out, HasSubstr("NO CHANGE"));
+  expect_output(repository.bisect("--measure bends --good " + repository.hash(0) + " --bad " +
+                                  repository.hash(3) + " --cell " + kCell),
+                "NO CHANGE", 6);
 }
 
 TEST(Bisect, CommitsThatDoNotBuildOrRunAreSkippedAndNamed) {
@@ -139,9 +125,8 @@ TEST(Bisect, TheCommitThatMadeItSlowerIsFound) {
   const std::string slow = fast_clock(repository);
   for (const char* subject : {"zero", "one", "two"}) repository.commit(subject, kPlain);
   for (const char* subject : {"slow", "four"}) repository.commit(subject, slow);
-  const Outcome outcome =
-      expect_exit(0, repository.bisect("--rounds 8 --good HEAD~4 --cell " + std::string(kCell)));
-  EXPECT_THAT(outcome.out, HasSubstr("FOUND    " + repository.hash(3) + " slow"));
+  expect_output(repository.bisect("--rounds 8 --good HEAD~4 --cell " + std::string(kCell)),
+                "FOUND    " + repository.hash(3) + " slow");
   repository.expect_nothing_left();
 }
 
@@ -157,18 +142,16 @@ TEST(Bisect, TheCommandThatAHistoryPrintsFindsTheCommit) {
     results.dirty = false;
     if (commit == 3) results.runs.front().extents[0] += 1;
     write_results(results, path);
-    const Outcome added = run("cd " + repository.path("checkout") + " && {} history add " + path +
-                              " --folder " + folder);
-    ASSERT_EQ(added.exit_code, 0) << added.err;
+    expect_exit(0, run("cd " + repository.path("checkout") + " && {} history add " + path +
+                       " --folder " + folder));
   }
   const Outcome report = run("{} history report --folder " + folder);
   const std::size_t begin = report.out.find("ar3d bisect ");
   ASSERT_NE(begin, std::string::npos) << report.out;
   const std::string command =
       report.out.substr(begin + 5, report.out.find('\n', begin) - begin - 5);
-  const Outcome found =
-      expect_exit(0, run("cd " + repository.path("checkout") + " && {} " + command));
-  EXPECT_THAT(found.out, HasSubstr("FOUND    " + repository.hash(2) + " culprit"));
+  expect_output(run("cd " + repository.path("checkout") + " && {} " + command),
+                "FOUND    " + repository.hash(2) + " culprit");
 }
 
 TEST(Bisect, AnInterruptLeavesNoWorktree) {

@@ -1,16 +1,9 @@
 // The recipes of examples/ci as far as a shell can run them.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <filesystem>
-
 #include "ar3d/store/run_storage.h"
 #include "support/program.h"
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
 
 constexpr const char* kFolder = AR3D_SOURCE_DIR "/examples/ci/";
 
@@ -27,7 +20,7 @@ TEST(CiRecipes, TheGateStoresJudgesAndFailsByItsExitCode) {
   const ScratchDirectory scratch;
   expect_exit(5, gate(scratch, "judge references"));
   EXPECT_THAT(read_file(scratch.path("verdict.markdown")), HasSubstr("NOTHING TO COMPARE WITH"));
-  EXPECT_EQ(gate(scratch, "store references").exit_code, 0);
+  expect_exit(0, gate(scratch, "store references"));
   expect_exit(0, gate(scratch, "judge references"));
   EXPECT_THAT(read_file(scratch.path("verdict.markdown")),
               HasSubstr("## ar3d compare: DRAWINGS PASS"));
@@ -36,7 +29,7 @@ TEST(CiRecipes, TheGateStoresJudgesAndFailsByItsExitCode) {
   Results smaller = read_results(reference);
   smaller.runs.front().extents[0] -= 1;
   write_results(smaller, reference);
-  EXPECT_EQ(gate(scratch, "judge references").exit_code, 3);
+  expect_exit(3, gate(scratch, "judge references"));
   EXPECT_THAT(read_file(scratch.path("verdict.markdown")), HasSubstr("## ar3d compare: REGRESSED"));
 }
 
@@ -62,8 +55,7 @@ while True:
                spec + " " + settings + " " + kFolder + "regression-gate " + arguments);
   };
   write_program("i * i");
-  const Outcome stored = own_gate("store references", "");
-  ASSERT_EQ(stored.exit_code, 0) << stored.out << stored.err;
+  expect_exit(0, own_gate("store references", ""));
   for (const char* settings : {"", "AR3D_COMPARE=\"\""}) {
     scratch.write("verdict.markdown", "old");
     write_program("0");  // all on one line: edges on vertices
@@ -78,15 +70,15 @@ while True:
   expect_exit(5, own_gate("judge references", ""));
   EXPECT_THAT(read_file(scratch.path("verdict.markdown")),
               HasSubstr("`study run` ended with exit code 5"));
-  std::filesystem::remove(spec);
+  fs::remove(spec);
   expect_exit(2, own_gate("judge references", ""));
   EXPECT_THAT(read_file(scratch.path("verdict.markdown")), HasSubstr("NOTHING MEASURED"));
 }
 
 TEST(CiRecipes, UnknownWordsAreRefused) {
   const ScratchDirectory scratch;
-  EXPECT_EQ(gate(scratch, "").exit_code, 2);
-  EXPECT_EQ(gate(scratch, "guess references").exit_code, 2);
+  expect_exit(2, gate(scratch, ""));
+  expect_exit(2, gate(scratch, "guess references"));
 }
 
 TEST(CiRecipes, TheFilesAreYamlAndRunTheGate) {

@@ -1,7 +1,5 @@
 // The Slurm recipes of docs/cluster.md on a Slurm of one node, started for each and ended after it:
 // one after the other, since two of them would have the same ports.
-#include <gtest/gtest.h>
-
 #include "apps/cluster_recipes.h"
 #include "support/results.h"
 

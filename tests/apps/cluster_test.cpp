@@ -1,6 +1,4 @@
 // The recipes of docs/cluster.md that need no cluster.
-#include <gtest/gtest.h>
-
 #include "apps/cluster_recipes.h"
 #include "support/results.h"
 

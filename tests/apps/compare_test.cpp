@@ -1,9 +1,4 @@
 // `ar3d compare` as its users run it: files, reports of Google Benchmark, two builds in turns.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -13,9 +8,6 @@
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
-using ::testing::Not;
 
 constexpr const char* kStudy =
     "study = 'tiny'\n[[sweep]]\nfamilies = ['cycle', 'random-cubic']\nsizes = [20, 50]\n"
@@ -32,7 +24,7 @@ template <class Change>
 std::string changed(const std::string& path, const std::string& name, Change change) {
   Results results = read_results(path);
   change(results);
-  const std::string result = std::filesystem::path(path).replace_filename(name);
+  const std::string result = fs::path(path).replace_filename(name);
   write_results(results, result);
   return result;
 }
@@ -41,24 +33,23 @@ TEST(CompareProgram, TheYoungestReferenceOfTheStudyIsTheBase) {
   const ScratchDirectory scratch;
   const std::string now = tiny_results(scratch, "now.h5");
   const std::string checkout = scratch.path("checkout");
-  std::filesystem::create_directories(checkout + "/apps");
-  std::filesystem::create_directories(checkout + "/results/reference");
+  fs::create_directories(checkout + "/apps");
+  fs::create_directories(checkout + "/results/reference");
   must("touch " + checkout + "/apps/study.cpp && git init -q " + checkout);
   const std::string compare = "cd " + checkout + " && {} compare --reference " + now;
-  EXPECT_EQ(run(compare).exit_code, 2);  // no reference yet
+  expect_exit(2, run(compare));  // no reference yet
   const std::string smaller =
       changed(now, "smaller.h5", [](Results& r) { r.runs[4].extents[1] -= 1; });
-  std::filesystem::copy_file(now, checkout + "/results/reference/0.1.0-tiny.h5");
-  EXPECT_EQ(run(compare).exit_code, 0);
-  std::filesystem::copy_file(smaller, checkout + "/results/reference/0.2.0-tiny.h5");
-  EXPECT_EQ(run(compare).exit_code, 3);
+  fs::copy_file(now, checkout + "/results/reference/0.1.0-tiny.h5");
+  expect_exit(0, run(compare));
+  fs::copy_file(smaller, checkout + "/results/reference/0.2.0-tiny.h5");
+  expect_exit(3, run(compare));
 }
 
 TEST(CompareProgram, TheCommittedReferenceIsWholeAndProved) {
   const std::string reference = std::string(AR3D_SOURCE_DIR) + "/results/reference/0.2.0-volume.h5";
-  const Outcome check = expect_exit(0, run("{} check " + reference));
-  EXPECT_THAT(check.out, HasSubstr("21528 rows, 21528 proved"));
-  EXPECT_EQ(run("{} compare " + reference + " " + reference).exit_code, 0);
+  expect_output(run("{} check " + reference), "21528 rows, 21528 proved");
+  expect_exit(0, run("{} compare " + reference + " " + reference));
 }
 
 TEST(CompareProgram, AFileAgainstItselfPassesAndAGrownBoxIsARegression) {
@@ -69,14 +60,12 @@ TEST(CompareProgram, AFileAgainstItselfPassesAndAGrownBoxIsARegression) {
   const std::string grown =
       changed(base, "grown.h5", [](Results& r) { r.runs[4].extents[1] += 1; });
   const std::string verdict = scratch.path("verdict.json");
-  const Outcome worse =
-      expect_exit(3, run("{} compare " + base + " " + grown + " --json " + verdict));
-  EXPECT_THAT(worse.out, HasSubstr("larger volume"));
+  expect_output(run("{} compare " + base + " " + grown + " --json " + verdict), "larger volume", 3);
   EXPECT_EQ(nlohmann::json::parse(read_file(verdict)).at("verdict"), "REGRESSED");
 
   const std::string broken =
       changed(base, "broken.h5", [](Results& r) { r.runs[4].status = RunStatus::violated; });
-  EXPECT_EQ(run("{} compare " + base + " " + broken).exit_code, 4);
+  expect_exit(4, run("{} compare " + base + " " + broken));
 }
 
 TEST(CompareProgram, TheVerdictIsWrittenAsMarkdown) {
@@ -95,15 +84,15 @@ TEST(CompareProgram, TheVerdictIsWrittenAsMarkdown) {
   });
   const std::string file = scratch.path("verdict.md");
   const std::string compare = "{} compare " + named + " " + grown + " --markdown ";
-  EXPECT_EQ(run(compare + file).exit_code, 3);
+  expect_exit(3, run(compare + file));
   const Outcome piped = expect_exit(3, run(compare + "-"));
   EXPECT_EQ(piped.out, read_file(file));
-  EXPECT_THAT(piped.out, ::testing::StartsWith("## ar3d compare: REGRESSED\n"));
+  EXPECT_THAT(piped.out, StartsWith("## ar3d compare: REGRESSED\n"));
   EXPECT_THAT(piped.out, HasSubstr("| verdict | cell | time | volume | reason |"));
   EXPECT_THAT(piped.out, HasSubstr("`larger volume"));
   EXPECT_THAT(piped.out, HasSubstr("on a\\|b'c # d all n` |"));  // one field of one line
   expect_error(run(compare + file), "--force replaces it");
-  EXPECT_EQ(run(compare + scratch.path("nowhere/verdict.md")).exit_code, 2);
+  expect_exit(2, run(compare + scratch.path("nowhere/verdict.md")));
 }
 
 TEST(CompareProgram, BadInputIsOneClearLine) {
@@ -137,10 +126,10 @@ TEST(CompareProgram, OtherVersionsAndMissingTablesAreNamed) {
   for (const auto& [edit, message] : std::vector<std::pair<std::string, std::string>>{
            {"f.attrs[\"format_version\"] = 1", "version"}, {"del f[\"runs\"]", "runs"}}) {
     const std::string broken = scratch.path("broken.h5");
-    std::filesystem::copy_file(base, broken, std::filesystem::copy_options::overwrite_existing);
+    fs::copy_file(base, broken, fs::copy_options::overwrite_existing);
     must("/usr/bin/python3 -c 'import h5py; f = h5py.File(\"" + broken + "\", \"r+\"); " + edit +
          "'");
-    testing::renew_checksum(broken);
+    renew_checksum(broken);
     const Outcome outcome = run("{} compare " + base + " " + broken);
     expect_one_line(outcome, message);
     EXPECT_THAT(outcome.err, HasSubstr("broken.h5"));
@@ -151,11 +140,9 @@ TEST(CompareProgram, NothingMeasuredAndNaNAreIncomplete) {
   const ScratchDirectory scratch;
   const std::string base = tiny_results(scratch, "base.h5");
   const std::string empty = changed(base, "empty.h5", [](Results& r) { r.runs.clear(); });
-  const Outcome none = expect_exit(5, run("{} compare " + empty + " " + empty));
-  EXPECT_THAT(none.out, HasSubstr("nothing measured"));
+  expect_output(run("{} compare " + empty + " " + empty), "nothing measured", 5);
   const std::string nan = changed(base, "nan.h5", [](Results& r) { r.runs[0].wall_s = kMissing; });
-  const Outcome missing = expect_exit(5, run("{} compare " + base + " " + nan));
-  EXPECT_THAT(missing.out, HasSubstr("1 drawn measurements have no time"));
+  expect_output(run("{} compare " + base + " " + nan), "1 drawn measurements have no time", 5);
 }
 
 TEST(CompareProgram, GoogleBenchmarkReportsAreReadAndItsOwnToolReadsOurs) {
@@ -168,20 +155,19 @@ TEST(CompareProgram, GoogleBenchmarkReportsAreReadAndItsOwnToolReadsOurs) {
   for (const auto& [from, to] : {std::pair{base, a}, std::pair{slower, b}}) {
     must("{} report " + from + " --benchmark-json " + to);
   }
-  const Outcome theirs = expect_exit(
-      0, run("/usr/bin/python3 /usr/share/benchmark/compare.py --no-color --no-utest benchmarks " +
-             a + " " + b));
-  EXPECT_THAT(theirs.out, HasSubstr("draw/diamond/effort="));
-  EXPECT_THAT(theirs.out, HasSubstr("+1.0000"));  // twice the time
+  expect_output(
+      run("/usr/bin/python3 /usr/share/benchmark/compare.py --no-color --no-utest benchmarks " + a +
+          " " + b),
+      {"draw/diamond/effort=", "+1.0000"});  // twice the time
 
-  EXPECT_EQ(run("{} compare " + a + " " + a + " --time-always").exit_code, 0);
+  expect_exit(0, run("{} compare " + a + " " + a + " --time-always"));
   expect_exit(3, run("{} compare " + a + " " + b + " --time-always --significance 0.3 --fdr 0.3"));
 }
 
 /// A checkout whose build runs `command`, and then gives the program of this test.
 std::string pretended_checkout(const ScratchDirectory& scratch, const std::string& command) {
   const std::string checkout = scratch.path("checkout");
-  std::filesystem::create_directories(checkout + "/apps");
+  fs::create_directories(checkout + "/apps");
   std::ofstream(checkout + "/CMakeLists.txt")
       << "cmake_minimum_required(VERSION 3.20)\nproject(pretended NONE)\n"
          "add_custom_target(ar3d_program COMMAND "
@@ -199,7 +185,7 @@ std::string pretended_checkout(const ScratchDirectory& scratch, const std::strin
 void expect_no_worktree(const std::string& checkout) {
   const Outcome trees = run("git -C " + checkout + " worktree list");
   EXPECT_EQ(std::count(trees.out.begin(), trees.out.end(), '\n'), 1) << trees.out;
-  for (const auto& entry : std::filesystem::directory_iterator(checkout + "/build/compare")) {
+  for (const auto& entry : fs::directory_iterator(checkout + "/build/compare")) {
     EXPECT_THAT(entry.path().string(), Not(HasSubstr("sources")));
     EXPECT_THAT(entry.path().string(), Not(HasSubstr("run-")));
   }
@@ -213,8 +199,8 @@ TEST(CompareProgram, ACommitIsBuiltOnceAndItsWorktreeGoes) {
                               " && AR3D_PROGRAM=$(realpath {}) {} compare --base HEAD --rounds 1 "
                               "--study " +
                               spec;
-  const Outcome first = run(command), second = run(command);
-  EXPECT_EQ(first.exit_code, 6) << first.out << first.err;  // one round decides nothing
+  const Outcome first = expect_exit(6, run(command));  // one round decides nothing
+  const Outcome second = run(command);
   EXPECT_THAT(first.err, HasSubstr("building HEAD"));
   EXPECT_THAT(first.err, HasSubstr("round 1 of 1"));
   EXPECT_EQ(second.exit_code, 6) << second.out << second.err;
@@ -224,7 +210,7 @@ TEST(CompareProgram, ACommitIsBuiltOnceAndItsWorktreeGoes) {
 
 TEST(CompareProgram, GraphsAreFoundBesideTheSpecification) {
   const ScratchDirectory scratch;
-  std::filesystem::create_directories(scratch.path("nets"));
+  fs::create_directories(scratch.path("nets"));
   must("{} generate random-cubic -n 20 --count 3 -o " + scratch.path("nets/a.s6"));
   const std::string spec = scratch.write(
       "mine.toml",
@@ -232,8 +218,8 @@ TEST(CompareProgram, GraphsAreFoundBesideTheSpecification) {
       "graphs = { file = 'nets/a.s6', name = 'a.s6', shuffle = 1 }\nalgorithms = 'diamond'\n");
   const std::string checkout = pretended_checkout(scratch, "true");
   const Outcome outcome =
-      run("cd " + checkout + " && {} compare --calibrate --rounds 1 --study " + spec);
-  EXPECT_EQ(outcome.exit_code, 6) << outcome.out << outcome.err;  // one round decides nothing
+      expect_exit(6, run("cd " + checkout + " && {} compare --calibrate --rounds 1 --study " +
+                         spec));  // one round decides nothing
   EXPECT_THAT(outcome.out, HasSubstr("on a.s6"));
 }
 

@@ -1,13 +1,8 @@
 // Graphs of no or few vertices, coordinates at the ends of 64 bits, and what is no number, through
 // the program: certified, or refused in one line.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <limits>
-#include <string>
 
 #include "ar3d/model/real_points.h"
 #include "ar3d/store/columns/run_columns.h"
@@ -17,10 +12,8 @@
 namespace ar3d::testing {
 namespace {
 
-using ::testing::HasSubstr;
-
 Outcome verified(const std::string& line) {
-  return run("printf '%s\\n' '" + line + "' | " + kProgram + " verify -");
+  return run("printf '%s\\n' '" + line + "' | {} verify -");
 }
 
 /// A refusal is one line on standard error, and nothing else.
@@ -31,7 +24,7 @@ void expect_refused(const std::string& line, const std::string& reason) {
 TEST(Extremes, TheStudyIsAllRightAndHasNoNaNWhereANumberIsDue) {
   const ScratchDirectory scratch;
   const std::string results = scratch.path("extremes.h5");
-  expect_exit(0, run(kProgram + " study run extremes -q --threads 1 -o " + results));
+  expect_exit(0, run("{} study run extremes -q --threads 1 -o " + results));
   std::size_t tiny = 0;
   RunReader reader(results);
   ASSERT_GT(reader.size(), 100u);
@@ -60,10 +53,9 @@ TEST(Extremes, NoRecursionProportionalToN) {
                          "[\"path\", \"cycle\", "
                          "\"caterpillar\", \"binary-tree\", \"nested-triangles\", "
                          "\"iterated-truncation\"]\nsizes = 100000\nalgorithms = \"all\"\n";
-  const Outcome outcome =
-      expect_exit(0, run("ulimit -s 256 && OMP_STACKSIZE=256k " + kProgram + " study run " + toml +
-                         " -q --threads 1 -o " + scratch.path("deep.h5")));
-  EXPECT_THAT(outcome.out, HasSubstr("PASS: 27 rows, 27 proved"));
+  expect_output(run("ulimit -s 256 && OMP_STACKSIZE=256k {} study run " + toml +
+                    " -q --threads 1 -o " + scratch.path("deep.h5")),
+                "PASS: 27 rows, 27 proved");
 }
 
 TEST(Extremes, CoordinatesAtTheEndsOf64Bits) {
@@ -72,11 +64,10 @@ TEST(Extremes, CoordinatesAtTheEndsOf64Bits) {
            R"("vertices":[[)" +
            a + "],[" + b + R"(]],"edges":[]})";
   };
-  const Outcome last =
-      expect_exit(4, verified(line("-2305843009213693952,0,0", "2305843009213693952,0,0")));
-  EXPECT_THAT(last.out,
-              HasSubstr("size: the extent in x is 4611686018427387904, more than 16/3 n"));
-  EXPECT_THAT(last.out, HasSubstr("0 certified, 1 violated"));
+  expect_output(
+      verified(line("-2305843009213693952,0,0", "2305843009213693952,0,0")),
+      {"size: the extent in x is 4611686018427387904, more than 16/3 n", "0 certified, 1 violated"},
+      4);
   expect_refused(
       line("0,0,0", "2305843009213693953,0,0"),
       "coordinate 2305843009213693953 is out of range, the limit is 2305843009213693952");
@@ -92,8 +83,8 @@ TEST(Extremes, CoordinatesAtTheEndsOf64Bits) {
 // A long chain of heights at the scale of the size bound's proof: refused before anything is
 // placed.
 TEST(Extremes, HeightsBeyond60BitsAreRefusedWithTheVertexNamed) {
-  expect_error(run(kProgram + " generate ladder -n 300000 | " + kProgram +
-                   " draw - --algorithm two-bend-109 --set effort=0 --level extents"),
+  expect_error(run("{} generate ladder -n 300000 | {} draw - --algorithm two-bend-109 --set "
+                   "effort=0 --level extents"),
                "two-bend-109: a coordinate of vertex 277710 may pass 2^60, "
                "the graph is too large");
 }
@@ -114,8 +105,8 @@ TEST(Extremes, ScalesOfRealTypes) {
   }
   const Outcome huge = verified(real_line("4000", (BigInteger(1) << 3320).str()));  // 1000 digits
   EXPECT_EQ(huge.exit_code, 5);
-  EXPECT_THAT(huge.out, ::testing::Not(HasSubstr("nan")));
-  EXPECT_THAT(huge.out, ::testing::Not(HasSubstr("inf")));
+  EXPECT_THAT(huge.out, Not(HasSubstr("nan")));
+  EXPECT_THAT(huge.out, Not(HasSubstr("inf")));
   expect_refused(real_line("4001", "5"), "unit_exponent: 4001 is not in -4000..4000");
   expect_refused(real_line("0", "NaN"), "'NaN' is no decimal integer");
   expect_refused(real_line("0", "Infinity"), "'Infinity' is no decimal integer");
@@ -136,7 +127,7 @@ TEST(Extremes, RealTypesOfGraphsOfNoAndFewVertices) {
                     "= [0, 1, 2, 3]\n"
                     "algorithms = { algorithm = \"two-bend-paper\", type = [0, 1, 2, 3, 4] }\n");
   const std::string results = scratch.path("few.h5");
-  expect_exit(0, run(kProgram + " study run " + toml + " -q -o " + results));
+  expect_exit(0, run("{} study run " + toml + " -q -o " + results));
   RunReader reader(results);
   ASSERT_GT(reader.size(), 50u);
   for (std::size_t i = 0; i < reader.size(); ++i) {
@@ -155,12 +146,12 @@ TEST(Extremes, RealTypesOfGraphsOfNoAndFewVertices) {
 TEST(Extremes, SummariesOfGraphsWithoutPoints) {
   for (const std::string algorithm : {"diamond", "grid", "two-bend", "compact", "compact-120",
                                       "two-bend-109", "two-bend-paper"}) {
-    const Outcome none = run("printf '?\\n@\\nA_\\nBw\\n' | " + kProgram + " draw - --algorithm " +
-                             algorithm + " --level extents");
+    const Outcome none = run("printf '?\\n@\\nA_\\nBw\\n' | {} draw - --algorithm " + algorithm +
+                             " --level extents");
     EXPECT_TRUE(none.exit_code == 0 || none.exit_code == 5) << none.err;
     EXPECT_EQ(std::count(none.out.begin(), none.out.end(), '\n'), 4) << none.out;
-    EXPECT_THAT(none.out, ::testing::StartsWith("{\"n\":0,\"m\":0,"));
-    EXPECT_THAT(none.out, ::testing::Not(HasSubstr("NaN")));
+    EXPECT_THAT(none.out, StartsWith("{\"n\":0,\"m\":0,"));
+    EXPECT_THAT(none.out, Not(HasSubstr("NaN")));
   }
 }
 

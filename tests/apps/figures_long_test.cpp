@@ -1,19 +1,11 @@
 // The scripts beside the figures of `ar3d report --figures` draw them again.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <filesystem>
-
 #include "support/program.h"
 
 namespace ar3d::testing {
 namespace {
 
-using ::testing::HasSubstr;
-namespace fs = std::filesystem;
-
 TEST(Figures, AreDrawnAgainByTheirScripts) {
-  const testing::ScratchDirectory scratch;
+  const ScratchDirectory scratch;
   const std::string results = scratch.path("smoke.h5"), figures = scratch.path("figures");
   must("{} study run smoke -q -o " + results);
   must("{} report " + results + " --figures " + figures);
@@ -25,12 +17,12 @@ TEST(Figures, AreDrawnAgainByTheirScripts) {
     fs::remove(stem + ".pdf");  // that of the SVG
     const std::string in_folder = "cd " + figures + " && ";
     expect_exit(0, run(in_folder + "/usr/bin/python3 " + stem + ".py"));
-    EXPECT_THAT(read_file(stem + ".pdf"), ::testing::StartsWith("%PDF-")) << stem;
+    EXPECT_THAT(read_file(stem + ".pdf"), StartsWith("%PDF-")) << stem;
     fs::remove(stem + ".pdf");
     const Outcome latex = expect_exit(
         0, run(in_folder + "pdflatex -halt-on-error -interaction=nonstopmode " + stem + ".tex"));
-    EXPECT_THAT(latex.out, ::testing::Not(HasSubstr("undefined"))) << stem;
-    EXPECT_THAT(read_file(stem + ".pdf"), ::testing::StartsWith("%PDF-")) << stem;
+    EXPECT_THAT(latex.out, Not(HasSubstr("undefined"))) << stem;
+    EXPECT_THAT(read_file(stem + ".pdf"), StartsWith("%PDF-")) << stem;
   }
   EXPECT_GE(drawn, 10u);
 }

@@ -1,10 +1,6 @@
 // Studies of the graphs of files, as a user runs them.
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <map>
 #include <set>
 
@@ -14,9 +10,6 @@
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
-namespace fs = std::filesystem;
 
 class GraphFiles : public ::testing::Test {
  protected:
@@ -58,9 +51,9 @@ TEST_F(GraphFiles, EveryGraphOfEveryFormatIsAnInstance) {
   must("gzip -k " + path("cubic.s6") + " && xz -k " + path("four.g6"));
   const Outcome plain = expect_exit(0, run(both("-o plain.h5")));
   EXPECT_THAT(plain.out, HasSubstr("420 rows, 360 proved, 0 violated, 0 incomplete, 60 refused"));
-  EXPECT_THAT(counts(path("plain.h5")),
-              ::testing::ElementsAre(
-                  std::pair("cubic.s6 diamond ok", 150), std::pair("cubic.s6 grid ok", 150),
+  EXPECT_THAT(
+      counts(path("plain.h5")),
+      ElementsAre(std::pair("cubic.s6 diamond ok", 150), std::pair("cubic.s6 grid ok", 150),
                   std::pair("four.g6 diamond ok", 60), std::pair("four.g6 grid refused", 60)));
   for (const RunRecord& row : read_results(path("plain.h5")).runs) {
     if (row.status == RunStatus::refused) {
@@ -90,9 +83,9 @@ sizes = 10
 algorithms = "diamond"
 )");
   expect_exit(0, run("{} study run -q " + path("s.toml") + " -o " + path("s.h5")));
-  EXPECT_THAT(counts(path("s.h5")), ::testing::ElementsAre(std::pair("cubic.s6 diamond ok", 150),
-                                                           std::pair("cycle diamond ok", 1),
-                                                           std::pair("four diamond ok", 10)));
+  EXPECT_THAT(counts(path("s.h5")),
+              ElementsAre(std::pair("cubic.s6 diamond ok", 150), std::pair("cycle diamond ok", 1),
+                          std::pair("four diamond ok", 10)));
   for (const char* verb : {"report", "check"}) {
     expect_exit(0, run(fmt::format("{{}} {} {}", verb, path("s.h5"))));
   }
@@ -131,7 +124,7 @@ TEST_F(GraphFiles, AKilledStudyIsResumedFromAnywhereAndAChangedFileIsRefused) {
   expect_one_line(run("{} study resume -q " + path("cut.h5")),
                   "its graphs are not those that the study began with");
   fs::remove(path("many.s6"));
-  EXPECT_EQ(run("{} study resume -q " + path("cut.h5")).exit_code, 2);
+  expect_exit(2, run("{} study resume -q " + path("cut.h5")));
   fs::copy_file(path("kept"), path("many.s6"));
   expect_exit(0, run("{} study resume -q " + path("cut.h5")));
   expect_same_rows(path("whole.h5"), path("cut.h5"));
@@ -141,9 +134,9 @@ TEST_F(GraphFiles, RowsAreMadeAgainFromTheFileWhereverItIsNow) {
   must(study("run -q --graphs cubic.s6 --shuffle --algorithm compact -o a.h5"));
   const std::string replay = "{} replay " + path("a.h5") + " 77";
   EXPECT_THAT(run(replay).out, HasSubstr("every non-timing column is equal, bit for bit"));
-  EXPECT_EQ(run("{} study selfcheck " + path("a.h5")).exit_code, 0);
+  expect_exit(0, run("{} study selfcheck " + path("a.h5")));
   fs::rename(path("cubic.s6"), path("moved.s6"));
-  EXPECT_EQ(run(replay).exit_code, 2);
+  expect_exit(2, run(replay));
   expect_exit(0, run(replay + " --graphs " + path("moved.s6") + " -o " + path("d.jsonl")));
   EXPECT_TRUE(fs::exists(path("d.jsonl")));
   expect_error(run(replay + " --graphs " + path("four.g6")),
@@ -159,8 +152,7 @@ TEST_F(GraphFiles, AChangedFileIsRefusedOnceByStudyDrawings) {
   fs::remove(path("cubic.s6"));
   const Outcome gone = expect_exit(2, run("{} study drawings --keep all " + path("a.h5")));
   EXPECT_THAT(gone.err, HasSubstr("cannot read " + path("cubic.s6")));
-  EXPECT_THAT(gone.err, ::testing::Not(::testing::ContainsRegex("[.]h5:[0-9]")))
-      << "a line of a text that nobody saw";
+  EXPECT_THAT(gone.err, Not(ContainsRegex("[.]h5:[0-9]"))) << "a line of a text that nobody saw";
 }
 
 TEST_F(GraphFiles, AFileUnderAnotherNameIsComparedRowByRow) {
@@ -199,21 +191,21 @@ TEST_F(GraphFiles, TheCommandLineSaysHowAnEdgeListIsRead) {
     expect_exit(0, run(study("run -q" + rest + how)));
     const bool is_header = std::string(how).find("header") != std::string::npos;
     EXPECT_EQ(read_results(path("a.h5")).runs.at(0).n, is_header ? 4 : 5) << how;
-    EXPECT_EQ(run("{} replay " + path("a.h5") + " 0").exit_code, 0) << how;
+    expect_exit(0, run("{} replay " + path("a.h5") + " 0"));
   }
-  EXPECT_EQ(run(study("run smoke --base 1")).exit_code, 2);
+  expect_exit(2, run(study("run smoke --base 1")));
   const std::string hunt = "{} hunt --algorithm grid --evaluations 3 --from " + path("one.edges");
-  EXPECT_EQ(run(hunt).exit_code, 2);
+  expect_exit(2, run(hunt));
   expect_exit(0, run(hunt + " --base 1 --first-line header"));
 }
 
 TEST_F(GraphFiles, AHuntStartsFromThem) {
   const std::string hunt = "{} hunt --evaluations 60 --from ";
-  const Outcome outcome = expect_exit(0, run(hunt + path("cubic.s6") + " --algorithm diamond"));
-  EXPECT_THAT(outcome.out, HasSubstr("the best one comes from " + path("cubic.s6") + " graph "));
+  expect_output(run(hunt + path("cubic.s6") + " --algorithm diamond"),
+                "the best one comes from " + path("cubic.s6") + " graph ");
   expect_error(run(hunt + path("four.g6") + " --algorithm grid"),
                "no graph has maximum degree 3 or less, as grid needs");
-  EXPECT_EQ(run(hunt + path("cubic.s6") + " --algorithm grid --family cycle").exit_code, 2);
+  expect_exit(2, run(hunt + path("cubic.s6") + " --algorithm grid --family cycle"));
 }
 
 TEST_F(GraphFiles, CallgrindCountsTheirDrawings) {

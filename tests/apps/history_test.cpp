@@ -1,10 +1,6 @@
 // `ar3d history` as its users run it.
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "ar3d/store/run_storage.h"
@@ -12,8 +8,6 @@
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
 
 /// The results of a small study, as if a program of that commit had made them on an idle machine.
 std::string results_of(const ScratchDirectory& scratch, const std::string& commit) {
@@ -47,10 +41,8 @@ TEST(HistoryProgram, ResultsAreAddedInTheOrderOfTheirCommitsAndReported) {
   const std::vector<std::string> commits = two_commits(checkout);
   for (const std::size_t i : {1, 0}) {  // the younger one first
     const std::string results = results_of(scratch, commits[i]);
-    const Outcome added = expect_exit(
-        0, run("cd " + checkout + " && {} history add " + results + " --folder " + folder));
-    EXPECT_THAT(added.out, HasSubstr("00000" + std::to_string(i + 1) + "_" +
-                                     commits[i].substr(0, 12) + "_tiny_"));
+    expect_output(run("cd " + checkout + " && {} history add " + results + " --folder " + folder),
+                  "00000" + std::to_string(i + 1) + "_" + commits[i].substr(0, 12) + "_tiny_");
   }
   const std::string json = scratch.path("history.json");
   const Outcome report =
@@ -60,16 +52,16 @@ TEST(HistoryProgram, ResultsAreAddedInTheOrderOfTheirCommitsAndReported) {
   EXPECT_THAT(read_file(folder + "/history.html"), HasSubstr("<title>ar3d history: "));
   const auto parsed = nlohmann::json::parse(read_file(json));
   EXPECT_EQ(parsed.at("results").at(0).at("source_hash"), commits[0]);
-  EXPECT_EQ(run("{} history report --folder " + folder).exit_code, 0);  // the page is made again
+  expect_exit(0, run("{} history report --folder " + folder));  // the page is made again
 }
 
 TEST(HistoryProgram, AReleaseHasTheNameAndPlaceThatItIsGiven) {
   const ScratchDirectory scratch;
   const std::string results = results_of(scratch, "unknown"), folder = scratch.path("history");
   const std::string add = "{} history add " + results + " --folder " + folder;
-  EXPECT_EQ(run(add + " --place 3 --name v1.0-rc1").exit_code, 0);
+  expect_exit(0, run(add + " --place 3 --name v1.0-rc1"));
   expect_error(run(add + " --place 3 --name v1.0-rc1"), "--force replaces it");
-  EXPECT_EQ(run(add + " --place 3 --name v1.0-rc1 --force").exit_code, 0);
+  expect_exit(0, run(add + " --place 3 --name v1.0-rc1 --force"));
   expect_error(run(add + " --place 4 --name v1.0-rc2"),
                "is in the history already, as " + folder + "/000003_v1.0-rc1_");
   expect_error(run("{} history report --folder " + folder), "nothing was judged", 5);
@@ -89,9 +81,9 @@ TEST(HistoryProgram, GraphsOfARenamedFileAreOneLine) {
   must("{} generate random-cubic -n 20 --count 3 -o " + scratch.path("a.s6"));
   must("{} generate random-cubic -n 20 --count 3 --seed 9 -o " + scratch.path("c.s6"));
   add("a.s6", 1);
-  std::filesystem::rename(scratch.path("a.s6"), scratch.path("b.s6"));
+  fs::rename(scratch.path("a.s6"), scratch.path("b.s6"));
   add("b.s6", 2);
-  std::filesystem::rename(scratch.path("c.s6"), scratch.path("a.s6"));
+  fs::rename(scratch.path("c.s6"), scratch.path("a.s6"));
   add("a.s6", 3);  // the first name again, but of other graphs
   expect_exit(0, run("{} history report --folder " + folder + " --json " + json));
   std::vector<std::string> volumes;
@@ -101,9 +93,9 @@ TEST(HistoryProgram, GraphsOfARenamedFileAreOneLine) {
     volumes.push_back(
         fmt::format("{} {}", line.at("cell").get<std::string>(), line.at("values").size()));
   }
-  EXPECT_THAT(volumes, ::testing::UnorderedElementsAre(
-                           ::testing::AllOf(HasSubstr(" on b.s6"), ::testing::EndsWith(" 2")),
-                           ::testing::AllOf(HasSubstr(" on a.s6"), ::testing::EndsWith(" 1"))));
+  EXPECT_THAT(volumes,
+              ::testing::UnorderedElementsAre(AllOf(HasSubstr(" on b.s6"), EndsWith(" 2")),
+                                              AllOf(HasSubstr(" on a.s6"), EndsWith(" 1"))));
 }
 
 TEST(HistoryProgram, BadInputIsOneClearLine) {
@@ -119,9 +111,9 @@ TEST(HistoryProgram, BadInputIsOneClearLine) {
   const std::string empty = changed("empty.h5", [](Results& r) { r.runs.clear(); });
   const std::string half = changed("half.h5", [](Results& r) { r.planned_rows = 100; });
   const std::string text = scratch.write("text.h5", "text");
-  std::filesystem::create_directories(scratch.path("none"));
-  std::filesystem::create_directories(scratch.path("wrong"));
-  std::filesystem::copy_file(results, scratch.path("wrong/x.h5"));
+  fs::create_directories(scratch.path("none"));
+  fs::create_directories(scratch.path("wrong"));
+  fs::copy_file(results, scratch.path("wrong/x.h5"));
   const std::string page = scratch.write("page.html", "a page of somebody");
   const std::string to = " --folder " + scratch.path("history");
   for (const auto& [arguments, message] : std::vector<std::pair<std::string, std::string>>{
@@ -143,7 +135,7 @@ TEST(HistoryProgram, BadInputIsOneClearLine) {
            {"", "subcommand"}}) {
     expect_one_line(run("cd " + scratch.path("none") + " && {} history " + arguments), message);
   }
-  EXPECT_FALSE(std::filesystem::exists(scratch.path("history")));
+  EXPECT_FALSE(fs::exists(scratch.path("history")));
 }
 
 }  // namespace

@@ -1,17 +1,8 @@
 // Files of a few kilobytes that claim millions of vertices, in bounded memory.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <string>
-#include <vector>
-
 #include "support/program.h"
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
 
 constexpr const char* kInOneGigabyte = "ulimit -v 1000000; export OMP_NUM_THREADS=1; timeout 100 ";
 
@@ -78,7 +69,7 @@ TEST(HostileSizes, AreBelievedOnDemand) {
   EXPECT_THAT(outcome.err,
               HasSubstr("1200000 vertices claimed by a graph of 4 bytes, which accounts "
                         "for at most 1048640; --trust-sizes believes it"));
-  EXPECT_EQ(run("{} draw " + file + " --algorithm grid --trust-sizes -o /dev/null").exit_code, 0);
+  expect_exit(0, run("{} draw " + file + " --algorithm grid --trust-sizes -o /dev/null"));
 }
 
 TEST(HostileSizes, APackedFileDoesNotUnpackWithoutEnd) {
@@ -104,7 +95,7 @@ TEST(HostileSizes, APackedFileDoesNotUnpackWithoutEnd) {
         "{\"n\":4294967294,\"algorithm\":\"grid\",\"gram\":[[1,0,0],[0,1,0],[0,0,1]],"
         "\"gram_denominator\":1,\"vertices\":[],\"edges\":[]}\n"}) {
     const Outcome outcome = run(kInOneGigabyte + ("{} verify " + scratch.write("d.jsonl", text)));
-    EXPECT_THAT(outcome.exit_code, ::testing::AnyOf(2, 5)) << text << outcome.err;
+    EXPECT_THAT(outcome.exit_code, AnyOf(2, 5)) << text << outcome.err;
   }
 }
 

@@ -1,10 +1,5 @@
 // Ctrl-C once, twice and three times; a folder that is moved while a study writes into it.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <filesystem>
 #include <sstream>
-#include <string>
 
 #include "ar3d/store/run_storage.h"
 #include "support/program.h"
@@ -12,9 +7,6 @@
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
-namespace fs = std::filesystem;
 
 /// 120 rows of some ten milliseconds.
 constexpr const char* kInterruptedStudy =
@@ -50,7 +42,7 @@ TEST(Interrupts, TwoAndThreeOfThemLoseNoAcknowledgedRow) {
       EXPECT_GE(kept, acknowledged) << outcome.out;
       EXPECT_LT(milliseconds, 10000) << "it ends soon";
       expect_exit(0, run("{} study resume -q " + file));
-      testing::expect_same_rows(file, whole);
+      expect_same_rows(file, whole);
     }
   }
 }
@@ -113,7 +105,7 @@ TEST(MovedFolder, AStudyEndsInItAndLeavesTheOneThatHasItsNameAlone) {
       run(begun(spec, file, "") + "cd " + scratch.path("") +
           " && mv sub moved && mkdir sub && cp older.h5 sub/r.h5 && wait $p; echo $?");
   EXPECT_EQ(outcome.out, "0\n") << outcome.err;
-  testing::expect_same_rows(scratch.path("moved/r.h5"), older);
+  expect_same_rows(scratch.path("moved/r.h5"), older);
   EXPECT_NE(read_file(scratch.path("moved/r.h5")), read_file(older)) << "rows of its own";
   EXPECT_EQ(read_file(file), read_file(older)) << "another study's";
   EXPECT_THAT(read_file(scratch.path("moved/r.h5.out")), HasSubstr("moved/r.h5"));

@@ -1,8 +1,4 @@
 // Studies that are interrupted, refused, divided and put together again, through the program.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <filesystem>
 #include <fstream>
 #include <map>
 
@@ -14,9 +10,6 @@
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
-namespace fs = std::filesystem;
 
 // A study that can be met while it runs.
 const char* const kSlow = R"(study = "slow"
@@ -40,15 +33,14 @@ class JournaledStudy : public ::testing::Test {
                "; wait $writer");
   }
   void run_and_kill(const std::string& results) const {
-    const Outcome killed = meet_while_running(results, "kill -KILL $writer");
-    ASSERT_EQ(killed.exit_code, 137) << killed.err;
+    expect_exit(137, meet_while_running(results, "kill -KILL $writer"));
     ASSERT_TRUE(fs::exists(results + ".journal"));
     ASSERT_FALSE(fs::exists(results));
   }
   void make_shards(int count) const {
     for (int i = 1; i <= count; ++i) {
       const std::string shard = std::to_string(i) + "/" + std::to_string(count);
-      EXPECT_EQ(study("run smoke -q --shard " + shard + " -o " + shard_path(i)).exit_code, 0);
+      expect_exit(0, study("run smoke -q --shard " + shard + " -o " + shard_path(i)));
     }
   }
   std::string shard_path(int i) const { return path(std::to_string(i) + ".h5"); }
@@ -57,11 +49,10 @@ class JournaledStudy : public ::testing::Test {
 };
 
 TEST_F(JournaledStudy, LeavesNoJournalBehind) {
-  EXPECT_EQ(study("run smoke -q -o " + path("s.h5")).exit_code, 0);
+  expect_exit(0, study("run smoke -q -o " + path("s.h5")));
   EXPECT_FALSE(fs::exists(path("s.h5.journal")));
-  const Outcome status = expect_exit(0, study("status " + path("s.h5")));
-  EXPECT_THAT(status.out, HasSubstr("complete"));
-  EXPECT_EQ(study("resume -q " + path("s.h5")).exit_code, 0) << "nothing is left to do";
+  expect_output(study("status " + path("s.h5")), "complete");
+  expect_exit(0, study("resume -q " + path("s.h5")));  // nothing is left to do
 }
 
 TEST_F(JournaledStudy, ResumesAfterAKillWithTheRowsItHad) {
@@ -70,34 +61,33 @@ TEST_F(JournaledStudy, ResumesAfterAKillWithTheRowsItHad) {
   const Outcome status = expect_exit(5, study("status " + results));
   EXPECT_THAT(status.out, HasSubstr(" of 60 rows, stopped"));
   EXPECT_THAT(status.out, HasSubstr("ar3d study resume " + results));
-  ASSERT_EQ(study("status " + results + " --snapshot " + path("before.h5")).exit_code, 5);
+  expect_exit(5, study("status " + results + " --snapshot " + path("before.h5")));
 
   expect_error(study("run -q " + path("slow.toml") + " -o " + results), "ar3d study resume");
-  EXPECT_EQ(study("resume -q --threads 1 " + results + ".journal").exit_code, 0);
-  EXPECT_EQ(study("run -q " + path("slow.toml") + " -o " + path("whole.h5")).exit_code, 0);
+  expect_exit(0, study("resume -q --threads 1 " + results + ".journal"));
+  expect_exit(0, study("run -q " + path("slow.toml") + " -o " + path("whole.h5")));
   expect_same_rows(results, path("whole.h5"));
 
   const Results before = read_results(path("before.h5"));
   const Results after = read_results(results);
   ASSERT_GT(before.runs.size(), 0u);
   std::map<std::string, std::string> kept;
-  for (const ar3d::RunRecord& row : after.runs) kept[row.row_key] = testing::all_bytes(row);
+  for (const ar3d::RunRecord& row : after.runs) kept[row.row_key] = all_bytes(row);
   for (const ar3d::RunRecord& row : before.runs) {
-    EXPECT_EQ(kept[row.row_key], testing::all_bytes(row)) << "rows never change";
+    EXPECT_EQ(kept[row.row_key], all_bytes(row)) << "rows never change";
   }
   EXPECT_EQ(after.runs.back().session + 1, 2);
 }
 
 TEST_F(JournaledStudy, ResumesFromAnInterruptedResultsFileAlone) {
   const std::string results = path("slow.h5");
-  const Outcome interrupted = meet_while_running(results, "kill -INT $writer");
-  ASSERT_EQ(interrupted.exit_code, 130) << interrupted.err;
-  EXPECT_THAT(interrupted.err, HasSubstr("go on with `ar3d study resume " + results));
+  expect_error(meet_while_running(results, "kill -INT $writer"),
+               "go on with `ar3d study resume " + results, 130);
   fs::remove(results + ".journal");
-  EXPECT_EQ(study("status " + results).exit_code, 5);
-  EXPECT_EQ(run("{} check " + results).exit_code, 5) << "what is missing is no pass";
+  expect_exit(5, study("status " + results));
+  expect_exit(5, run("{} check " + results));  // what is missing is no pass
   const Results before = read_results(results);
-  EXPECT_EQ(study("resume -q " + results).exit_code, 0);
+  expect_exit(0, study("resume -q " + results));
   const Results after = read_results(results);
   EXPECT_EQ(after.runs.size(), 60u);
   EXPECT_EQ(after.created, before.created);
@@ -122,18 +112,15 @@ TEST_F(JournaledStudy, IsReadWhileItRuns) {
 
 TEST_F(JournaledStudy, IsWatchedToItsEnd) {
   const std::string results = path("slow.h5");
-  const Outcome outcome = expect_exit(
-      0, meet_while_running(results, "{} study status --watch " + results + "; echo watched=$?"));
-  EXPECT_THAT(outcome.out, HasSubstr(" of 60 rows, 1 process at work\n"));
-  EXPECT_THAT(outcome.out, HasSubstr("study slow: 60 of 60 rows, complete\n"));
-  EXPECT_THAT(outcome.out, HasSubstr("watched=0"));
+  expect_output(
+      meet_while_running(results, "{} study status --watch " + results + "; echo watched=$?"),
+      {" of 60 rows, 1 process at work\n", "study slow: 60 of 60 rows, complete\n", "watched=0"});
 }
 
 TEST_F(JournaledStudy, WatchingAStoppedStudyEndsAtOnce) {
   const std::string results = path("slow.h5");
   run_and_kill(results);
-  const Outcome outcome = expect_exit(5, study("status --watch " + results));
-  EXPECT_THAT(outcome.out, HasSubstr(" of 60 rows, stopped"));
+  expect_output(study("status --watch " + results), " of 60 rows, stopped", 5);
 }
 
 TEST_F(JournaledStudy, AFullDiskLeavesNoHalfResultsFile) {
@@ -164,11 +151,9 @@ TEST_F(JournaledStudy, ResumeRefusesTheImpossibleToo) {
 TEST_F(JournaledStudy, AFullDiskEndsItResumably) {
   const std::string results = path("slow.h5");
   const std::string spec = scratch_.write("slow.toml", kSlow);
-  const Outcome full =
-      expect_exit(5, run("ulimit -f 16; {} study run -q " + spec + " -o " + results));
-  EXPECT_THAT(full.err, HasSubstr("slow.h5.journal: File too large"));
-  EXPECT_THAT(full.err, HasSubstr("go on with `ar3d study resume " + results));
-  EXPECT_EQ(study("resume -q " + results).exit_code, 0);
+  expect_error(run("ulimit -f 16; {} study run -q " + spec + " -o " + results),
+               {"slow.h5.journal: File too large", "go on with `ar3d study resume " + results}, 5);
+  expect_exit(0, study("resume -q " + results));
   EXPECT_EQ(read_results(results).runs.size(), 60u);
 }
 
@@ -193,12 +178,12 @@ TEST_F(JournaledStudy, ShardsMergeToTheSameBytesInAnyOrder) {
   make_shards(3);
   const std::string a = shard_path(1), b = shard_path(2), c = shard_path(3);
   const std::string one = path("one.h5"), two = path("two.h5");
-  EXPECT_EQ(study("merge " + a + " " + b + " " + c + " -o " + one).exit_code, 0);
-  EXPECT_EQ(study("merge " + c + " " + a + " " + b + " " + a + " -o " + two).exit_code, 0);
+  expect_exit(0, study("merge " + a + " " + b + " " + c + " -o " + one));
+  expect_exit(0, study("merge " + c + " " + a + " " + b + " " + a + " -o " + two));
   EXPECT_EQ(read_file(one), read_file(two));
-  EXPECT_EQ(study("run smoke -q -o " + path("whole.h5")).exit_code, 0);
+  expect_exit(0, study("run smoke -q -o " + path("whole.h5")));
   expect_same_rows(one, path("whole.h5"));
-  EXPECT_EQ(run("{} check " + one).exit_code, 0);
+  expect_exit(0, run("{} check " + one));
 }
 
 TEST_F(JournaledStudy, MergeRefusesWhatDoesNotBelongTogether) {
@@ -215,14 +200,14 @@ TEST_F(JournaledStudy, MergeRefusesWhatDoesNotBelongTogether) {
   fs::resize_file(path("cut.h5"), fs::file_size(b) / 2);
   expect_error(merge(a + " " + path("cut.h5") + " " + c), "cut.h5 is not a readable results file");
 
-  EXPECT_EQ(study("run smoke -q --shard 2/3 -o " + path("again.h5")).exit_code, 0);
+  expect_exit(0, study("run smoke -q --shard 2/3 -o " + path("again.h5")));
   expect_error(merge(a + " " + b + " " + c + " " + path("again.h5")), "differs in its ");
 
-  EXPECT_EQ(study("run smoke -q --shard 1/2 -o " + path("half.h5")).exit_code, 0);
+  expect_exit(0, study("run smoke -q --shard 1/2 -o " + path("half.h5")));
   expect_exit(2, merge(a + " " + b + " " + c + " " + path("half.h5")));
 
   const std::string other = scratch_.write("other.toml", kSlow);
-  EXPECT_EQ(study("run -q --shard 1/60 " + other + " -o " + path("other.h5")).exit_code, 0);
+  expect_exit(0, study("run -q --shard 1/60 " + other + " -o " + path("other.h5")));
   expect_error(merge(a + " " + b + " " + c + " " + path("other.h5")),
                "differ in their specification");
 
@@ -241,15 +226,14 @@ TEST_F(JournaledStudy, MergeRefusesWhatDoesNotBelongTogether) {
 
 // Rows of two programs would stand in one file as if one had made them.
 TEST_F(JournaledStudy, DoesNotGoOnWithRowsOfAnotherProgram) {
-  ASSERT_EQ(study("run smoke -q -o " + path("s.h5")).exit_code, 0);
+  expect_exit(0, study("run smoke -q -o " + path("s.h5")));
   Results foreign = read_results(path("s.h5"));
   foreign.source_hash = std::string(40, '0');
   write_results(foreign, path("foreign.h5"));
   const std::string before = read_file(path("foreign.h5"));
   for (const char* again : {"", " --again timeout"}) {
-    const Outcome resumed = expect_exit(2, study("resume -q " + path("foreign.h5") + again));
-    EXPECT_THAT(resumed.err,
-                HasSubstr("its rows were made by the program of source " + std::string(40, '0')));
+    expect_error(study("resume -q " + path("foreign.h5") + again),
+                 "its rows were made by the program of source " + std::string(40, '0'));
     EXPECT_EQ(read_file(path("foreign.h5")), before) << again;
     EXPECT_FALSE(fs::exists(path("foreign.h5.journal"))) << again;
   }

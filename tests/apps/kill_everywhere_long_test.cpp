@@ -1,10 +1,7 @@
 // A study is killed at every call that changes a file, one after the other: in all phases, in
 // worker processes, and over MPI.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <fstream>
 
 #include "ar3d/store/journal/journal_reader.h"
@@ -14,8 +11,6 @@
 
 namespace ar3d::testing {
 namespace {
-
-namespace fs = std::filesystem;
 
 const char* const kPhases = R"(study = "phases"
 [[sweep]]
@@ -32,9 +27,7 @@ class KilledEverywhere : public ::testing::Test {
   // Kills `program` at every step-th call before, in the middle of and after it; returns how often.
   int kill_everywhere(const std::string& program, const std::string& options, int step) {
     const std::string spec = scratch_.write("s.toml", kPhases);
-    EXPECT_EQ(
-        run("{} study run -q --force-timing " + spec + " -o " + scratch_.path("w.h5")).exit_code,
-        0);
+    expect_exit(0, run("{} study run -q --force-timing " + spec + " -o " + scratch_.path("w.h5")));
     int kills = 0;
     for (const char* kind : {"before", "half", "after"}) {
       for (int call = 1;; call += step) {
@@ -44,8 +37,8 @@ class KilledEverywhere : public ::testing::Test {
         }
         const std::string witness = scratch_.path("witness");
         std::ofstream(witness, std::ios::binary).write("\0\0\0\0\0\0\0\0", 8);
-        const std::string fault = testing::with_fault(fmt::format("{}:{}", kind, call)) +
-                                  "AR3D_ACKNOWLEDGED=" + witness + " ";
+        const std::string fault =
+            with_fault(fmt::format("{}:{}", kind, call)) + "AR3D_ACKNOWLEDGED=" + witness + " ";
         std::string command = program;
         command.replace(command.find("FAULT"), 5, fault);
         const Outcome outcome = run(command + " study run -q --force-timing " + options + " " +
@@ -59,7 +52,7 @@ class KilledEverywhere : public ::testing::Test {
         expect_exit(
             0, run("{} study " + (begun ? "resume " + results : "run " + spec + " -o " + results) +
                    " -q --force-timing"));
-        testing::expect_same_rows(results, scratch_.path("w.h5"));
+        expect_same_rows(results, scratch_.path("w.h5"));
         if (HasFailure()) {
           ADD_FAILURE() << kind << ' ' << call;
           return kills;

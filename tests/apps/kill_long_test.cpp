@@ -5,7 +5,7 @@
 namespace ar3d::testing {
 namespace {
 
-TEST(KilledStudies, LoseNothingInFiveHundredKills) { testing::kill_and_resume(500, 2); }
+TEST(KilledStudies, LoseNothingInFiveHundredKills) { kill_and_resume(500, 2); }
 
 }  // namespace
 }  // namespace ar3d::testing

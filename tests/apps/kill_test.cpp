@@ -1,7 +1,3 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <filesystem>
 
 #include "support/killed_studies.h"
 #include "support/program.h"
@@ -10,9 +6,7 @@
 namespace ar3d::testing {
 namespace {
 
-using ::testing::HasSubstr;
-
-TEST(KilledStudies, LoseNothing) { testing::kill_and_resume(25, 1); }
+TEST(KilledStudies, LoseNothing) { kill_and_resume(25, 1); }
 
 // The disk fills up at some point of the study, be it in the journal or in the results file.
 TEST(FullDisk, IsResumedWhereverItStrikes) {
@@ -25,10 +19,10 @@ TEST(FullDisk, IsResumedWhereverItStrikes) {
     const Outcome full = run(limited + "run smoke -q -o " + results);
     EXPECT_EQ(full.exit_code, std::string(room) == "1000" ? 2 : 5) << "2: before any work";
     EXPECT_THAT(full.err, HasSubstr("No space left on device")) << room;
-    const bool begun = std::filesystem::exists(results + ".journal");
+    const bool begun = fs::exists(results + ".journal");
     expect_exit(
         0, run(begun ? "{} study resume -q " + results : "{} study run smoke -q -o " + results));
-    testing::expect_same_rows(results, scratch.path("whole.h5"));
+    expect_same_rows(results, scratch.path("whole.h5"));
   }
 }
 

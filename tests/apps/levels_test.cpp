@@ -1,9 +1,5 @@
 // How much of a drawing the program writes.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <nlohmann/json.hpp>
-#include <string>
 
 #include "ar3d/verify/metrics/metrics.h"
 #include "support/program.h"
@@ -11,12 +7,10 @@
 namespace ar3d::testing {
 namespace {
 
-using ::testing::HasSubstr;
-
 std::string drawn_at(const std::string& level, const std::string& family,
                      const std::string& algorithm) {
-  const Outcome outcome = run(kProgram + " generate " + family + " -n 20 | " + kProgram +
-                              " draw - --algorithm " + algorithm + " --level " + level);
+  const Outcome outcome = run("{} generate " + family + " -n 20 | {} draw - --algorithm " +
+                              algorithm + " --level " + level);
   EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 5) << outcome.err;
   return outcome.out;
 }
@@ -62,23 +56,21 @@ TEST(DrawLevels, PositionsAreThoseOfTheDrawing) {
 }
 
 TEST(DrawLevels, WhatIsNotProvedIsNoPass) {
-  const Outcome measured =
-      expect_exit(5, run(kProgram + " generate cycle -n 5 | " + kProgram +
-                         " draw - --algorithm two-bend-paper --level extents"));
-  EXPECT_THAT(measured.out, HasSubstr("\"verdict\":\"measured\""));
-  const Outcome undrawn =
-      expect_exit(2, run(kProgram + " generate random-4-regular -n 10 | " + kProgram +
-                         " draw - --algorithm grid --level extents"));
-  EXPECT_THAT(undrawn.out, HasSubstr("\"error\""));
+  expect_output(
+      run("{} generate cycle -n 5 | {} draw - --algorithm two-bend-paper --level extents"),
+      "\"verdict\":\"measured\"", 5);
+  expect_output(
+      run("{} generate random-4-regular -n 10 | {} draw - --algorithm grid --level extents"),
+      "\"error\"", 2);
 }
 
 TEST(DrawLevels, OtherFormatsAreOfWholeDrawings) {
   const ScratchDirectory scratch;
   const Outcome outcome = expect_exit(
-      2, run(kProgram + " generate cycle -n 5 | " + kProgram +
-             " draw - --algorithm diamond --level extents -o " + scratch.path("c.svg")));
+      2, run("{} generate cycle -n 5 | {} draw - --algorithm diamond --level extents -o " +
+             scratch.path("c.svg")));
   EXPECT_EQ(outcome.err, "ar3d: --level extents is written as jsonl, not as svg\n");
-  EXPECT_EQ(run(kProgram + " draw - --algorithm diamond --level half </dev/null").exit_code, 2);
+  expect_exit(2, run("{} draw - --algorithm diamond --level half </dev/null"));
 }
 
 // The line of the drawing of 200,000 vertices has 30 MB; the program with the drawing takes less
@@ -87,13 +79,13 @@ TEST(DrawLevels, LongLinesAreNeverHeldAsAWhole) {
   const ScratchDirectory scratch;
   const std::string graph = scratch.path("g.s6");
   const std::string file = scratch.path("d.jsonl");
-  must(kProgram + " generate random-4-regular -n 200000 -o " + graph);
+  must("{} generate random-4-regular -n 200000 -o " + graph);
   const auto peak_kib = [&](const std::string& output) {
     const Outcome outcome = expect_exit(
         0, run("OMP_NUM_THREADS=1 /usr/bin/python3 -c 'import resource, subprocess, sys; "
                "subprocess.run(sys.argv[1:], check=True); "
-               "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)' " +
-               kProgram + " draw " + graph + " --algorithm diamond --force -o " + output));
+               "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)' {} draw " +
+               graph + " --algorithm diamond --force -o " + output));
     return std::stol(outcome.out);
   };
   const long peak = peak_kib(file);

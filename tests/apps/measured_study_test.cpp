@@ -1,18 +1,10 @@
 // Limits, budgets and phases through the program as a user runs it.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
-
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/store/run_storage.h"
 #include "support/program.h"
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
 
 std::int64_t rows_of_phase(const Results& results, RunPhase phase) {
   return std::count_if(results.runs.begin(), results.runs.end(),
@@ -38,7 +30,7 @@ strong = { threads = [1, 2], drawings = 2 }
   EXPECT_EQ(rows_of_phase(made, RunPhase::timing), 2 * 3 * 2 * 2);
   EXPECT_EQ(rows_of_phase(made, RunPhase::strong), 2 * 3 * 2 * (2 + 2));
   EXPECT_EQ(made.runs.front().peak_scope, "worker");
-  EXPECT_EQ(run("{} replay " + results + " 1").exit_code, 0) << "a timing row";
+  expect_exit(0, run("{} replay " + results + " 1"));  // a timing row
 }
 
 TEST(MeasuredStudy, ASpentBudgetEndsTheStudyWithWhatIsDone) {
@@ -62,15 +54,14 @@ TEST(MeasuredStudy, SelfcheckMakesASampleAgain) {
   const ScratchDirectory scratch;
   const std::string results = scratch.path("smoke.h5");
   must("{} study run smoke -q -o " + results);
-  const Outcome good =
-      expect_exit(0, run("{} study selfcheck " + results + " --sample 30 --seed 5"));
-  EXPECT_THAT(good.out, HasSubstr("30 equal bit for bit, 0 not"));
+  expect_output(run("{} study selfcheck " + results + " --sample 30 --seed 5"),
+                "30 equal bit for bit, 0 not");
   Results changed = read_results(results);
   for (ar3d::RunRecord& row : changed.runs) row.longest_edge_length += 1;
   write_results(changed, results);
-  const Outcome bad = expect_exit(3, run("{} study selfcheck " + results + " --sample 3"));
-  EXPECT_THAT(bad.out, HasSubstr("differs in longest_edge_length"));
-  EXPECT_EQ(run("{} study selfcheck " + results + " --sample 0").exit_code, 2);
+  expect_output(run("{} study selfcheck " + results + " --sample 3"),
+                "differs in longest_edge_length", 3);
+  expect_exit(2, run("{} study selfcheck " + results + " --sample 0"));
 }
 
 TEST(MeasuredStudy, CountedInstructionsHaveNoNoise) {
@@ -94,7 +85,7 @@ TEST(MeasuredStudy, CountedInstructionsHaveNoNoise) {
       << "the other repetition is the same drawing";
   EXPECT_EQ(counted.runs[2].counted_instructions, -1) << "n = 100 is above --max-n";
   EXPECT_EQ(run("{} study count --max-n 50 " + results).out, first.out);
-  EXPECT_EQ(run("{} study count --max-n 1 " + results).exit_code, 5);
+  expect_exit(5, run("{} study count --max-n 1 " + results));
 }
 
 // As where a batch system allows few processes: an error, not the end by std::terminate.
@@ -111,11 +102,11 @@ strong = { threads = [1, 512] }
   for (const std::string& what :
        {std::string("smoke --threads 1024"), spec + " --force-timing --threads 1"}) {
     const std::string results = scratch.path("r.h5");
-    std::filesystem::remove(results);
+    fs::remove(results);
     const Outcome study =
         expect_exit(2, run("ulimit -v 2000000; {} study run -q " + what + " -o " + results));
     EXPECT_THAT(study.err, HasSubstr("ar3d: cannot start ")) << what;
-    EXPECT_EQ(run("{} study resume -q --force-timing --threads 2 " + results).exit_code, 0) << what;
+    expect_exit(0, run("{} study resume -q --force-timing --threads 2 " + results));
   }
 }
 

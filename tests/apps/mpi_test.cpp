@@ -1,9 +1,6 @@
 // One study on several processes that mpirun starts.
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
-#include <filesystem>
 #include <map>
 #include <set>
 
@@ -13,9 +10,6 @@
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
-namespace fs = std::filesystem;
 
 const char* const kPhases = R"(study = "phases"
 [[sweep]]
@@ -40,7 +34,7 @@ class Mpi : public ::testing::Test {
 TEST_F(Mpi, FourRanksMakeTheSameRows) {
   const Outcome four = expect_exit(0, run(ranks(4) + "study run smoke -q -o " + path("four.h5")));
   EXPECT_THAT(four.out, HasSubstr("results  " + path("four.h5")));
-  EXPECT_EQ(run("{} study run smoke -q -o " + path("one.h5")).exit_code, 0);
+  expect_exit(0, run("{} study run smoke -q -o " + path("one.h5")));
   expect_same_rows(path("four.h5"), path("one.h5"));
   std::set<std::int64_t> sessions;
   for (const ar3d::RunRecord& row : read_results(path("four.h5")).runs)
@@ -51,7 +45,7 @@ TEST_F(Mpi, FourRanksMakeTheSameRows) {
 
 TEST_F(Mpi, OneRankMakesAllRows) {
   const Outcome one = expect_exit(0, run(ranks(1) + "study run smoke -q -o " + path("one.h5")));
-  EXPECT_EQ(run("{} study run smoke -q -o " + path("alone.h5")).exit_code, 0);
+  expect_exit(0, run("{} study run smoke -q -o " + path("alone.h5")));
   expect_same_rows(path("one.h5"), path("alone.h5"));
 }
 
@@ -59,7 +53,7 @@ TEST_F(Mpi, TimedRowsAreMadeByTheFirstRankAlone) {
   const std::string spec = scratch_.write("phases.toml", kPhases);
   const Outcome two = expect_exit(
       0, run(ranks(2) + "study run -q --force-timing " + spec + " -o " + path("two.h5")));
-  EXPECT_EQ(run("{} study run -q --force-timing " + spec + " -o " + path("one.h5")).exit_code, 0);
+  expect_exit(0, run("{} study run -q --force-timing " + spec + " -o " + path("one.h5")));
   expect_same_rows(path("two.h5"), path("one.h5"));
   std::set<std::int64_t> timing_sessions;
   for (const ar3d::RunRecord& row : read_results(path("two.h5")).runs) {
@@ -98,9 +92,8 @@ weak_ranks = { ranks = [1, 2], drawings = 2 }
 // drawn and certified, however many ranks stand idle.
 TEST_F(Mpi, BatchesAreSharedByRanks) {
   const std::string spec = scratch_.write("batches.toml", kBatches);
-  const Outcome three =
-      run(ranks(3) + "study run -q --force-timing " + spec + " -o " + path("three.h5"));
-  ASSERT_EQ(three.exit_code, 0) << three.err;
+  const Outcome three = expect_exit(
+      0, run(ranks(3) + "study run -q --force-timing " + spec + " -o " + path("three.h5")));
   std::map<std::pair<RunPhase, std::int64_t>, int> rows;
   for (const ar3d::RunRecord& row : read_results(path("three.h5")).runs) {
     EXPECT_EQ(row.status, RunStatus::ok) << row.message;
@@ -116,11 +109,9 @@ TEST_F(Mpi, BatchesAreSharedByRanks) {
   EXPECT_EQ((rows[{RunPhase::strong_ranks, 1}]), 4 * 5 * 2);
   EXPECT_EQ((rows[{RunPhase::strong_ranks, 3}]), 4 * 5 * 2);
   EXPECT_EQ((rows[{RunPhase::weak_ranks, 2}]), 4 * 2 * 2);
-  EXPECT_EQ(
-      run(ranks(4) + "study run -q --force-timing " + spec + " -o " + path("four.h5")).exit_code,
-      0);
+  expect_exit(0, run(ranks(4) + "study run -q --force-timing " + spec + " -o " + path("four.h5")));
   expect_same_rows(path("three.h5"), path("four.h5"));
-  EXPECT_EQ(run("{} check " + path("three.h5")).exit_code, 0);
+  expect_exit(0, run("{} check " + path("three.h5")));
   EXPECT_THAT(run("cat " + path("three.html")).out, HasSubstr("strong scaling over ranks"));
 }
 
@@ -135,10 +126,10 @@ algorithms = "grid"
 strong_ranks = { ranks = [1, 3], drawings = 9, repetitions = 5 }
 )");
   const std::string one_core = "taskset -c $(taskset -pc $$ | sed 's/.*: //; s/[,-].*//') ";
-  const Outcome crowd =
+  const Outcome crowd = expect_exit(
+      0,
       run(one_core + "mpirun --allow-run-as-root --oversubscribe --bind-to none -n 3 " +
-          AR3D_MPI_PROGRAM + " study run -q --force-timing " + spec + " -o " + path("crowd.h5"));
-  ASSERT_EQ(crowd.exit_code, 0) << crowd.err;
+          AR3D_MPI_PROGRAM + " study run -q --force-timing " + spec + " -o " + path("crowd.h5")));
   std::map<std::pair<std::int64_t, double>, double> cpu_s;  // of a batch: its scale and time
   for (const ar3d::RunRecord& row : read_results(path("crowd.h5")).runs) {
     if (row.phase == RunPhase::strong_ranks) cpu_s[{row.scale, row.batch_s}] += row.cpu_s;
@@ -164,13 +155,13 @@ TEST_F(Mpi, IsResumedByAnyNumberOfRanks) {
       "slow.toml",
       "study = \"slow\"\n[[sweep]]\nfamilies = \"random-cubic\"\nsizes = 20000\nalgorithms = "
       "\"grid\"\ninstances = 60\n");
-  EXPECT_EQ(run("{} study run -q " + spec + " -o " + path("whole.h5")).exit_code, 0);
+  expect_exit(0, run("{} study run -q " + spec + " -o " + path("whole.h5")));
   for (const std::string& again : {std::string("{} "), ranks(3)}) {
     run(ranks(2) + "study run -q " + spec + " -o " + results + " & until [ \"$(stat -c %s " +
         results + ".rank-1.journal 2> /dev/null || echo 0)\" -gt 16000 ]; do sleep 0.01; done; " +
         "kill -KILL $(pgrep -f ^[^[:space:]]*ar3d-mpi.*" + results + "); wait");
     ASSERT_TRUE(fs::exists(results + ".rank-1.journal"));
-    EXPECT_EQ(run("{} study status " + results).exit_code, 5);
+    expect_exit(5, run("{} study status " + results));
     expect_exit(0, run(again + "study resume -q " + results));
     expect_same_rows(results, path("whole.h5"));
     fs::remove(results);
@@ -201,13 +192,12 @@ TEST_F(Mpi, NoRankIsWaitedForInVain) {
 // Rank 1 cannot read the rows so far; rank 0, which can, must not wait for it.
 TEST_F(Mpi, ARankThatCannotReadEndsAll) {
   const std::string shim = with_fault("read:1") + AR3D_MPI_PROGRAM;
-  EXPECT_EQ(run(with_fault("full:60000") + "{} study run smoke -q -o " + path("r.h5")).exit_code,
-            5);
+  expect_exit(5, run(with_fault("full:60000") + "{} study run smoke -q -o " + path("r.h5")));
   const std::string resume = " study resume -q " + path("r.h5");
   expect_error(run("timeout 60 mpirun --allow-run-as-root --oversubscribe -n 1 " +
                    std::string(AR3D_MPI_PROGRAM) + resume + " : -n 1 " + shim + resume),
                "r.h5.journal: Input/output error");
-  EXPECT_EQ(run("{} study resume -q " + path("r.h5")).exit_code, 0);
+  expect_exit(0, run("{} study resume -q " + path("r.h5")));
 }
 
 TEST_F(Mpi, AnErrorOfAllRanksIsOneLine) {

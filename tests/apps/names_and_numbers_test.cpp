@@ -1,16 +1,8 @@
 // Numbers, names and files of generate, draw, replay, hunt and shrink.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
-
 #include "support/program.h"
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
 
 /// One line on stderr that holds `part`, exit code 2, nothing on stdout.
 void expect_name_refused(const std::string& command, const std::string& part) {
@@ -96,8 +88,8 @@ TEST(Files, AnEndingThatIsNoFormatIsRefused) {
                       "'.step' is no graph format's ending");
   expect_name_refused("{} generate k5 -o " + scratch.path("k5.s6.gz"),
                       "'.gz' is no graph format's");
-  EXPECT_TRUE(std::filesystem::is_empty(scratch.path("")));
-  EXPECT_EQ(run("{} generate k5 --format edgelist -o " + scratch.path("k5.step")).exit_code, 0);
+  EXPECT_TRUE(fs::is_empty(scratch.path("")));
+  expect_exit(0, run("{} generate k5 --format edgelist -o " + scratch.path("k5.step")));
 }
 
 /// An edge list whose first line may be a header or an edge, wherever a graph file is read.
@@ -109,8 +101,8 @@ TEST(Files, AFirstLineIsDecidedByEveryVerbThatReadsGraphs) {
   expect_name_refused("{} draw " + graph + " --algorithm grid", asks);
   must("{} draw " + graph + " --algorithm grid --first-line header -o " + drawing);
   expect_error(run("{} verify " + drawing + " --graphs " + graph), asks);
-  EXPECT_EQ(run("{} verify " + drawing + " --first-line header --graphs " + graph).exit_code, 0);
-  EXPECT_EQ(run("{} verify " + drawing + " --first-line edge --graphs " + graph).exit_code, 4);
+  expect_exit(0, run("{} verify " + drawing + " --first-line header --graphs " + graph));
+  expect_exit(4, run("{} verify " + drawing + " --first-line edge --graphs " + graph));
   const std::string shrink = "{} shrink " + graph + " --algorithm grid --ratio 1e-9 -o ";
   expect_name_refused(shrink + scratch.path("a"), asks);
   EXPECT_THAT(run(shrink + scratch.path("b") + " --first-line header --evaluations 1").out,
@@ -129,7 +121,7 @@ TEST(Files, AnInterruptedGenerateLeavesNothing) {
   const ScratchDirectory scratch;
   run("timeout -s INT 0.3 {} generate random-cubic -n 1000 --count 1000000 -o " +
       scratch.path("many.s6"));
-  EXPECT_TRUE(std::filesystem::is_empty(scratch.path("")));
+  EXPECT_TRUE(fs::is_empty(scratch.path("")));
 }
 
 TEST(Files, EscapeSequencesDoNotReachTheTerminal) {

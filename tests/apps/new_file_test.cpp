@@ -1,15 +1,9 @@
 // Files appear whole and durably, whatever kills the program (base/new_file.h), be it with a file
 // system that has files without a name or without.
-#include <gtest/gtest.h>
-
-#include <filesystem>
-
 #include "support/program.h"
 
 namespace ar3d::testing {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr int kKilled = 128 + 9;
 
@@ -24,9 +18,9 @@ TEST(NewFile, IsWholeOrAbsentWhereverTheProgramIsKilled) {
   for (int call = 1; call <= 6; ++call) {
     const ScratchDirectory scratch;
     const std::string path = scratch.path("g.s6");
-    const int exit_code = run(testing::with_fault("before:" + std::to_string(call)) +
-                              " {} generate cycle -n 5 -o " + path)
-                              .exit_code;
+    const int exit_code =
+        run(with_fault("before:" + std::to_string(call)) + " {} generate cycle -n 5 -o " + path)
+            .exit_code;
     EXPECT_EQ(exit_code, call <= 5 ? kKilled : 0) << call;
     EXPECT_EQ(fs::exists(path), call > 4) << call;
     EXPECT_EQ(entries(scratch), call <= 3 ? 0u : 1u) << "before it has a name nothing is left";
@@ -39,8 +33,7 @@ TEST(NewFile, IsWholeOrAbsentWhereverTheProgramIsKilled) {
 TEST(NewFile, IsWrittenWhereFilesHaveANameFromTheStart) {
   const ScratchDirectory scratch;
   const std::string path = scratch.path("g.s6");
-  EXPECT_EQ(run(testing::with_fault("nolink:2") + " {} generate cycle -n 5 -o " + path).exit_code,
-            0);
+  expect_exit(0, run(with_fault("nolink:2") + " {} generate cycle -n 5 -o " + path));
   EXPECT_EQ(read_file(path), run("{} generate cycle -n 5").out);
   EXPECT_EQ(entries(scratch), 1u);
 }

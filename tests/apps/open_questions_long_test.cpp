@@ -1,9 +1,4 @@
 // What docs/open-questions.md says that longer computations say.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <string>
-
 #include "support/program.h"
 
 namespace ar3d::testing {
@@ -13,7 +8,7 @@ const std::string kFolder = AR3D_SOURCE_DIR "/docs/open-questions/";
 
 std::string answer(const std::string& graph6, const std::string& script,
                    const std::string& solver) {
-  const testing::ScratchDirectory scratch;
+  const ScratchDirectory scratch;
   const std::string formula = scratch.path("formula.smt2");
   run("/usr/bin/python3 " + kFolder + script + " '" + graph6 + "' > " + formula);
   return run(solver + " " + formula).out;
@@ -40,19 +35,18 @@ TEST(OpenQuestions, OneGraphOfEightVerticesHasALatticeDrawingByBothFormulas) {
 
 // The page's table of arguments, all three.
 TEST(OpenQuestions, TheSearchFindsTheCommittedDrawingsAgain) {
-  const testing::ScratchDirectory scratch;
+  const ScratchDirectory scratch;
   const std::string search = scratch.path("search");
-  const auto built =
-      run("c++ -O2 -std=c++20 -ffp-contract=off " + kFolder + "small_drawings.cpp -o " + search);
-  ASSERT_EQ(built.exit_code, 0) << built.err;
-  const std::string page = testing::read_file(AR3D_SOURCE_DIR "/docs/open-questions.md");
+  const Outcome built = expect_exit(0, run("c++ -O2 -std=c++20 -ffp-contract=off " + kFolder +
+                                           "small_drawings.cpp -o " + search));
+  const std::string page = read_file(AR3D_SOURCE_DIR "/docs/open-questions.md");
   std::string found;
   for (const std::string arguments : {"'D~{' 120 22 10 5000000 0.05", "'E]~o' 40 9 15 3000000 0.1",
                                       "FUzro 60 9 12 2000000 0.15"}) {
-    EXPECT_THAT(page, ::testing::HasSubstr("`" + arguments + "`"));
+    EXPECT_THAT(page, HasSubstr("`" + arguments + "`"));
     found += run(search + " " + arguments).out;
   }
-  EXPECT_EQ(found, testing::read_file(kFolder + "small_drawings.jsonl"));
+  EXPECT_EQ(found, read_file(kFolder + "small_drawings.jsonl"));
 }
 
 }  // namespace

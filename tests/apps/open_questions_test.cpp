@@ -1,14 +1,9 @@
 // What docs/open-questions.md says that computations say.
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
 
 #include "support/program.h"
 
@@ -16,9 +11,6 @@ namespace ar3d::testing {
 namespace {
 
 using nlohmann::json;
-using ::testing::ElementsAre;
-using ::testing::EndsWith;
-using ::testing::HasSubstr;
 
 const std::string kQuestions = AR3D_SOURCE_DIR "/docs/open-questions/";
 
@@ -26,11 +18,10 @@ const std::string kQuestions = AR3D_SOURCE_DIR "/docs/open-questions/";
 std::string answer(const std::string& graph6, const std::string& options,
                    const std::string& script = "lattice_orders.py",
                    const std::string& solver = "z3") {
-  const testing::ScratchDirectory scratch;
+  const ScratchDirectory scratch;
   const std::string formula = scratch.path("formula.smt2");
-  const auto made = run("/usr/bin/python3 " + kQuestions + script + " '" + graph6 + "' " + options +
-                        " > " + formula);
-  EXPECT_EQ(made.exit_code, 0) << made.err;
+  expect_exit(0, run("/usr/bin/python3 " + kQuestions + script + " '" + graph6 + "' " + options +
+                     " > " + formula));
   std::string said = run(solver + " " + formula).out;
   while (!said.empty() && said.back() == '\n') said.pop_back();
   return said;
@@ -104,12 +95,10 @@ bool make_the_optimal_angle(Vector3 a, Vector3 b) {
 }
 
 TEST(OpenQuestions, K4HasADrawingWithOneBend) {
-  const testing::ScratchDirectory scratch;
+  const ScratchDirectory scratch;
   const std::string file = scratch.path("k4.jsonl");
   run("/usr/bin/python3 " + kQuestions + "k4_one_bend.py > " + file);
-  const auto verified = run("{} verify " + file + " --algorithm two-bend-109");
-  EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
-  EXPECT_THAT(verified.out, HasSubstr("4 certified, 0 violated"));
+  expect_output(run("{} verify " + file + " --algorithm two-bend-109"), "4 certified, 0 violated");
   std::ifstream lines(file);
   for (std::string line; std::getline(lines, line);) {
     const json drawing = json::parse(line);
@@ -140,28 +129,25 @@ TEST(OpenQuestions, K4HasADrawingWithOneBend) {
 class SmallDrawingsSearch : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    scratch = new testing::ScratchDirectory;
-    const auto built = run("c++ -O2 -std=c++20 -ffp-contract=off " + kQuestions +
-                           "small_drawings.cpp -o " + scratch->path("search"));
-    ASSERT_EQ(built.exit_code, 0) << built.err;
+    scratch = new ScratchDirectory;
+    expect_exit(0, run("c++ -O2 -std=c++20 -ffp-contract=off " + kQuestions +
+                       "small_drawings.cpp -o " + scratch->path("search")));
   }
   static void TearDownTestSuite() {
     delete scratch;
     scratch = nullptr;
   }
-  static testing::Outcome search(const std::string& arguments) {
+  static Outcome search(const std::string& arguments) {
     return run(scratch->path("search") + " " + arguments);
   }
 
  private:
-  static testing::ScratchDirectory* scratch;
+  static ScratchDirectory* scratch;
 };
-testing::ScratchDirectory* SmallDrawingsSearch::scratch = nullptr;
+ScratchDirectory* SmallDrawingsSearch::scratch = nullptr;
 
 TEST(OpenQuestions, SmallDrawingsAreCertified) {
-  const auto verified = run("{} verify " + kQuestions + "small_drawings.jsonl");
-  EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
-  EXPECT_THAT(verified.out, HasSubstr("3 certified, 0 violated"));
+  expect_output(run("{} verify " + kQuestions + "small_drawings.jsonl"), "3 certified, 0 violated");
 }
 
 TEST(OpenQuestions, SmallDrawingsHaveTheBoxesStated) {
@@ -169,24 +155,21 @@ TEST(OpenQuestions, SmallDrawingsHaveTheBoxesStated) {
   std::vector<std::string> boxes;
   for (std::string line; std::getline(file, line);) boxes.push_back(cube_box(json::parse(line)));
   EXPECT_THAT(boxes, ElementsAre("29 x 41 x 38", "14 x 14 x 14", "12 x 12 x 14"));
-  const std::string page = testing::read_file(AR3D_SOURCE_DIR "/docs/open-questions.md");
+  const std::string page = read_file(AR3D_SOURCE_DIR "/docs/open-questions.md");
   for (const std::string& box : boxes) EXPECT_THAT(page, HasSubstr(box));
 }
 
 TEST_F(SmallDrawingsSearch, FindsTheCommittedDrawingOfTheComplementOfC7Again) {
-  const auto made = search("FUzro 60 9 12 2000000 0.15");
-  EXPECT_EQ(made.exit_code, 0) << made.err;
+  const Outcome made = expect_exit(0, search("FUzro 60 9 12 2000000 0.15"));
   EXPECT_THAT(made.err, HasSubstr("box 12 x 12 x 14"));
-  EXPECT_THAT(testing::read_file(kQuestions + "small_drawings.jsonl"), EndsWith("\n" + made.out));
+  EXPECT_THAT(read_file(kQuestions + "small_drawings.jsonl"), EndsWith("\n" + made.out));
 }
 
 TEST_F(SmallDrawingsSearch, RefusesBadArgumentsAndSaysWhenItFindsNothing) {
-  EXPECT_EQ(search("'D~{' 2 1 1 1000 0.1").exit_code, 1);
+  expect_exit(1, search("'D~{' 2 1 1 1000 0.1"));
   for (const char* bad : {"'D~{' 2 1 1 1000", "'D~' 9 9 1 1000 0.1", "'E~~w' 9 9 1 1000 0.1",
                           "'D~{' 0 9 1 1000 0.1", "'D~{' 9 200 1 1000 0.1"}) {
-    const auto made = search(bad);
-    EXPECT_EQ(made.exit_code, 2) << bad;
-    EXPECT_THAT(made.err, HasSubstr("usage: small_drawings"));
+    expect_error(search(bad), "usage: small_drawings");
   }
 }
 

@@ -1,17 +1,10 @@
 // No verb replaces a file that somebody still needs.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <filesystem>
 #include <fstream>
 
 #include "support/program.h"
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
-namespace fs = std::filesystem;
 
 class Outputs : public ::testing::Test {
  protected:
@@ -107,9 +100,9 @@ TEST_F(Outputs, DoNotReplaceResultsUnasked) {
     expect_refused(command, why);
   }
   const std::string other = scratch_.path("other.h5");
-  EXPECT_EQ(run("{} study run smoke -q --force -o " + other).exit_code, 0);
+  expect_exit(0, run("{} study run smoke -q --force -o " + other));
   EXPECT_NE(read_file(other), bytes_);
-  EXPECT_EQ(run("{} study merge --force " + results_ + " -o " + other).exit_code, 0);
+  expect_exit(0, run("{} study merge --force " + results_ + " -o " + other));
 }
 
 /// What every verb that writes files writes.
@@ -162,7 +155,7 @@ TEST_F(Outputs, ThatExistAreReplacedWithForceOnly) {
 TEST_F(Outputs, AnEmptyFileAndADeviceHoldNothingToLose) {
   const std::string k4 = "{} generate k4 --format graph6 ";
   EXPECT_EQ(run("f=$(mktemp) && " + k4 + "-o $f && cat $f; rm $f").out, "C~\n");
-  EXPECT_EQ(run(k4 + "-o /dev/null").exit_code, 0);
+  expect_exit(0, run(k4 + "-o /dev/null"));
   EXPECT_EQ(run(k4 + "-o /dev/stdout | cat").out, "C~\n");
 }
 
@@ -171,7 +164,7 @@ TEST_F(Outputs, APageThatIsNoReportIsNotReplacedByResume) {
       scratch_.write("s.toml",
                      "study = 's'\nbudget = { study_s = 1e-9 }\n[[sweep]]\nfamilies = 'cycle'\n"
                      "sizes = 20\nalgorithms = 'grid'\ninstances = 3\n");
-  ASSERT_EQ(run("{} study run -q " + spec + " -o " + scratch_.path("index.h5")).exit_code, 5);
+  expect_exit(5, run("{} study run -q " + spec + " -o " + scratch_.path("index.h5")));
   scratch_.write("index.html", "my pages");
   run("{} study resume -q " + scratch_.path("index.h5"));
   EXPECT_EQ(read_file(scratch_.path("index.html")), "my pages");
@@ -185,8 +178,8 @@ TEST_F(Outputs, DoNotReplaceAPageThatIsNoReport) {
   fs::copy_file(results_, scratch_.path("index.h5"));
   expect_refused("report index.h5", why);
   EXPECT_EQ(read_file(scratch_.path("index.html")), "<!doctype html><title>my pages</title>");
-  EXPECT_EQ(run("{} report " + results_ + " && {} report " + results_).exit_code, 0)
-      << "a report is made again";
+  expect_exit(
+      0, run("{} report " + results_ + " && {} report " + results_));  // a report is made again
 }
 
 TEST_F(Outputs, DoNotReplaceWhatBelongsToAnUnfinishedStudy) {

@@ -1,9 +1,4 @@
 // ParaView renders what `ar3d draw -o x.vtp` writes.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <filesystem>
-
 #include "support/program.h"
 
 namespace ar3d::testing {
@@ -25,15 +20,15 @@ SaveScreenshot(sys.argv[2], view)
 )";
 
 TEST(ParaView, RendersADrawing) {
-  const testing::ScratchDirectory scratch;
+  const ScratchDirectory scratch;
   const std::string script = scratch.write("render.py", kRender);
-  const Outcome outcome = expect_exit(
-      0, testing::run("{} generate random-4-regular -n 30 | {} draw - --algorithm diamond -o " +
-                      scratch.path("d.vtp") + " && xvfb-run -a pvpython " + script + " " +
-                      scratch.path("d.vtp") + " " + scratch.path("d.png")));
+  const Outcome outcome =
+      expect_exit(0, run("{} generate random-4-regular -n 30 | {} draw - --algorithm diamond -o " +
+                         scratch.path("d.vtp") + " && xvfb-run -a pvpython " + script + " " +
+                         scratch.path("d.vtp") + " " + scratch.path("d.png")));
   // 30 vertices and 3 bends on each of 60 edges; a cell for each vertex and each edge.
-  EXPECT_THAT(outcome.out, ::testing::HasSubstr("points 210 cells 90"));
-  EXPECT_GT(std::filesystem::file_size(scratch.path("d.png")), 3000u) << "not one colour only";
+  EXPECT_THAT(outcome.out, HasSubstr("points 210 cells 90"));
+  EXPECT_GT(fs::file_size(scratch.path("d.png")), 3000u) << "not one colour only";
 }
 
 }  // namespace

@@ -1,11 +1,5 @@
 // Commands that the program prints show the same drawing again.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <filesystem>
 #include <sstream>
-#include <string>
-#include <vector>
 
 #include "ar3d/analysis/replay.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
@@ -66,8 +60,7 @@ TEST(PrintedCommands, OfCheckDrawTheRowsDrawing) {
     run.extents[1] = 1'000'000;  // passes the theorem's bound
   }
   write_results(results, file);
-  const Outcome check = run("{} check " + file);
-  ASSERT_EQ(check.exit_code, 4) << check.err;
+  const Outcome check = expect_exit(4, run("{} check " + file));
   std::size_t commands = 0;
   std::istringstream lines(check.out);
   for (std::string line, row; std::getline(lines, line);) {
@@ -123,18 +116,17 @@ TEST(PrintedCommands, OfHuntAndShrinkRunAsPrinted) {
   const ScratchDirectory scratch;
   for (const std::string algorithm : {"diamond", "grid"}) {
     const std::string prefix = scratch.path("it's " + algorithm);
-    const Outcome hunt = run("{} hunt --algorithm " + algorithm +
-                             " -n 12 --evaluations 40 --measure z -o \"" + prefix + "\"");
-    ASSERT_EQ(hunt.exit_code, 0) << hunt.err;
+    const Outcome hunt =
+        expect_exit(0, run("{} hunt --algorithm " + algorithm +
+                           " -n 12 --evaluations 40 --measure z -o \"" + prefix + "\""));
     const auto printed = lines_with(hunt.out, "ar3d ");
     ASSERT_EQ(printed.size(), 3u) << hunt.out;
     for (const std::string& command : printed) {
       expect_exit(0, run(runnable(command)));
     }
-    EXPECT_TRUE(std::filesystem::exists(prefix + "-small.s6"));
-    for (const std::string& command :
-         lines_with(testing::read_file(prefix + "-small.txt"), "ar3d ")) {
-      EXPECT_EQ(run(runnable(command)).exit_code, 0) << command;
+    EXPECT_TRUE(fs::exists(prefix + "-small.s6"));
+    for (const std::string& command : lines_with(read_file(prefix + "-small.txt"), "ar3d ")) {
+      expect_exit(0, run(runnable(command)));
     }
   }
 }

@@ -1,9 +1,6 @@
 // Studies with programs of others as algorithms: those of examples/peers, and hostile ones.
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
-#include <algorithm>
 #include <map>
 
 #include "support/program.h"
@@ -12,10 +9,8 @@
 namespace ar3d::testing {
 namespace {
 
-using ::testing::HasSubstr;
-
 TEST(Peers, AreMeasuredBesideOurs) {
-  const testing::ScratchDirectory scratch;
+  const ScratchDirectory scratch;
   const std::string folder = AR3D_SOURCE_DIR "/examples/peers/";
   const std::string spec = scratch.write("p.toml", fmt::format(R"(study = "p"
 [[algorithm]]
@@ -39,10 +34,9 @@ algorithms = ["grid", "neato", "sfdp", "fr", "kk"]
 )",
                                                                folder));
   const std::string results = scratch.path("p.h5");
-  const Outcome made =
-      expect_exit(0, run("{} study run -q --threads 1 " + spec + " -o " + results));
-  EXPECT_THAT(made.out, HasSubstr("PASS: 12 rows, 2 proved, 0 violated, 0 incomplete, 0 refused, "
-                                  "10 measured without a guarantee"));
+  expect_output(run("{} study run -q --threads 1 " + spec + " -o " + results),
+                "PASS: 12 rows, 2 proved, 0 violated, 0 incomplete, 0 refused, "
+                "10 measured without a guarantee");
   for (const RunRecord& row : read_results(results).runs) {
     const bool ours = row.algorithm == "grid";
     EXPECT_EQ(to_string(row.status), std::string(ours ? "ok" : "measured")) << row.message;
@@ -57,19 +51,19 @@ algorithms = ["grid", "neato", "sfdp", "fr", "kk"]
     const Outcome refused = expect_exit(1, run(folder + "table.py " + results + bad));
     EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
   }
-  EXPECT_EQ(run("{} report " + results + " -o " + scratch.path("p.html")).exit_code, 0);
-  const std::string page = testing::read_file(scratch.path("p.html"));
+  expect_exit(0, run("{} report " + results + " -o " + scratch.path("p.html")));
+  const std::string page = read_file(scratch.path("p.html"));
   EXPECT_THAT(page, HasSubstr("measured, not judged"));
   EXPECT_THAT(page, HasSubstr(" settings drew")) << "side by side: volume and time";
   EXPECT_THAT(page, HasSubstr("programs without a guarantee are in units of the smallest"));
   const std::string benchmarks = scratch.path("p.json");
-  EXPECT_EQ(run("{} report " + results + " --benchmark-json " + benchmarks).exit_code, 0);
-  EXPECT_THAT(testing::read_file(benchmarks), ::testing::Not(HasSubstr("error_occurred")));
+  expect_exit(0, run("{} report " + results + " --benchmark-json " + benchmarks));
+  EXPECT_THAT(read_file(benchmarks), Not(HasSubstr("error_occurred")));
 }
 
 // Time after time the same study of good and hostile programs, in threads, in workers and killed.
 TEST(HostilePrograms, NeverStopOrCorruptAStudy) {
-  const testing::ScratchDirectory scratch;
+  const ScratchDirectory scratch;
   const auto program = [&](const std::string& name, const std::string& body) {
     scratch.write(name + ".py", R"(import sys, os, time
 while True:
@@ -100,14 +94,14 @@ while True:
     for (const RunRecord& row : read_results(results).runs) {
       told[fmt::format("{} {}", row.algorithm, row.n)] = to_string(row.status);
     }
-    EXPECT_THAT(told, ::testing::ElementsAre(
-                          std::pair("flood 6", "crashed"), std::pair("flood 7", "crashed"),
-                          std::pair("forker 6", "timeout"), std::pair("forker 7", "timeout"),
-                          std::pair("good 6", "measured"), std::pair("good 7", "measured"),
-                          std::pair("grid 6", "ok"), std::pair("grid 7", "ok"),
-                          std::pair("moody 6", "measured"), std::pair("moody 7", "crashed"),
-                          std::pair("quitter 6", "crashed"), std::pair("quitter 7", "crashed"),
-                          std::pair("silent 6", "timeout"), std::pair("silent 7", "timeout")))
+    EXPECT_THAT(told,
+                ElementsAre(std::pair("flood 6", "crashed"), std::pair("flood 7", "crashed"),
+                            std::pair("forker 6", "timeout"), std::pair("forker 7", "timeout"),
+                            std::pair("good 6", "measured"), std::pair("good 7", "measured"),
+                            std::pair("grid 6", "ok"), std::pair("grid 7", "ok"),
+                            std::pair("moody 6", "measured"), std::pair("moody 7", "crashed"),
+                            std::pair("quitter 6", "crashed"), std::pair("quitter 7", "crashed"),
+                            std::pair("silent 6", "timeout"), std::pair("silent 7", "timeout")))
         << how;
   }
   EXPECT_EQ(run("pgrep -f '^/usr/bin/python3 " + scratch.path("") + "'").out, "")
@@ -115,7 +109,7 @@ while True:
 }
 
 TEST(Programs, CommandsOfTheirRowsNeedTheResults) {
-  const testing::ScratchDirectory scratch;
+  const ScratchDirectory scratch;
   const std::string script = scratch.write("flat.py", R"(import sys
 while True:
     n, m = map(int, sys.stdin.readline().split())
@@ -129,13 +123,13 @@ while True:
           "\"]\nguarantee = { max_degree = 4, max_bends = 0, cosine = [-1, 3] }\n"
           "[[sweep]]\nfamilies = \"cycle\"\nsizes = 5\nalgorithms = \"flat\"\n");
   const std::string results = scratch.path("RESULTS.h5");
-  ASSERT_EQ(run("{} study run -q --threads 1 " + spec + " -o " + results).exit_code, 4);
+  expect_exit(4, run("{} study run -q --threads 1 " + spec + " -o " + results));
   const Outcome check = run("{} check " + results);
   const std::size_t at = check.out.find("    ar3d replay RESULTS.h5 ");
   ASSERT_NE(at, std::string::npos) << check.out;
   const std::string command = check.out.substr(at + 9, check.out.find('\n', at) - at - 9);
   expect_exit(4, run("cd " + scratch.path("") + " && {} " + command + " -o d.jsonl"));
-  EXPECT_THAT(testing::read_file(scratch.path("d.jsonl")), HasSubstr("[[0,0,0],[1,0,0],"));
+  EXPECT_THAT(read_file(scratch.path("d.jsonl")), HasSubstr("[[0,0,0],[1,0,0],"));
 }
 
 /// A program that draws, in a study of four rows.
@@ -157,31 +151,29 @@ while True:
   }
   std::string path(const std::string& name) const { return scratch_.path(name); }
 
-  testing::ScratchDirectory scratch_;
+  ScratchDirectory scratch_;
 };
 
 TEST_F(OwnProgram, ShardsOfDifferentVersionsAreNotMerged) {
   for (const char* shard : {"1", "2"}) {
     scratch_.write("mine.py", std::string(kBody) + "# version " + shard + "\n");
     const std::string part = path(std::string(shard) + ".h5");
-    ASSERT_EQ(run("{} study run -q --threads 1 " + spec() + " --shard " + shard + "/2 -o " + part)
-                  .exit_code,
-              5);
+    expect_exit(
+        5, run("{} study run -q --threads 1 " + spec() + " --shard " + shard + "/2 -o " + part));
   }
   const std::string merge = "{} study merge " + path("1.h5") + " " + path("2.h5") + " -o ";
   expect_one_line(run(merge + path("m.h5")), "the shards were made with different programs 'mine'");
-  ASSERT_EQ(run("{} study run -q --force --threads 1 " + spec() + " --shard 1/2 -o " + path("1.h5"))
-                .exit_code,
-            5);
+  expect_exit(
+      5, run("{} study run -q --force --threads 1 " + spec() + " --shard 1/2 -o " + path("1.h5")));
   expect_exit(0, run(merge + path("m.h5")));
   EXPECT_EQ(read_results(path("m.h5")).runs.size(), 4u);
 }
 
 TEST_F(OwnProgram, ReplayRefusesAnotherProgram) {
   scratch_.write("mine.py", kBody);
-  ASSERT_EQ(run("{} study run -q --threads 1 " + spec() + " -o " + path("s.h5")).exit_code, 5);
+  expect_exit(5, run("{} study run -q --threads 1 " + spec() + " -o " + path("s.h5")));
   const std::string replay = "{} replay " + path("s.h5") + " 1";
-  EXPECT_EQ(run(replay).exit_code, 0);
+  expect_exit(0, run(replay));
   scratch_.write("mine.py", std::string(kBody) + "# another\n");
   expect_one_line(run(replay), "program 'mine' is not the one that rows of");
 }
@@ -198,7 +190,7 @@ TEST_F(OwnProgram, NobodyKnowsBeforeWhatItCosts) {
   EXPECT_THAT(plan.out, HasSubstr("cycle  n=5 mine : 1 instances, 1 rows, time and memory not "
                                   "known\n"));
   EXPECT_THAT(plan.out, HasSubstr("4 rows\nits time and memory are not known\n"));
-  const std::string text = testing::read_file(spec());
+  const std::string text = read_file(spec());
   const std::string both = scratch_.write(
       "both.toml", text.substr(0, text.rfind("algorithms")) + "algorithms = [\"mine\", \"grid\"]");
   EXPECT_THAT(run("{} study plan " + both).out,
@@ -207,7 +199,7 @@ TEST_F(OwnProgram, NobodyKnowsBeforeWhatItCosts) {
 
 TEST_F(OwnProgram, AGuaranteePromisesNoBox) {
   scratch_.write("mine.py", kBody);
-  const std::string text = testing::read_file(spec());
+  const std::string text = read_file(spec());
   const std::string sweep = "[[sweep]]";
   const std::string study = scratch_.write(
       "g.toml", text.substr(0, text.find(sweep)) +
@@ -218,7 +210,7 @@ TEST_F(OwnProgram, AGuaranteePromisesNoBox) {
     EXPECT_EQ(row.status, RunStatus::ok) << row.message;
   }
   must("{} report " + path("s.h5") + " -o " + path("s.html"));
-  EXPECT_THAT(testing::read_file(path("s.html")), ::testing::Not(HasSubstr("Theorem's box")));
+  EXPECT_THAT(read_file(path("s.html")), Not(HasSubstr("Theorem's box")));
 }
 
 TEST_F(OwnProgram, AnExecutableThatIsNotThereIsRefusedAtTheStart) {
@@ -230,7 +222,7 @@ TEST_F(OwnProgram, AnExecutableThatIsNotThereIsRefusedAtTheStart) {
 }
 
 TEST(Programs, OneThatChangedSinceRowsWereMadeIsRefused) {
-  const testing::ScratchDirectory scratch;
+  const ScratchDirectory scratch;
   const std::string body = R"(import sys
 while True:
     n, m = map(int, sys.stdin.readline().split())
@@ -245,13 +237,13 @@ while True:
           "\"]\n[[sweep]]\nfamilies = \"cycle\"\nsizes = [5, 6]\n"
           "algorithms = \"mine\"\n");
   const std::string results = scratch.path("s.h5");
-  ASSERT_EQ(run("{} study run -q --threads 1 " + spec + " -o " + results).exit_code, 5);
+  expect_exit(5, run("{} study run -q --threads 1 " + spec + " -o " + results));
   const std::string resume = "{} study resume -q " + results + " --again crashed";
-  EXPECT_EQ(run(resume).exit_code, 5) << "nothing but measured rows";
+  expect_exit(5, run(resume));  // nothing but measured rows
   scratch.write("mine.py", body + "# another one\n");
   expect_error(run(resume), "program 'mine' is not the one that rows of");
   scratch.write("mine.py", body);  // the former one
-  EXPECT_EQ(run(resume).exit_code, 5);
+  expect_exit(5, run(resume));
   EXPECT_EQ(read_results(results).runs.size(), 2u);
 }
 

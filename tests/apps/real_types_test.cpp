@@ -1,30 +1,22 @@
 // two-bend-paper through the program: draw, verify, study, replay, check, report.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <string>
-
 #include "support/program.h"
 
 namespace ar3d::testing {
 namespace {
 
-using ::testing::HasSubstr;
-
 TEST(RealTypes, DrawnExactlyAndJudgedWithoutTolerance) {
   const ScratchDirectory scratch;
   const std::string file = scratch.path("d.jsonl");
   for (const int type : {0, 1, 2, 3, 4}) {
-    const Outcome drawn =
-        run(kProgram + " generate random-cubic -n 20 | " + kProgram +
-            " draw - --algorithm two-bend-paper --set type=" + std::to_string(type) +
-            " --force -o " + file);
-    ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
-    const Outcome judged = expect_exit(5, run(kProgram + " verify " + file));
-    EXPECT_THAT(judged.out, HasSubstr("0 certified, 0 violated, 0 not drawn, 1 measured"));
-    EXPECT_THAT(judged.out, HasSubstr("0 crossings, 0 collapsed segments"));
+    const Outcome drawn = expect_exit(
+        0, run("{} generate random-cubic -n 20 | {} draw - --algorithm two-bend-paper --set type=" +
+               std::to_string(type) + " --force -o " + file));
+    expect_output(
+        run("{} verify " + file),
+        {"0 certified, 0 violated, 0 not drawn, 1 measured", "0 crossings, 0 collapsed segments"},
+        5);
   }
-  EXPECT_THAT(run(kProgram + " verify " + file).out, HasSubstr("in reference: "));
+  EXPECT_THAT(run("{} verify " + file).out, HasSubstr("in reference: "));
 }
 
 TEST(RealTypes, ADamagedLineIsMeasuredOrViolated) {
@@ -34,22 +26,20 @@ TEST(RealTypes, ADamagedLineIsMeasuredOrViolated) {
   const auto judged = [&](const std::string& bends) {
     std::string text = line;
     text.replace(text.find("BENDS"), 5, bends);
-    return run("printf '%s\\n' '" + text + "' | " + kProgram + " verify -");
+    return run("printf '%s\\n' '" + text + "' | {} verify -");
   };
   EXPECT_THAT(judged("").out, HasSubstr("in float: angles miss by at most 0 degrees"));
-  const Outcome right_angle = expect_exit(5, judged(R"(["0","3","0"])"));
-  EXPECT_THAT(right_angle.out, HasSubstr("angles miss by at most 56.5651 degrees"));
+  expect_output(judged(R"(["0","3","0"])"), "angles miss by at most 56.5651 degrees", 5);
   EXPECT_THAT(judged(R"(["0","0","0"])").out, HasSubstr("1 collapsed segments"));
-  const Outcome three = expect_exit(4, judged(R"(["0","3","0"],["0","9","9"],["7","9","9"])"));
-  EXPECT_THAT(three.out, HasSubstr("bends: edge 0 has 3 bends, at most 2 are promised"));
+  expect_output(judged(R"(["0","3","0"],["0","9","9"],["7","9","9"])"),
+                "bends: edge 0 has 3 bends, at most 2 are promised", 4);
   expect_exit(4, run("printf '%s\\n' '" + std::string(line).replace(line.find("BENDS"), 5, "") +
-                     "' | " + kProgram + " verify - --algorithm two-bend"));
+                     "' | {} verify - --algorithm two-bend"));
 }
 
 TEST(RealTypes, HostileLinesAreRefusedByName) {
   const auto refusal = [&](const std::string& text) {
-    const Outcome outcome =
-        expect_exit(2, run("printf '%s\\n' '" + text + "' | " + kProgram + " verify -"));
+    const Outcome outcome = expect_exit(2, run("printf '%s\\n' '" + text + "' | {} verify -"));
     return outcome.err;
   };
   const std::string head = R"({"n":1,"algorithm":"two-bend-paper","real_type":"float",)";
@@ -86,39 +76,34 @@ TEST(RealTypes, RowsSayThatTheyAreMeasuredAndCheckDoesNotPassThemUnasked) {
       "algorithms = [\"two-bend\", { algorithm = \"two-bend-paper\", type = [0, 1, 4] }]\n";
   scratch.write("s.toml", "study = \"real\"\n" + spec);
   const std::string results = scratch.path("r.h5");
-  const Outcome study =
-      run(kProgram + " study run " + scratch.path("s.toml") + " -q -o " + results);
-  ASSERT_EQ(study.exit_code, 5) << "twelve rows are not proved" << study.err;
-  const Outcome checked = expect_exit(5, run(kProgram + " check " + results));
-  EXPECT_THAT(checked.out, HasSubstr("12 not proved"));
-  EXPECT_THAT(checked.out,
-              HasSubstr("16 rows, 4 proved, 0 violated, 0 incomplete, 0 refused, 12 not proved"));
-  const Outcome accepted = expect_exit(0, run(kProgram + " check --accept-unproved " + results));
+  const Outcome study = expect_exit(5, run("{} study run " + scratch.path("s.toml") + " -q -o " +
+                                           results));  // twelve rows are not proved
+  expect_output(
+      run("{} check " + results),
+      {"12 not proved", "16 rows, 4 proved, 0 violated, 0 incomplete, 0 refused, 12 not proved"},
+      5);
+  const Outcome accepted = expect_exit(0, run("{} check --accept-unproved " + results));
   EXPECT_THAT(accepted.out, HasSubstr("12 not proved (accepted)"));
   scratch.write("a.toml", "study = \"real\"\naccept_unproved = true\n" + spec);
-  const Outcome asked = expect_exit(
-      0, run(kProgram + " study run " + scratch.path("a.toml") + " -q -o " + scratch.path("a.h5")));
-  EXPECT_THAT(asked.out, HasSubstr("12 not proved (accepted)"));
-  EXPECT_EQ(run(kProgram + " check " + scratch.path("a.h5")).exit_code, 0);
+  expect_output(run("{} study run " + scratch.path("a.toml") + " -q -o " + scratch.path("a.h5")),
+                "12 not proved (accepted)");
+  expect_exit(0, run("{} check " + scratch.path("a.h5")));
   for (const char* row : {"0", "1", "2", "3"}) {
-    EXPECT_EQ(run(kProgram + " replay " + results + " " + row).exit_code, 0) << row;
+    expect_exit(0, run("{} replay " + results + " " + row));
   }
-  EXPECT_EQ(run(kProgram + " study selfcheck " + results).exit_code, 0);
-  EXPECT_EQ(
-      run(kProgram + " report " + scratch.path("a.h5") + " -o " + scratch.path("a.html")).exit_code,
-      0);
+  expect_exit(0, run("{} study selfcheck " + results));
+  expect_exit(0, run("{} report " + scratch.path("a.h5") + " -o " + scratch.path("a.html")));
 }
 
 TEST(RealTypes, OutputsThatWouldRoundAreRefusedOrPictures) {
   const ScratchDirectory scratch;
-  const std::string draw =
-      kProgram + " generate union-k4 -n 8 | " + kProgram + " draw - --algorithm two-bend-paper -o ";
-  EXPECT_EQ(run(draw + scratch.path("d.svg")).exit_code, 0);
-  EXPECT_EQ(run(kProgram + " hunt --algorithm two-bend-paper -n 20 --evaluations 1").exit_code, 2);
+  const std::string draw = "{} generate union-k4 -n 8 | {} draw - --algorithm two-bend-paper -o ";
+  expect_exit(0, run(draw + scratch.path("d.svg")));
+  expect_exit(2, run("{} hunt --algorithm two-bend-paper -n 20 --evaluations 1"));
 }
 
 TEST(RealTypes, TheListSaysWhatIsPromised) {
-  const Outcome list = run(kProgram + " list algorithms");
+  const Outcome list = run("{} list algorithms");
   EXPECT_THAT(list.out, HasSubstr("two-bend-paper: "));
   EXPECT_THAT(list.out, HasSubstr("what rounding makes of it is measured; no box"));
   EXPECT_THAT(list.out, HasSubstr("option type = 0..4 (default 1)"));

@@ -1,18 +1,9 @@
 // `ar3d report`: the reference that it compares with and the drawings that it stores.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <filesystem>
-
 #include "ar3d/store/run_storage.h"
 #include "support/program.h"
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
-using ::testing::Not;
-namespace fs = std::filesystem;
 
 const std::string kReferences = AR3D_SOURCE_DIR "/results/reference/";
 
@@ -22,7 +13,7 @@ std::string study_of(const ScratchDirectory& scratch, const std::string& name) {
                           "\"\nseed = 1\n[[sweep]]\nfamilies = [\"prism\", \"random-cubic\"]\n"
                           "sizes = [8, 20, 3000]\nalgorithms = [\"grid\"]\ninstances = 1\n");
   const std::string results = scratch.path(name + ".h5");
-  EXPECT_EQ(run("{} study run " + spec + " -q -o " + results).exit_code, 0);
+  expect_exit(0, run("{} study run " + spec + " -q -o " + results));
   return results;
 }
 
@@ -50,7 +41,7 @@ TEST(ReportPage, ComparesWithTheGivenReferenceAndKeepsItsExitCode) {
   expect_exit(0, run(report + " --reference " + base));
   EXPECT_THAT(read_file(page), HasSubstr("<b>REGRESSED</b> against tiny.h5"));
 
-  EXPECT_EQ(run("cd " + scratch.path("") + " && " + report).exit_code, 0);
+  expect_exit(0, run("cd " + scratch.path("") + " && " + report));
   EXPECT_THAT(read_file(page), HasSubstr("Not compared: "));
   const std::string before = read_file(page);
   expect_error(run(report + " --reference " + study_of(scratch, "other")),

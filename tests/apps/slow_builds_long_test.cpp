@@ -1,9 +1,7 @@
 // `ar3d compare --base` on real builds whose drawings are slower by known shares, on this machine
 // as it is and under load: what is slower by 10 % or more never passes.
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -25,7 +23,7 @@ std::string slower_program(const ScratchDirectory& scratch, int percent) {
 /// A checkout whose build gives the program under test.
 std::string checkout_of_the_program(const ScratchDirectory& scratch) {
   const std::string checkout = scratch.path("checkout");
-  std::filesystem::create_directories(checkout + "/apps");
+  fs::create_directories(checkout + "/apps");
   std::ofstream(checkout + "/CMakeLists.txt")
       << "cmake_minimum_required(VERSION 3.20)\nproject(pretended NONE)\n"
          "add_custom_target(ar3d_program COMMAND ${CMAKE_COMMAND} -E make_directory apps COMMAND "
@@ -52,7 +50,7 @@ TEST(SlowBuilds, OfTenPerCentOrMoreNeverPass) {
       const Outcome outcome =
           run((is_loaded ? load : "") + "cd " + checkout + " && AR3D_PROGRAM=$(realpath {}) " +
               program + " compare --base HEAD --study " + spec + " --force --json " + verdict);
-      const auto json = nlohmann::json::parse(testing::read_file(verdict));
+      const auto json = nlohmann::json::parse(read_file(verdict));
       fmt::print("{} % slower, {}: {} (exit {})\n", percent, is_loaded ? "loaded" : "as it is",
                  json.at("verdict").dump(), outcome.exit_code);
       if (percent >= 10) {

@@ -1,7 +1,4 @@
 // What `ar3d compare` says of slowdowns of known size in files, on quiet and on loaded machines.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -11,8 +8,6 @@
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
 
 /// How the machine was while one of two files was measured.
 struct Machine {
@@ -31,7 +26,7 @@ constexpr Machine kMachines[] = {
 
 /// The timed rows of one thread on two cores: 4 families, 5 sizes, 20 repetitions.
 Results timed(std::uint64_t seed, const Machine& machine, double factor) {
-  Results results = testing::good_results({"grid"}, {"a", "b", "c", "d"}, 5, 1);
+  Results results = good_results({"grid"}, {"a", "b", "c", "d"}, 5, 1);
   results.environment = {{"cpu", "A", 1},
                          {"cores", "2", 1},
                          {"load_before", machine.load_before, 1},
@@ -46,7 +41,7 @@ Results timed(std::uint64_t seed, const Machine& machine, double factor) {
       timing.row_key = "";
       timing.session = 1;
       timing.concurrency = 1;
-      timing.wall_s *= factor * std::exp(machine.noise * testing::normal(random));
+      timing.wall_s *= factor * std::exp(machine.noise * normal(random));
       rows.push_back(timing);
     }
   }
@@ -65,7 +60,7 @@ TEST_P(Slowdown, IsNeverAPassUnlessTimesWereJudgedAndItIsBelowTheThreshold) {
       write_results(timed(1, before, 1), base);
       write_results(timed(2, after, 1 + GetParam() / 100.0), now);
       const Outcome outcome = run("{} compare " + base + " " + now + " --force --json " + json);
-      const auto verdict = nlohmann::json::parse(testing::read_file(json));
+      const auto verdict = nlohmann::json::parse(read_file(json));
       const std::string where =
           std::to_string(GetParam()) + " %, " + before.name + ", then " + after.name;
       RecordProperty(where, verdict.at("verdict").get<std::string>());
@@ -76,7 +71,7 @@ TEST_P(Slowdown, IsNeverAPassUnlessTimesWereJudgedAndItIsBelowTheThreshold) {
       } else if (GetParam() > 5) {  // the threshold, from which on a change matters
         EXPECT_EQ(outcome.exit_code, 3) << where << '\n' << outcome.out;
       } else {
-        EXPECT_THAT(outcome.exit_code, ::testing::AnyOf(0, 3, 6)) << where << '\n' << outcome.out;
+        EXPECT_THAT(outcome.exit_code, AnyOf(0, 3, 6)) << where << '\n' << outcome.out;
         EXPECT_THAT(outcome.out, HasSubstr("5")) << where << ": the threshold is named";
       }
     }

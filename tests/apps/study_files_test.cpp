@@ -1,9 +1,5 @@
 // A study finds its own files by whatever path it is named, and meets file systems that lack what
 // others have.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <filesystem>
 #include <map>
 
 #include "ar3d/store/journal/journal_reader.h"
@@ -13,9 +9,6 @@
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
-namespace fs = std::filesystem;
 
 class StudyFiles : public ::testing::Test {
  protected:
@@ -29,7 +22,7 @@ class StudyFiles : public ::testing::Test {
 TEST_F(StudyFiles, AreFoundByEveryPathToThem) {
   fs::create_directories(path("sub/deep"));
   fs::create_symlink("sub", path("link"));
-  EXPECT_EQ(in_folder("{} study run smoke -q -o sub/old.h5").exit_code, 0);
+  expect_exit(0, in_folder("{} study run smoke -q -o sub/old.h5"));
   for (const char* results :
        {"sub//r.h5", "./sub/./r.h5", "sub/deep/../r.h5", "link/r.h5", "sub/r.h5"}) {
     for (const char* suffix : {".h5", ".html"}) fs::remove(path(std::string("sub/r") + suffix));
@@ -37,12 +30,12 @@ TEST_F(StudyFiles, AreFoundByEveryPathToThem) {
     expect_exit(5, in_folder(with_fault("full:60000") + "{} study run smoke -q -o " + name));
     ASSERT_TRUE(fs::exists(path("sub/r.h5.journal"))) << name;
     for (const char* other : {"sub/r.h5", "sub//r.h5.journal", "link/r.h5"}) {
-      const Outcome status = expect_exit(5, in_folder(std::string("{} study status ") + other));
-      EXPECT_THAT(status.out, HasSubstr(" of 1062 rows, stopped")) << name << other;
+      expect_output(in_folder(std::string("{} study status ") + other), " of 1062 rows, stopped",
+                    5);
     }
     expect_error(in_folder("{} study run smoke -q --force -o " + name),
                  "is the journal of a study that is not finished");
-    EXPECT_EQ(in_folder("{} study resume -q " + name).exit_code, 0) << name;
+    expect_exit(0, in_folder("{} study resume -q " + name));
     EXPECT_FALSE(fs::exists(path("sub/r.h5.journal"))) << name;
     expect_same_rows(path("sub/r.h5"), path("sub/old.h5"));
   }
@@ -59,7 +52,7 @@ TEST_F(StudyFiles, AFolderThatCannotBeListedIsAnError) {
   expect_error(in_folder(with_fault("list:1") + "{} study run smoke -q -o r.h5"),
                "cannot list .: Permission denied");
   EXPECT_FALSE(fs::exists(path("r.h5.journal")));
-  EXPECT_EQ(in_folder("{} study run smoke -q -o r.h5").exit_code, 0);
+  expect_exit(0, in_folder("{} study run smoke -q -o r.h5"));
   expect_error(in_folder(with_fault("list:1") + "{} study status r.h5"),
                "cannot list .: Permission denied");
 }
@@ -94,7 +87,7 @@ TEST_F(StudyFiles, WhereLocksDoNothingNoAcknowledgedRowIsLost) {
   EXPECT_TRUE(fs::exists(path("r.h5.journal.cut-1")));
   std::map<std::string, std::string> after;
   for (const ar3d::RunRecord& row : read_results(path("r.h5")).runs) {
-    after[row.row_key] = testing::all_bytes(row);
+    after[row.row_key] = all_bytes(row);
   }
   EXPECT_EQ(after.size(), 200u);
   for (const auto& [key, bytes] : rows) EXPECT_EQ(after.at(key), bytes) << key;

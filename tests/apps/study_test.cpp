@@ -1,38 +1,29 @@
 // The way from a study to a verdict, through the program as a user runs it.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <filesystem>
-
 #include "support/program.h"
 
 namespace ar3d::testing {
 namespace {
 
-using ::testing::HasSubstr;
-
 TEST(StudyProgram, SmokeRunsChecksReportsAndReplays) {
   const ScratchDirectory scratch;
   const std::string results = scratch.path("smoke.h5");
-  const Outcome study = expect_exit(0, run("{} study run smoke --quiet -o " + results));
-  EXPECT_THAT(study.out, HasSubstr(results));
-  EXPECT_THAT(study.out, HasSubstr(scratch.path("smoke.html")));
+  expect_output(run("{} study run smoke --quiet -o " + results),
+                {results, scratch.path("smoke.html")});
   EXPECT_THAT(read_file(scratch.path("smoke.html")), HasSubstr("<svg"));
 
-  EXPECT_EQ(run("{} check " + results).exit_code, 0);
-  EXPECT_EQ(run("{} report " + results + " -o " + scratch.path("again.html")).exit_code, 0);
+  expect_exit(0, run("{} check " + results));
+  expect_exit(0, run("{} report " + results + " -o " + scratch.path("again.html")));
   EXPECT_EQ(read_file(scratch.path("again.html")), read_file(scratch.path("smoke.html")));
 
   const Outcome replay =
       expect_exit(0, run("{} replay " + results + " 0 -o " + scratch.path("row.jsonl")));
   EXPECT_THAT(replay.out, HasSubstr("equal, bit for bit"));
-  EXPECT_EQ(run("{} verify " + scratch.path("row.jsonl")).exit_code, 0);
-  EXPECT_EQ(run("{} replay " + results + " 99999999").exit_code, 2);
+  expect_exit(0, run("{} verify " + scratch.path("row.jsonl")));
+  expect_exit(2, run("{} replay " + results + " 99999999"));
 }
 
 TEST(StudyProgram, PlanShowsWhatWouldBeDone) {
-  const Outcome plan = expect_exit(0, run("{} study plan quick"));
-  EXPECT_THAT(plan.out, HasSubstr(" instances, "));
+  expect_output(run("{} study plan quick"), " instances, ");
 }
 
 TEST(StudyProgram, InterruptedKeepsTheRowsMadeSoFar) {
@@ -45,12 +36,11 @@ TEST(StudyProgram, InterruptedKeepsTheRowsMadeSoFar) {
 
 TEST(VerifyProgram, EveryCrossingTestGivesTheSameVerdict) {
   for (const char* test : {"automatic", "all-pairs", "plane-sweep", "slabs"}) {
-    const Outcome verdict = expect_exit(
-        0,
+    expect_output(
         run(std::string("{} generate random-cubic -n 30 | {} draw - --algorithm grid | {} verify - "
                         "--crossing-test ") +
-            test));
-    EXPECT_THAT(verdict.out, HasSubstr("1 certified, 0 violated"));
+            test),
+        "1 certified, 0 violated");
   }
 }
 
@@ -67,8 +57,7 @@ TEST(Program, HelpOfEveryVerbHasAnExample) {
        {"list", "generate", "draw", "verify", "study run", "study resume", "study status",
         "study merge", "study plan", "study selfcheck", "study count", "check", "report", "replay",
         "compare", "hunt", "shrink"}) {
-    const Outcome help = expect_exit(0, run(std::string("{} ") + verb + " --help"));
-    EXPECT_THAT(help.out, HasSubstr("Example: ")) << verb;
+    expect_output(run(std::string("{} ") + verb + " --help"), "Example: ");
   }
 }
 

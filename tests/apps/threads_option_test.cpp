@@ -1,9 +1,4 @@
 // What comes out of the program is the same on any number of threads.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <string>
-
 #include "support/program.h"
 
 namespace ar3d::testing {
@@ -13,14 +8,14 @@ TEST(Threads, OneLargeDrawingAndManySmallOnes) {
   const ScratchDirectory scratch;
   const std::string large = scratch.path("large.s6");
   const std::string small = scratch.path("small.s6");
-  must(kProgram + " generate random-4-regular -n 66000 -o " + large);
-  must(kProgram + " generate random-cubic -n 20 --count 30 -o " + small);
+  must("{} generate random-4-regular -n 66000 -o " + large);
+  must("{} generate random-cubic -n 20 --count 30 -o " + small);
   for (const std::string& file : {large, small}) {
     const auto drawn = [&](const std::string& threads) {
-      return run(kProgram + " draw " + file + " --algorithm diamond --level extents" + threads);
+      return run("{} draw " + file + " --algorithm diamond --level extents" + threads);
     };
     const Outcome alone = expect_exit(0, drawn(" --threads 1"));
-    EXPECT_THAT(alone.out, ::testing::HasSubstr("\"proved\""));
+    EXPECT_THAT(alone.out, HasSubstr("\"proved\""));
     for (const char* threads : {" --threads 2", " --threads 3", ""}) {
       EXPECT_EQ(drawn(threads).out, alone.out) << threads;
     }
@@ -30,15 +25,13 @@ TEST(Threads, OneLargeDrawingAndManySmallOnes) {
 TEST(Threads, VerifyAndUsage) {
   const ScratchDirectory scratch;
   const std::string file = scratch.path("d.jsonl");
-  must(kProgram + " generate random-cubic -n 20 --count 5 | " + kProgram +
-       " draw - --algorithm diamond -o " + file);
+  must("{} generate random-cubic -n 20 --count 5 | {} draw - --algorithm diamond -o " + file);
   for (const char* threads : {"1", "2", "3"}) {
-    const Outcome outcome =
-        expect_exit(0, run(kProgram + " verify " + file + " --threads " + threads));
+    const Outcome outcome = expect_exit(0, run("{} verify " + file + " --threads " + threads));
     EXPECT_EQ(outcome.out, "5 certified, 0 violated, 0 not drawn\n");
   }
   for (const char* threads : {"0", "-1", "two", "100000"}) {
-    EXPECT_EQ(run(kProgram + " verify " + file + " --threads " + threads).exit_code, 2) << threads;
+    expect_exit(2, run("{} verify " + file + " --threads " + threads));
   }
 }
 

@@ -1,8 +1,4 @@
 // LaTeX typesets what `ar3d draw -o x.tikz` writes.
-#include <gtest/gtest.h>
-
-#include <filesystem>
-
 #include "support/program.h"
 
 namespace ar3d::testing {
@@ -16,7 +12,7 @@ TEST(Export, TikzIsTypeset) {
   expect_exit(0, run("cd " + scratch.path("") +
                      " && printf 'D~{\\n' | {} draw - --algorithm diamond -o k5.tikz && "
                      "pdflatex -interaction=batchmode -halt-on-error page.tex"));
-  EXPECT_GT(std::filesystem::file_size(scratch.path("page.pdf")), 5000u);
+  EXPECT_GT(fs::file_size(scratch.path("page.pdf")), 5000u);
 }
 
 }  // namespace

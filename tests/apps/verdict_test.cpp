@@ -1,9 +1,4 @@
 // From rows to verdicts through the program: check, report, hunt and shrink, and their bad inputs.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
 #include <functional>
 #include <sstream>
 
@@ -13,8 +8,6 @@
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
 
 /// Writes the results, after a change, where the test can use them.
 std::string results_file(const ScratchDirectory& scratch,
@@ -28,32 +21,30 @@ std::string results_file(const ScratchDirectory& scratch,
 
 TEST(CheckProgram, ExitCodeIsTheVerdict) {
   const ScratchDirectory scratch;
-  EXPECT_EQ(run("{} check " + results_file(scratch)).exit_code, 0);
-  const Outcome wide = run("{} check " + results_file(scratch, [](Results& results) {
-                             results.runs[4].extents[2] = 1000;
-                           }));
-  EXPECT_EQ(wide.exit_code, 4);
-  EXPECT_THAT(wide.out, HasSubstr("extent 1000 along z passes the theorem's"));
-  const Outcome wrong = run("{} check " + results_file(scratch, [](Results& results) {
-                              results.runs[1].violations = 2;
-                              results.runs[1].status = RunStatus::violated;
-                              results.runs[1].message = "crossing: edges 3 and 7";
-                            }));
-  EXPECT_EQ(wrong.exit_code, 4);
-  EXPECT_THAT(wrong.out, HasSubstr("crossing: edges 3 and 7"));
+  expect_exit(0, run("{} check " + results_file(scratch)));
+  expect_output(
+      run("{} check " +
+          results_file(scratch, [](Results& results) { results.runs[4].extents[2] = 1000; })),
+      "extent 1000 along z passes the theorem's", 4);
+  expect_output(run("{} check " + results_file(scratch,
+                                               [](Results& results) {
+                                                 results.runs[1].violations = 2;
+                                                 results.runs[1].status = RunStatus::violated;
+                                                 results.runs[1].message =
+                                                     "crossing: edges 3 and 7";
+                                               })),
+                "crossing: edges 3 and 7", 4);
 }
 
 TEST(CheckProgram, NoRowsAndNoNumbersAreIncomplete) {
   const ScratchDirectory scratch;
-  const Outcome empty =
-      run("{} check " + results_file(scratch, [](Results& results) { results.runs.clear(); }));
-  EXPECT_EQ(empty.exit_code, 5);
-  EXPECT_THAT(empty.out, HasSubstr("nothing measured: the file has no rows"));
-  const Outcome nan = run("{} check " + results_file(scratch, [](Results& results) {
-                            results.runs[2].log2_volume = kMissing;
-                          }));
-  EXPECT_EQ(nan.exit_code, 5);
-  EXPECT_THAT(nan.out, HasSubstr("log2_volume is not a number of at least 0 although ok"));
+  expect_output(
+      run("{} check " + results_file(scratch, [](Results& results) { results.runs.clear(); })),
+      "nothing measured: the file has no rows", 5);
+  expect_output(
+      run("{} check " +
+          results_file(scratch, [](Results& results) { results.runs[2].log2_volume = kMissing; })),
+      "log2_volume is not a number of at least 0 although ok", 5);
 }
 
 TEST(ReportProgram, OfNoRowsSaysSoAndIsIncomplete) {
@@ -71,8 +62,8 @@ TEST(ReportProgram, WritesFiguresAndTables) {
                      scratch.path("r.csv") + " --json " + scratch.path("a.json")));
   for (const char* name : {"longest-side", "volume", "drawing-time", "bends"}) {
     const std::string stem = scratch.path(std::string("figures/diamond-") + name);
-    EXPECT_THAT(read_file(stem + ".svg"), ::testing::StartsWith("<?xml")) << name;
-    EXPECT_THAT(read_file(stem + ".pdf"), ::testing::StartsWith("%PDF-")) << name;
+    EXPECT_THAT(read_file(stem + ".svg"), StartsWith("<?xml")) << name;
+    EXPECT_THAT(read_file(stem + ".pdf"), StartsWith("%PDF-")) << name;
   }
   EXPECT_THAT(read_file(scratch.path("r.csv")), HasSubstr("published_bound_x"));
   EXPECT_THAT(read_file(scratch.path("l.csv")), HasSubstr("volume_share"));
@@ -103,13 +94,13 @@ TEST_P(BadResultsTest, OneLineAndExitTwo) {
   const std::string script = scratch.write(
       "change.py", "import h5py\nf = h5py.File('" + path + "', 'a')\n" + GetParam().change);
   must("/usr/bin/python3 " + script);
-  testing::renew_checksum(path);
+  renew_checksum(path);
   for (const char* verb : {"check", "report"}) {
     const Outcome outcome = run(std::string("{} ") + verb + " " + path);
     expect_one_line(outcome, GetParam().message);
     EXPECT_THAT(outcome.err, HasSubstr(path));
   }
-  EXPECT_FALSE(std::filesystem::exists(scratch.path("results.html")));
+  EXPECT_FALSE(fs::exists(scratch.path("results.html")));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -141,9 +132,8 @@ TEST_P(SeededFaultTest, IsHuntedShrunkAndShown) {
   const std::string subject =
       std::string(" --algorithm ") + GetParam().algorithm + " --seeded-fault " + GetParam().fault;
   const std::string big = scratch.path("big"), small = scratch.path("small");
-  const Outcome hunt = expect_exit(4, run("{} hunt -n 60" + subject + " -o " + big));
-  EXPECT_THAT(hunt.out, HasSubstr("VIOLATED: "));
-  EXPECT_EQ(run("{} verify " + big + ".jsonl --graphs " + big + ".s6").exit_code, 4);
+  expect_output(run("{} hunt -n 60" + subject + " -o " + big), "VIOLATED: ", 4);
+  expect_exit(4, run("{} verify " + big + ".jsonl --graphs " + big + ".s6"));
 
   const Outcome shrink = expect_exit(4, run("{} shrink " + big + ".s6" + subject + " -o " + small));
   std::istringstream line(shrink.out);
@@ -154,10 +144,9 @@ TEST_P(SeededFaultTest, IsHuntedShrunkAndShown) {
   EXPECT_THAT(shrink.out, HasSubstr("none can go"));
   // The first line of the text shows the violation again; without the fault there is none.
   EXPECT_THAT(read_file(small + ".txt"), HasSubstr("ar3d verify " + small + ".jsonl"));
-  EXPECT_EQ(run("{} verify " + small + ".jsonl --graphs " + small + ".s6").exit_code, 4);
-  EXPECT_EQ(run("{} draw " + small + ".s6 --algorithm " + GetParam().algorithm + " | {} verify -")
-                .exit_code,
-            0);
+  expect_exit(4, run("{} verify " + small + ".jsonl --graphs " + small + ".s6"));
+  expect_exit(
+      0, run("{} draw " + small + ".s6 --algorithm " + GetParam().algorithm + " | {} verify -"));
   EXPECT_THAT(read_file(small + ".svg"), HasSubstr("<svg"));
 }
 
@@ -177,7 +166,7 @@ TEST(HuntProgram, FindsAnExtremeGraphAndShrinkKeepsItSo) {
       "{} hunt --algorithm diamond --family random-4-regular -n 30 --evaluations 200 --measure z "
       "-o ";
   expect_exit(0, run(hunt + scratch.path("a")));
-  EXPECT_EQ(run(hunt + scratch.path("b")).exit_code, 0);
+  expect_exit(0, run(hunt + scratch.path("b")));
   EXPECT_EQ(read_file(scratch.path("a.s6")), read_file(scratch.path("b.s6"))) << "a pure function";
   expect_exit(0, run("{} shrink " + scratch.path("a.s6") +
                      " --algorithm diamond --measure z --ratio 0.1 -o " + scratch.path("c")));
@@ -201,7 +190,7 @@ TEST_P(BadCallTest, OneLineAndExitTwo) {
   for (const char c : GetParam().command)
     command += c == '@' ? two : c == '%' ? one : std::string(1, c);
   expect_one_line(run(command + " -o " + scratch.path("out")), GetParam().message);
-  EXPECT_FALSE(std::filesystem::exists(scratch.path("out.s6")));
+  EXPECT_FALSE(fs::exists(scratch.path("out.s6")));
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -1,10 +1,5 @@
 // Verbs that judge a study say the same of the same files: check, report, study status, study
 // resume.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <functional>
 
@@ -13,9 +8,6 @@
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
-namespace fs = std::filesystem;
 
 const char* const kJudgedStudy = R"(study = "judged"
 [[sweep]]
@@ -36,8 +28,8 @@ struct Situation {
 std::ostream& operator<<(std::ostream& out, const Situation& s) { return out << s.name; }
 
 void make_whole(const ScratchDirectory& scratch) {
-  const Outcome outcome = run("cd " + scratch.path("") + " && {} study run -q study.toml -o r.h5");
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Outcome outcome =
+      expect_exit(0, run("cd " + scratch.path("") + " && {} study run -q study.toml -o r.h5"));
 }
 
 std::function<void(const ScratchDirectory&)> changed(std::function<void(Results&)> change) {
@@ -58,9 +50,9 @@ void flip_bit(const std::string& path, std::uint64_t place) {
 }
 
 void make_journal(const ScratchDirectory& scratch) {
-  const Outcome full = run("cd " + scratch.path("") + " && " + testing::with_fault("full:20000") +
-                           "{} study run -q study.toml -o r.h5");
-  ASSERT_EQ(full.exit_code, 5) << full.err;
+  const Outcome full =
+      expect_exit(5, run("cd " + scratch.path("") + " && " + with_fault("full:20000") +
+                         "{} study run -q study.toml -o r.h5"));
   ASSERT_TRUE(fs::exists(scratch.path("r.h5.journal")));
   ASSERT_FALSE(fs::exists(scratch.path("r.h5")));
 }
@@ -169,10 +161,9 @@ class UnfinishedStudy : public ::testing::Test {
       EXPECT_EQ(said(verb, "r.h5"), first) << verb;
     }
     EXPECT_THAT(read_file(scratch_.path("page.html")), HasSubstr(">INCOMPLETE<"));
-    const Outcome resumed =
-        expect_exit(0, run("cd " + scratch_.path("") + " && {} study resume -q r.h5"));
-    EXPECT_THAT(resumed.out, HasSubstr("PASS: 48 rows, 48 proved"));
-    EXPECT_EQ(run("{} check " + scratch_.path("r.h5")).exit_code, 0);
+    expect_output(run("cd " + scratch_.path("") + " && {} study resume -q r.h5"),
+                  "PASS: 48 rows, 48 proved");
+    expect_exit(0, run("{} check " + scratch_.path("r.h5")));
   }
   ScratchDirectory scratch_;
 };

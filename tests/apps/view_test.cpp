@@ -1,16 +1,8 @@
 // `ar3d view` and `ar3d draw --format html`; what the page does: tests/browser/viewer.test.mjs.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <filesystem>
-
 #include "support/program.h"
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
-namespace fs = std::filesystem;
 
 TEST(View, WritesTheSamePageAsDraw) {
   const ScratchDirectory scratch;
@@ -29,7 +21,7 @@ TEST(View, WritesTheSamePageAsDraw) {
   EXPECT_NEAR(static_cast<double>(size("d.html")), static_cast<double>(size("x.html")), 200);
   EXPECT_LT(page.size(), 1'000'000u);
   for (const char* foreign : {"src=", "href=\"http", "@import", "url("}) {
-    EXPECT_THAT(page.substr(0, page.find("var THREE")), ::testing::Not(HasSubstr(foreign)));
+    EXPECT_THAT(page.substr(0, page.find("var THREE")), Not(HasSubstr(foreign)));
   }
 }
 

@@ -1,11 +1,6 @@
 // Graphs of files as instances: what is read, kept, sampled and told apart.
 #include "ar3d/bench/corpus/corpus.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
 #include <set>
 
 #include "ar3d/base/error.h"
@@ -18,9 +13,6 @@
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 class Files : public ::testing::Test {
  protected:
@@ -71,7 +63,7 @@ TEST_F(Files, TheHashIsTheGraphsWhateverTheFormatAndThePacking) {
   for (const char* name : {"a.g6", "a.edges", "a.mtx", "a.graphml", "a.metis"}) {
     const std::string path = write(name, some());
     EXPECT_EQ(Corpus(path, {}).hash(), hash) << name;
-    ASSERT_EQ(run("gzip -k " + path).exit_code, 0);
+    expect_exit(0, run("gzip -k " + path));
     EXPECT_EQ(Corpus(path + ".gz", {}).hash(), hash) << name;
   }
   std::vector<Graph> other = some();
@@ -164,7 +156,7 @@ TEST_F(Files, InstancesHaveTheirPlaceAndTheirKeysNoName) {
     for (const PlannedRun& run : instance.runs) keys.insert(run.row_key);
   }
   EXPECT_EQ(keys.size(), 60u);
-  std::filesystem::rename(scratch_.path("a.s6"), scratch_.path("b.s6"));
+  fs::rename(scratch_.path("a.s6"), scratch_.path("b.s6"));
   const StudyPlan renamed = plan_study(study("graphs = \"b.s6\"\n"));
   for (const PlannedInstance& instance : renamed.instances) {
     EXPECT_TRUE(keys.contains(instance.runs.front().row_key));
@@ -221,7 +213,7 @@ TEST_F(Files, PatternsTakeFilesByNameAndCellsCanBeLeftOut) {
 TEST_F(Files, WhatCannotBeIsRefusedInOneLine) {
   write("a.s6", {petersen()});
   write("copy.s6", {petersen()});
-  std::filesystem::create_directory(scratch_.path("sub"));
+  fs::create_directory(scratch_.path("sub"));
   write("sub/a.s6", {complete(4)});
   scratch_.write("cycle", ":C_u\n");
   scratch_.write("broken.s6", ":Ooo\n:!\n");

@@ -1,15 +1,12 @@
 #include "ar3d/bench/run/estimate.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "ar3d/base/error.h"
 #include "ar3d/bench/measure/environment.h"
+#include "support/problem.h"
+#include "support/test.h"
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
 
 StudyPlan plan_of(const std::string& top, const std::string& rest) {
   return plan_study(parse_study(top +
@@ -20,12 +17,7 @@ StudyPlan plan_of(const std::string& top, const std::string& rest) {
 }
 
 std::string refusal(const StudyPlan& plan, double memory_bytes) {
-  try {
-    refuse_impossible(plan, estimate(plan, 1), memory_bytes);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "none";
+  return problem([&] { refuse_impossible(plan, estimate(plan, 1), memory_bytes); }, "none");
 }
 
 TEST(Estimate, CountsCellsInstancesAndRows) {

@@ -1,7 +1,5 @@
 // Programs that draw: what they are asked, and what hostile ones do.
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <chrono>
 #include <cmath>
@@ -23,8 +21,6 @@
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
 
 // Programs in Python, each a main loop over the graphs that it reads as edge lists.
 class Programs : public ::testing::Test {
@@ -124,8 +120,8 @@ algorithms = ["mine", {{ algorithm = "mine", step = 7 }}, "grid"]
   for (const RunRecord& run : rows(spec)) {
     told.push_back(fmt::format("{} {} {}", run.algorithm, run.options, run.extents[0]));
   }
-  EXPECT_THAT(told, ::testing::ElementsAre("mine step=2 6", "mine step=30 90", "mine step=7 21",
-                                           ::testing::StartsWith("grid effort=1")));
+  EXPECT_THAT(told, ElementsAre("mine step=2 6", "mine step=30 90", "mine step=7 21",
+                                StartsWith("grid effort=1")));
 }
 
 TEST_F(Programs, HostileOnesCostTheirRowsOnly) {
@@ -302,7 +298,7 @@ TEST_F(Programs, BadSpecificationsAreRefusedInOneLine) {
         program);
     const std::string told = problem([&] { parse_study(text, "t.toml"); });
     EXPECT_THAT(told, HasSubstr(message)) << program;
-    EXPECT_THAT(told, ::testing::StartsWith("t.toml:")) << program;
+    EXPECT_THAT(told, StartsWith("t.toml:")) << program;
   }
   EXPECT_THAT(problem([&] {
                 parse_study(

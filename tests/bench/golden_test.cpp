@@ -1,9 +1,5 @@
 // The rows of a study, bit for bit, whatever compiler and machine have made them.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <map>
-#include <string>
 
 #include "ar3d/store/columns/run_columns.h"
 #include "bench/in_memory.h"
@@ -77,7 +73,7 @@ TEST(Golden, RowsOfSmoke) {
     for (const Column& column : run_columns()) {
       if (column.kind == ColumnKind::measured) continue;
       if (is_of_real_types(column)) {
-        EXPECT_THAT(column_text(column, run), ::testing::AnyOf("", "-1", "nan")) << column.name;
+        EXPECT_THAT(column_text(column, run), AnyOf("", "-1", "nan")) << column.name;
         continue;
       }
       if (column.name == "level") {  // of rows that came before levels, too

@@ -1,10 +1,5 @@
 #include "ar3d/bench/search/hunt.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 #include "ar3d/base/error.h"
 #include "ar3d/verify/certificate.h"
 #include "support/graphs.h"

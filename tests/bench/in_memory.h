@@ -12,6 +12,7 @@
 #include "ar3d/bench/run/describe_study.h"
 #include "ar3d/bench/run/session.h"
 #include "ar3d/store/columns/run_record.h"
+#include "support/test.h"
 
 namespace ar3d::testing {
 

@@ -2,13 +2,8 @@
 // end.
 #include "ar3d/bench/keep/journaled_study.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <filesystem>
 #include <functional>
 #include <map>
-#include <string>
 
 #include "ar3d/base/error.h"
 #include "ar3d/bench/keep/study_files.h"
@@ -16,14 +11,12 @@
 #include "ar3d/store/journal/journal_reader.h"
 #include "ar3d/store/journal/journal_writer.h"
 #include "ar3d/store/run_storage.h"
+#include "support/problem.h"
 #include "support/program.h"
 #include "support/results.h"
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
-namespace fs = std::filesystem;
 
 // Twelve rows that are needed and ten that precision may ask for.
 const char* const kSpec = R"(study = "s"
@@ -103,12 +96,8 @@ TEST_F(JournaledStudyFiles, AStudyThatAnotherProcessFinishesMeanwhileIsNotMadeAg
   ASSERT_TRUE(late.has_journals);
   EXPECT_TRUE(finish(begun_study(journal)).complete());
   const std::string before = read_file(results());
-  try {
-    finish(late);
-    ADD_FAILURE() << "two processes have made one study";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("another process has finished the study"));
-  }
+  EXPECT_THAT(problem([&] { finish(late); }), HasSubstr("another process has finished the study"))
+      << "two processes have made one study";
   EXPECT_EQ(read_file(results()), before);
 }
 
@@ -131,13 +120,10 @@ TEST_F(JournaledStudyFiles, RowsForPrecisionDoNotMakeUpForMissingOnes) {
   EXPECT_EQ(outcome_so_far(begun_study(results())).missing, 1u);
   const std::string snapshot = scratch_.path("snapshot.h5");
   EXPECT_EQ(write_snapshot(begun_study(results()), snapshot).missing, 1u);
-  const Outcome status = run("{} study status " + results());
-  EXPECT_EQ(status.exit_code, 5);
+  const Outcome status = expect_exit(5, run("{} study status " + results()));
   EXPECT_THAT(status.out, HasSubstr("25 of 26 rows, stopped"));
-  EXPECT_EQ(run("{} study status " + snapshot).exit_code, 5);
-  const Outcome check = run("{} check " + snapshot);
-  EXPECT_EQ(check.exit_code, 5);
-  EXPECT_THAT(check.out, HasSubstr("INCOMPLETE: 1 of 26 rows are missing"));
+  expect_exit(5, run("{} study status " + snapshot));
+  expect_output(run("{} check " + snapshot), "INCOMPLETE: 1 of 26 rows are missing", 5);
 }
 
 TEST_F(JournaledStudyFiles, ASnapshotOfAFinishedStudyHasItsRowsAndNeverReplacesIt) {

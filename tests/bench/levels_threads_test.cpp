@@ -1,24 +1,18 @@
 // What a row tells is the same at every level, and on any number of threads.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <map>
-#include <string>
-#include <vector>
 
 #include "ar3d/analysis/check.h"
 #include "ar3d/base/error.h"
 #include "ar3d/model/drawing.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "bench/in_memory.h"
+#include "support/problem.h"
 
 namespace ar3d::testing {
 namespace {
 
-using ::testing::HasSubstr;
-
-const char* const kStudy = R"(study = "levels"
+const char* const kLevels = R"(study = "levels"
 accept_unproved = true
 [[sweep]]
 families = "all"
@@ -36,7 +30,7 @@ RunRecord without_level(RunRecord run) {
 }
 
 TEST(Levels, TellTheSameBitForBit) {
-  const StudySpec spec = parse_study(kStudy, "levels.toml");
+  const StudySpec spec = parse_study(kLevels, "levels.toml");
   const Results one = run_study(spec, {.workers = 1, .force_timing = true});
   const Results two = run_study(spec, {.workers = 2, .force_timing = true});
   ASSERT_EQ(one.runs.size(), plan_study(spec).rows());
@@ -77,15 +71,15 @@ TEST(Levels, CheckFindsLevelsThatDisagree) {
 }
 
 std::string error_of(const std::string& level) {
-  try {
-    parse_study(
-        "study = \"t\"\n[[sweep]]\nfamilies = \"cycle\"\nsizes = 9\nalgorithms = \"diamond\"\n" +
-            level,
-        "t.toml");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return problem(
+      [&] {
+        parse_study(
+            "study = \"t\"\n[[sweep]]\nfamilies = \"cycle\"\nsizes = 9\nalgorithms = "
+            "\"diamond\"\n" +
+                level,
+            "t.toml");
+      },
+      "no error");
 }
 
 TEST(Levels, AStudyNamesThemOrIsRefused) {

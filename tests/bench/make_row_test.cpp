@@ -1,9 +1,5 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <new>
-#include <vector>
 
 #include "ar3d/base/error.h"
 #include "ar3d/bench/measure/environment.h"
@@ -14,8 +10,6 @@
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
 
 std::vector<RunRecord> rows_of(const PlannedInstance& instance) {
   RowMaker maker({});
@@ -146,7 +140,7 @@ TEST(MakeRow, TakesOverTheCertificateOfTheSameDrawingOnly) {
   EXPECT_TRUE(std::isnan(run.certify_s));
   RunRecord other = run;
   take_over_certificate(certified, run);
-  EXPECT_THAT(differing_columns(certified, run), ::testing::ElementsAre("row_key", "repetition"));
+  EXPECT_THAT(differing_columns(certified, run), ElementsAre("row_key", "repetition"));
   EXPECT_TRUE(std::isnan(run.certify_s)) << "it was not certified";
   other.drawing_hash[0] = other.drawing_hash[0] == '0' ? '1' : '0';
   take_over_certificate(certified, other);

@@ -1,5 +1,3 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 
 #include <atomic>
@@ -9,17 +7,14 @@
 #include <new>
 #include <stdexcept>
 #include <string_view>
-#include <vector>
 
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/processes.h"
+#include "support/test.h"
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
-using ::testing::MatchesRegex;
 
 std::map<std::string, std::string> environment() {
   std::map<std::string, std::string> values;

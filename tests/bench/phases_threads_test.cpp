@@ -1,7 +1,4 @@
 // The phases after the metrics: timing, strong and weak scaling.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <atomic>
 #include <cmath>
 #include <csignal>
@@ -21,9 +18,6 @@
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 SessionPolicy forced() {
   SessionPolicy policy;

@@ -2,8 +2,6 @@
 #include "ar3d/bench/external/program_answer.h"
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 
@@ -19,8 +17,6 @@
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
 
 TEST(Decimals, AreExact) {
   const auto text = [](const std::string& number) {

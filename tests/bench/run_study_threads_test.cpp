@@ -1,6 +1,3 @@
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <csignal>
 #include <set>
 #include <stdexcept>

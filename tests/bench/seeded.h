@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ar3d/bench/plan/plan.h"
+#include "support/test.h"
 
 namespace ar3d::testing {
 

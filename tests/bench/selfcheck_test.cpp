@@ -1,14 +1,8 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "ar3d/bench/replay/replay_row.h"
 #include "bench/in_memory.h"
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::Contains;
-using ::testing::ElementsAre;
 
 std::vector<RunRecord> study_rows() {
   return run_study(parse_study("study = \"t\"\n[[sweep]]\nfamilies = [\"random-cubic\", "

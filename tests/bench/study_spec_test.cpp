@@ -1,18 +1,13 @@
 #include "ar3d/bench/spec/study_spec.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <filesystem>
 #include <fstream>
 
 #include "ar3d/base/error.h"
+#include "support/problem.h"
+#include "support/test.h"
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 // A study with one sweep, complete but for what the test puts in.
 std::string study_with(const std::string& line) {
@@ -21,12 +16,7 @@ std::string study_with(const std::string& line) {
 }
 
 std::string error_of(const std::string& toml) {
-  try {
-    parse_study(toml, "t.toml");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return problem([&] { parse_study(toml, "t.toml"); }, "no error");
 }
 
 TEST(StudySpec, ReadsEveryKey) {
@@ -239,13 +229,13 @@ TEST(StudySpec, NamedStudiesParse) {
 }
 
 TEST(StudySpec, LoadsFiles) {
-  const auto path = std::filesystem::path(::testing::TempDir()) / "ar3d_spec.toml";
+  const auto path = fs::path(::testing::TempDir()) / "ar3d_spec.toml";
   std::ofstream(path) << study_with("repetitions = 2");
   const StudySpec spec = load_study(path.string());
   EXPECT_EQ(spec.sweeps[0].repetitions, 2u);
   EXPECT_EQ(spec.text, study_with("repetitions = 2"));
   EXPECT_EQ(default_results_path(spec), "ar3d-t.h5");
-  std::filesystem::remove(path);
+  fs::remove(path);
   EXPECT_THROW(load_study(path.string()), InputError);
   EXPECT_THROW(load_study(::testing::TempDir()), InputError);
 }

@@ -1,7 +1,5 @@
 // One bad row costs one row: seeded loops, crashes and allocations in worker processes.
 #include <fcntl.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <omp.h>
 #include <signal.h>
 #include <sys/socket.h>
@@ -26,9 +24,6 @@
 namespace ar3d::testing {
 namespace {
 
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-
 std::vector<RunRecord> made_rows(const StudyPlan& plan, const SessionPolicy& policy = {}) {
   std::vector<RunRecord> rows(plan.rows());
   std::vector<int> times_told(plan.rows());
@@ -37,7 +32,7 @@ std::vector<RunRecord> made_rows(const StudyPlan& plan, const SessionPolicy& pol
     ++times_told[row];
   });
   EXPECT_EQ(run_session(plan, policy, sink), SessionEnd::complete);
-  EXPECT_THAT(times_told, ::testing::Each(1));
+  EXPECT_THAT(times_told, Each(1));
   return rows;
 }
 

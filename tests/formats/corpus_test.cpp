@@ -1,6 +1,3 @@
-#include <gtest/gtest.h>
-
-#include <filesystem>
 #include <variant>
 
 #include "ar3d/formats/drawings/drawing_jsonl.h"
@@ -12,7 +9,6 @@
 namespace ar3d::testing {
 namespace {
 
-namespace fs = std::filesystem;
 const fs::path kCorpus = fs::path(AR3D_SOURCE_DIR) / "tests/formats/corpus";
 
 std::vector<Graph> graphs_of(const fs::path& path, const std::string& format) {
@@ -31,10 +27,9 @@ TEST(Corpus, EveryGraphFileIsReadOrRefusedWithOneLine) {
       try {
         for (const Graph& graph : graphs_of(entry.path(), format.name)) {
           ++graphs;
-          const auto back =
-              testing::read_text(testing::written({graph}, format), {.format = format.name});
+          const auto back = read_text(written({graph}, format), {.format = format.name});
           ASSERT_EQ(back.size(), 1u) << entry.path();
-          EXPECT_EQ(testing::edge_set(back[0]), testing::edge_set(graph)) << entry.path();
+          EXPECT_EQ(edge_set(back[0]), edge_set(graph)) << entry.path();
         }
       } catch (const InputError& error) {
         EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << entry.path();

@@ -1,5 +1,3 @@
-#include <gtest/gtest.h>
-
 #include "formats/format_helpers.h"
 
 namespace ar3d::testing {

@@ -1,9 +1,6 @@
 // Exports are read back: positions, numbers, edges and roles are those of the drawing.
 #include "ar3d/formats/drawings/drawing_exports.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <array>
 #include <cstring>
 #include <map>
@@ -15,12 +12,11 @@
 #include "ar3d/formats/drawings/edge_roles.h"
 #include "ar3d/formats/drawings/embedding.h"
 #include "ar3d/generators/catalog.h"
+#include "support/problem.h"
 #include "support/program.h"
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
 
 Drawing drawing_of(const char* algorithm, std::uint64_t n = 60) {
   const char* family =
@@ -32,11 +28,11 @@ const std::array<const char*, 4> kAll = {"diamond", "compact", "grid", "two-bend
 
 template <class Write>
 std::string written(Write write) {
-  const testing::ScratchDirectory scratch;
+  const ScratchDirectory scratch;
   OutputFile file(scratch.path("x"));
   write(file);
   file.commit();
-  return testing::read_file(scratch.path("x"));
+  return read_file(scratch.path("x"));
 }
 
 /// Every polyline of the drawing, embedded.
@@ -123,7 +119,7 @@ TEST(Exports, PlyHasNumbersAndColours) {
 }
 
 TEST(Exports, GraphmlIsTheGraph) {
-  const testing::ScratchDirectory scratch;
+  const ScratchDirectory scratch;
   for (const char* algorithm : kAll) {
     const Drawing drawing = drawing_of(algorithm);
     const std::string path = scratch.write(
@@ -131,7 +127,7 @@ TEST(Exports, GraphmlIsTheGraph) {
     const Graph graph = read_graph(path);
     ASSERT_EQ(graph.num_vertices(), drawing.num_vertices());
     ASSERT_EQ(graph.num_edges(), drawing.num_edges());
-    const std::string text = testing::read_file(path);
+    const std::string text = read_file(path);
     std::vector<Point> points;
     drawing.polyline(7, points);
     const auto coordinate = [](const char* key, std::int64_t value) {
@@ -201,12 +197,7 @@ TEST(Exports, StlIsWatertight) {
 
 template <class Write>
 std::string refusal_of(Write write) {
-  try {
-    written(write);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "nothing is refused";
+  return problem([&] { written(write); }, "nothing is refused");
 }
 
 Drawing segment(Point a, Point b, const std::vector<Point>& bends = {}) {

@@ -1,7 +1,5 @@
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 
-#include <gtest/gtest.h>
-
 #include "ar3d/base/random.h"
 #include "formats/format_helpers.h"
 
@@ -32,12 +30,7 @@ std::vector<DrawingJsonlReader::Line> read_lines(const std::string& text) {
 }
 
 std::string refusal_of_lines(const std::string& text) {
-  try {
-    read_lines(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return problem([&] { read_lines(text); }, "accepted");
 }
 
 const Drawing kEdge = drawing_of({{0, 0, 0}, {3, -3, 1}}, {{1, 0}}, {{{3, 0, 1}, {0, 0, 1}}});
@@ -89,7 +82,7 @@ TEST(DrawingJsonl, GivesBackWhatItWrote) {
 }
 
 TEST(DrawingJsonl, StreamsToAFile) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   OutputFile output(folder.file("d.jsonl"));
   for (int i = 0; i < 2000; ++i) write_drawing_line(output, kEdge);
   output.commit();

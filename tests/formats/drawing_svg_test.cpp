@@ -1,17 +1,13 @@
 #include "ar3d/formats/drawings/drawing_svg.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <array>
 #include <cmath>
 
 #include "ar3d/base/error.h"
+#include "support/test.h"
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
 
 /// K2 with one bend on the lattice.
 Drawing one_edge(std::size_t bends_per_edge, Lattice lattice = kCubeLattice) {

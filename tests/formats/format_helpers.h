@@ -6,15 +6,15 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "ar3d/base/error.h"
 #include "ar3d/formats/catalog.h"
+#include "support/problem.h"
+#include "support/program.h"
 
 namespace ar3d::testing {
 
@@ -27,12 +27,7 @@ inline std::vector<Graph> read_text(const std::string& text, const ReadOptions& 
 
 /// The message that refuses the text, "accepted" if it does not.
 inline std::string refusal(const std::string& text, const ReadOptions& options = {}) {
-  try {
-    read_text(text, options);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return problem([&] { read_text(text, options); }, "accepted");
 }
 
 /// A folder for the test's files, removed with them; in memory where the system has such a place,
@@ -40,33 +35,27 @@ inline std::string refusal(const std::string& text, const ReadOptions& options =
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    const std::filesystem::path memory = "/dev/shm";
+    const fs::path memory = "/dev/shm";
     const bool usable = ::access(memory.c_str(), W_OK) == 0;
-    const auto parent = usable ? memory : std::filesystem::temp_directory_path();
+    const auto parent = usable ? memory : fs::temp_directory_path();
     std::string name = (parent / "ar3d-test-XXXXXX").string();
     path_ = mkdtemp(name.data());
   }
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+  ~TemporaryFolder() { fs::remove_all(path_); }
   std::string file(const std::string& name) const { return (path_ / name).string(); }
   std::size_t entries() const {
-    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_),
-                                                  std::filesystem::directory_iterator()));
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
   }
 
  private:
-  std::filesystem::path path_;
+  fs::path path_;
 };
 
 inline void write_file(const std::string& path, const std::string& bytes) {
   std::ofstream(path, std::ios::binary) << bytes;
-}
-
-inline std::string read_file(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
 }
 
 inline std::string written(const std::vector<Graph>& graphs, const GraphFormat& format,

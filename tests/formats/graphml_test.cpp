@@ -1,12 +1,7 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "formats/format_helpers.h"
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::StartsWith;
 
 /// A document as networkx writes it, with attributes; one graph's content.
 std::string document(const std::string& content) {

@@ -1,18 +1,14 @@
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "ar3d/base/random.h"
 #include "fuzz/checks.h"
+#include "support/test.h"
 
 // The checks of the fuzz targets without a fuzzer: the corpus, and mutations of it that are the
 // same in every run. Needs no clang; what libFuzzer adds is the search guided by coverage.
@@ -25,9 +21,9 @@ constexpr std::size_t kLongest = 1024;
 constexpr long kMostMemoryKib = 512 * 1024;
 
 std::vector<std::string> corpus_of(const std::string& target) {
-  const std::filesystem::path corpus = AR3D_SOURCE_DIR "/tests/formats/corpus";
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(corpus)) {
+  const fs::path corpus = AR3D_SOURCE_DIR "/tests/formats/corpus";
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(corpus)) {
     const bool wanted = target == "detected" || entry.path().parent_path().filename() == target;
     if (entry.is_regular_file() && wanted) files.push_back(entry.path());
   }

@@ -1,5 +1,3 @@
-#include <gtest/gtest.h>
-
 #include <cstdio>
 
 #include "formats/format_helpers.h"
@@ -35,10 +33,10 @@ TEST(Sparse6, ReadsTheExampleOfItsDescription) {
 TEST(NautyLines, AgreeWithNautyByteForByte) {
   const std::string graph6 = output_of("nauty-geng -q 6");
   const std::string sparse6 = output_of("nauty-geng -q 6 | nauty-copyg -q -s");
-  const std::vector<Graph> graphs = testing::geng("6");
+  const std::vector<Graph> graphs = geng("6");
   ASSERT_EQ(graphs.size(), 156u);
-  EXPECT_EQ(testing::written(graphs, find_graph_format("graph6")), graph6);
-  EXPECT_EQ(testing::written(graphs, find_graph_format("sparse6")), sparse6);
+  EXPECT_EQ(written(graphs, find_graph_format("graph6")), graph6);
+  EXPECT_EQ(written(graphs, find_graph_format("sparse6")), sparse6);
   for (const std::string& text :
        {graph6, sparse6, ">>graph6<<" + graph6, ">>sparse6<<" + sparse6}) {
     const std::vector<Graph> back = read_text(text);
@@ -52,24 +50,23 @@ TEST(NautyLines, AgreeWithNautyOnEveryPaddingOfPowersOfTwo) {
     const std::string size = n;
     const std::string range = size == "8" ? " 0:9" : "";  // 12346 graphs are more than needed
     const std::string sparse6 = output_of("nauty-geng -q " + size + range + " | nauty-copyg -q -s");
-    EXPECT_EQ(testing::written(testing::geng(size + range), find_graph_format("sparse6")), sparse6);
-    EXPECT_EQ(testing::written(read_text(sparse6), find_graph_format("sparse6")), sparse6);
+    EXPECT_EQ(written(geng(size + range), find_graph_format("sparse6")), sparse6);
+    EXPECT_EQ(written(read_text(sparse6), find_graph_format("sparse6")), sparse6);
   }
 }
 
 TEST(IncrementalSparse6, AgreesWithNautyByteForByte) {
-  const std::vector<Graph> graphs = testing::geng("6");
+  const std::vector<Graph> graphs = geng("6");
   const std::string lines = output_of("nauty-geng -q 6 | nauty-copyg -q -i");
-  EXPECT_EQ(testing::written(graphs, find_graph_format("isparse6")), lines);
+  EXPECT_EQ(written(graphs, find_graph_format("isparse6")), lines);
   const std::vector<Graph> back = read_text(lines);
   ASSERT_EQ(back.size(), graphs.size());
   for (std::size_t i = 0; i < back.size(); ++i) EXPECT_EQ(edge_set(back[i]), edge_set(graphs[i]));
 }
 
 TEST(IncrementalSparse6, FollowsAnyKindOfLine) {
-  const std::string two =
-      testing::written({Graph(5, {{0, 2}, {0, 4}, {1, 3}, {3, 4}}), Graph(5, {{0, 2}})},
-                       find_graph_format("isparse6"));
+  const std::string two = written({Graph(5, {{0, 2}, {0, 4}, {1, 3}, {3, 4}}), Graph(5, {{0, 2}})},
+                                  find_graph_format("isparse6"));
   const std::vector<Graph> graphs = read_text("DQc\n" + two.substr(two.find(';')));
   ASSERT_EQ(graphs.size(), 2u);
   EXPECT_EQ(edge_set(graphs[1]), edge_set(Graph(5, {{0, 2}})));
@@ -130,7 +127,7 @@ TEST(Sparse6, RefusesWithPlaceAndValue) {
 }
 
 TEST(Graph6, RefusesToWriteGigabytes) {
-  EXPECT_THROW(testing::written({Graph(1u << 18, {})}, find_graph_format("graph6")), InputError);
+  EXPECT_THROW(written({Graph(1u << 18, {})}, find_graph_format("graph6")), InputError);
 }
 
 }  // namespace

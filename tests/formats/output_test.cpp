@@ -1,6 +1,5 @@
 #include "ar3d/formats/text/output.h"
 
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 
@@ -12,14 +11,13 @@ namespace ar3d::testing {
 namespace {
 
 std::string refusal_to_write(const std::string& path, const std::string& text) {
-  try {
-    OutputFile output(path);
-    output.append(text);
-    output.commit();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return problem(
+      [&] {
+        OutputFile output(path);
+        output.append(text);
+        output.commit();
+      },
+      "accepted");
 }
 
 TEST(OutputFile, AppearsOnlyWhenComplete) {
@@ -44,9 +42,9 @@ TEST(OutputFile, KeepsModeAndFollowsLinks) {
   const TemporaryFolder folder;
   write_file(folder.file("target"), "old");
   ::chmod(folder.file("target").c_str(), 0640);
-  std::filesystem::create_symlink("target", folder.file("link"));
+  fs::create_symlink("target", folder.file("link"));
   EXPECT_EQ(refusal_to_write(folder.file("link"), "new"), "accepted");
-  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("link")));
+  EXPECT_TRUE(fs::is_symlink(folder.file("link")));
   EXPECT_EQ(read_file(folder.file("target")), "new");
   struct stat status {};
   ::stat(folder.file("target").c_str(), &status);
@@ -61,7 +59,7 @@ TEST(OutputFile, RefusesWhatCannotBeWritten) {
             "cannot write " + folder.file("no/such/file") + ": No such file or directory");
   EXPECT_EQ(refusal_to_write("/dev/full", "x"), "cannot write /dev/full: No space left on device");
   EXPECT_EQ(refusal_to_write("/dev/null", "x"), "accepted");
-  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
 TEST(OutputFile, FullDiskLeavesNothingBehind) {

@@ -1,5 +1,3 @@
-#include <gtest/gtest.h>
-
 #include "formats/format_helpers.h"
 #include "formats/packing_helpers.h"
 #include "support/graphs.h"
@@ -10,14 +8,13 @@ namespace ar3d::testing {
 namespace {
 
 std::string file_refusal(const std::string& path) {
-  try {
-    GraphReader reader(path);
-    while (reader.next()) {
-    }
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return problem(
+      [&] {
+        GraphReader reader(path);
+        while (reader.next()) {
+        }
+      },
+      "accepted");
 }
 
 TEST(GraphReader, ReadsFilesPackedOrNot) {
@@ -26,7 +23,7 @@ TEST(GraphReader, ReadsFilesPackedOrNot) {
   std::vector<std::string> contents = {text, gzip(text), gzip("DQc\n") + gzip("DQc\n"), xz(text),
                                        xz("DQc\n") + xz("DQc\n")};
   for (std::size_t i = 0; i < contents.size(); ++i) {
-    testing::write_file(folder.file("graphs"), contents[i]);
+    write_file(folder.file("graphs"), contents[i]);
     GraphReader reader(folder.file("graphs"));
     EXPECT_EQ(reader.format().name, "graph6");
     EXPECT_TRUE(reader.next() && reader.next() && !reader.next()) << "content " << i;
@@ -40,16 +37,16 @@ TEST(GraphReader, RefusesFilesThatCannotBeRead) {
   EXPECT_EQ(file_refusal(folder.file("none.g6")),
             "cannot read " + folder.file("none.g6") + ": No such file or directory");
   EXPECT_EQ(file_refusal(folder.file("")), "cannot read " + folder.file("") + ": Is a directory");
-  testing::write_file(folder.file("empty"), "");
+  write_file(folder.file("empty"), "");
   EXPECT_EQ(file_refusal(folder.file("empty")),
             folder.file("empty") + ": empty file: no graph in it");
 }
 
 TEST(GraphReader, RefusesCutAndCorruptPacking) {
   const TemporaryFolder folder;
-  const std::string text = testing::written({testing::path(200)}, find_graph_format("sparse6"));
+  const std::string text = written({path(200)}, find_graph_format("sparse6"));
   const auto refused = [&](const std::string& bytes) {
-    testing::write_file(folder.file("f"), bytes);
+    write_file(folder.file("f"), bytes);
     return file_refusal(folder.file("f")).substr(folder.file("f").size());
   };
   const std::string packed = gzip(text);
@@ -84,8 +81,8 @@ TEST(GraphReader, FormatCanBeForced) {
 }
 
 TEST(GraphReader, LinesLongerThanABlock) {
-  const Graph big = testing::path(400000);  // one sparse6 line of about 1.4 MB
-  const std::string line = testing::written({big}, find_graph_format("sparse6"));
+  const Graph big = path(400000);  // one sparse6 line of about 1.4 MB
+  const std::string line = written({big}, find_graph_format("sparse6"));
   const std::vector<Graph> graphs = read_text("DQc\n" + line + line + "DQc\n");
   ASSERT_EQ(graphs.size(), 4u);
   EXPECT_EQ(edge_set(graphs[1]), edge_set(big));
@@ -95,8 +92,8 @@ TEST(GraphReader, LinesLongerThanABlock) {
 
 TEST(GraphReader, ReadsOneGraph) {
   const TemporaryFolder folder;
-  testing::write_file(folder.file("one"), "DQc\n");
-  testing::write_file(folder.file("two"), "DQc\nDQc\n");
+  write_file(folder.file("one"), "DQc\n");
+  write_file(folder.file("two"), "DQc\nDQc\n");
   EXPECT_EQ(read_graph(folder.file("one")).num_edges(), 4u);
   EXPECT_THROW(read_graph(folder.file("two")), InputError);
 }

@@ -1,5 +1,3 @@
-#include <gtest/gtest.h>
-
 #include "formats/format_helpers.h"
 #include "formats/packing_helpers.h"
 #include "support/graphs.h"
@@ -41,76 +39,74 @@ class RoundTrip : public ::testing::TestWithParam<std::string> {
 
 TEST_P(RoundTrip, OneGraphDetected) {
   for (const Graph& graph : samples()) {
-    const std::string text = testing::written({graph}, format());
-    const std::vector<Graph> back = testing::read_text(text);
+    const std::string text = written({graph}, format());
+    const std::vector<Graph> back = read_text(text);
     ASSERT_EQ(back.size(), 1u) << text;
-    EXPECT_EQ(testing::edge_set(back[0]), testing::edge_set(graph)) << text;
+    EXPECT_EQ(edge_set(back[0]), edge_set(graph)) << text;
   }
 }
 
 TEST_P(RoundTrip, ManyGraphsForced) {
   const std::vector<Graph> graphs = samples();
-  const std::string text = testing::written(graphs, format());
-  const std::vector<Graph> back = testing::read_text(text, {.format = GetParam()});
+  const std::string text = written(graphs, format());
+  const std::vector<Graph> back = read_text(text, {.format = GetParam()});
   ASSERT_EQ(back.size(), graphs.size());
   for (std::size_t i = 0; i < graphs.size(); ++i) {
-    EXPECT_EQ(testing::edge_set(back[i]), testing::edge_set(graphs[i])) << "graph " << i;
+    EXPECT_EQ(edge_set(back[i]), edge_set(graphs[i])) << "graph " << i;
   }
 }
 
 TEST_P(RoundTrip, ManyGraphsDetected) {
   const std::vector<Graph> graphs = samples();
-  const std::vector<Graph> back = testing::read_text(testing::written(graphs, format()));
+  const std::vector<Graph> back = read_text(written(graphs, format()));
   ASSERT_EQ(back.size(), graphs.size());
   for (std::size_t i = 0; i < graphs.size(); ++i) {
-    EXPECT_EQ(testing::edge_set(back[i]), testing::edge_set(graphs[i])) << "graph " << i;
+    EXPECT_EQ(edge_set(back[i]), edge_set(graphs[i])) << "graph " << i;
   }
 }
 
 TEST_P(RoundTrip, PackedAndInSeveralMembers) {
   const std::vector<Graph> graphs = samples();
-  const std::string text = testing::written(graphs, format());
+  const std::string text = written(graphs, format());
   const std::string first = text.substr(0, text.size() / 2);  // a member may end within a graph
   const std::string second = text.substr(text.size() / 2);
-  using testing::gzip;
-  using testing::xz;
   for (const std::string& bytes :
        {gzip(text), gzip(first) + gzip(second), xz(text), xz(first) + xz(second)}) {
-    const testing::TemporaryFolder folder;
-    testing::write_file(folder.file("packed"), bytes);
+    const TemporaryFolder folder;
+    write_file(folder.file("packed"), bytes);
     GraphReader reader(folder.file("packed"));
     for (const Graph& graph : graphs) {
       const std::optional<Graph> back = reader.next();
       ASSERT_TRUE(back.has_value()) << reader.where();
-      EXPECT_EQ(testing::edge_set(*back), testing::edge_set(graph)) << reader.where();
+      EXPECT_EQ(edge_set(*back), edge_set(graph)) << reader.where();
     }
     EXPECT_FALSE(reader.next());
   }
 }
 
 TEST_P(RoundTrip, OneBased) {
-  const Graph graph = testing::disjoint_union({testing::cycle(3), Graph(2, {})});
-  const std::string text = testing::written({graph}, format(), {.base = 1});
-  const std::vector<Graph> back = testing::read_text(text, {.base = 1});
+  const Graph graph = disjoint_union({cycle(3), Graph(2, {})});
+  const std::string text = written({graph}, format(), {.base = 1});
+  const std::vector<Graph> back = read_text(text, {.base = 1});
   ASSERT_EQ(back.size(), 1u);
-  EXPECT_EQ(testing::edge_set(back[0]), testing::edge_set(graph));
+  EXPECT_EQ(edge_set(back[0]), edge_set(graph));
 }
 
 TEST_P(RoundTrip, WindowsLineEnds) {
-  const std::string text = testing::written({testing::petersen(), Graph(3, {{0, 1}})}, format());
+  const std::string text = written({petersen(), Graph(3, {{0, 1}})}, format());
   std::string windows;
   for (const char c : text) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
-  const std::vector<Graph> back = testing::read_text(windows);
+  const std::vector<Graph> back = read_text(windows);
   ASSERT_EQ(back.size(), 2u);
-  EXPECT_EQ(testing::edge_set(back[0]), testing::edge_set(testing::petersen()));
+  EXPECT_EQ(edge_set(back[0]), edge_set(petersen()));
 }
 
 TEST_P(RoundTrip, EveryCutIsAnErrorOrShorter) {
-  const std::vector<Graph> graphs = {testing::petersen(), testing::cycle(5)};
-  const std::string text = testing::written(graphs, format());
+  const std::vector<Graph> graphs = {petersen(), cycle(5)};
+  const std::string text = written(graphs, format());
   for (std::size_t length = 0; length < text.size(); ++length) {
     try {
-      EXPECT_LE(testing::read_text(text.substr(0, length)).size(), graphs.size());
+      EXPECT_LE(read_text(text.substr(0, length)).size(), graphs.size());
     } catch (const InputError& error) {
       EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
     }

@@ -1,12 +1,9 @@
 // What is said of a change stays readable where logs show it: subjects of at most 72 characters.
-#include <gtest/gtest.h>
-
 #include <sstream>
-#include <string>
 
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 constexpr std::size_t kLongestSubject = 72;
@@ -18,8 +15,7 @@ std::size_t characters(const std::string& utf8) {
 }
 
 TEST(Commits, HaveShortSubjects) {
-  const testing::Outcome log =
-      testing::run("git -C " AR3D_SOURCE_DIR " log -50 --no-merges --format=%s");
+  const Outcome log = run("git -C " AR3D_SOURCE_DIR " log -50 --no-merges --format=%s");
   if (log.exit_code != 0) GTEST_SKIP() << "no git repository";
   std::istringstream subjects(log.out);
   for (std::string subject; std::getline(subjects, subject);) {
@@ -28,4 +24,4 @@ TEST(Commits, HaveShortSubjects) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

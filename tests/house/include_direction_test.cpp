@@ -1,23 +1,16 @@
 // The folders are the data flow: who may include whom is written in the tables of
 // docs/architecture.md, which this test reads.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <filesystem>
 #include <fstream>
 #include <map>
 #include <regex>
 #include <set>
 #include <sstream>
-#include <string>
-#include <vector>
 
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
-namespace fs = std::filesystem;
 /// A folder or sub-folder, "bench" or "bench/run", and what of its own kind it may include.
 using Allowed = std::map<std::string, std::set<std::string>>;
 
@@ -55,7 +48,7 @@ std::set<std::string> free_sub_folders(const std::string& page) {
   return folders;
 }
 
-Allowed allowed() { return tables_of(testing::read_file(AR3D_SOURCE_DIR "/docs/architecture.md")); }
+Allowed allowed() { return tables_of(read_file(AR3D_SOURCE_DIR "/docs/architecture.md")); }
 
 bool is_source(const fs::path& path) {
   return path.extension() == ".h" || path.extension() == ".cpp";
@@ -95,7 +88,7 @@ bool may_include(const std::string& folder, const std::set<std::string>& others,
 std::vector<std::string> forbidden_includes(const fs::path& root, const Allowed& table) {
   std::vector<std::string> found;
   const std::set<std::string> free =
-      free_sub_folders(testing::read_file(AR3D_SOURCE_DIR "/docs/architecture.md"));
+      free_sub_folders(read_file(AR3D_SOURCE_DIR "/docs/architecture.md"));
   for (const auto& [folder, others] : table) {
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
       const std::string path = fs::relative(entry.path(), root).string();
@@ -112,7 +105,7 @@ std::vector<std::string> forbidden_includes(const fs::path& root, const Allowed&
 }
 
 TEST(IncludeDirection, FollowsTheTables) {
-  EXPECT_THAT(forbidden_includes(AR3D_SOURCE_DIR, allowed()), ::testing::IsEmpty());
+  EXPECT_THAT(forbidden_includes(AR3D_SOURCE_DIR, allowed()), IsEmpty());
 }
 
 TEST(IncludeDirection, HasARuleForEveryFolderWithSources) {
@@ -137,10 +130,10 @@ TEST(IncludeDirection, HasARuleForEveryFolderWithSources) {
 TEST(IncludeDirection, SeesForbiddenIncludes) {
   Allowed strict = allowed();
   strict["verify"].clear();  // verify does include model, so this table must be violated
-  EXPECT_THAT(forbidden_includes(AR3D_SOURCE_DIR, strict), ::testing::Not(::testing::IsEmpty()));
+  EXPECT_THAT(forbidden_includes(AR3D_SOURCE_DIR, strict), Not(IsEmpty()));
   Allowed inner = allowed();
   inner["bench/run"].clear();  // and so must this one: run makes what plan says
-  EXPECT_THAT(forbidden_includes(AR3D_SOURCE_DIR, inner), ::testing::Not(::testing::IsEmpty()));
+  EXPECT_THAT(forbidden_includes(AR3D_SOURCE_DIR, inner), Not(IsEmpty()));
 }
 
 TEST(IncludeDirection, OnlyStoreIncludesHdf5) {
@@ -148,11 +141,10 @@ TEST(IncludeDirection, OnlyStoreIncludesHdf5) {
     if (folder.rfind("store", 0) == 0) continue;
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(AR3D_SOURCE_DIR) / folder)) {
       if (!is_source(entry.path())) continue;
-      EXPECT_EQ(testing::read_file(entry.path()).find("#include <hdf5"), std::string::npos)
-          << entry.path();
+      EXPECT_EQ(read_file(entry.path()).find("#include <hdf5"), std::string::npos) << entry.path();
     }
   }
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

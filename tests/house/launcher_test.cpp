@@ -1,19 +1,8 @@
 // What ./ar3d and ./run-tests share: tools/setup.sh.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <string>
-
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run;
-using testing::ScratchDirectory;
 
 const std::string kSource = "source " AR3D_SOURCE_DIR "/tools/setup.sh; ";
 
@@ -21,15 +10,14 @@ TEST(Launcher, NamesMissingPackagesOnly) {
   const ScratchDirectory scratch;
   const std::string list =
       scratch.write("packages", "# comment\nbash\nno-such-package-xyz  # why\n");
-  const Outcome missing = run(kSource + "missing_packages " + list);
-  EXPECT_EQ(missing.exit_code, 0) << missing.err;
+  const Outcome missing = expect_exit(0, run(kSource + "missing_packages " + list));
   EXPECT_EQ(missing.out, " no-such-package-xyz\n");
 }
 
 TEST(Launcher, IsSilentWhenNothingIsMissing) {
   const ScratchDirectory scratch;
-  const Outcome nothing = run(kSource + "install_packages " + scratch.write("packages", "bash\n"));
-  EXPECT_EQ(nothing.exit_code, 0);
+  const Outcome nothing =
+      expect_exit(0, run(kSource + "install_packages " + scratch.write("packages", "bash\n")));
   EXPECT_EQ(nothing.out + nothing.err, "");
 }
 
@@ -39,9 +27,8 @@ TEST(Launcher, TellsAUserWithoutSudoWhatToType) {
   // A user who is not root on a machine without sudo.
   const std::string user =
       "id() { echo 1000; }; command() { [ \"$2\" != sudo ] && builtin command \"$@\"; }; ";
-  const Outcome told = run(kSource + user + "install_packages " + list);
-  EXPECT_EQ(told.exit_code, 2);
-  EXPECT_THAT(told.err, HasSubstr("Type: sudo apt-get install -y no-such-package-xyz\n"));
+  expect_error(run(kSource + user + "install_packages " + list),
+               "Type: sudo apt-get install -y no-such-package-xyz\n");
 }
 
 /// A root user with an apt-get that notes its calls in `folder`/calls and whose first `busy`
@@ -60,13 +47,13 @@ std::string fake_apt(const ScratchDirectory& folder, int busy) {
 TEST(Launcher, SaysWhatItInstallsAndWaitsForABusyPackageManager) {
   const ScratchDirectory scratch;
   const std::string list = scratch.write("packages", "no-such-package-xyz\nbash\nno-such-too\n");
-  const Outcome done = run(kSource + fake_apt(scratch, 3) + "install_packages " + list);
-  EXPECT_EQ(done.exit_code, 0) << done.err;
+  const Outcome done =
+      expect_exit(0, run(kSource + fake_apt(scratch, 3) + "install_packages " + list));
   EXPECT_EQ(done.out, "");
   EXPECT_EQ(done.err,
             "ar3d: installing with apt-get: no-such-package-xyz no-such-too\n"
             "ar3d: waiting for another package manager\n");
-  const std::string calls = testing::read_file(scratch.path("calls"));
+  const std::string calls = read_file(scratch.path("calls"));
   EXPECT_EQ(std::count(calls.begin(), calls.end(), '\n'), 5) << "four updates, one install";
   EXPECT_THAT(calls,
               HasSubstr("DPkg::Lock::Timeout=600 install -y no-such-package-xyz no-such-too"));
@@ -75,10 +62,9 @@ TEST(Launcher, SaysWhatItInstallsAndWaitsForABusyPackageManager) {
 TEST(Launcher, ShowsWhatAptSaidWhenItFails) {
   const ScratchDirectory scratch;
   const std::string list = scratch.write("packages", "no-such-package-xyz\n");
-  const Outcome failed = run(kSource + fake_apt(scratch, 1000) + "install_packages " + list);
-  EXPECT_EQ(failed.exit_code, 2);
-  EXPECT_THAT(failed.err, HasSubstr("E: Could not get lock /var/lib/apt/lists/lock."));
-  EXPECT_THAT(failed.err, HasSubstr("Type: sudo apt-get install -y no-such-package-xyz\n"));
+  expect_error(run(kSource + fake_apt(scratch, 1000) + "install_packages " + list),
+               {"E: Could not get lock /var/lib/apt/lists/lock.",
+                "Type: sudo apt-get install -y no-such-package-xyz\n"});
 }
 
 TEST(Launcher, AnyNpmWillDo) {
@@ -118,4 +104,4 @@ TEST(Launcher, EveryPackageOfTheListsIsKnown) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

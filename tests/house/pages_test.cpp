@@ -1,23 +1,11 @@
 // What docs/tutorial.md and docs/library.md print runs as it is printed; what is installed beside
 // the program works.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <filesystem>
 #include <regex>
-#include <string>
-#include <vector>
 
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run;
-using testing::ScratchDirectory;
-namespace fs = std::filesystem;
 
 struct Block {
   std::string language;
@@ -26,7 +14,7 @@ struct Block {
 
 /// All code blocks of a page, in order.
 std::vector<Block> blocks(const std::string& page) {
-  const std::string text = testing::read_file(AR3D_SOURCE_DIR "/docs/" + page);
+  const std::string text = read_file(AR3D_SOURCE_DIR "/docs/" + page);
   std::vector<Block> found;
   const std::string fence = "\n```";
   for (std::size_t at = text.find(fence); at != std::string::npos; at = text.find(fence, at + 4)) {
@@ -58,8 +46,7 @@ TEST(Tutorial, RunsAsPrinted) {
     if (block.language == "python") folder.write("printed.py", block.text);
     const std::string command =
         block.language == "python" ? "/usr/bin/python3 printed.py" : block.text;
-    const Outcome outcome = run(enter(folder) + command);
-    EXPECT_EQ(outcome.exit_code, 0) << block.text << outcome.err;
+    const Outcome outcome = expect_exit(0, run(enter(folder) + command));
     all += outcome.out;
   }
   EXPECT_EQ(count, 7u);
@@ -88,8 +75,7 @@ void expect_completion(const ScratchDirectory& folder, const std::string& shell,
                    "say ar3d draw x --til\nsay ar3d draw x --format gr\n"
                    "say ar3d generate cycl\nsay ar3d study run smo\n"
                    "say ar3d verify x --crossing-test sl\nsay ar3d list named-\n");
-  const Outcome offered = run(enter(folder) + shell + " ask." + shell);
-  EXPECT_EQ(offered.exit_code, 0) << shell << offered.err;
+  const Outcome offered = expect_exit(0, run(enter(folder) + shell + " ask." + shell));
   EXPECT_EQ(offered.out,
             "verify\nselfcheck\ndiamond\n--tilt\ngraphml\ncycle\nsmoke\nslabs\nnamed-graphs\n")
       << shell << offered.err;
@@ -97,15 +83,15 @@ void expect_completion(const ScratchDirectory& folder, const std::string& shell,
 
 /// The table behind it names every verb with its meaning, and whatever has words for values.
 TEST(Completion, TableHoldsEveryVerbAndItsWords) {
-  const Outcome table = run(AR3D_SOURCE_DIR "/tools/completion " AR3D_PROGRAM " table");
-  EXPECT_EQ(table.exit_code, 0) << table.err;
+  const Outcome table =
+      expect_exit(0, run(AR3D_SOURCE_DIR "/tools/completion " AR3D_PROGRAM " table"));
   for (const char* line :
        {"\n\tdraw\tDraws every graph of a file\t\n", "\nstudy\trun\tRuns a study and",
         "\nstudy run\t\t\t=studies\n", "\nverify\t--crossing-test\t",
         "\tautomatic all-pairs plane-sweep slabs\n", "\nreport\t--reference\tresults file of"}) {
     EXPECT_THAT("\n" + table.out, HasSubstr(line));
   }
-  EXPECT_EQ(run(AR3D_SOURCE_DIR "/tools/completion " AR3D_PROGRAM " csh").exit_code, 2);
+  expect_exit(2, run(AR3D_SOURCE_DIR "/tools/completion " AR3D_PROGRAM " csh"));
 }
 
 TEST(LibraryPage, ProgramsCompileAndRun) {
@@ -122,14 +108,12 @@ TEST(LibraryPage, ProgramsCompileAndRun) {
       "cmake --install " AR3D_BINARY_DIR " --prefix " + folder.path("prefix") +
       " >/dev/null && cmake -S . -B build -DCMAKE_PREFIX_PATH=" + folder.path("prefix") +
       " >/dev/null && cmake --build build >/dev/null\n";
-  const Outcome outcome = run(enter(folder) + build + commands);
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
-  EXPECT_THAT(outcome.out, HasSubstr("small.s6:3: certified, box "));
-  EXPECT_THAT(outcome.out, HasSubstr("the angle at 0 is exactly 120 degrees"));
-  EXPECT_THAT(outcome.out, HasSubstr("4 components\n12 edges drawn"));
+  expect_output(run(enter(folder) + build + commands),
+                {"small.s6:3: certified, box ", "the angle at 0 is exactly 120 degrees",
+                 "4 components\n12 edges drawn"});
   EXPECT_TRUE(fs::exists(folder.path("drawing.svg")));
 
-  const std::string man = testing::read_file(folder.path("prefix/share/man/man1/ar3d.1"));
+  const std::string man = read_file(folder.path("prefix/share/man/man1/ar3d.1"));
   for (const char* verb : {"AR3D DRAW", "AR3D VIEW", "ar3d study run", "exact lattice coord"}) {
     EXPECT_THAT(man, HasSubstr(verb));
   }
@@ -149,12 +133,12 @@ TEST(LibraryPage, ProgramsCompileAndRun) {
 
 TEST(Gallery, IsWhatItsScriptMakes) {
   const ScratchDirectory folder;
-  const Outcome outcome =
-      run(AR3D_SOURCE_DIR "/tools/gallery " AR3D_PROGRAM " " + folder.path("made") +
-          " && diff -rq " + folder.path("made") + " " AR3D_SOURCE_DIR "/docs/gallery");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err
-                                  << "run tools/gallery if drawings have changed on purpose";
+  const Outcome outcome = expect_exit(
+      0, run(AR3D_SOURCE_DIR "/tools/gallery " AR3D_PROGRAM " " + folder.path("made") +
+             " && diff -rq " + folder.path("made") +
+             " " AR3D_SOURCE_DIR
+             "/docs/gallery"));  // run tools/gallery if drawings have changed on purpose
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -1,32 +1,21 @@
 // What README prints runs as it is printed. (Its library section: tests/house/consumer.cmake.)
 // Shares of the proved box are those of the committed bounds table.
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <map>
 #include <regex>
 #include <sstream>
-#include <string>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run;
-using testing::ScratchDirectory;
 
 /// The first code block of `language` after `heading`.
 std::string block(const std::string& heading, const std::string& language) {
-  const std::string page = testing::read_file(AR3D_SOURCE_DIR "/README.md");
+  const std::string page = read_file(AR3D_SOURCE_DIR "/README.md");
   const std::string mark = "```" + language + "\n";
   const std::size_t begin = page.find(mark, page.find("\n" + heading + "\n"));
   if (begin == std::string::npos) return "echo no such block >&2; exit 99";
@@ -49,15 +38,13 @@ std::string runnable(const std::string& block) {
 TEST(Readme, CommandsAndPythonRunAsPrinted) {
   const ScratchDirectory folder;
   const std::string enter = "cd " + folder.path("") + " && ";
-  const Outcome shell = run(enter + "set -euo pipefail; " + runnable(block("## Use it", "sh")));
-  ASSERT_EQ(shell.exit_code, 0) << shell.err;
+  const Outcome shell =
+      expect_exit(0, run(enter + "set -euo pipefail; " + runnable(block("## Use it", "sh"))));
   for (const char* made : {"smoke.html", "k5.html", "drawing.html", "six.h5"}) {
-    EXPECT_TRUE(std::filesystem::exists(folder.path(made))) << made;
+    EXPECT_TRUE(fs::exists(folder.path(made))) << made;
   }
   folder.write("printed.py", block("## Use it", "python"));
-  const Outcome python = run(enter + "/usr/bin/python3 -W error::FutureWarning printed.py");
-  EXPECT_EQ(python.exit_code, 0) << python.err;
-  EXPECT_THAT(python.out, ::testing::HasSubstr("diamond"));
+  expect_output(run(enter + "/usr/bin/python3 -W error::FutureWarning printed.py"), "diamond");
 }
 
 std::vector<std::string> split(const std::string& line, char separator) {
@@ -70,7 +57,7 @@ std::vector<std::string> split(const std::string& line, char separator) {
 /// The rows of a committed table with these options, by the names of their columns.
 std::vector<std::map<std::string, std::string>> committed(const std::string& file,
                                                           const std::string& options) {
-  std::istringstream table(testing::read_file(AR3D_SOURCE_DIR "/results/reference/" + file));
+  std::istringstream table(read_file(AR3D_SOURCE_DIR "/results/reference/" + file));
   std::string line;
   std::getline(table, line);
   const std::vector<std::string> names = split(line, ',');
@@ -115,7 +102,7 @@ std::string exponent(const std::string& file, const std::string& quantity) {
 
 /// Cell `column` (0: the label) of the first table's row whose label begins so.
 std::string cell(const std::string& label, std::size_t column) {
-  const std::string page = testing::read_file(AR3D_SOURCE_DIR "/README.md");
+  const std::string page = read_file(AR3D_SOURCE_DIR "/README.md");
   const std::size_t begin = page.find("\n| " + label);
   if (begin == std::string::npos) return "no such row";
   return split(page.substr(begin + 1, page.find('\n', begin + 1) - begin - 1), '|').at(column + 1);
@@ -159,4 +146,4 @@ TEST(Readme, CompactOf120NeededNoZonesInTheCommittedFile) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -1,15 +1,10 @@
 // Every reference in a comment or a page leads somewhere, and a false one is noticed.
 #include "support/references.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "support/test.h"
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 /// A tree in which everything resolves.
 Tree small_tree() {

@@ -1,21 +1,14 @@
 // Functions have at most 60 lines and files at most 400 (CONTRIBUTING.md). A table
 // or a text inside a function is not counted.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <cctype>
-#include <filesystem>
 #include <regex>
 #include <sstream>
-#include <string>
-#include <vector>
 
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
-namespace fs = std::filesystem;
 using Lines = std::vector<std::string>;
 
 constexpr std::size_t kLongestFunction = 60;
@@ -93,7 +86,7 @@ std::vector<fs::path> sources() {
 
 TEST(Sizes, OfFunctionsAndFilesKeepTheLimits) {
   for (const fs::path& path : sources()) {
-    const Lines lines = lines_of(testing::read_file(path));
+    const Lines lines = lines_of(read_file(path));
     EXPECT_LE(lines.size(), kLongestFile) << path;
     for (const std::string& function : long_functions(lines))
       ADD_FAILURE() << path << ": more than " << kLongestFunction << " lines: " << function;
@@ -117,4 +110,4 @@ TEST(Sizes, SeeALongFunctionButNotALongTable) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -1,14 +1,10 @@
 // A test's name says what it tests: `ctest -N` and `ctest -R` are read and typed by people.
-#include <gtest/gtest.h>
-
 #include <regex>
 #include <sstream>
-#include <string>
-#include <vector>
 
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 /// A name in letters and digits; a parameter is named, not printed as bytes or counted.
@@ -30,8 +26,7 @@ std::vector<std::string> names_in(const std::string& listing) {
 }
 
 TEST(TestNames, OfCtestAreReadable) {
-  const testing::Outcome listed = testing::run("ctest --test-dir " AR3D_BINARY_DIR " -N");
-  ASSERT_EQ(listed.exit_code, 0) << listed.err;
+  const Outcome listed = expect_exit(0, run("ctest --test-dir " AR3D_BINARY_DIR " -N"));
   const std::vector<std::string> names = names_in(listed.out);
   EXPECT_GT(names.size(), 10u);
   for (const std::string& name : names) EXPECT_TRUE(readable(name)) << name;
@@ -44,4 +39,4 @@ TEST(TestNames, ThatAreBytesOrCountsAreNot) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

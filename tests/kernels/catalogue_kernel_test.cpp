@@ -1,7 +1,4 @@
 // The kernels are the catalogues' rows: nothing has to be registered by hand, nothing is left out.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -60,11 +57,11 @@ TEST(Kernels, WithoutFilterAFewOfEveryKindRun) {
 TEST(Kernels, ReportTimesAndRatesAndNoComplexity) {
   const ScratchDirectory scratch;
   const std::string file = scratch.path("out.json");
-  const Outcome outcome = run(kKernels +
-                              " --benchmark_filter='^(draw|certify|generate|parse)/.*/?cycle/1000/"
-                              "' --benchmark_min_time=0 --benchmark_out=" +
-                              file);
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Outcome outcome =
+      expect_exit(0, run(kKernels +
+                         " --benchmark_filter='^(draw|certify|generate|parse)/.*/?cycle/1000/"
+                         "' --benchmark_min_time=0 --benchmark_out=" +
+                         file));
   const auto report = nlohmann::json::parse(read_file(file));
   std::set<std::string> kinds;
   for (const auto& row : report.at("benchmarks")) {
@@ -79,7 +76,7 @@ TEST(Kernels, ReportTimesAndRatesAndNoComplexity) {
   EXPECT_EQ(kinds, kKinds);
 }
 
-TEST(Kernels, UnknownArgumentsAreErrors) { EXPECT_EQ(run(kKernels + " --colour").exit_code, 2); }
+TEST(Kernels, UnknownArgumentsAreErrors) { expect_exit(2, run(kKernels + " --colour")); }
 
 }  // namespace
 }  // namespace ar3d::testing

@@ -1,23 +1,14 @@
 // The tables of docs/performance.md: every row is measured, save where a peer is missing, and goals
 // are judged at their own sizes only.
 #include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <map>
 #include <sstream>
-#include <string>
-#include <vector>
 
 #include "support/program.h"
 
 namespace ar3d::testing {
 namespace {
-
-using ::testing::AnyOf;
-using ::testing::HasSubstr;
-using ::testing::Not;
-using ::testing::StartsWith;
 
 const std::string kLimits = AR3D_LIMITS;
 
@@ -45,8 +36,7 @@ bool may_be_unmeasured(const std::string& row) {
 }
 
 TEST(Limits, QuickMeasuresEveryRowAndJudgesNone) {
-  const Outcome outcome = run(kLimits + " --quick");
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
+  const Outcome outcome = expect_exit(0, run(kLimits + " --quick"));
   EXPECT_THAT(outcome.out, HasSubstr("ns a dependent read at a random place"));
   std::map<std::string, int> rows;
   for (const auto& cells : lines_of(outcome.out)) {
@@ -91,8 +81,7 @@ TEST(Limits, QuickMeasuresEveryRowAndJudgesNone) {
 }
 
 TEST(Limits, AGoalIsJudgedAtItsSize) {
-  const Outcome outcome = limits("--only '^study/rows' --repetitions 1");
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Outcome outcome = expect_exit(0, limits("--only '^study/rows' --repetitions 1"));
   const auto lines = lines_of(outcome.out);
   ASSERT_EQ(lines.size(), 1u);
   const double measured = std::stod(lines[0][4]);  // rounded
@@ -108,10 +97,9 @@ TEST(Limits, AGoalIsJudgedAtItsSize) {
 
 // Every family that an algorithm draws has a line with a ratio for every size.
 TEST(Limits, FamiliesHaveNanosecondsAndRatiosForEverySize) {
-  const Outcome outcome = limits(
-      "--families --max-n 10000 --repetitions 1 --only '^(grid|diamond)/(cycle|random-4-regular|"
-      "random-cubic)$'");
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Outcome outcome = expect_exit(0, limits("--families --max-n 10000 --repetitions 1 --only "
+                                                "'^(grid|diamond)/(cycle|random-4-regular|"
+                                                "random-cubic)$'"));
   std::map<std::string, int> rows;
   for (const auto& cells : lines_of(outcome.out)) {
     ASSERT_EQ(cells.size(), 5u) << cells[0];
@@ -131,9 +119,9 @@ TEST(Limits, FamiliesHaveNanosecondsAndRatiosForEverySize) {
 }
 
 TEST(Limits, BadArgumentsAreErrors) {
-  EXPECT_EQ(limits("--only '('").exit_code, 2);
-  EXPECT_EQ(limits("--repetitions 0").exit_code, 2);
-  EXPECT_EQ(limits("--colour").exit_code, 2);
+  expect_exit(2, limits("--only '('"));
+  expect_exit(2, limits("--repetitions 0"));
+  expect_exit(2, limits("--colour"));
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "ar3d/model/boost_graph.h"
 
-#include <gtest/gtest.h>
-
 #include <boost/concept/assert.hpp>
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/adjacency_matrix.hpp>
@@ -13,7 +11,7 @@
 
 #include "support/graphs.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 BOOST_CONCEPT_ASSERT((boost::concepts::VertexListGraphConcept<Graph>));
@@ -23,7 +21,7 @@ BOOST_CONCEPT_ASSERT((boost::concepts::AdjacencyGraphConcept<Graph>));
 BOOST_CONCEPT_ASSERT((boost::concepts::BidirectionalGraphConcept<Graph>));
 
 TEST(BoostGraph, AlgorithmsRun) {
-  const Graph g = testing::disjoint_union({testing::petersen(), testing::path(3)});
+  const Graph g = disjoint_union({petersen(), path(3)});
   std::vector<int> component(g.num_vertices());
   EXPECT_EQ(boost::connected_components(g, component.data()), 2);
   std::vector<Vertex> cut;
@@ -33,8 +31,8 @@ TEST(BoostGraph, AlgorithmsRun) {
   EXPECT_EQ(boost::biconnected_components(
                 g, boost::make_iterator_property_map(block.begin(), get(boost::edge_index, g))),
             3u);
-  EXPECT_FALSE(boost::boyer_myrvold_planarity_test(testing::petersen()));
-  EXPECT_TRUE(boost::boyer_myrvold_planarity_test(testing::octahedron()));
+  EXPECT_FALSE(boost::boyer_myrvold_planarity_test(petersen()));
+  EXPECT_TRUE(boost::boyer_myrvold_planarity_test(octahedron()));
 }
 
 TEST(BoostGraph, BuildsFromBoostGraphs) {
@@ -47,11 +45,11 @@ TEST(BoostGraph, BuildsFromBoostGraphs) {
   boost::adjacency_matrix<boost::undirectedS> matrix(3);
   add_edge(0, 2, matrix);
   EXPECT_EQ(from_boost(matrix).num_edges(), 1u);
-  const Graph itself = from_boost(testing::petersen());
-  EXPECT_EQ(graph_hash(itself), graph_hash(testing::petersen()));
+  const Graph itself = from_boost(petersen());
+  EXPECT_EQ(graph_hash(itself), graph_hash(petersen()));
   add_edge(1, 0, list);
   EXPECT_THROW(from_boost(list), InputError);
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -3,8 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "ar3d/base/error.h"
+#include "support/problem.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 Drawing one_edge(Point a, const std::vector<Point>& bends, Point b) {
@@ -72,14 +73,11 @@ TEST(Drawing, RefusesForeignVertices) {
       Drawing("test", kCubeLattice, Coordinates(2, 0), edges, std::make_shared<StoredBends>()),
       InputError);
   *edges = {{0, 1}, {1, 3}, {2, 3}};
-  try {
-    const Drawing refused("test", kCubeLattice, Coordinates(3, 0), edges,
-                          std::make_shared<StoredBends>());
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(),
-                 "edge 1 (1, 3) of the drawing: vertex out of range, it has 3 vertices");
-  }
+  EXPECT_EQ(problem([&] {
+              const Drawing refused("test", kCubeLattice, Coordinates(3, 0), edges,
+                                    std::make_shared<StoredBends>());
+            }),
+            "edge 1 (1, 3) of the drawing: vertex out of range, it has 3 vertices");
 }
 
 TEST(Coordinates, WidthFollowsTheBound) {
@@ -115,4 +113,4 @@ TEST(Coordinates, FillSetsARangeAndKeepsTheBound) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

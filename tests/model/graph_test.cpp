@@ -1,30 +1,18 @@
 #include "ar3d/model/graph.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <set>
 #include <utility>
-#include <vector>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/random.h"
 #include "support/graphs.h"
+#include "support/problem.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-
 std::string refusal(std::uint64_t n, std::vector<Edge> edges) {
-  try {
-    Graph(n, std::move(edges));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return problem([&] { Graph(n, std::move(edges)); }, "accepted");
 }
 
 TEST(Graph, EdgesStandInCanonicalOrder) {
@@ -148,7 +136,7 @@ TEST(Graph, HashSeesVerticesAndEdgesAlone) {
 }
 
 TEST(Graph, RelabelsAndFindsComponents) {
-  const Graph g = testing::disjoint_union({testing::cycle(3), testing::path(2), Graph(1, {})});
+  const Graph g = disjoint_union({cycle(3), path(2), Graph(1, {})});
   const Components parts = connected_components_of(g);
   EXPECT_EQ(parts.count, 3u);
   EXPECT_THAT(parts.of, ElementsAre(0u, 0u, 0u, 1u, 1u, 2u));
@@ -159,8 +147,8 @@ TEST(Graph, RelabelsAndFindsComponents) {
 }
 
 TEST(Graph, GengDecodes) {
-  EXPECT_EQ(testing::geng("-c -d3 -D3 6").size(), 2u);  // K3,3 and the prism
+  EXPECT_EQ(geng("-c -d3 -D3 6").size(), 2u);  // K3,3 and the prism
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

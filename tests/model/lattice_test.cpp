@@ -11,7 +11,7 @@
 #include "ar3d/base/random.h"
 #include "ar3d/model/guarantee.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 constexpr Cosine kDiamond{-1, 3};
@@ -118,4 +118,4 @@ TEST(AxisBound, DecidesExactly) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

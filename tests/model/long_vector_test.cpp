@@ -8,7 +8,7 @@
 #include <optional>
 #include <thread>
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 constexpr std::size_t kLong = 2 * kLongArrayBytes;
@@ -99,4 +99,4 @@ TEST(LongArrayReuse, KeepsNoMoreThanItHasRoomFor) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

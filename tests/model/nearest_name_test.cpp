@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 const std::vector<std::string_view> kNames = {"cycle", "path", "random-cubic", "random-4-regular"};
@@ -23,4 +23,4 @@ TEST(NearestName, NothingThatIsFarAway) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

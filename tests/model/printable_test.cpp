@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 TEST(Printable, KeepsText) {
@@ -28,4 +28,4 @@ TEST(Printable, EscapesWhatIsNoUtf8) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

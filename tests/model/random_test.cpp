@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
 
 TEST(RandomStream, GoldenNumbers) {
@@ -34,4 +34,4 @@ TEST(RandomStream, BelowIsInRangeAndEven) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -1,26 +1,18 @@
 #include "ar3d/model/settings.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <functional>
 
 #include "ar3d/base/error.h"
+#include "support/problem.h"
+#include "support/test.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
 
 const std::vector<SettingSpec> kSpecs = {{"k", 1, 9, 2, ""}, {"p", -5, 5, 0, ""}};
 
 std::string refusal(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return problem([&] { call(); });
 }
 
 TEST(Settings, AreReadAndWrittenTheSameWay) {
@@ -64,4 +56,4 @@ TEST(Settings, AreRefusedByNameAndValue) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -1,13 +1,10 @@
 // Every single bit of a journal, and of every 17th byte of a results file, flipped: nothing is
 // accepted with another value, nothing crashes and nothing hangs (docs/study.md, Nothing is lost).
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <fstream>
 #include <iterator>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "ar3d/base/error.h"
 #include "ar3d/store/columns/run_columns.h"
@@ -18,11 +15,8 @@
 #include "support/program.h"
 #include "support/results.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::all_bytes;
-using testing::ScratchDirectory;
 
 constexpr std::int64_t kRows = 3;
 
@@ -81,7 +75,7 @@ TEST(BitFlips, OfAResultsFileAreRefused) {
   const std::string path = scratch.path("r.h5");
   Results results;
   static_cast<StudyIdentity&>(results) = identity();
-  for (std::int64_t i = 0; i < kRows; ++i) results.runs.push_back(testing::sample_run(i));
+  for (std::int64_t i = 0; i < kRows; ++i) results.runs.push_back(sample_run(i));
   write_results(results, path);
   std::vector<std::string> right;
   for (const RunRecord& run : read_results(path).runs) right.push_back(all_bytes(run));
@@ -104,7 +98,7 @@ TEST(BitFlips, OfAJournalAreRefusedOrCutTheLastRow) {
   {
     JournalWriter journal(path, identity(), run_format());
     journal.begin_session({{"cpu", "abacus"}});
-    for (std::int64_t i = 0; i < kRows; ++i) append_run(journal, testing::sample_run(i));
+    for (std::int64_t i = 0; i < kRows; ++i) append_run(journal, sample_run(i));
   }
   const auto rows = [&]() -> std::optional<std::vector<std::string>> {
     try {
@@ -124,4 +118,4 @@ TEST(BitFlips, OfAJournalAreRefusedOrCutTheLastRow) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

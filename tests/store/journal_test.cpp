@@ -1,32 +1,24 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
-#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <thread>
 
 #include "ar3d/base/error.h"
 #include "ar3d/store/columns/run_columns.h"
-#include "ar3d/store/run_storage.h"
 #include "ar3d/store/journal/journal_reader.h"
 #include "ar3d/store/journal/journal_writer.h"
+#include "ar3d/store/run_storage.h"
 #include "store/sample_runs.h"
+#include "support/problem.h"
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
-using testing::read_file;
-using testing::sample_run;
-using testing::ScratchDirectory;
-namespace fs = std::filesystem;
 
 StudyIdentity sample_identity() {
   StudyIdentity identity;
@@ -54,20 +46,11 @@ class Journal : public ::testing::Test {
     file << bytes;
   }
   std::string open_error() const {
-    try {
-      JournalWriter writer(path_, sample_identity(), run_format());
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "no error";
+    return problem([&] { JournalWriter writer(path_, sample_identity(), run_format()); },
+                   "no error");
   }
   std::string read_error() const {
-    try {
-      JournalReader reader(path_, run_format());
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "no error";
+    return problem([&] { JournalReader reader(path_, run_format()); }, "no error");
   }
 
   ScratchDirectory scratch_;
@@ -220,12 +203,7 @@ TEST_F(Journal, RefusesAnotherStudySourceOrShard) {
   const auto error_with = [&](const std::function<void(StudyIdentity&)>& change) {
     StudyIdentity other = sample_identity();
     change(other);
-    try {
-      JournalWriter writer(path_, other, run_format());
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string("no error");
+    return problem([&] { JournalWriter writer(path_, other, run_format()); }, "no error");
   };
   EXPECT_THAT(error_with([](StudyIdentity& i) { i.spec_hash[0] = 'c'; }),
               HasSubstr("its specification is a"));
@@ -316,4 +294,4 @@ TEST(RowKey, ReadsBackAndRefusesOtherTexts) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

@@ -1,6 +1,4 @@
 #include <fcntl.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -8,7 +6,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <thread>
 
@@ -18,13 +15,10 @@
 #include "ar3d/store/hdf5/file_checksum.h"
 #include "ar3d/store/run_storage.h"
 #include "store/sample_runs.h"
+#include "support/problem.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using ::testing::HasSubstr;
-using testing::sample_run;
-namespace fs = std::filesystem;
 
 Results sample_results(std::int64_t count) {
   Results results;
@@ -56,21 +50,11 @@ class ResultsFile : public ::testing::Test {
 };
 
 std::string read_error(const std::string& path) {
-  try {
-    read_results(path);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return problem([&] { read_results(path); }, "no error");
 }
 
 std::string write_error(const Results& results, const std::string& path) {
-  try {
-    write_results(results, path);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return problem([&] { write_results(results, path); }, "no error");
 }
 
 TEST_F(ResultsFile, ReadsBackWhatWasWritten) {
@@ -234,7 +218,7 @@ TEST_F(ResultsFile, RefusesFilesThatAnotherProgramHasChanged) {
   write_results(sample_results(3), path);
   change_with_h5py(path, "f.attrs['study_id'] = 'mine'");
   EXPECT_THAT(read_error(path),
-              ::testing::AnyOf(HasSubstr("has no checksum at its end"), HasSubstr("is damaged")));
+              AnyOf(HasSubstr("has no checksum at its end"), HasSubstr("is damaged")));
 }
 
 // A sample of the flips; tests/store/bit_flips_long_test.cpp makes them all.
@@ -349,4 +333,4 @@ assert len(ar3d_results.read(")" << in_folder("r.h5")
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

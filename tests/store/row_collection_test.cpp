@@ -1,11 +1,5 @@
 #include "ar3d/store/row_collection.h"
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "ar3d/base/error.h"
 #include "ar3d/bench/run/describe_study.h"
 #include "ar3d/store/columns/run_columns.h"
@@ -13,10 +7,8 @@
 #include "store/sample_runs.h"
 #include "support/program.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::sample_run;
 
 // Rows whose keys do not grow along the file, as those of a study do not.
 Results sample_results(std::int64_t first, std::int64_t count) {
@@ -41,7 +33,7 @@ std::vector<std::string> visited_keys(const RowCollection& rows) {
 }
 
 TEST(RowCollection, IsVisitedInTheOrderOfItsFiles) {
-  const testing::ScratchDirectory scratch;
+  const ScratchDirectory scratch;
   const Results a = sample_results(0, 1500);
   const Results b = sample_results(1000, 1500);  // 500 rows are in both
   write_results(a, scratch.path("a.h5"));
@@ -59,7 +51,7 @@ TEST(RowCollection, IsVisitedInTheOrderOfItsFiles) {
 }
 
 TEST(RowCollection, RefusesARowThatIsThereTwiceAndNotTheSame) {
-  const testing::ScratchDirectory scratch;
+  const ScratchDirectory scratch;
   write_results(sample_results(0, 1500), scratch.path("a.h5"));
   Results b = sample_results(0, 1500);
   b.runs[1234].violations = 1;
@@ -71,4 +63,4 @@ TEST(RowCollection, RefusesARowThatIsThereTwiceAndNotTheSame) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

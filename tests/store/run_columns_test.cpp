@@ -1,9 +1,6 @@
 // The columns of /runs and the page that lists them.
 #include "ar3d/store/columns/run_columns.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <fstream>
 #include <set>
@@ -12,10 +9,8 @@
 #include "ar3d/store/run_storage.h"
 #include "store/sample_runs.h"
 
-namespace ar3d {
+namespace ar3d::testing {
 namespace {
-
-using testing::sample_run;
 
 TEST(Columns, NamesAreUniqueAndDescribed) {
   std::set<std::string> names;
@@ -64,7 +59,7 @@ TEST(Columns, DifferencesNameTheColumnAndLeaveTimesOut) {
   EXPECT_TRUE(differing_columns(a, b).empty());
   b.extents[1] += 1;
   b.counters = "H=4";
-  EXPECT_THAT(differing_columns(a, b), ::testing::ElementsAre("counters", "extent_y"));
+  EXPECT_THAT(differing_columns(a, b), ElementsAre("counters", "extent_y"));
 }
 
 TEST(Columns, IdentifyingTextsArePrintableAtEveryPlace) {
@@ -96,4 +91,4 @@ TEST(RunStatus, TextsGoBothWays) {
 }
 
 }  // namespace
-}  // namespace ar3d
+}  // namespace ar3d::testing

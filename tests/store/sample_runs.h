@@ -4,6 +4,7 @@
 #include <string>
 
 #include "ar3d/store/columns/run_record.h"
+#include "support/test.h"
 
 namespace ar3d::testing {
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ar3d/model/graph.h"
+#include "support/test.h"
 
 namespace ar3d::testing {
 

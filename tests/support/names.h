@@ -1,9 +1,9 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <cctype>
 #include <string>
+
+#include "support/test.h"
 
 namespace ar3d::testing {
 

@@ -15,10 +15,6 @@
 
 namespace ar3d::testing {
 
-const std::string kProgram = AR3D_PROGRAM;
-
-namespace fs = std::filesystem;
-
 ScratchDirectory::ScratchDirectory() {
   std::string pattern = (fs::temp_directory_path() / "ar3d-test-XXXXXX").string();
   if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("mkdtemp failed");
@@ -58,6 +54,19 @@ std::string with_program(std::string command) {
   return command;
 }
 
+void expect_parts(const Outcome& outcome, const char* stream, const std::string& text,
+                  std::initializer_list<std::string> parts, int exit_code,
+                  std::source_location where) {
+  expect_exit(exit_code, outcome, where);
+  for (const std::string& part : parts) {
+    if (text.find(part) != std::string::npos) continue;
+    ADD_FAILURE_AT(where.file_name(), static_cast<int>(where.line()))
+        << stream << " has no '" << part << "'\n"
+        << outcome.command << "\n"
+        << outcome.out << outcome.err;
+  }
+}
+
 }  // namespace
 
 std::string with_fault(const std::string& fault) {
@@ -94,14 +103,24 @@ Outcome expect_exit(int exit_code, Outcome outcome, std::source_location where) 
   return outcome;
 }
 
+void expect_output(const Outcome& outcome, std::initializer_list<std::string> parts, int exit_code,
+                   std::source_location where) {
+  expect_parts(outcome, "standard output", outcome.out, parts, exit_code, where);
+}
+
+void expect_output(const Outcome& outcome, const std::string& part, int exit_code,
+                   std::source_location where) {
+  expect_parts(outcome, "standard output", outcome.out, {part}, exit_code, where);
+}
+
+void expect_error(const Outcome& outcome, std::initializer_list<std::string> parts, int exit_code,
+                  std::source_location where) {
+  expect_parts(outcome, "standard error", outcome.err, parts, exit_code, where);
+}
+
 void expect_error(const Outcome& outcome, const std::string& part, int exit_code,
                   std::source_location where) {
-  expect_exit(exit_code, outcome, where);
-  if (outcome.err.find(part) != std::string::npos) return;
-  ADD_FAILURE_AT(where.file_name(), static_cast<int>(where.line()))
-      << "standard error has no '" << part << "'\n"
-      << outcome.command << "\n"
-      << outcome.err;
+  expect_parts(outcome, "standard error", outcome.err, {part}, exit_code, where);
 }
 
 void expect_one_line(const Outcome& outcome, const std::string& part, int exit_code,

@@ -1,12 +1,12 @@
 #pragma once
 
+#include <initializer_list>
 #include <source_location>
 #include <string>
 
-namespace ar3d::testing {
+#include "support/test.h"
 
-/// The path of the ar3d program that was built with the tests.
-extern const std::string kProgram;
+namespace ar3d::testing {
 
 /// What a shell command printed and how it ended.
 struct Outcome {
@@ -27,9 +27,17 @@ void must(const std::string& command);
 Outcome expect_exit(int exit_code, Outcome outcome,
                     std::source_location where = std::source_location::current());
 
-/// Expects that exit code, and `part` on standard error.
+/// Expects that exit code, and `part`, or all of `parts`, on standard output.
+void expect_output(const Outcome& outcome, const std::string& part, int exit_code = 0,
+                   std::source_location where = std::source_location::current());
+void expect_output(const Outcome& outcome, std::initializer_list<std::string> parts,
+                   int exit_code = 0, std::source_location where = std::source_location::current());
+
+/// Expects that exit code, and `part`, or all of `parts`, on standard error.
 void expect_error(const Outcome& outcome, const std::string& part, int exit_code = 2,
                   std::source_location where = std::source_location::current());
+void expect_error(const Outcome& outcome, std::initializer_list<std::string> parts,
+                  int exit_code = 2, std::source_location where = std::source_location::current());
 
 /// Expects that exit code, and one line on standard error, which holds `part`.
 void expect_one_line(const Outcome& outcome, const std::string& part, int exit_code = 2,

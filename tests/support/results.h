@@ -1,7 +1,6 @@
 #pragma once
 
 #include <fcntl.h>
-#include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/hdf5/file_checksum.h"
 #include "ar3d/store/run_storage.h"
+#include "support/test.h"
 
 namespace ar3d::testing {
 
