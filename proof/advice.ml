@@ -14,7 +14,10 @@ let primitive (a, b, c) =
     let s = if a < 0 || (a = 0 && (b < 0 || (b = 0 && c < 0))) then -g else g in
     (a / s, b / s, c / s)
 
-let small (a, b, c) = abs a < 0x80000 && abs b < 0x80000 && abs c < 0x80000
+(* A normal, tilted a little if it is long, so that its products with points are native. *)
+let room = ref 0x80000
+let rec short (a, b, c) =
+  if abs a < !room && abs b < !room && abs c < !room then primitive (a, b, c) else short (a / 2, b / 2, c / 2)
 let nought = (0, 0, 0)
 
 let cross (a, b, c) (d, e, f) =
@@ -22,7 +25,7 @@ let cross (a, b, c) (d, e, f) =
   if List.exists (fun x -> abs x > w) [ a; b; c; d; e; f ] then nought
   else primitive ((b * f) - (c * e), (c * d) - (a * f), (a * e) - (b * d))
 
-let usable l = List.filter (fun h -> h <> nought && small h) l
+let usable l = List.filter (fun h -> h <> nought) (List.map short l)
 let axes = [ (1, 0, 0); (0, 1, 0); (0, 0, 1) ]
 let generic =
   axes @ [ (1, 1, 0); (1, -1, 0); (1, 0, 1); (1, 0, -1); (0, 1, 1); (0, 1, -1);
@@ -68,6 +71,7 @@ let make (d : drawing) : plan =
   Array.iter see place;
   List.iter (fun (e : edge) -> List.iter see e.bends) d.edges;
   let shift = max 0 (!bits - 38) in
+  room := 1 lsl (57 - min 38 !bits);
   let int z = Integer.to_int (Integer.shift_right z shift) in
   let size = List.fold_left (fun s (e : edge) -> s + 1 + List.length e.bends) (Array.length place) d.edges in
   let x0 = Array.make size 0 and y0 = Array.make size 0 and z0 = Array.make size 0 in
@@ -142,7 +146,7 @@ let make (d : drawing) : plan =
     let pairs = Array.length a * Array.length b in
     search candidates 20 [ 6; 8; 10 ] false;
     if !cost > 0.75 && pairs > 1500 then search candidates 40 [ 1; 3; 5; 7; 8; 9; 11; 13; 15 ] true;
-    if !cost > 0.85 && pairs > 20000 then begin
+    if !cost > 0.6 && pairs > 20000 then begin
       let some x = Array.to_list (Array.map (fun j -> direction.(j)) (pick x 7)) in
       let d = List.sort_uniq compare (List.filter (fun d -> d <> nought) (some a @ some b)) in
       let more = normals d @ usable (List.concat_map (fun d -> List.map (cross d) axes) d) in
