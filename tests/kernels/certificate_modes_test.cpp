@@ -23,12 +23,6 @@ bool accepts(const Draft& draft, const JudgingMode& mode, std::uint64_t seed = 0
   return precision::judge_by_mode(draft.graph(), draft.drawing(), no_promise(), mode, seed).accepts;
 }
 
-bool is_valid(const Draft& draft) {
-  return certify(draft.graph(), draft.drawing(), no_promise(),
-                 {.crossing_test = CrossingTest::all_pairs, .check_size = false})
-      .valid();
-}
-
 // A sample of all pairs and a filter decide exactly, doubles where numbers are small.
 TEST(JudgingModes, AgreeWithTheOracleOnRandomAndDamagedDrawings) {
   RandomDrafts drafts(3, 9);
