@@ -80,7 +80,9 @@ struct Certificate {
   Box box;                ///< of all vertices and bends; the origin if a coordinate is out of range
   std::vector<std::uint64_t> bend_histogram;  ///< entry b: number of edges with b bends
   std::uint64_t segments = 0;
-  bool valid() const { return complete && violations.empty() && !measured && mode == CertificateMode::exact; }
+  bool valid() const {
+    return complete && violations.empty() && !measured && mode == CertificateMode::exact;
+  }
   /// Proved wrong, or not judged to the end.
   bool violated() const { return !complete || !violations.empty(); }
 };

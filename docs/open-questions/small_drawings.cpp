@@ -310,7 +310,7 @@ int main(int argc, char** argv) {
   const Int steps = std::atoll(argv[5]);
   const double threshold = std::atof(argv[6]);
   StateSearch search(*edges, {side, side, side}, norm,
-                   static_cast<std::uint64_t>(std::atoll(argv[4])));
+                     static_cast<std::uint64_t>(std::atoll(argv[4])));
   if (!search.run(steps, threshold)) {
     std::fprintf(stderr, "nothing found\n");
     return 1;
