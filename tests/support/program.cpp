@@ -56,7 +56,7 @@ std::string with_program(std::string command) {
 
 void expect_parts(const Outcome& outcome, const char* stream, const std::string& text,
                   std::initializer_list<std::string> parts, int exit_code,
-                  std::source_location where) {
+                  std::experimental::source_location where) {
   expect_exit(exit_code, outcome, where);
   for (const std::string& part : parts) {
     if (text.find(part) != std::string::npos) continue;
@@ -79,7 +79,8 @@ Outcome run(const std::string& command) {
   const std::string line = "bash -c " + quoted(with_program(command)) + " > " +
                            scratch.path("out") + " 2> " + scratch.path("err") + " < /dev/null";
   const int status = std::system(line.c_str());
-  Outcome outcome{.command = command};
+  Outcome outcome;
+  outcome.command = command;
   outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   outcome.out = read_file(scratch.path("out"));
   outcome.err = read_file(scratch.path("err"));
@@ -93,7 +94,7 @@ void must(const std::string& command) {
                            ": " + outcome.err);
 }
 
-Outcome expect_exit(int exit_code, Outcome outcome, std::source_location where) {
+Outcome expect_exit(int exit_code, Outcome outcome, std::experimental::source_location where) {
   if (outcome.exit_code != exit_code) {
     ADD_FAILURE_AT(where.file_name(), static_cast<int>(where.line()))
         << "exit code " << outcome.exit_code << " instead of " << exit_code << "\n"
@@ -104,27 +105,27 @@ Outcome expect_exit(int exit_code, Outcome outcome, std::source_location where) 
 }
 
 void expect_output(const Outcome& outcome, std::initializer_list<std::string> parts, int exit_code,
-                   std::source_location where) {
+                   std::experimental::source_location where) {
   expect_parts(outcome, "standard output", outcome.out, parts, exit_code, where);
 }
 
 void expect_output(const Outcome& outcome, const std::string& part, int exit_code,
-                   std::source_location where) {
+                   std::experimental::source_location where) {
   expect_parts(outcome, "standard output", outcome.out, {part}, exit_code, where);
 }
 
 void expect_error(const Outcome& outcome, std::initializer_list<std::string> parts, int exit_code,
-                  std::source_location where) {
+                  std::experimental::source_location where) {
   expect_parts(outcome, "standard error", outcome.err, parts, exit_code, where);
 }
 
 void expect_error(const Outcome& outcome, const std::string& part, int exit_code,
-                  std::source_location where) {
+                  std::experimental::source_location where) {
   expect_parts(outcome, "standard error", outcome.err, {part}, exit_code, where);
 }
 
 void expect_one_line(const Outcome& outcome, const std::string& part, int exit_code,
-                     std::source_location where) {
+                     std::experimental::source_location where) {
   expect_error(outcome, part, exit_code, where);
   if (std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1) return;
   ADD_FAILURE_AT(where.file_name(), static_cast<int>(where.line()))

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <experimental/source_location>
 #include <initializer_list>
-#include <source_location>
 #include <string>
 
 #include "support/test.h"
@@ -24,24 +24,30 @@ Outcome run(const std::string& command);
 void must(const std::string& command);
 
 /// Expects that exit code. @return the outcome.
-Outcome expect_exit(int exit_code, Outcome outcome,
-                    std::source_location where = std::source_location::current());
+Outcome expect_exit(
+    int exit_code, Outcome outcome,
+    std::experimental::source_location where = std::experimental::source_location::current());
 
 /// Expects that exit code, and `part`, or all of `parts`, on standard output.
-void expect_output(const Outcome& outcome, const std::string& part, int exit_code = 0,
-                   std::source_location where = std::source_location::current());
-void expect_output(const Outcome& outcome, std::initializer_list<std::string> parts,
-                   int exit_code = 0, std::source_location where = std::source_location::current());
+void expect_output(
+    const Outcome& outcome, const std::string& part, int exit_code = 0,
+    std::experimental::source_location where = std::experimental::source_location::current());
+void expect_output(
+    const Outcome& outcome, std::initializer_list<std::string> parts, int exit_code = 0,
+    std::experimental::source_location where = std::experimental::source_location::current());
 
 /// Expects that exit code, and `part`, or all of `parts`, on standard error.
-void expect_error(const Outcome& outcome, const std::string& part, int exit_code = 2,
-                  std::source_location where = std::source_location::current());
-void expect_error(const Outcome& outcome, std::initializer_list<std::string> parts,
-                  int exit_code = 2, std::source_location where = std::source_location::current());
+void expect_error(
+    const Outcome& outcome, const std::string& part, int exit_code = 2,
+    std::experimental::source_location where = std::experimental::source_location::current());
+void expect_error(
+    const Outcome& outcome, std::initializer_list<std::string> parts, int exit_code = 2,
+    std::experimental::source_location where = std::experimental::source_location::current());
 
 /// Expects that exit code, and one line on standard error, which holds `part`.
-void expect_one_line(const Outcome& outcome, const std::string& part, int exit_code = 2,
-                     std::source_location where = std::source_location::current());
+void expect_one_line(
+    const Outcome& outcome, const std::string& part, int exit_code = 2,
+    std::experimental::source_location where = std::experimental::source_location::current());
 
 /// What stands before a command so that it meets a fault of tests/shim/fault_shim.cpp, such as
 /// "full:9000".

@@ -5,6 +5,8 @@ set(AR3D_INCLUDE_ROOT ${CMAKE_SOURCE_DIR}/include)
 # Flags of every target of ours, not of the consumers of the installed package.
 add_library(ar3d_flags INTERFACE)
 target_compile_options(ar3d_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion
+                       # A source that a unit includes (ar3d_together) is taken for a header.
+                       $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>
                        $<$<BOOL:${AR3D_WERROR}>:-Werror>
                        # "a" + std::string() is taken for an overlapping copy by g++ 12 at -O3 (GCC bug 105651).
                        $<$<AND:$<BOOL:${AR3D_WERROR}>,$<CXX_COMPILER_ID:GNU>>:-Wno-error=restrict>
