@@ -15,6 +15,7 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/bench/measure/environment.h"
 #include "commands.h"
 #include "view.h"
 
@@ -69,7 +70,7 @@ int run(int argc, char** argv) {
   CLI::App app{
       "Draws graphs of maximum degree 3 and 4 in 3D with optimal angles and proves every drawing."};
   app.name("ar3d");
-  app.set_version_flag("--version", "ar3d " AR3D_VERSION);
+  app.set_version_flag("--version", ar3d::build_summary());
   app.require_subcommand(1);
   app.footer(kExamples);
   int exit_code = ar3d::kPass;

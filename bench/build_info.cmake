@@ -1,12 +1,15 @@
 cmake_minimum_required(VERSION 3.25)
 
-# Writes OUTPUT, a header with the sources' git commit and the compiler, whenever their values change.
-# Runs at every build: cmake -D SOURCE=… -D OUTPUT=… -D COMPILER=… -D BUILD_TYPE=… -D FLAGS=… -P build_info.cmake
+# Writes OUTPUT, a header with the version, the sources' git commit and the compiler, whenever their values change.
+# Runs at every build: cmake -D SOURCE=… -D OUTPUT=… -D VERSION=… -D COMPILER=… -D BUILD_TYPE=… -D FLAGS=… -P build_info.cmake
 set(hash unknown)
+set(released "$Format:%H$")  # git archive writes the commit here (.gitattributes)
 set(dirty 0)
 set(dirty_hash "")
 find_package(Git QUIET)
-if(GIT_FOUND)
+if(NOT released MATCHES Format)
+  set(hash ${released})
+elseif(GIT_FOUND)
   execute_process(COMMAND ${GIT_EXECUTABLE} -C ${SOURCE} rev-parse HEAD
                   OUTPUT_VARIABLE found OUTPUT_STRIP_TRAILING_WHITESPACE RESULT_VARIABLE failed ERROR_QUIET)
   if(NOT failed)
@@ -22,6 +25,7 @@ if(GIT_FOUND)
 endif()
 string(STRIP "${FLAGS}" FLAGS)
 file(CONFIGURE OUTPUT ${OUTPUT} CONTENT "#pragma once
+#define AR3D_VERSION \"@VERSION@\"
 #define AR3D_SOURCE_HASH \"@hash@\"
 #define AR3D_SOURCE_DIRTY @dirty@
 #define AR3D_DIRTY_HASH \"@dirty_hash@\"

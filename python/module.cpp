@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
@@ -11,6 +12,7 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
+#include "ar3d/formats/drawings/catalog.h"
 #include "ar3d/formats/drawings/embedding.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/certificate.h"
@@ -174,6 +176,24 @@ Values counters_of(const PythonDrawing& drawing) {
   return counters;
 }
 
+std::string text_of(const PythonDrawing& drawing) {
+  return "<ar3d.Drawing of " + std::to_string(drawing.drawing.num_vertices()) + " vertices, " +
+         std::to_string(drawing.edges->size()) + " edges and " +
+         std::to_string(drawing.bends.size() / 3) + " bends by " + drawing.drawing.algorithm() +
+         ">";
+}
+
+void save(const PythonDrawing& drawing, const std::string& path, const std::string& format,
+          bool force) {
+  const DrawingFormat& row = drawing_format(format, path);
+  if (!force && path != "-" && std::filesystem::exists(path)) {
+    PyErr_SetString(PyExc_FileExistsError, (path + " exists; force=True replaces it").c_str());
+    throw py::error_already_set();
+  }
+  const py::gil_scoped_release released;
+  write_drawing(row, drawing.drawing, "the drawing", path);
+}
+
 void add_drawing(py::module_& module) {
   using Shared = std::shared_ptr<PythonDrawing>;
   py::class_<PythonDrawing, Shared> drawing(module, "Drawing", "A drawing on integer points.");
@@ -190,7 +210,12 @@ void add_drawing(py::module_& module) {
   property("gram_denominator",
            [](const PythonDrawing& d) { return d.drawing.lattice().gram_denominator; });
   property("counters", &counters_of);
-  drawing.def("in_space", &in_space, py::arg("points"));
+  drawing.def("in_space", &in_space, py::arg("points"),
+              "Integer points (k x 3) as points of space, where angles are true.");
+  drawing.def("save", &save, py::arg("path"), py::arg("format") = "", py::arg("force") = false,
+              "Writes the drawing; the format is the path's ending or a name of "
+              "`ar3d draw --help` (not html). FileExistsError unless force; ValueError.");
+  drawing.def("__repr__", [](const PythonDrawing& d) { return text_of(d); });
 }
 
 std::vector<std::string> messages_of(const Certificate& certificate) {
@@ -210,6 +235,14 @@ void add_certificate(py::module_& module) {
   certificate.def_readonly("bend_histogram", &Certificate::bend_histogram);
   certificate.def_readonly("segments", &Certificate::segments);
   certificate.def("__bool__", &Certificate::valid);
+  certificate.def("__repr__", [](const Certificate& c) {
+    const std::string found = std::to_string(c.violations.size()) + " violations";
+    return "<ar3d.Certificate: " +
+           (c.valid()      ? "valid"
+            : c.violated() ? found
+                           : "proves nothing") +
+           ">";
+  });
 }
 
 Certificate certify_drawing(const Graph& graph, const PythonDrawing& drawing,
@@ -233,6 +266,7 @@ std::vector<std::string> names_in(const Rows& rows) {
 
 PYBIND11_MODULE(_core, module) {
   module.doc() = "The compiled part of ar3d.";
+  module.attr("__version__") = AR3D_VERSION;
   add_graph(module);
   add_drawing(module);
   add_certificate(module);

@@ -12,7 +12,7 @@ constexpr const char* kAbsent = "absent";
 
 /// Differs from session to session on one machine, or is the change that is to be judged.
 bool is_passing(const std::string& name) {
-  return name == "started" || name == "source_hash" || name == "dirty_hash" ||
+  return name == "started" || name == "version" || name == "source_hash" || name == "dirty_hash" ||
          name.starts_with("load_") || name.starts_with("program_");
 }
 

@@ -160,6 +160,13 @@ const char* build_kind() {
 #endif
 }
 
+std::string build_summary() {
+  const std::string kind = build_kind();
+  return fmt::format("ar3d {} (commit {:.12}{}, {}, {}{}{})", AR3D_VERSION, AR3D_SOURCE_HASH,
+                     source_is_dirty() ? ", modified" : "", AR3D_COMPILER, AR3D_BUILD_TYPE,
+                     kind.empty() ? "" : ", ", kind);
+}
+
 std::vector<EnvironmentEntry> capture_environment(int threads) {
   std::vector<EnvironmentEntry> entries = {
       {"cpu", proc_value("/proc/cpuinfo", "model name")},
@@ -178,6 +185,7 @@ std::vector<EnvironmentEntry> capture_environment(int threads) {
       {"flags", AR3D_FLAGS},
       {"invariant_checks", kHeavyChecks ? "heavy" : "light"},
       {"build_kind", *build_kind() == '\0' ? "none" : build_kind()},
+      {"version", AR3D_VERSION},
       {"source_hash", AR3D_SOURCE_HASH},
       {"dirty_hash", source_is_dirty() ? dirty_hash() : "none"},
       {"openmp", fmt::format("{}", _OPENMP)},

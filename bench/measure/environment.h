@@ -19,6 +19,10 @@ std::string dirty_hash();
 /// build.
 const char* build_kind();
 
+/// "ar3d 1.0.0 (commit 0123456789ab, GNU 12.2.0, Release)"; it also says "modified" if the sources
+/// differed from the commit, and the build_kind().
+std::string build_summary();
+
 /// Machine, operating system, compiler, libraries, settings that influence speed; "absent" for what
 /// the system does not tell.
 std::vector<EnvironmentEntry> capture_environment(int threads);

@@ -16,7 +16,7 @@ from typing import Any, Union
 
 import numpy
 
-from ._core import Certificate, Drawing, Graph, algorithms, families
+from ._core import Certificate, Drawing, Graph, __version__, algorithms, families
 from . import _core
 
 __all__ = ["Certificate", "Drawing", "Graph", "algorithms", "as_graph", "certify", "draw", "families", "generate",
@@ -104,7 +104,7 @@ def draw(graph: GraphLike, algorithm: str = "diamond", **options: int) -> Drawin
     Of the drawing: `vertices` (n x 3), `bends` (k x 3; those of edge e, from its smaller end, are
     bends[bend_offsets[e]:bend_offsets[e + 1]]), `edges` (m x 2, ascending), `box` (2 x 3: its lowest and highest
     corner), all int64 but edges (uint32); the squared length of an integer vector u is u @ gram @ u /
-    gram_denominator; `in_space` turns integer points into points where angles are true.
+    gram_denominator; `in_space` turns integer points into points where angles are true; `save` writes a file.
     Raises ValueError for an unknown name and for a vertex whose degree the algorithm does not draw.
     """
     return _core.draw(as_graph(graph), _name(algorithm, "algorithm"), _settings(options))

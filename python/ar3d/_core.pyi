@@ -1,6 +1,8 @@
 import numpy
 from numpy.typing import NDArray
 
+__version__: str
+
 class Graph:
     def __init__(self, num_vertices: int, edges: NDArray[numpy.int64]) -> None: ...
     @property
@@ -32,6 +34,7 @@ class Drawing:
     @property
     def counters(self) -> dict[str, int]: ...
     def in_space(self, points: NDArray[numpy.int64]) -> NDArray[numpy.float64]: ...
+    def save(self, path: str, format: str = "", force: bool = False) -> None: ...
 
 class Certificate:
     @property

@@ -38,6 +38,10 @@ TEST(Environment, DescribesMachineBuildAndSource) {
     EXPECT_TRUE(values.contains(name)) << name;
   }
   EXPECT_EQ(values.at("source_hash"), source_hash());
+  EXPECT_EQ(build_summary(),
+            "ar3d " + values.at("version") + " (commit " + source_hash().substr(0, 12) +
+                (source_is_dirty() ? ", modified, " : ", ") + values.at("compiler") + ", " +
+                values.at("build_type") + (*build_kind() == '\0' ? "" : ", ") + build_kind() + ")");
   EXPECT_THAT(values.at("flags"), HasSubstr("-std=c++20"));
   EXPECT_THAT(values.at("library_libc"), MatchesRegex("[0-9]+\\.[0-9]+"));
   EXPECT_EQ(values.at("dirty_hash").size(), source_is_dirty() ? 64u : 4u) << "SHA-256 or none";

@@ -51,6 +51,29 @@ class Draw(unittest.TestCase):
             self.assertFalse(a.flags.owndata)
         self.assertEqual(address(drawing.edges), address(graph.edges))
 
+    def test_is_saved_as_the_program_writes_it_and_replaced_if_asked(self):
+        drawing = ar3d.draw(networkx.petersen_graph(), "grid")
+        self.assertEqual(repr(drawing), "<ar3d.Drawing of 10 vertices, 15 edges and %d bends by grid>" % len(drawing.bends))
+        self.assertEqual(repr(ar3d.certify(networkx.petersen_graph(), drawing)), "<ar3d.Certificate: valid>")
+        self.assertRegex(repr(ar3d.certify(networkx.cycle_graph(10), drawing)), r"<ar3d.Certificate: \d+ violations>")
+        program = pathlib.Path(sys.argv[1]).resolve()
+        told = subprocess.run([program, "--version"], check=True, capture_output=True, text=True).stdout
+        self.assertEqual(told.split()[:2], ["ar3d", ar3d.__version__])
+        with tempfile.TemporaryDirectory() as folder:
+            graph = "\n".join(f"{u} {v}" for u, v in networkx.petersen_graph().edges)
+            pathlib.Path(folder, "petersen.txt").write_text(graph + "\n")
+            for ending in ("jsonl", "svg", "glb"):
+                drawing.save(f"{folder}/mine.{ending}")
+                subprocess.run([program, "draw", "petersen.txt", "--from", "edgelist", "--algorithm", "grid", "-o",
+                                f"its.{ending}"], cwd=folder, check=True)
+                self.assertEqual(*(pathlib.Path(folder, f"{whose}.{ending}").read_bytes() for whose in ("mine", "its")))
+            with self.assertRaisesRegex(FileExistsError, "mine.svg exists; force=True"):
+                drawing.save(folder + "/mine.svg")
+            drawing.save(folder + "/mine.svg", "obj", force=True)
+            self.assertTrue(pathlib.Path(folder, "mine.svg").read_text().startswith("#"))
+            for path, wrong in (("x.png", "png"), ("no/such/x.svg", "no/such")):
+                self.assertRaisesRegex(ValueError, wrong, drawing.save, f"{folder}/{path}")
+
     def test_arrays_outlive_their_drawing(self):
         vertices = ar3d.draw(networkx.cycle_graph(10)).vertices
         copy = vertices.copy()
