@@ -44,7 +44,7 @@ enum class CrossingTest {
   automatic,    ///< the plane sweep if the drawing has few directions, else slabs
   all_pairs,    ///< the oracle: every pair of segments, O(S^2)
   plane_sweep,  ///< lines and plane families, O(S log S); refuses drawings with many directions
-  slabs,  ///< near-linear if most segments are vertical and the others low, as on the tall lattice
+  slabs,        ///< space halved in slabs that nothing crosses: for any directions
 };
 
 /// How a drawing is judged: by a proof in integers, or not at all.

@@ -30,10 +30,22 @@ const std::vector<CountingSizes>& sizes() {
   return list;
 }
 
+std::vector<Vector> directions_of(const Drawing& drawing) {
+  std::set<Vector> directions;
+  const verify::Segments segments(drawing);
+  for (verify::SegmentId s = 0; s < segments.size(); ++s) {
+    const Vector d = primitive(segments.direction(s));
+    directions.insert(std::max(d, -d));
+  }
+  return {directions.begin(), directions.end()};
+}
+
+/// Every direction is allowed that the drawing has.
 CountingOutcome count_by_planes(const Draft& draft, const CountingSizes& sizes) {
   const Graph graph = draft.graph();
   const Drawing drawing = draft.drawing();
-  const Guarantee guarantee = no_promise();
+  Guarantee guarantee = no_promise();
+  guarantee.directions = directions_of(drawing);
   CountingProof proof(graph, drawing, guarantee, sizes);
   for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {
     proof.add(drawing.edge(e), points);
@@ -61,15 +73,7 @@ void expect_planes_agree(const Draft& draft, Tally& tally) {
 }
 
 bool in_limits(const Draft& draft) {
-  if (!has_low_degrees(draft)) return false;
-  const Drawing drawing = draft.drawing();
-  std::set<Vector> directions;
-  const verify::Segments segments(drawing);
-  for (verify::SegmentId s = 0; s < segments.size(); ++s) {
-    const Vector d = primitive(segments.direction(s));
-    directions.insert(std::max(d, -d));
-  }
-  return directions.size() <= 16;
+  return has_low_degrees(draft) && directions_of(draft.drawing()).size() <= 16;
 }
 
 TEST(Counting, AgreesOnRandomAndDamagedDrawings) {
@@ -215,7 +219,8 @@ TEST(Counting, EdgesMayBeDrawnInAnyOrder) {
 TEST(Counting, AnotherGraphIsNotDrawn) {
   const Draft draft = with_isolated({20, 20, 20});
   const Drawing drawing = draft.drawing();
-  const Guarantee guarantee = no_promise();
+  Guarantee guarantee = no_promise();
+  guarantee.directions = directions_of(drawing);
   for (const Graph& graph : {Graph(3, {{0, 2}}), Graph(2, {{0, 1}}), Graph(3, {{0, 1}, {1, 2}})}) {
     CountingProof proof(graph, drawing, guarantee);
     for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {

@@ -55,17 +55,9 @@ CountingProof::CountingProof(const Graph& graph, const Drawing& drawing, const G
       shares_(std::max(sizes.threads, 1u)) {
   possible_ =
       graph.num_vertices() == drawing.num_vertices() && graph.num_edges() == drawing.num_edges();
-  for (Share& share : shares_) {
-    share.possible = possible_;
-    for (const Vector d : guarantee.directions) share.directions.find(d);
-  }
+  for (const Vector d : guarantee.directions) directions_.add(d);
+  for (Share& share : shares_) share.possible = possible_;
   if (possible_) stars_.resize(drawing.num_vertices());
-}
-
-/// A direction that is not allowed is not known. If all are, they are numbered as they come, else
-/// all threads number them alike.
-SignedDirections::Found CountingProof::find(Share& share, Vector d) const {
-  return guarantee_.directions.empty() ? share.directions.find(d) : share.directions.known(d);
 }
 
 bool CountingProof::take_edge(Share& share, Edge ends, const std::vector<Point>& points) {
@@ -73,7 +65,7 @@ bool CountingProof::take_edge(Share& share, Edge ends, const std::vector<Point>&
   std::uint8_t before = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {
     if (!is_near(points[i]) || points[i] == points[i - 1]) return false;
-    const auto found = find(share, points[i] - points[i - 1]);
+    const auto found = directions_.find(points[i] - points[i - 1]);
     if (!found.known) return false;
     const bool reversed = found.id % 2 != 0;
     ++share.numbers[found.id / 2];
@@ -124,8 +116,8 @@ bool CountingProof::take_leaving(Vertex v, std::uint8_t id) {
 bool CountingProof::right_angle(Share& share, std::size_t id, std::size_t other) const {
   std::int8_t& seen = share.angles[id][other];
   if (seen == 0) {
-    const auto order = compare_cosine(guarantee_.lattice, share.directions.of_id(id),
-                                      share.directions.of_id(other), guarantee_.cosine);
+    const auto order = compare_cosine(guarantee_.lattice, directions_.of_id(id),
+                                      directions_.of_id(other), guarantee_.cosine);
     seen = keeps_angle(guarantee_, order) ? 1 : -1;
   }
   return seen > 0;
@@ -194,7 +186,7 @@ std::uint64_t CountingProof::number(std::size_t direction) const {
 std::vector<std::size_t> CountingProof::directions_to_count() const {
   std::vector<std::size_t> used;
   std::vector<std::size_t> others;
-  for (std::size_t i = 0; i < shares_[0].directions.indices(); ++i) {
+  for (std::size_t i = 0; i < directions_.indices(); ++i) {
     (number(i) > 0 ? used : others).push_back(i);
   }
   for (std::size_t i = 0; used.size() < 2; ++i) used.push_back(others[i]);
@@ -222,7 +214,7 @@ bool CountingProof::plan_tasks(std::int64_t largest, std::vector<Task>& tasks) c
   const std::size_t k = directions.size();
   for (std::size_t i = 0; i < k; ++i) {
     for (std::size_t j = i + 1; j < k; ++j) {
-      const PlaneFamily family(shares_[0].directions, directions[i], directions[j]);
+      const PlaneFamily family(directions_, directions[i], directions[j]);
       if (!family.fits(largest)) return false;
       const std::uint64_t rows = number(directions[i]);
       const std::uint64_t columns = number(directions[j]);
@@ -250,7 +242,6 @@ void CountingProof::add_stored(const Task& task, const PlaneMeetings::Intake& in
 }
 
 void CountingProof::add_computed(const Task& task, const PlaneMeetings::Intake& intake) const {
-  const SignedDirections& directions = shares_[0].directions;
   const std::size_t first = task.directions[0];
   const std::size_t second = task.directions[1];
   std::array<std::array<PlacedSegment, 64>, 2> waiting;  // of either side, `count` of them
@@ -264,7 +255,7 @@ void CountingProof::add_computed(const Task& task, const PlaneMeetings::Intake& 
   };
   for_each_polyline(drawing_, [&](EdgeId, const std::vector<Point>& points) {
     for (std::size_t k = 1; k < points.size(); ++k) {
-      const auto found = directions.known(points[k] - points[k - 1]);
+      const auto found = directions_.find(points[k] - points[k - 1]);
       const std::size_t direction = found.id / 2;
       if (direction != first && direction != second) continue;
       add(direction == second, placed(points[found.id % 2 != 0 ? k : k - 1], found.steps));
@@ -304,9 +295,8 @@ bool CountingProof::holds(const DrawingSummary& summary) {
   check_graph(graph_, drawing_, findings);
   if (!findings.empty()) return false;
   // Two directions at least, so that there is a family that looks at the lines of each.
-  SignedDirections& directions = shares_[0].directions;
   for (const Vector d : {Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}}) {
-    if (directions.indices() < 2) directions.find(d);
+    if (directions_.indices() < 2) directions_.add(d);
   }
   for (Share& share : shares_) share.possible = leave_all(share) && share.possible;
   take_all_vertices();

@@ -17,8 +17,9 @@ namespace ar3d::verify {
 /// Proves a drawing of few directions right by counting the meetings of its segments, in one pass
 /// over the polylines; if that takes more memory than sizes.memory, in one more pass for each
 /// window of planes of each pair of directions. It never says what is wrong: a drawing that it does
-/// not prove is wrong or passes one of its limits (at most 16 directions of components below 2^20,
-/// coordinates below 2^30 and such that all functionals fit 32 bits, degree at most 4).
+/// not prove is wrong or passes one of its limits (only directions that the guarantee names, at
+/// most 16 of components below 2^20, coordinates below 2^30 and such that all functionals fit 32
+/// bits, degree at most 4).
 ///
 /// Several threads may pass over the edges, and count in several windows at a time. The verdict and
 /// all counts are the same for any number of them.
@@ -28,7 +29,6 @@ namespace ar3d::verify {
 /// passes it.
 class CountingProof {
  public:
-  /// @param sizes  of which threads is at most 1 unless the guarantee names its directions.
   CountingProof(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
                 const CountingSizes& sizes = {});
 
@@ -51,7 +51,6 @@ class CountingProof {
   /// What a thread has of the edges and vertices that it took.
   struct Share {
     bool possible = true;
-    SignedDirections directions;
     std::array<PlacedSegments, SignedDirections::kMaxIndices> segments;
     std::array<std::uint64_t, SignedDirections::kMaxIndices> numbers{};  ///< of segments
     std::array<std::array<std::int8_t, kIds>, kIds> angles{};  ///< 1: right, -1: wrong, 0: not seen
@@ -70,7 +69,6 @@ class CountingProof {
   };
 
   bool take_edge(Share& share, Edge ends, const std::vector<Point>& points);
-  SignedDirections::Found find(Share& share, Vector d) const;
   bool leave(Share& share, Vertex v, std::uint8_t id);
   bool leave_all(Share& share);
   bool take_leaving(Vertex v, std::uint8_t id);
@@ -95,6 +93,7 @@ class CountingProof {
   CountingSizes sizes_;
   bool possible_;
   const bool keeps_segments_;  ///< false: there are too many, they are computed for each window
+  SignedDirections directions_;
   std::vector<Share> shares_;  ///< of the threads
   /// Of each vertex the directions in which edges leave it: up to four bytes, id + 1 each.
   std::vector<std::uint32_t> stars_;

@@ -46,9 +46,7 @@ class PlacedSegments {
   void add(PlacedSegment segment) {
     if (used_ == room_) grow();
     last_[used_++] = segment;
-    ++size_;
   }
-  std::size_t size() const { return size_; }
 
   /// Calls visit(part) for std::span<const PlacedSegment>s that make up all of them.
   template <class Visit>
@@ -75,7 +73,6 @@ class PlacedSegments {
   PlacedSegment* last_ = nullptr;
   std::size_t used_ = 0;
   std::size_t room_ = 0;
-  std::size_t size_ = 0;
 };
 
 /// A segment in a plane of a family, or rather in a bucket of planes: it stays at `at` across its

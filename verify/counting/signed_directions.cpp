@@ -14,23 +14,20 @@ std::int32_t SignedDirections::Known::steps(Vector d) const {
   return static_cast<std::int32_t>(length / step);
 }
 
-SignedDirections::Found SignedDirections::add(Vector d) {
+void SignedDirections::add(Vector d) {
   const Vector direction = primitive(d);
   std::uint8_t axis = 3;
   for (std::uint8_t i = 0; i < 3; ++i) {
     const std::int64_t size = std::abs(component(direction, i));
-    if (size >= kMaxComponent) return {};
+    if (size >= kMaxComponent) return;
     if (size == 0) continue;
     if (axis == 3 || size < std::abs(component(direction, axis))) axis = i;
   }
-  if (directions_.size() == kMaxIndices) return {};
+  if (directions_.size() == kMaxIndices || find(direction).known) return;
   const auto id = static_cast<std::uint8_t>(2 * directions_.size());
   directions_.push_back(direction);
-  const Known forward{direction, id, axis};
-  const Known backward{-direction, static_cast<std::uint8_t>(id + 1), axis};
-  classes_[sense(direction)].push_back(forward);
-  classes_[sense(-direction)].push_back(backward);
-  return {true, id, forward.steps(d)};
+  classes_[sense(direction)].push_back({direction, id, axis});
+  classes_[sense(-direction)].push_back({-direction, static_cast<std::uint8_t>(id + 1), axis});
 }
 
 }  // namespace ar3d::verify

@@ -10,27 +10,23 @@
 
 namespace ar3d::verify {
 
-/// The directions that segments have, numbered in the order in which they are met. A direction and
-/// its opposite share an index; an id is 2 * index, plus 1 for the opposite sense.
+/// Directions numbered in the order in which they are added. A direction and its opposite share an
+/// index; an id is 2 * index, plus 1 for the opposite sense.
 class SignedDirections {
  public:
   static constexpr std::size_t kMaxIndices = 16;
   static constexpr std::int64_t kMaxComponent = std::int64_t{1} << 20;
 
   struct Found {
-    bool known = false;  ///< false if the direction passes the limits
+    bool known = false;  ///< false if the direction has no number
     std::uint8_t id = 0;
     std::int32_t steps = 0;  ///< d = steps * direction(id), steps > 0
   };
 
-  /// The direction of d, which is added if it is new.
+  /// Gives d's direction a number, if it has none and keeps the limits. @pre d is not zero.
+  void add(Vector d);
   /// @pre d is not zero and its components are below 2^31 in absolute value.
-  Found find(Vector d) {
-    const Found found = known(d);
-    return found.known ? found : add(d);
-  }
-  /// The same, but a new direction is not added and so not known.
-  Found known(Vector d) const {
+  Found find(Vector d) const {
     for (const Known& known : classes_[sense(d)]) {
       // Products are below 2^31 * 2^20. Parallel with equal signs: of the same sense.
       const Vector k = known.direction;
@@ -62,7 +58,6 @@ class SignedDirections {
     };
     return 9 * sign(d.x) + 3 * sign(d.y) + sign(d.z);
   }
-  Found add(Vector d);
 
   std::vector<Vector> directions_;
   std::array<std::vector<Known>, 27> classes_;

@@ -47,11 +47,9 @@ void test_all_pairs(const Segments& segments, Contacts& contacts);
 void test_by_plane_sweep(const Segments& segments, const DirectionClasses& classes,
                          Contacts& contacts);
 
-/// For drawings with many directions whose long segments are vertical and whose others are low:
-/// slabs that nothing crosses, in them vertical segments in columns indexed by x and y, the others
-/// in a plane sweep upwards. O((S + n) log S + C) time, where C counts the columns and the
-/// segments, not vertical and at a common height, that are compared; O(S + n) memory. In the worst
-/// case C is quadratic.
+/// For drawings with many directions: slabs that nothing crosses, and in each the search for near
+/// pairs. O((S + n) log S) time where segments are short, at most quadratic (Lemma V.8); O(S + n)
+/// memory.
 void test_by_slabs(const Segments& segments, Contacts& contacts);
 
 }  // namespace ar3d::verify
