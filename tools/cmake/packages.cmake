@@ -50,6 +50,12 @@ if(AR3D_PYTHON)
   ar3d_package(python python3-ar3d python
     "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${after}), python3-numpy" "proved 3D drawings of low-degree graphs (Python)"
     "Draws and proves graphs of networkx, numpy and scipy; reads results of studies\ninto pandas.")
+  # Python's byte code comes and goes with the package.
+  set(control ${CMAKE_BINARY_DIR}/python-control)
+  file(WRITE ${control}/postinst "#!/bin/sh\nset -e\n[ \"$1\" != configure ] || py3compile -p python3-ar3d\n")
+  file(WRITE ${control}/prerm "#!/bin/sh\nset -e\npy3clean -p python3-ar3d\n")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${control}/postinst ${control}/prerm)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_STRICT_PERMISSION ON)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-h5py, python3-matplotlib, python3-pandas")
 endif()
 include(CPack)
