@@ -100,9 +100,9 @@ std::string exponent(const std::string& file, const std::string& quantity) {
   return "no such row";
 }
 
-/// Cell `column` (0: the label) of the first table's row whose label begins so.
+/// Cell `column` (0: the label) of the first row of docs/algorithms.md whose label begins so.
 std::string cell(const std::string& label, std::size_t column) {
-  const std::string page = read_file(AR3D_SOURCE_DIR "/README.md");
+  const std::string page = read_file(AR3D_SOURCE_DIR "/docs/algorithms.md");
   const std::size_t begin = page.find("\n| " + label);
   if (begin == std::string::npos) return "no such row";
   return split(page.substr(begin + 1, page.find('\n', begin + 1) - begin - 1), '|').at(column + 1);
@@ -119,6 +119,27 @@ TEST(Readme, SharesAndExponentsAreThoseOfTheCommittedTables) {
   const std::string growth = "0.2.0-compact-120-growth.csv";
   EXPECT_THAT(cell("exponent of the longest side", 5), HasSubstr(exponent(growth, "longest side")));
   EXPECT_THAT(cell("exponent of the volume", 5), HasSubstr(exponent(growth, "volume")));
+}
+
+// The first screen says the same: a table of five columns whose cells are those of the large one.
+TEST(Readme, FirstTableAgreesWithTheLargeOne) {
+  const std::string page = read_file(AR3D_SOURCE_DIR "/README.md");
+  const std::vector<std::string> names = {"diamond", "grid",        "two-bend",
+                                          "compact", "compact-120", "two-bend-109"};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::size_t begin = page.find("\n| `" + names[i] + "` |");
+    ASSERT_NE(begin, std::string::npos) << names[i];
+    const auto cells = split(page.substr(begin + 1, page.find('\n', begin + 1) - begin - 1), '|');
+    ASSERT_EQ(cells.size(), 6u) << "five columns";
+    const auto expect_in = [&](const std::string& row, std::size_t column) {
+      const std::string text = cells[column].substr(1, cells[column].size() - 2);
+      EXPECT_THAT(cell(row, i + 1), HasSubstr(text)) << names[i] << ": " << row;
+    };
+    expect_in("**promised:** graphs", 2);
+    expect_in("angles at vertices", 3);
+    expect_in("bends per edge", 4);
+    expect_in("random graphs", 5);
+  }
 }
 
 // results/reference/compact-120.md says so of every drawing that it counts.
