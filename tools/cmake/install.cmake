@@ -18,6 +18,7 @@ write_basic_package_version_file(${CMAKE_BINARY_DIR}/ar3dConfigVersion.cmake
   COMPATIBILITY SameMajorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/ar3dConfig.cmake ${CMAKE_BINARY_DIR}/ar3dConfigVersion.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/ar3d COMPONENT dev)
+file(RELATIVE_PATH up /p/${CMAKE_INSTALL_LIBDIR}/pkgconfig /p)
 configure_file(tools/cmake/ar3d.pc.in ${CMAKE_BINARY_DIR}/ar3d.pc @ONLY)
 install(FILES ${CMAKE_BINARY_DIR}/ar3d.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)
 

@@ -1,0 +1,99 @@
+// The site of the pages (tools/site) in headless Chromium: its four parts, search, dark and light, a narrow screen.
+// AR3D_PROGRAM names the program; screenshots go to AR3D_SCREENSHOTS if that is set.
+import assert from "node:assert/strict";
+import {execFileSync} from "node:child_process";
+import {existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync} from "node:fs";
+import {createServer} from "node:http";
+import {tmpdir} from "node:os";
+import {dirname, extname, join, resolve} from "node:path";
+import {after, before, test} from "node:test";
+import {fileURLToPath} from "node:url";
+import {chromium} from "playwright-core";
+
+const tool = join(dirname(fileURLToPath(import.meta.url)), "..", "..", "tools", "site");
+const shots = process.env.AR3D_SCREENSHOTS;
+const kinds = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".json": "application/json", ".svg": "image/svg+xml"};
+const sample = ["index.html", "docs/commands.html", "docs/algorithms.html", "docs/theorem1.html", "docs/python-functions.html", "results/SCHEMA.html"];
+let folder, server, origin, browser, page, built;
+const complaints = [], requests = [];
+
+const shot = async name => {
+  if (!shots) return;
+  mkdirSync(shots, {recursive: true});
+  await page.screenshot({path: join(shots, name + ".png")});
+};
+
+before(async () => {
+  folder = mkdtempSync(join(tmpdir(), "ar3d-site-test-"));
+  built = execFileSync(tool, [process.env.AR3D_PROGRAM, folder], {encoding: "utf8"});
+  server = createServer((request, answer) => {
+    const path = resolve(folder, "." + decodeURIComponent(new URL(request.url, "http://x").pathname));
+    const file = existsSync(path) && statSync(path).isDirectory() ? join(path, "index.html") : path;
+    answer.writeHead(existsSync(file) ? 200 : 404, {"Content-Type": kinds[extname(file)] ?? "application/octet-stream"});
+    answer.end(existsSync(file) ? readFileSync(file) : "");
+  }).listen(0, "127.0.0.1");
+  await new Promise(done => server.once("listening", done));
+  origin = `http://127.0.0.1:${server.address().port}/`;
+  browser = await chromium.launch({executablePath: "/usr/bin/chromium", args: ["--headless", "--no-sandbox", "--disable-gpu"]});
+  page = await browser.newPage({viewport: {width: 1280, height: 900}, colorScheme: "light"});
+  page.on("pageerror", error => complaints.push(String(error)));
+  page.on("request", request => requests.push(request.url()));
+  page.on("response", answer => { if (answer.status() >= 400 && !answer.url().endsWith("favicon.ico")) complaints.push(answer.url()); });
+});
+
+after(async () => {
+  await browser?.close();
+  server?.close();
+  if (folder) rmSync(folder, {recursive: true, force: true});
+});
+
+test("every link leads somewhere, and users have fewer than 15,000 words to read", () => {
+  const [, links, dead, , words] = built.match(/(\d+) links, (\d+) dead, (\d+) to other sites not followed; (\d+) words/);
+  assert.ok(Number(links) > 1000 && dead === "0" && Number(words) < 15000, built);
+});
+
+test("four parts; the first screen has the picture, the two commands and a table", async () => {
+  await page.goto(origin);
+  assert.deepEqual((await page.locator(".md-tabs__link").allTextContents()).map(text => text.trim()), ["Use", "Reference", "Proofs", "Laboratory"]);
+  assert.ok(await page.locator("article img").first().evaluate(image => image.naturalWidth > 100));
+  assert.match(await page.locator("article pre").first().textContent(), /ar3d study run quick[^]*run-tests/);
+  assert.equal(await page.locator("article table").first().locator("th").count(), 5);
+  await shot("site-1280");
+});
+
+test("search finds a word of the proofs and a command", async () => {
+  for (const [asked, found] of [["necklace", /docs\/(algorithms|theorem)/], ["selfcheck", /docs\/(commands|study|contracts)/]]) {
+    await page.goto(origin);
+    await page.locator("input.md-search__input").fill(asked);
+    await page.locator(".md-search-result__item a").first().waitFor();
+    const places = await page.locator(".md-search-result__item a").evaluateAll(links => links.map(link => link.href));
+    assert.ok(places.some(place => found.test(place)), `${asked}: ${places}`);
+  }
+});
+
+test("dark where the system is dark, and by the button", async () => {
+  const scheme = () => page.evaluate(() => document.body.getAttribute("data-md-color-scheme"));
+  await page.goto(origin + "docs/theorem1.html");
+  assert.equal(await scheme(), "default");
+  await page.locator("label[for=__palette_2]").click();
+  assert.equal(await scheme(), "slate");
+  await shot("site-1280-dark");
+});
+
+test("at 390 pixels nothing is wider than the screen, but tables and code that scroll", async () => {
+  await page.setViewportSize({width: 390, height: 800});
+  for (const place of sample) {
+    await page.goto(origin + place);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= 390, place);
+    await shot("site-390-" + place.replace(/\W/g, "-"));
+  }
+});
+
+test("C++ is there, and nothing is asked of other sites", async () => {
+  await page.setViewportSize({width: 1280, height: 900});
+  await page.goto(origin + "cpp/annotated.html");
+  assert.match(await page.textContent("body"), /Certificate/);
+  await shot("site-1280-cpp");
+  assert.deepEqual(requests.filter(url => !url.startsWith(origin)), []);
+  assert.deepEqual(complaints, []);
+});
