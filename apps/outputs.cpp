@@ -12,8 +12,8 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/bench/keep/study_files.h"
+#include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/spec/study_spec.h"
-#include "ar3d/store/columns/side_tables.h"
 #include "ar3d/store/journal/journal_format.h"
 
 namespace ar3d {
@@ -119,8 +119,7 @@ void refuse_unsafe_outputs(const VerbFiles& files) {
 
 std::vector<std::string> files_of_study(const StudyIdentity& identity, const std::string& results) {
   const StudySpec spec = recorded_study(identity, results);
-  std::vector<std::string> files;
-  for (const GraphFileRecord& record : graph_file_records(identity)) files.push_back(record.path);
+  std::vector<std::string> files = graph_files_of(spec);
   for (const auto& program : spec.programs) {
     for (const std::string& word : program->command) {
       if (is_regular(word)) files.push_back(word);

@@ -70,6 +70,10 @@ int conclude(const JournaledStudy& study, bool force, bool unchanged) {
   int exit_code = examination.verdict.exit_code();
   fmt::print("{}", summary(examination.verdict));
   fmt::print("results  {}\n", study.results);
+  if (const std::size_t skipped = skipped_file_records(*rows.view().identity).size()) {
+    fmt::print("skipped  {} files that could not be read (/skipped_files of the results)\n",
+               skipped);
+  }
   if (study.shard.count > 1) {
     fmt::print("shard {} of {}: when all are there, `ar3d study merge SHARDS… -o RESULTS.h5`\n",
                study.shard.index, study.shard.count);
@@ -171,7 +175,7 @@ JournaledStudy begin_new(const RunArguments& arguments, const Shard& shard) {
   JournaledStudy study = new_study(chosen_study(arguments.chosen), shard, arguments.output);
   const std::string page = report_path(study.results);
   std::vector<std::string> inputs = {arguments.chosen.study};
-  for (const StudyCorpus& corpus : corpora_of(study.spec)) inputs.push_back(corpus.record.path);
+  for (std::string& file : graph_files_of(study.spec)) inputs.push_back(std::move(file));
   refuse_foreign_page(page, study.results);
   std::vector<std::string> outputs = {study.results};
   if (study.spec.keep_drawings != KeptDrawings::none && shard.count == 1) {

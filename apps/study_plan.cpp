@@ -2,10 +2,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
+#include <tuple>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/printable.h"
+#include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/run/estimate.h"
 #include "ar3d/bench/run/session.h"
@@ -41,6 +46,16 @@ void add_study_choice(CLI::App& verb, StudyChoice& choice) {
       add_repeated(verb, "--graphs", graphs.files,
                    "instead of STUDY: all graphs of this file, or of the files that a pattern in "
                    "quotes matches; may be repeated");
+  verb.add_option("--name", graphs.name,
+                  "with --graphs: all files that match, or that the folder holds, are one "
+                  "collection of this name, its groups the sub-folders")
+      ->needs(files);
+  verb.add_option("--groups", graphs.groups,
+                  "with --name: a table, a line FILE,GROUP each, that says the groups instead")
+      ->needs(verb.get_option("--name"));
+  verb.add_flag("--skip", graphs.skip,
+                "with --graphs: files that cannot be read are counted, listed and left out")
+      ->needs(files);
   add_repeated(verb, "--algorithm", graphs.algorithms,
                "with --graphs: one to draw them with; may be repeated, all if left out")
       ->needs(files);
@@ -71,6 +86,9 @@ StudySpec chosen_study(const StudyChoice& choice) {
   }
   if (!choice.study.empty()) return load_study(choice.study);
   GraphsStudy graphs = choice.graphs;
+  if (!graphs.name.empty() && graphs.files.size() > 1) {
+    throw InputError("--name is of one collection, but there are several --graphs");
+  }
   graphs.reading = choice.reading.read_options();
   StudySpec spec = parse_options(graphs);
   for (Sweep& sweep : spec.sweeps) {
@@ -108,11 +126,74 @@ std::string cost_of(const StudyEstimate& estimate, int workers) {
   return text;
 }
 
-void print_estimate(const StudyPlan& plan, const StudyEstimate& estimate, int workers) {
-  for (const CellEstimate& cell : estimate.cells) {
-    fmt::print("{} {} n={} {} {}: {} instances, {} rows, {}\n", cell.family, cell.parameters,
-               cell.n, cell.algorithm, cell.options, cell.instances, cell.rows, cost_of(cell));
+// The files left out, the first few by name.
+std::string skipped_text(const std::vector<SkippedFile>& skipped) {
+  constexpr std::size_t kShown = 10;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kShown, skipped.size()); ++i) {
+    text += fmt::format("  left out: {}\n", printable(skipped[i].reason));
   }
+  if (skipped.size() > kShown) text += fmt::format("  … and {} more\n", skipped.size() - kShown);
+  return text;
+}
+
+// Which of its graphs are outside of the theorems of the algorithms that are to draw it.
+void print_collection(const StudyCorpus& collection) {
+  const Corpus& graphs = *collection.corpus->graphs;
+  std::set<std::uint32_t> limits;
+  for (const AlgorithmChoice& choice : collection.sweep->algorithms) {
+    limits.insert(choice.algorithm->guarantee.max_degree);
+  }
+  std::string above;
+  for (const std::uint32_t limit : limits) {
+    const std::size_t count = graphs.count_above(limit);
+    if (count > 0) above += fmt::format(", {} of degree above {}", count, limit);
+  }
+  fmt::print("{}: {} graphs{}, {} files left out\n{}", collection.record.name, graphs.size(), above,
+             graphs.skipped().size(), skipped_text(graphs.skipped()));
+}
+
+// Those of a collection, which may have any number of sizes, are told as one for each algorithm.
+void print_cells(const StudyEstimate& estimate, const std::set<std::string>& collections) {
+  using Key = std::tuple<std::string, std::string, std::string, std::string>;
+  struct Sum {
+    std::uint64_t least_n = 0, largest_n = 0;
+    std::size_t rows = 0;
+    double total_s = 0;
+    bool is_known = true;
+  };
+  std::map<Key, Sum> sums;
+  for (const CellEstimate& cell : estimate.cells) {
+    if (!collections.contains(cell.family)) {
+      fmt::print("{} {} n={} {} {}: {} instances, {} rows, {}\n", cell.family, cell.parameters,
+                 cell.n, cell.algorithm, cell.options, cell.instances, cell.rows, cost_of(cell));
+      continue;
+    }
+    Sum& sum = sums.try_emplace({cell.family, cell.parameters, cell.algorithm, cell.options},
+                                Sum{cell.n, cell.n})
+                   .first->second;
+    sum.least_n = std::min(sum.least_n, cell.n);
+    sum.largest_n = std::max(sum.largest_n, cell.n);
+    sum.rows += cell.rows;
+    sum.total_s += cell.total_s;
+    sum.is_known &= cell.is_known;
+  }
+  for (const auto& [key, sum] : sums) {
+    const auto& [family, parameters, algorithm, options] = key;
+    fmt::print("{} {} n={}..{} {} {}: {} rows, {}\n", family, parameters, sum.least_n,
+               sum.largest_n, algorithm, options, sum.rows,
+               sum.is_known ? about(sum.total_s) + " in all" : "time and memory not known");
+  }
+}
+
+void print_estimate(const StudySpec& spec, const StudyPlan& plan, const StudyEstimate& estimate,
+                    int workers) {
+  std::set<std::string> collections;
+  for (const StudyCorpus& corpus : corpora_of(spec)) {
+    if (!corpus.entry->is_collection) continue;
+    if (collections.insert(corpus.record.name).second) print_collection(corpus);
+  }
+  print_cells(estimate, collections);
   fmt::print("{} cells, {} instances, {} rows", estimate.cells.size(), plan.instances.size(),
              estimate.rows);
   if (estimate.optional_rows > 0) fmt::print(" and at most {} more", estimate.optional_rows);
@@ -153,10 +234,11 @@ void add_study_plan(CLI::App& study, int&) {
       "right within a factor of three.\nExit code 2 if a cell is impossible.\nExample: ar3d study "
       "plan quick");
   verb->callback([arguments] {
-    const StudyPlan plan = plan_study(chosen_study(arguments->chosen));
+    const StudySpec spec = chosen_study(arguments->chosen);
+    const StudyPlan plan = plan_study(spec);
     const int workers = workers_for(arguments->workers);
     const StudyEstimate made = estimate(plan, workers);
-    print_estimate(plan, made, workers);
+    print_estimate(spec, plan, made, workers);
     refuse_impossible(plan, made, available_memory());
   });
 }

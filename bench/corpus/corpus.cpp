@@ -21,6 +21,7 @@
 #include "ar3d/base/hash_stream.h"
 #include "ar3d/base/random.h"
 #include "ar3d/formats/catalog.h"
+#include "ar3d/store/study_identity.h"
 
 namespace ar3d {
 namespace {
@@ -155,40 +156,40 @@ void put_graph(HashStream& hash, const Graph& graph) {
 
 std::string CorpusOptions::text() const {
   return fmt::format(
-      "format={};base={};first_line={};simple={};component={};sample={};sample_seed={}",
+      "format={};base={};first_line={};simple={};component={};sample={};sample_seed={};skip={}",
       reading.format, reading.base, static_cast<int>(reading.first_line), reading.simplify,
-      largest_component, sample, sample_seed);
+      largest_component, sample, sample_seed, skip);
 }
 
-// Takes the graphs of a file one after the other. A sample of k is the k places of the smallest
+// Takes the graphs of the files one after the other. A sample of k is the k places of the smallest
 // random numbers, a function of seed and place: a larger sample contains the smaller one, and only
 // graphs that are among the k smallest so far are ever written.
 class Corpus::Scan {
  public:
   Scan(Corpus& corpus, const CorpusOptions& options) : corpus_(corpus), options_(options) {}
 
-  void take(const Graph& graph) {
-    put_graph(hash_, graph);
-    const std::uint64_t place = corpus_.graphs_in_file_++;
-    if (options_.sample == 0) {
-      if (place == kMostGraphs) {
-        throw InputError(fmt::format("{}: more than {} graphs; a sample of them can be taken",
-                                     corpus_.path_, kMostGraphs));
-      }
-    } else if (!is_drawn(place)) {
-      return;
+  void read(const CorpusFile& file) {
+    corpus_.path_ = file.path;
+    ReadFile read{file.name, file.group, {}, static_cast<std::uint32_t>(corpus_.graphs_in_file_)};
+    HashStream hash;
+    std::string problem;
+    std::optional<GraphReader> reader;
+    while (const std::optional<Graph> graph = next_graph(file, reader, problem)) take(*graph, hash);
+    read.graphs = static_cast<std::uint32_t>(corpus_.graphs_in_file_) - read.first_place;
+    if (!problem.empty()) {
+      if (read.graphs > 0) problem += fmt::format(" (the {} graphs before are taken)", read.graphs);
+      corpus_.skipped_.push_back({"", file.name.empty() ? file.path : file.name, problem});
     }
-    const Graph taken = options_.largest_component ? largest_component(graph) : graph;
-    corpus_.entries_.push_back(
-        {corpus_.spool_.append(taken), taken.num_vertices(), static_cast<std::uint32_t>(place)});
-    // Graphs that fell out of the sample since are dropped once they are as many as it holds.
-    if (options_.sample > 0 && corpus_.entries_.size() >= 2 * options_.sample) drop_replaced();
+    if (read.graphs == 0) return;
+    read.identity.file_hash = hash.digest();
+    read.identity.copy = copies_[read.identity.file_hash]++;
+    corpus_.files_.push_back(std::move(read));
   }
 
   void finish() {
     if (options_.sample > 0) drop_replaced();
     corpus_.spool_.flush();
-    corpus_.hash_ = hash_.digest();
+    corpus_.hash_ = hash_of_files();
     corpus_.order_.resize(corpus_.entries_.size());
     std::iota(corpus_.order_.begin(), corpus_.order_.end(), 0u);
     const std::vector<TakenGraph>& entries = corpus_.entries_;
@@ -199,6 +200,50 @@ class Corpus::Scan {
  private:
   using Ticket = std::pair<std::uint64_t, std::uint64_t>;  // random number, place
 
+  // Nothing at the file's end, and where it cannot be read further and files may be skipped.
+  std::optional<Graph> next_graph(const CorpusFile& file, std::optional<GraphReader>& reader,
+                                  std::string& problem) const {
+    try {
+      std::error_code ignored;
+      if (!file.name.empty() && !std::filesystem::is_regular_file(file.path, ignored)) {
+        throw InputError(file.path + ": it is no regular file");
+      }
+      if (!reader) reader.emplace(file.path, options_.reading);
+      return reader->next();
+    } catch (const InputError& error) {
+      if (!options_.skip) throw;
+      problem = error.what();
+      return std::nullopt;
+    }
+  }
+
+  void take(const Graph& graph, HashStream& hash) {
+    put_graph(hash, graph);
+    const std::uint64_t place = corpus_.graphs_in_file_++;
+    if (options_.sample == 0) {
+      if (place == kMostGraphs) {
+        throw InputError(fmt::format("{}: more than {} graphs; a sample of them can be taken",
+                                     corpus_.path_, kMostGraphs));
+      }
+    } else if (!is_drawn(place)) {
+      return;
+    }
+    const Graph taken = options_.largest_component ? largest_component(graph) : graph;
+    corpus_.entries_.push_back({corpus_.spool_.append(taken), taken.num_vertices(),
+                                static_cast<std::uint32_t>(place), taken.max_degree()});
+    // Graphs that fell out of the sample since are dropped once they are as many as it holds.
+    if (options_.sample > 0 && corpus_.entries_.size() >= 2 * options_.sample) drop_replaced();
+  }
+
+  std::string hash_of_files() const {
+    const std::vector<ReadFile>& files = corpus_.files_;
+    if (files.size() == 1 && files[0].name.empty()) return files[0].identity.file_hash;
+    std::string text;
+    for (const ReadFile& file : files) {
+      text += fmt::format("{}\n{}\n{}\n", file.name, file.group, file.identity.file_hash);
+    }
+    return content_hash(text);
+  }
   std::uint64_t number_of(std::uint64_t place) const {
     return mix_seed(options_.sample_seed, place);
   }
@@ -223,22 +268,63 @@ class Corpus::Scan {
 
   Corpus& corpus_;
   const CorpusOptions& options_;
-  HashStream hash_;
+  std::map<std::string, std::uint32_t> copies_;  // of files, by the hash of their graphs
   std::priority_queue<Ticket> drawn_;  // the smallest ones so far, the largest of them on top
 };
 
-Corpus::Corpus(const std::string& path, const CorpusOptions& options) : path_(path) {
+Corpus::Corpus(const std::vector<CorpusFile>& files, const CorpusOptions& options) {
+  expect(!files.empty(), "a corpus has files");
   Scan scan(*this, options);
-  GraphReader reader(path, options.reading);
-  while (const std::optional<Graph> graph = reader.next()) scan.take(*graph);
+  for (const CorpusFile& file : files) scan.read(file);
+  if (entries_.empty()) {
+    throw InputError(fmt::format("none of {} files holds a graph; the first: {}", files.size(),
+                                 skipped_.front().reason));
+  }
   scan.finish();
 }
 
-std::size_t Corpus::first_of_size(std::uint64_t wanted) const {
+const Corpus::ReadFile& Corpus::file_of(std::uint32_t place) const {
+  const auto behind = std::upper_bound(
+      files_.begin(), files_.end(), place,
+      [](std::uint32_t wanted, const ReadFile& file) { return wanted < file.first_place; });
+  return *std::prev(behind);
+}
+
+GraphIdentity Corpus::identity(std::uint32_t place) const {
+  const ReadFile& file = file_of(place);
+  return {file.identity.file_hash, place - file.first_place, file.identity.copy};
+}
+
+std::string Corpus::graph_name(std::uint32_t place) const {
+  constexpr std::size_t kMost = 96;
+  const ReadFile& file = file_of(place);
+  std::string name = file.name;
+  if (file.graphs > 1) name += fmt::format("#{}", place - file.first_place);
+  return name.size() <= kMost ? name : "..." + name.substr(name.size() - (kMost - 3));
+}
+
+std::vector<std::string> Corpus::file_hashes() const {
+  std::vector<std::string> hashes;
+  for (const ReadFile& file : files_) hashes.push_back(file.identity.file_hash);
+  return hashes;
+}
+
+std::size_t Corpus::count_above(std::uint32_t max_degree) const {
+  return static_cast<std::size_t>(std::count_if(
+      entries_.begin(), entries_.end(),
+      [max_degree](const TakenGraph& entry) { return entry.max_degree > max_degree; }));
+}
+
+std::size_t Corpus::first_of_size(std::uint64_t wanted, std::uint32_t max_degree) const {
   const auto at = std::lower_bound(
       order_.begin(), order_.end(), wanted,
       [this](std::uint32_t entry, std::uint64_t n) { return entries_[entry].n < n; });
-  return static_cast<std::size_t>(std::min(at, order_.end() - 1) - order_.begin());
+  const auto fits = [&](std::uint32_t entry) { return entries_[entry].max_degree <= max_degree; };
+  const auto behind = std::find_if(at, order_.end(), fits);
+  if (behind != order_.end()) return static_cast<std::size_t>(behind - order_.begin());
+  const auto before = std::find_if(std::reverse_iterator(at), order_.rend(), fits);
+  const auto chosen = before != order_.rend() ? before.base() - 1 : std::min(at, order_.end() - 1);
+  return static_cast<std::size_t>(chosen - order_.begin());
 }
 
 Graph Corpus::graph(std::uint32_t place) const {
@@ -255,7 +341,7 @@ Graph Corpus::graph(std::uint32_t place) const {
 std::shared_ptr<const NamedCorpus> named_corpus(const std::string& name,
                                                 std::shared_ptr<const Corpus> graphs) {
   Family family{name,
-                "The graphs of a file",
+                "The graphs of files",
                 std::numeric_limits<std::uint32_t>::max(),
                 false,
                 {},
@@ -263,68 +349,13 @@ std::shared_ptr<const NamedCorpus> named_corpus(const std::string& name,
   return std::make_shared<const NamedCorpus>(NamedCorpus{std::move(family), std::move(graphs)});
 }
 
-std::shared_ptr<const Corpus> CorpusShelf::get(const std::string& path,
+std::shared_ptr<const Corpus> CorpusShelf::get(const std::vector<CorpusFile>& files,
                                                const CorpusOptions& options) {
-  std::shared_ptr<const Corpus>& corpus = corpora_[path + '\n' + options.text()];
-  if (!corpus) corpus = std::make_shared<const Corpus>(path, options);
+  std::string key = options.text();
+  for (const auto& [path, name, group] : files) key += '\n' + path + '\n' + name + '\n' + group;
+  std::shared_ptr<const Corpus>& corpus = corpora_[content_hash(key)];
+  if (!corpus) corpus = std::make_shared<const Corpus>(files, options);
   return corpus;
-}
-
-namespace {
-
-constexpr Vertex kAbsent = std::numeric_limits<Vertex>::max();
-
-// new_name[v] is kAbsent for vertices that are left out.
-Graph renamed(const Graph& graph, const std::vector<Vertex>& new_name, Vertex n) {
-  std::vector<Edge> edges;
-  for (const Edge edge : graph.edges()) {
-    const Edge renamed{new_name[edge.u], new_name[edge.v]};
-    if (renamed.u != kAbsent && renamed.v != kAbsent) edges.push_back(renamed);
-  }
-  return Graph(n, std::move(edges));
-}
-
-}  // namespace
-
-Graph induced(const Graph& graph, const std::vector<bool>& keep) {
-  std::vector<Vertex> new_name(graph.num_vertices(), kAbsent);
-  Vertex n = 0;
-  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-    if (keep[v]) new_name[v] = n++;
-  }
-  return renamed(graph, new_name, n);
-}
-
-Graph largest_component(const Graph& graph) {
-  const Components components = connected_components_of(graph);
-  if (components.count <= 1) return graph;
-  std::vector<Vertex> sizes(components.count);
-  for (const std::uint32_t component : components.of) ++sizes[component];
-  const auto largest =
-      static_cast<std::uint32_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
-  std::vector<bool> keep(graph.num_vertices());
-  for (Vertex v = 0; v < graph.num_vertices(); ++v) keep[v] = components.of[v] == largest;
-  return induced(graph, keep);
-}
-
-Graph breadth_first_piece(const Graph& graph, std::uint64_t n) {
-  if (n >= graph.num_vertices()) return graph;
-  std::vector<Vertex> new_name(graph.num_vertices(), kAbsent);
-  std::vector<Vertex> found;
-  found.reserve(n);
-  const auto find = [&](Vertex v) {
-    if (found.size() == n || new_name[v] != kAbsent) return;
-    new_name[v] = static_cast<Vertex>(found.size());
-    found.push_back(v);
-  };
-  for (Vertex start = 0; found.size() < n; ++start) {
-    std::size_t next = found.size();
-    find(start);
-    for (; next < found.size(); ++next) {
-      for (const HalfEdge& half : graph.incident(found[next])) find(half.to);
-    }
-  }
-  return renamed(graph, new_name, static_cast<Vertex>(n));
 }
 
 }  // namespace ar3d

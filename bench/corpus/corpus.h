@@ -11,6 +11,7 @@
 #include "ar3d/formats/graphs/graph_format.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/model/graph.h"
+#include "ar3d/store/columns/side_tables.h"
 
 namespace ar3d {
 
@@ -39,42 +40,74 @@ class Spool {
   std::vector<char> buffer_;  // not written yet
 };
 
-/// How the graphs of a file are taken into a study.
+/// A file of a corpus.
+struct CorpusFile {
+  std::string path;
+  std::string name;   ///< of its graph in rows; empty where the corpus is one file
+  std::string group;  ///< in rows
+};
+
+/// How the graphs of files are taken into a study.
 struct CorpusOptions {
   ReadOptions reading = {};        ///< whether loops and parallel edges are dropped, too
   bool largest_component = false;  ///< of each graph only its largest connected component
-  std::uint64_t sample = 0;        ///< so many of the file's graphs; 0: all
+  std::uint64_t sample = 0;        ///< so many of the graphs; 0: all
   std::uint64_t sample_seed = 0;
+  bool skip = false;  ///< a file is read up to its first error and listed; else that is thrown
 
   /// All of it, "format=…;…": equal texts mean equal options.
   std::string text() const;
 };
 
-/// The graphs of one file, read once and kept in a temporary file without a name, so that any of
-/// them can be had again in any order by any thread, and by forked processes. Memory: 20 bytes a
-/// graph, and one graph at a time.
+/// What a graph is apart from names: the hash of its file's graphs, its place among them, and how
+/// many files before its own in the corpus have that hash, too.
+struct GraphIdentity {
+  std::string file_hash;
+  std::uint32_t index = 0;
+  std::uint32_t copy = 0;
+};
+
+/// The graphs of files, read once and kept in a temporary file without a name, so that any of them
+/// can be had again in any order by any thread, and by forked processes. Memory: 28 bytes a graph,
+/// names and a hash a file, and one graph at a time.
 class Corpus {
  public:
-  /// Reads the whole file (graphs in any format, packed or not).
-  /// @throws InputError naming file and line if a graph of it cannot be read; if it holds more than
-  /// 10^7 graphs and no sample is taken; if the temporary file cannot be written.
-  Corpus(const std::string& path, const CorpusOptions& options);
+  /// Reads the files whole (graphs in any format, packed or not).
+  /// @throws InputError naming file and line if a graph cannot be read; if there are more than 10^7
+  /// graphs and no sample is taken; if the temporary file cannot be written.
+  Corpus(const std::vector<CorpusFile>& files, const CorpusOptions& options);
+  Corpus(const std::string& path, const CorpusOptions& options)
+      : Corpus(std::vector<CorpusFile>{{path, "", ""}}, options) {}
 
-  /// XXH3-128 of the file's graphs in order (each one's n and edges), as 32 hexadecimal digits: the
-  /// same in every format, packed or not, and whatever options take of them.
+  /// Of one file: XXH3-128 of its graphs in order (each one's n and edges), as 32 hexadecimal
+  /// digits: the same in every format, packed or not, and whatever options take of them. Of a
+  /// collection: of names, groups and hashes of its files.
   const std::string& hash() const { return hash_; }
   std::uint64_t graphs_in_file() const { return graphs_in_file_; }
+  /// Files left out because of CorpusOptions::skip; their collection has no name yet.
+  const std::vector<SkippedFile>& skipped() const { return skipped_; }
+
+  /// Of the graph at that place. O(log files).
+  GraphIdentity identity(std::uint32_t place) const;
+  /// The name of its file, "#3" behind it if that holds several; of 96 bytes at most, the last.
+  std::string graph_name(std::uint32_t place) const;
+  const std::string& group(std::uint32_t place) const { return file_of(place).group; }
+  /// Hashes of the files' graphs, by place.
+  std::vector<std::string> file_hashes() const;
+  /// How many of the graphs taken have a vertex of larger degree.
+  std::size_t count_above(std::uint32_t max_degree) const;
 
   /// The graphs taken, by number of vertices and, where that is equal, by place in the file.
   std::size_t size() const { return order_.size(); }
-  /// Place in the file, from 0. @pre i < size().
+  /// Place among the graphs of all files, from 0. @pre i < size().
   std::uint32_t place(std::size_t i) const { return entries_[order_[i]].place; }
   /// Number of vertices of that graph.
   Vertex n(std::size_t i) const { return entries_[order_[i]].n; }
-  /// The first i with n(i) >= wanted, or the last one. @pre size() > 0.
-  std::size_t first_of_size(std::uint64_t wanted) const;
+  /// The first i with n(i) >= wanted, or the last one; rather the nearest one of no larger
+  /// degree than allowed. @pre size() > 0.
+  std::size_t first_of_size(std::uint64_t wanted, std::uint32_t max_degree) const;
 
-  /// The graph taken from that place of the file. O(n + m).
+  /// The graph taken from that place. O(n + m).
   /// @throws InputError if no graph was taken from there.
   Graph graph(std::uint32_t place) const;
 
@@ -86,11 +119,22 @@ class Corpus {
     std::uint64_t offset = 0;  // in the spool
     Vertex n = 0;
     std::uint32_t place = 0;
+    std::uint32_t max_degree = 0;
+  };
+  struct ReadFile {
+    std::string name;
+    std::string group;
+    GraphIdentity identity;  // of its first graph
+    std::uint32_t first_place = 0;
+    std::uint32_t graphs = 0;
   };
   class Scan;
+  const ReadFile& file_of(std::uint32_t place) const;
 
-  std::string path_;
+  std::string path_;  // of the file being read, or of the last one
   std::string hash_;
+  std::vector<ReadFile> files_;  // those with graphs, by place
+  std::vector<SkippedFile> skipped_;
   std::uint64_t graphs_in_file_ = 0;
   std::vector<TakenGraph> entries_;   // by place
   std::vector<std::uint32_t> order_;  // places in entries_, by n and place
@@ -106,11 +150,12 @@ struct NamedCorpus {
 std::shared_ptr<const NamedCorpus> named_corpus(const std::string& name,
                                                 std::shared_ptr<const Corpus> graphs);
 
-/// The corpora that a study has opened: a file is read once, however often it is asked for.
+/// The corpora that a study has opened: each is read once, however often it is asked for.
 class CorpusShelf {
  public:
   /// @throws InputError as Corpus.
-  std::shared_ptr<const Corpus> get(const std::string& path, const CorpusOptions& options);
+  std::shared_ptr<const Corpus> get(const std::vector<CorpusFile>& files,
+                                    const CorpusOptions& options);
 
  private:
   std::map<std::string, std::shared_ptr<const Corpus>> corpora_;

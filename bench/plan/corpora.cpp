@@ -12,6 +12,7 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/bench/spec/read_parts.h"
+#include "ar3d/formats/text/tokens.h"
 #include "ar3d/generators/random_graphs.h"
 
 namespace ar3d {
@@ -25,22 +26,137 @@ std::string absolute_path(const std::string& folder, const std::string& file) {
   return fs::absolute(fs::path(folder) / file).lexically_normal().string();
 }
 
-// The files that match, by name; the file itself where it exists under that very name.
-std::vector<std::string> matching_files(const std::string& path, const GraphsEntry& entry) {
-  std::error_code error;
-  const bool is_pattern = entry.file.find_first_of("*?[") != std::string::npos;
-  if (!is_pattern || fs::exists(path, error)) return {path};
+bool is_pattern(const std::string& file) { return file.find_first_of("*?[") != std::string::npos; }
+
+// What matches, by name; the file itself where it exists under that very name, or is no pattern.
+std::vector<std::string> matches(const std::string& path) {
+  std::error_code ignored;
+  if (!is_pattern(path) || fs::exists(path, ignored)) return {path};
   glob_t found{};
-  const int result = glob(path.c_str(), 0, nullptr, &found);
+  glob(path.c_str(), 0, nullptr, &found);
   std::vector<std::string> files(found.gl_pathv, found.gl_pathv + found.gl_pathc);
   globfree(&found);
-  if (result == 0 || result == GLOB_NOMATCH)
+  return files;
+}
+
+[[noreturn]] void refuse_empty(const GraphsEntry& entry) {
+  throw InputError(fmt::format("{}no file matches '{}'", entry.place, printable(entry.file)));
+}
+
+std::vector<std::string> matching_files(const std::string& path, const GraphsEntry& entry) {
+  std::vector<std::string> files = matches(path);
+  if (is_pattern(path)) {
     std::erase_if(files, [](const std::string& file) {
       std::error_code ignored;
       return fs::is_directory(file, ignored);
     });
-  if (files.empty()) {
-    throw InputError(fmt::format("{}no file matches '{}'", entry.place, printable(entry.file)));
+  }
+  if (files.empty()) refuse_empty(entry);
+  return files;
+}
+
+// A folder's files and those of its sub-folders; what begins with a dot is left out, and links to
+// folders are not followed.
+void add_folder(const std::string& folder, std::vector<std::string>& files) {
+  fs::recursive_directory_iterator at(folder);
+  for (; at != fs::recursive_directory_iterator(); ++at) {
+    const bool is_hidden = at->path().filename().string().starts_with('.');
+    if (is_hidden) at.disable_recursion_pending();
+    if (!is_hidden && !at->is_directory()) files.push_back(at->path().string());
+  }
+}
+
+// The files of a collection, by name: what matches, and everything in folders that match.
+std::vector<std::string> collected_paths(const std::string& path) {
+  std::vector<std::string> files;
+  try {
+    for (const std::string& match : matches(path)) {
+      if (fs::is_directory(match)) {
+        add_folder(match, files);
+      } else {
+        files.push_back(match);
+      }
+    }
+  } catch (const fs::filesystem_error& error) {
+    throw InputError(fmt::format("cannot read {}: {}", printable(error.path1().string()),
+                                 error.code().message()));
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+// The folder that the names of a collection's files begin behind.
+fs::path base_of(const std::string& path) {
+  const std::size_t wildcard = path.find_first_of("*?[");
+  std::error_code ignored;
+  if (wildcard == std::string::npos || fs::exists(path, ignored)) {
+    return fs::is_directory(path, ignored) ? fs::path(path) : fs::path(path).parent_path();
+  }
+  return path.substr(0, path.rfind('/', wildcard));
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
+}
+
+// A table "FILE,GROUP": a tab, else the last comma, else the last blank is between them.
+std::map<std::string, std::string, std::less<>> read_groups(const std::string& path) {
+  std::map<std::string, std::string, std::less<>> groups;
+  TextInput input(path);
+  while (const std::optional<std::string_view> line = input.next_line()) {
+    const std::string_view text = trimmed(*line);
+    if (text.empty() || is_comment(text)) continue;
+    std::size_t between = text.find('\t');
+    if (between == std::string_view::npos) between = text.rfind(',');
+    if (between == std::string_view::npos) between = text.rfind(' ');
+    if (between == std::string_view::npos) {
+      input.fail(0, fmt::format("{} is no line 'FILE,GROUP'", shown(text)));
+    }
+    const std::string file(trimmed(text.substr(0, between)));
+    const std::string group(trimmed(text.substr(between + 1)));
+    if (groups.try_emplace(file, group).first->second == group) continue;
+    input.fail(0, fmt::format("{} is of group {} above, and of {} here", shown(file),
+                              shown(groups.at(file)), shown(group)));
+  }
+  return groups;
+}
+
+void require_group(const CorpusFile& file, const GraphsEntry& entry) {
+  constexpr std::size_t kLongestGroup = 48;
+  if (file.group.size() <= kLongestGroup && printable(file.group) == file.group) return;
+  throw InputError(
+      fmt::format("{}{}: group {} is not {} bytes of printable ASCII; `groups` names "
+                  "a table of others",
+                  entry.place, printable(file.path), shown(file.group), kLongestGroup));
+}
+
+// The files of a collection with their names behind its folder, and their groups: sub-folders, or
+// as the table says.
+std::vector<CorpusFile> collected_files(const GraphFileRecord& record, const GraphsEntry& entry) {
+  std::map<std::string, std::string, std::less<>> groups;
+  if (!record.groups.empty()) groups = read_groups(record.groups);
+  const fs::path base = base_of(record.path);
+  std::vector<CorpusFile> files;
+  bool any_group = groups.empty();
+  for (const std::string& found : collected_paths(record.path)) {
+    const fs::path within = fs::path(found).lexically_relative(base);
+    CorpusFile file{found, within.filename().string(), within.parent_path().string()};
+    if (!record.groups.empty()) {
+      file.name = within.string();
+      auto group = groups.find(file.name);
+      if (group == groups.end()) group = groups.find(within.filename().string());
+      file.group = group == groups.end() ? "" : group->second;
+      any_group = any_group || group != groups.end();
+    }
+    require_group(file, entry);
+    files.push_back(std::move(file));
+  }
+  if (files.empty()) refuse_empty(entry);
+  if (!any_group) {
+    throw InputError(fmt::format("{}{} names no file of {}", entry.place, printable(record.groups),
+                                 record.name));
   }
   return files;
 }
@@ -99,7 +215,13 @@ class CorpusReader {
       throw InputError(fmt::format("{}the study does not say which files '{}' was", entry.place,
                                    printable(entry.file)));
     }
-    for (const std::string& path : matching_files(absolute_path(spec_.folder, entry.file), entry)) {
+    const std::string wanted = absolute_path(spec_.folder, entry.file);
+    if (entry.is_collection) {
+      const std::string groups =
+          entry.groups.empty() ? "" : absolute_path(spec_.folder, entry.groups);
+      return {{entry.name, number, -1, {}, wanted, groups}};
+    }
+    for (const std::string& path : matching_files(wanted, entry)) {
       std::error_code ignored;
       if (fs::is_directory(path, ignored)) {
         throw InputError(
@@ -108,8 +230,10 @@ class CorpusReader {
       records.push_back({entry.name.empty() ? own_name(path) : entry.name, number, -1, {}, path});
     }
     if (!entry.name.empty() && records.size() > 1) {
-      throw InputError(fmt::format("{}'{}' is one name for the {} files that '{}' matches",
-                                   entry.place, entry.name, records.size(), printable(entry.file)));
+      throw InputError(
+          fmt::format("{}'{}' is one name for the {} files that '{}' matches: {{ "
+                      "files = …, name = … }} makes one collection of them",
+                      entry.place, entry.name, records.size(), printable(entry.file)));
     }
     return records;
   }
@@ -129,15 +253,18 @@ class CorpusReader {
     record.hash = graphs->hash();
     record.graphs = static_cast<std::int64_t>(graphs->graphs_in_file());
     require_one_of_a_kind(record, options, entry);
+    require_rows_of_one_name(*graphs, record, entry);
     corpora_.push_back({&sweep, &entry, record, named_corpus(record.name, graphs)});
   }
 
   std::shared_ptr<const Corpus> opened(const GraphFileRecord& record, const CorpusOptions& options,
                                        const GraphsEntry& entry) const {
     try {
-      return spec_.shelf->get(record.path, options);
+      if (!entry.is_collection) return spec_.shelf->get({{record.path, "", ""}}, options);
+      return spec_.shelf->get(collected_files(record, entry), options);
     } catch (const InputError& error) {
-      throw InputError(entry.place + error.what());
+      const std::string message = error.what();
+      throw InputError(message.starts_with(entry.place) ? message : entry.place + message);
     }
   }
 
@@ -164,11 +291,23 @@ class CorpusReader {
     }
   }
 
+  // The rows of a file have one family, even where a collection holds the file, too.
+  void require_rows_of_one_name(const Corpus& graphs, const GraphFileRecord& record,
+                                const GraphsEntry& entry) {
+    for (const std::string& hash : graphs.file_hashes()) {
+      const std::string& name = by_file_.try_emplace(hash, record.name).first->second;
+      if (name == record.name) continue;
+      throw InputError(fmt::format("{}a file of {} holds the same graphs as one of {}", entry.place,
+                                   record.name, name));
+    }
+  }
+
   const StudySpec& spec_;
   const std::string& only_;
   std::vector<StudyCorpus> corpora_;
   std::map<std::string, GraphFileRecord> by_name_;
   std::map<std::string, GraphFileRecord> by_hash_;
+  std::map<std::string, std::string> by_file_;  // hash of a file's graphs -> family
   std::map<std::string, std::uint64_t> samples_;
 };
 
@@ -183,6 +322,33 @@ std::vector<FamilyChoice> StudyCorpus::choices() const {
     choices.push_back(std::move(choice));
   }
   return choices;
+}
+
+std::vector<std::string> graph_files_of(const StudySpec& spec) {
+  std::vector<std::string> files;
+  const auto add = [&files](const std::string& path, const std::string& groups,
+                            bool is_collection) {
+    const std::vector<std::string> found = is_collection ? collected_paths(path) : matches(path);
+    files.insert(files.end(), found.begin(), found.end());
+    if (!groups.empty()) files.push_back(groups);
+  };
+  std::vector<const GraphsEntry*> entries;
+  for (const Sweep& sweep : spec.sweeps) {
+    for (const GraphsEntry& entry : sweep.graphs) entries.push_back(&entry);
+  }
+  if (!spec.graph_files) {
+    for (const GraphsEntry* entry : entries) {
+      add(absolute_path(spec.folder, entry->file),
+          entry->groups.empty() ? "" : absolute_path(spec.folder, entry->groups),
+          entry->is_collection);
+    }
+    return files;
+  }
+  for (const GraphFileRecord& record : *spec.graph_files) {
+    const auto number = static_cast<std::size_t>(record.entry);
+    add(record.path, record.groups, number < entries.size() && entries[number]->is_collection);
+  }
+  return files;
 }
 
 std::vector<StudyCorpus> corpora_of(const StudySpec& spec, const std::string& only) {

@@ -39,14 +39,18 @@ std::string hash128(const std::string& text) {
 std::string instance_identity(const PlannedInstance& instance) {
   std::string text;
   text.reserve(kUsualText);
+  GraphIdentity graph;
+  graph.index = instance.index;
   if (const auto& corpus = instance.choice.corpus) {  // whatever the file is called
-    append_line(text, "graphs", corpus->graphs->hash());
+    graph = corpus->graphs->identity(instance.index);
+    append_line(text, "graphs", graph.file_hash);
   } else {
     append_line(text, "family", instance.choice.family->name);
   }
   append_line(text, "parameters", instance.parameters);
   append_line(text, "n", instance.n);
-  append_line(text, "index", instance.index);
+  append_line(text, "index", graph.index);
+  if (graph.copy > 0) append_line(text, "copy", graph.copy);
   return text;
 }
 

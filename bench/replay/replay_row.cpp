@@ -101,7 +101,9 @@ RunRecord replayed(const RunRecord& row, const StudyOrigin& origin) {
   }
   RowMaker maker({.concurrency = 1, .core = -1, .memory = MemoryScope::row});
   maker.prepare(instance);
-  return maker.make_row(instance.runs.front());
+  RunRecord now = maker.make_row(instance.runs.front());
+  if (row.max_degree < 0) now.max_degree = row.max_degree;  // made before there was that column
+  return now;
 }
 
 std::vector<std::size_t> sample_of_rows(const std::vector<RunRecord>& rows, std::size_t count,

@@ -77,8 +77,16 @@ Results describe_study(const StudySpec& spec, int workers) {
   results.created = now_with_zone();
   results.tables = {algorithm_table(algorithms_of(spec))};
   std::vector<GraphFileRecord> files;
-  for (const StudyCorpus& corpus : corpora_of(spec)) files.push_back(corpus.record);
+  std::vector<SkippedFile> skipped;
+  for (const StudyCorpus& corpus : corpora_of(spec)) {
+    files.push_back(corpus.record);
+    for (SkippedFile file : corpus.corpus->graphs->skipped()) {
+      file.name = corpus.record.name;
+      skipped.push_back(std::move(file));
+    }
+  }
   if (!files.empty()) results.tables.push_back(graph_file_table(files));
+  if (!skipped.empty()) results.tables.push_back(skipped_file_table(skipped));
   results.environment = capture_environment(workers);
   for (const std::shared_ptr<const ExternalAlgorithm>& program : spec.programs) {
     results.environment.push_back(program_entry(*program));

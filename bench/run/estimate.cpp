@@ -112,7 +112,8 @@ Measured measured_at(const PlannedInstance& like, const PlannedRun& run, std::ui
   PlannedInstance instance = like;
   instance.requested_n = requested_n;
   if (const auto& corpus = like.choice.corpus) {  // one of that size, or a piece of a larger one
-    instance.index = corpus->graphs->place(corpus->graphs->first_of_size(requested_n));
+    const std::uint32_t limit = run.choice.algorithm->guarantee.max_degree;
+    instance.index = corpus->graphs->place(corpus->graphs->first_of_size(requested_n, limit));
   }
   const std::uint64_t n = like.choice.family->nearest_n(requested_n, like.choice.parameters);
   StepLimits limits{.cpu_s = {}, .memory_bytes = available_memory()};

@@ -105,6 +105,10 @@ RunRecord instance_row(const PlannedInstance& instance) {
   run.requested_n = static_cast<std::int64_t>(instance.requested_n);
   run.instance_index = instance.index;
   run.seed = instance.seed;
+  if (const auto& corpus = instance.choice.corpus) {
+    run.graph_name = corpus->graphs->graph_name(instance.index);
+    run.group = corpus->graphs->group(instance.index);
+  }
   return run;
 }
 
@@ -163,6 +167,7 @@ void RowMaker::prepare(const PlannedInstance& instance) {
     base_.n = graph.num_vertices();
     base_.m = graph.num_edges();
     base_.graph_hash = graph_hash(graph);
+    base_.max_degree = graph.max_degree();
     graph_ = std::move(graph);
   });
 }
@@ -278,6 +283,7 @@ RunRecord failed_row(const PlannedInstance& instance, const PlannedRun& planned,
   run.n = failed.n;
   run.m = failed.m;
   run.graph_hash = failed.graph_hash;
+  run.max_degree = failed.max_degree;
   run.status = failed.status;
   run.message = failed.message;
   return run;

@@ -46,12 +46,14 @@ KeptDrawings parse_kept_drawings(std::string_view text) {
 
 namespace {
 
-/// @param graphs  a path, a table with `file`, or a list of these.
+/// @param graphs  a path, a table with `file` or `files`, or a list of these.
 void make_paths_absolute(toml::node& graphs, const std::string& folder) {
   if (toml::array* const list = graphs.as_array()) {
     for (toml::node& entry : *list) make_paths_absolute(entry, folder);
   } else if (toml::table* const table = graphs.as_table()) {
-    if (toml::node* const file = table->get("file")) make_paths_absolute(*file, folder);
+    for (const char* key : {"file", "files", "groups"}) {
+      if (toml::node* const file = table->get(key)) make_paths_absolute(*file, folder);
+    }
   } else if (toml::value<std::string>* const path = graphs.as_string()) {
     path->get() = std::filesystem::absolute(std::filesystem::path(folder) / path->get()).string();
   }

@@ -36,8 +36,11 @@ std::vector<std::int64_t> shuffles(const std::string& file, const toml::node& no
 
 void read_table(const std::string& file, const toml::node& node, GraphsEntry& entry) {
   TomlTable table(file, node, "graphs");
-  entry.file = table.text("file");
-  entry.name = table.text("name", "");
+  entry.is_collection = table.has("files");
+  entry.file = table.text(entry.is_collection ? "files" : "file");
+  entry.name = entry.is_collection ? table.text("name") : table.text("name", "");
+  if (entry.is_collection) entry.groups = table.text("groups", "");
+  entry.options.skip = table.boolean("skip", false);
   if (const toml::node* name = table.find("name"); name != nullptr && !is_graphs_name(entry.name)) {
     refuse_toml(file, *name,
                 fmt::format("name '{}' is not 1 to {} letters, digits, '.', '-' or '_'",
@@ -111,7 +114,11 @@ std::string graphs_study_text(const GraphsStudy& study) {
   std::string text =
       fmt::format("study = \"graphs\"\nseed = {}\n\n[[sweep]]\ngraphs = [\n", study.seed);
   for (const std::string& file : study.files) {
-    text += "  { file = " + toml_quoted(file);
+    text += study.name.empty() ? "  { file = " : "  { files = ";
+    text += toml_quoted(file);
+    if (!study.name.empty()) text += ", name = " + toml_quoted(study.name);
+    if (!study.groups.empty()) text += ", groups = " + toml_quoted(study.groups);
+    if (study.skip) text += ", skip = true";
     if (study.sample > 0) text += fmt::format(", sample = {}", study.sample);
     if (!reading.format.empty()) text += ", format = " + toml_quoted(reading.format);
     if (reading.base != 0) text += fmt::format(", base = {}", reading.base);

@@ -92,8 +92,10 @@ struct AlgorithmChoice {
 
 /// Files whose graphs are instances.
 struct GraphsEntry {
-  std::string file;  ///< path or pattern (glob) of the specification
+  std::string file;  ///< path or pattern (glob) of the specification; of a collection also a folder
   std::string name;  ///< empty: the file's own
+  bool is_collection = false;  ///< all files together are one family
+  std::string groups;  ///< of a collection: path of a table file → group; empty: sub-folders
   CorpusOptions options;
   std::vector<std::int64_t> shuffles = {0};  ///< numbers of the permutations of the labels; 0: none
   std::string place;                         ///< "FILE:LINE: " of the specification, for messages
@@ -172,9 +174,12 @@ AlgorithmChoice algorithm_choice(const StudySpec& spec, const std::string& name,
 /// Graphs of files to be drawn, as the command line has it.
 struct GraphsStudy {
   std::vector<std::string> files;       ///< paths or patterns, relative to the current folder
+  std::string name;                     ///< given: all files are one collection of this name
+  std::string groups;                   ///< of the collection: table file -> group
   std::vector<std::string> algorithms;  ///< empty: all
   std::uint64_t seed = 0;
   std::uint64_t sample = 0;  ///< of each file; 0: all graphs
+  bool skip = false;         ///< files that cannot be read are left out
   bool simple = false;       ///< loops and parallel edges are dropped
   bool largest_component = false;
   bool shuffle = false;

@@ -161,6 +161,11 @@ void add_identity(ColumnList& c) {
            "0, 1, ...: which instance of (family, parameters, requested_n)");
   c.number("seed", "", &R::seed, "the generator's seed of this instance");
   c.text("graph_hash", 32, &R::graph_hash, "128-bit hash of the graph");
+  c.message("graph_name", 96, &R::graph_name,
+            "of a graph of files: its file in the collection, #3 behind it if that holds several");
+  c.text("group", 48, &R::group, "of a graph of a collection: sub-folder, or as a table says");
+  c.number("max_degree", "1", &R::max_degree, "largest degree of a vertex");
+  for (auto added = c.columns.end() - 3; added != c.columns.end(); ++added) added->required = false;
   c.kind = ColumnKind::run;
   c.text("algorithm", 48, &R::algorithm, "drawing algorithm");
   c.text("options", 96, &R::options, "the algorithm's options, complete, in catalogue order");

@@ -57,6 +57,9 @@ struct RunRecord {
   std::int64_t instance_index = -1;  ///< 0, 1, … : which instance of (family, parameters, n)
   std::uint64_t seed = 0;            ///< the generator's seed of this instance
   std::string graph_hash;            ///< 32 hexadecimal digits
+  std::string graph_name;  ///< of a graph of files: its file, "#3" behind it if of several
+  std::string group;       ///< of a graph of a collection
+  std::int64_t max_degree = -1;
   std::string algorithm;
   std::string options;  ///< "effort=1", complete and in catalogue order
   RunPhase phase = RunPhase::metrics;

@@ -64,7 +64,19 @@ TableSpec make_graph_files_spec() {
       {"graphs", "1", "graphs in the file", FieldType::int64, 8},
       {"hash", "", "XXH3-128 of its graphs in order", FieldType::text, 32},
       {"path", "", "absolute path; %XX for bytes that are no printable ASCII", FieldType::text,
+       1024},
+      {"groups", "", "absolute path of a collection's table of groups, as path", FieldType::text,
        1024}};
+  spec.fields.back().required = false;
+  pack_fields(spec.fields);
+  return spec;
+}
+
+TableSpec make_skipped_files_spec() {
+  TableSpec spec{"skipped_files",
+                 "files of collections that could not be read",
+                 {text_field("name", "of the collection", 48), text_field("file", "in it", 96),
+                  text_field("reason", "why it could not be read", 240)}};
   pack_fields(spec.fields);
   return spec;
 }
@@ -279,7 +291,32 @@ StoredTable graph_file_table(const std::vector<GraphFileRecord>& records) {
     to.put(record.graphs);
     to.put(record.hash);
     to.put(encoded(record.path));
+    to.put(encoded(record.groups));
   });
+}
+
+const TableSpec& skipped_files_spec() {
+  static const TableSpec spec = make_skipped_files_spec();
+  return spec;
+}
+
+StoredTable skipped_file_table(const std::vector<SkippedFile>& records) {
+  return table_of(skipped_files_spec(), records, [](FieldCursor& to, const SkippedFile& record) {
+    to.put(record.name);
+    to.put(fitted_text(record.file, 96));
+    to.put(fitted_text(record.reason, 240));
+  });
+}
+
+std::vector<SkippedFile> skipped_file_records(const StudyIdentity& identity) {
+  std::vector<SkippedFile> records;
+  for_each_record(identity, skipped_files_spec(), [&](FieldCursor& from) {
+    SkippedFile& record = records.emplace_back();
+    record.name = from.text();
+    record.file = from.text();
+    record.reason = from.text();
+  });
+  return records;
 }
 
 std::vector<GraphFileRecord> graph_file_records(const StudyIdentity& identity) {
@@ -291,6 +328,7 @@ std::vector<GraphFileRecord> graph_file_records(const StudyIdentity& identity) {
     record.graphs = from.number<std::int64_t>();
     record.hash = from.text();
     record.path = decoded(from.text());
+    record.groups = decoded(from.text());
   });
   return records;
 }

@@ -44,14 +44,29 @@ void set_bounds(const AlgorithmRecord* record, RunRecord& run);
 /// The same with the bounds themselves; each may be null.
 void set_bounds(const SizeBound* theorem, const SizeBound* published, RunRecord& run);
 
-/// A record of /graph_files: a file whose graphs are instances of the study.
+/// A record of /graph_files: a file, or a collection of files, whose graphs are instances.
 struct GraphFileRecord {
   std::string name;          ///< the family of its rows
   std::int64_t entry = 0;    ///< which entry of the specification's `graphs` it is of, from 0
-  std::int64_t graphs = -1;  ///< in the file
+  std::int64_t graphs = -1;  ///< in the file, or in all files
   std::string hash;          ///< of its graphs, 32 hexadecimal digits
-  std::string path;          ///< absolute, where the study found it
+  std::string path;  ///< absolute, where the study found it; a collection's pattern or folder
+  std::string groups = {};  ///< absolute path of a collection's table of groups, if it has one
 };
+
+/// A record of /skipped_files: a file of a collection that could not be read.
+struct SkippedFile {
+  std::string name;  ///< of the collection
+  std::string file;  ///< within it
+  std::string reason;
+};
+
+/// The name and the fields of /skipped_files.
+const TableSpec& skipped_files_spec();
+/// The table of these records; what is too long is cut.
+StoredTable skipped_file_table(const std::vector<SkippedFile>& records);
+/// The records of /skipped_files of a study; none if it has no such table.
+std::vector<SkippedFile> skipped_file_records(const StudyIdentity& identity);
 
 /// The name and the fields of /graph_files.
 const TableSpec& graph_files_spec();

@@ -94,6 +94,33 @@ algorithms = "diamond"
               HasSubstr("3 cells, 161 instances, 161 rows"));
 }
 
+TEST_F(GraphFiles, ACollectionOfFilesIsOneFamilyInPlanRowsResumeAndReplay) {
+  must(fmt::format("python3 {}/tests/apps/rome_like.py {} 60", AR3D_SOURCE_DIR, path("rome")));
+  scratch_.write("rome/notes.txt", "no graph\n");
+  const std::string options = "--graphs rome --name rome --algorithm diamond --algorithm grid ";
+  expect_one_line(run(study("plan " + options)), "notes.txt:1: ");
+  const Outcome plan = expect_exit(0, run(study("plan --skip " + options)));
+  EXPECT_THAT(plan.out, AllOf(HasSubstr("rome: 60 graphs, "), HasSubstr(" of degree above 3, "),
+                              HasSubstr(", 1 files left out\n  left out: "),
+                              HasSubstr("grid effort=1: 60 rows")));
+  must(study("run -q --skip " + options + "-o r.h5"));
+  const Results results = read_results(path("r.h5"));
+  ASSERT_EQ(results.runs.size(), 120u);
+  std::set<std::string> names;
+  for (const RunRecord& row : results.runs) {
+    EXPECT_EQ(row.family, "rome");
+    EXPECT_EQ(row.group, fmt::format("n{}", row.n / 10 * 10));
+    EXPECT_EQ(row.status == RunStatus::refused, row.max_degree > (row.algorithm == "grid" ? 3 : 4));
+    names.insert(row.graph_name);
+  }
+  EXPECT_EQ(names.size(), 60u);
+  ASSERT_EQ(skipped_file_records(results).size(), 1u);
+  EXPECT_EQ(skipped_file_records(results)[0].file, "notes.txt");
+  expect_exit(0, run("{} study selfcheck " + path("r.h5")));
+  fs::rename(path("rome"), path("moved"));
+  expect_exit(0, run("{} replay " + path("r.h5") + " 7 --graphs " + path("moved")));
+}
+
 TEST_F(GraphFiles, ThreadsWorkersShardsAndRanksMakeTheSameRows) {
   must(both("--threads 1 -o one.h5"));
   must(both("--threads 2 --isolate -o isolated.h5"));

@@ -53,8 +53,9 @@ TEST_F(Files, AllGraphsComeBackBySizeAndPlace) {
     EXPECT_LE(std::pair(corpus.n(i - 1), corpus.place(i - 1)), std::pair(corpus.n(i), place));
   }
   EXPECT_EQ(places.size(), graphs.size());
-  EXPECT_EQ(corpus.n(corpus.first_of_size(11)), 12u);
-  EXPECT_EQ(corpus.first_of_size(1000), corpus.size() - 1);
+  EXPECT_EQ(corpus.n(corpus.first_of_size(11, 3)), 12u);
+  EXPECT_EQ(corpus.first_of_size(1000, 3), corpus.size() - 1);
+  EXPECT_EQ(corpus.first_of_size(0, 2), 0u) << "none fits";
   EXPECT_THAT(problem([&] { corpus.graph(30); }), HasSubstr("no graph is taken from place 30"));
 }
 
@@ -287,6 +288,10 @@ TEST(GraphFileTable, KeepsAnyPath) {
   EXPECT_EQ(read[0].path, records[0].path);
   EXPECT_EQ(read[0].hash, records[0].hash);
   EXPECT_EQ(read[0].graphs, 7);
+  EXPECT_EQ(read[0].groups, "");
+  identity.tables = {skipped_file_table({{"a", std::string(100, 'f'), "caf\xc3\xa9"}})};
+  ASSERT_EQ(skipped_file_records(identity).size(), 1u);
+  EXPECT_EQ(skipped_file_records(identity)[0].reason, "caf??");
   EXPECT_THROW(graph_file_table({{"a", 0, 1, "", std::string(1025, 'x')}}), InputError);
 }
 

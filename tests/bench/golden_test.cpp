@@ -15,12 +15,12 @@ using Digests = std::map<std::string, std::string>;
 // commit.
 const std::map<std::string, Digests> kSmoke = {
     {"instance",
-     {{"compact", "eade0f1a729624c1ef61c7d878df0a08"},
-      {"compact-120", "b41b5ef78e50f4a458e2243e73d2c57e"},
-      {"diamond", "eade0f1a729624c1ef61c7d878df0a08"},
-      {"grid", "b41b5ef78e50f4a458e2243e73d2c57e"},
-      {"two-bend", "b41b5ef78e50f4a458e2243e73d2c57e"},
-      {"two-bend-109", "eade0f1a729624c1ef61c7d878df0a08"}}},
+     {{"compact", "45d3a098b5ce009cd4043fa0391335c8"},
+      {"compact-120", "c3a9603608f03bd60b55129f1ef457b9"},
+      {"diamond", "45d3a098b5ce009cd4043fa0391335c8"},
+      {"grid", "c3a9603608f03bd60b55129f1ef457b9"},
+      {"two-bend", "c3a9603608f03bd60b55129f1ef457b9"},
+      {"two-bend-109", "45d3a098b5ce009cd4043fa0391335c8"}}},
     {"metric",
      {{"compact", "4ea29b7ae0ff771e936332f028a22cac"},
       {"compact-120", "6b7695444e5ce3e644dee6af78f8caa7"},

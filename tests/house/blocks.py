@@ -96,6 +96,8 @@ class Folder:
         self.must("ar3d study run strong.toml -q -o r.h5")
         self.must("mkdir nets && ar3d generate prism -n 8 -o nets/a.s6 && ar3d generate cycle -n 9 -o nets/b.s6 && cat nets/*.s6 | gzip >census.s6.gz")
         self.must("ar3d generate torus -n 16 --format matrixmarket -o roads.mtx")
+        self.must(f"python3 {pathlib.Path(sys.argv[1]).resolve()}/tests/apps/rome_like.py rome 4")
+        self.must("ls rome/*/* | sed 's|.*/||; s|$|,all|' >rome.csv")
         self.must("printf '#!/bin/sh\\ncat\\n' >my-drawer && chmod +x my-drawer")
         # A checkout with a reference of the study.
         self.must("git init -q . && mkdir -p apps results/reference && touch apps/study.cpp && cp smoke.h5 results/reference/0.1.0-smoke.h5")
