@@ -7,7 +7,6 @@
 
 #include "ar3d/algorithms/compact/compact.h"
 #include "ar3d/algorithms/compact_120/compact_120.h"
-#include "ar3d/algorithms/degree_limit.h"
 #include "ar3d/algorithms/diamond/diamond.h"
 #include "ar3d/algorithms/grid/grid.h"
 #include "ar3d/algorithms/two_bend/two_bend.h"
@@ -43,6 +42,30 @@ OpenTable<Algorithm>& table() {
 }
 
 }  // namespace
+
+SettingSpec effort_option(int highest, std::string_view description) {
+  return {"effort", 0, highest, kDefaultEffort, std::string(description)};
+}
+
+void check_effort(std::string_view algorithm, int effort, int highest) {
+  if (effort >= 0 && effort <= highest) return;
+  throw InputError(fmt::format("{} has efforts 0 to {}, not {}", algorithm, highest, effort));
+}
+
+void refuse_larger_degrees(std::string_view algorithm, const Graph& graph, std::uint32_t limit) {
+  if (graph.max_degree() <= limit) return;
+  Vertex v = 0;
+  while (graph.degree(v) <= limit) ++v;
+  throw InputError(fmt::format(
+      "{} draws graphs of maximum degree {}, but vertex {} has degree {} (vertices count from 0)",
+      algorithm, limit, v, graph.degree(v)));
+}
+
+void refuse_more_vertices(std::string_view algorithm, const Graph& graph, std::uint32_t limit) {
+  if (graph.num_vertices() <= limit) return;
+  throw InputError(fmt::format("{} draws at most {} vertices, this graph has {}", algorithm, limit,
+                               graph.num_vertices()));
+}
 
 const std::vector<Algorithm>& algorithms() { return table().rows(); }
 

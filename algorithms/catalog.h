@@ -24,6 +24,35 @@ struct Algorithm {
                   const Settings&) = nullptr;  ///< called with complete values, see draw()
 };
 
+/// How much a drawing may cost, on one scale for all algorithms:
+///   0  the construction of the proof, without any step that only makes drawings smaller
+///   1  the default: a drawing that is small in practice, in about the same time
+///   2  a smaller one, for several times the time; left out where it would gain nothing
+inline constexpr int kDefaultEffort = 1;
+
+/// The option `effort` with 0 ... highest and the default above.
+SettingSpec effort_option(int highest, std::string_view description);
+
+/// An algorithm's `draw(graph, options)` as a catalogue row calls it, its only option being
+/// `effort`.
+template <auto draw>
+Drawing draw_with_effort(const Graph& graph, const Settings& values) {
+  return draw(graph, {.effort = static_cast<int>(value_of(values, "effort"))});
+}
+
+// What every algorithm refuses, also when it is called without the catalogue.
+
+/// @throws InputError naming the algorithm unless 0 <= effort <= highest.
+void check_effort(std::string_view algorithm, int effort, int highest);
+
+/// @throws InputError naming the first vertex whose degree passes the algorithm's limit. O(1) if
+/// there is none, else O(n).
+void refuse_larger_degrees(std::string_view algorithm, const Graph& graph, std::uint32_t limit);
+
+/// @throws InputError if the graph has more vertices than the algorithm's integer widths are proved
+/// for. O(1).
+void refuse_more_vertices(std::string_view algorithm, const Graph& graph, std::uint32_t limit);
+
 /// All algorithms, in the order in which they are listed.
 const std::vector<Algorithm>& algorithms();
 

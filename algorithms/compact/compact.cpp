@@ -11,7 +11,6 @@
 
 #include "ar3d/algorithms/compact/fill.h"
 #include "ar3d/algorithms/compact/words.h"
-#include "ar3d/algorithms/degree_limit.h"
 #include "ar3d/algorithms/strips/routes.h"
 
 namespace ar3d::compact {

@@ -6,7 +6,6 @@
 #include "ar3d/algorithms/compact/fill.h"
 #include "ar3d/algorithms/compact/letters.h"
 #include "ar3d/algorithms/compact/strip.h"
-#include "ar3d/algorithms/effort.h"
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"
 

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "ar3d/algorithms/compact_120/fill.h"
-#include "ar3d/algorithms/degree_limit.h"
 #include "ar3d/algorithms/strips/routes.h"
 
 namespace ar3d::compact_120 {

@@ -5,7 +5,6 @@
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/algorithms/compact_120/fill.h"
 #include "ar3d/algorithms/compact_120/strip.h"
-#include "ar3d/algorithms/effort.h"
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"
 

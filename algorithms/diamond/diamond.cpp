@@ -10,7 +10,6 @@
 #include <tuple>
 #include <utility>
 
-#include "ar3d/algorithms/degree_limit.h"
 #include "ar3d/algorithms/diamond/fast/fast.h"
 #include "ar3d/algorithms/diamond/guaranteed.h"
 #include "ar3d/algorithms/diamond/parity.h"
@@ -189,9 +188,7 @@ Algorithm row() {
   row.options = {effort_option(
       kHighestEffort,
       "0: the proof's construction; 1: one linear pass; 2: the smallest of many, also annealed")};
-  row.draw = [](const Graph& graph, const Settings& values) {
-    return draw(graph, {.effort = static_cast<int>(value_of(values, "effort"))});
-  };
+  row.draw = draw_with_effort<draw>;
   return row;
 }
 

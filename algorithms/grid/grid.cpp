@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "ar3d/algorithms/degree_limit.h"
 #include "ar3d/algorithms/grid/order.h"
 #include "ar3d/algorithms/grid/planes.h"
 #include "ar3d/algorithms/grid/routes.h"
@@ -106,9 +105,7 @@ Algorithm row() {
       "Theorem 3",
       std::move(guarantee),
       {effort_option(kHighestEffort, "0: the proved core; 1: flat numbers where that is possible")},
-      [](const Graph& graph, const Settings& values) {
-        return draw(graph, {.effort = static_cast<int>(value_of(values, "effort"))});
-      }};
+      draw_with_effort<draw>};
 }
 
 }  // namespace ar3d::grid

@@ -69,9 +69,7 @@ void offer_efforts(Algorithm& row) {
   row.options = {effort_option(
       kHighestEffort,
       "0: the zones of the proof; 1: a narrow strip; 2: a narrower one, several times slower")};
-  row.draw = [](const Graph& graph, const Settings& values) {
-    return draw(graph, {.effort = static_cast<int>(value_of(values, "effort"))});
-  };
+  row.draw = draw_with_effort<draw>;
 }
 
 }  // namespace ar3d::strips

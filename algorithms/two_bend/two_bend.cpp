@@ -10,8 +10,6 @@
 #include <optional>
 #include <utility>
 
-#include "ar3d/algorithms/degree_limit.h"
-#include "ar3d/algorithms/effort.h"
 #include "ar3d/algorithms/two_bend/checks.h"
 #include "ar3d/algorithms/two_bend/fixed_bodies.h"
 #include "ar3d/algorithms/two_bend/layout.h"

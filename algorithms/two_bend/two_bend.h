@@ -3,7 +3,6 @@
 #include <array>
 
 #include "ar3d/algorithms/catalog.h"
-#include "ar3d/algorithms/effort.h"
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"
 #include "ar3d/model/guarantee.h"

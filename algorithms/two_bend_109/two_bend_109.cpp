@@ -12,8 +12,6 @@
 #include <memory>
 #include <utility>
 
-#include "ar3d/algorithms/degree_limit.h"
-#include "ar3d/algorithms/effort.h"
 #include "ar3d/algorithms/two_bend_109/layout.h"
 #include "ar3d/algorithms/two_bend_109/partition.h"
 #include "ar3d/algorithms/two_bend_109/placement.h"

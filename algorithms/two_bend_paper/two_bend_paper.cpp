@@ -13,7 +13,6 @@
 #include <utility>
 #include <vector>
 
-#include "ar3d/algorithms/degree_limit.h"
 #include "ar3d/algorithms/two_bend_paper/expansion.h"
 #include "ar3d/algorithms/two_bend_paper/growth.h"
 #include "ar3d/algorithms/two_bend_paper/stacking.h"

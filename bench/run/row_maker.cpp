@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <new>
 
-#include "ar3d/algorithms/degree_limit.h"
 #include "ar3d/base/error.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/instruments.h"

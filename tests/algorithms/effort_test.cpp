@@ -1,6 +1,4 @@
 // One scale of effort for all algorithms.
-#include "ar3d/algorithms/effort.h"
-
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
 #include "support/graphs.h"
