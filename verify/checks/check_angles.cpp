@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -25,62 +26,44 @@ std::string describe_rule(const Guarantee& guarantee) {
                      c.numerator, c.denominator);
 }
 
-/// A segment that leaves a vertex: which one, and whether the vertex is its last point instead of
-/// its first.
+/// A segment that leaves a vertex, which is its last point instead of its first if it is reversed.
 struct Leaving {
+  Vertex vertex;
   SegmentId segment;
   bool reversed;
 };
 
-Vector direction(const Segments& segments, Leaving leaving) {
+Vector direction(const Segments& segments, const Leaving& leaving) {
   const Vector d = segments.direction(leaving.segment);
   return leaving.reversed ? -d : d;
 }
 
-/// The segments that leave every vertex, as compressed rows.
-struct Stars {
-  std::vector<std::size_t> offsets;
+/// By vertex, those of one vertex from the last edge to the first. O(S log S).
+std::vector<Leaving> leaving_segments(const Segments& segments) {
   std::vector<Leaving> leaving;
-};
-
-template <class Visit>
-void for_each_end(const Segments& segments, Visit&& visit) {
   for (SegmentId s = 0; s < segments.size(); ++s) {
     const Edge ends = segments.drawing().edge(segments.edge(s));
-    if (segments.is_first(s)) visit(ends.u, Leaving{s, false});
-    if (segments.is_last(s)) visit(ends.v, Leaving{s, true});
+    if (segments.is_first(s)) leaving.push_back({ends.u, s, false});
+    if (segments.is_last(s)) leaving.push_back({ends.v, s, true});
   }
+  std::reverse(leaving.begin(), leaving.end());
+  std::stable_sort(leaving.begin(), leaving.end(),
+                   [](const Leaving& a, const Leaving& b) { return a.vertex < b.vertex; });
+  return leaving;
 }
 
-Stars stars_of(const Segments& segments) {
-  Stars stars{std::vector<std::size_t>(segments.drawing().num_vertices() + 1), {}};
-  for_each_end(segments, [&](Vertex v, Leaving) { ++stars.offsets[v]; });
-  std::size_t total = 0;
-  for (auto& offset : stars.offsets) offset = total += offset;
-  stars.leaving.resize(total);
-  for_each_end(segments, [&](Vertex v, Leaving l) { stars.leaving[--stars.offsets[v]] = l; });
-  return stars;
-}
-
-void check_star(const Segments& segments, const Guarantee& guarantee, const Stars& stars, Vertex v,
-                Findings& findings) {
-  for (std::size_t i = stars.offsets[v]; i < stars.offsets[v + 1] && !findings.done(); ++i) {
-    for (std::size_t j = stars.offsets[v]; j < i && !findings.done(); ++j) {
-      const Vector a = direction(segments, stars.leaving[i]);
-      const Vector b = direction(segments, stars.leaving[j]);
-      if (keeps_angle(guarantee, a, b)) continue;
-      const EdgeId e = segments.edge(stars.leaving[j].segment);
-      const EdgeId f = segments.edge(stars.leaving[i].segment);
-      const Point p = segments.drawing().vertex(v);
-      findings.add({ViolationKind::vertex_angle,
-                    {v},
-                    {e, f},
-                    {p},
-                    fmt::format("vertex {} at {}: edges {} and {} leave along {} and {}, {}", v,
-                                to_string(p), e, f, to_string(primitive(b)),
-                                to_string(primitive(a)), describe_rule(guarantee))});
-    }
-  }
+Violation wrong_angle(const Segments& segments, const Guarantee& guarantee, const Leaving& a,
+                      const Leaving& b) {
+  const EdgeId e = segments.edge(a.segment);
+  const EdgeId f = segments.edge(b.segment);
+  const Point p = segments.drawing().vertex(a.vertex);
+  return {ViolationKind::vertex_angle,
+          {a.vertex},
+          {e, f},
+          {p},
+          fmt::format("vertex {} at {}: edges {} and {} leave along {} and {}, {}", a.vertex,
+                      to_string(p), e, f, to_string(primitive(direction(segments, a))),
+                      to_string(primitive(direction(segments, b))), describe_rule(guarantee))};
 }
 
 }  // namespace
@@ -106,9 +89,15 @@ void check_bend_angles(const Segments& segments, const Guarantee& guarantee, Fin
 
 void check_vertex_angles(const Segments& segments, const Guarantee& guarantee, Findings& findings) {
   if (!promises_angles(guarantee)) return;
-  const Stars stars = stars_of(segments);
-  for (std::size_t v = 0; v < segments.drawing().num_vertices() && !findings.done(); ++v) {
-    check_star(segments, guarantee, stars, static_cast<Vertex>(v), findings);
+  const std::vector<Leaving> leaving = leaving_segments(segments);
+  std::size_t begin = 0;  // of the vertex's
+  for (std::size_t i = 0; i < leaving.size() && !findings.done(); ++i) {
+    if (leaving[begin].vertex != leaving[i].vertex) begin = i;
+    for (std::size_t j = begin; j < i && !findings.done(); ++j) {
+      const Vector a = direction(segments, leaving[i]);
+      if (keeps_angle(guarantee, a, direction(segments, leaving[j]))) continue;
+      findings.add(wrong_angle(segments, guarantee, leaving[j], leaving[i]));
+    }
   }
 }
 

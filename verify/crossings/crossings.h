@@ -24,18 +24,23 @@ struct DirectionClasses {
 /// directions.
 std::optional<DirectionClasses> few_directions(const Segments& segments);
 
-/// A segment or a vertex, and its box.
-struct BoxedItem {
-  Box box;
+/// A segment or a vertex.
+struct DrawnItem {
   std::uint32_t number;
   bool is_vertex;
+};
+
+/// And its box.
+struct BoxedItem {
+  DrawnItem item;
+  Box box;
 };
 
 /// All segments and then all vertices of the drawing.
 std::vector<BoxedItem> boxed_items(const Segments& segments);
 /// A segment with a segment or vertex that it may meet; the check of the vertices sees two
 /// vertices.
-void examine_pair(const BoxedItem& a, const BoxedItem& b, Contacts& contacts);
+void examine_pair(DrawnItem a, DrawnItem b, Contacts& contacts);
 
 // Each test names every pair of segments that meets, and every vertex on a segment, to `contacts`.
 

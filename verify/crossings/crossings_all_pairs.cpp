@@ -29,22 +29,22 @@ std::vector<BoxedItem> boxed_items(const Segments& segments) {
   std::vector<BoxedItem> items;
   items.reserve(segments.size() + drawing.num_vertices());
   for (SegmentId s = 0; s < segments.size(); ++s) {
-    items.push_back({box_of(segments.from(s), segments.to(s)), s, false});
+    items.push_back({{s, false}, box_of(segments.from(s), segments.to(s))});
   }
   for (Vertex v = 0; v < drawing.num_vertices(); ++v) {
-    items.push_back({{drawing.vertex(v), drawing.vertex(v)}, v, true});
+    items.push_back({{v, true}, {drawing.vertex(v), drawing.vertex(v)}});
   }
   return items;
 }
 
-void examine_pair(const BoxedItem& a, const BoxedItem& b, Contacts& contacts) {
+void examine_pair(DrawnItem a, DrawnItem b, Contacts& contacts) {
   if (a.is_vertex && b.is_vertex) return;
   if (a.is_vertex) {
     contacts.examine_vertex(a.number, b.number);
   } else if (b.is_vertex) {
     contacts.examine_vertex(b.number, a.number);
   } else {
-    contacts.examine(std::min(a.number, b.number), std::max(a.number, b.number));
+    contacts.examine(a.number, b.number);
   }
 }
 
@@ -58,7 +58,8 @@ void test_all_pairs(const Segments& segments, Contacts& contacts) {
   for (std::size_t i = 0; i < items.size() && !contacts.done(); ++i) {
     for (std::size_t j = i + 1; j < items.size(); ++j) {
       if (items[j].box.low.x > items[i].box.high.x) break;
-      if (!apart(items[i].box, items[j].box)) examine_pair(items[i], items[j], contacts);
+      if (apart(items[i].box, items[j].box)) continue;
+      examine_pair(items[i].item, items[j].item, contacts);
     }
   }
 }

@@ -13,12 +13,12 @@ namespace {
 
 void examine_slab(const Segments& segments, std::span<const BoxedItem> items, Contacts& contacts) {
   const auto at = [&](std::uint32_t i) {
-    const BoxedItem& item = items[i];
-    if (item.is_vertex) return SegmentInSpace{item.box.low, {}};
-    return SegmentInSpace{segments.from(item.number), segments.direction(item.number)};
+    const auto [number, is_vertex] = items[i].item;
+    if (is_vertex) return SegmentInSpace{items[i].box.low, {}};
+    return SegmentInSpace{segments.from(number), segments.direction(number)};
   };
   const auto visit = [&](std::uint32_t i, std::uint32_t j) {
-    examine_pair(items[i], items[j], contacts);
+    examine_pair(items[i].item, items[j].item, contacts);
     return !contacts.done();
   };
   constexpr std::size_t kFew = 48;  // items in a cell

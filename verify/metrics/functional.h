@@ -5,26 +5,16 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 #include "ar3d/model/lattice.h"
 #include "ar3d/verify/checks/exact.h"
 
 namespace ar3d::verify {
 
-/// An integer linear function p -> f . p, by its coefficients. Key is a type in which no value
-/// wraps.
-template <class Key>
-Key value(Vector f, Point p) {
-  return Key{f.x} * Key{p.x} + Key{f.y} * Key{p.y} + Key{f.z} * Key{p.z};
-}
-
-/// True if int64 holds f . p for all points whose coordinates are at most `bound` in absolute
-/// value.
-inline bool fits_int64(Vector f, std::int64_t bound) {
-  const auto magnitude = [](std::int64_t c) { return Int128{c < 0 ? -c : c}; };
-  return (magnitude(f.x) + magnitude(f.y) + magnitude(f.z)) * bound <=
-         std::numeric_limits<std::int64_t>::max();
+/// An integer linear function p -> f . p, by its coefficients. @pre they and p's coordinates are
+/// below 2^62 in absolute value.
+inline Int128 value(Vector f, Point p) {
+  return Int128{f.x} * p.x + Int128{f.y} * p.y + Int128{f.z} * p.z;
 }
 
 inline std::int64_t component(Vector v, std::size_t axis) {
