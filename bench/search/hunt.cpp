@@ -185,68 +185,54 @@ const std::vector<RemovablePart>& kinds_of_parts() {
   return kinds;
 }
 
-class Shrinker {
- public:
-  Shrinker(const Graph& graph, const std::function<bool(const Graph&)>& keeps,
-           std::uint64_t max_evaluations)
-      : keeps_(keeps), max_evaluations_(max_evaluations) {
-    result_.graph = graph;
-  }
-
-  ShrinkResult run() {
-    bool has_shrunk = true;
-    while (has_shrunk && has_budget()) {
-      has_shrunk = false;
-      for (const RemovablePart& parts : kinds_of_parts()) has_shrunk |= remove_chunks(parts);
+/// One pass over all chunks of that size, from the end, so that the places of the others stay.
+bool remove_once(const RemovablePart& parts, std::size_t chunk,
+                 const std::function<bool(const Graph&)>& keeps, std::uint64_t max_evaluations,
+                 ShrinkResult& result) {
+  bool removed = false;
+  std::size_t last = parts.count(result.graph);
+  while (last > 0 && result.evaluations < max_evaluations) {
+    const std::size_t first = last > chunk ? last - chunk : 0;
+    Graph candidate = parts.without(result.graph, first, last);
+    ++result.evaluations;
+    if (keeps(candidate)) {
+      result.graph = std::move(candidate);
+      removed = true;
     }
-    result_.minimal = !has_shrunk;
-    return std::move(result_);
+    last = std::min(first, parts.count(result.graph));
   }
+  return removed;
+}
 
- private:
-  bool has_budget() const { return result_.evaluations < max_evaluations_; }
-
-  /// Chunks of half of the parts, then a quarter, … then single ones until none can go.
-  bool remove_chunks(const RemovablePart& parts) {
-    bool has_shrunk = false;
-    std::size_t chunk = std::max<std::size_t>(1, parts.count(result_.graph) / 2);
-    while (true) {
-      const bool removed = remove_once(parts, chunk);
-      has_shrunk |= removed;
-      if (chunk == 1 && !removed) return has_shrunk;
-      if (!has_budget()) return true;
-      if (!removed || chunk > parts.count(result_.graph))
-        chunk = std::max<std::size_t>(1, chunk / 2);
-    }
+/// Chunks of half of the parts, then a quarter, … then single ones until none can go.
+bool remove_chunks(const RemovablePart& parts, const std::function<bool(const Graph&)>& keeps,
+                   std::uint64_t max_evaluations, ShrinkResult& result) {
+  bool has_shrunk = false;
+  std::size_t chunk = std::max<std::size_t>(1, parts.count(result.graph) / 2);
+  while (true) {
+    const bool removed = remove_once(parts, chunk, keeps, max_evaluations, result);
+    has_shrunk |= removed;
+    if (chunk == 1 && !removed) return has_shrunk;
+    if (result.evaluations >= max_evaluations) return true;
+    if (!removed || chunk > parts.count(result.graph)) chunk = std::max<std::size_t>(1, chunk / 2);
   }
-
-  /// One pass over all chunks of that size, from the end, so that the places of the others stay.
-  bool remove_once(const RemovablePart& parts, std::size_t chunk) {
-    bool removed = false;
-    std::size_t last = parts.count(result_.graph);
-    while (last > 0 && has_budget()) {
-      const std::size_t first = last > chunk ? last - chunk : 0;
-      Graph candidate = parts.without(result_.graph, first, last);
-      ++result_.evaluations;
-      if (keeps_(candidate)) {
-        result_.graph = std::move(candidate);
-        removed = true;
-      }
-      last = std::min(first, parts.count(result_.graph));
-    }
-    return removed;
-  }
-
-  const std::function<bool(const Graph&)>& keeps_;
-  std::uint64_t max_evaluations_;
-  ShrinkResult result_;
-};
+}
 
 }  // namespace
 
 ShrinkResult shrink(const Graph& graph, const std::function<bool(const Graph&)>& keeps,
                     std::uint64_t max_evaluations) {
-  return Shrinker(graph, keeps, max_evaluations).run();
+  ShrinkResult result;
+  result.graph = graph;
+  bool has_shrunk = true;
+  while (has_shrunk && result.evaluations < max_evaluations) {
+    has_shrunk = false;
+    for (const RemovablePart& parts : kinds_of_parts()) {
+      has_shrunk |= remove_chunks(parts, keeps, max_evaluations, result);
+    }
+  }
+  result.minimal = !has_shrunk;
+  return result;
 }
 
 }  // namespace ar3d
