@@ -1,0 +1,3 @@
+#pragma once
+
+#include "ar3d/algorithms/catalog.h"
