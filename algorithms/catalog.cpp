@@ -9,6 +9,7 @@
 #include "ar3d/algorithms/compact_120/compact_120.h"
 #include "ar3d/algorithms/diamond/diamond.h"
 #include "ar3d/algorithms/grid/grid.h"
+#include "ar3d/algorithms/grid_paper/grid_paper.h"
 #include "ar3d/algorithms/two_bend/two_bend.h"
 #include "ar3d/algorithms/two_bend_109/two_bend_109.h"
 #include "ar3d/algorithms/two_bend_paper/two_bend_paper.h"
@@ -31,6 +32,7 @@ std::vector<Algorithm> catalogue() {
       compact_120::row(),
       two_bend_109::row(),
       two_bend_paper::row(),
+      grid_paper::row(),
       // clang-format on
   };
 }
@@ -74,7 +76,7 @@ void register_algorithm(Algorithm row) { table().add(std::move(row)); }
 std::vector<const Algorithm*> proved_algorithms() {
   std::vector<const Algorithm*> proved;
   for (const Algorithm& row : algorithms()) {
-    if (row.guarantee.claim == Claim::proved) proved.push_back(&row);
+    if (row.guarantee.claim == Claim::proved && !row.by_name_only) proved.push_back(&row);
   }
   return proved;
 }

@@ -22,6 +22,7 @@ struct Algorithm {
   std::vector<SettingSpec> options;
   Drawing (*draw)(const Graph&,
                   const Settings&) = nullptr;  ///< called with complete values, see draw()
+  bool by_name_only = false;                   ///< "all" in a study does not mean it
 };
 
 /// How much a drawing may cost, on one scale for all algorithms:
@@ -56,8 +57,9 @@ void refuse_more_vertices(std::string_view algorithm, const Graph& graph, std::u
 /// All algorithms, in the order in which they are listed.
 const std::vector<Algorithm>& algorithms();
 
-/// Those whose every drawing keeps its guarantee: what "all" means in a study. The others
-/// (Claim::measured) are named where somebody wants them.
+/// What "all" means in a study: those whose every drawing keeps its guarantee. Others are named
+/// where somebody wants them: those that are measured, and those made only for comparison
+/// (by_name_only).
 std::vector<const Algorithm*> proved_algorithms();
 
 /// @throws InputError naming the unknown algorithm and the known ones.

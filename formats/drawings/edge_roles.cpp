@@ -103,6 +103,7 @@ GrowthOrder growth_order(const Drawing& drawing) {
   if (algorithm == "compact-120") return {"columns of the strip, t = (x + y - z) / 2", {1, 1, -1}};
   if (algorithm == "two-bend") return {"the time order, z", {0, 0, 1}};
   if (algorithm == "two-bend-109") return {"the order of the parts, z", {0, 0, 1}};
+  if (algorithm == "grid-paper") return {"the heights of the layers, (x - y + z) / 2", {1, -1, 1}};
   if (algorithm == "grid") return {"the sum S = (x + y + z) / 6 of the plane numbers", {1, 1, 1}};
   return {"the vertices' numbers", {0, 0, 0}};
 }

@@ -41,8 +41,8 @@ struct GrowthOrder {
 
 /// The construction's own order: `diamond` the green order (X of Theorem 1), `compact` the columns
 /// of the strip, `two-bend` the time order (z), `two-bend-109` the order of the parts (z), `grid`
-/// the number S that differs for all vertices of a component (I1); of other drawings the order of
-/// the vertices' numbers.
+/// the number S that differs for all vertices of a component (I1), `grid-paper` the skewed height
+/// of layers; of other drawings the order of the vertices' numbers.
 GrowthOrder growth_order(const Drawing& drawing);
 
 }  // namespace ar3d

@@ -145,7 +145,7 @@ TEST(Extremes, RealTypesOfGraphsOfNoAndFewVertices) {
 
 TEST(Extremes, SummariesOfGraphsWithoutPoints) {
   for (const std::string algorithm : {"diamond", "grid", "two-bend", "compact", "compact-120",
-                                      "two-bend-109", "two-bend-paper"}) {
+                                      "two-bend-109", "two-bend-paper", "grid-paper"}) {
     const Outcome none = run("printf '?\\n@\\nA_\\nBw\\n' | {} draw - --algorithm " + algorithm +
                              " --level extents");
     EXPECT_TRUE(none.exit_code == 0 || none.exit_code == 5) << none.err;

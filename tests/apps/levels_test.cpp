@@ -17,7 +17,7 @@ std::string drawn_at(const std::string& level, const std::string& family,
 
 TEST(DrawLevels, ExtentsTellOfTheDrawingInsteadOfWritingIt) {
   for (const std::string algorithm :
-       {"diamond", "grid", "two-bend", "compact", "compact-120", "two-bend-109"}) {
+       {"diamond", "grid", "two-bend", "compact", "compact-120", "two-bend-109", "grid-paper"}) {
     const nlohmann::json line =
         nlohmann::json::parse(drawn_at("extents", "random-cubic", algorithm));
     EXPECT_EQ(line["level"], "extents");

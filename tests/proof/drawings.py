@@ -4,7 +4,7 @@ import json
 import random
 import subprocess
 
-DEGREE = {"diamond": 4, "grid": 3, "two-bend": 3, "compact": 4, "compact-120": 3, "two-bend-109": 4}
+DEGREE = {"diamond": 4, "grid": 3, "grid-paper": 3, "two-bend": 3, "compact": 4, "compact-120": 3, "two-bend-109": 4}
 FAMILIES = {3: ["binary-tree", "prism", "moebius-ladder", "random-cubic", "random-subcubic", "stars", "path"],
             4: ["torus", "squared-cycle", "square-grid", "random-4-regular", "random-max-degree", "union-k5"]}
 

@@ -1,0 +1,218 @@
+// Steps G.1 and G.2: components, stages, closures. The paper's double-adjacency
+// closure in its second definition, the iterative one (Repair G.4), taken of
+// the empty set, too (Repair G.3). What is outside only shrinks, so the length
+// of the shortest cycle through a vertex only grows: what a search has found
+// stays a lower bound, and a vertex is searched from again only when its bound
+// is the least of all, no further than twice that. Searching from every vertex
+// for every cycle takes n^2 in all.
+#include "ar3d/algorithms/grid_paper/growth.h"
+
+#include <algorithm>
+#include <deque>
+#include <limits>
+#include <queue>
+
+#include "ar3d/base/error.h"
+#include "ar3d/base/random.h"
+
+namespace ar3d::grid_paper {
+namespace {
+
+constexpr std::uint32_t kUnreached = std::numeric_limits<std::uint32_t>::max();
+
+class ClosureGrower {
+ public:
+  ClosureGrower(const Graph& graph, CycleChoice choice, const RepairSwitches& repairs)
+      : graph_(graph),
+        choice_(choice),
+        gone_(graph.num_vertices()),
+        degree_(graph.num_vertices()),
+        depth_(graph.num_vertices(), kUnreached),
+        parent_(graph.num_vertices()),
+        branch_(graph.num_vertices()) {
+    for (Vertex v = 0; v < graph.num_vertices(); ++v) degree_[v] = graph.degree(v);
+    if (repairs.random_cycles) random_.emplace(*repairs.random_cycles);
+  }
+
+  void grow(ComponentGrowth& component) {
+    std::size_t left = component.vertices.size();
+    const auto keep = [&](GrowthStage stage) {
+      left -= stage.cycle.size() + stage.between.size() + stage.closure.size();
+      component.stages.push_back(std::move(stage));
+    };
+    for (const Vertex v : component.vertices) {
+      if (degree_[v] <= 1) queue_.push_back(v);
+    }
+    GrowthStage trees;
+    close(trees);
+    keep(std::move(trees));
+    first_ = 0;
+    candidates_ = {};
+    for (const Vertex v : component.vertices) {
+      if (!gone_[v] && degree_[v] == 3) candidates_.push({3, v});
+    }
+    while (left > 0) {
+      keep(next_stage(choice_ == CycleChoice::shortest && !random_
+                          ? shortest_cycle(component.vertices)
+                          : cycle_by_walk(component.vertices)));
+    }
+  }
+
+ private:
+  using Candidate = std::pair<std::uint32_t, Vertex>;  // a lower bound of its shortest cycle
+
+  GrowthStage next_stage(std::vector<Vertex> cycle) {
+    GrowthStage stage{std::move(cycle), {}, {}};
+    for (const Vertex v : stage.cycle) gone_[v] = true;
+    std::vector<Vertex> joined;  // to the cycle and to the old S
+    for (const Vertex v : stage.cycle) {
+      for (const auto [u, edge] : graph_.incident(v)) {
+        if (!gone_[u] && degree_[u] < graph_.degree(u)) joined.push_back(u);
+      }
+    }
+    std::sort(joined.begin(), joined.end());
+    joined.erase(std::unique(joined.begin(), joined.end()), joined.end());
+    for (const Vertex v : stage.cycle) remove(v);
+    for (const Vertex u : joined) {
+      const bool waits = std::ranges::any_of(graph_.incident(u), [&](HalfEdge half) {
+        return std::ranges::binary_search(stage.between, half.to);
+      });
+      (waits ? stage.closure : stage.between).push_back(u);
+    }
+    for (const Vertex u : joined) remove(u);
+    close(stage);
+    return stage;
+  }
+
+  void close(GrowthStage& stage) {
+    std::sort(queue_.begin(), queue_.end());
+    for (; !queue_.empty(); queue_.pop_front()) {
+      const Vertex u = queue_.front();
+      if (gone_[u]) continue;
+      stage.closure.push_back(u);
+      remove(u);
+    }
+  }
+
+  void remove(Vertex v) {
+    gone_[v] = true;
+    for (const auto [u, edge] : graph_.incident(v)) {
+      if (--degree_[u] <= 1 && !gone_[u]) queue_.push_back(u);
+    }
+  }
+
+  /// A shortest one with a vertex of three neighbours outside. If there is
+  /// none, every component of what is outside is a cycle: a leaf block of
+  /// another one would be a cycle with such a vertex.
+  std::vector<Vertex> shortest_cycle(const std::vector<Vertex>& component) {
+    while (!candidates_.empty()) {
+      const auto [bound, root] = candidates_.top();
+      candidates_.pop();
+      if (gone_[root] || degree_[root] < 3) continue;
+      const std::uint32_t longest = 2 * bound;
+      std::vector<Vertex> cycle = shortest_through(root, longest);
+      const bool is_found = !cycle.empty();
+      if (!is_found && is_all_reached_) continue;  // it never will be on a cycle
+      const Candidate next{is_found ? static_cast<std::uint32_t>(cycle.size()) : longest + 1, root};
+      if (is_found && (candidates_.empty() || next < candidates_.top())) return cycle;
+      candidates_.push(next);
+    }
+    return cycle_by_walk(component);
+  }
+
+  /// Breadth first. An edge between two branches closes a cycle through the
+  /// root, and the shortest one has such an edge whose ends are reached on
+  /// shortest ways. Empty if it is longer.
+  std::vector<Vertex> shortest_through(Vertex root, std::uint32_t longest) {
+    std::uint32_t best = longest + 1;
+    std::pair<Vertex, Vertex> closing;
+    std::vector<Vertex> reached{root};
+    depth_[root] = 0;
+    parent_[root] = branch_[root] = root;
+    std::size_t i = 0;
+    for (; i < reached.size() && 2 * depth_[reached[i]] + 1 < best; ++i) {
+      const Vertex a = reached[i];
+      for (const auto [b, edge] : graph_.incident(a)) {
+        if (gone_[b] || b == parent_[a]) continue;
+        if (depth_[b] == kUnreached) {
+          depth_[b] = depth_[a] + 1;
+          parent_[b] = a;
+          branch_[b] = a == root ? b : branch_[a];
+          reached.push_back(b);
+        } else if (branch_[a] != branch_[b] && depth_[a] + depth_[b] + 1 < best) {
+          best = depth_[a] + depth_[b] + 1;
+          closing = {a, b};
+        }
+      }
+    }
+    is_all_reached_ = i == reached.size();
+    std::vector<Vertex> cycle;
+    if (best <= longest) {
+      for (Vertex v = closing.first; v != root; v = parent_[v]) cycle.push_back(v);
+      std::reverse(cycle.begin(), cycle.end());
+      for (Vertex v = closing.second; v != root; v = parent_[v]) cycle.push_back(v);
+      cycle.push_back(root);
+    }
+    for (const Vertex v : reached) depth_[v] = kUnreached;
+    return cycle;
+  }
+
+  /// The first that a walk from the least vertex closes, to the first neighbour
+  /// each time. Its vertices but the last have no other neighbours on it than
+  /// those before and after them, so the cycle that the last one closes with
+  /// its latest neighbour has no chord.
+  std::vector<Vertex> cycle_by_walk(const std::vector<Vertex>& component) {
+    while (gone_[component.at(first_)]) ++first_;
+    Vertex v = component[first_];
+    while (random_ && gone_[v = component[random_below(component.size())]]) continue;
+    std::vector<Vertex> walk, cycle;
+    while (cycle.empty()) {
+      std::vector<Vertex> ahead;
+      std::int64_t latest = -1;
+      for (const auto [w, edge] : graph_.incident(v)) {
+        if (gone_[w] || (!walk.empty() && w == walk.back())) continue;
+        ahead.push_back(w);
+        if (depth_[w] != kUnreached) latest = std::max<std::int64_t>(latest, depth_[w]);
+      }
+      expect(!ahead.empty(), "every vertex outside has two neighbours there");
+      depth_[v] = static_cast<std::uint32_t>(walk.size());
+      walk.push_back(v);
+      if (latest >= 0) cycle.assign(walk.begin() + latest, walk.end());
+      v = ahead[random_ ? random_below(ahead.size()) : 0];
+    }
+    for (const Vertex w : walk) depth_[w] = kUnreached;
+    return cycle;
+  }
+  std::size_t random_below(std::size_t count) {
+    return random_->below(static_cast<std::uint32_t>(count));
+  }
+
+  const Graph& graph_;
+  CycleChoice choice_;
+  std::optional<RandomStream> random_;
+  std::vector<bool> gone_;             // not outside any more
+  std::vector<std::uint32_t> degree_;  // neighbours outside
+  std::deque<Vertex> queue_;           // of the closure
+  std::size_t first_ = 0;              // all before it in the component are gone
+  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> candidates_;
+  std::vector<std::uint32_t> depth_;  // of a search, or place on a walk; kUnreached between them
+  std::vector<Vertex> parent_;
+  std::vector<Vertex> branch_;  // the child of the root through which a vertex was reached
+  bool is_all_reached_ = false;
+};
+
+}  // namespace
+
+std::vector<ComponentGrowth> grow(const Graph& graph, CycleChoice choice,
+                                  const RepairSwitches& repairs) {
+  const Components found = connected_components_of(graph);
+  std::vector<ComponentGrowth> components(found.count);
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+    components[found.of[v]].vertices.push_back(v);
+  }
+  ClosureGrower grower(graph, choice, repairs);
+  for (ComponentGrowth& component : components) grower.grow(component);
+  return components;
+}
+
+}  // namespace ar3d::grid_paper
