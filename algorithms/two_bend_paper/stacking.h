@@ -6,6 +6,7 @@
 #include <cfloat>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -21,8 +22,23 @@ namespace ar3d::two_bend_paper {
 #endif
 static_assert(FLT_EVAL_METHOD == 0, "every operation rounds to its own type (no x87 arithmetic)");
 
+template <int bits>
+using BinaryFloat = boost::multiprecision::number<
+    boost::multiprecision::cpp_bin_float<bits, boost::multiprecision::digit_base_2, void,
+                                         std::int16_t, -16382, 16383>,
+    boost::multiprecision::et_off>;
+
+/// A significand of 64 bits: long double where it has them (x86-64), else Boost's type, whose
+/// operations and square root round alike.
+using Extended = std::conditional_t<LDBL_MANT_DIG == 64, long double, BinaryFloat<64>>;
+
 /// A significand of 113 bits; arithmetic by the compiler's support library.
+#ifdef __SIZEOF_FLOAT128__
 __extension__ using Binary128 = __float128;
+#else
+static_assert(LDBL_MANT_DIG == 113);
+using Binary128 = long double;
+#endif
 
 /// A significand of 237 bits: what the other types are measured against.
 using Reference = boost::multiprecision::number<
@@ -33,15 +49,15 @@ using Reference = boost::multiprecision::number<
 /// the last place: Newton's method from 64 bits, twice.
 template <class T>
 T square_root(const T& value) {
-  if constexpr (std::is_floating_point_v<T>) {
-    return std::sqrt(value);
-  } else if constexpr (std::is_same_v<T, Reference>) {
-    return boost::multiprecision::sqrt(value);
-  } else {
+  if constexpr (std::is_same_v<T, Binary128>) {
     if (!(value > 0)) return value;
-    T root = static_cast<T>(std::sqrt(static_cast<long double>(value)));
+    T root = static_cast<T>(square_root(static_cast<Extended>(value)));
     for (int i = 0; i < 2; ++i) root = (root + value / root) / 2;
     return root;
+  } else if constexpr (std::is_floating_point_v<T>) {
+    return std::sqrt(value);
+  } else {
+    return boost::multiprecision::sqrt(value);
   }
 }
 

@@ -14,8 +14,8 @@ namespace ar3d::two_bend_paper {
 enum class RealType : std::uint8_t {
   single_precision,    ///< float: 24 bits
   double_precision,    ///< double: 53 bits
-  extended_precision,  ///< long double: 64 bits (x86)
-  binary128,           ///< __float128: 113 bits
+  extended_precision,  ///< "long double": 64 bits, on every machine
+  binary128,           ///< 113 bits
   reference,           ///< 237 bits
 };
 inline constexpr int kRealTypes = 5;

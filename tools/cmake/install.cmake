@@ -28,7 +28,10 @@ install(CODE "
   file(MAKE_DIRECTORY \"\${man_folder}\")
   message(STATUS \"Installing: \${man_folder}/ar3d.1\")
   execute_process(COMMAND ${CMAKE_SOURCE_DIR}/tools/man-page \"$<TARGET_FILE:ar3d_program>\"
-                  OUTPUT_FILE \"\${man_folder}/ar3d.1\" COMMAND_ERROR_IS_FATAL ANY)" COMPONENT program)
+                  OUTPUT_FILE \"\${man_folder}/ar3d.1\" COMMAND_ERROR_IS_FATAL ANY)
+  if(CMAKE_INSTALL_COMPONENT)  # a package
+    execute_process(COMMAND gzip -9nf \"\${man_folder}/ar3d.1\" COMMAND_ERROR_IS_FATAL ANY)
+  endif()" COMPONENT program)
 
 # So is the completion of each shell.
 function(ar3d_install_completion shell folder name)

@@ -32,15 +32,18 @@ function(ar3d_package component name section depends summary description)
 endfunction()
 
 ar3d_package(program ar3d science "" "proved 3D drawings of low-degree graphs with optimal angles"
-  "Draws graphs of maximum degree 3 and 4 in three dimensions with the best possible\nangles, proves every drawing in exact integers and studies how drawings scale.")
+  "Draws graphs of maximum degree 3 and 4 in three dimensions with the best\npossible angles, proves every drawing in exact integers and studies how\ndrawings scale.")
 ar3d_package(dev libar3d-dev libdevel
   "libboost-dev, libcli11-dev, libfmt-dev, libhdf5-dev, liblzma-dev, libpugixml-dev, libtomlplusplus-dev, libxxhash-dev, nlohmann-json3-dev, pkg-config, zlib1g-dev"
   "proved 3D drawings of low-degree graphs (C++ libraries)"
-  "Static libraries, headers and files for CMake and pkg-config: graphs, algorithms,\nformats and the verifier of ar3d.")
+  "Static libraries, headers and files for CMake and pkg-config: graphs,\nalgorithms, formats and the verifier of ar3d.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "librsvg2-bin")  # figures as PDF
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "git, nauty")
 if(AR3D_MPI)
   list(APPEND CPACK_COMPONENTS_ALL mpi)
+  file(WRITE ${CMAKE_BINARY_DIR}/ar3d-mpi.1 ".so man1/ar3d.1\n")
+  execute_process(COMMAND gzip -9nf ${CMAKE_BINARY_DIR}/ar3d-mpi.1 COMMAND_ERROR_IS_FATAL ANY)
+  install(FILES ${CMAKE_BINARY_DIR}/ar3d-mpi.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT mpi EXCLUDE_FROM_ALL)
   ar3d_package(mpi ar3d-mpi science "ar3d (= ${PROJECT_VERSION}), openmpi-bin" "proved 3D drawings of low-degree graphs (for mpirun)"
     "The program ar3d for studies on many ranks: mpirun ar3d-mpi study run STUDY.")
 endif()
