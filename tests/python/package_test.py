@@ -192,7 +192,8 @@ class Page(unittest.TestCase):
         build = pathlib.Path(sys.argv[1]).resolve().parents[1]
         blocks = re.findall(r"^```sh\n(.*?)^```", (root / "docs" / "python.md").read_text(), re.S | re.M)
         lines = [re.sub(r"\s+#.*", "", line) for line in "".join(blocks).splitlines()]
-        make, use, install = lines
+        pip, make, use, install = lines
+        self.assertEqual(pip, "pip install --no-build-isolation .")  # run by tests/house/release.sh, as a wheel
         environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
         with tempfile.TemporaryDirectory() as folder:
             def shell(line):

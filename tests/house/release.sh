@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# A release is the same bytes twice, its packages work in a new Debian root, and so does a wheel.  release.sh SOURCE
+set -euo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf --one-file-system "$scratch"' EXIT
+git clone -q "$1" "$scratch/clone"
+cd "$scratch/clone"
+touch no-commit
+! tools/release "$scratch/first" 2>"$scratch/refusal"
+grep -q 'the checkout has changes' "$scratch/refusal"
+rm no-commit
+tools/release "$scratch/first"
+tools/release "$scratch/second" >/dev/null
+diff "$scratch/first/SHA256SUMS" "$scratch/second/SHA256SUMS"
+(cd "$scratch/first" && sha256sum --check --quiet SHA256SUMS && grep -q '^### Drawings' ar3d-*-notes.md)
+tools/try-packages "$scratch/first"
+/usr/bin/python3 -m pip wheel . --no-build-isolation --no-deps --quiet -w "$scratch/wheel"
+/usr/bin/python3 -m pip install --quiet --no-deps --target "$scratch/site" "$scratch"/wheel/ar3d-*.whl
+cd "$scratch"
+PYTHONPATH=$scratch/site /usr/bin/python3 -c 'import ar3d; assert ar3d.certify([(0, 1)], ar3d.draw([(0, 1)])); print(ar3d.__file__)' | grep "^$scratch/site/"
