@@ -1,9 +1,28 @@
-#include "ar3d/base/printable.h"
-
+// What is said to the user: the name that was meant, and nothing that a terminal obeys.
 #include <gtest/gtest.h>
+
+#include "ar3d/base/nearest_name.h"
+#include "ar3d/base/printable.h"
 
 namespace ar3d::testing {
 namespace {
+
+const std::vector<std::string_view> kNames = {"cycle", "path", "random-cubic", "random-4-regular"};
+
+TEST(NearestName, TakesTheFewestChanges) {
+  EXPECT_EQ(nearest_name("cycel", kNames), "cycle");  // exchanged
+  EXPECT_EQ(nearest_name("paths", kNames), "path");
+  EXPECT_EQ(nearest_name("Random_Cubic", kNames), "random-cubic");
+  EXPECT_EQ(nearest_name("random-regular", kNames), "random-4-regular");
+  EXPECT_EQ(did_you_mean("cycel", kNames), "; did you mean 'cycle'?");
+}
+
+TEST(NearestName, NothingThatIsFarAway) {
+  EXPECT_EQ(nearest_name("petersen", kNames), std::nullopt);
+  EXPECT_EQ(nearest_name("", kNames), std::nullopt);
+  EXPECT_EQ(nearest_name(std::string(100000, 'c'), kNames), std::nullopt);
+  EXPECT_EQ(did_you_mean("petersen", kNames), "");
+}
 
 TEST(Printable, KeepsText) {
   EXPECT_EQ(printable("K\u2085, 109.47\u00b0 \u2026 \U0001d54c"),

@@ -1,0 +1,75 @@
+// Exports and figures through the programs that they are for.
+#include "support/program.h"
+
+namespace ar3d::testing {
+namespace {
+
+// LaTeX typesets what `ar3d draw -o x.tikz` writes.
+
+TEST(Export, TikzIsTypeset) {
+  const ScratchDirectory scratch;
+  scratch.write("page.tex",
+                "\\documentclass{article}\\usepackage{tikz}\\begin{document}\\input{k5.tikz}"
+                "\\end{document}\n");
+  expect_exit(0, run("cd " + scratch.path("") +
+                     " && printf 'D~{\\n' | {} draw - --algorithm diamond -o k5.tikz && "
+                     "pdflatex -interaction=batchmode -halt-on-error page.tex"));
+  EXPECT_GT(fs::file_size(scratch.path("page.pdf")), 5000u);
+}
+
+// ParaView renders what `ar3d draw -o x.vtp` writes.
+
+constexpr const char* kRender = R"(
+import sys
+from paraview.simple import *
+reader = XMLPolyDataReader(FileName=[sys.argv[1]])
+reader.UpdatePipeline()
+info = reader.GetDataInformation()
+print("points", info.GetNumberOfPoints(), "cells", info.GetNumberOfCells())
+view = CreateView("RenderView")
+view.ViewSize = [320, 240]
+shown = Show(reader, view)
+ColorBy(shown, ("CELLS", "role"))
+ResetCamera(view)
+SaveScreenshot(sys.argv[2], view)
+)";
+
+TEST(ParaView, RendersADrawing) {
+  const ScratchDirectory scratch;
+  const std::string script = scratch.write("render.py", kRender);
+  const Outcome outcome =
+      expect_exit(0, run("{} generate random-4-regular -n 30 | {} draw - --algorithm diamond -o " +
+                         scratch.path("d.vtp") + " && xvfb-run -a pvpython " + script + " " +
+                         scratch.path("d.vtp") + " " + scratch.path("d.png")));
+  // 30 vertices and 3 bends on each of 60 edges; a cell for each vertex and each edge.
+  EXPECT_THAT(outcome.out, HasSubstr("points 210 cells 90"));
+  EXPECT_GT(fs::file_size(scratch.path("d.png")), 3000u) << "not one colour only";
+}
+
+// The scripts beside the figures of `ar3d report --figures` draw them again.
+
+TEST(Figures, AreDrawnAgainByTheirScripts) {
+  const ScratchDirectory scratch;
+  const std::string results = scratch.path("smoke.h5"), figures = scratch.path("figures");
+  must("{} study run smoke -q -o " + results);
+  must("{} report " + results + " --figures " + figures);
+  std::size_t drawn = 0;
+  for (const auto& entry : fs::directory_iterator(figures)) {
+    const std::string stem = figures + "/" + entry.path().stem().string();
+    if (entry.path().extension() != ".py") continue;
+    ++drawn;
+    fs::remove(stem + ".pdf");  // that of the SVG
+    const std::string in_folder = "cd " + figures + " && ";
+    expect_exit(0, run(in_folder + "/usr/bin/python3 " + stem + ".py"));
+    EXPECT_THAT(read_file(stem + ".pdf"), StartsWith("%PDF-")) << stem;
+    fs::remove(stem + ".pdf");
+    const Outcome latex = expect_exit(
+        0, run(in_folder + "pdflatex -halt-on-error -interaction=nonstopmode " + stem + ".tex"));
+    EXPECT_THAT(latex.out, Not(HasSubstr("undefined"))) << stem;
+    EXPECT_THAT(read_file(stem + ".pdf"), StartsWith("%PDF-")) << stem;
+  }
+  EXPECT_GE(drawn, 10u);
+}
+
+}  // namespace
+}  // namespace ar3d::testing
