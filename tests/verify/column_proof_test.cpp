@@ -225,12 +225,7 @@ TEST(ColumnProof, ProvesTwoBendDrawingsAndNoDamagedOnes) {
     const Family& family = find_family(name);
     const Graph graph = generate(family, family.nearest_n(200, complete_parameters(family, {})), 1);
     const Drawing drawing = draw(algorithm, graph);
-    Draft draft;
-    draft.lattice = drawing.lattice();
-    for (Vertex v = 0; v < graph.num_vertices(); ++v) draft.vertices.push_back(drawing.vertex(v));
-    for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {
-      draft.edges.push_back({drawing.edge(e), {points.begin() + 1, points.end() - 1}});
-    });
+    const Draft draft = draft_of(drawing);
     ASSERT_TRUE(count_by_columns(draft, algorithm.guarantee, 200).proved) << name;
     for (int i = 0; i < 80; ++i) {
       Draft broken = draft;

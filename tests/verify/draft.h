@@ -39,6 +39,20 @@ struct Draft {
   }
 };
 
+/// The drawing, moved by `by`.
+inline Draft draft_of(const Drawing& drawing, Vector by = {}) {
+  Draft draft;
+  draft.lattice = drawing.lattice();
+  for (Vertex v = 0; v < drawing.num_vertices(); ++v) {
+    draft.vertices.push_back(drawing.vertex(v) + by);
+  }
+  for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {
+    draft.edges.push_back({drawing.edge(e), {points.begin() + 1, points.end() - 1}});
+    for (Point& bend : draft.edges.back().bends) bend = bend + by;
+  });
+  return draft;
+}
+
 /// Promises nothing but that nothing meets.
 inline Guarantee no_promise() {
   Guarantee guarantee;

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <vector>
 
 #include "ar3d/algorithms/catalog.h"
@@ -12,23 +11,10 @@
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/certificate.h"
 #include "ar3d/verify/metrics/metrics.h"
+#include "verify/draft.h"
 
 namespace ar3d::testing {
 namespace {
-
-/// The drawing moved by d, all of its points stored.
-Drawing moved(const Drawing& drawing, Vector d) {
-  Coordinates vertices(drawing.num_vertices(), kMaxCoordinate);
-  for (Vertex v = 0; v < drawing.num_vertices(); ++v) vertices.set(v, drawing.vertex(v) + d);
-  auto bends = std::make_shared<StoredBends>();
-  for_each_polyline(drawing, [&](EdgeId, const std::vector<Point>& points) {
-    std::vector<Point> between;
-    for (std::size_t i = 1; i + 1 < points.size(); ++i) between.push_back(points[i] + d);
-    bends->add_edge(between);
-  });
-  return {drawing.algorithm(), drawing.lattice(), std::move(vertices), drawing.shared_edges(),
-          std::move(bends)};
-}
 
 /// The largest coordinates of 16, 31, 32 and 62 bits, those below which the proofs change their
 /// integers, and their neighbours.
@@ -48,8 +34,9 @@ TEST(Extremes, RightDrawingsAreRightAtTheEndsOfEveryWidth) {
     const Drawing drawing = draw(*algorithm, graph);
     const DrawingSummary summary = measure(drawing);
     for (const std::int64_t end : ends_of_widths()) {
-      const Drawing high = moved(drawing, {end - summary.box.high.x, end - summary.box.high.y, 0});
-      const Drawing low = moved(drawing, {-end - summary.box.low.x, -end - summary.box.low.y, 0});
+      const Box box = summary.box;
+      const Drawing high = draft_of(drawing, {end - box.high.x, end - box.high.y, 0}).drawing();
+      const Drawing low = draft_of(drawing, {-end - box.low.x, -end - box.low.y, 0}).drawing();
       for (const Drawing* far : {&high, &low}) {
         const Certificate certificate = certify(graph, *far, algorithm->guarantee);
         EXPECT_TRUE(certificate.valid())
@@ -69,27 +56,11 @@ TEST(Extremes, OneStepBeyondTheLastWidthIsNamed) {
   const Algorithm& algorithm = find_algorithm("diamond");
   const Drawing drawing = draw(algorithm, graph);
   const Box box = measure(drawing).box;
-  auto bends = std::make_shared<StoredBends>();
-  const Vector d{kMaxCoordinate + 1 - box.high.x, 0, 0};
-  for_each_polyline(drawing, [&](EdgeId, const std::vector<Point>& points) {
-    std::vector<Point> between;
-    for (std::size_t i = 1; i + 1 < points.size(); ++i) between.push_back(points[i] + d);
-    bends->add_edge(between);
-  });
-  Coordinates vertices(graph.num_vertices(), kMaxCoordinate);
-  bool vertex_beyond = false;
-  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-    const Point p = drawing.vertex(v) + d;
-    if (p.x > kMaxCoordinate) {
-      vertex_beyond = true;
-      EXPECT_THROW(vertices.set(v, p), InternalError);
-    } else {
-      vertices.set(v, p);
-    }
+  const Draft draft = draft_of(drawing, {kMaxCoordinate + 1 - box.high.x, 0, 0});
+  for (const Point p : draft.vertices) {
+    ASSERT_LE(p.x, kMaxCoordinate) << "this drawing does not reach the end by a bend alone";
   }
-  ASSERT_FALSE(vertex_beyond) << "this drawing does not reach the end by a bend alone";
-  const Drawing beyond("diamond", drawing.lattice(), std::move(vertices), graph.shared_edges(),
-                       std::move(bends));
+  const Drawing beyond = draft.drawing();
   const Certificate certificate = certify(graph, beyond, algorithm.guarantee);
   EXPECT_FALSE(certificate.valid());
   ASSERT_FALSE(certificate.violations.empty());

@@ -47,63 +47,49 @@ Drawn drawn_by(const Drawing& drawing) {
   return {Graph(drawing.num_vertices(), std::move(edges)), std::move(points)};
 }
 
-class BoxInUnits {
- public:
-  void add(const BigPoint& p) {
-    if (is_empty_) low_ = high_ = p;
-    is_empty_ = false;
-    widen(p.x, low_.x, high_.x);
-    widen(p.y, low_.y, high_.y);
-    widen(p.z, low_.z, high_.z);
-  }
+/// A coordinate rounded down to an integer. @return false if it does not fit.
+bool floor(const BigInteger& value, int unit_exponent, std::int64_t& out) {
+  const double estimate = rounded(value, unit_exponent);
+  if (!(std::abs(estimate) < static_cast<double>(kMaxCoordinate))) return false;
+  const BigInteger mask = (BigInteger(1) << std::max(-unit_exponent, 0)) - 1;
+  const BigInteger whole = unit_exponent >= 0 ? BigInteger(value << unit_exponent)
+                           : value >= 0       ? BigInteger(value >> -unit_exponent)
+                                              : BigInteger(-((-value + mask) >> -unit_exponent));
+  out = static_cast<std::int64_t>(whole);
+  return true;
+}
 
-  /// Rounded outwards to integers. @return false if a coordinate does not fit.
-  bool round(int unit_exponent, Box& box) const {
-    return is_empty_ ||
-           (floor(low_.x, unit_exponent, box.low.x) && floor(low_.y, unit_exponent, box.low.y) &&
-            floor(low_.z, unit_exponent, box.low.z) &&
-            ceiling(high_.x, unit_exponent, box.high.x) &&
-            ceiling(high_.y, unit_exponent, box.high.y) &&
-            ceiling(high_.z, unit_exponent, box.high.z));
+/// One axis of the box of all points, rounded outwards to integers. @return false if a coordinate
+/// does not fit.
+bool round_box(const RealPoints& points, BigInteger BigPoint::*axis, std::int64_t Point::*out,
+               Box& box) {
+  const BigInteger* low = nullptr;
+  const BigInteger* high = nullptr;
+  for (const auto* list : {&points.vertices, &points.bends}) {
+    for (const BigPoint& p : *list) {
+      if (low == nullptr || p.*axis < *low) low = &(p.*axis);
+      if (high == nullptr || p.*axis > *high) high = &(p.*axis);
+    }
   }
-
- private:
-  static void widen(const BigInteger& value, BigInteger& low, BigInteger& high) {
-    if (value < low) low = value;
-    if (value > high) high = value;
+  if (low == nullptr) return true;
+  if (!floor(*low, points.unit_exponent, box.low.*out) ||
+      !floor(-*high, points.unit_exponent, box.high.*out)) {
+    return false;
   }
-  static bool floor(const BigInteger& value, int unit_exponent, std::int64_t& out) {
-    const double estimate = rounded(value, unit_exponent);
-    if (!(std::abs(estimate) < static_cast<double>(kMaxCoordinate))) return false;
-    const BigInteger whole = unit_exponent >= 0 ? BigInteger(value << unit_exponent)
-                             : value >= 0
-                                 ? BigInteger(value >> -unit_exponent)
-                                 : BigInteger(-((-value + mask(unit_exponent)) >> -unit_exponent));
-    out = static_cast<std::int64_t>(whole);
-    return true;
-  }
-  static BigInteger mask(int unit_exponent) { return (BigInteger(1) << -unit_exponent) - 1; }
-  static bool ceiling(const BigInteger& value, int unit_exponent, std::int64_t& out) {
-    if (!floor(-value, unit_exponent, out)) return false;
-    out = -out;
-    return true;
-  }
-
-  BigPoint low_, high_;
-  bool is_empty_ = true;
-};
+  box.high.*out = -(box.high.*out);
+  return true;
+}
 
 double length_of(const BigPoint& a, const BigPoint& b, int unit_exponent) {
   const RoundedPoint d = rounded(difference(b, a), unit_exponent);
-  return std::hypot(d.x, d.y, d.z);
+  return std::hypot(d[0], d[1], d[2]);
 }
 
 DrawingSummary summary_of(const Drawn& drawn) {
   DrawingSummary summary;
-  BoxInUnits box;
-  for (const BigPoint& p : drawn.points.vertices) box.add(p);
-  for (const BigPoint& p : drawn.points.bends) box.add(p);
-  summary.in_range = box.round(drawn.points.unit_exponent, summary.box);
+  summary.in_range = round_box(drawn.points, &BigPoint::x, &Point::x, summary.box) &&
+                     round_box(drawn.points, &BigPoint::y, &Point::y, summary.box) &&
+                     round_box(drawn.points, &BigPoint::z, &Point::z, summary.box);
   auto found = std::make_shared<RealAssessment>(assess(drawn.graph, drawn.points));
   summary.bend_histogram = found->bend_histogram;
   summary.segments = found->segments;

@@ -102,13 +102,12 @@ class Assessor {
 
   double sensitivity(Leg leg) const {
     const int unit = points_.unit_exponent;
-    const verify::RoundedPoint from = verify::rounded(leg.segment->from, unit);
-    const verify::RoundedPoint to = verify::rounded(leg.segment->to, unit);
-    const verify::RoundedPoint d =
-        verify::rounded(verify::difference(leg.segment->to, leg.segment->from), unit);
-    const double largest = std::max({std::abs(from.x), std::abs(from.y), std::abs(from.z),
-                                     std::abs(to.x), std::abs(to.y), std::abs(to.z)});
-    return largest / std::hypot(d.x, d.y, d.z);
+    double largest = 0;
+    for (const BigPoint* end : {&leg.segment->from, &leg.segment->to}) {
+      for (const double c : verify::rounded(*end, unit)) largest = std::max(largest, std::abs(c));
+    }
+    const verify::RoundedPoint d = verify::rounded(leg.direction(), unit);
+    return largest / std::hypot(d[0], d[1], d[2]);
   }
 
   const Graph& graph_;

@@ -81,23 +81,21 @@ struct Rounded {
 constexpr double kHalfUlp = 0x1p-53;
 
 Rounded boxed(const RealSegment& s, int unit_exponent) {
-  Rounded r;
-  r.from = verify::rounded(s.from, unit_exponent);
-  r.to = verify::rounded(s.to, unit_exponent);
-  const auto bounds = [](double a, double b, double& low, double& high) {
-    const double slack = 2 * kHalfUlp * std::max(std::abs(a), std::abs(b));
-    low = std::min(a, b) - slack;
-    high = std::max(a, b) + slack;
-  };
-  bounds(r.from.x, r.to.x, r.low.x, r.high.x);
-  bounds(r.from.y, r.to.y, r.low.y, r.high.y);
-  bounds(r.from.z, r.to.z, r.low.z, r.high.z);
+  Rounded r{verify::rounded(s.from, unit_exponent), verify::rounded(s.to, unit_exponent), {}, {}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto [low, high] = std::minmax(r.from[i], r.to[i]);
+    const double slack = 2 * kHalfUlp * std::max(std::abs(low), std::abs(high));
+    r.low[i] = low - slack;
+    r.high[i] = high + slack;
+  }
   return r;
 }
 
 bool boxes_meet(const Rounded& a, const Rounded& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
-         a.low.z <= b.high.z && b.low.z <= a.high.z;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (a.low[i] > b.high[i] || b.low[i] > a.high[i]) return false;
+  }
+  return true;
 }
 
 /// True only if the four ends are surely not in one plane. Let m be the largest coordinate and D
@@ -107,23 +105,19 @@ bool boxes_meet(const Rounded& a, const Rounded& b) {
 /// less than 30 * 2^-53 * 2 m D^2 = 15 D^2 E: less than 2^-44 m D^2 in all.
 bool surely_not_coplanar(const Rounded& s, const Rounded& t) {
   double largest = 0, widest = 0;
-  for (const RoundedPoint* p : {&s.from, &s.to, &t.from, &t.to}) {
-    largest = std::max({largest, std::abs(p->x), std::abs(p->y), std::abs(p->z)});
-  }
-  const double u[3] = {s.to.x - s.from.x, s.to.y - s.from.y, s.to.z - s.from.z};
-  const double v[3] = {t.to.x - t.from.x, t.to.y - t.from.y, t.to.z - t.from.z};
-  const double w[3] = {t.from.x - s.from.x, t.from.y - s.from.y, t.from.z - s.from.z};
-  for (const auto& d : {u, v, w}) {
-    for (std::size_t i = 0; i < 3; ++i) widest = std::max(widest, std::abs(d[i]));
+  RoundedPoint u, v, w;
+  for (std::size_t i = 0; i < 3; ++i) {
+    u[i] = s.to[i] - s.from[i];
+    v[i] = t.to[i] - t.from[i];
+    w[i] = t.from[i] - s.from[i];
+    largest = std::max(
+        {largest, std::abs(s.from[i]), std::abs(s.to[i]), std::abs(t.from[i]), std::abs(t.to[i])});
+    widest = std::max({widest, std::abs(u[i]), std::abs(v[i]), std::abs(w[i])});
   }
   const double determinant = w[0] * (u[1] * v[2] - u[2] * v[1]) +
                              w[1] * (u[2] * v[0] - u[0] * v[2]) +
                              w[2] * (u[0] * v[1] - u[1] * v[0]);
   return widest > 0x1p-46 * largest && std::abs(determinant) > 0x1p-44 * largest * widest * widest;
-}
-
-double along(const RoundedPoint& p, std::size_t axis) {
-  return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
 }
 
 /// The axis along which the fewest boxes are expected at one place: their lengths there, added up,
@@ -132,11 +126,11 @@ std::size_t sweep_axis(const std::vector<Rounded>& boxes) {
   std::size_t best = 0;
   double fewest = std::numeric_limits<double>::infinity();
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    double sum = 0, low = along(boxes[0].low, axis), high = along(boxes[0].high, axis);
+    double sum = 0, low = boxes[0].low[axis], high = boxes[0].high[axis];
     for (const Rounded& box : boxes) {
-      sum += along(box.high, axis) - along(box.low, axis);
-      low = std::min(low, along(box.low, axis));
-      high = std::max(high, along(box.high, axis));
+      sum += box.high[axis] - box.low[axis];
+      low = std::min(low, box.low[axis]);
+      high = std::max(high, box.high[axis]);
     }
     // All in one plane across the axis: all at one place.
     const double expected = high > low ? sum / (high - low) : static_cast<double>(boxes.size());
@@ -163,7 +157,7 @@ std::uint64_t count_crossings(const Graph& graph, const std::vector<RealSegment>
   for (const RealSegment& s : segments) boxes.push_back(boxed(s, unit_exponent));
   if (boxes.empty()) return 0;
   const std::size_t axis = sweep_axis(boxes);
-  const auto low = [&](std::size_t i) { return along(boxes[i].low, axis); };
+  const auto low = [&](std::size_t i) { return boxes[i].low[axis]; };
   std::vector<std::size_t> order(segments.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(),
@@ -171,7 +165,7 @@ std::uint64_t count_crossings(const Graph& graph, const std::vector<RealSegment>
   std::uint64_t count = 0;
   std::vector<std::size_t> active;
   for (const std::size_t i : order) {
-    std::erase_if(active, [&](std::size_t j) { return along(boxes[j].high, axis) < low(i); });
+    std::erase_if(active, [&](std::size_t j) { return boxes[j].high[axis] < low(i); });
     for (const std::size_t j : active) {
       if (!boxes_meet(boxes[i], boxes[j])) continue;
       if (surely_not_coplanar(boxes[i], boxes[j])) continue;

@@ -20,11 +20,7 @@ BigVector cross(const BigVector& u, const BigVector& v);
 bool is_zero(const BigVector& v);
 
 /// A point rounded to doubles, each to within 2^-53 of its value.
-struct RoundedPoint {
-  double x = 0;
-  double y = 0;
-  double z = 0;
-};
+using RoundedPoint = std::array<double, 3>;
 /// The point scaled by 2^shift, coordinate by coordinate.
 RoundedPoint rounded(const BigPoint& p, int shift);
 /// value * 2^shift, rounded.

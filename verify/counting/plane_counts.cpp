@@ -47,9 +47,7 @@ MeetingCounts& MeetingCounts::operator+=(const MeetingCounts& other) {
 
 PlaneFamily::PlaneFamily(const SignedDirections& directions, std::size_t i, std::size_t j) {
   const Vector d[2] = {directions[i], directions[j]};
-  const auto n = cross(d[0], d[1]);  // components below 2 * 2^40
-  normal_ = primitive({static_cast<std::int64_t>(n[0]), static_cast<std::int64_t>(n[1]),
-                       static_cast<std::int64_t>(n[2])});
+  normal_ = plane_normal(d[0], d[1]);
   plane_ = narrowed(normal_);
   const std::size_t axis = leading_axis(normal_);
   for (std::size_t side = 0; side < 2; ++side) {

@@ -17,11 +17,6 @@ bool apart(const Box& a, const Box& b) {
          apart(a.low.y, a.high.y, b.low.y, b.high.y) || apart(a.low.z, a.high.z, b.low.z, b.high.z);
 }
 
-Box box_of(Point p, Point q) {
-  return {{std::min(p.x, q.x), std::min(p.y, q.y), std::min(p.z, q.z)},
-          {std::max(p.x, q.x), std::max(p.y, q.y), std::max(p.z, q.z)}};
-}
-
 }  // namespace
 
 std::vector<BoxedItem> boxed_items(const Segments& segments) {
@@ -29,7 +24,10 @@ std::vector<BoxedItem> boxed_items(const Segments& segments) {
   std::vector<BoxedItem> items;
   items.reserve(segments.size() + drawing.num_vertices());
   for (SegmentId s = 0; s < segments.size(); ++s) {
-    items.push_back({{s, false}, box_of(segments.from(s), segments.to(s))});
+    GrowingBox box;
+    box.add(segments.from(s));
+    box.add(segments.to(s));
+    items.push_back({{s, false}, box.box()});
   }
   for (Vertex v = 0; v < drawing.num_vertices(); ++v) {
     items.push_back({{v, true}, {drawing.vertex(v), drawing.vertex(v)}});

@@ -83,9 +83,7 @@ struct Track {
 /// and not along j, the other the reverse, as (i x e_k) . j = -N_k and (j x e_k) . i = N_k.
 std::vector<Track> tracks_of(const Segments& segments, const DirectionClasses& classes,
                              std::size_t i, std::size_t j) {
-  const auto n = cross(classes.directions[i], classes.directions[j]);  // below 2 * 2^40
-  const Vector normal = primitive({static_cast<std::int64_t>(n[0]), static_cast<std::int64_t>(n[1]),
-                                   static_cast<std::int64_t>(n[2])});
+  const Vector normal = plane_normal(classes.directions[i], classes.directions[j]);
   const std::size_t axis = leading_axis(normal);
   std::vector<Track> tracks;
   for (SegmentId s = 0; s < segments.size(); ++s) {

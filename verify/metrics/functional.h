@@ -31,6 +31,14 @@ inline Vector times_unit(Vector d, std::size_t axis) {
   return {d.y, -d.x, 0};
 }
 
+/// The primitive normal of a plane of two directions whose components are below 2^20: its own are
+/// below 2^41.
+inline Vector plane_normal(Vector a, Vector b) {
+  const auto n = cross(a, b);
+  return primitive({static_cast<std::int64_t>(n[0]), static_cast<std::int64_t>(n[1]),
+                    static_cast<std::int64_t>(n[2])});
+}
+
 /// Some axis along which v is not zero, for v != 0.
 inline std::size_t leading_axis(Vector v) { return v.x != 0 ? 0 : v.y != 0 ? 1 : 2; }
 
