@@ -54,12 +54,6 @@ class DrawingBuilder {
     std::array<SkewPoint, 3> at;
     std::uint8_t count = 0;
   };
-  /// A cycle vertex v and a vertex w drawn before it, in its plane: they are joined by an edge or
-  /// by a vertex between them.
-  struct Connection {
-    Vertex v, w;
-    bool is_edge;
-  };
   static constexpr std::int64_t kNoPlane = -1;
 
   bool is_drawn(Vertex v) const { return kind_[v] != VertexKind::outside; }
@@ -78,8 +72,7 @@ class DrawingBuilder {
   void choose_planes(const std::vector<Vertex>& cycle, bool is_k4);
   void turn(std::vector<Vertex>& cycle) const;
   void lay(const std::vector<Vertex>& cycle, bool is_k4);
-  std::vector<Connection> connections_of(const std::vector<Vertex>& cycle) const;
-  std::int64_t height_of_layer(const std::vector<Connection>& connections) const;
+  std::int64_t height_of_layer(const std::vector<Vertex>& cycle) const;
   std::int64_t turn_up(Vertex w) const;
   std::int64_t way_back(Vertex v, Vertex w) const;
   void connect(Vertex v, Vertex w);
@@ -113,8 +106,8 @@ class DrawingBuilder {
   std::int64_t next_x_ = 0, top_ = 0, front_ = 0, left_ = 0;
   std::int64_t end_x_ = 0;  // right of all components before
   // Of the layer of this stage: its number, height, largest y (legs included), top_ and front_
-  // before it, the heights in the gap below it that vertices have, and the least of them.
-  std::uint32_t layer_ = 0;
+  // before it, and the heights in the gap below it that vertices have.
+  std::uint32_t layer_ = 1;
   std::int64_t layer_z_ = 0, layer_right_ = 0, old_top_ = 0, old_front_ = 0;
   std::set<std::int64_t> gap_heights_;
 };

@@ -28,7 +28,8 @@ struct FlatCycle {
 /// @param x  at least three even numbers, which may repeat; if their number is odd, x[0] < x[1].
 /// @param least_run  half the least length of a run: 2 for K4, else 1.
 /// @param all_spread  Repair G.8; without it only the lengths of runs keep vertices apart.
-/// Cost: O(k log k) for k vertices (Lemma G.2).
+/// Cost: k vertices are compared with the few before them whose pieces they can reach; O(k^2 log k)
+/// at worst, O(k) with Spread::columns.
 FlatCycle draw_flat_cycle(const std::vector<std::int64_t>& x, Spread spread, std::int64_t least_run,
                           bool all_spread);
 

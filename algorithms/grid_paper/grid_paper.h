@@ -44,9 +44,10 @@ inline constexpr std::uint32_t kMostVertices = 1u << 20;
 /// G.5 with the numbers of cycles and of vertices on them that occur. Counters: the extents in the
 /// paper's skewed coordinates, and how often each case occurs.
 /// @throws InputError if graph.max_degree() > 3 or n > kMostVertices.
-/// Cost: one breadth-first search for every change of a vertex's shortest cycle, each O(n) at
-/// worst; O(k log k) for a cycle of k vertices, O(log n) for any other vertex; O(n) memory. Source:
-/// Theorem 3 of the paper; docs/theorem3-paper.md has the construction, its repairs and its proof.
+/// Cost: a breadth-first search for every change of a vertex's shortest cycle, each O(n) at worst;
+/// a few comparisons for a vertex of a flat cycle, at worst with all others of it; O(log n) for any
+/// other vertex; O(n) memory. Source: Theorem 3 of the paper; docs/theorem3-paper.md has the
+/// construction, its repairs and its proof.
 Drawing draw(const Graph& graph, const Options& options = {});
 
 /// The catalogue row `grid-paper`.

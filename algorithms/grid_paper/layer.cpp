@@ -57,21 +57,6 @@ void DrawingBuilder::turn(std::vector<Vertex>& cycle) const {
   if (backwards) std::reverse(cycle.begin(), cycle.end());
 }
 
-std::vector<DrawingBuilder::Connection> DrawingBuilder::connections_of(
-    const std::vector<Vertex>& cycle) const {
-  std::vector<Connection> connections;
-  for (const Vertex v : cycle) {
-    const Vertex u = third_neighbour(v);
-    if (u == v) continue;
-    if (is_drawn(u)) {
-      connections.push_back({v, u, true});
-    } else if (const auto w = old_neighbour(u)) {
-      connections.push_back({v, *w, false});
-    }
-  }
-  return connections;
-}
-
 /// Where the path from an old vertex w turns upwards.
 std::int64_t DrawingBuilder::turn_up(Vertex w) const {
   return is_tree(w) ? old_front_ + 1 : at_[w].y + 1;
@@ -83,14 +68,17 @@ std::int64_t DrawingBuilder::way_back(Vertex v, Vertex w) const {
 }
 
 /// Step G.6, z.
-std::int64_t DrawingBuilder::height_of_layer(const std::vector<Connection>& connections) const {
+std::int64_t DrawingBuilder::height_of_layer(const std::vector<Vertex>& cycle) const {
   if (old_top_ < 0) return 0;  // the first thing drawn
   std::int64_t longest = 0, through = 0;
-  for (const auto& [v, w, is_edge] : connections) {
-    longest = std::max(longest, way_back(v, w));
-    through += is_edge ? 0 : 1;
+  for (const Vertex v : cycle) {
+    const Vertex u = third_neighbour(v);
+    const auto w = u == v || is_drawn(u) ? std::optional(u) : old_neighbour(u);
+    if (u == v || !w) continue;
+    longest = std::max(longest, way_back(v, *w));
+    through += is_drawn(u) ? 0 : 1;
   }
-  if (options_.gap == Gap::needed && connections.empty()) return old_top_ + 4;
+  if (options_.gap == Gap::needed && longest == 0) return old_top_ + 4;  // no connection
   const std::int64_t need = options_.gap == Gap::needed ? longest : old_front_ + 1 - left_;
   return old_top_ + 2 * ((need + 1) / 2) + 2 * through + 6;
 }
@@ -113,9 +101,7 @@ void DrawingBuilder::lay(const std::vector<Vertex>& cycle, bool is_k4) {
   for (std::size_t i = 0; i < k; ++i) {
     place(cycle[i], {x[i], flat.at[i].y() + move, 0}, VertexKind::cycle);
   }
-  const auto connections = connections_of(cycle);
-  layer_z_ = height_of_layer(connections);
-  top_ = layer_z_;
+  top_ = layer_z_ = height_of_layer(cycle);
   for (const Vertex v : cycle) at_[v].z = layer_z_;
   for (std::size_t i = 0; i < k; ++i) {
     const auto& bends = flat.bends[i];
@@ -129,8 +115,9 @@ void DrawingBuilder::lay(const std::vector<Vertex>& cycle, bool is_k4) {
       route(from, to, {at(0), at(1), at(2)});
     }
   }
-  for (const auto& [v, w, is_edge] : connections) {
-    if (is_edge) connect(v, w);
+  for (const Vertex v : cycle) {
+    const Vertex w = third_neighbour(v);
+    if (w != v && is_drawn(w)) connect(v, w);
   }
 }
 
