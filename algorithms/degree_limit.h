@@ -1,3 +1,0 @@
-#pragma once
-
-#include "ar3d/algorithms/catalog.h"
