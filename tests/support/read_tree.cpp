@@ -17,8 +17,8 @@ Tree read_tree(const std::string& root) {
   Tree tree;
   for (fs::recursive_directory_iterator at(root), end; at != end; ++at) {
     const std::string name = at->path().filename();
-    if (at->is_directory() &&
-        (name.starts_with(".") || name.starts_with("build") || name == "node_modules")) {
+    if (at->is_directory() && (name.starts_with(".") || name.starts_with("build") ||
+                               name == "_skbuild" || name == "node_modules")) {
       at.disable_recursion_pending();
     } else if (at->is_regular_file()) {
       const std::string path = fs::relative(at->path(), root).generic_string();
