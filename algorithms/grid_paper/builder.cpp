@@ -1,6 +1,6 @@
-// What all steps share: points, polylines, the front that they push, and components side by side
-// (Repair G.2). Coordinates are the paper's skewed ones until the drawing is finished. Cost: O(1) a
-// vertex and edge.
+// Step G.1 and what all steps share: points, polylines, the front that they push, and components
+// side by side (Repair G.2). Coordinates are the paper's skewed ones until the drawing is finished.
+// Cost: O(1) a vertex and edge.
 #include "ar3d/algorithms/grid_paper/builder.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
-// Steps G.4 and G.5, the paper's lemma "flat single cycle": plus and minus signs, three bends for an
-// edge with equal signs, one for the edge of an odd cycle with both. What is tested before a vertex
-// keeps its place is all that hangs on it, not only the edge that is drawn (Repair G.8). Places are
-// looked for to the right only, and the test stops at vertices too far to the left to be reached.
-// Cost: a few comparisons a vertex in practice, with all others at worst.
+// Steps G.4 and G.5, the paper's lemma "flat single cycle": plus and minus signs, three bends for
+// an edge with equal signs, one for the edge of an odd cycle with both. What is tested before a
+// vertex keeps its place is all that hangs on it, not only the edge that is drawn (Repair G.8).
+// Places are looked for to the right only, and the test stops at vertices too far to the left to be
+// reached. Cost: a few comparisons a vertex in practice, with all others at worst.
 #include "ar3d/algorithms/grid_paper/flat_cycle.h"
 
 #include <algorithm>

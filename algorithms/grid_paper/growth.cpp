@@ -1,10 +1,8 @@
-// Steps G.1 and G.2: components, stages, closures. The paper's double-adjacency
-// closure in its second definition, the iterative one (Repair G.4), taken of
-// the empty set, too (Repair G.3). What is outside only shrinks, so the length
-// of the shortest cycle through a vertex only grows: what a search has found
-// stays a lower bound, and a vertex is searched from again only when its bound
-// is the least of all, no further than twice that. Searching from every vertex
-// for every cycle takes n^2 in all.
+// Steps G.1 and G.2: components, stages, closures in the paper's iterative definition (Repair G.4),
+// of the empty set, too (Repair G.3). What is outside only shrinks, so shortest cycles through a
+// vertex only get longer: lengths found stay lower bounds, and only the vertex with the least one
+// is searched from, no further than twice that. Searching from every vertex takes n^2 in all. Cost:
+// a search, O(n) at worst, for every change of a bound; else O(n log n).
 #include "ar3d/algorithms/grid_paper/growth.h"
 
 #include <algorithm>

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "algorithms/grid_paper_support.h"
+#include "ar3d/algorithms/grid_paper/flat_cycle.h"
 #include "ar3d/algorithms/grid_paper/growth.h"
 #include "ar3d/base/random.h"
 
@@ -169,6 +170,48 @@ void expect_chordless(const Graph& graph, const std::vector<Vertex>& cycle) {
     EXPECT_THAT(on_cycle,
                 ::testing::UnorderedElementsAre(cycle[(i + 1) % cycle.size()],
                                                 cycle[(i + cycle.size() - 1) % cycle.size()]));
+  }
+}
+
+/// The drawing of a cycle with a vertex at the end of every leg, in the layer z = 0.
+Drawing flat_drawing(const Graph& graph, const grid_paper::FlatCycle& flat) {
+  const auto k = static_cast<Vertex>(flat.at.size());
+  const auto point = [](const grid_paper::LayerPoint& p) { return Point{p.y(), p.x + p.y(), p.x}; };
+  Coordinates vertices(2 * std::size_t{k}, 1'000'000);
+  for (Vertex v = 0; v < k; ++v) {
+    vertices.set(v, point(flat.at[v]));
+    vertices.set(k + v, point({flat.at[v].h + 2, flat.at[v].x}));
+  }
+  auto bends = std::make_shared<StoredBends>();
+  for (const Edge e : graph.edges()) {
+    std::vector<Point> points;
+    if (e.v < k) {
+      const bool closes = e.v > e.u + 1;
+      for (const auto& p : closes ? flat.bends.back() : flat.bends[e.u]) points.push_back(point(p));
+    }
+    bends->add_edge(points);
+  }
+  return {"flat", kCubeLattice, std::move(vertices), graph.shared_edges(), std::move(bends)};
+}
+
+TEST(GridPaperFlatCycle, AnyEvenNumbersGiveACycleWithoutContact) {
+  RandomStream random(4);
+  for (int i = 0; i < 400; ++i) {
+    const std::uint32_t k = 3 + random.below(20), values = 1 + random.below(i % 2 == 0 ? 4 : 40);
+    std::vector<std::int64_t> x;
+    std::vector<Edge> edges;
+    for (Vertex v = 0; v < k; ++v) {
+      x.push_back(2 * std::int64_t{random.below(values)});
+      edges.insert(edges.end(), {{v, (v + 1) % k}, {v, k + v}});
+    }
+    x[1] = x[0] + 2 + 2 * std::int64_t{random.below(values)};
+    const Graph graph(2 * std::uint64_t{k}, edges);
+    for (const Spread spread : {Spread::columns, Spread::conditional, Spread::least}) {
+      const Drawing drawing = flat_drawing(graph, grid_paper::draw_flat_cycle(x, spread, 1, true));
+      const Certificate found =
+          certify(graph, drawing, grid_paper::row().guarantee, {.check_size = false});
+      ASSERT_TRUE(found.valid()) << i << ": " << found.violations.at(0).message;
+    }
   }
 }
 
