@@ -61,7 +61,8 @@ ordered_json bounds_json(const BoundsEntry& entry, const ShowCommand& show) {
   json["published_bound"] = valid_utf8(entry.published_formula);
   json["volume"] = {{"n", entry.volume_n},
                     {"log2_volume", json_number(entry.log2_volume)},
-                    {"share", json_number(entry.volume_share)}};
+                    {"share", json_number(entry.volume_share)},
+                    {"over_least", json_number(entry.volume_over_least)}};
   for (const AxisBounds& axis : entry.axes) {
     ordered_json& one = json["axes"].emplace_back(ordered_json{{"measured", axis.measured}});
     one.update(slacks_json(axis));
@@ -84,6 +85,7 @@ ordered_json bounds_line(const BoundsEntry& entry, const ShowCommand& show) {
   }
   json["log2_volume"] = json_number(entry.log2_volume);
   json["volume_share"] = json_number(entry.volume_share);
+  json["volume_over_least"] = json_number(entry.volume_over_least);
   const auto worst = worst_axis(entry);
   json["worst_command"] = worst ? show(entry.key, entry.axes[*worst].worst) : "";
   return json;

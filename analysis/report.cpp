@@ -54,7 +54,8 @@ std::string body(report::Page& page, const SinceReference& since) {
   link("environment", "Environment");
   link("spec", "Specification");
   link("methods", "Methods");
-  html += "</nav>\n" + report::closeness_section(page, sections) + trade + precision;
+  html += "</nav>\n" + report::closeness_section(page, sections) +
+          report::promises_section(sections) + trade + precision;
   for (std::size_t i = 0; i < sections.size(); ++i) {
     html += report::algorithm_section(page, sections[i], fmt::format("a{}", i));
   }

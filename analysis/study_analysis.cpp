@@ -46,14 +46,16 @@ void add_volume(const CurveTally& curve, BoundsEntry& entry) {
                                  [](const auto& size) { return size.second.drawn > 0; });
   if (last == curve.sizes.rend()) return;
   entry.volume_n = last->first;
-  std::vector<double> volumes, shares;
+  std::vector<double> volumes, shares, over_least;
   for (const DrawnGraph& graph : last->second.graphs) {
     volumes.push_back(graph.log2_volume);
-    shares.push_back(
-        std::exp(log_value(graph, Quantity::volume, false) - log_bound(graph, Quantity::volume)));
+    const double log_volume = log_value(graph, Quantity::volume, false);
+    shares.push_back(std::exp(log_volume - log_bound(graph, Quantity::volume)));
+    over_least.push_back(std::exp(log_volume - log_volume_at_least(graph)));
   }
   entry.log2_volume = median(std::move(volumes));
   entry.volume_share = median(std::move(shares));
+  entry.volume_over_least = median(std::move(over_least));
 }
 
 // A bound that does not depend on n is no theorem's box: none is promised, or (by a program of the

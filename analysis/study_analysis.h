@@ -30,6 +30,8 @@ struct BoundsEntry {
   /// is set against has the order that the very theorem promises. Missing without a theorem's
   /// bound.
   double volume_share = kMissing;
+  /// Volume over volume_at_least, median of the same graphs; missing if the rows lack that column.
+  double volume_over_least = kMissing;
   std::string theorem_formula;    ///< "16/3 n, 16/3 n, 8 n (proved here, docs/theorem1.md)"
   std::string published_formula;  ///< empty if nobody published a bound
   std::array<std::uint64_t, 8>

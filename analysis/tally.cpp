@@ -309,6 +309,16 @@ double log_value(const DrawnGraph& graph, Quantity quantity, bool timed) {
   return kMissing;
 }
 
+double log_volume_at_least(const DrawnGraph& graph) {
+  static const std::size_t place = [] {
+    const auto at = std::find_if(metrics().begin(), metrics().end(), [](const Metric& metric) {
+      return metric.name == "volume_at_least";
+    });
+    return static_cast<std::size_t>(at - metrics().begin());
+  }();
+  return place < graph.metrics.size() ? log_positive(graph.metrics[place]) : kMissing;
+}
+
 double SizeTally::mean_log(Quantity quantity, bool timed) const {
   const std::size_t place =
       quantity == Quantity::wall_s && timed ? kTimed : static_cast<std::size_t>(quantity);

@@ -39,6 +39,9 @@ const std::vector<Quantity>& quantities();
 /// those of the timing phase.
 double log_value(const DrawnGraph& graph, Quantity quantity, bool timed);
 
+/// Natural logarithm of volume_at_least; missing in rows of programs that did not have it.
+double log_volume_at_least(const DrawnGraph& graph);
+
 /// What all graphs of one n gave.
 struct SizeTally {
   std::int64_t n = 0;

@@ -10,6 +10,7 @@
 #include "ar3d/model/real_points.h"
 #include "ar3d/verify/checks/angles.h"
 #include "ar3d/verify/metrics/metrics.h"
+#include "ar3d/verify/metrics/volume_bound.h"
 
 namespace ar3d {
 namespace {
@@ -42,6 +43,7 @@ Examination examine_all(const Graph& graph, const Drawing& drawing, const Guaran
     set_angles_and_crossings(graph, drawing, guarantee, examination.certificate,
                              examination.summary);
   }
+  examination.summary.volume_at_least = volume_at_least(graph, guarantee);
   return examination;
 }
 

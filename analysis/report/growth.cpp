@@ -241,6 +241,68 @@ NamedPlot growth_plot(Page& page, const Section& section, const GrowthFigure& gr
   return plot;
 }
 
+/// By requested n the volumes that any drawing needs, those drawn and those promised.
+struct VolumeBand {
+  std::vector<double> least, drawn, most;
+};
+
+std::map<std::int64_t, VolumeBand> volume_bands(const GrowthFigure& growth) {
+  std::map<std::int64_t, VolumeBand> bands;
+  for (const FamilyLine& line : growth.lines) {
+    for (const SizeSample& size : line.entry->all) {
+      VolumeBand& band = bands[size.requested_n];
+      band.drawn.push_back(growth.middle(size));
+      if (!std::isnan(size.log_bound)) band.most.push_back(growth.value(size, size.log_bound));
+      for (const DrawnGraph& graph : line.curve->tally->sizes.at(size.n).graphs) {
+        const double least = log_volume_at_least(graph);
+        if (!std::isnan(least)) band.least.push_back(growth.value(size, least));
+      }
+    }
+  }
+  std::erase_if(bands, [](const auto& band) {
+    return band.second.least.empty() || band.second.most.empty();
+  });
+  return bands;
+}
+
+/// One band: below it nothing can be, above it the theorem promises that nothing is; the drawings
+/// lie in between. Empty without bounds from both sides.
+std::string volume_band_figure(Page& page, const Section& section) {
+  const GrowthFigure growth = growth_of(page, section, Quantity::volume);
+  const std::map<std::int64_t, VolumeBand> bands = volume_bands(growth);
+  if (bands.empty()) return "";
+  NamedPlot plot;
+  plot.file = section.label + "-volume-band";
+  plot.title = section.label + ": volume between its bounds";
+  plot.x = "vertices n";
+  plot.y = "volume / " + power_text(growth.order);
+  LogRange x, y;
+  std::string points, drawn, most;
+  for (const auto& [n, band] : bands) {
+    x.include(log10_of(std::max<std::int64_t>(1, n)));
+    y.include(std::ranges::min(band.least));
+    y.include(std::ranges::max(band.most));
+  }
+  const PlotFrame frame =
+      frame_of(x, y, TickStyle::power, plot.y + ", " + unit_text(Quantity::volume));
+  for (const auto& [n, band] : bands) {
+    const double at = log10_of(std::max<std::int64_t>(1, n)), middle = median(band.drawn);
+    const double low = std::ranges::min(band.least), high = std::ranges::max(band.most);
+    points += frame.point(at, low);
+    most.insert(0, frame.point(at, high));
+    drawn += frame.point(at, middle);
+    plot.csv += csv_line("drawn, from at least to at most", "band", at, middle, low, high);
+  }
+  plot.svg = labelled_svg(
+      plot.title + ", against n",
+      axes_svg(frame) + fmt::format("<polygon class='band f0' points='{}{}'/><polyline "
+                                    "class='median middle' points='{}'/>",
+                                    points, most, drawn),
+      {});
+  plot.note = "below: proved impossible; above: excluded by the theorem; line: drawn, median";
+  return page.figure(std::move(plot));
+}
+
 }  // namespace
 
 std::string growth_figures(Page& page, const Section& section) {
@@ -249,6 +311,7 @@ std::string growth_figures(Page& page, const Section& section) {
     const GrowthFigure growth = growth_of(page, section, quantity);
     if (!growth.lines.empty()) html += page.figure(growth_plot(page, section, growth));
   }
+  html += volume_band_figure(page, section);
   if (html.empty()) return "";
   return "<div class=figures>\n" + html +
          "</div>\n<p class='muted legend-line'>Band and thick line: least, median and largest of "

@@ -55,6 +55,7 @@ std::vector<Section> sections(const StudyAnalysis& analysis) {
       section.algorithm = key.algorithm;
       if (const auto* record = find_algorithm_record(records, key.algorithm, key.options)) {
         section.theorem = record->theorem;
+        section.published = record->published;
       }
     }
     auto scaling = scaling_of[key];

@@ -29,6 +29,7 @@ struct Section {
   std::string label;
   std::string algorithm;
   std::optional<SizeBound> theorem;
+  std::optional<SizeBound> published;
   std::vector<SectionCurve> curves;  ///< at most kMostFamilies: those closest to the bound
   std::size_t all_curves = 0;
 };
@@ -45,6 +46,9 @@ std::string verdict_section(Page& page, const std::vector<Section>& sections,
 std::string reference_section(const SinceReference& since);
 /// How close does anything come to a bound, and which graph is it? One line a setting.
 std::string closeness_section(Page& page, const std::vector<Section>& sections);
+/// What was promised, and what is drawn? By setting and axis: the paper's bound, the proved one,
+/// the measured exponent and constant. Empty if no setting has a theorem's box.
+std::string promises_section(const std::vector<Section>& sections);
 /// What does each algorithm trade: volume, bends, time?
 std::string trade_section(Page& page, const std::vector<Section>& sections);
 /// What does accuracy cost: real types, certificate modes, levels, efforts? Empty where all rows

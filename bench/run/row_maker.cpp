@@ -158,6 +158,7 @@ RowMaker::RowMaker(const Circumstances& circumstances)
 
 void RowMaker::prepare(const PlannedInstance& instance) {
   graph_.reset();
+  needs_.reset();
   base_ = instance_row(instance);
   attempt(base_, [&] {
     const Stopwatch time;
@@ -242,6 +243,10 @@ void RowMaker::draw_and_certify(const PlannedRun& planned, const RowRequest& req
   }
   run.certify_s = certifying_time.wall_s();
   run.drawing_hash = examination.drawing_hash;
+  if (is_judged) {
+    if (!needs_) needs_ = needs_of(*graph_, base_.instance_index == 0);
+    examination.summary.volume_at_least = volume_at_least(*needs_, guarantee);
+  }
   set_metrics(examination.summary, run);
   if (is_judged) {
     refuse_given_up(examination.certificate, *graph_);

@@ -9,6 +9,7 @@
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/model/graph.h"
 #include "ar3d/store/columns/run_record.h"
+#include "ar3d/verify/metrics/volume_bound.h"
 
 namespace ar3d {
 
@@ -50,6 +51,7 @@ class RowMaker {
   RowMemory memory_;
   RunRecord base_;
   std::optional<Graph> graph_;
+  std::optional<GraphNeeds> needs_;  // once a row asks; with the bisection of every first instance
   ExternalDrawer drawer_;
 
   Drawing draw_timed(const PlannedRun& planned, const RowRequest& request, RunRecord& run);

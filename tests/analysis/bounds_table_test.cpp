@@ -3,6 +3,7 @@
 #include "analysis/synthetic.h"
 #include "ar3d/analysis/replay.h"
 #include "ar3d/analysis/study_analysis.h"
+#include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d::testing {
 namespace {
@@ -66,6 +67,16 @@ TEST(BoundsTable, VolumesAreSetAgainstTheTheoremsOwnBox) {
   // Extents of 4n to 4.5n, 4n and 6n in a box of 16n/3, 16n/3 and 8n.
   EXPECT_GT(entry.volume_share, 0.4);
   EXPECT_LT(entry.volume_share, 0.5);
+}
+
+TEST(BoundsTable, VolumesAreSetAgainstTheLeastPossible) {
+  Results results = three_instances();
+  EXPECT_TRUE(std::isnan(bounds_table(results).at(0).volume_over_least)) << "no such column";
+  for (ar3d::RunRecord& run : results.runs) {
+    const std::int64_t least = 256;
+    run_column("volume_at_least").load(reinterpret_cast<const char*>(&least), run);
+  }
+  EXPECT_NEAR(bounds_table(results).at(0).volume_over_least, 2048.0 / 256, 1e-9);
 }
 
 TEST(BoundsTable, OneEntryForEachAlgorithmOptionsFamilyAndParameters) {

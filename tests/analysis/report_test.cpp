@@ -13,6 +13,7 @@
 #include "ar3d/analysis/replay.h"
 #include "ar3d/analysis/report/html.h"
 #include "ar3d/analysis/text.h"
+#include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d::testing {
 namespace {
@@ -199,6 +200,34 @@ TEST(Report, GrowthIsDividedByTheOrderOfTheBound) {
   EXPECT_THAT(side->csv, HasSubstr(",cubic,line,4096,5,5,5\r\n"));
   EXPECT_THAT(side->csv, HasSubstr(",theorem's bound,dashed,4096,8,,\r\n"));
   EXPECT_THAT(side->csv, HasSubstr(",all families,band,4096,5,5,5\r\n"));
+}
+
+TEST(Report, VolumesLieInABandBetweenTheirBounds) {
+  Results results = good_results({"diamond"}, {"cubic"}, 3, 2);
+  const auto band_of = [&] {
+    std::string csv;
+    for (const Figure& figure : report_figures(analyse(view_of(results)))) {
+      if (figure.name == "diamond-volume-band") csv = figure.csv;
+    }
+    return csv;
+  };
+  EXPECT_EQ(band_of(), "") << "rows of earlier programs have no bound from below";
+  for (ar3d::RunRecord& run : results.runs) {
+    const std::int64_t least = run.n * run.n * run.n;
+    run_column("volume_at_least").load(reinterpret_cast<const char*>(&least), run);
+    run.log2_volume = std::log2(8.0 * static_cast<double>(least));
+  }
+  EXPECT_THAT(band_of(),
+              HasSubstr("band,64,8,1,2"));  // divided by n^3; the theorem's is 228 and more
+}
+
+TEST(Report, SetsWhatIsDrawnBesideWhatWasPromised) {
+  Results results = good_results({"diamond"}, {"cubic"}, 9, 1);
+  for (ar3d::RunRecord& run : results.runs) run.extents = {run.n, run.n, 5 * run.n};
+  const std::string html = render_report(analyse(view_of(results)));
+  EXPECT_THAT(html, HasSubstr("<td>z</td><td class=num>–</td><td class=num>8 n</td>"
+                              "<td class=num>1.000 <small>[1.000, 1.000]</small></td><td>cubic"
+                              "</td><td class=num>5</td><td>cubic</td>"));
 }
 
 TEST(Report, OfManyFamiliesTheExtremeOnesAreNamed) {

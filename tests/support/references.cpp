@@ -104,11 +104,13 @@ class Checker {
 
   void collect_definitions(const std::string& path, const std::string& text) {
     static const std::map<std::string, std::string> pages = {
-        {"1", "docs/theorem1.md"}, {"2", "docs/theorem2.md"},       {"3", "docs/theorem3.md"},
-        {"C", "docs/compact.md"},  {"D", "docs/compact-120.md"},    {"E", "docs/two-bend-109.md"},
-        {"G", "docs/theorem3-paper.md"},
-        {"H", "docs/history.md"},  {"P", "docs/theorem2-paper.md"}, {"V", "docs/verify.md"}};
-    each(text, "(?:^|[^`])\\*\\*(Lemma|Rule|Step|Repair) ([0-9CDEGHPV])\\.([0-9]+)",
+        {"1", "docs/theorem1.md"},       {"2", "docs/theorem2.md"},
+        {"3", "docs/theorem3.md"},       {"C", "docs/compact.md"},
+        {"D", "docs/compact-120.md"},    {"E", "docs/two-bend-109.md"},
+        {"G", "docs/theorem3-paper.md"}, {"H", "docs/history.md"},
+        {"L", "docs/lower-bounds.md"},   {"P", "docs/theorem2-paper.md"},
+        {"V", "docs/verify.md"}};
+    each(text, "(?:^|[^`])\\*\\*(Lemma|Rule|Step|Repair) ([0-9CDEGHLPV])\\.([0-9]+)",
          [&](const std::smatch& m) {
            const std::string name = m[1].str() + " " + m[2].str() + "." + m[3].str();
            if (!defined_.insert(name).second)
@@ -129,13 +131,13 @@ class Checker {
   }
 
   void check_numbers() {
-    const std::string number = "([0-9CDEGHPV]\\.[0-9]+|[0-9]+)";
+    const std::string number = "([0-9CDEGHLPV]\\.[0-9]+|[0-9]+)";
     each(prose_,
          "\\b([Ll]emma|[Rr]ule|[Ss]tep|[Ss]tage|[Rr]epair)s?\\s+" + number +
              "((,|\\s+and|\\s+to|\\s+or|–)\\s*" + number + ")*(?![\\w])",
          [&](const std::smatch& m) {
            const std::string kind = m[1].str();
-           each(m.str(), "[0-9CDEGHPV]\\.[0-9]+|[0-9]+", [&](const std::smatch& one) {
+           each(m.str(), "[0-9CDEGHLPV]\\.[0-9]+|[0-9]+", [&](const std::smatch& one) {
              const std::string name = kind + " " + one.str();
              if (one.str().find('.') == std::string::npos || kind == "stage" || kind == "Stage") {
                report(m.position(), name + " has no page: write Lemma, Rule or Step and X.N");

@@ -147,7 +147,11 @@ std::vector<Metric> make_metrics() {
       {"optimal_edges", "edges",
        "edges all of whose angles are at least the optimum (120 degrees up to maximum degree 3, "
        "arccos(-1/3) for 4), decided exactly; missing beyond",
-       int64, integer<&DrawingSummary::optimal_edges>}};
+       int64, integer<&DrawingSummary::optimal_edges>},
+      {"volume_at_least", "cubic lattice units",
+       "no drawing of this graph that keeps the algorithm's guarantee has a box of fewer lattice "
+       "points (docs/lower-bounds.md); missing without a guarantee",
+       int64, integer<&DrawingSummary::volume_at_least>}};
 }
 
 OpenTable<Metric>& table() {

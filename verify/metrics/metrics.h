@@ -29,6 +29,9 @@ struct DrawingSummary {
   std::shared_ptr<const RealAssessment> real;
   /// Sum of log2(side / smallest_vertex_distance + 1) over the box's sides in the lattice's metric.
   double log2_relative_volume = kNone;
+  /// volume_at_least() of the graph and the guarantee (verify/metrics/volume_bound.h), for those
+  /// who have them; -1 if not set.
+  std::int64_t volume_at_least = -1;
 
   // What set_angles_and_crossings() fills in (verify/checks/angles.h).
   std::int64_t crossings = -1;

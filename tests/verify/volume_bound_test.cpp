@@ -1,0 +1,220 @@
+// Bounds of volume from below: the smallest box against all boxes, the routed bisection against all
+// halves, and every bound against certified drawings (docs/lower-bounds.md).
+#include "ar3d/verify/metrics/volume_bound.h"
+
+#include <bit>
+#include <cmath>
+
+#include "ar3d/algorithms/catalog.h"
+#include "ar3d/generators/catalog.h"
+#include "ar3d/generators/lattices.h"
+#include "ar3d/generators/random_graphs.h"
+#include "ar3d/verify/certificate.h"
+#include "support/graphs.h"
+#include "verify/draft.h"
+
+namespace ar3d::testing {
+namespace {
+
+std::uint64_t volume_of(const Drawing& drawing) {
+  std::uint64_t volume = 1;
+  for (const std::int64_t extent : bounding_box(drawing).extents()) {
+    volume *= static_cast<std::uint64_t>(extent) + 1;
+  }
+  return volume;
+}
+
+/// Whether some set of points that unit steps reach from each other, counted one by one, has so
+/// many in a box; sides in any order.
+bool holds(const BoxNeeds& needs, const std::array<std::uint64_t, 3>& sides) {
+  const auto is_used = [&](std::uint64_t x, std::uint64_t y, std::uint64_t z, unsigned first) {
+    switch (needs.steps) {
+      case DrawnSteps::any:
+        return true;
+      case DrawnSteps::face_diagonals:
+        return (x + y + z + first) % 2 == 0;
+      case DrawnSteps::body_diagonals:
+        break;
+    }
+    return (x + y + first) % 2 == 0 && (y + z + first / 2) % 2 == 0;
+  };
+  std::uint64_t points = 0, plane = 0, layer = ~std::uint64_t{0};
+  for (unsigned first = 0; first < 4; ++first) {
+    std::uint64_t in_all = 0;
+    std::array<std::vector<std::uint64_t>, 3> across;
+    for (std::size_t axis = 0; axis < 3; ++axis) across[axis].resize(sides[axis]);
+    for (std::uint64_t x = 0; x < sides[0]; ++x) {
+      for (std::uint64_t y = 0; y < sides[1]; ++y) {
+        for (std::uint64_t z = 0; z < sides[2]; ++z) {
+          if (!is_used(x, y, z, first)) continue;
+          ++in_all, ++across[0][x], ++across[1][y], ++across[2][z];
+        }
+      }
+    }
+    points = std::max(points, in_all);
+    for (const auto& counts : across) {
+      plane = std::max(plane, *std::max_element(counts.begin(), counts.end()));
+    }
+  }
+  // The fullest layer across each axis; the emptiest axis counts.
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::uint64_t a = sides[(axis + 1) % 3], b = sides[(axis + 2) % 3];
+    const std::uint64_t full = needs.steps == DrawnSteps::any ? a * b
+                               : needs.steps == DrawnSteps::face_diagonals
+                                   ? (a * b + 1) / 2
+                                   : ((a + 1) / 2) * ((b + 1) / 2);
+    layer = std::min(layer, full);
+  }
+  return points >= needs.points && plane >= needs.in_plane && layer >= needs.in_layer &&
+         *std::min_element(sides.begin(), sides.end()) >= needs.side;
+}
+
+TEST(VolumeBound, SmallestBoxIsTheSmallestOfAll) {
+  for (const DrawnSteps steps :
+       {DrawnSteps::any, DrawnSteps::body_diagonals, DrawnSteps::face_diagonals}) {
+    for (const std::uint64_t points : {1, 2, 5, 9, 14, 23}) {
+      for (const std::uint64_t in_plane : {0, 1, 4, 7}) {
+        for (const std::uint64_t in_layer : {0, 1, 3, 4}) {
+          const BoxNeeds needs{steps, points, in_plane, in_layer, 1 + points % 2};
+          const std::uint64_t found = smallest_box(needs);
+          std::uint64_t least = found + 1;
+          for (std::uint64_t a = 1; a * a * a <= found; ++a) {
+            for (std::uint64_t b = a; a * b * b <= found; ++b) {
+              for (std::uint64_t c = b; a * b * c < least; ++c) {
+                if (holds(needs, {a, b, c})) least = a * b * c;
+              }
+            }
+          }
+          EXPECT_EQ(found, least) << static_cast<int>(steps) << ' ' << points << ' ' << in_plane
+                                  << ' ' << in_layer;
+        }
+      }
+    }
+  }
+}
+
+std::uint64_t bisection_width(const Graph& graph) {
+  const int n = static_cast<int>(graph.num_vertices());
+  std::uint64_t width = graph.num_edges();
+  for (unsigned half = 0; half < 1u << n; ++half) {
+    if (std::popcount(half) != n / 2) continue;
+    std::uint64_t crossing = 0;
+    for (const auto [u, v] : graph.edges()) crossing += ((half >> u) ^ (half >> v)) & 1;
+    width = std::min(width, crossing);
+  }
+  return width;
+}
+
+std::vector<Vertex> all_vertices(const Graph& graph) {
+  std::vector<Vertex> all(graph.num_vertices());
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) all[v] = v;
+  return all;
+}
+
+TEST(VolumeBound, BisectionsAreAtLeastWhatRoutingSays) {
+  std::size_t tight = 0, graphs = 0;
+  for (const char* arguments : {"-c -D4 4", "-c -D4 5", "-c -D4 6", "-c -D4 7", "-c -D3 -d3 10"}) {
+    for (const Graph& graph : geng(arguments)) {
+      const std::uint64_t bound = bisection_at_least(graph, all_vertices(graph), 1000000);
+      const std::uint64_t width = bisection_width(graph);
+      ASSERT_LE(bound, width);
+      ASSERT_GE(bound, 1u);
+      tight += bound == width;
+      ++graphs;
+    }
+  }
+  EXPECT_GT(4 * tight, graphs);
+  const Graph ring = cycle(2000);
+  EXPECT_EQ(bisection_at_least(ring, all_vertices(ring), 1 << 24), 2u);
+}
+
+// Of random 4-regular graphs at least n/16; the second eigenvalue proves n/7.5 and Bollobas 1988
+// n/5.
+TEST(VolumeBound, ExpandersHaveLargeBisections) {
+  const Graph expander = random_regular(1024, 4, 1);
+  const GraphNeeds needs = needs_of(expander, true);
+  EXPECT_GE(needs.bisection, 1024u / 8);
+  EXPECT_LE(needs.bisection, 1024u / 4) << "random halves have half of the edges, good ones less";
+  EXPECT_EQ(needs_of(expander).bisection, 0u);
+  EXPECT_EQ(needs_of(random_regular(510, 4, 1), true).bisection, 0u);
+  EXPECT_EQ(needs_of(random_regular(16386, 4, 1), true).bisection, 0u);
+  const Guarantee& compact = find_algorithm("compact").guarantee;
+  EXPECT_GT(volume_at_least(needs, compact), volume_at_least(expander, compact));
+}
+
+// Every algorithm's drawings: of all small graphs, and of every family.
+void expect_below(const Algorithm& algorithm, const Graph& graph, const std::string& name) {
+  const Drawing drawing = draw(algorithm, graph);
+  const GraphNeeds needs = needs_of(graph, graph.num_vertices() < 1500);
+  const std::int64_t bound = volume_at_least(needs, algorithm.guarantee);
+  if (algorithm.guarantee.claim == Claim::measured) {
+    EXPECT_EQ(bound, -1);
+    return;
+  }
+  EXPECT_GE(bound, 1);
+  EXPECT_GE(bound, graph.num_vertices());
+  EXPECT_LE(static_cast<std::uint64_t>(bound), volume_of(drawing)) << algorithm.name << ' ' << name;
+}
+
+TEST(VolumeBound, IsBelowEveryDrawingOfSmallGraphs) {
+  for (const char* arguments : {"-D4 2", "-D4 3", "-D4 4", "-D4 5", "-D4 6"}) {
+    for (const Graph& graph : geng(arguments)) {
+      for (const Algorithm* algorithm : proved_algorithms()) {
+        if (graph.max_degree() <= algorithm->guarantee.max_degree) {
+          expect_below(*algorithm, graph, arguments);
+        }
+      }
+    }
+  }
+  for (const Algorithm& algorithm : algorithms()) expect_below(algorithm, Graph(0, {}), "none");
+}
+
+TEST(VolumeBound, IsBelowEveryDrawingOfEveryFamily) {
+  for (const Family& family : families()) {
+    for (const std::uint64_t n : {30, 300, 600}) {
+      const Graph graph = generate(family, n, 1);
+      for (const Algorithm* algorithm : proved_algorithms()) {
+        if (graph.max_degree() > algorithm->guarantee.max_degree) continue;
+        expect_below(*algorithm, graph, family.name);
+      }
+    }
+  }
+}
+
+// The smallest drawing of an edge with the guarantee of diamond: up and down again.
+TEST(VolumeBound, IsReachedByAnEdge) {
+  const Guarantee& diamond = find_algorithm("diamond").guarantee;
+  Draft draft;
+  draft.vertices = {{0, 0, 0}, {2, 0, 0}};
+  draft.edges = {{{0, 1}, {{1, 1, 1}}}};
+  CertifyOptions without_size;
+  without_size.check_size = false;
+  EXPECT_TRUE(certify(path(2), draft.drawing(), diamond, without_size).valid());
+  EXPECT_EQ(volume_at_least(path(2), diamond), 12);
+  EXPECT_EQ(volume_of(draft.drawing()), 12u);
+}
+
+// Pieces of the two lattices, as they lie there: drawings without bends.
+TEST(VolumeBound, IsWithinAFactorOfPiecesOfLattices) {
+  Guarantee straight;
+  straight.max_bends = 0;
+  for (const std::uint64_t n : {10, 100, 1000, 5000}) {
+    straight.cosine = {-1, 3};
+    straight.directions = {{1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}};
+    const LatticePiece diamond = diamond_lattice_piece(n);
+    const auto bound = static_cast<std::uint64_t>(volume_at_least(diamond.graph, straight));
+    const std::uint64_t volume = volume_of(straight_drawing(diamond, "diamond-lattice"));
+    EXPECT_LE(bound, volume);
+    EXPECT_LE(volume, 6 * bound) << n;
+    straight.cosine = {-1, 2};
+    straight.directions = {{1, 1, 0}, {1, -1, 0}, {1, 0, 1}, {1, 0, -1}, {0, 1, 1}, {0, 1, -1}};
+    const LatticePiece laves = laves_piece(n);
+    const auto flat_bound = static_cast<std::uint64_t>(volume_at_least(laves.graph, straight));
+    const std::uint64_t flat_volume = volume_of(straight_drawing(laves, "laves-graph"));
+    EXPECT_LE(flat_bound, flat_volume);
+    EXPECT_LE(flat_volume, 12 * flat_bound) << n;
+  }
+}
+
+}  // namespace
+}  // namespace ar3d::testing

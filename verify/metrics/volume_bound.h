@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "ar3d/model/graph.h"
+#include "ar3d/model/guarantee.h"
+
+namespace ar3d {
+
+/// What docs/lower-bounds.md takes from a graph; equal for all algorithms.
+struct GraphNeeds {
+  std::uint64_t vertices = 0;
+  std::uint64_t edges = 0;
+  std::uint64_t part_vertices = 0;  ///< of the largest component
+  /// Between any two halves of that component (their sizes differ by at most one) run at least so
+  /// many edges; 0 where that is not looked for.
+  std::uint64_t bisection = 0;
+};
+
+/// @param with_bisection  looks for the bisection of a component of 512 to 16,384 vertices: at most
+/// 2^26 visits of vertices and half-edges, up to a second. Else O(n + m).
+GraphNeeds needs_of(const Graph& graph, bool with_bisection = false);
+
+/// No drawing of such a graph that keeps the guarantee has a box of fewer lattice points (Lemma
+/// L.5). -1 for a guarantee of drawings in real types, which stand on no lattice.
+/// Cost: O(V^(2/3)) for a result V, which is less than the cost of a drawing.
+std::int64_t volume_at_least(const GraphNeeds& needs, const Guarantee& guarantee);
+/// Without a bisection.
+std::int64_t volume_at_least(const Graph& graph, const Guarantee& guarantee);
+
+/// Lemma L.4: a lower bound of the bisection width of a connected graph. Every source sends one
+/// unit to every vertex along the tree of a breadth-first search; sources are added, twice as many
+/// each time, while four times as many raise the bound by a tenth.
+/// @param vertices  of a component of at least two vertices. @param most_visits  of vertices and
+/// half-edges.
+std::uint64_t bisection_at_least(const Graph& graph, std::span<const Vertex> vertices,
+                                 std::uint64_t most_visits);
+
+/// Which points a connected drawing can use.
+enum class DrawnSteps : std::uint8_t {
+  any,             ///< of directions that are not those below, or at angles that are not exact
+  body_diagonals,  ///< unit steps (+-1, +-1, +-1) at exactly arccos(-1/3)
+  face_diagonals   ///< unit steps along face diagonals of unit cubes at exactly 120 degrees
+};
+
+/// What a box has to hold (Lemmas L.2 and L.3).
+struct BoxNeeds {
+  DrawnSteps steps = DrawnSteps::any;
+  std::uint64_t points = 1;    ///< used by the drawing
+  std::uint64_t in_plane = 0;  ///< of them in one plane
+  std::uint64_t in_layer = 0;  ///< in one layer across every axis
+  std::uint64_t side = 1;      ///< lattice points along every axis
+};
+
+/// The lattice points of the smallest box that holds so much. O(V^(2/3)) for a result V.
+std::uint64_t smallest_box(const BoxNeeds& needs);
+
+}  // namespace ar3d
