@@ -10,6 +10,7 @@
 #include "ar3d/algorithms/diamond/diamond.h"
 #include "ar3d/algorithms/grid/grid.h"
 #include "ar3d/algorithms/grid_paper/grid_paper.h"
+#include "ar3d/algorithms/lattice/lattice.h"
 #include "ar3d/algorithms/two_bend/two_bend.h"
 #include "ar3d/algorithms/two_bend_109/two_bend_109.h"
 #include "ar3d/algorithms/two_bend_paper/two_bend_paper.h"
@@ -33,6 +34,8 @@ std::vector<Algorithm> catalogue() {
       two_bend_109::row(),
       two_bend_paper::row(),
       grid_paper::row(),
+      lattice::row_109(),
+      lattice::row_120(),
       // clang-format on
   };
 }

@@ -77,6 +77,7 @@ void add_input(Input input) {
   const std::string place = fmt::format("{}/{}", input.family->name, input.n);
   for (const Algorithm& algorithm : algorithms()) {
     if (input.family->max_degree > algorithm.guarantee.max_degree) continue;
+    if (algorithm.by_name_only) continue;
     add(fmt::format("draw/{}/{}", algorithm.name, place), draw_kernel, &algorithm, input);
     add(fmt::format("certify/{}/{}", algorithm.name, place), certify_kernel, &algorithm, input);
   }
