@@ -181,17 +181,17 @@ TEST(VolumeBound, IsBelowEveryDrawingOfEveryFamily) {
   }
 }
 
-// The smallest drawing of an edge with the guarantee of diamond: up and down again.
-TEST(VolumeBound, IsReachedByAnEdge) {
+// An edge with the guarantee of diamond, as small as it can be: up and down again.
+TEST(VolumeBound, IsCloseToAnEdgeDrawnByHand) {
   const Guarantee& diamond = find_algorithm("diamond").guarantee;
   Draft draft;
-  draft.vertices = {{0, 0, 0}, {2, 0, 0}};
+  draft.vertices = {{0, 0, 0}, {2, 2, 0}};
   draft.edges = {{{0, 1}, {{1, 1, 1}}}};
   CertifyOptions without_size;
   without_size.check_size = false;
   EXPECT_TRUE(certify(path(2), draft.drawing(), diamond, without_size).valid());
   EXPECT_EQ(volume_at_least(path(2), diamond), 12);
-  EXPECT_EQ(volume_of(draft.drawing()), 12u);
+  EXPECT_EQ(volume_of(draft.drawing()), 18u);
 }
 
 // Pieces of the two lattices, as they lie there: drawings without bends.
