@@ -1,7 +1,7 @@
-// In which order the vertices are placed: ear by ear (Whitney 1932), the shortest first,
+// Step L.2: the order in which vertices are placed, ear by ear (Whitney 1932), the shortest first,
 // because a short ear between two placed vertices has few places in a lattice: a hexagon of the
 // diamond lattice with four placed vertices has one. An ear that becomes shorter ends at a vertex
-// placed since, and is found from there; so a heap of them needs no update.
+// placed since, and is found from there; so a heap of them needs no update. Cost: see ear_order().
 #include "ar3d/algorithms/lattice/ears.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
-// Where a connected graph lies in a net: the vertices are placed in ear order, each at a free point
-// beside its predecessor, near enough to the end of its ear. Where none is left, the search jumps
-// back to the latest vertex that forbade one (conflict-directed backjumping, Prosser 1993). It
-// skips no solution: if it ends at the root, there is none. By the net's symmetry the first edge
-// has one place.
+// Step L.3: where a connected graph lies in a net. Each vertex goes to a free point beside its
+// predecessor, near enough to the end of its ear. Where none is left, the search jumps back to the
+// latest vertex that forbade one (conflict-directed backjumping, Prosser 1993). It skips no
+// solution: if it ends at the root, there is none. By the net's symmetry the first edge has one
+// place. Cost: see embed().
 #include "ar3d/algorithms/lattice/embedding.h"
 
 #include <algorithm>
