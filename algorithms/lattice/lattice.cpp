@@ -1,7 +1,7 @@
-// The space-fillers of Figure 1 as drawings: every component is found in its net (Steps L.1 to L.3),
-// then all are set side by side in it (Lemma L.6), large ones first, each at the first free place
-// of ever larger cubes. A drawing that comes out is right by construction: vertices are different
-// vertices of the net, edges are edges of it. Cost: see draw().
+// The space-fillers of Figure 1 as drawings: every component is found in its net by Steps L.1 to
+// L.3, then all are set side by side in it (Lemma L.6), large ones first, each at the first free
+// place of ever larger cubes. A drawing that comes out is right by construction: vertices are
+// different vertices of the net, edges are edges of it. Cost: see draw().
 #include "ar3d/algorithms/lattice/lattice.h"
 
 #include <fmt/format.h>
