@@ -210,7 +210,7 @@ TEST(TwoBend109Crossings, TwoSegmentsMeetIffTheVerifierSaysSo) {
     if (a.from == a.to || b.from == b.to) continue;
     const bool said = meet(a, b);
     const verify::Meeting meeting = verify::meet(a.from, a.to, b.from, b.to);
-    EXPECT_EQ(said, meeting.kind != verify::Meeting::Kind::nothing);
+    EXPECT_EQ(said, meeting.kind != verify::MeetingKind::nothing);
     EXPECT_EQ(said, meet(b, a));
     EXPECT_EQ(said, meet({a.to, a.from}, b));
     met += said ? 1 : 0;

@@ -94,7 +94,7 @@ Draft forest(RandomStream& random, std::int64_t side, std::uint32_t slanted) {
   const auto add = [&](Point from, Point to) {
     for (std::size_t i = 0; i < draft.vertices.size(); i += 2) {
       const auto meeting = verify::meet(from, to, draft.vertices[i], draft.vertices[i + 1]);
-      if (meeting.kind == verify::Meeting::Kind::overlap) return;
+      if (meeting.kind == verify::MeetingKind::overlap) return;
     }
     const auto v = static_cast<Vertex>(draft.vertices.size());
     draft.vertices.insert(draft.vertices.end(), {from, to});

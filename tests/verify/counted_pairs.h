@@ -94,9 +94,12 @@ inline verify::MeetingCounts count_all_pairs(const verify::Segments& segments) {
       const auto meeting =
           verify::meet(segments.from(s), segments.to(s), segments.from(t), segments.to(t));
       const bool is_parallel = verify::parallel(segments.direction(s), segments.direction(t));
-      if (meeting.kind == verify::Meeting::Kind::overlap) counts.overlap = true;
-      if (meeting.kind != verify::Meeting::Kind::point) continue;
-      ++(is_parallel ? counts.touching : counts.crossing);
+      if (meeting.kind == verify::MeetingKind::nothing) continue;
+      if (meeting.kind == verify::MeetingKind::overlap) {
+        counts.overlap = true;
+      } else {
+        ++(is_parallel ? counts.touching : counts.crossing);
+      }
     }
   }
   return counts;

@@ -101,8 +101,7 @@ Draft crowded_draft(RandomStream& random, std::uint32_t tries, std::uint32_t sid
     const std::int64_t length = 1 + random.below(i % 10 == 0 ? side : 5);
     const Point to = from + (random.chance(1, 2) ? Vector{length, 0, 0} : Vector{0, length, 0});
     const bool meets = std::any_of(placed.begin(), placed.end(), [&](const auto& other) {
-      return verify::meet(from, to, other.first, other.second).kind !=
-             verify::Meeting::Kind::nothing;
+      return verify::meet(from, to, other.first, other.second).kind != verify::MeetingKind::nothing;
     });
     if (meets) continue;
     placed.emplace_back(from, to);

@@ -58,7 +58,7 @@ TEST(Meet, AgreesWithFloatingDistancesOfSmallSegments) {
     const Point c = random_point(random, 5);
     const Point d = random_point(random, 5);
     if (a == b || c == d) continue;
-    const bool meets = meet(a, b, c, d).kind != Meeting::Kind::nothing;
+    const bool meets = meet(a, b, c, d).kind != MeetingKind::nothing;
     meetings += meets;
     ASSERT_EQ(meets, squared_distance(a, b, c, d) < 1e-5)
         << to_string(a) << to_string(b) << to_string(c) << to_string(d);
@@ -68,17 +68,17 @@ TEST(Meet, AgreesWithFloatingDistancesOfSmallSegments) {
 
 TEST(Meet, NamesTheLatticePointOrTheCommonPart) {
   const Meeting at = meet({0, 0, 0}, {4, 4, 4}, {1, 3, 2}, {3, 1, 2});
-  EXPECT_EQ(at.kind, Meeting::Kind::point);
+  EXPECT_EQ(at.kind, MeetingKind::cross);
   EXPECT_EQ(at.at, (Point{2, 2, 2}));
   const Meeting between = meet({0, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0});
-  EXPECT_EQ(between.kind, Meeting::Kind::point);
+  EXPECT_EQ(between.kind, MeetingKind::cross);
   EXPECT_FALSE(between.at.has_value());
   const Meeting part = meet({0, 0, 0}, {6, 6, 6}, {9, 9, 9}, {4, 4, 4});
-  EXPECT_EQ(part.kind, Meeting::Kind::overlap);
+  EXPECT_EQ(part.kind, MeetingKind::overlap);
   EXPECT_EQ(part.overlap, (std::array<Point, 2>{Point{4, 4, 4}, Point{6, 6, 6}}));
   EXPECT_EQ(meet({0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {1, 1, 1}).at, (Point{1, 1, 1}));
-  EXPECT_EQ(meet({0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}).kind, Meeting::Kind::nothing);
-  EXPECT_EQ(meet({0, 0, 0}, {1, 1, 1}, {0, 0, 1}, {1, 1, 2}).kind, Meeting::Kind::nothing);
+  EXPECT_EQ(meet({0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}).kind, MeetingKind::nothing);
+  EXPECT_EQ(meet({0, 0, 0}, {1, 1, 1}, {0, 0, 1}, {1, 1, 2}).kind, MeetingKind::nothing);
 }
 
 // Moving and stretching does not change what meets; at the limits every product is as large as it
@@ -97,13 +97,13 @@ TEST(Meet, IsExactUpToTheLargestCoordinates) {
     const auto meets = [](const std::array<Point, 4>& p) { return meet(p[0], p[1], p[2], p[3]); };
     ASSERT_EQ(meets(small).kind, meets(large).kind);
     // One lattice step away from a proper crossing nothing may meet.
-    if (meets(large).kind != Meeting::Kind::point) continue;
+    if (meets(large).kind != MeetingKind::cross) continue;
     const auto n = cross(small[1] - small[0], small[3] - small[2]);
     if (n[2] == 0) continue;
     for (std::size_t k : {2u, 3u}) large[k].z += large[k].z > 0 ? -1 : 1;
     if (large[2].z - stretch * (small[2].z - 2) != large[3].z - stretch * (small[3].z - 2))
       continue;
-    ASSERT_EQ(meets(large).kind, Meeting::Kind::nothing);
+    ASSERT_EQ(meets(large).kind, MeetingKind::nothing);
   }
 }
 

@@ -65,7 +65,7 @@ bool meet(const SegmentInSpace& a, const SegmentInSpace& b) {
   if (a_is_point) return verify::on_segment(a.from, b.from, b.from + b.step);
   if (b_is_point) return verify::on_segment(b.from, a.from, a.from + a.step);
   return verify::meet(a.from, a.from + a.step, b.from, b.from + b.step).kind !=
-         verify::Meeting::Kind::nothing;
+         verify::MeetingKind::nothing;
 }
 
 using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ar3d/verify/assessment/real_segments.h"
+#include "ar3d/verify/predicates/meeting.h"
 
 namespace ar3d::verify {
 namespace {
@@ -21,28 +22,13 @@ bool on_segment(const BigPoint& p, const BigPoint& a, const BigPoint& b) {
          is_zero(cross(difference(p, a), difference(b, a)));
 }
 
-/// 0 <= numerator / denominator <= 1, for denominator != 0.
-bool in_unit_interval(const BigInteger& numerator, const BigInteger& denominator) {
-  return denominator > 0 ? numerator >= 0 && numerator <= denominator
-                         : numerator <= 0 && numerator >= denominator;
-}
+meeting::Triple<BigInteger> triple(const BigPoint& p) { return {p.x, p.y, p.z}; }
 
 bool meet(const RealSegment& s, const RealSegment& t) {
   if (s.is_vertex) return t.is_vertex ? s.from == t.from : on_segment(s.from, t.from, t.to);
   if (t.is_vertex) return on_segment(t.from, s.from, s.to);
-  const BigVector u = difference(s.to, s.from), v = difference(t.to, t.from);
-  const BigVector w = difference(t.from, s.from), normal = cross(u, v);
-  if (is_zero(normal)) {
-    return on_segment(t.from, s.from, s.to) || on_segment(t.to, s.from, s.to) ||
-           on_segment(s.from, t.from, t.to);
-  }
-  if (dot(w, normal) != 0) return false;
-  const BigVector along_s = cross(w, v), along_t = cross(w, u);
-  const BigInteger& n = normal.x != 0 ? normal.x : normal.y != 0 ? normal.y : normal.z;
-  const auto same = [&](const BigVector& a) -> const BigInteger& {
-    return normal.x != 0 ? a.x : normal.y != 0 ? a.y : a.z;
-  };
-  return in_unit_interval(same(along_s), n) && in_unit_interval(same(along_t), n);
+  return meeting::kind(triple(s.from), triple(s.to), triple(t.from), triple(t.to)) !=
+         MeetingKind::nothing;
 }
 
 /// The end that two segments may share: of consecutive ones their bend, of end segments their

@@ -39,12 +39,12 @@ void Contacts::examine(SegmentId a, SegmentId b) {
   if (a > b) std::swap(a, b);
   const Meeting meeting =
       meet(segments_.from(a), segments_.to(a), segments_.from(b), segments_.to(b), width_);
-  if (meeting.kind == Meeting::Kind::nothing) return;
+  if (meeting.kind == MeetingKind::nothing) return;
   if (is_forbidden(a, b, meeting)) crossings_.emplace(a, b);
 }
 
 bool Contacts::is_forbidden(SegmentId a, SegmentId b, const Meeting& meeting) const {
-  if (meeting.kind == Meeting::Kind::overlap || !meeting.at) return true;
+  if (meeting.kind == MeetingKind::overlap || !meeting.at) return true;
   if (segments_.edge(a) == segments_.edge(b) && b == a + 1)
     return false;  // only their bend is common
   const auto end_of_a = segments_.vertex_at(a, *meeting.at);
@@ -76,7 +76,7 @@ Violation Contacts::crossing(SegmentId a, SegmentId b) const {
       meet(segments_.from(a), segments_.to(a), segments_.from(b), segments_.to(b), width_);
   Violation violation{ViolationKind::crossing, {}, {segments_.edge(a), segments_.edge(b)}, {}, {}};
   std::string what;
-  if (meeting.kind == Meeting::Kind::overlap) {
+  if (meeting.kind == MeetingKind::overlap) {
     violation.points = {meeting.overlap[0], meeting.overlap[1]};
     what = fmt::format("overlap from {} to {}", to_string(meeting.overlap[0]),
                        to_string(meeting.overlap[1]));

@@ -55,8 +55,8 @@ Meeting meet_on_line(Point a, Point b, Point c, Point d, Vector u) {
   const Point low = std::max(std::min(a, b, before), std::min(c, d, before), before);
   const Point high = std::min(std::max(a, b, before), std::max(c, d, before), before);
   if (before(high, low)) return {};
-  if (low == high) return {Meeting::Kind::point, low, {low, low}};
-  return {Meeting::Kind::overlap, std::nullopt, {low, high}};
+  if (low == high) return {MeetingKind::touch, low, {low, low}};
+  return {MeetingKind::overlap, std::nullopt, {low, high}};
 }
 
 }  // namespace
@@ -99,7 +99,7 @@ Meeting meet(Point a, Point b, Point c, Point d, IntegerWidth width) {
   const Normal s = cross(c - a, v);
   std::size_t axis = 0;
   while (n[axis] == 0) ++axis;
-  return {Meeting::Kind::point, lattice_point(a, u, s[axis], n[axis]), {}};
+  return {MeetingKind::cross, lattice_point(a, u, s[axis], n[axis]), {}};
 }
 
 }  // namespace ar3d::verify

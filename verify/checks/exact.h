@@ -20,8 +20,7 @@ bool on_segment(Point p, Point a, Point b);
 
 /// What two closed segments have in common.
 struct Meeting {
-  enum class Kind { nothing, point, overlap };
-  Kind kind = Kind::nothing;
+  MeetingKind kind = MeetingKind::nothing;
   std::optional<Point> at;         ///< the common point, if it is a lattice point
   std::array<Point, 2> overlap{};  ///< the ends of the common part
 };
