@@ -23,12 +23,13 @@
 #include "drawing_summary.h"
 #include "options.h"
 #include "outputs.h"
+#include "several_inputs.h"
 
 namespace ar3d {
 namespace {
 
 struct DrawArguments {
-  std::string input = "-";
+  std::vector<std::string> inputs = {"-"};
   GraphInput graphs;
   std::string algorithm;
   std::vector<std::string> options;
@@ -50,17 +51,31 @@ struct DrawJob {
   std::optional<CoordinateWidth> width = {};
 };
 
-/// @throws InputError if it does not fit the width that is asked for, too.
-Drawing fitting_drawing(const Graph& graph, const DrawJob& job) {
-  Drawing drawing = draw(job.algorithm, graph, job.options);
-  if (job.width) require_width(*job.width, job.algorithm.guarantee.bound, drawing);
-  return drawing;
-}
-
 struct GraphToDraw {
   Graph graph;
   std::string where;  // "FILE:LINE"
+  std::shared_ptr<const std::vector<std::string>> names;
 };
+
+using GraphInputs = SeveralInputs<GraphReader>;
+
+std::optional<GraphToDraw> next_graph(GraphInputs& inputs) {
+  std::optional<Graph> graph = inputs.next();
+  if (!graph) return std::nullopt;
+  GraphToDraw task{std::move(*graph), inputs.reader().where(), {}};
+  std::vector<std::string> names = inputs.reader().names();
+  if (!names.empty())
+    task.names = std::make_shared<const std::vector<std::string>>(std::move(names));
+  return task;
+}
+
+/// @throws InputError if it does not fit the width that is asked for, too.
+Drawing fitting_drawing(const GraphToDraw& task, const DrawJob& job) {
+  Drawing drawing = draw(job.algorithm, task.graph, job.options);
+  if (job.width) require_width(*job.width, job.algorithm.guarantee.bound, drawing);
+  drawing.names = task.names;
+  return drawing;
+}
 
 /// What comes of a graph: a drawing of few points as its line already, a larger one as itself, so
 /// that no line of it is ever held as a whole; or why it could not be drawn, and what is wrong with
@@ -112,7 +127,7 @@ void report(const std::string& where, const std::string& what) {
 DrawnLine drawn(const GraphToDraw& task, const DrawJob& job) {
   DrawnLine result;
   try {
-    Drawing drawing = fitting_drawing(task.graph, job);
+    Drawing drawing = fitting_drawing(task, job);
     if (job.level != Level::full) {
       result.examination =
           examine_all(task.graph, drawing, job.algorithm.guarantee, job.certificate);
@@ -150,14 +165,10 @@ void write(const DrawnLine& drawn, Level level, OutputFile& file, DrawOutcome& o
 
 /// Every graph of the input as one line; a graph outside the guarantee gives an error line and the
 /// others go on.
-DrawOutcome draw_all(GraphReader& reader, const DrawJob& job, OutputFile& file) {
+DrawOutcome draw_all(GraphInputs& inputs, const DrawJob& job, OutputFile& file) {
   DrawOutcome outcome;
   in_batches<GraphToDraw>(
-      [&]() -> std::optional<GraphToDraw> {
-        std::optional<Graph> graph = reader.next();
-        if (!graph) return std::nullopt;
-        return GraphToDraw{std::move(*graph), reader.where()};
-      },
+      [&] { return next_graph(inputs); },
       [](const GraphToDraw& task) { return weight_of(task.graph); },
       [&](const GraphToDraw& task) { return drawn(task, job); },
       [&](const DrawnLine& result) { write(result, job.level, file, outcome); });
@@ -166,29 +177,29 @@ DrawOutcome draw_all(GraphReader& reader, const DrawJob& job, OutputFile& file) 
 
 /// The drawings of the input's graphs one after the other. What could not be drawn is also said on
 /// standard error if others may follow.
-NextDrawing drawings_of(GraphReader& reader, const DrawJob& job, bool others_follow,
+NextDrawing drawings_of(GraphInputs& inputs, const DrawJob& job, bool others_follow,
                         DrawOutcome& outcome) {
   return [&, others_follow]() -> std::optional<PlacedLine> {
-    const std::optional<Graph> graph = reader.next();
-    if (!graph) return std::nullopt;
+    const std::optional<GraphToDraw> task = next_graph(inputs);
+    if (!task) return std::nullopt;
     try {
-      Drawing drawing = fitting_drawing(*graph, job);
-      if (const auto violation = judge(*graph, drawing, job)) {
+      Drawing drawing = fitting_drawing(*task, job);
+      if (const auto violation = judge(task->graph, drawing, job)) {
         outcome.is_violated = true;
-        report(reader.where(), "violated: " + *violation);
+        report(task->where, "violated: " + *violation);
       }
-      return PlacedLine{std::move(drawing), reader.where()};
+      return PlacedLine{std::move(drawing), task->where};
     } catch (const InputError& error) {
       outcome.all_drawn = false;
-      if (others_follow) report(reader.where(), error.what());
-      return PlacedLine{UndrawnGraph{graph->num_vertices(), error.what()}, reader.where()};
+      if (others_follow) report(task->where, error.what());
+      return PlacedLine{UndrawnGraph{task->graph.num_vertices(), error.what()}, task->where};
     }
   };
 }
 
 int draw_graphs(const DrawArguments& arguments) {
   refuse_unsafe_outputs(
-      {.inputs = {arguments.input}, .outputs = {arguments.output}, .force = arguments.force});
+      {.inputs = arguments.inputs, .outputs = {arguments.output}, .force = arguments.force});
   const Algorithm& algorithm = find_algorithm(arguments.algorithm);
   const Level level = parse_level(arguments.level);
   const char* usual_mode = level == Level::full ? "none" : "exact";
@@ -203,14 +214,16 @@ int draw_graphs(const DrawArguments& arguments) {
     throw InputError(
         fmt::format("--level {} is written as jsonl, not as {}", to_string(level), format.name));
   }
-  GraphReader reader(arguments.input, arguments.graphs.read_options());
+  GraphInputs inputs(arguments.inputs, [&](const std::string& path) {
+    return std::make_unique<GraphReader>(path, arguments.graphs.read_options());
+  });
   DrawOutcome outcome;
   if (format.name == "jsonl") {  // many at a time
     OutputFile file(arguments.output);
-    outcome = draw_all(reader, job, file);
+    outcome = draw_all(inputs, job, file);
     file.commit();
   } else {
-    format.write(drawings_of(reader, job, format.many_per_file, outcome), arguments.output,
+    format.write(drawings_of(inputs, job, format.many_per_file, outcome), arguments.output,
                  arguments.picture);
   }
   outcome.all_proved &= level != Level::full || proves(job);
@@ -220,10 +233,11 @@ int draw_graphs(const DrawArguments& arguments) {
 }  // namespace
 
 void add_draw(CLI::App& app, int& exit_code) {
-  CLI::App* verb = app.add_subcommand("draw", "Draws every graph of a file");
+  CLI::App* verb = app.add_subcommand("draw", "Draws every graph of files");
   const auto arguments = std::make_shared<DrawArguments>();
-  verb->add_option("FILE", arguments->input,
-                   "graphs in any input format, gzip and xz too; - is standard input");
+  verb->add_option("FILE", arguments->inputs,
+                   "graphs in any input format, gzip and xz too; - is standard input; several are "
+                   "read one after the other");
   add_graph_input_options(*verb, arguments->graphs);
   verb->add_option("--algorithm", arguments->algorithm, "an algorithm of `ar3d list algorithms`")
       ->required();

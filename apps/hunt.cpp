@@ -33,9 +33,9 @@ struct HuntArguments {
   std::string against = "theorem";
   std::string output;
   bool force = false;
-  std::string input;           // graphs to hunt from, or the one to shrink
-  GraphInput reading;          // of it
-  std::string family = "all";  // of `hunt`, as the next two
+  std::vector<std::string> inputs;  // graphs to hunt from, or the one to shrink
+  GraphInput reading;               // of it
+  std::string family = "all";       // of `hunt`, as the next two
   std::vector<std::string> parameters;
   HuntOptions hunting;
   std::optional<double> ratio;  // of `shrink`, as the next one
@@ -107,7 +107,7 @@ void refuse_unsafe_exhibit(const HuntArguments& arguments) {
   }
   if (prefix.empty()) return;
   refuse_unsafe_outputs(
-      {.inputs = {arguments.input},
+      {.inputs = arguments.inputs,
        .outputs = {prefix + ".s6", prefix + ".jsonl", prefix + ".svg", prefix + ".txt"},
        .force = arguments.force});
 }
@@ -170,11 +170,16 @@ void write_exhibit(const Subject& subject, const Trial& trial, const HuntArgumen
 
 std::vector<FamilyChoice> chosen_families(const HuntArguments& arguments,
                                           const Algorithm& algorithm) {
-  if (!arguments.input.empty()) {
+  if (!arguments.inputs.empty()) {
     CorpusOptions options;
     options.reading = arguments.reading.read_options();
+    std::vector<CorpusFile> files;
+    for (const std::string& path : arguments.inputs) {
+      files.push_back({path, arguments.inputs.size() == 1 ? "" : path, ""});
+    }
     const auto graphs =
-        named_corpus(arguments.input, std::make_shared<const Corpus>(arguments.input, options));
+        named_corpus(files.size() == 1 ? files[0].path : fmt::format("{} files", files.size()),
+                     std::make_shared<const Corpus>(files, options));
     return {{&graphs->family, {}, graphs}};
   }
   if (arguments.family == "all" && arguments.parameters.empty()) {
@@ -195,8 +200,10 @@ int hunt_and_show(HuntArguments arguments) {
       });
   fmt::print("{} graphs drawn and certified, {} starts; the best one comes from {} {}\n",
              result.evaluations, result.starts, result.start.family->name,
-             result.start.corpus ? fmt::format("graph {}", result.start_place)
-                                 : fmt::format("with seed {}", result.start_seed));
+             result.start.corpus && arguments.inputs.size() > 1
+                 ? fmt::format("({})", result.start.corpus->graphs->graph_name(result.start_place))
+             : result.start.corpus ? fmt::format("graph {}", result.start_place)
+                                   : fmt::format("with seed {}", result.start_seed));
   fmt::print("{}", trial_text(result.best, arguments));
   if (!arguments.output.empty()) {
     write_exhibit(subject, result.best, arguments);
@@ -219,8 +226,8 @@ void add_hunt(CLI::App& app, int& exit_code) {
                "a parameter of the family, name=integer; may be repeated");
   verb->add_option("-n", options.n, "requested number of vertices")->check(whole_number(1, 100000));
   verb->add_option(
-          "--from", arguments->input,
-          "search from the graphs of this file instead, in any format, one after the other")
+          "--from", arguments->inputs,
+          "search from the graphs of these files instead, in any format, one after the other")
       ->excludes(verb->get_option("--family"))
       ->excludes(verb->get_option("--parameter"))
       ->excludes(verb->get_option("-n"));
@@ -257,16 +264,16 @@ int shrink_and_show(const HuntArguments& arguments) {
   refuse_unsafe_exhibit(arguments);
   const Subject subject = subject_of(arguments);
   const RatioRule rule = rule_of(arguments);
-  const Graph graph = only_graph(arguments.input, arguments.reading.read_options());
+  const Graph graph = only_graph(arguments.inputs[0], arguments.reading.read_options());
   const Trial whole = try_graph(subject, rule, graph);
   const bool keeps_failure = !arguments.ratio;
   if (keeps_failure && whole.failure.empty()) {
-    throw InputError(
-        fmt::format("{}: its drawing is proved right; give --ratio to shrink it", arguments.input));
+    throw InputError(fmt::format("{}: its drawing is proved right; give --ratio to shrink it",
+                                 arguments.inputs[0]));
   }
   if (!keeps_failure && !(whole.ratio >= *arguments.ratio)) {
-    throw InputError(fmt::format("{}: its ratio is {}, less than {}", arguments.input, whole.ratio,
-                                 *arguments.ratio));
+    throw InputError(fmt::format("{}: its ratio is {}, less than {}", arguments.inputs[0],
+                                 whole.ratio, *arguments.ratio));
   }
   const ShrinkResult result = shrink(
       graph,
@@ -291,7 +298,9 @@ void add_shrink(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand(
       "shrink", "Reduces a graph whose drawing is violated or extreme while it stays so");
   const auto arguments = std::make_shared<HuntArguments>();
-  verb->add_option("GRAPH", arguments->input, "one graph in any input format")->required();
+  verb->add_option("GRAPH", arguments->inputs, "one graph in any input format")
+      ->required()
+      ->expected(1);
   add_graph_input_options(*verb, arguments->reading);
   add_subject_options(*verb, *arguments);
   verb->add_option("--ratio", arguments->ratio,

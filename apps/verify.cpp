@@ -1,5 +1,6 @@
 // `ar3d verify`: judges drawings against a guarantee, many at a time.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <cstdint>
@@ -22,14 +23,15 @@
 #include "commands.h"
 #include "drawing_summary.h"
 #include "options.h"
+#include "several_inputs.h"
 #include "view.h"
 
 namespace ar3d {
 namespace {
 
 struct VerifyArguments {
-  std::string input = "-";
-  std::string graphs;
+  std::vector<std::string> inputs = {"-"};
+  std::vector<std::string> graphs;
   GraphInput graphs_as;
   std::string algorithm;
   std::string test = "automatic";
@@ -125,34 +127,42 @@ int exit_code_of(const Counts& counts) {
 
 /// The next drawing, with its graph if --graphs was given. @throws InputError if one of the two is
 /// missing. @param number  of drawings so far.
-std::optional<LineToJudge> next_task(const VerifyArguments& arguments, DrawingJsonlReader& drawings,
-                                     GraphReader* graphs, std::uint64_t number) {
+std::optional<LineToJudge> next_task(const VerifyArguments& arguments,
+                                     SeveralInputs<DrawingJsonlReader>& drawings,
+                                     SeveralInputs<GraphReader>* graphs, std::uint64_t number) {
   std::optional<DrawingJsonlReader::Line> line = drawings.next();
   std::optional<Graph> graph;
   if (graphs != nullptr) graph = graphs->next();
   if (graphs != nullptr && line.has_value() != graph.has_value()) {
-    throw InputError(graph ? fmt::format("{} has more graphs than {} has drawings: {}",
-                                         arguments.graphs, arguments.input, number)
-                           : fmt::format("{} has {} graphs, but {} has more drawings",
-                                         arguments.graphs, number, arguments.input));
+    const std::string graph_files = fmt::format("{}", fmt::join(arguments.graphs, " "));
+    const std::string files = fmt::format("{}", fmt::join(arguments.inputs, " "));
+    throw InputError(graph ? fmt::format("{} has more graphs than {} has drawings: {}", graph_files,
+                                         files, number)
+                           : fmt::format("{} has {} graphs, but {} has more drawings", graph_files,
+                                         number, files));
   }
   if (!line) return std::nullopt;
-  return LineToJudge{std::move(*line), drawings.where(), std::move(graph)};
+  return LineToJudge{std::move(*line), drawings.reader().where(), std::move(graph)};
 }
 
 int verify_drawings(const VerifyArguments& arguments) {
   // Before any work.
   parse_certificate_mode(arguments.certificate);
   if (!arguments.algorithm.empty()) find_algorithm(arguments.algorithm);
-  DrawingJsonlReader reader(arguments.input);
-  std::optional<GraphReader> graphs;
-  if (!arguments.graphs.empty())
-    graphs.emplace(arguments.graphs, arguments.graphs_as.read_options());
+  SeveralInputs<DrawingJsonlReader> drawings(arguments.inputs, [](const std::string& path) {
+    return std::make_unique<DrawingJsonlReader>(path);
+  });
+  std::optional<SeveralInputs<GraphReader>> graphs;
+  if (!arguments.graphs.empty()) {
+    graphs.emplace(arguments.graphs, [&](const std::string& path) {
+      return std::make_unique<GraphReader>(path, arguments.graphs_as.read_options());
+    });
+  }
   std::uint64_t number = 0;
   Counts counts{};
   in_batches<LineToJudge>(
       [&] {
-        auto task = next_task(arguments, reader, graphs ? &*graphs : nullptr, number);
+        auto task = next_task(arguments, drawings, graphs ? &*graphs : nullptr, number);
         number += task.has_value();
         return task;
       },
@@ -175,10 +185,12 @@ void add_verify(CLI::App& app, int& exit_code) {
   CLI::App* verb =
       app.add_subcommand("verify", "Proves drawings right in exact integers, or says why not");
   const auto arguments = std::make_shared<VerifyArguments>();
-  verb->add_option("FILE", arguments->input, "drawings as JSON lines; - is standard input");
-  verb->add_option(
-      "--graphs", arguments->graphs,
-      "the graphs that were to be drawn, in the same order; else the drawings' own edges count");
+  verb->add_option("FILE", arguments->inputs,
+                   "drawings as JSON lines; - is standard input; several are read one after the "
+                   "other");
+  add_repeated(*verb, "--graphs", arguments->graphs,
+               "the graphs that were to be drawn, in the same order; may be repeated; else the "
+               "drawings' own edges count");
   add_graph_input_options(*verb, arguments->graphs_as);
   verb->add_option("--algorithm", arguments->algorithm,
                    "whose guarantee to check; else the one the drawing names");

@@ -24,6 +24,7 @@
 #include "commands.h"
 #include "drawing_summary.h"
 #include "outputs.h"
+#include "several_inputs.h"
 
 namespace ar3d {
 const Algorithm* known_algorithm(const std::string& name) {
@@ -97,16 +98,21 @@ void register_program_formats() {
 namespace {
 
 struct ViewArguments {
-  std::string input;
+  std::vector<std::string> inputs;
   std::string output;
   std::string algorithm;
   bool force = false;
 };
 
-/// The input's name with the ending .html. @throws InputError for standard input.
-std::string page_of(const std::string& input) {
-  if (input == "-") throw InputError("a page of standard input needs a name: give one with -o");
-  return std::filesystem::path(input).replace_extension(".html").string();
+/// The input's name with the ending .html. @throws InputError for standard input and several.
+std::string page_of(const std::vector<std::string>& inputs) {
+  if (inputs.size() > 1) {
+    throw InputError("a page of several files needs a name: give one with -o");
+  }
+  if (inputs[0] == "-") {
+    throw InputError("a page of standard input needs a name: give one with -o");
+  }
+  return std::filesystem::path(inputs[0]).replace_extension(".html").string();
 }
 
 /// What stands under a name that nobody gave may be replaced only if it is such a page.
@@ -121,19 +127,21 @@ void refuse_other_file(const std::string& page) {
 }
 
 int view_drawings(const ViewArguments& arguments) {
-  const std::string page = arguments.output.empty() ? page_of(arguments.input) : arguments.output;
+  const std::string page = arguments.output.empty() ? page_of(arguments.inputs) : arguments.output;
   if (arguments.output.empty()) refuse_other_file(page);
-  refuse_unsafe_outputs({.inputs = {arguments.input},
+  refuse_unsafe_outputs({.inputs = arguments.inputs,
                          .outputs = {},
                          .page = page,
                          .page_is = kViewerMark,
                          .force = arguments.force});
   if (!arguments.algorithm.empty()) find_algorithm(arguments.algorithm);
-  DrawingJsonlReader reader(arguments.input);
+  SeveralInputs<DrawingJsonlReader> inputs(arguments.inputs, [](const std::string& path) {
+    return std::make_unique<DrawingJsonlReader>(path);
+  });
   const NextDrawing next = [&]() -> std::optional<PlacedLine> {
-    std::optional<DrawingJsonlReader::Line> line = reader.next();
+    std::optional<DrawingJsonlReader::Line> line = inputs.next();
     if (!line) return std::nullopt;
-    return PlacedLine{std::move(*line), reader.where()};
+    return PlacedLine{std::move(*line), inputs.reader().where()};
   };
   write_viewer_page(next, page, arguments.algorithm);
   if (page != "-") fmt::print("wrote {}\n", page);
@@ -146,7 +154,8 @@ void add_view(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand(
       "view", "Writes a page that shows drawings in 3D, to be opened in any browser");
   const auto arguments = std::make_shared<ViewArguments>();
-  verb->add_option("FILE", arguments->input, "drawings as JSON lines; - is standard input")
+  verb->add_option("FILE", arguments->inputs,
+                   "drawings as JSON lines; - is standard input; several go on one page")
       ->required();
   verb->add_option("-o,--output", arguments->output,
                    "the page; the drawings' file with the ending .html if left out");

@@ -15,7 +15,9 @@ namespace ar3d {
 // The rows of the catalogue, each defined in graphs/, in the file of its format.
 GraphFormat adjacency_list_format();
 GraphFormat dimacs_format();
+GraphFormat dot_format();
 GraphFormat edge_list_format();
+GraphFormat gml_format();
 GraphFormat graph6_format();
 GraphFormat graphml_format();
 GraphFormat incremental_sparse6_format();
@@ -27,13 +29,6 @@ namespace {
 
 constexpr std::size_t kDetectionBytes = std::size_t{1} << 16;
 
-/// Does the ending say "edge list"? ".txt" says nothing.
-bool is_named_edge_list(const std::string& name) {
-  const GraphFormat* const named = graph_format_of_path(name);
-  const bool is_text = name.find(".txt") != std::string::npos;
-  return named != nullptr && named->name == "edgelist" && !is_text;
-}
-
 /// The format of the text to come. Looks beyond the first line only where numbers leave several
 /// choices, so that a pipe's first graph can be read before its second is written.
 const GraphFormat& detect_format(TextInput& input) {
@@ -41,7 +36,8 @@ const GraphFormat& detect_format(TextInput& input) {
   if (text.empty()) throw InputError(fmt::format("{}: empty file: no graph in it", input.name()));
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos ||
-      std::string_view("#%0123456789").find(text[first]) != std::string_view::npos) {
+      std::string_view("#%0123456789").find(text[first]) != std::string_view::npos ||
+      text.substr(first).starts_with("graph")) {
     text = input.look_ahead(kDetectionBytes);
   }
   const InputHead head{text, input.sees_end(), is_named_edge_list(input.name())};
@@ -57,8 +53,16 @@ const GraphFormat& detect_format(TextInput& input) {
 
 const std::vector<GraphFormat>& graph_formats() {
   static const std::vector<GraphFormat> kFormats = {
-      matrix_market_format(),       dimacs_format(), graphml_format(),        sparse6_format(),
-      incremental_sparse6_format(), graph6_format(), adjacency_list_format(), metis_format(),
+      matrix_market_format(),
+      dimacs_format(),
+      graphml_format(),
+      gml_format(),
+      dot_format(),
+      sparse6_format(),
+      incremental_sparse6_format(),
+      graph6_format(),
+      adjacency_list_format(),
+      metis_format(),
       edge_list_format(),
   };
   return kFormats;
@@ -71,6 +75,12 @@ const GraphFormat& find_graph_format(std::string_view name) {
   const auto known = names_of(graph_formats());
   throw InputError(fmt::format("unknown graph format '{}', known: {}{}", name,
                                fmt::join(known, ", "), did_you_mean(name, known)));
+}
+
+bool is_named_edge_list(const std::string& name) {
+  const GraphFormat* const named = graph_format_of_path(name);
+  const bool is_text = name.find(".txt") != std::string::npos;
+  return named != nullptr && named->name == "edgelist" && !is_text;
 }
 
 const GraphFormat* graph_format_of_path(std::string_view path) {

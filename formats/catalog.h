@@ -46,6 +46,9 @@ class GraphReader {
   /// the text is not of the format or not a simple graph, or "FILE: …" if there is no graph at all.
   std::optional<Graph> next();
 
+  /// The vertices' names in the graph just given; empty if the file has none but numbers.
+  std::vector<std::string> names() const { return parser_->names(); }
+
   const GraphFormat& format() const { return *format_; }
   std::uint64_t graphs_read() const { return graphs_read_; }
   /// "FILE:LINE" of the last line read, for messages about the graph just given.

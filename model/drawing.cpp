@@ -183,6 +183,7 @@ Drawing stored(const Drawing& drawing, std::shared_ptr<const BendSource> bends) 
   result.counters = drawing.counters;
   result.instance_bound = drawing.instance_bound;
   result.real = drawing.real;
+  result.names = drawing.names;
   return result;
 }
 

@@ -155,6 +155,8 @@ class Drawing {
   std::optional<std::array<std::int64_t, 3>> instance_bound;  // extents
   /// The exact points of a drawing made in a real type (see real_drawing()); else null.
   std::shared_ptr<const RealPoints> real;
+  /// Names of the vertices, from the graph's file; null if it has none.
+  std::shared_ptr<const std::vector<std::string>> names;
 
  private:
   void polyline_between(EdgeId e, Edge ends, Point at_u, Point at_v, std::vector<Point>& out) const;

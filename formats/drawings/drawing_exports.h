@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/formats/drawings/edge_roles.h"
 #include "ar3d/formats/drawings/embedding.h"
 #include "ar3d/formats/text/output.h"
@@ -57,6 +58,23 @@ void write_stl(OutputFile& output, const Drawing& drawing, double radius);
 void write_graphml(OutputFile& output, const Drawing& drawing);
 
 // What the writers share.
+
+/// Foreign text as text of XML.
+inline std::string xml_text(std::string_view text) {
+  std::string out;
+  for (const char c : printable(text)) {
+    if (c == '&') {
+      out += "&amp;";
+    } else if (c == '<') {
+      out += "&lt;";
+    } else if (c == '>') {
+      out += "&gt;";
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
 
 /// @return the number of vertices and bends. @throws InputError if it passes kMaxExportPoints.
 inline std::uint64_t count_export_points(const Drawing& drawing, std::string_view format) {

@@ -1,30 +1,14 @@
 // GraphML of a drawing: exact coordinates and bends as attributes, so that graph tools keep them.
-#include "ar3d/base/printable.h"
 #include "ar3d/formats/drawings/drawing_exports.h"
 
 namespace ar3d {
 namespace {
 
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&') {
-      out += "&amp;";
-    } else if (c == '<') {
-      out += "&lt;";
-    } else if (c == '>') {
-      out += "&gt;";
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
-
 constexpr const char* kHead = R"(<?xml version="1.0" encoding="UTF-8"?>
 <graphml xmlns="http://graphml.graphdrawing.org/xmlns">
 <key id="algorithm" for="graph" attr.name="algorithm" attr.type="string"/>
 <key id="gram" for="graph" attr.name="gram" attr.type="string"/>
+<key id="name" for="node" attr.name="name" attr.type="string"/>
 <key id="x" for="node" attr.name="x" attr.type="long"/>
 <key id="y" for="node" attr.name="y" attr.type="long"/>
 <key id="z" for="node" attr.name="z" attr.type="long"/>
@@ -47,13 +31,16 @@ void write_graphml(OutputFile& output, const Drawing& drawing) {
   const EdgeRoles roles = edge_roles(drawing);
   output.append(kHead);
   output.append(fmt::format("<data key=\"algorithm\">{}</data><data key=\"gram\">{}</data>\n",
-                            escaped(printable(drawing.algorithm())), gram_text(drawing.lattice())));
+                            xml_text(drawing.algorithm()), gram_text(drawing.lattice())));
   for (std::size_t v = 0; v < drawing.num_vertices(); ++v) {
     const Point p = drawing.vertex(static_cast<Vertex>(v));
+    const std::string name =
+        drawing.names ? fmt::format("<data key=\"name\">{}</data>", xml_text((*drawing.names)[v]))
+                      : "";
     output.append(
-        fmt::format("<node id=\"n{}\"><data key=\"x\">{}</data><data key=\"y\">{}</data><data "
+        fmt::format("<node id=\"n{}\">{}<data key=\"x\">{}</data><data key=\"y\">{}</data><data "
                     "key=\"z\">{}</data></node>\n",
-                    v, p.x, p.y, p.z));
+                    v, name, p.x, p.y, p.z));
   }
   for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {
     std::string bends;
@@ -63,7 +50,8 @@ void write_graphml(OutputFile& output, const Drawing& drawing) {
     output.append(fmt::format(
         "<edge id=\"e{}\" source=\"n{}\" target=\"n{}\"><data key=\"bends\">{}</data><data "
         "key=\"role\">{}</data></edge>\n",
-        e, drawing.edge(e).u, drawing.edge(e).v, bends, escaped(roles.roles[roles.edges[e]].name)));
+        e, drawing.edge(e).u, drawing.edge(e).v, bends,
+        xml_text(roles.roles[roles.edges[e]].name)));
   });
   output.append("</graph>\n</graphml>\n");
 }

@@ -124,6 +124,7 @@ void ViewerPage::add(const std::string& title, const Drawing& drawing, const Gua
                {"gram_denominator", drawing.lattice().gram_denominator},
                {"roles", roles_json(roles)},
                {"order", {{"title", order.title}, {"weights", order.weights}}},
+               {"names", drawing.names ? Json(*drawing.names) : Json()},
                {"bound", bound_json(guarantee, n)},
                {"verdict", verdict_json(verdict)}});
   write_(fmt::format("<script type=\"text/plain\" id=\"geometry-{}\">", drawings_));

@@ -27,7 +27,8 @@ struct UndrawnGraph {
 /// Appends the drawing as one line of JSON:
 ///   {"n":N,"algorithm":"…","gram":[[…],[…],[…]],"gram_denominator":D,
 ///    "vertices":[[x,y,z],…],"edges":[[u,v,[[x,y,z],…]],…]}
-/// with the bends of an edge in order from u to v. Exact: integers only. A drawing in a real type
+/// with the bends of an edge in order from u to v, and "names":["…",…] before the end if the
+/// vertices have names. Exact: integers only. A drawing in a real type
 /// has instead of gram and gram_denominator
 ///   "real_type":"double","unit_exponent":E
 /// and its coordinates are texts of decimal integers of any length, in units of 2^E.
@@ -56,8 +57,9 @@ class DrawingJsonlReader {
 
   /// The next line that is not blank; nothing at the end. Memory: the line and its drawing.
   /// @throws InputError "FILE:LINE: message" on anything but the shape above: syntax errors,
-  /// unknown, missing or repeated keys, numbers that are not integers of 64 bits, coordinates
-  /// beyond kMaxCoordinate, ids out of range, a Gram matrix that is none.
+  /// unknown, missing or repeated keys, another number of names than vertices, numbers that are not
+  /// integers of 64 bits, coordinates beyond kMaxCoordinate, ids out of range, a Gram matrix that
+  /// is none.
   std::optional<Line> next();
 
   /// "FILE:LINE" of the line just given.

@@ -21,7 +21,7 @@ namespace {
 
 constexpr const char* kKeyNames[] = {
     "",      "n",     "algorithm", "gram",          "gram_denominator", "vertices",
-    "edges", "error", "real_type", "unit_exponent", "seconds"};
+    "edges", "error", "real_type", "unit_exponent", "seconds",          "names"};
 constexpr std::string_view kKeysOfAnswers[] = {"n", "vertices", "edges", "error", "seconds"};
 constexpr std::size_t kLongestNumber = 1000;  // characters of a coordinate in a real type
 constexpr std::int64_t kLargestExponent = 4000;
@@ -46,7 +46,15 @@ class DrawingEvents {
   DrawingJsonlReader::Line finish() {
     if (!inside_object_) throw InputError("expected an object");
     refuse_missing({Key::n});
-    if (!seen(Key::error)) return finish_drawing();
+    if (!seen(Key::error)) {
+      Drawing drawing = finish_drawing();
+      if (!seen(Key::names)) return drawing;
+      if (names_.size() != n_) {
+        throw InputError(fmt::format("n is {}, but there are {} names", n_, names_.size()));
+      }
+      drawing.names = std::make_shared<const std::vector<std::string>>(std::move(names_));
+      return drawing;
+    }
     if (std::count(std::begin(seen_), std::end(seen_), true) != 2) {
       throw InputError("a line with 'error' has no other key than 'n'");
     }
@@ -117,6 +125,9 @@ class DrawingEvents {
       error_ = std::move(value);
     } else if (key_ == Key::real_type && items_.empty()) {
       real_.type = std::move(value);
+    } else if (key_ == Key::names && items_.size() == 1) {
+      names_.push_back(std::move(value));
+      ++items_.back();
     } else if (is_point(items_.size()) && key_ != Key::gram && !of_answer_) {
       take_real_number(value);
     } else {
@@ -149,8 +160,8 @@ class DrawingEvents {
   bool start_array(std::size_t) {
     const std::size_t depth = items_.size();
     const bool list = key_ == Key::gram || key_ == Key::vertices || key_ == Key::edges;
-    const bool fits = depth == 0   ? list
-                      : depth == 1 ? true
+    const bool fits = depth == 0   ? list || key_ == Key::names
+                      : depth == 1 ? list
                       : depth == 2 ? key_ == Key::edges && items_.back() == 2
                                    : depth == 3 && key_ == Key::edges;
     if (!fits)
@@ -191,7 +202,8 @@ class DrawingEvents {
     error,
     real_type,
     unit_exponent,
-    seconds
+    seconds,
+    names
   };
 
   /// "vertices[5]" for messages.
@@ -343,6 +355,7 @@ class DrawingEvents {
   std::uint64_t n_ = 0;
   std::string algorithm_;
   std::string error_;
+  std::vector<std::string> names_;
   Lattice lattice_;
   std::vector<Point> vertices_;
   std::int64_t largest_ = 0;  // absolute value of a vertex coordinate

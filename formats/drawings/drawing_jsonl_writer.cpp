@@ -88,7 +88,13 @@ void append_line(std::string& out, const Drawing& drawing, Flush flush) {
       append_edge(out, drawing.edge(e), polyline.subspan(1, polyline.size() - 2), append_point);
     });
   }
-  out += "]}\n";
+  out += ']';
+  const char* separator = ",\"names\":[";
+  for (std::size_t v = 0; drawing.names && v < drawing.names->size(); ++v) {
+    append_all(out, std::exchange(separator, ","), json_string((*drawing.names)[v]));
+    flush();
+  }
+  out += drawing.names && !drawing.names->empty() ? "]}\n" : "}\n";
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 // Wavefront OBJ and PLY, as text.
-#include "ar3d/base/printable.h"
 #include "ar3d/formats/drawings/drawing_exports.h"
 
 namespace ar3d {

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "ar3d/formats/drawings/drawing_exports.h"
+
 namespace ar3d {
 std::string drawing_to_svg(const Drawing& drawing, const PictureView& view) {
   const Projection picture = project(drawing, view, "svg");
@@ -20,8 +22,11 @@ std::string drawing_to_svg(const Drawing& drawing, const PictureView& view) {
     if (item.role < 0) {
       out += fmt::format(
           "<circle class=\"vertex\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" "
-          "fill=\"url(#ball)\"/>\n",
-          item.from.x, item.from.y, picture.ball * item.scale);
+          "fill=\"url(#ball)\"{}\n",
+          item.from.x, item.from.y, picture.ball * item.scale,
+          drawing.names
+              ? fmt::format("><title>{}</title></circle>", xml_text((*drawing.names)[item.vertex]))
+              : "/>");
       continue;
     }
     const Rgb c = faded(roles.roles[static_cast<std::size_t>(item.role)].colour, item.nearness);

@@ -258,11 +258,12 @@ Projection project(const Drawing& drawing, const PictureView& view, std::string_
   cut_crossings(segments, 1.35 * picture.stroke / scale);
   split_at_balls(segments, balls, picture.ball / scale, camera);
   for (const PictureSegment& s : segments) append_pieces(s, camera, picture.items);
-  for (const PicturePoint& ball : balls) {
+  for (Vertex v = 0; v < balls.size(); ++v) {
+    const PicturePoint& ball = balls[v];
     // In front of the strokes that end at it.
     const double front =
         (f.nearest - f.farthest) * 1e-6 + picture.ball / scale * (view.perspective > 0 ? 0 : 1);
-    picture.items.push_back({ball.at, ball.at, -1, ball.near + front, 0, camera.scale(ball)});
+    picture.items.push_back({ball.at, ball.at, -1, ball.near + front, 0, camera.scale(ball), v});
   }
   place_on_paper(picture, f, scale);
   return picture;

@@ -32,6 +32,7 @@ struct Projection {
     double depth = 0;     ///< larger is nearer
     double nearness = 0;  ///< 0 (farthest) to 1 (nearest)
     double scale = 1;     ///< of the perspective at the item; 1 if orthographic
+    Vertex vertex = 0;    ///< of a ball
   };
   double width = 0;
   double height = 0;

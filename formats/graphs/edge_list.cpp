@@ -8,6 +8,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/formats/graphs/edge_collector.h"
+#include "ar3d/formats/graphs/word_text.h"
 #include "ar3d/formats/text/output.h"
 #include "ar3d/formats/text/tokens.h"
 
@@ -24,6 +25,7 @@ class EdgeListParser final : public GraphParser {
   std::optional<Graph> next() override {
     bool begun = false;
     first_.reset();
+    named_ = GatheredGraph();
     while (const std::optional<std::string_view> line = next_odd_line(begun)) {
       if (is_blank(*line)) continue;
       if (const std::optional<Tokens> header = size_header(input_, *line)) {
@@ -37,6 +39,8 @@ class EdgeListParser final : public GraphParser {
         Tokens tokens(input_, *line);
         if (!begun) {
           edges_.begin(std::nullopt);
+          const bool may_be_named = !options_.format.empty() || is_named_edge_list(input_.name());
+          if (may_be_named && begins_with_name(*line)) return read_named(*line);
           read_first_line(tokens);
         } else {
           edges_.read_edge(tokens);
@@ -49,8 +53,28 @@ class EdgeListParser final : public GraphParser {
     if (first_) decide_first_line();
     return edges_.finish();
   }
+  std::vector<std::string> names() const override { return named_.names(); }
 
  private:
+  /// All lines to come, and this one: "alice bob", and nothing behind it but attributes or a
+  /// weight.
+  Graph read_named(std::string_view line) {
+    for (std::optional<std::string_view> next = line; next; next = input_.next_line()) {
+      if (is_blank(*next) || is_comment(*next)) continue;
+      Tokens tokens(input_, *next);
+      const Vertex u = named_.vertex(tokens.word());
+      if (tokens.done()) tokens.fail("expected a second name, the other end of the edge");
+      named_.join(u, named_.vertex(tokens.word()), input_.line());
+      Tokens rest = tokens;
+      const std::string_view behind = rest.word();
+      const bool is_weight = !begins_with_name(behind) && rest.done();
+      if (!behind.empty() && !behind.starts_with('{') && !is_weight) tokens.expect_done("the edge");
+    }
+    return named_.finish(options_, false, [&](std::size_t at, const std::string& why) {
+      input_.fail_at(at, 0, why);
+    });
+  }
+
   /// The first line of a graph that no size line begins.
   struct First {
     std::uint64_t a = 0;
@@ -99,8 +123,9 @@ class EdgeListParser final : public GraphParser {
   void decide_first_line() {
     const bool is_edge = first_->problem.empty();
     const std::uint64_t others = edges_.num_edges() - (is_edge ? 1 : 0);
-    const bool fits = others == first_->b && edges_.largest_end() <= first_->a;
     const bool wanted = options_.first_line == FirstLine::header;
+    const bool fits = others == first_->b && edges_.largest_end() <= first_->a &&
+                      (wanted || first_->a > 0);  // "0 0" is a loop
     if (!fits && others == first_->b && edges_.largest_end() == first_->a + 1 &&
         edges_.smallest_vertex(is_edge ? 1 : 0) > 0) {
       refuse_ids_from_one();
@@ -133,6 +158,7 @@ class EdgeListParser final : public GraphParser {
   }
 
   EdgeCollector edges_;
+  GatheredGraph named_;  // instead, of a list of names
   std::optional<First> first_;
 };
 
@@ -150,7 +176,8 @@ bool looks_like_edge_list(const InputHead& head) {
   const std::size_t first = head.text.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) return true;
   const std::string_view text = head.text.substr(first);
-  return is_digit(text[0]) || is_comment(text) || text.starts_with("n ");
+  return is_digit(text[0]) || is_comment(text) || text.starts_with("n ") ||
+         (head.is_named_edge_list && begins_with_name(text));
 }
 
 }  // namespace
@@ -158,7 +185,7 @@ bool looks_like_edge_list(const InputHead& head) {
 GraphFormat edge_list_format() {
   return {
       .name = "edgelist",
-      .extensions = {".edges", ".edgelist", ".el", ".txt"},
+      .extensions = {".edges", ".edgelist", ".el", ".ncol", ".txt"},
       .summary = "one edge \"u v\" per line, comments with # or %, \"# vertices N\" begins a graph",
       .detect = looks_like_edge_list,
       .parser = make_parser<EdgeListParser>,

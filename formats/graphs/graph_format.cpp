@@ -14,6 +14,14 @@ constexpr std::uint64_t kMostVertices = std::numeric_limits<Vertex>::max() - 1;
 constexpr std::uint64_t kVerticesPerByte = 16;
 }  // namespace
 
+std::vector<std::string> telling_names(std::vector<std::string> names) {
+  for (std::size_t v = 0; v < names.size(); ++v) {
+    const std::string number = fmt::format("{}", v);
+    if (names[v] != number && names[v] != "n" + number) return names;
+  }
+  return {};
+}
+
 void simplify(std::vector<Edge>& edges) {
   std::erase_if(edges, [](const Edge& edge) { return edge.u == edge.v; });
   for (Edge& edge : edges) {

@@ -41,6 +41,8 @@ class GraphParser {
   virtual ~GraphParser() = default;
   /// The next graph; nothing at the end. @throws InputError naming file, line, column and value.
   virtual std::optional<Graph> next() = 0;
+  /// The vertices' names in the graph just given; empty if the file has none but numbers.
+  virtual std::vector<std::string> names() const { return {}; }
 
  protected:
   TextInput& input_;
@@ -71,6 +73,9 @@ struct InputHead {
   /// The file's ending says "edge list", which lines of numbers alone do not tell from METIS.
   bool is_named_edge_list = false;
 };
+
+/// Does the file's ending say "edge list"? ".txt" says nothing.
+bool is_named_edge_list(const std::string& name);
 
 /// One row of the catalogue of graph formats. Every format holds many graphs a file.
 struct GraphFormat {
@@ -103,6 +108,9 @@ template <class Writer>
 std::unique_ptr<GraphWriter> make_writer(OutputFile& output, const WriteOptions& options) {
   return std::make_unique<Writer>(output, options);
 }
+
+/// The names, or none if they are just the numbers from 0, or n and these.
+std::vector<std::string> telling_names(std::vector<std::string> names);
 
 /// Drops loops, and of parallel edges all but one; what stays is ordered by (u, v), u < v.
 /// O(m log m).

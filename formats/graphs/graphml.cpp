@@ -2,11 +2,11 @@
 // may hold several <graph> elements. Attributes are read over. The whole file is held in memory
 // while it is read.
 #include <fmt/format.h>
-#include <iconv.h>
 
 #include <algorithm>
 #include <limits>
 #include <pugixml.hpp>
+#include <set>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -28,28 +28,6 @@ std::string_view local_name(pugi::xml_node element) {
   return name.substr(name.rfind(':') + 1);
 }
 
-bool is_utf16(std::string_view text) {
-  return text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
-}
-
-/// UTF-16 with its mark as UTF-8; nothing if it is not that.
-std::optional<std::string> utf8_of_utf16(std::string_view text) {
-  const iconv_t converter = iconv_open("UTF-8", "UTF-16");
-  // NOLINTNEXTLINE(performance-no-int-to-ptr): how iconv_open tells an error
-  expect(converter != reinterpret_cast<iconv_t>(-1), "iconv knows UTF-16");
-  std::string result(text.size() / 2 * 3 + 4, '\0');  // at most 3 bytes for a unit of 2
-  char* from = const_cast<char*>(text.data());
-  char* to = result.data();
-  std::size_t from_left = text.size();
-  std::size_t to_left = result.size();
-  const bool good =
-      iconv(converter, &from, &from_left, &to, &to_left) != static_cast<std::size_t>(-1);
-  iconv_close(converter);
-  if (!good) return std::nullopt;
-  result.resize(result.size() - to_left);
-  return result;
-}
-
 class GraphmlParser final : public GraphParser {
  public:
   using GraphParser::GraphParser;
@@ -59,17 +37,15 @@ class GraphmlParser final : public GraphParser {
     if (next_ == graphs_.size()) return std::nullopt;
     return read(graphs_[next_++]);
   }
+  std::vector<std::string> names() const override {
+    return next_ == 0 ? std::vector<std::string>() : names_of(graphs_[next_ - 1]);
+  }
 
  private:
   void load() {
     loaded_ = true;
     text_ = input_.look_ahead(std::numeric_limits<std::size_t>::max());
     input_.take(text_.size(), 1);
-    if (is_utf16(text_)) {
-      std::optional<std::string> text = utf8_of_utf16(text_);
-      if (!text) input_.fail(0, "the text is no UTF-16");
-      text_ = std::move(*text);
-    }
     constexpr unsigned kOptions = pugi::parse_escapes | pugi::parse_wconv_attribute;
     const pugi::xml_parse_result parsed =
         document_.load_buffer(text_.data(), text_.size(), kOptions);
@@ -81,6 +57,25 @@ class GraphmlParser final : public GraphParser {
       }
     }
     if (graphs_.empty()) input_.fail(0, "no <graph> element inside a <graphml> element");
+  }
+
+  /// The text of the key that is called "label" or "name", or the id.
+  std::vector<std::string> names_of(pugi::xml_node graph) const {
+    std::set<std::string_view> keys;
+    for (const pugi::xml_node key : graph.parent().children()) {
+      const std::string_view name = key.attribute("attr.name").value();
+      if (name == "label" || name == "name") keys.emplace(key.attribute("id").value());
+    }
+    std::vector<std::string> names;
+    for (const pugi::xml_node node : graph.children()) {
+      if (local_name(node) != "node") continue;
+      std::string& name = names.emplace_back(node.attribute("id").value());
+      for (const pugi::xml_node data : node.children()) {
+        const bool is_name = keys.contains(data.attribute("key").value());
+        if (is_name && !data.text().empty()) name = data.text().get();
+      }
+    }
+    return telling_names(std::move(names));
   }
 
   Graph read(pugi::xml_node graph) const {
@@ -186,8 +181,7 @@ GraphFormat graphml_format() {
           .summary = "GraphML: nodes and edges as XML, attributes are read over",
           .detect =
               [](const InputHead& head) {
-                const std::size_t first = head.text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
-                if (is_utf16(head.text)) return true;
+                const std::size_t first = head.text.find_first_not_of(" \t\r\n");
                 return first != std::string_view::npos && head.text[first] == '<';
               },
           .parser = make_parser<GraphmlParser>,

@@ -172,9 +172,9 @@ bool looks_like_metis(const InputHead& head) {
   const std::uint64_t n = header->front();
   const std::uint64_t m = header->at(1);
   const bool plain = header->size() == 2;
-  if (n == 0) return m == 0;
-  if (m == 0 && plain) return false;  // the edge (n, 0), or a header: the edge list's to ask
-  bool edge_list = plain && n != m;   // it can be one, too
+  if (n == 0) return m == 0 && !plain;  // "0 0" is a loop of an edge list
+  if (m == 0 && plain) return false;    // the edge (n, 0), or a header: the edge list's to ask
+  bool edge_list = plain && n != m;     // it can be one, too
   std::uint64_t rows = 0;
   for (line = take_line(text, head.whole); line && rows < n; line = take_line(text, head.whole)) {
     const auto row = numbers_of(*line);

@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <iconv.h>
 #include <lzma.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -12,6 +13,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <limits>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -218,7 +221,65 @@ class MemoryBytes final : public ByteSource {
   std::size_t used_ = 0;
 };
 
+/// UTF-16 with its mark as UTF-8; nothing if it is not that.
+std::optional<std::string> utf8_of_utf16(std::string_view text) {
+  const iconv_t converter = iconv_open("UTF-8", "UTF-16");
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): how iconv_open tells an error
+  expect(converter != reinterpret_cast<iconv_t>(-1), "iconv knows UTF-16");
+  std::string result(text.size() / 2 * 3 + 4, '\0');  // at most 3 bytes for a unit of 2
+  char* from = const_cast<char*>(text.data());
+  char* to = result.data();
+  std::size_t from_left = text.size();
+  std::size_t to_left = result.size();
+  const bool good =
+      iconv(converter, &from, &from_left, &to, &to_left) != static_cast<std::size_t>(-1);
+  iconv_close(converter);
+  if (!good) return std::nullopt;
+  result.resize(result.size() - to_left);
+  return result;
+}
+
+/// Bytes behind those that have been read already.
+class ReadAhead final : public ByteSource {
+ public:
+  ReadAhead(std::string head, std::unique_ptr<ByteSource> rest)
+      : head_(std::move(head)), rest_(std::move(rest)) {}
+  std::size_t read(char* to, std::size_t size) override {
+    if (head_.empty()) return rest_->read(to, size);
+    const std::size_t given = head_.copy(to, size);
+    head_.erase(0, given);
+    return given;
+  }
+  std::uint64_t bytes_left() const override { return head_.size() + rest_->bytes_left(); }
+
+ private:
+  std::string head_;
+  std::unique_ptr<ByteSource> rest_;
+};
+
 }  // namespace
+
+std::unique_ptr<ByteSource> without_mark(std::unique_ptr<ByteSource> bytes,
+                                         const std::string& name) {
+  std::string head;
+  const auto read_up_to = [&](std::size_t size) {
+    char block[4096];
+    const std::size_t got = bytes->read(block, std::min(size - head.size(), sizeof block));
+    head.append(block, got);
+    return got > 0 && head.size() < size;
+  };
+  while (read_up_to(3)) {
+  }
+  if (head.starts_with("\xff\xfe") || head.starts_with("\xfe\xff")) {
+    while (read_up_to(std::numeric_limits<std::size_t>::max())) {
+    }
+    std::optional<std::string> text = utf8_of_utf16(head);
+    if (!text) throw InputError(name + ": the text is no UTF-16, as its first bytes say");
+    return bytes_of(std::move(*text));
+  }
+  if (head.starts_with("\xef\xbb\xbf")) return bytes;
+  return std::make_unique<ReadAhead>(std::move(head), std::move(bytes));
+}
 
 std::string display_name(const std::string& path) { return path == "-" ? "<stdin>" : path; }
 

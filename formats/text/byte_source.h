@@ -25,6 +25,11 @@ class ByteSource {
 /// @throws InputError if it cannot be opened.
 std::unique_ptr<ByteSource> open_bytes(const std::string& path);
 
+/// The bytes without a mark at their beginning. A mark of UTF-16 makes UTF-8 of them, which is then
+/// held in memory. Waits for the first three bytes. @throws InputError "NAME: …" if it is none.
+std::unique_ptr<ByteSource> without_mark(std::unique_ptr<ByteSource> bytes,
+                                         const std::string& name);
+
 /// Bytes in memory.
 std::unique_ptr<ByteSource> bytes_of(std::string text);
 

@@ -20,7 +20,7 @@ constexpr std::size_t kSlack = 8;  // readable behind the text
 }  // namespace
 
 TextInput::TextInput(std::string name, std::unique_ptr<ByteSource> bytes)
-    : name_(std::move(name)), bytes_(std::move(bytes)) {
+    : name_(std::move(name)), bytes_(without_mark(std::move(bytes), name_)) {
   make_room(std::clamp<std::uint64_t>(bytes_->bytes_left() + 1, kLeastBlock, kFirstBlock));
 }
 

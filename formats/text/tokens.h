@@ -35,6 +35,11 @@ inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 inline bool is_blank(std::string_view line) {
   return line.find_first_not_of(" \t\r\v\f") == std::string_view::npos;
 }
+/// True if the line's first word is no number: then it is a name, and all ids are names.
+inline bool begins_with_name(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(" \t");
+  return first != std::string_view::npos && !is_digit(line[first]) && line[first] != '-';
+}
 /// True if the text begins with # or %.
 inline bool is_comment(std::string_view text) {
   return !text.empty() && (text[0] == '#' || text[0] == '%');

@@ -80,9 +80,6 @@ TEST(EdgeList, ReadsOverAttributesOfNetworkx) {
 TEST(EdgeList, AHeaderThatCanBeNothingElseIsRead) {
   EXPECT_EQ(edge_set(read_text("3 3\n0 1\n1 2\n2 0\n").at(0)),
             edge_set(Graph(3, {{0, 1}, {1, 2}, {0, 2}})));
-  const std::vector<Graph> empty = read_text("0 0\n");
-  ASSERT_EQ(empty.size(), 1u);
-  EXPECT_EQ(empty[0].num_vertices(), 0u);
 }
 
 TEST(EdgeList, AFirstLineThatCanBeBothIsAskedAbout) {

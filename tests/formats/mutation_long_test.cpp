@@ -119,8 +119,8 @@ TEST_P(Mutations, AreRefusedWithOneLineOrComeBackFromTheWriter) {
 
 INSTANTIATE_TEST_SUITE_P(Targets, Mutations,
                          ::testing::Values("graph6", "sparse6", "isparse6", "edgelist", "adjlist",
-                                           "matrixmarket", "metis", "dimacs", "graphml", "detected",
-                                           "drawing"),
+                                           "matrixmarket", "metis", "dimacs", "graphml", "gml",
+                                           "dot", "detected", "drawing"),
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace

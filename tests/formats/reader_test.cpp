@@ -73,7 +73,8 @@ TEST(GraphReader, RefusesWhatHoldsNoGraph) {
 TEST(GraphReader, FormatCanBeForced) {
   EXPECT_EQ(refusal("0 1\n", {.format = "graph6"}),
             "f:1:1: character '0' is not one of graph6 and sparse6 ('?' to '~')");
-  EXPECT_EQ(refusal("DQc\n", {.format = "edgelist"}), "f:1:1: expected a vertex id, found 'DQc'");
+  EXPECT_EQ(refusal("DQc\n", {.format = "edgelist"}),
+            "f:1:1: expected a second name, the other end of the edge");
   EXPECT_EQ(refusal("", {.format = "edgelist"}), "f: empty file: no graph in it");
   EXPECT_NE(
       refusal("DQc\n", {.format = "gif"}).find("unknown graph format 'gif', known: matrixmarket"),

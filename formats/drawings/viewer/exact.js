@@ -64,6 +64,12 @@ export function neighboursAt(drawing, v) {
     edge => pointAt(drawing, edge, drawing.u[edge] === v ? 1 : pointsOf(drawing, edge) - 2));
 }
 
+/// Its number, and its name if the graph's file had names.
+function nameOf(drawing, v) {
+  const {names} = drawing.about;
+  return names ? `${v} \u201c${names[v].slice(0, 60)}\u201d` : `${v}`;
+}
+
 function describeVertex(drawing, v) {
   const here = positionOf(drawing, v), ends = neighboursAt(drawing, v), counts = new Map();
   ends.forEach((end, i) => ends.slice(0, i).forEach(earlier => {
@@ -71,10 +77,10 @@ function describeVertex(drawing, v) {
     counts.set(text, (counts.get(text) || 0) + 1);
   }));
   const angles = [...counts].map(([text, count]) => count > 1 ? `${count} angles of ${text}` : `angle ${text}`);
-  return [`vertex ${v} at ${coordinateText(drawing, here)}`, `degree ${ends.length}`, ...angles];
+  return [`vertex ${nameOf(drawing, v)} at ${coordinateText(drawing, here)}`, `degree ${ends.length}`, ...angles];
 }
 
-const edgeName = (drawing, edge) => `edge ${drawing.u[edge]}\u2013${drawing.v[edge]}`;
+const edgeName = (drawing, edge) => `edge ${nameOf(drawing, drawing.u[edge])}\u2013${nameOf(drawing, drawing.v[edge])}`;
 
 function describeBend(drawing, {edge, bend}) {
   const [before, here, behind] = [bend - 1, bend, bend + 1].map(i => pointAt(drawing, edge, i));

@@ -1,0 +1,151 @@
+// GML: lists of keys and values in brackets; nodes have ids of their own. Other keys are read over.
+#include <fmt/format.h>
+
+#include <string>
+
+#include "ar3d/formats/graphs/word_text.h"
+#include "ar3d/formats/text/tokens.h"
+
+namespace ar3d {
+namespace {
+
+class GmlParser final : public GraphParser {
+ public:
+  GmlParser(TextInput& input, const ReadOptions& options)
+      : GraphParser(input, options), words_(input, false) {}
+
+  std::optional<Graph> next() override {
+    while (words_.peek().kind != TextWord::Kind::end) {
+      const TextWord key = words_.next();
+      if (key.kind != TextWord::Kind::plain) fail(key, "expected a key");
+      if (key.text == "graph" && words_.peek().is("[")) return read_graph();
+      skip_value(key);
+    }
+    return std::nullopt;
+  }
+  std::vector<std::string> names() const override { return graph_.names(); }
+
+ private:
+  /// Calls take(key) for each key of the list to come; it has to read the value.
+  template <class Take>
+  void read_list(const Take& take) {
+    const TextWord open = words_.next();
+    while (!words_.peek().is("]")) {
+      const TextWord key = words_.next();
+      if (key.kind == TextWord::Kind::end) words_.fail(open.at, "a [ is never closed");
+      if (key.kind != TextWord::Kind::plain) fail(key, "expected a key or ]");
+      take(key);
+    }
+    words_.next();
+  }
+
+  Graph read_graph() {
+    struct Ends {
+      std::string source, target;
+      std::size_t at = 0;
+    };
+    std::vector<Ends> edges;
+    graph_ = GatheredGraph();
+    read_list([&](const TextWord& key) {
+      const bool is_list = words_.peek().is("[");
+      if (key.text == "node" && is_list) {
+        read_node(key);
+      } else if (key.text == "edge" && is_list) {
+        Ends& ends = edges.emplace_back(Ends{"", "", key.at});
+        read_list([&](const TextWord& inner) {
+          if (inner.text == "source") return ends.source = value_of(inner), void();
+          if (inner.text == "target") return ends.target = value_of(inner), void();
+          skip_value(inner);
+        });
+      } else if (key.text == "directed") {
+        if (value_of(key) != "0") fail(key, "only undirected graphs are read, not");
+      } else {
+        skip_value(key);
+      }
+    });
+    for (const Ends& ends : edges) {
+      const Vertex source = end_of(ends.source, ends.at);
+      graph_.join(source, end_of(ends.target, ends.at), ends.at);
+    }
+    return graph_.finish(options_, false,
+                         [&](std::size_t at, const std::string& why) { words_.fail(at, why); });
+  }
+
+  void read_node(const TextWord& node) {
+    std::optional<std::string> id;
+    std::string label;
+    read_list([&](const TextWord& key) {
+      if (key.text == "id") return id = value_of(key), void();
+      if (key.text == "label") return label = value_of(key), void();
+      skip_value(key);
+    });
+    if (!id) fail(node, "no id in a");
+    if (graph_.find(*id)) fail(node, fmt::format("id {} stands twice: the second", shown(*id)));
+    const Vertex v = graph_.vertex(*id);
+    if (!label.empty()) graph_.set_name(v, label);
+  }
+  Vertex end_of(const std::string& id, std::size_t at) const {
+    if (const std::optional<Vertex> found = graph_.find(id)) return *found;
+    words_.fail(at, fmt::format("an edge ends at {}, which is no node of this graph", shown(id)));
+  }
+
+  std::string value_of(const TextWord& key) {
+    const TextWord value = words_.next();
+    if (!value.is_name()) fail(key, "expected a number or text behind");
+    return value.text;
+  }
+  void skip_value(const TextWord& key) {
+    const TextWord value = words_.next();
+    if (value.is("[")) return words_.skip_list("[", "]");
+    if (!value.is_name()) fail(key, "expected a value behind");
+  }
+  [[noreturn]] void fail(const TextWord& word, const std::string& problem) const {
+    words_.fail(word.at, fmt::format("{} {}", problem, shown(word.text)));
+  }
+
+  WordText words_;
+  GatheredGraph graph_;
+};
+
+void append_gml(OutputFile& output, const Graph& graph, unsigned) {
+  std::string& out = output.pending();
+  out += "graph [\n";
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+    append_all(out, "  node [ id ", v, " ]\n");
+    output.flush_if_full();
+  }
+  for (const auto [u, v] : graph.edges()) {
+    append_all(out, "  edge [ source ", u, " target ", v, " ]\n");
+    output.flush_if_full();
+  }
+  out += "]\n";
+}
+
+/// A key, Creator, Version or graph, and behind it no name of a DOT graph.
+bool looks_like_gml(const InputHead& head) {
+  std::string_view text = head.text;
+  while (is_comment(text) || (!text.empty() && is_blank(text.substr(0, text.find('\n'))))) {
+    const std::size_t end = text.find('\n');
+    if (end == std::string_view::npos) return false;
+    text.remove_prefix(end + 1);
+  }
+  text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+  if (text.starts_with("Creator ") || text.starts_with("Version ")) return true;
+  if (!text.starts_with("graph")) return false;
+  text.remove_prefix(5);
+  const std::size_t next = text.find_first_not_of(" \t\r\n");
+  return next == std::string_view::npos || text[next] == '[';
+}
+
+}  // namespace
+
+GraphFormat gml_format() {
+  return {.name = "gml",
+          .extensions = {".gml"},
+          .summary = "GML: graph [ node [ id 0 ] edge [ source 0 target 1 ] ]",
+          .detect = looks_like_gml,
+          .parser = make_parser<GmlParser>,
+          .writer = make_appending<append_gml>};
+}
+
+}  // namespace ar3d

@@ -1,0 +1,165 @@
+// GML, DOT, lists of names and marks of bytes: what is read, with which names, and what is refused.
+#include "formats/format_helpers.h"
+#include "support/graphs.h"
+
+namespace ar3d::testing {
+namespace {
+
+struct NamedRead {
+  Graph graph;
+  std::vector<std::string> names;
+};
+
+NamedRead read_named(const std::string& text, const ReadOptions& options = {}) {
+  GraphReader reader(TextInput("f", bytes_of(text)), options);
+  const std::optional<Graph> graph = reader.next();
+  return {*graph, reader.names()};
+}
+
+std::string corpus_text(const std::string& name) {
+  return read_file(AR3D_SOURCE_DIR "/tests/formats/corpus/" + name);
+}
+
+TEST(Gml, ReadsNodesInTheirOrderWithLabels) {
+  const std::vector<Graph> graphs = read_text(corpus_text("gml/attributes.gml"));
+  ASSERT_EQ(graphs.size(), 2u);
+  EXPECT_EQ(edge_set(graphs[0]), edge_set(Graph(2, {{0, 1}})));
+  EXPECT_THAT(read_named(corpus_text("gml/attributes.gml")).names, ElementsAre("seven", "-2"));
+  EXPECT_THAT(read_named("graph [ node [ id 0 ] node [ id 1 label \"1\" ] ]").names, ElementsAre())
+      << "numbers are no names";
+  EXPECT_EQ(
+      edge_set(
+          read_named("graph\n[\nedge [ source 1 target 5 ] node [ id 5 ] node [ id 1 ] ]").graph),
+      edge_set(Graph(2, {{0, 1}})))
+      << "nodes may stand behind their edges";
+}
+
+TEST(Gml, IsRefusedWithItsPlace) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"graph [ directed 1 ]", "f:1:9: only undirected graphs are read, not 'directed'"},
+      {"graph [\n node [ id 1 ] node [ id 1 ] ]", "f:2:16: id '1' stands twice: the second 'node'"},
+      {"graph [ node [ label \"x\" ] ]", "f:1:9: no id in a 'node'"},
+      {"graph [ edge [ source 1 target 2 ] ]",
+       "f:1:9: an edge ends at '1', which is no node of this graph"},
+      {"graph [ node [ id 1 ] edge [ source 1 target 1 ] ]", "f:1:23: edge ('1', '1') is a loop"},
+      {"graph [ node [ id 1 ] node [ id 2 ] edge [ source 1 target 2 ]\nedge [ source 2 target 1 ] "
+       "]",
+       "f:2:1: edge ('2', '1') is parallel to an earlier edge"},
+      {"graph [ node [ id 1 ]", "f:1:7: a [ is never closed"},
+      {"graph [ x [ [ [", "f:1:16: a [ is never closed"},
+      {"graph [ node [ id [ ] ] ]", "f:1:16: expected a number or text behind 'id'"},
+      {"graph [ label \"x", "f:1:15: a string without end"},
+      {"graph [ ] ]", "f:1:11: expected a key ']'"},
+      {"graph [ a", "f:1:9: expected a value behind 'a'"},
+  };
+  for (const auto& [text, message] : cases) EXPECT_EQ(refusal(text), message) << text;
+  EXPECT_EQ(refusal("x " + std::string(300000, '['), {.format = "gml"}),
+            "f:1:300003: a [ is never closed")
+      << "nesting costs no stack";
+}
+
+TEST(Dot, ReadsChainsSubgraphsPortsAndAttributes) {
+  const NamedRead read = read_named(corpus_text("dot/attributes.gv"));
+  EXPECT_EQ(edge_set(read.graph), edge_set(Graph(7, {{0, 1}, {1, 2}, {1, 3}, {1, 4}})));
+  EXPECT_THAT(read.names, ElementsAre("a", "b", "c", "d", "e", "a <b>b</b>", "two words"));
+  EXPECT_EQ(read_text(corpus_text("dot/attributes.gv")).size(), 2u);
+  EXPECT_EQ(edge_set(read_named("GRAPH{a--b--c--a}").graph), edge_set(cycle(3)));
+}
+
+TEST(Dot, IsRefusedWithItsPlace) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"digraph { a -> b }", "f:1:1: only undirected graphs are read, not 'digraph'"},
+      {"graph { a -> b }", "f:1:11: only undirected edges are read, not '->'"},
+      {"graph { a -- a }", "f:1:11: edge ('a', 'a') is a loop"},
+      {"strict graph { a -- a }", "f:1:18: edge ('a', 'a') is a loop"},
+      {"graph {\na -- b\nb -- a }", "f:3:3: edge ('b', 'a') is parallel to an earlier edge"},
+      {"graph { a -- }", "f:1:14: expected a vertex, found '}'"},
+      {"graph { a", "f:1:10: expected a vertex, found ''"},
+      {"graph { a [x=", "f:1:14: expected a value, found ''"},
+      {"graph { a [", "f:1:12: expected an attribute, found ''"},
+      {"graph { node a }", "f:1:14: expected [, found 'a'"},
+      {"graph { /* a", "f:1:9: a comment without end"},
+      {"graph { \"a", "f:1:9: a string without end"},
+      {"graph { <a", "f:1:9: a < without its >"},
+      {"graph { a:[ }", "f:1:11: expected a port, found '['"},
+      {"graph { subgraph x }", "f:1:20: expected a vertex, found '}'"},
+      {"graph g h { }", "f:1:9: expected { behind graph, found 'h'"},
+      {"graph { } x", "f:1:11: expected graph, found 'x'"},
+  };
+  for (const auto& [text, message] : cases) {
+    EXPECT_EQ(refusal(text, {.format = "dot"}), message) << text;
+  }
+  EXPECT_THAT(refusal("graph " + std::string(300000, '{')), HasSubstr("more than 200 subgraphs"));
+  std::string many = "graph { {";
+  for (int v = 0; v < 3000; ++v) many += fmt::format("{} ", v);
+  EXPECT_THAT(refusal(many + "} -- {" + many.substr(9) + "} }"),
+              HasSubstr("9000000 edges claimed by "))
+      << "a few bytes claim no gigabytes";
+}
+
+TEST(ListsOfNames, GiveTheirVerticesNames) {
+  const std::string text = "# friends\nalice bob\nbob 7 {'weight': 2}\n7 alice 0.5\n";
+  const NamedRead read = read_named(text, {.format = "edgelist"});
+  EXPECT_EQ(edge_set(read.graph), edge_set(cycle(3)));
+  EXPECT_THAT(read.names, ElementsAre("alice", "bob", "7"));
+  const NamedRead rows = read_named("alice bob carol\nbob carol\n", {.format = "adjlist"});
+  EXPECT_EQ(edge_set(rows.graph), edge_set(cycle(3)));
+  EXPECT_THAT(rows.names, ElementsAre("alice", "bob", "carol"));
+  const TemporaryFolder folder;
+  for (const char* name : {"a.edges", "a.ncol"}) {
+    write_file(folder.file(name), text);
+    EXPECT_EQ(read_graph(folder.file(name)).num_vertices(), 3u) << name;
+  }
+  EXPECT_THAT(refusal(text), HasSubstr("expected a vertex id, found 'alice'"))
+      << "only where somebody says that it is an edge list";
+  const std::pair<const char*, const char*> cases[] = {
+      {"a b\nc\n", "f:2:1: expected a second name, the other end of the edge"},
+      {"a b\nc c\n", "f:2: edge ('c', 'c') is a loop"},
+      {"a b\nb a\n", "f:2: edge ('b', 'a') is parallel to an earlier edge"},
+      {"a b c\n", "f:1:5: unexpected 'c' after the edge"},
+      {"0 1\n1 b\n", "f:2:3: expected a vertex id, found 'b'"},
+  };
+  for (const auto& [broken, message] : cases) {
+    EXPECT_EQ(refusal(broken, {.format = "edgelist"}), message) << broken;
+  }
+}
+
+TEST(NetworkxAdjacencyLists, AreKnownByTheirHead) {
+  const std::string head = "#write.py\n# GMT Mon Nov 23 05:03:29 2026\n# \n";
+  EXPECT_EQ(edge_set(read_named(head + "0 1 2\n1 2\n2\n").graph), edge_set(cycle(3)));
+  EXPECT_EQ(refusal(head + "0 1\n1 {}\n1 0\n"), "f:5:3: expected a vertex id, found '{}'")
+      << "those of several lines a vertex are others";
+}
+
+TEST(EdgeLists, ALonePairOfZerosIsALoop) {
+  EXPECT_EQ(refusal("0 0\n"), "f:1:3: edge (0, 0) is a loop");
+  EXPECT_EQ(read_text("0 0\n", {.first_line = FirstLine::header}).at(0).num_vertices(), 0u);
+  EXPECT_EQ(read_text("0 0\n", {.simplify = true}).at(0).num_vertices(), 1u);
+}
+
+TEST(Marks, AreReadInEveryFormatOfText) {
+  for (const char* text : {"0 1\n1 2\n", "graph { 0 -- 1 -- 2 }\n", "Bg\n", ":Bc\n"}) {
+    const Graph plain = read_text(text).at(0);
+    EXPECT_EQ(edge_set(read_text("\xef\xbb\xbf" + std::string(text)).at(0)), edge_set(plain));
+    std::string wide = "\xff\xfe";
+    for (const char* c = text; *c != 0; ++c) wide += {*c, '\0'};
+    EXPECT_EQ(edge_set(read_text(wide).at(0)), edge_set(plain)) << text;
+    EXPECT_EQ(refusal(wide + "x"), "f: the text is no UTF-16, as its first bytes say");
+  }
+  EXPECT_EQ(refusal("\xef\xbb\xbf"), "f: empty file: no graph in it");
+}
+
+TEST(Graphml, HasTheNamesOfItsIdsOrLabels) {
+  const std::string head =
+      "<graphml><key id=\"k\" for=\"node\" attr.name=\"label\"/>"
+      "<graph edgedefault=\"undirected\">";
+  EXPECT_THAT(read_named(head + "<node id=\"a\"/><node id=\"b\"><data key=\"k\">B &amp; C</data>"
+                                "</node></graph></graphml>")
+                  .names,
+              ElementsAre("a", "B & C"));
+  EXPECT_THAT(read_named(head + "<node id=\"n0\"/><node id=\"n1\"/></graph></graphml>").names,
+              ElementsAre());
+}
+
+}  // namespace
+}  // namespace ar3d::testing
