@@ -19,6 +19,7 @@ namespace {
 /// What a cell has to be judged by.
 struct Evidence {
   PairedCell cell;
+  CountChange counts;
   std::vector<FixedChange> fixed;
   std::vector<double> log_ratios;
   double log2_volume_change = 0;
@@ -28,8 +29,11 @@ struct Evidence {
 /// Whether one side is the other: begun at the same moment in the same environment, and every time
 /// equal to the last bit.
 bool holds_same_measurements(const Results& base, const Results& now) {
-  const auto same_time = [](const RunRecord& a, const RunRecord& b) {
-    return a.wall_s == b.wall_s || (std::isnan(a.wall_s) && std::isnan(b.wall_s));
+  const auto is_same = [](double a, double b) {
+    return a == b || (std::isnan(a) && std::isnan(b));
+  };
+  const auto same_time = [&](const RunRecord& a, const RunRecord& b) {
+    return is_same(a.wall_s, b.wall_s) && is_same(a.cpu_s, b.cpu_s);
   };
   const auto same_entry = [](const EnvironmentEntry& a, const EnvironmentEntry& b) {
     return a.name == b.name && a.value == b.value && a.session == b.session;
@@ -41,58 +45,26 @@ bool holds_same_measurements(const Results& base, const Results& now) {
                     same_time);
 }
 
-/// Takes the pairs of one cell, of one round or of all, into the evidence.
-void add_pairs(const PairedCell& cell, double instruction_threshold, Evidence& into);
-
 void require_same_study(const Results& base, const Results& now) {
   if (base.study_id == now.study_id) return;
   throw InputError(fmt::format("results of different studies: BASE is '{}', NEW is '{}'",
                                one_line(base.study_id), one_line(now.study_id)));
 }
 
-std::vector<FixedChange> fixed_changes_of(const PairedCell& cell, double instruction_threshold) {
-  std::vector<FixedChange> changes = instruction_change(cell, instruction_threshold);
-  for (const PairedRow& row : cell.rows) {
-    for (FixedChange& change : fixed_changes(row)) changes.push_back(std::move(change));
-  }
-  return changes;
-}
-
-void add_pairs(const PairedCell& cell, double instruction_threshold, Evidence& into) {
-  for (FixedChange& change : fixed_changes_of(cell, instruction_threshold)) {
+/// Takes the pairs of one cell, of one round or of all, into the evidence.
+void add_pairs(const PairedCell& cell, const CompareOptions& options, Evidence& into) {
+  const CountChange counts = count_change(cell);
+  if (counts.is_known()) into.counts = counts;
+  for (FixedChange& change :
+       count_changes(counts, options.instruction_threshold, options.cycle_threshold)) {
     into.fixed.push_back(std::move(change));
   }
   for (const PairedRow& row : cell.rows) {
+    for (FixedChange& change : fixed_changes(row)) into.fixed.push_back(std::move(change));
     const double change = log2_volume_change(row);
     if (std::abs(change) > std::abs(into.log2_volume_change)) into.log2_volume_change = change;
     into.is_drawn |= both_drawn(row);
   }
-}
-
-/// Curves of which some size has too few pairs become one cell of all sizes.
-std::vector<PairedCell> with_enough_pairs(std::vector<PairedCell> cells, std::size_t enough) {
-  std::map<CurveKey, bool> pooled;
-  for (const PairedCell& cell : cells) {
-    const bool few = log_time_ratios(cell).size() < enough;
-    pooled[cell.key] = pooled[cell.key] || few;
-  }
-  std::map<CurveKey, std::size_t> place_of;
-  std::vector<PairedCell> result;
-  for (PairedCell& cell : cells) {
-    if (!pooled[cell.key]) {
-      result.push_back(std::move(cell));
-      continue;
-    }
-    const auto [place, is_new] = place_of.try_emplace(cell.key, result.size());
-    if (is_new) {
-      result.push_back(std::move(cell));
-      continue;
-    }
-    PairedCell& whole = result[place->second];
-    whole.n = -1;
-    whole.rows.insert(whole.rows.end(), cell.rows.begin(), cell.rows.end());
-  }
-  return result;
 }
 
 /// The verdict on what has no noise: the heaviest change, and in words how often it occurs.
@@ -119,16 +91,19 @@ std::pair<Verdict, std::string> judge_fixed(const std::vector<FixedChange>& chan
   return {Verdict::pass, std::move(reason)};
 }
 
-std::string undecided_reason(const TimeVerdict& time, std::size_t enough) {
+std::string undecided_reason(const TimeVerdict& time, const Comparison& comparison,
+                             const TimeRule& rule) {
+  const std::size_t enough = comparison.times ? kFewestRounds : fewest_pairs(rule);
   if (time.test.pairs == 0) return "no time on both sides";
   if (time.test.pairs < enough) {
-    return fmt::format("{} pairs of times; {} are needed", time.test.pairs, enough);
+    return fmt::format("{} rounds of times; {} are needed", time.test.pairs, enough);
   }
+  if (comparison.times && !comparison.times->is_alike) return "the machine was not as fast in both";
   return "the times' noise hides a change of the threshold's size";
 }
 
 /// Weighs the noiseless verdict and the time's together. What was not drawn on both sides has no
-/// time to judge.
+/// time to judge. Where counts decide, a slower time is a contradiction and no regression.
 void judge(CellComparison& cell, const std::pair<Verdict, std::string>& fixed, bool is_drawn,
            const TimeRule& rule, const Comparison& comparison) {
   std::tie(cell.verdict, cell.reason) = fixed;
@@ -139,34 +114,39 @@ void judge(CellComparison& cell, const std::pair<Verdict, std::string>& fixed, b
     cell.verdict = verdict;
     cell.reason = reason + (fixed_reason.empty() ? "" : "; " + fixed_reason);
   };
-  if (!comparison.time_judged) {
-    set(Verdict::unjudged, "times not judged");
+  if (cell.counts.is_known()) {
+    if (comparison.time_judged && cell.time.change == TimeChange::slower) {
+      set(Verdict::inconclusive, "slower, though its counts have not grown");
+    }
     return;
   }
+  if (!comparison.time_judged) return set(Verdict::unjudged, "times not judged");
   switch (cell.time.change) {
     case TimeChange::same:
       break;
     case TimeChange::slower:
-      set(Verdict::regressed, "slower");
-      break;
+      if (comparison.times && !comparison.times->is_alike) {
+        return set(Verdict::inconclusive, "slower than all others on another machine's speed");
+      }
+      return set(Verdict::regressed, "slower");
     case TimeChange::faster:
-      set(Verdict::improved, "faster");
-      break;
+      if (comparison.times && !comparison.times->is_alike) {
+        return set(Verdict::inconclusive, "faster than all others on another machine's speed");
+      }
+      return set(Verdict::improved, "faster");
     case TimeChange::undecided:
-      set(Verdict::inconclusive, undecided_reason(cell.time, fewest_pairs(rule)));
+      set(Verdict::inconclusive, undecided_reason(cell.time, comparison, rule));
   }
 }
 
-Comparison judge_all(std::vector<Evidence> evidence, Comparison comparison,
-                     const CompareOptions& options) {
-  std::vector<std::vector<double>> log_ratios;
-  for (const Evidence& cell : evidence) log_ratios.push_back(cell.log_ratios);
-  const std::vector<TimeVerdict> times = judge_times(log_ratios, options.time);
+Comparison judge_all(std::vector<Evidence> evidence, const std::vector<TimeVerdict>& times,
+                     Comparison comparison, const CompareOptions& options) {
   for (std::size_t i = 0; i < evidence.size(); ++i) {
     CellComparison cell;
     cell.key = evidence[i].cell.key;
     cell.n = evidence[i].cell.n;
     cell.rows = evidence[i].cell.rows.size();
+    cell.counts = evidence[i].counts;
     cell.time = times[i];
     cell.log_ratios = std::move(evidence[i].log_ratios);
     cell.log2_volume_change = evidence[i].log2_volume_change;
@@ -174,6 +154,25 @@ Comparison judge_all(std::vector<Evidence> evidence, Comparison comparison,
     comparison.cells.push_back(std::move(cell));
   }
   return comparison;
+}
+
+/// What two files' times say of each cell; `comparison.times` of all.
+std::vector<TimeVerdict> judge_files(const std::vector<Evidence>& evidence, const Results& base,
+                                     const Results& now, const TimeRule& rule,
+                                     Comparison& comparison) {
+  std::vector<CellTimes> cells;
+  for (const Evidence& cell : evidence) cells.push_back(cell_times(cell.cell));
+  comparison.times = judge_file_times(cells, base, now, rule);
+  std::vector<TimeVerdict> verdicts(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    SignedRankTest& test = verdicts[i].test;
+    test.pairs = cells[i].rounds;
+    test.estimate = cells[i].ratio;
+    test.interval = {kMissing, kMissing};
+    verdicts[i].adjusted_p = kMissing;
+    verdicts[i].change = comparison.times->cells[i];
+  }
+  return verdicts;
 }
 
 void note_gaps(const Results& results, const char* side, Comparison& comparison) {
@@ -225,16 +224,23 @@ void note_marks(const Results& results, const char* side, Comparison& comparison
   comparison.time_judged = false;
 }
 
+bool has_yardsticks(const Results& results) {
+  return std::any_of(results.runs.begin(), results.runs.end(),
+                     [](const RunRecord& run) { return run.yardsticks_s[0] > 0; });
+}
+
 /// What is to be said of two results before any cell is looked at.
-/// @param load_matters  whether other work on the machine makes times incomparable.
+/// @param in_turns  whether they were measured in turns; files were one after the other.
 Comparison first_look(const Results& base, const Results& now, const CompareOptions& options,
-                      bool load_matters) {
+                      bool in_turns) {
   Comparison comparison;
+  comparison.base_commit = base.source_hash;
   comparison.drawings_only = options.drawings_only;
-  comparison.is_copy = load_matters && holds_same_measurements(base, now);
+  comparison.is_copy = !in_turns && holds_same_measurements(base, now);
   if (comparison.is_copy) comparison.remarks.push_back("BASE and NEW hold the same measurements");
   if (!comparison.is_copy) comparison.environment = environment_changes(base, now);
-  if (!load_matters) {
+  // Yardsticks tell better than the load whether the machine was as fast in both.
+  if (in_turns || (has_yardsticks(base) && has_yardsticks(now))) {
     std::erase_if(comparison.environment,
                   [](const EnvironmentChange& change) { return change.name == kLoadOfOtherWork; });
   }
@@ -251,23 +257,23 @@ Comparison first_look(const Results& base, const Results& now, const CompareOpti
 
 Comparison compare(const Results& base, const Results& now, const CompareOptions& options) {
   require_same_study(base, now);
-  Comparison comparison = first_look(base, now, options, true);
+  Comparison comparison = first_look(base, now, options, false);
   Pairing pairing = pair_rows(base, now);
   note_pairing(pairing, comparison);
   std::vector<Evidence> evidence;
-  for (PairedCell& cell : with_enough_pairs(std::move(pairing.cells), fewest_pairs(options.time))) {
+  for (PairedCell& cell : pairing.cells) {
     Evidence& added = evidence.emplace_back();
-    add_pairs(cell, options.instruction_threshold, added);
-    added.log_ratios = log_time_ratios(cell);
+    add_pairs(cell, options, added);
     added.cell = std::move(cell);
   }
-  return judge_all(std::move(evidence), std::move(comparison), options);
+  const std::vector<TimeVerdict> times = judge_files(evidence, base, now, options.time, comparison);
+  return judge_all(std::move(evidence), times, std::move(comparison), options);
 }
 
 Comparison compare_rounds(const std::vector<Results>& base, const std::vector<Results>& now,
                           const CompareOptions& options) {
   expect(!base.empty() && base.size() == now.size(), "a comparison of unequally many rounds");
-  Comparison comparison = first_look(base.front(), now.front(), options, false);
+  Comparison comparison = first_look(base.front(), now.front(), options, true);
   std::map<std::pair<CurveKey, std::int64_t>, std::size_t> place_of;
   std::vector<Evidence> evidence;
   for (std::size_t round = 0; round < base.size(); ++round) {
@@ -276,14 +282,17 @@ Comparison compare_rounds(const std::vector<Results>& base, const std::vector<Re
     note_pairing(pairing, comparison);
     for (const PairedCell& cell : pairing.cells) {
       const auto [place, is_new] = place_of.try_emplace({cell.key, cell.n}, evidence.size());
-      if (is_new) evidence.push_back({.cell = cell, .fixed = {}, .log_ratios = {}});
+      if (is_new) evidence.push_back({.cell = cell, .counts = {}, .fixed = {}, .log_ratios = {}});
       Evidence& into = evidence[place->second];
-      add_pairs(cell, options.instruction_threshold, into);
+      add_pairs(cell, options, into);
       const double ratio = round_log_time_ratio(cell);
       if (std::isfinite(ratio)) into.log_ratios.push_back(ratio);
     }
   }
-  return judge_all(std::move(evidence), std::move(comparison), options);
+  std::vector<std::vector<double>> log_ratios;
+  for (const Evidence& cell : evidence) log_ratios.push_back(cell.log_ratios);
+  const std::vector<TimeVerdict> times = judge_times(log_ratios, options.time);
+  return judge_all(std::move(evidence), times, std::move(comparison), options);
 }
 
 const char* to_string(Verdict verdict) {
@@ -319,7 +328,26 @@ int Comparison::exit_code() const {
 
 std::string Comparison::judged() const {
   if (drawings_only) return "drawings only, as asked";
-  return time_judged ? "drawings and times" : "drawings only; times cannot be compared";
+  const auto by_counts = static_cast<std::size_t>(std::count_if(
+      cells.begin(), cells.end(), [](const auto& cell) { return cell.counts.is_known(); }));
+  std::string text = "drawings";
+  if (by_counts > 0) {
+    text += fmt::format(
+        ", and by counts (instructions, simulated cache), which have no noise, {} of {} cells",
+        by_counts, cells.size());
+  }
+  const bool has_timed = by_counts < cells.size();
+  if (!time_judged && by_counts == 0) return "drawings only; times cannot be compared";
+  if (!time_judged) return text + (has_timed ? "; times cannot be compared" : "");
+  if (has_timed) text += by_counts > 0 ? ", the others by times" : " and times";
+  if (!times || times->settings.empty()) return text;
+  text += ". " + times_sentence(*times);
+  if (count(Verdict::inconclusive) == 0) return text;
+  const bool is_commit = base_commit.size() == 40;
+  return text +
+         fmt::format(". To know more: `ar3d compare --base {}` runs both builds in turns{}",
+                     is_commit ? base_commit.substr(0, 12) : "COMMIT",
+                     times->is_alike ? ", or measure more rounds" : ", or measure both again");
 }
 
 }  // namespace ar3d

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "ar3d/analysis/compare/environment_change.h"
+#include "ar3d/analysis/compare/file_times.h"
+#include "ar3d/analysis/compare/pairing.h"
 #include "ar3d/analysis/compare/time_change.h"
 #include "ar3d/analysis/curves.h"
 #include "ar3d/store/run_storage.h"
@@ -14,6 +17,7 @@ namespace ar3d {
 struct CompareOptions {
   TimeRule time;
   double instruction_threshold = 0.01;  ///< smaller changes of counted instructions do not matter
+  double cycle_threshold = 0.05;        ///< of estimated cycles, which feel where data lie
   bool time_always = false;             ///< judge times of unlike environments too
   bool drawings_only = false;           ///< judge what has no noise, and no times
 };
@@ -25,16 +29,16 @@ enum class Verdict { pass, improved, unjudged, inconclusive, regressed, violated
 /// "PASS", "IMPROVED", "UNJUDGED", "INCONCLUSIVE", "REGRESSED", "VIOLATED"
 const char* to_string(Verdict verdict);
 
-/// The verdict on one cell: an algorithm with its options on a family at one size, or, where no
-/// size has enough pairs of its own, at all sizes.
+/// The verdict on one cell: an algorithm with its options on a family at one size.
 struct CellComparison {
   CurveKey key;
-  std::int64_t n = -1;  ///< -1: all sizes
+  std::int64_t n = -1;
   std::size_t rows = 0;
   Verdict verdict = Verdict::pass;
   std::string reason;              ///< one line, empty for a plain pass
+  CountChange counts;              ///< known: they decide, and times are no verdict
   TimeVerdict time;                ///< of log(new / base)
-  std::vector<double> log_ratios;  ///< one per pair
+  std::vector<double> log_ratios;  ///< of builds in turns: one per round
   /// log2(new / base) of the volume, of the pair of drawings in which it changed most.
   double log2_volume_change = 0;
 };
@@ -42,10 +46,12 @@ struct CellComparison {
 struct Comparison {
   std::vector<CellComparison> cells;  ///< in base's order
   std::vector<EnvironmentChange> environment;
-  bool time_judged = true;     ///< false: unlike environments, times are shown but are no gate
-  bool drawings_only = false;  ///< times were not to be judged
-  bool is_copy = false;        ///< the two hold the same measurements, down to every time
-  std::size_t rows = 0;        ///< measurements that both sides hold
+  bool time_judged = true;         ///< false: unlike environments, times are shown but are no gate
+  bool drawings_only = false;      ///< times were not to be judged
+  bool is_copy = false;            ///< the two hold the same measurements, down to every time
+  std::optional<FileTimes> times;  ///< of two files
+  std::string base_commit;         ///< that BASE's program was built from
+  std::size_t rows = 0;            ///< measurements that both sides hold
   std::vector<std::string> incomplete;  ///< why the comparison is not whole, one line each
   std::vector<std::string> remarks;     ///< one line each
 
@@ -57,16 +63,16 @@ struct Comparison {
   /// 0 pass or improved, 3 regression, 4 violated, 5 incomplete or nothing compared, 6
   /// inconclusive, 7 times not judged.
   int exit_code() const;
-  /// What the verdict is about: "drawings and times", or "drawings only" and why.
+  /// What the verdict is about, in a sentence or a few: what was judged by counts and what by
+  /// times, how fast the machine was on either side, what moved against all others, what cannot be
+  /// said and what to run to be able to say it.
   std::string judged() const;
 };
 
-/// Compares two results: first what has no noise (status, certificate, graph, volume, bends,
-/// counted instructions), then times of drawing, measured one after the other: a pair is a row of
-/// each. A cell is one size where every size of its curve has enough pairs to be significant alone,
-/// else the whole curve. Two that hold the same measurements, down to every time (a file and its
-/// copy), are alike whatever the machine was doing. Cost: O(r log r) for r rows, and O(k^2) for k
-/// pairs of a cell.
+/// Compares two results: first what has no noise (status, certificate, graph, volume, bends, counts
+/// of callgrind), then, where counts are missing, times of drawing, measured one after the other
+/// (judge_file_times). Two that hold the same measurements, down to every time (a file and its
+/// copy), are alike whatever the machine was doing. Cost: O(r log r) for r rows.
 /// @throws InputError if the two are of different studies, or one holds a measurement twice.
 Comparison compare(const Results& base, const Results& now, const CompareOptions& options = {});
 

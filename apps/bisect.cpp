@@ -34,6 +34,7 @@ constexpr double kConfidence = 0.99;  // of one decision about a commit
 constexpr int kTimedRepetitions = 5;  // of one round; the smallest time counts
 constexpr int kDoublings = 2;         // of the rounds, where they leave it open
 constexpr double kInstructionThreshold = 0.01;
+constexpr double kCycleThreshold = 0.05;
 
 struct BisectArguments {
   std::string good;
@@ -46,6 +47,10 @@ struct BisectArguments {
   double threshold_percent = 2;
   bool quiet = false;
 };
+
+bool is_counted(const std::string& measure) {
+  return measure == to_string(Measure::instructions) || measure == to_string(Measure::cycles);
+}
 
 /// Thrown where a signal asked to stop.
 struct BisectStopped {};
@@ -70,7 +75,7 @@ class CellJudge {
  private:
   InterleavedRounds run(const std::string& program, std::size_t rounds) const {
     InterleaveOptions options{rounds, arguments_.core, nullptr};
-    options.count_instructions = arguments_.measure == "instructions";
+    options.count = is_counted(arguments_.measure);
     InterleavedRounds run = run_interleaved(good_, program, spec_, folder_, options);
     if (run.interrupted) throw BisectStopped();
     return run;
@@ -98,9 +103,8 @@ class CellJudge {
   Shift of_drawings(const std::string& program) const {
     const InterleavedRounds rounds = run(program, 1);
     const CellValue base = value_of(rounds.base.front()), now = value_of(rounds.now.front());
-    const bool is_counted = arguments_.measure == "instructions";
     const double ratio = std::log(now.value / base.value);
-    const double change = is_counted ? ratio : base.exact == now.exact ? 0 : 1;
+    const double change = is_counted(arguments_.measure) ? ratio : base.exact == now.exact ? 0 : 1;
     return {change, {change, change}};
   }
 
@@ -238,7 +242,10 @@ class CommitSearch {
 
   bool differs(const Shift& whole) const {
     const bool is_time = arguments_.measure == "time";
-    const double threshold = is_time ? arguments_.threshold_percent / 100 : kInstructionThreshold;
+    const bool is_cycles = arguments_.measure == to_string(Measure::cycles);
+    const double threshold = is_time     ? arguments_.threshold_percent / 100
+                             : is_cycles ? kCycleThreshold
+                                         : kInstructionThreshold;
     return std::abs(whole.estimate) > std::log1p(threshold) && !whole.interval.contains(0) &&
            std::isfinite(whole.interval.low);
   }
@@ -315,8 +322,8 @@ void add_bisect(CLI::App& app, int& exit_code) {
   verb->add_option("--study", arguments->study,
                    "that has the cell: a TOML file, a named study or a results file")
       ->capture_default_str();
-  verb->add_option("--measure", arguments->measure, "time, instructions, volume or bends")
-      ->check(one_of({"time", "instructions", "volume", "bends"}))
+  verb->add_option("--measure", arguments->measure, "time, instructions, cycles, volume or bends")
+      ->check(one_of({"time", "instructions", "cycles", "volume", "bends"}))
       ->capture_default_str();
   verb->add_option("--rounds", arguments->rounds,
                    "turns of each program for one commit; up to four times as many if needed")

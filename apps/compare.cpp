@@ -18,6 +18,7 @@
 #include "ar3d/bench/compare/interleave.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/plan/plan.h"
+#include "ar3d/bench/replay/count_instructions.h"
 #include "ar3d/bench/spec/study_spec.h"
 #include "commands.h"
 #include "options.h"
@@ -140,7 +141,7 @@ int compare_builds(const CompareArguments& arguments) {
     base = build_reference(checkout, arguments.base, progress);
     if (!base) return say_interrupted("while building " + arguments.base);
   }
-  const InterleaveOptions options{rounds_of(arguments, spec), arguments.core, progress};
+  InterleaveOptions options{rounds_of(arguments, spec), arguments.core, progress};
   Calibration calibration;
   std::optional<Comparison> comparison;
   if (arguments.calibrate) {
@@ -153,6 +154,7 @@ int compare_builds(const CompareArguments& arguments) {
                summary(calibration, arguments.options.time));
   }
   if (base) {
+    options.count = spec.count && counting_problem().empty();
     comparison = take_turns(*base, spec, folder, options, arguments.options);
     if (!comparison) return kInterrupted;
   }

@@ -21,6 +21,7 @@
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/plan/corpora.h"
+#include "ar3d/bench/replay/count_instructions.h"
 #include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/store/journal/journal_writer.h"
 #include "commands.h"
@@ -62,9 +63,32 @@ void write_report(const std::string& results, const StudyAnalysis& analysis) {
   fmt::print("report   {}\n", page);
 }
 
+// Counts what no session before has counted. Where it cannot be, times alone are compared.
+// @return false if it was interrupted.
+bool count_drawings_of(const std::string& path) {
+  Results results = read_results(path);
+  const auto is_counted = [](const RunRecord& run) { return run.counted_instructions >= 0; };
+  if (std::any_of(results.runs.begin(), results.runs.end(), is_counted)) return true;
+  try {
+    const std::size_t drawings = fill_counts(results, kLargestCounted);
+    if (is_interrupted()) {
+      fmt::print(stderr, "ar3d: interrupted while counting; go on with `ar3d study resume {}`\n",
+                 shell_word(path));
+      return false;
+    }
+    if (drawings == 0) return true;
+    write_results(results, path);
+    fmt::print("counted  {} drawings\n", drawings);
+  } catch (const InputError& error) {
+    fmt::print(stderr, "ar3d: drawings are not counted: {}\n", printable(error.what()));
+  }
+  return true;
+}
+
 // The last lines of a study that is whole: the verdict and where everything is.
 // @param unchanged  no row was made: the study had been whole before.
 int conclude(const JournaledStudy& study, bool force, bool unchanged) {
+  if (study.spec.count && !count_drawings_of(study.results)) return kInterrupted;
   const StudyRows rows(study.results);
   CheckedRows examination = judge(rows.view(), study.results);
   int exit_code = examination.verdict.exit_code();

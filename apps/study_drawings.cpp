@@ -4,15 +4,15 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <map>
 #include <memory>
+#include <set>
 #include <string>
-#include <tuple>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/bench/keep/study_files.h"
+#include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/replay/count_instructions.h"
 #include "ar3d/bench/replay/keep_drawings.h"
 #include "ar3d/bench/run/row_maker.h"
@@ -55,8 +55,8 @@ bool may_be_replaced(const std::string& path) {
 struct DrawingsArguments {
   std::string results;
   std::string output;
-  std::string keep = "worst";  // of `drawings`
-  std::int64_t max_n = 10000;  // of `count`
+  std::string keep = "worst";            // of `drawings`
+  std::int64_t max_n = kLargestCounted;  // of `count`
   bool force = false;
 };
 
@@ -115,7 +115,7 @@ void add_study_drawings(CLI::App& study, int& exit_code) {
 
 namespace {
 
-int count_rows(const DrawingsArguments& arguments) {
+int count(const DrawingsArguments& arguments) {
   const std::string path = arguments.output.empty() ? arguments.results : arguments.output;
   if (!arguments.output.empty()) {
     refuse_unsafe_outputs({.inputs = {arguments.results},
@@ -131,64 +131,51 @@ int count_rows(const DrawingsArguments& arguments) {
                            .streams = false});
   }
   require_writable(path);
-  const StudyOrigin origin = study_origin(results);
-  std::map<std::tuple<std::string, std::string, std::string>, std::int64_t> counts;
-  for (RunRecord& run : results.runs) {
-    if (!is_drawn(run) || run.n > arguments.max_n) continue;
-    const auto key = std::tuple(run.graph_hash, run.algorithm, run.options);
-    if (!counts.contains(key)) {
-      counts[key] = count_instructions(run, origin);
-      fmt::print("{}\t{}\t{}\t{}\t{}\t{}\n", run.family, run.n, run.seed, run.algorithm,
-                 run.options, counts[key]);
-      std::fflush(stdout);
-    }
-    run.counted_instructions = counts[key];
-  }
-  if (counts.empty()) {
-    fmt::print(stderr, "ar3d: {} has no drawing up to n = {}\n", arguments.results,
+  const Interruptible interruptible;
+  const std::size_t counted = fill_counts(results, arguments.max_n);
+  if (is_interrupted()) return kInterrupted;
+  if (counted == 0) {
+    fmt::print(stderr, "ar3d: {} has no drawing of ours up to n = {}\n", arguments.results,
                arguments.max_n);
     return kIncomplete;
+  }
+  std::set<std::string> told;
+  for (const RunRecord& run : results.runs) {
+    if (run.counted_instructions < 0) continue;
+    const std::string line =
+        fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\n", run.family, run.n, run.seed, run.algorithm,
+                    run.options, run.counted_instructions, run.estimated_cycles);
+    if (told.insert(line).second) fmt::print("{}", line);
   }
   write_results(results, path);
   return kPass;
 }
 
-// "what:text" -> text: a word that may be empty needs something in front.
-std::string after_colon(const std::string& word) { return word.substr(word.find(':') + 1); }
-
-void add_draw_once(CLI::App& study) {
-  CLI::App* verb = study.add_subcommand(kDrawOnceVerb, "Draws one graph, for callgrind")->group("");
-  const auto arguments = std::make_shared<RunRecord>();
-  verb->add_option("FAMILY", arguments->family)->required();
-  verb->add_option("PARAMETERS", arguments->parameters)->required();
-  verb->add_option("N", arguments->requested_n)->required();
-  verb->add_option("SEED", arguments->seed)->required();
-  verb->add_option("ALGORITHM", arguments->algorithm)->required();
-  verb->add_option("OPTIONS", arguments->options)->required();
-  verb->callback([arguments] {
-    arguments->parameters = after_colon(arguments->parameters);
-    arguments->options = after_colon(arguments->options);
-    draw_for_counting(*arguments);
-  });
+void add_draw_counted(CLI::App& study) {
+  CLI::App* verb = study.add_subcommand(kDrawCountedVerb, "Draws graphs, for callgrind")->group("");
+  const auto file = std::make_shared<std::string>();
+  verb->add_option("FILE", *file)->required();
+  verb->callback([file] { draw_for_counting(*file); });
 }
 
 }  // namespace
 
 void add_study_count(CLI::App& study, int& exit_code) {
   CLI::App* verb = study.add_subcommand(
-      "count", "Counts the instructions of every drawing with callgrind, which has no noise");
+      "count", "Counts instructions and simulated cache of every drawing with callgrind: no noise");
   const auto arguments = std::make_shared<DrawingsArguments>();
   verb->add_option("RESULTS", arguments->results, "results file (HDF5)")->required();
   verb->add_option("-o,--output", arguments->output,
                    "results file with the counts; RESULTS itself if left out");
   add_force(*verb, arguments->force);
-  verb->add_option("--max-n", arguments->max_n, "largest n to count, default 10000")
+  verb->add_option("--max-n", arguments->max_n, "largest n to count")
       ->check(whole_number(0, 100000000));
   verb->footer(
-      "Needs valgrind; drawing takes about 50 times as long under it. Fills the column\n"
-      "counted_instructions.\nExample: ar3d study count smoke.h5 --max-n 20 -o counted.h5");
-  verb->callback([arguments, &exit_code] { exit_code = count_rows(*arguments); });
-  add_draw_once(study);
+      "Needs valgrind; drawing takes about 50 times as long under it. Fills the columns\n"
+      "counted_instructions and estimated_cycles.\nExample: ar3d study count smoke.h5 --max-n 20 "
+      "-o counted.h5");
+  verb->callback([arguments, &exit_code] { exit_code = count(*arguments); });
+  add_draw_counted(study);
 }
 
 }  // namespace ar3d

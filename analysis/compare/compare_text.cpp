@@ -31,6 +31,8 @@ ordered_json cell_json(const CellComparison& cell) {
                {"verdict", to_string(cell.verdict)},
                {"reason", valid_utf8(cell.reason)},
                {"measurements", cell.rows},
+               {"instructions_ratio", json_number(std::exp(cell.counts.instructions))},
+               {"estimated_cycles_ratio", json_number(std::exp(cell.counts.cycles))},
                {"volume_ratio", json_number(std::exp2(cell.log2_volume_change))},
                {"time", time_json(cell.time)}});
   return json;
@@ -44,6 +46,23 @@ ordered_json environment_json(const Comparison& comparison) {
                        {"new", valid_utf8(change.now)}});
   }
   return changes;
+}
+
+ordered_json times_json(const FileTimes& times) {
+  ordered_json json = {{"machine_is_alike", times.is_alike},
+                       {"common_factor", json_number(std::exp(times.common))}};
+  for (std::size_t i = 0; i < kYardsticks.size(); ++i) {
+    json["yardsticks"][kYardsticks[i]] = json_number(std::exp(times.yardsticks[i]));
+  }
+  json["settings"] = ordered_json::array();
+  for (const SettingTimes& setting : times.settings) {
+    json["settings"].push_back({{"setting", valid_utf8(setting.name)},
+                                {"cells", setting.cells},
+                                {"distance", json_number(std::exp(setting.distance))},
+                                {"low", json_number(std::exp(setting.distance - setting.error))},
+                                {"high", json_number(std::exp(setting.distance + setting.error))}});
+  }
+  return json;
 }
 
 ordered_json calibration_json(const Calibration& calibration) {
@@ -69,6 +88,7 @@ std::string comparison_json(const Comparison& comparison, const CompareOptions& 
                   {"false_discovery_rate", options.time.false_discovery_rate},
                   {"confidence", options.time.confidence},
                   {"instruction_threshold", options.instruction_threshold},
+                  {"cycle_threshold", options.cycle_threshold},
                   {"drawings_only", options.drawings_only}};
   json["time_judged"] = comparison.time_judged;
   json["environment_changes"] = environment_json(comparison);
@@ -82,6 +102,7 @@ std::string comparison_json(const Comparison& comparison, const CompareOptions& 
     json[name] = ordered_json::array();
     for (const std::string& line : *lines) json[name].push_back(valid_utf8(line));
   }
+  if (comparison.times) json["times"] = times_json(*comparison.times);
   if (calibration != nullptr) json["calibration"] = calibration_json(*calibration);
   json["cells"] = ordered_json::array();
   for (const CellComparison& cell : comparison.cells) json["cells"].push_back(cell_json(cell));
@@ -102,12 +123,21 @@ std::string time_text(const TimeVerdict& time) {
     text += fmt::format(" [{}, {}]", percent(std::exp(test.interval.low)),
                         percent(std::exp(test.interval.high)));
   }
-  return text + fmt::format(", {} pairs, p {:.2g}", test.pairs, time.adjusted_p);
+  text += fmt::format(", {} rounds", test.pairs);
+  return std::isnan(time.adjusted_p) ? text : text + fmt::format(", p {:.2g}", time.adjusted_p);
+}
+
+/// "instructions +0.0 %, cycles +0.2 %; ", or nothing.
+std::string counts_of(const CellComparison& cell) {
+  if (!cell.counts.is_known()) return "";
+  std::string text = "instructions " + percent(std::exp(cell.counts.instructions));
+  if (!std::isnan(cell.counts.cycles)) text += ", cycles " + percent(std::exp(cell.counts.cycles));
+  return text + "; ";
 }
 
 std::string cell_line(const CellComparison& cell) {
-  return fmt::format("{:<12} {:<56} time {}{}\n", to_string(cell.verdict),
-                     cell_label(cell.key, cell.n), time_text(cell.time),
+  return fmt::format("{:<12} {:<56} {}time {}{}\n", to_string(cell.verdict),
+                     cell_label(cell.key, cell.n), counts_of(cell), time_text(cell.time),
                      cell.reason.empty() ? "" : "; " + cell.reason);
 }
 
@@ -189,9 +219,9 @@ std::size_t other_drawings(const Comparison& comparison) {
 std::string rule_text(const CompareOptions& options) {
   const TimeRule& rule = options.time;
   return fmt::format(
-      "time changes by {:.3g} % or more, p <= {:.3g} a cell, false discovery rate {:.3g} %; "
-      "volume, bends, status, certificate: any change for the worse",
-      100 * rule.threshold, rule.significance, 100 * rule.false_discovery_rate);
+      "time changes by {:.3g} % or more; instructions by more than {:.3g} %, estimated cycles by "
+      "more than {:.3g} %; volume, bends, status, certificate: any change for the worse",
+      100 * rule.threshold, 100 * options.instruction_threshold, 100 * options.cycle_threshold);
 }
 
 std::string counts_text(const Comparison& comparison) {
@@ -216,7 +246,8 @@ std::string code_span(const std::string& text) {
 std::string markdown_row(const CellComparison& cell) {
   const double volume = cell.log2_volume_change;
   return fmt::format("| {} | {} | {} | {} | {} |\n", to_string(cell.verdict),
-                     code_span(cell_label(cell.key, cell.n)), time_text(cell.time),
+                     code_span(cell_label(cell.key, cell.n)),
+                     counts_of(cell) + time_text(cell.time),
                      std::abs(volume) > 0 ? percent(std::exp2(volume)) : "–",
                      cell.reason.empty() ? "" : code_span(cell.reason));
 }
@@ -231,7 +262,7 @@ std::string comparison_markdown(const Comparison& comparison, const CompareOptio
   const std::string rows =
       cell_lines(comparison, most_cells, markdown_row, "| {} | {} more | | | |\n");
   if (!rows.empty()) {
-    text += "\n| verdict | cell | time | volume | reason |\n|---|---|---|---|---|\n" + rows;
+    text += "\n| verdict | cell | counts, time | volume | reason |\n|---|---|---|---|---|\n" + rows;
   }
   for (const std::string& line : comparison.incomplete) {
     text += "\n- incomplete: " + code_span(line);

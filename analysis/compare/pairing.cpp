@@ -81,7 +81,7 @@ std::vector<PairedRow> candidates(const PairedCell& cell) {
 }
 
 bool has_times(const PairedRow& row) {
-  return is_time(row.base->wall_s) && is_time(row.now->wall_s);
+  return is_time(drawing_time_s(*row.base)) && is_time(drawing_time_s(*row.now));
 }
 
 }  // namespace
@@ -130,19 +130,16 @@ Pairing pair_rows(const Results& base, const Results& now) {
   return pairing;
 }
 
-std::vector<double> log_time_ratios(const PairedCell& cell) {
-  std::vector<double> ratios;
-  for (const PairedRow& row : candidates(cell)) {
-    if (has_times(row)) ratios.push_back(std::log(row.now->wall_s / row.base->wall_s));
-  }
-  return ratios;
+std::vector<PairedRow> timed_rows(const PairedCell& cell) {
+  std::vector<PairedRow> rows = candidates(cell);
+  std::erase_if(rows, [](const PairedRow& row) { return !has_times(row); });
+  return rows;
 }
 
 double round_log_time_ratio(const PairedCell& cell) {
   std::map<decltype(graph_of(RunRecord())), std::pair<double, double>> smallest;
-  for (const PairedRow& row : candidates(cell)) {
-    if (!has_times(row)) continue;
-    const std::pair<double, double> times = {row.base->wall_s, row.now->wall_s};
+  for (const PairedRow& row : timed_rows(cell)) {
+    const std::pair<double, double> times = {drawing_time_s(*row.base), drawing_time_s(*row.now)};
     auto& kept = smallest.try_emplace(graph_of(*row.base), times).first->second;
     kept = {std::min(kept.first, times.first), std::min(kept.second, times.second)};
   }
@@ -283,17 +280,30 @@ double log2_volume_change(const PairedRow& row) {
   return change;
 }
 
-std::vector<FixedChange> instruction_change(const PairedCell& cell, double threshold) {
-  double before = 0, after = 0;
+CountChange count_change(const PairedCell& cell) {
+  double instructions[2] = {}, cycles[2] = {};
   for (const PairedRow& row : cell.rows) {
-    if (row.base->counted_instructions < 0 || row.now->counted_instructions < 0) continue;
-    before += static_cast<double>(row.base->counted_instructions);
-    after += static_cast<double>(row.now->counted_instructions);
+    if (!both_drawn(row)) continue;
+    for (const auto& [side, run] : {std::pair{0, row.base}, std::pair{1, row.now}}) {
+      if (run->counted_instructions <= 0) return {};
+      instructions[side] += static_cast<double>(run->counted_instructions);
+      cycles[side] +=
+          run->estimated_cycles > 0 ? static_cast<double>(run->estimated_cycles) : kMissing;
+    }
   }
-  if (before <= 0 || after <= 0) return {};
-  const double ratio = after / before;
-  if (ratio <= 1 + threshold && ratio >= 1 / (1 + threshold)) return {};
-  return {{direction(ratio > 1), fmt::format("instructions x{:.4f}", ratio)}};
+  return {std::log(instructions[1] / instructions[0]), std::log(cycles[1] / cycles[0])};
+}
+
+std::vector<FixedChange> count_changes(const CountChange& change, double instruction_threshold,
+                                       double cycle_threshold) {
+  std::vector<FixedChange> changes;
+  for (const auto& [what, log, threshold] :
+       {std::tuple{"instructions", change.instructions, instruction_threshold},
+        std::tuple{"estimated cycles", change.cycles, cycle_threshold}}) {
+    if (!(std::abs(log) > std::log1p(threshold))) continue;  // a missing one is no change
+    changes.push_back({direction(log > 0), fmt::format("{} x{:.4f}", what, std::exp(log))});
+  }
+  return changes;
 }
 
 }  // namespace ar3d

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -40,12 +41,12 @@ bool both_drawn(const PairedRow& row);
 /// "random-cubic n=100 instance 0, diamond (effort=1), repetition 2": which measurement a row is.
 std::string row_label(const RunRecord& run);
 
-/// log(new / base) of the drawing times of a cell's pairs: of rows of the timing phase if the cell
-/// has any, else of all. A pair without two finite positive times is left out.
-std::vector<double> log_time_ratios(const PairedCell& cell);
+/// The drawn pairs whose times count: of the timing phase if the cell has any, else of metrics. A
+/// pair without two finite positive drawing times is left out.
+std::vector<PairedRow> timed_rows(const PairedCell& cell);
 
-/// The same for a whole round as one number: the median over graphs of the ratio of the smallest
-/// times among the repetitions of each; NaN if there is none.
+/// log(new / base) of a whole round as one number: the median over graphs of the ratio of the
+/// smallest drawing times among the repetitions of each; NaN if there is none.
 double round_log_time_ratio(const PairedCell& cell);
 
 /// Rows drawn on both sides whose time is not a finite positive number although it should be one.
@@ -68,8 +69,17 @@ std::vector<FixedChange> fixed_changes(const PairedRow& row);
 /// log2(new / base) of the volume; 0 where one of the two has no box.
 double log2_volume_change(const PairedRow& row);
 
-/// Counted instructions of a whole cell: worse or better if their sum changes by more than
-/// `threshold` (0.01 is 1 %); rows that miss them are left out. @return at most one.
-std::vector<FixedChange> instruction_change(const PairedCell& cell, double threshold);
+/// log(new / base) of a whole cell's counts, by their sums over its drawings; NaN unless both sides
+/// have counted all that both have drawn.
+struct CountChange {
+  double instructions = kMissing;
+  double cycles = kMissing;  ///< estimated, with the simulated cache
+  bool is_known() const { return !std::isnan(instructions); }
+};
+CountChange count_change(const PairedCell& cell);
+
+/// Worse or better if one of the two is more than log(1 + its threshold) away from 0.
+std::vector<FixedChange> count_changes(const CountChange& change, double instruction_threshold,
+                                       double cycle_threshold);
 
 }  // namespace ar3d

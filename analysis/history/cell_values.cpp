@@ -20,6 +20,7 @@ struct GraphValues {
   double least_s = std::numeric_limits<double>::infinity();         // of the metrics phase
   double least_timing_s = std::numeric_limits<double>::infinity();  // of the timing phase
   std::int64_t instructions = -1;
+  std::int64_t cycles = -1;
   std::array<std::int64_t, 3> extents{-1, -1, -1};
   double log_volume = kMissing;
   std::int64_t bends = -1;
@@ -45,8 +46,9 @@ void add_row(const RunRecord& run, GraphValues& graph) {
     return;
   }
   double& least = run.phase == RunPhase::timing ? graph.least_timing_s : graph.least_s;
-  if (run.wall_s > 0) least = std::min(least, run.wall_s);
+  if (drawing_time_s(run) > 0) least = std::min(least, drawing_time_s(run));
   graph.instructions = std::max(graph.instructions, run.counted_instructions);
+  graph.cycles = std::max(graph.cycles, run.estimated_cycles);
   if (run.extents[0] < 0) return;
   graph.extents = run.extents;
   graph.log_volume = run.log2_volume * std::numbers::ln2;
@@ -89,19 +91,21 @@ CellValues values_of(const GraphTable& graphs) {
   values[0].value = geometric_mean(graphs, [&](const GraphValues& graph) {
     return std::log(is_timed ? graph.least_timing_s : graph.least_s);
   });
-  values[1].value = geometric_mean(graphs, [](const GraphValues& graph) {
-    return graph.instructions > 0 ? std::log(static_cast<double>(graph.instructions)) : kMissing;
-  });
-  values[2] = {geometric_mean(graphs, [](const GraphValues& graph) { return graph.log_volume; }),
+  const auto log_of = [](std::int64_t count) {
+    return count > 0 ? std::log(static_cast<double>(count)) : kMissing;
+  };
+  values[1].value = geometric_mean(graphs, [&](auto& graph) { return log_of(graph.instructions); });
+  values[2].value = geometric_mean(graphs, [&](auto& graph) { return log_of(graph.cycles); });
+  values[3] = {geometric_mean(graphs, [](const GraphValues& graph) { return graph.log_volume; }),
                content_hash(boxes)};
-  values[3] = {bends_per_edge(graphs), content_hash(bends)};
+  values[4] = {bends_per_edge(graphs), content_hash(bends)};
   return values;
 }
 
 }  // namespace
 
 const char* to_string(Measure measure) {
-  constexpr const char* kNames[] = {"time", "instructions", "volume", "bends"};
+  constexpr const char* kNames[] = {"time", "instructions", "cycles", "volume", "bends"};
   return kNames[static_cast<std::size_t>(measure)];
 }
 
@@ -113,6 +117,9 @@ CellTable cell_values(const RowView& rows) {
     if (is_batched(run.phase)) continue;
     if (run.status != RunStatus::ok && run.status != RunStatus::measured) ++table.unfinished;
     table.rows_at_a_time = std::max(table.rows_at_a_time, static_cast<double>(run.concurrency));
+    if (const double least = run.yardsticks_s.back(); least > 0) {
+      table.least_yardstick_s = std::min(table.least_yardstick_s, least);
+    }
     if (table.build_kind.empty()) table.build_kind = run.build_kind;
     const std::int64_t n = run.n >= 0 ? run.n : run.requested_n;
     add_row(run, cells[{curve_of(run), n}][{run.requested_n, run.instance_index, run.seed}]);

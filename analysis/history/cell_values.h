@@ -3,6 +3,7 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <string>
 
@@ -12,10 +13,10 @@
 namespace ar3d {
 
 /// What a history follows of every cell.
-enum class Measure : std::uint8_t { time, instructions, volume, bends };
-inline constexpr std::array kMeasures = {Measure::time, Measure::instructions, Measure::volume,
-                                         Measure::bends};
-/// "time", "instructions", "volume", "bends".
+enum class Measure : std::uint8_t { time, instructions, cycles, volume, bends };
+inline constexpr std::array kMeasures = {Measure::time, Measure::instructions, Measure::cycles,
+                                         Measure::volume, Measure::bends};
+/// "time", "instructions", "cycles", "volume", "bends".
 const char* to_string(Measure measure);
 
 /// A curve at one size with the very graphs that were drawn: values of other graphs are another
@@ -30,7 +31,8 @@ struct HistoryCell {
 /// A measure of a cell in one results file; missing (NaN) where a row of the cell has none.
 struct CellValue {
   /// time: seconds, the geometric mean over the graphs of the smallest among the repetitions, of
-  /// the timing phase if the cell has it. instructions: counted by callgrind, geometric mean.
+  /// the timing phase if the cell has it. instructions: counted by callgrind, geometric mean;
+  /// cycles: estimated from its simulated cache, likewise.
   /// volume: lattice points, geometric mean. bends: per edge.
   double value = kMissing;
   std::string exact = {};  ///< volume and bends: a hash of those of every single graph
@@ -42,6 +44,7 @@ struct CellTable {
   std::size_t unfinished = 0;  ///< rows neither ok nor measured: their cells have no values
   double rows_at_a_time = 1;   ///< the largest concurrency
   std::string build_kind;      ///< of a row that has one
+  double least_yardstick_s = std::numeric_limits<double>::infinity();  ///< arithmetic
 };
 
 /// One pass over the rows; those of batches (strong, weak) are left out. Memory: that of the

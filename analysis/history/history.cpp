@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "ar3d/analysis/compare/environment_change.h"
+#include "ar3d/analysis/statistics.h"
 #include "ar3d/analysis/text.h"
 #include "ar3d/base/error.h"
 #include "ar3d/store/columns/side_tables.h"
@@ -92,7 +93,7 @@ ReadResults read_one(const fs::path& path) {
   const std::string load = load_of_other_work(reader.environment(), read.table.rows_at_a_time);
   if (!read.table.build_kind.empty()) {
     read.commit.untimed = fmt::format("a {} build", one_line(read.table.build_kind));
-  } else if (!load.empty()) {
+  } else if (!load.empty() && !std::isfinite(read.table.least_yardstick_s)) {
     read.commit.untimed = fmt::format("a busy machine (load {})", one_line(load));
   }
   return read;
@@ -101,6 +102,7 @@ ReadResults read_one(const fs::path& path) {
 struct OpenLine {
   HistoryLine line;
   std::vector<std::string> exact;
+  bool is_counted = true;  ///< every one of its results has counts of the cell
 };
 /// By what the values of a line have in common; filled in the order of the results.
 using LineKey = std::tuple<std::size_t, std::string, HistoryCell, Measure>;
@@ -114,7 +116,11 @@ void add_values(std::size_t result, const CommitResults& commit, const CellTable
       if (kMeasures[i] == Measure::time && !commit.untimed.empty()) continue;
       OpenLine& entry = lines[{commit.environment, commit.study, cell, kMeasures[i]}];
       entry.line.results.push_back(result);
-      entry.line.values.push_back(values[i].value);
+      entry.line.values.push_back(values[i].value /
+                                  (kMeasures[i] == Measure::time ? commit.slowness : 1));
+      const bool has_counts =
+          std::isfinite(values[static_cast<std::size_t>(Measure::cycles)].value);
+      entry.is_counted = entry.is_counted && has_counts;
       entry.exact.push_back(values[i].exact);
     }
   }
@@ -140,12 +146,16 @@ HistoryLine judged(const LineKey& key, OpenLine entry, const HistoryRule& rule) 
   for (const double value : line.values) logs.push_back(std::log(value));
   const bool is_time = line.measure == Measure::time;
   line.is_judged = line.values.size() >= 2 * (is_time ? rule.time.shortest : 1);
+  if (is_time && entry.is_counted) line.is_judged = false;
   switch (line.measure) {
     case Measure::time:
-      line.changes = find_changes(logs, rule.time);
+      if (line.is_judged) line.changes = find_changes(logs, rule.time);
       break;
     case Measure::instructions:
       line.changes = find_exact_changes(logs, std::log1p(rule.instruction_threshold));
+      break;
+    case Measure::cycles:
+      line.changes = find_exact_changes(logs, std::log1p(rule.cycle_threshold));
       break;
     case Measure::volume:
     case Measure::bends:
@@ -219,8 +229,17 @@ History read_history(const std::string& folder, const HistoryRule& rule) {
   History history;
   history.rule = rule;
   OpenLines lines;
+  std::map<std::size_t, std::vector<double>> yardsticks;  // by environment
   for (ReadResults& one : read) {
     one.commit.environment = place_of(one.environment, history.environments);
+    if (!std::isfinite(one.table.least_yardstick_s)) continue;
+    yardsticks[one.commit.environment].push_back(one.table.least_yardstick_s);
+  }
+  for (ReadResults& one : read) {
+    if (std::isfinite(one.table.least_yardstick_s)) {
+      one.commit.slowness =
+          one.table.least_yardstick_s / median(yardsticks[one.commit.environment]);
+    }
     add_values(history.results.size(), one.commit, one.table, lines);
     one.table.cells.clear();
     history.results.push_back(one.commit);

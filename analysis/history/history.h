@@ -21,7 +21,10 @@ struct CommitResults {
   std::string created;
   std::size_t environment = 0;  ///< in History::environments
   std::string untimed;          ///< why its times are not judged; empty: they are
-  std::size_t unfinished = 0;   ///< rows
+  /// How many times as long the arithmetic yardstick took as in the median of the results of its
+  /// environment: its times are divided by that. 1 without yardsticks.
+  double slowness = 1;
+  std::size_t unfinished = 0;  ///< rows
   /// Files of graphs and programs of the study's own, by name: `bisect` cannot have them.
   std::set<std::string> not_of_the_catalogue;
 };
@@ -35,12 +38,13 @@ struct HistoryLine {
   std::vector<std::size_t> results;  ///< in History::results, ascending, one a value
   std::vector<double> values;        ///< as CellValue::value, none missing
   std::vector<ChangePoint> changes;  ///< places among these values
-  bool is_judged = true;             ///< false: too few values
+  bool is_judged = true;  ///< false: too few values, or times of results that have all counts
 };
 
 struct HistoryRule {
   ChangeRule time;
   double instruction_threshold = 0.01;  ///< smaller changes of counted instructions do not matter
+  double cycle_threshold = 0.05;        ///< of estimated cycles, which feel where data lie
 };
 
 struct History {
@@ -61,8 +65,11 @@ std::string history_file_name(std::int64_t place, const std::string& name,
 
 /// Reads every *.h5 of a folder and looks for changes. Lines hold results of one environment and
 /// one study and of the same graphs, also where their file has been renamed (it is then called as
-/// in the last results); times of a busy machine, or of a debug or sanitised build, are
-/// left out. Memory: that of the cells. Cost: reading the files once, and find_changes per line.
+/// in the last results); times are divided by how slow the machine was (CommitResults::slowness),
+/// and those of a busy machine without yardsticks, or of a debug or sanitised build, are left out;
+/// where all results of a line of times have counts of the cell, the counts are judged and the
+/// times are not. Memory: that of the cells. Cost: reading the files once, and find_changes per
+/// line.
 /// @throws InputError naming the folder if it has none, or the file that is no results file or
 /// whose name does not begin with a place and a name.
 History read_history(const std::string& folder, const HistoryRule& rule);

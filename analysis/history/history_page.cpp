@@ -213,8 +213,8 @@ std::string beginning(const History& history, const std::string& folder, std::si
       history.environments.size() == 1 ? "" : "s", judged, lines);
   if (judged < lines) {
     html += fmt::format(
-        "<p>{} lines are too short to be judged: times need {} results of one environment, the "
-        "others two.</p>\n",
+        "<p>{} lines are not judged: times need {} results of one environment, the others two, and "
+        "where all results have counts, these are judged and times are not.</p>\n",
         lines - judged, 2 * history.rule.time.shortest);
   }
   return html;
@@ -266,7 +266,7 @@ std::string changes_section(const History& history, const std::vector<PlacedChan
   return html + "</div></section>\n";
 }
 
-/// The four lines of a cell in one environment and study.
+/// The lines of a cell in one environment and study.
 using CellLines = std::array<const HistoryLine*, kMeasures.size()>;
 
 std::string cell_row(const History& history, const CellLines& lines) {
@@ -302,7 +302,8 @@ std::string cells_section(const History& history) {
   html +=
       "<div class=scroll><table class=sortable><thead><tr><th>Algorithm</th><th>Family</th><th "
       "class=num>n</th><th>Study</th><th "
-      "class=num>Environment</th><th>Time</th><th>Instructions</th><th>Volume</th><th>Bends per "
+      "class=num>Environment</th><th>Time</th><th>Instructions</th><th>Estimated "
+      "cycles</th><th>Volume</th><th>Bends per "
       "edge</th></tr></thead><tbody>\n";
   std::size_t shown = 0;
   for (const auto& [key, lines] : cells) {
@@ -315,7 +316,8 @@ std::string results_section(const History& history) {
   std::string html =
       "<section id=results><h2>Results</h2><div class=scroll><table><thead><tr><th "
       "class=num>Place</th><th>Name</th><th>Commit</th><th>Study</th><th>Begun</th><th "
-      "class=num>Environment</th><th class=num>Unfinished rows</th><th>Times left "
+      "class=num>Environment</th><th class=num>Unfinished rows</th><th class=num>Machine, times as "
+      "slow as usual</th><th>Times left "
       "out</th></tr></thead><tbody>\n";
   for (const CommitResults& one : history.results) {
     html += "<tr>" + cell(fmt::format("{}", one.place), true) + cell(escape(one.name)) +
@@ -323,7 +325,7 @@ std::string results_section(const History& history) {
             cell(escape(one.study)) + cell(escape(one.created)) +
             cell(fmt::format("{}", one.environment + 1), true) +
             cell(report::grouped(static_cast<std::int64_t>(one.unfinished)), true) +
-            note(escape(one.untimed)) + "</tr>\n";
+            cell(fmt::format("{:.2f}", one.slowness), true) + note(escape(one.untimed)) + "</tr>\n";
   }
   return html + "</tbody></table></div></section>\n";
 }

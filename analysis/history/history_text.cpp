@@ -14,6 +14,7 @@ namespace ar3d {
 namespace {
 
 constexpr std::size_t kMostNotes = 5;
+constexpr double kSlowNote = 0.05;  // of a logarithm
 
 bool is_commit(const std::string& hash) {
   return hash.size() == 40 && hash.find_first_not_of("0123456789abcdef") == std::string::npos;
@@ -95,8 +96,10 @@ std::string percent_change(double log_ratio) {
 }
 
 const char* direction_text(const PlacedChange& placed) {
-  constexpr const char* kMore[] = {"slower", "more instructions", "larger volume", "more bends"};
-  constexpr const char* kLess[] = {"faster", "fewer instructions", "smaller volume", "fewer bends"};
+  constexpr const char* kMore[] = {"slower", "more instructions", "more cycles", "larger volume",
+                                   "more bends"};
+  constexpr const char* kLess[] = {"faster", "fewer instructions", "fewer cycles", "smaller volume",
+                                   "fewer bends"};
   if (!(std::abs(placed.change->effect) > 0)) return "other drawings";
   return (placed.change->effect > 0 ? kMore
                                     : kLess)[static_cast<std::size_t>(placed.line->measure)];
@@ -151,6 +154,11 @@ std::string summary(const History& history, std::size_t most) {
   if (untimed > kMostNotes) {
     text += fmt::format("note     times of {} more are left out\n", untimed - kMostNotes);
   }
+  for (const CommitResults& results : history.results) {
+    if (std::abs(std::log(results.slowness)) < kSlowNote) continue;
+    text += fmt::format("note     times of {} are divided by {:.2f}, as the machine was slower\n",
+                        results.file, results.slowness);
+  }
   const std::size_t environments = history.environments.size();
   text += fmt::format("history  {} results, {} environment{}; {}\n", history.results.size(),
                       environments, environments == 1 ? "" : "s", judged_text(history));
@@ -169,6 +177,7 @@ std::string history_json(const History& history) {
                        {"created", valid_utf8(one.created)},
                        {"environment", one.environment},
                        {"times_left_out", valid_utf8(one.untimed)},
+                       {"slowness", json_number(one.slowness)},
                        {"unfinished_rows", one.unfinished}});
   }
   for (const HistoryLine& line : history.lines) {

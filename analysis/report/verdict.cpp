@@ -84,18 +84,22 @@ std::string where(const CellComparison& cell) {
   return family_label(cell.key) + (cell.n >= 0 ? fmt::format(", n = {}", cell.n) : ", all n");
 }
 
-/// The cells that are neither a plain pass nor merely unjudged, the heaviest verdicts first.
+/// The cells that are neither a plain pass nor merely unjudged or inconclusive, the heaviest
+/// verdicts first.
 std::string cell_list(const Comparison& comparison) {
   std::string rows;
   std::size_t found = 0;
   for (const Verdict verdict : kVerdicts) {
     for (const CellComparison& cell : comparison.cells) {
       const bool is_plain = verdict == Verdict::pass || verdict == Verdict::unjudged;
-      if (cell.verdict != verdict || (is_plain && cell.reason.empty())) continue;
+      if (verdict == Verdict::inconclusive || cell.verdict != verdict) continue;
+      if (is_plain && cell.reason.empty()) continue;
       if (++found > kShownCells) continue;
       rows += fmt::format("<tr><td>{}</td><th scope=row>{}</th><td>{}</td>", to_string(verdict),
                           escape(algorithm_label(cell.key)), escape(where(cell))) +
               report::cell(change(time_ratio(cell)), true) +
+              report::cell(change(std::exp(cell.counts.instructions)), true) +
+              report::cell(change(std::exp(cell.counts.cycles)), true) +
               report::cell(change(std::exp2(cell.log2_volume_change)), true) +
               note(escape(cell.reason)) + "</tr>\n";
     }
@@ -108,8 +112,9 @@ std::string cell_list(const Comparison& comparison) {
           : "";
   return fmt::format("<details><summary>Where something changed ({})</summary>",
                      grouped(static_cast<std::int64_t>(found))) +
-         table_head({"Verdict", "Setting", "Graphs", "#Time", "#Volume", "Why"}) + rows +
-         "</tbody></table></div>" + rest + "</details>\n";
+         table_head({"Verdict", "Setting", "Graphs", "#Time", "#Instructions", "#Cycles", "#Volume",
+                     "Why"}) +
+         rows + "</tbody></table></div>" + rest + "</details>\n";
 }
 
 std::string lines(const std::vector<std::string>& all, const char* css) {

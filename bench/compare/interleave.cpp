@@ -19,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kInterruptedCode = 130;
+constexpr std::int64_t kTimedRepetitions = 5;  // of one run at most; the smallest time counts
 
 std::string last_line(const fs::path& path) {
   std::ifstream file(path);
@@ -40,7 +41,8 @@ class Arena {
       fs::create_directories(root_ / side);
       fs::copy_file(*program, root_ / side / "ar3d", fs::copy_options::overwrite_existing);
     }
-    std::ofstream(root_ / "study.toml", std::ios::binary) << movable_text(spec);
+    std::ofstream(root_ / "study.toml", std::ios::binary)
+        << text_of_a_turn(spec, kTimedRepetitions);
   }
   Arena(const Arena&) = delete;
   Arena& operator=(const Arena&) = delete;
@@ -60,7 +62,7 @@ class Arena {
     std::vector<std::vector<std::string>> commands = {{program, "study", "run",
                                                        (root_ / "study.toml").string(), "--threads",
                                                        "1", "--quiet", "-o", results.string()}};
-    if (options.count_instructions) {
+    if (options.count && round == 0) {
       commands.push_back({program, "study", "count", results.string()});
     }
     for (const std::vector<std::string>& command : commands) {

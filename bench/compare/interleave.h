@@ -11,9 +11,9 @@ namespace ar3d {
 
 struct InterleaveOptions {
   std::size_t rounds = 15;
-  int core = -1;                    ///< that both programs are pinned to; -1: the last allowed one
-  std::FILE* progress = nullptr;    ///< where to tell how far it is; null: nowhere
-  bool count_instructions = false;  ///< `study count` after each run
+  int core = -1;                  ///< that both programs are pinned to; -1: the last allowed one
+  std::FILE* progress = nullptr;  ///< where to tell how far it is; null: nowhere
+  bool count = false;             ///< `study count` after the first run of each
 };
 
 /// What two programs measured in turns; base[i] and now[i] belong to round i.

@@ -23,8 +23,8 @@ struct PlannedRun {
   RunPhase phase = RunPhase::metrics;
   std::int64_t scale = -1;  ///< threads or ranks that share the row's batch; -1: it is in none
   std::uint32_t batch = 0;  ///< rows of a phase with equal scale and batch are drawn together
-  /// A study is complete without it: it is only made while the median of the repetitions before it
-  /// is less precise than `precision`.
+  /// A study is complete without it: it is only made while the smallest times before it are not
+  /// stable within `precision`.
   bool optional = false;
   double precision = 0;
 };

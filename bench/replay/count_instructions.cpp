@@ -1,28 +1,31 @@
 #include "ar3d/bench/replay/count_instructions.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
+#include <malloc.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
-#include <climits>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <optional>
+#include <sstream>
 #include <string_view>
-#include <vector>
+#include <tuple>
 
 #include "ar3d/base/error.h"
 #include "ar3d/bench/measure/environment.h"
+#include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/replay/replay_row.h"
+#include "ar3d/bench/run/row_maker.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/model/settings.h"
 
-// A name without mangling that no optimiser may remove: callgrind counts from its entry to its end.
+// A name without mangling that no optimiser may remove: callgrind counts from its entry to its end,
+// and writes down there what it has counted.
 extern "C" __attribute__((noinline)) void ar3d_counted_drawing(
     const ar3d::Graph* graph, const ar3d::AlgorithmChoice* choice) {
   ar3d::draw(*choice->algorithm, *graph, choice->options);
@@ -32,127 +35,213 @@ extern "C" __attribute__((noinline)) void ar3d_counted_drawing(
 namespace ar3d {
 namespace {
 
-constexpr std::string_view kFileFamily = "file:";
-constexpr const char* kInstall = "sudo apt-get install valgrind";
+namespace fs = std::filesystem;
 
-// A file that is removed when it is no longer used.
-class ScratchFile {
+constexpr std::size_t kSimulatedBytes = 8388608, kLine = 64;  // of the last level of the cache
+// As begin_alike(): the allocator keeps no pieces that were used before.
+constexpr const char* kNoCache = "GLIBC_TUNABLES=glibc.malloc.tcache_count=0";
+constexpr std::string_view kFileFamily = "file:";
+
+// A folder that is removed when it is no longer used.
+class ScratchFolder {
  public:
-  ScratchFile() {
-    const int descriptor = mkstemp(path_.data());
-    if (descriptor < 0) {
-      throw InputError(fmt::format("cannot create {}: {}", path_, std::strerror(errno)));
-    }
-    close(descriptor);
+  ScratchFolder() {
+    if (mkdtemp(path_.data()) != nullptr) return;
+    throw InputError(fmt::format("cannot create {}: {}", path_, std::strerror(errno)));
   }
-  ~ScratchFile() { unlink(path_.c_str()); }
-  ScratchFile(const ScratchFile&) = delete;
-  ScratchFile& operator=(const ScratchFile&) = delete;
-  const std::string& path() const { return path_; }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  std::string file(const std::string& name) const { return path_ + "/" + name; }
 
  private:
-  std::string path_ = (std::filesystem::temp_directory_path() / "ar3d-callgrind-XXXXXX").string();
+  std::string path_ = (fs::temp_directory_path() / "ar3d-callgrind-XXXXXX").string();
 };
 
-std::string own_path() {
-  char path[PATH_MAX + 1] = {};
-  if (readlink("/proc/self/exe", path, PATH_MAX) < 0) {
-    throw InputError(fmt::format("cannot read /proc/self/exe: {}", std::strerror(errno)));
-  }
-  return path;
+// What a drawing costs must not depend on those before it: all that they free becomes one piece of
+// the heap again, which never grows or shrinks.
+void begin_alike() {
+  constexpr int kHeapBytes = 1 << 28;
+  mallopt(M_MXFAST, 0);
+  mallopt(M_MMAP_THRESHOLD, kHeapBytes);
+  mallopt(M_TRIM_THRESHOLD, 2 * kHeapBytes);
+  mallopt(M_TOP_PAD, kHeapBytes);
 }
 
-std::vector<std::string> command_line(const RunRecord& row, const std::string& output) {
-  return {"valgrind",
+std::vector<std::string> command_line(const std::string& orders, const std::string& output) {
+  return {"env",
+          "LD_BIND_NOW=1",  // so that no drawing is the first to call a function
+          kNoCache,
+          "valgrind",
           "--tool=callgrind",
-          "--callgrind-out-file=" + output,
+          "--cache-sim=yes",
+          fmt::format("--I1=32768,8,{}", kLine),
+          fmt::format("--D1=32768,8,{}", kLine),
+          fmt::format("--LL={},16,{}", kSimulatedBytes, kLine),
           "--toggle-collect=ar3d_counted_drawing",
+          "--dump-after=ar3d_counted_drawing",
+          "--combine-dumps=yes",
+          "--callgrind-out-file=" + output,
           "--quiet",
-          own_path(),
+          fs::read_symlink("/proc/self/exe").string(),
           "study",
-          kDrawOnceVerb,
-          row.family,
-          "parameters:" + row.parameters,
-          std::to_string(row.requested_n),
-          std::to_string(row.seed),
-          row.algorithm,
-          "options:" + row.options};
+          kDrawCountedVerb,
+          orders};
 }
 
-// Runs a program of $PATH with its output thrown away; its exit code.
-int run_quietly(std::vector<std::string> words) {
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
-  pid_t pid = -1;
-  const int error =
-      posix_spawnp(&pid, words[0].c_str(), &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) {
-    throw InputError(
-        fmt::format("cannot run {}: {} ({})", words[0], std::strerror(error), kInstall));
+// The costs of a part: its line "summary: …" in the order of "events: Ir Dr Dw I1mr …".
+DrawingCounts counts_of(const std::string& events, const std::string& summary) {
+  std::istringstream names(events), numbers(summary);
+  std::string name;
+  std::int64_t number = 0;
+  DrawingCounts counts{0, 0};
+  while (names >> name && numbers >> number) {
+    if (name == "Ir") counts.instructions = number;
+    const bool is_first = name.starts_with("I1") || name.starts_with("D1");
+    const int weight = name == "Ir"                                       ? 1
+                       : is_first                                         ? 10
+                       : name.starts_with("IL") || name.starts_with("DL") ? 100
+                                                                          : 0;
+    counts.estimated_cycles += weight * number;
   }
-  int status = 0;
-  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return counts;
 }
 
-// The total of a callgrind output file: its line "totals: N" or "summary: N".
-std::int64_t total_of(const std::string& path) {
+// The parts of a callgrind output file that have counted something, in order.
+std::vector<DrawingCounts> parts_of(const std::string& path) {
+  constexpr std::string_view kEvents = "events: ", kSummary = "summary: ";
+  std::vector<DrawingCounts> parts;
   std::ifstream in(path);
+  std::string events;
   for (std::string line; std::getline(in, line);) {
-    for (const std::string_view key : {"totals: ", "summary: "}) {
-      if (line.starts_with(key)) return std::strtoll(line.c_str() + key.size(), nullptr, 10);
-    }
+    if (line.starts_with(kEvents)) events = line.substr(kEvents.size());
+    if (!line.starts_with(kSummary)) continue;
+    const DrawingCounts counts = counts_of(events, line.substr(kSummary.size()));
+    if (counts.instructions > 0) parts.push_back(counts);
   }
-  return 0;
+  return parts;
+}
+
+// Writes down what is to be drawn, and graphs of files beside it.
+void write_orders(const std::vector<const RunRecord*>& rows, const StudyOrigin& origin,
+                  const ScratchFolder& scratch, const std::string& path) {
+  std::ofstream orders(path);
+  std::string last_hash, last_file;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const RunRecord& row = *rows[i];
+    const PlannedInstance instance = plan_of_row(row, origin);
+    std::string family = row.family;
+    if (instance.choice.corpus) {
+      if (row.graph_hash != last_hash) {
+        last_hash = row.graph_hash;
+        last_file = scratch.file(fmt::format("{}.s6", i));
+        write_graphs({graph_of(instance)}, find_graph_format("sparse6"), last_file);
+      }
+      family = std::string(kFileFamily) + last_file;
+    }
+    orders << fmt::format("{}\t{}\t{}\t{}\t{}\t{}\n", family, row.parameters, row.requested_n,
+                          row.seed, row.algorithm, row.options);
+  }
+  orders.close();
+  if (!orders) throw InputError(fmt::format("cannot write {}", path));
+}
+
+// Whether the drawing is there, and not of a program of the study's own.
+bool can_be_counted(const RunRecord& row, const StudyOrigin& origin) {
+  const auto is_named = [&](const auto& program) { return program->row.name == row.algorithm; };
+  if (!is_drawn(row)) return false;
+  if (!origin.spec) return true;
+  return std::none_of(origin.spec->programs.begin(), origin.spec->programs.end(), is_named);
+}
+
+RunRecord order_of(const std::string& line) {
+  std::istringstream words(line);
+  RunRecord row;
+  std::string n, seed;
+  for (std::string* word :
+       {&row.family, &row.parameters, &n, &seed, &row.algorithm, &row.options}) {
+    std::getline(words, *word, '\t');
+  }
+  row.requested_n = std::strtoll(n.c_str(), nullptr, 10);
+  row.seed = std::strtoull(seed.c_str(), nullptr, 10);
+  return row;
 }
 
 }  // namespace
 
-void draw_for_counting(const RunRecord& row) {
-  if (row.family.starts_with(kFileFamily)) {
+std::string counting_problem() {
+  if (std::string_view(build_kind()) == "sanitised") {
+    return "a sanitised build cannot run under callgrind";
+  }
+  static const int code = run_child({"valgrind", "--version"}, {.output = "/dev/null"});
+  return code == 0 ? "" : "valgrind cannot be run (sudo apt-get install valgrind)";
+}
+
+void draw_for_counting(const std::string& file) {
+  begin_alike();
+  std::vector<char> sweep(2 * kSimulatedBytes);
+  std::ifstream in(file);
+  std::optional<Graph> graph;
+  std::string graph_words;
+  for (std::string line; std::getline(in, line);) {
+    const RunRecord row = order_of(line);
     const Algorithm& algorithm = find_algorithm(row.algorithm);
     const AlgorithmChoice choice{&algorithm,
                                  complete_options(algorithm, parse_settings(row.options))};
-    const Graph graph = read_graph(row.family.substr(kFileFamily.size()));
-    return ar3d_counted_drawing(&graph, &choice);
+    std::string words = line.substr(0, line.find("\t" + row.algorithm + "\t"));
+    if (words != graph_words) {
+      graph.reset();
+      graph = row.family.starts_with(kFileFamily)
+                  ? read_graph(row.family.substr(kFileFamily.size()))
+                  : graph_of(plan_of_row(row));
+      graph_words = std::move(words);
+    }
+    for (std::size_t i = 0; i < sweep.size(); i += kLine) sweep[i] = 1;  // nothing else is cached
+    ar3d_counted_drawing(&*graph, &choice);
   }
-  const PlannedInstance instance = plan_of_row(row);
-  const Graph graph = graph_of(instance);
-  ar3d_counted_drawing(&graph, &instance.runs.front().choice);
 }
 
-std::int64_t count_instructions(const RunRecord& row, const StudyOrigin& origin) {
-  if (std::string_view(build_kind()) == "sanitised") {
-    throw InputError("a sanitised build cannot run under callgrind");
+std::vector<DrawingCounts> count_drawings(const std::vector<const RunRecord*>& rows,
+                                          const StudyOrigin& origin) {
+  if (const std::string problem = counting_problem(); !problem.empty()) throw InputError(problem);
+  const ScratchFolder scratch;
+  const std::string orders = scratch.file("orders"), output = scratch.file("counts");
+  write_orders(rows, origin, scratch, orders);
+  const int exit_code = run_child(command_line(orders, output),
+                                  {.output = "/dev/null", .ends_when_interrupted = true});
+  if (is_interrupted()) return {};
+  std::vector<DrawingCounts> counts = parts_of(output);
+  if (exit_code == 0 && counts.size() == rows.size()) return counts;
+  throw InputError(fmt::format("callgrind ended with code {} behind {} of {} drawings", exit_code,
+                               counts.size(), rows.size()));
+}
+
+std::size_t fill_counts(Results& results, std::int64_t max_n) {
+  const StudyOrigin origin = study_origin(results);
+  using Key = std::tuple<std::string, std::string, std::string>;
+  const auto key_of = [](const RunRecord& run) -> Key {
+    return {run.graph_hash, run.algorithm, run.options};
+  };
+  std::map<Key, DrawingCounts> counts;
+  std::vector<const RunRecord*> rows;
+  for (const RunRecord& run : results.runs) {
+    if (run.n > max_n || !can_be_counted(run, origin)) continue;
+    if (counts.try_emplace(key_of(run)).second) rows.push_back(&run);
   }
-  const ScratchFile output;
-  const PlannedInstance instance = plan_of_row(row, origin);
-  if (instance.runs.front().choice.program) {
-    throw InputError(
-        fmt::format("{} is a program of its own: nobody counts its instructions", row.algorithm));
+  if (rows.empty()) return 0;
+  const std::vector<DrawingCounts> counted = count_drawings(rows, origin);
+  if (counted.empty()) return 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) counts[key_of(*rows[i])] = counted[i];
+  for (RunRecord& run : results.runs) {
+    const auto at = counts.find(key_of(run));
+    if (at == counts.end()) continue;
+    run.counted_instructions = at->second.instructions;
+    run.estimated_cycles = at->second.estimated_cycles;
   }
-  std::optional<ScratchFile> graph;
-  RunRecord drawn = row;
-  if (instance.choice.corpus) {
-    graph.emplace();
-    write_graphs({graph_of(instance)}, find_graph_format("sparse6"), graph->path());
-    drawn.family = std::string(kFileFamily) + graph->path();
-  }
-  const int exit_code = run_quietly(command_line(drawn, output.path()));
-  const std::int64_t count = exit_code == 0 ? total_of(output.path()) : 0;
-  if (count <= 0) {
-    throw InputError(
-        fmt::format("callgrind counted nothing for row {} (valgrind ended with code {})",
-                    row.row_key, exit_code));
-  }
-  return count;
+  return rows.size();
 }
 
 }  // namespace ar3d

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -15,31 +16,14 @@
 #include "ar3d/bench/plan/plan.h"
 
 namespace ar3d {
-namespace {
-
-// The largest k with P(at most k - 1 of n fair coins show heads) <= 2.5 %: the interval from the
-// k-th smallest to the k-th largest value has at least 95 % confidence. 0 if there is none.
-std::size_t order_of_bound(std::size_t n) {
-  double log_probability = -static_cast<double>(n) * std::log(2.0);  // of exactly k heads
-  double sum = 0;
-  for (std::size_t k = 0; k < n; ++k) {
-    sum += std::exp(log_probability);
-    if (sum > 0.025) return k;
-    log_probability += std::log(static_cast<double>(n - k)) - std::log(static_cast<double>(k + 1));
-  }
-  return 0;
-}
-
-}  // namespace
-
-double median_precision(std::vector<double> values) {
-  const std::size_t n = values.size();
-  const std::size_t bound = order_of_bound(n);
-  if (bound == 0) return std::numeric_limits<double>::infinity();
-  std::sort(values.begin(), values.end());
-  const double median = (values[(n - 1) / 2] + values[n / 2]) / 2;
-  if (!(median > 0)) return std::numeric_limits<double>::infinity();
-  return (values[n - bound] - values[bound - 1]) / 2 / median;
+double halves_difference(std::span<const double> values) {
+  const auto smallest = [](std::span<const double> half) {
+    return half.empty() ? 0 : *std::min_element(half.begin(), half.end());
+  };
+  const double first = smallest(values.first(values.size() / 2));
+  const double second = smallest(values.subspan(values.size() / 2));
+  if (!(first > 0 && second > 0)) return std::numeric_limits<double>::infinity();
+  return std::abs(std::log(first / second));
 }
 
 namespace {
@@ -113,31 +97,29 @@ struct TimedDrawing {
   std::vector<double> times_s;
   std::optional<RunRecord> certified;
 
-  bool needs_more() const {
-    if (left.empty()) return false;
-    const PlannedRun& next = *left.front();
-    return !next.optional || median_precision(times_s) > next.precision;
-  }
+  bool has_optional() const { return !left.empty() && left.front()->optional; }
+  bool is_stable() const { return halves_difference(times_s) <= left.front()->precision; }
 };
 
 class TimingSource final : public RowSource {
  public:
+  static constexpr double kEnough = 0.95;  // of the drawings
+
   explicit TimingSource(StudySession& session) : RowSource(session), rules_(session.plan().timing) {
     for (const PlannedBlock& block : session.plan().instances.blocks()) {
       if (!has_run(block.first, [](RunPhase phase) { return phase == RunPhase::timing; })) continue;
       for (std::size_t i = 0; i < block.count; ++i) add_drawings(block.first_place + i);
     }
-    for (std::size_t i = 0; i < drawings_.size(); ++i) {
-      if (drawings_[i].needs_more()) round_.push_back(i);
-    }
+    begin_round();
   }
 
   std::optional<RowJob> next(int) override {
     const std::lock_guard<std::mutex> lock(mutex_);
-    while (!round_.empty()) {
+    while (!round_.empty() || begin_round()) {
       const std::size_t place = round_.front();
       round_.pop_front();
       TimedDrawing& drawing = drawings_[place];
+      if (drawing.left.empty()) continue;  // it has failed meanwhile
       if (const auto failed = session().failure(*drawing.instance, *drawing.left.front())) {
         fail_all(drawing, *failed);
         continue;
@@ -166,8 +148,7 @@ class TimingSource final : public RowSource {
       fail_all(drawing, row);
       return;
     }
-    drawing.times_s.push_back(row.wall_s);
-    if (drawing.needs_more()) round_.push_back(place);
+    drawing.times_s.push_back(drawing_time_s(row));
   }
 
  private:
@@ -187,9 +168,25 @@ class TimingSource final : public RowSource {
       if (session().wants(run)) {
         drawings_.back().left.push_back(&run);
       } else if (const RunRecord known = session().known(run); is_drawn(known)) {
-        drawings_.back().times_s.push_back(known.wall_s);
+        drawings_.back().times_s.push_back(drawing_time_s(known));
       }
     }
+  }
+
+  // All drawings that have a row left, the optional ones only while too few are stable. Rows of the
+  // round before that other workers have in hand do not count yet. False: there is none.
+  bool begin_round() {
+    std::size_t optional = 0, stable = 0;
+    for (const TimedDrawing& drawing : drawings_) {
+      optional += drawing.has_optional();
+      stable += drawing.has_optional() && drawing.is_stable();
+    }
+    const bool is_enough = static_cast<double>(stable) >= kEnough * static_cast<double>(optional);
+    for (std::size_t i = 0; i < drawings_.size(); ++i) {
+      const bool has_more = !drawings_[i].left.empty();
+      if (has_more && !(is_enough && drawings_[i].has_optional())) round_.push_back(i);
+    }
+    return !round_.empty();
   }
 
   // Every row that the study needs of a drawing that failed is a row that says so.

@@ -1,24 +1,25 @@
 #pragma once
 
 #include <memory>
-#include <vector>
+#include <span>
 
 #include "ar3d/bench/run/session.h"
 
 namespace ar3d {
 
-/// Half the width of the 95 % confidence interval of the median, divided by the median. The
-/// interval lies between two order statistics, from the binomial distribution: it holds for any
-/// continuous distribution. Infinite for fewer than six values (no such interval) or a median that
-/// is not positive.
-double median_precision(std::vector<double> values);
+/// Whether the smallest time has been seen: the absolute logarithm of the ratio between the
+/// smallest of the first half of the values and the smallest of the second. Infinite for fewer than
+/// two values or one that is not positive.
+double halves_difference(std::span<const double> values);
 
 /// The first phase of a study: every instance in one worker, its drawings certified, repetitions in
 /// the outer loop.
 std::unique_ptr<RowSource> metrics_source(StudySession& session);
 
 /// The second phase of a study: round after round over all drawings, one repetition of each a
-/// round, so that what disturbs the machine for a while disturbs all alike. The first row of a
+/// round, so that what disturbs the machine for a while disturbs all alike: of a row of this phase
+/// `repetition` is the round. Optional rounds are made until in 95 % of the drawings that have some
+/// left halves_difference() of their drawing times is at most the precision. The first row of a
 /// drawing is certified, the others must be the same drawing (its hash) and take over the
 /// certificate.
 std::unique_ptr<RowSource> timing_source(StudySession& session);

@@ -183,6 +183,10 @@ RunRecord RowMaker::begun(const PlannedRun& planned) const {
 
 RunRecord RowMaker::make_row(const PlannedRun& planned, const RowRequest& request) {
   RunRecord run = begun(planned);
+  if (planned.phase == RunPhase::timing) {
+    if (!yardsticks_) yardsticks_.emplace();
+    run.yardsticks_s = yardsticks_->now_s();
+  }
   run.base_bytes = memory_.begin_row();
   if (graph_) attempt(run, [&] { draw_and_certify(planned, request, run); });
   run.peak_bytes = memory_.peak_bytes();

@@ -6,6 +6,7 @@
 
 #include "ar3d/bench/external/external_drawer.h"
 #include "ar3d/bench/measure/instruments.h"
+#include "ar3d/bench/measure/yardsticks.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/model/graph.h"
 #include "ar3d/store/columns/run_record.h"
@@ -49,6 +50,7 @@ class RowMaker {
   Circumstances circumstances_;
   HardwareCounters counters_;
   RowMemory memory_;
+  std::optional<Yardsticks> yardsticks_;  ///< once a row of the timing phase was made
   RunRecord base_;
   std::optional<Graph> graph_;
   std::optional<GraphNeeds> needs_;  // once a row asks; with the bisection of every first instance

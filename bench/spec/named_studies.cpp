@@ -84,4 +84,27 @@ std::string movable_text(const StudySpec& spec) {
   return text.str();
 }
 
+std::string text_of_a_turn(const StudySpec& spec, std::int64_t most_timed) {
+  const auto is_long = [&](const Sweep& sweep) { return sweep.timed.most > most_timed; };
+  const bool has_long = std::any_of(spec.sweeps.begin(), spec.sweeps.end(), is_long);
+  if (!spec.count && !has_long) return movable_text(spec);
+  toml::table study = parse_toml(movable_text(spec), spec.name);
+  study.erase("count");
+  const auto shorten = [&](toml::node& node) {
+    toml::table* const sweep = node.as_table();
+    if (sweep == nullptr || !sweep->contains("timed_repetitions")) return;
+    const std::int64_t asked = (*sweep)["timed_repetitions"].value_or(most_timed);
+    sweep->insert_or_assign("timed_repetitions", std::min(asked, most_timed));
+  };
+  if (toml::node* const sweeps = study.get("sweep")) {
+    shorten(*sweeps);
+    if (toml::array* const list = sweeps->as_array()) {
+      for (toml::node& sweep : *list) shorten(sweep);
+    }
+  }
+  std::ostringstream text;
+  text << study << '\n';
+  return text.str();
+}
+
 }  // namespace ar3d

@@ -43,6 +43,7 @@ class SpecReader {
     }
     if (const toml::node* budget = table.find("budget")) spec.budget = read_budget(file_, *budget);
     spec.accept_unproved = table.boolean("accept_unproved", false);
+    spec.count = table.boolean("count", false);
     if (const toml::node* mode = table.find("certificate")) {
       spec.certificate = toml_parsed(file_, *mode, "certificate", parse_certificate_mode);
     }

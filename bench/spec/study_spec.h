@@ -20,8 +20,9 @@
 
 namespace ar3d {
 
-/// How often a drawing is repeated in the timing phase: until the median's relative precision is
-/// reached, between `least` and `most` times; exactly `most` times if precision is 0.
+/// Rounds of the timing phase, each with one repetition of a drawing: between `least` and `most`,
+/// until the smallest times are stable within the precision (timing_source); exactly `most` if it
+/// is 0.
 struct TimedRepetitions {
   std::uint32_t least = 0;
   std::uint32_t most = 0;
@@ -140,6 +141,7 @@ struct StudySpec {
   Budget budget;
   CertificateMode certificate = CertificateMode::exact;  ///< of the sweeps that name none
   KeptDrawings keep_drawings = KeptDrawings::none;
+  bool count = false;            ///< made to be compared: drawings are counted where they can be
   bool accept_unproved = false;  ///< its verdict passes with rows that are not proved exactly
   std::string text;              ///< the verbatim TOML
   std::string folder;  ///< that the files of `graphs` are looked for in; empty: the current one
@@ -207,5 +209,9 @@ const NamedStudy* find_named_study(std::string_view name);
 /// The text of the specification, to be kept in another folder: the paths of `graphs` are absolute.
 /// A study without graphs of files keeps its text byte for byte.
 std::string movable_text(const StudySpec& spec);
+
+/// The same for one of many runs of the study, also by older programs: without `count`, and with at
+/// most `most_timed` timed repetitions.
+std::string text_of_a_turn(const StudySpec& spec, std::int64_t most_timed);
 
 }  // namespace ar3d

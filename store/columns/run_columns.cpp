@@ -143,6 +143,8 @@ struct ColumnList {
 };
 
 constexpr std::array<const char*, 3> kAxes = {"_x", "_y", "_z"};
+constexpr std::array<const char*, 3> kYardstickColumns = {"_cached_s", "_memory_s",
+                                                          "_arithmetic_s"};
 constexpr std::array<const char*, 8> kBends = {"_0", "_1", "_2", "_3", "_4", "_5", "_6", "_7"};
 
 void add_identity(ColumnList& c) {
@@ -262,6 +264,8 @@ void add_times(ColumnList& c) {
   c.number("concurrency", "1", &R::concurrency, "rows that this study makes at the same time");
   c.number("core", "1", &R::core, "core that the row was pinned to; missing if none");
   c.number("warm_ups", "1", &R::warm_ups, "drawings of the graph just before, thrown away");
+  c.array("yardstick", "s", &R::yardsticks_s, kYardstickColumns,
+          "CPU time of a yardstick near the row, which tells how fast the machine was");
   c.text("build_kind", 16, &R::build_kind,
          "why times are worth little: debug or sanitised; else empty");
 }
@@ -274,6 +278,8 @@ void add_counts(ColumnList& c) {
   c.number("cache_misses", "1", &R::cache_misses, kCounted);
   c.number("counted_instructions", "1", &R::counted_instructions,
            "of drawing, counted by callgrind");
+  c.number("estimated_cycles", "1", &R::estimated_cycles,
+           "instructions + 10 first-level + 100 last-level misses of callgrind's simulated cache");
   c.number("base_bytes", "bytes", &R::base_bytes, "resident memory when the row began");
   c.number("draw_peak_bytes", "bytes", &R::draw_peak_bytes, "peak resident memory while drawing");
   c.number("peak_bytes", "bytes", &R::peak_bytes, "peak resident memory, as peak_scope says");

@@ -43,6 +43,10 @@ constexpr bool is_over_ranks(RunPhase phase) { return phase >= RunPhase::strong_
 /// @throws InputError naming the text if it is no phase.
 RunPhase parse_run_phase(std::string_view text);
 
+/// What is measured beside timed rows: a search of a graph that fits a core's caches, of one that
+/// does not, and arithmetic without memory.
+inline constexpr std::array kYardsticks = {"cached", "memory", "arithmetic"};
+
 /// One row of /runs: instance x algorithm x options x repetition. Times in seconds, memory in
 /// bytes, lengths and extents in lattice units. Missing integers are -1, missing floats NaN; never
 /// 0.
@@ -100,15 +104,18 @@ struct RunRecord {
   double cpu_s = kMissing;    ///< drawing only, CPU time of the thread
   double store_s = kMissing;  ///< storing positions or bends, as the level asks
   double certify_s = kMissing;
-  double write_s = kMissing;       ///< formatting the drawing as JSON lines into nothing
-  std::int64_t concurrency = -1;   ///< rows that this study makes at the same time
-  std::int64_t core = -1;          ///< core that the row was pinned to
-  std::int64_t warm_ups = -1;      ///< drawings of the same graph just before, thrown away
+  double write_s = kMissing;      ///< formatting the drawing as JSON lines into nothing
+  std::int64_t concurrency = -1;  ///< rows that this study makes at the same time
+  std::int64_t core = -1;         ///< core that the row was pinned to
+  std::int64_t warm_ups = -1;     ///< drawings of the same graph just before, thrown away
+  /// CPU times of yardsticks near the row, which tell how fast the machine was: kYardsticks.
+  std::array<double, 3> yardsticks_s{kMissing, kMissing, kMissing};
   std::string build_kind;          ///< why its times are worth little: "debug", "sanitised"
   std::int64_t instructions = -1;  ///< drawing only, by hardware counters, user space
   std::int64_t cycles = -1;
   std::int64_t cache_misses = -1;
   std::int64_t counted_instructions = -1;  ///< drawing only, counted by callgrind
+  std::int64_t estimated_cycles = -1;      ///< of the same, with callgrind's simulated cache
   std::int64_t base_bytes = -1;            ///< resident memory when the row began
   std::int64_t draw_peak_bytes = -1;       ///< peak resident memory while drawing
   std::int64_t peak_bytes = -1;     ///< peak resident memory from the row's beginning to its end
@@ -118,5 +125,11 @@ struct RunRecord {
   double efficiency = kMissing;     ///< ideal_batch_s / batch_s
   std::int64_t session = -1;        ///< which of the /environments it was made in
 };
+
+/// The time of drawing that is judged: CPU time of the thread, since other processes lengthen only
+/// the wall time by taking turns with it; wall time where the CPU time is missing.
+inline double drawing_time_s(const RunRecord& run) {
+  return run.cpu_s > 0 ? run.cpu_s : run.wall_s;
+}
 
 }  // namespace ar3d

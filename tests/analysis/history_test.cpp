@@ -130,6 +130,38 @@ TEST(History, TimesOfABusyMachineOrADebugBuildAreLeftOutAndSaid) {
   EXPECT_THAT(summary(history), HasSubstr("a debug build"));
 }
 
+TEST(History, TimesOfABusySpellAreCorrectedByTheYardstickAndSaid) {
+  const ScratchDirectory scratch;
+  write_history(scratch, [](std::size_t commit, Results& results) {
+    const double slowness = commit >= 11 ? 1.3 : 1;  // from then on the machine is slow
+    if (commit >= 11) results.environment[2].value = "1.90";
+    for (RunRecord& run : results.runs) {
+      run.wall_s *= slowness;
+      run.yardsticks_s = {slowness, slowness, slowness};
+    }
+  });
+  const History history = read(scratch);
+  EXPECT_THAT(line_of(history, "a", Measure::time).values, SizeIs(kCommits));
+  EXPECT_EQ(num_changes(history), 1U) << "the program's, at commit 8";
+  EXPECT_NEAR(history.results[12].slowness, 1.3, 1e-9);
+  EXPECT_THAT(summary(history), HasSubstr("divided by 1.30"));
+}
+
+TEST(History, WhereAllResultsHaveCountsTheyAreJudgedAndTimesAreNot) {
+  const ScratchDirectory scratch;
+  write_history(scratch, [](std::size_t commit, Results& results) {
+    for (RunRecord& run : results.runs) {
+      run.estimated_cycles = run.family == "a" && commit >= 5 ? 2100000 : 2000000;
+    }
+  });
+  const History history = read(scratch);
+  EXPECT_FALSE(line_of(history, "b", Measure::time).is_judged);
+  EXPECT_EQ(num_changes(history), 1U);
+  ASSERT_THAT(line_of(history, "a", Measure::cycles).changes, SizeIs(1));
+  EXPECT_EQ(line_of(history, "a", Measure::cycles).changes[0].at, 5U);
+  EXPECT_THAT(summary(history), HasSubstr("--measure cycles"));
+}
+
 TEST(History, DrawingsAndInstructionsHaveNoNoise) {
   const ScratchDirectory scratch;
   write_history(scratch, [](std::size_t commit, Results& results) {
@@ -171,7 +203,7 @@ TEST(History, ShortLinesAreNotJudgedAndSaid) {
   EXPECT_EQ(history.count(Measure::time, true), 0U);
   EXPECT_EQ(history.count(Measure::volume, true), 2U);
   EXPECT_THAT(summary(history), HasSubstr("time: 0 of 2 lines judged"));
-  EXPECT_THAT(render_history(history, "h"), HasSubstr("lines are too short to be judged"));
+  EXPECT_THAT(render_history(history, "h"), HasSubstr("lines are not judged: times need 8 results"));
 }
 
 TEST(History, ThePageIsOfflineEscapedAndShowsEveryCell) {

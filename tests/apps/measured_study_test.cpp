@@ -88,6 +88,30 @@ TEST(MeasuredStudy, CountedInstructionsHaveNoNoise) {
   expect_exit(5, run("{} study count --max-n 1 " + results));
 }
 
+TEST(MeasuredStudy, ThatIsMadeToBeComparedIsCountedWhereValgrindIs) {
+  if (std::string(build_kind()) == "sanitised") GTEST_SKIP() << "cannot run under callgrind";
+  const ScratchDirectory scratch;
+  const std::string spec =
+      scratch.write("s.toml",
+                    "study = \"s\"\ncount = true\n[[sweep]]\nfamilies = [\"cycle\", \"prism\"]\n"
+                    "sizes = 30\nalgorithms = [\"grid\", \"diamond\"]\n");
+  const std::string results = scratch.path("s.h5");
+  const std::string command = " {} study run " + spec + " -q --force -o " + results;
+  const Outcome without = expect_exit(0, run("PATH=/nowhere" + command));
+  EXPECT_THAT(without.err, HasSubstr("drawings are not counted: valgrind cannot be run"));
+  EXPECT_EQ(read_results(results).runs[0].counted_instructions, -1);
+  expect_output(run("{} study resume -q " + results), "counted  4 drawings");
+  for (const ar3d::RunRecord& row : read_results(results).runs) {
+    EXPECT_GT(row.counted_instructions, 1000);
+    EXPECT_GT(row.estimated_cycles, row.counted_instructions);
+  }
+  const std::string first = scratch.path("first.h5");
+  fs::copy_file(results, first);
+  expect_exit(0, run(command));
+  EXPECT_THAT(expect_exit(0, run("{} compare " + first + " " + results)).out,
+              HasSubstr("4 of 4 cells"));
+}
+
 // As where a batch system allows few processes: an error, not the end by std::terminate.
 TEST(MeasuredStudy, ThreadsThatTheSystemDoesNotStartAreAnError) {
   if (std::string(build_kind()) == "sanitised") GTEST_SKIP() << "needs all address space";

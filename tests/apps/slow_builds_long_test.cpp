@@ -10,13 +10,12 @@
 namespace ar3d::testing {
 namespace {
 
-/// A build that differs in one function, which waits after each drawing for so much of its time.
-std::string slower_program(const ScratchDirectory& scratch, int percent) {
-  const std::string program = scratch.path(fmt::format("slower-{}", percent));
-  expect_exit(0,
-              run(fmt::format(
-                  "/usr/bin/python3 {0}/tests/apps/slower_program.py {0} $(realpath {{}}) {1} {2}",
-                  AR3D_SOURCE_DIR, percent, program)));
+/// A build that differs in one function, which draws slower where AR3D_SLOWER asks for it.
+std::string slower_program(const ScratchDirectory& scratch) {
+  const std::string program = scratch.path("slower");
+  expect_exit(0, run(fmt::format(
+                     "/usr/bin/python3 {0}/tests/apps/slower_program.py {0} $(realpath {{}}) {1}",
+                     AR3D_SOURCE_DIR, program)));
   return program;
 }
 
@@ -43,13 +42,14 @@ TEST(SlowBuilds, OfTenPerCentOrMoreNeverPass) {
   const std::string checkout = checkout_of_the_program(scratch);
   const std::string load =
       "for i in 1 2; do timeout 600 sh -c 'while :; do :; done' & done; trap 'kill %1 %2' EXIT; ";
+  const std::string program = slower_program(scratch);
   for (const int percent : {3, 5, 10, 20, 50}) {
-    const std::string program = slower_program(scratch, percent);
     for (const bool is_loaded : {false, true}) {
       const std::string verdict = scratch.path("verdict.json");
-      const Outcome outcome =
-          run((is_loaded ? load : "") + "cd " + checkout + " && AR3D_PROGRAM=$(realpath {}) " +
-              program + " compare --base HEAD --study " + spec + " --force --json " + verdict);
+      const Outcome outcome = run(
+          (is_loaded ? load : "") + "cd " + checkout +
+          fmt::format(" && AR3D_SLOWER='all {} wait' ", percent) + "AR3D_PROGRAM=$(realpath {}) " +
+          program + " compare --base HEAD --study " + spec + " --force --json " + verdict);
       const auto json = nlohmann::json::parse(read_file(verdict));
       fmt::print("{} % slower, {}: {} (exit {})\n", percent, is_loaded ? "loaded" : "as it is",
                  json.at("verdict").dump(), outcome.exit_code);
@@ -57,6 +57,41 @@ TEST(SlowBuilds, OfTenPerCentOrMoreNeverPass) {
         EXPECT_TRUE(outcome.exit_code == 3 || outcome.exit_code == 6)
             << percent << " %: " << outcome.exit_code << outcome.out << outcome.err;
       }
+    }
+  }
+}
+
+TEST(SlowBuilds, AmongFilesOfABusyMachineAreFoundAndNothingElse) {
+  const ScratchDirectory scratch;
+  const std::string program = slower_program(scratch);
+  const Outcome rates = expect_exit(
+      0, run("/usr/bin/python3 " AR3D_SOURCE_DIR "/bench/compare/rates $(realpath {}) --slower " +
+             program));
+  fmt::print("{}", rates.out);
+  EXPECT_THAT(rates.out, HasSubstr("| nothing changed | 105 |"));
+}
+
+/// More instructions in one algorithm: found by counts, exactly there, whatever the machine.
+TEST(SlowBuilds, OfMoreInstructionsAreFoundByCounts) {
+  const ScratchDirectory scratch;
+  const std::string program = slower_program(scratch);
+  const std::string spec = scratch.write(
+      "counted.toml",
+      "study = 'counted'\ncount = true\n[[sweep]]\nfamilies = ['random-cubic', 'prism']\n"
+      "sizes = 1000\nalgorithms = ['diamond', 'grid', 'two-bend']\n");
+  const auto results = [&](int percent) {
+    const std::string path = scratch.path(fmt::format("{}.h5", percent));
+    expect_exit(0, run(fmt::format("AR3D_SLOWER='grid {} work' {} study run {} -q -o {}", percent,
+                                   program, spec, path)));
+    return path;
+  };
+  const std::string base = results(0);
+  const std::string json = scratch.path("verdict.json");
+  for (const int percent : {3, 5, 10}) {
+    expect_exit(3, run("{} compare " + base + " " + results(percent) + " --force --json " + json));
+    for (const auto& cell : nlohmann::json::parse(read_file(json)).at("cells")) {
+      const bool is_slowed = cell.at("algorithm") == "grid";
+      EXPECT_EQ(cell.at("verdict"), is_slowed ? "REGRESSED" : "PASS") << percent << cell.dump(1);
     }
   }
 }

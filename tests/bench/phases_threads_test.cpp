@@ -83,6 +83,7 @@ TEST(TimingPhase, GoesRoundAllDrawingsPinnedAndAlone) {
     EXPECT_EQ(run.peak_scope, "row");
     EXPECT_EQ(std::isnan(run.certify_s), run.repetition > 0) << "the first one is certified";
     EXPECT_EQ(run.violations, 0);
+    for (const double yardstick_s : run.yardsticks_s) EXPECT_GT(yardstick_s, 0);
   }
   EXPECT_THAT(repetitions, ElementsAre(0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2));
 }
@@ -109,9 +110,9 @@ TEST(TimingPhase, OptionalRepetitionsEndAtThePrecision) {
   EXPECT_GE(made.rows.size(), 1u + 6);
   std::vector<double> times;
   for (const auto& [row, run] : made.rows) {
-    if (run.phase == RunPhase::timing) times.push_back(run.wall_s);
+    if (run.phase == RunPhase::timing) times.push_back(drawing_time_s(run));
   }
-  EXPECT_TRUE(made.rows.size() == plan.rows() || median_precision(times) <= 1.0);
+  EXPECT_TRUE(made.rows.size() == plan.rows() || halves_difference(times) <= 1.0);
 
   // A second go that knows those rows needs no more.
   std::unordered_map<std::string, RunRecord> finished;
@@ -304,23 +305,12 @@ TEST(ScalingPhase, AStopEndsABatch) {
   EXPECT_LE(drawn, 6);
 }
 
-TEST(Precision, IsHalfTheWidthOfTheMediansInterval) {
-  EXPECT_TRUE(std::isinf(median_precision({1, 1, 1, 1, 1})));
-  EXPECT_DOUBLE_EQ(median_precision({1, 1, 1, 1, 1, 1}), 0);
-  // n = 6: from the smallest to the largest (97 %); n = 10: second to ninth (98 %).
-  EXPECT_DOUBLE_EQ(median_precision({8, 9, 10, 10, 11, 12}), 0.2);
-  EXPECT_DOUBLE_EQ(median_precision({0.1, 9, 10, 10, 10, 10, 10, 10, 11, 99}), 0.1);
-  EXPECT_TRUE(std::isinf(median_precision({0, 0, 0, 0, 0, 0})));
-}
-
-// 95 % of the intervals of 20 values hold the true median, by exact binomial arithmetic 95.9 %.
-TEST(Precision, OrderStatisticsAreTheTextbooks) {
-  std::vector<double> values;
-  for (int i = 1; i <= 20; ++i) values.push_back(i);
-  EXPECT_DOUBLE_EQ(median_precision(values), (15.0 - 6.0) / 2 / 10.5);
-  values.clear();
-  for (int i = 1; i <= 100; ++i) values.push_back(i);
-  EXPECT_DOUBLE_EQ(median_precision(values), (61.0 - 40.0) / 2 / 50.5);
+TEST(HalvesDifference, ComparesTheSmallestOfBothHalves) {
+  EXPECT_TRUE(std::isinf(halves_difference({})));
+  EXPECT_TRUE(std::isinf(halves_difference(std::vector<double>{1})));
+  EXPECT_TRUE(std::isinf(halves_difference(std::vector<double>{0, 1})));
+  EXPECT_EQ(halves_difference(std::vector<double>{9, 1, 1, 7}), 0);
+  EXPECT_DOUBLE_EQ(halves_difference(std::vector<double>{9, 2, 1, 7, 8}), std::log(2.0));
 }
 
 }  // namespace

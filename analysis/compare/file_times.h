@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "ar3d/analysis/compare/pairing.h"
+#include "ar3d/analysis/compare/time_change.h"
+
+namespace ar3d {
+
+/// Smallest drawing times of one cell in two files that were measured one after the other, over the
+/// rounds (repetitions) that both have; all as natural logarithms.
+struct CellTimes {
+  std::string setting;     ///< algorithm_label()
+  std::size_t rounds = 0;  ///< of the graph that has the fewest; 0: it is not timed
+  double ratio = 0;        ///< log(new / base), mean over the graphs
+  /// How far the smallest time may be from the smallest possible one: root mean square over both
+  /// sides when the rounds are drawn again with replacement, which has a closed form.
+  double spread = 0;
+  /// Of base and new: log(smallest of the first half of the rounds / smallest of the second).
+  std::array<double, 2> halves{};
+};
+CellTimes cell_times(const PairedCell& cell);
+
+/// All cells of one algorithm with its options.
+struct SettingTimes {
+  std::string name;
+  std::size_t cells = 0;
+  double ratio = 0;     ///< log(new / base), median over the cells
+  double distance = 0;  ///< of `ratio` from the common factor
+  double error = 0;     ///< the distance is within +- error
+  TimeChange change = TimeChange::undecided;
+};
+
+/// What times of two files say, step by step as docs/analysis.md does.
+struct FileTimes {
+  std::array<double, 3> yardsticks{};  ///< log(new / base) of kYardsticks; NaN: not in both files
+  double common = 0;                   ///< log of the factor by which all settings moved together
+  double residual = 0;                 ///< robust standard deviation of cells about their setting
+  bool is_alike = true;                ///< the machine was as fast in both
+  std::vector<SettingTimes> settings;  ///< those with a time, in the order of the cells
+  std::vector<TimeChange> cells;       ///< one for each cell
+};
+
+inline constexpr std::size_t kFewestRounds = 4;
+
+/// @param cells  of one setting each. @param base, now  for the yardsticks of their rows. Cost: O(c
+/// log c) for c cells.
+FileTimes judge_file_times(const std::vector<CellTimes>& cells, const Results& base,
+                           const Results& now, const TimeRule& rule);
+
+/// "diamond +19.8 % [+18.9 %, +20.7 %]": the distance of a setting.
+std::string distance_text(const SettingTimes& setting);
+
+/// What a person is told: how fast the machine was, what moved against all others.
+std::string times_sentence(const FileTimes& times);
+
+}  // namespace ar3d
