@@ -129,8 +129,7 @@ class FindingList {
     kept += finding.row.has_value();
     finding.message = one_line(finding.message);
     if (run != nullptr) {
-      finding.subject =
-          fmt::format("{} on {}, n = {}", one_line(run->algorithm), one_line(run->family), run->n);
+      finding.subject = one_line(graph_label(*run));
       finding.command = one_line(show_(*run, finding.row.value()));
     }
     kept_.push_back(std::move(finding));

@@ -29,7 +29,7 @@ struct Finding {
   FindingKind kind{};
   std::optional<std::size_t> row;  ///< none if it concerns the whole file
   std::string message;             ///< one line, without control characters
-  std::string subject = {};        ///< "diamond on cubic, n = 32"; empty without a row
+  std::string subject = {};        ///< graph_label; empty without a row
   std::string command = {};        ///< the line that draws the row again; empty without a row
 };
 

@@ -84,7 +84,7 @@ Comparison compare_rounds(const std::vector<Results>& base, const std::vector<Re
 
 /// For a terminal: the environment where it differs, the cells that did not pass, `most_cells` of
 /// each kind, the largest changes of time and volume whatever the verdict, and the verdict with
-/// what it judged.
+/// what it judged. No times where drawings only were to be judged.
 std::string summary(const Comparison& comparison, const CompareOptions& options,
                     std::size_t most_cells = 20);
 std::string summary(const Calibration& calibration, const TimeRule& rule);

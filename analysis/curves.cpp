@@ -32,6 +32,12 @@ std::string algorithm_label(const CurveKey& key) {
 
 std::string family_label(const CurveKey& key) { return with_brackets(key.family, key.parameters); }
 
+std::string graph_label(const RunRecord& run) {
+  const CurveKey key = curve_of(run);
+  return fmt::format("{} on {}, n = {}, graph {}", algorithm_label(key), family_label(key),
+                     run.n >= 0 ? run.n : run.requested_n, run.instance_index);
+}
+
 std::string cell_label(const CurveKey& key, std::int64_t n) {
   std::string label = algorithm_label(key);
   if (!key.family.empty()) {

@@ -29,6 +29,10 @@ std::string options_and_level(const CurveKey& key);
 std::string algorithm_label(const CurveKey& key);
 std::string family_label(const CurveKey& key);
 
+/// "diamond (effort=1) on cubic (k=2), n = 32, graph 3": what drew which graph of its family. n is
+/// the one asked for where there is none.
+std::string graph_label(const RunRecord& run);
+
 /// "diamond (effort=1) on cubic (k=2) n=300", on one line: what a cell is called, and how it is
 /// chosen on a command line. @param n  -1: all sizes.
 std::string cell_label(const CurveKey& key, std::int64_t n);

@@ -41,7 +41,7 @@ std::string draw_command(const CurveKey& key, const DrawnGraph& graph) {
   return fmt::format("{}{} --seed {}{}", before_n, graph.n, graph.seed, behind_seed);
 }
 
-ShowCommand::ShowCommand(const RowView& rows) {
+ShowCommand::ShowCommand(const RowView& rows) : file_(rows.file) {
   for (const GraphFileRecord& file : graph_file_records(*rows.identity)) {
     families_.insert(file.name);
   }
@@ -52,20 +52,20 @@ ShowCommand::ShowCommand(const RowView& rows) {
 }
 
 std::string ShowCommand::operator()(const CurveKey& key, const DrawnGraph& graph) const {
-  return needs_results(key) ? replay_command(graph.row) : draw_command(key, graph);
+  return needs_results(key) ? replay_command(file_, graph.row) : draw_command(key, graph);
 }
 
 std::string ShowCommand::operator()(const RunRecord& run, std::size_t row) const {
-  return needs_results(curve_of(run)) ? replay_command(run, row) : draw_command(run);
+  return needs_results(curve_of(run)) ? replay_command(file_, run, row) : draw_command(run);
 }
 
-std::string replay_command(const RunRecord& run, std::size_t row) {
-  return run.row_key.empty() ? replay_command(row)
-                             : "ar3d replay RESULTS.h5 " + shell_word(run.row_key);
+std::string replay_command(const std::string& file, const RunRecord& run, std::size_t row) {
+  if (run.row_key.empty()) return replay_command(file, row);
+  return fmt::format("ar3d replay {} {}", shell_word(file), shell_word(run.row_key));
 }
 
-std::string replay_command(std::size_t row) {
-  return fmt::format("ar3d replay RESULTS.h5 {}", row);
+std::string replay_command(const std::string& file, std::size_t row) {
+  return fmt::format("ar3d replay {} {}", shell_word(file), row);
 }
 
 }  // namespace ar3d

@@ -33,13 +33,13 @@ class ShowCommand {
   std::string operator()(const RunRecord& run, std::size_t row) const;
 
  private:
+  std::string file_;
   std::set<std::string> families_;  // of files
   std::set<std::string> programs_;
 };
 
-/// "ar3d replay RESULTS.h5 ROW" with the row's key, or with `row` (its number in /runs) if it has
-/// none.
-std::string replay_command(const RunRecord& run, std::size_t row);
-std::string replay_command(std::size_t row);
+/// "ar3d replay FILE ROW" with the row's key, or with `row` (its number in /runs) if it has none.
+std::string replay_command(const std::string& file, const RunRecord& run, std::size_t row);
+std::string replay_command(const std::string& file, std::size_t row);
 
 }  // namespace ar3d

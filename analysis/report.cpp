@@ -35,6 +35,7 @@ std::string head(const StudyIdentity& study) {
 std::string body(report::Page& page, const SinceReference& since) {
   const std::vector<report::Section> sections = report::sections(page.analysis);
   const std::string trade = report::trade_section(page, sections);
+  const std::string collections = report::collection_sections(page, sections);
   const std::string precision = report::precision_section(page, sections);
   const std::string batches = report::strong_weak_section(page);
   std::string html = report::verdict_section(page, sections, since);
@@ -44,6 +45,7 @@ std::string body(report::Page& page, const SinceReference& since) {
   };
   if (!sections.empty()) link("closeness", "How close to a bound?");
   if (!trade.empty()) link("trade", "What is traded?");
+  if (!collections.empty()) link("c0", "What of the collection?");
   if (!precision.empty()) link("precision", "What does accuracy cost?");
   for (std::size_t i = 0; i < sections.size(); ++i) {
     link(fmt::format("a{}", i), report::escape(sections[i].label));
@@ -55,7 +57,7 @@ std::string body(report::Page& page, const SinceReference& since) {
   link("spec", "Specification");
   link("methods", "Methods");
   html += "</nav>\n" + report::closeness_section(page, sections) +
-          report::promises_section(sections) + trade + precision;
+          report::promises_section(sections) + collections + trade + precision;
   for (std::size_t i = 0; i < sections.size(); ++i) {
     html += report::algorithm_section(page, sections[i], fmt::format("a{}", i));
   }
@@ -101,11 +103,18 @@ std::vector<std::size_t> rows_to_show(const StudyAnalysis& analysis, std::size_t
     other_rows.insert(other_rows.end(), of_curve.begin(), of_curve.end());
   }
   std::vector<std::size_t> rows;
+  const auto add = [&](std::size_t row) {
+    if (rows.size() < most && std::ranges::find(rows, row) == rows.end()) rows.push_back(row);
+  };
+  for (const Finding& finding : analysis.verdict.findings) {
+    if (finding.row && rows.size() < report::kShownFindings) add(*finding.row);
+  }
+  for (const std::size_t row : report::collection_outliers(report::sections(analysis))) {
+    if (rows.size() < most && analysis.rows.read(row).m <= most_edges) add(row);
+  }
   for (auto* shares : {&first_rows, &other_rows}) {
     std::ranges::stable_sort(*shares, std::greater(), &std::pair<double, std::size_t>::first);
-    for (const auto& [share, row] : *shares) {
-      if (rows.size() < most) rows.push_back(row);
-    }
+    for (const auto& [share, row] : *shares) add(row);
   }
   return rows;
 }

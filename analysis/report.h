@@ -32,10 +32,10 @@ struct ShownDrawings {
 std::string render_report(const StudyAnalysis& analysis, const SinceReference& since = {},
                           const ShownDrawings& drawings = {});
 
-/// The rows of the heat maps that are worth storing a drawing of, most important first, at most
-/// `most`: of each curve the graph that comes closest to its bound among those with at most
-/// `most_edges` edges, the closest ones first; then the other numbers of the maps in the same
-/// order.
+/// The rows of the page that are worth storing a drawing of, most important first, at most `most`:
+/// those of the findings that are listed, of the outliers of collections, of the heat maps those of
+/// each curve the graph that comes closest to its bound among those with at most `most_edges`
+/// edges, the closest ones first; then the other numbers of the maps in the same order.
 std::vector<std::size_t> rows_to_show(const StudyAnalysis& analysis, std::size_t most,
                                       std::int64_t most_edges);
 

@@ -155,7 +155,7 @@ void decide_growth(ScalingEntry& entry) {
 void refuse_untimed(ScalingEntry& entry) {
   ScalingEntry untimed;
   untimed.all = std::move(entry.all);
-  untimed.reason = "no rows of the timing phase";
+  untimed.reason = kUntimed;
   entry = std::move(untimed);
 }
 
@@ -219,13 +219,11 @@ std::vector<ScalingEntry> scaling(const Results& results, const FitOptions& opti
 
 std::optional<double> theorem_order(const SizeBound& theorem, Quantity quantity) {
   std::array<double, 3> orders{};
-  bool promises_box = false;
   for (std::size_t axis = 0; axis < orders.size(); ++axis) {
     const AxisBound& bound = theorem.axes[axis];
     orders[axis] = bound.numerator == 0 ? 0 : bound.half_power / 2.0;
-    promises_box = promises_box || bound.numerator != 0 || bound.constant != 0;
   }
-  if (!promises_box) return std::nullopt;
+  if (!theorem.promises_box()) return std::nullopt;
   switch (quantity) {
     case Quantity::longest_side:
       return *std::max_element(orders.begin(), orders.end());

@@ -44,6 +44,9 @@ struct ScalingEntry {
       0;  ///< graphs of every size for that, old and new; 0: as many as there are
 };
 
+/// ScalingEntry::reason of a drawing time that no row of the timing phase tells.
+inline constexpr const char* kUntimed = "no rows of the timing phase";
+
 /// "power law", "apparent exponent on [64, 8192]": the label for people.
 std::string growth_label(const ScalingEntry& entry);
 

@@ -58,13 +58,6 @@ void add_volume(const CurveTally& curve, BoundsEntry& entry) {
   entry.volume_over_least = median(std::move(over_least));
 }
 
-// A bound that does not depend on n is no theorem's box: none is promised, or (by a program of the
-// study's own) only what integers of this width can hold.
-bool promises_box(const SizeBound& bound) {
-  return std::any_of(bound.axes.begin(), bound.axes.end(),
-                     [](const AxisBound& axis) { return axis.numerator != 0; });
-}
-
 void refuse_laws_above_theorems(const StudyIdentity& identity, std::vector<ScalingEntry>& scaling) {
   const std::vector<AlgorithmRecord> records = algorithm_records(identity);
   for (ScalingEntry& entry : scaling) {
@@ -97,7 +90,7 @@ std::vector<BoundsEntry> bounds_table(const StudyTally& tally, const StudyIdenti
     add_volume(curve, entry);
     const AlgorithmRecord* algorithm =
         find_algorithm_record(algorithms, curve.key.algorithm, curve.key.options);
-    if (algorithm != nullptr && promises_box(algorithm->theorem)) {
+    if (algorithm != nullptr && algorithm->theorem.promises_box()) {
       entry.theorem_formula = algorithm->theorem.formula();
       if (algorithm->published) entry.published_formula = algorithm->published->formula();
     }

@@ -26,9 +26,11 @@ bool is_censored(RunStatus status) {
          status == RunStatus::crashed;
 }
 
-// What decides whether a graph is in the sample: a fixed shuffle of the row numbers (SplitMix64).
-std::uint64_t priority(std::size_t row) {
-  std::uint64_t z = (static_cast<std::uint64_t>(row) + 1) * 0x9E3779B97F4A7C15;
+// What decides whether a graph is in the sample: a fixed shuffle (SplitMix64) of seed and place, so
+// that the curves keep the same graphs.
+std::uint64_t priority(const DrawnGraph& graph) {
+  std::uint64_t z =
+      (graph.seed + static_cast<std::uint64_t>(graph.instance) + 1) * 0x9E3779B97F4A7C15;
   z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
   z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
   return z ^ (z >> 31);
@@ -38,32 +40,36 @@ void keep_sample(std::size_t most, std::vector<DrawnGraph>& graphs) {
   if (graphs.size() <= most) return;
   const auto end = graphs.begin() + static_cast<std::ptrdiff_t>(most);
   std::nth_element(graphs.begin(), end, graphs.end(), [](const DrawnGraph& a, const DrawnGraph& b) {
-    return priority(a.row) < priority(b.row);
+    return std::pair(priority(a), a.row) < std::pair(priority(b), b.row);
   });
   graphs.erase(end, graphs.end());
 }
 
-// Coordinates of a program without a guarantee are decimals, counted in units of the last one: its
-// extents say nothing, and its volume is the one over the smallest distance of vertices.
-void take_measured_size(const RunRecord& run, DrawnGraph& graph) {
-  static const Column relative = run_column("log2_relative_volume");
-  graph.extents = {-1, -1, -1};
-  graph.log2_volume = column_number(relative, run);
+// Coordinates of a program are decimals, counted in units of the last one: its extents say nothing.
+void take_relative_size(DrawnGraph& graph) {
+  graph.extents = graph.instance_bound = {-1, -1, -1};
+  graph.theorem_bound = graph.published_bound = {kMissing, kMissing, kMissing};
+  graph.log2_volume = graph.log2_relative_volume;
 }
 
-DrawnGraph drawn_graph(const RunRecord& run, std::size_t row, std::int64_t n) {
+DrawnGraph drawn_graph(const RunRecord& run, std::size_t row, std::int64_t n, bool has_own_unit) {
   static const std::vector<Column> columns = columns_of_kind(ColumnKind::metric);
+  static const Column relative = run_column("log2_relative_volume");
   DrawnGraph graph;
   graph.row = row;
   graph.n = n;
   graph.m = run.m;
   graph.seed = run.seed;
+  graph.instance = run.instance_index;
+  graph.name = run.graph_name;
+  graph.group = run.group;
   graph.extents = run.extents;
   graph.instance_bound = run.instance_bound;
   graph.theorem_bound = run.theorem_bound;
   graph.published_bound = run.published_bound;
   graph.log2_volume = run.log2_volume;
-  if (run.status == RunStatus::measured) take_measured_size(run, graph);
+  graph.log2_relative_volume = column_number(relative, run);
+  if (has_own_unit) take_relative_size(graph);
   graph.metrics.reserve(columns.size());
   for (const Column& column : columns) graph.metrics.push_back(column_number(column, run));
   return graph;
@@ -82,6 +88,7 @@ struct OpenGraph {
 /// Takes the rows one after the other.
 class Tallying {
  public:
+  explicit Tallying(const StudyIdentity& study) : algorithms_(algorithm_records(study)) {}
   void add(const RunRecord& run, std::size_t row, bool is_last);
   StudyTally finish();
 
@@ -92,6 +99,7 @@ class Tallying {
   void conclude(OpenGraph open);
   void thin_out();
 
+  std::vector<AlgorithmRecord> algorithms_;
   StudyTally tally_;
   std::map<CurveKey, std::size_t> place_of_;
   std::unordered_map<std::string, OpenGraph> open_;
@@ -106,7 +114,11 @@ CurveTally* Tallying::curve_for(const RunRecord& run, std::int64_t n, std::size_
     if (sizes_ >= kMostSizes) return nullptr;
     place = tally_.curves.size();
     place_of_.emplace(key, place);
-    tally_.curves.emplace_back().key = key;
+    const AlgorithmRecord* record = find_algorithm_record(algorithms_, key.algorithm, key.options);
+    const bool has_own_unit = record != nullptr && !record->theorem.promises_box();
+    CurveTally& curve = tally_.curves.emplace_back();
+    curve.key = key;
+    curve.has_own_unit = has_own_unit;
   } else {
     place = at->second;
   }
@@ -158,9 +170,10 @@ void Tallying::add_to_graph(const RunRecord& run, std::size_t row, OpenGraph& op
     }
   }
   if (run.status != RunStatus::ok && run.status != RunStatus::measured) return;
+  curve.has_own_unit |= run.status == RunStatus::measured;
   if (!open.drawn) {
     open.drawn = true;
-    open.graph = drawn_graph(run, row, open.n);
+    open.graph = drawn_graph(run, row, open.n, curve.has_own_unit);
     for (std::size_t b = 0; b < open.bends.size(); ++b) {
       open.bends[b] = static_cast<std::uint64_t>(std::max<std::int64_t>(0, run.bends[b]));
     }
@@ -326,7 +339,7 @@ double SizeTally::mean_log(Quantity quantity, bool timed) const {
 }
 
 StudyTally tally_of(const RowView& rows, const std::vector<bool>& is_last_repetition) {
-  Tallying tallying;
+  Tallying tallying(*rows.identity);
   for (std::size_t row = 0; row < rows.count; ++row) {
     tallying.add(rows.read(row), row, is_last_repetition[row]);
   }

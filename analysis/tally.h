@@ -18,11 +18,14 @@ struct DrawnGraph {
   std::int64_t n = -1;
   std::int64_t m = -1;
   std::uint64_t seed = 0;
+  std::int64_t instance = -1;  ///< RunRecord::instance_index
+  std::string name, group;     ///< of a graph of files
   std::array<std::int64_t, 3> extents{-1, -1, -1};
   std::array<std::int64_t, 3> instance_bound{-1, -1, -1};
   std::array<double, 3> theorem_bound{kMissing, kMissing, kMissing};
   std::array<double, 3> published_bound{kMissing, kMissing, kMissing};
-  double log2_volume = kMissing;
+  double log2_volume = kMissing;           ///< in the unit of CurveTally::has_own_unit
+  double log2_relative_volume = kMissing;  ///< over the smallest distance of vertices
   double log_wall_s = kMissing;   ///< natural logarithm, median over ok rows of the metrics phase
   double log_timed_s = kMissing;  ///< the same of the timing phase
   std::vector<double> metrics;    ///< values of verify/metrics/metrics.h in its order; NaN: missing
@@ -35,7 +38,7 @@ struct DrawnGraph {
 enum class Quantity { longest_side, extent_x, extent_y, extent_z, volume, wall_s };
 const std::vector<Quantity>& quantities();
 /// Natural logarithm of the graph's quantity; missing if there is none or it is not positive.
-/// Volume is the product of (extent + 1) over the axes. @param timed  whether drawing times are
+/// Volume is log2_volume. @param timed  whether drawing times are
 /// those of the timing phase.
 double log_value(const DrawnGraph& graph, Quantity quantity, bool timed);
 
@@ -103,6 +106,9 @@ struct CurveTally {
   std::array<AxisBounds, 3> axes;
   std::array<std::uint64_t, 8> bends{};  ///< edges with b bends over all drawn graphs; 7 or more
   bool has_timing_rows = false;          ///< some ok row is of the timing phase
+  /// No theorem promises a box, so that the unit of coordinates is the drawings' own: extents and
+  /// bounds are missing, and volumes are over the smallest distance of vertices.
+  bool has_own_unit = false;
   std::map<std::int64_t, SizeTally> sizes;
   std::vector<CensoredRow> censored;  ///< the first 1000 with n >= 1, by n
 };

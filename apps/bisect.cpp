@@ -338,7 +338,8 @@ void add_bisect(CLI::App& app, int& exit_code) {
   verb->add_flag("-q,--quiet", arguments->quiet, "no progress on standard error");
   verb->footer(
       "Exit code 0: the commit was found; 6: GOOD and BAD do not differ, or several commits are "
-      "left.\nExample: ar3d bisect --good v0.1 --bad main --cell 'grid (effort=1) on cycle n=300'");
+      "left.\nExample: ar3d bisect --good HEAD~20 --bad HEAD --cell 'grid (effort=1) on cycle "
+      "n=300'");
   verb->callback([arguments, &exit_code] { exit_code = bisect(*arguments); });
 }
 

@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <vector>
 
 #include "ar3d/algorithms/catalog.h"
-#include "ar3d/analysis/replay.h"
+#include "ar3d/analysis/curves.h"
 #include "ar3d/base/error.h"
 #include "ar3d/bench/compare/commits.h"
 #include "ar3d/bench/replay/replay_row.h"
@@ -24,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostDrawings = 200, kMostBytes = 300'000;
-constexpr std::int64_t kMostEdges = 1000, kMostVertices = 4000;
+constexpr std::int64_t kMostEdges = 1000, kMostVertices = 4000, kMostGraphs = 100'000;
 /// Rows that a page compares; they are held in memory.
 constexpr std::size_t kMostCompared = 200'000;
 
@@ -104,11 +105,14 @@ ShownDrawings shown_drawings(const StudyAnalysis& analysis) {
   ViewerPage page([&](std::string_view piece) { text += piece; });
   const std::size_t empty = text.size();
   const StudyOrigin origin = study_origin(*analysis.rows.identity);
-  const ShowCommand commands(analysis.rows);
+  std::set<std::string> too_large;  // files that a page does not read
+  for (const GraphFileRecord& file : graph_file_records(*analysis.rows.identity)) {
+    if (file.graphs > kMostGraphs) too_large.insert(file.name);
+  }
   for (const std::size_t place : rows_to_show(analysis, kMostDrawings, kMostEdges)) {
     if (text.size() - empty > kMostBytes) break;
     const RunRecord row = analysis.rows.read(place);
-    if (commands.needs_results(curve_of(row))) continue;  // a large file, or a program
+    if (too_large.contains(row.family)) continue;
     const std::optional<Drawing> drawing = drawn_again(row, origin);
     if (!drawing) continue;
     const Algorithm& algorithm = find_algorithm(row.algorithm);

@@ -94,6 +94,9 @@ int conclude(const JournaledStudy& study, bool force, bool unchanged) {
   int exit_code = examination.verdict.exit_code();
   fmt::print("{}", summary(examination.verdict));
   fmt::print("results  {}\n", study.results);
+  const bool is_timed = std::ranges::any_of(
+      study.spec.sweeps, [](const Sweep& sweep) { return sweep.timed.most > 0; });
+  if (!is_timed) fmt::print("times    not measured: `timed_repetitions` in a sweep does\n");
   if (const std::size_t skipped = skipped_file_records(*rows.view().identity).size()) {
     fmt::print("skipped  {} files that could not be read (/skipped_files of the results)\n",
                skipped);

@@ -53,6 +53,7 @@ struct StudyRows::Journals {
 
 StudyRows::StudyRows(const std::string& file) {
   const std::string results = results_path_of(file);
+  view_.file = results;
   if (rows_are_in_results(results)) {
     view_results(results);
     return;
@@ -70,6 +71,7 @@ StudyRows::~StudyRows() = default;
 void StudyRows::view_results(const std::string& results) {
   reader_ = std::make_unique<RunReader>(results);
   view_ = view_of(*reader_);
+  view_.file = results;
 }
 
 void StudyRows::view_journals(const std::string& file, const std::string& results) {

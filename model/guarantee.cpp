@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 
@@ -51,6 +52,11 @@ std::string AxisBound::formula() const {
   if (constant > 0) text += fmt::format(" + {}", constant);
   if (constant < 0) text += fmt::format(" - {}", -constant);
   return text;
+}
+
+bool SizeBound::promises_box() const {
+  return std::any_of(axes.begin(), axes.end(),
+                     [](const AxisBound& axis) { return axis.numerator != 0; });
 }
 
 bool SizeBound::holds(const std::array<std::int64_t, 3>& extents, std::uint64_t n) const {

@@ -50,6 +50,9 @@ struct SizeBound {
   std::string source;  ///< theorem or section
   std::array<AxisBound, 3> axes;
   bool holds(const std::array<std::int64_t, 3>& extents, std::uint64_t n) const;
+  /// False if no axis grows with n: nothing is promised of the box or, by a program of a study's
+  /// own, only what integers can hold.
+  bool promises_box() const;
   /// "16/3 n, 16/3 n, 8 n (proved here, docs/theorem1.md)"
   std::string formula() const;
 };

@@ -135,23 +135,26 @@ std::string counts_of(const CellComparison& cell) {
   return text + "; ";
 }
 
-std::string cell_line(const CellComparison& cell) {
-  return fmt::format("{:<12} {:<56} {}time {}{}\n", to_string(cell.verdict),
-                     cell_label(cell.key, cell.n), counts_of(cell), time_text(cell.time),
-                     cell.reason.empty() ? "" : "; " + cell.reason);
+std::string cell_line(const CellComparison& cell, bool shows_times) {
+  const std::string time =
+      shows_times ? counts_of(cell) + "time " + time_text(cell.time) : std::string();
+  const char* between = time.empty() || cell.reason.empty() ? "" : "; ";
+  return fmt::format("{:<12} {:<56} {}{}{}\n", to_string(cell.verdict),
+                     cell_label(cell.key, cell.n), time, between, cell.reason);
 }
 
 /// Lines of the cells that did not plainly pass, the heaviest verdicts first: `most_cells` of each
 /// verdict, and how many more there are.
 std::string cell_lines(const Comparison& comparison, std::size_t most_cells,
-                       const std::function<std::string(const CellComparison&)>& line,
+                       const std::function<std::string(const CellComparison&, bool)>& line,
                        fmt::format_string<const char*, std::size_t> more) {
   std::string text;
   for (const Verdict verdict :
        {Verdict::violated, Verdict::regressed, Verdict::inconclusive, Verdict::improved}) {
     std::size_t shown = 0;
     for (const CellComparison& cell : comparison.cells) {
-      if (cell.verdict == verdict && shown++ < most_cells) text += line(cell);
+      if (cell.verdict == verdict && shown++ < most_cells)
+        text += line(cell, !comparison.drawings_only);
     }
     if (shown > most_cells) text += fmt::format(more, to_string(verdict), shown - most_cells);
   }
@@ -178,12 +181,15 @@ std::string largest_changes(const Comparison& comparison, std::size_t most) {
     return cell.time.test.pairs == 0 ? 0 : cell.time.test.estimate;
   };
   const auto volume_of = [](const CellComparison& cell) { return cell.log2_volume_change; };
-  const bool is_judged = comparison.time_judged && !comparison.drawings_only;
   const auto times = largest(comparison, most, time_of);
-  std::string text =
-      fmt::format("largest changes of time ({}){}\n", is_judged ? "judged" : "NOT JUDGED",
-                  times.empty() ? ": none" : "");
+  std::string text;
+  if (!comparison.drawings_only) {
+    text = fmt::format("largest changes of time ({}){}\n",
+                       comparison.time_judged ? "judged" : "NOT JUDGED",
+                       times.empty() ? ": none" : "");
+  }
   for (const CellComparison* cell : times) {
+    if (comparison.drawings_only) break;
     text += fmt::format("  {:<58} {}\n", cell_label(cell->key, cell->n), time_text(cell->time));
   }
   const auto volumes = largest(comparison, most, volume_of);
@@ -195,14 +201,19 @@ std::string largest_changes(const Comparison& comparison, std::size_t most) {
   return text;
 }
 
+bool is_unlike(const Comparison& comparison) {
+  return std::any_of(comparison.environment.begin(), comparison.environment.end(),
+                     [](const EnvironmentChange& change) { return change.differs(); });
+}
+
 std::string environment_text(const Comparison& comparison) {
-  if (comparison.environment.empty()) return "";
+  if (comparison.environment.empty() || comparison.drawings_only) return "";
   std::string text = fmt::format(
-      "UNLIKE ENVIRONMENTS: times are {}\n",
+      "{}: times are {}\n", is_unlike(comparison) ? "UNLIKE ENVIRONMENTS" : "BUSY MACHINE",
       comparison.time_judged ? "judged all the same, as asked" : "shown, but not judged");
   for (const EnvironmentChange& change : comparison.environment) {
-    text += fmt::format("  {}: {} -> {}\n", one_line(change.name), one_line(change.base),
-                        one_line(change.now));
+    text += fmt::format("  {}: {}{}\n", one_line(change.name), one_line(change.base),
+                        change.differs() ? " -> " + one_line(change.now) : " in both");
   }
   return text;
 }
@@ -243,11 +254,11 @@ std::string code_span(const std::string& text) {
   return span + "`";
 }
 
-std::string markdown_row(const CellComparison& cell) {
+std::string markdown_row(const CellComparison& cell, bool shows_times) {
   const double volume = cell.log2_volume_change;
   return fmt::format("| {} | {} | {} | {} | {} |\n", to_string(cell.verdict),
                      code_span(cell_label(cell.key, cell.n)),
-                     counts_of(cell) + time_text(cell.time),
+                     shows_times ? counts_of(cell) + time_text(cell.time) : "–",
                      std::abs(volume) > 0 ? percent(std::exp2(volume)) : "–",
                      cell.reason.empty() ? "" : code_span(cell.reason));
 }
@@ -269,8 +280,12 @@ std::string comparison_markdown(const Comparison& comparison, const CompareOptio
   }
   for (const std::string& line : comparison.remarks) text += "\n- note: " + code_span(line);
   for (const EnvironmentChange& change : comparison.environment) {
-    text += fmt::format("\n- unlike environments: {} was {}, is {}", code_span(change.name),
-                        code_span(change.base), code_span(change.now));
+    if (comparison.drawings_only) break;
+    text += change.differs()
+                ? fmt::format("\n- unlike environments: {} was {}, is {}", code_span(change.name),
+                              code_span(change.base), code_span(change.now))
+                : fmt::format("\n- busy machine: {} was {} in both", code_span(change.name),
+                              code_span(change.base));
   }
   return text +
          fmt::format("\n\n<details><summary>Everything</summary>\n\n~~~\n{}~~~\n\n</details>\n",

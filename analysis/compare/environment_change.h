@@ -13,6 +13,8 @@ struct EnvironmentChange {
   std::string name;  ///< "cpu", "flags", …
   std::string base;  ///< its value there, "absent" if none
   std::string now;
+  /// False for a machine that was equally busy with other work on both sides.
+  bool differs() const { return base != now; }
 };
 
 /// The name of the change that says that the machine was busy.

@@ -14,6 +14,12 @@
 namespace ar3d::report {
 namespace {
 
+/// Tables of more rows than this are folded.
+constexpr std::size_t kMostOpenRows = 80;
+const char* details(const std::vector<SectionCurve>& rows) {
+  return rows.size() <= kMostOpenRows ? "<details open>" : "<details>";
+}
+
 /// "93.1 % · 88.0 %": the worst and the median share of the bound.
 std::string fill(double worst_slack, double median_slack) {
   if (std::isnan(worst_slack)) return "–";
@@ -75,6 +81,7 @@ std::string exponent(const ScalingEntry* entry) {
 /// "8 of 10 sizes, n = 64 – 8,192"; why sizes were left out stands in the methods.
 std::string fit_notes(const ScalingEntry& entry) {
   const auto& used = entry.sizes.used;
+  if (used.empty() && entry.reason == kUntimed) return "";
   if (used.empty()) return "no finished size";
   std::string notes = fmt::format("{} of {} sizes, n = {} – {}", used.size(), entry.all.size(),
                                   grouped(used.front().n), grouped(used.back().n));
@@ -87,6 +94,10 @@ std::string fit_notes(const ScalingEntry& entry) {
 /// The label of the drawing time.
 std::string time_label(const ScalingEntry* entry) {
   if (entry == nullptr) return "–";
+  if (entry->reason == kUntimed) {
+    return "not timed <small><code>timed_repetitions</code> in the sweep of the study times "
+           "drawings</small>";
+  }
   std::string html = growth_label(*entry);
   if (const Interval a = entry->law_interval; entry->growth == Growth::power) {
     html += fmt::format(", a in [{:.2f}, {:.2f}]", a.low, a.high);
@@ -109,30 +120,35 @@ std::string bound_sentences(const Section& section) {
 
 std::string bounds_table_html(Page& page, const Section& section) {
   std::string html =
-      "<details open><summary>Bounds table</summary><p class=muted>Share of the theorem's bound "
-      "that the worst and (grey) the median graph use, by axis; then the worst share over the axes "
-      "of the proof's own bound for the very graph and of the published bound. 100 % touches the "
-      "bound.</p>" +
+      details(section.shown) +
+      std::string(
+          "<summary>Bounds table</summary><p class=muted>Share of the theorem's bound "
+          "that the worst and (grey) the median graph use, by axis; then the worst share over the "
+          "axes "
+          "of the proof's own bound for the very graph and of the published bound. 100 % touches "
+          "the "
+          "bound.</p>") +
       table_head({"Family", "#n", "Rows", "#Violations", "#x", "#y", "#z", "#Own bound",
                   "#Published", "Worst graph"});
-  for (std::size_t i = 0; i < section.curves.size(); ++i) {
-    html += bounds_row(page, section.curves[i], i);
+  for (std::size_t i = 0; i < section.shown.size(); ++i) {
+    html += bounds_row(page, section.shown[i], i);
   }
   return html + "</tbody></table></div></details>\n";
 }
 
 std::string growth_table(const Section& section) {
   std::string html =
-      "<details open><summary>Growth, and how sure it is</summary><p class=muted>Exponent a of n^a "
-      "over the fitted sizes, with its 95 % interval. Volume is the number of lattice points of "
-      "the box, here also at the largest n as its share of the theorem's own box, and over what "
-      "any "
-      "drawing with this guarantee needs.</p>" +
+      details(section.shown) +
+      std::string(
+          "<summary>Growth, and how sure it is</summary><p class=muted>Exponent a of n^a over the "
+          "fitted sizes, with its 95 % interval. Volume is the number of lattice points of the "
+          "box, here also at the largest n as its share of the theorem's own box, and over what "
+          "any drawing with this guarantee needs.</p>") +
       table_head({"Family", "#Longest side", "#Volume", "#Share of the theorem's",
                   "#Over the least", "#Drawing time", "Growth of the time", "Fit of the time"});
   std::size_t rows = 0;
-  for (std::size_t i = 0; i < section.curves.size(); ++i) {
-    const SectionCurve& curve = section.curves[i];
+  for (std::size_t i = 0; i < section.shown.size(); ++i) {
+    const SectionCurve& curve = section.shown[i];
     const auto find = [&](Quantity quantity) {
       return curve.scaling[static_cast<std::size_t>(quantity)];
     };
@@ -179,13 +195,21 @@ double largest(const Shares& shares) {
   return share;
 }
 
-/// At most kMostColumns sizes, evenly, the first and the last among them.
-std::vector<std::int64_t> columns_of(const std::vector<Shares>& rows) {
+std::vector<SizeBin> columns_of(const std::vector<Shares>& rows) {
   std::set<std::int64_t> all;
   for (const Shares& shares : rows) {
     for (const auto& [n, graph] : shares) all.insert(n);
   }
-  return evenly(std::vector<std::int64_t>(all.begin(), all.end()), kMostColumns);
+  return size_bins(all, kMostColumns);
+}
+
+/// The graph with the largest share among those of the bin; null if there is none.
+const DrawnGraph* closest_in(const Shares& shares, const SizeBin& bin) {
+  const DrawnGraph* closest = nullptr;
+  for (auto at = shares.lower_bound(bin.first); at != shares.end() && at->first <= bin.last; ++at) {
+    if (closest == nullptr || at->second->share() > closest->share()) closest = at->second;
+  }
+  return closest;
 }
 
 std::string share_cell(Page& page, std::size_t curve, const DrawnGraph& graph) {
@@ -198,8 +222,8 @@ std::string share_cell(Page& page, std::size_t curve, const DrawnGraph& graph) {
 
 std::string heat_map(Page& page, const Section& section) {
   std::vector<Shares> shares;
-  for (const SectionCurve& curve : section.curves) shares.push_back(worst_by_size(*curve.tally));
-  const std::vector<std::int64_t> columns = columns_of(shares);
+  for (const SectionCurve& curve : section.shown) shares.push_back(worst_by_size(*curve.tally));
+  const std::vector<SizeBin> columns = columns_of(shares);
   if (columns.empty()) return "";
   std::vector<std::size_t> order(shares.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -207,20 +231,25 @@ std::string heat_map(Page& page, const Section& section) {
     return largest(shares[a]) > largest(shares[b]);
   });
   std::string html =
-      "<details open><summary>Share of the theorem's bound by family and n</summary><p "
-      "class=muted>Per cent, the worst graph and axis; the family that comes closest stands first. "
-      "A click on an underlined number opens its drawing in 3D; on another one it shows the lines "
-      "that draw it.</p><div class=scroll><table class='heat sortable'><thead><tr><th>Family";
-  for (const std::int64_t n : columns) {
-    html += fmt::format("<th class=num title='n = {}'>{}", grouped(n), short_count(n));
+      details(section.shown) +
+      std::string(
+          "<summary>Share of the theorem's bound by family and n</summary><p "
+          "class=muted>Per cent, the worst graph and axis; the family that comes closest stands "
+          "first. "
+          "A click on an underlined number opens its drawing in 3D; on another one it shows the "
+          "lines "
+          "that draw it.</p><div class=scroll><table class='heat sortable'><thead><tr><th>Family");
+  for (const SizeBin& bin : columns) {
+    html += fmt::format("<th class=num title='n = {}'>{}", bin.text(), short_count(bin.first));
+    if (bin.first != bin.last) html += "–";
   }
   html += "</tr></thead><tbody>\n";
   for (const std::size_t i : order) {
-    const SectionCurve& curve = section.curves[i];
+    const SectionCurve& curve = section.shown[i];
     html += fmt::format("<tr data-f={}><th scope=row>{}</th>", i, escape(curve.name));
-    for (const std::int64_t n : columns) {
-      const auto at = shares[i].find(n);
-      html += at == shares[i].end() ? "<td></td>" : share_cell(page, curve.place, *at->second);
+    for (const SizeBin& bin : columns) {
+      const DrawnGraph* closest = closest_in(shares[i], bin);
+      html += closest == nullptr ? "<td></td>" : share_cell(page, curve.place, *closest);
     }
     html += "</tr>\n";
   }
@@ -240,10 +269,13 @@ std::string violations_text(std::size_t violations, std::size_t unproved, std::s
   return rest.empty() ? "<span class=pass>none</span>" : "none found, " + rest;
 }
 
+std::string row_button(std::size_t row, const std::string& text) {
+  return fmt::format("<button type=button class=graph data-r={}>{}</button>", row, text);
+}
+
 std::string graph_button(Page& page, std::size_t curve, const DrawnGraph& graph,
                          const std::string& text) {
-  return fmt::format("<button type=button class=graph data-r={}>{}</button>",
-                     page.point_at(curve, graph), text);
+  return row_button(page.point_at(curve, graph), text);
 }
 
 std::map<std::int64_t, const DrawnGraph*> worst_by_size(const CurveTally& curve) {
@@ -260,21 +292,26 @@ std::string algorithm_section(Page& page, const Section& section, const std::str
   std::string html =
       fmt::format("<section id={} class=setting><h2>{}</h2>\n", id, escape(section.label));
   html += bound_sentences(section);
-  if (section.curves.size() < section.all_curves) {
+  if (section.shown.size() < section.curves.size()) {
     html += fmt::format(
         "<p class=incomplete>The {} of {} families that come closest to the bound; <code>ar3d "
         "report --csv</code> lists all.</p>\n",
-        section.curves.size(), section.all_curves);
+        section.shown.size(), section.curves.size());
   }
   html += fmt::format(
       "<p><label class=choice>Highlight families <input type=search class=filter placeholder='part "
       "of a name' list='{}-families'></label><datalist id='{}-families'>",
       id, id);
-  for (const SectionCurve& curve : section.curves) {
+  for (const SectionCurve& curve : section.shown) {
     html += fmt::format("<option value='{}'>", escape(curve.family));
   }
   html += "</datalist></p>\n";
-  html += growth_figures(page, section) + heat_map(page, section);
+  const std::string growth = growth_figures(page, section);
+  const bool is_of_collections = std::all_of(section.curves.begin(), section.curves.end(),
+                                             [](const auto& curve) { return curve.is_collection; });
+  html +=
+      is_of_collections ? "<details><summary>Growth</summary>" + growth + "</details>\n" : growth;
+  html += heat_map(page, section);
   html += bounds_table_html(page, section) + growth_table(section) + bend_figure(page, section);
   return html + "</section>\n";
 }

@@ -96,7 +96,7 @@ std::string metrics_section(const StudyAnalysis& analysis, const std::vector<Sec
   std::string html =
       "<section id=metrics><h2>All metrics</h2><p>Median and (grey) least and largest value over "
       "the graphs of the largest n that was drawn; definitions are those of <code>ar3d list "
-      "metrics</code>.</p>" +
+      "metrics</code>.</p><details><summary>The table</summary>" +
       table_head(columns);
   for (std::size_t i = 0; i < metrics().size(); ++i) {
     const Metric& metric = metrics()[i];
@@ -104,7 +104,7 @@ std::string metrics_section(const StudyAnalysis& analysis, const std::vector<Sec
     for (const LargestGraphs& graphs : settings) html += value_cell(i, graphs);
     html += "</tr>\n";
   }
-  return html + "</tbody></table></div></section>\n";
+  return html + "</tbody></table></div></details></section>\n";
 }
 
 std::string background(const RowView& rows) {

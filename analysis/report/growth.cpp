@@ -18,6 +18,7 @@ constexpr std::size_t kEndsNamed = 2;   // families with the largest values, and
 constexpr std::size_t kAllNamed = 6;    // so few families are all drawn and named
 constexpr double kFarBound = 1.5;       // decades: a bound further up is told, not drawn
 constexpr double kPointBudget = 60000;  // points of a page
+constexpr std::size_t kMostBinsOfALine = 16;
 constexpr double kLineBudget = 200000;  // sizes of a page's lines
 
 /// One family: decimal logarithms, divided by the order.
@@ -25,6 +26,7 @@ struct FamilyLine {
   const SectionCurve* curve = nullptr;
   const ScalingEntry* entry = nullptr;
   std::size_t index = 0;  // in the section
+  std::vector<SizeSample> sizes;
 };
 
 struct GrowthFigure {
@@ -50,11 +52,34 @@ std::string power_text(double order) {
   return order == 1 ? "n" : order == 0.5 ? "√n" : fmt::format("n^{:.3g}", order);
 }
 
+/// The sizes of a collection in bins on a logarithmic scale: values are moved along n^order to the
+/// middle of their bin, so that a figure that divides by it shows what it showed.
+std::vector<SizeSample> binned(const std::vector<SizeSample>& all, double order) {
+  std::set<std::int64_t> sizes;
+  for (const SizeSample& size : all) sizes.insert(size.n);
+  std::vector<SizeSample> samples;
+  auto next = all.begin();
+  for (const SizeBin& bin : size_bins(sizes, kMostBinsOfALine)) {
+    SizeSample& sample = samples.emplace_back();
+    sample.n = sample.requested_n =
+        std::llround(std::sqrt(static_cast<double>(bin.first) * static_cast<double>(bin.last)));
+    const auto log = [](std::int64_t n) { return std::log(static_cast<double>(n)); };
+    for (; next != all.end() && next->n <= bin.last; ++next) {
+      const double moved = order * (log(sample.n) - log(next->n));
+      if (std::isnan(sample.log_bound)) sample.log_bound = next->log_bound + moved;
+      for (const InstanceValue& value : next->instances) {
+        sample.instances.push_back({value.log_value + moved, value.row});
+      }
+    }
+  }
+  return samples;
+}
+
 /// The families' medians by requested n.
 std::map<std::int64_t, std::vector<double>> band_of(const GrowthFigure& growth) {
   std::map<std::int64_t, std::vector<double>> band;
   for (const FamilyLine& line : growth.lines) {
-    for (const SizeSample& size : line.entry->all) {
+    for (const SizeSample& size : line.sizes) {
       band[size.requested_n].push_back(growth.middle(size));
     }
   }
@@ -65,7 +90,7 @@ std::map<std::int64_t, std::vector<double>> band_of(const GrowthFigure& growth) 
 std::map<std::int64_t, double> bound_of(const GrowthFigure& growth) {
   std::map<std::int64_t, double> bound;
   for (const FamilyLine& line : growth.lines) {
-    for (const SizeSample& size : line.entry->all) {
+    for (const SizeSample& size : line.sizes) {
       if (!std::isnan(size.log_bound)) bound[size.n] = growth.value(size, size.log_bound);
     }
   }
@@ -75,7 +100,7 @@ std::map<std::int64_t, double> bound_of(const GrowthFigure& growth) {
 LogRange data_range(const GrowthFigure& growth, LogRange& x) {
   LogRange y;
   for (const FamilyLine& line : growth.lines) {
-    for (const SizeSample& size : line.entry->all) {
+    for (const SizeSample& size : line.sizes) {
       x.include(log10_of(size.n));
       for (const InstanceValue& one : size.instances) y.include(growth.value(size, one.log_value));
     }
@@ -89,15 +114,15 @@ std::vector<std::size_t> extreme_lines(const GrowthFigure& growth) {
   std::vector<std::size_t> order, to_the_end;  // of the sizes
   std::int64_t largest = 0;
   for (const FamilyLine& line : growth.lines) {
-    largest = std::max(largest, line.entry->all.back().requested_n);
+    largest = std::max(largest, line.sizes.back().requested_n);
   }
   for (std::size_t i = 0; i < growth.lines.size(); ++i) {
     order.push_back(i);
-    if (growth.lines[i].entry->all.back().requested_n == largest) to_the_end.push_back(i);
+    if (growth.lines[i].sizes.back().requested_n == largest) to_the_end.push_back(i);
   }
   if (order.size() <= kAllNamed) return order;
   if (to_the_end.size() >= 2 * kEndsNamed) order = std::move(to_the_end);
-  const auto last = [&](std::size_t i) { return growth.middle(growth.lines[i].entry->all.back()); };
+  const auto last = [&](std::size_t i) { return growth.middle(growth.lines[i].sizes.back()); };
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return last(a) > last(b); });
   std::vector<std::size_t> extremes(order.begin(), order.begin() + kEndsNamed);
@@ -145,7 +170,7 @@ std::string line_svg(Page& page, const GrowthFigure& growth, const FamilyLine& l
     for (const DrawnGraph& graph : size.graphs) graph_of[graph.row] = &graph;
   }
   std::vector<const SizeSample*> sizes;
-  for (const SizeSample& size : line.entry->all) sizes.push_back(&size);
+  for (const SizeSample& size : line.sizes) sizes.push_back(&size);
   for (const SizeSample* size : evenly(sizes, growth.sizes_of_a_line)) {
     const std::vector<double> values = size->log_values();
     const double x = log10_of(size->n), y = growth.middle(*size);
@@ -171,10 +196,12 @@ std::string line_svg(Page& page, const GrowthFigure& growth, const FamilyLine& l
 
 GrowthFigure growth_of(Page& page, const Section& section, Quantity quantity) {
   GrowthFigure growth{quantity, order_of(section, quantity), {}};
-  for (std::size_t i = 0; i < section.curves.size(); ++i) {
-    const SectionCurve& curve = section.curves[i];
+  for (std::size_t i = 0; i < section.shown.size(); ++i) {
+    const SectionCurve& curve = section.shown[i];
     const ScalingEntry* entry = curve.scaling[static_cast<std::size_t>(quantity)];
-    if (entry != nullptr) growth.lines.push_back({&curve, entry, i});
+    if (entry == nullptr) continue;
+    growth.lines.push_back(
+        {&curve, entry, i, curve.is_collection ? binned(entry->all, growth.order) : entry->all});
   }
   std::size_t sizes = 0;
   for (const CurveTally& curve : page.analysis.tally.curves) sizes += curve.sizes.size();
@@ -185,7 +212,8 @@ GrowthFigure growth_of(Page& page, const Section& section, Quantity quantity) {
   return growth;
 }
 
-std::string unit_text(Quantity quantity) {
+std::string unit_text(const Section& section, Quantity quantity) {
+  if (quantity == Quantity::volume && section.has_own_unit) return "vertex distances³";
   return quantity == Quantity::wall_s ? "s" : unit_of(quantity);
 }
 
@@ -210,7 +238,8 @@ NamedPlot growth_plot(Page& page, const Section& section, const GrowthFigure& gr
   const TickStyle ticks = is_time   ? TickStyle::seconds
                           : is_wide ? TickStyle::power
                                     : TickStyle::count;
-  const PlotFrame frame = frame_of(x, y, ticks, plot.y + ", " + unit_text(growth.quantity));
+  const PlotFrame frame =
+      frame_of(x, y, ticks, plot.y + ", " + unit_text(section, growth.quantity));
   std::string svg = axes_svg(frame);
   svg += band_svg(growth, frame, plot.csv);
   svg += bound_svg(bound, frame, is_far, plot.csv);
@@ -223,7 +252,7 @@ NamedPlot growth_plot(Page& page, const Section& section, const GrowthFigure& gr
     const FamilyLine& line = growth.lines[i];
     svg += line_svg(page, growth, line, frame, is_extreme, colour, plot.csv);
     if (!is_extreme) continue;
-    labels.push_back({kRight + 5, frame.y.pixel(growth.middle(line.entry->all.back())) + 4,
+    labels.push_back({kRight + 5, frame.y.pixel(growth.middle(line.sizes.back())) + 4,
                       line.curve->name, fill_class(colour)});
   }
   if (!bound.empty() && !is_far) {
@@ -233,9 +262,11 @@ NamedPlot growth_plot(Page& page, const Section& section, const GrowthFigure& gr
   plot.svg = labelled_svg(
       plot.title + ", divided by " + power_text(growth.order) + ", against n by family", svg,
       std::move(labels));
-  plot.note = fmt::format("{} families", growth.lines.size());
+  std::set<std::string> families;
+  for (const FamilyLine& line : growth.lines) families.insert(line.curve->family);
+  plot.note = fmt::format("{} families", count_families(families));
   if (is_far) {
-    plot.note += fmt::format("; the theorem's bound lies at least {:.0f} times above",
+    plot.note += fmt::format("; the theorem's bound lies at least {:.3g} times above",
                              std::pow(10, nearest - top));
   }
   return plot;
@@ -284,7 +315,7 @@ std::string volume_band_figure(Page& page, const Section& section) {
     y.include(std::ranges::max(band.most));
   }
   const PlotFrame frame =
-      frame_of(x, y, TickStyle::power, plot.y + ", " + unit_text(Quantity::volume));
+      frame_of(x, y, TickStyle::power, plot.y + ", " + unit_text(section, Quantity::volume));
   for (const auto& [n, band] : bands) {
     const double at = log10_of(std::max<std::int64_t>(1, n)), middle = median(band.drawn);
     const double low = std::ranges::min(band.least), high = std::ranges::max(band.most);

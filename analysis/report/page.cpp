@@ -63,10 +63,11 @@ std::size_t Page::point_at(std::size_t curve, const DrawnGraph& graph) {
   const bool timed = analysis.tally.curves[curve].has_timing_rows;
   const double log_seconds = log_value(graph, Quantity::wall_s, timed);
   rows_[graph.row] =
-      fmt::format("[{},{},{},\"{}\",0,[{},{},{}],{},{},{},{}]", curve, graph.n, graph.m, graph.seed,
-                  graph.extents[0], graph.extents[1], graph.extents[2], numbers(own),
+      fmt::format("[{},{},{},\"{}\",0,[{},{},{}],{},{},{},{},{}]", curve, graph.n, graph.m,
+                  graph.seed, graph.extents[0], graph.extents[1], graph.extents[2], numbers(own),
                   numbers(graph.theorem_bound), numbers(graph.published_bound),
-                  std::isnan(log_seconds) ? "0" : fmt::format("{:.3g}", std::exp(log_seconds)));
+                  std::isnan(log_seconds) ? "0" : fmt::format("{:.3g}", std::exp(log_seconds)),
+                  graph.name.empty() ? "0" : json_string(graph.name));
   return graph.row;
 }
 
@@ -74,6 +75,21 @@ std::size_t Page::point_at(std::size_t curve, const CensoredRow& row) {
   rows_[row.row] = fmt::format("[{},{},{},\"{}\",{},[-1,-1,-1],0,0,0,0]", curve, row.n, row.m,
                                row.seed, json_string(to_string(row.status)));
   return row.row;
+}
+
+bool Page::point_at(std::size_t row) {
+  if (rows_.contains(row)) return true;
+  const RunRecord run = analysis.rows.read(row);
+  const std::vector<CurveTally>& curves = analysis.tally.curves;
+  const auto at = std::find_if(curves.begin(), curves.end(),
+                               [key = curve_of(run)](const auto& one) { return one.key == key; });
+  if (at == curves.end()) return false;
+  rows_[row] =
+      fmt::format("[{},{},{},\"{}\",{},[{},{},{}],0,{},{},0]", at - curves.begin(),
+                  run.n >= 0 ? run.n : run.requested_n, run.m, run.seed,
+                  json_string(to_string(run.status)), run.extents[0], run.extents[1],
+                  run.extents[2], numbers(run.theorem_bound), numbers(run.published_bound));
+  return true;
 }
 
 std::string Page::rows_json() const {
@@ -85,7 +101,8 @@ std::string Page::rows_json() const {
   for (const auto& [row, json] : rows_) {
     rows += fmt::format("{}\"{}\":{}", rows.empty() ? "" : ",\n", row, json);
   }
-  return "{\"curves\":[" + curves + "],\n\"rows\":{" + rows + "}}";
+  return "{\"replay\":" + json_string("ar3d replay " + shell_word(analysis.rows.file) + " ") +
+         ",\n\"curves\":[" + curves + "],\n\"rows\":{" + rows + "}}";
 }
 
 std::string Page::figure(NamedPlot plot, const std::string& attributes) {
@@ -236,7 +253,7 @@ for index, ((name, kind), rows) in enumerate(series.items()):
         axes.plot(x, y, linewidth=1 if label else 0.4, color=None if label else "0.6", label=label)
 if not any(kind == "bar" for name, kind in series):
     axes.set_xscale("log")
-    axes.set_yscale("log")
+    axes.set_yscale("{y_scale}")
     axes.legend(fontsize="x-small")
 axes.set_title({title}, fontsize="small")
 axes.set_xlabel({x})
@@ -278,7 +295,8 @@ std::string standalone_svg(const NamedPlot& plot) {
 std::string matplotlib_script(const NamedPlot& plot) {
   return fmt::format(fmt::runtime(kMatplotlib), fmt::arg("file", plot.file),
                      fmt::arg("title", json_string(plot.title)), fmt::arg("x", json_string(plot.x)),
-                     fmt::arg("y", json_string(plot.y)));
+                     fmt::arg("y", json_string(plot.y)),
+                     fmt::arg("y_scale", plot.has_linear_y ? "linear" : "log"));
 }
 
 std::string pgfplots_document(const NamedPlot& plot) {
@@ -294,7 +312,9 @@ std::string pgfplots_document(const NamedPlot& plot) {
     plots += addplot(plot.file, id, name, kind, is_named);
   }
   return fmt::format(fmt::runtime(kPgfplots), fmt::arg("file", plot.file),
-                     fmt::arg("axis", is_bar ? "axis" : "loglogaxis"),
+                     fmt::arg("axis", is_bar              ? "axis"
+                                      : plot.has_linear_y ? "semilogxaxis"
+                                                          : "loglogaxis"),
                      fmt::arg("title", latex(plot.title)), fmt::arg("x", latex(plot.x)),
                      fmt::arg("y", latex(plot.y)), fmt::arg("plots", plots));
 }

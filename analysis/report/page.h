@@ -20,6 +20,7 @@ struct NamedPlot {
   std::string svg = {};
   std::string csv = {};     ///< lines of csv_line; a noted figure's have a head and ids in front
   std::string legend = {};  ///< HTML below the figure
+  bool has_linear_y = false;
 };
 
 /// What the sections of a page share: the rows that something in it points at, and its figures.
@@ -37,8 +38,11 @@ class Page {
   /// @return the row.
   std::size_t point_at(std::size_t curve, const DrawnGraph& graph);
   std::size_t point_at(std::size_t curve, const CensoredRow& row);
-  /// The rows noted so far, for the page's script: {"curves": [[label, command before n, command
-  /// behind the seed], …], "bounds": {"n of setting": …}, "rows": {"row": [curve, n, m, seed, …]}}.
+  /// The same of any row of the study; false if its curve is in no table.
+  bool point_at(std::size_t row);
+  /// The rows noted so far, for the page's script: {"replay": command before the row, "curves":
+  /// [[label, command before n, command behind the seed], …], "bounds": {"n of setting": …},
+  /// "rows": {"row": [curve, n, m, seed, …]}}.
   std::string rows_json() const;
 
   /// Notes a figure. @return it as HTML.

@@ -11,8 +11,9 @@
   const seconds = s => s < 1e-3 ? (s * 1e6).toPrecision(3) + " µs" : s < 1 ? (s * 1e3).toPrecision(3) + " ms"
     : s.toPrecision(3) + " s";
   const describe = id => {
-    const [curve, n, m, seed, status, box, own, theorem, published, time] = data.rows[id];
+    const [curve, n, m, seed, status, box, own, theorem, published, time, name] = data.rows[id];
     const lines = [data.curves[curve][0], `${n} vertices, ${m} edges, seed ${seed}`];
+    if (name) lines.splice(1, 0, name);
     if (status) lines.push(status.replaceAll("_", " "));
     if (box[0] >= 0) lines.push("box " + box.join(" × "));
     if (own) lines.push("its own bound " + own.join(" × "));
@@ -23,7 +24,7 @@
   };
   const commands = id => {
     const [curve, n, , seed] = data.rows[id];
-    const [, before, behind] = data.curves[curve], again = "ar3d replay RESULTS.h5 " + id;
+    const [, before, behind] = data.curves[curve], again = data.replay + id;
     return before ? before + n + " --seed " + seed + behind + "\n" + again + " -o drawing.html" : again + " -o drawing.html";
   };
   const replay = id => {
@@ -137,6 +138,13 @@
     for (const figure of compared) figure.hidden = !own.includes(figure) || (!!figure.dataset.n && figure !== trades[0]);
   };
   for (const select of [group, size]) select?.addEventListener("change", choose);
+
+  // The two settings of a scatter.
+  for (const select of all("select.pick")) {
+    select.addEventListener("change", () => {
+      for (const figure of all(`figure[data-pick=${select.name}]`)) figure.hidden = figure.dataset.value !== select.value;
+    });
+  }
 
   // Families that the plots and tables of a section show: those whose name holds one of the words.
   for (const input of all("input.filter")) {

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "ar3d/analysis/report/html.h"
 
@@ -47,6 +48,7 @@ std::string label(int digit, int exponent, TickStyle style) {
       return si(digit, exponent, "", false);
     case TickStyle::seconds:
       return si(digit, exponent, "s", true);
+    case TickStyle::share:
     case TickStyle::power:
       break;
   }
@@ -84,6 +86,9 @@ double LogAxis::pixel(double log10) const {
 }
 
 std::vector<Tick> LogAxis::ticks(TickStyle style, int most) const {
+  if (style == TickStyle::share) {
+    return {{0, "0 %"}, {0.25, "25 %"}, {0.5, "50 %"}, {0.75, "75 %"}, {1, "100 %"}};
+  }
   const double decades = high_ - low_;
   if (decades < kNarrow) {
     std::vector<Tick> narrow = narrow_ticks(style, most);
@@ -210,6 +215,7 @@ std::vector<InstanceValue> shown_points(const SizeSample& size, std::size_t most
 std::string bend_mark(std::size_t bends, double x, double y, const std::string& css) {
   const char* shape = "a4.5 4.5 0 1 0 9 0a4.5 4.5 0 1 0 -9 0";  // from its left
   double dx = -4.5, dy = 0;
+  if (bends == 0) shape = "h10v4h-10z", dx = -5, dy = -2;
   if (bends == 3) shape = "l5 9h-10z", dx = 0, dy = -5;
   if (bends == 4) shape = "h8v8h-8z", dx = dy = -4;
   if (bends == 5) shape = "l5.5 5.5l-5.5 5.5l-5.5 -5.5z", dx = 0, dy = -5.5;
@@ -254,14 +260,33 @@ namespace {
 constexpr double kLine = 11.5;  // between two labels
 constexpr double kReach = 100;  // labels further apart than this do not touch
 
-/// The first characters (not bytes) of UTF-8 text.
-std::string cut(const std::string& text) {
-  std::size_t characters = 0;
+/// UTF-8 text cut to kLabelCharacters, of which `tail` are its last ones.
+std::string cut(const std::string& text, std::size_t tail) {
+  std::vector<std::size_t> starts;  // of characters, not bytes
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool is_start = (static_cast<unsigned char>(text[i]) & 0xC0) != 0x80;
-    if (is_start && ++characters > kLabelCharacters) return text.substr(0, i) + "…";
+    if ((static_cast<unsigned char>(text[i]) & 0xC0) != 0x80) starts.push_back(i);
   }
-  return text;
+  if (starts.size() <= kLabelCharacters) return text;
+  const std::size_t end = tail == 0 ? text.size() : starts[starts.size() - tail];
+  return text.substr(0, starts[kLabelCharacters - tail]) + "…" + text.substr(end);
+}
+
+/// The labels' texts, cut so that different ones stay different: at the end, else in the middle,
+/// else not at all.
+std::vector<std::string> cut_texts(const std::vector<Label>& labels) {
+  std::set<std::string> whole;
+  for (const Label& label : labels) whole.insert(label.text);
+  for (const std::size_t tail : {0, 7, 12}) {
+    std::set<std::string> different;
+    for (const std::string& text : whole) different.insert(cut(text, tail));
+    if (different.size() < whole.size()) continue;
+    std::vector<std::string> texts;
+    for (const Label& label : labels) texts.push_back(cut(label.text, tail));
+    return texts;
+  }
+  std::vector<std::string> texts;
+  for (const Label& label : labels) texts.push_back(label.text);
+  return texts;
 }
 
 bool touch(const Label& a, const Label& b) { return std::abs(a.x - b.x) < kReach; }
@@ -295,10 +320,12 @@ std::string labels_svg(std::vector<Label> labels, double top, double bottom) {
                    [](const Label& a, const Label& b) { return a.y < b.y; });
   push_down(labels);
   push_up(bottom, labels);
+  const std::vector<std::string> texts = cut_texts(labels);
   std::string svg;
-  for (const Label& label : labels) {
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const Label& label = labels[i];
     svg += fmt::format("<text class='{}' x='{:.1f}' y='{:.1f}'>{}<title>{}</title></text>",
-                       label.css, label.x, label.y, escape(cut(label.text)), escape(label.text));
+                       label.css, label.x, label.y, escape(texts[i]), escape(label.text));
   }
   return svg;
 }
@@ -308,6 +335,26 @@ std::string labelled_svg(const std::string& title, const std::string& content,
   return svg_element(
       title, kLabelledWidth, kHeight,
       content + "<g class='ends'>" + labels_svg(std::move(labels), top, kBottom) + "</g>");
+}
+
+std::string SizeBin::text() const {
+  return first == last ? grouped(first) : grouped(first) + " – " + grouped(last);
+}
+
+std::vector<SizeBin> size_bins(const std::set<std::int64_t>& sizes, std::size_t most) {
+  std::vector<SizeBin> bins;
+  if (sizes.empty()) return bins;
+  const double low = log10_of(std::max<std::int64_t>(1, *sizes.begin()));
+  const double width = (log10_of(*sizes.rbegin()) - low) / static_cast<double>(most);
+  std::size_t end_of_last = 0;  // parts up to the last bin's end
+  for (const std::int64_t n : sizes) {
+    const double place = (log10_of(std::max<std::int64_t>(1, n)) - low) / width;
+    const std::size_t end = std::min(static_cast<std::size_t>(std::max(0.0, place)), most - 1) + 1;
+    if (sizes.size() <= most || end > end_of_last) bins.push_back({n, n});
+    bins.back().last = n;
+    end_of_last = end;
+  }
+  return bins;
 }
 
 std::vector<std::pair<double, double>> front_of(std::vector<std::pair<double, double>> points) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,7 @@ enum class TickStyle {
   count,    ///< 200, 1k, 10k, 1M
   power,    ///< 10⁶, 10⁹
   seconds,  ///< 10 µs, 1 ms, 1 s
+  share,    ///< 0 %, 25 %, 100 % of an axis that is linear from 0 to 1
 };
 
 struct Tick {
@@ -101,7 +103,7 @@ struct Dots {
 /// all of them if they are no more.
 std::vector<InstanceValue> shown_points(const SizeSample& size, std::size_t most);
 
-/// A point's mark at (x, y) by the largest number of bends per edge: 0 to 2, 3, 4, 5, more.
+/// A point's mark at (x, y) by the largest number of bends per edge: 0, 1 or 2, 3, 4, 5, more.
 std::string bend_mark(std::size_t bends, double x, double y, const std::string& css);
 
 /// "s3 d1": stroke and dash of a series colour; "f3": its fill.
@@ -112,7 +114,7 @@ std::string fill_class(std::size_t colour);
 struct Label {
   double x = 0;
   double y = 0;
-  std::string text;  ///< plain text; cut to `kLabelCharacters` with the whole as a title
+  std::string text;  ///< plain text; cut to kLabelCharacters where that tells the labels apart
   std::string css;   ///< classes of the <text>, such as the colour
 };
 
@@ -130,6 +132,15 @@ std::string labelled_svg(const std::string& title, const std::string& content,
 std::vector<std::pair<double, double>> front_of(std::vector<std::pair<double, double>> points);
 /// Their line, with the steps between them.
 std::string front_svg(const std::vector<std::pair<double, double>>& front, const PlotFrame& frame);
+
+/// Sizes that stand together.
+struct SizeBin {
+  std::int64_t first = 0, last = 0;
+  std::string text() const;  ///< "1,000", "100 – 199"
+};
+/// One bin a size if there are at most `most`; else those of `most` equal parts of the logarithmic
+/// scale that hold any. @param sizes  at least 1 each; smaller ones are in no bin but the first.
+std::vector<SizeBin> size_bins(const std::set<std::int64_t>& sizes, std::size_t most);
 
 /// At most `most` of the items, evenly, the first and the last among them.
 template <class Item>

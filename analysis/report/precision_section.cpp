@@ -77,11 +77,11 @@ EffortLine effort_line(const std::string& algorithm, const SettingGroup& group) 
     const SettingGroup there = group.at(*n);
     if (there.settings.size() < 2 || there.families.empty()) continue;
     line.n = *n;
-    const Median first = over(*there.settings.front(), *n, there.families);
+    const Median first = over(*there.settings.front(), *n, there);
     for (const ComparedSetting* setting : there.settings) {
-      const Median own = over(*setting, *n, there.families);
+      const Median own = over(*setting, *n, there);
       line.points.emplace_back(setting->label,
-                               Median{own.volume - first.volume, own.time - first.time});
+                               Median{own.volume - first.volume, kMissing, own.time - first.time});
     }
   }
   return line;

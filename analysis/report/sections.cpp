@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "ar3d/analysis/replay.h"
+
 namespace ar3d::report {
 namespace {
 
@@ -42,6 +44,7 @@ std::vector<Section> sections(const StudyAnalysis& analysis) {
     entries.resize(quantities().size());
     entries[static_cast<std::size_t>(entry.quantity)] = &entry;
   }
+  const ShowCommand commands(analysis.rows);
   const std::vector<AlgorithmRecord> records = algorithm_records(*analysis.rows.identity);
   std::vector<Section> sections;
   std::map<std::string, std::size_t> index_of;
@@ -54,22 +57,30 @@ std::vector<Section> sections(const StudyAnalysis& analysis) {
       section.label = at->first;
       section.algorithm = key.algorithm;
       if (const auto* record = find_algorithm_record(records, key.algorithm, key.options)) {
-        section.theorem = record->theorem;
+        if (record->theorem.promises_box()) section.theorem = record->theorem;
         section.published = record->published;
       }
     }
+    sections[at->second].has_own_unit |= analysis.tally.curves[place].has_own_unit;
     auto scaling = scaling_of[key];
     scaling.resize(quantities().size());
-    sections[at->second].curves.push_back({place, family_label(key), key.family,
-                                           &analysis.tally.curves[place], &analysis.bounds[place],
-                                           std::move(scaling)});
+    const CurveTally& tally = analysis.tally.curves[place];
+    sections[at->second].curves.push_back(
+        {place, family_label(key), key.family, &tally, &analysis.bounds[place], std::move(scaling),
+         commands.is_of_file(key.family) && tally.instances >= kFewestOfCollection});
   }
   for (Section& section : sections) {
-    section.all_curves = section.curves.size();
     name_families(section.curves);
-    keep_closest(section.curves);
+    section.shown = section.curves;
+    keep_closest(section.shown);
   }
   return sections;
+}
+
+std::size_t count_families(const std::set<std::string>& family_labels) {
+  std::set<std::string> names;
+  for (const std::string& label : family_labels) names.insert(label.substr(0, label.find(" (")));
+  return names.size();
 }
 
 }  // namespace ar3d::report

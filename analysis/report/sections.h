@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct SectionCurve {
   const CurveTally* tally = nullptr;
   const BoundsEntry* bounds = nullptr;
   std::vector<const ScalingEntry*> scaling;  ///< by quantity; null if it was not measured
+  bool is_collection = false;  ///< graphs of files, at least kFewestOfCollection of them
 };
 
 /// One setting: an algorithm with its options, and its families in the order of the file.
@@ -30,13 +32,17 @@ struct Section {
   std::string algorithm;
   std::optional<SizeBound> theorem;
   std::optional<SizeBound> published;
-  std::vector<SectionCurve> curves;  ///< at most kMostFamilies: those closest to the bound
-  std::size_t all_curves = 0;
+  bool has_own_unit = false;         ///< as of CurveTally
+  std::vector<SectionCurve> curves;  ///< all of them: what is counted is counted over these
+  std::vector<SectionCurve> shown;   ///< at most kMostFamilies: those closest to the bound
 };
-inline constexpr std::size_t kMostFamilies = 300, kMostSections = 40;
+inline constexpr std::size_t kFewestOfCollection = 20;
+inline constexpr std::size_t kMostFamilies = 300, kMostSections = 40, kShownFindings = 20;
 
 /// At most kMostSections of them.
 std::vector<Section> sections(const StudyAnalysis& analysis);
+/// How many families these labels are of: one with several parameters counts once.
+std::size_t count_families(const std::set<std::string>& family_labels);
 
 /// The head of the page: is everything certified, how close does anything come to a bound, and has
 /// anything changed?
@@ -51,6 +57,10 @@ std::string closeness_section(Page& page, const std::vector<Section>& sections);
 std::string promises_section(const std::vector<Section>& sections);
 /// What does each algorithm trade: volume, bends, time?
 std::string trade_section(Page& page, const std::vector<Section>& sections);
+/// For each collection who drew how many of its graphs, profiles, scatters, curves and groups.
+std::string collection_sections(Page& page, const std::vector<Section>& sections);
+/// The rows of the graphs that its scatters of volumes name.
+std::vector<std::size_t> collection_outliers(const std::vector<Section>& sections);
 /// What does accuracy cost: real types, certificate modes, levels, efforts? Empty where all rows
 /// are proved exactly and of one level. One more pass over the rows.
 std::string precision_section(Page& page, const std::vector<Section>& sections);
@@ -60,7 +70,10 @@ std::string algorithm_section(Page& page, const Section& section, const std::str
 std::string growth_figures(Page& page, const Section& section);
 /// The numbers of its heat map: by requested n the graph with the largest share of the bound.
 std::map<std::int64_t, const DrawnGraph*> worst_by_size(const CurveTally& curve);
-/// A button that shows how the graph is drawn again. @param text  HTML.
+/// A button that opens the drawing of a row that the page points at, or shows how it is drawn
+/// again. @param text  HTML.
+std::string row_button(std::size_t row, const std::string& text);
+/// The same for a graph, at which the page points then.
 std::string graph_button(Page& page, std::size_t curve, const DrawnGraph& graph,
                          const std::string& text);
 /// Batches of strong and weak scaling against the ideal; empty if there are none.

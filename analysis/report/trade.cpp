@@ -16,6 +16,7 @@ namespace ar3d::report {
 namespace {
 
 constexpr std::size_t kMostCrossings = 8;  // told in words
+constexpr std::size_t kFewestGraphs = 8;   // on either side of a crossing
 
 struct VolumeLine {
   const ComparedSetting* setting = nullptr;
@@ -31,7 +32,8 @@ std::vector<VolumeLine> volume_lines(const SettingGroup& group, double order) {
     if (there.families.empty()) continue;
     for (VolumeLine& line : lines) {
       if (!line.setting->sizes.contains(n)) continue;
-      const double volume = over(*line.setting, n, there.families).volume;
+      const double volume = over(*line.setting, n, there).volume;
+      if (std::isnan(volume)) continue;
       line.points.emplace_back(log10_of(n), volume - order * log10_of(n));
     }
   }
@@ -44,7 +46,22 @@ struct Crossing {
   const VolumeLine* below = nullptr;
   const VolumeLine* above = nullptr;
   double log_n = 0, value = 0;
+  std::size_t graphs = 0, smaller = 0;  // beyond it, that both drew; of them with less volume
 };
+
+/// Counts the graphs on either side. True if they bear the crossing out: enough of them, most of
+/// those beyond it with less volume, and most of the others without.
+bool is_borne_out(const SettingGroup& group, Crossing& crossing) {
+  std::size_t before = 0, smaller_before = 0;
+  for (const PairedGraph& graph :
+       paired_graphs(*crossing.below->setting, *crossing.above->setting, group)) {
+    const bool is_beyond = graph.log_n > crossing.log_n;
+    ++(is_beyond ? crossing.graphs : before);
+    (is_beyond ? crossing.smaller : smaller_before) += graph.log_ratio < 0;
+  }
+  return std::min(before, crossing.graphs) >= kFewestGraphs &&
+         10 * crossing.smaller >= 9 * crossing.graphs && 2 * smaller_before < before;
+}
 
 void add_crossing(const VolumeLine& a, const VolumeLine& b, std::vector<Crossing>& crossings) {
   std::map<double, double> other(b.points.begin(), b.points.end());
@@ -64,8 +81,9 @@ void add_crossing(const VolumeLine& a, const VolumeLine& b, std::vector<Crossing
   if (found.below != nullptr) crossings.push_back(found);
 }
 
-/// The last crossing of every two lines of different algorithms.
-std::vector<Crossing> crossings_of(const std::vector<VolumeLine>& lines) {
+/// The last crossing of every two lines of different algorithms that the graphs bear out.
+std::vector<Crossing> crossings_of(const SettingGroup& group,
+                                   const std::vector<VolumeLine>& lines) {
   std::vector<Crossing> crossings;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -73,6 +91,7 @@ std::vector<Crossing> crossings_of(const std::vector<VolumeLine>& lines) {
       add_crossing(lines[i], lines[j], crossings);
     }
   }
+  std::erase_if(crossings, [&](Crossing& crossing) { return !is_borne_out(group, crossing); });
   std::sort(crossings.begin(), crossings.end(),
             [](const Crossing& a, const Crossing& b) { return a.log_n < b.log_n; });
   return crossings;
@@ -83,18 +102,24 @@ std::string crossing_sentences(const std::vector<Crossing>& crossings) {
   std::string html = "<ul class=crossings>";
   for (std::size_t i = 0; i < std::min(kMostCrossings, crossings.size()); ++i) {
     const Crossing& crossing = crossings[i];
-    html +=
-        fmt::format("<li>{} needs less volume than {} from about n = {} on</li>",
-                    escape(crossing.below->setting->label), escape(crossing.above->setting->label),
-                    grouped(std::llround(std::pow(10, crossing.log_n))));
+    html += fmt::format(
+        "<li>{} needs less volume than {} from about n = {} on (there {} of {} graphs "
+        "that both drew)</li>",
+        escape(crossing.below->setting->label), escape(crossing.above->setting->label),
+        grouped(std::llround(std::pow(10, crossing.log_n))), crossing.smaller, crossing.graphs);
   }
   return html + "</ul>";
 }
 
+std::string unit_of(const SettingGroup& group) {
+  return group.is_relative ? "cubes of the smallest vertex distance" : "lattice points";
+}
+
 NamedPlot plot_of(const SettingGroup& group, const std::vector<VolumeLine>& lines, double order) {
   const std::string divisor = fmt::format("n^{:.3g}", order);
-  NamedPlot plot{"volume", "Volume against n",
-                 fmt::format("divided by {}; medians over {}", divisor, group.text())};
+  NamedPlot plot{
+      "volume", "Volume against n",
+      fmt::format("in {}, divided by {}; medians over {}", unit_of(group), divisor, group.text())};
   plot.x = "vertices n";
   plot.y = "volume / " + divisor;
   LogRange x, y;
@@ -118,7 +143,8 @@ NamedPlot plot_of(const SettingGroup& group, const std::vector<VolumeLine>& line
     labels.push_back({kRight + 5, frame.y.pixel(line.points.back().second) + 4, line.setting->label,
                       fill_class(line.setting->colour)});
   }
-  for (const Crossing& crossing : crossings_of(lines)) {
+  const std::vector<Crossing> crossings = crossings_of(group, lines);
+  for (const Crossing& crossing : crossings) {
     svg += fmt::format("<circle class='crossing' cx='{:.1f}' cy='{:.1f}' r='4'/>",
                        frame.x.pixel(crossing.log_n), frame.y.pixel(crossing.value));
     plot.csv +=
@@ -126,7 +152,7 @@ NamedPlot plot_of(const SettingGroup& group, const std::vector<VolumeLine>& line
                  "point", crossing.log_n, crossing.value);
   }
   plot.svg = labelled_svg(plot.title, svg, std::move(labels));
-  plot.legend = crossing_sentences(crossings_of(lines));
+  plot.legend = crossing_sentences(crossings);
   return plot;
 }
 
@@ -142,14 +168,14 @@ constexpr std::size_t kMostChoices = 16;  // of n
 std::string bend_legend(const std::vector<const ComparedSetting*>& settings) {
   std::set<std::size_t> kinds;
   for (const ComparedSetting* setting : settings) {
-    kinds.insert(std::clamp<std::size_t>(setting->bends, 2, 6));
+    kinds.insert(setting->bends == 0 ? 0 : std::clamp<std::size_t>(setting->bends, 2, 6));
   }
   std::string html = "<div class=legend>";
   for (const std::size_t bends : kinds) {
     html +=
         fmt::format("<span><svg viewBox='0 0 12 12' class=key aria-hidden=true>{}</svg>{}</span>",
                     bend_mark(bends, 6, 6, "mark"),
-                    bends == 2 ? "at most 2 bends per edge"
+                    bends == 0 ? "straight edges"
                                : fmt::format("{}{} bends per edge", bends < 6 ? "at most " : "",
                                              bends < 6 ? std::to_string(bends) : "more"));
   }
@@ -166,14 +192,15 @@ NamedPlot trade_plot(const SettingGroup& group, std::int64_t n) {
   std::vector<Median> points;
   if (there.families.empty() || there.settings.size() < 2) return plot;
   for (const ComparedSetting* setting : there.settings) {
-    points.push_back(over(*setting, n, there.families));
+    points.push_back(over(*setting, n, there));
+    if (std::isnan(points.back().volume)) points.back().time = kMissing;  // no point
     x.include(points.back().time);
     y.include(points.back().volume);
   }
   if (x.empty()) return plot;
   plot.x = "drawing time in s";
-  plot.y = "volume in lattice points";
-  PlotFrame frame = frame_of(x, y, TickStyle::power, "volume");
+  plot.y = "volume in " + unit_of(group);
+  PlotFrame frame = frame_of(x, y, TickStyle::power, plot.y);
   frame.x_ticks = TickStyle::seconds;
   frame.x_title = "drawing time";
   std::string svg = axes_svg(frame);
@@ -251,17 +278,14 @@ double least_order(const std::vector<Section>& sections) {
   return least;
 }
 
-/// Said where drawings in decimals stand beside drawings on a lattice.
-std::string unit_note(const std::vector<Section>& sections) {
-  const auto is_measured = [](const SectionCurve& curve) {
-    return curve.bounds->count(RunStatus::measured) > 0;
-  };
-  const bool is_mixed = std::any_of(sections.begin(), sections.end(), [&](const Section& section) {
-    return std::any_of(section.curves.begin(), section.curves.end(), is_measured);
-  });
-  if (!is_mixed) return "";
-  return " Volumes of programs without a guarantee are in units of the smallest vertex distance, "
-         "the others in lattice points: log2_relative_volume, under All metrics, compares them.";
+/// Said where a program that chooses its own unit stands beside drawings on a lattice.
+std::string unit_note(const std::vector<SettingGroup>& groups) {
+  if (std::none_of(groups.begin(), groups.end(),
+                   [](const SettingGroup& group) { return group.is_relative; })) {
+    return "";
+  }
+  return " A program without a theorem chooses its own unit: where one is compared, all volumes "
+         "are in cubes of the drawing's smallest vertex distance (log2_relative_volume).";
 }
 
 }  // namespace
@@ -295,7 +319,7 @@ std::string trade_section(Page& page, const std::vector<Section>& sections) {
   return "<section id=trade><h2>What does each algorithm trade?</h2><p>Less volume costs time or "
          "bends. Medians over graphs, then over families; sizes with unfinished graphs are left "
          "out." +
-         unit_note(sections) + "</p><p>" + choices + "</p><div class=figures>\n<div>" + trades +
+         unit_note(groups) + "</p><p>" + choices + "</p><div class=figures>\n<div>" + trades +
          "</div><div>" + volumes + "</div></div></section>\n";
 }
 

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "ar3d/analysis/report/html.h"
 #include "ar3d/analysis/report/sections.h"
@@ -70,12 +71,16 @@ std::string settings_table(const Comparison& comparison) {
 
 std::string environment_list(const Comparison& comparison) {
   if (comparison.environment.empty()) return "";
+  const auto& changes = comparison.environment;
+  const bool is_unlike = std::any_of(changes.begin(), changes.end(),
+                                     [](const auto& change) { return change.differs(); });
   std::string html = fmt::format(
-      "<p class=incomplete>The environments differ, so times are {}:</p><ul>",
+      "<p class=incomplete>{}, so times are {}:</p><ul>",
+      is_unlike ? "The environments differ" : "The machine was busy with other work",
       comparison.time_judged ? "judged only because that was asked for" : "shown and not judged");
   for (const EnvironmentChange& change : comparison.environment) {
-    html += fmt::format("<li>{}: {} → {}</li>", escape(change.name), escape(change.base),
-                        escape(change.now));
+    html += fmt::format("<li>{}: {}{}</li>", escape(change.name), escape(change.base),
+                        change.differs() ? " → " + escape(change.now) : " in both");
   }
   return html + "</ul>\n";
 }
@@ -128,7 +133,6 @@ std::string lines(const std::vector<std::string>& all, const char* css) {
   return html.empty() ? "" : "<ul>" + html + "</ul>\n";
 }
 
-constexpr std::size_t kShownFindings = 20;
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
 
 std::string count_text(std::size_t count) { return grouped(static_cast<std::int64_t>(count)); }
@@ -176,15 +180,21 @@ std::string sampling_note(const StudyTally& tally) {
   return html;
 }
 
-std::string findings_list(const StudyAnalysis& analysis) {
+std::string findings_list(Page& page) {
+  const StudyAnalysis& analysis = page.analysis;
   const auto& findings = analysis.verdict.findings;
   if (findings.empty()) return "";
   std::string html = "<h3>Findings</h3><ol>";
   for (std::size_t i = 0; i < std::min(kShownFindings, findings.size()); ++i) {
     const Finding& finding = findings[i];
-    html += fmt::format("<li><b class={}>{}</b>: {}",
-                        is_violation(finding.kind) ? "violated" : "incomplete",
-                        to_string(finding.kind), escape(finding.message));
+    html += fmt::format(
+        "<li><b class={}>{}</b>: ", is_violation(finding.kind) ? "violated" : "incomplete",
+        to_string(finding.kind));
+    if (finding.row) {
+      const std::string name = fmt::format("row {}, {}", *finding.row, escape(finding.subject));
+      html += (page.point_at(*finding.row) ? row_button(*finding.row, name) : name) + ": ";
+    }
+    html += escape(finding.message);
     if (finding.row) html += "<br><code>" + escape(finding.command) + "</code>";
     html += "</li>\n";
   }
@@ -234,7 +244,9 @@ Closest closest_of(const Section& section) {
 std::string setting_row(Page& page, const Section& section, std::size_t index) {
   std::size_t instances = 0, violations = 0, unproved = 0, ok_rows = 0, measured_rows = 0;
   std::int64_t largest = 0;
+  std::set<std::string> families;
   for (const SectionCurve& curve : section.curves) {
+    families.insert(curve.family);
     instances += curve.bounds->instances;
     violations += curve.bounds->violations;
     unproved += curve.bounds->unproved;
@@ -251,8 +263,8 @@ std::string setting_row(Page& page, const Section& section, std::size_t index) {
                     cell(graph_button(page, closest.curve->place, closest.bounds().worst,
                                       escape(closest.curve->name) +
                                           ", n = " + grouped(closest.bounds().worst.n)));
-  return html + cell(count_text(section.all_curves), true) + cell(count_text(instances), true) +
-         cell(grouped(largest), true) +
+  return html + cell(count_text(count_families(families)), true) +
+         cell(count_text(instances), true) + cell(grouped(largest), true) +
          cell(violations_text(violations, unproved, ok_rows, measured_rows), true) +
          cell(exponent_range(section, Quantity::longest_side), true) +
          cell(exponent_range(section, Quantity::volume), true) +
@@ -300,7 +312,7 @@ std::string verdict_section(Page& page, const std::vector<Section>& sections,
                      escape(study.study_id), escape(study.created), escape(study.source_hash),
                      study.dirty ? " <b class=incomplete>with uncommitted changes</b>" : "") +
          verdict_sentence(analysis) + (sections.empty() ? "" : closest_sentence(page, sections)) +
-         since_sentence(since) + sampling_note(analysis.tally) + findings_list(analysis);
+         since_sentence(since) + sampling_note(analysis.tally) + findings_list(page);
 }
 
 std::string closeness_section(Page& page, const std::vector<Section>& sections) {

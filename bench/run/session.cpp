@@ -134,7 +134,8 @@ void StudySession::add(const PlannedRun& run, const RunRecord& row) {
     return;
   }
   if (!run.optional && policy_.progress != nullptr) {
-    progress_.row_done(work_at(plan_, run.row), row.status == RunStatus::ok);
+    progress_.row_done(work_at(plan_, run.row),
+                       row.status == RunStatus::ok || row.status == RunStatus::measured);
   }
 }
 

@@ -291,7 +291,7 @@ void print(const StateSearch& search) {
              std::to_string(edge[1]) + ",[" + json(lines[e][1]) + "," + json(lines[e][2]) + "]]";
   }
   std::printf(
-      "{\"n\":%zu,\"algorithm\":\"two-bend-109\",\"gram\":[[2,0,0],[0,6,0],[0,0,1]],"
+      "{\"n\":%zu,\"algorithm\":\"search\",\"gram\":[[2,0,0],[0,6,0],[0,0,1]],"
       "\"gram_denominator\":1,\"vertices\":[%s],\"edges\":[%s]}\n",
       search.state.at.size(), vertices.c_str(), edges.c_str());
 }

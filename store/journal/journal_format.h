@@ -26,7 +26,7 @@ struct JournalHead {
   std::uint32_t payload_size = 0;
   JournalKind kind = JournalKind::row;
   std::uint64_t rows = 0;    ///< in the journal up to and with this record
-  std::uint64_t not_ok = 0;  ///< of them, with a status that is not ok
+  std::uint64_t not_ok = 0;  ///< of them, with another status than ok or measured
 };
 static_assert(sizeof(JournalHead) == 32);
 

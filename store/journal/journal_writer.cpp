@@ -167,10 +167,12 @@ void JournalWriter::append(const std::function<void(char* record)>& store) {
 void JournalWriter::append_record(const char* record) {
   const std::span<const char> packed = pack_row(format_, record, packed_);
   const Field& status = format_.rows.fields[format_.status];
-  const char ok[] = "ok";  // with the null that ends it
+  const auto has_status = [&](const std::string& word) {  // with the null that ends it
+    return std::memcmp(record + status.offset, word.c_str(), word.size() + 1) == 0;
+  };
   JournalHead head = head_;
   ++head.rows;
-  if (std::memcmp(record + status.offset, ok, sizeof(ok)) != 0) ++head.not_ok;
+  if (!has_status("ok") && !has_status("measured")) ++head.not_ok;
   write_record(JournalKind::row, head, packed);
 }
 

@@ -32,6 +32,26 @@ TEST(Axis, TicksAreDecadesOrOneTwoFive) {
   EXPECT_THAT(labels({0, 0.3, 0, 100}, report::TickStyle::count), ElementsAre("1", "1.5", "2"));
 }
 
+TEST(Labels, ThoseThatDifferBehindTheCutAreToldApart) {
+  const std::string svg = report::labels_svg(
+      {{0, 0, "igraph-fr (iterations=10)", ""}, {200, 0, "igraph-fr (iterations=100)", ""}}, 0,
+      100);
+  EXPECT_THAT(svg, HasSubstr(">igraph-fr (i…ons=10)<"));
+  EXPECT_THAT(svg, HasSubstr(">igraph-fr (i…ns=100)<"));
+}
+
+TEST(Bins, OfSizesAreEvenOnALogarithmicScale) {
+  const auto texts = [](const std::set<std::int64_t>& sizes, std::size_t most) {
+    std::vector<std::string> texts;
+    for (const report::SizeBin& bin : report::size_bins(sizes, most)) texts.push_back(bin.text());
+    return texts;
+  };
+  EXPECT_THAT(texts({10, 11, 99, 1000}, 4), ElementsAre("10", "11", "99", "1,000"));
+  EXPECT_THAT(texts({10, 11, 99, 100, 999, 1000}, 2), ElementsAre("10 – 99", "100 – 1,000"));
+  EXPECT_THAT(texts({0, 1, 2, 1000}, 3), ElementsAre("0 – 2", "1,000"));
+  EXPECT_TRUE(report::size_bins({}, 3).empty());
+}
+
 TEST(Html, Numbers) {
   EXPECT_EQ(report::grouped(1234567), "1,234,567");
   EXPECT_EQ(report::grouped(-123), "-123");

@@ -40,6 +40,14 @@ TEST(ReportParts, SaysWhatChangedSinceTheReference) {
   EXPECT_THAT(unlike, HasSubstr("The environments differ, so times are shown and not judged"));
   EXPECT_THAT(unlike, HasSubstr("<li>flags: absent → -O0</li>"));
 
+  now.environment = {{"load_before", "9.00", 0}};
+  Results busy = base;
+  busy.environment = now.environment;
+  const std::string busy_page = page_since(busy, now);
+  EXPECT_THAT(busy_page, HasSubstr("The machine was busy with other work, so times are shown"));
+  EXPECT_THAT(busy_page, HasSubstr("<li>load of other work: 9.00 in both</li>"));
+  EXPECT_THAT(summary(compare(busy, now), {}), StartsWith("BUSY MACHINE: times are shown, but"));
+
   const std::string alone = report_of(base);
   EXPECT_THAT(alone, HasSubstr("Not compared: No reference was given."));
   EXPECT_THAT(alone, Not(HasSubstr("Since the reference")));

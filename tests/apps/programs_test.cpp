@@ -122,10 +122,10 @@ while True:
           script +
           "\"]\nguarantee = { max_degree = 4, max_bends = 0, cosine = [-1, 3] }\n"
           "[[sweep]]\nfamilies = \"cycle\"\nsizes = 5\nalgorithms = \"flat\"\n");
-  const std::string results = scratch.path("RESULTS.h5");
+  const std::string results = scratch.path("r.h5");
   expect_exit(4, run("{} study run -q --threads 1 " + spec + " -o " + results));
   const Outcome check = run("{} check " + results);
-  const std::size_t at = check.out.find("    ar3d replay RESULTS.h5 ");
+  const std::size_t at = check.out.find("    ar3d replay " + results + " ");
   ASSERT_NE(at, std::string::npos) << check.out;
   const std::string command = check.out.substr(at + 9, check.out.find('\n', at) - at - 9);
   expect_exit(4, run("cd " + scratch.path("") + " && {} " + command + " -o d.jsonl"));

@@ -23,8 +23,8 @@ ELSEWHERE = {
 }
 # Lines that are not run, and why.
 NOT_RUN = {
-    "ar3d compare --base v0.1 --calibrate": "builds another commit, which takes minutes: tests/apps/compare_test.cpp",
-    "ar3d bisect --good v0.1": "builds other commits, which takes minutes: tests/apps/bisect_test.cpp",
+    "ar3d compare --base HEAD~1 --calibrate": "builds another commit, which takes minutes: tests/apps/compare_test.cpp",
+    "ar3d bisect --good HEAD~20": "builds other commits, which takes minutes: tests/apps/bisect_test.cpp",
     "cmake --preset fuzz && cmake --build build/fuzz --target fuzz_sparse6": "needs clang and minutes",
     "mkdir -p /tmp/corpus && build/fuzz/tests/fuzz/fuzz_sparse6": "as the line before",
     "build/release/bench/kernels/ar3d_limits": "takes minutes: tests/kernels/limits_test.cpp",
@@ -133,6 +133,9 @@ class Folder:
                 block = head + "[[sweep]]" + sweep + block
         (self.path / "printed.toml").write_text(block)
         self.must("ar3d study plan printed.toml")
+        if block.startswith("study"):
+            (self.path / "printed.toml").write_text(block.replace("from = 100, to = 10000", "from = 20, to = 40"))
+            self.must("ar3d study run -q --force-timing printed.toml -o printed.h5 --force")
 
 
 def run_page(page, text, program):

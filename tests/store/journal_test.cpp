@@ -272,6 +272,7 @@ TEST_F(Journal, StatusCountsRowsThatAreNotOk) {
     for (std::int64_t i = 0; i < 2000; ++i) {
       ar3d::RunRecord run = sample_run(i);
       if (i % 10 == 0) run.status = RunStatus::timeout;
+      if (i % 10 == 1) run.status = RunStatus::measured;
       append_run(writer, run);
     }
     writer.end_session({{"load_after", "1.00"}});
