@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -16,6 +17,7 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/base/say.h"
 #include "ar3d/bench/keep/gather_rows.h"
 #include "ar3d/bench/keep/journaled_study.h"
 #include "ar3d/bench/keep/study_files.h"
@@ -53,14 +55,13 @@ void write_report(const std::string& results, const StudyAnalysis& analysis) {
   try {
     refuse_foreign_page(page, results);
   } catch (const InputError&) {
-    fmt::print(
-        "report   not made: {} is no report of ar3d; `ar3d report {} -o OTHER.html` makes it\n",
+    say("report   not made: {} is no report of ar3d; `ar3d report {} -o OTHER.html` makes it\n",
         page, shell_word(results));
     return;
   }
   write_file_atomically(
       page, render_report(analysis, since_reference(analysis.rows, {}), shown_drawings(analysis)));
-  fmt::print("report   {}\n", page);
+  say("report   {}\n", page);
 }
 
 // Counts what no session before has counted. Where it cannot be, times alone are compared.
@@ -98,12 +99,11 @@ int conclude(const JournaledStudy& study, bool force, bool unchanged) {
       study.spec.sweeps, [](const Sweep& sweep) { return sweep.timed.most > 0; });
   if (!is_timed) fmt::print("times    not measured: `timed_repetitions` in a sweep does\n");
   if (const std::size_t skipped = skipped_file_records(*rows.view().identity).size()) {
-    fmt::print("skipped  {} files that could not be read (/skipped_files of the results)\n",
-               skipped);
+    say("skipped  {} files that could not be read (/skipped_files of the results)\n", skipped);
   }
   if (study.shard.count > 1) {
-    fmt::print("shard {} of {}: when all are there, `ar3d study merge SHARDS… -o RESULTS.h5`\n",
-               study.shard.index, study.shard.count);
+    say("shard {} of {}: when all are there, `ar3d study merge SHARDS… -o RESULTS.h5`\n",
+        study.shard.index, study.shard.count);
   } else {
     write_report(study.results, analyse(rows.view(), std::move(examination)));
     if (study.spec.keep_drawings != KeptDrawings::none) {
@@ -121,35 +121,34 @@ int run_to_the_end(JournaledStudy study, const RunArguments& arguments, const Se
   const Interruptible interruptible(SecondSignal::ends_program);
   std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error of the write, like a full disk
   if (ranks.size() > 1 && ranks.is_first() && !arguments.quiet) {
-    fmt::print(stderr, "ar3d: {} ranks; `ar3d study status --watch {}` tells how far they are\n",
-               ranks.size(), shell_word(study.results));
+    say(stderr, "ar3d: {} ranks; `ar3d study status --watch {}` tells how far they are\n",
+        ranks.size(), shell_word(study.results));
   }
   const bool was_whole = ranks.is_first() && study.seed_from_results && study.again.empty() &&
                          study.spec.keep_drawings != KeptDrawings::none &&
                          outcome_so_far(study).complete();
-  StudyOutcome outcome;
-  try {
-    outcome = run_journaled(study, policy, ranks);
-  } catch (const JournalFull& error) {
-    if (ranks.is_first()) {
-      fmt::print(stderr,
-                 "ar3d: {}\nar3d: the rows before are safe; go on with `ar3d study resume {}`\n",
-                 error.what(), shell_word(study.results));
-    }
-    return kIncomplete;
-  }
+  const StudyOutcome outcome = run_journaled(study, policy, ranks);
   if (!ranks.is_first()) return kPass;
   study.results = outcome.results;
   if (outcome.complete()) return conclude(study, arguments.force, was_whole);
-  fmt::print(stderr,
-             "ar3d: {}; {} rows are in {}, {} are missing; go on with `ar3d study resume {}`\n",
-             is_interrupted() ? "interrupted" : "not finished", outcome.rows, study.results,
-             outcome.missing, shell_word(study.results));
+  say(stderr, "ar3d: {}; {} rows are in {}, {} are missing; go on with `ar3d study resume {}`\n",
+      is_interrupted() ? "interrupted" : "not finished", outcome.rows, study.results,
+      outcome.missing, shell_word(study.results));
   if (is_interrupted()) return kInterrupted;
   return judge(StudyRows(study.results).view(), study.results).verdict.exit_code();
 }
 
-// Begins and makes a study on all ranks; the first one speaks for all.
+// Why a study has ended early. @param rank  that speaks for itself; nothing: it speaks for all.
+void tell_failure(std::optional<int> rank, const std::string& what,
+                  const std::optional<std::string>& to_be_resumed) {
+  say(stderr, "ar3d: {}{}\n", rank ? fmt::format("rank {}: ", *rank) : "", printable(what));
+  if (!to_be_resumed) return;
+  say(stderr, "ar3d: the rows before are safe; go on with `ar3d study resume {}`\n",
+      shell_word(*to_be_resumed));
+}
+
+// Begins and makes a study on all ranks; the first one speaks for all, but where one fails on its
+// own, which ends them all.
 int make_study(const RunArguments& arguments, const std::function<JournaledStudy()>& begin) {
   const std::unique_ptr<Ranks> ranks = join_ranks();
   SessionPolicy policy = arguments.policy;
@@ -161,16 +160,31 @@ int make_study(const RunArguments& arguments, const std::function<JournaledStudy
     refuse_impossible_study(begun.spec, policy);
     return begun;
   };
+  std::optional<std::string> results;
+  const auto ends_all = [&](const std::exception& error, int exit_code) {
+    const bool is_alone = ranks->size() == 1;
+    tell_failure(is_alone ? std::nullopt : std::optional(ranks->rank()), error.what(),
+                 exit_code == kIncomplete ? results : std::nullopt);
+    ranks->give_up(exit_code);
+    return exit_code;
+  };
   try {
-    return run_to_the_end(begin_together(*ranks, begin_possible), arguments, policy, *ranks);
-  } catch (const InputError& error) {
+    const JournaledStudy study = begin_together(*ranks, begin_possible);
+    results = study.results;
+    return run_to_the_end(study, arguments, policy, *ranks);
+  } catch (const FailedTogether& error) {
     // Said before the ranks part: mpirun ends all of them as soon as one has left with an error.
-    if (ranks->is_first()) fmt::print(stderr, "ar3d: {}\n", printable(error.what()));
-    return kUsage;
+    const bool is_full = error.journal_full();
+    if (ranks->is_first()) {
+      tell_failure(std::nullopt, error.what(), is_full ? results : std::nullopt);
+    }
+    return is_full ? kIncomplete : kUsage;
+  } catch (const JournalFull& error) {
+    return ends_all(error, kIncomplete);
+  } catch (const InputError& error) {
+    return ends_all(error, kUsage);
   } catch (const std::exception& error) {
-    if (ranks->size() == 1) throw;
-    fmt::print(stderr, "ar3d: rank {}: {}\n", ranks->rank(), error.what());
-    ranks->give_up();
+    if (ranks->size() > 1) ends_all(error, kInternalError);
     throw;
   }
 }
@@ -282,15 +296,14 @@ int merge(const RunArguments& arguments) {
                          .streams = false});
   const StudyOutcome outcome = merge_study(arguments.parts, arguments.output);
   if (outcome.complete()) {
-    fmt::print("{} rows of {} files are in {}\n", outcome.rows, arguments.parts.size(),
-               arguments.output);
+    say("{} rows of {} files are in {}\n", outcome.rows, arguments.parts.size(), arguments.output);
     return kPass;
   }
-  fmt::print(stderr, "ar3d: {} rows are missing, row {} for one{}; nothing was written\n",
-             outcome.missing, outcome.first_missing,
-             outcome.missing_shards.empty()
-                 ? ""
-                 : fmt::format(" (no file of shard {})", outcome.missing_shards));
+  say(stderr, "ar3d: {} rows are missing, row {} for one{}; nothing was written\n", outcome.missing,
+      outcome.first_missing,
+      outcome.missing_shards.empty()
+          ? ""
+          : fmt::format(" (no file of shard {})", outcome.missing_shards));
   return kIncomplete;
 }
 

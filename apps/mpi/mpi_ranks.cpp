@@ -147,10 +147,10 @@ class Portions {
   bool over_ = false;
 };
 
-// Rank 0: answers the other ranks until all of them are done.
-void serve(PortionDealer& dealer, int others) {
+// Rank 0: answers the other ranks until all of them are done, or it has failed itself.
+void serve(PortionDealer& dealer, int others, const std::atomic<bool>& failed) {
   Patience patience;
-  while (others > 0) {
+  while (others > 0 && !failed) {
     int waiting = 0;
     MPI_Status status;
     MPI_Iprobe(MPI_ANY_SOURCE, kRequestTag, MPI_COMM_WORLD, &waiting, &status);
@@ -280,15 +280,17 @@ class MpiRanks final : public Ranks {
                  const std::function<void(const Tickets&)>& use) override {
     if (size_ == 1) return Ranks::share_out(work, use);
     std::exception_ptr failure;
+    std::atomic<bool> failed = false;
     PortionDealer dealer(work, 4 * size_);
     std::thread server;
-    if (is_first()) server = std::thread([&] { serve(dealer, size_ - 1); });
+    if (is_first()) server = std::thread([&] { serve(dealer, size_ - 1, failed); });
     try {
       Portions portions(is_first() ? Supply{[] {}, [&] { return dealer.take(); }}
                                    : supply_from_first());
       use([&] { return portions.next(); });
     } catch (...) {
       failure = std::current_exception();
+      failed = true;
     }
     if (is_first()) {
       server.join();
@@ -327,8 +329,8 @@ class MpiRanks final : public Ranks {
     }
   }
 
-  void give_up() override {
-    if (size_ > 1) MPI_Abort(MPI_COMM_WORLD, 1);
+  void give_up(int exit_code) override {
+    if (size_ > 1) MPI_Abort(MPI_COMM_WORLD, exit_code);
   }
 
   void dismiss() override {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <exception>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -12,6 +11,7 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/base/say.h"
 #include "ar3d/bench/keep/gather_rows.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/bench/measure/environment.h"
@@ -119,8 +119,8 @@ void seed_journal(const JournaledStudy& study, const StudyIdentity& identity) {
     copy_rows(
         rows, [&study](const char* record) { return !is_again(study, record); }, journal);
     if (!study.again.empty()) {
-      fmt::print(stderr, "ar3d: {} of {} rows are made again\n", rows.size() - journal.rows(),
-                 rows.size());
+      say(stderr, "ar3d: {} of {} rows are made again\n", rows.size() - journal.rows(),
+          rows.size());
     }
   }
   // Not by replacing: another process may have made the same journal and be at work with it.
@@ -170,24 +170,20 @@ class JournalSink final : public RowSink {
   JournalWriter& journal_;
 };
 
-// Does a step on all ranks; where it fails on one, it fails on all.
+// Does a step on all ranks; where it fails on one, it fails on all. What is no InputError, or is
+// thrown outside of such a step, is the rank's own: its caller ends them all (Ranks::give_up).
 void together(Ranks& ranks, const std::function<void()>& step) {
-  std::exception_ptr failure;
+  if (ranks.size() == 1) return step();
   std::string problem;
   try {
     step();
   } catch (const JournalFull& error) {
-    failure = std::current_exception();
     problem = fmt::format("F{}", error.what());
-  } catch (const std::exception& error) {
-    failure = std::current_exception();
+  } catch (const InputError& error) {
     problem = fmt::format("E{}", error.what());
   }
   const std::string told = ranks.any_of(problem);
-  if (failure) std::rethrow_exception(failure);
-  if (told.empty()) return;
-  if (told[0] == 'F') throw JournalFull(told.substr(1));
-  throw InputError(told.substr(1));
+  if (!told.empty()) throw FailedTogether(told.substr(1), told[0] == 'F');
 }
 
 }  // namespace
@@ -290,22 +286,24 @@ class StudyPart {
       shared.timed_phases = false;
       shared.workers_elsewhere = (ranks_.size() - 1) * shared.workers;
     }
-    // Two steps: a rank that cannot read must not leave the others sharing rows without it.
+    // A rank that cannot read must not leave the others sharing rows without it.
     std::optional<RowCollection> before;
     together(ranks_, [&] { before.emplace(rows_so_far(study_)); });
-    together(ranks_, [&] { make_shared(shared, *before); });
+    make_shared(shared, *before);
     before.reset();
-    if (ranks_.size() > 1 && ranks_.is_first()) {
+    if (!ranks_.is_first()) {
+      BatchDrawer batches(plan_, ranks_.rank(), is_interrupted);
+      ranks_.help([&](const std::string& job) { return batches.make_ready(job); });
+    }
+    together(ranks_, [&] {
+      if (ranks_.size() == 1 || !ranks_.is_first()) return;
       shared.timed_phases = policy_.timed_phases;
       shared.next_instance = [] { return std::nullopt; };
       if (plan_.budget.study_s) *plan_.budget.study_s -= time.wall_s();  // what is left of it
       const Dismissal at_end(ranks_);
       study_.results = folder_.results_path();
       make(shared, rows_so_far(study_));
-    } else if (ranks_.size() > 1) {
-      BatchDrawer batches(plan_, ranks_.rank(), is_interrupted);
-      ranks_.help([&](const std::string& job) { return batches.make_ready(job); });
-    }
+    });
     journal_->end_session({{"load_after", load_average()}});
   }
 
@@ -321,13 +319,11 @@ class StudyPart {
   // Silent only about what is kept nowhere since nobody has acknowledged it.
   void tell_of_cut_bytes(const std::string& path) const {
     if (!journal_->cut_file().empty()) {
-      fmt::print(stderr,
-                 "ar3d: {} ended with {} bytes that are no row of it; they are kept in {}\n", path,
-                 journal_->bytes_cut(), journal_->cut_file());
+      say(stderr, "ar3d: {} ended with {} bytes that are no row of it; they are kept in {}\n", path,
+          journal_->bytes_cut(), journal_->cut_file());
     } else if (policy_.progress != nullptr && journal_->bytes_cut() > 0) {
-      fmt::print(policy_.progress,
-                 "ar3d: {} ended with {} bytes of an unfinished row; they are cut off\n", path,
-                 journal_->bytes_cut());
+      say(policy_.progress, "ar3d: {} ended with {} bytes of an unfinished row; they are cut off\n",
+          path, journal_->bytes_cut());
     }
   }
 
@@ -368,8 +364,8 @@ class StudyPart {
 
 StudyOutcome run_journaled(const JournaledStudy& study, const SessionPolicy& policy, Ranks& ranks) {
   StudyPart part(study, policy, ranks);
+  part.add_rows();
   StudyOutcome outcome;
-  together(ranks, [&] { part.add_rows(); });
   together(ranks, [&] {
     try {
       if (ranks.is_first()) outcome = part.write_results();

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ar3d/base/error.h"
 #include "ar3d/bench/run/ranks.h"
 #include "ar3d/bench/run/session.h"
 #include "ar3d/bench/spec/study_spec.h"
@@ -42,7 +43,19 @@ JournaledStudy new_study(const StudySpec& spec, const Shard& shard, const std::s
 /// @throws InputError naming the file if it cannot be read or does not say what study it is.
 JournaledStudy begun_study(const std::string& journal_or_results);
 
-/// The study that rank 0 begins, on every rank. @throws InputError on all ranks if `begin` throws.
+/// What one of several ranks failed at in a step that all do together; every one of them throws it.
+class FailedTogether : public InputError {
+ public:
+  FailedTogether(const std::string& what, bool journal_full)
+      : InputError(what), journal_full_(journal_full) {}
+  bool journal_full() const { return journal_full_; }  ///< as JournalFull
+
+ private:
+  bool journal_full_;
+};
+
+/// The study that rank 0 begins, on every rank. @throws FailedTogether if `begin` throws an
+/// InputError.
 JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()>& begin);
 
 /// Makes the rows that are not there yet. Rows that are in the journals, or in a results file made
@@ -50,8 +63,8 @@ JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()
 /// rows so far; the journals are removed when it is complete. Several ranks share the metrics phase
 /// and write a journal each; rank 0 does the timed phases alone and makes the results file.
 /// @return of rank 0; other ranks know nothing of it.
-/// @throws JournalFull (results.journal is whole), InputError as JournalWriter, plan_study; if one
-/// rank throws, all do.
+/// @throws JournalFull (results.journal is whole), InputError as JournalWriter, plan_study; of
+/// several ranks FailedTogether on all, or anything else on one, which has to end the others.
 StudyOutcome run_journaled(const JournaledStudy& study, const SessionPolicy& policy, Ranks& ranks);
 
 /// Writes the rows so far as a results file, also while they are being made.

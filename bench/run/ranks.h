@@ -66,8 +66,9 @@ class Ranks {
   virtual void help(const MakeReady& make_ready) { (void)make_ready; }
   virtual void dismiss() {}
 
-  /// Ends the others, which may wait for this rank for ever, where it fails on its own.
-  virtual void give_up() {}
+  /// Ends all of several ranks, since the others may wait for ever for this one, which has failed
+  /// on its own and said why. Where it is alone, nothing happens.
+  virtual void give_up(int exit_code) { (void)exit_code; }
 };
 
 }  // namespace ar3d

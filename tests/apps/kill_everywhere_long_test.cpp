@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "apps/failing_rank.h"
 #include "ar3d/store/journal/journal_reader.h"
 #include "ar3d/store/run_storage.h"
 #include "support/program.h"
@@ -84,6 +85,17 @@ TEST_F(KilledEverywhere, OverMpi) {
                                 AR3D_MPI_PROGRAM,
                             "", 4),
             20);
+}
+
+// No call of one rank can fail so that the other waits for it.
+TEST(FailingRank, EndsAllAtEveryCall) {
+  const ScratchDirectory scratch;
+  must("{} study run smoke -q -o " + scratch.path("whole.h5"));
+  for (const int rank : {0, 1}) {
+    int call = 1;
+    while (expect_failure_ends_all(scratch, scratch.path("whole.h5"), rank, call)) ++call;
+    EXPECT_GT(call, 10);
+  }
 }
 
 }  // namespace

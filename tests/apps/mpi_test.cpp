@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "apps/failing_rank.h"
 #include "ar3d/bench/measure/environment.h"
 #include "support/program.h"
 #include "support/results.h"
@@ -198,6 +199,17 @@ TEST_F(Mpi, ARankThatCannotReadEndsAll) {
                    std::string(AR3D_MPI_PROGRAM) + resume + " : -n 1 " + shim + resume),
                "r.h5.journal: Input/output error");
   expect_exit(0, run("{} study resume -q " + path("r.h5")));
+}
+
+// Every rank's calls on the study's files fail in turn; tests/apps/kill_everywhere_long_test.cpp
+// makes all of them fail.
+TEST_F(Mpi, AFailureOfOneRankAtAnyOfItsCallsEndsAll) {
+  must("{} study run smoke -q -o " + path("whole.h5"));
+  for (const int call : {1, 2, 4, 9}) {
+    for (const int rank : {0, 1}) {
+      EXPECT_TRUE(expect_failure_ends_all(scratch_, path("whole.h5"), rank, call)) << call;
+    }
+  }
 }
 
 TEST_F(Mpi, AnErrorOfAllRanksIsOneLine) {

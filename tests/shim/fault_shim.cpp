@@ -6,9 +6,10 @@
 //   AR3D_FAULT=full:B     the disk has room for B more bytes
 //   AR3D_FAULT=list:K     from the K-th time on, no folder can be listed
 //   AR3D_FAULT=read:K     from the K-th time on, no *.journal can be opened for reading
-//   AR3D_FAULT=nolock:1   locks are granted to everybody (NFS mounted with nolock)
-//   AR3D_FAULT=nolink:L   no hard links and no files without a name; L = 2: nor a rename that
-//   replaces nothing
+//   AR3D_FAULT=errno:K    the K-th call on a file below AR3D_FAULT_IN fails with EMFILE or EIO;
+//   says so on standard error AR3D_FAULT=nolock:1   locks are granted to everybody (NFS mounted
+//   with nolock) AR3D_FAULT=nolink:L   no hard links and no files without a name; L = 2: nor a
+//   rename that replaces nothing
 // AR3D_ACKNOWLEDGED names a file; into it goes, after every completed write to a *.journal, how
 // long that journal is: the witness of what was acknowledged.
 #include <dirent.h>
@@ -62,6 +63,7 @@ void die() { syscall(SYS_kill, syscall(SYS_getpid), SIGKILL); }
 // Counts a call; true if it is the one.
 bool begins() {
   Fault& f = fault();
+  if (f.is("errno")) return false;  // which counts for itself
   const bool hit = ++f.calls == f.count;
   if (hit && f.is("before")) die();
   return hit;
@@ -88,6 +90,27 @@ void witness(int file) {
   *fault().acknowledged = static_cast<long>(lseek(file, 0, SEEK_CUR));
 }
 
+// Counts a call on a file below the folder that is looked at; true if it is to fail.
+bool is_refused(const char* path, int reason) {
+  static const char* const folder = std::getenv("AR3D_FAULT_IN");
+  if (!fault().is("errno") || folder == nullptr || path == nullptr ||
+      std::strstr(path, folder) == nullptr || ++fault().calls != fault().count) {
+    return false;
+  }
+  constexpr char kSaid[] = "fault of call\n";
+  if (syscall(SYS_write, 2, kSaid, sizeof(kSaid) - 1) < 0) return false;
+  errno = reason;
+  return true;
+}
+
+bool is_refused(int file) {
+  if (!fault().is("errno")) return false;
+  char link[64];
+  char path[4096] = {};
+  std::snprintf(link, sizeof(link), "/proc/self/fd/%d", file);
+  return readlink(link, path, sizeof(path) - 1) > 0 && is_refused(path, EIO);
+}
+
 ssize_t real_write(int file, const void* from, std::size_t count) {
   return syscall(SYS_write, file, from, count);
 }
@@ -97,6 +120,7 @@ ssize_t real_write(int file, const void* from, std::size_t count) {
 extern "C" {
 
 ssize_t write(int file, const void* from, std::size_t count) {
+  if (is_refused(file)) return -1;
   if (!is_regular(file)) return real_write(file, from, count);
   const bool hit = begins();
   if (hit && fault().is("half")) {
@@ -117,27 +141,37 @@ ssize_t write(int file, const void* from, std::size_t count) {
   return ends(hit, written);
 }
 
+ssize_t pread(int file, void* to, std::size_t count, off_t at) {
+  if (is_refused(file)) return -1;
+  return syscall(SYS_pread64, file, to, count, at);
+}
+
 int fsync(int file) {
+  if (is_refused(file)) return -1;
   const bool hit = begins();
   return ends(hit, static_cast<int>(syscall(SYS_fsync, file)));
 }
 
 int fdatasync(int file) {
+  if (is_refused(file)) return -1;
   const bool hit = begins();
   return ends(hit, static_cast<int>(syscall(SYS_fdatasync, file)));
 }
 
 int ftruncate(int file, off_t size) noexcept {
+  if (is_refused(file)) return -1;
   const bool hit = begins();
   return ends(hit, static_cast<int>(syscall(SYS_ftruncate, file, size)));
 }
 
 int rename(const char* from, const char* to) noexcept {
+  if (is_refused(from, EIO)) return -1;
   const bool hit = begins();
   return ends(hit, static_cast<int>(syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0)));
 }
 
 int link(const char* from, const char* to) noexcept {
+  if (is_refused(from, EIO)) return -1;
   if (fault().is("nolink")) {
     errno = EPERM;
     return -1;
@@ -147,6 +181,7 @@ int link(const char* from, const char* to) noexcept {
 }
 
 int linkat(int from_folder, const char* from, int to_folder, const char* to, int flags) noexcept {
+  if (is_refused(to, EIO)) return -1;
   const bool hit = begins();
   return ends(hit, static_cast<int>(syscall(SYS_linkat, from_folder, from, to_folder, to, flags)));
 }
@@ -163,6 +198,7 @@ int renameat2(int from_folder, const char* from, int to_folder, const char* to,
 }
 
 DIR* opendir(const char* path) {
+  if (is_refused(path, EMFILE)) return nullptr;
   static const auto real = reinterpret_cast<DIR* (*)(const char*)>(dlsym(RTLD_NEXT, "opendir"));
   if (fault().is("list") && ++fault().calls >= fault().count) {
     errno = EACCES;
@@ -177,6 +213,7 @@ int open(const char* path, int flags, ...) {
   const bool is_nameless = (flags & O_TMPFILE) == O_TMPFILE;
   const int mode = (flags & O_CREAT) != 0 || is_nameless ? va_arg(arguments, int) : 0;
   va_end(arguments);
+  if (is_refused(path, EMFILE)) return -1;
   if (fault().is("nolink") && is_nameless) {
     errno = EOPNOTSUPP;
     return -1;
@@ -201,6 +238,7 @@ int fcntl(int file, int command, ...) {
 }
 
 int unlink(const char* path) noexcept {
+  if (is_refused(path, EIO)) return -1;
   const bool hit = begins();
   return ends(hit, static_cast<int>(syscall(SYS_unlinkat, AT_FDCWD, path, 0)));
 }
