@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 
@@ -69,6 +70,8 @@ Source results_source(const std::string& path, const RowFormat& format) {
 
 bool is_journal(const std::string& path) {
   char start[8] = {};
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;  // a pipe has no end yet
   std::ifstream(path, std::ios::binary).read(start, sizeof(start));
   return std::memcmp(start, kJournalMagic, sizeof(start)) == 0;
 }

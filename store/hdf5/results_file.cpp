@@ -1,19 +1,11 @@
-// Results files, read row by row and written whole: HDF5 with a checksum behind it, so that HDF5
-// never sees a file that is damaged or that another program made.
+// Results files as they are written: HDF5 with a checksum behind it.
 #include "ar3d/store/hdf5/results_file.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <xxhash.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cinttypes>
-#include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <unordered_set>
 #include <utility>
 
@@ -21,15 +13,10 @@
 #include "ar3d/base/new_file.h"
 #include "ar3d/store/hdf5/file_checksum.h"
 #include "ar3d/store/hdf5/hdf5_table.h"
+#include "ar3d/store/hdf5/results_layout.h"
 
 namespace ar3d {
-namespace {
 
-constexpr const char* kResultsFormat = "ar3d-results";
-constexpr long long kResultsFormatVersion = 3;
-constexpr std::size_t kLargestSpec = std::size_t{1} << 26;
-
-// /environments: session, name and value, as wide as they are.
 TableSpec environments_table(std::size_t name_size, std::size_t value_size) {
   TableSpec table{"environments", "machine, compiler, libraries and settings of every session", {}};
   table.fields = {
@@ -40,131 +27,7 @@ TableSpec environments_table(std::size_t name_size, std::size_t value_size) {
   return table;
 }
 
-// A regular file that begins as HDF5 files do, open to read.
-Descriptor open_hdf5_file(const std::string& path) {
-  const auto refuse = [&](int reason) {
-    throw InputError(fmt::format("cannot read {}: {}", path, std::strerror(reason)));
-  };
-  Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (file.get() < 0) refuse(errno);
-  struct stat status {};
-  if (fstat(file.get(), &status) != 0) refuse(errno);
-  if (S_ISDIR(status.st_mode)) refuse(EISDIR);
-  constexpr std::string_view kSignature("\211HDF\r\n\032\n", 8);
-  char start[kSignature.size()] = {};
-  if (!S_ISREG(status.st_mode) || pread(file.get(), start, sizeof(start), 0) != sizeof(start) ||
-      std::string_view(start, sizeof(start)) != kSignature) {
-    throw InputError(fmt::format("{} is not an HDF5 file", path));
-  }
-  return file;
-}
-
-void require_format(hid_t file) {
-  const std::string format = read_text_attribute(file, "format");
-  if (format != kResultsFormat) {
-    throw Hdf5Error(fmt::format("its format is '{}', not '{}'", format, kResultsFormat));
-  }
-  const long long version = read_integer_attribute(file, "format_version");
-  if (version != kResultsFormatVersion) {
-    throw Hdf5Error(fmt::format("it has format version {}, this program reads version {}", version,
-                                kResultsFormatVersion));
-  }
-}
-
-std::string read_spec(hid_t file) {
-  const Hdf5Handle dataset = open_own_dataset(file, "spec");
-  const Hdf5Handle type(H5Dget_type(dataset.get()), H5Tclose, "read the type of /spec");
-  const Hdf5Handle space(H5Dget_space(dataset.get()), H5Sclose, "read the shape of /spec");
-  if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0 ||
-      H5Sget_simple_extent_npoints(space.get()) != 1 || H5Tget_size(type.get()) > kLargestSpec) {
-    throw Hdf5Error("/spec is not one string of fixed size");
-  }
-  std::string spec(H5Tget_size(type.get()), '\0');
-  hdf5_checked(H5Dread(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, spec.data()),
-               "read /spec");
-  spec.resize(std::min(spec.size(), spec.find('\0')));
-  return spec;
-}
-
-std::vector<EnvironmentEntry> read_environment(hid_t file, std::uint64_t bytes) {
-  const TableSpec table = environments_table(stored_text_size(file, "environments", "name"),
-                                             stored_text_size(file, "environments", "value"));
-  std::vector<EnvironmentEntry> entries;
-  read_table(file, table, bytes, [&](const char* record) {
-    EnvironmentEntry entry{text_of(table.fields[1], record), text_of(table.fields[2], record)};
-    std::memcpy(&entry.session, record, sizeof(entry.session));
-    entries.push_back(std::move(entry));
-  });
-  return entries;
-}
-
-Shard parse_shard(const std::string& text) {
-  Shard shard;
-  int used = 0;
-  if (std::sscanf(text.c_str(), "%" SCNu32 "/%" SCNu32 "%n", &shard.index, &shard.count, &used) !=
-          2 ||
-      static_cast<std::size_t>(used) != text.size() || !is_shard(shard)) {
-    throw Hdf5Error(fmt::format("'{}' is no shard", text));
-  }
-  return shard;
-}
-
-StudyIdentity read_identity(hid_t file) {
-  StudyIdentity identity;
-  identity.study_id = read_text_attribute(file, "study_id");
-  identity.spec = read_spec(file);
-  identity.spec_hash = read_text_attribute(file, "spec_hash");
-  if (identity.spec_hash != content_hash(identity.spec)) {
-    throw Hdf5Error("/spec is not what spec_hash says");
-  }
-  identity.source_hash = read_text_attribute(file, "source_hash");
-  identity.dirty = read_integer_attribute(file, "dirty") != 0;
-  identity.dirty_hash = read_text_attribute(file, "dirty_hash");
-  identity.created = read_text_attribute(file, "created");
-  identity.shard = parse_shard(read_text_attribute(file, "shard"));
-  identity.planned_rows = read_integer_attribute(file, "planned_rows");
-  if (identity.planned_rows < -1) throw Hdf5Error("planned_rows is negative");
-  return identity;
-}
-
-std::vector<StoredTable> read_tables(hid_t file, const RowFormat& format, std::uint64_t bytes) {
-  std::vector<StoredTable> tables;
-  for (const TableSpec& spec : format.tables) {
-    if (!has_table(file, spec.name)) continue;
-    StoredTable table{spec, {}};
-    const std::size_t size = record_size(spec.fields);
-    read_table(file, spec, bytes, [&](const char* record) {
-      table.records.insert(table.records.end(), record, record + size);
-    });
-    tables.push_back(std::move(table));
-  }
-  return tables;
-}
-
-// Runs `step`; what HDF5 has against the file becomes one line that names it.
-template <class Step>
-auto explained(const std::string& path, const Step& step) {
-  const Hdf5Silence silence;
-  try {
-    return step();
-  } catch (const Hdf5Error& error) {
-    throw InputError(fmt::format("{} is not a readable results file: {}", path, error.what()));
-  }
-}
-
-// HDF5 may see the file from here on. @throws InputError, Hdf5Error if it is damaged.
-void require_checksum(int file, const std::string& path) {
-  switch (verify_checksum(file, path)) {
-    case ChecksumVerdict::right:
-      return;
-    case ChecksumVerdict::none:
-      throw Hdf5Error(
-          "it has no checksum at its end: it was cut short or changed by another program");
-    case ChecksumVerdict::wrong:
-      throw InputError(fmt::format(
-          "{} is damaged: its bytes are not those that its checksum was made of", path));
-  }
-}
+namespace {
 
 void write_root_attributes(hid_t file, const StudyIdentity& results) {
   write_attribute(file, "format", kResultsFormat);
@@ -273,37 +136,6 @@ void write_environment(hid_t file, const std::vector<EnvironmentEntry>& environm
 }
 
 }  // namespace
-
-struct ResultsReader::File {
-  std::string path;
-  TableReader rows;  // keeps the HDF5 file open
-};
-
-ResultsReader::ResultsReader(const std::string& path, const RowFormat& format) {
-  explained(path, [&] {
-    const Descriptor descriptor = open_hdf5_file(path);
-    require_checksum(descriptor.get(), path);
-    H5PLset_loading_state(0);  // no filter that a file names is loaded
-    const std::string opened = fmt::format("/proc/self/fd/{}", descriptor.get());
-    const Hdf5Handle file(H5Fopen(opened.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
-                          "open it");
-    require_format(file.get());
-    const std::uint64_t bytes = std::filesystem::file_size(opened);
-    identity_ = read_identity(file.get());
-    identity_.tables = read_tables(file.get(), format, bytes);
-    environment_ = read_environment(file.get(), bytes);
-    file_.reset(new File{path, TableReader(file.get(), format.rows, bytes)});
-  });
-}
-
-ResultsReader::~ResultsReader() = default;
-ResultsReader::ResultsReader(ResultsReader&&) noexcept = default;
-
-std::size_t ResultsReader::size() const { return file_->rows.size(); }
-
-const char* ResultsReader::read(std::size_t i) {
-  return explained(file_->path, [&] { return file_->rows.read(i); });
-}
 
 void write_results(const StudyIdentity& identity, const std::vector<EnvironmentEntry>& environment,
                    const RowFormat& format, const RecordSource& rows, const std::string& path) {

@@ -11,13 +11,15 @@ namespace ar3d {
 
 /// A results file, read row by row. Memory: a few hundred rows, however many there are.
 ///
-/// The file's checksum is verified before HDF5 sees the file, so that nothing that another program
-/// has written can crash or hang this one. The page results/SCHEMA.md describes the file.
+/// The file's checksum is verified before HDF5 sees the file, and HDF5 sees it in a process of its
+/// own, so that nothing that another program has written can crash or hang this one. The page
+/// results/SCHEMA.md describes the file.
 class ResultsReader {
  public:
   /// @param format  outlives the reader.
   /// @throws InputError naming the file and what is wrong with it: missing, not HDF5, damaged,
-  /// changed by another program, another version, no /runs, a required column missing, …
+  /// changed by another program, another version, no /runs, a required column missing, …; or one
+  /// that crashes HDF5.
   ResultsReader(const std::string& path, const RowFormat& format);
   ~ResultsReader();
   ResultsReader(ResultsReader&&) noexcept;

@@ -54,6 +54,11 @@ bool has_its_name(int file, const std::string& path) {
          opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
 }
 
+bool has_no_name(int file) {
+  struct stat status {};
+  return fstat(file, &status) == 0 && status.st_nlink == 0;
+}
+
 }  // namespace
 
 JournalWriter::JournalWriter(const std::string& path, const StudyIdentity& identity,
@@ -179,6 +184,7 @@ void JournalWriter::append_record(const char* record) {
 void JournalWriter::write_record(JournalKind kind, JournalHead head,
                                  std::span<const char> payload) {
   if (const int reason = sync_error_) fail(reason);
+  put_back_if_deleted();
   head.kind = kind;
   frame_record(head, payload, end_, framed_);
   write_whole(framed_);
@@ -220,7 +226,27 @@ void JournalWriter::fail_because_of_another() const {
                   path_));
 }
 
+// The file is there as long as it is open, but nobody would find it any more.
+void JournalWriter::put_back_if_deleted() {
+  if (!deleted_) return;
+  std::vector<char> bytes(end_);
+  for (std::size_t have = 0; have < bytes.size();) {
+    const ssize_t got =
+        pread(file_.get(), bytes.data() + have, bytes.size() - have, static_cast<off_t>(have));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) fail(got < 0 ? errno : EIO);
+    have += static_cast<std::size_t>(got);
+  }
+  if (!create_file_atomically(path_, bytes)) {
+    throw JournalFull(fmt::format("{} was replaced by another file while rows went there", path_));
+  }
+  throw JournalFull(fmt::format("{} was deleted while rows went there; it is back with {} of them",
+                                path_, head_.rows));
+}
+
 void JournalWriter::sync() {
+  if (has_no_name(file_.get())) deleted_ = true;
+  put_back_if_deleted();
   unsynced_ = false;
   if (fdatasync(file_.get()) != 0) sync_error_ = errno;
   if (const int reason = sync_error_) fail(reason);
@@ -230,6 +256,7 @@ void JournalWriter::sync_every_second() {
   std::unique_lock<std::mutex> lock(mutex_);
   while (!ends_) {
     wake_.wait_for(lock, std::chrono::seconds(1));
+    if (has_no_name(file_.get())) deleted_ = true;
     if (unsynced_.exchange(false) && fdatasync(file_.get()) != 0) sync_error_ = errno;
   }
 }

@@ -27,7 +27,8 @@ class JournalFull : public InputError {
 ///
 /// A row is acknowledged when append() returns: one write(2) has put it into the file, and neither
 /// the death of the process nor of any other can take it away. A second later at most it is on the
-/// disk (fdatasync by a thread of the writer's own) and survives a loss of power.
+/// disk (fdatasync by a thread of the writer's own) and survives a loss of power. That thread also
+/// notices that somebody has deleted the journal; it is put back then, and takes no more rows.
 class JournalWriter {
  public:
   /// Creates the journal, or continues it: cuts off a record that a crash cut short, then tells the
@@ -71,6 +72,7 @@ class JournalWriter {
   void keep_what_is_cut();
   void cut_half_record(std::size_t unwritten);
   [[noreturn]] void fail_because_of_another() const;
+  void put_back_if_deleted();
   void write_record(JournalKind kind, JournalHead head, std::span<const char> payload);
   void write_whole(std::span<const char> bytes);
   void sync_every_second();
@@ -90,6 +92,7 @@ class JournalWriter {
 
   std::atomic<bool> unsynced_ = false;
   std::atomic<int> sync_error_ = 0;
+  std::atomic<bool> deleted_ = false;
   std::mutex mutex_;
   std::condition_variable wake_;
   bool ends_ = false;

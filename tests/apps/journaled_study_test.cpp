@@ -136,6 +136,16 @@ TEST_F(JournaledStudy, AFullDiskLeavesNoHalfResultsFile) {
   EXPECT_EQ(files, 0u);
 }
 
+// Its rows are in an open file that nobody could find any more: it is put back.
+TEST_F(JournaledStudy, ADeletedJournalComesBackWithItsRows) {
+  const std::string results = path("slow.h5");
+  const Outcome ended = expect_exit(5, meet_while_running(results, "rm " + results + ".journal"));
+  EXPECT_THAT(ended.err,
+              HasSubstr("slow.h5.journal was deleted while rows went there; it is back"));
+  expect_exit(0, study("resume -q " + results));
+  EXPECT_EQ(read_results(results).runs.size(), 60u);
+}
+
 TEST_F(JournaledStudy, ResumeRefusesTheImpossibleToo) {
   const std::string spec =
       "study = \"tight\"\nbudget = { row_time_s = 1e-9 }\n[[sweep]]\nfamilies = \"cycle\"\n"

@@ -11,6 +11,7 @@
 #include "ar3d/store/journal/journal_reader.h"
 #include "ar3d/store/journal/journal_writer.h"
 #include "ar3d/store/run_storage.h"
+#include "store/forged.h"
 #include "store/sample_runs.h"
 #include "support/program.h"
 #include "support/results.h"
@@ -115,6 +116,14 @@ TEST(BitFlips, OfAJournalAreRefusedOrCutTheLastRow) {
     }
   };
   flip_every_bit(path, 1, rows().value(), rows);
+}
+
+// Forged files have a right checksum, so HDF5 sees them, and crashes on some.
+TEST(ForgedFiles, CrashNothing) {
+  const ForgedReads reads = read_forged_files(2400, 2);
+  fmt::print("{} read, {} refused, {} of them by a crash of their own process\n", reads.read,
+             reads.refused, reads.crashed);
+  EXPECT_EQ(reads.read + reads.refused, 2400);
 }
 
 }  // namespace

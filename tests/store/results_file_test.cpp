@@ -13,7 +13,9 @@
 #include "ar3d/base/new_file.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/hdf5/file_checksum.h"
+#include "ar3d/store/hdf5/reader_process.h"
 #include "ar3d/store/run_storage.h"
+#include "store/forged.h"
 #include "store/sample_runs.h"
 #include "support/problem.h"
 
@@ -240,6 +242,30 @@ TEST_F(ResultsFile, NoFlippedBitIsAccepted) {
     std::ofstream(path, std::ios::binary) << flipped;
     EXPECT_NE(read_error(path), "no error") << bit;
   }
+}
+
+// Bytes that HDF5 takes for its own; tests/store/bit_flips_long_test.cpp makes 2400 such files.
+TEST_F(ResultsFile, ForgedFilesCrashNothing) {
+  const ForgedReads reads = read_forged_files(150, 1);
+  EXPECT_EQ(reads.read + reads.refused, 150);
+  EXPECT_GT(reads.refused, 0);
+}
+
+// What HDF5 does to the process that reads is told, be it a crash or a loop.
+TEST_F(ResultsFile, AReaderThatEndsIsTold) {
+  const std::string path = in_folder("r.h5");
+  std::ofstream(path) << "bytes";
+  const Descriptor file(open(path.c_str(), O_RDONLY));
+  ReaderProcess reader(path, file, [](std::uint64_t question) -> std::string {
+    if (question == 1) throw InputError("r.h5: no such row");
+    if (question == 2) std::abort();
+    return std::string(question, 'x');
+  });
+  EXPECT_EQ(reader.ask(100000), std::string(100000, 'x'));
+  EXPECT_EQ(problem([&] { reader.ask(1); }, "no error"), "r.h5: no such row");
+  EXPECT_EQ(reader.ask(0), "");
+  EXPECT_THAT(problem([&] { reader.ask(2); }, "no error"), HasSubstr("reading it has crashed"));
+  EXPECT_THAT(problem([&] { reader.ask(0); }, "no error"), HasSubstr("reading it has crashed"));
 }
 
 TEST_F(ResultsFile, RefusesUnwritablePlaces) {

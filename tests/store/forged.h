@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+
+#include "ar3d/base/random.h"
+#include "ar3d/store/columns/run_columns.h"
+#include "store/sample_runs.h"
+#include "support/problem.h"
+#include "support/program.h"
+#include "support/results.h"
+
+namespace ar3d::testing {
+
+/// How reading forged files has ended.
+struct ForgedReads {
+  int read = 0;     ///< rows came
+  int refused = 0;  ///< an InputError of one line that names the file
+  int crashed = 0;  ///< of these: the process that reads them
+};
+
+/// Changes up to eight bytes of a results file, makes its checksum right again and reads it,
+/// `count` times. That this returns is what is tested.
+inline ForgedReads read_forged_files(int count, std::uint64_t seed) {
+  const ScratchDirectory scratch;
+  const std::string path = scratch.path("r.h5");
+  Results results;
+  results.study_id = "sample";
+  results.spec = "study = 'sample'\n";
+  results.spec_hash = content_hash(results.spec);
+  results.created = "2026-01-02T03:04:05+00:00";
+  for (std::int64_t i = 0; i < 3; ++i) results.runs.push_back(sample_run(i));
+  write_results(results, path);
+  const std::string whole = read_file(path);
+  RandomStream random(seed);
+  ForgedReads reads;
+  for (int i = 0; i < count; ++i) {
+    std::string forged = whole.substr(0, whole.size() - kChecksumSize);
+    for (std::uint64_t byte = 0; byte < 1 + random.below(8); ++byte) {
+      forged[random.below(forged.size())] = static_cast<char>(random.below(256));
+    }
+    scratch.write("r.h5", forged);
+    renew_checksum(path);
+    const std::string told = problem([&] { read_results(path); }, "");
+    reads.read += told.empty();
+    reads.refused += !told.empty();
+    reads.crashed += told.find("has crashed") != std::string::npos;
+    EXPECT_TRUE(told.empty() || told.find("r.h5") != std::string::npos) << told;
+    EXPECT_EQ(told.find('\n'), std::string::npos) << told;
+  }
+  return reads;
+}
+
+}  // namespace ar3d::testing
