@@ -81,6 +81,9 @@ bool is_unproved(const RunRecord& run) {
 
 std::vector<Finding> row_findings(const RunRecord& run, std::size_t row) {
   Findings findings;
+  if (!run.row_key.empty() && run.row_key.find_first_not_of('0') == std::string::npos) {
+    findings.push_back({FindingKind::not_certified, row, "its row key is no hash of a row"});
+  }
   switch (run.status) {
     case RunStatus::refused:
       break;
@@ -158,13 +161,10 @@ class FindingList {
   std::vector<Finding> kept_;
 };
 
-void add_whole_file(const RowView& rows, bool any_judged, bool any_measured,
-                    FindingList& findings) {
-  if (!any_judged) {
+void add_whole_file(const RowView& rows, bool any_drawn, FindingList& findings) {
+  if (!any_drawn) {
     const std::string what = rows.count == 0 ? "nothing measured: the file has no rows"
-                             : any_measured
-                                 ? "nothing judged: no row has a guarantee to be judged by"
-                                 : "nothing measured: no row was drawn";
+                                             : "nothing measured: no row was drawn";
     findings.add({FindingKind::nothing_measured, {}, what}, nullptr);
   }
   if (const auto missing = rows.planned - static_cast<std::int64_t>(rows.count); missing > 0) {
@@ -227,7 +227,8 @@ int CheckVerdict::exit_code() const {
 
 const char* CheckVerdict::word() const {
   const int code = exit_code();
-  return code == 0 ? "PASS" : code == 4 ? "VIOLATED" : "INCOMPLETE";
+  const bool is_judged = proved > 0 || unproved > 0 || measured == 0;
+  return code == 4 ? "VIOLATED" : code == 5 ? "INCOMPLETE" : is_judged ? "PASS" : "MEASURED";
 }
 
 bool breaks_promise(const RunRecord& run) {
@@ -249,7 +250,8 @@ CheckedRows examine(const RowView& rows) {
     for (Finding& finding : row_findings(run, row)) findings.add(std::move(finding), &run);
     is_ok[row] = run.status == RunStatus::ok && !is_unproved(run);
     verdict.unproved += is_unproved(run);
-    any_drawn = any_drawn || run.status == RunStatus::ok || run.status == RunStatus::violated;
+    any_drawn = any_drawn || run.status == RunStatus::ok || run.status == RunStatus::violated ||
+                run.status == RunStatus::measured;
     verdict.refused += run.status == RunStatus::refused;
     verdict.measured += run.status == RunStatus::measured;
     prints[row] = fingerprint_of(run, row);
@@ -259,7 +261,7 @@ CheckedRows examine(const RowView& rows) {
   find_in_repetitions(rows, prints, [&](Finding finding, const RunRecord& run) {
     findings.add(std::move(finding), &run);
   });
-  add_whole_file(rows, any_drawn, verdict.measured > 0, findings);
+  add_whole_file(rows, any_drawn, findings);
   findings.conclude(is_ok, verdict);
   examination.is_last_repetition = last_repetitions(prints);
   return examination;

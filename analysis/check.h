@@ -35,7 +35,8 @@ struct Finding {
 
 /// The verdict on the rows of a study: `study status`, `study resume`, `check` and `report` all say
 /// this and exit with its code. Refused rows (a graph outside the theorem's promise) are counted
-/// and do no harm, but a file in which nothing was drawn never passes.
+/// and do no harm, but a file in which nothing was drawn never passes. Of measured rows nothing was
+/// asked but to be drawn.
 struct CheckVerdict {
   std::size_t rows = 0;
   std::size_t proved = 0;    ///< ok rows whose certificate and bounds hold
@@ -52,7 +53,7 @@ struct CheckVerdict {
   /// 0 pass; 4 a bound or certificate is violated; 5 incomplete, nothing measured, or rows that
   /// nothing proves.
   int exit_code() const;
-  /// "PASS", "VIOLATED" or "INCOMPLETE".
+  /// "PASS", "VIOLATED", "INCOMPLETE"; or "MEASURED": nothing was asked of any row but to be drawn.
   const char* word() const;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -229,6 +230,24 @@ bool has_yardsticks(const Results& results) {
                      [](const RunRecord& run) { return run.yardsticks_s[0] > 0; });
 }
 
+/// Which version of each of the study's own programs is compared with which.
+void note_versions(const Results& base, const Results& now, Comparison& comparison) {
+  constexpr std::string_view kVersion = "version_";
+  std::map<std::string, std::pair<std::string, std::string>> versions;
+  for (const EnvironmentEntry& entry : base.environment) {
+    if (entry.name.starts_with(kVersion)) versions[entry.name].first = entry.value;
+  }
+  for (const EnvironmentEntry& entry : now.environment) {
+    if (entry.name.starts_with(kVersion)) versions[entry.name].second = entry.value;
+  }
+  for (const auto& [name, of] : versions) {
+    comparison.remarks.push_back(fmt::format("{}: version {} in BASE, {} in NEW",
+                                             one_line(name.substr(kVersion.size())),
+                                             of.first.empty() ? "unknown" : one_line(of.first),
+                                             of.second.empty() ? "unknown" : one_line(of.second)));
+  }
+}
+
 /// What is to be said of two results before any cell is looked at.
 /// @param in_turns  whether they were measured in turns; files were one after the other.
 Comparison first_look(const Results& base, const Results& now, const CompareOptions& options,
@@ -245,6 +264,7 @@ Comparison first_look(const Results& base, const Results& now, const CompareOpti
                   [](const EnvironmentChange& change) { return change.name == kLoadOfOtherWork; });
   }
   comparison.time_judged = comparison.environment.empty();
+  note_versions(base, now, comparison);
   note_marks(base, "BASE", comparison);
   note_marks(now, "NEW", comparison);
   comparison.time_judged = comparison.time_judged || options.time_always || comparison.is_copy;

@@ -17,6 +17,7 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/base/say.h"
 #include "ar3d/bench/compare/commits.h"
 #include "ar3d/bench/compare/interleave.h"
 #include "ar3d/bench/measure/processes.h"
@@ -194,7 +195,7 @@ StudySpec study_of_cell(const StudySpec& spec, const std::string& cell, int time
   } catch (const InputError& error) {
     throw InputError(fmt::format(
         "cell '{}' cannot be run by itself (its graphs are of a file, or its algorithm is a "
-        "program): {}",
+        "program, which `git bisect run` finds the commit of: docs/own-program.md): {}",
         cell, error.what()));
   }
 }
@@ -219,13 +220,13 @@ class CommitSearch {
                                          arguments_.measure == "time" ? kTimedRepetitions : 0);
     const std::string good = commit_of(checkout_, arguments_.good);
     commits_ = commits_between(checkout_, good, commit_of(checkout_, arguments_.bad));
-    fmt::print("cell     {}\ncommits  {} to look among\n", arguments_.cell, commits_.size());
+    say("cell     {}\ncommits  {} to look among\n", arguments_.cell, commits_.size());
     judge_.emplace(build(good), spec, folder_, arguments_);
     const Shift whole = judge_->difference(build(commits_.back().hash), {});
-    fmt::print("BAD      {}\n", text_of(whole, arguments_.measure));
+    say("BAD      {}\n", text_of(whole, arguments_.measure));
     if (!differs(whole)) {
-      fmt::print("NO CHANGE between GOOD and BAD that {} could show\n",
-                 arguments_.measure == "time" ? "these rounds" : "one run");
+      say("NO CHANGE between GOOD and BAD that {} could show\n",
+          arguments_.measure == "time" ? "these rounds" : "one run");
       return kInconclusive;
     }
     search(whole.estimate / 2);
@@ -262,14 +263,14 @@ class CommitSearch {
         if (is_open) bisection.skip(*next);
         if (!is_open && is_bad) bisection.note_bad(*next);
         if (!is_open && !is_bad) bisection.note_good(*next);
-        fmt::print("{}  {}: {}\n",
-                   is_open  ? "OPEN   "
-                   : is_bad ? "bad    "
-                            : "good   ",
-                   name, text_of(seen, arguments_.measure));
+        say("{}  {}: {}\n",
+            is_open  ? "OPEN   "
+            : is_bad ? "bad    "
+                     : "good   ",
+            name, text_of(seen, arguments_.measure));
       } catch (const InputError& error) {
         bisection.skip(*next);
-        fmt::print("SKIPPED  {}: {}\n", name, printable(error.what()));
+        say("SKIPPED  {}: {}\n", name, printable(error.what()));
       }
       std::fflush(stdout);
     }
@@ -279,12 +280,12 @@ class CommitSearch {
 
   int conclude(const Shift& whole) const {
     for (std::size_t i = first_; i <= last_; ++i) {
-      fmt::print("{} {} {}\n", first_ == last_ ? "FOUND   " : "PERHAPS ", commits_[i].hash,
-                 printable(commits_[i].subject));
+      say("{} {} {}\n", first_ == last_ ? "FOUND   " : "PERHAPS ", commits_[i].hash,
+          printable(commits_[i].subject));
     }
     if (first_ == last_) {
-      fmt::print("         {} with BAD's level: {}\n", "the first commit",
-                 text_of(whole, arguments_.measure));
+      say("         {} with BAD's level: {}\n", "the first commit",
+          text_of(whole, arguments_.measure));
     }
     return first_ == last_ ? kPass : kInconclusive;
   }
@@ -303,7 +304,7 @@ int bisect(const BisectArguments& arguments) {
   try {
     return CommitSearch(arguments).run();
   } catch (const BisectStopped&) {
-    fmt::print(stderr, "ar3d: interrupted; the programs built so far are kept, nothing else is\n");
+    say(stderr, "ar3d: interrupted; the programs built so far are kept, nothing else is\n");
     return kInterrupted;
   }
 }

@@ -14,6 +14,7 @@
 #include "ar3d/analysis/google_benchmark.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
+#include "ar3d/base/say.h"
 #include "ar3d/bench/compare/commits.h"
 #include "ar3d/bench/compare/interleave.h"
 #include "ar3d/bench/measure/processes.h"
@@ -63,10 +64,10 @@ int report_verdict(const CompareArguments& arguments, const Comparison& comparis
   const bool is_on_stdout = arguments.markdown == "-";
   if (!arguments.markdown.empty()) {
     const std::string text = comparison_markdown(comparison, arguments.options);
-    if (is_on_stdout) fmt::print("{}", text);
+    if (is_on_stdout) say("{}", text);
     if (!is_on_stdout) write_file_atomically(arguments.markdown, text);
   }
-  if (!is_on_stdout) fmt::print("{}", summary(comparison, arguments.options));
+  if (!is_on_stdout) say("{}", summary(comparison, arguments.options));
   if (!arguments.json.empty()) {
     write_file_atomically(arguments.json,
                           comparison_json(comparison, arguments.options, calibration));
@@ -86,8 +87,8 @@ int compare_files(const CompareArguments& arguments) {
   const std::string base_path = arguments.reference ? reference_for(now) : arguments.files.front();
   const Results base = read_results_or_benchmarks(base_path);
   std::FILE* const to = arguments.markdown == "-" ? stderr : stdout;
-  fmt::print(to, "base {} ({})\nnew  {} ({})\n", base_path, base.created, arguments.files.back(),
-             now.created);
+  say(to, "base {} ({})\nnew  {} ({})\n", base_path, base.created, arguments.files.back(),
+      now.created);
   return report_verdict(arguments, compare(base, now, arguments.options), nullptr);
 }
 
@@ -111,7 +112,7 @@ std::size_t rounds_of(const CompareArguments& arguments, const StudySpec& spec) 
 }
 
 int say_interrupted(const std::string& where) {
-  fmt::print(stderr, "ar3d: interrupted {}; nothing was left behind\n", where);
+  say(stderr, "ar3d: interrupted {}; nothing was left behind\n", where);
   return kInterrupted;
 }
 
@@ -150,8 +151,8 @@ int compare_builds(const CompareArguments& arguments) {
     std::vector<std::vector<double>> ratios;
     for (const CellComparison& cell : comparison->cells) ratios.push_back(cell.log_ratios);
     calibration = calibrate(ratios, arguments.options.time);
-    fmt::print(arguments.markdown == "-" ? stderr : stdout, "{}",
-               summary(calibration, arguments.options.time));
+    say(arguments.markdown == "-" ? stderr : stdout, "{}",
+        summary(calibration, arguments.options.time));
   }
   if (base) {
     options.count = spec.count && counting_problem().empty();

@@ -11,6 +11,7 @@
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/base/say.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/catalog.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
@@ -121,7 +122,7 @@ bool proves(const DrawJob& job) {
 }
 
 void report(const std::string& where, const std::string& what) {
-  fmt::print(stderr, "ar3d: {}\n", printable(fmt::format("{}: {}", where, what)));
+  say(stderr, "ar3d: {}\n", printable(fmt::format("{}: {}", where, what)));
 }
 
 DrawnLine drawn(const GraphToDraw& task, const DrawJob& job) {
@@ -159,7 +160,7 @@ void write(const DrawnLine& drawn, Level level, OutputFile& file, DrawOutcome& o
   }
   if (drawn.violation) outcome.is_violated = true;
   for (const auto& text : {drawn.error, drawn.violation}) {
-    if (text) fmt::print(stderr, "ar3d: {}\n", printable(*text));
+    if (text) say(stderr, "ar3d: {}\n", printable(*text));
   }
 }
 

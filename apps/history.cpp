@@ -8,9 +8,12 @@
 #include <iterator>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
+#include "ar3d/base/printable.h"
+#include "ar3d/base/say.h"
 #include "ar3d/bench/compare/commits.h"
 #include "commands.h"
 #include "options.h"
@@ -48,8 +51,38 @@ std::vector<std::string> results_files(const std::string& folder) {
   return files;
 }
 
+/// The version of the study's own program that the results are of; empty if it has none, or several
+/// programs of different versions. A commit may have "-dirty" behind it.
+std::string program_version_of(const std::vector<EnvironmentEntry>& environment) {
+  std::string version;
+  for (const EnvironmentEntry& entry : environment) {
+    if (!entry.name.starts_with("version_")) continue;
+    if (!version.empty() && version != entry.value) return "";
+    version = entry.value;
+  }
+  return version;
+}
+
+/// What the results are a measurement of.
+struct MeasuredVersion {
+  std::string commit_or_name;
+  bool dirty = false;
+};
+
+MeasuredVersion measured_version(const RunReader& reader) {
+  constexpr std::string_view kDirty = "-dirty";
+  MeasuredVersion version{program_version_of(reader.environment())};
+  if (version.commit_or_name.empty()) {
+    return {reader.identity().source_hash, reader.identity().dirty};
+  }
+  version.dirty = version.commit_or_name.ends_with(kDirty);
+  if (version.dirty) version.commit_or_name.resize(version.commit_or_name.size() - kDirty.size());
+  return version;
+}
+
 /// @throws InputError if these results stand for no commit as a whole.
-void require_whole(const HistoryArguments& arguments, const RunReader& reader) {
+void require_whole(const HistoryArguments& arguments, const RunReader& reader,
+                   const MeasuredVersion& version) {
   const StudyIdentity& study = reader.identity();
   const auto rows = static_cast<std::int64_t>(reader.size());
   if (rows == 0) throw InputError(fmt::format("{} has no rows", arguments.results));
@@ -57,21 +90,21 @@ void require_whole(const HistoryArguments& arguments, const RunReader& reader) {
     throw InputError(fmt::format("{} is of a study that is not finished: {} of {} rows",
                                  arguments.results, rows, study.planned_rows));
   }
-  if (study.dirty && arguments.name.empty()) {
+  if (version.dirty && arguments.name.empty()) {
     throw InputError(
         fmt::format("{} was measured by a program with changes to commit {}: give it a --name",
-                    arguments.results, study.source_hash.substr(0, kHashDigits)));
+                    arguments.results, printable(version.commit_or_name.substr(0, kHashDigits))));
   }
 }
 
-std::int64_t place_of(const HistoryArguments& arguments, const StudyIdentity& study) {
+std::int64_t place_of(const HistoryArguments& arguments, const std::string& version) {
   if (arguments.place >= 0) return arguments.place;
-  const std::int64_t place = is_commit(study.source_hash) ? commits_up_to(study.source_hash) : -1;
+  const std::int64_t place = is_commit(version) ? commits_up_to(version) : -1;
   if (place >= 0) return place;
   throw InputError(
       fmt::format("git in the working directory does not know the commit '{}' of {}: say with "
                   "--place where it stands in the order",
-                  study.source_hash.substr(0, 40), arguments.results));
+                  printable(version.substr(0, 40)), arguments.results));
 }
 
 void copy_file(const std::string& from, const std::string& to) {
@@ -107,10 +140,13 @@ void refuse_copies(const std::string& results, const std::string& folder,
 int add_results(const HistoryArguments& arguments) {
   const RunReader reader(arguments.results);
   const StudyIdentity& study = reader.identity();
-  require_whole(arguments, reader);
-  const std::int64_t place = place_of(arguments, study);
-  const std::string name =
-      arguments.name.empty() ? study.source_hash.substr(0, kHashDigits) : arguments.name;
+  const MeasuredVersion version = measured_version(reader);
+  require_whole(arguments, reader, version);
+  const std::int64_t place = place_of(arguments, version.commit_or_name);
+  const std::string& own = version.commit_or_name;
+  const std::string name = !arguments.name.empty() ? arguments.name
+                           : is_commit(own)        ? own.substr(0, kHashDigits)
+                                                   : own;
   const std::string path =
       arguments.folder + "/" + history_file_name(place, name, study, reader.environment());
   refuse_unsafe_outputs({.inputs = {arguments.results},
@@ -124,7 +160,7 @@ int add_results(const HistoryArguments& arguments) {
     throw InputError(fmt::format("cannot create {}: {}", arguments.folder, error.message()));
   }
   copy_file(arguments.results, path);
-  fmt::print("added    {}\n", path);
+  say("added    {}\n", path);
   return kPass;
 }
 
@@ -153,11 +189,11 @@ int report_history(const HistoryArguments& arguments) {
   }
   write_file_atomically(page, render_history(history, arguments.folder));
   if (!arguments.json.empty()) write_file_atomically(arguments.json, history_json(history));
-  fmt::print("{}page     {}\n", summary(history), page);
+  say("{}page     {}\n", summary(history), page);
   for (const HistoryLine& line : history.lines) {
     if (line.is_judged) return kPass;
   }
-  fmt::print(stderr, "ar3d: {}: nothing was judged: every line is too short\n", arguments.folder);
+  say(stderr, "ar3d: {}: nothing was judged: every line is too short\n", arguments.folder);
   return kIncomplete;
 }
 

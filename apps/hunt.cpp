@@ -11,6 +11,7 @@
 #include "ar3d/analysis/replay.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
+#include "ar3d/base/say.h"
 #include "ar3d/bench/search/trial.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
@@ -165,7 +166,7 @@ void write_exhibit(const Subject& subject, const Trial& trial, const HuntArgumen
   }
   const std::string lines = replay_lines(trial, arguments);
   write_file_atomically(prefix + ".txt", trial_text(trial, arguments) + lines);
-  fmt::print("wrote {}.txt and what it names\n{}", prefix, lines);
+  say("wrote {}.txt and what it names\n{}", prefix, lines);
 }
 
 std::vector<FamilyChoice> chosen_families(const HuntArguments& arguments,
@@ -195,19 +196,19 @@ int hunt_and_show(HuntArguments arguments) {
   arguments.hunting.families = chosen_families(arguments, *subject.choice.algorithm);
   const HuntResult result =
       hunt(subject, rule_of(arguments), arguments.hunting, [](const HuntResult& so_far) {
-        fmt::print(stderr, "{:>8} graphs: {:.4f} from {}\n", so_far.evaluations, so_far.best.ratio,
-                   so_far.start.family->name);
+        say(stderr, "{:>8} graphs: {:.4f} from {}\n", so_far.evaluations, so_far.best.ratio,
+            so_far.start.family->name);
       });
-  fmt::print("{} graphs drawn and certified, {} starts; the best one comes from {} {}\n",
-             result.evaluations, result.starts, result.start.family->name,
-             result.start.corpus && arguments.inputs.size() > 1
-                 ? fmt::format("({})", result.start.corpus->graphs->graph_name(result.start_place))
-             : result.start.corpus ? fmt::format("graph {}", result.start_place)
-                                   : fmt::format("with seed {}", result.start_seed));
-  fmt::print("{}", trial_text(result.best, arguments));
+  say("{} graphs drawn and certified, {} starts; the best one comes from {} {}\n",
+      result.evaluations, result.starts, result.start.family->name,
+      result.start.corpus && arguments.inputs.size() > 1
+          ? fmt::format("({})", result.start.corpus->graphs->graph_name(result.start_place))
+      : result.start.corpus ? fmt::format("graph {}", result.start_place)
+                            : fmt::format("with seed {}", result.start_seed));
+  say("{}", trial_text(result.best, arguments));
   if (!arguments.output.empty()) {
     write_exhibit(subject, result.best, arguments);
-    fmt::print("{}\n", shrink_line(result.best, arguments));
+    say("{}\n", shrink_line(result.best, arguments));
   }
   return result.best.failure.empty() ? kPass : kViolated;
 }
@@ -283,11 +284,11 @@ int shrink_and_show(const HuntArguments& arguments) {
       },
       arguments.most_drawings);
   const Trial least = try_graph(subject, rule, result.graph);
-  fmt::print("{} of {} vertices and {} of {} edges are left after {} drawings{}\n",
-             result.graph.num_vertices(), graph.num_vertices(), result.graph.num_edges(),
-             graph.num_edges(), result.evaluations,
-             result.minimal ? "; none can go" : "; the evaluations ran out");
-  fmt::print("{}", trial_text(least, arguments));
+  say("{} of {} vertices and {} of {} edges are left after {} drawings{}\n",
+      result.graph.num_vertices(), graph.num_vertices(), result.graph.num_edges(),
+      graph.num_edges(), result.evaluations,
+      result.minimal ? "; none can go" : "; the evaluations ran out");
+  say("{}", trial_text(least, arguments));
   write_exhibit(subject, least, arguments);
   return least.failure.empty() ? kPass : kViolated;
 }

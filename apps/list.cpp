@@ -8,6 +8,7 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
+#include "ar3d/base/say.h"
 #include "ar3d/bench/spec/study_spec.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/generators/catalog.h"
@@ -30,35 +31,35 @@ std::string size_text(const SizeBound& bound) {
 
 void print_algorithm(const Algorithm& row) {
   const Guarantee& g = row.guarantee;
-  fmt::print("{}: {}\n", row.name, row.summary);
-  fmt::print("    {}; degree <= {}, <= {} bends per edge, angles {} {:.2f} degrees\n", row.source,
-             g.max_degree, g.max_bends, g.angle_rule == AngleRule::exactly ? "exactly" : "at least",
-             degrees(g.cosine));
+  say("{}: {}\n", row.name, row.summary);
+  say("    {}; degree <= {}, <= {} bends per edge, angles {} {:.2f} degrees\n", row.source,
+      g.max_degree, g.max_bends, g.angle_rule == AngleRule::exactly ? "exactly" : "at least",
+      degrees(g.cosine));
   if (g.claim == Claim::measured) {
-    fmt::print("    in real arithmetic: what rounding makes of it is measured; no box ({})\n",
-               g.bound.source);
+    say("    in real arithmetic: what rounding makes of it is measured; no box ({})\n",
+        g.bound.source);
   } else {
-    fmt::print("    box <= {} ({})\n", size_text(g.bound), g.bound.source);
+    say("    box <= {} ({})\n", size_text(g.bound), g.bound.source);
   }
   for (const SettingSpec& option : row.options) {
-    fmt::print("    option {} = {}..{} (default {}): {}\n", option.name, option.low, option.high,
-               option.default_value, option.description);
+    say("    option {} = {}..{} (default {}): {}\n", option.name, option.low, option.high,
+        option.default_value, option.description);
   }
 }
 
 void print_family(const Family& row) {
-  fmt::print("{}: {} (degree <= {}{})\n", row.name, row.summary, row.max_degree,
-             row.is_random ? ", random" : "");
+  say("{}: {} (degree <= {}{})\n", row.name, row.summary, row.max_degree,
+      row.is_random ? ", random" : "");
   for (const SettingSpec& parameter : row.parameters) {
-    fmt::print("    parameter {} = {}..{} (default {}): {}\n", parameter.name, parameter.low,
-               parameter.high, parameter.default_value, parameter.description);
+    say("    parameter {} = {}..{} (default {}): {}\n", parameter.name, parameter.low,
+        parameter.high, parameter.default_value, parameter.description);
   }
 }
 
 void print_list(const std::string& what) {
   const auto wanted = [&](const char* name) { return what == "all" || what == name; };
   const auto title = [&](const char* text) {
-    if (what == "all") fmt::print("\n== {} ==\n", text);
+    if (what == "all") say("\n== {} ==\n", text);
   };
   if (wanted("algorithms")) {
     title("algorithms");
@@ -72,23 +73,23 @@ void print_list(const std::string& what) {
     title("named graphs (family `named`, --set index=NUMBER)");
     std::size_t index = 0;
     for (const NamedGraph& row : named_graphs()) {
-      fmt::print("{:2} {} (n = {}): {}\n", index++, row.name, row.num_vertices, row.summary);
+      say("{:2} {} (n = {}): {}\n", index++, row.name, row.num_vertices, row.summary);
     }
   }
   if (wanted("formats")) {
     title("formats");
-    for (const GraphFormat& row : graph_formats()) fmt::print("{}: {}\n", row.name, row.summary);
+    for (const GraphFormat& row : graph_formats()) say("{}: {}\n", row.name, row.summary);
   }
   if (wanted("metrics")) {
     title("metrics");
     for (const Metric& row : metrics()) {
-      fmt::print("{}: {} ({}, {})\n", row.name, row.definition, row.unit,
-                 row.type == MetricType::int64 ? "int64" : "float64");
+      say("{}: {} ({}, {})\n", row.name, row.definition, row.unit,
+          row.type == MetricType::int64 ? "int64" : "float64");
     }
   }
   if (wanted("studies")) {
     title("studies");
-    for (const NamedStudy& row : named_studies()) fmt::print("{}: {}\n", row.name, row.description);
+    for (const NamedStudy& row : named_studies()) say("{}: {}\n", row.name, row.description);
   }
 }
 
@@ -117,16 +118,16 @@ void print_promise(const Algorithm& row) {
   const Guarantee& g = row.guarantee;
   if (g.claim == Claim::measured)
     throw InputError(row.name + ": its drawings are measured, no promise is kept exactly");
-  fmt::print("--bends {} --cosine {}/{} {} --gram {}", g.max_bends, g.cosine.numerator,
-             g.cosine.denominator, g.angle_rule == AngleRule::exactly ? "--exactly" : "--at-least",
-             gram_word(g.lattice));
+  say("--bends {} --cosine {}/{} {} --gram {}", g.max_bends, g.cosine.numerator,
+      g.cosine.denominator, g.angle_rule == AngleRule::exactly ? "--exactly" : "--at-least",
+      gram_word(g.lattice));
   for (std::size_t i = 0; i < g.directions.size(); ++i) {
     const Vector& d = g.directions[i];
-    fmt::print("{}{},{},{}", i == 0 ? " --directions " : ":", d.x, d.y, d.z);
+    say("{}{},{},{}", i == 0 ? " --directions " : ":", d.x, d.y, d.z);
   }
-  if (g.vertices_in_plane) fmt::print(" --plane z=0");
-  fmt::print(" --box {},{},{}\n", size_word(g.bound.axes[0]), size_word(g.bound.axes[1]),
-             size_word(g.bound.axes[2]));
+  if (g.vertices_in_plane) say(" --plane z=0");
+  say(" --box {},{},{}\n", size_word(g.bound.axes[0]), size_word(g.bound.axes[1]),
+      size_word(g.bound.axes[2]));
 }
 
 }  // namespace

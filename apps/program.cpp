@@ -2,6 +2,7 @@
 #include "ar3d/apps/program.h"
 
 #include <fmt/format.h>
+#include <omp.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -15,11 +16,14 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/base/say.h"
 #include "ar3d/bench/measure/environment.h"
 #include "commands.h"
 #include "view.h"
 
 namespace {
+
+constexpr int kMostThreads = 1024;  // as --threads
 
 constexpr const char* kExamples = R"(Examples:
   ar3d study run quick
@@ -63,7 +67,7 @@ void tell_usage(const CLI::App& app, const CLI::ParseError& error) {
   for (const CLI::App* above = verb.get_parent(); above != nullptr; above = above->get_parent()) {
     page.insert(0, above->get_name() + " ");
   }
-  fmt::print(stderr, "ar3d: {} (see {} --help)\n", ar3d::printable(message), page);
+  ar3d::say(stderr, "ar3d: {} (see {} --help)\n", ar3d::printable(message), page);
 }
 
 int run(int argc, char** argv) {
@@ -105,8 +109,8 @@ int with_output_flushed(int exit_code) {
   errno = 0;
   const bool flushed = std::fflush(stdout) == 0;
   if (flushed && std::ferror(stdout) == 0) return exit_code;
-  fmt::print(stderr, "ar3d: cannot write to standard output: {}\n",
-             std::strerror(errno != 0 ? errno : EIO));
+  ar3d::say(stderr, "ar3d: cannot write to standard output: {}\n",
+            std::strerror(errno != 0 ? errno : EIO));
   return ar3d::kUsage;
 }
 
@@ -114,20 +118,24 @@ int with_output_flushed(int exit_code) {
 
 int ar3d::run_program(int argc, char** argv) {
   try {
+    if (const int threads = omp_get_max_threads(); threads > kMostThreads) {
+      throw ar3d::InputError(fmt::format("OMP_NUM_THREADS asks for {} threads; {} are the most",
+                                         threads, kMostThreads));
+    }
     return with_output_flushed(run(argc, argv));
   } catch (const ar3d::InputError& error) {
-    fmt::print(stderr, "ar3d: {}\n", ar3d::printable(error.what()));
+    ar3d::say(stderr, "ar3d: {}\n", ar3d::printable(error.what()));
     return ar3d::kUsage;
   } catch (const std::system_error& error) {
     const bool is_output = std::ferror(stdout) != 0;
-    fmt::print(stderr, "ar3d: {}{}\n", is_output ? "cannot write to standard output: " : "",
-               is_output ? error.code().message() : error.what());
+    ar3d::say(stderr, "ar3d: {}{}\n", is_output ? "cannot write to standard output: " : "",
+              is_output ? error.code().message() : error.what());
     return is_output ? ar3d::kUsage : ar3d::kInternalError;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "ar3d: out of memory\n");
+    ar3d::say(stderr, "ar3d: out of memory\n");
     return ar3d::kInternalError;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "ar3d: {}\n", ar3d::printable(error.what()));
+    ar3d::say(stderr, "ar3d: {}\n", ar3d::printable(error.what()));
     return ar3d::kInternalError;
   }
 }

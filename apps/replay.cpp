@@ -9,6 +9,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/base/say.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/bench/run/describe_study.h"
@@ -84,14 +85,14 @@ int replay_row(const ReplayArguments& arguments) {
   if (!arguments.output.empty()) write_drawing(then, origin, format, arguments.output);
   const std::vector<std::string> differing = differing_columns(then, now);
   std::FILE* const log = arguments.output == "-" ? stderr : stdout;  // never amid the drawing
-  fmt::print(log, "{} {} n={} seed {} with {} {}: {}\n", then.family, then.parameters, then.n,
-             then.seed, then.algorithm, then.options, to_string(now.status));
+  say(log, "{} {} n={} seed {} with {} {}: {}\n", then.family, then.parameters, then.n, then.seed,
+      then.algorithm, then.options, to_string(now.status));
   if (!now.message.empty() && now.message != then.message) {
-    fmt::print(log, "{}\n", printable(now.message));
+    say(log, "{}\n", printable(now.message));
   }
   for (const std::string& column : differing)
-    fmt::print(log, "column {} differs from the recorded row\n", column);
-  if (differing.empty()) fmt::print(log, "every non-timing column is equal, bit for bit\n");
+    say(log, "column {} differs from the recorded row\n", column);
+  if (differing.empty()) say(log, "every non-timing column is equal, bit for bit\n");
   if (now.status == RunStatus::violated) return kViolated;
   return differing.empty() ? kPass : kRegression;
 }
@@ -123,8 +124,8 @@ void print_irreproducible(const Results& results, const IrreproducibleRow& row) 
   const RunRecord& run = results.runs[row.row];
   std::string columns;
   for (const std::string& name : row.columns) columns += " " + name;
-  fmt::print("row {} ({} n={} with {} {}) differs in{}\n", row.row, run.family, run.n,
-             run.algorithm, run.options, columns);
+  say("row {} ({} n={} with {} {}) differs in{}\n", row.row, run.family, run.n, run.algorithm,
+      run.options, columns);
 }
 
 int check_a_sample(const ReplayArguments& arguments) {
@@ -132,19 +133,19 @@ int check_a_sample(const ReplayArguments& arguments) {
   const std::vector<std::size_t> places =
       sample_of_rows(results.runs, arguments.sample, arguments.seed);
   if (results.source_hash != source_hash()) {
-    fmt::print(stderr, "ar3d: the rows were made by source {}, this is {}\n", results.source_hash,
-               source_hash());
+    say(stderr, "ar3d: the rows were made by source {}, this is {}\n", results.source_hash,
+        source_hash());
   }
   std::size_t done = 0;
   const bool terminal = isatty(fileno(stderr)) == 1;
   const SelfCheck check = selfcheck(results.runs, places, study_origin(results), [&](std::size_t) {
-    if (terminal) fmt::print(stderr, "\r{} of {} rows made again", ++done, places.size());
+    if (terminal) std::fprintf(stderr, "\r%zu of %zu rows made again", ++done, places.size());
   });
-  if (terminal) fmt::print(stderr, "\n");
+  if (terminal) say(stderr, "\n");
   for (const IrreproducibleRow& row : check.irreproducible) print_irreproducible(results, row);
-  fmt::print("{} of {} rows made again: {} equal bit for bit, {} not, {} violated\n",
-             check.replayed, results.runs.size(), check.replayed - check.irreproducible.size(),
-             check.irreproducible.size(), check.violated);
+  say("{} of {} rows made again: {} equal bit for bit, {} not, {} violated\n", check.replayed,
+      results.runs.size(), check.replayed - check.irreproducible.size(),
+      check.irreproducible.size(), check.violated);
   if (check.violated > 0) return kViolated;
   if (!check.irreproducible.empty()) return kRegression;
   return check.replayed > 0 ? kPass : kIncomplete;

@@ -20,6 +20,7 @@
 #include "ar3d/analysis/google_benchmark.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
+#include "ar3d/base/say.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "commands.h"
 #include "outputs.h"
@@ -80,7 +81,7 @@ void write_figures(const std::vector<Figure>& figures, const std::string& direct
     write_file_atomically(stem + ".tex", figure.pgfplots);
     convert_svg_to_pdf(stem + ".svg", stem + ".pdf");
   }
-  fmt::print("figures  {}\n", directory);
+  say("figures  {}\n", directory);
 }
 
 /// A file that is written piece by piece, whole or not at all. @throws InputError
@@ -142,9 +143,9 @@ int write_report(const ReportArguments& arguments) {
                     [&](const TextSink& sink) { google_benchmark_json(view, sink); });
   }
   if (!arguments.figures.empty()) write_figures(figures, arguments.figures);
-  fmt::print("{}report   {}\n", verdict_line(analysis.verdict), path);
+  say("{}report   {}\n", verdict_line(analysis.verdict), path);
   if (view.count == 0) {
-    fmt::print(stderr, "ar3d: {}: nothing measured: the file has no rows\n", arguments.results);
+    say(stderr, "ar3d: {}: nothing measured: the file has no rows\n", arguments.results);
   }
   return analysis.verdict.exit_code();
 }

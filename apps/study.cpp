@@ -73,15 +73,15 @@ bool count_drawings_of(const std::string& path) {
   try {
     const std::size_t drawings = fill_counts(results, kLargestCounted);
     if (is_interrupted()) {
-      fmt::print(stderr, "ar3d: interrupted while counting; go on with `ar3d study resume {}`\n",
-                 shell_word(path));
+      say(stderr, "ar3d: interrupted while counting; go on with `ar3d study resume {}`\n",
+          shell_word(path));
       return false;
     }
     if (drawings == 0) return true;
     write_results(results, path);
-    fmt::print("counted  {} drawings\n", drawings);
+    say("counted  {} drawings\n", drawings);
   } catch (const InputError& error) {
-    fmt::print(stderr, "ar3d: drawings are not counted: {}\n", printable(error.what()));
+    say(stderr, "ar3d: drawings are not counted: {}\n", printable(error.what()));
   }
   return true;
 }
@@ -93,11 +93,11 @@ int conclude(const JournaledStudy& study, bool force, bool unchanged) {
   const StudyRows rows(study.results);
   CheckedRows examination = judge(rows.view(), study.results);
   int exit_code = examination.verdict.exit_code();
-  fmt::print("{}", summary(examination.verdict));
-  fmt::print("results  {}\n", study.results);
+  say("{}", summary(examination.verdict));
+  say("results  {}\n", study.results);
   const bool is_timed = std::ranges::any_of(
       study.spec.sweeps, [](const Sweep& sweep) { return sweep.timed.most > 0; });
-  if (!is_timed) fmt::print("times    not measured: `timed_repetitions` in a sweep does\n");
+  if (!is_timed) say("times    not measured: `timed_repetitions` in a sweep does\n");
   if (const std::size_t skipped = skipped_file_records(*rows.view().identity).size()) {
     say("skipped  {} files that could not be read (/skipped_files of the results)\n", skipped);
   }

@@ -11,6 +11,7 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/base/say.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/replay/count_instructions.h"
@@ -32,15 +33,15 @@ int write_drawings(const std::string& path, const RowView& rows, KeptDrawings ke
   OutputFile file(path);
   const KeptOutcome outcome = write_kept_drawings(rows, kept, file);
   for (const std::string& problem : outcome.problems) {
-    fmt::print(stderr, "ar3d: {}\n", printable(problem));
+    say(stderr, "ar3d: {}\n", printable(problem));
   }
   if (!outcome.problems.empty() && outcome.kept == 0) {
-    fmt::print(stderr, "ar3d: no drawing could be made again; {} is not written\n", path);
+    say(stderr, "ar3d: no drawing could be made again; {} is not written\n", path);
     return kRegression;
   }
   file.commit();
-  fmt::print(path == "-" ? stderr : stdout, "drawings {}: {} kept ({})\n",
-             path == "-" ? "standard output" : path, outcome.kept, to_string(kept));
+  say(path == "-" ? stderr : stdout, "drawings {}: {} kept ({})\n",
+      path == "-" ? "standard output" : path, outcome.kept, to_string(kept));
   return outcome.problems.empty() ? kPass : kRegression;
 }
 
@@ -83,14 +84,14 @@ int keep_drawings_beside(const std::string& results, const RowView& rows, KeptDr
                          bool force, bool unchanged) {
   const std::string path = drawings_path(results);
   if (unchanged && std::filesystem::exists(path) && may_be_replaced(path)) {
-    fmt::print("drawings {}: as it was, no row is new\n", path);
+    say("drawings {}: as it was, no row is new\n", path);
     return kPass;
   }
   if (!force && !may_be_replaced(path)) {
-    fmt::print(stderr,
-               "ar3d: {} is no file of drawings and stays as it is; `ar3d study drawings {} --keep "
-               "{} -o OTHER.jsonl` writes them\n",
-               path, shell_word(results), to_string(kept));
+    say(stderr,
+        "ar3d: {} is no file of drawings and stays as it is; `ar3d study drawings {} --keep "
+        "{} -o OTHER.jsonl` writes them\n",
+        path, shell_word(results), to_string(kept));
     return kRegression;
   }
   return write_drawings(path, rows, kept);
@@ -135,8 +136,8 @@ int count(const DrawingsArguments& arguments) {
   const std::size_t counted = fill_counts(results, arguments.max_n);
   if (is_interrupted()) return kInterrupted;
   if (counted == 0) {
-    fmt::print(stderr, "ar3d: {} has no drawing of ours up to n = {}\n", arguments.results,
-               arguments.max_n);
+    say(stderr, "ar3d: {} has no drawing of ours up to n = {}\n", arguments.results,
+        arguments.max_n);
     return kIncomplete;
   }
   std::set<std::string> told;
@@ -145,7 +146,7 @@ int count(const DrawingsArguments& arguments) {
     const std::string line =
         fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\n", run.family, run.n, run.seed, run.algorithm,
                     run.options, run.counted_instructions, run.estimated_cycles);
-    if (told.insert(line).second) fmt::print("{}", line);
+    if (told.insert(line).second) say("{}", line);
   }
   write_results(results, path);
   return kPass;

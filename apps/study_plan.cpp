@@ -10,6 +10,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/base/say.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/run/estimate.h"
@@ -149,8 +150,8 @@ void print_collection(const StudyCorpus& collection) {
     const std::size_t count = graphs.count_above(limit);
     if (count > 0) above += fmt::format(", {} of degree above {}", count, limit);
   }
-  fmt::print("{}: {} graphs{}, {} files left out\n{}", collection.record.name, graphs.size(), above,
-             graphs.skipped().size(), skipped_text(graphs.skipped()));
+  say("{}: {} graphs{}, {} files left out\n{}", collection.record.name, graphs.size(), above,
+      graphs.skipped().size(), skipped_text(graphs.skipped()));
 }
 
 // Those of a collection, which may have any number of sizes, are told as one for each algorithm.
@@ -165,8 +166,8 @@ void print_cells(const StudyEstimate& estimate, const std::set<std::string>& col
   std::map<Key, Sum> sums;
   for (const CellEstimate& cell : estimate.cells) {
     if (!collections.contains(cell.family)) {
-      fmt::print("{} {} n={} {} {}: {} instances, {} rows, {}\n", cell.family, cell.parameters,
-                 cell.n, cell.algorithm, cell.options, cell.instances, cell.rows, cost_of(cell));
+      say("{} {} n={} {} {}: {} instances, {} rows, {}\n", cell.family, cell.parameters, cell.n,
+          cell.algorithm, cell.options, cell.instances, cell.rows, cost_of(cell));
       continue;
     }
     Sum& sum = sums.try_emplace({cell.family, cell.parameters, cell.algorithm, cell.options},
@@ -180,9 +181,9 @@ void print_cells(const StudyEstimate& estimate, const std::set<std::string>& col
   }
   for (const auto& [key, sum] : sums) {
     const auto& [family, parameters, algorithm, options] = key;
-    fmt::print("{} {} n={}..{} {} {}: {} rows, {}\n", family, parameters, sum.least_n,
-               sum.largest_n, algorithm, options, sum.rows,
-               sum.is_known ? about(sum.total_s) + " in all" : "time and memory not known");
+    say("{} {} n={}..{} {} {}: {} rows, {}\n", family, parameters, sum.least_n, sum.largest_n,
+        algorithm, options, sum.rows,
+        sum.is_known ? about(sum.total_s) + " in all" : "time and memory not known");
   }
 }
 
@@ -194,12 +195,12 @@ void print_estimate(const StudySpec& spec, const StudyPlan& plan, const StudyEst
     if (collections.insert(corpus.record.name).second) print_collection(corpus);
   }
   print_cells(estimate, collections);
-  fmt::print("{} cells, {} instances, {} rows", estimate.cells.size(), plan.instances.size(),
-             estimate.rows);
-  if (estimate.optional_rows > 0) fmt::print(" and at most {} more", estimate.optional_rows);
-  fmt::print("\n{}\n", cost_of(estimate, workers));
+  say("{} cells, {} instances, {} rows", estimate.cells.size(), plan.instances.size(),
+      estimate.rows);
+  if (estimate.optional_rows > 0) say(" and at most {} more", estimate.optional_rows);
+  say("\n{}\n", cost_of(estimate, workers));
   if (plan.budget.study_s && estimate.wall_s > *plan.budget.study_s) {
-    fmt::print("the budget of {} will probably end it earlier\n", about(*plan.budget.study_s));
+    say("the budget of {} will probably end it earlier\n", about(*plan.budget.study_s));
   }
 }
 

@@ -16,6 +16,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/base/say.h"
 #include "ar3d/bench/keep/journaled_study.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/store/columns/run_columns.h"
@@ -170,14 +171,13 @@ std::string line(const Standing& standing) {
 }
 
 void print_details(const Standing& standing, const std::string& file) {
-  fmt::print("{}\nbegun    {}\nsource   {}{}\n", line(standing),
-             printable(standing.identity.created), printable(standing.identity.source_hash),
-             standing.identity.dirty ? " and changes" : "");
+  say("{}\nbegun    {}\nsource   {}{}\n", line(standing), printable(standing.identity.created),
+      printable(standing.identity.source_hash), standing.identity.dirty ? " and changes" : "");
   const std::string results = shell_word(results_path_of(file));
   if (standing.writers > 0) {
-    fmt::print("watch it with `ar3d study status --watch {}`\n", results);
+    say("watch it with `ar3d study status --watch {}`\n", results);
   } else if (!standing.complete() || standing.journals > 0) {
-    fmt::print("go on with `ar3d study resume {}`\n", results);
+    say("go on with `ar3d study resume {}`\n", results);
   }
 }
 
@@ -197,12 +197,14 @@ Standing watch(const std::string& file) {
       text += fmt::format(", {:.0f} rows per second, about {:.0f} s left", made / elapsed.count(),
                           left * elapsed.count() / made);
     }
-    fmt::print("{}{}{}", terminal ? "\r" : "", text, terminal ? "\033[K" : "\n");
+    if (terminal) std::fputs("\r", stdout);
+    say("{}{}", text, terminal ? "" : "\n");
+    if (terminal) std::fputs("\033[K", stdout);
     std::fflush(stdout);
     std::this_thread::sleep_for(std::chrono::seconds(1));
     now = standing_of(file);
   }
-  if (terminal) fmt::print("\n");
+  if (terminal) say("\n");
   return now;
 }
 
@@ -213,7 +215,7 @@ int show(const StatusArguments& arguments) {
                            .force = arguments.force,
                            .streams = false});
     const StudyOutcome outcome = write_snapshot(begun_study(arguments.file), arguments.snapshot);
-    fmt::print("{} rows are in {}\n", outcome.rows, arguments.snapshot);
+    say("{} rows are in {}\n", outcome.rows, arguments.snapshot);
     return outcome.complete() ? kPass : kIncomplete;
   }
   Standing standing = arguments.watch ? watch(arguments.file) : standing_of(arguments.file);
@@ -226,7 +228,7 @@ int show(const StatusArguments& arguments) {
   standing.identity.planned_rows = rows.view().planned;
   print_details(standing, arguments.file);
   const CheckVerdict verdict = judge(rows.view(), arguments.file).verdict;
-  fmt::print("{}", verdict_line(verdict));
+  say("{}", verdict_line(verdict));
   return verdict.exit_code();
 }
 
@@ -265,7 +267,7 @@ void add_check(CLI::App& app, int& exit_code) {
     const StudyRows rows(*path);
     CheckVerdict verdict = judge(rows.view(), *path).verdict;
     verdict.accepts_unproved = verdict.accepts_unproved || *accepts_unproved;
-    fmt::print("{}", summary(verdict));
+    say("{}", summary(verdict));
     exit_code = verdict.exit_code();
   });
 }

@@ -15,6 +15,7 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/base/say.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/model/real_points.h"
@@ -173,9 +174,9 @@ int verify_drawings(const VerifyArguments& arguments) {
       [&](const LineToJudge& task) { return judge(task, arguments); },
       [&](const JudgedLine& line) {
         ++counts[static_cast<std::size_t>(line.first)];
-        if (!arguments.quiet) fmt::print("{}", line.second);
+        if (!arguments.quiet) say("{}", line.second);
       });
-  fmt::print("{}", summary(counts, arguments.certificate));
+  say("{}", summary(counts, arguments.certificate));
   return exit_code_of(counts);
 }
 

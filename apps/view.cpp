@@ -15,6 +15,7 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
+#include "ar3d/base/say.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/catalog.h"
 #include "ar3d/formats/drawings/drawing_html.h"
@@ -144,7 +145,7 @@ int view_drawings(const ViewArguments& arguments) {
     return PlacedLine{std::move(*line), inputs.reader().where()};
   };
   write_viewer_page(next, page, arguments.algorithm);
-  if (page != "-") fmt::print("wrote {}\n", page);
+  if (page != "-") say("wrote {}\n", page);
   return kPass;
 }
 

@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <utility>
@@ -112,6 +113,16 @@ bool NewFile::become_new_target() {
   if (name_.empty()) take_name();
   close_checked();
   return give_name_if_free(std::exchange(name_, {}), target_);
+}
+
+Descriptor new_temporary_file(const std::string& beginning, std::string& path) {
+  const char* folder = std::getenv("TMPDIR");
+  path = fmt::format("{}/{}-XXXXXX", folder == nullptr || *folder == '\0' ? "/tmp" : folder,
+                     beginning);
+  Descriptor file(mkostemp(path.data(), O_CLOEXEC));
+  if (file.get() >= 0) return file;
+  throw InputError(
+      fmt::format("cannot create {} (TMPDIR says where): {}", path, std::strerror(errno)));
 }
 
 std::string name_of_new_file(const std::string& target) {

@@ -75,6 +75,11 @@ bool create_file_atomically(const std::string& path, std::span<const char> bytes
 /// @throws InputError as NewFile.
 void require_writable(const std::string& path);
 
+/// A new file in the folder for temporary files ($TMPDIR, else /tmp), open to read and write, whose
+/// name nobody can know before. @param path  becomes its name, which begins with `beginning`.
+/// @throws InputError naming it if there can be no such file.
+Descriptor new_temporary_file(const std::string& beginning, std::string& path);
+
 /// Writes all bytes to an open file. @throws InputError naming the path and the system's reason.
 void write_all(int descriptor, std::span<const char> bytes, const std::string& path);
 

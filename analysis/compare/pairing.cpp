@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <cstdint>
@@ -13,6 +14,7 @@
 #include "ar3d/analysis/check.h"
 #include "ar3d/analysis/statistics.h"
 #include "ar3d/base/error.h"
+#include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d {
 
@@ -250,6 +252,40 @@ void compare_bends(const RunRecord& base, const RunRecord& now, std::vector<Fixe
                                  after.convert_to<double>())});
 }
 
+/// What a drawing without a guarantee may change by, of its volume or an angle, and be as good.
+constexpr double kMeasuredTolerance = 0.01;
+
+bool is_measured(const PairedRow& row) {
+  return row.base->status == RunStatus::measured || row.now->status == RunStatus::measured;
+}
+
+/// A value that programs without a guarantee are compared by.
+struct MeasuredValue {
+  const char* column;
+  const char* name;
+  bool more_is_worse;
+  double tolerance;  ///< of its logarithm
+};
+
+/// Coordinates of such a program have any unit: its volume is counted in smallest distances.
+void compare_measured(const RunRecord& base, const RunRecord& now,
+                      std::vector<FixedChange>& changes) {
+  constexpr std::array<MeasuredValue, 4> kValues = {
+      {{"crossings", "crossings", true, 0},
+       {"smallest_vertex_angle", "smallest angle at a vertex", false, kMeasuredTolerance},
+       {"smallest_bend_angle", "smallest angle at a bend", false, kMeasuredTolerance},
+       {"log2_relative_volume", "volume in smallest distances", true, kMeasuredTolerance}}};
+  for (const MeasuredValue& value : kValues) {
+    const Column& column = run_column(value.column);
+    double before = column_number(column, base), after = column_number(column, now);
+    if (value.column == kValues.back().column) before = std::exp2(before), after = std::exp2(after);
+    if (std::isnan(before) || std::isnan(after) || before == after) continue;
+    if (std::abs(std::log(after / before)) <= value.tolerance) continue;
+    changes.push_back({direction((after > before) == value.more_is_worse),
+                       fmt::format("{}: {:.6g} became {:.6g}", value.name, before, after)});
+  }
+}
+
 }  // namespace
 
 std::vector<FixedChange> fixed_changes(const PairedRow& row) {
@@ -261,7 +297,11 @@ std::vector<FixedChange> fixed_changes(const PairedRow& row) {
     changes.push_back({Effect::worse, "the same family, n and seed give another graph"});
     return changes;
   }
-  compare_volume(base, now, changes);
+  if (is_measured(row)) {
+    compare_measured(base, now, changes);
+  } else {
+    compare_volume(base, now, changes);
+  }
   compare_bends(base, now, changes);
   const bool drawn = !base.drawing_hash.empty() && !now.drawing_hash.empty();
   if (changes.empty() && drawn && base.drawing_hash != now.drawing_hash) {
@@ -271,6 +311,11 @@ std::vector<FixedChange> fixed_changes(const PairedRow& row) {
 }
 
 double log2_volume_change(const PairedRow& row) {
+  if (is_measured(row)) {
+    const Column& volume = run_column("log2_relative_volume");
+    const double change = column_number(volume, *row.now) - column_number(volume, *row.base);
+    return std::isfinite(change) ? change : 0;
+  }
   if (!has_extents(*row.base) || !has_extents(*row.now)) return 0;
   double change = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -62,11 +62,12 @@ struct FixedChange {
 };
 
 /// Status, certificate, graph, volume (exact, lattice points of the box) and bends of one pair of
-/// rows. Values that one of the two misses are not compared; a drawing that differs in something
+/// rows; of rows without a guarantee the volume in smallest distances of vertices, crossings and
+/// smallest angles, where 1 % of volume or angle is no change. Values that one of the two misses are not compared; a drawing that differs in something
 /// else is `other`.
 std::vector<FixedChange> fixed_changes(const PairedRow& row);
 
-/// log2(new / base) of the volume; 0 where one of the two has no box.
+/// log2(new / base) of the volume that fixed_changes compares; 0 where one of the two has none.
 double log2_volume_change(const PairedRow& row);
 
 /// log(new / base) of a whole cell's counts, by their sums over its drawings; NaN unless both sides

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/study_identity.h"
 
 namespace ar3d {
@@ -25,6 +26,9 @@ struct GraphValues {
   double log_volume = kMissing;
   std::int64_t bends = -1;
   std::int64_t m = -1;
+  double crossings = kMissing;  // of measured drawings, as the next
+  double angle = kMissing;      // the smallest one
+  bool is_measured = false;
 };
 
 using GraphKey = std::tuple<std::int64_t, std::int64_t, std::uint64_t>;  // requested n, index, seed
@@ -37,6 +41,15 @@ std::int64_t bends_of(const RunRecord& run) {
     bends += static_cast<std::int64_t>(b) * run.bends[b];
   }
   return bends;
+}
+
+/// Of a drawing without a guarantee, whose coordinates have any unit.
+void add_measured(const RunRecord& run, GraphValues& graph) {
+  const auto number = [&run](const char* column) { return column_number(run_column(column), run); };
+  graph.is_measured = true;
+  graph.log_volume = number("log2_relative_volume") * std::numbers::ln2;
+  graph.crossings = number("crossings");
+  graph.angle = std::fmin(number("smallest_vertex_angle"), number("smallest_bend_angle"));
 }
 
 void add_row(const RunRecord& run, GraphValues& graph) {
@@ -52,6 +65,7 @@ void add_row(const RunRecord& run, GraphValues& graph) {
   if (run.extents[0] < 0) return;
   graph.extents = run.extents;
   graph.log_volume = run.log2_volume * std::numbers::ln2;
+  if (run.status == RunStatus::measured) add_measured(run, graph);
   graph.bends = bends_of(run);
   graph.m = run.m;
 }
@@ -63,6 +77,14 @@ double geometric_mean(const GraphTable& graphs, Of of) {
   for (const auto& [key, graph] : graphs) sum += of(graph);
   const double mean = std::exp(sum / static_cast<double>(graphs.size()));
   return std::isfinite(mean) && mean > 0 ? mean : kMissing;
+}
+
+/// Missing if one is.
+template <class Of>
+double arithmetic_mean(const GraphTable& graphs, Of of) {
+  double sum = 0;
+  for (const auto& [key, graph] : graphs) sum += of(graph);
+  return sum / static_cast<double>(graphs.size());
 }
 
 double bends_per_edge(const GraphTable& graphs) {
@@ -82,10 +104,13 @@ CellValues values_of(const GraphTable& graphs) {
   const bool is_timed = std::any_of(graphs.begin(), graphs.end(), [](const auto& at) {
     return std::isfinite(at.second.least_timing_s);
   });
-  std::string boxes, bends;
+  std::string boxes, bends, crossings, angles;
   for (const auto& [key, graph] : graphs) {
-    boxes += fmt::format("{} ", fmt::join(graph.extents, " "));
+    boxes += graph.is_measured ? fmt::format("{:.3g} ", std::exp(graph.log_volume))
+                               : fmt::format("{} ", fmt::join(graph.extents, " "));
     bends += fmt::format("{} ", graph.bends);
+    crossings += fmt::format("{} ", graph.crossings);
+    angles += fmt::format("{:.3g} ", graph.angle);
   }
   CellValues values;
   values[0].value = geometric_mean(graphs, [&](const GraphValues& graph) {
@@ -99,13 +124,18 @@ CellValues values_of(const GraphTable& graphs) {
   values[3] = {geometric_mean(graphs, [](const GraphValues& graph) { return graph.log_volume; }),
                content_hash(boxes)};
   values[4] = {bends_per_edge(graphs), content_hash(bends)};
+  values[5] = {arithmetic_mean(graphs, [](const GraphValues& graph) { return graph.crossings; }),
+               content_hash(crossings)};
+  values[6] = {arithmetic_mean(graphs, [](const GraphValues& graph) { return graph.angle; }),
+               content_hash(angles)};
   return values;
 }
 
 }  // namespace
 
 const char* to_string(Measure measure) {
-  constexpr const char* kNames[] = {"time", "instructions", "cycles", "volume", "bends"};
+  constexpr const char* kNames[] = {"time",  "instructions", "cycles", "volume",
+                                    "bends", "crossings",    "angle"};
   return kNames[static_cast<std::size_t>(measure)];
 }
 

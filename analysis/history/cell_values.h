@@ -13,10 +13,11 @@
 namespace ar3d {
 
 /// What a history follows of every cell.
-enum class Measure : std::uint8_t { time, instructions, cycles, volume, bends };
-inline constexpr std::array kMeasures = {Measure::time, Measure::instructions, Measure::cycles,
-                                         Measure::volume, Measure::bends};
-/// "time", "instructions", "cycles", "volume", "bends".
+enum class Measure : std::uint8_t { time, instructions, cycles, volume, bends, crossings, angle };
+inline constexpr std::array kMeasures = {Measure::time,   Measure::instructions, Measure::cycles,
+                                         Measure::volume, Measure::bends,        Measure::crossings,
+                                         Measure::angle};
+/// "time", "instructions", "cycles", "volume", …
 const char* to_string(Measure measure);
 
 /// A curve at one size with the very graphs that were drawn: values of other graphs are another
@@ -33,9 +34,12 @@ struct CellValue {
   /// time: seconds, the geometric mean over the graphs of the smallest among the repetitions, of
   /// the timing phase if the cell has it. instructions: counted by callgrind, geometric mean;
   /// cycles: estimated from its simulated cache, likewise.
-  /// volume: lattice points, geometric mean. bends: per edge.
+  /// volume: lattice points, geometric mean; of measured drawings in smallest distances of
+  /// vertices. bends: per edge. crossings, angle (the smallest, degrees): of measured drawings,
+  /// arithmetic mean.
   double value = kMissing;
-  std::string exact = {};  ///< volume and bends: a hash of those of every single graph
+  std::string exact = {};  ///< of a drawing: a hash of those of every single graph; what is
+                           ///< measured has three digits there
 };
 using CellValues = std::array<CellValue, kMeasures.size()>;
 

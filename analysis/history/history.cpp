@@ -157,8 +157,7 @@ HistoryLine judged(const LineKey& key, OpenLine entry, const HistoryRule& rule) 
     case Measure::cycles:
       line.changes = find_exact_changes(logs, std::log1p(rule.cycle_threshold));
       break;
-    case Measure::volume:
-    case Measure::bends:
+    default:
       line.changes = changes_of_drawings(entry);
   }
   return std::move(line);

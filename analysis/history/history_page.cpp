@@ -304,7 +304,7 @@ std::string cells_section(const History& history) {
       "class=num>n</th><th>Study</th><th "
       "class=num>Environment</th><th>Time</th><th>Instructions</th><th>Estimated "
       "cycles</th><th>Volume</th><th>Bends per "
-      "edge</th></tr></thead><tbody>\n";
+      "edge</th><th>Crossings</th><th>Smallest angle</th></tr></thead><tbody>\n";
   std::size_t shown = 0;
   for (const auto& [key, lines] : cells) {
     if (shown++ < kMostCells) html += cell_row(history, lines);

@@ -48,6 +48,7 @@ std::string change_lines(const History& history, const PlacedChange& placed) {
 std::string judged_text(const History& history) {
   std::string text;
   for (const Measure measure : kMeasures) {
+    if (measure >= Measure::crossings && history.count(measure, false) == 0) continue;
     text += fmt::format("{}{}: {} of {} lines judged", text.empty() ? "" : ", ", to_string(measure),
                         history.count(measure, true), history.count(measure, false));
   }

@@ -13,21 +13,10 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
+#include "ar3d/base/say.h"
 #include "ar3d/bench/measure/processes.h"
 
 namespace ar3d {
-GitAnswer ask_git(std::vector<std::string> words) {
-  namespace fs = std::filesystem;
-  const fs::path log = fs::temp_directory_path() / fmt::format("ar3d-git-{}", getpid());
-  words.insert(words.begin(), "git");
-  GitAnswer answer;
-  answer.exit_code = run_child(words, {.output = log.string()});
-  std::ifstream file(log);
-  for (std::string line; std::getline(file, line);) answer.lines.push_back(line);
-  fs::remove(log);
-  return answer;
-}
-
 std::string commit_of(const std::string& checkout, const std::string& ref) {
   const GitAnswer commit = ask_git(
       {"-C", checkout, "rev-parse", "--verify", "--quiet", "--end-of-options", ref + "^{commit}"});
@@ -112,7 +101,7 @@ class Build {
       if (progress_ == nullptr || ++seconds % kSecondsBetweenLines != 0) return;
       const std::string steps = steps_done(log_);
       if (steps.empty() || steps == last) return;
-      fmt::print(progress_, "building {}: step {}\n", ref_, steps);
+      say(progress_, "building {}: step {}\n", ref_, steps);
       last = steps;
     };
     const int code = run_child(
@@ -197,7 +186,7 @@ std::optional<std::string> build_reference(const std::string& checkout, const st
   fs::create_directories(folder);
   const fs::path log = folder / (commit + ".log");
   if (progress != nullptr) {
-    fmt::print(progress, "building {} as {}, which takes minutes\n", ref, program.string());
+    say(progress, "building {} as {}, which takes minutes\n", ref, program.string());
   }
   try {
     Build build(ref, log, progress);

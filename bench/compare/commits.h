@@ -9,15 +9,6 @@
 
 namespace ar3d {
 
-/// What git printed, on both streams, and how it ended.
-struct GitAnswer {
-  int exit_code = 0;
-  std::vector<std::string> lines;
-};
-
-/// Runs git with these words, without a shell. @throws InputError if no process can be made.
-GitAnswer ask_git(std::vector<std::string> words);
-
 /// The 40 digits of a commit. @param ref  whatever git takes for one: a tag, a branch, HEAD~3.
 /// @throws InputError naming the ref if there is no such commit.
 std::string commit_of(const std::string& checkout, const std::string& ref);

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/say.h"
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/measure/instruments.h"
 #include "ar3d/bench/measure/processes.h"
@@ -100,8 +101,8 @@ InterleavedRounds run_interleaved(const std::string& base_program, const std::st
     if (options.progress != nullptr) {
       const double left = static_cast<double>(options.rounds - round - 1) * stopwatch.wall_s() /
                           static_cast<double>(round + 1);
-      fmt::print(options.progress, "round {} of {}, about {:.0f} s left\n", round + 1,
-                 options.rounds, left);
+      say(options.progress, "round {} of {}, about {:.0f} s left\n", round + 1, options.rounds,
+          left);
     }
   }
   return rounds;

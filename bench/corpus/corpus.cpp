@@ -1,6 +1,5 @@
 #include "ar3d/bench/corpus/corpus.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -9,7 +8,6 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <limits>
 #include <numeric>
 #include <queue>
@@ -28,14 +26,6 @@ namespace {
 
 constexpr std::size_t kBufferBytes = std::size_t{1} << 20;
 constexpr std::size_t kHeadBytes = sizeof(std::uint64_t);  // how many bytes follow
-
-int unnamed_file(std::string& name) {
-  name = (std::filesystem::temp_directory_path() / "ar3d-graphs-XXXXXX").string();
-  const int file = mkostemp(name.data(), O_CLOEXEC);
-  if (file < 0) throw InputError(fmt::format("cannot create {}: {}", name, std::strerror(errno)));
-  unlink(name.c_str());
-  return file;
-}
 
 void put(std::vector<char>& bytes, std::uint64_t value) {
   for (; value >= 128; value >>= 7) bytes.push_back(static_cast<char>(value | 128));
@@ -78,7 +68,7 @@ Graph take_graph(std::span<const char> bytes) {
 
 }  // namespace
 
-Spool::Spool() : file_(unnamed_file(name_)) {}
+Spool::Spool() : file_(new_temporary_file("ar3d-graphs", name_)) { unlink(name_.c_str()); }
 
 std::uint64_t Spool::append(const Graph& graph) {
   const std::uint64_t offset = end_;

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "ar3d/base/error.h"
+#include "ar3d/bench/measure/processes.h"
 #include "ar3d/formats/graphs/graph6.h"
 #include "ar3d/formats/text/output.h"
 #include "ar3d/model/settings.h"
@@ -107,6 +108,21 @@ std::string program_hash(const ExternalAlgorithm& program) {
     if (const auto hash = hash_of_file(program.command[i])) all += " " + *hash;
   }
   return content_hash(all);
+}
+
+std::string program_version(const ExternalAlgorithm& program) {
+  if (!program.version.empty()) return program.version;
+  fs::path file;
+  for (const std::string& word : program.command) {
+    std::error_code error;
+    const bool is_path = &word != &program.command.front() || word.find('/') != std::string::npos;
+    if (is_path && fs::is_regular_file(word, error)) file = word;
+  }
+  if (file.empty()) return "";
+  const std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
+  const GitAnswer commit =
+      ask_git({"-C", folder, "describe", "--always", "--abbrev=40", "--dirty", "--exclude=*"});
+  return commit.exit_code == 0 && commit.lines.size() == 1 ? commit.lines.front() : "";
 }
 
 }  // namespace ar3d

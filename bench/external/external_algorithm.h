@@ -17,6 +17,7 @@ struct ExternalAlgorithm {
   Algorithm row;
   bool has_guarantee = false;
   std::vector<std::string> command;  ///< words; "{option}" stands for an option's value
+  std::string version;               ///< as its author calls it; empty: program_version() asks git
   std::string input = "edgelist";    ///< what the program reads: graph6, sparse6 or edgelist
   bool one_graph_per_process = false;
   double time_limit_s = 60;            ///< from request to answer
@@ -42,5 +43,10 @@ inline constexpr const char* kAbsentProgram = "absent";
 /// executable (a path, or looked up in $PATH) and of every further word that names a regular file,
 /// such as a script. kAbsentProgram if the executable cannot be read. Cost: reading these files.
 std::string program_hash(const ExternalAlgorithm& program);
+
+/// The version of the program that its results are kept under: the one that the study names, else
+/// the commit of the git repository in which the last of the files of program_hash() lies ("-dirty"
+/// behind it: with changes). Empty if there is neither.
+std::string program_version(const ExternalAlgorithm& program);
 
 }  // namespace ar3d

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <regex>
 #include <string_view>
 
 #include "ar3d/base/error.h"
@@ -145,16 +146,26 @@ std::string drawings_path(const std::string& results) {
   return fs::path(results).replace_extension(".drawings.jsonl").string();
 }
 
+namespace {
+
+// The name of the file whose unfinished new self this is, as name_of_new_file() calls it:
+// NAME.partial-PID-HEX; empty if it is none.
+std::string name_before_partial(const std::string& name) {
+  static const std::regex partial("(.+)\\.partial-[0-9]+-[0-9a-f]{16}");
+  std::smatch parts;
+  return std::regex_match(name, parts, partial) ? parts[1].str() : "";
+}
+
+}  // namespace
+
 void remove_leftovers(const std::string& results) {
-  const std::string own = file_name(results) + ".";
-  const std::string page = file_name(report_path(results)) + ".";
-  const std::string drawings = file_name(drawings_path(results)) + ".";
+  const std::string own = file_name(results);
   for (const std::string& name : names_beside(results)) {
-    const bool ours = name.starts_with(own) || name.starts_with(page) || name.starts_with(drawings);
+    const std::string of = name_before_partial(name);
+    const bool ours = of == own || of == file_name(report_path(results)) ||
+                      of == file_name(drawings_path(results)) || rank_of_journal(of, results);
     std::error_code ignored;  // they do no harm
-    if (ours && name.find(".partial-") != std::string::npos) {
-      fs::remove(beside(results, name), ignored);
-    }
+    if (!of.empty() && ours) fs::remove(beside(results, name), ignored);
   }
 }
 
@@ -168,7 +179,11 @@ bool rows_are_in_results(const std::string& results) {
 }
 
 void remove_journals(const std::string& results) {
-  for (const std::string& path : existing_journals(results)) fs::remove(path);
+  for (const std::string& path : existing_journals(results)) {
+    std::error_code error;
+    fs::remove(path, error);
+    if (error) throw InputError(fmt::format("cannot remove {}: {}", path, error.message()));
+  }
 }
 
 StudyFolder::StudyFolder(const std::string& results)

@@ -2,25 +2,32 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <sched.h>
 #include <signal.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <new>
 #include <string_view>
 #include <thread>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/new_file.h"
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/measure/environment.h"
 
@@ -53,6 +60,62 @@ Interruptible::~Interruptible() {
 }
 
 bool is_interrupted() { return g_is_interrupted; }
+
+namespace {
+
+// The process whose child a process is; 0: it is gone.
+pid_t parent_of(pid_t process) {
+  std::ifstream in(fmt::format("/proc/{}/stat", process));
+  std::string line;
+  std::getline(in, line);
+  const std::size_t name_end = line.rfind(')');  // the name may hold anything
+  char state = 0;
+  pid_t parent = 0;
+  if (name_end == std::string::npos) return 0;
+  return std::sscanf(line.c_str() + name_end + 1, " %c %d", &state, &parent) == 2 ? parent : 0;
+}
+
+std::vector<pid_t> children() {
+  std::vector<pid_t> found;
+  std::error_code error;
+  for (std::filesystem::directory_iterator at("/proc", error), end; !error && at != end;
+       at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    pid_t process = 0;
+    const auto read = std::from_chars(name.data(), name.data() + name.size(), process);
+    if (read.ptr != name.data() + name.size() || parent_of(process) != getpid()) continue;
+    found.push_back(process);
+  }
+  return found;
+}
+
+}  // namespace
+
+Orphanage::Orphanage() : before_(children()) {
+  prctl(PR_GET_CHILD_SUBREAPER, &was_subreaper_);
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
+}
+
+Orphanage::~Orphanage() {
+  end_others({});
+  prctl(PR_SET_CHILD_SUBREAPER, was_subreaper_);
+}
+
+void Orphanage::end_others(const std::vector<pid_t>& own) const {
+  const auto has = [](const std::vector<pid_t>& all, pid_t process) {
+    return std::find(all.begin(), all.end(), process) != all.end();
+  };
+  for (bool any = true; any;) {  // the children of one that ends come here, too
+    any = false;
+    for (const pid_t process : children()) {
+      if (has(before_, process) || has(own, process)) continue;
+      if (kill(process, SIGKILL) != 0) continue;
+      any = true;
+      while (waitpid(process, nullptr, 0) < 0 && errno == EINTR) {
+      }
+    }
+  }
+}
 
 namespace {
 
@@ -126,6 +189,18 @@ int run_child(const std::vector<std::string>& words, const ChildOptions& options
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
+GitAnswer ask_git(std::vector<std::string> words) {
+  const Descriptor memory(memfd_create("git", MFD_CLOEXEC));  // no file that anybody could name
+  if (memory.get() < 0) throw InputError(fmt::format("cannot ask git: {}", std::strerror(errno)));
+  const std::string output = fmt::format("/proc/self/fd/{}", memory.get());
+  words.insert(words.begin(), "git");
+  GitAnswer answer;
+  answer.exit_code = run_child(words, {.output = output});
+  std::ifstream file(output);
+  for (std::string line; std::getline(file, line);) answer.lines.push_back(line);
+  return answer;
+}
+
 namespace {
 
 constexpr int kOutOfMemory = 3;
@@ -164,14 +239,33 @@ bool write_all(int file, std::span<const char> bytes) {
   return true;
 }
 
-bool read_all(int file, std::span<char> bytes) {
+// One that computes nothing, since it waits for ever, ends after this time, as rows do.
+double idle_limit_s(double cpu_s) { return 10 * cpu_s + 1; }
+
+bool read_all(int file, std::span<char> bytes, std::optional<double> cpu_s) {
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
   while (!bytes.empty()) {
+    if (cpu_s && *cpu_s < kNoLimit) {
+      const std::chrono::duration<double> waited = Clock::now() - begin;
+      const double left_s = idle_limit_s(std::ceil(*cpu_s)) - waited.count();
+      if (left_s <= 0) return false;
+      pollfd event{file, POLLIN, 0};
+      if (poll(&event, 1, static_cast<int>(1000 * std::min(left_s, 1.0)) + 1) <= 0) continue;
+    }
     const ssize_t got = read(file, bytes.data(), bytes.size());
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) return false;
     bytes = bytes.subspan(static_cast<std::size_t>(got));
   }
   return true;
+}
+
+// Whether nobody is left who writes into a pipe that has no bytes.
+bool is_at_end(int file) {
+  pollfd event{file, POLLIN, 0};
+  char byte = 0;
+  return poll(&event, 1, 0) > 0 && read(file, &byte, 1) == 0;
 }
 
 [[noreturn]] void be_the_process(pid_t parent, int pipe, const StepLimits& limits,
@@ -205,14 +299,17 @@ StepEnd run_within(const StepLimits& limits, std::span<char> result,
   if (child == 0) be_the_process(parent, ends[1], limits, result, step);
   const int reason = errno;
   close(ends[1]);
-  const bool came = child > 0 && read_all(ends[0], result);
+  const bool came = child > 0 && read_all(ends[0], result, limits.cpu_s);
+  const bool ended = came || (child > 0 && is_at_end(ends[0]));
   close(ends[0]);
+  if (child > 0 && !ended) kill(child, SIGKILL);
   if (child < 0) {
     throw InputError(fmt::format("cannot start a process: {}", std::strerror(reason)));
   }
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
+  if (child > 0 && !ended) return StepEnd::out_of_time;
   if (came && WIFEXITED(status) && WEXITSTATUS(status) == 0) return StepEnd::done;
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) return StepEnd::out_of_time;
   const bool memory = WIFEXITED(status) ? WEXITSTATUS(status) == kOutOfMemory

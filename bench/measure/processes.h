@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <functional>
 #include <optional>
 #include <span>
@@ -28,6 +30,23 @@ class Interruptible {
 /// True once the living Interruptible was asked to stop. Safe in every thread.
 bool is_interrupted();
 
+/// While an object of this class lives, whatever processes of this one leave behind when they end
+/// comes to this process, and end_others() and the destructor end it. Children that were there
+/// before are left alone.
+class Orphanage {
+ public:
+  Orphanage();
+  Orphanage(const Orphanage&) = delete;
+  Orphanage& operator=(const Orphanage&) = delete;
+  ~Orphanage();
+  /// Ends all children but those of before and `own`, until there are no others.
+  void end_others(const std::vector<pid_t>& own) const;
+
+ private:
+  std::vector<pid_t> before_;
+  int was_subreaper_ = 0;
+};
+
 struct ChildOptions {
   std::string folder = {};  ///< working directory; empty: this process's
   std::string output = {};  ///< file that takes its standard output and error
@@ -42,9 +61,19 @@ struct ChildOptions {
 /// signal that ended it, or 127 if it cannot be run. @throws InputError if no process can be made.
 int run_child(const std::vector<std::string>& words, const ChildOptions& options);
 
+/// What git printed, on both streams, and how it ended.
+struct GitAnswer {
+  int exit_code = 0;
+  std::vector<std::string> lines;
+};
+
+/// Runs git with these words, without a shell. @throws InputError if no process can be made.
+GitAnswer ask_git(std::vector<std::string> words);
+
 /// What a step may use in a process of its own.
 struct StepLimits {
-  std::optional<double> cpu_s;         ///< kept to the next whole second
+  std::optional<double>
+      cpu_s;  ///< kept to the next whole second; who waits has ten times that, and 1 s
   std::optional<double> memory_bytes;  ///< address space above the caller's; not where the build is
                                        ///< sanitised, which needs all of it
 };

@@ -90,7 +90,12 @@ Results describe_study(const StudySpec& spec, int workers) {
   results.environment = capture_environment(workers);
   for (const std::shared_ptr<const ExternalAlgorithm>& program : spec.programs) {
     results.environment.push_back(program_entry(*program));
-    if (results.environment.back().value != kAbsentProgram) continue;
+    if (results.environment.back().value != kAbsentProgram) {
+      const std::string version = program_version(*program);
+      if (!version.empty())
+        results.environment.push_back({"version_" + program->row.name, version});
+      continue;
+    }
     throw InputError(fmt::format(
         "program '{}' cannot be run: {} is no file that can be read{}", program->row.name,
         printable(program->command.front()),

@@ -11,6 +11,7 @@
 #include "ar3d/base/parallel.h"
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/measure/environment.h"
+#include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/run/batches.h"
 #include "ar3d/bench/run/phases.h"
@@ -64,6 +65,7 @@ void work_off(RowSource& source, const WorkerPool& pool) {
   if (session.policy().isolate || session.plan().budget.limits_rows()) {
     work_in_processes(source, pool);
   } else {
+    const Orphanage orphanage;  // of programs that draw
     work_in_threads(source, pool);
   }
 }

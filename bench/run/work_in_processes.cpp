@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/run/session.h"
 #include "ar3d/bench/run/worker_process.h"
 
@@ -46,6 +47,7 @@ class WorkerPlace {
         core_(pool.cores.empty() ? -1 : pool.cores.at(static_cast<std::size_t>(number))) {}
 
   bool busy() const { return job_.has_value(); }
+  pid_t pid() const { return worker_ ? worker_->pid() : -1; }
   int descriptor() const { return worker_->descriptor(); }
   // Seconds until the row can be late at the earliest; 0: it is late.
   double left_s() const {
@@ -158,10 +160,17 @@ void wait_for_news(const std::vector<WorkerPlace>& places) {
   poll(sockets.data(), sockets.size(), static_cast<int>(std::ceil(1000 * left_s)));
 }
 
+std::vector<pid_t> workers_of(const std::vector<WorkerPlace>& places) {
+  std::vector<pid_t> workers;
+  for (const WorkerPlace& place : places) workers.push_back(place.pid());
+  return workers;
+}
+
 }  // namespace
 
 void work_in_processes(RowSource& source, const WorkerPool& pool) {
   const auto stopped = [&] { return source.session().stopped(); };
+  const Orphanage orphanage;
   AwakeClock clock;
   std::vector<WorkerPlace> places;
   places.reserve(static_cast<std::size_t>(pool.workers));
@@ -179,6 +188,7 @@ void work_in_processes(RowSource& source, const WorkerPool& pool) {
         place.time_out();
         done = true;
       }
+      if (done && place.pid() < 0) orphanage.end_others(workers_of(places));
       if (done && !stopped()) place.begin_next();
     }
   }

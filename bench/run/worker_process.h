@@ -45,6 +45,7 @@ class WorkerProcess {
   /// CPU time of the process so far; the largest double once it has ended.
   double cpu_s() const;
 
+  pid_t pid() const { return pid_; }  ///< -1: it has ended
   /// The descriptor that becomes readable with news.
   int descriptor() const { return socket_; }
 
@@ -66,7 +67,8 @@ class WorkerProcess {
 /// Makes all rows of a source in processes of their own, so that a crash, a timeout or too much
 /// memory costs one row: it gets the status, the process is replaced, the others go on. Rows have
 /// the limits of the plan's budget. Those in flight are given up when the session is stopped. No
-/// process outlives the call, nor the caller's process. To be called while no other thread runs.
+/// process outlives the call, nor a worker the caller's process; what a worker that has ended
+/// leaves behind, whatever group it is in, ends at once. To be called while no other thread runs.
 void work_in_processes(RowSource& source, const WorkerPool& pool);
 
 }  // namespace ar3d

@@ -81,6 +81,12 @@ void read_rest(const std::string& file, TomlTable& table, ExternalAlgorithm& pro
                 fmt::format("input '{}' is none of edgelist, graph6 and sparse6",
                             printable(program.input)));
   }
+  program.version = table.text("version", "");
+  if (!program.version.empty() && !is_graphs_name(program.version)) {
+    refuse_toml(file, table.get("version"),
+                fmt::format("version '{}' is not 1 to 47 letters, digits, '.', '-' or '_'",
+                            printable(program.version)));
+  }
   program.one_graph_per_process = table.boolean("one_graph_per_process", false);
   if (table.has("time_limit_s")) program.time_limit_s = table.number("time_limit_s", 1e-3, 1e6);
   if (table.has("time_limit_s_per_vertex")) {

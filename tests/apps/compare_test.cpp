@@ -47,6 +47,19 @@ TEST(CompareProgram, TheYoungestReferenceOfTheStudyIsTheBase) {
   expect_exit(3, run(compare));
 }
 
+// What git says goes through no file: who knows the process's number can name one before.
+TEST(CompareProgram, GitAnswersIntoNoFile) {
+  const ScratchDirectory scratch;
+  const std::string victim = scratch.write("victim", "mine\n");
+  scratch.write("r.h5", "");
+  const Outcome asked = run("cd " + scratch.path("") + " && ln -s " + victim +
+                            " ar3d-git-$$ && export TMPDIR=" + scratch.path("") +
+                            " && exec {} compare --reference r.h5");
+  expect_one_line(asked, "in no git checkout");
+  EXPECT_EQ(read_file(victim), "mine\n");
+  expect_exit(0, run("ls " + scratch.path("ar3d-git-*")));
+}
+
 TEST(CompareProgram, TheCommittedReferenceIsWholeAndProved) {
   const std::string reference = std::string(AR3D_SOURCE_DIR) + "/results/reference/0.2.0-volume.h5";
   expect_output(run("{} check " + reference), "21528 rows, 21528 proved");

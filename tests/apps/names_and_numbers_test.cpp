@@ -1,5 +1,6 @@
 // Numbers, names and files of generate, draw, replay, hunt and shrink.
 #include "support/program.h"
+#include "support/results.h"
 
 namespace ar3d::testing {
 namespace {
@@ -125,13 +126,49 @@ TEST(Files, AnInterruptedGenerateLeavesNothing) {
   EXPECT_TRUE(fs::is_empty(scratch.path("")));
 }
 
+// Whatever stands in names, drawings and results: of every verb that says something of it.
 TEST(Files, EscapeSequencesDoNotReachTheTerminal) {
   const ScratchDirectory scratch;
   const std::string name = scratch.write("\x1b[31m.s6", "\x1b[2J");
+  const auto expect_plain = [](const Outcome& outcome) {
+    EXPECT_EQ((outcome.out + outcome.err).find('\x1b'), std::string::npos)
+        << outcome.command << outcome.out << outcome.err;
+  };
   for (const std::string verb : {"draw --algorithm grid ", "verify ", "check ", "report ",
                                  "generate ", "shrink --algorithm grid -o x "}) {
-    const Outcome outcome = expect_exit(2, run("{} " + verb + "'" + name + "'"));
-    EXPECT_EQ(outcome.err.find('\x1b'), std::string::npos) << verb << outcome.err;
+    expect_plain(expect_exit(2, run("{} " + verb + "'" + name + "'")));
+  }
+  const std::string refused = scratch.write("d.jsonl", "{\"n\":3,\"error\":\"\\u001b[31mred\"}\n");
+  expect_plain(run("{} verify " + refused));
+  expect_plain(run("{} view " + refused + " -o '" + scratch.path("\x1b[1m.html") + "'"));
+  must("printf 'D~{\\n' | {} draw - --algorithm diamond -o " + scratch.path("k5.jsonl"));
+  expect_output(
+      run("{} view " + scratch.path("k5.jsonl") + " -o '" + scratch.path("\x1b[1m.html") + "'"),
+      "\\x1b[1m.html");
+
+  const std::string results = scratch.path("\x1b[7m.h5");
+  must("{} study run smoke -q -o '" + results + "'");
+  const std::string forge =
+      "import h5py, sys; f = h5py.File(sys.argv[1], 'a'); r = f['runs'][:]; e = b'\\x1b[31mred'; "
+      "r['family'] = e; r['options'] = e; r['message'] = e; r['status'][3] = b'violated'; "
+      "f['runs'][:] = r; f.attrs['source_hash'] = '\\x1b[31mred'; f.attrs['created'] = '\\x1b[5m'; "
+      "v = f['environments'][:]; v['value'] = e; f['environments'][:] = v";
+  must("/usr/bin/python3 -c \"" + forge + "\" '" + results + "'");
+  renew_checksum(results);
+  for (const std::string verb :
+       {"check R", "report R --force -o " + scratch.path("page.html"),
+        std::string("study status R"), std::string("study selfcheck R"), std::string("replay R 3"),
+        std::string("compare R R"), std::string("study resume -q R"),
+        "study merge R -o " + scratch.path("m.h5"),
+        "study drawings R --keep violated -o " + scratch.path("kept.jsonl"),
+        std::string("study count R --max-n 4"), std::string("study plan R"),
+        "history add R --place 1 --folder " + scratch.path("h"),
+        "history report --folder " + scratch.path("h")}) {
+    std::string command = "{} " + verb;
+    for (std::size_t at = 0; (at = command.find(" R", at)) != std::string::npos;) {
+      command.replace(at, 2, " '" + results + "'");
+    }
+    expect_plain(run(command));
   }
 }
 

@@ -83,10 +83,11 @@ while True:
           program("flood",
                   "os.write(1, b'x' * 10000000)\n    while True: os.write(1, b'x' * 10000000)") +
           program("forker", "os.fork(); os.fork(); time.sleep(1000)") +
+          program("leaver", "if os.fork() == 0: os.setsid(); os.fork()\n    time.sleep(1000)") +
           program("quitter", "sys.exit(3)") +
           program("moody", "if n == 7: os.abort()\n    " + good) +
           "[[sweep]]\nfamilies = \"cycle\"\nsizes = [6, 7]\nalgorithms = [\"grid\", \"good\", "
-          "\"silent\", \"flood\", \"forker\", \"quitter\", \"moody\"]\n");
+          "\"silent\", \"flood\", \"forker\", \"leaver\", \"quitter\", \"moody\"]\n");
   for (const char* how : {"--threads 1", "--threads 2", "--threads 2 --isolate"}) {
     const std::string results = scratch.path("h.h5");
     expect_exit(5, run(fmt::format("{{}} study run -q --force {} {} -o {}", how, spec, results)));
@@ -99,6 +100,7 @@ while True:
                             std::pair("forker 6", "timeout"), std::pair("forker 7", "timeout"),
                             std::pair("good 6", "measured"), std::pair("good 7", "measured"),
                             std::pair("grid 6", "ok"), std::pair("grid 7", "ok"),
+                            std::pair("leaver 6", "timeout"), std::pair("leaver 7", "timeout"),
                             std::pair("moody 6", "measured"), std::pair("moody 7", "crashed"),
                             std::pair("quitter 6", "crashed"), std::pair("quitter 7", "crashed"),
                             std::pair("silent 6", "timeout"), std::pair("silent 7", "timeout")))
@@ -159,29 +161,108 @@ TEST_F(OwnProgram, ShardsOfDifferentVersionsAreNotMerged) {
     scratch_.write("mine.py", std::string(kBody) + "# version " + shard + "\n");
     const std::string part = path(std::string(shard) + ".h5");
     expect_exit(
-        5, run("{} study run -q --threads 1 " + spec() + " --shard " + shard + "/2 -o " + part));
+        0, run("{} study run -q --threads 1 " + spec() + " --shard " + shard + "/2 -o " + part));
   }
   const std::string merge = "{} study merge " + path("1.h5") + " " + path("2.h5") + " -o ";
   expect_one_line(run(merge + path("m.h5")), "the shards were made with different programs 'mine'");
   expect_exit(
-      5, run("{} study run -q --force --threads 1 " + spec() + " --shard 1/2 -o " + path("1.h5")));
+      0, run("{} study run -q --force --threads 1 " + spec() + " --shard 1/2 -o " + path("1.h5")));
   expect_exit(0, run(merge + path("m.h5")));
   EXPECT_EQ(read_results(path("m.h5")).runs.size(), 4u);
 }
 
 TEST_F(OwnProgram, ReplayRefusesAnotherProgram) {
   scratch_.write("mine.py", kBody);
-  expect_exit(5, run("{} study run -q --threads 1 " + spec() + " -o " + path("s.h5")));
+  expect_exit(0, run("{} study run -q --threads 1 " + spec() + " -o " + path("s.h5")));
   const std::string replay = "{} replay " + path("s.h5") + " 1";
   expect_exit(0, run(replay));
   scratch_.write("mine.py", std::string(kBody) + "# another\n");
   expect_one_line(run(replay), "program 'mine' is not the one that rows of");
 }
 
-TEST_F(OwnProgram, WithoutAGuaranteeNothingWasJudgedThoughMeasured) {
+// Nothing was asked of it but drawings, and these are there: no failure, and no proof.
+TEST_F(OwnProgram, WithoutAGuaranteeItsRowsAreMeasured) {
   scratch_.write("mine.py", kBody);
-  const Outcome made = run("{} study run -q --threads 1 " + spec() + " -o " + path("s.h5"));
-  EXPECT_THAT(made.out, HasSubstr("nothing judged: no row has a guarantee"));
+  const std::string study = "{} study run -q --force --threads 1 " + spec() + " -o " + path("s.h5");
+  const std::string verdict =
+      "MEASURED: 4 rows, 0 proved, 0 violated, 0 incomplete, 0 refused, "
+      "4 measured without a guarantee\n";
+  expect_output(run(study), verdict);
+  expect_output(run("{} check " + path("s.h5")), verdict);
+  scratch_.write("mine.py", "import sys; sys.exit(3)\n");
+  expect_output(run(study), "INCOMPLETE: 4 rows", 5);
+}
+
+/// Vertex v of the cycle stands at (v, v * v % modulus, v * v * v): with a small modulus edges
+/// cross.
+std::string body_with(const std::string& y) {
+  return R"(import sys
+while True:
+    n, m = map(int, sys.stdin.readline().split())
+    for _ in range(m): sys.stdin.readline()
+    print('{"vertices":' + str([[v, )" +
+         y + R"(, 0] for v in range(n)]) + '}', flush=True)
+)";
+}
+
+TEST_F(OwnProgram, CompareJudgesWhatIsMeasuredAndNamesItsVersions) {
+  const auto made = [&](const std::string& body, const std::string& version) {
+    scratch_.write("mine.py", body);
+    const std::string text = read_file(spec());
+    const std::size_t at = text.find("command");
+    const std::string study = scratch_.write(
+        "v.toml", text.substr(0, at) + "version = \"" + version + "\"\n" + text.substr(at));
+    expect_exit(0, run("{} study run -q --threads 1 " + study + " -o " + path(version + ".h5")));
+    return path(version + ".h5");
+  };
+  const std::string good = made(body_with("v * v"), "v1");
+  const std::string same = made(body_with("v * v") + "# faster\n", "v2");
+  const std::string flat = made(body_with("100 * v * v"), "v3");
+  const std::string crossed = made(body_with("(7 * v) % 5"), "v4");
+  const std::string compare = "{} compare --drawings-only " + good + " ";
+  expect_output(run(compare + same), {"DRAWINGS PASS", "mine: version v1 in BASE, v2 in NEW"});
+  expect_output(run(compare + flat), {"REGRESSED", "smallest angle at a vertex: "}, 3);
+  expect_output(run(compare + crossed), {"REGRESSED", "crossings: 0 became "}, 3);
+  expect_output(run("{} compare --drawings-only " + crossed + " " + good), "DRAWINGS IMPROVED");
+  const std::string gate = "AR3D=$(realpath {}) && cd " + path("") +
+                           " && AR3D=$AR3D AR3D_STUDY=" + path("v.toml") +
+                           " " AR3D_SOURCE_DIR "/examples/ci/regression-gate ";
+  scratch_.write("mine.py", body_with("v * v"));
+  expect_exit(0, run(gate + "store references"));
+  expect_exit(0, run(gate + "judge references"));
+  scratch_.write("mine.py", body_with("(7 * v) % 5"));
+  expect_exit(3, run(gate + "judge references"));
+}
+
+// In the program's own repository, as docs/own-program.md prints it.
+TEST_F(OwnProgram, HistoryAndBisectionGoByItsCommits) {
+  const std::string git = "git -c user.name=n -c user.email=e ";
+  must("cd " + path("") +
+       " && git init -q && echo '*.h5*' > .gitignore && echo '*.html' >> "
+       ".gitignore && echo ar3d-history >> .gitignore && git add .gitignore");
+  scratch_.write("own.toml", read_file(spec()));
+  for (const char* y : {"v * v", "v * v + 1", "(7 * v) % 5", "(7 * v) % 5 + 1"}) {
+    scratch_.write("mine.py", body_with(y));
+    must("cd " + path("") + " && git add mine.py own.toml s.toml && " + git + "commit -qm '" + y +
+         "' && {} study run own.toml -q --force -o now.h5 && {} history add now.h5");
+  }
+  const std::string enter = "cd " + path("") + " && PATH=$(dirname $(realpath {})):$PATH && ";
+  const std::string first = run(enter + "git rev-parse HEAD~3").out.substr(0, 12);
+  expect_output(run(enter + "ls ar3d-history"), "000001_" + first + "_s_");
+  const Outcome report = run(enter + "ar3d history report");
+  expect_output(report, "crossings: 4 of 4 lines judged");
+  EXPECT_THAT(report.out, HasSubstr(run(enter + "git rev-parse HEAD~1").out.substr(0, 12)));
+
+  const std::string page = read_file(AR3D_SOURCE_DIR "/docs/own-program.md");
+  const std::size_t begin = page.find("git bisect run ");
+  ASSERT_NE(begin, std::string::npos);
+  const std::string printed = page.substr(begin, page.find('\n', begin) - begin);
+  must(enter +
+       "git checkout -q HEAD~3 && ar3d study run own.toml -q --force -o good.h5 && "
+       "git checkout -q - && git bisect start -q HEAD HEAD~3");
+  expect_output(run(enter + printed), "is the first bad commit");
+  EXPECT_THAT(run(enter + "git show -s --format=%s refs/bisect/bad").out,
+              HasSubstr("(7 * v) % 5\n"));
 }
 
 TEST_F(OwnProgram, NobodyKnowsBeforeWhatItCosts) {
@@ -237,13 +318,13 @@ while True:
           "\"]\n[[sweep]]\nfamilies = \"cycle\"\nsizes = [5, 6]\n"
           "algorithms = \"mine\"\n");
   const std::string results = scratch.path("s.h5");
-  expect_exit(5, run("{} study run -q --threads 1 " + spec + " -o " + results));
+  expect_exit(0, run("{} study run -q --threads 1 " + spec + " -o " + results));
   const std::string resume = "{} study resume -q " + results + " --again crashed";
-  expect_exit(5, run(resume));  // nothing but measured rows
+  expect_exit(0, run(resume));
   scratch.write("mine.py", body + "# another one\n");
   expect_error(run(resume), "program 'mine' is not the one that rows of");
   scratch.write("mine.py", body);  // the former one
-  expect_exit(5, run(resume));
+  expect_exit(0, run(resume));
   EXPECT_EQ(read_results(results).runs.size(), 2u);
 }
 

@@ -48,6 +48,36 @@ TEST_F(StudyFiles, ResultsAreNotNamedAsJournalsAre) {
   }
 }
 
+// What a killed program has left goes with the next run; what only looks a little like it stays.
+TEST_F(StudyFiles, LeftoversGoAndFilesOfTheUsersStay) {
+  const std::string left = ".partial-77-0123456789abcdef";
+  const std::string journal = "r.h5.journal" + left, page = "r.html" + left;
+  for (const std::string& name : {"r.h5" + left, journal, page, std::string("r.h5.mine.partial-7"),
+                                  "r.h5.mine" + left, std::string("r.h5.partial-7")}) {
+    scratch_.write(name, "x");
+  }
+  expect_exit(0, in_folder("{} study run smoke -q -o r.h5"));
+  EXPECT_EQ(in_folder("ls").out,
+            "r.h5\nr.h5.mine" + left + "\nr.h5.mine.partial-7\nr.h5.partial-7\nr.html\n");
+}
+
+TEST_F(StudyFiles, AnUnfitEnvironmentIsBadInput) {
+  expect_one_line(in_folder("OMP_NUM_THREADS=100000 {} list formats"), "OMP_NUM_THREADS asks for");
+  scratch_.write("g.g6", "D~{\n");
+  expect_one_line(in_folder("TMPDIR=/nowhere {} study run --graphs g.g6 --algorithm diamond -q"),
+                  "cannot create /nowhere/ar3d-graphs-");
+  expect_one_line(in_folder("mkfifo pipe; timeout 20 {} study merge pipe -o m.h5"),
+                  "pipe is not an HDF5 file");
+}
+
+TEST_F(StudyFiles, ARowKeyOfZerosDoesNotPassTheCheck) {
+  expect_exit(0, in_folder("{} study run smoke -q -o r.h5"));
+  Results results = read_results(path("r.h5"));
+  results.runs[3].row_key = std::string(32, '0');
+  write_results(results, path("r.h5"));
+  expect_output(in_folder("{} check r.h5"), "row 3 (not certified): ", 5);
+}
+
 TEST_F(StudyFiles, AFolderThatCannotBeListedIsAnError) {
   expect_error(in_folder(with_fault("list:1") + "{} study run smoke -q -o r.h5"),
                "cannot list .: Permission denied");

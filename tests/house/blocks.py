@@ -76,7 +76,8 @@ class Folder:
         self.environment = dict(os.environ, PATH=f"{path}/bin:" + os.environ["PATH"])
 
     def run(self, command):
-        return subprocess.run(["bash", "-c", command], cwd=self.path, env=self.environment, capture_output=True, text=True, timeout=300)
+        return subprocess.run(["bash", "-c", command], cwd=self.path, env=self.environment, stdin=subprocess.DEVNULL,
+                              capture_output=True, text=True, timeout=300)
 
     def must(self, command, code=0):
         done = self.run(command)
@@ -115,12 +116,21 @@ class Folder:
             for command in every:
                 self.must(command, code)
 
+    def keep(self, block):
+        """A block whose first line is a comment that names a file is that file from there on. Gives the rest of it."""
+        named = re.match(r"# ([\w-]+\.(?:py|toml))\n", block)
+        if named:
+            (self.path / named[1]).write_text(block)
+        return block[named.end():] if named else block
+
     def run_python(self, block):
+        self.keep(block)
         (self.path / "printed.py").write_text(("" if "import" in block else "import pandas\n") + block)
         self.must("/usr/bin/python3 printed.py")
 
     def plan_toml(self, block):
         """A block is a whole study, or keys of its head, or of a sweep, or a table."""
+        block = self.keep(block)
         if not block.startswith("study"):
             head, sweep = TINY.format(name="part").split("[[sweep]]")
             if "graphs =" in block:
