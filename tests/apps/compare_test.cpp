@@ -51,11 +51,11 @@ TEST(CompareProgram, TheYoungestReferenceOfTheStudyIsTheBase) {
 TEST(CompareProgram, GitAnswersIntoNoFile) {
   const ScratchDirectory scratch;
   const std::string victim = scratch.write("victim", "mine\n");
-  scratch.write("r.h5", "");
+  tiny_results(scratch, "r.h5");
   const Outcome asked = run("cd " + scratch.path("") + " && ln -s " + victim +
                             " ar3d-git-$$ && export TMPDIR=" + scratch.path("") +
                             " && exec {} compare --reference r.h5");
-  expect_one_line(asked, "in no git checkout");
+  expect_one_line(asked, "no results of study 'tiny' in results/reference");
   EXPECT_EQ(read_file(victim), "mine\n");
   expect_exit(0, run("ls " + scratch.path("ar3d-git-*")));
 }

@@ -156,7 +156,7 @@ TEST(Files, EscapeSequencesDoNotReachTheTerminal) {
   must("/usr/bin/python3 -c \"" + forge + "\" '" + results + "'");
   renew_checksum(results);
   for (const std::string verb :
-       {"check R", "report R --force -o " + scratch.path("page.html"),
+       {std::string("check R"), "report R --force -o " + scratch.path("page.html"),
         std::string("study status R"), std::string("study selfcheck R"), std::string("replay R 3"),
         std::string("compare R R"), std::string("study resume -q R"),
         "study merge R -o " + scratch.path("m.h5"),

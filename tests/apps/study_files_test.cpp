@@ -57,8 +57,8 @@ TEST_F(StudyFiles, LeftoversGoAndFilesOfTheUsersStay) {
     scratch_.write(name, "x");
   }
   expect_exit(0, in_folder("{} study run smoke -q -o r.h5"));
-  EXPECT_EQ(in_folder("ls").out,
-            "r.h5\nr.h5.mine" + left + "\nr.h5.mine.partial-7\nr.h5.partial-7\nr.html\n");
+  EXPECT_EQ(in_folder("LC_ALL=C ls").out,
+            "r.h5\nr.h5.mine.partial-7\nr.h5.mine" + left + "\nr.h5.partial-7\nr.html\n");
 }
 
 TEST_F(StudyFiles, AnUnfitEnvironmentIsBadInput) {
