@@ -55,7 +55,7 @@ TEST(CompareProgram, GitAnswersIntoNoFile) {
   const Outcome asked = run("cd " + scratch.path("") + " && ln -s " + victim +
                             " ar3d-git-$$ && export TMPDIR=" + scratch.path("") +
                             " && exec {} compare --reference r.h5");
-  expect_one_line(asked, "no results of study 'tiny' in results/reference");
+  expect_one_line(asked, "in no git checkout");
   EXPECT_EQ(read_file(victim), "mine\n");
   expect_exit(0, run("ls " + scratch.path("ar3d-git-*")));
 }

@@ -259,7 +259,7 @@ TEST_F(OwnProgram, HistoryAndBisectionGoByItsCommits) {
   const std::string printed = page.substr(begin, page.find('\n', begin) - begin);
   must(enter +
        "git checkout -q HEAD~3 && ar3d study run own.toml -q --force -o good.h5 && "
-       "git checkout -q - && git bisect start -q HEAD HEAD~3");
+       "git checkout -q - && git bisect start HEAD HEAD~3");
   expect_output(run(enter + printed), "is the first bad commit");
   EXPECT_THAT(run(enter + "git show -s --format=%s refs/bisect/bad").out,
               HasSubstr("(7 * v) % 5\n"));
