@@ -48,7 +48,7 @@ std::string value_cell(std::size_t metric, const LargestGraphs& largest) {
   return cell(fmt::format("{:.4g} <small>{}</small>", median(values), range), true);
 }
 
-constexpr const char* kMethods = R"html(<section id=methods><h2>Methods</h2>
+constexpr const char* kMethods = R"html(<section id=methods><h2>Methods</h2><details><summary>How it was measured and judged</summary>
 <p><b>Certificate.</b> A row counts as proved only if its drawing was checked in exact integers by code that shares nothing
 with the code that drew it: edge set, directions, bends, all angles, coinciding points, crossings, and the size against the
 theorem. A row with another certificate (column certificate: measured, none; in older results also filtered, double, a sample) counts as not proved, and
@@ -80,7 +80,7 @@ those that “Highlight families” picks. Points: graphs, evenly over the sorte
 <p><b>Trade.</b> As many settings as have a family in common are compared, over the families that all of these drew at that n. A crossing is where the medians of two algorithms' settings,
 joined in logarithms, meet for the last time.</p>
 <p><b>Saving.</b> Every figure can be saved as SVG and CSV, with a matplotlib script or a LaTeX document (pgfplots) that draws the CSV, which lies beside
-it; <code>ar3d report --figures DIR</code> writes all of them, and PDF.</p></section>
+it; <code>ar3d report --figures DIR</code> writes all of them, and PDF.</p></details></section>
 )html";
 
 }  // namespace
