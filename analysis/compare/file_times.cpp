@@ -119,7 +119,7 @@ CellTimes cell_times(const PairedCell& cell) {
 
 namespace {
 
-/// Steps 1 to 6 of docs/analysis.md, "Then times".
+/// The rules of docs/analysis.md, "Then times", in their order.
 class FileJudge {
  public:
   FileJudge(const std::vector<CellTimes>& cells, const TimeRule& rule)

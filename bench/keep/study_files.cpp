@@ -149,9 +149,9 @@ std::string drawings_path(const std::string& results) {
 namespace {
 
 // The name of the file whose unfinished new self this is, as name_of_new_file() calls it:
-// NAME.partial-PID-HEX; empty if it is none.
+// NAME.partial-PID-HEX, or a new self of such a file again; empty if it is none.
 std::string name_before_partial(const std::string& name) {
-  static const std::regex partial("(.+)\\.partial-[0-9]+-[0-9a-f]{16}");
+  static const std::regex partial("(.+?)(\\.partial-[0-9]+-[0-9a-f]{16})+");
   std::smatch parts;
   return std::regex_match(name, parts, partial) ? parts[1].str() : "";
 }

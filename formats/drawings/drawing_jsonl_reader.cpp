@@ -25,6 +25,8 @@ constexpr const char* kKeyNames[] = {
 constexpr std::string_view kKeysOfAnswers[] = {"n", "vertices", "edges", "error", "seconds"};
 constexpr std::size_t kLongestNumber = 1000;  // characters of a coordinate in a real type
 constexpr std::int64_t kLargestExponent = 4000;
+constexpr std::int64_t kLargestEntry =
+    std::numeric_limits<std::int32_t>::max();  // of the Gram matrix
 constexpr std::uint64_t kMaxVertices = std::numeric_limits<Vertex>::max() - 1;
 
 /// A line that is not JSON.
@@ -49,9 +51,7 @@ class DrawingEvents {
     if (!seen(Key::error)) {
       Drawing drawing = finish_drawing();
       if (!seen(Key::names)) return drawing;
-      if (names_.size() != n_) {
-        throw InputError(fmt::format("n is {}, but there are {} names", n_, names_.size()));
-      }
+      require_one_a_vertex(names_.size(), "names");
       drawing.names = std::make_shared<const std::vector<std::string>>(std::move(names_));
       return drawing;
     }
@@ -84,15 +84,9 @@ class DrawingEvents {
       }
       n_ = static_cast<std::uint64_t>(value);
     } else if (key_ == Key::gram_denominator && depth == 0) {
-      if (value < 1 || value > std::numeric_limits<std::int32_t>::max()) {
-        fail(fmt::format("{} is not in 1..2^31-1", value));
-      }
-      lattice_.gram_denominator = static_cast<std::int32_t>(value);
+      lattice_.gram_denominator = static_cast<std::int32_t>(in_range(value, 1, kLargestEntry));
     } else if (key_ == Key::unit_exponent && depth == 0) {
-      if (value < -kLargestExponent || value > kLargestExponent) {
-        fail(fmt::format("{} is not in {}..{}", value, -kLargestExponent, kLargestExponent));
-      }
-      real_.unit_exponent = static_cast<int>(value);
+      real_.unit_exponent = static_cast<int>(in_range(value, -kLargestExponent, kLargestExponent));
     } else if (is_point(depth)) {
       if (items_.back() >= 3) fail(fmt::format("unexpected fourth number {}", value));
       if (key_ != Key::gram) has_integers_ = true;
@@ -220,6 +214,10 @@ class DrawingEvents {
     items_.pop_back();
     fail(problem);
   }
+  std::int64_t in_range(std::int64_t value, std::int64_t least, std::int64_t most) const {
+    if (value < least || value > most) fail(fmt::format("{} is not in {}..{}", value, least, most));
+    return value;
+  }
   /// True where [x, y, z] stands at this nesting.
   bool is_point(std::size_t depth) const {
     return ((key_ == Key::vertices || key_ == Key::gram) && depth == 2) ||
@@ -248,11 +246,8 @@ class DrawingEvents {
       const std::uint64_t row = items_.front();
       if (row >= 3) fail_list("unexpected fourth row");
       for (std::size_t column = 0; column < 3; ++column) {
-        const std::int64_t entry = numbers_[column];
-        if (std::abs(entry) > std::numeric_limits<std::int32_t>::max()) {
-          fail(fmt::format("entry {} does not fit 32 bits", entry));
-        }
-        lattice_.gram[row][column] = static_cast<std::int32_t>(entry);
+        lattice_.gram[row][column] =
+            static_cast<std::int32_t>(in_range(numbers_[column], -kLargestEntry, kLargestEntry));
       }
     }
   }
@@ -311,15 +306,15 @@ class DrawingEvents {
       throw InputError(fmt::format("key '{}' is missing", kKeyNames[static_cast<int>(key)]));
     }
   }
+  void require_one_a_vertex(std::size_t count, const char* what) const {
+    if (count == n_) return;
+    throw InputError(fmt::format("n is {}, but there are {} {}", n_, count, what));
+  }
   Drawing finish_drawing() {
-    if (seen(Key::real_type) || seen(Key::unit_exponent)) {
-      return finish_real_drawing();
-    }
+    if (seen(Key::real_type) || seen(Key::unit_exponent)) return finish_real_drawing();
     refuse_missing({Key::algorithm, Key::gram, Key::gram_denominator, Key::vertices, Key::edges});
     if (has_texts_) throw InputError("coordinates are integers, but for those in a real type");
-    if (vertices_.size() != n_) {
-      throw InputError(fmt::format("n is {}, but there are {} vertices", n_, vertices_.size()));
-    }
+    require_one_a_vertex(vertices_.size(), "vertices");
     lattice_.validate();
     Coordinates coordinates(vertices_.size(), largest_);
     for (std::size_t v = 0; v < vertices_.size(); ++v) coordinates.set(v, vertices_[v]);
@@ -332,10 +327,7 @@ class DrawingEvents {
       throw InputError("a drawing in a real type has no 'gram' and no 'gram_denominator'");
     }
     if (has_integers_) throw InputError("coordinates in a real type are texts of decimal integers");
-    if (real_.vertices.size() != n_) {
-      throw InputError(
-          fmt::format("n is {}, but there are {} vertices", n_, real_.vertices.size()));
-    }
+    require_one_a_vertex(real_.vertices.size(), "vertices");
     require_values_of_type(real_);
     return real_drawing(std::move(algorithm_), std::move(edges_), std::move(real_));
   }

@@ -143,8 +143,8 @@ struct ColumnList {
 };
 
 constexpr std::array<const char*, 3> kAxes = {"_x", "_y", "_z"};
-constexpr std::array<const char*, 3> kYardstickColumns = {"_cached_s", "_memory_s",
-                                                          "_arithmetic_s"};
+constexpr std::array<const char*, 3> kYardstickColumns = {
+    "yardstick_cached_s", "yardstick_memory_s", "yardstick_arithmetic_s"};
 constexpr std::array<const char*, 8> kBends = {"_0", "_1", "_2", "_3", "_4", "_5", "_6", "_7"};
 
 void add_identity(ColumnList& c) {
@@ -264,7 +264,7 @@ void add_times(ColumnList& c) {
   c.number("concurrency", "1", &R::concurrency, "rows that this study makes at the same time");
   c.number("core", "1", &R::core, "core that the row was pinned to; missing if none");
   c.number("warm_ups", "1", &R::warm_ups, "drawings of the graph just before, thrown away");
-  c.array("yardstick", "s", &R::yardsticks_s, kYardstickColumns,
+  c.array("", "s", &R::yardsticks_s, kYardstickColumns,
           "CPU time of a yardstick near the row, which tells how fast the machine was");
   c.text("build_kind", 16, &R::build_kind,
          "why times are worth little: debug or sanitised; else empty");

@@ -55,7 +55,7 @@ algorithms = ["grid", "neato", "sfdp", "fr", "kk"]
   const std::string page = read_file(scratch.path("p.html"));
   EXPECT_THAT(page, HasSubstr("measured, not judged"));
   EXPECT_THAT(page, HasSubstr(" settings drew")) << "side by side: volume and time";
-  EXPECT_THAT(page, HasSubstr("programs without a guarantee are in units of the smallest"));
+  EXPECT_THAT(page, HasSubstr("are in cubes of the drawing's smallest vertex distance"));
   const std::string benchmarks = scratch.path("p.json");
   expect_exit(0, run("{} report " + results + " --benchmark-json " + benchmarks));
   EXPECT_THAT(read_file(benchmarks), Not(HasSubstr("error_occurred")));

@@ -127,7 +127,7 @@ TEST(DrawingJsonl, RefusesNumbersThatAreNotExact) {
             "d:2: edges[0][2][0][2]: coordinate -9223372036854775808 is out of range, the limit is "
             "2305843009213693952");
   EXPECT_EQ(changed("[[1,0,0]", "[[4294967296,0,0]"),
-            "d:2: gram[0][3]: entry 4294967296 does not fit 32 bits");
+            "d:2: gram[0][3]: 4294967296 is not in -2147483647..2147483647");
 }
 
 TEST(DrawingJsonl, RefusesWrongShapes) {
@@ -157,7 +157,7 @@ TEST(DrawingJsonl, RefusesWhatDoesNotFitTogether) {
   EXPECT_EQ(changed("[1,0,0]", "[1,2,0]"), "d:2: the Gram matrix is not symmetric");
   EXPECT_EQ(changed("[1,0,0]", "[-1,0,0]"), "d:2: the Gram matrix is not positive definite");
   EXPECT_EQ(changed("\"gram_denominator\":1", "\"gram_denominator\":0"),
-            "d:2: gram_denominator: 0 is not in 1..2^31-1");
+            "d:2: gram_denominator: 0 is not in 1..2147483647");
   EXPECT_EQ(changed("\"n\":2,", ""), "d:2: key 'n' is missing");
   EXPECT_EQ(changed("\"gram_denominator\":1,", ""), "d:2: key 'gram_denominator' is missing");
   EXPECT_EQ(changed("\"n\":2,", "\"n\":2,\"n\":2,"), "d:2: key 'n' stands twice");

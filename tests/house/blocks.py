@@ -104,8 +104,9 @@ class Folder:
         self.must("git init -q . && mkdir -p apps results/reference && touch apps/study.cpp && cp smoke.h5 results/reference/0.1.0-smoke.h5")
 
     def run_sh(self, block):
-        for left in self.path.glob("ar3d-*"):  # by blocks before
-            left.unlink()
+        for left in self.path.glob("ar3d-*"):  # by blocks before, unless this one begins with it
+            if left.name not in commands(block)[0]:
+                left.unlink()
         for line in commands(block):
             if any(line.startswith(start) for start in NOT_RUN):
                 continue
@@ -133,7 +134,8 @@ class Folder:
     def plan_toml(self, block):
         """A block is a whole study, or keys of its head, or of a sweep, or a table."""
         block = self.keep(block)
-        if not block.startswith("study"):
+        whole = block.startswith("study")
+        if not whole:
             head, sweep = TINY.format(name="part").split("[[sweep]]")
             if "graphs =" in block:
                 block = head + block
@@ -145,7 +147,7 @@ class Folder:
                 block = head + "[[sweep]]" + sweep + block
         (self.path / "printed.toml").write_text(block)
         self.must("ar3d study plan printed.toml")
-        if block.startswith("study"):
+        if whole:
             (self.path / "printed.toml").write_text(block.replace("from = 100, to = 10000", "from = 20, to = 40"))
             self.must("ar3d study run -q --force-timing printed.toml -o printed.h5 --force")
 

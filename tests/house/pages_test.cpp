@@ -86,7 +86,7 @@ TEST(Completion, TableHoldsEveryVerbAndItsWords) {
   const Outcome table =
       expect_exit(0, run(AR3D_SOURCE_DIR "/tools/completion " AR3D_PROGRAM " table"));
   for (const char* line :
-       {"\n\tdraw\tDraws every graph of a file\t\n", "\nstudy\trun\tRuns a study and",
+       {"\n\tdraw\tDraws every graph of files\t\n", "\nstudy\trun\tRuns a study and",
         "\nstudy run\t\t\t=studies\n", "\nverify\t--crossing-test\t",
         "\tautomatic all-pairs plane-sweep slabs\n", "\nreport\t--reference\tresults file of"}) {
     EXPECT_THAT("\n" + table.out, HasSubstr(line));
