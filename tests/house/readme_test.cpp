@@ -79,12 +79,12 @@ TEST(Readme, EightWorkflowsTakeAtMostThreeCommandsEach) {
   for (const auto& [what, commands] : groups) {
     EXPECT_LE(commands.size(), 3u) << what;
     std::smatch page;
-    const bool is_elsewhere =
-        std::regex_search(what, page, std::regex(R"(\((docs/python|examples/own_algorithm)\))"));
+    const bool is_elsewhere = std::regex_search(
+        what, page, std::regex(R"(\((docs/python\.md|examples/own_algorithm)\))"));
     for (std::string command : commands) {
       if (is_elsewhere) {
         const std::string text = read_file(tree + "/" + page[1].str() +
-                                           (page[1] == "docs/python" ? ".md" : "/README.md"));
+                                           (page[1] == "docs/python.md" ? "" : "/README.md"));
         const std::string beginning = command.substr(0, command.find(" python3 "));
         EXPECT_THAT(text, HasSubstr(beginning)) << what;
         continue;
