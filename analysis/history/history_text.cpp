@@ -97,10 +97,14 @@ std::string percent_change(double log_ratio) {
 }
 
 const char* direction_text(const PlacedChange& placed) {
-  constexpr const char* kMore[] = {"slower", "more instructions", "more cycles", "larger volume",
-                                   "more bends"};
-  constexpr const char* kLess[] = {"faster", "fewer instructions", "fewer cycles", "smaller volume",
-                                   "fewer bends"};
+  constexpr const char* kMore[] = {"slower",        "more instructions", "more cycles",
+                                   "larger volume", "more bends",        "more crossings",
+                                   "larger angles"};
+  static_assert(std::size(kMore) == kMeasures.size());
+  constexpr const char* kLess[] = {"faster",         "fewer instructions", "fewer cycles",
+                                   "smaller volume", "fewer bends",        "fewer crossings",
+                                   "smaller angles"};
+  static_assert(std::size(kLess) == kMeasures.size());
   if (!(std::abs(placed.change->effect) > 0)) return "other drawings";
   return (placed.change->effect > 0 ? kMore
                                     : kLess)[static_cast<std::size_t>(placed.line->measure)];
