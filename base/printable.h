@@ -11,6 +11,9 @@ namespace ar3d {
 /// sequence reaches a terminal, and no text looks like another line. O(length) time.
 std::string printable(std::string_view text);
 
+/// True if all are printable ASCII, as columns of text hold them.
+bool all_printable(const std::string& text);
+
 /// The word as a POSIX shell reads it back: in quotes unless it is plain.
 std::string shell_word(std::string_view word);
 

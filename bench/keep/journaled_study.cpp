@@ -173,7 +173,11 @@ class JournalSink final : public RowSink {
 // Does a step on all ranks; where it fails on one, it fails on all. What is no InputError, or is
 // thrown outside of such a step, is the rank's own: its caller ends them all (Ranks::give_up).
 void together(Ranks& ranks, const std::function<void()>& step) {
-  if (ranks.size() == 1) return step();
+  if (ranks.size() == 1) {
+    step();
+    ranks.any_of("");
+    return;
+  }
   std::string problem;
   try {
     step();

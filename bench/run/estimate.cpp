@@ -111,6 +111,7 @@ Measured measured_at(const PlannedInstance& like, const PlannedRun& run, std::ui
                      const Budget& budget) {
   PlannedInstance instance = like;
   instance.requested_n = requested_n;
+  if (!like.choice.corpus) instance.index = 1;  // the first one's rows look for its bisection, too
   if (const auto& corpus = like.choice.corpus) {  // one of that size, or a piece of a larger one
     const std::uint32_t limit = run.choice.algorithm->guarantee.max_degree;
     instance.index = corpus->graphs->place(corpus->graphs->first_of_size(requested_n, limit));

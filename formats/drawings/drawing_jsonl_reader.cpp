@@ -29,7 +29,6 @@ constexpr std::int64_t kLargestEntry =
     std::numeric_limits<std::int32_t>::max();  // of the Gram matrix
 constexpr std::uint64_t kMaxVertices = std::numeric_limits<Vertex>::max() - 1;
 
-/// A line that is not JSON.
 class SyntaxError : public InputError {
  public:
   SyntaxError(std::size_t at, const std::string& message) : InputError(message), column(at) {}
@@ -60,7 +59,6 @@ class DrawingEvents {
     }
     return UndrawnGraph{n_, std::move(error_)};
   }
-  /// The same for the line of a program.
   DecimalDrawing finish_answer() {
     if (!inside_object_) throw InputError("expected an object");
     if (seen(Key::error)) {
