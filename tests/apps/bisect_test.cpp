@@ -107,17 +107,16 @@ TEST(Bisect, CommitsThatDoNotBuildOrRunAreSkippedAndNamed) {
 /// Clocks (wall and CPU time of a thread) that run twice as fast: drawing takes twice the time.
 std::string fast_clock(const SeededRepository& repository) {
   const std::string library = repository.path("clock.so");
-  expect_exit(
-      0, run("printf '#define _GNU_SOURCE\\n#include <dlfcn.h>\\n#include <time.h>\\n"
-             "int clock_gettime(clockid_t id, struct timespec* t) {\\n"
-             "  static int (*real)(clockid_t, struct timespec*);\\n"
-             "  if (!real) real = dlsym(RTLD_NEXT, \"clock_gettime\");\\n"
-             "  int code = real(id, t);\\n"
-             "  if (id != CLOCK_MONOTONIC && id != CLOCK_THREAD_CPUTIME_ID) return code;\\n"
-             "  long long ns = 2 * (t->tv_sec * 1000000000LL + t->tv_nsec);\\n"
-             "  t->tv_sec = ns / 1000000000; t->tv_nsec = ns %% 1000000000;\\n"
-             "  return code;\\n}\\n' | gcc -shared -fPIC -x c - -o " +
-             library + " -ldl"));
+  expect_exit(0, run("printf '#define _GNU_SOURCE\\n#include <dlfcn.h>\\n#include <time.h>\\n"
+                     "int clock_gettime(clockid_t id, struct timespec* t) {\\n"
+                     "  static int (*real)(clockid_t, struct timespec*);\\n"
+                     "  if (!real) real = dlsym(RTLD_NEXT, \"clock_gettime\");\\n"
+                     "  int code = real(id, t);\\n"
+                     "  if (id != CLOCK_MONOTONIC && id != CLOCK_THREAD_CPUTIME_ID) return code;\\n"
+                     "  long long ns = 2 * (t->tv_sec * 1000000000LL + t->tv_nsec);\\n"
+                     "  t->tv_sec = ns / 1000000000; t->tv_nsec = ns %% 1000000000;\\n"
+                     "  return code;\\n}\\n' | gcc -shared -fPIC -x c - -o " +
+                     library + " -ldl"));
   return "LD_PRELOAD=" + library + " exec";
 }
 
