@@ -63,8 +63,8 @@ struct FixedChange {
 
 /// Status, certificate, graph, volume (exact, lattice points of the box) and bends of one pair of
 /// rows; of rows without a guarantee the volume in smallest distances of vertices, crossings and
-/// smallest angles, where 1 % of volume or angle is no change. Values that one of the two misses are not compared; a drawing that differs in something
-/// else is `other`.
+/// smallest angles, where 1 % of volume or angle is no change. Values that one of the two misses
+/// are not compared; a drawing that differs in something else is `other`.
 std::vector<FixedChange> fixed_changes(const PairedRow& row);
 
 /// log2(new / base) of the volume that fixed_changes compares; 0 where one of the two has none.

@@ -48,7 +48,8 @@ std::string value_cell(std::size_t metric, const LargestGraphs& largest) {
   return cell(fmt::format("{:.4g} <small>{}</small>", median(values), range), true);
 }
 
-constexpr const char* kMethods = R"html(<section id=methods><h2>Methods</h2><details><summary>How it was measured and judged</summary>
+constexpr const char* kMethods =
+    R"html(<section id=methods><h2>Methods</h2><details><summary>How it was measured and judged</summary>
 <p><b>Certificate.</b> A row counts as proved only if its drawing was checked in exact integers by code that shares nothing
 with the code that drew it: edge set, directions, bends, all angles, coinciding points, crossings, and the size against the
 theorem. A row with another certificate (column certificate: measured, none; in older results also filtered, double, a sample) counts as not proved, and

@@ -203,7 +203,8 @@ TEST(History, ShortLinesAreNotJudgedAndSaid) {
   EXPECT_EQ(history.count(Measure::time, true), 0U);
   EXPECT_EQ(history.count(Measure::volume, true), 2U);
   EXPECT_THAT(summary(history), HasSubstr("time: 0 of 2 lines judged"));
-  EXPECT_THAT(render_history(history, "h"), HasSubstr("lines are not judged: times need 8 results"));
+  EXPECT_THAT(render_history(history, "h"),
+              HasSubstr("lines are not judged: times need 8 results"));
 }
 
 TEST(History, ThePageIsOfflineEscapedAndShowsEveryCell) {
