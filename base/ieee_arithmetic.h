@@ -9,6 +9,10 @@
 namespace ar3d {
 namespace {
 
+/// The name of long double by its bits, which machines differ in: 64 or 113 of the significand.
+constexpr const char* kLongDouble =
+    std::numeric_limits<long double>::digits == 64 ? "binary80" : "binary128";
+
 // Functions of their own, so that the compiler meets them as it meets the drawing's.
 template <class T>
 [[gnu::noinline]] T product_minus(T a, T b, T c) {
@@ -47,7 +51,7 @@ std::string departures_of(const char* type) {
 /// the type has, denormal numbers lost, NaN taken for a number. Empty if it does not.
 [[maybe_unused]] std::string arithmetic_departures() {
   std::string found = departures_of<float>("float") + departures_of<double>("double") +
-                      departures_of<long double>("long double");
+                      departures_of<long double>(kLongDouble);
   if (equals_itself(std::nan(""))) found += "NaN;";
   return found;
 }

@@ -79,8 +79,8 @@ RealPoints draw_in(const Graph& graph, const Choices& choices, RealType type) {
 }  // namespace
 
 const char* to_string(RealType type) {
-  constexpr std::array<const char*, kRealTypes> kNames{"float", "double", "long double",
-                                                       "binary128", "reference"};
+  constexpr std::array<const char*, kRealTypes> kNames{"float", "double", "binary80", "binary128",
+                                                       "reference"};
   return kNames.at(static_cast<std::size_t>(type));
 }
 
@@ -167,10 +167,9 @@ Algorithm row() {
                     .directions = {},
                     .bound = {"none", "docs/theorem2-paper.md", {linear(0), linear(0), linear(0)}},
                     .published = {}},
-      .options =
-          {{"type", 0, kRealTypes - 1, static_cast<std::int64_t>(RealType::double_precision),
-            "bits of the significand: 0: 24 (float); 1: 53 (double); 2: 64 (x86's long double); "
-            "3: 113 (binary128); 4: 237 (reference)"}},
+      .options = {{"type", 0, kRealTypes - 1, static_cast<std::int64_t>(RealType::double_precision),
+                   "bits of the significand: 0: 24 (float); 1: 53 (double); 2: 64 (binary80); "
+                   "3: 113 (binary128); 4: 237 (reference)"}},
       .draw = [](const Graph& graph, const Settings& values) {
         const std::int64_t type = value_of(values, "type");
         if (type < 0 || type >= kRealTypes) {

@@ -14,13 +14,13 @@ namespace ar3d::two_bend_paper {
 enum class RealType : std::uint8_t {
   single_precision,    ///< float: 24 bits
   double_precision,    ///< double: 53 bits
-  extended_precision,  ///< "long double": 64 bits, on every machine
+  extended_precision,  ///< binary80: 64 bits
   binary128,           ///< 113 bits
   reference,           ///< 237 bits
 };
 inline constexpr int kRealTypes = 5;
 
-/// "float", "double", "long double", "binary128", "reference".
+/// "float", "double", "binary80", "binary128", "reference".
 const char* to_string(RealType type);
 
 /// Draws a simple graph of maximum degree 3 as Section 3 of the paper constructs it, in real

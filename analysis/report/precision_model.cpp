@@ -21,7 +21,7 @@ constexpr std::size_t kMostRealRows = 200000, kMostLookedAt = 200000, kMostJudge
 
 /// The option `type` of two-bend-paper (docs/theorem2-paper.md).
 constexpr std::array<std::pair<const char*, int>, 5> kRealTypes = {
-    {{"float", 24}, {"double", 53}, {"long double", 64}, {"binary128", 113}, {"237 bits", 237}}};
+    {{"float", 24}, {"double", 53}, {"binary80", 64}, {"binary128", 113}, {"237 bits", 237}}};
 
 /// The median, infinities among the values; of two middle ones that are not both finite the larger.
 double middle_of(std::vector<double> values) {

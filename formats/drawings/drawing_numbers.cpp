@@ -24,7 +24,7 @@ constexpr int kMostExponent = 1000;
 /// Name, and bits of the significand.
 using RealType = std::pair<std::string_view, unsigned>;
 constexpr std::array<RealType, 5> kTypes{
-    {{"float", 24}, {"double", 53}, {"long double", 64}, {"binary128", 113}, {"reference", 237}}};
+    {{"float", 24}, {"double", 53}, {"binary80", 64}, {"binary128", 113}, {"reference", 237}}};
 
 unsigned significant_bits(const BigInteger& value) {
   if (value == 0) return 0;
@@ -96,7 +96,7 @@ void require_values_of_type(const RealPoints& points) {
   });
   if (type == kTypes.end()) {
     throw InputError(
-        fmt::format("real type {} is none of float, double, long double, binary128 and reference",
+        fmt::format("real type {} is none of float, double, binary80, binary128 and reference",
                     shown(points.type)));
   }
   require_bits(points.vertices, "vertex", *type);

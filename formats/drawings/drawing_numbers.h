@@ -22,7 +22,7 @@ Decimal parse_decimal(const std::string& text);
 /// @throws InputError if that passes kMaxCoordinate.
 std::int64_t scaled(const Decimal& number, int unit);
 
-/// @throws InputError if the type is none of float, double, long double, binary128 and reference,
+/// @throws InputError if the type is none of float, double, binary80, binary128 and reference,
 /// or naming the first vertex, else the first bend in order of edges, with a coordinate that needs
 /// more significant bits than the type has (24, 53, 64, 113, 237).
 void require_values_of_type(const RealPoints& points);

@@ -7,10 +7,12 @@ namespace {
 TEST(RealTypes, DrawnExactlyAndJudgedWithoutTolerance) {
   const ScratchDirectory scratch;
   const std::string file = scratch.path("d.jsonl");
-  for (const int type : {0, 1, 2, 3, 4}) {
+  int type = 0;
+  for (const std::string name : {"float", "double", "binary80", "binary128", "reference"}) {
     const Outcome drawn = expect_exit(
         0, run("{} generate random-cubic -n 20 | {} draw - --algorithm two-bend-paper --set type=" +
-               std::to_string(type) + " --force -o " + file));
+               std::to_string(type++) + " --force -o " + file));
+    EXPECT_THAT(read_file(file), HasSubstr("\"real_type\":\"" + name + "\""));
     expect_output(
         run("{} verify " + file),
         {"0 certified, 0 violated, 0 not drawn, 1 measured", "0 crossings, 0 collapsed segments"},
@@ -56,7 +58,7 @@ TEST(RealTypes, HostileLinesAreRefusedByName) {
     const std::string other = std::string(R"({"n":1,"algorithm":"two-bend-paper","real_type":")") +
                               type +
                               R"(","unit_exponent":0,"vertices":[["0","0","0"]],"edges":[]})";
-    EXPECT_THAT(refusal(other), HasSubstr("is none of float, double, long double")) << type;
+    EXPECT_THAT(refusal(other), HasSubstr("is none of float, double, binary80,")) << type;
   }
   EXPECT_THAT(refusal(with("0", "0,0,0")), HasSubstr("are texts of decimal integers"));
   EXPECT_THAT(refusal(with("0", R"("0","0")")), HasSubstr("2 numbers instead of 3"));

@@ -255,8 +255,8 @@ TEST(AnglePredicates, AreRightWhereProvedAndWrongBeyond) {
     EXPECT_EQ(wrong.proved, 0u) << choice.name;
     // Squares of lengths are squares here, so that the textbook's roots are exact.
     const bool rounds =
-        choice.name == "float" || choice.name == "double" ||
-        (choice.name == "long-double" && std::numeric_limits<long double>::digits < 113);
+        choice.name == "float" || choice.name == "double" || choice.name == "binary80";
+    EXPECT_EQ(choice.name == "binary80", choice.exact_bits == 64) << choice.name;
     EXPECT_EQ(wrong.beyond > 0, rounds) << choice.name;
   }
 }

@@ -122,7 +122,7 @@ const std::vector<PredicateChoice>& predicate_choices() {
   static const std::vector<PredicateChoice> choices{
       {"float", std::numeric_limits<float>::digits, angle_in<float>, meeting_kind<float>},
       {"double", kDoubleBits, angle_in<double>, meeting_kind<double>},
-      {"long-double", std::numeric_limits<long double>::digits, angle_in<long double>,
+      {kLongDouble, std::numeric_limits<long double>::digits, angle_in<long double>,
        meeting_kind<long double>},
       {"cosine", 0, textbook_angle, meeting_kind<double>},
       {"filtered", PredicateChoice::kAlways, filtered_or_exact_angle, filtered_or_exact_meeting},

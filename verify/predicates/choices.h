@@ -16,8 +16,8 @@ namespace ar3d::verify {
 struct PredicateChoice {
   static constexpr int kAlways = std::numeric_limits<int>::max();
 
-  std::string name;  ///< "float", "double", "long-double", "cosine", "filtered", "int64", "int128",
-                     ///< "int1024"
+  std::string name;  ///< "float", "double", kLongDouble (base/ieee_arithmetic.h), "cosine",
+                     ///< "filtered", "int64", "int128", "int1024"
   /// Exact where predicate_bits() and the coordinates need at most so many bits; 0: never proved.
   int exact_bits = 0;
   /// The sign of cos(angle) - c at the point `at` between those towards `from` and `to`.

@@ -8,6 +8,7 @@
 
 #include "../inputs.h"
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/base/ieee_arithmetic.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/checks/exact.h"
 #include "ar3d/verify/predicates/choices.h"
@@ -20,7 +21,7 @@ using kernels::random_family;
 using verify::PredicateChoice;
 
 constexpr std::size_t kMost = 20000;
-constexpr std::array<const char*, 4> kChoices = {"float", "double", "long-double", "cosine"};
+constexpr std::array<const char*, 4> kChoices = {"float", "double", kLongDouble, "cosine"};
 
 std::vector<std::string> row_of(const Algorithm& algorithm, std::uint64_t n, int bits,
                                 const char* what) {
@@ -70,7 +71,7 @@ void predicate_tables(const TableOptions&) {
   }
   fmt::print("Wrong answers, percent with 95 % Wilson intervals:\n\n");
   print_table(
-      {"algorithm", "n", "question", "bits", "float", "double", "long double", "cosine in double"},
+      {"algorithm", "n", "question", "bits", "float", "double", kLongDouble, "cosine in double"},
       rows);
   fmt::print("What the filter leaves to exact integers:\n\n");
   print_table({"algorithm", "n", "angles as drawn", "pairs with meeting boxes"}, filters);

@@ -24,7 +24,7 @@ struct MeasuredType {
   int bits;  ///< of the significand
 };
 constexpr std::array<MeasuredType, 3> kMeasuredTypes = {
-    {{"float", 24}, {"double", 53}, {"long double", 64}}};
+    {{"float", 24}, {"double", 53}, {"binary80", 64}}};
 
 /// A miss is kappa 2^-p C radians. Over one graph of each family half of all kappas are above the
 /// first, nine in ten below the second; docs/precision.md has those of several graphs.
@@ -263,7 +263,7 @@ void shift_tables(const TableOptions&) {
   }
   fmt::print(
       "Largest miss in degrees, random cubic graph with 100 vertices, moved and rounded:\n\n");
-  print_table({"moved by", "log2 C", "float", "double", "long double"}, misses);
+  print_table({"moved by", "log2 C", "float", "double", "binary80"}, misses);
   fmt::print(
       "The first move with which the drawing misses by more than a limit, predicted with kappa "
       "from {} to {}, and seen:\n\n",

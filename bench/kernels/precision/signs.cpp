@@ -12,6 +12,7 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
+#include "ar3d/base/ieee_arithmetic.h"
 #include "ar3d/base/new_file.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/predicates/meeting.h"
@@ -179,7 +180,7 @@ std::vector<SignMap> position_maps() {
   add(0.0F, "float", 0, 1);
   add(0.0, "double", 0, 1);
   add(0.0, "double", 60, 16);
-  add(0.0L, "long double", 60, 16);
+  add(0.0L, kLongDouble, 60, 16);
   fmt::print(
       "Wrong signs of the side on which one segment passes another, in windows of {0} x {0} "
       "positions of an end around the point where they touch, {1} pairs of segments of `two-bend`, "
