@@ -47,13 +47,6 @@ Examination examine_all(const Graph& graph, const Drawing& drawing, const Guaran
   return examination;
 }
 
-Graph claimed_graph(const Drawing& drawing) {
-  std::vector<Edge> edges;
-  edges.reserve(drawing.num_edges());
-  for (EdgeId e = 0; e < drawing.num_edges(); ++e) edges.push_back(drawing.edge(e));
-  return Graph(drawing.num_vertices(), std::move(edges));
-}
-
 void write_summary_line(OutputFile& output, const Drawing& drawing, const Examination& examination,
                         Level level) {
   ordered_json line = {

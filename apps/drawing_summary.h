@@ -12,10 +12,6 @@ namespace ar3d {
 Examination examine_all(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
                         CertificateMode mode);
 
-/// The graph that a drawing itself claims to show. @throws InputError if its edges are no simple
-/// graph's.
-Graph claimed_graph(const Drawing& drawing);
-
 /// Writes one line of JSON that tells of a drawing without its polylines:
 ///   {"n":N,"m":M,"algorithm":"…","level":"extents","certificate":"exact","verdict":"proved",
 ///    "violations":0,

@@ -1,101 +1,25 @@
-// Pages that show drawings in 3D: `ar3d view`, and the format of drawings that the program adds.
+// Pages that show drawings in 3D: `ar3d view`.
 #include "view.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/say.h"
-#include "ar3d/formats/catalog.h"
-#include "ar3d/formats/drawings/catalog.h"
-#include "ar3d/formats/drawings/drawing_html.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
-#include "ar3d/formats/text/output.h"
-#include "ar3d/verify/certificate.h"
 #include "commands.h"
-#include "drawing_summary.h"
 #include "outputs.h"
 #include "several_inputs.h"
 
 namespace ar3d {
-const Algorithm* known_algorithm(const std::string& name) {
-  const auto found = std::ranges::find(algorithms(), name, &Algorithm::name);
-  return found == algorithms().end() ? nullptr : &*found;
-}
-
-PageVerdict page_verdict(const Drawing& drawing, const Algorithm* algorithm) {
-  PageVerdict verdict;
-  if (algorithm == nullptr) {
-    verdict.text = "no guarantee is known of this algorithm";
-    return verdict;
-  }
-  std::optional<Graph> graph;
-  try {
-    graph = claimed_graph(drawing);
-  } catch (const InputError&) {
-    verdict.text = "the edges are not those of a simple graph";
-    return verdict;
-  }
-  const Certificate certificate = certify(*graph, drawing, algorithm->guarantee);
-  for (const Violation& violation : certificate.violations) {
-    verdict.violations.push_back({to_string(violation.kind), violation.message, violation.vertices,
-                                  violation.edges, violation.points});
-  }
-  if (certificate.measured && !certificate.violated()) {
-    verdict.text = "made in a real type, so nothing is proved; ar3d verify measures what it misses";
-    return verdict;
-  }
-  verdict.kind = certificate.valid() ? PageVerdict::PageJudgement::certified
-                                     : PageVerdict::PageJudgement::violated;
-  verdict.text =
-      fmt::format("judged in exact integers against the guarantee of {}, on the edges drawn{}",
-                  algorithm->name, certificate.complete ? "" : "; not all violations are listed");
-  return verdict;
-}
-
-void write_viewer_page(const NextDrawing& next, const std::string& path,
-                       const std::string& algorithm) {
-  OutputFile file(path);
-  ViewerPage page([&](std::string_view text) { file.append(text); });
-  std::size_t number = 0;
-  while (const std::optional<PlacedLine> placed = next()) {
-    ++number;
-    if (const auto* drawing = std::get_if<Drawing>(&placed->line)) {
-      const Algorithm* const known =
-          algorithm.empty() ? known_algorithm(drawing->algorithm()) : &find_algorithm(algorithm);
-      page.add(placed->where, *drawing, known == nullptr ? nullptr : &known->guarantee,
-               page_verdict(*drawing, known));
-    } else {
-      const auto& undrawn = std::get<UndrawnGraph>(placed->line);
-      page.add_undrawn(placed->where, undrawn.n, undrawn.error);
-    }
-  }
-  if (number == 0) throw InputError("the input has no graph");
-  page.finish();
-  file.commit();
-}
-
-void register_program_formats() {
-  register_drawing_format(
-      {"html",
-       {".html", ".htm"},
-       "a page that shows drawings in 3D, exact coordinates included; any number per file",
-       true,
-       [](const NextDrawing& next, const std::string& path, const ExportOptions&) {
-         write_viewer_page(next, path);
-       }});
-}
-
 namespace {
 
 struct ViewArguments {

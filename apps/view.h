@@ -4,6 +4,7 @@
 
 #include "ar3d/formats/drawings/catalog.h"
 #include "ar3d/formats/drawings/drawing_html.h"
+#include "ar3d/model/graph.h"
 
 namespace ar3d {
 
@@ -14,6 +15,10 @@ struct Algorithm;
 /// @throws InputError if it cannot be written, or the drawings are too large for a page.
 void write_viewer_page(const NextDrawing& next, const std::string& path,
                        const std::string& algorithm = {});
+
+/// The graph that a drawing itself claims to show. @throws InputError if its edges are no simple
+/// graph's.
+Graph claimed_graph(const Drawing& drawing);
 
 /// The algorithm of that name, or null: drawings may be of others, too.
 const Algorithm* known_algorithm(const std::string& name);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "ar3d/algorithms/catalog.h"
+#include "ar3d/apps/view.h"
 #include "ar3d/base/error.h"
 #include "ar3d/formats/drawings/catalog.h"
 #include "ar3d/formats/drawings/embedding.h"
@@ -214,7 +215,7 @@ void add_drawing(py::module_& module) {
               "Integer points (k x 3) as points of space, where angles are true.");
   drawing.def("save", &save, py::arg("path"), py::arg("format") = "", py::arg("force") = false,
               "Writes the drawing; the format is the path's ending or a name of "
-              "`ar3d draw --help` (not html). FileExistsError unless force; ValueError.");
+              "`ar3d draw --help`. FileExistsError unless force; ValueError.");
   drawing.def("__repr__", [](const PythonDrawing& d) { return text_of(d); });
 }
 
@@ -266,6 +267,7 @@ std::vector<std::string> names_in(const Rows& rows) {
 
 PYBIND11_MODULE(_core, module) {
   module.doc() = "The compiled part of ar3d.";
+  register_program_formats();
   module.attr("__version__") = AR3D_VERSION;
   add_graph(module);
   add_drawing(module);
