@@ -13,7 +13,7 @@ import {chromium} from "playwright-core";
 const tool = join(dirname(fileURLToPath(import.meta.url)), "..", "..", "tools", "site");
 const shots = process.env.AR3D_SCREENSHOTS;
 const kinds = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".json": "application/json", ".svg": "image/svg+xml"};
-const sample = ["index.html", "docs/commands.html", "docs/algorithms.html", "docs/theorem1.html", "docs/python-functions.html", "results/SCHEMA.html"];
+const sample = ["index.html", "docs/commands.html", "docs/algorithms.html", "docs/theorem1.html", "docs/python-functions.html", "results/SCHEMA.html", "cpp/annotated.html"];
 let folder, server, origin, browser, page, built;
 const complaints = [], requests = [];
 
@@ -77,6 +77,14 @@ test("dark where the system is dark, and by the button", async () => {
   assert.equal(await scheme(), "default");
   await page.locator("label[for=__palette_2]").click();
   assert.equal(await scheme(), "slate");
+  const luminance = property => page.locator("article a[href]").first().evaluate((link, name) => {
+    const [r, g, b] = getComputedStyle(name === "color" ? link : document.body)[name].match(/\d+/g).map(value => {
+      const share = value / 255;
+      return share <= 0.03928 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4;
+    });
+    return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+  }, property);
+  assert.ok((await luminance("color") + 0.05) / (await luminance("backgroundColor") + 0.05) >= 4.5);  // WCAG AA
   await shot("site-1280-dark");
 });
 
