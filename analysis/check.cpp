@@ -13,6 +13,7 @@
 #include "ar3d/analysis/repetitions.h"
 #include "ar3d/analysis/replay.h"
 #include "ar3d/analysis/text.h"
+#include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d {
 
@@ -48,6 +49,16 @@ void check_axis(const RunRecord& run, std::size_t row, std::size_t axis, Finding
                         fmt::format("extent {} along {} passes the instance's bound {}", extent,
                                     kAxis[axis], instance_bound)});
   }
+}
+
+/// Lemma L.5 is right, too; rows of earlier programs have no such bound (NaN).
+void check_volume(const RunRecord& run, std::size_t row, Findings& findings) {
+  static const Column least = run_column("volume_at_least");
+  constexpr double kRoundings = 1e-9;
+  if (!(run.log2_volume < std::log2(column_number(least, run)) - kRoundings)) return;
+  findings.push_back({FindingKind::instance_bound, row,
+                      fmt::format("a volume of 2^{:.6g} is below volume_at_least, {:.17g}",
+                                  run.log2_volume, column_number(least, run))});
 }
 
 /// What every ok row has, whatever its graph; a missing value is NaN.
@@ -95,6 +106,7 @@ std::vector<Finding> row_findings(const RunRecord& run, std::size_t row) {
       if (is_unproved(run)) break;
       check_certificate(run, row, findings);
       for (std::size_t axis = 0; axis < 3; ++axis) check_axis(run, row, axis, findings);
+      check_volume(run, row, findings);
       break;
     case RunStatus::violated:
       check_certificate(run, row, findings);

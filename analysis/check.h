@@ -12,7 +12,8 @@ namespace ar3d {
 enum class FindingKind {
   certificate,       ///< the drawing was proved wrong
   theorem_bound,     ///< an extent passes the theorem's bound
-  instance_bound,    ///< an extent passes the proof's bound for this very instance
+  instance_bound,    ///< an extent passes the proof's bound for this very instance, or the
+                     ///< volume lies below the least one
   not_repeatable,    ///< two repetitions of one instance gave different drawings
   not_certified,     ///< an ok row without a certificate, extents or a bound to check against
   unfinished,        ///< timeout, out of memory or crash

@@ -235,10 +235,9 @@ std::optional<double> theorem_order(const SizeBound& theorem, Quantity quantity)
       return orders[2];
     case Quantity::volume:
       return orders[0] + orders[1] + orders[2];
-    case Quantity::wall_s:
-      break;
+    default:
+      return std::nullopt;
   }
-  return std::nullopt;
 }
 
 void refuse_law_above(double order, ScalingEntry& entry) {

@@ -3,6 +3,7 @@
 #include "ar3d/analysis/tally.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <unordered_map>
@@ -19,7 +20,7 @@ constexpr std::size_t kMostGraphs = 200000;  // kept with all their numbers
 constexpr std::size_t kMostSizes = 200000;
 constexpr std::size_t kMostOfASize = 4096, kLeastOfASize = 8;
 constexpr std::size_t kMostCensored = 1000, kMostBatches = 10000;
-constexpr std::size_t kTimed = 6;  // place of the timing phase in log_sum
+constexpr std::size_t kTimed = 9;  // place of the timing phase in log_sum
 
 bool is_censored(RunStatus status) {
   return status == RunStatus::timeout || status == RunStatus::out_of_memory ||
@@ -52,6 +53,16 @@ void take_relative_size(DrawnGraph& graph) {
   graph.log2_volume = graph.log2_relative_volume;
 }
 
+// Of "name=value;…"; -1 if it is not there.
+std::int64_t counter_of(const RunRecord& run, const std::string& name) {
+  std::int64_t value = -1;
+  const std::size_t at = (';' + run.counters).find(';' + name + '=');
+  if (at == std::string::npos) return value;
+  const char* text = run.counters.data();
+  std::from_chars(text + at + name.size() + 1, text + run.counters.size(), value);
+  return value;
+}
+
 DrawnGraph drawn_graph(const RunRecord& run, std::size_t row, std::int64_t n, bool has_own_unit) {
   static const std::vector<Column> columns = columns_of_kind(ColumnKind::metric);
   static const Column relative = run_column("log2_relative_volume");
@@ -64,6 +75,7 @@ DrawnGraph drawn_graph(const RunRecord& run, std::size_t row, std::int64_t n, bo
   graph.name = run.graph_name;
   graph.group = run.group;
   graph.extents = run.extents;
+  graph.skewed = {counter_of(run, "skew_x"), counter_of(run, "skew_y"), counter_of(run, "skew_z")};
   graph.instance_bound = run.instance_bound;
   graph.theorem_bound = run.theorem_bound;
   graph.published_bound = run.published_bound;
@@ -295,13 +307,18 @@ double DrawnGraph::share() const {
 }
 
 const std::vector<Quantity>& quantities() {
-  static const std::vector<Quantity> all = {Quantity::longest_side, Quantity::extent_x,
-                                            Quantity::extent_y,     Quantity::extent_z,
-                                            Quantity::volume,       Quantity::wall_s};
+  static const std::vector<Quantity> all = {
+      Quantity::longest_side, Quantity::extent_x, Quantity::extent_y,
+      Quantity::extent_z,     Quantity::volume,   Quantity::skewed_x,
+      Quantity::skewed_y,     Quantity::skewed_z, Quantity::wall_s};
   return all;
 }
 
 double log_value(const DrawnGraph& graph, Quantity quantity, bool timed) {
+  const auto log_of = [&](const std::array<std::int64_t, 3>& extents, Quantity x) {
+    const std::size_t axis = static_cast<std::size_t>(quantity) - static_cast<std::size_t>(x);
+    return log_positive(static_cast<double>(extents[axis]));
+  };
   switch (quantity) {
     case Quantity::wall_s:
       return timed ? graph.log_timed_s : graph.log_wall_s;
@@ -313,11 +330,13 @@ double log_value(const DrawnGraph& graph, Quantity quantity, bool timed) {
       return log_positive(
           static_cast<double>(*std::max_element(graph.extents.begin(), graph.extents.end())));
     case Quantity::extent_x:
-      return log_positive(static_cast<double>(graph.extents[0]));
     case Quantity::extent_y:
-      return log_positive(static_cast<double>(graph.extents[1]));
     case Quantity::extent_z:
-      return log_positive(static_cast<double>(graph.extents[2]));
+      return log_of(graph.extents, Quantity::extent_x);
+    case Quantity::skewed_x:
+    case Quantity::skewed_y:
+    case Quantity::skewed_z:
+      return log_of(graph.skewed, Quantity::skewed_x);
   }
   return kMissing;
 }

@@ -21,6 +21,7 @@ struct DrawnGraph {
   std::int64_t instance = -1;  ///< RunRecord::instance_index
   std::string name, group;     ///< of a graph of files
   std::array<std::int64_t, 3> extents{-1, -1, -1};
+  std::array<std::int64_t, 3> skewed{-1, -1, -1};  ///< counters skew_x, skew_y, skew_z
   std::array<std::int64_t, 3> instance_bound{-1, -1, -1};
   std::array<double, 3> theorem_bound{kMissing, kMissing, kMissing};
   std::array<double, 3> published_bound{kMissing, kMissing, kMissing};
@@ -34,8 +35,18 @@ struct DrawnGraph {
   double share() const;
 };
 
-/// The quantities whose growth with n is fitted.
-enum class Quantity { longest_side, extent_x, extent_y, extent_z, volume, wall_s };
+/// The quantities whose growth with n is fitted; skewed extents of an algorithm that states them.
+enum class Quantity {
+  longest_side,
+  extent_x,
+  extent_y,
+  extent_z,
+  volume,
+  skewed_x,
+  skewed_y,
+  skewed_z,
+  wall_s
+};
 const std::vector<Quantity>& quantities();
 /// Natural logarithm of the graph's quantity; missing if there is none or it is not positive.
 /// Volume is log2_volume. @param timed  whether drawing times are
@@ -54,8 +65,8 @@ struct SizeTally {
   std::vector<DrawnGraph> graphs;  ///< these, or StudyTally::kept_graphs of them, a uniform sample
   DrawnGraph closest;              ///< of all drawn: the largest share(); row of none: no bound
   /// Sum and number of log_value of all drawn graphs by quantity; the last is the timing phase.
-  std::array<double, 7> log_sum{};
-  std::array<std::size_t, 7> log_count{};
+  std::array<double, 10> log_sum{};
+  std::array<std::size_t, 10> log_count{};
 
   /// The mean of log_value over all drawn graphs; missing without any.
   double mean_log(Quantity quantity, bool timed) const;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -10,21 +11,10 @@
 
 namespace ar3d {
 const char* name_of(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::longest_side:
-      return "longest side";
-    case Quantity::extent_x:
-      return "x extent";
-    case Quantity::extent_y:
-      return "y extent";
-    case Quantity::extent_z:
-      return "z extent";
-    case Quantity::volume:
-      return "volume";
-    case Quantity::wall_s:
-      return "drawing time";
-  }
-  return "unknown";
+  constexpr std::array kNames = {"longest side",    "x extent",        "y extent",
+                                 "z extent",        "volume",          "skewed x extent",
+                                 "skewed y extent", "skewed z extent", "drawing time"};
+  return kNames[static_cast<std::size_t>(quantity)];
 }
 
 const char* unit_of(Quantity quantity) {
@@ -35,8 +25,6 @@ const char* unit_of(Quantity quantity) {
 double log_bound(const DrawnGraph& graph, Quantity quantity) {
   const auto& bound = graph.theorem_bound;
   switch (quantity) {
-    case Quantity::wall_s:
-      return kMissing;
     case Quantity::volume:
       return log_positive(bound[0] + 1) + log_positive(bound[1] + 1) + log_positive(bound[2] + 1);
     case Quantity::longest_side:
@@ -50,8 +38,9 @@ double log_bound(const DrawnGraph& graph, Quantity quantity) {
       return log_positive(bound[1]);
     case Quantity::extent_z:
       return log_positive(bound[2]);
+    default:
+      return kMissing;
   }
-  return kMissing;
 }
 
 std::vector<double> SizeSample::log_values() const {

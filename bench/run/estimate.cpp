@@ -81,7 +81,7 @@ Measured measured_here(const PlannedInstance& instance, const PlannedRun& run,
     const std::int64_t before = memory.begin_row();
     const CpuStopwatch time;
     maker.prepare(instance);
-    const RunRecord row = maker.make_row(run);
+    const RunRecord row = maker.make_row(run, {.bisect = false});  // which few rows seek
     const double seconds = time.cpu_s();
     if (row.status == RunStatus::out_of_memory) throw std::bad_alloc();
     if (!is_drawn(row)) return {};
@@ -111,7 +111,6 @@ Measured measured_at(const PlannedInstance& like, const PlannedRun& run, std::ui
                      const Budget& budget) {
   PlannedInstance instance = like;
   instance.requested_n = requested_n;
-  if (!like.choice.corpus) instance.index = 1;  // the first one's rows look for its bisection, too
   if (const auto& corpus = like.choice.corpus) {  // one of that size, or a piece of a larger one
     const std::uint32_t limit = run.choice.algorithm->guarantee.max_degree;
     instance.index = corpus->graphs->place(corpus->graphs->first_of_size(requested_n, limit));

@@ -27,6 +27,7 @@ struct RowRequest {
   bool certify = true;         ///< else the row only has the drawing's hash and no verdict
   std::uint32_t warm_ups = 0;  ///< drawings before the timed one
   bool write = false;          ///< time the formatting as JSON lines
+  bool bisect = true;          ///< seek the bisection of a first instance, for volume_at_least
 };
 
 /// Makes rows, one at a time: keeps the graph of one instance and draws it (timed), certifies
@@ -53,7 +54,7 @@ class RowMaker {
   std::optional<Yardsticks> yardsticks_;  ///< once a row of the timing phase was made
   RunRecord base_;
   std::optional<Graph> graph_;
-  std::optional<GraphNeeds> needs_;  // once a row asks; with the bisection of every first instance
+  std::optional<GraphNeeds> needs_;  // once a row asks
   ExternalDrawer drawer_;
 
   Drawing draw_timed(const PlannedRun& planned, const RowRequest& request, RunRecord& run);

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "analysis/synthetic.h"
+#include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d::testing {
 namespace {
@@ -43,6 +44,16 @@ TEST(Check, TheInstanceBoundIsCheckedToo) {
   results.runs[1].instance_bound[0] = results.runs[1].extents[0] - 1;
   EXPECT_EQ(only_finding(results).kind, FindingKind::instance_bound);
   EXPECT_EQ(check(results).exit_code(), 4);
+}
+
+TEST(Check, VolumesBelowTheLeastPossibleAreViolations) {
+  Results results = good_results({"diamond"}, {"cubic"}, 1, 1);
+  results.runs[0].log2_volume = 10;
+  for (const std::int64_t least : {1024, 1025}) {
+    run_column("volume_at_least").load(reinterpret_cast<const char*>(&least), results.runs[0]);
+    EXPECT_EQ(check(results).exit_code(), least == 1024 ? 0 : 4);
+  }
+  EXPECT_EQ(only_finding(results).message, "a volume of 2^10 is below volume_at_least, 1025");
 }
 
 TEST(Check, AViolatedCertificateIsExit4AndNamesTheCommand) {

@@ -1,5 +1,7 @@
 #include "ar3d/analysis/scaling.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "analysis/synthetic.h"
@@ -107,6 +109,7 @@ TEST(Scaling, MissingAndZeroValuesAreNoPoints) {
   run.extents = {0, 12, -1};
   run.wall_s = kMissing;
   run.log2_volume = kMissing;
+  run.counters = "a_skew_x=3;skew_x=7;skew_y=;skew_z=99999999999999999999";
   Results results;
   results.runs = {run};
   const StudyTally tally = tally_of(results);
@@ -118,6 +121,9 @@ TEST(Scaling, MissingAndZeroValuesAreNoPoints) {
   EXPECT_DOUBLE_EQ(log_of(Quantity::longest_side), std::log(12));
   EXPECT_TRUE(std::isnan(log_of(Quantity::wall_s)));
   EXPECT_TRUE(std::isnan(log_of(Quantity::volume)));
+  EXPECT_DOUBLE_EQ(log_of(Quantity::skewed_x), std::log(7));
+  EXPECT_TRUE(std::isnan(log_of(Quantity::skewed_y)));
+  EXPECT_TRUE(std::isnan(log_of(Quantity::skewed_z)));
 }
 
 TEST(Scaling, RepetitionsOfAnInstanceGiveTheirMedian) {
@@ -162,9 +168,12 @@ TEST(Scaling, TimesOfTheMetricsPhaseHaveNoExponent) {
 
 TEST(Scaling, OfAStudyFindsTheExponentOfEveryQuantity) {
   Results results = good_results({"diamond", "grid"}, {"cubic"}, 9, 8);
-  for (auto& run : results.runs) run.phase = RunPhase::timing;
+  for (auto& run : results.runs) {
+    run.phase = RunPhase::timing;
+    if (run.algorithm == "grid") run.counters = fmt::format("skew_y={};H=0", run.n);
+  }
   const std::vector<ScalingEntry> entries = scaling(results);
-  ASSERT_EQ(entries.size(), 12u);
+  ASSERT_EQ(entries.size(), 13u);
   for (const ScalingEntry& entry : entries) {
     const double truth = entry.quantity == Quantity::volume ? 3 : 1;
     EXPECT_NEAR(entry.power.exponent, truth, 0.05) << name_of(entry.quantity);

@@ -148,6 +148,20 @@ TEST(MakeRow, TakesOverTheCertificateOfTheSameDrawingOnly) {
   EXPECT_THAT(other.message, HasSubstr("another drawing"));
 }
 
+TEST(MakeRow, TheBisectionOfFirstInstancesIsSoughtUnlessTheRequestSaysNo) {
+  const auto bound = [](std::uint32_t index, bool bisect) {
+    PlannedInstance instance = cycle_of(1024, {&find_algorithm("compact")});
+    instance.choice.family = &find_family("random-4-regular");
+    instance.index = index;
+    RowMaker maker({});
+    maker.prepare(instance);
+    const RunRecord row = maker.make_row(instance.runs[0], {.bisect = bisect});
+    return column_number(run_column("volume_at_least"), row);
+  };
+  EXPECT_GT(bound(0, true), bound(1, true)) << "of the same graph";
+  EXPECT_EQ(bound(0, false), bound(1, true));
+}
+
 // 64 MiB that the drawing takes and gives back stand in its peak, and not in the next row's.
 TEST(MakeRow, PeakMemoryIsTheRowsOwn) {
   const Algorithm large = diamond_drawn_by([](const Graph& graph, const Settings& options) {
