@@ -343,7 +343,9 @@ std::shared_ptr<const NamedCorpus> named_corpus(const std::string& name,
 std::shared_ptr<const Corpus> CorpusShelf::get(const std::vector<CorpusFile>& files,
                                                const CorpusOptions& options) {
   std::string key = options.text();
-  for (const auto& [path, name, group] : files) key += '\n' + path + '\n' + name + '\n' + group;
+  for (const auto& [path, name, group] : files) {
+    for (const std::string* part : {&path, &name, &group}) key.append(1, '\n').append(*part);
+  }
   std::shared_ptr<const Corpus>& corpus = corpora_[content_hash(key)];
   if (!corpus) corpus = std::make_shared<const Corpus>(files, options);
   return corpus;

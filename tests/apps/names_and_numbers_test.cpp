@@ -134,8 +134,8 @@ TEST(Files, EscapeSequencesDoNotReachTheTerminal) {
     EXPECT_EQ((outcome.out + outcome.err).find('\x1b'), std::string::npos)
         << outcome.command << outcome.out << outcome.err;
   };
-  for (const std::string verb : {"draw --algorithm grid ", "verify ", "check ", "report ",
-                                 "generate ", "shrink --algorithm grid -o x "}) {
+  for (const std::string& verb : {"draw --algorithm grid ", "verify ", "check ", "report ",
+                                  "generate ", "shrink --algorithm grid -o x "}) {
     expect_plain(expect_exit(2, run("{} " + verb + "'" + name + "'")));
   }
   const std::string refused = scratch.write("d.jsonl", "{\"n\":3,\"error\":\"\\u001b[31mred\"}\n");
@@ -155,7 +155,7 @@ TEST(Files, EscapeSequencesDoNotReachTheTerminal) {
       "v = f['environments'][:]; v['value'] = e; f['environments'][:] = v";
   must("/usr/bin/python3 -c \"" + forge + "\" '" + results + "'");
   renew_checksum(results);
-  for (const std::string verb :
+  for (const std::string& verb :
        {std::string("check R"), "report R --force -o " + scratch.path("page.html"),
         std::string("study status R"), std::string("study selfcheck R"), std::string("replay R 3"),
         std::string("compare R R"), std::string("study resume -q R"),

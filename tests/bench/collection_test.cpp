@@ -119,7 +119,7 @@ TEST_F(Collections, WhatCannotBeIsRefusedInOneLine) {
        "a file of top.edges holds the same graphs as one of mine"},
   };
   for (const auto& [entry, message] : cases) {
-    const std::string told = problem([&] { rows(entry); });
+    const std::string told = problem([&, entry = entry] { rows(entry); });
     EXPECT_THAT(told, HasSubstr(message)) << entry;
     EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 0) << told;
   }
