@@ -134,8 +134,8 @@ TEST(Files, EscapeSequencesDoNotReachTheTerminal) {
     EXPECT_EQ((outcome.out + outcome.err).find('\x1b'), std::string::npos)
         << outcome.command << outcome.out << outcome.err;
   };
-  for (const std::string& verb : {"draw --algorithm grid ", "verify ", "check ", "report ",
-                                  "generate ", "shrink --algorithm grid -o x "}) {
+  for (const std::string verb : {"draw --algorithm grid ", "verify ", "check ", "report ",
+                                 "generate ", "shrink --algorithm grid -o x "}) {
     expect_plain(expect_exit(2, run("{} " + verb + "'" + name + "'")));
   }
   const std::string refused = scratch.write("d.jsonl", "{\"n\":3,\"error\":\"\\u001b[31mred\"}\n");

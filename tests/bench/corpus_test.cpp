@@ -17,7 +17,7 @@ namespace {
 class Files : public ::testing::Test {
  protected:
   std::string write(const std::string& name, const std::vector<Graph>& graphs) const {
-    const std::string path = scratch_.path(name);
+    std::string path = scratch_.path(name);
     write_graphs(graphs, *graph_format_of_path(name), path);
     return path;
   }
