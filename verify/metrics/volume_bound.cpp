@@ -93,15 +93,12 @@ DrawnSteps steps_of(const Guarantee& guarantee) {
   if (guarantee.lattice != kCubeLattice || guarantee.angle_rule != AngleRule::exactly) {
     return DrawnSteps::any;
   }
-  const auto sum_of_unit = [](Vector d) {  // of absolute values; 0 if one is above 1
-    const std::int64_t x = std::abs(d.x), y = std::abs(d.y), z = std::abs(d.z);
-    return std::max({x, y, z}) == 1 ? x + y + z : 0;
+  const auto all_have = [&](std::int64_t squared) {
+    return all_directions(guarantee,
+                          [&](Vector d) { return d.x * d.x + d.y * d.y + d.z * d.z == squared; });
   };
-  const auto all_sum_to = [&](std::int64_t sum) {
-    return all_directions(guarantee, [&](Vector d) { return sum_of_unit(d) == sum; });
-  };
-  if (guarantee.cosine == Cosine{-1, 3} && all_sum_to(3)) return DrawnSteps::body_diagonals;
-  if (guarantee.cosine == Cosine{-1, 2} && all_sum_to(2)) return DrawnSteps::face_diagonals;
+  if (guarantee.cosine == Cosine{-1, 3} && all_have(3)) return DrawnSteps::body_diagonals;
+  if (guarantee.cosine == Cosine{-1, 2} && all_have(2)) return DrawnSteps::face_diagonals;
   return DrawnSteps::any;
 }
 
@@ -111,38 +108,26 @@ bool leaves_the_plane(const Guarantee& guarantee) {
          all_directions(guarantee, [](Vector d) { return d.z != 0; });
 }
 
-/// The least c >= b such that the box of a x b x c points holds what is needed.
-std::uint64_t third_side(const BoxNeeds& needs, std::uint64_t a, std::uint64_t b) {
-  switch (needs.steps) {
-    case DrawnSteps::any:
-      return std::max({b, rounded_up(needs.points, a * b), rounded_up(needs.in_plane, b)});
-    case DrawnSteps::face_diagonals:  // half of the points, rounded up
-      return std::max({b, rounded_up(2 * needs.points - 1, a * b),
-                       needs.in_plane == 0 ? 1 : rounded_up(2 * needs.in_plane - 1, b)});
-    case DrawnSteps::body_diagonals:
-      break;
-  }
-  const std::uint64_t even =
-      ((a + 1) / 2) * ((b + 1) / 2);  // points of even layers, and of odd ones
-  const std::uint64_t both = even + (a / 2) * (b / 2);
-  const std::uint64_t pairs = (needs.points - 1) / both;  // of layers
-  const std::uint64_t c = 2 * pairs + (needs.points - pairs * both <= even ? 1 : 2);
-  const std::uint64_t wide = rounded_up(needs.in_plane, (b + 1) / 2);
-  return std::max({b, c, wide == 0 ? 1 : 2 * wide - 1});
+/// The points of a box, a layer or a plane that a drawing can use (Lemma L.2).
+std::uint64_t usable(DrawnSteps steps, std::uint64_t a, std::uint64_t b, std::uint64_t c) {
+  if (steps == DrawnSteps::any) return a * b * c;
+  if (steps == DrawnSteps::face_diagonals) return (a * b * c + 1) / 2;
+  return ((a + 1) / 2) * ((b + 1) / 2) * ((c + 1) / 2) + (a / 2) * (b / 2) * (c / 2);
 }
 
-/// The least b >= a such that a layer of a x b points holds what is needed.
-std::uint64_t second_side(const BoxNeeds& needs, std::uint64_t a) {
-  if (needs.in_layer == 0) return a;
-  switch (needs.steps) {
-    case DrawnSteps::any:
-      return std::max(a, rounded_up(needs.in_layer, a));
-    case DrawnSteps::face_diagonals:
-      return std::max(a, rounded_up(2 * needs.in_layer - 1, a));
-    case DrawnSteps::body_diagonals:
-      break;
+/// The least side from `low` on that is long enough, as every longer one is.
+template <class IsEnough>
+std::uint64_t least_side(std::uint64_t low, const IsEnough& is_enough) {
+  std::uint64_t high = low;
+  for (std::uint64_t step = 1; !is_enough(high); step *= 2) {
+    low = high + 1;
+    high += step;
   }
-  return std::max(a, 2 * rounded_up(needs.in_layer, (a + 1) / 2) - 1);
+  while (low < high) {
+    const std::uint64_t middle = low + (high - low) / 2;
+    is_enough(middle) ? high = middle : low = middle + 1;
+  }
+  return low;
 }
 
 }  // namespace
@@ -168,8 +153,14 @@ std::uint64_t bisection_at_least(const Graph& graph, std::span<const Vertex> ver
 std::uint64_t smallest_box(const BoxNeeds& needs) {
   std::uint64_t best = std::numeric_limits<std::uint64_t>::max();
   for (std::uint64_t a = needs.side; a * a * a < best; ++a) {
-    for (std::uint64_t b = second_side(needs, a); a * b * b < best; ++b) {
-      best = std::min(best, a * b * third_side(needs, a, b));
+    std::uint64_t b = least_side(
+        a, [&](std::uint64_t y) { return usable(needs.steps, a, y, 1) >= needs.in_layer; });
+    for (; a * b * b < best; ++b) {
+      const std::uint64_t c = least_side(b, [&](std::uint64_t z) {
+        return usable(needs.steps, a, b, z) >= needs.points &&
+               usable(needs.steps, 1, b, z) >= needs.in_plane;
+      });
+      best = std::min(best, a * b * c);
     }
   }
   return best;

@@ -25,7 +25,7 @@ GraphNeeds needs_of(const Graph& graph, bool with_bisection = false);
 
 /// No drawing of such a graph that keeps the guarantee has a box of fewer lattice points (Lemma
 /// L.5). -1 for a guarantee of drawings in real types, which stand on no lattice.
-/// Cost: O(V^(2/3)) for a result V, which is less than the cost of a drawing.
+/// Cost: O(V^(2/3) log V) for a result V, which is less than the cost of a drawing.
 std::int64_t volume_at_least(const GraphNeeds& needs, const Guarantee& guarantee);
 /// Without a bisection.
 std::int64_t volume_at_least(const Graph& graph, const Guarantee& guarantee);
@@ -54,7 +54,7 @@ struct BoxNeeds {
   std::uint64_t side = 1;      ///< lattice points along every axis
 };
 
-/// The lattice points of the smallest box that holds so much. O(V^(2/3)) for a result V.
+/// The lattice points of the smallest box that holds so much. O(V^(2/3) log V) for a result V.
 std::uint64_t smallest_box(const BoxNeeds& needs);
 
 }  // namespace ar3d
