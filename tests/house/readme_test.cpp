@@ -2,12 +2,17 @@
 // Shares of the proved box are those of the committed bounds table.
 #include <fmt/format.h>
 
+#include <array>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <regex>
 #include <sstream>
 #include <tuple>
 #include <utility>
 
+#include "ar3d/store/columns/run_columns.h"
+#include "ar3d/store/run_storage.h"
 #include "support/program.h"
 
 namespace ar3d::testing {
@@ -263,6 +268,32 @@ TEST(Readme, PromisedAndDrawnIsWhatTheReportOfTheCommittedStudySays) {
                                               label == labels.end() ? name : label->second,
                                               fmt::join(cells, " | "))));
   }
+}
+
+// What docs/lower-bounds.md says of random 4-regular graphs by `compact`; the bound of every row.
+TEST(Readme, LowerBoundsAreThoseOfTheCommittedStudy) {
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  std::array<double, 3> least = {kLargest, kLargest, kLargest}, most = {};
+  const Column needed = run_column("volume_at_least");
+  for (const RunRecord& run :
+       read_results(AR3D_SOURCE_DIR "/results/reference/1.0.0-bounds.h5").runs) {
+    if (run.status != RunStatus::ok) continue;
+    const double volume = std::exp2(run.log2_volume), bound = column_number(needed, run);
+    ASSERT_TRUE(1 <= bound && bound <= volume * (1 + 1e-9)) << run.row_key;
+    if (run.algorithm != "compact" || run.family != "random-4-regular") continue;
+    if (run.instance_index > 0 || run.n < 631 || run.n > 2512) continue;
+    const double unit = std::pow(run.n, 1.5);
+    const std::array values = {volume / unit, bound / unit, volume / bound / 100};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      least[i] = std::min(least[i], values[i]);
+      most[i] = std::max(most[i], values[i]);
+    }
+  }
+  std::string page = read_file(AR3D_SOURCE_DIR "/docs/lower-bounds.md");
+  page = std::regex_replace(page, std::regex("(\\d),(\\d)"), "$1$2");
+  EXPECT_THAT(page, HasSubstr(fmt::format("draws {:.0f} to {:.0f} n^1.5", least[0], most[0])));
+  EXPECT_THAT(page, HasSubstr(fmt::format("least {:.2f} to {:.2f} n^1.5", least[1], most[1])));
+  EXPECT_THAT(page, HasSubstr(fmt::format("**{:.0f}00 to {:.0f}00 times", least[2], most[2])));
 }
 
 // results/reference/compact-120.md says so of every drawing that it counts.
