@@ -260,8 +260,10 @@ TEST(Readme, PromisedAndDrawnIsWhatTheReportOfTheCommittedStudySays) {
     }
   }
   EXPECT_EQ(lines.size(), 12u);
-  for (const auto& [setting, cells] : lines) {
+  const std::regex thrice("^(.*), \\1, \\1$");
+  for (auto& [setting, cells] : lines) {
     if (setting.starts_with("lattice")) continue;
+    for (std::string& of_axes : cells) of_axes = std::regex_replace(of_axes, thrice, "$1");
     const std::string name = "`" + setting.substr(0, setting.find(" (")) + "`";
     const auto label = labels.find(setting);
     EXPECT_THAT(readme, HasSubstr(fmt::format("\n| {} | {} |\n",
