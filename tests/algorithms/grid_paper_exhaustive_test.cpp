@@ -7,11 +7,6 @@
 namespace ar3d::testing {
 namespace {
 
-using grid_paper::CycleChoice;
-using grid_paper::Gap;
-using grid_paper::Options;
-using grid_paper::Spread;
-
 /// Every setting, and three of the choices of random cycles.
 void expect_right_under_every_setting(const Graph& graph, CounterSums& sums) {
   for (const Options& options : all_grid_paper_options()) {

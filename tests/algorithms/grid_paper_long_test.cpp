@@ -8,10 +8,6 @@
 namespace ar3d::testing {
 namespace {
 
-using grid_paper::Gap;
-using grid_paper::Options;
-using grid_paper::Spread;
-
 TEST(GridPaperLong, ElevenAndTwelveVerticesWithRandomCyclesToo) {
   std::size_t drawn = 0;
   for (const int n : {11, 12}) {

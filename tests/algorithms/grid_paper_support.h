@@ -17,12 +17,13 @@
 
 namespace ar3d::testing {
 
+using grid_paper::CycleChoice, grid_paper::Gap, grid_paper::Options, grid_paper::Spread;
+
 /// Sums of counters over drawings.
 using CounterSums = std::map<std::string, std::int64_t>;
 
 /// All combinations of options.
-inline std::vector<grid_paper::Options> all_grid_paper_options() {
-  using namespace grid_paper;
+inline std::vector<Options> all_grid_paper_options() {
   std::vector<Options> all;
   for (const Spread spread : {Spread::columns, Spread::conditional, Spread::least}) {
     for (const Gap gap : {Gap::any, Gap::needed}) {
@@ -35,7 +36,7 @@ inline std::vector<grid_paper::Options> all_grid_paper_options() {
 }
 
 /// Draws and certifies. "" or the first violation or broken invariant. Adds the drawing's counters.
-inline std::string grid_paper_fault(const Graph& graph, const grid_paper::Options& options = {},
+inline std::string grid_paper_fault(const Graph& graph, const Options& options = {},
                                     const grid_paper::RepairSwitches& repairs = {},
                                     CounterSums* sums = nullptr) {
   static const Guarantee guarantee = grid_paper::row().guarantee;

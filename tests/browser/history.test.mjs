@@ -5,11 +5,8 @@ import {mkdtempSync, rmSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {join} from "node:path";
 import {after, before, test} from "node:test";
-import {chromium} from "playwright-core";
+import {complaints, launch, newPage, program, requests} from "./chromium.mjs";
 
-const program = process.env.AR3D_PROGRAM;
-const flags = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
-  "--disable-background-networking", "--disable-component-update", "--disable-sync"];
 const spec = `study = "browser"
 [[sweep]]
 families = ["cycle", "random-cubic"]
@@ -17,8 +14,7 @@ sizes = [20, 50]
 algorithms = ["grid", "two-bend"]
 `;
 
-let folder, context, page;
-const complaints = [], requests = [];
+let folder, browser, page;
 
 before(async () => {
   folder = mkdtempSync(join(tmpdir(), "ar3d-browser-"));
@@ -30,17 +26,13 @@ before(async () => {
     execFileSync(program, ["history", "add", results, "--folder", history, "--place", String(place), "--name", "v" + place]);
   }
   execFileSync(program, ["history", "report", "--folder", history]);
-  context = await chromium.launchPersistentContext(join(folder, "profile"),
-    {executablePath: "/usr/bin/chromium", args: flags, viewport: {width: 1280, height: 900}});
-  page = await context.newPage();
-  page.on("console", message => { if (["error", "warning"].includes(message.type())) complaints.push(message.text()); });
-  page.on("pageerror", error => complaints.push(String(error)));
-  page.on("request", request => requests.push(request.url()));
+  browser = await launch();
+  page = await newPage(browser);
   await page.goto("file://" + join(history, "history.html"));
 });
 
 after(async () => {
-  await context?.close();
+  await browser?.close();
   if (folder) rmSync(folder, {recursive: true, force: true});
 });
 

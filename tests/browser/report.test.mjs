@@ -1,17 +1,12 @@
 // The report in headless Chromium: what a reader sees, points at, clicks and types.
-// AR3D_PROGRAM names the program; screenshots go to AR3D_SCREENSHOTS if that is set.
 import assert from "node:assert/strict";
 import {execFileSync} from "node:child_process";
-import {copyFileSync, mkdtempSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync} from "node:fs";
+import {copyFileSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {dirname, join} from "node:path";
 import {after, before, test} from "node:test";
-import {chromium} from "playwright-core";
+import {complaints, launch, newPage, program, requests, shot} from "./chromium.mjs";
 
-const program = process.env.AR3D_PROGRAM;
-const shots = process.env.AR3D_SCREENSHOTS;
-const flags = ["--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic", "--no-first-run",
-  "--disable-background-networking", "--disable-component-update", "--disable-sync"];
 const spec = `study = "browser"
 seed = 1
 [[sweep]]
@@ -21,32 +16,21 @@ algorithms = [{ algorithm = "diamond", effort = [0, 1, 2] }, "two-bend", "grid"]
 instances = 3
 `;
 
-let folder, context, page;
-const complaints = [], requests = [];
-
-const shot = async name => {
-  if (!shots) return;
-  mkdirSync(shots, {recursive: true});
-  await page.screenshot({path: join(shots, name + ".png")});
-};
+let folder, browser, page;
 
 before(async () => {
   folder = mkdtempSync(join(tmpdir(), "ar3d-browser-"));
   writeFileSync(join(folder, "study.toml"), spec);
   execFileSync(program, ["study", "run", join(folder, "study.toml"), "-q", "-o", join(folder, "study.h5")]);
-  context = await chromium.launchPersistentContext(join(folder, "profile"),
-    {executablePath: "/usr/bin/chromium", args: flags, viewport: {width: 1280, height: 900}});
-  page = await context.newPage();
-  page.on("console", message => { if (["error", "warning"].includes(message.type())) complaints.push(message.text()); });
-  page.on("pageerror", error => complaints.push(String(error)));
-  page.on("request", request => requests.push(request.url()));
+  browser = await launch();
+  page = await newPage(browser);
   copyFileSync(join(folder, "study.h5"), join(folder, "again.h5"));
   execFileSync(program, ["report", join(folder, "study.h5"), "--reference", join(folder, "again.h5")]);
   await page.goto("file://" + join(folder, "study.html"));
 });
 
 after(async () => {
-  await context?.close();
+  await browser?.close();
   if (folder) rmSync(folder, {recursive: true, force: true});
 });
 
@@ -91,11 +75,11 @@ test("the verdict and every kind of figure are there", async () => {
   const legends = await page.evaluate(() => Math.max(...[...document.querySelectorAll(".legend, g.ends")]
     .map(legend => legend.children.length)));
   assert.ok(legends <= 8, `a legend of ${legends} entries`);
-  await shot("top-1280");
+  await shot(page, "top-1280");
   for (const id of ["closeness", "trade", "a0"]) {
     await page.locator("#" + id).scrollIntoViewIfNeeded();
     await page.evaluate(i => document.getElementById(i).scrollIntoView(), id);
-    await shot(id + "-1280");
+    await shot(page, id + "-1280");
   }
 });
 
@@ -115,7 +99,7 @@ test("families are highlighted by part of their name", async () => {
   assert.equal(await section.locator("g.family.on").count(), 3, "side, volume and time");
   assert.deepEqual(await section.locator("table.heat tbody tr:visible th").allTextContents(), ["prism"]);
   await section.locator("svg.plot").first().scrollIntoViewIfNeeded();
-  await shot("filter-1280");
+  await shot(page, "filter-1280");
   await section.locator("input.filter").fill("no such family");
   assert.equal(await section.locator("table.heat tbody tr:visible").count(), 0);
   await section.locator("input.filter").fill("");
@@ -148,7 +132,7 @@ test("tables sort by a click on a head, numbers as numbers", async () => {
 test("a number of the heat map shows its graph", async () => {
   const cell = page.locator("section#a0 table.heat td[data-r]:not(.shown)").last();
   await cell.scrollIntoViewIfNeeded();
-  await shot("heat-1280");
+  await shot(page, "heat-1280");
   await cell.click();
   assert.ok(await page.locator("#open").isHidden(), "no drawing of this graph is in the page");
   assert.match(await page.locator("#replay code").textContent(), /^ar3d generate .* \| ar3d draw - --algorithm /);
@@ -176,7 +160,7 @@ test("an underlined number of the heat map opens its drawing in 3D", async () =>
   assert.equal(await frame.evaluate(() => globalThis.ar3d.view.drawing.m), row[2]);
   assert.equal(n, String(row[1]));
   assert.equal((await viewer.locator("#facts").textContent()).split("box ")[1], row[5].map(c => c.toLocaleString("en")).join(" \u00d7 "));
-  await shot("shown-1280");
+  await shot(page, "shown-1280");
   await page.locator("#shown").getByRole("button", {name: "Close"}).click();
   assert.equal(await page.locator("iframe").count(), 0);
   await cell.click();
@@ -212,7 +196,7 @@ test("every figure is saved as SVG, PDF, CSV, matplotlib script and LaTeX", asyn
   });
   await figure.getByRole("button", {name: "PDF"}).click();
   await page.waitForFunction(() => globalThis.printed);
-  const sheet = await context.newPage();
+  const sheet = await browser.newPage();
   await sheet.setContent(await page.evaluate(() => globalThis.printed));
   const pdf = (await sheet.pdf({preferCSSPageSize: true})).toString("latin1");
   assert.match(pdf, /^%PDF-/);
@@ -232,7 +216,7 @@ test("pointing at a row shows it", async () => {
   for (const part of ["vertices", "seed", "box ", "the theorem's ", "the published "]) {
     assert.ok(text.includes(part), `${part} in ${text}`);
   }
-  await shot("hover-1280");
+  await shot(page, "hover-1280");
   await page.mouse.move(2, 2);
   assert.ok(await tip.isHidden());
 });
@@ -243,7 +227,7 @@ test("a click gives a command that draws the row again", async () => {
   const code = await page.locator("#replay code").textContent();
   const [command, replay] = code.split("\n");
   assert.match(command, /^ar3d generate [a-z0-9-]+ -n \d+ --seed \d+ \| ar3d draw - --algorithm diamond/);
-  await shot("click-1280");
+  await shot(page, "click-1280");
   const path = {...process.env, PATH: dirname(program) + ":" + process.env.PATH};
   const verdict = execFileSync("bash", ["-c", command + " | ar3d verify -"], {env: path}).toString();
   assert.match(verdict, /1 certified, 0 violated/);
@@ -289,20 +273,20 @@ test("it reads at 1280 and 390 pixels, light and dark", async () => {
     }).map(e => e.outerHTML.slice(0, 80)));
     assert.deepEqual(cut, [], `cut at ${width}`);
     await page.evaluate(() => scrollTo(0, 0));
-    await shot("page-" + width);
+    await shot(page, "page-" + width);
     for (const id of ["trade", "a0"]) {
       await page.evaluate(i => document.getElementById(i).scrollIntoView(), id);
-      await shot(id + "-" + width);
+      await shot(page, id + "-" + width);
     }
     await page.locator("section#a0 table.heat").scrollIntoViewIfNeeded();
-    await shot("heat-" + width);
+    await shot(page, "heat-" + width);
   }
   await page.setViewportSize({width: 1280, height: 900});
   const background = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
   const light = await background();
   await page.emulateMedia({colorScheme: "dark"});
   assert.notEqual(await background(), light);
-  await shot("dark-1280");
+  await shot(page, "dark-1280");
   await page.emulateMedia({colorScheme: "light"});
 });
 
@@ -315,7 +299,7 @@ test("on paper nothing is cut", async () => {
     return box.width > 0 && (box.right > innerWidth + 1 || (e.scrollWidth > e.clientWidth + 1 && getComputedStyle(e).overflowX !== "visible"));
   }).map(e => e.outerHTML.slice(0, 90)));
   assert.deepEqual(cut.slice(0, 8), []);
-  await shot("print-718");
+  await shot(page, "print-718");
   const pdf = await page.pdf({format: "A4", margin: {top: "1cm", bottom: "1cm", left: "1cm", right: "1cm"}});
   assert.equal(pdf.subarray(0, 5).toString(), "%PDF-");
   await page.emulateMedia({media: "screen"});

@@ -1,44 +1,33 @@
 // The site of the pages (tools/site) in headless Chromium: its four parts, search, dark and light, a narrow screen.
-// AR3D_PROGRAM names the program; screenshots go to AR3D_SCREENSHOTS if that is set.
 import assert from "node:assert/strict";
 import {execFileSync} from "node:child_process";
-import {existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync} from "node:fs";
+import {existsSync, mkdtempSync, readFileSync, rmSync, statSync} from "node:fs";
 import {createServer} from "node:http";
 import {tmpdir} from "node:os";
 import {dirname, extname, join, resolve} from "node:path";
 import {after, before, test} from "node:test";
 import {fileURLToPath} from "node:url";
-import {chromium} from "playwright-core";
+import {complaints, launch, newPage, program, requests, shot} from "./chromium.mjs";
 
 const tool = join(dirname(fileURLToPath(import.meta.url)), "..", "..", "tools", "site");
-const shots = process.env.AR3D_SCREENSHOTS;
 const kinds = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".json": "application/json", ".svg": "image/svg+xml"};
 const sample = ["index.html", "docs/commands.html", "docs/algorithms.html", "docs/theorem1.html", "docs/python-functions.html", "results/SCHEMA.html", "cpp/annotated.html"];
 let folder, server, origin, browser, page, built;
-const complaints = [], requests = [];
-
-const shot = async name => {
-  if (!shots) return;
-  mkdirSync(shots, {recursive: true});
-  await page.screenshot({path: join(shots, name + ".png")});
-};
 
 before(async () => {
   folder = mkdtempSync(join(tmpdir(), "ar3d-site-test-"));
-  built = execFileSync(tool, [process.env.AR3D_PROGRAM, folder], {encoding: "utf8"});
+  built = execFileSync(tool, [program, folder], {encoding: "utf8"});
   server = createServer((request, answer) => {
     const path = resolve(folder, "." + decodeURIComponent(new URL(request.url, "http://x").pathname));
     const file = existsSync(path) && statSync(path).isDirectory() ? join(path, "index.html") : path;
-    answer.writeHead(existsSync(file) ? 200 : 404, {"Content-Type": kinds[extname(file)] ?? "application/octet-stream"});
+    answer.writeHead(existsSync(file) ? 200 : path.endsWith("favicon.ico") ? 204 : 404, {"Content-Type": kinds[extname(file)] ?? "application/octet-stream"});
     answer.end(existsSync(file) ? readFileSync(file) : "");
   }).listen(0, "127.0.0.1");
   await new Promise(done => server.once("listening", done));
   origin = `http://127.0.0.1:${server.address().port}/`;
-  browser = await chromium.launch({executablePath: "/usr/bin/chromium", args: ["--headless", "--no-sandbox", "--disable-gpu"]});
-  page = await browser.newPage({viewport: {width: 1280, height: 900}, colorScheme: "light"});
-  page.on("pageerror", error => complaints.push(String(error)));
-  page.on("request", request => requests.push(request.url()));
-  page.on("response", answer => { if (answer.status() >= 400 && !answer.url().endsWith("favicon.ico")) complaints.push(answer.url()); });
+  browser = await launch();
+  page = await newPage(browser, {colorScheme: "light"});
+  page.on("response", answer => { if (answer.status() >= 400) complaints.push(answer.url()); });
 });
 
 after(async () => {
@@ -58,7 +47,7 @@ test("four parts; the first screen has the picture, the two commands and a table
   assert.ok(await page.locator("article img").first().evaluate(image => image.naturalWidth > 100));
   assert.match(await page.locator("article pre").first().textContent(), /ar3d study run quick[^]*run-tests/);
   assert.equal(await page.locator("article table").first().locator("th").count(), 5);
-  await shot("site-1280");
+  await shot(page, "site-1280");
 });
 
 test("search finds a word of the proofs and a command", async () => {
@@ -85,7 +74,7 @@ test("dark where the system is dark, and by the button", async () => {
     return 0.2126 * r + 0.7152 * g + 0.0722 * b;
   }, property);
   assert.ok((await luminance("color") + 0.05) / (await luminance("backgroundColor") + 0.05) >= 4.5);  // WCAG AA
-  await shot("site-1280-dark");
+  await shot(page, "site-1280-dark");
 });
 
 test("at 390 pixels nothing is wider than the screen, but tables and code that scroll", async () => {
@@ -93,7 +82,7 @@ test("at 390 pixels nothing is wider than the screen, but tables and code that s
   for (const place of sample) {
     await page.goto(origin + place);
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= 390, place);
-    await shot("site-390-" + place.replace(/\W/g, "-"));
+    await shot(page, "site-390-" + place.replace(/\W/g, "-"));
   }
 });
 
@@ -101,7 +90,7 @@ test("C++ is there, and nothing is asked of other sites", async () => {
   await page.setViewportSize({width: 1280, height: 900});
   await page.goto(origin + "cpp/annotated.html");
   assert.match(await page.textContent("body"), /Certificate/);
-  await shot("site-1280-cpp");
+  await shot(page, "site-1280-cpp");
   assert.deepEqual(requests.filter(url => !url.startsWith(origin)), []);
   assert.deepEqual(complaints, []);
 });

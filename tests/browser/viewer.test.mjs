@@ -1,35 +1,19 @@
-// The page of `ar3d draw --format html` and `ar3d view` in headless Chromium, drawn in software.
-// AR3D_PROGRAM names the program; screenshots go to AR3D_SCREENSHOTS if that is set.
+// The page of `ar3d draw --format html` and `ar3d view` in headless Chromium.
 import assert from "node:assert/strict";
 import {execFileSync, spawnSync} from "node:child_process";
-import {mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync} from "node:fs";
+import {mkdtempSync, readFileSync, rmSync, statSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {join} from "node:path";
 import {after, before, test} from "node:test";
-import {chromium} from "playwright-core";
+import {complaints, launch, newPage as pageOf, program, requests, shot} from "./chromium.mjs";
 
-const program = process.env.AR3D_PROGRAM, shots = process.env.AR3D_SCREENSHOTS;
-const flags = ["--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic", "--no-first-run",
-  "--disable-background-networking", "--disable-component-update", "--disable-sync"];
 const minus = text => text.replace(/-/g, "\u2212");
 
 let folder, browser, page, k5;
-const complaints = [], requests = [];
 const at = name => join(folder, name);
 const ar3d = (args, input = "") => execFileSync(program, args, {input, maxBuffer: 1 << 30}).toString();
 
-const shot = async name => {
-  if (!shots) return;
-  mkdirSync(shots, {recursive: true});
-  await page.screenshot({path: join(shots, name + ".png")});
-};
-const newPage = async options => {
-  const made = await browser.newPage({viewport: {width: 1280, height: 900}, ...options});
-  made.on("console", message => { if (["error", "warning"].includes(message.type())) complaints.push(message.text()); });
-  made.on("pageerror", error => complaints.push(String(error)));
-  made.on("request", request => requests.push(request.url()));
-  return made;
-};
+const newPage = options => pageOf(browser, options);
 const settled = () => page.waitForFunction(() => globalThis.ar3d.view.ready && globalThis.ar3d.view.settled && !globalThis.ar3d.view.moving, null, {timeout: 60000});
 const open = async name => {
   await page.goto("file://" + at(name));
@@ -65,7 +49,7 @@ before(async () => {
   writeFileSync(at("several.jsonl"), [k5, broken, unknown, {n: 7, error: "a vertex of degree 6"}].map(line => JSON.stringify(line) + "\n").join(""));
   ar3d(["view", at("several.jsonl")]);
   writeFileSync(at("broken.jsonl"), JSON.stringify(broken) + "\n");
-  browser = await chromium.launch({executablePath: "/usr/bin/chromium", args: flags});
+  browser = await launch();
   page = await newPage();
 });
 
@@ -80,7 +64,7 @@ test("a small page opens from disk and asks for nothing else", async () => {
   assert.equal(await page.locator("#verdict").textContent(), "certified");
   assert.match(await page.locator("#facts").textContent(), /^5 vertices, 10 edges, 30 bends, box /);
   assert.deepEqual(requests.filter(url => url !== "file://" + at("k5.html") && !url.startsWith("blob:")), []);
-  await shot("viewer-k5-light");
+  await shot(page, "viewer-k5-light");
 });
 
 test("turning, moving and zooming change the picture", async () => {
@@ -124,7 +108,7 @@ test("a click selects, shows angles, and an edge is followed", async () => {
   const place = await placeOnScreen(1);
   await page.mouse.click(place.x, place.y);
   assert.match(await page.locator("#selected").textContent(), /^vertex 1 at /);
-  await shot("viewer-k5-angles");
+  await shot(page, "viewer-k5-angles");
   await page.keyboard.press("e");
   assert.match(await page.locator("#selected").textContent(), /^edge \d\u20131|^edge 1\u2013\d/);
   const before = await page.evaluate(() => globalThis.ar3d.camera());
@@ -164,7 +148,7 @@ test("boxes, numbers, colours and thickness change the picture", async () => {
   await page.keyboard.press("t");
   assert.match(await page.locator("#bound-text").textContent(), /16\/3 n, 16\/3 n, 8 n/);
   await page.locator("#names").check();
-  await shot("viewer-k5-boxes");
+  await shot(page, "viewer-k5-boxes");
 });
 
 test("violations are listed as verify lists them, and a click flies there", async () => {
@@ -180,7 +164,7 @@ test("violations are listed as verify lists them, and a click flies there", asyn
   await page.locator("#violation-list button").first().click();
   await page.waitForTimeout(900);
   assert.notDeepEqual(await page.evaluate(() => globalThis.ar3d.camera()), before);
-  await shot("viewer-violation");
+  await shot(page, "viewer-violation");
   await page.keyboard.press("v");
   assert.equal(await page.locator("#violation-list button[aria-current=true]").count(), 1);
 });
@@ -211,7 +195,7 @@ test("it reads at 1280 and 390 pixels, light and dark", async () => {
   await page.waitForFunction(() => document.documentElement.classList.contains("dark"));
   assert.notEqual(await background(), light);
   assert.notEqual(await picture(), picturedLight);
-  await shot("viewer-k5-dark");
+  await shot(page, "viewer-k5-dark");
   await page.keyboard.press("d");
   assert.equal(await background(), light);
   await page.emulateMedia({colorScheme: "light"});
@@ -226,7 +210,7 @@ test("it reads at 1280 and 390 pixels, light and dark", async () => {
       return box.width > 0 && (box.left < -1 || box.right > innerWidth + 1);
     }).map(e => e.outerHTML.slice(0, 80)));
     assert.deepEqual(outside, []);
-    await shot(open ? "viewer-390-controls" : "viewer-390");
+    await shot(page, open ? "viewer-390-controls" : "viewer-390");
   }
   await page.setViewportSize({width: 1280, height: 900});
 });
@@ -278,7 +262,7 @@ test("a drawing of 10^4 vertices is shown as lines, and as tubes from near", asy
   await open("large.html");
   assert.notEqual(await page.evaluate(() => globalThis.ar3d.view.level), "tubes");
   assert.match(await page.locator("#detail").textContent(), /sample of [\d,]+ of 120,000 segments/);
-  await shot("viewer-10000");
+  await shot(page, "viewer-10000");
   // A frame of the turning drawing: few draw calls, no tubes, fewer lines than the picture at rest.
   const cost = await page.evaluate(() => new Promise(done => {
     let frames = 0;
@@ -296,7 +280,7 @@ test("a drawing of 10^4 vertices is shown as lines, and as tubes from near", asy
   for (let i = 0; i < 24; ++i) await page.keyboard.press("+");
   await page.waitForTimeout(600);
   assert.notEqual(await picture(), far);
-  await shot("viewer-10000-near");
+  await shot(page, "viewer-10000-near");
 });
 
 test("the console stays silent", () => assert.deepEqual(complaints, []));

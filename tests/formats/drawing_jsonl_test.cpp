@@ -82,18 +82,18 @@ TEST(DrawingJsonl, GivesBackWhatItWrote) {
 }
 
 TEST(DrawingJsonl, StreamsToAFile) {
-  const TemporaryFolder folder;
-  OutputFile output(folder.file("d.jsonl"));
+  const ScratchDirectory folder = ScratchDirectory::in_memory();
+  OutputFile output(folder.path("d.jsonl"));
   for (int i = 0; i < 2000; ++i) write_drawing_line(output, kEdge);
   output.commit();
-  DrawingJsonlReader reader(folder.file("d.jsonl"));
+  DrawingJsonlReader reader(folder.path("d.jsonl"));
   int count = 0;
   while (const auto line = reader.next()) {
     EXPECT_EQ(line_of(std::get<Drawing>(*line)), kEdgeLine);
     ++count;
   }
   EXPECT_EQ(count, 2000);
-  EXPECT_EQ(reader.where(), folder.file("d.jsonl") + ":2000");
+  EXPECT_EQ(reader.where(), folder.path("d.jsonl") + ":2000");
 }
 
 TEST(DrawingJsonl, ReadsErrorsBlanksAndAnyOrderOfKeys) {

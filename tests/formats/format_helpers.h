@@ -30,39 +30,11 @@ inline std::string refusal(const std::string& text, const ReadOptions& options =
   return problem([&] { read_text(text, options); }, "accepted");
 }
 
-/// A folder for the test's files, removed with them; in memory where the system has such a place,
-/// since every committed file is synchronised.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    const fs::path memory = "/dev/shm";
-    const bool usable = ::access(memory.c_str(), W_OK) == 0;
-    const auto parent = usable ? memory : fs::temp_directory_path();
-    std::string name = (parent / "ar3d-test-XXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder() { fs::remove_all(path_); }
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-  std::size_t entries() const {
-    return static_cast<std::size_t>(
-        std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
-  }
-
- private:
-  fs::path path_;
-};
-
-inline void write_file(const std::string& path, const std::string& bytes) {
-  std::ofstream(path, std::ios::binary) << bytes;
-}
-
 inline std::string written(const std::vector<Graph>& graphs, const GraphFormat& format,
                            const WriteOptions& options = {}) {
-  const TemporaryFolder folder;
-  write_graphs(graphs, format, folder.file("graph"), options);
-  return read_file(folder.file("graph"));
+  const ScratchDirectory folder = ScratchDirectory::in_memory();
+  write_graphs(graphs, format, folder.path("graph"), options);
+  return read_file(folder.path("graph"));
 }
 
 /// n and the edges as a sorted list of pairs (smaller, larger): equal for equal labelled graphs.

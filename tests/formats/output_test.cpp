@@ -21,9 +21,9 @@ std::string refusal_to_write(const std::string& path, const std::string& text) {
 }
 
 TEST(OutputFile, AppearsOnlyWhenComplete) {
-  const TemporaryFolder folder;
-  const std::string path = folder.file("out");
-  write_file(path, "old");
+  const ScratchDirectory folder = ScratchDirectory::in_memory();
+  const std::string path = folder.path("out");
+  folder.write("out", "old");
   {
     OutputFile output(path);
     output.append(std::string(1 << 20, 'x'));
@@ -39,40 +39,40 @@ TEST(OutputFile, AppearsOnlyWhenComplete) {
 }
 
 TEST(OutputFile, KeepsModeAndFollowsLinks) {
-  const TemporaryFolder folder;
-  write_file(folder.file("target"), "old");
-  ::chmod(folder.file("target").c_str(), 0640);
-  fs::create_symlink("target", folder.file("link"));
-  EXPECT_EQ(refusal_to_write(folder.file("link"), "new"), "accepted");
-  EXPECT_TRUE(fs::is_symlink(folder.file("link")));
-  EXPECT_EQ(read_file(folder.file("target")), "new");
+  const ScratchDirectory folder = ScratchDirectory::in_memory();
+  folder.write("target", "old");
+  ::chmod(folder.path("target").c_str(), 0640);
+  fs::create_symlink("target", folder.path("link"));
+  EXPECT_EQ(refusal_to_write(folder.path("link"), "new"), "accepted");
+  EXPECT_TRUE(fs::is_symlink(folder.path("link")));
+  EXPECT_EQ(read_file(folder.path("target")), "new");
   struct stat status {};
-  ::stat(folder.file("target").c_str(), &status);
+  ::stat(folder.path("target").c_str(), &status);
   EXPECT_EQ(status.st_mode & 0777, 0640u);
 }
 
 TEST(OutputFile, RefusesWhatCannotBeWritten) {
-  const TemporaryFolder folder;
-  EXPECT_EQ(refusal_to_write(folder.file(""), "x"),
-            "cannot write " + folder.file("") + ": Is a directory");
-  EXPECT_EQ(refusal_to_write(folder.file("no/such/file"), "x"),
-            "cannot write " + folder.file("no/such/file") + ": No such file or directory");
+  const ScratchDirectory folder = ScratchDirectory::in_memory();
+  EXPECT_EQ(refusal_to_write(folder.path(""), "x"),
+            "cannot write " + folder.path("") + ": Is a directory");
+  EXPECT_EQ(refusal_to_write(folder.path("no/such/file"), "x"),
+            "cannot write " + folder.path("no/such/file") + ": No such file or directory");
   EXPECT_EQ(refusal_to_write("/dev/full", "x"), "cannot write /dev/full: No space left on device");
   EXPECT_EQ(refusal_to_write("/dev/null", "x"), "accepted");
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
 TEST(OutputFile, FullDiskLeavesNothingBehind) {
-  const TemporaryFolder folder;
+  const ScratchDirectory folder = ScratchDirectory::in_memory();
   rlimit old{};
   getrlimit(RLIMIT_FSIZE, &old);
   const rlimit small{1 << 17, old.rlim_max};
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
   setrlimit(RLIMIT_FSIZE, &small);
-  const std::string message = refusal_to_write(folder.file("out"), std::string(1 << 20, 'x'));
+  const std::string message = refusal_to_write(folder.path("out"), std::string(1 << 20, 'x'));
   setrlimit(RLIMIT_FSIZE, &old);
   std::signal(SIGXFSZ, handler);
-  EXPECT_EQ(message, "cannot write " + folder.file("out") + ": File too large");
+  EXPECT_EQ(message, "cannot write " + folder.path("out") + ": File too large");
   EXPECT_EQ(folder.entries(), 0u);
 }
 

@@ -18,36 +18,36 @@ std::string file_refusal(const std::string& path) {
 }
 
 TEST(GraphReader, ReadsFilesPackedOrNot) {
-  const TemporaryFolder folder;
+  const ScratchDirectory folder = ScratchDirectory::in_memory();
   const std::string text = "DQc\nDQc\n";
   std::vector<std::string> contents = {text, gzip(text), gzip("DQc\n") + gzip("DQc\n"), xz(text),
                                        xz("DQc\n") + xz("DQc\n")};
   for (std::size_t i = 0; i < contents.size(); ++i) {
-    write_file(folder.file("graphs"), contents[i]);
-    GraphReader reader(folder.file("graphs"));
+    folder.write("graphs", contents[i]);
+    GraphReader reader(folder.path("graphs"));
     EXPECT_EQ(reader.format().name, "graph6");
     EXPECT_TRUE(reader.next() && reader.next() && !reader.next()) << "content " << i;
     EXPECT_EQ(reader.graphs_read(), 2u);
-    EXPECT_EQ(reader.where(), folder.file("graphs") + ":2");
+    EXPECT_EQ(reader.where(), folder.path("graphs") + ":2");
   }
 }
 
 TEST(GraphReader, RefusesFilesThatCannotBeRead) {
-  const TemporaryFolder folder;
-  EXPECT_EQ(file_refusal(folder.file("none.g6")),
-            "cannot read " + folder.file("none.g6") + ": No such file or directory");
-  EXPECT_EQ(file_refusal(folder.file("")), "cannot read " + folder.file("") + ": Is a directory");
-  write_file(folder.file("empty"), "");
-  EXPECT_EQ(file_refusal(folder.file("empty")),
-            folder.file("empty") + ": empty file: no graph in it");
+  const ScratchDirectory folder = ScratchDirectory::in_memory();
+  EXPECT_EQ(file_refusal(folder.path("none.g6")),
+            "cannot read " + folder.path("none.g6") + ": No such file or directory");
+  EXPECT_EQ(file_refusal(folder.path("")), "cannot read " + folder.path("") + ": Is a directory");
+  folder.write("empty", "");
+  EXPECT_EQ(file_refusal(folder.path("empty")),
+            folder.path("empty") + ": empty file: no graph in it");
 }
 
 TEST(GraphReader, RefusesCutAndCorruptPacking) {
-  const TemporaryFolder folder;
+  const ScratchDirectory folder = ScratchDirectory::in_memory();
   const std::string text = written({path(200)}, find_graph_format("sparse6"));
   const auto refused = [&](const std::string& bytes) {
-    write_file(folder.file("f"), bytes);
-    return file_refusal(folder.file("f")).substr(folder.file("f").size());
+    folder.write("f", bytes);
+    return file_refusal(folder.path("f")).substr(folder.path("f").size());
   };
   const std::string packed = gzip(text);
   EXPECT_EQ(refused(packed.substr(0, packed.size() - 9)), ": the gzip data end too early");
@@ -92,11 +92,11 @@ TEST(GraphReader, LinesLongerThanABlock) {
 }
 
 TEST(GraphReader, ReadsOneGraph) {
-  const TemporaryFolder folder;
-  write_file(folder.file("one"), "DQc\n");
-  write_file(folder.file("two"), "DQc\nDQc\n");
-  EXPECT_EQ(read_graph(folder.file("one")).num_edges(), 4u);
-  EXPECT_THROW(read_graph(folder.file("two")), InputError);
+  const ScratchDirectory folder = ScratchDirectory::in_memory();
+  folder.write("one", "DQc\n");
+  folder.write("two", "DQc\nDQc\n");
+  EXPECT_EQ(read_graph(folder.path("one")).num_edges(), 4u);
+  EXPECT_THROW(read_graph(folder.path("two")), InputError);
 }
 
 TEST(GraphFormats, AreFoundByNameAndPath) {

@@ -72,9 +72,9 @@ TEST_P(RoundTrip, PackedAndInSeveralMembers) {
   const std::string second = text.substr(text.size() / 2);
   for (const std::string& bytes :
        {gzip(text), gzip(first) + gzip(second), xz(text), xz(first) + xz(second)}) {
-    const TemporaryFolder folder;
-    write_file(folder.file("packed"), bytes);
-    GraphReader reader(folder.file("packed"));
+    const ScratchDirectory folder = ScratchDirectory::in_memory();
+    folder.write("packed", bytes);
+    GraphReader reader(folder.path("packed"));
     for (const Graph& graph : graphs) {
       const std::optional<Graph> back = reader.next();
       ASSERT_TRUE(back.has_value()) << reader.where();

@@ -105,10 +105,10 @@ TEST(ListsOfNames, GiveTheirVerticesNames) {
   const NamedRead rows = read_named("alice bob carol\nbob carol\n", {.format = "adjlist"});
   EXPECT_EQ(edge_set(rows.graph), edge_set(cycle(3)));
   EXPECT_THAT(rows.names, ElementsAre("alice", "bob", "carol"));
-  const TemporaryFolder folder;
+  const ScratchDirectory folder = ScratchDirectory::in_memory();
   for (const char* name : {"a.edges", "a.ncol"}) {
-    write_file(folder.file(name), text);
-    EXPECT_EQ(read_graph(folder.file(name)).num_vertices(), 3u) << name;
+    folder.write(name, text);
+    EXPECT_EQ(read_graph(folder.path(name)).num_vertices(), 3u) << name;
   }
   EXPECT_THAT(refusal(text), HasSubstr("expected a vertex id, found 'alice'"))
       << "only where somebody says that it is an edge list";

@@ -26,14 +26,7 @@ std::string lacks_in_head(const std::string& source) {
 }
 
 TEST(HeadComments, OfEveryStageNameItsStepAndItsCost) {
-  static const std::regex stage("algorithms/\\w+/\\w+\\.cpp");
-  int stages = 0;
-  for (const auto& [path, text] : read_tree(AR3D_SOURCE_DIR).files) {
-    if (!std::regex_match(path, stage)) continue;
-    ++stages;
-    EXPECT_EQ(lacks_in_head(text), "") << path;
-  }
-  EXPECT_GT(stages, 60);
+  expect_of_sources("algorithms/\\w+/\\w+\\.cpp", 60, lacks_in_head);
 }
 
 TEST(HeadComments, LackWhatIsNotThere) {

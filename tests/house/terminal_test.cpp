@@ -17,15 +17,8 @@ std::string direct_output(const std::string& source) {
 }
 
 TEST(Terminal, EveryVerbWritesThroughSay) {
-  static const std::regex verbs("(apps|analysis|bench/(compare|keep|plan|replay|search|spec))/.*");
-  int files = 0;
-  for (const auto& [path, text] : read_tree(AR3D_SOURCE_DIR).files) {
-    if (!std::regex_match(path, verbs) || !(path.ends_with(".cpp") || path.ends_with(".h")))
-      continue;
-    ++files;
-    EXPECT_EQ(direct_output(text), "") << path;
-  }
-  EXPECT_GT(files, 100);
+  expect_of_sources("(apps|analysis|bench/(compare|keep|plan|replay|search|spec))/.*\\.(cpp|h)",
+                    100, direct_output);
 }
 
 TEST(Terminal, DirectOutputIsFound) {

@@ -15,15 +15,25 @@
 
 namespace ar3d::testing {
 
-ScratchDirectory::ScratchDirectory() {
-  std::string pattern = (fs::temp_directory_path() / "ar3d-test-XXXXXX").string();
+ScratchDirectory::ScratchDirectory(const fs::path& parent) {
+  std::string pattern = (parent / "ar3d-test-XXXXXX").string();
   if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("mkdtemp failed");
   root_ = pattern;
+}
+
+ScratchDirectory ScratchDirectory::in_memory() {
+  const char* const memory = "/dev/shm";
+  return ScratchDirectory(access(memory, W_OK) == 0 ? memory : fs::temp_directory_path());
 }
 
 ScratchDirectory::~ScratchDirectory() {
   std::error_code ignored;
   fs::remove_all(root_, ignored);
+}
+
+std::size_t ScratchDirectory::entries() const {
+  return static_cast<std::size_t>(
+      std::distance(fs::directory_iterator(root_), fs::directory_iterator()));
 }
 
 std::string ScratchDirectory::write(const std::string& name, const std::string& content) const {
@@ -55,10 +65,9 @@ std::string with_program(std::string command) {
 }
 
 void expect_parts(const Outcome& outcome, const char* stream, const std::string& text,
-                  std::initializer_list<std::string> parts, int exit_code,
-                  std::experimental::source_location where) {
+                  const Parts& parts, int exit_code, std::experimental::source_location where) {
   expect_exit(exit_code, outcome, where);
-  for (const std::string& part : parts) {
+  for (const std::string& part : parts.all) {
     if (text.find(part) != std::string::npos) continue;
     ADD_FAILURE_AT(where.file_name(), static_cast<int>(where.line()))
         << stream << " has no '" << part << "'\n"
@@ -104,24 +113,14 @@ Outcome expect_exit(int exit_code, Outcome outcome, std::experimental::source_lo
   return outcome;
 }
 
-void expect_output(const Outcome& outcome, std::initializer_list<std::string> parts, int exit_code,
+void expect_output(const Outcome& outcome, const Parts& parts, int exit_code,
                    std::experimental::source_location where) {
   expect_parts(outcome, "standard output", outcome.out, parts, exit_code, where);
 }
 
-void expect_output(const Outcome& outcome, const std::string& part, int exit_code,
-                   std::experimental::source_location where) {
-  expect_parts(outcome, "standard output", outcome.out, {part}, exit_code, where);
-}
-
-void expect_error(const Outcome& outcome, std::initializer_list<std::string> parts, int exit_code,
+void expect_error(const Outcome& outcome, const Parts& parts, int exit_code,
                   std::experimental::source_location where) {
   expect_parts(outcome, "standard error", outcome.err, parts, exit_code, where);
-}
-
-void expect_error(const Outcome& outcome, const std::string& part, int exit_code,
-                  std::experimental::source_location where) {
-  expect_parts(outcome, "standard error", outcome.err, {part}, exit_code, where);
 }
 
 void expect_one_line(const Outcome& outcome, const std::string& part, int exit_code,

@@ -3,6 +3,8 @@
 #include <experimental/source_location>
 #include <initializer_list>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "support/test.h"
 
@@ -28,20 +30,22 @@ Outcome expect_exit(
     int exit_code, Outcome outcome,
     std::experimental::source_location where = std::experimental::source_location::current());
 
-/// Expects that exit code, and `part`, or all of `parts`, on standard output.
+/// One text or several in braces.
+struct Parts {
+  Parts(const char* part) : all{part} {}
+  Parts(std::string part) : all{std::move(part)} {}
+  Parts(std::initializer_list<std::string> parts) : all(parts) {}
+  std::vector<std::string> all;
+};
+
+/// Expects that exit code, and all parts on standard output.
 void expect_output(
-    const Outcome& outcome, const std::string& part, int exit_code = 0,
-    std::experimental::source_location where = std::experimental::source_location::current());
-void expect_output(
-    const Outcome& outcome, std::initializer_list<std::string> parts, int exit_code = 0,
+    const Outcome& outcome, const Parts& parts, int exit_code = 0,
     std::experimental::source_location where = std::experimental::source_location::current());
 
-/// Expects that exit code, and `part`, or all of `parts`, on standard error.
+/// Expects that exit code, and all parts on standard error.
 void expect_error(
-    const Outcome& outcome, const std::string& part, int exit_code = 2,
-    std::experimental::source_location where = std::experimental::source_location::current());
-void expect_error(
-    const Outcome& outcome, std::initializer_list<std::string> parts, int exit_code = 2,
+    const Outcome& outcome, const Parts& parts, int exit_code = 2,
     std::experimental::source_location where = std::experimental::source_location::current());
 
 /// Expects that exit code, and one line on standard error, which holds `part`.
@@ -56,11 +60,16 @@ std::string with_fault(const std::string& fault);
 /// A fresh directory of this test, removed by the destructor.
 class ScratchDirectory {
  public:
-  ScratchDirectory();
+  ScratchDirectory() : ScratchDirectory(fs::temp_directory_path()) {}
+  explicit ScratchDirectory(const fs::path& parent);
+  /// In memory where the system has such a place, since every committed file is synchronised.
+  static ScratchDirectory in_memory();
   ~ScratchDirectory();
   ScratchDirectory(const ScratchDirectory&) = delete;
   ScratchDirectory& operator=(const ScratchDirectory&) = delete;
   std::string path(const std::string& name) const { return root_ + "/" + name; }
+  /// How many files and folders it holds.
+  std::size_t entries() const;
   /// Writes a file into the directory and returns its path.
   std::string write(const std::string& name, const std::string& content) const;
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -26,6 +27,18 @@ Tree read_tree(const std::string& root) {
     }
   }
   return tree;
+}
+
+void expect_of_sources(const char* pattern, int least,
+                       const std::function<std::string(const std::string& text)>& lacks) {
+  const std::regex whole(pattern);
+  int sources = 0;
+  for (const auto& [path, text] : read_tree(AR3D_SOURCE_DIR).files) {
+    if (!std::regex_match(path, whole)) continue;
+    ++sources;
+    EXPECT_EQ(lacks(text), "") << path;
+  }
+  EXPECT_GT(sources, least);
 }
 
 std::map<std::string, std::string> read_help() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -14,6 +15,11 @@ struct Tree {
 
 /// The files below `root` that people write: no build folders, no hidden ones, nothing binary.
 Tree read_tree(const std::string& root);
+
+/// Expects that `lacks` finds nothing in any file whose whole path matches, of which there are more
+/// than `least`.
+void expect_of_sources(const char* pattern, int least,
+                       const std::function<std::string(const std::string& text)>& lacks);
 
 /// Asks the program for its help, verb by verb.
 std::map<std::string, std::string> read_help();
