@@ -29,11 +29,6 @@ const SizeBound& size_bound() {
 constexpr std::array<Tightness, 2> kNarrow = {
     {{}, {.cells = 95, .rows = 107, .reach = 57, .extra_columns = 2, .ejections = 200}}};
 
-void refuse_bad_graph(const Graph& graph) {
-  refuse_larger_degrees("compact", graph, 4);
-  refuse_more_vertices("compact", graph, kMaxVertices);
-}
-
 /// The first of some ever wider strips that can be filled, if it keeps the guarantee's box.
 std::optional<Placement> fill_some_narrow_strip(const Graph& graph, const Decomposition& links,
                                                 Tightness first, std::uint64_t seed,
@@ -57,7 +52,8 @@ Drawing draw(const Graph& graph, const Options& options) {
 }
 
 Drawing draw_from(const Graph& graph, const std::optional<Tightness>& first) {
-  refuse_bad_graph(graph);
+  refuse_larger_degrees("compact", graph, 4);
+  refuse_more_vertices("compact", graph, kMaxVertices);
   const Decomposition links = decompose(graph);
   const std::uint64_t seed = mix_seed(graph.num_vertices(), graph.num_edges());
   Census census;

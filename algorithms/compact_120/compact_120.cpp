@@ -30,11 +30,6 @@ constexpr std::array<Tightness, 2> kNarrow = {
     {{.cells = 90, .rows = 110, .reach = 15, .ejections = 200},
      {.cells = 78, .rows = 112, .reach = 12, .extra_columns = 2, .ejections = 600}}};
 
-void refuse_bad_graph(const Graph& graph) {
-  refuse_larger_degrees("compact-120", graph, 3);
-  refuse_more_vertices("compact-120", graph, kMaxVertices);
-}
-
 /// @param order  of a narrow strip; null: the strip is in zones.
 Drawing finished(const Graph& graph, const Strip& strip, const NarrowOrder* order,
                  const Census& census) {
@@ -84,7 +79,8 @@ Drawing draw(const Graph& graph, const Options& options) {
 }
 
 Drawing draw_from(const Graph& graph, const std::optional<Tightness>& first) {
-  refuse_bad_graph(graph);
+  refuse_larger_degrees("compact-120", graph, 3);
+  refuse_more_vertices("compact-120", graph, kMaxVertices);
   const std::uint64_t seed = mix_seed(graph.num_vertices(), graph.num_edges());
   Census census;
   if (first) {

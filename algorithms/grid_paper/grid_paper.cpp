@@ -20,7 +20,7 @@ std::array<std::int64_t, 3> own_bound(std::int64_t n, std::int64_t c, std::int64
 
 }  // namespace
 
-Drawing draw_with(const Graph& graph, const Options& options, const RepairSwitches& repairs) {
+Drawing draw(const Graph& graph, const Options& options, const RepairSwitches& repairs) {
   refuse_larger_degrees("grid-paper", graph, 3);
   refuse_more_vertices("grid-paper", graph, kMostVertices);
   DrawingBuilder builder(graph, options, repairs);
@@ -39,8 +39,6 @@ Drawing draw_with(const Graph& graph, const Options& options, const RepairSwitch
   }
   return drawing;
 }
-
-Drawing draw(const Graph& graph, const Options& options) { return draw_with(graph, options, {}); }
 
 Algorithm row() {
   const AxisBound paper = cubic(1);

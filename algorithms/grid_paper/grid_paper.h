@@ -35,24 +35,6 @@ struct Options {
 /// Largest number of vertices: Lemma G.5 keeps every coordinate, and sum of two, below 2^61.
 inline constexpr std::uint32_t kMostVertices = 1u << 20;
 
-/// Draws a simple graph of maximum degree 3 as the paper's proof of Theorem 3 builds it: flat
-/// cycles one above the other, trees in vertical planes; repaired where the text fails. At most 3
-/// bends an edge, segments on face diagonals of the unit cubes, exactly 120 degrees at every bend
-/// and between any two segments at a vertex.
-/// @param graph  n vertices, m edges; may be disconnected.
-/// @return extents within the guarantee of row(), lengths in unit cubes; instance_bound is Lemma
-/// G.5 with the numbers of cycles and of vertices on them that occur. Counters: the extents in the
-/// paper's skewed coordinates, and how often each case occurs.
-/// @throws InputError if graph.max_degree() > 3 or n > kMostVertices.
-/// Cost: a breadth-first search for every change of a vertex's shortest cycle, each O(n) at worst;
-/// a few comparisons for a vertex of a flat cycle, at worst with all others of it; O(log n) for any
-/// other vertex; O(n) memory. Source: Theorem 3 of the paper; docs/theorem3-paper.md has the
-/// construction, its repairs and its proof.
-Drawing draw(const Graph& graph, const Options& options = {});
-
-/// The catalogue row `grid-paper`.
-Algorithm row();
-
 /// The repairs of the text that can be left out, each by itself. Only tests do, to see the verifier
 /// object, and only they ask for random cycles.
 struct RepairSwitches {
@@ -67,7 +49,22 @@ struct RepairSwitches {
   bool switch_late = true;                          ///< G.14
   std::optional<std::uint64_t> random_cycles = {};  ///< seed of random walks that choose the cycles
 };
-/// draw() for tests.
-Drawing draw_with(const Graph& graph, const Options& options, const RepairSwitches& repairs);
+/// Draws a simple graph of maximum degree 3 as the paper's proof of Theorem 3 builds it: flat
+/// cycles one above the other, trees in vertical planes; repaired where the text fails. At most 3
+/// bends an edge, segments on face diagonals of the unit cubes, exactly 120 degrees at every bend
+/// and between any two segments at a vertex.
+/// @param graph  n vertices, m edges; may be disconnected.
+/// @return extents within the guarantee of row(), lengths in unit cubes; instance_bound is Lemma
+/// G.5 with the numbers of cycles and of vertices on them that occur. Counters: the extents in the
+/// paper's skewed coordinates, and how often each case occurs.
+/// @throws InputError if graph.max_degree() > 3 or n > kMostVertices.
+/// Cost: a breadth-first search for every change of a vertex's shortest cycle, each O(n) at worst;
+/// a few comparisons for a vertex of a flat cycle, at worst with all others of it; O(log n) for any
+/// other vertex; O(n) memory. Source: Theorem 3 of the paper; docs/theorem3-paper.md has the
+/// construction, its repairs and its proof.
+Drawing draw(const Graph& graph, const Options& options = {}, const RepairSwitches& repairs = {});
+
+/// The catalogue row `grid-paper`.
+Algorithm row();
 
 }  // namespace ar3d::grid_paper

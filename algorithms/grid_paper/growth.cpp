@@ -10,13 +10,14 @@
 #include <limits>
 #include <queue>
 
+#include "ar3d/algorithms/shortest_cycle.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/random.h"
 
 namespace ar3d::grid_paper {
 namespace {
 
-constexpr std::uint32_t kUnreached = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNowhere = std::numeric_limits<std::uint32_t>::max();
 
 class ClosureGrower {
  public:
@@ -25,9 +26,8 @@ class ClosureGrower {
         choice_(choice),
         gone_(graph.num_vertices()),
         degree_(graph.num_vertices()),
-        depth_(graph.num_vertices(), kUnreached),
-        parent_(graph.num_vertices()),
-        branch_(graph.num_vertices()) {
+        place_(graph.num_vertices(), kNowhere),
+        search_(graph.num_vertices()) {
     for (Vertex v = 0; v < graph.num_vertices(); ++v) degree_[v] = graph.degree(v);
     if (repairs.random_cycles) random_.emplace(*repairs.random_cycles);
   }
@@ -108,51 +108,18 @@ class ClosureGrower {
       candidates_.pop();
       if (gone_[root] || degree_[root] < 3) continue;
       const std::uint32_t longest = 2 * bound;
-      std::vector<Vertex> cycle = shortest_through(root, longest);
+      std::vector<Vertex> cycle = search_.through(
+          root, longest, [this](Vertex v) { return graph_.incident(v); }, gone_);
       const bool is_found = !cycle.empty();
-      if (!is_found && is_all_reached_) continue;  // it never will be on a cycle
+      if (!is_found && search_.is_all_reached()) continue;  // it never will be on a cycle
       const Candidate next{is_found ? static_cast<std::uint32_t>(cycle.size()) : longest + 1, root};
-      if (is_found && (candidates_.empty() || next < candidates_.top())) return cycle;
+      if (is_found && (candidates_.empty() || next < candidates_.top())) {
+        std::rotate(cycle.begin(), cycle.begin() + 1, cycle.end());  // the root last
+        return cycle;
+      }
       candidates_.push(next);
     }
     return cycle_by_walk(component);
-  }
-
-  /// Breadth first. An edge between two branches closes a cycle through the
-  /// root, and the shortest one has such an edge whose ends are reached on
-  /// shortest ways. Empty if it is longer.
-  std::vector<Vertex> shortest_through(Vertex root, std::uint32_t longest) {
-    std::uint32_t best = longest + 1;
-    std::pair<Vertex, Vertex> closing;
-    std::vector<Vertex> reached{root};
-    depth_[root] = 0;
-    parent_[root] = branch_[root] = root;
-    std::size_t i = 0;
-    for (; i < reached.size() && 2 * depth_[reached[i]] + 1 < best; ++i) {
-      const Vertex a = reached[i];
-      for (const auto [b, edge] : graph_.incident(a)) {
-        if (gone_[b] || b == parent_[a]) continue;
-        if (depth_[b] == kUnreached) {
-          depth_[b] = depth_[a] + 1;
-          parent_[b] = a;
-          branch_[b] = a == root ? b : branch_[a];
-          reached.push_back(b);
-        } else if (branch_[a] != branch_[b] && depth_[a] + depth_[b] + 1 < best) {
-          best = depth_[a] + depth_[b] + 1;
-          closing = {a, b};
-        }
-      }
-    }
-    is_all_reached_ = i == reached.size();
-    std::vector<Vertex> cycle;
-    if (best <= longest) {
-      for (Vertex v = closing.first; v != root; v = parent_[v]) cycle.push_back(v);
-      std::reverse(cycle.begin(), cycle.end());
-      for (Vertex v = closing.second; v != root; v = parent_[v]) cycle.push_back(v);
-      cycle.push_back(root);
-    }
-    for (const Vertex v : reached) depth_[v] = kUnreached;
-    return cycle;
   }
 
   /// The first that a walk from the least vertex closes, to the first neighbour
@@ -170,15 +137,15 @@ class ClosureGrower {
       for (const auto [w, edge] : graph_.incident(v)) {
         if (gone_[w] || (!walk.empty() && w == walk.back())) continue;
         ahead.push_back(w);
-        if (depth_[w] != kUnreached) latest = std::max<std::int64_t>(latest, depth_[w]);
+        if (place_[w] != kNowhere) latest = std::max<std::int64_t>(latest, place_[w]);
       }
       expect(!ahead.empty(), "every vertex outside has two neighbours there");
-      depth_[v] = static_cast<std::uint32_t>(walk.size());
+      place_[v] = static_cast<std::uint32_t>(walk.size());
       walk.push_back(v);
       if (latest >= 0) cycle.assign(walk.begin() + latest, walk.end());
       v = ahead[random_ ? random_below(ahead.size()) : 0];
     }
-    for (const Vertex w : walk) depth_[w] = kUnreached;
+    for (const Vertex w : walk) place_[w] = kNowhere;
     return cycle;
   }
   std::size_t random_below(std::size_t count) {
@@ -193,10 +160,8 @@ class ClosureGrower {
   std::deque<Vertex> queue_;           // of the closure
   std::size_t first_ = 0;              // all before it in the component are gone
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> candidates_;
-  std::vector<std::uint32_t> depth_;  // of a search, or place on a walk; kUnreached between them
-  std::vector<Vertex> parent_;
-  std::vector<Vertex> branch_;  // the child of the root through which a vertex was reached
-  bool is_all_reached_ = false;
+  std::vector<std::uint32_t> place_;  // on a walk; kNowhere between walks
+  ShortestCycleSearch search_;
 };
 
 }  // namespace

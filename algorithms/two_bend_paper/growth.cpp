@@ -7,70 +7,28 @@
 
 #include <algorithm>
 #include <deque>
-#include <limits>
 
 #include "ar3d/base/error.h"
 
 namespace ar3d::two_bend_paper {
 namespace {
 
-constexpr std::uint32_t kUnreached = std::numeric_limits<std::uint32_t>::max();
-constexpr std::uint32_t kShortest = 4;  // there are no triangles
+constexpr std::size_t kShortest = 4;  // there are no triangles
 
 }  // namespace
 
-ShortestCycle::ShortestCycle(const ContractedGraph& graph)
-    : graph_(graph), depth_(graph.num_nodes(), kUnreached), parent_(graph.num_nodes()) {}
-
-// Breadth first. The least depth(a) + depth(b) + 1 over all roots is the girth, and where it is
-// reached the two ways to the root have nothing else in common: else there was a shorter cycle.
-std::optional<std::pair<Node, Node>> ShortestCycle::search(Node root,
-                                                           const std::vector<bool>& inside) {
-  for (const Node node : reached_) depth_[node] = kUnreached;
-  reached_.assign(1, root);
-  depth_[root] = 0;
-  parent_[root] = root;
-  std::optional<std::pair<Node, Node>> closing;
-  for (std::size_t i = 0; i < reached_.size(); ++i) {
-    const Node a = reached_[i];
-    if (best_ != 0 && 2 * depth_[a] + 1 >= best_) break;
-    for (const HalfEdge incidence : graph_.stars[a]) {
-      const Node b = incidence.to;
-      if (inside[b] || b == parent_[a]) continue;
-      if (depth_[b] == kUnreached) {
-        depth_[b] = depth_[a] + 1;
-        parent_[b] = a;
-        reached_.push_back(b);
-      } else if (best_ == 0 || depth_[a] + depth_[b] + 1 < best_) {
-        best_ = depth_[a] + depth_[b] + 1;
-        closing = std::pair(a, b);
-      }
-    }
-  }
-  return closing;
-}
-
-std::vector<Node> ShortestCycle::way_to_root(Node node) const {
-  std::vector<Node> way{node};
-  while (parent_[node] != node) way.push_back(node = parent_[node]);
-  return way;
-}
-
-std::optional<std::vector<Node>> ShortestCycle::find(const std::vector<Node>& nodes,
-                                                     const std::vector<bool>& inside) {
-  best_ = 0;
-  std::optional<std::vector<Node>> cycle;
+std::vector<Node> shortest_cycle(const ContractedGraph& graph, const std::vector<Node>& nodes,
+                                 const std::vector<bool>& inside, ShortestCycleSearch& search) {
+  const auto star = [&graph](Node node) -> const auto& { return graph.stars[node]; };
+  std::vector<Node> best;
   for (const Node root : nodes) {
     if (inside[root]) continue;
-    const std::optional<std::pair<Node, Node>> closing = search(root, inside);
-    if (!closing) continue;
-    cycle = way_to_root(closing->first);
-    std::reverse(cycle->begin(), cycle->end());  // root first
-    const std::vector<Node> back = way_to_root(closing->second);
-    cycle->insert(cycle->end(), back.begin(), back.end() - 1);
-    if (best_ <= kShortest) break;
+    const std::size_t longest = best.empty() ? nodes.size() : best.size() - 1;
+    std::vector<Node> cycle = search.through(root, longest, star, inside);
+    if (!cycle.empty()) best = std::move(cycle);
+    if (!best.empty() && best.size() <= kShortest) break;
   }
-  return cycle;
+  return best;
 }
 
 namespace {
@@ -78,7 +36,10 @@ namespace {
 class Grower {
  public:
   explicit Grower(const ContractedGraph& graph)
-      : graph_(graph), drawn_(graph.num_nodes()), outside_(graph.num_nodes()), cycles_(graph) {
+      : graph_(graph),
+        drawn_(graph.num_nodes()),
+        outside_(graph.num_nodes()),
+        search_(graph.num_nodes()) {
     for (Node node = 0; node < graph.num_nodes(); ++node) {
       outside_[node] = static_cast<std::uint32_t>(graph.stars[node].size());
     }
@@ -136,9 +97,9 @@ class Grower {
       queue_.pop_front();
       if (!drawn_[node]) return single(node);
     }
-    const auto cycle = cycles_.find(nodes_, drawn_);
-    expect(cycle && cycle->size() >= 4, "nodes with two neighbours outside have a long cycle");
-    return ring(*cycle);
+    const std::vector<Node> cycle = shortest_cycle(graph_, nodes_, drawn_, search_);
+    expect(cycle.size() >= kShortest, "nodes with two neighbours outside have a long cycle");
+    return ring(cycle);
   }
 
   Step single(Node node) {
@@ -186,7 +147,7 @@ class Grower {
   const ContractedGraph& graph_;
   std::vector<bool> drawn_;
   std::vector<std::uint32_t> outside_;  // neighbours that are not drawn
-  ShortestCycle cycles_;
+  ShortestCycleSearch search_;
   std::vector<Node> nodes_;  // of the component at hand, ascending
   std::deque<Node> queue_;
 };

@@ -6,33 +6,18 @@
 #include <utility>
 #include <vector>
 
+#include "ar3d/algorithms/shortest_cycle.h"
 #include "ar3d/algorithms/two_bend_paper/contraction.h"
 #include "ar3d/algorithms/two_bend_paper/general_position.h"
 
 namespace ar3d::two_bend_paper {
 
-/// A shortest cycle among the given nodes of a graph, hence without chord; consecutive nodes are
-/// adjacent, the last one and the first too. The first that a search from every node in the order
-/// of `nodes` finds. Cost: O(nodes * edges); a search goes no deeper than half of the best length.
-class ShortestCycle {
- public:
-  explicit ShortestCycle(const ContractedGraph& graph);
-  /// @param inside  nodes that do not count.
-  std::optional<std::vector<Node>> find(const std::vector<Node>& nodes,
-                                        const std::vector<bool>& inside);
-
- private:
-  /// The two nodes where the shortest cycle through the root closes, if it is shorter than the
-  /// best.
-  std::optional<std::pair<Node, Node>> search(Node root, const std::vector<bool>& inside);
-  std::vector<Node> way_to_root(Node node) const;
-
-  const ContractedGraph& graph_;
-  std::uint32_t best_ = 0;            // length of the best cycle so far
-  std::vector<std::uint32_t> depth_;  // in the search at hand
-  std::vector<Node> parent_;
-  std::vector<Node> reached_;  // by the search at hand, in order
-};
+/// A shortest cycle among the given nodes of a graph, hence without chord, in cyclic order: the
+/// first that a search from every node in the order of `nodes` finds; empty if there is none.
+/// @param inside  nodes that do not count. Cost: O(nodes * edges); a search goes no deeper than
+/// half of the best length.
+std::vector<Node> shortest_cycle(const ContractedGraph& graph, const std::vector<Node>& nodes,
+                                 const std::vector<bool>& inside, ShortestCycleSearch& search);
 
 /// A vertex of a cycle that is added, in the order of the cycle.
 struct CycleVertex {
@@ -82,7 +67,7 @@ struct Component {
 };
 
 /// Components in the order of their least nodes (Steps P.2 and P.4).
-/// Cost: O(n log n + m) and a ShortestCycle per cycle.
+/// Cost: O(n log n + m) and a shortest_cycle() per cycle.
 std::vector<Component> grow(const ContractedGraph& graph);
 
 /// Places every foot so that no three rays are in one plane, and each component right of those

@@ -41,7 +41,7 @@ inline std::string grid_paper_fault(const Graph& graph, const Options& options =
                                     CounterSums* sums = nullptr) {
   static const Guarantee guarantee = grid_paper::row().guarantee;
   try {
-    const Drawing drawing = grid_paper::draw_with(graph, options, repairs);
+    const Drawing drawing = grid_paper::draw(graph, options, repairs);
     if (sums != nullptr) {
       for (const Counter& counter : drawing.counters) (*sums)[counter.name] += counter.value;
     }
