@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/system_calls.h"
 
 namespace ar3d {
 namespace {
@@ -41,12 +42,7 @@ void refuse_writing(const std::string& path, int reason) {
 }
 
 void write_all(int descriptor, std::span<const char> bytes, const std::string& path) {
-  while (!bytes.empty()) {
-    const ssize_t written = write(descriptor, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) refuse_writing(path, errno);
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
-  }
+  if (write_whole(descriptor, bytes) < bytes.size()) refuse_writing(path, errno);
 }
 
 NewFile::NewFile(const std::string& path) : path_(path), target_(path) {

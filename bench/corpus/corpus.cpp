@@ -19,6 +19,7 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/hash_stream.h"
 #include "ar3d/base/random.h"
+#include "ar3d/base/system_calls.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/store/study_identity.h"
 
@@ -84,34 +85,19 @@ std::uint64_t Spool::append(const Graph& graph) {
 }
 
 void Spool::flush() {
-  std::span<const char> left = buffer_;
-  while (!left.empty()) {
-    const ssize_t written = write(file_.get(), left.data(), left.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) {
-      throw InputError(
-          fmt::format("cannot write {} (TMPDIR says where): {}", name_, std::strerror(errno)));
-    }
-    left = left.subspan(static_cast<std::size_t>(written));
+  if (write_whole(file_.get(), buffer_) < buffer_.size()) {
+    throw InputError(
+        fmt::format("cannot write {} (TMPDIR says where): {}", name_, std::strerror(errno)));
   }
   buffer_.clear();
 }
 
 namespace {
 
-void read_all(int file, char* to, std::size_t count, std::uint64_t offset,
-              const std::string& name) {
-  while (count > 0) {
-    const ssize_t got = pread(file, to, count, static_cast<off_t>(offset));
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) {
-      throw InputError(fmt::format("cannot read {}: {}", name,
-                                   got == 0 ? "it ends too early" : std::strerror(errno)));
-    }
-    to += got;
-    count -= static_cast<std::size_t>(got);
-    offset += static_cast<std::uint64_t>(got);
-  }
+void read_all(int file, std::span<char> to, std::uint64_t offset, const std::string& name) {
+  if (read_whole(file, to, offset) == to.size()) return;
+  throw InputError(fmt::format("cannot read {}: {}", name,
+                               errno == 0 ? "it ends too early" : std::strerror(errno)));
 }
 
 }  // namespace
@@ -120,13 +106,13 @@ Graph Spool::read(std::uint64_t offset) const {
   std::array<char, 4096> start;  // a small graph comes with one call
   const std::uint64_t there = end_ - offset;
   const std::size_t first = std::min<std::uint64_t>(start.size(), there);
-  read_all(file_.get(), start.data(), first, offset, name_);
+  read_all(file_.get(), {start.data(), first}, offset, name_);
   std::uint64_t length = 0;
   std::memcpy(&length, start.data(), kHeadBytes);
   expect(length <= there - kHeadBytes, "a spooled graph stands in the file");
   if (kHeadBytes + length <= first) return take_graph({start.data() + kHeadBytes, length});
   std::vector<char> bytes(length);
-  read_all(file_.get(), bytes.data(), length, offset + kHeadBytes, name_);
+  read_all(file_.get(), {bytes.data(), length}, offset + kHeadBytes, name_);
   return take_graph(bytes);
 }
 

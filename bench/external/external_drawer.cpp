@@ -7,7 +7,6 @@
 #include <pthread.h>
 #include <signal.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,12 +16,11 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
-#include <ctime>
-#include <limits>
 #include <utility>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/base/system_calls.h"
 #include "ar3d/bench/measure/instruments.h"
 
 namespace ar3d {
@@ -72,8 +70,7 @@ std::pair<Descriptor, Descriptor> new_pipe() {
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
   for (const int number : {SIGINT, SIGTERM, SIGPIPE, SIGXFSZ}) signal(number, SIG_DFL);
-  const rlimit no_core{0, 0};
-  setrlimit(RLIMIT_CORE, &no_core);
+  leave_no_core();
   close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);  // journals and graphs are none of its business
   if (dup2(in, 0) >= 0 && dup2(out, 1) >= 0 && dup2(err, 2) >= 0) execvp(words[0], words);
   const int error = errno;
@@ -131,10 +128,7 @@ ExternalProcess::~ExternalProcess() { kill(); }
 
 void ExternalProcess::kill() {
   if (pid_ < 0) return;
-  ::kill(-pid_, SIGKILL);
-  ::kill(pid_, SIGKILL);  // should it not have got as far as its own group
-  while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
-  }
+  end_group(pid_);
   pid_ = -1;
 }
 
@@ -161,14 +155,7 @@ std::string ExternalProcess::how_it_ended() {
   return how + " before it answered" + (line.empty() ? "" : ": " + printable(line));
 }
 
-double ExternalProcess::cpu_s() const {
-  clockid_t clock{};
-  timespec time{};
-  if (clock_getcpuclockid(pid_, &clock) != 0 || clock_gettime(clock, &time) != 0) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
+double ExternalProcess::cpu_s() const { return cpu_seconds_of(pid_); }
 
 bool ExternalProcess::read_output(std::size_t most_bytes) {
   std::array<char, 65536> bytes;

@@ -28,6 +28,7 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
+#include "ar3d/base/system_calls.h"
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/measure/environment.h"
 
@@ -111,8 +112,7 @@ void Orphanage::end_others(const std::vector<pid_t>& own) const {
       if (has(before_, process) || has(own, process)) continue;
       if (kill(process, SIGKILL) != 0) continue;
       any = true;
-      while (waitpid(process, nullptr, 0) < 0 && errno == EINTR) {
-      }
+      wait_for_end(process);
     }
   }
 }
@@ -213,30 +213,13 @@ void limit(__rlimit_resource resource, double value) {
   setrlimit(resource, &both);
 }
 
-double address_space_bytes() {
-  std::ifstream in("/proc/self/statm");
-  double pages = 0;
-  in >> pages;
-  return pages * static_cast<double>(sysconf(_SC_PAGESIZE));
-}
-
 void set_limits(const StepLimits& limits) {
   if (limits.cpu_s && *limits.cpu_s < kNoLimit) limit(RLIMIT_CPU, std::ceil(*limits.cpu_s));
   const bool sanitised = std::string_view(build_kind()) == "sanitised";
   if (limits.memory_bytes && *limits.memory_bytes < kNoLimit && !sanitised) {
     limit(RLIMIT_AS, address_space_bytes() + *limits.memory_bytes);
   }
-  limit(RLIMIT_CORE, 0);
-}
-
-bool write_all(int file, std::span<const char> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = write(file, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return false;
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
-  }
-  return true;
+  leave_no_core();
 }
 
 // One that computes nothing, since it waits for ever, ends after this time, as rows do.
@@ -283,7 +266,7 @@ bool is_at_end(int file) {
   } catch (...) {
     _exit(kFailed);
   }
-  _exit(write_all(pipe, result) ? 0 : kFailed);
+  _exit(write_whole(pipe, result) == result.size() ? 0 : kFailed);
 }
 
 }  // namespace
@@ -306,9 +289,7 @@ StepEnd run_within(const StepLimits& limits, std::span<char> result,
   if (child < 0) {
     throw InputError(fmt::format("cannot start a process: {}", std::strerror(reason)));
   }
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
+  const int status = wait_for_end(child);
   if (child > 0 && !ended) return StepEnd::out_of_time;
   if (came && WIFEXITED(status) && WEXITSTATUS(status) == 0) return StepEnd::done;
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) return StepEnd::out_of_time;

@@ -13,14 +13,14 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
-#include <ctime>
 #include <fstream>
 #include <limits>
-#include <set>
 #include <vector>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/system_calls.h"
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/store/columns/run_columns.h"
 
@@ -38,28 +38,6 @@ std::uint64_t checksum_of(const std::string& message) {
                      message_size() - sizeof(std::uint64_t));
 }
 
-bool send_all(int socket, const char* bytes, std::size_t size) {
-  while (size > 0) {
-    const ssize_t sent = ::send(socket, bytes, size, MSG_NOSIGNAL);
-    if (sent < 0 && errno == EINTR) continue;
-    if (sent <= 0) return false;
-    bytes += sent;
-    size -= static_cast<std::size_t>(sent);
-  }
-  return true;
-}
-
-bool receive_all(int socket, char* bytes, std::size_t size) {
-  while (size > 0) {
-    const ssize_t got = recv(socket, bytes, size, 0);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return false;
-    bytes += got;
-    size -= static_cast<std::size_t>(got);
-  }
-  return true;
-}
-
 // How many processes the kernel has killed for want of memory since it was started.
 long long oom_kills() {
   std::ifstream in("/proc/vmstat");
@@ -70,20 +48,13 @@ long long oom_kills() {
   return 0;
 }
 
-std::int64_t address_space_bytes() {
-  std::ifstream in("/proc/self/statm");
-  std::int64_t pages = 0;
-  in >> pages;
-  return pages * sysconf(_SC_PAGESIZE);
-}
-
 // Lets this process map at most so much more than now, for its lifetime.
 class AddressSpaceLimit {
  public:
   explicit AddressSpaceLimit(const std::optional<double>& bytes) {
     if (!bytes || getrlimit(RLIMIT_AS, &before_) != 0) return;
     rlimit limit = before_;
-    const double sum = static_cast<double>(address_space_bytes()) + *bytes;
+    const double sum = address_space_bytes() + *bytes;
     if (sum < 9e18) limit.rlim_cur = std::min(limit.rlim_max, static_cast<rlim_t>(sum));
     set_ = setrlimit(RLIMIT_AS, &limit) == 0;
   }
@@ -98,24 +69,15 @@ class AddressSpaceLimit {
   rlimit before_{};
 };
 
-// Descriptors that a worker needs, ascending: its socket, and the graphs of files.
+// Descriptors that a worker needs: its socket, and the graphs of files.
 std::vector<int> needed_descriptors(const StudyPlan& plan, int socket) {
-  std::set<int> needed = {socket};
+  std::vector<int> needed = {socket};
   for (const PlannedBlock& block : plan.instances.blocks()) {
-    if (const auto& corpus = block.first.choice.corpus) needed.insert(corpus->graphs->descriptor());
+    if (const auto& corpus = block.first.choice.corpus) {
+      needed.push_back(corpus->graphs->descriptor());
+    }
   }
-  return {needed.begin(), needed.end()};
-}
-
-// All but the standard ones and those.
-void close_others(const std::vector<int>& needed) {
-  unsigned from = 3;
-  for (const int descriptor : needed) {
-    const auto kept = static_cast<unsigned>(descriptor);
-    if (kept > from) close_range(from, kept - 1, 0);
-    from = std::max(from, kept + 1);
-  }
-  close_range(from, ~0U, 0);
+  return needed;
 }
 
 // The new process: own group, dies with its parent, leaves no core file.
@@ -125,9 +87,8 @@ void become_worker(pid_t parent, const std::vector<int>& needed) {
   if (getppid() != parent) _exit(0);  // it died before it could be asked to take us along
   signal(SIGINT, SIG_DFL);
   signal(SIGTERM, SIG_DFL);
-  close_others(needed);
-  const rlimit no_core{0, 0};
-  setrlimit(RLIMIT_CORE, &no_core);
+  close_descriptors_but(needed);
+  leave_no_core();
 }
 
 // What a worker is told. It has the plan from its parent.
@@ -146,7 +107,7 @@ class Message {
     store_record(run, bytes_.data() + sizeof(std::uint64_t) + 1);
     const std::uint64_t checksum = checksum_of(bytes_);
     std::memcpy(bytes_.data(), &checksum, sizeof(checksum));
-    return send_all(socket, bytes_.data(), bytes_.size());
+    return send_all(socket, bytes_);
   }
 
  private:
@@ -165,9 +126,7 @@ void serve(int socket, const StudyPlan& plan, const WorkerPool& pool, int core) 
   std::optional<std::size_t> prepared;
   Message message;
   RowOrder order;
-  char bytes[sizeof order];
-  while (receive_all(socket, bytes, sizeof bytes)) {
-    std::memcpy(&order, bytes, sizeof order);
+  while (receive_all(socket, bytes_in(order))) {
     const bool is_new = prepared != order.place;
     if (is_new) instance = plan.instances[order.place];
     const PlannedRun& planned = instance.runs.at(order.run);
@@ -224,10 +183,8 @@ WorkerProcess::~WorkerProcess() {
 
 bool WorkerProcess::send(const RowJob& job) {
   const auto run = static_cast<std::size_t>(job.run - job.instance->runs.data());
-  const RowOrder order{job.place, run, job.request};
-  char bytes[sizeof order];
-  std::memcpy(bytes, &order, sizeof order);
-  return send_all(socket_, bytes, sizeof bytes);  // far less than a socket's buffer: never waits
+  RowOrder order{job.place, run, job.request};
+  return send_all(socket_, bytes_in(order));  // far less than a socket's buffer: never waits
 }
 
 WorkerProcess::News WorkerProcess::read_news() {
@@ -252,18 +209,12 @@ WorkerProcess::News WorkerProcess::read_news() {
 }
 
 double WorkerProcess::cpu_s() const {
-  clockid_t clock{};
-  std::timespec time{};
-  if (clock_getcpuclockid(pid_, &clock) != 0 || clock_gettime(clock, &time) != 0) {
-    return std::numeric_limits<double>::max();
-  }
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  const double seconds = cpu_seconds_of(pid_);
+  return std::isnan(seconds) ? std::numeric_limits<double>::max() : seconds;
 }
 
 WorkerEnd WorkerProcess::end() {
-  int status = 0;
-  while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
-  }
+  const int status = wait_for_end(pid_);
   ::kill(-pid_, SIGKILL);  // what it may have started
   pid_ = -1;
   if (WIFEXITED(status)) {
@@ -278,10 +229,7 @@ WorkerEnd WorkerProcess::end() {
 
 void WorkerProcess::kill() {
   if (pid_ < 0) return;
-  ::kill(-pid_, SIGKILL);
-  ::kill(pid_, SIGKILL);  // should it not have got as far as its own group
-  while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
-  }
+  end_group(pid_);
   pid_ = -1;
 }
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/system_calls.h"
 
 namespace ar3d {
 namespace {
@@ -26,19 +27,6 @@ constexpr std::size_t kHashedEnd = kMagicSize + sizeof(std::uint64_t);
 constexpr std::size_t kReadAtOnce = std::size_t{1} << 20;
 using Ending = std::array<char, kChecksumSize>;
 static_assert(kHashedEnd + sizeof(XXH128_canonical_t) == kChecksumSize);
-
-// Fewer than `count` bytes only at the end of the file. @return -1 and errno if it cannot be read.
-ssize_t read_at(int file, char* to, std::size_t count, std::uint64_t offset) {
-  std::size_t have = 0;
-  while (have < count) {
-    const ssize_t got = pread(file, to + have, count - have, static_cast<off_t>(offset + have));
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return -1;
-    if (got == 0) break;
-    have += static_cast<std::size_t>(got);
-  }
-  return static_cast<ssize_t>(have);
-}
 
 // The last bytes of a file of `size` bytes before, all but the hash.
 Ending ending_of(std::uint64_t size) {
@@ -57,8 +45,10 @@ bool put_hash(int file, std::uint64_t size, Ending& ending) {
   std::vector<char> block(kReadAtOnce);
   for (std::uint64_t at = 0; at < size;) {
     const std::size_t count = std::min<std::uint64_t>(block.size(), size - at);
-    errno = EIO;  // what a file that has shrunk is
-    if (read_at(file, block.data(), count, at) != static_cast<ssize_t>(count)) return false;
+    if (read_whole(file, {block.data(), count}, at) < count) {
+      if (errno == 0) errno = EIO;  // what a file that has shrunk is
+      return false;
+    }
     XXH3_128bits_update(state.get(), block.data(), count);
     at += count;
   }
@@ -77,14 +67,7 @@ int append_checksum(int descriptor) {
   const auto size = static_cast<std::uint64_t>(status.st_size);
   Ending ending = ending_of(size);
   if (!put_hash(descriptor, size, ending)) return errno;
-  for (std::size_t done = 0; done < ending.size();) {
-    const ssize_t put = pwrite(descriptor, ending.data() + done, ending.size() - done,
-                               static_cast<off_t>(size + done));
-    if (put < 0 && errno == EINTR) continue;
-    if (put <= 0) return put < 0 ? errno : EIO;
-    done += static_cast<std::size_t>(put);
-  }
-  return 0;
+  return write_whole(descriptor, ending, size) < ending.size() ? errno : 0;
 }
 
 ChecksumVerdict verify_checksum(int descriptor, const std::string& path) {
@@ -96,7 +79,7 @@ ChecksumVerdict verify_checksum(int descriptor, const std::string& path) {
   if (status.st_size < static_cast<off_t>(kChecksumSize)) return ChecksumVerdict::none;
   const std::uint64_t size = static_cast<std::uint64_t>(status.st_size) - kChecksumSize;
   Ending found{};
-  if (read_at(descriptor, found.data(), found.size(), size) < 0) fail();
+  if (read_whole(descriptor, found, size) < found.size() && errno != 0) fail();
   if (std::memcmp(found.data(), kMagic, kMagicSize) != 0) return ChecksumVerdict::none;
   Ending computed = ending_of(size);
   if (!put_hash(descriptor, size, computed)) fail();

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <new>
 
+#include "ar3d/base/system_calls.h"
 #include "ar3d/store/hdf5/hdf5_handle.h"
 
 namespace ar3d {
@@ -64,18 +65,10 @@ haddr_t end_of_file(const H5FD_t* file, H5FD_mem_t) { return self(file).end_of_f
 
 // What lies behind the end of the file is zero.
 herr_t read_bytes(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t address, std::size_t size, void* to) {
-  char* next = static_cast<char*>(to);
-  while (size > 0) {
-    const ssize_t got =
-        pread(self(file).sink->descriptor.get(), next, size, static_cast<off_t>(address));
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return -1;
-    if (got == 0) break;
-    next += got;
-    address += static_cast<haddr_t>(got);
-    size -= static_cast<std::size_t>(got);
-  }
-  std::memset(next, 0, size);
+  char* const bytes = static_cast<char*>(to);
+  const std::size_t got = read_whole(self(file).sink->descriptor.get(), {bytes, size}, address);
+  if (got < size && errno != 0) return -1;
+  std::memset(bytes + got, 0, size - got);
   return 0;
 }
 
@@ -83,15 +76,9 @@ herr_t write_bytes(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t address, std::size_t
                    const void* from) {
   Sink& sink = *self(file).sink;
   self(file).end_of_file = std::max(self(file).end_of_file, address + size);
-  const char* next = static_cast<const char*>(from);
-  while (size > 0 && sink.error == 0) {
-    const ssize_t put = pwrite(sink.descriptor.get(), next, size, static_cast<off_t>(address));
-    if (put < 0 && errno == EINTR) continue;
-    if (put <= 0) sink.error = put < 0 ? errno : EIO;
-    if (put <= 0) break;
-    next += put;
-    address += static_cast<haddr_t>(put);
-    size -= static_cast<std::size_t>(put);
+  const std::span<const char> bytes{static_cast<const char*>(from), size};
+  if (sink.error == 0 && write_whole(sink.descriptor.get(), bytes, address) < size) {
+    sink.error = errno;
   }
   return 0;
 }

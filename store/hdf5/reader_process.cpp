@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/system_calls.h"
 
 namespace ar3d {
 namespace {
@@ -29,39 +30,6 @@ struct AnswerHead {
   std::uint64_t size = 0;
   std::uint64_t is_answer = 0;  // else it is the message of an exception
 };
-
-bool put(int socket, const void* bytes, std::size_t size) {
-  const char* next = static_cast<const char*>(bytes);
-  while (size > 0) {
-    const ssize_t sent = send(socket, next, size, MSG_NOSIGNAL);
-    if (sent < 0 && errno == EINTR) continue;
-    if (sent <= 0) return false;
-    next += sent;
-    size -= static_cast<std::size_t>(sent);
-  }
-  return true;
-}
-
-bool get(int socket, void* bytes, std::size_t size) {
-  char* next = static_cast<char*>(bytes);
-  while (size > 0) {
-    const ssize_t got = recv(socket, next, size, 0);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return false;
-    next += got;
-    size -= static_cast<std::size_t>(got);
-  }
-  return true;
-}
-
-// All descriptors but the standard ones and these two; locks and pipes of the parent among them.
-void close_all_but(int a, int b) {
-  const auto low = static_cast<unsigned>(std::min(a, b));
-  const auto high = static_cast<unsigned>(std::max(a, b));
-  if (low > 3) close_range(3, low - 1, 0);
-  if (high > low + 1) close_range(low + 1, high - 1, 0);
-  close_range(high + 1, ~0U, 0);
-}
 
 void limit_cpu_time() {
   rusage used{};
@@ -77,11 +45,10 @@ void limit_cpu_time() {
 void answer_all(int socket, const ReaderProcess::Answers& answers) {
   const int nothing = open("/dev/null", O_WRONLY | O_CLOEXEC);
   if (nothing >= 0) dup2(nothing, 2);  // what a library says when it breaks
-  const rlimit no_core{0, 0};
-  setrlimit(RLIMIT_CORE, &no_core);
+  leave_no_core();
   signal(SIGXCPU, SIG_DFL);
   std::uint64_t question = 0;
-  while (get(socket, &question, sizeof(question))) {
+  while (receive_all(socket, bytes_in(question))) {
     limit_cpu_time();
     AnswerHead head{.size = 0, .is_answer = 1};
     std::string answer;
@@ -92,7 +59,9 @@ void answer_all(int socket, const ReaderProcess::Answers& answers) {
       head.is_answer = 0;
     }
     head.size = answer.size();
-    if (!put(socket, &head, sizeof(head)) || !put(socket, answer.data(), answer.size())) return;
+    if (!send_all(socket, bytes_in(head)) || !send_all(socket, answer)) {
+      return;
+    }
   }
 }
 
@@ -110,7 +79,7 @@ ReaderProcess::ReaderProcess(std::string path, const Descriptor& file, const Ans
   if (pid_ < 0) throw InputError(fmt::format("cannot read {}: {}", path_, std::strerror(errno)));
   if (pid_ > 0) return;
   try {
-    close_all_but(theirs.get(), file.get());
+    close_descriptors_but({theirs.get(), file.get()});
     answer_all(theirs.get(), answers);
   } catch (...) {
     _exit(1);
@@ -121,18 +90,17 @@ ReaderProcess::ReaderProcess(std::string path, const Descriptor& file, const Ans
 ReaderProcess::~ReaderProcess() {
   if (pid_ < 0) return;
   kill(pid_, SIGKILL);
-  while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
-  }
+  wait_for_end(pid_);
 }
 
 const std::string& ReaderProcess::ask(std::uint64_t question) {
   AnswerHead head;
-  if (pid_ < 0 || !put(socket_.get(), &question, sizeof(question)) ||
-      !get(socket_.get(), &head, sizeof(head)) || head.size > kLargestAnswer) {
+  if (pid_ < 0 || !send_all(socket_.get(), bytes_in(question)) ||
+      !receive_all(socket_.get(), bytes_in(head)) || head.size > kLargestAnswer) {
     refuse();
   }
   answer_.resize(head.size);
-  if (!get(socket_.get(), answer_.data(), answer_.size())) refuse();
+  if (!receive_all(socket_.get(), answer_)) refuse();
   if (head.is_answer == 0) throw InputError(answer_);
   return answer_;
 }
@@ -141,8 +109,7 @@ void ReaderProcess::refuse() {
   int status = 0;
   if (pid_ > 0) {
     kill(pid_, SIGKILL);  // does nothing to one that has ended
-    while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
-    }
+    status = wait_for_end(pid_);
     pid_ = -1;
   }
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) {

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/system_calls.h"
 
 namespace ar3d {
 namespace {
@@ -76,15 +77,8 @@ class JournalBytes {
  private:
   void fill(std::uint64_t offset, std::size_t count) {
     buffer_.resize(count);
-    std::size_t have = 0;
-    while (have < count) {
-      const ssize_t got =
-          pread(file_, buffer_.data() + have, count - have, static_cast<off_t>(offset + have));
-      if (got < 0 && errno == EINTR) continue;
-      if (got < 0) refuse(path_, errno);
-      if (got == 0) break;
-      have += static_cast<std::size_t>(got);
-    }
+    const std::size_t have = read_whole(file_, buffer_, offset);
+    if (have < count && errno != 0) refuse(path_, errno);
     buffer_.resize(have);
     begin_ = offset;
   }

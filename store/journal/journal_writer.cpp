@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "ar3d/base/new_file.h"
+#include "ar3d/base/system_calls.h"
 
 namespace ar3d {
 namespace {
@@ -136,13 +137,8 @@ void JournalWriter::read_existing(const StudyIdentity& identity,
 // where it does not belong for one, may be rows that another process has acknowledged.
 void JournalWriter::keep_what_is_cut() {
   std::vector<char> bytes(bytes_cut_);
-  std::size_t have = 0;
-  while (have < bytes.size()) {
-    const ssize_t got = pread(file_.get(), bytes.data() + have, bytes.size() - have,
-                              static_cast<off_t>(end_ + have));
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) refuse_to_append(path_, got < 0 ? errno : EIO);
-    have += static_cast<std::size_t>(got);
+  if (read_whole(file_.get(), bytes, end_) < bytes.size()) {
+    refuse_to_append(path_, errno != 0 ? errno : EIO);
   }
   if (is_one_record_cut_short(bytes)) return;
   for (int number = 1; cut_file_.empty(); ++number) {
@@ -187,7 +183,11 @@ void JournalWriter::write_record(JournalKind kind, JournalHead head,
   put_back_if_deleted();
   head.kind = kind;
   frame_record(head, payload, end_, framed_);
-  write_whole(framed_);
+  if (const std::size_t written = write_whole(file_.get(), framed_); written < framed_.size()) {
+    const int reason = errno;
+    cut_half_record(written);
+    fail(reason);
+  }
   // The file is opened for appending: a write that ends elsewhere began behind bytes of another
   // process, and this record does not count there.
   const off_t written_to = lseek(file_.get(), 0, SEEK_CUR);
@@ -197,24 +197,11 @@ void JournalWriter::write_record(JournalKind kind, JournalHead head,
   unsynced_ = true;
 }
 
-void JournalWriter::write_whole(std::span<const char> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = write(file_.get(), bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) {
-      const int reason = errno;
-      cut_half_record(bytes.size());
-      fail(reason);
-    }
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
-  }
-}
-
-// After a write that failed with `unwritten` bytes left. Nothing is cut off where another process
+// After a write that failed behind so many bytes. Nothing is cut off where another process
 // has written meanwhile. Should this fail as well, the next writer cuts the half record off.
-void JournalWriter::cut_half_record(std::size_t unwritten) {
+void JournalWriter::cut_half_record(std::size_t written) {
   const off_t size = lseek(file_.get(), 0, SEEK_END);
-  const auto ours = static_cast<off_t>(end_ + framed_.size() - unwritten);
+  const auto ours = static_cast<off_t>(end_ + written);
   if (size > ours || size < 0) return;
   if (ftruncate(file_.get(), static_cast<off_t>(end_)) != 0) return;
 }
@@ -230,13 +217,7 @@ void JournalWriter::fail_because_of_another() const {
 void JournalWriter::put_back_if_deleted() {
   if (!deleted_) return;
   std::vector<char> bytes(end_);
-  for (std::size_t have = 0; have < bytes.size();) {
-    const ssize_t got =
-        pread(file_.get(), bytes.data() + have, bytes.size() - have, static_cast<off_t>(have));
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) fail(got < 0 ? errno : EIO);
-    have += static_cast<std::size_t>(got);
-  }
+  if (read_whole(file_.get(), bytes, 0) < bytes.size()) fail(errno != 0 ? errno : EIO);
   if (!create_file_atomically(path_, bytes)) {
     throw JournalFull(fmt::format("{} was replaced by another file while rows went there", path_));
   }

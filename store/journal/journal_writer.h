@@ -70,11 +70,10 @@ class JournalWriter {
   void read_existing(const StudyIdentity& identity,
                      const std::function<void(const JournalRecord&)>& existing);
   void keep_what_is_cut();
-  void cut_half_record(std::size_t unwritten);
+  void cut_half_record(std::size_t written);
   [[noreturn]] void fail_because_of_another() const;
   void put_back_if_deleted();
   void write_record(JournalKind kind, JournalHead head, std::span<const char> payload);
-  void write_whole(std::span<const char> bytes);
   void sync_every_second();
   [[noreturn]] void fail(int reason) const;
 
