@@ -99,10 +99,7 @@ class DimacsParser final : public GraphParser {
 void append_dimacs(OutputFile& output, const Graph& graph, unsigned) {
   std::string& out = output.pending();
   out += fmt::format("p edge {} {}\n", graph.num_vertices(), graph.num_edges());
-  for (const auto [u, v] : graph.edges()) {
-    append_all(out, "e ", std::uint64_t{u} + 1, ' ', std::uint64_t{v} + 1, '\n');
-    output.flush_if_full();
-  }
+  append_edges(output, graph, {"e ", " ", "\n"}, 1);
 }
 
 bool looks_like_dimacs(const InputHead& head) {

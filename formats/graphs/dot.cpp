@@ -162,17 +162,10 @@ class DotParser final : public GraphParser {
 };
 
 void append_dot(OutputFile& output, const Graph& graph, unsigned) {
-  std::string& out = output.pending();
-  out += "graph {\n";
-  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-    append_all(out, v, ";\n");
-    output.flush_if_full();
-  }
-  for (const auto [u, v] : graph.edges()) {
-    append_all(out, u, " -- ", v, ";\n");
-    output.flush_if_full();
-  }
-  out += "}\n";
+  output.pending() += "graph {\n";
+  append_vertices(output, graph, {"", ";\n"});
+  append_edges(output, graph, {"", " -- ", ";\n"});
+  output.pending() += "}\n";
 }
 
 bool looks_like_dot(const InputHead& head) {

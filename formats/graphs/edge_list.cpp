@@ -165,10 +165,7 @@ class EdgeListParser final : public GraphParser {
 void append_edge_list(OutputFile& output, const Graph& graph, unsigned base) {
   std::string& out = output.pending();
   append_all(out, "# vertices ", graph.num_vertices(), '\n');
-  for (const auto [u, v] : graph.edges()) {
-    append_all(out, std::uint64_t{u} + base, ' ', std::uint64_t{v} + base, '\n');
-    output.flush_if_full();
-  }
+  append_edges(output, graph, {"", " ", "\n"}, base);
 }
 
 /// Numbers or comments first; the last format asked, so that an odd line is reported by its number.

@@ -108,17 +108,10 @@ class GmlParser final : public GraphParser {
 };
 
 void append_gml(OutputFile& output, const Graph& graph, unsigned) {
-  std::string& out = output.pending();
-  out += "graph [\n";
-  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-    append_all(out, "  node [ id ", v, " ]\n");
-    output.flush_if_full();
-  }
-  for (const auto [u, v] : graph.edges()) {
-    append_all(out, "  edge [ source ", u, " target ", v, " ]\n");
-    output.flush_if_full();
-  }
-  out += "]\n";
+  output.pending() += "graph [\n";
+  append_vertices(output, graph, {"  node [ id ", " ]\n"});
+  append_edges(output, graph, {"  edge [ source ", " target ", " ]\n"});
+  output.pending() += "]\n";
 }
 
 /// A key, Creator, Version or graph, and behind it no name of a DOT graph.

@@ -14,6 +14,23 @@ constexpr std::uint64_t kMostVertices = std::numeric_limits<Vertex>::max() - 1;
 constexpr std::uint64_t kVerticesPerByte = 16;
 }  // namespace
 
+void append_vertices(OutputFile& output, const Graph& graph,
+                     const std::array<std::string_view, 2>& around) {
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+    append_all(output.pending(), around[0], v, around[1]);
+    output.flush_if_full();
+  }
+}
+
+void append_edges(OutputFile& output, const Graph& graph,
+                  const std::array<std::string_view, 3>& around, unsigned base) {
+  for (const auto [u, v] : graph.edges()) {
+    append_all(output.pending(), around[0], std::uint64_t{u} + base, around[1],
+               std::uint64_t{v} + base, around[2]);
+    output.flush_if_full();
+  }
+}
+
 std::vector<std::string> telling_names(std::vector<std::string> names) {
   for (std::size_t v = 0; v < names.size(); ++v) {
     const std::string number = fmt::format("{}", v);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -108,6 +109,12 @@ template <class Writer>
 std::unique_ptr<GraphWriter> make_writer(OutputFile& output, const WriteOptions& options) {
   return std::make_unique<Writer>(output, options);
 }
+
+/// What stands around the numbers of vertices and of the ends of edges.
+void append_vertices(OutputFile& output, const Graph& graph,
+                     const std::array<std::string_view, 2>& around);
+void append_edges(OutputFile& output, const Graph& graph,
+                  const std::array<std::string_view, 3>& around, unsigned base = 0);
 
 /// The names, or none if they are just the numbers from 0, or n and these.
 std::vector<std::string> telling_names(std::vector<std::string> names);

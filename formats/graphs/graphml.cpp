@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <pugixml.hpp>
 #include <set>
 #include <string_view>
@@ -44,8 +43,7 @@ class GraphmlParser final : public GraphParser {
  private:
   void load() {
     loaded_ = true;
-    text_ = input_.look_ahead(std::numeric_limits<std::size_t>::max());
-    input_.take(text_.size(), 1);
+    text_ = input_.take_all();
     constexpr unsigned kOptions = pugi::parse_escapes | pugi::parse_wconv_attribute;
     const pugi::xml_parse_result parsed =
         document_.load_buffer(text_.data(), text_.size(), kOptions);
@@ -135,9 +133,7 @@ class GraphmlParser final : public GraphParser {
     fail_at(static_cast<std::size_t>(element.offset_debug() - 1), problem);  // at its '<'
   }
   [[noreturn]] void fail_at(std::size_t offset, const std::string& problem) const {
-    const std::string_view before = std::string_view(text_).substr(0, offset);
-    const auto lines = static_cast<std::uint64_t>(std::count(before.begin(), before.end(), '\n'));
-    input_.fail_at(lines + 1, before.size() - (before.rfind('\n') + 1) + 1, problem);
+    input_.fail_behind(std::string_view(text_).substr(0, offset), problem);
   }
 
   bool loaded_ = false;
@@ -155,17 +151,10 @@ class GraphmlWriter final : public GraphWriter {
         "xmlns=\"http://graphml.graphdrawing.org/xmlns\">\n");
   }
   void write(const Graph& graph) override {
-    std::string& out = output_.pending();
-    out += fmt::format("<graph id=\"g{}\" edgedefault=\"undirected\">\n", graphs_++);
-    for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-      append_all(out, "<node id=\"n", v, "\"/>\n");
-      output_.flush_if_full();
-    }
-    for (const auto [u, v] : graph.edges()) {
-      append_all(out, "<edge source=\"n", u, "\" target=\"n", v, "\"/>\n");
-      output_.flush_if_full();
-    }
-    out += "</graph>\n";
+    output_.pending() += fmt::format("<graph id=\"g{}\" edgedefault=\"undirected\">\n", graphs_++);
+    append_vertices(output_, graph, {"<node id=\"n", "\"/>\n"});
+    append_edges(output_, graph, {"<edge source=\"n", "\" target=\"n", "\"/>\n"});
+    output_.pending() += "</graph>\n";
   }
   void finish() override { output_.append("</graphml>\n"); }
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "ar3d/base/error.h"
@@ -16,16 +15,11 @@ constexpr std::string_view kMarks = "[]{};,=:+";
 }  // namespace
 
 void WordText::fail(std::size_t at, const std::string& message) const {
-  const std::string_view before = std::string_view(text_).substr(0, at);
-  const auto lines = static_cast<std::uint64_t>(std::count(before.begin(), before.end(), '\n'));
-  input_->fail_at(lines + 1, before.size() - (before.rfind('\n') + 1) + 1, message);
+  input_->fail_behind(std::string_view(text_).substr(0, at), message);
 }
 
 const TextWord& WordText::peek() {
-  if (!std::exchange(is_loaded_, true)) {
-    text_ = input_->look_ahead(std::numeric_limits<std::size_t>::max());
-    input_->take(text_.size(), 1);
-  }
+  if (!std::exchange(is_loaded_, true)) text_ = input_->take_all();
   if (!peeked_) peeked_ = read();
   return *peeked_;
 }

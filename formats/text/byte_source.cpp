@@ -41,23 +41,12 @@ class FileBytes final : public ByteSource {
     if (fd_ > STDIN_FILENO) ::close(fd_);
   }
 
-  /// The first bytes, at most `size`; the next read gives them again.
-  std::string_view peek(std::size_t size) {
-    while (peeked_.size() < size) {
-      char block[16];
-      const std::size_t got = read_file(block, std::min(size - peeked_.size(), sizeof block));
-      if (got == 0) break;
-      peeked_.append(block, got);
-    }
-    return peeked_;
-  }
-
   std::size_t read(char* to, std::size_t size) override {
-    if (peeked_.empty()) return read_file(to, size);
-    const std::size_t given = std::min(size, peeked_.size());
-    std::memcpy(to, peeked_.data(), given);
-    peeked_.erase(0, given);
-    return given;
+    for (;;) {
+      const ssize_t got = ::read(fd_, to, size);
+      if (got >= 0) return static_cast<std::size_t>(got);
+      if (errno != EINTR) fail();
+    }
   }
 
   std::uint64_t bytes_left() const override {
@@ -65,24 +54,16 @@ class FileBytes final : public ByteSource {
     if (::fstat(fd_, &status) != 0 || !S_ISREG(status.st_mode)) return 0;
     const off_t place = ::lseek(fd_, 0, SEEK_CUR);
     if (place < 0 || place > status.st_size) return 0;
-    return static_cast<std::uint64_t>(status.st_size - place) + peeked_.size();
+    return static_cast<std::uint64_t>(status.st_size - place);
   }
 
  private:
-  std::size_t read_file(char* to, std::size_t size) {
-    for (;;) {
-      const ssize_t got = ::read(fd_, to, size);
-      if (got >= 0) return static_cast<std::size_t>(got);
-      if (errno != EINTR) fail();
-    }
-  }
   [[noreturn]] void fail() const {
     throw InputError(fmt::format("cannot read {}: {}", name_, std::strerror(errno)));
   }
 
   std::string name_;
   int fd_ = -1;
-  std::string peeked_;
 };
 
 /// What gzip and xz share: compressed bytes come in blocks.
@@ -205,22 +186,6 @@ class XzBytes final : public CompressedBytes {
   bool finished_ = false;
 };
 
-class MemoryBytes final : public ByteSource {
- public:
-  explicit MemoryBytes(std::string text) : text_(std::move(text)) {}
-  std::size_t read(char* to, std::size_t size) override {
-    const std::size_t given = std::min(size, text_.size() - used_);
-    std::memcpy(to, text_.data() + used_, given);
-    used_ += given;
-    return given;
-  }
-  std::uint64_t bytes_left() const override { return text_.size() - used_; }
-
- private:
-  std::string text_;
-  std::size_t used_ = 0;
-};
-
 /// UTF-16 with its mark as UTF-8; nothing if it is not that.
 std::optional<std::string> utf8_of_utf16(std::string_view text) {
   const iconv_t converter = iconv_open("UTF-8", "UTF-16");
@@ -239,40 +204,46 @@ std::optional<std::string> utf8_of_utf16(std::string_view text) {
   return result;
 }
 
-/// Bytes behind those that have been read already.
+/// Bytes in memory, and those behind them if there are any.
 class ReadAhead final : public ByteSource {
  public:
-  ReadAhead(std::string head, std::unique_ptr<ByteSource> rest)
+  explicit ReadAhead(std::string head, std::unique_ptr<ByteSource> rest = nullptr)
       : head_(std::move(head)), rest_(std::move(rest)) {}
   std::size_t read(char* to, std::size_t size) override {
-    if (head_.empty()) return rest_->read(to, size);
-    const std::size_t given = head_.copy(to, size);
-    head_.erase(0, given);
+    if (used_ == head_.size() && rest_ != nullptr) return rest_->read(to, size);
+    const std::size_t given = head_.copy(to, size, used_);
+    used_ += given;
     return given;
   }
-  std::uint64_t bytes_left() const override { return head_.size() + rest_->bytes_left(); }
+  std::uint64_t bytes_left() const override {
+    return head_.size() - used_ + (rest_ != nullptr ? rest_->bytes_left() : 0);
+  }
 
  private:
   std::string head_;
+  std::size_t used_ = 0;
   std::unique_ptr<ByteSource> rest_;
 };
+
+/// The first bytes, fewer than `size` only at the end.
+std::string read_head(ByteSource& bytes, std::size_t size) {
+  std::string head;
+  char block[4096];
+  while (head.size() < size) {
+    const std::size_t got = bytes.read(block, std::min(size - head.size(), sizeof block));
+    if (got == 0) break;
+    head.append(block, got);
+  }
+  return head;
+}
 
 }  // namespace
 
 std::unique_ptr<ByteSource> without_mark(std::unique_ptr<ByteSource> bytes,
                                          const std::string& name) {
-  std::string head;
-  const auto read_up_to = [&](std::size_t size) {
-    char block[4096];
-    const std::size_t got = bytes->read(block, std::min(size - head.size(), sizeof block));
-    head.append(block, got);
-    return got > 0 && head.size() < size;
-  };
-  while (read_up_to(3)) {
-  }
+  std::string head = read_head(*bytes, 3);
   if (head.starts_with("\xff\xfe") || head.starts_with("\xfe\xff")) {
-    while (read_up_to(std::numeric_limits<std::size_t>::max())) {
-    }
+    head += read_head(*bytes, std::numeric_limits<std::size_t>::max());
     std::optional<std::string> text = utf8_of_utf16(head);
     if (!text) throw InputError(name + ": the text is no UTF-16, as its first bytes say");
     return bytes_of(std::move(*text));
@@ -286,18 +257,19 @@ std::string display_name(const std::string& path) { return path == "-" ? "<stdin
 std::unique_ptr<ByteSource> open_bytes(const std::string& path) {
   using namespace std::string_view_literals;
   auto file = std::make_unique<FileBytes>(path);
-  const std::string_view magic = file->peek(6);
+  const std::string magic = read_head(*file, 6);
+  auto bytes = std::make_unique<ReadAhead>(magic, std::move(file));
   if (magic.starts_with("\x1f\x8b"sv)) {
-    return std::make_unique<GzipBytes>(std::move(file), display_name(path));
+    return std::make_unique<GzipBytes>(std::move(bytes), display_name(path));
   }
   if (magic == "\xfd\x37zXZ\0"sv) {
-    return std::make_unique<XzBytes>(std::move(file), display_name(path));
+    return std::make_unique<XzBytes>(std::move(bytes), display_name(path));
   }
-  return file;
+  return bytes;
 }
 
 std::unique_ptr<ByteSource> bytes_of(std::string text) {
-  return std::make_unique<MemoryBytes>(std::move(text));
+  return std::make_unique<ReadAhead>(std::move(text));
 }
 
 }  // namespace ar3d

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 #include "ar3d/base/error.h"
@@ -100,6 +101,17 @@ std::string_view TextInput::look_ahead_line() {
       return {buffer_.data() + next_, end_ - next_};
     }
   }
+}
+
+std::string TextInput::take_all() {
+  std::string text(look_ahead(std::numeric_limits<std::size_t>::max()));
+  take(text.size(), 1);
+  return text;
+}
+
+void TextInput::fail_behind(std::string_view before, const std::string& message) const {
+  const auto lines = static_cast<std::uint64_t>(std::count(before.begin(), before.end(), '\n'));
+  fail_at(lines + 1, before.size() - (before.rfind('\n') + 1) + 1, message);
 }
 
 void TextInput::fail(std::size_t column, const std::string& message) const {

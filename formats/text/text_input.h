@@ -38,6 +38,8 @@ class TextInput {
   /// bytes of it.
   std::string_view look_ahead(std::size_t wanted);
   std::string_view look_ahead_line();
+  /// All the text not yet given, which counts as one line.
+  std::string take_all();
   /// True if look_ahead() showed the text to its very end.
   bool sees_end() const { return at_end_; }
 
@@ -50,6 +52,8 @@ class TextInput {
 
   /// Throws InputError "NAME:LINE:COLUMN: message" for the line just given; column 0 is left out.
   [[noreturn]] void fail(std::size_t column, const std::string& message) const;
+  /// The same for what stands behind that beginning of the text.
+  [[noreturn]] void fail_behind(std::string_view before, const std::string& message) const;
   /// The same for an earlier line.
   [[noreturn]] void fail_at(std::uint64_t line, std::size_t column,
                             const std::string& message) const;
