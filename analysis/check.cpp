@@ -204,27 +204,10 @@ std::string describe(const Finding& finding) {
 }  // namespace
 
 const char* to_string(FindingKind kind) {
-  switch (kind) {
-    case FindingKind::certificate:
-      return "certificate";
-    case FindingKind::theorem_bound:
-      return "theorem bound";
-    case FindingKind::instance_bound:
-      return "instance bound";
-    case FindingKind::not_repeatable:
-      return "not repeatable";
-    case FindingKind::not_certified:
-      return "not certified";
-    case FindingKind::unfinished:
-      return "unfinished";
-    case FindingKind::duplicate:
-      return "duplicate";
-    case FindingKind::nothing_measured:
-      return "nothing measured";
-    case FindingKind::missing:
-      return "missing";
-  }
-  return "unknown";
+  static constexpr std::array<const char*, 9> kNames = {
+      "certificate", "theorem bound", "instance bound",   "not repeatable", "not certified",
+      "unfinished",  "duplicate",     "nothing measured", "missing"};
+  return kNames.at(static_cast<std::size_t>(kind));
 }
 
 bool is_violation(FindingKind kind) {

@@ -162,17 +162,9 @@ void refuse_untimed(ScalingEntry& entry) {
 }  // namespace
 
 const char* to_string(Growth growth) {
-  switch (growth) {
-    case Growth::power:
-      return "power law";
-    case Growth::power_and_log:
-      return "power law with logarithm";
-    case Growth::apparent:
-      return "apparent exponent";
-    case Growth::undecided:
-      return "undecided";
-  }
-  return "unknown";
+  static constexpr std::array<const char*, 4> kNames = {"power law", "power law with logarithm",
+                                                        "apparent exponent", "undecided"};
+  return kNames.at(static_cast<std::size_t>(growth));
 }
 
 std::string growth_label(const ScalingEntry& entry) {

@@ -76,16 +76,7 @@ std::vector<BoundsEntry> bounds_table(const StudyTally& tally, const StudyIdenti
   std::vector<BoundsEntry> entries;
   const std::vector<AlgorithmRecord> algorithms = algorithm_records(study);
   for (const CurveTally& curve : tally.curves) {
-    BoundsEntry entry;
-    entry.key = curve.key;
-    entry.smallest_n = curve.smallest_n;
-    entry.largest_n = curve.largest_n;
-    entry.rows = curve.rows;
-    entry.instances = curve.instances;
-    entry.rows_of_status = curve.rows_of_status;
-    entry.violations = curve.violations;
-    entry.unproved = curve.unproved;
-    entry.bends = curve.bends;
+    BoundsEntry entry{static_cast<const CurveCounts&>(curve)};
     for (std::size_t axis = 0; axis < 3; ++axis) entry.axes[axis] = axis_bounds(curve, axis);
     add_volume(curve, entry);
     const AlgorithmRecord* algorithm =

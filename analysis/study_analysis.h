@@ -14,16 +14,7 @@
 namespace ar3d {
 
 /// The bounds table of one curve: what the theorem promises beside what was measured.
-struct BoundsEntry {
-  CurveKey key;
-  std::int64_t smallest_n = -1;
-  std::int64_t largest_n = -1;
-  std::size_t rows = 0;
-  std::size_t instances = 0;
-  std::array<std::size_t, kNumRunStatuses> rows_of_status{};  ///< indexed by RunStatus
-  std::size_t violations = 0;  ///< rows that break a bound or a certificate, as `check` counts them
-  std::size_t unproved = 0;    ///< ok rows that no exact certificate judged
-  std::array<AxisBounds, 3> axes;
+struct BoundsEntry : CurveCounts {
   std::int64_t volume_n = -1;     ///< the largest n that was drawn: volumes are of its graphs
   double log2_volume = kMissing;  ///< lattice points of the box, median
   /// Volume over that of the theorem's own box, the product of bound + 1, median: what the volume
@@ -34,12 +25,6 @@ struct BoundsEntry {
   double volume_over_least = kMissing;
   std::string theorem_formula;    ///< "16/3 n, 16/3 n, 8 n (proved here, docs/theorem1.md)"
   std::string published_formula;  ///< empty if nobody published a bound
-  std::array<std::uint64_t, 8>
-      bends{};  ///< edges with b bends over all ok instances; last: 7 or more
-
-  std::size_t count(RunStatus status) const {
-    return rows_of_status[static_cast<std::size_t>(status)];
-  }
 };
 
 /// One entry a curve, in the order of the file. @param study  whose table of algorithms is used.

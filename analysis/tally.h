@@ -104,19 +104,27 @@ double log_positive(double value);
 /// How many a RunStatus can be.
 inline constexpr std::size_t kNumRunStatuses = static_cast<std::size_t>(RunStatus::measured) + 1;
 
-/// What all rows of one curve gave.
-struct CurveTally {
+/// What is counted of all rows of one curve.
+struct CurveCounts {
   CurveKey key;
   std::size_t rows = 0;
   std::size_t instances = 0;   ///< graphs, drawn or not
-  std::size_t violations = 0;  ///< rows that break a bound or a certificate
+  std::size_t violations = 0;  ///< rows that break a bound or a certificate, as `check` counts them
   std::size_t unproved = 0;    ///< ok rows that no exact certificate judged
   std::array<std::size_t, kNumRunStatuses> rows_of_status{};  ///< indexed by RunStatus
   std::int64_t smallest_n = -1;
   std::int64_t largest_n = -1;
   std::array<AxisBounds, 3> axes;
   std::array<std::uint64_t, 8> bends{};  ///< edges with b bends over all drawn graphs; 7 or more
-  bool has_timing_rows = false;          ///< some ok row is of the timing phase
+
+  std::size_t count(RunStatus status) const {
+    return rows_of_status[static_cast<std::size_t>(status)];
+  }
+};
+
+/// What all rows of one curve gave.
+struct CurveTally : CurveCounts {
+  bool has_timing_rows = false;  ///< some ok row is of the timing phase
   /// No theorem promises a box, so that the unit of coordinates is the drawings' own: extents and
   /// bounds are missing, and volumes are over the smallest distance of vertices.
   bool has_own_unit = false;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -208,15 +209,8 @@ Drawing with_stored_bends(const Drawing& drawing) {
 }
 
 const char* to_string(Level level) {
-  switch (level) {
-    case Level::extents:
-      return "extents";
-    case Level::positions:
-      return "positions";
-    case Level::full:
-      return "full";
-  }
-  throw InternalError("internal error: no name for a level");
+  static constexpr std::array<const char*, 3> kNames = {"extents", "positions", "full"};
+  return kNames.at(static_cast<std::size_t>(level));
 }
 
 Level parse_level(std::string_view text) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "ar3d/base/error.h"
@@ -109,37 +110,13 @@ Certificate certify_in_full(const Graph& graph, const Drawing& drawing, const Gu
 }  // namespace
 
 const char* to_string(ViolationKind kind) {
-  switch (kind) {
-    case ViolationKind::vertex_count:
-      return "vertex_count";
-    case ViolationKind::edge_set:
-      return "edge_set";
-    case ViolationKind::lattice:
-      return "lattice";
-    case ViolationKind::coordinate_range:
-      return "coordinate_range";
-    case ViolationKind::plane:
-      return "plane";
-    case ViolationKind::degenerate_segment:
-      return "degenerate_segment";
-    case ViolationKind::direction:
-      return "direction";
-    case ViolationKind::bends:
-      return "bends";
-    case ViolationKind::bend_angle:
-      return "bend_angle";
-    case ViolationKind::vertex_angle:
-      return "vertex_angle";
-    case ViolationKind::same_point:
-      return "same_point";
-    case ViolationKind::vertex_on_edge:
-      return "vertex_on_edge";
-    case ViolationKind::crossing:
-      return "crossing";
-    case ViolationKind::size:
-      return "size";
-  }
-  throw InternalError("internal error: no name for a kind of violation");
+  static constexpr std::array<const char*, 14> kNames = {
+      "vertex_count",     "edge_set",   "lattice",
+      "coordinate_range", "plane",      "degenerate_segment",
+      "direction",        "bends",      "bend_angle",
+      "vertex_angle",     "same_point", "vertex_on_edge",
+      "crossing",         "size"};
+  return kNames.at(static_cast<std::size_t>(kind));
 }
 
 std::string to_string(CertificateMode mode) {

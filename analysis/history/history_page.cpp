@@ -164,7 +164,6 @@ std::string sparkline(const History& history, const HistoryLine& line) {
 }
 
 using report::cell;
-using report::escape;
 using report::note;
 
 constexpr std::size_t kMostFigures = 60;
@@ -249,10 +248,8 @@ std::string changes_section(const History& history, const std::vector<PlacedChan
   if (changes.size() > kMostChanges) {
     html += fmt::format("<p>The {} largest of {} changes.</p>", kMostChanges, changes.size());
   }
-  html +=
-      "<div class=scroll><table "
-      "class=sortable><thead><tr><th>Change</th><th>Effect</th><th>Cell</th><th>Between</th><th "
-      "class=num>Environment</th><th>Find the commit</th></tr></thead><tbody>\n";
+  html += report::table_head(
+      {"Change", "Effect", "Cell", "Between", "#Environment", "Find the commit"});
   for (std::size_t i = 0; i < std::min(kMostChanges, changes.size()); ++i) {
     html += change_row(history, changes[i]);
   }
@@ -299,12 +296,9 @@ std::string cells_section(const History& history) {
     html += fmt::format("<p>The first {} of {} cells; <code>--json</code> has all.</p>", kMostCells,
                         cells.size());
   }
-  html +=
-      "<div class=scroll><table class=sortable><thead><tr><th>Algorithm</th><th>Family</th><th "
-      "class=num>n</th><th>Study</th><th "
-      "class=num>Environment</th><th>Time</th><th>Instructions</th><th>Estimated "
-      "cycles</th><th>Volume</th><th>Bends per "
-      "edge</th><th>Crossings</th><th>Smallest angle</th></tr></thead><tbody>\n";
+  html += report::table_head({"Algorithm", "Family", "#n", "Study", "#Environment", "Time",
+                              "Instructions", "Estimated cycles", "Volume", "Bends per edge",
+                              "Crossings", "Smallest angle"});
   std::size_t shown = 0;
   for (const auto& [key, lines] : cells) {
     if (shown++ < kMostCells) html += cell_row(history, lines);
@@ -313,12 +307,10 @@ std::string cells_section(const History& history) {
 }
 
 std::string results_section(const History& history) {
-  std::string html =
-      "<section id=results><h2>Results</h2><div class=scroll><table><thead><tr><th "
-      "class=num>Place</th><th>Name</th><th>Commit</th><th>Study</th><th>Begun</th><th "
-      "class=num>Environment</th><th class=num>Unfinished rows</th><th class=num>Machine, times as "
-      "slow as usual</th><th>Times left "
-      "out</th></tr></thead><tbody>\n";
+  std::string html = "<section id=results><h2>Results</h2>" +
+                     report::table_head({"#Place", "Name", "Commit", "Study", "Begun",
+                                         "#Environment", "#Unfinished rows",
+                                         "#Machine, times as slow as usual", "Times left out"});
   for (const CommitResults& one : history.results) {
     html += "<tr>" + cell(fmt::format("{}", one.place), true) + cell(escape(one.name)) +
             cell("<code>" + escape(one.source_hash.substr(0, 12)) + "</code>") +
@@ -338,11 +330,11 @@ std::string environments_section(const History& history) {
   }
   std::string html = "<section id=environments><h2>Environments</h2>";
   if (history.environments.size() > 1) html += "<p>What differs between them.</p>";
-  html += "<div class=scroll><table><thead><tr><th>Setting</th>";
+  std::vector<std::string> columns = {"Setting"};
   for (std::size_t i = 0; i < history.environments.size(); ++i) {
-    html += fmt::format("<th>{}</th>", i + 1);
+    columns.push_back(fmt::format("{}", i + 1));
   }
-  html += "</tr></thead><tbody>\n";
+  html += report::table_head(columns);
   for (const std::string& name : names) {
     std::set<std::string> values;
     std::string row;
@@ -353,7 +345,7 @@ std::string environments_section(const History& history) {
       row += note(escape(value));
     }
     if (history.environments.size() > 1 && values.size() == 1) continue;
-    html += "<tr><th scope=row>" + escape(name) + "</th>" + row + "</tr>\n";
+    html += report::row_head(name) + row + "</tr>\n";
   }
   return html + "</tbody></table></div></section>\n";
 }

@@ -94,16 +94,14 @@ std::string drawn_table(const Collection& collection) {
     const CurveTally& tally = *setting.curve->tally;
     std::size_t drawn = 0;
     for (const auto& [n, size] : tally.sizes) drawn += size.drawn;
-    const auto rows = [&](RunStatus status) {
-      return tally.rows_of_status[static_cast<std::size_t>(status)];
-    };
-    const std::size_t unfinished =
-        rows(RunStatus::timeout) + rows(RunStatus::out_of_memory) + rows(RunStatus::crashed);
+    const std::size_t unfinished = tally.count(RunStatus::timeout) +
+                                   tally.count(RunStatus::out_of_memory) +
+                                   tally.count(RunStatus::crashed);
     html += row_head(setting.label);
     html += cell(grouped(static_cast<std::int64_t>(tally.instances)), true);
     html += cell(grouped(static_cast<std::int64_t>(drawn)), true);
     html += cell(percent(static_cast<double>(drawn) / static_cast<double>(tally.instances)), true);
-    for (const std::size_t count : {rows(RunStatus::refused), tally.violations, unfinished}) {
+    for (const std::size_t count : {tally.count(RunStatus::refused), tally.violations, unfinished}) {
       html += cell(grouped(static_cast<std::int64_t>(count)), true);
     }
     html += "</tr>\n";

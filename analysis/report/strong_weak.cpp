@@ -160,11 +160,8 @@ std::string strong_weak_section(Page& page) {
       "in the time in which one alone makes one; ideal is their number. Efficiency is the ideal "
       "time of a batch divided by its time.</p><div class=figures>\n";
   for (const BatchCurves& batches : all) html += page.figure(plot_of(batches));
-  html +=
-      "</div><div class=scroll><table "
-      "class=sortable><thead><tr><th>Algorithm</th><th>Kind</th><th>Family</th><th "
-      "class=num>n</th><th class=num>Shared by</th><th class=num>Batch</th><th "
-      "class=num>Ideal</th><th class=num>Efficiency</th></tr></thead><tbody>\n";
+  html += "</div>" + table_head({"Algorithm", "Kind", "Family", "#n", "#Shared by", "#Batch",
+                                 "#Ideal", "#Efficiency"});
   for (const BatchCurves& batches : all) html += table_rows(batches);
   return html + "</tbody></table></div></section>\n";
 }

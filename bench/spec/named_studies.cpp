@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <sstream>
 
@@ -21,17 +22,8 @@ const NamedStudy* find_named_study(std::string_view name) {
 }
 
 const char* to_string(KeptDrawings kept) {
-  switch (kept) {
-    case KeptDrawings::none:
-      return "none";
-    case KeptDrawings::worst:
-      return "worst";
-    case KeptDrawings::violated:
-      return "violated";
-    case KeptDrawings::all:
-      return "all";
-  }
-  throw InternalError("internal error: no name for which drawings are kept");
+  static constexpr std::array<const char*, 4> kNames = {"none", "worst", "violated", "all"};
+  return kNames.at(static_cast<std::size_t>(kept));
 }
 
 KeptDrawings parse_kept_drawings(std::string_view text) {
