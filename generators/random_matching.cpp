@@ -1,7 +1,7 @@
 // Permutations on all threads (Rao 1961; Sandelius 1962): numbers are dealt to buckets that fit a
 // core's cache, then each bucket is shuffled. A plain Fisher-Yates shuffle waits for memory at
 // every step once the numbers outgrow the cache.
-#include "ar3d/generators/random_matching.h"
+#include "ar3d/generators/switching.h"
 
 #include <algorithm>
 #include <bit>

@@ -8,7 +8,6 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/parallel.h"
-#include "ar3d/generators/random_matching.h"
 
 // Points are the nd places for ends of edges; point p belongs to vertex p / d. A defect is a loop
 // or a double edge. C(l, k) is the set of pairings with l loops and k double edges, no triple edge,

@@ -3,13 +3,12 @@
 // vertex keeps its place is all that hangs on it, not only the edge that is drawn (Repair G.8).
 // Places are looked for to the right only, and the test stops at vertices too far to the left to be
 // reached. Cost: a few comparisons a vertex in practice, with all others at worst.
-#include "ar3d/algorithms/grid_paper/flat_cycle.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <limits>
 
+#include "ar3d/algorithms/grid_paper/builder.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::grid_paper {

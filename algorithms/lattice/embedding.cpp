@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "ar3d/algorithms/lattice/ears.h"
 
 namespace ar3d::lattice {
 namespace {

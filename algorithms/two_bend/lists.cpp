@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "ar3d/algorithms/two_bend/owner_order.h"
-#include "ar3d/algorithms/two_bend/view_list.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {

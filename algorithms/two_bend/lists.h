@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "ar3d/algorithms/two_bend/coordinates.h"
 
@@ -19,6 +20,55 @@ using TreeWeights = std::array<LongVector<std::uint32_t>, 2>;
 /// first; chooses the special neighbours of V-type poles in flow.poles.
 /// @param share  lets vertices share rows and columns (share_rows).
 Lists build_lists(Flow& flow, bool share, const TreeWeights& weights = {});
+
+/// A linked list of entries with order tests. Each entry belongs to the cluster of the owner it was
+/// put next to; clusters are contiguous, so two entries of different clusters compare by rank,
+/// others by a walk inside the cluster (needed O(1) times a cluster: Rule 2.3).
+class EntryList {
+ public:
+  /// The owners in their order, each a cluster of its own; room for entries below num_nodes.
+  EntryList(std::size_t num_nodes, const LongVector<NodeId>& owners);
+
+  NodeId first() const { return first_; }
+  /// All entries. Walks from several places at once, so that reads of memory overlap.
+  LongVector<NodeId> in_order() const;
+  bool contains(NodeId v) const { return links_[v].cluster != kNone; }
+  /// Asks memory for an entry.
+  [[gnu::always_inline]] void ask_for_entry(NodeId v) const { ask_for(links_, v); }
+
+  bool before(NodeId u, NodeId v) const;
+  void insert_after(NodeId place, NodeId v);
+  void insert_before(NodeId place, NodeId v);  ///< never before the first entry
+  void remove(NodeId v);                       ///< v is the only entry of its cluster
+
+ private:
+  struct ListedEntry {
+    NodeId previous = kNone;
+    NodeId next = kNone;
+    NodeId cluster = kNone;  // its owner; kNone: not in the list
+    std::uint32_t rank = 0;  // of the cluster, kept at its owner
+  };
+  void link(NodeId left, NodeId v, NodeId right, NodeId cluster);
+  bool walk_before(NodeId u, NodeId v) const;
+
+  LongVector<ListedEntry> links_;
+  LongVector<NodeId> starts_;  // a few entries in the order of the list, none that was moved
+  NodeId first_ = kNone;
+};
+
+/// Builds the list of a view (Rules 2.1 to 2.4): owners, listed MERGEs and the rows that SINKs ask
+/// for. Invariants: every listed MERGE stands strictly between its two in-neighbours; the row of a
+/// SINK's special edge (hold) stands strictly between its two ordinary in-neighbours c and w.
+/// Chooses the special neighbour of every V-type SINK of the view that has none: the median of the
+/// three. Cost: O(n).
+/// @param weights  see order_owners.
+LongVector<NodeId> build_view_list(Flow& flow, bool columns,
+                                   const LongVector<std::uint32_t>& weights = {});
+
+/// For the view built second: makes the special neighbour of every V-type SINK an outer one of its
+/// three in the list of the other view, the one farther from the middle one.
+void choose_outer_specials(Flow& flow, bool columns_are_second,
+                           const LongVector<NodeId>& first_list);
 
 /// True if the condition of share_rows holds in every row of the view (for expect_heavy and tests).
 bool shared_rows_are_plane(const View& view, const Values& cross);

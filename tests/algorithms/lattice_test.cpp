@@ -4,7 +4,6 @@
 
 #include <set>
 
-#include "ar3d/algorithms/lattice/ears.h"
 #include "ar3d/algorithms/lattice/embedding.h"
 #include "ar3d/base/error.h"
 #include "ar3d/generators/catalog.h"

@@ -9,8 +9,8 @@
 #include "ar3d/algorithms/two_bend/checks.h"
 #include "ar3d/algorithms/two_bend/layout.h"
 #include "ar3d/algorithms/two_bend/leans.h"
+#include "ar3d/algorithms/two_bend/lists.h"
 #include "ar3d/algorithms/two_bend/time_order.h"
-#include "ar3d/algorithms/two_bend/view_list.h"
 #include "support/graphs.h"
 
 namespace ar3d::two_bend {

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "ar3d/base/error.h"
-#include "ar3d/generators/random_matching.h"
 #include "ar3d/generators/rings.h"
 #include "ar3d/generators/switching.h"
 #include "support/graph_facts.h"
