@@ -73,6 +73,7 @@ TEST(Limits, QuickMeasuresEveryRowAndJudgesNone) {
                            "crossings/cgal",
                            "generate/3/nauty-genrang",
                            "generate/4/igraph",
+                           "generate/4/igraph_k_regular_game",
                            "generate/3/threads",
                            "study/rows",
                            "layouts"}) {

@@ -26,7 +26,7 @@ if(AR3D_TESTS)
 endif()
 if(AR3D_BENCHMARKS)
   find_package(benchmark REQUIRED)
-  # A peer of the generators in ar3d_bench_generate; Debian's CMake file names libraries of its own build.
+  # A peer in ar3d_limits; Debian's CMake file names libraries of its own build.
   pkg_check_modules(igraph REQUIRED IMPORTED_TARGET igraph)
   find_package(SQLite3 REQUIRED)  # a peer of the journal
 endif()

@@ -6,6 +6,7 @@
 #include <igraph/igraph.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <stdexcept>
 #include <string>
@@ -29,17 +30,21 @@ using Generator = void (*)(std::uint64_t, std::uint32_t, std::uint32_t);
 
 void measure_peer(std::uint32_t degree, Generator peer, const RunSize& scale, Limit& limit) {
   std::uint32_t seed = 0;
-  const auto cost = [&](Generator generator) {
-    return cost_of([&] { generator(scale.n, degree, seed); }).cpu_s;
+  double bytes = 0;
+  const double empty_bytes = cost_of([] {}).peak_bytes;
+  const auto cost_of_ours = [&] {
+    const Cost cost = cost_of([&] { generate_ours(scale.n, degree, seed); });
+    bytes = std::max(bytes, cost.peak_bytes - empty_bytes);
+    return cost.cpu_s;
   };
   const auto cost_of_peer = [&] {
     try {
-      return cost(peer);
+      return cost_of([&] { peer(scale.n, degree, seed); }).cpu_s;
     } catch (const std::runtime_error& error) {
       throw NotMeasured(error.what());
     }
   };
-  Turns turns({[&] { return cost(generate_ours); }, cost_of_peer});
+  Turns turns({cost_of_ours, cost_of_peer});
   const int rounds = scale.repetitions == 1 ? 1 : kRoundsPerRepetition * scale.repetitions;
   turns.run(rounds, kPeerSeconds, [&] { ++seed; });
   const double mean = turns.mean_of(1);
@@ -48,18 +53,19 @@ void measure_peer(std::uint32_t degree, Generator peer, const RunSize& scale, Li
   if (turns.rounds() > 1) {
     limit.remark += fmt::format(" ± {:.2g} s", turns.standard_error_of(1));
   }
-  limit.remark += fmt::format(", ours {:.3g} s", turns.mean_of(0));
+  limit.remark += fmt::format(", ours {:.3g} s and {:.0f} bytes per vertex", turns.mean_of(0),
+                              bytes / static_cast<double>(scale.n));
 }
 
-LimitGroup peer_group(std::uint32_t degree, const char* name, Generator peer, double goal) {
-  return {
-      fmt::format("generate/{}/{}", degree, name),
-      1'000'000,
-      {{fmt::format("uniform random {}-regular graphs", degree), name, at_least(goal, "× faster"),
-        "the peer's time is chance, and the goal is from a run of few graphs"}},
-      [degree, peer](const RunSize& scale, std::vector<Limit>& limits) {
-        measure_peer(degree, peer, scale, limits[0]);
-      }};
+LimitGroup peer_group(std::uint32_t degree, const char* name, Generator peer, double goal,
+                      const char* kind = "uniform random") {
+  return {fmt::format("generate/{}/{}", degree, name),
+          1'000'000,
+          {{fmt::format("{} {}-regular graphs", kind, degree), name, at_least(goal, "× faster"),
+            "the peer's time is chance, and the goal is from a run of few graphs"}},
+          [degree, peer](const RunSize& scale, std::vector<Limit>& limits) {
+            measure_peer(degree, peer, scale, limits[0]);
+          }};
 }
 
 void measure_threads(std::uint32_t degree, const RunSize& scale, Limit& limit) {
@@ -85,6 +91,8 @@ std::vector<LimitGroup> generating_groups() {
       peer_group(4, "nauty-genrang", generate_genrang, 31),
       peer_group(3, "igraph", generate_igraph_uniform, 10),
       peer_group(4, "igraph", generate_igraph_uniform, 16),
+      peer_group(3, "igraph_k_regular_game", generate_igraph, 8, "random"),
+      peer_group(4, "igraph_k_regular_game", generate_igraph, 14, "random"),
   };
   for (const std::uint32_t degree : {3u, 4u}) {
     groups.push_back({fmt::format("generate/{}/threads", degree),
