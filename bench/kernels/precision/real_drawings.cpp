@@ -96,57 +96,69 @@ Graph cube() {
   return {8, std::move(edges)};
 }
 
-/// The assessments of one nest by depth.
-struct Depths {
-  std::vector<double> conditions;                                       ///< in 237 bits
-  std::array<std::vector<RealAssessment>, kMeasuredTypes.size()> seen;  ///< by type
+/// One of a series of drawings that gets harder.
+struct HardDrawing {
+  double condition = 0;                                     ///< in 237 bits
+  std::array<RealAssessment, kMeasuredTypes.size()> found;  ///< by type
 };
 
-/// @param heptagons  how many of so many levels go on in a last corner.
+/// By depth. @param heptagons  how many of so many levels go on in a last corner.
 template <class Heptagons>
-Depths depths_of(const Graph& core, int most, Heptagons&& heptagons) {
-  Depths depths;
+std::vector<HardDrawing> nests_of(const Graph& core, int most, Heptagons&& heptagons) {
+  std::vector<HardDrawing> nests(static_cast<std::size_t>(most) + 1);
   for (int level = 0; level <= most; ++level) {
     const Graph graph = nest(core, level, heptagons(level));
-    depths.conditions.push_back(
-        assess(graph, two_bend_paper::draw_real(graph, RealType::reference)).condition);
+    HardDrawing& one = nests[static_cast<std::size_t>(level)];
+    one.condition = assess(graph, two_bend_paper::draw_real(graph, RealType::reference)).condition;
     for (std::size_t t = 0; t < kMeasuredTypes.size(); ++t) {
-      depths.seen[t].push_back(
-          assess(graph, two_bend_paper::draw_real(graph, static_cast<RealType>(t))));
+      one.found[t] = assess(graph, two_bend_paper::draw_real(graph, static_cast<RealType>(t)));
     }
   }
-  return depths;
+  return nests;
 }
 
-/// The least depth at which holds(depth).
-template <class Holds>
-std::string first(std::size_t count, Holds&& holds) {
-  for (std::size_t depth = 0; depth < count; ++depth) {
-    if (holds(depth)) return fmt::format("{}", depth);
-  }
-  return fmt::format("> {}", count - 1);
-}
+/// Where a type passes a limit or breaks, as texts.
+struct HardRow {
+  std::string type, limit, early, late;  ///< predicted with kHighKappa and kMedianKappa
+  std::string seen;
+  std::string predicted() const { return early == late ? late : early + " to " + late; }
+};
 
-void add_rows(const std::string& name, const Depths& depths,
-              std::vector<std::vector<std::string>>& rows) {
-  const std::size_t count = depths.conditions.size();
+/// @param text  of a place in the series; of -1: there is none.
+template <class Text>
+std::vector<HardRow> hard_rows(const std::vector<HardDrawing>& all, const Text& text) {
+  const auto first = [&](const auto& holds) {
+    const auto at = std::find_if(all.begin(), all.end(), holds);
+    return text(at == all.end() ? -1 : static_cast<int>(at - all.begin()));
+  };
+  std::vector<HardRow> rows;
   for (std::size_t t = 0; t < kMeasuredTypes.size(); ++t) {
-    const auto& seen = depths.seen[t];
+    const auto& [name, bits] = kMeasuredTypes[t];
     for (const double limit : kLimits) {
-      const auto predicted = [&](double kappa) {
-        return first(count, [&](std::size_t d) {
-          return predicted_miss(depths.conditions[d], kMeasuredTypes[t].bits, kappa) > limit;
+      const auto predicted = [&, p = bits](double kappa) {
+        return first([&](const HardDrawing& one) {
+          return predicted_miss(one.condition, p, kappa) > limit;
         });
       };
-      const std::string early = predicted(kHighKappa), late = predicted(kMedianKappa);
-      const std::string at =
-          first(count, [&](std::size_t d) { return seen[d].largest_miss > limit; });
-      if (at == late && (at == "0" || at[0] == '>')) continue;
-      rows.push_back({name, kMeasuredTypes[t].name, fmt::format("{:g}", limit),
-                      early == late ? late : fmt::format("{} to {}", early, late), at});
+      rows.push_back(
+          {name, fmt::format("{:g}", limit), predicted(kHighKappa), predicted(kMedianKappa),
+           first([&](const HardDrawing& one) { return one.found[t].largest_miss > limit; })});
     }
-    rows.push_back({name, kMeasuredTypes[t].name, "broken", "",
-                    first(count, [&](std::size_t d) { return seen[d].is_broken(); })});
+    rows.push_back({name, "broken", "", "",
+                    first([&](const HardDrawing& one) { return one.found[t].is_broken(); })});
+  }
+  return rows;
+}
+
+/// Without what passes a limit at once, or never, as predicted.
+void add_rows(const std::string& name, const std::vector<HardDrawing>& nests,
+              std::vector<std::vector<std::string>>& rows) {
+  const auto depth = [&](int at) {
+    return at < 0 ? fmt::format("> {}", nests.size() - 1) : fmt::format("{}", at);
+  };
+  for (const HardRow& row : hard_rows(nests, depth)) {
+    if (row.seen == row.late && (row.seen == depth(0) || row.seen == depth(-1))) continue;
+    rows.push_back({name, row.type, row.limit, row.predicted(), row.seen});
   }
 }
 
@@ -159,11 +171,11 @@ void nest_table(const TableOptions& options) {
   const Graph cycle(5, {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {0, 4}});
   const Graph random = generate(find_family("random-cubic"), 100, 1);
   std::vector<std::vector<std::string>> rows;
-  add_rows("hexagons in K4", depths_of(complete_graph_of_four(), most, all), rows);
-  add_rows("hexagons in the cube", depths_of(cube(), most, all), rows);
-  add_rows("hexagons in a random cubic graph, n = 100", depths_of(random, most, all), rows);
-  add_rows("heptagons in C5", depths_of(cycle, most, all), rows);
-  add_rows("heptagons, then as many hexagons, in C5", depths_of(cycle, most, half), rows);
+  add_rows("hexagons in K4", nests_of(complete_graph_of_four(), most, all), rows);
+  add_rows("hexagons in the cube", nests_of(cube(), most, all), rows);
+  add_rows("hexagons in a random cubic graph, n = 100", nests_of(random, most, all), rows);
+  add_rows("heptagons in C5", nests_of(cycle, most, all), rows);
+  add_rows("heptagons, then as many hexagons, in C5", nests_of(cycle, most, half), rows);
   fmt::print(
       "The least depth of a nest at which a drawing misses by more than a limit, predicted with "
       "kappa from {} to {}, and seen, up to depth {}:\n\n",
@@ -186,49 +198,15 @@ RealPoints shifted(RealPoints points, int j) {
   return points;
 }
 
-struct MovedDrawing {
-  double condition = 0;
-  std::array<RealAssessment, kMeasuredTypes.size()> found;
-};
-
-/// The least shift at which holds(seen); -1 if there is none.
-template <class Holds>
-int first(const std::vector<MovedDrawing>& all, Holds&& holds) {
-  for (std::size_t j = 0; j < all.size(); ++j) {
-    if (holds(all[j])) return static_cast<int>(j);
-  }
-  return -1;
-}
-
 std::string power(int j) { return j < 0 ? "-" : fmt::format("2^{}", j); }
 
-/// Where one type of a graph's drawing passes a limit.
-struct MoveOnset {
-  int early = -1, late = -1;  ///< predicted with kHighKappa and kMedianKappa
-  int seen = -1;
-};
-
-MoveOnset onset_of(const std::vector<MovedDrawing>& all, std::size_t type, double limit) {
-  const auto predicted = [&](double kappa) {
-    return first(all, [&](const MovedDrawing& s) {
-      return predicted_miss(s.condition, kMeasuredTypes[type].bits, kappa) > limit;
-    });
-  };
-  return {predicted(kHighKappa), predicted(kMedianKappa),
-          first(all, [&](const MovedDrawing& s) { return s.found[type].largest_miss > limit; })};
-}
-
-int broken_at(const std::vector<MovedDrawing>& all, std::size_t type) {
-  return first(all, [&](const MovedDrawing& s) { return s.found[type].is_broken(); });
-}
-
 /// Moved by 2^0 to 2^kLargestShift.
-std::vector<MovedDrawing> moved_away(const Graph& graph) {
+std::vector<HardDrawing> moved_away(const Graph& graph) {
   const RealPoints drawing = two_bend_paper::draw_real(graph, two_bend_paper::RealType::reference);
-  std::vector<MovedDrawing> all;
+  std::vector<HardDrawing> all;
   for (int j = 0; j <= kLargestShift; ++j) {
     const RealPoints moved = shifted(drawing, j);
-    MovedDrawing seen;
+    HardDrawing seen;
     seen.condition = assess(graph, moved).condition;
     for (std::size_t t = 0; t < kMeasuredTypes.size(); ++t) {
       seen.found[t] = assess(graph, in_bits(moved, kMeasuredTypes[t].bits));
@@ -241,7 +219,7 @@ std::vector<MovedDrawing> moved_away(const Graph& graph) {
 }  // namespace
 
 void shift_tables(const TableOptions&) {
-  const std::vector<MovedDrawing> all = moved_away(generate(find_family("random-cubic"), 100, 1));
+  const std::vector<HardDrawing> all = moved_away(generate(find_family("random-cubic"), 100, 1));
   std::vector<std::vector<std::string>> misses, onsets;
   for (std::size_t j = 0; j < all.size(); j += 5) {
     std::vector<std::string> row{fmt::format("2^{}", j),
@@ -252,14 +230,8 @@ void shift_tables(const TableOptions&) {
     }
     misses.push_back(std::move(row));
   }
-  for (std::size_t t = 0; t < kMeasuredTypes.size(); ++t) {
-    for (const double limit : {1e-9, 1e-6, 1e-2, 1.0}) {
-      const MoveOnset onset = onset_of(all, t, limit);
-      onsets.push_back({kMeasuredTypes[t].name, fmt::format("{:g}", limit),
-                        fmt::format("{} to {}", power(onset.early), power(onset.late)),
-                        power(onset.seen)});
-    }
-    onsets.push_back({kMeasuredTypes[t].name, "broken", "", power(broken_at(all, t))});
+  for (const HardRow& row : hard_rows(all, power)) {
+    onsets.push_back({row.type, row.limit, row.predicted(), row.seen});
   }
   fmt::print(
       "Largest miss in degrees, random cubic graph with 100 vertices, moved and rounded:\n\n");
