@@ -28,7 +28,7 @@ void DrawingBuilder::add_between(const GrowthStage& stage) {
 
 void DrawingBuilder::add_middle(Vertex u, Vertex v, Vertex w) {
   const auto [x, y, z] = at_[v];
-  const std::int64_t r = turn_up(w), bend = z - way_back(v, w);
+  const std::int64_t r = go_up(w, old_front_), bend = z - way_back(v, w);
   std::int64_t h = bend;
   if (repairs_.own_heights) {
     h -= h & 1;
@@ -50,7 +50,7 @@ void DrawingBuilder::add_middle(Vertex u, Vertex v, Vertex w) {
 void DrawingBuilder::add_past_layer(Vertex u, Vertex v, Vertex other, Vertex w) {
   add_two_of_cycle(u, v, other);
   const auto [x, y, z] = at_[u];
-  const std::int64_t leg = repairs_.past_layer ? layer_right_ + 1 : y + 1, r = turn_up(w);
+  const std::int64_t leg = repairs_.past_layer ? layer_right_ + 1 : y + 1, r = go_up(w, old_front_);
   route(w, u, {{x, r, at_[w].z}, {x, r, z - (r - leg)}, {x, leg, z}});
   ++census_.past_layer;
 }

@@ -98,7 +98,6 @@ class DrawingBuilder {
   void turn(std::vector<Vertex>& cycle) const;
   void lay(const std::vector<Vertex>& cycle, bool is_k4);
   std::int64_t height_of_layer(const std::vector<Vertex>& cycle) const;
-  std::int64_t turn_up(Vertex w) const;
   std::int64_t way_back(Vertex v, Vertex w) const;
   void connect(Vertex v, Vertex w);
 

@@ -57,14 +57,9 @@ void DrawingBuilder::turn(std::vector<Vertex>& cycle) const {
   if (backwards) std::reverse(cycle.begin(), cycle.end());
 }
 
-/// Where the path from an old vertex w turns upwards.
-std::int64_t DrawingBuilder::turn_up(Vertex w) const {
-  return is_tree(w) ? old_front_ + 1 : at_[w].y + 1;
-}
-
-/// How far the path then comes back along e_Y - e_Z, to the end of the leg of v.
+/// How far the path from an old vertex w comes back along e_Y - e_Z, to the end of the leg of v.
 std::int64_t DrawingBuilder::way_back(Vertex v, Vertex w) const {
-  return turn_up(w) - at_[v].y - 1;
+  return go_up(w, old_front_) - at_[v].y - 1;
 }
 
 /// Step G.6, z.
@@ -124,7 +119,7 @@ void DrawingBuilder::lay(const std::vector<Vertex>& cycle, bool is_k4) {
 /// Step G.7: an edge from a cycle vertex v to an old vertex w in its plane.
 void DrawingBuilder::connect(Vertex v, Vertex w) {
   const auto [x, y, z] = at_[v];
-  const std::int64_t r = turn_up(w);
+  const std::int64_t r = go_up(w, old_front_);
   route(w, v, {{x, r, at_[w].z}, {x, r, z - way_back(v, w)}, {x, y + 1, z}});
   ++census_.connections;
 }
