@@ -66,6 +66,7 @@ test("dark where the system is dark, and by the button", async () => {
   assert.equal(await scheme(), "default");
   await page.locator("label[for=__palette_2]").click();
   assert.equal(await scheme(), "slate");
+  await page.evaluate(() => Promise.all(document.getAnimations().map(one => one.finished)));  // colours fade in
   const luminance = property => page.locator("article a[href]").first().evaluate((link, name) => {
     const [r, g, b] = getComputedStyle(name === "color" ? link : document.body)[name].match(/\d+/g).map(value => {
       const share = value / 255;
