@@ -1,4 +1,7 @@
 // `ar3d bisect` in a small repository whose commits are known.
+#include <nlohmann/json.hpp>
+
+#include "ar3d/bench/measure/environment.h"
 #include "ar3d/store/run_storage.h"
 #include "support/program.h"
 
@@ -104,20 +107,37 @@ TEST(Bisect, CommitsThatDoNotBuildOrRunAreSkippedAndNamed) {
   repository.expect_nothing_left();
 }
 
+/// What stands before a program to make it use a library of this source.
+std::string with_library(const SeededRepository& repository, const std::string& source) {
+  const std::string library = repository.path("other.so");
+  must("echo '" + source + "' | gcc -shared -fPIC -x c - -o " + library + " -ldl");
+  return "LD_PRELOAD=" + library + " exec";
+}
+
 /// Clocks (wall and CPU time of a thread) that run twice as fast: drawing takes twice the time.
 std::string fast_clock(const SeededRepository& repository) {
-  const std::string library = repository.path("clock.so");
-  expect_exit(0, run("printf '#define _GNU_SOURCE\\n#include <dlfcn.h>\\n#include <time.h>\\n"
-                     "int clock_gettime(clockid_t id, struct timespec* t) {\\n"
-                     "  static int (*real)(clockid_t, struct timespec*);\\n"
-                     "  if (!real) real = dlsym(RTLD_NEXT, \"clock_gettime\");\\n"
-                     "  int code = real(id, t);\\n"
-                     "  if (id != CLOCK_MONOTONIC && id != CLOCK_THREAD_CPUTIME_ID) return code;\\n"
-                     "  long long ns = 2 * (t->tv_sec * 1000000000LL + t->tv_nsec);\\n"
-                     "  t->tv_sec = ns / 1000000000; t->tv_nsec = ns %% 1000000000;\\n"
-                     "  return code;\\n}\\n' | gcc -shared -fPIC -x c - -o " +
-                     library + " -ldl"));
-  return "LD_PRELOAD=" + library + " exec";
+  return with_library(repository, R"(#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <time.h>
+int clock_gettime(clockid_t id, struct timespec* t) {
+  static int (*real)(clockid_t, struct timespec*);
+  if (!real) real = dlsym(RTLD_NEXT, "clock_gettime");
+  int code = real(id, t);
+  if (id != CLOCK_MONOTONIC && id != CLOCK_THREAD_CPUTIME_ID) return code;
+  long long ns = 2 * (t->tv_sec * 1000000000LL + t->tv_nsec);
+  t->tv_sec = ns / 1000000000; t->tv_nsec = ns % 1000000000;
+  return code;
+})");
+}
+
+/// Allocations that take 200 steps each: the same drawings by more instructions.
+std::string more_instructions(const SeededRepository& repository) {
+  return with_library(repository, R"(#include <stddef.h>
+extern void* __libc_malloc(size_t);
+void* malloc(size_t size) {
+  for (volatile int i = 0; i < 200; ++i);
+  return __libc_malloc(size);
+})");
 }
 
 TEST(Bisect, TheCommitThatMadeItSlowerIsFound) {
@@ -130,28 +150,88 @@ TEST(Bisect, TheCommitThatMadeItSlowerIsFound) {
   repository.expect_nothing_left();
 }
 
+/// Two results of the study in a history, as of the first commit and of the last, and what the
+/// command finds that the history prints of the measure. @param change  of the second's rows.
+template <class Change>
+Outcome found_by_history(const SeededRepository& repository, const std::string& measure,
+                         const Change& change) {
+  const std::string path = repository.path("now.h5"), folder = repository.path("history");
+  const std::string cd = "cd " + repository.path("checkout") + " && ";
+  must("{} study run -q --threads 1 " + repository.path("tiny.toml") + " -o " + path);
+  for (const std::size_t commit : {0, 3}) {
+    if (commit == 3) change(path);
+    Results results = read_results(path);
+    results.source_hash = repository.hash(commit);
+    results.dirty = false;
+    write_results(results, path);
+    must(cd + "{} history add " + path + " --folder " + folder);
+  }
+  const Outcome report = run("{} history report --folder " + folder);
+  for (std::size_t at = 0; (at = report.out.find("ar3d bisect ", at)) != std::string::npos; ++at) {
+    const std::string command = report.out.substr(at + 5, report.out.find('\n', at) - at - 5);
+    if (command.find("--measure " + measure) == std::string::npos) continue;
+    if (command.ends_with(kCell)) return run(cd + "{} " + command);
+  }
+  throw std::runtime_error("no such command: " + report.out);
+}
+
 TEST(Bisect, TheCommandThatAHistoryPrintsFindsTheCommit) {
   SeededRepository repository;
   for (const char* subject : {"zero", "one"}) repository.commit(subject, kPlain);
   for (const char* subject : {"culprit", "three"}) repository.commit(subject, kOtherDrawings);
-  const std::string path = repository.path("now.h5"), folder = repository.path("history");
-  must("{} study run -q --threads 1 " + repository.path("tiny.toml") + " -o " + path);
-  for (const std::size_t commit : {0, 3}) {
+  const auto grow = [](const std::string& path) {
     Results results = read_results(path);
-    results.source_hash = repository.hash(commit);
-    results.dirty = false;
-    if (commit == 3) results.runs.front().extents[0] += 1;
+    results.runs.front().extents[0] += 1;
     write_results(results, path);
-    expect_exit(0, run("cd " + repository.path("checkout") + " && {} history add " + path +
-                       " --folder " + folder));
-  }
-  const Outcome report = run("{} history report --folder " + folder);
-  const std::size_t begin = report.out.find("ar3d bisect ");
-  ASSERT_NE(begin, std::string::npos) << report.out;
-  const std::string command =
-      report.out.substr(begin + 5, report.out.find('\n', begin) - begin - 5);
-  expect_output(run("cd " + repository.path("checkout") + " && {} " + command),
+  };
+  expect_output(found_by_history(repository, "volume", grow),
                 "FOUND    " + repository.hash(2) + " culprit");
+}
+
+bool can_count() { return std::string(build_kind()) != "sanitised"; }
+
+TEST(MoreInstructions, AreFoundByBisection) {
+  if (!can_count()) GTEST_SKIP() << "valgrind cannot run it";
+  SeededRepository repository;
+  repository.commit("zero", kPlain);
+  repository.commit("culprit", more_instructions(repository));
+  const std::string range = "--good HEAD~1 --cell " + std::string(kCell);
+  expect_output(repository.bisect("--measure cycles " + range),
+                {"FOUND    " + repository.hash(1) + " culprit", "BAD      cycles +"});
+  expect_output(repository.bisect("--measure volume " + range), "NO CHANGE", 6);
+  repository.expect_nothing_left();
+}
+
+TEST(MoreInstructions, AreFoundByTheCommandThatAHistoryPrints) {
+  if (!can_count()) GTEST_SKIP() << "valgrind cannot run it";
+  SeededRepository repository;
+  const std::string slow = more_instructions(repository);
+  for (const char* subject : {"zero", "one"}) repository.commit(subject, kPlain);
+  for (const char* subject : {"culprit", "three"}) repository.commit(subject, slow);
+  must("sed -i '1i count = true' " + repository.path("tiny.toml"));
+  const auto count_again = [&](const std::string& path) {
+    must(slow.substr(0, slow.find(' ')) + " {} study count " + path);
+  };
+  expect_output(found_by_history(repository, "instructions", count_again),
+                {"FOUND    " + repository.hash(2) + " culprit", "BAD      instructions +"});
+}
+
+TEST(MoreInstructions, AreFoundBetweenBuildsInOneRoundWhateverTheTimes) {
+  if (!can_count()) GTEST_SKIP() << "valgrind cannot run it";
+  SeededRepository repository;
+  repository.commit("zero", "LD_PRELOAD= exec");
+  const std::string slow = more_instructions(repository), file = repository.path("verdict.json");
+  must("sed -i '1i count = true' " + repository.path("tiny.toml"));
+  const auto verdict = [&](int exit_code, const std::string& before) {
+    const Outcome outcome = run("cd " + repository.path("checkout") + " && " + before +
+                                " {} compare --base HEAD --rounds 1 --force --json " + file +
+                                " --study " + repository.path("tiny.toml"));
+    expect_output(outcome, "by counts (instructions, simulated cache)", exit_code);
+    return nlohmann::json::parse(read_file(file)).at("counts");
+  };
+  EXPECT_EQ(verdict(0, "").at("PASS"), 2);
+  EXPECT_EQ(verdict(3, slow).at("REGRESSED"), 2);
+  repository.expect_nothing_left();
 }
 
 TEST(Bisect, AnInterruptLeavesNoWorktree) {
