@@ -63,6 +63,10 @@ std::string beginning_of(const std::string& path) {
 }
 
 void refuse_needed(const std::string& path, const VerbFiles& files) {
+  std::error_code error;
+  if (std::filesystem::is_symlink(path, error) && !std::filesystem::exists(path, error)) {
+    throw InputError(fmt::format("cannot write {}: it is a symbolic link to nothing", path));
+  }
   if (!is_regular(path)) return;
   const std::string beginning = beginning_of(path);
   if (beginning.starts_with(std::string_view(kJournalMagic).substr(0, 8))) {

@@ -67,6 +67,8 @@ void write_report(const std::string& results, const StudyAnalysis& analysis) {
 // Counts what no session before has counted. Where it cannot be, times alone are compared.
 // @return false if it was interrupted.
 bool count_drawings_of(const std::string& path) {
+  if (is_interrupted()) return false;
+  const Interruptible interruptible(SecondSignal::is_ignored);  // to clean up in peace
   Results results = read_results(path);
   const auto is_counted = [](const RunRecord& run) { return run.counted_instructions >= 0; };
   if (std::any_of(results.runs.begin(), results.runs.end(), is_counted)) return true;

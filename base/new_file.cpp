@@ -54,7 +54,10 @@ NewFile::NewFile(const std::string& path) : path_(path), target_(path) {
     throw InputError(fmt::format("cannot write {}: it is not a regular file", path));
   }
   if (exists && access(path.c_str(), W_OK) != 0) refuse_writing(path, errno);
-  std::error_code error;  // a link to nowhere, or a path that opening will refuse
+  if (!exists && lstat(path.c_str(), &status) == 0) {
+    throw InputError(fmt::format("cannot write {}: it is a symbolic link to nothing", path));
+  }
+  std::error_code error;  // a path that opening will refuse
   const std::filesystem::path real = std::filesystem::weakly_canonical(path, error);
   if (!error) target_ = real.string();
   if (!open_nameless()) {
@@ -111,14 +114,32 @@ bool NewFile::become_new_target() {
   return give_name_if_free(std::exchange(name_, {}), target_);
 }
 
-Descriptor new_temporary_file(const std::string& beginning, std::string& path) {
+namespace {
+
+std::string temporary_name(const std::string& beginning) {
   const char* folder = std::getenv("TMPDIR");
-  path = fmt::format("{}/{}-XXXXXX", folder == nullptr || *folder == '\0' ? "/tmp" : folder,
+  return fmt::format("{}/{}-XXXXXX", folder == nullptr || *folder == '\0' ? "/tmp" : folder,
                      beginning);
-  Descriptor file(mkostemp(path.data(), O_CLOEXEC));
-  if (file.get() >= 0) return file;
+}
+
+[[noreturn]] void refuse_temporary(const std::string& path) {
   throw InputError(
       fmt::format("cannot create {} (TMPDIR says where): {}", path, std::strerror(errno)));
+}
+
+}  // namespace
+
+Descriptor new_temporary_file(const std::string& beginning, std::string& path) {
+  path = temporary_name(beginning);
+  Descriptor file(mkostemp(path.data(), O_CLOEXEC));
+  if (file.get() < 0) refuse_temporary(path);
+  return file;
+}
+
+std::string new_temporary_folder(const std::string& beginning) {
+  std::string path = temporary_name(beginning);
+  if (mkdtemp(path.data()) == nullptr) refuse_temporary(path);
+  return path;
 }
 
 std::string name_of_new_file(const std::string& target) {

@@ -80,6 +80,9 @@ void require_writable(const std::string& path);
 /// @throws InputError naming it if there can be no such file.
 Descriptor new_temporary_file(const std::string& beginning, std::string& path);
 
+/// A new folder there. @return its path. @throws InputError as new_temporary_file.
+std::string new_temporary_folder(const std::string& beginning);
+
 /// Writes all bytes to an open file. @throws InputError naming the path and the system's reason.
 void write_all(int descriptor, std::span<const char> bytes, const std::string& path);
 

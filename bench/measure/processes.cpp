@@ -124,6 +124,7 @@ constexpr int kCannotRun = 127;
 /// Never returns. Only calls that are allowed between fork and exec.
 [[noreturn]] void become(char* const* words, const ChildOptions& options) {
   std::signal(SIGINT, SIG_DFL);
+  prctl(PR_SET_PDEATHSIG, SIGTERM);  // it goes with this process, however that ends
   if (!options.folder.empty() && chdir(options.folder.c_str()) != 0) _exit(kCannotRun);
   const int log = open(options.output.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);

@@ -17,6 +17,7 @@
 #include <tuple>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/new_file.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/replay/replay_row.h"
@@ -45,10 +46,7 @@ constexpr std::string_view kFileFamily = "file:";
 // A folder that is removed when it is no longer used.
 class ScratchFolder {
  public:
-  ScratchFolder() {
-    if (mkdtemp(path_.data()) != nullptr) return;
-    throw InputError(fmt::format("cannot create {}: {}", path_, std::strerror(errno)));
-  }
+  ScratchFolder() = default;
   ~ScratchFolder() {
     std::error_code ignored;
     fs::remove_all(path_, ignored);
@@ -58,7 +56,7 @@ class ScratchFolder {
   std::string file(const std::string& name) const { return path_ + "/" + name; }
 
  private:
-  std::string path_ = (fs::temp_directory_path() / "ar3d-callgrind-XXXXXX").string();
+  std::string path_ = new_temporary_folder("ar3d-callgrind");
 };
 
 // What a drawing costs must not depend on those before it: all that they free becomes one piece of

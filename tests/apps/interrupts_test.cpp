@@ -1,6 +1,7 @@
 // Ctrl-C once, twice and three times; a folder that is moved while a study writes into it.
 #include <sstream>
 
+#include "ar3d/bench/measure/environment.h"
 #include "ar3d/store/run_storage.h"
 #include "support/program.h"
 #include "support/results.h"
@@ -92,6 +93,41 @@ TEST(Interrupts, OfMergeReportHuntAndGenerateLeaveWholeFilesOrNone) {
   for (const auto& entry : fs::directory_iterator(scratch.path(""))) {
     EXPECT_EQ(entry.path().string().find(".part"), std::string::npos) << entry.path();
   }
+}
+
+/// 16 drawings that take callgrind some ten seconds together.
+constexpr const char* kCountedStudy =
+    "study = 's'\ncount = true\n[[sweep]]\nfamilies = 'random-cubic'\nsizes = 9000\n"
+    "algorithms = 'two-bend'\ninstances = 16\n";
+
+TEST(Interrupts, WhileCountingLeaveNothingButWholeRows) {
+  if (std::string(build_kind()) == "sanitised") GTEST_SKIP() << "valgrind cannot run it";
+  const ScratchDirectory scratch;
+  const std::string spec = scratch.write("s.toml", kCountedStudy), file = scratch.path("r.h5");
+  const std::string temporary = scratch.path("temporary");
+  fs::create_directory(temporary);
+  const auto ends = [&](const std::string& signals, const std::string& words) {
+    return run("export TMPDIR=" + temporary + "; {} study " + words + " > " + file +
+               ".out 2>&1 & p=$!; until ls " + temporary + "/*/counts* > " + file +
+               ".ls 2>&1; do sleep 0.05; kill -0 $p || exit 99; done; "
+               "for s in " +
+               signals +
+               "; do kill -$s $p; done; wait $p; c=$?; sleep 0.5; "
+               "pgrep -f callgrind-out-file=" +
+               temporary + "/[a]r3d; exit $c");  // whoever has a file there, but for this shell
+  };
+  for (const std::string signals : {"INT", "TERM", "INT TERM INT"}) {
+    const Outcome outcome =
+        expect_exit(130, ends(signals, "run -q --force " + spec + " -o " + file));
+    EXPECT_EQ(outcome.out, "") << signals;
+    EXPECT_TRUE(fs::is_empty(temporary)) << signals;
+    EXPECT_FALSE(fs::exists(file + ".journal")) << signals;
+    expect_output(run("{} check " + file), "16 rows, 16 proved");
+  }
+  const std::string before = read_file(file);
+  expect_exit(130, ends("TERM", "count " + file));
+  EXPECT_EQ(read_file(file), before);
+  EXPECT_EQ(ends("KILL", "count " + file).out, "") << "its child goes with it";
 }
 
 TEST(MovedFolder, AStudyEndsInItAndLeavesTheOneThatHasItsNameAlone) {

@@ -136,6 +136,10 @@ TEST_F(Outputs, ThatExistAreReplacedWithForceOnly) {
                             {"study count r.h5 --max-n 4 -o out.obj", "out.obj"},
                             {"study status r.h5 --snapshot out.h5", "out.h5"}}) {
     const std::string file = scratch_.path(written.file);
+    fs::create_symlink("gone", file);
+    expect_refused(written.command + std::string(" --force"), "a symbolic link to nothing");
+    EXPECT_TRUE(fs::is_symlink(file) && !fs::exists(file)) << written.command;
+    fs::remove(file);
     std::ofstream(file) << "a year's work\n";
     expect_refused(written.command, std::string(written.file) + " exists; --force replaces it");
     EXPECT_EQ(read_file(file), "a year's work\n") << written.command;
