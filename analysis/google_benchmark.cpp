@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -163,6 +164,9 @@ Results read_google_benchmark(const std::string& path) {
 }
 
 Results read_results_or_benchmarks(const std::string& path) {
+  if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path)) {
+    throw InputError(path + " is not a regular file");  // which can be read twice
+  }
   std::ifstream file(path, std::ios::binary);
   char first = '\0';
   if (file >> first && first == '{') return read_google_benchmark(path);

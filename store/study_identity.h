@@ -15,6 +15,10 @@ struct EnvironmentEntry {
   std::int64_t session = 0;  ///< a session is one process that made rows of the study
 };
 
+/// Entries in words: why there were no more rounds of the timing phase, and the yardsticks' share.
+inline constexpr const char* kTimingRounds = "timing_rounds";
+inline constexpr const char* kTimingYardsticks = "timing_yardsticks";
+
 /// Which part of a study's instances a process makes: shard `index` of `count`, from 1.
 struct Shard {
   std::uint32_t index = 1;

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "ar3d/analysis/statistics.h"
+#include "ar3d/analysis/text.h"
 
 namespace ar3d {
 namespace {
@@ -60,6 +61,15 @@ std::pair<double, double> yardstick_of(const Results& results, std::size_t which
           median(logs) - *std::min_element(logs.begin(), logs.end())};
 }
 
+/// Why the last session made no more rounds.
+std::string last_rounds(const Results& results) {
+  std::string last;
+  for (const EnvironmentEntry& entry : results.environment) {
+    if (entry.name == kTimingRounds) last = one_line(entry.value);
+  }
+  return last;
+}
+
 SettingTimes setting_of(const std::vector<const CellTimes*>& cells) {
   SettingTimes setting;
   setting.name = cells.front()->setting;
@@ -107,7 +117,7 @@ CellTimes cell_times(const PairedCell& cell) {
       const std::size_t rounds = logs.size();
       times.rounds = times.rounds == 0 ? rounds : std::min(times.rounds, rounds);
       times.ratio += share * (side == 0 ? -1 : 1) * smallest(logs, 0, rounds);
-      times.spread += share * std::pow(resampled_spread(logs), 2);
+      times.spread += share * share * std::pow(resampled_spread(logs), 2);
       if (rounds < 2) continue;
       times.halves[side] +=
           share * (smallest(logs, 0, rounds / 2) - smallest(logs, rounds / 2, rounds));
@@ -138,6 +148,7 @@ class FileJudge {
       times_.settings.push_back(setting_of(of_setting));
       ratios.push_back(times_.settings.back().ratio);
     }
+    times_.rounds = {last_rounds(base), last_rounds(now)};
     has_others_ = ratios.size() >= kOthers;
     if (has_others_) times_.common = median(ratios);
     times_.is_alike = are_yardsticks_alike(base, now) && std::abs(times_.common) <= limit_ / 2;
@@ -255,6 +266,10 @@ std::string times_sentence(const FileTimes& times) {
   }
   text +=
       moved.empty() ? " No setting moved against all others" : " Against all others moved " + moved;
+  for (std::size_t side = 0; side < 2; ++side) {
+    if (times.rounds[side].empty()) continue;
+    text += fmt::format(". {} made {}", side == 0 ? "BASE" : "NEW", times.rounds[side]);
+  }
   return text;
 }
 

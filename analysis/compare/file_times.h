@@ -16,8 +16,9 @@ struct CellTimes {
   std::string setting;     ///< algorithm_label()
   std::size_t rounds = 0;  ///< of the graph that has the fewest; 0: it is not timed
   double ratio = 0;        ///< log(new / base), mean over the graphs
-  /// How far the smallest time may be from the smallest possible one: root mean square over both
-  /// sides when the rounds are drawn again with replacement, which has a closed form.
+  /// How far the smallest times may be from the smallest possible ones, in the mean over the
+  /// graphs and both sides: the root mean square when the rounds are drawn again with replacement,
+  /// which has a closed form.
   double spread = 0;
   /// Of base and new: log(smallest of the first half of the rounds / smallest of the second).
   std::array<double, 2> halves{};
@@ -36,6 +37,7 @@ struct SettingTimes {
 
 /// What times of two files say, step by step as docs/analysis.md does.
 struct FileTimes {
+  std::array<std::string, 2> rounds;   ///< kTimingRounds of base and new; empty: unknown
   std::array<double, 3> yardsticks{};  ///< log(new / base) of kYardsticks; NaN: not in both files
   double common = 0;                   ///< log of the factor by which all settings moved together
   double residual = 0;                 ///< robust standard deviation of cells about their setting

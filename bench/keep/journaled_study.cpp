@@ -35,8 +35,7 @@ namespace {
 namespace fs = std::filesystem;
 RowCollection rows_so_far(const JournaledStudy& study) {
   RowCollection rows(run_format());
-  const std::vector<std::string> journals = existing_journals(study.results);
-  for (const std::string& file : journals) rows.add(file);
+  for (const std::string& journal : existing_journals(study.results)) rows.add(journal);
   if (rows_are_in_results(study.results)) rows.add(study.results);
   rows.close();
   return rows;
@@ -73,9 +72,7 @@ void copy_rows(const RowCollection& rows, const std::function<bool(const char* r
 }
 
 bool is_again(const JournaledStudy& study, const char* record) {
-  if (study.again.empty()) return false;
-  const RunStatus status = load_record(record).status;
-  return std::find(study.again.begin(), study.again.end(), status) != study.again.end();
+  return !study.again.empty() && std::ranges::count(study.again, load_record(record).status) > 0;
 }
 
 // Rows are only taken away from a study that is whole in its results file. @throws InputError if
@@ -152,8 +149,9 @@ std::vector<EnvironmentEntry> session_of(const JournaledStudy& study, const Sess
 // New rows go into the journal; those that the collection has are there.
 class JournalSink final : public RowSink {
  public:
-  JournalSink(const RowCollection& before, JournalWriter& journal)
-      : before_(before), journal_(journal) {}
+  JournalSink(const RowCollection& before, JournalWriter& journal,
+              std::vector<EnvironmentEntry>& notes)
+      : before_(before), journal_(journal), notes_(notes) {}
   bool has_any() const override { return before_.size() > 0; }
   bool has(const std::string& key) const override {
     return before_.find(parse_row_key(key)).has_value();
@@ -164,10 +162,12 @@ class JournalSink final : public RowSink {
     return load_record(record.data());
   }
   void add(std::size_t, const RunRecord& row) override { append_run(journal_, row); }
+  void note(const EnvironmentEntry& entry) override { notes_.push_back(entry); }
 
  private:
   const RowCollection& before_;
   JournalWriter& journal_;
+  std::vector<EnvironmentEntry>& notes_;
 };
 
 // Does a step on all ranks; where it fails on one, it fails on all. What is no InputError, or is
@@ -308,7 +308,8 @@ class StudyPart {
       study_.results = folder_.results_path();
       make(shared, rows_so_far(study_));
     });
-    journal_->end_session({{"load_after", load_average()}});
+    at_end_.push_back({"load_after", load_average()});
+    journal_->end_session(at_end_);
   }
 
   StudyOutcome write_results() {
@@ -352,7 +353,7 @@ class StudyPart {
   }
 
   void make(const SessionPolicy& policy, const RowCollection& before) {
-    JournalSink sink(before, *journal_);
+    JournalSink sink(before, *journal_, at_end_);
     run_session(plan_, policy, sink);
   }
 
@@ -361,6 +362,7 @@ class StudyPart {
   Ranks& ranks_;
   StudyPlan plan_;
   StudyFolder folder_;
+  std::vector<EnvironmentEntry> at_end_;
   std::optional<JournalWriter> journal_;  // until the end, so that nobody else takes the study up
 };
 

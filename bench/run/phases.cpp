@@ -1,6 +1,9 @@
 #include "ar3d/bench/run/phases.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <deque>
@@ -8,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -95,10 +99,11 @@ struct TimedDrawing {
   std::shared_ptr<const PlannedInstance> instance;
   std::deque<const PlannedRun*> left;  // rows not made yet, by repetition
   std::vector<double> times_s;
+  double precision = 0.01;  // where the study asks for none
   std::optional<RunRecord> certified;
 
   bool has_optional() const { return !left.empty() && left.front()->optional; }
-  bool is_stable() const { return halves_difference(times_s) <= left.front()->precision; }
+  bool is_stable() const { return halves_difference(times_s) <= precision; }
 };
 
 class TimingSource final : public RowSource {
@@ -137,6 +142,10 @@ class TimingSource final : public RowSource {
     const std::lock_guard<std::mutex> lock(mutex_);
     const std::size_t place = in_hand_.at(job.run);
     in_hand_.erase(job.run);
+    const bool is_known = !(row.yardsticks_s[0] > 0);  // or it has none
+    if (!is_known && known_yardsticks_.insert(row.yardsticks_s).second) {
+      for (const double one_s : row.yardsticks_s) yardsticks_s_ += one_s;
+    }
     TimedDrawing& drawing = drawings_[place];
     if (drawing.certified) {
       take_over_certificate(*drawing.certified, row);
@@ -151,6 +160,24 @@ class TimingSource final : public RowSource {
     drawing.times_s.push_back(drawing_time_s(row));
   }
 
+  std::vector<EnvironmentEntry> ending() const override {
+    std::size_t rounds = 0, stable = 0;
+    bool has_more = false;
+    for (const TimedDrawing& drawing : drawings_) {
+      rounds = std::max(rounds, drawing.times_s.size());
+      stable += drawing.is_stable();
+      has_more = has_more || !drawing.left.empty();
+    }
+    const char* why = session().stopped() ? "then stopped"
+                      : has_more          ? "enough for the precision"
+                                          : "as many as the study makes";
+    const double all_s = time_.wall_s() * rules_.concurrency;
+    return {{kTimingRounds, fmt::format("{} rounds, {}: {} of {} drawings are stable", rounds, why,
+                                        stable, drawings_.size())},
+            {kTimingYardsticks, fmt::format("{:.3g} s, {:.1f} % of the time", yardsticks_s_,
+                                            100 * yardsticks_s_ / all_s)}};
+  }
+
  private:
   // The drawings of an instance: runs of one algorithm and options follow each other in the plan.
   void add_drawings(std::size_t place) {
@@ -163,6 +190,7 @@ class TimingSource final : public RowSource {
       if (!same) {
         drawings_.emplace_back().instance = instance;
         drawings_.back().place = place;
+        if (run.precision > 0) drawings_.back().precision = run.precision;
       }
       previous = &run;
       if (session().wants(run)) {
@@ -199,6 +227,9 @@ class TimingSource final : public RowSource {
   }
 
   const TimingRules& rules_;
+  const Stopwatch time_;
+  std::set<std::array<double, 3>> known_yardsticks_;
+  double yardsticks_s_ = 0;  // that they took
   std::mutex mutex_;
   std::vector<TimedDrawing> drawings_;
   std::deque<std::size_t> round_;  // places in drawings_ of those that wait for their turn

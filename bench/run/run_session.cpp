@@ -17,6 +17,7 @@
 #include "ar3d/bench/run/phases.h"
 #include "ar3d/bench/run/session.h"
 #include "ar3d/bench/run/worker_process.h"
+#include "ar3d/store/study_identity.h"
 
 namespace ar3d {
 namespace {
@@ -111,8 +112,10 @@ SessionEnd run_session(const StudyPlan& plan, const SessionPolicy& policy, RowSi
            {.workers = policy.workers, .elsewhere = policy.workers_elsewhere, .cores = {}});
   if (policy.timed_phases && !session.stopped() && has_run(plan, is_timing)) {
     const std::uint32_t workers = plan.timing.concurrency;
-    work_off(*timing_source(session),
+    const std::unique_ptr<RowSource> rounds = timing_source(session);
+    work_off(*rounds,
              {.workers = static_cast<int>(workers), .elsewhere = 0, .cores = cores_for(workers)});
+    for (const EnvironmentEntry& entry : rounds->ending()) sink.note(entry);
   }
   if (policy.timed_phases && !session.stopped()) run_batches(session);
   return session.end();

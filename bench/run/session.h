@@ -18,6 +18,7 @@
 #include "ar3d/bench/run/ranks.h"
 #include "ar3d/bench/run/row_maker.h"
 #include "ar3d/store/columns/run_record.h"
+#include "ar3d/store/study_identity.h"
 
 namespace ar3d {
 
@@ -87,6 +88,8 @@ class RowSink {
   /// Takes a new row and its place in the plan, one call at a time. What it throws ends the session
   /// and is thrown again there.
   virtual void add(std::size_t place, const RunRecord& row) = 0;
+  /// Takes what is to be known of the session, for its environment.
+  virtual void note(const EnvironmentEntry&) {}
 };
 
 /// Why run_session came back.
@@ -156,6 +159,8 @@ class RowSource {
   virtual std::optional<RowJob> next(int worker) = 0;
   /// Takes a row that was handed out. What it throws ends the phase and is passed on.
   virtual void done(const RowJob& job, RunRecord row) = 0;
+  /// What is to be known of the phase when it is over, for the environment.
+  virtual std::vector<EnvironmentEntry> ending() const { return {}; }
 
  private:
   StudySession& session_;

@@ -82,6 +82,17 @@ TEST(CompareProgram, AFileAgainstItselfPassesAndAGrownBoxIsARegression) {
   expect_exit(4, run("{} compare " + base + " " + broken));
 }
 
+TEST(CompareProgram, AFileSaysWhyItHasNoMoreRounds) {
+  const ScratchDirectory scratch;
+  const std::string spec =
+      scratch.write("timed.toml", std::string(kStudy) + "timed_repetitions = 4\n");
+  const std::string path = scratch.path("timed.h5");
+  must("{} study run " + spec + " --threads 1 --force-timing -q -o " + path);
+  const std::string said = "made 4 rounds, as many as the study makes: ";
+  expect_output(run("{} compare " + path + " " + path), {"BASE " + said, "NEW " + said});
+  EXPECT_THAT(read_file(scratch.path("timed.html")), HasSubstr(">timing_rounds<"));
+}
+
 TEST(CompareProgram, TheVerdictIsWrittenAsMarkdown) {
   const ScratchDirectory scratch;
   const std::string base = tiny_results(scratch, "base.h5");
@@ -111,6 +122,8 @@ TEST(CompareProgram, TheVerdictIsWrittenAsMarkdown) {
 
 TEST(CompareProgram, BadInputIsOneClearLine) {
   const ScratchDirectory scratch;
+  const std::string pipe = scratch.path("pipe");
+  must("mkfifo " + pipe);
   const std::string base = tiny_results(scratch, "base.h5");
   const std::string other = changed(base, "other.h5", [](Results& r) { r.study_id = "another"; });
   const std::string twice =
@@ -127,6 +140,7 @@ TEST(CompareProgram, BadInputIsOneClearLine) {
            {base + " " + unnamed, "unnamed.json is not a Google Benchmark report"},
            {base + " " + unit, "unknown time_unit 'h'"},
            {base + " " + base + ".missing", "missing"},
+           {base + " " + pipe, "pipe is not a regular file"},
            {base, "compare takes two results files"},
            {"--base no-such-ref-anywhere", "no commit 'no-such-ref-anywhere'"},
            {"--base HEAD " + base, "take no results files"}}) {

@@ -26,6 +26,9 @@ class FunctionSink final : public RowSink {
   bool has(const std::string& key) const override { return finished_.contains(key); }
   RunRecord read(const std::string& key) const override { return finished_.at(key); }
   void add(std::size_t place, const RunRecord& row) override { take_(place, row); }
+  void note(const EnvironmentEntry& entry) override { notes.push_back(entry); }
+
+  std::vector<EnvironmentEntry> notes;
 
  private:
   Take take_;

@@ -28,6 +28,7 @@ SessionPolicy forced() {
 struct Made {
   std::vector<std::size_t> order;
   std::map<std::size_t, RunRecord> rows;
+  std::vector<EnvironmentEntry> notes;
 };
 
 // All rows of a plan but the finished ones.
@@ -43,6 +44,7 @@ Made make(const StudyPlan& plan, const SessionPolicy& policy = forced(),
       },
       finished);
   run_session(plan, policy, sink);
+  made.notes = sink.notes;
   return made;
 }
 
@@ -86,6 +88,11 @@ TEST(TimingPhase, GoesRoundAllDrawingsPinnedAndAlone) {
     for (const double yardstick_s : run.yardsticks_s) EXPECT_GT(yardstick_s, 0);
   }
   EXPECT_THAT(repetitions, ElementsAre(0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2));
+  ASSERT_EQ(made.notes.size(), 2u);
+  EXPECT_EQ(made.notes[0].name, kTimingRounds);
+  EXPECT_THAT(made.notes[0].value, StartsWith("3 rounds, as many as the study makes: "));
+  EXPECT_EQ(made.notes[1].name, kTimingYardsticks);
+  EXPECT_GT(std::stod(made.notes[1].value), 0);
 }
 
 TEST(TimingPhase, RowsHaveKeysOfTheirOwnAndReplaySpecIsKept) {
@@ -112,7 +119,11 @@ TEST(TimingPhase, OptionalRepetitionsEndAtThePrecision) {
   for (const auto& [row, run] : made.rows) {
     if (run.phase == RunPhase::timing) times.push_back(drawing_time_s(run));
   }
-  EXPECT_TRUE(made.rows.size() == plan.rows() || halves_difference(times) <= 1.0);
+  const bool is_enough = made.rows.size() < plan.rows();
+  EXPECT_TRUE(!is_enough || halves_difference(times) <= 1.0);
+  EXPECT_THAT(made.notes.at(0).value,
+              is_enough ? HasSubstr("rounds, enough for the precision: 1 of 1 drawings are stable")
+                        : HasSubstr("400 rounds, as many as the study makes"));
 
   // A second go that knows those rows needs no more.
   std::unordered_map<std::string, RunRecord> finished;
