@@ -121,7 +121,8 @@ class NarrowPlacer {
    private:
     template <class Test>
     bool any(Test test) const {  // without branches on what is random
-      return test(pieces[0]) | test(pieces[1]) | test(pieces[2]) | test(pieces[3]);
+      const auto is = [&](std::size_t i) { return static_cast<unsigned>(test(pieces[i])); };
+      return (is(0) | is(1) | is(2) | is(3)) != 0;
     }
   };
 

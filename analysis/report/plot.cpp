@@ -276,7 +276,7 @@ std::string cut(const std::string& text, std::size_t tail) {
 std::vector<std::string> cut_texts(const std::vector<Label>& labels) {
   std::set<std::string> whole;
   for (const Label& label : labels) whole.insert(label.text);
-  for (const std::size_t tail : {0, 7, 12}) {
+  for (const std::size_t tail : {0u, 7u, 12u}) {
     std::set<std::string> different;
     for (const std::string& text : whole) different.insert(cut(text, tail));
     if (different.size() < whole.size()) continue;

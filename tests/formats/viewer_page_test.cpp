@@ -188,7 +188,7 @@ TEST(EdgeRoles, EveryEdgeOfADrawingHasOne) {
   EXPECT_GT(right_and_left[1], 100u);
   EXPECT_EQ(right_and_left[2], 0u);
   const auto grid = counts(edge_roles(drawing_of("grid", "random-cubic", 400)));
-  for (const std::size_t label : {0, 1, 2}) EXPECT_GT(grid[label], 50u);
+  for (const std::size_t label : {0u, 1u, 2u}) EXPECT_GT(grid[label], 50u);
   EXPECT_EQ(grid[4], 0u);
   const auto types = counts(edge_roles(drawing_of("two-bend", "random-cubic", 400)));
   EXPECT_EQ(types[0] + types[1] + types[2], 600u);

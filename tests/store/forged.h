@@ -36,7 +36,8 @@ inline ForgedReads read_forged_files(int count, std::uint64_t seed) {
   for (int i = 0; i < count; ++i) {
     std::string forged = whole.substr(0, whole.size() - kChecksumSize);
     for (std::uint64_t byte = 0; byte < 1 + random.below(8); ++byte) {
-      forged[random.below(forged.size())] = static_cast<char>(random.below(256));
+      forged[random.below(static_cast<std::uint32_t>(forged.size()))] =
+          static_cast<char>(random.below(256));
     }
     scratch.write("r.h5", forged);
     renew_checksum(path);

@@ -22,7 +22,7 @@ std::vector<Keyed> random_items(std::size_t count, std::uint64_t limit) {
 
 TEST(Order, SortsAsAStableSortDoes) {
   std::vector<Keyed> buffer;
-  for (const std::size_t count : {0, 1, 255, 256, 5000}) {
+  for (const std::size_t count : {0u, 1u, 255u, 256u, 5000u}) {
     for (const std::uint64_t limit :
          {std::uint64_t{1}, std::uint64_t{100}, std::uint64_t{1} << 11, std::uint64_t{1} << 40,
           std::numeric_limits<std::uint64_t>::max()}) {

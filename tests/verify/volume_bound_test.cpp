@@ -72,9 +72,9 @@ bool holds(const BoxNeeds& needs, const std::array<std::uint64_t, 3>& sides) {
 TEST(VolumeBound, SmallestBoxIsTheSmallestOfAll) {
   for (const DrawnSteps steps :
        {DrawnSteps::any, DrawnSteps::body_diagonals, DrawnSteps::face_diagonals}) {
-    for (const std::uint64_t points : {1, 2, 5, 9, 14, 23}) {
-      for (const std::uint64_t in_plane : {0, 1, 4, 7}) {
-        for (const std::uint64_t in_layer : {0, 1, 3, 4}) {
+    for (const std::uint64_t points : {1u, 2u, 5u, 9u, 14u, 23u}) {
+      for (const std::uint64_t in_plane : {0u, 1u, 4u, 7u}) {
+        for (const std::uint64_t in_layer : {0u, 1u, 3u, 4u}) {
           const BoxNeeds needs{steps, points, in_plane, in_layer, 1 + points % 2};
           const std::uint64_t found = smallest_box(needs);
           std::uint64_t least = found + 1;
@@ -171,7 +171,7 @@ TEST(VolumeBound, IsBelowEveryDrawingOfSmallGraphs) {
 
 TEST(VolumeBound, IsBelowEveryDrawingOfEveryFamily) {
   for (const Family& family : families()) {
-    for (const std::uint64_t n : {30, 300, 600}) {
+    for (const std::uint64_t n : {30u, 300u, 600u}) {
       const Graph graph = generate(family, n, 1);
       for (const Algorithm* algorithm : proved_algorithms()) {
         if (graph.max_degree() > algorithm->guarantee.max_degree) continue;
@@ -198,7 +198,7 @@ TEST(VolumeBound, IsCloseToAnEdgeDrawnByHand) {
 TEST(VolumeBound, IsWithinAFactorOfPiecesOfLattices) {
   Guarantee straight;
   straight.max_bends = 0;
-  for (const std::uint64_t n : {10, 100, 1000, 5000}) {
+  for (const std::uint64_t n : {10u, 100u, 1000u, 5000u}) {
     straight.cosine = {-1, 3};
     straight.directions = {{1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}};
     const LatticePiece diamond = diamond_lattice_piece(n);
