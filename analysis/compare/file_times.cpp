@@ -206,8 +206,8 @@ class FileJudge {
     if (cell.rounds < kFewestRounds) return TimeChange::undecided;
     const SettingTimes& setting = times_.settings[place_of_.at(cell.setting)];
     const double alone = cell.ratio - setting.ratio;
-    const bool is_large = std::abs(alone) > std::max(2 * limit_, kAlone * times_.residual);
-    if (is_large && num_timed_ >= 4 * kOthers) {
+    const double sure = std::max({2 * limit_, kAlone * times_.residual, kErrors * cell.spread});
+    if (std::abs(alone) > sure && num_timed_ >= 4 * kOthers) {
       return alone > 0 ? TimeChange::slower : TimeChange::faster;
     }
     const double noise = std::min(kNoise * times_.residual, kMostNoise * limit_);

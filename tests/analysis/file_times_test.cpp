@@ -129,6 +129,19 @@ TEST(FileTimes, ASlowedAlgorithmIsFoundOnAQuietMachineAndPassesNowhere) {
   }
 }
 
+// A clock that was wrong in a single round: 22 microseconds among 60 rounds of 28 and more.
+TEST(FileTimes, OneRoundMovesNoCell) {
+  const auto change = [](double spread) {
+    std::vector<CellTimes> cells;
+    for (int i = 0; i < 24; ++i) cells.push_back({"s" + std::to_string(i % 3), 60, 0, 0.002, {}});
+    cells[4].ratio = -0.22;
+    cells[4].spread = spread;
+    return judge_file_times(cells, {}, {}, {}).cells[4];
+  };
+  EXPECT_EQ(change(0.15), TimeChange::undecided);
+  EXPECT_EQ(change(0.02), TimeChange::faster);
+}
+
 TEST(FileTimes, FewerThanThreeSettingsNeedMore) {
   const auto change = [](double ratio, std::size_t settings) {
     std::vector<CellTimes> cells;
