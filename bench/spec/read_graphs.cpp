@@ -37,6 +37,12 @@ std::vector<std::int64_t> shuffles(const std::string& file, const toml::node& no
 void read_table(const std::string& file, const toml::node& node, GraphsEntry& entry) {
   TomlTable table(file, node, "graphs");
   entry.is_collection = table.has("files");
+  std::vector<std::string_view> keys = {
+      "name",   "skip",   "format", "base", "first_line", "simple", "largest_component",
+      "sample", "shuffle"};
+  if (entry.is_collection) keys.insert(keys.end(), {"files", "groups"});
+  if (!entry.is_collection) keys.push_back("file");
+  table.refuse_all_but(keys);
   entry.file = table.text(entry.is_collection ? "files" : "file");
   entry.name = entry.is_collection ? table.text("name") : table.text("name", "");
   if (entry.is_collection) entry.groups = table.text("groups", "");
@@ -58,7 +64,6 @@ void read_table(const std::string& file, const toml::node& node, GraphsEntry& en
   entry.options.largest_component = table.boolean("largest_component", false);
   entry.options.sample = static_cast<std::uint64_t>(table.integer("sample", 1, kMostSampled, 0));
   if (const toml::node* shuffle = table.find("shuffle")) entry.shuffles = shuffles(file, *shuffle);
-  table.refuse_other_keys();
 }
 
 }  // namespace

@@ -30,19 +30,20 @@ TimedRepetitions read_timed_repetitions(const std::string& file, const toml::nod
     return {count, count, 0};
   }
   TomlTable table(file, node, what);
+  table.refuse_all_but({"precision", "min", "max"});
   TimedRepetitions repetitions;
   repetitions.precision = table.number("precision", 1e-6, 1);
   // Fewer than six values give no interval of 95 % confidence for their median.
   repetitions.least = small_integer(table, "min", 6, kMaxRepetitions, 6);
   repetitions.most = small_integer(table, "max", repetitions.least, kMaxRepetitions,
                                    std::max<std::int64_t>(repetitions.least, 50));
-  table.refuse_other_keys();
   return repetitions;
 }
 
 BatchRules read_batches(const std::string& file, const toml::node& node, const std::string& what,
                         const std::string& sharers) {
   TomlTable table(file, node, what);
+  table.refuse_all_but({sharers, "drawings", "repetitions"});
   BatchRules batches;
   const toml::node& scales = table.get(sharers);
   for (const toml::node* count : one_or_many(scales)) {
@@ -56,23 +57,25 @@ BatchRules read_batches(const std::string& file, const toml::node& node, const s
   }
   batches.drawings = small_integer(table, "drawings", 1, kMaxRepetitions, 1);
   batches.repetitions = small_integer(table, "repetitions", 1, kMaxRepetitions, 1);
-  table.refuse_other_keys();
   return batches;
 }
 
 TimingRules read_timing_rules(const std::string& file, const toml::node& node) {
   TomlTable table(file, node, "timing");
+  table.refuse_all_but({"warm_up", "concurrency", "write"});
   TimingRules rules;
   rules.warm_up = small_integer(table, "warm_up", 0, 1000, 1);
   rules.concurrency = small_integer(table, "concurrency", 1, kMaxThreads, 1);
   rules.write = table.boolean("write", false);
-  table.refuse_other_keys();
   return rules;
 }
 
 Budget read_budget(const std::string& file, const toml::node& node) {
   constexpr double kMost = 1e18;
   TomlTable table(file, node, "budget");
+  table.refuse_all_but({"study_s", "row_time_s", "row_time_s_per_vertex", "row_memory_bytes",
+                        "row_memory_bytes_per_vertex", "certify_memory_bytes",
+                        "certify_memory_bytes_per_vertex"});
   const auto limit = [&](const std::string& key) -> std::optional<LimitByVertices> {
     const std::string more = key + "_per_vertex";
     const bool has_key = table.find(key) != nullptr, has_more = table.find(more) != nullptr;
@@ -85,7 +88,6 @@ Budget read_budget(const std::string& file, const toml::node& node) {
   budget.row_memory_bytes = limit("row_memory_bytes");
   budget.certify_memory_bytes = limit("certify_memory_bytes");
   if (table.find("study_s") != nullptr) budget.study_s = table.number("study_s", 0, kMost);
-  table.refuse_other_keys();
   return budget;
 }
 

@@ -22,6 +22,7 @@ SizeBound bound_of_integers() {
 
 Guarantee read_guarantee(const std::string& file, const toml::node& node) {
   TomlTable table(file, node, "guarantee");
+  table.refuse_all_but({"max_degree", "max_bends", "cosine"});
   Guarantee guarantee;
   guarantee.max_degree = static_cast<std::uint32_t>(table.integer("max_degree", 0, 1000000));
   guarantee.max_bends = static_cast<std::uint32_t>(table.integer("max_bends", 0, 1000000));
@@ -36,7 +37,6 @@ Guarantee read_guarantee(const std::string& file, const toml::node& node) {
   }
   guarantee.cosine = {static_cast<std::int32_t>(parts[0]), static_cast<std::int32_t>(parts[1])};
   guarantee.bound = bound_of_integers();
-  table.refuse_other_keys();
   return guarantee;
 }
 

@@ -32,6 +32,8 @@ class SpecReader {
   StudySpec read(const std::string& text) {
     const toml::table root = parse_toml(text, file_);
     TomlTable table(file_, root, "the study");
+    table.refuse_all_but({"study", "description", "seed", "timing", "budget", "accept_unproved",
+                          "count", "certificate", "keep_drawings", "algorithm", "max_n", "sweep"});
     StudySpec spec;
     spec.text = text;
     spec.name = study_name(table);
@@ -58,7 +60,6 @@ class SpecReader {
     for (const toml::node* sweep : list(table.get("sweep"), "sweep")) {
       spec.sweeps.push_back(read_sweep(*sweep, spec.certificate));
     }
-    table.refuse_other_keys();
     return spec;
   }
 
@@ -123,6 +124,9 @@ class SpecReader {
 
   Sweep read_sweep(const toml::node& node, const CertificateMode& usual) const {
     TomlTable table(file_, node, "sweep");
+    table.refuse_all_but({"graphs", "families", "sizes", "algorithms", "level", "certificate",
+                          "instances", "repetitions", "timed_repetitions", "strong", "weak",
+                          "strong_ranks", "weak_ranks", "include", "exclude"});
     Sweep sweep;
     if (const toml::node* graphs = table.find("graphs")) {
       sweep.graphs = read_graphs(file_, *graphs);
@@ -157,7 +161,6 @@ class SpecReader {
       sweep.exclude = patterns(*exclude, !sweep.graphs.empty());
     }
     refuse_bad_batches(file_, node, sweep);
-    table.refuse_other_keys();
     return sweep;
   }
 
@@ -279,12 +282,12 @@ class SpecReader {
   // 10^(1/per_decade).
   void add_ladder(const toml::node& node, std::vector<std::uint64_t>& sizes) const {
     TomlTable table(file_, node, "sizes");
+    const bool by_factor = table.has("factor");
+    table.refuse_all_but({"from", "to", by_factor ? "factor" : "per_decade"});
     const std::int64_t from = table.integer("from", 1, kMaxN);
     const std::int64_t to = table.integer("to", from, kMaxN);
-    const bool by_factor = table.find("factor") != nullptr;
     const double base = by_factor ? table.number("factor", 1.001, 1e6) : 10;
     const auto steps = static_cast<double>(by_factor ? 1 : table.integer("per_decade", 1, 1000));
-    table.refuse_other_keys();
     for (std::int64_t step = 0;; ++step) {
       const double power = static_cast<double>(step) / steps;
       const double size = std::round(static_cast<double>(from) * std::pow(base, power));
@@ -299,12 +302,12 @@ class SpecReader {
     std::vector<CellPattern> patterns;
     for (const toml::node* entry : one_or_many(node)) {
       TomlTable table(file_, *entry, "include or exclude");
+      table.refuse_all_but({"family", "algorithm", "from", "to"});
       CellPattern pattern;
       pattern.family = table.text("family", "");
       pattern.algorithm = table.text("algorithm", "");
       pattern.from = static_cast<std::uint64_t>(table.integer("from", 0, kMaxN, 0));
       pattern.to = static_cast<std::uint64_t>(table.integer("to", 0, kMaxN, kMaxN));
-      table.refuse_other_keys();
       pattern.place = fmt::format("{}:{}: ", file_, entry->source().begin.line);
       with_place(file_, *entry, [&] {
         if (!pattern.family.empty() && !has_graphs) find_family(pattern.family);

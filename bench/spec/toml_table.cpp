@@ -1,7 +1,9 @@
 #include "ar3d/bench/spec/toml_table.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <string_view>
 
 #include "ar3d/base/error.h"
@@ -12,13 +14,6 @@ namespace ar3d {
 namespace {
 
 constexpr const char* kHelp = "docs/study.md describes the keys";
-
-std::string joined(const std::set<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
 }  // namespace
 
 toml::table parse_toml(const std::string& text, const std::string& file) {
@@ -107,12 +102,13 @@ std::vector<std::string> TomlTable::other_keys() const {
   return keys;
 }
 
-void TomlTable::refuse_other_keys() const {
+void TomlTable::refuse_all_but(std::vector<std::string_view> keys) const {
+  std::ranges::sort(keys);
   for (const std::string& key : other_keys()) {
-    const std::vector<std::string_view> known(known_.begin(), known_.end());
+    if (std::ranges::binary_search(keys, key)) continue;
     refuse_toml(file_, *table_->get(key),
                 fmt::format("unknown key '{}' in {}{} (known: {}; {})", printable(key), what_,
-                            did_you_mean(key, known), joined(known_), kHelp));
+                            did_you_mean(key, keys), fmt::join(keys, ", "), kHelp));
   }
 }
 

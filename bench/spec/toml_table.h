@@ -1,7 +1,7 @@
 #pragma once
 
-// Reads a TOML table strictly: every key has to be asked for, every error names file, line and
-// value.
+// Reads a TOML table strictly: what is no key of it is named before what is missing, every error
+// names file, line and value.
 
 #include <toml++/toml.h>
 
@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ar3d {
@@ -29,6 +30,10 @@ class TomlTable {
   /// @throws InputError if the node is not a table; `what` names it for people.
   TomlTable(const std::string& file, const toml::node& node, const std::string& what);
 
+  /// @throws InputError naming the first key that is none of these, and the nearest of them. To be
+  /// called before any key is asked for.
+  void refuse_all_but(std::vector<std::string_view> keys) const;
+
   bool has(const std::string& key) const { return table_->contains(key); }
   /// The node of a key, or null; the key counts as known from now on.
   const toml::node* find(const std::string& key);
@@ -45,9 +50,6 @@ class TomlTable {
 
   /// The keys that nobody has asked for yet, in order of name.
   std::vector<std::string> other_keys() const;
-  /// @throws InputError naming the first key that nobody asked for, the known ones and the nearest
-  /// of them.
-  void refuse_other_keys() const;
 
   const toml::node& node() const { return *table_; }
 

@@ -131,7 +131,7 @@ TEST(StudySpec, MeasuresAreCheckedWithTheirLine) {
   EXPECT_THAT(error_of(study_with("weak_ranks = { ranks = [1, 1] }")),
               HasSubstr("t.toml:6: ranks do not begin with 1 and increase"));
   EXPECT_THAT(error_of(study_with("strong_ranks = { threads = [1, 2] }")),
-              HasSubstr("strong_ranks lacks 'ranks'"));
+              HasSubstr("unknown key 'threads' in strong_ranks (known: drawings, ranks, "));
   EXPECT_THAT(error_of("study = \"t\"\n[[sweep]]\nfamilies = \"cycle\"\nsizes = "
                        "{ from = 1, to = 5, factor = 1 }\nalgorithms = \"grid\""),
               HasSubstr("t.toml:4: factor = 1 is outside"));
@@ -163,6 +163,16 @@ TEST(StudySpec, ErrorsNameFileLineAndValue) {
   EXPECT_THAT(error_of("colour = 1\n" + study_with("")),
               HasSubstr("t.toml:1: unknown key 'colour' in the study"));
   EXPECT_THAT(error_of("study = \"t\""), HasSubstr("the study lacks 'sweep'"));
+  EXPECT_THAT(error_of("sede = 1\nzeal = 2"),
+              HasSubstr("t.toml:1: unknown key 'sede' in the study; did you mean 'seed'?"));
+  EXPECT_THAT(error_of("study = \"t\"\n[[sweep]]\nsizes = 5\ncolour = 3"),
+              HasSubstr("t.toml:4: unknown key 'colour' in sweep"));
+  EXPECT_THAT(error_of(study_with("strong = { drawing = 2 }")),
+              HasSubstr("t.toml:6: unknown key 'drawing' in strong; did you mean 'drawings'?"));
+  EXPECT_THAT(error_of(study_with("timed_repetitions = { most = 9 }")),
+              HasSubstr("t.toml:6: unknown key 'most' in timed_repetitions"));
+  EXPECT_EQ(error_of(study_with("graphs = { files = \"a\", sampel = 1 }")).substr(0, 54),
+            "t.toml:6: unknown key 'sampel' in graphs; did you mean");
   EXPECT_THAT(error_of("study = \"../t\""), HasSubstr("t.toml:1: study name '../t' is not"));
   EXPECT_THAT(error_of("study = 5"), HasSubstr("t.toml:1: study is not a string"));
   EXPECT_THAT(error_of("seed = -1\n" + study_with("")),
