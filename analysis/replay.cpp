@@ -25,7 +25,7 @@ std::string settings(std::string_view list, std::string_view flag) {
 
 std::pair<std::string, std::string> draw_command_parts(const CurveKey& key) {
   return {fmt::format("ar3d generate {} -n ", shell_word(key.family)),
-          fmt::format("{} | ar3d draw - --algorithm {}{}", settings(key.parameters, "--set"),
+          fmt::format("{} | ar3d draw - --algorithm {}{}", settings(key.parameters, "--parameter"),
                       shell_word(key.algorithm), settings(key.options, "--set"))};
 }
 

@@ -316,26 +316,22 @@ void add_bisect(CLI::App& app, int& exit_code) {
       app.add_subcommand("bisect", "Which commit changed a cell? Builds and compares until found");
   const auto arguments = std::make_shared<BisectArguments>();
   verb->add_option("--good", arguments->good, "a git commit before the change")->required();
-  verb->add_option("--bad", arguments->bad, "a git commit behind it")->capture_default_str();
+  verb->add_option("--bad", arguments->bad, "a git commit behind it");
   verb->add_option("--cell", arguments->cell,
                    "what changed, as `compare` and `history report` name it")
       ->required();
   verb->add_option("--study", arguments->study,
-                   "that has the cell: a TOML file, a named study or a results file")
-      ->capture_default_str();
+                   "that has the cell: a TOML file, a named study or a results file");
   verb->add_option("--measure", arguments->measure, "time, instructions, cycles, volume or bends")
-      ->check(one_of({"time", "instructions", "cycles", "volume", "bends"}))
-      ->capture_default_str();
+      ->check(one_of({"time", "instructions", "cycles", "volume", "bends"}));
   verb->add_option("--rounds", arguments->rounds,
                    "turns of each program for one commit; up to four times as many if needed")
-      ->check(whole_number(8, 1000))
-      ->capture_default_str();
+      ->check(whole_number(8, 1000));
   verb->add_option("--core", arguments->core, "core to run on; the last one if left out")
       ->check(whole_number(0, 1023));
   verb->add_option("--threshold", arguments->threshold_percent,
                    "percent of time that matter: less between GOOD and BAD is no change")
-      ->check(number_between(0.1, 1000))
-      ->capture_default_str();
+      ->check(number_between(0.1, 1000));
   verb->add_flag("-q,--quiet", arguments->quiet, "no progress on standard error");
   verb->footer(
       "Exit code 0: the commit was found; 6: GOOD and BAD do not differ, or several commits are "

@@ -163,32 +163,29 @@ int compare_builds(const CompareArguments& arguments) {
 }
 
 void add_options(CLI::App& verb, CompareArguments& a) {
-  verb.add_option("FILES", a.files, "BASE and NEW: results files (HDF5) or Google Benchmark JSON")
-      ->expected(0, 2);
+  verb.add_option("FILE", a.files, "BASE and NEW: results files (HDF5) or Google Benchmark JSON");
   verb.add_flag("--reference", a.reference,
                 "compare NEW with the youngest results/reference/*.h5 of its study");
   verb.add_option("--base", a.base,
                   "build this git commit and run it and this program in turns instead");
-  verb.add_option("--study", a.study, "what --base and --calibrate run: a TOML file or named study")
-      ->capture_default_str();
+  verb.add_option("--study", a.study,
+                  "what --base and --calibrate run: a TOML file or named study");
   verb.add_option("--rounds", a.rounds,
                   "turns of each program; at least 15, and enough for the number of cells, if left "
                   "out")
+      ->default_str("")
       ->check(whole_number(1, 1000));
   verb.add_option("--core", a.core, "core to run on; the last one if left out")
       ->check(whole_number(0, 1023));
   verb.add_flag("--calibrate", a.calibrate,
                 "first run this program against itself: false-alarm rate, smallest visible effect");
   verb.add_option("--threshold", a.threshold_percent, "percent of time that matter")
-      ->check(number_between(0.1, 1000))
-      ->capture_default_str();
+      ->check(number_between(0.1, 1000));
   verb.add_option("--significance", a.options.time.significance, "largest p-value of one cell")
-      ->check(number_between(1e-12, 0.5))
-      ->capture_default_str();
+      ->check(number_between(1e-12, 0.5));
   verb.add_option("--fdr", a.options.time.false_discovery_rate,
                   "false discovery rate over all cells")
-      ->check(number_between(1e-12, 0.5))
-      ->capture_default_str();
+      ->check(number_between(1e-12, 0.5));
   verb.add_flag("--time-always", a.options.time_always, "judge times of unlike environments too");
   verb.add_flag("--drawings-only", a.options.drawings_only,
                 "judge status, certificate, graph, volume, bends and instructions, and no times");

@@ -1,6 +1,7 @@
 // `ar3d draw`: every graph of a file, many at a time or a large one with all threads.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <memory>
@@ -32,7 +33,7 @@ namespace {
 struct DrawArguments {
   std::vector<std::string> inputs = {"-"};
   GraphInput graphs;
-  std::string algorithm;
+  std::optional<std::string> algorithm;
   std::vector<std::string> options;
   std::string format;
   std::string output = "-";
@@ -43,10 +44,16 @@ struct DrawArguments {
   bool force = false;
 };
 
-/// How the drawings are made and judged.
-struct DrawJob {
+/// An algorithm and the options it draws with.
+struct Drawer {
   const Algorithm& algorithm;
   Settings options;
+  bool is_told = true;  ///< false: nobody asked for it, which is still to be said
+};
+
+/// How the drawings are made and judged.
+struct DrawJob {
+  std::vector<Drawer> drawers;  ///< the one asked for, or those that the degree decides between
   CertificateMode certificate;
   Level level = Level::full;
   std::optional<CoordinateWidth> width = {};
@@ -54,16 +61,36 @@ struct DrawJob {
 
 struct GraphToDraw {
   Graph graph;
+  const Drawer& drawer;
   std::string where;  // "FILE:LINE"
   std::shared_ptr<const std::vector<std::string>> names;
 };
 
 using GraphInputs = SeveralInputs<GraphReader>;
 
-std::optional<GraphToDraw> next_graph(GraphInputs& inputs) {
+/// The first of the drawers whose theorem holds for the graph, else the last; a choice that nobody
+/// made is said once.
+const Drawer& drawer_of(const Graph& graph, std::vector<Drawer>& drawers,
+                        const std::string& where) {
+  const auto draws = [&](const Drawer& drawer) {
+    return graph.max_degree() <= drawer.algorithm.guarantee.max_degree;
+  };
+  const auto drawer = std::ranges::find_if(drawers, draws);
+  if (drawer == drawers.end()) return drawers.back();
+  if (!drawer->is_told) {
+    say(stderr, "ar3d: {}: degree {}, drawn with {}; --algorithm says otherwise\n",
+        printable(where), graph.max_degree(), drawer->algorithm.name);
+    drawer->is_told = true;
+  }
+  return *drawer;
+}
+
+std::optional<GraphToDraw> next_graph(GraphInputs& inputs, DrawJob& job) {
   std::optional<Graph> graph = inputs.next();
   if (!graph) return std::nullopt;
-  GraphToDraw task{std::move(*graph), inputs.reader().where(), {}};
+  const std::string where = inputs.reader().where();
+  const Drawer& drawer = drawer_of(*graph, job.drawers, where);
+  GraphToDraw task{std::move(*graph), drawer, where, {}};
   std::vector<std::string> names = inputs.reader().names();
   if (!names.empty())
     task.names = std::make_shared<const std::vector<std::string>>(std::move(names));
@@ -72,8 +99,9 @@ std::optional<GraphToDraw> next_graph(GraphInputs& inputs) {
 
 /// @throws InputError if it does not fit the width that is asked for, too.
 Drawing fitting_drawing(const GraphToDraw& task, const DrawJob& job) {
-  Drawing drawing = draw(job.algorithm, task.graph, job.options);
-  if (job.width) require_width(*job.width, job.algorithm.guarantee.bound, drawing);
+  const Algorithm& algorithm = task.drawer.algorithm;
+  Drawing drawing = draw(algorithm, task.graph, task.drawer.options);
+  if (job.width) require_width(*job.width, algorithm.guarantee.bound, drawing);
   drawing.names = task.names;
   return drawing;
 }
@@ -108,9 +136,10 @@ struct DrawOutcome {
 };
 
 /// The first violation of a drawing that is to be judged.
-std::optional<std::string> judge(const Graph& graph, const Drawing& drawing, const DrawJob& job) {
+std::optional<std::string> judge(const GraphToDraw& task, const Drawing& drawing,
+                                 const DrawJob& job) {
   if (job.certificate == CertificateMode::none) return std::nullopt;
-  const Certificate certificate = certify(graph, drawing, job.algorithm.guarantee);
+  const Certificate certificate = certify(task.graph, drawing, task.drawer.algorithm.guarantee);
   if (!certificate.violated()) return std::nullopt;
   return certificate.violations.empty() ? "a coordinate is out of range"
                                         : certificate.violations.front().message;
@@ -118,7 +147,8 @@ std::optional<std::string> judge(const Graph& graph, const Drawing& drawing, con
 
 /// Whether no drawing of level full is left unproved that somebody asked to judge.
 bool proves(const DrawJob& job) {
-  return job.certificate == CertificateMode::none || job.algorithm.guarantee.claim == Claim::proved;
+  return job.certificate == CertificateMode::none ||
+         job.drawers.front().algorithm.guarantee.claim == Claim::proved;
 }
 
 void report(const std::string& where, const std::string& what) {
@@ -131,8 +161,8 @@ DrawnLine drawn(const GraphToDraw& task, const DrawJob& job) {
     Drawing drawing = fitting_drawing(task, job);
     if (job.level != Level::full) {
       result.examination =
-          examine_all(task.graph, drawing, job.algorithm.guarantee, job.certificate);
-    } else if (const auto violation = judge(task.graph, drawing, job)) {
+          examine_all(task.graph, drawing, task.drawer.algorithm.guarantee, job.certificate);
+    } else if (const auto violation = judge(task, drawing, job)) {
       result.violation = fmt::format("{}: violated: {}", task.where, *violation);
     }
     if (job.level == Level::full && weight_of(task.graph) < kLongLine) {
@@ -166,10 +196,10 @@ void write(const DrawnLine& drawn, Level level, OutputFile& file, DrawOutcome& o
 
 /// Every graph of the input as one line; a graph outside the guarantee gives an error line and the
 /// others go on.
-DrawOutcome draw_all(GraphInputs& inputs, const DrawJob& job, OutputFile& file) {
+DrawOutcome draw_all(GraphInputs& inputs, DrawJob& job, OutputFile& file) {
   DrawOutcome outcome;
   in_batches<GraphToDraw>(
-      [&] { return next_graph(inputs); },
+      [&] { return next_graph(inputs, job); },
       [](const GraphToDraw& task) { return weight_of(task.graph); },
       [&](const GraphToDraw& task) { return drawn(task, job); },
       [&](const DrawnLine& result) { write(result, job.level, file, outcome); });
@@ -178,14 +208,14 @@ DrawOutcome draw_all(GraphInputs& inputs, const DrawJob& job, OutputFile& file) 
 
 /// The drawings of the input's graphs one after the other. What could not be drawn is also said on
 /// standard error if others may follow.
-NextDrawing drawings_of(GraphInputs& inputs, const DrawJob& job, bool others_follow,
+NextDrawing drawings_of(GraphInputs& inputs, DrawJob& job, bool others_follow,
                         DrawOutcome& outcome) {
   return [&, others_follow]() -> std::optional<PlacedLine> {
-    const std::optional<GraphToDraw> task = next_graph(inputs);
+    const std::optional<GraphToDraw> task = next_graph(inputs, job);
     if (!task) return std::nullopt;
     try {
       Drawing drawing = fitting_drawing(*task, job);
-      if (const auto violation = judge(task->graph, drawing, job)) {
+      if (const auto violation = judge(*task, drawing, job)) {
         outcome.is_violated = true;
         report(task->where, "violated: " + *violation);
       }
@@ -198,18 +228,29 @@ NextDrawing drawings_of(GraphInputs& inputs, const DrawJob& job, bool others_fol
   };
 }
 
+/// Left out, the degree decides between two that promise exact angles and at most three bends.
+std::vector<Drawer> drawers_of(const DrawArguments& arguments) {
+  std::vector<std::string> names = {"grid", "diamond"};
+  if (arguments.algorithm) names = {*arguments.algorithm};
+  const Settings given = parse_settings(arguments.options);
+  std::vector<Drawer> drawers;
+  for (const std::string& name : names) {
+    const Algorithm& row = find_algorithm(name);
+    drawers.push_back({row, complete_options(row, given), arguments.algorithm.has_value()});
+  }
+  return drawers;
+}
+
 int draw_graphs(const DrawArguments& arguments) {
   refuse_unsafe_outputs(
       {.inputs = arguments.inputs, .outputs = {arguments.output}, .force = arguments.force});
-  const Algorithm& algorithm = find_algorithm(arguments.algorithm);
   const Level level = parse_level(arguments.level);
   const char* usual_mode = level == Level::full ? "none" : "exact";
   const std::string mode = arguments.certificate.value_or(usual_mode);
-  const DrawJob job{algorithm, complete_options(algorithm, parse_settings(arguments.options)),
-                    parse_certificate_mode(mode), level,
-                    arguments.coordinates == "auto"
-                        ? std::nullopt
-                        : std::optional(parse_coordinate_width(arguments.coordinates))};
+  DrawJob job{drawers_of(arguments), parse_certificate_mode(mode), level,
+              arguments.coordinates == "auto"
+                  ? std::nullopt
+                  : std::optional(parse_coordinate_width(arguments.coordinates))};
   const DrawingFormat& format = drawing_format(arguments.format, arguments.output);
   if (level != Level::full && format.name != "jsonl") {
     throw InputError(
@@ -240,8 +281,10 @@ void add_draw(CLI::App& app, int& exit_code) {
                    "graphs in any input format, gzip and xz too; - is standard input; several are "
                    "read one after the other");
   add_graph_input_options(*verb, arguments->graphs);
-  verb->add_option("--algorithm", arguments->algorithm, "an algorithm of `ar3d list algorithms`")
-      ->required();
+  verb->add_option(
+      "--algorithm", arguments->algorithm,
+      "an algorithm of `ar3d list algorithms`; left out, grid draws the graphs of degree at "
+      "most 3 and diamond the others");
   add_repeated(*verb, "--set", arguments->options,
                "an option of the algorithm, name=integer; may be repeated");
   verb->add_option("--format", arguments->format,
@@ -268,6 +311,7 @@ void add_draw(CLI::App& app, int& exit_code) {
   verb->add_option("--perspective", view.perspective,
                    "svg, tikz: distance of the eye from the middle, in diagonals of the box; "
                    "orthographic if left out")
+      ->default_str("")
       ->check(finite_number(true));
   verb->add_flag("--stretch", view.stretch,
                  "svg, tikz: scale the axes so that the box is a cube; angles are not true then");

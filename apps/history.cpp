@@ -202,8 +202,7 @@ void add_add(CLI::App& history, int& exit_code) {
   const auto arguments = std::make_shared<HistoryArguments>();
   verb->add_option("RESULTS", arguments->results, "results file (HDF5) of a finished study")
       ->required();
-  verb->add_option("--folder", arguments->folder, "where the history is; made if it is not there")
-      ->capture_default_str();
+  verb->add_option("--folder", arguments->folder, "where the history is; made if it is not there");
   verb->add_option("--place", arguments->place,
                    "where the results stand in the order; the number of commits up to the "
                    "program's, by git, if left out")
@@ -220,12 +219,11 @@ void add_history_report(CLI::App& history, int& exit_code) {
   CLI::App* verb = history.add_subcommand(
       "report", "Every cell over the commits, and what changed where, as one offline HTML file");
   const auto arguments = std::make_shared<HistoryArguments>();
-  verb->add_option("--folder", arguments->folder, "where the history is")->capture_default_str();
+  verb->add_option("--folder", arguments->folder, "where the history is");
   verb->add_option("-o,--output", arguments->output, "HTML file; FOLDER/history.html if left out");
   verb->add_option("--json", arguments->json, "also write lines and changes as JSON to this file");
   verb->add_option("--threshold", arguments->threshold_percent, "percent of time that matter")
-      ->check(number_between(0.1, 1000))
-      ->capture_default_str();
+      ->check(number_between(0.1, 1000));
   add_force(*verb, arguments->force);
   verb->footer(
       "Exit code 0: lines were judged, whatever changed; 5: none was long enough.\nExample: ar3d "

@@ -226,21 +226,22 @@ void add_hunt(CLI::App& app, int& exit_code) {
   add_repeated(*verb, "--parameter", arguments->parameters,
                "a parameter of the family, name=integer; may be repeated");
   verb->add_option("-n", options.n, "requested number of vertices")->check(whole_number(1, 100000));
-  verb->add_option(
-          "--from", arguments->inputs,
-          "search from the graphs of these files instead, in any format, one after the other")
-      ->excludes(verb->get_option("--family"))
-      ->excludes(verb->get_option("--parameter"))
-      ->excludes(verb->get_option("-n"));
-  add_edge_list_options(*verb, arguments->reading);
-  for (const char* name : {"--base", "--first-line"}) {
-    verb->get_option(name)->needs(verb->get_option("--from"));
+  CLI::Option* const graphs =
+      add_repeated(*verb, "--graphs", arguments->inputs,
+                   "search from the graphs of this file instead; may be repeated")
+          ->excludes(verb->get_option("--family"))
+          ->excludes(verb->get_option("--parameter"))
+          ->excludes(verb->get_option("-n"));
+  add_graph_input_options(*verb, arguments->reading);
+  for (const char* name : {"--from", "--base", "--first-line", "--trust-sizes"}) {
+    verb->get_option(name)->needs(graphs);
   }
   verb->add_option("--seed", options.seed, "seed of the search")->check(whole_number(0));
   verb->add_option("--evaluations", options.evaluations, "how many graphs to draw and certify")
       ->check(whole_number(1, 1000000000));
   verb->add_option("--seconds", options.seconds,
                    "stop after that time even so (the result then depends on the machine)")
+      ->default_str("")
       ->check(finite_number(true));
   verb->add_option("-o,--output", arguments->output,
                    "prefix of the files that show the best one: .s6, .jsonl, .svg, .txt");

@@ -4,20 +4,24 @@
 #include <fmt/format.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <memory>
 #include <new>
 #include <string>
 #include <system_error>
 #include <vector>
 
+#include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/base/say.h"
 #include "ar3d/bench/measure/environment.h"
+#include "ar3d/generators/catalog.h"
 #include "commands.h"
 #include "view.h"
 
@@ -39,6 +43,12 @@ const CLI::App& verb_in(const CLI::App& app) {
   return chosen.empty() ? app : verb_in(*chosen.front());
 }
 
+/// "ar3d study run".
+std::string command_of(const CLI::App& verb) {
+  const CLI::App* const above = verb.get_parent();
+  return above == nullptr ? verb.get_name() : command_of(*above) + " " + verb.get_name();
+}
+
 /// The nearest option or verb to a word that was not expected.
 std::string nearest_word(const CLI::App& verb, const std::string& word) {
   std::vector<std::string> names;
@@ -54,29 +64,91 @@ std::string nearest_word(const CLI::App& verb, const std::string& word) {
   return ar3d::did_you_mean(word.substr(0, word.find('=')), {names.begin(), names.end()});
 }
 
-void tell_usage(const CLI::App& app, const CLI::ParseError& error) {
+/// Is that the name of an algorithm's option (--set) or of a family's parameter (--parameter)?
+bool is_setting(const CLI::Option& option, const std::string& name) {
+  const auto has = [&](const std::vector<ar3d::SettingSpec>& settings) {
+    return std::ranges::any_of(settings, [&](const auto& one) { return one.name == name; });
+  };
+  return (option.check_lname("set") &&
+          std::ranges::any_of(ar3d::algorithms(), has, &ar3d::Algorithm::options)) ||
+         (option.check_lname("parameter") &&
+          std::ranges::any_of(ar3d::families(), has, &ar3d::Family::parameters));
+}
+
+/// "; did you mean '--set effort=2'?" for --effort 2 and --effort=2; else the nearest option.
+/// @param words  the whole command line, which has `word`.
+std::string meant_by(const CLI::App& verb, const std::vector<std::string>& words,
+                     const std::string& word) {
+  const std::size_t equals = std::min(word.find('='), word.size());
+  const std::size_t begin = std::min(word.find_first_not_of('-'), equals);
+  const std::string name = word.substr(begin, equals - begin);
+  const auto next = std::ranges::find(words, word) + 1;
+  const std::string value = equals < word.size() ? word.substr(equals + 1)
+                            : next < words.end() ? *next
+                                                 : "…";
+  for (const CLI::Option* option : verb.get_options()) {
+    if (is_setting(*option, name)) {
+      return fmt::format("; did you mean '{} {}={}'?", option->get_name(), name, value);
+    }
+  }
+  return nearest_word(verb, word);
+}
+
+void tell_usage(const CLI::App& app, const CLI::ParseError& error,
+                const std::vector<std::string>& words) {
   const CLI::App& verb = verb_in(app);
   const std::vector<std::string> rest = app.remaining(true);
   std::string message = error.what();
   if (!rest.empty()) {
     const bool is_verb = &verb == &app && !rest.front().starts_with("-");
     message = fmt::format("{} '{}'{}", is_verb ? "unknown verb" : "not expected:", rest.front(),
-                          nearest_word(verb, rest.front()));
+                          meant_by(verb, words, rest.front()));
   }
-  std::string page = verb.get_name();
-  for (const CLI::App* above = verb.get_parent(); above != nullptr; above = above->get_parent()) {
-    page.insert(0, above->get_name() + " ");
+  ar3d::say(stderr, "ar3d: {} (see {} --help)\n", ar3d::printable(message), command_of(verb));
+}
+
+/// `ar3d help`, `help VERB`, `help study run`: what --help behind the words says.
+void add_help(CLI::App& app) {
+  CLI::App* verb = app.add_subcommand("help", "Shows this, or what `ar3d VERB --help` does");
+  const auto words = std::make_shared<std::vector<std::string>>();
+  verb->add_option("VERB", *words, "a verb, or two words such as `study run`");
+  verb->footer("Example: ar3d help draw");
+  verb->callback([&app, words] {
+    const CLI::App* asked = &app;
+    for (const std::string& word : *words) {
+      const auto found =
+          asked->get_subcommands([&](const CLI::App* sub) { return sub->get_name() == word; });
+      if (found.empty()) {
+        throw ar3d::InputError(
+            fmt::format("unknown verb '{}'{}", word, nearest_word(*asked, word)));
+      }
+      asked = found.front();
+    }
+    const std::string name = command_of(*asked);
+    ar3d::say("{}", asked->get_formatter()->make_help(asked, name, CLI::AppFormatMode::Normal));
+  });
+}
+
+/// An empty list is no default to show, nor is -1, which stands for what is found out.
+void leave_out_empty_defaults(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    const std::string shown = option->get_default_str();
+    if (shown == "[]" || shown == "-1") option->default_str("");
+    if (shown == "[-]") option->default_str("-");
   }
-  ar3d::say(stderr, "ar3d: {} (see {} --help)\n", ar3d::printable(message), page);
+  for (CLI::App* sub : app.get_subcommands([](CLI::App*) { return true; })) {
+    leave_out_empty_defaults(*sub);
+  }
 }
 
 int run(int argc, char** argv) {
   CLI::App app{
       "Draws graphs of maximum degree 3 and 4 in 3D with optimal angles and proves every drawing."};
   app.name("ar3d");
-  app.set_version_flag("--version", ar3d::build_summary());
+  app.set_version_flag("-V,--version", ar3d::build_summary());
   app.require_subcommand(1);
   app.footer(kExamples);
+  app.option_defaults()->always_capture_default();
   int exit_code = ar3d::kPass;
   ar3d::register_program_formats();
   ar3d::add_list(app, exit_code);
@@ -93,11 +165,13 @@ int run(int argc, char** argv) {
   ar3d::add_replay(app, exit_code);
   ar3d::add_hunt(app, exit_code);
   ar3d::add_shrink(app, exit_code);
+  add_help(app);
+  leave_out_empty_defaults(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    tell_usage(app, error);
+    tell_usage(app, error, {argv + 1, argv + argc});
     return ar3d::kUsage;
   }
   return exit_code;

@@ -196,6 +196,7 @@ void add_common(CLI::App& verb, RunArguments& arguments) {
           "--threads", arguments.workers,
           "rows made at the same time; as many as cores if left out, one on each of several "
           "ranks")
+      ->default_str("")
       ->check(whole_number(1, 1024));
   verb.add_flag("-q,--quiet", arguments.quiet, "no progress on standard error");
   add_making_options(verb, arguments.policy);

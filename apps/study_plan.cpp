@@ -6,8 +6,9 @@
 #include <memory>
 #include <set>
 #include <string>
-#include <tuple>
+#include <utility>
 
+#include "ar3d/analysis/curves.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/base/say.h"
@@ -66,9 +67,10 @@ void add_study_choice(CLI::App& verb, StudyChoice& choice) {
   add_edge_list_options(verb, choice.reading);
   for (const char* name : {"--base", "--first-line"}) verb.get_option(name)->needs(files);
   verb.add_option("--sample", graphs.sample, "with --graphs: so many graphs of each file")
+      ->default_str("")
       ->check(whole_number(1, 10000000))
       ->needs(files);
-  verb.add_option("--seed", graphs.seed, "with --graphs: of sample and labels, default 0")
+  verb.add_option("--seed", graphs.seed, "with --graphs: of sample and labels")
       ->check(whole_number(0, std::numeric_limits<std::int64_t>::max()))
       ->needs(files);
   verb.add_flag("--simple", graphs.simple,
@@ -112,15 +114,16 @@ std::string about(double seconds) {
 
 std::string cost_of(const CellEstimate& cell) {
   if (!cell.is_known) return "time and memory not known";
-  return fmt::format("about {} and {:.2g} MB per row, {} in all", about(cell.row_s),
-                     cell.row_bytes / 1e6, about(cell.total_s));
+  return fmt::format("about {} and {} per row, {} in all", about(cell.row_s),
+                     bytes_text(cell.row_bytes), about(cell.total_s));
 }
 
 std::string cost_of(const StudyEstimate& estimate, int workers) {
   if (estimate.unknown_rows == estimate.rows) return "its time and memory are not known";
-  std::string text = fmt::format(
-      "estimated from runs up to n = {}: {} on {} threads, {:.2g} MB for the largest row",
-      estimate.calibration_n, about(estimate.wall_s), workers, estimate.largest_row_bytes / 1e6);
+  std::string text =
+      fmt::format("estimated from runs up to n = {}: {} on {} threads, {} for the largest row",
+                  estimate.calibration_n, about(estimate.wall_s), workers,
+                  bytes_text(estimate.largest_row_bytes));
   if (estimate.unknown_rows > 0) {
     text += fmt::format("; of {} rows time and memory are not known", estimate.unknown_rows);
   }
@@ -156,23 +159,21 @@ void print_collection(const StudyCorpus& collection) {
 
 // Those of a collection, which may have any number of sizes, are told as one for each algorithm.
 void print_cells(const StudyEstimate& estimate, const std::set<std::string>& collections) {
-  using Key = std::tuple<std::string, std::string, std::string, std::string>;
   struct Sum {
     std::uint64_t least_n = 0, largest_n = 0;
     std::size_t rows = 0;
     double total_s = 0;
     bool is_known = true;
   };
-  std::map<Key, Sum> sums;
+  std::map<CurveKey, Sum> sums;
   for (const CellEstimate& cell : estimate.cells) {
+    CurveKey key = {cell.algorithm, cell.options, cell.family, cell.parameters, cell.level};
     if (!collections.contains(cell.family)) {
-      say("{} {} n={} {} {}: {} instances, {} rows, {}\n", cell.family, cell.parameters, cell.n,
-          cell.algorithm, cell.options, cell.instances, cell.rows, cost_of(cell));
+      say("{}: {} instances, {} rows, {}\n", cell_label(key, static_cast<std::int64_t>(cell.n)),
+          cell.instances, cell.rows, cost_of(cell));
       continue;
     }
-    Sum& sum = sums.try_emplace({cell.family, cell.parameters, cell.algorithm, cell.options},
-                                Sum{cell.n, cell.n})
-                   .first->second;
+    Sum& sum = sums.try_emplace(std::move(key), Sum{cell.n, cell.n}).first->second;
     sum.least_n = std::min(sum.least_n, cell.n);
     sum.largest_n = std::max(sum.largest_n, cell.n);
     sum.rows += cell.rows;
@@ -180,9 +181,8 @@ void print_cells(const StudyEstimate& estimate, const std::set<std::string>& col
     sum.is_known &= cell.is_known;
   }
   for (const auto& [key, sum] : sums) {
-    const auto& [family, parameters, algorithm, options] = key;
-    say("{} {} n={}..{} {} {}: {} rows, {}\n", family, parameters, sum.least_n, sum.largest_n,
-        algorithm, options, sum.rows,
+    say("{}..{}: {} rows, {}\n", cell_label(key, static_cast<std::int64_t>(sum.least_n)),
+        sum.largest_n, sum.rows,
         sum.is_known ? about(sum.total_s) + " in all" : "time and memory not known");
   }
 }
@@ -228,6 +228,7 @@ void add_study_plan(CLI::App& study, int&) {
   add_study_choice(*verb, arguments->chosen);
   verb->add_option("--threads", arguments->workers,
                    "rows made at the same time; as many as cores if left out")
+      ->default_str("")
       ->check(whole_number(1, 1024));
   verb->footer(
       "Estimates are extrapolated from short runs at small sizes on this machine; expect them to "
@@ -238,6 +239,8 @@ void add_study_plan(CLI::App& study, int&) {
     const StudySpec spec = chosen_study(arguments->chosen);
     const StudyPlan plan = plan_study(spec);
     const int workers = workers_for(arguments->workers);
+    say(stderr, "ar3d: {} graphs planned; small ones are drawn to estimate time and memory\n",
+        plan.instances.size());
     const StudyEstimate made = estimate(plan, workers);
     print_estimate(spec, plan, made, workers);
     refuse_impossible(plan, made, available_memory());

@@ -125,6 +125,10 @@ GraphReader::GraphReader(TextInput input, const ReadOptions& options)
   if (options.base > 1) {
     throw InputError(fmt::format("vertex ids start at 0 or 1, not at {}", options.base));
   }
+  if (input_->look_ahead_line().starts_with("{\"n\":")) {  // graph6 has no '"'
+    throw InputError(fmt::format("{}:1: these are drawings, no graphs; `ar3d verify` judges them",
+                                 input_->name()));
+  }
   format_ = options.format.empty() ? &detect_format(*input_) : &find_graph_format(options.format);
   if (input_->look_ahead_line().empty()) {
     throw InputError(fmt::format("{}: empty file: no graph in it", input_->name()));
@@ -145,6 +149,21 @@ std::optional<Graph> GraphReader::next() {
 
 std::string GraphReader::where() const {
   return fmt::format("{}:{}", input_->name(), input_->line());
+}
+
+void refuse_graph(TextInput& input) {
+  constexpr std::size_t kMostBytes = std::size_t{1} << 24;
+  std::string format;
+  try {
+    GraphReader graphs(
+        TextInput(input.name(), bytes_of(std::string(input.look_ahead(kMostBytes)))));
+    graphs.next();
+    format = graphs.format().name;
+  } catch (const InputError&) {
+    return;  // neither: the parser says where it is no drawing
+  }
+  throw InputError(fmt::format("{}:1: this is a graph ({}), no drawing; `ar3d draw` draws it",
+                               input.name(), format));
 }
 
 Graph read_graph(const std::string& path, const ReadOptions& options) {

@@ -36,7 +36,7 @@ class GraphReader {
  public:
   /// Opens a file or, for "-", standard input; unpacks gzip and xz; finds the format by content
   /// unless options.format names it.
-  /// @throws InputError if it cannot be opened, is empty, or its format is unknown.
+  /// @throws InputError if it cannot be opened, is empty, holds drawings, or its format is unknown.
   explicit GraphReader(const std::string& path, const ReadOptions& options = {});
   /// Reads from any text.
   GraphReader(TextInput input, const ReadOptions& options = {});
@@ -60,6 +60,9 @@ class GraphReader {
   std::unique_ptr<GraphParser> parser_;
   std::uint64_t graphs_read_ = 0;
 };
+
+/// @throws InputError if the text, which is no drawing, is a graph. Reads at most 2^24 bytes ahead.
+void refuse_graph(TextInput& input);
 
 /// The only graph of a file. @throws InputError as GraphReader, and if there are several.
 Graph read_graph(const std::string& path, const ReadOptions& options = {});

@@ -100,8 +100,8 @@ std::string passed(StepEnd end, const Budget& budget, std::uint64_t n) {
                        (*budget.row_time_s)(n));
   }
   if (!budget.row_memory_bytes) return "this machine's memory";
-  return fmt::format("twice its limit: budget.row_memory_bytes gives {:.3g} bytes",
-                     (*budget.row_memory_bytes)(n));
+  return fmt::format("twice its limit: budget.row_memory_bytes gives {}",
+                     bytes_text((*budget.row_memory_bytes)(n)));
 }
 
 // In a process of its own, which may use twice what the study gives such a row: where that does not
@@ -208,12 +208,13 @@ class Estimator {
 
   CellEstimate& cell_of(const PlannedInstance& instance, const PlannedRun& run) {
     const ModelKey key = key_of(instance, run);
-    const auto [at, is_new] =
-        places_.try_emplace(std::tuple_cat(key, std::tuple(instance.n)), result_.cells.size());
+    const auto [at, is_new] = places_.try_emplace(
+        std::tuple_cat(key, std::tuple(instance.n, run.choice.level)), result_.cells.size());
     if (is_new) {
       const CostModel& costs = model_of(key, instance, run);
       CellEstimate cell;
       std::tie(cell.family, cell.parameters, cell.algorithm, cell.options) = key;
+      if (run.choice.level != Level::extents) cell.level = to_string(run.choice.level);
       cell.n = instance.n;
       cell.is_known = costs.is_known;
       cell.row_s = costs.row_s(cell.n);
@@ -256,24 +257,31 @@ class Estimator {
   std::map<ModelKey, CostModel> models_;
   std::map<std::tuple<std::string, std::string, std::string>, std::vector<const CostModel*>>
       by_family_;  // family, algorithm, options
-  std::map<std::tuple<std::string, std::string, std::string, std::string, std::uint64_t>,
+  std::map<std::tuple<std::string, std::string, std::string, std::string, std::uint64_t, Level>,
            std::size_t>
       places_;
   std::set<std::pair<std::ptrdiff_t, std::size_t>> counted_;  // instances of a cell, by block
   std::map<RunPhase, double> phase_s_;
 };
 
+// As `compare`, `history` and `bisect` name it.
 std::string cell_name(const CellEstimate& cell) {
-  return fmt::format("{} {}n={} with {} {}", cell.family,
-                     cell.parameters.empty() ? "" : cell.parameters + " ", cell.n, cell.algorithm,
-                     cell.options);
+  const auto with = [](const std::string& name, const std::string& details) {
+    return details.empty() ? name : fmt::format("{} ({})", name, details);
+  };
+  const bool two = !cell.options.empty() && !cell.level.empty();
+  const std::string level = cell.level.empty() ? "" : (two ? ";level=" : "level=") + cell.level;
+  return fmt::format("{} on {} n={}", with(cell.algorithm, cell.options + level),
+                     with(cell.family, cell.parameters), cell.n);
 }
 
-void refuse_above(const CellEstimate& cell, double estimated, double limit, const char* unit,
-                  const std::string& what) {
+std::string seconds_text(double seconds) { return fmt::format("{:.3g} s", seconds); }
+
+void refuse_above(const CellEstimate& cell, double estimated, double limit,
+                  std::string (*text)(double), const std::string& what) {
   if (estimated <= limit) return;
-  throw InputError(fmt::format("{} is estimated at {:.3g} {}, {} {:.3g} {}", cell_name(cell),
-                               estimated, unit, what, limit, unit));
+  throw InputError(fmt::format("{} is estimated at {}, {} {}", cell_name(cell), text(estimated),
+                               what, text(limit)));
 }
 
 // The largest rows that may be made at the same time.
@@ -292,14 +300,21 @@ void refuse_together(const StudyEstimate& estimate, double memory_bytes) {
   }
   if (bytes <= memory_bytes) return;
   throw InputError(
-      fmt::format("the largest rows, made {} at a time, are estimated at {:.3g} bytes, but this "
-                  "machine has {:.3g} bytes: --threads can be fewer",
-                  estimate.threads, bytes, memory_bytes));
+      fmt::format("the largest rows, made {} at a time, are estimated at {}, but this machine has "
+                  "{}: --threads can be fewer",
+                  estimate.threads, bytes_text(bytes), bytes_text(memory_bytes)));
 }
 
 }  // namespace
 
 StudyEstimate estimate(const StudyPlan& plan, int threads) { return Estimator(plan).run(threads); }
+
+std::string bytes_text(double bytes) {
+  constexpr const char* kUnits[] = {"bytes", "kB", "MB", "GB", "TB", "PB"};
+  std::size_t unit = 0;
+  for (; bytes >= 999.5 && unit + 1 < std::size(kUnits); ++unit) bytes /= 1000;
+  return fmt::format("{:.3g} {}", bytes, kUnits[unit]);
+}
 
 double available_memory() {
   double bytes = std::numeric_limits<double>::infinity();
@@ -318,13 +333,13 @@ double available_memory() {
 
 void refuse_impossible(const StudyPlan& plan, const StudyEstimate& estimate, double memory_bytes) {
   for (const CellEstimate& cell : estimate.cells) {
-    refuse_above(cell, cell.row_bytes, memory_bytes, "bytes", "but this machine has");
+    refuse_above(cell, cell.row_bytes, memory_bytes, bytes_text, "but this machine has");
     if (plan.budget.row_memory_bytes) {
-      refuse_above(cell, cell.row_bytes / 2, (*plan.budget.row_memory_bytes)(cell.n), "bytes",
+      refuse_above(cell, cell.row_bytes / 2, (*plan.budget.row_memory_bytes)(cell.n), bytes_text,
                    "even halved, but budget.row_memory_bytes gives");
     }
     if (plan.budget.row_time_s) {
-      refuse_above(cell, cell.row_s / 2, (*plan.budget.row_time_s)(cell.n), "s",
+      refuse_above(cell, cell.row_s / 2, (*plan.budget.row_time_s)(cell.n), seconds_text,
                    "even halved, but budget.row_time_s gives");
     }
   }

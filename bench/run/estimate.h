@@ -9,12 +9,14 @@
 
 namespace ar3d {
 
-/// All rows of a family with parameters, at one size, by one algorithm with options.
+/// A cell: all rows of a family with parameters, at one size, by one algorithm with options at one
+/// level.
 struct CellEstimate {
   std::string family;
   std::string parameters;
   std::string algorithm;
   std::string options;
+  std::string level;  ///< empty: extents
   std::uint64_t n = 0;
   std::size_t instances = 0;
   std::size_t rows = 0;   ///< without the optional ones
@@ -46,6 +48,9 @@ struct StudyEstimate {
 /// thread runs.
 /// @throws InputError naming a cell of which that is not enough.
 StudyEstimate estimate(const StudyPlan& plan, int threads);
+
+/// "616 GB": three digits and a decimal unit.
+std::string bytes_text(double bytes);
 
 /// Memory that this process may use in bytes: the machine's, or its control group's if that is
 /// less.

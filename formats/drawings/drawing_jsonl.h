@@ -50,9 +50,9 @@ class DrawingJsonlReader {
  public:
   using Line = std::variant<Drawing, UndrawnGraph>;
 
-  /// @throws InputError if the file cannot be opened or is empty ("-" is standard input; gzip and
-  /// xz are unpacked).
-  explicit DrawingJsonlReader(const std::string& path);
+  /// @throws InputError if the file cannot be opened, is empty or holds a graph ("-" is standard
+  /// input; gzip and xz are unpacked).
+  explicit DrawingJsonlReader(const std::string& path) : DrawingJsonlReader(TextInput(path)) {}
   explicit DrawingJsonlReader(TextInput input);
 
   /// The next line that is not blank; nothing at the end. Memory: the line and its drawing.

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "ar3d/base/error.h"
+#include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/formats/text/tokens.h"
 #include "ar3d/model/real_points.h"
@@ -367,14 +368,13 @@ DecimalDrawing read_decimal_drawing(std::string_view line) {
   return events.finish_answer();
 }
 
-DrawingJsonlReader::DrawingJsonlReader(const std::string& path)
-    : DrawingJsonlReader(TextInput(path)) {}
-
 DrawingJsonlReader::DrawingJsonlReader(TextInput input)
     : input_(std::make_unique<TextInput>(std::move(input))) {
-  if (input_->look_ahead_line().empty()) {
+  const std::string_view head = input_->look_ahead_line();
+  if (head.empty()) {
     throw InputError(fmt::format("{}: empty file: no drawing in it", input_->name()));
   }
+  if (!head.starts_with('{')) refuse_graph(*input_);
 }
 
 std::optional<DrawingJsonlReader::Line> DrawingJsonlReader::next() {

@@ -102,7 +102,7 @@ TEST_F(GraphFiles, ACollectionOfFilesIsOneFamilyInPlanRowsResumeAndReplay) {
   const Outcome plan = expect_exit(0, run(study("plan --skip " + options)));
   EXPECT_THAT(plan.out, AllOf(HasSubstr("rome: 60 graphs, "), HasSubstr(" of degree above 3, "),
                               HasSubstr(", 1 files left out\n  left out: "),
-                              HasSubstr("grid effort=1: 60 rows")));
+                              HasSubstr("grid (effort=1) on rome n=11..108: 60 rows")));
   must(study("run -q --skip " + options + "-o r.h5"));
   const Results results = read_results(path("r.h5"));
   ASSERT_EQ(results.runs.size(), 120u);
@@ -221,13 +221,13 @@ TEST_F(GraphFiles, TheCommandLineSaysHowAnEdgeListIsRead) {
     expect_exit(0, run("{} replay " + path("a.h5") + " 0"));
   }
   expect_exit(2, run(study("run smoke --base 1")));
-  const std::string hunt = "{} hunt --algorithm grid --evaluations 3 --from " + path("one.edges");
+  const std::string hunt = "{} hunt --algorithm grid --evaluations 3 --graphs " + path("one.edges");
   expect_exit(2, run(hunt));
   expect_exit(0, run(hunt + " --base 1 --first-line header"));
 }
 
 TEST_F(GraphFiles, AHuntStartsFromThem) {
-  const std::string hunt = "{} hunt --evaluations 60 --from ";
+  const std::string hunt = "{} hunt --evaluations 60 --graphs ";
   expect_output(run(hunt + path("cubic.s6") + " --algorithm diamond"),
                 "the best one comes from " + path("cubic.s6") + " graph ");
   expect_error(run(hunt + path("four.g6") + " --algorithm grid"),

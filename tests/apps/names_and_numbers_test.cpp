@@ -67,7 +67,7 @@ TEST(Names, UnknownOnesAreAnsweredWithTheNearest) {
       "algorithm grid has no option 'efort'; did you mean 'effort'? (known: effort; see: "
       "ar3d list algorithms)");
   expect_name_refused(
-      "{} generate torus -n 9 --set row=3",
+      "{} generate torus -n 9 --parameter row=3",
       "family torus has no parameter 'row'; did you mean 'rows'? (known: rows, shuffle; "
       "see: ar3d list families)");
   expect_name_refused("{} hunt --algorithm grid --measure volum",

@@ -35,7 +35,7 @@ TEST_F(SeveralFiles, AreDrawnVerifiedShownAndHuntedInOneGo) {
   expect_one_line(run(in("{} draw a.edges c.g6 --algorithm grid -o x.svg")), "one drawing");
   expect_one_line(run(in("{} draw a.edges none.g6 --algorithm grid")), "cannot read none.g6");
   expect_one_line(run(in("{} draw a.edges c.g6 --algorithm grid -o c.g6 --format jsonl")), "c.g6");
-  expect_output(run(in("{} hunt --algorithm grid --from c.g6 a.edges --evaluations 20")),
+  expect_output(run(in("{} hunt --algorithm grid --graphs c.g6 --graphs a.edges --evaluations 20")),
                 "comes from 2 files (");
 }
 

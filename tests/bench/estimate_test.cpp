@@ -62,15 +62,24 @@ TEST(Estimate, GrowsWithNFromSmallRuns) {
   EXPECT_DOUBLE_EQ(made.largest_row_bytes, made.cells[1].row_bytes);
 }
 
+TEST(Estimate, BytesHaveThreeDigitsAndAUnit) {
+  EXPECT_EQ(bytes_text(0), "0 bytes");
+  EXPECT_EQ(bytes_text(999), "999 bytes");
+  EXPECT_EQ(bytes_text(999.6), "1 kB");
+  EXPECT_EQ(bytes_text(6.1559e11), "616 GB");
+  EXPECT_EQ(bytes_text(9.996e8), "1 GB");
+  EXPECT_EQ(bytes_text(2.5e18), "2.5e+03 PB");
+}
+
 TEST(Estimate, RefusesWhatIsImpossible) {
   const StudyPlan large = plan_of("", "sizes = [100, 100000000]\n");
   EXPECT_EQ(refusal(large, 1e15), "none");
-  EXPECT_THAT(refusal(large, 1e8), HasSubstr("random-cubic n=100000000 with grid"));
-  EXPECT_THAT(refusal(large, 1e8), HasSubstr("but this machine has 1e+08 bytes"));
+  EXPECT_THAT(refusal(large, 1e8), HasSubstr("grid (effort=1) on random-cubic n=100000000"));
+  EXPECT_THAT(refusal(large, 1e8), HasSubstr("but this machine has 100 MB"));
   EXPECT_THAT(refusal(plan_of("budget = { row_time_s = 0.001 }", "sizes = 10000000\n"), 1e15),
               HasSubstr("budget.row_time_s gives 0.001 s"));
   EXPECT_THAT(refusal(plan_of("budget = { row_memory_bytes = 1e6 }", "sizes = 10000000\n"), 1e15),
-              HasSubstr("budget.row_memory_bytes gives 1e+06 bytes"));
+              HasSubstr("budget.row_memory_bytes gives 1 MB"));
   EXPECT_EQ(
       refusal(plan_of("budget = { row_time_s = 3600, row_memory_bytes = 4e9 }", "sizes = 1000\n"),
               1e15),

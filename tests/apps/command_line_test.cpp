@@ -1,0 +1,94 @@
+// What the command line understands and says of itself: help, defaults, choices, wrong verbs.
+#include "support/program.h"
+
+namespace ar3d::testing {
+namespace {
+
+TEST(CommandLine, HelpTellsWhatItsFlagTells) {
+  EXPECT_EQ(run("{} help").out, run("{} --help").out);
+  for (const char* verb : {"draw", "study run", "history report", "help"}) {
+    EXPECT_EQ(expect_exit(0, run(std::string("{} help ") + verb)).out,
+              run(std::string("{} ") + verb + " --help").out);
+  }
+  EXPECT_EQ(run("{} -V").out, run("{} --version").out);
+  expect_error(run("{} help darw"), "unknown verb 'darw'; did you mean 'draw'?");
+  expect_error(run("{} help study rum"), "unknown verb 'rum'; did you mean 'run'?");
+}
+
+TEST(CommandLine, HelpShowsDefaultsAndNoInnerNames) {
+  EXPECT_THAT(run("{} help generate").out, HasSubstr("--count UINT:NUMBER=1 "));
+  EXPECT_THAT(run("{} help draw").out, HasSubstr("-o,--output TEXT=- "));
+  EXPECT_THAT(run("{} help compare").out, HasSubstr("ar3d compare [OPTIONS] [FILE...]"));
+  for (const char* verb : {"draw", "study plan", "study run", "study resume", "verify", "compare",
+                           "bisect", "history report", "hunt", "shrink", "replay"}) {
+    const std::string help = run(std::string("{} help ") + verb).out;
+    for (const char* wrong : {"0x)", "=[]", "=-1", "threads INT:NUMBER=", "default "}) {
+      EXPECT_THAT(help, Not(HasSubstr(wrong))) << verb;
+    }
+  }
+}
+
+TEST(CommandLine, AnOptionOfAnAlgorithmOrFamilyIsASetting) {
+  const std::string draw = "{} draw - --algorithm diamond --effort";
+  expect_error(run(draw + " 2"), "not expected: '--effort'; did you mean '--set effort=2'?");
+  expect_error(run(draw + "=2"), "did you mean '--set effort=2'?");
+  expect_error(run("{} generate torus -n 9 --rows 3"), "did you mean '--parameter rows=3'?");
+  expect_error(run("{} hunt --algorithm grid --rows=3"), "did you mean '--parameter rows=3'?");
+  expect_error(run("{} generate torus -n 9 --effort 2"), "not expected: '--effort' (see ");
+}
+
+TEST(CommandLine, TheDegreeDecidesWhatDraws) {
+  const ScratchDirectory scratch;
+  const std::string graphs = scratch.path("g.g6");
+  must("{} generate petersen -o " + graphs + " && {} generate k5 --format graph6 >>" + graphs +
+       " && {} generate k4 --format graph6 >>" + graphs);
+  const Outcome drawn = expect_exit(0, run("{} draw " + graphs + " -o " + scratch.path("d.jsonl")));
+  EXPECT_EQ(drawn.err,
+            "ar3d: " + graphs +
+                ":1: degree 3, drawn with grid; --algorithm says otherwise\nar3d: " + graphs +
+                ":2: degree 4, drawn with diamond; --algorithm says otherwise\n");
+  expect_output(run("{} verify " + scratch.path("d.jsonl") + " --graphs " + graphs),
+                "3 certified, 0 violated");
+  EXPECT_EQ(run("{} generate petersen | {} draw - --set effort=2").out,
+            run("{} generate petersen | {} draw - --algorithm grid --set effort=2").out);
+  EXPECT_EQ(run("{} generate petersen | {} draw - --format svg").err,
+            "ar3d: <stdin>:1: degree 3, drawn with grid; --algorithm says otherwise\n");
+  expect_error(run("{} draw " + graphs + " --set width=2"), "algorithm grid has no option 'width'");
+  EXPECT_EQ(run("{} draw " + graphs + " --algorithm diamond").err, "");
+  expect_one_line(run("printf '0 1\\n0 2\\n0 3\\n0 4\\n0 5\\n' | {} draw -"), "degree 5");
+}
+
+TEST(CommandLine, DrawingsAndGraphsAreToldApart) {
+  const ScratchDirectory scratch;
+  const std::string graph = scratch.path("g.s6"), drawing = scratch.path("d.jsonl");
+  must("{} generate petersen -o " + graph + " && {} draw " + graph + " --algorithm grid -o " +
+       drawing);
+  EXPECT_EQ(expect_exit(2, run("{} draw " + drawing)).err,
+            "ar3d: " + drawing + ":1: these are drawings, no graphs; `ar3d verify` judges them\n");
+  for (const char* verb : {"verify ", "view "}) {
+    EXPECT_EQ(
+        expect_exit(2, run("{} " + (verb + graph))).err,
+        "ar3d: " + graph + ":1: this is a graph (sparse6), no drawing; `ar3d draw` draws it\n");
+  }
+  expect_error(run("{} verify - <" + graph), "<stdin>:1: this is a graph (sparse6)");
+  expect_error(run("echo '[]' | {} verify -"), "<stdin>:1");
+}
+
+TEST(CommandLine, PlansNameCellsAsTheOtherVerbsDoAndSizesInUnits) {
+  const ScratchDirectory scratch;
+  const std::string spec = scratch.write("s.toml", R"(study = "s"
+[[sweep]]
+families = { family = "random-regular", degree = 3 }
+sizes = 16
+algorithms = "grid"
+)");
+  const Outcome plan = run("{} study plan " + spec);
+  EXPECT_THAT(plan.out,
+              HasSubstr("grid (effort=1) on random-regular (degree=3) n=16: 1 instances"));
+  EXPECT_THAT(plan.out, Not(HasSubstr("e+")));
+  EXPECT_THAT(plan.err, HasSubstr("ar3d: 1 graphs planned; small ones are drawn to estimate"));
+  EXPECT_THAT(plan.out, ::testing::ContainsRegex(" [0-9.]+ (bytes|kB|MB) per row"));
+}
+
+}  // namespace
+}  // namespace ar3d::testing
