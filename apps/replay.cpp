@@ -1,10 +1,11 @@
-// Rows made again: `ar3d replay` one, `ar3d study selfcheck` a sample.
+// Rows made again: one, a sample, all, or those whose drawings are kept.
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <charconv>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "ar3d/base/error.h"
@@ -26,26 +27,28 @@ namespace {
 
 struct ReplayArguments {
   std::string results;
-  std::string row;
+  std::optional<std::string> row;
   std::string output;
   std::string format;
   std::string graphs;
   bool force = false;
-  std::size_t sample = 20;  // of `study selfcheck`, as the seed
-  std::uint64_t seed = 1;
+  bool all = false;
+  std::optional<std::size_t> sample;
+  std::uint64_t seed = 1;  // of the sample
+  std::optional<std::string> keep;
 };
 
 /// The row with that key, or with that number from 0.
 const RunRecord& find_row(const Results& results, const ReplayArguments& arguments) {
   for (const RunRecord& run : results.runs) {
-    if (run.row_key == arguments.row) return run;
+    if (run.row_key == *arguments.row) return run;
   }
   std::size_t number = 0;
-  const char* end = arguments.row.data() + arguments.row.size();
-  const auto parsed = std::from_chars(arguments.row.data(), end, number);
+  const char* end = arguments.row->data() + arguments.row->size();
+  const auto parsed = std::from_chars(arguments.row->data(), end, number);
   if (parsed.ec != std::errc() || parsed.ptr != end || number >= results.runs.size()) {
     throw InputError(fmt::format("{}: no row '{}'; rows are 0..{} or row keys", arguments.results,
-                                 arguments.row,
+                                 *arguments.row,
                                  static_cast<std::int64_t>(results.runs.size()) - 1));
   }
   return results.runs[number];
@@ -97,29 +100,6 @@ int replay_row(const ReplayArguments& arguments) {
   return differing.empty() ? kPass : kRegression;
 }
 
-}  // namespace
-
-void add_replay(CLI::App& app, int& exit_code) {
-  CLI::App* verb = app.add_subcommand(
-      "replay", "Regenerates, draws and certifies a row again and compares it bit for bit");
-  const auto arguments = std::make_shared<ReplayArguments>();
-  verb->add_option("RESULTS", arguments->results, "results file (HDF5)")->required();
-  verb->add_option("ROW", arguments->row, "a row key, or a row number from 0")->required();
-  verb->add_option("-o,--output", arguments->output,
-                   "also write the drawing to this file; - is standard output");
-  add_force(*verb, arguments->force);
-  verb->add_option("--format", arguments->format,
-                   "a format of `ar3d draw --help`; by the file's ending, jsonl without one");
-  verb->add_option("--graphs", arguments->graphs,
-                   "the file that the row's graph is in, if it is not where the study found it");
-  verb->footer(
-      "Exit code 3 if the row is not reproduced, 4 if its drawing is violated.\nExample: ar3d "
-      "replay smoke.h5 0");
-  verb->callback([arguments, &exit_code] { exit_code = replay_row(*arguments); });
-}
-
-namespace {
-
 void print_irreproducible(const Results& results, const IrreproducibleRow& row) {
   const RunRecord& run = results.runs[row.row];
   std::string columns;
@@ -128,10 +108,10 @@ void print_irreproducible(const Results& results, const IrreproducibleRow& row) 
       run.options, columns);
 }
 
-int check_a_sample(const ReplayArguments& arguments) {
+int replay_rows(const ReplayArguments& arguments) {
   const Results results = read_results(arguments.results);
-  const std::vector<std::size_t> places =
-      sample_of_rows(results.runs, arguments.sample, arguments.seed);
+  const std::vector<std::size_t> places = sample_of_rows(
+      results.runs, arguments.all ? results.runs.size() : *arguments.sample, arguments.seed);
   if (results.source_hash != source_hash()) {
     say(stderr, "ar3d: the rows were made by source {}, this is {}\n", results.source_hash,
         source_hash());
@@ -151,20 +131,59 @@ int check_a_sample(const ReplayArguments& arguments) {
   return check.replayed > 0 ? kPass : kIncomplete;
 }
 
+int replay(const ReplayArguments& arguments) {
+  if (int{arguments.row.has_value()} + int{arguments.all} + int{arguments.sample.has_value()} +
+          int{arguments.keep.has_value()} !=
+      1) {
+    throw InputError("what is made again: a ROW, --all, --sample K or --keep WHICH, one of them");
+  }
+  if (arguments.row) return replay_row(arguments);
+  if (!arguments.keep) return replay_rows(arguments);
+  return keep_drawings({arguments.results, *arguments.keep, arguments.output, arguments.force});
+}
+
 }  // namespace
 
-void add_study_selfcheck(CLI::App& study, int& exit_code) {
-  CLI::App* verb =
-      study.add_subcommand("selfcheck", "Makes a random sample of rows again, bit for bit");
+void add_replay(CLI::App& app, int& exit_code) {
+  CLI::App* verb = app.add_subcommand(
+      "replay", "Regenerates, draws and certifies rows again and compares them bit for bit");
   const auto arguments = std::make_shared<ReplayArguments>();
   verb->add_option("RESULTS", arguments->results, "results file (HDF5)")->required();
-  verb->add_option("--sample", arguments->sample, "number of rows, default 20")
-      ->check(whole_number(1, 10000000));
-  verb->add_option("--seed", arguments->seed, "of the sample, default 1")->check(whole_number(0));
+  verb->add_option("ROW", arguments->row, "a row key, or a row number from 0");
+  CLI::Option* const all = verb->add_flag("--all", arguments->all, "every row");
+  CLI::Option* const sample =
+      verb->add_option("--sample", arguments->sample, "so many rows, chosen at random")
+          ->check(whole_number(1, 10000000));
+  verb->add_option("--seed", arguments->seed, "of the sample")
+      ->check(whole_number(0))
+      ->needs(sample);
+  CLI::Option* const keep =
+      verb->add_option("--keep", arguments->keep,
+                       "write the drawings of rows. worst: of each algorithm and family the one "
+                       "with the largest share of a bound; violated: those that were proved wrong; "
+                       "all")
+          ->check(one_of({"worst", "violated", "all"}));
+  verb->add_option("-o,--output", arguments->output,
+                   "the drawing of ROW, or those of --keep (JSON lines; RESULTS.drawings.jsonl if "
+                   "left out), to this file; - is standard output")
+      ->excludes(all)
+      ->excludes(sample);
+  add_force(*verb, arguments->force);
+  for (CLI::Option* option :
+       {verb->add_option("--format", arguments->format,
+                         "of ROW's drawing, a format of `ar3d help draw`; by the file's ending, "
+                         "jsonl without one"),
+        verb->add_option("--graphs", arguments->graphs,
+                         "the file that ROW's graph is in, if it is not where the study found "
+                         "it")}) {
+    option->excludes(all)->excludes(sample)->excludes(keep);
+  }
   verb->footer(
       "Exit code 3 if a row is not reproduced, 4 if a drawing is violated, 5 if there is no row to "
-      "make again.\nExample: ar3d study selfcheck smoke.h5 --sample 50 --seed 2");
-  verb->callback([arguments, &exit_code] { exit_code = check_a_sample(*arguments); });
+      "make again. A drawing is kept only if its hash is its row's.\n"
+      "Example: ar3d replay smoke.h5 0\n"
+      "         ar3d replay smoke.h5 --sample 50 --seed 2");
+  verb->callback([arguments, &exit_code] { exit_code = replay(*arguments); });
 }
 
 }  // namespace ar3d

@@ -333,8 +333,6 @@ void add_study(CLI::App& app, int& exit_code) {
   add_study_status(*verb, exit_code);
   add_merge(*verb, exit_code);
   add_study_plan(*verb, exit_code);
-  add_study_selfcheck(*verb, exit_code);
-  add_study_drawings(*verb, exit_code);
   add_study_count(*verb, exit_code);
 }
 

@@ -13,8 +13,6 @@ namespace ar3d {
 /// Verbs of `ar3d study` that have files of their own.
 void add_study_status(CLI::App& study, int& exit_code);
 void add_study_plan(CLI::App& study, int& exit_code);
-void add_study_selfcheck(CLI::App& study, int& exit_code);
-void add_study_drawings(CLI::App& study, int& exit_code);
 void add_study_count(CLI::App& study, int& exit_code);
 
 /// Which study a verb is about: one of a name or a file, or graphs of files.
@@ -33,6 +31,18 @@ StudySpec chosen_study(const StudyChoice& choice);
 /// few cores) or, for large sizes and for rows with limits, if a cell is estimated to be
 /// impossible.
 void refuse_impossible_study(const StudySpec& spec, const SessionPolicy& policy);
+
+/// `ar3d replay --keep`.
+struct KeepArguments {
+  std::string results;
+  std::string keep;    ///< worst, violated or all
+  std::string output;  ///< empty: RESULTS.drawings.jsonl
+  bool force = false;
+};
+
+/// Draws rows again and writes their drawings. @return the exit code. @throws InputError if a file
+/// cannot be read or must not be written.
+int keep_drawings(const KeepArguments& arguments);
 
 /// Writes the drawings that a study keeps beside its results file, and tells where they are. What
 /// stands there is replaced if it is a file of drawings or `force` is given; else nothing is

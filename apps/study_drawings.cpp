@@ -1,4 +1,4 @@
-// What is made of finished rows: `ar3d study drawings` and `ar3d study count`.
+// What is made of finished rows: drawings that are kept, and `ar3d study count`.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -53,15 +53,9 @@ bool may_be_replaced(const std::string& path) {
   return in.gcount() == 0 || head == "{\"n\":";
 }
 
-struct DrawingsArguments {
-  std::string results;
-  std::string output;
-  std::string keep = "worst";            // of `drawings`
-  std::int64_t max_n = kLargestCounted;  // of `count`
-  bool force = false;
-};
+}  // namespace
 
-int keep(const DrawingsArguments& arguments) {
+int keep_drawings(const KeepArguments& arguments) {
   const std::string path =
       arguments.output.empty() ? drawings_path(arguments.results) : arguments.output;
   refuse_unsafe_outputs(
@@ -72,13 +66,11 @@ int keep(const DrawingsArguments& arguments) {
                          .force = arguments.force});
   if (const std::string format = drawing_format("", path).name; format != "jsonl") {
     throw InputError(fmt::format(
-        "-o {}: JSON lines are written, not {}; `ar3d draw` and `replay` write other formats", path,
-        format));
+        "-o {}: JSON lines are written, not {}; `ar3d draw` and `replay` of a ROW write others",
+        path, format));
   }
   return write_drawings(path, rows.view(), parse_kept_drawings(arguments.keep));
 }
-
-}  // namespace
 
 int keep_drawings_beside(const std::string& results, const RowView& rows, KeptDrawings kept,
                          bool force, bool unchanged) {
@@ -89,34 +81,24 @@ int keep_drawings_beside(const std::string& results, const RowView& rows, KeptDr
   }
   if (!force && !may_be_replaced(path)) {
     say(stderr,
-        "ar3d: {} is no file of drawings and stays as it is; `ar3d study drawings {} --keep "
-        "{} -o OTHER.jsonl` writes them\n",
+        "ar3d: {} is no file of drawings and stays as it is; `ar3d replay {} --keep {} "
+        "-o OTHER.jsonl` writes them\n",
         path, shell_word(results), to_string(kept));
     return kRegression;
   }
   return write_drawings(path, rows, kept);
 }
 
-void add_study_drawings(CLI::App& study, int& exit_code) {
-  CLI::App* verb = study.add_subcommand("drawings", "Draws chosen rows again and writes drawings");
-  const auto arguments = std::make_shared<DrawingsArguments>();
-  verb->add_option("RESULTS", arguments->results, "results file (HDF5)")->required();
-  verb->add_option("--keep", arguments->keep,
-                   "worst: of each algorithm and family the drawing with the largest share of a "
-                   "bound; violated: those that were proved wrong; all")
-      ->check(one_of({"worst", "violated", "all"}));
-  verb->add_option("-o,--output", arguments->output,
-                   "JSON lines, as `ar3d draw` writes them; RESULTS.drawings.jsonl if left out");
-  add_force(*verb, arguments->force);
-  verb->footer(
-      "A drawing is written only if its hash is its row's; exit code 3 if one is not.\n"
-      "Example: ar3d study drawings smoke.h5 --keep worst -o worst.jsonl");
-  verb->callback([arguments, &exit_code] { exit_code = keep(*arguments); });
-}
-
 namespace {
 
-int count(const DrawingsArguments& arguments) {
+struct CountArguments {
+  std::string results;
+  std::string output;
+  std::int64_t max_n = kLargestCounted;
+  bool force = false;
+};
+
+int count(const CountArguments& arguments) {
   const std::string path = arguments.output.empty() ? arguments.results : arguments.output;
   if (!arguments.output.empty()) {
     refuse_unsafe_outputs({.inputs = {arguments.results},
@@ -164,7 +146,7 @@ void add_draw_counted(CLI::App& study) {
 void add_study_count(CLI::App& study, int& exit_code) {
   CLI::App* verb = study.add_subcommand(
       "count", "Counts instructions and simulated cache of every drawing with callgrind: no noise");
-  const auto arguments = std::make_shared<DrawingsArguments>();
+  const auto arguments = std::make_shared<CountArguments>();
   verb->add_option("RESULTS", arguments->results, "results file (HDF5)")->required();
   verb->add_option("-o,--output", arguments->output,
                    "results file with the counts; RESULTS itself if left out");

@@ -88,7 +88,7 @@ TEST(CertificateModes, RowsOfAStudySayThemAndCheckDoesNotPassThemUnasked) {
     expect_exit(5, run("{} report --rows " + scratch.path("r.csv") + " --force " + results));
     EXPECT_THAT(read_file(scratch.path("r.csv")), HasSubstr("," + mode + ","));
     expect_exit(0, run("{} replay " + results + " 1"));
-    expect_exit(0, run("{} study selfcheck " + results));
+    expect_exit(0, run("{} replay --all " + results));
     expect_exit(0, run("{} study run " + scratch.path("a.toml") + " -q --force -o " +
                        scratch.path("a.h5")));
   }
@@ -118,7 +118,7 @@ TEST(CertificateModes, OneSweepMayAskForSeveral) {
     EXPECT_THAT(read_file(csv), HasSubstr(std::string(",") + mode + ","));
     EXPECT_THAT(read_file(page), HasSubstr(std::string("<td>") + mode + "</td>"));
   }
-  expect_exit(0, run("{} study selfcheck " + results));
+  expect_exit(0, run("{} replay --all " + results));
   for (int row = 0; row < 3; ++row) {
     expect_exit(0, run("{} replay " + results + " " + std::to_string(row)));
   }

@@ -116,7 +116,7 @@ TEST_F(GraphFiles, ACollectionOfFilesIsOneFamilyInPlanRowsResumeAndReplay) {
   EXPECT_EQ(names.size(), 60u);
   ASSERT_EQ(skipped_file_records(results).size(), 1u);
   EXPECT_EQ(skipped_file_records(results)[0].file, "notes.txt");
-  expect_exit(0, run("{} study selfcheck " + path("r.h5")));
+  expect_exit(0, run("{} replay --sample 20 " + path("r.h5")));
   fs::rename(path("rome"), path("moved"));
   expect_exit(0, run("{} replay " + path("r.h5") + " 7 --graphs " + path("moved")));
 }
@@ -161,7 +161,7 @@ TEST_F(GraphFiles, RowsAreMadeAgainFromTheFileWhereverItIsNow) {
   must(study("run -q --graphs cubic.s6 --shuffle --algorithm compact -o a.h5"));
   const std::string replay = "{} replay " + path("a.h5") + " 77";
   EXPECT_THAT(run(replay).out, HasSubstr("every non-timing column is equal, bit for bit"));
-  expect_exit(0, run("{} study selfcheck " + path("a.h5")));
+  expect_exit(0, run("{} replay --all " + path("a.h5")));
   fs::rename(path("cubic.s6"), path("moved.s6"));
   expect_exit(2, run(replay));
   expect_exit(0, run(replay + " --graphs " + path("moved.s6") + " -o " + path("d.jsonl")));
@@ -173,11 +173,11 @@ TEST_F(GraphFiles, RowsAreMadeAgainFromTheFileWhereverItIsNow) {
 TEST_F(GraphFiles, AChangedFileIsRefusedOnceByStudyDrawings) {
   must(study("run -q --graphs cubic.s6 --algorithm compact -o a.h5"));
   fs::copy_file(path("four.g6"), path("cubic.s6"), fs::copy_options::overwrite_existing);
-  expect_one_line(run("{} study drawings --keep all " + path("a.h5")),
+  expect_one_line(run("{} replay --keep all " + path("a.h5")),
                   "its graphs are not those that the study began with");
   EXPECT_FALSE(fs::exists(path("a.drawings.jsonl")));
   fs::remove(path("cubic.s6"));
-  const Outcome gone = expect_exit(2, run("{} study drawings --keep all " + path("a.h5")));
+  const Outcome gone = expect_exit(2, run("{} replay --keep all " + path("a.h5")));
   EXPECT_THAT(gone.err, HasSubstr("cannot read " + path("cubic.s6")));
   EXPECT_THAT(gone.err, Not(ContainsRegex("[.]h5:[0-9]"))) << "a line of a text that nobody saw";
 }

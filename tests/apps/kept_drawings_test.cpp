@@ -49,7 +49,7 @@ TEST_F(KeptDrawings, TheWorstOfEachCurve) {
   expect_exit(0, make("worst"));
   EXPECT_EQ(lines(), 4);
   const std::string once = text();
-  const Outcome again = expect_exit(0, run("{} study drawings " + results_ + " -o -"));
+  const Outcome again = expect_exit(0, run("{} replay " + results_ + " --keep worst -o -"));
   EXPECT_EQ(again.out, once);
 }
 
@@ -65,9 +65,9 @@ TEST_F(KeptDrawings, NothingIsReplacedUnasked) {
   EXPECT_EQ(text(), "notes\n");
   EXPECT_FALSE(fs::exists(results_));
   expect_exit(0, make("none"));
-  expect_error(run("{} study drawings " + results_),
+  expect_error(run("{} replay " + results_ + " --keep worst"),
                "k.drawings.jsonl exists; --force replaces it");
-  expect_exit(0, run("{} study drawings " + results_ + " --force"));
+  expect_exit(0, run("{} replay " + results_ + " --keep worst --force"));
   EXPECT_EQ(lines(), 4);
   std::ofstream(drawings_) << "notes\n";
   expect_exit(0, make("all", " --force"));
@@ -88,7 +88,7 @@ TEST_F(KeptDrawings, AResumedStudyKeepsThemToo) {
 
 TEST_F(KeptDrawings, AStudyThatWasWholeLeavesThemAsTheyAre) {
   expect_exit(0, make("worst"));
-  expect_exit(0, run("{} study drawings " + results_ + " --keep all --force"));
+  expect_exit(0, run("{} replay " + results_ + " --keep all --force"));
   expect_output(run("{} study resume " + results_ + " -q"),
                 "k.drawings.jsonl: as it was, no row is new");
   EXPECT_EQ(lines(), 18) << "somebody asked for these";
@@ -97,7 +97,7 @@ TEST_F(KeptDrawings, AStudyThatWasWholeLeavesThemAsTheyAre) {
 TEST_F(KeptDrawings, AreJsonLines) {
   expect_exit(0, make("none"));
   const std::string page = scratch_.path("page.html");
-  expect_error(run("{} study drawings " + results_ + " -o " + page),
+  expect_error(run("{} replay " + results_ + " --keep worst -o " + page),
                "page.html: JSON lines are written, not html");
   EXPECT_FALSE(fs::exists(page));
 }
@@ -111,7 +111,7 @@ TEST_F(KeptDrawings, OfShardsWhenTheyAreMerged) {
   }
   expect_exit(0, run("{} study merge " + scratch_.path("part1.h5") + " " +
                      scratch_.path("part2.h5") + " -o " + results_));
-  expect_exit(0, run("{} study drawings " + results_ + " --keep all"));
+  expect_exit(0, run("{} replay " + results_ + " --keep all"));
   EXPECT_EQ(lines(), 18);
 }
 

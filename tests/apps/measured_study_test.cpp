@@ -1,4 +1,6 @@
 // Limits, budgets and phases through the program as a user runs it.
+#include <fmt/format.h>
+
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/store/run_storage.h"
 #include "support/program.h"
@@ -50,18 +52,30 @@ instances = 3000
   EXPECT_LT(rows, 6000u);
 }
 
-TEST(MeasuredStudy, SelfcheckMakesASampleAgain) {
+TEST(MeasuredStudy, ReplayMakesRowsASampleOrAllAgain) {
   const ScratchDirectory scratch;
   const std::string results = scratch.path("smoke.h5");
   must("{} study run smoke -q -o " + results);
-  expect_output(run("{} study selfcheck " + results + " --sample 30 --seed 5"),
+  expect_output(run("{} replay " + results + " --sample 30 --seed 5"),
                 "30 equal bit for bit, 0 not");
+  const std::string all = fmt::format(
+      "{0} of {0} rows made again: {0} equal bit for bit, 0 not, 0 "
+      "violated",
+      read_results(results).runs.size());
+  expect_output(run("{} replay " + results + " --all"), all);
+  for (const char* ways : {"", "0 --all", "--all --sample 3", "--keep all --all", "0 --keep all"}) {
+    expect_one_line(run("{} replay " + results + " " + ways),
+                    "a ROW, --all, --sample K or --keep WHICH, one of them");
+  }
+  for (const char* vain : {"--all -o x", "--sample 3 -o x", "--keep all --graphs x", "0 --seed 3",
+                           "--all --format svg"}) {
+    expect_exit(2, run("{} replay " + results + " " + vain));
+  }
   Results changed = read_results(results);
   for (ar3d::RunRecord& row : changed.runs) row.longest_edge_length += 1;
   write_results(changed, results);
-  expect_output(run("{} study selfcheck " + results + " --sample 3"),
-                "differs in longest_edge_length", 3);
-  expect_exit(2, run("{} study selfcheck " + results + " --sample 0"));
+  expect_output(run("{} replay " + results + " --sample 3"), "differs in longest_edge_length", 3);
+  expect_exit(2, run("{} replay " + results + " --sample 0"));
 }
 
 TEST(MeasuredStudy, CountedInstructionsHaveNoNoise) {

@@ -24,8 +24,8 @@ TEST(Numbers, NegativeAndOverlargeOnesAreRefused) {
   expect_name_refused("{} hunt --algorithm grid -n -5", "'-5' is not a whole number");
   expect_name_refused("{} hunt --algorithm grid --seconds nan", "'nan' is not a number");
   expect_name_refused("{} draw - --algorithm grid --turn inf", "'inf' is not a number");
-  expect_name_refused("{} study selfcheck r.h5 --seed -1", "'-1' is not a whole number");
-  expect_name_refused("{} study selfcheck r.h5 --sample -1", "'-1' is not a whole number");
+  expect_name_refused("{} replay r.h5 --seed -1", "'-1' is not a whole number");
+  expect_name_refused("{} replay r.h5 --sample -1", "'-1' is not a whole number");
   expect_name_refused("{} study count r.h5 --max-n -1", "'-1' is not a whole number");
   expect_name_refused("{} study run smoke --threads -1", "'-1' is not a whole number");
   expect_name_refused("{} study plan smoke --threads 1e9", "'1e9' is not a whole number");
@@ -157,10 +157,10 @@ TEST(Files, EscapeSequencesDoNotReachTheTerminal) {
   renew_checksum(results);
   for (const std::string& verb :
        {std::string("check R"), "report R --force -o " + scratch.path("page.html"),
-        std::string("study status R"), std::string("study selfcheck R"), std::string("replay R 3"),
-        std::string("compare R R"), std::string("study resume -q R"),
+        std::string("study status R"), std::string("replay R --sample 20"),
+        std::string("replay R 3"), std::string("compare R R"), std::string("study resume -q R"),
         "study merge R -o " + scratch.path("m.h5"),
-        "study drawings R --keep violated -o " + scratch.path("kept.jsonl"),
+        "replay R --keep violated -o " + scratch.path("kept.jsonl"),
         std::string("study count R --max-n 4"), std::string("study plan R"),
         "history add R --place 1 --folder " + scratch.path("h"),
         "history report --folder " + scratch.path("h")}) {

@@ -61,8 +61,8 @@ TEST_F(Outputs, AreNotTheFilesThatAStudyReads) {
        "printf 'D~{\\n' > k5.g6 && {} study run --graphs k5.g6 --algorithm diamond -q -o g.h5");
   const std::string graph = read_file(scratch_.path("k5.g6"));
   for (const char* command :
-       {"replay g.h5 0 --format jsonl --force -o k5.g6", "study drawings g.h5 --force -o k5.g6",
-        "study count g.h5 --force -o k5.g6"}) {
+       {"replay g.h5 0 --format jsonl --force -o k5.g6",
+        "replay g.h5 --keep worst --force -o k5.g6", "study count g.h5 --force -o k5.g6"}) {
     expect_refused(command, "k5.g6 would be overwritten by what is made from it");
     EXPECT_EQ(read_file(scratch_.path("k5.g6")), graph) << command;
   }

@@ -93,7 +93,7 @@ TEST(RealTypes, RowsSayThatTheyAreMeasuredAndCheckDoesNotPassThemUnasked) {
   for (const char* row : {"0", "1", "2", "3"}) {
     expect_exit(0, run("{} replay " + results + " " + row));
   }
-  expect_exit(0, run("{} study selfcheck " + results));
+  expect_exit(0, run("{} replay --all " + results));
   expect_exit(0, run("{} report " + scratch.path("a.h5") + " -o " + scratch.path("a.html")));
 }
 

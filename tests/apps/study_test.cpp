@@ -53,10 +53,9 @@ TEST(ListProgram, ShowsEveryCatalogue) {
 }
 
 TEST(Program, HelpOfEveryVerbHasAnExample) {
-  for (const char* verb :
-       {"list", "generate", "draw", "verify", "study run", "study resume", "study status",
-        "study merge", "study plan", "study selfcheck", "study count", "check", "report", "replay",
-        "compare", "hunt", "shrink"}) {
+  for (const char* verb : {"list", "generate", "draw", "verify", "study run", "study resume",
+                           "study status", "study merge", "study plan", "study count", "check",
+                           "report", "replay", "compare", "hunt", "shrink"}) {
     expect_output(run(std::string("{} ") + verb + " --help"), "Example: ");
   }
 }

@@ -51,7 +51,7 @@ test("four parts; the first screen has the picture, the two commands and a table
 });
 
 test("search finds a word of the proofs and a command", async () => {
-  for (const [asked, found] of [["necklace", /docs\/(algorithms|theorem)/], ["selfcheck", /docs\/(commands|study|contracts)/]]) {
+  for (const [asked, found] of [["necklace", /docs\/(algorithms|theorem)/], ["replay", /docs\/(commands|study|contracts)/]]) {
     await page.goto(origin);
     await page.locator("input.md-search__input").fill(asked);
     await page.locator(".md-search-result__item a").first().waitFor();

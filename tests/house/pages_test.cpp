@@ -71,13 +71,13 @@ void expect_completion(const ScratchDirectory& folder, const std::string& shell,
                        const std::string& prepare) {
   folder.write("ask." + shell,
                prepare +
-                   "say ar3d ve\nsay ar3d study sel\nsay ar3d draw x --algorithm diam\n"
+                   "say ar3d ve\nsay ar3d study resu\nsay ar3d draw x --algorithm diam\n"
                    "say ar3d draw x --til\nsay ar3d draw x --format gr\n"
                    "say ar3d generate cycl\nsay ar3d study run smo\n"
                    "say ar3d verify x --crossing-test sl\nsay ar3d list named-\n");
   const Outcome offered = expect_exit(0, run(enter(folder) + shell + " ask." + shell));
   EXPECT_EQ(offered.out,
-            "verify\nselfcheck\ndiamond\n--tilt\ngraphml\ncycle\nsmoke\nslabs\nnamed-graphs\n")
+            "verify\nresume\ndiamond\n--tilt\ngraphml\ncycle\nsmoke\nslabs\nnamed-graphs\n")
       << shell << offered.err;
 }
 

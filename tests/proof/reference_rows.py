@@ -30,7 +30,7 @@ def judge(algorithm, graphs):
 
 
 drawings.run(ar3d, "study", "run", "smoke", "-q", "-o", str(folder / "smoke.h5"))
-drawings.run(ar3d, "study", "drawings", str(folder / "smoke.h5"), "--keep", "all", "-o", str(folder / "kept"))
+drawings.run(ar3d, "replay", str(folder / "smoke.h5"), "--keep", "all", "-o", str(folder / "kept"))
 with h5py.File(folder / "smoke.h5") as file:
     rows = [tuple(row[name].decode() if isinstance(row[name], bytes) else int(row[name])
                   for name in ("algorithm", "family", "n", "seed", "parameters")) for row in file["runs"][:]]
