@@ -56,6 +56,69 @@ void print_family(const Family& row) {
   }
 }
 
+nlohmann::ordered_json settings_json(const std::vector<SettingSpec>& settings) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const SettingSpec& one : settings) {
+    json.push_back({{"name", one.name},
+                    {"low", one.low},
+                    {"high", one.high},
+                    {"default", one.default_value},
+                    {"description", one.description}});
+  }
+  return json;
+}
+
+nlohmann::ordered_json algorithm_json(const Algorithm& row) {
+  const Guarantee& g = row.guarantee;
+  nlohmann::ordered_json json = {
+      {"name", row.name},
+      {"summary", row.summary},
+      {"source", row.source},
+      {"is_proved", g.claim == Claim::proved},
+      {"max_degree", g.max_degree},
+      {"max_bends", g.max_bends},
+      {"angles", g.angle_rule == AngleRule::exactly ? "exactly" : "at least"},
+      {"degrees", degrees(g.cosine)},
+      {"options", settings_json(row.options)}};
+  for (const AxisBound& axis : g.bound.axes) {
+    if (g.claim == Claim::proved) json["box"].push_back(axis.formula());
+  }
+  return json;
+}
+
+/// The catalogues by their names; of them only `what` unless that is "all".
+nlohmann::ordered_json list_json(const std::string& what) {
+  nlohmann::ordered_json json;
+  const auto add = [&](const char* name, const auto& rows, const auto& object) {
+    if (what != "all" && what != name) return;
+    json[name] = nlohmann::ordered_json::array();
+    for (const auto& row : rows) json[name].push_back(object(row));
+  };
+  using Object = nlohmann::ordered_json;
+  add("algorithms", algorithms(), algorithm_json);
+  add("families", families(), [](const Family& row) {
+    return Object{{"name", row.name},
+                  {"summary", row.summary},
+                  {"max_degree", row.max_degree},
+                  {"is_random", row.is_random},
+                  {"parameters", settings_json(row.parameters)}};
+  });
+  add("named-graphs", named_graphs(), [](const NamedGraph& row) {
+    return Object{{"name", row.name}, {"n", row.num_vertices}, {"summary", row.summary}};
+  });
+  const auto name_and_summary = [](const auto& row) {
+    return Object{{"name", row.name}, {"summary", row.summary}};
+  };
+  add("formats", graph_formats(), name_and_summary);
+  add("metrics", metrics(), [](const Metric& row) {
+    return Object{{"name", row.name}, {"summary", row.definition}, {"unit", row.unit}};
+  });
+  add("studies", named_studies(), [](const NamedStudy& row) {
+    return Object{{"name", row.name}, {"summary", row.description}};
+  });
+  return json;
+}
+
 void print_list(const std::string& what) {
   const auto wanted = [&](const char* name) { return what == "all" || what == name; };
   const auto title = [&](const char* text) {
@@ -145,9 +208,13 @@ void add_list(CLI::App& app, int&) {
   verb->add_option("--promise", *promise,
                    "Only what this algorithm promises, as the options of ar3d_proved")
       ->excludes("WHAT");
+  const auto json = std::make_shared<bool>(false);
+  add_json(*verb, *json)->excludes("--promise");
   verb->footer("Example: ar3d list families");
-  verb->callback([what, promise] {
-    if (promise->empty()) {
+  verb->callback([what, promise, json] {
+    if (*json) {
+      print_json(list_json(*what));
+    } else if (promise->empty()) {
       print_list(*what);
     } else {
       print_promise(find_algorithm(*promise));

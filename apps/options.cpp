@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "ar3d/base/nearest_name.h"
+#include "ar3d/base/say.h"
 
 namespace ar3d {
 
@@ -69,6 +70,14 @@ void add_threads_option(CLI::App& verb) {
           "drawings worked on at the same time, or threads for a single large one; as many as "
           "cores if left out; what comes out is the same")
       ->check(whole_number(1, 1024));
+}
+
+CLI::Option* add_json(CLI::App& verb, bool& json) {
+  return verb.add_flag("--json", json, "print one JSON object instead of text");
+}
+
+void print_json(const nlohmann::ordered_json& json) {
+  say("{}\n", json.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
 }
 
 void add_making_options(CLI::App& verb, SessionPolicy& policy) {

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,11 @@ CLI::Option* add_repeated(CLI::App& verb, const std::string& name, std::vector<s
 /// --threads of verbs that work on many drawings at the same time, or on a large one with several
 /// threads.
 void add_threads_option(CLI::App& verb);
+/// The flag --json of verbs that print: one JSON object instead of text.
+CLI::Option* add_json(CLI::App& verb, bool& json);
+/// Prints it on one line, in ASCII: other characters are escaped, bytes that are no UTF-8 replaced.
+void print_json(const nlohmann::ordered_json& json);
+
 /// Options of every verb that makes rows of a study.
 void add_making_options(CLI::App& verb, SessionPolicy& policy);
 

@@ -187,6 +187,35 @@ void print_cells(const StudyEstimate& estimate, const std::set<std::string>& col
   }
 }
 
+nlohmann::ordered_json plan_json(const StudySpec& spec, const StudyPlan& plan,
+                                 const StudyEstimate& estimate) {
+  const auto if_known = [](bool is_known, double value) {
+    return is_known ? nlohmann::ordered_json(value) : nullptr;
+  };
+  nlohmann::ordered_json cells = nlohmann::ordered_json::array();
+  for (const CellEstimate& cell : estimate.cells) {
+    const CurveKey key = {cell.algorithm, cell.options, cell.family, cell.parameters, cell.level};
+    nlohmann::ordered_json json = key_json(key);
+    json.update({{"cell", cell_label(key, static_cast<std::int64_t>(cell.n))},
+                 {"n", cell.n},
+                 {"instances", cell.instances},
+                 {"rows", cell.rows},
+                 {"row_s", if_known(cell.is_known, cell.row_s)},
+                 {"row_bytes", if_known(cell.is_known, cell.row_bytes)},
+                 {"total_s", if_known(cell.is_known, cell.total_s)}});
+    cells.push_back(std::move(json));
+  }
+  return {{"study", spec.name},
+          {"instances", plan.instances.size()},
+          {"rows", estimate.rows},
+          {"optional_rows", estimate.optional_rows},
+          {"unknown_rows", estimate.unknown_rows},
+          {"threads", estimate.threads},
+          {"wall_s", estimate.wall_s},
+          {"largest_row_bytes", estimate.largest_row_bytes},
+          {"cells", cells}};
+}
+
 void print_estimate(const StudySpec& spec, const StudyPlan& plan, const StudyEstimate& estimate,
                     int workers) {
   std::set<std::string> collections;
@@ -223,6 +252,7 @@ void add_study_plan(CLI::App& study, int&) {
   struct PlanArguments {
     StudyChoice chosen;
     int workers = 0;
+    bool json = false;
   };
   const auto arguments = std::make_shared<PlanArguments>();
   add_study_choice(*verb, arguments->chosen);
@@ -230,6 +260,7 @@ void add_study_plan(CLI::App& study, int&) {
                    "rows made at the same time; as many as cores if left out")
       ->default_str("")
       ->check(whole_number(1, 1024));
+  add_json(*verb, arguments->json);
   verb->footer(
       "Estimates are extrapolated from short runs at small sizes on this machine; expect them to "
       "be "
@@ -242,7 +273,8 @@ void add_study_plan(CLI::App& study, int&) {
     say(stderr, "ar3d: {} graphs planned; small ones are drawn to estimate time and memory\n",
         plan.instances.size());
     const StudyEstimate made = estimate(plan, workers);
-    print_estimate(spec, plan, made, workers);
+    if (arguments->json) print_json(plan_json(spec, plan, made));
+    if (!arguments->json) print_estimate(spec, plan, made, workers);
     refuse_impossible(plan, made, available_memory());
   });
 }

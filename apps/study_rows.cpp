@@ -107,11 +107,34 @@ CheckedRows judge(const RowView& rows, const std::string& file) {
 
 namespace {
 
+nlohmann::ordered_json verdict_json(const CheckVerdict& verdict) {
+  nlohmann::ordered_json findings = nlohmann::ordered_json::array();
+  for (const Finding& one : verdict.findings) {
+    findings.push_back({{"kind", to_string(one.kind)},
+                        {"row", one.row ? nlohmann::ordered_json(*one.row) : nullptr},
+                        {"message", one.message},
+                        {"subject", one.subject},
+                        {"command", one.command}});
+  }
+  return {{"verdict", verdict.word()},
+          {"exit_code", verdict.exit_code()},
+          {"rows", verdict.rows},
+          {"proved", verdict.proved},
+          {"violated", verdict.violated_rows},
+          {"incomplete", verdict.incomplete_rows},
+          {"refused", verdict.refused},
+          {"not_proved", verdict.unproved},
+          {"measured", verdict.measured},
+          {"all_findings", verdict.all_findings},
+          {"findings", findings}};
+}
+
 struct StatusArguments {
   std::string file;
   std::string snapshot;
   bool force = false;
   bool watch = false;
+  bool json = false;
 };
 
 // How far a study is, from its journals or its results file.
@@ -170,6 +193,15 @@ std::string line(const Standing& standing) {
   return text;
 }
 
+nlohmann::ordered_json standing_json(const Standing& standing) {
+  const StudyIdentity& identity = standing.identity;
+  return {{"study", identity.study_id},     {"shard", {identity.shard.index, identity.shard.count}},
+          {"begun", identity.created},      {"source", identity.source_hash},
+          {"rows", standing.rows},          {"planned_rows", identity.planned_rows},
+          {"not_ok", standing.not_ok},      {"processes_at_work", standing.writers},
+          {"complete", standing.complete()}};
+}
+
 void print_details(const Standing& standing, const std::string& file) {
   say("{}\nbegun    {}\nsource   {}{}\n", line(standing), printable(standing.identity.created),
       printable(standing.identity.source_hash), standing.identity.dirty ? " and changes" : "");
@@ -220,15 +252,22 @@ int show(const StatusArguments& arguments) {
   }
   Standing standing = arguments.watch ? watch(arguments.file) : standing_of(arguments.file);
   if (standing.writers > 0) {
-    print_details(standing, arguments.file);
+    if (arguments.json) print_json(standing_json(standing));
+    if (!arguments.json) print_details(standing, arguments.file);
     return kIncomplete;
   }
   const StudyRows rows(arguments.file);
   standing.rows = rows.view().count;
   standing.identity.planned_rows = rows.view().planned;
-  print_details(standing, arguments.file);
+  if (!arguments.json) print_details(standing, arguments.file);
   const CheckVerdict verdict = judge(rows.view(), arguments.file).verdict;
-  say("{}", verdict_line(verdict));
+  if (arguments.json) {
+    nlohmann::ordered_json json = standing_json(standing);
+    json["check"] = verdict_json(verdict);
+    print_json(json);
+  } else {
+    say("{}", verdict_line(verdict));
+  }
   return verdict.exit_code();
 }
 
@@ -240,8 +279,9 @@ void add_study_status(CLI::App& study, int& exit_code) {
   const auto arguments = std::make_shared<StatusArguments>();
   verb->add_option("FILE", arguments->file, "its results file or its journal")->required();
   verb->add_flag("--watch", arguments->watch, "tell it every second until nobody writes any more");
-  verb->add_option("--snapshot", arguments->snapshot,
-                   "write the rows so far as a results file of their own");
+  CLI::Option* const snapshot = verb->add_option(
+      "--snapshot", arguments->snapshot, "write the rows so far as a results file of their own");
+  add_json(*verb, arguments->json)->excludes(snapshot)->excludes(verb->get_option("--watch"));
   add_force(*verb, arguments->force);
   verb->footer(
       "Exit code as of `ar3d check`; 5 while the study is running.\nExample: ar3d study status "
@@ -257,17 +297,20 @@ void add_check(CLI::App& app, int& exit_code) {
   verb->add_option("RESULTS", *path, "results file (HDF5), or the journal of an unfinished study")
       ->required();
   const auto accepts_unproved = std::make_shared<bool>(false);
+  const auto json = std::make_shared<bool>(false);
+  add_json(*verb, *json);
   verb->add_flag("--accept-unproved", *accepts_unproved,
                  "pass although rows were judged by another certificate than exact");
   verb->footer(
       "Exit code 0 pass, 4 violated, 5 incomplete, nothing measured, or rows that nothing "
       "proves.\nExample: ar3d check "
       "smoke.h5");
-  verb->callback([path, accepts_unproved, &exit_code] {
+  verb->callback([path, accepts_unproved, json, &exit_code] {
     const StudyRows rows(*path);
     CheckVerdict verdict = judge(rows.view(), *path).verdict;
     verdict.accepts_unproved = verdict.accepts_unproved || *accepts_unproved;
-    say("{}", summary(verdict));
+    if (*json) print_json(verdict_json(verdict));
+    if (!*json) say("{}", summary(verdict));
     exit_code = verdict.exit_code();
   });
 }

@@ -38,6 +38,7 @@ struct VerifyArguments {
   std::string test = "automatic";
   std::string certificate = "exact";
   bool quiet = false;
+  bool json = false;
 };
 
 struct LineToJudge {
@@ -110,6 +111,16 @@ JudgedLine judge(const LineToJudge& task, const VerifyArguments& arguments) {
 /// How many lines became of each kind.
 using Counts = std::array<std::uint64_t, static_cast<std::size_t>(LineVerdict::unknown) + 1>;
 
+constexpr const char* kVerdictNames[] = {"certified", "violated",   "not_drawn",
+                                         "measured",  "not_proved", "not_judged"};
+
+nlohmann::ordered_json counts_json(const Counts& counts, nlohmann::ordered_json&& messages) {
+  nlohmann::ordered_json json;
+  for (std::size_t i = 0; i < counts.size(); ++i) json[kVerdictNames[i]] = counts[i];
+  json["messages"] = std::move(messages);
+  return json;
+}
+
 std::string summary(const Counts& counts, const std::string& certificate) {
   const auto [certified, violated, not_drawn, measured, unproved, unknown] = counts;
   return fmt::format(
@@ -161,6 +172,7 @@ int verify_drawings(const VerifyArguments& arguments) {
   }
   std::uint64_t number = 0;
   Counts counts{};
+  nlohmann::ordered_json messages = nlohmann::ordered_json::array();  // of --json
   in_batches<LineToJudge>(
       [&] {
         auto task = next_task(arguments, drawings, graphs ? &*graphs : nullptr, number);
@@ -174,9 +186,16 @@ int verify_drawings(const VerifyArguments& arguments) {
       [&](const LineToJudge& task) { return judge(task, arguments); },
       [&](const JudgedLine& line) {
         ++counts[static_cast<std::size_t>(line.first)];
-        if (!arguments.quiet) say("{}", line.second);
+        if (arguments.quiet || line.second.empty()) return;
+        if (arguments.json) {
+          messages.push_back({{"verdict", kVerdictNames[static_cast<std::size_t>(line.first)]},
+                              {"text", line.second}});
+        } else {
+          say("{}", line.second);
+        }
       });
-  say("{}", summary(counts, arguments.certificate));
+  if (arguments.json) print_json(counts_json(counts, std::move(messages)));
+  if (!arguments.json) say("{}", summary(counts, arguments.certificate));
   return exit_code_of(counts);
 }
 
@@ -203,6 +222,7 @@ void add_verify(CLI::App& app, int& exit_code) {
       ->excludes(test);
   add_threads_option(*verb);
   verb->add_flag("-q,--quiet", arguments->quiet, "only the summary");
+  add_json(*verb, arguments->json);
   verb->footer(
       "Exit code 4 if a drawing is violated, 5 if a graph was not drawn, a drawing is of an "
       "algorithm "

@@ -1,4 +1,8 @@
 // What the command line understands and says of itself: help, defaults, choices, wrong verbs.
+#include <nlohmann/json.hpp>
+
+#include "ar3d/algorithms/catalog.h"
+#include "ar3d/generators/catalog.h"
 #include "support/program.h"
 
 namespace ar3d::testing {
@@ -88,6 +92,56 @@ algorithms = "grid"
   EXPECT_THAT(plan.out, Not(HasSubstr("e+")));
   EXPECT_THAT(plan.err, HasSubstr("ar3d: 1 graphs planned; small ones are drawn to estimate"));
   EXPECT_THAT(plan.out, ::testing::ContainsRegex(" [0-9.]+ (bytes|kB|MB) per row"));
+}
+
+/// The one JSON object that a command prints, all of it.
+nlohmann::json json_of(const std::string& command, int exit_code = 0) {
+  const Outcome outcome = expect_exit(exit_code, run(command));
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 1) << outcome.out;
+  return nlohmann::json::parse(outcome.out, nullptr, false);
+}
+
+TEST(CommandLine, CataloguesAndPlansAreJsonIfAsked) {
+  const nlohmann::json all = json_of("{} list --json");
+  EXPECT_EQ(all.at("algorithms").size(), algorithms().size());
+  EXPECT_EQ(all.at("algorithms")[0].at("box").size(), 3u);
+  EXPECT_EQ(all.at("families").size(), families().size());
+  const nlohmann::json one = json_of("{} list metrics --json");
+  EXPECT_EQ(one.size(), 1u);
+  EXPECT_EQ(one.at("metrics"), all.at("metrics"));
+  const nlohmann::json plan = json_of("{} study plan smoke --json");
+  std::size_t rows = 0;
+  for (const nlohmann::json& cell : plan.at("cells")) rows += cell.at("rows").get<std::size_t>();
+  EXPECT_EQ(plan.at("rows"), rows);
+  EXPECT_EQ(plan.at("cells")[0].at("cell"), "diamond (effort=1) on edgeless n=4");
+  EXPECT_GT(plan.at("largest_row_bytes"), 0);
+}
+
+TEST(CommandLine, VerdictsAreJsonIfAsked) {
+  const ScratchDirectory scratch;
+  const std::string results = scratch.path("r.h5"), drawing = scratch.path("d.jsonl");
+  const std::string spec = scratch.write("s.toml", R"(study = "s"
+[[sweep]]
+families = "cycle"
+sizes = [5, 6]
+algorithms = "grid"
+)");
+  must("{} study run -q " + spec + " -o " + results);
+  const nlohmann::json check = json_of("{} check --json " + results);
+  EXPECT_EQ(check.at("verdict"), "PASS");
+  EXPECT_EQ(check.at("proved"), 2);
+  EXPECT_EQ(check.at("findings").size(), 0u);
+  const nlohmann::json status = json_of("{} study status --json " + results);
+  EXPECT_EQ(status.at("planned_rows"), 2);
+  EXPECT_EQ(status.at("complete"), true);
+  EXPECT_EQ(status.at("check"), check);
+  must("{} generate k4 | {} draw - --algorithm grid -o " + drawing);
+  EXPECT_EQ(json_of("{} verify --json " + drawing).at("certified"), 1);
+  const nlohmann::json broken =
+      json_of("sed 's/\\[\\[-\\?[0-9]*,/[[9,/' " + drawing + " | {} verify - --json", 4);
+  EXPECT_EQ(broken.at("violated"), 1);
+  EXPECT_EQ(broken.at("messages")[0].at("verdict"), "violated");
+  EXPECT_THAT(broken.at("messages")[0].at("text"), HasSubstr("<stdin>:1: "));
 }
 
 }  // namespace
