@@ -44,7 +44,7 @@ struct Figure {
   std::string name;        ///< "diamond-effort-0-longest-side": lower case, digits, hyphens; unique
   std::string svg;         ///< a document of its own
   std::string csv;         ///< the numbers behind it
-  std::string matplotlib;  ///< a Python script that draws NAME.csv as NAME.pdf
+  std::string matplotlib;  ///< a Python script that draws NAME.csv as NAME-matplotlib.pdf
   std::string pgfplots;    ///< a LaTeX document that draws NAME.csv
 };
 

@@ -31,7 +31,7 @@ namespace ar3d {
 namespace {
 
 /// The figures, after a look at where they go: DIRECTORY/NAME.svg, .pdf, .csv, .py and
-/// .tex.
+/// -pgfplots.tex.
 /// @throws InputError if one would replace a file unasked.
 std::vector<Figure> figures_for(const StudyAnalysis& analysis, const std::string& directory,
                                 bool force) {
@@ -39,7 +39,7 @@ std::vector<Figure> figures_for(const StudyAnalysis& analysis, const std::string
   std::vector<Figure> figures = report_figures(analysis);
   VerbFiles files{.inputs = {}, .outputs = {}, .force = force};
   for (const Figure& figure : figures) {
-    for (const char* ending : {".svg", ".pdf", ".csv", ".py", ".tex"}) {
+    for (const char* ending : {".svg", ".pdf", ".csv", ".py", "-pgfplots.tex"}) {
       files.outputs.push_back(directory + "/" + figure.name + ending);
     }
   }
@@ -78,7 +78,7 @@ void write_figures(const std::vector<Figure>& figures, const std::string& direct
     write_file_atomically(stem + ".svg", figure.svg);
     write_file_atomically(stem + ".csv", figure.csv);
     write_file_atomically(stem + ".py", figure.matplotlib);
-    write_file_atomically(stem + ".tex", figure.pgfplots);
+    write_file_atomically(stem + "-pgfplots.tex", figure.pgfplots);
     convert_svg_to_pdf(stem + ".svg", stem + ".pdf");
   }
   say("figures  {}\n", directory);

@@ -1,5 +1,5 @@
-// Pictures of drawings as their pages show them, for README and docs/open-questions.md: docs/figures/view-*.png.
-//   tests/browser/run --install && node tools/gallery-views.mjs PROGRAM
+// Pictures of drawings as their pages show them, for README and docs/open-questions.md: FOLDER/view-*.png; docs/figures holds them.
+//   tests/browser/run --install && node tools/gallery-views.mjs PROGRAM FOLDER
 import {execFileSync} from "node:child_process";
 import {mkdtempSync, readFileSync, rmSync} from "node:fs";
 import {tmpdir} from "node:os";
@@ -7,11 +7,10 @@ import {dirname, join, resolve} from "node:path";
 import {fileURLToPath} from "node:url";
 import {chromium} from "../tests/browser/node_modules/playwright-core/index.mjs";
 
-const program = resolve(process.argv[2]), folder = mkdtempSync(join(tmpdir(), "ar3d-views-"));
-const figures = join(dirname(fileURLToPath(import.meta.url)), "..", "docs", "figures");
+const [program, figures] = process.argv.slice(2).map(word => resolve(word)), folder = mkdtempSync(join(tmpdir(), "ar3d-views-"));
 const views = [["k5", "diamond", 0, 0], ["petersen", "grid", 1.25, 0.1], ["octahedron", "compact", 0.5, 0.05],
   ["k5", "two-bends", 0.4, 0.1]];
-const root = join(figures, "..", "..");  // k5-two-bends: the first of the finished drawings
+const root = join(dirname(fileURLToPath(import.meta.url)), "..");  // k5-two-bends: the first of the finished drawings
 const finished = readFileSync(join(root, "docs", "open-questions", "small_drawings.jsonl"), "utf8").split("\n")[0];
 const browser = await chromium.launch({executablePath: "/usr/bin/chromium", args: ["--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]});
 const page = await browser.newPage({viewport: {width: 640, height: 560}});

@@ -1,5 +1,5 @@
-// Pictures of the report and of the viewer for the docs, small: docs/figures/page-*.png.
-//   tests/browser/run --install && node tools/page-pictures.mjs PROGRAM
+// Pictures of the report and of the viewer for the docs, small: FOLDER/page-*.png; docs/figures holds them.
+//   tests/browser/run --install && node tools/page-pictures.mjs PROGRAM FOLDER
 import {execFileSync} from "node:child_process";
 import {mkdtempSync, rmSync} from "node:fs";
 import {tmpdir} from "node:os";
@@ -7,8 +7,8 @@ import {dirname, join, resolve} from "node:path";
 import {fileURLToPath} from "node:url";
 import {chromium} from "../tests/browser/node_modules/playwright-core/index.mjs";
 
-const program = resolve(process.argv[2]), folder = mkdtempSync(join(tmpdir(), "ar3d-pictures-"));
-const root = join(dirname(fileURLToPath(import.meta.url)), ".."), figures = join(root, "docs", "figures");
+const [program, figures] = process.argv.slice(2).map(word => resolve(word)), folder = mkdtempSync(join(tmpdir(), "ar3d-pictures-"));
+const root = join(dirname(fileURLToPath(import.meta.url)), "..");
 const reference = join(root, "results", "reference", "0.2.0-volume.h5");
 execFileSync(program, ["report", reference, "-o", join(folder, "report.html")], {cwd: root});
 const graph = execFileSync(program, ["generate", "petersen"]);

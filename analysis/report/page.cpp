@@ -222,16 +222,23 @@ std::string addplot(const std::string& file, std::size_t id, const std::string& 
 }
 
 constexpr const char* kMatplotlib = R"py(#!/usr/bin/env python3
-# Draws {file}.csv, which lies beside this script, as {file}.pdf.
+# Draws {file}.csv, which lies beside this script:  {file}.py [OUTPUT.pdf]
+# The output is {file}-matplotlib.pdf beside it if left out; one that exists stays as it is.
 import csv
+import pathlib
+import sys
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
+here = pathlib.Path(__file__).resolve().parent
+output = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else here / "{file}-matplotlib.pdf"
+if output.exists():
+    sys.exit(f"{{output}} exists already")
 series = {{}}
-with open("{file}.csv", newline="") as table:
+with open(here / "{file}.csv", newline="") as table:
     for row in csv.DictReader(table):
         numbers = [float(row[column] or "nan") for column in ("x", "y", "low", "high")]
         series.setdefault((row["series"], row["kind"]), []).append(numbers)
@@ -259,10 +266,11 @@ axes.set_title({title}, fontsize="small")
 axes.set_xlabel({x})
 axes.set_ylabel({y})
 figure.tight_layout()
-figure.savefig("{file}.pdf")
+figure.savefig(output)
 )py";
 
-constexpr const char* kPgfplots = R"tex(% Draws {file}.csv, which lies beside this document.
+constexpr const char* kPgfplots =
+    R"tex(% Draws {file}.csv, which lies beside this document, where LaTeX is to be called.
 \documentclass{{article}}
 \usepackage{{pgfplots}}
 \pgfplotsset{{compat=1.16, table/col sep=comma,

@@ -198,7 +198,7 @@
       PDF: () => print(name, figure.querySelector("svg.plot")),
       CSV: () => save(name + ".csv", "text/csv", csv),
       matplotlib: () => save(name + ".py", "text/x-python", matplotlib),
-      pgfplots: () => save(name + ".tex", "text/x-tex", pgfplots),
+      pgfplots: () => save(name + "-pgfplots.tex", "text/x-tex", pgfplots),
     };
     for (const [label, click] of Object.entries(files)) {
       const button = document.createElement("button");

@@ -307,7 +307,7 @@ TEST(Report, FiguresAreDocumentsOfTheirOwn) {
     std::istringstream in(figure.svg);
     EXPECT_NO_THROW(boost::property_tree::read_xml(in, tree)) << figure.name;
     EXPECT_THAT(figure.csv, StartsWith("id,series,kind,x,y,low,high\r\n0,"));
-    EXPECT_THAT(figure.matplotlib, HasSubstr("open(\"" + figure.name + ".csv\""));
+    EXPECT_THAT(figure.matplotlib, HasSubstr("open(here / \"" + figure.name + ".csv\""));
     EXPECT_THAT(figure.pgfplots, HasSubstr("{" + figure.name + ".csv}"));
   }
 }

@@ -144,5 +144,26 @@ algorithms = "grid"
   EXPECT_THAT(broken.at("messages")[0].at("text"), HasSubstr("<stdin>:1: "));
 }
 
+TEST(CommandLine, AFigureScriptRunsAnywhereAndOverwritesNothing) {
+  const ScratchDirectory scratch;
+  const std::string results = scratch.path("r.h5"), figures = scratch.path("figures");
+  const std::string spec = scratch.write("s.toml", R"(study = "s"
+[[sweep]]
+families = "cycle"
+sizes = [5, 50, 500]
+algorithms = "grid"
+)");
+  must("{} study run -q " + spec + " -o " + results + " && {} report " + results + " --figures " +
+       figures);
+  const std::string stem = figures + "/grid-effort-1-volume";
+  const std::string script = "cd / && /usr/bin/python3 " + stem + ".py";
+  const std::string of_the_svg = read_file(stem + ".pdf");
+  must(script + " " + scratch.path("other.pdf") + " && " + script);
+  EXPECT_THAT(read_file(scratch.path("other.pdf")), ::testing::StartsWith("%PDF-"));
+  EXPECT_THAT(read_file(stem + "-matplotlib.pdf"), ::testing::StartsWith("%PDF-"));
+  expect_one_line(run(script), stem + "-matplotlib.pdf exists already", 1);
+  EXPECT_EQ(read_file(stem + ".pdf"), of_the_svg);
+}
+
 }  // namespace
 }  // namespace ar3d::testing

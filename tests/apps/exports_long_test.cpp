@@ -58,15 +58,16 @@ TEST(Figures, AreDrawnAgainByTheirScripts) {
     const std::string stem = figures + "/" + entry.path().stem().string();
     if (entry.path().extension() != ".py") continue;
     ++drawn;
-    fs::remove(stem + ".pdf");  // that of the SVG
-    const std::string in_folder = "cd " + figures + " && ";
-    expect_exit(0, run(in_folder + "/usr/bin/python3 " + stem + ".py"));
-    EXPECT_THAT(read_file(stem + ".pdf"), StartsWith("%PDF-")) << stem;
-    fs::remove(stem + ".pdf");
-    const Outcome latex = expect_exit(
-        0, run(in_folder + "pdflatex -halt-on-error -interaction=nonstopmode " + stem + ".tex"));
+    const std::string of_the_svg = read_file(stem + ".pdf");
+    expect_exit(0, run("cd / && /usr/bin/python3 " + stem + ".py"));
+    EXPECT_THAT(read_file(stem + "-matplotlib.pdf"), StartsWith("%PDF-")) << stem;
+    const Outcome latex = expect_exit(0, run("cd " + figures +
+                                             " && pdflatex -halt-on-error "
+                                             "-interaction=nonstopmode " +
+                                             stem + "-pgfplots.tex"));
     EXPECT_THAT(latex.out, Not(HasSubstr("undefined"))) << stem;
-    EXPECT_THAT(read_file(stem + ".pdf"), StartsWith("%PDF-")) << stem;
+    EXPECT_THAT(read_file(stem + "-pgfplots.pdf"), StartsWith("%PDF-")) << stem;
+    EXPECT_EQ(read_file(stem + ".pdf"), of_the_svg) << "nothing is overwritten";
   }
   EXPECT_GE(drawn, 10u);
 }
