@@ -76,7 +76,8 @@ std::vector<BoundsEntry> bounds_table(const StudyTally& tally, const StudyIdenti
   std::vector<BoundsEntry> entries;
   const std::vector<AlgorithmRecord> algorithms = algorithm_records(study);
   for (const CurveTally& curve : tally.curves) {
-    BoundsEntry entry{static_cast<const CurveCounts&>(curve)};
+    BoundsEntry entry;
+    static_cast<CurveCounts&>(entry) = curve;
     for (std::size_t axis = 0; axis < 3; ++axis) entry.axes[axis] = axis_bounds(curve, axis);
     add_volume(curve, entry);
     const AlgorithmRecord* algorithm =
