@@ -1,8 +1,6 @@
 // Permutations on all threads (Rao 1961; Sandelius 1962): numbers are dealt to buckets that fit a
 // core's cache, then each bucket is shuffled. A plain Fisher-Yates shuffle waits for memory at
 // every step once the numbers outgrow the cache.
-#include "ar3d/generators/switching.h"
-
 #include <algorithm>
 #include <bit>
 #include <numeric>
@@ -11,6 +9,7 @@
 #include <vector>
 
 #include "ar3d/base/parallel.h"
+#include "ar3d/generators/switching.h"
 
 namespace ar3d {
 namespace {

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <unordered_map>
 
-
 namespace ar3d::lattice {
 namespace {
 

@@ -4,14 +4,13 @@
 // Rules 2.3 and 2.4: MERGEs inserted between their in-neighbours, and the row of a SINK's special
 // edge moved between its two other neighbours (Lemma 2.7). Everything that depends on this row
 // waits until the SINK's turn. Cost: O(n).
-#include "ar3d/algorithms/two_bend/lists.h"
-
 #include <algorithm>
 #include <array>
 #include <utility>
 
 #include "ar3d/algorithms/two_bend/checks.h"
 #include "ar3d/algorithms/two_bend/coordinates.h"
+#include "ar3d/algorithms/two_bend/lists.h"
 #include "ar3d/algorithms/two_bend/owner_order.h"
 #include "ar3d/base/error.h"
 

@@ -101,7 +101,8 @@ std::string drawn_table(const Collection& collection) {
     html += cell(grouped(static_cast<std::int64_t>(tally.instances)), true);
     html += cell(grouped(static_cast<std::int64_t>(drawn)), true);
     html += cell(percent(static_cast<double>(drawn) / static_cast<double>(tally.instances)), true);
-    for (const std::size_t count : {tally.count(RunStatus::refused), tally.violations, unfinished}) {
+    for (const std::size_t count :
+         {tally.count(RunStatus::refused), tally.violations, unfinished}) {
       html += cell(grouped(static_cast<std::int64_t>(count)), true);
     }
     html += "</tr>\n";

@@ -124,9 +124,12 @@ class SpecReader {
 
   Sweep read_sweep(const toml::node& node, const CertificateMode& usual) const {
     TomlTable table(file_, node, "sweep");
-    table.refuse_all_but({"graphs", "families", "sizes", "algorithms", "level", "certificate",
-                          "instances", "repetitions", "timed_repetitions", "strong", "weak",
-                          "strong_ranks", "weak_ranks", "include", "exclude"});
+    std::vector<std::string_view> keys = {
+        "graphs",       "families",    "algorithms",        "level",  "certificate",
+        "instances",    "repetitions", "timed_repetitions", "strong", "weak",
+        "strong_ranks", "weak_ranks",  "include",           "exclude"};
+    if (!table.has("graphs") || table.has("families")) keys.push_back("sizes");
+    table.refuse_all_but(keys);
     Sweep sweep;
     if (const toml::node* graphs = table.find("graphs")) {
       sweep.graphs = read_graphs(file_, *graphs);

@@ -267,8 +267,8 @@ TEST_F(OwnProgram, HistoryAndBisectionGoByItsCommits) {
 TEST_F(OwnProgram, NobodyKnowsBeforeWhatItCosts) {
   scratch_.write("mine.py", kBody);
   const Outcome plan = expect_exit(0, run("{} study plan " + spec()));
-  EXPECT_THAT(plan.out, HasSubstr("cycle  n=5 mine : 1 instances, 1 rows, time and memory not "
-                                  "known\n"));
+  EXPECT_THAT(plan.out,
+              HasSubstr("mine on cycle n=5: 1 instances, 1 rows, time and memory not known\n"));
   EXPECT_THAT(plan.out, HasSubstr("4 rows\nits time and memory are not known\n"));
   const std::string text = read_file(spec());
   const std::string both = scratch_.write(
