@@ -77,7 +77,7 @@ std::vector<BoundsEntry> bounds_table(const StudyTally& tally, const StudyIdenti
   const std::vector<AlgorithmRecord> algorithms = algorithm_records(study);
   for (const CurveTally& curve : tally.curves) {
     BoundsEntry entry;
-    static_cast<CurveCounts&>(entry) = curve;
+    static_cast<CurveCounts&>(entry) = static_cast<const CurveCounts&>(curve);
     for (std::size_t axis = 0; axis < 3; ++axis) entry.axes[axis] = axis_bounds(curve, axis);
     add_volume(curve, entry);
     const AlgorithmRecord* algorithm =
