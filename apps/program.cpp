@@ -82,10 +82,9 @@ std::string meant_by(const CLI::App& verb, const std::vector<std::string>& words
   const std::size_t equals = std::min(word.find('='), word.size());
   const std::size_t begin = std::min(word.find_first_not_of('-'), equals);
   const std::string name = word.substr(begin, equals - begin);
-  const auto next = std::ranges::find(words, word) + 1;
-  const std::string value = equals < word.size() ? word.substr(equals + 1)
-                            : next < words.end() ? *next
-                                                 : "…";
+  const auto at = std::ranges::find(words, word);
+  const bool has_next = at != words.end() && at + 1 != words.end();
+  const std::string value = equals < word.size() ? word.substr(equals + 1) : has_next ? at[1] : "…";
   for (const CLI::Option* option : verb.get_options()) {
     if (is_setting(*option, name)) {
       return fmt::format("; did you mean '{} {}={}'?", option->get_name(), name, value);
