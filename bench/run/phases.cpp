@@ -142,8 +142,8 @@ class TimingSource final : public RowSource {
     const std::lock_guard<std::mutex> lock(mutex_);
     const std::size_t place = in_hand_.at(job.run);
     in_hand_.erase(job.run);
-    const bool is_known = !(row.yardsticks_s[0] > 0);  // or it has none
-    if (!is_known && known_yardsticks_.insert(row.yardsticks_s).second) {
+    const bool has_yardsticks = row.yardsticks_s[0] > 0;
+    if (has_yardsticks && known_yardsticks_.insert(row.yardsticks_s).second) {
       for (const double one_s : row.yardsticks_s) yardsticks_s_ += one_s;
     }
     TimedDrawing& drawing = drawings_[place];

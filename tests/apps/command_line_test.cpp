@@ -8,6 +8,12 @@
 namespace ar3d::testing {
 namespace {
 
+/// @return the path of a study of `grid` on cycles of those sizes.
+std::string cycles(const ScratchDirectory& scratch, const std::string& sizes) {
+  return scratch.write("s.toml", "study = 's'\n[[sweep]]\nfamilies = 'cycle'\nsizes = " + sizes +
+                                     "\nalgorithms = 'grid'\n");
+}
+
 TEST(CommandLine, HelpTellsWhatItsFlagTells) {
   EXPECT_EQ(run("{} help").out, run("{} --help").out);
   for (const char* verb : {"draw", "study run", "history report", "help"}) {
@@ -120,12 +126,7 @@ TEST(CommandLine, CataloguesAndPlansAreJsonIfAsked) {
 TEST(CommandLine, VerdictsAreJsonIfAsked) {
   const ScratchDirectory scratch;
   const std::string results = scratch.path("r.h5"), drawing = scratch.path("d.jsonl");
-  const std::string spec = scratch.write("s.toml", R"(study = "s"
-[[sweep]]
-families = "cycle"
-sizes = [5, 6]
-algorithms = "grid"
-)");
+  const std::string spec = cycles(scratch, "[5, 6]");
   must("{} study run -q " + spec + " -o " + results);
   const nlohmann::json check = json_of("{} check --json " + results);
   EXPECT_EQ(check.at("verdict"), "PASS");
@@ -147,12 +148,7 @@ algorithms = "grid"
 TEST(CommandLine, AFigureScriptRunsAnywhereAndOverwritesNothing) {
   const ScratchDirectory scratch;
   const std::string results = scratch.path("r.h5"), figures = scratch.path("figures");
-  const std::string spec = scratch.write("s.toml", R"(study = "s"
-[[sweep]]
-families = "cycle"
-sizes = [5, 50, 500]
-algorithms = "grid"
-)");
+  const std::string spec = cycles(scratch, "[5, 50, 500]");
   must("{} study run -q " + spec + " -o " + results + " && {} report " + results + " --figures " +
        figures);
   const std::string stem = figures + "/grid-effort-1-volume";
