@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "ar3d/algorithms/catalog.h"
-#include "ar3d/analysis/curves.h"
 #include "ar3d/base/error.h"
 #include "ar3d/bench/compare/commits.h"
 #include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/formats/drawings/drawing_html.h"
 #include "ar3d/formats/drawings/packed_geometry.h"
+#include "ar3d/store/columns/curves.h"
 #include "view.h"
 
 namespace ar3d {
@@ -116,9 +116,10 @@ ShownDrawings shown_drawings(const StudyAnalysis& analysis) {
     const std::optional<Drawing> drawing = drawn_again(row, origin);
     if (!drawing) continue;
     const Algorithm& algorithm = find_algorithm(row.algorithm);
-    page.add(fmt::format("{}{}{}, n = {}, seed {}", family_label(curve_of(row)),
-                         row.options.empty() ? "" : ", ", row.options, row.n, row.seed),
-             *drawing, &algorithm.guarantee, page_verdict(*drawing, &algorithm));
+    const std::string title =
+        fmt::format("{}{}{}, n = {}, seed {}", family_label(curve_of(row)),
+                    row.options.empty() ? "" : ", ", row.options, row.n, row.seed);
+    page.add(page_entry(title, *drawing, &algorithm.guarantee, page_verdict(*drawing, &algorithm)));
     shown.page_of_row.emplace(place, shown.page_of_row.size());
   }
   if (shown.page_of_row.empty()) return shown;

@@ -179,10 +179,7 @@ int verify_drawings(const VerifyArguments& arguments) {
         number += task.has_value();
         return task;
       },
-      [](const LineToJudge& task) {
-        const auto* drawing = std::get_if<Drawing>(&task.line);
-        return drawing ? std::uint64_t{drawing->num_vertices()} + drawing->num_edges() : 0;
-      },
+      [](const LineToJudge& task) { return weight_of(task.line); },
       [&](const LineToJudge& task) { return judge(task, arguments); },
       [&](const JudgedLine& line) {
         ++counts[static_cast<std::size_t>(line.first)];

@@ -20,6 +20,9 @@ void write_viewer_page(const NextDrawing& next, const std::string& path,
 /// graph's.
 Graph claimed_graph(const Drawing& drawing);
 
+/// Vertices and edges of a drawing; 0 if there is none (batches.h).
+std::uint64_t weight_of(const DrawingJsonlReader::Line& line);
+
 /// The algorithm of that name, or null: drawings may be of others, too.
 const Algorithm* known_algorithm(const std::string& name);
 

@@ -13,6 +13,7 @@
 #include "ar3d/base/error.h"
 #include "ar3d/formats/text/output.h"
 #include "ar3d/verify/certificate.h"
+#include "batches.h"
 #include "view.h"
 
 namespace ar3d {
@@ -21,6 +22,11 @@ Graph claimed_graph(const Drawing& drawing) {
   edges.reserve(drawing.num_edges());
   for (EdgeId e = 0; e < drawing.num_edges(); ++e) edges.push_back(drawing.edge(e));
   return Graph(drawing.num_vertices(), std::move(edges));
+}
+
+std::uint64_t weight_of(const DrawingJsonlReader::Line& line) {
+  const auto* drawing = std::get_if<Drawing>(&line);
+  return drawing == nullptr ? 0 : std::uint64_t{drawing->num_vertices()} + drawing->num_edges();
 }
 
 const Algorithm* known_algorithm(const std::string& name) {
@@ -62,20 +68,24 @@ void write_viewer_page(const NextDrawing& next, const std::string& path,
                        const std::string& algorithm) {
   OutputFile file(path);
   ViewerPage page([&](std::string_view text) { file.append(text); });
-  std::size_t number = 0;
-  while (const std::optional<PlacedLine> placed = next()) {
-    ++number;
-    if (const auto* drawing = std::get_if<Drawing>(&placed->line)) {
-      const Algorithm* const known =
-          algorithm.empty() ? known_algorithm(drawing->algorithm()) : &find_algorithm(algorithm);
-      page.add(placed->where, *drawing, known == nullptr ? nullptr : &known->guarantee,
-               page_verdict(*drawing, known));
-    } else {
-      const auto& undrawn = std::get<UndrawnGraph>(placed->line);
-      page.add_undrawn(placed->where, undrawn.n, undrawn.error);
+  bool is_empty = true;
+  const auto entry_of = [&](const PlacedLine& placed) {
+    if (const auto* undrawn = std::get_if<UndrawnGraph>(&placed.line)) {
+      return page_entry(placed.where, undrawn->n, undrawn->error);
     }
-  }
-  if (number == 0) throw InputError("the input has no graph");
+    const auto& drawing = std::get<Drawing>(placed.line);
+    const Algorithm* const known =
+        algorithm.empty() ? known_algorithm(drawing.algorithm()) : &find_algorithm(algorithm);
+    return page_entry(placed.where, drawing, known == nullptr ? nullptr : &known->guarantee,
+                      page_verdict(drawing, known));
+  };
+  in_batches<PlacedLine>(
+      next, [](const PlacedLine& placed) { return weight_of(placed.line); }, entry_of,
+      [&](const PageEntry& entry) {
+        is_empty = false;
+        page.add(entry);
+      });
+  if (is_empty) throw InputError("the input has no graph");
   page.finish();
   file.commit();
 }

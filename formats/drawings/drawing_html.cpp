@@ -62,10 +62,11 @@ std::uint64_t count_bends(const Drawing& drawing) {
   return bends;
 }
 
-/// A script element that only holds data; nothing in the text ends it early.
-void append_data(const Sink& write, const std::string& id, const Json& value) {
-  std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
+/// Nothing in the text ends a script element that holds it.
+std::string data_text(const Json& value) {
+  const std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
   std::string safe;
+  safe.reserve(text.size());
   for (const char c : text) {
     if (c == '<') {
       safe += "\\u003c";
@@ -73,7 +74,14 @@ void append_data(const Sink& write, const std::string& id, const Json& value) {
       safe += c;
     }
   }
-  write(fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", id, safe));
+  return safe;
+}
+
+void require_at_most(std::uint64_t points, const std::string& title) {
+  if (points <= kMaxPagePoints) return;
+  throw InputError(
+      fmt::format("{}: {} vertices and bends on the page so far, html holds at most {}", title,
+                  points, kMaxPagePoints));
 }
 
 void append_parts(const Sink& write, const auto& parts) {
@@ -81,6 +89,46 @@ void append_parts(const Sink& write, const auto& parts) {
 }
 
 }  // namespace
+
+PageEntry page_entry(const std::string& title, const Drawing& drawing, const Guarantee* guarantee,
+                     const PageVerdict& verdict) {
+  const std::uint64_t n = drawing.num_vertices();
+  const std::uint64_t bends = count_bends(drawing);
+  require_at_most(n + bends, title);
+  const Box box = bounding_box(drawing);
+  const auto extents = box.extents();
+  const std::int64_t longest = *std::max_element(extents.begin(), extents.end());
+  if (longest > kMaxPageExtent) {
+    throw InputError(fmt::format("{}: an extent of {}, html holds at most {} (2^52)", title,
+                                 longest, kMaxPageExtent));
+  }
+  const EdgeRoles roles = edge_roles(drawing);
+  const GrowthOrder order = growth_order(drawing);
+  PageEntry entry;
+  entry.title = title;
+  entry.points = n + bends;
+  entry.about = data_text({{"title", title},
+                           {"algorithm", drawing.algorithm()},
+                           {"n", n},
+                           {"m", drawing.num_edges()},
+                           {"bends", bends},
+                           {"low", exact(box.low)},
+                           {"extents", extents},
+                           {"gram", drawing.lattice().gram},
+                           {"gram_denominator", drawing.lattice().gram_denominator},
+                           {"roles", roles_json(roles)},
+                           {"order", {{"title", order.title}, {"weights", order.weights}}},
+                           {"names", drawing.names ? Json(*drawing.names) : Json()},
+                           {"bound", bound_json(guarantee, n)},
+                           {"verdict", verdict_json(verdict)}});
+  write_packed_geometry(drawing, roles, box.low,
+                        [&](std::string_view piece) { entry.geometry += piece; });
+  return entry;
+}
+
+PageEntry page_entry(const std::string& title, std::uint64_t n, const std::string& error) {
+  return {title, data_text({{"title", title}, {"n", n}, {"error", error}})};
+}
 
 ViewerPage::ViewerPage(Sink write) : write_(std::move(write)) {
   write_("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
@@ -93,50 +141,18 @@ ViewerPage::ViewerPage(Sink write) : write_(std::move(write)) {
   append_parts(write_, kViewerBody);
 }
 
-void ViewerPage::add(const std::string& title, const Drawing& drawing, const Guarantee* guarantee,
-                     const PageVerdict& verdict) {
-  const std::uint64_t n = drawing.num_vertices();
-  const std::uint64_t bends = count_bends(drawing);
-  points_ += n + bends;
-  if (points_ > kMaxPagePoints) {
-    throw InputError(
-        fmt::format("{}: {} vertices and bends on the page so far, html holds at most {}", title,
-                    points_, kMaxPagePoints));
-  }
-  const Box box = bounding_box(drawing);
-  const auto extents = box.extents();
-  const std::int64_t longest = *std::max_element(extents.begin(), extents.end());
-  if (longest > kMaxPageExtent) {
-    throw InputError(fmt::format("{}: an extent of {}, html holds at most {} (2^52)", title,
-                                 longest, kMaxPageExtent));
-  }
-  const EdgeRoles roles = edge_roles(drawing);
-  const GrowthOrder order = growth_order(drawing);
-  append_data(write_, fmt::format("about-{}", drawings_),
-              {{"title", title},
-               {"algorithm", drawing.algorithm()},
-               {"n", n},
-               {"m", drawing.num_edges()},
-               {"bends", bends},
-               {"low", exact(box.low)},
-               {"extents", extents},
-               {"gram", drawing.lattice().gram},
-               {"gram_denominator", drawing.lattice().gram_denominator},
-               {"roles", roles_json(roles)},
-               {"order", {{"title", order.title}, {"weights", order.weights}}},
-               {"names", drawing.names ? Json(*drawing.names) : Json()},
-               {"bound", bound_json(guarantee, n)},
-               {"verdict", verdict_json(verdict)}});
-  write_(fmt::format("<script type=\"text/plain\" id=\"geometry-{}\">", drawings_));
-  write_packed_geometry(drawing, roles, box.low, write_);
+void ViewerPage::add(const PageEntry& entry) {
+  points_ += entry.points;
+  require_at_most(points_, entry.title);
+  write_(fmt::format("<script type=\"application/json\" id=\"about-{}\">", entries_));
+  write_(entry.about);
   write_("</script>\n");
-  ++drawings_;
-}
-
-void ViewerPage::add_undrawn(const std::string& title, std::uint64_t n, const std::string& error) {
-  append_data(write_, fmt::format("about-{}", drawings_),
-              {{"title", title}, {"n", n}, {"error", error}});
-  ++drawings_;
+  if (!entry.geometry.empty()) {
+    write_(fmt::format("<script type=\"text/plain\" id=\"geometry-{}\">", entries_));
+    write_(entry.geometry);
+    write_("</script>\n");
+  }
+  ++entries_;
 }
 
 void ViewerPage::finish() {

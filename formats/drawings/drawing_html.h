@@ -34,6 +34,22 @@ inline constexpr std::uint64_t kMaxPagePoints = std::uint64_t{1} << 24;
 /// What every page has near its beginning.
 inline constexpr const char* kViewerMark = "<meta name=\"generator\" content=\"ar3d viewer\">";
 
+/// A drawing, or why there is none, as a page holds it.
+struct PageEntry {
+  std::string title;
+  std::string about;          ///< JSON, without a '<'
+  std::string geometry = {};  ///< packed_geometry.h; empty: not drawn
+  std::uint64_t points = 0;   ///< vertices and bends
+};
+
+/// `guarantee` gives the theorem's box; it may be missing. Safe on any thread.
+/// @throws InputError "TITLE: …" if it has more than kMaxPagePoints points, or an extent passes
+/// kMaxPageExtent.
+PageEntry page_entry(const std::string& title, const Drawing& drawing, const Guarantee* guarantee,
+                     const PageVerdict& verdict);
+/// A graph that could not be drawn: the page says why in its place.
+PageEntry page_entry(const std::string& title, std::uint64_t n, const std::string& error);
+
 /// One HTML page that shows drawings in 3D, to be opened from disk without a network: geometry
 /// (packed_geometry.h), the viewer's scripts (viewer/) and three.js. It begins with its first
 /// drawing, or with that of the attribute data-page of its body, from 0.
@@ -42,19 +58,14 @@ class ViewerPage {
   /// Writes the page's beginning. @param write  takes the page piece by piece; outlives it.
   explicit ViewerPage(std::function<void(std::string_view)> write);
 
-  /// One more drawing. `guarantee` gives the theorem's box; it may be missing.
-  /// @throws InputError "TITLE: …" if the page would hold more than kMaxPagePoints points, or an
-  /// extent passes kMaxPageExtent.
-  void add(const std::string& title, const Drawing& drawing, const Guarantee* guarantee,
-           const PageVerdict& verdict);
-  /// A graph that could not be drawn: the page says why in its place.
-  void add_undrawn(const std::string& title, std::uint64_t n, const std::string& error);
+  /// @throws InputError "TITLE: …" if the page would hold more than kMaxPagePoints points.
+  void add(const PageEntry& entry);
   /// The page's end, with the scripts.
   void finish();
 
  private:
   std::function<void(std::string_view)> write_;
-  std::size_t drawings_ = 0;
+  std::size_t entries_ = 0;
   std::uint64_t points_ = 0;
 };
 

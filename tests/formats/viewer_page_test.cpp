@@ -23,7 +23,7 @@ Drawing drawing_of(const char* algorithm, const char* family, std::uint64_t n) {
 std::string page_with(const Drawing& drawing, const std::string& title) {
   std::string text;
   ViewerPage page([&](std::string_view piece) { text += piece; });
-  page.add(title, drawing, nullptr, {});
+  page.add(page_entry(title, drawing, nullptr, {}));
   page.finish();
   return text;
 }
