@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/new_file.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/bench/plan/corpora.h"
@@ -118,6 +119,9 @@ void refuse_unsafe_outputs(const VerbFiles& files) {
     }
     refuse_unfinished(output);
     refuse_needed(output, files);
+  }
+  for (const std::string& output : outputs) {
+    if (is_file_name(output)) remove_leftovers(output);
   }
 }
 

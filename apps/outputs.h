@@ -29,7 +29,8 @@ struct VerbFiles {
 /// - a journal, or the results file of a study that is not finished;
 /// - unless --force is given, any file that exists and is not empty; but a page may be replaced by
 ///   another page of its kind, since it can be made again.
-/// Devices and pipes are written to, not replaced.
+/// Devices and pipes are written to, not replaced. What killed processes left of these outputs is
+/// removed (remove_leftovers).
 /// @throws InputError naming the file and what it is.
 void refuse_unsafe_outputs(const VerbFiles& files);
 

@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <regex>
 #include <utility>
 
 #include "ar3d/base/error.h"
@@ -32,6 +33,15 @@ std::string folder_of(const std::string& target) {
 void sync_directory(const std::string& target) {
   const Descriptor directory(open(folder_of(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (directory.get() >= 0) fsync(directory.get());
+}
+
+/// For as long as the open file is: by this no other process takes it for a leftover. Where locks
+/// are unknown nobody has them, and nothing is ever removed.
+bool lock(int descriptor) {
+  struct flock whole {};
+  whole.l_type = F_WRLCK;
+  whole.l_whence = SEEK_SET;
+  return fcntl(descriptor, F_OFD_SETLK, &whole) == 0;
 }
 
 }  // namespace
@@ -65,6 +75,7 @@ NewFile::NewFile(const std::string& path) : path_(path), target_(path) {
     descriptor_ = Descriptor(open(name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, kMode));
     if (descriptor_.get() < 0) refuse_writing(path_, errno);
   }
+  lock(descriptor_.get());
   if (exists) (void)fchmod(descriptor_.get(), status.st_mode & 07777);
 }
 
@@ -93,9 +104,11 @@ void NewFile::write_all(std::span<const char> bytes) {
   ar3d::write_all(descriptor_.get(), bytes, path_);
 }
 
-/// Some file systems tell of a full disk on closing only.
+/// Some file systems tell of a full disk on closing only. The lock stays until the file has its
+/// name.
 void NewFile::close_checked() {
-  if (close(descriptor_.release()) != 0) refuse_writing(path_, errno);
+  const int again = dup(descriptor_.get());
+  if (again < 0 || close(again) != 0) refuse_writing(path_, errno);
 }
 
 void NewFile::become_target() {
@@ -146,6 +159,23 @@ std::string name_of_new_file(const std::string& target) {
   std::uint64_t number = 0;  // process ids alone are the same in every container
   if (getrandom(&number, sizeof(number), 0) != sizeof(number)) refuse_writing(target, errno);
   return fmt::format("{}.partial-{}-{:016x}", target, getpid(), number);
+}
+
+void remove_leftovers(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path target = std::filesystem::weakly_canonical(path, error);
+  if (error) return;
+  static const std::regex made("(\\.partial-[0-9]+-[0-9a-f]{16})+");
+  const std::string name = target.filename().string();
+  for (std::filesystem::directory_iterator at(folder_of(target.string()), error), end;
+       !error && at != end; at.increment(error)) {
+    const std::string other = at->path().filename().string();
+    if (!other.starts_with(name) || !std::regex_match(other.substr(name.size()), made)) continue;
+    const Descriptor file(open(at->path().c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    struct stat status {};
+    const bool is_file = fstat(file.get(), &status) == 0 && S_ISREG(status.st_mode);
+    if (is_file && lock(file.get())) unlink(at->path().c_str());
+  }
 }
 
 bool give_name_if_free(const std::string& name, const std::string& target) {

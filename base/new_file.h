@@ -93,6 +93,10 @@ void write_all(int descriptor, std::span<const char> bytes, const std::string& p
 /// machine. @throws InputError if the system has no random number.
 std::string name_of_new_file(const std::string& target);
 
+/// Removes what killed processes left of new files that were to stand at `path`: files beside it
+/// named as name_of_new_file() does that no NewFile has open. Others of like names stay.
+void remove_leftovers(const std::string& path);
+
 /// Gives the file `name` the name `target`, whole and at once, unless something has that name
 /// already; `name` is gone afterwards in either case. By a hard link; on file systems without them
 /// by a rename that replaces nothing; where that is unknown, too, by looking and then renaming.

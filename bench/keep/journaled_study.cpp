@@ -272,7 +272,7 @@ class StudyPart {
     });
     tell_of_cut_bytes(path);
     together(ranks, [&] {
-      if (ranks.is_first()) remove_leftovers(study.results);
+      if (ranks.is_first()) remove_study_leftovers(study.results);
     });
   }
 

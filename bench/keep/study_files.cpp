@@ -12,7 +12,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <regex>
 #include <string_view>
 
 #include "ar3d/base/error.h"
@@ -42,10 +41,6 @@ std::optional<int> rank_between(std::string_view name, std::string_view before,
 }
 
 std::string file_name(const std::string& path) { return fs::path(path).filename().string(); }
-
-std::string beside(const std::string& path, const std::string& name) {
-  return (fs::path(path).parent_path() / name).string();
-}
 
 // The rank whose journal has that file name; nothing: it is no journal of this study. Only names
 // are compared, never paths: one folder has many of these.
@@ -146,27 +141,13 @@ std::string drawings_path(const std::string& results) {
   return fs::path(results).replace_extension(".drawings.jsonl").string();
 }
 
-namespace {
-
-// The name of the file whose unfinished new self this is, as name_of_new_file() calls it:
-// NAME.partial-PID-HEX, or a new self of such a file again; empty if it is none.
-std::string name_before_partial(const std::string& name) {
-  static const std::regex partial("(.+?)(\\.partial-[0-9]+-[0-9a-f]{16})+");
-  std::smatch parts;
-  return std::regex_match(name, parts, partial) ? parts[1].str() : "";
-}
-
-}  // namespace
-
-void remove_leftovers(const std::string& results) {
-  const std::string own = file_name(results);
-  for (const std::string& name : names_beside(results)) {
-    const std::string of = name_before_partial(name);
-    const bool ours = of == own || of == file_name(report_path(results)) ||
-                      of == file_name(drawings_path(results)) || rank_of_journal(of, results);
-    std::error_code ignored;  // they do no harm
-    if (!of.empty() && ours) fs::remove(beside(results, name), ignored);
+void remove_study_leftovers(const std::string& results) {
+  std::vector<std::string> paths = existing_journals(results);
+  for (const std::string& path :
+       {results, report_path(results), drawings_path(results), journal_path(results)}) {
+    paths.push_back(path);
   }
+  for (const std::string& path : paths) remove_leftovers(path);
 }
 
 // The journal of rank 0 is removed first.

@@ -1,5 +1,10 @@
 // Files appear whole and durably, whatever kills the program (base/new_file.h), be it with a file
 // system that has files without a name or without.
+#include "ar3d/base/new_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+
 #include "support/program.h"
 
 namespace ar3d::testing {
@@ -36,6 +41,23 @@ TEST(NewFile, IsWrittenWhereFilesHaveANameFromTheStart) {
   expect_exit(0, run(with_fault("nolink:2") + " {} generate cycle -n 5 -o " + path));
   EXPECT_EQ(read_file(path), run("{} generate cycle -n 5").out);
   EXPECT_EQ(entries(scratch), 1u);
+}
+
+TEST(NewFile, WhatAKilledProgramLeftIsRemovedByTheNextRun) {
+  const ScratchDirectory scratch;
+  const std::string path = scratch.path("g.s6"), left = ".partial-77-0123456789abcdef";
+  for (const std::string& name : {left, left + left, ".mine" + left, std::string(".partial-7")}) {
+    scratch.write("g.s6" + name, "x");
+  }
+  const NewFile writing(path);  // another process at work
+  const std::string held = scratch.path("g.s6.partial-78-0123456789abcdef");
+  const std::string self = fmt::format("/proc/self/fd/{}", writing.descriptor());
+  ASSERT_EQ(linkat(AT_FDCWD, self.c_str(), AT_FDCWD, held.c_str(), AT_SYMLINK_FOLLOW), 0);
+  expect_exit(0, run("{} generate cycle -n 5 -o " + path));
+  EXPECT_EQ(entries(scratch), 4u);
+  for (const std::string& name : {path, path + ".mine" + left, path + ".partial-7", held}) {
+    EXPECT_TRUE(fs::exists(name)) << name;
+  }
 }
 
 }  // namespace
