@@ -12,7 +12,7 @@
 
 #include "ar3d/analysis/repetitions.h"
 #include "ar3d/analysis/replay.h"
-#include "ar3d/analysis/text.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d {

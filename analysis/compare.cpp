@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "ar3d/analysis/compare/pairing.h"
-#include "ar3d/analysis/text.h"
 #include "ar3d/base/error.h"
+#include "ar3d/base/printable.h"
 
 namespace ar3d {
 namespace {

@@ -9,7 +9,7 @@
 #include "ar3d/analysis/compare/file_times.h"
 #include "ar3d/analysis/compare/pairing.h"
 #include "ar3d/analysis/compare/time_change.h"
-#include "ar3d/analysis/curves.h"
+#include "ar3d/store/columns/curves.h"
 #include "ar3d/store/run_storage.h"
 
 namespace ar3d {

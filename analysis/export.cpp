@@ -8,8 +8,9 @@
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 
+#include "ar3d/analysis/json.h"
 #include "ar3d/analysis/replay.h"
-#include "ar3d/analysis/text.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d {

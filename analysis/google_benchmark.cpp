@@ -10,9 +10,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "ar3d/analysis/curves.h"
-#include "ar3d/analysis/text.h"
 #include "ar3d/base/error.h"
+#include "ar3d/base/printable.h"
+#include "ar3d/store/columns/curves.h"
 
 namespace ar3d {
 namespace {

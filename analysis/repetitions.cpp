@@ -13,8 +13,8 @@
 #include <tuple>
 
 #include "ar3d/analysis/check.h"
-#include "ar3d/analysis/text.h"
 #include "ar3d/base/error.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/store/columns/asked_certificate.h"
 
 namespace ar3d {

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/analysis/curves.h"
 #include "ar3d/analysis/scaling/power_law.h"
 #include "ar3d/analysis/scaling/samples.h"
 #include "ar3d/model/guarantee.h"
+#include "ar3d/store/columns/curves.h"
 
 namespace ar3d {
 

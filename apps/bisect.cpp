@@ -11,7 +11,6 @@
 
 #include "ar3d/analysis/compare/pairing.h"
 #include "ar3d/analysis/compare/signed_rank.h"
-#include "ar3d/analysis/curves.h"
 #include "ar3d/analysis/history/cell_values.h"
 #include "ar3d/analysis/history/change_points.h"
 #include "ar3d/base/error.h"
@@ -22,6 +21,7 @@
 #include "ar3d/bench/compare/interleave.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/plan/plan.h"
+#include "ar3d/store/columns/curves.h"
 #include "ar3d/store/run_storage.h"
 #include "commands.h"
 #include "options.h"
@@ -151,10 +151,7 @@ PlannedCell find_cell(const StudySpec& spec, const std::string& cell) {
   std::set<std::string> labels;
   for (const PlannedInstance& instance : plan_study(spec).instances) {
     for (const PlannedRun& run : instance.runs) {
-      const CurveKey curve = {
-          run.choice.algorithm->name, run.options, instance.choice.family->name,
-          instance.parameters,
-          run.choice.level == Level::extents ? "" : to_string(run.choice.level)};
+      const CurveKey curve = curve_of(instance, run);
       const std::string label = cell_label(curve, static_cast<std::int64_t>(instance.n));
       labels.insert(label);
       if (label != cell) continue;

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <functional>
@@ -202,17 +201,9 @@ void add_common(CLI::App& verb, RunArguments& arguments) {
   add_making_options(verb, arguments.policy);
 }
 
-// "2/8": the second of eight. @throws InputError naming the text.
-Shard parse_shard(const std::string& text) {
-  Shard shard;
-  const char* end = text.data() + text.size();
-  const auto index = std::from_chars(text.data(), end, shard.index);
-  const bool slash = index.ec == std::errc() && index.ptr != end && *index.ptr == '/';
-  const auto count = std::from_chars(slash ? index.ptr + 1 : end, end, shard.count);
-  if (!slash || count.ec != std::errc() || count.ptr != end || !is_shard(shard)) {
-    throw InputError(fmt::format("'{}' is no shard: i/N with 1 <= i <= N <= 1000000", text));
-  }
-  return shard;
+Shard shard_of(const std::string& text) {
+  if (const std::optional<Shard> shard = parse_shard(text)) return *shard;
+  throw InputError(fmt::format("'{}' is no shard: i/N with 1 <= i <= N <= 1000000", text));
 }
 
 JournaledStudy begin_new(const RunArguments& arguments, const Shard& shard) {
@@ -249,7 +240,7 @@ void add_run(CLI::App& study, int& exit_code) {
       "smoke.h5\nExample: ar3d study run "
       "--graphs 'nets/*.s6' --algorithm diamond");
   verb->callback([arguments, &exit_code] {
-    const Shard shard = arguments->shard.empty() ? Shard() : parse_shard(arguments->shard);
+    const Shard shard = arguments->shard.empty() ? Shard() : shard_of(arguments->shard);
     exit_code = make_study(*arguments, [&] { return begin_new(*arguments, shard); });
   });
 }

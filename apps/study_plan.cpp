@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "ar3d/analysis/curves.h"
+#include "ar3d/analysis/json.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/base/say.h"
@@ -17,6 +17,7 @@
 #include "ar3d/bench/run/estimate.h"
 #include "ar3d/bench/run/session.h"
 #include "ar3d/bench/spec/study_spec.h"
+#include "ar3d/store/columns/curves.h"
 #include "commands.h"
 #include "options.h"
 #include "study.h"
@@ -167,13 +168,13 @@ void print_cells(const StudyEstimate& estimate, const std::set<std::string>& col
   };
   std::map<CurveKey, Sum> sums;
   for (const CellEstimate& cell : estimate.cells) {
-    CurveKey key = {cell.algorithm, cell.options, cell.family, cell.parameters, cell.level};
-    if (!collections.contains(cell.family)) {
-      say("{}: {} instances, {} rows, {}\n", cell_label(key, static_cast<std::int64_t>(cell.n)),
-          cell.instances, cell.rows, cost_of(cell));
+    if (!collections.contains(cell.curve.family)) {
+      say("{}: {} instances, {} rows, {}\n",
+          cell_label(cell.curve, static_cast<std::int64_t>(cell.n)), cell.instances, cell.rows,
+          cost_of(cell));
       continue;
     }
-    Sum& sum = sums.try_emplace(std::move(key), Sum{cell.n, cell.n}).first->second;
+    Sum& sum = sums.try_emplace(cell.curve, Sum{cell.n, cell.n}).first->second;
     sum.least_n = std::min(sum.least_n, cell.n);
     sum.largest_n = std::max(sum.largest_n, cell.n);
     sum.rows += cell.rows;
@@ -194,9 +195,8 @@ nlohmann::ordered_json plan_json(const StudySpec& spec, const StudyPlan& plan,
   };
   nlohmann::ordered_json cells = nlohmann::ordered_json::array();
   for (const CellEstimate& cell : estimate.cells) {
-    const CurveKey key = {cell.algorithm, cell.options, cell.family, cell.parameters, cell.level};
-    nlohmann::ordered_json json = key_json(key);
-    json.update({{"cell", cell_label(key, static_cast<std::int64_t>(cell.n))},
+    nlohmann::ordered_json json = key_json(cell.curve);
+    json.update({{"cell", cell_label(cell.curve, static_cast<std::int64_t>(cell.n))},
                  {"n", cell.n},
                  {"instances", cell.instances},
                  {"rows", cell.rows},

@@ -26,22 +26,27 @@ bool is_printable(std::uint32_t c) {
   if (c < 0x20 || (c >= 0x7f && c < 0xa0)) return false;       // C0, DEL, C1
   if (c == 0x61c || c == 0x200e || c == 0x200f) return false;  // direction marks
   if (c >= 0x2028 && c <= 0x202e) return false;                // ends of lines, overrides
-  if (c >= 0x2066 && c <= 0x2069) return false;                // isolates
-  return !(c >= 0xd800 && c < 0xe000) && c <= 0x10ffff;        // surrogates are no characters
+  return c < 0x2066 || c > 0x2069;                             // isolates
 }
 
-/// The length of the printable character at text[i]; 0 if there is none.
-std::size_t printable_length(std::string_view text, std::size_t i) {
+struct Character {
+  std::uint32_t code = 0;
+  std::size_t length = 0;  ///< 0: no UTF-8 begins here
+};
+
+Character character_at(std::string_view text, std::size_t i) {
   constexpr std::uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};  // shorter forms are no UTF-8
   constexpr std::uint32_t kFirstBits[] = {0, 0x7f, 0x1f, 0x0f, 0x07};
   const std::size_t length = length_of(byte_at(text, i));
-  if (length == 0 || length > text.size() - i) return 0;
+  if (length == 0 || length > text.size() - i) return {};
   std::uint32_t c = byte_at(text, i) & kFirstBits[length];
   for (std::size_t k = 1; k < length; ++k) {
-    if ((byte_at(text, i + k) & 0xc0) != 0x80) return 0;
+    if ((byte_at(text, i + k) & 0xc0) != 0x80) return {};
     c = c << 6 | (byte_at(text, i + k) & 0x3f);
   }
-  return c >= kLeast[length] && is_printable(c) ? length : 0;
+  const bool is_surrogate = c >= 0xd800 && c < 0xe000;
+  if (c < kLeast[length] || is_surrogate || c > 0x10ffff) return {};
+  return {c, length};
 }
 
 bool is_plain(char c) {
@@ -55,7 +60,7 @@ std::string printable(std::string_view text) {
   std::string result;
   result.reserve(text.size());
   for (std::size_t i = 0; i < text.size();) {
-    if (const std::size_t length = printable_length(text, i); length > 0) {
+    if (const auto [c, length] = character_at(text, i); length > 0 && is_printable(c)) {
       result += text.substr(i, length);
       i += length;
     } else {
@@ -63,6 +68,24 @@ std::string printable(std::string_view text) {
     }
   }
   return result;
+}
+
+std::string valid_utf8(std::string_view text) {
+  std::string valid;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = character_at(text, i).length;
+    valid += length > 0 ? text.substr(i, length) : std::string_view("\uFFFD");
+    i += std::max<std::size_t>(length, 1);
+  }
+  return valid;
+}
+
+std::string one_line(std::string_view text) {
+  std::string line = valid_utf8(text);
+  for (char& c : line) {
+    if (byte_at({&c, 1}, 0) < 0x20 || c == 0x7f) c = ' ';
+  }
+  return line;
 }
 
 std::string shell_word(std::string_view word) {

@@ -11,6 +11,12 @@ namespace ar3d {
 /// sequence reaches a terminal, and no text looks like another line. O(length) time.
 std::string printable(std::string_view text);
 
+/// The text with every byte that is no part of UTF-8 replaced by U+FFFD.
+std::string valid_utf8(std::string_view text);
+
+/// Valid UTF-8 on one line: control characters (escape sequences of terminals too) become spaces.
+std::string one_line(std::string_view text);
+
 /// True if all are printable ASCII, as columns of text hold them.
 bool all_printable(const std::string& text);
 

@@ -125,4 +125,14 @@ Components connected_components_of(const Graph& graph) {
   return result;
 }
 
+std::vector<bool> in_largest_component(const Graph& graph) {
+  const Components components = connected_components_of(graph);
+  std::vector<Vertex> sizes(components.count);
+  for (const std::uint32_t component : components.of) ++sizes[component];
+  const auto largest = std::max_element(sizes.begin(), sizes.end()) - sizes.begin();
+  std::vector<bool> inside(graph.num_vertices());
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) inside[v] = components.of[v] == largest;
+  return inside;
+}
+
 }  // namespace ar3d

@@ -2,6 +2,8 @@
 
 #include <xxhash.h>
 
+#include <charconv>
+
 #include "ar3d/store/columns/row_format.h"
 
 namespace ar3d {
@@ -14,6 +16,16 @@ std::string StudyIdentity::source() const {
 bool is_shard(const Shard& shard) {
   constexpr std::uint32_t kMostShards = 1'000'000;
   return shard.index >= 1 && shard.index <= shard.count && shard.count <= kMostShards;
+}
+
+std::optional<Shard> parse_shard(std::string_view text) {
+  Shard shard;
+  const char* end = text.data() + text.size();
+  const auto index = std::from_chars(text.data(), end, shard.index);
+  const bool slash = index.ec == std::errc() && index.ptr != end && *index.ptr == '/';
+  const auto count = std::from_chars(slash ? index.ptr + 1 : end, end, shard.count);
+  if (!slash || count.ec != std::errc() || count.ptr != end || !is_shard(shard)) return {};
+  return shard;
 }
 
 const StoredTable* find_table(const StudyIdentity& identity, std::string_view name) {

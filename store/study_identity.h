@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,9 @@ struct Shard {
 
 /// 1 <= index <= count <= 1,000,000.
 bool is_shard(const Shard& shard);
+
+/// "2/8": the second of eight; nothing if the text is no shard.
+std::optional<Shard> parse_shard(std::string_view text);
 
 /// What makes rows belong together.
 struct StudyIdentity {

@@ -7,7 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "ar3d/analysis/compare.h"
-#include "ar3d/analysis/text.h"
+#include "ar3d/analysis/json.h"
+#include "ar3d/base/printable.h"
 
 namespace ar3d {
 

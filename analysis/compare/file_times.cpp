@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "ar3d/analysis/statistics.h"
-#include "ar3d/analysis/text.h"
+#include "ar3d/base/printable.h"
 
 namespace ar3d {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/analysis/curves.h"
+#include "ar3d/store/columns/curves.h"
 #include "ar3d/store/run_storage.h"
 
 namespace ar3d {

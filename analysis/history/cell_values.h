@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "ar3d/analysis/curves.h"
+#include "ar3d/store/columns/curves.h"
 #include "ar3d/store/run_storage.h"
 
 namespace ar3d {

@@ -12,8 +12,8 @@
 
 #include "ar3d/analysis/compare/environment_change.h"
 #include "ar3d/analysis/statistics.h"
-#include "ar3d/analysis/text.h"
 #include "ar3d/base/error.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/store/columns/side_tables.h"
 
 namespace ar3d {

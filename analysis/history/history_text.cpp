@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "ar3d/analysis/history/history.h"
+#include "ar3d/analysis/json.h"
 #include "ar3d/analysis/report/html.h"
-#include "ar3d/analysis/text.h"
 #include "ar3d/base/printable.h"
 
 namespace ar3d {

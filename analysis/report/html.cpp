@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "ar3d/analysis/text.h"
+#include "ar3d/base/printable.h"
 #include "ar3d_page_files.h"
 
 namespace ar3d::report {

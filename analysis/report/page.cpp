@@ -14,7 +14,7 @@
 
 #include "ar3d/analysis/replay.h"
 #include "ar3d/analysis/report/html.h"
-#include "ar3d/analysis/text.h"
+#include "ar3d/base/printable.h"
 
 namespace ar3d::report {
 

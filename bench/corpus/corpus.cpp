@@ -205,7 +205,8 @@ class Corpus::Scan {
     } else if (!is_drawn(place)) {
       return;
     }
-    const Graph taken = options_.largest_component ? largest_component(graph) : graph;
+    const Graph taken =
+        options_.largest_component ? induced(graph, in_largest_component(graph)) : graph;
     corpus_.entries_.push_back({corpus_.spool_.append(taken), taken.num_vertices(),
                                 static_cast<std::uint32_t>(place), taken.max_degree()});
     // Graphs that fell out of the sample since are dropped once they are as many as it holds.

@@ -164,10 +164,6 @@ class CorpusShelf {
 /// The graph on the vertices with keep[v], renamed in order. O(n + m).
 Graph induced(const Graph& graph, const std::vector<bool>& keep);
 
-/// The largest connected component, its vertices renumbered in their order; of equally large ones
-/// the one with the smallest vertex. The graph itself if it is connected. O(n + m).
-Graph largest_component(const Graph& graph);
-
 /// The subgraph that the first `n` vertices of a breadth-first search induce (from vertex 0, then
 /// from the smallest vertex left), numbered as they are found; the graph itself if it has no more.
 /// Degrees only fall. O(n + m).

@@ -32,18 +32,6 @@ Graph induced(const Graph& graph, const std::vector<bool>& keep) {
   return renamed(graph, new_name, n);
 }
 
-Graph largest_component(const Graph& graph) {
-  const Components components = connected_components_of(graph);
-  if (components.count <= 1) return graph;
-  std::vector<Vertex> sizes(components.count);
-  for (const std::uint32_t component : components.of) ++sizes[component];
-  const auto largest =
-      static_cast<std::uint32_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
-  std::vector<bool> keep(graph.num_vertices());
-  for (Vertex v = 0; v < graph.num_vertices(); ++v) keep[v] = components.of[v] == largest;
-  return induced(graph, keep);
-}
-
 Graph breadth_first_piece(const Graph& graph, std::uint64_t n) {
   if (n >= graph.num_vertices()) return graph;
   std::vector<Vertex> new_name(graph.num_vertices(), kAbsent);

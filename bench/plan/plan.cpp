@@ -281,16 +281,10 @@ class Planner {
 
 }  // namespace
 
-std::string options_and_level(const PlannedRun& run) {
-  std::string text = run.options;
-  const auto add = [&](const char* name, const std::string& value) {
-    text += fmt::format("{}{}={}", text.empty() ? "" : ";", name, value);
-  };
-  const AlgorithmChoice& choice = run.choice;
-  if (choice.level != Level::extents) add("level", to_string(choice.level));
-  if (choice.certificate != CertificateMode::exact)
-    add("certificate", to_string(choice.certificate));
-  return text;
+CurveKey curve_of(const PlannedInstance& instance, const PlannedRun& run) {
+  const Level level = run.choice.level;
+  return {run.choice.algorithm->name, run.options, instance.choice.family->name,
+          instance.parameters, level == Level::extents ? "" : to_string(level)};
 }
 
 bool is_same_drawing(const PlannedRun& a, const PlannedRun& b) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ar3d/bench/spec/study_spec.h"
-#include "ar3d/store/columns/run_record.h"
+#include "ar3d/store/columns/curves.h"
 #include "ar3d/store/columns/side_tables.h"
 
 namespace ar3d {
@@ -23,15 +23,11 @@ struct PlannedRun {
   RunPhase phase = RunPhase::metrics;
   std::int64_t scale = -1;  ///< threads or ranks that share the row's batch; -1: it is in none
   std::uint32_t batch = 0;  ///< rows of a phase with equal scale and batch are drawn together
-  /// A study is complete without it: it is only made while the smallest times before it are not
+  /// A study is complete without it: it is only made while the times before it are not
   /// stable within `precision`.
   bool optional = false;
   double precision = 0;
 };
-
-/// "effort=1", "effort=1;level=full;certificate=double": the options and, if they are not extents
-/// and exact, level and certificate.
-std::string options_and_level(const PlannedRun& run);
 
 /// True if both runs make the same drawing of an instance at the same level, judged alike.
 bool is_same_drawing(const PlannedRun& a, const PlannedRun& b);
@@ -46,6 +42,8 @@ struct PlannedInstance {
   std::uint64_t seed = 0;  ///< a function of the study's seed, family, parameters, n and index only
   std::vector<PlannedRun> runs;
 };
+
+CurveKey curve_of(const PlannedInstance& instance, const PlannedRun& run);
 
 /// The graph of an instance. Of a corpus with requested_n below the graph's n: the piece of it that
 /// a breadth-first search finds first.

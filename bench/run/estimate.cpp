@@ -149,19 +149,12 @@ CostModel calibrated(const PlannedInstance& instance, const PlannedRun& run, std
           large.n > 0 ? std::max(0.0, large.bytes) / large.n : 0};
 }
 
-using ModelKey = std::tuple<std::string, std::string, std::string, std::string>;
-
-ModelKey key_of(const PlannedInstance& instance, const PlannedRun& run) {
-  return {instance.choice.family->name, instance.parameters, run.choice.algorithm->name,
-          options_and_level(run)};
-}
-
 class Estimator {
  public:
   explicit Estimator(const StudyPlan& plan) : plan_(plan) {
     for (const PlannedBlock& block : plan.instances.blocks()) {
       for (const PlannedRun& run : block.first.runs) {
-        std::uint64_t& largest = largest_[key_of(block.first, run)];
+        std::uint64_t& largest = largest_[curve_of(block.first, run)];
         largest = std::max(largest, block.first.requested_n);
       }
     }
@@ -207,14 +200,12 @@ class Estimator {
   }
 
   CellEstimate& cell_of(const PlannedInstance& instance, const PlannedRun& run) {
-    const ModelKey key = key_of(instance, run);
-    const auto [at, is_new] = places_.try_emplace(
-        std::tuple_cat(key, std::tuple(instance.n, run.choice.level)), result_.cells.size());
+    const CurveKey curve = curve_of(instance, run);
+    const auto [at, is_new] = places_.try_emplace({curve, instance.n}, result_.cells.size());
     if (is_new) {
-      const CostModel& costs = model_of(key, instance, run);
+      const CostModel& costs = model_of(curve, instance, run);
       CellEstimate cell;
-      std::tie(cell.family, cell.parameters, cell.algorithm, cell.options) = key;
-      if (run.choice.level != Level::extents) cell.level = to_string(run.choice.level);
+      cell.curve = curve;
       cell.n = instance.n;
       cell.is_known = costs.is_known;
       cell.row_s = costs.row_s(cell.n);
@@ -228,13 +219,13 @@ class Estimator {
 
   // Of a family with very many parameters only the first few are drawn; the costliest of them
   // stands for the others.
-  const CostModel& model_of(const ModelKey& key, const PlannedInstance& instance,
+  const CostModel& model_of(const CurveKey& curve, const PlannedInstance& instance,
                             const PlannedRun& run) {
-    const auto known = models_.find(key);
+    const auto known = models_.find(curve);
     if (known != models_.end()) return known->second;
     constexpr std::size_t kMost = 16;
     std::vector<const CostModel*>& alike =
-        by_family_[{std::get<0>(key), std::get<2>(key), std::get<3>(key)}];
+        by_family_[{curve.algorithm, curve.options, curve.family, {}, curve.level}];
     if (alike.size() >= kMost) {
       return **std::max_element(alike.begin(), alike.end(),
                                 [&](const CostModel* a, const CostModel* b) {
@@ -242,10 +233,10 @@ class Estimator {
                                 });
     }
     const CostModel& model =
-        models_.emplace(key, calibrated(instance, run, largest_.at(key), plan_.budget))
+        models_.emplace(curve, calibrated(instance, run, largest_.at(curve), plan_.budget))
             .first->second;
     if (model.is_known) {
-      result_.calibration_n = std::max(result_.calibration_n, calibration_size(largest_.at(key)));
+      result_.calibration_n = std::max(result_.calibration_n, calibration_size(largest_.at(curve)));
     }
     alike.push_back(&model);
     return model;
@@ -253,35 +244,22 @@ class Estimator {
 
   const StudyPlan& plan_;
   StudyEstimate result_;
-  std::map<ModelKey, std::uint64_t> largest_;
-  std::map<ModelKey, CostModel> models_;
-  std::map<std::tuple<std::string, std::string, std::string>, std::vector<const CostModel*>>
-      by_family_;  // family, algorithm, options
-  std::map<std::tuple<std::string, std::string, std::string, std::string, std::uint64_t, Level>,
-           std::size_t>
-      places_;
+  std::map<CurveKey, std::uint64_t> largest_;
+  std::map<CurveKey, CostModel> models_;
+  std::map<CurveKey, std::vector<const CostModel*>> by_family_;  // without parameters
+  std::map<std::pair<CurveKey, std::uint64_t>, std::size_t> places_;
   std::set<std::pair<std::ptrdiff_t, std::size_t>> counted_;  // instances of a cell, by block
   std::map<RunPhase, double> phase_s_;
 };
-
-// As `compare`, `history` and `bisect` name it.
-std::string cell_name(const CellEstimate& cell) {
-  const auto with = [](const std::string& name, const std::string& details) {
-    return details.empty() ? name : fmt::format("{} ({})", name, details);
-  };
-  const bool two = !cell.options.empty() && !cell.level.empty();
-  const std::string level = cell.level.empty() ? "" : (two ? ";level=" : "level=") + cell.level;
-  return fmt::format("{} on {} n={}", with(cell.algorithm, cell.options + level),
-                     with(cell.family, cell.parameters), cell.n);
-}
 
 std::string seconds_text(double seconds) { return fmt::format("{:.3g} s", seconds); }
 
 void refuse_above(const CellEstimate& cell, double estimated, double limit,
                   std::string (*text)(double), const std::string& what) {
   if (estimated <= limit) return;
-  throw InputError(fmt::format("{} is estimated at {}, {} {}", cell_name(cell), text(estimated),
-                               what, text(limit)));
+  throw InputError(fmt::format("{} is estimated at {}, {} {}",
+                               cell_label(cell.curve, static_cast<std::int64_t>(cell.n)),
+                               text(estimated), what, text(limit)));
 }
 
 // The largest rows that may be made at the same time.

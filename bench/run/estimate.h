@@ -12,11 +12,7 @@ namespace ar3d {
 /// A cell: all rows of a family with parameters, at one size, by one algorithm with options at one
 /// level.
 struct CellEstimate {
-  std::string family;
-  std::string parameters;
-  std::string algorithm;
-  std::string options;
-  std::string level;  ///< empty: extents
+  CurveKey curve;
   std::uint64_t n = 0;
   std::size_t instances = 0;
   std::size_t rows = 0;   ///< without the optional ones

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cinttypes>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -88,17 +87,6 @@ std::vector<EnvironmentEntry> read_environment(hid_t file, std::uint64_t bytes) 
   return entries;
 }
 
-Shard parse_shard(const std::string& text) {
-  Shard shard;
-  int used = 0;
-  if (std::sscanf(text.c_str(), "%" SCNu32 "/%" SCNu32 "%n", &shard.index, &shard.count, &used) !=
-          2 ||
-      static_cast<std::size_t>(used) != text.size() || !is_shard(shard)) {
-    throw Hdf5Error(fmt::format("'{}' is no shard", text));
-  }
-  return shard;
-}
-
 StudyIdentity read_identity(hid_t file) {
   StudyIdentity identity;
   identity.study_id = read_text_attribute(file, "study_id");
@@ -111,7 +99,9 @@ StudyIdentity read_identity(hid_t file) {
   identity.dirty = read_integer_attribute(file, "dirty") != 0;
   identity.dirty_hash = read_text_attribute(file, "dirty_hash");
   identity.created = read_text_attribute(file, "created");
-  identity.shard = parse_shard(read_text_attribute(file, "shard"));
+  const std::string shard = read_text_attribute(file, "shard");
+  if (!parse_shard(shard)) throw Hdf5Error(fmt::format("'{}' is no shard", shard));
+  identity.shard = *parse_shard(shard);
   identity.planned_rows = read_integer_attribute(file, "planned_rows");
   if (identity.planned_rows < -1) throw Hdf5Error("planned_rows is negative");
   return identity;

@@ -13,7 +13,7 @@
 #include "ar3d/analysis/export.h"
 #include "ar3d/analysis/replay.h"
 #include "ar3d/analysis/report/html.h"
-#include "ar3d/analysis/text.h"
+#include "ar3d/base/printable.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/columns/side_tables.h"
 

@@ -47,7 +47,7 @@ TEST(Estimate, ManyParametersShareModels) {
       "t.toml"));
   const StudyEstimate made = estimate(plan, 1);
   EXPECT_EQ(made.cells.size(), 40u);
-  for (const CellEstimate& cell : made.cells) EXPECT_GT(cell.row_s, 0) << cell.parameters;
+  for (const CellEstimate& cell : made.cells) EXPECT_GT(cell.row_s, 0) << cell.curve.parameters;
 }
 
 // A million vertices are not drawn to know that they take longer and more memory.

@@ -100,7 +100,8 @@ TEST(Levels, TheFirstLevelIsTheOneThatRowsAlwaysHad) {
       plan_study(parse_study(cycle + "level = [\"extents\", \"full\"]\n", "t.toml"));
   EXPECT_EQ(plain.instances[0].runs[0].row_key, named.instances[0].runs[0].row_key);
   EXPECT_NE(plain.instances[0].runs[0].row_key, named.instances[0].runs[1].row_key);
-  EXPECT_EQ(options_and_level(named.instances[0].runs[1]), "effort=1;level=full");
+  EXPECT_EQ(options_and_level(curve_of(named.instances[0], named.instances[0].runs[1])),
+            "effort=1;level=full");
 }
 
 TEST(Levels, StoreAsMuchAsTheySay) {

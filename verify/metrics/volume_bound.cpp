@@ -19,19 +19,6 @@ constexpr std::uint64_t kFirstSources = 16;
 
 std::uint64_t rounded_up(std::uint64_t a, std::uint64_t b) { return (a + b - 1) / b; }
 
-/// The vertices of the largest component, the first of equally large ones.
-std::vector<Vertex> largest_component(const Graph& graph) {
-  const Components components = connected_components_of(graph);
-  std::vector<std::uint64_t> sizes(components.count);
-  for (const std::uint32_t c : components.of) ++sizes[c];
-  const auto largest = std::max_element(sizes.begin(), sizes.end()) - sizes.begin();
-  std::vector<Vertex> vertices;
-  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-    if (components.of[v] == static_cast<std::uint32_t>(largest)) vertices.push_back(v);
-  }
-  return vertices;
-}
-
 /// The units that one source after the other sends to all vertices.
 class Routing {
  public:
@@ -168,8 +155,11 @@ std::uint64_t smallest_box(const BoxNeeds& needs) {
 
 GraphNeeds needs_of(const Graph& graph, bool with_bisection) {
   GraphNeeds needs{graph.num_vertices(), graph.num_edges(), 0, 0};
-  const std::vector<Vertex> part =
-      graph.num_vertices() == 0 ? std::vector<Vertex>() : largest_component(graph);
+  const std::vector<bool> inside = in_largest_component(graph);
+  std::vector<Vertex> part;
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+    if (inside[v]) part.push_back(v);
+  }
   needs.part_vertices = part.size();
   if (with_bisection && part.size() >= kSmallestCut && part.size() <= kLargestCut) {
     needs.bisection = bisection_at_least(graph, part, kMostVisits);

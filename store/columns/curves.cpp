@@ -1,11 +1,9 @@
 // Names of curves and cells, for people, tables and command lines.
-#include "ar3d/analysis/curves.h"
+#include "ar3d/store/columns/curves.h"
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
-#include "ar3d/analysis/text.h"
+#include "ar3d/base/printable.h"
 
 namespace ar3d {
 namespace {
@@ -45,13 +43,6 @@ std::string cell_label(const CurveKey& key, std::int64_t n) {
     label += n >= 0 ? fmt::format(" n={}", n) : std::string(" all n");
   }
   return one_line(label);
-}
-
-nlohmann::ordered_json key_json(const CurveKey& key) {
-  return {{"algorithm", valid_utf8(key.algorithm)},
-          {"options", valid_utf8(options_and_level(key))},
-          {"family", valid_utf8(key.family)},
-          {"parameters", valid_utf8(key.parameters)}};
 }
 
 }  // namespace ar3d

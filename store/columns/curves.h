@@ -2,7 +2,6 @@
 
 #include <compare>
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "ar3d/store/columns/run_record.h"
@@ -36,8 +35,5 @@ std::string graph_label(const RunRecord& run);
 /// "diamond (effort=1) on cubic (k=2) n=300", on one line: what a cell is called, and how it is
 /// chosen on a command line. @param n  -1: all sizes.
 std::string cell_label(const CurveKey& key, std::int64_t n);
-
-/// algorithm, options (with the level), family, parameters: the first columns of every table.
-nlohmann::ordered_json key_json(const CurveKey& key);
 
 }  // namespace ar3d
