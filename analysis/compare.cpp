@@ -99,7 +99,8 @@ std::string undecided_reason(const TimeVerdict& time, const Comparison& comparis
   if (time.test.pairs < enough) {
     return fmt::format("{} rounds of times; {} are needed", time.test.pairs, enough);
   }
-  if (comparison.times && !comparison.times->is_alike) return "the machine was not as fast in both";
+  if (comparison.times && !comparison.times->is_known)
+    return "nothing tells how fast the machine was";
   return "the times' noise hides a change of the threshold's size";
 }
 
@@ -126,13 +127,13 @@ void judge(CellComparison& cell, const std::pair<Verdict, std::string>& fixed, b
     case TimeChange::same:
       break;
     case TimeChange::slower:
-      if (comparison.times && !comparison.times->is_alike) {
-        return set(Verdict::inconclusive, "slower than all others on another machine's speed");
+      if (comparison.times && !comparison.times->is_known) {
+        return set(Verdict::inconclusive, "slower than all others on a machine of unknown speed");
       }
       return set(Verdict::regressed, "slower");
     case TimeChange::faster:
-      if (comparison.times && !comparison.times->is_alike) {
-        return set(Verdict::inconclusive, "faster than all others on another machine's speed");
+      if (comparison.times && !comparison.times->is_known) {
+        return set(Verdict::inconclusive, "faster than all others on a machine of unknown speed");
       }
       return set(Verdict::improved, "faster");
     case TimeChange::undecided:
@@ -367,7 +368,7 @@ std::string Comparison::judged() const {
   return text +
          fmt::format(". To know more: `ar3d compare --base {}` runs both builds in turns{}",
                      is_commit ? base_commit.substr(0, 12) : "COMMIT",
-                     times->is_alike ? ", or measure more rounds" : ", or measure both again");
+                     times->is_known ? ", or measure more rounds" : ", or measure both again");
 }
 
 }  // namespace ar3d

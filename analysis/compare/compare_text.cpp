@@ -50,7 +50,7 @@ ordered_json environment_json(const Comparison& comparison) {
 }
 
 ordered_json times_json(const FileTimes& times) {
-  ordered_json json = {{"machine_is_alike", times.is_alike},
+  ordered_json json = {{"machine_is_known", times.is_known},
                        {"common_factor", json_number(std::exp(times.common))}};
   for (std::size_t i = 0; i < kYardsticks.size(); ++i) {
     json["yardsticks"][kYardsticks[i]] = json_number(std::exp(times.yardsticks[i]));

@@ -1,4 +1,4 @@
-// Times of two files: smallest times, the state of the machine, settings against all others.
+// Times of two files: in units of yardsticks, settings against all others.
 #include "ar3d/analysis/compare/file_times.h"
 
 #include <fmt/format.h>
@@ -14,35 +14,18 @@
 namespace ar3d {
 namespace {
 
-constexpr double kRobust = 1.4826;       // standard deviation by the median absolute deviation
-constexpr double kOfMedian = 1.2533;     // standard error of a median by that of a mean
-constexpr double kErrors = 3;            // standard errors that an interval is wide on either side
-constexpr double kLeastError = 0.003;    // of a build's place in memory
-constexpr double kFelt = 0.5;            // settings feel a state as unlike as cells do, times this
+constexpr double kRobust = 1.4826;     // standard deviation by the median absolute deviation
+constexpr double kOfMedian = 1.2533;   // standard error of a median by that of a mean
+constexpr double kErrors = 2;          // standard errors that an interval is wide on either side
+constexpr double kLeastError = 0.003;  // of a build's place in memory
+constexpr double kFelt = 0.3;          // of a state of the machine settings feel this share unlike
 constexpr double kWithoutOthers = 0.05;  // by which yardsticks alone may be wrong
-constexpr double kAlone = 10;            // residuals by which a single cell has to move
-constexpr double kNoise = 6;             // residuals within which it has not moved,
-constexpr double kMostNoise = 1.5;       // but never more than this times the threshold
-constexpr std::size_t kOthers = 3;       // settings that tell a common factor
-
-/// Root mean square distance, of the smallest of so many values drawn from them with replacement,
-/// from the smallest: it is at least the k-th smallest with probability (1 - k / n)^n, k from 0.
-double resampled_spread(std::vector<double> logs) {
-  std::sort(logs.begin(), logs.end());
-  const auto n = static_cast<double>(logs.size());
-  double square = 0;
-  for (std::size_t k = 0; k < logs.size(); ++k) {
-    const auto at = static_cast<double>(k);
-    const double probability = std::pow(1 - at / n, n) - std::pow(1 - (at + 1) / n, n);
-    square += probability * std::pow(logs[k] - logs.front(), 2);
-  }
-  return std::sqrt(square);
-}
-
-double smallest(const std::vector<double>& logs, std::size_t begin, std::size_t end) {
-  return *std::min_element(logs.begin() + static_cast<std::ptrdiff_t>(begin),
-                           logs.begin() + static_cast<std::ptrdiff_t>(end));
-}
+constexpr double kAsFast = 0.025;        // log of a factor of the machine that is not worth a word
+constexpr double kPlaced = 6;       // thresholds by which its place in memory may move one graph
+constexpr double kAlone = 10;       // residuals by which a single cell has to move
+constexpr double kNoise = 6;        // residuals within which it has not moved,
+constexpr double kMostNoise = 1.5;  // but never more than this times the threshold
+constexpr std::size_t kOthers = 3;  // settings that tell a common factor
 
 /// Robust standard deviation about 0.
 double spread_about_zero(std::vector<double> values) {
@@ -50,15 +33,20 @@ double spread_about_zero(std::vector<double> values) {
   return kRobust * median(std::move(values));
 }
 
-/// Logarithms of a yardstick in one file: its smallest, and how far the median is above it.
-std::pair<double, double> yardstick_of(const Results& results, std::size_t which) {
+/// Of the median of independent values; infinite for none.
+double error_of_median(std::vector<double> values) {
+  const double middle = median(values);
+  const double root = std::sqrt(static_cast<double>(values.size()));
+  for (double& value : values) value -= middle;
+  return kOfMedian * spread_about_zero(std::move(values)) / root;
+}
+
+double yardstick_of(const Results& results, std::size_t which) {
   std::vector<double> logs;
   for (const RunRecord& run : results.runs) {
     if (run.yardsticks_s[which] > 0) logs.push_back(std::log(run.yardsticks_s[which]));
   }
-  if (logs.empty()) return {kMissing, 0};
-  return {*std::min_element(logs.begin(), logs.end()),
-          median(logs) - *std::min_element(logs.begin(), logs.end())};
+  return logs.empty() ? kMissing : median(std::move(logs));
 }
 
 /// Why the last session made no more rounds.
@@ -100,27 +88,34 @@ TimeChange change_of(double distance, double error, const TimeRule& rule) {
 
 CellTimes cell_times(const PairedCell& cell) {
   using Graph = std::tuple<std::int64_t, std::int64_t, std::uint64_t>;
-  std::map<Graph, std::array<std::map<std::int64_t, double>, 2>> graphs;
-  for (const PairedRow& row : timed_rows(cell)) {
-    const RunRecord& run = *row.base;
-    auto& graph = graphs[{run.requested_n, run.instance_index, run.seed}];
-    graph[0][run.repetition] = std::log(drawing_time_s(*row.base));
-    graph[1][run.repetition] = std::log(drawing_time_s(*row.now));
+  std::map<Graph, std::array<std::vector<std::pair<std::int64_t, double>>, 2>> graphs;
+  const std::vector<PairedRow> rows = timed_rows(cell);
+  const bool is_corrected = std::ranges::all_of(rows, [](const PairedRow& row) {
+    return !std::isnan(log_slowness(*row.base) + log_slowness(*row.now));
+  });
+  for (const PairedRow& row : rows) {
+    auto& graph = graphs[{row.base->requested_n, row.base->instance_index, row.base->seed}];
+    for (const auto& [side, run] : {std::pair{0, row.base}, std::pair{1, row.now}}) {
+      graph[side].emplace_back(run->repetition, is_corrected ? log_corrected_time(*run)
+                                                             : std::log(drawing_time_s(*run)));
+    }
   }
   CellTimes times;
   times.setting = algorithm_label(cell.key);
-  for (const auto& [graph, sides] : graphs) {
+  times.graphs = std::max<std::size_t>(1, graphs.size());
+  for (auto& [graph, sides] : graphs) {
     const double share = 1 / static_cast<double>(graphs.size());
     for (std::size_t side = 0; side < 2; ++side) {
+      std::sort(sides[side].begin(), sides[side].end());
       std::vector<double> logs;
       for (const auto& [round, log] : sides[side]) logs.push_back(log);
       const std::size_t rounds = logs.size();
+      const auto middle = logs.begin() + static_cast<std::ptrdiff_t>(rounds / 2);
       times.rounds = times.rounds == 0 ? rounds : std::min(times.rounds, rounds);
-      times.ratio += share * (side == 0 ? -1 : 1) * smallest(logs, 0, rounds);
-      times.spread += share * share * std::pow(resampled_spread(logs), 2);
+      times.ratio += share * (side == 0 ? -1 : 1) * median(logs);
+      times.spread += std::pow(share * error_of_median(logs), 2);
       if (rounds < 2) continue;
-      times.halves[side] +=
-          share * (smallest(logs, 0, rounds / 2) - smallest(logs, rounds / 2, rounds));
+      times.halves[side] += share * (median({logs.begin(), middle}) - median({middle, logs.end()}));
     }
   }
   times.spread = std::sqrt(times.spread);
@@ -151,7 +146,7 @@ class FileJudge {
     times_.rounds = {last_rounds(base), last_rounds(now)};
     has_others_ = ratios.size() >= kOthers;
     if (has_others_) times_.common = median(ratios);
-    times_.is_alike = are_yardsticks_alike(base, now) && std::abs(times_.common) <= limit_ / 2;
+    measure_machine(base, now);
     measure_residual();
     for (std::size_t i = 0; i < by_setting_.size(); ++i) judge_setting(i);
     for (const CellTimes& cell : cells_) times_.cells.push_back(change_of_cell(cell));
@@ -159,17 +154,15 @@ class FileJudge {
   }
 
  private:
-  /// Missing ones say nothing against it.
-  bool are_yardsticks_alike(const Results& base, const Results& now) {
-    std::vector<double> differences, spreads;
+  /// Missing yardsticks say nothing against it.
+  void measure_machine(const Results& base, const Results& now) {
     for (std::size_t which = 0; which < times_.yardsticks.size(); ++which) {
-      const auto [before, before_spread] = yardstick_of(base, which);
-      const auto [after, after_spread] = yardstick_of(now, which);
-      times_.yardsticks[which] = after - before;
-      differences.push_back(after - before);
-      spreads.push_back(std::max(before_spread, after_spread));
+      times_.yardsticks[which] = yardstick_of(now, which) - yardstick_of(base, which);
     }
-    return !(std::abs(median(differences)) > std::max(limit_ / 2, median(spreads)));
+    const double machine = (times_.yardsticks[0] + times_.yardsticks[2]) / 2;
+    times_.machine = std::isnan(machine) ? 0 : machine;
+    contention_ = std::isnan(machine) ? 0 : times_.yardsticks[0] - times_.yardsticks[2];
+    times_.is_known = std::abs(has_others_ ? times_.common : times_.machine) <= limit_ / 2;
   }
 
   void measure_residual() {
@@ -193,20 +186,21 @@ class FileJudge {
       const double drift = median(own) - (has_others_ ? median(drifts_[side]) : 0);
       setting.error = std::hypot(setting.error, drift / 2);
     }
-    setting.error = std::hypot(setting.error, kErrors * kFelt * times_.residual);
-    if (!times_.is_alike) setting.error += kWithoutOthers - limit_ / 2;
+    setting.error = std::hypot(setting.error, kFelt * contention_);
+    if (!times_.is_known && !has_others_) setting.error += kWithoutOthers - limit_ / 2;
     setting.change = change_of(setting.distance, setting.error, rule_);
     const bool is_same = setting.change == TimeChange::same;
     const double sure = std::abs(setting.distance) - setting.error;
     const bool is_unsure = !has_others_ && sure < limit_ / 2 + kWithoutOthers;
-    if (is_same ? !times_.is_alike : is_unsure) setting.change = TimeChange::undecided;
+    if (is_same ? !times_.is_known : is_unsure) setting.change = TimeChange::undecided;
   }
 
   TimeChange change_of_cell(const CellTimes& cell) const {
     if (cell.rounds < kFewestRounds) return TimeChange::undecided;
     const SettingTimes& setting = times_.settings[place_of_.at(cell.setting)];
     const double alone = cell.ratio - setting.ratio;
-    const double sure = std::max({2 * limit_, kAlone * times_.residual, kErrors * cell.spread});
+    const double placed = limit_ * std::max(2.0, kPlaced / static_cast<double>(cell.graphs));
+    const double sure = std::max({placed, kAlone * times_.residual, kErrors * cell.spread});
     if (std::abs(alone) > sure && num_timed_ >= 4 * kOthers) {
       return alone > 0 ? TimeChange::slower : TimeChange::faster;
     }
@@ -222,6 +216,7 @@ class FileJudge {
   std::array<std::vector<double>, 2> drifts_;  ///< of all cells within a file
   std::size_t num_timed_ = 0;
   bool has_others_ = false;
+  double contention_ = 0;  ///< log of what the cached search is slower by than arithmetic
   FileTimes times_;
 };
 
@@ -250,15 +245,19 @@ std::string times_sentence(const FileTimes& times) {
   const auto factor = [](double log) {
     return std::isnan(log) ? std::string("-") : fmt::format("{:.2f}", std::exp(log));
   };
-  std::string text = times.is_alike
-                         ? "The machine was as fast in both"
-                         : "NEW ran on a machine of another speed, or the whole program changed";
+  std::string text = "The machine was as fast in both";
+  if (!times.is_known) {
+    text = "NEW ran on a machine of another speed, or the whole program changed";
+  } else if (std::abs(times.machine) > kAsFast) {
+    text = "NEW ran on a machine of another speed, which yardsticks account for";
+  }
   text += ": its times are (NEW over BASE)";
   for (std::size_t i = 0; i < kYardsticks.size(); ++i) {
     text += fmt::format("{} {} {}", i == 0 ? "" : ",", kYardsticks[i], factor(times.yardsticks[i]));
   }
-  text +=
-      fmt::format(" for the yardsticks and {} for all settings together.", factor(times.common));
+  text += fmt::format(" for the yardsticks and{} {} for all settings together.",
+                      std::isnan(times.yardsticks[0]) ? "" : ", in units of theirs,",
+                      factor(times.common));
   std::string moved;
   for (const SettingTimes& setting : times.settings) {
     if (setting.change != TimeChange::slower && setting.change != TimeChange::faster) continue;

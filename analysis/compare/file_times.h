@@ -10,18 +10,17 @@
 
 namespace ar3d {
 
-/// Smallest drawing times of one cell in two files that were measured one after the other, over the
-/// rounds (repetitions) that both have; all as natural logarithms.
+/// Drawing times of one cell in two files that were measured one after the other, over the rounds
+/// (repetitions) that both have; all as natural logarithms. Where all rows have yardsticks, a time
+/// is in units of the short ones near it.
 struct CellTimes {
   std::string setting;     ///< algorithm_label()
   std::size_t rounds = 0;  ///< of the graph that has the fewest; 0: it is not timed
-  double ratio = 0;        ///< log(new / base), mean over the graphs
-  /// How far the smallest times may be from the smallest possible ones, in the mean over the
-  /// graphs and both sides: the root mean square when the rounds are drawn again with replacement,
-  /// which has a closed form.
-  double spread = 0;
-  /// Of base and new: log(smallest of the first half of the rounds / smallest of the second).
+  double ratio = 0;        ///< log(new / base) of the medians over the rounds, mean over the graphs
+  double spread = 0;       ///< standard error of `ratio`, from the rounds as if independent
+  /// Of base and new: log(median of the first half of the rounds / median of the second).
   std::array<double, 2> halves{};
+  std::size_t graphs = 1;
 };
 CellTimes cell_times(const PairedCell& cell);
 
@@ -39,9 +38,10 @@ struct SettingTimes {
 struct FileTimes {
   std::array<std::string, 2> rounds;   ///< kTimingRounds of base and new; empty: unknown
   std::array<double, 3> yardsticks{};  ///< log(new / base) of kYardsticks; NaN: not in both files
+  double machine = 0;                  ///< mean of the short yardsticks; 0 if unknown
   double common = 0;                   ///< log of the factor by which all settings moved together
   double residual = 0;                 ///< robust standard deviation of cells about their setting
-  bool is_alike = true;                ///< the machine was as fast in both
+  bool is_known = true;                ///< the yardsticks account for how fast the machine was
   std::vector<SettingTimes> settings;  ///< those with a time, in the order of the cells
   std::vector<TimeChange> cells;       ///< one for each cell
 };

@@ -7,7 +7,9 @@
 #include <limits>
 #include <numbers>
 #include <tuple>
+#include <vector>
 
+#include "ar3d/analysis/statistics.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/study_identity.h"
 
@@ -18,8 +20,8 @@ namespace {
 struct GraphValues {
   std::string graph_hash;
   bool is_unfinished = false;
-  double least_s = std::numeric_limits<double>::infinity();         // of the metrics phase
-  double least_timing_s = std::numeric_limits<double>::infinity();  // of the timing phase
+  std::vector<double> times;   // log_corrected_time() of the metrics phase
+  std::vector<double> timing;  // and of the timing phase, in units of yardsticks if it has any
   std::int64_t instructions = -1;
   std::int64_t cycles = -1;
   std::array<std::int64_t, 3> extents{-1, -1, -1};
@@ -58,8 +60,8 @@ void add_row(const RunRecord& run, GraphValues& graph) {
     graph.is_unfinished = true;
     return;
   }
-  double& least = run.phase == RunPhase::timing ? graph.least_timing_s : graph.least_s;
-  if (drawing_time_s(run) > 0) least = std::min(least, drawing_time_s(run));
+  auto& times = run.phase == RunPhase::timing ? graph.timing : graph.times;
+  if (drawing_time_s(run) > 0) times.push_back(log_corrected_time(run));
   graph.instructions = std::max(graph.instructions, run.counted_instructions);
   graph.cycles = std::max(graph.cycles, run.estimated_cycles);
   if (run.extents[0] < 0) return;
@@ -97,13 +99,13 @@ double bends_per_edge(const GraphTable& graphs) {
   return edges > 0 ? bends / edges : kMissing;
 }
 
-CellValues values_of(const GraphTable& graphs) {
+/// @param slowness  what the times of the timing phase are in units of, as a logarithm.
+CellValues values_of(const GraphTable& graphs, double slowness) {
   const bool is_unfinished = std::any_of(graphs.begin(), graphs.end(),
                                          [](const auto& at) { return at.second.is_unfinished; });
   if (is_unfinished) return {};
-  const bool is_timed = std::any_of(graphs.begin(), graphs.end(), [](const auto& at) {
-    return std::isfinite(at.second.least_timing_s);
-  });
+  const bool is_timed = std::any_of(graphs.begin(), graphs.end(),
+                                    [](const auto& at) { return !at.second.timing.empty(); });
   std::string boxes, bends, crossings, angles;
   for (const auto& [key, graph] : graphs) {
     boxes += graph.is_measured ? fmt::format("{:.3g} ", std::exp(graph.log_volume))
@@ -114,7 +116,7 @@ CellValues values_of(const GraphTable& graphs) {
   }
   CellValues values;
   values[0].value = geometric_mean(graphs, [&](const GraphValues& graph) {
-    return std::log(is_timed ? graph.least_timing_s : graph.least_s);
+    return is_timed ? median(graph.timing) + slowness : median(graph.times);
   });
   const auto log_of = [](std::int64_t count) {
     return count > 0 ? std::log(static_cast<double>(count)) : kMissing;
@@ -142,24 +144,27 @@ const char* to_string(Measure measure) {
 CellTable cell_values(const RowView& rows) {
   CellTable table;
   std::map<std::pair<CurveKey, std::int64_t>, GraphTable> cells;
+  std::vector<double> slownesses;
   for (std::size_t row = 0; row < rows.count; ++row) {
     const RunRecord& run = rows.read(row);
     if (is_batched(run.phase)) continue;
     if (run.status != RunStatus::ok && run.status != RunStatus::measured) ++table.unfinished;
     table.rows_at_a_time = std::max(table.rows_at_a_time, static_cast<double>(run.concurrency));
-    if (const double least = run.yardsticks_s.back(); least > 0) {
-      table.least_yardstick_s = std::min(table.least_yardstick_s, least);
+    if (const double slowness = log_slowness(run); !std::isnan(slowness)) {
+      slownesses.push_back(slowness);
     }
     if (table.build_kind.empty()) table.build_kind = run.build_kind;
     const std::int64_t n = run.n >= 0 ? run.n : run.requested_n;
     add_row(run, cells[{curve_of(run), n}][{run.requested_n, run.instance_index, run.seed}]);
   }
+  table.log_slowness = median(slownesses);
+  const double slowness = slownesses.empty() ? 0 : table.log_slowness;
   for (const auto& [key, graphs] : cells) {
     std::string names;
     for (const auto& [graph, values] : graphs) {
       names += fmt::format("{} {} {} ", std::get<0>(graph), std::get<1>(graph), values.graph_hash);
     }
-    table.cells[{key.first, key.second, content_hash(names)}] = values_of(graphs);
+    table.cells[{key.first, key.second, content_hash(names)}] = values_of(graphs, slowness);
   }
   return table;
 }

@@ -31,8 +31,9 @@ struct HistoryCell {
 
 /// A measure of a cell in one results file; missing (NaN) where a row of the cell has none.
 struct CellValue {
-  /// time: seconds, the geometric mean over the graphs of the smallest among the repetitions, of
-  /// the timing phase if the cell has it. instructions: counted by callgrind, geometric mean;
+  /// time: seconds, the geometric mean over the graphs of the median of the repetitions, of the
+  /// timing phase if the cell has it; there each in units of the yardsticks near it, times the
+  /// file's typical ones. instructions: counted by callgrind, geometric mean;
   /// cycles: estimated from its simulated cache, likewise.
   /// volume: lattice points, geometric mean; of measured drawings in smallest distances of
   /// vertices. bends: per edge. crossings, angle (the smallest, degrees): of measured drawings,
@@ -45,10 +46,10 @@ using CellValues = std::array<CellValue, kMeasures.size()>;
 
 struct CellTable {
   std::map<HistoryCell, CellValues> cells;
-  std::size_t unfinished = 0;  ///< rows neither ok nor measured: their cells have no values
-  double rows_at_a_time = 1;   ///< the largest concurrency
-  std::string build_kind;      ///< of a row that has one
-  double least_yardstick_s = std::numeric_limits<double>::infinity();  ///< arithmetic
+  std::size_t unfinished = 0;      ///< rows neither ok nor measured: their cells have no values
+  double rows_at_a_time = 1;       ///< the largest concurrency
+  std::string build_kind;          ///< of a row that has one
+  double log_slowness = kMissing;  ///< median of that of the rows
 };
 
 /// One pass over the rows; those of batches (strong, weak) are left out. Memory: that of the

@@ -93,7 +93,7 @@ ReadResults read_one(const fs::path& path) {
   const std::string load = load_of_other_work(reader.environment(), read.table.rows_at_a_time);
   if (!read.table.build_kind.empty()) {
     read.commit.untimed = fmt::format("a {} build", one_line(read.table.build_kind));
-  } else if (!load.empty() && !std::isfinite(read.table.least_yardstick_s)) {
+  } else if (!load.empty() && std::isnan(read.table.log_slowness)) {
     read.commit.untimed = fmt::format("a busy machine (load {})", one_line(load));
   }
   return read;
@@ -228,16 +228,16 @@ History read_history(const std::string& folder, const HistoryRule& rule) {
   History history;
   history.rule = rule;
   OpenLines lines;
-  std::map<std::size_t, std::vector<double>> yardsticks;  // by environment
+  std::map<std::size_t, std::vector<double>> slownesses;  // by environment
   for (ReadResults& one : read) {
     one.commit.environment = place_of(one.environment, history.environments);
-    if (!std::isfinite(one.table.least_yardstick_s)) continue;
-    yardsticks[one.commit.environment].push_back(one.table.least_yardstick_s);
+    if (std::isnan(one.table.log_slowness)) continue;
+    slownesses[one.commit.environment].push_back(one.table.log_slowness);
   }
   for (ReadResults& one : read) {
-    if (std::isfinite(one.table.least_yardstick_s)) {
+    if (!std::isnan(one.table.log_slowness)) {
       one.commit.slowness =
-          one.table.least_yardstick_s / median(yardsticks[one.commit.environment]);
+          std::exp(one.table.log_slowness - median(slownesses[one.commit.environment]));
     }
     add_values(history.results.size(), one.commit, one.table, lines);
     one.table.cells.clear();

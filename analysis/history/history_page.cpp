@@ -171,8 +171,8 @@ constexpr std::size_t kMostChanges = 1000;
 constexpr std::size_t kMostCells = 5000;
 
 constexpr const char* kMethods = R"html(<section id=methods><h2>Methods</h2>
-<p><b>Values.</b> Time: of every graph the smallest among the repetitions (of the timing phase where there is one), the geometric mean
-over the graphs of the cell. Instructions: counted by callgrind (<code>ar3d study count</code>), geometric mean. Volume: lattice points of the box,
+<p><b>Values.</b> Time: of every graph the median of the repetitions (of the timing phase where there is one, in units of the yardsticks near
+each), the geometric mean over the graphs of the cell, divided by how slow the machine was. Instructions: counted by callgrind (<code>ar3d study count</code>), geometric mean. Volume: lattice points of the box,
 geometric mean. Bends: per edge. A cell with an unfinished row has no values in those results. Cells hold the same graphs throughout.</p>
 <p><b>Lines.</b> Results of one study measured in one environment (processor, cores, kernel, compiler, flags, libraries, threads, variables). Unlike
 environments are never joined. Times of a busy machine and of debug or sanitised builds are left out.</p>

@@ -7,8 +7,11 @@ namespace {
 
 constexpr std::uint32_t kEdges = 3;  // that leave a vertex
 constexpr std::uint32_t kCached = 1U << 10, kMemory = 1U << 17;
-constexpr int kCachedSearches = 64, kSteps = 300000;
-constexpr double kPauses = 33;  // as long between two measurements as one takes: 3 %
+// As short as a small drawing: what lasts longer never fits between two disturbances, so the
+// smallest of many would tell of another state of the machine than those of the drawings.
+constexpr int kCachedSearches = 8, kSteps = 15000;
+// As long between two measurements as one takes: together 3 % of the time.
+constexpr double kShortPauses = 50, kMemoryPauses = 100;
 
 std::vector<std::uint32_t> random_heads(std::uint32_t vertices) {
   RandomStream random(1, vertices);
@@ -56,13 +59,19 @@ void Yardsticks::search(const Heads& heads) {
 }
 
 const std::array<double, 3>& Yardsticks::now_s() {
-  if (since_.cpu_s() < pause_s_) return last_s_;
-  last_s_ = {cpu_time_of([&] {
-               for (int i = 0; i < kCachedSearches; ++i) search(cached_);
-             }),
-             cpu_time_of([&] { search(memory_); }), cpu_time_of(count_steps)};
-  pause_s_ = kPauses * (last_s_[0] + last_s_[1] + last_s_[2]);
-  since_ = CpuStopwatch();
+  const double now = clock_.cpu_s();
+  if (now >= next_short_s_) {
+    search(cached_);  // into the cache
+    last_s_[0] = cpu_time_of([&] {
+      for (int i = 0; i < kCachedSearches; ++i) search(cached_);
+    });
+    last_s_[2] = cpu_time_of(count_steps);
+    next_short_s_ = now + kShortPauses * (clock_.cpu_s() - now);
+  }
+  if (now >= next_memory_s_) {
+    last_s_[1] = cpu_time_of([&] { search(memory_); });
+    next_memory_s_ = now + kMemoryPauses * last_s_[1];
+  }
   return last_s_;
 }
 

@@ -14,8 +14,9 @@ namespace ar3d {
 class Yardsticks {
  public:
   Yardsticks();
-  /// CPU times in seconds. Measured anew (3 ms) if the thread has computed 33 times as long since
-  /// the last time, else those of then.
+  /// CPU times in seconds. Measured anew if the thread has computed long enough since the last
+  /// time, else those of then: the two short ones (25 us each) every 3 ms, that of memory (2 ms)
+  /// every 200 ms.
   const std::array<double, 3>& now_s();
 
  private:
@@ -26,8 +27,8 @@ class Yardsticks {
   std::vector<std::uint32_t> queue_;
   std::vector<bool> seen_;
   std::array<double, 3> last_s_{};
-  CpuStopwatch since_;
-  double pause_s_ = 0;  ///< CPU time until they are measured anew
+  CpuStopwatch clock_;
+  double next_short_s_ = 0, next_memory_s_ = 0;  ///< on `clock_`
 
   void search(const Heads& heads);
 };

@@ -21,13 +21,15 @@
 
 namespace ar3d {
 double halves_difference(std::span<const double> values) {
-  const auto smallest = [](std::span<const double> half) {
-    return half.empty() ? 0 : *std::min_element(half.begin(), half.end());
+  if (values.size() < 2) return std::numeric_limits<double>::infinity();
+  const auto median = [](std::span<const double> half) {
+    std::vector<double> sorted(half.begin(), half.end());
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    return *middle;
   };
-  const double first = smallest(values.first(values.size() / 2));
-  const double second = smallest(values.subspan(values.size() / 2));
-  if (!(first > 0 && second > 0)) return std::numeric_limits<double>::infinity();
-  return std::abs(std::log(first / second));
+  return std::abs(median(values.first(values.size() / 2)) -
+                  median(values.subspan(values.size() / 2)));
 }
 
 namespace {
@@ -98,12 +100,12 @@ struct TimedDrawing {
   std::size_t place = 0;
   std::shared_ptr<const PlannedInstance> instance;
   std::deque<const PlannedRun*> left;  // rows not made yet, by repetition
-  std::vector<double> times_s;
-  double precision = 0.01;  // where the study asks for none
+  std::vector<double> times;           // log_corrected_time()
+  double precision = 0.01;             // where the study asks for none
   std::optional<RunRecord> certified;
 
   bool has_optional() const { return !left.empty() && left.front()->optional; }
-  bool is_stable() const { return halves_difference(times_s) <= precision; }
+  bool is_stable() const { return halves_difference(times) <= precision; }
 };
 
 class TimingSource final : public RowSource {
@@ -142,9 +144,9 @@ class TimingSource final : public RowSource {
     const std::lock_guard<std::mutex> lock(mutex_);
     const std::size_t place = in_hand_.at(job.run);
     in_hand_.erase(job.run);
-    const bool has_yardsticks = row.yardsticks_s[0] > 0;
-    if (has_yardsticks && known_yardsticks_.insert(row.yardsticks_s).second) {
-      for (const double one_s : row.yardsticks_s) yardsticks_s_ += one_s;
+    for (std::size_t i = 0; i < row.yardsticks_s.size(); ++i) {
+      const double one_s = row.yardsticks_s[i];
+      if (one_s > 0 && known_yardsticks_[i].insert(one_s).second) yardsticks_s_ += one_s;
     }
     TimedDrawing& drawing = drawings_[place];
     if (drawing.certified) {
@@ -157,14 +159,14 @@ class TimingSource final : public RowSource {
       fail_all(drawing, row);
       return;
     }
-    drawing.times_s.push_back(drawing_time_s(row));
+    drawing.times.push_back(log_corrected_time(row));
   }
 
   std::vector<EnvironmentEntry> ending() const override {
     std::size_t rounds = 0, stable = 0;
     bool has_more = false;
     for (const TimedDrawing& drawing : drawings_) {
-      rounds = std::max(rounds, drawing.times_s.size());
+      rounds = std::max(rounds, drawing.times.size());
       stable += drawing.is_stable();
       has_more = has_more || !drawing.left.empty();
     }
@@ -196,7 +198,7 @@ class TimingSource final : public RowSource {
       if (session().wants(run)) {
         drawings_.back().left.push_back(&run);
       } else if (const RunRecord known = session().known(run); is_drawn(known)) {
-        drawings_.back().times_s.push_back(drawing_time_s(known));
+        drawings_.back().times.push_back(log_corrected_time(known));
       }
     }
   }
@@ -228,7 +230,7 @@ class TimingSource final : public RowSource {
 
   const TimingRules& rules_;
   const Stopwatch time_;
-  std::set<std::array<double, 3>> known_yardsticks_;
+  std::array<std::set<double>, 3> known_yardsticks_;
   double yardsticks_s_ = 0;  // that they took
   std::mutex mutex_;
   std::vector<TimedDrawing> drawings_;

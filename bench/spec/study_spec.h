@@ -21,7 +21,7 @@
 namespace ar3d {
 
 /// Rounds of the timing phase, each with one repetition of a drawing: between `least` and `most`,
-/// until the smallest times are stable within the precision (timing_source); exactly `most` if it
+/// until times are stable within the precision (timing_source); exactly `most` if it
 /// is 0.
 struct TimedRepetitions {
   std::uint32_t least = 0;

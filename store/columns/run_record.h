@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -130,6 +131,19 @@ struct RunRecord {
 /// the wall time by taking turns with it; wall time where the CPU time is missing.
 inline double drawing_time_s(const RunRecord& run) {
   return run.cpu_s > 0 ? run.cpu_s : run.wall_s;
+}
+
+/// How slow the machine was near the row: the mean of the logarithms of the two yardsticks that are
+/// as short as a small drawing (that of memory is too rare and noisy); NaN if they are missing.
+inline double log_slowness(const RunRecord& run) {
+  const double product = run.yardsticks_s[0] * run.yardsticks_s[2];
+  return product > 0 ? std::log(product) / 2 : kMissing;
+}
+
+/// The logarithm of the drawing time in units of those yardsticks, or in seconds without them.
+inline double log_corrected_time(const RunRecord& run) {
+  const double slowness = log_slowness(run);
+  return std::log(drawing_time_s(run)) - (std::isnan(slowness) ? 0 : slowness);
 }
 
 }  // namespace ar3d

@@ -18,22 +18,27 @@ enum class Machine { quiet, disturbed, slow };
 
 /// 3 algorithms x 8 families x 3 graphs, in rounds. A time is its true value times exp(|1 %
 /// normal|) noise, one in ten hit by a burst (1 + a Pareto number from 0.1); a cell has its place
-/// in memory (normal 0.5 %); a spell multiplies all by one factor of 1.1 to 1.3, which an algorithm
-/// feels differently (normal 3 %), and yardsticks likewise.
+/// in memory (normal 0.5 %). Of spells one half slow the clock, and all that runs by it, by one
+/// factor of 1 to 1.1. The others are neighbours in the caches: a factor of 1.1 to 1.3 for all but
+/// arithmetic, which an algorithm and the yardsticks feel differently (normal 1 %), and a cell too
+/// (normal 1.5 %).
 Results file_of(Machine machine, std::uint64_t number, double slowdown) {
   RandomStream random(31, number);
   Results results;
   results.study_id = "simulated";
   std::array<std::array<double, kRounds>, 4> state{};  // of the algorithms and the yardsticks
+  std::array<double, kRounds> clock{};
   for (std::size_t round = 0; round < kRounds;) {
     const bool is_slow =
         machine == Machine::slow || (machine == Machine::disturbed && random.chance(1, 2));
-    const double factor = is_slow ? std::log(1.1 + 0.2 * random.unit()) : 0;
+    const bool is_clock = is_slow && random.chance(1, 2);
+    const double factor = std::log((is_clock ? 1 : 1.1) + (is_clock ? 0.1 : 0.2) * random.unit());
     const std::size_t end = machine == Machine::slow ? kRounds : round + 1 + random.below(6);
     std::array<double, 4> felt{};
-    for (double& of : felt) of = is_slow ? factor + 0.01 * normal(random) : 0;
+    for (double& of : felt) of = is_slow && !is_clock ? factor + 0.01 * normal(random) : 0;
     for (; round < std::min(end, kRounds); ++round) {
       for (std::size_t of = 0; of < 4; ++of) state[of][round] = felt[of];
+      clock[round] = is_clock ? factor : 0;
     }
   }
   for (std::size_t algorithm = 0; algorithm < 3; ++algorithm) {
@@ -51,10 +56,11 @@ Results file_of(Machine machine, std::uint64_t number, double slowdown) {
           const double burst = random.chance(1, 10) ? std::log1p(0.1 / (1 - random.unit())) : 0;
           const double slowness = state[algorithm][round];
           const double felt = slowness > 0 ? slowness + feeling : 0;
-          row.cpu_s =
-              true_s * std::exp(planted + place + felt + burst + std::abs(0.01 * normal(random)));
-          for (double& yardstick_s : row.yardsticks_s) {
-            yardstick_s = std::exp(state[3][round] + std::abs(0.02 * normal(random)));
+          row.cpu_s = true_s * std::exp(planted + place + felt + clock[round] + burst +
+                                        std::abs(0.01 * normal(random)));
+          for (std::size_t i = 0; i < row.yardsticks_s.size(); ++i) {
+            row.yardsticks_s[i] = std::exp((i < 2 ? state[3][round] : 0) + clock[round] +
+                                           std::abs(0.02 * normal(random)));
           }
           results.runs.push_back(row);
         }
@@ -133,7 +139,8 @@ TEST(FileTimes, ASlowedAlgorithmIsFoundOnAQuietMachineAndPassesNowhere) {
 TEST(FileTimes, OneRoundMovesNoCell) {
   const auto change = [](double spread) {
     std::vector<CellTimes> cells;
-    for (int i = 0; i < 24; ++i) cells.push_back({"s" + std::to_string(i % 3), 60, 0, 0.002, {}});
+    for (int i = 0; i < 24; ++i)
+      cells.push_back({"s" + std::to_string(i % 3), 60, 0, 0.002, {}, 3});
     cells[4].ratio = -0.22;
     cells[4].spread = spread;
     return judge_file_times(cells, {}, {}, {}).cells[4];

@@ -100,4 +100,29 @@ inline std::vector<std::int64_t> doubling(std::int64_t first, std::size_t count)
   return sizes;
 }
 
+/// 3 algorithms x 10 families x 10 sizes with `repetitions` each: 300 cells.
+inline Results results_of(std::int64_t repetitions, std::uint64_t noise_seed) {
+  Results results;
+  results.study_id = "synthetic";
+  results.environment = {{"cpu", "A", 0},
+                         {"cores", "2", 0},
+                         {"flags", "-O3", 0},
+                         {"started", std::to_string(noise_seed), 0},
+                         {"source_hash", std::to_string(noise_seed), 0}};
+  RandomStream random(noise_seed);
+  for (const char* algorithm : {"diamond", "grid", "two-bend"}) {
+    for (int family = 0; family < 10; ++family) {
+      for (int size = 0; size < 10; ++size) {
+        for (std::int64_t repetition = 0; repetition < repetitions; ++repetition) {
+          RunRecord run =
+              good_run(algorithm, "family" + std::to_string(family), 16 << size, 0, repetition);
+          run.wall_s *= std::exp(0.02 * normal(random));
+          results.runs.push_back(run);
+        }
+      }
+    }
+  }
+  return results;
+}
+
 }  // namespace ar3d::testing
