@@ -95,7 +95,8 @@ CellTimes cell_times(const PairedCell& cell) {
   });
   for (const PairedRow& row : rows) {
     auto& graph = graphs[{row.base->requested_n, row.base->instance_index, row.base->seed}];
-    for (const auto& [side, run] : {std::pair{0, row.base}, std::pair{1, row.now}}) {
+    for (const auto& [side, run] :
+         {std::pair{std::size_t{0}, row.base}, std::pair{std::size_t{1}, row.now}}) {
       graph[side].emplace_back(run->repetition, is_corrected ? log_corrected_time(*run)
                                                              : std::log(drawing_time_s(*run)));
     }
@@ -251,12 +252,14 @@ std::string times_sentence(const FileTimes& times) {
   } else if (std::abs(times.machine) > kAsFast) {
     text = "NEW ran on a machine of another speed, which yardsticks account for";
   }
+  const bool has_yardsticks = !std::isnan(times.yardsticks[0]);
+  if (!has_yardsticks) text = "Without yardsticks in both, how fast the machine was is not known";
   text += ": its times are (NEW over BASE)";
-  for (std::size_t i = 0; i < kYardsticks.size(); ++i) {
+  for (std::size_t i = 0; has_yardsticks && i < kYardsticks.size(); ++i) {
     text += fmt::format("{} {} {}", i == 0 ? "" : ",", kYardsticks[i], factor(times.yardsticks[i]));
   }
-  text += fmt::format(" for the yardsticks and{} {} for all settings together.",
-                      std::isnan(times.yardsticks[0]) ? "" : ", in units of theirs,",
+  text += fmt::format("{} {} for all settings together.",
+                      has_yardsticks ? " for the yardsticks and, in units of theirs," : "",
                       factor(times.common));
   std::string moved;
   for (const SettingTimes& setting : times.settings) {

@@ -178,7 +178,7 @@ Tally judge_all(const Algorithm& algorithm, int bits, Damage kind, std::uint64_t
 }
 
 std::vector<std::string> head(std::vector<std::string> first) {
-  for (const JudgingMode& mode : modes()) first.push_back("`" + to_string(mode) + "`");
+  for (const JudgingMode& mode : modes()) first.push_back(fmt::format("`{}`", to_string(mode)));
   return first;
 }
 
