@@ -175,7 +175,7 @@ constexpr const char* kMethods = R"html(<section id=methods><h2>Methods</h2>
 each), the geometric mean over the graphs of the cell, divided by how slow the machine was. Instructions: counted by callgrind (<code>ar3d study count</code>), geometric mean. Volume: lattice points of the box,
 geometric mean. Bends: per edge. A cell with an unfinished row has no values in those results. Cells hold the same graphs throughout.</p>
 <p><b>Lines.</b> Results of one study measured in one environment (processor, cores, kernel, compiler, flags, libraries, threads, variables). Unlike
-environments are never joined. Times of a busy machine and of debug or sanitised builds are left out.</p>
+environments are never joined. Times of a debug or sanitised build, or of a busy machine without yardsticks, are left out.</p>
 <p><b>Changes of time.</b> The logarithms are winsorised at three robust standard deviations. Over the intervals of seeded binary segmentation (Kovács,
 Bühlmann, Li and Munk, Biometrika 110, 2023) the split with the largest difference of means, weighted by its lengths, is a change if none of 999
 random permutations of the values has one as large; then both sides are searched (hierarchical divisive estimation with a
