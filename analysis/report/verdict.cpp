@@ -209,13 +209,16 @@ std::string findings_list(Page& page) {
 /// "0.98–1.02" over the families' decided exponents of one quantity.
 std::string exponent_range(const Section& section, Quantity quantity) {
   double low = kMissing, high = kMissing;
+  std::string undecided = "–";
   for (const SectionCurve& curve : section.curves) {
     const ScalingEntry* entry = curve.scaling[static_cast<std::size_t>(quantity)];
-    if (entry == nullptr || !entry->decided) continue;
+    if (entry == nullptr) continue;
+    undecided = entry->reason == kUntimed ? "not timed" : "undecided";
+    if (!entry->decided) continue;
     low = std::fmin(low, entry->power.exponent);
     high = std::fmax(high, entry->power.exponent);
   }
-  if (std::isnan(low)) return "undecided";
+  if (std::isnan(low)) return undecided;
   const std::string first = fmt::format("{:.2f}", low), last = fmt::format("{:.2f}", high);
   return first == last ? first : first + " – " + last;
 }

@@ -107,6 +107,7 @@ TEST(Report, ProgramsHaveNoTheorem) {
 TEST(Report, UntimedDrawingsAreCalledUntimed) {
   const std::string html = report_of(good_results({"diamond"}, {"cubic"}, 3, 2));
   EXPECT_THAT(html, HasSubstr("not timed <small><code>timed_repetitions</code>"));
+  EXPECT_THAT(html, HasSubstr("<td class=num>not timed</td></tr>")) << "in the first table";
   EXPECT_THAT(html, Not(HasSubstr("no finished size")));
 }
 
