@@ -26,6 +26,9 @@ struct ItemStretch {
 };
 
 struct ItemLane {
+  ItemLane(LaneBlocks<Vertex>& vertices, LaneBlocks<EdgeId>& edges)
+      : vertex(vertices), edge(edges) {}
+
   Vertex at = 0;
   std::uint32_t stretch = 0;
   LaneBuffer<Vertex> vertex;
@@ -35,12 +38,21 @@ struct ItemLane {
     vertex.put(at);
     edge.put(left_by);
   }
+  void drop() {
+    vertex.drop();
+    edge.drop();
+  }
 };
 
 class ItemWalks {
  public:
   ItemWalks(const std::vector<HalfEdge>& next, const WalkSizes& sizes)
-      : next_(next), sizes_(sizes), lanes_(sizes.lanes), at_cut_(next.size() / sizes.stride + 1) {
+      : next_(next),
+        sizes_(sizes),
+        vertices_(next.size(), sizes.lanes),
+        edges_(next.size(), sizes.lanes),
+        lanes_(sizes.lanes, ItemLane(vertices_, edges_)),
+        at_cut_(next.size() / sizes.stride + 1) {
     expect(std::has_single_bit(sizes.stride), "the stride is a power of two");
     std::size_t ends = 0;
     for (const HalfEdge& half : next) ends += half.to == kNone;
@@ -51,8 +63,6 @@ class ItemWalks {
       }
     }
     stretches_.reserve(ends + at_cut_.size());
-    vertices_.reserve(next.size());
-    edges_.reserve(next.size());
     reserve_long(items_.vertex, next.size());
     reserve_long(items_.edge, next.size());
     items_.begin.reserve(ends + 1);
@@ -113,6 +123,8 @@ class ItemWalks {
         if (half.to == stretch.start) {
           walks.end_stretch(lane, kNone);
           walks.mark_placed(stretch);
+        } else {
+          lane.drop();
         }
         return false;
       }
@@ -146,20 +158,17 @@ class ItemWalks {
     ItemLane& lane = lanes_[number];
     lane.at = v;
     lane.stretch = static_cast<std::uint32_t>(stretches_.size());
-    lane.vertex.clear();
-    lane.edge.clear();
+    lane.vertex.begin();
+    lane.edge.begin();
     stretches_.emplace_back().start = v;
   }
 
-  /// All stretches together have every vertex once at most, so what is kept stays where it is.
   void end_stretch(const ItemLane& lane, Vertex then) {
     ItemStretch& stretch = stretches_[lane.stretch];
-    stretch.vertex = vertices_.data() + vertices_.size();
-    stretch.edge = edges_.data() + edges_.size();
+    stretch.vertex = lane.vertex.data();
+    stretch.edge = lane.edge.data();
     stretch.size = static_cast<std::uint32_t>(lane.vertex.size());
     stretch.then = then;
-    lane.vertex.append_to(vertices_);
-    lane.edge.append_to(edges_);
   }
 
   void place(const ItemStretch& stretch, std::uint32_t from, std::uint32_t to) {
@@ -278,9 +287,9 @@ class ItemWalks {
   const WalkSizes sizes_;
   std::optional<TwoBitMarks> follows_;  ///< vertices with a predecessor; nothing: all
   std::optional<TwoBitMarks> placed_;
+  LaneBlocks<Vertex> vertices_;
+  LaneBlocks<EdgeId> edges_;
   std::vector<ItemLane> lanes_;
-  UnwrittenVector<Vertex> vertices_;    ///< of the stretches that have ended
-  UnwrittenVector<EdgeId> edges_;       ///< likewise
   std::vector<std::uint32_t> at_cut_;   ///< the stretch that starts there
   std::vector<ItemStretch> stretches_;  ///< in ascending order of their starts
   Items items_;

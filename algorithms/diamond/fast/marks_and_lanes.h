@@ -4,6 +4,8 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <list>
+#include <mutex>
 #include <vector>
 
 #include "ar3d/algorithms/diamond/fast/fast.h"
@@ -70,39 +72,65 @@ class TwoBitMarks {
   bool shared_;
 };
 
-/// What the stretch of a lane keeps.
+/// Memory for the lanes of all threads, in few long arrays.
+template <class T>
+class LaneBlocks {
+ public:
+  /// A lane takes at least so many values: an odd number of cache lines, since lanes that write at
+  /// the same time shall not meet in one set of the cache.
+  static constexpr std::size_t kBlock = (std::size_t{1} << 12) + 320 / sizeof(T);
+
+  /// @param kept  values that the lanes will keep together.
+  LaneBlocks(std::size_t kept, std::size_t lanes) : expected_(kept + lanes * kBlock) {}
+
+  T* take(std::size_t count) {
+    const std::scoped_lock lock(mutex_);
+    if (arrays_.empty() || arrays_.back().size() - taken_ < count) {
+      arrays_.emplace_back(std::max(count, arrays_.empty() ? expected_ : expected_ / 8));
+      taken_ = 0;
+    }
+    taken_ += count;
+    return arrays_.back().data() + taken_ - count;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::list<UnwrittenVector<T>> arrays_;
+  std::size_t taken_ = 0;  ///< of the last one
+  std::size_t expected_;
+};
+
+/// What the stretches of a lane keep, each in one piece that stays where it is.
 template <class T>
 class LaneBuffer {
  public:
-  LaneBuffer() = default;
-  LaneBuffer(const LaneBuffer&) = delete;
-  LaneBuffer& operator=(const LaneBuffer&) = delete;
-
-  void clear() { next_ = values_.data(); }
+  explicit LaneBuffer(LaneBlocks<T>& blocks) : blocks_(&blocks) {}
+  /// Begins a stretch behind the last one.
+  void begin() { begin_ = next_; }
+  /// Forgets what the stretch has kept.
+  void drop() { next_ = begin_; }
   /// Writes the value, and keeps it if `kept` is 1, not 0.
   void put(T value, std::size_t kept = 1) {
     if (next_ == end_) make_room();
     *next_ = value;
     next_ += kept;
   }
-  const T* data() const { return values_.data(); }
-  std::size_t size() const { return static_cast<std::size_t>(next_ - values_.data()); }
-  void append_to(UnwrittenVector<T>& list) const {
-    list.resize(list.size() + size());
-    std::copy_n(data(), size(), list.end() - static_cast<std::ptrdiff_t>(size()));
-  }
+  const T* data() const { return begin_; }
+  std::size_t size() const { return static_cast<std::size_t>(next_ - begin_); }
 
  private:
   [[gnu::noinline]] void make_room() {
-    const std::size_t kept = size();
-    values_.resize(2 * kept);
-    next_ = values_.data() + kept;
-    end_ = values_.data() + values_.size();
+    const std::size_t kept = size(), room = std::max(LaneBlocks<T>::kBlock, 2 * kept);
+    T* const block = blocks_->take(room);
+    next_ = std::copy(begin_, next_, block);
+    begin_ = block;
+    end_ = block + room;
   }
 
-  std::vector<T> values_ = std::vector<T>(1024);
-  T* next_ = values_.data();
-  T* end_ = values_.data() + values_.size();
+  LaneBlocks<T>* blocks_;
+  T* begin_ = nullptr;
+  T* next_ = nullptr;
+  T* end_ = nullptr;
 };
 
 /// Walks many stretches of chains in turns.

@@ -57,7 +57,8 @@ class Trails {
         all_linked_(all_linked),
         sizes_(sizes),
         link_(link),
-        lanes_(std::size_t{sizes.lanes} * sizes.threads),
+        blocks_(2 * records.size(), std::size_t{sizes.lanes} * sizes.threads),
+        lanes_(std::size_t{sizes.lanes} * sizes.threads, TrailLane(blocks_)),
         ended_(all_linked ? 0 : 2 * records.size(), sizes.threads > 1),
         stretch_at_(4 * (records.size() / sizes.stride + 1), kNone) {
     expect(std::has_single_bit(sizes.stride), "the stride is a power of two");
@@ -81,6 +82,8 @@ class Trails {
   static constexpr std::size_t kPiecesAtATime = 16;
 
   struct TrailLane {
+    explicit TrailLane(LaneBlocks<PortNumber>& blocks) : kept(blocks) {}
+
     Vertex from = 0;
     Vertex to = 0;
     TrailStretch stretch;
@@ -121,7 +124,7 @@ class Trails {
   void begin_at(TrailLane& lane, PortNumber p) const {
     lane.stretch = TrailStretch{};
     lane.stretch.start = p;
-    lane.kept.clear();
+    lane.kept.begin();
     lane.to = vertex_of(p);
     go_on(lane, records_[lane.to][entry_of(p)]);
   }
@@ -139,7 +142,7 @@ class Trails {
     ++lane.stretch.size;
     return {at, kept, port(lane.to, entry), record[entry]};
   }
-  /// The stretch, complete but for its ends; what it keeps stays until the lane's next one begins.
+  /// The stretch, complete but for its ends.
   static TrailStretch& take(TrailLane& lane) {
     lane.stretch.kept = lane.kept.data();
     lane.stretch.num_kept = static_cast<std::uint32_t>(lane.kept.size());
@@ -155,6 +158,7 @@ class Trails {
   const bool all_linked_;
   const WalkSizes sizes_;
   const Link link_;
+  LaneBlocks<PortNumber> blocks_;
   std::vector<TrailLane> lanes_;
   TwoBitMarks ended_;  ///< ends from which no walk is needed, by end_key()
   std::vector<TrailStretch> stretches_;
@@ -226,10 +230,10 @@ struct Trails<Link>::CutWalker {
     if (!stretch.starts_at_cut && !stretch.ends_at_cut) {
       const bool backwards = stretch.end < stretch.start;
       write({&stretch, backwards, backwards ? (stretch.size - 1) & 1 : 0});
+      lane.kept.drop();
       return;
     }
     stretches.push_back(stretch);
-    lane.kept.append_to(kept);
     const auto mark = [&](PortNumber p) {
       trails.shared_stretch_at(p).store(kWalked, std::memory_order_relaxed);
     };
@@ -244,7 +248,6 @@ struct Trails<Link>::CutWalker {
   PortNumber at_cut;  ///< and for the next cut
   PortNumber end;
   std::vector<TrailStretch> stretches = {};
-  UnwrittenVector<PortNumber> kept = {};  ///< of these, one after the other
 };
 
 /// A stretch may have been walked from both of its ends at the same time: then its ports at cuts
@@ -257,16 +260,10 @@ void Trails<Link>::walk_cut(const Write& write) {
     const PortNumber begin = port(bound(t), 0);
     const PortNumber end = port(bound(t + 1), 0);
     walkers.push_back({*this, write, lanes_of(t), all_linked_ ? end : begin, begin, end});
-    walkers.back().kept.reserve(2 * records_.size() / sizes_.threads);
   }
   in_threads(sizes_.threads, [&](std::uint32_t t) { walk_in_lanes(walkers[t], sizes_.lanes); });
   for (const auto& walker : walkers) {
-    const PortNumber* kept = walker.kept.data();
-    for (const TrailStretch& stretch : walker.stretches) {
-      stretches_.push_back(stretch);
-      stretches_.back().kept = kept;
-      kept += stretch.num_kept;
-    }
+    stretches_.insert(stretches_.end(), walker.stretches.begin(), walker.stretches.end());
   }
   for (std::uint32_t number = 0; number < stretches_.size(); ++number) {
     const TrailStretch& stretch = stretches_[number];
@@ -357,10 +354,14 @@ struct Trails<Link>::UncutWalker {
     const ArrivalAndOnward arrival = trails.arrive(lane);
     TrailStretch& stretch = lane.stretch;
     const bool back = arrival.leaving == stretch.start;
-    if (!back && arrival.kept && Link::key(arrival.at) < Link::key(stretch.start)) return false;
+    if (!back && arrival.kept && Link::key(arrival.at) < Link::key(stretch.start)) {
+      lane.kept.drop();
+      return false;
+    }
     stretch.take_low(arrival.at, arrival.leaving, back ? 0 : stretch.size);
     if (back) {
       write({&take(lane), !stretch.low_leaves, stretch.low_edge & 1});
+      lane.kept.drop();
       return false;
     }
     trails.go_on(lane, arrival.onward);
