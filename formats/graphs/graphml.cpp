@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 #include <pugixml.hpp>
 #include <set>
 #include <string_view>
@@ -21,10 +22,11 @@
 namespace ar3d {
 namespace {
 
-/// The name of an element without the prefix of its namespace.
-std::string_view local_name(pugi::xml_node element) {
-  const std::string_view name = element.name();
-  return name.substr(name.rfind(':') + 1);
+/// Whether that is the name of the element, with or without the prefix of a namespace.
+bool is_named(pugi::xml_node element, const char* name) {
+  if (std::strcmp(element.name(), name) == 0) return true;
+  const char* const prefix = std::strrchr(element.name(), ':');
+  return prefix != nullptr && std::strcmp(prefix + 1, name) == 0;
 }
 
 class GraphmlParser final : public GraphParser {
@@ -49,9 +51,9 @@ class GraphmlParser final : public GraphParser {
         document_.load_buffer(text_.data(), text_.size(), kOptions);
     if (!parsed) fail_at(static_cast<std::size_t>(parsed.offset), parsed.description());
     for (const pugi::xml_node root : document_.children()) {
-      if (local_name(root) != "graphml") continue;
+      if (!is_named(root, "graphml")) continue;
       for (const pugi::xml_node child : root.children()) {
-        if (local_name(child) == "graph") graphs_.push_back(child);
+        if (is_named(child, "graph")) graphs_.push_back(child);
       }
     }
     if (graphs_.empty()) input_.fail(0, "no <graph> element inside a <graphml> element");
@@ -66,7 +68,7 @@ class GraphmlParser final : public GraphParser {
     }
     std::vector<std::string> names;
     for (const pugi::xml_node node : graph.children()) {
-      if (local_name(node) != "node") continue;
+      if (!is_named(node, "node")) continue;
       std::string& name = names.emplace_back(node.attribute("id").value());
       for (const pugi::xml_node data : node.children()) {
         const bool is_name = keys.contains(data.attribute("key").value());
@@ -85,7 +87,7 @@ class GraphmlParser final : public GraphParser {
     for (const pugi::xml_node element : graph.children()) read_node(element, ids);
     std::vector<Edge> edges;
     for (const pugi::xml_node element : graph.children()) {
-      if (local_name(element) == "edge") edges.push_back(read_edge(element, ids));
+      if (is_named(element, "edge")) edges.push_back(read_edge(element, ids));
     }
     if (options_.simplify) simplify(edges);
     try {
@@ -93,20 +95,22 @@ class GraphmlParser final : public GraphParser {
     } catch (const EdgeError& error) {
       std::uint64_t left = error.edge();
       for (const pugi::xml_node element : graph.children()) {
-        if (local_name(element) == "edge" && left-- == 0) fail(element, error.what());
+        if (is_named(element, "edge") && left-- == 0) fail(element, error.what());
       }
       throw;
     }
   }
 
   void read_node(pugi::xml_node element, NodeIds& ids) const {
-    const std::string_view name = local_name(element);
-    if (name == "hyperedge") fail(element, "hyperedges are not read");
-    if (name != "node" && name != "edge") return;
-    for (const pugi::xml_node inner : element.children()) {
-      if (local_name(inner) == "graph") fail(inner, "graphs inside nodes or edges are not read");
+    const bool is_edge = is_named(element, "edge");
+    if (!is_edge && !is_named(element, "node")) {
+      if (is_named(element, "hyperedge")) fail(element, "hyperedges are not read");
+      return;
     }
-    if (name == "edge") return;
+    for (const pugi::xml_node inner : element.children()) {
+      if (is_named(inner, "graph")) fail(inner, "graphs inside nodes or edges are not read");
+    }
+    if (is_edge) return;
     const pugi::xml_attribute id = element.attribute("id");
     if (!id) fail(element, "a node without an id");
     if (!ids.add(id.value())) {  // its text lies in the document

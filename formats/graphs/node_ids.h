@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -50,7 +51,9 @@ class NodeIds {
   /// k if the id is the prefix and k as it is usually written; so different ids have different
   /// ones.
   std::optional<std::uint64_t> number_of(std::string_view id) const {
-    if (!id.starts_with(prefix_)) return std::nullopt;
+    // Not starts_with(), which calls two functions: prefixes are short.
+    const auto end = std::mismatch(prefix_.begin(), prefix_.end(), id.begin(), id.end()).first;
+    if (end != prefix_.end()) return std::nullopt;
     id.remove_prefix(prefix_.size());
     if (id.empty() || id.size() > 10 || (id[0] == '0' && id.size() > 1)) return std::nullopt;
     std::uint64_t number = 0;
