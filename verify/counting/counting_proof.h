@@ -48,8 +48,8 @@ class CountingProof {
  private:
   static constexpr std::size_t kIds = 2 * SignedDirections::kMaxIndices;
 
-  /// What a thread has of the edges and vertices that it took.
-  struct Share {
+  /// What a thread has of the edges and vertices that it took, in cache lines of its own.
+  struct alignas(128) Share {
     bool possible = true;
     std::array<PlacedSegments, SignedDirections::kMaxIndices> segments;
     std::array<std::uint64_t, SignedDirections::kMaxIndices> numbers{};  ///< of segments
