@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <boost/container/static_vector.hpp>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -65,13 +66,13 @@ class NarrowPlacer {
     const JoinedVertex joined = joined_of(v);
     if (joined.has_arrival) lines_.flip_arrival(arrival_line(end));
     std::array<Piece, 4> pieces;
-    for (std::size_t i = 0; i < joined.count; ++i) {
+    for (std::size_t i = 0; i < joined.edges.size(); ++i) {
       const EdgeRoute route = route_of(joined.edges[i], end);
       pieces[i] = piece_of(route, route.words[variant_[joined.edges[i].edge]]);
       lines_.ask_for(pieces[i].line);
       lines_.ask_for_pieces(pieces[i].line);
     }
-    for (std::size_t i = 0; i < joined.count; ++i) lines_.erase(pieces[i]);
+    for (std::size_t i = 0; i < joined.edges.size(); ++i) lines_.erase(pieces[i]);
     taken_.flip(own);
     places_[v] = {};
   }
@@ -93,8 +94,7 @@ class NarrowPlacer {
   };
   /// A vertex and its placed neighbours.
   struct JoinedVertex {
-    std::array<JoinedEdge, 4> edges;
-    std::size_t count = 0;
+    boost::container::static_vector<JoinedEdge, 4> edges;
     bool has_arrival = false;
     CellChoice choice;
   };
@@ -163,17 +163,16 @@ class NarrowPlacer {
       const Place other = places_[edge.to];
       if (!other.is_set()) continue;
       const std::int32_t column = other.U / 4;
-      choice.neighbours[joined.count] = other;
+      choice.neighbours[choice.num_neighbours++] = other;
       choice.low = std::max(choice.low, column - size_.reach);
       choice.high = std::min(choice.high, column + size_.reach);
-      joined.edges[joined.count] = {end_at(other), edge.edge, is_red(role), is_out(role)};
+      joined.edges.push_back({end_at(other), edge.edge, is_red(role), is_out(role)});
       if (role == kGreenOut) choice.last_of_type_0 = column;
-      if (role == kGreenIn && joined.edges[joined.count].other.type == 0) {
+      if (role == kGreenIn && joined.edges.back().other.type == 0) {
         choice.low = std::max(choice.low, column + 1);
       } else if (role == kGreenIn) {
         choice.high = std::min(choice.high, column - 1);
       }
-      choice.num_neighbours = ++joined.count;
     }
     return joined;
   }
@@ -255,15 +254,15 @@ class NarrowPlacer {
   bool try_place(Vertex v, Place own, const JoinedVertex& joined) {
     const PlacedEnd end = end_at(own);
     std::array<EdgeRoute, 4> routes;
-    for (std::size_t i = 0; i < joined.count; ++i) {
+    for (std::size_t i = 0; i < joined.edges.size(); ++i) {
       routes[i] = route_of(joined.edges[i], end);
       lines_.ask_for(routes[i].line);
     }
     const std::uint64_t arrival = joined.has_arrival ? arrival_line(end) : 0;
     if (joined.has_arrival) lines_.ask_for(arrival);
-    for (std::size_t i = 0; i < joined.count; ++i) lines_.ask_for_pieces(routes[i].line);
+    for (std::size_t i = 0; i < joined.edges.size(); ++i) lines_.ask_for_pieces(routes[i].line);
     Plan plan;
-    for (std::size_t i = 0; i < joined.count; ++i) {
+    for (std::size_t i = 0; i < joined.edges.size(); ++i) {
       if (!plan_edge(routes[i], plan)) return false;
     }
     if (joined.has_arrival) {
@@ -272,7 +271,7 @@ class NarrowPlacer {
     }
     places_[v] = own;
     taken_.flip(own);
-    for (std::size_t i = 0; i < joined.count; ++i) {
+    for (std::size_t i = 0; i < joined.edges.size(); ++i) {
       lines_.insert(plan.pieces[i]);
       variant_[joined.edges[i].edge] = plan.variants[i];
     }
