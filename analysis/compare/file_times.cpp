@@ -254,7 +254,7 @@ std::string times_sentence(const FileTimes& times) {
   }
   const bool has_yardsticks = !std::isnan(times.yardsticks[0]);
   if (!has_yardsticks) text = "Without yardsticks in both, how fast the machine was is not known";
-  text += ": its times are (NEW over BASE)";
+  text += fmt::format(": {}times are (NEW over BASE)", has_yardsticks ? "its " : "");
   for (std::size_t i = 0; has_yardsticks && i < kYardsticks.size(); ++i) {
     text += fmt::format("{} {} {}", i == 0 ? "" : ",", kYardsticks[i], factor(times.yardsticks[i]));
   }
