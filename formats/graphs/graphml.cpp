@@ -84,33 +84,35 @@ class GraphmlParser final : public GraphParser {
       fail(graph, fmt::format("edgedefault is {}: only undirected graphs are read", shown(kind)));
     }
     NodeIds ids;
-    for (const pugi::xml_node element : graph.children()) read_node(element, ids);
-    std::vector<Edge> edges;
+    std::vector<pugi::xml_node> edge_elements;  // their ends may stand behind them
     for (const pugi::xml_node element : graph.children()) {
-      if (is_named(element, "edge")) edges.push_back(read_edge(element, ids));
+      if (is_named(element, "edge")) {
+        refuse_graphs_inside(element);
+        edge_elements.push_back(element);
+      } else if (is_named(element, "node")) {
+        read_node(element, ids);
+      } else if (is_named(element, "hyperedge")) {
+        fail(element, "hyperedges are not read");
+      }
     }
+    std::vector<Edge> edges;
+    for (const pugi::xml_node element : edge_elements) edges.push_back(read_edge(element, ids));
     if (options_.simplify) simplify(edges);
     try {
       return Graph(ids.size(), std::move(edges));
     } catch (const EdgeError& error) {
-      std::uint64_t left = error.edge();
-      for (const pugi::xml_node element : graph.children()) {
-        if (is_named(element, "edge") && left-- == 0) fail(element, error.what());
-      }
-      throw;
+      fail(edge_elements[error.edge()], error.what());
+    }
+  }
+
+  void refuse_graphs_inside(pugi::xml_node element) const {
+    for (const pugi::xml_node inner : element.children()) {
+      if (is_named(inner, "graph")) fail(inner, "graphs inside nodes or edges are not read");
     }
   }
 
   void read_node(pugi::xml_node element, NodeIds& ids) const {
-    const bool is_edge = is_named(element, "edge");
-    if (!is_edge && !is_named(element, "node")) {
-      if (is_named(element, "hyperedge")) fail(element, "hyperedges are not read");
-      return;
-    }
-    for (const pugi::xml_node inner : element.children()) {
-      if (is_named(inner, "graph")) fail(inner, "graphs inside nodes or edges are not read");
-    }
-    if (is_edge) return;
+    refuse_graphs_inside(element);
     const pugi::xml_attribute id = element.attribute("id");
     if (!id) fail(element, "a node without an id");
     if (!ids.add(id.value())) {  // its text lies in the document
