@@ -1,5 +1,6 @@
 (** What the theorems rest on: Coq's real numbers, and nothing else. A test reads what this prints. *)
-From Drawing Require Import Edges Complete Wrong.
+From Drawing Require Import Edges Complete Wrong OneBend OneBendNeeded.
 Print Assumptions check_iff.
 Print Assumptions edges_meet_in_vertices.
 Print Assumptions segments_differ.
+Print Assumptions K5_needs_two_bends.

@@ -64,18 +64,38 @@ let pick ids size =
   let s = min n size in
   Array.init s (fun i -> ids.(i * n / s))
 
-let make (d : drawing) : plan =
-  let place = Array.of_list d.vertices in
+(* The segments of a drawing, its vertices among them as segments of length zero, in native integers
+   without their lowest [shift] bits; and what the search for advice may still cost. *)
+type work = {
+  size : int;
+  shift : int;
+  x0 : int array; y0 : int array; z0 : int array;  (* where each segment begins *)
+  x1 : int array; y1 : int array; z1 : int array;  (* where it ends *)
+  direction : (int * int * int) array;
+  mutable budget : int;
+  mutable spent : int;
+}
+
+(* As many comparisons for each segment as the search may cost before it is done by directions. *)
+let budget_of_segment = 120
+
+let longest_coordinate (d : drawing) place =
   let bits = ref 0 in
   let see p = List.iter (fun z -> bits := max !bits (Integer.numbits z)) [ p.px; p.py; p.pz ] in
   Array.iter see place;
   List.iter (fun (e : edge) -> List.iter see e.bends) d.edges;
-  let shift = max 0 (!bits - 38) in
-  room := 1 lsl (57 - min 38 !bits);
+  !bits
+
+let work_of (d : drawing) =
+  let place = Array.of_list d.vertices in
+  let bits = longest_coordinate d place in
+  let shift = max 0 (bits - 38) in
+  room := 1 lsl (57 - min 38 bits);
   let int z = Integer.to_int (Integer.shift_right z shift) in
   let size = List.fold_left (fun s (e : edge) -> s + 1 + List.length e.bends) (Array.length place) d.edges in
-  let x0 = Array.make size 0 and y0 = Array.make size 0 and z0 = Array.make size 0 in
-  let x1 = Array.make size 0 and y1 = Array.make size 0 and z1 = Array.make size 0 in
+  let zeros () = Array.make size 0 in
+  let x0 = zeros () and y0 = zeros () and z0 = zeros () in
+  let x1 = zeros () and y1 = zeros () and z1 = zeros () in
   let at = ref 0 in
   let add p r =
     let i = !at in
@@ -89,154 +109,237 @@ let make (d : drawing) : plan =
       add (List.fold_left (fun a b -> add a b; b) (v e.tail) e.bends) (v e.head))
     d.edges;
   let direction = Array.init size (fun i -> primitive (x1.(i) - x0.(i), y1.(i) - y0.(i), z1.(i) - z0.(i))) in
-  let budget = ref (120 * size) and spent = ref 0 in
-  let spend k = spent := !spent + k; if !spent > !budget then raise Too_much in
-  let low_of (a, b, c) j =
-    min ((a * x0.(j)) + (b * y0.(j)) + (c * z0.(j))) ((a * x1.(j)) + (b * y1.(j)) + (c * z1.(j))) in
-  let high_of (a, b, c) j =
-    max ((a * x0.(j)) + (b * y0.(j)) + (c * z0.(j))) ((a * x1.(j)) + (b * y1.(j)) + (c * z1.(j))) in
-  let level (a, b, c) j = let (e, f, g) = direction.(j) in (a * e) + (b * f) + (c * g) = 0 in
-  (* the most frequent directions, each of at least one in twelve *)
-  let frequent ids =
-    let t = Hashtbl.create 64 and total = ref 0 in
-    Array.iter
-      (fun j ->
-        let k = direction.(j) in
-        if k <> nought then begin
-          incr total;
-          Hashtbl.replace t k (1 + try Hashtbl.find t k with Not_found -> 0)
-        end)
-      (pick ids 240);
-    let l = Hashtbl.fold (fun k n l -> if n * 12 >= !total && n > 1 then (n, k) :: l else l) t [] in
-    List.map snd (List.sort (fun a b -> compare b a) l) in
-  let normals l = usable (List.map (fun (a, b) -> cross a b) (twos l)) in
-  let lows = Array.make 80 0 and highs = Array.make 80 0 and places = Array.make 160 0 in
-  (* where to cut two lists at once (the same list for pairs of one): cost, normal, place *)
-  let best candidates a b =
-    let one = a == b in
-    let cost = ref infinity and what = ref ((1, 0, 0), 0) in
-    let search candidates samples quantiles of_ends =
-      let sa = pick a samples in
-      let sb = if one then [||] else pick b samples in
-      let na = Array.length sa and nb = Array.length sb in
-      let n = na + nb in
-      List.iter
-        (fun h ->
-          for i = 0 to n - 1 do
-            let j = if i < na then sa.(i) else sb.(i - na) in
-            let u = low_of h j and v = high_of h j in
-            lows.(i) <- u;
-            highs.(i) <- v;
-            if of_ends then (places.(2 * i) <- u - 1; places.((2 * i) + 1) <- v)
-            else places.(i) <- (u + v) asr 1
-          done;
-          let s = if of_ends then 2 * n else n in
-          sort places s;
-          List.iter
-            (fun k ->
-              let c = places.(k * (s - 1) / 16) in
-              let below from till = let k = ref 0 in for i = from to till do if lows.(i) <= c then incr k done; !k in
-              let above from till = let k = ref 0 in for i = from to till do if highs.(i) > c then incr k done; !k in
-              let la = below 0 (na - 1) and ha = above 0 (na - 1) in
-              let lb = if one then la else below na (n - 1) and hb = if one then ha else above na (n - 1) in
-              let x = float ((la * lb) + (ha * hb)) /. float (na * if one then na else nb) in
-              if x < !cost then (cost := x; what := (h, c)))
-            quantiles)
-        candidates in
-    let pairs = Array.length a * Array.length b in
-    search candidates 20 [ 6; 8; 10 ] false;
-    if !cost > 0.75 && pairs > 1500 then search candidates 40 [ 1; 3; 5; 7; 8; 9; 11; 13; 15 ] true;
-    if !cost > 0.6 && pairs > 20000 then begin
-      let some x = Array.to_list (Array.map (fun j -> direction.(j)) (pick x 7)) in
-      let d = List.sort_uniq compare (List.filter (fun d -> d <> nought) (some a @ some b)) in
-      let more = normals d @ usable (List.concat_map (fun d -> List.map (cross d) axes) d) in
-      search (List.sort_uniq compare more) 40 [ 2; 4; 6; 7; 8; 9; 10; 12; 14 ] false
-    end;
-    (!cost, !what) in
-  let point (a, b, c) m = { px = Integer.of_int (m * a); py = Integer.of_int (m * b); pz = Integer.of_int (m * c) } in
-  (* h . x = c + 1/2, times two *)
-  let cut (h, c) low high = Cut (point h 2, Integer.shift_left (Integer.of_int ((2 * c) + 1)) shift, low, high) in
-  let divide (h, c) ids = (part (fun j -> low_of h j <= c) ids, part (fun j -> high_of h j > c) ids) in
-  let rec halve candidates ids depth =
-    let n = Array.length ids in
-    spend n;
-    let all () = spend (n * n / 2); Together in
-    if n <= leaf || depth = 0 then all ()
-    else
-      let (cost, where) = best candidates ids ids in
-      if not (worth cost n (n * n / 2)) then all ()
-      else
-        let (a, b) = divide where ids in
-        let low = halve candidates a (depth - 1) in
-        cut where low (halve candidates b (depth - 1)) in
-  let rec halve2 candidates a b depth =
-    let n = Array.length a * Array.length b in
-    spend (Array.length a + Array.length b);
-    let all () = spend n; Together in
-    if n <= leaf * (Array.length a + Array.length b) / 2 || depth = 0 then all ()
-    else
-      let (cost, where) = best candidates a b in
-      if not (worth cost (Array.length a + Array.length b) n) then all ()
-      else
-        let (a1, a2) = divide where a and (b1, b2) = divide where b in
-        let low = halve2 candidates a1 b1 (depth - 1) in
-        cut where low (halve2 candidates a2 b2 (depth - 1)) in
-  let inside = function
-    | [] -> []
-    | [ d ] -> usable (d :: List.map (cross d) axes)
-    | l ->
-        let n = normals l in
-        let sums = List.concat_map (fun ((a, b, c), (d, e, f)) -> [ (a + d, b + e, c + f); (a - d, b - e, c - f) ]) (twos l) in
-        usable (n @ List.concat_map (fun h -> List.map (cross h) (l @ sums)) n) in
-  let candidates l rest = take 24 (List.sort_uniq compare (inside (take 2 l))) @ (if rest then generic else axes) in
-  let share l ids = (* of the segments in one of these directions *)
-    let s = pick ids 240 in
-    let k = Array.fold_left (fun k j -> if direction.(j) = nought || List.mem direction.(j) l then k + 1 else k) 0 s in
-    float k /. float (max 1 (Array.length s)) in
-  (* the plane that parts the list into the most even halves *)
-  let parting ids =
-    let askew d = cross d (3, 7, 11) in
-    let l = frequent ids in
-    let hs = usable (match l with
-      | [] -> []
-      | [ d ] -> if share l ids > 0.95 then [] else [ askew d ]
-      | l -> normals (take 7 l) @ List.map askew (take 7 l)) in
-    let s = pick ids 240 in
-    let n = Array.length s in
-    snd (List.fold_left
-           (fun (k, best) h ->
-             let m = Array.fold_left (fun k j -> if level h j then k + 1 else k) 0 s in
-             let m = min m (n - m) in
-             if m > k then (m, Some h) else (k, best))
-           (n / 20, None) hs) in
-  let apart h ids = (part (level h) ids, part (fun j -> not (level h j)) ids) in
-  let finish ids = let l = frequent ids in halve (candidates l (share l ids < 0.9)) ids 60 in
-  let finish2 a b =
-    let l = frequent a and m = frequent b in
-    let rest = share l a < 0.9 || share m b < 0.9 in
-    halve2 (candidates (List.sort_uniq compare (take 2 l @ take 2 m)) rest) a b 60 in
-  let rec single ids depth =
-    if Array.length ids <= 400 || depth = 0 then finish ids
-    else match parting ids with
-      | None -> finish ids
-      | Some h ->
-          let (a, b) = apart h ids in
-          Part (point h 1, single a (depth - 1), double a b 6, Together, single b (depth - 1))
-  and double a b depth =
-    if Array.length a * Array.length b <= 20000 || depth = 0 then finish2 a b
-    else
-      match (match parting a with Some h -> Some h | None -> parting b) with
-      | None -> finish2 a b
-      | Some h ->
-          let (a1, a2) = apart h a and (b1, b2) = apart h b in
-          Part (point h 1, double a1 b1 (depth - 1), double a1 b2 (depth - 1),
-                double a2 b1 (depth - 1), double a2 b2 (depth - 1)) in
-  let all = Array.init size (fun i -> i) in
-  (* the plain way first; if it costs too much, by directions *)
-  if size <= 200 then Together
+  { size; shift; x0; y0; z0; x1; y1; z1; direction; budget = budget_of_segment * size; spent = 0 }
+
+let spend work cost =
+  work.spent <- work.spent + cost;
+  if work.spent > work.budget then raise Too_much
+
+(* The least and the largest product of a normal with the points of segment j. *)
+let low_of w (a, b, c) j =
+  min ((a * w.x0.(j)) + (b * w.y0.(j)) + (c * w.z0.(j))) ((a * w.x1.(j)) + (b * w.y1.(j)) + (c * w.z1.(j)))
+let high_of w (a, b, c) j =
+  max ((a * w.x0.(j)) + (b * w.y0.(j)) + (c * w.z0.(j))) ((a * w.x1.(j)) + (b * w.y1.(j)) + (c * w.z1.(j)))
+
+(* Is segment j parallel to the planes of this normal? *)
+let level w (a, b, c) j =
+  let (e, f, g) = w.direction.(j) in
+  (a * e) + (b * f) + (c * g) = 0
+
+(* ---- Where to cut: normals are tried on a sample of the segments. *)
+
+let lows = Array.make 80 0
+let highs = Array.make 80 0
+let places = Array.make 160 0
+
+(* A sample of two lists of segments, the first of them [first] long; of pairs within one list, of that list. *)
+type sample = { ids : int array; first : int; one : bool }
+
+let sample_of a b size =
+  let one = a == b in
+  let of_a = pick a size in
+  { ids = Array.append of_a (if one then [||] else pick b size); first = Array.length of_a; one }
+
+(* Puts where the segments of a sample lie along a normal into lows and highs, and sorts the places for cuts: the
+   middles of the segments, or their ends. Returns how many places there are. *)
+let spread work normal sample of_ends =
+  let n = Array.length sample.ids in
+  for i = 0 to n - 1 do
+    let j = sample.ids.(i) in
+    let low = low_of work normal j and high = high_of work normal j in
+    lows.(i) <- low;
+    highs.(i) <- high;
+    if of_ends then (places.(2 * i) <- low - 1; places.((2 * i) + 1) <- high)
+    else places.(i) <- (low + high) asr 1
+  done;
+  let count = if of_ends then 2 * n else n in
+  sort places count;
+  count
+
+(* The share of pairs that stay together after a cut at this place. *)
+let share_together sample place =
+  let below from till = let k = ref 0 in for i = from to till do if lows.(i) <= place then incr k done; !k in
+  let above from till = let k = ref 0 in for i = from to till do if highs.(i) > place then incr k done; !k in
+  let first = sample.first and n = Array.length sample.ids in
+  let below_a = below 0 (first - 1) and above_a = above 0 (first - 1) in
+  let below_b = if sample.one then below_a else below first (n - 1) in
+  let above_b = if sample.one then above_a else above first (n - 1) in
+  let pairs = first * if sample.one then first else n - first in
+  float ((below_a * below_b) + (above_a * above_b)) /. float pairs
+
+(* The best of [found] = (cost, (normal, place)) and of cuts along these normals at these sixteenths. *)
+let search work sample sixteenths of_ends normals found =
+  List.fold_left
+    (fun found normal ->
+      let count = spread work normal sample of_ends in
+      List.fold_left
+        (fun (cost, cut) sixteenth ->
+          let place = places.(sixteenth * (count - 1) / 16) in
+          let share = share_together sample place in
+          if share < cost then (share, (normal, place)) else (cost, cut))
+        found sixteenths)
+    found normals
+
+let normals_of directions = usable (List.map (fun (a, b) -> cross a b) (twos directions))
+
+(* Normals of planes that hold directions of the segments themselves. *)
+let normals_between work a b =
+  let some ids = Array.to_list (Array.map (fun j -> work.direction.(j)) (pick ids 7)) in
+  let directions = List.sort_uniq compare (List.filter (fun d -> d <> nought) (some a @ some b)) in
+  let beside_axes = usable (List.concat_map (fun d -> List.map (cross d) axes) directions) in
+  List.sort_uniq compare (normals_of directions @ beside_axes)
+
+(* Where to cut two lists at once (the same list for pairs of one): (cost, (normal, place)). Many pairs are worth a
+   finer search if the first cut is a bad one. *)
+let best work candidates a b =
+  let pairs = Array.length a * Array.length b in
+  let found = search work (sample_of a b 20) [ 6; 8; 10 ] false candidates (infinity, ((1, 0, 0), 0)) in
+  let found =
+    if fst found > 0.75 && pairs > 1500 then
+      search work (sample_of a b 40) [ 1; 3; 5; 7; 8; 9; 11; 13; 15 ] true candidates found
+    else found in
+  if fst found > 0.6 && pairs > 20000 then
+    search work (sample_of a b 40) [ 2; 4; 6; 7; 8; 9; 10; 12; 14 ] false (normals_between work a b) found
+  else found
+
+(* ---- Halving space along normals. *)
+
+let point (a, b, c) m = { px = Integer.of_int (m * a); py = Integer.of_int (m * b); pz = Integer.of_int (m * c) }
+
+(* normal . x = place + 1/2, times two *)
+let cut work (normal, place) low high =
+  Cut (point normal 2, Integer.shift_left (Integer.of_int ((2 * place) + 1)) work.shift, low, high)
+
+let divide work (normal, place) ids =
+  (part (fun j -> low_of work normal j <= place) ids, part (fun j -> high_of work normal j > place) ids)
+
+let rec halve work candidates ids depth =
+  let n = Array.length ids in
+  spend work n;
+  let all () = spend work (n * n / 2); Together in
+  if n <= leaf || depth = 0 then all ()
   else
-    try halve generic all 60
-    with Too_much -> budget := max_int; single all 6
+    let (cost, where) = best work candidates ids ids in
+    if not (worth cost n (n * n / 2)) then all ()
+    else
+      let (below, above) = divide work where ids in
+      let low = halve work candidates below (depth - 1) in
+      cut work where low (halve work candidates above (depth - 1))
+
+(* The same for pairs of one segment of a and one of b. *)
+let rec halve_pairs work candidates a b depth =
+  let segments = Array.length a + Array.length b and pairs = Array.length a * Array.length b in
+  spend work segments;
+  let all () = spend work pairs; Together in
+  if pairs <= leaf * segments / 2 || depth = 0 then all ()
+  else
+    let (cost, where) = best work candidates a b in
+    if not (worth cost segments pairs) then all ()
+    else
+      let (below_a, above_a) = divide work where a and (below_b, above_b) = divide work where b in
+      let low = halve_pairs work candidates below_a below_b (depth - 1) in
+      cut work where low (halve_pairs work candidates above_a above_b (depth - 1))
+
+(* ---- By directions, where space alone does not part the segments. *)
+
+let direction_sample = 240
+let deepest_halving = 60
+
+(* The most frequent directions, each of at least one segment in twelve. *)
+let frequent work ids =
+  let times = Hashtbl.create 64 and total = ref 0 in
+  Array.iter
+    (fun j ->
+      let d = work.direction.(j) in
+      if d <> nought then begin
+        incr total;
+        Hashtbl.replace times d (1 + try Hashtbl.find times d with Not_found -> 0)
+      end)
+    (pick ids direction_sample);
+  let often = Hashtbl.fold (fun d n l -> if n * 12 >= !total && n > 1 then (n, d) :: l else l) times [] in
+  List.map snd (List.sort (fun a b -> compare b a) often)
+
+(* The share of the segments that run in one of these directions. *)
+let share work directions ids =
+  let sample = pick ids direction_sample in
+  let runs j = work.direction.(j) = nought || List.mem work.direction.(j) directions in
+  let count = Array.fold_left (fun k j -> if runs j then k + 1 else k) 0 sample in
+  float count /. float (max 1 (Array.length sample))
+
+(* Normals that part segments of these directions. *)
+let inside = function
+  | [] -> []
+  | [ d ] -> usable (d :: List.map (cross d) axes)
+  | directions ->
+      let normals = normals_of directions in
+      let both ((a, b, c), (d, e, f)) = [ (a + d, b + e, c + f); (a - d, b - e, c - f) ] in
+      let sums = List.concat_map both (twos directions) in
+      usable (normals @ List.concat_map (fun h -> List.map (cross h) (directions @ sums)) normals)
+
+let candidates directions rest =
+  take 24 (List.sort_uniq compare (inside (take 2 directions))) @ (if rest then generic else axes)
+
+let halve_by_directions work ids =
+  let l = frequent work ids in
+  halve work (candidates l (share work l ids < 0.9)) ids deepest_halving
+
+let halve_pairs_by_directions work a b =
+  let l = frequent work a and m = frequent work b in
+  let rest = share work l a < 0.9 || share work m b < 0.9 in
+  halve_pairs work (candidates (List.sort_uniq compare (take 2 l @ take 2 m)) rest) a b deepest_halving
+
+(* The normal whose planes part the list into the most even halves: segments in such planes, and the others. *)
+let parting work ids =
+  let askew d = cross d (3, 7, 11) in
+  let normals = usable (match frequent work ids with
+    | [] -> []
+    | [ d ] -> if share work [ d ] ids > 0.95 then [] else [ askew d ]
+    | l -> normals_of (take 7 l) @ List.map askew (take 7 l)) in
+  let sample = pick ids direction_sample in
+  let n = Array.length sample in
+  let evener (most, best) normal =
+    let count = Array.fold_left (fun k j -> if level work normal j then k + 1 else k) 0 sample in
+    let smaller = min count (n - count) in
+    if smaller > most then (smaller, Some normal) else (most, best) in
+  snd (List.fold_left evener (n / 20, None) normals)
+
+let apart work normal ids = (part (level work normal) ids, part (fun j -> not (level work normal j)) ids)
+
+let few_to_part = 400
+let few_pairs_to_part = 20000
+let deepest_parting = 6
+
+let rec part_one work ids depth =
+  match if Array.length ids <= few_to_part || depth = 0 then None else parting work ids with
+  | None -> halve_by_directions work ids
+  | Some normal ->
+      let (a, b) = apart work normal ids in
+      Part (point normal 1, part_one work a (depth - 1), part_pairs work a b deepest_parting,
+            Together, part_one work b (depth - 1))
+
+and part_pairs work a b depth =
+  let normal =
+    if Array.length a * Array.length b <= few_pairs_to_part || depth = 0 then None
+    else match parting work a with Some h -> Some h | None -> parting work b in
+  match normal with
+  | None -> halve_pairs_by_directions work a b
+  | Some h ->
+      let (a1, a2) = apart work h a and (b1, b2) = apart work h b in
+      Part (point h 1, part_pairs work a1 b1 (depth - 1), part_pairs work a1 b2 (depth - 1),
+            part_pairs work a2 b1 (depth - 1), part_pairs work a2 b2 (depth - 1))
+
+let few_segments = 200
+
+(* The plain way first; if it costs too much, by directions. *)
+let make (d : drawing) : plan =
+  let work = work_of d in
+  let all = Array.init work.size (fun i -> i) in
+  if work.size <= few_segments then Together
+  else
+    try halve work generic all deepest_halving
+    with Too_much ->
+      work.budget <- max_int;
+      part_one work all deepest_parting
 
 (* Nothing that fails here is a reason to refuse. *)
 let plan d = try make d with _ -> Together

@@ -47,7 +47,7 @@ let judge k ~pairs ~times drawing_line graph_line =
 
 let () =
   let arguments = List.tl (Array.to_list Sys.argv) in
-  if List.mem "--help" arguments then (print_endline usage; exit 0);
+  if arguments = [ "--help" ] then (print_endline usage; exit 0);
   let found, file = options arguments in
   let value name = List.assoc_opt name found in
   let k = try Promise.of_options value with Promise.Bad why -> stop 2 why in

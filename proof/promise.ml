@@ -1,5 +1,5 @@
-(* The promise from the words of a command line; trusted is [words], which writes it as words again:
-   a value counts only if it is written back as the same text. *)
+(* The promise from the words of a command line; trusted are [words], which writes it as words again,
+   and [same]: a promise counts only if its words are the options that were given, text for text. *)
 open Checker
 
 exception Bad of string
@@ -38,6 +38,17 @@ let words k =
      | Some b -> [ ("--box", String.concat "," (List.map size_word [ b.in_x; b.in_y; b.in_z ])) ])
 
 let line k = String.concat " " (List.map (fun (a, b) -> if b = "" then a else a ^ " " ^ b) (words k))
+
+let same value k =
+  let written = words k in
+  List.iter
+    (fun name ->
+      match value name, List.assoc_opt name written with
+      | Some given, Some text when given <> text -> bad (Printf.sprintf "%s '%s' is written '%s'" name given text)
+      | Some _, None -> bad (name ^ " is not in the promise that was read")
+      | None, Some _ -> bad (name ^ " was not given")
+      | _ -> ())
+    [ "--bends"; "--cosine"; "--exactly"; "--at-least"; "--gram"; "--directions"; "--plane"; "--box" ]
 
 (* The parser. *)
 
@@ -101,13 +112,7 @@ let of_options value =
   if Integer.sign most_bends < 0 then bad "--bends is not negative";
   let k = { most_bends; minus_p; q; equal; lengths; lengths_over; directions;
             in_plane = value "--plane" <> None; size } in
-  List.iter
-    (fun (name, written) ->
-      match value name with
-      | Some given when given = written -> ()
-      | Some given -> bad (Printf.sprintf "%s '%s' is written '%s'" name given written)
-      | None -> bad (name ^ " was not given"))
-    (words k);
+  same value k;
   if Integer.sign lengths_over <= 0 then bad "the denominator of --gram is positive";
   if not (sane k) then bad "no promise: cosines from -1 to 0, a positive definite matrix, sizes that grow";
   k

@@ -7,19 +7,24 @@ exception Bad of string
 
 let bad what = raise (Bad what)
 
-(* What a line says besides the drawing: its algorithm, and of a drawing in a real type the type and
-   the exponent of the unit 2^e. *)
-type label = { algorithm : string; real : (string * Integer.t) option }
+(* What a line says besides the drawing: its algorithm, of a drawing in a real type the type and the
+   exponent of the unit 2^e, and names of vertices, which nothing looks at. *)
+type label = { algorithm : string; real : (string * Integer.t) option; names : string list option }
 
 let cube = { xx = Integer.one; yy = Integer.one; zz = Integer.one;
              xy = Integer.zero; xz = Integer.zero; yz = Integer.zero }
 
-(* Printers: trusted. *)
+(* Printers: trusted. What two different readings would print alike they do not print. *)
 
 let print_drawing label d =
+  if label.real <> None && not (d.metric = cube && Integer.equal d.over Integer.one) then
+    bad "a drawing in a real type has the metric of the cube";
   let b = Buffer.create 65536 in
   let put = Buffer.add_string b in
   let int z = put (Integer.to_string z) in
+  let text s =
+    if String.exists (fun c -> c < ' ' || c = '"' || c = '\\') s then bad "a text with an escape";
+    put "\""; put s; put "\"" in
   let list f l =
     put "[";
     List.iteri (fun i a -> if i > 0 then put ","; f a) l;
@@ -28,17 +33,18 @@ let print_drawing label d =
   let point p = list coordinate [ p.px; p.py; p.pz ] in
   let g = d.metric in
   put "{\"n\":"; put (string_of_int (List.length d.vertices));
-  put ",\"algorithm\":\""; put label.algorithm; put "\"";
+  put ",\"algorithm\":"; text label.algorithm;
   (match label.real with
    | None ->
        put ",\"gram\":";
        list (list int) [ [ g.xx; g.xy; g.xz ]; [ g.xy; g.yy; g.yz ]; [ g.xz; g.yz; g.zz ] ];
        put ",\"gram_denominator\":"; int d.over
    | Some (name, exponent) ->
-       put ",\"real_type\":\""; put name; put "\",\"unit_exponent\":"; int exponent);
+       put ",\"real_type\":"; text name; put ",\"unit_exponent\":"; int exponent);
   put ",\"vertices\":"; list point d.vertices;
   put ",\"edges\":";
   list (fun e -> put "["; int e.tail; put ","; int e.head; put ","; list point e.bends; put "]") d.edges;
+  Option.iter (fun names -> put ",\"names\":"; list text names) label.names;
   put "}";
   Buffer.contents b
 
@@ -56,9 +62,16 @@ let sixes put n bits fill =
       if !used = 6 then (char !buffer; buffer := 0; used := 0));
   if !used > 0 then char ((!buffer lsl (6 - !used)) lor fill (6 - !used))
 
-(* nauty's formats.txt; the pairs (u, v) with u < v in ascending order of (v, u). *)
+(* nauty's formats.txt; the pairs (u, v) with u < v < n in ascending order of (v, u); sparse6 may
+   hold loops and a pair twice. *)
 let print_graph sparse n pairs =
   let b = Buffer.create 1024 in
+  ignore (List.fold_left
+            (fun (v', u') (u, v) ->
+              let ascend = if sparse then u <= v && v' <= v else u < v && (v' < v || (v' = v && u' < u)) in
+              if not (0 <= u && v < n && ascend) then bad "pairs of vertices that do not ascend";
+              (v, u))
+            (0, 0) pairs);
   if not sparse then
     sixes (Buffer.add_char b) n
       (fun bit ->
@@ -104,10 +117,14 @@ let parse_drawing line =
     let l = String.length text in
     if !i + l > length || String.sub line !i l <> text then fail text;
     i := !i + l in
-  let until_quote () =
-    let from = !i in
-    while (match peek () with 'a' .. 'z' | '0' .. '9' | '-' | ' ' | '_' -> true | _ -> false) do incr i done;
-    String.sub line from (!i - from) in
+  let text () =
+    eat "\"";
+    match String.index_from_opt line !i '"' with
+    | None -> fail "\""
+    | Some till ->
+        let s = String.sub line !i (till - !i) in
+        i := till + 1;
+        s in
   let int () =
     let from = !i in
     if peek () = '-' then incr i;
@@ -126,9 +143,9 @@ let parse_drawing line =
       more [] in
   eat "{\"n\":";
   ignore (int ());
-  eat ",\"algorithm\":\"";
-  let algorithm = until_quote () in
-  eat "\",\"";
+  eat ",\"algorithm\":";
+  let algorithm = text () in
+  eat ",\"";
   let real, (metric, over) =
     if peek () = 'g' then begin
       eat "gram\":";
@@ -138,9 +155,9 @@ let parse_drawing line =
           (None, ({ xx; yy; zz; xy; xz; yz }, int ()))
       | _ -> bad "a Gram matrix has three rows of three"
     end else begin
-      eat "real_type\":\"";
-      let name = until_quote () in
-      eat "\",\"unit_exponent\":";
+      eat "real_type\":";
+      let name = text () in
+      eat ",\"unit_exponent\":";
       (Some (name, int ()), (cube, Integer.one))
     end in
   let coordinate () =
@@ -168,8 +185,9 @@ let parse_drawing line =
         eat "]";
         if Integer.sign tail < 0 || Integer.sign head < 0 then bad "a negative vertex";
         { tail; head; bends }) in
+  let names = if peek () = ',' then (eat ",\"names\":"; Some (list text)) else None in
   eat "}";
-  ({ algorithm; real }, { vertices; edges; metric; over })
+  ({ algorithm; real; names }, { vertices; edges; metric; over })
 
 (* n, whether it is sparse6, and the pairs. *)
 let parse_graph line =

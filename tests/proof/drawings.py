@@ -5,6 +5,7 @@ import random
 import subprocess
 
 DEGREE = {"diamond": 4, "grid": 3, "grid-paper": 3, "two-bend": 3, "compact": 4, "compact-120": 3, "two-bend-109": 4}
+PIECES = {"lattice-109": ["diamond-lattice", "percolated-diamond-lattice"], "lattice-120": ["laves-graph", "percolated-laves-graph"]}
 FAMILIES = {3: ["binary-tree", "prism", "moebius-ladder", "random-cubic", "random-subcubic", "stars", "path"],
             4: ["torus", "squared-cycle", "square-grid", "random-4-regular", "random-max-degree", "union-k5"]}
 
@@ -39,6 +40,13 @@ def small_graphs(ar3d, degree, most, count):
         made = run(ar3d, "generate", family, "-n", "20", "--seed", "1", "--format", "graph6", codes=(0, 2))
         lines += made.split()
     return lines
+
+
+def pieces(ar3d, algorithm, count):
+    """Pieces of a lattice with up to 31 vertices, as many or a few more."""
+    lines = [run(ar3d, "generate", family, "-n", str(2 + i % 30), "--seed", str(i), "--format", "graph6").strip()
+             for i in range(count // 2 + 1) for family in PIECES[algorithm]]
+    return sorted(set(lines))
 
 
 def draw(ar3d, algorithm, graphs):
@@ -126,6 +134,7 @@ def broken(drawn, count, seed):
         kind = KINDS[len(out) * 5 // 4 % len(KINDS)] if len(out) % 4 else chance.choice(KINDS)
         d, graph = chance.choice(drawn)
         d = copy.deepcopy(d)
-        if damage(d, kind, chance):
-            out.append((kind, d, graph))
+        while not damage(d, kind, chance):  # a piece of a lattice has no bends
+            kind = chance.choice(KINDS)
+        out.append((kind, d, graph))
     return out
