@@ -1,3 +1,5 @@
+// The table of all algorithms, and what finds a row in it by its name.
+// A program may add rows of its own before anything else reads the table.
 #include "ar3d/algorithms/catalog.h"
 
 #include <fmt/format.h>
@@ -48,30 +50,6 @@ OpenTable<Algorithm>& table() {
 
 }  // namespace
 
-SettingSpec effort_option(int highest, std::string_view description) {
-  return {"effort", 0, highest, kDefaultEffort, std::string(description)};
-}
-
-void check_effort(std::string_view algorithm, int effort, int highest) {
-  if (effort >= 0 && effort <= highest) return;
-  throw InputError(fmt::format("{} has efforts 0 to {}, not {}", algorithm, highest, effort));
-}
-
-void refuse_larger_degrees(std::string_view algorithm, const Graph& graph, std::uint32_t limit) {
-  if (graph.max_degree() <= limit) return;
-  Vertex v = 0;
-  while (graph.degree(v) <= limit) ++v;
-  throw InputError(fmt::format(
-      "{} draws graphs of maximum degree {}, but vertex {} has degree {} (vertices count from 0)",
-      algorithm, limit, v, graph.degree(v)));
-}
-
-void refuse_more_vertices(std::string_view algorithm, const Graph& graph, std::uint32_t limit) {
-  if (graph.num_vertices() <= limit) return;
-  throw InputError(fmt::format("{} draws at most {} vertices, this graph has {}", algorithm, limit,
-                               graph.num_vertices()));
-}
-
 const std::vector<Algorithm>& algorithms() { return table().rows(); }
 
 void register_algorithm(Algorithm row) { table().add(std::move(row)); }
@@ -89,16 +67,6 @@ const Algorithm& find_algorithm(std::string_view name) {
   const auto known = names_of(algorithms());
   throw InputError(fmt::format("unknown algorithm '{}'{} (known: {}; see: ar3d list algorithms)",
                                name, did_you_mean(name, known), fmt::join(known, ", ")));
-}
-
-Settings complete_options(const Algorithm& algorithm, const Settings& given) {
-  return complete_settings(fmt::format("algorithm {}", algorithm.name), "option", algorithm.options,
-                           given);
-}
-
-Drawing draw(const Algorithm& algorithm, const Graph& graph, const Settings& given) {
-  refuse_larger_degrees(algorithm.name, graph, algorithm.guarantee.max_degree);
-  return algorithm.draw(graph, complete_options(algorithm, given));
 }
 
 }  // namespace ar3d

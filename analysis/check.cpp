@@ -84,42 +84,6 @@ void check_certificate(const RunRecord& run, std::size_t row, Findings& findings
   }
 }
 
-}  // namespace
-
-bool is_unproved(const RunRecord& run) {
-  return run.status == RunStatus::ok && !run.certificate.empty();
-}
-
-std::vector<Finding> row_findings(const RunRecord& run, std::size_t row) {
-  Findings findings;
-  if (!run.row_key.empty() && run.row_key.find_first_not_of('0') == std::string::npos) {
-    findings.push_back({FindingKind::not_certified, row, "its row key is no hash of a row"});
-  }
-  switch (run.status) {
-    case RunStatus::refused:
-      break;
-    case RunStatus::measured:  // nothing was promised
-      check_numbers(run, row, findings);
-      break;
-    case RunStatus::ok:
-      check_numbers(run, row, findings);
-      if (is_unproved(run)) break;
-      check_certificate(run, row, findings);
-      for (std::size_t axis = 0; axis < 3; ++axis) check_axis(run, row, axis, findings);
-      check_volume(run, row, findings);
-      break;
-    case RunStatus::violated:
-      check_certificate(run, row, findings);
-      break;
-    default:
-      findings.push_back({FindingKind::unfinished, row,
-                          fmt::format("{}: {}", to_string(run.status), run.message)});
-  }
-  return findings;
-}
-
-namespace {
-
 /// So many violations, and so many other findings, are kept with their message.
 constexpr std::size_t kKeptFindings = 1000;
 
@@ -202,6 +166,38 @@ std::string describe(const Finding& finding) {
 }
 
 }  // namespace
+
+bool is_unproved(const RunRecord& run) {
+  return run.status == RunStatus::ok && !run.certificate.empty();
+}
+
+std::vector<Finding> row_findings(const RunRecord& run, std::size_t row) {
+  Findings findings;
+  if (!run.row_key.empty() && run.row_key.find_first_not_of('0') == std::string::npos) {
+    findings.push_back({FindingKind::not_certified, row, "its row key is no hash of a row"});
+  }
+  switch (run.status) {
+    case RunStatus::refused:
+      break;
+    case RunStatus::measured:  // nothing was promised
+      check_numbers(run, row, findings);
+      break;
+    case RunStatus::ok:
+      check_numbers(run, row, findings);
+      if (is_unproved(run)) break;
+      check_certificate(run, row, findings);
+      for (std::size_t axis = 0; axis < 3; ++axis) check_axis(run, row, axis, findings);
+      check_volume(run, row, findings);
+      break;
+    case RunStatus::violated:
+      check_certificate(run, row, findings);
+      break;
+    default:
+      findings.push_back({FindingKind::unfinished, row,
+                          fmt::format("{}: {}", to_string(run.status), run.message)});
+  }
+  return findings;
+}
 
 const char* to_string(FindingKind kind) {
   static constexpr std::array<const char*, 9> kNames = {

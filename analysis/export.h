@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "ar3d/analysis/report.h"
 #include "ar3d/analysis/study_analysis.h"
 
 namespace ar3d {
@@ -23,7 +24,7 @@ void rows_csv(const RowView& rows, const TextSink& write);
 /// exponent with its own, label, reason and the sizes that were fitted.
 std::string scaling_csv(const StudyAnalysis& analysis);
 
-/// Verdict, bounds table and growth as one JSON object; missing numbers are null.
-std::string analysis_json(const StudyAnalysis& analysis);
+/// All tables of the study (docs/analysis.md, Report), as page and figures read them.
+std::string analysis_json(const StudyAnalysis& analysis, const SinceReference& since = {});
 
 }  // namespace ar3d

@@ -1,3 +1,5 @@
+// JSON has neither NaN nor infinity, so a number that is not finite becomes null. Texts come from
+// files and are made valid UTF-8 first.
 #include "ar3d/analysis/json.h"
 
 #include <cmath>

@@ -11,11 +11,14 @@
 #include <set>
 #include <span>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "ar3d/analysis/check.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/store/columns/asked_certificate.h"
+#include "ar3d/store/columns/row_format.h"
 
 namespace ar3d {
 
@@ -27,30 +30,6 @@ auto drawing_columns(const RunRecord& run) {
   return std::tie(run.graph_hash, run.drawing_hash, run.n, run.m, run.extents, run.bends,
                   run.instance_bound, run.counters);
 }
-
-}  // namespace
-
-std::string repetition_key(const RunRecord& run) {
-  return fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}", run.algorithm, run.options, run.family,
-                     run.parameters, run.requested_n, run.instance_index, run.seed);
-}
-
-Fingerprint fingerprint_of(const RunRecord& run, std::size_t row) {
-  const std::hash<std::string> hash;
-  Fingerprint print{hash(repetition_key(run)), row, 0, 0};
-  print.measurement = hash(fmt::format("{} {} {} {} {}", run.level, asked_certificate(run),
-                                       static_cast<int>(run.phase), run.scale, run.repetition));
-  if (run.status == RunStatus::ok) {
-    print.drawing =
-        hash(fmt::format("{}\n{}\n{} {}\n{}\n{}\n{}\n{}", run.graph_hash, run.drawing_hash, run.n,
-                         run.m, fmt::join(run.extents, " "), fmt::join(run.bends, " "),
-                         fmt::join(run.instance_bound, " "), run.counters)) |
-        1;
-  }
-  return print;
-}
-
-namespace {
 
 /// Whether rows of one key may hold a measurement twice or different drawings.
 bool is_suspicious(std::span<const Fingerprint> prints) {
@@ -76,7 +55,40 @@ std::vector<KeyRows> suspicious_keys(const std::vector<Fingerprint>& sorted) {
   return keys;
 }
 
+// @param keys  with the rows that have them. @throws InputError if one is zero or there twice.
+void require_keys(std::vector<std::pair<RowKey, std::size_t>> keys, const std::string& path) {
+  std::sort(keys.begin(), keys.end());
+  if (!keys.empty() && keys.front().first == RowKey()) {
+    throw InputError(fmt::format("{}: the key of row {} is zero", path, keys.front().second));
+  }
+  for (std::size_t i = 1; i < keys.size(); ++i) {
+    if (keys[i - 1].first != keys[i].first) continue;
+    throw InputError(fmt::format("{}: rows {} and {} have one key, {}", path, keys[i - 1].second,
+                                 keys[i].second, to_string(keys[i].first)));
+  }
+}
+
 }  // namespace
+
+std::string repetition_key(const RunRecord& run) {
+  return fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}", run.algorithm, run.options, run.family,
+                     run.parameters, run.requested_n, run.instance_index, run.seed);
+}
+
+Fingerprint fingerprint_of(const RunRecord& run, std::size_t row) {
+  const std::hash<std::string> hash;
+  Fingerprint print{hash(repetition_key(run)), row, 0, 0};
+  print.measurement = hash(fmt::format("{} {} {} {} {}", run.level, asked_certificate(run),
+                                       static_cast<int>(run.phase), run.scale, run.repetition));
+  if (run.status == RunStatus::ok) {
+    print.drawing =
+        hash(fmt::format("{}\n{}\n{} {}\n{}\n{}\n{}\n{}", run.graph_hash, run.drawing_hash, run.n,
+                         run.m, fmt::join(run.extents, " "), fmt::join(run.bends, " "),
+                         fmt::join(run.instance_bound, " "), run.counters)) |
+        1;
+  }
+  return print;
+}
 
 void find_in_repetitions(const RowView& rows, const std::vector<Fingerprint>& sorted,
                          const FindingSink& found) {
@@ -115,15 +127,18 @@ void require_one_study(const RowView& rows, const std::string& path) {
   };
   // Hash of family, parameters, n and index; seed; row.
   std::vector<std::tuple<std::size_t, std::uint64_t, std::size_t>> graphs;
+  std::vector<std::pair<RowKey, std::size_t>> keys;
   std::string former;  // neighbours are mostly of one graph
   for (std::size_t row = 0; row < rows.count; ++row) {
     const RunRecord& run = rows.read(row);
+    if (!run.row_key.empty()) keys.emplace_back(parse_row_key(run.row_key), row);
     if (run.n < 0) continue;
     std::string identity = identity_of(run);
     if (identity == former && run.seed == std::get<1>(graphs.back())) continue;
     graphs.emplace_back(std::hash<std::string>()(identity), run.seed, row);
     former = std::move(identity);
   }
+  require_keys(std::move(keys), path);
   std::sort(graphs.begin(), graphs.end());
   for (std::size_t i = 1; i < graphs.size(); ++i) {
     const auto& [identity, seed, row] = graphs[i - 1];

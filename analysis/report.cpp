@@ -1,90 +1,91 @@
+// The tables of a study, and the page that shows them: a template of the tree with tables, style and
+// scripts put in.
 #include "ar3d/analysis/report.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <functional>
+#include <span>
 #include <utility>
 
-#include "ar3d/analysis/report/html.h"
-#include "ar3d/analysis/report/page.h"
 #include "ar3d/analysis/report/sections.h"
+#include "ar3d/base/error.h"
+#include "ar3d/base/printable.h"
+#include "ar3d_page_files.h"
 
 namespace ar3d {
 namespace {
 
-constexpr const char* kReplayPanel =
-    "<div id=tip role=status hidden></div>"
-    "<div id=replay role=dialog aria-label='Draw it again' hidden><p></p><code></code>"
-    "<button type=button>Copy</button><button type=button id=open hidden>Show in 3D</button>"
-    "<button type=button>Close</button></div>\n"
-    "<dialog id=shown aria-label='The drawing in 3D'><div><p></p>"
-    "<button type=button>Draw it again</button><button type=button>Close</button></div></dialog>\n";
-
-std::string head(const StudyIdentity& study) {
-  return "<!doctype html>\n<html lang=en><head><meta charset=utf-8>"
-         "<meta name=viewport content='width=device-width,initial-scale=1'>"
-         "<meta http-equiv=Content-Security-Policy content=\"default-src 'none'; "
-         "style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data: blob:\">"
-         "<title>ar3d report: " +
-         report::escape(study.study_id) + "</title><style>" + report::page_style() +
-         "</style></head>\n";
+/// Text of an element: markup in it is none, and control characters are spaces.
+std::string escaped(std::string_view text) {
+  std::string safe;
+  for (const char c : valid_utf8(text)) {
+    const bool is_control = static_cast<unsigned char>(c) < 0x20;
+    safe += c == '&'   ? "&amp;"
+            : c == '<' ? "&lt;"
+            : c == '>' ? "&gt;"
+                       : std::string(1, is_control ? ' ' : c);
+  }
+  return safe;
 }
 
-/// The sections in the order of the reader's questions.
-std::string body(report::Page& page, const SinceReference& since) {
-  const std::vector<report::Section> sections = report::sections(page.analysis);
-  const std::string trade = report::trade_section(page, sections);
-  const std::string collections = report::collection_sections(page, sections);
-  const std::string precision = report::precision_section(page, sections);
-  const std::string batches = report::strong_weak_section(page);
-  std::string html = report::verdict_section(page, sections, since);
-  html += "<nav>";
-  const auto link = [&](const std::string& id, const std::string& text) {
-    html += "<a href='#" + id + "'>" + text + "</a>";
-  };
-  if (!sections.empty()) link("closeness", "How close to a bound?");
-  if (!trade.empty()) link("trade", "What is traded?");
-  if (!collections.empty()) link("c0", "What of the collection?");
-  if (!precision.empty()) link("precision", "What does accuracy cost?");
-  for (std::size_t i = 0; i < sections.size(); ++i) {
-    link(fmt::format("a{}", i), report::escape(sections[i].label));
-  }
-  link("reference", "What changed?");
-  if (!batches.empty()) link("strong-weak", "Strong and weak scaling");
-  if (!sections.empty()) link("metrics", "All metrics");
-  link("environment", "Environment");
-  link("spec", "Specification");
-  link("methods", "Methods");
-  html += "</nav>\n" + report::closeness_section(page, sections) +
-          report::promises_section(sections) + collections + trade + precision;
-  for (std::size_t i = 0; i < sections.size(); ++i) {
-    html += report::algorithm_section(page, sections[i], fmt::format("a{}", i));
-  }
-  return html + report::reference_section(since) + batches +
-         report::metrics_section(page.analysis, sections) + report::background(page.analysis.rows);
-}
-
-/// {"row": which drawing of the viewer's page, …}
-std::string drawings_json(const ShownDrawings& drawings) {
-  std::string json;
-  for (const auto& [row, place] : drawings.page_of_row) {
-    json += fmt::format("{}\"{}\":{}", json.empty() ? "" : ",", row, place);
-  }
-  return "{" + json + "}";
+void append(std::span<const std::string_view> pieces, std::string& text) {
+  for (const std::string_view piece : pieces) text += piece;
 }
 
 }  // namespace
 
-std::vector<Figure> report_figures(const StudyAnalysis& analysis) {
-  report::Page page(analysis);
-  body(page, {});
-  std::vector<Figure> figures;
-  for (const report::NamedPlot& plot : page.figures()) {
-    figures.push_back({plot.file, report::standalone_svg(plot), plot.csv,
-                       report::matplotlib_script(plot), report::pgfplots_document(plot)});
+std::string render_page(std::string_view page, std::string_view title,
+                        const std::vector<Table>& tables, std::string_view viewer,
+                        std::string_view hashes) {
+  const bool is_report = page == "report";
+  std::string html;
+  std::string_view rest = is_report ? kReportTemplate : kHistoryTemplate;
+  for (std::size_t at = rest.find("{{"); at != rest.npos; at = rest.find("{{")) {
+    html += rest.substr(0, at);
+    const std::size_t end = rest.find("}}", at);
+    const std::string_view name = rest.substr(at + 2, end - at - 2);
+    rest.remove_prefix(end + 2);
+    if (name == "title") {
+      html += escaped(title);
+    } else if (name == "hashes") {
+      html.append(is_report ? kReportHash : kHistoryHash).append(" ").append(kPlotHash);
+      if (!hashes.empty()) html.append(" ").append(hashes);
+    } else if (name == "style") {
+      html += kPageStyle;
+    } else if (name == "tables") {
+      html += tables_json(tables);
+    } else if (name == "viewer") {
+      html += viewer;
+    } else if (name == "script") {
+      append(is_report ? std::span<const std::string_view>(kReportScript) : kHistoryScript, html);
+    } else {
+      expect(name == "plot", "a template names what there is");
+      append(kPlotScript, html);
+    }
   }
-  return figures;
+  return html.append(rest);
+}
+
+std::vector<Table> report_tables(const StudyAnalysis& analysis, const SinceReference& since,
+                                 const ShownDrawings& drawings, bool all) {
+  const std::vector<report::Section> sections = report::sections(analysis);
+  report::TableMaker make{analysis, since, sections, all, report::GraphList(analysis)};
+  report::add_verdict(make);
+  report::add_background(make);
+  report::add_families(make);
+  report::add_curves(make);
+  report::add_trade(make);
+  report::add_collections(make);
+  report::add_precision(make);
+  make.tables.push_back(make.graphs.table(drawings.page_of_row, sections));
+  return std::move(make.tables);
+}
+
+std::string render_report(const StudyAnalysis& analysis, const SinceReference& since,
+                          const ShownDrawings& drawings) {
+  return render_page("report", analysis.rows.identity->study_id,
+                     report_tables(analysis, since, drawings, false), drawings.packed_page,
+                     drawings.script_hashes);
 }
 
 std::vector<std::size_t> rows_to_show(const StudyAnalysis& analysis, std::size_t most,
@@ -117,22 +118,6 @@ std::vector<std::size_t> rows_to_show(const StudyAnalysis& analysis, std::size_t
     for (const auto& [share, row] : *shares) add(row);
   }
   return rows;
-}
-
-std::string render_report(const StudyAnalysis& analysis, const SinceReference& since,
-                          const ShownDrawings& drawings) {
-  report::Page page(analysis, drawings);
-  std::string html = head(*analysis.rows.identity) + "<body>\n" + body(page, since) + kReplayPanel;
-  const auto data = [&](const char* id, const std::string& json) {
-    html += fmt::format("<script type='application/json' id={}>{}</script>\n", id, json);
-  };
-  data("rows", page.rows_json());
-  data("figures", page.figures_json());
-  data("drawings", drawings_json(drawings));
-  html += "<script type='text/plain' id=viewer>" + drawings.packed_page + "</script>\n";
-  data("figure-style", report::json_string(report::figure_style()));
-  return html + "<script>" + report::table_script() + report::page_script() +
-         "</script>\n</body></html>\n";
 }
 
 }  // namespace ar3d

@@ -4,10 +4,12 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ar3d/analysis/compare.h"
 #include "ar3d/analysis/study_analysis.h"
+#include "ar3d/analysis/table.h"
 
 namespace ar3d {
 
@@ -22,15 +24,26 @@ struct SinceReference {
 /// Drawings of the study's graphs that the page opens in its viewer.
 struct ShownDrawings {
   std::map<std::size_t, std::size_t> page_of_row;  ///< which drawing of the viewer's page
-  std::string packed_page;  ///< a page of `ar3d view`, in base64 of zlib's deflate format
+  std::string packed_page;         ///< a page of `ar3d view`, in base64 of zlib's deflate format
+  std::string script_hashes = {};  ///< of its scripts, as a content security policy names them
 };
 
-/// One HTML page about a study: verdict, what changed since the reference, bounds table, growth,
-/// plots, bends, environment, spec and methods. It needs nothing from outside (no network, no other
-/// file); every string of the file is escaped. About 1 kB per plotted size, however many rows there
-/// are; the drawings come on top.
+/// Returns every table of the study that anything shows (docs/analysis.md, Report).
+/// @param all  false: what the page shows, which does not grow with the rows of a size.
+std::vector<Table> report_tables(const StudyAnalysis& analysis, const SinceReference& since,
+                                 const ShownDrawings& drawings, bool all);
+
+/// Returns one HTML page about a study: its tables, and the scripts that show them. It needs nothing
+/// from outside (no network, no other file); strings of the file are data there, never markup.
 std::string render_report(const StudyAnalysis& analysis, const SinceReference& since = {},
                           const ShownDrawings& drawings = {});
+
+/// Returns a page of the tree's template, "report" or "history", with these tables.
+/// @param title  plain text. @param viewer  ShownDrawings::packed_page. @param hashes  of scripts
+/// that frames of the page run.
+std::string render_page(std::string_view page, std::string_view title,
+                        const std::vector<Table>& tables, std::string_view viewer = {},
+                        std::string_view hashes = {});
 
 /// The rows of the page that are worth storing a drawing of, most important first, at most `most`:
 /// those of the findings that are listed, of the outliers of collections, of the heat maps those of
@@ -38,17 +51,5 @@ std::string render_report(const StudyAnalysis& analysis, const SinceReference& s
 /// edges, the closest ones first; then the other numbers of the maps in the same order.
 std::vector<std::size_t> rows_to_show(const StudyAnalysis& analysis, std::size_t most,
                                       std::int64_t most_edges);
-
-/// A figure for a paper, in dark colours on white.
-struct Figure {
-  std::string name;        ///< "diamond-effort-0-longest-side": lower case, digits, hyphens; unique
-  std::string svg;         ///< a document of its own
-  std::string csv;         ///< the numbers behind it
-  std::string matplotlib;  ///< a Python script that draws NAME.csv as NAME-matplotlib.pdf
-  std::string pgfplots;    ///< a LaTeX document that draws NAME.csv
-};
-
-/// Every figure of the page.
-std::vector<Figure> report_figures(const StudyAnalysis& analysis);
 
 }  // namespace ar3d

@@ -1,3 +1,5 @@
+// Small statistics that several analyses share. Missing values are NaN and are left out, so that
+// one failed row does not spoil a median.
 #include "ar3d/analysis/statistics.h"
 
 #include <algorithm>

@@ -11,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/analysis/google_benchmark.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
 #include "ar3d/base/say.h"
@@ -83,9 +82,9 @@ int compare_files(const CompareArguments& arguments) {
                          : "compare takes two results files, or --base GIT_REF (see ar3d compare "
                            "--help)");
   }
-  const Results now = read_results_or_benchmarks(arguments.files.back());
+  const Results now = read_results(arguments.files.back());
   const std::string base_path = arguments.reference ? reference_for(now) : arguments.files.front();
-  const Results base = read_results_or_benchmarks(base_path);
+  const Results base = read_results(base_path);
   std::FILE* const to = arguments.markdown == "-" ? stderr : stdout;
   say(to, "base {} ({})\nnew  {} ({})\n", base_path, base.created, arguments.files.back(),
       now.created);
@@ -163,7 +162,7 @@ int compare_builds(const CompareArguments& arguments) {
 }
 
 void add_options(CLI::App& verb, CompareArguments& a) {
-  verb.add_option("FILE", a.files, "BASE and NEW: results files (HDF5) or Google Benchmark JSON");
+  verb.add_option("FILE", a.files, "BASE and NEW: results files (HDF5)");
   verb.add_flag("--reference", a.reference,
                 "compare NEW with the youngest results/reference/*.h5 of its study");
   verb.add_option("--base", a.base,

@@ -8,7 +8,7 @@
 
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/model/real_points.h"
-#include "ar3d/verify/checks/angles.h"
+#include "ar3d/verify/angles.h"
 #include "ar3d/verify/metrics/metrics.h"
 #include "ar3d/verify/metrics/volume_bound.h"
 

@@ -4,7 +4,7 @@
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"
 #include "ar3d/model/guarantee.h"
-#include "ar3d/verify/checks/examination.h"
+#include "ar3d/verify/examination.h"
 
 namespace ar3d {
 

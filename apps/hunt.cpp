@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "ar3d/algorithms/catalog.h"
 #include "ar3d/analysis/replay.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
@@ -213,46 +214,6 @@ int hunt_and_show(HuntArguments arguments) {
   return result.best.failure.empty() ? kPass : kViolated;
 }
 
-}  // namespace
-
-void add_hunt(CLI::App& app, int& exit_code) {
-  CLI::App* verb = app.add_subcommand(
-      "hunt", "Searches for the graph that comes closest to a bound, or breaks one");
-  const auto arguments = std::make_shared<HuntArguments>();
-  add_subject_options(*verb, *arguments);
-  HuntOptions& options = arguments->hunting;
-  verb->add_option("--family", arguments->family,
-                   "where searches start: a family, or all that the algorithm draws");
-  add_repeated(*verb, "--parameter", arguments->parameters,
-               "a parameter of the family, name=integer; may be repeated");
-  verb->add_option("-n", options.n, "requested number of vertices")->check(whole_number(1, 100000));
-  CLI::Option* const graphs =
-      add_repeated(*verb, "--graphs", arguments->inputs,
-                   "search from the graphs of this file instead; may be repeated")
-          ->excludes(verb->get_option("--family"))
-          ->excludes(verb->get_option("--parameter"))
-          ->excludes(verb->get_option("-n"));
-  add_graph_input_options(*verb, arguments->reading);
-  for (const char* name : {"--from", "--base", "--first-line", "--trust-sizes"}) {
-    verb->get_option(name)->needs(graphs);
-  }
-  verb->add_option("--seed", options.seed, "seed of the search")->check(whole_number(0));
-  verb->add_option("--evaluations", options.evaluations, "how many graphs to draw and certify")
-      ->check(whole_number(1, 1000000000));
-  verb->add_option("--seconds", options.seconds,
-                   "stop after that time even so (the result then depends on the machine)")
-      ->default_str("")
-      ->check(finite_number(true));
-  verb->add_option("-o,--output", arguments->output,
-                   "prefix of the files that show the best one: .s6, .jsonl, .svg, .txt");
-  verb->footer(
-      "Exit code 4 if a drawing is violated.\n"
-      "Example: ar3d hunt --algorithm diamond -n 40 --evaluations 5000 --measure z -o tall");
-  verb->callback([arguments, &exit_code] { exit_code = hunt_and_show(*arguments); });
-}
-
-namespace {
-
 Graph only_graph(const std::string& path, const ReadOptions& options) {
   GraphReader reader(path, options);
   const std::optional<Graph> graph = reader.next();
@@ -295,6 +256,42 @@ int shrink_and_show(const HuntArguments& arguments) {
 }
 
 }  // namespace
+
+void add_hunt(CLI::App& app, int& exit_code) {
+  CLI::App* verb = app.add_subcommand(
+      "hunt", "Searches for the graph that comes closest to a bound, or breaks one");
+  const auto arguments = std::make_shared<HuntArguments>();
+  add_subject_options(*verb, *arguments);
+  HuntOptions& options = arguments->hunting;
+  verb->add_option("--family", arguments->family,
+                   "where searches start: a family, or all that the algorithm draws");
+  add_repeated(*verb, "--parameter", arguments->parameters,
+               "a parameter of the family, name=integer; may be repeated");
+  verb->add_option("-n", options.n, "requested number of vertices")->check(whole_number(1, 100000));
+  CLI::Option* const graphs =
+      add_repeated(*verb, "--graphs", arguments->inputs,
+                   "search from the graphs of this file instead; may be repeated")
+          ->excludes(verb->get_option("--family"))
+          ->excludes(verb->get_option("--parameter"))
+          ->excludes(verb->get_option("-n"));
+  add_graph_input_options(*verb, arguments->reading);
+  for (const char* name : {"--from", "--base", "--first-line", "--trust-sizes"}) {
+    verb->get_option(name)->needs(graphs);
+  }
+  verb->add_option("--seed", options.seed, "seed of the search")->check(whole_number(0));
+  verb->add_option("--evaluations", options.evaluations, "how many graphs to draw and certify")
+      ->check(whole_number(1, 1000000000));
+  verb->add_option("--seconds", options.seconds,
+                   "stop after that time even so (the result then depends on the machine)")
+      ->default_str("")
+      ->check(finite_number(true));
+  verb->add_option("-o,--output", arguments->output,
+                   "prefix of the files that show the best one: .s6, .jsonl, .svg, .txt");
+  verb->footer(
+      "Exit code 4 if a drawing is violated.\n"
+      "Example: ar3d hunt --algorithm diamond -n 40 --evaluations 5000 --measure z -o tall");
+  verb->callback([arguments, &exit_code] { exit_code = hunt_and_show(*arguments); });
+}
 
 void add_shrink(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand(

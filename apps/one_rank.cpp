@@ -1,3 +1,5 @@
+// The program without MPI is a single rank. The program for mpirun links mpi/mpi_ranks.cpp instead
+// of this file.
 #include "join_ranks.h"
 
 namespace ar3d {

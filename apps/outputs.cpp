@@ -70,7 +70,7 @@ void refuse_needed(const std::string& path, const VerbFiles& files) {
   }
   if (!is_regular(path)) return;
   const std::string beginning = beginning_of(path);
-  if (beginning.starts_with(std::string_view(kJournalMagic).substr(0, 8))) {
+  if (begins_as_journal(beginning)) {
     throw InputError(fmt::format("{} is a study's journal, which is not overwritten", path));
   }
   const bool can_be_made_again =

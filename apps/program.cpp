@@ -1,11 +1,14 @@
 // The program: its verbs, and what ends it with which exit code.
 #include "ar3d/apps/program.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <omp.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -158,8 +161,8 @@ int run(int argc, char** argv) {
   ar3d::add_study(app, exit_code);
   ar3d::add_check(app, exit_code);
   ar3d::add_report(app, exit_code);
+  ar3d::add_figures(app, exit_code);
   ar3d::add_compare(app, exit_code);
-  ar3d::add_bisect(app, exit_code);
   ar3d::add_history(app, exit_code);
   ar3d::add_replay(app, exit_code);
   ar3d::add_hunt(app, exit_code);
@@ -176,6 +179,19 @@ int run(int argc, char** argv) {
   return exit_code;
 }
 
+// Makes good what whoever starts the program may have left: a standard descriptor that is closed
+// would become the next file's, which then takes messages (it becomes one that neither reads nor
+// writes); children that nobody waits for cannot be waited for; a file size limit is an error of the
+// write, like a full disk.
+void begin_process() {
+  for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(number, F_GETFD) >= 0 || errno != EBADF) continue;
+    (void)!open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+  }
+  std::signal(SIGCHLD, SIG_DFL);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
 // A verdict that nobody could read is none: standard output that could not take all of it (a full
 // disk) is an error of every verb.
 int with_output_flushed(int exit_code) {
@@ -190,6 +206,7 @@ int with_output_flushed(int exit_code) {
 }  // namespace
 
 int ar3d::run_program(int argc, char** argv) {
+  begin_process();
   try {
     if (const int threads = omp_get_max_threads(); threads > kMostThreads) {
       throw ar3d::InputError(fmt::format("OMP_NUM_THREADS asks for {} threads; {} are the most",

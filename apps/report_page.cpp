@@ -125,6 +125,7 @@ ShownDrawings shown_drawings(const StudyAnalysis& analysis) {
   if (shown.page_of_row.empty()) return shown;
   page.finish();
   shown.packed_page = packed_text(text);
+  shown.script_hashes = viewer_script_hashes();
   return shown;
 }
 

@@ -120,7 +120,6 @@ int run_to_the_end(JournaledStudy study, const RunArguments& arguments, const Se
                    Ranks& ranks) {
   // A second signal ends the program at once: what is acknowledged is in the journal.
   const Interruptible interruptible(SecondSignal::ends_program);
-  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error of the write, like a full disk
   if (ranks.size() > 1 && ranks.is_first() && !arguments.quiet) {
     say(stderr, "ar3d: {} ranks; `ar3d study status --watch {}` tells how far they are\n",
         ranks.size(), shell_word(study.results));

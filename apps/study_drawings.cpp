@@ -53,6 +53,56 @@ bool may_be_replaced(const std::string& path) {
   return in.gcount() == 0 || head == "{\"n\":";
 }
 
+struct CountArguments {
+  std::string results;
+  std::string output;
+  std::int64_t max_n = kLargestCounted;
+  bool force = false;
+};
+
+int count(const CountArguments& arguments) {
+  const std::string path = arguments.output.empty() ? arguments.results : arguments.output;
+  if (!arguments.output.empty()) {
+    refuse_unsafe_outputs({.inputs = {arguments.results},
+                           .outputs = {path},
+                           .force = arguments.force,
+                           .streams = false});
+  }
+  Results results = read_results(arguments.results);
+  if (!arguments.output.empty()) {
+    refuse_unsafe_outputs({.inputs = files_of_study(results, arguments.results),
+                           .outputs = {path},
+                           .force = arguments.force,
+                           .streams = false});
+  }
+  require_writable(path);
+  const Interruptible interruptible(SecondSignal::is_ignored);  // to clean up in peace
+  const std::size_t counted = fill_counts(results, arguments.max_n);
+  if (is_interrupted()) return kInterrupted;
+  if (counted == 0) {
+    say(stderr, "ar3d: {} has no drawing of ours up to n = {}\n", arguments.results,
+        arguments.max_n);
+    return kIncomplete;
+  }
+  std::set<std::string> told;
+  for (const RunRecord& run : results.runs) {
+    if (run.counted_instructions < 0) continue;
+    const std::string line =
+        fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\n", run.family, run.n, run.seed, run.algorithm,
+                    run.options, run.counted_instructions, run.estimated_cycles);
+    if (told.insert(line).second) say("{}", line);
+  }
+  write_results(results, path);
+  return kPass;
+}
+
+void add_draw_counted(CLI::App& study) {
+  CLI::App* verb = study.add_subcommand(kDrawCountedVerb, "Draws graphs, for callgrind")->group("");
+  const auto file = std::make_shared<std::string>();
+  verb->add_option("FILE", *file)->required();
+  verb->callback([file] { draw_for_counting(*file); });
+}
+
 }  // namespace
 
 int keep_drawings(const KeepArguments& arguments) {
@@ -88,60 +138,6 @@ int keep_drawings_beside(const std::string& results, const RowView& rows, KeptDr
   }
   return write_drawings(path, rows, kept);
 }
-
-namespace {
-
-struct CountArguments {
-  std::string results;
-  std::string output;
-  std::int64_t max_n = kLargestCounted;
-  bool force = false;
-};
-
-int count(const CountArguments& arguments) {
-  const std::string path = arguments.output.empty() ? arguments.results : arguments.output;
-  if (!arguments.output.empty()) {
-    refuse_unsafe_outputs({.inputs = {arguments.results},
-                           .outputs = {path},
-                           .force = arguments.force,
-                           .streams = false});
-  }
-  Results results = read_results(arguments.results);
-  if (!arguments.output.empty()) {
-    refuse_unsafe_outputs({.inputs = files_of_study(results, arguments.results),
-                           .outputs = {path},
-                           .force = arguments.force,
-                           .streams = false});
-  }
-  require_writable(path);
-  const Interruptible interruptible;
-  const std::size_t counted = fill_counts(results, arguments.max_n);
-  if (is_interrupted()) return kInterrupted;
-  if (counted == 0) {
-    say(stderr, "ar3d: {} has no drawing of ours up to n = {}\n", arguments.results,
-        arguments.max_n);
-    return kIncomplete;
-  }
-  std::set<std::string> told;
-  for (const RunRecord& run : results.runs) {
-    if (run.counted_instructions < 0) continue;
-    const std::string line =
-        fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\n", run.family, run.n, run.seed, run.algorithm,
-                    run.options, run.counted_instructions, run.estimated_cycles);
-    if (told.insert(line).second) say("{}", line);
-  }
-  write_results(results, path);
-  return kPass;
-}
-
-void add_draw_counted(CLI::App& study) {
-  CLI::App* verb = study.add_subcommand(kDrawCountedVerb, "Draws graphs, for callgrind")->group("");
-  const auto file = std::make_shared<std::string>();
-  verb->add_option("FILE", *file)->required();
-  verb->callback([file] { draw_for_counting(*file); });
-}
-
-}  // namespace
 
 void add_study_count(CLI::App& study, int& exit_code) {
   CLI::App* verb = study.add_subcommand(

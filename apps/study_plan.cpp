@@ -40,69 +40,6 @@ StudySpec parse_options(const GraphsStudy& graphs) {
   }
 }
 
-}  // namespace
-
-void add_study_choice(CLI::App& verb, StudyChoice& choice) {
-  verb.add_option("STUDY", choice.study, "a TOML file or a study of `ar3d list studies`");
-  GraphsStudy& graphs = choice.graphs;
-  CLI::Option* const files =
-      add_repeated(verb, "--graphs", graphs.files,
-                   "instead of STUDY: all graphs of this file, or of the files that a pattern in "
-                   "quotes matches; may be repeated");
-  verb.add_option("--name", graphs.name,
-                  "with --graphs: all files that match, or that the folder holds, are one "
-                  "collection of this name, its groups the sub-folders")
-      ->needs(files);
-  verb.add_option("--groups", graphs.groups,
-                  "with --name: a table, a line FILE,GROUP each, that says the groups instead")
-      ->needs(verb.get_option("--name"));
-  verb.add_flag("--skip", graphs.skip,
-                "with --graphs: files that cannot be read are counted, listed and left out")
-      ->needs(files);
-  add_repeated(verb, "--algorithm", graphs.algorithms,
-               "with --graphs: one to draw them with; may be repeated, all if left out")
-      ->needs(files);
-  verb.add_option("--from", choice.reading.options.format,
-                  "with --graphs: their format; detected by content if left out")
-      ->needs(files);
-  add_edge_list_options(verb, choice.reading);
-  for (const char* name : {"--base", "--first-line"}) verb.get_option(name)->needs(files);
-  verb.add_option("--sample", graphs.sample, "with --graphs: so many graphs of each file")
-      ->default_str("")
-      ->check(whole_number(1, 10000000))
-      ->needs(files);
-  verb.add_option("--seed", graphs.seed, "with --graphs: of sample and labels")
-      ->check(whole_number(0, std::numeric_limits<std::int64_t>::max()))
-      ->needs(files);
-  verb.add_flag("--simple", graphs.simple,
-                "with --graphs: loops and parallel edges are dropped; else they are refused")
-      ->needs(files);
-  verb.add_flag("--largest-component", graphs.largest_component,
-                "with --graphs: of each graph only its largest component")
-      ->needs(files);
-  verb.add_flag("--shuffle", graphs.shuffle, "with --graphs: the labels permuted at random")
-      ->needs(files);
-}
-
-StudySpec chosen_study(const StudyChoice& choice) {
-  if (choice.study.empty() == choice.graphs.files.empty()) {
-    throw InputError("either STUDY or --graphs says what to run; --help shows both");
-  }
-  if (!choice.study.empty()) return load_study(choice.study);
-  GraphsStudy graphs = choice.graphs;
-  if (!graphs.name.empty() && graphs.files.size() > 1) {
-    throw InputError("--name is of one collection, but there are several --graphs");
-  }
-  graphs.reading = choice.reading.read_options();
-  StudySpec spec = parse_options(graphs);
-  for (Sweep& sweep : spec.sweeps) {
-    for (GraphsEntry& entry : sweep.graphs) entry.place = "--graphs: ";
-  }
-  return spec;
-}
-
-namespace {
-
 // From this size on, a calibration costs nothing beside the study.
 constexpr std::uint64_t kLargeSize = 200000;
 
@@ -234,6 +171,65 @@ void print_estimate(const StudySpec& spec, const StudyPlan& plan, const StudyEst
 }
 
 }  // namespace
+
+void add_study_choice(CLI::App& verb, StudyChoice& choice) {
+  verb.add_option("STUDY", choice.study, "a TOML file or a study of `ar3d list studies`");
+  GraphsStudy& graphs = choice.graphs;
+  CLI::Option* const files =
+      add_repeated(verb, "--graphs", graphs.files,
+                   "instead of STUDY: all graphs of this file, or of the files that a pattern in "
+                   "quotes matches; may be repeated");
+  verb.add_option("--name", graphs.name,
+                  "with --graphs: all files that match, or that the folder holds, are one "
+                  "collection of this name, its groups the sub-folders")
+      ->needs(files);
+  verb.add_option("--groups", graphs.groups,
+                  "with --name: a table, a line FILE,GROUP each, that says the groups instead")
+      ->needs(verb.get_option("--name"));
+  verb.add_flag("--skip", graphs.skip,
+                "with --graphs: files that cannot be read are counted, listed and left out")
+      ->needs(files);
+  add_repeated(verb, "--algorithm", graphs.algorithms,
+               "with --graphs: one to draw them with; may be repeated, all if left out")
+      ->needs(files);
+  verb.add_option("--from", choice.reading.options.format,
+                  "with --graphs: their format; detected by content if left out")
+      ->needs(files);
+  add_edge_list_options(verb, choice.reading);
+  for (const char* name : {"--base", "--first-line"}) verb.get_option(name)->needs(files);
+  verb.add_option("--sample", graphs.sample, "with --graphs: so many graphs of each file")
+      ->default_str("")
+      ->check(whole_number(1, 10000000))
+      ->needs(files);
+  verb.add_option("--seed", graphs.seed, "with --graphs: of sample and labels")
+      ->check(whole_number(0, std::numeric_limits<std::int64_t>::max()))
+      ->needs(files);
+  verb.add_flag("--simple", graphs.simple,
+                "with --graphs: loops and parallel edges are dropped; else they are refused")
+      ->needs(files);
+  verb.add_flag("--largest-component", graphs.largest_component,
+                "with --graphs: of each graph only its largest component")
+      ->needs(files);
+  verb.add_flag("--shuffle", graphs.shuffle, "with --graphs: the labels permuted at random")
+      ->needs(files);
+}
+
+StudySpec chosen_study(const StudyChoice& choice) {
+  if (choice.study.empty() == choice.graphs.files.empty()) {
+    throw InputError("either STUDY or --graphs says what to run; --help shows both");
+  }
+  if (!choice.study.empty()) return load_study(choice.study);
+  GraphsStudy graphs = choice.graphs;
+  if (!graphs.name.empty() && graphs.files.size() > 1) {
+    throw InputError("--name is of one collection, but there are several --graphs");
+  }
+  graphs.reading = choice.reading.read_options();
+  StudySpec spec = parse_options(graphs);
+  for (Sweep& sweep : spec.sweeps) {
+    for (GraphsEntry& entry : sweep.graphs) entry.place = "--graphs: ";
+  }
+  return spec;
+}
 
 void refuse_impossible_study(const StudySpec& spec, const SessionPolicy& policy) {
   const StudyPlan plan = plan_study(spec);

@@ -43,70 +43,6 @@ std::int64_t planned_rows(const std::string& file, const StudyIdentity& identity
   return static_cast<std::int64_t>(outcome.rows + outcome.missing);
 }
 
-}  // namespace
-
-struct StudyRows::Journals {
-  RowCollection rows{run_format()};
-  std::vector<AlgorithmRecord> algorithms;
-  std::vector<char> record = std::vector<char>(run_record_size());
-  RunRecord run;
-};
-
-StudyRows::StudyRows(const std::string& file) {
-  const std::string results = results_path_of(file);
-  view_.file = results;
-  if (rows_are_in_results(results)) {
-    view_results(results);
-    return;
-  }
-  try {
-    view_journals(file, results);
-  } catch (const InputError&) {  // a study that ends takes its journals away
-    if (!rows_are_in_results(results)) throw;
-    view_results(results);
-  }
-}
-
-StudyRows::~StudyRows() = default;
-
-void StudyRows::view_results(const std::string& results) {
-  reader_ = std::make_unique<RunReader>(results);
-  view_ = view_of(*reader_);
-  view_.file = results;
-}
-
-void StudyRows::view_journals(const std::string& file, const std::string& results) {
-  journals_ = std::make_unique<Journals>();
-  for (const std::string& journal : existing_journals(results)) journals_->rows.add(journal);
-  journals_->rows.close();
-  const StudyIdentity& identity = journals_->rows.identity();
-  journals_->algorithms = algorithm_records(identity);
-  view_.identity = &identity;
-  view_.environment = &journals_->rows.environment();
-  view_.count = journals_->rows.size();
-  view_.planned = planned_rows(file, identity);
-  view_.read = [journals = journals_.get()](std::size_t row) -> const RunRecord& {
-    journals->rows.read(row, journals->record.data());
-    journals->run = load_record(journals->record.data());
-    RunRecord& run = journals->run;
-    set_bounds(find_algorithm_record(journals->algorithms, run.algorithm, run.options), run);
-    return journals->run;
-  };
-}
-
-namespace {}  // namespace
-
-CheckedRows judge(const RowView& rows, const std::string& file) {
-  require_one_study(rows, file);
-  CheckedRows examination = examine(rows);
-  if (examination.verdict.unproved > 0 && rows.identity != nullptr) {
-    examination.verdict.accepts_unproved = accepts_unproved(rows.identity->spec);
-  }
-  return examination;
-}
-
-namespace {
-
 nlohmann::ordered_json verdict_json(const CheckVerdict& verdict) {
   nlohmann::ordered_json findings = nlohmann::ordered_json::array();
   for (const Finding& one : verdict.findings) {
@@ -272,6 +208,66 @@ int show(const StatusArguments& arguments) {
 }
 
 }  // namespace
+
+struct StudyRows::Journals {
+  RowCollection rows{run_format()};
+  std::vector<AlgorithmRecord> algorithms;
+  std::vector<char> record = std::vector<char>(run_record_size());
+  RunRecord run;
+};
+
+StudyRows::StudyRows(const std::string& file) {
+  const std::string results = results_path_of(file);
+  view_.file = results;
+  if (rows_are_in_results(results)) {
+    view_results(results);
+    return;
+  }
+  try {
+    view_journals(file, results);
+  } catch (const InputError&) {  // a study that ends takes its journals away
+    if (!rows_are_in_results(results)) throw;
+    view_results(results);
+  }
+}
+
+StudyRows::~StudyRows() = default;
+
+void StudyRows::view_results(const std::string& results) {
+  reader_ = std::make_unique<RunReader>(results);
+  view_ = view_of(*reader_);
+  view_.file = results;
+}
+
+void StudyRows::view_journals(const std::string& file, const std::string& results) {
+  journals_ = std::make_unique<Journals>();
+  for (const std::string& journal : existing_journals(results)) journals_->rows.add(journal);
+  journals_->rows.close();
+  const StudyIdentity& identity = journals_->rows.identity();
+  journals_->algorithms = algorithm_records(identity);
+  view_.identity = &identity;
+  view_.environment = &journals_->rows.environment();
+  view_.count = journals_->rows.size();
+  view_.planned = planned_rows(file, identity);
+  view_.read = [journals = journals_.get()](std::size_t row) -> const RunRecord& {
+    journals->rows.read(row, journals->record.data());
+    journals->run = load_record(journals->record.data());
+    RunRecord& run = journals->run;
+    set_bounds(find_algorithm_record(journals->algorithms, run.algorithm, run.options), run);
+    return journals->run;
+  };
+}
+
+namespace {}  // namespace
+
+CheckedRows judge(const RowView& rows, const std::string& file) {
+  require_one_study(rows, file);
+  CheckedRows examination = examine(rows);
+  if (examination.verdict.unproved > 0 && rows.identity != nullptr) {
+    examination.verdict.accepts_unproved = accepts_unproved(rows.identity->spec);
+  }
+  return examination;
+}
 
 void add_study_status(CLI::App& study, int& exit_code) {
   CLI::App* verb =

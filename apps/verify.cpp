@@ -19,7 +19,7 @@
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/model/real_points.h"
-#include "ar3d/verify/checks/examination.h"
+#include "ar3d/verify/examination.h"
 #include "batches.h"
 #include "commands.h"
 #include "drawing_summary.h"

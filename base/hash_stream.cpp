@@ -1,3 +1,5 @@
+// Integers are collected in a buffer and hashed by XXH3 many at a time, which is what XXH3 is made
+// for.
 #include "ar3d/base/hash_stream.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// Memory for long arrays. They ask for pages of 2 MiB, and arrays that one drawing frees serve the
+// next one: these then need no fresh memory, which the system would have to clear.
 #include "ar3d/base/long_vector.h"
 
 #include <malloc.h>
@@ -11,19 +13,8 @@
 
 namespace ar3d {
 namespace {
+
 constexpr std::size_t kPage = std::size_t{1} << 21;
-}
-
-void advise_long_array(void* array, std::size_t bytes) {
-  if (bytes < kLongArrayBytes) return;
-  // Whole pages inside the array only; the advice takes addresses that are multiples of 4 KiB.
-  const auto begin = (reinterpret_cast<std::uintptr_t>(array) + kPage - 1) / kPage * kPage;
-  const auto end = (reinterpret_cast<std::uintptr_t>(array) + bytes) / kPage * kPage;
-  // NOLINTNEXTLINE(performance-no-int-to-ptr): rounded up to a page
-  if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
-}
-
-namespace {
 
 /// An array that nothing uses.
 struct Spare {
@@ -47,6 +38,15 @@ void* take_spare(std::size_t bytes) {
 }
 
 }  // namespace
+
+void advise_long_array(void* array, std::size_t bytes) {
+  if (bytes < kLongArrayBytes) return;
+  // Whole pages inside the array only; the advice takes addresses that are multiples of 4 KiB.
+  const auto begin = (reinterpret_cast<std::uintptr_t>(array) + kPage - 1) / kPage * kPage;
+  const auto end = (reinterpret_cast<std::uintptr_t>(array) + bytes) / kPage * kPage;
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): rounded up to a page
+  if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+}
 
 void* allocate_long_array(std::size_t bytes) { return allocate_reusable_array(bytes); }
 

@@ -1,3 +1,4 @@
+// Finds the name that somebody meant, for messages about unknown names.
 #include "ar3d/base/nearest_name.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Files appear whole or not at all. The bytes go into a file without a name, which vanishes with a
+// killed process; only when all are on the disk does it get its name. Where a file system has no
+// nameless files, a locked temporary name beside the target does the same.
 #include "ar3d/base/new_file.h"
 
 #include <fcntl.h>
@@ -42,6 +45,17 @@ bool lock(int descriptor) {
   whole.l_type = F_WRLCK;
   whole.l_whence = SEEK_SET;
   return fcntl(descriptor, F_OFD_SETLK, &whole) == 0;
+}
+
+std::string temporary_name(const std::string& beginning) {
+  const char* folder = std::getenv("TMPDIR");
+  return fmt::format("{}/{}-XXXXXX", folder == nullptr || *folder == '\0' ? "/tmp" : folder,
+                     beginning);
+}
+
+[[noreturn]] void refuse_temporary(const std::string& path) {
+  throw InputError(
+      fmt::format("cannot create {} (TMPDIR says where): {}", path, std::strerror(errno)));
 }
 
 }  // namespace
@@ -127,20 +141,13 @@ bool NewFile::become_new_target() {
   return give_name_if_free(std::exchange(name_, {}), target_);
 }
 
-namespace {
-
-std::string temporary_name(const std::string& beginning) {
-  const char* folder = std::getenv("TMPDIR");
-  return fmt::format("{}/{}-XXXXXX", folder == nullptr || *folder == '\0' ? "/tmp" : folder,
-                     beginning);
+Descriptor open_input(const std::string& path) {
+  struct stat status {};
+  if (!path.starts_with("/dev/") && stat(path.c_str(), &status) == 0 && S_ISFIFO(status.st_mode)) {
+    throw InputError(fmt::format("cannot read {}: it is a FIFO", path));
+  }
+  return Descriptor(open(path.c_str(), O_RDONLY | O_CLOEXEC));
 }
-
-[[noreturn]] void refuse_temporary(const std::string& path) {
-  throw InputError(
-      fmt::format("cannot create {} (TMPDIR says where): {}", path, std::strerror(errno)));
-}
-
-}  // namespace
 
 Descriptor new_temporary_file(const std::string& beginning, std::string& path) {
   path = temporary_name(beginning);
@@ -174,7 +181,10 @@ void remove_leftovers(const std::string& path) {
     const Descriptor file(open(at->path().c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
     struct stat status {};
     const bool is_file = fstat(file.get(), &status) == 0 && S_ISREG(status.st_mode);
-    if (is_file && lock(file.get())) unlink(at->path().c_str());
+    struct stat named {};  // a second name of the target itself, which somebody may have locked
+    const bool is_target = stat(target.c_str(), &named) == 0 && named.st_dev == status.st_dev &&
+                           named.st_ino == status.st_ino;
+    if (is_file && (is_target || lock(file.get()))) unlink(at->path().c_str());
   }
 }
 

@@ -83,6 +83,11 @@ Descriptor new_temporary_file(const std::string& beginning, std::string& path);
 /// A new folder there. @return its path. @throws InputError as new_temporary_file.
 std::string new_temporary_folder(const std::string& beginning);
 
+/// Opens a file to read it: -1 and errno where that cannot be. A FIFO has no end yet, and who opens
+/// it may wait for ever. @throws InputError naming it, unless it stands in /dev (/dev/stdin, a
+/// shell's `<(…)`).
+Descriptor open_input(const std::string& path);
+
 /// Writes all bytes to an open file. @throws InputError naming the path and the system's reason.
 void write_all(int descriptor, std::span<const char> bytes, const std::string& path);
 

@@ -1,3 +1,5 @@
+// Makes foreign text safe for a terminal or a log. UTF-8 is decoded here, because bytes that are
+// none have to be shown one by one.
 #include "ar3d/base/printable.h"
 
 #include <fmt/format.h>

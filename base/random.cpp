@@ -1,3 +1,5 @@
+// Random numbers come from Philox, which computes any number of a stream from its place. So loops
+// on several threads draw the same numbers as one.
 #include "ar3d/base/random.h"
 
 #include <Random123/philox.h>

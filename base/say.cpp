@@ -1,3 +1,4 @@
+// Texts of several lines are made safe for a terminal line by line.
 #include "ar3d/base/say.h"
 
 #include <algorithm>

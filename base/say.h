@@ -15,10 +15,16 @@ std::string printable_lines(std::string_view text);
 
 /// Writes what people read, whoever wrote the values: no escape sequence of theirs reaches the
 /// terminal. Everything that a verb says goes through here; what is data for programs (drawings,
-/// graphs, JSON) does not.
+/// graphs, JSON) does not. A message that standard error does not take is lost, since nobody can be
+/// told. @throws std::system_error where another file does not take it.
 template <class... Values>
 void say(std::FILE* to, fmt::format_string<Values...> format, Values&&... values) {
-  fmt::print(to, "{}", printable_lines(fmt::format(format, std::forward<Values>(values)...)));
+  const std::string text = printable_lines(fmt::format(format, std::forward<Values>(values)...));
+  if (to == stderr) {
+    (void)std::fwrite(text.data(), 1, text.size(), to);
+  } else {
+    fmt::print(to, "{}", text);
+  }
 }
 
 template <class... Values>

@@ -1,7 +1,13 @@
-// System calls until they are done, and what the parents of processes share.
+// System calls until they are done, and all processes that this one starts: forked ones go on here,
+// programs are executed. Each leads a group, so that one signal reaches whatever it has started, and
+// none outlives its parent.
 #include "ar3d/base/system_calls.h"
 
-#include <signal.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <omp.h>
+#include <sched.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -9,9 +15,12 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstring>
 #include <ctime>
 #include <fstream>
 #include <limits>
+
+#include "ar3d/base/error.h"
 
 namespace ar3d {
 namespace {
@@ -33,6 +42,65 @@ std::size_t in_pieces(std::size_t size, const Step& step) {
 ssize_t or_failed(ssize_t written) {
   if (written == 0) errno = EIO;
   return written == 0 ? -1 : written;
+}
+
+constexpr int kCannotRun = 127;
+
+// From here to the end of become_child(): perhaps beside other threads, so system calls only.
+void reset_signals() {
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  for (const int number : {SIGINT, SIGTERM, SIGPIPE, SIGXFSZ, SIGXCPU}) signal(number, SIG_DFL);
+  struct sigaction hangup {};
+  sigaction(SIGHUP, nullptr, &hangup);
+  if (hangup.sa_handler != SIG_IGN) signal(SIGHUP, SIG_DFL);  // nohup holds for children, too
+}
+
+bool stays_on(int core) {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  CPU_SET(static_cast<std::size_t>(core), &set);
+  return sched_setaffinity(0, sizeof(set), &set) == 0;
+}
+
+bool takes_streams(const std::array<int, 3>& streams) {
+  for (int number = 0; number < 3; ++number) {
+    const int given = streams[static_cast<std::size_t>(number)];
+    if (given >= 0 && dup2(given, number) < 0) return false;
+  }
+  return true;
+}
+
+// @param kept  sorted.
+void close_all_but(const std::vector<int>& kept) {
+  unsigned from = 3;
+  for (const int descriptor : kept) {
+    const auto number = static_cast<unsigned>(descriptor);
+    if (number > from) close_range(from, number - 1, 0);
+    from = std::max(from, number + 1);
+  }
+  close_range(from, ~0U, 0);
+}
+
+void become_child(pid_t parent, const ChildSetup& setup) {
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, setup.death_signal);
+  if (getppid() != parent) _exit(kCannotRun);  // it died before it could be asked to take us along
+  reset_signals();
+  const rlimit no_core{0, 0};
+  setrlimit(RLIMIT_CORE, &no_core);
+  if (!takes_streams(setup.streams)) _exit(kCannotRun);
+  if (setup.core >= 0 && !stays_on(setup.core)) _exit(kCannotRun);
+}
+
+pid_t fork_or_refuse(const std::string& what) {
+  const pid_t child = fork();
+  if (child < 0) {
+    throw InputError(fmt::format("cannot start {}: {}", what, std::strerror(errno)));
+  }
+  if (child > 0) setpgid(child, child);  // whoever comes first, the parent or the child
+  return child;
 }
 
 }  // namespace
@@ -69,35 +137,6 @@ bool receive_all(int socket, std::span<char> bytes) {
          }) == bytes.size();
 }
 
-void close_descriptors_but(std::vector<int> kept) {
-  std::sort(kept.begin(), kept.end());
-  unsigned from = 3;
-  for (const int descriptor : kept) {
-    const auto number = static_cast<unsigned>(descriptor);
-    if (number > from) close_range(from, number - 1, 0);
-    from = std::max(from, number + 1);
-  }
-  close_range(from, ~0U, 0);
-}
-
-void leave_no_core() {
-  const rlimit no_core{0, 0};
-  setrlimit(RLIMIT_CORE, &no_core);
-}
-
-int wait_for_end(pid_t child) {
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return status;
-}
-
-void end_group(pid_t child) {
-  kill(-child, SIGKILL);
-  kill(child, SIGKILL);  // should it not have got as far as its own group
-  wait_for_end(child);
-}
-
 double address_space_bytes() {
   std::ifstream in("/proc/self/statm");
   double pages = 0;
@@ -105,10 +144,114 @@ double address_space_bytes() {
   return pages * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-double cpu_seconds_of(pid_t process) {
+Child& Child::operator=(Child&& other) noexcept {
+  kill();
+  pid_ = std::exchange(other.pid_, -1);
+  status_ = other.status_;
+  run_error_ = other.run_error_;
+  socket_ = std::move(other.socket_);
+  return *this;
+}
+
+std::pair<Descriptor, Descriptor> new_pipe() {
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) == 0) return {Descriptor(ends[0]), Descriptor(ends[1])};
+  throw InputError(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
+}
+
+Child Child::forked(ChildSetup setup, const std::function<int(int)>& body) {
+  int ends[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
+    throw InputError(fmt::format("cannot make a socket: {}", std::strerror(errno)));
+  }
+  Descriptor ours(ends[0]);
+  const Descriptor theirs(ends[1]);
+  if (setup.kept) setup.kept->push_back(theirs.get());
+  if (setup.kept) std::sort(setup.kept->begin(), setup.kept->end());
+  const pid_t parent = getpid();
+  Child child;
+  child.pid_ = fork_or_refuse("a process");
+  if (child.pid_ > 0) {
+    child.socket_ = std::move(ours);
+    return child;
+  }
+  ours = Descriptor();
+  become_child(parent, setup);
+  if (setup.kept) close_all_but(*setup.kept);
+  int code = 1;
+  try {
+    omp_set_num_threads(1);  // a forked process has none of its parent's other threads
+    code = body(theirs.get());
+  } catch (...) {  // nothing may come back to the parent's stack
+  }
+  _exit(code);
+}
+
+Child Child::of_program(std::vector<std::string> words, const ChildSetup& setup) {
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  auto [failure, theirs] = new_pipe();
+  const pid_t parent = getpid();
+  Child child;
+  child.pid_ = fork_or_refuse(words[0]);
+  if (child.pid_ == 0) {
+    become_child(parent, setup);
+    close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);  // journals and graphs are none of its business
+    execvp(arguments[0], arguments.data());
+    const int error = errno;
+    write_whole(theirs.get(), {reinterpret_cast<const char*>(&error), sizeof error});
+    _exit(kCannotRun);
+  }
+  theirs = Descriptor();
+  while (read(failure.get(), &child.run_error_, sizeof child.run_error_) < 0 && errno == EINTR) {
+  }
+  return child;
+}
+
+bool Child::has_ended() {
+  siginfo_t info{};
+  if (pid_ > 0 &&
+      (waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+       info.si_pid != 0)) {
+    finish();
+  }
+  return pid_ < 0;
+}
+
+int Child::wait() {
+  siginfo_t info{};
+  while (pid_ > 0 && waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOWAIT) != 0 &&
+         errno == EINTR) {
+  }
+  return finish();
+}
+
+// The group goes first: while its leader is a zombie, nobody else can have its number.
+int Child::finish() {
+  if (pid_ < 0) return status_;
+  ::kill(-pid_, SIGKILL);
+  while (waitpid(pid_, &status_, 0) < 0 && errno == EINTR) {
+  }
+  while (waitpid(-pid_, nullptr, 0) > 0 || errno == EINTR) {  // orphans of the group that came here
+  }
+  pid_ = -1;
+  return status_;
+}
+
+void Child::send(int signal) const {
+  if (pid_ > 0) ::kill(-pid_, signal);
+}
+
+void Child::kill() {
+  if (pid_ > 0) ::kill(pid_, SIGKILL);  // should it not have got as far as its own group
+  finish();
+}
+
+double Child::cpu_s() const {
   clockid_t clock{};
   timespec time{};
-  if (clock_getcpuclockid(process, &clock) != 0 || clock_gettime(clock, &time) != 0) {
+  if (pid_ < 0 || clock_getcpuclockid(pid_, &clock) != 0 || clock_gettime(clock, &time) != 0) {
     return std::numeric_limits<double>::quiet_NaN();
   }
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);

@@ -1,11 +1,19 @@
 #pragma once
 
+#include <signal.h>
 #include <sys/types.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
+
+#include "ar3d/base/new_file.h"
 
 namespace ar3d {
 
@@ -27,22 +35,59 @@ std::span<char> bytes_in(Value& value) {
   return {reinterpret_cast<char*>(&value), sizeof(value)};
 }
 
-/// Closes all descriptors but the standard ones and those.
-void close_descriptors_but(std::vector<int> kept);
-
-/// From here on this process leaves no core file.
-void leave_no_core();
-
-/// Waits until a child has ended. @return its status as waitpid() gives it; 0 if it is none.
-int wait_for_end(pid_t child);
-
-/// Ends a child that leads a process group of its own, and all that it has started there.
-void end_group(pid_t child);
-
 /// What this process has mapped.
 double address_space_bytes();
 
-/// CPU time of a process so far, in seconds; NaN once it has ended.
-double cpu_seconds_of(pid_t process);
+/// What a child process has from this one.
+struct ChildSetup {
+  std::array<int, 3> streams = {-1, -1, -1};  ///< its standard ones; -1: those of this process
+  /// Other descriptors that stay open in a forked process; nothing: all. A program has none.
+  std::optional<std::vector<int>> kept = {};
+  int core = -1;               ///< the only core it may use; -1: as this process
+  int death_signal = SIGKILL;  ///< it comes when the thread that started the child ends
+};
+
+/// A child process in a process group of its own, without a core file. It ends with this object, and
+/// so does all that it has started, unless that has left the group. To be used by one thread.
+class Child {
+ public:
+  Child() = default;
+  Child(Child&& other) noexcept { *this = std::move(other); }
+  Child& operator=(Child&& other) noexcept;
+  ~Child() { kill(); }
+
+  /// Forks a process that calls body(its end of a socket) with one thread and ends with its result,
+  /// 1 if it throws. @throws InputError if the system has no process or descriptor left.
+  static Child forked(ChildSetup setup, const std::function<int(int socket)>& body);
+  /// Runs a program (looked up in PATH, no shell). Other threads may run meanwhile. @throws
+  /// InputError if the system has no process or descriptor left.
+  static Child of_program(std::vector<std::string> words, const ChildSetup& setup);
+
+  /// Why the program cannot be run (errno), else 0. It then ends with code 127.
+  int run_error() const { return run_error_; }
+  /// This process's end of a forked one's socket.
+  int socket() const { return socket_.get(); }
+  bool has_ended();
+  /// Waits until it has ended, and ends what it has left in its group. @return its status as
+  /// waitpid() gives it, also if it was seen before; 0 if there was none.
+  int wait();
+  /// Sends a signal to its group.
+  void send(int signal) const;
+  /// Ends it and its group at once; nothing if it has ended.
+  void kill();
+  /// CPU time so far, in seconds; NaN once it has ended.
+  double cpu_s() const;
+
+ private:
+  int finish();
+
+  pid_t pid_ = -1;
+  int status_ = 0;
+  int run_error_ = 0;
+  Descriptor socket_;
+};
+
+/// The end to read from and the end to write to. @throws InputError if there is no descriptor left.
+std::pair<Descriptor, Descriptor> new_pipe();
 
 }  // namespace ar3d

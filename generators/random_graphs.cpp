@@ -29,86 +29,9 @@ enum Stream : std::uint64_t {
   kBridgesStream
 };
 
-}  // namespace
-
-/// The pairs drawn so far are kept as adjacency, `d` places per vertex. At the first loop or
-/// parallel edge all of them are forgotten, but the points are never put back in order: a
-/// Fisher-Yates shuffle gives a uniform sequence from any start.
-std::vector<Edge> random_simple_pairs(Count num_vertices, std::uint32_t d, Count pairs,
-                                      RandomStream& random) {
-  std::vector<std::uint32_t> point(num_vertices * d);  // point p belongs to vertex p / d
-  std::iota(point.begin(), point.end(), 0u);
-  std::vector<Vertex> neighbour(point.size());
-  std::vector<std::uint8_t> degree(num_vertices);
-  const auto row = [&](Vertex v) {
-    return std::span<Vertex>(neighbour.data() + std::size_t{v} * d, degree[v]);
-  };
-  const auto draw = [&](std::size_t i) {
-    const auto left = static_cast<std::uint32_t>(point.size() - i);
-    std::swap(point[i], point[i + random.below(left)]);
-    return static_cast<Vertex>(point[i] / d);
-  };
-  const auto enter = [&](Vertex u, Vertex v) { neighbour[std::size_t{u} * d + degree[u]++] = v; };
-  for (std::size_t i = 0; i < 2 * pairs;) {
-    const Vertex u = draw(i);
-    const Vertex v = draw(i + 1);
-    if (u == v || std::ranges::find(row(u), v) != row(u).end()) {
-      while (i > 0) degree[point[--i] / d] = 0;
-      continue;
-    }
-    enter(u, v);
-    enter(v, u);
-    i += 2;
-  }
-  point = {};
-  std::vector<Edge> edges;
-  edges.reserve(pairs);
-  for (Vertex u = 0; u < num_vertices; ++u) {
-    for (const Vertex v : row(u)) {
-      if (u < v) edges.push_back({u, v});
-    }
-  }
-  return edges;
-}
-
-namespace {
-
 void refuse_bad_degree(std::uint32_t d) {
   if (d < 1 || d > 4) throw InputError(fmt::format("degree {} is outside 1..4", d));
 }
-
-}  // namespace
-
-std::vector<Edge> random_regular_edges(Count n, std::uint32_t d, RandomStream& random) {
-  return n >= kLeastSwitchingSize && d >= 2 ? random_regular_by_switching(n, d, random)
-                                            : random_simple_pairs(n, d, n * d / 2, random);
-}
-
-Graph random_regular(Count n, std::uint32_t d, std::uint64_t seed) {
-  refuse_bad_degree(d);
-  if (n <= d || n * d % 2 != 0) {
-    throw InputError(fmt::format("there is no {}-regular graph on {} vertices", d, n));
-  }
-  RandomStream random(seed, kRegularStream);
-  return Graph(n, random_regular_edges(n, d, random));
-}
-
-Count most_edges(Count n, std::uint32_t D) {
-  return n > D ? n * D / 2 : (n == 0 ? 0 : n * (n - 1) / 2);
-}
-
-Graph random_max_degree(Count n, std::uint32_t D, Count m, std::uint64_t seed) {
-  refuse_bad_degree(D);
-  if (m > most_edges(n, D)) {
-    throw InputError(
-        fmt::format("{} edges on {} vertices of degree at most {}: at most {} are possible", m, n,
-                    D, most_edges(n, D)));
-  }
-  RandomStream random(seed, kMaxDegreeStream);
-  return Graph(n, random_simple_pairs(n, D, m, random));
-}
-
-namespace {
 
 /// Draws the right ends of the points of 0, 1, ..., three each, one after the other; empty at the
 /// first parallel edge.
@@ -175,6 +98,75 @@ Vertex subdivide(std::vector<Edge>& piece, Vertex new_vertex, RandomStream& rand
 }
 
 }  // namespace
+
+/// The pairs drawn so far are kept as adjacency, `d` places per vertex. At the first loop or
+/// parallel edge all of them are forgotten, but the points are never put back in order: a
+/// Fisher-Yates shuffle gives a uniform sequence from any start.
+std::vector<Edge> random_simple_pairs(Count num_vertices, std::uint32_t d, Count pairs,
+                                      RandomStream& random) {
+  std::vector<std::uint32_t> point(num_vertices * d);  // point p belongs to vertex p / d
+  std::iota(point.begin(), point.end(), 0u);
+  std::vector<Vertex> neighbour(point.size());
+  std::vector<std::uint8_t> degree(num_vertices);
+  const auto row = [&](Vertex v) {
+    return std::span<Vertex>(neighbour.data() + std::size_t{v} * d, degree[v]);
+  };
+  const auto draw = [&](std::size_t i) {
+    const auto left = static_cast<std::uint32_t>(point.size() - i);
+    std::swap(point[i], point[i + random.below(left)]);
+    return static_cast<Vertex>(point[i] / d);
+  };
+  const auto enter = [&](Vertex u, Vertex v) { neighbour[std::size_t{u} * d + degree[u]++] = v; };
+  for (std::size_t i = 0; i < 2 * pairs;) {
+    const Vertex u = draw(i);
+    const Vertex v = draw(i + 1);
+    if (u == v || std::ranges::find(row(u), v) != row(u).end()) {
+      while (i > 0) degree[point[--i] / d] = 0;
+      continue;
+    }
+    enter(u, v);
+    enter(v, u);
+    i += 2;
+  }
+  point = {};
+  std::vector<Edge> edges;
+  edges.reserve(pairs);
+  for (Vertex u = 0; u < num_vertices; ++u) {
+    for (const Vertex v : row(u)) {
+      if (u < v) edges.push_back({u, v});
+    }
+  }
+  return edges;
+}
+
+std::vector<Edge> random_regular_edges(Count n, std::uint32_t d, RandomStream& random) {
+  return n >= kLeastSwitchingSize && d >= 2 ? random_regular_by_switching(n, d, random)
+                                            : random_simple_pairs(n, d, n * d / 2, random);
+}
+
+Graph random_regular(Count n, std::uint32_t d, std::uint64_t seed) {
+  refuse_bad_degree(d);
+  if (n <= d || n * d % 2 != 0) {
+    throw InputError(fmt::format("there is no {}-regular graph on {} vertices", d, n));
+  }
+  RandomStream random(seed, kRegularStream);
+  return Graph(n, random_regular_edges(n, d, random));
+}
+
+Count most_edges(Count n, std::uint32_t D) {
+  return n > D ? n * D / 2 : (n == 0 ? 0 : n * (n - 1) / 2);
+}
+
+Graph random_max_degree(Count n, std::uint32_t D, Count m, std::uint64_t seed) {
+  refuse_bad_degree(D);
+  if (m > most_edges(n, D)) {
+    throw InputError(
+        fmt::format("{} edges on {} vertices of degree at most {}: at most {} are possible", m, n,
+                    D, most_edges(n, D)));
+  }
+  RandomStream random(seed, kMaxDegreeStream);
+  return Graph(n, random_simple_pairs(n, D, m, random));
+}
 
 Graph random_connected_regular(Count n, std::uint32_t d, std::uint64_t seed) {
   if (d < 3 || d > 4 || n <= d || n * d % 2 != 0) {

@@ -42,7 +42,10 @@ void remove_edge(std::vector<Edge>& edges, Edge edge) {
   edges.erase(std::next(at).base());
 }
 
-/// The dot product with `second` (see dot_product) of a graph with n vertices given by its edges.
+/// Isaacs' dot product (1975) of cubic graphs: the first, which has n vertices and is given by its
+/// edges, without the edges ab = cuts[0] and cd = cuts[1], and `second` without its adjacent
+/// vertices x and y; a, b are joined to the other neighbours of x, and c, d to those of y. The
+/// vertices of `second` follow in their order. The dot product of two snarks is a snark.
 void multiply(std::vector<Edge>& edges, Count n, const std::array<Edge, 2>& cuts,
               const Graph& second, Vertex x, Vertex y) {
   const auto [cut, other_cut] = cuts;
@@ -78,13 +81,6 @@ GraphBuilder five_pieces(std::span<const Edge> piece) {
 }
 
 }  // namespace
-
-Graph dot_product(const Graph& first, Edge cut, Edge other_cut, const Graph& second, Vertex x,
-                  Vertex y) {
-  std::vector<Edge> edges(first.edges().begin(), first.edges().end());
-  multiply(edges, first.num_vertices(), {cut, other_cut}, second, x, y);
-  return Graph(first.num_vertices() + second.num_vertices() - 2, std::move(edges));
-}
 
 Graph blanusa_snark(Count k, Count type) {
   if (type != 1 && type != 2) throw InputError(fmt::format("Blanusa type {} is not 1 or 2", type));

@@ -4,14 +4,6 @@
 
 namespace ar3d {
 
-/// Isaacs' dot product (1975) of cubic graphs: `first` without the edges ab = `cut` and cd =
-/// `other_cut`, `second` without its adjacent vertices x and y; a, b are joined to the other
-/// neighbours of x, and c, d to those of y. The dot product of two snarks is a snark. n = n1 + n2 -
-/// 2; the vertices of `second` follow in their order.
-/// @throws InputError unless the two edges are disjoint edges of `first` and xy is an edge.
-Graph dot_product(const Graph& first, Edge cut, Edge other_cut, const Graph& second, Vertex x,
-                  Vertex y);
-
 /// A generalised Blanusa snark: a chain of k + 1 Petersen graphs by dot products, each cut in two
 /// edges at distance `type` = 1 or 2. n = 8k + 10, m = 3n/2, cubic, no bridges, no
 /// 3-edge-colouring. k = 1: the two Blanusa snarks (1946).

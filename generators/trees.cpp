@@ -20,6 +20,17 @@ Count add_heap(GraphBuilder& builder, Count size) {
   return root;
 }
 
+/// Which of the leaves get the large block.
+std::vector<bool> large_leaves(Count leaves, Count large, TreeShape shape, std::uint64_t seed) {
+  std::vector<bool> is_large(leaves, false);
+  std::vector<Count> order(leaves);
+  std::iota(order.begin(), order.end(), Count{0});
+  if (shape == TreeShape::kRandom)
+    RandomStream(seed, /*stream=*/2).shuffle(std::span<Count>(order));
+  for (Count i = 0; i < large; ++i) is_large[order[i]] = true;
+  return is_large;
+}
+
 }  // namespace
 
 Graph stars(Count copies, Count leaves) {
@@ -52,21 +63,6 @@ Graph spine_with_pendant_trees(Count k) {
   for (Count i = 0; i < 3 * k; ++i) builder.edge(i, add_heap(builder, kTreeSizes[i % 3]));
   return builder.finish();
 }
-
-namespace {
-
-/// Which of the leaves get the large block.
-std::vector<bool> large_leaves(Count leaves, Count large, TreeShape shape, std::uint64_t seed) {
-  std::vector<bool> is_large(leaves, false);
-  std::vector<Count> order(leaves);
-  std::iota(order.begin(), order.end(), Count{0});
-  if (shape == TreeShape::kRandom)
-    RandomStream(seed, /*stream=*/2).shuffle(std::span<Count>(order));
-  for (Count i = 0; i < large; ++i) is_large[order[i]] = true;
-  return is_large;
-}
-
-}  // namespace
 
 Graph leaf_block(Count size) {
   GraphBuilder builder(size);

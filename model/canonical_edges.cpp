@@ -1,3 +1,5 @@
+// Brings edges into canonical order and makes adjacency lists, by counting sorts in linear time.
+// Many edges are dealt to bins first, so that each sort stays within the caches.
 #include "ar3d/model/canonical_edges.h"
 
 #include <algorithm>
@@ -163,42 +165,6 @@ std::uint64_t sort_in_bins(std::uint64_t n, std::span<const Edge> edges,
   return *std::min_element(twice.begin(), twice.end());
 }
 
-}  // namespace
-
-bool are_canonical(std::span<const Edge> edges) {
-  if (!edges.empty() && edges.front().u >= edges.front().v) return false;
-  const auto ascend = [](Edge a, Edge b) {
-    return b.u < b.v && (a.u < b.u || (a.u == b.u && a.v < b.v));
-  };
-  return std::adjacent_find(edges.begin(), edges.end(), std::not_fn(ascend)) == edges.end();
-}
-
-std::uint64_t make_canonical(std::uint64_t n, std::vector<Edge>& edges) {
-  if (are_canonical(edges)) return n;
-  UnwrittenVector<Edge> sorted(edges.size());
-  std::uint64_t twice = n;
-  if (worth_binning(n, edges.size())) {
-    twice = sort_in_bins(n, edges, sorted);
-  } else {
-    std::vector<std::uint32_t> counts(n, 0);
-    twice = sort_by_counting(edges, sorted.data(), 0, counts);
-  }
-  if (twice != n) return twice;
-  for_ranges_in_threads(threads_for(edges.size()), edges.size(),
-                        [&](std::uint32_t, std::size_t begin, std::size_t end) {
-                          std::copy(&sorted[begin], &sorted[end - 1] + 1, &edges[begin]);
-                        });
-  return n;
-}
-
-// In canonical order the edges at a vertex come from its smaller neighbours first, ascending, then
-// go to its larger ones, ascending: filled in order of the edges, lists ascend. The edges to larger
-// neighbours stand side by side already; of many edges, only the half-edges at the larger ends are
-// dealt to bins. A dealt half-edge holds its vertex within the bin and its edge
-// within the chunk in place of the edge; bin and chunk follow from its place.
-
-namespace {
-
 constexpr EdgeId kInChunk = kChunkEdges - 1;
 constexpr Vertex kInBin = kBinVertices - 1;
 
@@ -298,6 +264,38 @@ class BinnedLists {
 };
 
 }  // namespace
+
+bool are_canonical(std::span<const Edge> edges) {
+  if (!edges.empty() && edges.front().u >= edges.front().v) return false;
+  const auto ascend = [](Edge a, Edge b) {
+    return b.u < b.v && (a.u < b.u || (a.u == b.u && a.v < b.v));
+  };
+  return std::adjacent_find(edges.begin(), edges.end(), std::not_fn(ascend)) == edges.end();
+}
+
+std::uint64_t make_canonical(std::uint64_t n, std::vector<Edge>& edges) {
+  if (are_canonical(edges)) return n;
+  UnwrittenVector<Edge> sorted(edges.size());
+  std::uint64_t twice = n;
+  if (worth_binning(n, edges.size())) {
+    twice = sort_in_bins(n, edges, sorted);
+  } else {
+    std::vector<std::uint32_t> counts(n, 0);
+    twice = sort_by_counting(edges, sorted.data(), 0, counts);
+  }
+  if (twice != n) return twice;
+  for_ranges_in_threads(threads_for(edges.size()), edges.size(),
+                        [&](std::uint32_t, std::size_t begin, std::size_t end) {
+                          std::copy(&sorted[begin], &sorted[end - 1] + 1, &edges[begin]);
+                        });
+  return n;
+}
+
+// In canonical order the edges at a vertex come from its smaller neighbours first, ascending, then
+// go to its larger ones, ascending: filled in order of the edges, lists ascend. The edges to larger
+// neighbours stand side by side already; of many edges, only the half-edges at the larger ends are
+// dealt to bins. A dealt half-edge holds its vertex within the bin and its edge
+// within the chunk in place of the edge; bin and chunk follow from its place.
 
 AdjacencyLists adjacency_lists(std::uint64_t n, std::span<const Edge> edges) {
   if (!worth_binning(n, edges.size())) return counted_lists(n, edges);

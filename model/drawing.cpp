@@ -1,3 +1,5 @@
+// Drawings and their coordinates in the narrowest integer that a bound allows. The hash runs over
+// points in the order of edges, so it does not depend on how a drawing is stored.
 #include "ar3d/model/drawing.h"
 
 #include <fmt/format.h>
@@ -25,6 +27,21 @@ Points origins(std::size_t count) {
   reserve_long(points, count);
   points.resize(count);
   return points;
+}
+
+/// The drawing's positions with other bends.
+Drawing stored(const Drawing& drawing, std::shared_ptr<const BendSource> bends) {
+  Coordinates vertices(drawing.num_vertices(), kMaxCoordinate);
+  for (std::size_t v = 0; v < drawing.num_vertices(); ++v) {
+    vertices.set(v, drawing.vertex(static_cast<Vertex>(v)));
+  }
+  Drawing result(drawing.algorithm(), drawing.lattice(), std::move(vertices),
+                 drawing.shared_edges(), std::move(bends));
+  result.counters = drawing.counters;
+  result.instance_bound = drawing.instance_bound;
+  result.real = drawing.real;
+  result.names = drawing.names;
+  return result;
 }
 
 }  // namespace
@@ -170,25 +187,6 @@ std::string drawing_hash(const Drawing& drawing) {
   });
   return hash.digest();
 }
-
-namespace {
-
-/// The drawing's positions with other bends.
-Drawing stored(const Drawing& drawing, std::shared_ptr<const BendSource> bends) {
-  Coordinates vertices(drawing.num_vertices(), kMaxCoordinate);
-  for (std::size_t v = 0; v < drawing.num_vertices(); ++v) {
-    vertices.set(v, drawing.vertex(static_cast<Vertex>(v)));
-  }
-  Drawing result(drawing.algorithm(), drawing.lattice(), std::move(vertices),
-                 drawing.shared_edges(), std::move(bends));
-  result.counters = drawing.counters;
-  result.instance_bound = drawing.instance_bound;
-  result.real = drawing.real;
-  result.names = drawing.names;
-  return result;
-}
-
-}  // namespace
 
 Drawing with_stored_positions(const Drawing& drawing) {
   return stored(drawing, drawing.shared_bends());

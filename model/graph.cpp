@@ -1,9 +1,12 @@
+// Builds graphs and checks their edges. The check that accepts a good list is quick; only a bad one
+// is searched again for the edge that the message names.
 #include "ar3d/model/graph.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <atomic>
+#include <boost/graph/breadth_first_search.hpp>
 #include <limits>
 #include <set>
 #include <utility>
@@ -11,6 +14,7 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/hash_stream.h"
 #include "ar3d/base/parallel.h"
+#include "ar3d/model/boost_graph.h"
 #include "ar3d/model/canonical_edges.h"
 
 namespace ar3d {
@@ -41,6 +45,23 @@ void refuse_bad_ends(std::uint64_t n, const std::vector<Edge>& edges) {
       fmt::format("edge {} ({}, {}): vertex {} is out of range, the graph has {} vertices", bad, u,
                   v, u >= n ? u : v, n));
 }
+
+/// Boost's colours of a search that numbers components: white is a vertex without a number.
+struct NumberedColours {
+  static constexpr std::uint32_t kUnseen = std::numeric_limits<std::uint32_t>::max();
+  using key_type = Vertex;
+  using value_type = boost::default_color_type;
+  using reference = value_type;
+  using category = boost::read_write_property_map_tag;
+  friend value_type get(const NumberedColours& colours, Vertex v) {
+    return colours.components->of[v] == kUnseen ? boost::white_color : boost::black_color;
+  }
+  friend void put(const NumberedColours& colours, Vertex v, value_type) {
+    colours.components->of[v] = colours.components->count;
+  }
+
+  Components* components;
+};
 
 }  // namespace
 
@@ -103,23 +124,13 @@ Graph relabelled(const Graph& graph, std::span<const Vertex> new_name) {
 }
 
 Components connected_components_of(const Graph& graph) {
-  constexpr std::uint32_t kUnseen = std::numeric_limits<std::uint32_t>::max();
   Components result;
-  result.of.assign(graph.num_vertices(), kUnseen);
-  std::vector<Vertex> stack;
+  result.of.assign(graph.num_vertices(), NumberedColours::kUnseen);
+  boost::queue<Vertex> queue;
   for (Vertex start = 0; start < graph.num_vertices(); ++start) {
-    if (result.of[start] != kUnseen) continue;
-    result.of[start] = result.count;
-    stack.push_back(start);
-    while (!stack.empty()) {
-      const Vertex v = stack.back();
-      stack.pop_back();
-      for (const HalfEdge& half : graph.incident(v)) {
-        if (result.of[half.to] != kUnseen) continue;
-        result.of[half.to] = result.count;
-        stack.push_back(half.to);
-      }
-    }
+    if (result.of[start] != NumberedColours::kUnseen) continue;
+    boost::breadth_first_visit(graph, start, queue, boost::default_bfs_visitor(),
+                               NumberedColours{&result});
     ++result.count;
   }
   return result;

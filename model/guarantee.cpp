@@ -1,3 +1,5 @@
+// Decides exactly whether an extent keeps a bound: where the bound has a root, both sides are
+// squared, in integers wide enough for every n.
 #include "ar3d/model/guarantee.h"
 
 #include <fmt/format.h>

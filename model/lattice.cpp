@@ -1,3 +1,5 @@
+// Exact angles on a lattice. The cosine is compared by squares, in 128 bits where these are proved
+// enough and in 1024 bits elsewhere.
 #include "ar3d/model/lattice.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// Points of real types as integers times a power of two: every finite binary number is one, so
+// nothing is rounded.
 #include "ar3d/model/real_points.h"
 
 #include <fmt/format.h>
@@ -34,6 +36,30 @@ BigInteger in_units(const DyadicNumber& number, int unit_exponent) {
   const BigInteger shifted = abs(number.integer)
                              << static_cast<unsigned>(number.exponent - unit_exponent);
   return number.integer < 0 ? BigInteger(-shifted) : shifted;
+}
+
+constexpr int kPictureBits = 50;  // of its coordinates
+constexpr int kFinest = 30;
+
+/// Bits of the largest coordinate, in units.
+int largest_bits(const RealPoints& points) {
+  BigInteger largest = 1;
+  for (const auto* list : {&points.vertices, &points.bends}) {
+    for (const BigPoint& p : *list) {
+      for (const BigInteger* c : {&p.x, &p.y, &p.z}) {
+        if (abs(*c) > largest) largest = abs(*c);
+      }
+    }
+  }
+  return static_cast<int>(msb(largest)) + 1;
+}
+
+/// value * 2^shift, rounded to the nearest integer.
+std::int64_t scaled(const BigInteger& value, int shift) {
+  if (shift >= 0) return static_cast<std::int64_t>(value * (BigInteger(1) << shift));
+  const BigInteger half = BigInteger(1) << (-shift - 1);
+  const BigInteger size = (abs(value) + half) >> -shift;
+  return static_cast<std::int64_t>(value < 0 ? BigInteger(-size) : size);
 }
 
 }  // namespace
@@ -82,34 +108,6 @@ RealPoints RealPointsBuilder::finish() const {
   convert(bends_, points.bends);
   return points;
 }
-
-namespace {
-
-constexpr int kPictureBits = 50;  // of its coordinates
-constexpr int kFinest = 30;
-
-/// Bits of the largest coordinate, in units.
-int largest_bits(const RealPoints& points) {
-  BigInteger largest = 1;
-  for (const auto* list : {&points.vertices, &points.bends}) {
-    for (const BigPoint& p : *list) {
-      for (const BigInteger* c : {&p.x, &p.y, &p.z}) {
-        if (abs(*c) > largest) largest = abs(*c);
-      }
-    }
-  }
-  return static_cast<int>(msb(largest)) + 1;
-}
-
-/// value * 2^shift, rounded to the nearest integer.
-std::int64_t scaled(const BigInteger& value, int shift) {
-  if (shift >= 0) return static_cast<std::int64_t>(value * (BigInteger(1) << shift));
-  const BigInteger half = BigInteger(1) << (-shift - 1);
-  const BigInteger size = (abs(value) + half) >> -shift;
-  return static_cast<std::int64_t>(value < 0 ? BigInteger(-size) : size);
-}
-
-}  // namespace
 
 Drawing real_drawing(std::string algorithm, std::shared_ptr<const std::vector<Edge>> edges,
                      RealPoints points) {

@@ -1,3 +1,5 @@
+// Reads and writes settings by name. What is not named gets its default, and an unknown name is
+// refused with the nearest known one.
 #include "ar3d/model/settings.h"
 
 #include <fmt/format.h>

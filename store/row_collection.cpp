@@ -1,8 +1,11 @@
+// The rows of one study from any number of files. Sessions and rows are sorted by what they say, so
+// that the order of the files does not matter.
 #include "ar3d/store/row_collection.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -69,11 +72,11 @@ Source results_source(const std::string& path, const RowFormat& format) {
 }
 
 bool is_journal(const std::string& path) {
-  char start[8] = {};
+  std::array<char, kJournalStart.size()> start{};
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return false;  // a pipe has no end yet
-  std::ifstream(path, std::ios::binary).read(start, sizeof(start));
-  return std::memcmp(start, kJournalMagic, sizeof(start)) == 0;
+  std::ifstream(path, std::ios::binary).read(start.data(), start.size());
+  return begins_as_journal({start.data(), start.size()});
 }
 
 void require_same_study(const Source& first, const Source& other) {
@@ -157,17 +160,25 @@ void RowCollection::close() {
   state_->index_rows();
 }
 
-// Sessions are ordered by their text, which begins with the time; equal ones are one.
+// Sessions are ordered by their text, which begins with the time. One that another one goes on from
+// is the same, seen before its end was there: the longer one stands for both.
 void RowCollection::State::number_sessions() {
+  const auto text_of = [](const Session& session) {
+    std::string text = session_text(session);
+    text.pop_back();  // the end of the list
+    return text;
+  };
   std::vector<std::pair<std::string, const Session*>> all;
   for (const Source& source : sources) {
-    for (const Session& session : source.sessions) {
-      all.emplace_back(session_text(session), &session);
-    }
+    for (const Session& session : source.sessions) all.emplace_back(text_of(session), &session);
   }
-  std::sort(all.begin(), all.end());
-  const auto same = [](const auto& a, const auto& b) { return a.first == b.first; };
+  std::sort(all.begin(), all.end(), std::greater());
+  const auto same = [](const auto& longer, const auto& other) {
+    return longer.first == other.first ||
+           (other.first.size() > 1 && longer.first.starts_with(other.first));
+  };
   all.erase(std::unique(all.begin(), all.end(), same), all.end());
+  std::reverse(all.begin(), all.end());
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (EnvironmentEntry entry : *all[i].second) {
       entry.session = static_cast<std::int64_t>(i);
@@ -176,7 +187,7 @@ void RowCollection::State::number_sessions() {
   }
   for (Source& source : sources) {
     for (const Session& session : source.sessions) {
-      const auto at = std::lower_bound(all.begin(), all.end(), session_text(session),
+      const auto at = std::lower_bound(all.begin(), all.end(), text_of(session),
                                        [](const auto& a, const auto& b) { return a.first < b; });
       source.session_numbers.push_back(at - all.begin());
     }
@@ -202,7 +213,13 @@ void RowCollection::State::index_rows() {
   rows.erase(std::unique(rows.begin(), rows.end(), same), rows.end());
   std::sort(equal_keys.begin(), equal_keys.end(),
             [](const auto& a, const auto& b) { return in_file_order(a.second, b.second); });
-  for (const auto& [kept, other] : equal_keys) require_equal(kept, other);
+  for (const auto& [kept, other] : equal_keys) {
+    if (kept.source == other.source) {
+      throw InputError(fmt::format("{}: rows {} and {} have one key, {}", sources[kept.source].path,
+                                   kept.row, other.row, to_string(kept.key)));
+    }
+    require_equal(kept, other);
+  }
 }
 
 void RowCollection::State::require_equal(const FiledRow& a, const FiledRow& b) const {

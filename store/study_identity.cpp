@@ -1,3 +1,4 @@
+// What makes rows belong to one study, and how shards are written.
 #include "ar3d/store/study_identity.h"
 
 #include <xxhash.h>

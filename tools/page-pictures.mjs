@@ -26,6 +26,7 @@ async function take(name, width, colours, prepare, scale = width > 500 ? 0.5 : 0
 const settled = page => page.waitForFunction(() => globalThis.ar3d.view.ready && globalThis.ar3d.view.settled && !globalThis.ar3d.view.moving);
 const report = selector => async page => {
   await page.goto("file://" + join(folder, "report.html"));
+  await page.waitForFunction(() => "drawn" in document.documentElement.dataset);
   await page.evaluate(css => document.querySelector(css).scrollIntoView(), selector);
 };
 const viewer = async page => {
@@ -48,5 +49,9 @@ await take("shown", 1280, "light", async page => {
   await settled(page.frames().find(frame => frame.parentFrame()));
   await page.waitForTimeout(500);
 }, 0.4);
+const page = await browser.newPage({viewport: {width: 1280, height: 860}});
+await report("body")(page);
+const [paint] = await page.evaluate(() => performance.getEntriesByType("paint").map(entry => entry.startTime));
+console.log(`report: first paint after ${paint.toFixed(0)} ms`);
 await browser.close();
 rmSync(folder, {recursive: true, force: true});

@@ -50,24 +50,24 @@ waiting_for_lists() {
   done
 }
 
-# configure PRESET [cmake options...]: once, unless AR3D_RECONFIGURE=1. AR3D_CONFIGURE holds further options.
+# folder_of PRESET: where it builds; the program alone is built where ./run-tests builds everything, which uses its objects.
+folder_of() { echo "$AR3D_ROOT/build/${1/#program/release}"; }
+
+# configure PRESET [cmake options...]: also a folder that was configured otherwise. AR3D_CONFIGURE holds further options.
 configure() {
-  local preset=$1 folder="$AR3D_ROOT/build/$1"
+  local preset=$1 log="$(folder_of "$1")/setup.log"
   shift
-  mkdir -p "$folder"
-  if [ ! -f "$folder/build.ninja" ] || [ "${AR3D_RECONFIGURE:-}" = 1 ]; then
-    echo "ar3d: configuring ($preset)" >&2
-    (cd "$AR3D_ROOT" && cmake --preset "$preset" ${AR3D_CONFIGURE:-} "$@") >"$folder/setup.log" 2>&1 || { cat "$folder/setup.log" >&2; return 1; }
-  fi
+  mkdir -p "${log%/*}"
+  [ -f "${log%/*}/build.ninja" ] || echo "ar3d: configuring ($preset)" >&2
+  (cd "$AR3D_ROOT" && cmake --preset "$preset" ${AR3D_CONFIGURE:-} "$@") >"$log" 2>&1 || { cat "$log" >&2; return 1; }
 }
 
-# build PRESET TARGET [cmake options...]: configures once, then lets ninja decide what has changed.
+# build PRESET TARGET: configures if nobody did, then lets ninja decide what has changed.
 # The output goes to a log that is shown only if something fails; a build of more than two seconds says how far it is.
 build() {
-  local preset=$1 target=$2 folder="$AR3D_ROOT/build/$1" log ninja
-  shift 2
-  configure "$preset" "$@" || return 1
-  log="$folder/setup.log"
+  local preset=$1 target=$2 folder=$(folder_of "$1") ninja
+  local log="$folder/setup.log"
+  [ -f "$folder/build.ninja" ] || configure "$preset" || return 1
   ninja -C "$folder" "$target" >"$log" 2>&1 &
   ninja=$!
   report_progress $ninja "$log" "$preset"
@@ -90,12 +90,12 @@ report_progress() {
   done
 }
 
-# with_mpi [cmake options...]: builds the program for mpirun, with the packages that this takes.
+# with_mpi: builds the program for mpirun, with the packages that this takes.
 with_mpi() {
   local cache="$AR3D_ROOT/build/release/CMakeCache.txt"
   install_packages "$AR3D_ROOT/tools/packages-mpi.txt" || return 2
-  [ -f "$cache" ] && grep -q '^AR3D_MPI:BOOL=ON' "$cache" || local AR3D_RECONFIGURE=1
-  build release ar3d_mpi "$@" -DAR3D_MPI=ON
+  [ -f "$cache" ] && grep -q '^AR3D_MPI:BOOL=ON' "$cache" || configure program -DAR3D_MPI=ON || return 1
+  build program ar3d_mpi
 }
 
 # Two builds at once in one folder would disturb each other.

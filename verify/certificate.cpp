@@ -1,20 +1,23 @@
+// Certifies a drawing. One pass tries the quick proof by counting; if that does not hold, every
+// check runs and names what is wrong. A drawing in a real type is measured instead of proved.
 #include "ar3d/verify/certificate.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
 #include "ar3d/base/printable.h"
+#include "ar3d/model/real_points.h"
 #include "ar3d/verify/checks/checks.h"
-#include "ar3d/verify/checks/contacts.h"
-#include "ar3d/verify/checks/examination.h"
-#include "ar3d/verify/checks/examination_pass.h"
+#include "ar3d/verify/crossings/contacts.h"
 #include "ar3d/verify/crossings/crossings.h"
 #include "ar3d/verify/crossings/segments.h"
+#include "ar3d/verify/examination.h"
+#include "ar3d/verify/examination_pass.h"
+#include "ar3d/verify/metrics/summary_pass.h"
 
 namespace ar3d {
 namespace {
@@ -107,17 +110,53 @@ Certificate certify_in_full(const Graph& graph, const Drawing& drawing, const Gu
   return certificate;
 }
 
-}  // namespace
-
-const char* to_string(ViolationKind kind) {
-  static constexpr std::array<const char*, 14> kNames = {
-      "vertex_count",     "edge_set",   "lattice",
-      "coordinate_range", "plane",      "degenerate_segment",
-      "direction",        "bends",      "bend_angle",
-      "vertex_angle",     "same_point", "vertex_on_edge",
-      "crossing",         "size"};
-  return kNames.at(static_cast<std::size_t>(kind));
+void check_claim(const Drawing& drawing, const Guarantee& guarantee, Findings& findings) {
+  if (guarantee.claim == Claim::measured) return;
+  findings.add({ViolationKind::lattice,
+                {},
+                {},
+                {},
+                fmt::format("the points are in the real type {}, the guarantee speaks of a lattice",
+                            drawing.real->type)});
 }
+
+void check_bends(const RealPoints& points, const Guarantee& guarantee, Findings& findings) {
+  for (EdgeId e = 0; e + 1 < points.offsets.size() && !findings.done(); ++e) {
+    const std::size_t bends = points.bends_of(e).size();
+    if (bends <= guarantee.max_bends) continue;
+    findings.add({ViolationKind::bends,
+                  {},
+                  {e},
+                  {},
+                  fmt::format("edge {} has {} bends, at most {} are promised", e, bends,
+                              guarantee.max_bends)});
+  }
+}
+
+/// Of a drawing in a real type. Violations are what rounding cannot excuse: another graph, too many
+/// bends, and, if the guarantee is no Claim::measured, that the drawing is in a real type at all.
+Examination examine_real(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
+                         const ExaminationParts& parts, const CertifyOptions& options) {
+  Examination result;
+  if (parts.hash) result.drawing_hash = drawing_hash(drawing);
+  if (!parts.certificate && !parts.metrics) return result;
+  result.summary = verify::measure_real(drawing);
+  if (!parts.certificate) return result;
+  Findings findings(options.max_violations);
+  check_graph(graph, drawing, findings);
+  check_claim(drawing, guarantee, findings);
+  check_bends(*drawing.real, guarantee, findings);
+  Certificate& certificate = result.certificate;
+  certificate.measured = true;
+  certificate.complete = !findings.done();
+  certificate.violations = findings.take();
+  certificate.box = result.summary.box;
+  certificate.bend_histogram = result.summary.bend_histogram;
+  certificate.segments = result.summary.segments;
+  return result;
+}
+
+}  // namespace
 
 std::string to_string(CertificateMode mode) {
   return mode == CertificateMode::exact ? "exact" : "none";
@@ -140,7 +179,7 @@ Certificate certify(const Graph& graph, const Drawing& drawing, const Guarantee&
 
 Examination examine(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
                     const ExaminationParts& parts, const CertifyOptions& options) {
-  if (drawing.real) return verify::examine_real(graph, drawing, guarantee, parts, options);
+  if (drawing.real) return examine_real(graph, drawing, guarantee, parts, options);
   Examination result;
   verify::ExaminationPass pass(graph, drawing, guarantee, parts, options);
   pass.run();

@@ -8,36 +8,9 @@
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"
 #include "ar3d/model/guarantee.h"
+#include "ar3d/verify/violation.h"
 
 namespace ar3d {
-
-enum class ViolationKind {
-  vertex_count,        ///< the drawing has another number of vertices than the graph
-  edge_set,            ///< an edge is missing, extra, or drawn twice
-  lattice,             ///< the drawing's Gram matrix is not the guarantee's
-  coordinate_range,    ///< a coordinate passes kMaxCoordinate; such a drawing is judged no further
-  plane,               ///< a vertex is not in the plane z = 0 although promised
-  degenerate_segment,  ///< two consecutive points of an edge coincide
-  direction,           ///< a segment is not parallel to an allowed direction
-  bends,               ///< an edge has too many bends
-  bend_angle,          ///< consecutive segments of an edge meet at a wrong angle
-  vertex_angle,        ///< two segments leave a vertex at a wrong angle
-  same_point,          ///< two vertices coincide
-  vertex_on_edge,      ///< a vertex lies on an edge that does not end there
-  crossing,            ///< two segments share a point that is not a common end of theirs
-  size,                ///< an extent passes the bound
-};
-/// "crossing", "vertex_on_edge", …
-const char* to_string(ViolationKind kind);
-
-/// One violation, with everything needed to look at it.
-struct Violation {
-  ViolationKind kind{};
-  std::vector<Vertex> vertices;
-  std::vector<EdgeId> edges;  ///< numbers of the drawing's edges
-  std::vector<Point> points;  ///< exact places
-  std::string message;        ///< one line
-};
 
 /// All tests decide exactly and find the same violations.
 enum class CrossingTest {

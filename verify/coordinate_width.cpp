@@ -1,3 +1,5 @@
+// Decides whether coordinates fit a width, by the theorem's bound for all graphs of a size or by
+// looking at one drawing.
 #include "ar3d/verify/coordinate_width.h"
 
 #include <fmt/format.h>
@@ -9,7 +11,7 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/verify/metrics/functional.h"
+#include "ar3d/verify/predicates/functional.h"
 
 namespace ar3d {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "ar3d/algorithms/catalog.h"
+#include "ar3d/algorithms/algorithm.h"
 #include "ar3d/algorithms/compact/fill.h"
 #include "ar3d/algorithms/compact/letters.h"
 #include "ar3d/algorithms/compact/strip.h"

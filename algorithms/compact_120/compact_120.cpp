@@ -72,6 +72,28 @@ Drawing draw_in_zones(const Graph& graph, std::uint64_t seed, Census& census) {
   return finished(graph, strip, nullptr, census);
 }
 
+/// @param code  the edge's arrival in two bits, then its variant.
+void append_bends(unsigned code, const Point& at_tail, const Point& at_head,
+                  std::vector<Point>& out) {
+  const Quad tail = quad_of(site_of(at_tail));
+  const Quad head = quad_of(site_of(at_head));
+  const Shape shape{head[0] > tail[0], static_cast<Arrival>(code & 3), code >> 2};
+  Route(shape, tail, head).append_bends(out);
+}
+
+std::vector<std::uint8_t> codes(const Graph& graph, const Strip& strip) {
+  std::vector<std::uint8_t> code(graph.num_edges());
+  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
+    for (const ArmLink& link : strip.links().at[v]) {
+      if (!link.is_set() || link.is_out == 0) continue;
+      const unsigned variant = strip.variant()[link.edge];
+      code[link.edge] =  // first ends have smaller numbers
+          strips::code_of(v > link.to, variant << 2 | link.at);
+    }
+  }
+  return code;
+}
+
 }  // namespace
 
 Drawing draw(const Graph& graph, const Options& options) {
@@ -112,32 +134,6 @@ Algorithm row() {
 
 // Lemma D.10, and the drawing in space. The sites of the two ends and one byte per edge give the
 // word and with it all five bends, so bends are computed when somebody reads them, in O(1).
-
-namespace {
-
-/// @param code  the edge's arrival in two bits, then its variant.
-void append_bends(unsigned code, const Point& at_tail, const Point& at_head,
-                  std::vector<Point>& out) {
-  const Quad tail = quad_of(site_of(at_tail));
-  const Quad head = quad_of(site_of(at_head));
-  const Shape shape{head[0] > tail[0], static_cast<Arrival>(code & 3), code >> 2};
-  Route(shape, tail, head).append_bends(out);
-}
-
-std::vector<std::uint8_t> codes(const Graph& graph, const Strip& strip) {
-  std::vector<std::uint8_t> code(graph.num_edges());
-  for (Vertex v = 0; v < graph.num_vertices(); ++v) {
-    for (const ArmLink& link : strip.links().at[v]) {
-      if (!link.is_set() || link.is_out == 0) continue;
-      const unsigned variant = strip.variant()[link.edge];
-      code[link.edge] =  // first ends have smaller numbers
-          strips::code_of(v > link.to, variant << 2 | link.at);
-    }
-  }
-  return code;
-}
-
-}  // namespace
 
 std::array<std::int64_t, 3> box_of(const StripSize& size) {
   const std::int64_t last = size.columns - 1;

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "ar3d/algorithms/catalog.h"
+#include "ar3d/algorithms/algorithm.h"
 #include "ar3d/algorithms/compact_120/fill.h"
 #include "ar3d/algorithms/compact_120/strip.h"
 #include "ar3d/model/drawing.h"

@@ -138,8 +138,8 @@ std::pair<Items, Items> items_of(const Graph& graph) {
     const std::vector<HalfEdge> next = std::move(colours[c]);  // not beyond this
     (c == kGreen ? items.first : items.second) = fast::items(next);
   };
-  in_two_threads(
-      graph.num_vertices(), [&] { extract(kGreen); }, [&] { extract(kRed); });
+  for_each_in_threads(threads_for(graph.num_vertices()), 2,
+                      [&](std::uint32_t, std::size_t i) { extract(i == 0 ? kGreen : kRed); });
   return items;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ar3d/algorithms/catalog.h"
+#include "ar3d/algorithms/algorithm.h"
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"
 

@@ -239,8 +239,8 @@ Tracks choose_tracks(const Graph& graph, const Placement& placement) {
     const Items& items = colour == kGreen ? placement.green : placement.red;
     reach[colour] = Labels(items, placement.at, colour, tracks).run(reach[colour]);
   };
-  in_two_threads(
-      graph.num_vertices(), [&] { label(kGreen); }, [&] { label(kRed); });
+  for_each_in_threads(threads_for(graph.num_vertices()), 2,
+                      [&](std::uint32_t, std::size_t i) { label(i == 0 ? kGreen : kRed); });
   x = reach[kGreen].a_minus_b;
   x.include(turned(reach[kRed].a_minus_b));
   y = reach[kGreen].a_plus_b;

@@ -23,6 +23,8 @@ std::uint64_t clear_around(std::uint64_t bits, std::int64_t x, std::int64_t forb
   return bits;
 }
 
+constexpr std::uint64_t kFull = ~std::uint64_t{0};
+
 }  // namespace
 
 std::uint64_t NumberSearch::block(std::int64_t x, const NumberSet& taken,
@@ -102,12 +104,6 @@ std::optional<std::int64_t> NumberSearch::find(bool up, const NumberSet& taken,
 // words with 64 children per node (van Emde Boas's idea with a fixed fan-out). Numbers are dense
 // near 0, so a bit vector is smaller and faster than a hash table or a balanced tree. Cost: one
 // word per level, up and down again: O(log n) to the base 64.
-
-namespace {
-
-constexpr std::uint64_t kFull = ~std::uint64_t{0};
-
-}  // namespace
 
 NumberSet::NumberSet(std::int64_t radius) {
   const auto half = static_cast<std::int64_t>(

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "ar3d/algorithms/catalog.h"
+#include "ar3d/algorithms/algorithm.h"
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/graph/bipartite.hpp>
 #include <cstdlib>
 #include <memory>
 #include <unordered_set>
@@ -15,6 +16,7 @@
 
 #include "ar3d/algorithms/lattice/embedding.h"
 #include "ar3d/base/error.h"
+#include "ar3d/model/boost_graph.h"
 
 namespace ar3d::lattice {
 namespace {
@@ -52,28 +54,13 @@ std::vector<Part> parts_of(const Graph& graph) {
   return parts;
 }
 
-/// Both nets are bipartite.
-bool is_bipartite(const Graph& connected) {
-  std::vector<int> side(connected.num_vertices(), -1);
-  std::vector<Vertex> queue = {0};
-  side[0] = 0;
-  for (std::size_t i = 0; i < queue.size(); ++i) {
-    for (const HalfEdge& half : connected.incident(queue[i])) {
-      if (side[half.to] == side[queue[i]]) return false;
-      if (side[half.to] >= 0) continue;
-      side[half.to] = 1 - side[queue[i]];
-      queue.push_back(half.to);
-    }
-  }
-  return true;
-}
-
 std::vector<Point> points_of(const Part& part, const SpaceNet& net) {
   const auto refuse = [&](const std::string& why) {
     throw InputError(fmt::format("no piece of the {}: the component of vertex {} ({} vertices) {}",
                                  net.name(), part.vertices[0], part.vertices.size(), why));
   };
-  if (!is_bipartite(part.graph)) refuse("has an odd cycle");
+  // Both nets are bipartite.
+  if (!boost::is_bipartite(part.graph)) refuse("has an odd cycle");
   const std::uint64_t most = kFewTries + kTriesEach * part.vertices.size();
   Embedding embedding = embed(part.graph, net, most);
   if (embedding.outcome == Embedding::Outcome::none) {

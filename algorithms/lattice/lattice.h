@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ar3d/algorithms/catalog.h"
+#include "ar3d/algorithms/algorithm.h"
 #include "ar3d/algorithms/lattice/net.h"
 
 namespace ar3d::lattice {

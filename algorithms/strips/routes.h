@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "ar3d/algorithms/catalog.h"
+#include "ar3d/algorithms/algorithm.h"
 #include "ar3d/algorithms/strips/search.h"
 #include "ar3d/model/drawing.h"
 

@@ -32,6 +32,25 @@ void copy_to_sharers(const View& view, Values& values) {
   }
 }
 
+void relax_merge(const View& view, Values& values, NodeId m) {
+  if (!view.is_listed_merge(m) || view.is_free_merge(m)) return;
+  const NodeId above = view.outs(m)[0];
+  if (view.type(above) != NodeType::merge) return;
+  const View cross(view.flow(), !view.columns());
+  if (cross.shares_row(above) && cross.row_of(m) != cross.row_of(above)) return;
+  OddInterval room = interval_of(view, values, m);
+  const std::int64_t middle = room.middle();
+  const std::int64_t nearest =
+      view.is_free_merge(above) ? std::abs(values[m] - values[above]) : margin(NodeType::merge);
+  if (values[m] < values[above]) {
+    room.high = std::min(room.high, values[above] - nearest);
+  } else {
+    room.low = std::max(room.low, values[above] + nearest);
+  }
+  expect(room.contains(values[m]), "a listed MERGE keeps its distances");
+  values[m] = static_cast<std::int32_t>(std::clamp(middle, room.low, room.high));
+}
+
 }  // namespace
 
 Values list_places(const View& view, const LongVector<NodeId>& list) {
@@ -90,29 +109,6 @@ OddInterval interval_of(const View& view, const Values& values, NodeId merge) {
          "a free MERGE has room between its in-neighbours");
   return result;
 }
-
-namespace {
-
-void relax_merge(const View& view, Values& values, NodeId m) {
-  if (!view.is_listed_merge(m) || view.is_free_merge(m)) return;
-  const NodeId above = view.outs(m)[0];
-  if (view.type(above) != NodeType::merge) return;
-  const View cross(view.flow(), !view.columns());
-  if (cross.shares_row(above) && cross.row_of(m) != cross.row_of(above)) return;
-  OddInterval room = interval_of(view, values, m);
-  const std::int64_t middle = room.middle();
-  const std::int64_t nearest =
-      view.is_free_merge(above) ? std::abs(values[m] - values[above]) : margin(NodeType::merge);
-  if (values[m] < values[above]) {
-    room.high = std::min(room.high, values[above] - nearest);
-  } else {
-    room.low = std::max(room.low, values[above] + nearest);
-  }
-  expect(room.contains(values[m]), "a listed MERGE keeps its distances");
-  values[m] = static_cast<std::int32_t>(std::clamp(middle, room.low, room.high));
-}
-
-}  // namespace
 
 void relax_merges(const View& view, unsigned passes, Values& values) {
   for (unsigned pass = 0; pass < passes; ++pass) {

@@ -1,9 +1,7 @@
-// Step 2.3: Tarjan's st-order of a block from its lowpoints, by sizes of subtrees instead of a
-// linked list, and Step 2.4: the repair of its end, which is this project's. Cost: O(size of the
-// block).
-// Steps 2.2 to 2.5: the root, the walk over the tree of blocks, and both ends of a cubic bridgeless
-// component. An st-order leaves at most one SOURCE, and one SINK per leaf block; the repairs give
-// these the neighbours that their triples need. Cost: O(n).
+// Steps 2.2 to 2.5: the root, the walk over the tree of blocks, Tarjan's st-order of each block from
+// its lowpoints, by sizes of subtrees instead of a linked list, and both ends of a cubic bridgeless
+// component. An st-order leaves at most one SOURCE, and one SINK per leaf block; the repairs, which
+// are this project's, give these the neighbours that their triples need. Cost: O(n).
 #include "ar3d/algorithms/two_bend/time_order.h"
 
 #include <algorithm>
@@ -117,60 +115,6 @@ bool repair_around(const LocalGraph& graph, Vertex* last, Vertex p5, Vertex y,
   last[3] = end;
   return true;
 }
-
-}  // namespace
-
-bool repair_true_sink(const LocalGraph& graph, LongVector<Vertex>& list) {
-  if (list.size() < 6) return false;
-  Vertex* last = list.data() + list.size() - 4;
-  const Vertex y = last[0];
-  const std::pair<Vertex, Vertex> wc{last[1], last[2]};
-  const Vertex t = last[3];
-  const bool meets_c = graph.adjacent(wc.first, wc.second);
-  if (!meets_c || !graph.adjacent(wc.first, t)) {  // case a: w has one later neighbour
-    if (meets_c) std::swap(last[2], last[3]);
-    return true;
-  }
-  const Vertex triangle[3] = {wc.first, wc.second, t};
-  unsigned hits = 0;
-  std::size_t hit = 0;
-  std::size_t miss = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (graph.adjacent(y, triangle[i])) {
-      ++hits;
-      hit = i;
-    } else {
-      miss = i;
-    }
-  }
-  if (hits == 1) {  // case b: the vertex adjacent to y goes last
-    last[1] = triangle[(hit + 1) % 3];
-    last[2] = triangle[(hit + 2) % 3];
-    last[3] = triangle[hit];
-    return true;
-  }
-  if (hits != 2) return false;
-  return repair_around(graph, last, last[-1], y,
-                       {triangle[(miss + 1) % 3], triangle[(miss + 2) % 3]}, triangle[miss]);
-}
-
-unsigned count_closing_neighbours(const LocalGraph& graph, const LongVector<Vertex>& list) {
-  const Vertex t = list.back();
-  const NeighbourList& near = graph.neighbours[t];
-  unsigned count = 0;
-  for (std::size_t k = 0; k < near.degree(); ++k) {
-    const auto at = std::find(list.rbegin(), list.rend(), near.to[k]);
-    if (at == list.rend()) continue;
-    const auto is_later = [&](Vertex v) { return std::find(list.rbegin(), at, v) != at; };
-    unsigned later = 0;
-    const NeighbourList& other = graph.neighbours[*at];
-    for (std::size_t j = 0; j < other.degree(); ++j) later += is_later(other.to[j]) ? 1u : 0u;
-    if (later == 1) ++count;
-  }
-  return count;
-}
-
-namespace {
 
 /// The block of s from s on, so that its last vertex has degree 2 inside the block if any but s
 /// has, and is a repaired true sink otherwise (Step 2.4: the block then has at least 7 vertices and
@@ -303,6 +247,56 @@ std::optional<Vertex> root_of_low_degree(const LocalGraph& graph, const BlockTre
 }
 
 }  // namespace
+
+bool repair_true_sink(const LocalGraph& graph, LongVector<Vertex>& list) {
+  if (list.size() < 6) return false;
+  Vertex* last = list.data() + list.size() - 4;
+  const Vertex y = last[0];
+  const std::pair<Vertex, Vertex> wc{last[1], last[2]};
+  const Vertex t = last[3];
+  const bool meets_c = graph.adjacent(wc.first, wc.second);
+  if (!meets_c || !graph.adjacent(wc.first, t)) {  // case a: w has one later neighbour
+    if (meets_c) std::swap(last[2], last[3]);
+    return true;
+  }
+  const Vertex triangle[3] = {wc.first, wc.second, t};
+  unsigned hits = 0;
+  std::size_t hit = 0;
+  std::size_t miss = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (graph.adjacent(y, triangle[i])) {
+      ++hits;
+      hit = i;
+    } else {
+      miss = i;
+    }
+  }
+  if (hits == 1) {  // case b: the vertex adjacent to y goes last
+    last[1] = triangle[(hit + 1) % 3];
+    last[2] = triangle[(hit + 2) % 3];
+    last[3] = triangle[hit];
+    return true;
+  }
+  if (hits != 2) return false;
+  return repair_around(graph, last, last[-1], y,
+                       {triangle[(miss + 1) % 3], triangle[(miss + 2) % 3]}, triangle[miss]);
+}
+
+unsigned count_closing_neighbours(const LocalGraph& graph, const LongVector<Vertex>& list) {
+  const Vertex t = list.back();
+  const NeighbourList& near = graph.neighbours[t];
+  unsigned count = 0;
+  for (std::size_t k = 0; k < near.degree(); ++k) {
+    const auto at = std::find(list.rbegin(), list.rend(), near.to[k]);
+    if (at == list.rend()) continue;
+    const auto is_later = [&](Vertex v) { return std::find(list.rbegin(), at, v) != at; };
+    unsigned later = 0;
+    const NeighbourList& other = graph.neighbours[*at];
+    for (std::size_t j = 0; j < other.degree(); ++j) later += is_later(other.to[j]) ? 1u : 0u;
+    if (later == 1) ++count;
+  }
+  return count;
+}
 
 TimeOrder find_time_order(const LocalGraph& graph, const BlockTree& blocks) {
   StOrder st(graph, blocks);

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "ar3d/algorithms/catalog.h"
+#include "ar3d/algorithms/algorithm.h"
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"
 #include "ar3d/model/guarantee.h"

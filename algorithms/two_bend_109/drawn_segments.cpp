@@ -52,30 +52,6 @@ bool is_fraction(Int128 part, Int128 whole) {
   return 0 <= part && part <= whole;
 }
 
-}  // namespace
-
-bool are_parallel(Vector u, Vector v) { return is_zero(cross(u, v)); }
-
-bool meet(const LatticeSegment& a, const LatticeSegment& b) {
-  if (!overlap(a.from.x, a.to.x, b.from.x, b.to.x) ||
-      !overlap(a.from.y, a.to.y, b.from.y, b.to.y) ||
-      !overlap(a.from.z, a.to.z, b.from.z, b.to.z)) {
-    return false;
-  }
-  const Vector u = a.to - a.from;
-  const Vector v = b.to - b.from;
-  const Vector w = b.from - a.from;
-  const Wide normal = cross(u, v);
-  // On one line, boxes that overlap are segments that overlap.
-  if (is_zero(normal)) return is_zero(cross(u, w));
-  if (!is_orthogonal(normal, w)) return false;
-  // a.from + s u = b.from + t v with s = (w x v) / (u x v), t = (w x u) / (u x v).
-  const std::size_t k = normal[0] != 0 ? 0 : normal[1] != 0 ? 1 : 2;
-  return is_fraction(cross(w, v)[k], normal[k]) && is_fraction(cross(w, u)[k], normal[k]);
-}
-
-namespace {
-
 bool meets_stub(const LatticeSegment& segment, const VertexStubs& star) {
   for (std::size_t i = 0; i < 4; ++i) {
     if (meet(segment, star.segment(i))) return true;
@@ -138,6 +114,26 @@ bool any_in_doubt(const Filter& filter, std::size_t begin, std::size_t end, IsMe
 }
 
 }  // namespace
+
+bool are_parallel(Vector u, Vector v) { return is_zero(cross(u, v)); }
+
+bool meet(const LatticeSegment& a, const LatticeSegment& b) {
+  if (!overlap(a.from.x, a.to.x, b.from.x, b.to.x) ||
+      !overlap(a.from.y, a.to.y, b.from.y, b.to.y) ||
+      !overlap(a.from.z, a.to.z, b.from.z, b.to.z)) {
+    return false;
+  }
+  const Vector u = a.to - a.from;
+  const Vector v = b.to - b.from;
+  const Vector w = b.from - a.from;
+  const Wide normal = cross(u, v);
+  // On one line, boxes that overlap are segments that overlap.
+  if (is_zero(normal)) return is_zero(cross(u, w));
+  if (!is_orthogonal(normal, w)) return false;
+  // a.from + s u = b.from + t v with s = (w x v) / (u x v), t = (w x u) / (u x v).
+  const std::size_t k = normal[0] != 0 ? 0 : normal[1] != 0 ? 1 : 2;
+  return is_fraction(cross(w, v)[k], normal[k]) && is_fraction(cross(w, u)[k], normal[k]);
+}
 
 void DrawnSegments::add_star(const VertexStubs& star) {
   stars_.push_back(star);

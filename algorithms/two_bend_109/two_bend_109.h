@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "ar3d/algorithms/catalog.h"
+#include "ar3d/algorithms/algorithm.h"
 #include "ar3d/algorithms/two_bend_109/stubs.h"
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"

@@ -24,45 +24,6 @@ double slope(Foot foot) {
   return foot.x > 0 ? foot.y / foot.x : std::numeric_limits<double>::infinity();
 }
 
-}  // namespace
-
-Foot turned(Foot foot, unsigned quarter_turns) {
-  for (unsigned i = 0; i < quarter_turns % 4; ++i) foot = {-foot.y, foot.x};
-  return foot;
-}
-
-double position_quality(Foot place, const std::vector<Foot>& feet) {
-  std::vector<Foot> directions;  // to feet or away from them, whichever points to x > 0
-  directions.reserve(feet.size());
-  for (const Foot foot : feet) {
-    double x = foot.x - place.x, y = foot.y - place.y;
-    if (x == 0 && y == 0) return 0;
-    if (x < 0 || (x == 0 && y < 0)) {
-      x = -x;
-      y = -y;
-    }
-    directions.push_back({x, y});
-  }
-  double quality = std::numeric_limits<double>::infinity();
-  if (directions.size() < 2) return quality;
-  std::sort(directions.begin(), directions.end(),
-            [](Foot a, Foot b) { return slope(a) < slope(b); });
-  const double n = std::max<double>(3, static_cast<double>(feet.size()));
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    const Foot a = directions[i], b = directions[(i + 1) % directions.size()];
-    const double sine = std::abs(a.x * b.y - a.y * b.x) / (norm(a) * norm(b));
-    if (sine < kLeastSine) return 0;
-    quality = std::min(quality, sine * n * std::max(n / 0.4, 8 * std::min(norm(a), norm(b))));
-  }
-  return quality;
-}
-
-bool is_good(Foot place, const std::vector<Foot>& feet, unsigned round) {
-  return position_quality(place, feet) >= std::ldexp(1.0, -static_cast<int>(round));
-}
-
-namespace {
-
 constexpr std::size_t kLongCycle = 16;  // from here on the staircase bends by itself
 constexpr double kSlowestBend = 64;
 
@@ -177,6 +138,41 @@ class PolygonBuilder {
 };
 
 }  // namespace
+
+Foot turned(Foot foot, unsigned quarter_turns) {
+  for (unsigned i = 0; i < quarter_turns % 4; ++i) foot = {-foot.y, foot.x};
+  return foot;
+}
+
+double position_quality(Foot place, const std::vector<Foot>& feet) {
+  std::vector<Foot> directions;  // to feet or away from them, whichever points to x > 0
+  directions.reserve(feet.size());
+  for (const Foot foot : feet) {
+    double x = foot.x - place.x, y = foot.y - place.y;
+    if (x == 0 && y == 0) return 0;
+    if (x < 0 || (x == 0 && y < 0)) {
+      x = -x;
+      y = -y;
+    }
+    directions.push_back({x, y});
+  }
+  double quality = std::numeric_limits<double>::infinity();
+  if (directions.size() < 2) return quality;
+  std::sort(directions.begin(), directions.end(),
+            [](Foot a, Foot b) { return slope(a) < slope(b); });
+  const double n = std::max<double>(3, static_cast<double>(feet.size()));
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const Foot a = directions[i], b = directions[(i + 1) % directions.size()];
+    const double sine = std::abs(a.x * b.y - a.y * b.x) / (norm(a) * norm(b));
+    if (sine < kLeastSine) return 0;
+    quality = std::min(quality, sine * n * std::max(n / 0.4, 8 * std::min(norm(a), norm(b))));
+  }
+  return quality;
+}
+
+bool is_good(Foot place, const std::vector<Foot>& feet, unsigned round) {
+  return position_quality(place, feet) >= std::ldexp(1.0, -static_cast<int>(round));
+}
 
 Foot right_of(const std::vector<Foot>& feet) {
   if (feet.empty()) return {};

@@ -15,24 +15,6 @@ namespace {
 
 constexpr std::size_t kShortest = 4;  // there are no triangles
 
-}  // namespace
-
-std::vector<Node> shortest_cycle(const ContractedGraph& graph, const std::vector<Node>& nodes,
-                                 const std::vector<bool>& inside, ShortestCycleSearch& search) {
-  const auto star = [&graph](Node node) -> const auto& { return graph.stars[node]; };
-  std::vector<Node> best;
-  for (const Node root : nodes) {
-    if (inside[root]) continue;
-    const std::size_t longest = best.empty() ? nodes.size() : best.size() - 1;
-    std::vector<Node> cycle = search.through(root, longest, star, inside);
-    if (!cycle.empty()) best = std::move(cycle);
-    if (!best.empty() && best.size() <= kShortest) break;
-  }
-  return best;
-}
-
-namespace {
-
 class Grower {
  public:
   explicit Grower(const ContractedGraph& graph)
@@ -153,6 +135,20 @@ class Grower {
 };
 
 }  // namespace
+
+std::vector<Node> shortest_cycle(const ContractedGraph& graph, const std::vector<Node>& nodes,
+                                 const std::vector<bool>& inside, ShortestCycleSearch& search) {
+  const auto star = [&graph](Node node) -> const auto& { return graph.stars[node]; };
+  std::vector<Node> best;
+  for (const Node root : nodes) {
+    if (inside[root]) continue;
+    const std::size_t longest = best.empty() ? nodes.size() : best.size() - 1;
+    std::vector<Node> cycle = search.through(root, longest, star, inside);
+    if (!cycle.empty()) best = std::move(cycle);
+    if (!best.empty() && best.size() <= kShortest) break;
+  }
+  return best;
+}
 
 std::vector<Component> grow(const ContractedGraph& graph) { return Grower(graph).run(); }
 

@@ -76,16 +76,6 @@ RealPoints draw_in(const Graph& graph, const Choices& choices, RealType type) {
   return builder.finish();
 }
 
-}  // namespace
-
-const char* to_string(RealType type) {
-  constexpr std::array<const char*, kRealTypes> kNames{"float", "double", "binary80", "binary128",
-                                                       "reference"};
-  return kNames.at(static_cast<std::size_t>(type));
-}
-
-namespace {
-
 RealPoints draw_chosen(const Graph& graph, const Choices& choices, RealType type) {
   switch (type) {
     case RealType::single_precision:
@@ -136,6 +126,12 @@ std::vector<Counter> counters_of(const Choices& choices) {
 }
 
 }  // namespace
+
+const char* to_string(RealType type) {
+  constexpr std::array<const char*, kRealTypes> kNames{"float", "double", "binary80", "binary128",
+                                                       "reference"};
+  return kNames.at(static_cast<std::size_t>(type));
+}
 
 RealPoints draw_real(const Graph& graph, RealType type) {
   refuse_larger_degrees("two-bend-paper", graph, 3);

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "ar3d/algorithms/catalog.h"
+#include "ar3d/algorithms/algorithm.h"
 #include "ar3d/model/graph.h"
 #include "ar3d/model/real_points.h"
 

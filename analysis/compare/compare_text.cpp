@@ -76,42 +76,6 @@ ordered_json calibration_json(const Calibration& calibration) {
           {"smallest_slowdown_worst", json_number(calibration.smallest_slowdown_worst)}};
 }
 
-}  // namespace
-
-std::string comparison_json(const Comparison& comparison, const CompareOptions& options,
-                            const Calibration* calibration) {
-  ordered_json json;
-  json["verdict"] = comparison.word();
-  json["exit_code"] = comparison.exit_code();
-  json["judged"] = comparison.judged();
-  json["rule"] = {{"threshold", options.time.threshold},
-                  {"significance", options.time.significance},
-                  {"false_discovery_rate", options.time.false_discovery_rate},
-                  {"confidence", options.time.confidence},
-                  {"instruction_threshold", options.instruction_threshold},
-                  {"cycle_threshold", options.cycle_threshold},
-                  {"drawings_only", options.drawings_only}};
-  json["time_judged"] = comparison.time_judged;
-  json["environment_changes"] = environment_json(comparison);
-  json["measurements"] = comparison.rows;
-  for (const Verdict verdict : {Verdict::pass, Verdict::improved, Verdict::unjudged,
-                                Verdict::inconclusive, Verdict::regressed, Verdict::violated}) {
-    json["counts"][to_string(verdict)] = comparison.count(verdict);
-  }
-  for (const auto& [name, lines] : {std::pair{"incomplete", &comparison.incomplete},
-                                    std::pair{"remarks", &comparison.remarks}}) {
-    json[name] = ordered_json::array();
-    for (const std::string& line : *lines) json[name].push_back(valid_utf8(line));
-  }
-  if (comparison.times) json["times"] = times_json(*comparison.times);
-  if (calibration != nullptr) json["calibration"] = calibration_json(*calibration);
-  json["cells"] = ordered_json::array();
-  for (const CellComparison& cell : comparison.cells) json["cells"].push_back(cell_json(cell));
-  return json.dump(1) + "\n";
-}
-
-namespace {
-
 constexpr std::size_t kLargestChanges = 10;
 
 std::string percent(double ratio) { return fmt::format("{:+.1f} %", 100 * (ratio - 1)); }
@@ -265,6 +229,38 @@ std::string markdown_row(const CellComparison& cell, bool shows_times) {
 }
 
 }  // namespace
+
+std::string comparison_json(const Comparison& comparison, const CompareOptions& options,
+                            const Calibration* calibration) {
+  ordered_json json;
+  json["verdict"] = comparison.word();
+  json["exit_code"] = comparison.exit_code();
+  json["judged"] = comparison.judged();
+  json["rule"] = {{"threshold", options.time.threshold},
+                  {"significance", options.time.significance},
+                  {"false_discovery_rate", options.time.false_discovery_rate},
+                  {"confidence", options.time.confidence},
+                  {"instruction_threshold", options.instruction_threshold},
+                  {"cycle_threshold", options.cycle_threshold},
+                  {"drawings_only", options.drawings_only}};
+  json["time_judged"] = comparison.time_judged;
+  json["environment_changes"] = environment_json(comparison);
+  json["measurements"] = comparison.rows;
+  for (const Verdict verdict : {Verdict::pass, Verdict::improved, Verdict::unjudged,
+                                Verdict::inconclusive, Verdict::regressed, Verdict::violated}) {
+    json["counts"][to_string(verdict)] = comparison.count(verdict);
+  }
+  for (const auto& [name, lines] : {std::pair{"incomplete", &comparison.incomplete},
+                                    std::pair{"remarks", &comparison.remarks}}) {
+    json[name] = ordered_json::array();
+    for (const std::string& line : *lines) json[name].push_back(valid_utf8(line));
+  }
+  if (comparison.times) json["times"] = times_json(*comparison.times);
+  if (calibration != nullptr) json["calibration"] = calibration_json(*calibration);
+  json["cells"] = ordered_json::array();
+  for (const CellComparison& cell : comparison.cells) json["cells"].push_back(cell_json(cell));
+  return json.dump(1) + "\n";
+}
 
 std::string comparison_markdown(const Comparison& comparison, const CompareOptions& options,
                                 std::size_t most_cells) {

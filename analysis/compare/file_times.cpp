@@ -84,47 +84,6 @@ TimeChange change_of(double distance, double error, const TimeRule& rule) {
   return std::abs(distance) + error < limit ? TimeChange::same : TimeChange::undecided;
 }
 
-}  // namespace
-
-CellTimes cell_times(const PairedCell& cell) {
-  using Graph = std::tuple<std::int64_t, std::int64_t, std::uint64_t>;
-  std::map<Graph, std::array<std::vector<std::pair<std::int64_t, double>>, 2>> graphs;
-  const std::vector<PairedRow> rows = timed_rows(cell);
-  const bool is_corrected = std::ranges::all_of(rows, [](const PairedRow& row) {
-    return !std::isnan(log_slowness(*row.base) + log_slowness(*row.now));
-  });
-  for (const PairedRow& row : rows) {
-    auto& graph = graphs[{row.base->requested_n, row.base->instance_index, row.base->seed}];
-    for (const auto& [side, run] :
-         {std::pair{std::size_t{0}, row.base}, std::pair{std::size_t{1}, row.now}}) {
-      graph[side].emplace_back(run->repetition, is_corrected ? log_corrected_time(*run)
-                                                             : std::log(drawing_time_s(*run)));
-    }
-  }
-  CellTimes times;
-  times.setting = algorithm_label(cell.key);
-  times.graphs = std::max<std::size_t>(1, graphs.size());
-  for (auto& [graph, sides] : graphs) {
-    const double share = 1 / static_cast<double>(graphs.size());
-    for (std::size_t side = 0; side < 2; ++side) {
-      std::sort(sides[side].begin(), sides[side].end());
-      std::vector<double> logs;
-      for (const auto& [round, log] : sides[side]) logs.push_back(log);
-      const std::size_t rounds = logs.size();
-      const auto middle = logs.begin() + static_cast<std::ptrdiff_t>(rounds / 2);
-      times.rounds = times.rounds == 0 ? rounds : std::min(times.rounds, rounds);
-      times.ratio += share * (side == 0 ? -1 : 1) * median(logs);
-      times.spread += std::pow(share * error_of_median(logs), 2);
-      if (rounds < 2) continue;
-      times.halves[side] += share * (median({logs.begin(), middle}) - median({middle, logs.end()}));
-    }
-  }
-  times.spread = std::sqrt(times.spread);
-  return times;
-}
-
-namespace {
-
 /// The rules of docs/analysis.md, "Then times", in their order.
 class FileJudge {
  public:
@@ -221,20 +180,53 @@ class FileJudge {
   FileTimes times_;
 };
 
-}  // namespace
-
-FileTimes judge_file_times(const std::vector<CellTimes>& cells, const Results& base,
-                           const Results& now, const TimeRule& rule) {
-  return FileJudge(cells, rule).judged(base, now);
-}
-
-namespace {
-
 std::string signed_percent(double log_ratio) {
   return fmt::format("{:+.1f} %", 100 * std::expm1(log_ratio));
 }
 
 }  // namespace
+
+CellTimes cell_times(const PairedCell& cell) {
+  using Graph = std::tuple<std::int64_t, std::int64_t, std::uint64_t>;
+  std::map<Graph, std::array<std::vector<std::pair<std::int64_t, double>>, 2>> graphs;
+  const std::vector<PairedRow> rows = timed_rows(cell);
+  const bool is_corrected = std::ranges::all_of(rows, [](const PairedRow& row) {
+    return !std::isnan(log_slowness(*row.base) + log_slowness(*row.now));
+  });
+  for (const PairedRow& row : rows) {
+    auto& graph = graphs[{row.base->requested_n, row.base->instance_index, row.base->seed}];
+    for (const auto& [side, run] :
+         {std::pair{std::size_t{0}, row.base}, std::pair{std::size_t{1}, row.now}}) {
+      graph[side].emplace_back(run->repetition, is_corrected ? log_corrected_time(*run)
+                                                             : std::log(drawing_time_s(*run)));
+    }
+  }
+  CellTimes times;
+  times.setting = algorithm_label(cell.key);
+  times.graphs = std::max<std::size_t>(1, graphs.size());
+  for (auto& [graph, sides] : graphs) {
+    const double share = 1 / static_cast<double>(graphs.size());
+    for (std::size_t side = 0; side < 2; ++side) {
+      std::sort(sides[side].begin(), sides[side].end());
+      std::vector<double> logs;
+      for (const auto& [round, log] : sides[side]) logs.push_back(log);
+      const std::size_t rounds = logs.size();
+      const auto middle = logs.begin() + static_cast<std::ptrdiff_t>(rounds / 2);
+      times.rounds = times.rounds == 0 ? rounds : std::min(times.rounds, rounds);
+      times.ratio += share * (side == 0 ? -1 : 1) * median(logs);
+      times.spread += std::pow(share * error_of_median(logs), 2);
+      if (rounds < 2) continue;
+      times.halves[side] += share * (median({logs.begin(), middle}) - median({middle, logs.end()}));
+    }
+  }
+  times.spread = std::sqrt(times.spread);
+  return times;
+}
+
+FileTimes judge_file_times(const std::vector<CellTimes>& cells, const Results& base,
+                           const Results& now, const TimeRule& rule) {
+  return FileJudge(cells, rule).judged(base, now);
+}
 
 std::string distance_text(const SettingTimes& setting) {
   return fmt::format("{} {} [{}, {}]", setting.name, signed_percent(setting.distance),

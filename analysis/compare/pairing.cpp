@@ -86,80 +86,6 @@ bool has_times(const PairedRow& row) {
   return is_time(drawing_time_s(*row.base)) && is_time(drawing_time_s(*row.now));
 }
 
-}  // namespace
-
-bool both_drawn(const PairedRow& row) {
-  const auto is_drawn = [](const RunRecord& run) {
-    return run.status == RunStatus::ok || run.status == RunStatus::measured;
-  };
-  return is_drawn(*row.base) && is_drawn(*row.now);
-}
-
-std::string row_label(const RunRecord& run) {
-  const CurveKey key = curve_of(run);
-  std::string label = algorithm_label(key);
-  if (!run.family.empty()) label += fmt::format(" on {} n={}", family_label(key), run.requested_n);
-  if (run.instance_index >= 0) label += fmt::format(", instance {}", run.instance_index);
-  if (run.repetition >= 0) label += fmt::format(", repetition {}", run.repetition);
-  return label;
-}
-
-Pairing pair_rows(const Results& base, const Results& now) {
-  const RowIndex new_rows = index_of(now, "NEW");
-  const KeyIndex new_keys = keys_of(now);
-  index_of(base, "BASE");
-  Pairing pairing;
-  std::map<std::pair<CurveKey, std::int64_t>, std::size_t> cell_of;
-  std::size_t matched = 0;
-  for (const RunRecord& run : base.runs) {
-    const RunRecord* const partner = partner_of(run, new_rows, new_keys);
-    if (partner == nullptr) {
-      const bool may_lack = run.phase == RunPhase::timing && run.repetition > 0;
-      if (may_lack) {
-        ++pairing.fewer;
-      } else if (pairing.missing++ == 0) {
-        pairing.first_missing = row_label(run);
-      }
-      continue;
-    }
-    ++matched;
-    const std::int64_t n = run.n >= 0 ? run.n : run.requested_n;
-    const auto [place, is_new] = cell_of.try_emplace({curve_of(run), n}, pairing.cells.size());
-    if (is_new) pairing.cells.push_back({curve_of(run), n, {}});
-    pairing.cells[place->second].rows.push_back({&run, partner});
-  }
-  pairing.extra = now.runs.size() - matched;
-  return pairing;
-}
-
-std::vector<PairedRow> timed_rows(const PairedCell& cell) {
-  std::vector<PairedRow> rows = candidates(cell);
-  std::erase_if(rows, [](const PairedRow& row) { return !has_times(row); });
-  return rows;
-}
-
-double round_log_time_ratio(const PairedCell& cell) {
-  std::map<decltype(graph_of(RunRecord())), std::pair<double, double>> smallest;
-  for (const PairedRow& row : timed_rows(cell)) {
-    const std::pair<double, double> times = {drawing_time_s(*row.base), drawing_time_s(*row.now)};
-    auto& kept = smallest.try_emplace(graph_of(*row.base), times).first->second;
-    kept = {std::min(kept.first, times.first), std::min(kept.second, times.second)};
-  }
-  std::vector<double> ratios;
-  for (const auto& [graph, times] : smallest) {
-    ratios.push_back(std::log(times.second / times.first));
-  }
-  return median(std::move(ratios));
-}
-
-std::size_t rows_without_time(const PairedCell& cell) {
-  const std::vector<PairedRow> rows = candidates(cell);
-  return static_cast<std::size_t>(std::count_if(
-      rows.begin(), rows.end(), [](const PairedRow& row) { return !has_times(row); }));
-}
-
-namespace {
-
 using Wide = boost::multiprecision::uint256_t;  // holds every product of three 64-bit numbers
 
 /// Lattice points of the box.
@@ -287,6 +213,76 @@ void compare_measured(const RunRecord& base, const RunRecord& now,
 }
 
 }  // namespace
+
+bool both_drawn(const PairedRow& row) {
+  const auto is_drawn = [](const RunRecord& run) {
+    return run.status == RunStatus::ok || run.status == RunStatus::measured;
+  };
+  return is_drawn(*row.base) && is_drawn(*row.now);
+}
+
+std::string row_label(const RunRecord& run) {
+  const CurveKey key = curve_of(run);
+  std::string label = algorithm_label(key);
+  if (!run.family.empty()) label += fmt::format(" on {} n={}", family_label(key), run.requested_n);
+  if (run.instance_index >= 0) label += fmt::format(", instance {}", run.instance_index);
+  if (run.repetition >= 0) label += fmt::format(", repetition {}", run.repetition);
+  return label;
+}
+
+Pairing pair_rows(const Results& base, const Results& now) {
+  const RowIndex new_rows = index_of(now, "NEW");
+  const KeyIndex new_keys = keys_of(now);
+  index_of(base, "BASE");
+  Pairing pairing;
+  std::map<std::pair<CurveKey, std::int64_t>, std::size_t> cell_of;
+  std::size_t matched = 0;
+  for (const RunRecord& run : base.runs) {
+    const RunRecord* const partner = partner_of(run, new_rows, new_keys);
+    if (partner == nullptr) {
+      const bool may_lack = run.phase == RunPhase::timing && run.repetition > 0;
+      if (may_lack) {
+        ++pairing.fewer;
+      } else if (pairing.missing++ == 0) {
+        pairing.first_missing = row_label(run);
+      }
+      continue;
+    }
+    ++matched;
+    const std::int64_t n = run.n >= 0 ? run.n : run.requested_n;
+    const auto [place, is_new] = cell_of.try_emplace({curve_of(run), n}, pairing.cells.size());
+    if (is_new) pairing.cells.push_back({curve_of(run), n, {}});
+    pairing.cells[place->second].rows.push_back({&run, partner});
+  }
+  pairing.extra = now.runs.size() - matched;
+  return pairing;
+}
+
+std::vector<PairedRow> timed_rows(const PairedCell& cell) {
+  std::vector<PairedRow> rows = candidates(cell);
+  std::erase_if(rows, [](const PairedRow& row) { return !has_times(row); });
+  return rows;
+}
+
+double round_log_time_ratio(const PairedCell& cell) {
+  std::map<decltype(graph_of(RunRecord())), std::pair<double, double>> smallest;
+  for (const PairedRow& row : timed_rows(cell)) {
+    const std::pair<double, double> times = {drawing_time_s(*row.base), drawing_time_s(*row.now)};
+    auto& kept = smallest.try_emplace(graph_of(*row.base), times).first->second;
+    kept = {std::min(kept.first, times.first), std::min(kept.second, times.second)};
+  }
+  std::vector<double> ratios;
+  for (const auto& [graph, times] : smallest) {
+    ratios.push_back(std::log(times.second / times.first));
+  }
+  return median(std::move(ratios));
+}
+
+std::size_t rows_without_time(const PairedCell& cell) {
+  const std::vector<PairedRow> rows = candidates(cell);
+  return static_cast<std::size_t>(std::count_if(
+      rows.begin(), rows.end(), [](const PairedRow& row) { return !has_times(row); }));
+}
 
 std::vector<FixedChange> fixed_changes(const PairedRow& row) {
   const RunRecord& base = *row.base;

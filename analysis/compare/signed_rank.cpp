@@ -1,3 +1,5 @@
+// Wilcoxon's signed-rank test, because it needs no assumption about the tails of the noise. The
+// distribution is exact for few pairs; for many it is the normal approximation.
 #include "ar3d/analysis/compare/signed_rank.h"
 
 #include <algorithm>

@@ -44,6 +44,35 @@ TimeChange change_of(const TimeVerdict& verdict, const TimeRule& rule) {
   return inside ? TimeChange::same : TimeChange::undecided;
 }
 
+using Ratios = std::vector<std::vector<double>>;
+
+std::size_t alarms(const Ratios& ratios, const TimeRule& rule) {
+  const std::vector<TimeVerdict> verdicts = judge_times(ratios, rule);
+  return static_cast<std::size_t>(
+      std::count_if(verdicts.begin(), verdicts.end(), [](const TimeVerdict& verdict) {
+        return verdict.change == TimeChange::slower || verdict.change == TimeChange::faster;
+      }));
+}
+
+Ratios relabelled(const Ratios& ratios, RandomStream& coins) {
+  std::size_t rounds = 0;
+  for (const auto& cell : ratios) rounds = std::max(rounds, cell.size());
+  std::vector<double> sign(rounds);
+  for (double& value : sign) value = coins.below(2) == 0 ? 1 : -1;
+  Ratios result = ratios;
+  for (auto& cell : result) {
+    for (std::size_t i = 0; i < cell.size(); ++i) cell[i] *= sign[i];
+  }
+  return result;
+}
+
+/// The smallest value that at least the share p of the values does not pass; infinities count.
+double nearest_rank(std::vector<double> values, double p) {
+  std::sort(values.begin(), values.end());
+  const auto place = static_cast<std::size_t>(std::ceil(p * static_cast<double>(values.size())));
+  return values[std::min(values.size(), std::max<std::size_t>(1, place)) - 1];
+}
+
 }  // namespace
 
 std::size_t fewest_pairs(const TimeRule& rule) { return pairs_for(rule.significance); }
@@ -83,39 +112,6 @@ double smallest_visible_slowdown(std::vector<double> log_ratios, const TimeRule&
   const double estimate = (averages[(averages.size() - 1) / 2] + averages[averages.size() / 2]) / 2;
   return std::expm1(std::max(-averages[*critical], std::log1p(rule.threshold) - estimate));
 }
-
-namespace {
-
-using Ratios = std::vector<std::vector<double>>;
-
-std::size_t alarms(const Ratios& ratios, const TimeRule& rule) {
-  const std::vector<TimeVerdict> verdicts = judge_times(ratios, rule);
-  return static_cast<std::size_t>(
-      std::count_if(verdicts.begin(), verdicts.end(), [](const TimeVerdict& verdict) {
-        return verdict.change == TimeChange::slower || verdict.change == TimeChange::faster;
-      }));
-}
-
-Ratios relabelled(const Ratios& ratios, RandomStream& coins) {
-  std::size_t rounds = 0;
-  for (const auto& cell : ratios) rounds = std::max(rounds, cell.size());
-  std::vector<double> sign(rounds);
-  for (double& value : sign) value = coins.below(2) == 0 ? 1 : -1;
-  Ratios result = ratios;
-  for (auto& cell : result) {
-    for (std::size_t i = 0; i < cell.size(); ++i) cell[i] *= sign[i];
-  }
-  return result;
-}
-
-/// The smallest value that at least the share p of the values does not pass; infinities count.
-double nearest_rank(std::vector<double> values, double p) {
-  std::sort(values.begin(), values.end());
-  const auto place = static_cast<std::size_t>(std::ceil(p * static_cast<double>(values.size())));
-  return values[std::min(values.size(), std::max<std::size_t>(1, place)) - 1];
-}
-
-}  // namespace
 
 double Calibration::false_alarm_rate() const {
   const double judged = static_cast<double>(cells) * static_cast<double>(relabellings);

@@ -54,84 +54,6 @@ double residuals_of_line(std::span<const double> values) {
   return yy - xy * xy / xx;
 }
 
-}  // namespace
-
-std::vector<double> winsorised(std::span<const double> values) {
-  std::vector<double> clipped(values.begin(), values.end());
-  clip(clipped, deviation_of(values));
-  return clipped;
-}
-
-std::vector<double> winsorised(std::span<const double> values, std::size_t at) {
-  std::vector<double> clipped(values.begin(), values.end());
-  const double deviation = deviation_of(values);
-  clip(std::span(clipped).first(at), deviation);
-  clip(std::span(clipped).subspan(at), deviation);
-  return clipped;
-}
-
-SeededIntervals seeded_intervals(std::size_t size, std::size_t shortest) {
-  SeededIntervals intervals;
-  const auto whole = static_cast<double>(size);
-  for (double layer = 0;; ++layer) {
-    const double shrunk = std::pow(std::numbers::sqrt2, layer);
-    const double length = whole / shrunk;
-    if (length < static_cast<double>(shortest)) return intervals;
-    const double count = 2 * std::ceil(shrunk) - 1;
-    const double step = count > 1 ? (whole - length) / (count - 1) : 0;
-    for (double i = 0; i < count; ++i) {
-      const auto begin = static_cast<std::size_t>(std::floor(i * step));
-      const auto end = static_cast<std::size_t>(std::ceil(i * step + length - 1e-9));
-      intervals.emplace_back(begin, std::min(end, size));
-    }
-  }
-}
-
-Split largest_split(std::span<const double> values, const SeededIntervals& intervals,
-                    std::size_t shortest) {
-  const std::vector<double> sums = partial_sums(values);
-  Split best;
-  double best_square = 0;
-  for (const auto& [begin, end] : intervals) {
-    const auto length = static_cast<double>(end - begin);
-    const double mean_of_all = (sums[end] - sums[begin]) / length;
-    for (std::size_t at = begin + shortest; at + shortest <= end; ++at) {
-      const auto left = static_cast<double>(at - begin);
-      const double excess = sums[at] - sums[begin] - left * mean_of_all;
-      const double squared = square(excess) * length / (left * (length - left));
-      if (squared <= best_square) continue;
-      best_square = squared;
-      best.at = at;
-    }
-  }
-  best.height = std::sqrt(best_square);
-  return best;
-}
-
-PlausibleSplits plausible_splits(std::span<const double> values, std::size_t at) {
-  const std::vector<double> sums = partial_sums(values);
-  const auto size = static_cast<double>(values.size());
-  double squares = 0;
-  for (const double value : values) squares += square(value - sums.back() / size);
-  // The mean is taken off, so that the difference below is not one of large numbers.
-  const auto residuals = [&](std::size_t split) {
-    const auto left = static_cast<double>(split);
-    const double excess = sums[split] - left * sums.back() / size;
-    return squares - square(excess) * size / (left * (size - left));
-  };
-  const double best = std::max(residuals(at), 0.0);
-  const double most = best + kPlausible * best / std::max(size - 2, 1.0) + 1e-12 * squares;
-  PlausibleSplits splits{at, at, residuals_of_line(values) < best};
-  for (std::size_t split = 1; split < values.size(); ++split) {
-    if (residuals(split) > most) continue;
-    splits.first = std::min(splits.first, split);
-    splits.last = std::max(splits.last, split);
-  }
-  return splits;
-}
-
-namespace {
-
 struct Stretch {
   std::size_t begin = 0;
   std::size_t end = 0;
@@ -216,6 +138,80 @@ bool drop_smallest(std::vector<std::size_t>& at, const std::vector<ChangePoint>&
 }
 
 }  // namespace
+
+std::vector<double> winsorised(std::span<const double> values) {
+  std::vector<double> clipped(values.begin(), values.end());
+  clip(clipped, deviation_of(values));
+  return clipped;
+}
+
+std::vector<double> winsorised(std::span<const double> values, std::size_t at) {
+  std::vector<double> clipped(values.begin(), values.end());
+  const double deviation = deviation_of(values);
+  clip(std::span(clipped).first(at), deviation);
+  clip(std::span(clipped).subspan(at), deviation);
+  return clipped;
+}
+
+SeededIntervals seeded_intervals(std::size_t size, std::size_t shortest) {
+  SeededIntervals intervals;
+  const auto whole = static_cast<double>(size);
+  for (double layer = 0;; ++layer) {
+    const double shrunk = std::pow(std::numbers::sqrt2, layer);
+    const double length = whole / shrunk;
+    if (length < static_cast<double>(shortest)) return intervals;
+    const double count = 2 * std::ceil(shrunk) - 1;
+    const double step = count > 1 ? (whole - length) / (count - 1) : 0;
+    for (double i = 0; i < count; ++i) {
+      const auto begin = static_cast<std::size_t>(std::floor(i * step));
+      const auto end = static_cast<std::size_t>(std::ceil(i * step + length - 1e-9));
+      intervals.emplace_back(begin, std::min(end, size));
+    }
+  }
+}
+
+Split largest_split(std::span<const double> values, const SeededIntervals& intervals,
+                    std::size_t shortest) {
+  const std::vector<double> sums = partial_sums(values);
+  Split best;
+  double best_square = 0;
+  for (const auto& [begin, end] : intervals) {
+    const auto length = static_cast<double>(end - begin);
+    const double mean_of_all = (sums[end] - sums[begin]) / length;
+    for (std::size_t at = begin + shortest; at + shortest <= end; ++at) {
+      const auto left = static_cast<double>(at - begin);
+      const double excess = sums[at] - sums[begin] - left * mean_of_all;
+      const double squared = square(excess) * length / (left * (length - left));
+      if (squared <= best_square) continue;
+      best_square = squared;
+      best.at = at;
+    }
+  }
+  best.height = std::sqrt(best_square);
+  return best;
+}
+
+PlausibleSplits plausible_splits(std::span<const double> values, std::size_t at) {
+  const std::vector<double> sums = partial_sums(values);
+  const auto size = static_cast<double>(values.size());
+  double squares = 0;
+  for (const double value : values) squares += square(value - sums.back() / size);
+  // The mean is taken off, so that the difference below is not one of large numbers.
+  const auto residuals = [&](std::size_t split) {
+    const auto left = static_cast<double>(split);
+    const double excess = sums[split] - left * sums.back() / size;
+    return squares - square(excess) * size / (left * (size - left));
+  };
+  const double best = std::max(residuals(at), 0.0);
+  const double most = best + kPlausible * best / std::max(size - 2, 1.0) + 1e-12 * squares;
+  PlausibleSplits splits{at, at, residuals_of_line(values) < best};
+  for (std::size_t split = 1; split < values.size(); ++split) {
+    if (residuals(split) > most) continue;
+    splits.first = std::min(splits.first, split);
+    splits.last = std::max(splits.last, split);
+  }
+  return splits;
+}
 
 std::vector<ChangePoint> find_changes(std::span<const double> log_values, const ChangeRule& rule) {
   std::vector<std::size_t> at;

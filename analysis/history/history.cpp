@@ -1,3 +1,5 @@
+// Reads a folder of results files in order, joins what is measured alike into lines, and looks for
+// changes in each. Times are first divided by how slow the machine was.
 #include "ar3d/analysis/history/history.h"
 
 #include <fmt/format.h>
@@ -61,8 +63,6 @@ std::vector<fs::path> results_files(const std::string& folder) {
   return files;
 }
 
-constexpr std::string_view kProgramEntry = "program_";  // in /environments, the name behind it
-
 struct ReadResults {
   CommitResults commit;
   std::map<std::string, std::string> environment;
@@ -79,14 +79,6 @@ ReadResults read_one(const fs::path& path) {
   read.commit.study = reader.identity().study_id;
   read.commit.created = reader.identity().created;
   read.files = graph_file_records(reader.identity());
-  for (const GraphFileRecord& file : read.files) {
-    read.commit.not_of_the_catalogue.insert(file.name);
-  }
-  for (const EnvironmentEntry& entry : reader.environment()) {
-    if (entry.name.starts_with(kProgramEntry)) {
-      read.commit.not_of_the_catalogue.insert(entry.name.substr(kProgramEntry.size()));
-    }
-  }
   read.environment = lasting_settings(reader.environment());
   read.table = cell_values(view_of(reader));
   read.commit.unfinished = read.table.unfinished;
@@ -180,10 +172,7 @@ void name_files_alike(std::vector<ReadResults>& read) {
   }
   for (ReadResults& one : read) {
     std::map<std::string, std::string> renamed;
-    for (const GraphFileRecord& file : one.files) {
-      renamed[file.name] = last_name[file.hash];
-      one.commit.not_of_the_catalogue.insert(last_name[file.hash]);
-    }
+    for (const GraphFileRecord& file : one.files) renamed[file.name] = last_name[file.hash];
     std::map<HistoryCell, CellValues> cells;
     for (auto& [cell, values] : one.table.cells) {
       HistoryCell named = cell;

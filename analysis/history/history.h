@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -25,8 +24,6 @@ struct CommitResults {
   /// environment: its times are divided by that. 1 without yardsticks.
   double slowness = 1;
   std::size_t unfinished = 0;  ///< rows
-  /// Files of graphs and programs of the study's own, by name: `bisect` cannot have them.
-  std::set<std::string> not_of_the_catalogue;
 };
 
 /// One measure of one cell over the commits, in one environment.
@@ -75,12 +72,12 @@ std::string history_file_name(std::int64_t place, const std::string& name,
 History read_history(const std::string& folder, const HistoryRule& rule);
 
 /// For a terminal: how much was judged, and every change with the commits around it and the command
-/// that looks for the commit, `most` at most, the largest first.
+/// that compares their results, `most` at most, the largest first.
 std::string summary(const History& history, std::size_t most = 20);
 
-/// The line that looks for a change's commit; empty if one of the two commits is not known.
-std::string bisect_command(const History& history, const HistoryLine& line,
-                           const ChangePoint& change);
+/// The line that compares the results before a change with those behind it.
+std::string compare_command(const History& history, const HistoryLine& line,
+                            const ChangePoint& change);
 
 /// "+10.2 % [+9.1 %, +11.3 %]", "1.5 to 1.6 per edge": what a change was.
 std::string effect_text(const HistoryLine& line, const ChangePoint& change);

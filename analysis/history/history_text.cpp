@@ -1,3 +1,5 @@
+// Says in words and in JSON where the measures of a history changed. Both outputs take the changes
+// in the same order, the largest first.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 
 #include "ar3d/analysis/history/history.h"
 #include "ar3d/analysis/json.h"
-#include "ar3d/analysis/report/html.h"
 #include "ar3d/base/printable.h"
 
 namespace ar3d {
@@ -16,8 +17,13 @@ namespace {
 constexpr std::size_t kMostNotes = 5;
 constexpr double kSlowNote = 0.05;  // of a logarithm
 
-bool is_commit(const std::string& hash) {
-  return hash.size() == 40 && hash.find_first_not_of("0123456789abcdef") == std::string::npos;
+/// "1.23 µs", "45.6 ms", "7.8 s".
+std::string duration(double seconds) {
+  const double size = std::abs(seconds);
+  if (size < 1e-6) return fmt::format("{:.3g} ns", seconds * 1e9);
+  if (size < 1e-3) return fmt::format("{:.3g} µs", seconds * 1e6);
+  if (size < 1) return fmt::format("{:.3g} ms", seconds * 1e3);
+  return fmt::format("{:.3g} s", seconds);
 }
 
 /// Mean of the logarithms of values [begin, end), or of the values themselves.
@@ -41,8 +47,7 @@ std::string change_lines(const History& history, const PlacedChange& placed) {
   if (surely.before != at.before || surely.after != at.after) {
     text += fmt::format(" (95 %: between {} and {})", surely.before->name, surely.after->name);
   }
-  const std::string command = bisect_command(history, *placed.line, *placed.change);
-  return text + "\n" + (command.empty() ? "" : "    " + command + "\n");
+  return text + "\n    " + compare_command(history, *placed.line, *placed.change) + "\n";
 }
 
 std::string judged_text(const History& history) {
@@ -67,7 +72,7 @@ nlohmann::ordered_json change_json(const History& history, const HistoryLine& li
           {"ratio_low", json_number(std::exp(change.interval.low))},
           {"ratio_high", json_number(std::exp(change.interval.high))},
           {"gradual", change.gradual},
-          {"command", valid_utf8(bisect_command(history, line, change))}};
+          {"command", valid_utf8(compare_command(history, line, change))}};
 }
 
 }  // namespace
@@ -111,7 +116,7 @@ const char* direction_text(const PlacedChange& placed) {
 }
 
 std::string value_text(Measure measure, double value) {
-  if (measure == Measure::time) return report::duration(value);
+  if (measure == Measure::time) return duration(value);
   return measure == Measure::bends ? fmt::format("{:.4g}", value) : fmt::format("{:.5g}", value);
 }
 
@@ -128,20 +133,11 @@ std::string effect_text(const HistoryLine& line, const ChangePoint& change) {
   return std::isfinite(change.effect) ? percent_change(change.effect) + ", " + values : values;
 }
 
-std::string bisect_command(const History& history, const HistoryLine& line,
-                           const ChangePoint& change) {
+std::string compare_command(const History& history, const HistoryLine& line,
+                            const ChangePoint& change) {
   const Neighbours at = around(history, {&line, &change}, true);
-  const CurveKey& curve = line.cell.curve;
-  if (at.after->not_of_the_catalogue.contains(curve.family) ||
-      at.after->not_of_the_catalogue.contains(curve.algorithm)) {
-    return fmt::format("ar3d compare {} {}", shell_word(absolute(at.before->file)),
-                       shell_word(absolute(at.after->file)));
-  }
-  const std::string &good = at.before->source_hash, &bad = at.after->source_hash;
-  if (!is_commit(good) || !is_commit(bad) || good == bad) return "";
-  return fmt::format("ar3d bisect --good {} --bad {} --study {} --measure {} --cell {}",
-                     good.substr(0, 12), bad.substr(0, 12), shell_word(absolute(at.after->file)),
-                     to_string(line.measure), shell_word(cell_label(line.cell.curve, line.cell.n)));
+  return fmt::format("ar3d compare {} {}", shell_word(absolute(at.before->file)),
+                     shell_word(absolute(at.after->file)));
 }
 
 std::string summary(const History& history, std::size_t most) {

@@ -1,129 +1,202 @@
-// What stands behind the numbers: every metric whatever metrics there are, environment,
-// specification, methods.
-#include <fmt/format.h>
-
+// What changed since the reference, every metric whatever metrics there are, the environment, and
+// batches that threads or ranks share.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "ar3d/analysis/report/html.h"
 #include "ar3d/analysis/report/sections.h"
 #include "ar3d/analysis/statistics.h"
+#include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d::report {
 namespace {
 
-/// The kept graphs of one setting at its largest n.
-struct LargestGraphs {
-  std::string label;
-  std::int64_t n = -1;
-  std::vector<const DrawnGraph*> graphs;
+using enum CellType;
+
+constexpr std::array kVerdicts = {Verdict::violated, Verdict::regressed, Verdict::inconclusive,
+                                  Verdict::unjudged, Verdict::improved,  Verdict::pass};
+
+double time_ratio(const CellComparison& cell) {
+  return cell.time.test.pairs == 0 ? kMissing : std::exp(cell.time.test.estimate);
+}
+
+/// The one of two ratios that is farther from 1.
+double farther(double a, double b) {
+  if (!std::isfinite(a)) return b;
+  return std::isfinite(b) && std::abs(std::log(b)) > std::abs(std::log(a)) ? b : a;
+}
+
+/// What all cells of one setting came to.
+struct SettingChange {
+  std::array<std::size_t, kVerdicts.size()> cells{};  // indexed by Verdict
+  double time = kMissing, volume = kMissing;          // ratios, the one farthest from 1
 };
 
-std::vector<LargestGraphs> largest_graphs(const StudyTally& tally,
-                                          const std::vector<Section>& sections) {
-  std::vector<LargestGraphs> all;
-  for (const Section& section : sections) all.push_back({section.label, -1, {}});
-  for (const CurveTally& curve : tally.curves) {
-    const std::string label = algorithm_label(curve.key);
-    LargestGraphs& largest = *std::find_if(
-        all.begin(), all.end(), [&](const LargestGraphs& one) { return one.label == label; });
-    for (const auto& [n, size] : curve.sizes) {
-      if (size.drawn == 0 || n < largest.n) continue;
-      if (n > largest.n) largest.graphs.clear();
-      largest.n = n;
-      for (const DrawnGraph& graph : size.graphs) largest.graphs.push_back(&graph);
+void add_since_settings(TableMaker& make, const Comparison& comparison) {
+  std::map<std::string, SettingChange> settings;
+  for (const CellComparison& cell : comparison.cells) {
+    SettingChange& setting = settings[algorithm_label(cell.key)];
+    ++setting.cells[static_cast<std::size_t>(cell.verdict)];
+    setting.time = farther(setting.time, time_ratio(cell));
+    setting.volume = farther(setting.volume, std::exp2(cell.log2_volume_change));
+  }
+  Table& table = make.start("since_settings", "a setting: its cells by their verdict",
+                            {{"setting", "", "its name"},
+                             {"violated", "", "cells", integer},
+                             {"regressed", "", "cells", integer},
+                             {"inconclusive", "", "cells", integer},
+                             {"unjudged", "", "cells", integer},
+                             {"improved", "", "cells", integer},
+                             {"pass", "", "cells", integer},
+                             {"time", "", "ratio of times farthest from 1", number},
+                             {"volume", "", "ratio of volumes farthest from 1", number}});
+  for (const auto& [label, setting] : settings) {
+    std::vector<TableCell> row = {label};
+    for (const Verdict verdict : kVerdicts) {
+      row.push_back(setting.cells[static_cast<std::size_t>(verdict)]);
+    }
+    row.push_back(setting.time);
+    row.push_back(setting.volume);
+    table.add(std::move(row));
+  }
+}
+
+/// The cells that are neither a plain pass nor merely unjudged or inconclusive, the heaviest
+/// verdicts first.
+void add_since_cells(TableMaker& make, const Comparison& comparison) {
+  Table& table = make.start("since_cells", "a cell in which something changed",
+                            {{"verdict", "", "of the cell"},
+                             {"setting", "", "an algorithm with its options"},
+                             {"family", "", "the family"},
+                             {"n", "vertices", "vertices; missing: all sizes", integer},
+                             {"time", "", "ratio of times", number},
+                             {"instructions", "", "ratio of instructions", number},
+                             {"cycles", "", "ratio of estimated cycles", number},
+                             {"volume", "", "ratio of volumes", number},
+                             {"reason", "", "why"}});
+  for (const Verdict verdict : kVerdicts) {
+    for (const CellComparison& cell : comparison.cells) {
+      const bool is_plain = verdict == Verdict::pass || verdict == Verdict::unjudged;
+      if (verdict == Verdict::inconclusive || cell.verdict != verdict) continue;
+      if (is_plain && cell.reason.empty()) continue;
+      table.add({to_string(verdict), algorithm_label(cell.key), family_label(cell.key),
+                 count_or_none(cell.n), time_ratio(cell), std::exp(cell.counts.instructions),
+                 std::exp(cell.counts.cycles), std::exp2(cell.log2_volume_change), cell.reason});
     }
   }
-  return all;
 }
 
-std::string value_cell(std::size_t metric, const LargestGraphs& largest) {
-  std::vector<double> values;
-  for (const DrawnGraph* graph : largest.graphs) {
-    if (!std::isnan(graph->metrics[metric])) values.push_back(graph->metrics[metric]);
+void add_since(TableMaker& make) {
+  Table& since = make.start("since", "the comparison with the reference",
+                            {{"why_none", "", "why nothing was compared; missing: it was"},
+                             {"file", "", "of the reference"},
+                             {"created", "", "of the reference"},
+                             {"word", "", "the verdict of `ar3d compare`"},
+                             {"judged", "", "what the verdict is about"},
+                             {"rows", "", "measurements that both hold", integer},
+                             {"cells", "", "cells", integer},
+                             {"is_copy", "", "the two hold the same measurements", flag},
+                             {"time_judged", "", "times were judged", flag}});
+  if (!make.since.comparison) {
+    since.add({make.since.why_none, {}, {}, {}, {}, {}, {}, {}, {}});
+    return;
   }
-  if (values.empty()) return cell("–", true);
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  const std::string range = fmt::format("{:.4g} – {:.4g}", *least, *most);
-  return cell(fmt::format("{:.4g} <small>{}</small>", median(values), range), true);
+  const Comparison& comparison = *make.since.comparison;
+  since.add({{},
+             make.since.file,
+             make.since.created,
+             comparison.word(),
+             comparison.judged(),
+             comparison.rows,
+             comparison.cells.size(),
+             comparison.is_copy,
+             comparison.time_judged});
+  Table& environment = make.start("since_environment", "what makes times hard to compare",
+                                  {{"name", "", "the setting"},
+                                   {"base", "", "its value there"},
+                                   {"now", "", "its value here"},
+                                   {"differs", "", "the two differ", flag}});
+  for (const EnvironmentChange& change : comparison.environment) {
+    environment.add({change.name, change.base, change.now, change.differs()});
+  }
+  Table& remarks = make.start(
+      "since_remarks", "a remark of the comparison",
+      {{"incomplete", "", "why the comparison is not whole", flag}, {"text", "", "one line"}});
+  for (const std::string& line : comparison.incomplete) remarks.add({true, line});
+  for (const std::string& line : comparison.remarks) remarks.add({false, line});
+  add_since_settings(make, comparison);
+  add_since_cells(make, comparison);
 }
 
-constexpr const char* kMethods =
-    R"html(<section id=methods><h2>Methods</h2><details><summary>How it was measured and judged</summary>
-<p><b>Certificate.</b> A row counts as proved only if its drawing was checked in exact integers by code that shares nothing
-with the code that drew it: edge set, directions, bends, all angles, coinciding points, crossings, and the size against the
-theorem. A row with another certificate (column certificate: measured, none; in older results also filtered, double, a sample) counts as not proved, and
-no violation in it only says that none was looked for or found.</p>
-<p><b>Bounds.</b> Extents are largest minus smallest coordinate. The theorem's bound depends on n alone; a graph's own
-bound is what the proof gives for that very graph; a published bound is somebody else's and only compared (where the source gives an
-order without a constant, 1 stands for it). Fill is extent over bound, worst and median over graphs (one
-repetition each, since repetitions must give the same drawing).</p>
-<p><b>Volume.</b> The number of lattice points in the box, the product of extent + 1 over the axes.</p>
-<p><b>Exponents.</b> Logarithms of the values, averaged over the graphs of each size (over repetitions the median),
-fitted by least squares against log n, every size with the same weight. Sizes below the square root of the largest n
-are left out while eight stay; a size with an unfinished graph is left out, because its finished ones are the fast ones.
-With fewer than eight sizes, or sizes less than four-fold apart, the answer is “undecided”.</p>
-<p><b>Intervals.</b> 95 %. A size is a cluster: its graphs may share an error. Cluster-robust variance (HC2 on the means of
-the sizes) with Student's t and the degrees of freedom of Bell and McCaffrey (Imbens and Kolesár 2016).</p>
-<p><b>Labels.</b> “Power law”: sizes at least 16-fold apart, the drift of the local exponent from the smallest to the
-largest size lies within ±0.1 with 95 % confidence, and a test of fit for quadratic and cubic terms (10 %) does not reject the line, or
-the sizes are off it by less than 1 %. “With logarithm”: sizes at least 100-fold apart, the local exponent falls, the interval of b in
-n^a·log^b n holds 1, 2 or 3 and not 0, and an Akaike weight of at least 0.95 against n^a alone, with a lower-order term, or with
-a step. Everything else is an “apparent exponent”: true of the sizes it was fitted to, and of no others.</p>
-<p><b>Times.</b> Wall time of the drawing alone, without generating, certifying or writing. Only times of the timing phase are
-fitted, where a drawing has a core of its own; other rows ran beside others.</p>
-<p><b>Unfinished rows.</b> A timeout, a crash or exhausted memory is a value that is only known to be large: such rows stand as
-red points at the upper edge of their figures, and their size is left out of the fit.</p>
-<p><b>Growth figures.</b> Every value is divided by the order of the theorem's bound (times by n), so that growth in that order is a
-horizontal line and anything else a slope. Band and thick line: least, median and largest of the families' medians at the n that was asked
-for. Thin lines: medians of a family at its own n; drawn are the two with the largest and the two with the least last values, and
-those that “Highlight families” picks. Points: graphs, evenly over the sorted values.</p>
-<p><b>Trade.</b> As many settings as have a family in common are compared, over the families that all of these drew at that n. A crossing is where the medians of two algorithms' settings,
-joined in logarithms, meet for the last time.</p>
-<p><b>Saving.</b> Every figure can be saved as SVG and CSV, with a matplotlib script or a LaTeX document (pgfplots) that draws the CSV, which lies beside
-it; <code>ar3d report --figures DIR</code> writes all of them, and PDF.</p></details></section>
-)html";
+void add_metrics(TableMaker& make) {
+  Table& names = make.start("metrics", "a metric",
+                            {{"metric", "", "its column in the results"},
+                             {"unit", "", "its unit"},
+                             {"definition", "", "what it is"}});
+  for (const Metric& metric : metrics()) names.add({metric.name, metric.unit, metric.definition});
+  Table& values = make.start("metric_values", "a metric of a setting's graphs of the largest n",
+                             {{"metric", "", "its row in metrics", integer},
+                              {"setting", "", "its row in settings", integer},
+                              {"n", "vertices", "the largest n that was drawn", integer},
+                              {"median", "", "median over the graphs", number},
+                              {"least", "", "least value", number},
+                              {"largest", "", "largest value", number}});
+  for (std::size_t i = 0; i < make.sections.size(); ++i) {
+    std::int64_t n = -1;
+    std::vector<const DrawnGraph*> graphs;
+    for (const SectionCurve& curve : make.sections[i].curves) {
+      for (const auto& [size_n, size] : curve.tally->sizes) {
+        if (size.drawn == 0 || size_n < n) continue;
+        if (size_n > n) graphs.clear();
+        n = size_n;
+        for (const DrawnGraph& graph : size.graphs) graphs.push_back(&graph);
+      }
+    }
+    for (std::size_t metric = 0; metric < metrics().size(); ++metric) {
+      std::vector<double> of;
+      for (const DrawnGraph* graph : graphs) {
+        if (!std::isnan(graph->metrics[metric])) of.push_back(graph->metrics[metric]);
+      }
+      if (of.empty()) continue;
+      const auto [least, largest] = std::ranges::minmax(of);
+      values.add({metric, i, n, median(of), least, largest});
+    }
+  }
+}
+
+void add_scaling(TableMaker& make) {
+  Table& table = make.start(
+      "scaling", "equal drawings shared by threads or ranks, medians over batches",
+      {{"algorithm", "", "with its options"},
+       {"kind", "", "strong: the same drawings; weak: as many for each"},
+       {"shared_by", "", "threads or ranks"},
+       {"family", "", "the family"},
+       {"n", "vertices", "vertices", integer},
+       {"sharers", "", "how many share a batch", integer},
+       {"batch", "s", "time of a batch", number},
+       {"ideal", "s", "ideal time of a batch", number},
+       {"efficiency", "", "ideal time over time", number},
+       {"at_a_time", "", "drawings made in the time in which one alone makes one", number}});
+  for (const auto& [key, batch] : make.analysis.tally.batches) {
+    const double efficiency = median(batch.efficiency);
+    table.add({key.algorithm, is_strong(key.phase) ? "strong" : "weak",
+               is_over_ranks(key.phase) ? "ranks" : "threads", key.family, key.n, key.sharers,
+               median(batch.batch_s), median(batch.ideal_s), efficiency,
+               efficiency * static_cast<double>(key.sharers)});
+  }
+}
 
 }  // namespace
 
-std::string metrics_section(const StudyAnalysis& analysis, const std::vector<Section>& sections) {
-  if (sections.empty()) return "";
-  const std::vector<LargestGraphs> settings = largest_graphs(analysis.tally, sections);
-  std::vector<std::string> columns = {"Metric", "Unit", "Definition"};
-  for (const LargestGraphs& graphs : settings) {
-    columns.push_back(
-        fmt::format("#{}<br>n = {}", escape(graphs.label), graphs.n < 0 ? "–" : grouped(graphs.n)));
+void add_background(TableMaker& make) {
+  add_since(make);
+  add_metrics(make);
+  add_scaling(make);
+  Table& table = make.start("environment", "a recorded setting of the machine and the build",
+                            {{"name", "", "the setting"}, {"value", "", "its value"}});
+  for (const EnvironmentEntry& entry : *make.analysis.rows.environment) {
+    table.add({entry.name, entry.value});
   }
-  std::string html =
-      "<section id=metrics><h2>All metrics</h2><p>Median and (grey) least and largest value over "
-      "the graphs of the largest n that was drawn; definitions are those of <code>ar3d list "
-      "metrics</code>.</p><details><summary>The table</summary>" +
-      table_head(columns);
-  for (std::size_t i = 0; i < metrics().size(); ++i) {
-    const Metric& metric = metrics()[i];
-    html += row_head(metric.name) + cell(escape(metric.unit)) + note(escape(metric.definition));
-    for (const LargestGraphs& graphs : settings) html += value_cell(i, graphs);
-    html += "</tr>\n";
-  }
-  return html + "</tbody></table></div></details></section>\n";
-}
-
-std::string background(const RowView& rows) {
-  const StudyIdentity& study = *rows.identity;
-  std::string html = "<section id=environment><h2>Environment</h2>";
-  if (rows.environment->empty()) {
-    html += "<p>The file names none.</p>";
-  } else {
-    html += "<div class=scroll><table><tbody>";
-    for (const EnvironmentEntry& entry : *rows.environment) {
-      html += row_head(entry.name) + note(escape(entry.value)) + "</tr>";
-    }
-    html += "</tbody></table></div>";
-  }
-  html += "</section>\n<section id=spec><h2>Specification</h2><p class=muted>XXH3-128 " +
-          escape(study.spec_hash) + "</p><pre tabindex=0>" + escape(study.spec) +
-          "</pre></section>\n";
-  return html + kMethods;
 }
 
 }  // namespace ar3d::report

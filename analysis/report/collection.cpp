@@ -1,84 +1,97 @@
 // A collection of graphs from files: who drew how many, how good the drawings are beside the best
-// one of the same graph, distributions by group.
-#include "ar3d/analysis/report/collection.h"
-
-#include <fmt/format.h>
-
+// one of the same graph, medians by n and by group.
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 #include <utility>
 
-#include "ar3d/analysis/report/html.h"
+#include "ar3d/analysis/report/sections.h"
+#include "ar3d/analysis/statistics.h"
 
 namespace ar3d::report {
 namespace {
 
-constexpr std::size_t kMostCompared = 6;  // settings of the scatters
-constexpr std::size_t kMostGroupRows = 24;
+using enum CellType;
 
-/// The value of one metric of the table; missing if the row has none.
-double metric_of(const DrawnGraph& graph, const char* name) {
+constexpr std::size_t kMostCompared = 6;      // settings of the pairs
+constexpr std::size_t kScatterPoints = 1000;  // of two settings
+constexpr std::size_t kOutliers = 3;          // on either side
+constexpr std::size_t kMostBins = 16;
+constexpr double kProfileEnd = 4;  // decades behind the best
+constexpr int kProfileSteps = 80;
+constexpr std::size_t kMeasured = 2;  // measures of pairs and bins
+
+/// One graph, and what the settings made of it.
+struct CollectionGraph {
+  std::int64_t n = 0;
+  std::map<std::size_t, const DrawnGraph*> drawn;  // by setting of the collection
+};
+
+/// The graphs of one name with parameters, all that the tally keeps.
+struct Collection {
+  std::string family;
+  std::vector<std::pair<std::size_t, const SectionCurve*>> settings;  // with their sections
+  bool is_relative = false, is_timed = true;
+  std::map<std::pair<std::uint64_t, std::int64_t>, CollectionGraph> graphs;  // by seed and place
+};
+
+/// What graphs are compared by: a decimal logarithm of at least one drawing, the less the better.
+struct CollectionMeasure {
+  const char* name;
+  double (*log10_value)(const Collection&, const DrawnGraph&);
+  bool is_larger_better = false;
+};
+
+/// Decimal logarithm of one metric of the table; missing if the row has none.
+double log10_metric(const DrawnGraph& graph, const char* name) {
   const auto at = std::ranges::find(metrics(), name, &Metric::name);
   const auto place = static_cast<std::size_t>(at - metrics().begin());
-  return place < graph.metrics.size() ? graph.metrics[place] : kMissing;
-}
-
-double log10_metric(const DrawnGraph& graph, const char* name) {
-  return decimal(log_positive(metric_of(graph, name)));
+  return decimal(log_positive(place < graph.metrics.size() ? graph.metrics[place] : kMissing));
 }
 
 const std::vector<CollectionMeasure>& measures() {
   static const std::vector<CollectionMeasure> all = {
-      {"volume", "Volume", TickStyle::power,
-       [](const Collection& of) {
-         return std::string(of.is_relative ? "cubes of the smallest vertex distance"
-                                           : "lattice points");
-       },
+      {"volume",
        [](const Collection& of, const DrawnGraph& graph) {
          return (of.is_relative ? graph.log2_relative_volume : graph.log2_volume) * std::log10(2);
        }},
-      {"time", "Drawing time", TickStyle::seconds,
-       [](const Collection& of) { return std::string(of.is_timed ? "s" : "s, beside other rows"); },
+      {"drawing time",
        [](const Collection& of, const DrawnGraph& graph) {
-         return decimal(log_value(graph, Quantity::wall_s, of.is_timed));
+         return of.is_timed ? decimal(graph.log_timed_s) : kMissing;
        }},
-      {"edge-length", "Total edge length", TickStyle::power,
-       [](const Collection&) { return std::string("smallest vertex distances"); },
+      {"total edge length",
        [](const Collection&, const DrawnGraph& graph) {
          return log10_metric(graph, "total_edge_length") -
                 log10_metric(graph, "smallest_vertex_distance");
        }},
-      {"angle", "Smallest angle at a vertex", TickStyle::count,
-       [](const Collection&) { return std::string("degrees"); },
+      {"smallest angle at a vertex",
        [](const Collection&, const DrawnGraph& graph) {
          return log10_metric(graph, "smallest_vertex_angle");
        },
        true}};
   return all;
 }
-constexpr std::size_t kScattered = 2;  // of the measures
 
-/// The collections of the page, in the order of the file.
+/// The collections of the study, in the order of the file.
 std::vector<Collection> collections_of(const std::vector<Section>& sections) {
   std::vector<Collection> all;
   std::map<std::string, std::size_t> index_of;
-  for (const Section& section : sections) {
-    for (const SectionCurve& curve : section.curves) {
+  for (std::size_t section = 0; section < sections.size(); ++section) {
+    for (const SectionCurve& curve : sections[section].curves) {
       if (!curve.is_collection) continue;
       const auto [at, is_new] = index_of.try_emplace(curve.family, all.size());
       if (is_new) all.emplace_back().family = curve.family;
       Collection& collection = all[at->second];
       const std::size_t setting = collection.settings.size();
-      collection.settings.push_back({section.label, &curve});
-      collection.is_relative |= section.has_own_unit;
+      collection.settings.emplace_back(section, &curve);
+      collection.is_relative |= sections[section].has_own_unit;
       collection.is_timed &= curve.tally->has_timing_rows;
       for (const auto& [n, size] : curve.tally->sizes) {
         for (const DrawnGraph& graph : size.graphs) {
           CollectionGraph& known = collection.graphs[{graph.seed, graph.instance}];
           known.n = std::max<std::int64_t>(1, graph.n);
-          known.drawn.emplace_back(setting, &graph);
+          known.drawn[setting] = &graph;
         }
       }
     }
@@ -86,161 +99,245 @@ std::vector<Collection> collections_of(const std::vector<Section>& sections) {
   return all;
 }
 
-/// A table of the settings: how many graphs each drew, and what became of the rows.
-std::string drawn_table(const Collection& collection) {
-  std::string html = table_head({"Setting", "#Graphs", "#Drawn", "#Share", "#Refused rows",
-                                 "#Violated rows", "#Unfinished rows"});
-  for (const CollectionSetting& setting : collection.settings) {
-    const CurveTally& tally = *setting.curve->tally;
-    std::size_t drawn = 0;
-    for (const auto& [n, size] : tally.sizes) drawn += size.drawn;
-    const std::size_t unfinished = tally.count(RunStatus::timeout) +
-                                   tally.count(RunStatus::out_of_memory) +
-                                   tally.count(RunStatus::crashed);
-    html += row_head(setting.label);
-    html += cell(grouped(static_cast<std::int64_t>(tally.instances)), true);
-    html += cell(grouped(static_cast<std::int64_t>(drawn)), true);
-    html += cell(percent(static_cast<double>(drawn) / static_cast<double>(tally.instances)), true);
-    for (const std::size_t count :
-         {tally.count(RunStatus::refused), tally.violations, unfinished}) {
-      html += cell(grouped(static_cast<std::int64_t>(count)), true);
-    }
-    html += "</tr>\n";
+/// A graph that two settings drew.
+struct GraphPair {
+  const DrawnGraph *one = nullptr, *other = nullptr;
+  double x = 0, y = 0;
+  double ratio() const { return y - x; }
+};
+
+/// In increasing order of the second value over the first.
+std::vector<GraphPair> pairs_of(const Collection& collection, const CollectionMeasure& measure,
+                                std::size_t a, std::size_t b) {
+  std::vector<GraphPair> pairs;
+  for (const auto& [key, graph] : collection.graphs) {
+    const auto one = graph.drawn.find(a), other = graph.drawn.find(b);
+    if (one == graph.drawn.end() || other == graph.drawn.end()) continue;
+    const GraphPair pair{one->second, other->second, measure.log10_value(collection, *one->second),
+                         measure.log10_value(collection, *other->second)};
+    if (!std::isnan(pair.ratio())) pairs.push_back(pair);
   }
-  return html + "</tbody></table></div>\n";
+  std::ranges::stable_sort(pairs, {}, &GraphPair::ratio);
+  return pairs;
 }
 
-/// Median, and (grey) the tenths at either end.
-std::string distribution_cell(std::vector<double> values) {
-  if (values.empty()) return cell("–", true);
-  std::ranges::sort(values);
-  const auto at = [&](double share) {
-    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
-  };
-  return cell(fmt::format("{} <small>{} – {}</small>", number_text(at(0.5)), number_text(at(0.1)),
-                          number_text(at(0.9))),
-              true);
+/// Those with the least and the largest ratios.
+std::vector<GraphPair> outliers(const std::vector<GraphPair>& pairs) {
+  if (pairs.size() <= 2 * kOutliers) return pairs;
+  std::vector<GraphPair> ends(pairs.begin(), pairs.begin() + kOutliers);
+  ends.insert(ends.end(), pairs.end() - kOutliers, pairs.end());
+  return ends;
 }
 
-/// By name; empty if the collection has none.
-std::map<std::string, std::vector<const CollectionGraph*>> groups_in(const Collection& collection) {
-  std::map<std::string, std::vector<const CollectionGraph*>> groups;
-  for (const auto& [key, one] : collection.graphs) {
-    const std::string& group = one.drawn.front().second->group;
-    if (!group.empty()) groups[group].push_back(&one);
-  }
-  return groups;
-}
-
-std::string group_table(const Collection& collection, const CollectionMeasure& measure) {
-  const auto groups = groups_in(collection);
-  if (groups.empty()) return "";
-  std::vector<std::string> columns = {"Group", "#Graphs"};
-  for (const CollectionSetting& setting : collection.settings) {
-    columns.push_back("#" + escape(setting.label));
-  }
-  std::string html =
-      fmt::format(
-          "<details{}><summary>{} by group</summary><p class=muted>In {}: "
-          "median and (grey) the tenths at either end, over the graphs that "
-          "the setting drew.</p>",
-          &measure == measures().data() ? " open" : "", measure.title, measure.unit(collection)) +
-      table_head(columns);
-  std::size_t shown = 0;
-  for (const auto& [name, graphs] : groups) {
-    if (++shown > kMostGroupRows) break;
-    std::vector<std::vector<double>> values(collection.settings.size());
-    for (const CollectionGraph* one : graphs) {
-      for (const auto& [setting, graph] : one->drawn) {
-        const double value = measure.log10_value(collection, *graph);
-        if (!std::isnan(value)) values[setting].push_back(value);
-      }
-    }
-    html += row_head(name) + cell(grouped(static_cast<std::int64_t>(graphs.size())), true);
-    for (auto& of_setting : values) html += distribution_cell(std::move(of_setting));
-    html += "</tr>\n";
-  }
-  html += "</tbody></table></div>";
-  if (groups.size() > kMostGroupRows) {
-    html += fmt::format("<p>The first {} of {} groups.</p>", kMostGroupRows, groups.size());
-  }
-  return html + "</details>\n";
-}
-
-/// The choice of two settings of a scatter and its figures; one at a time is seen.
-std::string scatters(Page& page, const Collection& collection, const std::string& id) {
-  std::string figures, options;
-  std::size_t pick = 0;
+/// Calls use(a, b) for every two settings that pairs are made of.
+template <class Use>
+void for_each_pair(const Collection& collection, const Use& use) {
   const std::size_t settings = std::min(kMostCompared, collection.settings.size());
-  for (std::size_t m = 0; m < kScattered; ++m) {
-    for (std::size_t a = 0; a < settings; ++a) {
-      for (std::size_t b = a + 1; b < settings; ++b) {
-        NamedPlot plot = scatter_plot(page, collection, measures()[m], a, b);
-        if (plot.svg.empty()) continue;
-        options += fmt::format("<option value={}>{}</option>", pick, escape(plot.title));
-        figures += page.figure(std::move(plot), fmt::format(" data-pick={} data-value={}{}", id,
-                                                            pick, pick == 0 ? "" : " hidden"));
-        ++pick;
+  for (std::size_t a = 0; a < settings; ++a) {
+    for (std::size_t b = a + 1; b < settings; ++b) use(a, b);
+  }
+}
+
+struct CollectionTables {
+  Table collections{"collections",
+                    "a collection and a setting: what became of the graphs",
+                    {{"collection", "", "name of the graphs"},
+                     {"setting", "", "its row in settings", integer},
+                     {"unit", "", "of volumes"},
+                     {"graphs", "", "graphs", integer},
+                     {"drawn", "", "graphs that were drawn", integer},
+                     {"share", "", "of them", number},
+                     {"refused", "", "rows", integer},
+                     {"violated", "", "rows", integer},
+                     {"unfinished", "", "rows", integer}}};
+  Table profile{"profile",
+                "a setting and a factor: graphs within it of the best drawing",
+                {{"collection", "", "name of the graphs"},
+                 {"measure", "", "what is compared"},
+                 {"setting", "", "its row in settings", integer},
+                 {"factor", "", "times the best of the same graph", number, 5},
+                 {"share", "", "of the graphs that some setting drew", number, 5},
+                 {"graphs", "", "these", integer}}};
+  Table pairs{"pairs",
+              "a graph that two settings drew",
+              {{"collection", "", "name of the graphs"},
+               {"measure", "", "what is compared"},
+               {"setting", "", "its row in settings", integer},
+               {"other", "", "row of the other setting", integer},
+               {"value", "", "of the setting", number, 5},
+               {"other_value", "", "of the other setting", number, 5},
+               {"ratio", "", "the other value over the value", number, 5},
+               {"row", "", "of the setting in /runs", integer},
+               {"other_row", "", "of the other setting", integer},
+               {"outlier", "", "among the three on either side", flag}}};
+  Table pair_counts{"pair_counts",
+                    "two settings: how many graphs both drew",
+                    {{"collection", "", "name of the graphs"},
+                     {"measure", "", "what is compared"},
+                     {"setting", "", "its row in settings", integer},
+                     {"other", "", "row of the other setting", integer},
+                     {"graphs", "", "that both drew", integer},
+                     {"share", "", "of them with a larger value of the other", number}}};
+  Table bins{"bins",
+             "a setting and a bin of n: medians over its graphs",
+             {{"collection", "", "name of the graphs"},
+              {"measure", "", "what is compared"},
+              {"setting", "", "its row in settings", integer},
+              {"n", "vertices", "median n of the bin", number},
+              {"median", "", "median", number, 5}}};
+  Table groups{"group_medians",
+               "a group of graphs and a setting",
+               {{"collection", "", "name of the graphs"},
+                {"measure", "", "what is compared"},
+                {"group", "", "name of the group"},
+                {"graphs", "", "graphs in it", integer},
+                {"setting", "", "its row in settings", integer},
+                {"median", "", "median over those that the setting drew", number, 5},
+                {"low", "", "tenth of them below", number, 5},
+                {"high", "", "tenth of them above", number, 5}}};
+
+  void add_drawn(const Collection& of) {
+    for (const auto& [setting, curve] : of.settings) {
+      const CurveTally& tally = *curve->tally;
+      std::size_t drawn = 0;
+      for (const auto& [n, size] : tally.sizes) drawn += size.drawn;
+      const std::size_t unfinished = tally.count(RunStatus::timeout) +
+                                     tally.count(RunStatus::out_of_memory) +
+                                     tally.count(RunStatus::crashed);
+      collections.add({of.family, setting,
+                       of.is_relative ? "cubes of the smallest vertex distance" : "lattice points",
+                       tally.instances, drawn,
+                       static_cast<double>(drawn) / static_cast<double>(tally.instances),
+                       tally.count(RunStatus::refused), tally.violations, unfinished});
+    }
+  }
+
+  /// The share of graphs that each setting draws within a factor of the best (Dolan and Moré,
+  /// Benchmarking optimization software with performance profiles, Mathematical Programming 91,
+  /// 2002).
+  void add_profile(const Collection& of, const CollectionMeasure& measure) {
+    std::vector<std::vector<double>> behind(of.settings.size());
+    std::size_t graphs = 0;
+    for (const auto& [key, one] : of.graphs) {
+      double best = kMissing;
+      std::vector<std::pair<std::size_t, double>> costs;
+      for (const auto& [setting, graph] : one.drawn) {
+        const double value = measure.log10_value(of, *graph);
+        if (std::isnan(value)) continue;
+        costs.emplace_back(setting, measure.is_larger_better ? -value : value);
+        best = std::fmin(best, costs.back().second);
+      }
+      graphs += !costs.empty();
+      for (const auto& [setting, cost] : costs) behind[setting].push_back(cost - best);
+    }
+    double end = 0.1;
+    for (std::vector<double>& decades : behind) {
+      std::ranges::sort(decades);
+      if (!decades.empty()) end = std::max(end, std::min(kProfileEnd, decades.back()));
+    }
+    for (std::size_t s = 0; s < behind.size(); ++s) {
+      for (int step = 0; step <= kProfileSteps && !behind[s].empty(); ++step) {
+        const double x = end * step / kProfileSteps;
+        const auto within = std::ranges::upper_bound(behind[s], x + 1e-9) - behind[s].begin();
+        profile.add({of.family, measure.name, of.settings[s].first, std::pow(10, x),
+                     static_cast<double>(within) / static_cast<double>(graphs), graphs});
       }
     }
   }
-  if (pick == 0) return "";
-  return "<div><label class=choice>One graph, two settings <select class=pick name=" + id + ">" +
-         options + "</select></label>" + figures + "</div>";
-}
+
+  void add_pairs(const Collection& of, const CollectionMeasure& measure, GraphList& graphs) {
+    for_each_pair(of, [&](std::size_t a, std::size_t b) {
+      const std::vector<GraphPair> all = pairs_of(of, measure, a, b);
+      if (all.empty()) return;
+      const std::size_t one = of.settings[a].first, other = of.settings[b].first;
+      const auto above = std::ranges::count_if(all, [](auto& pair) { return pair.ratio() > 0; });
+      pair_counts.add({of.family, measure.name, one, other, all.size(),
+                       static_cast<double>(above) / static_cast<double>(all.size())});
+      const auto add = [&](const GraphPair& pair, bool is_outlier) {
+        pairs.add({of.family, measure.name, one, other, std::pow(10, pair.x), std::pow(10, pair.y),
+                   std::pow(10, pair.ratio()), graphs.add(of.settings[a].second->place, *pair.one),
+                   graphs.add(of.settings[b].second->place, *pair.other), is_outlier});
+      };
+      for (const GraphPair& pair : outliers(all)) add(pair, true);
+      for (const GraphPair& pair : evenly(all, kScatterPoints)) add(pair, false);
+    });
+  }
+
+  void add_bins(const Collection& of, const CollectionMeasure& measure) {
+    std::set<std::int64_t> all_n;
+    for (const auto& [key, one] : of.graphs) all_n.insert(one.n);
+    for (const SizeBin& bin : size_bins(all_n, kMostBins)) {
+      std::map<std::size_t, std::vector<double>> values;
+      std::vector<double> sizes;
+      for (const auto& [key, one] : of.graphs) {
+        if (one.n < bin.first || one.n > bin.last) continue;
+        sizes.push_back(static_cast<double>(one.n));
+        for (const auto& [setting, graph] : one.drawn) {
+          const double value = measure.log10_value(of, *graph);
+          if (!std::isnan(value)) values[setting].push_back(value);
+        }
+      }
+      for (auto& [setting, logs] : values) {
+        bins.add({of.family, measure.name, of.settings[setting].first, median(sizes),
+                  std::pow(10, median(std::move(logs)))});
+      }
+    }
+  }
+
+  void add_groups(const Collection& of, const CollectionMeasure& measure) {
+    struct Group {
+      std::size_t graphs = 0;
+      std::map<std::size_t, std::vector<double>> values;  // by setting
+    };
+    std::map<std::string, Group> all;
+    for (const auto& [key, one] : of.graphs) {
+      const std::string& name = one.drawn.begin()->second->group;
+      if (name.empty()) continue;
+      Group& group = all[name];
+      ++group.graphs;
+      for (const auto& [setting, graph] : one.drawn) {
+        const double value = measure.log10_value(of, *graph);
+        if (!std::isnan(value)) group.values[setting].push_back(std::pow(10, value));
+      }
+    }
+    for (const auto& [name, group] : all) {
+      for (const auto& [setting, values] : group.values) {
+        groups.add({of.family, measure.name, name, group.graphs, of.settings[setting].first,
+                    median(values), quantile(values, 0.1), quantile(values, 0.9)});
+      }
+    }
+  }
+};
 
 }  // namespace
 
-const DrawnGraph* drawn_by(const CollectionGraph& one, std::size_t setting) {
-  for (const auto& [by, graph] : one.drawn) {
-    if (by == setting) return graph;
-  }
-  return nullptr;
-}
-
-std::string number_text(double log10) {
-  return std::isnan(log10) ? "–" : fmt::format("{:.3g}", std::pow(10, log10));
-}
-
-std::string collection_sections(Page& page, const std::vector<Section>& sections) {
-  std::string html;
-  std::size_t index = 0;
-  for (const Collection& collection : collections_of(sections)) {
-    const std::string id = fmt::format("c{}", index++);
-    html += fmt::format(
-        "<section id={}><h2>Collection {}</h2><p>Who drew how many of its graphs, and how good "
-        "the drawings are beside the best one of the same graph.</p>",
-        id, escape(collection.family));
-    html += drawn_table(collection) + "<div class=figures>\n";
-    for (const CollectionMeasure& measure : measures()) {
-      NamedPlot plot = profile_plot(collection, measure);
-      if (!plot.svg.empty()) html += page.figure(std::move(plot));
+void add_collections(TableMaker& make) {
+  CollectionTables tables;
+  for (const Collection& collection : collections_of(make.sections)) {
+    tables.add_drawn(collection);
+    for (std::size_t m = 0; m < measures().size(); ++m) {
+      tables.add_profile(collection, measures()[m]);
+      tables.add_groups(collection, measures()[m]);
+      if (m >= kMeasured) continue;
+      tables.add_pairs(collection, measures()[m], make.graphs);
+      tables.add_bins(collection, measures()[m]);
     }
-    html += scatters(page, collection, id);
-    for (std::size_t m = 0; m < kScattered; ++m) {
-      NamedPlot plot = sizes_plot(collection, measures()[m]);
-      if (!plot.svg.empty()) html += page.figure(std::move(plot));
-    }
-    html += "</div>\n";
-    for (const CollectionMeasure& measure : measures()) html += group_table(collection, measure);
-    html += "</section>\n";
   }
-  return html;
+  for (Table* table : {&tables.collections, &tables.profile, &tables.pairs, &tables.pair_counts,
+                       &tables.bins, &tables.groups}) {
+    make.tables.push_back(std::move(*table));
+  }
 }
 
 std::vector<std::size_t> collection_outliers(const std::vector<Section>& sections) {
   std::vector<std::size_t> rows;
   for (const Collection& collection : collections_of(sections)) {
-    const std::size_t settings = std::min(kMostCompared, collection.settings.size());
-    for (std::size_t a = 0; a < settings; ++a) {
-      for (std::size_t b = a + 1; b < settings; ++b) {
-        for (const CollectionPair& pair :
-             outliers(pairs_of(collection, measures().front(), a, b))) {
-          rows.push_back(pair.one->row);
-          rows.push_back(pair.other->row);
-        }
+    for_each_pair(collection, [&](std::size_t a, std::size_t b) {
+      for (const GraphPair& pair : outliers(pairs_of(collection, measures().front(), a, b))) {
+        rows.push_back(pair.one->row);
+        rows.push_back(pair.other->row);
       }
-    }
+    });
   }
   return rows;
 }

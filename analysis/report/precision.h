@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/analysis/report/page.h"
 #include "ar3d/analysis/report/sections.h"
 
 namespace ar3d::report {
@@ -104,11 +103,5 @@ std::vector<Onset> onsets(const RealRows& real, const MissModel& model);
 /// Confirmed: both passes are within a factor of 2. Refuted: they are further apart. Open: what is
 /// beyond the sizes drawn may be either.
 OnsetVerdict judge_onset(const Onset& onset);
-
-// Parts of the section; empty where the rows have nothing to tell.
-std::string miss_figures(Page& page, const RealRows& real, const MissModel& model);
-std::string miss_table(const RealRows& real, const MissModel& model);
-std::string share_table(const RealRows& real);
-std::string onset_part(Page& page, const RealRows& real, const MissModel& model);
 
 }  // namespace ar3d::report

@@ -7,7 +7,6 @@
 #include <string_view>
 #include <utility>
 
-#include "ar3d/analysis/report/plot.h"
 #include "ar3d/analysis/report/precision.h"
 #include "ar3d/analysis/statistics.h"
 #include "ar3d/store/columns/asked_certificate.h"
@@ -103,52 +102,6 @@ void sort_settings(RealRows& real) {
   real.settings = std::move(sorted);
 }
 
-}  // namespace
-
-RealSetting real_setting(const CurveKey& key) {
-  constexpr std::string_view kOption = "type=";
-  if (key.algorithm == "two-bend-paper" && key.options.starts_with(kOption)) {
-    for (std::size_t type = 0; type < kRealTypes.size(); ++type) {
-      if (key.options.substr(kOption.size()) == std::to_string(type)) {
-        return {kRealTypes[type].first, kRealTypes[type].second};
-      }
-    }
-  }
-  return {algorithm_label({key.algorithm, key.options, {}, {}, {}}), 0};
-}
-
-PrecisionRows precision_rows(const StudyAnalysis& analysis) {
-  PrecisionRows rows;
-  const bool is_all_proved = analysis.verdict.unproved == 0;  // then only levels are looked for
-  const std::size_t count =
-      is_all_proved ? std::min(analysis.rows.count, kMostLookedAt) : analysis.rows.count;
-  for (std::size_t row = 0; row < count; ++row) add_row(analysis.rows.read(row), row, rows);
-  sort_settings(rows.real);
-  return rows;
-}
-
-std::string sample_family(const RealRows& real) {
-  std::map<std::string, std::size_t> rows_of;
-  for (const RealRow& row : real.rows) ++rows_of[row.family];
-  const auto most = std::max_element(rows_of.begin(), rows_of.end(),
-                                     [](auto& a, auto& b) { return a.second < b.second; });
-  return most == rows_of.end() ? "" : most->first;
-}
-
-std::map<std::int64_t, double> median_misses(const RealRows& real, std::size_t setting,
-                                             const std::string& family) {
-  std::map<std::int64_t, std::vector<double>> misses;
-  for (const RealRow& row : real.rows) {
-    if (row.setting != setting || (!family.empty() && row.family != family)) continue;
-    misses[row.requested_n].push_back(row.log_miss);
-  }
-  std::map<std::int64_t, double> medians;
-  for (auto& [n, logs] : misses) medians[n] = middle_of(std::move(logs));
-  return medians;
-}
-
-namespace {
-
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::array<double, 5> kLogLimits = {-12, -9, -6, -3, 0};  // log10 degrees
 
@@ -217,6 +170,48 @@ double kappa_seen(const Onset& onset, const std::map<std::int64_t, double>& seen
 }
 
 }  // namespace
+
+RealSetting real_setting(const CurveKey& key) {
+  constexpr std::string_view kOption = "type=";
+  if (key.algorithm == "two-bend-paper" && key.options.starts_with(kOption)) {
+    for (std::size_t type = 0; type < kRealTypes.size(); ++type) {
+      if (key.options.substr(kOption.size()) == std::to_string(type)) {
+        return {kRealTypes[type].first, kRealTypes[type].second};
+      }
+    }
+  }
+  return {algorithm_label({key.algorithm, key.options, {}, {}, {}}), 0};
+}
+
+PrecisionRows precision_rows(const StudyAnalysis& analysis) {
+  PrecisionRows rows;
+  const bool is_all_proved = analysis.verdict.unproved == 0;  // then only levels are looked for
+  const std::size_t count =
+      is_all_proved ? std::min(analysis.rows.count, kMostLookedAt) : analysis.rows.count;
+  for (std::size_t row = 0; row < count; ++row) add_row(analysis.rows.read(row), row, rows);
+  sort_settings(rows.real);
+  return rows;
+}
+
+std::string sample_family(const RealRows& real) {
+  std::map<std::string, std::size_t> rows_of;
+  for (const RealRow& row : real.rows) ++rows_of[row.family];
+  const auto most = std::max_element(rows_of.begin(), rows_of.end(),
+                                     [](auto& a, auto& b) { return a.second < b.second; });
+  return most == rows_of.end() ? "" : most->first;
+}
+
+std::map<std::int64_t, double> median_misses(const RealRows& real, std::size_t setting,
+                                             const std::string& family) {
+  std::map<std::int64_t, std::vector<double>> misses;
+  for (const RealRow& row : real.rows) {
+    if (row.setting != setting || (!family.empty() && row.family != family)) continue;
+    misses[row.requested_n].push_back(row.log_miss);
+  }
+  std::map<std::int64_t, double> medians;
+  for (auto& [n, logs] : misses) medians[n] = middle_of(std::move(logs));
+  return medians;
+}
 
 double MissModel::log_miss(double log_kappa, double log_c, int bits) {
   return log_kappa + log_c + log_rounding(bits);

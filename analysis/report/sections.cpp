@@ -1,8 +1,13 @@
+// The settings of a study with their families, and the graphs that tables point at.
 #include "ar3d/analysis/report/sections.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <numbers>
+#include <utility>
 
 #include "ar3d/analysis/replay.h"
 
@@ -33,6 +38,10 @@ void name_families(std::vector<SectionCurve>& curves) {
   for (SectionCurve& curve : curves) {
     if (times.at(curve.bounds->key.family) > 1) curve.name = curve.family;
   }
+}
+
+double value_or_none(double log_value, double order, std::int64_t n) {
+  return std::exp(log_value - order * std::log(static_cast<double>(n)));
 }
 
 }  // namespace
@@ -81,6 +90,151 @@ std::size_t count_families(const std::set<std::string>& family_labels) {
   std::set<std::string> names;
   for (const std::string& label : family_labels) names.insert(label.substr(0, label.find(" (")));
   return names.size();
+}
+
+std::size_t GraphList::add(std::size_t curve, const DrawnGraph& graph, bool point) {
+  const auto [at, is_new] = rows_.try_emplace(graph.row, Noted{curve, point, {}, {}});
+  if (is_new) {
+    at->second.graph = graph;
+    at->second.graph.metrics.clear();
+  }
+  at->second.is_point |= point;
+  return graph.row;
+}
+
+void GraphList::add(std::size_t curve, const CensoredRow& row) {
+  DrawnGraph graph;
+  graph.row = row.row, graph.n = row.n, graph.m = row.m, graph.seed = row.seed;
+  rows_.insert_or_assign(row.row, Noted{curve, true, graph, to_string(row.status)});
+}
+
+void GraphList::add_row(std::size_t row) {
+  if (rows_.contains(row)) return;
+  const RunRecord run = analysis.rows.read(row);
+  const auto at = std::ranges::find(analysis.tally.curves, curve_of(run), &CurveTally::key);
+  if (at == analysis.tally.curves.end()) return;
+  DrawnGraph graph;
+  graph.row = row, graph.n = run.n >= 0 ? run.n : run.requested_n, graph.m = run.m;
+  graph.seed = run.seed, graph.instance = run.instance_index, graph.name = run.graph_name;
+  graph.extents = run.extents, graph.theorem_bound = run.theorem_bound;
+  graph.published_bound = run.published_bound;
+  const auto curve = static_cast<std::size_t>(at - analysis.tally.curves.begin());
+  rows_[row] = {curve, false, graph, run.status == RunStatus::ok ? "" : to_string(run.status)};
+}
+
+Table GraphList::table(const std::map<std::size_t, std::size_t>& drawings,
+                       const std::vector<Section>& sections) const {
+  using enum CellType;
+  Table table{"graphs",
+              "a graph that a table or a figure points at, drawn by one setting",
+              {{"row", "", "its row in /runs", integer},
+               {"curve", "", "its row in the table bounds", integer},
+               {"n", "vertices", "vertices", integer},
+               {"m", "edges", "edges", integer},
+               {"seed", "", "seed of its family"},
+               {"name", "", "of the graph in its file; missing if it has none"},
+               {"status", "", "of its row; missing if it was drawn"},
+               {"drawing", "", "place among the drawings that the page holds", integer},
+               {"is_point", "", "a point of the growth figures", flag},
+               {"side", "", "longest side over n to the order of its bound", number, 5},
+               {"volume", "", "volume over n to the order of its bound", number, 5},
+               {"time", "s", "drawing time over n; of the timing phase only", number, 5},
+               {"seconds", "s", "drawing time, median; of the timing phase only", number, 3}}};
+  static const std::array<std::array<const char*, 3>, 4> kNames = {
+      {{"x", "y", "z"},
+       {"own_x", "own_y", "own_z"},
+       {"theorem_x", "theorem_y", "theorem_z"},
+       {"published_x", "published_y", "published_z"}}};
+  constexpr const char* kMeaning[] = {"extent of the box", "the proof's bound for this very graph",
+                                      "the theorem's bound for n", "the published bound for n"};
+  for (std::size_t box = 0; box < 4; ++box) {
+    for (const char* name : kNames[box]) {
+      table.columns.push_back({name, "lattice units", kMeaning[box], number});
+    }
+  }
+  std::map<std::size_t, const Section*> section_of;
+  for (const Section& section : sections) {
+    for (const SectionCurve& curve : section.curves) section_of[curve.place] = &section;
+  }
+  for (const auto& [row, noted] : rows_) {
+    const DrawnGraph& graph = noted.graph;
+    const bool timed = analysis.tally.curves[noted.curve].has_timing_rows;
+    const auto section = section_of.find(noted.curve);
+    const auto over = [&](Quantity quantity) {
+      if (section == section_of.end() || !noted.status.empty() || !noted.is_point) return kMissing;
+      const double log = log_value(graph, quantity, timed);
+      return value_or_none(log, order_of(*section->second, quantity), graph.n);
+    };
+    const auto optional = [](const std::string& text) {
+      return text.empty() ? TableCell() : TableCell(text);
+    };
+    const auto drawing = drawings.find(row);
+    std::vector<TableCell> cells = {
+        row,
+        noted.curve,
+        count_or_none(graph.n),
+        count_or_none(graph.m),
+        std::to_string(graph.seed),
+        optional(graph.name),
+        optional(noted.status),
+        drawing == drawings.end() ? TableCell() : TableCell(drawing->second),
+        noted.is_point,
+        over(Quantity::longest_side),
+        over(Quantity::volume),
+        timed ? over(Quantity::wall_s) : kMissing,
+        timed ? std::exp(graph.log_timed_s) : kMissing};
+    for (const std::int64_t extent : graph.extents) cells.push_back(count_or_none(extent));
+    for (const std::int64_t own : graph.instance_bound) cells.push_back(count_or_none(own));
+    for (const auto& bounds : {graph.theorem_bound, graph.published_bound}) {
+      for (const double bound : bounds) cells.push_back(bound);
+    }
+    table.add(std::move(cells));
+  }
+  return table;
+}
+
+Table& TableMaker::start(std::string name, std::string row_is, std::vector<TableColumn> columns) {
+  return tables.emplace_back(Table{std::move(name), std::move(row_is), std::move(columns)});
+}
+
+double order_of(const Section& section, Quantity quantity) {
+  if (quantity == Quantity::wall_s) return 1;
+  const double without = quantity == Quantity::volume ? 3 : 1;
+  return section.theorem ? theorem_order(*section.theorem, quantity).value_or(without) : without;
+}
+
+std::map<std::int64_t, const DrawnGraph*> worst_by_size(const CurveTally& curve) {
+  std::map<std::int64_t, const DrawnGraph*> shares;
+  for (const auto& [n, size] : curve.sizes) {
+    if (size.drawn == 0 || std::isnan(size.closest.share())) continue;
+    const DrawnGraph*& at = shares[size.requested_n];
+    if (at == nullptr || size.closest.share() > at->share()) at = &size.closest;
+  }
+  return shares;
+}
+
+Interval told_interval(const ScalingEntry& entry) {
+  if (!entry.decided) return {kMissing, kMissing};
+  return entry.growth == Growth::power ? entry.law_interval : entry.power.exponent_interval;
+}
+
+double log10_of(std::int64_t n) { return std::log10(static_cast<double>(n)); }
+double decimal(double natural_log) { return natural_log / std::numbers::ln10; }
+
+std::vector<SizeBin> size_bins(const std::set<std::int64_t>& sizes, std::size_t most) {
+  std::vector<SizeBin> bins;
+  if (sizes.empty()) return bins;
+  const double low = log10_of(std::max<std::int64_t>(1, *sizes.begin()));
+  const double width = (log10_of(*sizes.rbegin()) - low) / static_cast<double>(most);
+  std::size_t end_of_last = 0;  // parts up to the last bin's end
+  for (const std::int64_t n : sizes) {
+    const double place = (log10_of(std::max<std::int64_t>(1, n)) - low) / width;
+    const std::size_t end = std::min(static_cast<std::size_t>(std::max(0.0, place)), most - 1) + 1;
+    if (sizes.size() <= most || end > end_of_last) bins.push_back({n, n});
+    bins.back().last = n;
+    end_of_last = end;
+  }
+  return bins;
 }
 
 }  // namespace ar3d::report

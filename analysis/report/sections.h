@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "ar3d/analysis/report.h"
-#include "ar3d/analysis/report/page.h"
+#include "ar3d/analysis/table.h"
 #include "ar3d/store/columns/side_tables.h"
 
 namespace ar3d::report {
@@ -24,6 +24,10 @@ struct SectionCurve {
   const BoundsEntry* bounds = nullptr;
   std::vector<const ScalingEntry*> scaling;  ///< by quantity; null if it was not measured
   bool is_collection = false;  ///< graphs of files, at least kFewestOfCollection of them
+
+  const ScalingEntry* growth(Quantity quantity) const {
+    return scaling[static_cast<std::size_t>(quantity)];
+  }
 };
 
 /// One setting: an algorithm with its options, and its families in the order of the file.
@@ -41,51 +45,138 @@ inline constexpr std::size_t kMostFamilies = 300, kMostSections = 40, kShownFind
 
 /// At most kMostSections of them.
 std::vector<Section> sections(const StudyAnalysis& analysis);
-/// How many families these labels are of: one with several parameters counts once.
+/// Returns the number of families that these labels are of: one with several parameters counts once.
 std::size_t count_families(const std::set<std::string>& family_labels);
-
-/// The head of the page: is everything certified, how close does anything come to a bound, and has
-/// anything changed?
-std::string verdict_section(Page& page, const std::vector<Section>& sections,
-                            const SinceReference& since);
-/// What changed since the reference?
-std::string reference_section(const SinceReference& since);
-/// How close does anything come to a bound, and which graph is it? One line a setting.
-std::string closeness_section(Page& page, const std::vector<Section>& sections);
-/// What was promised, and what is drawn? By setting and axis: the paper's bound, the proved one,
-/// the measured exponent and constant. Empty if no setting has a theorem's box.
-std::string promises_section(const std::vector<Section>& sections);
-/// What does each algorithm trade: volume, bends, time?
-std::string trade_section(Page& page, const std::vector<Section>& sections);
-/// For each collection who drew how many of its graphs, profiles, scatters, curves and groups.
-std::string collection_sections(Page& page, const std::vector<Section>& sections);
-/// The rows of the graphs that its scatters of volumes name.
-std::vector<std::size_t> collection_outliers(const std::vector<Section>& sections);
-/// What does accuracy cost: real types, certificate modes, levels, efforts? Empty where all rows
-/// are proved exactly and of one level. One more pass over the rows.
-std::string precision_section(Page& page, const std::vector<Section>& sections);
-/// How does each quantity of one setting grow, and how sure is that? `id` is its anchor.
-std::string algorithm_section(Page& page, const Section& section, const std::string& id);
-/// A part of it.
-std::string growth_figures(Page& page, const Section& section);
-/// The numbers of its heat map: by requested n the graph with the largest share of the bound.
+/// Returns the power of n that figures divide a quantity by: the order of the theorem's bound, or
+/// without one that of the box of a line of vertices.
+double order_of(const Section& section, Quantity quantity);
+/// Returns by requested n the graph with the largest share of the theorem's bound.
 std::map<std::int64_t, const DrawnGraph*> worst_by_size(const CurveTally& curve);
-/// A button that opens the drawing of a row that the page points at, or shows how it is drawn
-/// again. @param text  HTML.
-std::string row_button(std::size_t row, const std::string& text);
-/// The same for a graph, at which the page points then.
-std::string graph_button(Page& page, std::size_t curve, const DrawnGraph& graph,
-                         const std::string& text);
-/// Batches of strong and weak scaling against the ideal; empty if there are none.
-std::string strong_weak_section(Page& page);
-/// Every metric of verify/metrics/metrics.h: unit, definition, and its median and range by setting.
-std::string metrics_section(const StudyAnalysis& analysis, const std::vector<Section>& sections);
-/// Environment, spec and methods.
-std::string background(const RowView& rows);
+/// Returns the interval that a growth is told with (docs/analysis.md, Growth, points 4 and 5).
+Interval told_interval(const ScalingEntry& entry);
 
-/// The cell of violations: their number, or that there are none, and how many of the ok rows no
-/// exact certificate judged.
-std::string violations_text(std::size_t violations, std::size_t unproved, std::size_t ok_rows,
-                            std::size_t measured_rows);
+/// The graphs that tables point at by their rows: the table `graphs` says what each is.
+class GraphList {
+ public:
+  explicit GraphList(const StudyAnalysis& of) : analysis(of) {}
+
+  const StudyAnalysis& analysis;
+
+  /// Notes the graph. @param curve  in the tally. @param point  it is a point of the growth figures.
+  /// @return its row.
+  std::size_t add(std::size_t curve, const DrawnGraph& graph, bool point = false);
+  void add(std::size_t curve, const CensoredRow& row);
+  /// The same of any row of the study; nothing if its curve is in no table.
+  void add_row(std::size_t row);
+  /// @param drawings  which drawing of the viewer's page shows a row.
+  Table table(const std::map<std::size_t, std::size_t>& drawings,
+              const std::vector<Section>& sections) const;
+
+ private:
+  struct Noted {
+    std::size_t curve = 0;
+    bool is_point = false;
+    DrawnGraph graph;
+    std::string status;
+  };
+  std::map<std::size_t, Noted> rows_;
+};
+
+/// What the makers of tables read, and where their tables go.
+struct TableMaker {
+  const StudyAnalysis& analysis;
+  const SinceReference& since;
+  const std::vector<Section>& sections;
+  bool all = true;  ///< false: what the page shows
+  GraphList graphs;
+  std::vector<Table> tables = {};
+
+  Table& start(std::string name, std::string row_is, std::vector<TableColumn> columns);
+};
+
+// Each adds its tables; they are empty where the study has nothing to tell.
+void add_verdict(TableMaker& make);      // study, verdict, findings, settings, exponents, promises
+void add_background(TableMaker& make);   // since…, metrics, environment, scaling
+void add_families(TableMaker& make);     // bounds, growth, shares, bends
+void add_curves(TableMaker& make);       // curves, bands, volume_bands, points among the graphs
+void add_trade(TableMaker& make);        // groups, trade, crossings, efforts
+void add_collections(TableMaker& make);  // collections, profile, pairs, bins, group_medians
+void add_precision(TableMaker& make);    // misses, onsets, …, judgements
+
+Table bounds_table_of(const StudyAnalysis& analysis, const std::vector<Section>& sections);
+Table growth_table_of(const StudyAnalysis& analysis, const std::vector<Section>& sections);
+/// The rows of the graphs that the pairs of volumes of collections name.
+std::vector<std::size_t> collection_outliers(const std::vector<Section>& sections);
+
+/// Volume and drawing time: decimal logarithms, medians. Times are those of the timing phase.
+struct Median {
+  double volume = kMissing;           ///< lattice points of the box
+  double relative_volume = kMissing;  ///< in cubes of the smallest distance of vertices
+  double time = kMissing;
+};
+
+/// What one setting did on every family but collections at every requested n: medians over graphs.
+/// Sizes with an unfinished graph are left out.
+struct ComparedSetting {
+  const Section* section = nullptr;
+  std::string label;
+  std::string algorithm;
+  std::size_t place = 0;  ///< in the sections
+  std::size_t bends = 0;  ///< largest number of bends per edge
+  std::map<std::int64_t, std::map<std::string, Median>> sizes;
+};
+std::vector<ComparedSetting> settings_of(const std::vector<Section>& sections);
+
+/// Settings that can be compared, and the families that all of them drew.
+struct SettingGroup {
+  std::vector<const ComparedSetting*> settings;
+  std::set<std::string> families;
+  /// Some setting has a unit of its own, so that all volumes are over the smallest distance of
+  /// vertices.
+  bool is_relative = false;
+
+  /// The settings with this n, and those of the families that all of these drew there.
+  SettingGroup at(std::int64_t n) const;
+  std::vector<std::int64_t> sizes() const;
+};
+
+/// At most four groups of at least two settings, none of which could have another setting without
+/// losing families; most algorithms first, then most settings.
+std::vector<SettingGroup> groups_of(const std::vector<ComparedSetting>& settings);
+
+/// The median of a setting's medians over the group's families at an n that it has; `volume` is the
+/// relative one if the group's are.
+Median over(const ComparedSetting& setting, std::int64_t n, const SettingGroup& group);
+
+/// A graph that two settings drew: log10 of its requested n, and of the one's volume over the
+/// other's.
+struct PairedGraph {
+  double log_n = 0, log_ratio = 0;
+};
+/// The graphs of the group's families that both drew and the tally keeps.
+std::vector<PairedGraph> paired_graphs(const ComparedSetting& one, const ComparedSetting& other,
+                                       const SettingGroup& group);
+
+double log10_of(std::int64_t n);
+/// Returns the decimal logarithm of a natural one.
+double decimal(double natural_log);
+
+/// Sizes that stand together.
+struct SizeBin {
+  std::int64_t first = 0, last = 0;
+};
+/// One bin a size if there are at most `most`; else those of `most` equal parts of the logarithmic
+/// scale that hold any. @param sizes  at least 1 each; smaller ones are in no bin but the first.
+std::vector<SizeBin> size_bins(const std::set<std::int64_t>& sizes, std::size_t most);
+
+/// At most `most` of the items, evenly, the first and the last among them.
+template <class Item>
+std::vector<Item> evenly(const std::vector<Item>& items, std::size_t most) {
+  if (items.size() <= most) return items;
+  if (most < 2) return {items.back()};
+  std::vector<Item> kept;
+  for (std::size_t i = 0; i < most; ++i) kept.push_back(items[i * (items.size() - 1) / (most - 1)]);
+  return kept;
+}
 
 }  // namespace ar3d::report

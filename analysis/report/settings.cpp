@@ -1,12 +1,9 @@
-#include "ar3d/analysis/report/settings.h"
-
-#include <fmt/format.h>
-
+// Settings that can be compared: on which families, and what each did there.
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
-#include "ar3d/analysis/report/plot.h"
+#include "ar3d/analysis/report/sections.h"
 #include "ar3d/analysis/statistics.h"
 
 namespace ar3d::report {
@@ -14,9 +11,9 @@ namespace {
 
 constexpr std::size_t kMostGroups = 4;
 
-double median_of(const SizeTally& size, Quantity quantity, bool timed) {
+double median_of(const SizeTally& size, Quantity quantity) {
   std::vector<double> logs;
-  for (const DrawnGraph& graph : size.graphs) logs.push_back(log_value(graph, quantity, timed));
+  for (const DrawnGraph& graph : size.graphs) logs.push_back(log_value(graph, quantity, true));
   return decimal(median(std::move(logs)));
 }
 
@@ -59,9 +56,9 @@ ComparedSetting setting_of(const Section& section) {
     }
     for (const auto& [n, size] : curve.tally->sizes) {
       if (size.drawn == 0 || size.censored || size.requested_n < 1) continue;
-      const bool timed = curve.tally->has_timing_rows;
-      const Median medians{median_of(size, Quantity::volume, timed), median_relative_volume(size),
-                           median_of(size, Quantity::wall_s, timed)};
+      const double time =
+          curve.tally->has_timing_rows ? median_of(size, Quantity::wall_s) : kMissing;
+      const Median medians{median_of(size, Quantity::volume), median_relative_volume(size), time};
       if (std::isnan(medians.volume)) continue;
       setting.sizes[size.requested_n][curve.family] = medians;
     }
@@ -87,7 +84,7 @@ std::vector<ComparedSetting> settings_of(const std::vector<Section>& sections) {
   std::vector<ComparedSetting> settings;
   for (const Section& section : sections) {
     settings.push_back(setting_of(section));
-    settings.back().colour = settings.size() - 1;
+    settings.back().place = settings.size() - 1;
   }
   return settings;
 }
@@ -142,13 +139,6 @@ std::vector<std::int64_t> SettingGroup::sizes() const {
     for (const auto& [n, medians] : setting->sizes) all.insert(n);
   }
   return {all.begin(), all.end()};
-}
-
-std::string SettingGroup::text() const {
-  const std::size_t count = count_families(families);
-  const std::string which =
-      count == 1 ? *families.begin() + ", which" : fmt::format("{} families that", count);
-  return fmt::format("{} {} settings drew", which, settings.size());
 }
 
 Median over(const ComparedSetting& setting, std::int64_t n, const SettingGroup& group) {

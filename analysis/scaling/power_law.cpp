@@ -63,61 +63,6 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
   return sum;
 }
 
-}  // namespace
-
-LinearFit fit_linear(const std::vector<FitPoint>& points) {
-  const std::size_t p = points.at(0).regressors.size(), count = points.size();
-  expect(count >= p, "a fit has at least as many points as coefficients");
-  const Matrix covariance = inverse(normal_matrix(points, p));
-  LinearFit fit;
-  fit.projection.assign(p, std::vector<double>(count, 0));
-  fit.coefficients.assign(p, 0);
-  for (std::size_t j = 0; j < p; ++j) {
-    for (std::size_t s = 0; s < count; ++s) {
-      fit.projection[j][s] = dot(covariance[j], points[s].regressors);
-      fit.coefficients[j] += fit.projection[j][s] * points[s].y;
-    }
-  }
-  fit.hat.assign(count, std::vector<double>(count, 0));
-  for (std::size_t s = 0; s < count; ++s) {
-    const std::vector<double>& x = points[s].regressors;
-    for (std::size_t t = 0; t < count; ++t) {
-      for (std::size_t j = 0; j < p; ++j) fit.hat[s][t] += x[j] * fit.projection[j][t];
-    }
-    fit.residuals.push_back(points[s].y - dot(x, fit.coefficients));
-    fit.square_sum += fit.residuals[s] * fit.residuals[s];
-  }
-  return fit;
-}
-
-Interval robust_interval(const LinearFit& fit, std::size_t coefficient, double confidence) {
-  const std::size_t count = fit.residuals.size();
-  if (count <= fit.coefficients.size()) return {kMissing, kMissing};
-  const std::vector<double>& projection = fit.projection[coefficient];
-  std::vector<double> scaled(count);  // projection / sqrt(1 - leverage)
-  double variance = 0;
-  for (std::size_t s = 0; s < count; ++s) {
-    scaled[s] = projection[s] / std::sqrt(std::max(kLeastFreedom, 1 - fit.hat[s][s]));
-    variance += scaled[s] * scaled[s] * fit.residuals[s] * fit.residuals[s];
-  }
-  // With errors of one variance the estimate is a quadratic form with this trace and this trace of
-  // its square; Satterthwaite's degrees of freedom match a chi-square to both.
-  double trace = 0, square_trace = 0;
-  for (std::size_t s = 0; s < count; ++s) {
-    for (std::size_t t = 0; t < count; ++t) {
-      const double entry = scaled[s] * scaled[t] * ((s == t ? 1 : 0) - fit.hat[s][t]);
-      trace += s == t ? entry : 0;
-      square_trace += entry * entry;
-    }
-  }
-  if (!(square_trace > 0)) return {kMissing, kMissing};
-  const double df = std::max(1.0, trace * trace / square_trace);
-  const double half = student_t_quantile((1 + confidence) / 2, df) * std::sqrt(variance);
-  return {fit.coefficients[coefficient] - half, fit.coefficients[coefficient] + half};
-}
-
-namespace {
-
 /// Squares of residuals below this are rounding: logarithms are near 10, doubles have 16 digits.
 constexpr double kRoundingSquare = 1e-26;
 
@@ -182,6 +127,57 @@ double step_akaike(std::span<const SizeSample> sizes) {
 }
 
 }  // namespace
+
+LinearFit fit_linear(const std::vector<FitPoint>& points) {
+  const std::size_t p = points.at(0).regressors.size(), count = points.size();
+  expect(count >= p, "a fit has at least as many points as coefficients");
+  const Matrix covariance = inverse(normal_matrix(points, p));
+  LinearFit fit;
+  fit.projection.assign(p, std::vector<double>(count, 0));
+  fit.coefficients.assign(p, 0);
+  for (std::size_t j = 0; j < p; ++j) {
+    for (std::size_t s = 0; s < count; ++s) {
+      fit.projection[j][s] = dot(covariance[j], points[s].regressors);
+      fit.coefficients[j] += fit.projection[j][s] * points[s].y;
+    }
+  }
+  fit.hat.assign(count, std::vector<double>(count, 0));
+  for (std::size_t s = 0; s < count; ++s) {
+    const std::vector<double>& x = points[s].regressors;
+    for (std::size_t t = 0; t < count; ++t) {
+      for (std::size_t j = 0; j < p; ++j) fit.hat[s][t] += x[j] * fit.projection[j][t];
+    }
+    fit.residuals.push_back(points[s].y - dot(x, fit.coefficients));
+    fit.square_sum += fit.residuals[s] * fit.residuals[s];
+  }
+  return fit;
+}
+
+Interval robust_interval(const LinearFit& fit, std::size_t coefficient, double confidence) {
+  const std::size_t count = fit.residuals.size();
+  if (count <= fit.coefficients.size()) return {kMissing, kMissing};
+  const std::vector<double>& projection = fit.projection[coefficient];
+  std::vector<double> scaled(count);  // projection / sqrt(1 - leverage)
+  double variance = 0;
+  for (std::size_t s = 0; s < count; ++s) {
+    scaled[s] = projection[s] / std::sqrt(std::max(kLeastFreedom, 1 - fit.hat[s][s]));
+    variance += scaled[s] * scaled[s] * fit.residuals[s] * fit.residuals[s];
+  }
+  // With errors of one variance the estimate is a quadratic form with this trace and this trace of
+  // its square; Satterthwaite's degrees of freedom match a chi-square to both.
+  double trace = 0, square_trace = 0;
+  for (std::size_t s = 0; s < count; ++s) {
+    for (std::size_t t = 0; t < count; ++t) {
+      const double entry = scaled[s] * scaled[t] * ((s == t ? 1 : 0) - fit.hat[s][t]);
+      trace += s == t ? entry : 0;
+      square_trace += entry * entry;
+    }
+  }
+  if (!(square_trace > 0)) return {kMissing, kMissing};
+  const double df = std::max(1.0, trace * trace / square_trace);
+  const double half = student_t_quantile((1 + confidence) / 2, df) * std::sqrt(variance);
+  return {fit.coefficients[coefficient] - half, fit.coefficients[coefficient] + half};
+}
 
 double CurveFit::log_value(double n) const {
   const double log_n = std::log(n);

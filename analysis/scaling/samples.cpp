@@ -1,3 +1,5 @@
+// Groups the graphs of a curve by size and chooses the sizes that a fit may use. A size with rows
+// that ended early is left out, because only its fast graphs are there.
 #include "ar3d/analysis/scaling/samples.h"
 
 #include <fmt/format.h>

@@ -31,11 +31,12 @@ namespace {
 
 constexpr int kRequestTag = 1;
 constexpr int kAnswerTag = 2;
-constexpr int kJobTag = 3;    // rank 0: what to make ready; nothing: go home
-constexpr int kReadyTag = 4;  // another rank: it is
-constexpr int kGoTag = 5;     // rank 0: all are
-constexpr int kDoneTag = 6;   // another rank: it has done it
-constexpr int kToldTag = 7;   // another rank: what came out, after one character
+constexpr int kJobTag = 3;     // rank 0: what to make ready; nothing: go home
+constexpr int kReadyTag = 4;   // another rank: it is
+constexpr int kGoTag = 5;      // rank 0: all are
+constexpr int kDoneTag = 6;    // another rank: it has done it
+constexpr int kToldTag = 7;    // another rank: what came out, or why it failed
+constexpr int kResultTag = 8;  // another rank, after it: which of the two
 
 // What a rank tells rank 0 with kRequestTag: that it wants a portion, or that it wants no more.
 constexpr int kMore = 0;
@@ -212,16 +213,17 @@ Tell what_failed() {
   return [failure = std::current_exception()]() -> std::string { std::rethrow_exception(failure); };
 }
 
-// What is told, after '+'; or after '-' why it failed.
-std::string told_by(const Tell& tell) {
+// Puts into `text` what is told, or why it failed.
+StepResult told_by(const Tell& tell, std::string& text) {
   try {
-    std::string text = '+' + tell();
+    text = tell();
     if (text.size() > std::numeric_limits<int>::max()) {
       throw InternalError("internal error: a rank's rows pass 2 GiB, the most that MPI sends");
     }
-    return text;
+    return StepResult::done;
   } catch (const std::exception& error) {
-    return std::string("-") + error.what();
+    text = error.what();
+    return StepResult::failed;
   }
 }
 
@@ -251,6 +253,17 @@ void receive_word(int from, int tag) {
   MPI_Recv(nullptr, 0, MPI_CHAR, from, tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
 }
 
+void send_result(StepResult result, int to) {
+  const int code = static_cast<int>(result);
+  MPI_Send(&code, 1, MPI_INT, to, kResultTag, MPI_COMM_WORLD);
+}
+
+StepResult receive_result(int from) {
+  int code = 0;
+  MPI_Recv(&code, 1, MPI_INT, from, kResultTag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  return static_cast<StepResult>(code);
+}
+
 class MpiRanks final : public Ranks {
  public:
   MpiRanks() {
@@ -267,13 +280,17 @@ class MpiRanks final : public Ranks {
 
   std::string from_first(const std::string& text) override { return from(0, text); }
 
-  std::string any_of(const std::string& text) override {
-    int mine = text.empty() ? size_ : rank_;
+  StepResult agree(StepResult mine, std::string& why) override {
+    const int candidate = mine == StepResult::done ? size_ : rank_;
     int first = size_;
     MPI_Request request = MPI_REQUEST_NULL;
-    MPI_Iallreduce(&mine, &first, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD, &request);
+    MPI_Iallreduce(&candidate, &first, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD, &request);
     wait_quietly(request);
-    return first == size_ ? std::string() : from(first, text);
+    if (first == size_) return StepResult::done;
+    why = from(first, why);
+    int code = static_cast<int>(mine);
+    MPI_Bcast(&code, 1, MPI_INT, first, MPI_COMM_WORLD);
+    return static_cast<StepResult>(code);
   }
 
   void share_out(const std::vector<double>& work,
@@ -309,13 +326,16 @@ class MpiRanks final : public Ranks {
     const Tell tell = done(work);
     for (int rank = 1; rank < count; ++rank) receive_word(rank, kDoneTag);
     const double wall_s = time.wall_s();
-    std::vector<std::string> all = {told_by(tell)};
-    for (int rank = 1; rank < count; ++rank) all.push_back(receive_text(rank, kToldTag));
-    for (std::string& told : all) {  // after all have come, so that none is left over
-      if (told.front() != '+') throw InternalError(told.substr(1));
-      told.erase(0, 1);
+    std::vector<std::string> told(1);
+    std::vector<StepResult> results = {told_by(tell, told[0])};
+    for (int rank = 1; rank < count; ++rank) {
+      told.push_back(receive_text(rank, kToldTag));
+      results.push_back(receive_result(rank));
     }
-    return {wall_s, std::move(all)};
+    for (std::size_t i = 0; i < told.size(); ++i) {  // after all have come: none is left over
+      if (results[i] != StepResult::done) throw InternalError(told[i]);
+    }
+    return {wall_s, std::move(told)};
   }
 
   void help(const MakeReady& make_ready) override {
@@ -325,7 +345,10 @@ class MpiRanks final : public Ranks {
       receive_word(0, kGoTag);
       const Tell tell = done(work);
       send_word(0, kDoneTag);
-      send_text(told_by(tell), 0, kToldTag);
+      std::string text;
+      const StepResult result = told_by(tell, text);
+      send_text(text, 0, kToldTag);
+      send_result(result, 0);
     }
   }
 

@@ -1,6 +1,10 @@
+// Builds the program of another commit in a worktree beside the checkout. The finished program is
+// put in place whole, so that an interrupted build leaves nothing that a later one would take.
 #include "ar3d/bench/compare/commits.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -17,15 +21,6 @@
 #include "ar3d/bench/measure/processes.h"
 
 namespace ar3d {
-std::string commit_of(const std::string& checkout, const std::string& ref) {
-  const GitAnswer commit = ask_git(
-      {"-C", checkout, "rev-parse", "--verify", "--quiet", "--end-of-options", ref + "^{commit}"});
-  if (commit.exit_code != 0 || commit.lines.empty()) {
-    throw InputError(fmt::format("no commit '{}' in {}", ref, checkout));
-  }
-  return commit.lines.front();
-}
-
 std::int64_t commits_up_to(const std::string& commit) {
   const GitAnswer count = ask_git({"rev-list", "--count", commit, "--"});
   std::int64_t number = -1;
@@ -35,42 +30,19 @@ std::int64_t commits_up_to(const std::string& commit) {
   return error == std::errc() && end == text.data() + text.size() ? number : -1;
 }
 
-std::vector<Commit> commits_between(const std::string& checkout, const std::string& good,
-                                    const std::string& bad) {
-  const GitAnswer order = ask_git({"-C", checkout, "merge-base", "--is-ancestor", good, bad});
-  if (order.exit_code != 0 || good == bad) {
-    throw InputError(fmt::format("{} is no earlier commit than {}", good, bad));
-  }
-  const GitAnswer list = ask_git({"-C", checkout, "log", "--reverse", "--first-parent",
-                                  "--format=%H %s", good + ".." + bad, "--"});
-  std::vector<Commit> commits;
-  for (const std::string& line : list.lines) {
-    const std::size_t space = line.find(' ');
-    commits.push_back({line.substr(0, space),
-                       space == std::string::npos ? std::string() : line.substr(space + 1)});
-  }
-  if (list.exit_code != 0 || commits.empty() || commits.back().hash != bad) {
-    throw InputError(fmt::format("git lists no commits from {} to {}", good, bad));
-  }
-  return commits;
-}
-
-std::optional<std::size_t> Bisection::next() const {
-  std::optional<std::size_t> nearest;
-  const auto distance = [&](std::size_t commit) {  // twice that from the middle
-    const std::size_t sum = first_ + last_ - 1;
-    return 2 * commit > sum ? 2 * commit - sum : sum - 2 * commit;
-  };
-  for (std::size_t commit = first_; commit < last_; ++commit) {
-    if (is_skipped_[commit]) continue;
-    if (!nearest || distance(commit) < distance(*nearest)) nearest = commit;
-  }
-  return nearest;
-}
-
 namespace {
 
 namespace fs = std::filesystem;
+
+/// The 40 digits of a commit. @throws InputError naming the ref if there is no such commit.
+std::string commit_of(const std::string& checkout, const std::string& ref) {
+  const GitAnswer commit = ask_git(
+      {"-C", checkout, "rev-parse", "--verify", "--quiet", "--end-of-options", ref + "^{commit}"});
+  if (commit.exit_code != 0 || commit.lines.empty()) {
+    throw InputError(fmt::format("no commit '{}' in {}", ref, checkout));
+  }
+  return commit.lines.front();
+}
 
 /// Thrown where a signal asked to stop.
 struct BuildStopped {};
@@ -120,11 +92,30 @@ class Build {
   std::FILE* progress_;
 };
 
-/// A git worktree of the commit that goes with this object.
+constexpr std::string_view kSources = ".sources-";
+
+/// The folder, locked for as long as the descriptor is open; none if another process has locked it.
+Descriptor locked_folder(const fs::path& folder) {
+  Descriptor locked(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  return flock(locked.get(), LOCK_EX | LOCK_NB) == 0 ? std::move(locked) : Descriptor();
+}
+
+/// A folder for a git worktree of the commit. It goes with this object; one that a killed program
+/// has left goes with the next.
 class Worktree {
  public:
   Worktree(const std::string& checkout, fs::path folder)
-      : checkout_(checkout), folder_(std::move(folder)) {}
+      : checkout_(checkout), folder_(std::move(folder)) {
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(folder_.parent_path(), ignored)) {
+      const bool is_sources = entry.path().filename().string().find(kSources) != std::string::npos;
+      if (is_sources && locked_folder(entry.path()).get() >= 0) {
+        fs::remove_all(entry.path(), ignored);
+      }
+    }
+    fs::create_directories(folder_);
+    lock_ = locked_folder(folder_);
+  }
   Worktree(const Worktree&) = delete;
   Worktree& operator=(const Worktree&) = delete;
   ~Worktree() {
@@ -138,6 +129,7 @@ class Worktree {
  private:
   std::string checkout_;
   fs::path folder_;
+  Descriptor lock_;
 };
 
 /// Copies a program: the copy is on the disk whole under its name, or not at all.
@@ -156,7 +148,7 @@ void copy_program(const fs::path& from, const fs::path& to) {
 void build_program(const std::string& checkout, const std::string& commit, Build& build,
                    const fs::path& program) {
   const fs::path folder = program.parent_path();
-  const Worktree worktree(checkout, folder.string() + fmt::format(".sources-{}", getpid()));
+  const Worktree worktree(checkout, fmt::format("{}{}{}", folder.string(), kSources, getpid()));
   const std::string sources = worktree.folder().string(), tree = sources + "/build/compare";
   build.run({"git", "-C", checkout, "worktree", "add", "--detach", sources, commit});
   build.run({"cmake", "-S", sources, "-B", tree, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",

@@ -1,3 +1,5 @@
+// Two programs run the same study in turns, on one core. A machine that becomes slower then slows
+// both, and each round is a pair of measurements.
 #include "ar3d/bench/compare/interleave.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,6 @@
+// Graphs of files are read once and kept in a temporary file in few bytes, because a study visits
+// them in another order than the file has, from several threads and processes. A sample keeps only
+// graphs that can still be in it.
 #include "ar3d/bench/corpus/corpus.h"
 
 #include <fmt/format.h>
@@ -68,6 +71,23 @@ Graph take_graph(std::span<const char> bytes) {
   return Graph(n, std::move(edges));
 }
 
+void read_all(int file, std::span<char> to, std::uint64_t offset, const std::string& name) {
+  if (read_whole(file, to, offset) == to.size()) return;
+  throw InputError(fmt::format("cannot read {}: {}", name,
+                               errno == 0 ? "it ends too early" : std::strerror(errno)));
+}
+
+constexpr std::uint64_t kMostGraphs = 10000000;  // a study has no more rows
+
+void put_graph(HashStream& hash, const Graph& graph) {
+  hash.put(graph.num_vertices());
+  hash.put(graph.num_edges());
+  for (const Edge edge : graph.edges()) {
+    hash.put(edge.u);
+    hash.put(edge.v);
+  }
+}
+
 }  // namespace
 
 Spool::Spool() : file_(new_temporary_file("ar3d-graphs", name_)) { unlink(name_.c_str()); }
@@ -92,16 +112,6 @@ void Spool::flush() {
   buffer_.clear();
 }
 
-namespace {
-
-void read_all(int file, std::span<char> to, std::uint64_t offset, const std::string& name) {
-  if (read_whole(file, to, offset) == to.size()) return;
-  throw InputError(fmt::format("cannot read {}: {}", name,
-                               errno == 0 ? "it ends too early" : std::strerror(errno)));
-}
-
-}  // namespace
-
 Graph Spool::read(std::uint64_t offset) const {
   std::array<char, 4096> start;  // a small graph comes with one call
   const std::uint64_t there = end_ - offset;
@@ -115,21 +125,6 @@ Graph Spool::read(std::uint64_t offset) const {
   read_all(file_.get(), {bytes.data(), length}, offset + kHeadBytes, name_);
   return take_graph(bytes);
 }
-
-namespace {
-
-constexpr std::uint64_t kMostGraphs = 10000000;  // a study has no more rows
-
-void put_graph(HashStream& hash, const Graph& graph) {
-  hash.put(graph.num_vertices());
-  hash.put(graph.num_edges());
-  for (const Edge edge : graph.edges()) {
-    hash.put(edge.u);
-    hash.put(edge.v);
-  }
-}
-
-}  // namespace
 
 std::string CorpusOptions::text() const {
   return fmt::format(
@@ -181,6 +176,7 @@ class Corpus::Scan {
   std::optional<Graph> next_graph(const CorpusFile& file, std::optional<GraphReader>& reader,
                                   std::string& problem) const {
     try {
+      if (!file.problem.empty()) throw InputError(file.problem);
       std::error_code ignored;
       if (!file.name.empty() && !std::filesystem::is_regular_file(file.path, ignored)) {
         throw InputError(file.path + ": it is no regular file");
@@ -330,8 +326,9 @@ std::shared_ptr<const NamedCorpus> named_corpus(const std::string& name,
 std::shared_ptr<const Corpus> CorpusShelf::get(const std::vector<CorpusFile>& files,
                                                const CorpusOptions& options) {
   std::string key = options.text();
-  for (const auto& [path, name, group] : files) {
-    for (const std::string* part : {&path, &name, &group}) key.append(1, '\n').append(*part);
+  for (const CorpusFile& file : files) {
+    for (const std::string* part : {&file.path, &file.name, &file.group})
+      key.append(1, '\n').append(*part);
   }
   std::shared_ptr<const Corpus>& corpus = corpora_[content_hash(key)];
   if (!corpus) corpus = std::make_shared<const Corpus>(files, options);

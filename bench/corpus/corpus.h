@@ -43,8 +43,9 @@ class Spool {
 /// A file of a corpus.
 struct CorpusFile {
   std::string path;
-  std::string name;   ///< of its graph in rows; empty where the corpus is one file
-  std::string group;  ///< in rows
+  std::string name;          ///< of its graph in rows; empty where the corpus is one file
+  std::string group;         ///< in rows
+  std::string problem = {};  ///< it cannot be read for that reason; empty: nobody knows before
 };
 
 /// How the graphs of files are taken into a study.

@@ -1,3 +1,5 @@
+// Describes a program that draws graphs: its command line, the line that it reads for a graph, and
+// the hash and version under which its results are kept.
 #include "ar3d/bench/external/external_algorithm.h"
 
 #include <fmt/format.h>
@@ -51,29 +53,6 @@ std::string edge_list(const Graph& graph) {
   return text;
 }
 
-}  // namespace
-
-std::vector<std::string> command_with(const ExternalAlgorithm& algorithm, const Settings& options) {
-  std::vector<std::string> words;
-  for (const std::string& word : algorithm.command) {
-    words.push_back(with_values(word, algorithm, options));
-  }
-  return words;
-}
-
-std::string request_of(const ExternalAlgorithm& algorithm, const Graph& graph) {
-  if (algorithm.input == "edgelist") return edge_list(graph);
-  std::string text;
-  if (algorithm.input == "graph6") {
-    append_graph6(text, graph);
-  } else {
-    append_sparse6(text, graph);
-  }
-  return text;
-}
-
-namespace {
-
 namespace fs = std::filesystem;
 
 /// The hash of a regular file's bytes; nothing if it is none or cannot be read.
@@ -99,6 +78,25 @@ std::optional<std::string> hash_of_executable(const std::string& name) {
 }
 
 }  // namespace
+
+std::vector<std::string> command_with(const ExternalAlgorithm& algorithm, const Settings& options) {
+  std::vector<std::string> words;
+  for (const std::string& word : algorithm.command) {
+    words.push_back(with_values(word, algorithm, options));
+  }
+  return words;
+}
+
+std::string request_of(const ExternalAlgorithm& algorithm, const Graph& graph) {
+  if (algorithm.input == "edgelist") return edge_list(graph);
+  std::string text;
+  if (algorithm.input == "graph6") {
+    append_graph6(text, graph);
+  } else {
+    append_sparse6(text, graph);
+  }
+  return text;
+}
 
 std::string program_hash(const ExternalAlgorithm& program) {
   const std::optional<std::string> executable = hash_of_executable(program.command.front());

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ar3d/algorithms/catalog.h"
+#include "ar3d/algorithms/algorithm.h"
 #include "ar3d/model/graph.h"
 
 namespace ar3d {

@@ -1,3 +1,5 @@
+// Talks to a program that draws graphs: one request, one line of answer, a time limit. A process
+// that fails is ended with all that it started, and the next graph gets a new one.
 #include "ar3d/bench/external/external_drawer.h"
 
 #include <fcntl.h>
@@ -6,7 +8,6 @@
 #include <poll.h>
 #include <pthread.h>
 #include <signal.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -20,7 +21,6 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/base/system_calls.h"
 #include "ar3d/bench/measure/instruments.h"
 
 namespace ar3d {
@@ -50,34 +50,6 @@ class NoBrokenPipes {
   sigset_t before_{};
 };
 
-// The end to read from and the end to write to.
-std::pair<Descriptor, Descriptor> new_pipe() {
-  int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) {
-    throw ProgramFailure(RunStatus::crashed,
-                         fmt::format("cannot make a pipe: {}", std::strerror(errno)));
-  }
-  return {Descriptor(ends[0]), Descriptor(ends[1])};
-}
-
-// Between fork and exec, perhaps beside other threads: system calls only.
-[[noreturn]] void become_program(pid_t parent, char* const* words, int in, int out, int err,
-                                 int failure) {
-  setpgid(0, 0);
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(126);
-  sigset_t none;
-  sigemptyset(&none);
-  sigprocmask(SIG_SETMASK, &none, nullptr);
-  for (const int number : {SIGINT, SIGTERM, SIGPIPE, SIGXFSZ}) signal(number, SIG_DFL);
-  leave_no_core();
-  close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);  // journals and graphs are none of its business
-  if (dup2(in, 0) >= 0 && dup2(out, 1) >= 0 && dup2(err, 2) >= 0) execvp(words[0], words);
-  const int error = errno;
-  const ssize_t told = write(failure, &error, sizeof error);
-  _exit(told == sizeof error ? 127 : 126);
-}
-
 void set_not_waiting(const Descriptor& descriptor) { fcntl(descriptor.get(), F_SETFL, O_NONBLOCK); }
 
 std::string last_line(std::string text) {
@@ -86,79 +58,65 @@ std::string last_line(std::string text) {
   return end == std::string::npos ? text : text.substr(end + 1);
 }
 
+// An answer has about 100 bytes per vertex and bend; this is room for drawings with many bends.
+std::size_t most_bytes(const Graph& graph) {
+  constexpr std::size_t kAlways = std::size_t{1} << 24;
+  constexpr std::size_t kEach = std::size_t{1} << 10;
+  return kAlways + kEach * (std::size_t{graph.num_vertices()} + graph.num_edges());
+}
+
+// A line that comes late would be taken for the answer to the next graph; a program that writes
+// such lines does so from the beginning.
+constexpr double kListeningSeconds = 0.02;
+
+ProgramAnswer parsed(const std::string& name, const Graph& graph, const std::string& line) {
+  try {
+    return parse_answer(name, graph, line);
+  } catch (const InputError& error) {
+    throw ProgramFailure(RunStatus::crashed,
+                         fmt::format("its answer is no drawing: {}", error.what()));
+  }
+}
+
 }  // namespace
 
-ExternalProcess::ExternalProcess(const std::vector<std::string>& command) {
-  std::vector<std::string> words = command;
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
+ExternalProcess::ExternalProcess(const std::vector<std::string>& command) try {
   auto in = new_pipe();
   auto out = new_pipe();
   auto err = new_pipe();
-  auto failure = new_pipe();
-  const pid_t parent = getpid();
-  pid_ = fork();
-  if (pid_ == 0) {
-    become_program(parent, arguments.data(), in.first.get(), out.second.get(), err.second.get(),
-                   failure.second.get());
-  }
-  if (pid_ < 0) {
-    throw ProgramFailure(RunStatus::crashed,
-                         fmt::format("cannot start {}: {}", command[0], std::strerror(errno)));
-  }
-  setpgid(pid_, pid_);
-  failure.second = Descriptor();
-  int error = 0;
-  ssize_t got = 0;
-  while ((got = read(failure.first.get(), &error, sizeof error)) < 0 && errno == EINTR) {
-  }
-  if (got > 0) {
-    kill();
-    throw ProgramFailure(RunStatus::crashed,
-                         fmt::format("cannot run {}: {}", command[0], std::strerror(error)));
+  child_ =
+      Child::of_program(command, {.streams = {in.first.get(), out.second.get(), err.second.get()}});
+  if (child_.run_error() != 0) {
+    throw InputError(
+        fmt::format("cannot run {}: {}", command[0], std::strerror(child_.run_error())));
   }
   input_ = std::move(in.second);
   output_ = std::move(out.first);
   errors_ = std::move(err.first);
   for (const Descriptor* end : {&input_, &output_, &errors_}) set_not_waiting(*end);
-}
-
-ExternalProcess::~ExternalProcess() { kill(); }
-
-void ExternalProcess::kill() {
-  if (pid_ < 0) return;
-  end_group(pid_);
-  pid_ = -1;
+} catch (const InputError& error) {
+  throw ProgramFailure(RunStatus::crashed, error.what());
 }
 
 std::string ExternalProcess::how_it_ended() {
   // Its output has ended; so will it, or else it is ended.
-  int status = 0;
-  pid_t ended = 0;
-  for (int tries = 0; tries < 100 && ended == 0; ++tries) {
-    ended = waitpid(pid_, &status, WNOHANG);
-    if (ended == 0) usleep(1000);
-  }
+  for (int tries = 0; tries < 100 && !child_.has_ended(); ++tries) usleep(1000);
   std::string how = "closed its output";
-  if (ended == pid_) {
+  if (child_.has_ended()) {
+    const int status = child_.wait();
     how = WIFEXITED(status) ? fmt::format("ended with code {}", WEXITSTATUS(status))
                             : fmt::format("was killed by signal {} ({})", WTERMSIG(status),
                                           strsignal(WTERMSIG(status)));
-    ::kill(-pid_, SIGKILL);  // what it may have started
-    pid_ = -1;
   }
-  kill();
+  child_.kill();
   while (read_errors()) {
   }
   const std::string line = last_line(last_errors_);
   return how + " before it answered" + (line.empty() ? "" : ": " + printable(line));
 }
 
-double ExternalProcess::cpu_s() const { return cpu_seconds_of(pid_); }
-
 bool ExternalProcess::read_output(std::size_t most_bytes) {
-  std::array<char, 65536> bytes;
+  std::array<char, 16384> bytes;
   const ssize_t got = read(output_.get(), bytes.data(), bytes.size());
   if (got < 0) return errno == EAGAIN || errno == EINTR;
   received_.append(bytes.data(), static_cast<std::size_t>(got));
@@ -205,7 +163,7 @@ ExternalProcess::Answer ExternalProcess::ask(const std::string& request, double 
                                              std::size_t most_bytes) {
   const NoBrokenPipes no_broken_pipes;
   refuse_second_lines(0);
-  const double cpu_before = cpu_s();
+  const double cpu_before = child_.cpu_s();
   const Stopwatch time;
   std::size_t written = 0;
   for (;;) {
@@ -213,13 +171,13 @@ ExternalProcess::Answer ExternalProcess::ask(const std::string& request, double 
     searched_ = received_.size();
     if (end != std::string::npos) {
       searched_ = 0;
-      Answer answer{received_.substr(0, end), time.wall_s(), cpu_s() - cpu_before};
+      Answer answer{received_.substr(0, end), time.wall_s(), child_.cpu_s() - cpu_before};
       received_.erase(0, end + 1);
       return answer;
     }
     const double left_s = limit_s - time.wall_s();
     if (left_s <= 0) {
-      kill();
+      child_.kill();
       throw ProgramFailure(RunStatus::timeout, fmt::format("no answer within {:.6g} s", limit_s));
     }
     pollfd events[] = {{output_.get(), POLLIN, 0},
@@ -233,30 +191,6 @@ ExternalProcess::Answer ExternalProcess::ask(const std::string& request, double 
     }
   }
 }
-
-namespace {
-
-// An answer has about 100 bytes per vertex and bend; this is room for drawings with many bends.
-std::size_t most_bytes(const Graph& graph) {
-  constexpr std::size_t kAlways = std::size_t{1} << 24;
-  constexpr std::size_t kEach = std::size_t{1} << 10;
-  return kAlways + kEach * (std::size_t{graph.num_vertices()} + graph.num_edges());
-}
-
-// A line that comes late would be taken for the answer to the next graph; a program that writes
-// such lines does so from the beginning.
-constexpr double kListeningSeconds = 0.02;
-
-ProgramAnswer parsed(const std::string& name, const Graph& graph, const std::string& line) {
-  try {
-    return parse_answer(name, graph, line);
-  } catch (const InputError& error) {
-    throw ProgramFailure(RunStatus::crashed,
-                         fmt::format("its answer is no drawing: {}", error.what()));
-  }
-}
-
-}  // namespace
 
 ExternalDrawing ExternalDrawer::draw(const ExternalAlgorithm& algorithm, const Settings& options,
                                      const Graph& graph) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <sys/types.h>
-
 #include <cstddef>
 #include <map>
 #include <memory>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "ar3d/base/new_file.h"
+#include "ar3d/base/system_calls.h"
 #include "ar3d/bench/external/external_algorithm.h"
 #include "ar3d/bench/external/program_answer.h"
 #include "ar3d/store/columns/run_record.h"
@@ -27,16 +26,11 @@ class ProgramFailure : public std::runtime_error {
   RunStatus status_;
 };
 
-/// A program that answers each request with one line, in a process group of its own. It dies with
-/// the thread that started it and with this object, and what it has started with it, unless that
-/// has left the group.
+/// A program that answers each request with one line. It ends with this object.
 class ExternalProcess {
  public:
   /// @throws ProgramFailure if it cannot be run.
   explicit ExternalProcess(const std::vector<std::string>& command);
-  ~ExternalProcess();
-  ExternalProcess(const ExternalProcess&) = delete;
-  ExternalProcess& operator=(const ExternalProcess&) = delete;
 
   struct Answer {
     std::string line;   ///< without its end
@@ -56,11 +50,9 @@ class ExternalProcess {
   bool read_output(std::size_t most_bytes);  // false at its end
   bool read_errors();                        // false at their end
   void write_request(const std::string& request, std::size_t& written);
-  double cpu_s() const;
   std::string how_it_ended();
-  void kill();
 
-  pid_t pid_ = -1;
+  Child child_;
   Descriptor input_;
   Descriptor output_;
   Descriptor errors_;

@@ -1,3 +1,5 @@
+// Reads the answer of a foreign program. Decimal numbers become integers of one common unit, so
+// that its drawing is judged by the same exact code as ours.
 #include "ar3d/bench/external/program_answer.h"
 
 #include <fmt/format.h>

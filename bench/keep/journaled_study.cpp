@@ -1,10 +1,9 @@
+// A study from its beginning to its results file; a stopped one goes on from its journal.
 #include "ar3d/bench/keep/journaled_study.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 
@@ -32,7 +31,6 @@
 
 namespace ar3d {
 namespace {
-namespace fs = std::filesystem;
 RowCollection rows_so_far(const JournaledStudy& study) {
   RowCollection rows(run_format());
   for (const std::string& journal : existing_journals(study.results)) rows.add(journal);
@@ -75,8 +73,7 @@ bool is_again(const JournaledStudy& study, const char* record) {
   return !study.again.empty() && std::ranges::count(study.again, load_record(record).status) > 0;
 }
 
-// Rows are only taken away from a study that is whole in its results file. @throws InputError if
-// another process is at work with it.
+// Before rows go, all are in the results file. @throws InputError if another process is at work.
 void fold_journals(const JournaledStudy& study, const StudyIdentity& identity) {
   std::vector<std::unique_ptr<JournalWriter>> locked;
   for (const std::string& journal : existing_journals(study.results)) {
@@ -170,81 +167,28 @@ class JournalSink final : public RowSink {
   std::vector<EnvironmentEntry>& notes_;
 };
 
-// Does a step on all ranks; where it fails on one, it fails on all. What is no InputError, or is
-// thrown outside of such a step, is the rank's own: its caller ends them all (Ranks::give_up).
+// Does a step on all ranks; an InputError of one is one of all. What else is thrown is the rank's
+// own: its caller ends them all (Ranks::give_up).
 void together(Ranks& ranks, const std::function<void()>& step) {
   if (ranks.size() == 1) {
     step();
-    ranks.any_of("");
-    return;
+    return ranks.barrier();
   }
-  std::string problem;
+  StepResult result = StepResult::done;
+  std::string why;
   try {
     step();
   } catch (const JournalFull& error) {
-    problem = fmt::format("F{}", error.what());
+    result = StepResult::journal_full;
+    why = error.what();
   } catch (const InputError& error) {
-    problem = fmt::format("E{}", error.what());
+    result = StepResult::failed;
+    why = error.what();
   }
-  const std::string told = ranks.any_of(problem);
-  if (!told.empty()) throw FailedTogether(told.substr(1), told[0] == 'F');
+  result = ranks.agree(result, why);
+  if (result != StepResult::done) throw FailedTogether(why, result == StepResult::journal_full);
 }
 
-}  // namespace
-
-JournaledStudy new_study(const StudySpec& spec, const Shard& shard, const std::string& results) {
-  JournaledStudy study{spec, shard, results, now_with_zone()};
-  if (study.results.empty()) study.results = path_of_shard(default_results_path(study.spec), shard);
-  require_results_name(study.results);
-  study.results = in_resolved_folder(study.results);
-  if (const auto journals = existing_journals(study.results); !journals.empty()) {
-    throw InputError(fmt::format(
-        "{} is the journal of a study that is not finished: go on with `ar3d study resume {}`, or "
-        "delete it",
-        journals.front(), shell_word(study.results)));
-  }
-  require_writable(study.results);
-  return study;
-}
-
-JournaledStudy begun_study(const std::string& journal_or_results) {
-  const std::string results = in_resolved_folder(results_path_of(journal_or_results));
-  const std::vector<std::string> journals = existing_journals(results);
-  const bool in_results = rows_are_in_results(results);
-  const StudyIdentity identity = in_results
-                                     ? ResultsReader(results, run_format()).identity()
-                                     : journal_status(journals.front(), run_format()).identity;
-  return {recorded_study(identity, in_results ? results : journals.front()),
-          identity.shard,
-          results,
-          identity.created,
-          in_results,
-          !in_results};
-}
-
-JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()>& begin) {
-  std::optional<JournaledStudy> study;
-  together(ranks, [&] {
-    if (ranks.is_first()) study = begin();
-  });
-  if (ranks.size() == 1) return *study;
-  const std::string results = ranks.from_first(study ? study->results : "");
-  StudyIdentity identity;
-  if (study) identity = identity_of(*study, StudyPlan());
-  const std::string text = ranks.from_first(identity_text(identity, run_format()));
-  identity = parse_identity({text.data(), text.size()}, run_format(), results);
-  StudySpec spec = recorded_study(identity, results);
-  if (study) spec.shelf = study->spec.shelf;
-  together(ranks, [&spec] { corpora_of(spec); });  // so that all ranks have read the same graphs
-  return {std::move(spec),
-          identity.shard,
-          results,
-          identity.created,
-          study && study->seed_from_results,
-          study && study->has_journals};
-}
-
-namespace {
 // Lets the helpers of rank 0 go, whatever happens.
 class Dismissal {
  public:
@@ -292,7 +236,10 @@ class StudyPart {
     }
     // A rank that cannot read must not leave the others sharing rows without it.
     std::optional<RowCollection> before;
-    together(ranks_, [&] { before.emplace(rows_so_far(study_)); });
+    together(ranks_, [&] {
+      before.emplace(rows_so_far(study_));
+      if (before->size() > 0) gather_rows(plan_, *before);  // refuses rows that are not of the plan
+    });
     make_shared(shared, *before);
     before.reset();
     if (!ranks_.is_first()) {
@@ -309,7 +256,7 @@ class StudyPart {
       make(shared, rows_so_far(study_));
     });
     at_end_.push_back({"load_after", load_average()});
-    journal_->end_session(at_end_);
+    together(ranks_, [&] { journal_->end_session(at_end_); });
   }
 
   StudyOutcome write_results() {
@@ -321,7 +268,7 @@ class StudyPart {
   }
 
  private:
-  // Silent only about what is kept nowhere since nobody has acknowledged it.
+  // With --quiet only the loss of a half-written row, which was never acknowledged, goes unsaid.
   void tell_of_cut_bytes(const std::string& path) const {
     if (!journal_->cut_file().empty()) {
       say(stderr, "ar3d: {} ended with {} bytes that are no row of it; they are kept in {}\n", path,
@@ -368,6 +315,58 @@ class StudyPart {
 
 }  // namespace
 
+JournaledStudy new_study(const StudySpec& spec, const Shard& shard, const std::string& results) {
+  JournaledStudy study{spec, shard, results, now_with_zone()};
+  if (study.results.empty()) study.results = path_of_shard(default_results_path(study.spec), shard);
+  require_results_name(study.results);
+  study.results = in_resolved_folder(study.results);
+  if (const auto journals = existing_journals(study.results); !journals.empty()) {
+    throw InputError(fmt::format(
+        "{} is the journal of a study that is not finished: go on with `ar3d study resume {}`, or "
+        "delete it",
+        journals.front(), shell_word(study.results)));
+  }
+  require_writable(study.results);
+  return study;
+}
+
+JournaledStudy begun_study(const std::string& journal_or_results) {
+  const std::string results = in_resolved_folder(results_path_of(journal_or_results));
+  const std::vector<std::string> journals = existing_journals(results);
+  const bool in_results = rows_are_in_results(results);
+  const StudyIdentity identity = in_results
+                                     ? ResultsReader(results, run_format()).identity()
+                                     : journal_status(journals.front(), run_format()).identity;
+  return {recorded_study(identity, in_results ? results : journals.front()),
+          identity.shard,
+          results,
+          identity.created,
+          in_results,
+          !in_results};
+}
+
+JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()>& begin) {
+  std::optional<JournaledStudy> study;
+  together(ranks, [&] {
+    if (ranks.is_first()) study = begin();
+  });
+  if (ranks.size() == 1) return *study;
+  const std::string results = ranks.from_first(study ? study->results : "");
+  StudyIdentity identity;
+  if (study) identity = identity_of(*study, StudyPlan());
+  const std::string text = ranks.from_first(identity_text(identity, run_format()));
+  identity = parse_identity(text, run_format(), results);
+  StudySpec spec = recorded_study(identity, results);
+  if (study) spec.shelf = study->spec.shelf;
+  together(ranks, [&spec] { corpora_of(spec); });  // so that all ranks have read the same graphs
+  return {std::move(spec),
+          identity.shard,
+          results,
+          identity.created,
+          study && study->seed_from_results,
+          study && study->has_journals};
+}
+
 StudyOutcome run_journaled(const JournaledStudy& study, const SessionPolicy& policy, Ranks& ranks) {
   StudyPart part(study, policy, ranks);
   part.add_rows();
@@ -383,10 +382,11 @@ StudyOutcome run_journaled(const JournaledStudy& study, const SessionPolicy& pol
 }
 
 StudyOutcome write_snapshot(const JournaledStudy& study, const std::string& path) {
+  using std::filesystem::weakly_canonical;
   std::vector<std::string> own = existing_journals(study.results);
   own.push_back(study.results);
   for (const std::string& file : own) {
-    if (fs::weakly_canonical(file) != fs::weakly_canonical(path)) continue;
+    if (weakly_canonical(file) != weakly_canonical(path)) continue;
     throw InputError(fmt::format("{} is a file of the study itself, not for a snapshot", path));
   }
   return write_rows_so_far(study, plan_of(study), path);

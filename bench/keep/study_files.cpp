@@ -1,3 +1,5 @@
+// The names of a study's files. All are derived from the name of the results file, so that a killed
+// study is found again and what it left is removed without touching other files.
 #include "ar3d/bench/keep/study_files.h"
 
 #include <dirent.h>

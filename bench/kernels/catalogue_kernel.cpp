@@ -1,9 +1,10 @@
 // Every row of the catalogues as a kernel, for every family that fits and every size:
 //   draw/ALGORITHM/FAMILY/N     the call of the algorithm, no bend read
+//   search/FAMILY/N             a plain breadth-first search: limits/table.py divides by it
 //   certify/ALGORITHM/FAMILY/N  the proof of that drawing in exact integers
 //   generate/FAMILY/N           edges and finished Graph
 //   parse/FORMAT/FAMILY/N       from the text in memory to the finished Graph
-// Default options and parameters. Items are vertices; bytes are those of the text (parse) or of the
+// Default options and parameters; vertices in random order where a graph is given. Items are vertices; bytes are those of the text (parse) or of the
 // graph in memory (the others). Growth with n is what a study measures, with its uncertainty.
 
 #include <benchmark/benchmark.h>
@@ -39,6 +40,12 @@ void count(benchmark::State& state, const Graph& graph, std::int64_t bytes) {
 void draw_kernel(benchmark::State& state, const Algorithm* algorithm, Input input) {
   const Graph& graph = input.graph();
   for (auto _ : state) benchmark::DoNotOptimize(draw(*algorithm, graph));
+  count(state, graph, bytes_of_graph(graph));
+}
+
+void search_kernel(benchmark::State& state, Input input) {
+  const Graph& graph = input.graph();
+  for (auto _ : state) benchmark::DoNotOptimize(search_breadth_first(graph).data());
   count(state, graph, bytes_of_graph(graph));
 }
 
@@ -81,6 +88,7 @@ void add_input(Input input) {
     add(fmt::format("draw/{}/{}", algorithm.name, place), draw_kernel, &algorithm, input);
     add(fmt::format("certify/{}/{}", algorithm.name, place), certify_kernel, &algorithm, input);
   }
+  add("search/" + place, search_kernel, input);
   add("generate/" + place, generate_kernel, input);
   for (const GraphFormat& format : graph_formats()) {
     if (format.name == "graph6" && input.n > kLargestGraph6) continue;
@@ -88,7 +96,13 @@ void add_input(Input input) {
   }
 }
 
+constexpr std::array<const char*, 2> kDefaults = {
+    "--benchmark_filter=^(generate|(draw|certify|parse)/[^/]+)/random-(cubic|4-regular)/10000/",
+    "--benchmark_min_time=0.05"};
+
 }  // namespace
+
+std::span<const char* const> default_arguments() { return kDefaults; }
 
 void register_catalogues() {
   for (const Family& family : families()) {

@@ -1,106 +1,100 @@
-// Certifying drawings of random graphs, the proof by counting against the plain tests:
-//   certificate/ALGORITHM/N  CPU time of certify(); counters from medians over the iterations,
-//                            which time these in turns:
-//     ns       nanoseconds per segment
-//     widest   time with predicates in the widest integers, without the range check / that time
-//     plain    time of the plain tests alone (plane sweep or slabs) / that time
-//     examine  time of certificate, metrics and hash together / that time
-//     draw     time of drawing / that time
-//   closest/ALGORITHM/N  CPU time of the closest pair by strips; counters `ns`, nanoseconds per
-//                        vertex, and `grid`, the randomised grid's time / that time
+// Certifying drawings of random graphs, and other ways to judge, which are only measured; CPU time
+// of one thread:
+//   certificate/WAY/ALGORITHM/N  `counting`, the proof by counting; `widest`, the same with
+//                                predicates in the widest integers, without the range check;
+//                                `plain`, the plain tests alone (plane sweep or slabs); `examine`,
+//                                certificate, metrics and hash together; `draw`, the drawing
+//   closest/WAY/ALGORITHM/N      the closest pair by `strips` and by the randomised `grid`
+//   modes/MODE/ALGORITHM/N       the modes of precision/certificate_modes.h
 
 #include <benchmark/benchmark.h>
 
 #include <cstdint>
-#include <functional>
-#include <stdexcept>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/verify/checks/examination.h"
+#include "ar3d/verify/examination.h"
 #include "ar3d/verify/metrics/closest_pair.h"
+#include "ar3d/verify/metrics/metrics.h"
 #include "ar3d/verify/predicates/widths.h"
 #include "inputs.h"
-#include "turns.h"
+#include "precision/certificate_modes.h"
 
 namespace ar3d::kernels {
 namespace {
 
-using Function = std::function<void()>;
+/// Holds what a kernel works on.
+struct Drawn {
+  const Graph& graph;
+  const Algorithm& algorithm;
+  Drawing drawing;
+  const Guarantee& guarantee() const { return algorithm.guarantee; }
+};
 
-/// Times the functions in turns; the first is the kernel's own time, the others become counters.
-void time_in_turns(benchmark::State& state, std::uint64_t items,
-                   const std::vector<std::pair<std::string, Function>>& functions) {
-  std::vector<std::function<double()>> works;
-  for (const auto& named : functions) works.push_back(timed(Clock::cpu, named.second));
-  Turns turns(std::move(works));
-  const OneThread one_thread;
-  for (auto _ : state) {
-    turns.add_round();
-    state.SetIterationTime(turns.last_of(0));
-  }
-  const double own = turns.median_of(0);
-  state.counters["ns"] = own / static_cast<double>(items) * 1e9;
-  for (std::size_t i = 1; i < functions.size(); ++i) {
-    state.counters[functions[i].first] = turns.median_of(i) / own;
-  }
+bool proved(const Drawn& drawn, const CertifyOptions& options = {}) {
+  return certify(drawn.graph, drawn.drawing, drawn.guarantee(), options).valid();
 }
 
-const Graph& input(const Algorithm& algorithm, benchmark::State& state) {
-  return graph_of(random_family(algorithm), static_cast<std::uint64_t>(state.range(0)));
+bool proved_in_widest(const Drawn& drawn) {
+  const verify::WidestIntegers widest;
+  return proved(drawn);
 }
 
-void certify_kernel(benchmark::State& state, const Algorithm& algorithm) {
-  const Graph& graph = input(algorithm, state);
-  const Drawing drawing = draw(algorithm, graph);
-  const Guarantee& guarantee = algorithm.guarantee;
-  const auto require_valid = [](const Certificate& certificate) {
-    if (!certificate.valid()) throw std::runtime_error("a drawing is not valid");
+bool plain_tests_pass(const Drawn& drawn) {
+  const bool any = drawn.guarantee().directions.empty();
+  return proved(drawn, {.crossing_test = any ? CrossingTest::slabs : CrossingTest::plane_sweep});
+}
+
+/// Registers WHAT/ALGORITHM/N. @param judge  (const Drawn&) -> bool, which must be true.
+template <class Judge>
+void add(const std::string& what, const Algorithm& algorithm, std::int64_t largest, Judge judge) {
+  const auto kernel = [judge, &algorithm](benchmark::State& state) {
+    const OneThread one_thread;
+    const Graph& graph =
+        graph_of(random_family(algorithm), static_cast<std::uint64_t>(state.range(0)));
+    const Drawn drawn{graph, algorithm, draw(algorithm, graph)};
+    bool right = true;
+    for (auto _ : state) right = judge(drawn) && right;
+    if (!right) state.SkipWithError("a drawing is not valid");
+    state.counters["vertices"] = graph.num_vertices();
+    state.counters["segments"] = static_cast<double>(measure(drawn.drawing).segments);
   };
-  const CrossingTest plain =
-      guarantee.directions.empty() ? CrossingTest::slabs : CrossingTest::plane_sweep;
-  time_in_turns(
-      state, certify(graph, drawing, guarantee).segments,
-      {{"certify", [&] { require_valid(certify(graph, drawing, guarantee)); }},
-       {"widest",
-        [&] {
-          const verify::WidestIntegers widest;
-          require_valid(certify(graph, drawing, guarantee));
-        }},
-       {"plain",
-        [&] { require_valid(certify(graph, drawing, guarantee, {.crossing_test = plain})); }},
-       {"examine", [&] { require_valid(examine(graph, drawing, guarantee).certificate); }},
-       {"draw", [&] { benchmark::DoNotOptimize(draw(algorithm, graph).num_edges()); }}});
+  benchmark::RegisterBenchmark((what + "/" + algorithm.name).c_str(), kernel)
+      ->RangeMultiplier(10)
+      ->Range(largest / 100, largest)
+      ->Unit(benchmark::kMillisecond);
 }
 
-void closest_kernel(benchmark::State& state, const Algorithm& algorithm) {
-  const Graph& graph = input(algorithm, state);
-  const Drawing drawing = draw(algorithm, graph);
-  time_in_turns(
-      state, graph.num_vertices(),
-      {{"strips", [&] { benchmark::DoNotOptimize(verify::closest_pair_by_strips(drawing)); }},
-       {"grid", [&] { benchmark::DoNotOptimize(verify::closest_pair_by_grid(drawing)); }}});
+void add_modes(const Algorithm& algorithm) {
+  for (const precision::JudgingMode& mode : precision::judging_modes()) {
+    add("modes/" + to_string(mode), algorithm, 10'000, [&mode](const Drawn& drawn) {
+      benchmark::DoNotOptimize(
+          precision::judge_by_mode(drawn.graph, drawn.drawing, drawn.guarantee(), mode, 0).accepts);
+      return true;  // a mode may reject a right drawing
+    });
+  }
 }
 
 const bool kRegistered = [] {
+  constexpr std::int64_t kLargest = 1'000'000;
   for (const Algorithm* row : proved_algorithms()) {
-    const Algorithm& algorithm = *row;
-    const auto add = [&](const char* what, auto kernel) {
-      benchmark::RegisterBenchmark(
-          (what + algorithm.name).c_str(),
-          [kernel, &algorithm](benchmark::State& state) { kernel(state, algorithm); })
-          ->RangeMultiplier(10)
-          ->Range(10000, 1000000)
-          ->Iterations(9)
-          ->UseManualTime()
-          ->Unit(benchmark::kMillisecond);
-    };
-    add("certificate/", certify_kernel);
-    add("closest/", closest_kernel);
+    add("certificate/counting", *row, kLargest, [](const Drawn& drawn) { return proved(drawn); });
+    add("certificate/widest", *row, kLargest, proved_in_widest);
+    add("certificate/plain", *row, kLargest, plain_tests_pass);
+    add("certificate/examine", *row, kLargest, [](const Drawn& drawn) {
+      return examine(drawn.graph, drawn.drawing, drawn.guarantee()).certificate.valid();
+    });
+    add("certificate/draw", *row, kLargest, [](const Drawn& drawn) {
+      return draw(drawn.algorithm, drawn.graph).num_edges() == drawn.graph.num_edges();
+    });
+    add("closest/strips", *row, kLargest, [](const Drawn& drawn) {
+      return verify::closest_pair_by_strips(drawn.drawing).has_value();
+    });
+    add("closest/grid", *row, kLargest,
+        [](const Drawn& drawn) { return verify::closest_pair_by_grid(drawn.drawing).has_value(); });
+    add_modes(*row);
   }
   return true;
 }();

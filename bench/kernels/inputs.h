@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,28 +14,25 @@ namespace ar3d::kernels {
 /// The seed of every random input of a kernel.
 inline constexpr std::uint64_t kSeed = 1;
 
-/// Random 4-regular graphs, or cubic ones for an algorithm that draws no degree 4.
+/// Returns random 4-regular graphs, or cubic ones for an algorithm that draws no degree 4.
 inline const Family& random_family(const Algorithm& algorithm) {
   return find_family(algorithm.guarantee.max_degree == 4 ? "random-4-regular" : "random-cubic");
 }
 
-/// The family's graph with nearest_n(n) vertices in random order, made afresh.
-inline Graph shuffled(const Family& family, std::uint64_t n) {
-  return generate(family, n, kSeed, {{"shuffle", 1}});
-}
-
-/// The family's graph with nearest_n(n) vertices. The last one is kept, so that kernels that follow
-/// each other share it; the reference is good until the next call.
+/// Returns the family's graph with nearest_n(n) vertices in random order. Graphs are kept, since
+/// kernels take turns, until there are two gigabytes of them: the reference is good until the next
+/// call for another graph. Several threads may ask for the same graph.
 const Graph& graph_of(const Family& family, std::uint64_t n);
 
-/// The same graph as a file of the format, kept likewise.
+/// Returns the graph as a file of the format, vertices in the generator's order; the last one is
+/// kept.
 const std::string& text_of(const GraphFormat& format, const Family& family, std::uint64_t n);
 
-/// Bytes that the graph takes in memory (model/graph.h).
+/// Returns the bytes that the graph takes in memory (model/graph.h).
 std::int64_t bytes_of_graph(const Graph& graph);
 
-/// All vertices in the order of a plain breadth-first search of all components: the yardstick of
-/// drawing times.
+/// Returns all vertices in the order of a plain breadth-first search of all components: the
+/// yardstick of drawing times.
 inline std::vector<Vertex> search_breadth_first(const Graph& graph) {
   std::vector<std::uint8_t> seen(graph.num_vertices(), 0);
   std::vector<Vertex> queue;
@@ -54,8 +52,13 @@ inline std::vector<Vertex> search_breadth_first(const Graph& graph) {
   return queue;
 }
 
-/// Registers the kernels of all catalogue rows. To be called from main(): the catalogues themselves
-/// need initialised constants.
+// Each program of kernels defines these two; main.cpp calls them.
+
+/// Registers the kernels that loop over catalogues. To be called from main(): the catalogues
+/// themselves need initialised constants.
 void register_catalogues();
+
+/// Returns the arguments of Google Benchmark that hold where the user gives no others.
+std::span<const char* const> default_arguments();
 
 }  // namespace ar3d::kernels

@@ -1,22 +1,21 @@
 // What a decision costs in each arithmetic (verify/predicates/choices.h), on drawings of random
-// graphs, all timed in turns:
-//   predicates/angle/ALGORITHM/N    up to 20,000 angles of the drawing, at bends and vertices
-//   predicates/meeting/ALGORITHM/N  up to 20,000 pairs of its segments whose boxes meet
-// The time is that of int128; counters: `ns`, its nanoseconds per decision by the median of the
-// rounds; for every other arithmetic its time / that of int128, and `bits`, what the range check
-// says the drawing's decisions need. Integers that are too narrow are left out.
+// graphs:
+//   predicates/angle/ARITHMETIC/ALGORITHM/N    up to 20,000 angles of the drawing, at bends and
+//                                              vertices
+//   predicates/meeting/ARITHMETIC/ALGORITHM/N  up to 20,000 pairs of its segments whose boxes meet
+// Counter `bits`: what the range check says the drawing's decisions need. Integers that are too
+// narrow are not timed.
 
 #include <benchmark/benchmark.h>
 
-#include <functional>
+#include <map>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/verify/predicates/choices.h"
 #include "inputs.h"
 #include "precision/precision.h"
-#include "turns.h"
 
 namespace ar3d::kernels {
 namespace {
@@ -47,61 +46,48 @@ bool may_be_timed(const PredicateChoice& choice, int bits) {
   return bits <= choice.exact_bits || (choice.name != "int64" && choice.name != "int128");
 }
 
+const Decisions& decisions_of(const Algorithm& algorithm, std::int64_t n) {
+  static std::map<std::pair<std::string, std::int64_t>, Decisions> kept;
+  const std::pair wanted(algorithm.name, n);
+  if (const auto found = kept.find(wanted); found != kept.end()) return found->second;
+  const Graph& graph = graph_of(random_family(algorithm), static_cast<std::uint64_t>(n));
+  return kept
+      .emplace(wanted,
+               precision::decisions_of(draw(algorithm, graph), algorithm.guarantee, kMostDecisions))
+      .first->second;
+}
+
 using Decide = void (*)(const PredicateChoice&, const Decisions&);
 
-void time_in_turns(benchmark::State& state, const Decisions& decisions, std::size_t count, int bits,
-                   Decide decide) {
+void time_decisions(benchmark::State& state, const Algorithm& algorithm,
+                    const PredicateChoice& choice, bool angles) {
+  const Decisions& decisions = decisions_of(algorithm, state.range(0));
+  const std::size_t count = angles ? decisions.angles.size() : decisions.pairs.size();
+  const int bits = angles ? decisions.bits.angle : decisions.bits.meeting;
+  const Decide decide = angles ? decide_angles : decide_meetings;
   if (bits > verify::kInt128Bits || count == 0) {
     return state.SkipWithError("int128 does not hold this drawing's decisions, or there are none");
   }
-  std::vector<const PredicateChoice*> choices;
-  for (const PredicateChoice& choice : verify::predicate_choices()) {
-    if (may_be_timed(choice, bits)) choices.push_back(&choice);
-  }
-  std::size_t int128 = 0;
-  std::vector<std::function<double()>> works;
-  for (std::size_t i = 0; i < choices.size(); ++i) {
-    if (choices[i]->name == "int128") int128 = i;
-    works.push_back(timed(Clock::cpu, [&, i] { decide(*choices[i], decisions); }));
-  }
-  Turns turns(std::move(works));
-  for (auto _ : state) {
-    turns.add_round();
-    state.SetIterationTime(turns.last_of(int128));
-  }
-  const double own = turns.median_of(int128);
-  state.counters["ns"] = own / static_cast<double>(count) * 1e9;
+  if (!may_be_timed(choice, bits)) return state.SkipWithError("too narrow for this drawing");
+  for (auto _ : state) decide(choice, decisions);
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
   state.counters["bits"] = bits;
-  for (std::size_t i = 0; i < choices.size(); ++i) {
-    state.counters[choices[i]->name] = turns.median_of(i) / own;
-  }
-}
-
-Decisions decisions_for(const Algorithm& algorithm, std::int64_t n) {
-  const Graph& graph = graph_of(random_family(algorithm), static_cast<std::uint64_t>(n));
-  return precision::decisions_of(draw(algorithm, graph), algorithm.guarantee, kMostDecisions);
 }
 
 const bool kRegistered = [] {
   for (const Algorithm* row : proved_algorithms()) {
-    const Algorithm& algorithm = *row;
-    const auto add = [&](const std::string& what, auto kernel) {
-      benchmark::RegisterBenchmark((what + algorithm.name).c_str(), kernel)
-          ->Arg(1000)
-          ->Arg(10000)
-          ->Iterations(15)
-          ->UseManualTime()
-          ->Unit(benchmark::kMicrosecond);
-    };
-    add("predicates/angle/", [&algorithm](benchmark::State& state) {
-      const Decisions decisions = decisions_for(algorithm, state.range(0));
-      time_in_turns(state, decisions, decisions.angles.size(), decisions.bits.angle, decide_angles);
-    });
-    add("predicates/meeting/", [&algorithm](benchmark::State& state) {
-      const Decisions decisions = decisions_for(algorithm, state.range(0));
-      time_in_turns(state, decisions, decisions.pairs.size(), decisions.bits.meeting,
-                    decide_meetings);
-    });
+    for (const PredicateChoice& choice : verify::predicate_choices()) {
+      for (const bool angles : {true, false}) {
+        const std::string what = angles ? "predicates/angle/" : "predicates/meeting/";
+        benchmark::RegisterBenchmark((what + std::string(choice.name) + "/" + row->name).c_str(),
+                                     [row, &choice, angles](benchmark::State& state) {
+                                       time_decisions(state, *row, choice, angles);
+                                     })
+            ->Arg(1000)
+            ->Arg(10000)
+            ->Unit(benchmark::kMicrosecond);
+      }
+    }
   }
   return true;
 }();

@@ -1,3 +1,4 @@
+// Keeps a thread on a core. Timed rows need that, because a thread that moves loses its caches.
 #include "ar3d/bench/measure/cores.h"
 
 #include <fmt/format.h>
@@ -15,10 +16,6 @@ std::vector<int> allowed_cores() {
     if (CPU_ISSET(core, &set)) cores.push_back(core);
   }
   return cores;
-}
-
-InputError cannot_start_threads(int count, const std::system_error& reason) {
-  return InputError(fmt::format("cannot start {} threads: {}", count, reason.code().message()));
 }
 
 Pinning::Pinning(int core) {

@@ -3,7 +3,6 @@
 #include <omp.h>
 #include <sched.h>
 
-#include <system_error>
 #include <vector>
 
 #include "ar3d/base/error.h"
@@ -12,9 +11,6 @@ namespace ar3d {
 
 /// Numbers of the cores that the calling thread may run on, increasing.
 std::vector<int> allowed_cores();
-
-/// What to throw where the system starts fewer threads than that.
-InputError cannot_start_threads(int count, const std::system_error& reason);
 
 /// Keeps the calling thread on one core for its lifetime. @throws InputError if the system refuses.
 class Pinning {

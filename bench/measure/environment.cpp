@@ -1,3 +1,5 @@
+// Records the machine, the build and the settings that influence speed. Of the environment only
+// known variables are recorded.
 #include "ar3d/bench/measure/environment.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// Clocks, hardware counters and the peak of memory, as Linux tells them. Each says that a value is
+// missing where the kernel refuses it.
 #include "ar3d/bench/measure/instruments.h"
 
 #include <fcntl.h>
@@ -48,6 +50,28 @@ std::int64_t value_of(int descriptor) {
   return static_cast<std::int64_t>(count.value);
 }
 
+constexpr std::int64_t kMuchFreed = std::int64_t{32} << 20;
+
+// Of the process, whichever thread asks; RUSAGE_SELF would sum up the times of all threads, too.
+std::int64_t largest_resident() {
+  rusage usage{};
+  getrusage(RUSAGE_THREAD, &usage);
+  return static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
+}
+
+// VmHWM of /proc/self/status; 0 if it cannot be read.
+std::int64_t high_water_mark() {
+  const int file = open("/proc/self/status", O_RDONLY | O_CLOEXEC);
+  if (file < 0) return 0;
+  char text[8192];
+  const ssize_t length = read(file, text, sizeof text - 1);
+  close(file);
+  if (length <= 0) return 0;
+  text[length] = '\0';
+  const char* line = std::strstr(text, "VmHWM:");
+  return line == nullptr ? 0 : std::strtoll(line + 6, nullptr, 10) * 1024;
+}
+
 }  // namespace
 
 HardwareCounters::HardwareCounters() {
@@ -79,32 +103,6 @@ CountedEvents HardwareCounters::stop() {
   }
   return {value_of(descriptors_[0]), value_of(descriptors_[1]), value_of(descriptors_[2])};
 }
-
-namespace {
-
-constexpr std::int64_t kMuchFreed = std::int64_t{32} << 20;
-
-// Of the process, whichever thread asks; RUSAGE_SELF would sum up the times of all threads, too.
-std::int64_t largest_resident() {
-  rusage usage{};
-  getrusage(RUSAGE_THREAD, &usage);
-  return static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
-}
-
-// VmHWM of /proc/self/status; 0 if it cannot be read.
-std::int64_t high_water_mark() {
-  const int file = open("/proc/self/status", O_RDONLY | O_CLOEXEC);
-  if (file < 0) return 0;
-  char text[8192];
-  const ssize_t length = read(file, text, sizeof text - 1);
-  close(file);
-  if (length <= 0) return 0;
-  text[length] = '\0';
-  const char* line = std::strstr(text, "VmHWM:");
-  return line == nullptr ? 0 : std::strtoll(line + 6, nullptr, 10) * 1024;
-}
-
-}  // namespace
 
 const char* to_string(MemoryScope scope) {
   switch (scope) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <sys/types.h>
-
 #include <functional>
 #include <optional>
 #include <span>
@@ -10,11 +8,12 @@
 
 namespace ar3d {
 
-/// What another SIGINT or SIGTERM does once one has asked to stop.
+/// What another of these signals does once one has asked to stop.
 enum class SecondSignal { ends_program, is_ignored };
 
-/// While an object of this class lives, SIGINT and SIGTERM ask the program to stop instead of
-/// ending it. One at a time; afterwards the signals do what they did before.
+/// While an object of this class lives, SIGINT, SIGTERM and, unless nohup has it ignored, SIGHUP ask
+/// the program to stop instead of ending it. One at a time; afterwards the signals do what they did
+/// before.
 class Interruptible {
  public:
   explicit Interruptible(SecondSignal second = SecondSignal::ends_program);
@@ -25,40 +24,42 @@ class Interruptible {
  private:
   void (*before_int_)(int);
   void (*before_term_)(int);
+  void (*before_hup_)(int);
 };
 
 /// True once the living Interruptible was asked to stop. Safe in every thread.
 bool is_interrupted();
 
-/// While an object of this class lives, whatever processes of this one leave behind when they end
-/// comes to this process, and end_others() and the destructor end it. Children that were there
-/// before are left alone.
+/// While an object of this class lives, what programs of this process leave behind when they end
+/// comes to this process, and end_orphans() and the destructor end it, whatever group it is in. A
+/// variable in the environment of these programs tells them from other processes, which are left
+/// alone. No program of this process may run when orphans are ended, unless another process has
+/// started it. To be made and destroyed while no other thread runs.
 class Orphanage {
  public:
   Orphanage();
   Orphanage(const Orphanage&) = delete;
   Orphanage& operator=(const Orphanage&) = delete;
   ~Orphanage();
-  /// Ends all children but those of before and `own`, until there are no others.
-  void end_others(const std::vector<pid_t>& own) const;
+  void end_orphans() const;
 
  private:
-  std::vector<pid_t> before_;
+  std::string mark_;
   int was_subreaper_ = 0;
 };
 
 struct ChildOptions {
-  std::string folder = {};  ///< working directory; empty: this process's
   std::string output = {};  ///< file that takes its standard output and error
   int core = -1;            ///< the only core it may use; -1: as this process
   /// Once is_interrupted(), the child is asked to end (SIGINT), and after ten seconds made to.
-  /// False: an interrupt from the keyboard ends the child and not this process.
   bool ends_when_interrupted = false;
   std::function<void()> every_second = {};  ///< called about once a second while it runs
+  std::optional<double> limit_s = {};       ///< wall time after which it is ended (SIGKILL)
 };
 
 /// Runs a program (looked up in PATH, no shell) to its end and gives its exit code, 128 + the
-/// signal that ended it, or 127 if it cannot be run. @throws InputError if no process can be made.
+/// signal that ended it, or 127 if it cannot be run. @throws InputError if no process can be made
+/// or the output cannot be written.
 int run_child(const std::vector<std::string>& words, const ChildOptions& options);
 
 /// What git printed, on both streams, and how it ended.

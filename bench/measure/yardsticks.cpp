@@ -1,3 +1,5 @@
+// Small fixed work that is timed between rows: it tells how fast the machine is at the moment, so
+// that times of two days can be compared.
 #include "ar3d/bench/measure/yardsticks.h"
 
 #include "ar3d/base/random.h"

@@ -1,3 +1,5 @@
+// Opens the files of a study whose graphs are instances. Each file is told apart by the hash of its
+// graphs, so that a study that goes on never takes other graphs under an old name.
 #include "ar3d/bench/plan/corpora.h"
 
 #include <fmt/format.h>
@@ -62,7 +64,8 @@ void add_folder(const std::string& folder, std::vector<std::string>& files) {
   for (; at != fs::recursive_directory_iterator(); ++at) {
     const bool is_hidden = at->path().filename().string().starts_with('.');
     if (is_hidden) at.disable_recursion_pending();
-    if (!is_hidden && !at->is_directory()) files.push_back(at->path().string());
+    std::error_code ignored;  // a link that leads nowhere is refused where it is to be read
+    if (!is_hidden && !at->is_directory(ignored)) files.push_back(at->path().string());
   }
 }
 
@@ -71,7 +74,8 @@ std::vector<std::string> collected_paths(const std::string& path) {
   std::vector<std::string> files;
   try {
     for (const std::string& match : matches(path)) {
-      if (fs::is_directory(match)) {
+      std::error_code ignored;
+      if (fs::is_directory(match, ignored)) {
         add_folder(match, files);
       } else {
         files.push_back(match);
@@ -123,13 +127,14 @@ std::map<std::string, std::string, std::less<>> read_groups(const std::string& p
   return groups;
 }
 
-void require_group(const CorpusFile& file, const GraphsEntry& entry) {
+// A file whose group no row can hold cannot be read.
+void require_group(CorpusFile& file) {
   constexpr std::size_t kLongestGroup = 48;
   if (file.group.size() <= kLongestGroup && printable(file.group) == file.group) return;
-  throw InputError(
-      fmt::format("{}{}: group {} is not {} bytes of printable ASCII; `groups` names "
-                  "a table of others",
-                  entry.place, printable(file.path), shown(file.group), kLongestGroup));
+  file.problem = fmt::format(
+      "{}: group {} is not {} bytes of printable ASCII; `groups` names "
+      "a table of others",
+      printable(file.path), shown(file.group), kLongestGroup);
 }
 
 // The files of a collection with their names behind its folder, and their groups: sub-folders, or
@@ -150,7 +155,7 @@ std::vector<CorpusFile> collected_files(const GraphFileRecord& record, const Gra
       file.group = group == groups.end() ? "" : group->second;
       any_group = any_group || group != groups.end();
     }
-    require_group(file, entry);
+    require_group(file);
     files.push_back(std::move(file));
   }
   if (files.empty()) refuse_empty(entry);

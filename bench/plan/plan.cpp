@@ -1,3 +1,5 @@
+// Makes the list of rows out of a specification. Instances are kept as blocks that differ in their
+// index only, so that a plan of many rows is small; rows that two sweeps ask for are planned once.
 #include "ar3d/bench/plan/plan.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// Seeds and keys of rows are hashes of what a row says of itself. They stay the same whatever else
+// a study contains, so that rows of two studies can be compared.
 #include <fmt/format.h>
 #include <xxhash.h>
 

@@ -1,3 +1,6 @@
+// Counts instructions of drawings by callgrind, which gives the same number on every run. The
+// program starts itself under valgrind with a list of drawings; before each one the heap is put
+// into the same state.
 #include "ar3d/bench/replay/count_instructions.h"
 
 #include <fmt/format.h>
@@ -16,6 +19,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
 #include "ar3d/bench/measure/environment.h"
@@ -174,7 +178,9 @@ std::string counting_problem() {
   if (std::string_view(build_kind()) == "sanitised") {
     return "a sanitised build cannot run under callgrind";
   }
-  static const int code = run_child({"valgrind", "--version"}, {.output = "/dev/null"});
+  static const int code =
+      run_child({"valgrind", "--version"},
+                {.output = "/dev/null", .ends_when_interrupted = true, .limit_s = 60});
   return code == 0 ? "" : "valgrind cannot be run (sudo apt-get install valgrind)";
 }
 
@@ -208,8 +214,11 @@ std::vector<DrawingCounts> count_drawings(const std::vector<const RunRecord*>& r
   const ScratchFolder scratch;
   const std::string orders = scratch.file("orders"), output = scratch.file("counts");
   write_orders(rows, origin, scratch, orders);
-  const int exit_code = run_child(command_line(orders, output),
-                                  {.output = "/dev/null", .ends_when_interrupted = true});
+  double limit_s = 600;  // a generous one: only a valgrind that hangs needs that long
+  for (const RunRecord* row : rows) limit_s += 1 + 0.1 * static_cast<double>(row->n);
+  const int exit_code =
+      run_child(command_line(orders, output),
+                {.output = "/dev/null", .ends_when_interrupted = true, .limit_s = limit_s});
   if (is_interrupted()) return {};
   std::vector<DrawingCounts> counts = parts_of(output);
   if (exit_code == 0 && counts.size() == rows.size()) return counts;

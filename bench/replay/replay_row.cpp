@@ -1,3 +1,5 @@
+// Makes a recorded row again and compares everything that is no measurement. This shows that
+// results can be reproduced from their file alone.
 #include "ar3d/bench/replay/replay_row.h"
 
 #include <fmt/format.h>
@@ -25,15 +27,22 @@ bool is_of_a_file(const std::string& family, const StudyOrigin& origin) {
                      [&](const GraphFileRecord& file) { return file.name == family; });
 }
 
-FamilyChoice choice_from_file(const RunRecord& row, const StudyOrigin& origin) {
+const std::vector<FamilyChoice>& choices_of(const std::string& family, const StudyOrigin& origin) {
+  const auto [known, is_new] = origin.choices->try_emplace(family);
+  if (!is_new) return known->second;
   StudySpec spec = *origin.spec;
   for (GraphFileRecord& file : *spec.graph_files) {
-    if (!origin.moved_graphs.empty() && file.name == row.family) file.path = origin.moved_graphs;
+    if (!origin.moved_graphs.empty() && file.name == family) file.path = origin.moved_graphs;
   }
-  for (const StudyCorpus& corpus : corpora_of(spec, row.family)) {
-    for (FamilyChoice& choice : corpus.choices()) {
-      if (settings_text(choice.parameters) == row.parameters) return std::move(choice);
-    }
+  for (const StudyCorpus& corpus : corpora_of(spec, family)) {
+    for (FamilyChoice& choice : corpus.choices()) known->second.push_back(std::move(choice));
+  }
+  return known->second;
+}
+
+FamilyChoice choice_from_file(const RunRecord& row, const StudyOrigin& origin) {
+  for (const FamilyChoice& choice : choices_of(row.family, origin)) {
+    if (settings_text(choice.parameters) == row.parameters) return choice;
   }
   throw InputError(fmt::format("the study has no graphs {} with '{}'", row.family, row.parameters));
 }

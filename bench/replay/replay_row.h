@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +22,9 @@ struct StudyOrigin {
   std::optional<std::uint64_t> seed = {};
   std::optional<StudySpec> spec = {};  ///< with the files that it began with
   std::string moved_graphs = {};  ///< where the file of a row's graph is now; empty: where it was
+  /// The graphs of files that rows have needed, by their family: a folder is listed once.
+  std::shared_ptr<std::map<std::string, std::vector<FamilyChoice>>> choices =
+      std::make_shared<std::map<std::string, std::vector<FamilyChoice>>>();
 };
 
 /// The origin of a study's rows, from its specification; nothing if that cannot be read any more.

@@ -14,7 +14,6 @@
 #include <memory>
 #include <mutex>
 #include <sstream>
-#include <system_error>
 #include <utility>
 
 #include "ar3d/base/error.h"
@@ -97,15 +96,8 @@ class BatchThreads {
     const std::vector<int> cores = allowed_cores();
     const bool pin = static_cast<std::size_t>(threads) <= cores.size();
     std::barrier start(threads);
-    std::optional<InputError> missing;
-    in_threads(
-        static_cast<std::uint32_t>(threads),
-        [&](std::uint32_t i) { work(pin ? cores[cores.size() - 1 - i] : -1, start); },
-        [&](std::uint32_t, const std::system_error& error) {
-          missing = cannot_start_threads(threads, error);
-          start.arrive_and_drop();  // those that began wait for all
-        });
-    if (missing) throw *missing;
+    in_threads(static_cast<std::uint32_t>(threads),
+               [&](std::uint32_t i) { work(pin ? cores[cores.size() - 1 - i] : -1, start); });
     return std::chrono::duration<double>(last_end_ - first_start_).count();
   }
 
@@ -139,88 +131,6 @@ class BatchThreads {
   Clock::time_point first_start_ = Clock::time_point::max();
   Clock::time_point last_end_ = Clock::time_point::min();
 };
-
-}  // namespace
-
-BatchDrawer::BatchDrawer(const StudyPlan& plan, int rank, std::function<bool()> stop)
-    : plan_(plan),
-      rank_(rank),
-      stop_(std::move(stop)),
-      maker_({.concurrency = 1, .core = -1, .memory = MemoryScope::process}) {}
-
-RowMaker& BatchDrawer::maker_for(std::size_t place) {
-  if (place_ != place) {
-    instance_ = plan_.instances[place];
-    maker_.prepare(instance_);
-    place_ = place;
-  }
-  return maker_;
-}
-
-MadeBatch BatchDrawer::shared_by_threads(int threads, std::size_t place,
-                                         const std::vector<std::size_t>& rows) {
-  RowMaker& maker = maker_for(place);
-  const PlannedRun& first = instance_.runs[rows.front()];
-  BatchRows batch(*maker.graph(), first.choice, plan_.timing.warm_up,
-                  std::vector<RunRecord>(rows.size(), maker.begun(first)), stop_);
-  const double wall_s = BatchThreads(batch).run(threads);
-  return {wall_s, batch.take()};
-}
-
-MadeBatch BatchDrawer::shared_by_ranks(Ranks& ranks, int count, std::size_t place,
-                                       const std::vector<std::size_t>& rows) {
-  const std::string job = fmt::format("{} {} {}", count, place, fmt::join(rows, " "));
-  const DoneAtOnce done =
-      ranks.at_once(count, job, [&](const std::string& text) { return make_ready(text); });
-  MadeBatch made{done.wall_s, std::vector<RunRecord>(rows.size())};
-  for (int rank = 0; rank < count; ++rank) {
-    const std::string& text = done.told[static_cast<std::size_t>(rank)];
-    const std::vector<std::size_t> places = places_of_rank(rank, count, rows.size());
-    expect(text.size() == places.size() * run_record_size(), "a rank tells its rows");
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      made.rows[places[i]] = load_record(text.data() + i * run_record_size());
-    }
-  }
-  return made;
-}
-
-Work BatchDrawer::make_ready(const std::string& job) {
-  std::istringstream words(job);
-  int count = 1;
-  std::size_t place = 0;
-  words >> count >> place;
-  std::vector<std::size_t> rows;
-  for (std::size_t row = 0; words >> row;) rows.push_back(row);
-  const RowMaker& maker = maker_for(place);
-  if (maker.graph() == nullptr) {
-    throw InternalError(
-        fmt::format("internal error: rank {} cannot generate rank 0's graph", rank_));
-  }
-  std::vector<RunRecord> begun;
-  for (const std::size_t i : places_of_rank(rank_, count, rows.size())) {
-    begun.push_back(maker.begun(instance_.runs[rows[i]]));
-  }
-  const auto batch =
-      std::make_shared<BatchRows>(*maker.graph(), instance_.runs[rows.front()].choice,
-                                  plan_.timing.warm_up, std::move(begun), stop_);
-  batch->warm_up();
-  const auto counters = std::make_shared<HardwareCounters>();
-  const auto tell = [batch] {
-    const std::vector<RunRecord> drawn = batch->take();
-    std::string text(drawn.size() * run_record_size(), '\0');
-    for (std::size_t i = 0; i < drawn.size(); ++i) {
-      store_record(drawn[i], text.data() + i * run_record_size());
-    }
-    return text;
-  };
-  return {[batch, counters] {
-            while (batch->draw_next(-1, *counters)) {
-            }
-          },
-          tell};
-}
-
-namespace {
 
 // The rows of one drawing in one phase: batch -> threads or ranks -> places of runs.
 struct BatchedDrawing {
@@ -326,6 +236,84 @@ class InstanceBatches {
 };
 
 }  // namespace
+
+BatchDrawer::BatchDrawer(const StudyPlan& plan, int rank, std::function<bool()> stop)
+    : plan_(plan),
+      rank_(rank),
+      stop_(std::move(stop)),
+      maker_({.concurrency = 1, .core = -1, .memory = MemoryScope::process}) {}
+
+RowMaker& BatchDrawer::maker_for(std::size_t place) {
+  if (place_ != place) {
+    instance_ = plan_.instances[place];
+    maker_.prepare(instance_);
+    place_ = place;
+  }
+  return maker_;
+}
+
+MadeBatch BatchDrawer::shared_by_threads(int threads, std::size_t place,
+                                         const std::vector<std::size_t>& rows) {
+  RowMaker& maker = maker_for(place);
+  const PlannedRun& first = instance_.runs[rows.front()];
+  BatchRows batch(*maker.graph(), first.choice, plan_.timing.warm_up,
+                  std::vector<RunRecord>(rows.size(), maker.begun(first)), stop_);
+  const double wall_s = BatchThreads(batch).run(threads);
+  return {wall_s, batch.take()};
+}
+
+MadeBatch BatchDrawer::shared_by_ranks(Ranks& ranks, int count, std::size_t place,
+                                       const std::vector<std::size_t>& rows) {
+  const std::string job = fmt::format("{} {} {}", count, place, fmt::join(rows, " "));
+  const DoneAtOnce done =
+      ranks.at_once(count, job, [&](const std::string& text) { return make_ready(text); });
+  MadeBatch made{done.wall_s, std::vector<RunRecord>(rows.size())};
+  for (int rank = 0; rank < count; ++rank) {
+    const std::string& text = done.told[static_cast<std::size_t>(rank)];
+    const std::vector<std::size_t> places = places_of_rank(rank, count, rows.size());
+    expect(text.size() == places.size() * run_record_size(), "a rank tells its rows");
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      made.rows[places[i]] = load_record(text.data() + i * run_record_size());
+    }
+  }
+  return made;
+}
+
+Work BatchDrawer::make_ready(const std::string& job) {
+  std::istringstream words(job);
+  int count = 1;
+  std::size_t place = 0;
+  words >> count >> place;
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; words >> row;) rows.push_back(row);
+  const RowMaker& maker = maker_for(place);
+  if (maker.graph() == nullptr) {
+    throw InternalError(
+        fmt::format("internal error: rank {} cannot generate rank 0's graph", rank_));
+  }
+  std::vector<RunRecord> begun;
+  for (const std::size_t i : places_of_rank(rank_, count, rows.size())) {
+    begun.push_back(maker.begun(instance_.runs[rows[i]]));
+  }
+  const auto batch =
+      std::make_shared<BatchRows>(*maker.graph(), instance_.runs[rows.front()].choice,
+                                  plan_.timing.warm_up, std::move(begun), stop_);
+  batch->warm_up();
+  const auto counters = std::make_shared<HardwareCounters>();
+  const auto tell = [batch] {
+    const std::vector<RunRecord> drawn = batch->take();
+    std::string text(drawn.size() * run_record_size(), '\0');
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      store_record(drawn[i], text.data() + i * run_record_size());
+    }
+    return text;
+  };
+  return {[batch, counters] {
+            while (batch->draw_next(-1, *counters)) {
+            }
+          },
+          tell};
+}
 
 void run_batches(StudySession& session) {
   const StudyPlan& plan = session.plan();

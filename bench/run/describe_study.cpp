@@ -1,3 +1,5 @@
+// Collects what a results file says besides its rows. The hash of every foreign program is
+// recorded, since rows of a changed program must not stand beside those of the old one.
 #include "ar3d/bench/run/describe_study.h"
 
 #include <fmt/chrono.h>
@@ -32,6 +34,11 @@ std::vector<AlgorithmRecord> algorithms_of(const StudySpec& spec) {
   return in_order;
 }
 
+/// In /environments, so that every session has its own.
+EnvironmentEntry program_entry(const ExternalAlgorithm& program) {
+  return {"program_" + program.row.name, program_hash(program)};
+}
+
 }  // namespace
 
 std::string now_with_zone() {
@@ -42,15 +49,6 @@ std::string now_with_zone() {
                      fmt::gmtime(static_cast<std::time_t>(seconds.count())),
                      duration_cast<microseconds>(now - seconds).count());
 }
-
-namespace {
-
-/// In /environments, so that every session has its own.
-EnvironmentEntry program_entry(const ExternalAlgorithm& program) {
-  return {"program_" + program.row.name, program_hash(program)};
-}
-
-}  // namespace
 
 void refuse_changed_programs(const StudySpec& spec, const std::vector<EnvironmentEntry>& before,
                              const std::string& results) {

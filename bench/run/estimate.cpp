@@ -1,3 +1,5 @@
+// Tells before a study begins what it will cost. Small sizes are drawn in processes of their own,
+// with limits; larger sizes follow by a power law.
 #include "ar3d/bench/run/estimate.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// The two orders in which rows are made. The metrics phase finishes one instance after the other;
+// the timing phase goes round over all drawings, so that a disturbance meets all of them alike.
 #include "ar3d/bench/run/phases.h"
 
 #include <fmt/format.h>
@@ -86,14 +88,6 @@ class MetricsSource final : public RowSource {
   std::size_t begun_ = 0;
   std::map<int, InstanceInHand> shares_;
 };
-
-}  // namespace
-
-std::unique_ptr<RowSource> metrics_source(StudySession& session) {
-  return std::make_unique<MetricsSource>(session);
-}
-
-namespace {
 
 // One drawing's repetitions.
 struct TimedDrawing {
@@ -239,6 +233,10 @@ class TimingSource final : public RowSource {
 };
 
 }  // namespace
+
+std::unique_ptr<RowSource> metrics_source(StudySession& session) {
+  return std::make_unique<MetricsSource>(session);
+}
 
 std::unique_ptr<RowSource> timing_source(StudySession& session) {
   return std::make_unique<TimingSource>(session);

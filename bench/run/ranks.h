@@ -27,6 +27,9 @@ struct DoneAtOnce {
   std::vector<std::string> told;  ///< rank by rank
 };
 
+/// What a step came to on a rank.
+enum class StepResult { done, failed, journal_full };
+
 /// The processes that make one study together. This class is a process that is alone; the program
 /// for mpirun has another (apps/mpi/mpi_ranks.cpp). What several ranks do together, all of them
 /// have to call.
@@ -39,8 +42,17 @@ class Ranks {
 
   /// The text of rank 0.
   virtual std::string from_first(const std::string& text) { return text; }
-  /// The text of the first rank that has any. No rank returns before all have come.
-  virtual std::string any_of(const std::string& text) { return text; }
+  /// What a step came to on the first rank that did not get it done, and in `why` what that rank
+  /// says; else `done`. No rank returns before all have come.
+  virtual StepResult agree(StepResult mine, std::string& why) {
+    (void)why;
+    return mine;
+  }
+  /// No rank returns before all have come.
+  void barrier() {
+    std::string nothing;
+    agree(StepResult::done, nothing);
+  }
 
   /// Calls `use` on every rank with tickets for 0 .. work.size() - 1, roughly in this order;
   /// work[i] is what ticket i costs in any unit. The tickets of a process that is alone are empty:

@@ -1,3 +1,5 @@
+// Makes one row: generates, draws, certifies, measures. Only drawing is inside the clock, and
+// whatever goes wrong becomes the status and message of the row.
 #include "ar3d/bench/run/row_maker.h"
 
 #include <fmt/format.h>
@@ -12,8 +14,8 @@
 #include "ar3d/formats/text/output.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/columns/side_tables.h"
-#include "ar3d/verify/checks/angles.h"
-#include "ar3d/verify/checks/examination.h"
+#include "ar3d/verify/angles.h"
+#include "ar3d/verify/examination.h"
 
 namespace ar3d {
 namespace {

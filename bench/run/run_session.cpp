@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <atomic>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 #include "ar3d/base/error.h"
@@ -54,11 +53,7 @@ void work_in_threads(RowSource& source, const WorkerPool& pool) {
       throw;
     }
   };
-  in_threads(static_cast<std::uint32_t>(pool.workers), until_one_fails,
-             [&](std::uint32_t, const std::system_error& error) {
-               failed = true;
-               throw cannot_start_threads(pool.workers, error);
-             });
+  in_threads(static_cast<std::uint32_t>(pool.workers), until_one_fails);
 }
 
 void work_off(RowSource& source, const WorkerPool& pool) {

@@ -1,13 +1,15 @@
+// State that all phases of a session share: which rows are there, when to stop, and the line that
+// tells how far the study is.
 #include "ar3d/bench/run/session.h"
 
 #include <fmt/format.h>
-#include <omp.h>
 #include <unistd.h>
 
 #include <cmath>
 #include <utility>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/parallel.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/run/row_maker.h"
@@ -20,6 +22,40 @@ std::string duration(double seconds) {
   if (whole < 60) return fmt::format("{} s", whole);
   if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
   return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
+}
+
+// Counts the rows that are left to do, without those that may turn out not to be needed, and their
+// work.
+std::pair<std::size_t, double> remaining_rows(const StudyPlan& plan, const RowSink& sink) {
+  std::size_t rows = 0;
+  double work = 0;
+  if (!sink.has_any()) {  // without session a million instances for nothing
+    for (const PlannedBlock& block : plan.instances.blocks()) {
+      const std::size_t more = block.count * required_runs(block.first);
+      rows += more;
+      work += static_cast<double>(more) * work_of_row(block.first);
+    }
+    return {rows, work};
+  }
+  for (const PlannedInstance& instance : plan.instances) {
+    for (const PlannedRun& run : instance.runs) {
+      if (run.optional || sink.has(run.row_key)) continue;
+      ++rows;
+      work += work_of_row(instance);
+    }
+  }
+  return {rows, work};
+}
+
+Progress progress_of(const StudyPlan& plan, const SessionPolicy& policy, const RowSink& sink) {
+  if (policy.progress == nullptr) return Progress(nullptr, policy.name, 0, 0);
+  const auto [rows, work] = remaining_rows(plan, sink);
+  return Progress(policy.progress, policy.name, rows, work);
+}
+
+// Work of a row, which the plan knows by its place.
+double work_at(const StudyPlan& plan, std::size_t place) {
+  return work_of_row(plan.instances.block_of_row(place).first);
 }
 
 }  // namespace
@@ -65,47 +101,9 @@ void Progress::finish() {
   out_ = nullptr;
 }
 
-namespace {
-
-// Counts the rows that are left to do, without those that may turn out not to be needed, and their
-// work.
-std::pair<std::size_t, double> remaining_rows(const StudyPlan& plan, const RowSink& sink) {
-  std::size_t rows = 0;
-  double work = 0;
-  if (!sink.has_any()) {  // without session a million instances for nothing
-    for (const PlannedBlock& block : plan.instances.blocks()) {
-      const std::size_t more = block.count * required_runs(block.first);
-      rows += more;
-      work += static_cast<double>(more) * work_of_row(block.first);
-    }
-    return {rows, work};
-  }
-  for (const PlannedInstance& instance : plan.instances) {
-    for (const PlannedRun& run : instance.runs) {
-      if (run.optional || sink.has(run.row_key)) continue;
-      ++rows;
-      work += work_of_row(instance);
-    }
-  }
-  return {rows, work};
-}
-
-Progress progress_of(const StudyPlan& plan, const SessionPolicy& policy, const RowSink& sink) {
-  if (policy.progress == nullptr) return Progress(nullptr, policy.name, 0, 0);
-  const auto [rows, work] = remaining_rows(plan, sink);
-  return Progress(policy.progress, policy.name, rows, work);
-}
-
-// Work of a row, which the plan knows by its place.
-double work_at(const StudyPlan& plan, std::size_t place) {
-  return work_of_row(plan.instances.block_of_row(place).first);
-}
-
-}  // namespace
-
 int workers_for(int asked, int ranks) {
   if (asked > 0) return asked;
-  return ranks > 1 ? 1 : omp_get_max_threads();
+  return ranks > 1 ? 1 : static_cast<int>(available_threads());
 }
 
 RunRecord RowSink::read(const std::string& row_key) const {

@@ -1,3 +1,5 @@
+// Hands rows to worker processes and watches them. A row that crashes, takes too long or too much
+// memory costs its process only; time in which the whole study was frozen does not count.
 #include <fmt/format.h>
 #include <poll.h>
 
@@ -47,7 +49,7 @@ class WorkerPlace {
         core_(pool.cores.empty() ? -1 : pool.cores.at(static_cast<std::size_t>(number))) {}
 
   bool busy() const { return job_.has_value(); }
-  pid_t pid() const { return worker_ ? worker_->pid() : -1; }
+  bool has_worker() const { return worker_ != nullptr; }
   int descriptor() const { return worker_->descriptor(); }
   // Seconds until the row can be late at the earliest; 0: it is late.
   double left_s() const {
@@ -160,12 +162,6 @@ void wait_for_news(const std::vector<WorkerPlace>& places) {
   poll(sockets.data(), sockets.size(), static_cast<int>(std::ceil(1000 * left_s)));
 }
 
-std::vector<pid_t> workers_of(const std::vector<WorkerPlace>& places) {
-  std::vector<pid_t> workers;
-  for (const WorkerPlace& place : places) workers.push_back(place.pid());
-  return workers;
-}
-
 }  // namespace
 
 void work_in_processes(RowSource& source, const WorkerPool& pool) {
@@ -188,7 +184,7 @@ void work_in_processes(RowSource& source, const WorkerPool& pool) {
         place.time_out();
         done = true;
       }
-      if (done && place.pid() < 0) orphanage.end_others(workers_of(places));
+      if (done && !place.has_worker()) orphanage.end_orphans();
       if (done && !stopped()) place.begin_next();
     }
   }

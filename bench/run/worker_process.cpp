@@ -1,14 +1,12 @@
+// A forked process that makes rows for its parent. Every message carries a checksum, because an
+// algorithm under test may write into descriptors that are not its own.
 #include "ar3d/bench/run/worker_process.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <omp.h>
-#include <signal.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
-#include <unistd.h>
 #include <xxhash.h>
 
 #include <algorithm>
@@ -69,26 +67,14 @@ class AddressSpaceLimit {
   rlimit before_{};
 };
 
-// Descriptors that a worker needs: its socket, and the graphs of files.
-std::vector<int> needed_descriptors(const StudyPlan& plan, int socket) {
-  std::vector<int> needed = {socket};
+std::vector<int> descriptors_of_graphs(const StudyPlan& plan) {
+  std::vector<int> needed;
   for (const PlannedBlock& block : plan.instances.blocks()) {
     if (const auto& corpus = block.first.choice.corpus) {
       needed.push_back(corpus->graphs->descriptor());
     }
   }
   return needed;
-}
-
-// The new process: own group, dies with its parent, leaves no core file.
-void become_worker(pid_t parent, const std::vector<int>& needed) {
-  setpgid(0, 0);
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(0);  // it died before it could be asked to take us along
-  signal(SIGINT, SIG_DFL);
-  signal(SIGTERM, SIG_DFL);
-  close_descriptors_but(needed);
-  leave_no_core();
 }
 
 // What a worker is told. It has the plan from its parent.
@@ -116,7 +102,6 @@ class Message {
 
 // Serves rows until the parent hangs up.
 void serve(int socket, const StudyPlan& plan, const WorkerPool& pool, int core) {
-  omp_set_num_threads(1);  // a forked process has none of its parent's other threads
   const Pinning pinning(core);
   RowMaker maker({.concurrency = pool.workers + pool.elsewhere,
                   .core = core,
@@ -148,49 +133,25 @@ void serve(int socket, const StudyPlan& plan, const WorkerPool& pool, int core) 
 
 WorkerProcess::WorkerProcess(const StudyPlan& plan, const WorkerPool& pool, int core)
     : oom_kills_before_(oom_kills()) {
-  int ends[2];
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
-    throw InputError(fmt::format("cannot make a socket for a worker: {}", std::strerror(errno)));
-  }
   run_record_size();  // so that the columns are made once, by the parent
-  const std::vector<int> needed = needed_descriptors(plan, ends[1]);
-  const pid_t parent = getpid();
-  pid_ = fork();
-  if (pid_ == 0) {
-    become_worker(parent, needed);
-    try {
-      serve(ends[1], plan, pool, core);
-    } catch (...) {
-      _exit(1);
-    }
-    _exit(0);
-  }
-  close(ends[1]);
-  socket_ = ends[0];
-  if (pid_ < 0) {
-    const int error = errno;
-    close(socket_);
-    throw InputError(fmt::format("cannot start a worker: {}", std::strerror(error)));
-  }
-  setpgid(pid_, pid_);  // whoever comes first, the parent or the child
-  fcntl(socket_, F_SETFL, O_NONBLOCK);
-}
-
-WorkerProcess::~WorkerProcess() {
-  kill();
-  close(socket_);
+  child_ = Child::forked({.kept = descriptors_of_graphs(plan)}, [&](int socket) {
+    serve(socket, plan, pool, core);
+    return 0;
+  });
+  fcntl(child_.socket(), F_SETFL, O_NONBLOCK);
 }
 
 bool WorkerProcess::send(const RowJob& job) {
   const auto run = static_cast<std::size_t>(job.run - job.instance->runs.data());
   RowOrder order{job.place, run, job.request};
-  return send_all(socket_, bytes_in(order));  // far less than a socket's buffer: never waits
+  return send_all(child_.socket(),
+                  bytes_in(order));  // far less than a socket's buffer: never waits
 }
 
 WorkerProcess::News WorkerProcess::read_news() {
   char bytes[4096];
   while (!hung_up_ && received_.size() < message_size()) {
-    const ssize_t got = recv(socket_, bytes, sizeof bytes, 0);
+    const ssize_t got = recv(child_.socket(), bytes, sizeof bytes, 0);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0 && errno == EAGAIN) return News::none;
     hung_up_ = got <= 0;
@@ -209,14 +170,12 @@ WorkerProcess::News WorkerProcess::read_news() {
 }
 
 double WorkerProcess::cpu_s() const {
-  const double seconds = cpu_seconds_of(pid_);
+  const double seconds = child_.cpu_s();
   return std::isnan(seconds) ? std::numeric_limits<double>::max() : seconds;
 }
 
 WorkerEnd WorkerProcess::end() {
-  const int status = wait_for_end(pid_);
-  ::kill(-pid_, SIGKILL);  // what it may have started
-  pid_ = -1;
+  const int status = child_.wait();
   if (WIFEXITED(status)) {
     return {RunStatus::crashed, fmt::format("exited with code {}", WEXITSTATUS(status))};
   }
@@ -225,12 +184,6 @@ WorkerEnd WorkerProcess::end() {
     return {RunStatus::out_of_memory, "killed by the system for want of memory"};
   }
   return {RunStatus::crashed, fmt::format("killed by signal {} ({})", signal, strsignal(signal))};
-}
-
-void WorkerProcess::kill() {
-  if (pid_ < 0) return;
-  end_group(pid_);
-  pid_ = -1;
 }
 
 }  // namespace ar3d

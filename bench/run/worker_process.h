@@ -1,10 +1,9 @@
 #pragma once
 
-#include <sys/types.h>
-
 #include <optional>
 #include <string>
 
+#include "ar3d/base/system_calls.h"
 #include "ar3d/bench/run/session.h"
 
 namespace ar3d {
@@ -15,17 +14,13 @@ struct WorkerEnd {
   std::string message;
 };
 
-/// A forked process that makes rows for its parent, in a process group of its own. It dies with its
-/// parent, and with this object.
+/// A forked process that makes rows for its parent. It ends with this object.
 class WorkerProcess {
  public:
   /// @param plan  whose rows it will make, within its budget.
   /// @param core  the core it is pinned to, or -1.
   /// @throws InputError if the system has no process or descriptor left.
   WorkerProcess(const StudyPlan& plan, const WorkerPool& pool, int core);
-  ~WorkerProcess();
-  WorkerProcess(const WorkerProcess&) = delete;
-  WorkerProcess& operator=(const WorkerProcess&) = delete;
 
   /// Hands out a row. False if the process is gone.
   bool send(const RowJob& job);
@@ -45,19 +40,14 @@ class WorkerProcess {
   /// CPU time of the process so far; the largest double once it has ended.
   double cpu_s() const;
 
-  pid_t pid() const { return pid_; }  ///< -1: it has ended
   /// The descriptor that becomes readable with news.
-  int descriptor() const { return socket_; }
+  int descriptor() const { return child_.socket(); }
 
   /// How it ended, after is_gone.
   WorkerEnd end();
 
-  /// Ends the process and all that it has started.
-  void kill();
-
  private:
-  pid_t pid_ = -1;
-  int socket_ = -1;
+  Child child_;
   long long oom_kills_before_ = 0;
   std::string received_;
   bool hung_up_ = false;
@@ -68,7 +58,8 @@ class WorkerProcess {
 /// memory costs one row: it gets the status, the process is replaced, the others go on. Rows have
 /// the limits of the plan's budget. Those in flight are given up when the session is stopped. No
 /// process outlives the call, nor a worker the caller's process; what a worker that has ended
-/// leaves behind, whatever group it is in, ends at once. To be called while no other thread runs.
+/// leaves in its group ends at once, and what its programs leave in any. To be called while no other
+/// thread runs.
 void work_in_processes(RowSource& source, const WorkerPool& pool);
 
 }  // namespace ar3d

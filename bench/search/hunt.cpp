@@ -1,3 +1,5 @@
+// Searches for graphs whose drawings come close to a bound, by small random steps, and shrinks a
+// graph while a property holds (delta debugging).
 #include "ar3d/bench/search/hunt.h"
 
 #include <fmt/format.h>
@@ -108,46 +110,6 @@ class Hunter {
   HuntResult result_;
 };
 
-}  // namespace
-
-HuntResult hunt(const Subject& subject, const RatioRule& rule, const HuntOptions& options,
-                const std::function<void(const HuntResult&)>& progress) {
-  expect(!options.families.empty(), "a hunt has a family to start from");
-  return Hunter(subject, rule, options, progress).run();
-}
-
-std::vector<FamilyChoice> fitting_families(const Algorithm& algorithm, std::uint64_t n) {
-  std::vector<FamilyChoice> fitting;
-  for (const Family& family : families()) {
-    const Settings parameters = complete_parameters(family, {});
-    const Graph graph = generate(family, n, 0, parameters);
-    if (graph.max_degree() <= algorithm.guarantee.max_degree && graph.num_edges() > 0) {
-      fitting.push_back({&family, parameters});
-    }
-  }
-  return fitting;
-}
-
-Graph with_switched_edges(const Graph& graph, RandomStream& random) {
-  if (graph.num_edges() < 2) return graph;
-  for (int tries = 0; tries < kSwitchTries; ++tries) {
-    const EdgeId first = random.below(graph.num_edges());
-    const EdgeId second = random.below(graph.num_edges());
-    Edge ab = graph.edge(first), cd = graph.edge(second);
-    if (random.chance(1, 2)) std::swap(cd.u, cd.v);
-    const bool is_simple = ab.u != cd.u && ab.u != cd.v && ab.v != cd.u && ab.v != cd.v &&
-                           !has_edge(graph, ab.u, cd.u) && !has_edge(graph, ab.v, cd.v);
-    if (!is_simple) continue;
-    std::vector<Edge> edges(graph.edges().begin(), graph.edges().end());
-    edges[first] = {ab.u, cd.u};
-    edges[second] = {ab.v, cd.v};
-    return Graph(graph.num_vertices(), std::move(edges));
-  }
-  return graph;
-}
-
-namespace {
-
 Graph without_components(const Graph& graph, std::size_t first, std::size_t last) {
   const Components components = connected_components_of(graph);
   std::vector<bool> keep(graph.num_vertices());
@@ -219,6 +181,42 @@ bool remove_chunks(const RemovablePart& parts, const std::function<bool(const Gr
 }
 
 }  // namespace
+
+HuntResult hunt(const Subject& subject, const RatioRule& rule, const HuntOptions& options,
+                const std::function<void(const HuntResult&)>& progress) {
+  expect(!options.families.empty(), "a hunt has a family to start from");
+  return Hunter(subject, rule, options, progress).run();
+}
+
+std::vector<FamilyChoice> fitting_families(const Algorithm& algorithm, std::uint64_t n) {
+  std::vector<FamilyChoice> fitting;
+  for (const Family& family : families()) {
+    const Settings parameters = complete_parameters(family, {});
+    const Graph graph = generate(family, n, 0, parameters);
+    if (graph.max_degree() <= algorithm.guarantee.max_degree && graph.num_edges() > 0) {
+      fitting.push_back({&family, parameters});
+    }
+  }
+  return fitting;
+}
+
+Graph with_switched_edges(const Graph& graph, RandomStream& random) {
+  if (graph.num_edges() < 2) return graph;
+  for (int tries = 0; tries < kSwitchTries; ++tries) {
+    const EdgeId first = random.below(graph.num_edges());
+    const EdgeId second = random.below(graph.num_edges());
+    Edge ab = graph.edge(first), cd = graph.edge(second);
+    if (random.chance(1, 2)) std::swap(cd.u, cd.v);
+    const bool is_simple = ab.u != cd.u && ab.u != cd.v && ab.v != cd.u && ab.v != cd.v &&
+                           !has_edge(graph, ab.u, cd.u) && !has_edge(graph, ab.v, cd.v);
+    if (!is_simple) continue;
+    std::vector<Edge> edges(graph.edges().begin(), graph.edges().end());
+    edges[first] = {ab.u, cd.u};
+    edges[second] = {ab.v, cd.v};
+    return Graph(graph.num_vertices(), std::move(edges));
+  }
+  return graph;
+}
 
 ShrinkResult shrink(const Graph& graph, const std::function<bool(const Graph&)>& keeps,
                     std::uint64_t max_evaluations) {

@@ -1,3 +1,5 @@
+// Draws and judges one graph of a search. Seeded faults break finished drawings on purpose; with
+// them tests show that searching and shrinking find what they should.
 #include "ar3d/bench/search/trial.h"
 
 #include <fmt/format.h>
@@ -60,39 +62,6 @@ double ratio_of(const Trial& trial, BoundShare measure) {
       return share[static_cast<std::size_t>(measure) - static_cast<std::size_t>(BoundShare::x)];
   }
 }
-
-}  // namespace
-
-Drawing draw_subject(const Subject& subject, const Graph& graph) {
-  const Algorithm& algorithm = *subject.choice.algorithm;
-  Drawing drawing = draw(algorithm, graph, subject.choice.options);
-  return subject.fault == nullptr ? drawing
-                                  : subject.fault->plant(graph, drawing, algorithm.guarantee);
-}
-
-Trial try_graph(const Subject& subject, const RatioRule& rule, Graph graph) {
-  Trial trial;
-  trial.graph = std::move(graph);
-  try {
-    const Drawing drawing = draw_subject(subject, trial.graph);
-    trial.extents = bounding_box(drawing).extents();
-    trial.bound = bound_of(subject, rule, trial.graph, drawing);
-    trial.ratio = ratio_of(trial, rule.measure);
-    const Certificate certificate =
-        certify(trial.graph, drawing, subject.choice.algorithm->guarantee);
-    if (certificate.violated()) {
-      const Violation& first = certificate.violations.front();
-      trial.failure = to_string(first.kind);
-      trial.message = first.message;
-    }
-  } catch (const InternalError& error) {
-    trial.failure = "internal_error";
-    trial.message = error.what();
-  }
-  return trial;
-}
-
-namespace {
 
 // The first edge that lies on a triangle, and the vertex across.
 std::optional<std::pair<EdgeId, Vertex>> first_triangle(const Graph& graph) {
@@ -176,6 +145,35 @@ Drawing seed_passed_bound(const Graph& graph, const Drawing& drawing, const Guar
 }
 
 }  // namespace
+
+Drawing draw_subject(const Subject& subject, const Graph& graph) {
+  const Algorithm& algorithm = *subject.choice.algorithm;
+  Drawing drawing = draw(algorithm, graph, subject.choice.options);
+  return subject.fault == nullptr ? drawing
+                                  : subject.fault->plant(graph, drawing, algorithm.guarantee);
+}
+
+Trial try_graph(const Subject& subject, const RatioRule& rule, Graph graph) {
+  Trial trial;
+  trial.graph = std::move(graph);
+  try {
+    const Drawing drawing = draw_subject(subject, trial.graph);
+    trial.extents = bounding_box(drawing).extents();
+    trial.bound = bound_of(subject, rule, trial.graph, drawing);
+    trial.ratio = ratio_of(trial, rule.measure);
+    const Certificate certificate =
+        certify(trial.graph, drawing, subject.choice.algorithm->guarantee);
+    if (certificate.violated()) {
+      const Violation& first = certificate.violations.front();
+      trial.failure = to_string(first.kind);
+      trial.message = first.message;
+    }
+  } catch (const InternalError& error) {
+    trial.failure = "internal_error";
+    trial.message = error.what();
+  }
+  return trial;
+}
 
 const std::vector<SeededFault>& seeded_faults() {
   static const std::vector<SeededFault> rows = {

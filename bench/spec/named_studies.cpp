@@ -1,3 +1,5 @@
+// The studies that the program brings along, and the text of a specification that means the same in
+// another folder: its paths are made absolute.
 #include <fmt/format.h>
 
 #include <algorithm>

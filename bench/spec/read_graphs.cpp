@@ -1,3 +1,5 @@
+// Reads the `graphs` of a specification, and writes the specification of a study that the command
+// line names by its files of graphs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -66,6 +68,20 @@ void read_table(const std::string& file, const toml::node& node, GraphsEntry& en
   if (const toml::node* shuffle = table.find("shuffle")) entry.shuffles = shuffles(file, *shuffle);
 }
 
+std::string toml_quoted(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') quoted += '\\';
+    if (byte < 32 || byte == 127) {
+      quoted += fmt::format("\\u{:04X}", byte);
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + '"';
+}
+
 }  // namespace
 
 bool is_graphs_name(const std::string& name) {
@@ -95,24 +111,6 @@ std::vector<GraphsEntry> read_graphs(const std::string& file, const toml::node& 
   if (entries.empty()) refuse_toml(file, node, "graphs is empty");
   return entries;
 }
-
-namespace {
-
-std::string toml_quoted(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') quoted += '\\';
-    if (byte < 32 || byte == 127) {
-      quoted += fmt::format("\\u{:04X}", byte);
-    } else {
-      quoted += c;
-    }
-  }
-  return quoted + '"';
-}
-
-}  // namespace
 
 std::string graphs_study_text(const GraphsStudy& study) {
   const ReadOptions& reading = study.reading;

@@ -1,3 +1,5 @@
+// Reads the keys of a specification about repetitions, timing, batches and budget. Numbers of
+// repetitions that could give no interval are refused here, before anything runs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,6 +20,18 @@ constexpr std::int64_t kMaxThreads = 1024;
 std::uint32_t small_integer(TomlTable& table, const std::string& key, std::int64_t low,
                             std::int64_t high, std::int64_t otherwise) {
   return static_cast<std::uint32_t>(table.integer(key, low, high, otherwise));
+}
+
+constexpr std::size_t kMostCombinations = 100000;
+
+bool has_batches(const Sweep& sweep) {
+  const auto has = [](const BatchRules& batches) { return !batches.scales.empty(); };
+  return has(sweep.strong) || has(sweep.weak) || has(sweep.strong_ranks) || has(sweep.weak_ranks);
+}
+
+template <class Is>
+bool any(const Sweep& sweep, Is is) {
+  return std::any_of(sweep.algorithms.begin(), sweep.algorithms.end(), is);
 }
 
 }  // namespace
@@ -91,12 +105,6 @@ Budget read_budget(const std::string& file, const toml::node& node) {
   return budget;
 }
 
-namespace {
-
-constexpr std::size_t kMostCombinations = 100000;
-
-}  // namespace
-
 std::vector<Settings> combinations(const std::vector<SettingChoices>& settings) {
   std::vector<Settings> all = {{}};
   for (const SettingChoices& setting : settings) {
@@ -114,20 +122,6 @@ std::vector<Settings> combinations(const std::vector<SettingChoices>& settings) 
   }
   return all;
 }
-
-namespace {
-
-bool has_batches(const Sweep& sweep) {
-  const auto has = [](const BatchRules& batches) { return !batches.scales.empty(); };
-  return has(sweep.strong) || has(sweep.weak) || has(sweep.strong_ranks) || has(sweep.weak_ranks);
-}
-
-template <class Is>
-bool any(const Sweep& sweep, Is is) {
-  return std::any_of(sweep.algorithms.begin(), sweep.algorithms.end(), is);
-}
-
-}  // namespace
 
 void refuse_bad_batches(const std::string& file, const toml::node& node, const Sweep& sweep) {
   if (!has_batches(sweep)) return;

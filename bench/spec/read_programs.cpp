@@ -1,9 +1,12 @@
+// Reads the programs of a specification. One without a guarantee promises nothing, so it is
+// measured and never judged.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
 
+#include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/bench/spec/read_parts.h"

@@ -1,20 +1,20 @@
+// Reads a specification, key by key; every error names file, line and value.
 #include "ar3d/bench/spec/study_spec.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <functional>
-#include <iterator>
 #include <limits>
 
+#include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
+#include "ar3d/base/new_file.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/bench/spec/read_parts.h"
 #include "ar3d/bench/spec/toml_table.h"
@@ -22,8 +22,7 @@
 namespace ar3d {
 namespace {
 
-constexpr std::int64_t kMaxN = 4294967294;  // a graph has n < 2^32 - 1 vertices
-constexpr std::int64_t kMaxCount = 1000000;
+constexpr std::int64_t kMaxN = 4294967294, kMaxCount = 1000000;  // a graph has n < 2^32 - 1
 
 class SpecReader {
  public:
@@ -299,8 +298,7 @@ class SpecReader {
     }
   }
 
-  // Where graphs come from files, a name that no family has may be one of theirs, which planning
-  // knows.
+  // Where graphs come from files, planning looks up the names that no family has.
   std::vector<CellPattern> patterns(const toml::node& node, bool has_graphs) const {
     std::vector<CellPattern> patterns;
     for (const toml::node* entry : one_or_many(node)) {
@@ -326,11 +324,14 @@ class SpecReader {
 };
 
 std::string read_text_file(const std::string& path) {
-  errno = 0;
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw InputError(fmt::format("cannot read {}: {}", path, std::strerror(errno)));
-  std::string text(std::istreambuf_iterator<char>(in), {});
-  if (in.bad()) throw InputError(fmt::format("cannot read {}: {}", path, std::strerror(errno)));
+  const Descriptor file = open_input(path);
+  std::string text, bytes(1 << 16, ' ');
+  ssize_t got = file.get() < 0 ? -1 : 1;
+  while (got > 0) {
+    while ((got = read(file.get(), bytes.data(), bytes.size())) < 0 && errno == EINTR) continue;
+    if (got > 0) text.append(bytes, 0, static_cast<std::size_t>(got));
+  }
+  if (got < 0) throw InputError(fmt::format("cannot read {}: {}", path, std::strerror(errno)));
   return text;
 }
 

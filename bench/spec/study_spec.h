@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ar3d/algorithms/catalog.h"
+#include "ar3d/algorithms/algorithm.h"
 #include "ar3d/bench/corpus/corpus.h"
 #include "ar3d/bench/external/external_algorithm.h"
 #include "ar3d/generators/catalog.h"

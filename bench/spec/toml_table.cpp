@@ -1,3 +1,5 @@
+// Tables of TOML whose errors name file and line. A table knows which keys were asked for, so that
+// the others can be refused.
 #include "ar3d/bench/spec/toml_table.h"
 
 #include <fmt/format.h>

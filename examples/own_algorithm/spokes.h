@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ar3d/algorithms/catalog.h"
+#include "ar3d/algorithms/algorithm.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/metrics/metrics.h"
 

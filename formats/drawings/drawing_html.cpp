@@ -130,6 +130,10 @@ PageEntry page_entry(const std::string& title, std::uint64_t n, const std::strin
   return {title, data_text({{"title", title}, {"n", n}, {"error", error}})};
 }
 
+std::string viewer_script_hashes() {
+  return fmt::format("{} {}", kViewerThreeHash, kViewerScriptHash);
+}
+
 ViewerPage::ViewerPage(Sink write) : write_(std::move(write)) {
   write_("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
   write_(kViewerMark);

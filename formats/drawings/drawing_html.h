@@ -50,6 +50,10 @@ PageEntry page_entry(const std::string& title, const Drawing& drawing, const Gua
 /// A graph that could not be drawn: the page says why in its place.
 PageEntry page_entry(const std::string& title, std::uint64_t n, const std::string& error);
 
+/// Returns the hashes of the scripts of such a page, as a content security policy names them: a page
+/// that shows it in a frame has to allow them.
+std::string viewer_script_hashes();
+
 /// One HTML page that shows drawings in 3D, to be opened from disk without a network: geometry
 /// (packed_geometry.h), the viewer's scripts (viewer/) and three.js. It begins with its first
 /// drawing, or with that of the attribute data-page of its body, from 0.

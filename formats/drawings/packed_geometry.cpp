@@ -78,19 +78,19 @@ class Deflated {
 
   /// @param bytes  fewer than 2^32.
   void deflate_all(std::string_view bytes, int flush) {
-    std::array<unsigned char, kBlock> out{};
     zip_.next_in = reinterpret_cast<const Bytef*>(bytes.data());
     zip_.avail_in = static_cast<uInt>(bytes.size());
     do {
-      zip_.next_out = out.data();
-      zip_.avail_out = static_cast<uInt>(out.size());
+      zip_.next_out = out_.data();
+      zip_.avail_out = static_cast<uInt>(out_.size());
       deflate(&zip_, flush);
-      base64_.add(out.data(), out.size() - zip_.avail_out);
+      base64_.add(out_.data(), out_.size() - zip_.avail_out);
     } while (zip_.avail_out == 0);
   }
 
   Base64 base64_;
   z_stream zip_{};
+  std::vector<unsigned char> out_ = std::vector<unsigned char>(kBlock);  // a stack may be small
 };
 
 /// Whole numbers in, deflated base64 out.

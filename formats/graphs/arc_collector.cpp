@@ -19,25 +19,6 @@ std::uint64_t number_of(const Arc& arc) {
   return (std::uint64_t{arc.small} << 32) | arc.large;
 }
 
-}  // namespace
-
-void ArcCollector::begin(std::uint64_t announced) {
-  loops_ = 0;
-  forward_.clear();
-  backward_.clear();
-  const std::uint64_t most = std::min(announced, input_->bytes_left() / 2);  // "1 " an arc
-  forward_.reserve(most / 2);
-  backward_.reserve(most / 2);
-}
-
-void ArcCollector::fail(const Arc& arc, bool backward, const char* problem) const {
-  const std::uint64_t from = std::uint64_t{backward ? arc.large : arc.small} + base_;
-  const std::uint64_t to = std::uint64_t{backward ? arc.small : arc.large} + base_;
-  input_->fail_at(arc.line, 0, fmt::format("({}, {}) {}", from, to, problem));
-}
-
-namespace {
-
 /// Sorts arcs by the end `key`, those with the same end in the order given (counting sort).
 template <class Arcs, class End>
 void group_by(std::uint64_t n, Arcs& arcs, End key) {
@@ -87,6 +68,21 @@ void sort_by(std::uint64_t n, Arcs& arcs, End key, Before before) {
 }
 
 }  // namespace
+
+void ArcCollector::begin(std::uint64_t announced) {
+  loops_ = 0;
+  forward_.clear();
+  backward_.clear();
+  const std::uint64_t most = std::min(announced, input_->bytes_left() / 2);  // "1 " an arc
+  forward_.reserve(most / 2);
+  backward_.reserve(most / 2);
+}
+
+void ArcCollector::fail(const Arc& arc, bool backward, const char* problem) const {
+  const std::uint64_t from = std::uint64_t{backward ? arc.large : arc.small} + base_;
+  const std::uint64_t to = std::uint64_t{backward ? arc.small : arc.large} + base_;
+  input_->fail_at(arc.line, 0, fmt::format("({}, {}) {}", from, to, problem));
+}
 
 /// By smaller end, then larger, then line.
 void ArcCollector::sort_from_one_end(std::uint64_t n, Arcs& arcs) {

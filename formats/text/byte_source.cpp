@@ -2,7 +2,6 @@
 // bytes.
 #include "ar3d/formats/text/byte_source.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <iconv.h>
 #include <lzma.h>
@@ -20,6 +19,7 @@
 #include <vector>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/new_file.h"
 
 namespace ar3d {
 namespace {
@@ -34,11 +34,10 @@ constexpr std::uint64_t kMostUnpackedPerByte = 200;
 class FileBytes final : public ByteSource {
  public:
   explicit FileBytes(const std::string& path) : name_(display_name(path)) {
-    fd_ = path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (path == "-") return;
+    file_ = open_input(path);
+    fd_ = file_.get();
     if (fd_ < 0) fail();
-  }
-  ~FileBytes() override {
-    if (fd_ > STDIN_FILENO) ::close(fd_);
   }
 
   std::size_t read(char* to, std::size_t size) override {
@@ -63,7 +62,8 @@ class FileBytes final : public ByteSource {
   }
 
   std::string name_;
-  int fd_ = -1;
+  Descriptor file_;
+  int fd_ = STDIN_FILENO;
 };
 
 /// What gzip and xz share: compressed bytes come in blocks.

@@ -12,9 +12,12 @@ ValueError. Arrays that come out are over memory that C++ made: nothing is copie
 from __future__ import annotations
 
 import operator
+import os
 from typing import Any, Union
 
 import numpy
+
+os.environ.setdefault("OMP_WAIT_POLICY", "passive")  # before _core loads libgomp: threads that wait sleep
 
 from ._core import Certificate, Drawing, Graph, __version__, algorithms, families
 from . import _core

@@ -1,3 +1,4 @@
+// Tells from a row which certificate was asked for, also in results of older versions.
 #include "ar3d/store/columns/asked_certificate.h"
 
 #include <string_view>

@@ -1,3 +1,4 @@
+// Names of statuses and phases, as results files hold them.
 #include "ar3d/store/columns/run_record.h"
 
 #include <fmt/format.h>

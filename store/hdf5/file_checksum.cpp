@@ -1,3 +1,5 @@
+// A hash of the whole file stands behind its HDF5 part, where HDF5 does not look. It is checked
+// before HDF5 sees the file.
 #include "ar3d/store/hdf5/file_checksum.h"
 
 #include <fmt/format.h>

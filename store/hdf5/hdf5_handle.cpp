@@ -1,3 +1,5 @@
+// HDF5's C interface with owners for its identifiers and exceptions for its errors. The innermost
+// message of HDF5's stack is kept, because the outer ones say nothing.
 #include "ar3d/store/hdf5/hdf5_handle.h"
 
 #include <fmt/format.h>

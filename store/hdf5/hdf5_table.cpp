@@ -17,7 +17,7 @@ constexpr hsize_t kChunkRecords = 512;  // written and read at once
 constexpr unsigned kCompressionLevel = 1;
 constexpr hsize_t kLargestChunk = hsize_t{1} << 26;  // bytes
 constexpr int kMostDimensions = 2;
-constexpr hsize_t kLargestRatio = 1100;         // deflate packs at most about 1032 to 1
+
 constexpr std::size_t kLargestField = 1 << 20;  // bytes of a field whose size the file decides
 
 // Little-endian in a file.
@@ -128,7 +128,7 @@ hsize_t record_count(hid_t dataset, const std::string& name, std::uint64_t file_
   }
   hsize_t count = 0;
   hdf5_checked(H5Sget_simple_extent_dims(space.get(), &count, nullptr), "read a table's length");
-  if (count / kLargestRatio > file_bytes) {
+  if (count / kMostRecordsPerByte > file_bytes) {
     throw Hdf5Error(fmt::format("/{} claims {} records, more than the file can hold", name, count));
   }
   return count;

@@ -11,6 +11,9 @@
 
 namespace ar3d {
 
+/// A file has at most so many records for each of its bytes: deflate packs at most about 1032 to 1.
+inline constexpr std::uint64_t kMostRecordsPerByte = 1100;
+
 // A TableSpec in an HDF5 file is a one-dimensional dataset of a compound type, chunked and
 // compressed, with the attributes by which PyTables (hence pandas.read_hdf) knows its tables, and
 // `<field>.unit` and `<field>.meaning` for every field.

@@ -4,14 +4,16 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <exception>
 #include <utility>
@@ -25,11 +27,8 @@ namespace {
 constexpr rlim_t kMostCpuSeconds = 20;                            // for an answer
 constexpr std::uint64_t kLargestAnswer = std::uint64_t{1} << 31;  // bytes
 
-// What stands before an answer.
-struct AnswerHead {
-  std::uint64_t size = 0;
-  std::uint64_t is_answer = 0;  // else it is the message of an exception
-};
+// What stands before an answer: its bytes; 1, or 0 if it is the message of an exception.
+using AnswerHead = std::array<std::uint64_t, 2>;
 
 void limit_cpu_time() {
   rusage used{};
@@ -43,22 +42,18 @@ void limit_cpu_time() {
 
 // Until the parent hangs up.
 void answer_all(int socket, const ReaderProcess::Answers& answers) {
-  const int nothing = open("/dev/null", O_WRONLY | O_CLOEXEC);
-  if (nothing >= 0) dup2(nothing, 2);  // what a library says when it breaks
-  leave_no_core();
-  signal(SIGXCPU, SIG_DFL);
   std::uint64_t question = 0;
   while (receive_all(socket, bytes_in(question))) {
     limit_cpu_time();
-    AnswerHead head{.size = 0, .is_answer = 1};
+    AnswerHead head = {0, 1};
     std::string answer;
     try {
       answer = answers(question);
     } catch (const std::exception& error) {
       answer = error.what();
-      head.is_answer = 0;
+      head[1] = 0;
     }
-    head.size = answer.size();
+    head[0] = answer.size();
     if (!send_all(socket, bytes_in(head)) || !send_all(socket, answer)) {
       return;
     }
@@ -67,55 +62,62 @@ void answer_all(int socket, const ReaderProcess::Answers& answers) {
 
 }  // namespace
 
-ReaderProcess::ReaderProcess(std::string path, const Descriptor& file, const Answers& answers)
-    : path_(std::move(path)) {
-  int ends[2];
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
-    throw InputError(fmt::format("cannot read {}: {}", path_, std::strerror(errno)));
-  }
-  socket_ = Descriptor(ends[0]);
-  const Descriptor theirs(ends[1]);
-  pid_ = fork();
-  if (pid_ < 0) throw InputError(fmt::format("cannot read {}: {}", path_, std::strerror(errno)));
-  if (pid_ > 0) return;
-  try {
-    close_descriptors_but({theirs.get(), file.get()});
-    answer_all(theirs.get(), answers);
-  } catch (...) {
-    _exit(1);
-  }
-  _exit(0);
+ReaderProcess::ReaderProcess(std::string path, const Descriptor& file, const Answers& answers,
+                             double limit_s)
+    : path_(std::move(path)), limit_s_(limit_s) {
+  const Descriptor nothing(open("/dev/null", O_WRONLY | O_CLOEXEC));
+  // Standard error takes what a library says when it breaks.
+  child_ =
+      Child::forked({.streams = {-1, -1, nothing.get()}, .kept = {{file.get()}}}, [&](int socket) {
+        answer_all(socket, answers);
+        return 0;
+      });
 }
 
-ReaderProcess::~ReaderProcess() {
-  if (pid_ < 0) return;
-  kill(pid_, SIGKILL);
-  wait_for_end(pid_);
+// As receive_all, in the time that is left. A long step is one in which this process was stopped,
+// and the child with it.
+bool ReaderProcess::receive(std::span<char> bytes, double& left_s) {
+  using Clock = std::chrono::steady_clock;
+  while (!bytes.empty()) {
+    if (left_s <= 0) return false;
+    const auto before = Clock::now();
+    pollfd event{child_.socket(), POLLIN, 0};
+    poll(&event, 1, static_cast<int>(1000 * std::min(left_s, 1.0)) + 1);
+    left_s -= std::min(std::chrono::duration<double>(Clock::now() - before).count(), 2.0);
+    const ssize_t got = recv(child_.socket(), bytes.data(), bytes.size(), MSG_DONTWAIT);
+    if (got < 0 && (errno == EAGAIN || errno == EINTR)) continue;
+    if (got <= 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(got));
+  }
+  return true;
 }
 
 const std::string& ReaderProcess::ask(std::uint64_t question) {
-  AnswerHead head;
-  if (pid_ < 0 || !send_all(socket_.get(), bytes_in(question)) ||
-      !receive_all(socket_.get(), bytes_in(head)) || head.size > kLargestAnswer) {
-    refuse();
+  constexpr std::size_t kPiece = std::size_t{1} << 20;  // memory comes with the bytes that fill it
+  double left_s = limit_s_;
+  AnswerHead head{};
+  if (child_.has_ended() || !send_all(child_.socket(), bytes_in(question)) ||
+      !receive(bytes_in(head), left_s) || head[0] > kLargestAnswer) {
+    refuse(left_s);
   }
-  answer_.resize(head.size);
-  if (!receive_all(socket_.get(), answer_)) refuse();
-  if (head.is_answer == 0) throw InputError(answer_);
+  answer_.clear();
+  while (answer_.size() < head[0]) {
+    const std::size_t done = answer_.size();
+    answer_.resize(std::min<std::size_t>(head[0], done + kPiece));
+    if (!receive(std::span(answer_).subspan(done), left_s)) refuse(left_s);
+  }
+  if (head[1] == 0) throw InputError(answer_);
   return answer_;
 }
 
-void ReaderProcess::refuse() {
-  int status = 0;
-  if (pid_ > 0) {
-    kill(pid_, SIGKILL);  // does nothing to one that has ended
-    status = wait_for_end(pid_);
-    pid_ = -1;
-  }
-  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) {
+void ReaderProcess::refuse(double left_s) {
+  child_.send(SIGKILL);  // does nothing to one that has ended
+  const int status = child_.wait();
+  const bool is_late = WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU;
+  if (left_s <= 0 || is_late) {
     throw InputError(
         fmt::format("{} is damaged: after {} s of reading a part of it there is no end", path_,
-                    kMostCpuSeconds));
+                    is_late ? static_cast<double>(kMostCpuSeconds) : limit_s_));
   }
   throw InputError(fmt::format(
       "{} is damaged, or another program has made its checksum: reading it has crashed", path_));

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <sys/types.h>
-
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 
 #include "ar3d/base/new_file.h"
+#include "ar3d/base/system_calls.h"
 
 namespace ar3d {
 
@@ -19,23 +19,23 @@ class ReaderProcess {
 
   /// @param path  of the file, for messages.
   /// @param file  stays open in the child, as no other but the standard ones does.
+  /// @param limit_s  wall time of an answer.
   /// @throws InputError if the system has no process or socket left.
-  ReaderProcess(std::string path, const Descriptor& file, const Answers& answers);
-  ~ReaderProcess();
-  ReaderProcess(const ReaderProcess&) = delete;
-  ReaderProcess& operator=(const ReaderProcess&) = delete;
+  ReaderProcess(std::string path, const Descriptor& file, const Answers& answers,
+                double limit_s = 60);
 
   /// The answer, valid until the next question. @throws InputError with the message of what the
   /// child has thrown, or naming the file and how the child has ended: by a signal, or since it
-  /// needed more than 20 s of CPU time.
+  /// needed more than 20 s of CPU time or the limit.
   const std::string& ask(std::uint64_t question);
 
  private:
-  [[noreturn]] void refuse();
+  bool receive(std::span<char> bytes, double& left_s);
+  [[noreturn]] void refuse(double left_s);
 
   std::string path_;
-  pid_t pid_ = -1;
-  Descriptor socket_;
+  double limit_s_;
+  Child child_;
   std::string answer_;
 };
 

@@ -200,7 +200,8 @@ class OpenResults {
  private:
   std::string open() {
     H5PLset_loading_state(0);  // no filter that a file names is loaded
-    const std::string opened = fmt::format("/proc/self/fd/{}", descriptor_);
+    std::string opened = fmt::format("/proc/self/fd/{}", descriptor_);
+    if (access(opened.c_str(), F_OK) != 0) opened = path_;  // there is no /proc
     const Hdf5Handle file(H5Fopen(opened.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
                           "open it");
     require_format(file.get());
@@ -247,7 +248,7 @@ ReaderProcess process_for(const std::string& path, const RowFormat& format) {
 
 struct ResultsReader::File {
   File(const std::string& path, const RowFormat& format)
-      : process(process_for(path, format)), record_size(format.record_size()) {}
+      : path(path), process(process_for(path, format)), record_size(format.record_size()) {}
 
   const char* read(std::size_t i) {
     expect(i < size, "a table has that record");
@@ -256,10 +257,13 @@ struct ResultsReader::File {
       rows = &process.ask(i / kBlockRows + 1);
       block = i / kBlockRows;
     }
-    expect(rows->size() >= (i % kBlockRows + 1) * record_size, "an answer has that record");
+    if (rows->size() < (i % kBlockRows + 1) * record_size) {
+      throw InputError(fmt::format("{} is damaged: reading row {} gives none", path, i));
+    }
     return rows->data() + i % kBlockRows * record_size;
   }
 
+  std::string path;
   ReaderProcess process;
   std::size_t record_size;
   std::size_t size = 0;
@@ -272,6 +276,9 @@ ResultsReader::ResultsReader(const std::string& path, const RowFormat& format)
   const std::string answer = file_->process.ask(kDescription);
   Parts parts(path, answer);
   file_->size = parts.number();
+  if (file_->size / kMostRecordsPerByte > std::filesystem::file_size(path)) {
+    throw InputError(fmt::format("{} is damaged: it cannot hold {} rows", path, file_->size));
+  }
   identity_ = parse_identity(parts.text(), format, path);
   while (parts.any()) {
     const auto session = static_cast<std::int64_t>(parts.number());

@@ -1,25 +1,65 @@
+// A journal's lines and what stands in them as JSON: rows, tables, the study's identity, sessions.
+// Rows and heads of lines are written and read by hand, since there are millions of them.
 #include "ar3d/store/journal/journal_format.h"
 
 #include <fmt/format.h>
+#include <xxhash.h>
 
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
 #include <cstring>
+#include <iterator>
 #include <nlohmann/json.hpp>
-#include <string_view>
 #include <utility>
 
 #include "ar3d/base/error.h"
+#include "ar3d/base/printable.h"
 
 namespace ar3d {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
-// Takes `count` bytes from the front.
-std::span<const char> take(std::span<const char>& bytes, std::size_t count) {
-  if (bytes.size() < count) throw InputError("a row of the journal ends too early");
-  const std::span<const char> taken = bytes.first(count);
-  bytes = bytes.subspan(count);
-  return taken;
+constexpr std::array<std::string_view, 4> kKinds = {"ar3d_journal", "session", "row",
+                                                    "session_end"};
+constexpr std::string_view kChecksumKey = R"(,"xxh3":")";
+constexpr std::size_t kTailSize = kChecksumKey.size() + 16 + 3;
+
+std::string tail_of(std::string_view covered, std::uint64_t offset) {
+  return fmt::format("{}{:016x}\"}}\n", kChecksumKey,
+                     XXH3_64bits_withSeed(covered.data(), covered.size(), offset));
+}
+
+bool take(std::string_view& line, std::string_view word) {
+  if (!line.starts_with(word)) return false;
+  line.remove_prefix(word.size());
+  return true;
+}
+
+// To memory that need not be aligned.
+template <class Number, class... Base>
+bool take_number(std::string_view& text, void* to, Base... base) {
+  Number number{};
+  const auto [end, error] =
+      std::from_chars(text.data(), text.data() + text.size(), number, base...);
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  std::memcpy(to, &number, sizeof(number));
+  return error == std::errc();
+}
+
+bool take_head(std::string_view& line, JournalHead& head) {
+  if (!take(line, kRecordStart) || !take_number<std::uint64_t>(line, &head.rows) ||
+      !take(line, ",\"not_ok\":") || !take_number<std::uint64_t>(line, &head.not_ok) ||
+      !take(line, ",\"")) {
+    return false;
+  }
+  const std::string_view word = line.substr(0, line.find('"'));
+  const auto* const kind = std::find(kKinds.begin(), kKinds.end(), word);
+  head.kind = static_cast<JournalKind>(kind - kKinds.begin());
+  return kind != kKinds.end() && take(line, word) && take(line, "\":");
 }
 
 Json as_json(const std::vector<Field>& fields) {
@@ -30,47 +70,9 @@ Json as_json(const std::vector<Field>& fields) {
   return columns;
 }
 
-constexpr const char* kDigits = "0123456789abcdef";
-
-std::string hexadecimal(const std::vector<char>& bytes) {
-  std::string text;
-  text.reserve(2 * bytes.size());
-  for (const char c : bytes) {
-    const auto byte = static_cast<unsigned char>(c);
-    text += kDigits[byte >> 4];
-    text += kDigits[byte & 15];
-  }
-  return text;
-}
-
-std::vector<char> parse_hexadecimal(const std::string& text, const std::string& path) {
-  std::vector<char> bytes;
-  bytes.reserve(text.size() / 2);
-  const std::string_view digits(kDigits);
-  for (std::size_t i = 0; i < text.size(); i += 2) {
-    const std::size_t high = digits.find(text[i]);
-    const std::size_t low = i + 1 < text.size() ? digits.find(text[i + 1]) : digits.npos;
-    if (high == digits.npos || low == digits.npos) {
-      throw InputError(fmt::format("{}: a table is not written in hexadecimal bytes", path));
-    }
-    bytes.push_back(static_cast<char>(16 * high + low));
-  }
-  return bytes;
-}
-
-Json tables_as_json(const StudyIdentity& identity) {
-  Json tables = Json::array();
-  for (const StoredTable& table : identity.tables) {
-    tables.push_back({{"name", table.spec.name},
-                      {"columns", as_json(table.spec.fields)},
-                      {"records", hexadecimal(table.records)}});
-  }
-  return tables;
-}
-
 // A number that is what it claims to be: JSON's own conversions wrap and cut.
 template <class Integer>
-Integer whole_number(const Json& json, const char* what, const std::string& path) {
+Integer whole_number(const Json& json, std::string_view what, const std::string& path) {
   if (json.is_number_unsigned() && std::in_range<Integer>(json.get<std::uint64_t>())) {
     return static_cast<Integer>(json.get<std::uint64_t>());
   }
@@ -87,76 +89,137 @@ std::string dumped(const Json& json) {
 }
 
 template <class Read>
-auto parsed(std::span<const char> text, const std::string& path, const Read& read) {
+auto parsed(std::string_view text, const std::string& path, const Read& read) {
   try {
     return read(Json::parse(text.begin(), text.end()));
   } catch (const Json::exception& error) {
-    throw InputError(fmt::format("{}: unreadable description: {}", path, error.what()));
+    throw InputError(fmt::format("{}: unreadable record: {}", path, error.what()));
   }
 }
 
-}  // namespace
+template <class Value>
+Value value_at(const char* from) {
+  Value value;
+  std::memcpy(&value, from, sizeof(value));
+  return value;
+}
 
-std::span<const char> pack_row(const RowFormat& format, const char* record,
-                               std::vector<char>& buffer) {
-  const std::vector<Field>& fields = format.rows.fields;
-  buffer.resize(format.record_size() + fields.size() * sizeof(std::uint16_t));  // the most
-  char* to = buffer.data();
-  const auto append = [&to](const void* from, std::size_t count) {
-    std::memcpy(to, from, count);
-    to += count;
-  };
+bool is_missing(const Field& field, const char* from) {
+  if (field.type == FieldType::text) return *from == 0;
+  std::array<char, sizeof(std::uint64_t)> none{};
+  store_missing(field, none.data());
+  return std::memcmp(none.data(), from, none.size()) == 0;
+}
+
+void write_text(std::string_view text, const Field& field, std::string& json) {
+  json += '"';
+  for (const char c : text) {
+    if (c < ' ' || c > '~') throw InputError(field.name + " is no printable ASCII");
+    if (c == '"' || c == '\\') json += '\\';
+    json += c;
+  }
+  json += '"';
+}
+
+// JSON has no infinity: its bits are written then, in hexadecimal digits.
+void write_value(const Field& field, const char* from, std::string& json) {
+  const auto out = std::back_inserter(json);
+  switch (field.type) {
+    case FieldType::text:
+      return write_text({from, strnlen(from, field.size)}, field, json);
+    case FieldType::int64:
+      fmt::format_to(out, "{}", value_at<std::int64_t>(from));
+      return;
+    case FieldType::uint64:
+      fmt::format_to(out, "{}", value_at<std::uint64_t>(from));
+      return;
+    case FieldType::float64:
+      const auto value = value_at<double>(from);
+      if (!std::isfinite(value)) {
+        fmt::format_to(out, "\"{:016x}\"", value_at<std::uint64_t>(from));
+      } else if (value == 0) {
+        json += std::signbit(value) ? "-0.0" : "0.0";  // -0 is an integer in JSON, without a sign
+      } else {
+        fmt::format_to(out, "{}", value);
+      }
+  }
+}
+
+void write_record(const std::vector<Field>& fields, const char* record, std::string& json) {
+  json += '{';
   for (const Field& field : fields) {
     const char* from = record + field.offset;
-    if (field.type != FieldType::text) {
-      append(from, sizeof(std::uint64_t));
-      continue;
-    }
-    const auto length = static_cast<std::uint16_t>(strnlen(from, field.size));
-    append(&length, sizeof(length));
-    append(from, length);
+    if (is_missing(field, from)) continue;
+    json.append(json.back() == '{' ? "\"" : ",\"").append(field.name).append("\":");
+    write_value(field, from, json);
   }
-  return {buffer.data(), to};
+  json += '}';
 }
 
-void unpack_row(const RowFormat& format, std::span<const char> packed, char* record) {
-  for (const Field& field : format.rows.fields) {
+// A text without its escapes. False if it has no end or is longer than its field.
+bool take_text(std::string_view& json, const Field& field, char* to) {
+  if (!take(json, "\"")) return false;
+  for (std::size_t i = 0; i <= field.size; ++i) {
+    if (take(json, "\"")) return true;
+    take(json, "\\");
+    if (json.empty() || i == field.size) return false;
+    to[i] = json.front();
+    json.remove_prefix(1);
+  }
+  return false;
+}
+
+bool take_value(std::string_view& json, const Field& field, char* to) {
+  switch (field.type) {
+    case FieldType::text:
+      return take_text(json, field, to);
+    case FieldType::int64:
+      return take_number<std::int64_t>(json, to);
+    case FieldType::uint64:
+      return take_number<std::uint64_t>(json, to);
+    case FieldType::float64:
+      break;
+  }
+  if (!take(json, "\"")) return take_number<double>(json, to);
+  return take_number<std::uint64_t>(json, to, 16) && take(json, "\"");
+}
+
+// What write_record() has written. Anything else is refused, other JSON too.
+void parse_record(const std::vector<Field>& fields, std::string_view json, const std::string& path,
+                  char* record) {
+  std::string key;
+  bool is_good = take(json, "{");
+  for (const Field& field : fields) {
     char* to = record + field.offset;
-    if (field.type != FieldType::text) {
-      std::memcpy(to, take(packed, field.size).data(), field.size);
-      continue;
+    store_missing(field, to);
+    key.append("\"").append(field.name).append("\":");
+    if (take(json, key)) {
+      is_good = is_good && take_value(json, field, to);
+      key = ",";
+    } else {
+      key.resize(key.starts_with(',') ? 1 : 0);
     }
-    std::uint16_t length = 0;
-    std::memcpy(&length, take(packed, sizeof(length)).data(), sizeof(length));
-    if (length > field.size) throw InputError("a row of the journal holds too long a text");
-    std::memset(to, 0, field.size);
-    std::memcpy(to, take(packed, length).data(), length);
   }
-  if (!packed.empty()) throw InputError("a row of the journal is too long");
+  if (is_good && json == "}") return;
+  throw InputError(fmt::format("{}: a record is none of its table from '{}' on", path,
+                               printable(json.substr(0, 40))));
 }
 
-RowKey packed_row_key(const RowFormat& format, std::span<const char> packed) {
-  expect(format.key == 0, "a row begins with its key");
-  take(packed, sizeof(std::uint16_t));
-  const std::size_t size = format.rows.fields.front().size;
-  return parse_row_key({take(packed, size).data(), size});
+Json tables_as_json(const StudyIdentity& identity) {
+  Json tables = Json::array();
+  for (const StoredTable& table : identity.tables) {
+    Json records = Json::array();
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      std::string record;
+      write_record(table.spec.fields, table.record(i), record);
+      records.push_back(Json::parse(record));
+    }
+    tables.push_back({{"name", table.spec.name},
+                      {"columns", as_json(table.spec.fields)},
+                      {"records", std::move(records)}});
+  }
+  return tables;
 }
-
-std::string identity_text(const StudyIdentity& identity, const RowFormat& format) {
-  return dumped({{"study_id", identity.study_id},
-                 {"spec", identity.spec},
-                 {"spec_hash", identity.spec_hash},
-                 {"source_hash", identity.source_hash},
-                 {"dirty", identity.dirty},
-                 {"dirty_hash", identity.dirty_hash},
-                 {"created", identity.created},
-                 {"shard", {identity.shard.index, identity.shard.count}},
-                 {"planned_rows", identity.planned_rows},
-                 {"tables", tables_as_json(identity)},
-                 {"columns", as_json(format.rows.fields)}});
-}
-
-namespace {
 
 Shard parse_shard(const Json& json, const std::string& path) {
   const Shard shard{whole_number<std::uint32_t>(json.at(0), "the shard", path),
@@ -173,9 +236,11 @@ std::vector<StoredTable> parse_tables(const Json& json, const RowFormat& format,
   for (const Json& entry : json) {
     for (const TableSpec& spec : format.tables) {
       if (entry.at("name") != spec.name || entry.at("columns") != as_json(spec.fields)) continue;
-      tables.push_back({spec, parse_hexadecimal(entry.at("records").get<std::string>(), path)});
-      if (tables.back().records.size() % record_size(spec.fields) != 0) {
-        throw InputError(fmt::format("{}: the table {} ends within a record", path, spec.name));
+      const std::size_t size = record_size(spec.fields);
+      tables.push_back({spec, std::vector<char>(size * entry.at("records").size())});
+      char* to = tables.back().records.data();
+      for (const Json& record : entry.at("records")) {
+        parse_record(spec.fields, record.dump(), path, std::exchange(to, to + size));
       }
     }
   }
@@ -194,7 +259,71 @@ void require_columns(const Json& json, const RowFormat& format, const std::strin
 
 }  // namespace
 
-StudyIdentity parse_identity(std::span<const char> text, const RowFormat& format,
+bool begins_as_journal(std::string_view bytes) {
+  return bytes.starts_with(kJournalStart) || bytes.starts_with("ar3d-journal ");
+}
+
+void frame_record(const JournalHead& head, std::string_view payload, std::uint64_t offset,
+                  std::string& line) {
+  line.clear();
+  fmt::format_to(std::back_inserter(line), "{}{},\"not_ok\":{},\"{}\":", kRecordStart, head.rows,
+                 head.not_ok, kKinds[static_cast<std::size_t>(head.kind)]);
+  line += payload;
+  line += tail_of(line, offset);
+}
+
+std::optional<JournalRecord> parse_line(std::string_view line, std::uint64_t offset) {
+  if (line.size() < kTailSize) return std::nullopt;
+  const std::string_view covered = line.substr(0, line.size() - kTailSize);
+  if (line.substr(covered.size()) != tail_of(covered, offset)) return std::nullopt;
+  JournalRecord record;
+  record.offset = offset;
+  record.payload = covered;
+  if (!take_head(record.payload, record.head)) return std::nullopt;
+  record.payload_offset = offset + covered.size() - record.payload.size();
+  return record;
+}
+
+bool is_cut_short(std::string_view bytes) {
+  if (bytes.size() <= kRecordStart.size()) return kRecordStart.starts_with(bytes);
+  const std::size_t tail = bytes.find(kChecksumKey);
+  return bytes.rfind(kRecordStart) == 0 && bytes.find('\n') == bytes.npos &&
+         bytes.find('\0') == bytes.npos && (tail == bytes.npos || bytes.size() < tail + kTailSize);
+}
+
+void write_row(const RowFormat& format, const char* record, std::string& json) {
+  json.clear();
+  write_record(format.rows.fields, record, json);
+}
+
+void parse_row(const RowFormat& format, std::string_view json, const std::string& path,
+               char* record) {
+  parse_record(format.rows.fields, json, path, record);
+}
+
+RowKey key_of_row(const RowFormat& format, std::string_view json) {
+  expect(format.key == 0, "a row begins with its key");
+  const Field& field = format.rows.fields.front();
+  const bool is_first = take(json, "{\"") && take(json, field.name) && take(json, "\":\"");
+  return parse_row_key(is_first ? json.substr(0, field.size) : "");
+}
+
+std::string identity_text(const StudyIdentity& identity, const RowFormat& format) {
+  return dumped({{"version", 3},
+                 {"study_id", identity.study_id},
+                 {"spec", identity.spec},
+                 {"spec_hash", identity.spec_hash},
+                 {"source_hash", identity.source_hash},
+                 {"dirty", identity.dirty},
+                 {"dirty_hash", identity.dirty_hash},
+                 {"created", identity.created},
+                 {"shard", {identity.shard.index, identity.shard.count}},
+                 {"planned_rows", identity.planned_rows},
+                 {"tables", tables_as_json(identity)},
+                 {"columns", as_json(format.rows.fields)}});
+}
+
+StudyIdentity parse_identity(std::string_view text, const RowFormat& format,
                              const std::string& path) {
   return parsed(text, path, [&](const Json& json) {
     require_columns(json, format, path);
@@ -220,7 +349,7 @@ std::string session_text(const std::vector<EnvironmentEntry>& environment) {
   return dumped(json);
 }
 
-std::vector<EnvironmentEntry> parse_session(std::span<const char> text, const std::string& path) {
+std::vector<EnvironmentEntry> parse_session(std::string_view text, const std::string& path) {
   return parsed(text, path, [](const Json& json) {
     std::vector<EnvironmentEntry> environment;
     for (const Json& entry : json) {

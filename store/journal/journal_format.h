@@ -4,8 +4,9 @@
 
 #include <cstdint>
 #include <functional>
-#include <span>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ar3d/store/columns/row_format.h"
@@ -13,32 +14,41 @@
 
 namespace ar3d {
 
-inline constexpr char kJournalMagic[] = "ar3d-journal 2\n";  ///< 16 bytes with the null
+/// Every record begins with that, and holds it nowhere else.
+inline constexpr std::string_view kRecordStart = R"({"rows":)";
+/// A journal begins with that.
+inline constexpr std::string_view kJournalStart =
+    R"({"rows":0,"not_ok":0,"ar3d_journal":{"version":3,)";
 
-inline constexpr std::uint32_t kLargestPayload = 1u << 26;
+/// True of the first bytes of a journal, also of one of an older version.
+bool begins_as_journal(std::string_view bytes);
 
-enum class JournalKind : std::uint32_t { identity = 1, session = 2, row = 3, session_end = 4 };
+/// By the key of their content in the line: ar3d_journal, session, row, session_end.
+enum class JournalKind : std::uint8_t { identity, session, row, session_end };
 
-/// Stands before every payload. `checksum` is XXH3 of everything behind itself up to the payload's
-/// end, with the record's offset as seed: a record that was moved is damaged too.
+/// Stands at the beginning of every line.
 struct JournalHead {
-  std::uint64_t checksum = 0;
-  std::uint32_t payload_size = 0;
   JournalKind kind = JournalKind::row;
   std::uint64_t rows = 0;    ///< in the journal up to and with this record
   std::uint64_t not_ok = 0;  ///< of them, with another status than ok or measured
 };
-static_assert(sizeof(JournalHead) == 32);
 
 struct JournalRecord {
   JournalHead head;
-  std::uint64_t offset = 0;
-  std::span<const char> payload;  ///< valid during the visit
+  std::uint64_t offset = 0;  ///< of its line
+  std::uint64_t payload_offset = 0;
+  std::string_view payload;  ///< JSON; valid during the visit
 };
 
-/// A record's bytes, ready for one write at `offset`.
-void frame_record(JournalHead head, std::span<const char> payload, std::uint64_t offset,
-                  std::vector<char>& bytes);
+/// Writes a record's line, which is to stand at `offset`: a moved one fails its checksum.
+void frame_record(const JournalHead& head, std::string_view payload, std::uint64_t offset,
+                  std::string& line);
+
+/// The record of a line that ends with a newline; none if it is not whole.
+std::optional<JournalRecord> parse_line(std::string_view line, std::uint64_t offset);
+
+/// True if the bytes are the beginning of one record, or all of it but the newline.
+bool is_cut_short(std::string_view bytes);
 
 /// Calls `visit` for every record, to the first that is not whole or for which it returns false.
 /// @return the end of the last whole record; what is behind it is a record cut short by a crash.
@@ -51,22 +61,23 @@ std::uint64_t scan_journal(int file, const std::string& path,
 /// @throws InputError as scan_journal.
 JournalHead last_journal_record(int file, const std::string& path);
 
-/// A record without its padding: for every field 8 bytes, or two bytes of length and text. The
-/// result lies in `buffer`, which keeps the size that any row fits in.
-std::span<const char> pack_row(const RowFormat& format, const char* record,
-                               std::vector<char>& buffer);
-/// @throws InputError if the bytes are no packed row.
-void unpack_row(const RowFormat& format, std::span<const char> packed, char* record);
-RowKey packed_row_key(const RowFormat& format, std::span<const char> packed);
+/// Writes a row as a JSON object of its fields, without those that hold what stands for no value.
+/// Every number reads back bit for bit. @throws InputError if a text is no printable ASCII.
+void write_row(const RowFormat& format, const char* record, std::string& json);
+/// @throws InputError naming `path` and the field if the text is no row of that format.
+void parse_row(const RowFormat& format, std::string_view json, const std::string& path,
+               char* record);
+/// The key of a row without a look at the rest of it. @throws InputError
+RowKey key_of_row(const RowFormat& format, std::string_view json);
 
 /// The study's identity with its tables, and the columns that the rows have, as JSON.
 std::string identity_text(const StudyIdentity& identity, const RowFormat& format);
 /// @throws InputError naming `path` if it is not the identity of a study with the format's columns.
-StudyIdentity parse_identity(std::span<const char> text, const RowFormat& format,
+StudyIdentity parse_identity(std::string_view text, const RowFormat& format,
                              const std::string& path);
 
 std::string session_text(const std::vector<EnvironmentEntry>& environment);
 /// @throws InputError naming `path`.
-std::vector<EnvironmentEntry> parse_session(std::span<const char> text, const std::string& path);
+std::vector<EnvironmentEntry> parse_session(std::string_view text, const std::string& path);
 
 }  // namespace ar3d

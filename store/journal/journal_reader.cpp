@@ -1,4 +1,4 @@
-// A journal's records, checked one after the other, and its rows by number. What a crash cut short
+// A journal's lines, checked one after the other, and its rows by number. What a crash cut short
 // at the end is left out; damage before it is told with its offset.
 #include "ar3d/store/journal/journal_reader.h"
 
@@ -6,10 +6,8 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <xxhash.h>
 
 #include <algorithm>
-#include <bit>
 #include <cerrno>
 #include <cstring>
 #include <optional>
@@ -21,64 +19,71 @@
 namespace ar3d {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "journals hold little-endian numbers");
-
-constexpr std::size_t kHeadSize = sizeof(JournalHead);
-constexpr std::size_t kMagicSize = sizeof(kJournalMagic);
 constexpr std::size_t kReadAtOnce = std::size_t{1} << 20;
-
-std::uint64_t checksum_of(std::span<const char> record, std::uint64_t offset) {
-  const std::span<const char> covered = record.subspan(sizeof(JournalHead::checksum));
-  return XXH3_64bits_withSeed(covered.data(), covered.size(), offset);
-}
+constexpr std::size_t kLongestLine = std::size_t{1} << 28;
 
 [[noreturn]] void refuse(const std::string& path, int reason) {
   throw InputError(fmt::format("cannot read {}: {}", path, std::strerror(reason)));
 }
 
-// A journal's bytes, read through a buffer that holds what was asked for last.
-class JournalBytes {
+// A journal's lines, read through a buffer that holds what was asked for last.
+class JournalLines {
  public:
-  JournalBytes(int file, const std::string& path) : file_(file), path_(path) {
+  JournalLines(int file, const std::string& path) : file_(file), path_(path) {
     struct stat status {};
     if (fstat(file, &status) != 0) refuse(path, errno);
     size_ = static_cast<std::uint64_t>(status.st_size);
+    fill(0, kReadAtOnce);
+    if (buffer_.starts_with(kJournalStart)) return;
+    throw InputError(fmt::format(
+        "{} is not a journal of this version of ar3d{}", path,
+        begins_as_journal(buffer_) ? ": finish it with the program that began it" : ""));
   }
   std::uint64_t size() const { return size_; }
 
-  /// The bytes [offset, offset + count), fewer at the end of the file.
-  std::span<const char> at(std::uint64_t offset, std::size_t count) {
-    if (offset < begin_ || offset + count > begin_ + buffer_.size()) {
-      fill(offset, std::max(count, kReadAtOnce));
-    }
-    const std::size_t from = static_cast<std::size_t>(offset - begin_);
-    return std::span<const char>(buffer_).subspan(from, std::min(count, buffer_.size() - from));
+  /// The record that begins at `offset`, if it is whole, and its line's length.
+  std::optional<JournalRecord> record_at(std::uint64_t offset) {
+    return parse_line(line_at(offset), offset);
   }
 
-  /// The record that begins at `offset`, if it is whole.
-  std::optional<JournalRecord> record_at(std::uint64_t offset) {
-    JournalRecord record;
-    record.offset = offset;
-    if (offset + kHeadSize > size_) return std::nullopt;
-    const std::span<const char> head = at(offset, kHeadSize);
-    if (head.size() < kHeadSize) return std::nullopt;
-    std::memcpy(&record.head, head.data(), kHeadSize);
-    const std::uint32_t payload_size = record.head.payload_size;
-    if (payload_size > kLargestPayload || offset + kHeadSize + payload_size > size_) {
-      return std::nullopt;
+  /// The first whole record that begins at `from` or behind it. Of a line only the last beginning
+  /// of a record can be one.
+  std::optional<JournalRecord> next_record(std::uint64_t from) {
+    while (from < size_) {
+      const std::string_view line = line_at(from);
+      const std::size_t start = line.rfind(kRecordStart);
+      if (start != line.npos) {
+        if (const auto record = parse_line(line.substr(start), from + start)) return record;
+      }
+      from += line.empty() ? kLongestLine : line.size();
     }
-    const std::span<const char> bytes = at(offset, kHeadSize + payload_size);
-    if (bytes.size() < kHeadSize + payload_size) return std::nullopt;
-    if (checksum_of(bytes, offset) != record.head.checksum) return std::nullopt;
-    record.payload = bytes.subspan(kHeadSize);
-    return record;
+    return std::nullopt;
+  }
+
+  std::uint64_t end_of(const JournalRecord& record) {
+    return record.offset + line_at(record.offset).size();
   }
 
  private:
+  /// From `offset` to the end of its line; empty if there is none.
+  std::string_view line_at(std::uint64_t offset) {
+    for (std::size_t count = kReadAtOnce; offset < size_; count *= 4) {
+      if (offset >= begin_ && offset < begin_ + buffer_.size()) {
+        const std::string_view rest = std::string_view(buffer_).substr(offset - begin_);
+        const std::size_t end = rest.find('\n');
+        if (end != rest.npos) return rest.substr(0, end + 1);
+        if (begin_ + buffer_.size() >= size_ || rest.size() >= kLongestLine) return {};
+      }
+      fill(offset, count);
+    }
+    return {};
+  }
+
   void fill(std::uint64_t offset, std::size_t count) {
-    buffer_.resize(count);
+    buffer_.resize(std::min<std::uint64_t>(count, size_ - offset));
     const std::size_t have = read_whole(file_, buffer_, offset);
-    if (have < count && errno != 0) refuse(path_, errno);
+    if (have < buffer_.size() && errno != 0) refuse(path_, errno);
+    if (have < buffer_.size()) size_ = offset + have;  // it has shrunk
     buffer_.resize(have);
     begin_ = offset;
   }
@@ -87,22 +92,8 @@ class JournalBytes {
   const std::string& path_;
   std::uint64_t size_ = 0;
   std::uint64_t begin_ = 0;
-  std::vector<char> buffer_;
+  std::string buffer_;
 };
-
-std::optional<std::uint64_t> next_whole_record(JournalBytes& bytes, std::uint64_t from) {
-  for (std::uint64_t offset = from; offset + kHeadSize <= bytes.size(); ++offset) {
-    if (bytes.record_at(offset)) return offset;
-  }
-  return std::nullopt;
-}
-
-void require_magic(JournalBytes& bytes, const std::string& path) {
-  const std::span<const char> start = bytes.at(0, kMagicSize);
-  if (start.size() < kMagicSize || std::memcmp(start.data(), kJournalMagic, kMagicSize) != 0) {
-    throw InputError(fmt::format("{} is not a journal of this version of ar3d", path));
-  }
-}
 
 Descriptor open_to_read(const std::string& path) {
   Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
@@ -125,49 +116,33 @@ bool is_locked(int file) {
 
 }  // namespace
 
-void frame_record(JournalHead head, std::span<const char> payload, std::uint64_t offset,
-                  std::vector<char>& bytes) {
-  expect(payload.size() <= kLargestPayload, "a journal's records are short");
-  head.payload_size = static_cast<std::uint32_t>(payload.size());
-  bytes.resize(kHeadSize + payload.size());
-  std::memcpy(bytes.data(), &head, kHeadSize);
-  std::copy(payload.begin(), payload.end(), bytes.begin() + kHeadSize);
-  head.checksum = checksum_of(bytes, offset);
-  std::memcpy(bytes.data(), &head.checksum, sizeof(head.checksum));
-}
-
 std::uint64_t scan_journal(int file, const std::string& path,
                            const std::function<bool(const JournalRecord&)>& visit) {
-  JournalBytes bytes(file, path);
-  require_magic(bytes, path);
-  std::uint64_t offset = kMagicSize;
-  while (const std::optional<JournalRecord> record = bytes.record_at(offset)) {
+  JournalLines lines(file, path);
+  std::uint64_t offset = 0;
+  while (const std::optional<JournalRecord> record = lines.record_at(offset)) {
     if (!visit(*record)) return offset;
-    offset += kHeadSize + record->head.payload_size;
+    offset = lines.end_of(*record);
   }
-  if (const auto next = next_whole_record(bytes, offset + 1)) {
+  if (const auto next = lines.next_record(offset + 1)) {
     throw InputError(fmt::format(
         "{}: damaged at byte {}: the record there fails its checksum, the next whole one begins at "
         "byte {}",
-        path, offset, *next));
+        path, offset, next->offset));
   }
   return offset;
 }
 
 JournalHead last_journal_record(int file, const std::string& path) {
-  JournalBytes bytes(file, path);
-  require_magic(bytes, path);
-  JournalHead last;
+  JournalLines lines(file, path);
   for (std::uint64_t window = kReadAtOnce / 16;; window *= 4) {
-    const bool whole_file = window + kMagicSize >= bytes.size();
-    const std::uint64_t from = whole_file ? kMagicSize : bytes.size() - window;
-    bool found = false;
-    for (auto offset = next_whole_record(bytes, from); offset;
-         offset = next_whole_record(bytes, *offset + kHeadSize + last.payload_size)) {
-      found = true;
-      last = bytes.record_at(*offset)->head;
+    const std::uint64_t from = window < lines.size() ? lines.size() - window : 0;
+    std::optional<JournalHead> last;
+    for (auto record = lines.next_record(from); record;
+         record = lines.next_record(lines.end_of(*record))) {
+      last = record->head;
     }
-    if (found || whole_file) return last;
+    if (last || from == 0) return last.value_or(JournalHead());
   }
 }
 
@@ -213,21 +188,21 @@ void JournalReader::note(const JournalRecord& record) {
       }
       return;
     case JournalKind::row:
-      rows_.push_back({packed_row_key(format_, record.payload), record.offset + sizeof(JournalHead),
-                       record.head.payload_size});
+      rows_.push_back(
+          {key_of_row(format_, record.payload), record.payload_offset, record.payload.size()});
       return;
   }
 }
 
 void JournalReader::read(std::size_t i, char* record) const {
-  const PackedRow& row = rows_.at(i);
-  std::vector<char> packed(row.size);
+  const Row& row = rows_.at(i);
+  std::string json(row.size, '\0');
   errno = EIO;  // what a file that has shrunk is
-  if (pread(file_.get(), packed.data(), packed.size(), static_cast<off_t>(row.offset)) !=
-      static_cast<ssize_t>(packed.size())) {
+  if (pread(file_.get(), json.data(), json.size(), static_cast<off_t>(row.offset)) !=
+      static_cast<ssize_t>(json.size())) {
     refuse(path_, errno);
   }
-  unpack_row(format_, packed, record);
+  parse_row(format_, json, path_, record);
 }
 
 }  // namespace ar3d

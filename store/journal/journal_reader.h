@@ -42,10 +42,10 @@ class JournalReader {
   void read(std::size_t i, char* record) const;
 
  private:
-  struct PackedRow {
+  struct Row {
     RowKey key;
-    std::uint64_t offset = 0;  // of the payload
-    std::uint32_t size = 0;
+    std::uint64_t offset = 0;  // of its JSON
+    std::size_t size = 0;
   };
 
   void note(const JournalRecord& record);
@@ -56,7 +56,7 @@ class JournalReader {
   std::uint64_t whole_bytes_ = 0;
   StudyIdentity identity_;
   std::vector<std::vector<EnvironmentEntry>> sessions_;
-  std::vector<PackedRow> rows_;
+  std::vector<Row> rows_;
 };
 
 }  // namespace ar3d

@@ -1,3 +1,5 @@
+// Appends rows to a journal. A row is acknowledged once its write has returned, and what a crash
+// may leave is one record cut short, which the next writer cuts off.
 #include "ar3d/store/journal/journal_writer.h"
 
 #include <fcntl.h>
@@ -20,8 +22,6 @@ namespace {
   throw InputError(fmt::format("cannot write {}: {}", path, std::strerror(reason)));
 }
 
-std::span<const char> as_bytes(const std::string& text) { return {text.data(), text.size()}; }
-
 void require_same(const StudyIdentity& journal, const StudyIdentity& study,
                   const std::string& path) {
   const auto compare = [&](const char* what, const std::string& theirs, const std::string& ours) {
@@ -33,18 +33,6 @@ void require_same(const StudyIdentity& journal, const StudyIdentity& study,
   compare("specification", journal.spec_hash, study.spec_hash);
   compare("program's source", journal.source(), study.source());
   compare("shard", shard(journal.shard), shard(study.shard));
-}
-
-// True if the bytes are the beginning of one record or zeros, which a loss of power may leave.
-bool is_one_record_cut_short(std::span<const char> bytes) {
-  if (std::all_of(bytes.begin(), bytes.end(), [](char byte) { return byte == 0; })) return true;
-  if (bytes.size() < sizeof(JournalHead)) return true;
-  JournalHead head;
-  std::memcpy(&head, bytes.data(), sizeof(head));
-  const bool is_head = head.kind >= JournalKind::identity &&
-                       head.kind <= JournalKind::session_end &&
-                       head.payload_size <= kLargestPayload;
-  return is_head && bytes.size() < sizeof(head) + head.payload_size;
 }
 
 // False if the file was removed, or another one has its name, since it was opened.
@@ -85,11 +73,8 @@ JournalWriter::~JournalWriter() {
 // The identity is in the file before it gets its name, so that no crash leaves half a beginning.
 void JournalWriter::create_if_missing(const StudyIdentity& identity) {
   if (access(path_.c_str(), F_OK) != 0) {
-    std::vector<char> bytes;
-    const std::string text = identity_text(identity, format_);
-    frame_record({.kind = JournalKind::identity}, as_bytes(text), sizeof(kJournalMagic), bytes);
-    bytes.insert(bytes.begin(), kJournalMagic, kJournalMagic + sizeof(kJournalMagic));
-    create_file_atomically(path_, bytes);
+    frame_record({.kind = JournalKind::identity}, identity_text(identity, format_), 0, line_);
+    create_file_atomically(path_, line_);
   }
   file_ = Descriptor(open(path_.c_str(), O_RDWR | O_APPEND | O_CLOEXEC));
   if (file_.get() < 0) refuse_to_append(path_, errno);
@@ -133,14 +118,14 @@ void JournalWriter::read_existing(const StudyIdentity& identity,
   if (fsync(file_.get()) != 0) refuse_to_append(path_, errno);
 }
 
-// One record cut short is what every crash leaves behind. Anything else, a whole record that stands
+// One record cut short is what every crash leaves behind, or zeros, which a loss of power may leave. Anything else, a whole record that stands
 // where it does not belong for one, may be rows that another process has acknowledged.
 void JournalWriter::keep_what_is_cut() {
-  std::vector<char> bytes(bytes_cut_);
+  std::string bytes(bytes_cut_, '\0');
   if (read_whole(file_.get(), bytes, end_) < bytes.size()) {
     refuse_to_append(path_, errno != 0 ? errno : EIO);
   }
-  if (is_one_record_cut_short(bytes)) return;
+  if (is_cut_short(bytes) || bytes.find_first_not_of('\0') == bytes.npos) return;
   for (int number = 1; cut_file_.empty(); ++number) {
     const std::string path = fmt::format("{}.cut-{}", path_, number);
     if (create_file_atomically(path, bytes)) cut_file_ = path;
@@ -148,12 +133,12 @@ void JournalWriter::keep_what_is_cut() {
 }
 
 void JournalWriter::begin_session(const std::vector<EnvironmentEntry>& environment) {
-  write_record(JournalKind::session, head_, as_bytes(session_text(environment)));
+  write_record(JournalKind::session, head_, session_text(environment));
   ++session_;
 }
 
 void JournalWriter::end_session(const std::vector<EnvironmentEntry>& environment) {
-  write_record(JournalKind::session_end, head_, as_bytes(session_text(environment)));
+  write_record(JournalKind::session_end, head_, session_text(environment));
   sync();
 }
 
@@ -166,7 +151,7 @@ void JournalWriter::append(const std::function<void(char* record)>& store) {
 }
 
 void JournalWriter::append_record(const char* record) {
-  const std::span<const char> packed = pack_row(format_, record, packed_);
+  write_row(format_, record, json_);
   const Field& status = format_.rows.fields[format_.status];
   const auto has_status = [&](const std::string& word) {  // with the null that ends it
     return std::memcmp(record + status.offset, word.c_str(), word.size() + 1) == 0;
@@ -174,16 +159,15 @@ void JournalWriter::append_record(const char* record) {
   JournalHead head = head_;
   ++head.rows;
   if (!has_status("ok") && !has_status("measured")) ++head.not_ok;
-  write_record(JournalKind::row, head, packed);
+  write_record(JournalKind::row, head, json_);
 }
 
-void JournalWriter::write_record(JournalKind kind, JournalHead head,
-                                 std::span<const char> payload) {
+void JournalWriter::write_record(JournalKind kind, JournalHead head, std::string_view payload) {
   if (const int reason = sync_error_) fail(reason);
   put_back_if_deleted();
   head.kind = kind;
-  frame_record(head, payload, end_, framed_);
-  if (const std::size_t written = write_whole(file_.get(), framed_); written < framed_.size()) {
+  frame_record(head, payload, end_, line_);
+  if (const std::size_t written = write_whole(file_.get(), line_); written < line_.size()) {
     const int reason = errno;
     cut_half_record(written);
     fail(reason);
@@ -191,9 +175,9 @@ void JournalWriter::write_record(JournalKind kind, JournalHead head,
   // The file is opened for appending: a write that ends elsewhere began behind bytes of another
   // process, and this record does not count there.
   const off_t written_to = lseek(file_.get(), 0, SEEK_CUR);
-  if (written_to != static_cast<off_t>(end_ + framed_.size())) fail_because_of_another();
+  if (written_to != static_cast<off_t>(end_ + line_.size())) fail_because_of_another();
   head_ = head;
-  end_ += framed_.size();
+  end_ += line_.size();
   unsynced_ = true;
 }
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <functional>
 #include <mutex>
-#include <span>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -73,7 +73,7 @@ class JournalWriter {
   void cut_half_record(std::size_t written);
   [[noreturn]] void fail_because_of_another() const;
   void put_back_if_deleted();
-  void write_record(JournalKind kind, JournalHead head, std::span<const char> payload);
+  void write_record(JournalKind kind, JournalHead head, std::string_view payload);
   void sync_every_second();
   [[noreturn]] void fail(int reason) const;
 
@@ -86,8 +86,8 @@ class JournalWriter {
   std::int64_t session_ = -1;
   JournalHead head_;
   std::vector<char> record_;
-  std::vector<char> packed_;
-  std::vector<char> framed_;
+  std::string json_;
+  std::string line_;
 
   std::atomic<bool> unsynced_ = false;
   std::atomic<int> sync_error_ = 0;

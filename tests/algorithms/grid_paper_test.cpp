@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "algorithms/grid_paper_support.h"
+#include "ar3d/algorithms/catalog.h"
 #include "ar3d/algorithms/grid_paper/builder.h"
 #include "ar3d/algorithms/grid_paper/growth.h"
 #include "ar3d/base/random.h"

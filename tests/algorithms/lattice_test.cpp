@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "ar3d/algorithms/catalog.h"
 #include "ar3d/algorithms/lattice/embedding.h"
 #include "ar3d/base/error.h"
 #include "ar3d/generators/catalog.h"

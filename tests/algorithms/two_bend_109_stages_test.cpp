@@ -20,7 +20,7 @@
 #include "ar3d/algorithms/two_bend_109/two_bend_109.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/random.h"
-#include "ar3d/verify/checks/exact.h"
+#include "ar3d/verify/predicates/exact.h"
 #include "support/graphs.h"
 
 namespace ar3d::two_bend_109 {

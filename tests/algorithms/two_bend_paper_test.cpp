@@ -9,13 +9,14 @@
 #include <cstddef>
 
 #include "algorithms/two_bend_paper_support.h"
+#include "ar3d/algorithms/catalog.h"
 #include "ar3d/algorithms/two_bend_paper/contraction.h"
 #include "ar3d/algorithms/two_bend_paper/general_position.h"
 #include "ar3d/algorithms/two_bend_paper/growth.h"
 #include "ar3d/base/error.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/assessment/real_segments.h"
-#include "ar3d/verify/checks/examination.h"
+#include "ar3d/verify/examination.h"
 
 namespace ar3d::testing {
 namespace {

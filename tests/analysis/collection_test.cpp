@@ -30,81 +30,84 @@ Results collection_results(std::int64_t graphs = kCollectionGraphs) {
   return results;
 }
 
-std::string section_with(const std::string& html, const std::string& id) {
-  const std::size_t begin = html.find("<section id=" + id);
-  return begin == std::string::npos ? ""
-                                    : html.substr(begin, html.find("</section>", begin) - begin);
-}
-
-std::size_t lines_with(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
-    ++found;
+std::vector<nlohmann::json> of_volume(const nlohmann::json& rows, std::size_t setting) {
+  std::vector<nlohmann::json> found;
+  for (const auto& row : rows_with(rows, "measure", "volume")) {
+    if (row["setting"] == setting) found.push_back(row);
   }
   return found;
 }
 
-const Figure& figure_named(const std::vector<Figure>& figures, const std::string& name) {
-  const auto at = std::ranges::find(figures, name, &Figure::name);
-  if (at == figures.end()) throw std::runtime_error("no figure " + name);
-  return *at;
-}
-
 TEST(Collection, TellsWhoDrewHowMany) {
-  const std::string html = report_of(collection_results());
-  EXPECT_THAT(section_with(html, "c0"),
-              HasSubstr("<th scope=row>grid</th><td class=num>400</td><td class=num>200</td>"
-                        "<td class=num>50.0 %</td><td class=num>200</td><td class=num>0</td>"));
-  EXPECT_EQ(section_with(html, "trade"), "") << "compared graph by graph";
-  EXPECT_THAT(html, HasSubstr("<a href='#c0'>"));
+  const auto tables = tables_of(collection_results());
+  const auto grid = rows_with(tables["collections"], "setting", 2).at(0);
+  EXPECT_EQ(grid["collection"], "rome");
+  EXPECT_EQ(grid["graphs"], 400);
+  EXPECT_EQ(grid["drawn"], 200);
+  EXPECT_EQ(grid["refused"], 200);
+  EXPECT_EQ(tables["groups"].size(), 0u) << "compared graph by graph";
 }
 
 // 399 of 400 by compact are the best, grid has diamond's volumes of half the graphs.
 TEST(Collection, ProfilesAreSharesOfGraphsWithinAFactorOfTheBest) {
-  const Results results = collection_results();
-  const std::vector<Figure> figures = report_figures(analyse(view_of(results)));
-  const Figure& profile = figure_named(figures, "rome-profile-volume");
-  EXPECT_THAT(profile.csv, HasSubstr(",compact,line,1,0.9975,"));
-  EXPECT_THAT(profile.csv, HasSubstr(",diamond,line,1,0.0025,"));
-  EXPECT_THAT(profile.csv, HasSubstr(",grid,line,1024,0.5,"));
-  EXPECT_THAT(profile.csv, HasSubstr(",diamond,line,1024,1,"));
-  EXPECT_THAT(profile.matplotlib, HasSubstr("set_yscale(\"linear\")"));
-  EXPECT_THAT(profile.pgfplots, HasSubstr("semilogxaxis"));
+  const auto profile = tables_of(collection_results())["profile"];
+  EXPECT_NEAR(of_volume(profile, 1).front()["share"], 0.9975, 1e-9);
+  EXPECT_NEAR(of_volume(profile, 0).front()["share"], 0.0025, 1e-9);
+  EXPECT_NEAR(of_volume(profile, 2).back()["factor"], 1024, 0.1);
+  EXPECT_NEAR(of_volume(profile, 2).back()["share"], 0.5, 1e-9);
+  EXPECT_NEAR(of_volume(profile, 0).back()["share"], 1, 1e-9);
+  EXPECT_EQ(rows_with(profile, "measure", "drawing time").size(), 0u) << "no timing phase";
+  EXPECT_GT(rows_with(tables_of(timed(collection_results()))["profile"], "measure", "drawing time")
+                .size(),
+            0u);
 }
 
-TEST(Collection, ScattersNameTheirOutliersAndOpenThem) {
+TEST(Collection, PairsNameTheirOutliersAndOpenThem) {
   const Results results = collection_results();
-  const StudyAnalysis analysis = analyse(view_of(results));
-  const std::string html = render_report(analysis);
-  EXPECT_THAT(html, HasSubstr("<option value=0>Volume: compact against diamond</option>"));
-  EXPECT_THAT(section_with(html, "c0"),
-              HasSubstr("<li>grafo17.graphml, n = 27: × 1.02e+03 <button type=button class=graph "
-                        "data-r=17>diamond</button> <button type=button class=graph "
-                        "data-r=417>compact</button></li>"));
-  const std::vector<std::size_t> rows = rows_to_show(analysis, 200, 1000);
+  const auto tables = tables_of(results);
+  const auto outliers = rows_with(tables["pairs"], "outlier", true);
+  const auto worst =
+      std::ranges::find_if(outliers, [](const auto& row) { return row["row"] == 17; });
+  ASSERT_NE(worst, outliers.end());
+  EXPECT_EQ((*worst)["other_row"], 417);
+  EXPECT_NEAR((*worst)["ratio"], 1024, 1);
+  EXPECT_EQ(rows_with(tables["graphs"], "row", 17).at(0)["name"], "grafo17.graphml");
+  const std::vector<std::size_t> rows = rows_to_show(analyse(view_of(results)), 200, 1000);
   EXPECT_THAT(rows, Contains(17u));
   EXPECT_THAT(rows, Contains(417u));
 }
 
-TEST(Collection, GroupsAndBinsOfSizes) {
-  const Results results = collection_results();
-  const StudyAnalysis analysis = analyse(view_of(results));
-  const std::string html = section_with(render_report(analysis), "c0");
-  EXPECT_THAT(html, HasSubstr("<summary>Volume by group</summary>"));
-  EXPECT_THAT(html, HasSubstr("<th scope=row>la&lt;rge</th><td class=num>300</td>"));
-  const std::string csv = figure_named(report_figures(analysis), "rome-by-n-volume").csv;
-  EXPECT_EQ(lines_with(csv, "\n"), 1u + 3 * 16) << "16 bins of 100 sizes";
-  const std::string growth = figure_named(report_figures(analysis), "diamond-volume").csv;
-  EXPECT_EQ(lines_with(growth, ",rome,line,"), 16u);
+// Volumes of the group "small" are n of graphs 0, 4, …: 10, 14, …, 106; four graphs have each.
+TEST(Collection, MediansOfGroupsAndBins) {
+  const auto tables = tables_of(collection_results());
+  const auto groups = of_volume(tables["group_medians"], 0);
+  ASSERT_EQ(groups.size(), 2u);
+  EXPECT_EQ(groups[0]["group"], "la<rge");
+  EXPECT_EQ(groups[0]["graphs"], 300);
+  EXPECT_EQ(groups[1]["graphs"], 100);
+  EXPECT_NEAR(groups[1]["median"], 58, 1e-3) << "of 100 volumes between 10 and 106";
+  EXPECT_EQ(of_volume(tables["bins"], 0).size(), 16u);
+  EXPECT_EQ(rows_with(rows_with(tables["curves"], "quantity", "volume"), "curve", 0).size(), 16u);
+}
+
+// The median of an even number of values lies between the two middle ones.
+TEST(Collection, TheMedianOfTwoValuesIsTheirMiddle) {
+  Results results = collection_results(20);
+  for (RunRecord& run : results.runs) {
+    run.group = run.instance_index < 2 ? "two" : "";
+    run.log2_volume = run.instance_index == 0 ? 3 : 5;
+  }
+  EXPECT_NEAR(of_volume(tables_of(results)["group_medians"], 0).at(0)["median"], 20, 1e-6)
+      << "of 8 and 32";
 }
 
 TEST(Collection, FewGraphsOfAFileAreNone) {
-  EXPECT_EQ(section_with(report_of(collection_results(19)), "c0"), "");
+  EXPECT_EQ(tables_of(collection_results(19))["collections"].size(), 0u);
 }
 
 // Ten thousand graphs by three algorithms.
 TEST(Collection, ThePageOfManyGraphsStaysSmall) {
-  EXPECT_LT(report_of(collection_results(10000)).size(), 10'000'000u);
+  EXPECT_LT(report_of(collection_results(10000)).size(), 6'000'000u);
 }
 
 }  // namespace

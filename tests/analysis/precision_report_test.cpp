@@ -49,52 +49,52 @@ Results real_results(int other_type = -1, double other_kappa = 0.2) {
   return results;
 }
 
-/// The section of the page.
-std::string section_of(const Results& results) {
-  const std::string html = report_of(results);
-  const std::size_t begin = html.find("<section id=precision>");
-  if (begin == std::string::npos) return "";
-  return html.substr(begin, html.find("</section>", begin) - begin);
-}
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
-    ++found;
+/// The onset of a type on the sample family.
+nlohmann::json onset_of(const nlohmann::json& tables, std::size_t type, double limit) {
+  for (const auto& row : rows_with(tables["onsets"], "type", type)) {
+    if (std::abs(row["limit"].get<double>() / limit - 1) < 1e-6) return row;
   }
-  return found;
+  return {};
 }
 
 TEST(PrecisionReport, PredictsEveryTypeFromTheWidest) {
-  const std::string html = report_of(real_results());
-  EXPECT_THAT(html, HasSubstr("<section id=precision>"));
-  EXPECT_THAT(html, HasSubstr("<a href='#precision'>What does accuracy cost?</a>"));
-  EXPECT_THAT(html, HasSubstr("135 drawings in real types"));
-  EXPECT_THAT(html, HasSubstr("0 of them are broken"));
-  EXPECT_THAT(html, HasSubstr("From 27 drawings in 237 bits: κ has the median 0.2"));
+  const auto tables = tables_of(real_results());
+  const auto about = tables["precision"][0];
+  EXPECT_EQ(about["drawings"], 135);
+  EXPECT_EQ(about["broken"], 0);
+  EXPECT_EQ(about["model"], "237 bits");
+  EXPECT_EQ(about["predictors"], 27);
+  EXPECT_NEAR(about["kappa"], 0.2, 1e-6);
+  EXPECT_EQ(about["refuted"], 0);
   // 0.2 * 57.3 * 2^-24 n^2 = 10^-3 at n = 38; 10^-9 in double at n = 886.
-  EXPECT_THAT(html, HasSubstr("float passes 10<sup>-3</sup> degrees on random-cubic at n = 38; "
-                              "predicted at n = 38: <span class=pass>confirmed</span>."));
-  EXPECT_THAT(html, HasSubstr("double passes 10<sup>-9</sup> degrees on random-cubic at n = 887; "
-                              "predicted at n = 887: <span class=pass>confirmed</span>."));
-  EXPECT_THAT(html, Not(HasSubstr(">refuted</b>")));
-  for (const char* figure : {"miss", "miss-in-roundings", "accuracy-against-time", "onsets"}) {
-    EXPECT_EQ(count(html, "<figure data-fig='" + std::string(figure) + "'"), 1u) << figure;
+  const auto single = onset_of(tables, 0, 1e-3), twice = onset_of(tables, 1, 1e-9);
+  EXPECT_EQ(single["seen"], 38);
+  EXPECT_EQ(single["predicted"], 38);
+  EXPECT_EQ(single["verdict"], "confirmed");
+  EXPECT_EQ(twice["seen"], 887);
+  EXPECT_EQ(twice["predicted"], 887);
+  EXPECT_EQ(tables["misses"].size(), 135u);
+  EXPECT_EQ(tables["miss_medians"].size(), 5u * 9);
+  EXPECT_EQ(tables["predicted_misses"].size(), 9u);
+  EXPECT_EQ(rows_with(tables["accuracies"], "time", nullptr).size(), tables["accuracies"].size())
+      << "no timing phase";
+  for (const auto& row : tables["miss_shares"]) {
+    EXPECT_NEAR(row["within_1e_12"], 0.25, 1e-9) << "one of four angles";
+    EXPECT_EQ(row["all_1e_12"], 0);
+    EXPECT_EQ(row["all_1e_3"], 1);
   }
-  EXPECT_THAT(html, HasSubstr("<polygon class='band f0'"));
-  EXPECT_THAT(html, HasSubstr("25.0 % <small>· 0.0 %</small>")) << "one of four angles";
-  EXPECT_THAT(html, HasSubstr("100.0 % <small>· 100.0 %</small>"));
 }
 
 TEST(PrecisionReport, SaysWhichPredictionsAreRefuted) {
-  const std::string html = report_of(real_results(1, 0.2 * 25));
+  const auto tables = tables_of(real_results(1, 0.2 * 25));
   // A miss 25 times as large passes every limit at a fifth of n.
-  EXPECT_THAT(
-      html,
-      HasSubstr("double passes 10<sup>-9</sup> degrees on random-cubic at n = 177; "
-                "predicted at n = 887: <b class=violated>refuted</b>. κ is 5 there, and 0.2 in"));
-  EXPECT_THAT(html, HasSubstr("float passes 10<sup>-3</sup> degrees on random-cubic at n = 38; "
-                              "predicted at n = 38: <span class=pass>confirmed</span>."));
+  const auto twice = onset_of(tables, 1, 1e-9);
+  EXPECT_EQ(twice["seen"], 177);
+  EXPECT_EQ(twice["predicted"], 887);
+  EXPECT_EQ(twice["verdict"], "refuted");
+  EXPECT_NEAR(twice["kappa_seen"], 5, 1e-6);
+  EXPECT_NEAR(twice["kappa"], 0.2, 1e-6);
+  EXPECT_EQ(onset_of(tables, 0, 1e-3)["verdict"], "confirmed");
 }
 
 TEST(PrecisionReport, WhatLiesBeyondTheSizesIsOpenUnlessItIsFar) {
@@ -130,24 +130,24 @@ TEST(PrecisionReport, DrawingsThatMissNothingAndBrokenOnes) {
     summary.real = std::move(real);
     set_metrics(summary, run);
   }
-  const std::string html = section_of(results);
-  EXPECT_THAT(html, HasSubstr("3 of them are broken"));
-  EXPECT_EQ(count(html, "<path class='cut' d="), 2u * 3) << "in both figures";
-  EXPECT_THAT(html, Not(HasSubstr("nan")));
-  EXPECT_THAT(html, Not(HasSubstr("inf")));
+  const auto tables = tables_of(results);
+  EXPECT_EQ(tables["precision"][0]["broken"], 3);
+  EXPECT_EQ(rows_with(tables["misses"], "broken", true).size(), 3u);
+  EXPECT_EQ(rows_with(tables["misses"], "miss", 0).size(), 3u) << "they miss nothing";
 }
 
 TEST(PrecisionReport, OneTypeAloneIsShownAndPredictsNothing) {
   Results results = real_results();
   std::erase_if(results.runs, [](const RunRecord& run) { return run.options != "type=1"; });
-  const std::string html = report_of(results);
-  EXPECT_THAT(html, HasSubstr("<figure data-fig='miss'"));
-  EXPECT_THAT(html, Not(HasSubstr("<figure data-fig='onsets'")));
+  const auto tables = tables_of(results);
+  EXPECT_EQ(tables["miss_medians"].size(), 9u);
+  EXPECT_EQ(tables["onsets"].size(), 0u);
 }
 
 TEST(PrecisionReport, CertificateModesAndLevels) {
   Results results = good_results({"diamond"}, {"cubic"}, 2, 3);
-  EXPECT_THAT(report_of(results), Not(HasSubstr("<section id=precision>")));
+  EXPECT_EQ(tables_of(results)["judgements"].size(), 0u);
+  EXPECT_EQ(tables_of(results)["precision"].size(), 0u);
   const std::size_t exact = results.runs.size();
   for (std::size_t i = 0; i < exact; ++i) {
     RunRecord run = results.runs[i];
@@ -157,11 +157,11 @@ TEST(PrecisionReport, CertificateModesAndLevels) {
     run.graph_hash += "f";
     results.runs.push_back(run);
   }
-  const std::string modes = report_of(results);
-  EXPECT_THAT(modes, HasSubstr("<h3>Certificate modes</h3>"));
-  EXPECT_THAT(modes, HasSubstr("<td>filtered</td><td class=num>3</td><td class=num>0</td>"
-                               "<td class=num>2 µs "));
-  EXPECT_THAT(modes, Not(HasSubstr("<h3>Levels of detail</h3>")));
+  const auto filtered =
+      rows_with(tables_of(results)["judgements"], "certificate", "filtered").at(0);
+  EXPECT_EQ(filtered["rows"], 3);
+  EXPECT_NEAR(filtered["certify"], 2e-6, 1e-12);
+  EXPECT_EQ(filtered["has_levels"], false);
 
   results = good_results({"diamond"}, {"cubic"}, 2, 3);
   for (std::size_t i = 0; i < exact; ++i) {
@@ -173,10 +173,10 @@ TEST(PrecisionReport, CertificateModesAndLevels) {
     run.peak_bytes = 1000 + 100 * run.n;
     results.runs.push_back(run);
   }
-  const std::string levels = report_of(results);
-  EXPECT_THAT(levels, HasSubstr("<h3>Levels of detail</h3>"));
-  EXPECT_THAT(levels, HasSubstr("<td>full</td><td class=num>3</td>"));
-  EXPECT_THAT(levels, HasSubstr("<td class=num>100</td></tr>"));
+  const auto full = rows_with(tables_of(results)["judgements"], "level", "full").at(0);
+  EXPECT_EQ(full["has_levels"], true);
+  EXPECT_EQ(full["rows"], 3);
+  EXPECT_EQ(full["bytes"], 100);
 }
 
 TEST(PrecisionReport, EffortsAreComparedWithTheFirst) {
@@ -193,11 +193,12 @@ TEST(PrecisionReport, EffortsAreComparedWithTheFirst) {
     run.level = "full";
     results.runs.push_back(run);
   }
-  const std::vector<Figure> figures = report_figures(analyse(view_of(results)));
-  const auto at = std::find_if(figures.begin(), figures.end(),
-                               [](const Figure& figure) { return figure.name == "effort"; });
-  ASSERT_NE(at, figures.end());
-  EXPECT_THAT(at->csv, HasSubstr("diamond (effort=1),point,10,0.5,,"));
+  const auto untimed = tables_of(results)["efforts"],
+             efforts = tables_of(timed(results))["efforts"];
+  ASSERT_EQ(efforts.size(), 2u);
+  EXPECT_NEAR(efforts[1]["time"], 10, 1e-3);
+  EXPECT_NEAR(efforts[1]["volume"], 0.5, 1e-4);
+  EXPECT_EQ(untimed[1]["time"], nullptr) << "no timing phase";
 }
 
 TEST(PrecisionReport, TypesAreThoseOfTheAlgorithm) {

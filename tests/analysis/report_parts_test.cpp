@@ -1,6 +1,4 @@
 // What a report shows beside its study: changes since a reference, and drawings.
-#include <fmt/format.h>
-
 #include <set>
 
 #include "analysis/synthetic.h"
@@ -9,20 +7,18 @@
 namespace ar3d::testing {
 namespace {
 
-/// The page of `now`, compared with `base`; without its scripts.
-std::string page_since(const Results& base, const Results& now) {
-  const SinceReference since{"0.1.0-base.h5", "long ago", compare(base, now), ""};
-  const std::string html = render_report(analyse(view_of(now)), since);
-  return html.substr(0, html.find("<script"));
+/// The tables of `now`, compared with `base`.
+nlohmann::json tables_since(const Results& base, const Results& now) {
+  return tables_of(now, {"0.1.0-base.h5", "long ago", compare(base, now), ""});
 }
 
 TEST(ReportParts, SaysWhatChangedSinceTheReference) {
   const Results base = good_results({"diamond"}, {"cubic", "prism"}, 9, 4);
-  const std::string alike = page_since(base, base);
-  EXPECT_THAT(alike, HasSubstr("Since the reference <a href='#reference'>0.1.0-base.h5</a>: "
-                               "<b>PASS</b>"));
-  EXPECT_THAT(alike, HasSubstr("The two hold the same measurements."));
-  EXPECT_THAT(alike, Not(HasSubstr("Where something changed")));
+  const auto alike = tables_since(base, base);
+  EXPECT_EQ(alike["since"][0]["file"], "0.1.0-base.h5");
+  EXPECT_EQ(alike["since"][0]["word"], "PASS");
+  EXPECT_EQ(alike["since"][0]["is_copy"], true);
+  EXPECT_EQ(alike["since_cells"].size(), 0u);
 
   Results now = base;
   for (RunRecord& run : now.runs) {
@@ -30,27 +26,32 @@ TEST(ReportParts, SaysWhatChangedSinceTheReference) {
     if (run.family == "prism" && run.n == 64) run.extents[1] *= 2;
     if (run.family == "prism" && run.n == 64) run.log2_volume += 1;
   }
-  const std::string worse = page_since(base, now);
-  EXPECT_THAT(worse, HasSubstr("<b>REGRESSED</b> against 0.1.0-base.h5 of long ago"));
-  EXPECT_THAT(worse, HasSubstr("Where something changed (1)"));
-  EXPECT_THAT(worse, HasSubstr("<td>REGRESSED</td><th scope=row>diamond</th><td>prism, n = 64"));
+  const auto worse = tables_since(base, now);
+  EXPECT_EQ(worse["since"][0]["word"], "REGRESSED");
+  ASSERT_EQ(worse["since_cells"].size(), 1u);
+  EXPECT_EQ(worse["since_cells"][0]["setting"], "diamond");
+  EXPECT_EQ(worse["since_cells"][0]["family"], "prism");
+  EXPECT_EQ(worse["since_cells"][0]["n"], 64);
+  EXPECT_NEAR(worse["since_cells"][0]["volume"], 2, 0.01);
 
   now.environment.push_back({"flags", "-O0", 0});
-  const std::string unlike = page_since(base, now);
-  EXPECT_THAT(unlike, HasSubstr("The environments differ, so times are shown and not judged"));
-  EXPECT_THAT(unlike, HasSubstr("<li>flags: absent → -O0</li>"));
+  const auto unlike = tables_since(base, now);
+  EXPECT_EQ(unlike["since"][0]["time_judged"], false);
+  const auto flags = rows_with(unlike["since_environment"], "name", "flags").at(0);
+  EXPECT_EQ(flags["base"], "absent");
+  EXPECT_EQ(flags["now"], "-O0");
+  EXPECT_EQ(flags["differs"], true);
 
   now.environment = {{"load_before", "9.00", 0}};
   Results busy = base;
   busy.environment = now.environment;
-  const std::string busy_page = page_since(busy, now);
-  EXPECT_THAT(busy_page, HasSubstr("The machine was busy with other work, so times are shown"));
-  EXPECT_THAT(busy_page, HasSubstr("<li>load of other work: 9.00 in both</li>"));
+  const auto load =
+      rows_with(tables_since(busy, now)["since_environment"], "name", "load of other work").at(0);
+  EXPECT_EQ(load["differs"], false);
+  EXPECT_EQ(load["now"], "9.00");
   EXPECT_THAT(summary(compare(busy, now), {}), StartsWith("BUSY MACHINE: times are shown, but"));
 
-  const std::string alone = report_of(base);
-  EXPECT_THAT(alone, HasSubstr("Not compared: No reference was given."));
-  EXPECT_THAT(alone, Not(HasSubstr("Since the reference")));
+  EXPECT_EQ(tables_of(base)["since"][0]["why_none"], "No reference was given.");
 }
 
 TEST(ReportParts, StoresTheGraphsThatComeClosestFirst) {
@@ -69,10 +70,13 @@ TEST(ReportParts, StoresTheGraphsThatComeClosestFirst) {
   EXPECT_TRUE(rows_to_show(analysis, 0, 128).empty());
   EXPECT_TRUE(rows_to_show(analysis, 7, 1).empty());
 
-  const std::string html = render_report(analysis, {}, {{{rows[0], 0}}, "AAAA"});
-  EXPECT_THAT(html, HasSubstr(fmt::format(" shown' data-r={} ", rows[0])));
-  EXPECT_EQ(html.find(" shown' data-r="), html.rfind(" shown' data-r="));
+  const ShownDrawings drawings{{{rows[0], 0}}, "AAAA", "'sha256-of-the-viewer'"};
+  const auto graphs = rows_by_table(report_tables(analysis, {}, drawings, false))["graphs"];
+  EXPECT_EQ(rows_with(graphs, "row", rows[0]).at(0)["drawing"], 0);
+  EXPECT_EQ(rows_with(graphs, "drawing", nullptr).size(), graphs.size() - 1);
+  const std::string html = render_report(analysis, {}, drawings);
   EXPECT_THAT(html, HasSubstr("id=viewer>AAAA</script>"));
+  EXPECT_THAT(html, HasSubstr(" 'sha256-of-the-viewer'; img-src"));
 }
 
 }  // namespace

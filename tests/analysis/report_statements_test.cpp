@@ -1,21 +1,15 @@
 // Statements of the report: about programs without a theorem, crossings, commands, times.
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "analysis/synthetic.h"
+#include "ar3d/analysis/report/sections.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/columns/side_tables.h"
 
 namespace ar3d::testing {
 namespace {
-
-std::size_t parts_in(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
-    ++found;
-  }
-  return found;
-}
 
 /// Volumes of n^3 by grid and 2^6.5 n^2 lattice points by diamond, which cross at n = 2^6.5.
 Results crossing_results(std::int64_t graphs_of_a_size) {
@@ -27,19 +21,22 @@ Results crossing_results(std::int64_t graphs_of_a_size) {
   return results;
 }
 
-TEST(Report, CrossingsOfVolumesAreMarkedAndTold) {
-  const std::string html = report_of(crossing_results(3));
-  EXPECT_EQ(parts_in(html, "class='crossing'"), 1u);
-  EXPECT_THAT(html, HasSubstr("diamond needs less volume than grid from about n = 91 on (there 18 "
-                              "of 18 graphs that both drew)"));
+TEST(Report, CrossingsOfVolumesAreTold) {
+  const auto tables = tables_of(crossing_results(3));
+  ASSERT_EQ(tables["crossings"].size(), 1u);
+  const auto crossing = tables["crossings"][0];
+  EXPECT_EQ(tables["settings"][crossing["below"].get<std::size_t>()]["setting"], "diamond");
+  EXPECT_EQ(tables["settings"][crossing["above"].get<std::size_t>()]["setting"], "grid");
+  EXPECT_EQ(crossing["n"], 91);
+  EXPECT_EQ(crossing["graphs"], 18);
+  EXPECT_EQ(crossing["smaller"], 18);
 }
 
 TEST(Report, CrossingsOfFewGraphsOrOfDifferentOnesAreNotTold) {
-  EXPECT_THAT(report_of(crossing_results(2)), Not(HasSubstr("needs less volume")))
-      << "six graphs below it";
+  EXPECT_EQ(tables_of(crossing_results(2))["crossings"].size(), 0u) << "six graphs below it";
   Results others = crossing_results(3);
   for (ar3d::RunRecord& run : others.runs) run.instance_index += run.algorithm == "grid" ? 100 : 0;
-  EXPECT_THAT(report_of(others), Not(HasSubstr("needs less volume")));
+  EXPECT_EQ(tables_of(others)["crossings"].size(), 0u);
 }
 
 TEST(Report, PrintedCommandsNameTheFile) {
@@ -50,7 +47,8 @@ TEST(Report, PrintedCommandsNameTheFile) {
   rows.file = "out/my runs.h5";
   const StudyAnalysis analysis = analyse(rows);
   EXPECT_EQ(analysis.verdict.findings.at(0).command, "ar3d replay 'out/my runs.h5' 1");
-  EXPECT_THAT(render_report(analysis), HasSubstr("ar3d replay 'out/my runs.h5' "));
+  EXPECT_EQ(rows_by_table(report_tables(analysis, {}, {}, false))["study"][0]["file"],
+            "out/my runs.h5");
 }
 
 /// `peer` draws beside `grid` with a box of 2^10 of its own units: 2^6 of vertex distances.
@@ -76,39 +74,29 @@ Results with_program(RunStatus status) {
 
 TEST(Report, VolumesOfProgramsAreComparedInOneUnit) {
   for (const RunStatus status : {RunStatus::measured, RunStatus::ok}) {
-    const Results results = with_program(status);
-    const StudyAnalysis analysis = analyse(view_of(results));
-    const std::vector<Figure> figures = report_figures(analysis);
-    const auto trade = std::ranges::find(figures, "trade-n-16", &Figure::name);
-    ASSERT_NE(trade, figures.end());
-    EXPECT_THAT(trade->csv, HasSubstr(",grid,point,"));
-    EXPECT_EQ(parts_in(trade->csv, ",64,,\r\n"), 3u) << "two points and a front, 2^6 each";
-    const std::string html = render_report(analysis);
-    EXPECT_THAT(html, HasSubstr("volume in cubes of the smallest vertex distance"));
-    EXPECT_THAT(html, HasSubstr("</svg>straight edges</span>"));
-    EXPECT_THAT(html, Not(HasSubstr("at most 2 bends")));
+    const auto tables = tables_of(with_program(status));
+    EXPECT_EQ(tables["groups"][0]["unit"], "cubes of the smallest vertex distance");
+    const auto there = rows_with(tables["trade"], "n", 16);
+    ASSERT_EQ(there.size(), 2u);
+    for (const auto& point : there) EXPECT_NEAR(point["volume"], 64, 1e-6);
+    EXPECT_EQ(there[1]["bends"], 0);
   }
 }
 
 TEST(Report, ProgramsHaveNoTheorem) {
   const Results results = with_program(RunStatus::ok);
-  const StudyAnalysis analysis = analyse(view_of(results));
-  const std::string html = render_report(analysis);
-  const std::size_t peer = html.find("<section id=a1 ");
-  const std::string section = html.substr(peer, html.find("</section>", peer) - peer);
-  EXPECT_THAT(html, HasSubstr("closest to a bound is <button type=button class=graph data-r="));
-  EXPECT_THAT(html, HasSubstr(">grid on cubic"));
-  EXPECT_THAT(section, Not(HasSubstr("Theorem&#39;s box")));
-  EXPECT_THAT(section, Not(HasSubstr("times above")));
-  EXPECT_THAT(html, Not(HasSubstr("n^0")));
-  EXPECT_TRUE(std::isnan(analysis.bounds.at(1).axes[0].worst_slack));
-}
-
-TEST(Report, UntimedDrawingsAreCalledUntimed) {
-  const std::string html = report_of(good_results({"diamond"}, {"cubic"}, 3, 2));
-  EXPECT_THAT(html, HasSubstr("not timed <small><code>timed_repetitions</code>"));
-  EXPECT_THAT(html, HasSubstr("<td class=num>not timed</td></tr>")) << "in the first table";
-  EXPECT_THAT(html, Not(HasSubstr("no finished size")));
+  const auto tables = tables_of(results);
+  EXPECT_GT(tables["settings"][0]["share"], 0);
+  EXPECT_EQ(tables["settings"][0]["closest_family"], "cubic");
+  EXPECT_EQ(tables["settings"][1]["share"], nullptr);
+  EXPECT_EQ(tables["settings"][1]["theorem"], "");
+  EXPECT_EQ(tables["settings"][1]["own_unit"], true);
+  for (const auto& row : rows_with(tables["figures"], "setting", 1)) {
+    EXPECT_EQ(row["beyond"], nullptr);
+  }
+  EXPECT_EQ(rows_with(tables["bound_lines"], "setting", 1).size(), 0u);
+  for (const auto& row : tables["exponents"]) EXPECT_GT(row["order"], 0);
+  EXPECT_TRUE(std::isnan(analyse(view_of(results)).bounds.at(1).axes[0].worst_slack));
 }
 
 TEST(Report, EveryFamilyHasANumberInTheHeatMap) {
@@ -118,11 +106,40 @@ TEST(Report, EveryFamilyHasANumberInTheHeatMap) {
   for (std::size_t i = 0; i < 40; ++i) {
     results.runs[i] = good_run("diamond", families[i], static_cast<std::int64_t>(10 + i), 0);
   }
-  const std::string html = report_of(results);
-  const std::size_t heat = html.find("<table class='heat");
-  const std::string table = html.substr(heat, html.find("</table>", heat) - heat);
-  EXPECT_EQ(parts_in(table, " data-r="), 40u) << "40 sizes in 16 columns";
-  EXPECT_THAT(table, HasSubstr("title='n = 45 – 49'"));
+  const auto shares = tables_of(results)["shares"];
+  EXPECT_EQ(shares.size(), 40u);
+  std::set<std::int64_t> bins;
+  for (const auto& row : shares) bins.insert(row["first_n"].get<std::int64_t>());
+  EXPECT_LE(bins.size(), 16u);
+  EXPECT_EQ(rows_with(shares, "first_n", 45).at(0)["last_n"], 49);
+}
+
+TEST(Bins, OfSizesAreEvenOnALogarithmicScale) {
+  const auto ends = [](const std::set<std::int64_t>& sizes, std::size_t most) {
+    std::vector<std::pair<std::int64_t, std::int64_t>> ends;
+    for (const report::SizeBin& bin : report::size_bins(sizes, most)) {
+      ends.emplace_back(bin.first, bin.last);
+    }
+    return ends;
+  };
+  using Ends = std::vector<std::pair<std::int64_t, std::int64_t>>;
+  EXPECT_EQ(ends({10, 11, 99, 1000}, 4), (Ends{{10, 10}, {11, 11}, {99, 99}, {1000, 1000}}));
+  EXPECT_EQ(ends({10, 11, 99, 100, 999, 1000}, 2), (Ends{{10, 99}, {100, 1000}}));
+  EXPECT_EQ(ends({0, 1, 2, 1000}, 3), (Ends{{0, 2}, {1000, 1000}}));
+  EXPECT_EQ(ends({}, 3), Ends{});
+}
+
+TEST(Tables, CellsAsJsonAndCsv) {
+  const Table table{"t",
+                    "r",
+                    {{"a", "", "m"},
+                     {"b", "", "m", CellType::number, 3},
+                     {"c", "", "m", CellType::flag, 0, false}},
+                    {"x\"</script>\xff,", 1.23456, true, {}, kMissing, false}};
+  EXPECT_THAT(tables_json({table}),
+              HasSubstr("[\"x\\\"\\u003c/script\\u003e\\ufffd,\",1.23,true],\n[null,null,false]"));
+  EXPECT_EQ(table_csv(table), "a,b\r\n\"x\"\"</script>\xEF\xBF\xBD,\",1.23456\r\n,\r\n");
+  EXPECT_EQ(table.size(), 2u);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "ar3d/analysis/scaling/samples.h"
 #include "ar3d/base/random.h"
 #include "ar3d/store/run_storage.h"
+#include "support/tables.h"
 #include "support/test.h"
 
 namespace ar3d::testing {
@@ -74,6 +75,25 @@ inline Results good_results(const std::vector<std::string>& algorithms,
 
 inline std::string report_of(const Results& results) {
   return render_report(analyse(view_of(results)));
+}
+
+inline nlohmann::json rows_by_table(const std::vector<Table>& tables) {
+  return rows_by_table(tables_json(tables));
+}
+
+/// The tables of the study's page.
+inline nlohmann::json tables_of(const Results& results, const SinceReference& since = {}) {
+  return rows_by_table(report_tables(analyse(view_of(results)), since, {}, false));
+}
+
+/// Gives every row a second one of the timing phase.
+inline Results timed(Results results) {
+  const std::size_t count = results.runs.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    results.runs.push_back(results.runs[i]);
+    results.runs.back().phase = RunPhase::timing;
+  }
+  return results;
 }
 
 /// Samples whose logarithms are truth(n) + noise(random, n), with `instances` a size.

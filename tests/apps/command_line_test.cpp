@@ -30,7 +30,7 @@ TEST(CommandLine, HelpShowsDefaultsAndNoInnerNames) {
   EXPECT_THAT(run("{} help draw").out, HasSubstr("-o,--output TEXT=- "));
   EXPECT_THAT(run("{} help compare").out, HasSubstr("ar3d compare [OPTIONS] [FILE...]"));
   for (const char* verb : {"draw", "study plan", "study run", "study resume", "verify", "compare",
-                           "bisect", "history report", "hunt", "shrink", "replay"}) {
+                           "history report", "hunt", "shrink", "replay"}) {
     const std::string help = run(std::string("{} help ") + verb).out;
     for (const char* wrong : {"0x)", "=[]", "=-1", "threads INT:NUMBER=", "default "}) {
       EXPECT_THAT(help, Not(HasSubstr(wrong))) << verb;
@@ -143,22 +143,6 @@ TEST(CommandLine, VerdictsAreJsonIfAsked) {
   EXPECT_EQ(broken.at("violated"), 1);
   EXPECT_EQ(broken.at("messages")[0].at("verdict"), "violated");
   EXPECT_THAT(broken.at("messages")[0].at("text"), HasSubstr("<stdin>:1: "));
-}
-
-TEST(CommandLine, AFigureScriptRunsAnywhereAndOverwritesNothing) {
-  const ScratchDirectory scratch;
-  const std::string results = scratch.path("r.h5"), figures = scratch.path("figures");
-  const std::string spec = cycles(scratch, "[5, 50, 500]");
-  must("{} study run -q " + spec + " -o " + results + " && {} report " + results + " --figures " +
-       figures);
-  const std::string stem = figures + "/grid-effort-1-volume";
-  const std::string script = "cd / && /usr/bin/python3 " + stem + ".py";
-  const std::string of_the_svg = read_file(stem + ".pdf");
-  must(script + " " + scratch.path("other.pdf") + " && " + script);
-  EXPECT_THAT(read_file(scratch.path("other.pdf")), ::testing::StartsWith("%PDF-"));
-  EXPECT_THAT(read_file(stem + "-matplotlib.pdf"), ::testing::StartsWith("%PDF-"));
-  expect_one_line(run(script), stem + "-matplotlib.pdf exists already", 1);
-  EXPECT_EQ(read_file(stem + ".pdf"), of_the_svg);
 }
 
 }  // namespace

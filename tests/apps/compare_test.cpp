@@ -1,4 +1,4 @@
-// `ar3d compare` as its users run it: files, reports of Google Benchmark, two builds in turns.
+// `ar3d compare` as its users run it: files, two builds in turns.
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -90,7 +90,7 @@ TEST(CompareProgram, AFileSaysWhyItHasNoMoreRounds) {
   must("{} study run " + spec + " --threads 1 --force-timing -q -o " + path);
   const std::string said = "made 4 rounds, as many as the study makes: ";
   expect_output(run("{} compare " + path + " " + path), {"BASE " + said, "NEW " + said});
-  EXPECT_THAT(read_file(scratch.path("timed.html")), HasSubstr(">timing_rounds<"));
+  EXPECT_THAT(read_file(scratch.path("timed.html")), HasSubstr("\"timing_rounds\""));
 }
 
 TEST(CompareProgram, TheVerdictIsWrittenAsMarkdown) {
@@ -129,18 +129,12 @@ TEST(CompareProgram, BadInputIsOneClearLine) {
   const std::string twice =
       changed(base, "twice.h5", [](Results& r) { r.runs.push_back(r.runs.back()); });
   const std::string garbage = scratch.write("garbage.json", "{\"benchmarks\": [{]}");
-  const std::string unnamed = scratch.write("unnamed.json", "{\"benchmarks\": [{}]}");
-  const std::string unit = scratch.write(
-      "unit.json",
-      R"({"benchmarks": [{"name": "a", "real_time": 1, "cpu_time": 1, "time_unit": "h"}]})");
   for (const auto& [arguments, message] : std::vector<std::pair<std::string, std::string>>{
            {base + " " + other, "different studies: BASE is 'tiny', NEW is 'another'"},
            {base + " " + twice, "NEW holds the same measurement twice"},
-           {base + " " + garbage, "garbage.json is not a Google Benchmark report"},
-           {base + " " + unnamed, "unnamed.json is not a Google Benchmark report"},
-           {base + " " + unit, "unknown time_unit 'h'"},
+           {base + " " + garbage, "garbage.json"},
            {base + " " + base + ".missing", "missing"},
-           {base + " " + pipe, "pipe is not a regular file"},
+           {base + " " + pipe, "pipe is not an HDF5 file"},
            {base, "compare takes two results files"},
            {"--base no-such-ref-anywhere", "no commit 'no-such-ref-anywhere'"},
            {"--base HEAD " + base, "take no results files"}}) {
@@ -172,27 +166,6 @@ TEST(CompareProgram, NothingMeasuredAndNaNAreIncomplete) {
   const std::string nan =
       changed(base, "nan.h5", [](Results& r) { r.runs[0].wall_s = r.runs[0].cpu_s = kMissing; });
   expect_output(run("{} compare " + base + " " + nan), "1 drawn measurements have no time", 5);
-}
-
-TEST(CompareProgram, GoogleBenchmarkReportsAreReadAndItsOwnToolReadsOurs) {
-  const ScratchDirectory scratch;
-  const std::string base = tiny_results(scratch, "base.h5");
-  const std::string slower = changed(base, "slower.h5", [](Results& r) {
-    for (auto& row : r.runs) row.wall_s *= 2;
-  });
-  const std::string a = scratch.path("a.json"), b = scratch.path("b.json");
-  for (const auto& [from, to] : {std::pair{base, a}, std::pair{slower, b}}) {
-    must("{} report " + from + " --benchmark-json " + to);
-  }
-  expect_output(
-      run("/usr/bin/python3 /usr/share/benchmark/compare.py --no-color --no-utest benchmarks " + a +
-          " " + b),
-      {"draw/diamond/effort=", "+1.0000"});  // twice the time
-
-  expect_exit(0, run("{} compare " + a + " " + a + " --time-always"));
-  // One machine twice as slow, or the whole program: times alone cannot tell.
-  expect_output(run("{} compare " + a + " " + b + " --time-always"), "for all settings together",
-                6);
 }
 
 /// A checkout whose build runs `command`, and then gives the program of this test.

@@ -46,30 +46,18 @@ TEST(ParaView, RendersADrawing) {
   EXPECT_GT(fs::file_size(scratch.path("d.png")), 3000u) << "not one colour only";
 }
 
-// The scripts beside the figures of `ar3d report --figures` draw them again.
-
-TEST(Figures, AreDrawnAgainByTheirScripts) {
+TEST(Figures, PgfIsWhatLatexReads) {
   const ScratchDirectory scratch;
   const std::string results = scratch.path("smoke.h5"), figures = scratch.path("figures");
   must("{} study run smoke -q -o " + results);
-  must("{} report " + results + " --figures " + figures);
-  std::size_t drawn = 0;
-  for (const auto& entry : fs::directory_iterator(figures)) {
-    const std::string stem = figures + "/" + entry.path().stem().string();
-    if (entry.path().extension() != ".py") continue;
-    ++drawn;
-    const std::string of_the_svg = read_file(stem + ".pdf");
-    expect_exit(0, run("cd / && /usr/bin/python3 " + stem + ".py"));
-    EXPECT_THAT(read_file(stem + "-matplotlib.pdf"), StartsWith("%PDF-")) << stem;
-    const Outcome latex = expect_exit(0, run("cd " + figures +
-                                             " && pdflatex -halt-on-error "
-                                             "-interaction=nonstopmode " +
-                                             stem + "-pgfplots.tex"));
-    EXPECT_THAT(latex.out, Not(HasSubstr("undefined"))) << stem;
-    EXPECT_THAT(read_file(stem + "-pgfplots.pdf"), StartsWith("%PDF-")) << stem;
-    EXPECT_EQ(read_file(stem + ".pdf"), of_the_svg) << "nothing is overwritten";
-  }
-  EXPECT_GE(drawn, 10u);
+  must("{} figures " + results + " -o " + figures + " --quantity volume --format pgf");
+  scratch.write(
+      "page.tex",
+      "\\documentclass{article}\\usepackage{pgf}\\begin{document}\\input{figures/volume.pgf}"
+      "\\end{document}\n");
+  expect_exit(0, run("cd " + scratch.path("") +
+                     " && pdflatex -halt-on-error -interaction=nonstopmode page.tex"));
+  EXPECT_THAT(read_file(scratch.path("page.pdf")), StartsWith("%PDF-"));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "ar3d/store/run_storage.h"
 #include "support/large_results.h"
 #include "support/program.h"
+#include "support/tables.h"
 
 namespace ar3d::testing {
 namespace {
@@ -31,7 +32,7 @@ TEST(LargeResults, AreJudgedAndReportedInBoundedMemory) {
   expect_exit(4, run(bounded + "{} report " + results + " -o " + scratch.path("page.html")));
   const auto bytes = fs::file_size(scratch.path("page.html"));
   EXPECT_LT(bytes, 8'000'000u);
-  EXPECT_THAT(read_file(scratch.path("page.html")), HasSubstr("drawn at random"));
+  EXPECT_GT(tables_in(read_file(scratch.path("page.html")))["study"][0]["kept_graphs"], 0);
 }
 
 // A study of a file of a million graphs from beginning to end, in little memory.

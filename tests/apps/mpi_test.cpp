@@ -8,6 +8,7 @@
 #include "ar3d/bench/measure/environment.h"
 #include "support/program.h"
 #include "support/results.h"
+#include "support/tables.h"
 
 namespace ar3d::testing {
 namespace {
@@ -113,7 +114,8 @@ TEST_F(Mpi, BatchesAreSharedByRanks) {
   expect_exit(0, run(ranks(4) + "study run -q --force-timing " + spec + " -o " + path("four.h5")));
   expect_same_rows(path("three.h5"), path("four.h5"));
   expect_exit(0, run("{} check " + path("three.h5")));
-  EXPECT_THAT(run("cat " + path("three.html")).out, HasSubstr("strong scaling over ranks"));
+  const auto scaling = tables_in(run("cat " + path("three.html")).out)["scaling"];
+  EXPECT_GT(rows_with(scaling, "shared_by", "ranks").size(), 0u);
 }
 
 // One core does a second's work in a second: a batch lasts as long as the processor's time of all
@@ -208,6 +210,26 @@ TEST_F(Mpi, AFailureOfOneRankAtAnyOfItsCallsEndsAll) {
   for (const int call : {1, 2, 4, 9}) {
     for (const int rank : {0, 1}) {
       EXPECT_TRUE(expect_failure_ends_all(scratch_, path("whole.h5"), rank, call)) << call;
+    }
+  }
+}
+
+// Rank 1 is late with the end of its session, and rank 0 is killed between the journals' removals.
+TEST_F(Mpi, AKillBetweenTheRemovalsOfJournalsIsResumed) {
+  must("{} study run smoke -q -o " + path("whole.h5"));
+  const std::string study =
+      std::string(AR3D_MPI_PROGRAM) + " study run smoke -q -o " + path("r.h5");
+  for (const int removal : {1, 2}) {
+    for (const int milliseconds : {5, 40}) {
+      run(fmt::format("timeout 60 mpirun --allow-run-as-root --oversubscribe -n 1 {}{} : -n 1 {}{}",
+                      with_fault(fmt::format("unlink:{}", removal)), study,
+                      with_fault(fmt::format("late:{}", milliseconds)), study));
+      EXPECT_EQ(run("ls " + path("") + " | grep -c r.h5.*journal").out,
+                fmt::format("{}\n", 3 - removal))
+          << "it was killed there";
+      expect_exit(0, run("{} study resume -q " + path("r.h5")));
+      expect_same_rows(path("r.h5"), path("whole.h5"));
+      must("rm " + path("r.*"));
     }
   }
 }

@@ -44,7 +44,7 @@ TEST_F(Outputs, AreNotTheVerbsInput) {
   fs::create_hard_link(results_, scratch_.path("hard.h5"));
   for (const char* name : {"r.h5", "./r.h5", "sub/../r.h5", "link.h5", "hard.h5"}) {
     const std::string why = std::string(name) + " would be overwritten by what is made from it";
-    for (const char* option : {"-o", "--csv", "--json", "--rows", "--growth", "--benchmark-json"}) {
+    for (const char* option : {"-o", "--csv", "--json", "--rows", "--growth"}) {
       expect_refused(std::string("report r.h5 ") + option + " " + name, why);
     }
     expect_refused(std::string("replay r.h5 0 -o ") + name, why);
@@ -128,8 +128,7 @@ TEST_F(Outputs, ThatExistAreReplacedWithForceOnly) {
                             {"report r.h5 --growth out.csv", "out.csv"},
                             {"report r.h5 --rows out.csv", "out.csv"},
                             {"report r.h5 --json out.json", "out.json"},
-                            {"report r.h5 --benchmark-json out.json", "out.json"},
-                            {"report r.h5 --figures .", "diamond-effort-1-volume.svg"},
+                            {"figures r.h5 -o .", "side.pdf"},
                             {"compare r.h5 other.h5 --drawings-only --json out.json", "out.json"},
                             {"study run smoke -q -o out.obj", "out.obj"},
                             {"study merge r.h5 -o out.obj", "out.obj"},

@@ -1,5 +1,6 @@
 // The way from a study to a verdict, through the program as a user runs it.
 #include "support/program.h"
+#include "support/tables.h"
 
 namespace ar3d::testing {
 namespace {
@@ -9,7 +10,7 @@ TEST(StudyProgram, SmokeRunsChecksReportsAndReplays) {
   const std::string results = scratch.path("smoke.h5");
   expect_output(run("{} study run smoke --quiet -o " + results),
                 {results, scratch.path("smoke.html")});
-  EXPECT_THAT(read_file(scratch.path("smoke.html")), HasSubstr("<svg"));
+  EXPECT_GT(tables_in(read_file(scratch.path("smoke.html")))["curves"].size(), 0u);
 
   expect_exit(0, run("{} check " + results));
   expect_exit(0, run("{} report " + results + " -o " + scratch.path("again.html")));

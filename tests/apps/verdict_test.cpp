@@ -51,31 +51,67 @@ TEST(ReportProgram, OfNoRowsSaysSoAndIsIncomplete) {
   const ScratchDirectory scratch;
   const std::string path = results_file(scratch, [](Results& results) { results.runs.clear(); });
   expect_one_line(run("{} report " + path), "nothing measured: the file has no rows", 5);
-  EXPECT_THAT(read_file(scratch.path("results.html")), HasSubstr("Nothing was measured"));
+  EXPECT_THAT(read_file(scratch.path("results.html")), HasSubstr("\"INCOMPLETE\""));
 }
 
-TEST(ReportProgram, WritesFiguresAndTables) {
+TEST(ReportProgram, WritesTables) {
   const ScratchDirectory scratch;
   const std::string path = results_file(scratch);
-  expect_exit(0, run("{} report " + path + " --figures " + scratch.path("figures") + " --csv " +
-                     scratch.path("l.csv") + " --growth " + scratch.path("g.csv") + " --rows " +
-                     scratch.path("r.csv") + " --json " + scratch.path("a.json")));
-  for (const char* name : {"longest-side", "volume", "drawing-time", "bends"}) {
-    const std::string stem = scratch.path(std::string("figures/diamond-") + name);
-    EXPECT_THAT(read_file(stem + ".svg"), StartsWith("<?xml")) << name;
-    EXPECT_THAT(read_file(stem + ".pdf"), StartsWith("%PDF-")) << name;
-  }
+  expect_exit(0, run("{} report " + path + " --csv " + scratch.path("l.csv") + " --growth " +
+                     scratch.path("g.csv") + " --rows " + scratch.path("r.csv") + " --json " +
+                     scratch.path("a.json")));
   EXPECT_THAT(read_file(scratch.path("r.csv")), HasSubstr("published_bound_x"));
   EXPECT_THAT(read_file(scratch.path("l.csv")), HasSubstr("volume_share"));
   EXPECT_THAT(read_file(scratch.path("g.csv")), HasSubstr("exponent_low"));
-  EXPECT_THAT(read_file(scratch.path("a.json")), HasSubstr("\"next_sizes\""));
+  EXPECT_THAT(read_file(scratch.path("a.json")), StartsWith("{\"format\":\"ar3d tables 1\""));
 }
 
-TEST(ReportProgram, MissingConverterIsNamed) {
+TEST(FiguresProgram, WritesWhatIsAskedFor) {
   const ScratchDirectory scratch;
-  expect_one_line(run("PATH=/no-such-folder {} report " + results_file(scratch) + " --figures " +
-                      scratch.path("figures")),
-                  "librsvg2-bin");
+  const std::string folder = scratch.path("figures");
+  const std::string figures = "{} figures " + results_file(scratch) + " -o " + folder;
+  expect_exit(0,
+              run(figures + " --quantity side,z --families cubic --width 60mm --format svg,pdf"));
+  EXPECT_THAT(read_file(folder + "/side.pdf"), StartsWith("%PDF-"));
+  EXPECT_THAT(read_file(folder + "/z.svg"), HasSubstr("width=\"170."));  // 60 mm are 170.08 points
+  EXPECT_THAT(read_file(folder + "/tables.json"), StartsWith("{\"format\":\"ar3d tables 1\""));
+  const std::string before = read_file(folder + "/side.pdf");
+  expect_one_line(run(figures + " --format pdf"), "side.pdf");
+  expect_exit(0, run(figures + " --quantity side,z --families cubic --width 60mm --format svg,pdf "
+                               "--force"));
+  EXPECT_EQ(read_file(folder + "/side.pdf"), before) << "equal tables give equal bytes";
+  expect_exit(0, run(figures + " --quantity side,volume --grid --format png --force"));
+  EXPECT_THAT(read_file(folder + "/side-volume.png"), StartsWith("\x89PNG"));
+}
+
+TEST(FiguresProgram, RefusesInOneLine) {
+  const ScratchDirectory scratch;
+  const std::string figures =
+      "{} figures " + results_file(scratch) + " -o " + scratch.path("none") + " ";
+  const std::pair<const char*, const char*> kRefused[] = {
+      {"--quantity depth", "'depth' is none of side"},
+      {"--quantity time", "timed_repetitions"},
+      {"--quantity trade", "no two of these settings have times"},
+      {"--quantity profile", "no collection"},
+      {"--algorithms nobody", "--algorithms nobody: the study has"},
+      {"--families 'no<such'", "--families no<such: the study has"},
+      {"--width 3km", "'3km' is no width"},
+      {"--font-size 0", "'0' is no font size"},
+      {"--format gif", "'gif' is none of pdf"},
+      {"--style /no/such", "--style /no/such"}};
+  for (const auto& [words, message] : kRefused) {
+    expect_one_line(run(figures + words), message);
+  }
+  EXPECT_FALSE(fs::exists(scratch.path("none/side.pdf")));
+  EXPECT_FALSE(fs::exists(scratch.path("none/tables.json")));
+}
+
+TEST(FiguresProgram, SaysWhatToInstall) {
+  const ScratchDirectory scratch;
+  const std::string words =
+      " {} figures " + results_file(scratch) + " -o " + scratch.path("figures");
+  scratch.write("matplotlib.py", "raise ImportError('none')\n");
+  expect_one_line(run("PYTHONPATH=" + scratch.path("") + words), "apt install python3-matplotlib");
 }
 
 /// What is wrong with a results file, by a change with h5py, and what is said about it.

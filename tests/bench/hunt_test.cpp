@@ -1,5 +1,6 @@
 #include "ar3d/bench/search/hunt.h"
 
+#include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
 #include "ar3d/verify/certificate.h"
 #include "support/graphs.h"

@@ -35,9 +35,9 @@ constexpr std::size_t kAll = 2 * (1 + 11 + 1);
 class Onlooker final : public Ranks {
  public:
   explicit Onlooker(std::function<void()> look) : look_(std::move(look)) {}
-  std::string any_of(const std::string& text) override {
+  StepResult agree(StepResult mine, std::string&) override {
     look_();
-    return text;
+    return mine;
   }
 
  private:
@@ -84,8 +84,8 @@ TEST_F(JournaledStudyFiles, AreLockedUntilTheResultsAreWritten) {
   });
   const JournaledStudy study = begin();
   EXPECT_TRUE(run_journaled(study, policy(), ranks).complete());
-  EXPECT_EQ(locked, 5u)
-      << "journal made, leftovers gone, session begun, rows read, all of them made";
+  EXPECT_EQ(locked, 6u) << "journal made, leftovers gone, session begun, rows read, all of them "
+                           "made, session ended";
 }
 
 TEST_F(JournaledStudyFiles, AStudyThatAnotherProcessFinishesMeanwhileIsNotMadeAgain) {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 
+#include "ar3d/algorithms/catalog.h"
 #include "ar3d/analysis/check.h"
 #include "ar3d/base/error.h"
 #include "ar3d/model/drawing.h"

@@ -103,13 +103,20 @@ TEST(LimitedProcess, TellsHowAStepEnded) {
   EXPECT_EQ(end_of({.cpu_s = {}, .memory_bytes = 4e9}, large, value), StepEnd::done);
 }
 
+TEST(ChildPrograms, AreEndedWithTheirGroupAtTheirLimit) {
+  EXPECT_EQ(run_child({"sh", "-c", "sleep 7778; true"}, {.output = "/dev/null", .limit_s = 0.1}),
+            128 + SIGKILL);
+  EXPECT_EQ(run_child({"sh", "-c", "! pgrep -x -f 'sleep 7778'"}, {.output = "/dev/null"}), 0);
+  EXPECT_EQ(run_child({"no-such-program"}, {.output = "/dev/null"}), 127);
+}
+
 int g_seen = 0;
 void see(int) { ++g_seen; }
 
 TEST(Interruption, IsNotedWhileSomebodyAsksAndForgottenAfterwards) {
   g_seen = 0;
   std::signal(SIGINT, see);
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const Interruptible interruptible;
     EXPECT_FALSE(is_interrupted());
     std::raise(signal);

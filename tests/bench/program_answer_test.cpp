@@ -5,13 +5,14 @@
 
 #include <cmath>
 
+#include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
 #include "ar3d/bench/external/external_drawer.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/formats/drawings/drawing_numbers.h"
+#include "ar3d/verify/angles.h"
 #include "ar3d/verify/certificate.h"
-#include "ar3d/verify/checks/angles.h"
-#include "ar3d/verify/checks/examination.h"
+#include "ar3d/verify/examination.h"
 #include "support/graphs.h"
 #include "support/problem.h"
 

@@ -2,6 +2,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "ar3d/algorithms/catalog.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/run/describe_study.h"
 #include "ar3d/store/columns/run_columns.h"

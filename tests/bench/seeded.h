@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ar3d/algorithms/catalog.h"
 #include "ar3d/bench/plan/plan.h"
 #include "support/test.h"
 

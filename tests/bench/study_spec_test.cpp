@@ -2,6 +2,7 @@
 
 #include <fstream>
 
+#include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
 #include "support/problem.h"
 #include "support/test.h"

@@ -20,5 +20,10 @@ export default [
       "no-import-assign": "error",
     },
   },
+  {
+    files: ["analysis/page/*.js"],
+    languageOptions: {globals: known([...browser, "CustomEvent", "Plot", "XMLSerializer", "innerWidth", "location"])},
+    rules: {...rules, "complexity": ["error", 15], "max-depth": ["error", 3], "max-len": ["error", {code: 240}], "max-params": ["error", 5]},
+  },
   {files: ["**/*.mjs"], languageOptions: {globals: known([...browser, ...node])}, rules: {...rules, "no-shadow": "off"}},
 ];

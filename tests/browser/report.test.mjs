@@ -14,19 +14,23 @@ families = ["random-cubic", "random-4-regular", "prism"]
 sizes = { from = 16, to = 1600, per_decade = 5 }
 algorithms = [{ algorithm = "diamond", effort = [0, 1, 2] }, "two-bend", "grid"]
 instances = 3
+timed_repetitions = 1
 `;
 
 let folder, browser, page;
+/// Waits until every figure is drawn.
+const drawn = of => of.waitForFunction(() => "drawn" in document.documentElement.dataset);
 
 before(async () => {
   folder = mkdtempSync(join(tmpdir(), "ar3d-browser-"));
   writeFileSync(join(folder, "study.toml"), spec);
-  execFileSync(program, ["study", "run", join(folder, "study.toml"), "-q", "-o", join(folder, "study.h5")]);
+  execFileSync(program, ["study", "run", join(folder, "study.toml"), "-q", "--force-timing", "-o", join(folder, "study.h5")]);
   browser = await launch();
   page = await newPage(browser);
   copyFileSync(join(folder, "study.h5"), join(folder, "again.h5"));
   execFileSync(program, ["report", join(folder, "study.h5"), "--reference", join(folder, "again.h5")]);
   await page.goto("file://" + join(folder, "study.html"));
+  await drawn(page);
 });
 
 after(async () => {
@@ -39,12 +43,12 @@ const placeOf = async (plot, place) => {
   await plot.scrollIntoViewIfNeeded();
   await page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));
   return plot.evaluate((svg, i) => {
-    const dots = [...svg.querySelector("g.extreme path.points").getAttribute("d").matchAll(/M([\d.-]+) ([\d.-]+)h0/g)];
+    const dots = [...svg.querySelector("path.points").getAttribute("d").matchAll(/M([\d.-]+) ([\d.-]+)h0/g)];
     const box = svg.getBoundingClientRect(), scale = box.width / svg.viewBox.baseVal.width;
     return {x: box.x + dots[i][1] * scale, y: box.y + dots[i][2] * scale};
   }, place);
 };
-const firstPlotWithPoints = () => page.locator("section#a0 svg.plot:has(g.extreme path.points)").first();
+const firstPlotWithPoints = () => page.locator("section#a0 svg.plot:has(path.points)").first();
 
 test("one small file that asks for nothing else", () => {
   assert.ok(statSync(join(folder, "study.html")).size < 2e6);
@@ -65,14 +69,14 @@ test("the first screen answers whether all is certified, what comes closest to a
 test("the verdict and every kind of figure are there", async () => {
   assert.equal(await page.locator(".verdict").textContent(), "PASS");
   assert.equal(await page.locator("section.setting").count(), 5);
-  for (const css of ["polyline.median", "polyline.middle", "polyline.bound", "polygon.band", "path.points", "#trade polyline.front",
-    "#trade circle.crossing", "svg.bars rect", "table.heat td[data-r]", "#closeness button.graph"]) {
+  for (const css of ["g.line.family path", "g.line.middle path", "g.line.bound path", "g.band path", "path.points", "#trade g.line.front path",
+    "#trade g.crossing circle", "figure.bars rect", "table.heat td[data-r]", "#closeness button.graph"]) {
     assert.ok(await page.locator(css).count() > 0, css);
   }
-  const lines = await page.evaluate(() => [...document.querySelectorAll("g.extreme polyline.median")]
+  const lines = await page.evaluate(() => [...document.querySelectorAll("g.line.family path")]
     .map(line => line.getBoundingClientRect().width));
   assert.ok(lines.every(width => width > 50), "every line has a width");
-  const legends = await page.evaluate(() => Math.max(...[...document.querySelectorAll(".legend, g.ends")]
+  const legends = await page.evaluate(() => Math.max(...[...document.querySelectorAll("g.ends")]
     .map(legend => legend.children.length)));
   assert.ok(legends <= 8, `a legend of ${legends} entries`);
   await shot(page, "top-1280");
@@ -84,19 +88,43 @@ test("the verdict and every kind of figure are there", async () => {
 });
 
 test("another n shows another trade", async () => {
-  const shown = () => page.locator("#trade figure[data-n]:visible").getAttribute("data-n");
+  const title = () => page.locator("#trade-figure figcaption b").textContent();
   const options = await page.locator("#trade-n option").evaluateAll(all => all.map(option => option.value));
   assert.ok(options.length > 3);
-  await page.locator("#trade-n").selectOption(options[0]);
-  assert.equal(await shown(), options[0]);
-  await page.locator("#trade-n").selectOption(options.at(-2));
-  assert.equal(await shown(), options.at(-2));
+  for (const n of [options[0], options.at(-2)]) {
+    await page.locator("#trade-n").selectOption(n);
+    assert.equal(await title(), `Volume against drawing time, n = ${Number(n).toLocaleString("en-US")}`);
+  }
+});
+
+test("every exponent of the first table has its label and interval", async () => {
+  const cells = await page.locator("#closeness tbody td.growth").allTextContents();
+  assert.equal(cells.length, 5 * 3);
+  for (const cell of cells) assert.match(cell, /^(undecided|\d.*\[-?\d+\.\d\d, \d+\.\d\d\].*\d+ (power law|with logarithm|apparent|undecided))/);
+  const promised = await page.locator("#promises tbody td.note").allTextContents();
+  for (const cell of promised) assert.match(cell, /^\d+\.\d{3} \[-?\d.*\] (power law|apparent)/);
+  assert.match(await page.locator("#promises > p").textContent(), /geometric mean extent/);
+});
+
+test("times that no timing phase measured are neither ranked nor drawn", async () => {
+  const spec_ = spec.replace("timed_repetitions = 1", "").replace("1600", "200");
+  writeFileSync(join(folder, "untimed.toml"), spec_);
+  execFileSync(program, ["study", "run", join(folder, "untimed.toml"), "-q", "-o", join(folder, "untimed.h5")]);
+  const untimed = await newPage(browser);
+  await untimed.goto("file://" + join(folder, "untimed.html"));
+  await drawn(untimed);
+  assert.ok(await untimed.locator("#trade-untimed").isVisible());
+  assert.ok(await untimed.locator("#trade-figure").isHidden());
+  assert.deepEqual([...new Set(await untimed.locator("#closeness tbody td.growth:last-child").allTextContents())], ["not timed"]);
+  const titles = await untimed.locator("figcaption b").allTextContents();
+  assert.deepEqual(titles.filter(title => /time/.test(title)), []);
+  await untimed.close();
 });
 
 test("families are highlighted by part of their name", async () => {
   const section = page.locator("section#a0");
   await section.locator("input.filter").fill("prism");
-  assert.equal(await section.locator("g.family.on").count(), 3, "side, volume and time");
+  assert.equal(await section.locator("g.family.on path").count(), 3, "side, volume and time");
   assert.deepEqual(await section.locator("table.heat tbody tr:visible th").allTextContents(), ["prism"]);
   await section.locator("svg.plot").first().scrollIntoViewIfNeeded();
   await shot(page, "filter-1280");
@@ -154,12 +182,14 @@ test("an underlined number of the heat map opens its drawing in 3D", async () =>
   const frame = page.frames().find(one => one.parentFrame());
   await frame.waitForFunction(() => globalThis.ar3d.view.ready && globalThis.ar3d.view.settled);
   assert.equal(await viewer.locator("#verdict").textContent(), "certified");
-  const row = await page.evaluate(id => JSON.parse(document.getElementById("rows").textContent).rows[id], await cell.getAttribute("data-r"));
-  assert.match(await viewer.locator("#title").textContent(), new RegExp(`n = ${row[1]}, seed ${row[3]}$`));
-  assert.ok((await page.locator("#shown p").textContent()).includes(`${row[1]} vertices, ${row[2]} edges`));
-  assert.equal(await frame.evaluate(() => globalThis.ar3d.view.drawing.m), row[2]);
-  assert.equal(n, String(row[1]));
-  assert.equal((await viewer.locator("#facts").textContent()).split("box ")[1], row[5].map(c => c.toLocaleString("en")).join(" \u00d7 "));
+  const [, , vertices, edges, seed, ...rest] = await page.evaluate(id => JSON.parse(document.getElementById("tables").textContent).tables.graphs.rows
+    .find(graph => graph[0] === Number(id)), await cell.getAttribute("data-r"));
+  const box = rest.slice(8, 11), grouped = value => value.toLocaleString("en-US");
+  assert.match(await viewer.locator("#title").textContent(), new RegExp(`n = ${vertices}, seed ${seed}$`));
+  assert.ok((await page.locator("#shown p").textContent()).includes(`${grouped(vertices)} vertices, ${grouped(edges)} edges`));
+  assert.equal(await frame.evaluate(() => globalThis.ar3d.view.drawing.m), edges);
+  assert.equal(n, grouped(vertices));
+  assert.equal((await viewer.locator("#facts").textContent()).split("box ")[1], box.map(c => c.toLocaleString("en")).join(" \u00d7 "));
   await shot(page, "shown-1280");
   await page.locator("#shown").getByRole("button", {name: "Close"}).click();
   assert.equal(await page.locator("iframe").count(), 0);
@@ -171,7 +201,7 @@ test("an underlined number of the heat map opens its drawing in 3D", async () =>
   await page.locator("#shown").getByRole("button", {name: "Close"}).click();
 });
 
-test("every figure is saved as SVG, PDF, CSV, matplotlib script and LaTeX", async () => {
+test("every figure is saved as SVG and CSV", async () => {
   const figure = page.locator("section#a0 figure").first();
   const saved = async label => {
     const [download] = await Promise.all([page.waitForEvent("download"), figure.getByRole("button", {name: label}).click()]);
@@ -179,31 +209,29 @@ test("every figure is saved as SVG, PDF, CSV, matplotlib script and LaTeX", asyn
     await download.saveAs(path);
     return path;
   };
-  const svg = await saved("SVG"), csv = await saved("CSV"), script = await saved("matplotlib"), latex = await saved("pgfplots");
-  assert.match(readFileSync(csv, "utf8"), /^id,series,kind,x,y,low,high\r\n0,all families,band,/);
-  assert.ok(readFileSync(svg, "utf8").startsWith("<?xml"));
-  execFileSync("rsvg-convert", [svg, "-o", join(folder, "saved.png")]);
-  assert.ok(statSync(join(folder, "saved.png")).size > 5000);
-  execFileSync("/usr/bin/python3", ["-m", "py_compile", script]);
-  assert.match(readFileSync(latex, "utf8"), /\\addplot\+\[.*only=0\] table\[x=x, y=y\] \{diamond-effort-0-longest-side\.csv\}/);
-  // The browser's printer gets a sheet of the figure's size with the figure alone.
-  await page.evaluate(() => {
-    const appended = document.body.append.bind(document.body);
-    document.body.append = node => {  // the print dialog of a headless browser would wait for ever
-      node.addEventListener("load", () => { node.contentWindow.print = () => { globalThis.printed = node.contentDocument.documentElement.outerHTML; }; }, {capture: true});
-      appended(node);
-    };
-  });
-  await figure.getByRole("button", {name: "PDF"}).click();
-  await page.waitForFunction(() => globalThis.printed);
-  const sheet = await browser.newPage();
-  await sheet.setContent(await page.evaluate(() => globalThis.printed));
-  const pdf = (await sheet.pdf({preferCSSPageSize: true})).toString("latin1");
-  assert.match(pdf, /^%PDF-/);
-  assert.equal(pdf.match(/\/Type\s*\/Page\b/g).length, 1, "one sheet");
-  await sheet.close();
-  const buttons = await page.locator(".save").count();
-  assert.equal(buttons, await page.locator("figure").count());
+  const svg = await saved("SVG"), csv = readFileSync(await saved("CSV"), "utf8");
+  assert.match(csv, /^series,kind,x,y,low,high\r\nall families,band,/);
+  assert.match(csv, /\r\ntheorem's bound,line,/);
+  const text = readFileSync(svg, "utf8");
+  assert.ok(text.startsWith("<?xml") && !text.includes("var("));
+  const shown = await newPage(browser);
+  await shown.goto("file://" + svg);
+  assert.equal(await shown.evaluate(() => document.documentElement.nodeName), "svg");
+  assert.ok(await shown.locator("path").count() > 10);
+  await shown.close();
+  assert.equal(await page.locator(".save").count(), await page.locator("figure:visible, details:not([open]) figure").count());
+});
+
+test("names in a results file are text and nothing else", async () => {
+  const attack = "<img src=x onerror=globalThis.bad=1>", written = attack.replaceAll("<", "\\u003c").replaceAll(">", "\\u003e");
+  writeFileSync(join(folder, "bad.html"), readFileSync(join(folder, "study.html"), "utf8").replaceAll('"prism"', `"${written}"`));
+  const bad = await newPage(browser);
+  await bad.goto("file://" + join(folder, "bad.html"));
+  await drawn(bad);
+  assert.equal(await bad.locator("img").count(), 0);
+  assert.equal(await bad.evaluate(() => globalThis.bad), undefined);
+  assert.ok((await bad.locator("table.heat tbody th").allTextContents()).some(text => text.startsWith("<img")));
+  await bad.close();
 });
 
 test("pointing at a row shows it", async () => {

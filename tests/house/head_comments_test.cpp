@@ -1,5 +1,5 @@
-// Each stage of an algorithm opens with two to six lines: which step of which proof, and what it
-// costs (CONTRIBUTING.md, "Rules of the house").
+// Each source opens with what it does; each stage of an algorithm with two to six lines: which step
+// of which proof, and what it costs (CONTRIBUTING.md, "Rules of the house").
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -27,6 +27,22 @@ std::string lacks_in_head(const std::string& source) {
 
 TEST(HeadComments, OfEveryStageNameItsStepAndItsCost) {
   expect_of_sources("algorithms/\\w+/\\w+\\.cpp", 60, lacks_in_head);
+}
+
+TEST(HeadComments, OpenEverySource) {
+  expect_of_sources(
+      "(algorithms|analysis|apps|base|bench|formats|generators|model|python|store|verify)/.*\\.cpp",
+      250, [](const std::string& source) {
+        return std::string(source.starts_with("// ") ? "" : "a comment at its head");
+      });
+}
+
+TEST(HeadComments, AreFollowedByOneAnonymousNamespaceAtMost) {
+  const std::string opening = "\nnamespace {\n";
+  expect_of_sources(".*\\.(cpp|h)", 250, [&](const std::string& source) {
+    const bool is_reopened = source.find(opening) != source.rfind(opening);
+    return std::string(is_reopened ? "one anonymous namespace instead of several" : "");
+  });
 }
 
 TEST(HeadComments, LackWhatIsNotThere) {

@@ -108,6 +108,62 @@ TEST(IncludeDirection, FollowsTheTables) {
   EXPECT_THAT(forbidden_includes(AR3D_SOURCE_DIR, allowed()), IsEmpty());
 }
 
+/// What is left of a relation when whatever leads to nothing that is left, or is led to by nothing
+/// that is left, goes: its rings, and what lies between two of them.
+Allowed rings_of(Allowed table) {
+  for (std::size_t before = 0; before != table.size();) {
+    before = table.size();
+    std::set<std::string> used;
+    for (auto& [name, targets] : table) {
+      std::erase_if(targets, [&](const auto& to) { return to == name || !table.contains(to); });
+      used.insert(targets.begin(), targets.end());
+    }
+    std::erase_if(table,
+                  [&](const auto& row) { return row.second.empty() || !used.contains(row.first); });
+  }
+  return table;
+}
+
+/// "bench/run/" of all that stands in a sub-folder; else the path without its ending, which header
+/// and source have in common.
+std::string place_of(const std::string& path) {
+  const std::string sub_folder = part(path, 1);
+  if (sub_folder.empty()) return path.substr(0, path.rfind('.'));
+  return part(path, 0) + "/" + sub_folder + "/";
+}
+
+Allowed includes_of(const fs::path& root, const std::set<std::string>& folders) {
+  Allowed includes;
+  for (const std::string& folder : folders) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      if (!is_source(entry.path())) continue;
+      std::set<std::string>& targets =
+          includes[place_of(fs::relative(entry.path(), root).string())];
+      std::ifstream file(entry.path());
+      for (std::string line; std::getline(file, line);) targets.insert(place_of(included(line)));
+    }
+  }
+  return includes;
+}
+
+TEST(IncludeDirection, HasNoRings) {
+  Allowed table = allowed();
+  for (auto& [folder, others] : table) {
+    const std::size_t slash = folder.find('/');
+    if (slash == std::string::npos) continue;
+    std::set<std::string> whole;
+    for (const std::string& other : others) whole.insert(folder.substr(0, slash + 1) + other);
+    others = whole;
+  }
+  EXPECT_THAT(rings_of(table), IsEmpty());
+  table["base"].insert("model");
+  EXPECT_EQ(rings_of(table).size(), 2u) << "base and model";
+  // Files that stand beside each other may lead to each other; no sub-folder is among these.
+  const std::set<std::string> folders = {"algorithms", "bench", "formats", "verify"};
+  for (const auto& [place, targets] : rings_of(includes_of(AR3D_SOURCE_DIR, folders)))
+    EXPECT_NE(place.back(), '/') << place << " leads to " << ::testing::PrintToString(targets);
+}
+
 TEST(IncludeDirection, HasARuleForEveryFolderWithSources) {
   const Allowed table = allowed();
   const fs::path root = AR3D_SOURCE_DIR;
@@ -117,7 +173,7 @@ TEST(IncludeDirection, HasARuleForEveryFolderWithSources) {
       continue;
     EXPECT_TRUE(table.count(folder)) << folder;
   }
-  for (const char* folder : {"bench", "formats", "store", "algorithms"}) {
+  for (const char* folder : {"bench", "formats", "store", "algorithms", "verify", "analysis"}) {
     for (const auto& entry : fs::directory_iterator(root / folder)) {
       const std::string name = entry.path().filename();
       if (!entry.is_directory() || name == "kernels" || name == "fuzz" || name == "studies")

@@ -14,6 +14,7 @@
 #include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/run_storage.h"
 #include "support/program.h"
+#include "support/tables.h"
 
 namespace ar3d::testing {
 namespace {
@@ -222,11 +223,13 @@ TEST(Readme, SkewedExponentsAreThoseOfTheCommittedTable) {
   }
 }
 
-/// A cell of the report as README prints it: superscripts, no additive constant; the paper's
+/// A bound of the report as README prints it: superscripts, no additive constant; the paper's
 /// n^3 stands for its order.
-std::string printed(const std::string& html, bool is_order) {
-  if (is_order && html == "n^3") return "O(n³)";
-  std::string text = html.substr(0, html.find_first_of("+<"));
+std::string printed(const nlohmann::json& bound, bool is_order) {
+  if (bound.is_null()) return "–";
+  std::string text = bound.get<std::string>();
+  if (is_order && text == "n^3") return "O(n³)";
+  text = text.substr(0, text.find('+'));
   if (text.ends_with(' ')) text.pop_back();
   for (const auto& [from, to] : {std::pair{"\\^2", "²"}, {"\\^3", "³"}, {"sqrt\\(n\\)", "√n"}}) {
     text = std::regex_replace(text, std::regex(from), to);
@@ -237,26 +240,30 @@ std::string printed(const std::string& html, bool is_order) {
 // README has a line a setting of what the report has a line an axis of.
 TEST(Readme, PromisedAndDrawnIsWhatTheReportOfTheCommittedStudySays) {
   const ScratchDirectory folder;
-  const std::string html = folder.path("page.html");
-  expect_exit(0, run("{} report " AR3D_SOURCE_DIR "/results/reference/1.0.0-bounds.h5 -o " + html));
-  const std::string page = read_file(html), readme = read_file(AR3D_SOURCE_DIR "/README.md");
+  const std::string json = folder.path("tables.json");
+  expect_exit(0, run("{} report " AR3D_SOURCE_DIR "/results/reference/1.0.0-bounds.h5 -o " +
+                     folder.path("page.html") + " --json " + json));
+  const std::string readme = read_file(AR3D_SOURCE_DIR "/README.md");
+  auto tables = rows_by_table(read_file(json));
   const std::map<std::string, std::string> labels = {
       {"diamond (effort=0)", "`diamond`, effort 0"},
       {"grid-paper (spread=0;gap=0;cycle=0)", "`grid-paper`, `spread=0`"},
       {"grid-paper (spread=2;gap=1;cycle=0)", "`grid-paper`, `spread=2`, `gap=1`"}};
   std::map<std::string, std::vector<std::string>> lines;  // cells of a setting
-  const std::regex row("\n<tr><th scope=row>([^<]*)</th><td>[xyz]</td>(.*)</tr>");
-  const std::regex number("<td class=num>(.*?)</td>");
-  const std::size_t begin = page.find("<section id=promises>");
-  const std::string table = page.substr(begin, page.find("</section>", begin) - begin);
-  for (std::sregex_iterator at(table.begin(), table.end(), row), end; at != end; ++at) {
-    std::vector<std::string>& cells = lines[at->str(1)];
+  const auto number = [](const nlohmann::json& value, const char* format) {
+    return value.is_null() ? std::string("–")
+                           : fmt::format(fmt::runtime(format), value.get<double>());
+  };
+  for (const auto& promise : tables["promises"]) {
+    const std::string setting =
+        tables["settings"][promise["setting"].get<std::size_t>()]["setting"];
+    std::vector<std::string>& cells = lines[setting];
     cells.resize(4);
-    const std::string all = at->str(2);
-    std::sregex_iterator one(all.begin(), all.end(), number);
-    for (std::size_t i = 0; i < cells.size(); ++i, ++one) {
-      if (!cells[i].empty()) cells[i] += ", ";
-      cells[i] += printed(one->str(1), i == 0);
+    const std::array of_axis = {printed(promise["paper"], true), printed(promise["proved"], false),
+                                number(promise["exponent"], "{:.3f}"),
+                                number(promise["constant"], "{:.3g}")};
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      cells[i] += (cells[i].empty() ? "" : ", ") + of_axis[i];
     }
   }
   EXPECT_EQ(lines.size(), 12u);

@@ -23,11 +23,12 @@ Lines lines_of(const std::string& text) {
 
 std::size_t indent(const std::string& line) { return line.find_first_not_of(' '); }
 
-/// The line that closes the block opened on line `begin`: the next one indented like `column` that
-/// starts with "}".
+/// The line that closes the block opened on line `begin`: the next one that starts with "}" and is
+/// indented by at most `column`.
 std::size_t closing(const Lines& lines, std::size_t begin, std::size_t column) {
   std::size_t at = begin + 1;
-  while (at < lines.size() && !(indent(lines[at]) == column && lines[at][column] == '}')) ++at;
+  while (at < lines.size() && (indent(lines[at]) > column || lines[at][indent(lines[at])] != '}'))
+    ++at;
   return at;
 }
 

@@ -8,6 +8,7 @@
 #include <boost/graph/breadth_first_search.hpp>
 #include <boost/graph/connected_components.hpp>
 #include <boost/graph/graph_concepts.hpp>
+#include <boost/graph/isomorphism.hpp>
 
 #include "support/graphs.h"
 
@@ -33,6 +34,9 @@ TEST(BoostGraph, AlgorithmsRun) {
             3u);
   EXPECT_FALSE(boost::boyer_myrvold_planarity_test(petersen()));
   EXPECT_TRUE(boost::boyer_myrvold_planarity_test(octahedron()));
+  const std::vector<Vertex> reversed = {9, 8, 7, 6, 5, 4, 3, 2, 1, 0};
+  EXPECT_TRUE(boost::isomorphism(petersen(), relabelled(petersen(), reversed)));
+  EXPECT_FALSE(boost::isomorphism(petersen(), disjoint_union({octahedron(), cycle(4)})));
 }
 
 TEST(BoostGraph, BuildsFromBoostGraphs) {

@@ -75,6 +75,19 @@ class Draw(unittest.TestCase):
             for path, wrong in (("x.png", "png"), ("no/such/x.svg", "no/such")):
                 self.assertRaisesRegex(ValueError, wrong, drawing.save, f"{folder}/{path}")
 
+    def test_a_forked_child_certifies_although_its_parents_threads_are_not_there(self):
+        script = ("import os, ar3d\n"
+                  "graph = ar3d.generate('random-cubic', 90000, 1)\n"
+                  "drawing = ar3d.draw(graph, 'grid')\n"
+                  "assert ar3d.certify(graph, drawing)\n"
+                  "child = os.fork()\n"
+                  "if child == 0: os._exit(0 if ar3d.certify(graph, drawing) else 1)\n"
+                  "assert os.waitpid(child, 0)[1] == 0\n")
+        subprocess.run([sys.executable, "-c", script], check=True, timeout=200, env={**os.environ, "OMP_NUM_THREADS": "2"})
+        shown = subprocess.run([sys.executable, "-c", "import ar3d"], check=True, capture_output=True, text=True,
+                               env={**os.environ, "OMP_DISPLAY_ENV": "true"}).stderr
+        self.assertIn("OMP_WAIT_POLICY = 'PASSIVE'", shown)
+
     def test_arrays_outlive_their_drawing(self):
         vertices = ar3d.draw(networkx.cycle_graph(10)).vertices
         copy = vertices.copy()

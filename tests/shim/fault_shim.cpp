@@ -7,9 +7,12 @@
 //   AR3D_FAULT=list:K     from the K-th time on, no folder can be listed
 //   AR3D_FAULT=read:K     from the K-th time on, no *.journal can be opened for reading
 //   AR3D_FAULT=errno:K    the K-th call on a file below AR3D_FAULT_IN fails with EMFILE or EIO;
-//   says so on standard error AR3D_FAULT=nolock:1   locks are granted to everybody (NFS mounted
-//   with nolock) AR3D_FAULT=nolink:L   no hard links and no files without a name; L = 2: nor a
-//   rename that replaces nothing
+//                         says so on standard error
+//   AR3D_FAULT=unlink:K   SIGKILL instead of the K-th removal of a *.journal
+//   AR3D_FAULT=late:MS    every write to a *.journal comes so many milliseconds late
+//   AR3D_FAULT=nolock:1   locks are granted to everybody (NFS mounted with nolock)
+//   AR3D_FAULT=nolink:L   no hard links and no files without a name; L = 2: nor a rename that
+//                         replaces nothing
 // AR3D_ACKNOWLEDGED names a file; into it goes, after every completed write to a *.journal, how
 // long that journal is: the witness of what was acknowledged.
 #include <dirent.h>
@@ -63,7 +66,7 @@ void die() { syscall(SYS_kill, syscall(SYS_getpid), SIGKILL); }
 // Counts a call; true if it is the one.
 bool begins() {
   Fault& f = fault();
-  if (f.is("errno")) return false;  // which counts for itself
+  if (f.is("errno") || f.is("unlink")) return false;  // which count for themselves
   const bool hit = ++f.calls == f.count;
   if (hit && f.is("before")) die();
   return hit;
@@ -80,13 +83,21 @@ bool is_regular(int file) {
   return fstat(file, &status) == 0 && S_ISREG(status.st_mode);
 }
 
+bool is_journal(const char* path, std::size_t size) {
+  return size >= 8 && std::memcmp(path + size - 8, ".journal", 8) == 0;
+}
+
 void witness(int file) {
-  if (fault().acknowledged == nullptr) return;
+  if (fault().acknowledged == nullptr && !fault().is("late")) return;
   char link[64];
   char path[4096];
   std::snprintf(link, sizeof(link), "/proc/self/fd/%d", file);
   const ssize_t size = readlink(link, path, sizeof(path) - 1);
-  if (size < 8 || std::memcmp(path + size - 8, ".journal", 8) != 0) return;
+  if (size < 0 || !is_journal(path, static_cast<std::size_t>(size))) return;
+  if (fault().is("late")) {
+    usleep(static_cast<unsigned>(1000 * fault().count));
+    return;
+  }
   *fault().acknowledged = static_cast<long>(lseek(file, 0, SEEK_CUR));
 }
 
@@ -218,10 +229,8 @@ int open(const char* path, int flags, ...) {
     errno = EOPNOTSUPP;
     return -1;
   }
-  const std::size_t size = std::strlen(path);
-  const bool is_journal = size >= 8 && std::memcmp(path + size - 8, ".journal", 8) == 0;
-  if (fault().is("read") && is_journal && (flags & O_ACCMODE) == O_RDONLY &&
-      ++fault().calls >= fault().count) {
+  if (fault().is("read") && is_journal(path, std::strlen(path)) &&
+      (flags & O_ACCMODE) == O_RDONLY && ++fault().calls >= fault().count) {
     errno = EIO;
     return -1;
   }
@@ -235,6 +244,14 @@ int fcntl(int file, int command, ...) {
   va_end(arguments);
   if (fault().is("nolock") && command == F_OFD_SETLK) return 0;
   return static_cast<int>(syscall(SYS_fcntl, file, command, argument));
+}
+
+int remove(const char* path) noexcept {
+  Fault& f = fault();
+  if (f.is("unlink") && is_journal(path, std::strlen(path)) && ++f.calls == f.count) die();
+  const int removed = static_cast<int>(syscall(SYS_unlinkat, AT_FDCWD, path, 0));
+  if (removed == 0 || errno != EISDIR) return removed;
+  return static_cast<int>(syscall(SYS_unlinkat, AT_FDCWD, path, AT_REMOVEDIR));
 }
 
 int unlink(const char* path) noexcept {

@@ -4,14 +4,18 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstring>
 #include <fstream>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
 
 #include "ar3d/base/error.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/journal/journal_reader.h"
 #include "ar3d/store/journal/journal_writer.h"
+#include "ar3d/store/row_collection.h"
 #include "ar3d/store/run_storage.h"
 #include "store/sample_runs.h"
 #include "support/problem.h"
@@ -89,10 +93,10 @@ TEST_F(Journal, HoldsWhatWasAppended) {
 TEST_F(Journal, TellsTheRowsItHasWhenContinued) {
   write_rows(0, 7);
   std::vector<std::string> keys;
-  const JournalWriter writer(
-      path_, sample_identity(), run_format(), [&](const JournalRecord& record) {
-        keys.push_back(to_string(packed_row_key(run_format(), record.payload)));
-      });
+  const JournalWriter writer(path_, sample_identity(), run_format(),
+                             [&](const JournalRecord& record) {
+                               keys.push_back(to_string(key_of_row(run_format(), record.payload)));
+                             });
   ASSERT_EQ(keys.size(), 7u);
   EXPECT_EQ(keys[6], sample_run(6).row_key);
   EXPECT_EQ(writer.rows(), 7u);
@@ -144,7 +148,7 @@ TEST_F(Journal, AFlippedByteInTheMiddleIsAnErrorThatNamesTheOffset) {
     JournalWriter writer(path_, sample_identity(), run_format(),
                          [&](const JournalRecord& record) { offsets.push_back(record.offset); });
   }
-  for (std::uint64_t at = sizeof(kJournalMagic); at < offsets[11]; at += 3) {
+  for (std::uint64_t at = kJournalStart.size(); at < offsets[11]; at += 3) {
     overwrite(at, std::string(1, static_cast<char>(whole[at] ^ 0x10)));
     const auto next = std::upper_bound(offsets.begin(), offsets.end(), at);
     const std::string error = read_error();
@@ -224,8 +228,88 @@ TEST_F(Journal, RefusesWhatIsNoJournal) {
     EXPECT_THAT(read_error(), HasSubstr("is not a journal of this version"));
     EXPECT_THAT(open_error(), HasSubstr("is not a journal of this version"));
   }
-  std::ofstream(path_, std::ios::binary) << std::string(kJournalMagic, sizeof(kJournalMagic));
+  std::ofstream(path_, std::ios::binary) << kJournalStart;
   EXPECT_THAT(read_error(), HasSubstr("without a beginning"));
+}
+
+TEST_F(Journal, OfAnOlderVersionIsRefusedInOneLine) {
+  const std::string old = std::string("ar3d-journal 2\n\0", 16) + std::string(5000, '\x7f');
+  std::ofstream(path_, std::ios::binary) << old;
+  for (const std::string& error : {read_error(), open_error()}) {
+    EXPECT_EQ(error, path_ +
+                         " is not a journal of this version of ar3d: finish it with the program "
+                         "that began it");
+  }
+  RowCollection rows(run_format());
+  EXPECT_EQ(problem([&] { rows.add(path_); }), read_error());
+  EXPECT_EQ(read_file(path_), old);
+}
+
+// Doubles as they are in memory, the largest and smallest integers, quotes and backslashes.
+TEST_F(Journal, EveryValueReadsBackBitForBit) {
+  const std::vector<Field>& fields = run_format().rows.fields;
+  constexpr std::uint64_t kBits[] = {0x0000000000000001, 0x8000000000000000, 0x7fefffffffffffff,
+                                     0x3fb999999999999a, 0x7ff0000000000000, 0xfff0000000000000,
+                                     0xfff8000000000000, 0x7ff0000000000001, 0x4340000000000001};
+  constexpr std::uint64_t kIntegers[] = {0x8000000000000000, 0x7fffffffffffffff, 0, 1,
+                                         0xffffffffffffffff, 0x20000000000001};
+  std::vector<std::string> records;
+  {
+    JournalWriter writer(path_, sample_identity(), run_format());
+    writer.begin_session({});
+    for (std::size_t i = 0; i < std::size(kBits); ++i) {
+      std::string record(run_record_size(), '\0');
+      store_record(sample_run(static_cast<std::int64_t>(i)), record.data());
+      for (const Field& field : fields) {
+        const std::uint64_t bits =
+            field.type == FieldType::float64 ? kBits[i] : kIntegers[i % std::size(kIntegers)];
+        if (field.type != FieldType::text) std::memcpy(&record[field.offset], &bits, sizeof(bits));
+        if (field.name == "message")
+          std::memcpy(&record[field.offset], "a \"b\\c\" {\"rows\":1", 17);
+      }
+      records.push_back(record);
+      writer.append_record(record.data());
+    }
+  }
+  const JournalReader reader(path_, run_format());
+  ASSERT_EQ(reader.size(), records.size());
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    std::string record(run_record_size(), '\x55');
+    reader.read(i, record.data());
+    EXPECT_EQ(record, records[i]) << i;
+  }
+}
+
+TEST_F(Journal, ItsLastLineIsTheStatusAndEveryLineIsJson) {
+  write_rows(0, 3);
+  std::istringstream lines(read_file(path_));
+  nlohmann::json last;
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count) last = nlohmann::json::parse(line);
+  EXPECT_EQ(count, 5);
+  EXPECT_EQ(last.at("rows"), 3);
+  EXPECT_EQ(last.at("not_ok"), 0);
+  EXPECT_EQ(last.at("row").at("row_key"), sample_run(2).row_key);
+}
+
+TEST_F(Journal, RowsThatAreForgedAreRefused) {
+  write_rows(0, 1);
+  const auto error_of = [&](const std::string& row) {
+    std::string record(run_record_size(), '\0');
+    return problem([&] { parse_row(run_format(), row, "f", record.data()); }, "no error");
+  };
+  EXPECT_EQ(error_of(R"({"row_key":"1","n":5,"cpu_s":3})"), "no error");
+  EXPECT_EQ(error_of(R"({"n":5.5})"), "f: a record is none of its table from '.5}' on");
+  for (const char* row :
+       {"", "{", "[]", "5", R"({"nn":5})", R"({"n":5,"n":5})", R"({"n":9223372036854775808})",
+        R"({"seed":-1})", R"({"cpu_s":"7ff0000000000000})", R"({"cpu_s":1e999})", R"({"n":[]})",
+        R"({"family":1})", R"({"family":"a)", R"({"family":"a\)", R"({"n":5,})", R"({"n":5}})",
+        R"({"cpu_s":3,"n":5})", R"({ "n":5})"}) {
+    EXPECT_THAT(error_of(row), HasSubstr("f: a record is none of its table")) << row;
+  }
+  EXPECT_EQ(error_of("{\"row_key\":\"" + std::string(32, 'a') + "\"}"), "no error");
+  EXPECT_THAT(error_of("{\"row_key\":\"" + std::string(33, 'a') + "\"}"),
+              HasSubstr("of its table"));
 }
 
 TEST_F(Journal, RefusesUnwritablePlaces) {

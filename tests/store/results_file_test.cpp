@@ -266,6 +266,9 @@ TEST_F(ResultsFile, AReaderThatEndsIsTold) {
   EXPECT_EQ(reader.ask(0), "");
   EXPECT_THAT(problem([&] { reader.ask(2); }, "no error"), HasSubstr("reading it has crashed"));
   EXPECT_THAT(problem([&] { reader.ask(0); }, "no error"), HasSubstr("reading it has crashed"));
+  const auto sleeps = [](std::uint64_t) -> std::string { return std::to_string(sleep(1000)); };
+  ReaderProcess slow(path, file, sleeps, 0.2);
+  EXPECT_THAT(problem([&] { slow.ask(1); }, "no error"), HasSubstr("after 0.2 s of reading"));
 }
 
 TEST_F(ResultsFile, RefusesUnwritablePlaces) {

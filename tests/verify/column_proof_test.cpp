@@ -10,8 +10,8 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/verify/checks/exact.h"
-#include "ar3d/verify/checks/examination.h"
+#include "ar3d/verify/examination.h"
+#include "ar3d/verify/predicates/exact.h"
 #include "verify/counted_pairs.h"
 #include "verify/random_drafts.h"
 

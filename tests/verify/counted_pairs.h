@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "ar3d/verify/certificate.h"
-#include "ar3d/verify/checks/exact.h"
 #include "ar3d/verify/counting/plane_records.h"
 #include "ar3d/verify/crossings/segments.h"
 #include "ar3d/verify/metrics/metrics.h"
+#include "ar3d/verify/predicates/exact.h"
 #include "verify/draft.h"
 
 // What the tests of both proofs by counting share.

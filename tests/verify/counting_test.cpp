@@ -5,10 +5,10 @@
 #include <set>
 #include <vector>
 
-#include "ar3d/verify/checks/exact.h"
-#include "ar3d/verify/checks/examination.h"
 #include "ar3d/verify/counting/counting_proof.h"
 #include "ar3d/verify/crossings/segments.h"
+#include "ar3d/verify/examination.h"
+#include "ar3d/verify/predicates/exact.h"
 #include "verify/counted_pairs.h"
 #include "verify/random_drafts.h"
 

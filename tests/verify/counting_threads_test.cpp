@@ -11,8 +11,8 @@
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/parallel.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/verify/checks/examination.h"
 #include "ar3d/verify/counting/counting_proof.h"
+#include "ar3d/verify/examination.h"
 #include "verify/counted_pairs.h"
 #include "verify/draft.h"
 

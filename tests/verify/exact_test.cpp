@@ -1,4 +1,4 @@
-#include "ar3d/verify/checks/exact.h"
+#include "ar3d/verify/predicates/exact.h"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "ar3d/base/random.h"
+#include "ar3d/verify/angles.h"
 #include "ar3d/verify/certificate.h"
-#include "ar3d/verify/checks/angles.h"
 #include "verify/draft.h"
 
 namespace ar3d::testing {

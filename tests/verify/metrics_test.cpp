@@ -15,7 +15,7 @@
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/verify/checks/examination.h"
+#include "ar3d/verify/examination.h"
 #include "ar3d/verify/metrics/closest_pair.h"
 #include "verify/random_drafts.h"
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "ar3d/base/random.h"
-#include "ar3d/verify/checks/exact.h"
 #include "ar3d/verify/counting/columns.h"
+#include "ar3d/verify/predicates/exact.h"
 
 namespace ar3d::testing {
 namespace {

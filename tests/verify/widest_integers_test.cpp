@@ -9,7 +9,7 @@
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/generators/catalog.h"
 #include "ar3d/verify/certificate.h"
-#include "ar3d/verify/checks/exact.h"
+#include "ar3d/verify/predicates/exact.h"
 #include "ar3d/verify/predicates/widths.h"
 #include "verify/counted_pairs.h"
 #include "verify/random_drafts.h"

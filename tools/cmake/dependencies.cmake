@@ -1,6 +1,12 @@
 # Debian 12 packages only, found with find_package (see tools/setup.sh for their names).
 find_package(Threads REQUIRED)
 find_package(OpenMP REQUIRED COMPONENTS CXX)
+# Programs hold libgomp: the shared one would read OMP_WAIT_POLICY before base/parallel.cpp sets it.
+execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=libgomp.a OUTPUT_VARIABLE gomp OUTPUT_STRIP_TRAILING_WHITESPACE)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND EXISTS "${gomp}")
+  set_property(TARGET OpenMP::OpenMP_CXX PROPERTY INTERFACE_LINK_LIBRARIES
+               $<IF:$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>,${gomp},${OpenMP_gomp_LIBRARY}>)
+endif()
 find_package(Boost 1.74 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
@@ -28,5 +34,4 @@ if(AR3D_BENCHMARKS)
   find_package(benchmark REQUIRED)
   # A peer in ar3d_limits; Debian's CMake file names libraries of its own build.
   pkg_check_modules(igraph REQUIRED IMPORTED_TARGET igraph)
-  find_package(SQLite3 REQUIRED)  # a peer of the journal
 endif()

@@ -3,6 +3,7 @@ include(CMakePackageConfigHelpers)
 get_property(libraries GLOBAL PROPERTY AR3D_LIBRARIES)
 install(TARGETS ${libraries} EXPORT ar3dTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev)
 install(TARGETS ar3d_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+install(FILES ${CMAKE_SOURCE_DIR}/python/ar3d/figures.py DESTINATION ${CMAKE_INSTALL_DATADIR}/ar3d COMPONENT program)  # to read and change
 if(AR3D_MPI)
   install(TARGETS ar3d_mpi RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT mpi OPTIONAL)  # where it was built
 endif()

@@ -37,7 +37,7 @@ ar3d_package(dev libar3d-dev libdevel
   "libboost-dev, libcli11-dev, libfmt-dev, libhdf5-dev, liblzma-dev, libpugixml-dev, libtomlplusplus-dev, libxxhash-dev, nlohmann-json3-dev, pkg-config, zlib1g-dev"
   "proved 3D drawings of low-degree graphs (C++ libraries)"
   "Static libraries, headers and files for CMake and pkg-config: graphs,\nalgorithms, formats and the verifier of ar3d.")
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "git, librsvg2-bin, nauty")  # librsvg2-bin: figures as PDF, with 47 packages of its own
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "git, nauty, python3-matplotlib")  # python3-matplotlib: ar3d figures
 if(AR3D_MPI)
   list(APPEND CPACK_COMPONENTS_ALL mpi)
   file(WRITE ${CMAKE_BINARY_DIR}/ar3d-mpi.1 ".so man1/ar3d.1\n")

@@ -1,3 +1,5 @@
+// Counts crossings of exact points. A sweep over boxes and a filter in double leave few pairs, and
+// these are decided in big integers; the bounds of the filter stand where they are used.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -1,3 +1,4 @@
+// Segments with big coordinates, and the miss of an angle without cancellation.
 #include "ar3d/verify/assessment/real_segments.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Checks the promised angles at bends and vertices, each by the exact sign of a cosine's
+// difference.
 #include <fmt/format.h>
 
 #include <algorithm>

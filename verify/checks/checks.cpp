@@ -1,3 +1,5 @@
+// Checks of single promises: edges, lattice, range, plane, bends, directions, distinct vertices,
+// box. Edges are compared as sorted lists, because a file may list them in any order.
 #include "ar3d/verify/checks/checks.h"
 
 #include <fmt/format.h>
@@ -7,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#include "ar3d/verify/checks/exact.h"
+#include "ar3d/verify/predicates/exact.h"
 
 namespace ar3d::verify {
 
@@ -93,6 +95,19 @@ void check_edges(const Graph& graph, const Drawing& drawing, Findings& findings)
   sort_by_ends(wanted);
   sort_by_ends(drawn);
   merge(wanted, drawn, findings);
+}
+
+void check_lengths(const Drawing& drawing, EdgeId e, const std::vector<Point>& points,
+                   Findings& findings) {
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (points[i - 1] != points[i]) continue;
+    findings.add(
+        {ViolationKind::degenerate_segment,
+         {},
+         {e},
+         {points[i]},
+         fmt::format("{} repeats the point {}", describe_edge(drawing, e), to_string(points[i]))});
+  }
 }
 
 }  // namespace
@@ -187,23 +202,6 @@ void check_size(const Graph& graph, const Box& box, const Guarantee& guarantee,
                               extents[axis], bound.formula(), n)});
   }
 }
-
-namespace {
-
-void check_lengths(const Drawing& drawing, EdgeId e, const std::vector<Point>& points,
-                   Findings& findings) {
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    if (points[i - 1] != points[i]) continue;
-    findings.add(
-        {ViolationKind::degenerate_segment,
-         {},
-         {e},
-         {points[i]},
-         fmt::format("{} repeats the point {}", describe_edge(drawing, e), to_string(points[i]))});
-  }
-}
-
-}  // namespace
 
 void check_bends(const Drawing& drawing, const Guarantee& guarantee, Findings& findings) {
   for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {

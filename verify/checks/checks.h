@@ -1,44 +1,14 @@
 #pragma once
 
 #include <compare>
-#include <cstddef>
-#include <utility>
-#include <vector>
 
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"
 #include "ar3d/model/guarantee.h"
-#include "ar3d/verify/certificate.h"
 #include "ar3d/verify/crossings/segments.h"
+#include "ar3d/verify/violation.h"
 
 namespace ar3d::verify {
-
-/// Collects violations up to a limit. Checks stop early once done().
-class Findings {
- public:
-  explicit Findings(std::size_t limit) : limit_(limit) {}
-
-  /// Keeps the violation, or remembers that the list was cut.
-  void add(Violation violation) {
-    if (list_.size() < limit_) {
-      list_.push_back(std::move(violation));
-    } else {
-      cut_ = true;
-    }
-  }
-  /// True once something was found that no longer fits: nothing further can change the verdict.
-  bool done() const { return cut_; }
-  /// How many more violations fit.
-  std::size_t room() const { return limit_ - list_.size(); }
-  bool empty() const { return list_.empty() && !cut_; }
-
-  std::vector<Violation> take() { return std::move(list_); }
-
- private:
-  std::size_t limit_;
-  bool cut_ = false;
-  std::vector<Violation> list_;
-};
 
 /// Does an angle keep the promise? @param order  of its cosine, which falls as the angle grows, to
 /// the promised one.

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "ar3d/verify/checks/checks.h"
-#include "ar3d/verify/checks/exact.h"
+#include "ar3d/verify/predicates/exact.h"
 
 namespace ar3d::verify {
 namespace {
@@ -83,7 +83,7 @@ bool ColumnProof::leave(Vertex v, const Heading& heading) {
   return true;
 }
 
-bool ColumnProof::right_angle(const Heading& a, const Heading& b) {
+bool ColumnProof::angle_is_kept(const Heading& a, const Heading& b) {
   if (!a.number || !b.number) return keeps_angle(guarantee_, compare_cosine_(a.d, b.d));
   std::int8_t& seen = angles_[*a.number][*b.number];
   if (seen == 0) seen = keeps_angle(guarantee_, compare_cosine_(a.d, b.d)) ? 1 : -1;
@@ -100,7 +100,7 @@ bool ColumnProof::take_neighbours(const Heading& a, const Heading& b) {
   }
   counts_.touching_neighbours += is_parallel;
   counts_.crossing_neighbours += !is_parallel;
-  return right_angle(a, b);
+  return angle_is_kept(a, b);
 }
 
 /// @param next_other  where the vertex's directions in others_ begin, if it has any; moved on.

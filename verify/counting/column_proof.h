@@ -53,7 +53,7 @@ class ColumnProof {
   bool take_edge(Edge ends, const std::vector<Point>& points);
   bool store(Point from, Point to);
   bool leave(Vertex v, const Heading& heading);
-  bool right_angle(const Heading& a, const Heading& b);
+  bool angle_is_kept(const Heading& a, const Heading& b);
   bool take_neighbours(const Heading& a, const Heading& b);
   bool take_vertices();
   bool take_star(Vertex v, std::size_t& next_other);

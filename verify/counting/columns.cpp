@@ -10,8 +10,8 @@
 #include <numeric>
 #include <tuple>
 
-#include "ar3d/verify/checks/exact.h"
 #include "ar3d/verify/crossings/radix_sort.h"
+#include "ar3d/verify/predicates/exact.h"
 
 namespace ar3d::verify {
 namespace {

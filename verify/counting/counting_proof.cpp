@@ -11,7 +11,7 @@
 
 #include "ar3d/base/parallel.h"
 #include "ar3d/verify/checks/checks.h"
-#include "ar3d/verify/checks/exact.h"
+#include "ar3d/verify/predicates/exact.h"
 
 namespace ar3d::verify {
 namespace {
@@ -113,7 +113,7 @@ bool CountingProof::take_leaving(Vertex v, std::uint8_t id) {
   return true;
 }
 
-bool CountingProof::right_angle(Share& share, std::size_t id, std::size_t other) const {
+bool CountingProof::angle_is_kept(Share& share, std::size_t id, std::size_t other) const {
   std::int8_t& seen = share.angles[id][other];
   if (seen == 0) {
     const auto order = compare_cosine(guarantee_.lattice, directions_.of_id(id),
@@ -128,7 +128,7 @@ bool CountingProof::take_neighbours(Share& share, std::size_t id, std::size_t ot
   const bool is_parallel = id / 2 == other / 2;
   share.touching_neighbours += is_parallel;
   share.crossing_neighbours += !is_parallel;
-  return right_angle(share, id, other);
+  return angle_is_kept(share, id, other);
 }
 
 bool CountingProof::take_star(Share& share, std::uint32_t star) const {

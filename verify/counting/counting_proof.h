@@ -72,7 +72,7 @@ class CountingProof {
   bool leave(Share& share, Vertex v, std::uint8_t id);
   bool leave_all(Share& share);
   bool take_leaving(Vertex v, std::uint8_t id);
-  bool right_angle(Share& share, std::size_t id, std::size_t other) const;
+  bool angle_is_kept(Share& share, std::size_t id, std::size_t other) const;
   bool take_neighbours(Share& share, std::size_t id, std::size_t other) const;
   bool take_vertices(Share& share, Vertex begin, Vertex end);
   void take_all_vertices();

@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "ar3d/verify/metrics/functional.h"
+#include "ar3d/verify/predicates/functional.h"
 
 namespace ar3d::verify {
 namespace {

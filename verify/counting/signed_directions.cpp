@@ -1,8 +1,10 @@
+// Numbers the directions of a drawing, up to the limits of the proof by counting; others get no
+// number.
 #include "ar3d/verify/counting/signed_directions.h"
 
 #include <cstdlib>
 
-#include "ar3d/verify/metrics/functional.h"
+#include "ar3d/verify/predicates/functional.h"
 
 namespace ar3d::verify {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <tuple>
 
-#include "ar3d/verify/checks/exact.h"
 #include "ar3d/verify/counting/columns.h"
 #include "ar3d/verify/crossings/near_pairs.h"
 #include "ar3d/verify/crossings/radix_sort.h"
+#include "ar3d/verify/predicates/exact.h"
 #include "ar3d/verify/predicates/widths.h"
 
 namespace ar3d::verify {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "ar3d/verify/checks/contacts.h"
+#include "ar3d/verify/crossings/contacts.h"
 #include "ar3d/verify/crossings/segments.h"
 
 namespace ar3d::verify {

@@ -1,3 +1,4 @@
+// Compares every pair. It is the oracle for the quick tests, so it stays plain.
 #include <algorithm>
 #include <cstdint>
 #include <vector>

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ar3d/verify/crossings/crossings.h"
-#include "ar3d/verify/metrics/functional.h"
+#include "ar3d/verify/predicates/functional.h"
 
 namespace ar3d::verify {
 

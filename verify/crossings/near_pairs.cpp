@@ -1,3 +1,5 @@
+// Where space is halved, so that few segments are cut, and a filter in double that drops pairs
+// which surely do not meet; Lemma V.9 bounds its errors.
 #include "ar3d/verify/crossings/near_pairs.h"
 
 #include <bit>

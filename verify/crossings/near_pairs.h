@@ -10,7 +10,7 @@
 
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/lattice.h"
-#include "ar3d/verify/metrics/functional.h"
+#include "ar3d/verify/predicates/functional.h"
 
 // Pairs of segments of any directions that may meet (Steps V.12 to V.14 of docs/verify.md): space
 // is halved again and again, each half keeps the segments that may have a point in it, and the few

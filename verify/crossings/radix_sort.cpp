@@ -1,3 +1,5 @@
+// Sorts items by their keys, 11 bits at a time from the lowest. Equal keys keep their order, and
+// every pass reads and writes in order.
 #include "ar3d/verify/crossings/radix_sort.h"
 
 #include <algorithm>

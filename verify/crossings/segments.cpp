@@ -1,3 +1,4 @@
+// The segments of a drawing, edge after edge, and how messages name them.
 #include "ar3d/verify/crossings/segments.h"
 
 #include <fmt/format.h>

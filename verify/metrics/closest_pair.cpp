@@ -1,3 +1,5 @@
+// The smallest distance of two vertices by a grid of cubes, with vertices in random order.
+// Distances are compared as integers whose width is proved.
 #include "ar3d/verify/metrics/closest_pair.h"
 
 #include <algorithm>
@@ -9,8 +11,8 @@
 #include <vector>
 
 #include "ar3d/base/random.h"
-#include "ar3d/verify/checks/exact.h"
-#include "ar3d/verify/metrics/functional.h"
+#include "ar3d/verify/predicates/exact.h"
+#include "ar3d/verify/predicates/functional.h"
 
 namespace ar3d::verify {
 namespace {

@@ -10,10 +10,10 @@
 #include <limits>
 #include <vector>
 
-#include "ar3d/verify/checks/exact.h"
 #include "ar3d/verify/crossings/radix_sort.h"
 #include "ar3d/verify/metrics/closest_pair.h"
-#include "ar3d/verify/metrics/functional.h"
+#include "ar3d/verify/predicates/exact.h"
+#include "ar3d/verify/predicates/functional.h"
 
 namespace ar3d::verify {
 namespace {

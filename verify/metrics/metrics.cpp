@@ -1,3 +1,4 @@
+// The table of metrics. Each is a function of one summary, so a new metric is one row here.
 #include "ar3d/verify/metrics/metrics.h"
 
 #include <algorithm>
@@ -7,7 +8,6 @@
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/open_table.h"
-#include "ar3d/verify/checks/examination.h"
 #include "ar3d/verify/metrics/summary_pass.h"
 
 namespace ar3d {

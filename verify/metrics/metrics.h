@@ -33,7 +33,7 @@ struct DrawingSummary {
   /// who have them; -1 if not set.
   std::int64_t volume_at_least = -1;
 
-  // What set_angles_and_crossings() fills in (verify/checks/angles.h).
+  // What set_angles_and_crossings() fills in (verify/angles.h).
   std::int64_t crossings = -1;
   double smallest_vertex_angle = kNone;  ///< degrees
   double smallest_bend_angle = kNone;    ///< degrees

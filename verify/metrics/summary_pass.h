@@ -36,4 +36,8 @@ class SummaryPass {
   DrawingSummary summary_;
 };
 
+/// measure() of a drawing in a real type: the metrics of its exact points, the box rounded outwards
+/// to integers.
+DrawingSummary measure_real(const Drawing& drawing);
+
 }  // namespace ar3d::verify

@@ -1,3 +1,5 @@
+// The predicates of a certificate in several arithmetics, so that their speed and their errors can
+// be measured. The filter's error bounds are proved where they stand.
 #include "ar3d/verify/predicates/choices.h"
 
 #include <algorithm>
@@ -9,13 +11,13 @@
 #include "ar3d/base/error.h"
 #include "ar3d/base/ieee_arithmetic.h"
 #include "ar3d/model/cosine_comparison.h"
-#include "ar3d/verify/checks/exact.h"
+#include "ar3d/verify/predicates/exact.h"
 #include "ar3d/verify/predicates/widths.h"
 
 namespace ar3d::verify {
 namespace {
 
-using Wide = boost::multiprecision::checked_int1024_t;
+using Int1024 = boost::multiprecision::checked_int1024_t;
 using meeting::Triple;
 
 template <class Number>
@@ -128,7 +130,7 @@ const std::vector<PredicateChoice>& predicate_choices() {
       {"filtered", PredicateChoice::kAlways, filtered_or_exact_angle, filtered_or_exact_meeting},
       {"int64", kInt64Bits, angle_in<std::int64_t>, meeting_kind<std::int64_t>},
       {"int128", kInt128Bits, angle_in<Int128>, meeting_kind<Int128>},
-      {"int1024", PredicateChoice::kAlways, angle_in<Wide>, meeting_kind<Wide>}};
+      {"int1024", PredicateChoice::kAlways, angle_in<Int1024>, meeting_kind<Int1024>}};
   return choices;
 }
 

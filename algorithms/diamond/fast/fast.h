@@ -15,8 +15,7 @@
 //   cut      A vertex whose number is a multiple of the stride. A long chain is cut there, since
 //            one chain may have all edges, and one walk along it would gain nothing.
 //   stretch  A part of a chain between two cuts, between a cut and an end, or a whole chain with
-//   two
-//            ends. Stretches are walked in any order and without writing any result.
+//            two ends. Stretches are walked in any order and without writing any result.
 //   lane     One of the walks that go on at a time, with a buffer for what its stretch keeps.
 //   port     One end of an edge: 4 * vertex + entry, where the entry is the edge's number at the
 //            vertex. A step leaves a vertex by a port and arrives at the next one by another.

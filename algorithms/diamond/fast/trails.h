@@ -261,7 +261,9 @@ void Trails<Link>::walk_cut(const Write& write) {
     const PortNumber end = port(bound(t + 1), 0);
     walkers.push_back({*this, write, lanes_of(t), all_linked_ ? end : begin, begin, end});
   }
-  in_threads(sizes_.threads, [&](std::uint32_t t) { walk_in_lanes(walkers[t], sizes_.lanes); });
+  for_each_in_threads(sizes_.threads, sizes_.threads, [&](std::uint32_t, std::size_t t) {
+    walk_in_lanes(walkers[t], sizes_.lanes);
+  });
   for (const auto& walker : walkers) {
     stretches_.insert(stretches_.end(), walker.stretches.begin(), walker.stretches.end());
   }
@@ -379,7 +381,8 @@ struct Trails<Link>::UncutWalker {
 template <class Link>
 template <class NextUnwritten, class Write>
 void Trails<Link>::walk_uncut(const NextUnwritten& next_unwritten, const Write& write) {
-  in_threads(sizes_.threads, [&](std::uint32_t t) {
+  for_each_in_threads(sizes_.threads, sizes_.threads, [&](std::uint32_t, std::size_t i) {
+    const auto t = static_cast<std::uint32_t>(i);
     UncutWalker<NextUnwritten, Write> walker{*this,
                                              next_unwritten,
                                              write,

@@ -14,11 +14,11 @@
 #include "ar3d/base/random.h"
 #include "ar3d/verify/certificate.h"
 #include "ar3d/verify/checks/checks.h"
-#include "ar3d/verify/checks/exact.h"
 #include "ar3d/verify/crossings/near_pairs.h"
 #include "ar3d/verify/crossings/segments.h"
 #include "ar3d/verify/metrics/metrics.h"
 #include "ar3d/verify/predicates/choices.h"
+#include "ar3d/verify/predicates/exact.h"
 
 namespace ar3d::precision {
 namespace {
@@ -204,6 +204,13 @@ std::string to_string(const JudgingMode& mode) {
       return "none";
   }
   throw InternalError("no name for a mode");
+}
+
+const std::vector<JudgingMode>& judging_modes() {
+  static const std::vector<JudgingMode> all = {
+      {Kind::exact, 0},   {Kind::filtered, 0},  {Kind::double_precision, 0},
+      {Kind::sample, 10}, {Kind::sample, 1000}, {Kind::none, 0}};
+  return all;
 }
 
 ModeVerdict judge_by_mode(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "ar3d/model/drawing.h"
 #include "ar3d/model/graph.h"
@@ -25,6 +26,9 @@ struct JudgingMode {
 
 /// "exact", "filtered", "double", "sample=1000", "none".
 std::string to_string(const JudgingMode& mode);
+
+/// Returns the modes that are measured.
+const std::vector<JudgingMode>& judging_modes();
 
 /// What a mode says of a drawing.
 struct ModeVerdict {

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -16,9 +15,8 @@
 #include "../inputs.h"
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/random.h"
-#include "ar3d/bench/measure/instruments.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/verify/checks/examination.h"
+#include "ar3d/verify/examination.h"
 #include "certificate_modes.h"
 #include "precision.h"
 
@@ -138,13 +136,6 @@ std::int64_t factor_for(int bits, const Points& points) {
   return bits == 0 ? 1 : std::max<std::int64_t>(1, (std::int64_t{1} << bits) / largest);
 }
 
-const std::vector<JudgingMode>& modes() {
-  static const std::vector<JudgingMode> all = {
-      {Kind::exact, 0},   {Kind::filtered, 0},  {Kind::double_precision, 0},
-      {Kind::sample, 10}, {Kind::sample, 1000}, {Kind::none, 0}};
-  return all;
-}
-
 struct Tally {
   std::uint64_t broken = 0, right = 0;
   std::vector<std::uint64_t> caught, false_alarms;
@@ -152,8 +143,8 @@ struct Tally {
 
 Tally judge_all(const Algorithm& algorithm, int bits, Damage kind, std::uint64_t drawings) {
   constexpr std::uint64_t kVertices = 16;
-  Tally tally{0, 0, std::vector<std::uint64_t>(modes().size()),
-              std::vector<std::uint64_t>(modes().size())};
+  Tally tally{0, 0, std::vector<std::uint64_t>(judging_modes().size()),
+              std::vector<std::uint64_t>(judging_modes().size())};
   RandomStream random(static_cast<std::uint64_t>(bits) * 4 + static_cast<std::uint64_t>(kind), 14);
   for (std::uint64_t i = 0; i < drawings; ++i) {
     Graph graph;
@@ -168,9 +159,9 @@ Tally judge_all(const Algorithm& algorithm, int bits, Damage kind, std::uint64_t
                 {.crossing_test = CrossingTest::all_pairs, .check_size = false})
             .violated();
     ++(is_broken ? tally.broken : tally.right);
-    for (std::size_t m = 0; m < modes().size(); ++m) {
+    for (std::size_t m = 0; m < judging_modes().size(); ++m) {
       const bool accepted =
-          judge_by_mode(graph, drawing, algorithm.guarantee, modes()[m], i).accepts;
+          judge_by_mode(graph, drawing, algorithm.guarantee, judging_modes()[m], i).accepts;
       (is_broken ? tally.caught : tally.false_alarms)[m] += !accepted;
     }
   }
@@ -178,7 +169,8 @@ Tally judge_all(const Algorithm& algorithm, int bits, Damage kind, std::uint64_t
 }
 
 std::vector<std::string> head(std::vector<std::string> first) {
-  for (const JudgingMode& mode : modes()) first.push_back(fmt::format("`{}`", to_string(mode)));
+  for (const JudgingMode& mode : judging_modes())
+    first.push_back(fmt::format("`{}`", to_string(mode)));
   return first;
 }
 
@@ -187,13 +179,13 @@ void catch_table(std::uint64_t drawings) {
   std::uint64_t all = 0, broken = 0;
   for (const auto& [kind, name] : kDamages) {
     for (const int bits : {0, 40, 60}) {
-      Tally sum{0, 0, std::vector<std::uint64_t>(modes().size()),
-                std::vector<std::uint64_t>(modes().size())};
+      Tally sum{0, 0, std::vector<std::uint64_t>(judging_modes().size()),
+                std::vector<std::uint64_t>(judging_modes().size())};
       for (const char* algorithm : {"diamond", "grid", "compact", "two-bend"}) {
         const Tally tally = judge_all(find_algorithm(algorithm), bits, kind, drawings);
         sum.broken += tally.broken;
         sum.right += tally.right;
-        for (std::size_t m = 0; m < modes().size(); ++m) {
+        for (std::size_t m = 0; m < judging_modes().size(); ++m) {
           sum.caught[m] += tally.caught[m];
           sum.false_alarms[m] += tally.false_alarms[m];
         }
@@ -203,7 +195,7 @@ void catch_table(std::uint64_t drawings) {
       const std::string scale = bits == 0 ? "as drawn" : fmt::format("2^{}", bits);
       std::vector<std::string> row{name, scale, fmt::format("{}", sum.broken)};
       std::vector<std::string> alarm{name, scale, fmt::format("{}", sum.right)};
-      for (std::size_t m = 0; m < modes().size(); ++m) {
+      for (std::size_t m = 0; m < judging_modes().size(); ++m) {
         row.push_back(rate(sum.caught[m], sum.broken));
         alarm.push_back(rate(sum.false_alarms[m], sum.right));
       }
@@ -218,32 +210,6 @@ void catch_table(std::uint64_t drawings) {
 }
 
 }  // namespace
-
-/// Least CPU time of three rounds, in turns, in nanoseconds per segment.
-void mode_times(const TableOptions&) {
-  std::vector<std::vector<std::string>> rows;
-  for (const char* name : {"diamond", "grid", "compact", "two-bend"}) {
-    const Algorithm& algorithm = find_algorithm(name);
-    for (const std::uint64_t n : {1000u, 10000u}) {
-      const Graph graph = generate(kernels::random_family(algorithm), n, 1);
-      const Drawing drawing = draw(algorithm, graph);
-      std::vector<double> least(modes().size(), std::numeric_limits<double>::infinity());
-      const auto segments = static_cast<double>(measure(drawing).segments);
-      for (int round = 0; round < 3; ++round) {
-        for (std::size_t m = 0; m < modes().size(); ++m) {
-          const CpuStopwatch time;
-          judge_by_mode(graph, drawing, algorithm.guarantee, modes()[m], 0);
-          least[m] = std::min(least[m], time.cpu_s());
-        }
-      }
-      std::vector<std::string> row{fmt::format("`{}`", name), fmt::format("{}", n)};
-      for (const double each : least) row.push_back(fmt::format("{:.0f}", each / segments * 1e9));
-      rows.push_back(std::move(row));
-    }
-  }
-  fmt::print("CPU time of judging, nanoseconds per segment, least of three rounds in turns:\n\n");
-  print_table(head({"algorithm", "n"}), rows);
-}
 
 void damage_tables(const TableOptions& options) { catch_table(options.drawings); }
 

@@ -6,7 +6,7 @@
 
 #include "ar3d/base/random.h"
 #include "ar3d/model/cosine_comparison.h"
-#include "ar3d/verify/checks/exact.h"
+#include "ar3d/verify/predicates/exact.h"
 #include "precision.h"
 
 namespace ar3d::precision {
@@ -46,6 +46,16 @@ void thin(std::vector<std::array<Point, 3>>& angles, std::size_t most) {
   angles.resize(most);
 }
 
+std::int64_t& any_coordinate(Point& p, RandomStream& random) {
+  const std::uint32_t axis = random.below(3);
+  return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+}
+
+/// Is the angle as promised: by P1 if all must be equal, else by P2?
+bool keeps(const Guarantee& guarantee, std::strong_ordering order) {
+  return guarantee.angle_rule == AngleRule::exactly ? order == 0 : order <= 0;
+}
+
 }  // namespace
 
 Decisions decisions_of(const Drawing& drawing, const Guarantee& guarantee, std::size_t most) {
@@ -75,20 +85,6 @@ Decisions decisions_of(const Drawing& drawing, const Guarantee& guarantee, std::
   add_pairs(std::move(segments), most, decisions);
   return decisions;
 }
-
-namespace {
-
-std::int64_t& any_coordinate(Point& p, RandomStream& random) {
-  const std::uint32_t axis = random.below(3);
-  return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
-}
-
-/// Is the angle as promised: by P1 if all must be equal, else by P2?
-bool keeps(const Guarantee& guarantee, std::strong_ordering order) {
-  return guarantee.angle_rule == AngleRule::exactly ? order == 0 : order <= 0;
-}
-
-}  // namespace
 
 std::vector<Angle> one_off(std::vector<Angle> angles) {
   RandomStream random(1);

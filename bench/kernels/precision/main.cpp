@@ -1,6 +1,5 @@
 // Tables of docs/precision.md that no row of a study holds: ar3d_precision NAME prints one as
-// Markdown, ar3d_precision all prints all of them. Everything but times is a function of the
-// command.
+// Markdown, ar3d_precision all prints all of them. All is a function of the command.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -48,8 +47,7 @@ constexpr NamedTable kTables[] = {
     {"nests", "from which depth on nests miss", nest_table},
     {"predicates", "wrong answers by arithmetic", predicate_tables},
     {"signs", "where rounding gives the wrong sign", sign_tables},
-    {"damage", "catch rates of certificate modes on damaged drawings", damage_tables},
-    {"modes", "times of certificate modes", mode_times}};
+    {"damage", "catch rates of certificate modes on damaged drawings", damage_tables}};
 
 int print_tables(int argc, char** argv) {
   CLI::App app("What precision costs and what it catches");

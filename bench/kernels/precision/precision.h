@@ -61,7 +61,6 @@ struct TableOptions {
 // What each prints stands in main.cpp. @throws InputError if the picture exists or cannot be
 // written.
 void damage_tables(const TableOptions& options);
-void mode_times(const TableOptions& options);
 void nest_table(const TableOptions& options);
 void predicate_tables(const TableOptions& options);
 void shift_tables(const TableOptions& options);

@@ -10,8 +10,8 @@
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/ieee_arithmetic.h"
 #include "ar3d/generators/catalog.h"
-#include "ar3d/verify/checks/exact.h"
 #include "ar3d/verify/predicates/choices.h"
+#include "ar3d/verify/predicates/exact.h"
 #include "precision.h"
 
 namespace ar3d::precision {

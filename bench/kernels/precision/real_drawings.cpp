@@ -162,29 +162,6 @@ void add_rows(const std::string& name, const std::vector<HardDrawing>& nests,
   }
 }
 
-}  // namespace
-
-void nest_table(const TableOptions& options) {
-  const int most = options.depth;
-  const auto half = [](int levels) { return levels / 2; };
-  const auto all = [](int levels) { return levels; };
-  const Graph cycle(5, {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {0, 4}});
-  const Graph random = generate(find_family("random-cubic"), 100, 1);
-  std::vector<std::vector<std::string>> rows;
-  add_rows("hexagons in K4", nests_of(complete_graph_of_four(), most, all), rows);
-  add_rows("hexagons in the cube", nests_of(cube(), most, all), rows);
-  add_rows("hexagons in a random cubic graph, n = 100", nests_of(random, most, all), rows);
-  add_rows("heptagons in C5", nests_of(cycle, most, all), rows);
-  add_rows("heptagons, then as many hexagons, in C5", nests_of(cycle, most, half), rows);
-  fmt::print(
-      "The least depth of a nest at which a drawing misses by more than a limit, predicted with "
-      "kappa from {} to {}, and seen, up to depth {}:\n\n",
-      kHighKappa, kMedianKappa, most);
-  print_table({"nest", "type", "degrees", "predicted", "seen"}, rows);
-}
-
-namespace {
-
 constexpr int kLargestShift = 60;
 
 RealPoints shifted(RealPoints points, int j) {
@@ -217,6 +194,25 @@ std::vector<HardDrawing> moved_away(const Graph& graph) {
 }
 
 }  // namespace
+
+void nest_table(const TableOptions& options) {
+  const int most = options.depth;
+  const auto half = [](int levels) { return levels / 2; };
+  const auto all = [](int levels) { return levels; };
+  const Graph cycle(5, {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {0, 4}});
+  const Graph random = generate(find_family("random-cubic"), 100, 1);
+  std::vector<std::vector<std::string>> rows;
+  add_rows("hexagons in K4", nests_of(complete_graph_of_four(), most, all), rows);
+  add_rows("hexagons in the cube", nests_of(cube(), most, all), rows);
+  add_rows("hexagons in a random cubic graph, n = 100", nests_of(random, most, all), rows);
+  add_rows("heptagons in C5", nests_of(cycle, most, all), rows);
+  add_rows("heptagons, then as many hexagons, in C5", nests_of(cycle, most, half), rows);
+  fmt::print(
+      "The least depth of a nest at which a drawing misses by more than a limit, predicted with "
+      "kappa from {} to {}, and seen, up to depth {}:\n\n",
+      kHighKappa, kMedianKappa, most);
+  print_table({"nest", "type", "degrees", "predicted", "seen"}, rows);
+}
 
 void shift_tables(const TableOptions&) {
   const std::vector<HardDrawing> all = moved_away(generate(find_family("random-cubic"), 100, 1));

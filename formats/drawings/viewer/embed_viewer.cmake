@@ -1,35 +1,17 @@
-# Writes ar3d_viewer.h: style, body, three.js and scripts of the viewer's page as texts, in pieces that every compiler
-# takes as a string. Included by formats/CMakeLists.txt; a changed file configures again. All files are ASCII.
+# Writes ar3d_viewer.h: style, body, three.js and scripts of the viewer's page as texts, and the hashes of its two scripts.
+# Included by formats/CMakeLists.txt. All files are ASCII.
 set(viewer_folder ${CMAKE_CURRENT_LIST_DIR})
-
-# Appends to viewer_text: the files one after the other as an array of pieces.
-function(viewer_pieces name)
-  set(text "")
-  foreach(file IN LISTS ARGN)
-    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${viewer_folder}/${file})
-    file(READ ${viewer_folder}/${file} part)
-    if(file MATCHES "^[a-z]+\\.js$")  # a module of the one script: names are shared without import and export
-      string(REGEX REPLACE "\nimport {[^}]*} from [^;]*;" "" part "${part}")
-      string(REGEX REPLACE "\nexport " "\n" part "${part}")
-    endif()
-    string(APPEND text "${part}")
-  endforeach()
-  set(pieces "")
-  string(LENGTH "${text}" length)
-  set(at 0)
-  while(at LESS length)
-    string(SUBSTRING "${text}" ${at} 60000 piece)
-    string(APPEND pieces "    R\"piece(${piece})piece\",\n")
-    math(EXPR at "${at} + 60000")
-  endwhile()
-  set(viewer_text "${viewer_text}inline const std::string_view ${name}[] = {\n${pieces}};\n" PARENT_SCOPE)
-endfunction()
-
+ar3d_joined(viewer_style ${viewer_folder} page.css)
+ar3d_joined(viewer_body ${viewer_folder} page.html)
+ar3d_joined(viewer_three ${viewer_folder} three/three.min.js)
+ar3d_joined(viewer_script ${viewer_folder} state.js data.js exact.js layers.js tubes.js cameras.js pick.js select.js ink.js panel.js frame.js page.js)
 set(viewer_text "// Made from formats/drawings/viewer/ by formats/drawings/viewer/embed_viewer.cmake.\n#include <string_view>\nnamespace ar3d {\n")
-viewer_pieces(kViewerStyle page.css)
-viewer_pieces(kViewerBody page.html)
-viewer_pieces(kViewerThree three/three.min.js)
-viewer_pieces(kViewerScript state.js data.js exact.js layers.js tubes.js cameras.js pick.js select.js ink.js panel.js frame.js page.js)
+ar3d_pieces(viewer_text kViewerStyle "${viewer_style}")
+ar3d_pieces(viewer_text kViewerBody "${viewer_body}")
+ar3d_pieces(viewer_text kViewerThree "${viewer_three}")
+ar3d_pieces(viewer_text kViewerScript "${viewer_script}")
+ar3d_script_hash(viewer_text kViewerThreeHash "\n${viewer_three}")  # a page has a line's end before it
+ar3d_script_hash(viewer_text kViewerScriptHash "\n${viewer_script}")
 string(APPEND viewer_text "}  // namespace ar3d\n")
 file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/ar3d_viewer.new "${viewer_text}")
 configure_file(${CMAKE_CURRENT_BINARY_DIR}/ar3d_viewer.new ${CMAKE_CURRENT_BINARY_DIR}/ar3d_viewer.h COPYONLY)

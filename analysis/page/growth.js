@@ -1,0 +1,191 @@
+// One section a setting: how its quantities grow, the share of the bound by family and n, its bounds by family, its bends.
+import {all, byId, count, distinct, element, grouped, interval, number, percent, powerOfN, range, rowsOf, shortCount} from "./values.js";
+import {folded, makeTable, withSmall} from "./tables.js";
+import {colour, figure} from "./charts.js";
+import {graphButton, isDrawn, open, pointsOf} from "./graphs.js";
+
+const kMostOpenRows = 80;
+const kShort = {"longest side": "side", volume: "volume", "drawing time": "time"};
+
+/** What an exponent is called: "1.02 [1.00, 1.04] power law". */
+export const exponentCell = (growth, digits = 3) => {
+  if (!growth || growth.exponent === null) return ["\u2013"];
+  const label = growth.growth + (growth.growth.startsWith("apparent") ? ` on n = ${count(growth.smallest_n)} \u2013 ${count(growth.largest_n)}` : "");
+  return withSmall(growth.exponent.toFixed(digits), [interval(growth.low, growth.high, digits), " ", label].filter(Boolean));
+};
+
+/** "0.98 – 1.02 [0.95, 1.05]", and how many families have which label. */
+export const exponentRange = row => {
+  if (!row) return ["\u2013"];
+  if (row.untimed) return ["not timed"];
+  const labels = [["power", "power law"], ["logarithm", "with logarithm"], ["apparent", "apparent"], ["undecided", "undecided"]]
+    .filter(([name]) => row[name] > 0).map(([name, text]) => `${count(row[name])} ${text}`).join(", ");
+  if (row.least === null) return ["undecided"];
+  return [range(row.least, row.largest), " ", element("small", {}, interval(row.low, row.high, 2), element("br"), labels)];
+};
+
+/** "none", or what is not right or not proved. */
+export const violations = row => {
+  const rest = row.unproved > 0 ? `${count(row.unproved)} of ${count(row.ok)} not proved` : "";
+  if (row.violations > 0) return [element("b", {class: "violated"}, count(row.violations)), rest && "; " + rest];
+  if (!row.ok) return [row.measured > 0 ? "measured, not judged" : "\u2013"];
+  return [rest ? "none found, " + rest : element("span", {class: "pass"}, "none")];
+};
+
+/** The line of a family, its graphs as points, and its unfinished rows at the upper edge. */
+const familyLine = (growth, quantity, points, chosen) => {
+  const family = rowsOf("bounds")[growth.curve], isOn = Boolean(chosen?.has(growth.curve)), key = kShort[quantity], graphs = pointsOf(growth.curve);
+  const stroke = growth.named ? colour(growth.named) : "var(--muted)", opacity = chosen && !isOn ? 0.15 : 1;
+  return {line: {name: family.label, label: family.name, stroke, opacity, width: isOn ? 2.6 : 1.4, css: "family" + (isOn ? " on" : ""),
+    points: points.map(row => ({x: row.n, y: row.median, low: row.least, high: row.largest}))},
+  dots: [{name: family.label, css: "points", stroke, points: graphs.filter(graph => !graph.status && graph[key] !== null)
+    .map(graph => ({x: graph.n, y: graph[key], row: graph.row}))},
+  {name: family.label + ", unfinished", css: "points cut", stroke: "var(--bound)", size: 7,
+    points: graphs.filter(graph => graph.status).map(graph => ({x: graph.n, y: null, row: graph.row}))}]};
+};
+
+const growthChart = (setting, quantity, chosen) => {
+  const mine = row => row.setting === setting && row.quantity === quantity, of = rowsOf("exponents").find(mine);
+  const about = rowsOf("figures").find(mine), label = rowsOf("settings")[setting].setting, divisor = powerOfN(of.order), band = rowsOf("bands").filter(mine);
+  const curves = grouped(rowsOf("curves").filter(row => row.quantity === quantity), row => row.curve);
+  const families = growthRows(setting, quantity).filter(growth => (growth.named || chosen?.has(growth.curve)) && curves.has(growth.curve))
+    .map(growth => familyLine(growth, quantity, curves.get(growth.curve), chosen));
+  const lines = [...families.map(family => family.line), {name: "all families", css: "middle", stroke: colour(0), width: 2.6,
+    points: band.map(row => ({x: row.n, y: row.median, low: row.least, high: row.largest}))}];
+  const bound = rowsOf("bound_lines").filter(mine).map(row => ({x: row.n, y: row.bound}));
+  if (about.beyond === null) lines.push({name: "theorem's bound", label: "theorem's bound", css: "bound", stroke: "var(--bound)", dash: "7 4", points: bound});
+  const format = quantity === "volume" || band.some(row => row.least < 0.01) ? "power" : "count";
+  return {file: `${label}-${quantity}`, title: `${label}: ${quantity}`, x: {title: "vertices n"}, lines, dots: families.flatMap(family => family.dots).filter(one => one.points.length),
+    y: {title: `${quantity} / ${divisor}, ${of.unit}`, format: quantity === "drawing time" ? "seconds" : format},
+    bands: [{name: "all families", points: band.map(row => ({x: row.n, low: row.least, high: row.largest, median: row.median}))}],
+    note: `${count(about.families)} families` + (about.beyond === null ? "" : `; the theorem's bound lies at least ${number(about.beyond)} times above`)};
+};
+
+let growthByCurve = null;
+const growthOf = (curve, quantity) => {
+  growthByCurve ??= grouped(rowsOf("growth"), row => row.curve);
+  return growthByCurve.get(curve)?.find(row => row.quantity === quantity);
+};
+const shownCurves = setting => rowsOf("bounds").map((row, curve) => ({...row, curve})).filter(row => row.setting === setting && row.is_shown);
+function growthRows(setting, quantity) {
+  return shownCurves(setting).map(row => growthOf(row.curve, quantity)).filter(Boolean);
+}
+
+const bandChart = setting => {
+  const rows = rowsOf("volume_bands").filter(row => row.setting === setting), label = rowsOf("settings")[setting].setting;
+  const of = rowsOf("exponents").find(row => row.setting === setting && row.quantity === "volume");
+  return {file: label + "-volume-band", title: label + ": volume between its bounds", x: {title: "vertices n"},
+    note: "below: proved impossible; above: excluded by the theorem; line: drawn, median", y: {title: `volume / ${powerOfN(of.order)}, ${of.unit}`, format: "power"},
+    bands: [{name: "from at least to at most", points: rows.map(row => ({x: row.n, low: row.least, high: row.most, median: row.drawn}))}],
+    lines: [{name: "drawn", css: "middle", stroke: colour(0), width: 2.6, points: rows.map(row => ({x: row.n, y: row.drawn}))}]};
+};
+
+const bendChart = setting => {
+  const rows = rowsOf("bends").filter(row => row.setting === setting), label = rowsOf("settings")[setting].setting;
+  return {file: label + "-bends", title: label + ": edges by bends", note: "share of all its edges", x: {title: "bends"}, y: {title: "edges"}, narrow: true,
+    bars: rows.map(row => ({x: row.bends === 7 ? "7 or more" : String(row.bends), y: row.share}))};
+};
+
+const shareCell = row => {
+  if (!row) return element("td");
+  const shade = Math.min(9, Math.max(0, Math.floor(row.share * 10)));
+  const cell = element("td", {class: `h${shade}${row.share > 1 ? " violated" : ""}${isDrawn(row.row) ? " shown" : ""}`, "data-r": row.row, "data-v": row.share, tabindex: 0},
+    percent(row.share, 0).replace(" %", ""));
+  cell.addEventListener("click", () => open(row.row));
+  cell.addEventListener("keydown", event => { if (event.key === "Enter") open(row.row); });
+  return cell;
+};
+
+/** Families × n: the largest share of the bound; the family that comes closest stands first. */
+const heatMap = setting => {
+  const shares = rowsOf("shares").filter(row => row.setting === setting);
+  if (!shares.length) return null;
+  const bins = distinct(shares.map(row => row.first_n)).sort((a, b) => a - b), ofCurve = grouped(shares, row => row.curve);
+  const last = new Map(shares.map(row => [row.first_n, row.last_n])), top = curve => Math.max(...ofCurve.get(curve).map(row => row.share));
+  const curves = [...ofCurve.keys()].sort((a, b) => top(b) - top(a));
+  const columns = [{name: "Family"}, ...bins.map(bin => ({value: () => 0, title: `n = ${count(bin)}` + (last.get(bin) === bin ? "" : ` \u2013 ${count(last.get(bin))}`),
+    name: shortCount(bin) + (last.get(bin) === bin ? "" : "\u2013")}))];
+  const made = makeTable(columns, [], undefined, "heat");
+  made.querySelector("tbody").append(...curves.map(curve => element("tr", {"data-f": curve}, element("th", {scope: "row"}, rowsOf("bounds")[curve].name),
+    bins.map(bin => shareCell(ofCurve.get(curve).find(row => row.first_n === bin))))));
+  return folded("Share of the theorem's bound by family and n", curves.length <= kMostOpenRows, element("p", {class: "muted"},
+    "Per cent, the worst graph and axis; the family that comes closest stands first. A click on an underlined number opens its drawing in 3D; " +
+    "on another one it shows the lines that draw it."), made);
+};
+
+const kStatuses = ["ok", "violated", "refused", "timeout", "out_of_memory", "crashed", "measured"];
+const statuses = row => kStatuses.filter(name => row[name] > 0).map(name => `${count(row[name])} ${name.replaceAll("_", " ")}`).join(", ");
+const fillColumn = axis => ({name: axis, value: row => row["share_" + axis],
+  show: row => withSmall(element(row["share_" + axis] > 1 ? "b" : "span", {class: row["share_" + axis] > 1 ? "violated" : null}, percent(row["share_" + axis])),
+    row["share_" + axis] === null ? "" : "\u00b7 " + percent(row["median_share_" + axis]))});
+
+const boundsTable = rows => folded("Bounds table", rows.length <= kMostOpenRows, element("p", {class: "muted"},
+  "Share of the theorem's bound that the worst and (grey) the median graph use, by axis; then the worst share over the axes of the proof's own bound for the very graph " +
+  "and of the published bound. 100 % touches the bound."), makeTable([
+  {name: "Family", show: row => row.label},
+  {name: "n", value: row => row.largest_n, show: row => `${count(row.smallest_n)} \u2013 ${count(row.largest_n)}`},
+  {name: "Rows", show: statuses}, {name: "Violations", value: row => row.violations, show: violations},
+  fillColumn("x"), fillColumn("y"), fillColumn("z"),
+  {name: "Own bound", value: row => row.own_share, show: row => percent(row.own_share)},
+  {name: "Published", value: row => row.published_share, show: row => percent(row.published_share)},
+  {name: "Worst graph", show: row => row.worst_row === null ? "\u2013" : graphButton(row.worst_row, "n = " + count(row.worst_n))},
+], rows, row => ({"data-f": row.curve})));
+
+const timeLabel = growth => {
+  if (!growth) return "\u2013";
+  if (growth.untimed) return ["not timed ", element("small", {}, element("code", {}, "timed_repetitions"), " in the sweep of the study times drawings")];
+  return [growth.growth, " ", element("small", {}, growth.reason + (growth.next ? "; would decide: " + growth.next : ""))];
+};
+const fitted = growth => {
+  if (!growth || (growth.untimed && !growth.sizes)) return "";
+  if (!growth.sizes) return "no finished size";
+  return `${growth.sizes} of ${growth.of_sizes} sizes, n = ${count(growth.smallest_n)} \u2013 ${count(growth.largest_n)}` +
+    (growth.unfinished ? `; ${count(growth.unfinished)} unfinished rows` : "");
+};
+
+const growthTable = rows => {
+  const of = quantity => row => growthOf(row.curve, quantity);
+  const column = quantity => ({name: quantity[0].toUpperCase() + quantity.slice(1), css: "note", value: row => of(quantity)(row)?.exponent ?? null, show: row => exponentCell(of(quantity)(row))});
+  const grown = rows.filter(row => of("longest side")(row) || of("drawing time")(row));
+  if (!grown.length) return null;
+  return folded("Growth, and how sure it is", rows.length <= kMostOpenRows, element("p", {class: "muted"},
+    "Exponent a of n^a over the fitted sizes, with its 95 % interval and its label; the interval of a power law covers larger n, too. Volume is the number of lattice points of the box, " +
+    "here also at the largest n as its share of the theorem's own box, and over what any drawing with this guarantee needs."), makeTable([
+    {name: "Family", show: row => row.label}, column("longest side"), column("volume"),
+    {name: "Share of the theorem's", value: row => row.volume_share, show: row => percent(row.volume_share)},
+    {name: "Over the least", value: row => row.volume_over_least, show: row => number(row.volume_over_least)},
+    column("drawing time"), {name: "Growth of the time", css: "note", show: row => timeLabel(of("drawing time")(row))},
+    {name: "Fit of the time", css: "note", show: row => element("small", {}, fitted(of("drawing time")(row)))},
+  ], grown, row => ({"data-f": row.curve})));
+};
+
+/** Families that the figures and tables of a section show: those whose name holds one of the words. */
+const highlight = (section, input, curves, state) => {
+  const words = input.value.toLowerCase().split(",").map(word => word.trim()).filter(Boolean);
+  state.chosen = words.length ? new Set(curves.filter(row => words.some(word => row.label.toLowerCase().includes(word))).map(row => row.curve)) : null;
+  for (const shown of all("figure.growth", section)) shown.paint();
+  for (const row of all("tr[data-f]", section)) row.hidden = Boolean(state.chosen) && !state.chosen.has(Number(row.dataset.f));
+};
+
+const settingSection = (row, setting) => {
+  const curves = shownCurves(setting), state = {chosen: null}, id = "a" + setting, quantities = rowsOf("exponents").filter(one => one.setting === setting && !one.untimed);
+  const figures = quantities.filter(one => rowsOf("figures").some(about => about.setting === setting && about.quantity === one.quantity))
+    .map(one => figure(() => growthChart(setting, one.quantity, state.chosen), {class: "growth"}));
+  if (rowsOf("volume_bands").some(one => one.setting === setting)) figures.push(figure(() => bandChart(setting)));
+  const growth = figures.length ? [element("div", {class: "figures"}, figures), element("p", {class: "muted"},
+    "Band and thick line: least, median and largest of the families' medians. Lines: families, named at their end. Dashed: the theorem's bound.")] : [];
+  const input = element("input", {type: "search", class: "filter", placeholder: "part of a name", list: id + "-families"});
+  const section = element("section", {id, class: "setting", "data-nav": row.setting}, element("h2", {}, row.setting),
+    row.theorem ? element("p", {}, `Theorem's box: ${row.theorem}.`, element("br"), `Published box: ${row.published || "none"}.`) : null,
+    row.shown < row.curves ? element("p", {class: "incomplete"}, `The ${count(row.shown)} of ${count(row.curves)} families that come closest to the bound; `,
+      element("code", {}, "ar3d report --csv"), " lists all.") : null,
+    element("p", {}, element("label", {class: "choice"}, "Highlight families ", input),
+      element("datalist", {id: id + "-families"}, curves.map(curve => element("option", {value: curve.label})))),
+    curves.length && curves.every(curve => curve.is_collection) ? folded("Growth", false, growth) : growth,
+    heatMap(setting), boundsTable(curves), growthTable(curves),
+    rowsOf("bends").some(one => one.setting === setting) ? folded("Bends", false, figure(() => bendChart(setting), {class: "bars"})) : null);
+  input.addEventListener("input", () => highlight(section, input, curves, state));
+  return section;
+};
+
+export const settingSections = () => byId("settings").append(...rowsOf("settings").map(settingSection));

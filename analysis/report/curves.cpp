@@ -1,0 +1,264 @@
+// How quantities grow, as figures show it: every value is divided by n to the order of the
+// theorem's bound, so that a constant is a horizontal line and a wrong exponent is visible.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "ar3d/analysis/report/sections.h"
+#include "ar3d/analysis/scaling/samples.h"
+#include "ar3d/analysis/statistics.h"
+
+namespace ar3d::report {
+namespace {
+
+using enum CellType;
+
+constexpr double kFarBound = 1.5;       // decades: a bound further up is told, not drawn
+constexpr double kPointBudget = 60000;  // points of a page
+constexpr double kLineBudget = 66000;   // sizes of a page's lines
+constexpr std::size_t kMostBinsOfALine = 16;
+
+double log_n(std::int64_t n) { return std::log(static_cast<double>(n)); }
+
+/// One family in one quantity.
+struct FamilyLine {
+  const SectionCurve* curve = nullptr;
+  const ScalingEntry* entry = nullptr;
+  std::vector<SizeSample> sizes;
+};
+
+/// The sizes of a collection in bins on a logarithmic scale: values are moved along n^order to the
+/// middle of their bin, so that a figure that divides by it shows what it showed.
+std::vector<SizeSample> binned(const std::vector<SizeSample>& all, double order) {
+  std::set<std::int64_t> sizes;
+  for (const SizeSample& size : all) sizes.insert(size.n);
+  std::vector<SizeSample> samples;
+  auto next = all.begin();
+  for (const SizeBin& bin : size_bins(sizes, kMostBinsOfALine)) {
+    SizeSample& sample = samples.emplace_back();
+    sample.n = sample.requested_n =
+        std::llround(std::sqrt(static_cast<double>(bin.first) * static_cast<double>(bin.last)));
+    for (; next != all.end() && next->n <= bin.last; ++next) {
+      const double moved = order * (log_n(sample.n) - log_n(next->n));
+      if (std::isnan(sample.log_bound)) sample.log_bound = next->log_bound + moved;
+      for (const InstanceValue& value : next->instances) {
+        sample.instances.push_back({value.log_value + moved, value.row});
+      }
+    }
+  }
+  return samples;
+}
+
+/// One setting in one quantity: what a figure shows.
+struct Figure {
+  std::size_t setting = 0;
+  Quantity quantity{};
+  double order = 1;
+  std::vector<FamilyLine> lines = {};
+
+  double over(const SizeSample& size, double log) const {
+    return std::exp(log - order * log_n(size.n));
+  }
+  double middle(const SizeSample& size) const { return over(size, median(size.log_values())); }
+};
+
+Figure figure_of(const TableMaker& make, std::size_t setting, Quantity quantity) {
+  const Section& section = make.sections[setting];
+  Figure figure{setting, quantity, order_of(section, quantity)};
+  for (const SectionCurve& curve : make.all ? section.curves : section.shown) {
+    const ScalingEntry* entry = curve.growth(quantity);
+    if (entry == nullptr || entry->reason == kUntimed) continue;
+    figure.lines.push_back(
+        {&curve, entry, curve.is_collection ? binned(entry->all, figure.order) : entry->all});
+  }
+  return figure;
+}
+
+/// How much a page may hold.
+struct PageBudget {
+  std::size_t points_of_a_size = 12, sizes_of_a_line = 200;
+};
+
+PageBudget budget_of(const StudyTally& tally) {
+  double sizes = 1;
+  for (const CurveTally& curve : tally.curves) sizes += static_cast<double>(curve.sizes.size());
+  const double curves = std::max(1.0, static_cast<double>(tally.curves.size()));
+  return {static_cast<std::size_t>(std::clamp(kPointBudget / (3 * sizes), 0.0, 12.0)),
+          static_cast<std::size_t>(std::clamp(kLineBudget / curves, 12.0, 200.0))};
+}
+
+void add_lines(const Figure& figure, std::size_t most_sizes, Table& table) {
+  for (const FamilyLine& line : figure.lines) {
+    for (const SizeSample& size : evenly(line.sizes, most_sizes)) {
+      const auto [least, largest] =
+          std::ranges::minmax_element(size.instances, {}, &InstanceValue::log_value);
+      table.add({line.curve->place, name_of(figure.quantity), size.n, size.instances.size(),
+                 figure.over(size, least->log_value), figure.middle(size),
+                 figure.over(size, largest->log_value), largest->row,
+                 figure.over(size, size.log_bound), std::exp(figure.order * log_n(size.n))});
+    }
+  }
+}
+
+/// The families' medians by requested n.
+void add_band(const Figure& figure, Table& table) {
+  std::map<std::int64_t, std::vector<double>> band;
+  for (const FamilyLine& line : figure.lines) {
+    for (const SizeSample& size : line.sizes) {
+      band[std::max<std::int64_t>(1, size.requested_n)].push_back(figure.middle(size));
+    }
+  }
+  for (const auto& [n, values] : band) {
+    const auto [least, largest] = std::ranges::minmax(values);
+    table.add({figure.setting, name_of(figure.quantity), n, values.size(), least, median(values),
+               largest});
+  }
+}
+
+/// The theorem's bound by n, and how far above all data it lies.
+void add_bound(const Figure& figure, Table& bounds, Table& figures) {
+  std::map<std::int64_t, double> bound;
+  double nearest = std::numeric_limits<double>::infinity(), top = 0;
+  std::set<std::string> families;
+  for (const FamilyLine& line : figure.lines) {
+    families.insert(line.curve->family);
+    for (const SizeSample& size : line.sizes) {
+      if (!std::isnan(size.log_bound)) bound[size.n] = figure.over(size, size.log_bound);
+      top = std::max(top, figure.over(size, std::ranges::max(size.log_values())));
+    }
+  }
+  for (const auto& [n, value] : bound) nearest = std::min(nearest, value);
+  const bool is_far = std::log10(nearest / top) > kFarBound;  // also without a bound
+  figures.add({figure.setting, name_of(figure.quantity), figure.order, count_families(families),
+               is_far ? nearest / top : kMissing});
+  const std::vector<std::pair<std::int64_t, double>> all(bound.begin(), bound.end());
+  for (const auto& [n, value] : evenly(all, 60)) {
+    bounds.add({figure.setting, name_of(figure.quantity), n, value});
+  }
+}
+
+/// Points of the figures: graphs of every size, evenly over their sides, and those that take most
+/// volume and time.
+void add_points(TableMaker& make, std::size_t most) {
+  for (const Section& section : make.sections) {
+    for (const SectionCurve& curve : section.shown) {
+      const bool timed = curve.tally->has_timing_rows;
+      for (const auto& [n, size] : curve.tally->sizes) {
+        if (n < 1 || size.graphs.empty() || most == 0) continue;
+        std::vector<const DrawnGraph*> graphs;
+        for (const DrawnGraph& graph : size.graphs) graphs.push_back(&graph);
+        const auto side = [&](const DrawnGraph* graph) {
+          return log_value(*graph, Quantity::longest_side, timed);
+        };
+        std::erase_if(graphs, [&](const DrawnGraph* graph) {
+          return std::isnan(side(graph)) && std::isnan(graph->log2_volume);
+        });
+        if (graphs.empty()) continue;
+        std::ranges::stable_sort(graphs, {}, side);
+        for (const DrawnGraph* graph : evenly(graphs, most))
+          make.graphs.add(curve.place, *graph, true);
+        for (const Quantity quantity : {Quantity::volume, Quantity::wall_s}) {
+          if (quantity == Quantity::wall_s && !timed) continue;
+          const DrawnGraph* largest =
+              *std::ranges::max_element(graphs, {}, [&](const DrawnGraph* graph) {
+                const double log = log_value(*graph, quantity, timed);
+                return std::isnan(log) ? -std::numeric_limits<double>::infinity() : log;
+              });
+          make.graphs.add(curve.place, *largest, true);
+        }
+      }
+      for (const CensoredRow& row : curve.tally->censored) make.graphs.add(curve.place, row);
+    }
+  }
+}
+
+/// One band: below it nothing can be, above it the theorem promises that nothing is; the drawings
+/// lie in between.
+void add_volume_bands(TableMaker& make) {
+  Table& table =
+      make.start("volume_bands", "a setting and n: its volume between its bounds",
+                 {{"setting", "", "its row in settings", integer},
+                  {"n", "vertices", "n that was asked for", integer},
+                  {"least", "", "what any drawing needs, over n to the order", number, 5},
+                  {"drawn", "", "median of the families' medians", number, 5},
+                  {"most", "", "what the theorem excludes", number, 5}});
+  for (std::size_t i = 0; i < make.sections.size(); ++i) {
+    const Figure figure = figure_of(make, i, Quantity::volume);
+    std::map<std::int64_t, std::array<std::vector<double>, 3>> bands;
+    for (const FamilyLine& line : figure.lines) {
+      for (const SizeSample& size : line.entry->all) {
+        auto& [least, drawn, most] = bands[std::max<std::int64_t>(1, size.requested_n)];
+        drawn.push_back(figure.middle(size));
+        if (!std::isnan(size.log_bound)) most.push_back(figure.over(size, size.log_bound));
+        for (const DrawnGraph& graph : line.curve->tally->sizes.at(size.n).graphs) {
+          const double log = log_volume_at_least(graph);
+          if (!std::isnan(log)) least.push_back(figure.over(size, log));
+        }
+      }
+    }
+    for (const auto& [n, band] : bands) {
+      const auto& [least, drawn, most] = band;
+      if (least.empty() || most.empty()) continue;
+      table.add({i, n, std::ranges::min(least), median(drawn), std::ranges::max(most)});
+    }
+  }
+}
+
+}  // namespace
+
+void add_curves(TableMaker& make) {
+  const PageBudget budget = budget_of(make.analysis.tally);
+  Table curves{"curves",
+               "a curve, a quantity and n: values over `divisor`",
+               {{"curve", "", "its row in bounds", integer},
+                {"quantity", "", "what grows"},
+                {"n", "vertices", "vertices", integer},
+                {"graphs", "", "graphs, or a sample of them", integer},
+                {"least", "", "least value", number, 5},
+                {"median", "", "median over the graphs", number, 5},
+                {"largest", "", "largest value", number, 5},
+                {"row", "", "of the graph with the largest one in /runs", integer},
+                {"bound", "", "the theorem's bound", number, 5},
+                {"divisor", "", "n to the order of the theorem's bound", number, 9}}};
+  Table bands{"bands",
+              "a setting, a quantity and n: medians of families, over n to the order",
+              {{"setting", "", "its row in settings", integer},
+               {"quantity", "", "what grows"},
+               {"n", "vertices", "n that was asked for", integer},
+               {"families", "", "curves", integer},
+               {"least", "", "least median", number, 5},
+               {"median", "", "median of the medians", number, 5},
+               {"largest", "", "largest median", number, 5}}};
+  Table bounds{"bound_lines",
+               "a setting, a quantity and n: the theorem's bound over n to the order",
+               {{"setting", "", "its row in settings", integer},
+                {"quantity", "", "what grows"},
+                {"n", "vertices", "vertices", integer},
+                {"bound", "", "the bound", number, 5}}};
+  Table figures{
+      "figures",
+      "a setting and a quantity: what a figure of them says",
+      {{"setting", "", "its row in settings", integer},
+       {"quantity", "", "what grows"},
+       {"order", "", "the power of n that values are divided by", number},
+       {"families", "", "families", integer},
+       {"beyond", "", "how many times above all data the bound lies, if far", number, 3}}};
+  std::vector<Quantity> shown = {Quantity::longest_side, Quantity::volume, Quantity::wall_s};
+  if (make.all) shown = quantities();
+  for (std::size_t i = 0; i < make.sections.size(); ++i) {
+    for (const Quantity quantity : shown) {
+      const Figure figure = figure_of(make, i, quantity);
+      if (figure.lines.empty()) continue;
+      add_lines(figure, make.all ? figure.lines.size() + 100000 : budget.sizes_of_a_line, curves);
+      add_band(figure, bands);
+      add_bound(figure, bounds, figures);
+    }
+  }
+  for (Table* table : {&curves, &bands, &bounds, &figures})
+    make.tables.push_back(std::move(*table));
+  add_points(make, budget.points_of_a_size);
+  add_volume_bands(make);
+}
+
+}  // namespace ar3d::report

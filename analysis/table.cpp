@@ -1,0 +1,142 @@
+// Tables between analysis and everything that shows it: one writer makes JSON, which page and
+// figures read, one makes CSV.
+#include "ar3d/analysis/table.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "ar3d/base/error.h"
+#include "ar3d/base/printable.h"
+
+namespace ar3d {
+namespace {
+
+bool is_number(const std::string& text) {
+  double value = 0;
+  const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
+  const char* const end = text.data() + text.size();
+  return std::from_chars(begin, end, value).ptr == end;
+}
+
+const char* type_name(CellType type) {
+  constexpr const char* kNames[] = {"integer", "number", "text", "flag"};
+  return kNames[static_cast<int>(type)];
+}
+
+void append_columns(const Table& table, std::string& json) {
+  for (const TableColumn& column : table.columns) {
+    json +=
+        fmt::format("{}{{\"name\":{},\"unit\":{},\"meaning\":{},\"type\":\"{}\"}}",
+                    &column == table.columns.data() ? "" : ",\n", json_string(column.name),
+                    json_string(column.unit), json_string(column.meaning), type_name(column.type));
+  }
+}
+
+void append_rows(const Table& table, std::string& json) {
+  for (std::size_t i = 0; i < table.cells.size(); ++i) {
+    const std::size_t at = i % table.columns.size();
+    json += at > 0 ? "," : i == 0 ? "[" : "],\n[";
+    table.cells[i].append_json(table.columns[at].digits, json);
+  }
+  if (!table.empty()) json += ']';
+}
+
+}  // namespace
+
+TableCell::TableCell(double number) {
+  if (std::isfinite(number)) value_ = number;
+}
+
+TableCell count_or_none(std::int64_t value) { return value < 0 ? TableCell() : TableCell(value); }
+
+void TableCell::append_json(int digits, std::string& text) const {
+  const auto out = std::back_inserter(text);
+  if (const auto* integer = std::get_if<std::int64_t>(&value_)) {
+    fmt::format_to(out, "{}", *integer);
+  } else if (const auto* number = std::get_if<double>(&value_)) {
+    digits == 0 ? fmt::format_to(out, "{}", *number)
+                : fmt::format_to(out, "{:.{}g}", *number, digits);
+  } else if (const auto* flag = std::get_if<bool>(&value_)) {
+    text += *flag ? "true" : "false";
+  } else if (const auto* words = std::get_if<std::string>(&value_)) {
+    text += json_string(*words);
+  } else {
+    text += "null";
+  }
+}
+
+std::string TableCell::csv() const {
+  if (const auto* words = std::get_if<std::string>(&value_)) return csv_field(*words);
+  std::string text;
+  if (!std::holds_alternative<std::monostate>(value_)) append_json(0, text);
+  return text;
+}
+
+void Table::add(std::initializer_list<TableCell> row) { add(std::vector<TableCell>(row)); }
+
+void Table::add(std::vector<TableCell> row) {
+  expect(row.size() == columns.size(), "a row has a cell for every column of its table");
+  std::ranges::move(row, std::back_inserter(cells));
+}
+
+std::string table_csv(const Table& table) {
+  std::string csv;
+  bool is_first = true;
+  const auto end_line = [&] { csv += "\r\n", is_first = true; };
+  const auto add = [&](const std::string& field) {
+    if (!is_first) csv += ',';
+    csv += field, is_first = false;
+  };
+  for (const TableColumn& column : table.columns) {
+    if (column.in_csv) add(column.name);
+  }
+  end_line();
+  for (std::size_t i = 0; i < table.cells.size(); ++i) {
+    const std::size_t at = i % table.columns.size();
+    if (table.columns[at].in_csv) add(table.cells[i].csv());
+    if (at + 1 == table.columns.size()) end_line();
+  }
+  return csv;
+}
+
+std::string tables_json(const std::vector<Table>& tables) {
+  std::string json = "{\"format\":\"ar3d tables 1\",\n\"tables\":{";
+  for (const Table& table : tables) {
+    json +=
+        fmt::format("{}{}:{{\"row_is\":{},\n\"columns\":[", &table == tables.data() ? "" : ",\n",
+                    json_string(table.name), json_string(table.row_is));
+    append_columns(table, json);
+    json += "],\n\"rows\":[";
+    append_rows(table, json);
+    json += "]}";
+  }
+  return json + "}}\n";
+}
+
+std::string csv_field(std::string_view raw) {
+  std::string text = valid_utf8(raw);
+  // An apostrophe stands before what a spreadsheet would compute.
+  const bool is_formula =
+      !text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos;
+  if (is_formula && !is_number(text)) text.insert(0, "'");
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string json_string(std::string_view text) {
+  std::string json;
+  for (const char c : nlohmann::json(valid_utf8(text)).dump(-1, ' ', true)) {
+    const bool is_special = c == '<' || c == '>' || c == '&';
+    json += is_special ? fmt::format("\\u{:04x}", static_cast<int>(c)) : std::string(1, c);
+  }
+  return json;
+}
+
+}  // namespace ar3d

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace ar3d {
+
+/// One value of a table; missing if nothing is given, or a number is not finite.
+class TableCell {
+ public:
+  TableCell() = default;
+  TableCell(std::string text) : value_(std::move(text)) {}
+  TableCell(const char* text) : value_(std::string(text)) {}
+  TableCell(double number);
+  TableCell(bool flag) : value_(flag) {}
+  template <std::integral Integer>
+  requires(!std::same_as<Integer, bool>) TableCell(Integer integer)
+      : value_(static_cast<std::int64_t>(integer)) {}
+
+  /// As JSON, numbers with so many significant digits; 0: the shortest that reads back as the same.
+  /// Nothing in it ends a script element.
+  void append_json(int digits, std::string& text) const;
+  /// As a field of RFC 4180; empty if missing.
+  std::string csv() const;
+
+ private:
+  std::variant<std::monostate, std::int64_t, double, bool, std::string> value_;
+};
+
+/// The number, or a missing cell if it is negative.
+TableCell count_or_none(std::int64_t value);
+
+enum class CellType { integer, number, text, flag };
+
+struct TableColumn {
+  const char* name;
+  const char* unit;     ///< empty: a plain number, or no number
+  const char* meaning;  ///< one line
+  CellType type = CellType::text;
+  int digits = 6;      ///< of numbers in JSON; 0: all
+  bool in_csv = true;  ///< false: it is for the page only
+};
+
+/// What analysis finds, for whoever shows it: named, typed columns and rows. It knows no page.
+struct Table {
+  std::string name;
+  std::string row_is;  ///< what one row is, a few words
+  std::vector<TableColumn> columns;
+  std::vector<TableCell> cells = {};  ///< row after row
+
+  /// @param row  as many cells as there are columns.
+  void add(std::initializer_list<TableCell> row);
+  void add(std::vector<TableCell> row);
+  std::size_t size() const { return cells.size() / columns.size(); }
+  bool empty() const { return cells.empty(); }
+};
+
+/// Names of the columns, then a line a row (RFC 4180).
+std::string table_csv(const Table& table);
+
+/// {"format": …, "tables": {NAME: {"row_is": …, "columns": [{"name", "unit", "meaning", "type"}, …],
+/// "rows": [[…], …]}, …}} in ASCII. Nothing in it ends a script element.
+std::string tables_json(const std::vector<Table>& tables);
+
+/// A field of a line of CSV, quoted where RFC 4180 asks for it.
+std::string csv_field(std::string_view raw);
+/// A JSON string that may stand in a script element. ASCII.
+std::string json_string(std::string_view text);
+
+}  // namespace ar3d

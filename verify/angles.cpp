@@ -1,0 +1,224 @@
+// Measures the angles of a drawing. Doubles decide what is far from the optimum, and exact integers
+// decide the rest; a valid certificate of one exact angle spares both.
+#include "ar3d/verify/angles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <compare>
+#include <numbers>
+#include <vector>
+
+namespace ar3d {
+namespace {
+
+constexpr Vector kNone{0, 0, 0};
+
+double inner_product(const Lattice& lattice, Vector u, Vector v) {
+  const std::array<double, 3> a{static_cast<double>(u.x), static_cast<double>(u.y),
+                                static_cast<double>(u.z)};
+  const std::array<double, 3> b{static_cast<double>(v.x), static_cast<double>(v.y),
+                                static_cast<double>(v.z)};
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) sum += a[i] * lattice.gram[i][j] * b[j];
+  }
+  return sum;
+}
+
+double cosine_of(const Lattice& lattice, Vector u, Vector v) {
+  const double lengths = std::sqrt(inner_product(lattice, u, u) * inner_product(lattice, v, v));
+  return std::clamp(inner_product(lattice, u, v) / lengths, -1.0, 1.0);
+}
+
+// @pre degree <= 4.
+Cosine optimal_cosine(std::uint32_t degree) { return degree <= 3 ? Cosine{-1, 2} : Cosine{-1, 3}; }
+
+double degrees(double cosine) { return std::acos(cosine) * 180 / std::numbers::pi; }
+
+class AngleMeasurer {
+ public:
+  explicit AngleMeasurer(const Drawing& drawing)
+      : drawing_(drawing),
+        lattice_(drawing.lattice()),
+        first_(drawing.num_edges(), kNone),
+        last_(drawing.num_edges(), kNone),
+        is_optimal_(drawing.num_edges(), true),
+        offsets_(drawing.num_vertices() + 1, 0) {}
+
+  DrawnAngles run() {
+    group_by_vertex();
+    const std::uint32_t degree = largest_degree();
+    has_optimum_ = degree <= 4;
+    if (has_optimum_) optimum_ = optimal_cosine(degree);
+    for_each_polyline(drawing_,
+                      [this](EdgeId e, const std::vector<Point>& points) { add_bends(e, points); });
+    add_vertices();
+    DrawnAngles angles;
+    if (largest_cosine_at_vertices_ != kNoAngle) {
+      angles.smallest_at_vertices = degrees(largest_cosine_at_vertices_);
+    }
+    if (largest_cosine_at_bends_ != kNoAngle) {
+      angles.smallest_at_bends = degrees(largest_cosine_at_bends_);
+    }
+    if (has_optimum_) {
+      angles.optimal_edges = std::count(is_optimal_.begin(), is_optimal_.end(), true);
+    }
+    return angles;
+  }
+
+ private:
+  static constexpr double kNoAngle = -2;  // less than every cosine
+
+  // Edges by vertex, in order.
+  void group_by_vertex() {
+    for (EdgeId e = 0; e < drawing_.num_edges(); ++e) {
+      ++offsets_[drawing_.edge(e).u + 1];
+      ++offsets_[drawing_.edge(e).v + 1];
+    }
+    for (std::size_t v = 1; v < offsets_.size(); ++v) offsets_[v] += offsets_[v - 1];
+    edges_.resize(offsets_.back());
+    std::vector<std::uint32_t> next(offsets_.begin(), offsets_.end() - 1);
+    for (EdgeId e = 0; e < drawing_.num_edges(); ++e) {
+      edges_[next[drawing_.edge(e).u]++] = e;
+      edges_[next[drawing_.edge(e).v]++] = e;
+    }
+  }
+  std::uint32_t largest_degree() const {
+    std::uint32_t largest = 0;
+    for (std::size_t v = 1; v < offsets_.size(); ++v) {
+      largest = std::max(largest, offsets_[v] - offsets_[v - 1]);
+    }
+    return largest;
+  }
+
+  void add_bends(EdgeId e, const std::vector<Point>& points) {
+    Vector before = kNone;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const Vector step = points[i] - points[i - 1];
+      if (step == kNone) {
+        is_optimal_[e] = false;
+        continue;
+      }
+      if (first_[e] == kNone) first_[e] = step;
+      if (before != kNone) judge(-before, step, e, e, largest_cosine_at_bends_);
+      before = step;
+    }
+    last_[e] = -before;
+  }
+
+  void add_vertices() {
+    constexpr std::uint32_t kCrowd = 64;
+    for (std::size_t v = 0; v + 1 < offsets_.size(); ++v) {
+      if (offsets_[v + 1] - offsets_[v] > kCrowd) {
+        add_crowded_vertex(static_cast<Vertex>(v));
+        continue;
+      }
+      for (std::uint32_t i = offsets_[v]; i < offsets_[v + 1]; ++i) {
+        for (std::uint32_t j = i + 1; j < offsets_[v + 1]; ++j) {
+          const Vector a = leaving(edges_[i], static_cast<Vertex>(v));
+          const Vector b = leaving(edges_[j], static_cast<Vertex>(v));
+          if (a == kNone || b == kNone) continue;
+          judge(a, b, edges_[i], edges_[j], largest_cosine_at_vertices_);
+        }
+      }
+    }
+  }
+  // Only the smallest angle is asked for, since more than four segments have no optimum. Unit
+  // vectors are no closer in space than along a line, by which they are sorted.
+  void add_crowded_vertex(Vertex v) {
+    struct Direction {
+      double place;
+      Vector step;
+    };
+    constexpr Vector kLine{129898, 782331, -377193};  // hardly at right angles to all of them
+    std::vector<Direction> directions;
+    for (std::uint32_t i = offsets_[v]; i < offsets_[v + 1]; ++i) {
+      const Vector step = leaving(edges_[i], v);
+      if (step != kNone) directions.push_back({cosine_of(lattice_, step, kLine), step});
+    }
+    std::sort(directions.begin(), directions.end(),
+              [](const Direction& a, const Direction& b) { return a.place < b.place; });
+    double largest = -1;
+    const auto compare_following = [&](std::size_t most) {
+      constexpr double kEqual = 1 - 1e-15;
+      for (std::size_t i = 0; i < directions.size() && largest < kEqual; ++i) {
+        const std::size_t end = i + std::min(most, directions.size() - 1 - i);
+        for (std::size_t j = i + 1; j <= end && largest < kEqual; ++j) {
+          if (directions[j].place - directions[i].place > std::sqrt(2 - 2 * largest) + 1e-7) break;
+          largest = std::max(largest, cosine_of(lattice_, directions[i].step, directions[j].step));
+        }
+      }
+    };
+    compare_following(8);
+    compare_following(directions.size());
+    if (directions.size() > 1) {
+      largest_cosine_at_vertices_ = std::max(largest_cosine_at_vertices_, largest);
+    }
+  }
+  Vector leaving(EdgeId e, Vertex v) const {
+    return drawing_.edge(e).u == v ? first_[e] : last_[e];
+  }
+
+  // Doubles decide what is far from the optimum, exact integers the rest.
+  void judge(Vector a, Vector b, EdgeId e, EdgeId f, double& largest_cosine) {
+    constexpr double kFar = 1e-9;
+    const double cosine = cosine_of(lattice_, a, b);
+    largest_cosine = std::max(largest_cosine, cosine);
+    if (!has_optimum_ || (!is_optimal_[e] && !is_optimal_[f])) return;
+    const double excess = cosine - static_cast<double>(optimum_.numerator) / optimum_.denominator;
+    const bool is_smaller =
+        std::abs(excess) > kFar ? excess > 0 : compare_cosine(lattice_, a, b, optimum_) > 0;
+    if (is_smaller) is_optimal_[e] = is_optimal_[f] = false;
+  }
+
+  const Drawing& drawing_;
+  const Lattice lattice_;
+  std::vector<Vector> first_;  // segment at end u, away from it
+  std::vector<Vector> last_;   // segment at end v, away from it
+  std::vector<bool> is_optimal_;
+  std::vector<std::uint32_t> offsets_;
+  std::vector<EdgeId> edges_;
+  bool has_optimum_ = false;
+  Cosine optimum_;
+  double largest_cosine_at_vertices_ = kNoAngle;
+  double largest_cosine_at_bends_ = kNoAngle;
+};
+
+// All angles are the same.
+DrawnAngles proved_angles(const Graph& graph, Cosine cosine, const DrawingSummary& summary) {
+  DrawnAngles angles;
+  const double angle = degrees(static_cast<double>(cosine.numerator) / cosine.denominator);
+  if (graph.max_degree() >= 2) angles.smallest_at_vertices = angle;
+  if (summary.bend_histogram.size() > 1) angles.smallest_at_bends = angle;
+  angles.optimal_edges = graph.num_edges();
+  return angles;
+}
+
+bool is_contact(ViolationKind kind) {
+  return kind == ViolationKind::crossing || kind == ViolationKind::vertex_on_edge ||
+         kind == ViolationKind::same_point;
+}
+
+}  // namespace
+
+DrawnAngles angles_of(const Drawing& drawing) { return AngleMeasurer(drawing).run(); }
+
+void set_angles_and_crossings(const Graph& graph, const Drawing& drawing,
+                              const Guarantee& guarantee, const Certificate& certificate,
+                              DrawingSummary& summary) {
+  if (!summary.in_range) return;
+  if (certificate.complete && certificate.mode == CertificateMode::exact) {
+    summary.crossings = std::count_if(certificate.violations.begin(), certificate.violations.end(),
+                                      [](const Violation& v) { return is_contact(v.kind); });
+  }
+  const bool is_proved = certificate.valid() && guarantee.angle_rule == AngleRule::exactly &&
+                         graph.max_degree() <= 4 &&
+                         guarantee.cosine == optimal_cosine(graph.max_degree());
+  const DrawnAngles angles =
+      is_proved ? proved_angles(graph, guarantee.cosine, summary) : angles_of(drawing);
+  summary.smallest_vertex_angle = angles.smallest_at_vertices;
+  summary.smallest_bend_angle = angles.smallest_at_bends;
+  summary.optimal_edges = angles.optimal_edges;
+}
+
+}  // namespace ar3d

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <utility>
+
+#include "ar3d/verify/crossings/segments.h"
+#include "ar3d/verify/predicates/exact.h"
+#include "ar3d/verify/violation.h"
+
+namespace ar3d::verify {
+
+/// Judges the meetings that a crossing test finds, and reports the forbidden ones in an order that
+/// does not depend on the test. A test only has to name every pair that meets, at least once.
+///
+/// Two segments may share exactly one point if that is the bend between them or a vertex at which
+/// both edges end. A vertex of one edge inside another edge is reported once, as vertex_on_edge,
+/// and coinciding vertices by the check of the vertices; everything else in common is a crossing.
+class Contacts {
+ public:
+  /// Looks for the narrowest integers that decide every meeting of the drawing. O(S).
+  /// @param most_comparisons  to be made; 0: no limit.
+  Contacts(const Segments& segments, Findings& findings, std::uint64_t most_comparisons = 0);
+
+  /// Two different segments that may meet.
+  void examine(SegmentId a, SegmentId b);
+  /// A vertex that may lie on a segment.
+  void examine_vertex(Vertex v, SegmentId s);
+
+  /// Comparisons that the test has made itself, beside those above, which count as one each.
+  void spend(std::uint64_t comparisons) { left_ -= std::min(left_, comparisons); }
+  std::uint64_t comparisons_left() const { return left_; }
+  /// True once there were too many comparisons: not everything was looked for.
+  bool gave_up() const { return left_ == 0; }
+  /// True once enough is found, or too much was compared: the test may stop.
+  bool done() const { return left_ == 0 || crossings_.size() + on_edges_.size() > limit_; }
+  /// Hands everything to the findings: vertices on edges, then crossings, in order of their
+  /// numbers.
+  void report();
+
+ private:
+  bool is_forbidden(SegmentId a, SegmentId b, const Meeting& meeting) const;
+  Violation crossing(SegmentId a, SegmentId b) const;
+
+  const Segments& segments_;
+  Findings& findings_;
+  std::size_t limit_;
+  std::uint64_t left_;  ///< comparisons
+  IntegerWidth width_;
+  std::set<std::pair<SegmentId, SegmentId>> crossings_;
+  std::set<std::pair<Vertex, EdgeId>> on_edges_;
+};
+
+}  // namespace ar3d::verify
