@@ -138,7 +138,11 @@ ViewerPage::ViewerPage(Sink write) : write_(std::move(write)) {
   write_("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
   write_(kViewerMark);
   write_(
-      "\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      fmt::format("\n<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
+                  "style-src 'unsafe-inline'; script-src {}; img-src data: blob:\">\n",
+                  viewer_script_hashes()));
+  write_(
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<title>ar3d: drawings in 3D</title>\n<style>\n");
   append_parts(write_, kViewerStyle);
   write_("</style>\n</head>\n<body>\n");

@@ -283,4 +283,23 @@ test("a drawing of 10^4 vertices is shown as lines, and as tubes from near", asy
   await shot(page, "viewer-10000-near");
 });
 
+test("no other script runs, and nothing is fetched", async () => {
+  const text = readFileSync(at("k5.html"), "utf8");
+  const [, policy] = text.match(/<meta http-equiv="Content-Security-Policy" content="([^"]*)">/);
+  assert.match(policy, /^default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-[^']{44}' 'sha256-[^']{44}'; img-src data: blob:$/);
+  const planted = `<script>globalThis.ran = 1</script><script src="https://ar3d.invalid/x.js"></script><img src="https://ar3d.invalid/x.png" ` +
+    `onerror="globalThis.ran = 2"><img src="data:," onerror="globalThis.ran = 3"><iframe src="https://ar3d.invalid/"></iframe>`;
+  writeFileSync(at("planted.html"), text.replace("<header>", planted + "<header>"));
+  assert.equal(text.split("<header>").length, 2);
+  const told = complaints.length, asked = [];
+  await page.context().route("https://ar3d.invalid/**", route => { asked.push(route.request().url()); return route.abort(); });
+  await open("planted.html");
+  assert.equal(await page.locator("#verdict").textContent(), "certified");
+  assert.equal(await page.evaluate(() => globalThis.ran), undefined);
+  await page.evaluate(() => fetch("https://ar3d.invalid/y").catch(() => 0));
+  assert.deepEqual(asked, []);
+  const refused = complaints.splice(told);
+  assert.ok(refused.length >= 6 && refused.every(line => line.includes("Content Security Policy")), refused.join("\n"));
+});
+
 test("the console stays silent", () => assert.deepEqual(complaints, []));
