@@ -143,7 +143,7 @@ TEST_F(Start, ToolsNameThePackagesThatTheyNeed) {
   const std::string tools = std::string(AR3D_SOURCE_DIR) + "/tools/";
   expect_error(run("PATH=/none /bin/bash " + tools + "try-packages " + path("")),
                "apt install lintian mmdebstrap util-linux");
-  expect_error(run("PATH=/none /bin/bash " + tools + "arm64 ar3d"), "qemu-user-static");
+  expect_error(run("cd " + tools + " && PATH=/none /bin/bash arm64 ar3d"), "qemu-user-static");
   expect_error(run("PATH=/none /bin/bash " + tools + "release"), "dpkg-dev");
   expect_error(run("PATH=/none /usr/bin/python3 " + tools + "site ar3d " + path("")),
                "apt install mkdocs-material doxygen", 1);
