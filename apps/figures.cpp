@@ -102,7 +102,7 @@ int make_figures(const FiguresArguments& arguments) {
       arguments.format, "--force"};
   if (arguments.is_grid) words.emplace_back("--grid");
   for (const auto& [option, value] : arguments.passed_on) {
-    if (!value.empty()) words.push_back(option + "=" + value);
+    if (!value.empty()) words.push_back(fmt::format("{}={}", option, value));
   }
   const int exit_code = run_script(std::move(words));
   if (exit_code != 0) std::filesystem::remove(tables, error);

@@ -10,7 +10,7 @@ const kShort = {"longest side": "side", volume: "volume", "drawing time": "time"
 /** What an exponent is called: "1.02 [1.00, 1.04] power law". */
 export const exponentCell = (growth, digits = 3) => {
   if (!growth || growth.exponent === null) return ["\u2013"];
-  const label = growth.growth + (growth.growth.startsWith("apparent") ? ` on n = ${count(growth.smallest_n)} \u2013 ${count(growth.largest_n)}` : "");
+  const label = growth.growth + (growth.growth.startsWith("apparent") && growth.smallest_n ? ` on n = ${count(growth.smallest_n)} \u2013 ${count(growth.largest_n)}` : "");
   return withSmall(growth.exponent.toFixed(digits), [interval(growth.low, growth.high, digits), " ", label].filter(Boolean));
 };
 

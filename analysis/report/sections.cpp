@@ -156,7 +156,9 @@ Table GraphList::table(const std::map<std::size_t, std::size_t>& drawings,
   for (const Section& section : sections) {
     for (const SectionCurve& curve : section.curves) section_of[curve.place] = &section;
   }
-  for (const auto& [row, noted] : rows_) {
+  for (const auto& entry : rows_) {
+    const std::uint64_t row = entry.first;
+    const auto& noted = entry.second;
     const DrawnGraph& graph = noted.graph;
     const bool timed = analysis.tally.curves[noted.curve].has_timing_rows;
     const auto section = section_of.find(noted.curve);

@@ -114,9 +114,10 @@ Allowed rings_of(Allowed table) {
   for (std::size_t before = 0; before != table.size();) {
     before = table.size();
     std::set<std::string> used;
-    for (auto& [name, targets] : table) {
-      std::erase_if(targets, [&](const auto& to) { return to == name || !table.contains(to); });
-      used.insert(targets.begin(), targets.end());
+    for (auto& row : table) {
+      std::erase_if(row.second,
+                    [&](const auto& to) { return to == row.first || !table.contains(to); });
+      used.insert(row.second.begin(), row.second.end());
     }
     std::erase_if(table,
                   [&](const auto& row) { return row.second.empty() || !used.contains(row.first); });
