@@ -296,7 +296,7 @@ test("no other script runs, and nothing is fetched", async () => {
   await open("planted.html");
   assert.equal(await page.locator("#verdict").textContent(), "certified");
   assert.equal(await page.evaluate(() => globalThis.ran), undefined);
-  await page.evaluate(() => fetch("https://ar3d.invalid/y").catch(() => 0));
+  await page.evaluate(() => globalThis.fetch("https://ar3d.invalid/y").catch(() => 0));
   assert.deepEqual(asked, []);
   const refused = complaints.splice(told);
   assert.ok(refused.length >= 6 && refused.every(line => line.includes("Content Security Policy")), refused.join("\n"));
