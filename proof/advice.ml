@@ -1,6 +1,6 @@
 (* Not trusted: how to halve space so that few pairs of segments stay together. Wrong advice costs
-   time, never truth. Coordinates are native integers, without their lowest bits if they are long:
-   then a cut is not quite where it was planned. *)
+   time, never truth. Coordinates are native integers, counted from the drawing's least corner, without
+   their lowest bits if they are long: then a cut is not quite where it was planned. *)
 open Checker
 
 exception Too_much
@@ -68,6 +68,7 @@ let pick ids size =
    without their lowest [shift] bits; and what the search for advice may still cost. *)
 type work = {
   size : int;
+  corner : point;   (* the least coordinates *)
   shift : int;
   x0 : int array; y0 : int array; z0 : int array;  (* where each segment begins *)
   x1 : int array; y1 : int array; z1 : int array;  (* where it ends *)
@@ -79,19 +80,22 @@ type work = {
 (* As many comparisons for each segment as the search may cost before it is done by directions. *)
 let budget_of_segment = 120
 
-let longest_coordinate (d : drawing) place =
-  let bits = ref 0 in
-  let see p = List.iter (fun z -> bits := max !bits (Integer.numbits z)) [ p.px; p.py; p.pz ] in
-  Array.iter see place;
-  List.iter (fun (e : edge) -> List.iter see e.bends) d.edges;
-  !bits
+(* The least and the largest coordinates. *)
+let corners (d : drawing) =
+  let least a b = if Integer.gt a b then b else a and most a b = if Integer.gt a b then a else b in
+  let both f p r = { px = f p.px r.px; py = f p.py r.py; pz = f p.pz r.pz } in
+  let see (low, high) p = (both least low p, both most high p) in
+  let start = List.hd d.vertices in  (* a graph without vertices needs no advice: [plan] *)
+  List.fold_left (fun c (e : edge) -> List.fold_left see c e.bends) (List.fold_left see (start, start) d.vertices) d.edges
 
 let work_of (d : drawing) =
   let place = Array.of_list d.vertices in
-  let bits = longest_coordinate d place in
+  let corner, high = corners d in
+  let far a b = Integer.numbits (Integer.sub b a) in
+  let bits = max (far corner.px high.px) (max (far corner.py high.py) (far corner.pz high.pz)) in
   let shift = max 0 (bits - 38) in
   room := 1 lsl (57 - min 38 bits);
-  let int z = Integer.to_int (Integer.shift_right z shift) in
+  let int z least = Integer.to_int (Integer.shift_right (Integer.sub z least) shift) in
   let size = List.fold_left (fun s (e : edge) -> s + 1 + List.length e.bends) (Array.length place) d.edges in
   let zeros () = Array.make size 0 in
   let x0 = zeros () and y0 = zeros () and z0 = zeros () in
@@ -100,8 +104,8 @@ let work_of (d : drawing) =
   let add p r =
     let i = !at in
     incr at;
-    x0.(i) <- int p.px; y0.(i) <- int p.py; z0.(i) <- int p.pz;
-    x1.(i) <- int r.px; y1.(i) <- int r.py; z1.(i) <- int r.pz in
+    x0.(i) <- int p.px corner.px; y0.(i) <- int p.py corner.py; z0.(i) <- int p.pz corner.pz;
+    x1.(i) <- int r.px corner.px; y1.(i) <- int r.py corner.py; z1.(i) <- int r.pz corner.pz in
   Array.iter (fun p -> add p p) place;
   List.iter
     (fun (e : edge) ->
@@ -109,7 +113,7 @@ let work_of (d : drawing) =
       add (List.fold_left (fun a b -> add a b; b) (v e.tail) e.bends) (v e.head))
     d.edges;
   let direction = Array.init size (fun i -> primitive (x1.(i) - x0.(i), y1.(i) - y0.(i), z1.(i) - z0.(i))) in
-  { size; shift; x0; y0; z0; x1; y1; z1; direction; budget = budget_of_segment * size; spent = 0 }
+  { size; corner; shift; x0; y0; z0; x1; y1; z1; direction; budget = budget_of_segment * size; spent = 0 }
 
 let spend work cost =
   work.spent <- work.spent + cost;
@@ -208,7 +212,9 @@ let point (a, b, c) m = { px = Integer.of_int (m * a); py = Integer.of_int (m * 
 
 (* normal . x = place + 1/2, times two *)
 let cut work (normal, place) low high =
-  Cut (point normal 2, Integer.shift_left (Integer.of_int ((2 * place) + 1)) work.shift, low, high)
+  let h = point normal 2 and c = work.corner in
+  let at_corner = Integer.add (Integer.mul h.px c.px) (Integer.add (Integer.mul h.py c.py) (Integer.mul h.pz c.pz)) in
+  Cut (h, Integer.add at_corner (Integer.shift_left (Integer.of_int ((2 * place) + 1)) work.shift), low, high)
 
 let divide work (normal, place) ids =
   (part (fun j -> low_of work normal j <= place) ids, part (fun j -> high_of work normal j > place) ids)

@@ -108,7 +108,10 @@ let print_graph sparse n pairs =
 
 (* Parsers. *)
 
+let longest_number = 1000  (* characters with the sign, as in formats/drawings/drawing_jsonl_reader.cpp *)
+
 let parse_drawing line =
+  if String.contains line '\000' then bad "a NUL byte";
   let i = ref 0 in
   let length = String.length line in
   let peek () = if !i < length then String.unsafe_get line !i else '\000' in
@@ -131,6 +134,7 @@ let parse_drawing line =
     let digits = !i in
     while (match peek () with '0' .. '9' -> true | _ -> false) do incr i done;
     if !i = digits then fail "an integer";
+    if !i - from > longest_number then bad (Printf.sprintf "a number of more than %d characters" longest_number);
     if !i - from < 18 then Integer.of_int (int_of_string (String.sub line from (!i - from)))
     else Integer.of_string (String.sub line from (!i - from)) in
   let list item =

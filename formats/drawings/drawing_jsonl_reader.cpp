@@ -24,7 +24,7 @@ constexpr const char* kKeyNames[] = {
     "",      "n",     "algorithm", "gram",          "gram_denominator", "vertices",
     "edges", "error", "real_type", "unit_exponent", "seconds",          "names"};
 constexpr std::string_view kKeysOfAnswers[] = {"n", "vertices", "edges", "error", "seconds"};
-constexpr std::size_t kLongestNumber = 1000;  // characters of a coordinate in a real type
+constexpr std::size_t kLongestNumber = 1000;  // characters, as in proof/reader.ml
 constexpr std::int64_t kLargestExponent = 4000;
 constexpr std::int64_t kLargestEntry =
     std::numeric_limits<std::int32_t>::max();  // of the Gram matrix
@@ -109,7 +109,7 @@ class DrawingEvents {
   }
   bool number_float(double, const std::string& text) {
     if (of_answer_) return take_decimal(text);
-    fail(fmt::format("expected an integer of 64 bits, found {}", shown(text)));
+    refuse_number(text);
   }
   bool string(std::string& value) {
     if (key_ == Key::algorithm && items_.empty()) {
@@ -174,7 +174,10 @@ class DrawingEvents {
     if (!items_.empty()) ++items_.back();
     return true;
   }
-  bool parse_error(std::size_t at, const std::string&, const nlohmann::json::exception& error) {
+  bool parse_error(std::size_t at, const std::string& token,
+                   const nlohmann::json::exception& error) {
+    constexpr int kOverflow = 406;
+    if (error.id == kOverflow) refuse_number(token);
     std::string reason =
         error.what();  // "[json.exception.…] parse error at line 1, column 5: syntax error …"
     const std::size_t place_end = reason.find(": ");
@@ -207,6 +210,12 @@ class DrawingEvents {
   }
   [[noreturn]] void fail(const std::string& problem) const {
     throw InputError(key_ == Key::none ? problem : fmt::format("{}: {}", place(), problem));
+  }
+  [[noreturn]] void refuse_number(const std::string& text) const {
+    if (text.size() <= kLongestNumber) {
+      fail(fmt::format("expected an integer of 64 bits, found {}", shown(text)));
+    }
+    fail(fmt::format("{} has more than {} characters", shown(text), kLongestNumber));
   }
   /// About the innermost open array as a whole.
   [[noreturn]] void fail_list(const std::string& problem) {
@@ -266,9 +275,7 @@ class DrawingEvents {
         text.find_first_not_of("0123456789", digits) != std::string::npos) {
       fail(fmt::format("{} is no decimal integer", shown(text)));
     }
-    if (text.size() > kLongestNumber) {
-      fail(fmt::format("{} has more than {} characters", shown(text), kLongestNumber));
-    }
+    if (text.size() > kLongestNumber) refuse_number(text);
     has_texts_ = true;
     BigInteger value = 0;  // read by hand: leading zeros would mean octal
     for (std::size_t i = digits; i < text.size(); ++i) value = value * 10 + (text[i] - '0');
@@ -356,12 +363,20 @@ class DrawingEvents {
   std::shared_ptr<StoredBends> bends_ = std::make_shared<StoredBends>();
 };
 
+// The library takes NUL for the end of its input.
+void parse_line(std::string_view line, DrawingEvents& events) {
+  if (const std::size_t at = line.find('\0'); at != std::string_view::npos) {
+    throw SyntaxError(at + 1, "a NUL byte");
+  }
+  nlohmann::json::sax_parse(line.begin(), line.end(), &events);
+}
+
 }  // namespace
 
 DecimalDrawing read_decimal_drawing(std::string_view line) {
   DrawingEvents events(true);
   try {
-    nlohmann::json::sax_parse(line.begin(), line.end(), &events);
+    parse_line(line, events);
   } catch (const SyntaxError& error) {
     throw InputError(fmt::format("column {}: no JSON: {}", error.column, error.what()));
   }
@@ -382,7 +397,7 @@ std::optional<DrawingJsonlReader::Line> DrawingJsonlReader::next() {
     if (is_blank(*line)) continue;
     try {
       DrawingEvents events(false);
-      nlohmann::json::sax_parse(line->begin(), line->end(), &events);
+      parse_line(*line, events);
       return events.finish();
     } catch (const SyntaxError& error) {
       input_->fail(error.column, error.what());

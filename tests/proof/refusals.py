@@ -73,7 +73,7 @@ expect("no graph left", 2, [LINE, LINE], [K4], good=1)
 expect("a graph too many", 2, [LINE], [K4, K4], good=1)
 expect("nothing", 2, [], [])
 # Options.
-for options in [["--box"], ["--bx", "0n,0n,0n"], ["--box=0n,0n,0n"], ["--box", "9n,9n,9n"], ["--pairs", "--pairs"], ["--x"], ["more"]]:
+for options in [["--box"], ["--help"], ["--bx", "0n,0n,0n"], ["--box=0n,0n,0n"], ["--box", "9n,9n,9n"], ["--pairs", "--pairs"], ["--x"], ["more"]]:
     expect(f"options {options}", 2, [LINE], [K4], options)
 WORDS = ["--bends", "3", "--cosine", "-1/3", "--exactly", "--gram", "1,1,1"]
 expect("the fewest words", 0, [LINE], [K4], promise=WORDS, good=1)
@@ -111,6 +111,21 @@ shift = 10 ** 400
 for p in huge["vertices"] + [p for e in huge["edges"] for p in e[2]]:
     p[0] += shift
 expect("coordinates of 400 digits", 0, [drawings.text(huge)], [K4], good=1)
+# What neither checker reads: a NUL byte, wherever it stands, and numbers of more than 1,000 characters.
+NUL = [LINE + "\0", LINE + "\0 }}} {", "\0" + LINE, changed(",", "\0,"), changed("diamond", "dia\0mond"), changed('"n":4', '"n":4\0'),
+       changed("]}", '],"names":["a","b","c\0","d"]}'), "\0"]
+LONG = [changed('"vertices":[[0,', f'"vertices":[[{sign}{"1" * (1000 - len(sign))}1,') for sign in ("", "-")]
+for line in NUL + LONG:
+    expect(f"the line {line[:300]!r}", 2, [line], [K4])
+    done = subprocess.run([ar3d, "verify", folder / "d", "--graphs", folder / "g"], capture_output=True, text=True)
+    said = "a NUL byte" if line in NUL else "has more than 1000 characters"
+    if done.returncode != 2 or said not in done.stderr or len(done.stderr) > 300:
+        failed.append(f"verify of {line[:300]!r}: exit code {done.returncode}: {done.stderr[:300]}")
+for number, why in [("1" * 999, "expected an integer of 64 bits"), ("-" + "1" * 999, "expected an integer of 64 bits"), ("1" * 309, "expected an integer of 64 bits")]:
+    expect(f"a number of {len(number)} characters", 4, [changed('"vertices":[[0,', f'"vertices":[[{number},')], [K4])
+    done = subprocess.run([ar3d, "verify", folder / "d", "--graphs", folder / "g"], capture_output=True, text=True)
+    if done.returncode != 2 or why not in done.stderr or "exception" in done.stderr or len(done.stderr) > 300:
+        failed.append(f"verify of a number of {len(number)} characters: exit code {done.returncode}: {done.stderr[:300]}")
 # The verdict says the line and the whole promise, in the words that were given.
 code, said = judge([LINE, LINE], [K4, K4])
 if said.splitlines()[1] != f"2: GOOD n=4 edges=6 {' '.join(PROMISE)}":
