@@ -95,8 +95,18 @@ void require_own_rows(const StudyIdentity& rows, const StudyIdentity& own,
       path, rows.source(), own.source()));
 }
 
+// Rows that are not of the plan, or of programs that have changed.
+void refuse_other_rows(const JournaledStudy& study, const StudyPlan& plan,
+                       const RowCollection& rows) {
+  if (!study.spec.programs.empty()) {
+    refuse_changed_programs(study.spec, rows.environment(), study.results);
+  }
+  if (rows.size() > 0) gather_rows(plan, rows);
+}
+
 // A results file without journals becomes a journal, whole or not at all.
-void seed_journal(const JournaledStudy& study, const StudyIdentity& identity) {
+void seed_journal(const JournaledStudy& study, const StudyPlan& plan,
+                  const StudyIdentity& identity) {
   if (study.has_journals && existing_journals(study.results).empty()) {
     throw InputError(fmt::format("{}: another process has finished the study", study.results));
   }
@@ -109,6 +119,7 @@ void seed_journal(const JournaledStudy& study, const StudyIdentity& identity) {
     rows.add(study.results);
     rows.close();
     require_own_rows(rows.identity(), identity, study.results);
+    refuse_other_rows(study, plan, rows);  // before there is a journal that says it is not finished
     JournalWriter journal(seed, identity, run_format());
     copy_rows(
         rows, [&study](const char* record) { return !is_again(study, record); }, journal);
@@ -211,7 +222,7 @@ class StudyPart {
     const StudyIdentity identity = identity_of(study, plan_);
     const std::string path = journal_path(study.results, ranks.rank());
     together(ranks, [&] {
-      if (ranks.is_first()) seed_journal(study, identity);
+      if (ranks.is_first()) seed_journal(study, plan_, identity);
       journal_.emplace(path, identity, run_format());
     });
     tell_of_cut_bytes(path);
@@ -222,11 +233,13 @@ class StudyPart {
 
   void add_rows() {
     const Stopwatch time;
+    // A rank that cannot read must not leave the others sharing rows without it.
+    std::optional<RowCollection> before;
     together(ranks_, [&] {
-      if (const StudySpec& spec = study_.spec; !spec.programs.empty())
-        refuse_changed_programs(spec, rows_so_far(study_).environment(), study_.results);
-      journal_->begin_session(session_of(study_, policy_, ranks_));
+      before.emplace(rows_so_far(study_));
+      refuse_other_rows(study_, plan_, *before);
     });
+    together(ranks_, [&] { journal_->begin_session(session_of(study_, policy_, ranks_)); });
     SessionPolicy shared = policy_;
     shared.name = study_.spec.name;
     shared.ranks = &ranks_;
@@ -234,12 +247,6 @@ class StudyPart {
       shared.timed_phases = false;
       shared.workers_elsewhere = (ranks_.size() - 1) * shared.workers;
     }
-    // A rank that cannot read must not leave the others sharing rows without it.
-    std::optional<RowCollection> before;
-    together(ranks_, [&] {
-      before.emplace(rows_so_far(study_));
-      if (before->size() > 0) gather_rows(plan_, *before);  // refuses rows that are not of the plan
-    });
     make_shared(shared, *before);
     before.reset();
     if (!ranks_.is_first()) {

@@ -196,6 +196,7 @@ TEST(Keys, AreOfThePlan) {
   strange.runs[5].row_key = std::string(31, '0') + "1";
   write_results(strange, scratch.path("p.h5"));
   expect_error(run("{} study resume -q " + scratch.path("p.h5")), "is none of study smoke");
+  EXPECT_FALSE(fs::exists(scratch.path("p.h5.journal"))) << "the study is as it was";
   strange.runs[5].row_key = std::string(32, '0');
   write_results(strange, file);
   expect_error(run("{} check " + file), "r.h5: the key of row 5 is zero");
