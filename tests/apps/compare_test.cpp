@@ -230,12 +230,15 @@ TEST(CompareProgram, GraphsAreFoundBesideTheSpecification) {
 TEST(CompareProgram, AnInterruptSaysSoAndLeavesNothingBehind) {
   const ScratchDirectory scratch;
   const std::string spec = scratch.write("tiny.toml", kStudy);
-  const std::string checkout = pretended_checkout(scratch, "sleep 600");
-  for (const char* signal : {"INT", "TERM"}) {
-    expect_error(
-        run("cd " + checkout + " && AR3D_PROGRAM=$(realpath {}) timeout --preserve-status -s " +
-            signal + " 4 {} compare --base HEAD --study " + spec),
-        "interrupted while building HEAD", 130);
+  const std::string checkout = pretended_checkout(scratch, "sleep 20");
+  const auto ended_by = [&](const std::string& signal) {
+    return run("cd " + checkout + " && timeout --preserve-status -s " + signal +
+               " 4 {} compare --base HEAD --study " + spec);
+  };
+  ended_by("KILL");
+  must("git -C " + checkout + " worktree list | grep sources");  // it goes with the next run
+  for (const char* signal : {"INT", "TERM", "HUP"}) {
+    expect_error(ended_by(signal), "interrupted while building HEAD", 130);
     expect_no_worktree(checkout);
   }
   expect_error(run("cd " + checkout +
