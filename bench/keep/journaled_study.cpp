@@ -51,9 +51,8 @@ StudyOutcome write_rows_so_far(const JournaledStudy& study, const StudyPlan& pla
   return {gathered.places.size(), gathered.missing, gathered.first_missing, {}};
 }
 
-// Copies rows from a study's files into a new journal, session by session.
-void copy_rows(const RowCollection& rows, const std::function<bool(const char* record)>& is_kept,
-               JournalWriter& journal) {
+// Copies the rows that are not made again into a new journal, session by session.
+void copy_rows(const JournaledStudy& study, const RowCollection& rows, JournalWriter& journal) {
   std::vector<EnvironmentEntry> session;
   for (const EnvironmentEntry& entry : rows.environment()) {
     if (entry.session != (session.empty() ? 0 : session.back().session)) {
@@ -64,13 +63,11 @@ void copy_rows(const RowCollection& rows, const std::function<bool(const char* r
   }
   journal.begin_session(session);
   rows.visit([&](const char* record) {
-    if (is_kept(record)) journal.append_record(record);
+    const bool again =
+        !study.again.empty() && std::ranges::count(study.again, load_record(record).status) > 0;
+    if (!again) journal.append_record(record);
   });
   journal.sync();
-}
-
-bool is_again(const JournaledStudy& study, const char* record) {
-  return !study.again.empty() && std::ranges::count(study.again, load_record(record).status) > 0;
 }
 
 // Before rows go, all are in the results file. @throws InputError if another process is at work.
@@ -98,9 +95,7 @@ void require_own_rows(const StudyIdentity& rows, const StudyIdentity& own,
 // Rows that are not of the plan, or of programs that have changed.
 void refuse_other_rows(const JournaledStudy& study, const StudyPlan& plan,
                        const RowCollection& rows) {
-  if (!study.spec.programs.empty()) {
-    refuse_changed_programs(study.spec, rows.environment(), study.results);
-  }
+  refuse_changed_programs(study.spec, rows.environment(), study.results);
   if (rows.size() > 0) gather_rows(plan, rows);
 }
 
@@ -121,8 +116,7 @@ void seed_journal(const JournaledStudy& study, const StudyPlan& plan,
     require_own_rows(rows.identity(), identity, study.results);
     refuse_other_rows(study, plan, rows);  // before there is a journal that says it is not finished
     JournalWriter journal(seed, identity, run_format());
-    copy_rows(
-        rows, [&study](const char* record) { return !is_again(study, record); }, journal);
+    copy_rows(study, rows, journal);
     if (!study.again.empty()) {
       say(stderr, "ar3d: {} of {} rows are made again\n", rows.size() - journal.rows(),
           rows.size());
@@ -359,10 +353,9 @@ JournaledStudy begin_together(Ranks& ranks, const std::function<JournaledStudy()
   });
   if (ranks.size() == 1) return *study;
   const std::string results = ranks.from_first(study ? study->results : "");
-  StudyIdentity identity;
-  if (study) identity = identity_of(*study, StudyPlan());
-  const std::string text = ranks.from_first(identity_text(identity, run_format()));
-  identity = parse_identity(text, run_format(), results);
+  StudyIdentity identity = study ? identity_of(*study, StudyPlan()) : StudyIdentity();
+  identity = parse_identity(ranks.from_first(identity_text(identity, run_format())), run_format(),
+                            results);
   StudySpec spec = recorded_study(identity, results);
   if (study) spec.shelf = study->spec.shelf;
   together(ranks, [&spec] { corpora_of(spec); });  // so that all ranks have read the same graphs

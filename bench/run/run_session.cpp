@@ -1,5 +1,6 @@
 // The phases of a study in order, each with its threads or worker processes.
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <atomic>
@@ -53,6 +54,9 @@ void work_in_threads(RowSource& source, const WorkerPool& pool) {
       throw;
     }
   };
+  // The main thread's memory would go back to the system between rows, whose pages then come anew.
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  mallopt(M_TRIM_THRESHOLD, 64 << 20);
   in_threads(static_cast<std::uint32_t>(pool.workers), until_one_fails);
 }
 

@@ -26,9 +26,8 @@ constexpr const char* kKeyNames[] = {
 constexpr std::string_view kKeysOfAnswers[] = {"n", "vertices", "edges", "error", "seconds"};
 constexpr std::size_t kLongestNumber = 1000;  // characters, as in proof/reader.ml
 constexpr std::int64_t kLargestExponent = 4000;
-constexpr std::int64_t kLargestEntry =
-    std::numeric_limits<std::int32_t>::max();  // of the Gram matrix
-constexpr std::uint64_t kMaxVertices = std::numeric_limits<Vertex>::max() - 1;
+constexpr std::int64_t kLargestEntry = INT32_MAX;  // of the Gram matrix
+constexpr std::int64_t kMaxVertices = std::numeric_limits<Vertex>::max() - 1;
 
 class SyntaxError : public InputError {
  public:
@@ -55,9 +54,8 @@ class DrawingEvents {
       drawing.names = std::make_shared<const std::vector<std::string>>(std::move(names_));
       return drawing;
     }
-    if (std::count(std::begin(seen_), std::end(seen_), true) != 2) {
+    if (std::count(std::begin(seen_), std::end(seen_), true) != 2)
       throw InputError("a line with 'error' has no other key than 'n'");
-    }
     return UndrawnGraph{n_, std::move(error_)};
   }
   DecimalDrawing finish_answer() {
@@ -78,9 +76,8 @@ class DrawingEvents {
     if (of_answer_) return take_decimal(std::to_string(value));
     const std::size_t depth = items_.size();
     if (key_ == Key::n && depth == 0) {
-      if (value < 0 || static_cast<std::uint64_t>(value) > kMaxVertices) {
+      if (value < 0 || value > kMaxVertices)
         fail(fmt::format("{} is no number of vertices", value));
-      }
       n_ = static_cast<std::uint64_t>(value);
     } else if (key_ == Key::gram_denominator && depth == 0) {
       lattice_.gram_denominator = static_cast<std::int32_t>(in_range(value, 1, kLargestEntry));
@@ -102,14 +99,13 @@ class DrawingEvents {
   }
   bool number_unsigned(std::uint64_t value) {
     if (of_answer_) return take_decimal(std::to_string(value));
-    if (value > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())) {
+    if (!std::in_range<std::int64_t>(value))
       fail(fmt::format("{} does not fit 64 bits with sign", value));
-    }
     return number_integer(static_cast<std::int64_t>(value));
   }
   bool number_float(double, const std::string& text) {
     if (of_answer_) return take_decimal(text);
-    refuse_number(text);
+    fail(fmt::format("expected an integer of 64 bits, found {}", shown(text)));
   }
   bool string(std::string& value) {
     if (key_ == Key::algorithm && items_.empty()) {
@@ -140,9 +136,8 @@ class DrawingEvents {
     if (found == std::end(kKeyNames) || (of_answer_ ? !in_answers : name == "seconds")) {
       throw InputError(fmt::format("unknown key {}", shown(name)));
     }
-    const auto index = found - std::begin(kKeyNames);
-    key_ = static_cast<Key>(index);
-    if (std::exchange(seen_[index], true))
+    key_ = static_cast<Key>(found - std::begin(kKeyNames));
+    if (std::exchange(seen_[static_cast<int>(key_)], true))
       throw InputError(fmt::format("key '{}' stands twice", name));
     return true;
   }
@@ -176,8 +171,7 @@ class DrawingEvents {
   }
   bool parse_error(std::size_t at, const std::string& token,
                    const nlohmann::json::exception& error) {
-    constexpr int kOverflow = 406;
-    if (error.id == kOverflow) refuse_number(token);
+    if (error.id == 406 && !of_answer_) return number_float(0, token);  // no double holds it
     std::string reason =
         error.what();  // "[json.exception.…] parse error at line 1, column 5: syntax error …"
     const std::size_t place_end = reason.find(": ");
@@ -210,12 +204,6 @@ class DrawingEvents {
   }
   [[noreturn]] void fail(const std::string& problem) const {
     throw InputError(key_ == Key::none ? problem : fmt::format("{}: {}", place(), problem));
-  }
-  [[noreturn]] void refuse_number(const std::string& text) const {
-    if (text.size() <= kLongestNumber) {
-      fail(fmt::format("expected an integer of 64 bits, found {}", shown(text)));
-    }
-    fail(fmt::format("{} has more than {} characters", shown(text), kLongestNumber));
   }
   /// About the innermost open array as a whole.
   [[noreturn]] void fail_list(const std::string& problem) {
@@ -260,8 +248,7 @@ class DrawingEvents {
     }
   }
   void end_edge() {
-    const std::uint64_t fewest = of_answer_ ? 2 : 3;
-    if (items_.back() < fewest) fail_list("an edge is [u, v, [bends]]");
+    if (items_.back() < (of_answer_ ? 2u : 3u)) fail_list("an edge is [u, v, [bends]]");
     edges_->push_back(ends_);
     answer_.offsets.push_back(answer_.bends.size());
     real_.offsets.push_back(real_.bends.size());
@@ -275,7 +262,8 @@ class DrawingEvents {
         text.find_first_not_of("0123456789", digits) != std::string::npos) {
       fail(fmt::format("{} is no decimal integer", shown(text)));
     }
-    if (text.size() > kLongestNumber) refuse_number(text);
+    if (text.size() > kLongestNumber)
+      fail(fmt::format("{} has more than {} characters", shown(text), kLongestNumber));
     has_texts_ = true;
     BigInteger value = 0;  // read by hand: leading zeros would mean octal
     for (std::size_t i = digits; i < text.size(); ++i) value = value * 10 + (text[i] - '0');
@@ -300,9 +288,7 @@ class DrawingEvents {
     return true;
   }
   Vertex checked_vertex(std::int64_t id) const {
-    if (id < 0 || static_cast<std::uint64_t>(id) > kMaxVertices) {
-      fail(fmt::format("{} is no vertex id", id));
-    }
+    if (id < 0 || id > kMaxVertices) fail(fmt::format("{} is no vertex id", id));
     return static_cast<Vertex>(id);
   }
   bool seen(Key key) const { return seen_[static_cast<int>(key)]; }
@@ -365,9 +351,8 @@ class DrawingEvents {
 
 // The library takes NUL for the end of its input.
 void parse_line(std::string_view line, DrawingEvents& events) {
-  if (const std::size_t at = line.find('\0'); at != std::string_view::npos) {
-    throw SyntaxError(at + 1, "a NUL byte");
-  }
+  const std::size_t nul = line.find('\0');
+  if (nul != line.npos) throw SyntaxError(nul + 1, "a NUL byte");
   nlohmann::json::sax_parse(line.begin(), line.end(), &events);
 }
 
