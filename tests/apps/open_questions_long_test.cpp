@@ -33,6 +33,11 @@ TEST(OpenQuestions, OneGraphOfEightVerticesHasALatticeDrawingByBothFormulas) {
   EXPECT_EQ(answer("G?~vf_", "lattice_lengths.py", "z3"), "sat\n");
 }
 
+TEST(OpenQuestions, TheSearchOfK5ReachesTheBendsStated) {
+  const Outcome found = run("/usr/bin/python3 " + kFolder + "k5_one_bend.py 6 0.001");
+  EXPECT_THAT(found.out, HasSubstr("66.67"));
+}
+
 // The page's table of arguments, all three.
 TEST(OpenQuestions, TheSearchFindsTheCommittedDrawingsAgain) {
   const ScratchDirectory scratch;

@@ -1,6 +1,7 @@
 // What docs/open-questions.md says that computations say.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -125,7 +126,23 @@ TEST(OpenQuestions, K4HasADrawingWithOneBend) {
   }
 }
 
-/// The search of examples/open_questions, compiled once a process.
+TEST(OpenQuestions, K5WithOneBendIsMadeAgain) {
+  const Outcome made = run("/usr/bin/python3 " + kQuestions + "k5_one_bend.py --exact");
+  EXPECT_EQ(made.out, read_file(kQuestions + "k5_one_bend.jsonl"));
+  EXPECT_THAT(made.err, HasSubstr("58.668 degrees"));
+}
+
+TEST(OpenQuestions, TheSumExcludesOneBendForK5Alone) {
+  const std::string sums = run("for n in 5 6 7 8 9; do nauty-geng -cq -d4 -D4 $n; done | "
+                               "/usr/bin/python3 " +
+                               kQuestions + "one_bend_sums.py")
+                               .out;
+  EXPECT_EQ(std::ranges::count(sums, '\n'), 26);
+  EXPECT_THAT(sums, HasSubstr("D~{ n=5 at least 13.33, at most 12.25: excluded\n"));
+  EXPECT_EQ(sums.find(": excluded"), sums.rfind(": excluded")) << sums;
+}
+
+/// The search of docs/open-questions, compiled once a process.
 class SmallDrawingsSearch : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
