@@ -100,16 +100,6 @@ std::vector<DrawingFormat> catalogue() {
                 [](OutputFile& file, const Drawing& drawing, const ExportOptions& options) {
                   file.append(drawing_to_tikz(drawing, options.view));
                 })},
-      {"obj",
-       {".obj"},
-       "Wavefront: polylines as objects edge_u_v, roles as groups; no colours; lattice units",
-       false,
-       one_text("obj", write_obj)},
-      {"ply",
-       {".ply"},
-       "text: numbers of vertices and edges, roles as colours; lattice units",
-       false,
-       one_text("ply", write_ply)},
       {"vtp",
        {".vtp"},
        "VTK, for ParaView: numbers, roles, colours, exact lattice coordinates; lattice units",

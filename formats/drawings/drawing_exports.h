@@ -27,14 +27,6 @@ inline constexpr std::uint64_t kMaxExportPoints = std::uint64_t{1} << 24;
 /// of a unit.
 inline constexpr std::int64_t kMaxPrintExtent = std::int64_t{1} << 16;
 
-/// Wavefront OBJ: a point element with all vertices, a line element a polyline; objects are named
-/// edge_u_v, groups after roles.
-void write_obj(OutputFile& output, const Drawing& drawing);
-
-/// PLY, as text: vertices with colour and number (-1: a bend), edges with colour and number of the
-/// drawing's edge.
-void write_ply(OutputFile& output, const Drawing& drawing);
-
 /// VTK PolyData as XML: points with the number of the vertex (-1: a bend) and exact lattice
 /// coordinates, cells with the number of the edge (-1: a vertex), role and colour.
 void write_vtp(OutputFile& output, const Drawing& drawing);

@@ -4,7 +4,7 @@
 namespace ar3d::testing {
 namespace {
 
-const char* const kExports[] = {"svg", "tikz", "obj", "ply", "vtp", "glb", "stl", "graphml"};
+const char* const kExports[] = {"svg", "tikz", "vtp", "glb", "stl", "graphml"};
 
 TEST(Export, HelpSaysWhatEachFormatKeeps) {
   const std::string help = run("{} draw --help").out;

@@ -118,7 +118,7 @@ TEST_F(Outputs, ThatExistAreReplacedWithForceOnly) {
        std::vector<Written>{{"generate petersen -o out.s6", "out.s6"},
                             {"draw k4.s6 --algorithm diamond -o out.jsonl", "out.jsonl"},
                             {"draw k4.s6 --algorithm diamond -o out.svg", "out.svg"},
-                            {"draw k4.s6 --algorithm diamond -o out.obj", "out.obj"},
+                            {"draw k4.s6 --algorithm diamond -o out.stl", "out.stl"},
                             {"replay r.h5 0 -o out.jsonl", "out.jsonl"},
                             {"hunt --algorithm grid -n 8 --evaluations 2 -o out", "out.txt"},
                             {"shrink k4.s6 --algorithm grid --ratio 1e-9 -o out", "out.svg"},
@@ -130,9 +130,9 @@ TEST_F(Outputs, ThatExistAreReplacedWithForceOnly) {
                             {"report r.h5 --json out.json", "out.json"},
                             {"figures r.h5 -o .", "side.pdf"},
                             {"compare r.h5 other.h5 --drawings-only --json out.json", "out.json"},
-                            {"study run smoke -q -o out.obj", "out.obj"},
-                            {"study merge r.h5 -o out.obj", "out.obj"},
-                            {"study count r.h5 --max-n 4 -o out.obj", "out.obj"},
+                            {"study run smoke -q -o out.stl", "out.stl"},
+                            {"study merge r.h5 -o out.stl", "out.stl"},
+                            {"study count r.h5 --max-n 4 -o out.stl", "out.stl"},
                             {"study status r.h5 --snapshot out.h5", "out.h5"}}) {
     const std::string file = scratch_.path(written.file);
     fs::create_symlink("gone", file);
