@@ -291,8 +291,8 @@ void add_draw(CLI::App& app, int& exit_code) {
                    "one of those below; by the file's ending, jsonl without one");
   verb->add_option(
       "--certificate", arguments->certificate,
-      "exact: judge every drawing, exit code 4 if one is violated, 5 if one is not proved (a real "
-      "type); none; left out, none, or exact at the levels extents and positions");
+      "exact: judge every drawing; exit code 4 if one is violated, 5 if one is not proved (a real "
+      "type). none: judge none. Left out: exact at the levels extents and positions, else none");
   verb->add_option(
           "--level", arguments->level,
           "extents: one line per graph with box, bends, lengths, metrics and verdict instead "

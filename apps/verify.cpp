@@ -221,11 +221,9 @@ void add_verify(CLI::App& app, int& exit_code) {
   verb->add_flag("-q,--quiet", arguments->quiet, "only the summary");
   add_json(*verb, arguments->json);
   verb->footer(
-      "Exit code 4 if a drawing is violated, 5 if a graph was not drawn, a drawing is of an "
-      "algorithm "
-      "that is not known here or in a real "
-      "type (its misses are measured, nothing is proved), a certificate other than exact was asked "
-      "for, or nothing was verified.\n"
+      "Exit code 4 if a drawing is violated. Exit code 5 if a graph was not drawn, a drawing's "
+      "algorithm is not known here, or its points are of a real type (its misses are measured). "
+      "Exit code 5, too, for a certificate other than exact, and if nothing was verified.\n"
       "Example: ar3d draw graphs.s6 --algorithm diamond | ar3d verify - --graphs graphs.s6");
   verb->callback([arguments, &exit_code] { exit_code = verify_drawings(*arguments); });
 }

@@ -182,9 +182,9 @@ std::vector<SignMap> position_maps() {
   add(0.0, "double", 60, 16);
   add(0.0L, kLongDouble, 60, 16);
   fmt::print(
-      "Wrong signs of the side on which one segment passes another, in windows of {0} x {0} "
-      "positions of an end around the point where they touch, {1} pairs of segments of `two-bend`, "
-      "n = 10000; two sides: an eighth of the window at least is on each, one plane: else:\n\n",
+      "Wrong signs of the side on which one segment passes another, for {1} pairs of segments of "
+      "`two-bend`, n = 10000. An end takes {0} x {0} positions around the point where they touch, "
+      "a window. Two sides: at least an eighth of it is on each. One plane: otherwise.\n\n",
       kWindow, pairs.size());
   print_table(
       {"type", "coordinates", "two sides: wrong", "worst pair", "one plane: wrong", "worst pair"},
