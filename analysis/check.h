@@ -72,8 +72,8 @@ CheckVerdict check(const RowView& rows);
 CheckVerdict check(const Results& results);
 
 /// Refuses rows that cannot be of one study: its graphs of one family, parameters, n and index have
-/// one seed, and keys of rows are unique and not zero. @throws InputError naming `path` and the two
-/// rows. Memory: 24 bytes per graph and per row.
+/// one seed, keys of rows are unique and not zero, and there are no more rows than planned.
+/// @throws InputError naming `path` and the rows. Memory: 24 bytes per graph and per row.
 void require_one_study(const RowView& rows, const std::string& path);
 
 /// True if the row alone shows a broken bound or certificate.

@@ -139,6 +139,10 @@ void require_one_study(const RowView& rows, const std::string& path) {
     former = std::move(identity);
   }
   require_keys(std::move(keys), path);
+  if (rows.planned >= 0 && rows.count > static_cast<std::size_t>(rows.planned)) {
+    throw InputError(fmt::format("{}: {} rows, but its study plans {}: there is no row {}", path,
+                                 rows.count, rows.planned, rows.planned));
+  }
   std::sort(graphs.begin(), graphs.end());
   for (std::size_t i = 1; i < graphs.size(); ++i) {
     const auto& [identity, seed, row] = graphs[i - 1];

@@ -195,8 +195,8 @@ int show(const StatusArguments& arguments) {
   const StudyRows rows(arguments.file);
   standing.rows = rows.view().count;
   standing.identity.planned_rows = rows.view().planned;
-  if (!arguments.json) print_details(standing, arguments.file);
   const CheckVerdict verdict = judge(rows.view(), arguments.file).verdict;
+  if (!arguments.json) print_details(standing, arguments.file);
   if (arguments.json) {
     nlohmann::ordered_json json = standing_json(standing);
     json["check"] = verdict_json(verdict);
@@ -257,8 +257,6 @@ void StudyRows::view_journals(const std::string& file, const std::string& result
     return journals->run;
   };
 }
-
-namespace {}  // namespace
 
 CheckedRows judge(const RowView& rows, const std::string& file) {
   require_one_study(rows, file);

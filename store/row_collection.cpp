@@ -57,18 +57,27 @@ std::vector<Session> sessions_of(const std::vector<EnvironmentEntry>& environmen
   return sessions;
 }
 
+RowKey key_in(const char* record, const RowFormat& format, const std::string& path,
+              std::size_t row) {
+  try {
+    return key_of_record(format, record);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: row {}: {}", path, row, error.what()));
+  }
+}
+
 Source results_source(const std::string& path, const RowFormat& format) {
   const auto reader = std::make_shared<ResultsReader>(path, format);
-  return {
-      .path = path,
-      .identity = reader->identity(),
-      .sessions = sessions_of(reader->environment(), path),
-      .size = reader->size(),
-      .key = [reader, &format](std::size_t i) { return key_of_record(format, reader->read(i)); },
-      .read = [reader, &format](
-                  std::size_t i,
-                  char* to) { std::memcpy(to, reader->read(i), format.record_size()); },
-      .session_numbers = {}};
+  return {.path = path,
+          .identity = reader->identity(),
+          .sessions = sessions_of(reader->environment(), path),
+          .size = reader->size(),
+          .key = [reader, &format,
+                  path](std::size_t i) { return key_in(reader->read(i), format, path, i); },
+          .read = [reader, &format](
+                      std::size_t i,
+                      char* to) { std::memcpy(to, reader->read(i), format.record_size()); },
+          .session_numbers = {}};
 }
 
 bool is_journal(const std::string& path) {

@@ -106,7 +106,10 @@ const std::string& ReaderProcess::ask(std::uint64_t question) {
     answer_.resize(std::min<std::size_t>(head[0], done + kPiece));
     if (!receive(std::span(answer_).subspan(done), left_s)) refuse(left_s);
   }
-  if (head[1] == 0) throw InputError(answer_);
+  if (head[1] == 0) {  // a broken child may say anything
+    const bool is_named = answer_.find(path_) != std::string::npos;
+    throw InputError(is_named ? answer_ : fmt::format("{}: reading it says {}", path_, answer_));
+  }
   return answer_;
 }
 

@@ -200,11 +200,55 @@ TEST(Keys, AreOfThePlan) {
   strange.runs[5].row_key = std::string(32, '0');
   write_results(strange, file);
   expect_error(run("{} check " + file), "r.h5: the key of row 5 is zero");
+  const std::string status = "{} study status " + file;
+  expect_error(run(status), "r.h5: the key of row 5 is zero");
   strange.runs[5].row_key = strange.runs[3].row_key;
   write_results(strange, file);
-  for (const std::string verb : {"check ", "report ", "study resume -q "}) {
+  for (const std::string verb : {"check ", "report ", "study resume -q ", "study status "}) {
     expect_error(run("{} " + verb + file), "r.h5: rows 3 and 5 have one key, ");
   }
+  strange.runs[5].row_key = std::string(31, '0') + "1";
+  strange.runs.push_back(strange.runs[5]);
+  strange.runs.back().row_key[0] = '1';
+  write_results(strange, file);
+  const Outcome more = run(status);
+  expect_error(more, "r.h5: 1063 rows, but its study plans 1062: there is no row 1062");
+  EXPECT_EQ(more.out, "") << "no word of completeness";
+}
+
+/// What the process that reads a results file says is checked: lies 1 to 10 of the fault shim.
+TEST(Readers, ThatLieAreRefusedByTheNameOfTheFile) {
+  const ScratchDirectory scratch;
+  must("{} study run smoke -q -o " + scratch.path("r.h5"));
+  const std::string bytes = read_file(scratch.path("r.h5"));
+  for (int lie = 1; lie <= 10; ++lie) {
+    const std::string program = "cd " + scratch.path("") + " && timeout 60 " +
+                                with_fault(fmt::format("lie:{}", lie)) + "{} ";
+    for (const std::string verb :
+         {"check r.h5", "study status r.h5", "report r.h5", "study resume -q r.h5", "replay r.h5 0",
+          "compare r.h5 r.h5", "study merge r.h5 -o m.h5", "study count r.h5 -o m.h5"}) {
+      const Outcome refused = run(program + verb);
+      expect_one_line(refused, "ar3d: r.h5");
+      EXPECT_THAT(refused.out, Not(HasSubstr("complete"))) << lie << ' ' << verb;
+    }
+    EXPECT_EQ(read_file(scratch.path("r.h5")), bytes) << lie;
+    EXPECT_EQ(scratch.entries(), 2u) << lie << ": rows and their page";
+  }
+}
+
+TEST(Processes, ThatCannotBeForkedAreAnErrorOrAreNotNeeded) {
+  const ScratchDirectory scratch;
+  must("{} study run smoke -q -o " + scratch.path("r.h5"));
+  const std::string none = "cd " + scratch.path("") + " && " + with_fault("fork:1") + "{} ";
+  for (const std::string verb : {"check ", "study status ", "report ", "compare r.h5 "}) {
+    expect_error(run(none + verb + "r.h5"), "cannot start a process: Resource temporarily");
+  }
+  expect_exit(0, run(none + "generate petersen | {} draw -"));
+  expect_error(run(none + "study run smoke -q --isolate -o n.h5"), "cannot start a process");
+  expect_exit(0, run("cd " + scratch.path("") +
+                     "; {} study resume -q n.h5 || {} study run smoke "
+                     "-q -o n.h5"));
+  expect_same_rows(scratch.path("n.h5"), scratch.path("r.h5"));
 }
 
 }  // namespace

@@ -70,14 +70,6 @@ TEST_F(StudyFiles, AnUnfitEnvironmentIsBadInput) {
                   "pipe is not an HDF5 file");
 }
 
-TEST_F(StudyFiles, ARowKeyOfZerosDoesNotPassTheCheck) {
-  expect_exit(0, in_folder("{} study run smoke -q -o r.h5"));
-  Results results = read_results(path("r.h5"));
-  results.runs[3].row_key = std::string(32, '0');
-  write_results(results, path("r.h5"));
-  expect_error(in_folder("{} check r.h5"), "r.h5: the key of row 3 is zero");
-}
-
 TEST_F(StudyFiles, AFolderThatCannotBeListedIsAnError) {
   expect_error(in_folder(with_fault("list:1") + "{} study run smoke -q -o r.h5"),
                "cannot list .: Permission denied");

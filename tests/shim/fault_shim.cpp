@@ -10,6 +10,8 @@
 //                         says so on standard error
 //   AR3D_FAULT=unlink:K   SIGKILL instead of the K-th removal of a *.journal
 //   AR3D_FAULT=late:MS    every write to a *.journal comes so many milliseconds late
+//   AR3D_FAULT=fork:K     from the K-th on, no process can be forked
+//   AR3D_FAULT=lie:K      forked processes tell lie K (lie_in)
 //   AR3D_FAULT=nolock:1   locks are granted to everybody (NFS mounted with nolock)
 //   AR3D_FAULT=nolink:L   no hard links and no files without a name; L = 2: nor a rename that
 //                         replaces nothing
@@ -21,6 +23,7 @@
 #include <signal.h>
 #include <stdarg.h>
 #include <sys/mman.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -30,6 +33,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <string>
 
 namespace {
 
@@ -51,6 +55,7 @@ struct Fault {
 
   char kind[8] = {};  // the longest is "before"
   long count = 0;
+  const long process = syscall(SYS_getpid);
   std::atomic<long> calls = 0;
   std::atomic<long> bytes = 0;
   std::atomic<long>* acknowledged = nullptr;
@@ -126,9 +131,46 @@ ssize_t real_write(int file, const void* from, std::size_t count) {
   return syscall(SYS_write, file, from, count);
 }
 
+void put_number(void* at, unsigned long number) { std::memcpy(at, &number, sizeof(number)); }
+
+// A reader process says, twice: bytes to come and 1 (or 0, for a message), those bytes. The first
+// ones begin with an 8 and the number of rows, the next ones are rows.
+// @return how much of it is sent.
+std::size_t lie_in(char* said, std::size_t size, long call) {
+  const long lie = fault().count;
+  if (lie == 1 && call == 2) put_number(said + 8, 5000);  // rows
+  if (lie == 2 && call == 2) put_number(said + 8, 1UL << 62);
+  if (lie == 3 && call == 1) put_number(said, 1UL << 63);  // bytes
+  if (lie == 4 && call <= 2) return call == 1 ? (put_number(said, 0), size) : 0;
+  if (lie == 5 && call == 2) put_number(said, 1UL << 63);
+  if (lie == 6 && call == 1) put_number(said + 8, 0);  // a message, then
+  if (lie == 7 && call == 2) std::memset(said, 0xff, size);
+  if (lie == 8 && call == 4) std::memset(said, 0, size);
+  if (lie == 9 && call == 4) std::memset(said, 0xff, size);
+  if (lie == 10 && call >= 3 && call <= 4) return call == 3 ? (put_number(said, 0), size) : 0;
+  return size;
+}
+
 }  // namespace
 
 extern "C" {
+
+pid_t fork() noexcept {
+  static const auto real = reinterpret_cast<pid_t (*)()>(dlsym(RTLD_NEXT, "fork"));
+  if (!fault().is("fork") || ++fault().calls < fault().count) return real();
+  errno = EAGAIN;
+  return -1;
+}
+
+ssize_t send(int socket, const void* from, std::size_t count, int flags) {
+  if (!fault().is("lie") || syscall(SYS_getpid) == fault().process) {
+    return syscall(SYS_sendto, socket, from, count, flags, nullptr, 0);
+  }
+  std::string said(static_cast<const char*>(from), count);
+  said.resize(lie_in(said.data(), count, ++fault().calls));
+  const auto sent = syscall(SYS_sendto, socket, said.data(), said.size(), flags, nullptr, 0);
+  return sent == static_cast<long>(said.size()) ? static_cast<ssize_t>(count) : sent;
+}
 
 ssize_t write(int file, const void* from, std::size_t count) {
   if (is_refused(file)) return -1;

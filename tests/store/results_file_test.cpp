@@ -257,12 +257,12 @@ TEST_F(ResultsFile, AReaderThatEndsIsTold) {
   std::ofstream(path) << "bytes";
   const Descriptor file(open(path.c_str(), O_RDONLY));
   ReaderProcess reader(path, file, [](std::uint64_t question) -> std::string {
-    if (question == 1) throw InputError("r.h5: no such row");
+    if (question == 1) throw InputError("no such row");
     if (question == 2) std::abort();
     return std::string(question, 'x');
   });
   EXPECT_EQ(reader.ask(100000), std::string(100000, 'x'));
-  EXPECT_EQ(problem([&] { reader.ask(1); }, "no error"), "r.h5: no such row");
+  EXPECT_EQ(problem([&] { reader.ask(1); }, "no error"), path + ": reading it says no such row");
   EXPECT_EQ(reader.ask(0), "");
   EXPECT_THAT(problem([&] { reader.ask(2); }, "no error"), HasSubstr("reading it has crashed"));
   EXPECT_THAT(problem([&] { reader.ask(0); }, "no error"), HasSubstr("reading it has crashed"));
