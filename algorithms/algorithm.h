@@ -33,7 +33,7 @@ Settings complete_options(const Algorithm& algorithm, const Settings& given);
 /// first such vertex).
 Drawing draw(const Algorithm& algorithm, const Graph& graph, const Settings& given = {});
 
-/// How much a drawing may cost, on one scale for all algorithms:
+/// Says how much a drawing may cost, on one scale for all algorithms:
 ///   0  the construction of the proof, without any step that only makes drawings smaller
 ///   1  the default: a drawing that is small in practice, in about the same time
 ///   2  a smaller one, for several times the time; left out where it would gain nothing

@@ -10,8 +10,8 @@ namespace ar3d {
 /// All algorithms, in the order in which they are listed.
 const std::vector<Algorithm>& algorithms();
 
-/// What "all" means in a study: those whose every drawing keeps its guarantee. Others are named
-/// where somebody wants them: those that are measured, and those made only for comparison
+/// Returns what "all" means in a study: those whose every drawing keeps its guarantee. Others are
+/// named where somebody wants them: those that are measured, and those made only for comparison
 /// (by_name_only).
 std::vector<const Algorithm*> proved_algorithms();
 

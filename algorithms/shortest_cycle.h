@@ -58,7 +58,7 @@ class ShortestCycleSearch {
     for (const Vertex v : reached) depth_[v] = kUnreached;
     return cycle;
   }
-  /// Whether the last search went through all that the root is connected to.
+  /// Returns whether the last search went through all that the root is connected to.
   bool is_all_reached() const { return is_all_reached_; }
 
  private:

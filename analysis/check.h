@@ -61,7 +61,7 @@ struct CheckVerdict {
 /// A verdict, and what the check has found out about the order of the rows.
 struct CheckedRows {
   CheckVerdict verdict;
-  /// Whether a row is the last one of its graph, algorithm and options.
+  /// Says whether a row is the last one of its graph, algorithm and options.
   std::vector<bool> is_last_repetition;
 };
 
@@ -90,7 +90,8 @@ std::string summary(const CheckVerdict& verdict, std::size_t max_findings = 20);
 /// nothing proves it.
 bool is_unproved(const RunRecord& run);
 
-/// What the row alone tells: certificate, numbers that every ok row has, extents against bounds.
+/// Returns what the row alone tells: certificate, numbers that every ok row has, extents against
+/// bounds.
 std::vector<Finding> row_findings(const RunRecord& run, std::size_t row);
 
 }  // namespace ar3d

@@ -63,9 +63,9 @@ struct Comparison {
   /// 0 pass or improved, 3 regression, 4 violated, 5 incomplete or nothing compared, 6
   /// inconclusive, 7 times not judged.
   int exit_code() const;
-  /// What the verdict is about, in a sentence or a few: what was judged by counts and what by
-  /// times, how fast the machine was on either side, what moved against all others, what cannot be
-  /// said and what to run to be able to say it.
+  /// Returns what the verdict is about, in a sentence or a few: what was judged by counts and what
+  /// by times, how fast the machine was on either side, what moved against all others, what cannot
+  /// be said and what to run to be able to say it.
   std::string judged() const;
 };
 

@@ -10,10 +10,10 @@
 
 namespace ar3d {
 
-/// Which graph, drawn how: rows that agree in it are repetitions.
+/// Returns which graph, drawn how: rows that agree in it are repetitions.
 std::string repetition_key(const RunRecord& run);
 
-/// What is kept of a row: hashes, so that only rows that may be wrong are read again.
+/// Holds what is kept of a row: hashes, so that only rows that may be wrong are read again.
 struct Fingerprint {
   std::size_t key = 0;          ///< of repetition_key
   std::size_t row = 0;          ///< so that rows of one key are neighbours, in file order

@@ -13,7 +13,7 @@
 
 namespace ar3d {
 
-/// What the study was compared with, or why with nothing.
+/// Holds what the study was compared with, or why with nothing.
 struct SinceReference {
   std::string file;     ///< of the reference
   std::string created;  ///< of the reference

@@ -11,7 +11,7 @@
 
 namespace ar3d {
 
-/// What may be said of a growth. The rules are numbered in docs/analysis.md, section Growth.
+/// Says what may be said of a growth. The rules are numbered in docs/analysis.md, section Growth.
 enum class Growth {
   power,          ///< n^a: the local exponent stays the same over the sizes
   power_and_log,  ///< n^a log^b n with a plausible b, and nothing else explains the bend
@@ -21,7 +21,7 @@ enum class Growth {
 /// "power law", "power law with logarithm", "apparent exponent", "undecided"
 const char* to_string(Growth growth);
 
-/// How one quantity of one curve grows with n.
+/// Holds how one quantity of one curve grows with n.
 struct ScalingEntry {
   CurveKey key;
   Quantity quantity{};

@@ -48,7 +48,8 @@ struct TableColumn {
   bool in_csv = true;  ///< false: it is for the page only
 };
 
-/// What analysis finds, for whoever shows it: named, typed columns and rows. It knows no page.
+/// Holds what analysis finds, for whoever shows it: named, typed columns and rows. It knows no
+/// page.
 struct Table {
   std::string name;
   std::string row_is;  ///< what one row is, a few words

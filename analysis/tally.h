@@ -56,7 +56,7 @@ double log_value(const DrawnGraph& graph, Quantity quantity, bool timed);
 /// Natural logarithm of volume_at_least; missing in rows of programs that did not have it.
 double log_volume_at_least(const DrawnGraph& graph);
 
-/// What all graphs of one n gave.
+/// Holds what all graphs of one n gave.
 struct SizeTally {
   std::int64_t n = 0;
   std::int64_t requested_n = 0;    ///< what the study asked for when this n came out
@@ -101,10 +101,10 @@ double slack_of(std::int64_t extent, double bound);
 /// Natural logarithm of a positive finite value; missing for others.
 double log_positive(double value);
 
-/// How many a RunStatus can be.
+/// Counts the values of RunStatus.
 inline constexpr std::size_t kNumRunStatuses = static_cast<std::size_t>(RunStatus::measured) + 1;
 
-/// What is counted of all rows of one curve.
+/// Holds what is counted of all rows of one curve.
 struct CurveCounts {
   CurveKey key;
   std::size_t rows = 0;
@@ -122,7 +122,7 @@ struct CurveCounts {
   }
 };
 
-/// What all rows of one curve gave.
+/// Holds what all rows of one curve gave.
 struct CurveTally : CurveCounts {
   bool has_timing_rows = false;  ///< some ok row is of the timing phase
   /// No theorem promises a box, so that the unit of coordinates is the drawings' own: extents and
@@ -145,8 +145,8 @@ struct BatchTally {
   std::vector<double> batch_s, ideal_s, efficiency;
 };
 
-/// What one pass over a study's rows keeps. Memory does not grow with the rows of a size: at most
-/// 200,000 graphs with all their numbers, or eight for each of at most 200,000 sizes.
+/// Holds what one pass over a study's rows keeps. Memory does not grow with the rows of a size: at
+/// most 200,000 graphs with all their numbers, or eight for each of at most 200,000 sizes.
 struct StudyTally {
   std::vector<CurveTally> curves;  ///< in the order of their first rows
   std::map<BatchKey, BatchTally> batches;

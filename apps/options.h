@@ -39,7 +39,7 @@ void print_json(const nlohmann::ordered_json& json);
 /// Options of every verb that makes rows of a study.
 void add_making_options(CLI::App& verb, SessionPolicy& policy);
 
-/// How a graph file is to be read, as every verb that reads one is told.
+/// Holds how a graph file is to be read, as every verb that reads one is told.
 struct GraphInput {
   ReadOptions options;
   std::string first_line = "automatic";

@@ -34,8 +34,8 @@ struct VerbFiles {
 /// @throws InputError naming the file and what it is.
 void refuse_unsafe_outputs(const VerbFiles& files);
 
-/// What a row of a study is made from besides its results file: the files of its graphs, and those
-/// of its programs' commands that are files.
+/// Returns what a row of a study is made from besides its results file: the files of its graphs,
+/// and those of its programs' commands that are files.
 std::vector<std::string> files_of_study(const StudyIdentity& identity, const std::string& results);
 
 /// For a report whose name the user has not given, since it follows from that of the results: what

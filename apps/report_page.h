@@ -6,7 +6,7 @@
 
 namespace ar3d {
 
-/// What the report of a study says of an earlier one.
+/// Returns what the report of a study says of an earlier one.
 /// @param reference  the results file to compare with; empty: the youngest committed one of the
 /// same study, if the working directory is in a checkout and has one.
 /// @throws InputError if the given reference cannot be read or is of another study.

@@ -15,7 +15,7 @@ void add_study_status(CLI::App& study, int& exit_code);
 void add_study_plan(CLI::App& study, int& exit_code);
 void add_study_count(CLI::App& study, int& exit_code);
 
-/// Which study a verb is about: one of a name or a file, or graphs of files.
+/// Holds which study a verb is about: one of a name or a file, or graphs of files.
 struct StudyChoice {
   std::string study;
   GraphsStudy graphs;

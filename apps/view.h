@@ -26,8 +26,8 @@ std::uint64_t weight_of(const DrawingJsonlReader::Line& line);
 /// The algorithm of that name, or null: drawings may be of others, too.
 const Algorithm* known_algorithm(const std::string& name);
 
-/// What a page says of a drawing, judged on the graph that it draws against the guarantee of
-/// `algorithm`; null: nothing is judged.
+/// Returns what a page says of a drawing, judged on the graph that it draws against the guarantee
+/// of `algorithm`; null: nothing is judged.
 PageVerdict page_verdict(const Drawing& drawing, const Algorithm* algorithm);
 
 /// Adds the drawing format that needs more than formats/ may include: the viewer's page, which

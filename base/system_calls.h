@@ -35,10 +35,10 @@ std::span<char> bytes_in(Value& value) {
   return {reinterpret_cast<char*>(&value), sizeof(value)};
 }
 
-/// What this process has mapped.
+/// Returns what this process has mapped.
 double address_space_bytes();
 
-/// What a child process has from this one.
+/// Holds what a child process has from this one.
 struct ChildSetup {
   std::array<int, 3> streams = {-1, -1, -1};  ///< its standard ones; -1: those of this process
   /// Other descriptors that stay open in a forked process; nothing: all. A program has none.

@@ -19,7 +19,8 @@ const GraphFormat& find_graph_format(std::string_view name);
 /// The format whose extension the path has (a final .gz or .xz is looked through), or null.
 const GraphFormat* graph_format_of_path(std::string_view path);
 
-/// What stands behind the last dot of the path's last part, dot included: ".s6"; empty without one.
+/// Returns what stands behind the last dot of the path's last part, dot included: ".s6"; empty
+/// without one.
 std::string path_ending(std::string_view path);
 
 /// The format called `name`, or, if that is empty, the one whose ending the path has; sparse6 where

@@ -37,7 +37,7 @@ const Family& find_family(std::string_view name);
 /// the seed (default 0). It stands among complete parameters, as the last, only where it is 1.
 bool is_shuffled(const Settings& parameters);
 
-/// Whether two seeds may give different graphs.
+/// Returns whether two seeds may give different graphs.
 bool depends_on_seed(const Family& family, const Settings& parameters);
 
 /// @throws InputError on an unknown name, a name given twice or a value out of range.

@@ -115,7 +115,7 @@ struct Box {
   friend bool operator==(const Box&, const Box&) = default;
 };
 
-/// What an algorithm tells about its own run, by name (for example diamond's H). Columns of a
+/// Holds what an algorithm tells about its own run, by name (for example diamond's H). Columns of a
 /// study.
 struct Counter {
   std::string name;
@@ -261,8 +261,8 @@ Drawing with_stored_positions(const Drawing& drawing);
 /// vertex and bend, 8 per edge.
 Drawing with_stored_bends(const Drawing& drawing);
 
-/// How much of a drawing is stored while it is measured and judged. All that is told of it is the
-/// same at every level, bit for bit; time and memory differ.
+/// Says how much of a drawing is stored while it is measured and judged. All that is told of it is
+/// the same at every level, bit for bit; time and memory differ.
 enum class Level : std::uint8_t {
   extents,    ///< what the algorithm keeps: a polyline is computed when it is read, and dropped
   positions,  ///< also an array of all positions in 64-bit integers: 24 bytes per vertex

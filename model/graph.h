@@ -83,7 +83,7 @@ struct Components {
 };
 Components connected_components_of(const Graph& graph);
 
-/// Which vertices are in the largest component, the first of equally large ones; O(n + m).
+/// Returns which vertices are in the largest component, the first of equally large ones; O(n + m).
 std::vector<bool> in_largest_component(const Graph& graph);
 
 }  // namespace ar3d

@@ -57,23 +57,23 @@ struct SizeBound {
   std::string formula() const;
 };
 
-/// Which angles a guarantee promises between consecutive segments and between any two segments at a
-/// vertex.
+/// Says which angles a guarantee promises between consecutive segments and between any two segments
+/// at a vertex.
 enum class AngleRule {
   exactly,   ///< every one of them is arccos(cosine)
   at_least,  ///< none of them is smaller (three at a vertex then are exactly 120 degrees for cosine
              ///< = -1/2)
 };
 
-/// What a drawing is held to.
+/// Says what a drawing is held to.
 enum class Claim {
   proved,    ///< every drawing keeps the whole guarantee: one that does not is violated
   measured,  ///< angles and crossings hold in exact arithmetic only: drawings are made in real
              ///< types, which round, and what they miss is measured; no box is promised
 };
 
-/// What a theorem promises about every drawing; plain data that tests, study, verifier and report
-/// read.
+/// Holds what a theorem promises about every drawing; plain data that tests, study, verifier and
+/// report read.
 struct Guarantee {
   Claim claim = Claim::proved;
   std::uint32_t max_degree = 0;  ///< inputs of larger degree are refused

@@ -20,7 +20,7 @@ struct EnvironmentEntry {
 inline constexpr const char* kTimingRounds = "timing_rounds";
 inline constexpr const char* kTimingYardsticks = "timing_yardsticks";
 
-/// Which part of a study's instances a process makes: shard `index` of `count`, from 1.
+/// Holds which part of a study's instances a process makes: shard `index` of `count`, from 1.
 struct Shard {
   std::uint32_t index = 1;
   std::uint32_t count = 1;
@@ -33,7 +33,7 @@ bool is_shard(const Shard& shard);
 /// "2/8": the second of eight; nothing if the text is no shard.
 std::optional<Shard> parse_shard(std::string_view text);
 
-/// What makes rows belong together.
+/// Holds what makes rows belong together.
 struct StudyIdentity {
   std::string study_id;
   std::string spec;                 ///< the verbatim TOML

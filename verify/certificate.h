@@ -20,7 +20,7 @@ enum class CrossingTest {
   slabs,        ///< space halved in slabs that nothing crosses: for any directions
 };
 
-/// How a drawing is judged: by a proof in integers, or not at all.
+/// Says how a drawing is judged: by a proof in integers, or not at all.
 enum class CertificateMode : std::uint8_t { exact, none };
 /// "exact", "none".
 std::string to_string(CertificateMode mode);
@@ -35,8 +35,8 @@ struct CertifyOptions {
   /// Most bytes of segments that the proof by counting stores at a time; 0: no limit. Less memory
   /// takes more passes over the polylines; the verdict is the same.
   std::uint64_t proof_bytes = 0;
-  /// How many pairs of segments and vertices the crossing test may compare before it gives up; 0:
-  /// as many as it takes. With a limit there is no proof by counting.
+  /// Holds how many pairs of segments and vertices the crossing test may compare before it gives
+  /// up; 0: as many as it takes. With a limit there is no proof by counting.
   std::uint64_t most_comparisons = 0;
 };
 

@@ -7,7 +7,7 @@
 
 namespace ar3d {
 
-/// Which parts of an examination are wanted; the others are left empty and cost nothing.
+/// Holds which parts of an examination are wanted; the others are left empty and cost nothing.
 struct ExaminationParts {
   bool certificate = true;
   bool metrics = true;

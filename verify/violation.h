@@ -66,7 +66,7 @@ class Findings {
   }
   /// True once something was found that no longer fits: nothing further can change the verdict.
   bool done() const { return cut_; }
-  /// How many more violations fit.
+  /// Returns how many more violations fit.
   std::size_t room() const { return limit_ - list_.size(); }
   bool empty() const { return list_.empty() && !cut_; }
 

@@ -14,7 +14,7 @@ namespace ar3d::compact {
 
 inline constexpr std::size_t kCellsAtOnce = 8;
 
-/// Which places of a strip are taken: a bit for each cell and type.
+/// Holds which places of a strip are taken: a bit for each cell and type.
 class TakenPlaces {
  public:
   explicit TakenPlaces(const StripSize& size);
@@ -42,8 +42,8 @@ class TakenPlaces {
   std::vector<std::uint32_t> words_;
 };
 
-/// Which cells a vertex takes: a random row, then a random column of low ... high that has a cell
-/// in that row.
+/// Holds which cells a vertex takes: a random row, then a random column of low ... high that has a
+/// cell in that row.
 struct CellChoice {
   std::int32_t rows = 1;
   std::int32_t low = 0;
@@ -73,7 +73,7 @@ void draw_cells(const CellChoice& choice, const TakenPlaces& taken, const std::u
 void draw_cells_plainly(const CellChoice& choice, const TakenPlaces& taken,
                         const std::uint32_t* numbers, CellBatch& batch);
 
-/// What CellBatch::open says of one place.
+/// Returns what CellBatch::open says of one place.
 bool is_open(const CellChoice& choice, const TakenPlaces& taken, Place place);
 
 }  // namespace ar3d::compact

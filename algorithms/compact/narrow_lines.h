@@ -72,8 +72,8 @@ class NarrowLines {
  private:
   static constexpr std::uint64_t kPiece = 1;
   static constexpr std::uint64_t kArrival = 2;
-  /// How lines of a kind are numbered: by AD, which is 0 modulo 4 above and odd below (Lemma C.4),
-  /// then by the other form, which is 2 modulo 4.
+  /// Holds how lines of a kind are numbered: by AD, which is 0 modulo 4 above and odd below (Lemma
+  /// C.4), then by the other form, which is 2 modulo 4.
   struct Numbering {
     std::uint64_t begin = 1;
     std::uint64_t width = 0;

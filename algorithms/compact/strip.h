@@ -95,11 +95,11 @@ class Strip {
   Vertex num_vertices() const { return static_cast<Vertex>(sites_.size()); }
   const StripSize& size() const { return size_; }
   const Roles& roles(Vertex v) const { return links_->at[v]; }
-  /// Where all vertices stand, all of them placed.
+  /// Returns where all vertices stand, all of them placed.
   Placement placement() const;
 
  private:
-  /// What placing one vertex would add: its arrival line and four edges at most.
+  /// Holds what placing one vertex would add: its arrival line and four edges at most.
   struct Plan {
     std::array<Piece, 5> pieces;
     std::array<Shape, 5> shapes;

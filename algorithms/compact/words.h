@@ -20,7 +20,7 @@ enum class LineKind : std::uint8_t { upper_b = 1, upper_c = 2, lower_c = 3 };
 /// The number of the line of the kind's letter through the point.
 std::uint64_t line_key(LineKind kind, const Letters& through);
 
-/// What determines the word of an edge.
+/// Holds what determines the word of an edge.
 struct Shape {
   bool red = false;
   std::int32_t tail_type = 0;
@@ -44,7 +44,8 @@ Word word_of(const Shape& shape);
 std::array<std::int32_t, 3> long_lengths(const Word& word, const Letters& tail,
                                          const Letters& head);
 
-/// Where the contested segment of the edge begins, its middle one (q); it runs down from there.
+/// Returns where the contested segment of the edge begins, its middle one (q); it runs down from
+/// there.
 Letters middle_start(const Word& word, const Letters& tail,
                      const std::array<std::int32_t, 3>& lengths);
 Piece middle_piece(const Word& word, bool red, const Letters& start, std::int32_t length);
@@ -67,7 +68,7 @@ struct PlacedEnd {
 };
 inline PlacedEnd end_at(Place p) { return {p.U, p.U / 2 % 2, {(p.U + p.V) / 2, (p.U - p.V) / 2}}; }
 
-/// What a word adds to the coordinates of the ends.
+/// Holds what a word adds to the coordinates of the ends.
 struct WordConstants {
   std::array<std::int32_t, 3> length{};  ///< of p, q, r
   std::int32_t first = 0;                ///< the form AD of the middle line

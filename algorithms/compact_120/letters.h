@@ -26,7 +26,7 @@ enum class Class : std::uint8_t { n = 0, s = 1, t = 2 };
 enum Arm : std::uint8_t { k01 = 0, k12 = 1, k20 = 2 };
 inline constexpr std::array<Arm, 3> kArms = {k01, k12, k20};
 
-/// Where an edge arrives at its head: the arm, and on 12 whether the head has class N.
+/// Says where an edge arrives at its head: the arm, and on 12 whether the head has class N.
 enum class Arrival : std::uint8_t { on_01 = 0, on_12 = 1, on_20 = 2, on_12_of_extreme = 3 };
 inline Arrival arrival_on(Arm arm, Class head) {
   return arm == k12 && head != Class::n ? Arrival::on_12_of_extreme : static_cast<Arrival>(arm);

@@ -11,7 +11,7 @@
 
 namespace ar3d::compact_120 {
 
-/// Which end of an edge is to the left: the one of smaller rank. Adjacent ranks differ.
+/// Holds which end of an edge is to the left: the one of smaller rank. Adjacent ranks differ.
 struct Order {
   LongVector<std::uint32_t> rank;  ///< by vertex
   bool is_right(Vertex from, Vertex to) const { return rank[to] > rank[from]; }
@@ -122,8 +122,8 @@ struct Links {
 /// Step D.5. @param owners  none of them crowded. O(n).
 Links assign_arms(const Graph& graph, const Order& order, const Owners& owners);
 
-/// Where in a narrow strip a vertex belongs: 0 at the left end to 100 at the right end; larger for
-/// the right end of an edge than for the left one.
+/// Says where in a narrow strip a vertex belongs: 0 at the left end to 100 at the right end; larger
+/// for the right end of an edge than for the left one.
 using Position = std::uint8_t;
 
 /// An order for narrow strips, what follows from it, and where vertices belong.

@@ -12,8 +12,8 @@
 
 namespace ar3d::compact_120 {
 
-/// Which places of a strip are free: one bit per cell and class, rows of one column and class in
-/// line.
+/// Holds which places of a strip are free: one bit per cell and class, rows of one column and class
+/// in line.
 class FreePlaces {
  public:
   FreePlaces(std::int32_t columns, std::int32_t rows);
@@ -90,7 +90,7 @@ class Strip {
   const std::vector<std::uint8_t>& variant() const { return variant_; }
 
  private:
-  /// What placing one vertex would add: three edges at most.
+  /// Holds what placing one vertex would add: three edges at most.
   struct Plan {
     std::array<Piece, 3> pieces;
     std::array<EdgeId, 3> edges{};

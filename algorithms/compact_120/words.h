@@ -31,7 +31,7 @@ inline UnitStep mirrored(UnitStep d) {
 /// p, s1, q, s2, r, s3.
 using Word = std::array<UnitStep, 6>;
 
-/// What determines the word of an edge.
+/// Holds what determines the word of an edge.
 struct Shape {
   bool right = true;  ///< from tail to head
   Arrival at = Arrival::on_12;

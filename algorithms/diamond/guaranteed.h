@@ -71,8 +71,8 @@ inline std::int32_t x_distance(const PlanePoints& at, Vertex u, Vertex v) {
   return std::abs(at[u].X - at[v].X);
 }
 
-/// Where the width comes from: the x- and the y-extent are at most 4n + 2H, the z-extent at most 6n
-/// + 3H - 4 (n >= 2), with H = green_gaps + bumps + offsets <= m_green + rho + 2.
+/// Holds where the width comes from: the x- and the y-extent are at most 4n + 2H, the z-extent at
+/// most 6n + 3H - 4 (n >= 2), with H = green_gaps + bumps + offsets <= m_green + rho + 2.
 struct GapCount {
   std::int64_t m_green = 0;     ///< green cycles
   std::int64_t m_red = 0;       ///< red cycles

@@ -56,7 +56,7 @@ Items extract_items(const std::vector<HalfEdge>& next);
 /// Number of items that are cycles (m_green or m_red of the paper).
 std::uint32_t count_cycles(const Items& items);
 
-/// Where each vertex stands: its position in Items::vertex, and its item.
+/// Holds where each vertex stands: its position in Items::vertex, and its item.
 struct Place {
   std::uint32_t position = 0;
   std::uint32_t item = 0;
@@ -76,8 +76,8 @@ using Arrangement = std::vector<ItemInOrder>;
 /// cycle. Cost: O(n), and O(items) if they are in this order already.
 Items arranged(Items items, const Arrangement& arrangement);
 
-/// How many places ahead something is asked for when an order is known whose places in memory are
-/// in no order.
+/// Holds how many places ahead something is asked for when an order is known whose places in memory
+/// are in no order.
 inline constexpr std::size_t kAhead = 16;
 
 /// Calls visit(i, array[order[i]]) for i = begin, ..., end - 1, and asks for elements ahead, beyond

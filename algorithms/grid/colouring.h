@@ -9,7 +9,7 @@
 
 namespace ar3d::grid {
 
-/// Where the three labelled half-edges of a vertex lead; one cache line holds four.
+/// Holds where the three labelled half-edges of a vertex lead; one cache line holds four.
 struct alignas(16) Ports {
   std::array<Place, kColours> to{kNoPlace, kNoPlace, kNoPlace};  ///< by label; kNoPlace: none
   std::uint32_t has_defect = 0;  ///< 1 if the labels of a half-edge to an earlier vertex differ

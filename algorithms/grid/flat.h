@@ -51,8 +51,8 @@ class HeightPool {
   /// Marks a height as used; later chains begin near it or above.
   void take_and_advance(Colour c, std::int64_t h);
 
-  /// Whether h, as v's height of colour c, keeps v's pair sum away from its partner's, as far as
-  /// both are known.
+  /// Returns whether h, as v's height of colour c, keeps v's pair sum away from its partner's, as
+  /// far as both are known.
   bool suits(Place v, Colour c, std::int64_t h) const;
   bool is_far_from_partner(Place v, std::int64_t pair) const;
 
@@ -76,7 +76,7 @@ class HeightPool {
     if (pairs_taken_.empty()) pairs_taken_ = {taken_[0].pairs(), taken_[1].pairs()};
     return pairs_taken_[c].next_outside(from);
   }
-  /// Where a new chain begins: a free height near the frontier.
+  /// Returns where a new chain begins: a free height near the frontier.
   std::int64_t chain_start(Colour c);
   /// Free heights looked at so far.
   std::int64_t heights_tried() const { return heights_tried_; }
@@ -214,7 +214,7 @@ class Relabelling {
 
   /// Edges of chains followed, and defects met there.
   std::int64_t steps() const { return steps_; }
-  /// Whether they are all used up.
+  /// Returns whether they are all used up.
   bool exhausted() const { return steps_ > most_steps_; }
 
   /// Swaps, splits or moves the defects with labels 0 and 1, which flat numbers do not support. To

@@ -56,9 +56,9 @@ class NumberSet {
   std::vector<std::vector<std::uint64_t>> levels_;
 };
 
-/// What (I1) and (I2) ask of one vertex whose plane numbers but one are known: with the last number
-/// x, its sum S = known + x is new and differs by at least 2 from the sums of the vertices joined
-/// to it by U-edges.
+/// Holds what (I1) and (I2) ask of one vertex whose plane numbers but one are known: with the last
+/// number x, its sum S = known + x is new and differs by at least 2 from the sums of the vertices
+/// joined to it by U-edges.
 struct SumRule {
   std::int64_t known = 0;
   std::array<std::int64_t, 3> joined{};
@@ -106,7 +106,7 @@ class NumberSearch {
   /// Blocks of 64 numbers looked at so far.
   std::int64_t blocks() const { return blocks_; }
 
-  /// Whether one number obeys one rule.
+  /// Returns whether one number obeys one rule.
   bool obeys(std::int64_t x, const SumRule& rule) const;
 
  private:

@@ -39,7 +39,7 @@ struct Slot {
   std::int64_t k = 0;
 };
 
-/// How often each case of the construction was used.
+/// Holds how often each case of the construction was used.
 struct PlaneCounts {
   std::int64_t nt = 0;            ///< clashes solved with E < 0
   std::int64_t pq = 0;            ///< clashes solved with E > 0 and a slot

@@ -48,7 +48,7 @@ struct SkewPoint {
   Point cartesian() const { return {y + z, x + y, x + z}; }
 };
 
-/// How often the cases of the construction occur; counters of the drawing.
+/// Holds how often the cases of the construction occur; counters of the drawing.
 struct CaseCensus {
   std::int64_t cycles = 0, on_cycles = 0, spread = 0, connections = 0, middles = 0, moved = 0,
                same_cycle = 0, three_of_cycle = 0, past_layer = 0, k4s = 0, merges = 0, threes = 0,

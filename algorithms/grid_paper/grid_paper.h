@@ -9,18 +9,18 @@
 
 namespace ar3d::grid_paper {
 
-/// How far apart the vertices of a flat cycle are drawn (Step G.5).
+/// Says how far apart the vertices of a flat cycle are drawn (Step G.5).
 enum class Spread : std::uint8_t {
   columns,      ///< always so far that pieces of different vertices have no line in common
   conditional,  ///< as near as can be, and as columns where that touches what is drawn (the text)
   least,        ///< the nearest place that touches nothing
 };
-/// How high above what is drawn the next cycle lies (Step G.6).
+/// Says how high above what is drawn the next cycle lies (Step G.6).
 enum class Gap : std::uint8_t {
   any,     ///< room for whatever connection there could be (the text)
   needed,  ///< room for the connections that there are
 };
-/// Which chordless cycle is drawn next (Step G.2).
+/// Says which chordless cycle is drawn next (Step G.2).
 enum class CycleChoice : std::uint8_t {
   shortest,
   any,  ///< the first that a walk closes: linear time each

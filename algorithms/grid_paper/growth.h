@@ -7,8 +7,8 @@
 
 namespace ar3d::grid_paper {
 
-/// What one stage adds to the set S of vertices that are drawn, in this order. Then every vertex
-/// outside has two neighbours outside, hence at most one in S.
+/// Holds what one stage adds to the set S of vertices that are drawn, in this order. Then every
+/// vertex outside has two neighbours outside, hence at most one in S.
 struct GrowthStage {
   std::vector<Vertex> cycle;  ///< without chord, in cyclic order; empty in the first stage
   std::vector<Vertex>

@@ -25,7 +25,7 @@ struct EarStep {
 /// lattices, whose ears are short; O(n m) at worst.
 std::vector<EarStep> ear_order(const Graph& graph);
 
-/// What a search for an embedding came to.
+/// Holds what a search for an embedding came to.
 struct Embedding {
   enum class Outcome {
     found,    ///< `points` has a vertex of the net for every vertex, neighbours at neighbours

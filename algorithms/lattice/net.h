@@ -38,7 +38,7 @@ class SpaceNet {
   bool are_adjacent(Point p, Point q) const;
   /// False only if every path from p to q has more than so many edges.
   bool may_reach(Point p, Point q, std::int64_t edges) const;
-  /// Whether the net moved by t is the net.
+  /// Returns whether the net moved by t is the net.
   bool is_translation(Vector t) const;
 
  private:

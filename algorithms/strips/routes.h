@@ -54,7 +54,8 @@ class CodedBends final : public BendSource {
 
 inline constexpr int kHighestEffort = 2;
 
-/// How narrow the first strip is at efforts 1 and 2; nothing: the zones of the proof at once.
+/// Returns how narrow the first strip is at efforts 1 and 2; nothing: the zones of the proof at
+/// once.
 /// @throws InputError naming the algorithm if there is no such effort.
 inline std::optional<Tightness> first_tightness(const char* algorithm, int effort,
                                                 const std::array<Tightness, 2>& narrow) {

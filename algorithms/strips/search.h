@@ -16,7 +16,7 @@
 
 namespace ar3d::strips {
 
-/// What a search did.
+/// Holds what a search did.
 struct Census {
   std::int64_t trials = 0;     ///< cells tried
   std::int64_t ejections = 0;  ///< vertices taken away again
@@ -24,7 +24,7 @@ struct Census {
   std::int64_t widenings = 0;  ///< narrow strips given up
 };
 
-/// How tight a narrow strip is; ratios in hundredths.
+/// Holds how tight a narrow strip is; ratios in hundredths.
 struct Tightness {
   std::int64_t cells = 105;        ///< cells per vertex
   std::int64_t rows = 105;         ///< rows over sqrt(n)
@@ -42,7 +42,7 @@ inline Tightness widened(Tightness tightness) {
   return tightness;
 }
 
-/// How many vertices may be ejected before a strip for n vertices counts as too narrow.
+/// Returns how many vertices may be ejected before a strip for n vertices counts as too narrow.
 inline std::int64_t most_ejections(std::int64_t n, const Tightness& tightness) {
   return tightness.ejections * n / 100 + 20;
 }

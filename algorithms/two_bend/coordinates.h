@@ -12,7 +12,7 @@ namespace ar3d::two_bend {
 /// Largest horizontal coordinate of a component: differences d, q then give d^2 + q^2 <= 2^61.
 inline constexpr std::int64_t kMaxHorizontal = std::int64_t{1} << 30;
 
-/// What widens a list beyond its base gaps; the only state that persists from round to round
+/// Holds what widens a list beyond its base gaps; the only state that persists from round to round
 /// (Step 2.9). Few entries have any.
 class Spacing {
  public:

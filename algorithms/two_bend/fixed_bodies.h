@@ -8,11 +8,11 @@
 
 namespace ar3d::two_bend {
 
-/// How far a Q body reaches from its joint: to both sides in its plane, and away from it.
+/// Holds how far a Q body reaches from its joint: to both sides in its plane, and away from it.
 inline constexpr std::int64_t kQHalfWidth = 3;
 inline constexpr std::int64_t kQHeight = 9;
 
-/// What every fixed body (K4, K3,3, a Q on its own) and a single vertex keep within.
+/// Holds what every fixed body (K4, K3,3, a Q on its own) and a single vertex keep within.
 inline constexpr std::array<std::int64_t, 3> kFixedBodyBound{14, 10, 21};
 
 /// Draws the five vertices of a Q, its joint at `at`: two regular hexagons in a vertical plane.

@@ -14,7 +14,7 @@ using NodeId = std::uint32_t;  // number of a node in time order
 using LongId = std::uint32_t;
 inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-/// What a vertex is, by its numbers of earlier and later neighbours. PASS (1, 1) is no
+/// Says what a vertex is, by its numbers of earlier and later neighbours. PASS (1, 1) is no
 /// node.
 enum class NodeType : std::uint8_t {
   start,    ///< (0, 1)
@@ -59,7 +59,7 @@ struct Pole {
 /// proof.
 inline constexpr std::uint32_t kMostSharers = 32;
 
-/// What a node is in the lists of a view; see View.
+/// Says what a node is in the lists of a view; see View.
 enum NodeRole : std::uint8_t {
   kOwner = 1,
   kListedMerge = 2,

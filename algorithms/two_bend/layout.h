@@ -41,7 +41,7 @@ Lists build_safe_lists(Flow& flow);
 /// Cost: O(n log n).
 Layout find_safe_layout(const Flow& flow, const Lists& lists);
 
-/// How many odd numbers the interval of a free MERGE gets in a safe layout (Lemma 2.9).
+/// Returns how many odd numbers the interval of a free MERGE gets in a safe layout (Lemma 2.9).
 /// @return of rows, of columns.
 std::array<std::int64_t, 2> vv_room(std::size_t num_nodes);
 

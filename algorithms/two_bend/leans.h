@@ -75,7 +75,8 @@ struct PoleLean {
   std::int64_t height = 0;  ///< of the lean
 };
 
-/// How a SINK of the view is drawn (Lemma 2.12), in the view's coordinates (cross, own, time).
+/// Holds how a SINK of the view is drawn (Lemma 2.12), in the view's coordinates (cross, own,
+/// time).
 struct PoleShape {
   std::int64_t cross = 0;          ///< of the SINK
   std::int64_t own = 0;            ///< of the SINK: the row of its special edge

@@ -21,7 +21,7 @@ namespace ar3d::two_bend {
 /// ends.
 class PackedBends final : public BendSource {
  public:
-  /// What the bends of an edge are before they are set is undefined.
+  /// The bends of an edge are undefined before they are set.
   explicit PackedBends(std::size_t num_edges) : places_(num_edges) {}
   /// x and y are below 2^31 in absolute value; at most two bends, from the lower end to the upper.
   void set(EdgeId e, std::span<const Point> bends);
@@ -48,7 +48,7 @@ class Output {
  public:
   explicit Output(const Graph& graph) : graph_(graph) {}
 
-  /// Where the next component begins: all of it is drawn at z >= base_z().
+  /// Returns where the next component begins: all of it is drawn at z >= base_z().
   std::int64_t base_z() const { return base_z_; }
   /// Before a component is written, and not earlier, since what is written is as large as all that
   /// it is computed from: room for the whole drawing.

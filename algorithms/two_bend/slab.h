@@ -40,8 +40,8 @@ class alignas(32) LongBends {
       coded_{};  // 4 dz + number of lower bends, 4 dz + number of upper ones
 };
 
-/// What one vertex takes of the height: everything slanted that belongs to it lies between z -
-/// below and z + above.
+/// Holds what one vertex takes of the height: everything slanted that belongs to it lies between z
+/// - below and z + above.
 struct SlabHeights {
   std::int64_t below = 0;
   std::int64_t above = 0;
@@ -63,7 +63,7 @@ struct FlatPoint {
   std::int32_t y = 0;
 };
 
-/// Where a long edge is vertical, between its lower and its upper bends.
+/// Returns where a long edge is vertical, between its lower and its upper bends.
 FlatPoint ray_of(const Flow& flow, const Layout& layout, const LongEdge& edge);
 
 /// Everything found out about one component, ready to be drawn.

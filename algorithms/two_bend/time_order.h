@@ -19,7 +19,7 @@ class StOrder {
   const LongVector<Vertex>& order(Vertex s, Vertex t);
 
  private:
-  /// What is known of the vertex with a number; all names in it are numbers.
+  /// Holds what is known of the vertex with a number; all names in it are numbers.
   struct Numbered {
     Vertex parent = 0;
     Vertex low = 0;

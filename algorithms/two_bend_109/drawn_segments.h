@@ -14,8 +14,8 @@ struct LatticeSegment {
   Point to;
 };
 
-/// Whether two closed segments of positive length have a point in common. Exact for coordinates up
-/// to 2^61 in absolute value.
+/// Returns whether two closed segments of positive length have a point in common. Exact for
+/// coordinates up to 2^61 in absolute value.
 bool meet(const LatticeSegment& a, const LatticeSegment& b);
 
 /// Components below 2^62 in absolute value.
@@ -29,7 +29,7 @@ struct VertexStubs {
   LatticeSegment segment(std::size_t stub) const { return {at, at + stubs[stub]}; }
 };
 
-/// How many stars and lines have been drawn.
+/// Holds how many stars and lines have been drawn.
 struct DrawnCount {
   std::size_t stars = 0;
   std::size_t lines = 0;
@@ -44,8 +44,8 @@ class DrawnSegments {
   void add_star(const VertexStubs& star);
   void add_line(const LatticeSegment& segment);
   DrawnCount size() const { return {stars_.size(), lines_.size()}; }
-  /// Whether the segment, which begins at the end of this stub of the star since.stars, meets
-  /// anything else of what was drawn since. O(size() - since).
+  /// Returns whether the segment, which begins at the end of this stub of the star since.stars,
+  /// meets anything else of what was drawn since. O(size() - since).
   bool meets_any(const LatticeSegment& segment, DrawnCount since, std::size_t stub) const;
 
  private:

@@ -10,7 +10,7 @@
 
 namespace ar3d::two_bend_109 {
 
-/// Where everything stands: the drawing of a connected graph.
+/// Holds where everything stands: the drawing of a connected graph.
 struct Placement {
   std::vector<Point> at;                   ///< of each vertex
   std::vector<std::array<Point, 4>> ends;  ///< entry i of a vertex: the bend next to it on its i-th

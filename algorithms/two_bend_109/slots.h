@@ -35,7 +35,7 @@ class SlotList {
 
 enum class SlotKind : std::uint8_t { single, cycle, triangle };
 
-/// Where in its slot a vertex stands.
+/// Says where in its slot a vertex stands.
 enum class SlotSpot : std::uint8_t {
   middle,        ///< y = 0
   upper,         ///< on a cycle of four or more: at larger y

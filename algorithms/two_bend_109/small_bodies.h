@@ -21,7 +21,8 @@ struct SmallBody {
     Point bend_at_u;
     Point bend_at_v;
   };
-  /// Where an edge to an earlier part leaves vertex v: the segment from v to `end` is its last one.
+  /// Holds where an edge to an earlier part leaves vertex v: the segment from v to `end` is its
+  /// last one.
   struct BodyLeg {
     Vertex v;
     Point end;
@@ -38,8 +39,8 @@ struct SmallBody {
 /// disjoint cycles (Lemma E.1).
 const std::vector<SmallBody>& small_bodies();
 
-/// Which body the graph is, null if none, and which vertex plays which of the body's. O(1): larger
-/// graphs are none.
+/// Returns which body the graph is, null if none, and which vertex plays which of the body's. O(1):
+/// larger graphs are none.
 std::pair<const SmallBody*, std::vector<Vertex>> find_body(const Graph& graph);
 
 }  // namespace ar3d::two_bend_109

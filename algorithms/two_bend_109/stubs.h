@@ -12,7 +12,7 @@ namespace ar3d::two_bend_109 {
 /// (-1, -1, -1).
 inline constexpr Lattice kAxisLattice{{{{2, 0, 0}, {0, 6, 0}, {0, 0, 1}}}, 1};
 
-/// How a vertex stands: which of its edges go where.
+/// Says how a vertex stands: which of its edges go where.
 enum class Stance : std::uint8_t {
   middle,          ///< at most two edges up, at most two down
   three_down,      ///< three edges down, one of them to the right, two to the left; at most one up

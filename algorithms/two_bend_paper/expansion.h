@@ -14,7 +14,7 @@
 
 namespace ar3d::two_bend_paper {
 
-/// What a figure of members has when it replaces a node.
+/// Holds what a figure of members has when it replaces a node.
 struct Room {
   double radius = 0;         ///< a power of two; the figure stays within it
   bool is_straight = false;  ///< the node's two edges leave it at 180 degrees

@@ -11,16 +11,16 @@ struct Place {
   T y{};
 };
 
-/// Where a ray stands in the plane.
+/// Says where a ray stands in the plane.
 using Foot = Place<double>;
 
 /// k quarter turns to the left; exact.
 Foot turned(Foot foot, unsigned quarter_turns);
 
-/// How well a place avoids the lines through any two of the feet (Step P.3): 0 if it is one of them
-/// or all but collinear with two of them, at least 1 if it keeps the distance that N = max(3, feet)
-/// places leave room for. For neighbouring directions from the place to the feet, whose sine is s
-/// and whose nearer foot is at distance l: the least max(s N^2 / 0.4, 8 N s l).
+/// Returns how well a place avoids the lines through any two of the feet (Step P.3): 0 if it is one
+/// of them or all but collinear with two of them, at least 1 if it keeps the distance that N =
+/// max(3, feet) places leave room for. For neighbouring directions from the place to the feet,
+/// whose sine is s and whose nearer foot is at distance l: the least max(s N^2 / 0.4, 8 N s l).
 /// Cost: O(N log N).
 double position_quality(Foot place, const std::vector<Foot>& feet);
 
@@ -29,7 +29,7 @@ inline constexpr unsigned kRounds = 24;
 /// Up to this round twice as many candidates are tried as in the round before.
 inline constexpr unsigned kFinestGrowth = 8;
 
-/// Whether a place has the quality demanded in a round.
+/// Returns whether a place has the quality demanded in a round.
 bool is_good(Foot place, const std::vector<Foot>& feet, unsigned round);
 
 /// 0, 1, -1, 2, -2, ... for 0, 1, 2, ...

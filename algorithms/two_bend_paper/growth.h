@@ -28,13 +28,14 @@ struct CycleVertex {
   bool has_ray() const { return third.has_value() && !is_below; }
 };
 
-/// What one step of the growth adds: a node with no neighbour drawn already (line), one (pass), two
-/// (merge) or three (triskelion), or a chordless cycle of at least four nodes.
+/// Says what one step of the growth adds: a node with no neighbour drawn already (line), one
+/// (pass), two (merge) or three (triskelion), or a chordless cycle of at least four nodes.
 enum class StepKind : std::uint8_t { line, pass, merge, triskelion, cycle };
 
-/// Where a triskelion stands: `order` are the places among Step::below of the two farthest feet t
-/// and u and of the third, w. Its middle is over the line from t to u, `slide` times the height of
-/// w over that line away from the foot of this height, towards u; it has arms of length `radius`.
+/// Holds where a triskelion stands: `order` are the places among Step::below of the two farthest
+/// feet t and u and of the third, w. Its middle is over the line from t to u, `slide` times the
+/// height of w over that line away from the foot of this height, towards u; it has arms of length
+/// `radius`.
 struct Triskelion {
   std::array<std::uint8_t, 3> order{};
   bool w_is_left = false;  ///< of the way from t to u
@@ -62,8 +63,8 @@ struct Component {
   std::optional<std::array<Node, 4>> k4;  ///< the whole component, ascending
   double left = 0;                        ///< where it stands
   std::vector<Step> steps;                ///< else; every node in one of them
-  /// What the steps keep (vertical extensibility): a node drawn already has at most one neighbour
-  /// that is not, and then a ray.
+  /// All steps keep this (vertical extensibility): a node drawn already has at most one
+  /// neighbour that is not, and then a ray.
 };
 
 /// Components in the order of their least nodes (Steps P.2 and P.4).

@@ -45,7 +45,7 @@ Drawing draw(const Graph& graph, const Options& options = {});
 /// The catalogue row `two-bend-paper`, with the option `type`.
 Algorithm row();
 
-/// How the arithmetic in which this library's drawings are made departs from IEEE 754, as
+/// Returns how the arithmetic in which this library's drawings are made departs from IEEE 754, as
 /// ar3d::arithmetic_departures() (base/ieee_arithmetic.h) tells.
 std::string arithmetic_departures();
 

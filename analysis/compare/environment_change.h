@@ -31,10 +31,10 @@ std::map<std::string, std::string> lasting_settings(
 std::string load_of_other_work(const std::vector<EnvironmentEntry>& environment,
                                double rows_at_a_time);
 
-/// What makes times of the two incomparable: every recorded setting that differs (processor, cores,
-/// kernel, compiler, flags, libraries, threads, variables), and a machine busy with other work when
-/// either began (one-minute load above half of its cores). Values of several sessions count
-/// together. Empty: alike.
+/// Returns what makes times of the two incomparable: every recorded setting that differs
+/// (processor, cores, kernel, compiler, flags, libraries, threads, variables), and a machine busy
+/// with other work when either began (one-minute load above half of its cores). Values of several
+/// sessions count together. Empty: alike.
 std::vector<EnvironmentChange> environment_changes(const Results& base, const Results& now);
 
 }  // namespace ar3d

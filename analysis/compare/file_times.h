@@ -34,7 +34,7 @@ struct SettingTimes {
   TimeChange change = TimeChange::undecided;
 };
 
-/// What times of two files say, step by step as docs/analysis.md does.
+/// Holds what times of two files say, step by step as docs/analysis.md does.
 struct FileTimes {
   std::array<std::string, 2> rounds;   ///< kTimingRounds of base and new; empty: unknown
   std::array<double, 3> yardsticks{};  ///< log(new / base) of kYardsticks; NaN: not in both files
@@ -56,7 +56,7 @@ FileTimes judge_file_times(const std::vector<CellTimes>& cells, const Results& b
 /// "diamond +19.8 % [+18.9 %, +20.7 %]": the distance of a setting.
 std::string distance_text(const SettingTimes& setting);
 
-/// What a person is told: how fast the machine was, what moved against all others.
+/// Returns what a person is told: how fast the machine was, what moved against all others.
 std::string times_sentence(const FileTimes& times);
 
 }  // namespace ar3d

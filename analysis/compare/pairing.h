@@ -52,7 +52,7 @@ double round_log_time_ratio(const PairedCell& cell);
 /// Rows drawn on both sides whose time is not a finite positive number although it should be one.
 std::size_t rows_without_time(const PairedCell& cell);
 
-/// What a change of a value without noise means.
+/// Says what a change of a value without noise means.
 enum class Effect { other, better, worse, violated };
 
 /// One such change of one row.

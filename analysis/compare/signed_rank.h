@@ -32,9 +32,9 @@ class SignedRankDistribution {
 /// positive; their median is the Hodges-Lehmann estimate. Cost: O(k^2 log k) for k differences.
 std::vector<double> walsh_averages(std::span<const double> differences);
 
-/// Whether paired differences are centred at 0, by Wilcoxon's signed-rank test. It holds for every
-/// distribution of the noise, however heavy its tails, as long as a difference and its negative are
-/// equally likely, which is so if the two measurements of a pair are interchangeable.
+/// Says whether paired differences are centred at 0, by Wilcoxon's signed-rank test. It holds for
+/// every distribution of the noise, however heavy its tails, as long as a difference and its
+/// negative are equally likely, which is so if the two measurements of a pair are interchangeable.
 struct SignedRankTest {
   std::size_t pairs = 0;
   double estimate = 0;     ///< Hodges and Lehmann's; NaN without pairs

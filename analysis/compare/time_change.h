@@ -45,7 +45,7 @@ std::vector<TimeVerdict> judge_times(const std::vector<std::vector<double>>& log
 double smallest_visible_slowdown(std::vector<double> log_ratios, const TimeRule& rule,
                                  std::size_t cells);
 
-/// What a comparison of a program with itself tells about the machine.
+/// Holds what a comparison of a program with itself tells about the machine.
 struct Calibration {
   std::size_t cells = 0;         ///< with at least one pair
   std::size_t pairs = 0;         ///< of the cell with the fewest

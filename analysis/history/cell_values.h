@@ -12,7 +12,7 @@
 
 namespace ar3d {
 
-/// What a history follows of every cell.
+/// Says what a history follows of every cell.
 enum class Measure : std::uint8_t { time, instructions, cycles, volume, bends, crossings, angle };
 inline constexpr std::array kMeasures = {Measure::time,   Measure::instructions, Measure::cycles,
                                          Measure::volume, Measure::bends,        Measure::crossings,

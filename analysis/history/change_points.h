@@ -28,7 +28,7 @@ using SeededIntervals = std::vector<std::pair<std::size_t, std::size_t>>;
 /// another one follows has an interval without the other. In all O(size log size) long.
 SeededIntervals seeded_intervals(std::size_t size, std::size_t shortest);
 
-/// Where an interval is parted, and how much.
+/// Holds where an interval is parted, and how much.
 struct Split {
   std::size_t at = 0;  ///< first value of the second part
   double height = 0;   ///< |difference of the means| sqrt(ab / (a + b)) for parts of a and b values
@@ -38,7 +38,7 @@ struct Split {
 Split largest_split(std::span<const double> values, const SeededIntervals& intervals,
                     std::size_t shortest);
 
-/// Where the change of a series with one change may lie, if its noise is normal.
+/// Holds where the change of a series with one change may lie, if its noise is normal.
 struct PlausibleSplits {
   std::size_t first = 0;
   std::size_t last = 0;

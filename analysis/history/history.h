@@ -20,7 +20,7 @@ struct CommitResults {
   std::string created;
   std::size_t environment = 0;  ///< in History::environments
   std::string untimed;          ///< why its times are not judged; empty: they are
-  /// How many times as long the short yardsticks took as in the median of the results of its
+  /// Holds how many times as long the short yardsticks took as in the median of the results of its
   /// environment: its times are divided by that. 1 without yardsticks.
   double slowness = 1;
   std::size_t unfinished = 0;  ///< rows

@@ -11,7 +11,7 @@
 
 namespace ar3d::report {
 
-/// How drawings in one real type are called, and the bits of its significand; 0 if not known.
+/// Holds how drawings in one real type are called, and the bits of its significand; 0 if not known.
 struct RealSetting {
   std::string name;
   int bits = 0;
@@ -41,7 +41,7 @@ struct RealRows {
   std::size_t left_out = 0;
 };
 
-/// What a certificate mode or a level cost, summed up over the rows of one n.
+/// Holds what a certificate mode or a level cost, summed up over the rows of one n.
 struct Judgements {
   std::size_t rows = 0, violated = 0;
   std::vector<double> draw_s, store_s, certify_s;  ///< per vertex
@@ -55,8 +55,8 @@ struct JudgementKey {
   friend auto operator<=>(const JudgementKey&, const JudgementKey&) = default;
 };
 
-/// What the section on precision reads of a study, in one pass over its rows; of a study whose rows
-/// are all proved over the first 200,000.
+/// Holds what the section on precision reads of a study, in one pass over its rows; of a study
+/// whose rows are all proved over the first 200,000.
 struct PrecisionRows {
   RealRows real;
   std::map<JudgementKey, Judgements> judgements;  ///< at most the first 2,000
@@ -70,8 +70,8 @@ std::string sample_family(const RealRows& real);
 std::map<std::int64_t, double> median_misses(const RealRows& real, std::size_t setting,
                                              const std::string& family);
 
-/// What predicts the misses: the drawings in the type of most bits. A miss is kappa 2^-p C radians;
-/// kappa and C are theirs, p is the bits of the type that is predicted.
+/// Holds what predicts the misses: the drawings in the type of most bits. A miss is kappa 2^-p C
+/// radians; kappa and C are theirs, p is the bits of the type that is predicted.
 struct MissModel {
   std::size_t setting = 0;            ///< that predicts the others
   std::array<double, 3> log_kappa{};  ///< log10 of its 10 %, 50 % and 90 % quantiles over all rows
@@ -84,7 +84,7 @@ struct MissModel {
 };
 MissModel miss_model(const RealRows& real);
 
-/// Where misses of one type pass a limit, predicted and seen.
+/// Says where misses of one type pass a limit, predicted and seen.
 enum class OnsetVerdict { confirmed, refuted, open };
 struct Onset {
   std::string family;
@@ -97,7 +97,7 @@ struct Onset {
   double log_kappa = kMissing;       ///< log10: the family's, which predicts
   double log_kappa_seen = kMissing;  ///< of the type where it passes, or at the last n
 };
-/// Where medians pass the limits 1e-12, 1e-9, 1e-6, 1e-3 and 1 degree, by interpolation in
+/// Returns where medians pass the limits 1e-12, 1e-9, 1e-6, 1e-3 and 1 degree, by interpolation in
 /// logarithms; those that neither passes, or both do at the least n, are left out.
 std::vector<Onset> onsets(const RealRows& real, const MissModel& model);
 /// Confirmed: both passes are within a factor of 2. Refuted: they are further apart. Open: what is

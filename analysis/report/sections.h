@@ -82,7 +82,7 @@ class GraphList {
   std::map<std::size_t, Noted> rows_;
 };
 
-/// What the makers of tables read, and where their tables go.
+/// Holds what the makers of tables read, and where their tables go.
 struct TableMaker {
   const StudyAnalysis& analysis;
   const SinceReference& since;
@@ -115,8 +115,8 @@ struct Median {
   double time = kMissing;
 };
 
-/// What one setting did on every family but collections at every requested n: medians over graphs.
-/// Sizes with an unfinished graph are left out.
+/// Holds what one setting did on every family but collections at every requested n: medians over
+/// graphs. Sizes with an unfinished graph are left out.
 struct ComparedSetting {
   const Section* section = nullptr;
   std::string label;

@@ -66,7 +66,7 @@ struct CurveFit {
 CurveFit fit_curve(std::span<const SizeSample> sizes, bool with_log, bool intervals,
                    double confidence = 0.95);
 
-/// How far the sizes are from a straight line in log-log axes.
+/// Holds how far the sizes are from a straight line in log-log axes.
 struct Curvature {
   /// Local exponent (slope in log-log axes) of the fitted parabola at the smallest and at the
   /// largest size; their difference, the drift, has an interval.

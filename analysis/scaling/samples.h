@@ -43,7 +43,7 @@ struct SizeSample {
 /// those of the timing phase if the curve has such rows, else of the metrics phase (for plots).
 std::vector<SizeSample> samples(const CurveTally& curve, Quantity quantity);
 
-/// Which sizes a fit uses, and what is left out and why (one clause each, for the report).
+/// Holds which sizes a fit uses, and what is left out and why (one clause each, for the report).
 struct FitSizes {
   std::vector<SizeSample> used;
   std::vector<std::string> left_out;

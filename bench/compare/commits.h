@@ -7,8 +7,8 @@
 
 namespace ar3d {
 
-/// How many commits there are up to this one, itself included: the place of a commit in a history,
-/// larger than that of each of its ancestors. @param commit  40 digits.
+/// Returns how many commits there are up to this one, itself included: the place of a commit in a
+/// history, larger than that of each of its ancestors. @param commit  40 digits.
 /// @return -1 if git in the working directory does not know the commit.
 std::int64_t commits_up_to(const std::string& commit);
 

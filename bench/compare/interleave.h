@@ -16,7 +16,7 @@ struct InterleaveOptions {
   bool count = false;             ///< `study count` after the first run of each
 };
 
-/// What two programs measured in turns; base[i] and now[i] belong to round i.
+/// Holds what two programs measured in turns; base[i] and now[i] belong to round i.
 struct InterleavedRounds {
   std::vector<Results> base;
   std::vector<Results> now;

@@ -48,7 +48,7 @@ struct CorpusFile {
   std::string problem = {};  ///< it cannot be read for that reason; empty: nobody knows before
 };
 
-/// How the graphs of files are taken into a study.
+/// Holds how the graphs of files are taken into a study.
 struct CorpusOptions {
   ReadOptions reading = {};        ///< whether loops and parallel edges are dropped, too
   bool largest_component = false;  ///< of each graph only its largest connected component
@@ -60,8 +60,8 @@ struct CorpusOptions {
   std::string text() const;
 };
 
-/// What a graph is apart from names: the hash of its file's graphs, its place among them, and how
-/// many files before its own in the corpus have that hash, too.
+/// Holds what a graph is apart from names: the hash of its file's graphs, its place among them, and
+/// how many files before its own in the corpus have that hash, too.
 struct GraphIdentity {
   std::string file_hash;
   std::uint32_t index = 0;
@@ -95,7 +95,7 @@ class Corpus {
   const std::string& group(std::uint32_t place) const { return file_of(place).group; }
   /// Hashes of the files' graphs, by place.
   std::vector<std::string> file_hashes() const;
-  /// How many of the graphs taken have a vertex of larger degree.
+  /// Returns how many of the graphs taken have a vertex of larger degree.
   std::size_t count_above(std::uint32_t max_degree) const;
 
   /// The graphs taken, by number of vertices and, where that is equal, by place in the file.

@@ -32,8 +32,8 @@ struct ExternalAlgorithm {
 /// no option.
 std::vector<std::string> command_with(const ExternalAlgorithm& algorithm, const Settings& options);
 
-/// What such a program reads for one graph: a line of graph6 or sparse6, or, as `edgelist`, a line
-/// "n m" and m lines "u v" with ids from 0.
+/// Returns what such a program reads for one graph: a line of graph6 or sparse6, or, as `edgelist`,
+/// a line "n m" and m lines "u v" with ids from 0.
 std::string request_of(const ExternalAlgorithm& algorithm, const Graph& graph);
 
 /// The hash of a program whose executable cannot be read.

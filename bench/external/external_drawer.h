@@ -15,7 +15,7 @@
 
 namespace ar3d {
 
-/// How an external program failed: the status and the message of its row.
+/// Holds how an external program failed: the status and the message of its row.
 class ProgramFailure : public std::runtime_error {
  public:
   ProgramFailure(RunStatus status, const std::string& message)
@@ -62,7 +62,7 @@ class ExternalProcess {
   bool errors_ended_ = false;
 };
 
-/// What a program has drawn and how long it took.
+/// Holds what a program has drawn and how long it took.
 struct ExternalDrawing {
   Drawing drawing;
   double wall_s = 0;  ///< from request to answer

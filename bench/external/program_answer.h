@@ -10,7 +10,7 @@
 
 namespace ar3d {
 
-/// What a program answers to one graph.
+/// Holds what a program answers to one graph.
 struct ProgramAnswer {
   std::optional<Drawing> drawing;                           ///< its edges are the graph's
   std::string refusal;                                      ///< why it draws none: {"error": "…"}

@@ -25,7 +25,7 @@ struct JournaledStudy {
   std::vector<RunStatus> again = {};
 };
 
-/// How it stands with a journaled study.
+/// Holds how it stands with a journaled study.
 struct StudyOutcome {
   std::size_t rows = 0;        ///< in the results file
   std::size_t missing = 0;     ///< rows that it is not complete without
@@ -43,7 +43,8 @@ JournaledStudy new_study(const StudySpec& spec, const Shard& shard, const std::s
 /// @throws InputError naming the file if it cannot be read or does not say what study it is.
 JournaledStudy begun_study(const std::string& journal_or_results);
 
-/// What one of several ranks failed at in a step that all do together; every one of them throws it.
+/// Holds what one of several ranks failed at in a step that all do together; every one of them
+/// throws it.
 class FailedTogether : public InputError {
  public:
   FailedTogether(const std::string& what, bool journal_full)
@@ -71,8 +72,8 @@ StudyOutcome run_journaled(const JournaledStudy& study, const SessionPolicy& pol
 /// @throws InputError naming the file; if it is the study's results file or a journal of it.
 StudyOutcome write_snapshot(const JournaledStudy& study, const std::string& path);
 
-/// How it stands with a study that has begun, also while its rows are being made; reads all of
-/// them. @throws InputError as begun_study.
+/// Returns how it stands with a study that has begun, also while its rows are being made; reads all
+/// of them. @throws InputError as begun_study.
 StudyOutcome outcome_so_far(const JournaledStudy& study);
 
 }  // namespace ar3d

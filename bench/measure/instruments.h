@@ -34,7 +34,8 @@ class CpuStopwatch {
   double start_ = thread_cpu_s();
 };
 
-/// What the processor counted in user space of the calling thread; -1: the kernel does not tell.
+/// Holds what the processor counted in user space of the calling thread; -1: the kernel does not
+/// tell.
 struct CountedEvents {
   std::int64_t instructions = -1;
   std::int64_t cycles = -1;
@@ -64,7 +65,7 @@ class HardwareCounters {
   std::string availability_ = "available";
 };
 
-/// How much memory of the process the peak of a row stands for.
+/// Says how much memory of the process the peak of a row stands for.
 enum class MemoryScope {
   process,  ///< other rows are made at the same time: only the process's peak so far is known
   row,      ///< this row's own: the kernel's high-water mark is reset before it

@@ -8,7 +8,7 @@
 
 namespace ar3d {
 
-/// What another of these signals does once one has asked to stop.
+/// Says what another of these signals does once one has asked to stop.
 enum class SecondSignal { ends_program, is_ignored };
 
 /// While an object of this class lives, SIGINT, SIGTERM and, unless nohup has it ignored, SIGHUP ask
@@ -62,7 +62,7 @@ struct ChildOptions {
 /// or the output cannot be written.
 int run_child(const std::vector<std::string>& words, const ChildOptions& options);
 
-/// What git printed, on both streams, and how it ended.
+/// Holds what git printed, on both streams, and how it ended.
 struct GitAnswer {
   int exit_code = 0;
   std::vector<std::string> lines;
@@ -71,7 +71,7 @@ struct GitAnswer {
 /// Runs git with these words, without a shell. @throws InputError if no process can be made.
 GitAnswer ask_git(std::vector<std::string> words);
 
-/// What a step may use in a process of its own.
+/// Holds what a step may use in a process of its own.
 struct StepLimits {
   std::optional<double>
       cpu_s;  ///< kept to the next whole second; who waits has ten times that, and 1 s

@@ -11,7 +11,7 @@
 
 namespace ar3d {
 
-/// What callgrind counts of a drawing, generation and certification left out.
+/// Holds what callgrind counts of a drawing, generation and certification left out.
 struct DrawingCounts {
   std::int64_t instructions = -1;
   /// Instructions + 10 for every miss of the first level of a simulated cache + 100 for every miss
@@ -41,9 +41,9 @@ std::vector<DrawingCounts> count_drawings(const std::vector<const RunRecord*>& r
 inline constexpr std::int64_t kLargestCounted = 10000;
 std::size_t fill_counts(Results& results, std::int64_t max_n);
 
-/// What count_drawings runs under valgrind: `ar3d study draw-counted FILE`, a name that programs
-/// use, not people. Draws what the lines of the file say: family, parameters, n, seed, algorithm,
-/// options, between tabs. A family "file:PATH" is the only graph of that file.
+/// Names what count_drawings runs under valgrind: `ar3d study draw-counted FILE`, a name that
+/// programs use, not people. Draws what the lines of the file say: family, parameters, n, seed,
+/// algorithm, options, between tabs. A family "file:PATH" is the only graph of that file.
 inline constexpr const char* kDrawCountedVerb = "draw-counted";
 /// @throws InputError as plan_of_row.
 void draw_for_counting(const std::string& file);

@@ -10,7 +10,7 @@
 
 namespace ar3d {
 
-/// How it went.
+/// Holds how it went.
 struct KeptOutcome {
   std::size_t kept = 0;
   std::vector<std::string> problems;  ///< a line for each drawing that could not be kept

@@ -15,7 +15,7 @@
 
 namespace ar3d {
 
-/// What rows were made of besides what they say themselves.
+/// Holds what rows were made of besides what they say themselves.
 struct StudyOrigin {
   /// Of the study. Given: a row's key and its graph's seed are made from it again; else they are
   /// taken from the row.

@@ -23,10 +23,10 @@ struct CellEstimate {
   double row_bytes = 0;   ///< estimated: peak of a row above the program's own memory
 };
 
-/// What a study will cost, extrapolated from runs at small sizes on this machine: for each family
-/// and algorithm a power law through two sizes for the CPU time (exponent between 1 and 2.5), and
-/// proportional to n for the memory. An estimate: expect it to be right within a factor of about
-/// three.
+/// Holds what a study will cost, extrapolated from runs at small sizes on this machine: for each
+/// family and algorithm a power law through two sizes for the CPU time (exponent between 1 and
+/// 2.5), and proportional to n for the memory. An estimate: expect it to be right within a factor
+/// of about three.
 struct StudyEstimate {
   std::vector<CellEstimate> cells;  ///< in the plan's order
   std::size_t rows = 0;             ///< without the optional ones

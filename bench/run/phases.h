@@ -7,8 +7,8 @@
 
 namespace ar3d {
 
-/// Whether there are rounds enough: how far the median of the first half of the values is from
-/// that of the second (of an even number the upper one). Infinite for fewer than two.
+/// Returns whether there are rounds enough: how far the median of the first half of the values is
+/// from that of the second (of an even number the upper one). Infinite for fewer than two.
 double halves_difference(std::span<const double> values);
 
 /// The first phase of a study: every instance in one worker, its drawings certified, repetitions in

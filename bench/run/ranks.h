@@ -27,7 +27,7 @@ struct DoneAtOnce {
   std::vector<std::string> told;  ///< rank by rank
 };
 
-/// What a step came to on a rank.
+/// Says what a step came to on a rank.
 enum class StepResult { done, failed, journal_full };
 
 /// The processes that make one study together. This class is a process that is alone; the program
@@ -42,8 +42,8 @@ class Ranks {
 
   /// The text of rank 0.
   virtual std::string from_first(const std::string& text) { return text; }
-  /// What a step came to on the first rank that did not get it done, and in `why` what that rank
-  /// says; else `done`. No rank returns before all have come.
+  /// Returns what a step came to on the first rank that did not get it done, and in `why` what that
+  /// rank says; else `done`. No rank returns before all have come.
   virtual StepResult agree(StepResult mine, std::string& why) {
     (void)why;
     return mine;

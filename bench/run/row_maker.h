@@ -22,7 +22,7 @@ struct Circumstances {
   std::optional<LimitByVertices> certify_memory_bytes = {};  ///< as the budget has it
 };
 
-/// What is done for a row besides drawing.
+/// Holds what is done for a row besides drawing.
 struct RowRequest {
   bool certify = true;         ///< else the row only has the drawing's hash and no verdict
   std::uint32_t warm_ups = 0;  ///< drawings before the timed one
@@ -42,7 +42,7 @@ class RowMaker {
   void prepare(const PlannedInstance& instance);
   /// Null if it could not be generated.
   const Graph* graph() const { return graph_ ? &*graph_ : nullptr; }
-  /// What is known of a run of the prepared instance before it is made.
+  /// Returns what is known of a run of the prepared instance before it is made.
   RunRecord begun(const PlannedRun& planned) const;
   /// The row of a run of the prepared instance.
   RunRecord make_row(const PlannedRun& planned, const RowRequest& request = {});

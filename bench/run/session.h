@@ -53,8 +53,8 @@ class Progress {
   Clock::time_point last_ = start_;
 };
 
-/// How the rows of a plan are made: what the user and the other processes decide. What the study
-/// itself decides, timing rules and budget, is in its plan.
+/// Holds how the rows of a plan are made: what the user and the other processes decide. What the
+/// study itself decides, timing rules and budget, is in its plan.
 struct SessionPolicy {
   int workers = 1;            ///< rows made at the same time in the metrics phase (workers_for)
   int workers_elsewhere = 0;  ///< workers of the study's other processes in the metrics phase
@@ -72,7 +72,7 @@ struct SessionPolicy {
 /// several ranks. The only place where that is decided.
 int workers_for(int asked, int ranks = 1);
 
-/// Where the rows of a plan go, and which are there already.
+/// Holds where the rows of a plan go, and which are there already.
 class RowSink {
  public:
   virtual ~RowSink() = default;
@@ -95,8 +95,8 @@ class RowSink {
 /// Why run_session came back.
 enum class SessionEnd { complete, stopped, budget_spent };
 
-/// What all phases of one session share: which rows are wanted, where they go, when to stop. All
-/// references outlive it; its functions are called by several threads at once.
+/// Holds what all phases of one session share: which rows are wanted, where they go, when to stop.
+/// All references outlive it; its functions are called by several threads at once.
 class StudySession {
  public:
   StudySession(const StudyPlan& plan, const SessionPolicy& policy, RowSink& sink);
@@ -116,8 +116,8 @@ class StudySession {
   /// a batch.
   bool stopped() const;
 
-  /// How a drawing failed in the metrics phase, now or before; nothing if it can be drawn. Its rows
-  /// of the other phases need not be tried.
+  /// Returns how a drawing failed in the metrics phase, now or before; nothing if it can be drawn.
+  /// Its rows of the other phases need not be tried.
   std::optional<RunRecord> failure(const PlannedInstance& instance, const PlannedRun& timed);
 
   /// To be asked last. @throws what the sink threw.
@@ -159,7 +159,7 @@ class RowSource {
   virtual std::optional<RowJob> next(int worker) = 0;
   /// Takes a row that was handed out. What it throws ends the phase and is passed on.
   virtual void done(const RowJob& job, RunRecord row) = 0;
-  /// What is to be known of the phase when it is over, for the environment.
+  /// Returns what is to be known of the phase when it is over, for the environment.
   virtual std::vector<EnvironmentEntry> ending() const { return {}; }
 
  private:

@@ -8,7 +8,7 @@
 
 namespace ar3d {
 
-/// How a worker process ended: "killed by signal 11 (Segmentation fault)", …
+/// Holds how a worker process ended: "killed by signal 11 (Segmentation fault)", …
 struct WorkerEnd {
   RunStatus status = RunStatus::crashed;
   std::string message;
@@ -25,7 +25,7 @@ class WorkerProcess {
   /// Hands out a row. False if the process is gone.
   bool send(const RowJob& job);
 
-  /// What a worker tells of the row it has.
+  /// Says what a worker tells of the row it has.
   enum class News {
     none,     ///< nothing yet
     begun,    ///< the graph is there, the row itself begins; row() is what is known of it
@@ -43,7 +43,7 @@ class WorkerProcess {
   /// The descriptor that becomes readable with news.
   int descriptor() const { return child_.socket(); }
 
-  /// How it ended, after is_gone.
+  /// Returns how it ended, after is_gone.
   WorkerEnd end();
 
  private:

@@ -32,14 +32,14 @@ const std::vector<SeededFault>& seeded_faults();
 /// @throws InputError naming the unknown fault and the known ones.
 const SeededFault& find_seeded_fault(std::string_view name);
 
-/// What is tried on one graph after the other: an algorithm with complete options, and a fault if
-/// one is seeded.
+/// Holds what is tried on one graph after the other: an algorithm with complete options, and a
+/// fault if one is seeded.
 struct Subject {
   AlgorithmChoice choice;
   const SeededFault* fault = nullptr;
 };
 
-/// Which share of the bound counts.
+/// Says which share of the bound counts.
 enum class BoundShare { side, x, y, z, volume };
 enum class Against { theorem, instance };
 struct RatioRule {

@@ -37,7 +37,7 @@ struct BatchRules {
   std::uint32_t repetitions = 1;
 };
 
-/// What holds for the whole timing phase.
+/// Holds what holds for the whole timing phase.
 struct TimingRules {
   std::uint32_t warm_up = 1;      ///< drawings before each timed one, thrown away
   std::uint32_t concurrency = 1;  ///< timed drawings at the same time, each on a core of its own
@@ -51,19 +51,19 @@ struct LimitByVertices {
   double operator()(std::uint64_t n) const { return always + per_vertex * static_cast<double>(n); }
 };
 
-/// What a study may cost. A row that passes its limit is a row with status timeout or
+/// Holds what a study may cost. A row that passes its limit is a row with status timeout or
 /// out_of_memory.
 struct Budget {
   std::optional<LimitByVertices> row_time_s;
   std::optional<LimitByVertices> row_memory_bytes;
   std::optional<double> study_s;
-  /// What the proof by counting may store at a time (CertifyOptions::proof_bytes); no limit of
-  /// rows.
+  /// Holds what the proof by counting may store at a time (CertifyOptions::proof_bytes); no limit
+  /// of rows.
   std::optional<LimitByVertices> certify_memory_bytes;
   bool limits_rows() const { return row_time_s || row_memory_bytes; }
 };
 
-/// Which drawings of a study are kept. Each drawing is kept once, however many rows are of it.
+/// Says which drawings of a study are kept. Each drawing is kept once, however many rows are of it.
 enum class KeptDrawings : std::uint8_t {
   none,
   worst,     ///< the worst one of every curve: algorithm with options, family with parameters
@@ -102,7 +102,7 @@ struct GraphsEntry {
   std::string place;                         ///< "FILE:LINE: " of the specification, for messages
 };
 
-/// What an include or exclude entry says: an empty name matches all.
+/// Holds what an include or exclude entry says: an empty name matches all.
 struct CellPattern {
   std::string place;  ///< "FILE:LINE: " of the specification, for messages
   std::string family;

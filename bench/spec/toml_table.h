@@ -66,8 +66,8 @@ class TomlTable {
 std::vector<const toml::node*> one_or_many(const toml::node& node);
 
 std::string toml_text(const std::string& file, const toml::node& node, const std::string& what);
-/// What `parse` makes of the node's text. @throws InputError "file:line: message" if the node is no
-/// text or `parse` throws one.
+/// Returns what `parse` makes of the node's text. @throws InputError "file:line: message" if the
+/// node is no text or `parse` throws one.
 template <class Parse>
 auto toml_parsed(const std::string& file, const toml::node& node, const std::string& what,
                  const Parse& parse) {

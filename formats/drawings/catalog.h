@@ -21,7 +21,7 @@ struct PlacedLine {
 /// The next drawing to be written; nothing at the end.
 using NextDrawing = std::function<std::optional<PlacedLine>()>;
 
-/// What some formats can be told.
+/// Holds what some formats can be told.
 struct ExportOptions {
   PictureView view;          ///< of pictures
   double tube_radius = 0.2;  ///< of what is printed, in lattice units

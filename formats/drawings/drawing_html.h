@@ -20,7 +20,7 @@ struct PageViolation {
   std::vector<Point> points;
 };
 
-/// What a page says of a drawing beside showing it.
+/// Holds what a page says of a drawing beside showing it.
 struct PageVerdict {
   enum class PageJudgement { certified, violated, not_judged };
   PageJudgement kind = PageJudgement::not_judged;
@@ -31,7 +31,7 @@ struct PageVerdict {
 /// Most points (vertices and bends) of all the drawings of one page together.
 inline constexpr std::uint64_t kMaxPagePoints = std::uint64_t{1} << 24;
 
-/// What every page has near its beginning.
+/// Holds what every page has near its beginning.
 inline constexpr const char* kViewerMark = "<meta name=\"generator\" content=\"ar3d viewer\">";
 
 /// A drawing, or why there is none, as a page holds it.

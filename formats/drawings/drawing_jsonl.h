@@ -71,7 +71,7 @@ class DrawingJsonlReader {
 
 using DecimalPoint = std::array<Decimal, 3>;
 
-/// What a program answers to a graph, in the numbers that it wrote.
+/// Holds what a program answers to a graph, in the numbers that it wrote.
 struct DecimalDrawing {
   std::string error;  ///< why it draws nothing; empty: it draws
   double seconds = std::numeric_limits<double>::quiet_NaN();  ///< its own time, if it says so

@@ -12,8 +12,8 @@ namespace ar3d {
 /// Red, green and blue, 0 to 255 each.
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// What the edges of a drawing are in its construction, read from the drawing itself; so a drawing
-/// that comes from a file has them, too.
+/// Holds what the edges of a drawing are in its construction, read from the drawing itself; so a
+/// drawing that comes from a file has them, too.
 struct EdgeRoles {
   struct EdgeRole {
     std::string name;

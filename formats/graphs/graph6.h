@@ -83,7 +83,7 @@ class SixBitWriter {
   unsigned count_ = 0;
 };
 
-/// What a line of text says before it is known to be a simple graph.
+/// Holds what a line of text says before it is known to be a simple graph.
 struct EdgesOnVertices {
   std::uint64_t n = 0;
   std::vector<Edge> edges;

@@ -14,9 +14,9 @@
 
 namespace ar3d {
 
-/// What the first line of an edge list is, where it has two numbers: the number of vertices and of
-/// edges, or an edge. `automatic`: a header where it cannot be an edge, an edge where it cannot be
-/// a header; where it can be both the file is refused.
+/// Says what the first line of an edge list is, where it has two numbers: the number of vertices
+/// and of edges, or an edge. `automatic`: a header where it cannot be an edge, an edge where it
+/// cannot be a header; where it can be both the file is refused.
 enum class FirstLine { automatic, edge, header };
 
 struct ReadOptions {
@@ -59,7 +59,7 @@ class GraphWriter {
   GraphWriter& operator=(const GraphWriter&) = delete;
   virtual ~GraphWriter() = default;
   virtual void write(const Graph& graph) = 0;
-  /// What stands after the last graph. Does not commit the output.
+  /// Writes what stands after the last graph. Does not commit the output.
   virtual void finish() {}
 
  protected:
@@ -89,7 +89,7 @@ struct GraphFormat {
   std::unique_ptr<GraphWriter> (*writer)(OutputFile& output, const WriteOptions& options) = nullptr;
 };
 
-/// How rows make their parsers and writers.
+/// Make a format's parsers and writers, each for its row of the catalogue.
 template <class Parser>
 std::unique_ptr<GraphParser> make_parser(TextInput& input, const ReadOptions& options) {
   return std::make_unique<Parser>(input, options);

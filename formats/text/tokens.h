@@ -11,8 +11,8 @@
 
 namespace ar3d {
 
-/// How many digits stand at `at`, 8 if there are more, and their number in `value`. All eight bytes
-/// are read and converted at once (D. Lemire 2018, "Quickly parsing eight digits").
+/// Returns how many digits stand at `at`, 8 if there are more, and their number in `value`. All
+/// eight bytes are read and converted at once (D. Lemire 2018, "Quickly parsing eight digits").
 /// @param at  8 readable bytes.
 inline unsigned leading_digits(const char* at, std::uint64_t& value) {
   std::uint64_t bytes = 0;

@@ -8,8 +8,8 @@
 
 namespace ar3d {
 
-/// What one curve of a study has in common: an algorithm with its options on a family with its
-/// parameters, and the level of its rows.
+/// Holds what one curve of a study has in common: an algorithm with its options on a family with
+/// its parameters, and the level of its rows.
 struct CurveKey {
   std::string algorithm;
   std::string options;

@@ -23,8 +23,8 @@ struct RowKey {
 RowKey parse_row_key(std::string_view text);
 std::string to_string(const RowKey& key);
 
-/// What the rows of a study are made of. Journals and results files store any list of fields and
-/// know none by name; those whose meaning they need are told here, by their positions.
+/// Holds what the rows of a study are made of. Journals and results files store any list of fields
+/// and know none by name; those whose meaning they need are told here, by their positions.
 struct RowFormat {
   TableSpec rows;
   std::size_t key = 0;      ///< 32 hexadecimal digits that tell rows apart; the first field

@@ -28,14 +28,14 @@ const char* to_string(RunStatus status);
 /// @throws InputError naming the text if it is no status.
 RunStatus parse_run_status(std::string_view text);
 
-/// What a row was made for. metrics: certified, on all cores, its times disturbed by the other
+/// Says what a row was made for. metrics: certified, on all cores, its times disturbed by the other
 /// workers; timing: alone on a core of its own; strong, weak: one of a batch of equal drawings
 /// that several threads share; strong_ranks, weak_ranks: that several ranks share.
 enum class RunPhase : std::uint8_t { metrics, timing, strong, weak, strong_ranks, weak_ranks };
 /// "metrics", "timing", "strong", "weak", "strong_r", "weak_r".
 const char* to_string(RunPhase phase);
-/// Whether its rows are drawn in batches; whether these are of one size, however many share them;
-/// whether ranks share them, not threads.
+/// Returns whether its rows are drawn in batches; whether these are of one size, however many share
+/// them; whether ranks share them, not threads.
 constexpr bool is_batched(RunPhase phase) { return phase >= RunPhase::strong; }
 constexpr bool is_strong(RunPhase phase) {
   return phase == RunPhase::strong || phase == RunPhase::strong_ranks;
@@ -44,8 +44,8 @@ constexpr bool is_over_ranks(RunPhase phase) { return phase >= RunPhase::strong_
 /// @throws InputError naming the text if it is no phase.
 RunPhase parse_run_phase(std::string_view text);
 
-/// What is measured beside timed rows: a search of a graph that fits a core's caches, of one that
-/// does not, and arithmetic without memory.
+/// Holds what is measured beside timed rows: a search of a graph that fits a core's caches, of one
+/// that does not, and arithmetic without memory.
 inline constexpr std::array kYardsticks = {"cached", "memory", "arithmetic"};
 
 /// One row of /runs: instance x algorithm x options x repetition. Times in seconds, memory in
@@ -133,8 +133,9 @@ inline double drawing_time_s(const RunRecord& run) {
   return run.cpu_s > 0 ? run.cpu_s : run.wall_s;
 }
 
-/// How slow the machine was near the row: the mean of the logarithms of the two yardsticks that are
-/// as short as a small drawing (that of memory is too rare and noisy); NaN if they are missing.
+/// Returns how slow the machine was near the row: the mean of the logarithms of the two yardsticks
+/// that are as short as a small drawing (that of memory is too rare and noisy); NaN if they are
+/// missing.
 inline double log_slowness(const RunRecord& run) {
   const double product = run.yardsticks_s[0] * run.yardsticks_s[2];
   return product > 0 ? std::log(product) / 2 : kMissing;

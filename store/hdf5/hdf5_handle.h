@@ -88,7 +88,7 @@ class Hdf5Output {
   /// Ends the file. @return 0, or the errno of the first write that failed.
   int close();
 
-  /// Where the bytes go.
+  /// Holds where the bytes go.
   struct Sink {
     Descriptor descriptor;
     int error = 0;

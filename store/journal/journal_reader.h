@@ -10,7 +10,7 @@
 
 namespace ar3d {
 
-/// What a look at a journal's two ends tells.
+/// Holds what a look at a journal's two ends tells.
 struct JournalStatus {
   StudyIdentity identity;
   std::uint64_t rows = 0;
@@ -35,7 +35,7 @@ class JournalReader {
   /// Entry `session` is its position.
   const std::vector<std::vector<EnvironmentEntry>>& sessions() const { return sessions_; }
   std::size_t size() const { return rows_.size(); }
-  /// Where the last whole record ends.
+  /// Returns where the last whole record ends.
   std::uint64_t whole_bytes() const { return whole_bytes_; }
   RowKey key(std::size_t i) const { return rows_[i].key; }
   /// Writes a record. @throws InputError

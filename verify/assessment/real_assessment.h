@@ -10,12 +10,12 @@ namespace ar3d {
 
 struct RealPoints;  // model/real_points.h
 
-/// What a drawing in a real type misses, found without tolerance: its points are dyadic rationals,
-/// every inner product and every decision is exact, and each miss is rounded once, at the end.
-/// Wanted are 120 degrees between the three edges at a vertex of degree 3, at least 120 between the
-/// two at a vertex of degree 2 and at every bend, no segment of length zero, and no two segments
-/// with a common point but that of their bend or vertex. Segments of length zero are counted and
-/// then left out of everything else.
+/// Holds what a drawing in a real type misses, found without tolerance: its points are dyadic
+/// rationals, every inner product and every decision is exact, and each miss is rounded once, at
+/// the end. Wanted are 120 degrees between the three edges at a vertex of degree 3, at least 120
+/// between the two at a vertex of degree 2 and at every bend, no segment of length zero, and no two
+/// segments with a common point but that of their bend or vertex. Segments of length zero are
+/// counted and then left out of everything else.
 struct RealAssessment {
   /// The shares that are told: misses of at most so many degrees.
   static constexpr std::array<double, 4> kLimits{1e-12, 1e-9, 1e-6, 1e-3};

@@ -68,10 +68,10 @@ class Columns {
   /// O(k) for k segments, but for the sorting inside long columns.
   explicit Columns(const std::vector<VerticalSegment>& segments);
 
-  /// How often a segment ends where the next one of its column begins; nothing if two have more
-  /// than a point in common.
+  /// Returns how often a segment ends where the next one of its column begins; nothing if two have
+  /// more than a point in common.
   std::optional<std::uint64_t> touching() const;
-  /// How many vertical segments the slanted one meets. @pre touching() is something.
+  /// Returns how many vertical segments the slanted one meets. @pre touching() is something.
   std::uint64_t met_by(const SlantedSegment& s) const;
 
  private:

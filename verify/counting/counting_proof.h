@@ -48,7 +48,7 @@ class CountingProof {
  private:
   static constexpr std::size_t kIds = 2 * SignedDirections::kMaxIndices;
 
-  /// What a thread has of the edges and vertices that it took, in cache lines of its own.
+  /// Holds what a thread has of the edges and vertices that it took, in cache lines of its own.
   struct alignas(128) Share {
     bool possible = true;
     std::array<PlacedSegments, SignedDirections::kMaxIndices> segments;

@@ -12,7 +12,7 @@
 
 namespace ar3d::verify {
 
-/// What is counted in the planes and on the lines of a drawing.
+/// Holds what is counted in the planes and on the lines of a drawing.
 struct MeetingCounts {
   std::uint64_t crossing = 0;  ///< pairs of segments, not parallel, that meet
   std::uint64_t touching = 0;  ///< pairs of collinear segments with one point in common; too few
@@ -21,7 +21,7 @@ struct MeetingCounts {
   MeetingCounts& operator+=(const MeetingCounts& other);
 };
 
-/// What must be equal if nothing meets that must not (Lemma V.1).
+/// Holds what must be equal if nothing meets that must not (Lemma V.1).
 struct CountedMeetings {
   std::uint64_t crossing_neighbours = 0;  ///< A: neighbours that are not parallel
   std::uint64_t touching_neighbours = 0;  ///< B: neighbours that are parallel

@@ -37,8 +37,8 @@ struct Piece {
   float end;
 };
 
-/// How far a piece reaches beyond a plane that cuts it, as a part of the whole segment: more than
-/// all rounding (Lemma V.7).
+/// Holds how far a piece reaches beyond a plane that cuts it, as a part of the whole segment: more
+/// than all rounding (Lemma V.7).
 inline constexpr double kMargin = 0x1p-22;
 
 /// A plane at right angles to an axis. Its place counts in units of 2^-shift lattice units.
@@ -51,7 +51,7 @@ struct Cut {
 using Shifts = std::array<unsigned, 3>;
 Shifts shifts_for(const Box& box);
 
-/// Where a piece lies along an axis.
+/// Holds where a piece lies along an axis.
 struct Reached {
   double low;
   double middle;
@@ -61,7 +61,7 @@ struct Reached {
 /// @param sample  some pieces of a cell, by axis; at least one.
 Cut best_cut(std::array<std::vector<Reached>, 3>& sample);
 
-/// What of a piece may lie on either side of a plane, the plane included.
+/// Holds what of a piece may lie on either side of a plane, the plane included.
 struct Parts {
   Piece below;
   Piece above;

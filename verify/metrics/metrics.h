@@ -12,8 +12,8 @@
 
 namespace ar3d {
 
-/// What one pass over a drawing gathers; every metric is a function of it. Integers are exact;
-/// doubles are rounded, and equal for equal drawings.
+/// Holds what one pass over a drawing gathers; every metric is a function of it. Integers are
+/// exact; doubles are rounded, and equal for equal drawings.
 struct DrawingSummary {
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 

@@ -9,7 +9,7 @@
 
 namespace ar3d {
 
-/// What docs/lower-bounds.md takes from a graph; equal for all algorithms.
+/// Holds what docs/lower-bounds.md takes from a graph; equal for all algorithms.
 struct GraphNeeds {
   std::uint64_t vertices = 0;
   std::uint64_t edges = 0;
@@ -38,14 +38,14 @@ std::int64_t volume_at_least(const Graph& graph, const Guarantee& guarantee);
 std::uint64_t bisection_at_least(const Graph& graph, std::span<const Vertex> vertices,
                                  std::uint64_t most_visits);
 
-/// Which points a connected drawing can use.
+/// Says which points a connected drawing can use.
 enum class DrawnSteps : std::uint8_t {
   any,             ///< of directions that are not those below, or at angles that are not exact
   body_diagonals,  ///< unit steps (+-1, +-1, +-1) at exactly arccos(-1/3)
   face_diagonals   ///< unit steps along face diagonals of unit cubes at exactly 120 degrees
 };
 
-/// What a box has to hold (Lemmas L.2 and L.3).
+/// Holds what a box has to hold (Lemmas L.2 and L.3).
 struct BoxNeeds {
   DrawnSteps steps = DrawnSteps::any;
   std::uint64_t points = 1;    ///< used by the drawing

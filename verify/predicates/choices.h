@@ -40,7 +40,7 @@ std::optional<std::strong_ordering> filtered_angle(const Lattice& lattice, Point
 /// True only if the four points are not in one plane, so that the segments do not meet.
 bool surely_apart(Point a, Point b, Point c, Point d);
 
-/// How the floating-point arithmetic of these predicates departs from IEEE 754, as
+/// Returns how the floating-point arithmetic of these predicates departs from IEEE 754, as
 /// arithmetic_departures() (base/ieee_arithmetic.h) tells; empty if it does not.
 std::string predicate_arithmetic_departures();
 

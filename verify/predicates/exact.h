@@ -18,7 +18,7 @@ bool parallel(Vector u, Vector v);
 /// True if p lies on the closed segment from a to b (a != b).
 bool on_segment(Point p, Point a, Point b);
 
-/// What two closed segments have in common.
+/// Holds what two closed segments have in common.
 struct Meeting {
   MeetingKind kind = MeetingKind::nothing;
   std::optional<Point> at;         ///< the common point, if it is a lattice point

@@ -12,7 +12,7 @@
 
 namespace ar3d::verify {
 
-/// What two closed segments have in common.
+/// Says what two closed segments have in common.
 enum class MeetingKind : std::uint8_t {
   nothing,
   touch,    ///< one point, and the segments are parallel
@@ -94,7 +94,7 @@ MeetingKind kind(const Triple<Number>& a, const Triple<Number>& b, const Triple<
 
 }  // namespace meeting
 
-/// What the segments from a to b and from c to d have in common, computed in `Number`.
+/// Returns what the segments from a to b and from c to d have in common, computed in `Number`.
 /// @pre a != b and c != d, also as Numbers.
 template <class Number>
 MeetingKind meeting_kind(Point a, Point b, Point c, Point d) {

@@ -9,7 +9,8 @@
 
 namespace ar3d::verify {
 
-/// What no component of the differences that a predicate looks at passes, by axis; below 2^63.
+/// Holds what no component of the differences that a predicate looks at passes, by axis; below
+/// 2^63.
 struct Reach {
   std::uint64_t x = 0;
   std::uint64_t y = 0;

@@ -100,7 +100,7 @@ class LaneBlocks {
   std::size_t expected_;
 };
 
-/// What the stretches of a lane keep, each in one piece that stays where it is.
+/// Holds what the stretches of a lane keep, each in one piece that stays where it is.
 template <class T>
 class LaneBuffer {
  public:

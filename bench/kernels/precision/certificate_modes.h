@@ -10,8 +10,8 @@
 
 namespace ar3d::precision {
 
-/// How a drawing may be judged. Only `exact` proves; the others are how most programs judge, and
-/// are here to be measured beside it.
+/// Holds how a drawing may be judged. Only `exact` proves; the others are how most programs judge,
+/// and are here to be measured beside it.
 struct JudgingMode {
   enum class Kind : std::uint8_t {
     exact,     ///< certify()
@@ -30,7 +30,7 @@ std::string to_string(const JudgingMode& mode);
 /// Returns the modes that are measured.
 const std::vector<JudgingMode>& judging_modes();
 
-/// What a mode says of a drawing.
+/// Holds what a mode says of a drawing.
 struct ModeVerdict {
   bool accepts = false;
   /// Of a sample: at most the probability that one forbidden meeting, if it is the only thing that

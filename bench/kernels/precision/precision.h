@@ -13,7 +13,7 @@
 
 namespace ar3d::precision {
 
-/// What the predicates of a drawing's certificate are asked.
+/// Holds what the predicates of a drawing's certificate are asked.
 struct Decisions {
   Lattice lattice;
   Cosine cosine;
