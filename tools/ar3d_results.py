@@ -4,7 +4,7 @@
     runs = ar3d_results.read("r.h5")
 
 Texts are str, integers pandas' Int64 or UInt64, and what is missing (-1 among integers, NaN among numbers) is
-NA: a mean leaves it out. Needs h5py and pandas; reads files of version 2 and 3.
+NA: a mean leaves it out. Needs h5py and pandas; reads files of version 3.
 """
 import sys
 
