@@ -34,7 +34,7 @@ struct ScalingEntry {
   double log_weight = kMissing;       ///< ar3d::log_weight
   bool decided = false;               ///< the apparent exponent has an interval
   Growth growth = Growth::undecided;
-  /// Of a power law: where the exponent lies for larger n, too, if what is left of a lower-order
+  /// Says where a power law's exponent lies for larger n, too, if what is left of a lower-order
   /// term falls at least like n^(-1/2): power.exponent_interval widened by the drift at either end.
   Interval law_interval{kMissing, kMissing};
   std::string reason;  ///< why so, one sentence

@@ -31,12 +31,12 @@ class RowCollection {
   /// files and the column.
   void close();
 
-  /// Of the study: `created` is the earliest of all files, `shard` and `planned_rows` are those of
+  /// Returns the study's: `created` is the earliest of all files, `shard` and `planned_rows` are those of
   /// the first one.
   const StudyIdentity& identity() const;
   /// The shards of the files, sorted, each once.
   const std::vector<Shard>& shards() const;
-  /// Of all sessions, in the order in which they began.
+  /// Returns the entries of all sessions, in the order in which they began.
   const std::vector<EnvironmentEntry>& environment() const;
 
   std::size_t size() const;

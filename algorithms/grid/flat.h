@@ -221,7 +221,7 @@ class Relabelling {
   /// be called after all turns.
   /// @return whether none is left; false if exhausted().
   bool avoid_labels_0_1();
-  /// Of a defect whose labels differ. Gives x the label 2, or y the label of x: if the edge is
+  /// Gives x the label 2, or y the label of x, of a defect whose labels differ: if the edge is
   /// still a defect, the old y is on top.
   void turn(std::size_t defect);
   /// Likewise. Moves the defect to another edge at x or y, which swaps two labels there.

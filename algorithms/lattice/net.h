@@ -31,7 +31,7 @@ class SpaceNet {
   static const SpaceNet& laves();
 
   const char* name() const { return name_; }
-  /// Of the algorithm that draws its pieces.
+  /// Names the algorithm that draws its pieces.
   const char* algorithm() const { return is_diamond_ ? "lattice-109" : "lattice-120"; }
   /// From a vertex of the net to its neighbours; the origin is a vertex.
   std::span<const Vector> steps(Point vertex) const;

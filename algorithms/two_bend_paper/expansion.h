@@ -150,7 +150,7 @@ class Expansion {
 
     /// The mirror image that exchanges d1 and d2.
     V mirrored(const V& a) const { return a - T(T(2) * dot(a, f)) * f; }
-    /// Of a point: its part along e.
+    /// Returns the part of a point along e.
     V on_axis(const T& part) const { return part * e; }
   };
 

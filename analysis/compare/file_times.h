@@ -18,7 +18,7 @@ struct CellTimes {
   std::size_t rounds = 0;  ///< of the graph that has the fewest; 0: it is not timed
   double ratio = 0;        ///< log(new / base) of the medians over the rounds, mean over the graphs
   double spread = 0;       ///< standard error of `ratio`, from the rounds as if independent
-  /// Of base and new: log(median of the first half of the rounds / median of the second).
+  /// Holds log(median of the first half of the rounds / median of the second) of base and new.
   std::array<double, 2> halves{};
   std::size_t graphs = 1;
 };

@@ -88,7 +88,7 @@ class Corpus {
   /// Files left out because of CorpusOptions::skip; their collection has no name yet.
   const std::vector<SkippedFile>& skipped() const { return skipped_; }
 
-  /// Of the graph at that place. O(log files).
+  /// Returns the identity of the graph at that place. O(log files).
   GraphIdentity identity(std::uint32_t place) const;
   /// The name of its file, "#3" behind it if that holds several; of 96 bytes at most, the last.
   std::string graph_name(std::uint32_t place) const;

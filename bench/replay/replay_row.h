@@ -17,8 +17,8 @@ namespace ar3d {
 
 /// Holds what rows were made of besides what they say themselves.
 struct StudyOrigin {
-  /// Of the study. Given: a row's key and its graph's seed are made from it again; else they are
-  /// taken from the row.
+  /// Holds the study's seed. Given: a row's key and its graph's seed are made from it again; else
+  /// they are taken from the row.
   std::optional<std::uint64_t> seed = {};
   std::optional<StudySpec> spec = {};  ///< with the files that it began with
   std::string moved_graphs = {};  ///< where the file of a row's graph is now; empty: where it was

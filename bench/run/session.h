@@ -153,7 +153,7 @@ class RowSource {
  public:
   explicit RowSource(StudySession& session) : session_(session) {}
   virtual ~RowSource() = default;
-  /// Whose rows these are.
+  /// Returns the session whose rows these are.
   StudySession& session() const { return session_; }
   /// The next row for the worker of that number; nothing: there is no more for it.
   virtual std::optional<RowJob> next(int worker) = 0;
@@ -166,7 +166,7 @@ class RowSource {
   StudySession& session_;
 };
 
-/// Who makes the rows of a phase: threads of this process, or processes of their own.
+/// Says who makes the rows of a phase: threads of this process, or processes of their own.
 struct WorkerPool {
   int workers = 1;
   int elsewhere = 0;            ///< workers of other processes of the study at the same time

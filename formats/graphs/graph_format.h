@@ -110,7 +110,7 @@ std::unique_ptr<GraphWriter> make_writer(OutputFile& output, const WriteOptions&
   return std::make_unique<Writer>(output, options);
 }
 
-/// What stands around the numbers of vertices and of the ends of edges.
+/// Append vertices, or edges, each between the texts `around` its numbers.
 void append_vertices(OutputFile& output, const Graph& graph,
                      const std::array<std::string_view, 2>& around);
 void append_edges(OutputFile& output, const Graph& graph,

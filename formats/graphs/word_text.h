@@ -70,7 +70,7 @@ class GatheredGraph {
   /// its place. @param merge  parallel edges are one.
   Graph finish(const ReadOptions& options, bool merge,
                const std::function<void(std::size_t at, const std::string&)>& fail);
-  /// Of the vertices; empty if they say no more than numbers from 0, or n and these.
+  /// Returns the vertices' names; empty if they say no more than numbers from 0, or n and these.
   std::vector<std::string> names() const;
 
  private:

@@ -44,7 +44,7 @@ class JournalWriter {
 
   /// Says where the rows to come are made. Before the first row.
   void begin_session(const std::vector<EnvironmentEntry>& environment);
-  /// What is known only at the end of the session, such as the load.
+  /// Writes what is known only at the end of the session, such as the load.
   void end_session(const std::vector<EnvironmentEntry>& environment);
 
   /// A row of this session; `store` writes its record. One call at a time.

@@ -47,7 +47,7 @@ struct Cut {
   std::int64_t place = 0;
 };
 
-/// Of each axis: by how many bits planes may stand finer than the lattice.
+/// Says by how many bits planes may stand finer than the lattice, for each axis.
 using Shifts = std::array<unsigned, 3>;
 Shifts shifts_for(const Box& box);
 

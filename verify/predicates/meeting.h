@@ -72,7 +72,7 @@ MeetingKind on_line(const Triple<Number>& a, const Triple<Number>& b, const Trip
   return low == high ? MeetingKind::touch : MeetingKind::overlap;
 }
 
-/// Of converted points.
+/// Returns the kind of the meeting of converted points.
 template <class Number>
 MeetingKind kind(const Triple<Number>& a, const Triple<Number>& b, const Triple<Number>& c,
                  const Triple<Number>& d) {

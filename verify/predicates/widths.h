@@ -42,7 +42,7 @@ struct PredicateBits {
 ///   `segments` where their boxes meet, else the drawing's extents.
 PredicateBits predicate_bits(const Reach& segments, const Reach& between, const Lattice& lattice,
                              Cosine cosine);
-/// Of segments whose boxes meet.
+/// Returns the bits for segments whose boxes meet.
 PredicateBits predicate_bits(const Reach& segments, const Lattice& lattice, Cosine cosine);
 
 inline constexpr int kDoubleBits = 53;
