@@ -120,11 +120,11 @@ std::string tables_json(const std::vector<Table>& tables) {
 
 std::string csv_field(std::string_view raw) {
   std::string text = valid_utf8(raw);
-  // An apostrophe stands before what a spreadsheet would compute.
-  const bool is_formula =
-      !text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos;
-  if (is_formula && !is_number(text)) text.insert(0, "'");
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  // Quotes alone do not keep a spreadsheet from computing; an apostrophe in them does.
+  const bool is_formula = !text.empty() && !is_number(text) &&
+                          std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos;
+  if (is_formula) text.insert(0, "'");
+  if (!is_formula && text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
   return quoted + "\"";

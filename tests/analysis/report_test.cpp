@@ -348,7 +348,7 @@ TEST(Export, CsvHasOneLineACellAndQuotes) {
   EXPECT_THAT(boxes, Not(HasSubstr("nan")));
   for (const std::string formula : {"=1+1", "+1+1", "-1+1", "@SUM(A1)", "\tx"}) {
     Results hostile = good_results({"diamond"}, {formula}, 2, 2);
-    EXPECT_THAT(bounds_csv(analyse(view_of(hostile))), HasSubstr(",'" + formula + ","));
+    EXPECT_THAT(bounds_csv(analyse(view_of(hostile))), HasSubstr(",\"'" + formula + "\","));
   }
   const std::string growth = scaling_csv(analyse(view_of(results)));
   EXPECT_EQ(occurrences(growth, "\r\n"), 1u + 2 * 6);

@@ -56,11 +56,13 @@ TEST(ReportProgram, OfNoRowsSaysSoAndIsIncomplete) {
 
 TEST(ReportProgram, WritesTables) {
   const ScratchDirectory scratch;
-  const std::string path = results_file(scratch);
+  const std::string path =
+      results_file(scratch, [](Results& results) { results.runs[0].family = "=1+1"; });
   expect_exit(0, run("{} report " + path + " --csv " + scratch.path("l.csv") + " --growth " +
                      scratch.path("g.csv") + " --rows " + scratch.path("r.csv") + " --json " +
                      scratch.path("a.json")));
-  EXPECT_THAT(read_file(scratch.path("r.csv")), HasSubstr("published_bound_x"));
+  EXPECT_THAT(read_file(scratch.path("r.csv")),
+              AllOf(HasSubstr("published_bound_x"), HasSubstr(",\"'=1+1\",")));
   EXPECT_THAT(read_file(scratch.path("l.csv")), HasSubstr("volume_share"));
   EXPECT_THAT(read_file(scratch.path("g.csv")), HasSubstr("exponent_low"));
   EXPECT_THAT(read_file(scratch.path("a.json")), StartsWith("{\"format\":\"ar3d tables 1\""));
