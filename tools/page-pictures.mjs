@@ -5,7 +5,7 @@ import {mkdtempSync, rmSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {dirname, join, resolve} from "node:path";
 import {fileURLToPath} from "node:url";
-import {chromium} from "../tests/browser/node_modules/playwright-core/index.mjs";
+import {chromium} from "./browser.mjs";
 
 const [program, figures] = process.argv.slice(2).map(word => resolve(word)), folder = mkdtempSync(join(tmpdir(), "ar3d-pictures-"));
 const root = join(dirname(fileURLToPath(import.meta.url)), "..");

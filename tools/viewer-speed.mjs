@@ -7,7 +7,7 @@ import {execFileSync} from "node:child_process";
 import {mkdtempSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync} from "node:fs";
 import {loadavg, tmpdir} from "node:os";
 import {join, resolve} from "node:path";
-import {chromium} from "../tests/browser/node_modules/playwright-core/index.mjs";
+import {chromium} from "./browser.mjs";
 
 const [named, ...counts] = process.argv.slice(2), program = resolve(named), folder = mkdtempSync(join(tmpdir(), "ar3d-speed-"));
 const server = await chromium.launchServer({executablePath: "/usr/bin/chromium",
