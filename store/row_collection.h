@@ -31,8 +31,8 @@ class RowCollection {
   /// files and the column.
   void close();
 
-  /// Returns the study's: `created` is the earliest of all files, `shard` and `planned_rows` are those of
-  /// the first one.
+  /// Returns the study's: `created` is the earliest of all files, `shard` and `planned_rows` are
+  /// those of the first one.
   const StudyIdentity& identity() const;
   /// The shards of the files, sorted, each once.
   const std::vector<Shard>& shards() const;

@@ -43,8 +43,8 @@ std::string results_path_of(const std::string& journal_or_results);
 bool rows_are_in_results(const std::string& results);
 
 /// Removes what a killed process has left of a new results file, journal, report or file of
-/// drawings (remove_leftovers). To be called by the one that has the journal locked. @throws InputError if
-/// the folder cannot be listed.
+/// drawings (remove_leftovers). To be called by the one that has the journal locked. @throws
+/// InputError if the folder cannot be listed.
 void remove_study_leftovers(const std::string& results);
 
 /// The folder of a study's files, held open: it stays the same one whatever its name becomes.

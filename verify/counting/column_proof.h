@@ -67,7 +67,8 @@ class ColumnProof {
   bool possible_;
   std::vector<VerticalSegment> verticals_;
   std::vector<SlantedSegment> slanted_;
-  /// Holds for small directions 1 if their angle is right, -1 if it is wrong, 0 if it was not seen yet.
+  /// Holds for small directions 1 if their angle is right, -1 if it is wrong, 0 if it was not seen
+  /// yet.
   std::array<std::array<std::int8_t, kSmallDirections>, kSmallDirections> angles_{};
   /// Of each vertex the directions in which edges leave it: up to four bytes, number + 1 each, or
   /// kOther for one of others_.
