@@ -1,7 +1,7 @@
 // The page of `ar3d history report` in headless Chromium.
 import assert from "node:assert/strict";
 import {execFileSync} from "node:child_process";
-import {mkdtempSync, rmSync, writeFileSync} from "node:fs";
+import {mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {join} from "node:path";
 import {after, before, test} from "node:test";
@@ -62,6 +62,21 @@ test("tables sort", async () => {
 test("it reads at 390 pixels", async () => {
   await page.setViewportSize({width: 390, height: 800});
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= 390);
+});
+
+test("names are only text, and a script that is planted does not run", async () => {
+  const attack = "</script><img src=x onerror=globalThis.bad=1>", file = join(folder, "bad.html");
+  const written = attack.replaceAll("<", "\\u003c").replaceAll(">", "\\u003e");
+  const planted = "<script>globalThis.bad = 2</script><img src='data:,' onerror='globalThis.bad = 3'>";
+  const text = readFileSync(join(folder, "history", "history.html"), "utf8");
+  assert.match(text, /Content-Security-Policy content="default-src 'none';[^"]* script-src 'sha256-/);
+  writeFileSync(file, text.replaceAll('"random-cubic"', `"${written}"`).replaceAll('"v3"', `"${written}"`) + planted);
+  const bad = await browser.newPage();
+  await bad.goto("file://" + file);
+  assert.ok((await bad.locator("#cells tbody td").allTextContents()).some(cell => cell.includes(attack)));
+  assert.equal(await bad.locator("img").count(), 1);  // the planted one
+  assert.equal(await bad.evaluate(() => globalThis.bad), undefined);
+  await bad.close();
 });
 
 test("nothing was asked for and nothing complained", () => {
