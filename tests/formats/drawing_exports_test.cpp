@@ -45,10 +45,6 @@ std::vector<std::vector<Real3>> polylines(const Drawing& drawing) {
   return all;
 }
 
-void expect_near(Real3 a, Real3 b, double error) {
-  EXPECT_LE(length(a - b), error) << a.x << ' ' << a.y << ' ' << a.z;
-}
-
 TEST(Exports, GraphmlIsTheGraph) {
   const ScratchDirectory scratch;
   for (const char* algorithm : kAll) {
