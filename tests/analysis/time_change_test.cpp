@@ -59,7 +59,7 @@ TEST(TimeChange, TenPercentInOneCellAmongAllAreFoundNinetyNineTimesOfAHundred) {
 }
 
 /// Builds that take turns, slower by so many per cent, quiet and loaded (half of the repetitions
-/// hit by bursts). docs/analysis.md quotes what this prints.
+/// hit by bursts). Prints the rates.
 TEST(TimeChange, ASlowerBuildNeverPassesUnnoticed) {
   constexpr std::size_t kTrials = 20;
   for (const std::uint32_t bursts : {10U, 50U}) {

@@ -1,7 +1,8 @@
 """Runs the code blocks of the pages as they are printed; every block of every page is run here or by a test that is named.
 
 blocks.py SOURCE PROGRAM. `sh` blocks are run line by line, `python` blocks as they are, `toml` blocks are planned as (parts of) a study;
-`text` is no code. What the pages take for granted (`smoke.h5`, `my-study.toml`, `nets/*.s6`, …) is made first, small. A study that
+`text` is no code; directly below commands it is what they
+print (… stands for anything). What the pages take for granted (`smoke.h5`, `my-study.toml`, `nets/*.s6`, …) is made first, small. A study that
 takes minutes is replaced by a small one of the same name.
 """
 import os
@@ -35,11 +36,13 @@ NOT_RUN = {
     "sudo apt-get install graphviz python3-igraph python3-pandas python3-tables": "installs packages",
 }
 # Exit codes other than 0, and lines as they run on the small files that are made here.
-EXIT = {"ar3d hunt --algorithm grid -n 60 --seeded-fault wrong-bend": 4}
+EXIT = {"ar3d hunt --algorithm grid -n 60 --seeded-fault wrong-bend": 4, "ar3d study run bad.toml": 4, "ar3d study run late.toml": 5,
+        "ar3d check late.h5": 5, "ar3d compare --drawings-only helix.h5": 3, "ar3d compare one.h5 two.h5": 6, "ar3d compare one.h5 bound.h5": 7}
 IN_PLACE_OF = {
     "study run quick": "study run quick.toml", " ROW": " 0", "study run peers": "study run peers.toml",
     "study run precision": "study run precision.toml",
-    "study run regression": "study run smoke.toml",
+    "study run regression": "study run smoke.toml", "study run short.toml": "study run --force-timing short.toml",
+    "compare one.h5 two.h5": "compare --time-always one.h5 two.h5",
     "build/release/bench/kernels/ar3d_limits --benchmark_out": "ar3d_limits --benchmark_filter='^draw/(search|grid)/.*n:1000/' --benchmark_out",
     "'^draw/(search|grid)/'": "'^draw/(search|grid)/.*n:1000/'", "'/n:10000000/'": "'^machine/.*mib:1/'",
     "'^(draw/grid|search)/'": "'^(draw/grid|search)/cycle/1000/'", "build/release/bench/kernels/": "",
@@ -57,9 +60,12 @@ instances = 1
 
 
 def blocks(text):
-    """(line, language, text) of each code block."""
+    """(line, language, text) of each code block; `printed` in place of `text` if it stands directly below commands."""
+    end, before = 0, ""
     for match in re.finditer(r"^```(\w*)\n(.*?)^```", text, re.S | re.M):
-        yield text[:match.start()].count("\n") + 1, match[1], match[2]
+        is_printed = before == "sh" and match[1] == "text" and not text[end:match.start()].strip()
+        yield text[:match.start()].count("\n") + 1, "printed" if is_printed else match[1], match[2]
+        end, before = match.end(), match[1]
 
 
 def commands(block):
@@ -72,7 +78,7 @@ class Folder:
     """Where the blocks of one page run."""
 
     def __init__(self, path, program):
-        self.path = path
+        self.path, self.printed = path, ""
         (path / "bin").mkdir()
         (path / "bin" / "ar3d").symlink_to(program)
         self.kernels = program.parents[1] / "bench" / "kernels"
@@ -88,6 +94,16 @@ class Folder:
     def must(self, command, code=0):
         done = self.run(command)
         assert done.returncode == code, f"{command}\nended with {done.returncode}, not {code}\n{done.stdout[-2000:]}{done.stderr}"
+        self.printed += done.stdout + done.stderr
+
+    def expect_printed(self, text):
+        """The lines of a `text` block stand in this order in what the commands above it printed; blanks count as one."""
+        rest = [" ".join(line.split()) for line in self.printed.splitlines()]
+        for line in text.splitlines():
+            like = ".*".join(re.escape(part.strip()) for part in " ".join(line.split()).split("…"))
+            at = next((i for i, printed in enumerate(rest) if re.fullmatch(like, printed)), None)
+            assert at is not None, f"not printed in this place:\n{line}\nbut\n" + "\n".join(rest)
+            rest = rest[at + 1:]
 
     def prepare(self):
         for name, file in (("smoke", "smoke"), ("quick", "quick"), ("mine", "my-study")):
@@ -110,6 +126,7 @@ class Folder:
         self.must("git init -q . && mkdir -p apps results/reference && touch apps/study.cpp && cp smoke.h5 results/reference/0.1.0-smoke.h5")
 
     def run_sh(self, block):
+        self.printed = ""
         if "/ar3d_limits" in block and not (self.kernels / "ar3d_limits").exists():
             return print("not run, since this build has no benchmarks: bench/kernels/ar3d_limits")
         for left in self.path.glob("ar3d-*"):  # by blocks before, unless this one begins with it
@@ -165,7 +182,7 @@ def run_page(page, text, program):
         folder = Folder(pathlib.Path(scratch), program)
         folder.prepare()
         for line, language, block in blocks(text):
-            run = {"sh": folder.run_sh, "python": folder.run_python, "toml": folder.plan_toml}
+            run = {"sh": folder.run_sh, "printed": folder.expect_printed, "python": folder.run_python, "toml": folder.plan_toml}
             try:
                 if language != "text":
                     run[language](block)
@@ -200,8 +217,8 @@ def main():
         found = list(blocks(text))
         for line, language, block in found:
             assert language, f"{page}:{line}: a code block without its language; `text` for what is no code"
-            assert language != "text" or not re.search(r"^(\./)?ar3d ", block, re.M), f"{page}:{line}: commands are `sh`"
-        if found and page not in ELSEWHERE and any(language != "text" for _, language, _ in found):
+            assert language not in ("text", "printed") or not re.search(r"^(\./)?ar3d ", block, re.M), f"{page}:{line}: commands are `sh`"
+        if found and page not in ELSEWHERE and any(language not in ("text", "printed") for _, language, _ in found):
             run_page(page, text, program)
             count += len(found)
     print(f"{count} blocks of pages are run here, those of {len(ELSEWHERE)} pages by other tests")
