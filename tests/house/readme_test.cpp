@@ -223,7 +223,7 @@ TEST(Readme, SkewedExponentsAreThoseOfTheCommittedTable) {
   }
 }
 
-/// A bound of the report as README prints it: superscripts, no additive constant; the paper's
+/// A bound of the report as the page prints it: superscripts, no additive constant; the paper's
 /// n^3 stands for its order.
 std::string printed(const nlohmann::json& bound, bool is_order) {
   if (bound.is_null()) return "–";
@@ -237,13 +237,13 @@ std::string printed(const nlohmann::json& bound, bool is_order) {
   return text;
 }
 
-// README has a line a setting of what the report has a line an axis of.
+// docs/algorithms.md has a line a setting of what the report has a line an axis of.
 TEST(Readme, PromisedAndDrawnIsWhatTheReportOfTheCommittedStudySays) {
   const ScratchDirectory folder;
   const std::string json = folder.path("tables.json");
   expect_exit(0, run("{} report " AR3D_SOURCE_DIR "/results/reference/1.0.0-bounds.h5 -o " +
                      folder.path("page.html") + " --json " + json));
-  const std::string readme = read_file(AR3D_SOURCE_DIR "/README.md");
+  const std::string page = read_file(AR3D_SOURCE_DIR "/docs/algorithms.md");
   auto tables = rows_by_table(read_file(json));
   const std::map<std::string, std::string> labels = {
       {"diamond (effort=0)", "`diamond`, effort 0"},
@@ -273,7 +273,7 @@ TEST(Readme, PromisedAndDrawnIsWhatTheReportOfTheCommittedStudySays) {
     for (std::string& of_axes : cells) of_axes = std::regex_replace(of_axes, thrice, "$1");
     const std::string name = "`" + setting.substr(0, setting.find(" (")) + "`";
     const auto label = labels.find(setting);
-    EXPECT_THAT(readme, HasSubstr(fmt::format("\n| {} | {} |\n",
+    EXPECT_THAT(page, HasSubstr(fmt::format("\n| {} | {} |\n",
                                               label == labels.end() ? name : label->second,
                                               fmt::join(cells, " | "))));
   }
