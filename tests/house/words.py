@@ -34,7 +34,7 @@ def paragraphs(text):
 
 def sentences(text):
     text = re.sub(r"`[^`]*`", "X", text)
-    text = re.sub(r"!?\[([^]]*)\]\([^)]*\)", r"\1", text).replace("*", "")
+    text = re.sub(r"!?\[([^]]*)\]\([^)]*\)", lambda m: m[1][:1].upper() + m[1][1:], text).replace("*", "")
     return [s for s in re.split(r"(?<=[.!?:])[)\"”]*\s+(?=[^a-z])", text) if s.strip()]
 
 
@@ -71,8 +71,9 @@ def messages(source):
 
 
 root, program = pathlib.Path(sys.argv[1]), sys.argv[-1]
-pages = [page for page in sorted([*root.glob("*.md"), *root.glob("docs/*.md"), root / "proof/README.md"])
-         if not PROOFS.fullmatch(page.name) and page.name != "CHANGELOG.md"]
+folders = [folder for folder in root.glob("*/") if folder.name not in ("build", "results")]
+pages = [page for folder in (root, *folders) for page in sorted([*folder.glob("*.md"), *folder.glob("*/README.md")])
+         if folder == page.parent or folder.name in ("docs", "examples") if not PROOFS.fullmatch(page.name) and "gallery" not in page.parts]
 texts = [(str(page.relative_to(root)), page.read_text()) for page in pages]
 if "--measure" in sys.argv:
     for name, text in texts:
