@@ -53,64 +53,6 @@ TEST(Readme, CommandsAndPythonRunAsPrinted) {
   expect_output(run(enter + "/usr/bin/python3 -W error::FutureWarning printed.py"), "diamond");
 }
 
-/// The commands of a block, each group under the comment that stands before it.
-std::vector<std::pair<std::string, std::vector<std::string>>> groups_of(const std::string& block) {
-  std::vector<std::pair<std::string, std::vector<std::string>>> groups;
-  std::istringstream lines(block);
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("# ")) {
-      groups.push_back({line, {}});
-    } else {
-      groups.back().second.push_back(line);
-    }
-  }
-  return groups;
-}
-
-// Two of the eight build something first: the pages that their comments name have their commands,
-// and tests/house/own_algorithm.cmake and tests/python/package_test.py run those.
-TEST(Readme, EightWorkflowsTakeAtMostThreeCommandsEach) {
-  const ScratchDirectory folder;
-  const std::string tree = AR3D_SOURCE_DIR;
-  must("cd " + folder.path("") + " && ln -s " + tree + "/examples examples && mkdir nets && " +
-       "{} generate prism -n 8 -o nets/a.s6 && {} generate cycle -n 9 -o nets/b.s6");
-  folder.write("tiny.toml",
-               "study = 'tiny'\n[[sweep]]\nfamilies = 'cycle'\nsizes = 20\nalgorithms = 'all'\n");
-  std::string peers = read_file(tree + "/bench/studies/peers.toml");
-  peers = std::regex_replace(peers, std::regex(R"(\[60, 240, 960\])"), "[60]");
-  folder.write("peers.toml",
-               std::regex_replace(peers, std::regex("instances = 3"), "instances = 1"));
-  const auto groups = groups_of(block("### In three commands at most", "sh"));
-  EXPECT_EQ(groups.size(), 8u);
-  for (const auto& [what, commands] : groups) {
-    EXPECT_LE(commands.size(), 3u) << what;
-    std::smatch page;
-    const bool is_elsewhere = std::regex_search(
-        what, page, std::regex(R"(\((docs/python\.md|examples/own_algorithm)\))"));
-    for (std::string command : commands) {
-      if (is_elsewhere) {
-        const std::string text = read_file(tree + "/" + page[1].str() +
-                                           (page[1] == "docs/python.md" ? "" : "/README.md"));
-        const std::string beginning = command.substr(0, command.find(" python3 "));
-        EXPECT_THAT(text, HasSubstr(beginning)) << what;
-        continue;
-      }
-      const bool over_mpi = command.starts_with("mpirun");
-      command = std::regex_replace(command, std::regex("study run peers"), "study run peers.toml");
-      command = std::regex_replace(command, std::regex(R"(\./ar3d)"),
-                                   over_mpi ? AR3D_MPI_PROGRAM : AR3D_PROGRAM);
-      expect_exit(0, run("export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
-                         "AR3D=$(realpath {}) "
-                         "AR3D_STUDY=tiny.toml; cd " +
-                         folder.path("") + " && " + command));
-    }
-  }
-  for (const char* made : {"nets.h5", "ar3d-own.html", "references/reference.h5", "k5.tikz",
-                           "ranks.h5", "ar3d-peers.h5"}) {
-    EXPECT_TRUE(fs::exists(folder.path(made))) << made;
-  }
-}
-
 std::vector<std::string> split(const std::string& line, char separator) {
   std::vector<std::string> cells;
   std::istringstream text(line);
