@@ -161,13 +161,26 @@ Comparison judge_all(std::vector<Evidence> evidence, const std::vector<TimeVerdi
   return comparison;
 }
 
+/// Why the last session made no more rounds.
+std::string last_rounds(const Results& results) {
+  std::string last;
+  for (const EnvironmentEntry& entry : results.environment) {
+    if (entry.name == kTimingRounds) last = one_line(entry.value);
+  }
+  return last;
+}
+
 /// What two files' times say of each cell; `comparison.times` of all.
 std::vector<TimeVerdict> judge_files(const std::vector<Evidence>& evidence, const Results& base,
                                      const Results& now, const TimeRule& rule,
                                      Comparison& comparison) {
   std::vector<CellTimes> cells;
   for (const Evidence& cell : evidence) cells.push_back(cell_times(cell.cell));
-  comparison.times = judge_file_times(cells, base, now, rule);
+  std::array<double, 3> yardsticks = yardsticks_of(now);
+  const std::array<double, 3> before = yardsticks_of(base);
+  for (std::size_t i = 0; i < before.size(); ++i) yardsticks[i] -= before[i];
+  comparison.times = judge_file_times(cells, yardsticks, rule);
+  comparison.times->rounds = {last_rounds(base), last_rounds(now)};
   std::vector<TimeVerdict> verdicts(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i) {
     SignedRankTest& test = verdicts[i].test;

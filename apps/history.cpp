@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "ar3d/analysis/report.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"
 #include "ar3d/base/printable.h"
@@ -32,7 +33,7 @@ struct HistoryArguments {
   std::string name;
   std::string output;  // of `report`, as the next two
   std::string json;
-  double threshold_percent = 2;
+  double threshold_percent = 5;
   bool force = false;
 };
 
@@ -181,14 +182,15 @@ int report_history(const HistoryArguments& arguments) {
                       output));
     }
   }
-  HistoryRule rule;
+  CompareOptions rule;
   rule.time.threshold = arguments.threshold_percent / 100;
   const History history = read_history(arguments.folder, rule);
   for (const std::string& output : {page, arguments.json}) {
     if (!output.empty()) require_writable(output);
   }
-  write_file_atomically(page, render_history(history, arguments.folder));
-  if (!arguments.json.empty()) write_file_atomically(arguments.json, history_json(history));
+  const std::vector<Table> tables = history_tables(history, arguments.folder);
+  write_file_atomically(page, render_page("history", arguments.folder, tables));
+  if (!arguments.json.empty()) write_file_atomically(arguments.json, tables_json(tables));
   say("{}page     {}\n", summary(history), page);
   for (const HistoryLine& line : history.lines) {
     if (line.is_judged) return kPass;
@@ -221,7 +223,8 @@ void add_history_report(CLI::App& history, int& exit_code) {
   const auto arguments = std::make_shared<HistoryArguments>();
   verb->add_option("--folder", arguments->folder, "where the history is");
   verb->add_option("-o,--output", arguments->output, "HTML file; FOLDER/history.html if left out");
-  verb->add_option("--json", arguments->json, "also write lines and changes as JSON to this file");
+  verb->add_option("--json", arguments->json,
+                   "also write all tables of the page as JSON to this file");
   verb->add_option("--threshold", arguments->threshold_percent, "percent of time that matter")
       ->check(number_between(0.1, 1000));
   add_force(*verb, arguments->force);

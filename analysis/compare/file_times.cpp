@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <tuple>
 
 #include "ar3d/analysis/statistics.h"
 #include "ar3d/base/printable.h"
@@ -19,13 +17,11 @@ constexpr double kOfMedian = 1.2533;   // standard error of a median by that of 
 constexpr double kErrors = 2;          // standard errors that an interval is wide on either side
 constexpr double kLeastError = 0.003;  // of a build's place in memory
 constexpr double kFelt = 0.3;          // of a state of the machine settings feel this share unlike
-constexpr double kWithoutOthers = 0.05;  // by which yardsticks alone may be wrong
-constexpr double kAsFast = 0.025;        // log of a factor of the machine that is not worth a word
-constexpr double kPlaced = 6;       // thresholds by which its place in memory may move one graph
-constexpr double kAlone = 10;       // residuals by which a single cell has to move
-constexpr double kNoise = 6;        // residuals within which it has not moved,
-constexpr double kMostNoise = 1.5;  // but never more than this times the threshold
-constexpr std::size_t kOthers = 3;  // settings that tell a common factor
+constexpr double kAsFast = 0.025;      // log of a factor of the machine that is not worth a word
+constexpr double kPlaced = 6;          // thresholds by which its place in memory may move one graph
+constexpr double kAlone = 10;          // residuals by which a single cell has to move
+constexpr double kNoise = 6;           // residuals within which it has not moved,
+constexpr double kMostNoise = 1.5;     // but never more than this times the threshold
 
 /// Robust standard deviation about 0.
 double spread_about_zero(std::vector<double> values) {
@@ -39,23 +35,6 @@ double error_of_median(std::vector<double> values) {
   const double root = std::sqrt(static_cast<double>(values.size()));
   for (double& value : values) value -= middle;
   return kOfMedian * spread_about_zero(std::move(values)) / root;
-}
-
-double yardstick_of(const Results& results, std::size_t which) {
-  std::vector<double> logs;
-  for (const RunRecord& run : results.runs) {
-    if (run.yardsticks_s[which] > 0) logs.push_back(std::log(run.yardsticks_s[which]));
-  }
-  return logs.empty() ? kMissing : median(std::move(logs));
-}
-
-/// Why the last session made no more rounds.
-std::string last_rounds(const Results& results) {
-  std::string last;
-  for (const EnvironmentEntry& entry : results.environment) {
-    if (entry.name == kTimingRounds) last = one_line(entry.value);
-  }
-  return last;
 }
 
 SettingTimes setting_of(const std::vector<const CellTimes*>& cells) {
@@ -77,18 +56,11 @@ SettingTimes setting_of(const std::vector<const CellTimes*>& cells) {
   return setting;
 }
 
-TimeChange change_of(double distance, double error, const TimeRule& rule) {
-  const double limit = std::log1p(rule.threshold);
-  if (distance - error > limit / 2) return TimeChange::slower;
-  if (distance + error < -limit / 2) return TimeChange::faster;
-  return std::abs(distance) + error < limit ? TimeChange::same : TimeChange::undecided;
-}
-
 /// The rules of docs/analysis.md, "Then times", in their order.
 class FileJudge {
  public:
   FileJudge(const std::vector<CellTimes>& cells, const TimeRule& rule)
-      : cells_(cells), rule_(rule), limit_(std::log1p(rule.threshold)) {
+      : cells_(cells), limit_(std::log1p(rule.threshold)) {
     for (const CellTimes& cell : cells) {
       if (cell.rounds == 0) continue;
       const auto [place, is_new] = place_of_.try_emplace(cell.setting, by_setting_.size());
@@ -97,16 +69,16 @@ class FileJudge {
     }
   }
 
-  FileTimes judged(const Results& base, const Results& now) {
+  FileTimes judged(const std::array<double, 3>& yardsticks) {
     std::vector<double> ratios;
     for (const auto& of_setting : by_setting_) {
       times_.settings.push_back(setting_of(of_setting));
       ratios.push_back(times_.settings.back().ratio);
     }
-    times_.rounds = {last_rounds(base), last_rounds(now)};
-    has_others_ = ratios.size() >= kOthers;
+    times_.yardsticks = yardsticks;
+    has_others_ = ratios.size() >= kFewestSettings;
     if (has_others_) times_.common = median(ratios);
-    measure_machine(base, now);
+    measure_machine();
     measure_residual();
     for (std::size_t i = 0; i < by_setting_.size(); ++i) judge_setting(i);
     for (const CellTimes& cell : cells_) times_.cells.push_back(change_of_cell(cell));
@@ -115,10 +87,7 @@ class FileJudge {
 
  private:
   /// Missing yardsticks say nothing against it.
-  void measure_machine(const Results& base, const Results& now) {
-    for (std::size_t which = 0; which < times_.yardsticks.size(); ++which) {
-      times_.yardsticks[which] = yardstick_of(now, which) - yardstick_of(base, which);
-    }
+  void measure_machine() {
     const double machine = (times_.yardsticks[0] + times_.yardsticks[2]) / 2;
     times_.machine = std::isnan(machine) ? 0 : machine;
     contention_ = std::isnan(machine) ? 0 : times_.yardsticks[0] - times_.yardsticks[2];
@@ -148,11 +117,14 @@ class FileJudge {
     }
     setting.error = std::hypot(setting.error, kFelt * contention_);
     if (!times_.is_known && !has_others_) setting.error += kWithoutOthers - limit_ / 2;
-    setting.change = change_of(setting.distance, setting.error, rule_);
-    const bool is_same = setting.change == TimeChange::same;
-    const double sure = std::abs(setting.distance) - setting.error;
-    const bool is_unsure = !has_others_ && sure < limit_ / 2 + kWithoutOthers;
-    if (is_same ? !times_.is_known : is_unsure) setting.change = TimeChange::undecided;
+    setting.least = limit_ / 2 + setting.error + (has_others_ ? 0 : kWithoutOthers);
+    const double size = std::abs(setting.distance);
+    if (size > setting.least) {
+      setting.change = setting.distance > 0 ? TimeChange::slower : TimeChange::faster;
+    } else if (times_.is_known && size - setting.error <= limit_ / 2 &&
+               size + setting.error < limit_) {
+      setting.change = TimeChange::same;
+    }
   }
 
   TimeChange change_of_cell(const CellTimes& cell) const {
@@ -161,7 +133,7 @@ class FileJudge {
     const double alone = cell.ratio - setting.ratio;
     const double placed = limit_ * std::max(2.0, kPlaced / static_cast<double>(cell.graphs));
     const double sure = std::max({placed, kAlone * times_.residual, kErrors * cell.spread});
-    if (std::abs(alone) > sure && num_timed_ >= 4 * kOthers) {
+    if (std::abs(alone) > sure && num_timed_ >= 4 * kFewestSettings) {
       return alone > 0 ? TimeChange::slower : TimeChange::faster;
     }
     const double noise = std::min(kNoise * times_.residual, kMostNoise * limit_);
@@ -169,7 +141,6 @@ class FileJudge {
   }
 
   const std::vector<CellTimes>& cells_;
-  const TimeRule& rule_;
   const double limit_;
   std::map<std::string, std::size_t> place_of_;
   std::vector<std::vector<const CellTimes*>> by_setting_;
@@ -186,46 +157,64 @@ std::string signed_percent(double log_ratio) {
 
 }  // namespace
 
+SideTimes side_times(const GraphRounds& graphs) {
+  SideTimes times;
+  times.graphs = graphs.size();
+  for (auto [graph, rounds] : graphs) {
+    const double share = 1 / static_cast<double>(graphs.size());
+    std::sort(rounds.begin(), rounds.end());
+    std::vector<double> logs;
+    for (const auto& [round, log] : rounds) logs.push_back(log);
+    const auto middle = logs.begin() + static_cast<std::ptrdiff_t>(logs.size() / 2);
+    times.rounds = times.rounds == 0 ? logs.size() : std::min(times.rounds, logs.size());
+    times.level += share * median(logs);
+    times.variance += std::pow(share * error_of_median(logs), 2);
+    if (logs.size() < 2) continue;
+    times.halves += share * (median({logs.begin(), middle}) - median({middle, logs.end()}));
+  }
+  return times;
+}
+
+CellTimes cell_times(std::string setting, const SideTimes& base, const SideTimes& now) {
+  return {.setting = std::move(setting),
+          .rounds = std::min(base.rounds, now.rounds),
+          .ratio = now.level - base.level,
+          .spread = std::sqrt(base.variance + now.variance),
+          .halves = {base.halves, now.halves},
+          .graphs = std::max<std::size_t>(1, now.graphs)};
+}
+
 CellTimes cell_times(const PairedCell& cell) {
-  using Graph = std::tuple<std::int64_t, std::int64_t, std::uint64_t>;
-  std::map<Graph, std::array<std::vector<std::pair<std::int64_t, double>>, 2>> graphs;
+  std::array<GraphRounds, 2> sides;
   const std::vector<PairedRow> rows = timed_rows(cell);
   const bool is_corrected = std::ranges::all_of(rows, [](const PairedRow& row) {
     return !std::isnan(log_slowness(*row.base) + log_slowness(*row.now));
   });
   for (const PairedRow& row : rows) {
-    auto& graph = graphs[{row.base->requested_n, row.base->instance_index, row.base->seed}];
-    for (const auto& [side, run] :
-         {std::pair{std::size_t{0}, row.base}, std::pair{std::size_t{1}, row.now}}) {
-      graph[side].emplace_back(run->repetition, is_corrected ? log_corrected_time(*run)
-                                                             : std::log(drawing_time_s(*run)));
-    }
-  }
-  CellTimes times;
-  times.setting = algorithm_label(cell.key);
-  times.graphs = std::max<std::size_t>(1, graphs.size());
-  for (auto& [graph, sides] : graphs) {
-    const double share = 1 / static_cast<double>(graphs.size());
     for (std::size_t side = 0; side < 2; ++side) {
-      std::sort(sides[side].begin(), sides[side].end());
-      std::vector<double> logs;
-      for (const auto& [round, log] : sides[side]) logs.push_back(log);
-      const std::size_t rounds = logs.size();
-      const auto middle = logs.begin() + static_cast<std::ptrdiff_t>(rounds / 2);
-      times.rounds = times.rounds == 0 ? rounds : std::min(times.rounds, rounds);
-      times.ratio += share * (side == 0 ? -1 : 1) * median(logs);
-      times.spread += std::pow(share * error_of_median(logs), 2);
-      if (rounds < 2) continue;
-      times.halves[side] += share * (median({logs.begin(), middle}) - median({middle, logs.end()}));
+      const RunRecord& run = side == 0 ? *row.base : *row.now;
+      sides[side][{row.base->requested_n, row.base->instance_index, row.base->seed}].emplace_back(
+          run.repetition, is_corrected ? log_corrected_time(run) : std::log(drawing_time_s(run)));
     }
   }
-  times.spread = std::sqrt(times.spread);
-  return times;
+  return cell_times(algorithm_label(cell.key), side_times(sides[0]), side_times(sides[1]));
 }
 
-FileTimes judge_file_times(const std::vector<CellTimes>& cells, const Results& base,
-                           const Results& now, const TimeRule& rule) {
-  return FileJudge(cells, rule).judged(base, now);
+FileTimes judge_file_times(const std::vector<CellTimes>& cells,
+                           const std::array<double, 3>& yardsticks, const TimeRule& rule) {
+  return FileJudge(cells, rule).judged(yardsticks);
+}
+
+std::array<double, 3> yardsticks_of(const Results& results) {
+  std::array<double, 3> medians{};
+  for (std::size_t which = 0; which < medians.size(); ++which) {
+    std::vector<double> logs;
+    for (const RunRecord& run : results.runs) {
+      if (run.yardsticks_s[which] > 0) logs.push_back(std::log(run.yardsticks_s[which]));
+    }
+    medians[which] = median(std::move(logs));
+  }
+  return medians;
 }
 
 std::string distance_text(const SettingTimes& setting) {

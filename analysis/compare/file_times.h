@@ -2,7 +2,11 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "ar3d/analysis/compare/pairing.h"
@@ -10,19 +14,31 @@
 
 namespace ar3d {
 
-/// Drawing times of one cell in two files that were measured one after the other, over the rounds
-/// (repetitions) that both have; all as natural logarithms. Where all rows have yardsticks, a time
-/// is in units of the short ones near it.
-struct CellTimes {
-  std::string setting;     ///< algorithm_label()
+/// Drawing times of one cell in one file; all as natural logarithms, in units of the short
+/// yardsticks near each where there are any.
+struct SideTimes {
   std::size_t rounds = 0;  ///< of the graph that has the fewest; 0: it is not timed
-  double ratio = 0;        ///< log(new / base) of the medians over the rounds, mean over the graphs
-  double spread = 0;       ///< standard error of `ratio`, from the rounds as if independent
-  /// Holds log(median of the first half of the rounds / median of the second) of base and new.
-  std::array<double, 2> halves{};
+  std::size_t graphs = 0;
+  double level = 0;     ///< median over the rounds, mean over the graphs
+  double variance = 0;  ///< squared standard error of `level`, from the rounds as if independent
+  double halves = 0;    ///< as `level`: first half of the rounds over the second
+};
+/// Requested n, index and seed of a graph → its times, each with its round.
+using GraphRounds = std::map<std::tuple<std::int64_t, std::int64_t, std::uint64_t>,
+                             std::vector<std::pair<std::int64_t, double>>>;
+SideTimes side_times(const GraphRounds& graphs);
+
+/// The same in two files that were measured one after the other, over the rounds that both have.
+struct CellTimes {
+  std::string setting;             ///< algorithm_label()
+  std::size_t rounds = 0;          ///< as SideTimes::rounds, the fewer
+  double ratio = 0;                ///< log(new / base)
+  double spread = 0;               ///< standard error of `ratio`
+  std::array<double, 2> halves{};  ///< of base and new
   std::size_t graphs = 1;
 };
 CellTimes cell_times(const PairedCell& cell);
+CellTimes cell_times(std::string setting, const SideTimes& base, const SideTimes& now);
 
 /// All cells of one algorithm with its options.
 struct SettingTimes {
@@ -31,6 +47,7 @@ struct SettingTimes {
   double ratio = 0;     ///< log(new / base), median over the cells
   double distance = 0;  ///< of `ratio` from the common factor
   double error = 0;     ///< the distance is within +- error
+  double least = 0;     ///< distance from which on it has changed
   TimeChange change = TimeChange::undecided;
 };
 
@@ -48,10 +65,17 @@ struct FileTimes {
 
 inline constexpr std::size_t kFewestRounds = 4;
 
-/// @param cells  of one setting each. @param base, now  for the yardsticks of their rows. Cost: O(c
-/// log c) for c cells.
-FileTimes judge_file_times(const std::vector<CellTimes>& cells, const Results& base,
-                           const Results& now, const TimeRule& rule);
+/// Settings that tell a common factor.
+inline constexpr std::size_t kFewestSettings = 3;
+/// What yardsticks alone may be wrong by, where fewer settings are there.
+inline constexpr double kWithoutOthers = 0.05;
+
+/// @param cells  of one setting each. @param yardsticks  as FileTimes. Cost: O(c log c) for c cells.
+FileTimes judge_file_times(const std::vector<CellTimes>& cells,
+                           const std::array<double, 3>& yardsticks, const TimeRule& rule);
+
+/// Medians of the logarithms of the yardsticks of all rows; NaN: there are none.
+std::array<double, 3> yardsticks_of(const Results& results);
 
 /// "diamond +19.8 % [+18.9 %, +20.7 %]": the distance of a setting.
 std::string distance_text(const SettingTimes& setting);

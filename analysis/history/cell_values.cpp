@@ -22,8 +22,8 @@ namespace {
 struct GraphValues {
   std::string graph_hash;
   bool is_unfinished = false;
-  std::vector<double> times;   // log_corrected_time() of the metrics phase
-  std::vector<double> timing;  // and of the timing phase, in units of yardsticks if it has any
+  // log_corrected_time() with its round, of the metrics phase and of the timing phase.
+  std::vector<std::pair<std::int64_t, double>> times, timing;
   std::int64_t instructions = -1;
   std::int64_t cycles = -1;
   std::array<std::int64_t, 3> extents{-1, -1, -1};
@@ -63,7 +63,7 @@ void add_row(const RunRecord& run, GraphValues& graph) {
     return;
   }
   auto& times = run.phase == RunPhase::timing ? graph.timing : graph.times;
-  if (drawing_time_s(run) > 0) times.push_back(log_corrected_time(run));
+  if (drawing_time_s(run) > 0) times.emplace_back(run.repetition, log_corrected_time(run));
   graph.instructions = std::max(graph.instructions, run.counted_instructions);
   graph.cycles = std::max(graph.cycles, run.estimated_cycles);
   if (run.extents[0] < 0) return;
@@ -101,8 +101,7 @@ double bends_per_edge(const GraphTable& graphs) {
   return edges > 0 ? bends / edges : kMissing;
 }
 
-/// @param slowness  what the times of the timing phase are in units of, as a logarithm.
-CellValues values_of(const GraphTable& graphs, double slowness) {
+CellValues values_of(const GraphTable& graphs) {
   const bool is_unfinished = std::any_of(graphs.begin(), graphs.end(),
                                          [](const auto& at) { return at.second.is_unfinished; });
   if (is_unfinished) return {};
@@ -116,22 +115,30 @@ CellValues values_of(const GraphTable& graphs, double slowness) {
     crossings += fmt::format("{} ", graph.crossings);
     angles += fmt::format("{:.3g} ", graph.angle);
   }
-  CellValues values;
-  values[0].value = geometric_mean(graphs, [&](const GraphValues& graph) {
-    return is_timed ? median(graph.timing) + slowness : median(graph.times);
-  });
+  GraphRounds rounds;
+  for (const auto& [key, graph] : graphs) {
+    const auto& of_graph = is_timed ? graph.timing : graph.times;
+    if (!of_graph.empty()) rounds[key] = of_graph;
+  }
   const auto log_of = [](std::int64_t count) {
     return count > 0 ? std::log(static_cast<double>(count)) : kMissing;
   };
-  values[1].value = geometric_mean(graphs, [&](auto& graph) { return log_of(graph.instructions); });
-  values[2].value = geometric_mean(graphs, [&](auto& graph) { return log_of(graph.cycles); });
-  values[3] = {geometric_mean(graphs, [](const GraphValues& graph) { return graph.log_volume; }),
-               content_hash(boxes)};
-  values[4] = {bends_per_edge(graphs), content_hash(bends)};
-  values[5] = {arithmetic_mean(graphs, [](const GraphValues& graph) { return graph.crossings; }),
-               content_hash(crossings)};
-  values[6] = {arithmetic_mean(graphs, [](const GraphValues& graph) { return graph.angle; }),
-               content_hash(angles)};
+  CellValues values;
+  if (rounds.size() == graphs.size()) {
+    values.times = side_times(rounds);
+    values.of[0].value = std::exp(values.times.level);
+  }
+  values.of[1].value =
+      geometric_mean(graphs, [&](const GraphValues& graph) { return log_of(graph.instructions); });
+  values.of[2].value =
+      geometric_mean(graphs, [&](const GraphValues& graph) { return log_of(graph.cycles); });
+  values.of[3] = {geometric_mean(graphs, [](const GraphValues& graph) { return graph.log_volume; }),
+                  content_hash(boxes)};
+  values.of[4] = {bends_per_edge(graphs), content_hash(bends)};
+  values.of[5] = {arithmetic_mean(graphs, [](const GraphValues& graph) { return graph.crossings; }),
+                  content_hash(crossings)};
+  values.of[6] = {arithmetic_mean(graphs, [](const GraphValues& graph) { return graph.angle; }),
+                  content_hash(angles)};
   return values;
 }
 
@@ -146,27 +153,28 @@ const char* to_string(Measure measure) {
 CellTable cell_values(const RowView& rows) {
   CellTable table;
   std::map<std::pair<CurveKey, std::int64_t>, GraphTable> cells;
-  std::vector<double> slownesses;
+  std::array<std::vector<double>, 3> yardsticks;
   for (std::size_t row = 0; row < rows.count; ++row) {
     const RunRecord& run = rows.read(row);
     if (is_batched(run.phase)) continue;
     if (run.status != RunStatus::ok && run.status != RunStatus::measured) ++table.unfinished;
     table.rows_at_a_time = std::max(table.rows_at_a_time, static_cast<double>(run.concurrency));
-    if (const double slowness = log_slowness(run); !std::isnan(slowness)) {
-      slownesses.push_back(slowness);
+    for (std::size_t i = 0; i < yardsticks.size(); ++i) {
+      if (run.yardsticks_s[i] > 0) yardsticks[i].push_back(std::log(run.yardsticks_s[i]));
     }
     if (table.build_kind.empty()) table.build_kind = run.build_kind;
     const std::int64_t n = run.n >= 0 ? run.n : run.requested_n;
     add_row(run, cells[{curve_of(run), n}][{run.requested_n, run.instance_index, run.seed}]);
   }
-  table.log_slowness = median(slownesses);
-  const double slowness = slownesses.empty() ? 0 : table.log_slowness;
+  for (std::size_t i = 0; i < yardsticks.size(); ++i) {
+    table.yardsticks[i] = median(std::move(yardsticks[i]));
+  }
   for (const auto& [key, graphs] : cells) {
     std::string names;
     for (const auto& [graph, values] : graphs) {
       names += fmt::format("{} {} {} ", std::get<0>(graph), std::get<1>(graph), values.graph_hash);
     }
-    table.cells[{key.first, key.second, content_hash(names)}] = values_of(graphs, slowness);
+    table.cells[{key.first, key.second, content_hash(names)}] = values_of(graphs);
   }
   return table;
 }

@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "ar3d/analysis/compare/file_times.h"
 #include "ar3d/store/columns/curves.h"
 #include "ar3d/store/run_storage.h"
 
@@ -31,25 +32,27 @@ struct HistoryCell {
 
 /// A measure of a cell in one results file; missing (NaN) where a row of the cell has none.
 struct CellValue {
-  /// time: seconds, the geometric mean over the graphs of the median of the repetitions, of the
-  /// timing phase if the cell has it; there each in units of the yardsticks near it, times the
-  /// file's typical ones. instructions: counted by callgrind, geometric mean;
-  /// cycles: estimated from its simulated cache, likewise.
-  /// volume: lattice points, geometric mean; of measured drawings in smallest distances of
-  /// vertices. bends: per edge. crossings, angle (the smallest, degrees): of measured drawings,
-  /// arithmetic mean.
+  /// Geometric means over the graphs but of bends (per edge), crossings and the smallest angle in
+  /// degrees (arithmetic ones). Volumes are lattice points; of measured drawings they are in smallest
+  /// distances of vertices.
   double value = kMissing;
   std::string exact = {};  ///< of a drawing: a hash of those of every single graph; what is
                            ///< measured has three digits there
 };
-using CellValues = std::array<CellValue, kMeasures.size()>;
+
+/// The measures of a cell in one results file.
+struct CellValues {
+  SideTimes times;                             ///< of the timing phase if the cell has it
+  std::array<CellValue, kMeasures.size()> of;  ///< time: exp(times.level)
+};
 
 struct CellTable {
   std::map<HistoryCell, CellValues> cells;
-  std::size_t unfinished = 0;      ///< rows neither ok nor measured: their cells have no values
-  double rows_at_a_time = 1;       ///< the largest concurrency
-  std::string build_kind;          ///< of a row that has one
-  double log_slowness = kMissing;  ///< median of that of the rows
+  std::size_t unfinished = 0;  ///< rows neither ok nor measured: their cells have no values
+  double rows_at_a_time = 1;   ///< the largest concurrency
+  std::string build_kind;      ///< of a row that has one
+  /// Medians of the logarithms of the yardsticks near the rows; NaN without any.
+  std::array<double, 3> yardsticks{};
 };
 
 /// One pass over the rows; those of batches (strong, weak) are left out. Memory: that of the

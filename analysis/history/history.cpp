@@ -1,5 +1,5 @@
 // Reads a folder of results files in order, joins what is measured alike into lines, and looks for
-// changes in each. Times are first divided by how slow the machine was.
+// changes in each. What changed in cells is told by commit and setting.
 #include "ar3d/analysis/history/history.h"
 
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <optional>
+#include <limits>
 #include <string_view>
 #include <tuple>
 
@@ -63,6 +63,11 @@ std::vector<fs::path> results_files(const std::string& folder) {
   return files;
 }
 
+/// Of the short yardsticks, as log_slowness of a row.
+double log_slowness(const CellTable& table) {
+  return (table.yardsticks[0] + table.yardsticks[2]) / 2;
+}
+
 struct ReadResults {
   CommitResults commit;
   std::map<std::string, std::string> environment;
@@ -85,7 +90,7 @@ ReadResults read_one(const fs::path& path) {
   const std::string load = load_of_other_work(reader.environment(), read.table.rows_at_a_time);
   if (!read.table.build_kind.empty()) {
     read.commit.untimed = fmt::format("a {} build", one_line(read.table.build_kind));
-  } else if (!load.empty() && std::isnan(read.table.log_slowness)) {
+  } else if (!load.empty() && std::isnan(log_slowness(read.table))) {
     read.commit.untimed = fmt::format("a busy machine (load {})", one_line(load));
   }
   return read;
@@ -94,65 +99,208 @@ ReadResults read_one(const fs::path& path) {
 struct OpenLine {
   HistoryLine line;
   std::vector<std::string> exact;
+  std::vector<SideTimes> times;
   bool is_counted = true;  ///< every one of its results has counts of the cell
 };
 /// By what the values of a line have in common; filled in the order of the results.
 using LineKey = std::tuple<std::size_t, std::string, HistoryCell, Measure>;
 using OpenLines = std::map<LineKey, OpenLine>;
 
+/// @param unit  what times of the cells are in units of, as a logarithm. @param more  that is to be
+/// taken off their levels.
 void add_values(std::size_t result, const CommitResults& commit, const CellTable& table,
-                OpenLines& lines) {
+                double unit, double more, OpenLines& lines) {
   for (const auto& [cell, values] : table.cells) {
     for (std::size_t i = 0; i < kMeasures.size(); ++i) {
-      if (!std::isfinite(values[i].value)) continue;
-      if (kMeasures[i] == Measure::time && !commit.untimed.empty()) continue;
+      const bool is_time = kMeasures[i] == Measure::time;
+      const double value =
+          is_time ? std::exp(values.times.level - more + unit) : values.of[i].value;
+      if (!std::isfinite(value) ||
+          (is_time && !(commit.untimed.empty() && values.times.rounds > 0))) {
+        continue;
+      }
       OpenLine& entry = lines[{commit.environment, commit.study, cell, kMeasures[i]}];
       entry.line.results.push_back(result);
-      entry.line.values.push_back(values[i].value /
-                                  (kMeasures[i] == Measure::time ? commit.slowness : 1));
-      const bool has_counts =
-          std::isfinite(values[static_cast<std::size_t>(Measure::cycles)].value);
-      entry.is_counted = entry.is_counted && has_counts;
-      entry.exact.push_back(values[i].exact);
+      entry.line.values.push_back(value);
+      entry.exact.push_back(values.of[i].exact);
+      entry.times.push_back(values.times);
+      entry.times.back().level -= more;
+      entry.is_counted &= std::isfinite(values.of[static_cast<std::size_t>(Measure::cycles)].value);
     }
   }
 }
 
-/// Every place where volume or bends of some graph changed, though their mean may be the same.
-std::vector<ChangePoint> changes_of_drawings(const OpenLine& entry) {
-  std::vector<ChangePoint> changes;
-  for (std::size_t i = 1; i < entry.exact.size(); ++i) {
-    if (entry.exact[i] == entry.exact[i - 1]) continue;
-    const double before = entry.line.values[i - 1], after = entry.line.values[i];
-    const double effect = before > 0 && after > 0 ? std::log(after / before) : kMissing;
-    changes.push_back(
-        {.at = i, .first = i, .last = i, .effect = effect, .interval = {effect, effect}});
+/// Collects what changed in cells into changes of settings.
+class Changes {
+ public:
+  explicit Changes(History& history) : history_(history) {
+    for (std::size_t i = 0; i < history.lines.size(); ++i) {
+      const HistoryLine& line = history.lines[i];
+      for (const std::size_t result : line.results)
+        ++cells_[{result, setting_of(line), line.measure}];
+    }
   }
-  return changes;
+
+  /// Values without noise: what changed since the last change.
+  void add_exact(std::size_t number, const std::vector<std::string>& exact, double threshold) {
+    const HistoryLine& line = history_.lines[number];
+    const bool is_drawing = line.measure >= Measure::volume;
+    std::size_t last = 0;
+    for (std::size_t i = 1; i < line.values.size(); ++i) {
+      const double before = line.values[last], after = line.values[i];
+      const double effect = before > 0 && after > 0 ? std::log(after / before) : kMissing;
+      const bool is_changed =
+          is_drawing ? exact[i] != exact[last] : std::abs(effect) > std::log1p(threshold);
+      if (!is_changed) continue;
+      last = i;
+      found_[{line.results[i], line.results[i - 1], setting_of(line), line.measure,
+              (after > before) - (after < before)}]
+          .emplace_back(effect, number);
+    }
+  }
+
+  /// @param results, cells  the numbers of the series' results and cells in the history.
+  void add_times(const TimeSteps& steps, const std::vector<std::size_t>& results,
+                 const std::vector<std::size_t>& cells) {
+    for (const TimeStep& step : steps.steps) {
+      HistoryChange change{.at = results[step.at],
+                           .before = results[step.at - 1],
+                           .setting = step.setting,
+                           .measure = Measure::time,
+                           .direction = step.change > 0 ? 1 : -1,
+                           .cells = step.cells,
+                           .of = step.cells,
+                           .effect = step.change,
+                           .interval = {step.change - step.error, step.change + step.error},
+                           .line = 0};
+      change.line = cells[step.cell == kNoCell ? most_changed(change, cells) : step.cell];
+      if (step.cell != kNoCell) change.of = cells_[{change.at, step.setting, Measure::time}];
+      history_.changes.push_back(std::move(change));
+    }
+  }
+
+  void finish() {
+    for (auto& [key, cells] : found_) {
+      HistoryChange change;
+      std::tie(change.at, change.before, change.setting, change.measure, change.direction) = key;
+      change.cells = cells.size();
+      change.of = cells_[{change.at, change.setting, change.measure}];
+      std::vector<double> effects;
+      for (const auto& [effect, line] : cells) effects.push_back(effect);
+      change.effect = median(effects);
+      std::stable_sort(cells.begin(), cells.end(), [](const auto& a, const auto& b) {
+        return std::abs(a.first) > std::abs(b.first);
+      });
+      change.interval = {cells.back().first, cells.front().first};
+      change.line = cells.front().second;
+      history_.changes.push_back(std::move(change));
+    }
+    const auto order = [&](const HistoryChange& change) {
+      const CommitResults& at = history_.results[change.at];
+      const double size = std::isfinite(change.effect) ? std::abs(change.effect) : -1;
+      return std::tuple(-at.place, at.name, change.at, change.measure, -size);
+    };
+    std::stable_sort(history_.changes.begin(), history_.changes.end(),
+                     [&](const auto& a, const auto& b) { return order(a) < order(b); });
+  }
+
+ private:
+  static std::string setting_of(const HistoryLine& line) {
+    return algorithm_label(line.cell.curve);
+  }
+
+  /// Which of the cells of the change's setting moved farthest its way.
+  std::size_t most_changed(const HistoryChange& change,
+                           const std::vector<std::size_t>& cells) const {
+    double farthest = -std::numeric_limits<double>::infinity();
+    std::size_t most = 0;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const HistoryLine& line = history_.lines[cells[i]];
+      if (!change.setting.empty() && setting_of(line) != change.setting) continue;
+      const auto at = std::find(line.results.begin(), line.results.end(), change.at);
+      if (at == line.results.end() || at == line.results.begin()) continue;
+      const double* const value = &line.values[static_cast<std::size_t>(at - line.results.begin())];
+      const double moved = change.direction * std::log(value[0] / value[-1]);
+      if (moved <= farthest) continue;
+      farthest = moved;
+      most = i;
+    }
+    return most;
+  }
+
+  History& history_;
+  /// How many cells a setting has in a result.
+  std::map<std::tuple<std::size_t, std::string, Measure>, std::size_t> cells_;
+  /// By result, the one before, setting, measure and direction: effects and lines.
+  std::map<std::tuple<std::size_t, std::size_t, std::string, Measure, int>,
+           std::vector<std::pair<double, std::size_t>>>
+      found_;
+};
+
+/// Judges the times of one study in one environment; the lines are [begin, end).
+void judge_times(std::size_t begin, std::size_t end, const std::vector<OpenLine>& entries,
+                 const std::vector<std::array<double, 3>>& yardsticks, const TimeRule& rule,
+                 History& history, Changes& changes) {
+  TimeSeries series;
+  std::vector<std::size_t> cells, results;
+  for (std::size_t i = begin; i < end; ++i) {
+    HistoryLine& line = history.lines[i];
+    if (line.measure != Measure::time) continue;
+    line.is_judged = !entries[i].is_counted;
+    if (!line.is_judged) continue;
+    cells.push_back(i);
+    series.settings.push_back(algorithm_label(line.cell.curve));
+    results.insert(results.end(), line.results.begin(), line.results.end());
+  }
+  std::sort(results.begin(), results.end());
+  results.erase(std::unique(results.begin(), results.end()), results.end());
+  for (const std::size_t result : results) {
+    series.results.push_back({yardsticks[result], std::vector<SideTimes>(cells.size())});
+  }
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    const HistoryLine& line = history.lines[cells[cell]];
+    for (std::size_t i = 0; i < line.results.size(); ++i) {
+      const auto at = std::lower_bound(results.begin(), results.end(), line.results[i]);
+      series.results[static_cast<std::size_t>(at - results.begin())].cells[cell] =
+          entries[cells[cell]].times[i];
+    }
+  }
+  const TimeSteps steps = find_time_steps(series, rule);
+  changes.add_times(steps, results, cells);
+  for (const SmallestStep& smallest : steps.smallest) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (series.settings[i] != smallest.setting) continue;
+      history.lines[cells[i]].is_judged = std::isfinite(smallest.best);
+    }
+    history.sights.push_back(
+        {history.lines[begin].environment, history.lines[begin].study, smallest});
+  }
 }
 
-HistoryLine judged(const LineKey& key, OpenLine entry, const HistoryRule& rule) {
-  HistoryLine& line = entry.line;
-  std::tie(line.environment, line.study, line.cell, line.measure) = key;
-  std::vector<double> logs;
-  for (const double value : line.values) logs.push_back(std::log(value));
-  const bool is_time = line.measure == Measure::time;
-  line.is_judged = line.values.size() >= 2 * (is_time ? rule.time.shortest : 1);
-  if (is_time && entry.is_counted) line.is_judged = false;
-  switch (line.measure) {
-    case Measure::time:
-      if (line.is_judged) line.changes = find_changes(logs, rule.time);
-      break;
-    case Measure::instructions:
-      line.changes = find_exact_changes(logs, std::log1p(rule.instruction_threshold));
-      break;
-    case Measure::cycles:
-      line.changes = find_exact_changes(logs, std::log1p(rule.cycle_threshold));
-      break;
-    default:
-      line.changes = changes_of_drawings(entry);
+void judge(std::vector<OpenLine> entries, const std::vector<std::array<double, 3>>& yardsticks,
+           const CompareOptions& rule, History& history) {
+  for (OpenLine& entry : entries) {
+    entry.line.is_judged = entry.line.values.size() >= 2;
+    history.lines.push_back(std::move(entry.line));
   }
-  return std::move(line);
+  Changes changes(history);
+  for (std::size_t begin = 0; begin < history.lines.size();) {
+    std::size_t end = begin;
+    while (end < history.lines.size() &&
+           history.lines[end].environment == history.lines[begin].environment &&
+           history.lines[end].study == history.lines[begin].study) {
+      const Measure measure = history.lines[end].measure;
+      if (measure != Measure::time) {
+        changes.add_exact(
+            end, entries[end].exact,
+            measure == Measure::cycles ? rule.cycle_threshold : rule.instruction_threshold);
+      }
+      ++end;
+    }
+    judge_times(begin, end, entries, yardsticks, rule.time, history, changes);
+    begin = end;
+  }
+  changes.finish();
 }
 
 std::size_t place_of(const std::map<std::string, std::string>& environment,
@@ -206,7 +354,7 @@ std::string history_file_name(std::int64_t place, const std::string& name,
                      content_hash(settings).substr(0, 8));
 }
 
-History read_history(const std::string& folder, const HistoryRule& rule) {
+History read_history(const std::string& folder, const CompareOptions& rule) {
   std::vector<ReadResults> read;
   for (const fs::path& path : results_files(folder)) read.push_back(read_one(path));
   std::sort(read.begin(), read.end(), [](const ReadResults& a, const ReadResults& b) {
@@ -215,32 +363,30 @@ History read_history(const std::string& folder, const HistoryRule& rule) {
   });
   name_files_alike(read);
   History history;
-  history.rule = rule;
   OpenLines lines;
   std::map<std::size_t, std::vector<double>> slownesses;  // by environment
+  std::vector<std::array<double, 3>> yardsticks;
   for (ReadResults& one : read) {
     one.commit.environment = place_of(one.environment, history.environments);
-    if (std::isnan(one.table.log_slowness)) continue;
-    slownesses[one.commit.environment].push_back(one.table.log_slowness);
+    slownesses[one.commit.environment].push_back(log_slowness(one.table));
   }
   for (ReadResults& one : read) {
-    if (!std::isnan(one.table.log_slowness)) {
-      one.commit.slowness =
-          std::exp(one.table.log_slowness - median(slownesses[one.commit.environment]));
-    }
-    add_values(history.results.size(), one.commit, one.table, lines);
+    const double own = log_slowness(one.table), usual = median(slownesses[one.commit.environment]);
+    const double unit = std::isnan(usual) ? 0 : usual;
+    if (!std::isnan(own)) one.commit.slowness = std::exp(own - unit);
+    add_values(history.results.size(), one.commit, one.table, unit, std::isnan(own) ? unit : 0,
+               lines);
+    history.results.push_back(std::move(one.commit));
+    yardsticks.push_back(one.table.yardsticks);
     one.table.cells.clear();
-    history.results.push_back(one.commit);
   }
-  for (auto& [key, entry] : lines) history.lines.push_back(judged(key, std::move(entry), rule));
+  std::vector<OpenLine> entries;
+  for (auto& [key, entry] : lines) {
+    std::tie(entry.line.environment, entry.line.study, entry.line.cell, entry.line.measure) = key;
+    entries.push_back(std::move(entry));
+  }
+  judge(std::move(entries), yardsticks, rule, history);
   return history;
-}
-
-std::size_t History::count(Measure measure, bool judged_only) const {
-  return static_cast<std::size_t>(
-      std::count_if(lines.begin(), lines.end(), [&](const HistoryLine& line) {
-        return line.measure == measure && (line.is_judged || !judged_only);
-      }));
 }
 
 }  // namespace ar3d

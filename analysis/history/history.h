@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "ar3d/analysis/compare.h"
 #include "ar3d/analysis/history/cell_values.h"
-#include "ar3d/analysis/history/change_points.h"
+#include "ar3d/analysis/history/time_steps.h"
+#include "ar3d/analysis/table.h"
 
 namespace ar3d {
 
@@ -33,24 +35,39 @@ struct HistoryLine {
   HistoryCell cell;
   Measure measure = Measure::time;
   std::vector<std::size_t> results;  ///< in History::results, ascending, one a value
-  std::vector<double> values;        ///< as CellValue::value, none missing
-  std::vector<ChangePoint> changes;  ///< places among these values
-  bool is_judged = true;  ///< false: too few values, or times of results that have all counts
+  std::vector<double> values;        ///< as CellValue::value, none missing; times in seconds
+  /// False: too few results for its setting, or a time of which all results have counts.
+  bool is_judged = true;
 };
 
-struct HistoryRule {
-  ChangeRule time;
-  double instruction_threshold = 0.01;  ///< smaller changes of counted instructions do not matter
-  double cycle_threshold = 0.05;        ///< of estimated cycles, which feel where data lie
+/// What a commit changed of one measure of one setting, the same way in all cells that it names.
+struct HistoryChange {
+  std::size_t at = 0;      ///< the first result with it, in History::results
+  std::size_t before = 0;  ///< the last one without
+  std::string setting;     ///< empty: all settings
+  Measure measure = Measure::time;
+  int direction = 0;  ///< 1: more of the measure, -1: less, 0: of some graphs more, of others less
+  std::size_t cells = 0;     ///< that changed
+  std::size_t of = 0;        ///< cells that the setting has there
+  double effect = kMissing;  ///< log(after / before), the cells' median; NaN: no ratio
+  Interval interval;         ///< of a time: 95 %; else from the least changed cell to the most
+  std::size_t line = 0;      ///< of the cell that changed most, in History::lines
+};
+
+/// The smallest change of times that results of one study in one environment can show.
+struct HistorySight {
+  std::size_t environment = 0;
+  std::string study;
+  SmallestStep smallest;
 };
 
 struct History {
   std::vector<CommitResults> results;                            ///< by place, then name
   std::vector<std::map<std::string, std::string>> environments;  ///< lasting settings
   std::vector<HistoryLine> lines;  ///< by environment, study, cell, measure
-  HistoryRule rule;
-
-  std::size_t count(Measure measure, bool judged_only) const;
+  std::vector<HistoryChange>
+      changes;  ///< the last commit first, then by measure, the largest first
+  std::vector<HistorySight> sights;
 };
 
 /// The name that a results file has in a history: PLACE_NAME_STUDY_ENVIRONMENT.h5, where
@@ -60,58 +77,22 @@ std::string history_file_name(std::int64_t place, const std::string& name,
                               const StudyIdentity& study,
                               const std::vector<EnvironmentEntry>& environment);
 
-/// Reads every *.h5 of a folder and looks for changes. Lines hold results of one environment and
-/// one study and of the same graphs, also where their file has been renamed (it is then called as
-/// in the last results); times are divided by how slow the machine was (CommitResults::slowness),
-/// and those of a busy machine without yardsticks, or of a debug or sanitised build, are left out;
-/// where all results of a line of times have counts of the cell, the counts are judged and the
-/// times are not. Memory: that of the cells. Cost: reading the files once, and find_changes per
-/// line.
+/// Reads every *.h5 of a folder and looks for changes as docs/history.md says. Memory: that of the
+/// cells. Cost: reading the files once, and find_time_steps per study and environment.
 /// @throws InputError naming the folder if it has none, or the file that is no results file or
 /// whose name does not begin with a place and a name.
-History read_history(const std::string& folder, const HistoryRule& rule);
+History read_history(const std::string& folder, const CompareOptions& rule);
 
-/// For a terminal: how much was judged, and every change with the commits around it and the command
-/// that compares their results, `most` at most, the largest first.
-std::string summary(const History& history, std::size_t most = 20);
+/// For a terminal: every change under its commit, `most_commits` at most, and what was judged.
+std::string summary(const History& history, std::size_t most_commits = 20);
 
-/// The line that compares the results before a change with those behind it.
-std::string compare_command(const History& history, const HistoryLine& line,
-                            const ChangePoint& change);
-
-/// "+10.2 % [+9.1 %, +11.3 %]", "1.5 to 1.6 per edge": what a change was.
-std::string effect_text(const HistoryLine& line, const ChangePoint& change);
-
-/// Everything, for programs: results, environments, lines with their values and changes.
-std::string history_json(const History& history);
-
-/// One HTML page; nothing is loaded from outside. Every cell has a line in its table; the
-/// `kMostFigures` largest changes have figures. @param folder  as commands name it.
-std::string render_history(const History& history, const std::string& folder);
-
-/// A change with the line that it is on.
-struct PlacedChange {
-  const HistoryLine* line = nullptr;
-  const ChangePoint* change = nullptr;
-};
-
-/// All changes, the largest effects first; those that are no ratio last.
-std::vector<PlacedChange> changes_in_order(const History& history);
-
-/// The results before the change (the last that surely have not got it, if `surely`) and behind it.
-struct Neighbours {
-  const CommitResults* before = nullptr;
-  const CommitResults* after = nullptr;
-};
-Neighbours around(const History& history, const PlacedChange& placed, bool surely);
-
-/// "+10.2 %" of a logarithm of a ratio.
-std::string percent_change(double log_ratio);
+/// Everything that the page shows. @param folder  as commands name it.
+std::vector<Table> history_tables(const History& history, const std::string& folder);
 
 /// "slower", "fewer instructions", "larger volume", …
-const char* direction_text(const PlacedChange& placed);
+const char* direction_text(const HistoryChange& change);
 
-/// The value with its unit: "1.23 ms", "4.5e+06", "2.31".
-std::string value_text(Measure measure, double value);
+/// The line that compares the results before a change with those that have it.
+std::string compare_command(const History& history, const HistoryChange& change);
 
 }  // namespace ar3d

@@ -143,7 +143,7 @@ TEST(FileTimes, OneRoundMovesNoCell) {
       cells.push_back({"s" + std::to_string(i % 3), 60, 0, 0.002, {}, 3});
     cells[4].ratio = -0.22;
     cells[4].spread = spread;
-    return judge_file_times(cells, {}, {}, {}).cells[4];
+    return judge_file_times(cells, {}, {}).cells[4];
   };
   EXPECT_EQ(change(0.15), TimeChange::undecided);
   EXPECT_EQ(change(0.02), TimeChange::faster);
@@ -159,7 +159,7 @@ TEST(FileTimes, FewerThanThreeSettingsNeedMore) {
                        0.002,
                        {0, 0}});
     }
-    return judge_file_times(cells, {}, {}, {}).cells.front();
+    return judge_file_times(cells, {}, {}).cells.front();
   };
   EXPECT_EQ(change(std::log(1.05), 3), TimeChange::slower);
   EXPECT_EQ(change(std::log(1.05), 1), TimeChange::undecided);

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "analysis/synthetic.h"
 #include "ar3d/base/error.h"
@@ -20,9 +19,9 @@ constexpr std::size_t kCommits = 16;
 
 std::string hash_of(std::size_t commit) { return fmt::format("{:040x}", 0xabc000 + commit); }
 
-/// Two families at one size, timed; 10 % slower on family "b" from commit 8 on.
+/// Two settings of two cells of three graphs, timed; "grid" is 30 % slower from commit 8 on.
 Results commit_results(std::size_t commit) {
-  Results results = good_results({"grid"}, {"a", "b"}, 1, 3);
+  Results results = good_results({"grid", "two-bend"}, {"a", "b"}, 1, 3);
   results.study_id = "tiny";
   results.source_hash = hash_of(commit);
   results.created = "2026-01-01T00:00:00Z";
@@ -30,7 +29,7 @@ Results commit_results(std::size_t commit) {
   RandomStream random(7, commit);
   for (RunRecord& run : results.runs) {
     run.wall_s = 1e-3 * (1 + 0.002 * normal(random));
-    if (run.family == "b" && commit >= 8) run.wall_s *= 1.1;
+    if (run.algorithm == "grid" && commit >= 8) run.wall_s *= 1.3;
     run.counted_instructions = 1000000;
     run.session = 1;
   }
@@ -52,35 +51,45 @@ void write_history(const ScratchDirectory& scratch, Change change) {
 
 History read(const ScratchDirectory& scratch) { return read_history(scratch.path(""), {}); }
 
+/// Of `grid`.
 const HistoryLine& line_of(const History& history, const std::string& family, Measure measure) {
   for (const HistoryLine& line : history.lines) {
-    if (line.cell.curve.family == family && line.measure == measure) return line;
+    if (line.cell.curve.algorithm == "grid" && line.cell.curve.family == family &&
+        line.measure == measure) {
+      return line;
+    }
   }
   throw InputError("no such line");
 }
 
-std::size_t num_changes(const History& history) {
-  std::size_t changes = 0;
-  for (const HistoryLine& line : history.lines) changes += line.changes.size();
-  return changes;
+/// "15: grid volume 1 of 2": place among the results, what changed, and of how many cells.
+std::vector<std::string> changes_of(const History& history) {
+  std::vector<std::string> texts;
+  for (const HistoryChange& change : history.changes) {
+    texts.push_back(fmt::format("{}: {} {} {} of {}", change.at, change.setting,
+                                direction_text(change), change.cells, change.of));
+  }
+  return texts;
 }
+
+constexpr const char* kSlower = "8: grid slower 2 of 2";
 
 TEST(History, ASeededStepIsFoundWithItsCommitsEffectAndCommand) {
   const ScratchDirectory scratch;
   write_history(scratch, [](std::size_t, Results&) {});
   const History history = read(scratch);
   EXPECT_THAT(history.results, SizeIs(kCommits));
-  EXPECT_THAT(history.lines, SizeIs(2 * 4));
-  EXPECT_EQ(num_changes(history), 1U);
-  const HistoryLine& line = line_of(history, "b", Measure::time);
-  ASSERT_THAT(line.changes, SizeIs(1));
-  EXPECT_EQ(line.changes[0].at, 8U);
-  EXPECT_TRUE(line.changes[0].interval.contains(std::log(1.1)));
+  EXPECT_THAT(history.lines, SizeIs(4 * 4));
+  EXPECT_THAT(changes_of(history), ElementsAre(kSlower));
+  EXPECT_TRUE(history.changes[0].interval.contains(std::log(1.3)));
+  EXPECT_EQ(history.changes[0].before, 7U);
+  EXPECT_THAT(history.sights, SizeIs(2));
   const std::string text = summary(history);
-  EXPECT_THAT(text, HasSubstr("between 000000abc007 and 000000abc008"));
-  EXPECT_THAT(text, HasSubstr("time of grid on b n=16"));
-  EXPECT_THAT(text, HasSubstr("ar3d compare " + scratch.path("000")));
-  EXPECT_THAT(text, HasSubstr("time: 2 of 2 lines judged"));
+  EXPECT_THAT(
+      text, HasSubstr("000000abc008, after 000000abc007\n    ar3d compare " + scratch.path("000")));
+  EXPECT_THAT(text, HasSubstr("    grid: slower +"));
+  EXPECT_THAT(text, HasSubstr("time: 4 of 4 lines judged"));
+  EXPECT_THAT(text, HasSubstr("the smallest change that these results show: +"));
 }
 
 TEST(History, UnlikeEnvironmentsAreNeverJoined) {
@@ -90,8 +99,8 @@ TEST(History, UnlikeEnvironmentsAreNeverJoined) {
   });
   const History history = read(scratch);
   EXPECT_THAT(history.environments, SizeIs(2));
-  EXPECT_THAT(history.lines, SizeIs(2 * 2 * 4));
-  EXPECT_EQ(num_changes(history), 0U);  // the machines differ, not the program
+  EXPECT_THAT(history.lines, SizeIs(2 * 4 * 4));
+  EXPECT_THAT(history.changes, IsEmpty());  // the machines differ, not the program
   for (const HistoryLine& line : history.lines) EXPECT_THAT(line.values, SizeIs(8));
 }
 
@@ -102,7 +111,7 @@ TEST(History, OtherGraphsAreAnotherLine) {
       if (commit >= 4 && run.family == "b") run.graph_hash += "other";
     }
   });
-  EXPECT_THAT(read(scratch).lines, SizeIs(3 * 4));
+  EXPECT_THAT(read(scratch).lines, SizeIs(6 * 4));
 }
 
 TEST(History, TimesOfABusyMachineOrADebugBuildAreLeftOutAndSaid) {
@@ -130,7 +139,7 @@ TEST(History, TimesOfABusySpellAreCorrectedByTheYardstickAndSaid) {
   });
   const History history = read(scratch);
   EXPECT_THAT(line_of(history, "a", Measure::time).values, SizeIs(kCommits));
-  EXPECT_EQ(num_changes(history), 1U) << "the program's, at commit 8";
+  EXPECT_THAT(changes_of(history), ElementsAre(kSlower));
   EXPECT_NEAR(history.results[12].slowness, 1.3, 1e-9);
   EXPECT_THAT(summary(history), HasSubstr("divided by 1.30"));
 }
@@ -144,32 +153,28 @@ TEST(History, WhereAllResultsHaveCountsTheyAreJudgedAndTimesAreNot) {
   });
   const History history = read(scratch);
   EXPECT_FALSE(line_of(history, "b", Measure::time).is_judged);
-  EXPECT_EQ(num_changes(history), 1U);
-  ASSERT_THAT(line_of(history, "a", Measure::cycles).changes, SizeIs(1));
-  EXPECT_EQ(line_of(history, "a", Measure::cycles).changes[0].at, 5U);
-  EXPECT_THAT(summary(history), HasSubstr("cycles of grid on a n=16"));
+  EXPECT_THAT(changes_of(history),
+              ElementsAre("5: grid more cycles 1 of 2", "5: two-bend more cycles 1 of 2"));
+  EXPECT_THAT(summary(history), HasSubstr("grid on a n=16: more cycles +5 %, 1 of 2 cells"));
 }
 
 TEST(History, DrawingsAndInstructionsHaveNoNoise) {
   const ScratchDirectory scratch;
   write_history(scratch, [](std::size_t commit, Results& results) {
     for (RunRecord& run : results.runs) {
+      if (run.algorithm != "grid") continue;
+      if (commit == 15) run.log2_volume += ++run.extents[0] > 0;  // in the last commit
       if (run.family != "a") continue;
-      if (commit == 15) run.extents[0] += 1;  // of every graph, in the last commit
       if (commit >= 5) run.bends = {0, run.n, 0, run.n, 0, 0, 0, 0};
-      if (commit >= 6) run.counted_instructions = 1020000;  // 2 %
-      if (commit >= 9) run.counted_instructions = 1025000;  // 0.5 % more
+      if (commit >= 6) run.counted_instructions = 1008000;  // 0.8 %
+      if (commit >= 9) run.counted_instructions = 1016000;  // as much again
     }
   });
   const History history = read(scratch);
-  ASSERT_THAT(line_of(history, "a", Measure::volume).changes, SizeIs(1));
-  EXPECT_EQ(line_of(history, "a", Measure::volume).changes[0].at, 15U);
-  ASSERT_THAT(line_of(history, "a", Measure::bends).changes, SizeIs(1));
-  EXPECT_EQ(line_of(history, "a", Measure::bends).changes[0].at, 5U);
-  ASSERT_THAT(line_of(history, "a", Measure::instructions).changes, SizeIs(1));
-  EXPECT_NEAR(line_of(history, "a", Measure::instructions).changes[0].effect, std::log(1.02),
-              1e-12);
-  EXPECT_THAT(line_of(history, "b", Measure::volume).changes, SizeIs(0));
+  EXPECT_THAT(changes_of(history),
+              ElementsAre("15: grid larger volume 2 of 2", "9: grid more instructions 1 of 2",
+                          kSlower, "5: grid fewer bends 1 of 2"));
+  EXPECT_NEAR(history.changes[1].effect, std::log(1.016), 1e-12);
 }
 
 TEST(History, AnUnfinishedRowLeavesAGapAndNoOtherValue) {
@@ -188,12 +193,9 @@ TEST(History, ShortLinesAreNotJudgedAndSaid) {
     if (commit >= 6) results.runs.clear();
   });
   const History history = read(scratch);
-  EXPECT_EQ(history.count(Measure::time, true), 0U);
-  EXPECT_EQ(history.count(Measure::volume, true), 2U);
-  EXPECT_THAT(summary(history), HasSubstr("time: 0 of 2 lines judged"));
-  const auto about = tables_in(render_history(history, "h"))["summary"][0];
-  EXPECT_EQ(about["unjudged"], 2);
-  EXPECT_EQ(about["shortest"], 8);
+  EXPECT_THAT(summary(history), HasSubstr("time: 0 of 4 lines judged"));
+  EXPECT_THAT(summary(history), HasSubstr("volume: 4 of 4 lines judged"));
+  EXPECT_THAT(summary(history), HasSubstr("too few results to show a change"));
 }
 
 TEST(History, ThePageIsOfflineEscapedAndShowsEveryCell) {
@@ -204,7 +206,7 @@ TEST(History, ThePageIsOfflineEscapedAndShowsEveryCell) {
       if (run.family == "a") run.family = "<b>'\"&";
     }
   });
-  const std::string page = render_history(read(scratch), "<i>");
+  const std::string page = render_page("history", "<i>", history_tables(read(scratch), "<i>"));
   EXPECT_THAT(page, Not(HasSubstr("<script>alert")));
   EXPECT_THAT(page, Not(HasSubstr("<b>'")));
   EXPECT_THAT(page, Not(HasSubstr(" src=")));
@@ -212,24 +214,11 @@ TEST(History, ThePageIsOfflineEscapedAndShowsEveryCell) {
   EXPECT_THAT(page, Not(HasSubstr("https://")));
   EXPECT_THAT(page, HasSubstr("default-src 'none'"));
   const auto tables = tables_in(page);
-  EXPECT_EQ(tables["lines"].size(), 2U * 4U);
-  EXPECT_EQ(tables["history"].size(), 2U * 4U * kCommits);
+  EXPECT_EQ(tables["lines"].size(), 4U * 4U);
+  EXPECT_EQ(tables["history"].size(), 4U * 4U * kCommits);
+  EXPECT_EQ(tables["sights"].size(), 2U);
   EXPECT_EQ(tables["changes"].size(), 1U);
   EXPECT_EQ(tables["changes"][0]["direction"], "slower");
-}
-
-TEST(History, TheJsonHoldsLinesAndChanges) {
-  const ScratchDirectory scratch;
-  write_history(scratch, [](std::size_t, Results&) {});
-  const auto json = nlohmann::json::parse(history_json(read(scratch)));
-  EXPECT_EQ(json.at("results").size(), kCommits);
-  EXPECT_EQ(json.at("lines").size(), 8U);
-  std::size_t changes = 0;
-  for (const auto& line : json.at("lines")) {
-    changes += line.at("changes").size();
-    EXPECT_EQ(line.at("values").size(), kCommits);
-  }
-  EXPECT_EQ(changes, 1U);
 }
 
 TEST(History, FilesWithoutPlaceOrResultsAreNamed) {

@@ -42,6 +42,25 @@ test("every cell is there, and nothing changed", async () => {
   assert.equal(await page.locator(".verdict").textContent(), "0 changes");
 });
 
+test("a commit has one heading, and its settings stand under it", async () => {
+  const text = readFileSync(join(folder, "history", "history.html"), "utf8"), file = join(folder, "changed.html");
+  const stored = text.match(/id=tables>(.*?)<\/script>/s)[1], tables = JSON.parse(stored);
+  const {lines, changes} = tables.tables, measure = lines.columns.findIndex(column => column.name === "measure");
+  const line = lines.rows.findIndex(row => row[measure] === "volume"), setting = lines.rows[line][2];
+  changes.rows = [[5, 4, setting, "volume", "larger volume", true, 2, 4, 463, 0.5, 463, line, "ar3d compare a b"],
+    [5, 4, "", "volume", "smaller volume", false, 8, 8, -0.2, -0.3, -0.1, line, "ar3d compare a b"],
+    [1, 0, setting, "bends", "other drawings", false, 1, 4, 0, 0, 0, line, "ar3d compare c d"]];
+  writeFileSync(file, text.replace(stored, JSON.stringify(tables)));
+  const changed = await newPage(browser);
+  await changed.goto("file://" + file);
+  assert.deepEqual((await changed.locator("#changes h3").allTextContents()).map(head => head.split(",")[0]), ["v6 after v5", "v2 after v1"]);
+  assert.match(await changed.locator("#changes table").first().textContent(), /larger volume\u00d7 464 \[\+50\.0 %, \u00d7 464\]2 of 4.*all settings.*-20\.0 %/s);
+  assert.match(await changed.locator("#changes table").last().textContent(), /some graphs more, others less/);
+  await changed.locator("#changes svg.plot").first().waitFor();
+  assert.equal(await changed.locator("#changes svg.plot .line.bound").count(), 2);
+  await changed.close();
+});
+
 test("a picture grows by a click and by Enter", async () => {
   const picture = page.locator("svg.spark").last();
   const small = (await picture.boundingBox()).width;

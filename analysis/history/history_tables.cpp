@@ -1,10 +1,8 @@
-// The page of a history: tables of its results, lines, values and changes, in the template of the
-// tree.
+// The tables of a history: its results, lines, values and changes, and what times can show.
 #include <cmath>
 #include <set>
 
 #include "ar3d/analysis/history/history.h"
-#include "ar3d/analysis/report.h"
 
 namespace ar3d {
 namespace {
@@ -12,24 +10,17 @@ namespace {
 using enum CellType;
 
 Table history_table(const History& history, const std::string& folder) {
-  std::size_t judged = 0, lines = 0, changes = 0;
-  for (const HistoryLine& line : history.lines) {
-    judged += line.is_judged;
-    changes += line.changes.size();
-    ++lines;
-  }
+  std::size_t judged = 0;
+  for (const HistoryLine& line : history.lines) judged += line.is_judged;
   Table table{"summary",
               "the history",
               {{"folder", "", "where it is"},
                {"results", "", "results", integer},
                {"environments", "", "environments", integer},
                {"lines", "", "lines", integer},
-               {"judged", "", "lines that are judged", integer},
-               {"unjudged", "", "the others", integer},
-               {"changes", "", "changes", integer},
-               {"shortest", "", "results of one environment that times need", integer}}};
-  table.add({folder, history.results.size(), history.environments.size(), lines, judged,
-             lines - judged, changes, 2 * history.rule.time.shortest});
+               {"judged", "", "lines that are judged", integer}}};
+  table.add(
+      {folder, history.results.size(), history.environments.size(), history.lines.size(), judged});
   return table;
 }
 
@@ -72,33 +63,18 @@ Table lines_table(const History& history) {
   return table;
 }
 
-/// The median between the changes around each value.
-std::vector<double> levels_of(const HistoryLine& line) {
-  std::vector<double> levels;
-  for (std::size_t i = 0; i <= line.changes.size(); ++i) {
-    const std::size_t end = i < line.changes.size() ? line.changes[i].at : line.values.size();
-    const auto first = line.values.begin() + static_cast<std::ptrdiff_t>(levels.size());
-    const auto last = line.values.begin() + static_cast<std::ptrdiff_t>(end);
-    levels.resize(end, median({first, last}));
-  }
-  return levels;
-}
-
 Table values_table(const History& history) {
   Table table{"history",
               "a line's value in a result",
               {{"line", "", "its row in lines", integer},
                {"result", "", "its row in results", integer},
                {"value", "", "in the unit of the measure", number, 6},
-               {"change", "", "value over the line's first one, minus 1", number, 5},
-               {"level", "", "the same of the median between two changes", number, 5}}};
+               {"change", "", "value over the line's first one, minus 1", number, 5}}};
   for (std::size_t i = 0; i < history.lines.size(); ++i) {
     const HistoryLine& line = history.lines[i];
-    const std::vector<double> levels = levels_of(line);
     const double first = line.values.front() > 0 ? line.values.front() : kMissing;
     for (std::size_t at = 0; at < line.values.size(); ++at) {
-      table.add({i, line.results[at], line.values[at], line.values[at] / first - 1,
-                 levels[at] / first - 1});
+      table.add({i, line.results[at], line.values[at], line.values[at] / first - 1});
     }
   }
   return table;
@@ -106,34 +82,42 @@ Table values_table(const History& history) {
 
 Table changes_table(const History& history) {
   Table table{"changes",
-              "a change of a line, the largest first",
-              {{"line", "", "its row in lines", integer},
+              "what a commit changed of a setting, the last commit first",
+              {{"at", "", "the first result with it, in results", integer},
+               {"before", "", "the last result without it", integer},
+               {"setting", "", "an algorithm with its options; empty: all"},
+               {"measure", "", "as in lines"},
                {"direction", "", "slower, fewer bends, …"},
                {"worse", "", "more of the measure", flag},
-               {"at", "", "the line's first value with it", integer},
-               {"first", "", "with 95 % confidence it is not earlier", integer},
-               {"last", "", "and not later", integer},
-               {"change", "", "new over old level, minus 1; missing: no ratio", number, 4},
-               {"low", "", "its 95 % interval", number, 4},
-               {"high", "", "upper end", number, 4},
-               {"old_value", "", "the value before it", number, 6},
-               {"new_value", "", "the first value with it", number, 6},
-               {"before", "", "name of the result before it"},
-               {"after", "", "name of the first result with it"},
-               {"surely_before", "", "the last result that surely has not got it"},
-               {"surely_after", "", "the first result that surely has it"},
-               {"gradual", "", "a straight line fits better than a step", flag},
-               {"command", "", "compares the results before it with those behind it"}}};
-  for (const PlacedChange& placed : changes_in_order(history)) {
-    const HistoryLine& line = *placed.line;
-    const ChangePoint& change = *placed.change;
-    const Neighbours at = around(history, placed, false), surely = around(history, placed, true);
-    table.add({&line - history.lines.data(), direction_text(placed), change.effect > 0, change.at,
-               change.first, change.last, std::expm1(change.effect),
-               std::expm1(change.interval.low), std::expm1(change.interval.high),
-               line.values[change.at - 1], line.values[change.at], at.before->name, at.after->name,
-               surely.before->name, surely.after->name, change.gradual,
-               compare_command(history, line, change)});
+               {"cells", "", "cells that changed", integer},
+               {"of", "", "cells of the setting", integer},
+               {"change", "", "after over before, minus 1; the median of cells", number, 4},
+               {"low", "", "its 95 % interval, or the least changed cell", number, 4},
+               {"high", "", "upper end, or the most changed cell", number, 4},
+               {"line", "", "of the cell that changed most, in lines", integer},
+               {"command", "", "compares the two results"}}};
+  for (const HistoryChange& change : history.changes) {
+    table.add({change.at, change.before, change.setting, to_string(change.measure),
+               direction_text(change), change.direction > 0, change.cells, change.of,
+               std::expm1(change.effect), std::expm1(change.interval.low),
+               std::expm1(change.interval.high), change.line, compare_command(history, change)});
+  }
+  return table;
+}
+
+Table sights_table(const History& history) {
+  Table table{"sights",
+              "the smallest change of a setting's times that its results show",
+              {{"environment", "", "its number, from 1 on", integer},
+               {"study", "", "the study"},
+               {"setting", "", "an algorithm with its options"},
+               {"cells", "", "cells with times", integer},
+               {"results", "", "results with times", integer},
+               {"at_once", "", "by the last result alone; missing: it cannot", number, 3},
+               {"best", "", "with most results on either side", number, 3}}};
+  for (const auto& [environment, study, smallest] : history.sights) {
+    table.add({environment + 1, study, smallest.setting, smallest.cells, smallest.results,
+               std::expm1(smallest.at_once), std::expm1(smallest.best)});
   }
   return table;
 }
@@ -163,10 +147,10 @@ Table environments_table(const History& history) {
 
 }  // namespace
 
-std::string render_history(const History& history, const std::string& folder) {
-  return render_page("history", folder,
-                     {history_table(history, folder), results_table(history), lines_table(history),
-                      values_table(history), changes_table(history), environments_table(history)});
+std::vector<Table> history_tables(const History& history, const std::string& folder) {
+  return {history_table(history, folder), results_table(history), lines_table(history),
+          values_table(history),          changes_table(history), sights_table(history),
+          environments_table(history)};
 }
 
 }  // namespace ar3d
