@@ -1,4 +1,4 @@
-// What README prints runs as it is printed. (Its library section: tests/house/consumer.cmake.)
+// What README prints runs as it is printed.
 // Shares of the proved box are those of the committed bounds table.
 #include <fmt/format.h>
 
