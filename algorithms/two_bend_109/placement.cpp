@@ -1,7 +1,8 @@
-// Step E.4: each vertex takes the first point of its square where nothing new meets anything,
-// tested exactly. Lemma E.5 counts how few points are closed, so at the scale
-// LayoutScale::always_enough() a point is always free, and a smaller square fails by an answer,
-// never by a wrong drawing. Cost: O(n) for a point tried.
+// Step E.4: all take the first points at which what is drawn with them does not meet itself and no
+// middle is flat. Then everything is compared; whoever meets anything older goes on to its next
+// point, and so on until nothing meets. Lemma E.5 counts how few points are closed, so at the scale
+// LayoutScale::always_enough() this ends, and a smaller square fails by an answer, never by a wrong
+// drawing. Cost: O(n) and owners_that_meet(), once in most drawings.
 #include "ar3d/algorithms/two_bend_109/placement.h"
 
 #include <algorithm>
@@ -40,51 +41,91 @@ struct NewEdge {
   std::uint8_t port;        ///< which stub of the new vertex it takes
 };
 
-class VertexPlacer {
+/// The points of a square in a fixed pseudo-random order, round and round.
+class SquareWalk {
  public:
-  VertexPlacer(const Graph& graph, const std::vector<VertexPart>& parts,
-               const SlotArrangement& arrangement, const Layout& layout, std::uint64_t seed,
-               bool is_filtered)
-      : graph_(graph),
-        parts_(parts),
-        arrangement_(arrangement),
-        layout_(layout),
-        seed_(seed),
-        drawn_(is_filtered),
-        drawn_at_(graph.num_vertices()),
-        is_placed_(graph.num_vertices()),
-        legs_(parts.size()) {
-    made_.at.resize(graph.num_vertices());
-    made_.ends.resize(graph.num_vertices());
+  SquareWalk(std::uint64_t seed, Vertex v, std::int64_t points_a_side)
+      : side_(static_cast<std::uint64_t>(points_a_side)) {
+    expect(side_ < std::uint64_t{1} << 31, "the square's points are counted in 64 bits");
+    RandomStream random(seed, v);
+    at_ = random.next64() % count();
+    step_ = (random.next64() | 1) % count();
+    while (std::gcd(step_, side_) != 1) ++step_;  // so that every point is visited
   }
-
-  std::optional<Placement> run() {
-    for (const Vertex v : layout_.order) {
-      if (!place_vertex(v)) return std::nullopt;
-    }
-    for (const VertexPart& part : parts_) {
-      if (part.kind == PartKind::body && !place_body(part)) return std::nullopt;
-    }
-    return std::move(made_);
+  std::uint64_t count() const { return side_ * side_; }
+  std::uint64_t tried() const { return tried_; }
+  Vector offset() const {
+    return {static_cast<std::int64_t>(at_ / side_), static_cast<std::int64_t>(at_ % side_), 0};
+  }
+  void go_on() {
+    at_ = (at_ + step_) % count();
+    ++tried_;
   }
 
  private:
-  /// Calls fits(offset) for the points of a square until it is true.
-  template <class Fits>
-  bool choose(Vertex v, std::int64_t points_a_side, Fits&& fits) {
-    const auto side = static_cast<std::uint64_t>(points_a_side);
-    expect(side < std::uint64_t{1} << 31, "the square's points are counted in 64 bits");
-    const std::uint64_t count = side * side;
-    RandomStream random(seed_, v);
-    std::uint64_t chosen = random.next64() % count;
-    std::uint64_t step = (random.next64() | 1) % count;
-    while (std::gcd(step, side) != 1) ++step;  // so that every point is visited
-    for (std::uint64_t i = 0; i < count; ++i, chosen = (chosen + step) % count) {
-      ++made_.tried;
-      if (fits(Vector{static_cast<std::int64_t>(chosen / side),
-                      static_cast<std::int64_t>(chosen % side), 0})) {
-        return true;
+  std::uint64_t side_, at_, step_, tried_ = 1;
+};
+
+class VertexPlacer {
+ public:
+  VertexPlacer(const Graph& graph, const std::vector<VertexPart>& parts,
+               const SlotArrangement& arrangement, const Layout& layout, std::uint64_t seed)
+      : graph_(graph), parts_(parts), arrangement_(arrangement), layout_(layout) {
+    made_.at.resize(graph.num_vertices());
+    made_.ends.resize(graph.num_vertices());
+    first_stub_.resize(graph.num_vertices());
+    for (const Vertex v : layout.order) walks_.emplace_back(seed, v, layout.scale.jitter);
+    for (const VertexPart& part : parts) {
+      if (part.kind == PartKind::body) {
+        walks_.emplace_back(seed, part.vertices[0], layout.scale.body_jitter);
       }
+    }
+  }
+
+  std::optional<Placement> run(MeetingSearch& find) {
+    // Those before the first that goes on never move again; so that one meets nothing older at the
+    // latest when it has gone through its whole square, if a point is free there.
+    const bool is_endless = layout_.scale == LayoutScale::always_enough(graph_.num_vertices());
+    for (DrawnSegments before; place_all(); before = std::exchange(drawn_, {})) {
+      const std::vector<std::uint32_t> owners = find(drawn_, before);
+      for (const std::uint32_t owner : owners) walks_[owner].go_on();
+      const bool ends = std::any_of(owners.begin(), owners.end(), [&](std::uint32_t owner) {
+        return walks_[owner].tried() > walks_[owner].count();
+      });
+      if (ends && !is_endless) return std::nullopt;
+      if (!owners.empty()) continue;
+      for (const SquareWalk& walk : walks_) made_.tried += static_cast<std::int64_t>(walk.tried());
+      return std::move(made_);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  /// Whether each finds a point.
+  bool place_all() {
+    is_placed_.assign(graph_.num_vertices(), false);
+    legs_.assign(parts_.size(), {});
+    drawn_.middles.reserve(graph_.num_edges());
+    drawn_.stubs.reserve(4 * graph_.num_vertices());
+    owner_ = 0;
+    for (const Vertex v : layout_.order) {
+      if (!place_vertex(v)) return false;
+      ++owner_;
+    }
+    for (const VertexPart& part : parts_) {
+      if (part.kind != PartKind::body) continue;
+      if (!place_body(part)) return false;
+      ++owner_;
+    }
+    return true;
+  }
+
+  /// Goes on until fits(offset) for a point of the square.
+  template <class Fits>
+  bool choose(Fits&& fits) {
+    SquareWalk& walk = walks_[owner_];
+    for (std::uint64_t i = 0; i < walk.count(); ++i, walk.go_on()) {
+      if (fits(walk.offset())) return true;
     }
     return false;
   }
@@ -100,8 +141,7 @@ class VertexPlacer {
     return arrangement_.stubs[v].ends[arrangement_.port[v][i]];
   }
 
-  std::vector<NewEdge> edges_down(Vertex v) const {
-    std::vector<NewEdge> edges;
+  void add_edges_down(Vertex v, std::vector<NewEdge>& edges) const {
     const auto incident = graph_.incident(v);
     for (std::size_t i = 0; i < incident.size(); ++i) {
       const Vertex w = incident[i].to;
@@ -110,16 +150,15 @@ class VertexPlacer {
       edges.push_back(
           {w, arrangement_.port[w][j], stub(w, j), made_.ends[w][j], arrangement_.port[v][i]});
     }
-    return edges;
   }
 
   bool place_vertex(Vertex v) {
-    const std::vector<NewEdge> edges = edges_down(v);
-    if (!choose(v, layout_.scale.jitter,
-                [&](Vector offset) { return fits(v, layout_.place[v] + offset, edges); })) {
+    edges_.clear();
+    add_edges_down(v, edges_);
+    if (!choose([&](Vector offset) { return fits(v, layout_.place[v] + offset, edges_); })) {
       return false;
     }
-    commit(v, edges);
+    commit(v, edges_);
     return true;
   }
 
@@ -131,6 +170,7 @@ class VertexPlacer {
     for (std::size_t i = 0; i < edges.size(); ++i) {
       const NewEdge& edge = edges[i];
       const LatticeSegment line{edge.from, at + stubs[edge.port]};
+      if (is_flat(line)) return false;
       expect(may_turn(edge.stub, line.to - line.from) &&
                  may_turn(stubs[edge.port], line.from - line.to),
              "slots and heights keep all turns small");
@@ -140,15 +180,12 @@ class VertexPlacer {
       for (std::size_t j = 0; j < i; ++j) {
         if (meet(line, {edges[j].from, at + stubs[edges[j].port]})) return false;
       }
-      if (meets_drawn(line, edge)) return false;
     }
     return keeps_legs_apart(v);
   }
 
-  /// All that was drawn before the lower end of the edge lies lower.
-  bool meets_drawn(const LatticeSegment& line, const NewEdge& edge) const {
-    return drawn_.meets_any(line, drawn_at_[edge.below], edge.port_below);
-  }
+  /// Flat middles would meet one another often, and without them almost nothing meets.
+  static bool is_flat(const LatticeSegment& middle) { return middle.from.y == middle.to.y; }
 
   /// No two edges to one body are the diagonals of a trapezium wherever the body stands.
   bool keeps_legs_apart(Vertex v) const {
@@ -175,10 +212,10 @@ class VertexPlacer {
 
   void commit(Vertex v, const std::vector<NewEdge>& edges) {
     is_placed_[v] = true;
-    drawn_at_[v] = drawn_.size();
+    first_stub_[v] = static_cast<std::uint32_t>(drawn_.stubs.size());
     const std::array<Vector, 4>& stubs = arrangement_.stubs[v].ends;
-    drawn_.add_star({made_.at[v], stubs});
-    for (const NewEdge& edge : edges) drawn_.add_line({edge.from, made_.at[v] + stubs[edge.port]});
+    for (const Vector stub : stubs) add_stub({made_.at[v], made_.at[v] + stub});
+    for (const NewEdge& edge : edges) add_middle(edge, made_.at[v] + stubs[edge.port]);
     const auto incident = graph_.incident(v);
     for (std::size_t i = 0; i < incident.size(); ++i) {
       const std::optional<Point> end = leg_end(incident[i].to);
@@ -186,18 +223,27 @@ class VertexPlacer {
     }
   }
 
+  void add_stub(const LatticeSegment& s) {
+    drawn_.stubs.push_back({s.from.z <= s.to.z ? s : LatticeSegment{s.to, s.from}, owner_, 0});
+  }
+
+  void add_middle(const NewEdge& edge, Point to) {
+    drawn_.middles.push_back({{edge.from, to}, owner_, first_stub_[edge.below] + edge.port_below});
+  }
+
   bool place_body(const VertexPart& part) {
     std::vector<NewEdge> edges;  // port: the leg
     const std::vector<SmallBody::BodyLeg>& legs = part.body->legs;
     for (std::size_t leg = 0; leg < legs.size(); ++leg) {
-      for (NewEdge edge : edges_down(part.vertices[legs[leg].v])) {
-        edge.port = static_cast<std::uint8_t>(leg);
-        edges.push_back(edge);
+      const std::size_t before = edges.size();
+      add_edges_down(part.vertices[legs[leg].v], edges);
+      for (std::size_t i = before; i < edges.size(); ++i) {
+        edges[i].port = static_cast<std::uint8_t>(leg);
       }
     }
     const Point origin = layout_.place[part.vertices[0]] + -as_vector(part.body->vertices[0]);
     Vector chosen;
-    if (!choose(part.vertices[0], layout_.scale.body_jitter, [&](Vector offset) {
+    if (!choose([&](Vector offset) {
           chosen = offset;
           return body_fits(part, origin + offset, edges);
         })) {
@@ -229,6 +275,7 @@ class VertexPlacer {
     const std::vector<LatticeSegment> own = segments_of(*part.body, origin, edges);
     for (std::size_t i = 0; i < edges.size(); ++i) {
       const LatticeSegment line{edges[i].from, own[i].to};
+      if (is_flat(line)) return false;
       expect(may_turn(edges[i].stub, line.to - line.from) &&
                  may_turn(own[i].to - own[i].from, line.from - line.to),
              "the height of a body keeps all turns small");
@@ -238,7 +285,6 @@ class VertexPlacer {
       for (std::size_t j = 0; j < i; ++j) {
         if (meet(line, {edges[j].from, own[j].to})) return false;
       }
-      if (meets_drawn(line, edges[i])) return false;
     }
     return true;
   }
@@ -246,9 +292,9 @@ class VertexPlacer {
   void commit_body(const VertexPart& part, Point origin, const std::vector<NewEdge>& edges) {
     const SmallBody& body = *part.body;
     const std::vector<LatticeSegment> own = segments_of(body, origin, edges);
-    for (const LatticeSegment& segment : own) drawn_.add_line(segment);
+    for (const LatticeSegment& segment : own) add_stub(segment);
     for (std::size_t i = 0; i < edges.size(); ++i) {
-      drawn_.add_line({edges[i].from, own[i].to});
+      add_middle(edges[i], own[i].to);
       const Vertex v = part.vertices[body.legs[edges[i].port].v];
       made_.ends[v][index_of(v, edges[i].below)] = own[i].to;
     }
@@ -267,11 +313,13 @@ class VertexPlacer {
   const std::vector<VertexPart>& parts_;
   const SlotArrangement& arrangement_;
   const Layout& layout_;
-  std::uint64_t seed_;
   Placement made_;
+  std::vector<SquareWalk> walks_;  ///< by owner: the vertices off bodies in their order, the bodies
+  std::uint32_t owner_ = 0;        ///< who is placed now
   DrawnSegments drawn_;
-  std::vector<DrawnCount> drawn_at_;  ///< of each placed vertex: what was drawn before it
-  std::vector<bool> is_placed_;       ///< vertices that are not in bodies
+  std::vector<std::uint32_t> first_stub_;  ///< of each placed vertex: index of the first of four
+  std::vector<bool> is_placed_;            ///< vertices that are not in bodies
+  std::vector<NewEdge> edges_;
   /// Of each body: the bend that will be joined to it and the end of its leg, in the body's
   /// coordinates, for those whose lower vertex is placed.
   std::vector<std::vector<LatticeSegment>> legs_;
@@ -281,8 +329,8 @@ class VertexPlacer {
 
 std::optional<Placement> place(const Graph& graph, const std::vector<VertexPart>& parts,
                                const SlotArrangement& arrangement, const Layout& layout,
-                               std::uint64_t seed, bool is_filtered) {
-  return VertexPlacer(graph, parts, arrangement, layout, seed, is_filtered).run();
+                               std::uint64_t seed, MeetingSearch& find) {
+  return VertexPlacer(graph, parts, arrangement, layout, seed).run(find);
 }
 
 }  // namespace ar3d::two_bend_109

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "ar3d/algorithms/two_bend_109/drawn_segments.h"
 #include "ar3d/algorithms/two_bend_109/layout.h"
 #include "ar3d/model/graph.h"
 
@@ -18,12 +19,14 @@ struct Placement {
   std::int64_t tried = 0;                  ///< points tried in all
 };
 
-/// Each vertex in turn takes the first point of its square, in a fixed pseudo-random order, where
-/// nothing new meets anything; nothing if some vertex finds none. At
-/// the scale LayoutScale::always_enough(n) each finds one (Lemma E.5).
-/// @param is_filtered  see DrawnSegments; the placement is the same. Cost: O(n) per point tried.
+/// owners_that_meet(), or what tests compare it with.
+using MeetingSearch = decltype(owners_that_meet);
+
+/// Each vertex and body takes a point of its square where no new middle is flat and nothing new
+/// meets anything older, by Step E.4; nothing if some square is seen to be too small. At the scale
+/// LayoutScale::always_enough(n) none is (Lemma E.5). Takes O(n) and `find`, in each round.
 std::optional<Placement> place(const Graph& graph, const std::vector<VertexPart>& parts,
                                const SlotArrangement& arrangement, const Layout& layout,
-                               std::uint64_t seed, bool is_filtered = true);
+                               std::uint64_t seed, MeetingSearch& find = owners_that_meet);
 
 }  // namespace ar3d::two_bend_109

@@ -1,7 +1,7 @@
 // Two bends at 109.47 degrees, component by component: Steps E.1 to E.4, parts, order along x,
 // heights, places. What is tried is exact, so a drawing is right whatever the scale; the scale of
-// Lemma E.5, at which no vertex can fail, is the last resort. Cost: O(n) for a point tried, of
-// which there is about one per vertex in practice.
+// Lemma E.5, at which no vertex can fail, is the last resort. Cost: that of Step E.4 and of the
+// searches of Step E.1.
 #include "ar3d/algorithms/two_bend_109/two_bend_109.h"
 
 #include <fmt/format.h>
