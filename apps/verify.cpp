@@ -60,7 +60,6 @@ using JudgedLine = std::pair<LineVerdict, std::string>;  // with what is printed
 
 CrossingTest crossing_test(const std::string& name) {
   if (name == "all-pairs") return CrossingTest::all_pairs;
-  if (name == "plane-sweep") return CrossingTest::plane_sweep;
   if (name == "slabs") return CrossingTest::slabs;
   return CrossingTest::automatic;
 }
@@ -211,10 +210,9 @@ void add_verify(CLI::App& app, int& exit_code) {
   add_graph_input_options(*verb, arguments->graphs_as);
   verb->add_option("--algorithm", arguments->algorithm,
                    "whose guarantee to check; else the one the drawing names");
-  CLI::Option* test =
-      verb->add_option("--crossing-test", arguments->test,
-                       "automatic, all-pairs (the slow oracle), plane-sweep or slabs");
-  test->check(one_of({"automatic", "all-pairs", "plane-sweep", "slabs"}));
+  CLI::Option* test = verb->add_option("--crossing-test", arguments->test,
+                                       "automatic, all-pairs (the slow oracle) or slabs");
+  test->check(one_of({"automatic", "all-pairs", "slabs"}));
   verb->add_option("--certificate", arguments->certificate, "exact, or none: nothing is judged")
       ->excludes(test);
   add_threads_option(*verb);

@@ -2,32 +2,22 @@
 // decide the rest; a valid certificate of one exact angle spares both.
 #include "ar3d/verify/angles.h"
 
-#include <algorithm>
 #include <cmath>
-#include <compare>
 #include <numbers>
-#include <vector>
+
+#include "ar3d/model/cosine_comparison.h"
 
 namespace ar3d {
 namespace {
 
 constexpr Vector kNone{0, 0, 0};
 
-double inner_product(const Lattice& lattice, Vector u, Vector v) {
-  const std::array<double, 3> a{static_cast<double>(u.x), static_cast<double>(u.y),
-                                static_cast<double>(u.z)};
-  const std::array<double, 3> b{static_cast<double>(v.x), static_cast<double>(v.y),
-                                static_cast<double>(v.z)};
-  double sum = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) sum += a[i] * lattice.gram[i][j] * b[j];
-  }
-  return sum;
-}
-
 double cosine_of(const Lattice& lattice, Vector u, Vector v) {
-  const double lengths = std::sqrt(inner_product(lattice, u, u) * inner_product(lattice, v, v));
-  return std::clamp(inner_product(lattice, u, v) / lengths, -1.0, 1.0);
+  using cosine_comparison::inner;
+  const auto a = cosine_comparison::converted<double>(u);
+  const auto b = cosine_comparison::converted<double>(v);
+  const double lengths = std::sqrt(inner(lattice, a, a) * inner(lattice, b, b));
+  return std::clamp(inner(lattice, a, b) / lengths, -1.0, 1.0);
 }
 
 // @pre degree <= 4.

@@ -2,21 +2,18 @@
 // check runs and names what is wrong. A drawing in a real type is measured instead of proved.
 #include "ar3d/verify/certificate.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <optional>
-
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
+#include "ar3d/base/parallel.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/model/real_points.h"
 #include "ar3d/verify/checks/checks.h"
+#include "ar3d/verify/counting/column_proof.h"
+#include "ar3d/verify/counting/counting_proof.h"
 #include "ar3d/verify/crossings/contacts.h"
 #include "ar3d/verify/crossings/crossings.h"
 #include "ar3d/verify/crossings/segments.h"
 #include "ar3d/verify/examination.h"
-#include "ar3d/verify/examination_pass.h"
 #include "ar3d/verify/metrics/summary_pass.h"
 
 namespace ar3d {
@@ -26,23 +23,92 @@ using verify::Contacts;
 using verify::Findings;
 using verify::Segments;
 
-[[noreturn]] void refuse_many_directions() {
-  throw InputError(fmt::format(
-      "the plane sweep takes drawings with at most {} directions of components below {}",
-      verify::kMaxDirections, verify::kMaxDirectionComponent));
-}
+/// One pass over the polylines for everything that is wanted: summary, hash, and what a proof by
+/// counting needs. On several threads (threads_for() the edges) the proof's share of it is divided
+/// among them, and summary and hash, which need the edges in order, are made beside it.
+class ExaminationPass {
+ public:
+  ExaminationPass(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
+                  const ExaminationParts& parts, const CertifyOptions& options)
+      : drawing_(drawing), parts_(parts), threads_(threads_for(drawing.num_edges())) {
+    if (!parts.certificate || options.crossing_test != CrossingTest::automatic ||
+        options.mode != CertificateMode::exact || options.most_comparisons != 0) {
+      return;
+    }
+    if (guarantee.directions.empty()) {
+      by_columns_.emplace(graph, drawing_, guarantee);
+    } else {
+      by_planes_.emplace(graph, drawing_, guarantee,
+                         verify::CountingSizes{.memory = options.proof_bytes, .threads = threads_});
+    }
+  }
+
+  void run() { by_planes_&& threads_ > 1 ? run_on_threads() : run_in_order(true); }
+  /// After run(): of the drawing.
+  const DrawingSummary& summary() const { return summary_; }
+  /// After run(): empty if it is not wanted.
+  std::string take_hash() { return std::move(hash_); }
+  /// After run(): true if the drawing is proved right up to bends, lattice and box, false if no
+  /// proof is wanted or it does not hold.
+  bool proof_holds() {
+    return (by_planes_ && by_planes_->holds(summary_)) || (by_columns_ && by_columns_->holds());
+  }
+
+ private:
+  void run_in_order(bool with_proof) {
+    verify::SummaryPass summary(drawing_, parts_.metrics);
+    std::optional<DrawingHash> hash;
+    if (parts_.hash) hash.emplace(drawing_);
+    for_each_polyline(drawing_, [&](EdgeId e, const std::vector<Point>& points) {
+      summary.add(points);
+      if (hash) hash->add(drawing_.edge(e), points);
+      if (!with_proof) return;
+      if (by_planes_) by_planes_->add(drawing_.edge(e), points);
+      if (by_columns_) by_columns_->add(drawing_.edge(e), points);
+    });
+    summary_ = summary.finish();
+    if (hash) hash_ = hash->digest();
+  }
+
+  void run_on_threads() {
+    const bool is_ordered = parts_.metrics || parts_.hash;
+    std::vector<verify::SummaryPass> summaries;  // of the threads
+    for (std::uint32_t t = 0; t < threads_ && !is_ordered; ++t) summaries.emplace_back(drawing_);
+    const IndexRanges edges(drawing_.num_edges());
+    const IndexRanges vertices(is_ordered ? 0 : drawing_.num_vertices());
+    for_each_in_threads(
+        threads_, 1 + edges.count() + vertices.count(), [&](std::uint32_t thread, std::size_t i) {
+          if (i == 0) {
+            if (is_ordered) run_in_order(false);
+            return;
+          }
+          const bool takes_edges = i <= edges.count();
+          const auto range = takes_edges ? edges[i - 1] : vertices[i - 1 - edges.count()];
+          const auto [begin, end] = std::pair<std::uint32_t, std::uint32_t>(range);
+          if (!takes_edges) return summaries[thread].add_vertices(begin, end);
+          for_each_polyline(drawing_, begin, end, [&](EdgeId e, const std::vector<Point>& points) {
+            by_planes_->add(drawing_.edge(e), points, thread);
+            if (!is_ordered) summaries[thread].add(points);
+          });
+        });
+    if (is_ordered) return;
+    for (std::size_t t = 1; t < summaries.size(); ++t) summaries[0].absorb(summaries[t]);
+    summary_ = summaries[0].finish();
+  }
+
+  const Drawing& drawing_;
+  ExaminationParts parts_;
+  std::uint32_t threads_;
+  DrawingSummary summary_;
+  std::string hash_;
+  std::optional<verify::CountingProof> by_planes_;
+  std::optional<verify::ColumnProof> by_columns_;
+};
 
 /// False if it gave up.
 bool check_crossings(const Segments& segments, const CertifyOptions& options, Findings& findings) {
-  const CrossingTest test = options.crossing_test;
   Contacts contacts(segments, findings, options.most_comparisons);
-  const bool may_plane_sweep = test == CrossingTest::automatic || test == CrossingTest::plane_sweep;
-  const auto classes = may_plane_sweep ? few_directions(segments) : std::nullopt;
-  if (classes) {
-    test_by_plane_sweep(segments, *classes, contacts);
-  } else if (test == CrossingTest::plane_sweep) {
-    refuse_many_directions();
-  } else if (test == CrossingTest::all_pairs) {
+  if (options.crossing_test == CrossingTest::all_pairs) {
     test_all_pairs(segments, contacts);
   } else {
     test_by_slabs(segments, contacts);
@@ -112,24 +178,17 @@ Certificate certify_in_full(const Graph& graph, const Drawing& drawing, const Gu
 
 void check_claim(const Drawing& drawing, const Guarantee& guarantee, Findings& findings) {
   if (guarantee.claim == Claim::measured) return;
-  findings.add({ViolationKind::lattice,
-                {},
-                {},
-                {},
-                fmt::format("the points are in the real type {}, the guarantee speaks of a lattice",
-                            drawing.real->type)});
+  findings.add(ViolationKind::lattice, {}, {}, {},
+               "the points are in the real type {}, the guarantee speaks of a lattice",
+               drawing.real->type);
 }
 
 void check_bends(const RealPoints& points, const Guarantee& guarantee, Findings& findings) {
   for (EdgeId e = 0; e + 1 < points.offsets.size() && !findings.done(); ++e) {
     const std::size_t bends = points.bends_of(e).size();
     if (bends <= guarantee.max_bends) continue;
-    findings.add({ViolationKind::bends,
-                  {},
-                  {e},
-                  {},
-                  fmt::format("edge {} has {} bends, at most {} are promised", e, bends,
-                              guarantee.max_bends)});
+    findings.add(ViolationKind::bends, {}, {e}, {}, "edge {} has {} bends, at most {} are promised",
+                 e, bends, guarantee.max_bends);
   }
 }
 
@@ -181,10 +240,10 @@ Examination examine(const Graph& graph, const Drawing& drawing, const Guarantee&
                     const ExaminationParts& parts, const CertifyOptions& options) {
   if (drawing.real) return examine_real(graph, drawing, guarantee, parts, options);
   Examination result;
-  verify::ExaminationPass pass(graph, drawing, guarantee, parts, options);
-  pass.run();
-  result.summary = pass.summary();
-  result.drawing_hash = pass.take_hash();
+  std::optional<ExaminationPass> pass(std::in_place, graph, drawing, guarantee, parts, options);
+  pass->run();
+  result.summary = pass->summary();
+  result.drawing_hash = pass->take_hash();
   if (!parts.certificate) return result;
   if (options.mode == CertificateMode::none) {
     result.certificate = valid_certificate(result.summary);
@@ -192,8 +251,8 @@ Examination examine(const Graph& graph, const Drawing& drawing, const Guarantee&
     return result;
   }
   const bool proved =
-      keeps_places(graph, drawing, guarantee, options, result.summary) && pass.proof_holds();
-  pass.drop_proof();
+      keeps_places(graph, drawing, guarantee, options, result.summary) && pass->proof_holds();
+  pass.reset();  // the proof's memory
   result.certificate = proved ? valid_certificate(result.summary)
                               : certify_in_full(graph, drawing, guarantee, options, result.summary);
   return result;

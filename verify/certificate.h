@@ -14,10 +14,9 @@ namespace ar3d {
 
 /// All tests decide exactly and find the same violations.
 enum class CrossingTest {
-  automatic,    ///< the plane sweep if the drawing has few directions, else slabs
-  all_pairs,    ///< the oracle: every pair of segments, O(S^2)
-  plane_sweep,  ///< lines and plane families, O(S log S); refuses drawings with many directions
-  slabs,        ///< space halved in slabs that nothing crosses: for any directions
+  automatic,  ///< the proof by counting, and slabs for what it does not prove
+  all_pairs,  ///< the oracle: every pair of segments, O(S^2)
+  slabs,      ///< space halved in slabs that nothing crosses
 };
 
 /// Says how a drawing is judged: by a proof in integers, or not at all.
@@ -61,8 +60,8 @@ struct Certificate {
 };
 
 /// Proves in exact integers that `drawing` is a drawing of `graph` that keeps `guarantee`, or says
-/// why not. Shares no code with the algorithms. Cost: O(S
-/// log S) for S segments with few directions.
+/// why not. Shares no code with the algorithms. Cost: O(S log S) for a right drawing of S segments
+/// with few directions.
 Certificate certify(const Graph& graph, const Drawing& drawing, const Guarantee& guarantee,
                     const CertifyOptions& options = {});
 

@@ -4,10 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <limits>
-
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
 #include "ar3d/base/printable.h"
@@ -39,17 +35,6 @@ void require_fits(const std::string& what, std::uint64_t number, Point p, Point 
     throw InputError(fmt::format("{} {} at {}: {} is {} above the least one, int{} holds {}", what,
                                  number, to_string(p), kAxes[i], offset, bits, largest(bits)));
   }
-}
-
-GrowingBox box_of(const Drawing& drawing) {
-  GrowingBox box;
-  for (std::size_t v = 0; v < drawing.num_vertices(); ++v) {
-    box.add(drawing.vertex(static_cast<Vertex>(v)));
-  }
-  for_each_polyline(drawing, [&](EdgeId, const std::vector<Point>& points) {
-    for (const Point& p : points) box.add(p);
-  });
-  return box;
 }
 
 }  // namespace
@@ -92,7 +77,7 @@ void require_width(const CoordinateWidth& width, const SizeBound& bound, const D
     }
     return;
   }
-  const Box box = box_of(drawing).box();
+  const Box box = bounding_box(drawing);
   const auto extents = box.extents();
   if (*std::max_element(extents.begin(), extents.end()) <= largest(width.bits)) return;
   const Point low = box.low;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cstddef>
 #include <string>
@@ -56,7 +58,14 @@ class Findings {
  public:
   explicit Findings(std::size_t limit) : limit_(limit) {}
 
-  /// Keeps the violation, or remembers that the list was cut.
+  /// Keeps a violation with its message, or remembers that the list was cut.
+  template <class... Arguments>
+  void add(ViolationKind kind, std::vector<Vertex> vertices, std::vector<EdgeId> edges,
+           std::vector<Point> points, fmt::format_string<Arguments...> message,
+           Arguments&&... arguments) {
+    add({kind, std::move(vertices), std::move(edges), std::move(points),
+         fmt::format(message, std::forward<Arguments>(arguments)...)});
+  }
   void add(Violation violation) {
     if (list_.size() < limit_) {
       list_.push_back(std::move(violation));

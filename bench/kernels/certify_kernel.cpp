@@ -2,9 +2,9 @@
 // of one thread:
 //   certificate/WAY/ALGORITHM/N  `counting`, the proof by counting; `widest`, the same with
 //                                predicates in the widest integers, without the range check;
-//                                `plain`, the plain tests alone (plane sweep or slabs); `examine`,
+//                                `plain`, the plain tests alone (slabs); `examine`,
 //                                certificate, metrics and hash together; `draw`, the drawing
-//   closest/WAY/ALGORITHM/N      the closest pair by `strips` and by the randomised `grid`
+//   closest/WAY/ALGORITHM/N      the closest pair by `strips` and by the `tree`
 //   modes/MODE/ALGORITHM/N       the modes of precision/certificate_modes.h
 
 #include <benchmark/benchmark.h>
@@ -43,8 +43,7 @@ bool proved_in_widest(const Drawn& drawn) {
 }
 
 bool plain_tests_pass(const Drawn& drawn) {
-  const bool any = drawn.guarantee().directions.empty();
-  return proved(drawn, {.crossing_test = any ? CrossingTest::slabs : CrossingTest::plane_sweep});
+  return proved(drawn, {.crossing_test = CrossingTest::slabs});
 }
 
 /// Registers WHAT/ALGORITHM/N. @param judge  (const Drawn&) -> bool, which must be true.
@@ -92,8 +91,8 @@ const bool kRegistered = [] {
     add("closest/strips", *row, kLargest, [](const Drawn& drawn) {
       return verify::closest_pair_by_strips(drawn.drawing).has_value();
     });
-    add("closest/grid", *row, kLargest,
-        [](const Drawn& drawn) { return verify::closest_pair_by_grid(drawn.drawing).has_value(); });
+    add("closest/tree", *row, kLargest,
+        [](const Drawn& drawn) { return verify::closest_pair_by_tree(drawn.drawing).has_value(); });
     add_modes(*row);
   }
   return true;

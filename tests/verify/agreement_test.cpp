@@ -2,15 +2,11 @@
 // the verdict but every violation, word for word.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "ar3d/base/error.h"
 #include "ar3d/verify/certificate.h"
-#include "ar3d/verify/crossings/crossings.h"
 #include "verify/random_drafts.h"
 
 namespace ar3d::testing {
@@ -37,7 +33,6 @@ std::vector<std::string> findings(const Draft& draft, CrossingTest test) {
 struct Coverage {
   std::size_t drawings = 0;
   std::size_t valid = 0;
-  std::size_t swept = 0;
   std::map<std::string, std::size_t> violations;
 };
 
@@ -46,10 +41,6 @@ void compare(const Draft& draft, Coverage& tally) {
   ++tally.drawings;
   tally.valid += expected.empty();
   for (const std::string& line : expected) ++tally.violations[line.substr(0, line.find(':'))];
-  if (verify::few_directions(verify::Segments(draft.drawing()))) {
-    ++tally.swept;
-    ASSERT_EQ(findings(draft, CrossingTest::plane_sweep), expected);
-  }
   ASSERT_EQ(findings(draft, CrossingTest::slabs), expected);
   ASSERT_EQ(findings(draft, CrossingTest::automatic), expected);
 }
@@ -72,7 +63,6 @@ TEST(CrossingTests, AgreeOnRandomWalks) {
       ASSERT_NO_FATAL_FAILURE(compare(RandomDrafts::far_away(draft), tally)) << i;
     }
   }
-  EXPECT_EQ(tally.swept, tally.drawings);
   EXPECT_GT(tally.valid, 1000u);
   expect_every_kind(tally);
 }
@@ -104,11 +94,10 @@ TEST(CrossingTests, AgreeOnValidAndThenDamagedDrawings) {
     }
   }
   EXPECT_GT(tally.valid, 1000u);
-  EXPECT_GT(tally.swept, 5000u);
   expect_every_kind(tally);
 }
 
-/// Long segments in few planes, so that single planes hold enough for the plane sweep.
+/// Long segments in few planes, so that single planes hold many.
 TEST(CrossingTests, AgreeOnCrowdedPlanes) {
   Coverage tally;
   RandomDrafts drafts(3, 0);
@@ -164,19 +153,7 @@ TEST(CrossingTests, AgreeOnTallDrawings) {
     ASSERT_NO_FATAL_FAILURE(compare(RandomDrafts::far_away(draft), tally)) << i;
   }
   EXPECT_GT(tally.valid, 200u);
-  EXPECT_LT(tally.swept, tally.drawings);  // many have too many directions for the plane sweep
   expect_every_kind(tally);
-}
-
-TEST(CrossingTests, ThePlaneSweepRefusesManyDirections) {
-  Draft draft;
-  for (Vertex i = 0; i < 17; ++i) {
-    draft.vertices.push_back({0, 0, i});
-    draft.vertices.push_back({100, i, i});
-    draft.edges.push_back({{2 * i, 2 * i + 1}, {}});
-  }
-  EXPECT_THROW(findings(draft, CrossingTest::plane_sweep), InputError);
-  EXPECT_TRUE(findings(draft, CrossingTest::automatic).empty());
 }
 
 }  // namespace

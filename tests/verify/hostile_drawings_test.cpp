@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "ar3d/base/random.h"
 #include "ar3d/verify/angles.h"

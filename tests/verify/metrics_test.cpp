@@ -189,7 +189,7 @@ void expect_closest(const Draft& draft) {
     for (Vertex u = 0; u < v; ++u) smallest = std::min(smallest, squared_distance(drawing, u, v));
   }
   ASSERT_NEAR(squared_distance(drawing, pair->u, pair->v), smallest, smallest * 1e-9);
-  const auto plain = verify::closest_pair_by_grid(drawing);
+  const auto plain = verify::closest_pair_by_tree(drawing);
   ASSERT_EQ(squared_distance(drawing, pair->u, pair->v),
             squared_distance(drawing, plain->u, plain->v));
 }
@@ -253,12 +253,12 @@ TEST(ClosestPair, StripsTakeLargeCoordinates) {
       }
       const Drawing drawing = draft.drawing();
       const auto strips = verify::closest_pair_by_strips(drawing);
-      const auto grid = verify::closest_pair_by_grid(drawing);
-      ASSERT_TRUE(grid.has_value());
+      const auto tree = verify::closest_pair_by_tree(drawing);
+      ASSERT_TRUE(tree.has_value());
       if (lattice.gram == large.gram && !strips) continue;  // no two may be near enough there
       ASSERT_TRUE(strips.has_value()) << i;
       ASSERT_EQ(squared_distance(drawing, strips->u, strips->v),
-                squared_distance(drawing, grid->u, grid->v))
+                squared_distance(drawing, tree->u, tree->v))
           << i;
     }
   }

@@ -66,8 +66,7 @@ TEST(Million, RandomFourRegularOnTheDiamondLattice) {
     const double generated = watch.lap();
     const Drawing drawing = draw(diamond, graph);
     std::printf("generate %.2f s, draw %.2f s: ", generated, watch.lap());
-    certify_and_print("random-4-regular, diamond, plane sweep", graph, drawing, diamond.guarantee,
-                      {});
+    certify_and_print("random-4-regular, diamond, counting", graph, drawing, diamond.guarantee, {});
   }
 }
 

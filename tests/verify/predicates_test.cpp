@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cstdlib>
-#include <limits>
 #include <string>
 #include <type_traits>
 

@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <cmath>
-#include <numbers>
 #include <utility>
 #include <vector>
 

@@ -296,8 +296,6 @@ std::string_view name_of(CrossingTest test) {
       return "automatic";
     case CrossingTest::all_pairs:
       return "all_pairs";
-    case CrossingTest::plane_sweep:
-      return "plane_sweep";
     case CrossingTest::slabs:
       return "slabs";
   }
@@ -306,7 +304,7 @@ std::string_view name_of(CrossingTest test) {
 
 INSTANTIATE_TEST_SUITE_P(Tests, Violations,
                          ::testing::Values(CrossingTest::automatic, CrossingTest::all_pairs,
-                                           CrossingTest::plane_sweep, CrossingTest::slabs),
+                                           CrossingTest::slabs),
                          [](const auto& info) { return std::string(name_of(info.param)); });
 
 }  // namespace

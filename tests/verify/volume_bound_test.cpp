@@ -3,7 +3,6 @@
 #include "ar3d/verify/metrics/volume_bound.h"
 
 #include <bit>
-#include <cmath>
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/generators/catalog.h"

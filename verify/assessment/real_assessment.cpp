@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <utility>
 
 #include "ar3d/base/error.h"
 #include "ar3d/model/real_points.h"

@@ -1,10 +1,7 @@
 // Segments with big coordinates, and the miss of an angle without cancellation.
 #include "ar3d/verify/assessment/real_segments.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <limits>
 #include <numbers>
 
 namespace ar3d::verify {

@@ -78,14 +78,10 @@ void check_bend_angles(const Segments& segments, const Guarantee& guarantee, Fin
     const Vector ahead = segments.direction(s);
     if (keeps_angle(guarantee, back, ahead)) continue;
     const Point p = segments.from(s);
-    findings.add({ViolationKind::bend_angle,
-                  {},
-                  {segments.edge(s)},
-                  {p},
-                  fmt::format("{}, bend {}: the segments leave it along {} and {}, {}",
-                              describe_edge(segments.drawing(), segments.edge(s)), to_string(p),
-                              to_string(primitive(back)), to_string(primitive(ahead)),
-                              describe_rule(guarantee))});
+    findings.add(ViolationKind::bend_angle, {}, {segments.edge(s)}, {p},
+                 "{}, bend {}: the segments leave it along {} and {}, {}",
+                 describe_edge(segments.drawing(), segments.edge(s)), to_string(p),
+                 to_string(primitive(back)), to_string(primitive(ahead)), describe_rule(guarantee));
   }
 }
 

@@ -2,12 +2,7 @@
 // box. Edges are compared as sorted lists, because a file may list them in any order.
 #include "ar3d/verify/checks/checks.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <limits>
 #include <tuple>
-#include <vector>
 
 #include "ar3d/verify/predicates/exact.h"
 
@@ -42,30 +37,20 @@ bool same_list(const Graph& graph, const Drawing& drawing) {
 }
 
 void add_missing(const Named& edge, Findings& findings) {
-  findings.add(
-      {ViolationKind::edge_set,
-       {edge.low, edge.high},
-       {},
-       {},
-       fmt::format("the graph's edge {} ({}-{}) is not drawn", edge.id, edge.low, edge.high)});
+  findings.add(ViolationKind::edge_set, {edge.low, edge.high}, {}, {},
+               "the graph's edge {} ({}-{}) is not drawn", edge.id, edge.low, edge.high);
 }
 
 void add_extra(const Named& edge, Findings& findings) {
-  findings.add({ViolationKind::edge_set,
-                {edge.low, edge.high},
-                {edge.id},
-                {},
-                fmt::format("edge {} ({}-{}) of the drawing is not an edge of the graph", edge.id,
-                            edge.low, edge.high)});
+  findings.add(ViolationKind::edge_set, {edge.low, edge.high}, {edge.id}, {},
+               "edge {} ({}-{}) of the drawing is not an edge of the graph", edge.id, edge.low,
+               edge.high);
 }
 
 void add_repeated(const Named& edge, EdgeId first, Findings& findings) {
-  findings.add({ViolationKind::edge_set,
-                {edge.low, edge.high},
-                {first, edge.id},
-                {},
-                fmt::format("edges {} and {} of the drawing both join {} and {}", first, edge.id,
-                            edge.low, edge.high)});
+  findings.add(ViolationKind::edge_set, {edge.low, edge.high}, {first, edge.id}, {},
+               "edges {} and {} of the drawing both join {} and {}", first, edge.id, edge.low,
+               edge.high);
 }
 
 /// Both lists sorted: a merge tells missing, extra and repeated edges apart.
@@ -101,12 +86,8 @@ void check_lengths(const Drawing& drawing, EdgeId e, const std::vector<Point>& p
                    Findings& findings) {
   for (std::size_t i = 1; i < points.size(); ++i) {
     if (points[i - 1] != points[i]) continue;
-    findings.add(
-        {ViolationKind::degenerate_segment,
-         {},
-         {e},
-         {points[i]},
-         fmt::format("{} repeats the point {}", describe_edge(drawing, e), to_string(points[i]))});
+    findings.add(ViolationKind::degenerate_segment, {}, {e}, {points[i]}, "{} repeats the point {}",
+                 describe_edge(drawing, e), to_string(points[i]));
   }
 }
 
@@ -114,12 +95,9 @@ void check_lengths(const Drawing& drawing, EdgeId e, const std::vector<Point>& p
 
 void check_graph(const Graph& graph, const Drawing& drawing, Findings& findings) {
   if (graph.num_vertices() != drawing.num_vertices()) {
-    findings.add({ViolationKind::vertex_count,
-                  {},
-                  {},
-                  {},
-                  fmt::format("the graph has {} vertices, the drawing {}", graph.num_vertices(),
-                              drawing.num_vertices())});
+    findings.add(ViolationKind::vertex_count, {}, {}, {},
+                 "the graph has {} vertices, the drawing {}", graph.num_vertices(),
+                 drawing.num_vertices());
   }
   check_edges(graph, drawing, findings);
 }
@@ -136,13 +114,9 @@ void check_lattice(const Drawing& drawing, const Guarantee& guarantee, Findings&
       const std::int64_t left = std::int64_t{drawn.gram[i][j]} * promised.gram_denominator;
       const std::int64_t right = std::int64_t{promised.gram[i][j]} * drawn.gram_denominator;
       if (left == right) continue;
-      findings.add({ViolationKind::lattice,
-                    {},
-                    {},
-                    {},
-                    fmt::format("gram[{}][{}] is {}/{}, the guarantee speaks of {}/{}", i, j,
-                                drawn.gram[i][j], drawn.gram_denominator, promised.gram[i][j],
-                                promised.gram_denominator)});
+      findings.add(ViolationKind::lattice, {}, {}, {},
+                   "gram[{}][{}] is {}/{}, the guarantee speaks of {}/{}", i, j, drawn.gram[i][j],
+                   drawn.gram_denominator, promised.gram[i][j], promised.gram_denominator);
       return;
     }
   }
@@ -153,21 +127,15 @@ void check_coordinates(const Drawing& drawing, Findings& findings) {
     const auto v = static_cast<Vertex>(i);
     const Point p = drawing.vertex(v);
     if (in_range(p)) continue;
-    findings.add({ViolationKind::coordinate_range,
-                  {v},
-                  {},
-                  {p},
-                  fmt::format("vertex {} at {}: a coordinate passes 2^61", v, to_string(p))});
+    findings.add(ViolationKind::coordinate_range, {v}, {}, {p},
+                 "vertex {} at {}: a coordinate passes 2^61", v, to_string(p));
   }
   for_each_polyline(drawing, [&](EdgeId e, const std::vector<Point>& points) {
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
       if (in_range(points[i])) continue;
-      findings.add({ViolationKind::coordinate_range,
-                    {},
-                    {e},
-                    {points[i]},
-                    fmt::format("{}, bend {}: a coordinate passes 2^61", describe_edge(drawing, e),
-                                to_string(points[i]))});
+      findings.add(ViolationKind::coordinate_range, {}, {e}, {points[i]},
+                   "{}, bend {}: a coordinate passes 2^61", describe_edge(drawing, e),
+                   to_string(points[i]));
     }
   });
 }
@@ -178,11 +146,8 @@ void check_plane(const Drawing& drawing, const Guarantee& guarantee, Findings& f
     const auto v = static_cast<Vertex>(i);
     const Point p = drawing.vertex(v);
     if (p.z == 0) continue;
-    findings.add({ViolationKind::plane,
-                  {v},
-                  {},
-                  {p},
-                  fmt::format("vertex {} at {} is not in the plane z = 0", v, to_string(p))});
+    findings.add(ViolationKind::plane, {v}, {}, {p}, "vertex {} at {} is not in the plane z = 0", v,
+                 to_string(p));
   }
 }
 
@@ -194,12 +159,9 @@ void check_size(const Graph& graph, const Box& box, const Guarantee& guarantee,
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const AxisBound& bound = guarantee.bound.axes[axis];
     if (bound.holds(extents[axis], n)) continue;
-    findings.add({ViolationKind::size,
-                  {},
-                  {},
-                  {box.low, box.high},
-                  fmt::format("the extent in {} is {}, more than {} for n = {}", "xyz"[axis],
-                              extents[axis], bound.formula(), n)});
+    findings.add(ViolationKind::size, {}, {}, {box.low, box.high},
+                 "the extent in {} is {}, more than {} for n = {}", "xyz"[axis], extents[axis],
+                 bound.formula(), n);
   }
 }
 
@@ -209,12 +171,8 @@ void check_bends(const Drawing& drawing, const Guarantee& guarantee, Findings& f
     check_lengths(drawing, e, points, findings);
     const std::size_t bends = points.size() - 2;
     if (bends <= guarantee.max_bends) return;
-    findings.add({ViolationKind::bends,
-                  {},
-                  {e},
-                  {},
-                  fmt::format("{} has {} bends, at most {} are promised", describe_edge(drawing, e),
-                              bends, guarantee.max_bends)});
+    findings.add(ViolationKind::bends, {}, {e}, {}, "{} has {} bends, at most {} are promised",
+                 describe_edge(drawing, e), bends, guarantee.max_bends);
   });
 }
 
@@ -225,12 +183,10 @@ void check_directions(const Segments& segments, const Guarantee& guarantee, Find
     const Vector d = segments.direction(s);
     if (std::any_of(allowed.begin(), allowed.end(), [&](Vector a) { return parallel(d, a); }))
       continue;
-    findings.add({ViolationKind::direction,
-                  {},
-                  {segments.edge(s)},
-                  {segments.from(s), segments.to(s)},
-                  fmt::format("{} is parallel to {}, not an allowed direction",
-                              segments.describe(s), to_string(primitive(d)))});
+    findings.add(ViolationKind::direction, {}, {segments.edge(s)},
+                 {segments.from(s), segments.to(s)},
+                 "{} is parallel to {}, not an allowed direction", segments.describe(s),
+                 to_string(primitive(d)));
   }
 }
 
@@ -246,11 +202,8 @@ void check_distinct_vertices(const Drawing& drawing, Findings& findings) {
     const auto& [at, v] = vertices[i];
     if (vertices[i - 1].first != at) continue;
     const Vertex u = vertices[i - 1].second;
-    findings.add({ViolationKind::same_point,
-                  {u, v},
-                  {},
-                  {at},
-                  fmt::format("vertices {} and {} are both at {}", u, v, to_string(at))});
+    findings.add(ViolationKind::same_point, {u, v}, {}, {at}, "vertices {} and {} are both at {}",
+                 u, v, to_string(at));
   }
 }
 

@@ -4,9 +4,6 @@
 // decided by itself.
 #include "ar3d/verify/counting/column_proof.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "ar3d/verify/checks/checks.h"
 #include "ar3d/verify/predicates/exact.h"
 

@@ -5,7 +5,6 @@
 // would wait for the memory.
 #include "ar3d/verify/counting/columns.h"
 
-#include <algorithm>
 #include <bit>
 #include <numeric>
 #include <tuple>

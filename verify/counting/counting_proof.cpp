@@ -3,11 +3,8 @@
 // needs no names of segments and no list of meetings.
 #include "ar3d/verify/counting/counting_proof.h"
 
-#include <algorithm>
 #include <atomic>
 #include <cstdlib>
-#include <span>
-#include <utility>
 
 #include "ar3d/base/parallel.h"
 #include "ar3d/verify/checks/checks.h"

@@ -4,8 +4,6 @@
 // cumulative frequency tables (1994).
 #include "ar3d/verify/counting/crowded_planes.h"
 
-#include <algorithm>
-
 namespace ar3d::verify {
 namespace {
 

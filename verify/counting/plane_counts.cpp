@@ -5,7 +5,6 @@
 // in order or within the cache (Steps V.4 to V.8 of docs/verify.md).
 #include "ar3d/verify/counting/plane_counts.h"
 
-#include <algorithm>
 #include <bit>
 #include <cstdlib>
 #include <utility>

@@ -2,11 +2,6 @@
 // tests give the same list, whatever the order in which they find pairs.
 #include "ar3d/verify/crossings/contacts.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <limits>
-
 #include "ar3d/verify/predicates/widths.h"
 
 namespace ar3d::verify {
@@ -97,12 +92,8 @@ Violation Contacts::crossing(SegmentId a, SegmentId b) const {
 void Contacts::report() {
   for (const auto& [v, e] : on_edges_) {
     const Point p = segments_.drawing().vertex(v);
-    findings_.add({ViolationKind::vertex_on_edge,
-                   {v},
-                   {e},
-                   {p},
-                   fmt::format("vertex {} at {} lies on {}", v, to_string(p),
-                               describe_edge(segments_.drawing(), e))});
+    findings_.add(ViolationKind::vertex_on_edge, {v}, {e}, {p}, "vertex {} at {} lies on {}", v,
+                  to_string(p), describe_edge(segments_.drawing(), e));
   }
   for (const auto& [a, b] : crossings_) findings_.add(crossing(a, b));
 }

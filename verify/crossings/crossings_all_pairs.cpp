@@ -7,19 +7,6 @@
 #include "ar3d/verify/crossings/crossings.h"
 
 namespace ar3d::verify {
-namespace {
-
-bool apart(std::int64_t low_a, std::int64_t high_a, std::int64_t low_b, std::int64_t high_b) {
-  return high_a < low_b || high_b < low_a;
-}
-
-bool apart(const Box& a, const Box& b) {
-  return apart(a.low.x, a.high.x, b.low.x, b.high.x) ||
-         apart(a.low.y, a.high.y, b.low.y, b.high.y) || apart(a.low.z, a.high.z, b.low.z, b.high.z);
-}
-
-}  // namespace
-
 std::vector<BoxedItem> boxed_items(const Segments& segments) {
   const Drawing& drawing = segments.drawing();
   std::vector<BoxedItem> items;

@@ -2,9 +2,6 @@
 // which surely do not meet; Lemma V.9 bounds its errors.
 #include "ar3d/verify/crossings/near_pairs.h"
 
-#include <bit>
-#include <cmath>
-
 namespace ar3d::verify {
 namespace {
 

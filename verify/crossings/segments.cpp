@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <limits>
-
 #include "ar3d/base/error.h"
 
 namespace ar3d::verify {

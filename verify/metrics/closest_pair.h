@@ -12,15 +12,14 @@ struct VertexPair {
 };
 
 /// Two vertices at the smallest distance in the drawing's metric; nothing if there are fewer than
-/// two. Distances are compared exactly. By strips where these apply, else by the grid: the same
+/// two. Distances are compared exactly. By strips where these apply, else by the tree: the same
 /// distance, not always the same of several closest pairs.
 /// @throws InputError if the drawing's Gram matrix is not positive definite.
 std::optional<VertexPair> closest_pair(const Drawing& drawing);
 
-/// The plain version. Source: Golin, Raman, Schwarz, Smid, Simple randomized algorithms for closest
-/// pair problems (1995), with a fixed random order. O(n) expected time and memory, with 27 look-ups
-/// at random per vertex.
-std::optional<VertexPair> closest_pair_by_grid(const Drawing& drawing);
+/// The plain version, for vertices in range: an R-tree gives those near each vertex, in a fixed
+/// random order, so that few are. O(n log^2 n) expected time where vertices are spread evenly.
+std::optional<VertexPair> closest_pair_by_tree(const Drawing& drawing);
 
 /// A radix sort along the widest axis, strips as wide as a distance that was seen, each sorted
 /// along the second widest. O(n log n) time besides the pairs that are looked at, 16 bytes per

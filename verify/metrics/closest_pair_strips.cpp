@@ -1,4 +1,4 @@
-// The closest pair by sorting instead of a hash table of cubes. The vertices are sorted along the
+// The closest pair by sorting instead of a tree of boxes. The vertices are sorted along the
 // widest axis; the smallest distance of two that are consecutive there bounds the smallest of all.
 // So the two vertices searched for are in one strip of that width or in two consecutive ones, and
 // within each strip, sorted along the second widest axis, not far from each other. Pairs that are

@@ -1,10 +1,7 @@
 // The table of metrics. Each is a function of one summary, so a new metric is one row here.
 #include "ar3d/verify/metrics/metrics.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/open_table.h"

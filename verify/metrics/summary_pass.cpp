@@ -2,8 +2,6 @@
 // same drawing gives the same bits.
 #include "ar3d/verify/metrics/summary_pass.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "ar3d/verify/metrics/closest_pair.h"

@@ -4,10 +4,6 @@
 #include "ar3d/verify/metrics/volume_bound.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <limits>
-#include <utility>
-#include <vector>
 
 namespace ar3d {
 namespace {

@@ -2,8 +2,6 @@
 // be measured. The filter's error bounds are proved where they stand.
 #include "ar3d/verify/predicates/choices.h"
 
-#include <algorithm>
-#include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <cstdlib>

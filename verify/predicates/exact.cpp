@@ -2,8 +2,8 @@
 // enough.
 #include "ar3d/verify/predicates/exact.h"
 
-#include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
+#include <cstdlib>
 
 #include "ar3d/verify/predicates/widths.h"
 
@@ -16,13 +16,9 @@ using Normal = std::array<Int128, 3>;
 std::array<std::int64_t, 3> components(Vector v) { return {v.x, v.y, v.z}; }
 std::array<std::int64_t, 3> components(Point p) { return {p.x, p.y, p.z}; }
 
-bool is_zero(const Normal& n) { return n[0] == 0 && n[1] == 0 && n[2] == 0; }
-
-Int128 magnitude(Int128 v) { return v < 0 ? -v : v; }
-
 Int128 greatest_common_divisor(Int128 a, Int128 b) {
-  a = magnitude(a);
-  b = magnitude(b);
+  a = meeting::magnitude(a);
+  b = meeting::magnitude(b);
   while (b != 0) {
     const Int128 rest = a % b;
     a = b;
@@ -51,7 +47,7 @@ Meeting meet_on_line(Point a, Point b, Point c, Point d, Vector u) {
   const auto length = components(u);
   std::size_t axis = 0;
   for (std::size_t i = 1; i < 3; ++i) {
-    if (magnitude(length[i]) > magnitude(length[axis])) axis = i;
+    if (std::abs(length[i]) > std::abs(length[axis])) axis = i;
   }
   const auto before = [&](Point p, Point q) { return components(p)[axis] < components(q)[axis]; };
   const Point low = std::max(std::min(a, b, before), std::min(c, d, before), before);
@@ -64,11 +60,10 @@ Meeting meet_on_line(Point a, Point b, Point c, Point d, Vector u) {
 }  // namespace
 
 std::array<Int128, 3> cross(Vector u, Vector v) {
-  return {Int128{u.y} * v.z - Int128{u.z} * v.y, Int128{u.z} * v.x - Int128{u.x} * v.z,
-          Int128{u.x} * v.y - Int128{u.y} * v.x};
+  return meeting::cross<Int128>({u.x, u.y, u.z}, {v.x, v.y, v.z});
 }
 
-bool parallel(Vector u, Vector v) { return is_zero(cross(u, v)); }
+bool parallel(Vector u, Vector v) { return meeting::is_zero(cross(u, v)); }
 
 bool on_segment(Point p, Point a, Point b) {
   const auto [px, py, pz] = p;

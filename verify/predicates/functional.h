@@ -11,12 +11,6 @@
 
 namespace ar3d::verify {
 
-/// An integer linear function p -> f . p, by its coefficients. @pre they and p's coordinates are
-/// below 2^62 in absolute value.
-inline Int128 value(Vector f, Point p) {
-  return Int128{f.x} * p.x + Int128{f.y} * p.y + Int128{f.z} * p.z;
-}
-
 inline std::int64_t component(Vector v, std::size_t axis) {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }

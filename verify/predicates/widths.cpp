@@ -2,7 +2,6 @@
 #include "ar3d/verify/predicates/widths.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cstdlib>
