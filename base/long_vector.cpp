@@ -7,9 +7,7 @@
 
 #include <cstdint>
 #include <cstdlib>
-#include <memory>
 #include <new>
-#include <vector>
 
 namespace ar3d {
 namespace {
@@ -48,9 +46,7 @@ void advise_long_array(void* array, std::size_t bytes) {
   if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
 }
 
-void* allocate_long_array(std::size_t bytes) { return allocate_reusable_array(bytes); }
-
-void* allocate_reusable_array(std::size_t bytes) {
+void* allocate_long_array(std::size_t bytes) {
   if (spares != nullptr) {
     if (void* const array = take_spare(bytes)) return array;
   }

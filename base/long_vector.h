@@ -11,38 +11,44 @@ namespace ar3d {
 /// Arrays from this size on get pages of 2 MiB where the system has them for the asking: far fewer
 /// page faults, and random access misses the address cache less often.
 inline constexpr std::size_t kLongArrayBytes = std::size_t{1} << 22;
-/// Memory for `bytes` bytes, at least kLongArrayBytes. @throws std::bad_alloc.
+/// Memory for `bytes` bytes, at least kReusableBytes. @throws std::bad_alloc.
 void* allocate_long_array(std::size_t bytes);
 void free_long_array(void* array) noexcept;
 
-/// Leaves new elements of a vector as they are, for arrays whose elements are all written before
-/// they are read: a long array then gets its memory where its threads write, not in one thread.
-template <class T>
-struct UnwrittenAllocator : std::allocator<T> {
+/// Memory for arrays from this size on can be used again (LongArrayReuse).
+inline constexpr std::size_t kReusableBytes = std::size_t{1} << 19;
+
+/// Allocates as std::allocator; arrays of kLeast bytes and more get pages of 2 MiB and can be used
+/// again. Elements that are not initialised are all written before they are read: a long array then
+/// gets its memory where its threads write, not in one thread.
+template <class T, bool initialises>
+struct LongAllocator : std::allocator<T> {
+  static constexpr std::size_t kLeast = initialises ? kReusableBytes : kLongArrayBytes;
   T* allocate(std::size_t count) {
-    if (count > std::numeric_limits<std::size_t>::max() / sizeof(T) ||
-        count * sizeof(T) < kLongArrayBytes) {
+    if (count > std::numeric_limits<std::size_t>::max() / sizeof(T) || count * sizeof(T) < kLeast) {
       return std::allocator<T>::allocate(count);
     }
     return static_cast<T*>(allocate_long_array(count * sizeof(T)));
   }
   void deallocate(T* array, std::size_t count) noexcept {
-    if (count * sizeof(T) < kLongArrayBytes) return std::allocator<T>::deallocate(array, count);
+    if (count * sizeof(T) < kLeast) return std::allocator<T>::deallocate(array, count);
     free_long_array(array);
   }
   template <class U>
   struct rebind {
-    using other = UnwrittenAllocator<U>;
+    using other = LongAllocator<U, initialises>;
   };
-  template <class U>
-  void construct(U*) noexcept {}
   template <class U, class... Arguments>
   void construct(U* place, Arguments&&... arguments) {
-    std::construct_at(place, std::forward<Arguments>(arguments)...);
+    if constexpr (initialises || sizeof...(Arguments) > 0) {
+      std::construct_at(place, std::forward<Arguments>(arguments)...);
+    }
   }
 };
 template <class T>
-using UnwrittenVector = std::vector<T, UnwrittenAllocator<T>>;
+using UnwrittenVector = std::vector<T, LongAllocator<T, false>>;
+template <class T>
+using LongVector = std::vector<T, LongAllocator<T, true>>;
 
 /// Asks for pages of 2 MiB for memory that is about to be written, if it is long enough
 /// (kLongArrayBytes). Advice: may be refused.
@@ -62,40 +68,6 @@ void reserve_long(std::vector<T>& vector, std::size_t count) {
   longer.insert(longer.end(), vector.begin(), vector.end());
   vector.swap(longer);
 }
-
-/// Memory for arrays from this size on can be used again (LongArrayReuse).
-inline constexpr std::size_t kReusableBytes = std::size_t{1} << 19;
-/// Memory for `bytes` bytes, at least kReusableBytes, to be freed by free_long_array.
-/// @throws std::bad_alloc.
-void* allocate_reusable_array(std::size_t bytes);
-
-/// As UnwrittenAllocator, but elements are initialised as any vector's are, and shorter arrays can
-/// be used again, too.
-template <class T>
-struct LongAllocator : UnwrittenAllocator<T> {
-  T* allocate(std::size_t count) {
-    if (count > std::numeric_limits<std::size_t>::max() / sizeof(T) ||
-        count * sizeof(T) < kReusableBytes) {
-      return std::allocator<T>::allocate(count);
-    }
-    return static_cast<T*>(allocate_reusable_array(count * sizeof(T)));
-  }
-  void deallocate(T* array, std::size_t count) noexcept {
-    if (count * sizeof(T) < kReusableBytes) return std::allocator<T>::deallocate(array, count);
-    free_long_array(array);
-  }
-  template <class U>
-  struct rebind {
-    using other = LongAllocator<U>;
-  };
-  template <class U, class... Arguments>
-  void construct(U* place, Arguments&&... arguments) {
-    std::construct_at(place, std::forward<Arguments>(arguments)...);
-  }
-};
-/// A vector with pages of 2 MiB once it is long, whose memory can be used again (LongArrayReuse).
-template <class T>
-using LongVector = std::vector<T, LongAllocator<T>>;
 
 /// While one lives, arrays from kReusableBytes on that its thread frees are kept for its later
 /// ones: these then need no fresh memory, which the system would have to clear. An array is at most

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <bit>
 
 #include "ar3d/base/error.h"
@@ -69,7 +70,7 @@ namespace {
 /// K4 without the edge between its vertices 0 and 3; returns the number of vertex 0.
 Count add_diamond(GraphBuilder& builder) {
   const Count v = builder.add_vertices(4);
-  for (const Edge e : {Edge{0, 1}, {0, 2}, {1, 2}, {1, 3}, {2, 3}}) builder.edge(v + e.u, v + e.v);
+  builder.edges(std::array<Edge, 5>{{{0, 1}, {0, 2}, {1, 2}, {1, 3}, {2, 3}}}, v);
   return v;
 }
 

@@ -5,9 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <bit>
-
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
 #include "ar3d/base/open_table.h"

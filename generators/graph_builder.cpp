@@ -1,8 +1,6 @@
 // Edges of a graph under construction; that the graph is simple is checked once, by Graph.
 #include "ar3d/generators/graph_builder.h"
 
-#include <utility>
-
 #include "ar3d/base/error.h"
 
 namespace ar3d {
@@ -34,7 +32,7 @@ void GraphBuilder::cycle(Count first, Count count) {
 
 Count GraphBuilder::append(const Graph& part) {
   const Count first = add_vertices(part.num_vertices());
-  for (const Edge e : part.edges()) edge(first + e.u, first + e.v);
+  edges(part.edges(), first);
   return first;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "ar3d/model/graph.h"
@@ -23,6 +24,10 @@ class GraphBuilder {
   /// Adds `count` vertices and returns the number of the first.
   Count add_vertices(Count count);
   void edge(Count u, Count v);
+  /// Those of a list, with `first` added to both ends.
+  void edges(std::span<const Edge> list, Count first = 0) {
+    for (const Edge e : list) edge(first + e.u, first + e.v);
+  }
   /// The path first, first + 1, ..., first + count - 1.
   void path(Count first, Count count);
   /// The cycle on the same vertices; count >= 3.

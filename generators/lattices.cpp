@@ -2,10 +2,7 @@
 // origin, with a hash table of points: their own straight drawing is the optimum to compare with.
 #include "ar3d/generators/lattices.h"
 
-#include <algorithm>
-#include <memory>
 #include <unordered_map>
-#include <utility>
 
 namespace ar3d {
 
@@ -74,21 +71,13 @@ Graph hypercube(Count d) {
 
 namespace {
 
-std::size_t hash_of(const Point& p) {
-  const auto mix = [](std::size_t h, std::int64_t c) {
-    return (h ^ static_cast<std::size_t>(c)) * 0x9e3779b97f4a7c15u;
-  };
-  const std::size_t h = mix(mix(mix(1, p.x), p.y), p.z);
-  return h ^ (h >> 32);
-}
-
 /// Breadth-first piece of n vertices; steps(p) gives the edge vectors at p in a fixed order. Every
 /// edge between two of its vertices belongs to the piece and is entered when the later end is
 /// expanded.
 template <class Steps>
 LatticePiece breadth_first_piece(Count n, Steps steps) {
   LatticePiece piece;
-  std::unordered_map<Point, Count, decltype(&hash_of)> number(n, hash_of);
+  std::unordered_map<Point, Count, PointHash> number(n);
   piece.positions.reserve(n);
   piece.positions.push_back({});
   number.emplace(Point{}, 0);

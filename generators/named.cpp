@@ -24,9 +24,6 @@ NamedGraph lcf(std::string name, std::string summary, std::vector<int> shifts, C
           [shifts = std::move(shifts), repeats] { return lcf_graph(shifts, repeats); }};
 }
 
-/// A graph given by its edges.
-Graph from_edges(Count n, const std::vector<Edge>& edges) { return Graph(n, edges); }
-
 /// Seven claws; the leaves of one kind form a cycle whose steps are 1, 2 or 3 modulo 7.
 Graph coxeter_graph() {
   GraphBuilder builder(28, 42);
@@ -52,20 +49,33 @@ Graph holt_graph() {
 }
 
 Graph chvatal_graph() {
-  return from_edges(12, {{0, 1},  {0, 4},  {0, 6},  {0, 9}, {1, 2},  {1, 5},  {1, 7},  {2, 3},
-                         {2, 6},  {2, 8},  {3, 4},  {3, 7}, {3, 9},  {4, 5},  {4, 8},  {5, 10},
-                         {5, 11}, {6, 10}, {6, 11}, {7, 8}, {7, 11}, {8, 10}, {9, 10}, {9, 11}});
+  return Graph(12, {{0, 1},  {0, 4},  {0, 6},  {0, 9}, {1, 2},  {1, 5},  {1, 7},  {2, 3},
+                    {2, 6},  {2, 8},  {3, 4},  {3, 7}, {3, 9},  {4, 5},  {4, 8},  {5, 10},
+                    {5, 11}, {6, 10}, {6, 11}, {7, 8}, {7, 11}, {8, 10}, {9, 10}, {9, 11}});
 }
 
 Graph robertson_graph() {
   GraphBuilder builder(19, 38);
   builder.cycle(0, 19);
-  const std::vector<Edge> chords = {
-      {0, 4},  {4, 9},  {9, 13}, {13, 17}, {17, 2}, {2, 6},   {6, 10}, {10, 15}, {15, 0}, {1, 8},
-      {8, 16}, {16, 5}, {5, 12}, {12, 1},  {7, 18}, {18, 11}, {11, 3}, {3, 14},  {14, 7}};
-  for (const Edge e : chords) {
-    builder.edge(e.u, e.v);
-  }
+  builder.edges(std::vector<Edge>{{0, 4},
+                                  {4, 9},
+                                  {9, 13},
+                                  {13, 17},
+                                  {17, 2},
+                                  {2, 6},
+                                  {6, 10},
+                                  {10, 15},
+                                  {15, 0},
+                                  {1, 8},
+                                  {8, 16},
+                                  {16, 5},
+                                  {5, 12},
+                                  {12, 1},
+                                  {7, 18},
+                                  {18, 11},
+                                  {11, 3},
+                                  {3, 14},
+                                  {14, 7}});
   return builder.finish();
 }
 
@@ -76,9 +86,8 @@ Graph tutte_graph() {
     const Count f = 15 * i;
     builder.cycle(f, 9);
     builder.cycle(f + 9, 5);
-    for (const Edge e : {Edge{13, 3}, {12, 1}, {11, 8}, {10, 7}, {6, 14}, {4, 14}, {9, 14}}) {
-      builder.edge(f + e.u, f + e.v);
-    }
+    builder.edges(std::vector<Edge>{{13, 3}, {12, 1}, {11, 8}, {10, 7}, {6, 14}, {4, 14}, {9, 14}},
+                  f);
     builder.edge(f + 5, 45);
     builder.edge(f + 2, 15 * ((i + 1) % 3));
   }

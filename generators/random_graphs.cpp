@@ -8,12 +8,8 @@
 
 #include <algorithm>
 #include <numeric>
-#include <span>
-#include <utility>
-#include <vector>
 
 #include "ar3d/base/error.h"
-#include "ar3d/base/random.h"
 #include "ar3d/generators/switching.h"
 
 namespace ar3d {

@@ -7,9 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <span>
-#include <utility>
-#include <vector>
 
 #include "ar3d/base/error.h"
 #include "ar3d/generators/rings.h"
@@ -74,9 +71,7 @@ void multiply(std::vector<Edge>& edges, Count n, const std::array<Edge, 2>& cuts
 /// by piece.
 GraphBuilder five_pieces(std::span<const Edge> piece) {
   GraphBuilder builder(50, 75);
-  for (Count i = 0; i < 5; ++i) {
-    for (const Edge e : piece) builder.edge(10 * i + e.u, 10 * i + e.v);
-  }
+  for (Count i = 0; i < 5; ++i) builder.edges(piece, 10 * i);
   return builder;
 }
 
@@ -109,7 +104,7 @@ Graph goldberg_snark(Count k) {
   constexpr Edge kToNext[] = {{1, 0}, {3, 2}, {4, 4}};
   GraphBuilder builder(8 * k, 12 * k);
   for (Count i = 0; i < k; ++i) {
-    for (const Edge e : kBlock) builder.edge(8 * i + e.u, 8 * i + e.v);
+    builder.edges(kBlock, 8 * i);
     for (const Edge e : kToNext) builder.edge(8 * i + e.u, 8 * ((i + 1) % k) + e.v);
   }
   return builder.finish();
@@ -122,9 +117,7 @@ Graph double_star_snark() {
       {9, 10},  {9, 24},  {10, 11}, {11, 12}, {12, 13}, {12, 27}, {13, 14}, {15, 16}, {15, 29},
       {16, 20}, {16, 23}, {17, 18}, {17, 25}, {17, 28}, {18, 19}, {19, 23}, {19, 26}, {20, 21},
       {20, 28}, {21, 22}, {22, 26}, {22, 29}, {23, 24}, {24, 25}, {25, 29}, {26, 27}, {27, 28}};
-  GraphBuilder builder(30, 45);
-  for (const Edge e : kEdges) builder.edge(e.u, e.v);
-  return builder.finish();
+  return Graph(30, {std::begin(kEdges), std::end(kEdges)});
 }
 
 Graph szekeres_snark() {

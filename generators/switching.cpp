@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
-#include <utility>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/parallel.h"

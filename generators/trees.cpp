@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <numeric>
-#include <span>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/random.h"
@@ -65,20 +64,14 @@ Graph spine_with_pendant_trees(Count k) {
 }
 
 Graph leaf_block(Count size) {
-  GraphBuilder builder(size);
   if (size == 5) {  // K4 on 1..4, edge 12 subdivided by 0
-    for (const Edge e : {Edge{0, 1}, {0, 2}, {1, 3}, {1, 4}, {2, 3}, {2, 4}, {3, 4}}) {
-      builder.edge(e.u, e.v);
-    }
-  } else if (size == 7) {  // K3,3 with sides 1, 3, 5 and 2, 4, 6, edge 12 subdivided by 0
-    for (const Edge e :
-         {Edge{0, 1}, {0, 2}, {1, 4}, {1, 6}, {3, 2}, {3, 4}, {3, 6}, {5, 2}, {5, 4}, {5, 6}}) {
-      builder.edge(e.u, e.v);
-    }
-  } else {
-    throw InputError(fmt::format("there is no leaf block of {} vertices (only 5 and 7)", size));
+    return Graph(5, {{0, 1}, {0, 2}, {1, 3}, {1, 4}, {2, 3}, {2, 4}, {3, 4}});
   }
-  return builder.finish();
+  if (size == 7) {  // K3,3 with sides 1, 3, 5 and 2, 4, 6, edge 12 subdivided by 0
+    return Graph(7,
+                 {{0, 1}, {0, 2}, {1, 4}, {1, 6}, {3, 2}, {3, 4}, {3, 6}, {5, 2}, {5, 4}, {5, 6}});
+  }
+  throw InputError(fmt::format("there is no leaf block of {} vertices (only 5 and 7)", size));
 }
 
 Graph cubic_tree(Count inner, Count large_blocks, TreeShape shape, std::uint64_t seed) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -26,6 +27,18 @@ struct Vector {
   std::int64_t y = 0;
   std::int64_t z = 0;
   friend auto operator<=>(const Vector&, const Vector&) = default;
+};
+
+/// For tables of points.
+struct PointHash {
+  std::size_t operator()(const Point& p) const {
+    std::uint64_t h = 0;
+    for (const std::int64_t c : {p.x, p.y, p.z}) {
+      h = (h ^ static_cast<std::uint64_t>(c)) * 0x9e3779b97f4a7c15u;
+      h ^= h >> 29;
+    }
+    return h;
+  }
 };
 
 inline Vector operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }

@@ -2,7 +2,6 @@
 // because a short ear between two placed vertices has few places in a lattice: a hexagon of the
 // diamond lattice with four placed vertices has one. An ear that becomes shorter ends at a vertex
 // placed since, and is found from there; so a heap of them needs no update. Cost: see ear_order().
-#include <algorithm>
 #include <queue>
 #include <tuple>
 

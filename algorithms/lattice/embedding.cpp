@@ -107,7 +107,7 @@ class Search {
   std::vector<Point> points_;      // of the steps
   std::vector<std::size_t> next_;  // which way from the predecessor a step tries next
   std::vector<std::vector<std::uint32_t>> conflicts_;
-  std::unordered_map<Point, std::uint32_t, NetPointHash> taken_;
+  std::unordered_map<Point, std::uint32_t, PointHash> taken_;
   std::uint64_t tries_ = 0;
 };
 

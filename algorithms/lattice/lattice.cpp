@@ -6,13 +6,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <boost/graph/bipartite.hpp>
 #include <cstdlib>
-#include <memory>
 #include <unordered_set>
-#include <utility>
-#include <vector>
 
 #include "ar3d/algorithms/lattice/embedding.h"
 #include "ar3d/base/error.h"
@@ -125,7 +121,7 @@ class Packing {
   std::vector<Vector> translations_;  // by their largest coordinate, those below shell_
   std::int64_t shell_ = 0;
   std::size_t size_ = 0, next_ = 0;  // of the component before, and where it went
-  std::unordered_set<Point, NetPointHash> taken_;
+  std::unordered_set<Point, PointHash> taken_;
 };
 
 Algorithm row_of(const SpaceNet& net) {

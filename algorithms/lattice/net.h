@@ -1,25 +1,11 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "ar3d/model/lattice.h"
 
 namespace ar3d::lattice {
-
-/// For tables of points.
-struct NetPointHash {
-  std::size_t operator()(const Point& p) const {
-    std::uint64_t h = 0;
-    for (const std::int64_t c : {p.x, p.y, p.z}) {
-      h = (h ^ static_cast<std::uint64_t>(c)) * 0x9e3779b97f4a7c15u;
-      h ^= h >> 29;
-    }
-    return h;
-  }
-};
 
 /// One of the two space-filling graphs of the paper's Figure 1, on the unit cube grid. Both are
 /// bipartite, and symmetric: some symmetry takes any vertex and edge at it to any others.

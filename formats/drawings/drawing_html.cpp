@@ -4,10 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
-#include <string_view>
-#include <utility>
 
 #include "ar3d/base/error.h"
 #include "ar3d/formats/drawings/edge_roles.h"
@@ -121,8 +118,7 @@ PageEntry page_entry(const std::string& title, const Drawing& drawing, const Gua
                            {"names", drawing.names ? Json(*drawing.names) : Json()},
                            {"bound", bound_json(guarantee, n)},
                            {"verdict", verdict_json(verdict)}});
-  write_packed_geometry(drawing, roles, box.low,
-                        [&](std::string_view piece) { entry.geometry += piece; });
+  entry.geometry = packed_geometry(drawing, roles, box.low);
   return entry;
 }
 
