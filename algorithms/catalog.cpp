@@ -5,8 +5,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
 #include "ar3d/algorithms/compact/compact.h"
 #include "ar3d/algorithms/compact_120/compact_120.h"
 #include "ar3d/algorithms/diamond/diamond.h"

@@ -4,11 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <tuple>
-#include <utility>
 
 #include "ar3d/analysis/repetitions.h"
 #include "ar3d/analysis/replay.h"

@@ -5,16 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <optional>
-#include <string_view>
-#include <tuple>
-#include <utility>
-
-#include "ar3d/analysis/compare/pairing.h"
-#include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
 
 namespace ar3d {

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "ar3d/analysis/report/sections.h"
 #include "ar3d/store/columns/run_columns.h"
 

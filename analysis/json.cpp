@@ -2,7 +2,6 @@
 // files and are made valid UTF-8 first.
 #include "ar3d/analysis/json.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "ar3d/base/printable.h"

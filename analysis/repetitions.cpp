@@ -5,20 +5,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <functional>
 #include <map>
 #include <set>
-#include <span>
 #include <tuple>
-#include <utility>
-#include <vector>
 
-#include "ar3d/analysis/check.h"
-#include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/store/columns/asked_certificate.h"
-#include "ar3d/store/columns/row_format.h"
 
 namespace ar3d {
 

@@ -4,11 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <string_view>
-
-#include "ar3d/store/columns/side_tables.h"
-
 namespace ar3d {
 namespace {
 

@@ -2,13 +2,7 @@
 // scripts put in.
 #include "ar3d/analysis/report.h"
 
-#include <algorithm>
-#include <functional>
-#include <span>
-#include <utility>
-
 #include "ar3d/analysis/report/sections.h"
-#include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
 #include "ar3d_page_files.h"
 

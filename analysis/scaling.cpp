@@ -5,11 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <utility>
-
 #include "ar3d/base/parallel.h"
 
 namespace ar3d {

@@ -1,14 +1,6 @@
 // The bounds table, and everything else that report and exports show of a study, computed once.
 #include "ar3d/analysis/study_analysis.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
-#include "ar3d/analysis/scaling/samples.h"
-#include "ar3d/analysis/statistics.h"
-#include "ar3d/store/columns/side_tables.h"
-
 namespace ar3d {
 namespace {
 

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <string_view>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"

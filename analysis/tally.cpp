@@ -2,9 +2,7 @@
 // with the rows.
 #include "ar3d/analysis/tally.h"
 
-#include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <numbers>
 #include <unordered_map>
 

@@ -3,13 +3,10 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <string>
-#include <variant>
 
 #include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/model/real_points.h"
 #include "ar3d/verify/angles.h"
-#include "ar3d/verify/metrics/metrics.h"
 #include "ar3d/verify/metrics/volume_bound.h"
 
 namespace ar3d {

@@ -2,14 +2,10 @@
 // nearest word.
 #include "options.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <omp.h>
 
-#include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <utility>
 
 #include "ar3d/base/nearest_name.h"
 #include "ar3d/base/say.h"

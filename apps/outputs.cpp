@@ -7,7 +7,6 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
-#include <string_view>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"

@@ -1,13 +1,10 @@
 // `ar3d report`: the page, and its tables as files of their own.
 #include "ar3d/analysis/report.h"
 
-#include <fmt/format.h>
-
 #include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "ar3d/analysis/export.h"
 #include "ar3d/base/error.h"

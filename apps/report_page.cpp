@@ -3,20 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <optional>
 #include <set>
-#include <string_view>
-#include <vector>
 
 #include "ar3d/algorithms/catalog.h"
-#include "ar3d/base/error.h"
 #include "ar3d/bench/compare/commits.h"
 #include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/formats/drawings/drawing_html.h"
 #include "ar3d/formats/drawings/packed_geometry.h"
-#include "ar3d/store/columns/curves.h"
 #include "view.h"
 
 namespace ar3d {

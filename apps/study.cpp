@@ -1,20 +1,7 @@
 // `ar3d study run`, `resume` and `merge`.
 #include "study.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <csignal>
-#include <cstdio>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-
 #include "ar3d/analysis/report.h"
-#include "ar3d/base/error.h"
-#include "ar3d/base/new_file.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/base/say.h"
 #include "ar3d/bench/keep/gather_rows.h"
@@ -23,8 +10,6 @@
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/replay/count_instructions.h"
-#include "ar3d/bench/spec/study_spec.h"
-#include "ar3d/store/journal/journal_writer.h"
 #include "commands.h"
 #include "join_ranks.h"
 #include "outputs.h"

@@ -2,28 +2,17 @@
 #include "study_rows.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
-#include <memory>
-#include <string>
-#include <thread>
-#include <utility>
-#include <vector>
 
-#include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/base/say.h"
 #include "ar3d/bench/keep/journaled_study.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/store/columns/run_columns.h"
-#include "ar3d/store/hdf5/results_file.h"
 #include "ar3d/store/journal/journal_reader.h"
 #include "ar3d/store/row_collection.h"
-#include "ar3d/store/run_storage.h"
 #include "commands.h"
 #include "outputs.h"
 #include "study.h"

@@ -1,20 +1,12 @@
 // Pages that show drawings in 3D: `ar3d view`.
 #include "view.h"
 
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <fstream>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/say.h"
-#include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "commands.h"
 #include "outputs.h"
 #include "several_inputs.h"

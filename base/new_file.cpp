@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <sys/random.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstdint>
@@ -16,7 +15,6 @@
 #include <cstring>
 #include <filesystem>
 #include <regex>
-#include <utility>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/system_calls.h"

@@ -2,10 +2,7 @@
 // too often.
 #include "ar3d/formats/catalog.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <utility>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"

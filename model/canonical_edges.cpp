@@ -4,15 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <functional>
 #include <iterator>
-#include <span>
-#include <utility>
-#include <vector>
 
 #include "ar3d/base/parallel.h"
-#include "ar3d/model/graph.h"
 
 // Counting sort by the smaller end, then the edges of every smaller end sorted by the larger one:
 // they are few where degrees are small. Many edges are dealt to bins first.

@@ -4,14 +4,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <iterator>
-#include <limits>
-#include <utility>
 
 #include "ar3d/base/error.h"
-#include "ar3d/base/long_vector.h"
 #include "ar3d/base/nearest_name.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/model/real_points.h"

@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <boost/graph/breadth_first_search.hpp>
-#include <limits>
 #include <set>
-#include <utility>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/hash_stream.h"

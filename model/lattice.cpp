@@ -8,7 +8,6 @@
 #include <bit>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
-#include <cstdlib>
 #include <initializer_list>
 #include <numeric>
 

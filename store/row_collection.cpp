@@ -9,7 +9,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 
 #include "ar3d/base/error.h"
 #include "ar3d/store/hdf5/results_file.h"

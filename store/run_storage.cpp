@@ -3,11 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <memory>
-
-#include "ar3d/base/error.h"
 #include "ar3d/store/columns/run_columns.h"
-#include "ar3d/store/columns/side_tables.h"
 
 namespace ar3d {
 namespace {

@@ -4,13 +4,6 @@
 // guarantee holds for every input. Cost: O(n + m) cells tried, each in O(1) expected.
 #include "ar3d/algorithms/compact/compact.h"
 
-#include <algorithm>
-#include <memory>
-#include <optional>
-#include <utility>
-
-#include "ar3d/algorithms/compact/fill.h"
-#include "ar3d/algorithms/compact/words.h"
 #include "ar3d/algorithms/strips/routes.h"
 
 namespace ar3d::compact {

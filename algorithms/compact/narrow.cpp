@@ -8,7 +8,6 @@
 #include <array>
 #include <bit>
 #include <boost/container/static_vector.hpp>
-#include <numeric>
 #include <utility>
 #include <vector>
 

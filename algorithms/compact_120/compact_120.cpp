@@ -4,12 +4,6 @@
 // tried, so the guarantee holds for every input. Cost: O(n + m) cells tried, each in O(1) expected.
 #include "ar3d/algorithms/compact_120/compact_120.h"
 
-#include <algorithm>
-#include <memory>
-#include <optional>
-#include <utility>
-
-#include "ar3d/algorithms/compact_120/fill.h"
 #include "ar3d/algorithms/strips/routes.h"
 
 namespace ar3d::compact_120 {

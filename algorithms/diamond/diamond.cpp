@@ -5,10 +5,7 @@
 // m) for each candidate, six of them at most.
 #include "ar3d/algorithms/diamond/diamond.h"
 
-#include <array>
-#include <optional>
 #include <tuple>
-#include <utility>
 
 #include "ar3d/algorithms/diamond/fast/fast.h"
 #include "ar3d/algorithms/diamond/guaranteed.h"

@@ -4,9 +4,6 @@
 // ones. O(n).
 #include "ar3d/algorithms/diamond/guaranteed.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "ar3d/base/error.h"
 #include "ar3d/base/parallel.h"
 

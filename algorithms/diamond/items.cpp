@@ -3,8 +3,6 @@
 // nothing but the colouring. O(n).
 #include "ar3d/algorithms/diamond/items.h"
 
-#include <algorithm>
-
 #include "ar3d/base/parallel.h"
 
 namespace ar3d::diamond {

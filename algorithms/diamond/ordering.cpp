@@ -1,7 +1,6 @@
 // Lemma 1.3. Greedy: of three waiting items one fits behind the last vertex, since that has only
 // two neighbours in the other colour. The at most two left over are put where they fit. The paper
 // leaves gaps between all items instead, which costs a line for each. O(n).
-#include <algorithm>
 #include <optional>
 
 #include "ar3d/algorithms/diamond/guaranteed.h"

@@ -2,7 +2,6 @@
 // then the least Y of the right parity for each vertex in red order. At most six values are
 // forbidden for a vertex, so the walk never fails; (C1) and (C2) are kept by rules filed under the
 // later vertex. O(n). Idea: not in the paper; without a proved box of its own.
-#include <algorithm>
 
 #include "ar3d/algorithms/diamond/parity.h"
 #include "ar3d/base/error.h"

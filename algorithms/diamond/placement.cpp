@@ -2,8 +2,6 @@
 // right; only tests and builds with AR3D_CHECKS check them. O(n + m).
 #include "ar3d/algorithms/diamond/placement.h"
 
-#include <algorithm>
-
 namespace ar3d::diamond {
 namespace {
 

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdint>
 #include <cstdlib>
-#include <vector>
 
 #include "ar3d/algorithms/diamond/items.h"
 

@@ -3,10 +3,6 @@
 // somebody reads them and cost O(1).
 #include "ar3d/algorithms/diamond/routes.h"
 
-#include <algorithm>
-#include <memory>
-#include <utility>
-
 #include "ar3d/base/error.h"
 #include "ar3d/base/parallel.h"
 

@@ -5,7 +5,6 @@
 #include "ar3d/algorithms/grid/colouring.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "ar3d/base/error.h"
 

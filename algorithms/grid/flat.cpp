@@ -5,10 +5,6 @@
 
 #include "ar3d/algorithms/grid/flat.h"
 
-#include <algorithm>
-#include <optional>
-#include <utility>
-
 namespace ar3d::grid {
 namespace {
 

@@ -3,7 +3,6 @@
 // expected, on every input (Lemma 3.7).
 #include "ar3d/algorithms/grid/grid.h"
 
-#include <algorithm>
 #include <cstdlib>
 
 #include "ar3d/algorithms/grid/order.h"

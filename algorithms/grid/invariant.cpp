@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <unordered_map>
 #include <unordered_set>
 
 #include "ar3d/algorithms/grid/planes.h"

@@ -3,9 +3,6 @@
 // Labels of f are chosen late, so that no neighbour of f is a clash. O(n + m).
 #include "ar3d/algorithms/grid/labels.h"
 
-#include <algorithm>
-#include <array>
-
 #include "ar3d/base/error.h"
 
 namespace ar3d::grid {

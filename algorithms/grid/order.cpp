@@ -4,7 +4,6 @@
 #include "ar3d/algorithms/grid/order.h"
 
 #include <algorithm>
-#include <cstdint>
 
 #include "ar3d/base/error.h"
 

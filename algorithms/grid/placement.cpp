@@ -4,12 +4,6 @@
 // always found. Cost: O(log n) expected per number.
 #include "ar3d/algorithms/grid/placement.h"
 
-#include <algorithm>
-#include <cstdlib>
-#include <limits>
-
-#include "ar3d/base/error.h"
-
 namespace ar3d::grid {
 namespace {
 

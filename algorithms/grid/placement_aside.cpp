@@ -3,8 +3,6 @@
 // f, and f stands outside the zone of all other numbers, where nothing can be in the way. O(log n)
 // expected.
 
-#include <algorithm>
-
 #include "ar3d/algorithms/grid/placement.h"
 #include "ar3d/base/error.h"
 

@@ -3,15 +3,8 @@
 // Lemma 3.5 says it does at 11n + 20. O(n log n) expected.
 #include "ar3d/algorithms/grid/planes.h"
 
-#include <algorithm>
-#include <optional>
-#include <span>
-#include <utility>
-
 #include "ar3d/algorithms/grid/flat.h"
-#include "ar3d/algorithms/grid/order.h"
 #include "ar3d/algorithms/grid/placement.h"
-#include "ar3d/base/error.h"
 
 namespace ar3d::grid {
 namespace {

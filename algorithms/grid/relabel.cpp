@@ -1,7 +1,6 @@
 // Step 3.13. Chains that swap two labels (Kempe 1879), started at the end of a defect: they move,
 // turn, split or heal defects, and keep the labels at a vertex different. Cost: about 100 chain
 // steps per vertex at most; the core takes over after that.
-#include <algorithm>
 #include <utility>
 
 #include "ar3d/algorithms/grid/flat.h"

@@ -3,11 +3,6 @@
 // computed when somebody reads them, in O(1) for edges without a slot.
 #include "ar3d/algorithms/grid/routes.h"
 
-#include <algorithm>
-#include <array>
-
-#include "ar3d/base/error.h"
-
 namespace ar3d::grid {
 namespace {
 

@@ -3,9 +3,7 @@
 // Cost: O(1) a vertex and edge.
 #include "ar3d/algorithms/grid_paper/builder.h"
 
-#include <algorithm>
 #include <cstdlib>
-#include <memory>
 
 #include "ar3d/base/error.h"
 

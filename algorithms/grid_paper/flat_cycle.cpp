@@ -4,7 +4,6 @@
 // Places are looked for to the right only, and the test stops at vertices too far to the left to be
 // reached. Cost: a few comparisons a vertex in practice, with all others at worst.
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <limits>
 

@@ -5,9 +5,7 @@
 // a search, O(n) at worst, for every change of a bound; else O(n log n).
 #include "ar3d/algorithms/grid_paper/growth.h"
 
-#include <algorithm>
 #include <deque>
-#include <limits>
 #include <queue>
 
 #include "ar3d/algorithms/shortest_cycle.h"

@@ -4,6 +4,8 @@
 // instructions per number with AVX2.
 #include "ar3d/algorithms/strips/numbers_ahead.h"
 
+#include <algorithm>
+
 #if defined(__x86_64__) && defined(__GNUC__)
 #include <immintrin.h>
 #endif

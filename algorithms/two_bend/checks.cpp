@@ -3,9 +3,7 @@
 // fail. Cost: O(n) each, O(n log n) for the rays, which are sorted.
 #include "ar3d/algorithms/two_bend/checks.h"
 
-#include <algorithm>
 #include <cstdlib>
-#include <numeric>
 #include <tuple>
 
 #include "ar3d/algorithms/two_bend/slab.h"

@@ -3,14 +3,6 @@
 // O(1) per body.
 #include "ar3d/algorithms/two_bend/fixed_bodies.h"
 
-#include <algorithm>
-#include <array>
-#include <numeric>
-#include <optional>
-#include <span>
-#include <utility>
-#include <vector>
-
 #include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {

@@ -5,13 +5,8 @@
 // O(n) for each numbering, of which there are at most ten, and a few for the safe layout.
 #include "ar3d/algorithms/two_bend/layout.h"
 
-#include <algorithm>
-#include <array>
 #include <bit>
 #include <cstdlib>
-#include <utility>
-
-#include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {
 

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <optional>
-#include <vector>
 
 #include "ar3d/algorithms/two_bend/coordinates.h"
 #include "ar3d/algorithms/two_bend/leans.h"

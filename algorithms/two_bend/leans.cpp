@@ -3,12 +3,7 @@
 // greatest common divisor per b tried, of which there are fewer than half of the gap of the hold.
 #include "ar3d/algorithms/two_bend/leans.h"
 
-#include <algorithm>
 #include <cstdlib>
-#include <numeric>
-#include <utility>
-
-#include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {
 namespace {

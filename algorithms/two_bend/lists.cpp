@@ -4,7 +4,6 @@
 #include "ar3d/algorithms/two_bend/lists.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "ar3d/algorithms/two_bend/owner_order.h"
 #include "ar3d/base/error.h"

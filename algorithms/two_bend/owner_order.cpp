@@ -4,9 +4,7 @@
 #include "ar3d/algorithms/two_bend/owner_order.h"
 
 #include <algorithm>
-#include <array>
 #include <boost/container/static_vector.hpp>
-#include <utility>
 
 #include "ar3d/base/error.h"
 

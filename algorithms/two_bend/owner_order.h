@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "ar3d/algorithms/two_bend/flow.h"
 
 namespace ar3d::two_bend {

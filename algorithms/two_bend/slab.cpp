@@ -3,12 +3,7 @@
 // Cost: O(n).
 #include "ar3d/algorithms/two_bend/slab.h"
 
-#include <algorithm>
 #include <cstdlib>
-#include <limits>
-
-#include "ar3d/algorithms/two_bend/leans.h"
-#include "ar3d/base/error.h"
 
 namespace ar3d::two_bend {
 

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 #include "ar3d/algorithms/two_bend/blocks.h"
 #include "ar3d/algorithms/two_bend/layout.h"

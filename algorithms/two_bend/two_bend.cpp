@@ -5,11 +5,6 @@
 // O(n) but for greatest common divisors.
 #include "ar3d/algorithms/two_bend/two_bend.h"
 
-#include <algorithm>
-#include <array>
-#include <optional>
-#include <utility>
-
 #include "ar3d/algorithms/two_bend/checks.h"
 #include "ar3d/algorithms/two_bend/fixed_bodies.h"
 #include "ar3d/algorithms/two_bend/layout.h"

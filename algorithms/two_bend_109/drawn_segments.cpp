@@ -5,7 +5,6 @@
 #include "ar3d/algorithms/two_bend_109/drawn_segments.h"
 
 #include <algorithm>
-#include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <span>

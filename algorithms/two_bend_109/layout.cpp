@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "ar3d/algorithms/two_bend_109/small_bodies.h"
 #include "ar3d/base/error.h"
 
 namespace ar3d::two_bend_109 {

@@ -7,10 +7,8 @@
 #include "ar3d/algorithms/two_bend_109/partition.h"
 
 #include <algorithm>
-#include <array>
 #include <deque>
 #include <optional>
-#include <utility>
 
 #include "ar3d/base/error.h"
 

@@ -5,14 +5,9 @@
 // drawing. Cost: O(n) and owners_that_meet(), once in most drawings.
 #include "ar3d/algorithms/two_bend_109/placement.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <utility>
 
-#include "ar3d/algorithms/two_bend_109/drawn_segments.h"
-#include "ar3d/algorithms/two_bend_109/small_bodies.h"
-#include "ar3d/algorithms/two_bend_109/stubs.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/random.h"
 

@@ -5,9 +5,7 @@
 #include "ar3d/algorithms/two_bend_109/slots.h"
 
 #include <algorithm>
-#include <limits>
 #include <tuple>
-#include <utility>
 
 #include "ar3d/base/error.h"
 

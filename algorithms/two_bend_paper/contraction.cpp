@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <deque>
 #include <optional>
-#include <utility>
 
 namespace ar3d::two_bend_paper {
 namespace {

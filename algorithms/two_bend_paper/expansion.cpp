@@ -4,12 +4,6 @@
 // on the drawing in double, segment by segment. Cost: O(m) for each contracted vertex.
 #include "ar3d/algorithms/two_bend_paper/expansion.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
-#include "ar3d/algorithms/two_bend_paper/stacking.h"
-
 namespace ar3d::two_bend_paper {
 namespace {
 

@@ -5,7 +5,6 @@
 // n + m) and, for each cycle, breadth-first searches of O(nodes * edges) at worst.
 #include "ar3d/algorithms/two_bend_paper/growth.h"
 
-#include <algorithm>
 #include <deque>
 
 #include "ar3d/base/error.h"

@@ -4,7 +4,6 @@
 // else can be in the way. Cost: O(N log N) per candidate for N rays.
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "ar3d/algorithms/two_bend_paper/general_position.h"
 #include "ar3d/algorithms/two_bend_paper/growth.h"

@@ -7,18 +7,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
-#include <vector>
 
 #include "ar3d/algorithms/two_bend_paper/expansion.h"
 #include "ar3d/algorithms/two_bend_paper/growth.h"
 #include "ar3d/algorithms/two_bend_paper/stacking.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/ieee_arithmetic.h"
-#include "ar3d/model/real_points.h"
 
 namespace ar3d::two_bend_paper {
 namespace {

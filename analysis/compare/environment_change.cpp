@@ -2,9 +2,7 @@
 // session to session by its nature, such as the load, counts as a change only if it disturbs times.
 #include "ar3d/analysis/compare/environment_change.h"
 
-#include <algorithm>
 #include <charconv>
-#include <map>
 #include <set>
 
 namespace ar3d {

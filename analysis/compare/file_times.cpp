@@ -3,10 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
-#include "ar3d/analysis/statistics.h"
 #include "ar3d/base/printable.h"
 
 namespace ar3d {

@@ -3,17 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <boost/multiprecision/cpp_int.hpp>
-#include <cmath>
-#include <cstdint>
 #include <map>
 #include <tuple>
 
 #include "ar3d/analysis/check.h"
 #include "ar3d/analysis/statistics.h"
-#include "ar3d/base/error.h"
 #include "ar3d/store/columns/run_columns.h"
 
 namespace ar3d {

@@ -4,16 +4,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <numbers>
-#include <tuple>
-#include <vector>
 
-#include "ar3d/analysis/statistics.h"
 #include "ar3d/store/columns/run_columns.h"
-#include "ar3d/store/study_identity.h"
 
 namespace ar3d {
 namespace {

@@ -3,7 +3,6 @@
 #include <array>
 #include <compare>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <string>
 

@@ -4,19 +4,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <filesystem>
-#include <limits>
-#include <string_view>
-#include <tuple>
 
-#include "ar3d/analysis/compare/environment_change.h"
-#include "ar3d/analysis/statistics.h"
-#include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/store/columns/side_tables.h"
 
 namespace ar3d {
 namespace {

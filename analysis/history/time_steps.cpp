@@ -3,13 +3,6 @@
 // two results alone do not show it.
 #include "ar3d/analysis/history/time_steps.h"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <optional>
-
-#include "ar3d/analysis/statistics.h"
-
 namespace ar3d {
 namespace {
 

@@ -2,13 +2,6 @@
 // of detail take.
 #include "ar3d/analysis/report/precision.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <set>
-
-#include "ar3d/analysis/statistics.h"
-
 namespace ar3d::report {
 namespace {
 

@@ -1,13 +1,7 @@
 // The settings of a study with their families, and the graphs that tables point at.
 #include "ar3d/analysis/report/sections.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <map>
 #include <numbers>
-#include <utility>
 
 #include "ar3d/analysis/replay.h"
 

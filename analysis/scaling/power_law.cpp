@@ -1,15 +1,6 @@
 // Least squares with robust intervals, and the laws that are fitted with it.
 #include "ar3d/analysis/scaling/power_law.h"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <utility>
-
-#include "ar3d/base/error.h"
-#include "ar3d/store/columns/run_record.h"
-
 namespace ar3d {
 
 namespace {

@@ -2,19 +2,14 @@
 // both, and each round is a pair of measurements.
 #include "ar3d/bench/compare/interleave.h"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 
-#include "ar3d/base/error.h"
 #include "ar3d/base/say.h"
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/bench/measure/instruments.h"
 #include "ar3d/bench/measure/processes.h"
-#include "ar3d/bench/spec/study_spec.h"
 
 namespace ar3d {
 namespace {

@@ -3,28 +3,15 @@
 // graphs that can still be in it.
 #include "ar3d/bench/corpus/corpus.h"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <array>
 #include <cerrno>
-#include <cstdlib>
-#include <cstring>
 #include <filesystem>
-#include <limits>
 #include <numeric>
 #include <queue>
-#include <span>
-#include <utility>
-#include <vector>
 
 #include "ar3d/base/error.h"
-#include "ar3d/base/hash_stream.h"
 #include "ar3d/base/random.h"
 #include "ar3d/base/system_calls.h"
 #include "ar3d/formats/catalog.h"
-#include "ar3d/store/study_identity.h"
 
 namespace ar3d {
 namespace {

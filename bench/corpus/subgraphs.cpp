@@ -1,5 +1,4 @@
 // Parts of a graph, their vertices numbered anew.
-#include <algorithm>
 #include <boost/graph/breadth_first_search.hpp>
 #include <boost/graph/two_bit_color_map.hpp>
 #include <limits>

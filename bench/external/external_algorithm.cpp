@@ -7,14 +7,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <optional>
 #include <sstream>
 
 #include "ar3d/base/error.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/formats/graphs/graph6.h"
 #include "ar3d/formats/text/output.h"
-#include "ar3d/model/settings.h"
 #include "ar3d/store/study_identity.h"
 
 namespace ar3d {

@@ -7,17 +7,9 @@
 #include <fmt/ranges.h>
 #include <poll.h>
 #include <pthread.h>
-#include <signal.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
-#include <chrono>
-#include <cmath>
-#include <cstring>
-#include <utility>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"

@@ -4,10 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <numeric>
-#include <utility>
-#include <vector>
 
 #include "ar3d/base/error.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"

@@ -2,16 +2,7 @@
 // divisions into shards are refused, since their rows would not mean the same.
 #include "ar3d/bench/keep/gather_rows.h"
 
-#include <fmt/format.h>
-
-#include <map>
-#include <string_view>
-
-#include "ar3d/base/error.h"
-#include "ar3d/base/new_file.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/store/row_collection.h"
-#include "ar3d/store/run_storage.h"
 
 namespace ar3d {
 namespace {

@@ -1,26 +1,17 @@
 // A study from its beginning to its results file; a stopped one goes on from its journal.
 #include "ar3d/bench/keep/journaled_study.h"
 
-#include <fmt/format.h>
-
 #include <filesystem>
-#include <memory>
-#include <optional>
 
-#include "ar3d/base/error.h"
-#include "ar3d/base/new_file.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/base/say.h"
 #include "ar3d/bench/keep/gather_rows.h"
 #include "ar3d/bench/keep/study_files.h"
 #include "ar3d/bench/measure/environment.h"
-#include "ar3d/bench/measure/instruments.h"
 #include "ar3d/bench/measure/processes.h"
 #include "ar3d/bench/plan/corpora.h"
-#include "ar3d/bench/plan/plan.h"
 #include "ar3d/bench/run/batches.h"
 #include "ar3d/bench/run/describe_study.h"
-#include "ar3d/bench/run/session.h"
 #include "ar3d/store/columns/run_columns.h"
 #include "ar3d/store/hdf5/results_file.h"
 #include "ar3d/store/journal/journal_format.h"

@@ -13,8 +13,6 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
-#include <optional>
-#include <string_view>
 
 #include "ar3d/base/error.h"
 #include "ar3d/store/hdf5/results_file.h"

@@ -1,8 +1,6 @@
 // Graphs and texts that kernels share.
 #include "inputs.h"
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <map>

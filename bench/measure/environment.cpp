@@ -15,7 +15,6 @@
 #include <boost/version.hpp>
 #include <fstream>
 #include <iterator>
-#include <string_view>
 #include <thread>
 
 #include "ar3d/base/error.h"

@@ -2,14 +2,10 @@
 // graphs, so that a study that goes on never takes other graphs under an old name.
 #include "ar3d/bench/plan/corpora.h"
 
-#include <fmt/format.h>
 #include <glob.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <functional>
-#include <map>
-#include <utility>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"

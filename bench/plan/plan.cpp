@@ -2,16 +2,11 @@
 // index only, so that a plan of many rows is small; rows that two sweeps ask for are planned once.
 #include "ar3d/bench/plan/plan.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <map>
 #include <set>
 #include <tuple>
 
 #include "ar3d/base/error.h"
 #include "ar3d/bench/plan/corpora.h"
-#include "ar3d/model/settings.h"
 
 namespace ar3d {
 namespace {

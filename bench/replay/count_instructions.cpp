@@ -3,31 +3,20 @@
 // into the same state.
 #include "ar3d/bench/replay/count_instructions.h"
 
-#include <fmt/format.h>
 #include <malloc.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <map>
-#include <optional>
 #include <sstream>
-#include <string_view>
 #include <tuple>
 
 #include "ar3d/algorithms/catalog.h"
-#include "ar3d/base/error.h"
-#include "ar3d/base/new_file.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/measure/processes.h"
-#include "ar3d/bench/replay/replay_row.h"
 #include "ar3d/bench/run/row_maker.h"
 #include "ar3d/formats/catalog.h"
-#include "ar3d/model/settings.h"
 
 // A name without mangling that no optimiser may remove: callgrind counts from its entry to its end,
 // and writes down there what it has counted.

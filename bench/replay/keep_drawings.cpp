@@ -2,14 +2,7 @@
 // rows. A drawing is kept only if its hash is the one of its row.
 #include "ar3d/bench/replay/keep_drawings.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <exception>
-#include <map>
-#include <optional>
 #include <set>
 #include <tuple>
 

@@ -2,18 +2,10 @@
 // results can be reproduced from their file alone.
 #include "ar3d/bench/replay/replay_row.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <utility>
-
-#include "ar3d/base/error.h"
 #include "ar3d/base/random.h"
 #include "ar3d/bench/external/external_drawer.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/run/row_maker.h"
-#include "ar3d/bench/spec/study_spec.h"
-#include "ar3d/model/settings.h"
 #include "ar3d/store/columns/asked_certificate.h"
 #include "ar3d/store/columns/run_columns.h"
 

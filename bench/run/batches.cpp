@@ -3,18 +3,10 @@
 // and whose clock it is.
 #include "ar3d/bench/run/batches.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <atomic>
 #include <barrier>
-#include <chrono>
-#include <map>
-#include <memory>
-#include <mutex>
 #include <sstream>
-#include <utility>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/parallel.h"

@@ -3,16 +3,11 @@
 #include "ar3d/bench/run/describe_study.h"
 
 #include <fmt/chrono.h>
-#include <fmt/format.h>
 
 #include <chrono>
 #include <ctime>
-#include <map>
-#include <utility>
 
-#include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
-#include "ar3d/bench/external/external_algorithm.h"
 #include "ar3d/bench/measure/environment.h"
 #include "ar3d/bench/plan/corpora.h"
 #include "ar3d/bench/plan/plan.h"

@@ -2,18 +2,11 @@
 // with limits; larger sizes follow by a power law.
 #include "ar3d/bench/run/estimate.h"
 
-#include <fmt/format.h>
 #include <malloc.h>
 
-#include <algorithm>
-#include <cmath>
 #include <fstream>
-#include <limits>
-#include <map>
 #include <new>
 #include <set>
-#include <tuple>
-#include <type_traits>
 
 #include "ar3d/base/error.h"
 #include "ar3d/bench/measure/cores.h"

@@ -2,24 +2,10 @@
 // the timing phase goes round over all drawings, so that a disturbance meets all of them alike.
 #include "ar3d/bench/run/phases.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <deque>
-#include <limits>
-#include <map>
-#include <memory>
-#include <mutex>
 #include <set>
-#include <span>
-#include <unordered_map>
-#include <vector>
 
 #include "ar3d/base/error.h"
-#include "ar3d/bench/plan/plan.h"
 
 namespace ar3d {
 double halves_difference(std::span<const double> values) {

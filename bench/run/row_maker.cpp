@@ -2,18 +2,12 @@
 // whatever goes wrong becomes the status and message of the row.
 #include "ar3d/bench/run/row_maker.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <new>
 
 #include "ar3d/base/error.h"
 #include "ar3d/bench/measure/environment.h"
-#include "ar3d/bench/measure/instruments.h"
 #include "ar3d/formats/drawings/drawing_jsonl.h"
-#include "ar3d/formats/text/output.h"
 #include "ar3d/store/columns/run_columns.h"
-#include "ar3d/store/columns/side_tables.h"
 #include "ar3d/verify/angles.h"
 #include "ar3d/verify/examination.h"
 

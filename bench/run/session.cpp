@@ -2,17 +2,9 @@
 // tells how far the study is.
 #include "ar3d/bench/run/session.h"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
-#include <cmath>
-#include <utility>
-
 #include "ar3d/base/error.h"
 #include "ar3d/base/parallel.h"
 #include "ar3d/bench/measure/processes.h"
-#include "ar3d/bench/plan/plan.h"
-#include "ar3d/bench/run/row_maker.h"
 
 namespace ar3d {
 namespace {

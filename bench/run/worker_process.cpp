@@ -3,22 +3,15 @@
 #include "ar3d/bench/run/worker_process.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <xxhash.h>
 
-#include <algorithm>
 #include <cerrno>
-#include <cmath>
-#include <cstring>
 #include <fstream>
-#include <limits>
-#include <vector>
 
 #include "ar3d/base/error.h"
-#include "ar3d/base/system_calls.h"
 #include "ar3d/bench/measure/cores.h"
 #include "ar3d/store/columns/run_columns.h"
 

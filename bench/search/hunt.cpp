@@ -2,13 +2,8 @@
 // graph while a property holds (delta debugging).
 #include "ar3d/bench/search/hunt.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <chrono>
 #include <numeric>
-#include <utility>
-#include <vector>
 
 #include "ar3d/base/error.h"
 #include "ar3d/generators/random_graphs.h"

@@ -2,19 +2,12 @@
 // them tests show that searching and shrinking find what they should.
 #include "ar3d/bench/search/trial.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <functional>
-#include <memory>
-#include <optional>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
-#include "ar3d/verify/certificate.h"
 
 namespace ar3d {
 

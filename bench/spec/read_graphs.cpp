@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"

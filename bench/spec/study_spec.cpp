@@ -2,19 +2,13 @@
 #include "ar3d/bench/spec/study_spec.h"
 
 #include <fmt/ranges.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
-#include <cmath>
-#include <cstring>
 #include <filesystem>
-#include <limits>
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
-#include "ar3d/base/new_file.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/bench/spec/read_parts.h"
 #include "ar3d/bench/spec/toml_table.h"

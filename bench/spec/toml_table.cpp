@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <string_view>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"

@@ -1,20 +1,14 @@
 // The table of drawing formats. Pages need more than formats/ may include: the program adds them.
 #include "ar3d/formats/drawings/catalog.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <type_traits>
-#include <utility>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/nearest_name.h"
 #include "ar3d/base/open_table.h"
 #include "ar3d/formats/catalog.h"
 #include "ar3d/formats/drawings/drawing_exports.h"
-#include "ar3d/formats/drawings/drawing_jsonl.h"
 #include "ar3d/formats/drawings/drawing_svg.h"
-#include "ar3d/formats/text/output.h"
 
 namespace ar3d {
 namespace {

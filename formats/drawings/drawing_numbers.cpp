@@ -4,16 +4,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cstdlib>
-#include <string_view>
-#include <utility>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"
 #include "ar3d/formats/text/text_input.h"
-#include "ar3d/model/lattice.h"
 
 namespace ar3d {
 namespace {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <map>
 #include <numbers>
 
 #include "ar3d/formats/drawings/drawing_exports.h"

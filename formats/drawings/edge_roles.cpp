@@ -2,9 +2,6 @@
 // them, too.
 #include "ar3d/formats/drawings/edge_roles.h"
 
-#include <algorithm>
-#include <cstdlib>
-
 namespace ar3d {
 namespace {
 

@@ -2,14 +2,9 @@
 // counting and then read in step.
 #include "ar3d/formats/graphs/arc_collector.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <iterator>
-#include <limits>
 #include <numeric>
 #include <tuple>
-#include <utility>
 
 namespace ar3d {
 namespace {

@@ -2,15 +2,7 @@
 // its line.
 #include "ar3d/formats/graphs/edge_collector.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <limits>
-#include <utility>
-
 #include "ar3d/base/error.h"
-#include "ar3d/base/long_vector.h"
-#include "ar3d/formats/graphs/graph_format.h"
 #include "ar3d/formats/graphs/plain_lines.h"
 
 namespace ar3d {

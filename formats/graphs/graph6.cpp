@@ -2,13 +2,9 @@
 // adjacency matrix.
 #include "ar3d/formats/graphs/graph6.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <bit>
 
 #include "ar3d/base/error.h"
-#include "ar3d/formats/graphs/graph_format.h"
 
 namespace ar3d {
 namespace {

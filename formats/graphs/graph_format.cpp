@@ -1,12 +1,8 @@
 // What the readers of several formats do with the edges and the size that a text claims.
 #include "ar3d/formats/graphs/graph_format.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <limits>
 #include <tuple>
-#include <utility>
 
 namespace ar3d {
 namespace {

@@ -3,7 +3,6 @@
 // while it is read.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstring>
 #include <pugixml.hpp>
 #include <set>

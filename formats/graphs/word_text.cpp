@@ -1,11 +1,6 @@
 // The words of GML and DOT, and the graph that they gather. Nothing here recurses with the text.
 #include "ar3d/formats/graphs/word_text.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <utility>
-
 #include "ar3d/base/error.h"
 #include "ar3d/formats/text/tokens.h"
 

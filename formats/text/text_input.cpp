@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
-#include <utility>
 
 #include "ar3d/base/error.h"
 

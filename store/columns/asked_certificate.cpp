@@ -1,8 +1,6 @@
 // Tells from a row which certificate was asked for, also in results of older versions.
 #include "ar3d/store/columns/asked_certificate.h"
 
-#include <string_view>
-
 namespace ar3d {
 namespace {
 

@@ -3,10 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cstring>
 #include <type_traits>
-#include <variant>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/printable.h"

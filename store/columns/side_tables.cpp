@@ -4,11 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstring>
-
 #include "ar3d/base/error.h"
 
 namespace ar3d {

@@ -5,21 +5,17 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
-#include <signal.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
 #include <exception>
-#include <utility>
 
 #include "ar3d/base/error.h"
-#include "ar3d/base/system_calls.h"
 
 namespace ar3d {
 namespace {

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cstring>
 #include <unordered_set>
-#include <utility>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/new_file.h"

@@ -5,13 +5,10 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <optional>
-#include <utility>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/system_calls.h"

@@ -5,14 +5,12 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
 
-#include "ar3d/base/new_file.h"
 #include "ar3d/base/system_calls.h"
 
 namespace ar3d {

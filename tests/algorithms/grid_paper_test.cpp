@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "algorithms/grid_paper_support.h"
 #include "ar3d/algorithms/catalog.h"

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "ar3d/algorithms/catalog.h"
 #include "ar3d/algorithms/diamond/guaranteed.h"

@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <vector>
 
 #include "algorithms/two_bend_109_angles.h"

@@ -6,7 +6,6 @@
 #include <boost/graph/boyer_myrvold_planar_test.hpp>
 #include <boost/graph/connected_components.hpp>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 #include "ar3d/model/boost_graph.h"

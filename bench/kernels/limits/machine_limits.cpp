@@ -3,7 +3,6 @@
 // every stage: machine/read, copy (bytes per second), chain (reads that wait for the one before)
 // and chains (32 such chains at the same time). Their counter `load` is the machine's while it ran.
 #include <array>
-#include <cstdlib>
 #include <numeric>
 #include <random>
 #include <utility>

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <omp.h>
 
-#include <functional>
 #include <stdexcept>
 
 #include "ar3d/bench/measure/cores.h"

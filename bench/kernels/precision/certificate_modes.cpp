@@ -5,10 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <unordered_set>
-#include <utility>
-#include <vector>
 
 #include "ar3d/base/error.h"
 #include "ar3d/base/random.h"

@@ -1,7 +1,6 @@
 // Wrong answers of predicates: as drawn, one unit beside, and where segments touch or nearly do.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
